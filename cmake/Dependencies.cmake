@@ -1,0 +1,17 @@
+# Everything comes from Debian 12 packages; ./test and ./demo install them.
+find_package(Threads REQUIRED)
+find_package(Boost 1.74 REQUIRED)
+find_package(Imath REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(fmt REQUIRED)
+find_package(PNG REQUIRED)
+find_package(Freetype REQUIRED)
+# OpenImageIO pulls some 260 shared libraries in, 0.2 s of start-up: only the image module links it (tracer/image/module).
+find_package(OpenImageIO REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(spdlog REQUIRED)
+if(VERISIM_TESTS)
+  find_package(GTest REQUIRED)
+endif()

@@ -1,0 +1,44 @@
+# Flags and helpers shared by every target.
+
+add_library(verisim_flags INTERFACE)
+target_compile_options(verisim_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror
+  # Coincident faces and tight thresholds must fall as in plain IEEE double arithmetic on every machine.
+  -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 reports these inside its own library headers when it inlines.
+  target_compile_options(verisim_flags INTERFACE -Wno-maybe-uninitialized -Wno-stringop-overflow -Wno-array-bounds -Wno-dangling-pointer -Wno-restrict)
+endif()
+if(VERISIM_SANITIZE)
+  target_compile_options(verisim_flags INTERFACE -fsanitize=${VERISIM_SANITIZE} -fno-omit-frame-pointer -g1)
+  target_link_options(verisim_flags INTERFACE -fsanitize=${VERISIM_SANITIZE})
+endif()
+if(VERISIM_FUZZ)
+  target_compile_options(verisim_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+# verisim_library(NAME): a library from all sources below the current folder; *_test.cpp beside the code become NAME_tests.
+function(verisim_library name)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$|/module/|/tools/")
+  add_library(${name} STATIC ${sources})
+  add_library(verisim::${name} ALIAS ${name})
+  target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/verisim>)
+  target_compile_features(${name} PUBLIC cxx_std_20)
+  target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:verisim_flags>)
+endfunction()
+
+function(verisim_tests name)
+  if(NOT VERISIM_TESTS)
+    return()
+  endif()
+  file(GLOB_RECURSE tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp)
+  if(NOT tests)
+    return()
+  endif()
+  add_executable(${name} ${tests})
+  target_link_libraries(${name} PRIVATE verisim_flags GTest::gmock GTest::gtest_main ${ARGN})
+  include(GoogleTest)
+  target_compile_definitions(${name} PRIVATE VERISIM_SOURCE_DIR="${PROJECT_SOURCE_DIR}" VERISIM_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 600)
+endfunction()

@@ -1,0 +1,62 @@
+// All objects of a scene ready for rays: frame-level list, Embree BVH, infinite objects beside it (specs 03 section 2, 06 section 9).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tracer/scene/scene.h"
+#include "tracer/shapes/shape.h"
+#include "tracer/textures/texture.h"
+
+namespace verisim::shapes {
+
+// What one primitive looks like and belongs to.
+struct Surface {
+  const textures::CompiledTexture* texture = nullptr;           // null: cutaway, see World::cutaway_textures
+  const textures::CompiledTexture* interior_texture = nullptr;  // may be null
+  const scene::Interior* interior = nullptr;                    // never null
+  const scene::Object* object = nullptr;                        // description of the primitive
+  int frame_object = 0;                                         // index of the frame-level object
+  bool opaque = false;            // texture and interior_texture are flagged opaque (spec 06 9.3)
+  bool double_illuminate = false, ignore_global_lights = false, uv_mapping = false, no_radiosity = false;
+  std::span<const scene::LightSource* const> group_lights;
+  scene::PhotonFlags photons;
+};
+
+}  // namespace verisim::shapes
+
+namespace verisim::accel {
+
+using shapes::Hit;
+using shapes::RayKind;
+
+class World {
+ public:
+  // The scene must outlive the world. Textures are compiled with `compiler`, which must outlive it, too.
+  World(const scene::Scene& scene, textures::Compiler& compiler, bool split_unions = false);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  // The nearest hit with t_min <= t < t_max among the objects this kind of ray sees. Exact ties: spec 03 2.3.
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const;
+  // True if any *opaque* surface lies in t_min < t < t_max (shadow rays; a cheap any-hit query).
+  bool occluded(const Ray& ray, double t_min, double t_max) const;
+  bool has_transparent_shadows() const;  // false: `occluded` alone decides every shadow
+
+  // Interiors of all objects that contain p, in order of declaration, for the start of a camera ray (spec 06 2.1).
+  void interiors_at(const Vec3& p, std::vector<const scene::Interior*>& interiors) const;
+  // Textures and weights of a hit whose primitive has several (blob components, mesh vertices, cutaway_textures); empty: surface->texture alone.
+  // `out` is cleared first.
+  void weighted_textures(const Hit& hit, bool inside_hit, std::vector<textures::WeightedTexture>& out) const;
+
+  std::span<const scene::LightSource* const> lights() const;  // global lights in file order
+  Box3 bounds() const;                                        // of all finite objects
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace verisim::accel

@@ -1,0 +1,54 @@
+#include "tracer/math/transform.h"
+
+#include <stdexcept>
+
+namespace verisim {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180.0;
+
+Mat4 transposed(const Mat4& a) { return a.transposed(); }
+
+}  // namespace
+
+Transform Transform::translation(const Vec3& v) {
+  Transform t;
+  t.m[3][0] = v.x, t.m[3][1] = v.y, t.m[3][2] = v.z;
+  t.inv[3][0] = -v.x, t.inv[3][1] = -v.y, t.inv[3][2] = -v.z;
+  return t;
+}
+
+Transform Transform::scaling(const Vec3& s) {
+  Transform t;
+  for (int i = 0; i < 3; ++i) t.m[i][i] = s[i], t.inv[i][i] = 1.0 / s[i];
+  return t;
+}
+
+Transform Transform::rotation(const Vec3& degrees) {
+  const Vec3 a = degrees * kDegree;
+  Mat4 x, y, z;
+  x[1][1] = std::cos(a.x), x[2][2] = std::cos(a.x), x[1][2] = std::sin(a.x), x[2][1] = -std::sin(a.x);
+  y[0][0] = std::cos(a.y), y[2][2] = std::cos(a.y), y[0][2] = -std::sin(a.y), y[2][0] = std::sin(a.y);
+  z[0][0] = std::cos(a.z), z[1][1] = std::cos(a.z), z[0][1] = std::sin(a.z), z[1][0] = -std::sin(a.z);
+  const Mat4 m = x * y * z;
+  return {m, transposed(m)};
+}
+
+Transform Transform::axis_rotation(const Vec3& axis, double radians) {
+  const Vec3 k = normalize(axis);
+  const double c = std::cos(radians), s = std::sin(radians), u = 1.0 - c;
+  Mat4 m;
+  m[0][0] = k.x * k.x + c * (1.0 - k.x * k.x), m[0][1] = k.x * k.y * u + k.z * s, m[0][2] = k.x * k.z * u - k.y * s;
+  m[1][0] = k.x * k.y * u - k.z * s, m[1][1] = k.y * k.y + c * (1.0 - k.y * k.y), m[1][2] = k.y * k.z * u + k.x * s;
+  m[2][0] = k.x * k.z * u + k.y * s, m[2][1] = k.y * k.z * u - k.x * s, m[2][2] = k.z * k.z + c * (1.0 - k.z * k.z);
+  return {m, transposed(m)};
+}
+
+Transform Transform::from_matrix(const Mat4& matrix) {
+  if (matrix.determinant() == 0.0) throw std::domain_error("Singular matrix");
+  return {matrix, matrix.inverse()};
+}
+
+bool Transform::is_identity() const { return m == Mat4(); }
+
+}  // namespace verisim

@@ -1,0 +1,62 @@
+// Rendering a scene to a framebuffer (specs 02, 06).
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+#include "tracer/scene/scene.h"
+
+namespace verisim::render {
+
+struct Options {
+  int width = 160, height = 120;
+  int first_column = 0, last_column = -1, first_row = 0, last_row = -1;  // inclusive, zero-based; -1: the edge of the image
+  bool antialias = false;
+  int sampling_method = 1, antialias_depth = 3;
+  float antialias_threshold = 0.3f;
+  double antialias_gamma = 2.5;
+  bool jitter = true;
+  double jitter_amount = 1;
+  int quality = 9;
+  int block_size = 32;
+  int threads = 0;               // 0: all cores
+  bool output_alpha = false;     // POV-Ray's +UA: decides how backgrounds behave
+  bool split_unions = false, remove_bounds = true;
+  bool replay = false;           // serial, with POV-Ray's random streams in POV-Ray's order: equals `povray +WT1`
+  std::uint64_t seed = 0;
+  // Called from one thread at a time with the fraction done, 0..1.
+  std::function<void(double)> progress;
+  // Set to true from anywhere (a signal handler) to stop; finished blocks stay in the framebuffer.
+  std::atomic<bool>* cancel = nullptr;
+  // Called when a block is finished (x, y, width, height), possibly from several threads; for continue-trace.
+  std::function<void(int, int, int, int)> block_done;
+};
+
+// Linear working-space radiance, premultiplied; t is the transmit of the pixel (alpha = 1 - t).
+struct Framebuffer {
+  int width = 0, height = 0;
+  std::vector<Color> pixels;           // row 0 is the top; f is unused
+  std::vector<std::uint8_t> done;      // per pixel: rendered in this run
+  Color& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
+  const Color& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
+};
+
+struct Statistics {
+  std::uint64_t pixels = 0, samples = 0, camera_rays = 0, reflected_rays = 0, refracted_rays = 0, shadow_rays = 0, transmitted_rays = 0;
+  double seconds_compile = 0, seconds_render = 0;
+  bool cancelled = false;
+};
+
+// A feature the tracer cannot render; `what` names it. The caller reports exit status 4.
+struct Unsupported : std::runtime_error {
+  Unsupported(const std::string& what, scene::Place where) : std::runtime_error(what), place(std::move(where)) {}
+  scene::Place place;
+};
+
+// Throws Unsupported before any ray is shot; std::bad_alloc and friends pass through.
+Statistics render(const scene::Scene& scene, const Options& options, Framebuffer& framebuffer);
+
+}  // namespace verisim::render

@@ -1,0 +1,29 @@
+// Light sources as SDL describes them (spec 06 sections 7 and 8).
+#pragma once
+
+#include "tracer/scene/pattern.h"
+
+namespace verisim::scene {
+
+enum class LightKind : std::uint8_t { point, spotlight, cylinder, shadowless };
+
+struct LightSource {
+  Vec3 position{0, 0, 0};
+  Rgb color;
+  LightKind kind = LightKind::point;
+  bool parallel = false;
+  Vec3 point_at{0, 0, 1};
+  Vec3 direction{0, 0, 0};  // unit, towards point_at; fixed at the end of the statement, then transformed as a direction
+  double radius = 0, falloff = 0, tightness = 0;  // degrees for a spotlight, lengths for a cylinder
+  double fade_distance = 0, fade_power = 0;
+  bool area = false;
+  Vec3 axis1{0, 0, 0}, axis2{0, 0, 0};
+  int size1 = 0, size2 = 0, adaptive = 100;
+  bool jitter = false, circular = false, orient = false, area_illumination = false;
+  bool media_interaction = true, media_attenuation = false;
+  ObjectPtr looks_like, projected_through;
+  // photons{} of the light
+  bool photons_given = false, photon_reflection = false, photon_refraction = false, photon_area = false;
+};
+
+}  // namespace verisim::scene

@@ -1,0 +1,171 @@
+// Objects as SDL describes them (specs 03, 04). A tree of plain values; tracer/shapes compiles it for rays.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "tracer/scene/light.h"
+#include "tracer/scene/texture.h"
+
+namespace verisim {
+class Spline;
+}
+
+namespace verisim::scene {
+
+struct Sphere { Vec3 center; double radius; };
+struct Box { Vec3 low, high; };
+struct Plane { Vec3 normal; double distance; };
+struct Cone { Vec3 base, cap; double base_radius, cap_radius; bool open = false; };  // cylinder: equal radii
+struct Torus { double major, minor; };
+struct Disc { Vec3 center, normal; double radius, hole = 0; };
+struct Triangle { std::array<Vec3, 3> p; };
+struct SmoothTriangle { std::array<Vec3, 3> p, n; };
+struct Polygon { std::vector<Vec3> points; };
+struct Poly { int order; std::vector<double> coefficients; };  // cubic, quartic, poly, polynomial
+struct Quadric { Vec3 square, mixed, linear; double constant; };
+struct Superellipsoid { double east, north; };
+struct Ovus { double bottom, top; };
+struct BlobComponent {
+  Vec3 a, b;             // centre, or the axis of a cylinder
+  double radius, strength;
+  bool cylinder = false;
+  std::optional<Transform> transform;
+  TexturePtr texture;
+};
+struct Blob { double threshold = 1; std::vector<BlobComponent> components; };
+enum class SplineKind : std::uint8_t { linear, quadratic, cubic, bezier, b_spline };
+struct Lathe { SplineKind spline = SplineKind::linear; std::vector<Vec2> points; };
+struct Sor { std::vector<Vec2> points; bool open = false; };
+struct Prism {
+  SplineKind spline = SplineKind::linear;
+  bool conic = false, open = false;
+  double low = 0, high = 0;
+  std::vector<Vec2> points;
+};
+struct SphereSweep { SplineKind spline = SplineKind::linear; std::vector<Vec3> centers; std::vector<double> radii; double tolerance = 1e-6; };
+struct BicubicPatch { int type = 0, u_steps = 0, v_steps = 0; double flatness = 0; std::array<Vec3, 16> points; std::optional<std::array<Vec2, 4>> uv; };
+struct HeightField { ImageParams image; double water_level = 0; bool smooth = false; };
+struct Contained { bool sphere = false; Vec3 low{-1, -1, -1}, high{1, 1, 1}; Vec3 center{0, 0, 0}; double radius = 1; };
+struct Isosurface {
+  FunctionPtr function;
+  Contained container;
+  double threshold = 0, accuracy = 0.001, max_gradient = 1.1;
+  std::optional<Vec3> evaluate;
+  int max_trace = 1;  // 0: all_intersections
+  bool open = false;
+};
+struct Parametric {
+  std::array<FunctionPtr, 3> function;
+  Vec2 low{0, 0}, high{1, 1};
+  Contained container;
+  double accuracy = 0.001, max_gradient = 1;
+  int precompute_depth = 0;
+  std::array<bool, 3> precompute{false, false, false};
+};
+enum class JuliaFunction : std::uint8_t { sqr, cube, exp, reciprocal, sin, asin, sinh, asinh, cos, acos, cosh, acosh, tan, atan, tanh, atanh, ln, pwr };
+struct JuliaFractal {
+  std::array<double, 4> parameter{1, 0, 0, 0}, slice{0, 0, 0, 1};
+  Vec2 exponent{0, 0};  // of pwr
+  double slice_distance = 0;
+  bool hypercomplex = false;
+  JuliaFunction function = JuliaFunction::sqr;
+  int max_iteration = 20;
+  double precision = 20;
+};
+struct Text { std::string font; int builtin_font = 0; std::u16string text; double thickness = 1; Vec3 offset{0, 0, 0}; };
+
+struct MeshTriangle {
+  std::array<std::uint32_t, 3> vertex;
+  std::array<std::uint32_t, 3> normal;   // into normals; only when smooth
+  std::array<std::uint32_t, 3> uv;
+  std::array<std::int32_t, 3> texture{-1, -1, -1};  // into textures; -1: the mesh's
+  bool smooth = false, has_uv = false;
+};
+struct MeshData {
+  std::vector<Vec3> vertices, normals;
+  std::vector<Vec2> uvs;
+  std::vector<TexturePtr> textures;
+  std::vector<MeshTriangle> triangles;
+  std::optional<Vec3> inside_vector;
+};
+struct Mesh { std::shared_ptr<const MeshData> data; };
+
+enum class CsgKind : std::uint8_t { union_, merge, intersection };  // a difference is an intersection whose later children are inverted
+struct Csg {
+  CsgKind kind = CsgKind::union_;
+  bool difference = false;  // written as difference (cutaway_textures treats its first child apart)
+  std::vector<ObjectPtr> children;
+};
+struct LightGroup { std::vector<ObjectPtr> children; bool global_lights = false; };
+
+using Shape = std::variant<Sphere, Box, Plane, Cone, Torus, Disc, Triangle, SmoothTriangle, Polygon, Poly, Quadric, Superellipsoid, Ovus,
+                           std::shared_ptr<const Blob>, std::shared_ptr<const Lathe>, std::shared_ptr<const Sor>,
+                           std::shared_ptr<const Prism>, std::shared_ptr<const SphereSweep>, std::shared_ptr<const BicubicPatch>,
+                           std::shared_ptr<const HeightField>, std::shared_ptr<const Isosurface>, std::shared_ptr<const Parametric>,
+                           std::shared_ptr<const JuliaFractal>, std::shared_ptr<const Text>, Mesh, Csg, LightGroup, LightSource>;
+
+// Axis-aligned bounds as POV-Ray stores them: binary32 lower corner and edge lengths (spec 03 2.2).
+struct Bounds {
+  std::array<float, 3> low{-1e10f, -1e10f, -1e10f}, size{2e10f, 2e10f, 2e10f};
+};
+
+// Tri-state keywords remember whether the scene wrote them: parents only override what a child left open (spec 03 5.4).
+enum class Flag : std::int8_t { unset = -1, off = 0, on = 1 };
+
+struct PhotonFlags {
+  bool target = false;
+  double target_spacing = 1;  // multiplier
+  Flag reflection = Flag::unset, refraction = Flag::unset;
+  bool pass_through = false, collect = true;
+  bool given = false;
+};
+
+struct Object {
+  Shape shape;
+  Place place;
+  std::optional<Transform> transform;     // of shapes that carry a matrix (spec 03 section 1)
+  std::optional<Transform> uv_transform;  // accumulated for the uv mapping of spheres
+  Bounds bounds;
+  std::vector<ObjectPtr> bounded_by, clipped_by;
+  bool clip_is_bound = false;  // clipped_by{bounded_by} or bounded_by{clipped_by}: transform once
+  TexturePtr texture, interior_texture;
+  InteriorPtr interior;
+  bool inverted = false;
+  Flag hollow = Flag::unset;
+  bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false, double_illuminate = false;
+  bool uv_mapping = false, sturm = false, hierarchy = true, split_union = true, cutaway_textures = false;
+  float radiosity_importance = -1;  // < 0: the scene's default
+  PhotonFlags photons;
+  // Filled in by finish_statement for objects below a light_group: their own lights, and whether the global ones apply.
+  std::vector<std::shared_ptr<const LightSource>> group_lights;
+  bool ignore_global_lights = false;
+
+  template <class T>
+  const T* as() const { return std::get_if<T>(&shape); }
+};
+
+// ---- Operations the parser performs while it reads an object (object.cpp, spec 03) ----
+
+// Computes `bounds` from the shape's own numbers; call once the parameters (or all CSG children) are read.
+void compute_bounds(Object& object);
+// One elementary transformation, applied as POV-Ray does: absorbed into the numbers where the shape can, else into the matrix; also moves clips,
+// bounds, textures (unless uv-mapped), the interior's media and CSG children.
+void translate(Object& object, const Vec3& v);
+void scale(Object& object, const Vec3& s);
+void rotate(Object& object, const Vec3& degrees);
+void transform(Object& object, const Transform& t);
+// Toggles inversion (spec 03 5.1: unions become intersections of inverted children and so on). Patches are unchanged: see is_patch.
+void invert(Object& object);
+// At the end of an object's modifier list: bounds from bounded_by and clipped_by, automatic quadric boxes (spec 03 2.2, 4.11).
+void finish_modifiers(Object& object);
+// True for shapes without an inside (triangle, mesh without inside_vector, bicubic_patch, parametric ...).
+bool is_patch(const Object& object);
+bool is_infinite(const Object& object);  // box volume > 2e10
+// A deep copy of the tree; heavy payloads (mesh, blob, lathe ...) and textures stay shared. Interiors are shared until finish_statement.
+std::shared_ptr<Object> copy(const Object& object);
+// At the end of a top-level statement: pushes textures, interiors and flags to the children, gives every object its own interior and the default
+// texture where it has none, collects light groups (spec 03 5.3, 5.4; 06 6.1, 10.1).
+void finish_statement(Object& object, const TexturePtr& default_texture);
+
+}  // namespace verisim::scene

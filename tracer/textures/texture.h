@@ -1,0 +1,93 @@
+// Compiled textures: what a description of tracer/scene/texture.h becomes for rendering (spec 05).
+//
+// Made once by `Compiler`, immutable afterwards, evaluated without virtual calls from any thread.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "tracer/scene/texture.h"
+
+namespace verisim::textures {
+
+struct CompiledPattern;   // pattern.h
+struct CompiledPigment;   // pigment.h
+struct CompiledNormal;    // normal.h
+struct CompiledTexture;
+
+// What slope, aoi, uv_mapping and object patterns need to know of the hit. `normal` is POV-Ray's "perturbed normal" of the intersection: it starts as
+// the raw normal turned towards the ray and every normal evaluation overwrites it (spec 05 3.4).
+struct SurfacePoint {
+  Vec3 point;          // the hit, unwarped
+  Vec3 normal;         // in and out
+  Vec3 ray_direction;
+  Vec2 uv{0, 0};
+  bool has_uv = false;
+};
+
+struct Settings {
+  int noise_generator = 2;
+  int number_of_waves = 10;
+  int version = 370;
+  bool use_quick_color = false;  // quality 5 and below
+};
+
+struct CompiledLayer {
+  const CompiledPigment* pigment;
+  const CompiledNormal* normal;  // null: none
+  scene::Finish finish;
+};
+
+struct WeightedTexture {
+  const CompiledTexture* texture;
+  float weight;
+};
+
+struct CompiledTexture {
+  std::vector<CompiledLayer> layers;               // top first; empty: patterned
+  const CompiledPattern* pattern = nullptr;        // of a patterned texture
+  bool average = false, uv_mapping = false, material_map = false, no_bump_scale = false;
+  std::vector<scene::MapEntry<const CompiledTexture*>> map;
+  bool opaque = false;  // blocks shadow rays without evaluation (spec 05 11.4)
+  bool patterned() const { return layers.empty(); }
+};
+
+// Owns everything it compiles; pointers stay valid as long as it lives. Equal descriptions (by address) are compiled once.
+class Compiler {
+ public:
+  explicit Compiler(const Settings& settings);
+  ~Compiler();
+  Compiler(const Compiler&) = delete;
+  Compiler& operator=(const Compiler&) = delete;
+
+  const CompiledTexture* texture(const scene::TexturePtr& description);
+  const CompiledPigment* pigment(const scene::PigmentPtr& description);
+  const CompiledNormal* normal(const scene::NormalPtr& description);
+  const CompiledPattern* pattern(const scene::Pattern& description);
+  // Density of a media: the pattern point is in world space; null entries give constant 1.
+  const CompiledPigment* density(const scene::DensityPtr& description);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+// The colour at p. False: the pigment "produced no colour" (outside a `once` image), color is then rgb 1 transmit 1.
+bool evaluate(const CompiledPigment& pigment, const Vec3& p, const SurfacePoint* surface, Color& color);
+// The scalar value after wave form (spec 05 3.2).
+double evaluate(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface);
+// Perturbs surface.normal at p.
+void perturb(const CompiledNormal& normal, const Vec3& p, SurfacePoint& surface);
+// Which textures of a patterned texture show at p, in POV-Ray's order of work (upper map entry first), and the warped point for them.
+// Returns at most 2 entries for a map, all of them for an average; `storage` must hold texture.map.size() entries (and at least 2).
+// Before the children are shaded the normal must be taken into the pattern's frame, afterwards back (spec 05 10.1): enter_frame / leave_frame.
+std::span<const WeightedTexture> select(const CompiledTexture& texture, const Vec3& p, const SurfacePoint* surface,
+                                        std::span<WeightedTexture> storage, Vec3& warped);
+Vec3 enter_frame(const CompiledTexture& texture, const Vec3& normal);
+Vec3 leave_frame(const CompiledTexture& texture, const Vec3& normal);
+
+// For SDL: `function { pattern {...} }`, `function { pigment {...} }`, eval_pigment. Each owns its compiled form.
+FunctionPtr pattern_function(const scene::Pattern& description, const scene::ColorMap* unused, const Settings& settings);
+FunctionPtr pigment_function(const scene::PigmentPtr& description, const Settings& settings);
+
+}  // namespace verisim::textures

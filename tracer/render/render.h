@@ -33,6 +33,9 @@ struct Options {
   std::atomic<bool>* cancel = nullptr;
   // Called when a block is finished (x, y, width, height), possibly from several threads; for continue-trace.
   std::function<void(int, int, int, int)> block_done;
+  // Asked once for each block (x, y, width, height) before it is started, possibly from several threads; true: its pixels are already in the
+  // framebuffer (continue-trace) and stay as they are. Blocks are independent, so the picture is the same as without it.
+  std::function<bool(int, int, int, int)> block_known;
 };
 
 // Linear working-space radiance, premultiplied; t is the transmit of the pixel (alpha = 1 - t).
@@ -56,7 +59,8 @@ struct Unsupported : std::runtime_error {
   scene::Place place;
 };
 
-// Throws Unsupported before any ray is shot; std::bad_alloc and friends pass through.
+// Throws Unsupported before any ray is shot; std::bad_alloc and friends pass through. A framebuffer that already has the size asked for keeps its
+// pixels where nothing is rendered; any other is made anew, opaque black.
 Statistics render(const scene::Scene& scene, const Options& options, Framebuffer& framebuffer);
 
 }  // namespace verisim::render

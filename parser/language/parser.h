@@ -83,6 +83,11 @@ class Parser {
   scene::Scene& scene();             // under construction
   scene::TexturePtr& default_texture();
   scene::Camera& default_camera();
+  // global_settings { charset }: how bytes >= 0x80 of later strings are read (spec 01 section 1.1).
+  enum class Charset : unsigned char { ascii, utf8, sys };
+  void set_charset(Charset charset);
+  // global_settings { noise_generator }: overrides the one that follows from the language version.
+  void set_noise_generator(int generator);
   // Finds a file as #include does without the .inc variants: current folder, library paths; records it as read. Error when missing or not allowed.
   std::filesystem::path find_file(const std::string& name);
   // Guards recursion of blocks; throws when Limits::max_depth is reached.

@@ -1,0 +1,130 @@
+// The plug-in: reads and writes image files with OpenImageIO behind the C interface of module.h.
+#include "tracer/image/module/module.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <string>
+
+namespace {
+
+using OIIO::ImageInput;
+using OIIO::ImageOutput;
+using OIIO::ImageSpec;
+using OIIO::TypeDesc;
+
+int fail(char* error, std::size_t size, const std::string& message) {
+  if (error && size > 0) {
+    const std::size_t n = std::min(size - 1, message.size());
+    std::memcpy(error, message.data(), n);
+    error[n] = '\0';
+  }
+  return 1;
+}
+
+void configure_once() {
+  static const bool done = [] {
+    OIIO::attribute("threads", 1);  // one file at a time; a thread pool would cost more than it gives
+    return true;
+  }();
+  (void)done;
+}
+
+bool integer_file(const ImageSpec& spec) { return !spec.format.is_floating_point(); }
+
+int read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, char* error, std::size_t error_size) {
+  configure_once();
+  *image = {};
+  ImageSpec config;
+  config["oiio:UnassociatedAlpha"] = 1;  // leave straight alpha straight
+  config["tiff:UnassociatedAlpha"] = 1;
+  auto input = ImageInput::open(path, &config);
+  if (!input) return fail(error, error_size, OIIO::geterror());
+  const ImageSpec& spec = input->spec();
+  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0) return fail(error, error_size, "the image has no pixels");
+  const std::uint64_t pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
+  if (pixels > max_pixels || spec.depth > 1) return fail(error, error_size, "the image is too large");
+  const int channels = spec.nchannels > 4 ? (spec.alpha_channel == 3 ? 4 : 3) : spec.nchannels;
+  TypeDesc type = TypeDesc::FLOAT;
+  image->sample = kVerisimFloat;
+  if (integer_file(spec)) {
+    const bool wide = spec.format.size() > 1;
+    type = wide ? TypeDesc::UINT16 : TypeDesc::UINT8;
+    image->sample = wide ? kVerisimUint16 : kVerisimUint8;
+  }
+  image->pixels = std::calloc(static_cast<std::size_t>(pixels) * static_cast<std::size_t>(channels), type.size());
+  if (!image->pixels) return fail(error, error_size, "not enough memory for the image");
+  if (!input->read_image(0, 0, 0, channels, type, image->pixels)) {
+    const std::string message = input->geterror();
+    std::free(image->pixels);
+    *image = {};
+    return fail(error, error_size, message.empty() ? "the image is damaged" : message);
+  }
+  image->width = spec.width;
+  image->height = spec.height;
+  image->channels = channels;
+  image->premultiplied = spec.alpha_channel >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
+  return 0;
+}
+
+int write_image(const char* path, const VerisimWriteOptions* options, char* error, std::size_t error_size) {
+  configure_once();
+  const VerisimImage& image = *options->image;
+  if (image.width <= 0 || image.height <= 0 || image.channels < 1 || image.channels > 4 || !image.pixels)
+    return fail(error, error_size, "nothing to write");
+  auto output = ImageOutput::create(path);
+  if (!output) return fail(error, error_size, OIIO::geterror());
+  TypeDesc file = TypeDesc::UINT8, memory = TypeDesc::UINT8;
+  switch (image.sample) {
+    case kVerisimUint16: file = memory = TypeDesc::UINT16; break;
+    case kVerisimHalf: file = TypeDesc::HALF, memory = TypeDesc::FLOAT; break;
+    case kVerisimFloat: file = memory = TypeDesc::FLOAT; break;
+    default: break;
+  }
+  ImageSpec spec(image.width, image.height, image.channels, file);
+  if (image.channels == 2 || image.channels == 4) {
+    spec.alpha_channel = image.channels - 1;
+    if (!image.premultiplied) spec.attribute("oiio:UnassociatedAlpha", 1);
+  }
+  if (options->compression) spec.attribute("compression", options->compression);
+  if (options->quality > 0) spec.attribute("CompressionQuality", options->quality);
+  if (options->bits > 0) spec.attribute("oiio:BitsPerSample", options->bits);
+  for (std::int32_t i = 0; i < options->metadata_count; ++i) spec.attribute(options->metadata[2 * i], options->metadata[2 * i + 1]);
+  if (!output->open(path, spec)) return fail(error, error_size, output->geterror());
+  if (!output->write_image(memory, image.pixels) || !output->close()) return fail(error, error_size, output->geterror());
+  return 0;
+}
+
+// No exception may cross the seam.
+template <class F>
+int guarded(char* error, std::size_t error_size, F f) {
+  try {
+    return f();
+  } catch (const std::exception& e) {
+    return fail(error, error_size, e.what());
+  } catch (...) {
+    return fail(error, error_size, "unknown error");
+  }
+}
+
+}  // namespace
+
+#define VERISIM_EXPORT extern "C" __attribute__((visibility("default")))
+
+VERISIM_EXPORT int verisim_module_version() { return verisim::image::kModuleVersion; }
+
+VERISIM_EXPORT int verisim_read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, char* error, std::size_t error_size) {
+  return guarded(error, error_size, [&] { return read_image(path, max_pixels, image, error, error_size); });
+}
+
+VERISIM_EXPORT int verisim_write_image(const char* path, const VerisimWriteOptions* options, char* error, std::size_t error_size) {
+  return guarded(error, error_size, [&] { return write_image(path, options, error, error_size); });
+}
+
+VERISIM_EXPORT void verisim_free_image(VerisimImage* image) {
+  std::free(image->pixels);
+  *image = {};
+}

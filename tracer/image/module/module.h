@@ -1,0 +1,53 @@
+// The seam between the tracer and OpenImageIO: a C interface implemented by the plug-in library verisim_image_module.
+//
+// OpenImageIO and what it needs are some 260 shared libraries, 0.2 s of start-up, so the program does not link it: `image_module()` loads the plug-in when
+// the first image wants a format that we do not read or write ourselves. Only plain data cross the seam; errors are returned as text, never thrown.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+extern "C" {
+
+enum VerisimSample : std::int32_t { kVerisimUint8 = 0, kVerisimUint16 = 1, kVerisimHalf = 2, kVerisimFloat = 3 };
+
+struct VerisimImage {
+  std::int32_t width, height, channels;  // 1: grey, 2: grey + alpha, 3: rgb, 4: rgb + alpha
+  std::int32_t sample;                   // VerisimSample; reading never gives half
+  void* pixels;                          // row 0 at the top, tightly packed, native byte order
+  std::int32_t premultiplied;            // reading: colours are multiplied by alpha already
+};
+
+struct VerisimWriteOptions {
+  const VerisimImage* image;       // sample is the type stored in the file; pixels are uint8, uint16 or, for half and float, float
+  const char* compression;         // OpenImageIO's name ("rle", "zip", "none" ...) or null
+  std::int32_t quality;            // JPEG quality 1..100, 0: the default
+  std::int32_t bits;               // significant bits per channel, 0: all
+  std::int32_t metadata_count;
+  const char* const* metadata;     // key, value, key, value ...
+};
+
+// All return 0 on success; otherwise a message is put into `error` (at most error_size bytes with the terminating zero).
+using VerisimReadImage = int (*)(const char* path, std::uint64_t max_pixels, VerisimImage* image, char* error, std::size_t error_size);
+using VerisimWriteImage = int (*)(const char* path, const VerisimWriteOptions* options, char* error, std::size_t error_size);
+using VerisimFreeImage = void (*)(VerisimImage* image);
+
+}  // extern "C"
+
+namespace verisim::image {
+
+// Must change with anything above: an old plug-in beside a new program is refused.
+inline constexpr int kModuleVersion = 1;
+
+// The loaded plug-in.
+struct Module {
+  VerisimReadImage read;    // the file's values, untouched: no gamma conversion, alpha as stored (see VerisimImage::premultiplied)
+  VerisimWriteImage write;  // the format follows from the extension of the path
+  VerisimFreeImage free;
+};
+
+// Loads the plug-in on first use (thread-safe). It is looked for in $VERISIM_MODULE_PATH, beside the program, and in ../lib and ../lib/verisim
+// (the build's and the installed layout). Throws std::runtime_error when it cannot be found or loaded.
+const Module& image_module();
+
+}  // namespace verisim::image

@@ -1,0 +1,157 @@
+#include "tracer/image/png.h"
+
+#include <png.h>
+
+#include <csetjmp>
+#include <ctime>
+#include <stdexcept>
+
+namespace verisim::image {
+namespace {
+
+constexpr std::uint32_t kMaxSide = 1u << 20;
+constexpr std::size_t kMaxSamples = std::size_t{1} << 31;
+
+// libpng reports through a C callback; the message waits here until control is back in C++.
+struct Failure {
+  std::string message;
+};
+
+void on_error(png_structp png, png_const_charp message) {
+  static_cast<Failure*>(png_get_error_ptr(png))->message = message;
+  png_longjmp(png, 1);
+}
+void on_warning(png_structp, png_const_charp) {}
+
+struct Writer {
+  Failure failure;
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  Writer() {
+    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, on_error, on_warning);
+    if (png) info = png_create_info_struct(png);
+    if (!info) throw std::bad_alloc();
+  }
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+};
+
+struct Reader {
+  Failure failure;
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  Reader() {
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &failure, on_error, on_warning);
+    if (png) info = png_create_info_struct(png);
+    if (!info) throw std::bad_alloc();
+  }
+  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+int color_type(int channels) {
+  switch (channels) {
+    case 1: return PNG_COLOR_TYPE_GRAY;
+    case 2: return PNG_COLOR_TYPE_GRAY_ALPHA;
+    case 3: return PNG_COLOR_TYPE_RGB;
+    default: return PNG_COLOR_TYPE_RGB_ALPHA;
+  }
+}
+
+void pack_row(const Quantised& picture, int y, png_byte* row) {
+  const std::size_t n = static_cast<std::size_t>(picture.width) * picture.channels;
+  const std::uint16_t* in = picture.samples.data() + n * y;
+  if (picture.bits == 8) {
+    for (std::size_t i = 0; i < n; ++i) row[i] = static_cast<png_byte>(in[i]);
+  } else {
+    for (std::size_t i = 0; i < n; ++i) row[2 * i] = static_cast<png_byte>(in[i] >> 8), row[2 * i + 1] = static_cast<png_byte>(in[i] & 255);
+  }
+}
+
+// Everything between here and the caller may be left by longjmp: no objects with destructors.
+bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const OutputOptions& options, png_byte* row, png_text* texts, int text_count) {
+  if (setjmp(png_jmpbuf(w.png))) return false;
+  png_init_io(w.png, file);
+  png_set_compression_level(w.png, 3);
+  png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height), picture.bits,
+               color_type(picture.channels), PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  // Without gamma handling the tags name what the values will be shown as, sRGB (spec 02 section 4.1).
+  if (options.file_srgb || options.working == scene::Gamma::none) {
+    png_set_sRGB_gAMA_and_cHRM(w.png, w.info, PNG_sRGB_INTENT_PERCEPTUAL);
+  } else {
+    png_set_gAMA(w.png, w.info, 1.0 / options.file_gamma);
+  }
+  png_color_8 significant{};
+  const auto bits = static_cast<png_byte>(options.greyscale ? picture.bits : std::min(options.bits, picture.bits));
+  significant.red = significant.green = significant.blue = significant.gray = significant.alpha = bits;
+  png_set_sBIT(w.png, w.info, &significant);
+  png_set_oFFs(w.png, w.info, 0, 0, PNG_OFFSET_PIXEL);
+  png_time now;
+  png_convert_from_time_t(&now, std::time(nullptr));
+  png_set_tIME(w.png, w.info, &now);
+  if (text_count) png_set_text(w.png, w.info, texts, text_count);
+  png_write_info(w.png, w.info);
+  for (int y = 0; y < picture.height; ++y) {
+    pack_row(picture, y, row);
+    png_write_row(w.png, row);
+  }
+  png_write_end(w.png, w.info);
+  return true;
+}
+
+bool read_header(Reader& r, std::FILE* file) {
+  if (setjmp(png_jmpbuf(r.png))) return false;
+  png_set_user_limits(r.png, kMaxSide, kMaxSide);
+  png_init_io(r.png, file);
+  png_read_info(r.png, r.info);
+  png_set_expand(r.png);  // palettes to RGB, less than 8 bits to 8, tRNS to alpha
+  png_set_interlace_handling(r.png);
+  png_read_update_info(r.png, r.info);
+  return true;
+}
+
+bool read_rows(Reader& r, png_byte** rows) {
+  if (setjmp(png_jmpbuf(r.png))) return false;
+  png_read_image(r.png, rows);
+  png_read_end(r.png, nullptr);
+  return true;
+}
+
+}  // namespace
+
+void write_png(std::FILE* file, const Quantised& picture, const OutputOptions& options) {
+  std::map<std::string, std::string> metadata = options.metadata;
+  metadata.try_emplace("Software", "verisim");
+  std::vector<png_text> texts;
+  for (auto& [key, value] : metadata) {
+    png_text text{};
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    text.key = const_cast<char*>(key.c_str());
+    text.text = const_cast<char*>(value.c_str());
+    texts.push_back(text);
+  }
+  std::vector<png_byte> row(static_cast<std::size_t>(picture.width) * picture.channels * (picture.bits == 16 ? 2 : 1));
+  Writer w;
+  if (!write_all(w, file, picture, options, row.data(), texts.data(), static_cast<int>(texts.size()))) throw std::runtime_error(w.failure.message);
+}
+
+Quantised read_png(std::FILE* file) {
+  Reader r;
+  if (!read_header(r, file)) throw std::runtime_error(r.failure.message);
+  Quantised picture;
+  picture.width = static_cast<int>(png_get_image_width(r.png, r.info));
+  picture.height = static_cast<int>(png_get_image_height(r.png, r.info));
+  picture.channels = png_get_channels(r.png, r.info);
+  picture.bits = png_get_bit_depth(r.png, r.info);
+  const std::size_t count = static_cast<std::size_t>(picture.width) * picture.height * picture.channels;
+  if (count > kMaxSamples) throw std::runtime_error("the picture is too large");
+  const std::size_t row_bytes = png_get_rowbytes(r.png, r.info);
+  std::vector<png_byte> bytes(row_bytes * picture.height);
+  std::vector<png_byte*> rows(static_cast<std::size_t>(picture.height));
+  for (int y = 0; y < picture.height; ++y) rows[y] = bytes.data() + row_bytes * y;
+  if (!read_rows(r, rows.data())) throw std::runtime_error(r.failure.message);
+  picture.samples.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    picture.samples[i] = picture.bits == 16 ? static_cast<std::uint16_t>(bytes[2 * i] << 8 | bytes[2 * i + 1]) : bytes[i];
+  return picture;
+}
+
+}  // namespace verisim::image

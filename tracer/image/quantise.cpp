@@ -1,0 +1,194 @@
+// Framebuffer colours become integers: straight alpha, gamma, dithering, rounding (spec 02 sections 4.3 to 4.6).
+#include <array>
+#include <limits>
+
+#include "tracer/image/gamma.h"
+#include "tracer/image/output.h"
+
+namespace verisim::image {
+namespace {
+
+// NaN becomes 0, as it does in POV-Ray's files.
+float clamp01(float x) { return x > 0 ? (x < 1 ? x : 1.0f) : 0.0f; }
+
+int round_to(float encoded, int max_value) {
+  return static_cast<int>(std::floor(clamp01(encoded) * static_cast<float>(max_value) + 0.5f));
+}
+
+// The smallest float that rounds to each code: exact and faster than a power per sample. For at most 8 bits and no dithering.
+class CodeTable {
+ public:
+  CodeTable(const OutputCurve& curve, int max_value) : first_(static_cast<std::size_t>(max_value)) {
+    for (int code = 1; code <= max_value; ++code) {
+      float low = 0, high = 1;
+      if (round_to(curve.encode(high), max_value) < code) { first_[code - 1] = std::numeric_limits<float>::infinity(); continue; }
+      while (std::nextafter(low, high) < high) {
+        const float middle = 0.5f * (low + high);
+        (round_to(curve.encode(middle), max_value) >= code ? high : low) = middle;
+      }
+      first_[code - 1] = high;
+    }
+  }
+  int operator()(float x) const { return static_cast<int>(std::upper_bound(first_.begin(), first_.end(), x) - first_.begin()); }
+
+ private:
+  std::vector<float> first_;
+};
+
+// Bayer matrices, ranks listed per x, then y (spec 02 section 4.4).
+constexpr int kBayer2[2][2] = {{1, 3}, {4, 2}};
+constexpr int kBayer3[3][3] = {{3, 7, 4}, {6, 1, 9}, {2, 8, 5}};
+constexpr int kBayer4[4][4] = {{1, 9, 3, 11}, {13, 5, 15, 7}, {4, 12, 2, 10}, {16, 8, 14, 6}};
+
+float bayer_offset(Dither dither, int x, int y) {
+  switch (dither) {
+    case Dither::bayer2: return static_cast<float>(kBayer2[x % 2][y % 2]) / 4 - 0.5f;
+    case Dither::bayer3: return static_cast<float>(kBayer3[x % 3][y % 3]) / 9 - 0.5f;
+    case Dither::bayer4: return static_cast<float>(kBayer4[x % 4][y % 4]) / 16 - 0.5f;
+    default: return 0;
+  }
+}
+
+// Error diffusion with POV-Ray's quirk: a row's first pixel takes its accumulated error from the buffer of the row before (spec 02 section 4.4).
+class Diffusion {
+ public:
+  Diffusion(Dither dither, int width, int channels)
+      : dither_(dither), channels_(channels), here_(static_cast<std::size_t>(width + 2) * channels), below_(here_.size()), carried_(channels) {}
+
+  float take(int x, int channel) {
+    if (dither_ == Dither::diffusion1d) return carried_[channel];
+    const float error = here_[index(x, channel)];
+    if (x == 0 && channel == channels_ - 1) next_row();
+    return error;
+  }
+  void give(int x, int channel, float error) {
+    if (dither_ == Dither::diffusion1d) {
+      carried_[channel] = error;
+    } else if (dither_ == Dither::diffusion2d) {
+      here_[index(x + 1, channel)] += error / 2;
+      below_[index(x, channel)] += error / 4;
+      below_[index(x + 1, channel)] += error / 4;
+    } else {
+      here_[index(x + 1, channel)] += error * 7 / 16;
+      below_[index(x - 1, channel)] += error * 3 / 16;
+      below_[index(x, channel)] += error * 5 / 16;
+      below_[index(x + 1, channel)] += error * 1 / 16;
+    }
+  }
+
+ private:
+  std::size_t index(int x, int channel) const { return static_cast<std::size_t>(x + 1) * channels_ + channel; }
+  void next_row() {
+    std::swap(here_, below_);
+    std::fill(below_.begin(), below_.end(), 0.0f);
+  }
+  Dither dither_;
+  int channels_;
+  std::vector<float> here_, below_, carried_;
+};
+
+// Straight alpha: highlights brighter than their alpha raise it (spec 02 section 4.5).
+void to_straight_alpha(Rgb& color, float& alpha) {
+  const float y = color.grey();
+  if (y > alpha) alpha = std::min(1.0f, y);
+  const float divisor = alpha == 0 ? 1e-6f : alpha;
+  color.r /= divisor, color.g /= divisor, color.b /= divisor;
+}
+
+// Fewer bits than the file holds: the high bits are repeated below (spec 02 section 4.7).
+int expand(int code, int bits, int file_bits) {
+  int value = code << (file_bits - bits);
+  for (int filled = bits; filled < file_bits; filled += bits) {
+    const int shift = file_bits - filled - bits;
+    value |= shift >= 0 ? code << shift : code >> -shift;
+  }
+  return value;
+}
+
+bool diffuses(Dither d) { return d == Dither::diffusion1d || d == Dither::diffusion2d || d == Dither::floyd_steinberg; }
+
+struct Depth {
+  int bits, file_bits;
+};
+
+Depth depth_of(const OutputOptions& options) {
+  const int bits = std::clamp(options.bits, 5, 16);
+  switch (options.format) {
+    case Format::png: return options.greyscale ? Depth{16, 16} : Depth{bits, bits <= 8 ? 8 : 16};
+    case Format::ppm: return {std::max(bits, 8), std::max(bits, 8)};
+    default: return {8, 8};
+  }
+}
+
+// The samples of one pixel before encoding; alpha, if any, is the last and not gamma encoded.
+int samples_of(const Color& pixel, const OutputOptions& options, bool alpha, float* out) {
+  Rgb color = pixel.rgb();
+  float a = 1.0f - pixel.t;
+  if (alpha || options.format == Format::tga || options.format == Format::tga_rle) to_straight_alpha(color, a);
+  int n = 0;
+  if (options.greyscale) {
+    out[n++] = color.grey();
+  } else {
+    out[n++] = color.r, out[n++] = color.g, out[n++] = color.b;
+  }
+  if (alpha) out[n++] = a;
+  return n;
+}
+
+}  // namespace
+
+Quantised quantise(const render::Framebuffer& framebuffer, const OutputOptions& options) {
+  const Depth depth = depth_of(options);
+  const int max_value = (1 << depth.bits) - 1;
+  const bool alpha = options.alpha && (options.format == Format::png || options.format == Format::tga || options.format == Format::tga_rle ||
+                                       options.format == Format::bmp || options.format == Format::tiff);
+  Quantised out{framebuffer.width, framebuffer.height, (options.greyscale ? 1 : 3) + (alpha ? 1 : 0), depth.file_bits, {}};
+  out.samples.resize(static_cast<std::size_t>(out.width) * out.height * out.channels);
+
+  const Curve file = options.file_srgb ? Curve::srgb() : Curve::power(options.file_gamma);
+  const bool encode = !(options.format == Format::ppm && options.greyscale);
+  const OutputCurve curve = encode ? OutputCurve(options.working, options.working_gamma, file)
+                                   : OutputCurve(scene::Gamma::none, 1, Curve::identity());
+  const OutputCurve linear(scene::Gamma::none, 1, Curve::identity());
+  const Dither dither = options.format == Format::jpeg ? Dither::none : options.dither;
+
+  std::size_t at = 0;
+  float samples[4];
+  const int color_channels = options.greyscale ? 1 : 3;
+  if (dither == Dither::none && depth.bits <= 8) {
+    const CodeTable color_codes(curve, max_value), alpha_codes(linear, max_value);
+    for (const Color& pixel : framebuffer.pixels) {
+      const int n = samples_of(pixel, options, alpha, samples);
+      for (int c = 0; c < n; ++c) {
+        const int code = c < color_channels ? color_codes(clamp01(samples[c])) : alpha_codes(clamp01(samples[c]));
+        out.samples[at++] = static_cast<std::uint16_t>(expand(code, depth.bits, depth.file_bits));
+      }
+    }
+    return out;
+  }
+  Diffusion diffusion(dither, out.width, out.channels);
+  for (int y = 0; y < out.height; ++y) {
+    for (int x = 0; x < out.width; ++x) {
+      const int n = samples_of(framebuffer.at(x, y), options, alpha, samples);
+      const float offset = bayer_offset(dither, x, y) / static_cast<float>(max_value);
+      int codes[4];
+      float errors[4];
+      for (int c = 0; c < n; ++c) {
+        const OutputCurve& channel_curve = c < color_channels ? curve : linear;
+        if (diffuses(dither)) {
+          const float value = samples[c] + diffusion.take(x, c);
+          codes[c] = round_to(channel_curve.encode(value), max_value);
+          errors[c] = clamp01(value) - channel_curve.decode(static_cast<float>(codes[c]) / static_cast<float>(max_value));
+        } else {
+          codes[c] = round_to(channel_curve.encode(samples[c]) + offset, max_value);
+        }
+      }
+      if (diffuses(dither))
+        for (int c = 0; c < n; ++c) diffusion.give(x, c, errors[c]);
+      for (int c = 0; c < n; ++c) out.samples[at++] = static_cast<std::uint16_t>(expand(codes[c], depth.bits, depth.file_bits));
+    }
+  }
+  return out;
+}
+
+}  // namespace verisim::image

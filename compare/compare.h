@@ -1,0 +1,238 @@
+// The comparison library's front door: which scenes, against what, and what came of it. The program (cli/) plugs its own renderer in as a function.
+//
+//   compare::Suite suite = compare::load_suite({"scenes"});
+//   compare::RunOptions options;
+//   options.native = my_renderer;                       // or compare::native_program("/usr/bin/verisim")
+//   compare::Run run = compare::run_suite(suite, options);
+//   compare::write_html(run, "report.html");
+//   return run.summary.failed() ? 1 : 0;
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/metrics/metrics.h"
+#include "compare/metrics/verdict.h"
+
+namespace verisim::compare {
+
+// ---- pictures --------------------------------------------------------------------------------------------------------------------------------------------------------
+
+// PNG without loading the image library's module, everything else through image::read_picture. Throws std::runtime_error naming the file and the reason.
+Picture load_picture(const std::filesystem::path& path);
+
+// ---- what to compare -------------------------------------------------------------------------------------------------------------------------------------------------
+
+struct SceneRequest {
+  std::string name;                           // unique in a run, shown in reports: "lights/shadow.pov"
+  std::filesystem::path scene;                // absolute
+  int width = 160, height = 120;
+  std::vector<std::string> switches;          // POV-Ray's, passed to both: "+A0.3", "Declare=x=1"; size, input, output, display and threads are added by us
+  bool antialiased() const;                   // what the switches say (+A, Antialias=on)
+  bool alpha() const;                         // +UA
+  std::optional<SceneClass> scene_class;      // empty: by the features the native side reports
+  Thresholds thresholds;                      // empty: the rules of docs/comparison.md
+  std::vector<std::string> tags;
+  std::optional<std::filesystem::path> reference;  // a stored picture in the place of the oracle
+  double flip_pixels_per_degree = 67.0206;
+};
+
+struct Suite {
+  std::vector<SceneRequest> scenes;
+  std::vector<std::string> warnings;          // files of a folder that were passed over, ...
+};
+
+struct SuiteDefaults {
+  int width = 160, height = 120;
+  std::vector<std::string> switches = {"-A"};
+};
+
+// Scenes (.pov), manifests (verisim.toml) and folders, searched for verisim.toml or else for .pov files. Throws std::runtime_error with file, line and reason.
+Suite load_suite(const std::vector<std::filesystem::path>& what, const SuiteDefaults& defaults = {});
+
+struct Filter {
+  std::vector<std::string> names;             // shell patterns or parts of the name; any of them
+  std::vector<std::string> tags;              // any of them
+  bool failed_last_time = false;              // with the JSON report of an earlier run
+  std::filesystem::path last_report;
+};
+Suite filter(const Suite& suite, const Filter& filter);
+
+// ---- our renderer ----------------------------------------------------------------------------------------------------------------------------------------------------
+
+struct NativeRequest {
+  std::filesystem::path folder;               // a private working copy of the scene's folder; the scene may write here and only here
+  std::filesystem::path scene;                // inside it, absolute
+  std::filesystem::path output;               // write the picture here (PNG of 8 bits; EXR when its extension says so)
+  int width = 160, height = 120;
+  std::vector<std::string> switches;
+  int threads = 0;                            // 0: all
+  bool replay = false;
+  std::optional<std::uint64_t> seed;
+  double time_limit = 0;                      // seconds; 0: none
+};
+
+struct NativeResult {
+  enum class Outcome : std::uint8_t { rendered, unsupported, error };
+  Outcome outcome = Outcome::error;
+  std::string message;                        // what is not supported or wrong, with its place
+  double seconds = 0, cpu_seconds = 0;
+  std::uint64_t peak_bytes = 0;
+  std::map<std::string, std::uint64_t> rays;  // camera, reflected, refracted, shadow, ...
+  std::vector<std::string> stochastic_features;  // "area_light jitter", "radiosity", ...: not empty makes the scene stochastic
+  std::vector<std::filesystem::path> files_read; // ParseResult::files_read, also when rendering was not possible
+};
+// Called from several threads at a time when RunOptions::jobs > 1.
+using NativeRenderer = std::function<NativeResult(const NativeRequest&)>;
+
+// Runs `program render ...` as a process of its own: a crash or a hang costs one scene, not the run. The program is called in the request's folder with
+// `render SCENE +WN +HN [switches] +OOUTPUT --stats FILE`, and FILE is JSON: {"seconds", "rays":{...}, "stochastic_features":[...], "files_read":[...]} (all optional).
+// Its exit status says the outcome: 0 rendered, 4 unsupported, anything else an error; the last line of stderr is the message.
+NativeRenderer native_program(const std::filesystem::path& program, const std::vector<std::string>& extra_arguments = {});
+
+// ---- the oracle ------------------------------------------------------------------------------------------------------------------------------------------------------
+
+struct OracleOptions {
+  std::filesystem::path program;              // empty: `povray` in PATH
+  std::filesystem::path cache;                // empty: $XDG_CACHE_HOME/verisim/oracle or ~/.cache/verisim/oracle
+  bool use_cache = true;
+  std::vector<std::filesystem::path> library_paths;  // empty: discovered (the system's povray.ini, known prefixes)
+  int threads = 1;                            // +WT of the first run; the second run of a stochastic scene uses threads + 1
+  double time_limit = 600;                    // seconds of wall time for one render
+};
+
+// The Debian package to install, as a message for users; thrown when there is no POV-Ray.
+struct OracleMissing : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+struct OracleProgram {
+  std::filesystem::path path;
+  std::string version;                        // "3.7.0.10.unofficial": what `povray --version` names, whole
+  std::vector<std::filesystem::path> library_paths;
+};
+OracleProgram find_oracle(const OracleOptions& options);  // throws OracleMissing
+
+struct OracleRender {
+  bool ok = false;
+  std::string message;                        // when not ok: what happened, and POV-Ray's own words
+  Picture picture;
+  double seconds = 0, cpu_seconds = 0;
+  std::uint64_t peak_bytes = 0;
+  bool from_cache = false;
+};
+// files_read: what the native side read; empty: every file of the scene's folder counts.
+OracleRender run_oracle(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, int threads,
+                        const std::vector<std::filesystem::path>& files_read);
+
+// ---- a run -----------------------------------------------------------------------------------------------------------------------------------------------------------
+
+struct SceneResult {
+  SceneRequest request;
+  SceneClass scene_class = SceneClass::deterministic;
+  std::vector<std::string> stochastic_features;
+  Status status = Status::error;
+  std::string reason;                         // why it is not exact: the figure that broke, the unsupported feature, the oracle's message
+  std::optional<Metrics> metrics;
+  std::optional<LowPass> native_low_pass, noise_low_pass;  // of a stochastic scene
+  double oracle_seconds = 0, native_seconds = 0, oracle_cpu_seconds = 0, native_cpu_seconds = 0;
+  bool oracle_cached = false;
+  std::map<std::string, std::uint64_t> rays;
+  std::filesystem::path oracle_picture, native_picture;    // PNG files of this run; empty when there is none
+  std::optional<Status> previous;             // of the earlier run, for the trend
+  std::optional<double> previous_rmse;
+  bool failed() const { return status != Status::exact && status != Status::match; }
+};
+
+struct Summary {
+  std::map<Status, int> count;
+  int scenes = 0;
+  double oracle_seconds = 0, native_seconds = 0;
+  bool failed() const;                        // any scene that is neither exact nor a match
+};
+
+struct Run {
+  std::vector<SceneResult> scenes;            // in the order of the suite
+  Summary summary;
+  std::string oracle_version, native_version, started;  // started: ISO 8601, UTC
+  bool cancelled = false;
+};
+
+struct Progress {
+  int done = 0, total = 0, running = 0, failed = 0;
+  double seconds_left = 0;                    // estimate; negative while unknown
+  const SceneResult* finished = nullptr;      // the scene that has just ended
+};
+
+struct RunOptions {
+  NativeRenderer native;
+  OracleOptions oracle;
+  int jobs = 1;                               // scenes at a time
+  int native_threads = 0;
+  bool replay = false;                        // both serial: stochastic scenes are judged like any other
+  std::filesystem::path work;                 // results and pictures, kept: a run that was broken off goes on here. Empty: a temporary folder, removed at exit
+  bool resume = false;
+  std::filesystem::path baseline;             // stored pictures in the place of the oracle
+  bool update_baseline = false;               // write them instead of comparing
+  std::filesystem::path previous_report;      // JSON of an earlier run, for the trend
+  std::string native_version;
+  std::function<void(const Progress&)> progress;  // from one thread at a time
+  std::atomic<bool>* cancel = nullptr;
+};
+
+// Never throws for what goes wrong in one scene. Throws OracleMissing when a scene needs POV-Ray and there is none, std::runtime_error when `work` cannot be written.
+Run run_suite(const Suite& suite, const RunOptions& options);
+
+// ---- reports: every file is written to a temporary name and renamed; std::runtime_error names the file and the reason ------------------------------------------------
+
+std::string terminal_table(const Run& run, bool color = false, int columns = 120);
+std::string terminal_metrics(const Metrics& metrics, bool color = false);    // for `verisim diff`
+std::string metrics_json(const Metrics& metrics);
+std::string json_report(const Run& run);
+std::string markdown_report(const Run& run);
+std::string github_annotations(const Run& run);
+std::string junit_report(const Run& run);
+std::string html_report(const Run& run);
+// One pair of pictures as a run, for `verisim diff A B --html`.
+Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test, const MetricOptions& options = {});
+void write_report(const std::string& text, const std::filesystem::path& path);
+// 8-bit PNG: absolute differences times `gain` as a heat map.
+void write_heat_map(const Picture& reference, const Picture& test, const std::filesystem::path& path, double gain = 16);
+
+// ---- bench: both programs as whole processes, in turn ----------------------------------------------------------------------------------------------------------------
+
+struct BenchSample {
+  double wall = 0, cpu = 0;                   // seconds; cpu: user + system
+  std::uint64_t peak_bytes = 0;
+};
+struct BenchScene {
+  std::string name;
+  std::vector<BenchSample> oracle, native;    // in the order they ran
+  BenchSample oracle_median, native_median;
+  double wall_ratio = 0, cpu_ratio = 0, memory_ratio = 0;  // oracle / native; above 1: verisim is better
+  std::string error;                          // one of the two failed; no ratios then
+};
+struct Bench {
+  std::vector<BenchScene> scenes;
+  double wall_ratio = 0, cpu_ratio = 0, memory_ratio = 0;  // geometric means
+  std::string oracle_version;
+};
+struct BenchOptions {
+  OracleOptions oracle;
+  std::filesystem::path native_program;       // the verisim executable
+  int runs = 3, threads = 2;
+  double time_limit = 600;
+  std::function<void(const std::string& scene, int run)> progress;
+};
+Bench run_bench(const Suite& suite, const BenchOptions& options);
+std::string bench_table(const Bench& bench, bool color = false);
+std::string bench_json(const Bench& bench);
+
+}  // namespace verisim::compare

@@ -1,0 +1,42 @@
+// What counts as the same picture (docs/comparison.md).
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "compare/metrics/metrics.h"
+
+namespace verisim::compare {
+
+enum class SceneClass : std::uint8_t { deterministic, stochastic };
+enum class Status : std::uint8_t { exact, match, differ, unsupported, error, oracle_failed };
+const char* to_string(SceneClass scene_class);
+const char* to_string(Status status);
+std::optional<Status> status_from_string(const std::string& text);
+
+// Two pictures after a Gaussian blur of 2 pixels, in 8-bit units: what is left when the noise has been averaged.
+struct LowPass {
+  double mad = 0, bias = 0, rmse = 0;  // mean absolute difference, |mean difference| (worst channel), root mean square difference
+};
+LowPass low_pass(const Picture& a, const Picture& b, double sigma = 2);
+
+// Limits of a stochastic scene, from the oracle's difference to itself.
+struct NoiseLimits {
+  double mad = 0, bias = 0, rmse = 0;
+};
+NoiseLimits noise_limits(const LowPass& oracle_against_itself);
+
+// Thresholds of one scene beyond (in place of) the rules: metric name as in the JSON report -> limit. `max_` and `min_` say which side is bad: {"max_rmse", 1.5}.
+using Thresholds = std::map<std::string, double>;
+
+struct Verdict {
+  Status status = Status::differ;
+  std::string reason;  // which figure broke which limit; empty when none did
+};
+Verdict judge_deterministic(const Metrics& metrics, bool antialiased);
+Verdict judge_stochastic(const Metrics& metrics, bool antialiased, const LowPass& native, const LowPass& noise);
+// A scene with thresholds of its own is `match` when it keeps them all. Throws std::invalid_argument naming an unknown threshold.
+Verdict judge_thresholds(const Metrics& metrics, const Thresholds& thresholds);
+
+}  // namespace verisim::compare

@@ -1,0 +1,280 @@
+#include "tracer/global/media.h"
+
+#include <algorithm>
+#include <array>
+
+#include "tracer/math/chi_square.h"
+
+namespace verisim::global {
+namespace {
+
+constexpr int kMaxIntervals = 256;  // POV-Ray stops the render beyond
+constexpr int kMaxLights = 256;
+
+struct Interval {
+  double start, length;
+};
+
+// The result of one sample: source radiance and optical depth, both times the interval's length.
+struct Sample {
+  Rgb source, depth;
+};
+Sample operator+(const Sample& a, const Sample& b) { return {a.source + b.source, a.depth + b.depth}; }
+Sample operator*(const Sample& a, float s) { return {a.source * s, a.depth * s}; }
+
+Rgb exponential(const Rgb& optical_depth) {
+  return {std::exp(-optical_depth.r), std::exp(-optical_depth.g), std::exp(-optical_depth.b)};
+}
+
+float difference(const Rgb& a, const Rgb& b) { return std::fabs(a.r - b.r) + std::fabs(a.g - b.g) + std::fabs(a.b - b.b); }
+
+class Integrator {
+ public:
+  Integrator(std::span<const CompiledMedia* const> media, const Ray& ray, double length, bool shadow, MediaEnvironment& environment)
+      : media_(media), ray_(ray), length_(length), shadow_(shadow), environment_(environment) {
+    control_ = media[0]->description;
+    aa_threshold_ = control_->aa_threshold;
+    for (const CompiledMedia* m : media) {
+      if (m->description->intervals > control_->intervals) control_ = m->description;
+      aa_threshold_ = std::min(aa_threshold_, m->description->aa_threshold);
+      varies_ |= m->varies;
+      has_density_ |= !m->densities.empty();
+      scatters_ |= m->scatters;
+      constant_shadow_ &= m->last_density_plain;
+    }
+    if (!shadow_ && scatters_) collect_lights();
+  }
+
+  MediaResult run() {
+    divide();
+    Rgb emission, depth;
+    for (int i = 0; i < intervals_; ++i) {
+      const Sample s = interval(spans_[i]);
+      emission += s.source * exponential(depth);
+      depth += s.depth;
+    }
+    return {emission, exponential(depth)};
+  }
+
+ private:
+  struct LitLight {
+    std::size_t index;
+    double first, last;
+  };
+
+  void collect_lights() {
+    const auto lights = environment_.lights();
+    for (std::size_t i = 0; i < lights.size() && lit_count_ < kMaxLights; ++i) {
+      double first, last;
+      if (lit_range(*lights[i], ray_, length_, first, last)) lit_[lit_count_++] = {i, first, last};
+    }
+  }
+
+  void push(double start, double end, int count) {
+    const double step = (end - start) / count;
+    for (int i = 0; i < count && intervals_ < kMaxIntervals; ++i) spans_[intervals_++] = {start + i * step, step};
+  }
+
+  // Spec 07 4.5: the union of all lit ranges cuts the segment; the pieces share the intervals by `ratio`.
+  void divide() {
+    struct Piece {
+      double start, end;
+      bool lit;
+    };
+    std::array<Piece, 2 * kMaxLights + 1> pieces;
+    int count = 0;
+    if (lit_count_ == 0) {
+      pieces[count++] = {0.0, length_, false};
+    } else {
+      std::array<std::pair<double, double>, kMaxLights> ranges;
+      for (int i = 0; i < lit_count_; ++i) ranges[i] = {lit_[i].first, lit_[i].last};
+      std::sort(ranges.begin(), ranges.begin() + lit_count_);
+      double position = 0.0;
+      for (int i = 0; i < lit_count_;) {
+        const double start = ranges[i].first;
+        double end = ranges[i].second;
+        for (++i; i < lit_count_ && ranges[i].first <= end; ++i) end = std::max(end, ranges[i].second);
+        if (start > position) pieces[count++] = {position, start, false};
+        pieces[count++] = {start, end, true};
+        position = end;
+      }
+      if (position < length_) pieces[count++] = {position, length_, false};
+    }
+    const int wanted = std::min(std::max(control_->intervals, count), kMaxIntervals);
+    if (count == 1) {
+      push(0.0, length_, !pieces[0].lit && !has_density_ ? 1 : wanted);
+      return;
+    }
+    double total = 0.0;
+    const auto weight = [&](const Piece& p) { return p.lit ? control_->ratio : 1.0 - control_->ratio; };
+    for (int i = 0; i < count; ++i) total += weight(pieces[i]);
+    int remaining = wanted;
+    for (int i = 0; i < count; ++i) {
+      const int n = std::max(1, std::min(static_cast<int>(weight(pieces[i]) / total * wanted) + 1, remaining - count + i + 1));
+      push(pieces[i].start, pieces[i].end, n);
+      remaining -= n;
+    }
+  }
+
+  Rgb density(const CompiledMedia& m, const Vec3& p) const {
+    Rgb value(1.0f);
+    for (const textures::CompiledPigment* d : m.densities) {
+      Color c;
+      textures::evaluate(*d, p, nullptr, c);
+      value *= c.rgb();
+    }
+    return value;
+  }
+
+  // Spec 07 4.6: one sample at fraction `at` of an interval; `inner_attenuation`: methods 1 and 2 attenuate inside the interval.
+  Sample sample(const Interval& span, double at, bool inner_attenuation) {
+    const double distance = span.start + at * span.length;
+    const Vec3 p = ray_.at(distance);
+    Rgb extinction, emission, scattering;
+    for (const CompiledMedia* m : media_) {
+      const Rgb d = density(*m, p);
+      extinction += d * m->extinction;
+      if (shadow_) continue;
+      if (m->emits) emission += d * m->description->emission;
+      if (m->scatters) scattering += d * m->description->scattering;
+    }
+    const float s = static_cast<float>(span.length);
+    Sample result{Rgb(), extinction * s};
+    if (shadow_) return result;
+    result.source = (emission + scattered(p, distance, scattering)) * s;
+    if (inner_attenuation) result.source *= exponential(extinction * static_cast<float>(at * span.length));
+    return result;
+  }
+
+  // Mean phase over all media of the segment, also those without scattering (isotropic).
+  float mean_phase(const Vec3& to_light) const {
+    const double cosine = dot(to_light, ray_.direction);
+    double sum = 0.0;
+    for (const CompiledMedia* m : media_) sum += m->scatters ? phase(*m->description, cosine) : 1.0;
+    return static_cast<float>(sum / static_cast<double>(media_.size()));
+  }
+
+  Rgb scattered(const Vec3& p, double distance, const Rgb& scattering) {
+    Rgb sum;
+    if (scattering.max_abs() <= 0.0f) return sum;
+    for (int i = 0; i < lit_count_; ++i) {
+      const LitLight& light = lit_[i];
+      if (distance < light.first || distance > light.last) continue;
+      Vec3 to_light;
+      const Rgb arriving = environment_.illumination(light.index, p, to_light);
+      if (arriving.max_abs() > 0.0f) sum += scattering * arriving * mean_phase(to_light);
+    }
+    for (const MediaEnvironment::Photon& photon : environment_.photons(p)) sum += scattering * photon.energy * mean_phase(photon.direction);
+    return sum;
+  }
+
+  Sample interval(const Interval& span) {
+    if (shadow_ && constant_shadow_) return single(span);
+    return control_->method == 3 ? adaptive(span) : uniform(span);
+  }
+
+  // Shadow rays take one sample of what POV-Ray believes to be constant.
+  Sample single(const Interval& span) {
+    const bool middle = control_->method == 2;
+    double at = 0.5;
+    if (varies_) at = middle ? 0.5 / control_->samples_min + environment_.random() * control_->jitter / control_->samples_min : environment_.random();
+    return sample(span, at, false);
+  }
+
+  Sample uniform(const Interval& span) {
+    const int minimum = control_->samples_min, maximum = control_->samples_max;
+    Sample sum;
+    Rgb squares;
+    int n = 0;
+    const auto take = [&](double at) {
+      const Sample s = sample(span, at, true);
+      sum = sum + s, squares += s.source * s.source, ++n;
+    };
+    for (int j = 0; j < minimum; ++j) {
+      const double draw = environment_.random();
+      take(control_->method == 1 ? draw : (j + 0.5) / minimum + draw * control_->jitter / minimum);
+    }
+    if (!shadow_ && maximum > minimum) {
+      const double top = chi_square_quantile(maximum - 1, control_->confidence);
+      while (n <= maximum) {
+        const double threshold = control_->variance * chi_square_quantile(n, control_->confidence) / top;
+        const float inverse = 1.0f / static_cast<float>(n);
+        const Rgb mean = sum.source * inverse;
+        const Rgb variance = (squares * inverse - mean * mean) * inverse;
+        if (variance.r < threshold && variance.g < threshold && variance.b < threshold) break;
+        take(environment_.random());
+      }
+    }
+    return sum * (1.0f / static_cast<float>(n));
+  }
+
+  Sample refine(const Interval& span, const Sample& s1, double d1, const Sample& s3, double d3, int level) {
+    double d2 = 0.5 * (d1 + d3);
+    if (control_->jitter != 0.0) d2 += control_->jitter * (d3 - d1) * (environment_.random() - 0.5);
+    const Sample s2 = sample(span, d2, false);
+    if (level <= 0) return (s1 + s2 + s3) * (1.0f / 3.0f);
+    const Sample left = difference(s1.source, s2.source) > aa_threshold_ ? refine(span, s1, d1, s2, d2, level - 1) * 0.5f
+                                                                        : s1 * (1.0f / 3.0f) + s2 * (1.0f / 6.0f);
+    const Sample right = difference(s2.source, s3.source) > aa_threshold_ ? refine(span, s2, d2, s3, d3, level - 1) * 0.5f
+                                                                         : s2 * (1.0f / 6.0f) + s3 * (1.0f / 3.0f);
+    return left + right;
+  }
+
+  // Method 3: q sub-intervals on a grid of step 1 / (q + 1), refined where the brightness changes; a left Riemann rule for attenuation.
+  Sample adaptive(const Interval& span) {
+    const int q = std::max(2, control_->samples_min / 2 + 1);
+    const double step = 1.0 / (q + 1);
+    const float share = 1.0f / static_cast<float>(q);
+    const auto at = [&](int k) { return k * step + (control_->jitter != 0.0 ? control_->jitter * (environment_.random() - 0.5) * step : 0.0); };
+    Sample result;
+    Rgb before;
+    double d1 = at(0);
+    Sample s1 = sample(span, d1, false);
+    for (int k = 1; k <= q; ++k) {
+      const double d3 = at(k);
+      const Sample s3 = sample(span, d3, false);
+      const Sample part = refine(span, s1, d1, s3, d3, control_->aa_level - 1);
+      result.source += part.source * exponential(before * share) * share;
+      before += part.depth;
+      s1 = s3, d1 = d3;
+    }
+    result.depth = before * share;
+    return result;
+  }
+
+  std::span<const CompiledMedia* const> media_;
+  Ray ray_;
+  double length_;
+  bool shadow_;
+  MediaEnvironment& environment_;
+  const scene::Media* control_;
+  double aa_threshold_;
+  bool varies_ = false, has_density_ = false, scatters_ = false, constant_shadow_ = true;
+  int lit_count_ = 0, intervals_ = 0;
+  std::array<LitLight, kMaxLights> lit_;
+  std::array<Interval, kMaxIntervals> spans_;
+};
+
+}  // namespace
+
+CompiledMedia compile_media(const scene::Media& description, textures::Compiler& compiler) {
+  CompiledMedia m;
+  m.description = &description;
+  m.extinction = description.absorption + description.scattering * static_cast<float>(description.extinction);
+  m.emits = description.emission.max_abs() > 0.0f;
+  m.scatters = description.scattering.max_abs() > 0.0f;
+  for (const scene::DensityPtr& density : description.densities) {
+    m.densities.push_back(compiler.density(density));
+    const bool plain = density->pattern.kind == scene::PatternKind::plain;
+    m.varies |= !plain;
+    m.last_density_plain = plain;
+  }
+  return m;
+}
+
+MediaResult integrate(std::span<const CompiledMedia* const> media, const Ray& ray, double length, bool shadow, MediaEnvironment& environment) {
+  if (media.empty() || !(length > 0.0)) return {};
+  return Integrator(media, ray, length, shadow, environment).run();
+}
+
+}  // namespace verisim::global

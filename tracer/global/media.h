@@ -1,0 +1,59 @@
+// Participating media along one ray segment (spec 07 section 4).
+//
+// POV-Ray's estimators are biased at their defaults, and the bias is part of the picture: methods 1, 2 and 3 are followed step by step. With jitter 0,
+// methods 2 and 3 are pure functions of the ray; the others draw from the environment's random stream in POV-Ray's order.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tracer/scene/texture.h"
+#include "tracer/scene/light.h"
+#include "tracer/textures/texture.h"
+
+namespace verisim::global {
+
+// One media{} statement, ready for sampling.
+struct CompiledMedia {
+  const scene::Media* description = nullptr;
+  std::vector<const textures::CompiledPigment*> densities;  // empty: constant 1
+  Rgb extinction;                // absorption + extinction factor * scattering, per scene unit
+  bool varies = false;           // some density is not a plain colour
+  bool last_density_plain = true;  // what POV-Ray looks at to call a medium constant on shadow rays (spec 07 4.6)
+  bool emits = false, scatters = false;
+};
+CompiledMedia compile_media(const scene::Media& description, textures::Compiler& compiler);
+
+// What the integrator asks of the tracer.
+class MediaEnvironment {
+ public:
+  virtual ~MediaEnvironment() = default;
+  virtual double random() = 0;  // the next number of the media stream, [0, 1)
+  // The lights that take part: media_interaction on, not shadowless; global ones unless the object at the segment's end ignores them, then its group's.
+  virtual std::span<const scene::LightSource* const> lights() = 0;
+  // Light of number `light` that arrives at p after shadows; sets the unit direction towards it.
+  virtual Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light) = 0;
+  // One photon near p: energy density already divided by the sphere's volume, and the unit direction towards where it came from.
+  struct Photon {
+    Rgb energy;
+    Vec3 direction;
+  };
+  virtual std::span<const Photon> photons(const Vec3& p) { (void)p; return {}; }
+};
+
+struct MediaResult {
+  Rgb emission;             // light added over the segment, already attenuated by what lies before it
+  Rgb transmittance{1.0f};  // exp(-optical depth)
+};
+
+// All `media` act together over ray.at(0) .. ray.at(length), |direction| = 1. `shadow`: attenuation only, by the rules of shadow rays.
+MediaResult integrate(std::span<const CompiledMedia* const> media, const Ray& ray, double length, bool shadow, MediaEnvironment& environment);
+
+// The stretch of the segment [0, length] inside the light's cone or cylinder (spec 07 4.5); false: none.
+bool lit_range(const scene::LightSource& light, const Ray& ray, double length, double& first, double& last);
+
+// Phase function value for the cosine between the direction to the light and the view ray's direction (spec 07 4.4; no 1/(4 pi)).
+double phase(const scene::Media& media, double cosine);
+
+}  // namespace verisim::global

@@ -1,0 +1,101 @@
+// Diffuse interreflection by POV-Ray's irradiance cache (spec 07 section 2): query, gathering of new samples, sample directions.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "tracer/global/irradiance_cache.h"
+#include "tracer/scene/scene.h"
+
+namespace verisim::global {
+
+inline constexpr int kMaxRadiosityDepth = 21;
+
+// Constants of one scene, shared by all tasks.
+class RadiositySettings {
+ public:
+  RadiositySettings(const scene::Radiosity& description, const Vec3& camera_location);
+
+  const scene::Radiosity& description() const { return *description_; }
+  Vec3 camera_location() const { return camera_location_; }
+  int rays(int depth) const { return rays_[depth]; }
+  double required_weight(int depth) const;         // K_d; a query is satisfied by an accumulated weight of K_d / 4
+  // Trace level and weight a gather ray of this depth starts with (spec 07 2.6).
+  static int start_level(int depth) { return static_cast<int>(1.5 * (depth + 1)); }
+  float gather_weight(int depth) const;
+  const Vec3& direction(std::size_t index) const { return pool_[index]; }
+  std::size_t pool_size() const { return pool_.size(); }
+
+ private:
+  const scene::Radiosity* description_;
+  Vec3 camera_location_;
+  std::vector<Vec3> pool_;  // Halton (2,3), cosine-weighted about +y
+  std::array<int, kMaxRadiosityDepth> rays_{};
+};
+
+struct GatherResult {
+  double distance = std::numeric_limits<double>::infinity();
+  bool shaded = false;   // false: culled by importance
+  float importance = 1;  // of what was hit, or the default importance
+  Rgb color;
+  float quality = 1;     // worst quality of the queries along the ray
+};
+
+// Traces one gather ray; implemented by the tracer.
+class Gatherer {
+ public:
+  virtual ~Gatherer() = default;
+  // depth: of the sample that gathers; threshold: shade only what has at least this importance.
+  virtual GatherResult gather(const Ray& ray, int depth, float threshold) = 0;
+};
+
+struct RadiosityQuery {
+  Vec3 point, geometric_normal, layer_normal;  // both normals on the same side of the surface
+  double contribution = 1;                     // w_c of spec 07 2.5
+  int depth = 0;
+};
+
+// One task of rendering (a thread's phase in POV-Ray, a tile here): direction cursors and the samples it adds.
+class RadiosityTask {
+ public:
+  // `base` is read only; new samples go to `own` (which may be the same cache when tasks run one after the other).
+  RadiosityTask(const RadiositySettings& settings, const IrradianceCache* base, IrradianceCache* own, bool pretrace, int pass, int tile);
+
+  // Where the direction cursors start; POV-Ray starts every phase at 0.
+  void seek(std::size_t first_direction) { cursor_.fill(first_direction % settings_.pool_size()); }
+  // Irradiance at the point, and through `quality` (in and out) the worst quality so far along the enclosing ray.
+  Rgb irradiance(const RadiosityQuery& query, Gatherer& gatherer, float& quality);
+  int depth0_queries() const { return depth0_queries_; }
+  double depth0_weight() const { return depth0_weight_; }  // sum over depth-0 queries of 4 S before gathering
+
+ private:
+  struct Estimate {
+    Rgb sum;
+    double weight = 0;
+  };
+  void accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound, Estimate& estimate) const;
+  Rgb take_sample(const RadiosityQuery& query, Gatherer& gatherer, float& quality);
+
+  const RadiositySettings& settings_;
+  const IrradianceCache* base_;
+  IrradianceCache* own_;
+  bool pretrace_;
+  int pass_, tile_;
+  std::array<std::size_t, kMaxRadiosityDepth> cursor_{};
+  int depth0_queries_ = 0;
+  double depth0_weight_ = 0;
+};
+
+// Pretrace geometry (spec 07 2.9).
+struct PretracePlan {
+  double first = 0, last = 1;  // spacing in pixels
+  int passes = 0;
+  double spacing(int pass) const;
+};
+PretracePlan pretrace_plan(const scene::Radiosity& description, int width, int height);
+// Pixel coordinates (centre of pixel (i,j) = (i,j)) of pass `pass` inside the tile [left..right] x [top..bottom], in POV-Ray's order.
+void pretrace_positions(const PretracePlan& plan, int pass, int tile, int left, int right, int top, int bottom, std::vector<Vec2>& positions);
+
+}  // namespace verisim::global

@@ -1,0 +1,67 @@
+// Stored photons and the density estimate from them (spec 07 sections 3.7 to 3.10).
+//
+// A photon keeps what POV-Ray's keeps: binary32 position, a shared-exponent colour and a direction in two signed bytes; the rounding shows in pictures.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "tracer/math/color.h"
+#include "tracer/math/vec.h"
+
+namespace verisim::global {
+
+struct Photon {
+  std::array<float, 3> position;
+  std::array<std::uint8_t, 4> energy;  // mantissas and exponent + 250
+  std::uint8_t axis = 0;               // of the tree node
+  std::int8_t elevation = 0, azimuth = 0;
+
+  static std::array<std::uint8_t, 4> encode(const Rgb& energy);
+  void set_direction(const Vec3& towards_light);  // unit
+  Rgb color() const;
+  Vec3 direction() const;
+};
+
+class PhotonMap {
+ public:
+  void add(const Photon& photon) { photons_.push_back(photon); }
+  void append(const PhotonMap& other) { photons_.insert(photons_.end(), other.photons_.begin(), other.photons_.end()); }
+  std::size_t size() const { return photons_.size(); }
+  bool empty() const { return photons_.empty(); }
+  const std::vector<Photon>& photons() const { return photons_; }
+  std::vector<Photon>& photons() { return photons_; }
+
+  // Sorts the photons into a balanced tree (node of [a,b] at (a+b)/2). Call once, before any search.
+  void build();
+  // The gather radius: `user` if positive, else estimated from the photons' own density; times multiplier (and 2 for media).
+  void set_gather_radius(double user, double multiplier, int gather_max, bool media);
+  double gather_radius() const { return radius_; }
+
+  // Photons around a point, found by `gather`.
+  struct Gathered {
+    std::vector<const Photon*> photons;
+    double radius = 0;  // of the disc or sphere that holds them
+  };
+  struct GatherSettings {
+    int minimum = 20, maximum = 100;
+    double expand_increase = 0.2;
+    int expand_minimum = 35;
+  };
+  // Surface estimate: distances flattened along `normal` (null: media, a sphere). One expansion at most (spec 07 3.10).
+  void gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const;
+
+ private:
+  void search(const Vec3& point, const Vec3* normal, double radius, int maximum, Gathered& out) const;
+
+  std::vector<Photon> photons_;
+  double radius_ = 0;
+};
+
+// POV-Ray's map file (spec 07 3.9): surface map first, media map second. Throw std::runtime_error; `load` builds the trees it reads anew.
+void save_photons(const std::filesystem::path& path, const PhotonMap& surface, const PhotonMap& media);
+void load_photons(const std::filesystem::path& path, PhotonMap& surface, PhotonMap& media);
+
+}  // namespace verisim::global

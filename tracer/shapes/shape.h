@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "tracer/math/vec.h"
@@ -30,29 +31,67 @@ enum class RayKind : unsigned char { camera, refracted, reflected, radiosity, sh
 // Everything shading needs to know of the object a primitive belongs to; filled by accel::World when it compiles (null in bare queries).
 struct Surface;
 
+// One of several textures that show at a hit: an index into Shape::extra_textures(), or -1 for the object's own texture.
+struct TextureShare {
+  std::int32_t texture = -1;
+  float weight = 1;
+};
+
+// Where a shape is solid: outside `box` every point is inside the shape if `outside` is true, and none is if it is false.
+struct SolidExtent {
+  Box3 box;
+  bool outside = false;
+};
+
+// A box that holds every point.
+Box3 everywhere();
+
 class Shape {
  public:
+  explicit Shape(const scene::Object& description) : object(&description) {}
   virtual ~Shape() = default;
+  Shape(const Shape&) = delete;
+  Shape& operator=(const Shape&) = delete;
 
   // Appends every hit within the shape's own limits (spec 03 2.1 and 2.2), in POV-Ray's order of collection, clips and bounds of this object applied.
   // `kind` lets unions and merges leave out children that this ray does not see.
   virtual void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const = 0;
   // The nearest hit with t_min <= t < t_max; on equal t the one collected last (spec 03 2.1). The default scans intersect_all.
   virtual bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const;
+  // True if any hit has t_min <= t < t_max, for shadow rays.
+  virtual bool occludes(const Ray& ray, double t_min, double t_max) const;
   // Formula (inverted where the object is), then clip objects.
   virtual bool inside(const Vec3& p) const = 0;
+  // The same without the object's own clips: cutaway_textures and the camera's containers ask this (spec 03 2.6, 5.3).
+  virtual bool inside_unclipped(const Vec3& p) const { return inside(p); }
   // Raw unit normal, negated if the shape carries the "inverted" mark; not turned towards the ray. Only for hit.shape == this.
   virtual Vec3 normal(const Hit& hit) const = 0;
   virtual Vec2 uv(const Hit& hit) const { return {hit.point.x, hit.point.y}; }
-  // Conservative world bounds; infinite shapes return an infinite box.
+  // Conservative world bounds of the surface; infinite shapes return an infinite box.
   virtual Box3 bounds() const = 0;
+  // Conservative: see SolidExtent. The default knows nothing.
+  virtual SolidExtent solid_extent() const { return {everywhere(), false}; }
 
+  // Children of a CSG object, of a light_group or the looks_like of a light; empty for primitives.
+  virtual std::span<const std::unique_ptr<Shape>> children() const { return {}; }
+
+  // Textures of components (blob) or triangles (mesh), beside the object's own.
+  virtual std::span<const scene::TexturePtr> extra_textures() const { return {}; }
+  // Which of them show at a hit; appends nothing: the object's own texture (or interior texture) alone.
+  virtual void texture_shares(const Hit& /*hit*/, bool /*inside_hit*/, std::vector<TextureShare>& /*shares*/) const {}
+
+  const scene::Object* object;  // the description; may only be followed while that lives
   const Surface* surface = nullptr;
 };
 
 using ShapePtr = std::unique_ptr<const Shape>;
 
-// Compiles one object with its children, clips and bounds. Heavy payloads are shared between copies.
-std::unique_ptr<Shape> compile(const scene::Object& object);
+struct CompileOptions {
+  bool remove_bounds = false;  // drop the bounded_by of this object (not of children) where POV-Ray does so at frame level (spec 03 6.2)
+};
+
+// Compiles one object with its children, clips and bounds. Heavy payloads are shared between copies. The description must outlive the shape only
+// for those who follow Shape::object.
+std::unique_ptr<Shape> compile(const scene::Object& object, const CompileOptions& options = {});
 
 }  // namespace verisim::shapes

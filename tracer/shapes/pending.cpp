@@ -1,0 +1,50 @@
+// Shapes whose files have not landed yet. Each definition disappears with the arrival of the shape's own file.
+#include <stdexcept>
+
+#include "tracer/shapes/factories.h"
+
+namespace verisim::shapes {
+
+#define VERISIM_PENDING_FACTORY(name) \
+  std::unique_ptr<Shape> compile_##name(const scene::Object&) { throw std::runtime_error("shape is not supported: " #name); }
+#define VERISIM_PENDING_BOX(name, type) \
+  Box3 name##_box(const scene::type&) { throw std::runtime_error("shape is not supported: " #name); }
+
+VERISIM_PENDING_FACTORY(bicubic_patch)
+VERISIM_PENDING_FACTORY(height_field)
+VERISIM_PENDING_FACTORY(isosurface)
+VERISIM_PENDING_FACTORY(parametric)
+VERISIM_PENDING_FACTORY(julia_fractal)
+VERISIM_PENDING_FACTORY(text)
+VERISIM_PENDING_FACTORY(mesh)
+
+VERISIM_PENDING_BOX(bicubic_patch, BicubicPatch)
+VERISIM_PENDING_BOX(height_field, HeightField)
+VERISIM_PENDING_BOX(isosurface, Isosurface)
+VERISIM_PENDING_BOX(parametric, Parametric)
+VERISIM_PENDING_BOX(julia_fractal, JuliaFractal)
+VERISIM_PENDING_BOX(text, Text)
+VERISIM_PENDING_BOX(mesh, Mesh)
+
+VERISIM_PENDING_FACTORY(sphere)
+VERISIM_PENDING_FACTORY(box)
+VERISIM_PENDING_FACTORY(plane)
+VERISIM_PENDING_FACTORY(cone)
+VERISIM_PENDING_FACTORY(disc)
+VERISIM_PENDING_FACTORY(triangle)
+VERISIM_PENDING_FACTORY(smooth_triangle)
+VERISIM_PENDING_FACTORY(csg)
+VERISIM_PENDING_FACTORY(light)
+VERISIM_PENDING_FACTORY(torus)
+VERISIM_PENDING_FACTORY(polygon)
+VERISIM_PENDING_FACTORY(poly)
+VERISIM_PENDING_FACTORY(quadric)
+VERISIM_PENDING_FACTORY(superellipsoid)
+VERISIM_PENDING_FACTORY(ovus)
+VERISIM_PENDING_FACTORY(blob)
+VERISIM_PENDING_FACTORY(lathe)
+VERISIM_PENDING_FACTORY(sor)
+VERISIM_PENDING_FACTORY(prism)
+VERISIM_PENDING_FACTORY(sphere_sweep)
+
+}  // namespace verisim::shapes

@@ -1,0 +1,169 @@
+// The base class of every primitive: inverted mark, clips, bounds and matrix are handled here, so that a shape is one small file.
+//
+// A shape `class Torus final : public Primitive<Torus>` writes
+//   template <class Sink> void crossings(const Ray& ray, Sink& sink) const;   // calls sink.add for every hit within its limits
+//   bool contains(const Vec3& p) const;                                       // the formula of its inside, not inverted
+//   Vec3 raw_normal(const Hit& hit) const;                                    // unit length, not inverted
+// and passes its own box to the constructor. `crossings` is a template, so "all hits" and "the nearest hit" are compiled from the same code; where
+// all hits are expensive it may ask `Sink::kNearest` and stop after an accepted hit when it finds hits in increasing distance.
+#pragma once
+
+#include <limits>
+
+#include "tracer/shapes/scratch_hits.h"
+#include "tracer/shapes/shape.h"
+
+namespace verisim::shapes {
+
+// clipped_by and bounded_by of one object.
+struct Guards {
+  std::vector<std::unique_ptr<Shape>> clips, bounds;
+
+  // Null when the object has neither.
+  static std::unique_ptr<const Guards> of(const scene::Object& object);
+  // p is inside every clip object.
+  bool contain(const Vec3& p) const {
+    for (const auto& clip : clips)
+      if (!clip->inside(p)) return false;
+    return true;
+  }
+  // The ray meets every bounding object in front, or starts inside it (spec 03 2.1).
+  bool admit(const Ray& ray) const;
+};
+
+// Collects every hit.
+class AllHits {
+ public:
+  static constexpr bool kNearest = false;
+  AllHits(const Shape& shape, const Guards* guards, HitList& hits) : shape_(shape), guards_(guards), hits_(hits) {}
+
+  // `point` is a callable that yields the hit point; it is only called when needed. True: the hit was accepted.
+  template <class PointAt>
+  bool add(double t, PointAt&& point, std::int32_t part = 0, double u = 0, double v = 0) {
+    const Vec3 p = point();
+    if (guards_ && !guards_->contain(p)) return false;
+    hits_.push_back({t, p, &shape_, part, u, v});
+    return true;
+  }
+  static constexpr double lower() { return -std::numeric_limits<double>::infinity(); }
+  static constexpr double upper() { return std::numeric_limits<double>::infinity(); }
+
+ private:
+  const Shape& shape_;
+  const Guards* guards_;
+  HitList& hits_;
+};
+
+// Keeps the nearest hit in [t_min, t_max); of hits at equal t the last one.
+class NearestHit {
+ public:
+  static constexpr bool kNearest = true;
+  NearestHit(const Shape& shape, const Guards* guards, double t_min, double t_max, Hit& hit)
+      : shape_(shape), guards_(guards), t_min_(t_min), t_max_(t_max), hit_(hit) {}
+
+  template <class PointAt>
+  bool add(double t, PointAt&& point, std::int32_t part = 0, double u = 0, double v = 0) {
+    if (!(t >= t_min_) || !(found_ ? t <= t_max_ : t < t_max_)) return false;
+    const Vec3 p = point();
+    if (guards_ && !guards_->contain(p)) return false;
+    hit_ = {t, p, &shape_, part, u, v};
+    t_max_ = t;
+    found_ = true;
+    return true;
+  }
+  bool found() const { return found_; }
+  // Hits outside lower() .. upper() (world distances) need not be reported.
+  double lower() const { return t_min_; }
+  double upper() const { return t_max_; }
+
+ private:
+  const Shape& shape_;
+  const Guards* guards_;
+  const double t_min_;
+  double t_max_;
+  Hit& hit_;
+  bool found_ = false;
+};
+
+// A ray in a shape's own space, direction of unit length; world distance = local distance / scale.
+struct LocalRay {
+  Vec3 origin, direction;
+  double scale = 1;
+};
+
+// What a shape says about its own box and solid.
+struct LocalBox {
+  Box3 box;                  // in the shape's own space, before its matrix; everywhere(): infinite
+  bool solid_inside = true;  // `contains` is false outside the box
+};
+
+template <class Derived>
+class Primitive : public Shape {
+ public:
+  void intersect_all(const Ray& ray, RayKind, HitList& hits) const final {
+    if (guards_ && !guards_->admit(ray)) return;
+    AllHits sink(*this, guards_.get(), hits);
+    derived().crossings(ray, sink);
+  }
+  bool intersect(const Ray& ray, RayKind, double t_min, double t_max, Hit& hit) const final {
+    if (guards_ && !guards_->admit(ray)) return false;
+    NearestHit sink(*this, guards_.get(), t_min, t_max, hit);
+    derived().crossings(ray, sink);
+    return sink.found();
+  }
+  bool inside(const Vec3& p) const final { return (!guards_ || guards_->contain(p)) && derived().formula(p); }
+  bool inside_unclipped(const Vec3& p) const final { return derived().formula(p); }
+  Vec3 normal(const Hit& hit) const final {
+    const Vec3 n = derived().raw_normal(hit);
+    return inverted_ ? -n : n;
+  }
+  Box3 bounds() const final { return bounds_; }
+  SolidExtent solid_extent() const final { return solid_; }
+
+  // The inside formula with inversion; shapes whose inverted form is not the plain complement hide it.
+  bool formula(const Vec3& p) const { return derived().contains(p) != inverted_; }
+
+ protected:
+  Primitive(const scene::Object& description, const LocalBox& local);
+
+  bool inverted() const { return inverted_; }
+  bool has_matrix() const { return has_matrix_; }
+  const Transform& matrix() const { return matrix_; }
+
+  // The ray in the shape's space; unchanged (and not normalised) when the object has no matrix.
+  LocalRay local(const Ray& ray) const {
+    if (!has_matrix_) return {ray.origin, ray.direction, 1};
+    const Vec3 d = matrix_.inverse_direction(ray.direction);
+    const double scale = length(d);
+    return {matrix_.inverse_point(ray.origin), d / scale, scale};
+  }
+  Vec3 local(const Vec3& p) const { return has_matrix_ ? matrix_.inverse_point(p) : p; }
+  Vec3 world(const Vec3& p) const { return has_matrix_ ? matrix_.point(p) : p; }
+  // A local normal of any length as a unit world normal.
+  Vec3 world_normal(const Vec3& n) const { return normalize(has_matrix_ ? matrix_.normal(n) : n); }
+
+ private:
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
+
+  std::unique_ptr<const Guards> guards_;
+  bool inverted_, has_matrix_;
+  Transform matrix_;
+  Box3 bounds_;
+  SolidExtent solid_;
+};
+
+// `box` under an object's matrix and narrowed to its clips: where its surface can be.
+Box3 surface_bounds(const scene::Object& object, const Box3& local, const Guards* guards);
+SolidExtent surface_solid(const scene::Object& object, const LocalBox& local, const Guards* guards);
+
+template <class Derived>
+Primitive<Derived>::Primitive(const scene::Object& description, const LocalBox& local)
+    : Shape(description),
+      guards_(Guards::of(description)),
+      inverted_(description.inverted),
+      has_matrix_(description.transform.has_value()),
+      matrix_(description.transform.value_or(Transform{})),
+      bounds_(surface_bounds(description, local.box, guards_.get())),
+      solid_(surface_solid(description, local, guards_.get())) {}
+
+}  // namespace verisim::shapes

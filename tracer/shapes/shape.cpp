@@ -1,0 +1,108 @@
+#include "tracer/shapes/shape.h"
+
+#include <limits>
+
+#include "tracer/shapes/primitive.h"
+
+namespace verisim::shapes {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool is_everywhere(const Box3& box) { return box.min.x == -kInfinity && box.max.x == kInfinity; }
+
+// Grows by rounding errors of transformed corners and of hit points.
+Box3 padded(Box3 box) {
+  for (int i = 0; i < 3; ++i) {
+    const double pad = 1e-9 * std::max(std::fabs(box.min[i]), std::fabs(box.max[i])) + 1e-9;
+    box.min[i] -= pad, box.max[i] += pad;
+  }
+  return box;
+}
+
+Box3 transformed(const Box3& box, const std::optional<Transform>& transform) {
+  if (is_everywhere(box)) return box;
+  if (!transform) return padded(box);
+  Box3 result;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p = transform->point({corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z});
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return everywhere();
+    result.extendBy(p);
+  }
+  return padded(result);
+}
+
+// Shared by both boxes: hits and inside points lie within every clip object.
+void narrow(Box3& box, const Guards* guards) {
+  if (!guards) return;
+  for (const auto& clip : guards->clips) {
+    const SolidExtent extent = clip->solid_extent();
+    if (extent.outside) continue;
+    for (int i = 0; i < 3; ++i) {
+      box.min[i] = std::max(box.min[i], extent.box.min[i]);
+      box.max[i] = std::min(box.max[i], extent.box.max[i]);
+    }
+  }
+}
+
+}  // namespace
+
+Box3 everywhere() { return Box3(Vec3(-kInfinity), Vec3(kInfinity)); }
+
+HitList& thread_hits() {
+  thread_local HitList hits;
+  return hits;
+}
+
+bool Shape::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const {
+  ScratchHits hits;
+  intersect_all(ray, kind, hits.list());
+  bool found = false;
+  for (std::size_t i = hits.begin(); i < hits.end(); ++i) {
+    const double t = hits[i].t;
+    if (!(t >= t_min) || !(found ? t <= t_max : t < t_max)) continue;
+    hit = hits[i];
+    t_max = t;
+    found = true;
+  }
+  return found;
+}
+
+bool Shape::occludes(const Ray& ray, double t_min, double t_max) const {
+  Hit hit;
+  return intersect(ray, RayKind::shadow, t_min, t_max, hit);
+}
+
+std::unique_ptr<const Guards> Guards::of(const scene::Object& object) {
+  if (object.bounded_by.empty() && object.clipped_by.empty()) return nullptr;
+  auto guards = std::make_unique<Guards>();
+  for (const auto& clip : object.clipped_by) guards->clips.push_back(compile(*clip));
+  for (const auto& bound : object.bounded_by) guards->bounds.push_back(compile(*bound));
+  return guards;
+}
+
+bool Guards::admit(const Ray& ray) const {
+  constexpr double kSmallestDistance = 1e-4, kLargestDistance = 2e10;
+  for (const auto& bound : bounds) {
+    Hit hit;
+    if (!bound->inside(ray.origin) && !bound->intersect(ray, RayKind::query, kSmallestDistance, kLargestDistance, hit)) return false;
+  }
+  return true;
+}
+
+Box3 surface_bounds(const scene::Object& object, const Box3& local, const Guards* guards) {
+  Box3 box = transformed(local, object.transform);
+  narrow(box, guards);
+  return box;
+}
+
+SolidExtent surface_solid(const scene::Object& object, const LocalBox& local, const Guards* guards) {
+  SolidExtent extent{everywhere(), false};
+  if (local.solid_inside) extent = {transformed(local.box, object.transform), object.inverted};
+  // Clips apply after inversion: outside any of them nothing is inside.
+  if (guards && extent.outside) extent = {everywhere(), false};
+  if (!extent.outside) narrow(extent.box, guards);
+  return extent;
+}
+
+}  // namespace verisim::shapes

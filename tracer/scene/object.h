@@ -97,7 +97,11 @@ struct Csg {
   bool difference = false;  // written as difference (cutaway_textures treats its first child apart)
   std::vector<ObjectPtr> children;
 };
-struct LightGroup { std::vector<ObjectPtr> children; bool global_lights = false; };
+struct LightGroup {
+  std::vector<ObjectPtr> children;
+  bool global_lights = false;
+  bool from_identifier = false;  // a copy of a declared group: lights of an outer group reach its objects (spec 06 10.1)
+};
 
 using Shape = std::variant<Sphere, Box, Plane, Cone, Torus, Disc, Triangle, SmoothTriangle, Polygon, Poly, Quadric, Superellipsoid, Ovus,
                            std::shared_ptr<const Blob>, std::shared_ptr<const Lathe>, std::shared_ptr<const Sor>,
@@ -132,7 +136,8 @@ struct Object {
   TexturePtr texture, interior_texture;
   InteriorPtr interior;
   bool inverted = false;
-  Flag hollow = Flag::unset;
+  Flag hollow = Flag::unset;         // as written for this object
+  bool hollow_inherited = false;     // as written for a CSG object around it
   bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false, double_illuminate = false;
   bool uv_mapping = false, sturm = false, hierarchy = true, split_union = true, cutaway_textures = false;
   float radiosity_importance = -1;  // < 0: the scene's default
@@ -143,6 +148,7 @@ struct Object {
 
   template <class T>
   const T* as() const { return std::get_if<T>(&shape); }
+  bool is_hollow() const { return hollow == Flag::unset ? hollow_inherited : hollow == Flag::on; }
 };
 
 // ---- Operations the parser performs while it reads an object (object.cpp, spec 03) ----

@@ -34,7 +34,7 @@ struct Radiosity {  // spec 07 section 2
   bool enabled = false;
   Place place;
   double pretrace_start = 0.08, pretrace_end = 0.04, error_bound = 1.8, low_error_factor = 0.5, gray_threshold = 0, minimum_reuse = 0.015,
-         maximum_reuse = 0.1, max_sample = -1, brightness = 1, adc_bailout = 0.01, default_importance = 1;
+         maximum_reuse = 0.2, max_sample = -1, brightness = 1, adc_bailout = 0.01, default_importance = 1;
   int count = 35, count_directions = 1600, nearest_count = 5, adaptive_nearest_count = 0, recursion_limit = 2;
   bool always_sample = false, media = false, normal = false, subsurface = false;
   std::string load_file, save_file;
@@ -43,11 +43,11 @@ struct Radiosity {  // spec 07 section 2
 struct Photons {  // spec 07 section 3
   bool enabled = false;
   Place place;
-  double spacing = 0;
+  double spacing = 1;
   int count = 0, gather_min = 20, gather_max = 100, max_trace_level = -1, media_count = 0;
-  double media_factor = 1, jitter = 0.4, autostop = 0, radius = 0, radius_gather_multiplier = 1, media_radius = 0,
+  double media_factor = 1, jitter = 0.4, autostop = 0.5, radius = 0, radius_gather_multiplier = 1, media_radius = 0,
          media_radius_gather_multiplier = 1, expand_increase = 0.2, adc_bailout = -1;
-  int expand_min = 40;
+  int expand_min = 35;
   std::string load_file, save_file;
 };
 

@@ -80,7 +80,7 @@ using DensityPtr = std::shared_ptr<const Density>;
 
 struct Media {  // spec 07
   Place place;
-  int method = 3, intervals = 1, samples_min = 1, samples_max = 1, aa_level = 4;
+  int method = 3, intervals = 1, samples_min = 10, samples_max = 10, aa_level = 3;  // of #version 3.5 and later (spec 07 4.1)
   double aa_threshold = 0.1, ratio = 0.9, confidence = 0.9, variance = 1.0 / 128, jitter = 0;
   Rgb absorption, emission;
   int scattering_type = 1;  // 1 .. 5

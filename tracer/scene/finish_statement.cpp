@@ -1,0 +1,186 @@
+// What POV-Ray does with an object when its top-level statement ends: textures, interiors and flags run down the tree of children, every object gets
+// its own interior or shares its parent's, light groups hand their lights to their objects (spec 03 5.3 and 5.4; 06 6.1, 6.6 and 10.1).
+#include <utility>
+
+#include "tracer/scene/object.h"
+
+namespace verisim::scene {
+
+namespace {
+
+std::vector<ObjectPtr>* children_of(Object& object) {
+  if (auto* csg = std::get_if<Csg>(&object.shape)) return &csg->children;
+  if (auto* group = std::get_if<LightGroup>(&object.shape)) return &group->children;
+  return nullptr;
+}
+
+const std::vector<ObjectPtr>* children_of(const Object& object) { return children_of(const_cast<Object&>(object)); }
+
+// Children are built by the parser as ordinary objects; one that is shared with a declared identifier is copied before it is changed.
+Object& writable(ObjectPtr& child) {
+  if (child.use_count() > 1) child = copy(*child);
+  return const_cast<Object&>(*child);
+}
+
+bool has_texture_anywhere(const Object& object) {
+  if (object.texture) return true;
+  if (const auto* children = children_of(object)) {
+    for (const ObjectPtr& child : *children) {
+      if (has_texture_anywhere(*child)) return true;
+    }
+  }
+  return false;
+}
+
+bool is_light(const Object& object) { return std::holds_alternative<LightSource>(object.shape); }
+
+void inherit_photons(PhotonFlags& child, const PhotonFlags& parent) {
+  if (!parent.given) return;
+  if (parent.target) {
+    child.target = true;
+    child.target_spacing = parent.target_spacing;
+  }
+  if (parent.reflection != Flag::unset) child.reflection = parent.reflection;
+  if (parent.refraction != Flag::unset) child.refraction = parent.refraction;
+  if (parent.pass_through) child.pass_through = true;
+  if (!parent.collect) child.collect = false;
+  child.given = true;
+}
+
+// Legacy finish keywords of the top layer act on the interior; `refraction` always does, with 1 when it was not written (spec 06 6.6).
+void apply_legacy_finish(Object& object) {
+  if (!object.texture || object.texture->patterned() || !object.interior) return;
+  const Finish& finish = object.texture->layers.back().finish;
+  Interior& interior = *object.interior;
+  if (finish.ior && *finish.ior >= 0) {
+    interior.ior = *finish.ior;
+    interior.dispersion = 1;
+  }
+  if (finish.caustics) interior.caustics = *finish.caustics;
+  interior.refraction = finish.refraction.value_or(1.0f);
+}
+
+struct Walk {
+  const TexturePtr& default_texture;
+
+  void object(Object& o, bool keeps_untextured) {
+    if (!o.texture && !keeps_untextured && (!children_of(o) || !has_texture_anywhere(o))) o.texture = default_texture;
+    // Objects written apart have interiors of their own, even copies of one declared object (spec 06 6.1).
+    if (o.interior) {
+      if (!interior_is_inherited) o.interior = std::make_shared<Interior>(*o.interior);
+    } else {
+      o.interior = std::make_shared<Interior>();
+    }
+    o.interior->hollow = o.is_hollow();
+    apply_legacy_finish(o);
+    if (auto* light = std::get_if<LightSource>(&o.shape)) attached_objects(*light);
+    if (children_of(o)) children(o);
+  }
+
+ private:
+  bool interior_is_inherited = false;
+
+  void attached_objects(LightSource& light) {
+    for (ObjectPtr* attached : {&light.looks_like, &light.projected_through}) {
+      if (!*attached) continue;
+      const bool saved = std::exchange(interior_is_inherited, false);
+      object(writable(*attached), false);
+      interior_is_inherited = saved;
+    }
+  }
+
+  void children(Object& parent) {
+    // The flags of a cutaway intersection reach all descendants; only its direct children stay without a texture (spec 03 5.3).
+    auto* csg = std::get_if<Csg>(&parent.shape);
+    const bool keeps_untextured = parent.cutaway_textures && csg && csg->kind == CsgKind::intersection;
+    bool any_object = false, all_without_shadow = true;
+    for (ObjectPtr& pointer : *children_of(parent)) {
+      Object& child = writable(pointer);
+      const bool light = is_light(child);
+      inherit(parent, child);
+      const bool saved = interior_is_inherited;
+      if (!child.interior) {
+        child.interior = parent.interior;
+        interior_is_inherited = true;
+      } else {
+        interior_is_inherited = false;
+      }
+      object(child, keeps_untextured);
+      interior_is_inherited = saved;
+      if (!light) {
+        any_object = true;
+        all_without_shadow = all_without_shadow && child.no_shadow;
+      }
+    }
+    if (csg && csg->kind == CsgKind::union_ && any_object && all_without_shadow) parent.no_shadow = true;
+  }
+
+  void inherit(const Object& parent, Object& child) {
+    if (is_light(child)) return;
+    if (!child.texture && parent.texture) {
+      child.texture = parent.texture;
+      child.uv_mapping = child.uv_mapping || parent.uv_mapping;
+    }
+    // A child without interior_texture takes the uv flag even with a texture of its own (spec 03 5.4).
+    if (!child.interior_texture) {
+      child.interior_texture = parent.interior_texture;
+      child.uv_mapping = child.uv_mapping || parent.uv_mapping;
+    }
+    child.no_shadow = child.no_shadow || parent.no_shadow;
+    child.no_image = child.no_image || parent.no_image;
+    child.no_reflection = child.no_reflection || parent.no_reflection;
+    child.no_radiosity = child.no_radiosity || parent.no_radiosity;
+    child.cutaway_textures = child.cutaway_textures || parent.cutaway_textures;
+    if (child.radiosity_importance < 0) child.radiosity_importance = parent.radiosity_importance;
+    inherit_photons(child.photons, parent.photons);
+  }
+};
+
+using Lights = std::vector<std::shared_ptr<const LightSource>>;
+
+void add_lights(Object& object, const Lights& lights) {
+  object.group_lights.insert(object.group_lights.end(), lights.begin(), lights.end());
+  auto* children = children_of(object);
+  if (!children) return;
+  for (ObjectPtr& child : *children) {
+    // A group written in place that has lights of its own keeps the outer lights away from its objects (spec 06 10.1).
+    if (const auto* group = child->as<LightGroup>(); group && !group->from_identifier) {
+      bool has_lights = false;
+      for (const ObjectPtr& inner : group->children) has_lights = has_lights || is_light(*inner);
+      if (has_lights) continue;
+    }
+    if (!is_light(*child)) add_lights(const_cast<Object&>(*child), lights);
+  }
+}
+
+void hide_global_lights(Object& object, bool hide) {
+  object.ignore_global_lights = hide;
+  if (auto* children = children_of(object)) {
+    for (ObjectPtr& child : *children) hide_global_lights(const_cast<Object&>(*child), hide);
+  }
+}
+
+void collect_light_groups(Object& object, bool inside_group) {
+  auto* children = children_of(object);
+  if (!children) return;
+  const auto* group = object.as<LightGroup>();
+  if (group) {
+    // The outermost group decides about the global lights.
+    if (!inside_group) hide_global_lights(object, !group->global_lights);
+    Lights lights;
+    for (const ObjectPtr& child : *children) {
+      if (const auto* light = child->as<LightSource>()) lights.emplace_back(child, light);
+    }
+    if (!lights.empty()) add_lights(object, lights);
+  }
+  for (ObjectPtr& child : *children) collect_light_groups(const_cast<Object&>(*child), inside_group || group);
+}
+
+}  // namespace
+
+void finish_statement(Object& object, const TexturePtr& default_texture) {
+  Walk{default_texture}.object(object, false);
+  collect_light_groups(object, false);
+}
+
+}  // namespace verisim::scene

@@ -60,8 +60,9 @@ void apply_legacy_finish(Object& object) {
   interior.refraction = finish.refraction.value_or(1.0f);
 }
 
-struct Walk {
-  const TexturePtr& default_texture;
+class Walk {
+ public:
+  explicit Walk(const TexturePtr& texture) : default_texture(texture) {}
 
   void object(Object& o, bool keeps_untextured) {
     if (!o.texture && !keeps_untextured && (!children_of(o) || !has_texture_anywhere(o))) o.texture = default_texture;
@@ -78,6 +79,7 @@ struct Walk {
   }
 
  private:
+  const TexturePtr& default_texture;
   bool interior_is_inherited = false;
 
   void attached_objects(LightSource& light) {
@@ -179,7 +181,7 @@ void collect_light_groups(Object& object, bool inside_group) {
 }  // namespace
 
 void finish_statement(Object& object, const TexturePtr& default_texture) {
-  Walk{default_texture}.object(object, false);
+  Walk(default_texture).object(object, false);
   collect_light_groups(object, false);
 }
 

@@ -1,0 +1,138 @@
+// Internal functions made of noise: noise3d, noise_generator and the multifractals (spec 01 section 24: 29, 58, 59, 76, 78).
+#include "tracer/functions/internal_noise.h"
+
+#include <array>
+#include <cmath>
+#include <mutex>
+
+#include "tracer/functions/internal.h"
+#include "tracer/functions/operations.h"
+#include "tracer/textures/noise.h"
+
+namespace verisim::functions {
+
+namespace {
+
+constexpr int kMaxOctaves = 4096;  // a limit against endless loops; the weights have long vanished
+
+// The generator named by a parameter: 0 acts as 1.
+int generator(double p) {
+  const int g = static_cast<int>(to_int(p)) & 3;
+  return g == 0 ? 1 : g;
+}
+
+// s^t with t multiplications; t <= 0 gives 1.
+double repeated_product(double s, double t) {
+  double r = 1;
+  const int n = static_cast<int>(std::min(to_int(t), 1024.0));
+  for (int i = 0; i < n; ++i) r *= s;
+  return r;
+}
+
+double hetero_mf(Vec3 p, const double* a) {
+  const double H = a[0], lacunarity = a[1], octaves = a[2], offset = a[3];
+  const int g = generator(a[5]);
+  const auto n = [&](const Vec3& q) { return 2 * textures::noise(q, g) - 1 + offset; };
+  double s = n(p);
+  int i = 1;
+  for (; i < octaves && i < kMaxOctaves; ++i) {
+    p *= lacunarity;
+    s += n(p) * std::pow(lacunarity, -i * H) * repeated_product(s, a[4]);
+  }
+  const double fraction = octaves - std::trunc(octaves);
+  if (fraction != 0 && i < kMaxOctaves) {
+    p *= lacunarity;
+    s += fraction * s * n(p) * std::pow(lacunarity, -i * H);
+  }
+  return s;
+}
+
+double ridge(Vec3 p, const double* a) {
+  const double lambda = a[0], omega = a[2], offset = a[3], level = a[4];
+  const double octaves = std::min(to_int(a[1]), static_cast<double>(kMaxOctaves));
+  const int g = generator(a[5]);
+  const double scale = std::max(level, 1 - level);
+  const auto term = [&](double frequency) { return std::fabs(textures::noise(p * frequency, g) - level) / scale - offset; };
+  double sum = term(1), weights = 1, weight = 1, frequency = 1;
+  for (int i = 2; i <= octaves; ++i) {
+    weight *= omega, frequency *= lambda;
+    sum += weight * term(frequency), weights += weight;
+  }
+  const double fraction = a[1] - std::trunc(a[1]);
+  if (fraction != 0) {
+    weight *= omega, frequency *= lambda;
+    sum += fraction * weight * term(frequency), weights += fraction * weight;
+  }
+  return sum / (std::max(offset, 1 - offset) * weights);
+}
+
+class Noise final : public Function {
+ public:
+  explicit Noise(int fixed_generator) : generator_(fixed_generator) {}
+  int parameters() const override { return 3; }
+  int components() const override { return 1; }
+  void evaluate(std::span<const double> a, double* result) const override { *result = textures::noise({a[0], a[1], a[2]}, generator_); }
+
+ private:
+  int generator_;
+};
+
+class NoiseOfGenerator final : public Function {
+ public:
+  int parameters() const override { return 4; }
+  int components() const override { return 1; }
+  void evaluate(std::span<const double> a, double* result) const override {
+    *result = textures::noise({a[0], a[1], a[2]}, generator(a[3]));
+  }
+};
+
+template <double (*Formula)(Vec3, const double*)>
+class Fractal final : public Function {
+ public:
+  int parameters() const override { return 9; }
+  int components() const override { return 1; }
+  void evaluate(std::span<const double> a, double* result) const override { *result = Formula({a[0], a[1], a[2]}, a.data() + 3); }
+};
+
+// The weights of the octaves are those of the first call ever made; later calls with other parameters use them, too.
+class RidgedMultifractal final : public Function {
+ public:
+  int parameters() const override { return 9; }
+  int components() const override { return 1; }
+  void evaluate(std::span<const double> a, double* result) const override {
+    std::call_once(once_, [&] {
+      double frequency = 1;
+      for (double& w : weights_) w = std::pow(frequency, -a[3]), frequency *= a[4];
+    });
+    const double lacunarity = a[4], octaves = a[5], offset = a[6], gain = a[7];
+    const int g = generator(a[8]);
+    Vec3 p{a[0], a[1], a[2]};
+    const auto n = [&](const Vec3& q) { return sq(offset - std::fabs(2 * textures::noise(q, g) - 1)); };
+    double s = n(p), sum = s;
+    for (std::size_t i = 1; static_cast<double>(i) < octaves && i < weights_.size(); ++i) {
+      p *= lacunarity;
+      s = n(p) * std::min(1.0, std::max(0.0, s * gain));
+      sum += s * weights_[i];
+    }
+    *result = sum;
+  }
+
+ private:
+  mutable std::once_flag once_;
+  mutable std::array<double, 64> weights_{};
+};
+
+}  // namespace
+
+FunctionPtr noise_function(int n, int noise_generator) {
+  switch (n) {
+    case 29: return std::make_shared<Fractal<hetero_mf>>();
+    case 58: return std::make_shared<Fractal<ridge>>();
+    case 59: return std::make_shared<RidgedMultifractal>();
+    case 76: return std::make_shared<Noise>(noise_generator);
+    case 78: return std::make_shared<NoiseOfGenerator>();
+    default: return nullptr;
+  }
+}
+
+}  // namespace verisim::functions

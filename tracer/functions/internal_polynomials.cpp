@@ -90,7 +90,7 @@ FORMULA(folium_surface) { WITH_SQUARES; return limit(P[0] * ((Y + Z) * (1 + (P[2
 double folium_surface_2d(const Call3& at) {
   const Call3 c = revolve(at, at.p[3], at.p[4], at.p[5]);
   WITH_SQUARES;
-  return limit(P[0] * (Y * (1 + (P[2] - 4 * P[1]) * x) + X * (1 + P[2])));
+  return limit(-P[0] * (Y * (1 + (P[2] - 4 * P[1]) * x) + X * (1 + P[2])));
 }
 FORMULA(glob) { WITH_SQUARES; return limit(P[0] * (0.5 * X * X * x + 0.5 * X * X - Y - Z)); }
 FORMULA(heart) { WITH_SQUARES; return limit(-P[0] * (cube(2 * X + Y + Z - 1) - 0.1 * X * Z * z - Y * Z * z)); }

@@ -1,0 +1,75 @@
+#include "tracer/textures/noise.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tracer/textures/noise_tables.h"
+
+namespace verisim::textures {
+namespace {
+
+TEST(NoiseTables, MatchTheChecksOfTheSpecification) {
+  const NoiseTables& t = noise_tables();
+  const int hash[8] = {2291, 2574, 3654, 1557, 1196, 3388, 2637, 1820};
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(t.hash[i], hash[i]) << i;
+  const double random[3] = {0.814723691903055, 0.135477004107088, 0.905791934113949};
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(random_value(t, i), random[i], 1e-15) << i;
+  EXPECT_EQ(t.value_row[0][0], -0.5);
+  EXPECT_EQ(t.value_row[0][1], 0.604974);
+  EXPECT_EQ(t.value_row[263][3], 0.566186);
+  EXPECT_NEAR(t.gradient_row[0][1], 0.604425069426, 1e-12);
+  EXPECT_NEAR(t.gradient_row[0][2], 0.705260289544, 1e-12);
+  EXPECT_NEAR(t.gradient_row[0][3], 0.370510808805, 1e-12);
+  const int permutation[6] = {0, 1, 386, 3, 649, 1576};
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(t.permutation[i], permutation[i]) << i;
+}
+
+// Probe P2: f_noise_generator of functions.inc.
+TEST(Noise, EqualsPovRay) {
+  struct Probe { Vec3 p; double value[3]; };
+  const Probe probes[] = {
+      {{0.5, 0.5, 0.5}, {0.41346047125, 0.473142170266155, 0.672103843552658}},
+      {{1.25, -2.75, 3.6}, {0.339298602446094, 0.436813547210485, 0.445168696205204}},
+      {{-7.3, 0.2, 12.9}, {0.0171818543569405, 0.27902278343954, 0.612870118066848}},
+      {{100.125, -55.5, 2.25}, {0.659942089523315, 0.593882625500357, 0.367861124864211}},
+      {{-0.1, -0.2, -0.3}, {0.0243576697584844, 0.282537898377232, 0.34813195163302}},
+  };
+  for (const Probe& probe : probes)
+    for (int g = 1; g <= 3; ++g) EXPECT_NEAR(noise(probe.p, g), probe.value[g - 1], 2e-15) << "generator " << g << " at x = " << probe.p.x;
+}
+
+TEST(Noise, FastVersionAgreesWithTheReference) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    const double size = std::pow(10.0, i % 7 - 2);
+    const Vec3 p(size * coordinate(random), size * coordinate(random), size * coordinate(random));
+    for (int g = 1; g <= 3; ++g) ASSERT_NEAR(noise(p, g), reference::noise(p, g), 1e-15) << "generator " << g;
+    const Vec3 fast = vector_noise(p), plain = reference::vector_noise(p);
+    for (int k = 0; k < 3; ++k) ASSERT_NEAR(fast[k], plain[k], 2e-15) << "component " << k;
+  }
+}
+
+TEST(Noise, SurvivesFarAndInvalidCoordinates) {
+  for (const double x : {1e17, -1e17, 1e300, -1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    for (int g = 1; g <= 3; ++g) noise({x, 0.5, x}, g);  // must not crash
+    vector_turbulence({x, x, 1}, 10, 3, 0.5);
+  }
+}
+
+TEST(Turbulence, IsTheSumOfItsOctaves) {
+  const Vec3 p(1.25, -2.75, 3.6);
+  double first = 0;
+  for (int i = 0; i < 4; ++i) first += std::pow(0.6, i) * reference::noise(p * std::pow(2.5, i), 1);
+  EXPECT_NEAR(turbulence(p, 4, 2.5, 0.6, 1), first, 1e-14);
+  double second = std::clamp(2 * reference::noise(p, 2) - 0.5, 0.0, 1.0);
+  for (int i = 1; i < 4; ++i) second += std::pow(0.6, i) * (2 * reference::noise(p * std::pow(2.5, i), 2) - 0.5);
+  EXPECT_NEAR(turbulence(p, 4, 2.5, 0.6, 2), second, 1e-14);
+  Vec3 vector(0, 0, 0);
+  for (int i = 0; i < 4; ++i) vector += std::pow(0.6, i) * reference::vector_noise(p * std::pow(2.5, i));
+  EXPECT_NEAR(length(vector_turbulence(p, 4, 2.5, 0.6) - vector), 0, 1e-14);
+}
+
+}  // namespace
+}  // namespace verisim::textures

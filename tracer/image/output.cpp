@@ -6,6 +6,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "tracer/image/module_files.h"
 #include "tracer/image/netpbm.h"
 #include "tracer/image/png.h"
 
@@ -47,6 +48,30 @@ void write_atomically(const std::filesystem::path& path, Body body) {
   }
 }
 
+// The module writes by name, so it gets a temporary file of the right type; standard output receives a copy of it.
+void write_module_file(const render::Framebuffer& framebuffer, const std::filesystem::path& path, const OutputOptions& options) {
+  const bool to_stdout = path == "-";
+  std::filesystem::path temporary = to_stdout ? std::filesystem::temp_directory_path() / "verisim" : path;
+  temporary += "." + std::to_string(::getpid()) + ".tmp" + extension_of(options.format);
+  std::error_code ignored;
+  try {
+    write_through_module(framebuffer, temporary, options);
+    if (to_stdout) {
+      File file(std::fopen(temporary.c_str(), "rb"));
+      if (!file) throw std::runtime_error(std::strerror(errno));
+      char buffer[65536];
+      for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;)
+        if (std::fwrite(buffer, 1, n, stdout) != n) throw std::runtime_error(std::strerror(errno));
+      std::filesystem::remove(temporary, ignored);
+    } else {
+      std::filesystem::rename(temporary, path);
+    }
+  } catch (const std::exception& error) {
+    std::filesystem::remove(temporary, ignored);
+    fail(path, "write", error.what());
+  }
+}
+
 Picture normalised(const Quantised& in) {
   Picture out{in.width, in.height, in.channels, false, in.bits, {}};
   const float scale = 1.0f / static_cast<float>((1 << in.bits) - 1);
@@ -58,14 +83,9 @@ Picture normalised(const Quantised& in) {
 }  // namespace
 
 void write(const render::Framebuffer& framebuffer, const std::filesystem::path& path, const OutputOptions& options) {
+  if (options.format != Format::png && options.format != Format::ppm) return write_module_file(framebuffer, path, options);
   const Quantised picture = quantise(framebuffer, options);
-  switch (options.format) {
-    case Format::png:
-      return write_atomically(path, [&](std::FILE* file) { write_png(file, picture, options); });
-    case Format::ppm:
-      return write_atomically(path, [&](std::FILE* file) { write_ppm(file, picture, options); });
-    default: fail(path, "write", "this file type needs the image module");
-  }
+  write_atomically(path, [&](std::FILE* file) { options.format == Format::png ? write_png(file, picture, options) : write_ppm(file, picture, options); });
 }
 
 Picture read_picture(const std::filesystem::path& path) {
@@ -77,10 +97,11 @@ Picture read_picture(const std::filesystem::path& path) {
   try {
     if (got == 8 && std::memcmp(magic, "\x89PNG\r\n\x1a\n", 8) == 0) return normalised(read_png(file.get()));
     if (got >= 2 && magic[0] == 'P' && magic[1] >= '1' && magic[1] <= '7') return read_netpbm(file.get());
+    file.reset();
+    return read_through_module(path);
   } catch (const std::runtime_error& error) {
     fail(path, "read", error.what());
   }
-  fail(path, "read", "this file type needs the image module");
 }
 
 void write_picture(const Picture& picture, const std::filesystem::path& path) {

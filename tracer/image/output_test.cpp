@@ -167,6 +167,26 @@ TEST(Files, PpmRoundTrip) {
   }
 }
 
+// With File_Gamma linear, what comes back is what was quantised; EXR and HDR keep linear light.
+TEST(Files, OtherFormatsRoundTrip) {
+  const std::pair<Format, const char*> formats[] = {{Format::tga, "r.tga"},  {Format::tga_rle, "rle.tga"}, {Format::bmp, "r.bmp"}, {Format::jpeg, "r.jpg"},
+                                                    {Format::exr, "r.exr"}, {Format::hdr, "r.hdr"},     {Format::tiff, "r.tif"}};
+  for (const auto& [format, name] : formats) {
+    OutputOptions options = linear_file();
+    options.format = format;
+    const auto path = scratch(name);
+    write(filled(8, 8, {.5f, .25f, .75f}), path, options);
+    const Picture got = read_picture(path);
+    EXPECT_EQ(got.width, 8) << name;
+    EXPECT_EQ(got.channels, 3) << name;
+    EXPECT_EQ(got.is_float, format == Format::exr || format == Format::hdr) << name;
+    EXPECT_NEAR(got.samples[0], .5f, .01f) << name;
+    EXPECT_NEAR(got.samples[1], .25f, .01f) << name;
+    EXPECT_NEAR(got.samples[2], .75f, .01f) << name;
+    std::filesystem::remove(path);
+  }
+}
+
 TEST(Files, FailuresNameTheFileAndLeaveNothingBehind) {
   const auto path = scratch("no_such_folder") / "a.png";
   try {
@@ -180,7 +200,7 @@ TEST(Files, FailuresNameTheFileAndLeaveNothingBehind) {
 
 TEST(Files, CorruptPicturesAreErrors) {
   const auto path = scratch("bad.png");
-  for (const std::string& bytes : {std::string(), std::string("P6 1000000 1000000 255\n"), std::string("P5 3 3 0\n"), std::string("P6\n99999999999 1 1"),
+  for (const std::string& bytes : {std::string(), std::string("P6 1000000 1000000 255\n"), std::string("P5 3 3 0\n"), std::string("garbage"), std::string("P6\n99999999999 1 1"),
                                    std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\xff\xff", 18), std::string("\x89PNG\r\n\x1a\n")}) {
     std::ofstream(path, std::ios::binary) << bytes;
     EXPECT_THROW(read_picture(path), std::runtime_error);

@@ -1,0 +1,13 @@
+// The file types that go through the OpenImageIO module: TGA, BMP, JPEG, EXR, HDR, TIFF (spec 02 section 4.7).
+#pragma once
+
+#include "tracer/image/output.h"
+
+namespace verisim::image {
+
+const char* extension_of(Format format);  // with the dot
+// `path` must end in the format's extension. Throws std::runtime_error.
+void write_through_module(const render::Framebuffer& framebuffer, const std::filesystem::path& path, const OutputOptions& options);
+Picture read_through_module(const std::filesystem::path& path);
+
+}  // namespace verisim::image

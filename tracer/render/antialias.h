@@ -1,0 +1,186 @@
+// Turning samples into the pixels of one block: plain, and POV-Ray's anti-aliasing methods 1 and 2 (spec 02 section 3).
+//
+// A sampler is any callable Color(double x, double y); pixel centres have integer coordinates. Blocks are independent of each other, so the picture
+// does not depend on which thread renders which block.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "tracer/render/jitter.h"
+#include "tracer/render/render.h"
+
+namespace verisim::render {
+
+struct Block {
+  int x, y, width, height;
+};
+
+struct AntialiasSettings {
+  int method = 1;   // 1 or 2
+  int depth = 3;
+  float threshold = 0.3f;
+  double jitter = 1;  // scale; 0: none
+  // Colours are compared after max(c, 0)^exponent, or after decoding sRGB first (spec 02 section 3.3).
+  float exponent = 1;
+  bool identity = true, decode_srgb = false;
+};
+AntialiasSettings antialias_settings(const Options& options, scene::Gamma working, double working_gamma);
+
+// A colour as two samples are compared: encoded r, g, b and plain transmit.
+struct Compared {
+  float r, g, b, t;
+  bool differs(const Compared& o, float threshold) const {
+    return std::fabs(r - o.r) + std::fabs(g - o.g) + std::fabs(b - o.b) + std::fabs(t - o.t) >= threshold;
+  }
+};
+Compared encode_for_comparison(const Color& c, const AntialiasSettings& settings);
+
+template <class Sampler>
+void render_plain(const Block& block, Sampler&& sample, Framebuffer& out) {
+  for (int y = block.y; y < block.y + block.height; ++y)
+    for (int x = block.x; x < block.x + block.width; ++x) out.at(x, y) = sample(x, y);
+}
+
+// Method 1: pixels that differ from the one on the left or above are replaced by an average over a jittered grid.
+template <class Sampler>
+class AdaptiveGrid {
+ public:
+  AdaptiveGrid(const AntialiasSettings& settings, Sampler& sample) : settings_(settings), sample_(sample) {}
+
+  void render(const Block& block, Framebuffer& out) {
+    stride_ = block.width + 1;
+    cells_.assign(static_cast<std::size_t>(stride_) * (block.height + 1), {});
+    origin_x_ = block.x - 1, origin_y_ = block.y - 1;
+    // The row above and the column on the left only serve as comparison.
+    for (int x = block.x; x < block.x + block.width; ++x) trace_centre(x, origin_y_, true);
+    for (int y = block.y; y < block.y + block.height; ++y) {
+      trace_centre(origin_x_, y, true);
+      for (int x = block.x; x < block.x + block.width; ++x) refine(x, y);
+    }
+    for (int y = block.y; y < block.y + block.height; ++y)
+      for (int x = block.x; x < block.x + block.width; ++x) out.at(x, y) = cell(x, y).color;
+  }
+
+ private:
+  struct Cell {
+    Color color;
+    Compared compared;
+    bool done = false;  // supersampled already, or not to be
+  };
+  Cell& cell(int x, int y) { return cells_[static_cast<std::size_t>(y - origin_y_) * stride_ + (x - origin_x_)]; }
+
+  void set(Cell& c, const Color& color) { c.color = color, c.compared = encode_for_comparison(color, settings_); }
+
+  void trace_centre(int x, int y, bool done) {
+    Cell& c = cell(x, y);
+    set(c, sample_(static_cast<double>(x), static_cast<double>(y)));
+    c.done = done;
+  }
+
+  void refine(int x, int y) {
+    trace_centre(x, y, false);
+    const Cell &here = cell(x, y), &left = cell(x - 1, y), &top = cell(x, y - 1);
+    const bool left_differs = here.compared.differs(left.compared, settings_.threshold);
+    const bool top_differs = here.compared.differs(top.compared, settings_.threshold);
+    if (left_differs) supersample(x - 1, y);
+    if (top_differs) supersample(x, y - 1);
+    if (left_differs || top_differs) supersample(x, y);
+  }
+
+  void supersample(int x, int y) {
+    Cell& c = cell(x, y);
+    if (c.done) return;
+    c.done = true;
+    const int n = settings_.depth;
+    const double step = 1.0 / n, first = -0.5 + 0.5 * step, scale = settings_.jitter / n;
+    Color sum = c.color;
+    for (int j = 0; j < n; ++j) {
+      for (int i = 0; i < n; ++i) {
+        const double sx = x + (first + i * step), sy = y + (first + j * step);
+        const Vec2 d = scale == 0 ? Vec2(0, 0) : jitter2(sx, sy) * scale;
+        sum += sample_(sx + d.x, sy + d.y);
+      }
+    }
+    const auto count = static_cast<float>(n * n + 1);
+    set(c, {sum.r / count, sum.g / count, sum.b / count, sum.f / count, sum.t / count});
+  }
+
+  const AntialiasSettings settings_;
+  Sampler& sample_;
+  int stride_ = 0, origin_x_ = 0, origin_y_ = 0;
+  std::vector<Cell> cells_;
+};
+
+// Method 2: pixels whose corners differ are divided into quadrants, recursively.
+template <class Sampler>
+class RecursiveQuads {
+ public:
+  RecursiveQuads(const AntialiasSettings& settings, Sampler& sample)
+      : settings_(settings), sample_(sample), side_((1 << (settings.depth - 1)) + 1), points_(static_cast<std::size_t>(side_) * side_) {}
+
+  void render(const Block& block, Framebuffer& out) {
+    const int stride = block.width + 1;
+    corners_.resize(static_cast<std::size_t>(stride) * (block.height + 1));
+    for (int y = 0; y <= block.height; ++y)
+      for (int x = 0; x <= block.width; ++x) set(corners_[static_cast<std::size_t>(y) * stride + x], block.x + x - 0.5, block.y + y - 0.5);
+    for (int y = 0; y < block.height; ++y) {
+      for (int x = 0; x < block.width; ++x) {
+        ++stamp_;
+        pixel_x_ = block.x + x - 0.5, pixel_y_ = block.y + y - 0.5;
+        const int last = side_ - 1;
+        const Point* c = &corners_[static_cast<std::size_t>(y) * stride + x];
+        at(0, 0) = c[0], at(last, 0) = c[1], at(0, last) = c[stride], at(last, last) = c[stride + 1];
+        for (Point* p : {&at(0, 0), &at(last, 0), &at(0, last), &at(last, last)}) p->stamp = stamp_;
+        out.at(block.x + x, block.y + y) = quad(0, 0, last, settings_.depth - 1);
+      }
+    }
+  }
+
+ private:
+  struct Point {
+    Color color;
+    Compared compared;
+    std::uint64_t stamp = 0;  // of the pixel it was traced for
+  };
+  Point& at(int i, int j) { return points_[static_cast<std::size_t>(j) * side_ + i]; }
+  void set(Point& p, double x, double y) {
+    p.color = sample_(x, y);
+    p.compared = encode_for_comparison(p.color, settings_);
+    p.stamp = stamp_;
+  }
+
+  void need(int i, int j) {
+    Point& p = at(i, j);
+    if (p.stamp == stamp_) return;
+    const double step = 1.0 / (side_ - 1), x = pixel_x_ + i * step, y = pixel_y_ + j * step;
+    const double scale = settings_.jitter / ((1 << settings_.depth) + 1);
+    const Vec2 d = scale == 0 ? Vec2(0, 0) : jitter2(x, y) * scale;
+    set(p, x + d.x, y + d.y);
+  }
+
+  // The quadrant with its top left corner at (i, j) of the pixel's grid.
+  Color quad(int i, int j, int size, int levels) {
+    const Point corner[4] = {at(i, j), at(i + size, j), at(i, j + size), at(i + size, j + size)};
+    bool differ = false;
+    for (int a = 0; levels > 0 && a < 3; ++a)
+      for (int b = a + 1; b < 4; ++b) differ = differ || corner[a].compared.differs(corner[b].compared, settings_.threshold);
+    if (!differ) return (corner[0].color + corner[1].color + corner[2].color + corner[3].color) * 0.25f;
+    const int half = size / 2;
+    need(i, j + half), need(i + half, j), need(i + size, j + half), need(i + half, j + size), need(i + half, j + half);
+    Color sum = quad(i, j, half, levels - 1);
+    sum += quad(i, j + half, half, levels - 1);
+    sum += quad(i + half, j, half, levels - 1);
+    sum += quad(i + half, j + half, half, levels - 1);
+    return sum * 0.25f;
+  }
+
+  const AntialiasSettings settings_;
+  Sampler& sample_;
+  int side_;
+  double pixel_x_ = 0, pixel_y_ = 0;
+  std::uint64_t stamp_ = 1;
+  std::vector<Point> points_, corners_;
+};
+
+}  // namespace verisim::render

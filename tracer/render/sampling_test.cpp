@@ -1,0 +1,178 @@
+// Jitter, lens positions, cameras and anti-aliasing against the numbers of spec 02.
+#include <gtest/gtest.h>
+
+#include "tracer/image/output.h"
+#include "tracer/render/antialias.h"
+#include "tracer/render/camera_rays.h"
+#include "tracer/render/focal_blur.h"
+#include "tracer/render/jitter.h"
+
+namespace verisim::render {
+namespace {
+
+TEST(Jitter, PermutationStartsAsInTheSpecification) {
+  const int expected[] = {2291, 2574, 3654, 1557, 1196, 3388, 2637, 1820};
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(permutation()[i], expected[i]);
+}
+
+TEST(Jitter, CheckValues) {
+  const auto near = [](double x, double y, double a, double b) {
+    const Vec2 j = jitter2(x, y);
+    EXPECT_NEAR(j.x, a, 1e-9) << x << ' ' << y;
+    EXPECT_NEAR(j.y, b, 1e-9) << x << ' ' << y;
+  };
+  near(0, 0, 0.084015, 0.084015);
+  near(1.5, 2.25, -0.306641, -0.197235);
+  near(100.25, 60.75, 0.394562, 0.246124);
+  near(-1.0 / 3, 5, -0.417938, -0.173798);
+}
+
+TEST(FocalBlur, ChiSquareQuantilesIncludingTheDefect) {
+  const std::pair<int, double> expected[] = {{1, 0.0170986593},  {2, 0.2107210313},  {3, 0.6020465219},  {4, 1.0636232168},   {5, 1.6433034406},
+                                             {6, 2.2041306565},  {7, 2.8790200156},  {19, 11.7516723786}, {25, 16.5947584274}, {27, 18.1138959669}};
+  for (const auto& [degrees, value] : expected) EXPECT_NEAR(chi_square_quantile(degrees, 0.9), value, 1e-8) << degrees;
+}
+
+TEST(FocalBlur, LensPositionsLieOnTheLensAndDiffer) {
+  for (int n : {1, 4, 7, 8, 19, 30, 37, 50, 200}) {
+    scene::Camera camera;
+    camera.aperture = 1, camera.blur_samples = n;
+    const FocalBlur blur(camera, nullptr);
+    ASSERT_EQ(blur.positions().size(), static_cast<std::size_t>(n));
+    for (const Vec2& p : blur.positions()) EXPECT_LE(p.x * p.x + p.y * p.y, 0.2501);
+    EXPECT_NEAR(blur.lens_jitter(), n == 7 ? 0.144338 : n == 19 ? 0.096225 : n == 37 ? 0.0721688 : 0.5 / std::sqrt(n), 1e-12);
+  }
+}
+
+// Spec 02 probe P1: the sky maps direction component c to 3 * (c + 1.1) / 2.2 / 3, written linear in 8 bits.
+struct CameraCase {
+  const char* name;
+  scene::Camera camera;
+  std::array<std::array<int, 3>, 4> expected;  // pixels (0,0) (11,2) (5,5) (15,11) of 16x12
+};
+class CameraProbe : public testing::TestWithParam<CameraCase> {};
+
+TEST_P(CameraProbe, DirectionsOfTheTable) {
+  const int pixels[4][2] = {{0, 0}, {11, 2}, {5, 5}, {15, 11}};
+  const CameraRays camera(GetParam().camera, 16, 12);
+  for (int i = 0; i < 4; ++i) {
+    const auto ray = camera.at(pixels[i][0], pixels[i][1]);
+    std::array<int, 3> got{0, 0, 0};
+    if (ray) {
+      const Vec3 d = normalize(ray->ray.direction);
+      for (int c = 0; c < 3; ++c) got[c] = static_cast<int>(std::floor((d[c] + 1.1) / 2.2 * 255 + 0.5));
+    }
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c], GetParam().expected[i][c], 0) << "pixel " << i << " channel " << c;
+  }
+}
+
+scene::Camera of(scene::CameraKind kind) {
+  scene::Camera c;
+  c.kind = kind;
+  return c;
+}
+scene::Camera small_fisheye() {
+  scene::Camera c = of(scene::CameraKind::fisheye);
+  c.right = {.5, 0, 0}, c.up = {0, .5, 0}, c.angle = 180;
+  return c;
+}
+scene::Camera narrow_spherical() {
+  scene::Camera c = of(scene::CameraKind::spherical);
+  c.horizontal_angle = 200, c.vertical_angle = 100;
+  return c;
+}
+using K = scene::CameraKind;
+INSTANTIATE_TEST_SUITE_P(
+    P1, CameraProbe,
+    testing::Values(CameraCase{"perspective", {}, {{{70, 170, 219}, {159, 159, 235}, {104, 132, 241}, {185, 85, 219}}}},
+                    CameraCase{"fisheye", of(K::fisheye), {{{0, 0, 0}, {177, 177, 220}, {90, 135, 237}, {0, 0, 0}}}},
+                    CameraCase{"small_fisheye", small_fisheye(), {{{56, 197, 187}, {165, 178, 225}, {99, 135, 240}, {199, 58, 187}}}},
+                    CameraCase{"ultra_wide", of(K::ultra_wide_angle), {{{54, 184, 197}, {166, 166, 230}, {99, 133, 240}, {201, 71, 197}}}},
+                    CameraCase{"omnimax", of(K::omnimax), {{{0, 0, 0}, {187, 217, 171}, {78, 171, 223}, {0, 0, 0}}}},
+                    CameraCase{"panoramic", of(K::panoramic), {{{108, 242, 129}, {184, 215, 179}, {61, 141, 221}, {147, 13, 129}}}},
+                    CameraCase{"cylinder1", of(K::cylinder1), {{{57, 176, 206}, {165, 160, 232}, {99, 132, 240}, {198, 79, 206}}}},
+                    CameraCase{"cylinder2", of(K::cylinder2), {{{66, 192, 201}, {160, 177, 227}, {104, 135, 241}, {189, 63, 201}}}},
+                    CameraCase{"cylinder3", of(K::cylinder3), {{{50, 128, 213}, {167, 128, 237}, {99, 128, 240}, {205, 128, 213}}}},
+                    CameraCase{"cylinder4", of(K::cylinder4), {{{128, 204, 215}, {128, 179, 231}, {128, 135, 243}, {128, 51, 215}}}},
+                    CameraCase{"spherical", of(K::spherical), {{{125, 242, 113}, {197, 219, 141}, {32, 143, 191}, {130, 13, 113}}}},
+                    CameraCase{"narrow_spherical", narrow_spherical(), {{{47, 211, 122}, {197, 184, 201}, {68, 136, 226}, {208, 44, 122}}}}),
+    [](const auto& i) { return std::string(i.param.name); });
+
+// Spec 02 probe P4: a sky whose colour is a function of the direction; 24x20, row 6, red, linear 8 bits.
+struct AntialiasCase {
+  const char* name;
+  bool antialias;
+  float threshold;
+  int depth, method, block;
+  bool jitter;
+  std::vector<int> row;
+};
+class AntialiasProbe : public testing::TestWithParam<AntialiasCase> {};
+
+TEST_P(AntialiasProbe, RowOfTheTable) {
+  const AntialiasCase& p = GetParam();
+  scene::Camera camera;
+  camera.right = {1.5, 0, 0};
+  const CameraRays rays(camera, 24, 20);
+  auto sample = [&](double x, double y) -> Color {
+    const Vec3 d = normalize(rays.at(x, y)->ray.direction);
+    const double s = d.x * d.x + d.y * d.y - 0.1 * d.z * d.z;
+    const auto v = static_cast<float>((s < 0 ? 0.9 : 0.0) + (s < 0 ? 0.0 : s == 0 ? 0.0 : 0.25 + 0.5 * (d.x / d.z) * (d.x / d.z)));
+    return {v, v * 0.8f, v * 0.6f};
+  };
+  Options options;
+  options.antialias = p.antialias, options.antialias_threshold = p.threshold, options.antialias_depth = p.depth, options.sampling_method = p.method;
+  options.jitter = p.jitter;
+  const AntialiasSettings settings = antialias_settings(options, scene::Gamma::power, 1);
+  Framebuffer frame{24, 20, std::vector<Color>(24 * 20), {}};
+  AdaptiveGrid grid(settings, sample);
+  RecursiveQuads quads(settings, sample);
+  for (int y = 0; y < 20; y += p.block) {
+    for (int x = 0; x < 24; x += p.block) {
+      const Block block{x, y, std::min(p.block, 24 - x), std::min(p.block, 20 - y)};
+      if (!p.antialias) {
+        render_plain(block, sample, frame);
+      } else if (p.method == 1) {
+        grid.render(block, frame);
+      } else {
+        quads.render(block, frame);
+      }
+    }
+  }
+  image::OutputOptions linear;
+  linear.file_srgb = false;
+  const image::Quantised q = image::quantise(frame, linear);
+  for (int x = 0; x < 24; ++x) EXPECT_EQ(q.samples[3 * (6 * 24 + x)], p.row[x]) << "column " << x;
+}
+using Row = std::vector<int>;
+INSTANTIATE_TEST_SUITE_P(
+    P4, AntialiasProbe,
+    testing::Values(AntialiasCase{"off", false, .3f, 3, 1, 24, true,
+                                  Row{130, 119, 109, 100, 92, 85, 79, 74, 230, 230, 230, 230, 230, 230, 230, 230, 74, 79, 85, 92, 100, 109, 119, 130}},
+                    AntialiasCase{"method1", true, .3f, 3, 1, 24, true,
+                                  Row{130, 119, 109, 100, 92, 85, 79, 90, 230, 230, 230, 230, 230, 230, 230, 230, 121, 79, 85, 92, 100, 109, 119, 130}},
+                    AntialiasCase{"no_jitter", true, .3f, 3, 1, 24, false,
+                                  Row{130, 119, 109, 100, 92, 85, 79, 105, 230, 230, 230, 230, 230, 230, 230, 230, 105, 79, 85, 92, 100, 109, 119, 130}},
+                    AntialiasCase{"depth4", true, .1f, 4, 1, 24, true,
+                                  Row{130, 119, 109, 100, 92, 85, 79, 111, 229, 230, 230, 230, 230, 230, 230, 229, 111, 79, 85, 92, 100, 109, 119, 130}},
+                    AntialiasCase{"blocks8", true, .05f, 3, 1, 8, true,
+                                  Row{130, 118, 109, 100, 92, 85, 79, 90, 230, 230, 230, 230, 230, 230, 230, 230, 121, 79, 85, 92, 100, 108, 119, 129}},
+                    AntialiasCase{"method2", true, .3f, 3, 2, 24, true,
+                                  Row{130, 119, 109, 100, 92, 85, 79, 106, 227, 230, 230, 230, 230, 230, 230, 227, 106, 79, 85, 92, 100, 109, 119, 130}},
+                    AntialiasCase{"method2_depth1", true, .1f, 1, 2, 24, true,
+                                  Row{130, 119, 109, 100, 92, 85, 79, 113, 190, 230, 230, 230, 230, 230, 230, 190, 113, 79, 85, 92, 100, 109, 119, 130}}),
+    [](const auto& i) { return std::string(i.param.name); });
+
+TEST(Antialias, ThresholdZeroSupersamplesEverything) {
+  Options options;
+  options.antialias_threshold = 0;
+  int calls = 0;
+  auto sample = [&](double, double) -> Color { ++calls; return {1, 1, 1}; };
+  AdaptiveGrid grid(antialias_settings(options, scene::Gamma::power, 1), sample);
+  Framebuffer frame{4, 4, std::vector<Color>(16), {}};
+  grid.render({0, 0, 4, 4}, frame);
+  EXPECT_EQ(calls, 24 + 16 * 9);
+}
+
+}  // namespace
+}  // namespace verisim::render

@@ -94,6 +94,12 @@ struct DensityFileParams {
   int bytes = 1;  // per sample
   int interpolate = 0;
 };
+// `filter n F` and `transmit n T`: what a palette entry lets through.
+struct PaletteChange {
+  int index = 0;
+  bool transmit = false;  // false: filter
+  float value = 0;
+};
 // image_map, image_pattern, bump_map, material_map and the image of a height_field (spec 05 section 12).
 struct ImageParams {
   ImagePtr image;
@@ -101,6 +107,7 @@ struct ImageParams {
   bool once = false, use_alpha = false, use_index = false;
   Vec2 repeat{1, 1}, offset{0, 0};
   float filter_all = 0, transmit_all = 0;
+  std::vector<PaletteChange> palette_changes;  // in the order written; indices are valid (0 .. 255)
 };
 using PatternParams = std::variant<std::monostate, AgateParams, BrickParams, CrackleParams, FacetsParams, FractalParams, GradientParams,
                                    QuiltedParams, SlopeParams, SpiralParams, TilingParams, PavementParams, FunctionParams, ObjectParams,

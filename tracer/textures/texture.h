@@ -7,6 +7,7 @@
 #include <span>
 
 #include "tracer/scene/texture.h"
+#include "tracer/textures/blend_map.h"
 
 namespace verisim::textures {
 
@@ -48,6 +49,7 @@ struct CompiledTexture {
   const CompiledPattern* pattern = nullptr;        // of a patterned texture
   bool average = false, uv_mapping = false, material_map = false, no_bump_scale = false;
   std::vector<scene::MapEntry<const CompiledTexture*>> map;
+  MapPositions positions;  // of map, ready for lookup
   bool opaque = false;  // blocks shadow rays without evaluation (spec 05 11.4)
   bool patterned() const { return layers.empty(); }
 };

@@ -1,0 +1,131 @@
+#include "tracer/textures/pattern.h"
+
+#include "tracer/functions/function.h"
+#include "tracer/shapes/shape.h"
+#include "tracer/textures/noise.h"
+#include "tracer/textures/patterns/formulas.h"
+
+namespace verisim::textures {
+namespace {
+
+// fmod(v, 1.00001) without the slow general remainder for values near the first period.
+double wrap_period(double v) {
+  constexpr double kPeriod = 1.00001;
+  const double magnitude = std::fabs(v);
+  if (magnitude < kPeriod) return v;
+  if (magnitude < 2 * kPeriod) return v < 0 ? v + kPeriod : v - kPeriod;  // exact: the operands are within a factor of two
+  return std::fmod(v, kPeriod);
+}
+
+double wave_form(const CompiledPattern& c, double v) {
+  switch (c.wave) {
+    case scene::Wave::ramp: return v;
+    case scene::Wave::sine: return (1 + sine_cycle(v)) * 0.5;
+    case scene::Wave::triangle: return triangle(v);
+    case scene::Wave::scallop: return std::fabs(sine_cycle(v * 0.5));
+    case scene::Wave::cubic: return v * v * (3 - 2 * v);
+    case scene::Wave::poly: return std::pow(v, c.exponent);
+  }
+  return v;
+}
+
+double function_value(const FunctionData& data, const Vec3& p) {
+  const double v = (*data.function)(p.x, p.y, p.z);
+  return v > 1 ? std::fmod(v, 1.0) : v;
+}
+
+double pigment_grey(const PigmentData& data, const Vec3& p, const SurfacePoint* surface) {
+  Color color;
+  return evaluate(*data.pigment, p, surface, color) ? color.grey() : 0.0f;
+}
+
+double tiling_value(const TilingData& data, const Vec3& p) {
+  return data.tiling ? evaluate_tiling(*data.tiling, p.x, p.z) : penrose_tiling(data.number, p.x, p.z);
+}
+
+}  // namespace
+
+double formula(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
+  using enum scene::PatternKind;
+  switch (c.kind) {
+    case agate: return textures::agate(c, p);
+    case aoi: return surface ? angle_of_incidence(*surface) : 0;
+    case boxed: return textures::boxed(p);
+    case bozo:
+    case bumps:
+    case spotted: return noise(p, c.noise_generator);
+    case brick: return textures::brick(c.as<BrickData>(), p);
+    case bump_map:
+    case image_map:
+    case image_pattern: return textures::image_pattern(c.as<ImageLookup>(), p);
+    case cells: return textures::cells(p);
+    case checker: return textures::checker(p);
+    case crackle: return textures::crackle(c.as<CrackleData>(), c.noise_generator, p);
+    case cubic: return textures::cubic(p);
+    case cylindrical: return textures::cylindrical(p);
+    case density_file: return textures::density_file(c.as<scene::DensityFileParams>(), p);
+    case dents: {
+      const double n = noise(p, c.noise_generator);
+      return n * n * n;
+    }
+    case function: return function_value(c.as<FunctionData>(), p);
+    case gradient: return textures::gradient(c.as<GradientData>(), p);
+    case granite: return granite_sum(p, c.noise_generator);
+    case hexagon: return textures::hexagon(p);
+    case julia:
+    case magnet_julia:
+    case magnet_mandel:
+    case mandel: return fractal(c.as<scene::FractalParams>(), c.kind, p);
+    case leopard: return textures::leopard(p);
+    case marble: return textures::marble(c, p);
+    case object: return c.as<ObjectData>().shape->inside(p) ? 1 : 0;
+    case onion: return textures::onion(p);
+    case pavement: return evaluate_pavement(c.as<PavementData>().pavement, p.x, p.z);
+    case pigment_pattern: return pigment_grey(c.as<PigmentData>(), p, surface);
+    case planar: return textures::planar(p);
+    case quilted: return textures::quilted(c.as<QuiltedData>(), p);
+    case radial: return textures::radial(p);
+    case ripples: return textures::ripples(c, p);
+    case slope: return surface ? textures::slope(c.as<SlopeData>(), p, *surface) : 0;
+    case spherical: return textures::spherical(p);
+    case spiral1: return textures::spiral1(c, p);
+    case spiral2: return textures::spiral2(c, p);
+    case square: return textures::square(p);
+    case tiling: return tiling_value(c.as<TilingData>(), p);
+    case triangular: return textures::triangular(p);
+    case waves: return textures::waves(c, p);
+    case wood: return textures::wood(c, p);
+    case wrinkles: return wrinkles_sum(p, c.noise_generator);
+    case average:
+    case facets:
+    case none:
+    case plain:
+    case uv_mapping: break;  // never asked for a value
+  }
+  return 0;
+}
+
+double value_at(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
+  double v = formula(c, p, surface);
+  if (c.frequency != 0) v = wrap_period(v * c.frequency + c.phase);
+  if (v < 0) v -= std::floor(v);
+  return wave_form(c, v);
+}
+
+double evaluate(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface) {
+  return value_at(pattern, warped(pattern, p), surface);
+}
+
+Vec3 normal_into_frame(const CompiledPattern& pattern, bool no_bump_scale, Vec3 n) {
+  if (!no_bump_scale) n = normalize(n);
+  for (const Transform& t : pattern.frame) n = t.inverse_normal(n);
+  return no_bump_scale ? n : normalize(n);
+}
+
+Vec3 normal_out_of_frame(const CompiledPattern& pattern, bool no_bump_scale, Vec3 n) {
+  if (!no_bump_scale) n = normalize(n);
+  for (auto t = pattern.frame.rbegin(); t != pattern.frame.rend(); ++t) n = t->normal(n);
+  return no_bump_scale ? n : normalize(n);
+}
+
+}  // namespace verisim::textures

@@ -1,0 +1,76 @@
+// The formulas of the scalar patterns (spec 05 section 8), one function each; `p` is the warped point. Grouped into files by kinship.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/textures/noise_tables.h"
+#include "tracer/textures/pattern.h"
+
+namespace verisim::textures {
+
+inline double clamp01(double v) { return v < 0 ? 0 : v > 1 ? 1 : v; }
+// One period of a sine over [0, 1].
+double sine_cycle(double v);
+inline double triangle(double v) {
+  const double t = v - std::floor(v);
+  return t >= 0.5 ? 2 * (1 - t) : 2 * t;
+}
+// The remainder in [0, modulus).
+inline double positive_remainder(double v, double modulus) {
+  const double r = v - std::floor(v / modulus) * modulus;
+  return r >= modulus || r < 0 ? 0 : r;
+}
+
+// stone.cpp: noise and turbulence
+double agate(const CompiledPattern& c, const Vec3& p);
+double marble(const CompiledPattern& c, const Vec3& p);
+double wood(const CompiledPattern& c, const Vec3& p);
+
+// round.cpp: distances and angles
+double boxed(const Vec3& p);
+double cylindrical(const Vec3& p);
+double planar(const Vec3& p);
+double spherical(const Vec3& p);
+double onion(const Vec3& p);
+double leopard(const Vec3& p);
+double radial(const Vec3& p);
+double gradient(const GradientData& data, const Vec3& p);
+double spiral1(const CompiledPattern& c, const Vec3& p);
+double spiral2(const CompiledPattern& c, const Vec3& p);
+
+// blocks.cpp: regular cells
+double brick(const BrickData& data, const Vec3& p);
+double cells(const Vec3& p);
+double checker(const Vec3& p);
+double cubic(const Vec3& p);
+double hexagon(const Vec3& p);
+double square(const Vec3& p);
+double triangular(const Vec3& p);
+
+// quilted.cpp
+// The displacement of a quilted normal and |q| (spec 05 section 8).
+struct Quilt { Vec3 u; double q; };
+Quilt quilt(const QuiltedData& data, const Vec3& p);
+double quilted(const QuiltedData& data, const Vec3& p);
+
+// crackle.cpp
+double crackle(const CrackleData& data, int noise_generator, const Vec3& p);
+// The nearest random cell point by the metric of facets: metric 1 takes the signed sum of the differences (spec 05 10.6).
+Vec3 nearest_facet_point(const Vec3& p, double metric);
+
+// water.cpp: ripples and waves
+std::shared_ptr<const std::vector<WaveSource>> wave_sources(int count);
+double ripples(const CompiledPattern& c, const Vec3& p);
+double waves(const CompiledPattern& c, const Vec3& p);
+Vec3 ripples_bump(const CompiledPattern& c, double amount, const Vec3& p);
+Vec3 waves_bump(const CompiledPattern& c, double amount, const Vec3& p);
+
+// fractal.cpp
+double fractal(const scene::FractalParams& f, scene::PatternKind kind, const Vec3& p);
+
+// surface.cpp: what depends on the hit
+double slope(const SlopeData& s, const Vec3& p, const SurfacePoint& surface);
+double angle_of_incidence(const SurfacePoint& surface);
+
+}  // namespace verisim::textures

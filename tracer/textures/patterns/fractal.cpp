@@ -1,0 +1,109 @@
+// Mandelbrot, Julia and magnet fractals over the x-y plane.
+#include <complex>
+
+#include "tracer/textures/patterns/formulas.h"
+
+namespace verisim::textures {
+namespace {
+
+using Complex = std::complex<double>;
+
+Complex multiply(const Complex& a, const Complex& b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+Complex divide(const Complex& a, const Complex& b) {
+  const double n = b.real() * b.real() + b.imag() * b.imag();
+  return {(a.real() * b.real() + a.imag() * b.imag()) / n, (a.imag() * b.real() - a.real() * b.imag()) / n};
+}
+
+Complex power(const Complex& z, int exponent) {
+  Complex result = z, square = z;
+  for (int n = exponent - 1; n > 0; n >>= 1) {
+    if (n & 1) result = multiply(result, square);
+    square = multiply(square, square);
+  }
+  return result;
+}
+
+double squared(const Complex& z) { return z.real() * z.real() + z.imag() * z.imag(); }
+
+double exterior(const scene::FractalParams& f, const Complex& z, int k) {
+  const double a = z.real(), b = z.imag(), factor = f.exterior_factor;
+  const auto modulo = [&](double modulus) {
+    const int m = static_cast<int>(std::clamp(modulus, -2147483647.0, 2147483647.0));
+    return m == 0 ? 0.0 : (k % m) / factor;
+  };
+  switch (f.exterior_type) {
+    case 0: return factor;
+    case 1: return static_cast<double>(k) / f.iterations;
+    case 2: return a * factor;
+    case 3: return b * factor;
+    case 4: return a * a * factor;
+    case 5: return b * b * factor;
+    case 6: return std::sqrt(squared(z)) * factor;
+    case 7: return modulo(std::floor(factor));
+    case 8: return modulo(std::floor(1 + factor));
+    default: return 0;
+  }
+}
+
+double interior(const scene::FractalParams& f, const Complex& z, double smallest) {
+  const double a = z.real(), b = z.imag(), factor = f.interior_factor;
+  switch (f.interior_type) {
+    case 0: return factor;
+    case 1: return std::sqrt(smallest) * factor;
+    case 2: return a * factor;
+    case 3: return b * factor;
+    case 4: return a * a * factor;
+    case 5: return b * b * factor;
+    case 6: return a * a + b * b * factor;  // not (a^2 + b^2) times the factor
+    default: return 0;
+  }
+}
+
+double polynomial(const scene::FractalParams& f, Complex z, const Complex& c) {
+  double smallest = squared(z);
+  for (int k = 0; k < f.iterations; ++k) {
+    z = (f.exponent == 2 ? Complex(z.real() * z.real() - z.imag() * z.imag(), 2 * z.real() * z.imag()) : power(z, f.exponent)) + c;
+    const double size = squared(z);
+    if (size > 4) return exterior(f, z, k);
+    smallest = std::min(smallest, size);
+  }
+  return interior(f, z, smallest);
+}
+
+double magnet(const scene::FractalParams& f, Complex z, const Complex& c, double smallest) {
+  for (int k = 0; k < f.iterations; ++k) {
+    Complex numerator, denominator;
+    const Complex z2 = multiply(z, z);
+    if (f.magnet == 1) {
+      numerator = z2 + c - 1.0;
+      denominator = 2.0 * z + c - 2.0;
+    } else {
+      const Complex c1 = c - 1.0, c2 = c - 2.0, c12 = multiply(c1, c2);
+      numerator = multiply(z2, z) + 3.0 * multiply(c1, z) + c12;
+      denominator = 3.0 * z2 + 3.0 * multiply(c2, z) + c12 + 1.0;
+    }
+    const Complex quotient = divide(numerator, denominator);
+    z = multiply(quotient, quotient);
+    const double size = squared(z);
+    if (size > 10000 || squared(z - 1.0) < 1e-4) return exterior(f, z, k);
+    smallest = std::min(smallest, size);
+  }
+  return interior(f, z, smallest);
+}
+
+}  // namespace
+
+double fractal(const scene::FractalParams& f, scene::PatternKind kind, const Vec3& p) {
+  const Complex point(p.x, p.y), julia(f.julia.x, f.julia.y);
+  switch (kind) {
+    case scene::PatternKind::mandel: return polynomial(f, point, point);
+    case scene::PatternKind::julia: return polynomial(f, point, julia);
+    case scene::PatternKind::magnet_mandel: return magnet(f, {0, 0}, point, 10000);
+    default: return magnet(f, point, julia, squared(point));
+  }
+}
+
+}  // namespace verisim::textures

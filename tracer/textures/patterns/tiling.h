@@ -1,0 +1,36 @@
+// The 27 tilings of the x-z plane (spec 05 section 9.1).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "tracer/math/vec.h"
+
+namespace verisim::textures {
+
+// One convex tile of a periodic tiling.
+struct Tile {
+  // Signed distance to an edge, positive inside, in units of the distance at which the tile is flat: n . p - c.
+  struct Edge { double nx, nz, c; };
+  std::vector<Edge> edges;
+  double top = 1;      // value where min(1, distance) is 0: (class + 1) / number of classes
+  double step = 1;     // 1 / number of classes
+  double offset = 0;   // added everywhere in the tile
+  double minimum = 0;  // lower bound of the value
+};
+
+// Tilings 1 .. 24: tiles that cover the cell spanned by two lattice vectors.
+struct Tiling {
+  double lattice[2][2], inverse[2][2];
+  std::vector<Tile> tiles;
+  bool mirrored = false;  // tiling 12: folded about the middle of a 6 x 6 cell first
+};
+
+// Built on first use; 1 <= number <= 24. Null for the Penrose tilings 25 .. 27.
+const Tiling* periodic_tiling(int number);
+
+double evaluate_tiling(const Tiling& tiling, double x, double z);
+// 25 .. 27 (penrose.cpp).
+double penrose_tiling(int number, double x, double z);
+
+}  // namespace verisim::textures

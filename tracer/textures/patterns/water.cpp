@@ -1,0 +1,63 @@
+// Ripples and waves: circular waves around random centres.
+#include "tracer/textures/noise.h"
+#include "tracer/textures/patterns/formulas.h"
+
+namespace verisim::textures {
+
+std::shared_ptr<const std::vector<WaveSource>> wave_sources(int count) {
+  auto sources = std::make_shared<std::vector<WaveSource>>();
+  LinearCongruential generator(3734115329u);
+  for (int i = 0; i < std::max(count, 1); ++i) {
+    const double frequency = generator.draw() * 0.000030518509476 + 0.01;
+    sources->push_back({normalize(vector_noise(Vec3(i, 0, 0))), frequency});
+  }
+  return sources;
+}
+
+namespace {
+
+// A distance of zero counts as 1, so that directions stay finite.
+double distance_from(const WaveSource& source, const Vec3& p) {
+  const double d = length(p - source.position);
+  return d == 0 ? 1 : d;
+}
+
+}  // namespace
+
+double ripples(const CompiledPattern& c, const Vec3& p) {
+  const auto& sources = *c.as<WaveData>().sources;
+  double sum = 0;
+  for (const WaveSource& w : sources) sum += sine_cycle(distance_from(w, p) * c.frequency + c.phase);
+  return 0.5 * (1 + sum / static_cast<double>(sources.size()));
+}
+
+double waves(const CompiledPattern& c, const Vec3& p) {
+  const auto& sources = *c.as<WaveData>().sources;
+  double sum = 0;
+  for (const WaveSource& w : sources) sum += sine_cycle(distance_from(w, p) * c.frequency * w.frequency + c.phase) / w.frequency;
+  return 0.2 * (2.5 + sum / static_cast<double>(sources.size()));
+}
+
+Vec3 ripples_bump(const CompiledPattern& c, double amount, const Vec3& p) {
+  const auto& sources = *c.as<WaveData>().sources;
+  const double each = amount / static_cast<double>(sources.size());
+  Vec3 sum(0, 0, 0);
+  for (const WaveSource& w : sources) {
+    const double d = distance_from(w, p);
+    sum += (each * sine_cycle(d * c.frequency + c.phase) / d) * (p - w.position);
+  }
+  return sum;
+}
+
+Vec3 waves_bump(const CompiledPattern& c, double amount, const Vec3& p) {
+  const auto& sources = *c.as<WaveData>().sources;
+  const double each = amount / static_cast<double>(sources.size());
+  Vec3 sum(0, 0, 0);
+  for (const WaveSource& w : sources) {
+    const double d = distance_from(w, p);
+    sum += (each / w.frequency * sine_cycle(d * c.frequency * w.frequency + c.phase) / d) * (p - w.position);
+  }
+  return sum;
+}
+
+}  // namespace verisim::textures

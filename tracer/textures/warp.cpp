@@ -1,0 +1,167 @@
+#include "tracer/textures/warp.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "tracer/textures/noise.h"
+#include "tracer/textures/noise_tables.h"
+
+namespace verisim::textures {
+namespace {
+
+constexpr double kTwoPi = 2 * std::numbers::pi;
+
+Vec3 repeat(const RepeatStep& w, Vec3 p) {
+  const double width = w.width;
+  const double n = std::floor(p[w.axis] / width);
+  p[w.axis] -= static_cast<double>(static_cast<float>(n * width));
+  if (std::fmod(n, 2) != 0) {
+    for (int k = 0; k < 3; ++k)
+      if (w.flip[k] != 0) p[k] = -p[k];
+    if (w.flip[w.axis] != 0) p[w.axis] += width;
+  }
+  return p + n * w.offset;
+}
+
+Vec3 black_hole(const BlackHoleStep& w, const Vec3& p) {
+  Vec3 center = w.center;
+  if (w.repeats) {
+    double block[3];
+    for (int k = 0; k < 3; ++k) {
+      block[k] = w.repeat[k] < kEpsilon ? 0 : std::floor(p[k] / w.repeat[k]);
+      center[k] += w.repeat[k] * block[k];
+    }
+    if (w.turbulent) {
+      const NoiseTables& t = noise_tables();
+      const int h = lattice_hash(t, floor_to_int(block[0]), floor_to_int(block[1]), floor_to_int(block[2]));
+      for (int k = 0; k < 3; ++k) center[k] += random_value(t, h + k) * w.turbulence[k];
+    }
+  }
+  const Vec3 d = p - center;
+  const double distance = length(d);
+  if (distance >= w.radius || w.type != 0) return p;
+  const double strength = std::min(1.0, std::pow((w.radius - distance) / w.radius, w.falloff) * w.strength);
+  return p + (w.inverse ? -strength : strength) * d;
+}
+
+// Turns the unrolled coordinates so that `o` is the axis of depth; a linear mixture when o is not a coordinate axis, as in POV-Ray.
+Vec3 orient(const Vec3& o, double a, double b, double c) {
+  if (o.x == 0 && o.y == 0 && o.z == 1) return {a, b, c};
+  return {o.x * c + o.y * a + o.z * a, o.x * b - o.y * c + o.z * b, -o.x * a + o.y * b + o.z * c};
+}
+
+// Angle of (x, z) from +x towards +z over a full turn, in [0, 1); `radius` = length of (x, z), 0 gives 0.
+double turn(double x, double z, double radius) {
+  if (radius == 0) return 0;
+  const double angle = std::acos(std::clamp(x / radius, -1.0, 1.0));
+  return (z < 0 ? kTwoPi - angle : angle) / kTwoPi;
+}
+
+Vec3 project(const ProjectionStep& w, const Vec3& p) {
+  using enum scene::ProjectionWarpKind;
+  if (w.kind == planar) return orient(w.orientation, p.x, p.y, w.offset);
+  const double radius = std::sqrt(p.x * p.x + p.z * p.z);
+  const double q = w.distance_exponent;
+  const auto stretch = [q](double distance) {
+    if (q == 0) return 1.0;
+    return q == 1 ? distance : std::pow(distance, q);
+  };
+  switch (w.kind) {
+    case cylindrical: {
+      if (radius == 0) return p;
+      return orient(w.orientation, turn(p.x, p.z, radius) * stretch(radius), p.y, radius);
+    }
+    case spherical: {
+      const double distance = length(p);
+      if (distance == 0) return p;
+      const double phi = 0.5 + std::asin(std::clamp(p.y / distance, -1.0, 1.0)) / std::numbers::pi;
+      return orient(w.orientation, turn(p.x, p.z, radius) * stretch(distance), phi * stretch(distance), distance);
+    }
+    default: {
+      if (radius == 0) return p;
+      const double x = radius - w.major_radius;
+      const double rho = std::sqrt(x * x + p.y * p.y);
+      double phi = rho == 0 ? 0 : std::acos(std::clamp(-x / rho, -1.0, 1.0));
+      if (p.y > 0) phi = kTwoPi - phi;
+      return orient(w.orientation, turn(p.x, p.z, radius) * stretch(rho), phi / kTwoPi * stretch(rho), rho);
+    }
+  }
+}
+
+// Unfolds a cube: each face gets its place in a cross of a 4 x 3 grid.
+Vec3 unfold_cube(const Vec3& p) {
+  const double ax = std::fabs(p.x), ay = std::fabs(p.y), az = std::fabs(p.z);
+  const double largest = std::max({ax, ay, az});
+  if (largest == 0) return p;
+  if (p.x == largest) return {0.75 - (p.z / p.x + 1) / 8, 1.0 / 3 + (p.y / p.x + 1) / 6, p.x};
+  if (p.y == largest) return {0.25 + (p.x / p.y + 1) / 8, 1 - (p.z / p.y + 1) / 6, p.y};
+  if (p.z == largest) return {0.25 + (p.x / p.z + 1) / 8, 1.0 / 3 + (p.y / p.z + 1) / 6, p.z};
+  if (ax == largest) return {(p.z / ax + 1) / 8, 1.0 / 3 + (p.y / ax + 1) / 6, ax};
+  if (ay == largest) return {0.25 + (p.x / ay + 1) / 8, (p.z / ay + 1) / 6, ay};
+  return {1 - (p.x / az + 1) / 8, 1.0 / 3 + (p.y / az + 1) / 6, az};
+}
+
+struct Walk {
+  Vec3 p;
+  void operator()(const AffineStep& s) {
+    p = Vec3(p.x * s.m[0][0] + p.y * s.m[1][0] + p.z * s.m[2][0] + s.offset.x, p.x * s.m[0][1] + p.y * s.m[1][1] + p.z * s.m[2][1] + s.offset.y,
+             p.x * s.m[0][2] + p.y * s.m[1][2] + p.z * s.m[2][2] + s.offset.z);
+  }
+  void operator()(const TurbulenceStep& s) {
+    const Vec3 v = vector_turbulence(p, s.octaves, s.lambda, s.omega);
+    p += Vec3(v.x * s.amount.x, v.y * s.amount.y, v.z * s.amount.z);
+  }
+  void operator()(const RepeatStep& s) { p = repeat(s, p); }
+  void operator()(const BlackHoleStep& s) { p = black_hole(s, p); }
+  void operator()(const ProjectionStep& s) { p = project(s, p); }
+  void operator()(const CubicStep&) { p = unfold_cube(p); }
+};
+
+struct Append {
+  WarpChain& chain;
+  void operator()(const Transform& t) const {
+    if (t.is_identity()) return;
+    AffineStep step;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) step.m[i][j] = t.inv[i][j];
+    step.offset = Vec3(t.inv[3][0], t.inv[3][1], t.inv[3][2]);
+    chain.emplace_back(step);
+  }
+  void operator()(const scene::TurbulenceWarp& w) const {
+    const TurbulenceStep step = compile_turbulence(w);
+    if (step.amount != Vec3(0, 0, 0)) chain.emplace_back(step);
+  }
+  void operator()(const scene::ProjectionWarp& w) const {
+    ProjectionStep step = w;
+    if (const double n = length(step.orientation); n > 0) step.orientation /= n;
+    chain.emplace_back(step);
+  }
+  void operator()(const scene::RepeatWarp& w) const { chain.emplace_back(w); }
+  void operator()(const scene::BlackHoleWarp& w) const {
+    if (w.type == 0) chain.emplace_back(w);
+  }
+  void operator()(const scene::CubicWarp& w) const { chain.emplace_back(w); }
+};
+
+}  // namespace
+
+TurbulenceStep compile_turbulence(const scene::Turbulence& turbulence) {
+  return {turbulence.amount, std::clamp(turbulence.octaves, 1, 10), turbulence.lambda, turbulence.omega};
+}
+
+WarpChain compile_warps(const std::vector<scene::Warp>& warps, const TurbulenceStep* classic) {
+  WarpChain chain;
+  for (const scene::Warp& warp : warps) std::visit(Append{chain}, warp);
+  if (classic && classic->amount != Vec3(0, 0, 0)) chain.emplace_back(*classic);
+  return chain;
+}
+
+Vec3 warp_point(const WarpChain& chain, Vec3 p) {
+  Walk walk{p};
+  for (const WarpStep& step : chain) std::visit(walk, step);
+  constexpr double kLimit = 1e17;
+  for (int k = 0; k < 3; ++k) walk.p[k] = walk.p[k] > kLimit ? kLimit : walk.p[k] < -kLimit ? -kLimit : walk.p[k];
+  return walk.p;
+}
+
+}  // namespace verisim::textures

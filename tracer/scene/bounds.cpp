@@ -1,0 +1,169 @@
+#include "tracer/scene/bounds.h"
+
+#include <algorithm>
+
+#include "tracer/shapes/factories.h"
+
+namespace verisim::scene {
+
+Bounds make_bounds(const Vec3& low, const Vec3& high) {
+  Bounds b;
+  for (int i = 0; i < 3; ++i) {
+    b.low[i] = static_cast<float>(low[i]);
+    b.size[i] = static_cast<float>(high[i] - low[i]);
+  }
+  return b;
+}
+
+Bounds unbounded() { return {}; }
+
+Vec3 low_corner(const Bounds& b) { return {b.low[0], b.low[1], b.low[2]}; }
+Vec3 high_corner(const Bounds& b) { return {b.low[0] + b.size[0], b.low[1] + b.size[1], b.low[2] + b.size[2]}; }
+float volume(const Bounds& b) { return b.size[0] * b.size[1] * b.size[2]; }
+
+Bounds transformed(const Bounds& b, const Transform& t) {
+  Vec3 low(kBoxLimit), high(-kBoxLimit);
+  for (int i = 0; i < 8; ++i) {
+    Vec3 corner = low_corner(b);
+    for (int k = 0; k < 3; ++k)
+      if (i >> k & 1) corner[k] += static_cast<double>(b.size[k]);
+    const Vec3 p = t.point(corner);
+    for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  }
+  for (int k = 0; k < 3; ++k) low[k] = std::max(low[k], -kBoxLimit), high[k] = std::min(high[k], kBoxLimit);
+  return make_bounds(low, high);
+}
+
+void BoxRange::clip(const Bounds& b) {
+  const Vec3 l = low_corner(b), h = high_corner(b);
+  for (int i = 0; i < 3; ++i) low[i] = std::max(low[i], l[i]), high[i] = std::min(high[i], h[i]);
+}
+
+void clip_by_plane(const Object& object, BoxRange& range) {
+  const Plane& plane = *object.as<Plane>();
+  Vec3 n = plane.normal;
+  double d = plane.distance;
+  if (object.transform) {
+    const Mat4& m = object.transform->m;
+    // POV-Ray multiplies by the transpose of the linear part, which is wrong for anything but rigid motions (spec 03 5.6).
+    const Vec3 k = plane.normal;
+    n = {k.x * m[0][0] + k.y * m[0][1] + k.z * m[0][2], k.x * m[1][0] + k.y * m[1][1] + k.z * m[1][2], k.x * m[2][0] + k.y * m[2][1] + k.z * m[2][2]};
+    const Vec3 p = object.transform->inverse_point(n);
+    d = plane.distance - dot(p, n) + 1.0;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    if (std::fabs(n[i]) >= kEpsilon || std::fabs(n[j]) >= kEpsilon) continue;
+    if (n[axis] > 0) range.high[axis] = std::min(range.high[axis], d);
+    if (n[axis] < 0) range.low[axis] = std::max(range.low[axis], -d);
+  }
+}
+
+Bounds csg_bounds(Object& object) {
+  BoxRange box;
+  if (auto* group = std::get_if<LightGroup>(&object.shape)) {
+    box.low = Vec3(kBoxLimit), box.high = Vec3(-kBoxLimit);
+    for (const ObjectPtr& child : group->children) {
+      if (child->as<LightSource>()) continue;
+      const Vec3 l = low_corner(child->bounds), h = high_corner(child->bounds);
+      for (int i = 0; i < 3; ++i) box.low[i] = std::min(box.low[i], l[i]), box.high[i] = std::max(box.high[i], h[i]);
+    }
+  } else {
+    Csg& csg = std::get<Csg>(object.shape);
+    if (csg.kind == CsgKind::intersection) {
+      for (const ObjectPtr& child : csg.children) {
+        if (child->as<Plane>()) clip_by_plane(*child, box);
+        else if (!child->inverted && !child->as<Quadric>() && !child->as<std::shared_ptr<const HeightField>>()) box.clip(child->bounds);
+      }
+      for (ObjectPtr& child : csg.children) {
+        if (!child->as<Quadric>() || child->inverted) continue;
+        fit_quadric(const_cast<Object&>(*child), box);  // the tree is ours: see scene::copy
+        box.clip(child->bounds);
+      }
+    } else {
+      box.low = Vec3(kBoxLimit), box.high = Vec3(-kBoxLimit);
+      for (const ObjectPtr& child : csg.children) {
+        const Vec3 l = low_corner(child->bounds), h = high_corner(child->bounds);
+        for (int i = 0; i < 3; ++i) box.low[i] = std::min(box.low[i], l[i]), box.high[i] = std::max(box.high[i], h[i]);
+      }
+    }
+  }
+  for (int i = 0; i < 3; ++i)
+    if (box.high[i] < box.low[i] || box.high[i] - box.low[i] > kCriticalLength) return unbounded();
+  const Bounds fitted = make_bounds(box.low, box.high);
+  return volume(fitted) < volume(unbounded()) ? fitted : unbounded();
+}
+
+namespace {
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+
+Bounds from_box(const Box3& box) {
+  Vec3 low, high;
+  for (int i = 0; i < 3; ++i) low[i] = std::max(box.min[i], -kBoxLimit), high[i] = std::min(box.max[i], kBoxLimit);
+  return make_bounds(low, high);
+}
+
+Bounds cone_bounds(const Cone& cone) { return from_box(shapes::cone_box(cone)); }
+
+Bounds triangle_bounds(const std::array<Vec3, 3>& p) {
+  const Vec3 n = cross(p[0] - p[1], p[2] - p[1]);
+  if (length(n) == 0) return unbounded();
+  Box3 box;
+  for (const Vec3& v : p) box.extendBy(v);
+  return make_bounds(box.min - Vec3(kEpsilon), box.max + Vec3(kEpsilon));
+}
+
+Bounds sweep_bounds(const SphereSweep& sweep) {
+  Vec3 low(kBoxLimit), high(-kBoxLimit);
+  const double factor = sweep.spline == SplineKind::cubic ? 2 : 1;
+  for (std::size_t k = 0; k < sweep.centers.size(); ++k)
+    for (int i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], sweep.centers[k][i] - factor * sweep.radii[k]);
+      high[i] = std::max(high[i], sweep.centers[k][i] + factor * sweep.radii[k]);
+    }
+  return make_bounds(low, high);
+}
+
+}  // namespace
+
+Bounds local_bounds(const Object& object) {
+  const auto symmetric = [](double x, double y, double z) { return make_bounds({-x, -y, -z}, {x, y, z}); };
+  return std::visit(
+      Overloaded{
+          [](const Sphere& s) { return make_bounds(s.center - Vec3(s.radius), s.center + Vec3(s.radius)); },
+          [](const Box& b) { return make_bounds(b.low, b.high); },
+          [](const Plane&) { return unbounded(); },
+          [](const Cone& c) { return cone_bounds(c); },
+          [&](const Torus& t) { return symmetric(t.major + t.minor, t.minor, t.major + t.minor); },
+          [&](const Disc& d) { return symmetric(d.radius, d.radius, 0.001); },
+          [](const Triangle& t) { return triangle_bounds(t.p); },
+          [](const SmoothTriangle& t) { return triangle_bounds(t.p); },
+          [](const Polygon& p) { return from_box(shapes::polygon_box(p)); },
+          [](const Poly&) { return unbounded(); },
+          [](const Quadric&) { return unbounded(); },
+          [&](const Superellipsoid&) { return symmetric(1.0001, 1.0001, 1.0001); },
+          [](const Ovus& o) { return from_box(shapes::ovus_box(o)); },
+          [](const std::shared_ptr<const Blob>& b) { return from_box(shapes::blob_box(*b)); },
+          [](const std::shared_ptr<const Lathe>& l) { return from_box(shapes::lathe_box(*l)); },
+          [](const std::shared_ptr<const Sor>& s) { return from_box(shapes::sor_box(*s)); },
+          [](const std::shared_ptr<const Prism>& p) { return from_box(shapes::prism_box(*p)); },
+          [](const std::shared_ptr<const SphereSweep>& s) { return sweep_bounds(*s); },
+          [](const std::shared_ptr<const BicubicPatch>& p) { return from_box(shapes::bicubic_patch_box(*p)); },
+          [](const std::shared_ptr<const HeightField>& h) { return from_box(shapes::height_field_box(*h)); },
+          [](const std::shared_ptr<const Isosurface>& i) { return from_box(shapes::isosurface_box(*i)); },
+          [](const std::shared_ptr<const Parametric>& p) { return from_box(shapes::parametric_box(*p)); },
+          [](const std::shared_ptr<const JuliaFractal>& j) { return from_box(shapes::julia_fractal_box(*j)); },
+          [](const std::shared_ptr<const Text>& t) { return from_box(shapes::text_box(*t)); },
+          [](const Mesh& m) { return from_box(shapes::mesh_box(m)); },
+          [](const Csg&) { return unbounded(); },
+          [](const LightGroup&) { return unbounded(); },
+          [](const LightSource&) { return unbounded(); },
+      },
+      object.shape);
+}
+
+}  // namespace verisim::scene

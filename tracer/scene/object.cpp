@@ -1,0 +1,332 @@
+// What the parser does to an object while it reads it: boxes, transformations with POV-Ray's absorption rules, inversion, copies (spec 03 1, 5.1, 6).
+#include "tracer/scene/object.h"
+
+#include <algorithm>
+
+#include "tracer/scene/bounds.h"
+#include "tracer/shapes/factories.h"
+
+namespace verisim::scene {
+namespace {
+
+// Children, clips and bounds belong to one tree only (see copy), so they may be changed in place; a node that is shared after all is copied first.
+Object& writable(ObjectPtr& node) {
+  if (node.use_count() > 1) node = copy(*node);
+  return const_cast<Object&>(*node);
+}
+
+std::vector<ObjectPtr> copies(const std::vector<ObjectPtr>& objects) {
+  std::vector<ObjectPtr> result;
+  result.reserve(objects.size());
+  for (const ObjectPtr& object : objects) result.push_back(copy(*object));
+  return result;
+}
+
+enum class Step { translate, scale, rotate, matrix };
+
+// One transformation on its way through an object tree.
+struct Move {
+  Step step;
+  Vec3 v;  // of translate, scale, rotate
+  Transform t;
+  bool uniform_scale() const { return step == Step::scale && v.x == v.y && v.x == v.z; }
+};
+
+void apply(Object& object, const Move& move);
+
+void add_matrix(Object& object, const Transform& t) { object.transform = object.transform ? object.transform->then(t) : t; }
+
+bool absorb(Sphere& s, const Move& move) {
+  if (move.step == Step::translate) s.center += move.v;
+  else if (move.step == Step::rotate) s.center = move.t.point(s.center);
+  else if (move.uniform_scale()) s.center *= move.v.x, s.radius *= std::fabs(move.v.x);
+  else return false;
+  return true;
+}
+
+bool absorb(Box& b, const Move& move) {
+  if (move.step == Step::translate) {
+    b.low += move.v, b.high += move.v;
+  } else if (move.step == Step::scale) {
+    b.low = b.low * move.v, b.high = b.high * move.v;
+    for (int i = 0; i < 3; ++i)
+      if (b.low[i] > b.high[i]) std::swap(b.low[i], b.high[i]);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool absorb(Plane& p, const Move& move) {
+  if (move.step == Step::translate) {
+    p.distance += dot(p.normal, move.v);
+  } else if (move.step == Step::rotate) {
+    p.normal = move.t.direction(p.normal);
+  } else if (move.step == Step::scale) {
+    p.normal = p.normal / move.v;
+    const double len = length(p.normal);
+    p.normal = p.normal / len;
+    p.distance /= len;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// The order in which a triangle is kept: its first two corners are exchanged when it runs clockwise in the projection of its containment test
+// (spec 03 4.7). The plane's normal is computed anew from that order at every transformation.
+template <class Corner>
+void exchange_if_clockwise(std::array<Vec3, 3>& p, const Corner& exchange) {
+  const Vec3 n = cross(p[0] - p[1], p[2] - p[1]);
+  const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
+  int i = 0, j = 1;  // the two axes other than the dominant one
+  if (x > y && x > z) i = 1, j = 2;
+  else if (!(x > y) && y > z) i = 0, j = 2;
+  if ((p[1][i] - p[2][i]) * (p[1][j] - p[0][j]) < (p[1][j] - p[2][j]) * (p[1][i] - p[0][i])) {
+    std::swap(p[0], p[1]);
+    exchange();
+  }
+}
+
+bool absorb(Triangle& triangle, const Move& move) {
+  exchange_if_clockwise(triangle.p, [] {});
+  for (Vec3& p : triangle.p) p = move.t.point(p);
+  return true;
+}
+
+bool absorb(SmoothTriangle& triangle, const Move& move) {
+  exchange_if_clockwise(triangle.p, [&] { std::swap(triangle.n[0], triangle.n[1]); });
+  for (Vec3& p : triangle.p) p = move.t.point(p);
+  if (move.step == Step::translate) return true;
+  for (Vec3& n : triangle.n) {
+    n = move.step == Step::scale ? n / move.v : move.t.normal(n);
+    if (move.step == Step::scale) n = normalize(n);
+  }
+  return true;
+}
+
+// p Q p' = 0 with p = p' M^-1 becomes M^-1 Q M^-T.
+bool absorb(Quadric& q, const Move& move) {
+  Mat4 a;
+  a[0][0] = q.square.x, a[1][1] = q.square.y, a[2][2] = q.square.z, a[3][3] = q.constant;
+  a[0][1] = a[1][0] = q.mixed.x / 2, a[0][2] = a[2][0] = q.mixed.y / 2, a[1][2] = a[2][1] = q.mixed.z / 2;
+  for (int i = 0; i < 3; ++i) a[i][3] = a[3][i] = q.linear[i] / 2;
+  const Mat4 b = move.t.inv * a * move.t.inv.transposed();
+  q.square = {b[0][0], b[1][1], b[2][2]};
+  q.mixed = {b[0][1] + b[1][0], b[0][2] + b[2][0], b[1][2] + b[2][1]};
+  q.linear = {b[0][3] + b[3][0], b[1][3] + b[3][1], b[2][3] + b[3][2]};
+  q.constant = b[3][3];
+  return true;
+}
+
+bool absorb(std::shared_ptr<const SphereSweep>& sweep, const Move& move) {
+  if (move.step == Step::matrix || (move.step == Step::scale && !move.uniform_scale())) return false;
+  auto moved = std::make_shared<SphereSweep>(*sweep);
+  for (Vec3& c : moved->centers) c = move.t.point(c);
+  if (move.step == Step::scale)
+    for (double& r : moved->radii) r *= move.v.x;  // a negative scale makes the object vanish, as in POV-Ray
+  sweep = std::move(moved);
+  return true;
+}
+
+bool absorb(std::shared_ptr<const BicubicPatch>& patch, const Move& move) {
+  auto moved = std::make_shared<BicubicPatch>(*patch);
+  for (Vec3& p : moved->points) p = move.t.point(p);
+  patch = std::move(moved);
+  return true;
+}
+
+template <class T>
+bool absorb(T&, const Move&) {
+  return false;
+}
+
+void move_light(LightSource& light, const Move& move) {
+  light.position = move.t.point(light.position);
+  light.point_at = move.t.point(light.point_at);
+  light.direction = move.t.direction(light.direction);
+  if (light.direction != Vec3(0)) light.direction = normalize(light.direction);
+  light.axis1 = move.t.direction(light.axis1);
+  light.axis2 = move.t.direction(light.axis2);
+  if (light.looks_like) apply(writable(light.looks_like), move);
+  if (light.projected_through) apply(writable(light.projected_through), move);
+}
+
+DensityPtr transformed(const DensityPtr& density, const Transform& t) {
+  auto moved = std::make_shared<Density>(*density);
+  moved->pattern.prepend(t);
+  return moved;
+}
+
+InteriorPtr transformed(const InteriorPtr& interior, const Transform& t) {
+  const auto has_density = [](const Media& m) { return !m.densities.empty(); };
+  if (!interior || std::none_of(interior->media.begin(), interior->media.end(), has_density)) return interior;
+  auto moved = std::make_shared<Interior>(*interior);
+  for (Media& media : moved->media)
+    for (DensityPtr& density : media.densities) density = transformed(density, t);
+  return moved;
+}
+
+// The present box of shapes whose box POV-Ray transforms step by step; all others get it anew from their numbers and the total matrix (spec 03 2.2).
+bool box_moves_stepwise(const Object& object) {
+  return object.as<Csg>() || object.as<LightGroup>() || object.as<Quadric>() || object.as<std::shared_ptr<const Blob>>() || object.as<Mesh>();
+}
+
+Bounds polygon_padded(const Bounds& b) {
+  Vec3 low = low_corner(b), high = high_corner(b);
+  for (int i = 0; i < 3; ++i)
+    if (b.size[i] < 0.001f) low[i] -= 0.001, high[i] += 0.001;
+  return make_bounds(low, high);
+}
+
+Bounds bounds_from_numbers(const Object& object) {
+  const Bounds local = local_bounds(object);
+  const bool infinite = object.as<Plane>() || object.as<Poly>();
+  const Bounds moved = object.transform && !infinite ? transformed(local, *object.transform) : local;
+  return object.as<Polygon>() ? polygon_padded(moved) : moved;
+}
+
+// Clips that were added since the box of a quadric was last computed count before the next transformation.
+void refit_clipped_quadric(Object& object) {
+  if (!object.as<Quadric>() || object.clips_in_bounds == object.clipped_by.size()) return;
+  object.clips_in_bounds = object.clipped_by.size();
+  fit_quadric(object, {});
+}
+
+void move_guards(Object& object, const Move& move) {
+  if (object.clip_is_bound) {
+    std::vector<ObjectPtr>& source = object.clipped_by.empty() ? object.bounded_by : object.clipped_by;
+    std::vector<ObjectPtr>& link = object.clipped_by.empty() ? object.clipped_by : object.bounded_by;
+    link.clear();
+    for (ObjectPtr& o : source) apply(writable(o), move);
+    link = source;
+    return;
+  }
+  for (ObjectPtr& o : object.bounded_by) apply(writable(o), move);
+  for (ObjectPtr& o : object.clipped_by) apply(writable(o), move);
+}
+
+void apply(Object& object, const Move& move) {
+  refit_clipped_quadric(object);
+  if (auto* csg = std::get_if<Csg>(&object.shape)) {
+    for (ObjectPtr& child : csg->children) apply(writable(child), move);
+  } else if (auto* group = std::get_if<LightGroup>(&object.shape)) {
+    for (ObjectPtr& child : group->children) apply(writable(child), move);
+  } else if (auto* light = std::get_if<LightSource>(&object.shape)) {
+    move_light(*light, move);
+  } else if (object.transform || !std::visit([&](auto& shape) { return absorb(shape, move); }, object.shape)) {
+    add_matrix(object, move.t);
+  }
+  if (object.as<Sphere>()) object.uv_transform = object.uv_transform ? object.uv_transform->then(move.t) : move.t;
+  if (box_moves_stepwise(object)) object.bounds = transformed(object.bounds, move.t);
+  else if (!object.as<LightSource>()) object.bounds = bounds_from_numbers(object);
+
+  move_guards(object, move);
+  if (!object.uv_mapping) {
+    if (object.texture) object.texture = transformed(object.texture, move.t);
+    if (object.interior_texture) object.interior_texture = transformed(object.interior_texture, move.t);
+    if (const auto* blob = object.as<std::shared_ptr<const Blob>>()) {
+      const auto textured = [](const BlobComponent& c) { return c.texture != nullptr; };
+      if (std::any_of((*blob)->components.begin(), (*blob)->components.end(), textured)) {
+        auto moved = std::make_shared<Blob>(**blob);
+        for (BlobComponent& c : moved->components)
+          if (c.texture) c.texture = transformed(c.texture, move.t);
+        object.shape = std::shared_ptr<const Blob>(std::move(moved));
+      }
+    }
+    if (const Mesh* mesh = object.as<Mesh>(); mesh && mesh->data && !mesh->data->textures.empty()) {
+      std::vector<TexturePtr> textures = mesh->textures.empty() ? mesh->data->textures : mesh->textures;
+      for (TexturePtr& t : textures)
+        if (t) t = transformed(t, move.t);
+      std::get<Mesh>(object.shape).textures = std::move(textures);
+    }
+  }
+  object.interior = transformed(object.interior, move.t);
+}
+
+// The box of bounded_by or clipped_by replaces the object's when it is smaller (spec 03 2.2).
+void shrink_to(Object& object, const std::vector<ObjectPtr>& limits) {
+  if (limits.empty()) return;
+  BoxRange box;
+  for (const ObjectPtr& limit : limits)
+    if (!limit->inverted) box.clip(limit->bounds);
+  const Bounds narrowed = make_bounds(box.low, box.high);
+  if (volume(narrowed) < volume(object.bounds)) object.bounds = narrowed;
+}
+
+}  // namespace
+
+void compute_bounds(Object& object) {
+  if (!object.transform) {
+    if (const Cone* cone = object.as<Cone>()) object.transform = shapes::cone_frame(*cone);
+    if (const Disc* disc = object.as<Disc>()) object.transform = shapes::disc_frame(*disc);
+    if (const Polygon* polygon = object.as<Polygon>()) object.transform = shapes::polygon_frame(*polygon);
+  }
+  if (object.as<Csg>() || object.as<LightGroup>()) {
+    object.bounds = csg_bounds(object);
+    return;
+  }
+  object.bounds = bounds_from_numbers(object);
+  if (object.as<Quadric>()) {
+    object.clips_in_bounds = object.clipped_by.size();
+    fit_quadric(object, {});
+  }
+}
+
+void translate(Object& object, const Vec3& v) { apply(object, {Step::translate, v, Transform::translation(v)}); }
+void scale(Object& object, const Vec3& s) { apply(object, {Step::scale, s, Transform::scaling(s)}); }
+void rotate(Object& object, const Vec3& degrees) { apply(object, {Step::rotate, degrees, Transform::rotation(degrees)}); }
+void transform(Object& object, const Transform& t) { apply(object, {Step::matrix, Vec3(0), t}); }
+
+void invert(Object& object) {
+  if (auto* csg = std::get_if<Csg>(&object.shape)) {
+    csg->kind = csg->kind == CsgKind::intersection ? CsgKind::merge : CsgKind::intersection;
+    for (ObjectPtr& child : csg->children) invert(writable(child));
+    object.inverted = !object.inverted;
+    return;
+  }
+  if (auto* plane = std::get_if<Plane>(&object.shape)) {
+    plane->normal = -plane->normal;
+    plane->distance = -plane->distance;
+    return;
+  }
+  if (object.as<LightSource>() || object.as<LightGroup>() || object.as<Polygon>() || is_patch(object)) return;
+  if (auto* quadric = std::get_if<Quadric>(&object.shape)) {
+    quadric->square = -quadric->square, quadric->mixed = -quadric->mixed, quadric->linear = -quadric->linear;
+    quadric->constant = -quadric->constant;
+  }
+  object.inverted = !object.inverted;
+}
+
+void finish_modifiers(Object& object) {
+  refit_clipped_quadric(object);
+  shrink_to(object, object.bounded_by);
+  shrink_to(object, object.clipped_by);
+}
+
+bool is_patch(const Object& object) {
+  if (const Mesh* mesh = object.as<Mesh>()) return !mesh->data || !mesh->data->inside_vector;
+  return object.as<Triangle>() || object.as<SmoothTriangle>() || object.as<std::shared_ptr<const BicubicPatch>>() ||
+         object.as<std::shared_ptr<const Parametric>>();
+}
+
+bool is_infinite(const Object& object) { return volume(object.bounds) > kInfiniteVolume; }
+
+std::shared_ptr<Object> copy(const Object& object) {
+  auto result = std::make_shared<Object>(object);
+  if (auto* csg = std::get_if<Csg>(&result->shape)) csg->children = copies(csg->children);
+  if (auto* group = std::get_if<LightGroup>(&result->shape)) group->children = copies(group->children);
+  if (auto* light = std::get_if<LightSource>(&result->shape)) {
+    if (light->looks_like) light->looks_like = copy(*light->looks_like);
+    if (light->projected_through) light->projected_through = copy(*light->projected_through);
+  }
+  result->bounded_by = copies(object.bounded_by);
+  result->clipped_by = copies(object.clipped_by);
+  if (object.clip_is_bound) {
+    if (result->clipped_by.empty()) result->clipped_by = result->bounded_by;
+    else result->bounded_by = result->clipped_by;
+  }
+  return result;
+}
+
+}  // namespace verisim::scene

@@ -22,6 +22,8 @@ struct Surface {
   bool double_illuminate = false, ignore_global_lights = false, uv_mapping = false, no_radiosity = false;
   std::span<const scene::LightSource* const> group_lights;
   scene::PhotonFlags photons;
+  std::vector<const textures::CompiledTexture*> extra_textures;  // of Shape::extra_textures; entries may be null: the object's own
+  const Shape* cutaway = nullptr;  // the outermost intersection, difference, merge or clipped union around a primitive; null: none
 };
 
 }  // namespace verisim::shapes
@@ -34,7 +36,8 @@ using shapes::RayKind;
 class World {
  public:
   // The scene must outlive the world. Textures are compiled with `compiler`, which must outlive it, too.
-  World(const scene::Scene& scene, textures::Compiler& compiler, bool split_unions = false);
+  // `split_unions` dissolves bounded unions, too; `remove_bounds` drops bounded_by where POV-Ray finds it unnecessary.
+  World(const scene::Scene& scene, textures::Compiler& compiler, bool split_unions = false, bool remove_bounds = true);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;

@@ -145,7 +145,6 @@ void move_light(LightSource& light, const Move& move) {
   light.position = move.t.point(light.position);
   light.point_at = move.t.point(light.point_at);
   light.direction = move.t.direction(light.direction);
-  if (light.direction != Vec3(0)) light.direction = normalize(light.direction);
   light.axis1 = move.t.direction(light.axis1);
   light.axis2 = move.t.direction(light.axis2);
   if (light.looks_like) apply(writable(light.looks_like), move);

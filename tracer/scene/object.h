@@ -89,7 +89,10 @@ struct MeshData {
   std::vector<MeshTriangle> triangles;
   std::optional<Vec3> inside_vector;
 };
-struct Mesh { std::shared_ptr<const MeshData> data; };
+struct Mesh {
+  std::shared_ptr<const MeshData> data;
+  std::vector<TexturePtr> textures;  // data->textures moved along with this copy of the mesh; empty: as they are
+};
 
 enum class CsgKind : std::uint8_t { union_, merge, intersection };  // a difference is an intersection whose later children are inverted
 struct Csg {
@@ -132,6 +135,7 @@ struct Object {
   std::optional<Transform> uv_transform;  // accumulated for the uv mapping of spheres
   Bounds bounds;
   std::vector<ObjectPtr> bounded_by, clipped_by;
+  std::size_t clips_in_bounds = 0;  // how many of the clips the automatic box of a quadric already knows
   bool clip_is_bound = false;  // clipped_by{bounded_by} or bounded_by{clipped_by}: transform once
   TexturePtr texture, interior_texture;
   InteriorPtr interior;

@@ -1,0 +1,311 @@
+#include "tracer/accel/world.h"
+
+#include <algorithm>
+#include <deque>
+#include <limits>
+
+#include "tracer/accel/box_tree.h"
+#include "tracer/accel/frame_list.h"
+#include "tracer/scene/bounds.h"
+#include "tracer/shapes/scratch_hits.h"
+
+namespace verisim::accel {
+namespace {
+
+using shapes::Shape;
+using shapes::Surface;
+
+// With fewer frame-level entries than this POV-Ray tests objects one by one, without boxes for most kinds (spec 03 2.3; the shipped povray.ini).
+constexpr std::size_t kBoundingThreshold = 3;
+
+enum class Opacity : unsigned char { opaque, transparent, mixed };
+
+// One frame-level object.
+struct Entry {
+  const Shape* shape = nullptr;
+  const scene::Object* object = nullptr;
+  unsigned hidden = 0;      // RayKinds that do not see it, as bits
+  Opacity opacity = Opacity::opaque;
+  bool infinite = false;    // of the kind POV-Ray tests before all others
+  bool test_box = false;    // rays that miss `box` miss the object
+  Box3 box;                 // POV-Ray's, right or wrong, widened by rounding
+};
+
+unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
+
+unsigned hidden_from(const scene::Object& o) {
+  unsigned bits = 0;
+  if (o.no_image) bits |= bit(RayKind::camera) | bit(RayKind::refracted);
+  if (o.no_reflection) bits |= bit(RayKind::reflected);
+  if (o.no_radiosity) bits |= bit(RayKind::radiosity);
+  if (o.no_shadow) bits |= bit(RayKind::shadow) | bit(RayKind::photon);
+  return bits;
+}
+
+// A union whose children other than lights are all no_shadow counts as no_shadow (spec 03 5.5).
+bool all_children_shadowless(const scene::Object& o) {
+  const auto* csg = o.as<scene::Csg>();
+  if (!csg || csg->kind != scene::CsgKind::union_) return false;
+  bool any = false;
+  for (const auto& child : csg->children) {
+    if (child->as<scene::LightSource>()) continue;
+    if (!child->no_shadow) return false;
+    any = true;
+  }
+  return any;
+}
+
+// Kinds that POV-Ray tests without their box when there are too few objects for a hierarchy (spec 03 2.1).
+bool exempt_from_box_test(const scene::Object& o) {
+  return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() || o.as<scene::SmoothTriangle>() ||
+         o.as<scene::Poly>() || o.as<scene::LightSource>();
+}
+// Kinds whose own intersection test is as cheap as that of their box.
+bool cheaper_than_box_test(const scene::Object& o) {
+  return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() || o.as<scene::SmoothTriangle>();
+}
+
+Box3 widened(const scene::Bounds& b) {
+  Vec3 low = scene::low_corner(b), high;
+  for (int i = 0; i < 3; ++i) {
+    high[i] = low[i] + b.size[i];
+    const double pad = 1e-6 * std::max(std::fabs(low[i]), std::fabs(high[i])) + 1e-9;
+    low[i] -= pad, high[i] += pad;
+  }
+  return {low, high};
+}
+
+// POV-Ray's sort key: the distance at which a ray enters the box, in binary32.
+float entry_distance(const Ray& ray, const Box3& box) {
+  double near = 0, far = std::numeric_limits<double>::infinity();
+  clip_to_box(ray, box, near, far);
+  return static_cast<float>(near);
+}
+
+}  // namespace
+
+struct World::Impl {
+  std::vector<Entry> entries;
+  std::vector<std::unique_ptr<Shape>> shapes;
+  std::vector<std::uint32_t> unbounded;  // entries beside the tree
+  std::vector<std::uint32_t> bounded;    // entry of each box of the tree
+  BoxTree tree;
+  std::deque<Surface> surfaces;
+  std::deque<std::vector<const scene::LightSource*>> group_lights;
+  std::vector<const scene::LightSource*> lights;
+  Box3 bounds;
+  bool in_order = false;  // too few entries for a hierarchy
+  bool transparent_shadows = false;
+
+  void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
+  bool precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const;
+  void mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const;
+};
+
+void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler) {
+  const scene::Object& o = *shape.object;
+  const bool container = o.as<scene::Csg>() || o.as<scene::LightSource>() || o.as<scene::LightGroup>();
+  if (container) {
+    const auto* csg = o.as<scene::Csg>();
+    if (!cutaway && csg && (csg->kind != scene::CsgKind::union_ || !o.clipped_by.empty())) cutaway = &shape;
+    for (const auto& child : shape.children()) add_surfaces(*child, frame_object, cutaway, compiler);
+    return;
+  }
+  static const scene::Interior kNoInterior;
+  Surface& s = surfaces.emplace_back();
+  s.object = &o;
+  s.texture = o.texture ? compiler.texture(o.texture) : nullptr;
+  s.interior_texture = o.interior_texture ? compiler.texture(o.interior_texture) : nullptr;
+  s.interior = o.interior ? o.interior.get() : &kNoInterior;
+  s.frame_object = frame_object;
+  s.double_illuminate = o.double_illuminate;
+  s.ignore_global_lights = o.ignore_global_lights;
+  s.uv_mapping = o.uv_mapping;
+  s.no_radiosity = o.no_radiosity;
+  s.photons = o.photons;
+  s.cutaway = cutaway;
+  s.opaque = s.texture && s.texture->opaque && (!s.interior_texture || s.interior_texture->opaque);
+  for (const scene::TexturePtr& texture : shape.extra_textures()) {
+    s.extra_textures.push_back(texture ? compiler.texture(texture) : s.texture);
+    s.opaque = s.opaque && s.extra_textures.back() && s.extra_textures.back()->opaque;
+  }
+  if (!o.group_lights.empty()) {
+    auto& list = group_lights.emplace_back();
+    for (const auto& light : o.group_lights) list.push_back(light.get());
+    s.group_lights = list;
+  }
+  shape.surface = &s;
+}
+
+World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split_unions, bool remove_bounds) : impl_(std::make_unique<Impl>()) {
+  Impl& w = *impl_;
+  FrameList list = frame_list(scene, split_unions);
+  w.lights = std::move(list.lights);
+  w.in_order = list.entries < kBoundingThreshold;
+
+  std::vector<Box3> boxes;
+  for (std::size_t i = 0; i < list.objects.size(); ++i) {
+    const scene::Object& o = *list.objects[i];
+    std::unique_ptr<Shape> shape = shapes::compile(o, {remove_bounds});
+    const std::size_t first_surface = w.surfaces.size();
+    w.add_surfaces(*shape, static_cast<int>(i), nullptr, compiler);
+
+    Entry e;
+    e.shape = shape.get();
+    e.object = &o;
+    e.hidden = hidden_from(o);
+    if (all_children_shadowless(o)) e.hidden |= bit(RayKind::shadow) | bit(RayKind::photon);
+    if (const auto* light = o.as<scene::LightSource>(); light && light->looks_like) e.hidden |= hidden_from(*light->looks_like);
+    std::size_t opaque = 0;
+    for (std::size_t s = first_surface; s < w.surfaces.size(); ++s) opaque += w.surfaces[s].opaque;
+    e.opacity = opaque == w.surfaces.size() - first_surface ? Opacity::opaque : opaque == 0 ? Opacity::transparent : Opacity::mixed;
+    if (e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow))) w.transparent_shadows = true;
+    e.infinite = scene::is_infinite(o);
+    e.box = widened(o.bounds);
+
+    // Boxes with negative sides (spheres of negative radius and the like) hide what POV-Ray looks for by its box.
+    const bool never = is_empty(e.box) && !(w.in_order && exempt_from_box_test(o));
+    const bool boxless = e.infinite || is_empty(e.box) || (w.in_order && exempt_from_box_test(o));
+    e.test_box = !is_empty(e.box) && !cheaper_than_box_test(o) && !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
+    if (!never && (boxless || w.in_order)) w.unbounded.push_back(static_cast<std::uint32_t>(i));
+    if (!never && !boxless && !w.in_order) {
+      w.bounded.push_back(static_cast<std::uint32_t>(i));
+      boxes.push_back(e.box);
+    }
+    if (!e.infinite && !is_empty(e.box)) w.bounds.extendBy(e.box);
+    w.entries.push_back(e);
+    w.shapes.push_back(std::move(shape));
+  }
+  w.tree = BoxTree(boxes);
+}
+
+World::~World() = default;
+
+// Which of two entries hit at the same distance POV-Ray tested first and therefore shows (spec 03 2.3).
+bool World::Impl::precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const {
+  const Entry &x = entries[a], &y = entries[b];
+  if (!in_order) {
+    if (x.infinite != y.infinite) return x.infinite;
+    if (!x.infinite) {
+      const float dx = entry_distance(ray, x.box), dy = entry_distance(ray, y.box);
+      if (dx != dy) return dx < dy;
+    }
+  }
+  return a < b;
+}
+
+bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const {
+  const Impl& w = *impl_;
+  const unsigned mask = bit(kind);
+  bool found = false;
+  std::uint32_t owner = 0;
+  const auto test = [&](std::uint32_t index, double limit) -> double {
+    const Entry& e = w.entries[index];
+    if (e.hidden & mask) return limit;
+    if (e.test_box) {
+      double near = t_min, far = limit;
+      if (!clip_to_box(ray, e.box, near, far)) return limit;
+    }
+    if (!found) {
+      if (!e.shape->intersect(ray, kind, t_min, limit, hit)) return limit;
+    } else {
+      Hit other;
+      if (!e.shape->intersect(ray, kind, t_min, std::nextafter(limit, HUGE_VAL), other)) return limit;
+      if (other.t == hit.t && !w.precedes(index, owner, ray)) return limit;
+      hit = other;
+    }
+    found = true;
+    owner = index;
+    return hit.t;
+  };
+  double limit = t_max;
+  for (const std::uint32_t index : w.unbounded) limit = test(index, limit);
+  w.tree.traverse(ray, t_min, limit, [&](std::uint32_t i, double far) { return test(w.bounded[i], far); });
+  return found;
+}
+
+bool World::occluded(const Ray& ray, double t_min, double t_max) const {
+  const Impl& w = *impl_;
+  const unsigned mask = bit(RayKind::shadow);
+  const double above = std::nextafter(t_min, HUGE_VAL);
+  const auto blocks = [&](std::uint32_t index) {
+    const Entry& e = w.entries[index];
+    if ((e.hidden & mask) || e.opacity == Opacity::transparent) return false;
+    if (e.test_box) {
+      double near = t_min, far = t_max;
+      if (!clip_to_box(ray, e.box, near, far)) return false;
+    }
+    if (e.opacity == Opacity::opaque) return e.shape->occludes(ray, above, t_max);
+    shapes::ScratchHits hits;
+    e.shape->intersect_all(ray, RayKind::shadow, hits.list());
+    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
+      if (hits[i].t >= above && hits[i].t < t_max && hits[i].shape->surface->opaque) return true;
+    return false;
+  };
+  for (const std::uint32_t index : w.unbounded)
+    if (blocks(index)) return true;
+  bool found = false;
+  w.tree.traverse(ray, t_min, t_max, [&](std::uint32_t i, double far) {
+    if (!found) found = blocks(w.bounded[i]);
+    return found ? -HUGE_VAL : far;
+  });
+  return found;
+}
+
+bool World::has_transparent_shadows() const { return impl_->transparent_shadows; }
+
+void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& interiors) const {
+  const Impl& w = *impl_;
+  interiors.clear();
+  thread_local std::vector<std::uint32_t> around;
+  around.assign(w.unbounded.begin(), w.unbounded.end());
+  w.tree.any_around(p, [&](std::uint32_t i) {
+    around.push_back(w.bounded[i]);
+    return false;
+  });
+  std::sort(around.begin(), around.end());
+  for (const std::uint32_t index : around) {
+    const Entry& e = w.entries[index];
+    if (e.object->interior && contains(e.box, p) && e.shape->inside_unclipped(p)) interiors.push_back(e.object->interior.get());
+  }
+}
+
+// A hit on an untextured primitive shows what the CSG object around it is made of at that point (spec 03 5.3).
+void World::Impl::mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const {
+  const auto* csg = shape.object->as<scene::Csg>();
+  if (!csg) {
+    if (shape.surface && shape.surface->texture) out.push_back({shape.surface->texture, weight});
+    return;
+  }
+  const auto children = shape.children();
+  if (csg->difference) {
+    if (!children.empty() && children[0]->object == csg->children[0].get() && children[0]->inside_unclipped(p)) mix_cutaway(*children[0], p, weight, out);
+    return;
+  }
+  std::size_t count = 0;
+  for (const auto& child : children) count += child->inside_unclipped(p);
+  for (const auto& child : children)
+    if (child->inside_unclipped(p)) mix_cutaway(*child, p, weight / static_cast<float>(count), out);
+}
+
+void World::weighted_textures(const Hit& hit, bool inside_hit, std::vector<textures::WeightedTexture>& out) const {
+  out.clear();
+  const Surface& surface = *hit.shape->surface;
+  if (!surface.texture && surface.cutaway && surface.extra_textures.empty()) {
+    impl_->mix_cutaway(*surface.cutaway, hit.point, 1, out);
+    return;
+  }
+  if (surface.extra_textures.empty()) return;
+  thread_local std::vector<shapes::TextureShare> shares;
+  shares.clear();
+  hit.shape->texture_shares(hit, inside_hit, shares);
+  for (const shapes::TextureShare& share : shares) {
+    const auto* texture = share.texture < 0 ? surface.texture : surface.extra_textures[static_cast<std::size_t>(share.texture)];
+    if (texture) out.push_back({texture, share.weight});
+  }
+}
+
+std::span<const scene::LightSource* const> World::lights() const { return impl_->lights; }
+Box3 World::bounds() const { return impl_->bounds; }
+
+}  // namespace verisim::accel

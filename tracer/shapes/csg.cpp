@@ -1,0 +1,383 @@
+// union, merge, intersection and difference (spec 03 section 5). A difference is an intersection whose later children are inverted; an inverted
+// union arrives here as an intersection of inverted children.
+//
+// POV-Ray collects the hits of all children and keeps those that pass an inside test against the others. We do the same but look only at children
+// whose boxes the ray meets, test candidates in increasing distance, and stop at the first that survives.
+#include <algorithm>
+
+#include "tracer/accel/box_tree.h"
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/primitive.h"
+
+namespace verisim::shapes {
+namespace {
+
+using accel::BoxTree;
+using Children = std::vector<std::unique_ptr<Shape>>;
+
+// Indices of the children a ray may hit, in increasing order; a stretch of one list per thread, like ScratchHits.
+class ScratchIndices {
+ public:
+  ScratchIndices() : list_(thread_list()), begin_(list_.size()) {}
+  ~ScratchIndices() { list_.resize(begin_); }
+  ScratchIndices(const ScratchIndices&) = delete;
+  ScratchIndices& operator=(const ScratchIndices&) = delete;
+  // Only while no later stretch is in use.
+  void add(std::uint32_t i) {
+    list_.push_back(i);
+    ++size_;
+  }
+  void sort() { std::sort(list_.begin() + static_cast<std::ptrdiff_t>(begin_), list_.end()); }
+  std::size_t size() const { return size_; }
+  std::uint32_t operator[](std::size_t i) const { return list_[begin_ + i]; }
+
+ private:
+  static std::vector<std::uint32_t>& thread_list() {
+    thread_local std::vector<std::uint32_t> list;
+    return list;
+  }
+  std::vector<std::uint32_t>& list_;
+  const std::size_t begin_;
+  std::size_t size_ = 0;
+};
+
+bool is_finite(const Box3& box) { return accel::is_finite(box); }
+
+Box3 united(const Box3& a, const Box3& b) {
+  Box3 box = a;
+  if (!accel::is_empty(b)) box.extendBy(b);
+  return box;
+}
+Box3 common(const Box3& a, const Box3& b) {
+  Box3 box;
+  for (int i = 0; i < 3; ++i) box.min[i] = std::max(a.min[i], b.min[i]), box.max[i] = std::min(a.max[i], b.max[i]);
+  return box;
+}
+
+// Some children, by index, found by their boxes.
+class ChildIndex {
+ public:
+  void add(std::uint32_t child, const Box3& box) {
+    if (accel::is_empty(box)) return;
+    if (is_finite(box)) {
+      boxes_.push_back(box);
+      children_.push_back(child);
+    } else {
+      unbounded_.push_back(child);
+    }
+  }
+  void build() {
+    tree_ = BoxTree(boxes_);
+    boxes_ = {};
+  }
+  // Calls visit(child, t_max) -> t_max for every child whose box the ray meets.
+  template <class Visit>
+  void along(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+    for (const std::uint32_t child : unbounded_) t_max = visit(child, t_max);
+    tree_.traverse(ray, t_min, t_max, [&](std::uint32_t i, double limit) { return visit(children_[i], limit); });
+  }
+  // Calls visit(child) for every child whose box contains p until one returns true.
+  template <class Visit>
+  bool any_around(const Vec3& p, Visit&& visit) const {
+    for (const std::uint32_t child : unbounded_)
+      if (visit(child)) return true;
+    return !tree_.empty() && tree_.any_around(p, [&](std::uint32_t i) { return visit(children_[i]); });
+  }
+
+ private:
+  std::vector<Box3> boxes_;
+  std::vector<std::uint32_t> children_, unbounded_;
+  BoxTree tree_;
+};
+
+class CsgShape : public Shape {
+ public:
+  CsgShape(const scene::Object& description, Children children)
+      : Shape(description), children_(std::move(children)), guards_(Guards::of(description)) {
+    for (std::uint32_t i = 0; i < children_.size(); ++i) surfaces_.add(i, children_[i]->bounds());
+    surfaces_.build();
+  }
+
+  bool inside(const Vec3& p) const final { return (!guards_ || guards_->contain(p)) && inside_unclipped(p); }
+  Vec3 normal(const Hit&) const final { return Vec3(0); }  // hits belong to primitives
+  Box3 bounds() const final { return bounds_; }
+  SolidExtent solid_extent() const final { return solid_; }
+  std::span<const std::unique_ptr<Shape>> children() const final { return children_; }
+
+ protected:
+  const Shape& child(std::uint32_t i) const { return *children_[i]; }
+
+  // Children whose boxes the ray meets, in order of declaration.
+  void candidates(const Ray& ray, double t_min, double t_max, ScratchIndices& found) const {
+    surfaces_.along(ray, t_min, t_max, [&](std::uint32_t i, double limit) {
+      found.add(i);
+      return limit;
+    });
+    found.sort();
+  }
+  // Drops hits from `begin` on that lie outside the clip objects or fail `keep`.
+  template <class Keep>
+  void filter(HitList& hits, std::size_t begin, Keep&& keep) const {
+    std::size_t end = begin;
+    for (std::size_t i = begin; i < hits.size(); ++i) {
+      const Hit hit = hits[i];  // inside tests may grow the list
+      if (keep(hit.point) && (!guards_ || guards_->contain(hit.point))) hits[end++] = hit;
+    }
+    hits.resize(end);
+  }
+  // Of candidates whose `owner` says which child they came from: the nearest in range that keep(point, owner) accepts; at equal t the last collected.
+  template <class Keep>
+  bool nearest_surviving(ScratchHits& hits, const ScratchIndices& owners, double t_min, double t_max, Hit& hit, Keep&& keep) const {
+    std::size_t count = 0;
+    for (std::size_t i = hits.begin(); i < hits.end(); ++i) count += hits[i].t >= t_min && hits[i].t < t_max;
+    double after = t_min;
+    std::size_t after_index = hits.end();  // at t == after only candidates before this one remain
+    while (count-- > 0) {
+      std::size_t best = hits.end();
+      for (std::size_t i = hits.begin(); i < hits.end(); ++i) {
+        const double t = hits[i].t;
+        if (!(t < t_max) || !(t > after || (t == after && i < after_index))) continue;
+        if (best == hits.end() || t <= hits[best].t) best = i;
+      }
+      if (best == hits.end()) return false;
+      const Hit candidate = hits[best];
+      if (keep(candidate.point, owners[best - hits.begin()]) && (!guards_ || guards_->contain(candidate.point))) {
+        hit = candidate;
+        return true;
+      }
+      after = candidate.t;
+      after_index = best;
+    }
+    return false;
+  }
+  void set_extent(const Box3& bounds, SolidExtent solid) {
+    bounds_ = bounds;
+    solid_ = solid;
+    if (!guards_) return;
+    if (solid_.outside && !guards_->clips.empty()) solid_ = {everywhere(), false};
+    for (const auto& clip : guards_->clips) {
+      const SolidExtent extent = clip->solid_extent();
+      if (extent.outside) continue;
+      bounds_ = common(bounds_, extent.box);
+      if (!solid_.outside) solid_.box = common(solid_.box, extent.box);
+    }
+  }
+
+  const Children children_;
+  const std::unique_ptr<const Guards> guards_;
+  ChildIndex surfaces_;
+  Box3 bounds_;
+  SolidExtent solid_;
+};
+
+// Which ray kinds do not see a child of an undissolved union or of a merge (spec 03 5.5), as bits.
+unsigned hidden_from(const scene::Object& child, bool merge) {
+  const auto bit = [](RayKind kind) { return 1u << static_cast<unsigned>(kind); };
+  unsigned bits = 0;
+  if (child.no_image) bits |= bit(RayKind::refracted);
+  if (child.no_image && merge) bits |= bit(RayKind::camera) | bit(RayKind::query);
+  if (child.no_reflection) bits |= bit(RayKind::reflected);
+  if (child.no_radiosity) bits |= bit(RayKind::radiosity);
+  if (child.no_shadow) bits |= bit(RayKind::photon);
+  return bits;
+}
+
+// What union and merge share: a point is inside if any child contains it.
+class Sum : public CsgShape {
+ public:
+  Sum(const scene::Object& description, Children children, bool merge) : CsgShape(description, std::move(children)) {
+    Box3 sheet, solid;
+    Box3 complement = everywhere();
+    bool any_outside = false;
+    for (std::uint32_t i = 0; i < children_.size(); ++i) {
+      hidden_.push_back(hidden_from(*children_[i]->object, merge));
+      sheet = united(sheet, children_[i]->bounds());
+      const SolidExtent extent = children_[i]->solid_extent();
+      if (extent.outside) {
+        any_outside = true;
+        complement = common(complement, extent.box);
+        outside_in_.push_back(i);
+      } else {
+        solid = united(solid, extent.box);
+        solids_.add(i, extent.box);
+      }
+    }
+    solids_.build();
+    set_extent(sheet, any_outside ? SolidExtent{complement, true} : SolidExtent{solid, false});
+  }
+
+  bool inside_unclipped(const Vec3& p) const final {
+    for (const std::uint32_t i : outside_in_)
+      if (child(i).inside(p)) return true;
+    return solids_.any_around(p, [&](std::uint32_t i) { return child(i).inside(p); });
+  }
+
+ protected:
+  bool hidden(std::uint32_t i, RayKind kind) const { return hidden_[i] >> static_cast<unsigned>(kind) & 1; }
+  // p is inside another child that this kind of ray sees.
+  bool inside_another(const Vec3& p, std::uint32_t self, RayKind kind) const {
+    for (const std::uint32_t i : outside_in_)
+      if (i != self && !hidden(i, kind) && child(i).inside(p)) return true;
+    return solids_.any_around(p, [&](std::uint32_t i) { return i != self && !hidden(i, kind) && child(i).inside(p); });
+  }
+
+ private:
+  std::vector<unsigned> hidden_;
+  std::vector<std::uint32_t> outside_in_;  // children that contain everything outside a box
+  ChildIndex solids_;                      // the others
+};
+
+class Union final : public Sum {
+ public:
+  Union(const scene::Object& description, Children children) : Sum(description, std::move(children), false) {}
+
+  void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
+    if (guards_ && !guards_->admit(ray)) return;
+    ScratchIndices found;
+    candidates(ray, 0, 2e10, found);
+    const std::size_t begin = hits.size();
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (!hidden(found[k], kind)) child(found[k]).intersect_all(ray, kind, hits);
+    if (guards_ && !guards_->clips.empty()) filter(hits, begin, [](const Vec3&) { return true; });
+  }
+
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
+    if (guards_) return Shape::intersect(ray, kind, t_min, t_max, hit);
+    bool found = false;
+    std::uint32_t owner = 0;
+    surfaces_.along(ray, t_min, t_max, [&](std::uint32_t i, double limit) {
+      if (hidden(i, kind)) return limit;
+      // At equal distance the later child wins.
+      const double bound = found && i > owner ? std::nextafter(limit, HUGE_VAL) : limit;
+      if (!child(i).intersect(ray, kind, t_min, bound, hit)) return limit;
+      found = true;
+      owner = i;
+      return hit.t;
+    });
+    return found;
+  }
+};
+
+class Merge final : public Sum {
+ public:
+  Merge(const scene::Object& description, Children children) : Sum(description, std::move(children), true) {}
+
+  void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
+    if (guards_ && !guards_->admit(ray)) return;
+    ScratchIndices found;
+    candidates(ray, 0, 2e10, found);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const std::uint32_t i = found[k];
+      if (hidden(i, kind)) continue;
+      const std::size_t begin = hits.size();
+      child(i).intersect_all(ray, kind, hits);
+      filter(hits, begin, [&](const Vec3& p) { return !inside_another(p, i, kind); });
+    }
+  }
+
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
+    if (guards_ && !guards_->admit(ray)) return false;
+    ScratchIndices found;
+    candidates(ray, t_min, t_max, found);
+    ScratchIndices owners;
+    ScratchHits hits;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      if (hidden(found[k], kind)) continue;
+      const std::size_t before = hits.end();
+      child(found[k]).intersect_all(ray, kind, hits.list());
+      for (std::size_t n = before; n < hits.end(); ++n) owners.add(found[k]);
+    }
+    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) { return !inside_another(p, self, kind); });
+  }
+};
+
+class Intersection final : public CsgShape {
+ public:
+  Intersection(const scene::Object& description, Children children) : CsgShape(description, std::move(children)) {
+    Box3 sheet, solid = everywhere(), complement;
+    for (std::uint32_t i = 0; i < children_.size(); ++i) {
+      sheet = united(sheet, children_[i]->bounds());
+      const SolidExtent extent = children_[i]->solid_extent();
+      if (extent.outside) {
+        complement = united(complement, extent.box);
+        holes_.add(i, extent.box);
+      } else {
+        bounded_ = true;
+        solid = common(solid, extent.box);
+        solids_.push_back({i, extent.box});
+      }
+    }
+    holes_.build();
+    if (bounded_) sheet = common(sheet, solid);
+    set_extent(sheet, bounded_ ? SolidExtent{solid, false} : SolidExtent{complement, true});
+    limit_ = bounded_ ? solid : everywhere();
+  }
+
+  void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
+    double near = 0, far = 2e10;
+    if (!clip(ray, near, far) || (guards_ && !guards_->admit(ray))) return;
+    ScratchIndices found;
+    candidates(ray, near, far, found);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const std::uint32_t i = found[k];
+      const std::size_t begin = hits.size();
+      child(i).intersect_all(ray, kind, hits);
+      filter(hits, begin, [&](const Vec3& p) { return inside_others(p, i); });
+    }
+  }
+
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
+    double near = t_min, far = t_max;
+    if (!clip(ray, near, far) || (guards_ && !guards_->admit(ray))) return false;
+    ScratchIndices found;
+    candidates(ray, near, far, found);
+    ScratchIndices owners;
+    ScratchHits hits;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const std::size_t before = hits.end();
+      child(found[k]).intersect_all(ray, kind, hits.list());
+      for (std::size_t n = before; n < hits.end(); ++n) owners.add(found[k]);
+    }
+    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) { return inside_others(p, self); });
+  }
+
+  bool inside_unclipped(const Vec3& p) const override { return inside_others(p, ~0u); }
+
+ private:
+  struct Solid {
+    std::uint32_t child;
+    Box3 box;
+  };
+
+  bool clip(const Ray& ray, double& near, double& far) const { return !bounded_ || accel::clip_to_box(ray, limit_, near, far); }
+
+  bool inside_others(const Vec3& p, std::uint32_t self) const {
+    for (const Solid& s : solids_)
+      if (s.child != self && !(accel::contains(s.box, p) && child(s.child).inside(p))) return false;
+    return !holes_.any_around(p, [&](std::uint32_t i) { return i != self && !child(i).inside(p); });
+  }
+
+  std::vector<Solid> solids_;  // nothing outside their boxes is inside them
+  ChildIndex holes_;           // everything outside their boxes is
+  Box3 limit_;
+  bool bounded_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_csg(const scene::Object& object) {
+  const auto& csg = *object.as<scene::Csg>();
+  Children children;
+  for (const scene::ObjectPtr& child : csg.children) {
+    const auto* light = child->as<scene::LightSource>();
+    if (light && !light->looks_like) continue;  // not part of any solid (spec 03 5.1)
+    children.push_back(compile(*child));
+  }
+  switch (csg.kind) {
+    case scene::CsgKind::union_: return std::make_unique<Union>(object, std::move(children));
+    case scene::CsgKind::merge: return std::make_unique<Merge>(object, std::move(children));
+    default: return std::make_unique<Intersection>(object, std::move(children));
+  }
+}
+
+}  // namespace verisim::shapes

@@ -1,0 +1,39 @@
+// light_source and light_group among the objects: a light has no surface of its own, only that of its looks_like; a group is the sum of its children.
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/shape.h"
+
+namespace verisim::shapes {
+namespace {
+
+class LightHolder final : public Shape {
+ public:
+  LightHolder(const scene::Object& description, const std::vector<scene::ObjectPtr>& objects) : Shape(description) {
+    for (const scene::ObjectPtr& o : objects)
+      if (o) children_.push_back(compile(*o));
+    for (const auto& child : children_) bounds_.extendBy(child->bounds());
+  }
+  void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
+    for (const auto& child : children_) child->intersect_all(ray, kind, hits);
+  }
+  bool inside(const Vec3& p) const override {
+    for (const auto& child : children_)
+      if (child->inside(p)) return true;
+    return false;
+  }
+  Vec3 normal(const Hit&) const override { return Vec3(0); }  // hits belong to the children
+  Box3 bounds() const override { return bounds_; }
+  std::span<const std::unique_ptr<Shape>> children() const override { return children_; }
+
+ private:
+  std::vector<std::unique_ptr<Shape>> children_;
+  Box3 bounds_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_light(const scene::Object& object) {
+  if (const auto* group = object.as<scene::LightGroup>()) return std::make_unique<LightHolder>(object, group->children);
+  return std::make_unique<LightHolder>(object, std::vector<scene::ObjectPtr>{object.as<scene::LightSource>()->looks_like});
+}
+
+}  // namespace verisim::shapes

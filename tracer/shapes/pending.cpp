@@ -36,7 +36,6 @@ Transform polygon_frame(const scene::Polygon&) { throw std::runtime_error("shape
 VERISIM_PENDING_FACTORY(torus)
 VERISIM_PENDING_FACTORY(polygon)
 VERISIM_PENDING_FACTORY(poly)
-VERISIM_PENDING_FACTORY(quadric)
 VERISIM_PENDING_FACTORY(superellipsoid)
 VERISIM_PENDING_FACTORY(ovus)
 VERISIM_PENDING_FACTORY(blob)

@@ -19,14 +19,14 @@ TEST(Sphere, ScaledAndRotated) {
 
 TEST(Sphere, GrazingRays) {
   expect_march(sphere(Vec3(0), 1), {-5, 1 - 1e-11, 0}, x, {});
-  expect_march(sphere(Vec3(0), 1), {-5, 1 - 1e-10, 0}, x, {4.9999858579, 5.0000141421}, 1e-8);
+  expect_march(sphere(Vec3(0), 1), {-5, 1 - 1e-10, 0}, x, {4.9999858579}, 1e-9);  // the exit is closer than the smallest distance
 }
 
 TEST(Sphere, LimitsOfDistance) {
   EXPECT_TRUE(march(sphere(Vec3(0), 1.1e7), Vec3(0), z).empty());
   EXPECT_TRUE(march(sphere(Vec3(0), 1, [](Object& o) { scene::scale(o, Vec3(1.1e7)); }), Vec3(0), z).empty());
   EXPECT_EQ(march(sphere(Vec3(0), 1, [](Object& o) { scene::transform(o, Transform::scaling(Vec3(1.1e7))); }), Vec3(0), z).size(), 1u);
-  EXPECT_TRUE(march(sphere(Vec3(0), 1e-5), {0, 0, -1}, z).empty());
+  EXPECT_TRUE(march(sphere(Vec3(0), 0.9e-5), {0, 0, -1}, z).empty());
 }
 
 TEST(Sphere, Uv) {

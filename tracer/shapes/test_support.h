@@ -132,13 +132,17 @@ inline void check_solid(const ObjectRef& object, const SolidChecks& checks) {
       ++hits_seen;
       EXPECT_EQ(hit.shape->object, object.get());
       ASSERT_NEAR(length(hit.point - ray.at(hit.t)), 0, 1e-8);
-      if (checks.residual) ASSERT_NEAR(checks.residual(hit.point), 0, checks.tolerance) << "ray " << i;
+      if (checks.residual) {
+        ASSERT_NEAR(checks.residual(hit.point), 0, checks.tolerance) << "ray " << i;
+      }
       ASSERT_NEAR(length(hit.shape->normal(hit)), 1, 1e-9);
       ASSERT_TRUE(hit.shape->bounds().intersects(hit.point));
       if (hit.t >= 1e-4) closest = std::min(closest, hit.t);
     }
     ASSERT_EQ(found, closest < 1e10) << "ray " << i;
-    if (found) ASSERT_EQ(nearest.t, closest) << "ray " << i;
+    if (found) {
+      ASSERT_EQ(nearest.t, closest) << "ray " << i;
+    }
     if (!checks.parity) continue;
     std::vector<double> t{0};
     for (const Hit& hit : hits) t.push_back(hit.t);

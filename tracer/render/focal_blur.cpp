@@ -1,9 +1,9 @@
 #include "tracer/render/focal_blur.h"
 
-#include <boost/math/special_functions/gamma.hpp>
 #include <random>
 #include <span>
 
+#include "tracer/math/chi_square.h"
 #include "tracer/render/jitter.h"
 
 namespace verisim::render {
@@ -61,22 +61,6 @@ class Occupancy {
 };
 
 }  // namespace
-
-double chi_square_quantile(int degrees, double c) {
-  const double a = degrees / 2.0;
-  if (degrees % 2 == 1 && degrees <= 25) {
-    const double s = 0.961203052259327;  // e^-0.03956959965740031, the error of POV-Ray's log-gamma
-    if ((1 - c) / s < 1) {
-      const double z = boost::math::gamma_p_inv(a, (1 - c) / s);
-      if (z < std::max(1.0, a)) return 2 * z;
-    }
-    if (c / s < 1) {
-      const double z = boost::math::gamma_q_inv(a, c / s);
-      if (z > std::max(1.0, a)) return 2 * z;
-    }
-  }
-  return 2 * boost::math::gamma_q_inv(a, c);
-}
 
 FocalBlur::FocalBlur(const scene::Camera& camera, const Weight& bokeh)
     : minimum_(camera.blur_samples_min),

@@ -67,7 +67,4 @@ class FocalBlur {
   Vec3 location_, lens_x_, lens_y_;
 };
 
-// POV-Ray's chi-square quantile with upper tail probability c; wrong for odd degrees of freedom up to 25, deliberately (spec 02 section 2.3).
-double chi_square_quantile(int degrees, double c);
-
 }  // namespace verisim::render

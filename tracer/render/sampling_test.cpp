@@ -27,12 +27,6 @@ TEST(Jitter, CheckValues) {
   near(-1.0 / 3, 5, -0.417938, -0.173798);
 }
 
-TEST(FocalBlur, ChiSquareQuantilesIncludingTheDefect) {
-  const std::pair<int, double> expected[] = {{1, 0.0170986593},  {2, 0.2107210313},  {3, 0.6020465219},  {4, 1.0636232168},   {5, 1.6433034406},
-                                             {6, 2.2041306565},  {7, 2.8790200156},  {19, 11.7516723786}, {25, 16.5947584274}, {27, 18.1138959669}};
-  for (const auto& [degrees, value] : expected) EXPECT_NEAR(chi_square_quantile(degrees, 0.9), value, 1e-8) << degrees;
-}
-
 TEST(FocalBlur, LensPositionsLieOnTheLensAndDiffer) {
   for (int n : {1, 4, 7, 8, 19, 30, 37, 50, 200}) {
     scene::Camera camera;

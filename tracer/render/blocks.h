@@ -1,0 +1,20 @@
+// The blocks a render area is cut into, in the order they are worked on (spec 02 section 3.1).
+#pragma once
+
+#include <vector>
+
+#include "tracer/render/antialias.h"
+
+namespace verisim::render {
+
+struct Area {
+  int x, y, width, height;
+  bool empty() const { return width <= 0 || height <= 0; }
+};
+
+// The part of the image that is to be rendered; clipped to the image.
+Area render_area(const Options& options);
+// Squares of options.block_size from the area's top left corner, row by row; those at the right and bottom edge are clipped.
+std::vector<Block> blocks_of(const Area& area, int block_size);
+
+}  // namespace verisim::render

@@ -1,0 +1,31 @@
+// mesh_camera: one ray from every face of a mesh (spec 02 section 1.7).
+#pragma once
+
+#include <optional>
+
+#include "tracer/scene/camera.h"
+#include "tracer/scene/object.h"
+
+namespace verisim::render {
+
+class MeshCamera {
+ public:
+  MeshCamera(const scene::Camera& camera, int width, int height);
+  int rays_per_pixel() const { return camera_.rays_per_pixel; }
+  // Ray number k of the sample at (x, y), direction unit; empty: no face.
+  std::optional<Ray> ray(double x, double y, int k) const;
+
+ private:
+  struct Face {
+    std::size_t mesh;
+    std::size_t triangle;
+  };
+  std::optional<Face> face(double x, double y, int k) const;
+  Ray finished(std::size_t mesh, const Vec3& origin, const Vec3& normal) const;
+  std::optional<Ray> by_uv(double u, double v) const;
+
+  const scene::Camera& camera_;
+  int width_, height_;
+};
+
+}  // namespace verisim::render

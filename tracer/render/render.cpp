@@ -1,0 +1,147 @@
+// From scene to framebuffer: compile, cut into blocks, render them on all threads.
+#include "tracer/render/render.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <chrono>
+#include <mutex>
+
+#include "tracer/render/antialias.h"
+#include "tracer/render/blocks.h"
+#include "tracer/render/pixel_sampler.h"
+#include "tracer/render/requirements.h"
+
+namespace verisim::render {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void add(Statistics& total, const Statistics& part) {
+  total.samples += part.samples;
+  total.camera_rays += part.camera_rays;
+  total.reflected_rays += part.reflected_rays;
+  total.refracted_rays += part.refracted_rays;
+  total.shadow_rays += part.shadow_rays;
+  total.transmitted_rays += part.transmitted_rays;
+}
+
+textures::Settings texture_settings(const scene::Scene& scene, int quality) {
+  return {scene.settings.noise_generator, scene.settings.number_of_waves, scene.version, quality <= 5};
+}
+
+// Hands blocks to threads and keeps count of what is done.
+class Queue {
+ public:
+  Queue(const Options& options, Framebuffer& frame, Statistics& statistics)
+      : options_(options), frame_(frame), statistics_(statistics), blocks_(blocks_of(render_area(options), options.block_size)) {
+    for (const Block& b : blocks_) pixels_ += static_cast<std::uint64_t>(b.width) * b.height;
+  }
+
+  std::size_t size() const { return blocks_.size(); }
+  bool cancelled() const { return options_.cancel && options_.cancel->load(std::memory_order_relaxed); }
+  // Null when there are no more.
+  const Block* next() {
+    while (!cancelled()) {
+      const std::size_t i = next_.fetch_add(1);
+      if (i >= blocks_.size()) return nullptr;
+      const Block& b = blocks_[i];
+      if (!options_.block_known || !options_.block_known(b.x, b.y, b.width, b.height)) return &b;
+      finished(b, false);
+    }
+    return nullptr;
+  }
+  void finished(const Block& b, bool rendered = true) {
+    if (rendered) {
+      for (int y = b.y; y < b.y + b.height; ++y)
+        std::fill_n(frame_.done.begin() + static_cast<std::ptrdiff_t>(y) * frame_.width + b.x, b.width, std::uint8_t{1});
+      if (options_.block_done) options_.block_done(b.x, b.y, b.width, b.height);
+    }
+    const std::lock_guard lock(mutex_);
+    done_ += static_cast<std::uint64_t>(b.width) * b.height;
+    if (rendered) statistics_.pixels += static_cast<std::uint64_t>(b.width) * b.height;
+    if (options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(pixels_));
+  }
+  void add_statistics(const Statistics& part) {
+    const std::lock_guard lock(mutex_);
+    add(statistics_, part);
+  }
+
+ private:
+  const Options& options_;
+  Framebuffer& frame_;
+  Statistics& statistics_;
+  std::vector<Block> blocks_;
+  std::atomic<std::size_t> next_{0};
+  std::mutex mutex_;
+  std::uint64_t pixels_ = 0, done_ = 0;
+};
+
+// One thread's work: blocks until there are none left.
+void work(Queue& queue, const shading::SceneData& scene, const CameraModel& camera, const Options& options, Framebuffer& frame) {
+  shading::Tracer tracer(scene, shading::RandomSource(options.replay, options.seed), options.cancel);
+  PixelSampler sampler(camera, tracer);
+  const AntialiasSettings settings = antialias_settings(options, scene.scene.settings.gamma, scene.scene.settings.assumed_gamma);
+  const int method = options.antialias ? settings.method : 0;
+  std::optional<AdaptiveGrid<PixelSampler>> grid;
+  std::optional<RecursiveQuads<PixelSampler>> quads;
+  if (method == 1) grid.emplace(settings, sampler);
+  if (method == 2) quads.emplace(settings, sampler);
+  try {
+    while (const Block* block = queue.next()) {
+      if (grid) {
+        grid->render(*block, frame);
+      } else if (quads) {
+        quads->render(*block, frame);
+      } else {
+        render_plain(*block, sampler, frame);
+      }
+      queue.finished(*block);
+    }
+  } catch (const shading::Cancelled&) {
+  }
+  queue.add_statistics(tracer.statistics());
+}
+
+}  // namespace
+
+Statistics render(const scene::Scene& scene, const Options& options, Framebuffer& frame) {
+  const auto start = std::chrono::steady_clock::now();
+  check_supported(scene, options);
+  const std::size_t pixels = static_cast<std::size_t>(options.width) * options.height;
+  if (frame.width != options.width || frame.height != options.height || frame.pixels.size() != pixels) {
+    frame.width = options.width, frame.height = options.height;
+    frame.pixels.assign(pixels, Color());
+  }
+  frame.done.assign(pixels, 0);
+
+  Statistics statistics;
+  textures::Compiler compiler(texture_settings(scene, options.quality));
+  const accel::World world(scene, compiler, options.split_unions);
+  const shading::SceneData data(scene, world, compiler, options.quality, options.output_alpha);
+  const CameraModel camera(scene.camera, options.width, options.height, compiler);
+  statistics.seconds_compile = seconds_since(start);
+
+  const auto render_start = std::chrono::steady_clock::now();
+  Queue queue(options, frame, statistics);
+  const int cores = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
+  const int threads = options.replay ? 1 : std::max(1, std::min<int>(cores, static_cast<int>(queue.size())));
+  if (threads == 1) {
+    work(queue, data, camera, options, frame);
+  } else {
+    const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    const tbb::global_control stack(tbb::global_control::thread_stack_size, std::size_t{16} << 20);
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+      tbb::parallel_for(0, threads, [&](int) { work(queue, data, camera, options, frame); }, tbb::simple_partitioner());
+    });
+  }
+  statistics.cancelled = queue.cancelled();
+  statistics.seconds_render = seconds_since(render_start);
+  return statistics;
+}
+
+}  // namespace verisim::render

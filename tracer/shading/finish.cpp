@@ -1,0 +1,80 @@
+#include "tracer/shading/finish.h"
+
+namespace verisim::shading {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+double acos_clamped(double c) { return std::acos(std::clamp(c, -1.0, 1.0)); }
+
+}  // namespace
+
+Vec3 reflected_direction(const Vec3& d, const Vec3& normal, const Vec3& raw) {
+  Vec3 r = mirrored(d, normal);
+  const double below = dot(r, raw);
+  if (below < 0) r = dot(r, normal) < 0 ? mirrored(d, raw) : r - raw * (2 * below);
+  return normalize(r);
+}
+
+double metallic_fresnel(double cosine) {
+  const double x = std::fabs(acos_clamped(cosine)) / (kPi / 2);
+  return std::clamp(0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903, 0.0, 1.0);
+}
+
+Rgb metallic_tint(const Rgb& pigment, float metallic, double cosine) {
+  const auto m = static_cast<float>(metallic * (1 - metallic_fresnel(cosine)));
+  return {1 + m * (pigment.r - 1), 1 + m * (pigment.g - 1), 1 + m * (pigment.b - 1)};
+}
+
+double phong_highlight(const scene::Finish& finish, const Vec3& n, const Vec3& d, const Vec3& l) {
+  const double m = dot(mirrored(d, n), l);
+  if (m <= 0 || (finish.phong_size >= 60 && m <= 0.0008)) return 0;
+  return finish.phong * std::pow(m, static_cast<double>(finish.phong_size));
+}
+
+double specular_highlight(const scene::Finish& finish, const Vec3& n, const Vec3& d, const Vec3& l) {
+  const Vec3 h = (l - d) * 0.5;
+  const double size = length(h);
+  if (size <= 0) return 0;
+  const double m = dot(h, n) / size;
+  if (m <= 0) return 0;
+  const double exponent = finish.roughness == 0 ? 0 : 1.0 / finish.roughness;
+  return finish.specular * std::pow(m, exponent);
+}
+
+Rgb iridescence(float amount, double thickness, double cosines, const Rgb& wavelength) {
+  const auto factor = [&](float wl) { return static_cast<float>(1 + amount * std::cos(2 * kPi * thickness * cosines / wl)); };
+  return {factor(wavelength.r), factor(wavelength.g), factor(wavelength.b)};
+}
+
+double fresnel_reflectance(double eta, double cosine) {
+  const double q = eta * eta + cosine * cosine - 1;
+  if (q <= 0) return 1;
+  const double g = std::sqrt(q), minus = g - cosine, plus = g + cosine;
+  const double a = minus / plus, b = (cosine * plus - 1) / (cosine * minus + 1);
+  return std::clamp(0.5 * a * a * (1 + b * b), 0.0, 1.0);
+}
+
+Rgb reflectivity(const scene::Reflection& reflection, const Rgb& pigment, double cosine, double eta) {
+  Rgb rho;
+  if (reflection.fresnel) {
+    const auto f = static_cast<float>(fresnel_reflectance(eta, cosine));
+    rho = f * reflection.maximum + (1 - f) * reflection.minimum;
+  } else {
+    double x = 1 - cosine;
+    // A view that is perpendicular up to rounding makes POV-Ray's power of a negative base NaN; here it is 0 (spec 06 5.1).
+    if (reflection.falloff != 1) x = std::pow(std::max(x, 0.0), static_cast<double>(reflection.falloff));
+    if (std::fabs(x) < kEpsilon) {
+      rho = reflection.minimum;
+    } else if (std::fabs(x - 1) < kEpsilon) {
+      rho = reflection.maximum;
+    } else {
+      const auto f = static_cast<float>(x);
+      rho = f * reflection.maximum + (1 - f) * reflection.minimum;
+    }
+  }
+  if (reflection.metallic != 0) rho *= metallic_tint(pigment, reflection.metallic, cosine);
+  return rho;
+}
+
+}  // namespace verisim::shading

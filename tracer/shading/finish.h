@@ -1,0 +1,39 @@
+// The formulas of a finish: highlights, iridescence, mirror reflectivity and directions (spec 06 sections 4 and 5).
+#pragma once
+
+#include "tracer/math/vec.h"
+#include "tracer/scene/texture.h"
+
+namespace verisim::shading {
+
+inline Vec3 mirrored(const Vec3& d, const Vec3& n) { return d - n * (2 * dot(d, n)); }
+
+// The mirror direction about the layer's normal, corrected where it would point below the raw surface; unit (spec 06 5.3).
+Vec3 reflected_direction(const Vec3& d, const Vec3& normal, const Vec3& raw);
+
+// POV-Ray's approximation of Fresnel's term for metals, as a function of the angle's cosine (spec 06 4.2.5).
+double metallic_fresnel(double cosine);
+// Light colour as a metallic surface reflects it.
+Rgb metallic_tint(const Rgb& pigment, float metallic, double cosine);
+
+// Phong and Blinn highlights towards unit light direction l; d is the view ray's direction (spec 06 4.2.5).
+double phong_highlight(const scene::Finish& finish, const Vec3& n, const Vec3& d, const Vec3& l);
+double specular_highlight(const scene::Finish& finish, const Vec3& n, const Vec3& d, const Vec3& l);
+
+// Thin-film interference factor per channel; `thickness` includes turbulence, cosines is abs(N.L) + abs(N.D) (spec 06 4.2.6).
+Rgb iridescence(float amount, double thickness, double cosines, const Rgb& wavelength);
+
+// Unpolarised dielectric reflectance for relative index eta and cosine of the viewing angle; 1 on total reflection (spec 06 5.1).
+double fresnel_reflectance(double eta, double cosine);
+// Mirror reflectivity; cosine = -D.N, may be negative; eta is only used by `fresnel`.
+Rgb reflectivity(const scene::Reflection& reflection, const Rgb& pigment, double cosine, double eta);
+
+// Opacity of a pigment colour for the surface's own light (spec 06 3.3).
+inline float surface_opacity(const Color& c, int version) {
+  return version < 370 ? 1.0f - (c.f * c.rgb().max() + c.t) : 1.0f - c.f - c.t;
+}
+
+// How diffuse light falls off: abs(cosine)^brilliance.
+inline double brilliance(float exponent, double cosine) { return exponent == 1.0f ? std::fabs(cosine) : std::pow(std::fabs(cosine), exponent); }
+
+}  // namespace verisim::shading

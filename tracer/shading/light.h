@@ -1,0 +1,64 @@
+// Light sources ready for shading: direction, distance and intensity at a point, samples of area lights (spec 06 sections 7 and 8).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tracer/scene/light.h"
+#include "tracer/shapes/shape.h"
+
+namespace verisim::shading {
+
+struct LightDirection {
+  Vec3 towards;     // unit, from the point to the light
+  double distance;  // along it; negative behind a parallel light
+};
+
+class Light {
+ public:
+  // `area_lights`: quality 5 and above; below, area lights shine from their centre.
+  Light(const scene::LightSource& source, bool area_lights);
+
+  const scene::LightSource& source() const { return *source_; }
+  const Rgb& color() const { return source_->color; }
+  bool area() const { return area_; }
+  bool area_illumination() const { return source_->area_illumination; }
+  bool highlights() const { return source_->kind != scene::LightKind::shadowless; }
+  // Whether light can be blocked at all (quality permitting).
+  bool shadows() const { return highlights() || projector_; }
+  const shapes::Shape* projector() const { return projector_.get(); }
+  bool media_attenuation() const { return source_->media_attenuation && source_->media_interaction; }
+
+  // Direction and distance from p to the light's centre, displaced by `offset` for a sample of an area light.
+  LightDirection direction(const Vec3& p, const Vec3& offset = Vec3(0, 0, 0)) const;
+  // Angular and distance attenuation at p for light from `l`.
+  double attenuation(const Vec3& p, const LightDirection& l, const Vec3& offset = Vec3(0, 0, 0)) const;
+
+  // The displacement of grid position (u, v), jitter included in u and v; axis1/axis2 from `axes`.
+  struct Axes {
+    Vec3 a1, a2;
+  };
+  Axes axes(const Vec3& towards_centre) const;  // `orient` turns them to the shaded point
+  Vec3 offset(const Axes& axes, double u, double v) const;
+  int size1() const { return source_->size1; }
+  int size2() const { return source_->size2; }
+  // Every sample counts with a fixed weight: no jitter, no adaptive sampling. weight(u, v) = weights1()[u] * weights2()[v].
+  bool fixed_weights() const { return !weights1_.empty(); }
+  const std::vector<float>& weights1() const { return weights1_; }
+  const std::vector<float>& weights2() const { return weights2_; }
+
+ private:
+  double spot(const LightDirection& l) const;
+  double cylinder(const Vec3& p, const Vec3& centre) const;
+
+  const scene::LightSource* source_;
+  bool area_;
+  double cos_radius_ = 0, cos_falloff_ = 0;
+  std::unique_ptr<shapes::Shape> projector_;
+  std::vector<float> weights1_, weights2_;
+};
+
+// One-dimensional weights of n samples under recursive halving (spec 06 8.2).
+std::vector<float> area_light_weights(int n);
+
+}  // namespace verisim::shading

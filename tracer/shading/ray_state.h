@@ -1,0 +1,40 @@
+// What a ray carries through the recursion (spec 06 section 2.1).
+#pragma once
+
+#include "tracer/math/vec.h"
+#include "tracer/shapes/shape.h"
+
+namespace verisim::shading {
+
+// The interiors a ray is inside, newest last: a stretch of its Tracer's stack (Tracer::interiors).
+struct InteriorRange {
+  std::uint32_t begin = 0, count = 0;
+};
+
+struct RayState {
+  Ray ray;
+  InteriorRange interiors;
+  bool hollow = true;          // every interior in the list belongs to hollow objects
+  bool primary = true;
+  bool reflected = false, refracted = false;  // sticky
+  bool continuation = false;   // goes straight on through a surface: does not raise the level
+  bool monochromatic = false;
+  bool volumes = true;         // sees media, fog and rainbows (radiosity gather rays may not)
+  bool gather = false;         // radiosity: area lights as points, no highlights, background without alpha
+  bool direct_light = true;    // false: only what emits (radiosity pretrace without vain direct lighting)
+  float wavelength = 0;        // nm, when monochromatic
+  float weight = 1;            // importance for adc_bailout
+  int level = 0;
+  // Radiosity bookkeeping of whoever started this ray; inherited by all descendants.
+  int gather_depth = 0;
+  float* gather_quality = nullptr;
+
+  shapes::RayKind kind() const {
+    using shapes::RayKind;
+    if (reflected) return RayKind::reflected;
+    if (gather) return RayKind::radiosity;
+    return primary ? RayKind::camera : RayKind::refracted;
+  }
+};
+
+}  // namespace verisim::shading

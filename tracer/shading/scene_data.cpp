@@ -1,0 +1,42 @@
+#include "tracer/shading/scene_data.h"
+
+namespace verisim::shading {
+namespace {
+
+// Lights that only the objects of a light_group see hang on those objects.
+template <class Visit>
+void visit_group_lights(const scene::Object& object, const Visit& visit) {
+  for (const auto& light : object.group_lights) visit(light.get());
+  if (const auto* csg = object.as<scene::Csg>())
+    for (const auto& child : csg->children) visit_group_lights(*child, visit);
+  if (const auto* group = object.as<scene::LightGroup>())
+    for (const auto& child : group->children) visit_group_lights(*child, visit);
+}
+
+}  // namespace
+
+SceneData::SceneData(const scene::Scene& description, const accel::World& geometry, textures::Compiler& compiler, int quality_level, bool output_alpha)
+    : scene(description),
+      world(geometry),
+      quality(std::clamp(quality_level, 0, 9)),
+      version(description.version),
+      adc_bailout(description.settings.adc_bailout),
+      max_trace_level(std::clamp(description.settings.max_trace_level, 1, 256)),
+      ambient_light(description.settings.ambient_light),
+      sky(description, compiler, output_alpha) {
+  if (quality >= 9) {
+    for (const scene::Rainbow& r : description.rainbows)
+      if (Rainbow bow(r); bow.active()) rainbows.push_back(bow);
+    for (const scene::Fog& f : description.fogs) fog = fog || std::fabs(f.distance) >= kEpsilon;
+    if (description.settings.radiosity.enabled && version >= 370) ambient_light = Rgb(0);
+  }
+  for (const scene::LightSource* source : geometry.lights()) add_light(source);
+  global_lights_ = lights_.size();
+  for (const auto& object : description.objects) visit_group_lights(*object, [this](const scene::LightSource* source) { add_light(source); });
+}
+
+void SceneData::add_light(const scene::LightSource* source) {
+  if (index_.try_emplace(source, lights_.size()).second) lights_.emplace_back(*source, quality >= 5);
+}
+
+}  // namespace verisim::shading

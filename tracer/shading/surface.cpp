@@ -1,0 +1,178 @@
+// Shading a hit: choice of textures, layers, own light, then what is seen through and in the surface (spec 06 section 3).
+#include "tracer/shading/finish.h"
+#include "tracer/shading/tracer.h"
+
+namespace verisim::shading {
+namespace {
+
+// Cuts a stack back to the size it had.
+template <class T>
+class StackScope {
+ public:
+  explicit StackScope(std::vector<T>& stack) : stack_(stack), size_(stack.size()) {}
+  ~StackScope() { stack_.erase(stack_.begin() + static_cast<std::ptrdiff_t>(size_), stack_.end()); }
+  StackScope(const StackScope&) = delete;
+  StackScope& operator=(const StackScope&) = delete;
+  std::size_t begin() const { return size_; }
+
+ private:
+  std::vector<T>& stack_;
+  std::size_t size_;
+};
+
+}  // namespace
+
+Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
+  const shapes::Surface& surface = *hit.shape->surface;
+  Vec3 raw = hit.shape->normal(hit);
+  const bool inside_hit = dot(raw, ray.ray.direction) > 0;
+  if (inside_hit) raw = -raw;
+  const StackScope<CachedLight> lights(light_cache_);
+  light_cache_.resize(lights.begin() + scene_.global_lights());
+  SurfaceHit at{hit, surface, raw, inside_hit, {hit.point, raw, ray.ray.direction}, lights.begin(), ray.level + (ray.continuation ? 0 : 1)};
+  at.texture_point.uv = hit.shape->uv(hit);
+  at.texture_point.has_uv = true;
+  const Vec3 p = surface.uv_mapping ? Vec3(at.texture_point.uv.x, at.texture_point.uv.y, 0) : hit.point;
+
+  Color result;
+  // Nested hits use the same list, so its entries are copied to this call's stretch of the selection stack.
+  scene_.world.weighted_textures(hit, inside_hit, weighted_);
+  if (weighted_.empty()) {
+    const auto* texture = inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+    result = shade_texture(ray, at, *texture, p, nullptr);
+  } else {
+    const StackScope<textures::WeightedTexture> scope(selection_);
+    selection_.insert(selection_.end(), weighted_.begin(), weighted_.end());
+    const std::size_t end = selection_.size();
+    for (std::size_t i = scope.begin(); i < end; ++i) {
+      const textures::WeightedTexture entry = selection_[i];
+      if (entry.weight < bailout(ray)) continue;
+      result += shade_texture(ray, at, *entry.texture, p, nullptr) * entry.weight;
+    }
+  }
+  if (scene_.effects && scene_.effects->media_in_interiors && ray.hollow && ray.interiors.count > 0 && ray.volumes)
+    scene_.effects->container_media(*this, ray, hit.t, result);
+  return result;
+}
+
+Color Tracer::shade_texture(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Frame* frame) {
+  if (!texture.patterned()) return scene_.quality <= 1 ? shade_unlit(at, texture, p) : shade_layers(ray, at, texture, p, frame);
+  const StackScope<textures::WeightedTexture> scope(selection_);
+  selection_.resize(scope.begin() + std::max<std::size_t>(texture.map.size(), 2));
+  Vec3 warped;
+  const auto chosen = textures::select(texture, p, &at.texture_point, std::span(selection_).subspan(scope.begin()), warped);
+  const std::size_t count = chosen.size(), first = static_cast<std::size_t>(chosen.data() - selection_.data());
+  const Frame inner{&texture, frame};
+  Color sum;
+  float weights = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const textures::WeightedTexture entry = selection_[first + i];
+    if (entry.weight == 0) continue;
+    sum += shade_texture(ray, at, *entry.texture, warped, &inner) * entry.weight;
+    weights += entry.weight;
+  }
+  return texture.average && weights != 0 ? sum * (1 / weights) : sum;
+}
+
+// The layer's normal in world space; every evaluation leaves its trace in the texture point (spec 05 3.4, 10.1).
+Vec3 Tracer::layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, const Frame* frame) {
+  if (!layer.normal || scene_.quality < 8) return at.raw;
+  const auto enter = [&](const auto& self, const Frame* f) -> Vec3 {  // outermost first
+    return f ? textures::enter_frame(*f->texture, self(self, f->outer)) : at.raw;
+  };
+  at.texture_point.normal = frame ? enter(enter, frame) : at.raw;
+  textures::perturb(*layer.normal, p, at.texture_point);
+  Vec3 n = at.texture_point.normal;
+  for (const Frame* f = frame; f; f = f->outer) n = textures::leave_frame(*f->texture, n);
+  return n;
+}
+
+// Quality 0 and 1: the colour of the lowest layer reached.
+Color Tracer::shade_unlit(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p) {
+  Rgb shown, filter(1);
+  float translucency = 1;
+  for (const auto& layer : texture.layers) {
+    Color c;
+    const bool colored = textures::evaluate(*layer.pigment, p, &at.texture_point, c);
+    shown = c.rgb();
+    if (colored) filter *= c.transmission();
+    translucency = std::min(1.0f, std::fabs(filter.grey()));
+    if (!(translucency > scene_.adc_bailout)) break;
+  }
+  return shown;
+}
+
+// The compositing equation of spec 06 3.3.
+Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Frame* frame) {
+  const StackScope<ShadedLayer> layers(layers_);
+  const Vec3& d = ray.ray.direction;
+  const float adc = bailout(ray);
+  Rgb color, filter(1);
+  float translucency = 1;
+  bool any_reflection = false;
+  double eta = 0;  // of fresnel; 0: not yet known
+  for (const textures::CompiledLayer& layer : texture.layers) {
+    if (!(translucency > adc)) break;
+    const scene::Finish& finish = layer.finish;
+    const Vec3 normal = layer_normal(at, layer, p, frame);
+    Color c;
+    const bool colored = textures::evaluate(*layer.pigment, p, &at.texture_point, c);
+
+    Rgb rho;
+    if (finish.reflection.maximum != Rgb() || finish.reflection.minimum != Rgb()) {
+      if (finish.reflection.fresnel && eta == 0) eta = fresnel_ratio(ray, *at.surface.interior);
+      rho = reflectivity(finish.reflection, c.rgb(), -dot(d, normal), eta);
+      any_reflection = any_reflection || rho != Rgb();
+    }
+    layers_.push_back({&layer, c, normal, rho, translucency});
+
+    const LayerContext context{layer, c, normal, surface_opacity(c, scene_.version), filter};
+    Rgb own = c.rgb() * (finish.ambient * scene_.ambient_light + finish.emission) * context.opacity;
+    if (scene_.effects && scene_.effects->radiosity) own += scene_.effects->indirect_light(*this, ray, at, context);
+    own += direct_light(ray, at, context);
+    if (scene_.effects && scene_.effects->photons) own += scene_.effects->photon_light(*this, ray, at, context);
+    color += filter * own;
+
+    if (colored) {
+      filter *= c.transmission();
+      if (finish.conserve_energy) filter *= {std::min(1.0f, 1 - rho.r), std::min(1.0f, 1 - rho.g), std::min(1.0f, 1 - rho.b)};
+    }
+    translucency = std::min(1.0f, std::fabs(filter.grey()));
+  }
+  const std::size_t end = layers_.size();
+
+  float see_through = 0;
+  bool total_reflection = false;
+  if (translucency > adc && scene_.quality >= 6) {
+    const ShadedLayer top = layers_[layers.begin()];
+    const Color seen = transmit(ray, at, top, ray.weight * filter.max_abs(), total_reflection);
+    if (total_reflection) {
+      color += seen.rgb();
+    } else {
+      color += seen.rgb() * filter;
+      see_through = seen.t * translucency;
+    }
+  }
+  if (any_reflection && scene_.quality >= 8) {
+    const Vec3 top_normal = layers_[layers.begin()].normal;
+    for (std::size_t i = layers.begin(); i < end; ++i) {
+      const ShadedLayer layer = layers_[i];
+      if (layer.reflectivity == Rgb()) continue;
+      if (total_reflection) {
+        const Vec3 difference = layer.normal - top_normal;
+        if (std::fabs(difference.x) <= kEpsilon && std::fabs(difference.y) <= kEpsilon && std::fabs(difference.z) <= kEpsilon) continue;
+      }
+      const scene::Reflection& r = layer.layer->finish.reflection;
+      const float strength = r.fresnel ? layer.reflectivity.max() : std::max(r.minimum.max(), r.maximum.max());
+      Rgb seen = reflect(ray, at, layer, ray.weight * layer.translucency * strength);
+      if (r.exponent != 1) {
+        const float e = 1 / r.exponent;
+        seen = {std::pow(seen.r, e), std::pow(seen.g, e), std::pow(seen.b, e)};
+      }
+      color += layer.reflectivity * seen;
+    }
+  }
+  return {color, 0, see_through};
+}
+
+}  // namespace verisim::shading

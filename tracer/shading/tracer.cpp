@@ -1,0 +1,108 @@
+#include "tracer/shading/tracer.h"
+
+#include "tracer/shading/fog.h"
+
+namespace verisim::shading {
+namespace {
+
+constexpr double kNearestHit = 1e-4;   // of camera, reflected and transmitted rays
+constexpr double kMissDistance = 2e10; // what fog and rainbows take for the length of a ray that hits nothing
+// Straight continuations do not count as levels, so their number is only limited here, by the stack; POV-Ray itself fails at about 300.
+constexpr int kMaxNesting = 1000;
+
+}  // namespace
+
+Tracer::Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel)
+    : scene_(scene), random_(random), cancel_(cancel), effects_state_(scene.effects ? scene.effects->make_state() : nullptr) {}
+
+Color Tracer::trace_camera(const Ray& ray, bool origin_varies, double t_max) {
+  if (origin_varies || !camera_interiors_known_) {
+    interiors_.clear();
+    scene_.world.interiors_at(ray.origin, interiors_);
+    camera_interiors_ = interiors_.size();
+    camera_interiors_known_ = true;
+  }
+  RayState state;
+  state.ray = ray;
+  state.interiors = {0, static_cast<std::uint32_t>(camera_interiors_)};
+  state.hollow = all_hollow(state.interiors);
+  ++statistics_.camera_rays;
+  return trace(state, t_max);
+}
+
+Color Tracer::trace(const RayState& ray, double t_max) {
+  if (ray.level >= scene_.max_trace_level || ray.weight < bailout(ray) || nesting_ >= kMaxNesting) return {};
+  if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
+  struct Nested {
+    int& n;
+    explicit Nested(int& value) : n(value) { ++n; }
+    ~Nested() { --n; }
+  } nested(nesting_);
+  shapes::Hit hit;
+  Color color;
+  double length;
+  if (scene_.world.intersect(ray.ray, ray.kind(), kNearestHit, t_max, hit)) {
+    length = hit.t;
+    color = shade(ray, hit);
+  } else {
+    length = kMissDistance;
+    color = scene_.sky.seen(ray.ray.direction, ray.reflected || ray.gather);
+  }
+  if (scene_.quality >= 9 && ray.hollow && ray.volumes) apply_volumes(ray, length, color);
+  return color;
+}
+
+// Rainbow, atmosphere, fog: in this order, over the whole segment (spec 06 2.2 step 5).
+void Tracer::apply_volumes(const RayState& ray, double length, Color& color) {
+  if (!scene_.rainbows.empty()) {
+    Rgb sum;
+    float count = 0, see_through = 1;
+    for (const Rainbow& rainbow : scene_.rainbows) {
+      Rainbow::Effect e;
+      if (!rainbow.effect(ray.ray.direction, length, [this] { return random_.shading(); }, e)) continue;
+      sum += e.keep * color.rgb() * e.filter + e.added;
+      see_through *= e.see_through;
+      count += 1;
+    }
+    if (count > 0) color = Color(sum * (1 / count), 0, color.t * see_through);
+  }
+  if (scene_.effects && scene_.effects->atmosphere) scene_.effects->atmosphere_media(*this, ray, length, color);
+  if (scene_.fog) {
+    const FogEffect fog = fog_along(scene_.scene.fogs, ray.ray.origin, ray.ray.direction, length, scene_.scene.settings.noise_generator);
+    color = Color(fog.added + fog.passed * color.rgb(), 0, color.t * fog.passed.grey());
+  }
+}
+
+InteriorRange Tracer::copied(std::span<const scene::Interior* const> list) {
+  const InteriorRange range{static_cast<std::uint32_t>(interiors_.size()), static_cast<std::uint32_t>(list.size())};
+  for (std::size_t i = 0; i < list.size(); ++i) interiors_.push_back(list[i]);
+  return range;
+}
+
+InteriorRange Tracer::crossed(const InteriorRange& from, const scene::Interior* x) {
+  // Indices, not pointers: push_back may move the stack.
+  const auto begin = static_cast<std::uint32_t>(interiors_.size());
+  std::uint32_t skip = from.count;  // position of the entry to leave out
+  if (from.count > 0 && interiors_[from.begin + from.count - 1] == x) {
+    skip = from.count - 1;
+  } else {
+    for (std::uint32_t i = 0; i < from.count; ++i) {
+      if (interiors_[from.begin + i] == x) {
+        skip = i;
+        break;
+      }
+    }
+  }
+  for (std::uint32_t i = 0; i < from.count; ++i)
+    if (i != skip) interiors_.push_back(interiors_[from.begin + i]);
+  if (skip == from.count) interiors_.push_back(x);
+  return {begin, static_cast<std::uint32_t>(interiors_.size()) - begin};
+}
+
+bool Tracer::all_hollow(const InteriorRange& range) const {
+  for (const scene::Interior* interior : interiors(range))
+    if (!interior->hollow) return false;
+  return true;
+}
+
+}  // namespace verisim::shading

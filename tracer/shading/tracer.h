@@ -1,0 +1,161 @@
+// The recursive trace: what a ray sees (spec 06 sections 2 and 3). One Tracer per thread; it owns the thread's scratch memory, random streams and counts.
+#pragma once
+
+#include <atomic>
+#include <span>
+
+#include "tracer/render/render.h"
+#include "tracer/shading/random.h"
+#include "tracer/shading/ray_state.h"
+#include "tracer/shading/scene_data.h"
+
+namespace verisim::shading {
+
+// The render was cancelled while a ray was being traced.
+struct Cancelled {};
+
+// One hit while it is being shaded.
+struct SurfaceHit {
+  const shapes::Hit& hit;
+  const shapes::Surface& surface;
+  Vec3 raw;          // geometric normal towards the viewer
+  bool inside_hit;   // the surface was hit from within
+  textures::SurfacePoint texture_point;
+  std::size_t light_cache;  // where this hit's results per global light start
+  int level;         // of the rays it sends out
+};
+
+class Tracer {
+ public:
+  Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel = nullptr);
+
+  // Traces a ray; colour with t = see-through. t_max limits the search for the first surface (mesh_camera).
+  Color trace(const RayState& ray, double t_max = std::numeric_limits<double>::infinity());
+  // A camera ray, with the interiors around its origin; `origin_varies`: they must be looked up again.
+  Color trace_camera(const Ray& ray, bool origin_varies, double t_max = std::numeric_limits<double>::infinity());
+
+  // Light of `light` that arrives at p after attenuation and shadows, for things that are not surfaces (media); sets the unit direction towards it.
+  Rgb light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light);
+  // The same for a point of a surface, with area sampling; `lit` may be null.
+  Rgb shadowed(const Light& light, const Vec3& p, const LightDirection& centre, const RayState& ray, const shapes::Surface* lit, Rgb color);
+  // Diffuse reflection, highlights and iridescence of one layer for light of colour `intensity` from unit direction l (spec 06 4.2.4 to 4.2.6).
+  // `diffuse`: coefficient to use; <= 0: none.
+  Rgb layer_response(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l, const Rgb& intensity, float diffuse,
+                     bool highlights);
+
+  const SceneData& scene() const { return scene_; }
+  RandomSource& random() { return random_; }
+  render::Statistics& statistics() { return statistics_; }
+  EffectsState* effects_state() { return effects_state_.get(); }
+  float bailout(const RayState& ray) const {
+    return ray.gather ? static_cast<float>(scene_.scene.settings.radiosity.adc_bailout) : scene_.adc_bailout;
+  }
+  std::span<const scene::Interior* const> interiors(const InteriorRange& range) const { return {interiors_.data() + range.begin, range.count}; }
+
+  // Restores the interior stack when a child ray is finished.
+  class InteriorScope {
+   public:
+    explicit InteriorScope(Tracer& tracer) : tracer_(tracer), size_(tracer.interiors_.size()) {}
+    ~InteriorScope() { tracer_.interiors_.resize(size_); }
+    InteriorScope(const InteriorScope&) = delete;
+    InteriorScope& operator=(const InteriorScope&) = delete;
+
+   private:
+    Tracer& tracer_;
+    std::size_t size_;
+  };
+  // Copies a list to the top of the stack with `x` removed where it is (the newest or the first one found) or appended.
+  InteriorRange crossed(const InteriorRange& from, const scene::Interior* x);
+  InteriorRange copied(std::span<const scene::Interior* const> list);
+  bool all_hollow(const InteriorRange& range) const;
+
+ private:
+  struct Frame {  // enclosing patterned textures, innermost first
+    const textures::CompiledTexture* texture;
+    const Frame* outer;
+  };
+  struct ShadedLayer {
+    const textures::CompiledLayer* layer;
+    Color pigment;
+    Vec3 normal;
+    Rgb reflectivity;
+    float translucency;  // t_i: what remains above this layer
+  };
+  struct CachedLight {
+    enum class Stage : unsigned char { unknown, located, shadowed } stage = Stage::unknown;
+    LightDirection direction;
+    Rgb color;
+  };
+  struct Refraction {
+    double ratio, dispersion;  // from over to
+    InteriorRange interiors;
+    bool hollow;
+    int samples;
+  };
+
+  // ---- tracer.cpp
+  void apply_volumes(const RayState& ray, double length, Color& color);
+
+  // ---- surface.cpp
+  Color shade(const RayState& ray, const shapes::Hit& hit);
+  Color shade_texture(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Frame* frame);
+  Color shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Frame* frame);
+  Vec3 layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, const Frame* frame);
+  Color shade_unlit(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p);
+
+  // ---- direct_light.cpp
+  Rgb direct_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer);
+  Rgb light_contribution(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache);
+  Rgb area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache);
+  Rgb iridescence_of(const SurfaceHit& at, const LayerContext& layer, double cosines);
+
+  // ---- transmission.cpp
+  Color transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, float weight, bool& total_reflection);
+  Refraction cross_surface(const RayState& ray, const scene::Interior& x);
+  Color refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, double ratio, float wavelength,
+                      float weight, bool& total_reflection);
+  Color split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, float weight);
+  Rgb reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer, float weight);
+  Rgb fade_factor(const InteriorRange& list, const scene::Interior& interior, double distance) const;
+  double fresnel_ratio(const RayState& ray, const scene::Interior& x) const;
+
+  // ---- shadow.cpp
+  struct ShadowQuery {
+    const RayState& eye;
+    const shapes::Surface* lit;
+    const Light& light;
+  };
+  void cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color);
+  void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color);
+  bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);
+  Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards, const Frame* frame);
+  void shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool container, Rgb& color);
+
+  // ---- area_light.cpp
+  Rgb area_shadow(const ShadowQuery& query, const Vec3& p, const LightDirection& centre, const Rgb& color);
+  struct AreaGrid;
+  Rgb area_corner(AreaGrid& grid, int u, int v);
+  Rgb area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int depth);
+  Rgb area_sample(const AreaGrid& grid, double u, double v);
+
+  const SceneData& scene_;
+  RandomSource random_;
+  const std::atomic<bool>* cancel_;
+  std::unique_ptr<EffectsState> effects_state_;
+  render::Statistics statistics_;
+  int nesting_ = 0;
+  std::vector<const scene::Interior*> interiors_;
+  std::size_t camera_interiors_ = 0;
+  bool camera_interiors_known_ = false;
+  std::vector<ShadedLayer> layers_;
+  std::vector<CachedLight> light_cache_;
+  std::vector<textures::WeightedTexture> weighted_, selection_;
+  struct CornerResult {
+    Rgb color;
+    std::uint64_t stamp = 0;
+  };
+  std::vector<CornerResult> corners_;
+  std::uint64_t corner_stamp_ = 0;
+};
+
+}  // namespace verisim::shading

@@ -1,0 +1,148 @@
+// What is seen through a surface and in it: entering and leaving interiors, refraction, dispersion, attenuation, mirror rays (spec 06 sections 5 and 6).
+#include "tracer/shading/dispersion.h"
+#include "tracer/shading/finish.h"
+#include "tracer/shading/tracer.h"
+
+namespace verisim::shading {
+namespace {
+
+bool is_one(double v) { return std::fabs(v - 1) < kEpsilon; }
+
+}  // namespace
+
+Color Tracer::transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, float weight, bool& total_reflection) {
+  const scene::Interior& x = *at.surface.interior;
+  const InteriorScope scope(*this);
+  const Refraction refraction = cross_surface(ray, x);
+  Color seen;
+  if (is_one(refraction.ratio) && is_one(refraction.dispersion)) {
+    RayState child = ray;
+    child.ray.origin = at.hit.point;
+    child.interiors = refraction.interiors;
+    child.hollow = refraction.hollow;
+    child.primary = false;
+    child.refracted = true;
+    child.continuation = true;
+    child.weight = weight;
+    child.level = at.level;
+    ++statistics_.transmitted_rays;
+    seen = trace(child);
+  } else if (is_one(refraction.dispersion)) {
+    seen = refracted_ray(ray, at, top, refraction, refraction.ratio, ray.wavelength, weight, total_reflection);
+  } else if (ray.monochromatic) {
+    const double ratio = ratio_at(refraction.ratio, refraction.dispersion, ray.wavelength);
+    seen = refracted_ray(ray, at, top, refraction, ratio, ray.wavelength, weight, total_reflection);
+  } else {
+    seen = split_spectrum(ray, at, top, refraction, weight);
+  }
+  Rgb attenuation(x.refraction);
+  attenuation *= fade_factor(ray.interiors, x, at.hit.t);
+  return {seen.rgb() * attenuation, 0, total_reflection ? 0 : seen.t * attenuation.grey()};
+}
+
+// The table of spec 06 6.2: only the identity of interiors counts.
+Tracer::Refraction Tracer::cross_surface(const RayState& ray, const scene::Interior& x) {
+  const auto list = interiors(ray.interiors);
+  double from_ior = 1, from_dispersion = 1, to_ior = 1, to_dispersion = 1;
+  int samples = x.dispersion_samples;
+  if (!list.empty() && list.back() == &x) {
+    from_ior = x.ior, from_dispersion = x.dispersion;
+    if (list.size() > 1) {
+      const scene::Interior& next = *list[list.size() - 2];
+      to_ior = next.ior, to_dispersion = next.dispersion;
+      samples = std::max(samples, next.dispersion_samples);
+    }
+  } else if (std::find(list.begin(), list.end(), &x) == list.end()) {
+    if (!list.empty()) from_ior = list.back()->ior, from_dispersion = list.back()->dispersion;
+    to_ior = x.ior, to_dispersion = x.dispersion;
+  }
+  Refraction r;
+  r.ratio = from_ior / to_ior;
+  r.dispersion = from_dispersion / to_dispersion;
+  r.samples = samples;
+  r.interiors = crossed(ray.interiors, &x);
+  r.hollow = all_hollow(r.interiors);
+  return r;
+}
+
+Color Tracer::refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, double ratio, float wavelength,
+                            float weight, bool& total_reflection) {
+  const Vec3& d = ray.ray.direction;
+  const double signed_cosine = dot(d, top.normal), k = std::fabs(signed_cosine);
+  const Vec3 n = signed_cosine <= 0 ? top.normal : -top.normal;
+  const double q = 1 + ratio * ratio * (k * k - 1);
+  if (q < 0) {
+    total_reflection = true;
+    return reflect(ray, at, top, weight);
+  }
+  RayState child = ray;
+  child.ray = {at.hit.point, d * ratio + n * (ratio * k - std::sqrt(q))};
+  child.interiors = refraction.interiors;
+  child.hollow = refraction.hollow;
+  child.primary = false;
+  child.refracted = true;
+  child.continuation = false;
+  child.wavelength = wavelength;
+  child.weight = weight;
+  child.level = at.level;
+  ++statistics_.refracted_rays;
+  return trace(child);
+}
+
+Color Tracer::split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, float weight) {
+  const int n = refraction.samples;
+  RayState colored = ray;
+  colored.monochromatic = true;
+  Rgb sum;
+  for (int i = 0; i < n; ++i) {
+    const double wavelength = spectral_wavelength(i, n);
+    colored.wavelength = static_cast<float>(wavelength);
+    bool ignored = false;  // a sub-ray that is totally reflected does not make the hit so
+    const double ratio = ratio_at(refraction.ratio, refraction.dispersion, wavelength);
+    sum += spectral_weight(i, n) * refracted_ray(colored, at, top, refraction, ratio, colored.wavelength, weight, ignored).rgb();
+  }
+  return {sum * (1.0f / static_cast<float>(n)), 0, 0};
+}
+
+Rgb Tracer::reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer, float weight) {
+  const Vec3& d = ray.ray.direction;
+  RayState child = ray;
+  child.ray = {at.hit.point, reflected_direction(d, layer.normal, at.raw)};
+  child.primary = false;
+  child.reflected = true;
+  child.continuation = false;
+  child.weight = weight;
+  child.level = at.level;
+  ++statistics_.reflected_rays;
+  Rgb seen = trace(child).rgb();
+  if (layer.layer->finish.irid > 0) {
+    const LayerContext context{*layer.layer, layer.pigment, layer.normal, 1, Rgb(1)};
+    seen *= iridescence_of(at, context, std::fabs(dot(layer.normal, child.ray.direction)) + std::fabs(dot(layer.normal, d)));
+  }
+  return seen;
+}
+
+// Attenuation over the last segment only, and only at surfaces of the interior that is being left (spec 06 6.4).
+Rgb Tracer::fade_factor(const InteriorRange& range, const scene::Interior& interior, double distance) const {
+  if (std::fabs(interior.fade_distance) <= kEpsilon) return Rgb(1);
+  const auto list = interiors(range);
+  if (std::find(list.begin(), list.end(), &interior) == list.end()) return Rgb(1);
+  const double s = distance / interior.fade_distance;
+  const Rgb& c = interior.fade_color;
+  if (interior.fade_power >= 1000)
+    return {static_cast<float>(std::exp(-(1.0 - c.r) * s)), static_cast<float>(std::exp(-(1.0 - c.g) * s)), static_cast<float>(std::exp(-(1.0 - c.b) * s))};
+  const auto f = static_cast<float>(1 / (1 + std::pow(s, static_cast<double>(interior.fade_power))));
+  return {c.r + (1 - c.r) * f, c.g + (1 - c.g) * f, c.b + (1 - c.b) * f};
+}
+
+// The relative index that fresnel reflection takes; not the one of refraction (spec 06 5.2).
+double Tracer::fresnel_ratio(const RayState& ray, const scene::Interior& x) const {
+  const auto list = interiors(ray.interiors);
+  const double n = x.ior;
+  if (list.empty()) return n;
+  const double last = list.back()->ior;
+  if (std::find(list.begin(), list.end(), &x) == list.end()) return n / last;
+  return list.size() == 1 ? 1 / n : last / n;
+}
+
+}  // namespace verisim::shading

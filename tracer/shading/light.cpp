@@ -31,10 +31,10 @@ std::vector<float> area_light_weights(int n) {
   return weights;
 }
 
-Light::Light(const scene::LightSource& source, bool area_lights) : source_(&source), area_(source.area && area_lights) {
+Light::Light(const scene::LightSource& source, bool area_lights, std::unique_ptr<shapes::Shape> projector)
+    : source_(&source), area_(source.area && area_lights), projector_(std::move(projector)) {
   cos_radius_ = std::cos(source.radius * kPi / 180);
   cos_falloff_ = std::cos(source.falloff * kPi / 180);
-  if (source.projected_through) projector_ = shapes::compile(*source.projected_through);
   // Quartering goes on for `adaptive` levels at least; 31 levels halve any grid to the end.
   if (area_ && !source.jitter && source.adaptive > 31) {
     weights1_ = area_light_weights(source.size1);

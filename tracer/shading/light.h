@@ -16,8 +16,8 @@ struct LightDirection {
 
 class Light {
  public:
-  // `area_lights`: quality 5 and above; below, area lights shine from their centre.
-  Light(const scene::LightSource& source, bool area_lights);
+  // `area_lights`: quality 5 and above; below, area lights shine from their centre. `projector`: the compiled projected_through object, if any.
+  Light(const scene::LightSource& source, bool area_lights, std::unique_ptr<shapes::Shape> projector = nullptr);
 
   const scene::LightSource& source() const { return *source_; }
   const Rgb& color() const { return source_->color; }

@@ -36,7 +36,10 @@ SceneData::SceneData(const scene::Scene& description, const accel::World& geomet
 }
 
 void SceneData::add_light(const scene::LightSource* source) {
-  if (index_.try_emplace(source, lights_.size()).second) lights_.emplace_back(*source, quality >= 5);
+  if (index_.try_emplace(source, lights_.size()).second) {
+    auto projector = source->projected_through ? shapes::compile(*source->projected_through) : nullptr;
+    lights_.emplace_back(*source, quality >= 5, std::move(projector));
+  }
 }
 
 }  // namespace verisim::shading

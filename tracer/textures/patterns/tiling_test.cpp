@@ -1,0 +1,70 @@
+#include "tracer/textures/patterns/tiling.h"
+
+#include <gtest/gtest.h>
+
+namespace verisim::textures {
+namespace {
+
+double tiling(int number, double x, double z) {
+  const Tiling* periodic = periodic_tiling(number);
+  return periodic ? evaluate_tiling(*periodic, x, z) : penrose_tiling(number, x, z);
+}
+
+// Probe P5 of spec 05: values of POV-Ray at five points, printed from single precision.
+TEST(Tiling, EqualsPovRay) {
+  const double points[5][2] = {{0.3, 0.7}, {2.4, -1.9}, {-5.2, 3.3}, {7.7, 6.1}, {-2.9, -8.4}};
+  const double expected[27][5] = {
+      {0.4, 0.8, 0.6, 0.8, 0.8},
+      {0.2958548, 0.4969655, 0.8105118, 0.9563267, 0.7497423},
+      {0.8437822, 0.7091035, 0.8421162, 0.4344901, 0.9246134},
+      {0.7917096, 0.612138, 0.7894882, 0.9126534, 0.8994845},
+      {0.5972365, 0.204046, 0.8736745, 0.3042178, 0.6331615},
+      {0.7, 0.9, 0.8, 0.4, 0.1},
+      {0.5, 0.5, 0.6819805, 0.9355339, 0.9547727},
+      {0.6666667, 0.6274362, 0.2838887, 0.7690599, 0.9193177},
+      {0.6666667, 0.806069, 0.5614108, 0.6666667, 0.7497423},
+      {0.4, 0.8, 0.4, 0.8, 0.2},
+      {0.8, 0.9333333, 0.8666667, 0.6, 0.9333333},
+      {0.8, 0.7333333, 0.4666667, 0.6, 0.9333333},
+      {0.7333333, 0.7372583, 0.9901876, 0.4385763, 0.990861},
+      {0.24, 0.04235498, 0.3941126, 0.4631458, 0.1945166},
+      {0.2, 0.6, 0.7, 0.4, 0.4},
+      {0, 0, 0.8599564, 0.2020956, 0.2941028},
+      {0.1666668, 0.3333335, 0.9299782, 0.4343813, 0.1470514},
+      {0.7, 0.9, 0.8, 0.9, 0.1},
+      {0.5625215, 0.4727356, 0.5614108, 0.28966, 0.6164089},
+      {0.5625215, 0.806069, 0.5614108, 0.28966, 0.6164089},
+      {0.7410684, 0.9298294, 0.7231191, 0.8333335, 0.4030345},
+      {0.2488034, 0.6666667, 0.6666667, 0.6666667, 0.6666667},
+      {0.2, 0.3106836, 0.292179, 0.31547, 0.1322226},
+      {0.12, 0.1864102, 0.1753074, 0.189282, 0.07933358},
+      {0.4598373, 0.06778449, 0.604243, 0.6413603, 0.6228095},
+      {0.03524783, 0.1508677, 0.270305, 0.05488705, 0.2516472},
+      {0.3816533, 0.23149, 0.3233466, 0.777987, 0.8089973},
+  };
+  for (int n = 1; n <= 27; ++n)
+    for (int k = 0; k < 5; ++k) EXPECT_NEAR(tiling(n, points[k][0], points[k][1]), expected[n - 1][k], 3e-7) << "tiling " << n << " at point " << k;
+}
+
+TEST(Tiling, TilesCoverThePlane) {
+  // In every tiling a fine walk meets values from the edge (top of a class) down to the flat part, and never leaves (0, 1].
+  for (int n = 1; n <= 27; ++n) {
+    double lowest = 2, highest = -1;
+    for (int i = 0; i < 4000; ++i) {
+      const double v = tiling(n, 0.00731 * i - 13, 0.00917 * i - 7);
+      lowest = std::min(lowest, v);
+      highest = std::max(highest, v);
+    }
+    EXPECT_GE(lowest, 0) << n;
+    EXPECT_LE(highest, 1.0 + 1e-6) << n;
+    EXPECT_GT(highest - lowest, 0.4) << n;
+  }
+}
+
+TEST(Tiling, SurvivesFarAndInvalidPoints) {
+  for (int n = 1; n <= 27; ++n)
+    for (const double x : {1e17, -1e17, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) tiling(n, x, 1);
+}
+
+}  // namespace
+}  // namespace verisim::textures

@@ -6,6 +6,8 @@ target_compile_options(verisim_flags INTERFACE
   # Coincident faces and tight thresholds must fall as in plain IEEE double arithmetic on every machine.
   -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12's SLP vectoriser drops roundings: two neighbouring double -> float -> double conversions become none (tracer/math/rounding_test.cpp).
+  target_compile_options(verisim_flags INTERFACE -fno-tree-slp-vectorize)
   # GCC 12 reports these inside its own library headers when it inlines.
   target_compile_options(verisim_flags INTERFACE -Wno-maybe-uninitialized -Wno-stringop-overflow -Wno-array-bounds -Wno-dangling-pointer -Wno-restrict)
 endif()

@@ -18,10 +18,7 @@ class Mesh final : public Primitive<Mesh> {
       inside_direction_ = normalize(has_matrix() ? matrix().inverse_direction(v) : v);
     }
     interior_texture_ = description.interior_texture != nullptr;
-    textures_ = mesh.data->textures;
-    if (description.transform && !description.uv_mapping) {
-      for (auto& texture : textures_) texture = scene::transformed(texture, *description.transform);
-    }
+    textures_ = mesh.textures.empty() ? mesh.data->textures : mesh.textures;
   }
 
   template <class Sink>

@@ -21,7 +21,7 @@ scene::MeshTriangle triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, 
 Vec3 rounded(const Vec3& v) { return {double(float(v.x)), double(float(v.y)), double(float(v.z))}; }
 scene::Object mesh(scene::MeshData data) {
   scene::Object o;
-  o.shape = scene::Mesh{std::make_shared<const scene::MeshData>(std::move(data))};
+  o.shape = scene::Mesh{std::make_shared<const scene::MeshData>(std::move(data)), {}};
   return o;
 }
 scene::MeshData single(const Vec3& a, const Vec3& b, const Vec3& c) {

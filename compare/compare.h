@@ -24,10 +24,6 @@
 
 namespace verisim::compare {
 
-// ---- pictures --------------------------------------------------------------------------------------------------------------------------------------------------------
-
-// PNG without loading the image library's module, everything else through image::read_picture. Throws std::runtime_error naming the file and the reason.
-Picture load_picture(const std::filesystem::path& path);
 
 // ---- what to compare -------------------------------------------------------------------------------------------------------------------------------------------------
 
@@ -78,6 +74,8 @@ struct NativeRequest {
   bool replay = false;
   std::optional<std::uint64_t> seed;
   double time_limit = 0;                      // seconds; 0: none
+  std::vector<std::filesystem::path> library_paths;  // the oracle's, in its order; empty without an oracle
+  std::atomic<bool>* cancel = nullptr;
 };
 
 struct NativeResult {
@@ -94,8 +92,9 @@ struct NativeResult {
 using NativeRenderer = std::function<NativeResult(const NativeRequest&)>;
 
 // Runs `program render ...` as a process of its own: a crash or a hang costs one scene, not the run. The program is called in the request's folder with
-// `render SCENE +WN +HN [switches] +OOUTPUT --stats FILE`, and FILE is JSON: {"seconds", "rays":{...}, "stochastic_features":[...], "files_read":[...]} (all optional).
-// Its exit status says the outcome: 0 rendered, 4 unsupported, anything else an error; the last line of stderr is the message.
+// `render SCENE +WN +HN [switches] +OOUTPUT [+WTN] [+LPATH...] [--replay] [--seed N] --allow-write FOLDER --stats FILE`, and FILE is JSON: {"rays":{...},
+// "stochastic_features":[...], "files_read":[...]} (all optional). Seconds are those of the whole process. Its exit status says the outcome: 0 rendered,
+// 4 unsupported, anything else an error; the line of stderr that has "error:" or "unsupported:" is the message, else the last one.
 NativeRenderer native_program(const std::filesystem::path& program, const std::vector<std::string>& extra_arguments = {});
 
 // ---- the oracle ------------------------------------------------------------------------------------------------------------------------------------------------------
@@ -115,7 +114,8 @@ struct OracleMissing : std::runtime_error {
 };
 struct OracleProgram {
   std::filesystem::path path;
-  std::string version;                        // "3.7.0.10.unofficial": what `povray --version` names, whole
+  std::string version;                        // "3.7.0.10.unofficial"
+  std::string version_text;                   // all that `povray --version` says about the build
   std::vector<std::filesystem::path> library_paths;
 };
 OracleProgram find_oracle(const OracleOptions& options);  // throws OracleMissing
@@ -128,9 +128,9 @@ struct OracleRender {
   std::uint64_t peak_bytes = 0;
   bool from_cache = false;
 };
-// files_read: what the native side read; empty: every file of the scene's folder counts.
+// Never throws. files_read: what the native side read, as paths of the original files; empty: every file of the scene's folder counts.
 OracleRender run_oracle(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, int threads,
-                        const std::vector<std::filesystem::path>& files_read);
+                        const std::vector<std::filesystem::path>& files_read, std::atomic<bool>* cancel = nullptr);
 
 // ---- a run -----------------------------------------------------------------------------------------------------------------------------------------------------------
 
@@ -163,6 +163,7 @@ struct Run {
   Summary summary;
   std::string oracle_version, native_version, started;  // started: ISO 8601, UTC
   bool cancelled = false;
+  std::shared_ptr<const void> keep;           // owns the pictures' folder when it is a temporary one
 };
 
 struct Progress {
@@ -175,12 +176,12 @@ struct RunOptions {
   NativeRenderer native;
   OracleOptions oracle;
   int jobs = 1;                               // scenes at a time
-  int native_threads = 0;
+  int native_threads = 0;                     // 0: the cores divided by jobs
+  double native_time_limit = 0;
   bool replay = false;                        // both serial: stochastic scenes are judged like any other
-  std::filesystem::path work;                 // results and pictures, kept: a run that was broken off goes on here. Empty: a temporary folder, removed at exit
+  std::filesystem::path work;                 // results and pictures, kept: a run that was broken off goes on here. Empty: a temporary folder, removed with the Run
   bool resume = false;
   std::filesystem::path baseline;             // stored pictures in the place of the oracle
-  bool update_baseline = false;               // write them instead of comparing
   std::filesystem::path previous_report;      // JSON of an earlier run, for the trend
   std::string native_version;
   std::function<void(const Progress&)> progress;  // from one thread at a time
@@ -189,6 +190,10 @@ struct RunOptions {
 
 // Never throws for what goes wrong in one scene. Throws OracleMissing when a scene needs POV-Ray and there is none, std::runtime_error when `work` cannot be written.
 Run run_suite(const Suite& suite, const RunOptions& options);
+
+// Regression without an oracle: run_suite with RunOptions::baseline compares with the pictures stored there (NAME.png, 16 bits, and baseline.json, which names the
+// version that made them); then this stores the run's own pictures in their place. `dry_run` only says what would change: one line a scene.
+std::vector<std::string> update_baseline(const Run& run, const std::filesystem::path& folder, bool dry_run);
 
 // ---- reports: every file is written to a temporary name and renamed; std::runtime_error names the file and the reason ------------------------------------------------
 

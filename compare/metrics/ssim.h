@@ -1,0 +1,15 @@
+// Structural similarity (Wang, Bovik, Sheikh, Simoncelli: "Image Quality Assessment: From Error Visibility to Structural Similarity", 2004) of the luma, K1 = 0.01,
+// K2 = 0.03, L = 255.
+#pragma once
+
+#include "compare/metrics/values.h"
+
+namespace verisim::compare {
+
+// Mean over all 11x11 windows inside the picture, weighted by a Gaussian of sigma 1.5. A side shorter than 11 takes a window as long as the side.
+double ssim_mean(const Values& reference, const Values& test);
+
+// The smallest SSIM of the 8x8 blocks the picture is divided into from its upper left corner; smaller blocks remain at the right and lower border.
+double ssim_block_min(const Values& reference, const Values& test);
+
+}  // namespace verisim::compare

@@ -1,0 +1,97 @@
+#include "compare/metrics/verdict.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+namespace verisim::compare {
+namespace {
+
+constexpr double kExactPct = 99.99, kMatchPct = 99.5, kMatchRmse = 2;
+constexpr std::pair<Status, const char*> kStatusNames[] = {{Status::exact, "exact"},           {Status::match, "match"}, {Status::differ, "differ"},
+                                                           {Status::unsupported, "unsupported"}, {Status::error, "error"}, {Status::oracle_failed, "oracle_failed"}};
+
+std::optional<Verdict> not_finite(const Metrics& m) {
+  if (m.nan_pixels == 0) return std::nullopt;
+  return Verdict{Status::differ, fmt::format("{} pixels are NaN or infinite", m.nan_pixels)};
+}
+
+std::optional<double> figure(const Metrics& m, const std::string& name) {
+  if (name == "max_abs") return m.max_abs;
+  if (name == "mae") return m.mae;
+  if (name == "rmse") return m.rmse;
+  if (name == "psnr") return m.psnr;
+  if (name == "within_1_pct") return m.within_1_pct;
+  if (name == "within_2_pct") return m.within_2_pct;
+  if (name == "bias") return std::fabs(m.bias);
+  if (name == "ssim_mean") return m.ssim_mean;
+  if (name == "ssim_block_min") return m.ssim_block_min;
+  if (name == "flip_mean") return m.flip_mean;
+  if (name == "hdr_flip_mean") return m.hdr_flip_mean.value_or(0);
+  if (name == "ciede2000_mean") return m.ciede2000_mean;
+  if (name == "ciede2000_p95") return m.ciede2000_p95;
+  if (name == "edge_rmse") return m.edge_rmse.value_or(0);
+  if (name == "interior_rmse") return m.interior_rmse.value_or(0);
+  if (name == "alpha_max_abs") return m.alpha_max_abs.value_or(0);
+  if (name == "alpha_rmse") return m.alpha_rmse.value_or(0);
+  return std::nullopt;
+}
+
+}  // namespace
+
+const char* to_string(SceneClass scene_class) { return scene_class == SceneClass::deterministic ? "deterministic" : "stochastic"; }
+
+const char* to_string(Status status) {
+  for (const auto& [value, name] : kStatusNames)
+    if (value == status) return name;
+  return "error";
+}
+
+std::optional<Status> status_from_string(const std::string& text) {
+  for (const auto& [value, name] : kStatusNames)
+    if (text == name) return value;
+  return std::nullopt;
+}
+
+Verdict judge_deterministic(const Metrics& m, bool antialiased) {
+  if (auto bad = not_finite(m)) return *bad;
+  const int step = antialiased ? 2 : 1;
+  const double within = antialiased ? m.within_2_pct : m.within_1_pct;
+  if (within >= kExactPct) return {Status::exact, ""};
+  if (within < kMatchPct) return {Status::differ, fmt::format("within_{}_pct {:.3f} < {}", step, within, kMatchPct)};
+  if (m.rmse > kMatchRmse) return {Status::differ, fmt::format("rmse {:.3f} > {}", m.rmse, kMatchRmse)};
+  return {Status::match, fmt::format("within_{}_pct {:.3f} < {}", step, within, kExactPct)};
+}
+
+NoiseLimits noise_limits(const LowPass& noise) { return {1.6 * noise.mad + 0.5, 1.5 * noise.bias + 1, 1.5 * noise.rmse + 1}; }
+
+Verdict judge_stochastic(const Metrics& m, bool antialiased, const LowPass& native, const LowPass& noise) {
+  if (auto bad = not_finite(m)) return *bad;
+  if (const Verdict plain = judge_deterministic(m, antialiased); plain.status == Status::exact) return plain;
+  const NoiseLimits limit = noise_limits(noise);
+  if (native.mad > limit.mad) return {Status::differ, fmt::format("blurred mad {:.3f} > {:.3f}", native.mad, limit.mad)};
+  if (native.bias > limit.bias) return {Status::differ, fmt::format("blurred bias {:.3f} > {:.3f}", native.bias, limit.bias)};
+  if (native.rmse > limit.rmse) return {Status::differ, fmt::format("blurred rmse {:.3f} > {:.3f}", native.rmse, limit.rmse)};
+  return {Status::match, "within the oracle's own noise"};
+}
+
+Verdict judge_thresholds(const Metrics& m, const Thresholds& thresholds) {
+  for (const auto& [key, limit] : thresholds) {
+    const bool upper = key.starts_with("max_"), lower = key.starts_with("min_");
+    const auto value = upper || lower ? figure(m, key.substr(4)) : std::nullopt;
+    if (!value) throw std::invalid_argument(fmt::format("unknown threshold '{}': it is max_ or min_ and the name of a metric, like max_rmse or min_within_1_pct", key));
+  }
+  if (auto bad = not_finite(m)) return *bad;
+  for (const auto& [key, limit] : thresholds) {
+    const std::string name = key.substr(4);
+    const double value = *figure(m, name);
+    if (key.starts_with("max_") ? !(value <= limit) : !(value >= limit))
+      return {Status::differ, fmt::format("{} {:.4f} {} {}", name, value, key.starts_with("max_") ? ">" : "<", limit)};
+  }
+  const Verdict plain = judge_deterministic(m, false);
+  return {plain.status == Status::exact ? Status::exact : Status::match, ""};
+}
+
+}  // namespace verisim::compare

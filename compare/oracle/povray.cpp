@@ -1,0 +1,223 @@
+// POV-Ray as the oracle: found, run in isolation, its pictures cached by content.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "compare/compare.h"
+#include "compare/oracle/content_hash.h"
+#include "compare/oracle/process.h"
+#include "compare/oracle/switches.h"
+#include "compare/oracle/working_copy.h"
+
+namespace verisim::compare {
+namespace fs = std::filesystem;
+namespace {
+
+// What its messages are made with, and nothing of the user's.
+std::vector<std::pair<std::string, std::string>> clean_environment(const fs::path& home, const fs::path& ini) {
+  std::vector<std::pair<std::string, std::string>> out = {{"HOME", home.string()}, {"PATH", "/usr/local/bin:/usr/bin:/bin"}, {"LC_ALL", "C"}};
+  if (!ini.empty()) out.emplace_back("POVINI", ini.string());
+  return out;
+}
+
+std::string trimmed(const std::string& s) {
+  const auto first = s.find_first_not_of(" \t\r\n\""), last = s.find_last_not_of(" \t\r\n\"");
+  return first == std::string::npos ? std::string() : s.substr(first, last - first + 1);
+}
+
+// The Library_Path lines of an INI file; those that exist.
+void add_library_paths(const fs::path& ini, std::vector<fs::path>& out) {
+  std::ifstream in(ini);
+  for (std::string line; std::getline(in, line);) {
+    const auto equals = line.find('=');
+    if (equals == std::string::npos) continue;
+    std::string key = trimmed(line.substr(0, equals));
+    std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (key != "library_path") continue;
+    const fs::path path = trimmed(line.substr(equals + 1));
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored) && std::find(out.begin(), out.end(), path) == out.end()) out.push_back(path);
+  }
+}
+
+std::vector<fs::path> discover_library_paths(const fs::path& program) {
+  const fs::path prefix = program.parent_path().parent_path();
+  std::vector<fs::path> out;
+  for (const fs::path& folder : {prefix / "etc/povray/3.7", fs::path("/etc/povray/3.7"), fs::path("/usr/local/etc/povray/3.7")}) {
+    add_library_paths(folder / "povray.ini", out);
+    if (!out.empty()) return out;
+  }
+  for (const fs::path& share : {prefix / "share/povray-3.7", fs::path("/usr/share/povray-3.7"), fs::path("/usr/local/share/povray-3.7")}) {
+    std::error_code ignored;
+    if (!fs::is_directory(share / "include", ignored)) continue;
+    return {share, share / "ini", share / "include"};
+  }
+  return out;
+}
+
+fs::path cache_folder(const OracleOptions& options) {
+  if (!options.cache.empty()) return options.cache;
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/') return fs::path(cache) / "verisim/oracle";
+  if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache/verisim/oracle";
+  return fs::temp_directory_path() / "verisim-oracle-cache";
+}
+
+// Our own INI stands for the system's: the same search paths, and no other setting of this machine.
+std::string ini_text(const std::vector<fs::path>& library_paths) {
+  std::string out = "Bounding_Threshold=3\n";
+  for (const fs::path& path : library_paths) out += fmt::format("Library_Path=\"{}\"\n", path.string());
+  return out;
+}
+
+std::vector<std::string> command_line(const OracleProgram& program, const SceneRequest& scene, const std::string& input, const std::string& output, int threads) {
+  std::vector<std::string> out = {program.path.string(), "+I" + input};
+  out.insert(out.end(), scene.switches.begin(), scene.switches.end());
+  if (!output_type(scene.switches)) out.push_back("+FN8");
+  for (const std::string& s : {"+O" + output, fmt::format("+W{}", scene.width), fmt::format("+H{}", scene.height), fmt::format("+WT{}", threads)}) out.push_back(s);
+  for (const char* s : {"-D", "-P", "-V"}) out.emplace_back(s);
+  return out;
+}
+
+// Everything that decides how the picture will look.
+std::string cache_key(const OracleProgram& program, const SceneRequest& scene, int threads, const std::vector<fs::path>& files_read) {
+  ContentHash hash;
+  hash.add("verisim oracle 1");
+  hash.add(program.version_text);
+  hash.add(ini_text(program.library_paths));
+  for (const std::string& s : command_line(program, scene, scene.scene.filename().string(), "", threads)) hash.add(s == program.path ? "" : s);
+  const fs::path folder = scene.scene.parent_path();
+  std::vector<fs::path> files = files_read;
+  std::error_code failed;
+  if (files.empty()) {
+    for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, failed);
+         !failed && it != fs::recursive_directory_iterator() && files.size() < 20000; it.increment(failed))
+      if (it->is_regular_file(failed)) files.push_back(it->path());
+    for (const fs::path& library : program.library_paths)
+      for (auto it = fs::directory_iterator(library, failed); !failed && it != fs::directory_iterator(); it.increment(failed))
+        if (it->is_regular_file(failed)) files.push_back(it->path());
+  }
+  files.push_back(scene.scene);
+  for (fs::path& file : files) file = file.lexically_normal();
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  for (const fs::path& file : files) {
+    const fs::path relative = file.lexically_relative(folder);
+    hash.add(relative.empty() ? file.string() : relative.string());  // the same scene elsewhere is the same scene
+    hash.add_file(file);
+  }
+  return hash.hex();
+}
+
+struct CacheEntry {
+  fs::path folder, picture, meta;
+  CacheEntry(const fs::path& cache, const std::string& key, const std::string& extension)
+      : folder(cache / key.substr(0, 2) / key), picture(folder / ("picture" + extension)), meta(folder / "meta.json") {}
+
+  bool load(OracleRender& out) const {
+    std::ifstream in(meta);
+    if (!in) return false;
+    try {
+      const auto json = nlohmann::json::parse(in);
+      out.picture = image::read_picture(picture);
+      out.seconds = json.at("seconds"), out.cpu_seconds = json.at("cpu_seconds"), out.peak_bytes = json.at("peak_bytes");
+      out.ok = out.from_cache = true;
+    } catch (const std::exception&) {
+      return false;  // damaged: rendered again
+    }
+    return true;
+  }
+
+  // The folder appears complete or not at all; a cache that cannot be written is no reason to fail.
+  void store(const OracleRender& render, const fs::path& from, const OracleProgram& program, const SceneRequest& scene) const {
+    std::error_code failed;
+    fs::create_directories(folder.parent_path(), failed);
+    std::string temporary = (folder.parent_path() / "new-XXXXXX").string();
+    if (failed || !mkdtemp(temporary.data())) return;
+    fs::copy_file(from, fs::path(temporary) / picture.filename(), failed);
+    std::ofstream(fs::path(temporary) / "meta.json") << nlohmann::json{{"scene", scene.name}, {"version", program.version}, {"switches", scene.switches},
+                                                                       {"width", scene.width}, {"height", scene.height}, {"seconds", render.seconds},
+                                                                       {"cpu_seconds", render.cpu_seconds}, {"peak_bytes", render.peak_bytes}}.dump(1) << "\n";
+    if (!failed) fs::remove_all(folder, failed);
+    if (!failed) fs::rename(temporary, folder, failed);
+    if (failed) fs::remove_all(temporary, failed);
+  }
+};
+
+// What POV-Ray says about its failure, without the banner and the option blocks.
+std::string pov_messages(const std::string& err) {
+  std::istringstream in(err);
+  std::string out, last;
+  for (std::string line; std::getline(in, line);) {
+    if (const auto cr = line.find_last_of('\r'); cr != std::string::npos) line.erase(0, cr + 1);
+    const bool worth = line.find("Error") != std::string::npos || line.find("error") != std::string::npos || line.starts_with("Problem with") ||
+                       line.starts_with("Failed to") || line.starts_with("Cannot");
+    if (worth && out.size() < 2000) out += (out.empty() ? "" : "; ") + trimmed(line);
+    if (!trimmed(line).empty()) last = trimmed(line);
+  }
+  return out.empty() ? last : out;
+}
+
+}  // namespace
+
+OracleProgram find_oracle(const OracleOptions& options) {
+  OracleProgram out;
+  out.path = find_program(options.program.empty() ? "povray" : options.program.string());
+  if (out.path.empty())
+    throw OracleMissing(options.program.empty()
+                            ? "POV-Ray is not installed: install the Debian package povray (and povray-includes for the standard include files)"
+                            : fmt::format("{} is not a program; POV-Ray is in the Debian package povray", options.program.string()));
+  const TemporaryFolder home;
+  const ProcessResult run = run_process({{out.path.string(), "--version"}, home.path(), clean_environment(home.path(), {}), 30, nullptr});
+  const std::string text = run.err + run.out;
+  const auto at = text.find("POV-Ray ");
+  if (!run.succeeded() || at == std::string::npos)
+    throw OracleMissing(fmt::format("{} --version does not answer as POV-Ray does ({}); POV-Ray is in the Debian package povray", out.path.string(), run.how_it_ended(30)));
+  out.version_text = text.substr(at);
+  out.version = trimmed(out.version_text.substr(8, out.version_text.find('\n') - 8));
+  out.library_paths = options.library_paths.empty() ? discover_library_paths(fs::canonical(out.path)) : options.library_paths;
+  return out;
+}
+
+OracleRender run_oracle(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, int threads, const std::vector<fs::path>& files_read,
+                        std::atomic<bool>* cancel) {
+  OracleRender out;
+  try {
+    const std::string extension = output_extension(scene.switches);
+    const CacheEntry entry(cache_folder(options), cache_key(program, scene, threads, files_read), extension);
+    if (options.use_cache && entry.load(out)) return out;
+
+    const WorkingCopy copy(scene.scene);
+    const fs::path ini = copy.home() / "oracle.ini", picture = copy.out() / ("picture" + extension);
+    std::ofstream(ini) << ini_text(program.library_paths);
+    const ProcessResult run = run_process({command_line(program, scene, copy.scene().filename().string(), picture.string(), threads), copy.folder(),
+                                           clean_environment(copy.home(), ini), options.time_limit, cancel});
+    out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
+    if (!run.succeeded()) {
+      out.message = "POV-Ray: " + run.how_it_ended(options.time_limit);
+      if (const std::string said = pov_messages(run.err); !said.empty()) out.message += ": " + said;
+      return out;
+    }
+    std::error_code ignored;
+    if (!fs::exists(picture, ignored)) {
+      out.message = "POV-Ray: ended well but wrote no picture";
+      return out;
+    }
+    out.picture = image::read_picture(picture);
+    if (out.picture.width != scene.width || out.picture.height != scene.height) {
+      out.message = fmt::format("POV-Ray: wrote a picture of {}x{} in the place of {}x{}", out.picture.width, out.picture.height, scene.width, scene.height);
+      return out;
+    }
+    out.ok = true;
+    if (options.use_cache) entry.store(out, picture, program, scene);
+  } catch (const std::exception& error) {
+    out.ok = false;
+    out.message = fmt::format("POV-Ray: {}", error.what());
+  }
+  return out;
+}
+
+}  // namespace verisim::compare

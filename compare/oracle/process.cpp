@@ -1,0 +1,185 @@
+#include "compare/oracle/process.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace verisim::compare {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+class Descriptor {
+ public:
+  explicit Descriptor(int fd = -1) : fd_(fd) {}
+  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+  ~Descriptor() { close(); }
+  void close() {
+    if (fd_ >= 0) ::close(std::exchange(fd_, -1));
+  }
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+// What a stream says, its end only when it says too much.
+class Tail {
+ public:
+  // Reads what is there; false at the end of the stream.
+  bool read_from(int fd) {
+    char buffer[16384];
+    for (;;) {
+      const ssize_t n = ::read(fd, buffer, sizeof buffer);
+      if (n > 0) text_.append(buffer, static_cast<std::size_t>(n));
+      if (text_.size() > 2 * kKeep) text_.erase(0, text_.size() - kKeep);
+      if (n == 0) return false;
+      if (n < 0) return errno == EAGAIN || errno == EINTR;
+    }
+  }
+  std::string take() {
+    if (text_.size() > kKeep) text_.erase(0, text_.size() - kKeep);
+    return std::move(text_);
+  }
+
+ private:
+  static constexpr std::size_t kKeep = 256 * 1024;
+  std::string text_;
+};
+
+double seconds(const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); }
+
+// VmHWM of a living process; 0 if unknown.
+std::uint64_t resident_peak(pid_t pid) {
+  std::ifstream status(fmt::format("/proc/{}/status", pid));
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmHWM:")) return std::strtoull(line.c_str() + 6, nullptr, 10) * 1024;
+  return 0;
+}
+
+struct SpawnSetup {
+  posix_spawn_file_actions_t actions;
+  posix_spawnattr_t attributes;
+  SpawnSetup() { posix_spawn_file_actions_init(&actions), posix_spawnattr_init(&attributes); }
+  ~SpawnSetup() { posix_spawn_file_actions_destroy(&actions), posix_spawnattr_destroy(&attributes); }
+  SpawnSetup(const SpawnSetup&) = delete;
+  SpawnSetup& operator=(const SpawnSetup&) = delete;
+};
+
+int spawn(const ProcessRequest& request, int out, int err, pid_t& pid) {
+  SpawnSetup setup;
+  posix_spawn_file_actions_addopen(&setup.actions, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&setup.actions, out, 1);
+  posix_spawn_file_actions_adddup2(&setup.actions, err, 2);
+  if (!request.folder.empty()) posix_spawn_file_actions_addchdir_np(&setup.actions, request.folder.c_str());
+  sigset_t defaults, none;
+  sigfillset(&defaults), sigemptyset(&none);
+  posix_spawnattr_setsigdefault(&setup.attributes, &defaults);
+  posix_spawnattr_setsigmask(&setup.attributes, &none);
+  posix_spawnattr_setpgroup(&setup.attributes, 0);
+  posix_spawnattr_setflags(&setup.attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+  std::vector<std::string> environment;
+  for (const auto& [key, value] : request.environment) environment.push_back(key + "=" + value);
+  std::vector<char*> argv, envp;
+  for (const std::string& s : request.arguments) argv.push_back(const_cast<char*>(s.c_str()));
+  for (const std::string& s : environment) envp.push_back(const_cast<char*>(s.c_str()));
+  argv.push_back(nullptr), envp.push_back(nullptr);
+  return posix_spawn(&pid, argv[0], &setup.actions, &setup.attributes, argv.data(), envp.data());
+}
+
+bool make_pipe(Descriptor& read_end, Descriptor& write_end) {
+  int fds[2];
+  if (pipe2(fds, O_CLOEXEC) != 0) return false;
+  read_end = Descriptor(fds[0]), write_end = Descriptor(fds[1]);
+  return fcntl(fds[0], F_SETFL, O_NONBLOCK) == 0;
+}
+
+}  // namespace
+
+ProcessResult run_process(const ProcessRequest& request) {
+  ProcessResult result;
+  Descriptor out_read, out_write, err_read, err_write;
+  if (request.arguments.empty() || !make_pipe(out_read, out_write) || !make_pipe(err_read, err_write)) {
+    result.start_error = std::strerror(errno);
+    return result;
+  }
+  const auto start = Clock::now();
+  pid_t pid = -1;
+  if (const int error = spawn(request, out_write.get(), err_write.get(), pid)) {
+    result.start_error = fmt::format("{}: {}", request.arguments[0], std::strerror(error));
+    return result;
+  }
+  result.started = true;
+  out_write.close(), err_write.close();
+  const Descriptor process(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));  // readable at the end; kernels without it are polled
+
+  Tail out, err;
+  bool out_open = true, err_open = true;
+  rusage usage{};
+  int status = 0;
+  std::uint64_t sampled_peak = 0;
+  for (;;) {
+    pollfd fds[3] = {{out_open ? out_read.get() : -1, POLLIN, 0}, {err_open ? err_read.get() : -1, POLLIN, 0}, {process.get(), POLLIN, 0}};
+    poll(fds, 3, 10);
+    if (fds[0].revents) out_open = out.read_from(out_read.get());
+    if (fds[1].revents) err_open = err.read_from(err_read.get());
+    const pid_t ended = wait4(pid, &status, WNOHANG, &usage);
+    if (ended == pid || (ended < 0 && errno != EINTR)) break;
+    sampled_peak = std::max(sampled_peak, resident_peak(pid));
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+    if (!result.timed_out && request.time_limit > 0 && elapsed > request.time_limit) result.timed_out = true, kill(-pid, SIGKILL);
+    if (!result.cancelled && request.cancel && *request.cancel) result.cancelled = true, kill(-pid, SIGKILL);
+  }
+  result.wall = std::chrono::duration<double>(Clock::now() - start).count();
+  kill(-pid, SIGKILL);  // children it left behind
+  if (out_open) out.read_from(out_read.get());
+  if (err_open) err.read_from(err_read.get());
+  result.out = out.take(), result.err = err.take();
+  result.cpu = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  // Linux counts the parent's pages between vfork and exec to the child: ru_maxrss says nothing unless it is larger than ours.
+  rusage own{};
+  getrusage(RUSAGE_SELF, &own);
+  result.peak_bytes = usage.ru_maxrss > own.ru_maxrss || sampled_peak == 0 ? static_cast<std::uint64_t>(usage.ru_maxrss) * 1024 : sampled_peak;
+  if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+  return result;
+}
+
+std::string ProcessResult::how_it_ended(double time_limit) const {
+  if (!started) return "could not be started: " + start_error;
+  if (timed_out) return fmt::format("no end after {:g} s", time_limit);
+  if (cancelled) return "cancelled";
+  if (signal) return fmt::format("killed by signal {} ({})", signal, strsignal(signal));
+  return fmt::format("exit status {}", exit_code);
+}
+
+std::filesystem::path find_program(const std::string& name) {
+  const auto executable = [](const std::filesystem::path& p) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(p, ignored) && access(p.c_str(), X_OK) == 0;
+  };
+  if (name.find('/') != std::string::npos) return executable(name) ? std::filesystem::absolute(name) : std::filesystem::path();
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (const auto candidate = std::filesystem::path(folder.empty() ? "." : folder) / name; executable(candidate)) return std::filesystem::absolute(candidate);
+  return {};
+}
+
+}  // namespace verisim::compare

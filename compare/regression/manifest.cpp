@@ -1,0 +1,274 @@
+// Which scenes: .pov files, folders of them, and manifests (verisim.toml, described in docs/comparison.md).
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <toml++/toml.h>
+
+#include "compare/compare.h"
+#include "compare/oracle/switches.h"
+#include "compare/report/json.h"
+
+namespace verisim::compare {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kManifestName = "verisim.toml";
+constexpr int kMaxSide = 1 << 20;
+
+bool is_scene(const fs::path& path) {
+  const std::string e = path.extension().string();
+  return e == ".pov" || e == ".POV" || e == ".Pov";
+}
+
+// Sorted, so that a run's order does not depend on the file system; hidden folders are passed over.
+std::vector<fs::directory_entry> entries(const fs::path& folder) {
+  std::vector<fs::directory_entry> out;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied))
+    if (!entry.path().filename().string().starts_with(".")) out.push_back(entry);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+void scenes_below(const fs::path& folder, std::vector<fs::path>& out) {
+  for (const fs::directory_entry& entry : entries(folder)) {
+    std::error_code failed;
+    if (entry.is_directory(failed) && !entry.is_symlink(failed)) scenes_below(entry.path(), out);
+    else if (entry.is_regular_file(failed) && is_scene(entry.path())) out.push_back(entry.path());
+  }
+}
+
+// Reads the keys that a manifest's head (defaults of its scenes) and its [[scene]] tables have in common.
+class Manifest {
+ public:
+  Manifest(const fs::path& file, const SuiteDefaults& defaults) : file_(file), folder_(fs::absolute(file).parent_path()) {
+    default_.width = defaults.width, default_.height = defaults.height, default_.switches = defaults.switches;
+  }
+
+  std::vector<SceneRequest> read() {
+    toml::table table;
+    try {
+      table = toml::parse_file(file_.string());
+    } catch (const toml::parse_error& error) {
+      fail(error.source(), std::string(error.description()));
+    }
+    const toml::node* scenes = nullptr;
+    for (auto&& [key, node] : table) {
+      if (key == "scene") scenes = &node;
+      else common(std::string(key.str()), node, default_);
+    }
+    if (!scenes) return whole_folder();
+    const toml::array* array = scenes->as_array();
+    if (!array) fail(scenes->source(), "'scene' must be written as [[scene]]");
+    std::vector<SceneRequest> out;
+    for (const toml::node& node : *array) {
+      if (!node.is_table()) fail(node.source(), "'scene' must be written as [[scene]]");
+      one(*node.as_table(), out);
+    }
+    return out;
+  }
+
+ private:
+  [[noreturn]] void fail(const toml::source_region& where, const std::string& what) const {
+    throw std::runtime_error(fmt::format("{}:{}:{}: error: {}", file_.string(), where.begin.line, where.begin.column, what));
+  }
+
+  template <typename T>
+  T get(const toml::node& node, const std::string& key, const char* type) const {
+    const auto value = node.value_exact<T>();
+    if (!value) fail(node.source(), fmt::format("'{}' must be {}", key, type));
+    return *value;
+  }
+  std::string text(const toml::node& node, const std::string& key) const { return get<std::string>(node, key, "a string"); }
+  double number(const toml::node& node, const std::string& key) const {
+    const auto value = node.value<double>();
+    if (!value || !node.is_number()) fail(node.source(), fmt::format("'{}' must be a number", key));
+    return *value;
+  }
+  std::vector<std::string> texts(const toml::node& node, const std::string& key) const {
+    const toml::array* array = node.as_array();
+    if (!array) fail(node.source(), fmt::format("'{}' must be an array of strings", key));
+    std::vector<std::string> out;
+    for (const toml::node& item : *array) out.push_back(text(item, key));
+    return out;
+  }
+  int side(const toml::node& node, const std::string& key) const {
+    const auto value = get<std::int64_t>(node, key, "a whole number");
+    if (value < 1 || value > kMaxSide) fail(node.source(), fmt::format("'{}' must be between 1 and {}", key, kMaxSide));
+    return static_cast<int>(value);
+  }
+
+  void common(const std::string& key, const toml::node& node, SceneRequest& out) const {
+    if (key == "width") out.width = side(node, key);
+    else if (key == "height") out.height = side(node, key);
+    else if (key == "switches") switches(node, out);
+    else if (key == "tags") out.tags = texts(node, key);
+    else if (key == "class") scene_class(node, out);
+    else if (key == "thresholds") thresholds(node, out);
+    else if (key == "pixels_per_degree") out.flip_pixels_per_degree = number(node, key);
+    else fail(node.source(), fmt::format("unknown key '{}'", key));
+  }
+  void switches(const toml::node& node, SceneRequest& out) const {
+    if (node.is_array()) {
+      out.switches = texts(node, "switches");
+      return;
+    }
+    try {
+      out.switches = split_switches(text(node, "switches"));
+    } catch (const std::invalid_argument& error) {
+      fail(node.source(), error.what());
+    }
+  }
+  void scene_class(const toml::node& node, SceneRequest& out) const {
+    const std::string value = text(node, "class");
+    if (value == "auto") out.scene_class.reset();
+    else if (value == "deterministic") out.scene_class = SceneClass::deterministic;
+    else if (value == "stochastic") out.scene_class = SceneClass::stochastic;
+    else fail(node.source(), "'class' must be \"auto\", \"deterministic\" or \"stochastic\"");
+  }
+  void thresholds(const toml::node& node, SceneRequest& out) const {
+    const toml::table* table = node.as_table();
+    if (!table) fail(node.source(), "'thresholds' must be a table like {max_rmse = 1.0}");
+    out.thresholds.clear();
+    for (auto&& [key, value] : *table) {
+      const std::string name(key.str());
+      try {
+        judge_thresholds(Metrics{}, {{name, 0}});
+      } catch (const std::invalid_argument& error) {
+        fail(value.source(), error.what());
+      }
+      out.thresholds[name] = number(value, name);
+    }
+  }
+
+  std::string name_of(const fs::path& scene) const { return scene.lexically_relative(folder_).string(); }
+
+  std::vector<SceneRequest> whole_folder() const {
+    std::vector<fs::path> files;
+    scenes_below(folder_, files);
+    std::vector<SceneRequest> out;
+    for (const fs::path& file : files) {
+      out.push_back(default_);
+      out.back().scene = file, out.back().name = name_of(file);
+    }
+    return out;
+  }
+
+  void one(const toml::table& table, std::vector<SceneRequest>& out) const {
+    SceneRequest scene = default_;
+    std::string pattern;
+    for (auto&& [k, node] : table) {
+      const std::string key(k.str());
+      if (key == "file") pattern = text(node, key);
+      else if (key == "name") scene.name = text(node, key);
+      else if (key == "reference") scene.reference = folder_ / text(node, key);
+      else common(key, node, scene);
+    }
+    if (pattern.empty()) fail(table.source(), "a [[scene]] needs 'file'");
+    if (pattern.find_first_of("*?[") == std::string::npos) {
+      scene.scene = (folder_ / pattern).lexically_normal();
+      if (!fs::is_regular_file(scene.scene)) fail(table.source(), fmt::format("there is no scene {}", scene.scene.string()));
+      if (scene.name.empty()) scene.name = name_of(scene.scene);
+      out.push_back(scene);
+      return;
+    }
+    std::vector<fs::path> files;
+    scenes_below(folder_, files);
+    const std::size_t before = out.size();
+    for (const fs::path& file : files) {
+      if (fnmatch(pattern.c_str(), name_of(file).c_str(), 0) != 0) continue;
+      out.push_back(scene);
+      out.back().scene = file;
+      out.back().name = scene.name.empty() ? name_of(file) : scene.name + "/" + file.stem().string();
+    }
+    if (out.size() == before) fail(table.source(), fmt::format("no scene is named like '{}'", pattern));
+  }
+
+  fs::path file_, folder_;
+  SceneRequest default_;
+};
+
+void add_folder(const fs::path& folder, const std::string& prefix, const SuiteDefaults& defaults, Suite& suite) {
+  if (fs::is_regular_file(folder / kManifestName)) {
+    for (SceneRequest& scene : Manifest(folder / kManifestName, defaults).read()) {
+      scene.name = prefix + scene.name;
+      suite.scenes.push_back(std::move(scene));
+    }
+    return;
+  }
+  for (const fs::directory_entry& entry : entries(folder)) {
+    const std::string name = prefix + entry.path().filename().string();
+    std::error_code failed;
+    if (entry.is_directory(failed)) {
+      if (!entry.is_symlink(failed)) add_folder(entry.path(), name + "/", defaults, suite);
+    } else if (entry.is_regular_file(failed) && is_scene(entry.path())) {
+      SceneRequest scene;
+      scene.name = name, scene.scene = fs::absolute(entry.path()).lexically_normal();
+      scene.width = defaults.width, scene.height = defaults.height, scene.switches = defaults.switches;
+      suite.scenes.push_back(std::move(scene));
+    }
+  }
+}
+
+bool matches(const std::string& name, const std::string& wanted) {
+  return name.find(wanted) != std::string::npos || fnmatch(wanted.c_str(), name.c_str(), 0) == 0;
+}
+
+std::set<std::string> failed_in(const fs::path& report) {
+  std::ifstream in(report);
+  if (!in) throw std::runtime_error(report.string() + ": cannot read the earlier report");
+  const auto json = nlohmann::json::parse(in, nullptr, false);
+  std::set<std::string> out;
+  try {
+    for (const auto& scene : json.at("scenes"))
+      if (const SceneResult result = scene_result_from_json(scene); result.failed()) out.insert(result.request.name);
+  } catch (const nlohmann::json::exception&) {
+    throw std::runtime_error(report.string() + ": not a report of verisim compare");
+  }
+  return out;
+}
+
+}  // namespace
+
+Suite load_suite(const std::vector<fs::path>& what, const SuiteDefaults& defaults) {
+  Suite suite;
+  for (const fs::path& path : what) {
+    if (fs::is_directory(path)) {
+      const std::size_t before = suite.scenes.size();
+      add_folder(path, "", defaults, suite);
+      if (suite.scenes.size() == before) suite.warnings.push_back(path.string() + ": no scene in this folder");
+    } else if (!fs::exists(path)) {
+      throw std::runtime_error(path.string() + ": no such scene, manifest or folder");
+    } else if (path.extension() == ".toml") {
+      for (SceneRequest& scene : Manifest(path, defaults).read()) suite.scenes.push_back(std::move(scene));
+    } else {
+      SceneRequest scene;
+      scene.name = path.filename().string(), scene.scene = fs::absolute(path).lexically_normal();
+      scene.width = defaults.width, scene.height = defaults.height, scene.switches = defaults.switches;
+      suite.scenes.push_back(std::move(scene));
+    }
+  }
+  std::map<std::string, int> seen;
+  for (SceneRequest& scene : suite.scenes)
+    if (const int n = ++seen[scene.name]; n > 1) scene.name += fmt::format(" ({})", n);
+  return suite;
+}
+
+Suite filter(const Suite& suite, const Filter& f) {
+  Suite out;
+  out.warnings = suite.warnings;
+  const std::set<std::string> failed = f.failed_last_time ? failed_in(f.last_report) : std::set<std::string>();
+  for (const SceneRequest& scene : suite.scenes) {
+    const bool name = f.names.empty() || std::any_of(f.names.begin(), f.names.end(), [&](const std::string& n) { return matches(scene.name, n); });
+    const bool tag = f.tags.empty() || std::any_of(f.tags.begin(), f.tags.end(), [&](const std::string& t) {
+      return std::find(scene.tags.begin(), scene.tags.end(), t) != scene.tags.end();
+    });
+    if (name && tag && (!f.failed_last_time || failed.contains(scene.name))) out.scenes.push_back(scene);
+  }
+  return out;
+}
+
+}  // namespace verisim::compare

@@ -1,0 +1,210 @@
+// Reports as text: the terminal's table, Markdown for a pull request, GitHub annotations, JUnit XML.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compare/compare.h"
+
+namespace verisim::compare {
+namespace {
+
+constexpr const char *kReset = "\033[0m", *kBold = "\033[1m", *kGreen = "\033[32m", *kYellow = "\033[33m", *kRed = "\033[31m";
+
+const char* color_of(Status status) {
+  switch (status) {
+    case Status::exact:
+    case Status::match: return kGreen;
+    case Status::unsupported: return kYellow;
+    default: return kRed;
+  }
+}
+
+// Control characters of a hostile scene name or message must not reach a terminal or a report.
+std::string printable(const std::string& text) {
+  std::string out;
+  for (char c : text) out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  return out;
+}
+
+std::size_t glyphs(const std::string& s) {
+  return static_cast<std::size_t>(std::count_if(s.begin(), s.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+// The end of a name tells more than its beginning.
+std::string fitted(std::string s, std::size_t width) {
+  if (glyphs(s) > width && width > 1) {
+    while (glyphs(s) > width - 1) s.erase(0, 1);
+    while (!s.empty() && (static_cast<unsigned char>(s[0]) & 0xc0) == 0x80) s.erase(0, 1);
+    s = "…" + s;
+  }
+  return s + std::string(width - std::min(width, glyphs(s)), ' ');
+}
+
+std::string decibels(double psnr) { return std::isfinite(psnr) && psnr < 999 ? fmt::format("{:.2f}", psnr) : "inf"; }
+std::string ratio(double oracle, double native) { return native > 0 && oracle > 0 ? fmt::format("{:.1f}x", oracle / native) : "-"; }
+
+// A message is cut where a character ends.
+std::string shortened(std::string s, std::size_t bytes) {
+  if (s.size() <= bytes) return s;
+  s.resize(bytes);
+  while (!s.empty() && (static_cast<unsigned char>(s.back()) & 0xc0) == 0x80) s.pop_back();
+  if (!s.empty() && (static_cast<unsigned char>(s.back()) & 0x80)) s.pop_back();
+  return s + "…";
+}
+
+std::string summary_line(const Run& run) {
+  std::string out = fmt::format("{} scenes", run.summary.scenes);
+  for (const auto& [status, count] : run.summary.count)
+    if (count) out += fmt::format(", {} {}", count, to_string(status));
+  out += fmt::format("; oracle {:.1f} s, verisim {:.1f} s", run.summary.oracle_seconds, run.summary.native_seconds);
+  if (run.summary.native_seconds > 0 && run.summary.oracle_seconds > 0) out += fmt::format(", ratio {}", ratio(run.summary.oracle_seconds, run.summary.native_seconds));
+  if (run.cancelled) out += " (broken off)";
+  return out;
+}
+
+std::string trend(const SceneResult& s) {
+  if (!s.previous) return "";
+  if (*s.previous != s.status) return fmt::format(" (was {})", to_string(*s.previous));
+  if (s.metrics && s.previous_rmse && std::fabs(s.metrics->rmse - *s.previous_rmse) > 0.005)
+    return fmt::format(" (rmse was {:.3f})", *s.previous_rmse);
+  return "";
+}
+
+std::string xml(const std::string& text) {
+  std::string out;
+  for (char c : printable(text)) switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      default: out += c;
+    }
+  return out;
+}
+
+std::string markdown_cell(const std::string& text) {
+  std::string out;
+  for (char c : printable(text)) {
+    if (c == '|' || c == '<' || c == '`' || c == '*' || c == '_' || c == '[') out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+// GitHub's workflow commands: percent, line ends, and in properties comma and colon are escaped.
+std::string github_escape(const std::string& text, bool property) {
+  std::string out;
+  for (char c : text) {
+    if (c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','))) out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    else out += c;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string terminal_table(const Run& run, bool color, int columns) {
+  std::size_t name_width = 12;
+  for (const SceneResult& s : run.scenes) name_width = std::max(name_width, glyphs(s.request.name));
+  constexpr int kFigures = 101;  // everything after the name
+  name_width = std::min<std::size_t>(name_width, static_cast<std::size_t>(std::max(16, columns - kFigures)));
+  std::string out = fmt::format("{}{} {:<13} {:>7} {:>7} {:>7} {:>7} {:>8} {:>7} {:>7} {:>8} {:>8} {:>7}{}\n", color ? kBold : "", fitted("scene", name_width), "status",
+                                "RMSE", "PSNR", "SSIM", "FLIP", "within 1", "2 [%]", "max", "POV [s]", "ours [s]", "ratio", color ? kReset : "");
+  for (const SceneResult& s : run.scenes) {
+    out += fitted(printable(s.request.name), name_width) + ' ';
+    out += fmt::format("{}{:<13}{}", color ? color_of(s.status) : "", to_string(s.status), color ? kReset : "");
+    if (s.metrics) {
+      const Metrics& m = *s.metrics;
+      out += fmt::format(" {:>7.3f} {:>7} {:>7.4f} {:>7.4f} {:>8.3f} {:>7.3f} {:>7.1f} {:>8.2f} {:>8.2f} {:>7}", m.rmse, decibels(m.psnr), m.ssim_mean, m.flip_mean,
+                         m.within_1_pct, m.within_2_pct, m.max_abs, s.oracle_seconds, s.native_seconds, ratio(s.oracle_seconds, s.native_seconds));
+    }
+    const bool explain = s.failed() && !s.reason.empty();
+    if (explain) out += ' ' + shortened(printable(s.reason), 300);
+    out += trend(s) + '\n';
+  }
+  return out + summary_line(run) + '\n';
+}
+
+std::string terminal_metrics(const Metrics& m, bool color) {
+  const auto line = [&](const char* name, const std::string& value, const char* unit) {
+    return fmt::format("{}{:<18}{} {:>12} {}\n", color ? kBold : "", name, color ? kReset : "", value, unit);
+  };
+  std::string out = line("size", fmt::format("{}x{}", m.width, m.height), "pixels");
+  out += line("max_abs", fmt::format("{:.2f}", m.max_abs), "/255");
+  out += line("mae", fmt::format("{:.4f}", m.mae), "/255");
+  out += line("rmse", fmt::format("{:.4f}", m.rmse), "/255");
+  out += line("bias", fmt::format("{:+.4f}", m.bias), "/255");
+  out += line("psnr", decibels(m.psnr), "dB");
+  out += line("within_1", fmt::format("{:.4f}", m.within_1_pct), "% of pixels");
+  out += line("within_2", fmt::format("{:.4f}", m.within_2_pct), "% of pixels");
+  out += line("ssim_mean", fmt::format("{:.6f}", m.ssim_mean), "");
+  out += line("ssim_block_min", fmt::format("{:.6f}", m.ssim_block_min), "worst 8x8 block");
+  out += line("flip_mean", fmt::format("{:.6f}", m.flip_mean), "LDR-FLIP");
+  if (m.hdr_flip_mean) out += line("hdr_flip_mean", fmt::format("{:.6f}", *m.hdr_flip_mean), "HDR-FLIP");
+  out += line("ciede2000_mean", fmt::format("{:.4f}", m.ciede2000_mean), "");
+  out += line("ciede2000_p95", fmt::format("{:.4f}", m.ciede2000_p95), "");
+  if (m.edge_rmse) out += line("edge_rmse", fmt::format("{:.4f}", *m.edge_rmse), fmt::format("/255, on {:.1f} % of the pixels", m.edge_pct).c_str());
+  if (m.interior_rmse) out += line("interior_rmse", fmt::format("{:.4f}", *m.interior_rmse), "/255");
+  if (m.alpha_max_abs) out += line("alpha_max_abs", fmt::format("{:.2f}", *m.alpha_max_abs), "/255");
+  if (m.nan_pixels) out += line("nan_pixels", fmt::format("{}", m.nan_pixels), "NaN or infinite");
+  for (std::size_t i = 0; i < std::min<std::size_t>(5, m.worst.size()); ++i) {
+    const WorstPixel& p = m.worst[i];
+    out += fmt::format("  pixel {},{}: {:.0f} {:.0f} {:.0f} is {:.0f} {:.0f} {:.0f} in the other, {:.0f} apart\n", p.x, p.y, p.reference[0], p.reference[1], p.reference[2],
+                       p.test[0], p.test[1], p.test[2], p.error);
+  }
+  return out;
+}
+
+std::string markdown_report(const Run& run) {
+  std::string out = fmt::format("### {} verisim compare\n\n{}\n\n", run.summary.failed() ? "❌" : "✅", summary_line(run));
+  std::vector<const SceneResult*> order;
+  for (const SceneResult& s : run.scenes) order.push_back(&s);
+  std::stable_sort(order.begin(), order.end(), [](const SceneResult* a, const SceneResult* b) { return a->failed() > b->failed(); });
+  out += "| scene | status | RMSE | SSIM | FLIP | within 1 [%] | oracle [s] | verisim [s] | note |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n";
+  for (const SceneResult* s : order) {
+    const std::string figures = s->metrics ? fmt::format("{:.3f} | {:.4f} | {:.4f} | {:.3f}", s->metrics->rmse, s->metrics->ssim_mean, s->metrics->flip_mean, s->metrics->within_1_pct)
+                                           : "| | |";
+    out += fmt::format("| {} | {} | {} | {:.2f} | {:.2f} | {}{} |\n", markdown_cell(s->request.name), to_string(s->status), figures, s->oracle_seconds, s->native_seconds,
+                       s->failed() ? markdown_cell(shortened(s->reason, 200)) : "", markdown_cell(trend(*s)));
+  }
+  return out;
+}
+
+std::string github_annotations(const Run& run) {
+  std::string out;
+  for (const SceneResult& s : run.scenes) {
+    if (!s.failed()) continue;
+    const char* level = s.status == Status::unsupported ? "warning" : "error";
+    out += fmt::format("::{} file={},title={}::{}\n", level, github_escape(s.request.scene.string(), true), github_escape("verisim: " + s.request.name, true),
+                       github_escape(fmt::format("{}: {}", to_string(s.status), s.reason), false));
+  }
+  out += fmt::format("::notice title=verisim compare::{}\n", github_escape(summary_line(run), false));
+  return out;
+}
+
+std::string junit_report(const Run& run) {
+  int failures = 0, errors = 0, skipped = 0;
+  double total = 0;
+  std::string cases;
+  for (const SceneResult& s : run.scenes) {
+    std::string body;
+    const std::string message = xml(shortened(s.reason, 2000));
+    switch (s.status) {
+      case Status::exact:
+      case Status::match: break;
+      case Status::unsupported: ++skipped, body = fmt::format("<skipped message=\"{}\"/>", message); break;
+      case Status::differ: ++failures, body = fmt::format("<failure type=\"differ\" message=\"{}\"/>", message); break;
+      default: ++errors, body = fmt::format("<error type=\"{}\" message=\"{}\"/>", to_string(s.status), message);
+    }
+    if (s.metrics)
+      body += fmt::format("<system-out>rmse {:.4f} psnr {} ssim {:.5f} flip {:.5f} within_1_pct {:.4f} max_abs {:.1f}</system-out>", s.metrics->rmse,
+                          decibels(s.metrics->psnr), s.metrics->ssim_mean, s.metrics->flip_mean, s.metrics->within_1_pct, s.metrics->max_abs);
+    total += s.native_seconds;
+    cases += fmt::format("    <testcase classname=\"verisim.compare\" name=\"{}\" time=\"{:.3f}\">{}</testcase>\n", xml(s.request.name), s.native_seconds, body);
+  }
+  return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n  <testsuite name=\"verisim compare\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" "
+                     "time=\"{:.3f}\" timestamp=\"{}\">\n{}  </testsuite>\n</testsuites>\n",
+                     run.scenes.size(), failures, errors, skipped, total, run.started.substr(0, 19), cases);
+}
+
+}  // namespace verisim::compare

@@ -28,8 +28,8 @@ class Values {
   }
   double alpha(int x, int y) const {
     if (!has_alpha()) return 255;
-    const double a = picture_.samples[index(x, y) + picture_.channels - 1];
-    return std::isfinite(a) ? 255 * a : 0;
+    const double a = 255.0 * picture_.samples[index(x, y) + picture_.channels - 1];
+    return !std::isfinite(a) ? 0 : picture_.bits == 8 && !picture_.is_float ? std::round(a) : a;
   }
   bool finite(int x, int y) const {
     const std::size_t i = index(x, y);

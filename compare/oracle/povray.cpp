@@ -147,12 +147,22 @@ struct CacheEntry {
   }
 };
 
-// What POV-Ray says about its failure, without the banner and the option blocks.
-std::string pov_messages(const std::string& err) {
+// POV-Ray's messages without progress; what was wrapped at 80 columns (continuation lines start with a blank) is one line again.
+std::vector<std::string> message_lines(const std::string& err) {
   std::istringstream in(err);
-  std::string out, last;
+  std::vector<std::string> out;
   for (std::string line; std::getline(in, line);) {
     if (const auto cr = line.find_last_of('\r'); cr != std::string::npos) line.erase(0, cr + 1);
+    if (line.starts_with(" ") && !out.empty()) out.back() += line;
+    else out.push_back(line);
+  }
+  return out;
+}
+
+// What it says about its failure, without the banner and the option blocks.
+std::string pov_messages(const std::string& err) {
+  std::string out, last;
+  for (const std::string& line : message_lines(err)) {
     const bool worth = line.find("Error") != std::string::npos || line.find("error") != std::string::npos || line.starts_with("Problem with") ||
                        line.starts_with("Failed to") || line.starts_with("Cannot");
     if (worth && out.size() < 2000) out += (out.empty() ? "" : "; ") + trimmed(line);

@@ -1,0 +1,193 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "compare/metrics/edges.h"
+#include "compare/metrics/metrics.h"
+#include "compare/metrics/ssim.h"
+#include "compare/metrics/test_pictures.h"
+#include "compare/metrics/verdict.h"
+
+namespace verisim::compare {
+namespace {
+
+TEST(Measure, EqualPictures) {
+  const Metrics m = measure(random_picture(33, 21, 1), random_picture(33, 21, 1));
+  EXPECT_EQ(m.max_abs, 0);
+  EXPECT_EQ(m.rmse, 0);
+  EXPECT_TRUE(std::isinf(m.psnr));
+  EXPECT_EQ(m.within_1_pct, 100);
+  EXPECT_NEAR(m.ssim_mean, 1, 1e-12);
+  EXPECT_NEAR(m.ssim_block_min, 1, 1e-12);
+  EXPECT_EQ(m.flip_mean, 0);
+  EXPECT_EQ(m.ciede2000_p95, 0);
+  EXPECT_TRUE(m.worst.empty());
+  EXPECT_EQ(m.histogram[0], 33u * 21u);
+}
+
+// Four pixels, twelve values: +1, -2 and +6 in three of them.
+TEST(Measure, FiguresByHand) {
+  const Picture a = constant_picture(2, 2, 100, 100, 100);
+  Picture b = a;
+  b.samples[0] = 101 / 255.0f, b.samples[4] = 98 / 255.0f, b.samples[11] = 106 / 255.0f;
+  const Metrics m = measure(a, b);
+  EXPECT_DOUBLE_EQ(m.max_abs, 6);
+  EXPECT_DOUBLE_EQ(m.mae, 9.0 / 12);
+  EXPECT_DOUBLE_EQ(m.bias, 5.0 / 12);
+  EXPECT_DOUBLE_EQ(m.rmse, std::sqrt(41.0 / 12));
+  EXPECT_DOUBLE_EQ(m.psnr, 20 * std::log10(255 / std::sqrt(41.0 / 12)));
+  EXPECT_DOUBLE_EQ(m.within_1_pct, 50);
+  EXPECT_DOUBLE_EQ(m.within_2_pct, 75);
+  EXPECT_EQ(m.histogram[0], 1u);
+  EXPECT_EQ(m.histogram[6], 1u);
+  ASSERT_FALSE(m.worst.empty());
+  EXPECT_EQ(m.worst[0].x, 1);
+  EXPECT_EQ(m.worst[0].y, 1);
+  EXPECT_DOUBLE_EQ(m.worst[0].test[2], 106);
+}
+
+TEST(Measure, OneCodeValueIsWithinOneForEveryValue) {
+  for (int v = 0; v < 255; ++v) {
+    const Metrics m = measure(constant_picture(1, 1, v, v, v), constant_picture(1, 1, v + 1, v, v));
+    ASSERT_EQ(m.within_1_pct, 100) << v;
+    ASSERT_EQ(m.max_abs, 1) << v;
+  }
+}
+
+TEST(Measure, SixteenBitPicturesKeepTheirFractions) {
+  Picture a = constant_picture(1, 1, 100, 100, 100), b = a;
+  a.bits = b.bits = 16;
+  b.samples[0] += 128 / 65535.0f;
+  EXPECT_NEAR(measure(a, b).max_abs, 128 / 257.0, 1e-4);
+}
+
+TEST(Measure, GreyAgainstColour) {
+  const Picture grey = picture_of(4, 4, [](int, int, int) { return 77; }, 1);
+  EXPECT_EQ(measure(grey, constant_picture(4, 4, 77, 77, 77)).max_abs, 0);
+  EXPECT_EQ(measure(grey, constant_picture(4, 4, 77, 80, 77)).max_abs, 3);
+}
+
+TEST(Measure, AlphaIsComparedWhenPresent) {
+  const Picture opaque = constant_picture(4, 4, 9, 9, 9);
+  const Picture glass = picture_of(4, 4, [](int, int, int c) { return c == 3 ? 200 : 9; }, 4);
+  const Metrics m = measure(opaque, glass);
+  EXPECT_EQ(m.max_abs, 0);
+  EXPECT_DOUBLE_EQ(*m.alpha_max_abs, 55);
+  EXPECT_EQ(m.within_1_pct, 0);
+  EXPECT_EQ(judge_deterministic(m, false).status, Status::differ);
+  EXPECT_EQ(measure(opaque, glass, {.alpha = false}).within_1_pct, 100);
+  EXPECT_FALSE(measure(opaque, opaque).alpha_max_abs);
+}
+
+TEST(Measure, NanNeverPassesAndStaysOutOfTheMeans) {
+  Picture a = constant_picture(10, 10, 50, 50, 50);
+  a.is_float = true;
+  Picture b = a;
+  b.samples[5] = NAN, b.samples[100] = INFINITY;
+  const Metrics m = measure(a, b);
+  EXPECT_EQ(m.nan_pixels, 2u);
+  EXPECT_EQ(m.rmse, 0);
+  EXPECT_EQ(m.within_1_pct, 98);
+  EXPECT_EQ(judge_deterministic(m, false).status, Status::differ);
+  EXPECT_EQ(judge_thresholds(m, {{"max_rmse", 1}}).status, Status::differ);
+  EXPECT_EQ(judge_stochastic(m, false, {}, {}).status, Status::differ);
+  // The same pixel broken in both is no agreement either.
+  EXPECT_EQ(measure(b, b).nan_pixels, 2u);
+}
+
+TEST(Measure, FloatPicturesAreSrgbEncoded) {
+  Picture a = constant_picture(2, 2, 0, 0, 0);
+  a.is_float = true;
+  Picture b = a;
+  for (float& v : a.samples) v = 0.5f;
+  for (float& v : b.samples) v = 0.5f, v *= 2;
+  const Metrics m = measure(a, b);
+  EXPECT_NEAR(m.max_abs, 255 - 187.516, 1e-2);  // sRGB of 0.5
+  EXPECT_TRUE(m.hdr_flip_mean);
+}
+
+TEST(Measure, RefusesWhatCannotBeCompared) {
+  EXPECT_THROW(measure(random_picture(4, 5, 1), random_picture(5, 4, 1)), PictureMismatch);
+  EXPECT_THROW(measure(Picture{}, Picture{}), PictureMismatch);
+  Picture truncated = random_picture(4, 4, 1);
+  truncated.samples.resize(20);
+  EXPECT_THROW(measure(truncated, random_picture(4, 4, 1)), PictureMismatch);
+}
+
+TEST(Measure, OnePixelPictures) {
+  const Metrics m = measure(constant_picture(1, 1, 10, 20, 30), constant_picture(1, 1, 20, 20, 30));
+  EXPECT_DOUBLE_EQ(m.max_abs, 10);
+  EXPECT_TRUE(std::isfinite(m.ssim_mean));
+  EXPECT_TRUE(std::isfinite(m.flip_mean));
+  EXPECT_FALSE(m.edge_rmse);
+}
+
+TEST(Measure, WorstPixelsLieApartAndAreSorted) {
+  Picture a = constant_picture(60, 40, 100, 100, 100), b = a;
+  const auto set = [&](int x, int y, double v) { b.samples[static_cast<std::size_t>(3 * (60 * y + x))] = static_cast<float>(v / 255); };
+  set(10, 10, 200), set(11, 10, 190), set(40, 30, 150), set(0, 39, 120);
+  const Metrics m = measure(a, b);
+  ASSERT_EQ(m.worst.size(), 3u);
+  EXPECT_EQ(m.worst[0].error, 100);
+  EXPECT_EQ(m.worst[1].x, 40);
+  EXPECT_EQ(m.worst[2].y, 39);
+}
+
+// A vertical edge in the middle; only pixels beside it differ, so the interior is clean.
+TEST(Measure, EdgeAndInteriorErrorsAreApart) {
+  const Picture a = picture_of(20, 10, [](int x, int, int) { return x < 10 ? 20 : 220; });
+  const Picture b = picture_of(20, 10, [](int x, int, int) { return x < 9 ? 20 : 220; });
+  const Metrics m = measure(a, b);
+  EXPECT_DOUBLE_EQ(*m.interior_rmse, 0);
+  EXPECT_GT(*m.edge_rmse, 50);
+  EXPECT_DOUBLE_EQ(m.edge_pct, 20);  // two columns that see the step, one more on each side
+}
+
+TEST(Ssim, OfTwoConstantsIsTheLuminanceTerm) {
+  const Picture a = constant_picture(32, 32, 100, 100, 100), b = constant_picture(32, 32, 120, 120, 120);
+  const double c1 = 2.55 * 2.55, expected = (2 * 100 * 120 + c1) / (100.0 * 100 + 120.0 * 120 + c1);
+  EXPECT_NEAR(ssim_mean(Values(a), Values(b)), expected, 1e-9);
+  EXPECT_NEAR(ssim_block_min(Values(a), Values(b)), expected, 1e-9);
+}
+
+// One 8x8 block, half 0, half 100, against its mirror image: means 50, variances 2500, covariance -2500.
+TEST(Ssim, BlockByHand) {
+  const Picture a = picture_of(8, 8, [](int x, int, int) { return x < 4 ? 0 : 100; }), b = picture_of(8, 8, [](int x, int, int) { return x < 4 ? 100 : 0; });
+  const double c2 = 7.65 * 7.65;
+  EXPECT_NEAR(ssim_block_min(Values(a), Values(b)), (-2 * 2500 + c2) / (2 * 2500 + c2), 1e-9);
+}
+
+TEST(Ssim, TheWorstBlockIsFoundWhereverItIs) {
+  const Picture a = random_picture(30, 27, 8);
+  for (const auto& [x, y] : {std::pair(0, 0), std::pair(29, 0), std::pair(13, 14), std::pair(29, 26)}) {
+    Picture b = a;
+    b.samples[static_cast<std::size_t>(3 * (30 * y + x) + 1)] = 1 - b.samples[static_cast<std::size_t>(3 * (30 * y + x) + 1)];
+    EXPECT_LT(ssim_block_min(Values(a), Values(b)), 1 - 1e-6);
+  }
+}
+
+TEST(Verdict, Boundaries) {
+  Metrics m;
+  m.within_1_pct = 99.99, m.within_2_pct = 100;
+  EXPECT_EQ(judge_deterministic(m, false).status, Status::exact);
+  m.within_1_pct = 99.98, m.rmse = 2;
+  EXPECT_EQ(judge_deterministic(m, false).status, Status::match);
+  EXPECT_EQ(judge_deterministic(m, true).status, Status::exact);
+  m.rmse = 2.001;
+  EXPECT_EQ(judge_deterministic(m, false).status, Status::differ);
+  EXPECT_THAT(judge_deterministic(m, false).reason, testing::HasSubstr("rmse"));
+  m.rmse = 0.1, m.within_1_pct = 99.49;
+  EXPECT_THAT(judge_deterministic(m, false).reason, testing::HasSubstr("within_1_pct"));
+}
+
+TEST(Verdict, OwnThresholds) {
+  Metrics m;
+  m.rmse = 3, m.ssim_mean = 0.9, m.bias = -2;
+  EXPECT_EQ(judge_thresholds(m, {{"max_rmse", 3}, {"min_ssim_mean", 0.9}}).status, Status::match);
+  EXPECT_THAT(judge_thresholds(m, {{"max_rmse", 2.9}}).reason, testing::HasSubstr("rmse"));
+  EXPECT_EQ(judge_thresholds(m, {{"max_bias", 1.5}}).status, Status::differ);
+  EXPECT_THROW(judge_thresholds(m, {{"max_rsme", 1}}), std::invalid_argument);
+  EXPECT_THROW(judge_thresholds(m, {{"rmse", 1}}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace verisim::compare

@@ -120,7 +120,7 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
 
   Statistics statistics;
   textures::Compiler compiler(texture_settings(scene, options.quality));
-  const accel::World world(scene, compiler, options.split_unions);
+  const accel::World world(scene, compiler, options.split_unions, options.remove_bounds);
   const shading::SceneData data(scene, world, compiler, options.quality, options.output_alpha);
   const CameraModel camera(scene.camera, options.width, options.height, compiler);
   statistics.seconds_compile = seconds_since(start);

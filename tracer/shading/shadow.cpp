@@ -94,7 +94,8 @@ bool Tracer::filter_through(const ShadowQuery& query, const RayState& ray, const
   Rgb filter;
   scene_.world.weighted_textures(hit, inside_hit, weighted_);
   if (weighted_.empty()) {
-    filter = texture_filter(at, *(inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture), p, ray.ray.direction, nullptr);
+    const auto* texture = inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+    if (texture) filter = texture_filter(at, *texture, p, ray.ray.direction, nullptr);
   } else {
     const std::size_t first = selection_.size();
     selection_.insert(selection_.end(), weighted_.begin(), weighted_.end());

@@ -39,7 +39,7 @@ Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
   scene_.world.weighted_textures(hit, inside_hit, weighted_);
   if (weighted_.empty()) {
     const auto* texture = inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
-    result = shade_texture(ray, at, *texture, p, nullptr);
+    if (texture) result = shade_texture(ray, at, *texture, p, nullptr);  // none: a cutaway surface in no textured child shows black
   } else {
     const StackScope<textures::WeightedTexture> scope(selection_);
     selection_.insert(selection_.end(), weighted_.begin(), weighted_.end());

@@ -18,21 +18,32 @@ int round_to(float encoded, int max_value) {
 // The smallest float that rounds to each code: exact and faster than a power per sample. For at most 8 bits and no dithering.
 class CodeTable {
  public:
-  CodeTable(const OutputCurve& curve, int max_value) : first_(static_cast<std::size_t>(max_value)) {
+  CodeTable(const OutputCurve& curve, int max_value) : first_(static_cast<std::size_t>(max_value) + 1, std::numeric_limits<float>::infinity()) {
     for (int code = 1; code <= max_value; ++code) {
       float low = 0, high = 1;
-      if (round_to(curve.encode(high), max_value) < code) { first_[code - 1] = std::numeric_limits<float>::infinity(); continue; }
+      if (round_to(curve.encode(high), max_value) < code) break;
       while (std::nextafter(low, high) < high) {
         const float middle = 0.5f * (low + high);
         (round_to(curve.encode(middle), max_value) >= code ? high : low) = middle;
       }
       first_[code - 1] = high;
     }
+    for (std::size_t i = 0, code = 0; i < kGuesses; ++i) {
+      while (first_[code] <= static_cast<float>(i) / kGuesses) ++code;
+      guess_[i] = static_cast<std::uint16_t>(code);
+    }
   }
-  int operator()(float x) const { return static_cast<int>(std::upper_bound(first_.begin(), first_.end(), x) - first_.begin()); }
+  // 0 <= x <= 1.
+  int operator()(float x) const {
+    std::size_t code = guess_[std::min(static_cast<std::size_t>(x * kGuesses), kGuesses - 1)];
+    while (first_[code] <= x) ++code;
+    return static_cast<int>(code);
+  }
 
  private:
-  std::vector<float> first_;
+  static constexpr std::size_t kGuesses = 4096;
+  std::vector<float> first_;  // of code + 1; the last is infinite
+  std::array<std::uint16_t, kGuesses> guess_{};  // the code at i / kGuesses
 };
 
 // Bayer matrices, ranks listed per x, then y (spec 02 section 4.4).

@@ -84,17 +84,12 @@ bool Tracer::filter_through(const ShadowQuery& query, const RayState& ray, const
     color = {};
     return true;
   }
-  Vec3 raw = hit.shape->normal(hit);
-  const bool inside_hit = dot(raw, ray.ray.direction) > 0;
-  if (inside_hit) raw = -raw;
-  SurfaceHit at{hit, surface, raw, inside_hit, {hit.point, raw, ray.ray.direction}, 0, 0};
-  at.texture_point.uv = hit.shape->uv(hit);
-  at.texture_point.has_uv = true;
-  const Vec3 p = surface.uv_mapping ? Vec3(at.texture_point.uv.x, at.texture_point.uv.y, 0) : hit.point;
+  SurfaceHit at(hit, ray.ray.direction, 0, 0);
+  const Vec3 p = at.pattern_point();
   Rgb filter;
-  scene_.world.weighted_textures(hit, inside_hit, weighted_);
+  scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
   if (weighted_.empty()) {
-    const auto* texture = inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+    const auto* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
     if (texture) filter = texture_filter(at, *texture, p, ray.ray.direction, nullptr);
   } else {
     const std::size_t first = selection_.size();
@@ -121,15 +116,12 @@ Rgb Tracer::texture_filter(SurfaceHit& at, const textures::CompiledTexture& text
     const std::size_t count = chosen.size(), offset = static_cast<std::size_t>(chosen.data() - selection_.data());
     const Frame inner{&texture, frame};
     Rgb sum;
-    float weights = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const textures::WeightedTexture entry = selection_[offset + i];
-      if (entry.weight == 0) continue;
-      sum += texture_filter(at, *entry.texture, warped, towards, &inner) * entry.weight;
-      weights += entry.weight;
+      if (entry.weight != 0) sum += texture_filter(at, *entry.texture, warped, towards, &inner) * entry.weight;
     }
     selection_.resize(first);
-    return texture.average && weights != 0 ? sum * (1 / weights) : sum;
+    return sum;
   }
   const float caustics = at.surface.interior->caustics;
   Rgb filter(1);

@@ -22,23 +22,27 @@ class StackScope {
 
 }  // namespace
 
-Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
-  const shapes::Surface& surface = *hit.shape->surface;
-  Vec3 raw = hit.shape->normal(hit);
-  const bool inside_hit = dot(raw, ray.ray.direction) > 0;
+SurfaceHit::SurfaceHit(const shapes::Hit& h, const Vec3& direction, std::size_t cache, int child_level)
+    : hit(h), surface(*h.shape->surface), raw(h.shape->normal(h)), inside_hit(dot(raw, direction) > 0), light_cache(cache), level(child_level) {
   if (inside_hit) raw = -raw;
+  texture_point = {h.point, raw, direction, [](const void* context) {
+                     const auto& seen = *static_cast<const shapes::Hit*>(context);
+                     return seen.shape->uv(seen);
+                   }, &h};
+}
+
+Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
   const StackScope<CachedLight> lights(light_cache_);
   light_cache_.resize(lights.begin() + scene_.global_lights());
-  SurfaceHit at{hit, surface, raw, inside_hit, {hit.point, raw, ray.ray.direction}, lights.begin(), ray.level + (ray.continuation ? 0 : 1)};
-  at.texture_point.uv = hit.shape->uv(hit);
-  at.texture_point.has_uv = true;
-  const Vec3 p = surface.uv_mapping ? Vec3(at.texture_point.uv.x, at.texture_point.uv.y, 0) : hit.point;
+  SurfaceHit at(hit, ray.ray.direction, lights.begin(), ray.level + (ray.continuation ? 0 : 1));
+  const shapes::Surface& surface = at.surface;
+  const Vec3 p = at.pattern_point();
 
   Color result;
   // Nested hits use the same list, so its entries are copied to this call's stretch of the selection stack.
-  scene_.world.weighted_textures(hit, inside_hit, weighted_);
+  scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
   if (weighted_.empty()) {
-    const auto* texture = inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+    const auto* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
     if (texture) result = shade_texture(ray, at, *texture, p, nullptr);  // none: a cutaway surface in no textured child shows black
   } else {
     const StackScope<textures::WeightedTexture> scope(selection_);
@@ -64,14 +68,11 @@ Color Tracer::shade_texture(const RayState& ray, SurfaceHit& at, const textures:
   const std::size_t count = chosen.size(), first = static_cast<std::size_t>(chosen.data() - selection_.data());
   const Frame inner{&texture, frame};
   Color sum;
-  float weights = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const textures::WeightedTexture entry = selection_[first + i];
-    if (entry.weight == 0) continue;
-    sum += shade_texture(ray, at, *entry.texture, warped, &inner) * entry.weight;
-    weights += entry.weight;
+    if (entry.weight != 0) sum += shade_texture(ray, at, *entry.texture, warped, &inner) * entry.weight;
   }
-  return texture.average && weights != 0 ? sum * (1 / weights) : sum;
+  return sum;
 }
 
 // The layer's normal in world space; every evaluation leaves its trace in the texture point (spec 05 3.4, 10.1).

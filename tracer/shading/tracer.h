@@ -16,13 +16,17 @@ struct Cancelled {};
 
 // One hit while it is being shaded.
 struct SurfaceHit {
+  SurfaceHit(const shapes::Hit& h, const Vec3& direction, std::size_t cache, int child_level);
+  // Where textures are evaluated: the point, or its surface coordinates (spec 06 3.1).
+  Vec3 pattern_point() const { return surface.uv_mapping ? textures::uv_point(texture_point) : hit.point; }
+
   const shapes::Hit& hit;
   const shapes::Surface& surface;
-  Vec3 raw;          // geometric normal towards the viewer
-  bool inside_hit;   // the surface was hit from within
+  Vec3 raw;            // geometric normal towards the viewer
+  bool inside_hit;     // the surface was hit from within
   textures::SurfacePoint texture_point;
   std::size_t light_cache;  // where this hit's results per global light start
-  int level;         // of the rays it sends out
+  int level;                // of the rays it sends out
 };
 
 class Tracer {

@@ -246,7 +246,11 @@ CompiledTexture Compiler::Impl::make_texture(const scene::Texture& d, bool no_bu
   c.average = d.pattern.kind == scene::PatternKind::average;
   c.material_map = d.pattern.kind == scene::PatternKind::image_map;
   c.pattern = pattern(d.pattern);
-  for (const auto& entry : *d.texture_map) c.map.push_back({entry.position, texture(entry.value, no_bump_scale)});
+  c.opaque = true;  // POV-Ray never flags these, but their filter is zero all the same
+  for (const auto& entry : *d.texture_map) {
+    c.map.push_back({entry.position, texture(entry.value, no_bump_scale)});
+    c.opaque = c.opaque && c.map.back().value->opaque;
+  }
   c.positions = MapPositions(c.map);
   return c;
 }

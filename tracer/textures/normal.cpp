@@ -91,7 +91,7 @@ Vec3 height_field(const CompiledNormal& c, const Vec3& p, const SurfacePoint& su
 void apply(const CompiledNormal& c, const Vec3& p, SurfacePoint& surface) {
   using enum CompiledNormal::Method;
   if (c.method == uv_mapping) {
-    apply(*c.children[0], Vec3(surface.uv.x, surface.uv.y, 0), surface);
+    apply(*c.children[0], uv_point(surface), surface);
     return;
   }
   const Vec3 q = warped(*c.pattern, p);

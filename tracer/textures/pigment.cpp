@@ -55,7 +55,7 @@ bool evaluate(const CompiledPigment& c, const Vec3& p, const SurfacePoint* surfa
     return true;
   }
   if (c.source == uv_mapping) {
-    const Vec3 uv = surface ? Vec3(surface->uv.x, surface->uv.y, 0) : p;
+    const Vec3 uv = surface ? uv_point(*surface) : p;
     return evaluate(*c.children[0], uv, surface, color);
   }
   const Vec3 q = warped(*c.pattern, p);

@@ -19,7 +19,7 @@ std::span<const WeightedTexture> select(const CompiledTexture& texture, const Ve
                                         std::span<WeightedTexture> storage, Vec3& warped_point) {
   const auto& map = texture.map;
   if (texture.uv_mapping) {
-    warped_point = surface ? Vec3(surface->uv.x, surface->uv.y, 0) : p;
+    warped_point = surface ? uv_point(*surface) : p;
     storage[0] = {map[0].value, 1};
     return storage.first(1);
   }

@@ -22,9 +22,17 @@ struct SurfacePoint {
   Vec3 point;          // the hit, unwarped
   Vec3 normal;         // in and out
   Vec3 ray_direction;
-  Vec2 uv{0, 0};
-  bool has_uv = false;
+  // Surface coordinates are computed when they are asked for: few textures do, and some shapes need inverse trigonometry for them.
+  Vec2 (*uv_function)(const void* context) = nullptr;
+  const void* uv_context = nullptr;
+
+  Vec2 uv() const { return uv_function ? uv_function(uv_context) : Vec2(0, 0); }
 };
+
+inline Vec3 uv_point(const SurfacePoint& surface) {
+  const Vec2 uv = surface.uv();
+  return {uv.x, uv.y, 0};
+}
 
 struct Settings {
   int noise_generator = 2;

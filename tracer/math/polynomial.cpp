@@ -1,0 +1,128 @@
+#include "tracer/math/polynomial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tracer/math/vec.h"
+
+namespace verisim {
+namespace {
+
+constexpr double kForceSturm = 1e12;  // ratio of coefficients beyond which the closed form of degree 4 is not trusted
+
+bool closed_form_is_difficult(const double* c) {
+  // POV-Ray compares with the signed reference, so a negative one is replaced by any successor.
+  double reference = c[0];
+  for (int i = 1; i <= 4; ++i)
+    if (std::fabs(c[i]) > reference) reference = c[i];
+  for (int i = 0; i <= 4; ++i)
+    if (c[i] != 0 && std::fabs(reference / c[i]) > kForceSturm) return true;
+  return false;
+}
+
+int solve_quartic_closed(const double* c, double* roots) {
+  const double inverse = 1.0 / c[0];
+  const double c1 = c[1] * inverse, c2 = c[2] * inverse, c3 = c[3] * inverse, c4 = c[4] * inverse;
+  const double c12 = c1 * c1;
+  const double p = c2 - 0.375 * c12;
+  const double q = 0.125 * c12 * c1 - 0.5 * c1 * c2 + c3;
+  const double r = -3.0 / 256.0 * c12 * c12 + 0.0625 * c12 * c2 - 0.25 * c1 * c3 + c4;
+
+  const double resolvent[4] = {1.0, -0.5 * p, -r, 0.5 * r * p - 0.125 * q * q};
+  double z_roots[3];
+  if (solve_cubic(resolvent, z_roots) == 0) return 0;
+  const double z = z_roots[0];
+
+  double u = 2.0 * z - p, v;
+  if (u < 0) {
+    if (u <= -kEpsilon) return 0;
+    u = 0;
+  }
+  if (u < kEpsilon) {
+    v = z * z - r;
+    if (v < 0) return 0;
+    v = std::sqrt(v);
+  } else {
+    u = std::sqrt(u);
+    v = 0.5 * q / u;
+  }
+  // (x^2 + z)^2 = (u x - v)^2, so x^2 -+ u x + z +- v = 0.
+  int n = 0;
+  const double shift = -0.25 * c1;
+  const auto add_pair = [&](double middle, double constant) {
+    const double discriminant = middle * middle - constant;
+    if (discriminant > 0) {
+      const double root = std::sqrt(discriminant);
+      roots[n++] = middle + root + shift;
+      roots[n++] = middle - root + shift;
+    } else if (discriminant == 0) {
+      roots[n++] = middle + shift;
+    }
+  };
+  add_pair(0.5 * u, z + v);
+  add_pair(-0.5 * u, z - v);
+  return n;
+}
+
+}  // namespace
+
+int solve_quadratic(const double* c, double* roots) {
+  double a = c[0], b = c[1];
+  if (std::fabs(a) < kEpsilon) {
+    if (std::fabs(b) < kEpsilon) return 0;
+    roots[0] = -c[2] / b;
+    return 1;
+  }
+  b /= a;
+  const double k = c[2] / a;
+  const double discriminant = b * b - 4.0 * k;
+  if (std::fabs(discriminant) < kEpsilon) {
+    roots[0] = -0.5 * b;
+    return 1;
+  }
+  if (!(discriminant > 0)) return 0;
+  const double root = std::sqrt(discriminant);
+  roots[0] = 0.5 * (-b + root);
+  roots[1] = 0.5 * (-b - root);
+  return 2;
+}
+
+int solve_cubic(const double* c, double* roots) {
+  const double inverse = 1.0 / c[0];
+  const double a1 = c[1] * inverse, a2 = c[2] * inverse, a3 = c[3] * inverse;
+  const double square = a1 * a1;
+  const double q = (square - 3.0 * a2) / 9.0;
+  const double r = (a1 * (square - 4.5 * a2) + 13.5 * a3) / 27.0;
+  const double q3 = q * q * q, r2 = r * r, d = q3 - r2, third = a1 / 3.0;
+  if (d >= 0) {
+    // q3 = 0 makes 0/0 here: an exact triple root is lost, as in POV-Ray.
+    const double theta = std::acos(std::clamp(r / std::sqrt(q3), -1.0, 1.0)) / 3.0;
+    const double size = -2.0 * std::sqrt(q), step = 2.0 * std::numbers::pi / 3.0;
+    roots[0] = size * std::cos(theta) - third;
+    roots[1] = size * std::cos(theta + step) - third;
+    roots[2] = size * std::cos(theta + 2.0 * step) - third;
+    return 3;
+  }
+  const double s = std::cbrt(std::sqrt(-d) + std::fabs(r));
+  roots[0] = (r < 0 ? s + q / s : -(s + q / s)) - third;
+  return 1;
+}
+
+int solve_polynomial(int degree, const double* c, double* roots, bool sturm, double elimination) {
+  while (degree > 0 && std::fabs(c[0]) < kEpsilon) ++c, --degree;
+  const auto near_zero_root = [&](int n) { return elimination > 0 && c[n - 1] != 0 && std::fabs(c[n] / c[n - 1]) < elimination; };
+  const auto cubic = [&] { return sturm ? solve_sturm(3, c, roots) : solve_cubic(c, roots); };
+  switch (degree) {
+    case 0: return 0;
+    case 1: roots[0] = -c[1] / c[0]; return 1;
+    case 2: return solve_quadratic(c, roots);
+    case 3: return near_zero_root(3) ? solve_quadratic(c, roots) : cubic();
+    case 4:
+      if (near_zero_root(4)) return cubic();
+      return sturm || closed_form_is_difficult(c) ? solve_sturm(4, c, roots) : solve_quartic_closed(c, roots);
+    default: return solve_sturm(degree, c, roots);
+  }
+}
+
+}  // namespace verisim

@@ -1,0 +1,89 @@
+#include "tracer/math/polynomial.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace verisim {
+namespace {
+
+std::vector<double> from_roots(const std::vector<double>& roots) {
+  std::vector<double> c{1};
+  for (const double r : roots) {
+    c.push_back(0);
+    for (std::size_t i = c.size() - 1; i > 0; --i) c[i] -= r * c[i - 1];
+  }
+  return c;
+}
+
+std::vector<double> solve(const std::vector<double>& c, bool sturm = false, double elimination = 0) {
+  double roots[kMaxPolynomialDegree];
+  const int n = solve_polynomial(static_cast<int>(c.size()) - 1, c.data(), roots, sturm, elimination);
+  std::vector<double> result(roots, roots + n);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(Polynomial, FindsKnownRoots) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> position(0.1, 10);
+  for (int degree = 1; degree <= 8; ++degree) {
+    for (int trial = 0; trial < 200; ++trial) {
+      std::vector<double> roots;
+      while (static_cast<int>(roots.size()) < degree) {
+        const double r = position(random);
+        if (std::all_of(roots.begin(), roots.end(), [&](double other) { return std::fabs(other - r) > 0.5; })) roots.push_back(r);
+      }
+      std::sort(roots.begin(), roots.end());
+      const auto c = from_roots(roots);
+      for (const bool sturm : {false, true}) {
+        const auto found = solve(c, sturm);
+        ASSERT_EQ(found.size(), roots.size()) << "degree " << degree << " sturm " << sturm;
+        for (std::size_t i = 0; i < roots.size(); ++i) ASSERT_NEAR(found[i], roots[i], 1e-5) << "degree " << degree;
+      }
+    }
+  }
+}
+
+TEST(Polynomial, DropsTinyLeadingCoefficients) { EXPECT_EQ(solve({1e-11, 0, 1, -3}), std::vector<double>{3}); }
+
+TEST(Polynomial, QuadraticMergesNearlyEqualRoots) {
+  EXPECT_EQ(solve({1, -2, 1}).size(), 1u);
+  EXPECT_EQ(solve({1, -2, 1 - 2e-11}).size(), 1u);
+  EXPECT_EQ(solve({1, -2, 1 - 1e-9}).size(), 2u);
+}
+
+TEST(Polynomial, EliminatesTheRootAtTheStart) {
+  const auto c = from_roots({1e-6, 1, 2, 3});
+  EXPECT_EQ(solve(c, false, 1e-4).size(), 3u);
+  EXPECT_EQ(solve(c, false, 0).size(), 4u);
+}
+
+TEST(Polynomial, SturmIgnoresNegativeRoots) {
+  EXPECT_EQ(solve(from_roots({-3, -1, 2, 5, 7}), true).size(), 3u);
+  EXPECT_EQ(solve(from_roots({-3, -1, 2, 5})).size(), 4u);
+}
+
+TEST(Polynomial, SturmReportsMultipleRootsOnce) {
+  const auto found = solve(from_roots({2, 2, 5}), true);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_NEAR(found[0], 2, 1e-4);
+  EXPECT_NEAR(found[1], 5, 1e-6);
+}
+
+TEST(Polynomial, SurvivesAnything) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> exponent(-40, 40);
+  for (int trial = 0; trial < 20000; ++trial) {
+    std::vector<double> c;
+    const int degree = trial % 11;
+    for (int i = 0; i <= degree; ++i) c.push_back((random() & 1 ? 1 : -1) * std::pow(10, exponent(random)));
+    if (trial % 7 == 0) c[random() % c.size()] = random() & 1 ? HUGE_VAL : std::nan("");
+    EXPECT_LE(solve(c, trial & 1, 1e-4).size(), static_cast<std::size_t>(degree));
+  }
+}
+
+}  // namespace
+}  // namespace verisim

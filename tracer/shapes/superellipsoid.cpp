@@ -1,0 +1,159 @@
+// superellipsoid (spec 03 4.12): nested p-norms, |(|(x, y)|_2/e, z)|_2/n = 1.
+#include <algorithm>
+
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/primitive.h"
+
+namespace verisim::shapes {
+namespace {
+
+constexpr double kNearest = 1e-4, kFarthest = 1e7, kZero = 1e-10, kCube = 1.01;
+constexpr int kMaxSteps = 20;
+
+double norm(double a, double b, double p) {
+  if (a < b) std::swap(a, b);
+  if (!(a > 0)) return 0;
+  return a * std::pow(1 + std::pow(b / a, p), 1 / p);
+}
+
+class Superellipsoid final : public Primitive<Superellipsoid> {
+ public:
+  Superellipsoid(const scene::Object& description, const scene::Superellipsoid& s)
+      : Primitive(description, {Box3(Vec3(-1.0001), Vec3(1.0001))}), p_(2 / s.east), q_(2 / s.north) {}
+
+  template <class Sink>
+  void crossings(const Ray& ray, Sink& sink) const {
+    const LocalRay l = local(ray);
+    double knots[11];
+    const int count = knots_of(l, knots);
+    if (count < 2) return;
+    // True when the search may stop: the sink wants the nearest hit and has taken this one.
+    const auto report = [&](double t) {
+      const double depth = t / l.scale;
+      if (!(depth > kNearest && depth < kFarthest)) return false;
+      return sink.add(depth, [&] { return ray.origin + depth * ray.direction; }) && Sink::kNearest;
+    };
+    double a = knots[0], fa = value(l, a);
+    if (std::fabs(fa) < kZero && report(a)) return;
+    for (int i = 1; i < count; ++i) {
+      const double b = knots[i], fb = value(l, b);
+      if (std::fabs(fb) < kZero) {
+        if (report(b)) return;
+      } else if (std::fabs(fa) >= kZero) {
+        if ((fa < 0) != (fb < 0)) {
+          if (report(refine(l, a, fa, b, fb))) return;
+        } else if (double entry; fa > 0 && grazing_entry(l, a, fa, b, entry)) {
+          if (report(entry)) return;
+          double inner = entry;
+          if (find_inside(l, entry, b, inner) && report(refine(l, inner, value(l, inner), b, fb))) return;
+        }
+      }
+      a = b, fa = fb;
+    }
+  }
+
+  bool contains(const Vec3& p) const { return value(local(p)) < kZero; }
+
+  Vec3 raw_normal(const Hit& hit) const {
+    const Vec3 v = local(hit.point);
+    const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
+    const double r = norm(x, y, p_), f = norm(r, z, q_);
+    const double across = f > 0 && r > 0 ? std::pow(r / f, q_ - 1) : 0;
+    const auto part = [](double a, double size, double power) { return size > 0 && a > 0 ? std::pow(a / size, power) : power == 0 ? 1.0 : 0.0; };
+    const Vec3 g(std::copysign(across * part(x, r, p_ - 1), v.x), std::copysign(across * part(y, r, p_ - 1), v.y),
+                 std::copysign(part(z, f, q_ - 1), v.z));
+    const double largest = std::max({std::fabs(g.x), std::fabs(g.y), std::fabs(g.z)});
+    if (!(largest > 0) || !std::isfinite(largest)) return {1, 0, 0};
+    return world_normal(g / largest);
+  }
+
+ private:
+  double value(const Vec3& p) const { return norm(norm(std::fabs(p.x), std::fabs(p.y), p_), std::fabs(p.z), q_) - 1; }
+  double value(const LocalRay& l, double t) const { return value(l.origin + t * l.direction); }
+
+  // Where the ray enters and leaves the cube, and crosses the planes of symmetry in between; sorted.
+  static int knots_of(const LocalRay& l, double* knots) {
+    double near = kNearest, far = HUGE_VAL;
+    const Vec3 &o = l.origin, &d = l.direction;
+    for (int i = 0; i < 3; ++i) {
+      if (std::fabs(d[i]) < kEpsilon) {
+        if (std::fabs(o[i]) > kCube) return 0;
+        continue;
+      }
+      double a = (-kCube - o[i]) / d[i], b = (kCube - o[i]) / d[i];
+      if (a > b) std::swap(a, b);
+      near = std::max(near, a), far = std::min(far, b);
+      if (!(near < far)) return 0;
+    }
+    int n = 0;
+    knots[n++] = near;
+    const auto cross_plane = [&](double distance, double slope) {
+      if (slope == 0) return;
+      const double t = -distance / slope;
+      if (t > near && t < far) knots[n++] = t;
+    };
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      cross_plane(o[i], d[i]);
+      cross_plane(o[i] - o[j], d[i] - d[j]);
+      cross_plane(o[i] + o[j], d[i] + d[j]);
+    }
+    knots[n++] = far;
+    std::sort(knots, knots + n);
+    return n;
+  }
+
+  // The root between a and b, where the signs differ: secant steps, kept in the bracket by bisection.
+  double refine(const LocalRay& l, double a, double fa, double b, double fb) const {
+    double t = 0.5 * (a + b);
+    for (int step = 0; step < 2 * kMaxSteps; ++step) {
+      t = step % 3 == 2 ? 0.5 * (a + b) : a - fa * (b - a) / (fb - fa);
+      const double f = value(l, t);
+      if (std::fabs(f) < kZero) return t;
+      if ((f < 0) == (fa < 0)) a = t, fa = f;
+      else b = t, fb = f;
+    }
+    return t;
+  }
+
+  // Outside at both ends of a stretch: a secant walk from the near end, which finds an entry if the ray dips below the surface.
+  bool grazing_entry(const LocalRay& l, double a, double fa, double b, double& entry) const {
+    double t0 = a, f0 = fa, t1 = a + 1e-4 * (b - a), f1 = value(l, t1);
+    for (int step = 0; step < kMaxSteps; ++step) {
+      if (std::fabs(f1) < kZero) {
+        entry = t1;
+        return true;
+      }
+      if (f1 < 0) {
+        entry = refine(l, t0, f0, t1, f1);
+        return true;
+      }
+      if (f1 == f0) return false;
+      const double t = t1 - f1 * (t1 - t0) / (f1 - f0);
+      if (!(t > t1 && t <= b)) return false;
+      t0 = t1, f0 = f1;
+      t1 = t, f1 = value(l, t);
+    }
+    return false;
+  }
+
+  // A point with a negative value behind a grazing entry.
+  bool find_inside(const LocalRay& l, double entry, double b, double& inner) const {
+    for (double step = 1e-6; entry + step < b; step *= 4) {
+      inner = entry + step;
+      const double f = value(l, inner);
+      if (f < -kZero) return true;
+    }
+    return false;
+  }
+
+  double p_, q_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_superellipsoid(const scene::Object& object) {
+  return std::make_unique<Superellipsoid>(object, *object.as<scene::Superellipsoid>());
+}
+
+}  // namespace verisim::shapes

@@ -1,0 +1,174 @@
+#include "tracer/global/photon_shooting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace verisim::global {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+// A target seen at too fine a spacing would never end: POV-Ray's numbers stay far below.
+constexpr std::size_t kMaxRing = std::size_t{1} << 24;
+
+bool active(scene::Flag object, bool light_given, bool light_on) {
+  const bool on = object == scene::Flag::on || (light_given && light_on);
+  const bool off = object == scene::Flag::off || (light_given && !light_on);
+  return on && !off;
+}
+
+void collect_lights(const std::vector<scene::ObjectPtr>& objects, std::vector<const scene::LightSource*>& lights) {
+  for (const scene::ObjectPtr& o : objects) {
+    if (const auto* light = o->as<scene::LightSource>()) {
+      if (light->kind != scene::LightKind::shadowless) lights.push_back(light);
+    } else if (const auto* csg = o->as<scene::Csg>()) {
+      collect_lights(csg->children, lights);
+    }
+  }
+}
+
+void collect_targets(const std::vector<scene::ObjectPtr>& objects, std::vector<const scene::Object*>& targets) {
+  for (const scene::ObjectPtr& o : objects) {
+    if (o->photons.target) {
+      if (!o->ignore_global_lights) targets.push_back(o.get());
+    } else if (const auto* csg = o->as<scene::Csg>()) {
+      collect_targets(csg->children, targets);
+    } else if (const auto* group = o->as<scene::LightGroup>()) {
+      collect_targets(group->children, targets);
+    }
+  }
+}
+
+Vec3 rotate(const Vec3& v, const Vec3& axis, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return v * c + cross(axis, v) * s + axis * (dot(axis, v) * (1.0 - c));
+}
+
+// The frame of one light point: unit vector towards the target, and one to its left.
+struct Frame {
+  Vec3 origin, towards, left;
+};
+
+Frame frame(const PhotonPair& pair, const Vec3& origin) {
+  Frame f;
+  f.origin = origin;
+  f.towards = pair.light->parallel ? pair.light->direction : normalize(pair.center - origin);
+  const Vec3 up = std::fabs(std::fabs(f.towards.z) - 1.0) < 0.1 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+  f.left = normalize(cross(f.towards, up));
+  return f;
+}
+
+}  // namespace
+
+const std::vector<double>& RandomTable::table() {
+  static const std::vector<double> values = [] {
+    std::mt19937 generator;
+    std::vector<double> v(kSize);
+    for (double& x : v) x = generator() / 4294967296.0;
+    return v;
+  }();
+  return values;
+}
+
+std::vector<PhotonPair> photon_pairs(const scene::Scene& scene) {
+  std::vector<const scene::LightSource*> lights;
+  std::vector<const scene::Object*> targets;
+  collect_lights(scene.objects, lights), collect_targets(scene.objects, targets);
+  std::vector<PhotonPair> pairs;
+  for (const scene::LightSource* light : lights) {
+    for (const scene::Object* target : targets) {
+      PhotonPair pair;
+      pair.light = light, pair.target = target;
+      pair.reflection = active(target->photons.reflection, light->photons_given, light->photon_reflection);
+      pair.refraction = active(target->photons.refraction, light->photons_given, light->photon_refraction);
+      if (!pair.reflection && !pair.refraction) continue;
+      const auto& b = target->bounds;
+      const Vec3 half(0.5 * b.size[0], 0.5 * b.size[1], 0.5 * b.size[2]);
+      pair.center = Vec3(b.low[0], b.low[1], b.low[2]) + half;
+      pair.radius = length(half);
+      pair.density = target->photons.target_spacing;
+      pairs.push_back(pair);
+    }
+  }
+  return pairs;
+}
+
+double photon_spacing(const scene::Photons& settings, std::span<const PhotonPair> pairs) {
+  if (settings.count <= 0) return settings.spacing > 0.0 ? settings.spacing : 1.0;
+  double sum = 0.0;
+  for (const PhotonPair& p : pairs) {
+    const double r = p.radius / p.density;
+    double x = kPi * r * r;
+    if (p.reflection && p.refraction) x *= 1.5;
+    if (p.target->photons.collect) {
+      if (p.reflection && p.refraction) {
+        x *= 3.0;
+      } else if (p.refraction) {
+        x *= 2.0;
+      }
+      x *= 0.5;
+    }
+    sum += x;
+  }
+  return std::sqrt(sum / settings.count);
+}
+
+void shoot(const PhotonPair& pair, double spacing, const scene::Photons& settings, RandomTable& random,
+           const std::function<bool(std::span<const PhotonStart>, double)>& trace) {
+  const scene::LightSource& light = *pair.light;
+  const bool grid = light.area && light.photon_area;
+  const int columns = grid ? light.size1 : 1, rows = grid ? light.size2 : 1;
+  double distance = length(pair.center - light.position);
+  double limit = pair.radius;
+  if (!light.parallel) {
+    limit = distance >= pair.radius ? std::asin(pair.radius / distance) : kPi;
+    if (distance < pair.radius) distance = pair.radius;
+  }
+  double sigma = pair.density * spacing / (light.parallel ? 1.0 : distance);
+  if (grid) sigma *= std::sqrt(static_cast<double>(columns) * rows);
+  const double step = light.parallel ? sigma : std::atan(sigma);
+  if (!(step > 0.0) || !std::isfinite(limit)) return;
+
+  std::vector<Frame> frames;
+  for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      Vec3 origin = light.position;
+      if (grid) {
+        if (columns > 1) origin += light.axis1 * (i / (columns - 1.0) - 0.5);
+        if (rows > 1) origin += light.axis2 * (j / (rows - 1.0) - 0.5);
+      }
+      frames.push_back(frame(pair, origin));
+    }
+  }
+  const float share = 1.0f / static_cast<float>(frames.size());
+
+  std::vector<PhotonStart> ring;
+  bool hit_before = false;
+  for (double theta = 0.0; theta < limit; theta += step) {
+    const double around = theta < kEpsilon ? 2.0 * kPi : step / (light.parallel ? theta : std::sin(theta));
+    const double first = -kPi + around * random.next() * 0.5;
+    ring.clear();
+    for (double phi = first; phi < first + 2.0 * kPi - around / 2.0 && ring.size() < kMaxRing; phi += around) {
+      const double phi2 = phi + around * (random.next() - 0.5) * settings.jitter;
+      const double theta2 = theta + step * (random.next() - 0.5) * settings.jitter;
+      for (const Frame& f : frames) {
+        PhotonStart start;
+        start.energy = share;
+        if (light.parallel) {
+          const double back = dot(pair.center - f.origin, f.towards);
+          start.ray.origin = pair.center - back * f.towards + rotate(f.left * theta2, f.towards, phi2);
+          start.ray.direction = f.towards;
+        } else {
+          start.ray.origin = f.origin;
+          start.ray.direction = rotate(f.towards * std::cos(theta2) - f.left * std::sin(theta2), f.towards, phi2);
+        }
+        ring.push_back(start);
+      }
+    }
+    const bool hit = trace(ring, sigma);
+    if (hit_before && !hit && theta > settings.autostop * limit) break;
+    hit_before |= hit;
+  }
+}
+
+}  // namespace verisim::global

@@ -1,0 +1,228 @@
+#include "tracer/global/subsurface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+namespace verisim::global {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+using Channels = std::array<double, 3>;
+
+Channels channels(const Rgb& c) { return {c.r, c.g, c.b}; }
+Rgb rgb(const Channels& c) { return {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])}; }
+double grey(const Channels& c) { return 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2]; }
+
+// Diffuse Fresnel reflectance as POV-Ray approximates it (not the polynomial of the paper).
+double diffuse_fresnel(double eta) {
+  if (eta >= 1.0) {
+    const double x = 1.0 - 1.0 / eta;
+    return (x + 3.0 * std::pow(x, 4.5)) / 4.0;
+  }
+  return eta * eta - std::pow(eta, 2.25);
+}
+
+double boundary_term(double ior) {
+  const double f = diffuse_fresnel(ior);
+  return (1.0 + f) / (1.0 - f);
+}
+
+double reflectance_of(double albedo, double a) {
+  const double r = std::sqrt(3.0 * (1.0 - albedo));
+  return albedo / 2.0 * (1.0 + std::exp(-4.0 / 3.0 * a * r)) * std::exp(-r);
+}
+
+using Table = std::array<float, 101>;
+
+const Table& albedo_table(double ior) {
+  static std::mutex mutex;
+  static std::map<double, Table> tables;
+  const std::lock_guard lock(mutex);
+  auto [it, fresh] = tables.try_emplace(ior);
+  if (!fresh) return it->second;
+  const double a = boundary_term(ior);
+  for (int i = 0; i <= 100; ++i) {
+    double low = 0.0, high = 1.0;
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (low + high);
+      (reflectance_of(middle, a) < i / 100.0 ? low : high) = middle;
+    }
+    it->second[static_cast<std::size_t>(i)] = static_cast<float>(0.5 * (low + high));
+  }
+  return it->second;
+}
+
+// Optical coefficients of one channel, per millimetre.
+struct Medium {
+  Channels albedo, scattering, extinction, absorption, transport;
+};
+
+Medium medium_of(const SubsurfacePoint& point) {
+  Medium m;
+  const Channels reflectance = channels(point.reflectance), translucency = channels(point.translucency);
+  for (int c = 0; c < 3; ++c) {
+    m.albedo[c] = reduced_albedo(reflectance[c], point.interior->ior);
+    const bool lit = m.albedo[c] > 0.0 && translucency[c] > 0.0;
+    m.scattering[c] = lit ? 1.0 / translucency[c] : 0.0;
+    m.extinction[c] = lit ? m.scattering[c] / m.albedo[c] : 0.0;
+    m.absorption[c] = std::max(0.0, m.extinction[c] - m.scattering[c]);
+    m.transport[c] = std::sqrt(3.0 * m.absorption[c] * m.extinction[c]);
+  }
+  return m;
+}
+
+// R_d at squared distance d2 (mm^2) from the point of incidence.
+double dipole(double d2, int c, const Medium& m, double a) {
+  if (m.extinction[c] <= 0.0) return 0.0;
+  const double zr = 1.0 / m.extinction[c], zv = zr * (1.0 + 4.0 * a / 3.0);
+  const double dr = std::sqrt(zr * zr + d2), dv = std::sqrt(zv * zv + d2), s = m.transport[c];
+  return m.albedo[c] / (4.0 * kPi) *
+         (zr * (s + 1.0 / dr) * std::exp(-s * dr) / (dr * dr) + zv * (s + 1.0 / dv) * std::exp(-s * dv) / (dv * dv));
+}
+
+class Estimator {
+ public:
+  Estimator(const SubsurfacePoint& point, const SubsurfaceSettings& settings, SubsurfaceEnvironment& environment)
+      : point_(point), settings_(settings), environment_(environment), medium_(medium_of(point)), a_(boundary_term(point.interior->ior)),
+        eta_(point.relative_ior) {
+    cos_out_ = std::fabs(dot(point.view, point.normal));
+    out_transmittance_ = fresnel_transmittance(cos_out_, eta_);
+  }
+
+  Rgb run() {
+    Channels sum = diffuse();
+    const Vec3 refracted = refract();
+    SubsurfaceEnvironment::SurfaceHit exit;
+    if (dot(refracted, refracted) > 0.0 && environment_.nearest({point_.point, refracted}, exit)) {
+      single_scattering(refracted, exit.t * settings_.mm_per_unit, sum);
+      unscattered(refracted, exit, sum);
+    }
+    return rgb(sum);
+  }
+
+ private:
+  Channels diffuse() {
+    const double mm = settings_.mm_per_unit;
+    const double mean = grey(medium_.absorption) + grey(medium_.scattering);
+    Channels sum{};
+    if (!(mean > 0.0) || settings_.diffuse_samples <= 0) return sum;
+    const double free_path = 1.0 / (mean * mm);
+    double depth = free_path;
+    SubsurfaceEnvironment::SurfaceHit back;
+    if (environment_.nearest({point_.point, -point_.normal}, back) && back.t < 2.0 * free_path) {
+      depth = std::min(free_path, back.interior == point_.interior ? back.t / 2.0 : back.t - kEpsilon);
+    }
+    const Vec3 base = point_.point - point_.normal * depth;
+    int counted = 0;
+    for (int i = 0; i < settings_.diffuse_samples; ++i) {
+      const Vec3 direction = environment_.sphere_direction();
+      SubsurfaceEnvironment::SurfaceHit hit;
+      if (!environment_.nearest({base, direction}, hit)) continue;
+      ++counted;
+      if (hit.interior != point_.interior) continue;
+      const double t = hit.t * mm, weight = 4.0 * kPi * t * t / std::max(0.01, std::fabs(dot(direction, hit.normal)));
+      const Vec3 offset = hit.point - point_.point;
+      const double d2 = dot(offset, offset) * mm * mm;
+      Channels arriving{};
+      for (std::size_t l = 0; l < environment_.lights(); ++l) {
+        Rgb color;
+        Vec3 to_light;
+        if (!environment_.illumination(l, hit.point, color, to_light)) continue;
+        // The normal is turned to the side of the light.
+        const double cosine = std::fabs(dot(hit.normal, to_light));
+        const double share = weight * cosine * fresnel_transmittance(cosine, eta_) * out_transmittance_;
+        const Channels light = channels(color);
+        for (int c = 0; c < 3; ++c) arriving[c] += share * light[c];
+      }
+      for (int c = 0; c < 3; ++c) {
+        if (arriving[c] != 0.0) sum[c] += arriving[c] * dipole(d2, c, medium_, a_);
+      }
+    }
+    if (counted > 0) {
+      for (double& v : sum) v /= counted;
+    }
+    return sum;
+  }
+
+  Vec3 refract() const {
+    const double r = 1.0 / eta_, q = 1.0 + r * r * (cos_out_ * cos_out_ - 1.0);
+    if (q < 0.0) return {0, 0, 0};
+    return normalize(r * point_.view + (r * cos_out_ - std::sqrt(q)) * point_.normal);
+  }
+
+  void single_scattering(const Vec3& refracted, double exit_distance, Channels& sum) {
+    const int n = settings_.single_samples;
+    const double mm = settings_.mm_per_unit, cos_inner = std::fabs(dot(refracted, point_.normal));
+    Channels total{};
+    for (int i = 0; i < n; ++i) {
+      for (int c = 0; c < 3; ++c) {
+        const double draw = environment_.random(), extinction = medium_.extinction[c];
+        if (extinction <= 0.0) continue;
+        const double so = std::fabs(std::log(draw)) / extinction;
+        if (!(so < exit_distance)) continue;
+        const Vec3 p = point_.point + refracted * (so / mm);
+        for (std::size_t l = 0; l < environment_.lights(); ++l) {
+          const Vec3 direction = environment_.direction_to(l, p);
+          SubsurfaceEnvironment::SurfaceHit surface;
+          if (!environment_.nearest({p, direction}, surface) || surface.interior != point_.interior) continue;
+          Rgb color;
+          Vec3 to_light;
+          if (!environment_.illumination(l, surface.point, color, to_light)) continue;
+          const double cosine = std::fabs(dot(surface.normal, to_light));
+          const double inner = std::sqrt(std::max(0.0, 1.0 - (1.0 - cosine * cosine) / (eta_ * eta_)));
+          if (!(inner > 0.0)) continue;
+          const double si = surface.t * mm * cosine / inner, g = std::fabs(cos_inner / inner);
+          total[c] += channels(color)[c] * cosine * medium_.scattering[c] * fresnel_transmittance(cosine, eta_) * out_transmittance_ * 0.25 /
+                      (extinction + g * extinction) * std::exp(-si * extinction) * std::exp(-so * extinction);
+        }
+      }
+    }
+    if (n > 0) {
+      for (int c = 0; c < 3; ++c) sum[c] += total[c] / n;
+    }
+  }
+
+  void unscattered(const Vec3& refracted, const SubsurfaceEnvironment::SurfaceHit& exit, Channels& sum) {
+    Channels share{};
+    double most = 0.0;
+    for (int c = 0; c < 3; ++c) {
+      share[c] = medium_.extinction[c] > 0.0 ? std::exp(-medium_.extinction[c] * exit.t * settings_.mm_per_unit) : 0.0;
+      most = std::max(most, share[c]);
+    }
+    if (!(most > settings_.adc_bailout) || exit.interior != point_.interior) return;
+    const Channels seen = channels(environment_.transmitted({point_.point, refracted}, exit));
+    for (int c = 0; c < 3; ++c) sum[c] += share[c] * seen[c];
+  }
+
+  const SubsurfacePoint& point_;
+  const SubsurfaceSettings& settings_;
+  SubsurfaceEnvironment& environment_;
+  Medium medium_;
+  double a_, eta_, cos_out_, out_transmittance_;
+};
+
+}  // namespace
+
+double fresnel_transmittance(double cosine, double eta) {
+  const double q = eta * eta + cosine * cosine - 1.0;
+  if (q <= 0.0) return 0.0;
+  const double g = std::sqrt(q), a = (g - cosine) / (g + cosine), b = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
+  return 1.0 - std::clamp(0.5 * a * a * (1.0 + b * b), 0.0, 1.0);
+}
+
+double reduced_albedo(double reflectance, double ior) {
+  const Table& table = albedo_table(ior);
+  const double scaled = std::clamp(reflectance, 0.0, 1.0) * 100.0;
+  const auto i = std::min<std::size_t>(static_cast<std::size_t>(scaled), 99);
+  const double t = scaled - static_cast<double>(i);
+  return table[i] + t * (table[i + 1] - table[i]);
+}
+
+Rgb subsurface(const SubsurfacePoint& point, const SubsurfaceSettings& settings, SubsurfaceEnvironment& environment) {
+  return Estimator(point, settings, environment).run();
+}
+
+}  // namespace verisim::global

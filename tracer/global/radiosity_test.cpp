@@ -1,0 +1,104 @@
+#include "tracer/global/radiosity.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace verisim::global {
+namespace {
+
+TEST(Pretrace, JitterEqualsProbeR1) {
+  // Spec 07 P-R1: one pixel; sample at x = 0.02 * 0.5 * 0.935390, z = -0.02 * 0.5 * 0.929777.
+  scene::Radiosity settings;
+  settings.pretrace_start = settings.pretrace_end = 1;
+  const PretracePlan plan = pretrace_plan(settings, 1, 1);
+  EXPECT_EQ(plan.passes, 1);  // floor(log2(1) + 1 - eps) + 1
+  std::vector<Vec2> positions;
+  pretrace_positions(plan, 0, 0, 0, 0, 0, 0, positions);
+  ASSERT_EQ(positions.size(), 1u);
+  EXPECT_NEAR(positions[0].x, 0.5 * 0.935390, 1e-6);
+  EXPECT_NEAR(positions[0].y, 0.5 * 0.929777, 1e-6);
+}
+
+TEST(Pretrace, DefaultsGiveTwoPasses) {
+  scene::Radiosity settings;
+  settings.pretrace_start = 0.08, settings.pretrace_end = 0.04;
+  const PretracePlan plan = pretrace_plan(settings, 160, 120);
+  EXPECT_EQ(plan.passes, 2);
+  EXPECT_DOUBLE_EQ(plan.spacing(0), 12.8);
+  EXPECT_DOUBLE_EQ(plan.spacing(1), 6.4);
+}
+
+TEST(RadiositySettings, FirstDirectionIsHaltons) {
+  scene::Radiosity description;
+  const RadiositySettings settings(description, Vec3(0, 0, 0));
+  EXPECT_NEAR(settings.direction(0).x, -0.353553, 1e-6);
+  EXPECT_NEAR(settings.direction(0).y, 0.707107, 1e-6);
+  EXPECT_NEAR(settings.direction(0).z, 0.612372, 1e-6);
+  EXPECT_EQ(settings.rays(0), 35);
+  EXPECT_EQ(settings.rays(1), 17);
+  EXPECT_EQ(settings.rays(4), 5);
+}
+
+TEST(IrradianceCache, FindsEverySampleThatCanReachTheQuery) {
+  // At depth 0 nothing within reach may be lost (spec 07 2.8).
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<double> u(-5, 5), radius(0.01, 1.5);
+  IrradianceCache cache(1.8);
+  for (int i = 0; i < 2000; ++i) {
+    IrradianceSample s;
+    s.point = {u(generator), u(generator), u(generator)};
+    s.normal = {0, 1, 0};
+    s.mean_distance = static_cast<float>(radius(generator));
+    cache.add(s);
+  }
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 x(u(generator), u(generator), u(generator));
+    std::vector<const IrradianceSample*> found;
+    cache.visit(0, x, [&](const IrradianceSample& s) { found.push_back(&s); });
+    auto sorted = found;
+    std::sort(sorted.begin(), sorted.end());
+    EXPECT_EQ(std::unique(sorted.begin(), sorted.end()), sorted.end()) << "a sample was visited twice";
+    for (const IrradianceSample& s : cache.samples()) {
+      const Vec3 d = x - s.point;
+      if (length(d) < s.mean_distance * 1.8) {
+        EXPECT_TRUE(std::binary_search(sorted.begin(), sorted.end(), &s));
+      }
+    }
+  }
+}
+
+// A gatherer in a uniform furnace: every ray sees the same radiance at the same distance.
+class Furnace : public Gatherer {
+ public:
+  GatherResult gather(const Ray&, int, float) override {
+    ++rays;
+    return {.distance = 1.0, .shaded = true, .importance = 1, .color = Rgb(0.25f), .quality = 1};
+  }
+  int rays = 0;
+};
+
+TEST(RadiosityTask, ReusesSamplesNearbyAndTakesNewOnesElsewhere) {
+  scene::Radiosity description;
+  const RadiositySettings settings(description, Vec3(0, 1, -3));
+  IrradianceCache cache(description.error_bound);
+  RadiosityTask task(settings, &cache, &cache, true, 0, 0);
+  Furnace furnace;
+  const auto query = [&](const Vec3& p) {
+    float quality = 1;
+    return task.irradiance({p, {0, 1, 0}, {0, 1, 0}, 1.0, 0}, furnace, quality);
+  };
+  EXPECT_FLOAT_EQ(query({0, 0, 0}).r, 0.25f);
+  EXPECT_EQ(furnace.rays, 35);
+  EXPECT_EQ(cache.samples().size(), 1u);
+  EXPECT_FLOAT_EQ(query({5, 0, 0}).g, 0.25f);  // far away: another sample
+  EXPECT_EQ(furnace.rays, 70);
+  RadiosityTask final_trace(settings, &cache, nullptr, false, 0, 0);
+  float quality = 1;
+  EXPECT_FLOAT_EQ(final_trace.irradiance({{0.01, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1.0, 0}, furnace, quality).b, 0.25f);
+  EXPECT_EQ(furnace.rays, 70);  // reused
+}
+
+}  // namespace
+}  // namespace verisim::global

@@ -1,0 +1,92 @@
+// Media in the recursive trace: which media act on a segment, and the light they see (spec 07 sections 4.2, 4.4, 4.7).
+#include <boost/container/small_vector.hpp>
+
+#include "tracer/global/effects_state.h"
+
+namespace verisim::global {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+class TracerEnvironment : public MediaEnvironment {
+ public:
+  TracerEnvironment(const SceneEffects& effects, const PhotonMap* photons, shading::Tracer& tracer, const shading::RayState& ray, const shapes::Surface* end)
+      : effects_(effects), photons_(photons), tracer_(tracer), ray_(ray), end_(end) {}
+
+  double random() override { return tracer_.random().media(); }
+
+  std::span<const scene::LightSource* const> lights() override {
+    sources_.clear(), lights_.clear();
+    const auto add = [&](const shading::Light& light) {
+      if (!light.source().media_interaction || light.source().kind == scene::LightKind::shadowless) return;
+      sources_.push_back(&light.source()), lights_.push_back(&light);
+    };
+    const shading::SceneData& scene = tracer_.scene();
+    if (!end_ || !end_->ignore_global_lights) {
+      for (std::size_t i = 0; i < scene.global_lights(); ++i) add(scene.lights()[i]);
+    }
+    if (end_) {
+      for (const scene::LightSource* source : end_->group_lights) add(scene.light_of(source));
+    }
+    return {sources_.data(), sources_.size()};
+  }
+
+  Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light) override { return tracer_.light_at(*lights_[light], p, ray_, to_light); }
+
+  std::span<const Photon> photons(const Vec3& p) override {
+    if (!photons_ || photons_->empty()) return {};
+    EffectsStateOfScene& state = EffectsStateOfScene::of(tracer_);
+    const scene::Photons& s = effects_.scene().settings.photons;
+    photons_->gather(p, nullptr, {s.gather_min, s.gather_max, s.expand_increase, s.expand_min}, state.gathered);
+    state.media_photons.clear();
+    const double r = state.gathered.radius;
+    const auto scale = static_cast<float>(3.0 / (4.0 * kPi * r * r * r));
+    for (const auto* photon : state.gathered.photons) state.media_photons.push_back({photon->color() * scale, photon->direction()});
+    return state.media_photons;
+  }
+
+ private:
+  const SceneEffects& effects_;
+  const PhotonMap* photons_;
+  shading::Tracer& tracer_;
+  const shading::RayState& ray_;
+  const shapes::Surface* end_;
+  boost::container::small_vector<const scene::LightSource*, 16> sources_;
+  boost::container::small_vector<const shading::Light*, 16> lights_;
+};
+
+}  // namespace
+
+void SceneEffects::apply(shading::Tracer& tracer, const shading::RayState& ray, double length, const shapes::Surface* end,
+                         std::span<const CompiledMedia* const> media, Color& color) const {
+  // Gather rays that see media look photons up in the surface map (spec 07 2.11).
+  const PhotonMap* map = photons ? (ray.gather ? &surface_photons_ : &media_photons_) : nullptr;
+  TracerEnvironment environment(*this, map, tracer, ray, end);
+  const MediaResult result = integrate(media, ray.ray, length, false, environment);
+  const Rgb rgb = color.rgb() * result.transmittance + result.emission;
+  color = Color(rgb, 0, color.t * result.transmittance.grey());
+}
+
+void SceneEffects::container_media(shading::Tracer& tracer, const shading::RayState& ray, double length, const shapes::Surface& end,
+                                   Color& color) const {
+  MediaList media;
+  collect(tracer.interiors(ray.interiors), media);
+  if (!media.empty()) apply(tracer, ray, length, &end, {media.data(), media.size()}, color);
+}
+
+void SceneEffects::atmosphere_media(shading::Tracer& tracer, const shading::RayState& ray, double length, const shapes::Surface* end,
+                                    Color& color) const {
+  apply(tracer, ray, length, end, atmosphere_list_, color);
+}
+
+void SceneEffects::shadow_media(shading::Tracer& tracer, const shading::RayState& ray, double length, bool container, bool air, Rgb& color) const {
+  TracerEnvironment environment(*this, nullptr, tracer, ray, nullptr);
+  if (container) {
+    MediaList media;
+    collect(tracer.interiors(ray.interiors), media);
+    if (!media.empty()) color *= integrate({media.data(), media.size()}, ray.ray, length, true, environment).transmittance;
+  }
+  if (air) color *= integrate(atmosphere_list_, ray.ray, length, true, environment).transmittance;
+}
+
+}  // namespace verisim::global

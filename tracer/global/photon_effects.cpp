@@ -1,0 +1,47 @@
+// Photon maps in the recursive trace: the light of stored photons, and the direct light they replace (spec 07 sections 3.10 and 3.11).
+#include "tracer/global/effects_state.h"
+
+namespace verisim::global {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+}  // namespace
+
+Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState& ray, shading::SurfaceHit& at,
+                               const shading::LayerContext& layer) const {
+  if (surface_photons_.empty() || !at.surface.photons.collect) return {};
+  EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
+  if (state.gathered_for != &at || !at.photons_gathered) {
+    const scene::Photons& s = scene_.settings.photons;
+    surface_photons_.gather(at.hit.point, &layer.normal, {s.gather_min, s.gather_max, s.expand_increase, s.expand_min}, state.gathered);
+    state.gathered_for = &at;
+    at.photons_gathered = true;
+  }
+  const scene::Finish& finish = layer.layer.finish;
+  const bool both_sides = at.surface.double_illuminate || finish.diffuse_back != 0;
+  const double r = state.gathered.radius;
+  const auto per_area = static_cast<float>(1.0 / (kPi * r * r));
+  Rgb sum;
+  for (const Photon* photon : state.gathered.photons) {
+    const Vec3 direction = photon->direction();
+    const bool behind = dot(layer.normal, direction) < kEpsilon;
+    if (behind && !both_sides) continue;
+    const bool back = behind && !at.surface.double_illuminate;
+    const double slant = std::max(0.1, dot(at.raw, direction));
+    const Rgb intensity = photon->color() * static_cast<float>(per_area / slant);
+    sum += tracer.layer_response(at, layer, ray.ray.direction, direction, intensity, back ? finish.diffuse_back : finish.diffuse,
+                                 !ray.gather && !back);
+  }
+  return sum;
+}
+
+bool SceneEffects::photons_block(const shapes::Surface* lit, const shapes::Surface& occluder, const shading::Light& light) const {
+  if (surface_photons_.empty() || !occluder.photons.target || (lit && !lit->photons.collect)) return false;
+  const scene::LightSource& source = light.source();
+  const bool off = occluder.photons.refraction == scene::Flag::off || (source.photons_given && !source.photon_refraction);
+  const bool on = occluder.photons.refraction == scene::Flag::on || (source.photons_given && source.photon_refraction);
+  return on && !off;
+}
+
+}  // namespace verisim::global

@@ -4,8 +4,7 @@
 
 namespace verisim::global {
 
-SceneEffects::SceneEffects(const scene::Scene& scene, textures::Compiler& compiler, int quality, const render::Options& options) : scene_(scene) {
-  (void)options;
+SceneEffects::SceneEffects(const scene::Scene& scene, textures::Compiler& compiler, int quality) : scene_(scene) {
   if (quality < 9) return;
   for (const auto& object : scene.objects) add_object(*object, compiler);
   media_in_interiors = !interior_media_.empty();

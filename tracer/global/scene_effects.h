@@ -20,7 +20,7 @@ using MediaList = boost::container::small_vector<const CompiledMedia*, 16>;
 class SceneEffects : public shading::Effects {
  public:
   // `quality` below 9 switches everything off. The scene and the compiler must outlive this.
-  SceneEffects(const scene::Scene& scene, textures::Compiler& compiler, int quality, const render::Options& options);
+  SceneEffects(const scene::Scene& scene, textures::Compiler& compiler, int quality);
 
   bool any() const { return media_in_interiors || atmosphere || radiosity || photons || subsurface; }
 

@@ -11,6 +11,7 @@
 #include "tracer/render/antialias.h"
 #include "tracer/render/blocks.h"
 #include "tracer/render/pixel_sampler.h"
+#include "tracer/render/prepasses.h"
 #include "tracer/render/requirements.h"
 
 namespace verisim::render {
@@ -43,6 +44,7 @@ class Queue {
 
   std::size_t size() const { return blocks_.size(); }
   bool cancelled() const { return options_.cancel && options_.cancel->load(std::memory_order_relaxed); }
+  int index(const Block* block) const { return static_cast<int>(block - blocks_.data()); }
   // Null when there are no more.
   const Block* next() {
     while (!cancelled()) {
@@ -81,7 +83,8 @@ class Queue {
 };
 
 // One thread's work: blocks until there are none left.
-void work(Queue& queue, const shading::SceneData& scene, const CameraModel& camera, const Options& options, Framebuffer& frame) {
+void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& effects, const CameraModel& camera, const Options& options,
+          Framebuffer& frame) {
   shading::Tracer tracer(scene, shading::RandomSource(options.replay, options.seed), options.cancel);
   PixelSampler sampler(camera, tracer);
   const AntialiasSettings settings = antialias_settings(options, scene.scene.settings.gamma, scene.scene.settings.assumed_gamma);
@@ -92,6 +95,7 @@ void work(Queue& queue, const shading::SceneData& scene, const CameraModel& came
   if (method == 2) quads.emplace(settings, sampler);
   try {
     while (const Block* block = queue.next()) {
+      begin_block(effects, tracer, options, queue.index(block));
       if (grid) {
         grid->render(*block, frame);
       } else if (quads) {
@@ -121,7 +125,9 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
   Statistics statistics;
   textures::Compiler compiler(texture_settings(scene, options.quality));
   const accel::World world(scene, compiler, options.split_unions, options.remove_bounds);
-  const shading::SceneData data(scene, world, compiler, options.quality, options.output_alpha);
+  shading::SceneData data(scene, world, compiler, options.quality, options.output_alpha);
+  global::SceneEffects effects(scene, compiler, options.quality);
+  if (effects.any()) data.effects = &effects;
   const CameraModel camera(scene.camera, options.width, options.height, compiler);
   statistics.seconds_compile = seconds_since(start);
 
@@ -129,14 +135,20 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
   Queue queue(options, frame, statistics);
   const int cores = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
   const int threads = options.replay ? 1 : std::max(1, std::min<int>(cores, static_cast<int>(queue.size())));
+  const auto run_prepasses = [&](int count) {
+    if (effects.photons) photon_pass(effects, data, options, count);
+    if (effects.radiosity) radiosity_pretrace(effects, data, camera, options, count);
+  };
   if (threads == 1) {
-    work(queue, data, camera, options, frame);
+    run_prepasses(1);
+    work(queue, data, effects, camera, options, frame);
   } else {
     const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     const tbb::global_control stack(tbb::global_control::thread_stack_size, std::size_t{16} << 20);
     tbb::task_arena arena(threads);
     arena.execute([&] {
-      tbb::parallel_for(0, threads, [&](int) { work(queue, data, camera, options, frame); }, tbb::simple_partitioner());
+      run_prepasses(threads);
+      tbb::parallel_for(0, threads, [&](int) { work(queue, data, effects, camera, options, frame); }, tbb::simple_partitioner());
     });
   }
   statistics.cancelled = queue.cancelled();

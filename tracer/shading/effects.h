@@ -38,9 +38,9 @@ class Effects {
   bool media_in_interiors = false, atmosphere = false, radiosity = false, photons = false, subsurface = false;
 
   // Media of the interiors the ray is inside, over its segment [0, length] that ends at a surface; changes r, g, b and see-through (spec 07 4.2).
-  virtual void container_media(Tracer&, const RayState&, double /*length*/, Color&) const {}
-  // Atmospheric media over any segment of a hollow ray.
-  virtual void atmosphere_media(Tracer&, const RayState&, double /*length*/, Color&) const {}
+  virtual void container_media(Tracer&, const RayState&, double /*length*/, const shapes::Surface& /*end*/, Color&) const {}
+  // Atmospheric media over any segment of a hollow ray; `end` is null when it hits nothing.
+  virtual void atmosphere_media(Tracer&, const RayState&, double /*length*/, const shapes::Surface* /*end*/, Color&) const {}
   // The same on a shadow ray: attenuation only. `container`/`atmosphere`: which of the two act here.
   virtual void shadow_media(Tracer&, const RayState& /*shadow_ray*/, double /*length*/, bool /*container*/, bool /*atmosphere*/, Rgb&) const {}
 

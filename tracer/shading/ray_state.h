@@ -25,6 +25,7 @@ struct RayState {
   float wavelength = 0;        // nm, when monochromatic
   float weight = 1;            // importance for adc_bailout
   int level = 0;
+  int level_limit = 5;         // max_trace_level, or what a gather ray is allowed
   // Radiosity bookkeeping of whoever started this ray; inherited by all descendants.
   int gather_depth = 0;
   float* gather_quality = nullptr;

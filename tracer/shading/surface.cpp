@@ -55,7 +55,7 @@ Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
     }
   }
   if (scene_.effects && scene_.effects->media_in_interiors && ray.hollow && ray.interiors.count > 0 && ray.volumes)
-    scene_.effects->container_media(*this, ray, hit.t, result);
+    scene_.effects->container_media(*this, ray, hit.t, surface, result);
   return result;
 }
 

@@ -26,34 +26,47 @@ Color Tracer::trace_camera(const Ray& ray, bool origin_varies, double t_max) {
   state.ray = ray;
   state.interiors = {0, static_cast<std::uint32_t>(camera_interiors_)};
   state.hollow = all_hollow(state.interiors);
+  state.level_limit = scene_.max_trace_level;
+  state.direct_light = state.volumes = !pretrace_;
   ++statistics_.camera_rays;
   return trace(state, t_max);
 }
 
+bool Tracer::cut_off(const RayState& ray) const {
+  return ray.level >= ray.level_limit || ray.weight < bailout(ray) || nesting_ >= kMaxNesting;
+}
+
+bool Tracer::nearest(const RayState& ray, shapes::Hit& hit, double t_min, double t_max) const {
+  return scene_.world.intersect(ray.ray, ray.kind(), t_min, t_max, hit);
+}
+
 Color Tracer::trace(const RayState& ray, double t_max) {
-  if (ray.level >= scene_.max_trace_level || ray.weight < bailout(ray) || nesting_ >= kMaxNesting) return {};
+  if (cut_off(ray)) return {};
+  shapes::Hit hit;
+  return resolve(ray, nearest(ray, hit, kNearestHit, t_max) ? &hit : nullptr);
+}
+
+Color Tracer::resolve(const RayState& ray, const shapes::Hit* hit) {
+  if (cut_off(ray)) return {};
   if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
   struct Nested {
     int& n;
     explicit Nested(int& value) : n(value) { ++n; }
     ~Nested() { --n; }
   } nested(nesting_);
-  shapes::Hit hit;
   Color color;
-  double length;
-  if (scene_.world.intersect(ray.ray, ray.kind(), kNearestHit, t_max, hit)) {
-    length = hit.t;
-    color = shade(ray, hit);
+  const double length = hit ? hit->t : kMissDistance;
+  if (hit) {
+    color = shade(ray, *hit);
   } else {
-    length = kMissDistance;
     color = scene_.sky.seen(ray.ray.direction, ray.reflected || ray.gather);
   }
-  if (scene_.quality >= 9 && ray.hollow && ray.volumes) apply_volumes(ray, length, color);
+  if (scene_.quality >= 9 && ray.hollow && ray.volumes) apply_volumes(ray, length, hit ? hit->shape->surface : nullptr, color);
   return color;
 }
 
 // Rainbow, atmosphere, fog: in this order, over the whole segment (spec 06 2.2 step 5).
-void Tracer::apply_volumes(const RayState& ray, double length, Color& color) {
+void Tracer::apply_volumes(const RayState& ray, double length, const shapes::Surface* end, Color& color) {
   if (!scene_.rainbows.empty()) {
     Rgb sum;
     float count = 0, see_through = 1;
@@ -66,7 +79,7 @@ void Tracer::apply_volumes(const RayState& ray, double length, Color& color) {
     }
     if (count > 0) color = Color(sum * (1 / count), 0, color.t * see_through);
   }
-  if (scene_.effects && scene_.effects->atmosphere) scene_.effects->atmosphere_media(*this, ray, length, color);
+  if (scene_.effects && scene_.effects->atmosphere) scene_.effects->atmosphere_media(*this, ray, length, end, color);
   if (scene_.fog) {
     const FogEffect fog = fog_along(scene_.scene.fogs, ray.ray.origin, ray.ray.direction, length, scene_.scene.settings.noise_generator);
     color = Color(fog.added + fog.passed * color.rgb(), 0, color.t * fog.passed.grey());

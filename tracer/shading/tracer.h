@@ -27,6 +27,14 @@ struct SurfaceHit {
   textures::SurfacePoint texture_point;
   std::size_t light_cache;  // where this hit's results per global light start
   int level;                // of the rays it sends out
+
+  // Answers that the layers of this hit share: irradiance on either side, and whether photons were gathered.
+  struct Indirect {
+    bool known = false;
+    Rgb light;
+  };
+  Indirect indirect{}, indirect_back{};
+  bool photons_gathered = false;
 };
 
 class Tracer {
@@ -35,6 +43,11 @@ class Tracer {
 
   // Traces a ray; colour with t = see-through. t_max limits the search for the first surface (mesh_camera).
   Color trace(const RayState& ray, double t_max = std::numeric_limits<double>::infinity());
+  // The two halves of trace, for callers that need to know what was hit: the nearest surface this ray sees, and what it looks like (null: nothing hit).
+  bool nearest(const RayState& ray, shapes::Hit& hit, double t_min = 1e-4, double t_max = std::numeric_limits<double>::infinity()) const;
+  Color resolve(const RayState& ray, const shapes::Hit* hit);
+  // Camera rays of the radiosity pretrace ask for irradiance only: no direct light, no volumes.
+  void set_pretrace(bool on) { pretrace_ = on; }
   // A camera ray, with the interiors around its origin; `origin_varies`: they must be looked up again.
   Color trace_camera(const Ray& ray, bool origin_varies, double t_max = std::numeric_limits<double>::infinity());
 
@@ -98,7 +111,8 @@ class Tracer {
   };
 
   // ---- tracer.cpp
-  void apply_volumes(const RayState& ray, double length, Color& color);
+  bool cut_off(const RayState& ray) const;
+  void apply_volumes(const RayState& ray, double length, const shapes::Surface* end, Color& color);
 
   // ---- surface.cpp
   Color shade(const RayState& ray, const shapes::Hit& hit);
@@ -148,6 +162,7 @@ class Tracer {
   std::unique_ptr<EffectsState> effects_state_;
   render::Statistics statistics_;
   int nesting_ = 0;
+  bool pretrace_ = false;
   std::vector<const scene::Interior*> interiors_;
   std::size_t camera_interiors_ = 0;
   bool camera_interiors_known_ = false;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+
+#include "tracer/shading/random.h"
 
 namespace verisim::global {
 namespace {
@@ -60,14 +61,9 @@ Frame frame(const PhotonPair& pair, const Vec3& origin) {
 
 }  // namespace
 
-const std::vector<double>& RandomTable::table() {
-  static const std::vector<double> values = [] {
-    std::mt19937 generator;
-    std::vector<double> v(kSize);
-    for (double& x : v) x = generator() / 4294967296.0;
-    return v;
-  }();
-  return values;
+double RandomTable::next() {
+  index_ = (index_ + 1) % shading::mersenne_table().size();
+  return shading::mersenne_table()[index_];
 }
 
 std::vector<PhotonPair> photon_pairs(const scene::Scene& scene) {

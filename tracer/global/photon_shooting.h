@@ -13,15 +13,10 @@ namespace verisim::global {
 // MT19937 with the standard seed, tabulated and read cyclically; the index is advanced before each read (spec 07 section 1).
 class RandomTable {
  public:
-  double next() {
-    index_ = (index_ + 1) & (kSize - 1);
-    return table()[index_];
-  }
+  double next();
 
  private:
-  static constexpr std::uint32_t kSize = 32768;
-  static const std::vector<double>& table();
-  std::uint32_t index_ = 0;
+  std::size_t index_ = 0;
 };
 
 // One light and one target object, with what is allowed to happen to the photons.

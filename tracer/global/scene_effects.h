@@ -39,6 +39,7 @@ class SceneEffects : public shading::Effects {
   PhotonMap& surface_photons() { return surface_photons_; }
   PhotonMap& media_photons() { return media_photons_; }
   const scene::Scene& scene() const { return scene_; }
+  std::span<const CompiledMedia* const> atmosphere_list() const { return atmosphere_list_; }
 
   // Media of an interior; empty if it has none.
   std::span<const CompiledMedia> media_of(const scene::Interior* interior) const;

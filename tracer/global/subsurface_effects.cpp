@@ -115,6 +115,12 @@ Rgb SceneEffects::subsurface_light(shading::Tracer& tracer, const shading::RaySt
   point.relative_ior = at.surface.interior->ior / (surrounding.empty() ? 1.0 : surrounding.back()->ior);
   point.reflectance = layer.pigment.rgb() * finish.raw_diffuse;
   point.translucency = finish.translucency;
+  if (!tracer.random().replay()) {
+    // The sequences start where the sample's own random numbers say: independent of threads and of other pixels.
+    auto& sequence = state.subsurface[static_cast<std::size_t>(state.subsurface_level)];
+    sequence.halton = static_cast<std::uint32_t>(tracer.random().shading() * kCycle);
+    sequence.stream = static_cast<std::uint32_t>(tracer.random().shading() * kCycle);
+  }
   TracerEnvironment environment(tracer, ray, at, state);
   ++state.subsurface_level;
   const Rgb light = global::subsurface(point, settings, environment);

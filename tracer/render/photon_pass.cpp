@@ -1,7 +1,129 @@
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "tracer/global/photon_media.h"
+#include "tracer/global/photon_shooting.h"
 #include "tracer/render/prepasses.h"
 
 namespace verisim::render {
+namespace {
 
-void photon_pass(global::SceneEffects&, const shading::SceneData&, const Options&, int) {}
+using shading::PhotonShot;
+using shading::StoredPhoton;
+
+constexpr std::size_t kSmallRing = 64;  // not worth handing to threads
+constexpr std::size_t kMaxPhotons = std::size_t{1} << 28;
+
+void collect_primitives(const scene::Object& object, std::unordered_set<const scene::Object*>& out) {
+  out.insert(&object);
+  if (const auto* csg = object.as<scene::Csg>())
+    for (const auto& child : csg->children) collect_primitives(*child, out);
+}
+
+class Shooter {
+ public:
+  Shooter(global::SceneEffects& effects, const shading::SceneData& data, const Options& options, int threads)
+      : effects_(effects), data_(data), options_(options), media_(effects),
+        use_media_(effects.media_in_interiors || effects.atmosphere), threads_(threads),
+        tracers_([this] { return shading::Tracer(data_, shading::RandomSource(options_.replay, options_.seed), options_.cancel); }) {}
+
+  void shoot(const global::PhotonPair& pair, double spacing, global::RandomTable& random) {
+    const scene::Photons& settings = effects_.scene().settings.photons;
+    std::unordered_set<const scene::Object*> target;
+    collect_primitives(*pair.target, target);
+    const shading::Light& light = data_.light_of(pair.light);
+    PhotonShot shot;
+    shot.light = pair.light, shot.target = &target;
+    shot.max_trace_level = settings.max_trace_level > 0 ? settings.max_trace_level : data_.max_trace_level;
+    shot.adc_bailout = settings.adc_bailout >= 0 ? static_cast<float>(settings.adc_bailout) : data_.adc_bailout;
+    global::shoot(pair, spacing, settings, random, [&](std::span<const global::PhotonStart> ring, double sigma) {
+      shot.sigma = sigma;
+      return trace_ring(ring, shot, light);
+    });
+  }
+
+ private:
+  bool trace_ring(std::span<const global::PhotonStart> ring, const PhotonShot& shot, const shading::Light& light) {
+    results_.resize(std::max(results_.size(), ring.size()));
+    std::atomic<bool> hit{false};
+    const auto trace = [&](std::size_t i) {
+      results_[i].clear();
+      shading::Tracer& tracer = tracers_.local();
+      if (!options_.replay) tracer.random().begin_sample(static_cast<double>(shot_count_ + i), 0.5, 0);
+      if (trace_one(tracer, ring[i], shot, light, results_[i])) hit.store(true, std::memory_order_relaxed);
+    };
+    if (options_.replay || threads_ == 1 || ring.size() < kSmallRing) {
+      for (std::size_t i = 0; i < ring.size(); ++i) trace(i);
+    } else {
+      tbb::parallel_for(std::size_t{0}, ring.size(), trace);
+    }
+    shot_count_ += ring.size();
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      for (const StoredPhoton& s : results_[i]) store(s);
+    }
+    return hit.load();
+  }
+
+  bool trace_one(shading::Tracer& tracer, const global::PhotonStart& start, const PhotonShot& shot, const shading::Light& light,
+                 std::vector<StoredPhoton>& stored) {
+    Ray ray = start.ray;
+    // The packet carries what the light sends this way; fading is part of what is stored.
+    Rgb color = light.color() * start.energy * static_cast<float>(light.emission(ray.origin, ray.direction));
+    if (color.max_abs() < 1e-5f) return false;
+    if (const shapes::Shape* projector = light.projector()) {
+      shapes::HitList hits;
+      projector->intersect_all(ray, shapes::RayKind::photon, hits);
+      double farthest = 0;
+      for (const auto& h : hits) farthest = std::max(farthest, h.t);
+      if (hits.empty()) return false;
+      ray.origin = ray.at(farthest);
+    }
+    return shading::PhotonWalk(tracer, shot, use_media_ ? &media_ : nullptr).run(ray, color, stored);
+  }
+
+  void store(const StoredPhoton& s) {
+    global::PhotonMap& map = s.media ? effects_.media_photons() : effects_.surface_photons();
+    if (map.size() >= kMaxPhotons) throw std::length_error("more than 268435456 photons: raise the spacing or lower the count in photons {}");
+    global::Photon photon;
+    photon.position = {static_cast<float>(s.point.x), static_cast<float>(s.point.y), static_cast<float>(s.point.z)};
+    photon.energy = global::Photon::encode(s.energy);
+    photon.set_direction(s.towards_light);
+    map.add(photon);
+  }
+
+  global::SceneEffects& effects_;
+  const shading::SceneData& data_;
+  const Options& options_;
+  global::ScenePhotonMedia media_;
+  bool use_media_;
+  int threads_;
+  tbb::enumerable_thread_specific<shading::Tracer> tracers_;
+  std::vector<std::vector<StoredPhoton>> results_;  // per photon of a ring, so that the map's order does not depend on threads
+  std::size_t shot_count_ = 0;
+};
+
+}  // namespace
+
+void photon_pass(global::SceneEffects& effects, const shading::SceneData& data, const Options& options, int threads) {
+  const scene::Photons& settings = effects.scene().settings.photons;
+  global::PhotonMap &surface = effects.surface_photons(), &media = effects.media_photons();
+  if (!settings.load_file.empty()) {
+    global::load_photons(settings.load_file, surface, media);
+  } else {
+    const auto pairs = global::photon_pairs(effects.scene());
+    const double spacing = global::photon_spacing(settings, pairs);
+    Shooter shooter(effects, data, options, threads);
+    global::RandomTable random;
+    try {
+      for (const auto& pair : pairs) shooter.shoot(pair, spacing, random);
+    } catch (const shading::Cancelled&) {
+      return;
+    }
+    surface.build(), media.build();
+    if (!settings.save_file.empty() && !surface.empty()) global::save_photons(settings.save_file, surface, media);
+  }
+  surface.set_gather_radius(settings.radius, settings.radius_gather_multiplier, settings.gather_max, false);
+  media.set_gather_radius(settings.media_radius, settings.media_radius_gather_multiplier, settings.gather_max, true);
+}
 
 }  // namespace verisim::render

@@ -27,7 +27,6 @@ void check_object(const scene::Object& object) {
 void check_supported(const scene::Scene& scene, const Options& options) {
   if (scene.camera.blur_samples > kMaxBlurSamples) throw Unsupported("more than 1048576 blur_samples", {});
   if (options.quality < 9) return;
-  if (scene.settings.photons.enabled) throw Unsupported("photons", scene.settings.photons.place);
   for (const auto& object : scene.objects) check_object(*object);
 }
 

@@ -87,6 +87,12 @@ double Light::cylinder(const Vec3& p, const Vec3& centre) const {
   return a;
 }
 
+double Light::emission(const Vec3& origin, const Vec3& direction) const {
+  if (source_->kind == scene::LightKind::spotlight) return spot({-direction, 1.0});
+  if (source_->kind == scene::LightKind::cylinder) return cylinder(origin + direction, source_->position);
+  return 1;
+}
+
 Light::Axes Light::axes(const Vec3& l) const {
   if (!source_->orient) return {source_->axis1, source_->axis2};
   const Vec3 e = std::fabs(std::fabs(l.z) - 1) < 0.01 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);

@@ -34,6 +34,9 @@ class Light {
   // Angular and distance attenuation at p for light from `l`.
   double attenuation(const Vec3& p, const LightDirection& l, const Vec3& offset = Vec3(0, 0, 0)) const;
 
+  // Angular attenuation of what leaves the light from `origin` in this direction (photons); distance plays no part.
+  double emission(const Vec3& origin, const Vec3& direction) const;
+
   // The displacement of grid position (u, v), jitter included in u and v; axis1/axis2 from `axes`.
   struct Axes {
     Vec3 a1, a2;

@@ -87,6 +87,7 @@ class Tracer {
   bool all_hollow(const InteriorRange& range) const;
 
  private:
+  friend class PhotonWalk;  // photons cross surfaces by the same rules
   struct Frame {  // enclosing patterned textures, innermost first
     const textures::CompiledTexture* texture;
     const Frame* outer;

@@ -1,0 +1,19 @@
+// Media on the way of photons: attenuation, and photons left in scattering media (spec 07 section 3.8).
+#pragma once
+
+#include "tracer/global/scene_effects.h"
+#include "tracer/shading/photon_walk.h"
+
+namespace verisim::global {
+
+class ScenePhotonMedia : public shading::PhotonMedia {
+ public:
+  explicit ScenePhotonMedia(const SceneEffects& effects) : effects_(effects) {}
+  void segment(shading::Tracer& tracer, const shading::RayState& ray, double length, double path, bool deposit, const shading::PhotonShot& shot,
+               Rgb& packet, std::vector<shading::StoredPhoton>& stored) const override;
+
+ private:
+  const SceneEffects& effects_;
+};
+
+}  // namespace verisim::global

@@ -12,16 +12,12 @@ namespace verisim::shapes {
 
 VERISIM_PENDING_FACTORY(bicubic_patch)
 VERISIM_PENDING_FACTORY(height_field)
-VERISIM_PENDING_FACTORY(isosurface)
 VERISIM_PENDING_FACTORY(parametric)
-VERISIM_PENDING_FACTORY(julia_fractal)
 VERISIM_PENDING_FACTORY(text)
 
 VERISIM_PENDING_BOX(bicubic_patch, BicubicPatch)
 VERISIM_PENDING_BOX(height_field, HeightField)
-VERISIM_PENDING_BOX(isosurface, Isosurface)
 VERISIM_PENDING_BOX(parametric, Parametric)
-VERISIM_PENDING_BOX(julia_fractal, JuliaFractal)
 VERISIM_PENDING_BOX(text, Text)
 VERISIM_PENDING_BOX(blob, Blob)
 VERISIM_PENDING_BOX(lathe, Lathe)

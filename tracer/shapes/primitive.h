@@ -45,6 +45,8 @@ class AllHits {
     hits_.push_back({t, p, &shape_, part, u, v});
     return true;
   }
+  // The point is cut away by clipped_by; `add` would refuse it.
+  bool clipped(const Vec3& p) const { return guards_ && !guards_->contain(p); }
   static constexpr double lower() { return -std::numeric_limits<double>::infinity(); }
   static constexpr double upper() { return std::numeric_limits<double>::infinity(); }
 
@@ -71,6 +73,7 @@ class NearestHit {
     found_ = true;
     return true;
   }
+  bool clipped(const Vec3& p) const { return guards_ && !guards_->contain(p); }
   bool found() const { return found_; }
   // Hits outside lower() .. upper() (world distances) need not be reported.
   double lower() const { return t_min_; }

@@ -1,0 +1,34 @@
+// Four-dimensional numbers of julia_fractal: quaternions and the commutative hypercomplex numbers (spec 04 section 8).
+#pragma once
+
+#include <array>
+
+#include "tracer/scene/object.h"
+
+namespace verisim::shapes::julia {
+
+struct Number {
+  double x = 0, y = 0, z = 0, w = 0;
+  double norm2() const { return x * x + y * y + z * z + w * w; }
+};
+inline Number operator+(const Number& a, const Number& b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
+
+// Quaternion functions.
+inline Number quaternion_square(const Number& h) {
+  const double q = h.y * h.y + h.z * h.z + h.w * h.w, t = 2 * h.x;
+  return {h.x * h.x - q, t * h.y, t * h.z, t * h.w};
+}
+inline Number quaternion_cube(const Number& h) {
+  const double q = h.y * h.y + h.z * h.z + h.w * h.w, x2 = h.x * h.x, t = 3 * x2 - q;
+  return {h.x * (x2 - 3 * q), h.y * t, h.z * t, h.w * t};
+}
+
+inline Number product(const Number& a, const Number& b) {
+  return {a.x * b.x - a.y * b.y - a.z * b.z + a.w * b.w, a.y * b.x + a.x * b.y - a.w * b.z - a.z * b.w,
+          a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w, a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w};
+}
+Number reciprocal(const Number& h);
+// f of the two complex numbers a hypercomplex number stands for. `cube` is the square: so it is in POV-Ray.
+Number apply(scene::JuliaFunction f, const Vec2& exponent, const Number& h);
+
+}  // namespace verisim::shapes::julia

@@ -1,0 +1,65 @@
+// Probes 22 to 24 of spec 04.
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/trace_test_support.h"
+
+namespace verisim::shapes {
+namespace {
+
+using namespace test;
+
+scene::JuliaFractal quaternion() {
+  scene::JuliaFractal f;
+  f.parameter = {-0.083, 0.0, -0.83, -0.025};
+  f.max_iteration = 8;
+  f.precision = 15;
+  return f;
+}
+
+TEST(JuliaFractal, Quaternion) {
+  const auto o = object(quaternion());
+  const auto hit = trace(o, {.1, .2, -5}, {0, 0, 1});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->point.z, -0.341339583216304, 1e-14);
+  EXPECT_VEC_NEAR(hit->normal, Vec3(0.854707628308641, 0.141787631672129, -0.499370741649755), 1e-12);
+  EXPECT_NEAR(trace(o, {.1, -5, .2}, {0, 1, 0})->point.y, -0.962490144506840, 1e-14);
+  EXPECT_TRUE(compile(o)->inside({.1, .1, .1}));
+}
+
+TEST(JuliaFractal, QuaternionCube) {
+  scene::JuliaFractal f = quaternion();
+  f.parameter = {-0.162, 0.163, 0.560, -0.599};
+  f.function = scene::JuliaFunction::cube;
+  const auto hit = trace(object(f), {.1, .2, -5}, {0, 0, 1});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->point.z, -0.650016255093803, 1e-14);
+  EXPECT_VEC_NEAR(hit->normal, Vec3(0.914885225406269, 0.087255735589366, -0.394171867261070), 1e-12);
+  EXPECT_NEAR(julia_fractal_box(f).max.x, 1.851595044136047, 1e-7);
+}
+
+TEST(JuliaFractal, Hypercomplex) {
+  scene::JuliaFractal f = quaternion();
+  f.hypercomplex = true;
+  const auto hit = trace(object(f), {.1, .2, -5}, {0, 0, 1});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->point.z, -0.235598197106588, 1e-14);
+  EXPECT_VEC_NEAR(hit->normal, Vec3(0.622886037469728, 0.553172035354207, -0.553185035614075), 1e-12);
+  f.function = scene::JuliaFunction::cube;
+  EXPECT_NEAR(trace(object(f), {.1, .2, -5}, {0, 0, 1})->point.z, -0.235598178554970, 1e-14);
+}
+
+TEST(JuliaFractal, HostileParametersEnd) {
+  scene::JuliaFractal f = quaternion();
+  f.parameter = {std::nan(""), 0, 0, 0};
+  trace(object(f), {.1, .2, -5}, {0, 0, 1});
+  for (int k = 0; k < 18; ++k) {
+    scene::JuliaFractal g = quaternion();
+    g.hypercomplex = true;
+    g.function = static_cast<scene::JuliaFunction>(k);
+    g.exponent = {-3, 1e300};
+    trace(object(g), {.1, .2, -5}, {0, 0, 1});
+    trace(object(g), {0, 0, 0}, {1, 0, 0});
+  }
+}
+
+}  // namespace
+}  // namespace verisim::shapes

@@ -16,6 +16,7 @@ enum class ImageType : std::uint8_t { unknown, gif, tga, png, jpeg, tiff, bmp, p
 class Image {
  public:
   int width = 0, height = 0;
+  ImageType type = ImageType::unknown;  // of the file; unknown: made by a function
   bool grey = false;             // one channel in the file
   bool sixteen_bit = false;
   bool has_alpha = false;        // transparency of any kind

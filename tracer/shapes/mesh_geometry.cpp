@@ -50,7 +50,7 @@ std::shared_ptr<const MeshGeometry> MeshGeometry::of(const std::shared_ptr<const
   static std::unordered_map<const scene::MeshData*, std::weak_ptr<const MeshGeometry>> known;
   const std::lock_guard lock(mutex);
   auto& slot = known[data.get()];
-  if (auto geometry = slot.lock()) return geometry;
+  if (auto geometry = slot.lock()) return geometry;  // it keeps its data alive, so the address is still that of the same mesh
   if (known.size() > 64) std::erase_if(known, [&](const auto& entry) { return entry.first != data.get() && entry.second.expired(); });
   auto geometry = std::make_shared<const MeshGeometry>(data);
   known[data.get()] = geometry;

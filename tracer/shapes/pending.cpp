@@ -10,14 +10,8 @@ namespace verisim::shapes {
 #define VERISIM_PENDING_BOX(name, type) \
   Box3 name##_box(const scene::type&) { throw std::runtime_error("shape is not supported: " #name); }
 
-VERISIM_PENDING_FACTORY(bicubic_patch)
-VERISIM_PENDING_FACTORY(height_field)
-VERISIM_PENDING_FACTORY(parametric)
 VERISIM_PENDING_FACTORY(text)
 
-VERISIM_PENDING_BOX(bicubic_patch, BicubicPatch)
-VERISIM_PENDING_BOX(height_field, HeightField)
-VERISIM_PENDING_BOX(parametric, Parametric)
 VERISIM_PENDING_BOX(text, Text)
 VERISIM_PENDING_BOX(blob, Blob)
 VERISIM_PENDING_BOX(lathe, Lathe)

@@ -1,0 +1,148 @@
+// height_field (spec 04 section 5): two triangles per cell, found by descending a pyramid of extremes from near to far.
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/height_grid.h"
+#include "tracer/shapes/primitive.h"
+
+namespace verisim::shapes {
+
+namespace {
+
+constexpr double kNearest = 1e-6, kEdge = 1e-4;
+
+class HeightField final : public Primitive<HeightField> {
+ public:
+  HeightField(const scene::Object& description, const std::shared_ptr<const scene::HeightField>& field)
+      : HeightField(description, HeightGrid::of(field)) {}
+
+  template <class Sink>
+  void crossings(const Ray& ray, Sink& sink) const {
+    if (grid_->empty()) return;
+    // The ray in grid units; distances stay world distances.
+    Vec3 o = ray.origin, d = ray.direction;
+    if (has_matrix()) o = matrix().inverse_point(o), d = matrix().inverse_direction(d);
+    const Vec3 cells(scale_.x, scale_.y, scale_.z);
+    o = Vec3(o.x * cells.x, o.y * cells.y, o.z * cells.z), d = Vec3(d.x * cells.x, d.y * cells.y, d.z * cells.z);
+    const double low[3] = {0, grid_->bottom(), 0}, high[3] = {cells.x, grid_->top(), cells.z};
+    double enter = kNearest, leave = 1e300;
+    for (int k = 0; k < 3; ++k) {
+      if (d[k] == 0) {
+        if (!(o[k] >= low[k] && o[k] <= high[k])) return;
+        continue;
+      }
+      const double a = (low[k] - o[k]) / d[k], b = (high[k] - o[k]) / d[k];
+      enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
+    }
+    if (!(enter <= leave)) return;
+
+    struct Block {
+      int level, i, k;
+    };
+    Block stack[4 * 32];
+    int count = 0;
+    stack[count++] = {grid_->levels() - 1, 0, 0};
+    const Vec3 inverse(1 / d.x, 1 / d.y, 1 / d.z);
+    while (count > 0) {
+      const Block block = stack[--count];
+      const double size = std::ldexp(1.0, block.level);
+      // Where the ray is above this block; a little margin, because triangles are accepted slightly beyond their edges.
+      constexpr double kMargin = 1e-3;
+      double a = enter, b = std::min(leave, sink.upper());
+      const auto clip = [&](double from, double to, double origin, double direction, double reciprocal) {
+        if (direction == 0) return origin >= from && origin <= to;
+        const double x = (from - origin) * reciprocal, y = (to - origin) * reciprocal;
+        a = std::max(a, std::min(x, y)), b = std::min(b, std::max(x, y));
+        return a <= b;
+      };
+      if (!clip(block.i * size - kMargin, (block.i + 1) * size + kMargin, o.x, d.x, inverse.x) ||
+          !clip(block.k * size - kMargin, (block.k + 1) * size + kMargin, o.z, d.z, inverse.z)) {
+        continue;
+      }
+      const auto extremes = grid_->extremes(block.level, block.i, block.k);
+      // Planes reach beyond the heights at their corners by the same margin.
+      const double margin = 1 + kMargin * 4 * (extremes.high - extremes.low);
+      if (!clip(extremes.low - margin, extremes.high + margin, o.y, d.y, inverse.y)) continue;
+      if (block.level == 0) {
+        cell(block.i, block.k, ray, o, d, enter, leave, sink);
+        continue;
+      }
+      // Far children first on the stack.
+      const int below = block.level - 1, flip_x = d.x < 0 ? 1 : 0, flip_z = d.z < 0 ? 1 : 0;
+      for (int c = 3; c >= 0; --c) {
+        const int i = 2 * block.i + ((c & 1) ^ flip_x), k = 2 * block.k + ((c >> 1) ^ flip_z);
+        if (i < grid_->blocks_x(below) && k < grid_->blocks_z(below)) stack[count++] = {below, i, k};
+      }
+    }
+  }
+
+  // Below the surface, down to minus infinity.
+  bool contains(const Vec3& world_point) const {
+    if (grid_->empty()) return false;
+    const Vec3 p = local(world_point);
+    const double x = p.x * scale_.x, y = p.y * scale_.y, z = p.z * scale_.z;
+    if (!(x >= 0 && x < scale_.x && z >= 0 && z < scale_.z && y < grid_->top())) return false;
+    if (y < grid_->bottom()) return true;
+    const int i = static_cast<int>(x), k = static_cast<int>(z);
+    const double a = x - i, b = z - k;
+    const auto h = [&](int di, int dk) { return std::max<double>(grid_->at(i + di, k + dk), grid_->water()); };
+    const double ground = a + b < 1 ? h(0, 0) + a * (h(1, 0) - h(0, 0)) + b * (h(0, 1) - h(0, 0))
+                                     : h(1, 1) + (1 - a) * (h(0, 1) - h(1, 1)) + (1 - b) * (h(1, 0) - h(1, 1));
+    return y < ground;
+  }
+
+  Vec3 raw_normal(const Hit& hit) const {
+    if (!grid_->smooth()) return object_normal(facet(static_cast<int>(hit.u), static_cast<int>(hit.v), hit.part));
+    const Vec3 p = local(hit.point);
+    const double x = p.x * scale_.x, z = p.z * scale_.z;
+    const int i = std::clamp(static_cast<int>(x), 0, grid_->width() - 2), k = std::clamp(static_cast<int>(z), 0, grid_->depth() - 2);
+    const double a = x - i, b = z - k;
+    const auto corner = [&](int di, int dk) { return object_normal(grid_->smooth_normal(i + di, k + dk)); };
+    return normalize((1 - b) * ((1 - a) * corner(0, 0) + a * corner(1, 0)) + b * ((1 - a) * corner(0, 1) + a * corner(1, 1)));
+  }
+
+ private:
+  HeightField(const scene::Object& description, std::shared_ptr<const HeightGrid> grid)
+      : Primitive(description, {box_of(*grid), false}), grid_(std::move(grid)), scale_(grid_->width() - 1, 65536, grid_->depth() - 1) {}
+
+ public:
+  static Box3 box_of(const HeightGrid& grid) { return Box3({0, grid.bottom() / 65536, 0}, {1, grid.top() / 65536, 1}); }
+
+ private:
+  // Normal of a cell's triangle (0: at the near corner, 1: at the far one) in grid units.
+  Vec3 facet(int i, int k, int triangle) const {
+    const double h10 = grid_->at(i + 1, k), h01 = grid_->at(i, k + 1);
+    if (triangle == 0) {
+      const double h00 = grid_->at(i, k);
+      return {h00 - h10, 1, h00 - h01};
+    }
+    const double h11 = grid_->at(i + 1, k + 1);
+    return {h01 - h11, 1, h10 - h11};
+  }
+  Vec3 object_normal(const Vec3& n) const { return world_normal({n.x * scale_.x, n.y * scale_.y, n.z * scale_.z}); }
+
+  template <class Sink>
+  void cell(int i, int k, const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave, Sink& sink) const {
+    for (int triangle = 0; triangle < 2; ++triangle) {
+      const Vec3 n = facet(i, k, triangle);
+      const double nd = dot(n, d);
+      if (!(std::fabs(nd) > kEpsilon)) continue;
+      const Vec3 corner(i + triangle, grid_->at(i + triangle, k + triangle), k + triangle);
+      const double t = dot(n, corner - o) / nd;
+      if (!(t >= enter && t <= leave)) continue;
+      const double a = o.x + t * d.x - i, b = o.z + t * d.z - k;
+      const bool in = triangle == 0 ? a >= -kEdge && b >= -kEdge && a + b <= 1 + kEdge : a <= 1 + kEdge && b <= 1 + kEdge && a + b >= 1 - kEdge;
+      if (in) sink.add(t, [&] { return ray.at(t); }, triangle, i, k);
+    }
+  }
+
+  std::shared_ptr<const HeightGrid> grid_;
+  Vec3 scale_;  // object units to grid units
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_height_field(const scene::Object& object) {
+  return std::make_unique<HeightField>(object, *object.as<std::shared_ptr<const scene::HeightField>>());
+}
+Box3 height_field_box(const scene::HeightField& field) { return HeightField::box_of(HeightGrid(field)); }
+
+}  // namespace verisim::shapes

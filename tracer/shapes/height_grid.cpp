@@ -1,0 +1,116 @@
+#include "tracer/shapes/height_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <unordered_map>
+
+#include "tracer/image/image.h"
+
+namespace verisim::shapes {
+
+std::uint16_t height_of_pixel(const Image& image, int x, int y) {
+  const auto offset = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+  if (image.indexed()) return static_cast<std::uint16_t>(image.indices[offset] * 256);
+  const float* p = &image.pixels[4 * offset];
+  const auto wrapped = [](double v) { return std::isfinite(v) ? static_cast<std::uint16_t>(static_cast<std::int64_t>(v) & 0xffff) : std::uint16_t{0}; };
+  if (image.grey) {
+    if (image.type == ImageType::png && !image.sixteen_bit && !image.has_alpha) {
+      // Such files go through a luma of three equal channels in binary32, which is often one unit in the last place too small.
+      const float g = p[0];
+      const float red = g * 0.297f, green = g * 0.589f, blue = g * 0.114f;
+      const float luma = red + green + blue;
+      return static_cast<std::uint16_t>(static_cast<int>(luma * 255.0f) * 257);
+    }
+    return wrapped(std::clamp(static_cast<double>(p[0]), 0.0, 1.0) * 65535 + 0.01);  // 0.01: the float nearest to n / 65535 must give n
+  }
+  if (image.sixteen_bit) return wrapped((0.297 * p[0] + 0.589 * p[1] + 0.114 * p[2]) * 65535 + 1e-3);
+  return wrapped((static_cast<double>(p[0]) * 256 + p[1]) * 255 + 1e-3);
+}
+
+std::shared_ptr<const HeightGrid> HeightGrid::of(const std::shared_ptr<const scene::HeightField>& field) {
+  static std::mutex mutex;
+  static std::unordered_map<const scene::HeightField*, std::weak_ptr<const HeightGrid>> known;
+  const std::lock_guard lock(mutex);
+  auto& slot = known[field.get()];
+  // An expired entry may belong to an older field that lived at the same address.
+  if (auto grid = slot.lock(); grid && grid->source_.lock() == field) return grid;
+  if (known.size() > 64) std::erase_if(known, [&](const auto& entry) { return entry.first != field.get() && entry.second.expired(); });
+  auto grid = std::make_shared<HeightGrid>(*field);
+  grid->source_ = field;
+  known[field.get()] = grid;
+  return grid;
+}
+
+HeightGrid::HeightGrid(const scene::HeightField& field) : water_(field.water_level * 65536) {
+  const Image* image = field.image.image.get();
+  if (!image || image->width < 1 || image->height < 1) return;
+  width_ = image->width, depth_ = image->height;
+  heights_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_));
+  std::size_t n = 0;
+  for (int k = 0; k < depth_; ++k) {
+    for (int i = 0; i < width_; ++i) {
+      const std::uint16_t h = height_of_pixel(*image, i, depth_ - 1 - k);
+      heights_[n++] = h;
+      lowest_ = std::min<int>(lowest_, h), highest_ = std::max<int>(highest_, h);
+    }
+  }
+  if (empty()) return;
+  build_pyramid();
+  if (field.smooth) build_normals();
+}
+
+void HeightGrid::build_pyramid() {
+  levels_.emplace_back();  // level 0 is computed from the heights when needed
+  int w = width_ - 1, d = depth_ - 1;
+  for (int level = 1; w > 1 || d > 1; ++level) {
+    Level next{(w + 1) / 2, (d + 1) / 2, {}};
+    next.blocks.resize(static_cast<std::size_t>(next.width) * static_cast<std::size_t>(next.depth));
+    for (int k = 0; k < next.depth; ++k) {
+      for (int i = 0; i < next.width; ++i) {
+        Extremes e{65535, 0};
+        for (int c = 0; c < 4; ++c) {
+          const int x = 2 * i + (c & 1), z = 2 * k + (c >> 1);
+          if (x >= w || z >= d) continue;
+          const Extremes below = extremes(level - 1, x, z);
+          e.low = std::min(e.low, below.low), e.high = std::max(e.high, below.high);
+        }
+        next.blocks[static_cast<std::size_t>(k) * static_cast<std::size_t>(next.width) + static_cast<std::size_t>(i)] = e;
+      }
+    }
+    w = next.width, d = next.depth;
+    levels_.push_back(std::move(next));
+  }
+}
+
+HeightGrid::Extremes HeightGrid::extremes(int level, int i, int k) const {
+  if (level > 0) {
+    const Level& l = levels_[static_cast<std::size_t>(level)];
+    return l.blocks[static_cast<std::size_t>(k) * static_cast<std::size_t>(l.width) + static_cast<std::size_t>(i)];
+  }
+  const auto [low, high] = std::minmax({at(i, k), at(i + 1, k), at(i, k + 1), at(i + 1, k + 1)});
+  return {static_cast<std::uint16_t>(low), static_cast<std::uint16_t>(high)};
+}
+
+// The sum of the unit normals of the up to four triangles around each sample, cut to multiples of 1/32767. Heights count 65536 to a unit, so the vertical
+// part is small and coarse, as it is in POV-Ray.
+void HeightGrid::build_normals() {
+  normals_.resize(heights_.size());
+  constexpr int kQuadrants[4][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
+  for (int k = 0; k < depth_; ++k) {
+    for (int i = 0; i < width_; ++i) {
+      Vec3 sum(0, 0, 0);
+      for (const auto& [dx, dz] : kQuadrants) {
+        if (i + dx < 0 || i + dx >= width_ || k + dz < 0 || k + dz >= depth_) continue;
+        const double h = at(i, k);
+        sum += normalize(Vec3((h - at(i + dx, k)) * dx, 1, (h - at(i, k + dz)) * dz));
+      }
+      const double size = length(sum);
+      const Vec3 n = size < kEpsilon ? Vec3(0, 1, 0) : sum / size;
+      auto& stored = normals_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)];
+      for (int c = 0; c < 3; ++c) stored[static_cast<std::size_t>(c)] = static_cast<std::int16_t>(32767 * n[c]);
+    }
+  }
+}
+
+}  // namespace verisim::shapes

@@ -10,7 +10,12 @@ namespace {
 double smooth(double t) { return t * t * (3 - 2 * t); }
 
 // Floor, except that values within epsilon below an integer round up.
-std::int64_t lattice(double x) { return static_cast<std::int64_t>(x >= 0 ? x : x - 1 + kEpsilon); }
+// Far values saturate.
+std::int64_t lattice(double x) {
+  x = x < 0x1p62 ? x : 0x1p62;
+  x = x > -0x1p62 ? x : -0x1p62;
+  return static_cast<std::int64_t>(x >= 0 ? x : x - 1 + kEpsilon);
+}
 
 double lattice_noise(const Vec3& p, int offset) {
   const NoiseTables& t = noise_tables();

@@ -8,6 +8,7 @@
 #include "tracer/accel/box_tree.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
+#include "tracer/shapes/scratch.h"
 
 namespace verisim::shapes {
 namespace {
@@ -15,31 +16,10 @@ namespace {
 using accel::BoxTree;
 using Children = std::vector<std::unique_ptr<Shape>>;
 
-// Indices of the children a ray may hit, in increasing order; a stretch of one list per thread, like ScratchHits.
-class ScratchIndices {
- public:
-  ScratchIndices() : list_(thread_list()), begin_(list_.size()) {}
-  ~ScratchIndices() { list_.resize(begin_); }
-  ScratchIndices(const ScratchIndices&) = delete;
-  ScratchIndices& operator=(const ScratchIndices&) = delete;
-  // Only while no later stretch is in use.
-  void add(std::uint32_t i) {
-    list_.push_back(i);
-    ++size_;
-  }
-  void sort() { std::sort(list_.begin() + static_cast<std::ptrdiff_t>(begin_), list_.end()); }
-  std::size_t size() const { return size_; }
-  std::uint32_t operator[](std::size_t i) const { return list_[begin_ + i]; }
-
- private:
-  static std::vector<std::uint32_t>& thread_list() {
-    thread_local std::vector<std::uint32_t> list;
-    return list;
-  }
-  std::vector<std::uint32_t>& list_;
-  const std::size_t begin_;
-  std::size_t size_ = 0;
-};
+struct ChildTag;
+struct OwnerTag;
+using ScratchIndices = Scratch<std::uint32_t, ChildTag>;  // of the children a ray may hit, in increasing order
+using ScratchOwners = Scratch<std::uint32_t, OwnerTag>;   // the child of each candidate hit
 
 bool is_finite(const Box3& box) { return accel::is_finite(box); }
 
@@ -127,7 +107,7 @@ class CsgShape : public Shape {
   }
   // Of candidates whose `owner` says which child they came from: the nearest in range that keep(point, owner) accepts; at equal t the last collected.
   template <class Keep>
-  bool nearest_surviving(ScratchHits& hits, const ScratchIndices& owners, double t_min, double t_max, Hit& hit, Keep&& keep) const {
+  bool nearest_surviving(ScratchHits& hits, const ScratchOwners& owners, double t_min, double t_max, Hit& hit, Keep&& keep) const {
     std::size_t count = 0;
     for (std::size_t i = hits.begin(); i < hits.end(); ++i) count += hits[i].t >= t_min && hits[i].t < t_max;
     double after = t_min;
@@ -279,7 +259,7 @@ class Merge final : public Sum {
     if (guards_ && !guards_->admit(ray)) return false;
     ScratchIndices found;
     candidates(ray, t_min, t_max, found);
-    ScratchIndices owners;
+    ScratchOwners owners;
     ScratchHits hits;
     for (std::size_t k = 0; k < found.size(); ++k) {
       if (hidden(found[k], kind)) continue;
@@ -331,7 +311,7 @@ class Intersection final : public CsgShape {
     if (!clip(ray, near, far) || (guards_ && !guards_->admit(ray))) return false;
     ScratchIndices found;
     candidates(ray, near, far, found);
-    ScratchIndices owners;
+    ScratchOwners owners;
     ScratchHits hits;
     for (std::size_t k = 0; k < found.size(); ++k) {
       const std::size_t before = hits.end();

@@ -30,31 +30,31 @@ int sign_changes(int degree, const double* b) {
   return changes;
 }
 
-// The one root in [0, 1]; the ends have opposite signs (or one of them is zero).
-double bracketed_root(int degree, const double* b) {
-  double lo = 0, hi = 1, flo = b[0], fhi = b[degree];
-  if (flo == 0) return 0;
-  if (fhi == 0) return 1;
-  double u = flo / (flo - fhi);
-  int side = 0;
-  for (int step = 0; step < 60; ++step) {
-    const double f = evaluate_bernstein(degree, b, u);
-    if (f == 0) return u;
-    if ((f < 0) == (flo < 0)) {
-      lo = u, flo = f;
-      if (side == -1) fhi *= 0.5;
-      side = -1;
+// The one root in [0, 1]; the ends have opposite signs. T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm for finding the zero of a
+// nonlinear function without using derivatives", Advances in Engineering Software 28 (1997).
+double bracketed_root(int degree, const double* coefficients) {
+  constexpr double kTolerance = 1e-15;
+  double a = 1, fa = coefficients[degree], b = 0, fb = coefficients[0], c = b, fc = fb;
+  double t = 0.5;
+  for (int step = 0; step < 80; ++step) {
+    const double x = a + t * (b - a), f = evaluate_bernstein(degree, coefficients, x);
+    if ((f < 0) == (fa < 0)) {
+      c = a, fc = fa;
     } else {
-      hi = u, fhi = f;
-      if (side == 1) flo *= 0.5;
-      side = 1;
+      c = b, fc = fb;
+      b = a, fb = fa;
     }
-    if (hi - lo < 1e-14) break;
-    const double next = step % 8 == 7 ? 0.5 * (lo + hi) : (lo * fhi - hi * flo) / (fhi - flo);
-    if (std::fabs(next - u) < 1e-15) return next;
-    u = next;
+    a = x, fa = f;
+    const bool a_is_better = std::fabs(fa) < std::fabs(fb);
+    const double best = a_is_better ? a : b, limit = kTolerance / std::fabs(b - c);
+    if (limit > 0.5 || (a_is_better ? fa : fb) == 0) return best;
+    const double xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
+    t = 0.5;
+    if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
+      t = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb);
+    t = std::clamp(t, limit, 1 - limit);
   }
-  return u;
+  return a;
 }
 
 struct Search {

@@ -57,6 +57,13 @@ TEST(Bernstein, ClosePairsAreKeptApart) {
   EXPECT_NEAR(found[0], 0.5, 1e-9);
 }
 
+TEST(Bernstein, AnEndThatIsNearlyARootDoesNotHideTheOther) {
+  const double b[5] = {1.1102230246251565e-16, 0.50663481870705651, 0.76071180219422163, -0.6, -0.6};
+  double roots[kMaxBernsteinDegree];
+  ASSERT_EQ(bernstein_roots(4, b, roots), 1);
+  EXPECT_GT(roots[0], 0.4);
+}
+
 TEST(Bernstein, RootsAtTheEnds) {
   EXPECT_EQ(roots_of({0, 1}, 0, 1), std::vector<double>{0});
   EXPECT_EQ(roots_of({-1, 1}, 0, 1), std::vector<double>{1});

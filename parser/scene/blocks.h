@@ -28,4 +28,7 @@ void parse_global_settings(Parser& parser);
 void parse_default(Parser& parser);                               // #default { ... }; the directive word is consumed
 scene::Pattern parse_pattern_body(Parser& parser);                // inside function { pattern { ... } }: after the opening brace, up to the closing one
 
+// Checks that POV-Ray makes when the whole scene has been read; call once at the end of the main file.
+void finish_scene(Parser& parser);
+
 }  // namespace verisim::parser

@@ -73,6 +73,7 @@ class Walk {
       o.interior = std::make_shared<Interior>();
     }
     o.interior->hollow = o.is_hollow();
+    if (!o.interior->ior_given) o.interior->dispersion = 1;
     apply_legacy_finish(o);
     if (auto* light = std::get_if<LightSource>(&o.shape)) attached_objects(*light);
     if (children_of(o)) children(o);

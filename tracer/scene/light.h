@@ -5,6 +5,9 @@
 
 namespace verisim::scene {
 
+// Tri-state keywords remember whether the scene wrote them: parents only override what a child left open (spec 03 5.4).
+enum class Flag : std::int8_t { unset = -1, off = 0, on = 1 };
+
 enum class LightKind : std::uint8_t { point, spotlight, cylinder, shadowless };
 
 struct LightSource {
@@ -23,7 +26,8 @@ struct LightSource {
   bool media_interaction = true, media_attenuation = false;
   ObjectPtr looks_like, projected_through;
   // photons{} of the light
-  bool photons_given = false, photon_reflection = false, photon_refraction = false, photon_area = false;
+  bool photons_given = false, photon_area = false;
+  Flag photon_reflection = Flag::unset, photon_refraction = Flag::unset;
 };
 
 }  // namespace verisim::scene

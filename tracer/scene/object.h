@@ -117,9 +117,6 @@ struct Bounds {
   std::array<float, 3> low{-1e10f, -1e10f, -1e10f}, size{2e10f, 2e10f, 2e10f};
 };
 
-// Tri-state keywords remember whether the scene wrote them: parents only override what a child left open (spec 03 5.4).
-enum class Flag : std::int8_t { unset = -1, off = 0, on = 1 };
-
 struct PhotonFlags {
   bool target = false;
   double target_spacing = 1;  // multiplier

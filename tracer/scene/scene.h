@@ -37,6 +37,7 @@ struct Radiosity {  // spec 07 section 2
          maximum_reuse = 0.2, max_sample = -1, brightness = 1, adc_bailout = 0.01, default_importance = 1;
   int count = 35, count_directions = 1600, nearest_count = 5, adaptive_nearest_count = 0, recursion_limit = 2;
   bool always_sample = false, media = false, normal = false, subsurface = false;
+  bool minimum_reuse_given = false, maximum_reuse_given = false;  // the other one is then adjusted (spec 07 2.1)
   std::string load_file, save_file;
 };
 
@@ -76,6 +77,7 @@ struct Scene {
   int version = 370;  // effective, at the end of parsing: 362 when no #version was seen (spec 01 section 20)
   std::vector<ObjectPtr> objects;  // top level, in order; light sources and light groups included
   Camera camera;
+  bool camera_given = false;
   Settings settings;
   Color background;
   bool background_given = false;

@@ -96,6 +96,7 @@ struct Interior {
   int dispersion_samples = 7;
   Rgb fade_color;
   std::vector<Media> media;
+  bool ior_given = false;  // without an ior there is no dispersion, either (spec 06 6.1)
   bool hollow = false;  // of the objects that share this interior; the last one written wins (spec 06 6.1)
 };
 // Identity matters: entering and leaving is decided by which Interior an object has, not by its values.

@@ -1,0 +1,32 @@
+// union, merge, intersection, difference (spec 03 section 5).
+#include "parser/scene/objects.h"
+
+namespace verisim::parser {
+
+namespace {
+
+void read_children(Parser& parser, scene::Object& object, Word word) {
+  scene::Csg csg;
+  csg.kind = word == Word::merge ? scene::CsgKind::merge
+             : word == Word::intersection || word == Word::difference ? scene::CsgKind::intersection
+                                                                      : scene::CsgKind::union_;
+  csg.difference = word == Word::difference;
+  while (ObjectRef child = parse_object(parser)) {
+    if (csg.kind == scene::CsgKind::intersection && scene::is_patch(*child)) parser.warning("Patch objects not allowed in intersection.");
+    if (csg.difference && !csg.children.empty()) scene::invert(*child);
+    csg.children.push_back(child);
+    parser.optional_comma();
+  }
+  if (csg.children.size() < 2) parser.warning("Should have at least 2 objects in csg.");
+  object.shape = std::move(csg);
+}
+
+}  // namespace
+
+ObjectRef parse_csg(Parser& parser) {
+  const Word word = word_at(parser);
+  if (word == Word::composite && parser.version() > 150) parser.warning("Use union instead of composite.");
+  return shape_block(parser, spelling(word), [&](scene::Object& object) { read_children(parser, object, word); });
+}
+
+}  // namespace verisim::parser

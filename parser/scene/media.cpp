@@ -1,0 +1,128 @@
+// media { ... } (spec 07 section 4.1).
+#include "parser/scene/common.h"
+#include "parser/scene/interior.h"
+
+namespace verisim::parser {
+
+using scene::Media;
+
+namespace {
+
+void parse_scattering(Parser& parser, Media& media) {
+  parser.next();
+  parser.expect('{');
+  media.scattering_type = parser.parse_int();
+  if (media.scattering_type < 1 || media.scattering_type > 5) {
+    parser.warning("Unknown atmospheric scattering type.");
+    media.scattering_type = 1;
+  }
+  parser.optional_comma();
+  media.scattering = parser.parse_rgb();
+  media.has_scattering = true;
+  for (;;) {
+    if (parser.accept(Word::eccentricity)) {
+      if (media.scattering_type != 5) parser.error("Eccentricity cannot be used with this scattering type.");
+      media.eccentricity = parser.parse_float();
+    } else if (parser.accept(Word::extinction)) {
+      media.extinction = parser.parse_float();
+    } else {
+      break;
+    }
+  }
+  close_block(parser, "scattering");
+}
+
+void parse_samples(Parser& parser, Media& media) {
+  parser.next();
+  media.samples_min = media.samples_max = parser.parse_int();
+  if (accept_comma_or_number(parser)) media.samples_max = parser.parse_int();
+  if (media.samples_min < 1) parser.error("At least one sample is needed in media.");
+  if (media.samples_max < media.samples_min) parser.error("The maximum number of samples in media is smaller than the minimum.");
+}
+
+}  // namespace
+
+void transform_media(Media& media, const Transform& t) {
+  for (scene::DensityPtr& density : media.densities) {
+    auto result = std::make_shared<scene::Density>(*density);
+    result->pattern.prepend(t);
+    density = result;
+  }
+}
+
+scene::Media parse_media(Parser& parser) {
+  const scene::Place place = parser.place();
+  Block block(parser, "media");
+  Media media;
+  if (parser.version() < 350) {  // an emulation of the older defaults
+    media.method = 1;
+    media.intervals = 10;
+    media.samples_min = media.samples_max = 1;
+  }
+  if (const auto* value = parser.accept_value<Shared<Media>>()) media = **value;
+  media.place = place;
+  for (;;) {
+    Transform item;
+    switch (word_at(parser)) {
+      case Word::method:
+        parser.next();
+        media.method = parser.parse_int();
+        if (media.method < 1 || media.method > 3) parser.error("Unknown media method: it is 1, 2 or 3.");
+        continue;
+      case Word::intervals:
+        parser.next();
+        media.intervals = parser.parse_int();
+        if (media.intervals < 1) parser.error("At least one interval is needed in media.");
+        continue;
+      case Word::samples: parse_samples(parser, media); continue;
+      case Word::aa_level:
+        parser.next();
+        media.aa_level = parser.parse_int();
+        if (media.aa_level < 1) parser.error("Media aa_level must be positive.");
+        continue;
+      case Word::aa_threshold:
+        parser.next();
+        media.aa_threshold = parser.parse_float();
+        if (!(media.aa_threshold > 0)) parser.error("Media aa_threshold must be positive.");
+        continue;
+      case Word::jitter:
+        parser.next();
+        media.jitter = parser.parse_float();
+        continue;
+      case Word::ratio:
+        parser.next();
+        media.ratio = parser.parse_float();
+        continue;
+      case Word::confidence:
+        parser.next();
+        media.confidence = parser.parse_float();
+        if (!(media.confidence >= 0 && media.confidence < 1)) parser.error("Illegal confidence value in media.");
+        continue;
+      case Word::variance:
+        parser.next();
+        media.variance = parser.parse_float();
+        continue;
+      case Word::absorption:
+        parser.next();
+        media.absorption = parser.parse_rgb();
+        continue;
+      case Word::emission:
+        parser.next();
+        media.emission = parser.parse_rgb();
+        continue;
+      case Word::scattering: parse_scattering(parser, media); continue;
+      case Word::density: media.densities.push_back(parse_density(parser)); continue;
+      case Word::collect:
+        parser.next();
+        media.collect = parser.parse_float() > 0;
+        continue;
+      default: break;
+    }
+    if (!parse_transform_item(parser, item)) break;
+    transform_media(media, item);
+  }
+  block.close();
+  return media;
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,179 @@
+// Everything that may follow the parameters of an object (spec 03 section 6).
+#include "parser/scene/global_settings.h"
+#include "parser/scene/interior.h"
+#include "parser/scene/objects.h"
+#include "parser/scene/texture.h"
+#include "parser/scene/transform.h"
+
+namespace verisim::parser {
+
+using scene::Flag;
+using scene::Object;
+
+namespace {
+
+std::vector<scene::ObjectPtr>* children_of(Object& object) {
+  if (auto* csg = std::get_if<scene::Csg>(&object.shape)) return &csg->children;
+  if (auto* group = std::get_if<scene::LightGroup>(&object.shape)) return &group->children;
+  return nullptr;
+}
+
+// hollow reaches the children that say nothing themselves at once (spec 03 5.4).
+void inherit_hollow(Object& object, bool hollow) {
+  auto* children = children_of(object);
+  if (!children) return;
+  for (scene::ObjectPtr& child : *children) {
+    auto& writable = const_cast<Object&>(*child);
+    if (writable.hollow != Flag::unset) continue;
+    writable.hollow_inherited = hollow;
+    inherit_hollow(writable, hollow);
+  }
+}
+
+void set_double_illuminate(Object& object, bool on) {
+  object.double_illuminate = on;
+  if (auto* children = children_of(object)) {
+    for (scene::ObjectPtr& child : *children) set_double_illuminate(const_cast<Object&>(*child), on);
+  }
+}
+
+bool may_be_sturm(const scene::Shape& shape) {
+  return std::holds_alternative<scene::Poly>(shape) || std::holds_alternative<scene::Torus>(shape) || std::holds_alternative<scene::Ovus>(shape) ||
+         std::holds_alternative<std::shared_ptr<const scene::Blob>>(shape) || std::holds_alternative<std::shared_ptr<const scene::Lathe>>(shape) ||
+         std::holds_alternative<std::shared_ptr<const scene::Sor>>(shape) || std::holds_alternative<std::shared_ptr<const scene::Prism>>(shape);
+}
+
+bool has_hierarchy(const scene::Shape& shape) {
+  return std::holds_alternative<std::shared_ptr<const scene::Blob>>(shape) || std::holds_alternative<std::shared_ptr<const scene::HeightField>>(shape) ||
+         std::holds_alternative<scene::Mesh>(shape);
+}
+
+[[noreturn]] void error_with_object(Parser& parser, Word word) {
+  parser.error("Keyword '" + std::string(spelling(word)) + "' cannot be used with this object.");
+}
+
+void parse_split_union(Parser& parser, Object& object) {
+  parser.next();
+  object.split_union = parser.parse_flag();
+  const auto* csg = object.as<scene::Csg>();
+  if (!csg || csg->kind == scene::CsgKind::intersection) parser.error("split_union found in non-union object.");
+}
+
+void parse_radiosity(Parser& parser, Object& object) {
+  parser.next();
+  parser.expect('{');
+  while (parser.accept(Word::importance)) {
+    object.radiosity_importance = to_float(parser.parse_float());
+    if (!(object.radiosity_importance > 0 && object.radiosity_importance <= 1))
+      parser.error("Radiosity importance must be greater than 0 and not larger than 1.");
+  }
+  close_block(parser, "radiosity");
+}
+
+void apply_material(Parser& parser, Object& object, const Material& material) {
+  if (material.texture) add_layers(parser, object.texture, material.texture);
+  if (material.interior_texture) add_layers(parser, object.interior_texture, material.interior_texture);
+  if (material.interior) object.interior = std::make_shared<scene::Interior>(*material.interior);
+}
+
+bool has_own_textures(const Object& object) {
+  const auto* mesh = object.as<scene::Mesh>();
+  return mesh && !mesh->data->textures.empty();
+}
+
+bool parse_modifier(Parser& parser, Object& object) {
+  const Word word = word_at(parser);
+  const auto flag = [&](bool& target) {
+    parser.next();
+    target = parser.parse_flag();
+    return true;
+  };
+  switch (word) {
+    case Word::translate:
+    case Word::rotate:
+    case Word::scale:
+    case Word::matrix:
+    case Word::transform: return parse_object_transform(parser, object);
+    case Word::texture: add_layers(parser, object.texture, parse_texture(parser)); return true;
+    case Word::pigment:
+    case Word::normal:
+    case Word::finish: return parse_texture_part(parser, object.texture);
+    case Word::interior_texture: add_layers(parser, object.interior_texture, parse_interior_texture(parser)); return true;
+    case Word::interior: object.interior = parse_interior(parser); return true;
+    case Word::material: apply_material(parser, object, parse_material(parser)); return true;
+    case Word::uv_mapping:
+      parser.next();
+      if (object.texture) parser.error("uv_mapping must be specified before texture.");
+      object.uv_mapping = true;
+      return true;
+    case Word::photons: parse_object_photons(parser, object.photons); return true;
+    case Word::radiosity: parse_radiosity(parser, object); return true;
+    case Word::cutaway_textures: {
+      const auto* csg = object.as<scene::Csg>();
+      if (!csg || csg->kind != scene::CsgKind::intersection) parser.error("cutaway_textures can only be used with intersection and difference.");
+      parser.next();
+      object.cutaway_textures = true;
+      return true;
+    }
+    case Word::split_union: parse_split_union(parser, object); return true;
+    case Word::bounded_by: parse_bounded_by(parser, object); return true;
+    case Word::clipped_by: parse_clipped_by(parser, object); return true;
+    case Word::inverse:
+      parser.next();
+      if (scene::is_patch(object)) parser.warning("Cannot invert a patch object.");
+      scene::invert(object);
+      return true;
+    case Word::sturm:
+      if (!may_be_sturm(object.shape)) error_with_object(parser, word);
+      return flag(object.sturm);
+    case Word::hierarchy:
+      if (!has_hierarchy(object.shape)) error_with_object(parser, word);
+      return flag(object.hierarchy);
+    case Word::hollow: {
+      parser.next();
+      const bool hollow = parser.parse_flag();
+      object.hollow = hollow ? Flag::on : Flag::off;
+      inherit_hollow(object, hollow);
+      return true;
+    }
+    case Word::double_illuminate:
+      parser.next();
+      set_double_illuminate(object, parser.parse_flag());
+      return true;
+    case Word::no_shadow:
+      parser.next();
+      object.no_shadow = true;
+      return true;
+    case Word::no_image: return flag(object.no_image);
+    case Word::no_reflection: return flag(object.no_reflection);
+    case Word::no_radiosity: return flag(object.no_radiosity);
+    case Word::dtag:
+      parser.next();
+      parser.parse_string();
+      return true;
+    default: break;
+  }
+  if (at_color(parser)) {
+    parser.parse_color();
+    parser.warning("Quick color belongs in texture. Color ignored.");
+    return true;
+  }
+  return false;
+}
+
+constexpr std::string_view kNames[] = {"sphere", "box", "plane", "cone", "torus", "disc", "triangle", "smooth_triangle", "polygon", "poly", "quadric",
+                                       "superellipsoid", "ovus", "blob", "lathe", "sor", "prism", "sphere_sweep", "bicubic_patch", "height_field",
+                                       "isosurface", "parametric", "julia_fractal", "text", "mesh", "csg", "light_group", "light_source"};
+static_assert(std::size(kNames) == std::variant_size_v<scene::Shape>);
+
+}  // namespace
+
+void parse_object_modifiers(Parser& parser, Object& object) {
+  while (parse_modifier(parser, object)) {
+  }
+  close_block(parser, kNames[object.shape.index()]);
+  if (object.interior_texture && !object.texture && !has_own_textures(object)) parser.error("Interior texture requires an exterior texture.");
+  scene::finish_modifiers(object);
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,181 @@
+// photons { ... } of global_settings, objects and light sources (spec 07 section 3).
+#include "parser/scene/common.h"
+#include "parser/scene/global_settings.h"
+
+namespace verisim::parser {
+
+using scene::Flag;
+using scene::Photons;
+
+namespace {
+
+void parse_gather(Parser& parser, Photons& photons) {
+  parser.next();
+  photons.gather_min = parser.parse_int();
+  parser.optional_comma();
+  photons.gather_max = parser.parse_int();
+  if (photons.gather_min < 0 || photons.gather_max < photons.gather_min)
+    parser.error("Photon gather numbers must not be negative, and the second must not be smaller than the first.");
+  if (photons.gather_max == 0) {
+    photons.enabled = false;
+    parser.warning("Photons are switched off: the largest number to gather is 0.");
+  }
+}
+
+void parse_radius(Parser& parser, Photons& photons) {
+  parser.next();
+  double* const values[] = {&photons.radius, &photons.radius_gather_multiplier, &photons.media_radius, &photons.media_radius_gather_multiplier};
+  for (double* value : values) {
+    if (parser.at_number_start()) *value = parser.parse_float();
+    parser.optional_comma();
+  }
+}
+
+void parse_photon_media(Parser& parser, Photons& photons) {
+  parser.next();
+  photons.media_count = parser.parse_int();
+  if (photons.media_count < 0) parser.error("The number of photon media steps must not be negative.");
+  parser.optional_comma();
+  photons.media_factor = parser.parse_optional_float(photons.media_factor);
+  if (!(photons.media_factor > 0)) parser.error("The photon media factor must be positive.");
+}
+
+void parse_expand_thresholds(Parser& parser, Photons& photons) {
+  parser.next();
+  photons.expand_increase = parser.parse_float();
+  parser.optional_comma();
+  photons.expand_min = parser.parse_int();
+  if (photons.expand_increase < 0) {
+    parser.warning("The first value of expand_thresholds must not be negative; using 0.");
+    photons.expand_increase = 0;
+  }
+  if (photons.expand_min < 0) {
+    parser.warning("The second value of expand_thresholds must not be negative; using 0.");
+    photons.expand_min = 0;
+  }
+}
+
+void parse_file(Parser& parser, std::string& target, const std::string& other) {
+  parser.next();
+  target = parser.parse_path();
+  if (!other.empty()) parser.warning("Both load_file and save_file of photons were given; the last one is used.");
+}
+
+}  // namespace
+
+void parse_photon_settings(Parser& parser, Photons& photons) {
+  photons = Photons();  // a second block does not inherit from the first
+  photons.place = parser.place();
+  photons.enabled = true;
+  parser.next();
+  parser.expect('{');
+  const auto number = [&](double& target) {
+    parser.next();
+    target = parser.parse_float();
+  };
+  for (;;) {
+    switch (word_at(parser)) {
+      case Word::spacing: number(photons.spacing); continue;
+      case Word::count:
+        parser.next();
+        photons.count = parser.parse_int();
+        continue;
+      case Word::gather: parse_gather(parser, photons); continue;
+      case Word::radius: parse_radius(parser, photons); continue;
+      case Word::media: parse_photon_media(parser, photons); continue;
+      case Word::jitter: number(photons.jitter); continue;
+      case Word::max_trace_level:
+        parser.next();
+        photons.max_trace_level = parser.parse_int();
+        continue;
+      case Word::adc_bailout: number(photons.adc_bailout); continue;
+      case Word::autostop: number(photons.autostop); continue;
+      case Word::expand_thresholds: parse_expand_thresholds(parser, photons); continue;
+      case Word::save_file:
+        parse_file(parser, photons.save_file, photons.load_file);
+        photons.load_file.clear();
+        continue;
+      case Word::load_file:
+        parse_file(parser, photons.load_file, photons.save_file);
+        photons.save_file.clear();
+        continue;
+      default: break;
+    }
+    break;
+  }
+  close_block(parser, "photons");
+}
+
+void parse_object_photons(Parser& parser, scene::PhotonFlags& photons) {
+  Block block(parser, "photons");
+  photons.given = true;
+  const auto refract_off = [&] {
+    photons.refraction = Flag::off;
+    parser.warning("Cannot use pass_through with refraction & target. Turning off refraction.");
+  };
+  for (;;) {
+    switch (word_at(parser)) {
+      case Word::target: {
+        parser.next();
+        const double density = parser.parse_optional_float(1);
+        photons.target = density > 0;
+        if (photons.target) photons.target_spacing = density;
+        if (photons.target && photons.pass_through) {
+          if (photons.refraction == Flag::on) photons.pass_through = false;
+          else refract_off();
+        }
+        continue;
+      }
+      case Word::refraction:
+        parser.next();
+        photons.refraction = parser.parse_float() > 0 ? Flag::on : Flag::off;
+        if (photons.refraction == Flag::on && photons.pass_through && photons.target) {
+          photons.pass_through = false;
+          parser.warning("Cannot use pass_through with refraction & target. Turning off pass_through.");
+        }
+        continue;
+      case Word::reflection:
+        parser.next();
+        photons.reflection = parser.parse_float() > 0 ? Flag::on : Flag::off;
+        continue;
+      case Word::collect:
+        parser.next();
+        photons.collect = parser.parse_float() > 0;
+        continue;
+      case Word::pass_through:
+        parser.next();
+        photons.pass_through = parser.parse_flag();
+        if (photons.pass_through && photons.target) refract_off();
+        continue;
+      default: break;
+    }
+    break;
+  }
+  block.close();
+}
+
+void parse_light_photons(Parser& parser, scene::LightSource& light) {
+  Block block(parser, "photons");
+  light.photons_given = true;
+  for (;;) {
+    switch (word_at(parser)) {
+      case Word::refraction:
+        parser.next();
+        light.photon_refraction = parser.parse_float() > 0 ? Flag::on : Flag::off;
+        continue;
+      case Word::reflection:
+        parser.next();
+        light.photon_reflection = parser.parse_float() > 0 ? Flag::on : Flag::off;
+        continue;
+      case Word::area_light:
+        parser.next();
+        light.photon_area = true;
+        continue;
+      default: break;
+    }
+    break;
+  }
+  block.close();
+}
+
+}  // namespace verisim::parser

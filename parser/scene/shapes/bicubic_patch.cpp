@@ -1,0 +1,84 @@
+// bicubic_patch (spec 04 section 4).
+#include <optional>
+
+#include "parser/scene/objects.h"
+
+namespace verisim::parser {
+
+namespace {
+
+// The form without keywords: type [flatness] u_steps v_steps.
+void parse_old_form(Parser& parser, scene::BicubicPatch& patch, std::optional<int>& type) {
+  parser.warning("Should use keywords for bicubic parameters.");
+  const auto number = [&] {
+    const double value = parser.parse_float();
+    parser.optional_comma();
+    return value;
+  };
+  type = static_cast<int>(number());
+  patch.flatness = *type == 2 || *type == 3 ? number() : 0.1;
+  patch.u_steps = static_cast<int>(number());
+  patch.v_steps = static_cast<int>(number());
+}
+
+void parse_keywords(Parser& parser, scene::BicubicPatch& patch, std::optional<int>& type) {
+  for (;;) {
+    switch (word_at(parser)) {
+      case Word::type:
+        parser.next();
+        type = parser.parse_int();
+        break;
+      case Word::flatness:
+        parser.next();
+        patch.flatness = parser.parse_float();
+        break;
+      case Word::u_steps:
+        parser.next();
+        patch.u_steps = parser.parse_int();
+        break;
+      case Word::v_steps:
+        parser.next();
+        patch.v_steps = parser.parse_int();
+        break;
+      case Word::accuracy:  // has no effect
+        parser.next();
+        parser.parse_float();
+        break;
+      default: return;
+    }
+    parser.optional_comma();
+  }
+}
+
+}  // namespace
+
+ObjectRef parse_bicubic_patch(Parser& parser) {
+  return shape_block(parser, "bicubic_patch", [&](scene::Object& object) {
+    auto patch = std::make_shared<scene::BicubicPatch>();
+    std::optional<int> type;
+    if (parser.peek().kind == TokenKind::number) parse_old_form(parser, *patch, type);
+    else parse_keywords(parser, *patch, type);
+    if (parser.accept(Word::uv_vectors)) {
+      patch->uv.emplace();
+      for (Vec2& uv : *patch->uv) {
+        uv = parser.parse_vec2();
+        parser.optional_comma();
+      }
+    }
+    if (!type || *type < 0) parser.error("Undefined bicubic patch type.");
+    if (*type > 1) {
+      parser.warning("Patch type no longer supported. Using type 1.");
+      type = 1;
+    }
+    patch->type = *type;
+    constexpr int kMaxSteps = 12;  // 2^24 leaves
+    if (patch->u_steps + patch->v_steps > 2 * kMaxSteps) parser.unsupported("bicubic_patch with more than 2^24 pieces");
+    for (Vec3& point : patch->points) {
+      point = parser.parse_vec3();
+      parser.optional_comma();
+    }
+    object.shape = std::shared_ptr<const scene::BicubicPatch>(patch);
+  });
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,89 @@
+// blob { [threshold T] components } (spec 03 4.13).
+#include "parser/scene/objects.h"
+#include "parser/scene/texture.h"
+
+namespace verisim::parser {
+
+using scene::BlobComponent;
+
+namespace {
+
+constexpr std::size_t kMaxComponents = 1000000;  // a cylinder counts for three (spec 03 4.13)
+
+bool parse_component_modifier(Parser& parser, BlobComponent& component) {
+  Transform item;
+  if (parse_transform_item(parser, item)) {
+    component.transform = component.transform ? component.transform->then(item) : item;
+    component.texture = scene::transformed(component.texture, item);
+    return true;
+  }
+  if (parser.at(Word::texture)) {
+    add_layers(parser, component.texture, parse_texture(parser));
+    return true;
+  }
+  return parse_texture_part(parser, component.texture);
+}
+
+BlobComponent parse_component(Parser& parser, bool cylinder) {
+  Block block(parser, cylinder ? "cylinder" : "sphere");
+  BlobComponent component;
+  component.cylinder = cylinder;
+  component.a = parser.parse_vec3();
+  parser.optional_comma();
+  component.b = component.a;
+  if (cylinder) {
+    component.b = parser.parse_vec3();
+    parser.optional_comma();
+    if (length(component.b - component.a) < kEpsilon) parser.error("Degenerate cylindrical component in blob.");
+  }
+  component.radius = parser.parse_float();
+  parser.optional_comma();
+  parser.accept(Word::strength);
+  component.strength = parser.parse_float();
+  while (parse_component_modifier(parser, component)) {
+  }
+  block.close();
+  return component;
+}
+
+// component strength radius <center>: the oldest form.
+BlobComponent parse_old_component(Parser& parser) {
+  parser.next();
+  BlobComponent component;
+  component.strength = parser.parse_float();
+  parser.optional_comma();
+  component.radius = parser.parse_float();
+  parser.optional_comma();
+  component.a = component.b = parser.parse_vec3();
+  return component;
+}
+
+}  // namespace
+
+ObjectRef parse_blob(Parser& parser) {
+  return shape_block(parser, "blob", [&](scene::Object& object) {
+    auto blob = std::make_shared<scene::Blob>();
+    std::size_t entries = 0;
+    for (;;) {
+      const Word word = word_at(parser);
+      if (word == Word::threshold) {
+        parser.next();
+        blob->threshold = parser.parse_float();
+      } else if (word == Word::sphere || word == Word::cylinder) {
+        blob->components.push_back(parse_component(parser, word == Word::cylinder));
+        entries += word == Word::cylinder ? 3 : 1;
+      } else if (word == Word::component) {
+        blob->components.push_back(parse_old_component(parser));
+        ++entries;
+      } else {
+        break;
+      }
+      if (entries > kMaxComponents) parser.error("There are more than the maximum supported number of components in a blob.");
+      parser.optional_comma();
+    }
+    if (blob->components.empty()) parser.error("Need at least one component in a blob.");
+    object.shape = std::shared_ptr<const scene::Blob>(blob);
+  });
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,10 @@
+// contained_by { box { ... } | sphere { ... } } of isosurface and parametric.
+#pragma once
+
+#include "parser/scene/blocks.h"
+
+namespace verisim::parser {
+
+void parse_contained_by(Parser& parser, scene::Contained& container);
+
+}  // namespace verisim::parser

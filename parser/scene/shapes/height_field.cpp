@@ -1,0 +1,27 @@
+// height_field { image [water_level L] [smooth] } (spec 04 section 5).
+#include "parser/scene/objects.h"
+#include "parser/scene/pattern.h"
+
+namespace verisim::parser {
+
+ObjectRef parse_height_field(Parser& parser) {
+  return shape_block(parser, "height_field", [&](scene::Object& object) {
+    auto field = std::make_shared<scene::HeightField>();
+    field->image = parse_image(parser, ImageUse::height_field);
+    for (;;) {
+      if (parser.accept(Word::water_level)) {
+        field->water_level = parser.parse_float();
+        if (parser.version() < 200) field->water_level /= 256;
+      } else if (parser.accept(Word::smooth)) {
+        field->smooth = true;
+      } else if (parser.accept(Word::hierarchy)) {
+        object.hierarchy = parser.parse_flag();
+      } else {
+        break;
+      }
+    }
+    object.shape = std::shared_ptr<const scene::HeightField>(field);
+  });
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,13 @@
+// What lathe, prism, sor and sphere_sweep have in common: the kind of spline and the list of points.
+#pragma once
+
+#include "parser/scene/blocks.h"
+
+namespace verisim::parser {
+
+// linear_spline, quadratic_spline ...; `sweep`: the kinds of sphere_sweep. False: none here.
+bool accept_spline_kind(Parser& parser, scene::SplineKind& kind, bool sweep = false);
+// n, <x, y> ...
+std::vector<Vec2> parse_points(Parser& parser, std::string_view name);
+
+}  // namespace verisim::parser

@@ -1,0 +1,47 @@
+// triangle and smooth_triangle (spec 03 4.7, 04 section 2).
+#include "parser/scene/objects.h"
+
+namespace verisim::parser {
+
+namespace {
+
+bool is_zero_area(const std::array<Vec3, 3>& p) { return length(cross(p[0] - p[1], p[2] - p[1])) == 0; }
+
+void warn_degenerate(Parser& parser) { parser.warning("Degenerate triangle. Please remove."); }
+
+}  // namespace
+
+ObjectRef parse_triangle(Parser& parser) {
+  return shape_block(parser, "triangle", [&](scene::Object& object) {
+    scene::Triangle triangle;
+    for (Vec3& corner : triangle.p) {
+      corner = parser.parse_vec3();
+      parser.optional_comma();
+    }
+    if (is_zero_area(triangle.p)) warn_degenerate(parser);
+    object.shape = triangle;
+  });
+}
+
+ObjectRef parse_smooth_triangle(Parser& parser) {
+  return shape_block(parser, "smooth_triangle", [&](scene::Object& object) {
+    scene::SmoothTriangle triangle;
+    bool zero_normal = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      triangle.p[i] = parser.parse_vec3();
+      parser.optional_comma();
+      triangle.n[i] = parser.parse_vec3();
+      parser.optional_comma();
+      const double size = length(triangle.n[i]);
+      if (size == 0) zero_normal = true;
+      else triangle.n[i] = triangle.n[i] / size;
+    }
+    const Vec3 plane = cross(triangle.p[0] - triangle.p[1], triangle.p[2] - triangle.p[1]);
+    int sides = 0;
+    for (const Vec3& n : triangle.n) sides += dot(n, plane) > 0 ? 1 : dot(n, plane) < 0 ? -1 : 0;
+    if (zero_normal || is_zero_area(triangle.p) || (sides != 3 && sides != -3)) warn_degenerate(parser);
+    object.shape = triangle;
+  });
+}
+
+}  // namespace verisim::parser

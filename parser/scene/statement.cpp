@@ -1,0 +1,112 @@
+// Statements at the top level of a scene, and blocks as values of #declare.
+#include "parser/scene/atmosphere.h"
+#include "parser/scene/camera.h"
+#include "parser/scene/common.h"
+#include "parser/scene/global_settings.h"
+#include "parser/scene/interior.h"
+#include "parser/scene/maps.h"
+#include "parser/scene/texture.h"
+
+namespace verisim::parser {
+
+namespace {
+
+void add_camera(Parser& parser) {
+  scene::Scene& scene = parser.scene();
+  const bool again = scene.camera_given;
+  // From 3.5 on the last camera counts and each starts afresh; before, a second one modifies the first (spec 02 1.1).
+  const bool modifies = again && parser.version() < 350;
+  if (again && !modifies) parser.warning("More than one camera in scene. Ignoring previous camera(s).");
+  scene.camera = modifies ? parse_camera(parser, scene.camera) : parse_camera(parser);
+  scene.camera_given = true;
+}
+
+void add_object(Parser& parser, const std::shared_ptr<scene::Object>& object) {
+  scene::finish_statement(*object, parser.default_texture());
+  parser.scene().objects.push_back(object);
+}
+
+}  // namespace
+
+bool parse_statement(Parser& parser) {
+  scene::Scene& scene = parser.scene();
+  switch (word_at(parser)) {
+    case Word::camera: add_camera(parser); return true;
+    case Word::global_settings: parse_global_settings(parser); return true;
+    case Word::background:
+      scene.background = parse_background(parser);
+      scene.background_given = true;
+      return true;
+    case Word::fog: scene.fogs.push_back(parse_fog(parser)); return true;
+    case Word::rainbow: scene.rainbows.push_back(parse_rainbow(parser)); return true;
+    case Word::sky_sphere:
+      if (scene.sky_sphere) parser.warning("Only one sky-sphere allowed (last one will be used).");
+      scene.sky_sphere = parse_sky_sphere(parser);
+      return true;
+    case Word::media: scene.atmosphere.push_back(parse_media(parser)); return true;
+    case Word::max_trace_level:
+      if (parser.version() >= 350) parser.possible_error("'max_trace_level' should be in global_settings block.");
+      parse_max_trace_level(parser);
+      return true;
+    case Word::max_intersections: parse_max_intersections(parser); return true;
+    default: break;
+  }
+  if (const std::shared_ptr<scene::Object> object = parse_object(parser)) {
+    add_object(parser, object);
+    return true;
+  }
+  return false;
+}
+
+namespace {
+
+// Further texture{} blocks are layers of the same value; here a directive or macro ends the list (spec 01 section 4, B6).
+Value parse_layered_texture(Parser& parser) {
+  scene::TexturePtr texture;
+  do {
+    add_layers(parser, texture, parse_texture(parser));
+  } while (parser.peek_blocked().kind == TokenKind::word && parser.peek_blocked().word == Word::texture);
+  return texture;
+}
+
+template <class T>
+Shared<T> shared(T value) {
+  return std::make_shared<const T>(std::move(value));
+}
+
+}  // namespace
+
+std::optional<Value> parse_block_value(Parser& parser) {
+  switch (word_at(parser)) {
+    case Word::none: return std::nullopt;  // identifiers are copied by #declare itself
+    case Word::pigment: return parse_pigment(parser);
+    case Word::normal: return parse_normal(parser);
+    case Word::finish: return shared(parse_finish(parser, parser.default_texture()->layers.front().finish));
+    case Word::texture: return parse_layered_texture(parser);
+    case Word::density: return parse_density(parser);
+    case Word::media: return shared(parse_media(parser));
+    case Word::interior: return Shared<scene::Interior>(parse_interior(parser));
+    case Word::material: return shared(parse_material(parser));
+    case Word::color_map: return ColorMapValue{parse_color_map(parser)};
+    case Word::pigment_map: return PigmentMapValue{parse_pigment_map(parser, false)};
+    case Word::normal_map: return NormalMapValue{parse_normal_map(parser, false)};
+    case Word::slope_map: return SlopeMap{parse_slope_map(parser)};
+    case Word::texture_map: return TextureMapValue{parse_texture_map(parser, false)};
+    case Word::density_map: return DensityMapValue{parse_density_map(parser, false)};
+    case Word::transform: return shared(parse_transform(parser));
+    case Word::camera: return shared(parse_camera(parser));
+    case Word::fog: return shared(parse_fog(parser));
+    case Word::rainbow: return shared(parse_rainbow(parser));
+    case Word::sky_sphere: return shared(parse_sky_sphere(parser));
+    default: break;
+  }
+  if (std::shared_ptr<scene::Object> object = parse_object(parser)) return scene::ObjectPtr(object);
+  return std::nullopt;
+}
+
+void finish_scene(Parser& parser) {
+  finish_radiosity_settings(parser, parser.scene().settings.radiosity);
+  if (parser.scene().objects.empty()) parser.warning("No objects in scene.");
+}
+
+}  // namespace verisim::parser

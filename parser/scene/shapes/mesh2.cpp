@@ -209,7 +209,7 @@ class Mesh2Reader {
 }  // namespace
 
 ObjectRef parse_mesh2(Parser& parser) {
-  return shape_block(parser, "mesh2", [&](scene::Object& object) { object.shape = scene::Mesh{Mesh2Reader(parser).read()}; });
+  return shape_block(parser, "mesh2", [&](scene::Object& object) { object.shape = scene::Mesh{Mesh2Reader(parser).read(), {}}; });
 }
 
 }  // namespace verisim::parser

@@ -14,7 +14,8 @@ struct Diagnostic {
   int line = 0, column = 0;  // 1-based; 0: no place
   std::string message;
   std::string advice;        // "did you mean ...", the package that has a file ...; may be empty
-  std::string source_line;   // the text of the line, for the caret
+  std::string source_line;   // the text of the line, for the caret; an excerpt of a very long one
+  int caret = 0;             // 1-based column of the caret in source_line; 0: `column`
   std::vector<std::string> trail;  // "included from a.pov:3", "in macro M called at b.inc:7"
 };
 

@@ -1,0 +1,32 @@
+// Turns a file into tokens, once (spec 01 section 1). Loops, macros and repeated includes replay ranges of the token array.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "parser/lexer/names.h"
+#include "parser/lexer/token.h"
+#include "parser/source/source.h"
+
+namespace verisim::parser {
+
+// Why the lexer stopped; kept in the error token and reported only when the cursor gets there.
+enum class LexError : std::uint32_t {
+  illegal_character, unterminated_string, newline_after_backslash, unterminated_comment, second_point, too_many_tokens
+};
+const char* describe(LexError error);
+
+struct TokenFile {
+  std::shared_ptr<const Source> source;
+  std::vector<Token> tokens;  // the last one has kind end or error
+  bool starts_with_high_bytes = false;
+
+  // The bytes between the quotes of a string token, escapes untouched.
+  std::string_view raw_string(const Token& token) const { return source->text().substr(token.offset + 1, token.id()); }
+};
+
+// `main_file`: leading bytes >= 0x80 are dropped (spec 01 1.1). Never throws for bad input; stops with an error token.
+std::shared_ptr<const TokenFile> tokenise(std::shared_ptr<const Source> source, Names& names, std::size_t max_tokens, bool main_file = false);
+
+}  // namespace verisim::parser

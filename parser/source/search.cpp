@@ -1,0 +1,81 @@
+#include "parser/source/search.h"
+
+#include <algorithm>
+
+namespace verisim::parser {
+namespace fs = std::filesystem;
+namespace {
+
+bool exists(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+fs::path canonical(const fs::path& path) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  if (error) return path.lexically_normal();
+  fs::path result = fs::weakly_canonical(absolute, error);
+  return error ? absolute.lexically_normal() : result;
+}
+
+bool below(const fs::path& path, const fs::path& folder) {
+  const auto [end, at] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return end == folder.end() || (std::next(end) == folder.end() && end->empty());
+}
+
+bool has_include_extension(const std::string& name) { return name.ends_with(".inc") || name.ends_with(".INC"); }
+
+}  // namespace
+
+FileSearch::FileSearch(std::vector<fs::path> library_paths, fs::path scene_folder, std::vector<fs::path> allow_read, std::vector<fs::path> allow_write)
+    : library_paths_(std::move(library_paths)), scene_folder_(std::move(scene_folder)) {
+  for (const fs::path& p : allow_read) readable_.push_back(canonical(p));
+  std::error_code error;
+  writable_.push_back(canonical(fs::current_path(error)));
+  if (!scene_folder_.empty()) writable_.push_back(canonical(scene_folder_));
+  for (const fs::path& p : allow_write) writable_.push_back(canonical(p));
+}
+
+std::optional<fs::path> FileSearch::find_exact(const std::string& name) const {
+  // A name that no file system can hold; also keeps NUL bytes out of system calls.
+  if (name.empty() || name.size() > 4096 || name.find('\0') != std::string::npos) return std::nullopt;
+  const fs::path path = name;
+  if (exists(path)) return path;
+  if (path.is_absolute()) return std::nullopt;
+  for (const fs::path& folder : library_paths_)
+    if (exists(folder / path)) return folder / path;
+  if (!scene_folder_.empty() && exists(scene_folder_ / path)) return scene_folder_ / path;
+  return std::nullopt;
+}
+
+std::optional<fs::path> FileSearch::find_include(const std::string& name) const {
+  std::vector<std::string> candidates{name + ".inc", name + ".INC"};
+  candidates.insert(has_include_extension(name) ? candidates.begin() : candidates.end(), name);
+  if (name.empty() || name.size() > 4096 || name.find('\0') != std::string::npos) return std::nullopt;
+  const bool absolute = fs::path(name).is_absolute();
+  for (const std::string& candidate : candidates) {
+    if (exists(candidate)) return candidate;
+    if (absolute) continue;
+    for (const fs::path& folder : library_paths_)
+      if (exists(folder / candidate)) return folder / candidate;
+  }
+  // POV-Ray stops here; beside the scene is where its author meant.
+  if (!absolute && !scene_folder_.empty())
+    for (const std::string& candidate : candidates)
+      if (exists(scene_folder_ / candidate)) return scene_folder_ / candidate;
+  return std::nullopt;
+}
+
+bool FileSearch::may_read(const fs::path& path) const {
+  if (readable_.empty()) return true;
+  const fs::path real = canonical(path);
+  return std::any_of(readable_.begin(), readable_.end(), [&](const fs::path& folder) { return below(real, folder); });
+}
+
+bool FileSearch::may_write(const fs::path& path) const {
+  const fs::path real = canonical(path);
+  return std::any_of(writable_.begin(), writable_.end(), [&](const fs::path& folder) { return below(real, folder); });
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,34 @@
+// Where files are looked for, and which of them a scene may read and write.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace verisim::parser {
+
+class FileSearch {
+ public:
+  // `scene_folder` may be empty (a scene from memory). allow_read empty: everything may be read.
+  FileSearch(std::vector<std::filesystem::path> library_paths, std::filesystem::path scene_folder, std::vector<std::filesystem::path> allow_read,
+             std::vector<std::filesystem::path> allow_write);
+
+  // As #include looks (spec 01 section 17): each of the candidate names in the current folder, then in every library path, then beside the scene.
+  std::optional<std::filesystem::path> find_include(const std::string& name) const;
+  // The exact name only: #fopen read, file_exists, images and fonts.
+  std::optional<std::filesystem::path> find_exact(const std::string& name) const;
+
+  bool may_read(const std::filesystem::path& path) const;
+  // Below the current folder, the scene's folder, or what allow_write names. Symbolic links are resolved first.
+  bool may_write(const std::filesystem::path& path) const;
+
+  const std::vector<std::filesystem::path>& library_paths() const { return library_paths_; }
+
+ private:
+  std::vector<std::filesystem::path> library_paths_;
+  std::filesystem::path scene_folder_;
+  std::vector<std::filesystem::path> readable_, writable_;  // canonical
+};
+
+}  // namespace verisim::parser

@@ -1,0 +1,85 @@
+#include "parser/source/source.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace verisim::parser {
+namespace {
+
+struct Descriptor {
+  int fd;
+  ~Descriptor() {
+    if (fd >= 0) ::close(fd);
+  }
+};
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
+  throw std::runtime_error("Cannot read '" + path.string() + "': " + reason + ".");
+}
+
+}  // namespace
+
+Source::Source(std::string name, std::string_view text) : Source(std::move(name)) {
+  size_ = text.size();
+  bytes_ = std::make_unique_for_overwrite<char[]>(size_ + 1);
+  std::copy(text.begin(), text.end(), bytes_.get());
+  bytes_[size_] = '\0';
+}
+
+std::shared_ptr<Source> Source::read(const std::filesystem::path& path, std::string name, std::size_t max_bytes) {
+  // O_NONBLOCK: a FIFO named as a scene must not hang the program.
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+  if (file.fd < 0) fail(path, std::strerror(errno));
+  struct stat info {};
+  if (::fstat(file.fd, &info) != 0) fail(path, std::strerror(errno));
+  if (S_ISDIR(info.st_mode)) fail(path, "it is a directory");
+  if (!S_ISREG(info.st_mode)) fail(path, "it is not a regular file");
+  const auto size = static_cast<std::size_t>(info.st_size);
+  if (size > max_bytes) fail(path, "it has more bytes than --max-file-bytes allows");
+  std::shared_ptr<Source> source(new Source(std::move(name)));
+  source->bytes_ = std::make_unique_for_overwrite<char[]>(size + 1);
+  while (source->size_ < size) {
+    const ssize_t got = ::read(file.fd, source->bytes_.get() + source->size_, size - source->size_);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail(path, std::strerror(errno));
+    if (got == 0) break;
+    source->size_ += static_cast<std::size_t>(got);
+  }
+  source->bytes_[source->size_] = '\0';
+  return source;
+}
+
+void Source::index_lines(std::size_t up_to) const {
+  const char* p = bytes_.get();
+  std::size_t i = indexed_;
+  while (i < size_ && i <= up_to) {
+    const char c = p[i++];
+    if (c != '\n' && c != '\r') continue;
+    const char other = c == '\n' ? '\r' : '\n';
+    if (i < size_ && p[i] == other) ++i;
+    line_starts_.push_back(i);
+  }
+  indexed_ = std::max(indexed_, i);
+}
+
+Position Source::position(std::size_t offset) const {
+  offset = std::min(offset, size_);
+  index_lines(offset);
+  const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
+  const auto line = static_cast<std::size_t>(next - line_starts_.begin());
+  return {static_cast<int>(line), static_cast<int>(offset - line_starts_[line - 1]) + 1};
+}
+
+std::string_view Source::line(int number) const {
+  if (number < 1 || static_cast<std::size_t>(number) > line_starts_.size()) return {};
+  const std::string_view rest = text().substr(line_starts_[static_cast<std::size_t>(number) - 1]);
+  return rest.substr(0, rest.find_first_of("\r\n"));
+}
+
+}  // namespace verisim::parser

@@ -17,7 +17,7 @@ enum class LexError : std::uint32_t {
 };
 const char* describe(LexError error);
 
-struct TokenFile {
+struct TokenFile : std::enable_shared_from_this<TokenFile> {
   std::shared_ptr<const Source> source;
   std::vector<Token> tokens;  // the last one has kind end or error
   bool starts_with_high_bytes = false;

@@ -6,12 +6,12 @@ namespace verisim::parser {
 namespace fs = std::filesystem;
 namespace {
 
-bool exists(const fs::path& path) {
+bool is_there(const fs::path& path) {
   std::error_code error;
   return fs::exists(path, error);
 }
 
-fs::path canonical(const fs::path& path) {
+fs::path real_path(const fs::path& path) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);
   if (error) return path.lexically_normal();
@@ -30,22 +30,22 @@ bool has_include_extension(const std::string& name) { return name.ends_with(".in
 
 FileSearch::FileSearch(std::vector<fs::path> library_paths, fs::path scene_folder, std::vector<fs::path> allow_read, std::vector<fs::path> allow_write)
     : library_paths_(std::move(library_paths)), scene_folder_(std::move(scene_folder)) {
-  for (const fs::path& p : allow_read) readable_.push_back(canonical(p));
+  for (const fs::path& p : allow_read) readable_.push_back(real_path(p));
   std::error_code error;
-  writable_.push_back(canonical(fs::current_path(error)));
-  if (!scene_folder_.empty()) writable_.push_back(canonical(scene_folder_));
-  for (const fs::path& p : allow_write) writable_.push_back(canonical(p));
+  writable_.push_back(real_path(fs::current_path(error)));
+  if (!scene_folder_.empty()) writable_.push_back(real_path(scene_folder_));
+  for (const fs::path& p : allow_write) writable_.push_back(real_path(p));
 }
 
 std::optional<fs::path> FileSearch::find_exact(const std::string& name) const {
   // A name that no file system can hold; also keeps NUL bytes out of system calls.
   if (name.empty() || name.size() > 4096 || name.find('\0') != std::string::npos) return std::nullopt;
   const fs::path path = name;
-  if (exists(path)) return path;
+  if (is_there(path)) return path;
   if (path.is_absolute()) return std::nullopt;
   for (const fs::path& folder : library_paths_)
-    if (exists(folder / path)) return folder / path;
-  if (!scene_folder_.empty() && exists(scene_folder_ / path)) return scene_folder_ / path;
+    if (is_there(folder / path)) return folder / path;
+  if (!scene_folder_.empty() && is_there(scene_folder_ / path)) return scene_folder_ / path;
   return std::nullopt;
 }
 
@@ -55,26 +55,26 @@ std::optional<fs::path> FileSearch::find_include(const std::string& name) const 
   if (name.empty() || name.size() > 4096 || name.find('\0') != std::string::npos) return std::nullopt;
   const bool absolute = fs::path(name).is_absolute();
   for (const std::string& candidate : candidates) {
-    if (exists(candidate)) return candidate;
+    if (is_there(candidate)) return candidate;
     if (absolute) continue;
     for (const fs::path& folder : library_paths_)
-      if (exists(folder / candidate)) return folder / candidate;
+      if (is_there(folder / candidate)) return folder / candidate;
   }
   // POV-Ray stops here; beside the scene is where its author meant.
   if (!absolute && !scene_folder_.empty())
     for (const std::string& candidate : candidates)
-      if (exists(scene_folder_ / candidate)) return scene_folder_ / candidate;
+      if (is_there(scene_folder_ / candidate)) return scene_folder_ / candidate;
   return std::nullopt;
 }
 
 bool FileSearch::may_read(const fs::path& path) const {
   if (readable_.empty()) return true;
-  const fs::path real = canonical(path);
+  const fs::path real = real_path(path);
   return std::any_of(readable_.begin(), readable_.end(), [&](const fs::path& folder) { return below(real, folder); });
 }
 
 bool FileSearch::may_write(const fs::path& path) const {
-  const fs::path real = canonical(path);
+  const fs::path real = real_path(path);
   return std::any_of(writable_.begin(), writable_.end(), [&](const fs::path& folder) { return below(real, folder); });
 }
 

@@ -1,0 +1,172 @@
+// The cursor: from the token arrays of files to the one stream that blocks and expressions see. Directives and macro calls that stand in the way are
+// executed when the next token is about to be read (spec 01 section 4).
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "parser/language/impl.h"
+#include "parser/scene/blocks.h"
+
+namespace verisim::parser {
+
+const Token& Parser::Impl::fetch() {
+  for (;;) {
+    const Token& token = *position;
+    switch (token.kind) {
+      case TokenKind::identifier: {
+        Symbol* symbol = names[token.id()].symbol;
+        if (symbol && symbol->is_macro) {
+          call_macro(*symbol);
+          continue;
+        }
+        break;
+      }
+      case TokenKind::directive:
+        directive();
+        continue;
+      case TokenKind::end:
+        if (end_of_file()) continue;
+        return token;  // of the main file: not `ready`, so that every look is at the end
+      case TokenKind::error:
+        lex_error(token);
+      default:
+        break;
+    }
+    ready = true;
+    return *position;
+  }
+}
+
+const Token& Parser::Impl::peek_blocked() {
+  if (ready) return *position;
+  for (;;) {
+    const Token& token = *position;
+    if (token.kind == TokenKind::error) lex_error(token);
+    if (token.kind == TokenKind::end && end_of_file()) continue;
+    // The end of a macro is always honoured.
+    if (token.kind == TokenKind::directive && token.word == Word::end && !conditions.empty() && conditions.back().kind == Condition::Kind::macro) {
+      directive();
+      continue;
+    }
+    return token;
+  }
+}
+
+Token Parser::Impl::take_raw() {
+  const Token token = peek_blocked();
+  if (token.kind != TokenKind::end) skip_token();
+  return token;
+}
+
+bool Parser::Impl::accept_operator(char punctuation) {
+  if (peek_operator().punctuation != punctuation) return false;
+  skip_token();
+  return true;
+}
+
+void Parser::Impl::comma_operator() { accept_operator(','); }
+
+void Parser::Impl::expect_operator(char punctuation) {
+  if (!accept_operator(punctuation)) expected(std::string_view(&punctuation, 1));
+}
+
+void Parser::Impl::go_to(const TokenFile* target, std::uint32_t token) {
+  file = target;
+  position = target->tokens.data() + token;
+  ready = false;
+  pending.at = nullptr;
+}
+
+bool Parser::Impl::end_of_file() {
+  if (frames.empty()) return false;
+  if (frames.back().macro) error(fmt::format("The file ends inside macro '{}'.", names[frames.back().macro->name].text));
+  leave_frame();
+  return true;
+}
+
+void Parser::Impl::enter_file(std::shared_ptr<const TokenFile> entered, std::uint32_t call) {
+  if (static_cast<int>(frames.size()) >= options.limits.max_depth)
+    error("Too many nested include files and macro calls.", "--max-depth raises this limit.");
+  Frame frame;
+  frame.file = file;
+  frame.position = index(position);
+  frame.call = call;
+  frame.including = std::move(entered);
+  frames.push_back(std::move(frame));
+  symbols.push();
+  go_to(frames.back().including.get(), 0);
+  count_steps(file->tokens.size());
+}
+
+void Parser::Impl::leave_frame() {
+  const Frame& frame = frames.back();
+  go_to(frame.file, frame.position);
+  symbols.pop();
+  frames.pop_back();
+}
+
+void Parser::Impl::count_steps(std::size_t tokens) {
+  steps += tokens + 1;
+  if (steps < next_check) return;
+  next_check = steps + (1 << 16);
+  const Limits& limits = options.limits;
+  if (limits.max_steps && steps > limits.max_steps) error("The scene executes more steps than --max-steps allows: an endless loop?");
+  if (options.cancelled && options.cancelled()) error("Cancelled.");
+  // Resident memory of the whole process, in pages: cheap to ask for, and it counts everything.
+  if (std::FILE* statm = std::fopen("/proc/self/statm", "re")) {
+    unsigned long total = 0, resident = 0;
+    const int got = std::fscanf(statm, "%lu %lu", &total, &resident);
+    std::fclose(statm);
+    if (got == 2 && resident > limits.max_memory_bytes / 4096) error("The scene needs more memory than --max-memory allows.");
+  }
+}
+
+// ---- The public face ----
+
+const Token& Parser::peek() { return impl_->peek(); }
+const Token& Parser::peek_blocked() { return impl_->peek_blocked(); }
+
+Token Parser::next() {
+  const Token token = impl_->peek();
+  if (token.kind != TokenKind::end) impl_->skip_token();
+  return token;
+}
+
+bool Parser::at(Word word) {
+  const Token& token = impl_->peek();
+  return token.word == word && token.kind == TokenKind::word;
+}
+
+bool Parser::at(char punctuation) { return impl_->peek().punctuation == punctuation; }
+bool Parser::at_end() { return impl_->peek().kind == TokenKind::end; }
+
+bool Parser::accept(Word word) {
+  if (!at(word)) return false;
+  impl_->skip_token();
+  return true;
+}
+
+bool Parser::accept(char punctuation) {
+  if (!at(punctuation)) return false;
+  impl_->skip_token();
+  return true;
+}
+
+void Parser::expect(Word word) {
+  if (!accept(word)) error_expected(spelling(word));
+}
+
+void Parser::expect(char punctuation) {
+  if (!accept(punctuation)) error_expected(std::string_view(&punctuation, 1));
+}
+
+bool Parser::at_number_start() { return impl_->starts_numeric(impl_->peek()); }
+
+scene::Place Parser::place() {
+  const Token& token = impl_->peek();
+  const Source& source = *impl_->file->source;
+  const Position at = source.position(token.offset);
+  return {source.shared_name(), at.line, at.column};
+}
+
+}  // namespace verisim::parser

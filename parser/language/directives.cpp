@@ -1,0 +1,258 @@
+// Directives: the dispatch and the conditionals (spec 01 sections 4 and 16).
+#include <cmath>
+
+#include "parser/language/impl.h"
+#include "parser/scene/blocks.h"
+
+namespace verisim::parser {
+
+using Kind = Condition::Kind;
+
+void Parser::Impl::directive() {
+  const Token token = *position;
+  skip_token();
+  const Nesting nesting(*this);
+  const Live live(*this);
+  execute(token);
+}
+
+void Parser::Impl::execute(const Token& token) {
+  const TokenFile* in = file;
+  const std::uint32_t link = token.link();
+  switch (token.word) {
+    case Word::if_: {
+      open_condition(Kind::if_, index(position) - 1);
+      if_chain(condition_value(), in, link);
+      break;
+    }
+    case Word::ifdef:
+    case Word::ifndef: {
+      open_condition(Kind::if_, index(position) - 1);
+      const bool defined = defined_argument();
+      if_chain(defined == (token.word == Word::ifdef), in, link);
+      break;
+    }
+    case Word::else_:
+    case Word::elseif: else_branch(token); break;
+    case Word::end: end_directive(token); break;
+    case Word::switch_: switch_directive(token); break;
+    case Word::case_:
+    case Word::range:
+      if (conditions.empty() || conditions.back().kind != Kind::switch_) error("#case or #range without #switch.");
+      case_matches(token.word, 0);  // evaluated, but a case that ran goes on (spec 01 section 16)
+      break;
+    case Word::while_: while_directive(token); break;
+    case Word::for_: for_directive(token); break;
+    case Word::break_: break_directive(); break;
+    case Word::macro: define_macro(token); break;
+    case Word::declare: declare(false); break;
+    case Word::local: declare(true); break;
+    case Word::undef: undef(); break;
+    case Word::include: include(); break;
+    case Word::default_: parse_default(parser); break;
+    case Word::version: version_directive(); break;
+    case Word::debug:
+    case Word::warning:
+    case Word::error:
+    case Word::render:
+    case Word::statistics: text_directive(token.word); break;
+    case Word::fopen: fopen(); break;
+    case Word::fclose: fclose(); break;
+    case Word::read: read(); break;
+    case Word::write: write(); break;
+    default: error("Unknown directive.");
+  }
+}
+
+void Parser::Impl::open_condition(Kind kind, std::uint32_t opener) {
+  if (conditions.size() >= static_cast<std::size_t>(options.limits.max_depth))
+    error("Conditionals, loops and macro calls are nested too deeply.", "--max-depth raises this limit.");
+  Condition condition{};
+  condition.kind = kind;
+  condition.file = file;
+  condition.opener = opener;
+  condition.frames = frames.size();
+  conditions.push_back(condition);
+}
+
+// Finds the next #else, #elseif, #case, #range or #end of the construct that is open here. A link found while the file was tokenised is a jump;
+// otherwise the pair spans files and the text is searched, leaving include files at their end.
+Token Parser::Impl::skip(const TokenFile* in, std::uint32_t link) {
+  if (link && file == in) {
+    go_to(in, link);
+    const Token token = *position;
+    skip_token();
+    return token;
+  }
+  ready = false;
+  for (int nested = 0;; ++position) {
+    count_steps(1);
+    while (position->kind == TokenKind::end)
+      if (!end_of_file()) error("End of file reached, but #end expected.");
+    if (position->kind == TokenKind::error) lex_error(*position);
+    if (position->kind != TokenKind::directive) continue;
+    switch (position->word) {
+      case Word::if_: case Word::ifdef: case Word::ifndef: case Word::while_: case Word::for_: case Word::switch_: case Word::macro:
+        ++nested;
+        break;
+      case Word::else_: case Word::elseif: case Word::case_: case Word::range:
+        if (!nested) return *position++;
+        break;
+      case Word::end:
+        if (!nested--) return *position++;
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+void Parser::Impl::skip_to_end(const TokenFile* in, std::uint32_t link) {
+  Token token = skip(in, link);
+  while (token.word != Word::end) token = skip(file, token.link());
+}
+
+bool Parser::Impl::condition_value() {
+  const Live operators(*this, true);
+  if (!accept_operator('(')) expected("(");
+  Numeric value;
+  full(value);
+  if (value.terms > 1) error("Expected a float in the condition, but a vector or colour was found.");
+  expect_operator(')');
+  return std::fabs(value.v[0]) > kEps;
+}
+
+// The condition of #if or #elseif is known; `link` is that directive's.
+void Parser::Impl::if_chain(bool taken, const TokenFile* in, std::uint32_t link) {
+  while (!taken) {
+    const Token token = skip(in, link);
+    in = file;
+    link = token.link();
+    if (token.word == Word::end) {
+      conditions.pop_back();
+      return;
+    }
+    if (token.word == Word::else_) {
+      conditions.back().kind = Kind::else_;
+      return;
+    }
+    if (token.word == Word::elseif) taken = condition_value();
+    // #case and #range at this level mean nothing
+  }
+}
+
+void Parser::Impl::else_branch(const Token& token) {
+  const char* text = token.word == Word::else_ ? "#else without #if." : "#elseif without #if.";
+  if (conditions.empty()) error(text);
+  switch (conditions.back().kind) {
+    case Kind::if_:
+      skip_to_end(file, token.link());
+      conditions.pop_back();
+      break;
+    case Kind::switch_:
+      if (token.word == Word::elseif) error(text);
+      conditions.back().kind = Kind::switch_else;  // falls through into it
+      break;
+    default:
+      error(text);
+  }
+}
+
+void Parser::Impl::end_directive(const Token&) {
+  if (conditions.empty()) error("#end without #if, #while, #for, #switch or #macro.");
+  Condition& condition = conditions.back();
+  switch (condition.kind) {
+    case Kind::while_:
+    case Kind::for_:
+      if (condition.file != file || condition.frames != frames.size()) error("#end of a loop is not in the file of its beginning.");
+      count_steps(index(position) - condition.test);
+      if (condition.kind == Kind::while_) test_while();
+      else end_for();
+      break;
+    case Kind::macro:
+      if (frames.size() != condition.frames) error("#end of a macro is not in the file of its beginning.");
+      conditions.pop_back();
+      leave_frame();
+      break;
+    default:
+      conditions.pop_back();
+  }
+}
+
+void Parser::Impl::switch_directive(const Token& token) {
+  const TokenFile* in = file;
+  open_condition(Kind::switch_, index(position) - 1);
+  double value;
+  {
+    const Live operators(*this, true);
+    if (!accept_operator('(')) expected("(");
+    value = full_scalar();
+    expect_operator(')');
+  }
+  const Token& first = peek_blocked();
+  if (first.kind != TokenKind::directive || (first.word != Word::case_ && first.word != Word::range)) expected("#case or #range");
+  (void)in;
+  Token branch = first;
+  skip_token();
+  for (;;) {
+    if (branch.word == Word::end) {
+      conditions.pop_back();
+      return;
+    }
+    if (branch.word == Word::else_) {
+      conditions.back().kind = Kind::switch_else;
+      return;
+    }
+    const TokenFile* at = file;
+    if ((branch.word == Word::case_ || branch.word == Word::range) && case_matches(branch.word, value)) return;
+    branch = skip(at, branch.link());
+  }
+}
+
+bool Parser::Impl::case_matches(Word word, double value) {
+  const Live operators(*this, true);
+  if (!accept_operator('(')) expected("(");
+  const double low = full_scalar();
+  if (word == Word::case_) {
+    expect_operator(')');
+    return std::fabs(value - low) < kEps;
+  }
+  comma_operator();
+  const double high = full_scalar();
+  expect_operator(')');
+  return low <= value && value <= high;
+}
+
+// One token in parentheses, with subscripts when it names an array (spec 01 section 5).
+bool Parser::Impl::defined_argument() {
+  if (take_raw().punctuation != '(') error("Expected '(' before the name.");
+  const Token token = take_raw();
+  bool defined = false;
+  if (token.kind == TokenKind::identifier) {
+    Symbol* symbol = names[token.id()].symbol;
+    defined = symbol != nullptr;
+    if (symbol && !symbol->is_macro && at_subscript()) {
+      const std::shared_ptr<Array>* array = std::get_if<std::shared_ptr<Array>>(&symbol->value());
+      if (!array) error("Subscripts behind a name that is not an array.");
+      const std::shared_ptr<Array> held = *array;
+      std::size_t element = subscripts(*held);
+      const Value* value = &held->elements[element];
+      std::shared_ptr<Array> inner;
+      while (at_subscript() && std::holds_alternative<std::shared_ptr<Array>>(*value)) {
+        inner = std::get<std::shared_ptr<Array>>(*value);
+        value = &inner->elements[subscripts(*inner)];
+      }
+      defined = value->index() != 0;
+    }
+  } else if (token.kind == TokenKind::string) {
+    const std::uint32_t name = names.find(utf8(decode(token, false)));
+    defined = name && names[name].symbol;
+  } else if (token.kind != TokenKind::word && token.kind != TokenKind::number) {
+    error("Expected a name.");
+  }
+  if (peek_blocked().punctuation != ')') expected(")");
+  skip_token();
+  return defined;
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,303 @@
+// The parser's inside, shared by the files of parser/language: the cursor's state, symbols, and one group of member functions a file.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <unordered_map>
+
+#include "parser/language/array.h"
+#include "parser/language/file_handle.h"
+#include "parser/language/macro.h"
+#include "parser/language/parser.h"
+#include "parser/language/symbols.h"
+#include "parser/lexer/lexer.h"
+#include "parser/source/search.h"
+#include "tracer/query.h"
+
+namespace verisim::parser {
+
+// Numbers are compared with this tolerance where SDL does (spec 01 section 8.2).
+inline constexpr double kEps = 1e-10;
+
+// Truncation to 32 bits; out of range and NaN give the smallest integer (spec 01 section 8.2).
+inline int to_int(double value) {
+  if (!(value > -2147483649.0 && value < 2147483648.0)) return -2147483647 - 1;
+  return static_cast<int>(value);
+}
+
+// An open #if, #switch, loop or macro call.
+struct Condition {
+  enum class Kind : unsigned char { if_, else_, switch_, switch_else, while_, for_, macro };
+  Kind kind;
+  const TokenFile* file = nullptr;
+  std::uint32_t opener = 0;  // index of its directive token
+  std::uint32_t test = 0;    // while: first token of the condition; for: of the body
+  std::size_t frames = 0;    // number of frames when it was opened
+  // #for
+  std::uint32_t variable = 0;
+  double end = 0, step = 0;
+};
+
+// What returns when an include file or a macro ends.
+struct Frame {
+  std::shared_ptr<const Macro> macro;          // the callee; null: an include file
+  std::shared_ptr<const TokenFile> including;  // the callee's file when it is an include
+  const TokenFile* file = nullptr;             // of the caller
+  std::uint32_t position = 0;                  // in the caller, behind the call
+  std::uint32_t call = 0;                      // the token that called
+};
+
+struct Parser::Impl {
+  Impl(Parser& self, const ParseOptions& parse_options, ParseResult& parse_result);
+  ~Impl();
+
+  // ---- cursor.cpp ----
+  const Token& peek() { return ready ? *position : fetch(); }
+  const Token& fetch();
+  const Token& peek_blocked();
+  // Where an operator, a comma or a terminator is expected: blocked at the top level of a right-hand side (spec 01 section 4, B2 and B3).
+  const Token& peek_operator() { return blocked ? peek_blocked() : peek(); }
+  void skip_token() {
+    ready = false;
+    ++position;
+  }
+  Token take_raw();  // the next token as written, consumed
+  bool accept_operator(char punctuation);
+  void comma_operator();  // consumes an optional comma at an operator position
+  void expect_operator(char punctuation);
+  std::uint32_t index(const Token* token) const { return static_cast<std::uint32_t>(token - file->tokens.data()); }
+  void go_to(const TokenFile* target, std::uint32_t token);
+  bool end_of_file();           // leaves an include file; false: the main file ends here
+  void enter_file(std::shared_ptr<const TokenFile> entered, std::uint32_t call);
+  void leave_frame();
+  void count_steps(std::size_t tokens);
+  void start(std::shared_ptr<const TokenFile> main);
+  void top_level();             // statements up to the end of the main file
+  bool legacy_directive();      // declare, include, default ... without '#'
+  void finish();                // checks and messages at the end of parsing
+
+  // ---- directives.cpp, loops.cpp ----
+  void directive();
+  void execute(const Token& token);
+  Token skip(const TokenFile* in, std::uint32_t link);  // to the next branch or #end of the same construct; consumes and returns it
+  void skip_to_end(const TokenFile* in, std::uint32_t link);
+  bool condition_value();       // ( full expression ), true or false
+  void if_chain(bool taken, const TokenFile* in, std::uint32_t link);
+  void else_branch(const Token& token);
+  void end_directive(const Token& token);
+  void switch_directive(const Token& token);
+  bool case_matches(Word word, double value);
+  void while_directive(const Token& token);
+  void test_while();
+  void for_directive(const Token& token);
+  void end_for();
+  void break_directive();
+  void open_condition(Condition::Kind kind, std::uint32_t opener);
+  bool defined_argument();      // the X of #ifdef(X) and defined(X), with its parentheses
+
+  // ---- declare.cpp ----
+  void declare(bool local);
+  void undef();
+  bool declare_fast(bool local);
+  void declare_target(bool local, std::optional<Target>& target, Symbol*& created);
+  enum class Ending : unsigned char { free, semicolon };
+  Ending right_hand_side(Value& value);
+  void assign(Target& target, Value&& value);
+  void check_type(const Target& target, const Value& value);
+  bool starts_numeric(const Token& token);
+  void copy_identifier(Value& value);
+
+  // ---- macros.cpp ----
+  void define_macro(const Token& token);
+  void call_macro(Symbol& symbol);
+  void macro_argument();        // pushes one on `arguments`
+
+  // ---- include.cpp, file_io.cpp ----
+  void include();
+  std::shared_ptr<const TokenFile> load(const std::filesystem::path& path, const std::string& name, bool main_file);
+  [[noreturn]] void missing_include(const std::string& name);
+  void allow_read(const std::filesystem::path& path);
+  void fopen();
+  void fclose();
+  void read();
+  void write();
+  bool read_value(FileHandle& handle, Value& value);
+
+  // ---- messages.cpp ----
+  Diagnostic diagnostic(Severity severity, const std::string& message, const std::string& advice);
+  void locate(Diagnostic& d, const TokenFile& in, std::uint32_t token) const;
+  void message(Severity severity, const std::string& text, const std::string& advice = {});
+  [[noreturn]] void error(const std::string& text, const std::string& advice = {});
+  [[noreturn]] void expected(std::string_view what);
+  [[noreturn]] void undeclared(std::uint32_t name);
+  [[noreturn]] void lex_error(const Token& token);
+  std::string describe(const Token& token);
+  void text_directive(Word word);
+  void check_deprecated(Symbol& symbol);
+
+  // ---- expression.cpp, primary.cpp, scalar.cpp ----
+  void additive(int width, Numeric& out);
+  void multiplicative(int width, Numeric& out);
+  void unary(int width, Numeric& out);
+  void primary(int width, Numeric& out);
+  void full(Numeric& out);
+  void logical(Numeric& out);
+  void relation(Numeric& out);
+  void string_relation(Numeric& out);
+  void parenthesis(Numeric& out);
+  void vector_literal(Numeric& out);
+  void identifier_operand(Numeric& out);
+  void call_function(const Function& function, Numeric& out);
+  void call_spline(const Spline& spline, Numeric& out);
+  void component(int width, Numeric& out);
+  double scalar();              // additive, one term
+  double full_scalar();
+  void fit(Numeric& value, int width);
+  double divide(double a, double b);
+  bool scalar_fast(double& out);        // additive scalar without side effects; false: nothing consumed
+  bool literal_vector(Vec3& out);       // <number, number, number>; false: nothing consumed
+
+  // ---- float_functions.cpp, vector_functions.cpp ----
+  bool word_operand(Word word, Numeric& out);   // word not yet consumed
+  bool float_function(Word word, double& out);
+  bool vector_function(Word word, Numeric& out);
+  double argument();            // ( full scalar )
+  Vec3 vector_argument();
+  void open_arguments();
+  void close_arguments();
+  scene::ObjectPtr object_argument();
+  const query::Target& query_target(const scene::ObjectPtr& object);
+
+  // ---- strings.cpp, text.cpp ----
+  bool at_string();
+  std::u16string string(bool path);
+  std::u16string decode(const Token& token, bool path);
+  std::u16string string_function(Word word, bool path);
+  std::string utf8(std::u16string_view text) const;
+  void check_length(std::size_t characters);
+
+  // ---- color.cpp ----
+  Numeric color();
+  Numeric color_base();         // at rgb..., srgb...
+  void color_items(Numeric& out);
+  void to_working_space(Numeric& value);
+
+  // ---- arrays.cpp ----
+  std::shared_ptr<Array> array();
+  void initialise(Array& array, std::size_t dimension, std::size_t& element);
+  std::size_t subscripts(const Array& array);
+  bool at_subscript();
+  void store_element(Array& array, std::size_t element, Value&& value);
+  // Resolves the identifier at the cursor with its subscripts; consumes it.
+  struct Resolved {
+    Symbol* symbol = nullptr;
+    Variable* variable = nullptr;
+    std::shared_ptr<Array> array;
+    std::size_t element = 0;
+    Value& value() const { return array ? array->elements[element] : variable->value; }
+  };
+  Resolved resolve();
+  const Value* peek_value();    // resolves without consuming; subscripts are evaluated once only
+
+  // ---- functions.cpp ----
+  FunctionPtr function();       // the keyword is consumed
+  Shared<Spline> spline();
+
+  // ---- version.cpp ----
+  void version_directive();
+  void set_version(int value);
+
+  Parser& parser;
+  const ParseOptions& options;
+  ParseResult& result;
+  Names names;
+  SymbolTables symbols{names};
+  std::unique_ptr<FileSearch> search;
+
+  const TokenFile* file = nullptr;
+  const Token* position = nullptr;
+  bool ready = false;    // *position is a token for the parser: directives before it are done
+  bool blocked = false;  // operator positions do not execute directives (spec 01 section 4)
+  std::shared_ptr<const TokenFile> main_file;
+  std::vector<Frame> frames;
+  std::vector<Condition> conditions;
+  // Arguments of the macro calls under way: by reference (variable or array element) or by value.
+  struct Argument {
+    Variable* variable = nullptr;
+    std::shared_ptr<Array> array;
+    std::size_t element = 0;
+    Value value;
+  };
+  std::vector<Argument> arguments;
+  // An identifier whose subscripts were evaluated by peek_value, and where it ends.
+  struct Pending {
+    const Token* at = nullptr;
+    const Token* behind = nullptr;
+    Resolved resolved;
+  } pending;
+
+  struct CachedFile {
+    std::shared_ptr<const TokenFile> tokens;
+    std::uintmax_t size = 0;
+    std::filesystem::file_time_type time;
+  };
+  std::unordered_map<std::string, CachedFile> file_cache;  // by path
+  std::unordered_map<std::string, std::filesystem::path> include_locations;
+  std::size_t tokens_total = 0;
+  std::uint64_t steps = 0, next_check = 1 << 16;
+  int depth = 0;
+  int depth_of_parentheses = 0;
+
+  int language_version = 370;
+  bool version_seen = false, version_is_first = true;
+  bool noise_generator_given = false;
+  Charset charset = Charset::ascii;
+  bool spline_used = false;
+
+  std::vector<std::uint32_t> random_streams;
+  struct QueryTarget {
+    scene::ObjectPtr object;
+    std::unique_ptr<query::Target> target;
+  };
+  std::unordered_map<const scene::Object*, QueryTarget> query_targets;
+  std::vector<FunctionPtr> internal_functions;
+  struct FunctionContext* function_context = nullptr;
+
+  scene::Scene scene;
+  scene::TexturePtr default_texture;
+  scene::Camera default_camera;
+  std::array<Value, 16> taken;  // values handed out by take_value, in turn
+  std::size_t next_taken = 0;
+};
+
+// Inside brackets everything is live again (spec 01 section 4).
+class Live {
+ public:
+  explicit Live(Parser::Impl& impl, bool blocked = false) : impl_(impl), saved_(impl.blocked) { impl.blocked = blocked; }
+  ~Live() { impl_.blocked = saved_; }
+  Live(const Live&) = delete;
+  Live& operator=(const Live&) = delete;
+
+ private:
+  Parser::Impl& impl_;
+  bool saved_;
+};
+
+// Counts recursion of any kind; the limit is far below what a thread's stack holds.
+class Nesting {
+ public:
+  explicit Nesting(Parser::Impl& impl) : impl_(impl) {
+    if (++impl.depth > impl.options.limits.max_depth) {
+      --impl.depth;
+      impl.error("Nested deeper than " + std::to_string(impl.options.limits.max_depth) + " levels.", "--max-depth raises this limit.");
+    }
+  }
+  ~Nesting() { --impl_.depth; }
+  Nesting(const Nesting&) = delete;
+  Nesting& operator=(const Nesting&) = delete;
+
+ private:
+  Parser::Impl& impl_;
+};
+
+}  // namespace verisim::parser

@@ -1,0 +1,20 @@
+// A macro: a range of tokens that is executed in place of its call (spec 01 section 15).
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "parser/lexer/lexer.h"
+
+namespace verisim::parser {
+
+struct Macro {
+  std::uint32_t name = 0;
+  std::vector<std::uint32_t> parameters;
+  std::shared_ptr<const TokenFile> file;
+  std::uint32_t definition = 0;  // the #macro token
+  std::uint32_t body = 0;        // first token of the body
+  std::uint32_t end = 0;         // its #end
+};
+
+}  // namespace verisim::parser

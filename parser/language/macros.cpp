@@ -1,0 +1,131 @@
+// #macro and calls (spec 01 section 15). A call binds its arguments and moves the cursor to the body's tokens; #end brings it back.
+#include <fmt/format.h>
+
+#include "parser/language/impl.h"
+
+namespace verisim::parser {
+
+void Parser::Impl::define_macro(const Token& token) {
+  if (language_version < 310) error("Macros need #version 3.1 or later.");
+  auto macro = std::make_shared<Macro>();
+  macro->file = file->shared_from_this();
+  macro->definition = index(position) - 1;
+  const Token name = take_raw();
+  if (name.kind != TokenKind::identifier) {
+    if (name.kind == TokenKind::word) error(fmt::format("'{}' is a reserved word: it cannot be the name of a macro.", spelling(name.word)));
+    if (name.kind != TokenKind::end) --position;
+    expected("identifier");
+  }
+  macro->name = name.id();
+  Symbol* symbol = names[name.id()].symbol;
+  if (symbol && !symbol->is_macro && !symbol->is_parameter)
+    error(fmt::format("'{}' is declared as something else: it cannot become a macro.", names[name.id()].text));
+  while (symbol && symbol->level > 0) symbol = symbol->below;
+  if (peek_blocked().punctuation != '(') expected("(");
+  skip_token();
+  while (peek_blocked().punctuation != ')') {
+    const Token parameter = take_raw();
+    if (parameter.kind != TokenKind::identifier) {
+      if (parameter.kind == TokenKind::word) error(fmt::format("'{}' is a reserved word: it cannot be a parameter.", spelling(parameter.word)));
+      if (parameter.kind != TokenKind::end) --position;
+      expected("identifier");
+    }
+    macro->parameters.push_back(parameter.id());
+    if (peek_blocked().punctuation == ',') skip_token();
+  }
+  skip_token();
+  if (file != macro->file.get() || !token.link()) {
+    if (!file->tokens.empty() && file->tokens.back().kind == TokenKind::error) {
+      position = &file->tokens.back();
+      lex_error(*position);
+    }
+    error("End of file reached in a macro definition, but #end expected.");
+  }
+  macro->body = index(position);
+  macro->end = token.link();
+  go_to(file, token.link() + 1);
+  if (!symbol) symbol = &symbols.create(name.id(), 0);
+  symbol->is_macro = true;
+  symbol->value() = Shared<Macro>(std::move(macro));
+}
+
+// By reference: a lone identifier, with subscripts or without, that is no function. By value: everything else.
+void Parser::Impl::macro_argument() {
+  const Token& token = peek();
+  Argument argument;
+  if (token.kind == TokenKind::identifier) {
+    const Value* held = peek_value();
+    if (!held) undeclared(token.id());
+    const Token* behind = pending.at == position ? pending.behind : position + 1;
+    const char c = behind->punctuation;
+    const bool lone = behind->kind != TokenKind::end && behind->kind != TokenKind::directive && c != '+' && c != '-' && c != '*' && c != '/' && c != '.' &&
+                      c != '(' && !std::holds_alternative<FunctionPtr>(*held);
+    if (lone) {
+      if (held->index() == 0) error(fmt::format("'{}' has no value.", names[token.id()].text));
+      Resolved resolved = resolve();
+      argument.array = std::move(resolved.array);
+      argument.element = resolved.element;
+      if (!argument.array) {
+        argument.variable = resolved.variable;
+        ++argument.variable->uses;
+      }
+      arguments.push_back(std::move(argument));
+      return;
+    }
+  }
+  right_hand_side(argument.value);
+  arguments.push_back(std::move(argument));
+}
+
+void Parser::Impl::call_macro(Symbol& symbol) {
+  const Nesting nesting(*this);
+  if (static_cast<int>(frames.size()) >= options.limits.max_depth) error("Too many nested macro calls.", "--max-depth raises this limit.");
+  const Shared<Macro> macro = std::get<Shared<Macro>>(symbol.value());
+  const TokenFile* in = file;
+  const std::uint32_t call = index(position);
+  // Arguments of calls that an error cut short are dropped with the parser.
+  const std::size_t first = arguments.size();
+  skip_token();
+  {
+    const Live live(*this);
+    if (peek().punctuation != '(') expected("(");
+    skip_token();
+    for (std::size_t i = 0; i < macro->parameters.size(); ++i) {
+      if (peek().punctuation == ')')
+        error(fmt::format("Macro '{}' needs {} arguments, {} found.", names[macro->name].text, macro->parameters.size(), i));
+      macro_argument();
+      if (peek().punctuation == ',') skip_token();
+    }
+    if (peek().punctuation != ')')
+      error(fmt::format("Expected ')' behind the {} arguments of macro '{}', {} found instead.", macro->parameters.size(), names[macro->name].text,
+                        describe(*position)));
+    skip_token();
+  }
+  Frame frame;
+  frame.macro = macro;
+  frame.file = file;
+  frame.position = index(position);
+  frame.call = file == in ? call : frame.position;
+  frames.push_back(std::move(frame));
+  symbols.push();
+  for (std::size_t i = 0; i < macro->parameters.size(); ++i) {
+    Argument& argument = arguments[first + i];
+    Variable* variable = argument.variable ? argument.variable : symbols.new_variable();
+    Symbol& parameter = symbols.bind(macro->parameters[i], symbols.level(), variable);
+    parameter.is_parameter = true;
+    if (argument.variable) {
+      --variable->uses;  // the binding holds it now
+    } else if (argument.array) {
+      parameter.element_of = std::move(argument.array);
+      parameter.element = argument.element;
+    } else {
+      variable->value = std::move(argument.value);
+    }
+  }
+  arguments.resize(first);
+  count_steps(macro->end - macro->body);
+  go_to(macro->file.get(), macro->body);
+  open_condition(Condition::Kind::macro, macro->definition);
+}
+
+}  // namespace verisim::parser

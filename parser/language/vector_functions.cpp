@@ -1,0 +1,184 @@
+// Vector functions and named vectors (spec 01 sections 8.5 and 11), and what SDL asks the tracer.
+#include <cmath>
+#include <numbers>
+
+#include "parser/language/impl.h"
+#include "tracer/image/image.h"
+#include "tracer/textures/noise.h"
+
+namespace verisim::parser {
+namespace {
+
+Numeric vector(const Vec3& v) { return {{v.x, v.y, v.z}, 3}; }
+
+// About x by a, then y by b, then z by c; degrees.
+Vec3 rotate(Vec3 v, const Vec3& degrees) {
+  const double k = std::numbers::pi / 180;
+  const double ca = std::cos(degrees.x * k), sa = std::sin(degrees.x * k), cb = std::cos(degrees.y * k), sb = std::sin(degrees.y * k),
+               cc = std::cos(degrees.z * k), sc = std::sin(degrees.z * k);
+  v = {v.x, v.y * ca - v.z * sa, v.y * sa + v.z * ca};
+  v = {v.x * cb + v.z * sb, v.y, v.z * cb - v.x * sb};
+  return {v.x * cc - v.y * sc, v.x * sc + v.y * cc, v.z};
+}
+
+}  // namespace
+
+Vec3 Parser::Impl::vector_argument() {
+  if (Vec3 v; literal_vector(v)) return v;
+  Numeric n;
+  additive(3, n);
+  fit(n, 3);
+  return {n.v[0], n.v[1], n.v[2]};
+}
+
+scene::ObjectPtr Parser::Impl::object_argument() {
+  const Value* value = peek_value();
+  if (!value || !std::holds_alternative<scene::ObjectPtr>(*value)) expected("object identifier");
+  return std::get<scene::ObjectPtr>(resolve().value());
+}
+
+const query::Target& Parser::Impl::query_target(const scene::ObjectPtr& object) {
+  QueryTarget& entry = query_targets[object.get()];
+  if (!entry.target) {
+    entry.object = object;  // keeps the address from being used again
+    entry.target = std::make_unique<query::Target>(object);
+  }
+  return *entry.target;
+}
+
+namespace {
+
+// trace(Object, From, Direction [, Normal variable])
+Vec3 trace(Parser::Impl& p) {
+  p.open_arguments();
+  const Live live(p);
+  const auto comma = [&p] {
+    if (p.peek().punctuation == ',') p.skip_token();
+  };
+  const scene::ObjectPtr object = p.object_argument();
+  comma();
+  const Vec3 from = p.vector_argument();
+  comma();
+  const Vec3 direction = p.vector_argument();
+  comma();
+  std::optional<query::TraceHit> hit;
+  if (direction != Vec3(0, 0, 0)) hit = p.query_target(object).trace(from, direction);
+  if (p.peek().punctuation != ')') {
+    const Value* value = p.peek_value();
+    const Numeric* old = value ? std::get_if<Numeric>(value) : nullptr;
+    if (!old || old->terms != 3) p.expected("vector identifier");
+    p.resolve().value() = vector(hit ? hit->normal : Vec3(0, 0, 0));
+  }
+  p.close_arguments();
+  return hit ? hit->point : Vec3(0, 0, 0);
+}
+
+// Bounds are single precision; an image's size is the extent of a pigment (spec 01 section 11).
+Vec3 extent(Parser::Impl& p, bool maximum) {
+  p.open_arguments();
+  const Live live(p);
+  const Value* value = p.peek_value();
+  Vec3 result(0, 0, 0);
+  if (value && std::holds_alternative<scene::PigmentPtr>(*value)) {
+    const scene::PigmentPtr pigment = std::get<scene::PigmentPtr>(p.resolve().value());
+    const auto* image = std::get_if<scene::ImageParams>(&pigment->pattern.params);
+    if (!maximum || !image || !image->image || pigment->pattern.kind != scene::PatternKind::image_map)
+      p.error("max_extent() of a pigment needs an image_map.");
+    result = {static_cast<double>(image->image->width()), static_cast<double>(image->image->height()), 0};
+  } else {
+    const scene::Bounds bounds = p.object_argument()->bounds;
+    for (int i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      result[i] = maximum ? static_cast<double>(bounds.low[k] + bounds.size[k]) : static_cast<double>(bounds.low[k]);
+    }
+  }
+  p.close_arguments();
+  return result;
+}
+
+}  // namespace
+
+// The word is at the cursor; false: it is no vector function.
+bool Parser::Impl::vector_function(Word word, Numeric& out) {
+  if (word_class(word) != WordClass::vector_function) return false;
+  const Nesting nesting(*this);
+  skip_token();
+  const auto comma = [this] {
+    if (peek().punctuation == ',') skip_token();
+  };
+  switch (word) {
+    case Word::x: out = vector({1, 0, 0}); break;
+    case Word::y: out = vector({0, 1, 0}); break;
+    case Word::z: out = vector({0, 0, 1}); break;
+    case Word::u: out = {{1, 0}, 2}; break;
+    case Word::v: out = {{0, 1}, 2}; break;
+    case Word::t: out = {{0, 0, 0, 1}, 4}; break;
+    case Word::vcross: {
+      open_arguments();
+      const Live live(*this);
+      const Vec3 a = vector_argument();
+      comma();
+      const Vec3 b = vector_argument();
+      close_arguments();
+      out = vector(cross(a, b));
+      break;
+    }
+    case Word::vnormalize: {
+      open_arguments();
+      const Live live(*this);
+      const Vec3 a = vector_argument();
+      close_arguments();
+      if (a == Vec3(0, 0, 0)) {
+        if (language_version >= 350) message(Severity::possible_error, "Normalizing a zero-length vector.");
+        out = vector(a);
+      } else {
+        out = vector(a / length(a));
+      }
+      break;
+    }
+    case Word::vrotate: {
+      open_arguments();
+      const Live live(*this);
+      const Vec3 a = vector_argument();
+      comma();
+      const Vec3 degrees = vector_argument();
+      close_arguments();
+      out = vector(rotate(a, degrees));
+      break;
+    }
+    case Word::vaxis_rotate: {
+      open_arguments();
+      const Live live(*this);
+      const Vec3 v = vector_argument();
+      comma();
+      const Vec3 a = normalize(vector_argument());
+      comma();
+      const double angle = scalar() * (std::numbers::pi / 180);
+      close_arguments();
+      const double c = std::cos(angle), s = std::sin(angle);
+      out = vector(v * c + cross(a, v) * s + a * (dot(a, v) * (1 - c)));
+      break;
+    }
+    case Word::vturbulence: {
+      open_arguments();
+      const Live live(*this);
+      const double lambda = scalar();
+      comma();
+      const double omega = scalar();
+      comma();
+      const int octaves = std::clamp(to_int(scalar()), 1, 10);
+      comma();
+      const Vec3 at = vector_argument();
+      close_arguments();
+      out = vector(textures::noise_turbulence(at, lambda, omega, octaves, scene.settings.noise_generator));
+      break;
+    }
+    case Word::trace: out = vector(trace(*this)); break;
+    case Word::min_extent: out = vector(extent(*this, false)); break;
+    case Word::max_extent: out = vector(extent(*this, true)); break;
+    default: return false;
+  }
+  return true;
+}
+
+}  // namespace verisim::parser

@@ -146,7 +146,7 @@ const Value& Parser::take_value() {
   Impl& impl = *impl_;
   const Token& token = impl.peek();
   if (token.kind != TokenKind::identifier) error_expected("identifier");
-  Value& slot = impl.taken[impl.next_taken++ % impl.taken.size()];
+  Value& slot = impl.handed_out[impl.next_handed_out++ % impl.handed_out.size()];
   slot = impl.resolve().value();
   return slot;
 }

@@ -179,8 +179,7 @@ void Parser::Impl::end_directive(const Token&) {
   }
 }
 
-void Parser::Impl::switch_directive(const Token& token) {
-  const TokenFile* in = file;
+void Parser::Impl::switch_directive(const Token&) {
   open_condition(Kind::switch_, index(position) - 1);
   double value;
   {
@@ -191,7 +190,6 @@ void Parser::Impl::switch_directive(const Token& token) {
   }
   const Token& first = peek_blocked();
   if (first.kind != TokenKind::directive || (first.word != Word::case_ && first.word != Word::range)) expected("#case or #range");
-  (void)in;
   Token branch = first;
   skip_token();
   for (;;) {

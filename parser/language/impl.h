@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <optional>
+#include <set>
+#include <tuple>
 #include <unordered_map>
 
 #include "parser/language/array.h"
@@ -209,7 +211,7 @@ struct Parser::Impl {
 
   Parser& parser;
   const ParseOptions& options;
-  ParseResult& result;
+  ParseResult& report;
   Names names;
   SymbolTables symbols{names};
   std::unique_ptr<FileSearch> search;
@@ -243,6 +245,7 @@ struct Parser::Impl {
   };
   std::unordered_map<std::string, CachedFile> file_cache;  // by path
   std::unordered_map<std::string, std::filesystem::path> include_locations;
+  std::set<std::string> files_seen;
   std::size_t tokens_total = 0;
   std::uint64_t steps = 0, next_check = 1 << 16;
   int depth = 0;
@@ -253,6 +256,7 @@ struct Parser::Impl {
   bool noise_generator_given = false;
   Charset charset = Charset::ascii;
   bool spline_used = false;
+  std::set<std::tuple<const TokenFile*, std::uint32_t, std::size_t>> messages_given;
 
   std::vector<std::uint32_t> random_streams;
   struct QueryTarget {
@@ -266,8 +270,8 @@ struct Parser::Impl {
   scene::Scene scene;
   scene::TexturePtr default_texture;
   scene::Camera default_camera;
-  std::array<Value, 16> taken;  // values handed out by take_value, in turn
-  std::size_t next_taken = 0;
+  std::array<Value, 16> handed_out;  // values handed out by take_value, in turn
+  std::size_t next_handed_out = 0;
 };
 
 // Inside brackets everything is live again (spec 01 section 4).

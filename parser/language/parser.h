@@ -98,9 +98,11 @@ class Parser {
   };
 
   void run(const std::filesystem::path& main_file);
+  void run_text(std::string_view text, const std::string& name);
+
+  struct Impl;  // impl.h; for the files of parser/language only
 
  private:
-  struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 

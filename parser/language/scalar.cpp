@@ -1,7 +1,7 @@
 // Fast paths over runs of plain tokens: scalars made of numbers, float variables and arithmetic, and vectors of literal numbers.
 //
 // They read tokens without any side effect and give up at the first thing they do not know, so the general path can start again from the same token.
-#include <cmath>
+#include <utility>
 
 #include "parser/language/impl.h"
 

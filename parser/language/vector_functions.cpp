@@ -84,7 +84,7 @@ Vec3 extent(Parser::Impl& p, bool maximum) {
     const auto* image = std::get_if<scene::ImageParams>(&pigment->pattern.params);
     if (!maximum || !image || !image->image || pigment->pattern.kind != scene::PatternKind::image_map)
       p.error("max_extent() of a pigment needs an image_map.");
-    result = {static_cast<double>(image->image->width()), static_cast<double>(image->image->height()), 0};
+    result = {static_cast<double>(image->image->width), static_cast<double>(image->image->height), 0};
   } else {
     const scene::Bounds bounds = p.object_argument()->bounds;
     for (int i = 0; i < 3; ++i) {
@@ -170,7 +170,7 @@ bool Parser::Impl::vector_function(Word word, Numeric& out) {
       comma();
       const Vec3 at = vector_argument();
       close_arguments();
-      out = vector(textures::noise_turbulence(at, lambda, omega, octaves, scene.settings.noise_generator));
+      out = vector(textures::vector_turbulence(at, octaves, lambda, omega));
       break;
     }
     case Word::trace: out = vector(trace(*this)); break;

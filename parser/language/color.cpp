@@ -1,0 +1,112 @@
+// Colours (spec 01 section 9).
+#include <cmath>
+
+#include "parser/language/impl.h"
+
+namespace verisim::parser {
+namespace {
+
+bool is_base(Word word) {
+  switch (word) {
+    case Word::rgb: case Word::rgbf: case Word::rgbt: case Word::rgbft: case Word::srgb: case Word::srgbf: case Word::srgbt: case Word::srgbft:
+      return true;
+    default: return false;
+  }
+}
+
+int component_of(Word word) {
+  switch (word) {
+    case Word::red: return 0;
+    case Word::green: return 1;
+    case Word::blue: return 2;
+    case Word::filter: case Word::alpha: return 3;
+    case Word::transmit: return 4;
+    default: return -1;
+  }
+}
+
+// The sRGB transfer function, also applied outside 0..1.
+double decode_srgb(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
+
+}  // namespace
+
+void Parser::Impl::to_working_space(Numeric& value) {
+  const scene::Settings& settings = scene.settings;
+  if (!settings.gamma_given) error("srgb needs assumed_gamma to be set before.", "Put global_settings { assumed_gamma 1.0 } at the beginning of the scene.");
+  if (settings.gamma == scene::Gamma::srgb) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    value.v[i] = decode_srgb(value.v[i]);
+    if (settings.assumed_gamma != 1) value.v[i] = std::pow(value.v[i], 1 / settings.assumed_gamma);
+  }
+}
+
+Numeric Parser::Impl::color_base() {
+  const Word word = peek().word;
+  skip_token();
+  Numeric value;
+  full(value);
+  int width = 3;
+  if (word == Word::rgbf || word == Word::srgbf || word == Word::rgbt || word == Word::srgbt) width = 4;
+  if (word == Word::rgbft || word == Word::srgbft) width = 5;
+  const int found = value.terms;
+  if (found == 1)
+    for (int i = 1; i < width; ++i) value.v[static_cast<std::size_t>(i)] = value.v[0];
+  const int used = found == 1 ? width : found;
+  for (int i = used; i < 5; ++i) value.v[static_cast<std::size_t>(i)] = 0;
+  if (found > width) message(Severity::warning, "The colour has more terms than its keyword names; they are kept as filter and transmit.");
+  if (width == 4 && (word == Word::rgbt || word == Word::srgbt)) {
+    value.v[4] = value.v[3];
+    value.v[3] = 0;
+  }
+  if (word == Word::srgb || word == Word::srgbf || word == Word::srgbt || word == Word::srgbft) to_working_space(value);
+  value.terms = 5;
+  return value;
+}
+
+void Parser::Impl::color_items(Numeric& out) {
+  for (;;) {
+    const Token& token = peek_operator();
+    if (token.kind != TokenKind::word) return;
+    const int component = component_of(token.word);
+    if (component < 0) return;
+    if (token.word == Word::alpha && language_version > 155) message(Severity::warning, "Keyword 'alpha' is discontinued: use 'filter' or 'transmit'.");
+    skip_token();
+    out.v[static_cast<std::size_t>(component)] = scalar();
+  }
+}
+
+Numeric Parser::Impl::color() {
+  const Nesting nesting(*this);
+  if (peek().word == Word::color && peek().kind == TokenKind::word) skip_token();
+  const Token& token = peek();
+  Numeric value{{}, 5};
+  if (token.kind == TokenKind::word && is_base(token.word)) {
+    value = color_base();
+  } else if (token.kind != TokenKind::word || component_of(token.word) < 0) {
+    full(value);
+    fit(value, 5);
+  }
+  color_items(value);
+  return value;
+}
+
+// ---- The public face ----
+
+bool Parser::at_color_keyword() {
+  const Token& token = impl_->peek();
+  return token.kind == TokenKind::word && word_class(token.word) == WordClass::color && token.word != Word::gray;
+}
+
+Color Parser::parse_color() {
+  const Numeric n = impl_->color();
+  const auto f = [&n](std::size_t i) { return static_cast<float>(n.v[i]); };
+  return {f(0), f(1), f(2), f(3), f(4)};
+}
+
+Rgb Parser::parse_rgb() {
+  const Color c = parse_color();
+  if (c.f != 0 || c.t != 0) warning("Expected a pure RGB colour: filter and transmit mean nothing here.");
+  return c.rgb();
+}
+
+}  // namespace verisim::parser

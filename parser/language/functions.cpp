@@ -1,0 +1,444 @@
+// User functions: from tokens to the tree of tracer/functions/expression.h, and the special function bodies (spec 01 section 23).
+//
+// The expression language differs from that of scene code: no vectors, no '?:', '&' binds tighter than '|', and comparisons need no parentheses.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+
+#include "parser/language/impl.h"
+#include "parser/scene/blocks.h"
+#include "tracer/functions/expression.h"
+#include "tracer/textures/texture.h"
+
+namespace verisim::parser {
+namespace {
+
+using namespace functions;
+
+// Parameters and loop variables in scope. Reserved names (x, u ...) and identifiers share one key space.
+std::uint32_t key(Word word) { return static_cast<std::uint32_t>(word); }
+std::uint32_t key(std::uint32_t identifier) { return 0x10000u + identifier; }
+
+class FunctionParser {
+ public:
+  explicit FunctionParser(Parser::Impl& impl) : p_(impl) {}
+
+  void parameters();
+  FunctionPtr body();
+  int count() const { return count_; }
+  bool default_parameters() const { return default_; }
+
+ private:
+  struct Variable {
+    std::uint32_t name;
+    int slot;
+  };
+  using Level = Node (FunctionParser::*)();
+
+  Node logic_or() { return chain<&FunctionParser::logic_and>({{'|', Op::logic_or}}); }
+  Node logic_and() { return chain<&FunctionParser::comparison>({{'&', Op::logic_and}}); }
+  Node comparison() {
+    return chain<&FunctionParser::sum>({{'<', Op::less}, {kLessEqual, Op::less_equal}, {'=', Op::equal}, {kNotEqual, Op::not_equal},
+                                        {kGreaterEqual, Op::greater_equal}, {'>', Op::greater}});
+  }
+  Node sum() { return chain<&FunctionParser::product>({{'+', Op::add}, {'-', Op::subtract}}); }
+  Node product() { return chain<&FunctionParser::sign>({{'*', Op::multiply}, {'/', Op::divide}}); }
+  template <Level next>
+  Node chain(std::initializer_list<std::pair<char, Op>> operators);
+  Node sign();
+  Node primary();
+  Node word_primary(Word word);
+  Node identifier_primary();
+  Node user_call(const FunctionPtr& function);
+  Node loop(bool product);
+  Node variable(std::uint32_t name) const;
+  std::vector<Node> arguments(int expected, std::string_view name);
+  void open();
+  void close();
+  void comma() {
+    if (p_.peek().punctuation == ',') p_.skip_token();
+  }
+
+  Parser::Impl& p_;
+  std::vector<Variable> variables_;
+  int count_ = 0, slots_ = 0;
+  bool default_ = false;
+};
+
+void FunctionParser::open() {
+  if (p_.peek().punctuation != '(') p_.expected("(");
+  p_.skip_token();
+}
+
+void FunctionParser::close() {
+  if (p_.peek().punctuation != ')') p_.expected(")");
+  p_.skip_token();
+}
+
+// x and u are one slot, y and v another; the later one in the list wins.
+void FunctionParser::parameters() {
+  const auto add = [this](std::uint32_t name) { variables_.push_back({name, count_}); };
+  const auto add_word = [&](Word word) {
+    add(key(word));
+    if (word == Word::x) add(key(Word::u));
+    if (word == Word::u) add(key(Word::x));
+    if (word == Word::y) add(key(Word::v));
+    if (word == Word::v) add(key(Word::y));
+  };
+  if (p_.peek().punctuation == '(') {
+    p_.skip_token();
+    while (p_.peek().punctuation != ')') {
+      const Token token = p_.peek();
+      if (count_ == kMaxFunctionParameters) p_.error(fmt::format("A function has at most {} parameters.", kMaxFunctionParameters));
+      if (token.kind == TokenKind::identifier) {
+        if (p_.names[token.id()].symbol)
+          p_.error(fmt::format("'{}' is declared: it cannot be the name of a function's parameter.", p_.names[token.id()].text));
+        add(key(token.id()));
+      } else if (token.kind == TokenKind::word && (token.word == Word::x || token.word == Word::y || token.word == Word::z || token.word == Word::u ||
+                                                   token.word == Word::v)) {
+        add_word(token.word);
+      } else {
+        p_.expected("parameter name");
+      }
+      p_.skip_token();
+      ++count_;
+      comma();
+    }
+    if (count_ == 0) p_.expected("parameter name");
+    p_.skip_token();
+  } else {
+    default_ = true;
+    for (const Word word : {Word::x, Word::y, Word::z}) {
+      add_word(word);
+      ++count_;
+    }
+  }
+  slots_ = count_;
+}
+
+FunctionPtr FunctionParser::body() {
+  const Node root = logic_or();
+  try {
+    return compile(root, count_, slots_);
+  } catch (const std::invalid_argument& e) {
+    p_.error(e.what());
+  }
+}
+
+template <FunctionParser::Level next>
+Node FunctionParser::chain(std::initializer_list<std::pair<char, Op>> operators) {
+  Node first = (this->*next)();
+  const auto find = [&] {
+    const char c = p_.peek().punctuation;
+    return c ? std::find_if(operators.begin(), operators.end(), [c](const auto& o) { return o.first == c; }) : operators.end();
+  };
+  auto operation = find();
+  if (operation == operators.end()) return first;
+  Chain result;
+  result.operands.push_back(std::move(first));
+  for (; operation != operators.end(); operation = find()) {
+    p_.skip_token();
+    result.operators.push_back(operation->second);
+    result.operands.push_back((this->*next)());
+  }
+  return {std::move(result), false};
+}
+
+// One sign at most.
+Node FunctionParser::sign() {
+  const char c = p_.peek().punctuation;
+  if (c != '-' && c != '+') return primary();
+  p_.skip_token();
+  Node operand = primary();
+  if (c == '+') return operand;
+  Negate negate;
+  negate.operand.push_back(std::move(operand));
+  return {std::move(negate), false};
+}
+
+Node FunctionParser::variable(std::uint32_t name) const {
+  const auto found = std::find_if(variables_.rbegin(), variables_.rend(), [name](const Variable& v) { return v.name == name; });
+  if (found == variables_.rend()) return {Zero{}, false};
+  return {Parameter{found->slot}, false};
+}
+
+Node FunctionParser::primary() {
+  const Token token = p_.peek();
+  switch (token.kind) {
+    case TokenKind::number:
+      p_.skip_token();
+      return {Constant{token.number()}, false};
+    case TokenKind::identifier: return identifier_primary();
+    case TokenKind::word: return word_primary(token.word);
+    case TokenKind::punctuation:
+      if (token.punctuation == '(') {
+        const Nesting nesting(p_);
+        p_.skip_token();
+        Node inner = logic_or();
+        close();
+        inner.parenthesised = true;
+        return inner;
+      }
+      [[fallthrough]];
+    default: p_.expected("function expression");
+  }
+}
+
+std::vector<Node> FunctionParser::arguments(int expected, std::string_view name) {
+  const Nesting nesting(p_);
+  std::vector<Node> result;
+  open();
+  while (p_.peek().punctuation != ')') {
+    if (static_cast<int>(result.size()) == expected) p_.error(fmt::format("Too many arguments: '{}' has {}.", name, expected));
+    result.push_back(logic_or());
+    comma();
+  }
+  if (expected >= 0 && static_cast<int>(result.size()) != expected)
+    p_.error(fmt::format("'{}' needs {} arguments, {} found.", name, expected, result.size()));
+  p_.skip_token();
+  return result;
+}
+
+struct BuiltinEntry {
+  Word word;
+  Builtin builtin;
+  int arguments;  // -1: two or more; -2: three or four
+};
+
+constexpr BuiltinEntry kBuiltins[] = {
+    {Word::abs, Builtin::abs_, 1},       {Word::acos, Builtin::acos_, 1},       {Word::acosh, Builtin::acosh_, 1}, {Word::asin, Builtin::asin_, 1},
+    {Word::asinh, Builtin::asinh_, 1},   {Word::atan, Builtin::atan_, 1},       {Word::atan2, Builtin::atan2_, 2}, {Word::atanh, Builtin::atanh_, 1},
+    {Word::ceil, Builtin::ceil_, 1},     {Word::cos, Builtin::cos_, 1},         {Word::cosh, Builtin::cosh_, 1},   {Word::degrees, Builtin::degrees_, 1},
+    {Word::div, Builtin::div_, 2},       {Word::exp, Builtin::exp_, 1},         {Word::floor, Builtin::floor_, 1}, {Word::int_, Builtin::int_, 1},
+    {Word::ln, Builtin::ln_, 1},         {Word::log, Builtin::log_, 1},         {Word::max, Builtin::max_, -1},    {Word::min, Builtin::min_, -1},
+    {Word::mod, Builtin::mod_, 2},       {Word::pow, Builtin::pow_, 2},         {Word::radians, Builtin::radians_, 1},
+    {Word::select, Builtin::select_, -2}, {Word::sin, Builtin::sin_, 1},        {Word::sinh, Builtin::sinh_, 1},   {Word::sqrt, Builtin::sqrt_, 1},
+    {Word::tan, Builtin::tan_, 1},       {Word::tanh, Builtin::tanh_, 1},
+};
+
+Node FunctionParser::word_primary(Word word) {
+  switch (word) {
+    case Word::x: case Word::y: case Word::z: case Word::u: case Word::v:
+      p_.skip_token();
+      return variable(key(word));
+    case Word::pi:
+      p_.skip_token();
+      return {Constant{std::numbers::pi}, false};
+    case Word::clock:
+      p_.skip_token();
+      return {Constant{static_cast<double>(static_cast<float>(p_.options.clock))}, false};
+    case Word::sum:
+    case Word::prod:
+      p_.skip_token();
+      return loop(word == Word::prod);
+    default: break;
+  }
+  const auto* entry = std::find_if(std::begin(kBuiltins), std::end(kBuiltins), [word](const BuiltinEntry& b) { return b.word == word; });
+  if (entry == std::end(kBuiltins)) p_.expected("function expression");
+  p_.skip_token();
+  BuiltinCall call{entry->builtin, arguments(entry->arguments, spelling(word))};
+  const std::size_t count = call.arguments.size();
+  if (entry->arguments == -1 && count < 2) p_.error(fmt::format("'{}' needs at least 2 arguments in a function.", spelling(word)));
+  if (entry->arguments == -2 && count != 3 && count != 4) p_.error("'select' needs 3 or 4 arguments.");
+  return {std::move(call), false};
+}
+
+// sum(i, first, last, body): i is a new name.
+Node FunctionParser::loop(bool product) {
+  const Nesting nesting(p_);
+  open();
+  const Token name = p_.peek();
+  if (name.kind != TokenKind::identifier) p_.expected("name of the loop variable");
+  p_.skip_token();
+  comma();
+  Loop result;
+  result.product = product;
+  result.parts.push_back(logic_or());
+  comma();
+  result.parts.push_back(logic_or());
+  comma();
+  result.variable = slots_++;
+  variables_.push_back({key(name.id()), result.variable});
+  result.parts.push_back(logic_or());
+  variables_.pop_back();
+  close();
+  return {std::move(result), false};
+}
+
+Node FunctionParser::identifier_primary() {
+  const Token token = p_.peek();
+  const std::uint32_t name = key(token.id());
+  if (std::any_of(variables_.begin(), variables_.end(), [name](const Variable& v) { return v.name == name; })) {
+    p_.skip_token();
+    return variable(name);
+  }
+  const Value* value = p_.peek_value();
+  if (!value) p_.undeclared(token.id());
+  if (const auto* function = std::get_if<FunctionPtr>(value)) {
+    const FunctionPtr held = *function;
+    p_.resolve();
+    return user_call(held);
+  }
+  const auto* numeric = std::get_if<Numeric>(value);
+  if (!numeric || numeric->terms != 1) p_.expected("function expression");
+  const double constant = numeric->v[0];
+  p_.resolve();
+  return {Constant{constant}, false};
+}
+
+Node FunctionParser::user_call(const FunctionPtr& function) {
+  UserCall call;
+  call.function = function;
+  call.arguments = arguments(function->parameters(), "function");
+  if (function->components() > 1) {
+    if (p_.peek().punctuation != '.') p_.expected(".");
+    p_.skip_token();
+    const Token token = p_.peek();
+    const std::string_view text = token.kind == TokenKind::identifier ? p_.names[token.id()].text : std::string_view{};
+    switch (token.word) {
+      case Word::x: case Word::u: case Word::red: call.component = 0; break;
+      case Word::y: case Word::v: case Word::green: call.component = 1; break;
+      case Word::z: case Word::blue: call.component = 2; break;
+      case Word::t: case Word::filter: call.component = 3; break;
+      case Word::transmit: call.component = 4; break;
+      case Word::gray: call.grey = true; break;
+      default:
+        if (text == "grey") call.grey = true;
+        else if (text == "hf") call.hf = true;
+        else p_.expected("a component: x, y, z, t, u, v, red, green, blue, filter, transmit, gray or hf");
+    }
+    p_.skip_token();
+  }
+  return {std::move(call), false};
+}
+
+// transform{...} as a function of a point.
+class TransformFunction : public Function {
+ public:
+  explicit TransformFunction(const Transform& transform) : transform_(transform) {}
+  int parameters() const override { return 3; }
+  int components() const override { return 3; }
+  void evaluate(std::span<const double> a, double* result) const override {
+    const Vec3 p = transform_.point({a[0], a[1], a[2]});
+    result[0] = p.x, result[1] = p.y, result[2] = p.z;
+  }
+
+ private:
+  Transform transform_;
+};
+
+class SplineFunction : public Function {
+ public:
+  explicit SplineFunction(Shared<Spline> spline) : spline_(std::move(spline)) {}
+  int parameters() const override { return 1; }
+  int components() const override { return spline_->terms(); }
+  void evaluate(std::span<const double> a, double* result) const override {
+    const Spline::Value v = spline_->evaluate(a[0]);
+    std::copy(v.begin(), v.begin() + spline_->terms(), result);
+  }
+
+ private:
+  Shared<Spline> spline_;
+};
+
+}  // namespace
+
+// The keyword `function` is consumed.
+FunctionPtr Parser::Impl::function() {
+  const Nesting nesting(*this);
+  const Live live(*this);
+  FunctionParser expression(*this);
+  expression.parameters();
+  if (peek().punctuation != '{') expected("{");
+  skip_token();
+  const Word word = peek().kind == TokenKind::word ? peek().word : Word::none;
+  const bool fixed = word == Word::pattern || word == Word::pigment || word == Word::transform || word == Word::spline;
+  if (fixed && !expression.default_parameters()) error(fmt::format("A function of a {} has no parameter list.", spelling(word)));
+  textures::Settings settings;
+  settings.noise_generator = scene.settings.noise_generator;
+  settings.number_of_waves = scene.settings.number_of_waves;
+  settings.version = parser.effective_version();
+  FunctionPtr result;
+  switch (word) {
+    case Word::internal: {
+      skip_token();
+      const int n = to_int(argument());
+      try {
+        result = functions::internal_function(n, settings.noise_generator);
+      } catch (const std::invalid_argument& e) {
+        error(e.what());
+      }
+      break;
+    }
+    case Word::pattern: {
+      skip_token();
+      if (peek().punctuation != '{') expected("{");
+      skip_token();
+      const scene::Pattern pattern = parse_pattern_body(parser);
+      result = textures::pattern_function(pattern, nullptr, settings);
+      break;
+    }
+    case Word::pigment: {
+      const scene::PigmentPtr pigment = parse_pigment(parser);
+      result = textures::pigment_function(pigment, settings);
+      break;
+    }
+    case Word::transform: result = std::make_shared<TransformFunction>(parse_transform(parser)); break;
+    case Word::spline:
+      skip_token();
+      result = std::make_shared<SplineFunction>(spline());
+      break;
+    default: result = expression.body();
+  }
+  if (peek().punctuation != '}') expected("}");
+  skip_token();
+  return result;
+}
+
+// The keyword `spline` is consumed.
+Shared<Spline> Parser::Impl::spline() {
+  const Nesting nesting(*this);
+  const Live live(*this);
+  spline_used = true;
+  if (peek().punctuation != '{') expected("{");
+  skip_token();
+  auto result = std::make_shared<Spline>();
+  if (const Value* value = peek_value(); value && std::holds_alternative<Shared<Spline>>(*value) && (&peek())[1].punctuation != '(')
+    *result = *std::get<Shared<Spline>>(resolve().value());
+  switch (peek().word) {
+    case Word::linear_spline: result->set_kind(Spline::Kind::linear), skip_token(); break;
+    case Word::quadratic_spline: result->set_kind(Spline::Kind::quadratic), skip_token(); break;
+    case Word::cubic_spline: result->set_kind(Spline::Kind::cubic), skip_token(); break;
+    case Word::natural_spline: result->set_kind(Spline::Kind::natural), skip_token(); break;
+    default: break;
+  }
+  if (peek().punctuation == ',') skip_token();
+  while (peek().punctuation != '}') {
+    const double t = scalar();
+    if (peek().punctuation == ',') skip_token();
+    Numeric value;
+    full(value);
+    if (value.terms == 1) fit(value, 2);
+    result->insert(t, value.v, value.terms);
+    count_steps(1);
+    if (peek().punctuation == ',') skip_token();
+  }
+  skip_token();
+  if (result->empty()) error("A spline needs at least one point.");
+  return result;
+}
+
+// ---- The public face ----
+
+FunctionPtr Parser::parse_function_body() { return impl_->function(); }
+Shared<Spline> Parser::parse_spline_body() { return impl_->spline(); }
+
+FunctionPtr Parser::parse_function_or_identifier() {
+  if (accept(Word::function)) return impl_->function();
+  if (const FunctionPtr* function = accept_value<FunctionPtr>()) return *function;
+  error_expected("function");
+}
+
+}  // namespace verisim::parser

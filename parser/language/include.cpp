@@ -1,0 +1,74 @@
+// #include and the files it reads (spec 01 section 17). A file is tokenised once, and again only when it has changed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "parser/language/impl.h"
+#include "parser/source/suggest.h"
+
+namespace verisim::parser {
+namespace fs = std::filesystem;
+
+void Parser::Impl::allow_read(const fs::path& path) {
+  if (!search->may_read(path)) error(fmt::format("The scene may not read '{}'.", path.string()), "--allow-read PATH permits it.");
+  if (files_seen.insert(path.string()).second) report.files_read.push_back(path);
+}
+
+std::shared_ptr<const TokenFile> Parser::Impl::load(const fs::path& path, const std::string& name, bool main) {
+  allow_read(path);
+  std::error_code failed;
+  const std::uintmax_t size = fs::file_size(path, failed);
+  const fs::file_time_type time = failed ? fs::file_time_type{} : fs::last_write_time(path, failed);
+  CachedFile& cached = file_cache[path.string()];
+  if (!failed && cached.tokens && cached.size == size && cached.time == time) return cached.tokens;
+  cached.tokens.reset();
+  std::shared_ptr<const Source> source;
+  try {
+    source = Source::read(path, name, options.limits.max_file_bytes);
+  } catch (const std::runtime_error& e) {
+    error(e.what());
+  }
+  const std::size_t left = options.limits.max_tokens - std::min(tokens_total, options.limits.max_tokens);
+  cached.tokens = tokenise(std::move(source), names, left, main);
+  cached.size = size;
+  cached.time = time;
+  tokens_total += cached.tokens->tokens.size();
+  return cached.tokens;
+}
+
+void Parser::Impl::include() {
+  const std::uint32_t call = index(position) - 1;
+  const std::string name = utf8(string(true));
+  const auto known = include_locations.find(name);
+  fs::path path;
+  if (known != include_locations.end() && fs::exists(known->second)) {
+    path = known->second;
+  } else {
+    const std::optional<fs::path> found = search->find_include(name);
+    if (!found) missing_include(name);
+    path = *found;
+    include_locations[name] = path;
+  }
+  enter_file(load(path, path.string(), false), call);
+}
+
+void Parser::Impl::missing_include(const std::string& name) {
+  std::string advice;
+  if (is_standard_include(name)) advice = "It is one of POV-Ray's standard include files: install the package povray-includes, or give its folder with +L.";
+  else if (!search->library_paths().empty()) advice = fmt::format("Searched in the current folder and in {}.", fmt::join([this] {
+    std::vector<std::string> folders;
+    for (const fs::path& p : search->library_paths()) folders.push_back(p.string());
+    return folders;
+  }(), ", "));
+  error(fmt::format("Cannot find include file '{}'.", name), advice);
+}
+
+fs::path Parser::find_file(const std::string& name) {
+  const std::optional<fs::path> found = impl_->search->find_exact(name);
+  if (!found) error(fmt::format("Cannot find file '{}'.", name));
+  impl_->allow_read(*found);
+  return *found;
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,166 @@
+// A whole parse: predeclared identifiers, the statements of the main file, and what is checked at the end.
+#include "parser/language/parser.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "parser/language/impl.h"
+#include "parser/scene/blocks.h"
+
+namespace verisim::parser {
+namespace fs = std::filesystem;
+namespace {
+
+// Values from the command line pass through a text of six significant digits (spec 01 section 22).
+double six_digits(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%g", value);
+  return std::strtod(text, nullptr);
+}
+
+// The text of a default texture: one layer, nothing set.
+scene::TexturePtr plain_texture() {
+  auto texture = std::make_shared<scene::Texture>();
+  texture->layers.push_back({std::make_shared<scene::Pigment>(), nullptr, scene::Finish{}});
+  return texture;
+}
+
+void declare_number(Parser::Impl& p, std::string_view name, double value) {
+  p.symbols.create(p.names.intern(name), 0).value() = Numeric{{six_digits(value)}, 1};
+}
+
+void predeclare(Parser::Impl& p) {
+  const ParseOptions& o = p.options;
+  declare_number(p, "image_width", o.width);
+  declare_number(p, "image_height", o.height);
+  declare_number(p, "clock_delta", o.clock_delta);
+  declare_number(p, "final_clock", o.final_clock);
+  declare_number(p, "initial_clock", o.initial_clock);
+  declare_number(p, "frame_number", o.frame_number);
+  declare_number(p, "initial_frame", o.initial_frame);
+  declare_number(p, "final_frame", o.final_frame);
+  for (const auto& [name, text] : o.declarations) {
+    const std::uint32_t id = p.names.intern(name);
+    if (p.names[id].word != Word::none) p.error(fmt::format("Declare={}=...: '{}' is a reserved word.", name, name));
+    Symbol* old = p.names[id].symbol;
+    Value& value = old ? old->value() : p.symbols.create(id, 0).value();
+    if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
+      std::u16string content;
+      for (const char c : text.substr(1, text.size() - 2)) content += static_cast<char16_t>(static_cast<unsigned char>(c));
+      value = std::move(content);
+    } else {
+      value = Numeric{{six_digits(std::strtod(text.c_str(), nullptr))}, 1};
+    }
+  }
+}
+
+}  // namespace
+
+Parser::Impl::Impl(Parser& self, const ParseOptions& parse_options, ParseResult& parse_result)
+    : parser(self), options(parse_options), report(parse_result), default_texture(plain_texture()) {
+  if (options.version) set_version(options.version);
+}
+
+Parser::Impl::~Impl() = default;
+
+void Parser::Impl::start(std::shared_ptr<const TokenFile> main) {
+  main_file = std::move(main);
+  go_to(main_file.get(), 0);
+  if (main_file->starts_with_high_bytes) charset = Charset::utf8;
+  const std::string& name = main_file->source->name();
+  Symbol& symbol = symbols.create(names.intern("input_file_name"), 0);
+  symbol.value() = std::u16string(name.begin(), name.end());
+  predeclare(*this);
+  scene.source_name = name;
+  for (std::size_t i = options.include_headers.size(); i-- > 0;) {
+    const std::string& header = options.include_headers[i];
+    const std::optional<fs::path> found = search->find_include(header);
+    if (!found) missing_include(header);
+    enter_file(load(*found, found->string(), false), 0);
+  }
+  top_level();
+  finish();
+}
+
+void Parser::Impl::top_level() {
+  for (;;) {
+    const Token token = peek();
+    if (token.kind == TokenKind::end) {
+      if (!conditions.empty()) error("End of file reached, but #end expected.");
+      return;
+    }
+    count_steps(1);
+    if (parse_statement(parser)) continue;
+    if (token.kind == TokenKind::word && token.word == Word::version) return;  // the rest is ignored (spec 01 section 25)
+    if (!legacy_directive()) expected("object or directive");
+  }
+}
+
+// Directives that may lack their '#' at top level.
+bool Parser::Impl::legacy_directive() {
+  const Token token = peek();
+  if (token.kind != TokenKind::word) return false;
+  if (token.word != Word::declare && token.word != Word::include && token.word != Word::default_) return false;
+  if (language_version > 295) message(Severity::warning, fmt::format("Directive '{}' should have '#' in front of it.", spelling(token.word)));
+  skip_token();
+  const Nesting nesting(*this);
+  execute(token);
+  return true;
+}
+
+void Parser::Impl::finish() {
+  scene.version = parser.effective_version();
+  if (!version_seen && !options.version)
+    message(Severity::warning, "This scene has no #version directive: it is rendered as version 3.62.", "Begin it with #version 3.7;");
+  else if (version_seen && !version_is_first)
+    message(Severity::warning, "The #version directive is not the first statement of the scene.");
+  if (!scene.settings.gamma_given && scene.version >= 370) {
+    message(Severity::possible_error, "assumed_gamma is not set: 1.0 is taken.", "Put global_settings { assumed_gamma 1.0 } into the scene.");
+    scene.settings.gamma = scene::Gamma::power;
+    scene.settings.assumed_gamma = 1;
+  }
+  if (scene.version < 350) scene.version = 350;
+  if (scene.objects.empty()) message(Severity::warning, "No objects in scene.");
+  if (spline_used) message(Severity::warning, "Splines are an experimental feature of POV-Ray.");
+}
+
+// ---- The public face ----
+
+Parser::Parser(const ParseOptions& options, ParseResult& result) : impl_(std::make_unique<Impl>(*this, options, result)) {}
+Parser::~Parser() = default;
+
+const ParseOptions& Parser::options() const { return impl_->options; }
+scene::Scene& Parser::scene() { return impl_->scene; }
+scene::TexturePtr& Parser::default_texture() { return impl_->default_texture; }
+scene::Camera& Parser::default_camera() { return impl_->default_camera; }
+
+Parser::Depth::Depth(Parser& p) : parser(p) {
+  Impl& impl = *p.impl_;
+  if (++impl.depth > impl.options.limits.max_depth) {
+    --impl.depth;
+    impl.error(fmt::format("Nested deeper than {} levels.", impl.options.limits.max_depth), "--max-depth raises this limit.");
+  }
+}
+Parser::Depth::~Depth() { --parser.impl_->depth; }
+
+void Parser::run(const fs::path& main_file) {
+  Impl& impl = *impl_;
+  fs::path folder = main_file.parent_path();
+  if (folder.empty()) folder = ".";
+  impl.search = std::make_unique<FileSearch>(impl.options.library_paths, folder, impl.options.allow_read, impl.options.allow_write);
+  fs::path path = main_file;
+  if (std::error_code error; !fs::exists(path, error))
+    if (const auto found = impl.search->find_exact(main_file.string())) path = *found;
+  impl.start(impl.load(path, main_file.string(), true));
+}
+
+void Parser::run_text(std::string_view text, const std::string& name) {
+  Impl& impl = *impl_;
+  impl.search = std::make_unique<FileSearch>(impl.options.library_paths, fs::path{}, impl.options.allow_read, impl.options.allow_write);
+  if (text.size() > impl.options.limits.max_file_bytes) impl.error("The scene has more bytes than --max-file-bytes allows.");
+  impl.start(tokenise(std::make_shared<Source>(name, text), impl.names, impl.options.limits.max_tokens, true));
+}
+
+}  // namespace verisim::parser

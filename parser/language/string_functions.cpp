@@ -1,0 +1,131 @@
+// str, vstr, concat, chr, substr, strupr, strlwr and datetime (spec 01 section 12.3).
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+
+#include "parser/language/impl.h"
+
+namespace verisim::parser {
+namespace {
+
+constexpr int kMaxNumberText = 254;
+
+// printf of %[0]width.precisionf; too long a text becomes %g, then "<invalid>".
+std::string format_number(double value, int length, int precision) {
+  const int width = length < -255 ? 255 : std::min(std::abs(length), 255);  // wider is too long in any case
+  if (precision < 0) precision = 6;
+  precision = std::min(precision, 2000);  // a double has no more digits than that
+  static constexpr const char* kPlain[] = {"%*.*f", "%*.*g"};
+  static constexpr const char* kZeros[] = {"%0*.*f", "%0*.*g"};
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    char text[kMaxNumberText + 1];
+    const int count = std::snprintf(text, sizeof text, (length < 0 ? kZeros : kPlain)[attempt], width, precision, value);
+    if (count >= 0 && count <= kMaxNumberText) return text;
+  }
+  return "<invalid>";
+}
+
+void append(std::u16string& to, const std::string& ascii) { to.append(ascii.begin(), ascii.end()); }
+
+std::u16string date_text(Parser::Impl& p, double days, const std::string& format) {
+  if (format.empty() || format.size() > 200) p.error("The format of datetime() must have 1 to 200 characters.");
+  const double seconds = std::floor(days * 86400 + 0.5) + 946684800;
+  if (!(std::fabs(seconds) < 6e16)) p.error("The date of datetime() is out of range.");
+  const auto time = static_cast<std::time_t>(seconds);
+  std::tm parts{};
+  if (!gmtime_r(&time, &parts)) p.error("The date of datetime() is out of range.");
+  char text[512];
+  const std::size_t count = std::strftime(text, sizeof text, format.c_str(), &parts);
+  if (count == 0) p.error("datetime() gives no text with this format.");
+  return {text, text + count};
+}
+
+}  // namespace
+
+std::u16string Parser::Impl::string_function(Word word, bool path) {
+  const auto comma = [this] {
+    if (peek().punctuation == ',') skip_token();
+  };
+  open_arguments();
+  const Live live(*this);
+  std::u16string out;
+  switch (word) {
+    case Word::str: {
+      const double value = scalar();
+      comma();
+      const int length = to_int(scalar());
+      comma();
+      append(out, format_number(value, length, to_int(scalar())));
+      break;
+    }
+    case Word::vstr: {
+      const int terms = std::clamp(to_int(scalar()), 2, 5);
+      comma();
+      if (word_class(peek().word) == WordClass::color && peek().kind == TokenKind::word) expected("vector expression");
+      Numeric vector;
+      additive(1, vector);
+      for (int i = vector.terms; i < 5; ++i) vector.v[static_cast<std::size_t>(i)] = 0;
+      comma();
+      const std::u16string separator = string(false);
+      comma();
+      const int length = to_int(scalar());
+      comma();
+      const int precision = to_int(scalar());
+      for (int i = 0; i < terms; ++i) {
+        if (i) out += separator;
+        append(out, format_number(vector.v[static_cast<std::size_t>(i)], length, precision));
+      }
+      break;
+    }
+    case Word::concat:
+      // Of a path, only the second and later literals keep their backslashes.
+      out = string(false);
+      while (peek().punctuation != ')') {
+        if (peek().punctuation == ',') skip_token();
+        out += string(path);
+        check_length(out.size());
+      }
+      break;
+    case Word::chr: {
+      const int code = to_int(scalar());
+      if (code < 0 || code > 65535) error("The argument of chr() must be 0 to 65535.");
+      out = static_cast<char16_t>(code);
+      break;
+    }
+    case Word::substr: {
+      const std::u16string text = string(false);
+      comma();
+      const int start = to_int(scalar());
+      comma();
+      const int length = to_int(scalar());
+      if (start < 0 || length < 0 || static_cast<double>(start) + length - 1 > static_cast<double>(text.size()))
+        error("substr() is asked for more than the string has.");
+      if (length > 0) out = text.substr(static_cast<std::size_t>(std::max(start - 1, 0)), static_cast<std::size_t>(length));
+      break;
+    }
+    case Word::strupr:
+    case Word::strlwr:
+      out = string(false);
+      for (char16_t& c : out) {
+        if (c > 127) message(Severity::warning, "Non-ASCII character in string: strupr() and strlwr() leave it as it is.");
+        if (word == Word::strupr && c >= u'a' && c <= u'z') c = static_cast<char16_t>(c - u'a' + u'A');
+        if (word == Word::strlwr && c >= u'A' && c <= u'Z') c = static_cast<char16_t>(c - u'A' + u'a');
+      }
+      break;
+    case Word::datetime: {
+      const double days = scalar();
+      comma();
+      std::string format = "%Y-%m-%d %H:%M:%SZ";
+      if (peek().punctuation != ')') format = utf8(string(false));
+      out = date_text(*this, days, format);
+      break;
+    }
+    default: error("Unknown string function.");
+  }
+  close_arguments();
+  return out;
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,49 @@
+// From a file to a scene or to diagnostics: every error, whatever its kind, becomes one of the latter.
+#include "parser/parse.h"
+
+#include <new>
+#include <stdexcept>
+
+#include "parser/language/parser.h"
+
+namespace verisim::parser {
+namespace {
+
+template <class Run>
+ParseResult guarded(const std::string& name, const ParseOptions& options, Run&& run) {
+  ParseResult result;
+  const auto fail = [&](Diagnostic diagnostic) {
+    if (options.message) options.message(diagnostic);
+    result.errors.push_back(std::move(diagnostic));
+  };
+  const auto plain = [&](const std::string& text) {
+    Diagnostic d;
+    d.file = name;
+    d.message = text;
+    fail(std::move(d));
+  };
+  try {
+    Parser parser(options, result);
+    run(parser);
+    result.scene = std::move(parser.scene());
+  } catch (ParseError& e) {
+    fail(std::move(e.diagnostic));
+  } catch (const std::bad_alloc&) {
+    plain("The scene needs more memory than there is.");
+  } catch (const std::exception& e) {
+    plain(e.what());
+  }
+  return result;
+}
+
+}  // namespace
+
+ParseResult parse_file(const std::filesystem::path& path, const ParseOptions& options) {
+  return guarded(path.string(), options, [&](Parser& parser) { parser.run(path); });
+}
+
+ParseResult parse_text(const std::string& text, const std::string& name, const ParseOptions& options) {
+  return guarded(name, options, [&](Parser& parser) { parser.run_text(text, name); });
+}
+
+}  // namespace verisim::parser

@@ -122,7 +122,7 @@ void Parser::Impl::finish() {
     scene.settings.assumed_gamma = 1;
   }
   if (scene.version < 350) scene.version = 350;
-  if (scene.objects.empty()) message(Severity::warning, "No objects in scene.");
+  finish_scene(parser);
   if (spline_used) message(Severity::warning, "Splines are an experimental feature of POV-Ray.");
 }
 

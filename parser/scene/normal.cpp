@@ -89,13 +89,12 @@ scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start
     return normal;
   }
   bool changed = parse_type(parser, *normal);
-  if (normal->pattern.kind == PatternKind::none) parser.error("No normal type given.");
   if ((changed && parser.accept(',')) || parser.at_number_start()) {
     normal->amount = to_float(parser.parse_float());
     changed = true;
   }
   while (parse_modifier(parser, *normal)) changed = true;
-  if (!changed) return original;
+  if (!changed) return original ? original : normal;
   if (normal->pattern.kind == PatternKind::average && !normal->normal_map) parser.error("Average must have map.");
   check_pattern(parser, normal->pattern);
   return normal;

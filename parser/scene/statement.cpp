@@ -21,8 +21,47 @@ void add_camera(Parser& parser) {
   scene.camera_given = true;
 }
 
+// A normal may be declared without a pattern, but not used so.
+class NormalCheck {
+ public:
+  explicit NormalCheck(Parser& p) : parser(p) {}
+
+  void object(const scene::Object& o) {
+    for (const scene::TexturePtr* texture : {&o.texture, &o.interior_texture}) {
+      if (*texture && *texture != last) check(**texture);
+      if (*texture) last = *texture;
+    }
+    if (const auto* csg = o.as<scene::Csg>()) {
+      for (const scene::ObjectPtr& child : csg->children) object(*child);
+    } else if (const auto* group = o.as<scene::LightGroup>()) {
+      for (const scene::ObjectPtr& child : group->children) object(*child);
+    }
+  }
+
+ private:
+  Parser& parser;
+  scene::TexturePtr last;  // children often share one texture
+
+  void check(const scene::Texture& texture) {
+    for (const scene::TextureLayer& layer : texture.layers) {
+      if (layer.normal) check(*layer.normal);
+    }
+    if (!texture.texture_map) return;
+    for (const auto& entry : *texture.texture_map) check(*entry.value);
+  }
+
+  void check(const scene::Normal& normal) {
+    if (normal.pattern.kind == scene::PatternKind::none) parser.error("No normal type given.");
+    if (!normal.normal_map) return;
+    for (const auto& entry : *normal.normal_map) {
+      if (entry.value) check(*entry.value);
+    }
+  }
+};
+
 void add_object(Parser& parser, const std::shared_ptr<scene::Object>& object) {
   scene::finish_statement(*object, parser.default_texture());
+  NormalCheck(parser).object(*object);
   parser.scene().objects.push_back(object);
 }
 

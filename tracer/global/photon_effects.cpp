@@ -39,8 +39,8 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
 bool SceneEffects::photons_block(const shapes::Surface* lit, const shapes::Surface& occluder, const shading::Light& light) const {
   if (surface_photons_.empty() || !occluder.photons.target || (lit && !lit->photons.collect)) return false;
   const scene::LightSource& source = light.source();
-  const bool off = occluder.photons.refraction == scene::Flag::off || (source.photons_given && !source.photon_refraction);
-  const bool on = occluder.photons.refraction == scene::Flag::on || (source.photons_given && source.photon_refraction);
+  const bool off = occluder.photons.refraction == scene::Flag::off || source.photon_refraction == scene::Flag::off;
+  const bool on = occluder.photons.refraction == scene::Flag::on || source.photon_refraction == scene::Flag::on;
   return on && !off;
 }
 

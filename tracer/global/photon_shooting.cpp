@@ -12,9 +12,9 @@ constexpr double kPi = 3.14159265358979323846;
 // A target seen at too fine a spacing would never end: POV-Ray's numbers stay far below.
 constexpr std::size_t kMaxRing = std::size_t{1} << 24;
 
-bool active(scene::Flag object, bool light_given, bool light_on) {
-  const bool on = object == scene::Flag::on || (light_given && light_on);
-  const bool off = object == scene::Flag::off || (light_given && !light_on);
+bool active(scene::Flag object, scene::Flag light) {
+  const bool on = object == scene::Flag::on || light == scene::Flag::on;
+  const bool off = object == scene::Flag::off || light == scene::Flag::off;
   return on && !off;
 }
 
@@ -75,8 +75,8 @@ std::vector<PhotonPair> photon_pairs(const scene::Scene& scene) {
     for (const scene::Object* target : targets) {
       PhotonPair pair;
       pair.light = light, pair.target = target;
-      pair.reflection = active(target->photons.reflection, light->photons_given, light->photon_reflection);
-      pair.refraction = active(target->photons.refraction, light->photons_given, light->photon_refraction);
+      pair.reflection = active(target->photons.reflection, light->photon_reflection);
+      pair.refraction = active(target->photons.refraction, light->photon_refraction);
       if (!pair.reflection && !pair.refraction) continue;
       const auto& b = target->bounds;
       const Vec3 half(0.5 * b.size[0], 0.5 * b.size[1], 0.5 * b.size[2]);

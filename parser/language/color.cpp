@@ -25,8 +25,8 @@ int component_of(Word word) {
   }
 }
 
-// The sRGB transfer function, also applied outside 0..1.
-double decode_srgb(double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
+// The sRGB transfer function, also applied outside 0..1; in single precision, as measured to the last bit.
+float decode_srgb(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
 }  // namespace
 
@@ -35,8 +35,9 @@ void Parser::Impl::to_working_space(Numeric& value) {
   if (!settings.gamma_given) error("srgb needs assumed_gamma to be set before.", "Put global_settings { assumed_gamma 1.0 } at the beginning of the scene.");
   if (settings.gamma == scene::Gamma::srgb) return;
   for (std::size_t i = 0; i < 3; ++i) {
-    value.v[i] = decode_srgb(value.v[i]);
-    if (settings.assumed_gamma != 1) value.v[i] = std::pow(value.v[i], 1 / settings.assumed_gamma);
+    float c = decode_srgb(static_cast<float>(value.v[i]));
+    if (settings.assumed_gamma != 1) c = std::pow(c, 1 / static_cast<float>(settings.assumed_gamma));
+    value.v[i] = static_cast<double>(c);
   }
 }
 

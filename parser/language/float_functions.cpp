@@ -199,8 +199,7 @@ bool Parser::Impl::float_function(Word word, double& out) {
     case Word::select: out = select(*this); break;
     case Word::seed: {
       const double v = argument();
-      // Truncated to 32 bits; values above 2^31 count as unsigned.
-      const std::uint32_t state = v >= 2147483648.0 && v < 4294967296.0 ? static_cast<std::uint32_t>(v) : static_cast<std::uint32_t>(to_int(v));
+      const auto state = static_cast<std::uint32_t>(to_int(v));
       if (random_streams.size() * sizeof(state) > options.limits.max_memory_bytes / 16) error("Too many random streams.");
       random_streams.push_back(state);
       out = static_cast<double>(random_streams.size() - 1);

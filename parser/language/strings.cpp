@@ -115,7 +115,7 @@ std::string Parser::Impl::utf8(std::u16string_view text) const {
 }
 
 void Parser::Impl::check_length(std::size_t characters) {
-  if (characters > options.limits.max_memory_bytes / 64) error("The string is longer than --max-memory allows.");
+  if (characters > options.limits.max_memory_bytes / 1024) error("The string is longer than --max-memory allows.");
 }
 
 bool Parser::Impl::at_string() {

@@ -11,16 +11,6 @@ namespace {
 
 Numeric vector(const Vec3& v) { return {{v.x, v.y, v.z}, 3}; }
 
-// About x by a, then y by b, then z by c; degrees.
-Vec3 rotate(Vec3 v, const Vec3& degrees) {
-  const double k = std::numbers::pi / 180;
-  const double ca = std::cos(degrees.x * k), sa = std::sin(degrees.x * k), cb = std::cos(degrees.y * k), sb = std::sin(degrees.y * k),
-               cc = std::cos(degrees.z * k), sc = std::sin(degrees.z * k);
-  v = {v.x, v.y * ca - v.z * sa, v.y * sa + v.z * ca};
-  v = {v.x * cb + v.z * sb, v.y, v.z * cb - v.x * sb};
-  return {v.x * cc - v.y * sc, v.x * sc + v.y * cc, v.z};
-}
-
 }  // namespace
 
 Vec3 Parser::Impl::vector_argument() {
@@ -143,7 +133,7 @@ bool Parser::Impl::vector_function(Word word, Numeric& out) {
       comma();
       const Vec3 degrees = vector_argument();
       close_arguments();
-      out = vector(rotate(a, degrees));
+      out = vector(Transform::rotation(degrees).direction(a));
       break;
     }
     case Word::vaxis_rotate: {
@@ -151,12 +141,11 @@ bool Parser::Impl::vector_function(Word word, Numeric& out) {
       const Live live(*this);
       const Vec3 v = vector_argument();
       comma();
-      const Vec3 a = normalize(vector_argument());
+      const Vec3 a = vector_argument();
       comma();
       const double angle = scalar() * (std::numbers::pi / 180);
       close_arguments();
-      const double c = std::cos(angle), s = std::sin(angle);
-      out = vector(v * c + cross(a, v) * s + a * (dot(a, v) * (1 - c)));
+      out = vector(Transform::axis_rotation(a, angle).direction(v));
       break;
     }
     case Word::vturbulence: {

@@ -11,9 +11,9 @@ constexpr int kMaxNesting = 300;  // straight continuations do not count as leve
 bool is_one(double v) { return std::fabs(v - 1) < kEpsilon; }
 
 // On in one of object and light, off in neither (spec 07 3.6).
-bool allowed(scene::Flag object, bool light_given, bool light_on) {
-  const bool on = object == scene::Flag::on || (light_given && light_on);
-  return on && object != scene::Flag::off && !(light_given && !light_on);
+bool allowed(scene::Flag object, scene::Flag light) {
+  using enum scene::Flag;
+  return (object == on || light == on) && object != off && light != off;
 }
 
 }  // namespace
@@ -61,8 +61,8 @@ void PhotonWalk::follow(Packet packet) {
     stored_->push_back({hit.point, -packet.ray.ray.direction, packet.color * static_cast<float>(shot_.area_factor(packet.path)), false});
 
   const scene::LightSource& light = *shot_.light;
-  const bool refracts = passes || allowed(surface.photons.refraction, light.photons_given, light.photon_refraction);
-  const bool reflects = !passes && allowed(surface.photons.reflection, light.photons_given, light.photon_reflection);
+  const bool refracts = passes || allowed(surface.photons.refraction, light.photon_refraction);
+  const bool reflects = !passes && allowed(surface.photons.reflection, light.photon_reflection);
   packet.passed = passes;
   if (!refracts && !reflects) return;
   ++nesting_;

@@ -13,13 +13,6 @@ namespace verisim::shapes {
 VERISIM_PENDING_FACTORY(text)
 
 VERISIM_PENDING_BOX(text, Text)
-VERISIM_PENDING_BOX(lathe, Lathe)
-VERISIM_PENDING_BOX(sor, Sor)
-VERISIM_PENDING_BOX(prism, Prism)
 
-VERISIM_PENDING_FACTORY(lathe)
-VERISIM_PENDING_FACTORY(sor)
-VERISIM_PENDING_FACTORY(prism)
-VERISIM_PENDING_FACTORY(sphere_sweep)
 
 }  // namespace verisim::shapes

@@ -1,0 +1,61 @@
+#include "tracer/shapes/plane_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/math/bernstein.h"
+
+namespace verisim::shapes {
+
+CurveSegment CurveSegment::linear(const Vec2& p0, const Vec2& p1) { return {{p0, p1 - p0, Vec2(0), Vec2(0)}, 1}; }
+
+CurveSegment CurveSegment::quadratic(const Vec2& p0, const Vec2& p1, const Vec2& p2) {
+  return {{p1, 0.5 * (p2 - p0), 0.5 * p0 - p1 + 0.5 * p2, Vec2(0)}, 2};
+}
+
+CurveSegment CurveSegment::cubic(const Vec2& p0, const Vec2& p1, const Vec2& p2, const Vec2& p3) {
+  return {{p1, 0.5 * (p2 - p0), p0 - 2.5 * p1 + 2.0 * p2 - 0.5 * p3, -0.5 * p0 + 1.5 * p1 - 1.5 * p2 + 0.5 * p3}, 3};
+}
+
+CurveSegment CurveSegment::bezier(const Vec2& p0, const Vec2& p1, const Vec2& p2, const Vec2& p3) {
+  return {{p0, 3.0 * (p1 - p0), 3.0 * p0 - 6.0 * p1 + 3.0 * p2, -p0 + 3.0 * p1 - 3.0 * p2 + p3}, 3};
+}
+
+int CurveSegment::solve(int axis, double v, double* roots) const {
+  double power[4], bernstein[4];
+  for (int i = 0; i <= degree; ++i) power[i] = c[static_cast<std::size_t>(i)][axis];
+  power[0] -= v;
+  if (degree == 1) {
+    if (power[1] == 0) return 0;
+    roots[0] = -power[0] / power[1];
+    return roots[0] >= 0 && roots[0] <= 1;
+  }
+  bernstein_from_power(degree, power, 0, 1, bernstein);
+  // Segments share their ends exactly; rounding of the power form must not make a root there appear in one and vanish in both.
+  if (std::fabs(bernstein[degree]) < 1e-14 * (std::fabs(v) + 1e-3)) bernstein[degree] = 0;
+  return bernstein_roots(degree, bernstein, roots);
+}
+
+void CurveSegment::extremes(int axis, double& low, double& high) const {
+  low = std::min(value(axis, 0), value(axis, 1)), high = std::max(value(axis, 0), value(axis, 1));
+  double roots[2];
+  int n = 0;
+  const double a = 3 * c[3][axis], b = 2 * c[2][axis], k = c[1][axis];
+  if (a != 0) {
+    const double discriminant = b * b - 4 * a * k;
+    if (discriminant >= 0) {
+      const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+      roots[n++] = q / a;
+      if (q != 0) roots[n++] = k / q;
+    }
+  } else if (b != 0) {
+    roots[n++] = -k / b;
+  }
+  for (int i = 0; i < n; ++i) {
+    if (!(roots[i] > 0 && roots[i] < 1)) continue;
+    const double v = value(axis, roots[i]);
+    low = std::min(low, v), high = std::max(high, v);
+  }
+}
+
+}  // namespace verisim::shapes

@@ -1,0 +1,173 @@
+// sor, surface of revolution (spec 03 4.16): the squared radius is a cubic of the height between two points.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tracer/math/bernstein.h"
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/spherical_uv.h"
+
+namespace verisim::shapes {
+namespace {
+
+constexpr double kNearest = 1e-4, kFarthest = 1e7, kSmallestCap2 = 1e-4;
+constexpr std::int32_t kBase = -1, kCap = -2;
+
+struct Segment {
+  double low, high;                 // heights
+  std::array<double, 4> c;          // radius^2 = c[0] + c[1] y + c[2] y^2 + c[3] y^3
+  double radius2(double y) const { return ((c[3] * y + c[2]) * y + c[1]) * y + c[0]; }
+  double slope(double y) const { return (3 * c[3] * y + 2 * c[2]) * y + c[1]; }
+};
+
+// The cubic through (y0, f0) and (y1, f1) with slopes s0, s1, in powers of y.
+Segment hermite(double y0, double y1, double f0, double f1, double s0, double s1) {
+  const double h = y1 - y0, mean = (f1 - f0) / h;
+  const double a = (s0 + s1 - 2 * mean) / (h * h), b = (3 * mean - 2 * s0 - s1) / h;  // of (y - y0)^3 and (y - y0)^2
+  Segment s{y0, y1, {f0 - y0 * (s0 - y0 * (b - y0 * a)), s0 - y0 * (2 * b - 3 * y0 * a), b - 3 * y0 * a, a}};
+  for (double& v : s.c)
+    if (std::fabs(v) < kEpsilon) v = 0;
+  return s;
+}
+
+std::vector<Segment> segments_of(const scene::Sor& sor) {
+  std::vector<Segment> segments;
+  const std::vector<Vec2>& p = sor.points;
+  for (std::size_t i = 1; i + 2 < p.size(); ++i) {
+    const double s0 = 2 * p[i].x * (p[i + 1].x - p[i - 1].x) / (p[i + 1].y - p[i - 1].y);
+    const double s1 = 2 * p[i + 1].x * (p[i + 2].x - p[i].x) / (p[i + 2].y - p[i].y);
+    segments.push_back(hermite(p[i].y, p[i + 1].y, p[i].x * p[i].x, p[i + 1].x * p[i + 1].x, s0, s1));
+  }
+  return segments;
+}
+
+double largest_radius2(const std::vector<Segment>& segments) {
+  double largest = 0;
+  for (const Segment& s : segments) {
+    largest = std::max({largest, s.radius2(s.low), s.radius2(s.high)});
+    const double a = 3 * s.c[3], b = 2 * s.c[2], c = s.c[1];
+    double roots[2];
+    int n = 0;
+    if (a != 0) {
+      const double discriminant = b * b - 4 * a * c;
+      if (discriminant >= 0)
+        for (const double sign : {-1.0, 1.0}) roots[n++] = (-b + sign * std::sqrt(discriminant)) / (2 * a);
+    } else if (b != 0) {
+      roots[n++] = -c / b;
+    }
+    for (int i = 0; i < n; ++i)
+      if (roots[i] > s.low && roots[i] < s.high) largest = std::max(largest, s.radius2(roots[i]));
+  }
+  return largest;
+}
+
+class Sor final : public Primitive<Sor> {
+ public:
+  Sor(const scene::Object& description, const scene::Sor& sor)
+      : Primitive(description, {sor_box(sor)}), segments_(segments_of(sor)), outer2_(largest_radius2(segments_)) {
+    if (segments_.empty()) return;
+    base_ = sor.points[1];
+    cap_ = sor.points[sor.points.size() - 2];
+    has_base_ = !sor.open && base_.x * base_.x > kSmallestCap2;
+    has_cap_ = !sor.open && cap_.x * cap_.x > kSmallestCap2;
+  }
+
+  template <class Sink>
+  void crossings(const Ray& ray, Sink& sink) const {
+    if (segments_.empty()) return;
+    const LocalRay l = local(ray);
+    const Vec3 &p = l.origin, &d = l.direction;
+    const auto report = [&](double t, std::int32_t part) {
+      const double depth = t / l.scale;
+      if (depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; }, part);
+    };
+    const double r = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z, c = p.x * p.x + p.z * p.z;
+    double near = 0, far = kFarthest * l.scale;
+    const double around2 = outer2_ * (1 + 1e-9) + 1e-12;
+    if (r > 1e-20) {
+      const double discriminant = m * m - r * (c - around2);
+      if (!(discriminant >= 0)) return;
+      const double root = std::sqrt(discriminant);
+      near = std::max(near, (-m - root) / r), far = std::min(far, (-m + root) / r);
+      if (near > far) return;
+    } else if (!(c <= around2)) {
+      return;
+    }
+    if (std::fabs(d.y) > kEpsilon) {
+      const auto disc = [&](const Vec2& rim, std::int32_t part) {
+        const double t = (rim.y - p.y) / d.y, x = p.x + t * d.x, z = p.z + t * d.z;
+        if (x * x + z * z <= rim.x * rim.x) report(t, part);
+      };
+      if (has_base_) disc(base_, kBase);
+      if (has_cap_) disc(cap_, kCap);
+    }
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      const Segment& s = segments_[i];
+      double from = near, to = far;
+      if (d.y == 0) {
+        if (p.y < s.low || p.y > s.high) continue;
+      } else {
+        double a = (s.low - p.y) / d.y, b = (s.high - p.y) / d.y;
+        if (a > b) std::swap(a, b);
+        from = std::max(from, a), to = std::min(to, b);
+      }
+      if (!(from <= to)) continue;
+      // radius^2(py + dy t) - (r t^2 + 2 m t + c), in powers of t - from.
+      const Vec3 q = p + from * d;
+      const double y = q.y, dy = d.y;
+      const double power[4] = {s.radius2(y) - (q.x * q.x + q.z * q.z), s.slope(y) * dy - 2 * (d.x * q.x + d.z * q.z), (3 * s.c[3] * y + s.c[2]) * dy * dy - r,
+                               s.c[3] * dy * dy * dy};
+      double bernstein[4], roots[3];
+      bernstein_from_power(3, power, 0, to - from, bernstein);
+      const int n = bernstein_roots(3, bernstein, roots);
+      for (int k = 0; k < n; ++k) report(from + (to - from) * roots[k], static_cast<std::int32_t>(i));
+    }
+  }
+
+  bool contains(const Vec3& point) const {
+    const Vec3 p = local(point);
+    const double rho2 = p.x * p.x + p.z * p.z;
+    for (const Segment& s : segments_)
+      if (p.y >= s.low && p.y <= s.high) return rho2 <= s.radius2(p.y);
+    return false;
+  }
+
+  Vec3 raw_normal(const Hit& hit) const {
+    if (hit.part == kBase) return world_normal({0, -1, 0});
+    if (hit.part == kCap) return world_normal({0, 1, 0});
+    const Vec3 p = local(hit.point);
+    const Vec3 n(p.x, -0.5 * segments_[static_cast<std::size_t>(hit.part)].slope(p.y), p.z);
+    return n == Vec3(0) ? Vec3(1, 0, 0) : world_normal(n);
+  }
+
+  Vec2 uv(const Hit& hit) const override {
+    const Vec3 p = local(hit.point);
+    const double u = turn_fraction(p.x, p.z), rho = std::sqrt(p.x * p.x + p.z * p.z);
+    if (hit.part == kBase) return {u, rho / base_.x - 1};
+    if (hit.part == kCap) return {u, 2 - rho / cap_.x};
+    const Segment& s = segments_[static_cast<std::size_t>(hit.part)];
+    return {u, (hit.part + (p.y - s.low) / (s.high - s.low)) / static_cast<double>(segments_.size())};
+  }
+
+ private:
+  std::vector<Segment> segments_;
+  double outer2_;
+  Vec2 base_{0, 0}, cap_{0, 0};  // radius and height of the ends
+  bool has_base_ = false, has_cap_ = false;
+};
+
+}  // namespace
+
+Box3 sor_box(const scene::Sor& sor) {
+  const auto segments = segments_of(sor);
+  if (segments.empty()) return {};
+  const double radius = std::sqrt(largest_radius2(segments));
+  return {Vec3(-radius, segments.front().low, -radius), Vec3(radius, segments.back().high, radius)};
+}
+
+std::unique_ptr<Shape> compile_sor(const scene::Object& object) {
+  return std::make_unique<Sor>(object, **object.as<std::shared_ptr<const scene::Sor>>());
+}
+
+}  // namespace verisim::shapes

@@ -82,8 +82,7 @@ Vec3 Tracer::layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, 
     return f ? textures::enter_frame(*f->texture, self(self, f->outer)) : at.raw;
   };
   at.texture_point.normal = frame ? enter(enter, frame) : at.raw;
-  textures::perturb(*layer.normal, p, at.texture_point);
-  Vec3 n = at.texture_point.normal;
+  Vec3 n = textures::perturb(*layer.normal, p, at.texture_point);
   for (const Frame* f = frame; f; f = f->outer) n = textures::leave_frame(*f->texture, n);
   return n;
 }

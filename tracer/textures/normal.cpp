@@ -138,9 +138,9 @@ void apply(const CompiledNormal& c, const Vec3& p, SurfacePoint& surface) {
 
 }  // namespace
 
-void perturb(const CompiledNormal& normal, const Vec3& p, SurfacePoint& surface) {
+Vec3 perturb(const CompiledNormal& normal, const Vec3& p, SurfacePoint& surface) {
   apply(normal, p, surface);
-  if (normal.no_bump_scale) surface.normal = normalize(surface.normal);
+  return normal.no_bump_scale ? normalize(surface.normal) : surface.normal;
 }
 
 }  // namespace verisim::textures

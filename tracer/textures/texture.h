@@ -86,8 +86,9 @@ class Compiler {
 bool evaluate(const CompiledPigment& pigment, const Vec3& p, const SurfacePoint* surface, Color& color);
 // The scalar value after wave form (spec 05 3.2).
 double evaluate(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface);
-// Perturbs surface.normal at p.
-void perturb(const CompiledNormal& normal, const Vec3& p, SurfacePoint& surface);
+// Perturbs surface.normal at p and returns the normal to shade with: the same, but with `no_bump_scale` only the returned one has unit length
+// (what slope and aoi see later is not normalised, spec 05 10.1).
+Vec3 perturb(const CompiledNormal& normal, const Vec3& p, SurfacePoint& surface);
 // Which textures of a patterned texture show at p, in POV-Ray's order of work (upper map entry first), and the warped point for them.
 // Returns at most 2 entries for a map, all of them for an average; `storage` must hold texture.map.size() entries (and at least 2).
 // Before the children are shaded the normal must be taken into the pattern's frame, afterwards back (spec 05 10.1): enter_frame / leave_frame.

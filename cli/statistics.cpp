@@ -2,7 +2,9 @@
 
 #include <sys/resource.h>
 
+#include <map>
 #include <set>
+#include <thread>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

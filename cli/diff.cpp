@@ -1,0 +1,67 @@
+// `verisim diff`: how far one picture is from another.
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+#include "cli/own_options.h"
+#include "compare/compare.h"
+
+namespace verisim::cli {
+
+int command_diff(const std::vector<std::string>& arguments) {
+  OwnOptions own("diff", "Compares two pictures: verisim diff REFERENCE PICTURE. Exit status 0 when they match, 1 when they do not.");
+  std::string json, html, heat_map;
+  std::vector<std::string> thresholds;
+  compare::MetricOptions metric;
+  double gain = 16;
+  bool color = false, antialiased = false;
+  own.value("--json", json, "Write the figures as JSON to this file (- for standard output)");
+  own.value("--html", html, "Write a page with both pictures and their difference to this file");
+  own.value("--heat-map", heat_map, "Write the difference as a picture (PNG) to this file");
+  own.value("--gain", gain, "Factor for the differences of the heat map");
+  own.values("--threshold", thresholds, "In place of the usual rules: max_rmse=1.5, min_within_1_pct=99 ... (may be given again)");
+  own.value("--pixels-per-degree", metric.flip_pixels_per_degree, "How large the pictures are seen, for FLIP");
+  own.flag("--antialiased", antialiased, "The pictures are anti-aliased: differences of 2/255 are allowed where 1/255 would be");
+  own.flag("--color", color, "Colour the table also when it does not go to a terminal");
+  const std::vector<std::string> words = own.parse(arguments);
+  if (words.size() != 2) throw OptionError("two pictures are needed: verisim diff REFERENCE PICTURE");
+
+  const compare::Picture reference = compare::load_picture(words[0]), test = compare::load_picture(words[1]);
+  compare::Metrics metrics;
+  try {
+    metrics = compare::measure(reference, test, metric);
+  } catch (const compare::PictureMismatch& mismatch) {
+    std::fprintf(stderr, "verisim diff: %s\n", mismatch.what());
+    return kDifferent;
+  }
+  compare::Thresholds limits;
+  for (const std::string& text : thresholds) {
+    const std::size_t equals = text.find('=');
+    char* end = nullptr;
+    const double limit = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
+    if (!end || *end || end == text.c_str() + equals + 1) throw OptionError(fmt::format("--threshold {}: expected NAME=NUMBER", text));
+    limits[text.substr(0, equals)] = limit;
+  }
+  compare::Verdict verdict;
+  try {
+    verdict = limits.empty() ? compare::judge_deterministic(metrics, antialiased) : compare::judge_thresholds(metrics, limits);
+  } catch (const std::invalid_argument& error) {
+    throw OptionError(error.what());
+  }
+  const bool json_to_stdout = json == "-";
+  if (!json_to_stdout) {
+    std::fputs(compare::terminal_metrics(metrics, color || isatty(STDOUT_FILENO) != 0).c_str(), stdout);
+    std::printf("%s%s%s\n", compare::to_string(verdict.status), verdict.reason.empty() ? "" : ": ", verdict.reason.c_str());
+  }
+  if (json_to_stdout) std::printf("%s\n", compare::metrics_json(metrics).c_str());
+  else if (!json.empty()) compare::write_report(compare::metrics_json(metrics), json);
+  if (!html.empty()) compare::write_report(compare::html_report(compare::run_of_pair(words[0], words[1], metric)), html);
+  if (!heat_map.empty()) compare::write_heat_map(reference, test, heat_map, gain);
+  return verdict.status == compare::Status::exact || verdict.status == compare::Status::match ? kOk : kDifferent;
+}
+
+}  // namespace verisim::cli

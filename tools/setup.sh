@@ -1,0 +1,45 @@
+# Shared by ./demo and ./test: installs the packages, builds a release. Sourced, not run.
+# Safe to run again: installed packages are left alone, ninja builds only what changed.
+
+say() { printf '\n== %s\n' "$*"; }
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then "$@"; elif command -v sudo >/dev/null; then sudo -n "$@" || sudo "$@"; else
+    echo "Installing packages needs root: run this as root, or install sudo." >&2
+    return 1
+  fi
+}
+
+# What the build and the tests need, by Debian 12's names.
+build_packages="g++ cmake ninja-build
+  libboost-dev libopenimageio-dev libimath-dev libembree-dev libtbb-dev libfreetype-dev libpng-dev libfmt-dev libcli11-dev
+  nlohmann-json3-dev libtomlplusplus-dev libssl-dev libgtest-dev libgmock-dev"
+# The oracle.
+oracle_packages="povray povray-includes povray-examples"
+
+install_packages() {
+  local missing=() package
+  for package in $build_packages $oracle_packages; do
+    dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
+  done
+  if [ "${#missing[@]}" -eq 0 ]; then
+    say "All packages are installed"
+    return
+  fi
+  say "Installing ${missing[*]}"
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q </dev/null
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" </dev/null
+}
+
+# build TARGET...: a release in build/release.
+build() {
+  say "Building a release in build/release"
+  cmake --preset release >/tmp/verisim-configure.$$ 2>&1 </dev/null || { cat /tmp/verisim-configure.$$; rm -f /tmp/verisim-configure.$$; return 1; }
+  rm -f /tmp/verisim-configure.$$
+  # Compiling takes about 1.5 GB a process: no more processes than there is memory for.
+  local cores memory jobs
+  cores=$(nproc)
+  memory=$(awk '/MemAvailable/ { print int($2 / 1500000) }' /proc/meminfo)
+  jobs=$((memory < 1 ? 1 : memory < cores ? memory : cores))
+  ninja -C build/release -j "$jobs" "$@" </dev/null
+}

@@ -1,0 +1,112 @@
+#include "tools/spectra/spectrum.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tools/spectra/cornell_box.h"
+
+namespace verisim::spectra {
+namespace {
+
+void expect_near(const Triple& got, const Triple& want, double tolerance) {
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(got[c], want[c], tolerance) << "channel " << c;
+}
+
+TEST(Observer, SumsAreThoseOfThePublishedTable) {
+  // Totals of the 5 nm table in Wyszecki and Stiles: an error in one digit of one entry shows here.
+  Triple sum{};
+  for (const Triple& row : observer())
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += row[c];
+  expect_near(sum, {21.3714, 21.3711, 21.3715}, 5e-5);
+}
+
+TEST(Observer, WhitesHaveTheirPublishedChromaticity) {
+  const auto xy = [](const Triple& t) { return std::pair(t[0] / (t[0] + t[1] + t[2]), t[1] / (t[0] + t[1] + t[2])); };
+  const auto [x, y] = xy(integrate(power(Illuminant::d65), {}));
+  EXPECT_NEAR(x, 0.31272, 1e-4);
+  EXPECT_NEAR(y, 0.32903, 1e-4);
+  const auto [ex, ey] = xy(integrate(power(Illuminant::e), {}));
+  EXPECT_NEAR(ex, 1 / 3.0, 1e-4);
+  EXPECT_NEAR(ey, 1 / 3.0, 1e-4);
+}
+
+TEST(Spectrum, IsLinearBetweenSamplesAndConstantOutside) {
+  const Spectrum s{{400, 1}, {500, 3}};
+  EXPECT_EQ(value_at(s, 300), 1);
+  EXPECT_EQ(value_at(s, 400), 1);
+  EXPECT_EQ(value_at(s, 450), 2);
+  EXPECT_EQ(value_at(s, 500), 3);
+  EXPECT_EQ(value_at(s, 600), 3);
+  EXPECT_EQ(value_at({}, 555), 1);
+}
+
+TEST(Reflectance, APerfectWhiteIsWhiteUnderEveryIlluminant) {
+  for (const Illuminant illuminant : {Illuminant::d65, Illuminant::e}) {
+    expect_near(reflectance_to_rgb({{380, 1}}, illuminant), {1, 1, 1}, 3e-4);
+    expect_near(reflectance_to_rgb({{380, 0.25}}, illuminant), {0.25, 0.25, 0.25}, 1e-4);
+  }
+}
+
+TEST(Reflectance, IsLinearInTheSpectrum) {
+  const Spectrum a{{400, 0.2}, {700, 0.8}}, b{{400, 0.9}, {700, 0.1}}, both{{400, 0.55}, {700, 0.45}};
+  const Triple ra = reflectance_to_rgb(a), rb = reflectance_to_rgb(b), rm = reflectance_to_rgb(both);
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(rm[c], (ra[c] + rb[c]) / 2, 1e-12);
+}
+
+TEST(Rgb, TheSrgbPrimariesComeBack) {
+  // Columns of the inverse matrix: XYZ of the primaries (IEC 61966-2-1).
+  expect_near(xyz_to_rgb({0.4124, 0.2126, 0.0193}), {1, 0, 0}, 2e-4);
+  expect_near(xyz_to_rgb({0.3576, 0.7152, 0.1192}), {0, 1, 0}, 2e-4);
+  expect_near(xyz_to_rgb({0.1805, 0.0722, 0.9505}), {0, 0, 1}, 2e-4);
+}
+
+TEST(CornellBoxTest, TheSceneHasTheComputedNumbers) {
+  const CornellBox box = read_cornell_box(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json");
+  std::ifstream stream(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.pov");
+  std::stringstream text;
+  text << stream.rdbuf();
+  const std::string scene = text.str();
+  std::istringstream lines(as_sdl(box));
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count) EXPECT_NE(scene.find(line + "\n"), std::string::npos) << "the scene lacks: " << line;
+  EXPECT_EQ(count, 8);
+}
+
+TEST(CornellBoxTest, TheSceneHasTheMeasuredGeometry) {
+  // Every corner of the data stands in the scene as <x, y, z>.
+  std::ifstream data(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json"), source(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.pov");
+  std::stringstream json, scene;
+  json << data.rdbuf();
+  scene << source.rdbuf();
+  const auto corners = [](const std::string& text, const std::regex& pattern) {
+    std::set<Triple> found;
+    for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i) found.insert({std::stod((*i)[1]), std::stod((*i)[2]), std::stod((*i)[3])});
+    return found;
+  };
+  const std::string number = R"(\s*(-?[0-9.]+)\s*)";
+  const std::string whole = json.str();
+  const auto measured = corners(whole.substr(whole.find("\"surfaces\"")), std::regex(R"(\[)" + number + "," + number + "," + number + R"(\])"));
+  const auto modelled = corners(scene.str(), std::regex("<" + number + "," + number + "," + number + ">"));
+  EXPECT_GE(measured.size(), 28u);
+  for (const Triple& corner : measured) EXPECT_TRUE(modelled.contains(corner)) << corner[0] << ", " << corner[1] << ", " << corner[2];
+}
+
+TEST(CornellBoxTest, WallsAreRedAndGreen) {
+  const CornellBox box = read_cornell_box(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json");
+  EXPECT_GT(box.reflectance.at("red")[0], 4 * box.reflectance.at("red")[1]);
+  EXPECT_GT(box.reflectance.at("green")[1], 2 * box.reflectance.at("green")[0]);
+  for (const double value : box.reflectance.at("white")) EXPECT_NEAR(value, 0.73, 0.03);
+  EXPECT_DOUBLE_EQ(box.light_area, 130 * 105);
+}
+
+TEST(CornellBoxTest, WrongFilesAreNamed) {
+  EXPECT_THROW(read_cornell_box("/nonexistent.json"), std::runtime_error);
+  EXPECT_THROW(read_cornell_box(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.pov"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace verisim::spectra

@@ -1,0 +1,34 @@
+// Builds a scene without SDL, renders it, and looks at two pixels.
+#include <cstdio>
+#include <memory>
+
+#include <tracer/render/render.h>
+#include <tracer/scene/scene.h>
+
+int main() {
+  using namespace verisim;
+  auto sphere = std::make_shared<scene::Object>();
+  sphere->shape = scene::Sphere{{0, 0, 3}, 1};
+  scene::compute_bounds(*sphere);
+  auto pigment = std::make_shared<scene::Pigment>();
+  pigment->pattern.kind = scene::PatternKind::plain;
+  pigment->color = Color(1, 0.5f, 0.25f);
+  auto texture = std::make_shared<scene::Texture>();
+  texture->layers.resize(1);
+  texture->layers[0].pigment = pigment;
+  texture->layers[0].finish.emission = Rgb(1);
+  texture->layers[0].finish.ambient = Rgb(0);
+  texture->layers[0].finish.diffuse = 0;
+  sphere->texture = texture;
+  scene::finish_statement(*sphere, texture);
+
+  scene::Scene scene;
+  scene.objects.push_back(sphere);
+  render::Options options;
+  options.width = options.height = 15;
+  render::Framebuffer picture;
+  render::render(scene, options, picture);
+  const Color middle = picture.at(7, 7), corner = picture.at(0, 0);
+  std::printf("middle %g %g %g, corner %g %g %g\n", double(middle.r), double(middle.g), double(middle.b), double(corner.r), double(corner.g), double(corner.b));
+  return middle.r == 1 && middle.g == 0.5f && corner.r == 0 ? 0 : 1;
+}

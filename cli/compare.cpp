@@ -40,7 +40,7 @@ int command_compare(const std::vector<std::string>& arguments) {
   compare::RunOptions run;
   compare::Filter filter;
   std::string json, junit, html, markdown, oracle, oracle_cache, work, baseline, previous, native;
-  bool github = false, no_cache = false, failed_only = false, quiet = false, color = false;
+  bool github = false, no_cache = false, failed_only = false, quiet = false, color = false, update = false;
   std::uint64_t seed = 0;
   own.value("--json", json, "Write the report as JSON to this file");
   own.value("--junit", junit, "Write the report as JUnit XML to this file");
@@ -58,7 +58,7 @@ int command_compare(const std::vector<std::string>& arguments) {
   own.value("--work", work, "Keep pictures and results in this folder");
   own.flag("--resume", run.resume, "Go on with the run in --work that was broken off");
   own.value("--baseline", baseline, "Compare with the stored pictures in this folder instead of POV-Ray");
-  own.flag("--update-baseline", run.update_baseline, "Store verisim's pictures in --baseline instead of comparing");
+  own.flag("--update-baseline", update, "Compare with POV-Ray, then store verisim's pictures in --baseline");
   own.value("--oracle", oracle, "The POV-Ray program; default: povray in PATH");
   own.value("--oracle-cache", oracle_cache, "Folder of POV-Ray's cached renders");
   own.flag("--no-cache", no_cache, "Render with POV-Ray anew");
@@ -68,7 +68,7 @@ int command_compare(const std::vector<std::string>& arguments) {
   own.flag("--quiet", quiet, "No progress, only the table");
   const std::vector<std::string> words = own.parse(arguments);
   if (words.empty()) throw OptionError("name scenes, folders or manifests (verisim.toml)");
-  if (run.update_baseline && baseline.empty()) throw OptionError("--update-baseline needs --baseline FOLDER");
+  if (update && baseline.empty()) throw OptionError("--update-baseline needs --baseline FOLDER");
   if (run.resume && work.empty()) throw OptionError("--resume needs --work FOLDER");
   if (failed_only && previous.empty()) throw OptionError("--failed needs --previous FILE");
   if (run.jobs < 1) throw OptionError("--jobs must be at least 1");
@@ -90,7 +90,7 @@ int command_compare(const std::vector<std::string>& arguments) {
   run.oracle.cache = oracle_cache;
   run.oracle.use_cache = !no_cache;
   run.work = work;
-  run.baseline = baseline;
+  if (!update) run.baseline = baseline;
   run.previous_report = previous;
   if (!quiet) run.progress = show_progress;
   Interrupt interrupt;
@@ -105,6 +105,8 @@ int command_compare(const std::vector<std::string>& arguments) {
     if (!html.empty()) compare::write_report(compare::html_report(result), html);
     if (!markdown.empty()) compare::write_report(compare::markdown_report(result), markdown);
     if (result.cancelled) return kInterrupted;
+    if (update)
+      for (const std::string& line : compare::update_baseline(result, baseline, false)) std::printf("%s\n", line.c_str());
     return result.summary.failed() ? kDifferent : kOk;
   } catch (const compare::OracleMissing& missing) {
     std::fprintf(stderr, "verisim compare: %s\n", missing.what());

@@ -30,7 +30,7 @@ int command_diff(const std::vector<std::string>& arguments) {
   const std::vector<std::string> words = own.parse(arguments);
   if (words.size() != 2) throw OptionError("two pictures are needed: verisim diff REFERENCE PICTURE");
 
-  const compare::Picture reference = compare::load_picture(words[0]), test = compare::load_picture(words[1]);
+  const compare::Picture reference = image::read_picture(words[0]), test = image::read_picture(words[1]);
   compare::Metrics metrics;
   try {
     metrics = compare::measure(reference, test, metric);

@@ -24,8 +24,6 @@ constexpr Command kCommands[] = {
     {"check", command_check, "SCENE [--json]            read a scene and report what is wrong with it"},
     {"compare", command_compare, "SCENE...|FOLDER         render with verisim and POV-Ray and compare every pixel"},
     {"diff", command_diff, "A B                        the same figures for two pictures"},
-    {"explain", command_explain, "SCENE X Y               how one pixel came to be"},
-    {"bench", command_bench, "SCENE...                  time and memory of verisim and POV-Ray"},
 };
 
 void print_usage(std::FILE* where) {

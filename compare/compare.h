@@ -162,6 +162,7 @@ struct Run {
   std::vector<SceneResult> scenes;            // in the order of the suite
   Summary summary;
   std::string oracle_version, native_version, started;  // started: ISO 8601, UTC
+  std::string reference_name = "POV-Ray", test_name = "verisim";  // what reports call the two sides
   bool cancelled = false;
   std::shared_ptr<const void> keep;           // owns the pictures' folder when it is a temporary one
 };
@@ -205,7 +206,7 @@ std::string markdown_report(const Run& run);
 std::string github_annotations(const Run& run);
 std::string junit_report(const Run& run);
 std::string html_report(const Run& run);
-// One pair of pictures as a run, for `verisim diff A B --html`.
+// One pair of pictures as a run, for `verisim diff A B --html`. Throws PictureMismatch, or std::runtime_error when a picture cannot be read.
 Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test, const MetricOptions& options = {});
 void write_report(const std::string& text, const std::filesystem::path& path);
 // 8-bit PNG: absolute differences times `gain` as a heat map.

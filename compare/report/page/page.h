@@ -1,0 +1,8 @@
+// The report's page: report.html with marks where the style sheet, the data, the pictures and the script go.
+#pragma once
+
+namespace verisim::compare {
+extern const char* const kReportHtml;
+extern const char* const kReportCss;
+extern const char* const kReportJs;
+}  // namespace verisim::compare

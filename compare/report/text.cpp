@@ -20,10 +20,29 @@ const char* color_of(Status status) {
   }
 }
 
-// Control characters of a hostile scene name or message must not reach a terminal or a report.
+// The length of the well-formed UTF-8 sequence at i; 0 if there is none.
+std::size_t utf8_length(const std::string& s, std::size_t i) {
+  const auto byte = [&](std::size_t k) { return k < s.size() ? static_cast<unsigned char>(s[k]) : 0u; };
+  const unsigned first = byte(i);
+  const std::size_t n = first < 0x80 ? 1 : first >= 0xc2 && first < 0xe0 ? 2 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xf0 && first < 0xf5 ? 4 : 0;
+  for (std::size_t k = 1; k < n; ++k)
+    if ((byte(i + k) & 0xc0) != 0x80) return 0;
+  if ((first == 0xe0 && byte(i + 1) < 0xa0) || (first == 0xed && byte(i + 1) >= 0xa0) || (first == 0xf0 && byte(i + 1) < 0x90) || (first == 0xf4 && byte(i + 1) >= 0x90)) return 0;
+  return n;
+}
+
+// Control characters and broken UTF-8 of a hostile scene name or message must not reach a terminal or a report.
 std::string printable(const std::string& text) {
   std::string out;
-  for (char c : text) out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t n = utf8_length(text, i);
+    const auto c = static_cast<unsigned char>(text[i]);
+    const bool control = c < 0x20 || c == 0x7f || (c == 0xc2 && n == 2 && static_cast<unsigned char>(text[i + 1]) < 0xa0);  // C0, DEL, C1
+    if (n == 0) out += "\xef\xbf\xbd";  // U+FFFD
+    else if (control) out += ' ';
+    else out.append(text, i, n);
+    i += std::max<std::size_t>(n, 1);
+  }
   return out;
 }
 
@@ -94,7 +113,7 @@ std::string markdown_cell(const std::string& text) {
 // GitHub's workflow commands: percent, line ends, and in properties comma and colon are escaped.
 std::string github_escape(const std::string& text, bool property) {
   std::string out;
-  for (char c : text) {
+  for (char c : text) {  // line ends are escaped, not lost
     if (c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','))) out += fmt::format("%{:02X}", static_cast<unsigned char>(c));
     else out += c;
   }

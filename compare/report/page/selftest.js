@@ -1,6 +1,6 @@
 // Appended to a report by its test: uses the page as a reader would and writes what it saw into the document, one line a check.
 (async () => {
-  const out = document.createElement('pre'); out.id = 'selftest'; document.body.append(out);
+  const out = document.createElement('pre'); out.id = 'selftest'; out.hidden = true; document.body.append(out);
   const $ = id => document.getElementById(id), wait = ms => new Promise(done => setTimeout(done, ms));
   const check = (name, ok, seen) => { out.textContent += `${ok ? 'PASS' : 'FAIL'} ${name} [${seen}]\n`; };
   const key = (k, target = document.body) => target.dispatchEvent(new KeyboardEvent('keydown', { key: k, bubbles: true, cancelable: true }));

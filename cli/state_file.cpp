@@ -165,6 +165,9 @@ void StateFile::remove() {
 void StateFile::fail(const std::string& what) {
   failure_ = fmt::format("{} the state file '{}': {}; the render cannot be continued if it is broken off", what, path_.string(), std::strerror(errno));
   failed_ = true;
+  // On a full disk the picture may need the room.
+  std::error_code ignored;
+  if (file_ >= 0 && std::filesystem::is_regular_file(path_, ignored)) ::unlink(path_.c_str());
 }
 
 std::string StateFile::failure() const {

@@ -1,0 +1,366 @@
+// The program as a process: exit statuses (P21), bad input, interrupted renders, what is left on the disk.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "tracer/image/output.h"
+
+namespace verisim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+
+constexpr const char* kQuickScene =
+    "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
+    "light_source { <3,4,-9> rgb 1 } sphere { 0, 1 pigment { rgb <1,.5,.2> } }\n";
+// Some seconds of work at 160x120 +A0.0 +R5.
+constexpr const char* kSlowScene =
+    "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
+    "light_source { <3,4,-9> rgb 1 area_light x*3, y*3, 12, 12 } sphere { 0, 1 pigment { rgb .5 } } plane { y,-1 pigment { checker rgb 1 rgb .2 } }\n";
+
+struct Ended {
+  int status = -1;    // exit status
+  int signal = 0;     // or the signal that ended it
+  std::string output, errors;
+};
+
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+class Process : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / ("verisim_process_" + std::to_string(::getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "home");
+    file("scene.pov", kQuickScene);
+    file("slow.pov", kSlowScene);
+    file("bad.pov", "sphere { 0, 1 pigment { rgbx 1 } }\n");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void file(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
+  bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
+
+  // Starts the program in the test's folder, with a home of its own and no configuration.
+  pid_t start(const std::vector<std::string>& arguments, const std::string& called = "verisim") const {
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    if (::chdir(folder_.c_str()) != 0) ::_exit(127);
+    ::setenv("HOME", (folder_ / "home").c_str(), 1);
+    ::setenv("POVINI", "empty.ini", 1);
+    std::ofstream(folder_ / "empty.ini") << "; nothing\n";
+    const int out = ::open("stdout.txt", O_WRONLY | O_CREAT | O_TRUNC, 0666), err = ::open("stderr.txt", O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    ::dup2(out, 1);
+    ::dup2(err, 2);
+    std::vector<char*> argv{const_cast<char*>(called.c_str())};
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    ::execv(VERISIM_BINARY_DIR "/bin/verisim", argv.data());
+    ::_exit(127);
+  }
+  Ended wait(pid_t child) const {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    Ended ended;
+    if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
+    if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
+    ended.output = text_of(folder_ / "stdout.txt");
+    ended.errors = text_of(folder_ / "stderr.txt");
+    return ended;
+  }
+  Ended run(const std::vector<std::string>& arguments, const std::string& called = "verisim") const { return wait(start(arguments, called)); }
+
+  // Files that should not be there after a run: temporary names.
+  std::vector<std::string> leftovers(const fs::path& where) const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(where)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with(".verisim") || name.find(".tmp") != std::string::npos || name.find(".part") != std::string::npos) names.push_back(name);
+    }
+    return names;
+  }
+  fs::path folder_;
+};
+
+TEST_F(Process, StatusesOfPovRayCalls) {
+  EXPECT_EQ(run({"+Iscene.pov", "+W16", "+H12", "-D"}).status, 0);
+  EXPECT_TRUE(exists("scene.png"));
+  EXPECT_EQ(run({"+Ibad.pov", "-D"}).status, 1);
+  EXPECT_EQ(run({"+Imissing.pov", "-D"}).status, 1);
+  EXPECT_EQ(run({"+Iscene.pov", "+ZZ"}).status, 1);
+  EXPECT_EQ(run({"+W10"}).status, 1);
+  EXPECT_EQ(run({"+Iscene.pov", "+Onowhere/out.png", "+W8", "+H8"}).status, 1);
+  EXPECT_EQ(run({"+Iscene.pov", "+W8", "+H8", "+EC0"}).status, 1);
+  EXPECT_EQ(run({"+Iscene.pov", "+W8", "+H8", "+SC6", "+EC3"}).status, 0);
+  EXPECT_EQ(run({"scene.pov", "Width=8", "Height=8"}, "povray").status, 0);
+}
+
+TEST_F(Process, NoThreadsMakeABlackPicture) {
+  ASSERT_EQ(run({"+Iscene.pov", "+W16", "+H12", "+WT0", "-D"}).status, 0);
+  const image::Picture picture = image::read_picture(folder_ / "scene.png");
+  for (const float sample : picture.samples) ASSERT_EQ(sample, 0);
+}
+
+TEST_F(Process, StatusesOfSubcommands) {
+  EXPECT_EQ(run({"render", "scene.pov", "+W16", "+H12"}).status, 0);
+  EXPECT_EQ(run({"render", "bad.pov"}).status, 3);
+  EXPECT_EQ(run({"check", "scene.pov"}).status, 0);
+  EXPECT_EQ(run({"check", "bad.pov"}).status, 3);
+  EXPECT_EQ(run({"check", "missing.pov"}).status, 5);
+  EXPECT_EQ(run({"render", "missing.pov"}).status, 5);
+  EXPECT_EQ(run({"render", "scene.pov", "+Onowhere/out.png"}).status, 5);
+  EXPECT_EQ(run({"render", "scene.pov", "--unknown"}).status, 2);
+}
+
+TEST_F(Process, DiagnosticsShowPlaceAndCaret) {
+  const Ended ended = run({"check", "bad.pov"});
+  EXPECT_NE(ended.errors.find("bad.pov:1:25"), std::string::npos) << ended.errors;
+  EXPECT_NE(ended.errors.find("^"), std::string::npos);
+  EXPECT_NE(run({"+Ibad.pov", "-D"}).errors.find("File 'bad.pov' line 1: Parse Error: "), std::string::npos);
+  const Ended json = run({"check", "bad.pov", "--json"});
+  EXPECT_NE(json.output.find("\"severity\": \"error\""), std::string::npos) << json.output;
+}
+
+TEST_F(Process, BadScenesEndWithAnErrorAndNoPicture) {
+  file("include.pov", "#include \"nowhere.inc\"\n");
+  file("string.pov", "#declare A = \"never closed\n");
+  file("comment.pov", "/* never closed\n");
+  file("block.pov", "sphere { 0, 1 pigment { rgb 1 }\n");
+  file("deep.pov", "#declare A = " + std::string(10000, '(') + "1" + std::string(10000, ')') + ";\n");
+  file("nested.pov", "#macro M(N) M(N + 1) #end M(0)\n");
+  file("bytes.pov", "\xff\xfe\x80\x01 sphere");
+  for (const char* name : {"include.pov", "string.pov", "comment.pov", "block.pov", "deep.pov", "nested.pov", "bytes.pov"}) {
+    const Ended ended = run({"render", name, "+W8", "+H8", "+Oout.png"});
+    EXPECT_EQ(ended.status, 3) << name << ": " << ended.errors << " signal " << ended.signal;
+    EXPECT_FALSE(exists("out.png")) << name;
+    EXPECT_NE(ended.errors.find(name), std::string::npos) << name << ": " << ended.errors;
+  }
+}
+
+TEST_F(Process, EndlessScenesEndAtTheirLimit) {
+  file("endless.pov", "#while (1) #end\n");
+  const Ended time = run({"render", "endless.pov", "--max-seconds", "0.5"});
+  EXPECT_NE(time.status, 0);
+  EXPECT_EQ(time.signal, 0);
+  EXPECT_EQ(run({"render", "endless.pov", "--max-steps", "100000"}).status, 3);
+  const pid_t child = start({"render", "endless.pov"});
+  std::this_thread::sleep_for(milliseconds(300));
+  ::kill(child, SIGINT);
+  EXPECT_EQ(wait(child).status, 130);
+}
+
+TEST_F(Process, AFolderIsNoScene) {
+  fs::create_directories(folder_ / "folder.pov");
+  EXPECT_EQ(run({"render", "folder.pov"}).status, 5);
+  EXPECT_EQ(run({"+Ifolder.pov", "-D"}).status, 1);
+}
+
+TEST_F(Process, HugePicturesAreRefused) {
+  EXPECT_EQ(run({"render", "scene.pov", "+W100000", "+H100000"}).status, 2);
+  EXPECT_EQ(run({"+Iscene.pov", "+W2000000000", "+H2000000000"}).status, 1);
+}
+
+TEST_F(Process, AFullDiskIsAnErrorAndLeavesNothing) {
+  // A tiny file system; without the right to mount one, a limit of the size of files does it.
+  const fs::path disk = folder_ / "disk";
+  fs::create_directories(disk);
+  if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=16k") != 0) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      const rlimit limit{4096, 4096};
+      ::setrlimit(RLIMIT_FSIZE, &limit);
+      ::signal(SIGXFSZ, SIG_IGN);
+      if (::chdir(folder_.c_str()) != 0) ::_exit(127);
+      ::execl(VERISIM_BINARY_DIR "/bin/verisim", "verisim", "render", "slow.pov", "+W300", "+H200", "+Odisk/out.png", nullptr);
+      ::_exit(127);
+    }
+    EXPECT_EQ(wait(child).status, 5);
+    EXPECT_TRUE(fs::is_empty(disk));
+    return;
+  }
+  const Ended ended = run({"render", "slow.pov", "+W300", "+H200", "+FP", "+Odisk/out.ppm"});
+  const bool empty = fs::is_empty(disk);
+  ::umount(disk.c_str());
+  EXPECT_EQ(ended.status, 5) << ended.errors;
+  EXPECT_NE(ended.errors.find("out.ppm"), std::string::npos) << ended.errors;
+  EXPECT_TRUE(empty);
+}
+
+TEST_F(Process, AReadOnlyFolderIsAnError) {
+  const fs::path locked = folder_ / "locked";
+  fs::create_directories(locked);
+  if (::geteuid() == 0) {
+    if (::mount("tmpfs", locked.c_str(), "tmpfs", MS_RDONLY, "size=16k") != 0) GTEST_SKIP() << "cannot make a folder that root cannot write to";
+  } else {
+    fs::permissions(locked, fs::perms::owner_read | fs::perms::owner_exec);
+  }
+  const Ended ended = run({"render", "scene.pov", "+W8", "+H8", "+Olocked/out.png"});
+  if (::geteuid() == 0) ::umount(locked.c_str());
+  EXPECT_EQ(ended.status, 5) << ended.errors;
+  EXPECT_NE(ended.errors.find("locked/out.png"), std::string::npos) << ended.errors;
+}
+
+TEST_F(Process, PicturesGoToStandardOutput) {
+  ASSERT_EQ(run({"+Iscene.pov", "+W16", "+H12", "+O-", "-D"}).status, 0);
+  const std::string png = text_of(folder_ / "stdout.txt");
+  EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
+  EXPECT_EQ(run({"+Iscene.pov", "+W16", "+H12", "+O-", "+FJ", "-D"}).status, 1);
+}
+
+TEST_F(Process, TypesFollowTheNameInRenderAndTheSwitchInPovRayCalls) {
+  EXPECT_EQ(run({"render", "scene.pov", "+W16", "+H12", "+Oout.exr"}).status, 0);
+  EXPECT_TRUE(exists("out.exr"));
+  EXPECT_EQ(run({"render", "scene.pov", "+W16", "+H12", "--output", "a.ppm"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "a.ppm").substr(0, 2), "P6");
+  EXPECT_EQ(run({"+Iscene.pov", "+W16", "+H12", "+Oout.tga"}).status, 0);
+  EXPECT_TRUE(exists("out.tga.png"));
+  EXPECT_EQ(run({"render", "scene.pov", "--output", "a.xyz"}).status, 2);
+}
+
+TEST_F(Process, AnInterruptKeepsWhatWasRenderedAndContinues) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const pid_t child = start({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Opart", "-D"});
+    std::this_thread::sleep_for(milliseconds(900));
+    ::kill(child, signal);
+    const Ended ended = wait(child);
+    ASSERT_EQ(ended.status, 2) << ended.errors;
+    EXPECT_TRUE(exists("part.png"));
+    EXPECT_TRUE(exists("part.pov-state"));
+  }
+  ASSERT_EQ(run({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Opart", "-D", "+C"}).status, 0);
+  EXPECT_FALSE(exists("part.pov-state"));
+  ASSERT_EQ(run({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Owhole", "-D"}).status, 0);
+  EXPECT_EQ(image::read_picture(folder_ / "part.png").samples, image::read_picture(folder_ / "whole.png").samples);
+  // The picture is there: nothing is rendered again.
+  const auto before = fs::last_write_time(folder_ / "part.png");
+  const Ended again = run({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Opart", "-D", "+C"});
+  EXPECT_EQ(again.status, 0);
+  EXPECT_NE(again.errors.find("File already rendered and continue requested; skipping."), std::string::npos);
+  EXPECT_EQ(fs::last_write_time(folder_ / "part.png"), before);
+}
+
+TEST_F(Process, KilledAtAnyTimeItContinuesToTheIdenticalPicture) {
+  const std::vector<std::string> call{"+Islow.pov", "+W160", "+H120", "+A0.0", "+R4", "+BS16", "-D", "+C"};
+  auto with = [&](const std::string& output) {
+    std::vector<std::string> words = call;
+    words.push_back("+O" + output);
+    return words;
+  };
+  ASSERT_EQ(run(with("whole")).status, 0);
+  std::mt19937 random(1);
+  int kills = 0;
+  for (int i = 0; i < 20; ++i) {
+    const pid_t child = start(with("part"));
+    std::this_thread::sleep_for(milliseconds(std::uniform_int_distribution<int>(5, 900)(random)));
+    ::kill(child, SIGKILL);
+    const Ended ended = wait(child);
+    if (ended.signal == SIGKILL) ++kills;
+    else break;  // it was done before
+    EXPECT_FALSE(exists("part.png"));
+  }
+  EXPECT_GT(kills, 0);
+  ASSERT_EQ(run(with("part")).status, 0);
+  EXPECT_EQ(image::read_picture(folder_ / "part.png").samples, image::read_picture(folder_ / "whole.png").samples);
+  EXPECT_FALSE(exists("part.pov-state"));
+  EXPECT_TRUE(leftovers(folder_).empty());
+}
+
+TEST_F(Process, AChangedSceneIsNotContinued) {
+  const pid_t child = start({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Opart", "-D"});
+  std::this_thread::sleep_for(milliseconds(900));
+  ::kill(child, SIGKILL);
+  wait(child);
+  ASSERT_TRUE(exists("part.pov-state"));
+  file("slow.pov", kQuickScene);
+  const Ended ended = run({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Opart", "-D", "+C"});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_NE(ended.errors.find("belongs to another scene"), std::string::npos) << ended.errors;
+  ASSERT_EQ(run({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Owhole", "-D"}).status, 0);
+  EXPECT_EQ(image::read_picture(folder_ / "part.png").samples, image::read_picture(folder_ / "whole.png").samples);
+}
+
+TEST_F(Process, ThreadsDoNotChangeThePicture) {
+  std::vector<float> first;
+  for (const char* threads : {"+WT1", "+WT2", "+WT3", "+WT8"}) {
+    ASSERT_EQ(run({"+Islow.pov", "+W80", "+H60", "+A0.1", "+Oout", "-D", threads}).status, 0);
+    const std::vector<float> samples = image::read_picture(folder_ / "out.png").samples;
+    if (first.empty()) first = samples;
+    EXPECT_EQ(samples, first) << threads;
+  }
+}
+
+TEST_F(Process, AnimationsRenderEveryFrame) {
+  file("move.pov", std::string(kQuickScene) + "sphere { clock*x, .5 pigment { rgb frame_number/final_frame } }\n#debug concat(\"clock \", str(clock,0,6), \"\\n\")\n");
+  const Ended ended = run({"+Imove.pov", "+W16", "+H12", "+KFF3", "-D", "--stats", "stats.json"});
+  ASSERT_EQ(ended.status, 0) << ended.errors;
+  for (const char* name : {"move1.png", "move2.png", "move3.png"}) EXPECT_TRUE(exists(name)) << name;
+  EXPECT_NE(ended.errors.find("clock 0.500000"), std::string::npos) << ended.errors;
+  EXPECT_NE(text_of(folder_ / "stats.json").find("move2.png"), std::string::npos);
+}
+
+TEST_F(Process, ShellCommandsNeedPermission) {
+  file("shell.ini", "Input_File_Name=scene.pov\nWidth=8\nHeight=8\nPost_Frame_Command=touch done_%n_%w_%s\n");
+  EXPECT_EQ(run({"shell.ini", "-D"}).status, 0);
+  EXPECT_FALSE(exists("done_0_8_scene.pov"));
+  EXPECT_EQ(run({"shell.ini", "-D", "--allow-shell"}).status, 0);
+  EXPECT_TRUE(exists("done_0_8_scene.pov"));
+}
+
+TEST_F(Process, ReturnRulesOfCommandsAlwaysFire) {
+  struct Case {
+    const char* rule;
+    int status;
+    bool picture;
+  };
+  for (const Case& test : {Case{"Pre_Frame_Return=I", 0, true}, Case{"Pre_Frame_Return=S", 0, false}, Case{"Pre_Frame_Return=!S", 0, true}, Case{"Pre_Frame_Return=Q", 0, false},
+                           Case{"Pre_Frame_Return=U", 1, false}, Case{"Pre_Frame_Return=F", 1, false}, Case{"Pre_Frame_Return=-F", 0, true}}) {
+    fs::remove(folder_ / "scene.png");
+    file("shell.ini", std::string("Input_File_Name=scene.pov\nWidth=8\nHeight=8\nPre_Frame_Command=true\n") + test.rule + "\n");
+    EXPECT_EQ(run({"shell.ini", "-D"}).status, test.status) << test.rule;
+    EXPECT_EQ(exists("scene.png"), test.picture) << test.rule;
+  }
+}
+
+TEST_F(Process, TextStreamsGoToTheirFiles) {
+  file("talk.pov", std::string(kQuickScene) + "#debug \"hello debug\\n\" #warning \"hello warning\"\n");
+  ASSERT_EQ(run({"+Italk.pov", "+W8", "+H8", "-D", "+GDd.txt", "-GA"}).status, 0);
+  EXPECT_NE(text_of(folder_ / "d.txt").find("hello debug"), std::string::npos);
+  const Ended quiet = run({"+Italk.pov", "+W8", "+H8", "-D", "-GW"});
+  EXPECT_EQ(quiet.errors.find("hello warning"), std::string::npos);
+  EXPECT_NE(quiet.errors.find("hello debug"), std::string::npos);
+  EXPECT_NE(run({"+Italk.pov", "+W8", "+H8", "-D"}).errors.find("hello warning"), std::string::npos);
+}
+
+TEST_F(Process, TheScenesFolderIsSearchedAfterPovRaysPlaces) {
+  fs::create_directories(folder_ / "sub");
+  file("sub/part.inc", "#declare Size = 1;\n");
+  file("sub/scene.pov", std::string("#include \"part.inc\"\n") + kQuickScene);
+  EXPECT_EQ(run({"+Isub/scene.pov", "+W8", "+H8", "-D"}).status, 0);
+  EXPECT_TRUE(exists("sub/scene.png"));
+}
+
+TEST_F(Process, CreatedIniGivesTheSamePicture) {
+  ASSERT_EQ(run({"+Iscene.pov", "+W20", "+H10", "+A0.1", "+Oone", "+GIall.ini", "-D"}).status, 0);
+  ASSERT_EQ(run({"all.ini", "+Otwo"}).status, 0);
+  EXPECT_EQ(image::read_picture(folder_ / "one.png").samples, image::read_picture(folder_ / "two.png").samples);
+}
+
+}  // namespace
+}  // namespace verisim::cli

@@ -39,11 +39,12 @@ int command_compare(const std::vector<std::string>& arguments) {
   OwnOptions own("compare", "Renders scenes with verisim and POV-Ray and compares every pixel: verisim compare SCENE|FOLDER|MANIFEST... [switches]. Switches in POV-Ray's style (+W320 +A0.3) go to both.");
   compare::RunOptions run;
   compare::Filter filter;
-  std::string json, junit, markdown, oracle, oracle_cache, work, baseline, previous, native;
+  std::string json, junit, html, markdown, oracle, oracle_cache, work, baseline, previous, native;
   bool github = false, no_cache = false, failed_only = false, quiet = false, color = false, update = false;
   std::uint64_t seed = 0;
   own.value("--json", json, "Write the report as JSON to this file");
   own.value("--junit", junit, "Write the report as JUnit XML to this file");
+  own.value("--html", html, "Write the report as one HTML page to this file");
   own.value("--markdown", markdown, "Write the report as Markdown to this file");
   own.flag("--github", github, "Print annotations for GitHub Actions");
   own.values("--name", filter.names, "Only scenes whose name matches this pattern or contains it (may be given again)");
@@ -101,6 +102,7 @@ int command_compare(const std::vector<std::string>& arguments) {
     if (github) std::fputs(compare::github_annotations(result).c_str(), stdout);
     if (!json.empty()) compare::write_report(compare::json_report(result), json);
     if (!junit.empty()) compare::write_report(compare::junit_report(result), junit);
+    if (!html.empty()) compare::write_report(compare::html_report(result), html);
     if (!markdown.empty()) compare::write_report(compare::markdown_report(result), markdown);
     if (result.cancelled) return kInterrupted;
     if (update)

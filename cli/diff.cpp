@@ -14,12 +14,13 @@ namespace verisim::cli {
 
 int command_diff(const std::vector<std::string>& arguments) {
   OwnOptions own("diff", "Compares two pictures: verisim diff REFERENCE PICTURE. Exit status 0 when they match, 1 when they do not.");
-  std::string json, heat_map;
+  std::string json, html, heat_map;
   std::vector<std::string> thresholds;
   compare::MetricOptions metric;
   double gain = 16;
   bool color = false, antialiased = false;
   own.value("--json", json, "Write the figures as JSON to this file (- for standard output)");
+  own.value("--html", html, "Write a page with both pictures and their difference to this file");
   own.value("--heat-map", heat_map, "Write the difference as a picture (PNG) to this file");
   own.value("--gain", gain, "Factor for the differences of the heat map");
   own.values("--threshold", thresholds, "In place of the usual rules: max_rmse=1.5, min_within_1_pct=99 ... (may be given again)");
@@ -58,6 +59,7 @@ int command_diff(const std::vector<std::string>& arguments) {
   }
   if (json_to_stdout) std::printf("%s\n", compare::metrics_json(metrics).c_str());
   else if (!json.empty()) compare::write_report(compare::metrics_json(metrics), json);
+  if (!html.empty()) compare::write_report(compare::html_report(compare::run_of_pair(words[0], words[1], metric)), html);
   if (!heat_map.empty()) compare::write_heat_map(reference, test, heat_map, gain);
   return verdict.status == compare::Status::exact || verdict.status == compare::Status::match ? kOk : kDifferent;
 }

@@ -20,7 +20,7 @@ background {{ rgb <0.1, 0.15, 0.25> }}
 }}
 sphere {{ <-1.05, 0, 0>, 0.95 texture {{ Sample }} }}
 box {{ -0.72, 0.72 rotate <0, 35, 0> translate <1.05, -0.1, 0.1> texture {{ Sample }} }}
-plane {{ y, -1 texture {{ Sample }} }}
+plane {{ y, -1.037 texture {{ Sample }} }}
 """
 
 MAP = "color_map { [0 rgb <0.1, 0.1, 0.35>] [0.35 rgb <0.9, 0.8, 0.3>] [0.7 rgb <0.75, 0.15, 0.1>] [1 rgb <0.95, 0.95, 0.9>] }"

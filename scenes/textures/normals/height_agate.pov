@@ -11,4 +11,4 @@ background { rgb <0.1, 0.15, 0.25> }
 }
 sphere { <-1.05, 0, 0>, 0.95 texture { Sample } }
 box { -0.72, 0.72 rotate <0, 35, 0> translate <1.05, -0.1, 0.1> texture { Sample } }
-plane { y, -1 texture { Sample } }
+plane { y, -1.037 texture { Sample } }

@@ -37,8 +37,7 @@ const Token& Parser::Impl::fetch() {
   }
 }
 
-const Token& Parser::Impl::peek_blocked() {
-  if (ready) return *position;
+const Token& Parser::Impl::fetch_blocked() {
   for (;;) {
     const Token& token = *position;
     if (token.kind == TokenKind::error) lex_error(token);
@@ -57,14 +56,6 @@ Token Parser::Impl::take_raw() {
   if (token.kind != TokenKind::end) skip_token();
   return token;
 }
-
-bool Parser::Impl::accept_operator(char punctuation) {
-  if (peek_operator().punctuation != punctuation) return false;
-  skip_token();
-  return true;
-}
-
-void Parser::Impl::comma_operator() { accept_operator(','); }
 
 void Parser::Impl::expect_operator(char punctuation) {
   if (!accept_operator(punctuation)) expected(std::string_view(&punctuation, 1));

@@ -1,6 +1,8 @@
 // #declare, #local, #undef and the values on their right-hand sides (spec 01 sections 5 to 7).
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "parser/language/impl.h"
 #include "parser/scene/blocks.h"
 
@@ -252,14 +254,15 @@ void Parser::Impl::assign(Target& target, Value&& value) {
     array.type = type_key(value);
     if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&value)) array.nesting = std::max(array.nesting, (*inner)->nesting + 1);
   }
-  // The old value dies after the new one is in place: it may own what the new one was made from.
   Value& place = target.value();
-  if (value.index() == place.index()) {
-    std::swap(place, value);
-  } else {
-    Value old = std::move(place);
-    place = std::move(value);
+  if (auto* from = std::get_if<Numeric>(&value)) {
+    if (auto* to = std::get_if<Numeric>(&place)) {
+      *to = *from;
+      return;
+    }
   }
+  // The old value dies after the new one is in place: it may own what the new one was made from.
+  const Value old = std::exchange(place, std::move(value));
 }
 
 void Parser::Impl::undef() {

@@ -113,6 +113,7 @@ void Parser::Impl::skip_to_end(const TokenFile* in, std::uint32_t link) {
 }
 
 bool Parser::Impl::condition_value() {
+  if (double value; condition_fast(value)) return std::fabs(value) > kEps;
   const Live operators(*this, true);
   if (!accept_operator('(')) expected("(");
   Numeric value;

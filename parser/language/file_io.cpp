@@ -87,7 +87,7 @@ void Parser::Impl::fclose() {
 
 // One datum: a signed number, a vector of such, or a string. False: the end of the file.
 bool Parser::Impl::read_value(FileHandle& handle, Value& value) {
-  const std::vector<Token>& tokens = handle.input->tokens;
+  const Tokens& tokens = handle.input->tokens;
   const auto at = [&]() -> const Token& { return tokens[handle.position]; };
   const auto fail = [&](const std::string& what) {
     const Position where = handle.input->source->position(at().offset);

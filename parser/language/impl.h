@@ -54,9 +54,20 @@ struct Parser::Impl {
   ~Impl();
 
   // ---- cursor.cpp ----
-  const Token& peek() { return ready ? *position : fetch(); }
+  const Token& peek() {
+    if (!ready) {
+      if (!is_plain(*position)) return fetch();
+      ready = true;
+    }
+    return *position;
+  }
+  const Token& peek_blocked() { return ready || is_plain(*position) ? *position : fetch_blocked(); }
+  // Nothing has to be done before such a token can be used.
+  static bool is_plain(const Token& token) {
+    return token.kind == TokenKind::punctuation || token.kind == TokenKind::number || token.kind == TokenKind::word || token.kind == TokenKind::string;
+  }
   const Token& fetch();
-  const Token& peek_blocked();
+  const Token& fetch_blocked();
   // Where an operator, a comma or a terminator is expected: blocked at the top level of a right-hand side (spec 01 section 4, B2 and B3).
   const Token& peek_operator() { return blocked ? peek_blocked() : peek(); }
   void skip_token() {
@@ -64,8 +75,12 @@ struct Parser::Impl {
     ++position;
   }
   Token take_raw();  // the next token as written, consumed
-  bool accept_operator(char punctuation);
-  void comma_operator();  // consumes an optional comma at an operator position
+  bool accept_operator(char punctuation) {
+    if (peek_operator().punctuation != punctuation) return false;
+    skip_token();
+    return true;
+  }
+  void comma_operator() { accept_operator(','); }  // consumes an optional comma at an operator position
   void expect_operator(char punctuation);
   std::uint32_t index(const Token* token) const { return static_cast<std::uint32_t>(token - file->tokens.data()); }
   void go_to(const TokenFile* target, std::uint32_t token);
@@ -157,6 +172,7 @@ struct Parser::Impl {
   void fit(Numeric& value, int width);
   double divide(double a, double b);
   bool scalar_fast(double& out);        // additive scalar without side effects; false: nothing consumed
+  bool condition_fast(double& out);     // the same for a condition with its parentheses
   bool literal_vector(Vec3& out);       // <number, number, number>; false: nothing consumed
 
   // ---- float_functions.cpp, vector_functions.cpp ----

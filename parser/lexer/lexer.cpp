@@ -2,12 +2,15 @@
 // and comments nest without limit, which a recursive rule would turn into stack.
 #include "parser/lexer/lexer.h"
 
+#include <sys/mman.h>
+
 #include <array>
 #include <boost/spirit/home/x3.hpp>
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <new>
 
 namespace verisim::parser {
 namespace {
@@ -46,7 +49,7 @@ bool is_directive(Word word) {
 
 // Writes tokens; shared by all parsers of the grammar.
 struct Sink {
-  std::vector<Token>& tokens;
+  Tokens& tokens;
   Names& names;
   const char* begin;
   std::size_t max_tokens;
@@ -285,7 +288,7 @@ bool alternative(Word word) { return word == Word::else_ || word == Word::elseif
 
 // Links each opener and alternative to the next alternative or #end of the same construct, so that skipping is a jump. What has no partner in this file
 // keeps 0 and is found by scanning. Loops and macros have no alternatives: one inside them at their own level means nothing to a skip.
-void link_directives(std::vector<Token>& tokens) {
+void link_directives(Tokens& tokens) {
   struct Open {
     std::uint32_t last;  // the token that waits for its link
     bool branches;
@@ -312,6 +315,19 @@ void link_directives(std::vector<Token>& tokens) {
 }
 
 }  // namespace
+
+void* allocate_huge(std::size_t bytes) {
+  constexpr std::size_t kHugePage = 2u << 20;
+  void* p;
+  if (bytes < 2 * kHugePage) {
+    p = std::malloc(bytes);
+  } else {
+    p = std::aligned_alloc(kHugePage, (bytes + kHugePage - 1) / kHugePage * kHugePage);
+    if (p) ::madvise(p, bytes, MADV_HUGEPAGE);  // a hint: failure means ordinary pages
+  }
+  if (!p) throw std::bad_alloc();
+  return p;
+}
 
 const char* describe(LexError error) {
   switch (error) {

@@ -1,6 +1,7 @@
 // Turns a file into tokens, once (spec 01 section 1). Loops, macros and repeated includes replay ranges of the token array.
 #pragma once
 
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,9 +18,24 @@ enum class LexError : std::uint32_t {
 };
 const char* describe(LexError error);
 
+void* allocate_huge(std::size_t bytes);  // from malloc's family; throws std::bad_alloc
+
+// Large arrays of tokens lie in huge pages where the system has them: page faults are a good part of the time a large file takes.
+template <class T>
+struct HugePageAllocator {
+  using value_type = T;
+  HugePageAllocator() = default;
+  template <class U>
+  HugePageAllocator(const HugePageAllocator<U>&) {}
+  T* allocate(std::size_t count) { return static_cast<T*>(allocate_huge(count * sizeof(T))); }
+  void deallocate(T* p, std::size_t) { std::free(p); }
+  friend bool operator==(const HugePageAllocator&, const HugePageAllocator&) { return true; }
+};
+using Tokens = std::vector<Token, HugePageAllocator<Token>>;
+
 struct TokenFile : std::enable_shared_from_this<TokenFile> {
   std::shared_ptr<const Source> source;
-  std::vector<Token> tokens;  // the last one has kind end or error
+  Tokens tokens;  // the last one has kind end or error
   bool starts_with_high_bytes = false;
 
   // The bytes between the quotes of a string token, escapes untouched.

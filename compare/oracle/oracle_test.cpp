@@ -117,10 +117,8 @@ TEST(WorkingCopy, CopiesTheFolderAndLinksItsNeighbours) {
   fs::create_directories(root.path() / "a/include");
   for (const char* f : {"a/scenes/s.pov", "a/scenes/maps/m.png", "a/include/x.inc"}) std::ofstream(root.path() / f) << f;
   fs::create_directory_symlink("..", root.path() / "a/scenes/loop");
-  fs::path left;
   {
     const WorkingCopy copy(root.path() / "a/scenes/s.pov");
-    left = copy.folder();
     EXPECT_EQ(read(copy.scene()), "a/scenes/s.pov");
     EXPECT_EQ(read(copy.folder() / "maps/m.png"), "a/scenes/maps/m.png");
     EXPECT_EQ(read(copy.folder() / "../include/x.inc"), "a/include/x.inc");
@@ -128,9 +126,49 @@ TEST(WorkingCopy, CopiesTheFolderAndLinksItsNeighbours) {
     std::ofstream(copy.scene()) << "overwritten";
     std::ofstream(copy.folder() / "new.txt") << "written";
   }
-  EXPECT_FALSE(fs::exists(left));
   EXPECT_EQ(read(root.path() / "a/scenes/s.pov"), "a/scenes/s.pov");
   EXPECT_FALSE(fs::exists(root.path() / "a/scenes/new.txt"));
+  // The next scene of the folder finds it as the original is, now.
+  std::ofstream(root.path() / "a/scenes/maps/m.png") << "newer";
+  fs::remove(root.path() / "a/scenes/loop");
+  const WorkingCopy next(root.path() / "a/scenes/s.pov");
+  EXPECT_EQ(read(next.scene()), "a/scenes/s.pov");
+  EXPECT_EQ(read(next.folder() / "maps/m.png"), "newer");
+  EXPECT_FALSE(fs::exists(next.folder() / "new.txt"));
+  EXPECT_FALSE(fs::exists(fs::symlink_status(next.folder() / "loop")));
+  // Two at a time are two.
+  const WorkingCopy other(root.path() / "a/scenes/s.pov");
+  EXPECT_NE(other.folder(), next.folder());
+}
+
+// Old files are not copied again; what a scene did to them shows all the same.
+TEST(WorkingCopy, IsUsedAgain) {
+  const TemporaryFolder root;
+  const fs::path scene = root.path() / "s.pov", other = root.path() / "other.inc";
+  for (const fs::path& f : {scene, other}) {
+    std::ofstream(f) << "original";
+    fs::last_write_time(f, fs::last_write_time(f) - std::chrono::hours(1));
+  }
+  fs::path first;
+  {
+    const WorkingCopy copy(scene);
+    first = copy.folder();
+  }
+  fs::file_time_type made;
+  {
+    const WorkingCopy copy(scene);
+    EXPECT_EQ(copy.folder(), first);
+    made = fs::last_write_time(copy.folder() / "other.inc");
+    std::ofstream(copy.scene()) << "changed!";  // of the same size
+    fs::remove(copy.folder() / "other.inc");
+    fs::create_directory(copy.folder() / "other.inc");
+    std::ofstream(copy.home() / "left") << "x";
+  }
+  EXPECT_EQ(made, fs::last_write_time(other));
+  const WorkingCopy copy(scene);
+  EXPECT_EQ(read(copy.scene()), "original");
+  EXPECT_EQ(read(copy.folder() / "other.inc"), "original");
+  EXPECT_TRUE(fs::is_empty(copy.home()));
 }
 
 // A script that answers --version, and otherwise does `body` with $out being the picture's name; it logs its arguments and environment.

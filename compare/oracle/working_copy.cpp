@@ -1,7 +1,12 @@
 #include "compare/oracle/working_copy.h"
 
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <set>
 #include <string>
 #include <system_error>
 
@@ -11,40 +16,7 @@ namespace {
 
 constexpr std::uintmax_t kCopyBytes = std::uintmax_t{256} << 20;
 constexpr int kMaxFiles = 20000, kMaxNeighbours = 2000;
-
-class Copier {
- public:
-  void copy_tree(const fs::path& from, const fs::path& to, bool deep) {
-    fs::create_directories(to);
-    for (const fs::directory_entry& entry : fs::directory_iterator(from, fs::directory_options::skip_permission_denied)) {
-      const fs::path name = entry.path().filename();
-      std::error_code failed;
-      if (entry.is_directory(failed)) {
-        // A link to a folder may lead back up: it stays a link.
-        if (entry.is_symlink(failed)) fs::create_directory_symlink(fs::canonical(entry.path(), failed), to / name, failed);
-        else if (deep && !name.string().starts_with(".")) copy_tree(entry.path(), to / name, deep);
-      } else if (entry.is_regular_file(failed)) {
-        copy_one(entry, to / name);
-      }
-    }
-  }
-
- private:
-  void copy_one(const fs::directory_entry& entry, const fs::path& to) {
-    std::error_code failed;
-    const std::uintmax_t size = entry.file_size(failed);
-    if (failed) return;
-    if (copied_ + size <= kCopyBytes) {
-      fs::copy_file(entry.path(), to, failed);  // an unreadable neighbour is not the scene's problem unless the scene asks for it
-      copied_ += size;
-      std::error_code ignored;
-      fs::permissions(to, fs::perms::owner_write, fs::perm_options::add, ignored);
-    } else {
-      fs::create_symlink(fs::absolute(entry.path()), to, failed);
-    }
-  }
-  std::uintmax_t copied_ = 0;
-};
+constexpr std::size_t kMaxWaiting = 64;  // copies kept for the next scene
 
 bool many_files(const fs::path& folder) {
   int count = 0;
@@ -55,15 +27,9 @@ bool many_files(const fs::path& folder) {
   return false;
 }
 
-void link_neighbours(const fs::path& folder, const fs::path& to) {
-  const fs::path parent = folder.parent_path();
-  if (parent == folder || parent == parent.root_path()) return;
-  int count = 0;
-  std::error_code failed;
-  for (auto it = fs::directory_iterator(parent, failed); !failed && it != fs::directory_iterator() && ++count <= kMaxNeighbours; it.increment(failed)) {
-    std::error_code ignored;
-    if (it->path() != folder) fs::create_symlink(it->path(), to / it->path().filename(), ignored);
-  }
+void empty_folder(const fs::path& folder) {
+  fs::create_directories(folder);
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) fs::remove_all(entry.path());
 }
 
 }  // namespace
@@ -79,15 +45,160 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-WorkingCopy::WorkingCopy(const fs::path& scene) : name_(scene.filename()) {
-  const fs::path from = fs::canonical(scene).parent_path();
-  const fs::path base = root_.path() / "scenes";
-  folder_ = base / (from.has_filename() ? from.filename() : fs::path("root"));
-  fs::create_directories(home());
-  fs::create_directories(out());
-  Copier().copy_tree(from, folder_, !many_files(from));
-  if (!fs::exists(folder_ / name_)) fs::copy_file(scene, folder_ / name_);  // the scene itself was reached through a link
-  link_neighbours(from, base);
+class FolderCopy {
+ public:
+  explicit FolderCopy(const fs::path& original) : original_(original) {
+    const fs::path base = root_.path() / "scenes";
+    folder_ = base / (original.has_filename() ? original.filename() : fs::path("root"));
+    fs::create_directories(folder_);
+    link_neighbours(base);
+  }
+
+  // Makes the copy equal to the original; what earlier scenes wrote goes.
+  void synchronise() {
+    empty_folder(home()), empty_folder(out());
+    fs::create_directories(folder_);
+    copied_bytes_ = 0;
+    std::map<fs::path, Stamp> kept;
+    std::swap(kept, made_);
+    synchronise(original_, folder_, !many_files(original_), kept);
+  }
+
+  fs::path home() const { return root_.path() / "home"; }
+  fs::path out() const { return root_.path() / "out"; }
+  const fs::path& folder() const { return folder_; }
+  const fs::path& original() const { return original_; }
+
+ private:
+  // A file as it was copied. The copy gets the original's time, so that anything a scene writes to it shows.
+  struct Stamp {
+    std::uintmax_t size = 0;
+    fs::file_time_type time;
+    bool operator==(const Stamp&) const = default;
+  };
+  static Stamp stamp(const fs::path& path) { return {fs::file_size(path), fs::last_write_time(path)}; }
+
+  void synchronise(const fs::path& from, const fs::path& to, bool deep, const std::map<fs::path, Stamp>& kept) {
+    std::set<fs::path> wanted;
+    for (const fs::directory_entry& entry : fs::directory_iterator(from, fs::directory_options::skip_permission_denied)) {
+      const fs::path name = entry.path().filename(), target = to / name;
+      std::error_code failed;
+      if (entry.is_directory(failed)) {
+        if (entry.is_symlink(failed)) {  // it may lead back up: it stays a link
+          link(fs::canonical(entry.path(), failed), target);
+        } else if (deep && !name.string().starts_with(".")) {
+          if (!fs::is_directory(fs::symlink_status(target))) fs::remove_all(target), fs::create_directory(target);
+          synchronise(entry.path(), target, deep, kept);
+        } else {
+          continue;
+        }
+      } else if (entry.is_regular_file(failed)) {
+        copy(entry, target, kept);
+      } else {
+        continue;
+      }
+      wanted.insert(name);
+    }
+    for (const fs::directory_entry& entry : fs::directory_iterator(to))
+      if (!wanted.contains(entry.path().filename())) fs::remove_all(entry.path());
+  }
+
+  static void link(const fs::path& to, const fs::path& name) {
+    std::error_code failed;
+    if (fs::is_symlink(fs::symlink_status(name)) && fs::read_symlink(name, failed) == to) return;
+    fs::remove_all(name, failed);
+    fs::create_symlink(to, name, failed);
+  }
+
+  void copy(const fs::directory_entry& entry, const fs::path& target, const std::map<fs::path, Stamp>& kept) {
+    std::error_code failed;
+    const std::uintmax_t size = entry.file_size(failed);
+    if (failed) return;
+    if (copied_bytes_ + size > kCopyBytes) return link(fs::absolute(entry.path()), target);
+    copied_bytes_ += size;
+    const Stamp now = stamp(entry.path());
+    // A file written just now may be written once more without a change of its time.
+    const bool settled = fs::file_time_type::clock::now() - now.time > std::chrono::milliseconds(100);
+    const auto it = kept.find(target);
+    if (settled && it != kept.end() && it->second == now && fs::is_regular_file(fs::symlink_status(target)) && stamp(target) == now) {
+      made_[target] = now;
+      return;
+    }
+    fs::remove_all(target, failed);
+    if (!fs::copy_file(entry.path(), target, failed)) return;  // an unreadable neighbour is not the scene's problem unless the scene asks for it
+    fs::permissions(target, fs::perms::owner_write, fs::perm_options::add, failed);
+    fs::last_write_time(target, now.time, failed);
+    if (settled && !failed) made_[target] = now;
+  }
+
+  void link_neighbours(const fs::path& base) const {
+    const fs::path parent = original_.parent_path();
+    if (parent == original_ || parent == parent.root_path()) return;
+    int count = 0;
+    std::error_code failed;
+    for (auto it = fs::directory_iterator(parent, failed); !failed && it != fs::directory_iterator() && ++count <= kMaxNeighbours; it.increment(failed)) {
+      std::error_code ignored;
+      if (it->path() != original_) fs::create_symlink(it->path(), base / it->path().filename(), ignored);
+    }
+  }
+
+  TemporaryFolder root_;
+  fs::path original_, folder_;
+  std::map<fs::path, Stamp> made_;
+  std::uintmax_t copied_bytes_ = 0;
+};
+
+namespace {
+
+class Waiting {
+ public:
+  std::unique_ptr<FolderCopy> take(const fs::path& original) {
+    const std::lock_guard lock(mutex_);
+    for (auto it = copies_.begin(); it != copies_.end(); ++it)
+      if ((*it)->original() == original) {
+        std::unique_ptr<FolderCopy> out = std::move(*it);
+        copies_.erase(it);
+        return out;
+      }
+    return nullptr;
+  }
+  void give(std::unique_ptr<FolderCopy> copy) {
+    std::unique_ptr<FolderCopy> oldest;  // removed from the disk without the lock
+    const std::lock_guard lock(mutex_);
+    copies_.push_back(std::move(copy));
+    if (copies_.size() > kMaxWaiting) oldest = std::move(copies_.front()), copies_.pop_front();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::deque<std::unique_ptr<FolderCopy>> copies_;
+};
+
+Waiting& waiting() {
+  static Waiting instance;
+  return instance;
 }
+
+}  // namespace
+
+WorkingCopy::WorkingCopy(const fs::path& scene) : name_(scene.filename()) {
+  const fs::path original = fs::canonical(scene).parent_path();
+  copy_ = waiting().take(original);
+  if (!copy_) copy_ = std::make_unique<FolderCopy>(original);
+  copy_->synchronise();
+  if (!fs::exists(copy_->folder() / name_)) fs::copy_file(scene, copy_->folder() / name_);  // the scene itself was reached through a link
+}
+
+WorkingCopy::~WorkingCopy() {
+  try {
+    waiting().give(std::move(copy_));
+  } catch (const std::exception&) {
+    // Not kept.
+  }
+}
+
+fs::path WorkingCopy::home() const { return copy_->home(); }
+fs::path WorkingCopy::out() const { return copy_->out(); }
+const fs::path& WorkingCopy::folder() const { return copy_->folder(); }
 
 }  // namespace verisim::compare

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 
 namespace verisim::compare {
 
@@ -19,19 +20,25 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+class FolderCopy;  // working_copy.cpp
+
 // Holds home/ (empty), out/ (empty) and the copy of the scene's folder with its subfolders. Beside the copy stand links to the folder's neighbours, so that
 // "../textures/wood.inc" is found. From 256 MiB on files are linked, not copied; a folder of more than 20,000 files is copied without its subfolders.
+// A copy that is no longer used waits for the next scene of the same folder, and is made equal to the original again before it is used.
 class WorkingCopy {
  public:
   explicit WorkingCopy(const std::filesystem::path& scene);  // throws std::filesystem::filesystem_error
-  std::filesystem::path home() const { return root_.path() / "home"; }
-  std::filesystem::path out() const { return root_.path() / "out"; }
-  const std::filesystem::path& folder() const { return folder_; }
-  std::filesystem::path scene() const { return folder_ / name_; }
+  ~WorkingCopy();
+  WorkingCopy(const WorkingCopy&) = delete;
+  WorkingCopy& operator=(const WorkingCopy&) = delete;
+  std::filesystem::path home() const;
+  std::filesystem::path out() const;
+  const std::filesystem::path& folder() const;
+  std::filesystem::path scene() const { return folder() / name_; }
 
  private:
-  TemporaryFolder root_;
-  std::filesystem::path folder_, name_;
+  std::unique_ptr<FolderCopy> copy_;
+  std::filesystem::path name_;
 };
 
 }  // namespace verisim::compare

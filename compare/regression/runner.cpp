@@ -22,7 +22,7 @@ namespace {
 // "lights/shadow.pov" as a file name that no other scene has.
 std::string file_stem(const std::string& name) {
   std::string out;
-  bool changed = false;
+  bool changed = name.find("__") != std::string::npos;
   for (char c : name) {
     const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.';
     out += plain ? c : '_';

@@ -13,6 +13,7 @@ constexpr int kMaxLights = 256;
 
 struct Interval {
   double start, length;
+  bool lit;  // lights are looked at only in lit pieces
 };
 
 // The result of one sample: source radiance and optical depth, both times the interval's length.
@@ -39,10 +40,9 @@ class Integrator {
       aa_threshold_ = std::min(aa_threshold_, m->description->aa_threshold);
       varies_ |= m->varies;
       has_density_ |= !m->densities.empty();
-      scatters_ |= m->scatters;
       constant_shadow_ &= m->last_density_plain;
     }
-    if (!shadow_ && scatters_) collect_lights();
+    if (!shadow_) collect_lights();
   }
 
   MediaResult run() {
@@ -70,9 +70,9 @@ class Integrator {
     }
   }
 
-  void push(double start, double end, int count) {
+  void push(double start, double end, bool lit, int count) {
     const double step = (end - start) / count;
-    for (int i = 0; i < count && intervals_ < kMaxIntervals; ++i) spans_[intervals_++] = {start + i * step, step};
+    for (int i = 0; i < count && intervals_ < kMaxIntervals; ++i) spans_[intervals_++] = {start + i * step, step, lit};
   }
 
   // Spec 07 4.5: the union of all lit ranges cuts the segment; the pieces share the intervals by `ratio`.
@@ -102,7 +102,7 @@ class Integrator {
     }
     const int wanted = std::min(std::max(control_->intervals, count), kMaxIntervals);
     if (count == 1) {
-      push(0.0, length_, !pieces[0].lit && !has_density_ ? 1 : wanted);
+      push(0.0, length_, pieces[0].lit, !pieces[0].lit && !has_density_ ? 1 : wanted);
       return;
     }
     double total = 0.0;
@@ -111,7 +111,7 @@ class Integrator {
     int remaining = wanted;
     for (int i = 0; i < count; ++i) {
       const int n = std::max(1, std::min(static_cast<int>(weight(pieces[i]) / total * wanted) + 1, remaining - count + i + 1));
-      push(pieces[i].start, pieces[i].end, n);
+      push(pieces[i].start, pieces[i].end, pieces[i].lit, n);
       remaining -= n;
     }
   }
@@ -141,7 +141,8 @@ class Integrator {
     const float s = static_cast<float>(span.length);
     Sample result{Rgb(), extinction * s};
     if (shadow_) return result;
-    result.source = (emission + scattered(p, distance, scattering)) * s;
+    result.source = emission * s;
+    if (span.lit) result.source += scattered(p, distance, scattering) * s;
     if (inner_attenuation) result.source *= exponential(extinction * static_cast<float>(at * span.length));
     return result;
   }
@@ -208,10 +209,12 @@ class Integrator {
     return sum * (1.0f / static_cast<float>(n));
   }
 
+  double jittered(double at, double step) { return control_->jitter != 0.0 ? at + control_->jitter * step * (environment_.random() - 0.5) : at; }
+
+  // d1 .. d3: places on the grid; only where samples are taken is jittered.
   Sample refine(const Interval& span, const Sample& s1, double d1, const Sample& s3, double d3, int level) {
-    double d2 = 0.5 * (d1 + d3);
-    if (control_->jitter != 0.0) d2 += control_->jitter * (d3 - d1) * (environment_.random() - 0.5);
-    const Sample s2 = sample(span, d2, false);
+    const double d2 = 0.5 * (d1 + d3);
+    const Sample s2 = sample(span, jittered(d2, d3 - d1), false);
     if (level <= 0) return (s1 + s2 + s3) * (1.0f / 3.0f);
     const Sample left = difference(s1.source, s2.source) > aa_threshold_ ? refine(span, s1, d1, s2, d2, level - 1) * 0.5f
                                                                         : s1 * (1.0f / 3.0f) + s2 * (1.0f / 6.0f);
@@ -225,18 +228,15 @@ class Integrator {
     const int q = std::max(2, control_->samples_min / 2 + 1);
     const double step = 1.0 / (q + 1);
     const float share = 1.0f / static_cast<float>(q);
-    const auto at = [&](int k) { return k * step + (control_->jitter != 0.0 ? control_->jitter * (environment_.random() - 0.5) * step : 0.0); };
     Sample result;
     Rgb before;
-    double d1 = at(0);
-    Sample s1 = sample(span, d1, false);
+    Sample s1 = sample(span, jittered(0.0, step), false);
     for (int k = 1; k <= q; ++k) {
-      const double d3 = at(k);
-      const Sample s3 = sample(span, d3, false);
-      const Sample part = refine(span, s1, d1, s3, d3, control_->aa_level - 1);
+      const Sample s3 = sample(span, jittered(k * step, step), false);
+      const Sample part = refine(span, s1, (k - 1) * step, s3, k * step, control_->aa_level - 1);
       result.source += part.source * exponential(before * share) * share;
       before += part.depth;
-      s1 = s3, d1 = d3;
+      s1 = s3;
     }
     result.depth = before * share;
     return result;
@@ -249,7 +249,7 @@ class Integrator {
   MediaEnvironment& environment_;
   const scene::Media* control_;
   double aa_threshold_;
-  bool varies_ = false, has_density_ = false, scatters_ = false, constant_shadow_ = true;
+  bool varies_ = false, has_density_ = false, constant_shadow_ = true;
   int lit_count_ = 0, intervals_ = 0;
   std::array<LitLight, kMaxLights> lit_;
   std::array<Interval, kMaxIntervals> spans_;

@@ -106,7 +106,7 @@ Color Tracer::shade_unlit(SurfaceHit& at, const textures::CompiledTexture& textu
 Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Frame* frame) {
   const StackScope<ShadedLayer> layers(layers_);
   const Vec3& d = ray.ray.direction;
-  const float adc = bailout(ray);
+  const double adc = bailout(ray);
   Rgb color, filter(1);
   float translucency = 1;
   bool any_reflection = false;

@@ -64,9 +64,8 @@ class Tracer {
   RandomSource& random() { return random_; }
   render::Statistics& statistics() { return statistics_; }
   EffectsState* effects_state() { return effects_state_.get(); }
-  float bailout(const RayState& ray) const {
-    return ray.gather ? static_cast<float>(scene_.scene.settings.radiosity.adc_bailout) : scene_.adc_bailout;
-  }
+  // Radiosity's own value is a double in POV-Ray: weights rounded to single precision may fall below it (spec 07 2.6).
+  double bailout(const RayState& ray) const { return ray.gather ? scene_.scene.settings.radiosity.adc_bailout : scene_.adc_bailout; }
   std::span<const scene::Interior* const> interiors(const InteriorRange& range) const { return {interiors_.data() + range.begin, range.count}; }
 
   // Restores the interior stack when a child ray is finished.

@@ -183,8 +183,9 @@ double PretracePlan::spacing(int pass) const { return std::max(std::ldexp(first,
 PretracePlan pretrace_plan(const scene::Radiosity& description, int width, int height) {
   PretracePlan plan;
   const double most = std::max(width, height);
-  plan.first = most * description.pretrace_start;
-  plan.last = std::max(1.0, most * description.pretrace_end);
+  // Single precision, as POV-Ray keeps them: 5 * 160 * 0.04f still falls into a tile of 32 pixels.
+  plan.first = most * static_cast<float>(description.pretrace_start);
+  plan.last = std::max(1.0, most * static_cast<float>(description.pretrace_end));
   // Tiny pictures would give a negative number, which POV-Ray takes for some 250 useless passes; none is enough.
   plan.passes = std::max(0, static_cast<int>(std::floor(std::log2(plan.first / plan.last) + 1.0 - kEpsilon)) + 1);
   return plan;

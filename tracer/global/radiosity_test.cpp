@@ -26,8 +26,11 @@ TEST(Pretrace, DefaultsGiveTwoPasses) {
   settings.pretrace_start = 0.08, settings.pretrace_end = 0.04;
   const PretracePlan plan = pretrace_plan(settings, 160, 120);
   EXPECT_EQ(plan.passes, 2);
-  EXPECT_DOUBLE_EQ(plan.spacing(0), 12.8);
-  EXPECT_DOUBLE_EQ(plan.spacing(1), 6.4);
+  EXPECT_FLOAT_EQ(plan.spacing(0), 12.8f);
+  EXPECT_FLOAT_EQ(plan.spacing(1), 6.4f);
+  std::vector<Vec2> positions;
+  pretrace_positions(plan, 1, 0, 0, 31, 0, 31, positions);
+  EXPECT_EQ(positions.size(), 36u);  // the sixth of a row falls just inside
 }
 
 TEST(RadiositySettings, FirstDirectionIsHaltons) {

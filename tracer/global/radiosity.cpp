@@ -183,9 +183,8 @@ double PretracePlan::spacing(int pass) const { return std::max(std::ldexp(first,
 PretracePlan pretrace_plan(const scene::Radiosity& description, int width, int height) {
   PretracePlan plan;
   const double most = std::max(width, height);
-  // Single precision, as POV-Ray keeps them: 5 * 160 * 0.04f still falls into a tile of 32 pixels.
-  plan.first = most * static_cast<float>(description.pretrace_start);
-  plan.last = std::max(1.0, most * static_cast<float>(description.pretrace_end));
+  plan.first = most * description.pretrace_start;
+  plan.last = std::max(1.0, most * description.pretrace_end);
   // Tiny pictures would give a negative number, which POV-Ray takes for some 250 useless passes; none is enough.
   plan.passes = std::max(0, static_cast<int>(std::floor(std::log2(plan.first / plan.last) + 1.0 - kEpsilon)) + 1);
   return plan;
@@ -206,12 +205,15 @@ void pretrace_positions(const PretracePlan& plan, int pass, int tile, int left, 
     index = (index + 1) % kTable;
     return table[index];
   };
-  for (auto m = static_cast<long>(std::ceil((top - 0.5) / spacing)); m * spacing < bottom + 1; ++m) {
-    if (m * spacing < top) continue;
-    for (auto k = static_cast<long>(std::ceil((left - 0.5) / spacing)); k * spacing < right + 1; ++k) {
-      if (k * spacing < left) continue;
+  // Coordinates are summed up, as POV-Ray does: the rounding decides whether a position on a tile's border belongs to it.
+  const auto first = [spacing](int edge) {
+    const double start = std::ceil((edge - 0.5) / spacing) * spacing;
+    return start < edge ? start + spacing : start;
+  };
+  for (double y = first(top); y < bottom + 1; y += spacing) {
+    for (double x = first(left); x < right + 1; x += spacing) {
       const double dy = draw(), dx = draw();
-      positions.emplace_back(k * spacing + (spacing - 1.0) / 2.0 + jitter * dx, m * spacing + (spacing - 1.0) / 2.0 + jitter * dy);
+      positions.emplace_back(x + (spacing - 1.0) / 2.0 + jitter * dx, y + (spacing - 1.0) / 2.0 + jitter * dy);
     }
   }
 }

@@ -29,8 +29,8 @@ TEST(Pretrace, DefaultsGiveTwoPasses) {
   EXPECT_FLOAT_EQ(plan.spacing(0), 12.8f);
   EXPECT_FLOAT_EQ(plan.spacing(1), 6.4f);
   std::vector<Vec2> positions;
-  pretrace_positions(plan, 1, 0, 0, 31, 0, 31, positions);
-  EXPECT_EQ(positions.size(), 36u);  // the sixth of a row falls just inside
+  pretrace_positions(plan, 1, 1, 32, 63, 0, 31, positions);
+  EXPECT_EQ(positions.size(), 30u);  // 32 + 5 * 6.4 is summed up to just below 64
 }
 
 TEST(RadiositySettings, FirstDirectionIsHaltons) {

@@ -8,6 +8,7 @@
 #include "cli/frame.h"
 #include "cli/own_options.h"
 #include "cli/scene_words.h"
+#include "tracer/render/requirements.h"
 
 namespace verisim::cli {
 namespace {
@@ -55,6 +56,20 @@ int command_check(const std::vector<std::string>& arguments) {
   ExitStatus status = result.scene ? kOk : kSceneErrors;
   for (const parser::Diagnostic& error : result.errors)
     if (error.severity == parser::Severity::unsupported) status = kUnsupported;
+  if (result.scene) {
+    try {
+      render::check_supported(*result.scene, render_options(job, {0, options.width - 1, 0, options.height - 1}));
+    } catch (const render::Unsupported& missing) {
+      parser::Diagnostic d;
+      d.severity = parser::Severity::unsupported;
+      d.file = missing.place.file ? *missing.place.file : scene.string();
+      d.line = missing.place.line;
+      d.column = missing.place.column;
+      d.message = missing.what();
+      parse.message(d);
+      status = kUnsupported;
+    }
+  }
   if (json) {
     nlohmann::json report{{"scene", scene.string()}, {"errors", result.errors.size()}, {"warnings", result.warnings}, {"status", static_cast<int>(status)}};
     report["diagnostics"] = nlohmann::json::array();

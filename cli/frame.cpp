@@ -125,35 +125,6 @@ void write_to_stream(const render::Framebuffer& framebuffer, const image::Output
 
 // ------------------------------------------------------------------------------------------------ rendering
 
-render::Options render_options(const Job& job, const Region& part) {
-  const Options& options = job.options;
-  render::Options result;
-  result.width = options.width;
-  result.height = options.height;
-  result.first_column = part.first_column;
-  result.last_column = part.last_column;
-  result.first_row = part.first_row;
-  result.last_row = part.last_row;
-  result.antialias = options.antialias && options.sampling_method != 0;
-  result.sampling_method = options.sampling_method;
-  result.antialias_depth = options.antialias_depth;
-  result.antialias_threshold = static_cast<float>(options.antialias_threshold);
-  result.antialias_gamma = options.antialias_gamma;
-  result.jitter = options.jitter;
-  result.jitter_amount = options.jitter_amount;
-  result.quality = options.quality;
-  result.block_size = options.block_size;
-  constexpr int kMaxThreads = 1024;
-  result.threads = std::min(options.threads.value_or(0), kMaxThreads);
-  result.output_alpha = options.output_alpha;
-  result.split_unions = options.split_unions;
-  result.remove_bounds = options.remove_bounds;
-  result.replay = options.replay;
-  result.seed = options.seed;
-  result.cancel = &job.interrupt.flag();
-  return result;
-}
-
 // Everything the pixels depend on, for continue-trace.
 std::uint64_t picture_key(const Job& job, const Frame& frame, const Region& part, const std::vector<fs::path>& files) {
   const Options& o = job.options;
@@ -272,6 +243,35 @@ double cpu_seconds() {
   getrusage(RUSAGE_SELF, &usage);
   const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+render::Options render_options(const Job& job, const Region& part) {
+  const Options& options = job.options;
+  render::Options result;
+  result.width = options.width;
+  result.height = options.height;
+  result.first_column = part.first_column;
+  result.last_column = part.last_column;
+  result.first_row = part.first_row;
+  result.last_row = part.last_row;
+  result.antialias = options.antialias && options.sampling_method != 0;
+  result.sampling_method = options.sampling_method;
+  result.antialias_depth = options.antialias_depth;
+  result.antialias_threshold = static_cast<float>(options.antialias_threshold);
+  result.antialias_gamma = options.antialias_gamma;
+  result.jitter = options.jitter;
+  result.jitter_amount = options.jitter_amount;
+  result.quality = options.quality;
+  result.block_size = options.block_size;
+  constexpr int kMaxThreads = 1024;
+  result.threads = std::min(options.threads.value_or(0), kMaxThreads);
+  result.output_alpha = options.output_alpha;
+  result.split_unions = options.split_unions;
+  result.remove_bounds = options.remove_bounds;
+  result.replay = options.replay;
+  result.seed = options.seed;
+  result.cancel = &job.interrupt.flag();
+  return result;
 }
 
 parser::ParseOptions parse_options(const Job& job, const Frame& frame) {

@@ -11,6 +11,7 @@
 #include "cli/options.h"
 #include "cli/output_name.h"
 #include "cli/program.h"
+#include "cli/region.h"
 
 namespace verisim::cli {
 
@@ -39,6 +40,9 @@ FrameReport render_frame(const Job& job, const Frame& frame);
 
 // The parser's options for one frame.
 parser::ParseOptions parse_options(const Job& job, const Frame& frame);
+
+// The renderer's options for a part of the picture.
+render::Options render_options(const Job& job, const Region& part);
 
 // Seconds of user and system time this process has used.
 double cpu_seconds();

@@ -356,6 +356,23 @@ TEST_F(Process, TheScenesFolderIsSearchedAfterPovRaysPlaces) {
   EXPECT_TRUE(exists("sub/scene.png"));
 }
 
+TEST_F(Process, ExplainTellsTheStoryOfAPixel) {
+  file("story.pov",
+       "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> direction z right x up y }\n"
+       "light_source { <0,0,-9> rgb 1 } light_source { <0,20,2> rgb 1 }\n"
+       "sphere { 0, 1 pigment { rgb <1,.5,.25> } finish { ambient 0 diffuse 1 reflection { .25 } } }\n"
+       "plane { z, -20 pigment { rgb 1 } finish { ambient 1 diffuse 0 } }\n");
+  const Ended ended = run({"explain", "story.pov", "4", "4", "+W9", "+H9", "--no-oracle"});
+  ASSERT_EQ(ended.status, 0) << ended.errors;
+  for (const char* part : {"camera ray from <0, 0, -5> towards <0, 0, 1>", "4  sphere (story.pov:3)", "6  sphere (story.pov:3)", "normal <0, 0, -1>",
+                           "light at <0, 0, -9>: 8 away towards <0, 0, -1>, <1, 1, 1> arrives, adds <1, 0.5, 0.25>", "light at <0, 20, 2>: behind the surface",
+                           "reflected ray from <0, 0, -1> towards <0, 0, -1>, weight 0.25", "hits plane (story.pov:4) at 19", "linear <1.25, 0.75, 0.5>"})
+    EXPECT_NE(ended.output.find(part), std::string::npos) << part << "\n" << ended.output;
+  EXPECT_EQ(run({"explain", "story.pov", "9", "4", "+W9", "+H9"}).status, 2);
+  EXPECT_EQ(run({"explain", "story.pov"}).status, 2);
+  EXPECT_EQ(run({"explain", "bad.pov", "1", "1"}).status, 3);
+}
+
 TEST_F(Process, CreatedIniGivesTheSamePicture) {
   ASSERT_EQ(run({"+Iscene.pov", "+W20", "+H10", "+A0.1", "+Oone", "+GIall.ini", "-D"}).status, 0);
   ASSERT_EQ(run({"all.ini", "+Otwo"}).status, 0);

@@ -23,6 +23,7 @@ constexpr Command kCommands[] = {
     {"render", command_render, "SCENE [switches]         render a scene"},
     {"check", command_check, "SCENE [--json]            read a scene and report what is wrong with it"},
     {"compare", command_compare, "SCENE...|FOLDER         render with verisim and POV-Ray and compare every pixel"},
+    {"explain", command_explain, "SCENE X Y               how one pixel came to be"},
     {"diff", command_diff, "A B                        the same figures for two pictures"},
 };
 

@@ -21,13 +21,17 @@ Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext
     for (std::size_t i = 0; i < scene_.global_lights(); ++i) {
       // Shadow rays may push onto the cache of nested hits: copy in, copy back.
       CachedLight cache = light_cache_[at.light_cache + i];
-      sum += light_contribution(ray, at, layer, scene_.lights()[i], cache);
+      const Rgb added = light_contribution(ray, at, layer, scene_.lights()[i], cache);
+      if (observer_) observer_->light(scene_.lights()[i], cache.direction, cache.stage == CachedLight::Stage::shadowed, cache.color, added);
+      sum += added;
       light_cache_[at.light_cache + i] = cache;
     }
   }
   for (const scene::LightSource* source : at.surface.group_lights) {
     CachedLight cache;
-    sum += light_contribution(ray, at, layer, scene_.light_of(source), cache);
+    const Rgb added = light_contribution(ray, at, layer, scene_.light_of(source), cache);
+    if (observer_) observer_->light(scene_.light_of(source), cache.direction, cache.stage == CachedLight::Stage::shadowed, cache.color, added);
+    sum += added;
   }
   return sum;
 }

@@ -127,6 +127,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
     layers_.push_back({&layer, c, normal, rho, translucency});
 
     const LayerContext context{layer, c, normal, surface_opacity(c, scene_.version), filter};
+    if (observer_) observer_->layer(at, context, rho);
     Rgb own = c.rgb() * (finish.ambient * scene_.ambient_light + finish.emission) * context.opacity;
     if (scene_.effects && scene_.effects->radiosity) own += scene_.effects->indirect_light(*this, ray, at, context);
     own += direct_light(ray, at, context);

@@ -41,7 +41,10 @@ bool Tracer::nearest(const RayState& ray, shapes::Hit& hit, double t_min, double
 }
 
 Color Tracer::trace(const RayState& ray, double t_max) {
-  if (cut_off(ray)) return {};
+  if (cut_off(ray)) {
+    if (observer_) observer_->ray_cut_off(ray);
+    return {};
+  }
   shapes::Hit hit;
   return resolve(ray, nearest(ray, hit, kNearestHit, t_max) ? &hit : nullptr);
 }
@@ -54,6 +57,7 @@ Color Tracer::resolve(const RayState& ray, const shapes::Hit* hit) {
     explicit Nested(int& value) : n(value) { ++n; }
     ~Nested() { --n; }
   } nested(nesting_);
+  if (observer_) observer_->ray_started(ray, hit);
   Color color;
   const double length = hit ? hit->t : kMissDistance;
   if (hit) {
@@ -62,6 +66,7 @@ Color Tracer::resolve(const RayState& ray, const shapes::Hit* hit) {
     color = scene_.sky.seen(ray.ray.direction, ray.reflected || ray.gather);
   }
   if (scene_.quality >= 9 && ray.hollow && ray.volumes) apply_volumes(ray, length, hit ? hit->shape->surface : nullptr, color);
+  if (observer_) observer_->ray_ended(ray, color);
   return color;
 }
 

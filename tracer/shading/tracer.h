@@ -5,6 +5,7 @@
 #include <span>
 
 #include "tracer/render/render.h"
+#include "tracer/shading/explain.h"
 #include "tracer/shading/random.h"
 #include "tracer/shading/ray_state.h"
 #include "tracer/shading/scene_data.h"
@@ -48,6 +49,8 @@ class Tracer {
   Color resolve(const RayState& ray, const shapes::Hit* hit);
   // Camera rays of the radiosity pretrace ask for irradiance only: no direct light, no volumes.
   void set_pretrace(bool on) { pretrace_ = on; }
+  // Null: nobody watches.
+  void set_observer(Observer* observer) { observer_ = observer; }
   // A camera ray, with the interiors around its origin; `origin_varies`: they must be looked up again.
   Color trace_camera(const Ray& ray, bool origin_varies, double t_max = std::numeric_limits<double>::infinity());
 
@@ -161,6 +164,7 @@ class Tracer {
   const std::atomic<bool>* cancel_;
   std::unique_ptr<EffectsState> effects_state_;
   render::Statistics statistics_;
+  Observer* observer_ = nullptr;
   int nesting_ = 0;
   bool pretrace_ = false;
   std::vector<const scene::Interior*> interiors_;

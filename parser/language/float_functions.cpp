@@ -150,7 +150,7 @@ bool Parser::Impl::float_function(Word word, double& out) {
     case Word::ceil: out = std::ceil(argument()); break;
     case Word::floor: out = std::floor(argument()); break;
     case Word::int_: out = to_int(argument()); break;
-    case Word::degrees: out = argument() * (180 / std::numbers::pi); break;
+    case Word::degrees: out = argument() / (std::numbers::pi / 180); break;
     case Word::radians: out = argument() * (std::numbers::pi / 180); break;
     case Word::sqrt: {
       const double v = argument();

@@ -216,7 +216,7 @@ class Scanner {
       case Word::ceil: return arguments(v, 1, depth) && (out = std::ceil(v[0]), true);
       case Word::int_: return arguments(v, 1, depth) && (out = to_int(v[0]), true);
       case Word::radians: return arguments(v, 1, depth) && (out = v[0] * (std::numbers::pi / 180), true);
-      case Word::degrees: return arguments(v, 1, depth) && (out = v[0] * (180 / std::numbers::pi), true);
+      case Word::degrees: return arguments(v, 1, depth) && (out = v[0] / (std::numbers::pi / 180), true);
       case Word::sqrt: return arguments(v, 1, depth) && v[0] >= 0 && (out = std::sqrt(v[0]), true);
       case Word::ln: return arguments(v, 1, depth) && v[0] > 0 && (out = std::log(v[0]), true);
       case Word::mod: return arguments(v, 2, depth) && (out = std::fmod(v[0], v[1]), true);

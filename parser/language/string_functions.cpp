@@ -10,21 +10,34 @@
 namespace verisim::parser {
 namespace {
 
-constexpr int kMaxNumberText = 254;
+constexpr int kMaxNumberText = 254;  // of str()
+constexpr int kMaxWidth = 1 << 20;   // of vstr(), which POV-Ray leaves to memory
 
-// printf of %[0]width.precisionf; too long a text becomes %g, then "<invalid>".
-std::string format_number(double value, int length, int precision) {
-  const int width = length < -255 ? 255 : std::min(std::abs(length), 255);  // wider is too long in any case
+// printf's %[0]width.precisionf or g.
+std::string print(char conversion, double value, int length, int precision) {
+  const int width = std::abs(length);
+  const auto write = [&](char* to, std::size_t size) {
+    if (conversion == 'f') return std::snprintf(to, size, length < 0 ? "%0*.*f" : "%*.*f", width, precision, value);
+    return std::snprintf(to, size, length < 0 ? "%0*.*g" : "%*.*g", width, precision, value);
+  };
+  std::string text(static_cast<std::size_t>(std::max(write(nullptr, 0), 0)), '\0');
+  write(text.data(), text.size() + 1);
+  return text;
+}
+
+// `limited`: a text that is too long becomes %g, then "<invalid>"; only str() does that, vstr() does not (measured).
+std::string format_number(Parser::Impl& p, double value, int length, int precision, bool limited) {
   if (precision < 0) precision = 6;
-  precision = std::min(precision, 2000);  // a double has no more digits than that
-  static constexpr const char* kPlain[] = {"%*.*f", "%*.*g"};
-  static constexpr const char* kZeros[] = {"%0*.*f", "%0*.*g"};
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    char text[kMaxNumberText + 1];
-    const int count = std::snprintf(text, sizeof text, (length < 0 ? kZeros : kPlain)[attempt], width, precision, value);
-    if (count >= 0 && count <= kMaxNumberText) return text;
+  if (limited) {
+    length = std::clamp(length, -kMaxNumberText - 1, kMaxNumberText + 1);  // wider is too long in any case
+    precision = std::min(precision, 2000);                                // a double has no more digits than that
+  } else if (length < -kMaxWidth || length > kMaxWidth || precision > kMaxWidth) {
+    p.error("vstr() is asked for a longer text than 1048576 characters a number.");
   }
-  return "<invalid>";
+  std::string text = print('f', value, length, precision);
+  if (!limited || text.size() <= kMaxNumberText) return text;
+  text = print('g', value, length, precision);
+  return text.size() <= kMaxNumberText ? text : "<invalid>";
 }
 
 void append(std::u16string& to, const std::string& ascii) { to.append(ascii.begin(), ascii.end()); }
@@ -57,7 +70,7 @@ std::u16string Parser::Impl::string_function(Word word, bool path) {
       comma();
       const int length = to_int(scalar());
       comma();
-      append(out, format_number(value, length, to_int(scalar())));
+      append(out, format_number(*this, value, length, to_int(scalar()), true));
       break;
     }
     case Word::vstr: {
@@ -75,7 +88,7 @@ std::u16string Parser::Impl::string_function(Word word, bool path) {
       const int precision = to_int(scalar());
       for (int i = 0; i < terms; ++i) {
         if (i) out += separator;
-        append(out, format_number(vector.v[static_cast<std::size_t>(i)], length, precision));
+        append(out, format_number(*this, vector.v[static_cast<std::size_t>(i)], length, precision, false));
       }
       break;
     }

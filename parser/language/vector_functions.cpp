@@ -122,7 +122,7 @@ bool Parser::Impl::vector_function(Word word, Numeric& out) {
         if (language_version >= 350) message(Severity::possible_error, "Normalizing a zero-length vector.");
         out = vector(a);
       } else {
-        out = vector(a / length(a));
+        out = vector(a * (1 / length(a)));  // the reciprocal first, as measured
       }
       break;
     }
@@ -133,7 +133,7 @@ bool Parser::Impl::vector_function(Word word, Numeric& out) {
       comma();
       const Vec3 degrees = vector_argument();
       close_arguments();
-      out = vector(Transform::rotation(degrees).direction(a));
+      out = vector(Transform::rotation(degrees).point(a));
       break;
     }
     case Word::vaxis_rotate: {
@@ -145,7 +145,7 @@ bool Parser::Impl::vector_function(Word word, Numeric& out) {
       comma();
       const double angle = scalar() * (std::numbers::pi / 180);
       close_arguments();
-      out = vector(Transform::axis_rotation(a, angle).direction(v));
+      out = vector(Transform::axis_rotation(a, angle).point(v));
       break;
     }
     case Word::vturbulence: {

@@ -25,6 +25,7 @@ constexpr Command kCommands[] = {
     {"compare", command_compare, "SCENE...|FOLDER         render with verisim and POV-Ray and compare every pixel"},
     {"explain", command_explain, "SCENE X Y               how one pixel came to be"},
     {"diff", command_diff, "A B                        the same figures for two pictures"},
+    {"bench", command_bench, "SCENE...                  time and memory of verisim and POV-Ray"},
 };
 
 void print_usage(std::FILE* where) {

@@ -1,135 +1,122 @@
 #include "tracer/accel/box_tree.h"
 
-#include <cmath>
-#include <limits>
+#include <stdexcept>
 
 #include "tracer/accel/device.h"
 
 namespace verisim::accel {
 namespace {
 
-constexpr std::size_t kFewBoxes = 4;
-// Of the half diagonal of everything: what rounding a ray to binary32 and following it across the volume can amount to, several times over.
+// Of the diagonal of everything: what rounding a ray to binary32 and following it across the volume can amount to, several times over.
 constexpr double kSlack = 2e-6;
+constexpr std::size_t kWidth = 4;
 
-float down(double v) {
-  const float f = static_cast<float>(v);
-  return f <= v ? f : std::nextafter(f, -std::numeric_limits<float>::infinity());
+// What Embree's builder makes: inner nodes with up to four children, leaves with one box.
+struct BuildNode {
+  bool leaf = false;
+  unsigned count = 0, index = 0;
+  RTCBounds bounds[kWidth];
+  BuildNode* children[kWidth];
+};
+
+void* create_node(RTCThreadLocalAllocator allocator, unsigned count, void*) {
+  auto* node = new (rtcThreadLocalAlloc(allocator, sizeof(BuildNode), alignof(BuildNode))) BuildNode;
+  node->count = count;
+  return node;
 }
-float up(double v) {
-  const float f = static_cast<float>(v);
-  return f >= v ? f : std::nextafter(f, std::numeric_limits<float>::infinity());
+void set_children(void* node, void** children, unsigned count, void*) {
+  for (unsigned i = 0; i < count; ++i) static_cast<BuildNode*>(node)->children[i] = static_cast<BuildNode*>(children[i]);
+}
+void set_bounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
+  for (unsigned i = 0; i < count; ++i) static_cast<BuildNode*>(node)->bounds[i] = *bounds[i];
+}
+void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, std::size_t, void*) {
+  auto* node = new (rtcThreadLocalAlloc(allocator, sizeof(BuildNode), alignof(BuildNode))) BuildNode;
+  node->leaf = true;
+  node->index = primitives[0].primID;
+  return node;
+}
+
+void set_box(BoxNode& node, std::size_t k, const RTCBounds& b) {
+  const float values[6] = {b.lower_x, b.lower_y, b.lower_z, b.upper_x, b.upper_y, b.upper_z};
+  for (int i = 0; i < 6; ++i) node.planes[i][k] = values[i];
+}
+
+BoxNode empty_node() {
+  BoxNode node;
+  for (std::size_t k = 0; k < kWidth; ++k) {
+    node.child[k] = 0;
+    // A box that no ray meets, without infinities: those would make NaN.
+    for (int i = 0; i < 6; ++i) node.planes[i][k] = i < 3 ? 3e37f : -3e37f;
+  }
+  return node;
+}
+
+void flatten(const BuildNode& from, std::uint32_t place, std::vector<BoxNode>& nodes) {
+  for (unsigned k = 0; k < from.count; ++k) {
+    const BuildNode& child = *from.children[k];
+    set_box(nodes[place], k, from.bounds[k]);
+    if (child.leaf) {
+      nodes[place].child[k] = BoxNode::kLeaf | child.index;
+      continue;
+    }
+    const auto next = static_cast<std::uint32_t>(nodes.size());
+    nodes[place].child[k] = next;
+    nodes.push_back(empty_node());
+    flatten(child, next, nodes);
+  }
 }
 
 }  // namespace
 
-struct BoxTree::Embree {
-  RTCScene scene = nullptr;
-  Vec3 center;
-  double slack = 0;
-  const Box3* boxes = nullptr;
+BoxTree::BoxTree(std::span<const Box3> boxes) {
+  if (boxes.empty()) return;
+  for (const Box3& box : boxes) bounds_.extendBy(box);
+  center_ = bounds_.center();
+  slack_ = kSlack * length(bounds_.max - bounds_.min) + std::numeric_limits<float>::min();
+  bounds_.min -= Vec3(slack_), bounds_.max += Vec3(slack_);
 
-  ~Embree() {
-    if (scene) rtcReleaseScene(scene);
+  std::vector<RTCBuildPrimitive> primitives(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Vec3 low = boxes[i].min - center_ - Vec3(slack_), high = boxes[i].max - center_ + Vec3(slack_);
+    RTCBuildPrimitive& p = primitives[i];
+    p.lower_x = round_down(low.x), p.lower_y = round_down(low.y), p.lower_z = round_down(low.z);
+    p.upper_x = -round_down(-high.x), p.upper_y = -round_down(-high.y), p.upper_z = -round_down(-high.z);
+    p.geomID = 0;
+    p.primID = static_cast<unsigned>(i);
   }
-};
-
-namespace {
-
-struct Context {
-  RTCIntersectContext base;  // first: Embree hands a pointer to it back
-  double (*visitor)(void*, std::uint32_t, double);
-  void* state;
-  double offset, slack, t_max;
-};
-
-void intersect_function(const RTCIntersectFunctionNArguments* args) {
-  if (!args->valid[0]) return;
-  Context& context = *reinterpret_cast<Context*>(args->context);
-  const double limit = context.visitor(context.state, args->primID, context.t_max);
-  if (limit < context.t_max) {
-    context.t_max = limit;
-    RTCRayHit& rayhit = *reinterpret_cast<RTCRayHit*>(args->rayhit);
-    rayhit.ray.tfar = limit == -HUGE_VAL ? -std::numeric_limits<float>::infinity() : up(limit - context.offset + context.slack);
-  }
-}
-
-}  // namespace
-
-BoxTree::BoxTree(std::span<const Box3> boxes) : boxes_(std::make_unique<Box3[]>(boxes.size())), count_(boxes.size()) {
-  for (std::size_t i = 0; i < count_; ++i) {
-    boxes_[i] = boxes[i];
-    bounds_.extendBy(boxes[i]);
-  }
-  if (count_ <= kFewBoxes) return;
-
-  embree_ = std::make_unique<Embree>();
-  embree_->center = bounds_.center();
-  embree_->slack = kSlack * length(bounds_.max - bounds_.min) + std::numeric_limits<float>::min();
-  embree_->boxes = boxes_.get();
-  RTCDevice dev = device();
-  embree_->scene = rtcNewScene(dev);
-  rtcSetSceneFlags(embree_->scene, RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = rtcNewGeometry(dev, RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(count_));
-  rtcSetGeometryUserData(geometry, embree_.get());
-  rtcSetGeometryBoundsFunction(
-      geometry,
-      [](const RTCBoundsFunctionArguments* args) {
-        const Embree& tree = *static_cast<const Embree*>(args->geometryUserPtr);
-        const Box3& box = tree.boxes[args->primID];
-        const Vec3 low = box.min - tree.center - Vec3(tree.slack), high = box.max - tree.center + Vec3(tree.slack);
-        RTCBounds& b = *args->bounds_o;
-        b.lower_x = down(low.x), b.lower_y = down(low.y), b.lower_z = down(low.z);
-        b.upper_x = up(high.x), b.upper_y = up(high.y), b.upper_z = up(high.z);
-      },
-      nullptr);
-  rtcSetGeometryIntersectFunction(geometry, intersect_function);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(embree_->scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(embree_->scene);
-}
-
-BoxTree::BoxTree() = default;
-BoxTree::~BoxTree() = default;
-BoxTree::BoxTree(BoxTree&&) noexcept = default;
-BoxTree& BoxTree::operator=(BoxTree&&) noexcept = default;
-
-void BoxTree::walk(const Ray& ray, double t_min, double t_max, Visitor visitor, void* state) const {
-  if (!embree_) {
-    for (std::uint32_t i = 0; i < count_; ++i) {
-      double near = t_min, far = t_max;
-      if (clip_to_box(ray, boxes_[i], near, far)) t_max = visitor(state, i, t_max);
-      if (t_max < t_min) return;
+  nodes_.push_back(empty_node());
+  if (boxes.size() <= kWidth) {
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      const RTCBuildPrimitive& p = primitives[k];
+      set_box(nodes_[0], k, {p.lower_x, p.lower_y, p.lower_z, 0, p.upper_x, p.upper_y, p.upper_z, 0});
+      nodes_[0].child[k] = BoxNode::kLeaf | static_cast<std::uint32_t>(k);
     }
     return;
   }
-  const double slack = embree_->slack;
-  double near = t_min, far = t_max;
-  if (!clip_to_box(ray, {bounds_.min - Vec3(slack), bounds_.max + Vec3(slack)}, near, far)) return;
 
-  Context context;
-  rtcInitIntersectContext(&context.base);
-  context.visitor = visitor;
-  context.state = state;
-  context.offset = near;
-  context.slack = slack;
-  context.t_max = t_max;
-  const Vec3 origin = ray.origin - embree_->center + near * ray.direction;
-  RTCRayHit rayhit;
-  rayhit.ray.org_x = static_cast<float>(origin.x), rayhit.ray.org_y = static_cast<float>(origin.y), rayhit.ray.org_z = static_cast<float>(origin.z);
-  rayhit.ray.dir_x = static_cast<float>(ray.direction.x), rayhit.ray.dir_y = static_cast<float>(ray.direction.y);
-  rayhit.ray.dir_z = static_cast<float>(ray.direction.z);
-  rayhit.ray.tnear = 0;
-  rayhit.ray.tfar = up(far - near + slack);
-  rayhit.ray.time = 0;
-  rayhit.ray.mask = ~0u;
-  rayhit.ray.id = 0;
-  rayhit.ray.flags = 0;
-  rayhit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rayhit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(embree_->scene, &context.base, &rayhit);
+  RTCBVH bvh = rtcNewBVH(device());
+  RTCBuildArguments arguments = rtcDefaultBuildArguments();
+  arguments.byteSize = sizeof(arguments);
+  arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
+  arguments.maxBranchingFactor = kWidth;
+  arguments.maxDepth = 60;  // the walk's stack holds three waiting children per level
+  arguments.minLeafSize = arguments.maxLeafSize = 1;
+  arguments.bvh = bvh;
+  arguments.primitives = primitives.data();
+  arguments.primitiveCount = arguments.primitiveArrayCapacity = primitives.size();
+  arguments.createNode = create_node;
+  arguments.setNodeChildren = set_children;
+  arguments.setNodeBounds = set_bounds;
+  arguments.createLeaf = create_leaf;
+  const auto* root = static_cast<const BuildNode*>(rtcBuildBVH(&arguments));
+  if (!root) {
+    rtcReleaseBVH(bvh);
+    throw std::runtime_error("the bounding hierarchy could not be built");
+  }
+  nodes_.reserve(boxes.size() / 2 + 1);
+  flatten(*root, 0, nodes_);
+  rtcReleaseBVH(bvh);
 }
 
 }  // namespace verisim::accel

@@ -31,6 +31,14 @@ struct Entry {
   Box3 box;                 // POV-Ray's, right or wrong, widened by rounding
 };
 
+// What the tree's walk needs of an entry, densely packed.
+struct Candidate {
+  const Shape* shape;
+  std::uint32_t entry;
+  unsigned short hidden;
+  Opacity opacity;
+};
+
 unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
 
 unsigned hidden_from(const scene::Object& o) {
@@ -88,7 +96,7 @@ struct World::Impl {
   std::vector<Entry> entries;
   std::vector<std::unique_ptr<Shape>> shapes;
   std::vector<std::uint32_t> unbounded;  // entries beside the tree
-  std::vector<std::uint32_t> bounded;    // entry of each box of the tree
+  std::vector<Candidate> bounded;        // of each box of the tree
   BoxTree tree;
   std::deque<Surface> surfaces;
   std::deque<std::vector<const scene::LightSource*>> group_lights;
@@ -166,10 +174,10 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     // Boxes with negative sides (spheres of negative radius and the like) hide what POV-Ray looks for by its box.
     const bool never = is_empty(e.box) && !(w.in_order && exempt_from_box_test(o));
     const bool boxless = e.infinite || is_empty(e.box) || (w.in_order && exempt_from_box_test(o));
-    e.test_box = !is_empty(e.box) && !cheaper_than_box_test(o) && !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
+    e.test_box = !is_empty(e.box) && (boxless || w.in_order) && !cheaper_than_box_test(o) && !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
     if (!never && (boxless || w.in_order)) w.unbounded.push_back(static_cast<std::uint32_t>(i));
     if (!never && !boxless && !w.in_order) {
-      w.bounded.push_back(static_cast<std::uint32_t>(i));
+      w.bounded.push_back({e.shape, static_cast<std::uint32_t>(i), static_cast<unsigned short>(e.hidden), e.opacity});
       boxes.push_back(e.box);
     }
     if (!e.infinite && !is_empty(e.box)) w.bounds.extendBy(e.box);
@@ -199,18 +207,12 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
   const unsigned mask = bit(kind);
   bool found = false;
   std::uint32_t owner = 0;
-  const auto test = [&](std::uint32_t index, double limit) -> double {
-    const Entry& e = w.entries[index];
-    if (e.hidden & mask) return limit;
-    if (e.test_box) {
-      double near = t_min, far = limit;
-      if (!clip_to_box(ray, e.box, near, far)) return limit;
-    }
+  const auto test = [&](const Shape& shape, std::uint32_t index, double limit) -> double {
     if (!found) {
-      if (!e.shape->intersect(ray, kind, t_min, limit, hit)) return limit;
+      if (!shape.intersect(ray, kind, t_min, limit, hit)) return limit;
     } else {
       Hit other;
-      if (!e.shape->intersect(ray, kind, t_min, std::nextafter(limit, HUGE_VAL), other)) return limit;
+      if (!shape.intersect(ray, kind, t_min, std::nextafter(limit, HUGE_VAL), other)) return limit;
       if (other.t == hit.t && !w.precedes(index, owner, ray)) return limit;
       hit = other;
     }
@@ -219,8 +221,17 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
     return hit.t;
   };
   double limit = t_max;
-  for (const std::uint32_t index : w.unbounded) limit = test(index, limit);
-  w.tree.traverse(ray, t_min, limit, [&](std::uint32_t i, double far) { return test(w.bounded[i], far); });
+  for (const std::uint32_t index : w.unbounded) {
+    const Entry& e = w.entries[index];
+    if (e.hidden & mask) continue;
+    double near = t_min, far = limit;
+    if (e.test_box && !clip_to_box(ray, e.box, near, far)) continue;
+    limit = test(*e.shape, index, limit);
+  }
+  w.tree.traverse(ray, t_min, limit, [&](std::uint32_t i, double far) {
+    const Candidate& c = w.bounded[i];
+    return c.hidden & mask ? far : test(*c.shape, c.entry, far);
+  });
   return found;
 }
 
@@ -228,26 +239,27 @@ bool World::occluded(const Ray& ray, double t_min, double t_max) const {
   const Impl& w = *impl_;
   const unsigned mask = bit(RayKind::shadow);
   const double above = std::nextafter(t_min, HUGE_VAL);
-  const auto blocks = [&](std::uint32_t index) {
-    const Entry& e = w.entries[index];
-    if ((e.hidden & mask) || e.opacity == Opacity::transparent) return false;
-    if (e.test_box) {
-      double near = t_min, far = t_max;
-      if (!clip_to_box(ray, e.box, near, far)) return false;
-    }
-    if (e.opacity == Opacity::opaque) return e.shape->occludes(ray, above, t_max);
+  const auto blocks = [&](const Shape& shape, Opacity opacity) {
+    if (opacity == Opacity::opaque) return shape.occludes(ray, above, t_max);
     shapes::ScratchHits hits;
-    e.shape->intersect_all(ray, RayKind::shadow, hits.list());
+    shape.intersect_all(ray, RayKind::shadow, hits.list());
     for (std::size_t i = hits.begin(); i < hits.end(); ++i)
       if (hits[i].t >= above && hits[i].t < t_max && hits[i].shape->surface->opaque) return true;
     return false;
   };
-  for (const std::uint32_t index : w.unbounded)
-    if (blocks(index)) return true;
+  for (const std::uint32_t index : w.unbounded) {
+    const Entry& e = w.entries[index];
+    if ((e.hidden & mask) || e.opacity == Opacity::transparent) continue;
+    double near = t_min, far = t_max;
+    if (e.test_box && !clip_to_box(ray, e.box, near, far)) continue;
+    if (blocks(*e.shape, e.opacity)) return true;
+  }
   bool found = false;
   w.tree.traverse(ray, t_min, t_max, [&](std::uint32_t i, double far) {
-    if (!found) found = blocks(w.bounded[i]);
-    return found ? -HUGE_VAL : far;
+    const Candidate& c = w.bounded[i];
+    if ((c.hidden & mask) || c.opacity == Opacity::transparent || !blocks(*c.shape, c.opacity)) return far;
+    found = true;
+    return -HUGE_VAL;
   });
   return found;
 }
@@ -260,7 +272,7 @@ void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& int
   thread_local std::vector<std::uint32_t> around;
   around.assign(w.unbounded.begin(), w.unbounded.end());
   w.tree.any_around(p, [&](std::uint32_t i) {
-    around.push_back(w.bounded[i]);
+    around.push_back(w.bounded[i].entry);
     return false;
   });
   std::sort(around.begin(), around.end());

@@ -120,8 +120,8 @@ class Primitive : public Shape {
     const Vec3 n = derived().raw_normal(hit);
     return inverted_ ? -n : n;
   }
-  Box3 bounds() const final { return bounds_; }
-  SolidExtent solid_extent() const final { return solid_; }
+  Box3 bounds() const final { return cold_->bounds; }
+  SolidExtent solid_extent() const final { return cold_->solid; }
 
   // The inside formula with inversion; shapes whose inverted form is not the plain complement hide it.
   bool formula(const Vec3& p) const { return derived().contains(p) != inverted_; }
@@ -131,28 +131,33 @@ class Primitive : public Shape {
 
   bool inverted() const { return inverted_; }
   bool has_matrix() const { return has_matrix_; }
-  const Transform& matrix() const { return matrix_; }
+  const Transform& matrix() const { return cold_->matrix; }
 
   // The ray in the shape's space; unchanged (and not normalised) when the object has no matrix.
   LocalRay local(const Ray& ray) const {
     if (!has_matrix_) return {ray.origin, ray.direction, 1};
-    const Vec3 d = matrix_.inverse_direction(ray.direction);
+    const Vec3 d = matrix().inverse_direction(ray.direction);
     const double scale = length(d);
-    return {matrix_.inverse_point(ray.origin), d / scale, scale};
+    return {matrix().inverse_point(ray.origin), d / scale, scale};
   }
-  Vec3 local(const Vec3& p) const { return has_matrix_ ? matrix_.inverse_point(p) : p; }
-  Vec3 world(const Vec3& p) const { return has_matrix_ ? matrix_.point(p) : p; }
+  Vec3 local(const Vec3& p) const { return has_matrix_ ? matrix().inverse_point(p) : p; }
+  Vec3 world(const Vec3& p) const { return has_matrix_ ? matrix().point(p) : p; }
   // A local normal of any length as a unit world normal.
-  Vec3 world_normal(const Vec3& n) const { return normalize(has_matrix_ ? matrix_.normal(n) : n); }
+  Vec3 world_normal(const Vec3& n) const { return normalize(has_matrix_ ? matrix().normal(n) : n); }
 
  private:
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
+  // Apart, so that the numbers of a shape without matrix fit in a cache line or two.
+  struct Cold {
+    Transform matrix;
+    Box3 bounds;
+    SolidExtent solid;
+  };
+
   std::unique_ptr<const Guards> guards_;
+  std::unique_ptr<const Cold> cold_;
   bool inverted_, has_matrix_;
-  Transform matrix_;
-  Box3 bounds_;
-  SolidExtent solid_;
 };
 
 // `box` under an object's matrix and narrowed to its clips: where its surface can be.
@@ -163,10 +168,9 @@ template <class Derived>
 Primitive<Derived>::Primitive(const scene::Object& description, const LocalBox& local)
     : Shape(description),
       guards_(Guards::of(description)),
+      cold_(std::make_unique<Cold>(Cold{description.transform.value_or(Transform{}), surface_bounds(description, local.box, guards_.get()),
+                                        surface_solid(description, local, guards_.get())})),
       inverted_(description.inverted),
-      has_matrix_(description.transform.has_value()),
-      matrix_(description.transform.value_or(Transform{})),
-      bounds_(surface_bounds(description, local.box, guards_.get())),
-      solid_(surface_solid(description, local, guards_.get())) {}
+      has_matrix_(description.transform.has_value()) {}
 
 }  // namespace verisim::shapes

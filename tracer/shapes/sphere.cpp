@@ -19,7 +19,7 @@ class Sphere final : public Primitive<Sphere> {
  public:
   Sphere(const scene::Object& description, const scene::Sphere& s)
       : Primitive(description, {box_of(s)}), center_(s.center), radius_(s.radius), radius2_(s.radius * s.radius),
-        uv_transform_(description.uv_transform.value_or(Transform{})) {}
+        uv_transform_(std::make_unique<Transform>(description.uv_transform.value_or(Transform{}))) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -52,7 +52,7 @@ class Sphere final : public Primitive<Sphere> {
   }
 
   Vec2 uv(const Hit& hit) const override {
-    return spherical_uv(normalize(uv_transform_.inverse_point(hit.point) - uv_transform_.inverse_point(world(center_))));
+    return spherical_uv(normalize(uv_transform_->inverse_point(hit.point) - uv_transform_->inverse_point(world(center_))));
   }
 
  private:
@@ -75,7 +75,7 @@ class Sphere final : public Primitive<Sphere> {
 
   Vec3 center_;
   double radius_, radius2_;
-  Transform uv_transform_;
+  std::unique_ptr<const Transform> uv_transform_;
 };
 
 }  // namespace

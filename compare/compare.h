@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/metrics/diagnose.h"
 #include "compare/metrics/metrics.h"
 #include "compare/metrics/verdict.h"
 
@@ -142,6 +143,7 @@ struct SceneResult {
   std::string reason;                         // why it is not exact: the figure that broke, the unsupported feature, the oracle's message
   std::optional<Metrics> metrics;
   std::optional<LowPass> native_low_pass, noise_low_pass;  // of a stochastic scene
+  std::vector<Suspicion> suspicions;          // of a scene that differs: what kind of fault it looks like
   double oracle_seconds = 0, native_seconds = 0, oracle_cpu_seconds = 0, native_cpu_seconds = 0;
   bool oracle_cached = false;
   std::map<std::string, std::uint64_t> rays;

@@ -89,7 +89,7 @@ class RunTest : public testing::Test {
     if (text == "throws") throw std::runtime_error("thrown");
     if (text == "unsupported" || text == "bad") {
       out.outcome = text == "bad" ? NativeResult::Outcome::error : NativeResult::Outcome::unsupported;
-      out.message = "s.pov:1:1: isosurface";
+      out.message = request.scene.string() + ":1:1: isosurface";
       return out;
     }
     out.outcome = NativeResult::Outcome::rendered;
@@ -124,8 +124,10 @@ TEST_F(RunTest, EveryOutcomeAndTheRestGoesOn) {
   EXPECT_EQ(r["a/plain.pov"].status, Status::exact);
   EXPECT_EQ(r["bright.pov"].status, Status::differ);
   EXPECT_THAT(r["bright.pov"].reason, HasSubstr("within_1_pct"));
+  EXPECT_FALSE(r["bright.pov"].suspicions.empty());
+  EXPECT_THAT(terminal_table(last_), HasSubstr("suspect"));
   EXPECT_EQ(r["unsupported.pov"].status, Status::unsupported);
-  EXPECT_THAT(r["unsupported.pov"].reason, HasSubstr("isosurface"));
+  EXPECT_EQ(r["unsupported.pov"].reason, (root() / "scenes/unsupported.pov").string() + ":1:1: isosurface");
   EXPECT_EQ(r["bad.pov"].status, Status::error);
   EXPECT_EQ(r["throws.pov"].reason, "thrown");
   EXPECT_THAT(r["forgets.pov"].reason, HasSubstr("no picture"));

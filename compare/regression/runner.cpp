@@ -50,6 +50,13 @@ std::vector<fs::path> original_paths(const std::vector<fs::path>& files, const W
   return out;
 }
 
+// Messages name the original, not the copy that goes away.
+std::string original_names(std::string message, const WorkingCopy& copy, const fs::path& scene) {
+  const std::string from = copy.folder().string(), to = scene.parent_path().string();
+  for (std::size_t at = message.find(from); at != std::string::npos; at = message.find(from, at + to.size())) message.replace(at, from.size(), to);
+  return message;
+}
+
 class Runner {
  public:
   Runner(const Suite& suite, const RunOptions& options) : suite_(suite), options_(options) {}
@@ -267,6 +274,7 @@ class Runner {
     } catch (const std::exception& error) {
       native.message = error.what();
     }
+    native.message = original_names(native.message, copy, request.scene);
     if (native.outcome == NativeResult::Outcome::rendered) {
       if (fs::exists(ask.output)) result.native_picture = ask.output;
       else native.outcome = NativeResult::Outcome::error, native.message = "no picture was written";
@@ -320,6 +328,7 @@ class Runner {
       }
     }
     result.status = verdict.status, result.reason = verdict.reason;
+    if (result.status == Status::differ) result.suspicions = diagnose(oracle, native);
   }
 
   const Suite& suite_;

@@ -34,6 +34,7 @@ Json scene_data(const SceneResult& s) {
   json["metrics"] = s.metrics ? to_json(*s.metrics) : Json(nullptr);
   const Json whole = to_json(s);
   if (whole.contains("low_pass")) json["low_pass"] = whole["low_pass"];
+  json["suspects"] = whole["suspects"];
   if (s.metrics) {
     json["histogram"] = s.metrics->histogram;
     json["worst"] = Json::array();
@@ -129,6 +130,7 @@ Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::p
   s.metrics = measure(a, b, options);
   const Verdict verdict = judge_deterministic(*s.metrics, false);
   s.status = verdict.status, s.reason = verdict.reason;
+  if (s.status == Status::differ) s.suspicions = diagnose(a, b);
   s.request.name = run.reference_name + " – " + run.test_name;
   s.request.width = a.width, s.request.height = a.height;
   s.oracle_picture = reference, s.native_picture = test;

@@ -66,6 +66,12 @@ J scene_as(const SceneResult& s) {
   for (const auto& [kind, count] : s.rays) json["rays"][kind] = count;
   json["tags"] = s.request.tags;
   json["stochastic_features"] = s.stochastic_features;
+  json["suspects"] = J::array();
+  for (const Suspicion& v : s.suspicions) {
+    J suspect;
+    suspect["what"] = v.what, suspect["detail"] = v.detail, suspect["explained"] = v.explained;
+    json["suspects"].push_back(suspect);
+  }
   if (s.native_low_pass) json["low_pass"]["native"] = low_pass_as<J>(*s.native_low_pass);
   if (s.noise_low_pass) json["low_pass"]["noise"] = low_pass_as<J>(*s.noise_low_pass);
   return json;
@@ -103,6 +109,7 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
   if (json.contains("cpu_seconds")) s.oracle_cpu_seconds = json["cpu_seconds"].at("oracle"), s.native_cpu_seconds = json["cpu_seconds"].at("native");
   s.rays = json.value("rays", std::map<std::string, std::uint64_t>());
   s.stochastic_features = json.value("stochastic_features", std::vector<std::string>());
+  for (const auto& suspect : json.value("suspects", nlohmann::json::array())) s.suspicions.push_back({suspect.at("what"), suspect.at("detail"), suspect.at("explained")});
   if (const auto& m = json.at("metrics"); m.is_object()) {
     Metrics& out = s.metrics.emplace();
     out.width = s.request.width, out.height = s.request.height;

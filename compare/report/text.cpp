@@ -72,13 +72,17 @@ std::string shortened(std::string s, std::size_t bytes) {
 }
 
 std::string summary_line(const Run& run) {
-  std::string out = fmt::format("{} scenes", run.summary.scenes);
+  std::string out = fmt::format("{} {}", run.summary.scenes, run.summary.scenes == 1 ? "scene" : "scenes");
   for (const auto& [status, count] : run.summary.count)
     if (count) out += fmt::format(", {} {}", count, to_string(status));
-  out += fmt::format("; oracle {:.1f} s, verisim {:.1f} s", run.summary.oracle_seconds, run.summary.native_seconds);
+  out += fmt::format("; oracle {:.2f} s, verisim {:.2f} s", run.summary.oracle_seconds, run.summary.native_seconds);
   if (run.summary.native_seconds > 0 && run.summary.oracle_seconds > 0) out += fmt::format(", ratio {}", ratio(run.summary.oracle_seconds, run.summary.native_seconds));
   if (run.cancelled) out += " (broken off)";
   return out;
+}
+
+std::string reason(const SceneResult& s) {
+  return s.suspicions.empty() ? s.reason : fmt::format("{}; suspect {}: {}", s.reason, s.suspicions[0].what, s.suspicions[0].detail);
 }
 
 std::string trend(const SceneResult& s) {
@@ -128,7 +132,7 @@ std::string terminal_table(const Run& run, bool color, int columns) {
   constexpr int kFigures = 101;  // everything after the name
   name_width = std::min<std::size_t>(name_width, static_cast<std::size_t>(std::max(16, columns - kFigures)));
   std::string out = fmt::format("{}{} {:<13} {:>7} {:>7} {:>7} {:>7} {:>8} {:>7} {:>7} {:>8} {:>8} {:>7}{}\n", color ? kBold : "", fitted("scene", name_width), "status",
-                                "RMSE", "PSNR", "SSIM", "FLIP", "within 1", "2 [%]", "max", "POV [s]", "ours [s]", "ratio", color ? kReset : "");
+                                "RMSE", "PSNR", "SSIM", "FLIP", "<=1 [%]", "<=2 [%]", "max", "POV [s]", "ours [s]", "ratio", color ? kReset : "");
   for (const SceneResult& s : run.scenes) {
     out += fitted(printable(s.request.name), name_width) + ' ';
     out += fmt::format("{}{:<13}{}", color ? color_of(s.status) : "", to_string(s.status), color ? kReset : "");
@@ -138,7 +142,7 @@ std::string terminal_table(const Run& run, bool color, int columns) {
                          m.within_1_pct, m.within_2_pct, m.max_abs, s.oracle_seconds, s.native_seconds, ratio(s.oracle_seconds, s.native_seconds));
     }
     const bool explain = s.failed() && !s.reason.empty();
-    if (explain) out += ' ' + shortened(printable(s.reason), 300);
+    if (explain) out += ' ' + shortened(printable(reason(s)), 300);
     out += trend(s) + '\n';
   }
   return out + summary_line(run) + '\n';
@@ -184,7 +188,7 @@ std::string markdown_report(const Run& run) {
     const std::string figures = s->metrics ? fmt::format("{:.3f} | {:.4f} | {:.4f} | {:.3f}", s->metrics->rmse, s->metrics->ssim_mean, s->metrics->flip_mean, s->metrics->within_1_pct)
                                            : "| | |";
     out += fmt::format("| {} | {} | {} | {:.2f} | {:.2f} | {}{} |\n", markdown_cell(s->request.name), to_string(s->status), figures, s->oracle_seconds, s->native_seconds,
-                       s->failed() ? markdown_cell(shortened(s->reason, 200)) : "", markdown_cell(trend(*s)));
+                       s->failed() ? markdown_cell(shortened(reason(*s), 200)) : "", markdown_cell(trend(*s)));
   }
   return out;
 }
@@ -195,7 +199,7 @@ std::string github_annotations(const Run& run) {
     if (!s.failed()) continue;
     const char* level = s.status == Status::unsupported ? "warning" : "error";
     out += fmt::format("::{} file={},title={}::{}\n", level, github_escape(s.request.scene.string(), true), github_escape("verisim: " + s.request.name, true),
-                       github_escape(fmt::format("{}: {}", to_string(s.status), s.reason), false));
+                       github_escape(fmt::format("{}: {}", to_string(s.status), reason(s)), false));
   }
   out += fmt::format("::notice title=verisim compare::{}\n", github_escape(summary_line(run), false));
   return out;
@@ -207,7 +211,7 @@ std::string junit_report(const Run& run) {
   std::string cases;
   for (const SceneResult& s : run.scenes) {
     std::string body;
-    const std::string message = xml(shortened(s.reason, 2000));
+    const std::string message = xml(shortened(reason(s), 2000));
     switch (s.status) {
       case Status::exact:
       case Status::match: break;

@@ -58,7 +58,7 @@ const rows = scenes.map((s, i) => {
     const img = node('img', { alt: `${who}'s picture of ${s.name}`, width: 84, height: 63 }); img.dataset.i = i; img.dataset.side = side; pics.append(img);
   }
   const link = node('a', { href: `#${i}` }, s.name);
-  const note = s.status === 'exact' ? '' : s.reason;
+  const note = s.status === 'exact' ? '' : s.reason + (s.suspects.length ? `; suspect: ${s.suspects[0].what}` : '');
   const tr = node('tr', {}, pics, node('td', { className: 'scene' }, link, note ? node('small', {}, note) : ''), statusCell(s));
   for (const c of COLUMNS.slice(2)) {
     const v = c.get(s), td = node('td', { className: 'num' + (c.far ? ' far' : '') }, v === null ? '–' : fixed(v, c.digits) + (c.suffix || '')); td.dataset.label = c.label; tr.append(td);
@@ -80,7 +80,7 @@ function sortBy(key) {
 }
 function matches(s) {
   if (view.statuses.size && !view.statuses.has(s.status)) return false;
-  const hay = `${s.name} ${s.status} ${s.class} ${s.reason} ${s.tags.join(' ')} ${s.features.join(' ')}`.toLowerCase();
+  const hay = `${s.name} ${s.status} ${s.class} ${s.reason} ${s.tags.join(' ')} ${s.features.join(' ')} ${s.suspects.map(v => v.what).join(' ')}`.toLowerCase();
   return view.text.toLowerCase().split(/\s+/).every(word => hay.includes(word));
 }
 function show() {
@@ -328,6 +328,7 @@ async function open(i) {
   eye.index = i;
   $('overview').hidden = true; $('detail').hidden = false;
   $('name').textContent = s.name; $('status').className = 'st ' + s.status; $('status').textContent = `${ICON[s.status]} ${NAME[s.status]}`; $('reason').textContent = s.reason;
+  $('suspects').replaceChildren(...s.suspects.map(v => node('li', {}, node('b', {}, v.what), `: ${v.detail} (explains ${(100 * v.explained).toFixed(0)} %)`)));
   document.title = `${s.name} – verisim report`;
   figures(s); histogram(s); worst(s); makeLegend(); $('explain').hidden = true;
   if (!fresh) return;

@@ -64,7 +64,8 @@ Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayStat
     }
     return pigment * memory.light * (layer.opacity * coefficient);
   };
-  return side(finish.raw_diffuse, at.indirect, 1.0) + side(finish.raw_diffuse_back, at.indirect_back, -1.0);
+  const Rgb front = side(finish.raw_diffuse, at.indirect, 1.0);
+  return front + side(finish.raw_diffuse_back, at.indirect_back, -1.0);
 }
 
 }  // namespace verisim::global

@@ -89,7 +89,7 @@ scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start
     return normal;
   }
   bool changed = parse_type(parser, *normal);
-  if ((changed && parser.accept(',')) || parser.at_number_start()) {
+  if (((changed || original != start) && parser.accept(',')) || parser.at_number_start()) {
     normal->amount = to_float(parser.parse_float());
     changed = true;
   }

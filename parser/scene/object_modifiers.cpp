@@ -54,7 +54,7 @@ bool has_hierarchy(const scene::Shape& shape) {
 
 void parse_split_union(Parser& parser, Object& object) {
   parser.next();
-  object.split_union = parser.parse_flag();
+  object.split_union = parser.parse_float() > 0;
   const auto* csg = object.as<scene::Csg>();
   if (!csg || csg->kind == scene::CsgKind::intersection) parser.error("split_union found in non-union object.");
 }

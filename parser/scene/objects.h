@@ -14,18 +14,12 @@ ObjectRef accept_object_copy(Parser& parser);
 void parse_object_modifiers(Parser& parser, scene::Object& object);
 
 // `KEYWORD { parameters modifiers }` or `KEYWORD { IDENTIFIER modifiers }`: an identifier as the first item makes the statement a copy of that object,
-// whatever its shape (spec 01 section 6). `read_modifiers` stops before the closing brace.
+// whatever its shape (spec 01 section 6), and takes the ordinary modifiers. `read_modifiers` stops before the closing brace.
 template <class ReadShape, class ReadModifiers>
 ObjectRef object_block(Parser& parser, std::string_view name, const ReadShape& read_shape, const ReadModifiers& read_modifiers) {
   Block block(parser, name);
   if (ObjectRef copied = accept_object_copy(parser)) {
-    if (std::holds_alternative<scene::LightSource>(copied->shape) == (name == "light_source") &&
-        std::holds_alternative<scene::LightGroup>(copied->shape) == (name == "light_group")) {
-      read_modifiers(*copied);
-      block.close();
-    } else {
-      parse_object_modifiers(parser, *copied);
-    }
+    parse_object_modifiers(parser, *copied);
     copied->place = block.place;
     return copied;
   }
@@ -53,7 +47,6 @@ ObjectRef shape_block(Parser& parser, std::string_view name, const ReadShape& re
   return object;
 }
 
-// Parentless helper of bounded_by, clipped_by: one transformation or none.
 void parse_bounded_by(Parser& parser, scene::Object& object);
 void parse_clipped_by(Parser& parser, scene::Object& object);
 

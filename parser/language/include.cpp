@@ -64,9 +64,17 @@ void Parser::Impl::missing_include(const std::string& name) {
   error(fmt::format("Cannot find include file '{}'.", name), advice);
 }
 
-fs::path Parser::find_file(const std::string& name) {
-  const std::optional<fs::path> found = impl_->search->find_exact(name);
-  if (!found) error(fmt::format("Cannot find file '{}'.", name));
+fs::path Parser::find_file(const std::string& name, std::string_view extensions) {
+  std::optional<fs::path> found;
+  if (!fs::path(name).has_extension()) {
+    for (std::size_t begin = 0; begin < extensions.size() && !found;) {
+      const std::size_t end = std::min(extensions.find(' ', begin), extensions.size());
+      found = impl_->search->find_exact(name + std::string(extensions.substr(begin, end - begin)));
+      begin = end + 1;
+    }
+  }
+  if (!found) found = impl_->search->find_exact(name);
+  if (!found) error(fmt::format("Cannot find file '{}'.", name), extensions.empty() ? "" : "File name extensions were tried, too.");
   impl_->allow_read(*found);
   return *found;
 }

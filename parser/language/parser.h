@@ -86,10 +86,12 @@ class Parser {
   // global_settings { charset }: how bytes >= 0x80 of later strings are read (spec 01 section 1.1).
   enum class Charset : unsigned char { ascii, utf8, sys };
   void set_charset(Charset charset);
+  Charset charset() const;
   // global_settings { noise_generator }: overrides the one that follows from the language version.
   void set_noise_generator(int generator);
   // Finds a file as #include does without the .inc variants: current folder, library paths; records it as read. Error when missing or not allowed.
-  std::filesystem::path find_file(const std::string& name);
+  // A name without an extension is tried with each of `extensions` (separated by blanks) first.
+  std::filesystem::path find_file(const std::string& name, std::string_view extensions = {});
   // Guards recursion of blocks; throws when Limits::max_depth is reached.
   struct Depth {
     explicit Depth(Parser& p);

@@ -33,6 +33,7 @@ void Parser::Impl::set_version(int value) {
 int Parser::version() const { return impl_->language_version; }
 int Parser::effective_version() const { return impl_->version_seen || impl_->options.version ? impl_->language_version : 362; }
 void Parser::set_charset(Charset charset) { impl_->charset = charset; }
+Parser::Charset Parser::charset() const { return impl_->charset; }
 
 void Parser::set_noise_generator(int generator) {
   impl_->noise_generator_given = true;

@@ -115,14 +115,6 @@ scene::Rainbow parse_rainbow(Parser& parser) {
         rainbow.colors = pigment;
         continue;
       }
-      case Word::pigment_map: {
-        auto pigment = std::make_shared<scene::Pigment>();
-        pigment->pattern.kind = scene::PatternKind::gradient;
-        pigment->pattern.params = scene::GradientParams{Vec3(1, 0, 0)};
-        pigment->pigment_map = parse_pigment_map(parser, false);
-        rainbow.colors = pigment;
-        continue;
-      }
       default: break;
     }
     break;

@@ -12,7 +12,7 @@ void parse_default(Parser& parser) {
     if (parser.at(Word::texture)) {
       const scene::TexturePtr texture = parse_texture(parser);
       if (texture->patterned()) parser.error("Default texture cannot be material map or tiles.");
-      if (texture->layers.size() > 1 || parser.at(Word::texture)) parser.error("Default texture cannot be layered.");
+      if (texture->layers.size() > 1) parser.error("Default texture cannot be layered.");
       parser.default_texture() = texture;
     } else if (parse_texture_part(parser, parser.default_texture())) {
       continue;

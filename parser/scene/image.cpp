@@ -13,15 +13,15 @@ namespace {
 struct FileType {
   Word word;
   ImageType type;
-  const char* extension;
+  const char* extensions;  // tried for a name without one
 };
 
 constexpr FileType kFileTypes[] = {
-    {Word::gif, ImageType::gif, ".gif"},   {Word::tga, ImageType::tga, ".tga"},    {Word::png, ImageType::png, ".png"},
-    {Word::jpeg, ImageType::jpeg, ".jpg"}, {Word::tiff, ImageType::tiff, ".tif"},  {Word::bmp, ImageType::bmp, ".bmp"},
-    {Word::ppm, ImageType::ppm, ".ppm"},   {Word::pgm, ImageType::pgm, ".pgm"},    {Word::exr, ImageType::exr, ".exr"},
-    {Word::hdr, ImageType::hdr, ".hdr"},   {Word::iff, ImageType::iff, ".iff"},    {Word::pot, ImageType::pot, ".pot"},
-    {Word::sys, ImageType::sys, ".bmp"},
+    {Word::gif, ImageType::gif, ".gif .GIF"},   {Word::tga, ImageType::tga, ".tga .TGA"},    {Word::png, ImageType::png, ".png .PNG"},
+    {Word::jpeg, ImageType::jpeg, ".jpg .JPG .jpeg .JPEG"}, {Word::tiff, ImageType::tiff, ".tiff .TIFF .tif .TIF"},  {Word::bmp, ImageType::bmp, ".bmp .BMP"},
+    {Word::ppm, ImageType::ppm, ".ppm .PPM"},   {Word::pgm, ImageType::pgm, ".pgm .PGM"},    {Word::exr, ImageType::exr, ".exr .EXR"},
+    {Word::hdr, ImageType::hdr, ".hdr .HDR"},   {Word::iff, ImageType::iff, ".iff .IFF"},    {Word::pot, ImageType::pot, ".pot .POT"},
+    {Word::sys, ImageType::sys, ".bmp .BMP"},
 };
 
 const FileType* file_type_at(Parser& parser) {
@@ -72,10 +72,10 @@ ImagePtr load_file(Parser& parser, ImageUse use) {
     parser.next();
   }
   if (!parser.at_string()) parser.error_expected("image file");
-  std::string name = parser.parse_path();
+  const std::string name = parser.parse_path();
   ImageType type = file_type ? file_type->type : image_type_from_extension(name);
-  if (file_type && std::filesystem::path(name).extension().empty()) name += file_type->extension;
-  const std::filesystem::path path = parser.find_file(name);
+  const std::filesystem::path path = parser.find_file(name, file_type ? file_type->extensions : ".png .PNG");
+  if (type == ImageType::unknown) type = image_type_from_extension(path.string());
   ImageDecoding how = decoding(parser, use);
   parse_file_options(parser, how);
   try {

@@ -56,7 +56,7 @@ bool parse_modifier(Parser& parser, Normal& normal) {
       return true;
     case Word::no_bump_scale:
       parser.next();
-      normal.no_bump_scale = parser.parse_flag();
+      normal.no_bump_scale = true;
       return true;
     case Word::slope_map:
       if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::average) parser.error("Cannot use slope_map with this pattern type.");

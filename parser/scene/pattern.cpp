@@ -219,6 +219,7 @@ bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, co
       return true;
     case Word::function:
       take(PatternKind::function);
+      if (!parser.at('{')) parser.error_expected("{");  // always in x, y, z
       pattern.params = scene::FunctionParams{parser.parse_function_body()};
       return true;
     case Word::density_file:
@@ -238,7 +239,6 @@ bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, co
       parser.expect('{');
       std::shared_ptr<scene::Object> object = parse_object(parser);
       if (!object) parser.error_expected("object");
-      if (scene::is_patch(*object)) parser.error("Illegal texture or patch in clip, bound or object pattern.");
       parser.optional_comma();
       pattern.params = scene::ObjectParams{object};
       read_list(2);

@@ -150,7 +150,7 @@ bool parse_parameter(Parser& parser, Pattern& pattern, PatternOwner owner) {
     case Word::solid: {
       auto& params = params_of<scene::CrackleParams>(parser, pattern, word, "a crackle statement");
       parser.next();
-      params.solid = parser.parse_flag();
+      params.solid = true;
       return true;
     }
     case Word::size:

@@ -63,14 +63,13 @@ void parse_plain_items(Parser& parser, Texture& texture) {
     if (parse_part(parser, texture.layers.back())) continue;
     if (parser.at(Word::no_bump_scale)) {
       parser.next();
-      const bool on = parser.parse_flag();
       for (scene::TextureLayer& layer : texture.layers) {
         if (!layer.normal) continue;
         auto normal = std::make_shared<scene::Normal>(*layer.normal);
-        normal->no_bump_scale = on;
+        normal->no_bump_scale = true;
         layer.normal = normal;
       }
-      texture.no_bump_scale = on;
+      texture.no_bump_scale = true;
       continue;
     }
     if (parse_transform_item(parser, item)) {
@@ -131,7 +130,7 @@ void parse_patterned_items(Parser& parser, Texture& texture) {
     }
     if (parser.at(Word::no_bump_scale)) {
       parser.next();
-      texture.no_bump_scale = parser.parse_flag();
+      texture.no_bump_scale = true;
       continue;
     }
     switch (word_at(parser)) {

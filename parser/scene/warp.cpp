@@ -66,7 +66,7 @@ scene::BlackHoleWarp parse_black_hole(Parser& parser) {
         break;
       case Word::inverse:
         parser.next();
-        warp.inverse = parser.parse_flag();
+        warp.inverse = true;
         break;
       case Word::repeat:
         parser.next();

@@ -73,7 +73,14 @@ struct JuliaFractal {
   int max_iteration = 20;
   double precision = 20;
 };
-struct Text { std::string font; int builtin_font = 0; std::u16string text; double thickness = 1; Vec3 offset{0, 0, 0}; };
+struct Text {
+  std::string font;
+  int builtin_font = 0;
+  std::u16string text;
+  double thickness = 1;
+  Vec3 offset{0, 0, 0};
+  bool unicode = false;  // charset utf8 or sys: decides which character table of the font is used (spec 04 section 9)
+};
 
 struct MeshTriangle {
   std::array<std::uint32_t, 3> vertex;

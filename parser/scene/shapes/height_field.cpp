@@ -14,8 +14,6 @@ ObjectRef parse_height_field(Parser& parser) {
         if (parser.version() < 200) field->water_level /= 256;
       } else if (parser.accept(Word::smooth)) {
         field->smooth = true;
-      } else if (parser.accept(Word::hierarchy)) {
-        object.hierarchy = parser.parse_flag();
       } else {
         break;
       }

@@ -34,6 +34,7 @@ ObjectRef parse_isosurface(Parser& parser) {
   return shape_block(parser, "isosurface", [&](scene::Object& object) {
     auto surface = std::make_shared<scene::Isosurface>();
     parser.expect(Word::function);
+    if (!parser.at('{')) parser.error_expected("{");  // always in x, y, z
     surface->function = parser.parse_function_body();
     if (surface->function->components() != 1 || surface->function->parameters() != 3) parser.error("An isosurface needs a float function of x, y, z.");
     for (;;) {
@@ -62,7 +63,7 @@ ObjectRef parse_isosurface(Parser& parser) {
         case Word::evaluate: parse_evaluate(parser, *surface); continue;
         case Word::open:
           parser.next();
-          surface->open = parser.parse_flag();
+          surface->open = true;
           continue;
         case Word::max_trace: parse_max_trace(parser, *surface); continue;
         case Word::all_intersections:

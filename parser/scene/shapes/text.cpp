@@ -7,9 +7,7 @@ ObjectRef parse_text(Parser& parser) {
   return shape_block(parser, "text", [&](scene::Object& object) {
     auto text = std::make_shared<scene::Text>();
     if (parser.accept(Word::ttf)) {
-      std::string name = parser.parse_path();
-      if (std::filesystem::path(name).extension().empty()) name += ".ttf";
-      text->font = parser.find_file(name).string();
+      text->font = parser.find_file(parser.parse_path(), ".ttf .TTF").string();
     } else if (parser.accept(Word::internal)) {
       text->builtin_font = parser.parse_int();
       // Any other number means the font of the logo (spec 04 section 9).
@@ -19,6 +17,7 @@ ObjectRef parse_text(Parser& parser) {
     }
     parser.optional_comma();
     text->text = parser.parse_string();
+    text->unicode = parser.charset() != Parser::Charset::ascii;
     parser.optional_comma();
     text->thickness = parser.parse_float();
     parser.optional_comma();

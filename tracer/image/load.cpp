@@ -129,7 +129,15 @@ void put_color(const float* in, int channels, const Conversion& convert, float* 
   out[3] = 1 - alpha;
 }
 
-std::shared_ptr<const Image> finish(const RawImage& raw, ImageType type, const ImageDecoding& d) {
+// Straight alpha in a TIFF: libtiff, through which POV-Ray reads, multiplies 8-bit colours by it and rounds.
+void multiply_alpha(RawImage& raw) {
+  const std::size_t n = static_cast<std::size_t>(raw.channels);
+  const float steps = raw.bits == 8 ? 255.0f : 65535.0f;
+  for (std::size_t i = 0; i + n <= raw.samples.size(); i += n)
+    for (std::size_t k = 0; k + 1 < n; ++k) raw.samples[i + k] = std::floor(raw.samples[i + k] * raw.samples[i + n - 1] * steps + 0.5f) / steps;
+}
+
+std::shared_ptr<const Image> finish(RawImage raw, ImageType type, const ImageDecoding& d) {
   auto image = std::make_shared<Image>();
   image->width = raw.width;
   image->height = raw.height;
@@ -145,10 +153,14 @@ std::shared_ptr<const Image> finish(const RawImage& raw, ImageType type, const I
       image->palette.emplace_back(rgbt[0], rgbt[1], rgbt[2], 0.0f, rgbt[3]);
     }
     image->indices = raw.indices;
+    // Files may use entries that their palette lacks.
+    const std::uint8_t highest = *std::max_element(raw.indices.begin(), raw.indices.end());
+    if (image->palette.size() <= highest) image->palette.resize(std::size_t{highest} + 1);
     return image;
   }
   const std::size_t count = static_cast<std::size_t>(raw.width) * raw.height, n = static_cast<std::size_t>(raw.channels);
   image->pixels.resize(4 * count);
+  if (type == ImageType::tiff && image->premultiplied && !raw.premultiplied && d.premultiplied < 0) multiply_alpha(raw);
   for (std::size_t i = 0; i < count; ++i) put_color(&raw.samples[i * n], raw.channels, convert, &image->pixels[4 * i]);
   if (raw.grey8)
     for (std::size_t i = 0; i < count; ++i) image->pixels[4 * i] = image->pixels[4 * i + 1] = image->pixels[4 * i + 2] = requantised(image->pixels[4 * i]);

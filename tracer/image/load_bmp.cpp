@@ -63,13 +63,12 @@ RawImage decode_bmp(const std::vector<std::uint8_t>& file) {
   const auto w = static_cast<std::size_t>(raw.width), h = static_cast<std::size_t>(raw.height);
   if (indexed) {
     in.seek(14 + static_cast<std::size_t>(header));
-    raw.palette.assign(256 * 4, 0);
     const std::size_t count = colors != 0 && colors <= 256 ? colors : std::size_t{1} << bits;
     for (std::size_t i = 0; i < count; ++i) {
       const auto entry = in.take(old ? 3 : 4);
-      for (int k = 0; k < 3; ++k) raw.palette[4 * i + k] = static_cast<float>(entry[2 - k]) / 255.0f;
+      for (int k = 0; k < 3; ++k) raw.palette.push_back(static_cast<float>(entry[2 - k]) / 255.0f);
+      raw.palette.push_back(1);
     }
-    for (std::size_t i = 0; i < 256; ++i) raw.palette[4 * i + 3] = 1;
   }
   raw.channels = bits == 32 ? 4 : 3;
   in.seek(data_offset);

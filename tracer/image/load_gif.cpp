@@ -19,10 +19,11 @@ std::vector<std::uint8_t> sub_blocks(ByteReader& in) {
 }
 
 void read_palette(ByteReader& in, int count, std::vector<float>& palette) {
-  palette.assign(256 * 4, 0);
-  for (int i = 0; i < 256; ++i) palette[4 * i + 3] = 1;
-  for (int i = 0; i < count; ++i)
-    for (int k = 0; k < 3; ++k) palette[4 * i + k] = static_cast<float>(in.u8()) / 255.0f;
+  palette.clear();
+  for (int i = 0; i < count; ++i) {
+    for (int k = 0; k < 3; ++k) palette.push_back(static_cast<float>(in.u8()) / 255.0f);
+    palette.push_back(1);
+  }
 }
 
 // Lempel-Ziv-Welch with growing codes; each code is a suffix byte and a link to its prefix.
@@ -108,7 +109,7 @@ RawImage decode_gif(const std::vector<std::uint8_t>& file) {
   if (count > data.size() * 4096) throw std::runtime_error("unexpected end of the picture");  // a code is at least 2 bits and at most 4096 pixels
   raw.indices.reserve(count);
   unpack_lzw(data, root_bits, raw.indices, count);
-  if (transparent >= 0) {
+  if (transparent >= 0 && 4 * static_cast<std::size_t>(transparent) < raw.palette.size()) {
     raw.channels = 4;
     raw.palette[4 * static_cast<std::size_t>(transparent) + 3] = 0;
   }

@@ -110,8 +110,8 @@ RawImage decode_png(const std::vector<std::uint8_t>& file) {
   if (!read_rows(reader, rows.data())) throw std::runtime_error(source.message);
 
   if (h.type == PNG_COLOR_TYPE_PALETTE) {
-    for (int i = 0; i < 256; ++i) {
-      const png_color c = i < h.palette_size ? h.palette[i] : png_color{0, 0, 0};
+    for (int i = 0; i < h.palette_size; ++i) {
+      const png_color c = h.palette[i];
       const float alpha = h.has_transparency && i < h.palette_alpha_size ? static_cast<float>(h.palette_alpha[i]) / 255.0f : 1.0f;
       raw.palette.insert(raw.palette.end(), {static_cast<float>(c.red) / 255.0f, static_cast<float>(c.green) / 255.0f, static_cast<float>(c.blue) / 255.0f, alpha});
     }

@@ -1,4 +1,5 @@
 // Targa: palette, grey and true colour, plain or run-length coded.
+#include <algorithm>
 #include <stdexcept>
 
 #include "tracer/image/byte_reader.h"
@@ -59,7 +60,7 @@ RawImage decode_tga(const std::vector<std::uint8_t>& file) {
   if (has_palette) {
     const int bytes = (palette_bits + 7) / 8;
     if (bytes < 2 || bytes > 4) throw std::runtime_error("unknown palette in the TGA file");
-    raw.palette.assign(256 * 4, 0);
+    raw.palette.assign(std::min<std::size_t>(static_cast<std::size_t>(palette_first) + palette_count, 256) * 4, 0);
     for (int i = 0; i < palette_count; ++i) {
       const auto entry = in.take(static_cast<std::size_t>(bytes));
       if (palette_first + i < 256) put_color(entry.data(), bytes, &raw.palette[4 * static_cast<std::size_t>(palette_first + i)]);

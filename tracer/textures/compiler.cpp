@@ -202,7 +202,7 @@ CompiledNormal Compiler::Impl::make_normal(const scene::Normal& d, bool no_bump_
   c.no_bump_scale = no_bump_scale || d.no_bump_scale;
   if (d.normal_map && !d.normal_map->empty()) {
     c.positions = MapPositions(*d.normal_map);
-    for (const auto& entry : *d.normal_map) c.children.push_back(normal(entry.value, no_bump_scale));
+    for (const auto& entry : *d.normal_map) c.children.push_back(normal(entry.value, c.no_bump_scale));
     if (d.pattern.kind == scene::PatternKind::uv_mapping) {
       c.method = CompiledNormal::Method::uv_mapping;
       return c;

@@ -124,24 +124,25 @@ Samples samples_at(const ImageLookup& l, double u, double v) {
   return s;
 }
 
-Color pixel(const ImageLookup& l, int x, int y) {
-  return l.image->indexed() ? l.palette[l.image->indices[static_cast<std::size_t>(y) * l.image->width + x]] : l.image->at(x, y);
-}
-
 // The interpolated colour as stored: premultiplied data stay premultiplied.
 Color raw_color(const ImageLookup& l, double u, double v) {
   const Samples s = samples_at(l, u, v);
-  if (s.count == 1) return pixel(l, s.x[0], s.y[0]);
-  Color sum;
-  for (int k = 0; k < s.count; ++k) sum += pixel(l, s.x[k], s.y[k]) * static_cast<float>(s.weight[k]);
-  return sum;
+  if (s.count == 1) return l.image->at(s.x[0], s.y[0]);
+  // Summed in double precision: equal neighbours give their own value exactly after rounding, which material_map and steps of maps show.
+  double sum[5] = {};
+  for (int k = 0; k < s.count; ++k) {
+    const Color c = l.image->at(s.x[k], s.y[k]);
+    const float components[5] = {c.r, c.g, c.b, c.f, c.t};
+    for (int i = 0; i < 5; ++i) sum[i] += s.weight[k] * components[i];
+  }
+  return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]), static_cast<float>(sum[3]), static_cast<float>(sum[4])};
 }
 
 double raw_index(const ImageLookup& l, double u, double v) {
   const Samples s = samples_at(l, u, v);
   double sum = 0;
   for (int k = 0; k < s.count; ++k) sum += s.weight[k] * l.image->indices[static_cast<std::size_t>(s.y[k]) * l.image->width + s.x[k]];
-  return std::floor(std::max(sum, 0.0));
+  return std::floor(std::max(static_cast<float>(sum), 0.0f));
 }
 
 }  // namespace
@@ -162,21 +163,12 @@ ImageLookup compile_image(const scene::ImageParams& params) {
   l.offset_v = params.offset.y * image.height;
   l.transparent = image.has_alpha;
   if (image.indexed()) {
-    l.palette = image.palette;
-    l.palette.resize(256);
-    for (Color& c : l.palette) {
-      if (params.filter_all != 0) c.f = params.filter_all;
-      if (params.transmit_all != 0) c.t = params.transmit_all;
-    }
-    for (const scene::PaletteChange& change : params.palette_changes) {
-      Color& c = l.palette.at(static_cast<std::size_t>(change.index));
-      (change.transmit ? c.t : c.f) = change.value;
-    }
+    for (const Color& c : image.palette) l.transparent |= c.f != 0 || c.t != 0;
   } else {
     l.filter_all = params.filter_all;
     l.transmit_all = params.transmit_all;
+    l.transparent |= params.filter_all != 0 || params.transmit_all != 0;
   }
-  l.transparent |= params.filter_all != 0 || params.transmit_all != 0 || !params.palette_changes.empty();
   return l;
 }
 

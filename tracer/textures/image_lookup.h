@@ -9,7 +9,6 @@ namespace verisim::textures {
 // An image with its projection, ready for use.
 struct ImageLookup {
   ImagePtr image;
-  std::vector<Color> palette;  // of an indexed image, with filter/transmit options applied
   int map_type = 0, interpolate = 0;
   bool once = false, use_alpha = false, use_index = false;
   double width = 1, height = 1;                    // in pixels, repeated

@@ -141,8 +141,7 @@ class Integrator {
     const float s = static_cast<float>(span.length);
     Sample result{Rgb(), extinction * s};
     if (shadow_) return result;
-    result.source = emission * s;
-    if (span.lit) result.source += scattered(p, distance, scattering) * s;
+    result.source = (emission + scattered(p, distance, scattering, span.lit)) * s;
     if (inner_attenuation) result.source *= exponential(extinction * static_cast<float>(at * span.length));
     return result;
   }
@@ -155,10 +154,11 @@ class Integrator {
     return static_cast<float>(sum / static_cast<double>(media_.size()));
   }
 
-  Rgb scattered(const Vec3& p, double distance, const Rgb& scattering) {
+  // Photons are found everywhere, lights only in lit pieces.
+  Rgb scattered(const Vec3& p, double distance, const Rgb& scattering, bool lit) {
     Rgb sum;
     if (scattering.max_abs() <= 0.0f) return sum;
-    for (int i = 0; i < lit_count_; ++i) {
+    for (int i = 0; lit && i < lit_count_; ++i) {
       const LitLight& light = lit_[i];
       if (distance < light.first || distance > light.last) continue;
       Vec3 to_light;

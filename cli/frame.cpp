@@ -189,6 +189,8 @@ void write(const Job& job, const Canvas& canvas, const OutputName& name, const i
 
 void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene, const OutputName& name, FrameReport& report) {
   const Options& options = job.options;
+  if ((options.radiosity_from_file || options.radiosity_to_file) && scene.settings.radiosity.enabled && options.quality >= 9)
+    throw Failure{kUnsupported, "radiosity samples from and to a file (Radiosity_From_File +RFI, Radiosity_To_File +RFO) are not supported"};
   const Region part = region(options);
   const bool to_file = options.output_to_file && !name.standard_output && !name.standard_error;
   const image::OutputOptions output = output_options(job, scene);

@@ -18,8 +18,6 @@ void validate(const Options& options) {
     throw OptionError("Unsupported combination of options: Grayscale_Output is for PNG and PPM");
   if (options.real_time)
     throw OptionError("Real_Time_Raytracing (+RTR) draws into a window and writes no file; verisim has no window");
-  if (options.radiosity_from_file) throw OptionError("Radiosity_From_File (+RFI) is not supported yet");
-  if (options.radiosity_to_file) throw OptionError("Radiosity_To_File (+RFO) is not supported yet");
 }
 
 const char* extension(image::Format format) {

@@ -138,6 +138,15 @@ TEST_F(Process, DiagnosticsShowPlaceAndCaret) {
   EXPECT_NE(json.output.find("\"severity\": \"error\""), std::string::npos) << json.output;
 }
 
+TEST_F(Process, RadiosityFilesAreRefusedWhereTheyWouldMatter) {
+  EXPECT_EQ(run({"render", "scene.pov", "+W8", "+H8", "+RFI"}).status, 0);
+  file("radiosity.pov", std::string(kQuickScene) + "global_settings { radiosity {} }\n");
+  const Ended ended = run({"render", "radiosity.pov", "+W8", "+H8", "+RFO", "+Oout"});
+  EXPECT_EQ(ended.status, 4);
+  EXPECT_NE(ended.errors.find("Radiosity_To_File"), std::string::npos) << ended.errors;
+  EXPECT_FALSE(exists("out.png"));
+}
+
 TEST_F(Process, BadScenesEndWithAnErrorAndNoPicture) {
   file("include.pov", "#include \"nowhere.inc\"\n");
   file("string.pov", "#declare A = \"never closed\n");
@@ -237,7 +246,7 @@ TEST_F(Process, TypesFollowTheNameInRenderAndTheSwitchInPovRayCalls) {
 TEST_F(Process, AnInterruptKeepsWhatWasRenderedAndContinues) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const pid_t child = start({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Opart", "-D"});
-    std::this_thread::sleep_for(milliseconds(900));
+    std::this_thread::sleep_for(milliseconds(1700));
     ::kill(child, signal);
     const Ended ended = wait(child);
     ASSERT_EQ(ended.status, 2) << ended.errors;
@@ -268,7 +277,7 @@ TEST_F(Process, KilledAtAnyTimeItContinuesToTheIdenticalPicture) {
   int kills = 0;
   for (int i = 0; i < 20; ++i) {
     const pid_t child = start(with("part"));
-    std::this_thread::sleep_for(milliseconds(std::uniform_int_distribution<int>(5, 900)(random)));
+    std::this_thread::sleep_for(milliseconds(std::uniform_int_distribution<int>(5, 1800)(random)));
     ::kill(child, SIGKILL);
     const Ended ended = wait(child);
     if (ended.signal == SIGKILL) ++kills;
@@ -284,7 +293,7 @@ TEST_F(Process, KilledAtAnyTimeItContinuesToTheIdenticalPicture) {
 
 TEST_F(Process, AChangedSceneIsNotContinued) {
   const pid_t child = start({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Opart", "-D"});
-  std::this_thread::sleep_for(milliseconds(900));
+  std::this_thread::sleep_for(milliseconds(1700));
   ::kill(child, SIGKILL);
   wait(child);
   ASSERT_TRUE(exists("part.pov-state"));

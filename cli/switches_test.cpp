@@ -244,8 +244,6 @@ TEST(Settings, ValidationRefusesWhatCannotBe) {
   bad({"+W100000", "+H100000"});
   bad({"+FNg", "+FB"});
   bad({"+RTR"});
-  bad({"+RFI"});
-  bad({"+RFO"});
   Options fine;
   EXPECT_NO_THROW(validate(fine));
 }

@@ -16,7 +16,7 @@ namespace verisim::shapes {
 namespace {
 
 constexpr double kNearest = 1e-2, kFarthest = 1e7, kShortest = 1e-10, kInsideMargin = 1e-6;
-constexpr std::size_t kFewParts = 8;
+constexpr std::size_t kFewParts = 2;
 constexpr std::size_t kMaxTextures = 512;
 
 enum class PartKind : unsigned char { sphere, cylinder, base, apex };
@@ -281,12 +281,11 @@ class Blob final : public Primitive<Blob> {
       power[1] += part.k0 * 2 * b * c + part.k1 * b;
       power[0] += field(part, c);
     }
-    double bernstein[5], roots[4];
-    bernstein_from_power(4, power, from, to, bernstein);
-    const int n = bernstein_roots(4, bernstein, roots);
+    double roots[4];
+    const int n = bernstein_roots<4>(power, from, to, roots);
     bool stop = false;
     for (int i = 0; i < n; ++i) {
-      const double depth = (start + span * (from + (to - from) * roots[i])) / l.scale;
+      const double depth = (start + span * roots[i]) / l.scale;
       if (!(depth > kNearest && depth < kFarthest)) continue;
       const bool accepted = sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
       if (Sink::kNearest && accepted) {

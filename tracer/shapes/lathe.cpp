@@ -164,7 +164,7 @@ class Lathe final : public Primitive<Lathe> {
         return;
       }
       const int k = s.degree;
-      double y[4], power[7] = {}, bernstein[7];
+      double y[4], power[7] = {};
       for (int i = 0; i <= k; ++i) y[i] = s.c[static_cast<std::size_t>(i)].y;
       y[0] -= py;
       for (int i = 0; i <= k; ++i) {
@@ -173,8 +173,7 @@ class Lathe final : public Primitive<Lathe> {
           power[i + j] += r * y[i] * y[j] - dy * dy * s.c[static_cast<std::size_t>(i)].x * s.c[static_cast<std::size_t>(j)].x;
       }
       power[0] += dy * dy * c;
-      bernstein_from_power(2 * k, power, 0, 1, bernstein);
-      const int n = bernstein_roots(2 * k, bernstein, roots);
+      const int n = k == 1 ? bernstein_roots<2>(power, 0, 1, roots) : k == 2 ? bernstein_roots<4>(power, 0, 1, roots) : bernstein_roots<6>(power, 0, 1, roots);
       for (int i = 0; i < n; ++i) {
         double w = roots[i], t = (s.value(height, w) - py) / dy;
         polish(s, w, t);

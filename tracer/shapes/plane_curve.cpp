@@ -22,7 +22,7 @@ CurveSegment CurveSegment::bezier(const Vec2& p0, const Vec2& p1, const Vec2& p2
 }
 
 int CurveSegment::solve(int axis, double v, double* roots) const {
-  double power[4], bernstein[4];
+  double power[4];
   for (int i = 0; i <= degree; ++i) power[i] = c[static_cast<std::size_t>(i)][axis];
   power[0] -= v;
   if (degree == 1) {
@@ -30,10 +30,7 @@ int CurveSegment::solve(int axis, double v, double* roots) const {
     roots[0] = -power[0] / power[1];
     return roots[0] >= 0 && roots[0] <= 1;
   }
-  bernstein_from_power(degree, power, 0, 1, bernstein);
-  // Segments share their ends exactly; rounding of the power form must not make a root there appear in one and vanish in both.
-  if (std::fabs(bernstein[degree]) < 1e-14 * (std::fabs(v) + 1e-3)) bernstein[degree] = 0;
-  return bernstein_roots(degree, bernstein, roots);
+  return degree == 2 ? bernstein_roots<2>(power, 0, 1, roots) : bernstein_roots<3>(power, 0, 1, roots);
 }
 
 void CurveSegment::extremes(int axis, double& low, double& high) const {

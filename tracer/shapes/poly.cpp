@@ -1,4 +1,5 @@
 // cubic, quartic, poly and polynomial (spec 03 4.9): sum of c x^i y^j z^k = 0, coefficients in order of falling powers of x, then y, then z.
+#include "tracer/math/bernstein.h"
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
@@ -6,7 +7,7 @@
 namespace verisim::shapes {
 namespace {
 
-constexpr double kNearest = 1e-4, kElimination = 1e-4, kInsideThreshold = 1e-4;
+constexpr double kFarthestRoot = 1e7, kNearest = 1e-4, kElimination = 1e-4, kInsideThreshold = 1e-4;
 
 // A polynomial in the ray parameter, constant term first; size 0 is zero.
 struct Univariate {
@@ -90,8 +91,21 @@ class Poly final : public Primitive<Poly> {
     int degree = p.size - 1;
     while (degree >= 0 && p.c[degree] == 0) --degree;
     if (degree < 2) return 0;
+    if (degree >= 5 && degree <= kMaxBernsteinDegree) return solve_bounded(degree, p.c, roots);
     for (int i = 0; i <= degree; ++i) c[i] = p.c[degree - i];
     return solve_polynomial(degree, c, roots, sturm_, kElimination);
+  }
+
+  // Degrees for which POV-Ray has Sturm sequences: all roots lie within Fujiwara's bound, and on that stretch they are isolated in Bernstein form.
+  static int solve_bounded(int degree, const double* power, double* roots) {
+    double bound = 0;
+    for (int k = 1; k <= degree; ++k) {
+      const double ratio = std::fabs(power[degree - k] / power[degree]) * (k == degree ? 0.5 : 1);
+      if (ratio > 0) bound = std::max(bound, std::pow(ratio, 1.0 / k));
+    }
+    bound = std::min(2 * bound * (1 + 1e-9), kFarthestRoot);
+    if (!(bound > 0)) return 0;
+    return bernstein_roots(degree, power, 0, bound, roots);
   }
 
   int solve_order2(const LocalRay& l, double* roots) const {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/accel/box_tree.h"
 #include "tracer/math/bernstein.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/plane_curve.h"
@@ -77,7 +78,9 @@ class Prism final : public Primitive<Prism> {
  public:
   Prism(const scene::Object& description, const scene::Prism& prism)
       : Primitive(description, {prism_box(prism)}), conic_(prism.conic), open_(prism.open), low_(std::min(prism.low, prism.high)),
-        high_(std::max(prism.low, prism.high)) {
+        high_(std::max(prism.low, prism.high)), box_(prism_box(prism)) {
+    const Vec3 pad = 1e-9 * (box_.max - box_.min) + Vec3(1e-12);
+    box_.min -= pad, box_.max += pad;
     for (const CurveSegment& s : segments_of(prism)) {
       Segment segment{s, 0, 0, 0, 0};
       s.extremes(along_x, segment.x_low, segment.x_high);
@@ -94,6 +97,8 @@ class Prism final : public Primitive<Prism> {
       const double depth = t / l.scale;
       if (depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; }, part, w);
     };
+    double enter = 0, leave = HUGE_VAL;
+    if (!accel::clip_to_box({o, d}, box_, enter, leave)) return;
     if (std::fabs(d.y) > kEpsilon) {
       if (!open_) {
         for (const double h : {low_, high_}) {
@@ -111,7 +116,7 @@ class Prism final : public Primitive<Prism> {
       const double nx = conic_ ? o.z * d.y - o.y * d.z : d.z, nz = conic_ ? o.y * d.x - o.x * d.y : -d.x;
       const double n0 = conic_ ? o.x * d.z - o.z * d.x : o.z * d.x - o.x * d.z;
       if (!straddles(segments_[i], nx, nz, n0)) continue;
-      double power[4], bernstein[4], roots[kMaxBernsteinDegree];
+      double power[4], roots[3];
       for (int k = 0; k <= s.degree; ++k) {
         const Vec2& c = s.c[static_cast<std::size_t>(k)];
         power[k] = nx * c.x + nz * c.y;
@@ -123,8 +128,7 @@ class Prism final : public Primitive<Prism> {
         roots[0] = -power[0] / power[1];
         n = roots[0] >= 0 && roots[0] <= 1;
       } else {
-        bernstein_from_power(s.degree, power, 0, 1, bernstein);
-        n = bernstein_roots(s.degree, bernstein, roots);
+        n = s.degree == 2 ? bernstein_roots<2>(power, 0, 1, roots) : bernstein_roots<3>(power, 0, 1, roots);
       }
       for (int k = 0; k < n; ++k) {
         const double x = s.value(along_x, roots[k]), z = s.value(along_z, roots[k]);
@@ -178,7 +182,7 @@ class Prism final : public Primitive<Prism> {
     int count = 0;
     for (const Segment& s : segments_) {
       if (z < s.z_low || z > s.z_high || x > s.x_high) continue;
-      double roots[kMaxBernsteinDegree];
+      double roots[3];
       const int n = s.curve.solve(along_z, z, roots);
       for (int i = 0; i < n; ++i) count += s.curve.value(along_x, roots[i]) > x;
     }
@@ -187,6 +191,7 @@ class Prism final : public Primitive<Prism> {
 
   bool conic_, open_;
   double low_, high_;
+  Box3 box_;
   std::vector<Segment> segments_;
 };
 

@@ -118,10 +118,9 @@ class Sor final : public Primitive<Sor> {
       const double y = q.y, dy = d.y;
       const double power[4] = {s.radius2(y) - (q.x * q.x + q.z * q.z), s.slope(y) * dy - 2 * (d.x * q.x + d.z * q.z), (3 * s.c[3] * y + s.c[2]) * dy * dy - r,
                                s.c[3] * dy * dy * dy};
-      double bernstein[4], roots[3];
-      bernstein_from_power(3, power, 0, to - from, bernstein);
-      const int n = bernstein_roots(3, bernstein, roots);
-      for (int k = 0; k < n; ++k) report(from + (to - from) * roots[k], static_cast<std::int32_t>(i));
+      double roots[3];
+      const int n = bernstein_roots<3>(power, 0, to - from, roots);
+      for (int k = 0; k < n; ++k) report(from + roots[k], static_cast<std::int32_t>(i));
     }
   }
 

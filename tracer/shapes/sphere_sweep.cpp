@@ -17,7 +17,7 @@ namespace verisim::shapes {
 namespace {
 
 constexpr double kFarthest = 1e7;
-constexpr std::size_t kFewParts = 8;
+constexpr std::size_t kFewParts = 1;
 
 using Vec4 = Imath::V4d;  // centre and radius
 
@@ -132,7 +132,7 @@ class SphereSweep final : public Primitive<SphereSweep> {
     const auto covers = [&](std::size_t i) {
       const Segment& s = segments_[i];
       const int k = s.degree;
-      double power[7] = {}, bernstein[7], roots[kMaxBernsteinDegree];
+      double power[7] = {}, roots[1];
       for (int a = 0; a <= k; ++a)
         for (int b = 0; b <= k; ++b) {
           const Vec4 v = s.c[static_cast<std::size_t>(a)], w = s.c[static_cast<std::size_t>(b)];
@@ -141,8 +141,7 @@ class SphereSweep final : public Primitive<SphereSweep> {
           if (b == 0) y -= p;
           power[a + b] += dot(x, y) - v.w * w.w;
         }
-      bernstein_from_power(2 * k, power, 0, 1, bernstein);
-      return bernstein_roots(2 * k, bernstein, roots, 1) > 0;
+      return (k == 1 ? bernstein_roots<2>(power, 0, 1, roots, 1) : bernstein_roots<6>(power, 0, 1, roots, 1)) > 0;
     };
     if (!tree_.empty()) return tree_.any_around(p, covers);
     for (std::size_t i = 0; i < segments_.size(); ++i)
@@ -257,12 +256,11 @@ class SphereSweep final : public Primitive<SphereSweep> {
     double n_size = 0, m_size = 0;
     for (const double v : n) n_size = std::max(n_size, std::fabs(v));
     for (const double v : m) m_size = std::max(m_size, std::fabs(v));
-    double bernstein[kMaxBernsteinDegree + 1], roots[kMaxBernsteinDegree];
+    double roots[10];
     int count;
     if (m_size * s.at(0.5).w < 1e-6 * n_size) {
       // The curve lies across the ray: both sides of the tube share their u, and the polynomial is nearly N^2.
-      bernstein_from_power(5, n, 0, 1, bernstein);
-      count = bernstein_roots(5, bernstein, roots);
+      count = bernstein_roots<5>(n, 0, 1, roots);
       for (int i = 0; i < count; ++i) {
         double enter, leave;
         if (!sphere_chord(s.at(roots[i]), l, enter, leave)) continue;
@@ -282,8 +280,7 @@ class SphereSweep final : public Primitive<SphereSweep> {
       for (int j = 0; j < 4; ++j) power[i + j] -= 2 * nm[i] * b[j];
     for (int i = 0; i < 5; ++i)
       for (int j = 0; j < 7; ++j) power[i + j] += mm[i] * k[j];
-    bernstein_from_power(10, power, 0, 1, bernstein);
-    count = bernstein_roots(10, bernstein, roots);
+    count = bernstein_roots<10>(power, 0, 1, roots);
     const double moved = dot(near.origin - l.origin, l.direction);
     for (int i = 0; i < count; ++i) {
       const double u = roots[i];

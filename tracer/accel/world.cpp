@@ -83,6 +83,12 @@ Box3 widened(const scene::Bounds& b) {
   return {low, high};
 }
 
+// What the tree keeps of an entry: the true bounds of its surface where POV-Ray's box encloses them. Where it does not, its box decides what is seen.
+Box3 tight_box(const Box3& pov, const Box3& surface) {
+  const bool encloses = !is_empty(surface) && contains(pov, surface.min) && contains(pov, surface.max);
+  return encloses ? surface : pov;
+}
+
 // POV-Ray's sort key: the distance at which a ray enters the box, in binary32.
 float entry_distance(const Ray& ray, const Box3& box) {
   double near = 0, far = std::numeric_limits<double>::infinity();
@@ -178,7 +184,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     if (!never && (boxless || w.in_order)) w.unbounded.push_back(static_cast<std::uint32_t>(i));
     if (!never && !boxless && !w.in_order) {
       w.bounded.push_back({e.shape, static_cast<std::uint32_t>(i), static_cast<unsigned short>(e.hidden), e.opacity});
-      boxes.push_back(e.box);
+      boxes.push_back(tight_box(e.box, shape->bounds()));
     }
     if (!e.infinite && !is_empty(e.box)) w.bounds.extendBy(e.box);
     w.entries.push_back(e);

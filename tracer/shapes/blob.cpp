@@ -16,7 +16,7 @@ namespace verisim::shapes {
 namespace {
 
 constexpr double kNearest = 1e-2, kFarthest = 1e7, kShortest = 1e-10, kInsideMargin = 1e-6;
-constexpr std::size_t kFewParts = 2;
+constexpr std::size_t kFewParts = 2, kFewPieces = 24;
 constexpr std::size_t kMaxTextures = 512;
 
 enum class PartKind : unsigned char { sphere, cylinder, base, apex };
@@ -30,7 +30,7 @@ struct Part {
   double length = 0;        // of a cylinder
   double radius2 = 0, k0 = 0, k1 = 0, k2 = 0;  // field = k0 D^2 + k1 D + k2 of the squared distance D
   Transform transform;
-  Box3 box;                 // in the blob's space
+  Box3 box, pov_box;        // in the blob's space: of its reach, and as POV-Ray has it
 };
 
 // D = a t^2 + 2 b t + c along a ray, valid for t0 < t < t1.
@@ -43,6 +43,7 @@ struct Event {
   double t;
   std::int32_t piece;
   bool enters;
+  bool operator<(const Event& other) const { return t < other.t; }
 };
 
 // A sphere that POV-Ray draws around a part, as a cube; generous for transformed ones.
@@ -53,6 +54,14 @@ Box3 cube_around(const Vec3& center, double radius, const Transform& t) {
   const Vec3 size = box.max - box.min;
   const Vec3 half(0.5 * std::max({size.x, size.y, size.z}));
   const Vec3 moved = t.point(center);
+  return {moved - half, moved + half};
+}
+
+// The box of a moved sphere.
+Box3 box_of_sphere(const Vec3& center, double radius, const Transform& t) {
+  const Vec3 moved = t.point(center);
+  Vec3 half;
+  for (int i = 0; i < 3; ++i) half[i] = radius * (1 + 1e-9) * std::sqrt(t.m[0][i] * t.m[0][i] + t.m[1][i] * t.m[1][i] + t.m[2][i] * t.m[2][i]);
   return {moved - half, moved + half};
 }
 
@@ -72,7 +81,8 @@ std::vector<Part> parts_of(const scene::Blob& blob) {
     const double radius = std::fabs(c.radius);
     if (!c.cylinder) {
       part.kind = PartKind::sphere;
-      part.box = cube_around(c.a, radius, part.transform);
+      part.pov_box = cube_around(c.a, radius, part.transform);
+      part.box = box_of_sphere(c.a, radius, part.transform);
       parts.push_back(part);
       continue;
     }
@@ -81,19 +91,25 @@ std::vector<Part> parts_of(const scene::Blob& blob) {
     part.length = len;
     const Transform frame = frame_along(c.a, part.axis, 1, 1).then(part.transform);
     part.kind = PartKind::cylinder;
-    part.box = cube_around({0, 0, 0.5 * len}, std::sqrt(part.radius2 + 0.25 * len * len), frame);
+    const Box3 base = box_of_sphere(c.a, radius, part.transform), apex = box_of_sphere(c.b, radius, part.transform);
+    part.pov_box = cube_around({0, 0, 0.5 * len}, std::sqrt(part.radius2 + 0.25 * len * len), frame);
+    part.box = base;
+    part.box.extendBy(apex);
     parts.push_back(part);
     part.kind = PartKind::base;
-    part.box = cube_around(Vec3(0), radius, frame);
+    part.pov_box = cube_around(Vec3(0), radius, frame);
+    part.box = base;
     parts.push_back(part);
     part.kind = PartKind::apex;
     part.center = c.b;
-    part.box = cube_around({0, 0, len}, radius, frame);
+    part.pov_box = cube_around({0, 0, len}, radius, frame);
+    part.box = apex;
     parts.push_back(part);
   }
   return parts;
 }
 
+// Where the surface can be: with a positive threshold, within reach of a positive part.
 Box3 box_of(const std::vector<Part>& parts, bool all) {
   Box3 box;
   for (const Part& part : parts)
@@ -121,10 +137,10 @@ class Blob final : public Primitive<Blob> {
 
     Scratch<Event> events;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      events.add({pieces[i].t0, static_cast<std::int32_t>(i), true});
-      events.add({pieces[i].t1, static_cast<std::int32_t>(i), false});
+      events.insert_sorted({pieces[i].t0, static_cast<std::int32_t>(i), true}, kFewPieces);
+      events.insert_sorted({pieces[i].t1, static_cast<std::int32_t>(i), false}, kFewPieces);
     }
-    events.sort([](const Event& a, const Event& b) { return a.t < b.t; });
+    if (events.size() > kFewPieces) events.sort();
     const double start = events[0].t, span = events[events.size() - 1].t - start;
     if (!(span > 0) || !std::isfinite(span)) return;
 
@@ -304,7 +320,12 @@ class Blob final : public Primitive<Blob> {
 
 }  // namespace
 
-Box3 blob_box(const scene::Blob& blob) { return box_of(parts_of(blob), false); }
+Box3 blob_box(const scene::Blob& blob) {
+  Box3 box;
+  for (const Part& part : parts_of(blob))
+    if (part.k2 > 0) box.extendBy(part.pov_box);
+  return box;
+}
 
 std::unique_ptr<Shape> compile_blob(const scene::Object& object) {
   return std::make_unique<Blob>(object, **object.as<std::shared_ptr<const scene::Blob>>());

@@ -1,4 +1,6 @@
 // cubic, quartic, poly and polynomial (spec 03 4.9): sum of c x^i y^j z^k = 0, coefficients in order of falling powers of x, then y, then z.
+#include <algorithm>
+
 #include "tracer/math/bernstein.h"
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
@@ -39,6 +41,13 @@ class Poly final : public Primitive<Poly> {
       : Primitive(description, {everywhere(), false}), order_(p.order), coefficients_(p.coefficients), sturm_(description.sturm) {
     const auto n = static_cast<std::size_t>(order_);
     coefficients_.resize((n + 1) * (n + 2) * (n + 3) / 6);
+    const double* c = coefficients_.data();
+    for (int i = order_; i >= 0; --i)
+      for (int j = order_ - i; j >= 0; --j) {
+        const int count = order_ - i - j + 1;
+        used_.push_back(std::any_of(c, c + count, [](double v) { return v != 0; }));
+        c += count;
+      }
   }
 
   template <class Sink>
@@ -67,17 +76,22 @@ class Poly final : public Primitive<Poly> {
   // Horner's rule over all powers, as it runs along the coefficient list.
   Univariate along(const LocalRay& l) const {
     const double* c = coefficients_.data();
+    const unsigned char* used = used_.data();
     Univariate result;
     for (int i = order_; i >= 0; --i) {
       Univariate in_y;
       for (int j = order_ - i; j >= 0; --j) {
-        Univariate in_z;
-        for (int k = order_ - i - j; k >= 0; --k) {
-          in_z.multiply(l.origin.z, l.direction.z);
-          in_z.add(*c++);
-        }
         in_y.multiply(l.origin.y, l.direction.y);
-        in_y.add(in_z);
+        const int count = order_ - i - j + 1;
+        if (*used++) {
+          Univariate in_z;
+          for (int k = 0; k < count; ++k) {
+            in_z.multiply(l.origin.z, l.direction.z);
+            in_z.add(c[k]);
+          }
+          in_y.add(in_z);
+        }
+        c += count;
       }
       result.multiply(l.origin.x, l.direction.x);
       result.add(in_y);
@@ -98,12 +112,13 @@ class Poly final : public Primitive<Poly> {
 
   // Degrees for which POV-Ray has Sturm sequences: all roots lie within Fujiwara's bound, and on that stretch they are isolated in Bernstein form.
   static int solve_bounded(int degree, const double* power, double* roots) {
-    double bound = 0;
+    double exponent = -1e9;
     for (int k = 1; k <= degree; ++k) {
       const double ratio = std::fabs(power[degree - k] / power[degree]) * (k == degree ? 0.5 : 1);
-      if (ratio > 0) bound = std::max(bound, std::pow(ratio, 1.0 / k));
+      // ratio^(1/k), in powers of two rounded up.
+      if (ratio > 0 && std::isfinite(ratio)) exponent = std::max(exponent, (std::ilogb(ratio) + 1.0) / k);
     }
-    bound = std::min(2 * bound * (1 + 1e-9), kFarthestRoot);
+    const double bound = std::min(2 * std::exp2(exponent) * (1 + 1e-9), kFarthestRoot);
     if (!(bound > 0)) return 0;
     return bernstein_roots(degree, power, 0, bound, roots);
   }
@@ -166,6 +181,7 @@ class Poly final : public Primitive<Poly> {
 
   int order_;
   std::vector<double> coefficients_;
+  std::vector<unsigned char> used_;  // per power of x and y: whether any coefficient is not zero
   bool sturm_;
 };
 

@@ -20,6 +20,15 @@ class Scratch {
     list_.push_back(value);
     ++size_;
   }
+  // Adds in order while there are at most `few` elements, at the end after that: sort() then.
+  void insert_sorted(const T& value, std::size_t few) {
+    add(value);
+    if (size_ > few) return;
+    T* first = &list_[begin_];
+    T* place = first + size_ - 1;
+    for (; place > first && value < place[-1]; --place) *place = place[-1];
+    *place = value;
+  }
   void pop() {
     list_.pop_back();
     --size_;

@@ -10,10 +10,39 @@ namespace {
 constexpr double kNearest = 1e-4, kFarthest = 1e7, kZero = 1e-10, kCube = 1.01;
 constexpr int kMaxSteps = 20;
 
-double norm(double a, double b, double p) {
+// x^p and x^(1/p), without the library's pow where p is a small integer or a power of two: as most exponents in scenes are.
+class Power {
+ public:
+  explicit Power(double p) : p_(p), inverse_(1 / p) {
+    if (p >= 1 && p <= 64 && p == std::floor(p)) integer_ = static_cast<int>(p);
+    if (integer_ > 0 && (integer_ & (integer_ - 1)) == 0)
+      for (int i = integer_; i > 1; i /= 2) ++roots_;
+    else
+      roots_ = -1;
+  }
+  double exponent() const { return p_; }
+  double raise(double x) const {
+    if (integer_ == 0) return std::pow(x, p_);
+    double result = 1;
+    for (int n = integer_; n != 0; n >>= 1, x *= x)
+      if (n & 1) result *= x;
+    return result;
+  }
+  double root(double x) const {
+    if (roots_ < 0) return std::pow(x, inverse_);
+    for (int i = 0; i < roots_; ++i) x = std::sqrt(x);
+    return x;
+  }
+
+ private:
+  double p_, inverse_;
+  int integer_ = 0, roots_ = 0;  // roots_: how many square roots make x^(1/p); negative: use pow
+};
+
+double norm(double a, double b, const Power& p) {
   if (a < b) std::swap(a, b);
   if (!(a > 0)) return 0;
-  return a * std::pow(1 + std::pow(b / a, p), 1 / p);
+  return a * p.root(1 + p.raise(b / a));
 }
 
 class Superellipsoid final : public Primitive<Superellipsoid> {
@@ -58,10 +87,10 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
     const Vec3 v = local(hit.point);
     const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
     const double r = norm(x, y, p_), f = norm(r, z, q_);
-    const double across = f > 0 && r > 0 ? std::pow(r / f, q_ - 1) : 0;
+    const double across = f > 0 && r > 0 ? std::pow(r / f, q_.exponent() - 1) : 0;
     const auto part = [](double a, double size, double power) { return size > 0 && a > 0 ? std::pow(a / size, power) : power == 0 ? 1.0 : 0.0; };
-    const Vec3 g(std::copysign(across * part(x, r, p_ - 1), v.x), std::copysign(across * part(y, r, p_ - 1), v.y),
-                 std::copysign(part(z, f, q_ - 1), v.z));
+    const Vec3 g(std::copysign(across * part(x, r, p_.exponent() - 1), v.x), std::copysign(across * part(y, r, p_.exponent() - 1), v.y),
+                 std::copysign(part(z, f, q_.exponent() - 1), v.z));
     const double largest = std::max({std::fabs(g.x), std::fabs(g.y), std::fabs(g.z)});
     if (!(largest > 0) || !std::isfinite(largest)) return {1, 0, 0};
     return world_normal(g / largest);
@@ -147,7 +176,7 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
     return false;
   }
 
-  double p_, q_;
+  Power p_, q_;
 };
 
 }  // namespace

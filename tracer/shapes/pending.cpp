@@ -10,9 +10,11 @@ namespace verisim::shapes {
 #define VERISIM_PENDING_BOX(name, type) \
   Box3 name##_box(const scene::type&) { throw std::runtime_error("shape is not supported: " #name); }
 
-VERISIM_PENDING_FACTORY(text)
 
-VERISIM_PENDING_BOX(text, Text)
+VERISIM_PENDING_BOX(blob, Blob)
+VERISIM_PENDING_BOX(lathe, Lathe)
+VERISIM_PENDING_BOX(sor, Sor)
+VERISIM_PENDING_BOX(prism, Prism)
 
 
 }  // namespace verisim::shapes

@@ -398,6 +398,7 @@ std::shared_ptr<const Program> Builder::finish(Register result, Node expression)
   pack(result);
   program_->result_ = result;
   program_->expression_ = std::move(expression);
+  program_->make_native();
   return program_;
 }
 

@@ -1,5 +1,7 @@
 #include "tracer/functions/program.h"
 
+#include "tracer/functions/machine_code.h"
+
 #include <algorithm>
 #include <cstring>
 #include <memory>
@@ -57,18 +59,30 @@ double Program::run(double* r) const {
   return r[result_];
 }
 
+void Program::make_native() {
+  native_ = MachineCode::translate(code_, calls_, static_cast<std::uint32_t>(parameters_), constants_, result_);
+}
+
 void Program::evaluate(std::span<const double> arguments, double* result) const {
-  double stack[kStackRegisters];
-  std::unique_ptr<double[]> heap;  // only very long functions need it
-  double* r = stack;
-  if (registers_ > kStackRegisters) {
-    heap = std::make_unique<double[]>(registers_);
-    r = heap.get();
+  const auto n = static_cast<std::size_t>(parameters_);
+  if (registers_ > kStackRegisters) return evaluate_long(arguments, result);
+  double r[kStackRegisters];
+  for (std::size_t k = 0; k < n; ++k) r[k] = arguments[k];
+  if (native_) {
+    *result = native_->run(r);
+    return;
   }
+  for (std::size_t k = 0; k < constants_.size(); ++k) r[n + k] = constants_[k];
+  *result = run(r);
+}
+
+// Only very long functions have so many values that the stack is no place for them.
+void Program::evaluate_long(std::span<const double> arguments, double* result) const {
+  const auto r = std::make_unique<double[]>(registers_);
   const auto n = static_cast<std::size_t>(parameters_);
   for (std::size_t k = 0; k < n; ++k) r[k] = arguments[k];
   for (std::size_t k = 0; k < constants_.size(); ++k) r[n + k] = constants_[k];
-  *result = run(r);
+  *result = native_ ? native_->run(r.get()) : run(r.get());
 }
 
 namespace {
@@ -204,6 +218,7 @@ template <int Width>
 namespace {
 
 constexpr int kNarrow = 8, kWide = 64;
+constexpr std::size_t kWorthABatch = 4;  // fewer points are faster one by one in native code
 
 #ifdef VERISIM_HAS_AVX2
 bool has_avx2() {
@@ -232,7 +247,7 @@ VERISIM_AVX2 void Program::batch_wide_avx2(double* r, const double* arguments, s
 
 void Program::evaluate_batch(const double* arguments, std::size_t stride, std::size_t count, double* result) const {
   if (count == 0) return;
-  if (has_jumps_) return Function::evaluate_batch(arguments, stride, count, result);
+  if (has_jumps_ || (native_ && count < kWorthABatch)) return Function::evaluate_batch(arguments, stride, count, result);
   const bool narrow = count <= kNarrow;
   alignas(32) double stack[std::size_t{kStackRegisters} * kNarrow * 2];
   std::unique_ptr<double[]> heap;

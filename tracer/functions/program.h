@@ -24,6 +24,8 @@ struct Call {
   std::uint32_t results = 0;
 };
 
+class MachineCode;
+
 class Program final : public Function {
  public:
   int parameters() const override { return parameters_; }
@@ -40,6 +42,8 @@ class Program final : public Function {
 
  private:
   friend class Builder;
+  void make_native();
+  void evaluate_long(std::span<const double> arguments, double* result) const;
   double run(double* registers) const;
   template <int Width>
   void run_block(double* registers, std::size_t count) const;
@@ -57,6 +61,7 @@ class Program final : public Function {
   std::vector<Call> calls_;
   std::uint32_t registers_ = 0, result_ = 0;
   bool has_jumps_ = false;
+  std::shared_ptr<const MachineCode> native_;  // null: interpreted
   Node expression_;
 };
 

@@ -84,8 +84,9 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
       }
       const double depth = in ? low : low + width, world_t = depth / r.scale;
       in = now;
-      if (sink.add(world_t, [&] { return ray.at(world_t); }) && Sink::kNearest) return;
-      if (Sink::kNearest && t / r.scale > sink.upper()) return;
+      sink.add(world_t, [&] { return ray.at(world_t); });
+      // Outside CSG the march ends with the first hit, even one too near to be seen: refracted rays often do not meet the far side.
+      if (Sink::kNearest && !sink.clipped(ray.at(world_t))) return;
     }
   }
 

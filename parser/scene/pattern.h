@@ -31,7 +31,8 @@ enum class ImageUse : unsigned char { image_map, image_pattern, bump_map, materi
 scene::ImageParams parse_image(Parser& parser, ImageUse use, float* bump_size = nullptr);
 
 // Body of a pigment, normal, texture or density: items up to the first token that is none. `start` is what is modified.
-scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& start);
+// (`old_texture`: written directly into the texture, before 3.0; frequency and phase belong to the normal then.)
+scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& start, bool old_texture = false);
 scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start);
 scene::TexturePtr parse_texture_body(Parser& parser);
 scene::DensityPtr parse_density_body(Parser& parser);

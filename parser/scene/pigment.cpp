@@ -70,7 +70,7 @@ const scene::TextureLayer& default_layer(Parser& parser) {
   return texture->layers.front();
 }
 
-scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& start) {
+scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& start, bool old_texture) {
   const Parser::Depth depth(parser);
   std::shared_ptr<Pigment> pigment;
   bool changed = false;
@@ -82,8 +82,8 @@ scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& st
     return pigment;
   }
   changed = parse_type(parser, *pigment);
-  if (!changed && pigment->pattern.kind == PatternKind::none) parser.warning("Pigment type unspecified or not 1st item.");
-  while (parse_modifier(parser, *pigment)) changed = true;
+  if (!changed && !old_texture && pigment->pattern.kind == PatternKind::none) parser.warning("Pigment type unspecified or not 1st item.");
+  while (!(old_texture && (parser.at(Word::frequency) || parser.at(Word::phase))) && parse_modifier(parser, *pigment)) changed = true;
   if (!changed) return original;  // shared, so that equal pigments are compiled once
   if (pigment->pattern.kind == PatternKind::average && !pigment->pigment_map) parser.error("Average must have map.");
   check_pattern(parser, pigment->pattern);

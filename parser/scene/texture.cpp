@@ -43,6 +43,20 @@ bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
     case Word::waves:
     case Word::wrinkles:
     case Word::bump_map: layer.normal = parse_normal_body(parser, layer.normal); return true;
+    case Word::frequency:
+    case Word::phase: {
+      auto normal = layer.normal ? std::make_shared<scene::Normal>(*layer.normal) : std::make_shared<scene::Normal>();
+      parse_pattern_modifier(parser, normal->pattern, PatternOwner::normal);
+      layer.normal = normal;
+      return true;
+    }
+    case Word::none:
+      if (parser.peek().kind == TokenKind::number) {
+        layer.finish.crand = to_float(parser.parse_float());
+        parser.warning("Should use crand keyword in finish statement.");
+        return true;
+      }
+      break;
     default: break;
   }
   scene::Finish finish = layer.finish;
@@ -51,7 +65,7 @@ bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
     return true;
   }
   if (word_at(parser) == Word::none && !at_color(parser)) return false;
-  scene::PigmentPtr pigment = parse_pigment_body(parser, layer.pigment);
+  scene::PigmentPtr pigment = parse_pigment_body(parser, layer.pigment, true);
   const bool changed = pigment != layer.pigment;
   layer.pigment = pigment;
   return changed;

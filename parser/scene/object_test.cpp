@@ -1,0 +1,271 @@
+// Objects: what their statements put into the description (spec 03, 04).
+#include "parser/scene/test_support.h"
+
+namespace verisim::parser {
+namespace {
+
+using testing::first_error;
+using testing::object_of;
+using testing::parse;
+using testing::scene_of;
+using testing::sphere_with;
+
+template <class T>
+const T& payload(const scene::ObjectPtr& object) {
+  return **object->as<std::shared_ptr<const T>>();
+}
+
+TEST(Shapes, SimpleOnesKeepTheirNumbers) {
+  const auto sphere = *object_of("sphere{<1,2,3>,4}")->as<scene::Sphere>();
+  EXPECT_EQ(sphere.center, Vec3(1, 2, 3));
+  EXPECT_EQ(sphere.radius, 4);
+  const auto box = *object_of("box{<1,-2,3>,<-1,2,-3>}")->as<scene::Box>();
+  EXPECT_EQ(box.low, Vec3(-1, -2, -3));
+  EXPECT_EQ(box.high, Vec3(1, 2, 3));
+  const auto plane = *object_of("plane{2*y,3}")->as<scene::Plane>();
+  EXPECT_EQ(plane.normal, Vec3(0, 1, 0));
+  EXPECT_EQ(plane.distance, 3);
+  const auto cone = *object_of("cone{0,1,y,.5 open}")->as<scene::Cone>();
+  EXPECT_EQ(cone.base_radius, 1);
+  EXPECT_EQ(cone.cap_radius, .5);
+  EXPECT_TRUE(cone.open);
+  const auto torus = *object_of("torus{2 .5}")->as<scene::Torus>();
+  EXPECT_EQ(torus.major, 2);
+  EXPECT_EQ(torus.minor, .5);
+  const auto disc = *object_of("disc{0,y,2,1}")->as<scene::Disc>();
+  EXPECT_EQ(disc.radius, 2);
+  EXPECT_EQ(disc.hole, 1);
+}
+
+TEST(Shapes, PolynomialTermsGoToTheirPlaces) {
+  // x^2, xy, xz, x, y^2, yz, y, z^2, z, 1
+  const auto poly = *object_of("polynomial{2, xyz(2,0,0):1, xyz(1,1,0):2, xyz(1,0,1):3, xyz(1,0,0):4, xyz(0,2,0):5, xyz(0,1,1):6, xyz(0,1,0):7,"
+                               " xyz(0,0,2):8, xyz(0,0,1):9, xyz(0,0,0):10}")->as<scene::Poly>();
+  EXPECT_EQ(poly.coefficients, (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
+  const auto sextic = *object_of("polynomial{6, xyz(0,6,0):3, xyz(0,0,0):7, xyz(6,0,0):5}")->as<scene::Poly>();
+  ASSERT_EQ(sextic.coefficients.size(), 84u);
+  EXPECT_EQ(sextic.coefficients.front(), 5);
+  EXPECT_EQ(sextic.coefficients.back(), 7);
+  EXPECT_EQ(sextic.coefficients[84 - 28], 3);  // behind all terms with x
+}
+
+TEST(Shapes, BlobComponentsHaveTheirOwnTexturesAndTransforms) {
+  const auto object = object_of("blob{threshold .6 sphere{x,1,2} cylinder{0,y,.5,strength -1 pigment{rgb 1} scale 2} component 3 4 <5,6,7>}");
+  const auto& blob = payload<scene::Blob>(object);
+  ASSERT_EQ(blob.components.size(), 3u);
+  EXPECT_EQ(blob.threshold, .6);
+  EXPECT_FALSE(blob.components[0].texture);
+  EXPECT_TRUE(blob.components[1].cylinder);
+  EXPECT_EQ(blob.components[1].strength, -1);
+  EXPECT_TRUE(blob.components[1].texture);
+  EXPECT_TRUE(blob.components[1].transform.has_value());
+  EXPECT_EQ(blob.components[2].strength, 3);
+  EXPECT_EQ(blob.components[2].radius, 4);
+  EXPECT_EQ(blob.components[2].a, Vec3(5, 6, 7));
+}
+
+TEST(Shapes, DefaultsOfImplicitSurfaces) {
+  const auto isosurface_object = object_of("isosurface{function{x}}");
+  const auto& isosurface = payload<scene::Isosurface>(isosurface_object);
+  EXPECT_EQ(isosurface.accuracy, .001);
+  EXPECT_EQ(isosurface.max_gradient, 1.1);
+  EXPECT_EQ(isosurface.max_trace, 1);
+  EXPECT_FALSE(isosurface.open);
+  EXPECT_EQ(isosurface.container.low, Vec3(-1, -1, -1));
+  const auto all = object_of("isosurface{function{x} all_intersections contained_by{sphere{y,2}}}");
+  EXPECT_EQ(payload<scene::Isosurface>(all).max_trace, 10);
+  EXPECT_TRUE(payload<scene::Isosurface>(all).container.sphere);
+  const auto julia_object = object_of("julia_fractal{<1,2,3,4> hypercomplex pwr(.5,.25) slice <0,0,0,2>,.5}");
+  const auto& julia = payload<scene::JuliaFractal>(julia_object);
+  EXPECT_EQ(julia.parameter, (std::array<double, 4>{1, 2, 3, 4}));
+  EXPECT_EQ(julia.slice[3], 1);
+  EXPECT_EQ(julia.exponent, Vec2(.5, .25));
+  EXPECT_EQ(julia.max_iteration, 20);
+}
+
+TEST(Meshes, VerticesAreRoundedAndSmoothnessFollowsTheNormals) {
+  const auto object = object_of("mesh2{vertex_vectors{4,<.1,0,0>,x,y,z} normal_vectors{4,z,z,z,<0,1,1>} face_indices{2,<0,1,2>,<1,2,3>}}");
+  const scene::MeshData& mesh = *object->as<scene::Mesh>()->data;
+  EXPECT_EQ(mesh.vertices[0].x, static_cast<double>(.1f));
+  EXPECT_FALSE(mesh.triangles[0].smooth);  // three equal normals
+  EXPECT_TRUE(mesh.triangles[1].smooth);
+  EXPECT_EQ(mesh.triangles[1].vertex, (std::array<std::uint32_t, 3>{1, 2, 3}));
+  EXPECT_FALSE(mesh.inside_vector.has_value());
+}
+
+TEST(Meshes, TexturesOfFaces) {
+  const auto object = object_of("mesh2{vertex_vectors{3,0,x,y} texture_list{2 texture{pigment{rgb 1}} texture{pigment{rgb 0}}} face_indices{3,<0,1,2>,1,<0,1,2>,0,1,0,<0,1,2>}}");
+  const scene::MeshData& mesh = *object->as<scene::Mesh>()->data;
+  EXPECT_EQ(mesh.triangles[0].texture, (std::array<std::int32_t, 3>{1, 1, 1}));
+  EXPECT_EQ(mesh.triangles[1].texture, (std::array<std::int32_t, 3>{0, 1, 0}));
+  EXPECT_EQ(mesh.triangles[2].texture, (std::array<std::int32_t, 3>{-1, -1, -1}));
+}
+
+TEST(Meshes, DegenerateTrianglesOfMeshVanish) {
+  const auto object = object_of("mesh{triangle{0,x,x} triangle{0,x,y uv_vectors <0,0>,<.5,0>,<0,1>} inside_vector 2*z}");
+  const scene::MeshData& mesh = *object->as<scene::Mesh>()->data;
+  ASSERT_EQ(mesh.triangles.size(), 1u);
+  EXPECT_EQ(mesh.uvs[mesh.triangles[0].uv[1]], Vec2(.5, 0));
+  EXPECT_EQ(*mesh.inside_vector, Vec3(0, 0, 1));
+}
+
+TEST(Meshes, ErrorsNameTheProblem) {
+  EXPECT_EQ(first_error("mesh2{vertex_vectors{3,0,x,y} face_indices{1,<0,1,3>}}"), "Mesh face index out of range.");
+  EXPECT_EQ(first_error("mesh2{vertex_vectors{0}}"), "No vertices in triangle mesh.");
+  EXPECT_EQ(first_error("mesh2{vertex_vectors{3,0,x,y} normal_vectors{1,z} face_indices{1,<0,1,2>}}"), "Missing normal_indicies section in mesh2.");
+  EXPECT_EQ(first_error("mesh{triangle{0,x,x}}"), "No triangles in triangle mesh.");
+}
+
+TEST(Meshes, HugeCountsTakeNoMemory) {
+  EXPECT_NE(first_error("mesh2{vertex_vectors{2000000000,0}"), "");
+  EXPECT_NE(first_error("polygon{1e18,0"), "");
+  EXPECT_NE(first_error("height_field{function 1e5,1e5{x}}"), "");
+}
+
+TEST(Csg, DifferenceInvertsAllButTheFirst) {
+  const auto object = object_of("difference{sphere{0,1} box{0,1} plane{y,0}}");
+  const auto& csg = *object->as<scene::Csg>();
+  EXPECT_EQ(csg.kind, scene::CsgKind::intersection);
+  EXPECT_TRUE(csg.difference);
+  ASSERT_EQ(csg.children.size(), 3u);
+  EXPECT_FALSE(csg.children[0]->inverted);
+  EXPECT_TRUE(csg.children[1]->inverted);
+}
+
+TEST(Csg, UntexturedChildrenGetTheParentsTexture) {
+  const auto object = object_of("union{sphere{0,1} sphere{0,2 pigment{rgb x}} texture{pigment{rgb y}}}");
+  const auto& children = object->as<scene::Csg>()->children;
+  EXPECT_EQ(children[0]->texture, object->texture);
+  EXPECT_EQ(children[1]->texture->layers[0].pigment->color, Color(1, 0, 0));
+}
+
+TEST(Csg, DefaultTextureIsTheOneAtTheEndOfTheStatement) {
+  const auto object = object_of("#declare S=sphere{0,1}; #default{pigment{rgb <0,1,0>}} object{S}");
+  EXPECT_EQ(object->texture->layers[0].pigment->color, Color(0, 1, 0));
+}
+
+TEST(Csg, CutawayChildrenStayWithoutTexture) {
+  const auto object = object_of("difference{union{sphere{0,1 pigment{rgb x}} box{0,1}} sphere{x,1} cutaway_textures}");
+  const auto& children = object->as<scene::Csg>()->children;
+  EXPECT_FALSE(children[1]->texture);
+  EXPECT_TRUE(children[0]->as<scene::Csg>()->children[1]->texture);  // a child of a union has the default texture after all
+}
+
+TEST(Csg, ChildrenShareTheInteriorAndTheLastHollowWins) {
+  const auto object = object_of("union{sphere{0,1 hollow} sphere{x,1} interior{ior 1.5}}");
+  const auto& children = object->as<scene::Csg>()->children;
+  EXPECT_EQ(children[0]->interior, object->interior);
+  EXPECT_EQ(children[1]->interior, object->interior);
+  EXPECT_FALSE(object->interior->hollow);
+  EXPECT_TRUE(object_of("union{sphere{0,1} sphere{x,1 hollow}}")->interior->hollow);
+  EXPECT_TRUE(object_of("union{sphere{0,1} sphere{x,1} hollow}")->interior->hollow);
+  EXPECT_FALSE(object_of("union{sphere{0,1} sphere{x,1 hollow off} hollow}")->interior->hollow);
+}
+
+TEST(Csg, CopiesHaveInteriorsOfTheirOwn) {
+  const scene::Scene scene = scene_of("#declare S=sphere{0,1 interior{ior 1.5}}; object{S} object{S translate 3*x}");
+  EXPECT_NE(scene.objects[0]->interior, scene.objects[1]->interior);
+  EXPECT_EQ(scene.objects[1]->interior->ior, 1.5f);
+}
+
+TEST(Csg, FlagsRunDownTheTree) {
+  const auto object = object_of("union{sphere{0,1} box{0,1} no_shadow no_image radiosity{importance .5} photons{target .5 refraction on collect off}}");
+  for (const auto& child : object->as<scene::Csg>()->children) {
+    EXPECT_TRUE(child->no_shadow && child->no_image && !child->no_reflection);
+    EXPECT_EQ(child->radiosity_importance, .5f);
+    EXPECT_TRUE(child->photons.target && !child->photons.collect);
+    EXPECT_EQ(child->photons.refraction, scene::Flag::on);
+  }
+  EXPECT_TRUE(object_of("union{sphere{0,1 no_shadow} box{0,1 no_shadow}}")->no_shadow);
+  EXPECT_FALSE(object_of("union{sphere{0,1 no_shadow} box{0,1}}")->no_shadow);
+}
+
+TEST(Modifiers, TextureLayersAndParts) {
+  const auto object = sphere_with("texture{pigment{rgb x}} texture{pigment{rgbt <0,0,1,.5>}} finish{ambient 1}");
+  ASSERT_EQ(object->texture->layers.size(), 2u);
+  EXPECT_EQ(object->texture->layers[0].finish.ambient, Rgb(.1f));
+  EXPECT_EQ(object->texture->layers[1].finish.ambient, Rgb(1.f));
+}
+
+TEST(Modifiers, FilterBecomesTransmitInUpperLayersUpTo310) {
+  const scene::Scene scene = scene_of("#version 3.1; sphere{0,1 texture{pigment{rgbf <1,1,1,.5>}} texture{pigment{rgbf <1,1,1,.25>}}}");
+  const auto& layers = scene.objects[0]->texture->layers;
+  EXPECT_EQ(layers[0].pigment->color.f, .5f);
+  EXPECT_EQ(layers[1].pigment->color.f, 0);
+  EXPECT_EQ(layers[1].pigment->color.t, .25f);
+}
+
+TEST(Modifiers, LinkedBoundsAndClips) {
+  const auto object = object_of("intersection{sphere{0,1} box{0,1} clipped_by{box{-1,1}} bounded_by{clipped_by}}");
+  EXPECT_EQ(object->clipped_by.size(), 1u);
+  EXPECT_EQ(object->bounded_by, object->clipped_by);
+  EXPECT_EQ(first_error("sphere{0,1 bounded_by{box{0,1}} bounded_by{clipped_by}}"), "Cannot link clips with previous bounds.");
+  EXPECT_EQ(first_error("sphere{0,1 clipped_by{box{0,1}} bounded_by{clipped_by} clipped_by{box{0,1}}}"), "Cannot add clips after linking bounds and clips.");
+}
+
+TEST(Modifiers, ErrorsHavePovRaysMeaning) {
+  EXPECT_EQ(first_error("sphere{0,1 pigment{rgb 1} uv_mapping}"), "uv_mapping must be specified before texture.");
+  EXPECT_EQ(first_error("sphere{0,1 interior_texture{pigment{rgb 1}}}"), "Interior texture requires an exterior texture.");
+  EXPECT_EQ(first_error("box{0,1 sturm}"), "Keyword 'sturm' cannot be used with this object.");
+  EXPECT_EQ(first_error("sphere{0,1 foo}"), "Expected '}' to end 'sphere', undeclared identifier 'foo' found instead.");
+  EXPECT_EQ(first_error("sphere{0,1 texture{checker texture{} texture{}} pigment{rgb 1}}"), "Cannot layer over a patterned texture.");
+}
+
+TEST(Modifiers, ColorsOutsideOfTexturesWarn) {
+  EXPECT_NE(parse("sphere{0,1 rgb 1}").messages.find("Quick color belongs in texture"), std::string::npos);
+}
+
+TEST(LightGroups, LightsReachTheGroupsObjectsOnly) {
+  const auto object = object_of("light_group{light_source{y rgb 1} sphere{0,1} union{box{0,1} sphere{0,2}} global_lights off}");
+  const auto& children = object->as<scene::LightGroup>()->children;
+  EXPECT_EQ(children[1]->group_lights.size(), 1u);
+  EXPECT_EQ(children[2]->as<scene::Csg>()->children[0]->group_lights.size(), 1u);
+  EXPECT_TRUE(children[1]->ignore_global_lights);
+  EXPECT_FALSE(object_of("light_group{sphere{0,1} global_lights on}")->as<scene::LightGroup>()->children[0]->ignore_global_lights);
+}
+
+TEST(LightGroups, InnerGroupsWithLightsInheritOnlyAsCopies) {
+  const auto lights_inside = [](const std::string& text) {
+    const scene::Scene scene = scene_of(text);
+    const auto& outer = scene.objects.back()->as<scene::LightGroup>()->children;
+    return outer[1]->as<scene::LightGroup>()->children.back()->group_lights.size();
+  };
+  EXPECT_EQ(lights_inside("light_group{light_source{y rgb 1} light_group{light_source{x rgb 1} sphere{0,1}}}"), 1u);
+  EXPECT_EQ(lights_inside("light_group{light_source{y rgb 1} light_group{sphere{0,1}}}"), 1u);
+  EXPECT_EQ(lights_inside("#declare G=light_group{light_source{x rgb 1} sphere{0,1}} light_group{light_source{y rgb 1} light_group{G}}"), 2u);
+}
+
+TEST(LightSource, DefaultsAndTypes) {
+  const auto light = *object_of("light_source{<1,2,3>, rgb <1,.5,.25>}")->as<scene::LightSource>();
+  EXPECT_EQ(light.position, Vec3(1, 2, 3));
+  EXPECT_EQ(light.color, Rgb(1, .5f, .25f));
+  EXPECT_EQ(light.adaptive, 100);
+  EXPECT_TRUE(light.media_interaction && !light.media_attenuation);
+  const auto spot = *object_of("light_source{0 rgb 1 spotlight point_at 2*x}")->as<scene::LightSource>();
+  EXPECT_EQ(spot.radius, 30);
+  EXPECT_EQ(spot.falloff, 45);
+  EXPECT_EQ(spot.tightness, 0);
+  EXPECT_EQ(spot.direction, Vec3(1, 0, 0));
+  const auto cylinder = *object_of("light_source{0 rgb 1 cylinder}")->as<scene::LightSource>();
+  EXPECT_TRUE(cylinder.parallel);
+  EXPECT_EQ(cylinder.radius, .75);
+  EXPECT_EQ(object_of("light_source{0 rgb 1 spotlight shadowless}")->as<scene::LightSource>()->kind, scene::LightKind::shadowless);
+}
+
+TEST(LightSource, Errors) {
+  EXPECT_NE(first_error("light_source{0 rgb 1 radius 5}").find("standard light source"), std::string::npos);
+  EXPECT_NE(first_error("light_source{0 rgb 1 spotlight shadowless falloff 5}").find("standard light source"), std::string::npos);
+  EXPECT_NE(first_error("light_source{0 rgb 1 area_light x,y,0,1}"), "");
+  EXPECT_NE(first_error("light_source{0 rgb 1 area_light x,y,1,5 circular}"), "");
+  EXPECT_NE(first_error("light_source{0 rgb 1 looks_like{sphere{0,1}} looks_like{sphere{0,1}}}"), "");
+}
+
+TEST(LightSource, LooksLikeMovesToTheLight) {
+  const auto light = *object_of("light_source{<1,2,3> rgb 1 looks_like{sphere{0,1}} translate x}")->as<scene::LightSource>();
+  EXPECT_EQ(light.looks_like->as<scene::Sphere>()->center, Vec3(2, 2, 3));
+  EXPECT_TRUE(light.looks_like->no_shadow);
+  EXPECT_TRUE(light.looks_like->texture);
+}
+
+}  // namespace
+}  // namespace verisim::parser

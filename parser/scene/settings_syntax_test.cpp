@@ -1,0 +1,121 @@
+// Cameras, media, atmosphere, settings and defaults: what POV-Ray 3.7.0.10 accepts and refuses. Each line was tried with the program, behind `#version 3.7; global_settings{assumed_gamma 1}`
+// (lines that begin with # version stand alone).
+#include "parser/scene/test_support.h"
+
+namespace verisim::parser {
+namespace {
+
+constexpr const char* kAccepted[] = {
+    R"(media{density{rgb 1} density{bozo} density{spherical color_map{[0 rgb 0][1 rgb 1]}} scale 3})",
+    R"(media{density{}})",
+    R"(media{density{checker density{rgb 1} density{rgb 0}}})",
+    R"(media{scattering{6 1}})",
+    R"(camera{spherical angle 200 100 location 0})",
+    R"(camera{orthographic angle})",
+    R"(camera{blur_samples 3,5 aperture 1 focal_point z variance 2 confidence 2})",
+    R"(camera{bokeh{pigment{rgb 1}} normal{bumps}})",
+    R"(#declare C=camera{location 1} camera{C translate x} sphere{0,1})",
+    R"(global_settings{adc_bailout .1 ambient_light rgb 1 charset utf8 hf_gray_16 irid_wavelength rgb 1 max_intersections 64 max_trace_level 300 mm_per_unit 1 noise_generator 3 number_of_waves 0})",
+    R"(global_settings{assumed_gamma 2.2})",
+    R"(#version 3.7; global_settings{assumed_gamma srgb} sphere{0,1 pigment{srgb 1}})",
+    R"(#version 3.7; global_settings{assumed_gamma .5})",
+    R"(global_settings{subsurface{samples 10,20 radiosity on}})",
+    R"(global_settings{subsurface{}})",
+    R"(global_settings{radiosity{}})",
+    R"(global_settings{radiosity{adc_bailout .1 always_sample on brightness 1 count 10,2000 error_bound 1 gray_threshold .1 low_error_factor .5 max_sample 1 maximum_reuse .3 minimum_reuse .01 media on nearest_count 5,2 normal on pretrace_start .1 pretrace_end .01 recursion_limit 3 subsurface on}})",
+    R"(global_settings{radiosity{count 10 2000}})",
+    R"(global_settings{radiosity{minimum_reuse .2}})",
+    R"(global_settings{radiosity{maximum_reuse .01}})",
+    R"(global_settings{radiosity{save_file "x" load_file "y"}})",
+    R"(global_settings{photons{spacing .1 gather 10,20 radius .1,1,.2,1 media 10,2 jitter .1 max_trace_level 5 adc_bailout .1 autostop 0 expand_thresholds .1,30}})",
+    R"(global_settings{photons{count 100 gather 0 0}})",
+    R"(global_settings{photons{radius , , .1}})",
+    R"(global_settings{photons{radius}})",
+    R"(global_settings{photons{expand_thresholds -1,-2}})",
+    R"(global_settings{photons{media 0}})",
+    R"(background{rgb 1})",
+    R"(background{color rgb 1})",
+    R"(background{1})",
+    R"(background{<1,1,1>})",
+    R"(background{})",
+    R"(fog{distance 10 color rgb 1})",
+    R"(fog{color rgb 1 distance 10 fog_type 2 fog_alt 1 fog_offset 2 up y turbulence .1 octaves 3 omega .3 lambda 2 turb_depth .3 rotate x scale 2})",
+    R"(fog{10 rgb 1})",
+    R"(fog{distance 10 fog_type 5 rgb 1 translate x})",
+    R"(#declare F=fog{distance 10 rgb 1} fog{F distance 5})",
+    R"(fog{})",
+    R"(rainbow{direction z angle 42 width 5 distance 1000 color_map{[0 rgb 0][1 rgb 1]} jitter .1 up y arc_angle 120 falloff_angle 30})",
+    R"(rainbow{direction z colour_map{[0 rgb 0]}})",
+    R"(sky_sphere{pigment{gradient y} pigment{rgbt 1} emission rgb 2 scale 2})",
+    R"(sky_sphere{pigment{rgb 1}} sky_sphere{pigment{rgb 1}})",
+    R"(#declare S=sky_sphere{pigment{rgb 1}} sky_sphere{S rotate x})",
+    R"(media{variance 0 ratio 2 jitter 1 collect off})",
+    R"(#declare M=media{emission 1} media{M scattering{5,rgb 1 eccentricity .5 extinction 0}})",
+    R"(max_trace_level 10)",
+    R"(max_intersections 10)",
+    R"(#default{pigment{rgb 1} normal{bumps} finish{ambient 1} radiosity{importance .5} camera{location 1}} sphere{0,1})",
+    R"(#default{texture{pigment{rgb 1}} texture{pigment{rgbt 1}}})",
+    R"(default{pigment{rgb 1}})",
+};
+
+constexpr const char* kRefused[] = {
+    R"(media{density{rgb 1 density_map{[0 rgb 1]}}})",
+    R"(media{emission 1 scattering{1 1} absorption 1 intervals 0})",
+    R"(media{scattering{1 1 eccentricity .5}})",
+    R"(#default{normal{bump_size 1.5}} sphere{0,1})",
+    R"(#default{normal{bump_size 1.5}} sphere{0,1 normal{scale 2}})",
+    R"(#default{normal{bump_size 1.5}} sphere{0,1 texture{pigment{rgb 1}}})",
+    R"(camera{location 0 fisheye})",
+    R"(camera{fisheye perspective angle 200})",
+    R"(camera{perspective angle 180})",
+    R"(camera{look_at 0})",
+    R"(camera{cylinder 5})",
+    R"(camera{blur_samples 5,3})",
+    R"(camera{bokeh{rgb 1}})",
+    R"(camera{angle -1})",
+    R"(#declare C=camera{location 1} camera{C angle 30})",
+    R"(#version 3.7; global_settings{assumed_gamma 0})",
+    R"(global_settings{charset foo})",
+    R"(global_settings{noise_generator 4})",
+    R"(global_settings{foo})",
+    R"(global_settings{subsurface{samples 10}})",
+    R"(global_settings{radiosity{count 10,5}})",
+    R"(global_settings{radiosity{count 0}})",
+    R"(global_settings{radiosity{nearest_count 21}})",
+    R"(global_settings{radiosity{nearest_count 5,5}})",
+    R"(global_settings{radiosity{recursion_limit 0}})",
+    R"(global_settings{radiosity{pretrace_start .01 pretrace_end .02}})",
+    R"(global_settings{radiosity{minimum_reuse .2 maximum_reuse .1}})",
+    R"(global_settings{radiosity{distance_maximum 1}})",
+    R"(global_settings{radiosity{importance 1}})",
+    R"(global_settings{radiosity{brightness 0}})",
+    R"(global_settings{photons{count 100 gather 30 20}})",
+    R"(global_settings{photons{media 10 0}})",
+    R"(background rgb 1)",
+    R"(fog{distance 10 <1,1,1>})",
+    R"(rainbow{angle 42 width 5})",
+    R"(rainbow{direction y up y})",
+    R"(rainbow{direction z arc_angle 400})",
+    R"(rainbow{direction z arc_angle 20 falloff_angle 30})",
+    R"(rainbow{direction z pigment_map{[0 rgb 0]}})",
+    R"(sky_sphere{})",
+    R"(sky_sphere{rgb 1})",
+    R"(media{method 4})",
+    R"(media{samples 0})",
+    R"(media{samples 5,3})",
+    R"(media{samples 5 7 aa_level 0})",
+    R"(media{aa_threshold 0})",
+    R"(media{confidence 1})",
+    R"(#default{texture{bozo texture_map{[0 pigment{rgb 1}][1 pigment{rgb 1}]}}})",
+};
+
+TEST(SettingsSyntax, AcceptsWhatPovRayAccepts) {
+  for (const char* text : kAccepted) EXPECT_EQ(testing::first_error(text), "") << text;
+}
+
+TEST(SettingsSyntax, RefusesWhatPovRayRefuses) {
+  for (const char* text : kRefused) EXPECT_NE(testing::first_error(text), "") << text;
+}
+
+}  // namespace
+}  // namespace verisim::parser

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "parser/scene/test_support.h"
+#include "tracer/image/image.h"
 
 namespace verisim::parser {
 namespace {

@@ -83,6 +83,8 @@ Numeric Parser::Impl::color() {
   Numeric value{{}, 5};
   if (token.kind == TokenKind::word && is_base(token.word)) {
     value = color_base();
+  } else if (token.kind == TokenKind::word && token.word == Word::gray) {
+    skip_token();  // accepted, and black (measured)
   } else if (token.kind != TokenKind::word || component_of(token.word) < 0) {
     full(value);
     fit(value, 5);

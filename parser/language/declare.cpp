@@ -71,6 +71,7 @@ void Parser::Impl::declare(bool local) {
   if (target) assign(*target, std::move(value));
   if (peek_blocked().punctuation == ';') {
     skip_token();
+    if (ending == Ending::free) return;
   } else if (ending == Ending::semicolon) {
     if (language_version >= 350)
       error("Float, vector and colour declarations and identifiers of functions and splines need a semicolon ';' at the end.",

@@ -154,6 +154,9 @@ void Parser::Impl::else_branch(const Token& token) {
       if (token.word == Word::elseif) error(text);
       conditions.back().kind = Kind::switch_else;  // falls through into it
       break;
+    case Kind::switch_else:
+      if (token.word == Word::elseif) error(text);  // a further #else changes nothing (measured)
+      break;
     default:
       error(text);
   }

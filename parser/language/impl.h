@@ -143,7 +143,8 @@ struct Parser::Impl {
   // ---- messages.cpp ----
   Diagnostic diagnostic(Severity severity, const std::string& message, const std::string& advice);
   void locate(Diagnostic& d, const TokenFile& in, std::uint32_t token) const;
-  void message(Severity severity, const std::string& text, const std::string& advice = {});
+  void message(Severity severity, const std::string& text, const std::string& advice = {});  // once for each place
+  void give(Severity severity, const std::string& text, const std::string& advice);
   [[noreturn]] void error(const std::string& text, const std::string& advice = {});
   [[noreturn]] void expected(std::string_view what);
   [[noreturn]] void undeclared(std::uint32_t name);

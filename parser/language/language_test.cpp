@@ -94,6 +94,9 @@ TEST(Loops, For) {
   EXPECT_EQ(printed("#declare n=0; #for(i,0,0.3,0.1) #declare n=n+1; #end #debug str(n,0,0)"), "4");
   EXPECT_EQ(visits("0,5", "#declare i=i+1;"), "0.0 2.0 4.0 | 6.0000000000000000");
   EXPECT_FALSE(accepts("#for(i,0,5,0) #end"));
+  // A parameter can be the variable only when it was passed by value (measured).
+  EXPECT_TRUE(accepts("#macro M(i) #for(i,1,3) #end #end M(1)"));
+  EXPECT_FALSE(accepts("#macro M(i) #for(i,1,3) #end #end #declare B=7; M(B)"));
 }
 
 TEST(Loops, WhileAndBreak) {
@@ -112,6 +115,7 @@ TEST(Switch, FallsThrough) {
   EXPECT_EQ(printed("#switch(1) #case(1+1e-11) #debug \"y\" #end"), "y");
   EXPECT_EQ(printed("#switch(1) #range(1+1e-11,2) #debug \"y\" #end"), "");
   EXPECT_FALSE(accepts("#switch(1) #else #end"));
+  EXPECT_EQ(printed("#switch(1) #case(2) #else #debug \"a\" #else #debug \"b\" #end"), "ab");  // measured
 }
 
 TEST(Arrays, Subscripts) {

@@ -113,6 +113,7 @@ void Parser::Impl::call_macro(Symbol& symbol) {
     Variable* variable = argument.variable ? argument.variable : symbols.new_variable();
     Symbol& parameter = symbols.bind(macro->parameters[i], symbols.level(), variable);
     parameter.is_parameter = true;
+    parameter.is_reference = argument.variable || argument.array;
     if (argument.variable) {
       --variable->uses;  // the binding holds it now
     } else if (argument.array) {

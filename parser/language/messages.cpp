@@ -102,6 +102,10 @@ void Parser::Impl::message(Severity severity, const std::string& text, const std
   // A message from inside a loop is given once for each place.
   if (file && !messages_given.emplace(file, index(position), std::hash<std::string>{}(text)).second) return;
   if (messages_given.size() > 10000) messages_given.clear();
+  give(severity, text, advice);
+}
+
+void Parser::Impl::give(Severity severity, const std::string& text, const std::string& advice) {
   ++report.warnings;
   if (options.message) options.message(diagnostic(severity, text, advice));
 }
@@ -165,7 +169,7 @@ void Parser::Impl::text_directive(Word word) {
   const std::string text = utf8(string(false));
   switch (word) {
     case Word::error: error("Parse halted by #error directive: " + text);
-    case Word::warning: message(Severity::warning, text); return;
+    case Word::warning: give(Severity::warning, text, {}); return;
     case Word::render:
     case Word::statistics:
       message(Severity::warning, fmt::format("#{} writes to the debug stream.", spelling(word)));

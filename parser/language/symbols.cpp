@@ -70,7 +70,7 @@ void SymbolTables::free(Symbol& symbol) {
   symbol.variable = nullptr;
   symbol.element_of.reset();
   symbol.deprecation.reset();
-  symbol.is_macro = symbol.is_parameter = false;
+  symbol.is_macro = symbol.is_parameter = symbol.is_reference = false;
   free_symbols_.push_back(&symbol);
 }
 

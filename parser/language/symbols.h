@@ -31,7 +31,7 @@ struct Symbol {
   std::shared_ptr<Array> element_of;  // a parameter bound to an array element
   std::size_t element = 0;
   Symbol* below = nullptr;  // the next older symbol of this name
-  bool is_macro = false, is_parameter = false;
+  bool is_macro = false, is_parameter = false, is_reference = false;
   std::unique_ptr<Deprecation> deprecation;
 
   Value& value();

@@ -52,7 +52,7 @@ TEST(Syntax, Accepted) {
 
 TEST(Syntax, Rejected) {
   for (const char* bad :
-       {"sphere{0,1};", "sphere{0,,1}", "#declare A=<1,,2,3>;", "#declare A=(1==1);", "#declare A=(<1,2,3>=<1,2,3>", "#declare A=t;", "#declare A=max(1<2,3);",
+       {"sphere{0,1};", "#declare O=sphere{0,1};;", "sphere{0,,1}", "#declare A=<1,,2,3>;", "#declare A=(1==1);", "#declare A=(<1,2,3>=<1,2,3>", "#declare A=t;", "#declare A=max(1<2,3);",
         "#declare O=sphere{0,1} union{O sphere{0,1}}", "#declare C=rgb 1; #declare D=color C+red .5;", "#declare X=1<2;", "#if(\"a\")#end",
         "#debug concat(\"a\",)", "#declare sphere=1;", "#macro M(x) #end", "#debug \"x\";", "#declare A=1; #macro A() #end", "#macro A() #end #declare A=1;",
         "#declare A=<1>;", "#declare A=<1,2,3,4,5,6>;", "#declare A=V;", "(>=1)", "#local"})

@@ -25,6 +25,11 @@ int component_of(Word word) {
   }
 }
 
+// `color` alone is a colour, and black (measured).
+bool ends_color(const Token& token) {
+  return token.punctuation == '}' || token.punctuation == ']' || token.punctuation == ';' || token.punctuation == ')';
+}
+
 // The sRGB transfer function, also applied outside 0..1; in single precision, as measured to the last bit.
 float decode_srgb(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
@@ -78,14 +83,15 @@ void Parser::Impl::color_items(Numeric& out) {
 
 Numeric Parser::Impl::color() {
   const Nesting nesting(*this);
-  if (peek().word == Word::color && peek().kind == TokenKind::word) skip_token();
+  const bool keyword = peek().word == Word::color && peek().kind == TokenKind::word;
+  if (keyword) skip_token();
   const Token& token = peek();
   Numeric value{{}, 5};
   if (token.kind == TokenKind::word && is_base(token.word)) {
     value = color_base();
   } else if (token.kind == TokenKind::word && token.word == Word::gray) {
     skip_token();  // accepted, and black (measured)
-  } else if (token.kind != TokenKind::word || component_of(token.word) < 0) {
+  } else if ((token.kind != TokenKind::word || component_of(token.word) < 0) && !(keyword && ends_color(token))) {
     full(value);
     fit(value, 5);
   }

@@ -75,6 +75,7 @@ TEST(Expressions, Colors) {
   EXPECT_EQ(color("rgb 1<2?<1,1,0>:<0,1,1>"), "1 1 0 0 0");
   EXPECT_EQ(color("rgb 1-x"), "0 1 1 0 0");
   EXPECT_EQ(color("rgb <1,2,3> filter .5 transmit .2"), "1 2 3 0.5 0.200000002980232");
+  EXPECT_EQ(color("color"), "0 0 0 0 0");
   EXPECT_EQ(components(5, 15, "color C red 7", "#declare C = rgb <1,2,3>;"), "7 2 3 0 0");
 }
 
@@ -93,7 +94,7 @@ TEST(Expressions, FloatFunctions) {
          {"bitwise_or(3e9,1)", "-2147483647"}, {"bitwise_and(5.9)", "5"}, {"select(1e-300,1,2,3)", "3"}, {"sin(1<2)", "0.8414709848078965"},
          {"tan(pi/2)", "16331239353195370"}, {"min(3,1,2)", "1"}, {"max(3)", "3"}, {"select(-1,1,2)", "1"}, {"select(0,1,2)", "2"},
          {"sqrt(\"a\"=\"a\")", "1"}});
-  for (const char* bad : {"sqrt(-1)", "ln(0)", "log(-1)", "atan2(0,0)", "pow(0,0)", "max(1<2,3)", "sqr(2)", "sum(i,1,2,i)", "rand(0)"})
+  for (const char* bad : {"sqrt(-1)", "ln(0)", "log(-1)", "atan2(0,0)", "pow(0,0)", "max(1<2,3)", "max(1 2)", "max(1,2,)", "bitwise_or(1 2)", "sqr(2)", "sum(i,1,2,i)", "rand(0)"})
     EXPECT_FALSE(accepts(std::string("#declare A = ") + bad + ";")) << bad;
 }
 

@@ -47,12 +47,11 @@ template <class F>
 void each_argument(Parser::Impl& p, F&& f) {
   p.open_arguments();
   const Live live(p);
-  bool first = true;
-  do {
-    f(p.scalar(), first);
-    first = false;
-    if (p.peek().punctuation == ',') p.skip_token();
-  } while (p.peek().punctuation != ')');
+  f(p.scalar(), true);
+  while (p.peek().punctuation == ',') {  // commas are not optional here
+    p.skip_token();
+    f(p.scalar(), false);
+  }
   p.close_arguments();
 }
 

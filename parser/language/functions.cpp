@@ -57,8 +57,10 @@ class FunctionParser {
   std::vector<Node> arguments(int expected, std::string_view name);
   void open();
   void close();
-  void comma() {
-    if (p_.peek().punctuation == ',') p_.skip_token();
+  // Commas are optional in a parameter list, but not in expressions.
+  void separator() {
+    if (p_.peek().punctuation != ',') p_.expected(",");
+    p_.skip_token();
   }
 
   Parser::Impl& p_;
@@ -104,7 +106,7 @@ void FunctionParser::parameters() {
       }
       p_.skip_token();
       ++count_;
-      comma();
+      if (p_.peek().punctuation == ',') p_.skip_token();
     }
     if (count_ == 0) p_.expected("parameter name");
     p_.skip_token();
@@ -193,7 +195,9 @@ std::vector<Node> FunctionParser::arguments(int expected, std::string_view name)
   while (p_.peek().punctuation != ')') {
     if (static_cast<int>(result.size()) == expected) p_.error(fmt::format("Too many arguments: '{}' has {}.", name, expected));
     result.push_back(logic_or());
-    comma();
+    if (p_.peek().punctuation == ')') break;
+    separator();
+    if (p_.peek().punctuation == ')') p_.expected("function expression");
   }
   if (expected >= 0 && static_cast<int>(result.size()) != expected)
     p_.error(fmt::format("'{}' needs {} arguments, {} found.", name, expected, result.size()));
@@ -250,17 +254,19 @@ Node FunctionParser::loop(bool product) {
   const Nesting nesting(p_);
   open();
   const Token name = p_.peek();
-  if (name.kind != TokenKind::identifier) p_.expected("name of the loop variable");
+  const bool letter = name.kind == TokenKind::word && (name.word == Word::x || name.word == Word::y || name.word == Word::z || name.word == Word::u ||
+                                                       name.word == Word::v);
+  if (!letter && (name.kind != TokenKind::identifier || p_.names[name.id()].symbol)) p_.expected("a new name for the loop variable");
   p_.skip_token();
-  comma();
+  separator();
   Loop result;
   result.product = product;
   result.parts.push_back(logic_or());
-  comma();
+  separator();
   result.parts.push_back(logic_or());
-  comma();
+  separator();
   result.variable = slots_++;
-  variables_.push_back({key(name.id()), result.variable});
+  variables_.push_back({letter ? key(name.word) : key(name.id()), result.variable});
   result.parts.push_back(logic_or());
   variables_.pop_back();
   close();
@@ -414,7 +420,6 @@ Shared<Spline> Parser::Impl::spline() {
     case Word::natural_spline: result->set_kind(Spline::Kind::natural), skip_token(); break;
     default: break;
   }
-  if (peek().punctuation == ',') skip_token();
   while (peek().punctuation != '}') {
     const double t = scalar();
     if (peek().punctuation == ',') skip_token();

@@ -42,7 +42,7 @@ void Parser::Impl::include() {
   const std::string name = utf8(string(true));
   const auto known = include_locations.find(name);
   fs::path path;
-  if (known != include_locations.end() && fs::exists(known->second)) {
+  if (std::error_code failed; known != include_locations.end() && fs::exists(known->second, failed)) {
     path = known->second;
   } else {
     const std::optional<fs::path> found = search->find_include(name);

@@ -17,7 +17,7 @@ std::string punctuation_text(char c) {
     case kLessEqual: return "<=";
     case kGreaterEqual: return ">=";
     case kNotEqual: return "!=";
-    default: return {1, c};
+    default: return std::string(1, c);
   }
 }
 

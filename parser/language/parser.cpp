@@ -5,6 +5,8 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <new>
+#include <stdexcept>
 
 #include "parser/language/impl.h"
 #include "parser/scene/blocks.h"
@@ -80,8 +82,14 @@ void Parser::Impl::start(std::shared_ptr<const TokenFile> main) {
     if (!found) missing_include(header);
     enter_file(load(*found, found->string(), false), 0);
   }
-  top_level();
-  finish();
+  try {
+    top_level();
+    finish();
+  } catch (const std::bad_alloc&) {
+    error("The scene needs more memory than there is.");
+  } catch (const std::exception& e) {  // from the tracer: what it cannot make of an object
+    error(e.what());
+  }
 }
 
 void Parser::Impl::top_level() {

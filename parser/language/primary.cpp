@@ -125,7 +125,7 @@ void Parser::Impl::call_function(const Function& function, Numeric& out) {
   for (int i = 0; i < count; ++i) {
     if (peek().punctuation == ')') error(fmt::format("The function needs {} arguments, {} found.", count, i));
     arguments_of_call[static_cast<std::size_t>(i)] = scalar();
-    if (peek().punctuation == ',') skip_token();
+    if (i + 1 < count && peek().punctuation == ',') skip_token();
   }
   if (peek().punctuation != ')') error(fmt::format("Expected ')' behind the {} arguments of the function, {} found instead.", count, describe(*position)));
   skip_token();
@@ -141,14 +141,16 @@ void Parser::Impl::call_spline(const Spline& curve, Numeric& out) {
   if (!accept_operator('(')) expected("(");
   const Live live(*this);
   const double t = scalar();
-  if (peek().punctuation == ',') skip_token();
+  const bool typed = peek().punctuation == ',';
+  if (typed) skip_token();
   Spline::Kind kind = curve.kind();
   switch (peek().word) {
     case Word::linear_spline: kind = Spline::Kind::linear, skip_token(); break;
     case Word::quadratic_spline: kind = Spline::Kind::quadratic, skip_token(); break;
     case Word::cubic_spline: kind = Spline::Kind::cubic, skip_token(); break;
     case Word::natural_spline: kind = Spline::Kind::natural, skip_token(); break;
-    default: break;
+    default:
+      if (typed) expected("linear_spline, quadratic_spline, cubic_spline or natural_spline");
   }
   if (peek().punctuation != ')') expected(")");
   skip_token();

@@ -4,7 +4,7 @@
 //   compare::RunOptions options;
 //   options.native = my_renderer;                       // or compare::native_program("/usr/bin/verisim")
 //   compare::Run run = compare::run_suite(suite, options);
-//   compare::write_html(run, "report.html");
+//   compare::write_report(compare::html_report(run), "report.html");
 //   return run.summary.failed() ? 1 : 0;
 #pragma once
 

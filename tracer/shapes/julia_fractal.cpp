@@ -28,9 +28,9 @@ class Orbit {
 
  private:
   static constexpr int kShort = 64;
-  Number stack_[kShort];
+  alignas(Number) std::byte stack_[kShort * sizeof(Number)];  // not initialised: only what was computed is read
   std::unique_ptr<Number[]> heap_;
-  Number* at_ = stack_;
+  Number* at_ = reinterpret_cast<Number*>(stack_);
 };
 
 double bounding_radius(const scene::JuliaFractal& f) {
@@ -52,6 +52,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     radius_ = bounding_radius(f);
     escape_ = f.hypercomplex ? 16 : radius_ * radius_ + 1e-7;
     const JuliaFunction g = f.function;
+    if (f.hypercomplex) kind_ = g == JuliaFunction::sqr || g == JuliaFunction::cube ? Kind::hypercomplex_square : Kind::other;
+    else kind_ = g == JuliaFunction::cube ? Kind::quaternion_cube : Kind::quaternion_square;
     plain_ = g == JuliaFunction::sqr || g == JuliaFunction::cube || g == JuliaFunction::reciprocal;
   }
 
@@ -107,26 +109,45 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     const double z = quirk ? p.y : p.z;
     return {p.x, p.y, z, (f_.slice_distance - slice_.x * p.x - slice_.y * p.y - slice_.z * z) / slice_w_};
   }
+  enum class Kind : unsigned char { quaternion_square, quaternion_cube, hypercomplex_square, other };
+  template <Kind K>
   Number next(const Number& h) const {
-    if (f_.hypercomplex) return julia::apply(f_.function, f_.exponent, h) + parameter_;
-    return (f_.function == JuliaFunction::cube ? julia::quaternion_cube(h) : julia::quaternion_square(h)) + parameter_;
+    if constexpr (K == Kind::quaternion_square) return julia::quaternion_square(h) + parameter_;
+    else if constexpr (K == Kind::quaternion_cube) return julia::quaternion_cube(h) + parameter_;
+    else if constexpr (K == Kind::hypercomplex_square) return product(h, h) + parameter_;
+    else return julia::apply(f_.function, f_.exponent, h) + parameter_;
+  }
+  // Calls work with the kind of this fractal as a constant.
+  template <class F>
+  auto with_kind(F&& work) const {
+    switch (kind_) {
+      case Kind::quaternion_square: return work.template operator()<Kind::quaternion_square>();
+      case Kind::quaternion_cube: return work.template operator()<Kind::quaternion_cube>();
+      case Kind::hypercomplex_square: return work.template operator()<Kind::hypercomplex_square>();
+      default: return work.template operator()<Kind::other>();
+    }
   }
   // Fills the orbit; the step i >= 1 at which it escaped, or 0.
   int iterate(Orbit& orbit, const Number& h0) const {
-    orbit[0] = h0;
-    for (int i = 1; i <= iterations_; ++i) {
-      if (orbit[i - 1].norm2() > escape_) return i;
-      orbit[i] = next(orbit[i - 1]);
-    }
-    return 0;
+    return with_kind([&]<Kind K>() {
+      Number h = h0;
+      orbit[0] = h;
+      for (int i = 1; i <= iterations_; ++i) {
+        if (h.norm2() > escape_) return i;
+        orbit[i] = h = next<K>(h);
+      }
+      return 0;
+    });
   }
   bool plain_inside(const Vec3& p) const {
-    Number h = start(p, !plain_);
-    for (int i = 1; i <= iterations_; ++i) {
-      if (h.norm2() > escape_) return false;
-      h = next(h);
-    }
-    return true;
+    return with_kind([&]<Kind K>() {
+      Number h = start(p, !plain_);
+      for (int i = 1; i <= iterations_; ++i) {
+        if (h.norm2() > escape_) return false;
+        h = next<K>(h);
+      }
+      return true;
+    });
   }
 
   // Inside at depth t, and how far the ray may go from there.
@@ -175,17 +196,10 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
 
   Vec3 hypercomplex_normal(const Orbit& orbit, int last) const {
     Number m = orbit[0], n = orbit[last];
-    for (int j = 1; j < last; ++j) {
-      switch (f_.function) {
-        case JuliaFunction::sqr:
-        case JuliaFunction::cube: m = product(orbit[j], m); break;
-        case JuliaFunction::reciprocal: {
-          const Number r = julia::reciprocal(orbit[j]), r2 = product(r, r);
-          m = product(m, Number{-r2.x, -r2.y, -r2.z, -r2.w});
-          break;
-        }
-        default: m = product(julia::apply(f_.function, f_.exponent, orbit[j]), m);
-      }
+    if (kind_ == Kind::hypercomplex_square) {
+      for (int j = 1; j < last; ++j) m = product(orbit[j], m);
+    } else {
+      m = other_product(orbit, last);
     }
     if (f_.function == JuliaFunction::sqr) {
       const double scale = std::ldexp(1.0, std::max(last, 1));
@@ -194,12 +208,27 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return {m.x * n.x + m.y * n.y + m.z * n.z + m.w * n.w, -m.y * n.x + m.x * n.y - m.w * n.z + m.z * n.w,
             -m.z * n.x - m.w * n.y + m.x * n.z + m.y * n.w};
   }
+  Number other_product(const Orbit& orbit, int last) const {
+    Number m = orbit[0];
+    for (int j = 1; j < last; ++j) {
+      switch (f_.function) {
+        case JuliaFunction::reciprocal: {
+          const Number r = julia::reciprocal(orbit[j]), r2 = product(r, r);
+          m = product(m, Number{-r2.x, -r2.y, -r2.z, -r2.w});
+          break;
+        }
+        default: m = product(julia::apply(f_.function, f_.exponent, orbit[j]), m);
+      }
+    }
+    return m;
+  }
 
   scene::JuliaFractal f_;
   Number parameter_;
   Vec3 slice_;
   double slice_w_ = 1, precision_ = 0.05, radius_ = 2, escape_ = 4;
   int iterations_ = 20;
+  Kind kind_ = Kind::quaternion_square;
   bool plain_ = true;  // without the quirk of `start`
 };
 

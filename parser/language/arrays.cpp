@@ -5,11 +5,9 @@
 
 namespace verisim::parser {
 
-// Blanks, but no comment, may stand between the name and '['.
-bool Parser::Impl::at_subscript() {
-  const Token& token = peek_blocked();
-  return token.punctuation == '[' && token.id() == 0;
-}
+// Blanks, but no comment, may stand between the name and '['. Only the token as written counts: to look further could end the macro whose local the
+// name is.
+bool Parser::Impl::at_subscript() { return position->punctuation == '[' && position->id() == 0; }
 
 std::shared_ptr<Array> Parser::Impl::array() {
   auto result = std::make_shared<Array>();

@@ -58,6 +58,8 @@ TEST(Scope, ArraysAndLocal) {
 
 TEST(Scope, LocalsDieButValuesLive) {
   EXPECT_EQ(printed("#macro M() #local b=7; b #end #declare Q = (M()); #debug str(Q,0,0) #ifdef(b) #debug \"!\" #end"), "7");
+  EXPECT_EQ(printed("#macro M() #local A=array[2]{5,6}; A #end #declare Q=M() #debug str(Q[1],0,0) #ifdef(A) #debug \"!\" #end"), "6");
+  EXPECT_EQ(printed("#macro M() #local S=\"text\"; S #end #declare Q=M() #debug Q #debug M()"), "texttext");
   EXPECT_TRUE(accepts("#macro M() #local b=sphere{0,1} b #end object{M()} #declare Q=M() object{Q}"));
 }
 

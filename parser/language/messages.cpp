@@ -23,7 +23,7 @@ std::string punctuation_text(char c) {
 
 }  // namespace
 
-// "undeclared identifier 'foo'", "float function 'sin'", "')'" ...
+// "undeclared identifier 'foo'", "float function 'sin'", "pigment", "')'" ...
 std::string Parser::Impl::describe(const Token& token) {
   switch (token.kind) {
     case TokenKind::end: return "end of file";
@@ -33,7 +33,7 @@ std::string Parser::Impl::describe(const Token& token) {
     case TokenKind::directive: return fmt::format("'#{}'", spelling(token.word));
     case TokenKind::punctuation: return fmt::format("'{}'", punctuation_text(token.punctuation));
     case TokenKind::word: {
-      const char* kind = "keyword";
+      const char* kind = nullptr;  // keywords stand for themselves
       switch (word_class(token.word)) {
         case WordClass::float_function: kind = "float function"; break;
         case WordClass::vector_function: kind = "vector function"; break;
@@ -41,7 +41,7 @@ std::string Parser::Impl::describe(const Token& token) {
         case WordClass::color: kind = "color keyword"; break;
         case WordClass::keyword: break;
       }
-      return fmt::format("{} '{}'", kind, spelling(token.word));
+      return kind ? fmt::format("{} '{}'", kind, spelling(token.word)) : std::string(spelling(token.word));
     }
     case TokenKind::identifier: {
       const std::string_view name = names[token.id()].text;

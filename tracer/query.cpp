@@ -47,7 +47,7 @@ Target::~Target() = default;
 std::optional<TraceHit> Target::trace(const Vec3& origin, const Vec3& direction) const {
   const double len = length(direction);
   if (!(len > 0) || !std::isfinite(len)) return std::nullopt;
-  const Ray ray{origin, direction / len};
+  const Ray ray{origin, direction * (1.0 / len)};
   const scene::Object& object = *impl_->object;
   if (!has_no_box_test(object) && !meets_box(ray, object.bounds)) return std::nullopt;
   shapes::Hit hit;

@@ -104,12 +104,12 @@ Transform cone_frame(const scene::Cone& c) {
   if (is_cylinder(c)) {
     const Vec3 axis = c.base - c.cap;
     const double len = length(axis);
-    return frame_along(c.cap, axis / len, std::max(c.base_radius, c.cap_radius), len);
+    return frame_along(c.cap, axis * (1.0 / len), std::max(c.base_radius, c.cap_radius), len);
   }
   const Vec3 wide = cap_is_wide ? c.cap : c.base, narrow = cap_is_wide ? c.base : c.cap;
   const double wide_radius = std::max(c.base_radius, c.cap_radius), narrow_radius = std::min(c.base_radius, c.cap_radius);
   const double len = length(wide - narrow);
-  const Vec3 axis = (wide - narrow) / len;
+  const Vec3 axis = (wide - narrow) * (1.0 / len);
   const double beyond = narrow_radius * len / (wide_radius - narrow_radius);  // from the tip to the narrow end
   return frame_along(narrow - beyond * axis, axis, wide_radius, len + beyond);
 }

@@ -138,7 +138,7 @@ class Primitive : public Shape {
     if (!has_matrix_) return {ray.origin, ray.direction, 1};
     const Vec3 d = matrix().inverse_direction(ray.direction);
     const double scale = length(d);
-    return {matrix().inverse_point(ray.origin), d / scale, scale};
+    return {matrix().inverse_point(ray.origin), d * (1.0 / scale), scale};
   }
   Vec3 local(const Vec3& p) const { return has_matrix_ ? matrix().inverse_point(p) : p; }
   Vec3 world(const Vec3& p) const { return has_matrix_ ? matrix().point(p) : p; }

@@ -1,0 +1,10 @@
+// julia_fractal with uv_mapping
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -6> look_at 0 angle 40 }
+light_source { <3, 6, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+plane { y, -1.6 pigment { checker rgb 0.8, rgb 0.5 } }
+#declare Coat = texture { pigment { rgb <0.8, 0.6, 0.4> } finish { ambient 0.1 diffuse 0.8 phong 0.4 } }
+#declare S = julia_fractal { <-0.083, 0, -0.83, -0.025> quaternion sqr max_iteration 8 precision 15 }
+object { S pigment { uv_mapping checker rgb 1, rgb <0.2, 0.4, 0.9> scale 0.15 } rotate <15, 20, 0> }

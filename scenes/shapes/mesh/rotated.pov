@@ -1,0 +1,15 @@
+// mesh turned and moved
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -6> look_at 0 angle 40 }
+light_source { <3, 6, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+plane { y, -1.6 pigment { checker rgb 0.8, rgb 0.5 } }
+#declare Coat = texture { pigment { rgb <0.8, 0.6, 0.4> } finish { ambient 0.1 diffuse 0.8 phong 0.4 } }
+#declare S = mesh2 {
+  vertex_vectors { 6, <0, 1.2, 0>, <1, 0, 0>, <0, 0, 1>, <-1, 0, 0>, <0, 0, -1>, <0, -1.2, 0> }
+  uv_vectors { 6, <0.5, 1>, <0, 0.5>, <0.33, 0.5>, <0.66, 0.5>, <1, 0.5>, <0.5, 0> }
+  face_indices { 8, <0, 1, 2>, <0, 2, 3>, <0, 3, 4>, <0, 4, 1>, <5, 2, 1>, <5, 3, 2>, <5, 4, 3>, <5, 1, 4> }
+  inside_vector <0.1, 1, 0.2>
+}
+object { S texture { Coat } rotate <20, 35, -15> translate <0.2, 0.1, 0.3> }

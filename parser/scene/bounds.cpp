@@ -25,7 +25,6 @@ std::vector<ObjectPtr> parse_objects(Parser& parser, std::string_view name) {
   while (ObjectRef object = parse_object(parser)) {
     if (has_texture(*object) || scene::is_patch(*object)) parser.error("Illegal texture or patch in clip, bound or object pattern.");
     objects.push_back(object);
-    parser.optional_comma();
   }
   if (objects.empty()) parser.error_expected("object");
   for (;;) {

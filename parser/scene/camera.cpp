@@ -136,7 +136,6 @@ class CameraReader {
       if (!mesh) parser.error_expected("mesh or mesh2");
       camera.meshes.push_back(mesh->data);
       camera.mesh_transforms.push_back(object->transform.value_or(Transform()));
-      parser.optional_comma();
     }
     if (camera.meshes.empty()) parser.error_expected("mesh or mesh2");
     if (camera.distribution == 0 && static_cast<std::size_t>(camera.rays_per_pixel) > camera.meshes.size())

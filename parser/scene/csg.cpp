@@ -15,7 +15,6 @@ void read_children(Parser& parser, scene::Object& object, Word word) {
     if (csg.kind == scene::CsgKind::intersection && scene::is_patch(*child)) parser.warning("Patch objects not allowed in intersection.");
     if (csg.difference && !csg.children.empty()) scene::invert(*child);
     csg.children.push_back(child);
-    parser.optional_comma();
   }
   if (csg.children.size() < 2) parser.warning("Should have at least 2 objects in csg.");
   object.shape = std::move(csg);

@@ -217,10 +217,7 @@ std::shared_ptr<scene::Object> parse_light_group(Parser& parser) {
       parser, "light_group",
       [&](scene::Object& object) {
         scene::LightGroup group;
-        while (std::shared_ptr<scene::Object> child = parse_object(parser)) {
-          group.children.push_back(child);
-          parser.optional_comma();
-        }
+        while (std::shared_ptr<scene::Object> child = parse_object(parser)) group.children.push_back(child);
         object.shape = std::move(group);
       },
       [&](scene::Object& object) {

@@ -239,7 +239,6 @@ bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, co
       parser.expect('{');
       std::shared_ptr<scene::Object> object = parse_object(parser);
       if (!object) parser.error_expected("object");
-      parser.optional_comma();
       pattern.params = scene::ObjectParams{object};
       read_list(2);
       close_block(parser, "object");

@@ -100,7 +100,6 @@ std::shared_ptr<Texture> parse_tiles(Parser& parser) {
   Block block(parser, "tiles");
   scene::TexturePtr first, second;
   while (parser.at(Word::texture)) add_layers(parser, first, parse_texture(parser));
-  parser.optional_comma();
   parser.expect(Word::tile2);
   while (parser.at(Word::texture)) add_layers(parser, second, parse_texture(parser));
   block.close();
@@ -125,7 +124,6 @@ std::shared_ptr<Texture> parse_material_map(Parser& parser) {
     scene::TexturePtr entry;
     add_layers(parser, entry, parse_texture(parser));
     map->push_back({static_cast<float>(map->size()), entry});
-    parser.optional_comma();
   }
   if (map->empty()) parser.error_expected("texture");
   texture->texture_map = map;

@@ -46,7 +46,6 @@ void parse_keywords(Parser& parser, scene::BicubicPatch& patch, std::optional<in
         break;
       default: return;
     }
-    parser.optional_comma();
   }
 }
 

@@ -79,7 +79,6 @@ ObjectRef parse_blob(Parser& parser) {
         break;
       }
       if (entries > kMaxComponents) parser.error("There are more than the maximum supported number of components in a blob.");
-      parser.optional_comma();
     }
     if (blob->components.empty()) parser.error("Need at least one component in a blob.");
     object.shape = std::shared_ptr<const scene::Blob>(blob);

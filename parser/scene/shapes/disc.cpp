@@ -11,7 +11,8 @@ ObjectRef parse_disc(Parser& parser) {
     disc.normal = parser.parse_vec3();
     parser.optional_comma();
     disc.radius = parser.parse_float();
-    if (accept_comma_or_number(parser)) disc.hole = parser.parse_float();
+    parser.optional_comma();
+    disc.hole = parser.parse_optional_float(0);
     object.shape = disc;
   });
 }

@@ -17,7 +17,6 @@ ObjectRef parse_sphere_sweep(Parser& parser) {
       parser.optional_comma();
       sweep->radii.push_back(parser.parse_float());
     }
-    parser.optional_comma();
     if (parser.accept(Word::tolerance)) sweep->tolerance = parser.parse_float();
     object.shape = std::shared_ptr<const scene::SphereSweep>(sweep);
   });

@@ -14,9 +14,9 @@ void warn_degenerate(Parser& parser) { parser.warning("Degenerate triangle. Plea
 ObjectRef parse_triangle(Parser& parser) {
   return shape_block(parser, "triangle", [&](scene::Object& object) {
     scene::Triangle triangle;
-    for (Vec3& corner : triangle.p) {
-      corner = parser.parse_vec3();
-      parser.optional_comma();
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (i > 0) parser.optional_comma();
+      triangle.p[i] = parser.parse_vec3();
     }
     if (is_zero_area(triangle.p)) warn_degenerate(parser);
     object.shape = triangle;

@@ -57,6 +57,7 @@ ObjectRef parse_bicubic_patch(Parser& parser) {
     std::optional<int> type;
     if (parser.peek().kind == TokenKind::number) parse_old_form(parser, *patch, type);
     else parse_keywords(parser, *patch, type);
+    parser.optional_comma();
     if (parser.accept(Word::uv_vectors)) {
       patch->uv.emplace();
       for (Vec2& uv : *patch->uv) {

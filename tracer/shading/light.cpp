@@ -67,10 +67,20 @@ double Light::attenuation(const Vec3& p, const LightDirection& l, const Vec3& of
   return a;
 }
 
+namespace {
+
+// pow, without its cost for the common exponents.
+double raised(double base, double exponent) {
+  if (exponent == 0) return 1;
+  return exponent == 1 ? base : std::pow(base, exponent);
+}
+
+}  // namespace
+
 double Light::spot(const LightDirection& l) const {
   const double along = dot(l.towards, source_->direction), m = l.distance > 0 ? -along : along;
   if (m <= 0) return 0;
-  double a = source_->tightness == 0 ? 1 : std::pow(m, source_->tightness);
+  double a = raised(m, source_->tightness);
   if (cos_radius_ > 0 && m < cos_radius_) a *= smooth_step(cos_falloff_, cos_radius_, m);
   return a;
 }
@@ -82,7 +92,7 @@ double Light::cylinder(const Vec3& p, const Vec3& centre) const {
   const double l = length(from - source_->direction * k);
   if (l >= source_->falloff) return 0;
   const double e = 1 - l / source_->falloff;
-  double a = source_->tightness == 0 ? 1 : std::pow(e, source_->tightness);
+  double a = raised(e, source_->tightness);
   if (source_->radius > 0 && l > source_->radius) a *= smooth_step(0, 1 - source_->radius / source_->falloff, e);
   return a;
 }

@@ -18,7 +18,7 @@ struct Pigment {
   // At most one of the maps is not empty; both empty: the pattern's built-in map (spec 05 4.3). Lists (checker ...) have position i at entry i.
   std::shared_ptr<const ColorMap> color_map;
   std::shared_ptr<const BlendMap<PigmentPtr>> pigment_map;  // also average, and the single child of uv_mapping
-  std::optional<Rgb> quick_color;
+  std::optional<Color> quick_color;  // with filter and transmit
 };
 
 struct SlopeEntry { double height = 0, slope = 0; };

@@ -158,7 +158,7 @@ CompiledPigment Compiler::Impl::make_pigment(const scene::Pigment& d) {
   const Deeper deeper(depth);
   CompiledPigment c;
   if (settings.use_quick_color && usable_quick_color(d)) {
-    c.color = Color(*d.quick_color);
+    c.color = *d.quick_color;
     return c;
   }
   switch (d.pattern.kind) {

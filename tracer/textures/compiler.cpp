@@ -159,6 +159,7 @@ CompiledPigment Compiler::Impl::make_pigment(const scene::Pigment& d) {
   CompiledPigment c;
   if (settings.use_quick_color && usable_quick_color(d)) {
     c.color = *d.quick_color;
+    c.transparent = lets_light_through(c.color);
     return c;
   }
   switch (d.pattern.kind) {

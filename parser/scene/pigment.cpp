@@ -51,7 +51,7 @@ bool parse_modifier(Parser& parser, Pigment& pigment) {
       return true;
     case Word::quick_color:
       parser.next();
-      pigment.quick_color = to_rgb(parser.parse_color());
+      pigment.quick_color = parser.parse_color();
       return true;
     case Word::slope_map:
     case Word::normal_map:

@@ -34,16 +34,12 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
   }
   const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
   const bool volumes = scene_.quality >= 9 && query.light.media_attenuation() && (scene_.fog || media);
-  if (distance > 2 * kShadowTolerance) {
-    // Media may draw random numbers at transparent surfaces before an opaque one: replay goes through them in order.
-    const bool in_order = media && random_.replay();
-    if (!in_order && scene_.world.occluded(ray, kShadowTolerance, distance - kShadowTolerance)) {
-      color = {};
-      return;
-    }
-    if (in_order || volumes || scene_.world.has_transparent_shadows()) filter_along(query, p, towards, distance, color);
-  } else if (volumes) {
+  // Without transparent objects any opaque hit decides. With them surfaces are met in order: one closer than the tolerance to the transparent
+  // surface before it does not count, opaque or not, and media draw their random numbers where POV-Ray's do.
+  if (volumes || scene_.world.has_transparent_shadows()) {
     filter_along(query, p, towards, distance, color);
+  } else if (distance > 2 * kShadowTolerance && scene_.world.occluded(ray, kShadowTolerance, distance - kShadowTolerance)) {
+    color = {};
   }
 }
 
@@ -54,6 +50,7 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
   for (;;) {
     if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
     shapes::Hit hit;
+    if (distance <= 2 * kShadowTolerance) break;
     if (!scene_.world.intersect(ray.ray, shapes::RayKind::shadow, std::nextafter(kShadowTolerance, 1.0), distance - kShadowTolerance, hit)) break;
     if (filter_through(query, ray, hit, color)) return;
     shadow_volumes(query, ray, hit.t, true, color);

@@ -270,6 +270,15 @@ bool World::occluded(const Ray& ray, double t_min, double t_max) const {
   return found;
 }
 
+bool World::occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const {
+  const Entry& e = impl_->entries[static_cast<std::size_t>(frame_object)];
+  shapes::ScratchHits hits;
+  e.shape->intersect_all(ray, RayKind::shadow, hits.list());
+  for (std::size_t i = hits.begin(); i < hits.end(); ++i)
+    if (hits[i].t > t_min && hits[i].t < t_max && hits[i].shape->surface->opaque) return true;
+  return false;
+}
+
 bool World::has_transparent_shadows() const { return impl_->transparent_shadows; }
 
 void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& interiors) const {

@@ -46,6 +46,8 @@ class World {
   bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const;
   // True if any *opaque* surface lies in t_min < t < t_max (shadow rays; a cheap any-hit query).
   bool occluded(const Ray& ray, double t_min, double t_max) const;
+  // The same for one frame-level object (Surface::frame_object) alone.
+  bool occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const;
   bool has_transparent_shadows() const;  // false: `occluded` alone decides every shadow
 
   // Interiors of all objects that contain p, in order of declaration, for the start of a camera ray (spec 06 2.1).

@@ -7,6 +7,7 @@ namespace verisim::shading {
 namespace {
 
 constexpr double kShadowTolerance = 1e-3;  // to the shaded point, to the light, and to the previous transparent surface
+constexpr double kCachedTolerance = 1e-4;  // to the shaded point, for the last blocker in replay
 constexpr float kDark = static_cast<float>(kEpsilon);
 
 }  // namespace
@@ -18,6 +19,13 @@ Rgb Tracer::shadowed(const Light& light, const Vec3& p, const LightDirection& ce
   if (light.area() && !ray.gather) return area_shadow(query, p, centre, color);
   cast_shadow(query, p, centre.towards, centre.distance, color);
   return color;
+}
+
+int* Tracer::last_blocker(const ShadowQuery& query) {
+  const auto light = static_cast<std::size_t>(&query.light - scene_.lights().data());
+  if (!random_.replay() || light >= scene_.global_lights()) return nullptr;
+  if (last_blockers_.empty()) last_blockers_.assign(scene_.global_lights(), {-1, -1});
+  return &last_blockers_[light][query.eye.level > 0];
 }
 
 void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color) {
@@ -34,9 +42,13 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
   }
   const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
   const bool volumes = scene_.quality >= 9 && query.light.media_attenuation() && (scene_.fog || media);
+  if (const int* blocker = last_blocker(query); blocker && *blocker >= 0 && scene_.world.occluded_by(*blocker, ray, kCachedTolerance, distance)) {
+    color = {};
+    return;
+  }
   // Without transparent objects any opaque hit decides. With them surfaces are met in order: one closer than the tolerance to the transparent
   // surface before it does not count, opaque or not, and media draw their random numbers where POV-Ray's do.
-  if (volumes || scene_.world.has_transparent_shadows()) {
+  if (volumes || random_.replay() || scene_.world.has_transparent_shadows()) {
     filter_along(query, p, towards, distance, color);
   } else if (distance > 2 * kShadowTolerance && scene_.world.occluded(ray, kShadowTolerance, distance - kShadowTolerance)) {
     color = {};
@@ -77,7 +89,12 @@ void Tracer::shadow_volumes(const ShadowQuery& query, const RayState& ray, doubl
 // Multiplies by the filter of one surface; true when nothing passes.
 bool Tracer::filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color) {
   const shapes::Surface& surface = *hit.shape->surface;
-  if (surface.opaque || (scene_.effects && scene_.effects->photons && scene_.effects->photons_block(query.lit, surface, query.light))) {
+  if (surface.opaque) {
+    if (int* blocker = last_blocker(query)) *blocker = surface.frame_object;
+    color = {};
+    return true;
+  }
+  if (scene_.effects && scene_.effects->photons && scene_.effects->photons_block(query.lit, surface, query.light)) {
     color = {};
     return true;
   }

@@ -1,6 +1,7 @@
 // The recursive trace: what a ray sees (spec 06 sections 2 and 3). One Tracer per thread; it owns the thread's scratch memory, random streams and counts.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <span>
 
@@ -146,6 +147,8 @@ class Tracer {
     const shapes::Surface* lit;
     const Light& light;
   };
+  // Replay only: POV-Ray tries a light's last opaque blocker first, with wider limits, which shows at contacts (spec 06 9.2).
+  int* last_blocker(const ShadowQuery& query);
   void cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color);
   void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color);
   bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);
@@ -177,6 +180,7 @@ class Tracer {
     Rgb color;
     std::uint64_t stamp = 0;
   };
+  std::vector<std::array<int, 2>> last_blockers_;  // per global light: frame-level object or -1, for camera hits and for deeper ones
   std::vector<CornerResult> corners_;
   std::uint64_t corner_stamp_ = 0;
 };

@@ -56,12 +56,12 @@ class AllHits {
   HitList& hits_;
 };
 
-// Keeps the nearest hit in [t_min, t_max); of hits at equal t the last one.
+// Keeps the nearest hit in [t_min, t_max); of hits at equal t the last one. `any`: the first one found will do, further ones are not looked for.
 class NearestHit {
  public:
   static constexpr bool kNearest = true;
-  NearestHit(const Shape& shape, const Guards* guards, double t_min, double t_max, Hit& hit)
-      : shape_(shape), guards_(guards), t_min_(t_min), t_max_(t_max), hit_(hit) {}
+  NearestHit(const Shape& shape, const Guards* guards, double t_min, double t_max, Hit& hit, bool any = false)
+      : shape_(shape), guards_(guards), t_min_(t_min), t_max_(t_max), hit_(hit), any_(any) {}
 
   template <class PointAt>
   bool add(double t, PointAt&& point, std::int32_t part = 0, double u = 0, double v = 0) {
@@ -69,7 +69,7 @@ class NearestHit {
     const Vec3 p = point();
     if (guards_ && !guards_->contain(p)) return false;
     hit_ = {t, p, &shape_, part, u, v};
-    t_max_ = t;
+    t_max_ = any_ ? -std::numeric_limits<double>::infinity() : t;
     found_ = true;
     return true;
   }
@@ -85,6 +85,7 @@ class NearestHit {
   const double t_min_;
   double t_max_;
   Hit& hit_;
+  const bool any_;
   bool found_ = false;
 };
 
@@ -111,6 +112,13 @@ class Primitive : public Shape {
   bool intersect(const Ray& ray, RayKind, double t_min, double t_max, Hit& hit) const final {
     if (guards_ && !guards_->admit(ray)) return false;
     NearestHit sink(*this, guards_.get(), t_min, t_max, hit);
+    derived().crossings(ray, sink);
+    return sink.found();
+  }
+  bool occludes(const Ray& ray, double t_min, double t_max) const final {
+    if (guards_ && !guards_->admit(ray)) return false;
+    Hit hit;
+    NearestHit sink(*this, guards_.get(), t_min, t_max, hit, true);
     derived().crossings(ray, sink);
     return sink.found();
   }

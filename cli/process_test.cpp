@@ -25,7 +25,7 @@ using std::chrono::milliseconds;
 constexpr const char* kQuickScene =
     "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
     "light_source { <3,4,-9> rgb 1 } sphere { 0, 1 pigment { rgb <1,.5,.2> } }\n";
-// Some seconds of work at 160x120 +A0.0 +R5.
+// Some seconds of work at 320x240 +A0.0 +R5, and more than the one after which the state file appears.
 constexpr const char* kSlowScene =
     "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
     "light_source { <3,4,-9> rgb 1 area_light x*3, y*3, 12, 12 } sphere { 0, 1 pigment { rgb .5 } } plane { y,-1 pigment { checker rgb 1 rgb .2 } }\n";
@@ -57,6 +57,10 @@ class Process : public testing::Test {
 
   void file(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
   bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
+  // Until the file is there: how long a render takes depends on the machine. Gives up after half a minute.
+  void wait_for(const std::string& name) const {
+    for (int i = 0; i < 3000 && !exists(name); ++i) std::this_thread::sleep_for(milliseconds(10));
+  }
 
   // Starts the program in the test's folder, with a home of its own and no configuration.
   pid_t start(const std::vector<std::string>& arguments, const std::string& called = "verisim") const {
@@ -245,28 +249,29 @@ TEST_F(Process, TypesFollowTheNameInRenderAndTheSwitchInPovRayCalls) {
 
 TEST_F(Process, AnInterruptKeepsWhatWasRenderedAndContinues) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const pid_t child = start({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Opart", "-D"});
-    std::this_thread::sleep_for(milliseconds(1700));
+    fs::remove(folder_ / "part.pov-state");
+    const pid_t child = start({"+Islow.pov", "+W320", "+H240", "+A0.0", "+R5", "+Opart", "-D"});
+    wait_for("part.pov-state");
     ::kill(child, signal);
     const Ended ended = wait(child);
     ASSERT_EQ(ended.status, 2) << ended.errors;
     EXPECT_TRUE(exists("part.png"));
     EXPECT_TRUE(exists("part.pov-state"));
   }
-  ASSERT_EQ(run({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Opart", "-D", "+C"}).status, 0);
+  ASSERT_EQ(run({"+Islow.pov", "+W320", "+H240", "+A0.0", "+R5", "+Opart", "-D", "+C"}).status, 0);
   EXPECT_FALSE(exists("part.pov-state"));
-  ASSERT_EQ(run({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Owhole", "-D"}).status, 0);
+  ASSERT_EQ(run({"+Islow.pov", "+W320", "+H240", "+A0.0", "+R5", "+Owhole", "-D"}).status, 0);
   EXPECT_EQ(image::read_picture(folder_ / "part.png").samples, image::read_picture(folder_ / "whole.png").samples);
   // The picture is there: nothing is rendered again.
   const auto before = fs::last_write_time(folder_ / "part.png");
-  const Ended again = run({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Opart", "-D", "+C"});
+  const Ended again = run({"+Islow.pov", "+W320", "+H240", "+A0.0", "+R5", "+Opart", "-D", "+C"});
   EXPECT_EQ(again.status, 0);
   EXPECT_NE(again.errors.find("File already rendered and continue requested; skipping."), std::string::npos);
   EXPECT_EQ(fs::last_write_time(folder_ / "part.png"), before);
 }
 
 TEST_F(Process, KilledAtAnyTimeItContinuesToTheIdenticalPicture) {
-  const std::vector<std::string> call{"+Islow.pov", "+W160", "+H120", "+A0.0", "+R4", "+BS16", "-D", "+C"};
+  const std::vector<std::string> call{"+Islow.pov", "+W320", "+H240", "+A0.0", "+R4", "+BS16", "-D", "+C"};
   auto with = [&](const std::string& output) {
     std::vector<std::string> words = call;
     words.push_back("+O" + output);
@@ -292,16 +297,16 @@ TEST_F(Process, KilledAtAnyTimeItContinuesToTheIdenticalPicture) {
 }
 
 TEST_F(Process, AChangedSceneIsNotContinued) {
-  const pid_t child = start({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Opart", "-D"});
-  std::this_thread::sleep_for(milliseconds(1700));
+  const pid_t child = start({"+Islow.pov", "+W320", "+H240", "+A0.0", "+R5", "+Opart", "-D"});
+  wait_for("part.pov-state");
   ::kill(child, SIGKILL);
   wait(child);
   ASSERT_TRUE(exists("part.pov-state"));
   file("slow.pov", kQuickScene);
-  const Ended ended = run({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Opart", "-D", "+C"});
+  const Ended ended = run({"+Islow.pov", "+W320", "+H240", "+A0.0", "+R5", "+Opart", "-D", "+C"});
   EXPECT_EQ(ended.status, 0);
   EXPECT_NE(ended.errors.find("belongs to another scene"), std::string::npos) << ended.errors;
-  ASSERT_EQ(run({"+Islow.pov", "+W160", "+H120", "+A0.0", "+R5", "+Owhole", "-D"}).status, 0);
+  ASSERT_EQ(run({"+Islow.pov", "+W320", "+H240", "+A0.0", "+R5", "+Owhole", "-D"}).status, 0);
   EXPECT_EQ(image::read_picture(folder_ / "part.png").samples, image::read_picture(folder_ / "whole.png").samples);
 }
 

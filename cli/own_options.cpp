@@ -91,7 +91,7 @@ std::vector<std::string> OwnOptions::parse(const std::vector<std::string>& argum
 
 void add_scene_options(OwnOptions& own, Options& options) {
   own.paths("--allow-read", options.allow_read, "Let the scene read only below this path (may be given again); without it it may read everything");
-  own.paths("--allow-write", options.allow_write, "Let the scene write (#fopen) below this path (may be given again); without it it may write nothing");
+  own.paths("--allow-write", options.allow_write, "Let the scene write (#fopen) below this path, too (may be given again); without it only below the current folder and the scene's");
   own.value("--max-seconds", options.max_seconds, "Give up after this time; 0: no limit");
   own.value("--max-steps", options.limits.max_steps, "Limit of executed tokens of the scene; 0: no limit");
   own.value("--max-tokens", options.limits.max_tokens, "Limit of tokens in all files together");

@@ -5,9 +5,10 @@ namespace {
 
 const Vec3& vertex(const scene::MeshData& mesh, const scene::MeshTriangle& t, int i) { return mesh.vertices[t.vertex[i]]; }
 
+// The mesh's own front side (spec 04 1.4): (0,0,0), (1,0,0), (0,1,0) faces -z.
 Vec3 face_normal(const scene::MeshData& mesh, const scene::MeshTriangle& t) {
-  const Vec3& a = vertex(mesh, t, 0);
-  return normalize(cross(vertex(mesh, t, 1) - a, vertex(mesh, t, 2) - a));
+  const Vec3& b = vertex(mesh, t, 1);
+  return normalize(cross(vertex(mesh, t, 0) - b, vertex(mesh, t, 2) - b));
 }
 
 // Barycentric weights of p in a 2-D triangle; false outside.

@@ -1,0 +1,41 @@
+// The mesh camera (spec 02 sections 1.7 and 13, P19): which face a pixel looks from, and to which side.
+#include <gtest/gtest.h>
+
+#include "tests/support/probe.h"
+
+namespace verisim::test {
+namespace {
+
+// Twelve small triangles centred on (i, j, 0), i = 0..3, j = 0..2 in row order, facing +z; a wall beyond shows the place as a colour.
+const char* const kScene = R"(#version 3.7; global_settings { assumed_gamma 1 }
+#declare E = 0.03;
+camera { mesh_camera { 1 0 mesh {
+  #for (J, 0, 2) #for (I, 0, 3) triangle { <I-E,J-E,0>, <I,J+2*E,0>, <I+E,J-E,0> } #end #end
+} } location <0,0,0> }
+plane { -z,-1 finish { ambient 0 diffuse 0 emission 1 }
+  pigment { average pigment_map {
+    [1 function { x/8 } color_map { [0 rgb 0] [1 rgb <2,0,0>] }] [1 function { y/8 } color_map { [0 rgb 0] [1 rgb <0,2,0>] }] } } }
+plane { z,-1 finish { ambient 0 diffuse 0 emission 1 } pigment { rgb <0,0,1> } }
+)";
+
+TEST(MeshCamera, RowsOfPixelsSeeTheirRowsOfFaces) {
+  const auto picture = render_text(kScene, 4, 3);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 4; ++x) {
+      const Color c = picture.at(x, y);
+      const int row = y == 0 ? 0 : y - 1;  // the first row of faces is used twice, the last never
+      EXPECT_NEAR(c.r, x / 8.0, 1e-5) << x << "," << y;
+      EXPECT_NEAR(c.g, row / 8.0, 1e-5) << x << "," << y;
+      EXPECT_EQ(c.b, 0.0f) << x << "," << y;  // not to the back
+    }
+  }
+}
+
+TEST(MeshCamera, ANegativeDirectionLooksTheOtherWay) {
+  std::string scene = kScene;
+  scene.insert(scene.find("location <0,0,0>"), "direction -z ");
+  EXPECT_EQ(render_text(scene, 4, 3).at(1, 1).b, 1.0f);
+}
+
+}  // namespace
+}  // namespace verisim::test

@@ -17,7 +17,7 @@ struct Limits {  // untrusted input: each limit ends parsing with an error that 
   std::size_t max_tokens = std::size_t{1} << 29;        // in all files together
   std::uint64_t max_steps = 0;                          // executed tokens; 0: no limit
   std::size_t max_memory_bytes = std::size_t{16} << 30;
-  int max_depth = 1000;                                 // nested blocks, parentheses and calls
+  int max_depth = 500;                                  // nested blocks, parentheses and calls; POV-Ray itself stops at 98 calls
 };
 
 struct ParseOptions {

@@ -64,6 +64,12 @@ void Parser::Impl::missing_include(const std::string& name) {
   error(fmt::format("Cannot find include file '{}'.", name), advice);
 }
 
+fs::path Parser::writable_file(const std::string& name) {
+  if (name.empty() || name.find('\0') != std::string::npos || !impl_->search->may_write(name))
+    error(fmt::format("The scene may not write '{}'.", name), "Scenes write below the current folder and their own; --allow-write PATH permits more.");
+  return name;
+}
+
 fs::path Parser::find_file(const std::string& name, std::string_view extensions) {
   std::optional<fs::path> found;
   if (!fs::path(name).has_extension()) {

@@ -55,9 +55,10 @@ void parse_expand_thresholds(Parser& parser, Photons& photons) {
   }
 }
 
-void parse_file(Parser& parser, std::string& target, const std::string& other) {
+void parse_file(Parser& parser, bool save, std::string& target, const std::string& other) {
   parser.next();
-  target = parser.parse_path();
+  const std::string name = parser.parse_path();
+  target = (save ? parser.writable_file(name) : parser.find_file(name)).string();
   if (!other.empty()) parser.warning("Both load_file and save_file of photons were given; the last one is used.");
 }
 
@@ -92,11 +93,11 @@ void parse_photon_settings(Parser& parser, Photons& photons) {
       case Word::autostop: number(photons.autostop); continue;
       case Word::expand_thresholds: parse_expand_thresholds(parser, photons); continue;
       case Word::save_file:
-        parse_file(parser, photons.save_file, photons.load_file);
+        parse_file(parser, true, photons.save_file, photons.load_file);
         photons.load_file.clear();
         continue;
       case Word::load_file:
-        parse_file(parser, photons.load_file, photons.save_file);
+        parse_file(parser, false, photons.load_file, photons.save_file);
         photons.save_file.clear();
         continue;
       default: break;

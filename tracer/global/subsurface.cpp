@@ -38,10 +38,15 @@ double reflectance_of(double albedo, double a) {
 using Table = std::array<float, 101>;
 
 const Table& albedo_table(double ior) {
+  // A surface asks three times at every point: remember the last answer without taking the lock.
+  thread_local double last_ior = -1.0;
+  thread_local const Table* last = nullptr;
+  if (last && ior == last_ior) return *last;
   static std::mutex mutex;
   static std::map<double, Table> tables;
   const std::lock_guard lock(mutex);
   auto [it, fresh] = tables.try_emplace(ior);
+  last_ior = ior, last = &it->second;
   if (!fresh) return it->second;
   const double a = boundary_term(ior);
   for (int i = 0; i <= 100; ++i) {

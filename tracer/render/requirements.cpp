@@ -4,6 +4,7 @@ namespace verisim::render {
 namespace {
 
 constexpr int kMaxBlurSamples = 1 << 20;
+constexpr int kMaxRadiosityDirections = 1 << 24, kMaxMediaIntervals = 256;
 constexpr std::int64_t kMaxAreaLightSamples = std::int64_t{1} << 24;
 
 void check_light(const scene::LightSource& light, const scene::Place& place) {
@@ -11,7 +12,13 @@ void check_light(const scene::LightSource& light, const scene::Place& place) {
     throw Unsupported("area_light with more than 16777216 samples", place);
 }
 
+void check_media(const std::vector<scene::Media>& media) {
+  for (const scene::Media& m : media)
+    if (m.intervals > kMaxMediaIntervals) throw Unsupported("media with more than 256 intervals", m.place);
+}
+
 void check_object(const scene::Object& object) {
+  if (object.interior) check_media(object.interior->media);
   if (const auto* light = object.as<scene::LightSource>()) {
     check_light(*light, object.place);
     if (light->looks_like) check_object(*light->looks_like);
@@ -27,6 +34,12 @@ void check_object(const scene::Object& object) {
 void check_supported(const scene::Scene& scene, const Options& options) {
   if (scene.camera.blur_samples > kMaxBlurSamples) throw Unsupported("more than 1048576 blur_samples", {});
   if (options.quality < 9) return;
+  const scene::Settings& settings = scene.settings;
+  if (settings.radiosity.enabled && settings.radiosity.count_directions > kMaxRadiosityDirections)
+    throw Unsupported("radiosity with more than 16777216 directions", settings.radiosity.place);
+  if (settings.radiosity.enabled && settings.subsurface && settings.subsurface_radiosity)
+    throw Unsupported("radiosity inside subsurface { }", settings.radiosity.place);
+  check_media(scene.atmosphere);
   for (const auto& object : scene.objects) check_object(*object);
 }
 

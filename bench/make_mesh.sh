@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# make_mesh.sh FILE: a scene with one mesh2 of 200,000 triangles, a wavy torus-like sheet of 200 by 500 quads.
+# make_mesh.sh FILE [ACROSS ALONG]: a scene with one mesh2, a wavy torus-like sheet of ACROSS by ALONG quads; 500 by 200, 200,000 triangles, if not said.
 set -euo pipefail
-awk 'BEGIN {
-  across = 500; along = 200; pi = atan2(0, -1)
+awk -v across="${2:-500}" -v along="${3:-200}" 'BEGIN {
+  pi = atan2(0, -1)
   print "// One mesh2 of " 2 * across * along " triangles; made by bench/make_mesh.sh."
   print "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location <0, 9, -12> look_at 0 angle 40 }"
   print "light_source { <-20, 30, -20> rgb 0.8 }\nlight_source { <30, 20, -10> rgb 0.4 }\nbackground { rgb <0.1, 0.1, 0.2> }"

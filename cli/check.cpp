@@ -1,10 +1,12 @@
 // `verisim check`: reads a scene and says what is wrong with it.
 #include <cstdio>
+#include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/dump.h"
 #include "cli/frame.h"
 #include "cli/own_options.h"
 #include "cli/scene_words.h"
@@ -31,9 +33,10 @@ nlohmann::json as_json(const parser::Diagnostic& d) {
 
 int command_check(const std::vector<std::string>& arguments) {
   Options options;
-  bool json = false;
+  bool json = false, dump = false;
   OwnOptions own("check", "Reads a scene without rendering it: verisim check SCENE [switches]. Exit status 0: no errors, 3: errors, 4: something is not supported.");
   own.flag("--json", json, "Print the diagnostics as JSON to standard output");
+  own.flag("--dump", dump, "Print the evaluated scene as JSON to standard output (docs/dump.md)");
   add_render_options(own, options);
   const std::vector<std::string> files = apply_words(options, own.parse(arguments));
   if (files.size() > 1) throw OptionError(fmt::format("one scene at a time: '{}' and '{}'", files[0], files[1]));
@@ -49,7 +52,10 @@ int command_check(const std::vector<std::string>& arguments) {
   parser::ParseOptions parse = parse_options(job, job.animation.frame(0));
   std::vector<parser::Diagnostic> messages;
   if (json) parse.message = [&](const parser::Diagnostic& d) { messages.push_back(d); };
-  const parser::ParseResult result = parser::parse_file(scene, parse);
+  // Taking a large scene apart takes as long as a good part of reading it, and the process ends anyway: it is kept until then.
+  static std::unique_ptr<parser::ParseResult>& kept = *new std::unique_ptr<parser::ParseResult>;
+  kept = std::make_unique<parser::ParseResult>(parser::parse_file(scene, parse));
+  const parser::ParseResult& result = *kept;
   console.end_of_debug();
   if (interrupt.flag()) return kInterrupted;
 
@@ -69,6 +75,10 @@ int command_check(const std::vector<std::string>& arguments) {
       parse.message(d);
       status = kUnsupported;
     }
+  }
+  if (dump && result.scene) {
+    std::puts(SceneDump().scene(*result.scene).dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    return status;
   }
   if (json) {
     nlohmann::json report{{"scene", scene.string()}, {"errors", result.errors.size()}, {"warnings", result.warnings}, {"status", static_cast<int>(status)}};

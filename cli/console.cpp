@@ -144,6 +144,26 @@ void Console::progress(double fraction, std::uint64_t pixels) {
   last_percent_ = percent;
 }
 
+void Console::pass_progress(const char* pass, double fraction) {
+  const std::lock_guard lock(mutex_);
+  if (style_ == Style::povray ? !options_.verbose : !bar_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (pass_ != pass) pass_ = pass, pass_start_ = now, last_percent_ = -1;
+  const int percent = static_cast<int>(fraction * 100);
+  if (percent == last_percent_) return;
+  const double gone = std::chrono::duration<double>(now - pass_start_).count();
+  std::string left;
+  if (fraction > 0 && fraction < 1 && gone > 1) left = fmt::format(", about {:.0f} s left", gone * (1 - fraction) / fraction);
+  if (style_ == Style::povray) {
+    std::fprintf(stderr, "%s: %d%%%s\r", pass, percent, left.c_str());
+  } else {
+    std::fprintf(stderr, "\r\x1b[K%s: %d%%%s ", pass, percent, left.c_str());
+    std::fflush(stderr);
+  }
+  bar_visible_ = true;
+  last_percent_ = percent;
+}
+
 void Console::clear_bar() {
   if (!bar_visible_) return;
   if (style_ == Style::povray) std::fputc('\n', stderr);

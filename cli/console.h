@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdio>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -40,6 +41,8 @@ class Console {
 
   // "Rendered n of m pixels" or a bar, over itself on one line.
   void progress(double fraction, std::uint64_t pixels);
+  // The same for a pass before the picture, with the time it will still take; both lines end with end_progress.
+  void pass_progress(const char* pass, double fraction);
   void end_progress();
 
  private:
@@ -51,6 +54,8 @@ class Console {
   Style style_;
   bool color_ = false, bar_ = false, bar_visible_ = false;
   int last_percent_ = -1;
+  std::string pass_;  // whose progress was shown last, and since when it runs
+  std::chrono::steady_clock::time_point pass_start_;
   std::string debug_line_;
   struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }

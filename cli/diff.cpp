@@ -11,11 +11,32 @@
 #include "compare/compare.h"
 
 namespace verisim::cli {
+namespace {
+
+compare::FitOptions fit_options(const std::string& crop, const std::vector<std::string>& fits) {
+  compare::FitOptions out;
+  if (!crop.empty()) {
+    compare::Crop c;
+    int end = 0;
+    if (std::sscanf(crop.c_str(), "%d,%d,%d,%d%n", &c.x, &c.y, &c.width, &c.height, &end) != 4 || static_cast<std::size_t>(end) != crop.size())
+      throw OptionError(fmt::format("--crop {}: expected X,Y,WIDTH,HEIGHT", crop));
+    out.crop = c;
+  }
+  for (const std::string& what : fits) {
+    if (what == "exposure") out.exposure = true;
+    else if (what == "white_balance") out.white_balance = true;
+    else throw OptionError(fmt::format("--fit {}: expected exposure or white_balance", what));
+  }
+  return out;
+}
+
+}  // namespace
 
 int command_diff(const std::vector<std::string>& arguments) {
   OwnOptions own("diff", "Compares two pictures: verisim diff REFERENCE PICTURE. Exit status 0 when they match, 1 when they do not.");
   std::string json, html, heat_map;
-  std::vector<std::string> thresholds;
+  std::vector<std::string> thresholds, fits;
+  std::string crop;
   compare::MetricOptions metric;
   double gain = 16;
   bool color = false, antialiased = false;
@@ -25,14 +46,23 @@ int command_diff(const std::vector<std::string>& arguments) {
   own.value("--gain", gain, "Factor for the differences of the heat map");
   own.values("--threshold", thresholds, "In place of the usual rules: max_rmse=1.5, min_within_1_pct=99 ... (may be given again)");
   own.value("--pixels-per-degree", metric.flip_pixels_per_degree, "How large the pictures are seen, for FLIP");
+  own.value("--crop", crop, "X,Y,WIDTH,HEIGHT: the part of the reference, a photograph, that the picture shows; averaged to its size");
+  own.values("--fit", fits, "Fit the picture's 'exposure' or 'white_balance' to the reference (may be given again)");
   own.flag("--antialiased", antialiased, "The pictures are anti-aliased: differences of 2/255 are allowed where 1/255 would be");
   own.flag("--color", color, "Colour the table also when it does not go to a terminal");
   const std::vector<std::string> words = own.parse(arguments);
   if (words.size() != 2) throw OptionError("two pictures are needed: verisim diff REFERENCE PICTURE");
 
-  const compare::Picture reference = image::read_picture(words[0]), test = image::read_picture(words[1]);
+  compare::Picture reference = image::read_picture(words[0]), test;
   compare::Metrics metrics;
+  compare::Fit fit;
   try {
+    compare::require_memory(static_cast<std::uint64_t>(reference.width) * static_cast<std::uint64_t>(reference.height), reference.channels);
+    test = image::read_picture(words[1]);
+    if (const compare::FitOptions wanted = fit_options(crop, fits); wanted.any()) {
+      compare::FittedPair pair = compare::fit_to_reference(reference, test, wanted);
+      reference = std::move(pair.reference), test = std::move(pair.test), fit = pair.fit;
+    }
     metrics = compare::measure(reference, test, metric);
   } catch (const compare::PictureMismatch& mismatch) {
     std::fprintf(stderr, "verisim diff: %s\n", mismatch.what());
@@ -55,6 +85,7 @@ int command_diff(const std::vector<std::string>& arguments) {
   const bool json_to_stdout = json == "-";
   if (!json_to_stdout) {
     std::fputs(compare::terminal_metrics(metrics, color || isatty(STDOUT_FILENO) != 0).c_str(), stdout);
+    if (!fit.text().empty()) std::printf("%s\n", fit.text().c_str());
     std::printf("%s%s%s\n", compare::to_string(verdict.status), verdict.reason.empty() ? "" : ": ", verdict.reason.c_str());
   }
   if (json_to_stdout) std::printf("%s\n", compare::metrics_json(metrics).c_str());

@@ -1,4 +1,4 @@
-// `verisim explain`: how one pixel came to be, as a tree of rays.
+// `verisim explain`: how one pixel came to be, as a tree of rays; and what the wrong pixels of a scene have in common.
 #include <cstdio>
 
 #include <fmt/format.h>
@@ -7,6 +7,8 @@
 #include "cli/frame.h"
 #include "cli/object_names.h"
 #include "cli/own_options.h"
+#include "cli/own_program.h"
+#include "cli/pixel_tags.h"
 #include "cli/scene_words.h"
 #include "compare/compare.h"
 #include "tracer/render/explain.h"
@@ -139,20 +141,74 @@ int coordinate(const std::string& word, int limit, const char* name) {
   return static_cast<int>(value);
 }
 
+// The suspects of one scene: it is compared with POV-Ray, and its pixels are looked at.
+int explain_scene(const std::vector<std::string>& words) {
+  const SuiteWords given = suite_words(words);
+  compare::RunOptions run;
+  run.native = compare::native_program(own_program(), {});
+  run.tags = compare::tags_of_program(own_program());
+  run.native_version = VERISIM_VERSION;
+  run.always_blame = true;
+  run.native_time_limit = 600;
+  Interrupt interrupt;
+  run.cancel = &interrupt.flag();
+  compare::Run result;
+  try {
+    result = compare::run_suite(compare::load_suite(given.what, given.defaults), run);
+  } catch (const compare::OracleMissing& missing) {
+    std::fprintf(stderr, "verisim explain: %s\n", missing.what());
+    return kInputOutput;
+  }
+  if (result.cancelled) return kInterrupted;
+  if (result.scenes.empty()) return kInputOutput;
+  const compare::SceneResult& scene = result.scenes[0];
+  std::fputs(compare::terminal_blame(scene).c_str(), stdout);
+  return scene.status == compare::Status::unsupported ? kUnsupported : scene.failed() ? kDifferent : kOk;
+}
+
+// Every pixel's tags, and the trees of some: what `verisim compare` asks for.
+void write_tags(const std::string& file, int step, const std::vector<std::string>& trees, render::Explainer& explainer, const Options& options) {
+  TagWitness witness;
+  compare::PixelTags& tags = witness.tags();
+  tags.width = options.width, tags.height = options.height, tags.step = step;
+  for (int y = 0; y < options.height; y += step)
+    for (int x = 0; x < options.width; x += step) {
+      explainer.pixel(x, y, witness);
+      tags.set_of.push_back(witness.take());
+    }
+  for (const std::string& pixel : trees) {
+    int x = 0, y = 0;
+    if (std::sscanf(pixel.c_str(), "%d,%d", &x, &y) != 2 || x < 0 || y < 0 || x >= options.width || y >= options.height) throw OptionError(fmt::format("--tree {}: expected X,Y inside the picture", pixel));
+    Tree tree;
+    const Color color = explainer.pixel(x, y, tree);
+    tags.trees.push_back({x, y, tree.lines + fmt::format("linear {}\n", text(color.rgb()))});
+  }
+  compare::write_report(compare::tags_json(tags), file);
+}
+
 }  // namespace
 
 int command_explain(const std::vector<std::string>& arguments) {
   Options options;
   bool no_oracle = false;
-  OwnOptions own("explain", "Shows how one pixel came to be: verisim explain SCENE X Y [switches]. X and Y count from 0 at the top left; without anti-aliasing.");
+  std::string tags;
+  int step = 1;
+  std::vector<std::string> trees;
+  OwnOptions own("explain", "Shows how one pixel came to be: verisim explain SCENE X Y [switches]. X and Y count from 0 at the top left; without anti-aliasing. "
+                            "Without a pixel it compares the scene with POV-Ray and says what the wrong pixels have in common: verisim explain SCENE [switches].");
   own.flag("--no-oracle", no_oracle, "Do not ask POV-Ray for its colour");
+  own.value("--tags", tags, "Write what every pixel shows (objects, patterns, lights, features) as JSON to this file");
+  own.value("--tags-step", step, "Only every so many pixels and rows, for --tags");
+  own.values("--tree", trees, "X,Y: put the ray tree of this pixel into the file of --tags, too (may be given again)");
   add_render_options(own, options);
   const std::vector<std::string> words = own.parse(arguments), files = apply_words(options, words);
-  if (files.size() != 3) throw OptionError("a scene and a pixel are needed: verisim explain SCENE X Y [switches]");
+  if (files.size() == 1 && tags.empty()) return explain_scene(words);
+  if (files.size() != (tags.empty() ? 3 : 1)) throw OptionError("a scene and a pixel are needed: verisim explain SCENE X Y [switches]");
+  if (step < 1) throw OptionError("--tags-step must be at least 1");
   options.input_file = files[0];
   options.antialias = false;
   validate(options);
-  const int x = coordinate(files[1], options.width, "X"), y = coordinate(files[2], options.height, "Y");
+  const int x = tags.empty() ? coordinate(files[1], options.width, "X") : 0, y = tags.empty() ? coordinate(files[2], options.height, "Y") : 0;
   const fs::path scene = find_scene(options);
   if (scene.empty()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", options.input_file));
 
@@ -169,8 +225,12 @@ int command_explain(const std::vector<std::string>& arguments) {
   Tree tree;
   Color color;
   try {
-    render::Options settings = render_options(job, {0, options.width - 1, 0, options.height - 1});
-    color = render::explain(*parsed.scene, settings, x, y, tree);
+    render::Explainer explainer(*parsed.scene, render_options(job, {0, options.width - 1, 0, options.height - 1}));
+    if (!tags.empty()) {
+      write_tags(tags, step, trees, explainer, options);
+      return kOk;
+    }
+    color = explainer.pixel(x, y, tree);
   } catch (const render::Unsupported& missing) {
     std::fprintf(stderr, "verisim explain: %s\n", missing.what());
     return kUnsupported;

@@ -1,9 +1,11 @@
 #include "cli/frame.h"
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -12,10 +14,12 @@
 #include <fmt/format.h>
 
 #include "cli/configuration.h"
+#include "cli/layers_option.h"
 #include "cli/region.h"
 #include "cli/scene_features.h"
 #include "cli/state_file.h"
 #include "cli/statistics.h"
+#include "tracer/image/layers_file.h"
 #include "tracer/image/output.h"
 #include "tracer/render/render.h"
 
@@ -67,6 +71,17 @@ parser::ParseResult parse(const Job& job, const Frame& frame, FrameReport& repor
 
 // ------------------------------------------------------------------------------------------------ where the picture goes
 
+// All settings of the call as Key=Value, on one line; local paths stay out of what a picture tells to others.
+std::string given_settings(const Options& options) {
+  std::string text;
+  for (const auto& [key, value] : options.given) {
+    if (key == "Library_Path" || key == "Input_File_Name" || key == "Output_File_Name" || key == "Include_Header" || key.ends_with("_Command")) continue;
+    text += (text.empty() ? "" : " ") + key + "=" + value;
+  }
+  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
+  return text;
+}
+
 image::OutputOptions output_options(const Job& job, const scene::Scene& scene) {
   const Options& options = job.options;
   image::OutputOptions output;
@@ -87,6 +102,8 @@ image::OutputOptions output_options(const Job& job, const scene::Scene& scene) {
   output.compression = options.compression;
   output.metadata["Software"] = "verisim " VERISIM_VERSION;
   output.metadata["Comment"] = "Rendered from " + job.scene.filename().string();
+  output.metadata["Title"] = job.scene.filename().string();
+  output.metadata["Switches"] = given_settings(options);
   return output;
 }
 
@@ -135,6 +152,8 @@ std::uint64_t picture_key(const Job& job, const Frame& frame, const Region& part
                              o.jitter_amount, double(o.quality), double(o.block_size), double(o.output_alpha), double(o.split_unions), double(o.remove_bounds),
                              double(o.seed), o.version, frame.clock, double(frame.number), double(job.animation.final_frame), double(job.animation.initial_frame)})
     key.add(value);
+  key.add(o.sampler);
+  if (o.integrator == "path") key.add("path " + std::to_string(o.path_samples) + " " + std::to_string(o.path_bounces));
   for (const auto& [name, value] : o.declarations) key.add(name + "=" + value);
   for (const fs::path& file : files) key.add_file(file);
   return key.value();
@@ -145,11 +164,20 @@ struct Canvas {
   std::uint64_t pixels = 0;  // of the region
 };
 
+// Asks for huge pages for memory that is about to be filled: thousands of page faults less. A hint; failure means ordinary pages.
+void fill_by_huge_pages(void* memory, std::size_t bytes) {
+  constexpr std::uintptr_t kPage = 4096;
+  const std::uintptr_t from = (reinterpret_cast<std::uintptr_t>(memory) + kPage - 1) / kPage * kPage, to = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / kPage * kPage;
+  if (to > from + (std::size_t{4} << 20)) ::madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);
+}
+
 Canvas blank(const Options& options, const Region& part) {
   Canvas canvas;
   const std::size_t pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   canvas.framebuffer.width = options.width;
   canvas.framebuffer.height = options.height;
+  canvas.framebuffer.pixels.reserve(pixels);
+  fill_by_huge_pages(canvas.framebuffer.pixels.data(), pixels * sizeof(Color));
   canvas.framebuffer.pixels.assign(pixels, Color());
   canvas.framebuffer.done.assign(pixels, 0);
   if (!part.empty())
@@ -158,11 +186,15 @@ Canvas blank(const Options& options, const Region& part) {
 }
 
 // Renders into the canvas, with the state file where there is one.
-void trace(const Job& job, const scene::Scene& scene, const Region& part, Canvas& canvas, StateFile* state, FrameReport& report) {
+void trace(const Job& job, const scene::Scene& scene, const Region& part, Canvas& canvas, StateFile* state, LayerChoice& choice, FrameReport& report) {
   // +WT0 and an empty region trace nothing and still make a picture.
-  if (part.empty() || job.options.threads.value_or(1) <= 0) return;
+  if (part.empty() || job.options.threads.value_or(1) <= 0) return render::resize_layers(choice.layers, job.options.width, job.options.height);
   render::Options options = render_options(job, part);
+  if (choice.any) options.layers = &choice.layers;
   options.progress = [&](double fraction) { job.console.progress(fraction, canvas.pixels); };
+  options.pass_progress = [&](const char* pass, double fraction) { job.console.pass_progress(pass, fraction); };
+  if (job.options.radiosity_from_file) options.radiosity_from = job.options.radiosity_file;
+  if (job.options.radiosity_to_file) options.radiosity_to = job.options.radiosity_file;
   if (state) {
     options.block_known = [state](int x, int y, int w, int h) { return state->known({x, y, w, h}); };
     options.block_done = [state, &canvas](int x, int y, int w, int h) {
@@ -173,7 +205,7 @@ void trace(const Job& job, const scene::Scene& scene, const Region& part, Canvas
   job.console.end_progress();
 }
 
-void write(const Job& job, const Canvas& canvas, const OutputName& name, const image::OutputOptions& output, FrameReport& report) {
+void write(const Job& job, const Canvas& canvas, const LayerChoice& choice, const OutputName& name, const image::OutputOptions& output, FrameReport& report) {
   if (!job.options.output_to_file) return;
   const auto start = Clock::now();
   if (name.standard_output || name.standard_error) {
@@ -181,7 +213,11 @@ void write(const Job& job, const Canvas& canvas, const OutputName& name, const i
       throw Failure{kInputOutput, "JPEG, OpenEXR and TIFF pictures cannot be written to a stream; name a file"};
     write_to_stream(canvas.framebuffer, output, name.standard_error);
   } else {
-    image::write(canvas.framebuffer, name.path, output);
+    if (choice.any) {
+      image::write_layers(canvas.framebuffer, choice.layers, choice.beauty, name.path, output);
+    } else {
+      image::write(canvas.framebuffer, name.path, output);
+    }
     report.output = name.path;
   }
   report.seconds_write = since(start);
@@ -189,11 +225,10 @@ void write(const Job& job, const Canvas& canvas, const OutputName& name, const i
 
 void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene, const OutputName& name, FrameReport& report) {
   const Options& options = job.options;
-  if ((options.radiosity_from_file || options.radiosity_to_file) && scene.settings.radiosity.enabled && options.quality >= 9)
-    throw Failure{kUnsupported, "radiosity samples from and to a file (Radiosity_From_File +RFI, Radiosity_To_File +RFO) are not supported"};
   const Region part = region(options);
   const bool to_file = options.output_to_file && !name.standard_output && !name.standard_error;
-  const image::OutputOptions output = output_options(job, scene);
+  image::OutputOptions output = output_options(job, scene);
+  LayerChoice choice = layer_choice(options.layers);
   if (to_file) check_folder(name.path);
 
   Canvas canvas = blank(options, part);
@@ -213,7 +248,7 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   const auto start = Clock::now();
   const double cpu = cpu_seconds();
   try {
-    trace(job, scene, part, canvas, state.get(), report);
+    trace(job, scene, part, canvas, state.get(), choice, report);
   } catch (const render::Unsupported& missing) {
     job.console.end_progress();
     parser::Diagnostic diagnostic;
@@ -233,7 +268,8 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   if (state && !state->failure().empty()) job.console.line(Stream::warning, wrapped("Warning: " + state->failure()));
   const bool interrupted = report.statistics.cancelled;
   if (interrupted && state) state->flush(canvas.framebuffer);
-  write(job, canvas, name, output, report);
+  output.metadata["Render Time"] = fmt::format("{:.3f} s", report.seconds_render);
+  write(job, canvas, choice, name, output, report);
   if (interrupted) throw Failure{kInterrupted, job.interrupt.out_of_time() ? "out of time (--max-seconds)" : "interrupted"};
   if (state) state->remove();
 }
@@ -258,13 +294,25 @@ render::Options render_options(const Job& job, const Region& part) {
   result.last_row = part.last_row;
   result.antialias = options.antialias && options.sampling_method != 0;
   result.sampling_method = options.sampling_method;
+  if (options.integrator == "path") {
+    if (options.path_samples < 1 || options.path_bounces < 1) throw OptionError("--path-samples and --path-bounces must be at least 1");
+    if (options.replay) throw OptionError("--replay follows POV-Ray's algorithms: it cannot be combined with --integrator path");
+    result.path_samples = options.path_samples;
+    result.path_bounces = options.path_bounces;
+  } else if (options.integrator != "povray") {
+    throw OptionError("--integrator is `povray` or `path`, not `" + options.integrator + "`");
+  }
   result.antialias_depth = options.antialias_depth;
   result.antialias_threshold = static_cast<float>(options.antialias_threshold);
   result.antialias_gamma = options.antialias_gamma;
+  result.sampler = options.sampler == "adaptive" ? render::Sampler::adaptive : render::Sampler::povray;
   result.jitter = options.jitter;
   result.jitter_amount = options.jitter_amount;
   result.quality = options.quality;
   result.block_size = options.block_size;
+  // Adaptive sampling looks at the pixels around a block, so larger blocks are cheaper; +BS still decides when it is given.
+  const auto given = [&](std::string_view key) { return std::any_of(options.given.begin(), options.given.end(), [&](const auto& g) { return g.first == key; }); };
+  if (result.antialias && result.sampler == render::Sampler::adaptive && !given("Render_Block_Size")) result.block_size = 64;
   constexpr int kMaxThreads = 1024;
   result.threads = std::min(options.threads.value_or(0), kMaxThreads);
   result.output_alpha = options.output_alpha;
@@ -315,8 +363,14 @@ FrameReport render_frame(const Job& job, const Frame& frame) {
       return report;
     }
     if (job.console.style() == Style::povray) job.console.always(section_bar("[Parsing...]"));
-    const parser::ParseResult parsed = parse(job, frame, report);
-    if (!parsed.scene) return report;
+    parser::ParseResult own;
+    const bool reuse = job.shared && job.shared->result.scene.has_value();
+    if (!reuse) own = parse(job, frame, report);
+    if (!reuse && !own.scene) return report;
+    if (!reuse && job.shared && job.animation.count() > 1 && own.warnings == 0 && !depends_on_frame(own.files_read)) job.shared->result = std::move(own);
+    const parser::ParseResult& parsed = job.shared && job.shared->result.scene ? job.shared->result : own;
+    report.scene_reused = reuse;
+    report.files_read = parsed.files_read;
     report.stochastic_features = stochastic_features(*parsed.scene, job.options.quality);
     if (job.console.style() == Style::povray) job.console.line(Stream::statistic, parser_statistics(*parsed.scene, report));
     render_parsed(job, frame, *parsed.scene, name, report);

@@ -12,6 +12,7 @@
 #include "cli/output_name.h"
 #include "cli/program.h"
 #include "cli/region.h"
+#include "cli/scene_reuse.h"
 
 namespace verisim::cli {
 
@@ -22,10 +23,12 @@ struct Job {
   Interrupt& interrupt;
   std::filesystem::path scene;
   Animation animation;
+  SharedScene* shared = nullptr;  // where frames leave the scene for the next; null: nowhere
 };
 
 struct FrameReport {
   ExitStatus status = kOk;
+  bool scene_reused = false;       // from an earlier frame, not parsed again
   bool skipped = false;            // +C and the picture is there
   std::string message;             // the first error, as one line
   std::filesystem::path output;    // empty: none was written

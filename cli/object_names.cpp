@@ -13,10 +13,10 @@ struct Keyword {
   const char* operator()(const scene::Torus&) const { return "torus"; }
   const char* operator()(const scene::Disc&) const { return "disc"; }
   const char* operator()(const scene::Triangle&) const { return "triangle"; }
-  const char* operator()(const scene::SmoothTriangle&) const { return "smooth_triangle"; }
+  const char* operator()(const scene::Boxed<scene::SmoothTriangle>&) const { return "smooth_triangle"; }
   const char* operator()(const scene::Polygon&) const { return "polygon"; }
   const char* operator()(const scene::Poly&) const { return "poly"; }
-  const char* operator()(const scene::Quadric&) const { return "quadric"; }
+  const char* operator()(const scene::Boxed<scene::Quadric>&) const { return "quadric"; }
   const char* operator()(const scene::Superellipsoid&) const { return "superellipsoid"; }
   const char* operator()(const scene::Ovus&) const { return "ovus"; }
   const char* operator()(const std::shared_ptr<const scene::Blob>&) const { return "blob"; }
@@ -35,13 +35,15 @@ struct Keyword {
     return csg.difference ? "difference" : csg.kind == scene::CsgKind::union_ ? "union" : csg.kind == scene::CsgKind::merge ? "merge" : "intersection";
   }
   const char* operator()(const scene::LightGroup&) const { return "light_group"; }
-  const char* operator()(const scene::LightSource&) const { return "light_source"; }
+  const char* operator()(const scene::Boxed<scene::LightSource>&) const { return "light_source"; }
 };
 
 }  // namespace
 
+const char* object_keyword(const scene::Object& object) { return std::visit(Keyword(), object.shape); }
+
 std::string object_name(const scene::Object& object) {
-  const std::string keyword = std::visit(Keyword(), object.shape);
+  const std::string keyword = object_keyword(object);
   if (!object.place.file || object.place.line <= 0) return keyword;
   return fmt::format("{} ({}:{})", keyword, *object.place.file, object.place.line);
 }

@@ -7,6 +7,8 @@
 
 namespace verisim::cli {
 
+// The keyword of its shape: "sphere", "union" ...
+const char* object_keyword(const scene::Object& object);
 // Its keyword and where it was written: "sphere (scene.pov:12)".
 std::string object_name(const scene::Object& object);
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "cli/layers_option.h"
+
 namespace verisim::cli {
 
 void validate(const Options& options) {
@@ -16,6 +18,10 @@ void validate(const Options& options) {
   if (options.block_size < 4) throw OptionError("Specified block size is too small (Render_Block_Size, +BS: at least 4)");
   if (options.greyscale && options.format != image::Format::png && options.format != image::Format::ppm)
     throw OptionError("Unsupported combination of options: Grayscale_Output is for PNG and PPM");
+  if (options.sampler != "povray" && options.sampler != "adaptive") throw OptionError(fmt::format("--sampler is povray or adaptive, not '{}'", options.sampler));
+  if (options.sampler == "adaptive" && options.replay) throw OptionError("--sampler adaptive is not how POV-Ray samples: it cannot be combined with --replay");
+  if (layer_choice(options.layers).any && options.format != image::Format::exr)
+    throw OptionError("--layers is for OpenEXR files: name the picture with .exr, or give +FE");
   if (options.real_time)
     throw OptionError("Real_Time_Raytracing (+RTR) draws into a window and writes no file; verisim has no window");
 }

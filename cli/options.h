@@ -64,6 +64,8 @@ struct Options {
   bool continue_trace = false;
   bool radiosity_from_file = false, radiosity_to_file = false, real_time = false;
   std::string radiosity_file = "object.rca";
+  std::string integrator = "povray";  // or "path"
+  int path_samples = 64, path_bounces = 64;
 
   // Animation (spec 02 section 10).
   std::optional<int> initial_frame, final_frame;
@@ -85,6 +87,8 @@ struct Options {
   // verisim's own.
   bool replay = false, allow_shell = false, color = false, progress = true;
   std::uint64_t seed = 0;
+  std::string sampler = "povray";                     // or adaptive
+  std::string layers;                                 // of an EXR file, as the user listed them
   std::vector<std::filesystem::path> allow_write, allow_read;
   parser::Limits limits;
   std::uint64_t max_pixels = std::uint64_t{1} << 28;  // of one picture: 20 bytes each

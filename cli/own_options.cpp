@@ -109,10 +109,11 @@ void add_render_options(OwnOptions& own, Options& options) {
   own.value("--stats", options.stats_file, "Write statistics as JSON to this file");
   own.value("--output", options.exact_output, "The picture's file, named as it is; the type by its extension unless +F says otherwise");
   own.flag("--allow-shell", options.allow_shell, "Run the commands of Pre_Scene_Command and its like");
-  own.refused("--sampler", true, "anti-aliasing methods 1 and 2 (+AM1, +AM2) are there");
-  own.refused("--integrator", true, "scenes are rendered as POV-Ray renders them");
-  own.refused("--layers", true, "OpenEXR files hold the picture alone");
-  own.refused("--dump", false, "use `verisim explain` to look into a pixel");
+  own.value("--sampler", options.sampler, "How pixels are anti-aliased: povray (+AM1, +AM2), or adaptive: low-discrepancy samples until the error is below a twentieth of +A's threshold");
+  own.value("--integrator", options.integrator, "`povray`: POV-Ray's algorithms (default); `path`: unbiased path tracing, not POV-Ray's look");
+  own.value("--path-samples", options.path_samples, "Paths a pixel of --integrator path (default 64)");
+  own.value("--path-bounces", options.path_bounces, "No path is longer (default 64)");
+  own.value("--layers", options.layers, "What the OpenEXR file holds: beauty, depth, normal, albedo, id, separated by commas, or all");
 }
 
 }  // namespace verisim::cli

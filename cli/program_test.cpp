@@ -11,6 +11,8 @@ TEST(Program, BadUsageHasItsStatus) {
   EXPECT_EQ(run({"verisim", "render"}), kUsage);
   EXPECT_EQ(run({"verisim", "render", "x.pov", "--sed", "3"}), kUsage);
   EXPECT_EQ(run({"verisim", "render", "x.pov", "--layers", "depth"}), kUsage);
+  EXPECT_EQ(run({"verisim", "render", "x.pov", "--layers", "depths", "+FE"}), kUsage);
+  EXPECT_EQ(run({"verisim", "render", "x.pov", "--sampler", "random"}), kUsage);
   EXPECT_EQ(run({"verisim", "render", "x.pov", "y.pov"}), kUsage);
   EXPECT_EQ(run({"verisim", "render", "x.pov", "+ZZ"}), kUsage);
   EXPECT_EQ(run({"verisim", "--benchmark"}), kUsage);

@@ -130,7 +130,8 @@ void create_ini(const Options& options) {
 Outcome render_all(const Options& options, Console& console, const fs::path& scene) {
   if (!options.create_ini.empty()) create_ini(options);
   Interrupt interrupt(options.max_seconds);
-  const Job job{options, console, interrupt, scene, animation(options)};
+  SharedScene shared;
+  const Job job{options, console, interrupt, scene, animation(options), &shared};
   const fs::path picture = output_name(options, scene, job.animation, job.animation.frame(0)).path;
   console.open_files(picture.parent_path(), options.append_files);
   for (const std::string& note : options.notes)
@@ -147,6 +148,7 @@ int command_render(const std::vector<std::string>& arguments) {
   Options options;
   OwnOptions own("render",
                  "Renders a scene: verisim render SCENE [switches]. POV-Ray's switches and settings work here: +W320 +H240 +A0.3 +Oout.png, Width=320, quick.ini[section].");
+  own.refused("--dump", false, "verisim check --dump prints the scene");
   add_render_options(own, options);
   const std::vector<std::string> files = apply_words(options, own.parse(arguments));
   if (files.size() > 1) throw OptionError(fmt::format("one scene at a time: '{}' and '{}'", files[0], files[1]));

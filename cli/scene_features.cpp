@@ -48,8 +48,8 @@ class Walk {
   void texture(const scene::TexturePtr& pointer) {
     if (!pointer || !seen_.insert(pointer.get()).second) return;
     for (const scene::TextureLayer& layer : pointer->layers) {
-      if (layer.finish.crand != 0 && quality_ >= 2) found.insert("crand");
-      if (layer.finish.subsurface && quality_ >= 9) subsurface = true;
+      if (layer.finish->crand != 0 && quality_ >= 2) found.insert("crand");
+      if (layer.finish->subsurface && quality_ >= 9) subsurface = true;
     }
     if (pointer->texture_map)
       for (const auto& entry : *pointer->texture_map) texture(entry.value);

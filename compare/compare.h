@@ -19,9 +19,13 @@
 #include <string>
 #include <vector>
 
+#include "compare/metrics/blame.h"
 #include "compare/metrics/diagnose.h"
+#include "compare/metrics/fit.h"
 #include "compare/metrics/metrics.h"
+#include "compare/metrics/truth.h"
 #include "compare/metrics/verdict.h"
+#include "compare/metrics/welch.h"
 
 namespace verisim::compare {
 
@@ -39,6 +43,8 @@ struct SceneRequest {
   Thresholds thresholds;                      // empty: the rules of docs/comparison.md
   std::vector<std::string> tags;
   std::optional<std::filesystem::path> reference;  // a stored picture in the place of the oracle
+  FitOptions fit;                             // of a stored picture: a photograph
+  std::optional<Truth> truth;                 // values that mathematics gives
   double flip_pixels_per_degree = 67.0206;
 };
 
@@ -74,6 +80,7 @@ struct NativeRequest {
   int threads = 0;                            // 0: all
   bool replay = false;
   std::optional<std::uint64_t> seed;
+  int run = 0;                                // of several runs of one scene, whose random numbers shall differ
   double time_limit = 0;                      // seconds; 0: none
   std::vector<std::filesystem::path> library_paths;  // the oracle's, in its order; empty without an oracle
   std::atomic<bool>* cancel = nullptr;
@@ -96,7 +103,15 @@ using NativeRenderer = std::function<NativeResult(const NativeRequest&)>;
 // `render SCENE +WN +HN [switches] +OOUTPUT [+WTN] [+LPATH...] [--replay] [--seed N] --allow-write FOLDER --stats FILE`, and FILE is JSON: {"rays":{...},
 // "stochastic_features":[...], "files_read":[...]} (all optional). Seconds are those of the whole process. Its exit status says the outcome: 0 rendered,
 // 4 unsupported, anything else an error; the line of stderr that has "error:" or "unsupported:" is the message, else the last one.
+// From the second run on, the number of the run is the seed.
 NativeRenderer native_program(const std::filesystem::path& program, const std::vector<std::string>& extra_arguments = {});
+
+// What the pixels of a scene show, and the ray trees of some of them: `step` as in PixelTags. Throws std::runtime_error.
+using TagSource = std::function<PixelTags(const NativeRequest&, int step, const std::vector<std::pair<int, int>>& trees)>;
+// From `program explain SCENE --tags FILE`.
+TagSource tags_of_program(const std::filesystem::path& program);
+std::string tags_json(const PixelTags& tags);
+PixelTags tags_from_json(const std::string& text);  // throws std::runtime_error
 
 // ---- the oracle ------------------------------------------------------------------------------------------------------------------------------------------------------
 
@@ -115,11 +130,13 @@ struct OracleMissing : std::runtime_error {
 };
 struct OracleProgram {
   std::filesystem::path path;
+  std::string name = "POV-Ray";               // or "verisim": another build of ours
   std::string version;                        // "3.7.0.10.unofficial"
   std::string version_text;                   // all that `povray --version` says about the build
   std::vector<std::filesystem::path> library_paths;
 };
-OracleProgram find_oracle(const OracleOptions& options);  // throws OracleMissing
+// POV-Ray of any version, or a verisim, which is called alike. Throws OracleMissing.
+OracleProgram find_oracle(const OracleOptions& options);
 
 struct OracleRender {
   bool ok = false;
@@ -129,6 +146,10 @@ struct OracleRender {
   std::uint64_t peak_bytes = 0;
   bool from_cache = false;
 };
+// POV-Ray in the place of our renderer: another version of it, or itself, to measure how often the verdict is wrong. Run i takes first_threads + 2 i threads, so that with
+// the default no run has as many as one of the reference's.
+NativeRenderer povray_renderer(const OracleProgram& program, const OracleOptions& options, int first_threads = 2);
+
 // Never throws. files_read: what the native side read, as paths of the original files; empty: every file of the scene's folder counts.
 OracleRender run_oracle(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, int threads,
                         const std::vector<std::filesystem::path>& files_read, std::atomic<bool>* cancel = nullptr);
@@ -143,7 +164,13 @@ struct SceneResult {
   std::string reason;                         // why it is not exact: the figure that broke, the unsupported feature, the oracle's message
   std::optional<Metrics> metrics;
   std::optional<LowPass> native_low_pass, noise_low_pass;  // of a stochastic scene
+  std::optional<WelchResult> welch;           // of a stochastic scene, with several runs
   std::vector<Suspicion> suspicions;          // of a scene that differs: what kind of fault it looks like
+  std::optional<Blame> blame;                 // and what its wrong pixels have in common
+  std::vector<PixelTags::Tree> trees;         // ray trees of the worst pixels
+  std::string blame_failed;                   // why there is no blame
+  std::optional<Fit> fit;                     // of a photograph
+  std::optional<TruthError> oracle_truth, native_truth;  // of a scene with a known answer
   double oracle_seconds = 0, native_seconds = 0, oracle_cpu_seconds = 0, native_cpu_seconds = 0;
   bool oracle_cached = false;
   std::map<std::string, std::uint64_t> rays;
@@ -156,7 +183,8 @@ struct SceneResult {
 struct Summary {
   std::map<Status, int> count;
   int scenes = 0;
-  double oracle_seconds = 0, native_seconds = 0;
+  double oracle_seconds = 0, native_seconds = 0;          // wall time
+  double oracle_cpu_seconds = 0, native_cpu_seconds = 0;  // user and system time: about 0.6 s of POV-Ray's wall time is sleeping
   bool failed() const;                        // any scene that is neither exact nor a match
 };
 
@@ -177,16 +205,21 @@ struct Progress {
 
 struct RunOptions {
   NativeRenderer native;
+  TagSource tags;                             // empty: no blame
+  bool always_blame = false;                  // also for scenes that do not differ
   OracleOptions oracle;
   int jobs = 1;                               // scenes at a time
   int native_threads = 0;                     // 0: the cores divided by jobs
   double native_time_limit = 0;
   bool replay = false;                        // both serial: stochastic scenes are judged like any other
+  int runs = 1;                               // of a stochastic scene on each side; from 2 on Welch's test takes part in the verdict
   std::filesystem::path work;                 // results and pictures, kept: a run that was broken off goes on here. Empty: a temporary folder, removed with the Run
   bool resume = false;
   std::filesystem::path baseline;             // stored pictures in the place of the oracle
   std::filesystem::path previous_report;      // JSON of an earlier run, for the trend
   std::string native_version;
+  std::string native_identity;                // changes whenever our renderer does (a hash of the program); a run is resumed only with the same
+  std::uint64_t memory_limit = 0;             // bytes that one comparison may take; 0: what the machine has available
   std::function<void(const Progress&)> progress;  // from one thread at a time
   std::atomic<bool>* cancel = nullptr;
 };
@@ -202,6 +235,7 @@ std::vector<std::string> update_baseline(const Run& run, const std::filesystem::
 
 std::string terminal_table(const Run& run, bool color = false, int columns = 120);
 std::string terminal_metrics(const Metrics& metrics, bool color = false);    // for `verisim diff`
+std::string terminal_blame(const SceneResult& scene);                        // for `verisim explain`: objects, and what bad pixels have in common
 std::string metrics_json(const Metrics& metrics);
 std::string json_report(const Run& run);
 std::string markdown_report(const Run& run);

@@ -25,7 +25,7 @@ ParseResult guarded(const std::string& name, const ParseOptions& options, Run&& 
   try {
     Parser parser(options, result);
     run(parser);
-    result.scene = std::move(parser.scene());
+    if (result.errors.empty()) result.scene = std::move(parser.scene());
   } catch (ParseError& e) {
     fail(std::move(e.diagnostic));
   } catch (const std::bad_alloc&) {

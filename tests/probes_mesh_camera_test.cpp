@@ -37,5 +37,22 @@ TEST(MeshCamera, ANegativeDirectionLooksTheOtherWay) {
   EXPECT_EQ(render_text(scene, 4, 3).at(1, 1).b, 1.0f);
 }
 
+TEST(MeshCamera, PixelsOnTheSeamOfAUvMapSeeSomething) {
+  // Cells of two triangles each: every pixel lies on a diagonal, where both weights may be negative by a rounding.
+  const char* const scene = R"(#version 3.7; global_settings { assumed_gamma 1 }
+    #declare N = 30; #declare S = 1 / 271;
+    camera { mesh_camera { 1 3 mesh {
+      #for (I, 0, N) #for (J, 0, N)
+        #declare A = I / N - S; #declare B = A + S * 3.3; #declare C = J / N - S; #declare D = C + S * 3.3;
+        triangle { <A,D,0>, <A,C,0>, <B,D,0> uv_vectors <A,D>, <A,C>, <B,D> }
+        triangle { <B,C,0>, <B,D,0>, <A,C,0> uv_vectors <B,C>, <B,D>, <A,C> }
+      #end #end
+    } smooth } location <0,0,-.01> }
+    sky_sphere { pigment { rgb 1 } })";
+  const auto picture = render_text(scene, 30, 30);
+  for (int y = 1; y < 30; ++y)
+    for (int x = 0; x < 29; ++x) EXPECT_EQ(picture.at(x, y).r, 1.0f) << x << "," << y;
+}
+
 }  // namespace
 }  // namespace verisim::test

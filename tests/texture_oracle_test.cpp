@@ -139,5 +139,17 @@ class TextureOracle : public ::testing::Test {
 TEST_F(TextureOracle, PatternFunctions) { compare(patterns(), false, 0); }
 TEST_F(TextureOracle, PigmentFunctions) { compare(pigments(), true, 0); }
 
+// tools/measure_noise reads the value table out of the program as it is installed here.
+TEST_F(TextureOracle, FreshlyMeasuredNoiseTableIsTheOneCheckedIn) {
+  const fs::path root = VERISIM_SOURCE_DIR, measured = folder_ / "table.inc";
+  const std::string run = "bash '" + (root / "tools/measure_noise/measure.sh").string() + "' > '" + measured.string() + "' 2>/dev/null";
+  ASSERT_EQ(std::system(run.c_str()), 0);
+  const auto text = [](const fs::path& file) {
+    std::ifstream in(file);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  EXPECT_EQ(text(measured), text(root / "tracer/textures/noise_value_table.inc"));
+}
+
 }  // namespace
 }  // namespace verisim

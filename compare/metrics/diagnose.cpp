@@ -29,12 +29,12 @@ double squared(const Rgb& a, const Rgb& b) {
   return sum;
 }
 
-Samples collect(const Values& a, const Values& b) {
+Samples collect(const Values& a, const Values& b, const std::vector<unsigned char>* mask = nullptr) {
   Samples out;
   const std::size_t pixels = static_cast<std::size_t>(a.width()) * a.height(), step = std::max<std::size_t>(1, pixels / kMaxSamples);
   for (std::size_t i = 0; i < pixels; i += step) {
     const int x = static_cast<int>(i % a.width()), y = static_cast<int>(i / a.width());
-    if (!a.finite(x, y) || !b.finite(x, y)) continue;
+    if (!a.finite(x, y) || !b.finite(x, y) || (mask && !(*mask)[i])) continue;
     const Rgb p = a.rgb(x, y), q = b.rgb(x, y);
     if (std::any_of(q.begin(), q.end(), [](double v) { return v >= 254.5; })) continue;
     out.reference.push_back(p), out.test.push_back(q);
@@ -123,8 +123,40 @@ double explained_by_move(const Values& a, const Values& b, double dx, double dy)
   return before > 0 ? 1 - after / before : 0;
 }
 
+// Without anti-aliasing an edge jumps by whole pixels: only what is blurred moves by a part of one.
+Picture blurred(const Values& v) {
+  constexpr int kRadius = 3;
+  constexpr std::array<double, 2 * kRadius + 1> kKernel = {0.0366, 0.1113, 0.2167, 0.2708, 0.2167, 0.1113, 0.0366};  // sigma 1.5
+  Picture rows;
+  rows.width = v.width(), rows.height = v.height(), rows.bits = 16;
+  rows.samples.resize(static_cast<std::size_t>(v.width()) * static_cast<std::size_t>(v.height()) * 3);
+  Picture out = rows;
+  const auto at = [&](int x, int y, std::size_t c) {
+    return (static_cast<std::size_t>(std::clamp(y, 0, v.height() - 1)) * static_cast<std::size_t>(v.width()) + static_cast<std::size_t>(std::clamp(x, 0, v.width() - 1))) * 3 + c;
+  };
+  for (int y = 0; y < v.height(); ++y)
+    for (int x = 0; x < v.width(); ++x) {
+      Rgb sum{};
+      for (int i = -kRadius; i <= kRadius; ++i) {
+        const Rgb p = v.rgb(std::clamp(x + i, 0, v.width() - 1), y);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += kKernel[static_cast<std::size_t>(i + kRadius)] * p[c] / 255;
+      }
+      for (std::size_t c = 0; c < 3; ++c) rows.samples[at(x, y, c)] = static_cast<float>(sum[c]);
+    }
+  for (int y = 0; y < v.height(); ++y)
+    for (int x = 0; x < v.width(); ++x)
+      for (std::size_t c = 0; c < 3; ++c) {
+        double sum = 0;
+        for (int i = -kRadius; i <= kRadius; ++i) sum += kKernel[static_cast<std::size_t>(i + kRadius)] * rows.samples[at(x, y + i, c)];
+        out.samples[at(x, y, c)] = static_cast<float>(sum);
+      }
+  return out;
+}
+
 // Whole and half pixels first, then a descent to 1/64 pixel.
-Suspicion shift(const Values& a, const Values& b) {
+Suspicion shift(const Values& reference, const Values& test) {
+  const Picture blurred_reference = blurred(reference), blurred_test = blurred(test);
+  const Values a(blurred_reference), b(blurred_test);
   double best = -1e30, bx = 0, by = 0;
   const auto attempt = [&](double dx, double dy) {
     if (dx == 0 && dy == 0) return;
@@ -178,6 +210,17 @@ void places(const Values& a, const Values& b, std::vector<Suspicion>& out) {
   if (worst / total > 0.95) out.push_back({"few pixels", fmt::format("1 % of the pixels holds {:.1f} % of the squared difference", 100 * worst / total), worst / total});
 }
 
+// A balance of three gains contains one gain: it must be clearly better.
+void leave_out_superfluous_balance(std::vector<Suspicion>& v) {
+  const auto find = [&](const char* what) { return std::find_if(v.begin(), v.end(), [&](const Suspicion& s) { return s.what == what; }); };
+  if (1 - find("color balance")->explained > 0.5 * (1 - find("brightness")->explained)) v.erase(find("color balance"));
+}
+
+void keep_convincing(std::vector<Suspicion>& v) {
+  std::erase_if(v, [](const Suspicion& s) { return !(s.explained >= kConvincing); });
+  std::stable_sort(v.begin(), v.end(), [](const Suspicion& x, const Suspicion& y) { return x.explained > y.explained + 1e-9; });
+}
+
 }  // namespace
 
 std::vector<Suspicion> diagnose(const Picture& reference, const Picture& test) {
@@ -185,12 +228,24 @@ std::vector<Suspicion> diagnose(const Picture& reference, const Picture& test) {
   const Values a(reference), b(test);
   const Samples s = collect(a, b);
   std::vector<Suspicion> out;
-  if (s.squares > 0) out = {brightness(s), gamma(s), swapped(s), shift(a, b), mirrored(a, b), color_balance(s)};
-  // A balance of three gains contains one gain: it must be clearly better.
-  if (out.size() == 6 && 1 - out[5].explained > 0.5 * (1 - out[0].explained)) out.pop_back();
-  std::erase_if(out, [](const Suspicion& v) { return !(v.explained >= kConvincing); });
-  std::stable_sort(out.begin(), out.end(), [](const Suspicion& x, const Suspicion& y) { return x.explained > y.explained + 1e-9; });
+  if (s.squares > 0) {
+    out = {brightness(s), gamma(s), swapped(s), shift(a, b), mirrored(a, b), color_balance(s)};
+    leave_out_superfluous_balance(out);
+  }
+  keep_convincing(out);
   places(a, b, out);
+  return out;
+}
+
+std::vector<Suspicion> diagnose_part(const Picture& reference, const Picture& test, const std::vector<unsigned char>& mask) {
+  require_same_size(reference, test);
+  const Values a(reference), b(test);
+  if (mask.size() != static_cast<std::size_t>(a.width()) * static_cast<std::size_t>(a.height())) throw PictureMismatch("the mask does not fit the pictures");
+  const Samples s = collect(a, b, &mask);
+  if (!(s.squares > 0)) return {};
+  std::vector<Suspicion> out = {brightness(s), gamma(s), swapped(s), color_balance(s)};
+  leave_out_superfluous_balance(out);
+  keep_convincing(out);
   return out;
 }
 

@@ -17,4 +17,7 @@ struct Suspicion {
 // Most convincing first; empty when the pictures are equal or nothing explains at least half of the difference. Throws PictureMismatch.
 std::vector<Suspicion> diagnose(const Picture& reference, const Picture& test);
 
+// The same for a part of the picture (mask: one byte a pixel): only hypotheses about values, not about places.
+std::vector<Suspicion> diagnose_part(const Picture& reference, const Picture& test, const std::vector<unsigned char>& mask);
+
 }  // namespace verisim::compare

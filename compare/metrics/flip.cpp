@@ -4,8 +4,6 @@
 // and the error is colour^(1 - feature). All filters are separable, so a picture is worked on in bands of rows with a margin of the filter's radius.
 #include "compare/metrics/flip.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <functional>
@@ -13,6 +11,7 @@
 #include <numeric>
 
 #include "compare/metrics/values.h"
+#include "tracer/parallel.h"
 
 namespace verisim::compare {
 namespace {
@@ -232,12 +231,10 @@ std::vector<float> flip(const PixelSource& reference, const PixelSource& test, i
   const Kernels kernels(ppd);
   std::vector<float> out(static_cast<std::size_t>(width) * height);
   const int bands = (height + kBandRows - 1) / kBandRows;
-  tbb::parallel_for(tbb::blocked_range<int>(0, bands, 1), [&](const tbb::blocked_range<int>& range) {
-    for (int band = range.begin(); band < range.end(); ++band) {
-      const int first = band * kBandRows, rows = std::min(kBandRows, height - first);
-      flip_band(look(reference, width, height, first, rows, kernels), look(test, width, height, first, rows, kernels),
-                out.data() + static_cast<std::size_t>(first) * width);
-    }
+  parallel_for(static_cast<std::size_t>(bands), 1, [&](std::size_t band) {
+    const int first = static_cast<int>(band) * kBandRows, rows = std::min(kBandRows, height - first);
+    flip_band(look(reference, width, height, first, rows, kernels), look(test, width, height, first, rows, kernels),
+              out.data() + static_cast<std::size_t>(first) * width);
   });
   return out;
 }
@@ -274,21 +271,19 @@ Exposures hdr_flip_exposures(const Picture& reference) {
   const double a = kAces[0] - kTarget * kAces[3], b = kAces[1] - kTarget * kAces[4], c = kAces[2] - kTarget * kAces[5];
   const double x = -0.5 * b / a + std::sqrt(0.25 * b * b / (a * a) - c / a);
   const Values values(reference);
-  std::vector<double> luminance;
+  std::vector<float> luminance;  // single precision, as the published program has it: the number of exposures is rounded up
   luminance.reserve(static_cast<std::size_t>(reference.width) * reference.height);
   for (int j = 0; j < reference.height; ++j)
     for (int i = 0; i < reference.width; ++i) {
       const Rgb v = values.linear_float(i, j);
-      luminance.push_back(0.2126 * std::max(v[0], 0.0) + 0.7152 * std::max(v[1], 0.0) + 0.0722 * std::max(v[2], 0.0));
+      luminance.push_back(static_cast<float>(0.2126 * std::max(v[0], 0.0) + 0.7152 * std::max(v[1], 0.0) + 0.0722 * std::max(v[2], 0.0)));
     }
-  const std::size_t middle = luminance.size() / 2;
-  std::nth_element(luminance.begin(), luminance.begin() + middle, luminance.end());
-  double median = luminance[middle];
-  if (luminance.size() % 2 == 0) median = 0.5 * (median + *std::max_element(luminance.begin(), luminance.begin() + middle));
-  const double brightest = *std::max_element(luminance.begin() + middle, luminance.end());
+  const std::size_t middle = (luminance.size() - 1) / 2;  // of an even number the lower one, as torch.median takes it
+  std::nth_element(luminance.begin(), luminance.begin() + static_cast<std::ptrdiff_t>(middle), luminance.end());
+  const double median = luminance[middle], brightest = *std::max_element(luminance.begin() + static_cast<std::ptrdiff_t>(middle), luminance.end());
   Exposures out;
-  out.start = std::log2(x / std::max(brightest, kSmallest));
-  out.stop = std::log2(x / std::max(median, kSmallest));
+  out.start = std::log2(static_cast<float>(x / std::max(brightest, kSmallest)));
+  out.stop = std::log2(static_cast<float>(x / std::max(median, kSmallest)));
   out.count = std::max(2, static_cast<int>(std::ceil(out.stop - out.start)));
   return out;
 }

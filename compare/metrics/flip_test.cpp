@@ -196,6 +196,15 @@ TEST(HdrFlip, ExposuresBringTheBrightestAndTheMedianTo85Percent) {
   EXPECT_TRUE(e.count == 4 || e.count == 5);  // ceil of 4 up to rounding
 }
 
+// Of an even number of luminances the lower of the two in the middle counts, as torch.median has it.
+TEST(HdrFlip, MedianOfAnEvenNumberIsTheLower) {
+  Picture p = float_picture(constant_picture(4, 1, 255, 255, 255), 1);
+  for (int i = 0; i < 4; ++i)
+    for (int c = 0; c < 3; ++c) p.samples[static_cast<std::size_t>(3 * i + c)] = static_cast<float>(std::pow(4.0, i));  // 1 4 16 64
+  const Exposures e = hdr_flip_exposures(p);
+  EXPECT_NEAR(e.stop - e.start, 4, 1e-5);  // 64 over 4
+}
+
 TEST(HdrFlip, OfOneExposureIsLdrFlipOfToneMappedPictures) {
   const Picture a = float_picture(scene_like_picture(30, 20), 3), b = float_picture(scene_like_picture(30, 20), 2.5);
   const auto mapped = [](const Picture& p, double stops) {

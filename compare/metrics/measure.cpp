@@ -1,4 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
 #include <limits>
 
 #include "compare/metrics/ciede2000.h"
@@ -80,6 +84,25 @@ std::array<double, 4> rgba(const Values& v, int x, int y) {
 }
 
 }  // namespace
+
+std::uint64_t measure_bytes(std::uint64_t pixels, int channels) {
+  constexpr std::uint64_t kFloat = 4, kMasksAndErrors = 16;
+  return pixels * (3 * kFloat * static_cast<std::uint64_t>(channels) + kMasksAndErrors);  // both pictures, a copy for the report
+}
+
+std::uint64_t available_bytes() {
+  std::ifstream in("/proc/meminfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("MemAvailable:")) return std::strtoull(line.c_str() + 13, nullptr, 10) * 1024;
+  return 0;
+}
+
+void require_memory(std::uint64_t pixels, int channels, std::uint64_t limit) {
+  const std::uint64_t available = limit ? limit : available_bytes(), needed = measure_bytes(pixels, channels);
+  if (available && needed > available)
+    throw PictureMismatch(fmt::format("two pictures of {:.1f} million pixels take about {:.1f} GiB to compare, and {:.1f} GiB are available", 1e-6 * static_cast<double>(pixels),
+                                      static_cast<double>(needed) / (1 << 30), static_cast<double>(available) / (1 << 30)));
+}
 
 Metrics measure(const Picture& reference, const Picture& test, const MetricOptions& options) {
   const Values a(reference), b(test);

@@ -56,4 +56,10 @@ struct MetricOptions {
 // Throws PictureMismatch.
 Metrics measure(const Picture& reference, const Picture& test, const MetricOptions& options = {});
 
+// Memory that two pictures of this size take while they are compared, about; and what the machine has to give (0: unknown).
+std::uint64_t measure_bytes(std::uint64_t pixels, int channels);
+std::uint64_t available_bytes();
+// Throws PictureMismatch when it is not enough (limit 0: what is available): better than to be killed by the system.
+void require_memory(std::uint64_t pixels, int channels, std::uint64_t limit = 0);
+
 }  // namespace verisim::compare

@@ -9,7 +9,7 @@
 namespace verisim::compare {
 namespace {
 
-constexpr double kExactPct = 99.99, kMatchPct = 99.5, kMatchRmse = 2;
+constexpr double kExactPct = 99.99, kMatchPct = 99.5, kMatchRmse = 2, kBaselineMae = 0.02, kDrift = 0.1;
 constexpr std::pair<Status, const char*> kStatusNames[] = {{Status::exact, "exact"},           {Status::match, "match"}, {Status::differ, "differ"},
                                                            {Status::unsupported, "unsupported"}, {Status::error, "error"}, {Status::oracle_failed, "oracle_failed"}};
 
@@ -63,6 +63,19 @@ Verdict judge_deterministic(const Metrics& m, bool antialiased) {
   if (within < kMatchPct) return {Status::differ, fmt::format("within_{}_pct {:.3f} < {}", step, within, kMatchPct)};
   if (m.rmse > kMatchRmse) return {Status::differ, fmt::format("rmse {:.3f} > {}", m.rmse, kMatchRmse)};
   return {Status::match, fmt::format("within_{}_pct {:.3f} < {}", step, within, kExactPct)};
+}
+
+Verdict judge_baseline(const Metrics& m, bool antialiased) {
+  const Verdict plain = judge_deterministic(m, antialiased);
+  if (plain.status == Status::differ) return plain;
+  if (m.mae > kBaselineMae) return {Status::differ, fmt::format("mae {:.4f} > {}", m.mae, kBaselineMae)};
+  return plain;
+}
+
+std::string systematic_drift(const Metrics& m) {
+  // Rounding to whole code values leaves means near 0 when the pictures are the same.
+  if (m.nan_pixels || std::fabs(m.bias) < kDrift) return "";
+  return fmt::format("{:.2f} code values {} on average", std::fabs(m.bias), m.bias < 0 ? "darker" : "brighter");
 }
 
 NoiseLimits noise_limits(const LowPass& noise) { return {1.6 * noise.mad + 0.5, 1.5 * noise.bias + 1, 1.5 * noise.rmse + 1}; }

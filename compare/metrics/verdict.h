@@ -35,6 +35,10 @@ struct Verdict {
   std::string reason;  // which figure broke which limit; empty when none did
 };
 Verdict judge_deterministic(const Metrics& metrics, bool antialiased);
+// Against an earlier picture of verisim's own, which another machine may change by 1/255 here and there, but not by even a little everywhere.
+Verdict judge_baseline(const Metrics& metrics, bool antialiased);
+// What the rules let pass as exact but is on average to one side: "0.31 code values darker on average"; empty when there is nothing to say.
+std::string systematic_drift(const Metrics& metrics);
 Verdict judge_stochastic(const Metrics& metrics, bool antialiased, const LowPass& native, const LowPass& noise);
 // A scene with thresholds of its own is `match` when it keeps them all. Throws std::invalid_argument naming an unknown threshold.
 Verdict judge_thresholds(const Metrics& metrics, const Thresholds& thresholds);

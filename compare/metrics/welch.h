@@ -17,7 +17,8 @@ struct WelchResult {
 
 // Two tests share the significance level: one for each pixel's luma, corrected for the number of pixels, which finds local faults; one for the mean of the whole
 // picture, which finds a small fault that is everywhere. A variance is at least that of rounding to whole code values, 1/12; that of a picture's mean at least
-// (0.05)^2, since deterministic parts round alike in every run. At least two pictures on each side, all of one size; throws PictureMismatch.
+// (0.05)^2, since deterministic parts round alike in every run. A rejection counts only if no other way to divide the same runs into two sides of these sizes is as
+// unlikely (of many runs, the first 400 ways are tried): noise need not be normal, but runs of one renderer can be exchanged. At least two pictures on each side, all of one size; throws PictureMismatch.
 WelchResult welch_test(const std::vector<Picture>& reference, const std::vector<Picture>& test, double significance = 0.02);
 
 // P(|T| >= |t|) of Student's distribution.

@@ -171,6 +171,13 @@ std::string pov_messages(const std::string& err) {
   return out.empty() ? last : out;
 }
 
+// "POV-Ray: exit status 1: Parse Error: ..."
+std::string failure(const OracleProgram& program, const ProcessResult& run, double time_limit) {
+  std::string out = fmt::format("{}: {}", program.name, run.how_it_ended(time_limit));
+  if (const std::string said = pov_messages(run.err); !said.empty()) out += ": " + said;
+  return out;
+}
+
 }  // namespace
 
 OracleProgram find_oracle(const OracleOptions& options) {
@@ -183,6 +190,14 @@ OracleProgram find_oracle(const OracleOptions& options) {
   const TemporaryFolder home;
   const ProcessResult run = run_process({{out.path.string(), "--version"}, home.path(), clean_environment(home.path(), {}), 30, nullptr});
   const std::string text = run.err + run.out;
+  if (run.succeeded() && text.starts_with("verisim ")) {  // its version does not change with every build
+    ContentHash hash;
+    hash.add_file(out.path);
+    out.name = "verisim", out.version = trimmed(text.substr(8, text.find_first_of(" \n", 8) - 8)), out.version_text = text + hash.hex();
+    const fs::path povray = find_program("povray");
+    out.library_paths = options.library_paths.empty() ? discover_library_paths(povray.empty() ? "/usr/bin/povray" : fs::canonical(povray)) : options.library_paths;
+    return out;
+  }
   const auto at = text.find("POV-Ray ");
   if (!run.succeeded() || at == std::string::npos)
     throw OracleMissing(fmt::format("{} --version does not answer as POV-Ray does ({}); POV-Ray is in the Debian package povray", out.path.string(), run.how_it_ended(30)));
@@ -207,27 +222,43 @@ OracleRender run_oracle(const OracleProgram& program, const OracleOptions& optio
                                            clean_environment(copy.home(), ini), options.time_limit, cancel});
     out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
     if (!run.succeeded()) {
-      out.message = "POV-Ray: " + run.how_it_ended(options.time_limit);
-      if (const std::string said = pov_messages(run.err); !said.empty()) out.message += ": " + said;
+      out.message = failure(program, run, options.time_limit);
       return out;
     }
     std::error_code ignored;
     if (!fs::exists(picture, ignored)) {
-      out.message = "POV-Ray: ended well but wrote no picture";
+      out.message = program.name + ": ended well but wrote no picture";
       return out;
     }
     out.picture = image::read_picture(picture);
     if (out.picture.width != scene.width || out.picture.height != scene.height) {
-      out.message = fmt::format("POV-Ray: wrote a picture of {}x{} in the place of {}x{}", out.picture.width, out.picture.height, scene.width, scene.height);
+      out.message = fmt::format("{}: wrote a picture of {}x{} in the place of {}x{}", program.name, out.picture.width, out.picture.height, scene.width, scene.height);
       return out;
     }
     out.ok = true;
     if (options.use_cache) entry.store(out, picture, program, scene);
   } catch (const std::exception& error) {
     out.ok = false;
-    out.message = fmt::format("POV-Ray: {}", error.what());
+    out.message = fmt::format("{}: {}", program.name, error.what());
   }
   return out;
+}
+
+NativeRenderer povray_renderer(const OracleProgram& program, const OracleOptions& options, int first_threads) {
+  return [program, options, first_threads](const NativeRequest& request) {
+    NativeResult out;
+    SceneRequest scene;
+    scene.switches = request.switches, scene.width = request.width, scene.height = request.height;
+    const TemporaryFolder home;
+    const fs::path ini = home.path() / "oracle.ini";
+    std::ofstream(ini) << ini_text(program.library_paths);
+    const ProcessResult run = run_process({command_line(program, scene, request.scene.filename().string(), request.output.string(), first_threads + 2 * request.run), request.folder,
+                                           clean_environment(home.path(), ini), options.time_limit, request.cancel});
+    out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
+    if (run.succeeded()) out.outcome = NativeResult::Outcome::rendered;
+    else out.message = failure(program, run, options.time_limit);
+    return out;
+  };
 }
 
 }  // namespace verisim::compare

@@ -3,6 +3,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -108,6 +109,8 @@ class Manifest {
     else if (key == "tags") out.tags = texts(node, key);
     else if (key == "class") scene_class(node, out);
     else if (key == "thresholds") thresholds(node, out);
+    else if (key == "crop") crop(node, out);
+    else if (key == "fit") fit(node, out);
     else if (key == "pixels_per_degree") out.flip_pixels_per_degree = number(node, key);
     else fail(node.source(), fmt::format("unknown key '{}'", key));
   }
@@ -144,6 +147,53 @@ class Manifest {
     }
   }
 
+  std::vector<double> numbers(const toml::node& node, const std::string& key, std::size_t least, std::size_t most) const {
+    const toml::array* array = node.as_array();
+    if (!array || array->size() < least || array->size() > most) fail(node.source(), fmt::format("'{}' must be an array of {} numbers", key, most));
+    std::vector<double> out;
+    for (const toml::node& item : *array) out.push_back(number(item, key));
+    return out;
+  }
+  void crop(const toml::node& node, SceneRequest& out) const {
+    const std::vector<double> v = numbers(node, "crop", 4, 4);
+    for (double x : v)
+      if (x != std::floor(x) || x < 0 || x > kMaxSide) fail(node.source(), "'crop' must be four whole numbers: x, y, width and height in the reference");
+    if (v[2] < 1 || v[3] < 1) fail(node.source(), "'crop' must have a width and a height of at least 1");
+    out.fit.crop = Crop{static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2]), static_cast<int>(v[3])};
+  }
+  void fit(const toml::node& node, SceneRequest& out) const {
+    out.fit.exposure = out.fit.white_balance = false;
+    for (const std::string& what : texts(node, "fit")) {
+      if (what == "exposure") out.fit.exposure = true;
+      else if (what == "white_balance") out.fit.white_balance = true;
+      else fail(node.source(), "'fit' may hold \"exposure\" and \"white_balance\"");
+    }
+  }
+  void truth(const toml::node& node, SceneRequest& out) const {
+    const toml::table* table = node.as_table();
+    if (!table) fail(node.source(), "'truth' must be a table: {formula = \"...\", tolerance = 0.001, points = [[x, y, value], ...]}");
+    Truth& truth = out.truth.emplace();
+    for (auto&& [k, value] : *table) {
+      const std::string key(k.str());
+      if (key == "formula") truth.formula = text(value, key);
+      else if (key == "tolerance") truth.tolerance = number(value, key);
+      else if (key == "points") truth_points(value, truth);
+      else fail(value.source(), fmt::format("unknown key '{}' of 'truth'", key));
+    }
+    if (truth.points.empty()) fail(node.source(), "'truth' needs 'points'");
+  }
+  void truth_points(const toml::node& node, Truth& out) const {
+    const toml::array* array = node.as_array();
+    if (!array) fail(node.source(), "'points' must be an array of [x, y, value] or [x, y, red, green, blue]");
+    for (const toml::node& item : *array) {
+      const std::vector<double> v = numbers(item, "points", 3, 5);
+      if (v.size() == 4 || v[0] != std::floor(v[0]) || v[1] != std::floor(v[1]) || v[0] < 0 || v[1] < 0 || v[0] >= kMaxSide || v[1] >= kMaxSide)
+        fail(item.source(), "a point is [x, y, value] or [x, y, red, green, blue], with x and y whole numbers from the upper left corner");
+      const bool grey = v.size() == 3;
+      out.points.push_back({static_cast<int>(v[0]), static_cast<int>(v[1]), {v[2], grey ? v[2] : v[3], grey ? v[2] : v[4]}});
+    }
+  }
+
   std::string name_of(const fs::path& scene) const { return scene.lexically_relative(folder_).string(); }
 
   std::vector<SceneRequest> whole_folder() const {
@@ -165,9 +215,11 @@ class Manifest {
       if (key == "file") pattern = text(node, key);
       else if (key == "name") scene.name = text(node, key);
       else if (key == "reference") scene.reference = folder_ / text(node, key);
+      else if (key == "truth") truth(node, scene);
       else common(key, node, scene);
     }
     if (pattern.empty()) fail(table.source(), "a [[scene]] needs 'file'");
+    if (scene.fit.any() && !scene.reference) fail(table.source(), "'crop' and 'fit' need a 'reference'");
     if (pattern.find_first_of("*?[") == std::string::npos) {
       scene.scene = (folder_ / pattern).lexically_normal();
       if (!fs::is_regular_file(scene.scene)) fail(table.source(), fmt::format("there is no scene {}", scene.scene.string()));

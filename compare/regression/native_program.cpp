@@ -9,6 +9,7 @@
 #include "compare/compare.h"
 #include "compare/oracle/process.h"
 #include "compare/oracle/working_copy.h"
+#include "compare/regression/program_call.h"
 
 extern char** environ;
 
@@ -49,26 +50,33 @@ void read_statistics(const std::filesystem::path& file, NativeResult& out) {
 
 }  // namespace
 
+ProcessRequest program_call(const std::filesystem::path& program, const std::string& command, const NativeRequest& request) {
+  ProcessRequest process;
+  process.arguments = {program.string(), command, request.scene.string(), fmt::format("+W{}", request.width), fmt::format("+H{}", request.height)};
+  auto& arguments = process.arguments;
+  arguments.insert(arguments.end(), request.switches.begin(), request.switches.end());
+  if (request.threads > 0) arguments.push_back(fmt::format("+WT{}", request.threads));
+  for (const auto& path : request.library_paths) arguments.push_back("+L" + path.string());
+  if (request.replay) arguments.push_back("--replay");
+  if (request.seed) arguments.insert(arguments.end(), {"--seed", std::to_string(*request.seed)});
+  else if (request.run > 0) arguments.insert(arguments.end(), {"--seed", std::to_string(request.run)});
+  arguments.insert(arguments.end(), {"--allow-write", request.folder.string()});
+  process.folder = request.folder;
+  process.environment = current_environment();
+  process.time_limit = request.time_limit;
+  process.cancel = request.cancel;
+  return process;
+}
+
 NativeRenderer native_program(const std::filesystem::path& program, const std::vector<std::string>& extra_arguments) {
   return [program, extra_arguments](const NativeRequest& request) {
     NativeResult out;
     const TemporaryFolder scratch;
     const std::filesystem::path statistics = scratch.path() / "stats.json";
-    ProcessRequest process;
-    process.arguments = {program.string(), "render", request.scene.string(), fmt::format("+W{}", request.width), fmt::format("+H{}", request.height)};
-    auto& arguments = process.arguments;
-    arguments.insert(arguments.end(), request.switches.begin(), request.switches.end());
-    arguments.push_back("+O" + request.output.string());
-    if (request.threads > 0) arguments.push_back(fmt::format("+WT{}", request.threads));
-    for (const auto& path : request.library_paths) arguments.push_back("+L" + path.string());
-    if (request.replay) arguments.push_back("--replay");
-    if (request.seed) arguments.insert(arguments.end(), {"--seed", std::to_string(*request.seed)});
-    arguments.insert(arguments.end(), {"--allow-write", request.folder.string(), "--stats", statistics.string()});
-    arguments.insert(arguments.end(), extra_arguments.begin(), extra_arguments.end());
-    process.folder = request.folder;
-    process.environment = current_environment();
-    process.time_limit = request.time_limit;
-    process.cancel = request.cancel;
+    ProcessRequest process = program_call(program, "render", request);
+    process.arguments.push_back("+O" + request.output.string());
+    process.arguments.insert(process.arguments.end(), {"--stats", statistics.string()});
+    process.arguments.insert(process.arguments.end(), extra_arguments.begin(), extra_arguments.end());
     const ProcessResult run = run_process(process);
     out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
     read_statistics(statistics, out);
@@ -81,7 +89,8 @@ NativeRenderer native_program(const std::filesystem::path& program, const std::v
     if (ended && run.exit_code == 4) {
       out.outcome = NativeResult::Outcome::unsupported;
     } else if (!ended || out.message.empty()) {
-      out.message = run.how_it_ended(request.time_limit) + (out.message.empty() ? "" : ": " + out.message);
+      const bool says_why = !out.message.empty() && !run.timed_out && !run.cancelled;  // killed in the middle of whatever it was saying
+      out.message = run.how_it_ended(request.time_limit) + (says_why ? ": " + out.message : "");
     }
     return out;
   };

@@ -152,6 +152,37 @@ TEST_F(RunTest, ReplayJudgesNoisyScenesLikeAnyOther) {
   EXPECT_EQ(oracle_runs(), 1);
 }
 
+// Odd numbers of threads on the oracle's side; a second POV-Ray would take the even ones.
+TEST_F(RunTest, SeveralRunsAskWelch) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 6);
+  for (int i = 1; i <= 12; ++i)
+    image::write_picture(changed(scene_like_picture(32, 24), [&](double v) { return std::clamp(std::round(v + noise(random) + (i > 8 ? 2.5 : 0)), 0.0, 255.0); }),
+                         pictures() / ("noisy" + std::to_string(i) + ".png"));
+  scene("noisy.pov", "noisy");
+  options_.runs = 4;
+  int first = 2, step = 2;
+  std::vector<int> asked;
+  options_.native = [&](const NativeRequest& request) {
+    NativeResult out;
+    out.outcome = NativeResult::Outcome::rendered;
+    out.files_read = {request.scene}, out.stochastic_features = {"radiosity"};
+    asked.push_back(request.run);
+    fs::copy_file(pictures() / ("noisy" + std::to_string(first + step * request.run) + ".png"), request.output);
+    return out;
+  };
+  auto r = run();
+  EXPECT_THAT(asked, ElementsAre(0, 1, 2, 3));
+  EXPECT_EQ(oracle_runs(), 4);
+  EXPECT_EQ(r["noisy.pov"].status, Status::match) << r["noisy.pov"].reason;
+  ASSERT_TRUE(r["noisy.pov"].welch);
+  EXPECT_FALSE(r["noisy.pov"].welch->rejected);
+  first = 9, step = 1;  // brighter by 2.5 code values
+  r = run();
+  EXPECT_EQ(r["noisy.pov"].status, Status::differ);
+  EXPECT_GT(r["noisy.pov"].welch->mean_difference, 2);
+}
+
 TEST_F(RunTest, SecondRunTakesTheOracleFromItsCache) {
   scene("plain.pov", "plain");
   scene("noisy.pov", "noisy");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -50,11 +51,19 @@ std::vector<fs::path> original_paths(const std::vector<fs::path>& files, const W
   return out;
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+  return text;
+}
 // Messages name the original, not the copy that goes away.
 std::string original_names(std::string message, const WorkingCopy& copy, const fs::path& scene) {
-  const std::string from = copy.folder().string(), to = scene.parent_path().string();
-  for (std::size_t at = message.find(from); at != std::string::npos; at = message.find(from, at + to.size())) message.replace(at, from.size(), to);
-  return message;
+  return replaced(std::move(message), copy.folder().string(), scene.parent_path().string());
+}
+// Files of the scene's own folder and of the library by their names alone.
+std::string short_names(std::string text, const WorkingCopy& copy, const std::vector<fs::path>& library) {
+  text = replaced(std::move(text), copy.folder().string() + "/", "");
+  for (auto path = library.rbegin(); path != library.rend(); ++path) text = replaced(std::move(text), path->string() + "/", "");  // the longest is last
+  return text;
 }
 
 class Runner {
@@ -100,10 +109,12 @@ class Runner {
       if (failed) throw std::runtime_error(fmt::format("{}: cannot make the folder: {}", options_.work.string(), failed.message()));
       work_ = fs::canonical(options_.work);
     }
+    if (!options_.baseline.empty()) run_.reference_name = "baseline";
     const bool needs_oracle = options_.baseline.empty() && std::any_of(suite_.scenes.begin(), suite_.scenes.end(), [](const SceneRequest& s) { return !s.reference; });
     if (needs_oracle) {
       oracle_ = find_oracle(options_.oracle);
       run_.oracle_version = oracle_->version;
+      run_.reference_name = oracle_->name;
     }
     read_previous();
   }
@@ -159,10 +170,10 @@ class Runner {
     result.request = request;
     try {
       const std::string stem = file_stem(request.name);
-      const std::string key = resume_key(request);
-      if (!options_.resume || !resumed(stem, key, result)) {
-        compare_one(request, stem, result);
-        if (!cancelled()) remember(stem, key, result);
+      if (!options_.resume || !resumed(stem, result)) {
+        std::vector<fs::path> files_read;
+        compare_one(request, stem, result, files_read);
+        if (!cancelled()) remember(stem, files_read, result);
       }
     } catch (const std::exception& error) {
       result.status = Status::error, result.reason = error.what();
@@ -174,25 +185,40 @@ class Runner {
     return result;
   }
 
-  // Our own picture goes on where it was broken off only if nothing that decides it has changed.
-  std::string resume_key(const SceneRequest& r) const {
+  // A result is kept only while nothing has changed that decides it: the content of every file the scene reads, the settings, and both programs.
+  std::string resume_key(const SceneRequest& r, std::vector<fs::path> files_read) const {
     ContentHash hash;
-    hash.add(options_.native_version), hash.add(run_.oracle_version), hash.add_file(r.scene);
-    hash.add(fmt::format("{}x{} {} {}", r.width, r.height, options_.replay, options_.baseline.string()));
+    hash.add("verisim result 2");
+    hash.add(options_.native_version), hash.add(options_.native_identity), hash.add(oracle_ ? oracle_->version_text : "");
+    hash.add(fmt::format("{}x{} {} {} {} {} {}", r.width, r.height, options_.replay, options_.runs, options_.baseline.string(), options_.always_blame, static_cast<bool>(options_.tags)));
     for (const std::string& s : r.switches) hash.add(s);
+    hash.add(r.scene_class ? to_string(*r.scene_class) : "auto");
+    for (const auto& [name, limit] : r.thresholds) hash.add(fmt::format("{} {}", name, limit));
+    hash.add(fmt::format("{} {} {} {}", r.fit.exposure, r.fit.white_balance, r.fit.crop ? fmt::format("{} {} {} {}", r.fit.crop->x, r.fit.crop->y, r.fit.crop->width, r.fit.crop->height) : "",
+                         r.flip_pixels_per_degree));
+    if (r.truth)
+      for (const TruthPoint& point : r.truth->points) hash.add(fmt::format("{} {} {} {} {} {}", point.x, point.y, point.value[0], point.value[1], point.value[2], r.truth->tolerance));
+    files_read.push_back(r.scene);
+    if (const fs::path stored = stored_picture(r); !stored.empty()) files_read.push_back(stored);
+    std::sort(files_read.begin(), files_read.end());
+    for (const fs::path& file : files_read) hash.add(file.string()), hash.add_file(file);
     return hash.hex();
   }
 
-  bool resumed(const std::string& stem, const std::string& key, SceneResult& result) const {
+  bool resumed(const std::string& stem, SceneResult& result) const {
     std::ifstream in(work_ / (stem + ".result.json"));
     if (!in) return false;
     const auto json = nlohmann::json::parse(in, nullptr, false);
-    if (!json.is_object() || json.value("key", "") != key) return false;
+    if (!json.is_object()) return false;
     try {
+      std::vector<fs::path> files;
+      for (const std::string& file : json.at("files_read").get<std::vector<std::string>>()) files.emplace_back(file);
+      if (json.at("key") != resume_key(result.request, files)) return false;
       SceneResult read = scene_result_from_json(json.at("result"));
       read.request = result.request;
       for (auto [path, name] : {std::pair(&read.oracle_picture, "oracle_picture"), std::pair(&read.native_picture, "native_picture")})
         if (const std::string file = json.value(name, ""); !file.empty()) *path = work_ / file;
+      for (const auto& tree : json.value("trees", nlohmann::json::array())) read.trees.push_back({tree.at("x"), tree.at("y"), tree.at("text")});
       if (!read.oracle_picture.empty() && !read.native_picture.empty() && read.metrics)
         read.metrics = measured_again(*read.metrics, measure(image::read_picture(read.oracle_picture), image::read_picture(read.native_picture), metric_options(result.request)));
       result = std::move(read);
@@ -206,13 +232,18 @@ class Runner {
   static Metrics measured_again(const Metrics& kept, Metrics m) {
     m.max_abs = kept.max_abs, m.mae = kept.mae, m.rmse = kept.rmse, m.psnr = kept.psnr, m.bias = kept.bias;
     m.within_1_pct = kept.within_1_pct, m.within_2_pct = kept.within_2_pct;
-    m.ssim_mean = kept.ssim_mean, m.ssim_block_min = kept.ssim_block_min, m.flip_mean = kept.flip_mean;
+    m.ssim_mean = kept.ssim_mean, m.ssim_block_min = kept.ssim_block_min, m.flip_mean = kept.flip_mean, m.hdr_flip_mean = kept.hdr_flip_mean;
+    m.ciede2000_mean = kept.ciede2000_mean, m.ciede2000_p95 = kept.ciede2000_p95, m.edge_rmse = kept.edge_rmse, m.interior_rmse = kept.interior_rmse;
+    m.alpha_max_abs = kept.alpha_max_abs, m.alpha_rmse = kept.alpha_rmse, m.nan_pixels = kept.nan_pixels;
     return m;
   }
 
-  void remember(const std::string& stem, const std::string& key, const SceneResult& result) const {
+  void remember(const std::string& stem, const std::vector<fs::path>& files_read, const SceneResult& result) const {
     nlohmann::json json;
-    json["key"] = key;
+    json["key"] = resume_key(result.request, files_read);
+    json["files_read"] = nlohmann::json::array();
+    for (const fs::path& file : files_read) json["files_read"].push_back(file.string());
+    for (const PixelTags::Tree& tree : result.trees) json["trees"].push_back({{"x", tree.x}, {"y", tree.y}, {"text", tree.text}});
     json["result"] = to_json(result);
     json["oracle_picture"] = result.oracle_picture.filename().string();
     json["native_picture"] = result.native_picture.filename().string();
@@ -226,18 +257,23 @@ class Runner {
     return out;
   }
 
-  void compare_one(const SceneRequest& request, const std::string& stem, SceneResult& result) {
+  void compare_one(const SceneRequest& request, const std::string& stem, SceneResult& result, std::vector<fs::path>& files_read) {
     if (!fs::is_regular_file(request.scene)) {
       result.reason = request.scene.string() + ": no such scene file";
       return;
     }
-    std::vector<fs::path> files_read;
-    const NativeResult native = render_native(request, stem, result, files_read);
+    require_memory(static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height), request.alpha() ? 4 : 3, options_.memory_limit);
+    const NativeResult native = render_native(request, native_output(request, stem, 0), 0, result, files_read);
+    result.native_seconds = native.seconds, result.native_cpu_seconds = native.cpu_seconds, result.rays = native.rays;
+    result.stochastic_features = native.stochastic_features;
+    const bool noisy = !native.stochastic_features.empty() && !options_.replay && options_.baseline.empty();
+    result.scene_class = request.scene_class.value_or(noisy ? SceneClass::stochastic : SceneClass::deterministic);
     if (native.outcome == NativeResult::Outcome::unsupported) {
       result.status = Status::unsupported, result.reason = native.message;
       return;
     }
     const bool rendered = native.outcome == NativeResult::Outcome::rendered;
+    if (rendered) result.native_picture = native_output(request, stem, 0);
     const OracleRender oracle = reference_picture(request, rendered ? files_read : std::vector<fs::path>(), oracle_threads());
     result.oracle_seconds = oracle.seconds, result.oracle_cpu_seconds = oracle.cpu_seconds, result.oracle_cached = oracle.from_cache;
     if (!oracle.ok) {
@@ -245,27 +281,41 @@ class Runner {
       result.reason = rendered ? oracle.message : fmt::format("{} (verisim refuses the scene, too: {})", oracle.message, native.message);
       return;
     }
-    result.oracle_picture = work_ / (stem + ".oracle.png");
-    image::write_picture(displayable(oracle.picture), result.oracle_picture);
     if (!rendered) {
       result.status = Status::error, result.reason = native.message;
+      keep_picture(oracle.picture, stem, "oracle", result.oracle_picture);
       return;
     }
-    judge(request, oracle.picture, files_read, result);
+    judge(request, stem, oracle.picture, files_read, result);
   }
 
-  NativeResult render_native(const SceneRequest& request, const std::string& stem, SceneResult& result, std::vector<fs::path>& files_read) {
-    const WorkingCopy copy(request.scene);
+  fs::path native_output(const SceneRequest& request, const std::string& stem, int run) const {
+    return work_ / (stem + (run ? fmt::format(".run{}", run + 1) : "") + ".native" + output_extension(request.switches));
+  }
+
+  void keep_picture(const Picture& picture, const std::string& stem, const char* side, fs::path& kept) const {
+    const fs::path path = work_ / fmt::format("{}.{}.png", stem, side);
+    image::write_picture(displayable(picture), path);
+    kept = path;
+  }
+
+  NativeRequest native_request(const SceneRequest& request, const WorkingCopy& copy) const {
     NativeRequest ask;
     ask.folder = copy.folder(), ask.scene = copy.scene();
     ask.width = request.width, ask.height = request.height, ask.switches = request.switches;
     if (!output_type(request.switches)) ask.switches.push_back(options_.baseline.empty() ? "+FN8" : "+FN16");
-    ask.output = work_ / (stem + ".native" + output_extension(request.switches));
     ask.threads = options_.replay ? 1 : threads_each_;
     ask.replay = options_.replay;
     ask.time_limit = options_.native_time_limit;
     ask.cancel = options_.cancel;
     if (oracle_) ask.library_paths = oracle_->library_paths;
+    return ask;
+  }
+
+  NativeResult render_native(const SceneRequest& request, const fs::path& output, int run, const SceneResult& result, std::vector<fs::path>& files_read) {
+    const WorkingCopy copy(request.scene);
+    NativeRequest ask = native_request(request, copy);
+    ask.output = output, ask.run = run;
     std::error_code ignored;
     fs::remove(ask.output, ignored);
     NativeResult native;
@@ -274,25 +324,22 @@ class Runner {
     } catch (const std::exception& error) {
       native.message = error.what();
     }
-    native.message = original_names(native.message, copy, request.scene);
-    if (native.outcome == NativeResult::Outcome::rendered) {
-      if (fs::exists(ask.output)) result.native_picture = ask.output;
-      else native.outcome = NativeResult::Outcome::error, native.message = "no picture was written";
-    }
-    result.native_seconds = native.seconds, result.native_cpu_seconds = native.cpu_seconds, result.rays = native.rays;
-    result.stochastic_features = native.stochastic_features;
-    const bool stochastic = !native.stochastic_features.empty() && !options_.replay && options_.baseline.empty();
-    result.scene_class = request.scene_class.value_or(stochastic ? SceneClass::stochastic : SceneClass::deterministic);
+    native.message = original_names(native.message, copy, result.request.scene);
+    if (native.outcome == NativeResult::Outcome::rendered && !fs::exists(ask.output)) native.outcome = NativeResult::Outcome::error, native.message = "no picture was written";
     files_read = original_paths(native.files_read, copy, request.scene);
     return native;
   }
 
   int oracle_threads() const { return options_.replay ? 1 : std::max(1, options_.oracle.threads); }
 
+  // What takes the oracle's place; empty: nothing.
+  fs::path stored_picture(const SceneRequest& request) const {
+    if (request.reference) return *request.reference;
+    return options_.baseline.empty() ? fs::path() : options_.baseline / (file_stem(request.name) + output_extension(request.switches));
+  }
+
   OracleRender reference_picture(const SceneRequest& request, const std::vector<fs::path>& files_read, int threads) {
-    fs::path stored;
-    if (request.reference) stored = *request.reference;
-    else if (!options_.baseline.empty()) stored = options_.baseline / (file_stem(request.name) + output_extension(request.switches));
+    const fs::path stored = stored_picture(request);
     if (stored.empty()) return run_oracle(*oracle_, options_.oracle, request, threads, files_read, options_.cancel);
     OracleRender out;
     if (!fs::exists(stored)) {
@@ -308,27 +355,126 @@ class Runner {
     return out;
   }
 
-  void judge(const SceneRequest& request, const Picture& oracle, const std::vector<fs::path>& files_read, SceneResult& result) {
-    const Picture native = image::read_picture(result.native_picture);
-    result.metrics = measure(oracle, native, metric_options(request));
-    Verdict verdict = request.thresholds.empty() ? judge_deterministic(*result.metrics, request.antialiased()) : judge_thresholds(*result.metrics, request.thresholds);
-    if (result.scene_class == SceneClass::stochastic && request.thresholds.empty() && verdict.status != Status::exact) {
+  void judge(const SceneRequest& request, const std::string& stem, const Picture& reference, const std::vector<fs::path>& files_read, SceneResult& result) {
+    Picture native = image::read_picture(result.native_picture), fitted;
+    const Picture* oracle = &reference;
+    if (request.reference && request.fit.any()) {
+      FittedPair pair = fit_to_reference(reference, native, request.fit);
+      native = std::move(pair.test), fitted = std::move(pair.reference), oracle = &fitted;
+      result.fit = pair.fit;
+      keep_picture(native, stem, "fitted", result.native_picture);
+    }
+    keep_picture(*oracle, stem, "oracle", result.oracle_picture);
+    result.metrics = measure(*oracle, native, metric_options(request));
+    const bool rules = request.thresholds.empty();
+    Verdict verdict = !rules ? judge_thresholds(*result.metrics, request.thresholds)
+                      : options_.baseline.empty() || request.reference ? judge_deterministic(*result.metrics, request.antialiased())
+                                                                       : judge_baseline(*result.metrics, request.antialiased());
+    if (result.scene_class == SceneClass::stochastic && rules && verdict.status != Status::exact) {
       if (request.reference) {
         verdict.reason += "; a stored picture says nothing about noise";
-      } else {
-        const OracleRender second = reference_picture(request, files_read, oracle_threads() + 1);
-        if (!second.ok) {
-          result.status = Status::oracle_failed, result.reason = "second run for the noise: " + second.message;
-          return;
-        }
-        result.oracle_seconds += second.seconds;
-        result.native_low_pass = low_pass(oracle, native);
-        result.noise_low_pass = low_pass(oracle, second.picture);
-        verdict = judge_stochastic(*result.metrics, request.antialiased(), *result.native_low_pass, *result.noise_low_pass);
+      } else if (!judge_noise(request, stem, *oracle, native, files_read, result, verdict)) {
+        return;
       }
     }
+    if (request.truth) verdict = judge_truth(*request.truth, *oracle, native, verdict, result);
     result.status = verdict.status, result.reason = verdict.reason;
-    if (result.status == Status::differ) result.suspicions = diagnose(oracle, native);
+    if (result.status == Status::differ) {
+      result.suspicions = diagnose(*oracle, native);
+    } else if (const std::string drift = systematic_drift(*result.metrics); !drift.empty() && result.scene_class == SceneClass::deterministic) {
+      result.suspicions = diagnose(*oracle, native);
+      result.reason += (result.reason.empty() ? "" : "; ") + drift;
+    }
+    if (options_.tags && (result.status == Status::differ || options_.always_blame)) find_blame(request, *oracle, native, result);
+  }
+
+  // False when the oracle failed.
+  bool judge_noise(const SceneRequest& request, const std::string& stem, const Picture& oracle, const Picture& native, const std::vector<fs::path>& files_read, SceneResult& result,
+                   Verdict& verdict) {
+    const int runs = std::max(1, options_.runs);
+    // Two runs of the reference at least; of several, all have an odd number of threads more than the first, so that another POV-Ray can take the even ones.
+    std::vector<Picture> references{oracle}, tests{native};
+    for (int run = 1; run < std::max(2, runs); ++run) {
+      OracleRender again = reference_picture(request, files_read, oracle_threads() + (runs > 1 ? 2 * run : run));
+      if (!again.ok) {
+        result.status = Status::oracle_failed, result.reason = "another run for the noise: " + again.message;
+        return false;
+      }
+      result.oracle_seconds += again.seconds, result.oracle_cpu_seconds += again.cpu_seconds;
+      references.push_back(std::move(again.picture));
+    }
+    result.native_low_pass = low_pass(oracle, native);
+    result.noise_low_pass = low_pass(oracle, references[1]);
+    verdict = judge_stochastic(*result.metrics, request.antialiased(), *result.native_low_pass, *result.noise_low_pass);
+    if (runs < 2) return true;
+    for (int run = 1; run < runs; ++run) {
+      std::vector<fs::path> ignored;
+      const fs::path output = native_output(request, stem, run);
+      const NativeResult again = render_native(request, output, run, result, ignored);
+      if (again.outcome != NativeResult::Outcome::rendered) {
+        verdict = {Status::error, fmt::format("run {}: {}", run + 1, again.message)};
+        return true;
+      }
+      result.native_seconds += again.seconds, result.native_cpu_seconds += again.cpu_seconds;
+      tests.push_back(image::read_picture(output));
+    }
+    result.welch = welch_test(references, tests);
+    if (verdict.status == Status::match && result.welch->rejected)
+      verdict = {Status::differ, fmt::format("Welch's test over {} runs on each side: {}", runs,
+                                             result.welch->mean_p < result.welch->pixel_p ? fmt::format("the means differ by {:+.3f} (p = {:.2g})", result.welch->mean_difference, result.welch->mean_p)
+                                                                                          : fmt::format("pixel {}, {} differs (p = {:.2g})", result.welch->worst_x, result.welch->worst_y, result.welch->pixel_p))};
+    return true;
+  }
+
+  // A known answer has the last word: who keeps it is right, whatever the other one says.
+  static Verdict judge_truth(const Truth& truth, const Picture& oracle, const Picture& native, const Verdict& verdict, SceneResult& result) {
+    result.oracle_truth = truth_error(oracle, truth), result.native_truth = truth_error(native, truth);
+    const TruthError& error = *result.native_truth;
+    if (error.max > truth.tolerance)
+      return {Status::differ, fmt::format("the known answer is missed by {:.5f} > {} at pixel {}, {} (the reference misses it by {:.5f})", error.max, truth.tolerance, error.worst_x, error.worst_y,
+                                          result.oracle_truth->max)};
+    if (verdict.status == Status::differ && result.oracle_truth->max > truth.tolerance)
+      return {Status::match, fmt::format("keeps the known answer, which the reference misses by {:.5f} ({})", result.oracle_truth->max, verdict.reason)};
+    return verdict;
+  }
+
+  void find_blame(const SceneRequest& request, const Picture& oracle, const Picture& native, SceneResult& result) {
+    constexpr double kMostPixels = 300000;
+    constexpr std::size_t kTrees = 6;
+    try {
+      const WorkingCopy copy(request.scene);
+      std::vector<std::pair<int, int>> trees;
+      for (const WorstPixel& pixel : result.metrics->worst)
+        if (trees.size() < kTrees) trees.emplace_back(pixel.x, pixel.y);
+      const double pixels = static_cast<double>(request.width) * request.height;
+      PixelTags tags = options_.tags(native_request(request, copy), std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels)))), trees);
+      const std::vector<fs::path> library = oracle_ ? oracle_->library_paths : std::vector<fs::path>();
+      for (PixelTags::Tag& tag : tags.tags) tag.name = short_names(std::move(tag.name), copy, library);
+      for (PixelTags::Tree& tree : tags.trees) tree.text = short_names(std::move(tree.text), copy, library);
+      result.blame = blame(oracle, native, tags, request.antialiased() ? 2 : 1);
+      diagnose_worst_object(oracle, native, tags, result);
+      result.trees = tags.trees;
+    } catch (const std::exception& error) {
+      result.blame_failed = error.what();
+    }
+  }
+
+  // What is wrong with the object that wrong pixels have in common, if there is one.
+  static void diagnose_worst_object(const Picture& oracle, const Picture& native, const PixelTags& tags, SceneResult& result) {
+    constexpr double kClear = 0.4;
+    const auto& common = result.blame->common;
+    const auto object = std::find_if(common.begin(), common.end(), [](const CommonTag& tag) { return tag.kind == "object" && tag.correlation > kClear; });
+    if (object == common.end() || tags.step != 1) return;
+    const auto tag = std::find_if(tags.tags.begin(), tags.tags.end(), [&](const PixelTags::Tag& t) { return t.kind == "object" && t.name == object->name; }) - tags.tags.begin();
+    std::vector<unsigned char> mask;
+    for (int set : tags.set_of) {
+      const auto& members = tags.sets.at(static_cast<std::size_t>(set));
+      mask.push_back(std::find(members.begin(), members.end(), static_cast<int>(tag)) != members.end());
+    }
+    for (Suspicion& part : diagnose_part(oracle, native, mask)) {
+      part.detail = fmt::format("{}: {}", object->name, part.detail);
+      result.suspicions.push_back(std::move(part));
+    }
   }
 
   const Suite& suite_;

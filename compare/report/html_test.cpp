@@ -41,6 +41,12 @@ Run make_run(const fs::path& folder, int scenes) {
       s.metrics = shift ? shifted : equal;
       const Verdict v = judge_deterministic(*s.metrics, false);
       s.status = v.status, s.reason = v.reason;
+      if (shift) {
+        s.blame = Blame{19200, 0, 1, {{"box (a.pov:7)", 100, 100, 80, 0, 100, 1, 20, 30}}, {{"texture", "pigment granite", 97, 2, 0.95}}};
+        for (const WorstPixel& p : s.metrics->worst) s.trees.push_back({p.x, p.y, "camera ray from <0, 0, 0>\n  hits <b>box</b>"});
+        s.request.truth = Truth{"E cos a / pi.", {{0, 0, {0.5, 0.5, 0.5}}}, 0.001};
+        s.oracle_truth = s.native_truth = TruthError{0.1, 0.1, 0, 0, {{0.4, 0.4, 0.4}}};
+      }
     }
     run.scenes.push_back(s);
   }

@@ -49,6 +49,45 @@ J low_pass_as(const LowPass& l) {
 }
 
 template <typename J>
+J blame_as(const Blame& b) {
+  J json;
+  json["bad_pixels"] = b.bad, json["good_pixels"] = b.good, json["limit"] = b.limit;
+  json["objects"] = J::array();
+  for (const ObjectError& o : b.objects) {
+    J object;
+    object["name"] = o.name, object["pixels_pct"] = o.pixels_pct, object["bad_pct"] = o.bad_pct, object["rmse"] = o.rmse, object["bias"] = o.bias, object["max_abs"] = o.max_abs;
+    object["share"] = o.share, object["worst"] = {o.worst_x, o.worst_y};
+    json["objects"].push_back(object);
+  }
+  json["common"] = J::array();
+  for (const CommonTag& c : b.common) {
+    J tag;
+    tag["kind"] = c.kind, tag["name"] = c.name, tag["bad_pct"] = c.bad_pct, tag["good_pct"] = c.good_pct, tag["correlation"] = c.correlation;
+    json["common"].push_back(tag);
+  }
+  return json;
+}
+
+Blame blame_from(const nlohmann::json& json) {
+  Blame b;
+  b.bad = json.at("bad_pixels"), b.good = json.at("good_pixels"), b.limit = json.at("limit");
+  for (const auto& o : json.at("objects"))
+    b.objects.push_back({o.at("name"), o.at("pixels_pct"), o.at("bad_pct"), o.at("rmse"), o.at("bias"), o.at("max_abs"), o.at("share"), o.at("worst").at(0), o.at("worst").at(1)});
+  for (const auto& c : json.at("common")) b.common.push_back({c.at("kind"), c.at("name"), c.at("bad_pct"), c.at("good_pct"), c.at("correlation")});
+  return b;
+}
+
+template <typename J>
+J truth_as(const TruthError& t) {
+  J json;
+  json["max"] = t.max, json["rms"] = t.rms, json["worst"] = {t.worst_x, t.worst_y}, json["values"] = t.values;
+  return json;
+}
+TruthError truth_from(const nlohmann::json& json) {
+  return {json.at("max"), json.at("rms"), json.at("worst").at(0), json.at("worst").at(1), json.at("values").get<std::vector<std::array<double, 3>>>()};
+}
+
+template <typename J>
 J scene_as(const SceneResult& s) {
   J json;
   json["scene"] = s.request.name;
@@ -74,6 +113,21 @@ J scene_as(const SceneResult& s) {
   }
   if (s.native_low_pass) json["low_pass"]["native"] = low_pass_as<J>(*s.native_low_pass);
   if (s.noise_low_pass) json["low_pass"]["noise"] = low_pass_as<J>(*s.noise_low_pass);
+  if (s.welch) {
+    J& welch = json["welch"];
+    welch["rejected"] = s.welch->rejected, welch["pixel_p"] = s.welch->pixel_p, welch["worst"] = {s.welch->worst_x, s.welch->worst_y};
+    welch["mean_p"] = s.welch->mean_p, welch["mean_difference"] = s.welch->mean_difference;
+  }
+  if (s.blame) json["blame"] = blame_as<J>(*s.blame);
+  if (!s.blame_failed.empty()) json["blame_failed"] = s.blame_failed;
+  if (s.fit) {
+    J& fit = json["fit"];
+    fit["text"] = s.fit->text(), fit["stops"] = s.fit->stops, fit["white_balance"] = s.fit->balance, fit["resampled"] = s.fit->resampled;
+    fit["reference_size"] = {s.fit->reference_width, s.fit->reference_height};
+    if (s.fit->crop) fit["crop"] = {s.fit->crop->x, s.fit->crop->y, s.fit->crop->width, s.fit->crop->height};
+  }
+  if (s.oracle_truth) json["truth"]["oracle"] = truth_as<J>(*s.oracle_truth);
+  if (s.native_truth) json["truth"]["native"] = truth_as<J>(*s.native_truth);
   return json;
 }
 
@@ -87,6 +141,8 @@ J summary_as(const Summary& s) {
   }
   json["seconds"]["oracle"] = s.oracle_seconds;
   json["seconds"]["native"] = s.native_seconds;
+  json["cpu_seconds"]["oracle"] = s.oracle_cpu_seconds;
+  json["cpu_seconds"]["native"] = s.native_cpu_seconds;
   return json;
 }
 
@@ -116,10 +172,31 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
     out.max_abs = m.at("max_abs"), out.mae = m.at("mae"), out.rmse = m.at("rmse"), out.psnr = m.at("psnr");
     out.within_1_pct = m.at("within_1_pct"), out.within_2_pct = m.at("within_2_pct"), out.bias = m.at("bias");
     out.ssim_mean = m.at("ssim_mean"), out.ssim_block_min = m.at("ssim_block_min"), out.flip_mean = m.at("flip_mean");
+    out.ciede2000_mean = m.value("ciede2000_mean", 0.0), out.ciede2000_p95 = m.value("ciede2000_p95", 0.0), out.nan_pixels = m.value("nan_pixels", std::uint64_t{0});
+    for (auto [name, value] : {std::pair("hdr_flip_mean", &out.hdr_flip_mean), std::pair("edge_rmse", &out.edge_rmse), std::pair("interior_rmse", &out.interior_rmse),
+                               std::pair("alpha_max_abs", &out.alpha_max_abs), std::pair("alpha_rmse", &out.alpha_rmse)})
+      if (m.contains(name)) *value = m[name].get<double>();
   }
   if (json.contains("low_pass")) {
     if (json["low_pass"].contains("native")) s.native_low_pass = low_pass_from(json["low_pass"]["native"]);
     if (json["low_pass"].contains("noise")) s.noise_low_pass = low_pass_from(json["low_pass"]["noise"]);
+  }
+  if (json.contains("welch")) {
+    const auto& w = json["welch"];
+    s.welch = {w.at("rejected"), w.at("pixel_p"), w.at("worst").at(0), w.at("worst").at(1), w.at("mean_p"), w.at("mean_difference")};
+  }
+  if (json.contains("blame")) s.blame = blame_from(json["blame"]);
+  s.blame_failed = json.value("blame_failed", "");
+  if (json.contains("fit")) {
+    const auto& f = json["fit"];
+    s.fit.emplace();
+    s.fit->stops = f.at("stops"), s.fit->balance = f.at("white_balance").get<std::array<double, 3>>(), s.fit->resampled = f.at("resampled");
+    s.fit->reference_width = f.at("reference_size").at(0), s.fit->reference_height = f.at("reference_size").at(1);
+    if (f.contains("crop")) s.fit->crop = Crop{f["crop"].at(0), f["crop"].at(1), f["crop"].at(2), f["crop"].at(3)};
+  }
+  if (json.contains("truth")) {
+    if (json["truth"].contains("oracle")) s.oracle_truth = truth_from(json["truth"]["oracle"]);
+    if (json["truth"].contains("native")) s.native_truth = truth_from(json["truth"]["native"]);
   }
   return s;
 }
@@ -129,6 +206,7 @@ Summary summarise(const std::vector<SceneResult>& scenes) {
   for (const SceneResult& s : scenes) {
     ++out.scenes, ++out.count[s.status];
     out.oracle_seconds += s.oracle_seconds, out.native_seconds += s.native_seconds;
+    out.oracle_cpu_seconds += s.oracle_cpu_seconds, out.native_cpu_seconds += s.native_cpu_seconds;
   }
   return out;
 }
@@ -144,6 +222,7 @@ std::string json_report(const Run& run) {
   json["scenes"] = Json::array();
   for (const SceneResult& scene : run.scenes) json["scenes"].push_back(scene_as<Json>(scene));
   json["summary"] = summary_as<Json>(run.summary);
+  json["reference"] = run.reference_name;
   json["oracle_version"] = run.oracle_version;
   json["native_version"] = run.native_version;
   json["started"] = run.started;

@@ -75,14 +75,31 @@ std::string summary_line(const Run& run) {
   std::string out = fmt::format("{} {}", run.summary.scenes, run.summary.scenes == 1 ? "scene" : "scenes");
   for (const auto& [status, count] : run.summary.count)
     if (count) out += fmt::format(", {} {}", count, to_string(status));
-  out += fmt::format("; oracle {:.2f} s, verisim {:.2f} s", run.summary.oracle_seconds, run.summary.native_seconds);
-  if (run.summary.native_seconds > 0 && run.summary.oracle_seconds > 0) out += fmt::format(", ratio {}", ratio(run.summary.oracle_seconds, run.summary.native_seconds));
+  const Summary& s = run.summary;
+  const bool cpu = s.oracle_cpu_seconds > 0 && s.native_cpu_seconds > 0;
+  const double oracle = cpu ? s.oracle_cpu_seconds : s.oracle_seconds, native = cpu ? s.native_cpu_seconds : s.native_seconds;
+  out += fmt::format("; {} {:.2f} s, {} {:.2f} s{}", run.reference_name, oracle, run.test_name, native, cpu ? " of CPU time" : "");
+  if (native > 0 && oracle > 0) out += fmt::format(", ratio {}", ratio(oracle, native));
   if (run.cancelled) out += " (broken off)";
   return out;
 }
 
+// CPU seconds of both sides; wall time where one of them is unknown (a renderer that is a function, a stored picture).
+std::pair<double, double> seconds_of(const SceneResult& s) {
+  if (s.oracle_cpu_seconds > 0 && s.native_cpu_seconds > 0) return {s.oracle_cpu_seconds, s.native_cpu_seconds};
+  return {s.oracle_seconds, s.native_seconds};
+}
+
+std::string common_tag(const CommonTag& tag) {
+  return fmt::format("{} {}: {:.0f} % of the wrong pixels, {:.1f} % of the right ones", tag.kind, tag.name, tag.bad_pct, tag.good_pct);
+}
+
 std::string reason(const SceneResult& s) {
-  return s.suspicions.empty() ? s.reason : fmt::format("{}; suspect {}: {}", s.reason, s.suspicions[0].what, s.suspicions[0].detail);
+  std::string out = s.reason;
+  if (!s.suspicions.empty()) out += fmt::format("; suspect {}: {}", s.suspicions[0].what, s.suspicions[0].detail);
+  if (s.blame && !s.blame->common.empty()) out += "; " + common_tag(s.blame->common[0]);
+  if (s.fit && !s.fit->text().empty()) out += fmt::format(" ({})", s.fit->text());
+  return out;
 }
 
 std::string trend(const SceneResult& s) {
@@ -132,16 +149,17 @@ std::string terminal_table(const Run& run, bool color, int columns) {
   constexpr int kFigures = 101;  // everything after the name
   name_width = std::min<std::size_t>(name_width, static_cast<std::size_t>(std::max(16, columns - kFigures)));
   std::string out = fmt::format("{}{} {:<13} {:>7} {:>7} {:>7} {:>7} {:>8} {:>7} {:>7} {:>8} {:>8} {:>7}{}\n", color ? kBold : "", fitted("scene", name_width), "status",
-                                "RMSE", "PSNR", "SSIM", "FLIP", "<=1 [%]", "<=2 [%]", "max", "POV [s]", "ours [s]", "ratio", color ? kReset : "");
+                                "RMSE", "PSNR", "SSIM", "FLIP", "<=1 [%]", "<=2 [%]", "max", "POV [s]", "ours [s]", "ratio", color ? kReset : "");  // CPU seconds
   for (const SceneResult& s : run.scenes) {
     out += fitted(printable(s.request.name), name_width) + ' ';
     out += fmt::format("{}{:<13}{}", color ? color_of(s.status) : "", to_string(s.status), color ? kReset : "");
     if (s.metrics) {
       const Metrics& m = *s.metrics;
+      const auto [oracle, native] = seconds_of(s);
       out += fmt::format(" {:>7.3f} {:>7} {:>7.4f} {:>7.4f} {:>8.3f} {:>7.3f} {:>7.1f} {:>8.2f} {:>8.2f} {:>7}", m.rmse, decibels(m.psnr), m.ssim_mean, m.flip_mean,
-                         m.within_1_pct, m.within_2_pct, m.max_abs, s.oracle_seconds, s.native_seconds, ratio(s.oracle_seconds, s.native_seconds));
+                         m.within_1_pct, m.within_2_pct, m.max_abs, oracle, native, ratio(oracle, native));
     }
-    const bool explain = s.failed() && !s.reason.empty();
+    const bool explain = (s.failed() && !s.reason.empty()) || !s.suspicions.empty() || s.fit;
     if (explain) out += ' ' + shortened(printable(reason(s)), 300);
     out += trend(s) + '\n';
   }
@@ -178,16 +196,41 @@ std::string terminal_metrics(const Metrics& m, bool color) {
   return out;
 }
 
+std::string terminal_blame(const SceneResult& s) {
+  std::string out = fmt::format("{}: {}{}{}\n", printable(s.request.name), to_string(s.status), s.reason.empty() ? "" : ": ", printable(s.reason));
+  for (const Suspicion& v : s.suspicions) out += fmt::format("suspect {}: {} (explains {:.0f} %)\n", v.what, v.detail, 100 * v.explained);
+  if (!s.blame) return s.blame_failed.empty() ? out : out + printable(s.blame_failed) + "\n";
+  const Blame& b = *s.blame;
+  out += fmt::format("{} of {} pixels differ by more than {} code values\n", b.bad, b.bad + b.good, b.limit);
+  constexpr std::size_t kLines = 12;
+  if (!b.common.empty()) out += "\nwhat they have in common       wrong   right    phi\n";
+  for (std::size_t i = 0; i < std::min(kLines, b.common.size()); ++i)
+    out += fmt::format("  {:<26} {:>7.2f} % {:>5.2f} % {:>6.3f}  {}\n", b.common[i].kind, b.common[i].bad_pct, b.common[i].good_pct, b.common[i].correlation, printable(b.common[i].name));
+  out += "\nobject: part of the squared difference, of the picture, its wrong pixels, RMSE, bias, worst pixel\n";
+  for (std::size_t i = 0; i < std::min(kLines, b.objects.size()); ++i) {
+    const ObjectError& o = b.objects[i];
+    out += fmt::format("  {:>6.2f} % {:>6.2f} % {:>6.2f} % {:>8.3f} {:>+8.3f}  {},{}  {}\n", 100 * o.share, o.pixels_pct, o.bad_pct, o.rmse, o.bias, o.worst_x, o.worst_y, printable(o.name));
+  }
+  if (s.metrics && !s.metrics->worst.empty()) {
+    std::string switches;
+    for (const std::string& w : s.request.switches) switches += " " + printable(w);
+    out += fmt::format("\nthe worst pixel: verisim explain {} {} {} +W{} +H{}{}\n", printable(s.request.scene.string()), s.metrics->worst[0].x, s.metrics->worst[0].y, s.request.width,
+                       s.request.height, switches);
+  }
+  return out;
+}
+
 std::string markdown_report(const Run& run) {
   std::string out = fmt::format("### {} verisim compare\n\n{}\n\n", run.summary.failed() ? "❌" : "✅", summary_line(run));
   std::vector<const SceneResult*> order;
   for (const SceneResult& s : run.scenes) order.push_back(&s);
   std::stable_sort(order.begin(), order.end(), [](const SceneResult* a, const SceneResult* b) { return a->failed() > b->failed(); });
-  out += "| scene | status | RMSE | SSIM | FLIP | within 1 [%] | oracle [s] | verisim [s] | note |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n";
+  out += "| scene | status | RMSE | SSIM | FLIP | within 1 [%] | oracle [CPU s] | verisim [CPU s] | note |\n| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n";
   for (const SceneResult* s : order) {
     const std::string figures = s->metrics ? fmt::format("{:.3f} | {:.4f} | {:.4f} | {:.3f}", s->metrics->rmse, s->metrics->ssim_mean, s->metrics->flip_mean, s->metrics->within_1_pct)
                                            : "| | |";
-    out += fmt::format("| {} | {} | {} | {:.2f} | {:.2f} | {}{} |\n", markdown_cell(s->request.name), to_string(s->status), figures, s->oracle_seconds, s->native_seconds,
+    const auto [oracle, native] = seconds_of(*s);
+    out += fmt::format("| {} | {} | {} | {:.2f} | {:.2f} | {}{} |\n", markdown_cell(s->request.name), to_string(s->status), figures, oracle, native,
                        s->failed() ? markdown_cell(shortened(reason(*s), 200)) : "", markdown_cell(trend(*s)));
   }
   return out;

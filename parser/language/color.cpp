@@ -25,11 +25,6 @@ int component_of(Word word) {
   }
 }
 
-// `color` alone is a colour, and black (measured).
-bool ends_color(const Token& token) {
-  return token.punctuation == '}' || token.punctuation == ']' || token.punctuation == ';' || token.punctuation == ')';
-}
-
 // The sRGB transfer function, also applied outside 0..1; in single precision, as measured to the last bit.
 float decode_srgb(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
@@ -81,7 +76,7 @@ void Parser::Impl::color_items(Numeric& out) {
   }
 }
 
-Numeric Parser::Impl::color() {
+Numeric Parser::Impl::color(ColorTerms terms) {
   const Nesting nesting(*this);
   const bool keyword = peek().word == Word::color && peek().kind == TokenKind::word;
   if (keyword) skip_token();
@@ -91,10 +86,12 @@ Numeric Parser::Impl::color() {
     value = color_base();
   } else if (token.kind == TokenKind::word && token.word == Word::gray) {
     skip_token();  // accepted, and black (measured)
-  } else if ((token.kind != TokenKind::word || component_of(token.word) < 0) && !(keyword && ends_color(token))) {
+  } else if (token.kind == TokenKind::identifier || (starts_numeric(token) && !(token.kind == TokenKind::word && component_of(token.word) >= 0))) {
     full(value);
+    // A number on its own fills what the place has: all five terms, or red, green and blue only.
+    if (terms == ColorTerms::rgb && value.terms == 1) value = {{value.v[0], value.v[0], value.v[0], 0, 0}, 5};
     fit(value, 5);
-  }
+  }  // else: no colour at all, which is black (measured)
   color_items(value);
   return value;
 }
@@ -113,7 +110,9 @@ Color Parser::parse_color() {
 }
 
 Rgb Parser::parse_rgb() {
-  const Color c = parse_color();
+  const Numeric n = impl_->color(Impl::ColorTerms::rgb);
+  const auto f = [&n](std::size_t i) { return static_cast<float>(n.v[i]); };
+  const Color c{f(0), f(1), f(2), f(3), f(4)};
   if (c.f != 0 || c.t != 0) warning("Expected a pure RGB colour: filter and transmit mean nothing here.");
   return c.rgb();
 }

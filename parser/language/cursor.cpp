@@ -77,7 +77,7 @@ bool Parser::Impl::end_of_file() {
 
 void Parser::Impl::enter_file(std::shared_ptr<const TokenFile> entered, std::uint32_t call) {
   if (static_cast<int>(frames.size()) >= options.limits.max_depth)
-    error("Too many nested include files and macro calls.", "--max-depth raises this limit.");
+    fatal("Too many nested include files and macro calls.", "--max-depth raises this limit.");
   Frame frame;
   frame.file = file;
   frame.position = index(position);
@@ -96,19 +96,19 @@ void Parser::Impl::leave_frame() {
   frames.pop_back();
 }
 
-void Parser::Impl::count_steps(std::size_t tokens) {
-  steps += tokens + 1;
-  if (steps < next_check) return;
+// Now and then: is anything beyond its limit?
+void Parser::Impl::check_limits() {
   next_check = steps + (1 << 16);
+  heap.look();
   const Limits& limits = options.limits;
-  if (limits.max_steps && steps > limits.max_steps) error("The scene executes more steps than --max-steps allows: an endless loop?");
-  if (options.cancelled && options.cancelled()) error("Cancelled.");
+  if (limits.max_steps && steps > limits.max_steps) fatal("The scene executes more steps than --max-steps allows: an endless loop?");
+  if (options.cancelled && options.cancelled()) fatal("Interrupted, or longer than --max-seconds allows.");
   // Resident memory of the whole process, in pages: cheap to ask for, and it counts everything.
   if (std::FILE* statm = std::fopen("/proc/self/statm", "re")) {
     unsigned long total = 0, resident = 0;
     const int got = std::fscanf(statm, "%lu %lu", &total, &resident);
     std::fclose(statm);
-    if (got == 2 && resident > limits.max_memory_bytes / 4096) error("The scene needs more memory than --max-memory allows.");
+    if (got == 2 && resident > limits.max_memory_bytes / 4096) fatal("The scene needs more memory than --max-memory allows.");
   }
 }
 

@@ -67,7 +67,9 @@ void Parser::Impl::declare(bool local) {
     expected("=");
   }
   Value value;
+  const std::uint32_t outer = std::exchange(declaring, created ? created->name : 0);
   const Ending ending = right_hand_side(value);
+  declaring = outer;
   if (target) assign(*target, std::move(value));
   if (peek_blocked().punctuation == ';') {
     skip_token();
@@ -118,7 +120,8 @@ void Parser::Impl::declare_target(bool local, std::optional<Target>& target, Sym
 
 bool Parser::Impl::starts_numeric(const Token& token) {
   switch (token.kind) {
-    case TokenKind::number: return true;
+    case TokenKind::number:
+    case TokenKind::vector: return true;
     case TokenKind::punctuation:
       return token.punctuation == '(' || token.punctuation == '<' || token.punctuation == '+' || token.punctuation == '-' || token.punctuation == '!';
     case TokenKind::word: {
@@ -154,6 +157,7 @@ Parser::Impl::Ending Parser::Impl::right_hand_side(Value& value) {
   };
   switch (token.kind) {
     case TokenKind::number:
+    case TokenKind::vector:
     case TokenKind::punctuation:
       if (token.kind == TokenKind::punctuation && !starts_numeric(token)) expected("float, vector, colour, string or a block");
       return numeric();

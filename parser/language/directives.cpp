@@ -9,6 +9,7 @@ namespace verisim::parser {
 using Kind = Condition::Kind;
 
 void Parser::Impl::directive() {
+  if (!depth) mark_statement();
   const Token token = *position;
   skip_token();
   const Nesting nesting(*this);
@@ -66,7 +67,7 @@ void Parser::Impl::execute(const Token& token) {
 
 void Parser::Impl::open_condition(Kind kind, std::uint32_t opener) {
   if (conditions.size() >= static_cast<std::size_t>(options.limits.max_depth))
-    error("Conditionals, loops and macro calls are nested too deeply.", "--max-depth raises this limit.");
+    fatal("Conditionals, loops and macro calls are nested too deeply.", "--max-depth raises this limit.");
   Condition condition{};
   condition.kind = kind;
   condition.file = file;

@@ -79,6 +79,10 @@ void Parser::Impl::multiplicative(int width, Numeric& out) {
 void Parser::Impl::additive(int width, Numeric& out) {
   // Before version 1.5 operators need parentheses.
   if (language_version < 150 && depth_of_parentheses == 0) return unary(width, out);
+  if (position->kind == TokenKind::vector && literal(false, out)) {
+    if (out.terms == 3 && width > 3) out.terms = width, out.v[3] = out.v[4] = 0;
+    return;
+  }
   if (double value; scalar_fast(value)) {
     out.terms = width;
     out.v.fill(value);
@@ -121,7 +125,7 @@ void Parser::Impl::relation(Numeric& out) {
   additive(1, out);
   for (;;) {
     const char operation = peek_operator().punctuation;
-    if (!is_relation(operation)) return;
+    if (!is_relation(operation) || position->kind == TokenKind::vector) return;
     skip_token();
     Numeric right;
     additive(1, right);
@@ -144,6 +148,7 @@ void Parser::Impl::logical(Numeric& out) {
 
 // C ? E : E. Both branches are evaluated.
 void Parser::Impl::full(Numeric& out) {
+  if (literal(true, out)) return;
   logical(out);
   if (peek_operator().punctuation != '?') return;
   const Nesting nesting(*this);
@@ -205,12 +210,13 @@ Numeric Parser::parse_full_numeric(int width) {
 }
 
 Vec2 Parser::parse_vec2() {
+  if (Vec2 v; impl_->literal_vector(2, &v.x)) return v;
   const Numeric n = parse_numeric(2);
   return {n.v[0], n.v[1]};
 }
 
 Vec3 Parser::parse_vec3() {
-  if (Vec3 v; impl_->literal_vector(v)) return v;
+  if (Vec3 v; impl_->literal_vector(3, &v.x)) return v;
   const Numeric n = parse_numeric(3);
   return {n.v[0], n.v[1], n.v[2]};
 }

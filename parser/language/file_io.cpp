@@ -58,9 +58,8 @@ void Parser::Impl::fopen() {
     handle->input = load(*found, found->string(), false);
   } else if (mode.word == Word::write || mode.word == Word::append) {
     skip_token();
-    handle->path = file_name;
-    if (file_name.find('\0') != std::string::npos || !search->may_write(handle->path))
-      error(fmt::format("The scene may not write '{}'.", file_name), "Scenes write below the current folder and their own; --allow-write PATH permits more.");
+    if (!report.errors.empty()) throw ParseError{{}, true};  // a scene with errors does nothing more than to name them
+    handle->path = parser.writable_file(file_name);
     handle->output.open(handle->path, std::ios::binary | (mode.word == Word::append ? std::ios::app : std::ios::trunc));
     if (!handle->output) error(fmt::format("Cannot open file '{}' for writing.", file_name));
     file_cache.erase(handle->path.string());
@@ -120,7 +119,13 @@ bool Parser::Impl::read_value(FileHandle& handle, Value& value) {
     default: break;
   }
   Numeric numeric;
-  if (at().punctuation == '<') {
+  if (at().kind == TokenKind::vector) {
+    numeric.terms = static_cast<int>(at().terms());
+    std::copy_n(handle.input->vector(at()), at().terms(), numeric.v.begin());
+    ++handle.position;
+    if (numeric.terms == 5)
+      for (double& v : numeric.v) v = static_cast<double>(static_cast<float>(v));
+  } else if (at().punctuation == '<') {
     ++handle.position;
     numeric.terms = 0;
     while (at().punctuation != '>') {

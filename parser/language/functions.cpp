@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "parser/language/impl.h"
 #include "parser/scene/blocks.h"
@@ -21,9 +23,47 @@ using namespace functions;
 std::uint32_t key(Word word) { return static_cast<std::uint32_t>(word); }
 std::uint32_t key(std::uint32_t identifier) { return 0x10000u + identifier; }
 
+// A function that calls itself. POV-Ray calls that unsupported and lets it be; it crashes when the calls do not end, here the value is then NaN.
+class Recursive : public Function {
+ public:
+  explicit Recursive(int parameters) : parameters_(parameters) {}
+  void set(FunctionPtr program) { program_ = std::move(program); }
+  int parameters() const override { return parameters_; }
+  int components() const override { return 1; }
+  void evaluate(std::span<const double> arguments, double* result) const override {
+    constexpr int kMostNested = 1000, kMostCalls = 10'000'000;
+    static thread_local int nested = 0, calls = 0;
+    if (!nested) calls = 0;
+    if (!program_ || nested >= kMostNested || ++calls > kMostCalls) {
+      *result = std::numeric_limits<double>::quiet_NaN();
+      return;
+    }
+    ++nested;
+    program_->evaluate(arguments, result);
+    --nested;
+  }
+
+ private:
+  int parameters_;
+  FunctionPtr program_;
+};
+
+// How a recursive function sees itself: without owning itself.
+class SelfCall : public Function {
+ public:
+  explicit SelfCall(const Recursive& target) : target_(target) {}
+  int parameters() const override { return target_.parameters(); }
+  int components() const override { return 1; }
+  void evaluate(std::span<const double> arguments, double* result) const override { target_.evaluate(arguments, result); }
+
+ private:
+  const Recursive& target_;
+};
+
 class FunctionParser {
  public:
-  explicit FunctionParser(Parser::Impl& impl) : p_(impl) {}
+  // `self`: the name under which the function may call itself; 0: none.
+  FunctionParser(Parser::Impl& impl, std::uint32_t self) : p_(impl), self_(self) {}
 
   void parameters();
   FunctionPtr body();
@@ -64,9 +104,11 @@ class FunctionParser {
   }
 
   Parser::Impl& p_;
+  std::uint32_t self_;
   std::vector<Variable> variables_;
   int count_ = 0, slots_ = 0;
   bool default_ = false;
+  std::shared_ptr<Recursive> recursive_;  // not null: the body calls the function that is being declared
 };
 
 void FunctionParser::open() {
@@ -123,7 +165,10 @@ void FunctionParser::parameters() {
 FunctionPtr FunctionParser::body() {
   const Node root = logic_or();
   try {
-    return compile(root, count_, slots_);
+    FunctionPtr program = compile(root, count_, slots_);
+    if (!recursive_) return program;
+    recursive_->set(std::move(program));
+    return recursive_;
   } catch (const std::invalid_argument& e) {
     p_.error(e.what());
   }
@@ -282,6 +327,14 @@ Node FunctionParser::identifier_primary() {
   }
   const Value* value = p_.peek_value();
   if (!value) p_.undeclared(token.id());
+  if (value->index() == 0 && token.id() == self_) {
+    if (!recursive_) {
+      recursive_ = std::make_shared<Recursive>(count_);
+      p_.message(Severity::possible_error, "Recursive function calls are not supported by POV-Ray, which does not check them.");
+    }
+    p_.resolve();
+    return user_call(std::make_shared<SelfCall>(*recursive_));
+  }
   if (const auto* function = std::get_if<FunctionPtr>(value)) {
     const FunctionPtr held = *function;
     p_.resolve();
@@ -355,7 +408,7 @@ class SplineFunction : public Function {
 FunctionPtr Parser::Impl::function() {
   const Nesting nesting(*this);
   const Live live(*this);
-  FunctionParser expression(*this);
+  FunctionParser expression(*this, std::exchange(declaring, 0));
   expression.parameters();
   if (peek().punctuation != '{') expected("{");
   skip_token();

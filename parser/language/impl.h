@@ -13,6 +13,7 @@
 #include "parser/language/parser.h"
 #include "parser/language/symbols.h"
 #include "parser/lexer/lexer.h"
+#include "parser/source/huge_heap.h"
 #include "parser/source/search.h"
 #include "tracer/query.h"
 
@@ -64,7 +65,7 @@ struct Parser::Impl {
   const Token& peek_blocked() { return ready || is_plain(*position) ? *position : fetch_blocked(); }
   // Nothing has to be done before such a token can be used.
   static bool is_plain(const Token& token) {
-    return token.kind == TokenKind::punctuation || token.kind == TokenKind::number || token.kind == TokenKind::word || token.kind == TokenKind::string;
+    return token.kind == TokenKind::punctuation || token.kind == TokenKind::number || token.kind == TokenKind::word || token.kind == TokenKind::string || token.kind == TokenKind::vector;
   }
   const Token& fetch();
   const Token& fetch_blocked();
@@ -87,11 +88,21 @@ struct Parser::Impl {
   bool end_of_file();           // leaves an include file; false: the main file ends here
   void enter_file(std::shared_ptr<const TokenFile> entered, std::uint32_t call);
   void leave_frame();
-  void count_steps(std::size_t tokens);
+  void count_steps(std::size_t tokens) {
+    steps += tokens + 1;
+    if (steps >= next_check) check_limits();
+  }
+  void check_limits();
   void start(std::shared_ptr<const TokenFile> main);
   void top_level();             // statements up to the end of the main file
   bool legacy_directive();      // declare, include, default ... without '#'
   void finish();                // checks and messages at the end of parsing
+
+  // ---- recovery.cpp ----
+  void mark_statement();
+  bool recover(ParseError& failure);
+  bool touches_failed_name() const;
+  bool skip_statement();
 
   // ---- directives.cpp, loops.cpp ----
   void directive();
@@ -146,6 +157,7 @@ struct Parser::Impl {
   void message(Severity severity, const std::string& text, const std::string& advice = {});  // once for each place
   void give(Severity severity, const std::string& text, const std::string& advice);
   [[noreturn]] void error(const std::string& text, const std::string& advice = {});
+  [[noreturn]] void fatal(const std::string& text, const std::string& advice = {});  // an error after which parsing does not go on
   [[noreturn]] void expected(std::string_view what);
   [[noreturn]] void undeclared(std::uint32_t name);
   [[noreturn]] void lex_error(const Token& token);
@@ -174,7 +186,9 @@ struct Parser::Impl {
   double divide(double a, double b);
   bool scalar_fast(double& out);        // additive scalar without side effects; false: nothing consumed
   bool condition_fast(double& out);     // the same for a condition with its parentheses
-  bool literal_vector(Vec3& out);       // <number, number, number>; false: nothing consumed
+  bool ends_expression(const Token& token, bool in_full_expression) const;
+  bool literal_vector(std::size_t terms, double* out);  // of that many literal numbers; false: nothing consumed
+  bool literal(bool in_full_expression, Numeric& out);  // a number or vector on its own; false: nothing consumed
 
   // ---- float_functions.cpp, vector_functions.cpp ----
   bool word_operand(Word word, Numeric& out);   // word not yet consumed
@@ -196,7 +210,8 @@ struct Parser::Impl {
   void check_length(std::size_t characters);
 
   // ---- color.cpp ----
-  Numeric color();
+  enum class ColorTerms : unsigned char { five, rgb };
+  Numeric color(ColorTerms terms = ColorTerms::five);
   Numeric color_base();         // at rgb..., srgb...
   void color_items(Numeric& out);
   void to_working_space(Numeric& value);
@@ -260,10 +275,21 @@ struct Parser::Impl {
     std::uintmax_t size = 0;
     std::filesystem::file_time_type time;
   };
+  // Where the statement under way began, and what failed before.
+  struct Recovery {
+    const TokenFile* file = nullptr;
+    std::uint32_t token = 0;
+    std::size_t frames = 0, conditions = 0;
+    std::set<std::uint32_t> failed_names;
+    std::set<std::tuple<std::string, int, std::string>> reported;
+    int failures = 0;
+    std::uint64_t steps_left = 0;
+  } recovery;
   std::unordered_map<std::string, CachedFile> file_cache;  // by path
   std::unordered_map<std::string, std::filesystem::path> include_locations;
   std::set<std::string> files_seen;
   std::size_t tokens_total = 0;
+  HugeHeap heap;
   std::uint64_t steps = 0, next_check = 1 << 16;
   int depth = 0;
   int depth_of_parentheses = 0;
@@ -282,7 +308,7 @@ struct Parser::Impl {
   };
   std::unordered_map<const scene::Object*, QueryTarget> query_targets;
   std::vector<FunctionPtr> internal_functions;
-  struct FunctionContext* function_context = nullptr;
+  std::uint32_t declaring = 0;  // the name that a #declare or #local under way gives a value: a function may call itself
 
   scene::Scene scene;
   scene::TexturePtr default_texture;
@@ -310,7 +336,7 @@ class Nesting {
   explicit Nesting(Parser::Impl& impl) : impl_(impl) {
     if (++impl.depth > impl.options.limits.max_depth) {
       --impl.depth;
-      impl.error("Nested deeper than " + std::to_string(impl.options.limits.max_depth) + " levels.", "--max-depth raises this limit.");
+      impl.fatal("Nested deeper than " + std::to_string(impl.options.limits.max_depth) + " levels.", "--max-depth raises this limit.");
     }
   }
   ~Nesting() { --impl_.depth; }

@@ -79,7 +79,7 @@ void Parser::Impl::macro_argument() {
 
 void Parser::Impl::call_macro(Symbol& symbol) {
   const Nesting nesting(*this);
-  if (static_cast<int>(frames.size()) >= options.limits.max_depth) error("Too many nested macro calls.", "--max-depth raises this limit.");
+  if (static_cast<int>(frames.size()) >= options.limits.max_depth) fatal("Too many nested macro calls.", "--max-depth raises this limit.");
   const Shared<Macro> macro = std::get<Shared<Macro>>(symbol.value());
   const TokenFile* in = file;
   const std::uint32_t call = index(position);

@@ -31,6 +31,7 @@ std::string Parser::Impl::describe(const Token& token) {
     case TokenKind::number: return fmt::format("number {}", token.number());
     case TokenKind::string: return "string literal";
     case TokenKind::directive: return fmt::format("'#{}'", spelling(token.word));
+    case TokenKind::vector:
     case TokenKind::punctuation: return fmt::format("'{}'", punctuation_text(token.punctuation));
     case TokenKind::word: {
       const char* kind = nullptr;  // keywords stand for themselves
@@ -112,6 +113,8 @@ void Parser::Impl::give(Severity severity, const std::string& text, const std::s
 
 void Parser::Impl::error(const std::string& text, const std::string& advice) { throw ParseError{diagnostic(Severity::error, text, advice)}; }
 
+void Parser::Impl::fatal(const std::string& text, const std::string& advice) { throw ParseError{diagnostic(Severity::error, text, advice), true}; }
+
 void Parser::Impl::expected(std::string_view what) {
   const Token& token = position->kind == TokenKind::error ? *position : peek_blocked();
   if (token.kind == TokenKind::error) lex_error(token);
@@ -131,6 +134,11 @@ void Parser::Impl::expected(std::string_view what) {
 
 void Parser::Impl::undeclared(std::uint32_t name) {
   const std::string_view text = names[name].text;
+  const std::string message = fmt::format("Undeclared identifier '{}'.", text);
+  // Looking for what was meant takes a while: not for errors that will not be shown, as those of later passes of a loop.
+  if (touches_failed_name()) error(message);
+  const Diagnostic here = diagnostic(Severity::error, message, {});
+  if (recovery.reported.contains({here.file, here.line, message})) throw ParseError{here};
   std::vector<std::string_view> candidates;
   for (std::uint32_t id = 1; id < names.size(); ++id)
     if (names[id].symbol || names[id].word != Word::none) candidates.push_back(names[id].text);
@@ -143,7 +151,7 @@ void Parser::Impl::undeclared(std::uint32_t name) {
   } else if (!likely.empty()) {
     advice = fmt::format("Did you mean '{}'?", likely);
   }
-  error(fmt::format("Undeclared identifier '{}'.", text), advice);
+  error(message, advice);
 }
 
 void Parser::Impl::lex_error(const Token& token) {
@@ -155,7 +163,7 @@ void Parser::Impl::lex_error(const Token& token) {
     text = byte >= 0x21 && byte < 0x7f ? fmt::format("Illegal character '{}' in input file.", static_cast<char>(byte))
                                        : fmt::format("Illegal character in input file: value {:#04x}.", byte);
   }
-  error(text);
+  fatal(text);
 }
 
 void Parser::Impl::check_deprecated(Symbol& symbol) {
@@ -168,7 +176,7 @@ void Parser::Impl::check_deprecated(Symbol& symbol) {
 void Parser::Impl::text_directive(Word word) {
   const std::string text = utf8(string(false));
   switch (word) {
-    case Word::error: error("Parse halted by #error directive: " + text);
+    case Word::error: fatal("Parse halted by #error directive: " + text);
     case Word::warning: give(Severity::warning, text, {}); return;
     case Word::render:
     case Word::statistics:
@@ -182,8 +190,9 @@ void Parser::Impl::text_directive(Word word) {
 // ---- The public face ----
 
 void Parser::error(const std::string& text, const std::string& advice) { impl_->error(text, advice); }
+void Parser::fatal(const std::string& text, const std::string& advice) { impl_->fatal(text, advice); }
 void Parser::error_expected(std::string_view what) { impl_->expected(what); }
-void Parser::unsupported(const std::string& what) { throw ParseError{impl_->diagnostic(Severity::unsupported, what + " is not supported.", {})}; }
+void Parser::unsupported(const std::string& what) { throw ParseError{impl_->diagnostic(Severity::unsupported, what + " is not supported.", {}), true}; }
 void Parser::warning(const std::string& text) { impl_->message(Severity::warning, text); }
 void Parser::possible_error(const std::string& text) { impl_->message(Severity::possible_error, text); }
 

@@ -83,23 +83,33 @@ void Parser::Impl::start(std::shared_ptr<const TokenFile> main) {
     enter_file(load(*found, found->string(), false), 0);
   }
   try {
-    top_level();
-    finish();
+    for (bool more = true; more;) {
+      more = false;
+      try {
+        top_level();
+      } catch (ParseError& failure) {
+        more = recover(failure);
+        if (!more) return;
+      }
+    }
+    if (report.errors.empty()) finish();
   } catch (const std::bad_alloc&) {
-    error("The scene needs more memory than there is.");
+    fatal("The scene needs more memory than there is.");
   } catch (const std::exception& e) {  // from the tracer: what it cannot make of an object
-    error(e.what());
+    fatal(e.what());
   }
 }
 
 void Parser::Impl::top_level() {
   for (;;) {
     const Token token = peek();
+    mark_statement();
     if (token.kind == TokenKind::end) {
-      if (!conditions.empty()) error("End of file reached, but #end expected.");
+      if (!conditions.empty()) fatal("End of file reached, but #end expected.");
       return;
     }
     count_steps(1);
+    const Nesting statement(*this);
     if (parse_statement(parser)) continue;
     if (token.kind == TokenKind::word && token.word == Word::version) return;  // the rest is ignored (spec 01 section 25)
     if (!legacy_directive()) expected("object or directive");
@@ -120,15 +130,18 @@ bool Parser::Impl::legacy_directive() {
 
 void Parser::Impl::finish() {
   scene.version = parser.effective_version();
-  if (!version_seen && !options.version)
-    message(Severity::warning, "This scene has no #version directive: it is rendered as version 3.62.", "Begin it with #version 3.7;");
-  else if (version_seen && !version_is_first)
-    message(Severity::warning, "The #version directive is not the first statement of the scene.");
   if (!scene.settings.gamma_given && scene.version >= 370) {
     message(Severity::possible_error, "assumed_gamma is not set: 1.0 is taken.", "Put global_settings { assumed_gamma 1.0 } into the scene.");
     scene.settings.gamma = scene::Gamma::power;
     scene.settings.assumed_gamma = 1;
+  } else if (!scene.settings.gamma_given) {
+    message(Severity::warning, "assumed_gamma is not set: colours are not corrected, as before version 3.7.");
   }
+  if (!version_seen && !options.version)
+    message(Severity::warning, "This scene has no #version directive: it is rendered as version 3.62.", "Begin it with #version 3.7;");
+  else if (version_seen && !version_is_first)
+    message(Severity::warning, "The #version directive is not the first statement of the scene.");
+  if (scene.version <= 310) message(Severity::warning, "The scene ends with language version 3.1 or earlier: not every oddity of those versions is imitated.");
   if (scene.version < 350) scene.version = 350;
   finish_scene(parser);
   if (spline_used) message(Severity::warning, "Splines are an experimental feature of POV-Ray.");
@@ -148,7 +161,7 @@ Parser::Depth::Depth(Parser& p) : parser(p) {
   Impl& impl = *p.impl_;
   if (++impl.depth > impl.options.limits.max_depth) {
     --impl.depth;
-    impl.error(fmt::format("Nested deeper than {} levels.", impl.options.limits.max_depth), "--max-depth raises this limit.");
+    impl.fatal(fmt::format("Nested deeper than {} levels.", impl.options.limits.max_depth), "--max-depth raises this limit.");
   }
 }
 Parser::Depth::~Depth() { --parser.impl_->depth; }

@@ -13,9 +13,10 @@
 
 namespace verisim::parser {
 
-// Thrown by error(); caught where parsing can go on, or by parse_file.
+// Thrown by error(); caught where parsing can go on (recovery.cpp), or by parse_file.
 struct ParseError {
   Diagnostic diagnostic;
+  bool last = false;  // parsing must not go on
 };
 
 class Parser {
@@ -71,6 +72,7 @@ class Parser {
 
   // ---- Messages ----
   [[noreturn]] void error(const std::string& message, const std::string& advice = {});          // at the last token read
+  [[noreturn]] void fatal(const std::string& message, const std::string& advice = {});          // the same, and parsing ends here: limits
   [[noreturn]] void error_expected(std::string_view what);                                       // "Expected 'what', <next token> found instead"
   [[noreturn]] void unsupported(const std::string& what);                                        // exit status 4
   void warning(const std::string& message);

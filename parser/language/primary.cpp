@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "parser/language/impl.h"
+#include "tracer/functions/expression.h"
 
 namespace verisim::parser {
 namespace {
@@ -37,6 +38,13 @@ void Parser::Impl::primary(int width, Numeric& out) {
     case TokenKind::word:
       if (!word_operand(token.word, out)) expected("numeric expression");
       break;
+    case TokenKind::vector: {
+      const double* numbers = file->vector(token);
+      out.terms = static_cast<int>(token.terms());
+      for (std::size_t i = 0; i < token.terms(); ++i) out.v[i] = numbers[i];
+      skip_token();
+      break;
+    }
     case TokenKind::punctuation:
       if (token.punctuation == '(') parenthesis(out);
       else if (token.punctuation == '<') vector_literal(out);
@@ -131,6 +139,7 @@ void Parser::Impl::call_function(const Function& function, Numeric& out) {
   skip_token();
   double values[kMaxFunctionComponents]{};
   function.evaluate({arguments_of_call.data(), static_cast<std::size_t>(count)}, values);
+  if (functions::take_loop_overrun()) error("A sum or prod of the function runs over more values than can be added in any reasonable time.");
   out.terms = function.components();
   std::copy(std::begin(values), std::end(values), out.v.begin());
 }

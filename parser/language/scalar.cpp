@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "parser/language/impl.h"
+#include "tracer/functions/expression.h"
 
 namespace verisim::parser {
 namespace {
@@ -36,6 +37,7 @@ class Scanner {
       case TokenKind::identifier: return blocked_ || !p_.names[at_->id()].symbol || !p_.names[at_->id()].symbol->is_macro;
       case TokenKind::word:
       case TokenKind::number:
+      case TokenKind::vector:
       case TokenKind::string: return true;
       default: return false;
     }
@@ -53,6 +55,7 @@ class Scanner {
     if (!sum(out, depth)) return false;
     const char operation = at_->punctuation;
     if (operation == ')') return true;
+    if (at_->kind == TokenKind::vector) return false;
     if (operation != '<' && operation != '>' && operation != '=' && operation != kLessEqual && operation != kGreaterEqual && operation != kNotEqual) return false;
     ++at_;
     double right;
@@ -186,6 +189,7 @@ class Scanner {
       ++at_;
     }
     function.evaluate({values, static_cast<std::size_t>(count)}, &out);
+    if (std::isnan(out) && functions::take_loop_overrun()) return false;  // the general path makes an error of it
     return at_->punctuation != '.';
   }
 
@@ -268,34 +272,48 @@ bool Parser::Impl::condition_fast(double& out) {
   return true;
 }
 
-bool Parser::Impl::literal_vector(Vec3& out) {
-  const Token* at = position;
-  if (at->punctuation != '<') return false;
-  ++at;
-  double v[3];
-  for (int i = 0; i < 3; ++i) {
-    const bool negative = at->punctuation == '-';
-    if (negative) ++at;
-    if (at->kind != TokenKind::number) return false;
-    v[i] = negative ? -at->number() : at->number();
-    ++at;
-    if (at->punctuation != (i == 2 ? '>' : ',')) return false;
-    ++at;
-  }
-  // What could continue the expression: an operator, a component, a directive, a macro.
-  switch (at->kind) {
+// The expression ends before this token: no operator, component, directive or macro can continue it. A '>' closes a vector unless comparisons are allowed.
+bool Parser::Impl::ends_expression(const Token& token, bool in_full_expression) const {
+  switch (token.kind) {
     case TokenKind::punctuation:
-      if (at->punctuation == '+' || at->punctuation == '-' || at->punctuation == '*' || at->punctuation == '/' || at->punctuation == '.') return false;
-      break;
-    case TokenKind::identifier:
-    case TokenKind::directive:
-    case TokenKind::end:
-    case TokenKind::error: return false;
-    default: break;
+      switch (token.punctuation) {
+        case ',': case ';': case ')': case '}': case ']': case '{': return true;
+        case '>': return !in_full_expression;
+        default: return false;
+      }
+    case TokenKind::identifier: return blocked || !names[token.id()].symbol || !names[token.id()].symbol->is_macro;
+    case TokenKind::word:
+    case TokenKind::number:
+    case TokenKind::vector:
+    case TokenKind::string: return true;
+    default: return false;
   }
-  position = at;
-  ready = false;
-  out = {v[0], v[1], v[2]};
+}
+
+bool Parser::Impl::literal_vector(std::size_t terms, double* out) {
+  const Token& token = *position;
+  if (token.kind != TokenKind::vector || token.terms() != terms || !ends_expression(position[1], false)) return false;
+  const double* numbers = file->vector(token);
+  for (std::size_t i = 0; i < terms; ++i) out[i] = numbers[i];
+  skip_token();
+  return true;
+}
+
+bool Parser::Impl::literal(bool in_full_expression, Numeric& out) {
+  const Token& token = *position;
+  if (token.kind == TokenKind::number) {
+    if (!ends_expression(position[1], in_full_expression)) return false;
+    out.v.fill(token.number());
+    out.terms = 1;
+  } else if (token.kind == TokenKind::vector) {
+    if (!ends_expression(position[1], in_full_expression)) return false;
+    out.terms = static_cast<int>(token.terms());
+    const double* numbers = file->vector(token);
+    for (std::size_t i = 0; i < token.terms(); ++i) out.v[i] = numbers[i];
+  } else {
+    return false;
+  }
+  skip_token();
   return true;
 }
 

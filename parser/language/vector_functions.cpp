@@ -14,7 +14,7 @@ Numeric vector(const Vec3& v) { return {{v.x, v.y, v.z}, 3}; }
 }  // namespace
 
 Vec3 Parser::Impl::vector_argument() {
-  if (Vec3 v; literal_vector(v)) return v;
+  if (Vec3 v; literal_vector(3, &v.x)) return v;
   Numeric n;
   additive(3, n);
   fit(n, 3);
@@ -71,7 +71,7 @@ Vec3 extent(Parser::Impl& p, bool maximum) {
   Vec3 result(0, 0, 0);
   if (value && std::holds_alternative<scene::PigmentPtr>(*value)) {
     const scene::PigmentPtr pigment = std::get<scene::PigmentPtr>(p.resolve().value());
-    const auto* image = std::get_if<scene::ImageParams>(&pigment->pattern.params);
+    const auto* image = std::get_if<scene::ImageParams>(&*pigment->pattern.params);
     if (!maximum || !image || !image->image || pigment->pattern.kind != scene::PatternKind::image_map)
       p.error("max_extent() of a pigment needs an image_map.");
     result = {static_cast<double>(image->image->width), static_cast<double>(image->image->height), 0};

@@ -50,6 +50,7 @@ bool is_directive(Word word) {
 // Writes tokens; shared by all parsers of the grammar.
 struct Sink {
   Tokens& tokens;
+  Numbers& numbers;
   Names& names;
   const char* begin;
   std::size_t max_tokens;
@@ -65,7 +66,40 @@ struct Sink {
     hash = comment = false;
     if (tokens.size() >= max_tokens) return fail(LexError::too_many_tokens, begin + token.offset);
     tokens.push_back(token);
+    if (token.punctuation == '>') pack_vector();
     return true;
+  }
+  // Large scenes are mostly literal vectors: one token for each saves memory and time. Not behind what may be an operand, where '<' may be "less than".
+  void pack_vector() {
+    std::size_t at = tokens.size() - 1, terms = 0;
+    double values[5];
+    for (;;) {
+      if (at < 2 || terms == 5 || tokens[at - 1].kind != TokenKind::number) return;
+      double value = tokens[--at].number();
+      if (tokens[at - 1].punctuation == '-') value = -value, --at;
+      values[terms++] = value;
+      if (at < 1) return;
+      const char before = tokens[--at].punctuation;
+      if (before == '<') break;
+      if (before != ',') return;
+    }
+    if (terms < 2 || at < 1 || tokens[at].kind != TokenKind::punctuation) return;
+    const Token& previous = tokens[at - 1];
+    switch (previous.kind) {
+      case TokenKind::punctuation:
+        if (previous.punctuation == ')' || previous.punctuation == ']' || previous.punctuation == '>') return;
+        break;
+      case TokenKind::word:
+        if (word_class(previous.word) != WordClass::keyword && word_class(previous.word) != WordClass::color) return;
+        break;
+      case TokenKind::vector: break;
+      default: return;
+    }
+    if (numbers.size() + terms > 0xffffffffu) return;
+    tokens[at].kind = TokenKind::vector;
+    tokens[at].payload = numbers.size() | (std::uint64_t{terms} << 32);
+    while (terms) numbers.push_back(values[--terms]);
+    tokens.resize(at + 1);
   }
   bool fail(LexError error, const char* at) {
     Token token;
@@ -348,7 +382,7 @@ std::shared_ptr<const TokenFile> tokenise(std::shared_ptr<const Source> source, 
   const char* const last = first + text.size();
   // Address space only: pages are touched as tokens arrive.
   file->tokens.reserve(std::min<std::size_t>(text.size() / 3 + 16, std::size_t{1} << 26));
-  Sink sink{file->tokens, names, first, max_tokens};
+  Sink sink{file->tokens, file->numbers, names, first, max_tokens};
   if (main_file)
     while (first != last && static_cast<unsigned char>(*first) >= 0x80) ++first, file->starts_with_high_bytes = true;
 

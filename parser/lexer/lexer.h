@@ -32,12 +32,15 @@ struct HugePageAllocator {
   friend bool operator==(const HugePageAllocator&, const HugePageAllocator&) { return true; }
 };
 using Tokens = std::vector<Token, HugePageAllocator<Token>>;
+using Numbers = std::vector<double, HugePageAllocator<double>>;
 
 struct TokenFile : std::enable_shared_from_this<TokenFile> {
   std::shared_ptr<const Source> source;
   Tokens tokens;  // the last one has kind end or error
+  Numbers numbers;  // of literal vectors
   bool starts_with_high_bytes = false;
 
+  const double* vector(const Token& token) const { return numbers.data() + token.id(); }
   // The bytes between the quotes of a string token, escapes untouched.
   std::string_view raw_string(const Token& token) const { return source->text().substr(token.offset + 1, token.id()); }
 };

@@ -1,6 +1,7 @@
 // density { ... } of media (spec 05 section 4, 07 section 4).
 #include "parser/scene/common.h"
 #include "parser/scene/maps.h"
+#include "parser/scene/nesting.h"
 #include "parser/scene/pattern.h"
 
 namespace verisim::parser {
@@ -72,6 +73,7 @@ scene::DensityPtr parse_density_body(Parser& parser) {
   auto density = std::make_shared<Density>(*original);
   if (parser.at(Word::uv_mapping)) {
     read_uv_mapped(parser, *density);
+    check_nesting(parser, *density);
     return density;
   }
   bool changed = parse_type(parser, *density);
@@ -79,6 +81,7 @@ scene::DensityPtr parse_density_body(Parser& parser) {
   if (!changed) return original;
   if (density->pattern.kind == PatternKind::average && !density->density_map) parser.error("Average must have map.");
   check_pattern(parser, density->pattern);
+  check_nesting(parser, *density);
   return density;
 }
 

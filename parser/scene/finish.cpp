@@ -35,10 +35,13 @@ void parse_reflection(Parser& parser, scene::Reflection& reflection) {
   }
   for (;;) {
     switch (word_at(parser)) {
-      case Word::fresnel:
+      case Word::fresnel: {
         parser.next();
-        reflection.fresnel = parser.parse_flag();
+        const double fresnel = parser.parse_optional_float(1);
+        if (!(fresnel >= 0 && fresnel <= 1)) parser.error("fresnel must be true or false.");
+        reflection.fresnel = fresnel > 0;
         continue;
+      }
       case Word::falloff:
         parser.next();
         reflection.falloff = to_float(parser.parse_float());

@@ -28,7 +28,7 @@ class LightReader {
   scene::Object& object;
   bool circular = false, orient = false;
 
-  LightSource& light() { return std::get<LightSource>(object.shape); }
+  LightSource& light() { return *object.as<LightSource>(); }
 
   [[noreturn]] void error_standard(const char* keyword) {
     parser.error(std::string("Keyword '") + keyword + "' cannot be used with standard light source.");
@@ -94,8 +94,9 @@ class LightReader {
     auto& shape = const_cast<scene::Object&>(*attached);
     scene::translate(shape, light().position);
     shape.no_shadow = true;
-    shape.photons.pass_through = true;
-    shape.photons.given = true;
+    scene::PhotonFlags& photons = shape.photons.edit();
+    photons.pass_through = true;
+    photons.given = true;
     light().looks_like = attached;
   }
 
@@ -204,7 +205,7 @@ bool parse_light_group_item(Parser& parser, scene::Object& object) {
     return true;
   }
   if (parser.at(Word::photons)) {
-    parse_object_photons(parser, object.photons);
+    parse_object_photons(parser, object.photons.edit());
     return true;
   }
   return parse_object_transform(parser, object);

@@ -52,6 +52,7 @@ void read_color_entry(Parser& parser, scene::ColorMap& map, float position) {
     return;
   }
   parser.optional_comma();
+  if (!at_color(parser) && !parser.at_number_start()) parser.error_expected("color");
   const Color first = parser.parse_color();
   if (!parser.at(Word::color)) parser.error_expected("color");
   map.push_back({position, first});
@@ -109,7 +110,7 @@ Shared<scene::BlendMap<scene::DensityPtr>> parse_density_map(Parser& parser, boo
 
 Shared<scene::ColorMap> parse_color_list(Parser& parser, int size, scene::PatternKind kind) {
   auto map = std::make_shared<scene::ColorMap>();
-  for (int i = 0; i < size && at_color(parser); ++i) {
+  for (int i = 0; i < size && (at_color(parser) || parser.at_number_start()); ++i) {
     map->push_back({static_cast<float>(i), parser.parse_color()});
     parser.optional_comma();
   }

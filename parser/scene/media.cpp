@@ -114,7 +114,7 @@ scene::Media parse_media(Parser& parser) {
       case Word::density: media.densities.push_back(parse_density(parser)); continue;
       case Word::collect:
         parser.next();
-        media.collect = parser.parse_float() > 0;
+        media.collect = parser.parse_flag();
         continue;
       default: break;
     }

@@ -1,6 +1,7 @@
 // normal { ... } (spec 05 section 10).
 #include "parser/scene/common.h"
 #include "parser/scene/maps.h"
+#include "parser/scene/nesting.h"
 #include "parser/scene/pattern.h"
 
 namespace verisim::parser {
@@ -86,6 +87,7 @@ scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start
   auto normal = original ? std::make_shared<Normal>(*original) : std::make_shared<Normal>();
   if (parser.at(Word::uv_mapping)) {
     read_uv_mapped(parser, *normal);
+    check_nesting(parser, *normal);
     return normal;
   }
   bool changed = parse_type(parser, *normal);
@@ -97,6 +99,7 @@ scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start
   if (!changed) return original ? original : normal;
   if (normal->pattern.kind == PatternKind::average && !normal->normal_map) parser.error("Average must have map.");
   check_pattern(parser, normal->pattern);
+  check_nesting(parser, *normal);
   return normal;
 }
 

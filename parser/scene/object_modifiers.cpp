@@ -106,7 +106,7 @@ bool parse_modifier(Parser& parser, Object& object) {
       if (object.texture) parser.error("uv_mapping must be specified before texture.");
       object.uv_mapping = true;
       return true;
-    case Word::photons: parse_object_photons(parser, object.photons); return true;
+    case Word::photons: parse_object_photons(parser, object.photons.edit()); return true;
     case Word::radiosity: parse_radiosity(parser, object); return true;
     case Word::cutaway_textures: {
       const auto* csg = object.as<scene::Csg>();

@@ -173,8 +173,8 @@ TEST(Csg, FlagsRunDownTheTree) {
   for (const auto& child : object->as<scene::Csg>()->children) {
     EXPECT_TRUE(child->no_shadow && child->no_image && !child->no_reflection);
     EXPECT_EQ(child->radiosity_importance, .5f);
-    EXPECT_TRUE(child->photons.target && !child->photons.collect);
-    EXPECT_EQ(child->photons.refraction, scene::Flag::on);
+    EXPECT_TRUE(child->photons->target && !child->photons->collect);
+    EXPECT_EQ(child->photons->refraction, scene::Flag::on);
   }
   EXPECT_TRUE(object_of("union{sphere{0,1 no_shadow} box{0,1 no_shadow}}")->no_shadow);
   EXPECT_FALSE(object_of("union{sphere{0,1 no_shadow} box{0,1}}")->no_shadow);
@@ -183,8 +183,8 @@ TEST(Csg, FlagsRunDownTheTree) {
 TEST(Modifiers, TextureLayersAndParts) {
   const auto object = sphere_with("texture{pigment{rgb x}} texture{pigment{rgbt <0,0,1,.5>}} finish{ambient 1}");
   ASSERT_EQ(object->texture->layers.size(), 2u);
-  EXPECT_EQ(object->texture->layers[0].finish.ambient, Rgb(.1f));
-  EXPECT_EQ(object->texture->layers[1].finish.ambient, Rgb(1.f));
+  EXPECT_EQ(object->texture->layers[0].finish->ambient, Rgb(.1f));
+  EXPECT_EQ(object->texture->layers[1].finish->ambient, Rgb(1.f));
 }
 
 TEST(Modifiers, FilterBecomesTransmitInUpperLayersUpTo310) {

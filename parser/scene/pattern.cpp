@@ -69,7 +69,7 @@ bool starts_without_frequency(PatternKind kind) {
 
 void set_kind(Parser& parser, Pattern& pattern, PatternKind kind, PatternOwner owner) {
   pattern.kind = kind;
-  pattern.params = std::monostate{};
+  pattern.params.reset();
   if (starts_without_frequency(kind)) pattern.frequency = 0;
   // Before 3.0 `texture { marble }` meant the ramp of older versions (spec 05 section 13).
   const bool old_texture = owner == PatternOwner::texture && parser.version() < 300;

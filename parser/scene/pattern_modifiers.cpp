@@ -15,7 +15,7 @@ namespace {
 
 template <class Params>
 Params& params_of(Parser& parser, Pattern& pattern, Word word, std::string_view where) {
-  if (auto* params = std::get_if<Params>(&pattern.params)) return *params;
+  if (auto* params = std::get_if<Params>(&pattern.params.edit())) return *params;
   error_only_in(parser, word, where);
 }
 
@@ -50,7 +50,7 @@ bool parse_wave(Parser& parser, Pattern& pattern) {
 // exterior and interior: of fractals with a type and a factor, of pavements with one number.
 void parse_exterior(Parser& parser, Pattern& pattern, PatternOwner owner) {
   parser.next();
-  if (auto* tiles = std::get_if<scene::PavementParams>(&pattern.params)) {
+  if (auto* tiles = std::get_if<scene::PavementParams>(&pattern.params.edit())) {
     tiles->exterior = parser.parse_int();
     return;
   }
@@ -64,7 +64,7 @@ void parse_exterior(Parser& parser, Pattern& pattern, PatternOwner owner) {
 
 void parse_interior_type(Parser& parser, Pattern& pattern) {
   parser.next();
-  if (auto* tiles = std::get_if<scene::PavementParams>(&pattern.params)) {
+  if (auto* tiles = std::get_if<scene::PavementParams>(&pattern.params.edit())) {
     tiles->interior = parser.parse_int();
     return;
   }
@@ -76,7 +76,7 @@ void parse_interior_type(Parser& parser, Pattern& pattern) {
 }
 
 void parse_exponent(Parser& parser, Pattern& pattern) {
-  auto* params = std::get_if<scene::FractalParams>(&pattern.params);
+  auto* params = std::get_if<scene::FractalParams>(&pattern.params.edit());
   if (!params || params->magnet) error_only_in(parser, Word::exponent, "a mandel or julia statement");
   parser.next();
   params->exponent = parser.parse_int();
@@ -88,7 +88,7 @@ void parse_exponent(Parser& parser, Pattern& pattern) {
 
 void parse_form(Parser& parser, Pattern& pattern) {
   parser.next();
-  if (auto* tiles = std::get_if<scene::PavementParams>(&pattern.params)) {
+  if (auto* tiles = std::get_if<scene::PavementParams>(&pattern.params.edit())) {
     tiles->form = parser.parse_int();
     return;
   }
@@ -98,7 +98,7 @@ void parse_form(Parser& parser, Pattern& pattern) {
 void parse_metric(Parser& parser, Pattern& pattern) {
   parser.next();
   const double metric = parser.parse_vec3().x;
-  if (auto* crackle = std::get_if<scene::CrackleParams>(&pattern.params)) {
+  if (auto* crackle = std::get_if<scene::CrackleParams>(&pattern.params.edit())) {
     crackle->metric = metric;
   } else {
     params_of<scene::FacetsParams>(parser, pattern, Word::metric, "a facets or crackle statement").metric = metric;
@@ -106,8 +106,7 @@ void parse_metric(Parser& parser, Pattern& pattern) {
 }
 
 scene::Turbulence& turbulence(Pattern& pattern) {
-  if (!pattern.turbulence) pattern.turbulence.emplace();
-  return *pattern.turbulence;
+  return pattern.turbulence.edit();
 }
 
 // Parameters of single kinds of pattern.
@@ -243,7 +242,7 @@ bool parse_pattern_modifier(Parser& parser, Pattern& pattern, PatternOwner owner
 }
 
 void check_pattern(Parser& parser, const Pattern& pattern) {
-  const auto* tiles = std::get_if<scene::PavementParams>(&pattern.params);
+  const auto* tiles = std::get_if<scene::PavementParams>(&*pattern.params);
   if (!tiles) return;
   constexpr int kTriangles[] = {1, 1, 1, 3, 4, 12}, kSquares[] = {1, 1, 2, 5, 12, 35}, kHexagons[] = {1, 1, 3, 7, 22};
   if (tiles->sides != 3 && tiles->sides != 4 && tiles->sides != 6) parser.error("Pavement: number_of_sides must be 3, 4 or 6.");

@@ -141,7 +141,7 @@ void parse_object_photons(Parser& parser, scene::PhotonFlags& photons) {
         continue;
       case Word::collect:
         parser.next();
-        photons.collect = parser.parse_float() > 0;
+        photons.collect = parser.parse_flag();
         continue;
       case Word::pass_through:
         parser.next();

@@ -1,6 +1,7 @@
 // pigment { ... } (spec 05 sections 2 and 4).
 #include "parser/scene/common.h"
 #include "parser/scene/maps.h"
+#include "parser/scene/nesting.h"
 #include "parser/scene/pattern.h"
 
 namespace verisim::parser {
@@ -79,6 +80,7 @@ scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& st
   pigment = std::make_shared<Pigment>(*original);
   if (parser.at(Word::uv_mapping)) {
     read_uv_mapped(parser, *pigment);
+    check_nesting(parser, *pigment);
     return pigment;
   }
   changed = parse_type(parser, *pigment);
@@ -87,6 +89,7 @@ scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& st
   if (!changed) return original;  // shared, so that equal pigments are compiled once
   if (pigment->pattern.kind == PatternKind::average && !pigment->pigment_map) parser.error("Average must have map.");
   check_pattern(parser, pigment->pattern);
+  check_nesting(parser, *pigment);
   return pigment;
 }
 

@@ -2,6 +2,7 @@
 
 #include "parser/scene/common.h"
 #include "parser/scene/maps.h"
+#include "parser/scene/nesting.h"
 #include "parser/scene/pattern.h"
 
 namespace verisim::parser {
@@ -52,19 +53,22 @@ bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
     }
     case Word::none:
       if (parser.peek().kind == TokenKind::number) {
-        layer.finish.crand = to_float(parser.parse_float());
+        layer.finish.edit().crand = to_float(parser.parse_float());
         parser.warning("Should use crand keyword in finish statement.");
         return true;
       }
       break;
     default: break;
   }
+  const Word word = word_at(parser);
   scene::Finish finish = layer.finish;
   if (parse_finish_items(parser, finish)) {
     layer.finish = finish;
+    if (parser.version() < 150) parser.warning("Found '" + std::string(spelling(word)) + "' that should be in a finish statement.");
     return true;
   }
   if (word_at(parser) == Word::none && !at_color(parser)) return false;
+  if (at_color(parser) && parser.version() < 150) parser.warning("Found a colour that should be in a pigment statement.");
   scene::PigmentPtr pigment = parse_pigment_body(parser, layer.pigment, true);
   const bool changed = pigment != layer.pigment;
   layer.pigment = pigment;
@@ -181,6 +185,7 @@ scene::TexturePtr parse_patterned(Parser& parser) {
     if (!parse_pattern_type(parser, texture->pattern, PatternOwner::texture, read_list)) return nullptr;
   }
   parse_patterned_items(parser, *texture);
+  check_nesting(parser, *texture);
   return texture;
 }
 
@@ -191,6 +196,7 @@ scene::TexturePtr parse_uv_mapped(Parser& parser) {
   auto map = std::make_shared<scene::BlendMap<scene::TexturePtr>>();
   map->push_back({0, parse_texture_body(parser)});
   texture->texture_map = map;
+  check_nesting(parser, *texture);
   return texture;
 }
 
@@ -219,10 +225,13 @@ void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::Texture
   }
   require_plain(parser, texture);
   if (added->patterned()) parser.error("Cannot layer a patterned texture over another.");
-  auto result = std::make_shared<Texture>(*texture);
+  // A texture that nobody else holds grows in place: thousands of layers would otherwise be copied thousands of times.
+  const bool own = texture.use_count() == 1;
+  const std::size_t before = texture->layers.size();
+  auto result = own ? std::const_pointer_cast<Texture>(texture) : std::make_shared<Texture>(*texture);
   result->layers.insert(result->layers.end(), added->layers.begin(), added->layers.end());
   if (parser.version() <= 310) {
-    for (std::size_t i = texture->layers.size(); i < result->layers.size(); ++i) result->layers[i].pigment = filter_to_transmit(result->layers[i].pigment);
+    for (std::size_t i = before; i < result->layers.size(); ++i) result->layers[i].pigment = filter_to_transmit(result->layers[i].pigment);
   }
   texture = result;
 }

@@ -75,7 +75,7 @@ TEST(Pigments, UvMappingWrapsTheRest) {
 }
 
 TEST(Pigments, ParametersOfPatterns) {
-  const auto params = [](const char* text) { return pigment_of(text)->pattern.params; };
+  const auto params = [](const char* text) { return pigment_of(text)->pattern.params.value_or({}); };
   EXPECT_EQ(std::get<scene::CrackleParams>(params("crackle form <1,2,3> metric <4,5,6> offset 7 solid")).metric, 4);
   EXPECT_EQ(std::get<scene::BrickParams>(params("brick brick_size 2 mortar .25")).mortar, .25f);
   EXPECT_EQ(std::get<scene::FractalParams>(params("magnet 2 julia <.1,.2>,30 exterior 3,.5")).exterior_factor, .5);
@@ -95,7 +95,7 @@ TEST(Pigments, BlackHolesAreFittedIntoTheirBlocks) {
 
 TEST(Pigments, FunctionImagesWrapAround) {
   const auto pigment = pigment_of("image_map{function 3,2{x*2-.3} interpolate 2 once}");
-  const auto& params = std::get<scene::ImageParams>(pigment->pattern.params);
+  const auto& params = std::get<scene::ImageParams>(*pigment->pattern.params);
   ASSERT_EQ(params.image->width, 3);
   EXPECT_EQ(params.image->pixels[0], 45876 / 65535.0f);  // -0.3 in 16 bits without a sign
   EXPECT_TRUE(params.once);

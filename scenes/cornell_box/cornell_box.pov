@@ -1,10 +1,21 @@
 // The Cornell box from its measured data (cornell_box.json in this folder): geometry in millimetres, spectra integrated to linear sRGB.
-// README.md explains every number. Without radiosity, so that any renderer draws it the same way, pixel by pixel.
+// README.md explains every number. Without radiosity, so that any renderer draws it the same way, pixel by pixel; the other forms (cornell_box_*.pov) declare what is
+// different and include this file.
 #version 3.7;
+
+#ifndef (Interreflection) #declare Interreflection = "ambient"; #end  // or "none", "radiosity"
+#ifndef (Spheres) #declare Spheres = false; #end                     // glass and mirror spheres in the place of the blocks
+#ifndef (Max_Trace_Level) #declare Max_Trace_Level = 5; #end
 
 global_settings {
   assumed_gamma 1
-  max_trace_level 5
+  max_trace_level Max_Trace_Level
+  #if (strcmp(Interreflection, "radiosity") = 0)
+    radiosity {
+      pretrace_start 0.08 pretrace_end 0.01
+      count 200 nearest_count 8 error_bound 0.4 recursion_limit 3 minimum_reuse 0.01 brightness 1
+    }
+  #end
 }
 
 // ---- Printed by `spectra cornell_box.json` -------------------------------------------------------------------------------------------
@@ -18,6 +29,14 @@ global_settings {
 #declare Room_Area = 1.83969e+06;
 // ---------------------------------------------------------------------------------------------------------------------------------------
 
+// The form of wavelength bands: red, green and blue of the picture are bands 3 k, 3 k + 1 and 3 k + 2 of bands.inc.
+#ifdef (Bands)
+  #declare Green_Reflectance = rgb <Band_Green[3*Bands], Band_Green[3*Bands+1], Band_Green[3*Bands+2]>;
+  #declare Red_Reflectance = rgb <Band_Red[3*Bands], Band_Red[3*Bands+1], Band_Red[3*Bands+2]>;
+  #declare White_Reflectance = rgb <Band_White[3*Bands], Band_White[3*Bands+1], Band_White[3*Bands+2]>;
+  #declare Light_Color = rgb <Band_Light[3*Bands], Band_Light[3*Bands+1], Band_Light[3*Bands+2]>;
+#end
+
 // Luminance of the light's surface. It sets the exposure; only ratios were measured.
 #declare Luminance = 30;
 
@@ -29,7 +48,7 @@ global_settings {
 // What the walls throw at each other, spread evenly: flux pi L A, of which the share m (the mean reflectance) goes on at every bounce,
 // m + m^2 + ... = m / (1 - m), over the area of the room; again 1/pi of it as radiance.
 #macro Bounced(M) (M / (1 - M)) #end
-#declare Ambient = Luminance * Light_Area / Room_Area
+#declare Ambient = (strcmp(Interreflection, "ambient") = 0) * Luminance * Light_Area / Room_Area
                  * <Light_Color.red * Bounced(Mean_Reflectance.red), Light_Color.green * Bounced(Mean_Reflectance.green),
                     Light_Color.blue * Bounced(Mean_Reflectance.blue)>;
 
@@ -78,8 +97,22 @@ mesh {  // the light: measured in the plane of the ceiling, here 0.1 mm below it
   Quad(<343, 548.8, 227>, <343, 548.8, 332>, <213, 548.8, 332>, <213, 548.8, 227>)
   translate -0.1 * y
   texture { pigment { color rgb Light_Reflectance } finish { ambient 0 diffuse 1 emission Light_Color * Luminance } }
+  no_radiosity  // its light is that of the light source
 }
 
+#if (Spheres)
+  sphere {
+    <186, 100, 169>, 100
+    pigment { rgbt 1 }
+    finish { ambient 0 diffuse 0 reflection { rgb 0, rgb 1 fresnel on } conserve_energy }
+    interior { ior 1.5 }
+  }
+  sphere {
+    <368, 120, 351>, 120
+    pigment { rgb 0 }
+    finish { ambient 0 diffuse 0 reflection { rgb 0.95 } }
+  }
+#else
 mesh {  // short block
   Quad(<130, 165, 65>, <82, 165, 225>, <240, 165, 272>, <290, 165, 114>)
   Quad(<290, 0, 114>, <290, 165, 114>, <240, 165, 272>, <240, 0, 272>)
@@ -97,3 +130,4 @@ mesh {  // tall block
   Quad(<265, 0, 296>, <265, 330, 296>, <423, 330, 247>, <423, 0, 247>)
   Lambertian(White_Reflectance)
 }
+#end

@@ -16,9 +16,9 @@ int main() {
   auto texture = std::make_shared<scene::Texture>();
   texture->layers.resize(1);
   texture->layers[0].pigment = pigment;
-  texture->layers[0].finish.emission = Rgb(1);
-  texture->layers[0].finish.ambient = Rgb(0);
-  texture->layers[0].finish.diffuse = 0;
+  texture->layers[0].finish.edit().emission = Rgb(1);
+  texture->layers[0].finish.edit().ambient = Rgb(0);
+  texture->layers[0].finish.edit().diffuse = 0;
   sphere->texture = texture;
   scene::finish_statement(*sphere, texture);
 

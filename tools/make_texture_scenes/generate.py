@@ -7,8 +7,10 @@ The scenes are checked in; run this again after changing the lists below.
 import pathlib
 import sys
 
+import more
+
 HEADER = """// {title}
-#version 3.7;
+#version {version};
 global_settings {{ assumed_gamma 1 {settings}}}
 camera {{ location <0, 1.6, -4> direction 1.6*z right 1.3333*x up y look_at <0, 0.05, 0> }}
 light_source {{ <-4.3, 6.5, -5.6> rgb 1 }}
@@ -18,10 +20,11 @@ background {{ rgb <0.1, 0.15, 0.25> }}
 #declare Sample = texture {{
   {texture}
 }}
-sphere {{ <-1.05, 0, 0>, 0.95 texture {{ Sample }} }}
-box {{ -0.72, 0.72 rotate <0, 35, 0> translate <1.05, -0.1, 0.1> texture {{ Sample }} }}
-plane {{ y, -1.037 texture {{ Sample }} }}
+{objects}
 """
+THREE = """sphere { <-1.05, 0, 0>, 0.95 texture { Sample } }
+box { -0.72, 0.72 rotate <0, 35, 0> translate <1.05, -0.1, 0.1> texture { Sample } }
+plane { y, -1.037 texture { Sample } }"""
 
 MAP = "color_map { [0 rgb <0.1, 0.1, 0.35>] [0.35 rgb <0.9, 0.8, 0.3>] [0.7 rgb <0.75, 0.15, 0.1>] [1 rgb <0.95, 0.95, 0.9>] }"
 LISTED = "checker brick hexagon square triangular cubic".split()
@@ -121,6 +124,13 @@ TEXTURES = {
 
 
 def scenes():
+    """(path, texture, global settings, options: declares, object, version) of every scene."""
+    for path, texture, settings in plain_scenes():
+        yield path, texture, {"settings": settings}
+    yield from more.combinations(MAP)
+
+
+def plain_scenes():
     for name, p in PATTERNS.items():
         yield f"pigments/{name}", f"pigment {{ {p} {'' if name == 'object' else MAP} }}", ""
     for name, p in LISTS.items():
@@ -151,8 +161,9 @@ def scenes():
 
 README = """# Texture scenes
 
-One small scene for every pattern, wave form, warp, map, image option and kind of normal, written by `tools/make_texture_scenes/generate.py`.
-All {count} are deterministic and expected to be exact (99.99 % of pixels within 1/255) at 160x120 without anti-aliasing:
+One small scene for every pattern, wave form, warp, map, list, image format and option, kind of normal, density and version, written by
+`tools/make_texture_scenes/generate.py`. All {count} are deterministic. At 160x120 without anti-aliasing they are exact (99.99 % of pixels within 1/255), except three that
+are a match: `densities/default_map` (media samples on the steps of an onion) and `normals/bump_map_function` and `normals/bump_map_torus` (two pixels each).
 
     verisim compare scenes/textures +W160 +H120 -A
 """
@@ -173,11 +184,14 @@ def main():
     root = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else here.parent.parent / "scenes" / "textures"
     images(root / "data")
     count = 0
-    for path, texture, settings in scenes():
+    more.write_images(root / "data")
+    for path, texture, options in scenes():
         file = root / (path + ".pov")
         file.parent.mkdir(parents=True, exist_ok=True)
         title = path.split("/")[-1].replace("_", " ") + " (" + path.split("/")[0] + ")"
-        file.write_text(HEADER.format(title=title, settings=settings, declares="", texture=texture.replace("\n", "\n  ")))
+        objects = options["object"] + "\nplane { y, -1.037 pigment { checker rgb 0.4, rgb 0.7 } }" if "object" in options else THREE
+        file.write_text(HEADER.format(title=title, version=options.get("version", "3.7"), settings=options.get("settings", ""), declares=options.get("declares", ""),
+                                      texture=texture.replace("\n", "\n  "), objects=objects))
         count += 1
     (root / "README.md").write_text(README.format(count=count))
     print(count, "scenes")

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -106,6 +108,39 @@ TEST(CornellBoxTest, WallsAreRedAndGreen) {
 TEST(CornellBoxTest, WrongFilesAreNamed) {
   EXPECT_THROW(read_cornell_box("/nonexistent.json"), std::runtime_error);
   EXPECT_THROW(read_cornell_box(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.pov"), std::runtime_error);
+}
+
+// bands.inc: means over 25 nm, the light relative to its mean over all twelve.
+TEST(CornellBox, BandsAreTheMeansOfTheSpectra) {
+  std::ifstream data(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json"), source(VERISIM_SOURCE_DIR "/scenes/cornell_box/bands.inc");
+  const auto json = nlohmann::json::parse(data);
+  std::string text{std::istreambuf_iterator<char>(source), {}};
+  const auto means = [](const nlohmann::json& samples) {
+    Spectrum spectrum;
+    for (const auto& s : samples) spectrum.emplace_back(s[0], s[1]);
+    std::array<double, 12> out{};
+    for (int band = 0; band < 12; ++band)
+      for (int nm = 0; nm < 25; ++nm) out[static_cast<std::size_t>(band)] += value_at(spectrum, 400 + 25 * band + nm + 0.5) / 25;
+    return out;
+  };
+  const auto expect_line = [&](const std::string& name, const std::array<double, 12>& values, double scale) {
+    std::size_t at = text.find("#declare Band_" + name + " = array[12] { ");
+    ASSERT_NE(at, std::string::npos) << name;
+    std::istringstream numbers(text.substr(text.find('{', at) + 1));
+    for (double value : values) {
+      double got = 0;
+      char comma = 0;
+      numbers >> got >> comma;
+      EXPECT_NEAR(got, value * scale, 0.51e-5) << name;
+    }
+  };
+  const auto light = means(json["emission_nm"]);
+  double mean = 0;
+  for (double v : light) mean += v / 12;
+  expect_line("White", means(json["reflectance_nm"]["white"]), 1);
+  expect_line("Green", means(json["reflectance_nm"]["green"]), 1);
+  expect_line("Red", means(json["reflectance_nm"]["red"]), 1);
+  expect_line("Light", light, 1 / mean);
 }
 
 }  // namespace

@@ -1,23 +1,34 @@
-// Four boxes tested at once: the one place of BoxTree that uses vector instructions (SSE, in every x86-64), with a plain version for other machines.
+// Four boxes tested at once: the node of a BoxTree, and what is tested against it.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "tracer/accel/float4.h"
 #include "tracer/math/vec.h"
-
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
 
 namespace verisim::accel {
 
 struct alignas(64) BoxNode {
-  static constexpr std::uint32_t kLeaf = 0x80000000u;
+  // The child is a leaf: kLeaf, then three bits for the number of its boxes less one, then the first of them.
+  static constexpr std::uint32_t kLeaf = 0x80000000u, kFirstMask = 0x0fffffffu, kMaxLeaf = 8;
+  static constexpr int kCountShift = 28;
+  static std::uint32_t leaf(std::uint32_t first, std::uint32_t count) { return kLeaf | (count - 1) << kCountShift | first; }
+  static std::uint32_t leaf_first(std::uint32_t child) { return child & kFirstMask; }
+  static std::uint32_t leaf_count(std::uint32_t child) { return ((child >> kCountShift) & 7) + 1; }
+
   // Bounds of the children by axis; the boxes of missing children are empty.
-  float planes[6][4];  // low x, y, z; high x, y, z
-  std::uint32_t child[4];  // a node, or kLeaf + index of a box
+  float planes[6][4];      // low x, y, z; high x, y, z
+  std::uint32_t child[4];  // a node or a leaf
+
+  void clear() {
+    for (int k = 0; k < 4; ++k) {
+      child[k] = 0;
+      // A box that nothing meets, without infinities: those would make NaN.
+      for (int i = 0; i < 6; ++i) planes[i][k] = i < 3 ? 3e37f : -3e37f;
+    }
+  }
 };
 
 inline float round_down(double v) {
@@ -41,67 +52,42 @@ class NodeRay {
       const bool backward = r < 0;
       front_[i] = backward ? 12 + 4 * i : 4 * i;
       back_[i] = backward ? 4 * i : 12 + 4 * i;
-#if defined(__SSE__)
-      origin_[i] = _mm_set1_ps(static_cast<float>(origin[i]));
-      inverse_[i] = _mm_set1_ps(r);
-#else
-      origin_[i] = static_cast<float>(origin[i]);
-      inverse_[i] = r;
-#endif
+      origin_[i] = Float4(static_cast<float>(origin[i]));
+      inverse_[i] = Float4(r);
     }
   }
 
   // Bit k: child k is met between 0 and `far`; near[k]: where it is entered. `near` is aligned to 16 bytes.
   unsigned test(const BoxNode& node, float far, float near[4]) const {
     const float* planes = node.planes[0];
-#if defined(__SSE__)
-    const auto plane = [&](int offset, int i) { return _mm_mul_ps(_mm_sub_ps(_mm_load_ps(planes + offset), origin_[i]), inverse_[i]); };
-    const __m128 enter = _mm_max_ps(_mm_max_ps(plane(front_[0], 0), plane(front_[1], 1)), _mm_max_ps(plane(front_[2], 2), _mm_setzero_ps()));
-    const __m128 leave = _mm_min_ps(_mm_min_ps(plane(back_[0], 0), plane(back_[1], 1)), _mm_min_ps(plane(back_[2], 2), _mm_set1_ps(far)));
-    _mm_store_ps(near, enter);
-    return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(enter, leave)));
-#else
-    unsigned hits = 0;
-    for (int k = 0; k < 4; ++k) {
-      float enter = 0, leave = far;
-      for (int i = 0; i < 3; ++i) {
-        enter = std::fmax(enter, (planes[front_[i] + k] - origin_[i]) * inverse_[i]);
-        leave = std::fmin(leave, (planes[back_[i] + k] - origin_[i]) * inverse_[i]);
-      }
-      near[k] = enter;
-      hits |= static_cast<unsigned>(enter <= leave) << k;
-    }
-    return hits;
-#endif
+    const auto plane = [&](int offset, int i) { return (Float4::load(planes + offset) - origin_[i]) * inverse_[i]; };
+    const Float4 enter = max(max(plane(front_[0], 0), plane(front_[1], 1)), max(plane(front_[2], 2), Float4(0)));
+    const Float4 leave = min(min(plane(back_[0], 0), plane(back_[1], 1)), min(plane(back_[2], 2), Float4(far)));
+    enter.store(near);
+    return (enter <= leave).bits();
   }
 
  private:
-#if defined(__SSE__)
-  __m128 origin_[3], inverse_[3];
-#else
-  float origin_[3], inverse_[3];
-#endif
+  Float4 origin_[3], inverse_[3];
   int front_[3], back_[3];  // where the planes a ray meets first and last stand in a node, in floats
 };
 
+// Where the rays of a shaft start in a tree: the subtrees that it meets.
+struct EntryPoints {
+  static constexpr int kNodes = 4, kMost = 4 * kNodes;
+  BoxNode nodes[kNodes];
+  int count = 0;         // of nodes; 0: the shaft meets nothing
+  bool complete = true;  // every entry is a leaf
+};
+
 // Bit k: child k contains the point.
-inline unsigned boxes_around(const BoxNode& node, float x, float y, float z) {
-#if defined(__SSE__)
-  const float p[3] = {x, y, z};
-  __m128 inside = _mm_cmpeq_ps(_mm_setzero_ps(), _mm_setzero_ps());
+inline unsigned boxes_around(const BoxNode& node, const float p[3]) {
+  Mask4 inside = Float4(0) <= Float4(0);
   for (int i = 0; i < 3; ++i) {
-    const __m128 v = _mm_set1_ps(p[i]);
-    inside = _mm_and_ps(inside, _mm_and_ps(_mm_cmple_ps(_mm_load_ps(node.planes[i]), v), _mm_cmple_ps(v, _mm_load_ps(node.planes[3 + i]))));
+    const Float4 v(p[i]);
+    inside = inside & (Float4::load(node.planes[i]) <= v) & (v <= Float4::load(node.planes[3 + i]));
   }
-  return static_cast<unsigned>(_mm_movemask_ps(inside));
-#else
-  unsigned hits = 0;
-  for (int k = 0; k < 4; ++k)
-    hits |= static_cast<unsigned>(x >= node.planes[0][k] && x <= node.planes[3][k] && y >= node.planes[1][k] && y <= node.planes[4][k] &&
-                                  z >= node.planes[2][k] && z <= node.planes[5][k])
-            << k;
-  return hits;
-#endif
+  return inside.bits();
 }
 
 }  // namespace verisim::accel

@@ -2,121 +2,92 @@
 
 #include <stdexcept>
 
-#include "tracer/accel/device.h"
+#include "tracer/accel/shaft.h"
 
 namespace verisim::accel {
 namespace {
 
 // Of the diagonal of everything: what rounding a ray to binary32 and following it across the volume can amount to, several times over.
 constexpr double kSlack = 2e-6;
-constexpr std::size_t kWidth = 4;
-
-// What Embree's builder makes: inner nodes with up to four children, leaves with one box.
-struct BuildNode {
-  bool leaf = false;
-  unsigned count = 0, index = 0;
-  RTCBounds bounds[kWidth];
-  BuildNode* children[kWidth];
-};
-
-void* create_node(RTCThreadLocalAllocator allocator, unsigned count, void*) {
-  auto* node = new (rtcThreadLocalAlloc(allocator, sizeof(BuildNode), alignof(BuildNode))) BuildNode;
-  node->count = count;
-  return node;
-}
-void set_children(void* node, void** children, unsigned count, void*) {
-  for (unsigned i = 0; i < count; ++i) static_cast<BuildNode*>(node)->children[i] = static_cast<BuildNode*>(children[i]);
-}
-void set_bounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
-  for (unsigned i = 0; i < count; ++i) static_cast<BuildNode*>(node)->bounds[i] = *bounds[i];
-}
-void* create_leaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* primitives, std::size_t, void*) {
-  auto* node = new (rtcThreadLocalAlloc(allocator, sizeof(BuildNode), alignof(BuildNode))) BuildNode;
-  node->leaf = true;
-  node->index = primitives[0].primID;
-  return node;
-}
-
-void set_box(BoxNode& node, std::size_t k, const RTCBounds& b) {
-  const float values[6] = {b.lower_x, b.lower_y, b.lower_z, b.upper_x, b.upper_y, b.upper_z};
-  for (int i = 0; i < 6; ++i) node.planes[i][k] = values[i];
-}
-
-BoxNode empty_node() {
-  BoxNode node;
-  for (std::size_t k = 0; k < kWidth; ++k) {
-    node.child[k] = 0;
-    // A box that no ray meets, without infinities: those would make NaN.
-    for (int i = 0; i < 6; ++i) node.planes[i][k] = i < 3 ? 3e37f : -3e37f;
-  }
-  return node;
-}
-
-void flatten(const BuildNode& from, std::uint32_t place, std::vector<BoxNode>& nodes) {
-  for (unsigned k = 0; k < from.count; ++k) {
-    const BuildNode& child = *from.children[k];
-    set_box(nodes[place], k, from.bounds[k]);
-    if (child.leaf) {
-      nodes[place].child[k] = BoxNode::kLeaf | child.index;
-      continue;
-    }
-    const auto next = static_cast<std::uint32_t>(nodes.size());
-    nodes[place].child[k] = next;
-    nodes.push_back(empty_node());
-    flatten(child, next, nodes);
-  }
-}
 
 }  // namespace
 
-BoxTree::BoxTree(std::span<const Box3> boxes) {
-  if (boxes.empty()) return;
-  for (const Box3& box : boxes) bounds_.extendBy(box);
-  center_ = bounds_.center();
-  slack_ = kSlack * length(bounds_.max - bounds_.min) + std::numeric_limits<float>::min();
+BoxTree::BoxTree(std::span<const Box3> boxes) : BoxTree(boxes.size(), [&](std::size_t i) { return boxes[i]; }, 1) {}
+
+void BoxTree::set_bounds(const Box3& bounds) {
+  bounds_ = bounds;
+  center_ = bounds.center();
+  slack_ = kSlack * length(bounds.max - bounds.min) + std::numeric_limits<float>::min();
   bounds_.min -= Vec3(slack_), bounds_.max += Vec3(slack_);
+}
 
-  std::vector<RTCBuildPrimitive> primitives(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Vec3 low = boxes[i].min - center_ - Vec3(slack_), high = boxes[i].max - center_ + Vec3(slack_);
-    RTCBuildPrimitive& p = primitives[i];
-    p.lower_x = round_down(low.x), p.lower_y = round_down(low.y), p.lower_z = round_down(low.z);
-    p.upper_x = -round_down(-high.x), p.upper_y = -round_down(-high.y), p.upper_z = -round_down(-high.z);
-    p.geomID = 0;
-    p.primID = static_cast<unsigned>(i);
-  }
-  nodes_.push_back(empty_node());
-  if (boxes.size() <= kWidth) {
-    for (std::size_t k = 0; k < boxes.size(); ++k) {
-      const RTCBuildPrimitive& p = primitives[k];
-      set_box(nodes_[0], k, {p.lower_x, p.lower_y, p.lower_z, 0, p.upper_x, p.upper_y, p.upper_z, 0});
-      nodes_[0].child[k] = BoxNode::kLeaf | static_cast<std::uint32_t>(k);
+BuildItem BoxTree::item_of(const Box3& box, std::size_t index) const {
+  BuildItem item;
+  const Vec3 low = box.min - center_ - Vec3(slack_), high = box.max - center_ + Vec3(slack_);
+  for (int i = 0; i < 3; ++i) item.low[i] = round_down(low[i]), item.high[i] = -round_down(-high[i]);
+  item.set(static_cast<std::uint32_t>(index), 1);
+  return item;
+}
+
+void BoxTree::build(std::vector<BuildItem>& items, unsigned leaf_size) {
+  if (items.size() > BoxNode::kFirstMask / 2) throw std::length_error("too many primitives for one tree");
+  BuiltTree built = build_box_tree(items, leaf_size);
+  nodes_ = std::move(built.nodes);
+  if (nodes_.capacity() > 2 * nodes_.size()) nodes_.shrink_to_fit();
+  order_ = std::move(built.order);
+}
+
+void BoxTree::enter(const Shaft& shaft, EntryPoints& entry) const {
+  constexpr signed char kBits[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
+  struct Subtree {
+    const BoxNode* node;  // whose child it is
+    int place;
+    std::uint32_t child;
+  };
+  entry.count = 0;
+  entry.complete = true;
+  if (nodes_.empty()) return;
+  const NodeShaft node_shaft(shaft, center_, slack_);
+  Subtree lists[2][EntryPoints::kMost];
+  Subtree *now = lists[0], *later = lists[1];
+  int size = 0;
+  const auto add_children = [&](const BoxNode& node, unsigned met, Subtree* list, int& count) {
+    for (; met != 0; met &= met - 1) {
+      const int k = __builtin_ctz(met);
+      list[count++] = {&node, k, node.child[k]};
     }
-    return;
+  };
+  add_children(nodes_[0], node_shaft.test(nodes_[0]), now, size);
+  // A level at a time, as long as there is room.
+  for (bool grew = true; grew;) {
+    grew = false;
+    int count = 0;
+    for (int i = 0; i < size; ++i) {
+      const std::uint32_t child = now[i].child;
+      if (!(child & BoxNode::kLeaf)) {
+        const unsigned met = node_shaft.test(nodes_[child]);
+        if (count + kBits[met] + (size - i - 1) <= EntryPoints::kMost) {
+          add_children(nodes_[child], met, later, count);
+          grew = true;
+          continue;
+        }
+      }
+      later[count++] = now[i];
+    }
+    std::swap(now, later);
+    size = count;
   }
-
-  RTCBVH bvh = rtcNewBVH(device());
-  RTCBuildArguments arguments = rtcDefaultBuildArguments();
-  arguments.byteSize = sizeof(arguments);
-  arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
-  arguments.maxBranchingFactor = kWidth;
-  arguments.maxDepth = 60;  // the walk's stack holds three waiting children per level
-  arguments.minLeafSize = arguments.maxLeafSize = 1;
-  arguments.bvh = bvh;
-  arguments.primitives = primitives.data();
-  arguments.primitiveCount = arguments.primitiveArrayCapacity = primitives.size();
-  arguments.createNode = create_node;
-  arguments.setNodeChildren = set_children;
-  arguments.setNodeBounds = set_bounds;
-  arguments.createLeaf = create_leaf;
-  const auto* root = static_cast<const BuildNode*>(rtcBuildBVH(&arguments));
-  if (!root) {
-    rtcReleaseBVH(bvh);
-    throw std::runtime_error("the bounding hierarchy could not be built");
+  entry.count = (size + 3) / 4;
+  for (int n = 0; n < entry.count; ++n) {
+    BoxNode& node = entry.nodes[n];
+    if (4 * n + 4 > size) node.clear();
+    for (int k = 0; k < 4 && 4 * n + k < size; ++k) {
+      const Subtree& s = now[4 * n + k];
+      for (int i = 0; i < 6; ++i) node.planes[i][k] = s.node->planes[i][s.place];
+      node.child[k] = s.child;
+      if (!(s.child & BoxNode::kLeaf)) entry.complete = false;
+    }
   }
-  nodes_.reserve(boxes.size() / 2 + 1);
-  flatten(*root, 0, nodes_);
-  rtcReleaseBVH(bvh);
 }
 
 }  // namespace verisim::accel

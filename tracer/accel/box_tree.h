@@ -1,20 +1,26 @@
-// A bounding volume hierarchy over boxes: finds the candidates of a ray in single precision, conservatively, so that double precision can decide.
+// A bounding volume hierarchy over boxes, four to a node: finds the candidates of a ray in single precision, conservatively, so that double precision
+// can decide. Objects of a scene, triangles of a mesh, components of a blob are all found with it.
 //
-// Embree builds the tree (surface area heuristic, four children a node); the walk is ours, because the visitor (a shape's own intersection test) is
-// inlined into it and because it must not lose a candidate: boxes are stored in binary32 relative to the centre of all of them and widened by more
-// than the rounding of any ray inside that volume, and rays are moved to where they enter it before they are rounded.
+// A walk must not lose a candidate: boxes are stored in binary32 relative to the centre of all of them and widened by more than the rounding of any
+// ray inside that volume, and rays are moved to where they enter it before they are rounded. Visitors (a shape's own intersection test) are inlined
+// into the walk.
+//
+// Rays of a common shaft (shaft.h) may start at the few subtrees that the shaft meets instead of at the root: Reshetov, Soupikov and Hurley,
+// "Multi-level ray tracing algorithm", 2005.
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "tracer/accel/box_node.h"
+#include "tracer/accel/box_tree_builder.h"
 #include "tracer/math/vec.h"
 
 namespace verisim::accel {
+
+class Shaft;
 
 // The distances at which a ray enters and leaves a box; false if it misses it within t_min .. t_max, which are narrowed.
 inline bool clip_to_box(const Ray& ray, const Box3& box, double& t_min, double& t_max) {
@@ -47,29 +53,79 @@ class BoxTree {
   BoxTree() = default;
   // Empty and unbounded boxes are not allowed; index i of `boxes` is what the visitors get.
   explicit BoxTree(std::span<const Box3> boxes);
+  // box(i) gives the bounds of primitive i < count, the same at every call; those with an empty or unbounded box are left out. Leaves hold up to
+  // `leaf_size` primitives, as ranges of order(); leaf_size 1: leaves name their primitive.
+  template <class BoxOf>
+  BoxTree(std::size_t count, BoxOf&& box, unsigned leaf_size);
 
   bool empty() const { return nodes_.empty(); }
+  const Box3& bounds() const { return bounds_; }
+  const std::vector<std::uint32_t>& order() const { return order_; }
 
   // Calls visit(index, t_max) for every box that the ray meets between t_min and t_max, roughly in order of distance; it returns the new t_max
-  // (the same, a smaller one, or minus infinity to stop).
+  // (the same, a smaller one, or minus infinity to stop). For trees of leaf size 1. `entry`: of a shaft that holds the ray; null: the root.
   template <class Visit>
-  void traverse(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
-  // Calls visit(index) for every box that contains p (and perhaps some that narrowly do not) until it returns true. Returns whether one did.
+  void traverse(const Ray& ray, double t_min, double t_max, Visit&& visit, const EntryPoints* entry = nullptr) const {
+    walk(ray, t_min, t_max, entry, [&](std::uint32_t leaf, double far) { return visit(BoxNode::leaf_first(leaf), far); });
+  }
+  // The same with visit(first, count, t_max) for ranges of order().
+  template <class Visit>
+  void traverse_leaves(const Ray& ray, double t_min, double t_max, Visit&& visit, const EntryPoints* entry = nullptr) const {
+    walk(ray, t_min, t_max, entry, [&](std::uint32_t leaf, double far) { return visit(BoxNode::leaf_first(leaf), BoxNode::leaf_count(leaf), far); });
+  }
+  // Calls visit(index) for every box that contains p (and perhaps some that narrowly do not) until it returns true. Returns whether one did. For trees
+  // of leaf size 1.
   template <class Visit>
   bool any_around(const Vec3& p, Visit&& visit) const;
+
+  // The subtrees that a shaft meets.
+  void enter(const Shaft& shaft, EntryPoints& entry) const;
 
  private:
   static constexpr int kStackSize = 256;
 
+  static bool usable(const Box3& box) { return !is_empty(box) && is_finite(box); }
+  void set_bounds(const Box3& bounds);
+  BuildItem item_of(const Box3& box, std::size_t index) const;
+  void build(std::vector<BuildItem>& items, unsigned leaf_size);
+  template <class Leaf>
+  void walk(const Ray& ray, double t_min, double t_max, const EntryPoints* entry, Leaf&& leaf) const;
+
   std::vector<BoxNode> nodes_;  // the first is the root
+  std::vector<std::uint32_t> order_;
   Box3 bounds_;                 // of all, widened
   Vec3 center_{0, 0, 0};
   double slack_ = 0;
 };
 
-template <class Visit>
-void BoxTree::traverse(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
-  if (nodes_.empty()) return;
+template <class BoxOf>
+BoxTree::BoxTree(std::size_t count, BoxOf&& box, unsigned leaf_size) {
+  std::size_t used = 0;
+  Box3 bounds;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Box3 b = box(i);
+    if (!usable(b)) continue;
+    bounds.extendBy(b);
+    ++used;
+  }
+  if (used == 0) return;
+  set_bounds(bounds);
+  std::vector<BuildItem> items;
+  items.reserve(leaf_size > 1 ? used / 2 + 1 : used);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Box3 b = box(i);
+    if (!usable(b)) continue;
+    const BuildItem item = item_of(b, i);
+    // Neighbours in the list that are neighbours in space, as in most meshes, stay together: half of the work.
+    if (leaf_size > 1 && !items.empty() && merge_if_close(items.back(), item)) continue;
+    items.push_back(item);
+  }
+  build(items, leaf_size);
+}
+
+template <class Leaf>
+void BoxTree::walk(const Ray& ray, double t_min, double t_max, const EntryPoints* entry, Leaf&& leaf) const {
+  if (nodes_.empty() || (entry && entry->count == 0)) return;
   const Vec3 inverse(1.0 / ray.direction.x, 1.0 / ray.direction.y, 1.0 / ray.direction.z);
   double start = t_min, end = t_max;
   for (int i = 0; i < 3; ++i) {
@@ -80,59 +136,72 @@ void BoxTree::traverse(const Ray& ray, double t_min, double t_max, Visit&& visit
     if (leave < end) end = leave;
   }
   if (!(start <= end)) return;
-  const NodeRay node_ray(ray.origin - center_ + start * ray.direction, inverse);
+  const Vec3 from = ray.origin - center_ + start * ray.direction;
+  if (!(dot(from, from) < std::numeric_limits<double>::infinity())) return;  // no ray at all: its numbers would defeat the comparisons
+  const NodeRay node_ray(from, inverse);
   // Distances in the walk count from `start`.
   float far = round_up(end - start + slack_);
 
-  struct Entry {
+  struct Waiting {
     std::uint32_t child;
     float near;
   };
-  Entry stack[kStackSize];
+  Waiting stack[kStackSize];
   int size = 0;
-  std::uint32_t child = 0;
-  for (;;) {
-    while (!(child & BoxNode::kLeaf)) {
+  // The nearest of the children that are met becomes `next`; the others wait on the stack above `first`, the nearer ones on top. False: none is met.
+  Waiting next;
+  const auto descend = [&](const BoxNode& node) {
+    alignas(16) float near[4];
+    unsigned hits = node_ray.test(node, far, near);
+    if (hits == 0) return false;
+    int k = __builtin_ctz(hits);
+    next = {node.child[k], near[k]};
+    const int first = size;
+    while ((hits &= hits - 1) != 0) {
+      k = __builtin_ctz(hits);
+      Waiting other{node.child[k], near[k]};
+      if (other.near < next.near) std::swap(other, next);
+      int place = size++;
+      for (; place > first && stack[place - 1].near < other.near; --place) stack[place] = stack[place - 1];
+      stack[place] = other;
+    }
+    return true;
+  };
+  const auto pop = [&] {
+    while (size > 0) {
+      next = stack[--size];
+      if (next.near <= far) return true;
+    }
+    return false;
+  };
+  if (entry) {
+    for (int i = 0; i < entry->count; ++i) {
       alignas(16) float near[4];
-      const BoxNode& node = nodes_[child];
-      unsigned hits = node_ray.test(node, far, near);
-      if (hits == 0) goto next;
-      // The nearest child is next; the others wait, the nearer ones on top.
-      int k = __builtin_ctz(hits);
-      hits &= hits - 1;
-      child = node.child[k];
-      float nearest = near[k];
-      const int first = size;
-      while (hits != 0) {
-        k = __builtin_ctz(hits);
-        hits &= hits - 1;
-        Entry other{node.child[k], near[k]};
-        if (other.near < nearest) {
-          std::swap(other.child, child);
-          std::swap(other.near, nearest);
-        }
+      const BoxNode& node = entry->nodes[i];
+      for (unsigned hits = node_ray.test(node, far, near); hits != 0; hits &= hits - 1) {
+        const int k = __builtin_ctz(hits);
+        const Waiting met{node.child[k], near[k]};
         int place = size++;
-        while (place > first && stack[place - 1].near < other.near) {
-          stack[place] = stack[place - 1];
-          --place;
-        }
-        stack[place] = other;
+        for (; place > 0 && stack[place - 1].near < met.near; --place) stack[place] = stack[place - 1];
+        stack[place] = met;
       }
     }
-    {
-      const double limit = visit(child & ~BoxNode::kLeaf, t_max);
+    if (!pop()) return;
+  } else {
+    next = {0, 0};
+  }
+  for (;;) {
+    if (next.child & BoxNode::kLeaf) {
+      const double limit = leaf(next.child, t_max);
       if (limit < t_max) {
         t_max = limit;
         if (t_max < t_min) return;
         far = round_up(t_max - start + slack_);
       }
+      if (!pop()) return;
+    } else if (!descend(nodes_[next.child]) && !pop()) {
+      return;
     }
-  next:
-    do {
-      if (size == 0) return;
-      --size;
-    } while (stack[size].near > far);
-    child = stack[size].child;
   }
 }
 
@@ -140,18 +209,18 @@ template <class Visit>
 bool BoxTree::any_around(const Vec3& p, Visit&& visit) const {
   if (nodes_.empty() || !contains(bounds_, p)) return false;
   const Vec3 q = p - center_;
-  const float x = static_cast<float>(q.x), y = static_cast<float>(q.y), z = static_cast<float>(q.z);
+  const float point[3] = {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z)};
   std::uint32_t stack[kStackSize];
   int size = 0;
   stack[size++] = 0;
   while (size > 0) {
     const std::uint32_t child = stack[--size];
     if (child & BoxNode::kLeaf) {
-      if (visit(child & ~BoxNode::kLeaf)) return true;
+      if (visit(BoxNode::leaf_first(child))) return true;
       continue;
     }
     const BoxNode& node = nodes_[child];
-    for (unsigned hits = boxes_around(node, x, y, z); hits != 0; hits &= hits - 1) stack[size++] = node.child[__builtin_ctz(hits)];
+    for (unsigned hits = boxes_around(node, point); hits != 0; hits &= hits - 1) stack[size++] = node.child[__builtin_ctz(hits)];
   }
   return false;
 }

@@ -1,11 +1,13 @@
 #include "tracer/accel/world.h"
 
 #include <algorithm>
+#include <bit>
 #include <deque>
 #include <limits>
 
 #include "tracer/accel/box_tree.h"
 #include "tracer/accel/frame_list.h"
+#include "tracer/accel/shaft.h"
 #include "tracer/scene/bounds.h"
 #include "tracer/shapes/scratch_hits.h"
 
@@ -37,6 +39,7 @@ struct Candidate {
   std::uint32_t entry;
   unsigned short hidden;
   Opacity opacity;
+  bool has_tree;  // rays may be told where to enter it
 };
 
 unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
@@ -89,6 +92,9 @@ Box3 tight_box(const Box3& pov, const Box3& surface) {
   return encloses ? surface : pov;
 }
 
+// The next number, for numbers above 0.
+double next_above(double x) { return x < std::numeric_limits<double>::infinity() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1) : x; }
+
 // POV-Ray's sort key: the distance at which a ray enters the box, in binary32.
 float entry_distance(const Ray& ray, const Box3& box) {
   double near = 0, far = std::numeric_limits<double>::infinity();
@@ -109,7 +115,8 @@ struct World::Impl {
   std::vector<const scene::LightSource*> lights;
   Box3 bounds;
   bool in_order = false;  // too few entries for a hierarchy
-  bool transparent_shadows = false;
+  bool transparent_shadows = false;    // something that shadow rays see is not opaque
+  bool transparent_unbounded = false;  // one of `unbounded` is such
 
   void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
   bool precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const;
@@ -181,9 +188,12 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     const bool never = is_empty(e.box) && !(w.in_order && exempt_from_box_test(o));
     const bool boxless = e.infinite || is_empty(e.box) || (w.in_order && exempt_from_box_test(o));
     e.test_box = !is_empty(e.box) && (boxless || w.in_order) && !cheaper_than_box_test(o) && !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
-    if (!never && (boxless || w.in_order)) w.unbounded.push_back(static_cast<std::uint32_t>(i));
+    if (!never && (boxless || w.in_order)) {
+      w.unbounded.push_back(static_cast<std::uint32_t>(i));
+      if (e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow))) w.transparent_unbounded = true;
+    }
     if (!never && !boxless && !w.in_order) {
-      w.bounded.push_back({e.shape, static_cast<std::uint32_t>(i), static_cast<unsigned short>(e.hidden), e.opacity});
+      w.bounded.push_back({e.shape, static_cast<std::uint32_t>(i), static_cast<unsigned short>(e.hidden), e.opacity, o.as<scene::Mesh>() != nullptr});
       boxes.push_back(tight_box(e.box, shape->bounds()));
     }
     if (!e.infinite && !is_empty(e.box)) w.bounds.extendBy(e.box);
@@ -208,17 +218,20 @@ bool World::Impl::precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) con
   return a < b;
 }
 
-bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const {
+bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit, const WorldEntry* entry) const {
   const Impl& w = *impl_;
   const unsigned mask = bit(kind);
   bool found = false;
   std::uint32_t owner = 0;
-  const auto test = [&](const Shape& shape, std::uint32_t index, double limit) -> double {
+  const auto test = [&](const Shape& shape, std::uint32_t index, double limit, const EntryPoints* inner) -> double {
+    const auto intersect_shape = [&](double far, Hit& out) {
+      return inner ? shape.intersect_from(*inner, ray, kind, t_min, far, out) : shape.intersect(ray, kind, t_min, far, out);
+    };
     if (!found) {
-      if (!shape.intersect(ray, kind, t_min, limit, hit)) return limit;
+      if (!intersect_shape(limit, hit)) return limit;
     } else {
       Hit other;
-      if (!shape.intersect(ray, kind, t_min, std::nextafter(limit, HUGE_VAL), other)) return limit;
+      if (!intersect_shape(next_above(limit), other)) return limit;
       if (other.t == hit.t && !w.precedes(index, owner, ray)) return limit;
       hit = other;
     }
@@ -232,41 +245,46 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
     if (e.hidden & mask) continue;
     double near = t_min, far = limit;
     if (e.test_box && !clip_to_box(ray, e.box, near, far)) continue;
-    limit = test(*e.shape, index, limit);
+    limit = test(*e.shape, index, limit, nullptr);
   }
   w.tree.traverse(ray, t_min, limit, [&](std::uint32_t i, double far) {
     const Candidate& c = w.bounded[i];
-    return c.hidden & mask ? far : test(*c.shape, c.entry, far);
-  });
+    return c.hidden & mask ? far : test(*c.shape, c.entry, far, entry ? entry->inner_of(i) : nullptr);
+  }, entry ? &entry->points : nullptr);
   return found;
 }
 
-bool World::occluded(const Ray& ray, double t_min, double t_max) const {
+bool World::occluded(const Ray& ray, double t_min, double t_max, WorldEntry* entry) const {
   const Impl& w = *impl_;
   const unsigned mask = bit(RayKind::shadow);
-  const double above = std::nextafter(t_min, HUGE_VAL);
-  const auto blocks = [&](const Shape& shape, Opacity opacity) {
-    if (opacity == Opacity::opaque) return shape.occludes(ray, above, t_max);
+  const double above = next_above(t_min);
+  const auto blocks = [&](const Shape& shape, Opacity opacity, const EntryPoints* inner) {
+    if (opacity == Opacity::opaque) return inner ? shape.occludes_from(*inner, ray, above, t_max) : shape.occludes(ray, above, t_max);
     shapes::ScratchHits hits;
     shape.intersect_all(ray, RayKind::shadow, hits.list());
     for (std::size_t i = hits.begin(); i < hits.end(); ++i)
       if (hits[i].t >= above && hits[i].t < t_max && hits[i].shape->surface->opaque) return true;
     return false;
   };
+  if (entry && entry->last_blocker != WorldEntry::kNoBlocker) {
+    const Candidate& c = w.bounded[entry->last_blocker];
+    if (blocks(*c.shape, c.opacity, entry->inner_of(entry->last_blocker))) return true;
+  }
   for (const std::uint32_t index : w.unbounded) {
     const Entry& e = w.entries[index];
     if ((e.hidden & mask) || e.opacity == Opacity::transparent) continue;
     double near = t_min, far = t_max;
     if (e.test_box && !clip_to_box(ray, e.box, near, far)) continue;
-    if (blocks(*e.shape, e.opacity)) return true;
+    if (blocks(*e.shape, e.opacity, nullptr)) return true;
   }
   bool found = false;
   w.tree.traverse(ray, t_min, t_max, [&](std::uint32_t i, double far) {
     const Candidate& c = w.bounded[i];
-    if ((c.hidden & mask) || c.opacity == Opacity::transparent || !blocks(*c.shape, c.opacity)) return far;
+    if ((c.hidden & mask) || c.opacity == Opacity::transparent || !blocks(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr)) return far;
     found = true;
+    if (entry) entry->last_blocker = i;
     return -HUGE_VAL;
-  });
+  }, entry ? &entry->points : nullptr);
   return found;
 }
 
@@ -278,6 +296,30 @@ bool World::occluded_by(int frame_object, const Ray& ray, double t_min, double t
     if (hits[i].t > t_min && hits[i].t < t_max && hits[i].shape->surface->opaque) return true;
   return false;
 }
+
+void World::enter(const Shaft& shaft, WorldEntry& entry) const {
+  const Impl& w = *impl_;
+  entry.last_blocker = WorldEntry::kNoBlocker;
+  w.tree.enter(shaft, entry.points);
+  entry.inner.clear();
+  bool opaque = entry.points.complete && !w.transparent_unbounded;
+  for (int n = 0; n < entry.points.count; ++n) {
+    const BoxNode& node = entry.points.nodes[n];
+    for (int k = 0; k < 4; ++k) {
+      if (!(node.child[k] & BoxNode::kLeaf)) continue;  // a subtree; or none, the last node may not be full
+      const std::uint32_t index = BoxNode::leaf_first(node.child[k]);
+      const Candidate& c = w.bounded[index];
+      opaque = opaque && (c.opacity == Opacity::opaque || (c.hidden & bit(RayKind::shadow)));
+      if (!c.has_tree) continue;
+      WorldEntry::Inner& inner = entry.inner.emplace_back();
+      inner.candidate = index;
+      if (!c.shape->enter(shaft, inner.points)) entry.inner.pop_back();
+    }
+  }
+  entry.only_opaque = opaque || !w.transparent_shadows;
+}
+
+const BoxTree& World::tree() const { return impl_->tree; }
 
 bool World::has_transparent_shadows() const { return impl_->transparent_shadows; }
 

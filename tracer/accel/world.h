@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "tracer/accel/box_node.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shapes/shape.h"
 #include "tracer/textures/texture.h"
@@ -23,6 +24,8 @@ struct Surface {
   std::span<const scene::LightSource* const> group_lights;
   scene::PhotonFlags photons;
   std::vector<const textures::CompiledTexture*> extra_textures;  // of Shape::extra_textures; entries may be null: the object's own
+  // More than its own texture may show at a hit (World::weighted_textures).
+  bool shows_several() const { return !texture || !extra_textures.empty(); }
   const Shape* cutaway = nullptr;  // the outermost intersection, difference, merge or clipped union around a primitive; null: none
 };
 
@@ -32,6 +35,29 @@ namespace verisim::accel {
 
 using shapes::Hit;
 using shapes::RayKind;
+
+class BoxTree;
+class Shaft;
+
+// Where the rays of a shaft start in a world's tree, and what is known of them.
+struct WorldEntry {
+  EntryPoints points;
+  bool only_opaque;             // no shadow ray of the shaft meets anything that is not opaque
+  // Entries into the trees of shapes that have their own (meshes).
+  struct Inner {
+    std::uint32_t candidate;  // as the tree counts
+    EntryPoints points;
+  };
+  std::vector<Inner> inner;
+  const EntryPoints* inner_of(std::uint32_t candidate) const {
+    for (const Inner& i : inner)
+      if (i.candidate == candidate) return &i.points;
+    return nullptr;
+  }
+  std::uint32_t last_blocker;   // what blocked the last shadow ray, as the tree counts
+
+  static constexpr std::uint32_t kNoBlocker = 0xffffffffu;
+};
 
 class World {
  public:
@@ -43,9 +69,10 @@ class World {
   World& operator=(const World&) = delete;
 
   // The nearest hit with t_min <= t < t_max among the objects this kind of ray sees. Exact ties: spec 03 2.3.
-  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const;
+  // `entry`: of a shaft that holds the ray; null: none known.
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit, const WorldEntry* entry = nullptr) const;
   // True if any *opaque* surface lies in t_min < t < t_max (shadow rays; a cheap any-hit query).
-  bool occluded(const Ray& ray, double t_min, double t_max) const;
+  bool occluded(const Ray& ray, double t_min, double t_max, WorldEntry* entry = nullptr) const;
   // The same for one frame-level object (Surface::frame_object) alone.
   bool occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const;
   bool has_transparent_shadows() const;  // false: `occluded` alone decides every shadow
@@ -58,6 +85,11 @@ class World {
 
   std::span<const scene::LightSource* const> lights() const;  // global lights in file order
   Box3 bounds() const;                                        // of all finite objects
+
+  // Of the objects with bounds.
+  const BoxTree& tree() const;
+  // What the rays of a shaft may meet.
+  void enter(const Shaft& shaft, WorldEntry& entry) const;
 
  private:
   struct Impl;

@@ -3,8 +3,11 @@
 #include "tracer/functions/machine_code.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <memory>
+#include <utility>
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed to functions that are inlined
@@ -22,7 +25,43 @@ constexpr std::uint32_t kStackRegisters = 128;
 
 }  // namespace
 
+namespace {
+
+// sum and prod may run over any range: a scene must not be able to hang. All loops of one evaluation, with those of the functions it calls, share
+// this many passes; then the value is NaN, and the parser makes an error of it.
+constexpr std::uint64_t kMostPasses = 100'000'000;
+thread_local int loops_open = 0;
+thread_local std::uint64_t passes_left = 0;
+thread_local bool overran = false;
+
+class LoopBudget {
+ public:
+  ~LoopBudget() {
+    if (open_) --loops_open;
+  }
+  bool pass() {
+    if (!open_) {
+      open_ = true;
+      if (!loops_open++) passes_left = kMostPasses;
+    }
+    if (passes_left) {
+      --passes_left;
+      return true;
+    }
+    overran = true;
+    return false;
+  }
+
+ private:
+  bool open_ = false;
+};
+
+}  // namespace
+
+bool take_loop_overrun() { return std::exchange(overran, false); }
+
 double Program::run(double* r) const {
+  LoopBudget budget;
   const Instruction* const begin = code_.data();
   const Instruction* const end = begin + code_.size();
   for (const Instruction* i = begin; i != end; ++i) {
@@ -50,7 +89,12 @@ double Program::run(double* r) const {
         call.function->evaluate({arguments, n}, r + call.results);
         break;
       }
-      case Code::jump: i = begin + i->to - 1; break;
+      case Code::jump: {
+        const Instruction* const to = begin + i->to;
+        if (to <= i && !budget.pass()) return std::numeric_limits<double>::quiet_NaN();
+        i = to - 1;
+        break;
+      }
       case Code::jump_unless_negative: if (!(r[i->a] < 0)) i = begin + i->to - 1; break;
       case Code::jump_unless_zero: if (!(r[i->a] == 0)) i = begin + i->to - 1; break;
       case Code::jump_unless_less_equal: if (!(r[i->a] <= r[i->b])) i = begin + i->to - 1; break;
@@ -60,6 +104,9 @@ double Program::run(double* r) const {
 }
 
 void Program::make_native() {
+  // Loops are interpreted, so that their passes can be counted.
+  for (std::size_t i = 0; i < code_.size(); ++i)
+    if (code_[i].code == Code::jump && code_[i].to <= i) return;
   native_ = MachineCode::translate(code_, calls_, static_cast<std::uint32_t>(parameters_), constants_, result_);
 }
 
@@ -67,7 +114,8 @@ void Program::evaluate(std::span<const double> arguments, double* result) const 
   const auto n = static_cast<std::size_t>(parameters_);
   if (registers_ > kStackRegisters) return evaluate_long(arguments, result);
   double r[kStackRegisters];
-  for (std::size_t k = 0; k < n; ++k) r[k] = arguments[k];
+  r[0] = n > 0 ? arguments[0] : 0, r[1] = n > 1 ? arguments[1] : 0, r[2] = n > 2 ? arguments[2] : 0;  // a loop would become a call of memcpy
+  for (std::size_t k = 3; k < n; ++k) r[k] = arguments[k];
   if (native_) {
     *result = native_->run(r);
     return;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <boost/container/small_vector.hpp>
+
 #include "tracer/math/chi_square.h"
 
 namespace verisim::global {
@@ -10,6 +12,7 @@ namespace {
 
 constexpr int kMaxIntervals = 256;  // POV-Ray stops the render beyond
 constexpr int kMaxLights = 256;
+constexpr int kMostSpans = kMaxIntervals + 2 * kMaxLights + 1;  // one more by rounding for every piece
 
 struct Interval {
   double start, length;
@@ -38,7 +41,7 @@ class Integrator {
     for (const CompiledMedia* m : media) {
       if (m->description->intervals > control_->intervals) control_ = m->description;
       aa_threshold_ = std::min(aa_threshold_, m->description->aa_threshold);
-      varies_ |= m->varies;
+      scatters_ |= m->scatters;
       has_density_ |= !m->densities.empty();
       constant_shadow_ &= m->last_density_plain;
     }
@@ -48,10 +51,18 @@ class Integrator {
   MediaResult run() {
     divide();
     Rgb emission, depth;
-    for (int i = 0; i < intervals_; ++i) {
-      const Sample s = interval(spans_[i]);
+    const auto combine = [&](const Sample& s) {
       emission += s.source * exponential(depth);
       depth += s.depth;
+    };
+    if (!shadow_ && control_->method != 3 && control_->samples_max > control_->samples_min) {
+      // All intervals take their first samples before any takes extra ones.
+      boost::container::small_vector<Samples, 16> taken(static_cast<std::size_t>(intervals_));
+      for (std::size_t i = 0; i < taken.size(); ++i) take_first(spans_[i], taken[i]);
+      for (std::size_t i = 0; i < taken.size(); ++i) take_extra(spans_[i], taken[i]);
+      for (const Samples& s : taken) combine(s.mean());
+    } else {
+      for (int i = 0; i < intervals_; ++i) combine(interval(spans_[static_cast<std::size_t>(i)]));
     }
     return {emission, exponential(depth)};
   }
@@ -71,8 +82,10 @@ class Integrator {
   }
 
   void push(double start, double end, bool lit, int count) {
+    // Starts are summed up, as POV-Ray does: where the rounded sum stays below the end, an interval of no length is added, which draws numbers.
     const double step = (end - start) / count;
-    for (int i = 0; i < count && intervals_ < kMaxIntervals; ++i) spans_[intervals_++] = {start + i * step, step, lit};
+    int n = 0;
+    for (double s = start; s < end && n <= count && intervals_ < kMostSpans; s += step, ++n) spans_[intervals_++] = {s, std::min(step, end - s), lit};
   }
 
   // Spec 07 4.5: the union of all lit ranges cuts the segment; the pieces share the intervals by `ratio`.
@@ -116,23 +129,13 @@ class Integrator {
     }
   }
 
-  Rgb density(const CompiledMedia& m, const Vec3& p) const {
-    Rgb value(1.0f);
-    for (const textures::CompiledPigment* d : m.densities) {
-      Color c;
-      textures::evaluate(*d, p, nullptr, c);
-      value *= c.rgb();
-    }
-    return value;
-  }
-
   // Spec 07 4.6: one sample at fraction `at` of an interval; `inner_attenuation`: methods 1 and 2 attenuate inside the interval.
   Sample sample(const Interval& span, double at, bool inner_attenuation) {
     const double distance = span.start + at * span.length;
     const Vec3 p = ray_.at(distance);
     Rgb extinction, emission, scattering;
     for (const CompiledMedia* m : media_) {
-      const Rgb d = density(*m, p);
+      const Rgb d = media_density(*m, p);
       extinction += d * m->extinction;
       if (shadow_) continue;
       if (m->emits) emission += d * m->description->emission;
@@ -157,7 +160,7 @@ class Integrator {
   // Photons are found everywhere, lights only in lit pieces.
   Rgb scattered(const Vec3& p, double distance, const Rgb& scattering, bool lit) {
     Rgb sum;
-    if (scattering.max_abs() <= 0.0f) return sum;
+    if (!scatters_ || (scattering.max_abs() <= 0.0f && !environment_.replay())) return sum;
     for (int i = 0; lit && i < lit_count_; ++i) {
       const LitLight& light = lit_[i];
       if (distance < light.first || distance > light.last) continue;
@@ -177,36 +180,45 @@ class Integrator {
   // Shadow rays take one sample of what POV-Ray believes to be constant.
   Sample single(const Interval& span) {
     const bool middle = control_->method == 2;
-    double at = 0.5;
-    if (varies_) at = middle ? 0.5 / control_->samples_min + environment_.random() * control_->jitter / control_->samples_min : environment_.random();
+    const double draw = environment_.random();  // drawn even where the place does not matter
+    const double at = middle ? 0.5 / control_->samples_min + draw * control_->jitter / control_->samples_min : draw;
     return sample(span, at, false);
   }
 
-  Sample uniform(const Interval& span) {
-    const int minimum = control_->samples_min, maximum = control_->samples_max;
+  // Samples of one interval under methods 1 and 2.
+  struct Samples {
     Sample sum;
     Rgb squares;
     int n = 0;
-    const auto take = [&](double at) {
-      const Sample s = sample(span, at, true);
-      sum = sum + s, squares += s.source * s.source, ++n;
-    };
+    Sample mean() const { return sum * (1.0f / static_cast<float>(n)); }
+  };
+  void take(const Interval& span, double at, Samples& to) {
+    const Sample s = sample(span, at, true);
+    to.sum = to.sum + s, to.squares += s.source * s.source, ++to.n;
+  }
+  void take_first(const Interval& span, Samples& to) {
+    const int minimum = control_->samples_min;
     for (int j = 0; j < minimum; ++j) {
       const double draw = environment_.random();
-      take(control_->method == 1 ? draw : (j + 0.5) / minimum + draw * control_->jitter / minimum);
+      take(span, control_->method == 1 ? draw : (j + 0.5) / minimum + draw * control_->jitter / minimum, to);
     }
-    if (!shadow_ && maximum > minimum) {
-      const double top = chi_square_quantile(maximum - 1, control_->confidence);
-      while (n <= maximum) {
-        const double threshold = control_->variance * chi_square_quantile(n, control_->confidence) / top;
-        const float inverse = 1.0f / static_cast<float>(n);
-        const Rgb mean = sum.source * inverse;
-        const Rgb variance = (squares * inverse - mean * mean) * inverse;
-        if (variance.r < threshold && variance.g < threshold && variance.b < threshold) break;
-        take(environment_.random());
-      }
+  }
+  void take_extra(const Interval& span, Samples& to) {
+    const int maximum = control_->samples_max;
+    const double top = chi_square_quantile(maximum - 1, control_->confidence);
+    while (to.n <= maximum) {
+      const double threshold = control_->variance * chi_square_quantile(to.n, control_->confidence) / top;
+      const float inverse = 1.0f / static_cast<float>(to.n);
+      const Rgb mean = to.sum.source * inverse;
+      const Rgb variance = (to.squares * inverse - mean * mean) * inverse;
+      if (variance.r < threshold && variance.g < threshold && variance.b < threshold) break;
+      take(span, environment_.random(), to);
     }
-    return sum * (1.0f / static_cast<float>(n));
+  }
+  Sample uniform(const Interval& span) {
+    Samples samples;
+    take_first(span, samples);
+    return samples.mean();
   }
 
   double jittered(double at, double step) { return control_->jitter != 0.0 ? at + control_->jitter * step * (environment_.random() - 0.5) : at; }
@@ -249,11 +261,37 @@ class Integrator {
   MediaEnvironment& environment_;
   const scene::Media* control_;
   double aa_threshold_;
-  bool varies_ = false, has_density_ = false, constant_shadow_ = true;
+  bool scatters_ = false, has_density_ = false, constant_shadow_ = true;
   int lit_count_ = 0, intervals_ = 0;
   std::array<LitLight, kMaxLights> lit_;
-  std::array<Interval, kMaxIntervals> spans_;
+  std::array<Interval, kMostSpans> spans_;
 };
+
+}  // namespace
+
+Rgb media_density(const CompiledMedia& m, const Vec3& p) {
+  Rgb value(1.0f);
+  for (const textures::CompiledPigment* d : m.densities) {
+    Color c;
+    textures::evaluate(*d, p, nullptr, c);
+    value *= c.rgb();
+  }
+  return value;
+}
+
+namespace {
+
+double bound_of(const scene::Density& density) {
+  if (density.pattern.kind == scene::PatternKind::plain) return density.color.rgb().max_abs();
+  double most = density.color_map || density.density_map ? 0.0 : 1.0;  // built-in maps stay within 0..1
+  if (density.color_map) {
+    for (const auto& entry : *density.color_map) most = std::max(most, static_cast<double>(entry.value.rgb().max_abs()));
+  }
+  if (density.density_map) {
+    for (const auto& entry : *density.density_map) most = std::max(most, entry.value ? bound_of(*entry.value) : 1.0);
+  }
+  return most;
+}
 
 }  // namespace
 
@@ -268,12 +306,15 @@ CompiledMedia compile_media(const scene::Media& description, textures::Compiler&
     const bool plain = density->pattern.kind == scene::PatternKind::plain;
     m.varies |= !plain;
     m.last_density_plain = plain;
+    m.density_bound *= bound_of(*density);
   }
   return m;
 }
 
 MediaResult integrate(std::span<const CompiledMedia* const> media, const Ray& ray, double length, bool shadow, MediaEnvironment& environment) {
   if (media.empty() || !(length > 0.0)) return {};
+  // Shadow rays pass what takes no light away without drawing a number.
+  if (shadow && std::none_of(media.begin(), media.end(), [](const CompiledMedia* m) { return m->scatters || m->extinction != Rgb(); })) return {};
   return Integrator(media, ray, length, shadow, environment).run();
 }
 

@@ -22,14 +22,19 @@ struct CompiledMedia {
   bool varies = false;           // some density is not a plain colour
   bool last_density_plain = true;  // what POV-Ray looks at to call a medium constant on shadow rays (spec 07 4.6)
   bool emits = false, scatters = false;
+  double density_bound = 1;  // no channel of the density is larger, as far as its maps tell
 };
 CompiledMedia compile_media(const scene::Media& description, textures::Compiler& compiler);
+// The product of the medium's densities at p.
+Rgb media_density(const CompiledMedia& media, const Vec3& p);
 
 // What the integrator asks of the tracer.
 class MediaEnvironment {
  public:
   virtual ~MediaEnvironment() = default;
   virtual double random() = 0;  // the next number of the media stream, [0, 1)
+  // POV-Ray's draws in POV-Ray's order: shadow rays are followed also where they cannot matter.
+  virtual bool replay() const { return false; }
   // The lights that take part: media_interaction on, not shadowless; global ones unless the object at the segment's end ignores them, then its group's.
   virtual std::span<const scene::LightSource* const> lights() = 0;
   // Light of number `light` that arrives at p after shadows; sets the unit direction towards it.

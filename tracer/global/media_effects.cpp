@@ -14,6 +14,7 @@ class TracerEnvironment : public MediaEnvironment {
       : effects_(effects), photons_(photons), tracer_(tracer), ray_(ray), end_(end) {}
 
   double random() override { return tracer_.random().media(); }
+  bool replay() const override { return tracer_.random().replay(); }
 
   std::span<const scene::LightSource* const> lights() override {
     sources_.clear(), lights_.clear();

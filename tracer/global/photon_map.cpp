@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <queue>
 #include <random>
 #include <stdexcept>
 
@@ -36,14 +35,29 @@ void Photon::set_direction(const Vec3& d) {
 }
 
 Rgb Photon::color() const {
-  if (energy[3] == 0) return {};
-  const float scale = std::ldexp(1.0f, static_cast<int>(energy[3]) - (250 + 8));
+  static const std::array<float, 256> scales = [] {
+    std::array<float, 256> t;
+    for (int e = 0; e < 256; ++e) t[static_cast<std::size_t>(e)] = e == 0 ? 0.0f : std::ldexp(1.0f, e - (250 + 8));
+    return t;
+  }();
+  const float scale = scales[energy[3]];
   return {energy[0] * scale, energy[1] * scale, energy[2] * scale};
 }
 
 Vec3 Photon::direction() const {
-  const double up = elevation * kPi / 127.0, around = azimuth * kPi / 127.0, c = std::cos(up);
-  return {c * std::cos(around), std::sin(up), c * std::sin(around)};
+  struct Angle {
+    double cosine, sine;
+  };
+  static const std::array<Angle, 256> angles = [] {
+    std::array<Angle, 256> t;
+    for (int i = 0; i < 256; ++i) {
+      const double angle = static_cast<std::int8_t>(i) * kPi / 127.0;
+      t[static_cast<std::size_t>(i)] = {std::cos(angle), std::sin(angle)};
+    }
+    return t;
+  }();
+  const Angle &up = angles[static_cast<std::uint8_t>(elevation)], &around = angles[static_cast<std::uint8_t>(azimuth)];
+  return {up.cosine * around.cosine, up.sine, up.cosine * around.sine};
 }
 
 void PhotonMap::build() {
@@ -75,56 +89,96 @@ void PhotonMap::build() {
   }
 }
 
-void PhotonMap::search(const Vec3& point, const Vec3* normal, double radius, int maximum, Gathered& out) const {
-  out.photons.clear();
-  out.radius = radius;
-  if (photons_.empty() || maximum <= 0) return;
-  struct Found {
-    double squared;
-    const Photon* photon;
-    bool operator<(const Found& o) const { return squared < o.squared; }
-  };
-  // A max-heap of the nearest so far; the flattened distance is never below the plain one, so plain distance prunes.
-  thread_local std::vector<Found> heap;
-  heap.clear();
+// Keeps the `maximum` nearest, in their order in the map; of equally far ones the first.
+void PhotonMap::Search::keep_nearest(std::size_t maximum, double& limit) {
+  // Squared distances are spread evenly over a disc, so a histogram narrows the last one kept down to a few.
+  constexpr std::size_t kBins = 64;
+  std::array<std::uint32_t, kBins> counts{};
+  const double scale = limit > 0.0 ? kBins / limit : 0.0;
+  const auto bin_of = [scale](double squared) { return std::min(kBins - 1, static_cast<std::size_t>(squared * scale)); };
+  for (const Found& f : found) ++counts[bin_of(f.squared)];
+  std::size_t bin = 0, before = 0;
+  while (before + counts[bin] < maximum) before += counts[bin++];
+  distances.clear();
+  for (const Found& f : found) {
+    if (bin_of(f.squared) == bin) distances.push_back(f.squared);
+  }
+  const auto last = distances.begin() + static_cast<std::ptrdiff_t>(maximum - before) - 1;
+  std::nth_element(distances.begin(), last, distances.end());
+  limit = *last;
+  std::size_t room = maximum;  // for those exactly at the limit
+  for (const Found& f : found) room -= f.squared < limit ? 1 : 0;
+  std::size_t kept = 0;
+  for (const Found& f : found) {
+    if (f.squared > limit || (f.squared == limit && room == 0)) continue;
+    if (f.squared == limit) --room;
+    found[kept++] = f;
+  }
+  found.resize(kept);
+}
+
+// Collects the nearest photons with flattened distance below `radius`. Returns whether there were more than `maximum`; then `farthest` is the distance of
+// the last one kept, squared.
+bool PhotonMap::collect(const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, Search& search, double& farthest) const {
+  constexpr long kLeaf = 20;  // ranges that are read through
+  search.found.clear();
   double limit = radius * radius;
   bool dropped = false;
   struct Frame {
     long first, last;
-    double squared;  // lower bound of the distance to this range
+    std::array<double, 3> gap;  // from the point to the range's box along the axes
   };
-  std::array<Frame, 128> stack;
+  std::array<Frame, 192> stack;
   int depth = 0;
-  stack[depth++] = {0, static_cast<long>(photons_.size()) - 1, 0.0};
+  stack[static_cast<std::size_t>(depth++)] = {0, static_cast<long>(photons_.size()) - 1, {0, 0, 0}};
   while (depth > 0) {
-    const Frame f = stack[--depth];
-    if (f.first > f.last || f.squared >= limit) continue;
+    const Frame f = stack[static_cast<std::size_t>(--depth)];
+    if (f.first > f.last || f.gap[0] * f.gap[0] + f.gap[1] * f.gap[1] + f.gap[2] * f.gap[2] >= limit) continue;
+    if (f.last - f.first < kLeaf) {
+      for (long i = f.first; i <= f.last; ++i) {
+        const Photon& p = photons_[static_cast<std::size_t>(i)];
+        const Vec3 delta = position(p) - point;
+        double squared = dot(delta, delta);
+        if (squared >= limit) continue;  // flattened distances are never below plain ones
+        if (normal) squared *= 1.0 + 16.0 * std::fabs(dot(*normal, delta));
+        if (squared >= limit) continue;
+        search.found.push_back({squared, static_cast<std::uint32_t>(i)});
+      }
+      if (search.found.size() >= 2 * maximum + kLeaf) search.keep_nearest(maximum, limit), dropped = true;
+      continue;
+    }
+    // In the order of the map, so that what is found does not depend on the radius that was tried first.
     const long middle = (f.first + f.last) / 2;
     const Photon& p = photons_[static_cast<std::size_t>(middle)];
-    const Vec3 delta = position(p) - point;
-    double squared = dot(delta, delta);
-    if (squared < limit) {
-      if (normal) squared *= 1.0 + 16.0 * std::fabs(dot(*normal, delta));
-      if (squared < limit) {
-        heap.push_back({squared, &p});
-        std::push_heap(heap.begin(), heap.end());
-        if (static_cast<int>(heap.size()) > maximum) {
-          std::pop_heap(heap.begin(), heap.end());
-          heap.pop_back();
-          dropped = true;
-        }
-        if (static_cast<int>(heap.size()) == maximum && dropped) limit = heap.front().squared;
-      }
-    }
     const double split = point[p.axis] - p.position[p.axis];
-    const Frame low{f.first, middle - 1, split > 0.0 ? std::max(f.squared, split * split) : f.squared};
-    const Frame high{middle + 1, f.last, split < 0.0 ? std::max(f.squared, split * split) : f.squared};
-    // The nearer side is searched first.
-    stack[depth++] = split > 0.0 ? low : high;
-    stack[depth++] = split > 0.0 ? high : low;
+    Frame low{f.first, middle - 1, f.gap}, high{middle + 1, f.last, f.gap};
+    if (split > 0.0) low.gap[p.axis] = split;
+    if (split < 0.0) high.gap[p.axis] = -split;
+    stack[static_cast<std::size_t>(depth++)] = high;
+    stack[static_cast<std::size_t>(depth++)] = {middle, middle, f.gap};
+    stack[static_cast<std::size_t>(depth++)] = low;
   }
-  for (const Found& f : heap) out.photons.push_back(f.photon);
-  if (dropped) out.radius = std::sqrt(heap.front().squared);
+  if (search.found.size() > maximum) search.keep_nearest(maximum, limit), dropped = true;
+  farthest = limit;
+  return dropped;
+}
+
+void PhotonMap::search(const Vec3& point, const Vec3* normal, double radius, int maximum, Gathered& out) const {
+  out.photons.clear();
+  out.radius = radius;
+  if (photons_.empty() || maximum <= 0) return;
+  // Photons lie about as dense here as where the last search was: radii little above the one that was enough there are tried first. If they hold more
+  // than `maximum`, the nearest are among them, whatever the radius.
+  Search& s = out.search;
+  const auto most = static_cast<std::size_t>(maximum);
+  double farthest = 0.0;
+  bool dropped = false;
+  for (double guess = 1.06 * s.last_radius; !dropped && guess > 0.0 && guess < radius; guess *= 1.4)
+    dropped = collect(point, normal, guess, most, s, farthest);
+  if (!dropped) dropped = collect(point, normal, radius, most, s, farthest);
+  for (const Search::Found& f : s.found) out.photons.push_back(&photons_[f.index]);
+  if (dropped) out.radius = std::sqrt(farthest);
+  s.last_radius = dropped ? out.radius : 0.0;
 }
 
 void PhotonMap::gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const {
@@ -135,7 +189,21 @@ void PhotonMap::gather(const Vec3& point, const Vec3* normal, const GatherSettin
   const double first = out.photons.empty() ? 1e-16 : static_cast<double>(out.photons.size()) / (out.radius * out.radius);
   const double second = wider.radius > 0.0 ? static_cast<double>(wider.photons.size()) / (wider.radius * wider.radius) : 0.0;
   const int found = static_cast<int>(wider.photons.size());
-  if ((second - first) / first < settings.expand_increase || (found >= 1 && found < settings.expand_minimum)) std::swap(out, wider);
+  if ((second - first) / first < settings.expand_increase || (found >= 1 && found < settings.expand_minimum)) {
+    out.photons.swap(wider.photons);
+    out.radius = wider.radius;
+  }
+}
+
+// Of a disc with so many photons, if they lay evenly in a square around all of them.
+double PhotonMap::typical_radius(int count) const {
+  double extent = 0.0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto less = [a](const Photon& l, const Photon& r) { return l.position[a] < r.position[a]; };
+    const auto [low, high] = std::minmax_element(photons_.begin(), photons_.end(), less);
+    extent = std::max(extent, static_cast<double>(high->position[a]) - low->position[a]);
+  }
+  return extent * std::sqrt(count / static_cast<double>(photons_.size()));
 }
 
 void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max, bool media) {
@@ -146,11 +214,13 @@ void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max
   const std::size_t tries = std::clamp<std::size_t>(photons_.size() / 20, 100, 1000);
   std::mt19937 generator(1);
   Gathered found;
+  found.search.last_radius = typical_radius(gather_max);
   double density = 0.0;
   for (std::size_t i = 0; i < tries; ++i) {
     const Photon& p = photons_[generator() % photons_.size()];
     search(position(p), nullptr, 1e7, gather_max, found);
     density += static_cast<double>(found.photons.size()) / volume(found.radius);
+    if (found.search.last_radius == 0.0) found.search.last_radius = typical_radius(gather_max);
   }
   density /= static_cast<double>(tries);
   const double ideal = media ? std::pow(3.0 * gather_max / (4.0 * kPi * density), 0.3333) : std::sqrt(gather_max / (kPi * density));

@@ -40,10 +40,22 @@ class PhotonMap {
   void set_gather_radius(double user, double multiplier, int gather_max, bool media);
   double gather_radius() const { return radius_; }
 
+  // Scratch of searches, and the radius that was enough for the last one.
+  struct Search {
+    struct Found {
+      double squared;
+      std::uint32_t index;
+    };
+    std::vector<Found> found;
+    std::vector<double> distances;
+    double last_radius = 0;  // 0: no help
+    void keep_nearest(std::size_t maximum, double& limit);
+  };
   // Photons around a point, found by `gather`.
   struct Gathered {
     std::vector<const Photon*> photons;
     double radius = 0;  // of the disc or sphere that holds them
+    Search search;
   };
   struct GatherSettings {
     int minimum = 20, maximum = 100;
@@ -55,6 +67,9 @@ class PhotonMap {
 
  private:
   void search(const Vec3& point, const Vec3* normal, double radius, int maximum, Gathered& out) const;
+  bool collect(const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, Search& search, double& farthest) const;
+
+  double typical_radius(int count) const;
 
   std::vector<Photon> photons_;
   double radius_ = 0;

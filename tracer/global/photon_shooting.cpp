@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/render/render.h"
 #include "tracer/shading/random.h"
 
 namespace verisim::global {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-// A target seen at too fine a spacing would never end: POV-Ray's numbers stay far below.
-constexpr std::size_t kMaxRing = std::size_t{1} << 24;
+constexpr double kMaxPerRing = 1e9;
+constexpr std::size_t kMaxBatch = std::size_t{1} << 16;  // starts in memory at a time
 
 bool active(scene::Flag object, scene::Flag light) {
   const bool on = object == scene::Flag::on || light == scene::Flag::on;
@@ -30,7 +31,7 @@ void collect_lights(const std::vector<scene::ObjectPtr>& objects, std::vector<co
 
 void collect_targets(const std::vector<scene::ObjectPtr>& objects, std::vector<const scene::Object*>& targets) {
   for (const scene::ObjectPtr& o : objects) {
-    if (o->photons.target) {
+    if (o->photons->target) {
       if (!o->ignore_global_lights) targets.push_back(o.get());
     } else if (const auto* csg = o->as<scene::Csg>()) {
       collect_targets(csg->children, targets);
@@ -75,14 +76,14 @@ std::vector<PhotonPair> photon_pairs(const scene::Scene& scene) {
     for (const scene::Object* target : targets) {
       PhotonPair pair;
       pair.light = light, pair.target = target;
-      pair.reflection = active(target->photons.reflection, light->photon_reflection);
-      pair.refraction = active(target->photons.refraction, light->photon_refraction);
+      pair.reflection = active(target->photons->reflection, light->photon_reflection);
+      pair.refraction = active(target->photons->refraction, light->photon_refraction);
       if (!pair.reflection && !pair.refraction) continue;
       const auto& b = target->bounds;
       const Vec3 half(0.5 * b.size[0], 0.5 * b.size[1], 0.5 * b.size[2]);
       pair.center = Vec3(b.low[0], b.low[1], b.low[2]) + half;
       pair.radius = length(half);
-      pair.density = target->photons.target_spacing;
+      pair.density = target->photons->target_spacing;
       pairs.push_back(pair);
     }
   }
@@ -96,7 +97,7 @@ double photon_spacing(const scene::Photons& settings, std::span<const PhotonPair
     const double r = p.radius / p.density;
     double x = kPi * r * r;
     if (p.reflection && p.refraction) x *= 1.5;
-    if (p.target->photons.collect) {
+    if (p.target->photons->collect) {
       if (p.reflection && p.refraction) {
         x *= 3.0;
       } else if (p.refraction) {
@@ -110,7 +111,7 @@ double photon_spacing(const scene::Photons& settings, std::span<const PhotonPair
 }
 
 void shoot(const PhotonPair& pair, double spacing, const scene::Photons& settings, RandomTable& random,
-           const std::function<bool(std::span<const PhotonStart>, double)>& trace) {
+           const std::function<bool(std::span<const PhotonStart>, double, double)>& trace) {
   const scene::LightSource& light = *pair.light;
   const bool grid = light.area && light.photon_area;
   const int columns = grid ? light.size1 : 1, rows = grid ? light.size2 : 1;
@@ -138,13 +139,18 @@ void shoot(const PhotonPair& pair, double spacing, const scene::Photons& setting
   }
   const float share = 1.0f / static_cast<float>(frames.size());
 
-  std::vector<PhotonStart> ring;
+  // Finer rings would not end in anybody's lifetime, and finest ones not at all.
+  if (limit / step > kMaxPerRing) throw render::LimitExceeded("photons { }: the spacing is too fine for this target: more than 1e9 rings of photons");
+  std::vector<PhotonStart> batch;
   bool hit_before = false;
   for (double theta = 0.0; theta < limit; theta += step) {
     const double around = theta < kEpsilon ? 2.0 * kPi : step / (light.parallel ? theta : std::sin(theta));
     const double first = -kPi + around * random.next() * 0.5;
-    ring.clear();
-    for (double phi = first; phi < first + 2.0 * kPi - around / 2.0 && ring.size() < kMaxRing; phi += around) {
+    if (2.0 * kPi / around > kMaxPerRing) throw render::LimitExceeded("photons { }: the spacing is too fine for this target: more than 1e9 photons in a ring");
+    const double done = theta / limit * (theta / limit);  // rings grow with their radius
+    bool hit = false;
+    batch.clear();
+    for (double phi = first; phi < first + 2.0 * kPi - around / 2.0; phi += around) {
       const double phi2 = phi + around * (random.next() - 0.5) * settings.jitter;
       const double theta2 = theta + step * (random.next() - 0.5) * settings.jitter;
       for (const Frame& f : frames) {
@@ -158,10 +164,11 @@ void shoot(const PhotonPair& pair, double spacing, const scene::Photons& setting
           start.ray.origin = f.origin;
           start.ray.direction = rotate(f.towards * std::cos(theta2) - f.left * std::sin(theta2), f.towards, phi2);
         }
-        ring.push_back(start);
+        batch.push_back(start);
       }
+      if (batch.size() >= kMaxBatch) hit |= trace(batch, sigma, done), batch.clear();
     }
-    const bool hit = trace(ring, sigma);
+    hit |= trace(batch, sigma, done);
     if (hit_before && !hit && theta > settings.autostop * limit) break;
     hit_before |= hit;
   }

@@ -37,9 +37,10 @@ struct PhotonStart {
   Ray ray;
   float energy = 1;  // share of the light's colour (area lights divide it)
 };
-// Calls trace(ring, sigma) for every ring of starts, sigma being the spacing per unit of distance (parallel lights: per se). `trace` returns whether any
-// photon of the ring hit the target; rings end by autostop or at the target's edge.
+// Calls trace(starts, sigma, done) for every ring of starts, in batches, sigma being the spacing per unit of distance (parallel lights: per se) and `done`
+// the fraction shot so far. `trace` returns whether any photon of the batch hit the target; rings end by autostop or at the target's edge. Throws
+// render::LimitExceeded for a spacing so fine that it would not end.
 void shoot(const PhotonPair& pair, double spacing, const scene::Photons& settings, RandomTable& random,
-           const std::function<bool(std::span<const PhotonStart>, double)>& trace);
+           const std::function<bool(std::span<const PhotonStart>, double, double)>& trace);
 
 }  // namespace verisim::global

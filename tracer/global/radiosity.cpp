@@ -38,6 +38,12 @@ RadiositySettings::RadiositySettings(const scene::Radiosity& description, const 
   }
 }
 
+IrradianceCache RadiositySettings::empty_cache() const {
+  // Queries of little weight are content with a quarter more (spec 07 2.5).
+  const double widest = description_->error_bound * std::max(1.0, static_cast<double>(description_->low_error_factor)) + 0.25;
+  return IrradianceCache(description_->error_bound, widest);
+}
+
 double RadiositySettings::required_weight(int depth) const {
   if (depth == 0) return description_->nearest_count;
   return depth == 1 ? std::min(2, description_->nearest_count) : 1;
@@ -53,10 +59,12 @@ RadiosityTask::RadiosityTask(const RadiositySettings& settings, const Irradiance
 void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound,
                                Estimate& estimate) const {
   const bool smooth = !pretrace_ && query.depth == 0;
-  cache.visit(query.depth, query.point, [&](const IrradianceSample& s) {
+  // 2 sqrt |1 - N.Ni| alone must stay below the bound; with a margin, so that the exact test below decides.
+  const double widest_turn = 0.25 * bound * bound * (1.0 + 1e-9);
+  cache.visit(query.depth, query.point, bound, [&](const IrradianceSample& s, double squared) {
+    const double turn = std::fabs(1.0 - dot(normal, s.normal));
+    if (turn > widest_turn) return;
     const Vec3 delta = query.point - s.point;
-    const double squared = dot(delta, delta), reach = s.mean_distance * bound;
-    if (squared >= reach * reach) return;
     const double r = std::sqrt(squared);
     double radius = s.mean_distance, facing = 1.0;
     if (r > 1e-6) {
@@ -66,7 +74,7 @@ void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuer
       if (r >= radius * bound) return;
       facing = dot(u, normalize(normal + s.normal));
     }
-    const double error = r / radius + 2.0 * std::sqrt(std::fabs(1.0 - dot(normal, s.normal)));
+    const double error = r / radius + 2.0 * std::sqrt(turn);
     if (!(error < bound)) return;
     if (facing <= -0.05) return;
     const double t = error / bound;

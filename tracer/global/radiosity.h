@@ -19,6 +19,8 @@ class RadiositySettings {
   RadiositySettings(const scene::Radiosity& description, const Vec3& camera_location);
 
   const scene::Radiosity& description() const { return *description_; }
+  // A cache for samples of this scene.
+  IrradianceCache empty_cache() const;
   Vec3 camera_location() const { return camera_location_; }
   int rays(int depth) const { return rays_[depth]; }
   double required_weight(int depth) const;         // K_d; a query is satisfied by an accumulated weight of K_d / 4

@@ -47,6 +47,7 @@ Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayStat
   EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
   if (!state.radiosity || ray.gather_depth >= scene_.settings.radiosity.recursion_limit) return {};
   const scene::Finish& finish = layer.layer.finish;
+  if (finish.subsurface && subsurface && scene_.settings.subsurface_radiosity) return {};  // enters through the surface instead
   const Rgb pigment = layer.pigment.rgb();
   const float bright = (layer.filter * pigment).grey() * layer.opacity;
   TracerGatherer gatherer(*this, tracer);
@@ -66,6 +67,16 @@ Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayStat
   };
   const Rgb front = side(finish.raw_diffuse, at.indirect, 1.0);
   return front + side(finish.raw_diffuse_back, at.indirect_back, -1.0);
+}
+
+bool SceneEffects::raw_irradiance(shading::Tracer& tracer, const shading::RayState& ray, const Vec3& point, const Vec3& normal, Rgb& light) const {
+  EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
+  if (!state.radiosity || ray.gather_depth >= scene_.settings.radiosity.recursion_limit) return false;
+  TracerGatherer gatherer(*this, tracer);
+  float ignored = 1;
+  float& quality = ray.gather_quality ? *ray.gather_quality : ignored;
+  light = state.radiosity->irradiance({point, normal, normal, static_cast<double>(ray.weight), ray.gather_depth}, gatherer, quality);
+  return true;
 }
 
 }  // namespace verisim::global

@@ -48,7 +48,7 @@ TEST(IrradianceCache, FindsEverySampleThatCanReachTheQuery) {
   // At depth 0 nothing within reach may be lost (spec 07 2.8).
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> u(-5, 5), radius(0.01, 1.5);
-  IrradianceCache cache(1.8);
+  IrradianceCache cache(1.8, 2.05);
   for (int i = 0; i < 2000; ++i) {
     IrradianceSample s;
     s.point = {u(generator), u(generator), u(generator)};
@@ -59,7 +59,7 @@ TEST(IrradianceCache, FindsEverySampleThatCanReachTheQuery) {
   for (int i = 0; i < 300; ++i) {
     const Vec3 x(u(generator), u(generator), u(generator));
     std::vector<const IrradianceSample*> found;
-    cache.visit(0, x, [&](const IrradianceSample& s) { found.push_back(&s); });
+    cache.visit(0, x, 1.8, [&](const IrradianceSample& s, double) { found.push_back(&s); });
     auto sorted = found;
     std::sort(sorted.begin(), sorted.end());
     EXPECT_EQ(std::unique(sorted.begin(), sorted.end()), sorted.end()) << "a sample was visited twice";
@@ -85,7 +85,7 @@ class Furnace : public Gatherer {
 TEST(RadiosityTask, ReusesSamplesNearbyAndTakesNewOnesElsewhere) {
   scene::Radiosity description;
   const RadiositySettings settings(description, Vec3(0, 1, -3));
-  IrradianceCache cache(description.error_bound);
+  IrradianceCache cache = settings.empty_cache();
   RadiosityTask task(settings, &cache, &cache, true, 0, 0);
   Furnace furnace;
   const auto query = [&](const Vec3& p) {

@@ -14,7 +14,7 @@ SceneEffects::SceneEffects(const scene::Scene& scene, textures::Compiler& compil
   if (scene.settings.radiosity.enabled) {
     radiosity = true;
     radiosity_settings_ = std::make_unique<RadiositySettings>(scene.settings.radiosity, scene.camera.location);
-    irradiance_ = std::make_unique<IrradianceCache>(scene.settings.radiosity.error_bound);
+    irradiance_ = std::make_unique<IrradianceCache>(radiosity_settings_->empty_cache());
   }
   photons = scene.settings.photons.enabled && scene.settings.photons.gather_max > 0;
   subsurface = scene.settings.subsurface;

@@ -33,9 +33,14 @@ class SceneEffects : public shading::Effects {
   bool photons_block(const shapes::Surface* lit, const shapes::Surface& occluder, const shading::Light& light) const override;
   Rgb subsurface_light(shading::Tracer&, const shading::RayState&, shading::SurfaceHit&, const shading::LayerContext&) const override;
 
+  // Irradiance at any point, without a layer that asks for it (subsurface { radiosity on }); false: radiosity is not in use here.
+  bool raw_irradiance(shading::Tracer&, const shading::RayState&, const Vec3& point, const Vec3& normal, Rgb& light) const;
+
   // ---- The passes that come before the picture; driven by render().
   const RadiositySettings* radiosity_settings() const { return radiosity_settings_.get(); }
   IrradianceCache& irradiance() { return *irradiance_; }
+  // What blocks of the final trace add to it, when they are to be saved; by number of the block.
+  std::vector<std::vector<IrradianceSample>>& block_samples() { return block_samples_; }
   PhotonMap& surface_photons() { return surface_photons_; }
   PhotonMap& media_photons() { return media_photons_; }
   const scene::Scene& scene() const { return scene_; }
@@ -59,6 +64,7 @@ class SceneEffects : public shading::Effects {
   std::vector<const CompiledMedia*> atmosphere_list_;
   std::unique_ptr<RadiositySettings> radiosity_settings_;
   std::unique_ptr<IrradianceCache> irradiance_;
+  std::vector<std::vector<IrradianceSample>> block_samples_;
   PhotonMap surface_photons_, media_photons_;
   SubsurfaceSettings subsurface_settings_;
 };

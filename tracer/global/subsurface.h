@@ -27,10 +27,14 @@ class SubsurfaceEnvironment {
   virtual bool illumination(std::size_t light, const Vec3& p, Rgb& color, Vec3& to_light) = 0;
   // Unshadowed direction to the light, for the straight line of single scattering.
   virtual Vec3 direction_to(std::size_t light, const Vec3& p) = 0;
-  // Radiance along a ray that leaves the object into `exit` (the unscattered term).
-  virtual Rgb transmitted(const Ray& ray, const SurfaceHit& exit) = 0;
+  // Radiance along a ray that leaves the object into `exit` (the unscattered term); `share`: the largest part of it that is used.
+  virtual Rgb transmitted(const Ray& ray, const SurfaceHit& exit, double share) = 0;
   virtual Vec3 sphere_direction() = 0;  // next Halton direction on the unit sphere
   virtual double random() = 0;          // next number of the single-scattering stream, [0, 1)
+  // Whether random() must be drawn as POV-Ray draws it; otherwise the estimator may use better samples of the same integral.
+  virtual bool replay() const { return true; }
+  // Radiosity at a point of the surface, for subsurface { radiosity on }; false: none is wanted.
+  virtual bool irradiance(const Vec3& /*point*/, const Vec3& /*normal*/, Rgb& /*light*/) { return false; }
 };
 
 struct SubsurfaceSettings {

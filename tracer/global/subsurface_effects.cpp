@@ -30,8 +30,8 @@ const std::vector<Vec3>& sphere_directions() {
 
 class TracerEnvironment : public SubsurfaceEnvironment {
  public:
-  TracerEnvironment(shading::Tracer& tracer, const shading::RayState& ray, const shading::SurfaceHit& at, EffectsStateOfScene& state)
-      : tracer_(tracer), ray_(ray), at_(at), sequence_(state.subsurface[static_cast<std::size_t>(state.subsurface_level)]) {
+  TracerEnvironment(const SceneEffects& effects, shading::Tracer& tracer, const shading::RayState& ray, const shading::SurfaceHit& at, EffectsStateOfScene& state)
+      : effects_(effects), tracer_(tracer), ray_(ray), at_(at), sequence_(state.subsurface[static_cast<std::size_t>(state.subsurface_level)]) {
     const shading::SceneData& scene = tracer.scene();
     if (!at.surface.ignore_global_lights) {
       for (std::size_t i = 0; i < scene.global_lights(); ++i) lights_.push_back(&scene.lights()[i]);
@@ -57,7 +57,7 @@ class TracerEnvironment : public SubsurfaceEnvironment {
 
   Vec3 direction_to(std::size_t light, const Vec3& p) override { return lights_[light]->direction(p).towards; }
 
-  Rgb transmitted(const Ray& inner, const SurfaceHit& exit) override {
+  Rgb transmitted(const Ray& inner, const SurfaceHit& exit, double share) override {
     // Out through the far side: a refracted child that has left the interior.
     const shading::Tracer::InteriorScope scope(tracer_);
     const double k = std::fabs(dot(inner.direction, exit.normal)), ratio = at_.surface.interior->ior;
@@ -69,9 +69,17 @@ class TracerEnvironment : public SubsurfaceEnvironment {
     child.primary = false;
     child.refracted = true;
     child.continuation = false;
+    child.weight *= static_cast<float>(share);
     child.level = at_.level;
     ++tracer_.statistics().refracted_rays;
     return tracer_.trace(child).rgb();
+  }
+
+  bool replay() const override { return tracer_.random().replay(); }
+
+  bool irradiance(const Vec3& point, const Vec3& normal, Rgb& light) override {
+    if (!tracer_.scene().scene.settings.subsurface_radiosity) return false;
+    return effects_.raw_irradiance(tracer_, ray_, point, normal, light);
   }
 
   Vec3 sphere_direction() override {
@@ -88,6 +96,7 @@ class TracerEnvironment : public SubsurfaceEnvironment {
   }
 
  private:
+  const SceneEffects& effects_;
   shading::Tracer& tracer_;
   const shading::RayState& ray_;
   const shading::SurfaceHit& at_;
@@ -102,10 +111,15 @@ Rgb SceneEffects::subsurface_light(shading::Tracer& tracer, const shading::RaySt
   EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
   // Gather rays see no direct diffuse light on such a surface unless radiosity { subsurface on } (spec 07 2.11).
   if (ray.gather && !scene_.settings.radiosity.subsurface) return {};
-  if (!ray.direct_light || state.subsurface_level >= kMaxSubsurfaceLevel) return {};
+  if (state.subsurface_level >= kMaxSubsurfaceLevel) return {};
   const scene::Finish& finish = layer.layer.finish;
   SubsurfaceSettings settings = subsurface_settings_;
   if (state.subsurface_level > 0) settings.diffuse_samples = settings.single_samples = 1;
+  if (!ray.direct_light) {
+    // The radiosity pretrace: only what is seen straight through, and where radiosity is asked for below the surface.
+    settings.single_samples = 0;
+    if (!scene_.settings.subsurface_radiosity) settings.diffuse_samples = 0;
+  }
   const auto surrounding = tracer.interiors(ray.interiors);
   SubsurfacePoint point;
   point.point = at.hit.point;
@@ -121,7 +135,7 @@ Rgb SceneEffects::subsurface_light(shading::Tracer& tracer, const shading::RaySt
     sequence.halton = static_cast<std::uint32_t>(tracer.random().shading() * kCycle);
     sequence.stream = static_cast<std::uint32_t>(tracer.random().shading() * kCycle);
   }
-  TracerEnvironment environment(tracer, ray, at, state);
+  TracerEnvironment environment(*this, tracer, ray, at, state);
   ++state.subsurface_level;
   const Rgb light = global::subsurface(point, settings, environment);
   --state.subsurface_level;

@@ -3,9 +3,13 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "tracer/image/shared_files.h"
+
 namespace verisim {
 
-scene::DensityFileParams load_density_file(const std::filesystem::path& path) {
+namespace {
+
+scene::DensityFileParams read_density_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::runtime_error("Cannot open density file '" + path.string() + "'.");
   unsigned char header[6];
@@ -31,6 +35,16 @@ scene::DensityFileParams load_density_file(const std::filesystem::path& path) {
     for (int i = 0; i < result.bytes; ++i) sample = sample << 8 | *next++;
   }
   result.samples = samples;
+  return result;
+}
+
+}  // namespace
+
+scene::DensityFileParams load_density_file(const std::filesystem::path& path) {
+  static image::SharedFiles<scene::DensityFileParams> files;
+  const auto shared = files.get(path, "df3", [&] { return std::make_shared<scene::DensityFileParams>(read_density_file(path)); });
+  scene::DensityFileParams result = *shared;
+  result.samples = std::shared_ptr<const std::vector<std::uint32_t>>(shared, shared->samples.get());  // whoever has the samples keeps the file known
   return result;
 }
 

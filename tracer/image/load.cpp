@@ -3,10 +3,12 @@
 #include <cctype>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 #include "tracer/image/gamma.h"
 #include "tracer/image/raw_image.h"
+#include "tracer/image/shared_files.h"
 
 namespace verisim {
 namespace image {
@@ -172,8 +174,13 @@ std::shared_ptr<const Image> finish(RawImage raw, ImageType type, const ImageDec
 
 std::shared_ptr<const Image> load_image(const std::filesystem::path& path, ImageType type, const ImageDecoding& decoding) {
   if (type == ImageType::unknown) type = image_type_from_extension(path.string());
+  static image::SharedFiles<Image> files;
+  const ImageDecoding& d = decoding;
+  std::ostringstream how;
+  how << std::hexfloat << static_cast<int>(type) << ' ' << static_cast<int>(d.gamma) << ' ' << d.gamma_value << ' ' << d.premultiplied << ' ' << d.data << ' ' << d.version << ' '
+      << d.working_is_srgb << ' ' << d.working_none << ' ' << d.working_gamma;
   try {
-    return image::finish(image::decode(path, type), type, decoding);
+    return files.get(path, how.str(), [&] { return image::finish(image::decode(path, type), type, decoding); });
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(path.string() + ": not enough memory for the image");
   } catch (const std::exception& e) {

@@ -195,7 +195,7 @@ TEST_F(LoadImage, RadianceAddsHalfAStep) {
 TEST_F(LoadImage, ModuleWritesAndReadsExr) {
   const float pixels[8] = {0.25f, 0.5f, 2, 0.5f, 1, 1, 1, 1};
   const VerisimImage picture{2, 1, 4, kVerisimFloat, const_cast<float*>(pixels), 1};
-  const VerisimWriteOptions options{&picture, nullptr, 0, 0, 0, nullptr};
+  const VerisimWriteOptions options{&picture, nullptr, 0, 0, 0, nullptr, nullptr, nullptr};
   char error[256] = "";
   const fs::path path = folder_ / "a.exr";
   ASSERT_EQ(image::image_module().write(path.c_str(), &options, error, sizeof error), 0) << error;
@@ -203,6 +203,20 @@ TEST_F(LoadImage, ModuleWritesAndReadsExr) {
   EXPECT_TRUE(image->premultiplied);
   EXPECT_NEAR(image->at(0, 0).b, 2, 1e-6);
   EXPECT_NEAR(image->at(0, 0).t, 0.5, 1e-6);
+}
+
+TEST_F(LoadImage, FilesAreReadOnceWhileTheyAreUsed) {
+  const fs::path path = rgb_png("shared.png");
+  const auto first = load_image(path, ImageType::png, version(370));
+  EXPECT_EQ(load_image(path, ImageType::unknown, version(370)), first);
+  EXPECT_EQ(load_image(path.parent_path() / "." / "shared.png", ImageType::png, version(370)), first);
+  ImageDecoding raw = version(370);
+  raw.data = true;
+  EXPECT_NE(load_image(path, ImageType::png, raw), first);  // read in another way
+  Bytes changed = image::read_file(path);
+  changed.push_back(0);
+  put("shared.png", changed);
+  EXPECT_NE(load_image(path, ImageType::png, version(370)), first);  // another file now
 }
 
 TEST_F(LoadImage, DamagedFilesAreErrors) {

@@ -11,9 +11,13 @@ namespace {
 constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 29;
 
 void save(const std::filesystem::path& path, const VerisimImage& image, const OutputOptions& options, const char* compression, int quality) {
+  std::map<std::string, std::string> described = options.metadata;
+  // What the extension area of TGA and the headers of the others call it (OpenImageIO's names).
+  if (const auto title = described.find("Title"); title != described.end()) described["DocumentName"] = title->second;
+  if (const auto comment = described.find("Comment"); comment != described.end()) described["ImageDescription"] = comment->second;
   std::vector<const char*> metadata;
-  for (const auto& [key, value] : options.metadata) metadata.push_back(key.c_str()), metadata.push_back(value.c_str());
-  const VerisimWriteOptions how{&image, compression, quality, 0, static_cast<std::int32_t>(options.metadata.size()), metadata.data()};
+  for (const auto& [key, value] : described) metadata.push_back(key.c_str()), metadata.push_back(value.c_str());
+  const VerisimWriteOptions how{&image, compression, quality, 0, static_cast<std::int32_t>(described.size()), metadata.data(), nullptr, nullptr};
   char error[512] = {};
   if (image_module().write(path.c_str(), &how, error, sizeof error) != 0) throw std::runtime_error(error);
 }

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "tracer/image/hdr.h"
 #include "tracer/image/module_files.h"
 #include "tracer/image/netpbm.h"
 #include "tracer/image/png.h"
@@ -83,6 +84,7 @@ Picture normalised(const Quantised& in) {
 }  // namespace
 
 void write(const render::Framebuffer& framebuffer, const std::filesystem::path& path, const OutputOptions& options) {
+  if (options.format == Format::hdr) return write_atomically(path, [&](std::FILE* file) { write_hdr(file, framebuffer, options); });
   if (options.format != Format::png && options.format != Format::ppm) return write_module_file(framebuffer, path, options);
   const Quantised picture = quantise(framebuffer, options);
   write_atomically(path, [&](std::FILE* file) { options.format == Format::png ? write_png(file, picture, options) : write_ppm(file, picture, options); });

@@ -208,5 +208,29 @@ TEST(Files, CorruptPicturesAreErrors) {
   std::filesystem::remove(path);
 }
 
+// Measured from POV-Ray 3.7.0.10 with constant backgrounds: mantissas are truncated, a Bayer offset counts in mantissas.
+TEST(Hdr, MantissasAreTruncatedAndDithered) {
+  const auto mantissas = [](float value, Dither dither) {
+    render::Framebuffer frame;
+    frame.width = 12, frame.height = 4;
+    frame.pixels.assign(48, Color(value, value / 2, 0, 0, 0));
+    OutputOptions options;
+    options.format = Format::hdr;
+    options.dither = dither;
+    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / ("dither_" + std::to_string(::getpid()) + ".hdr");
+    write(frame, path, options);
+    const Picture picture = read_picture(path);
+    std::filesystem::remove(path);
+    std::vector<int> red;
+    for (int x = 0; x < 4; ++x) red.push_back(static_cast<int>(picture.samples[static_cast<std::size_t>(x) * 3] * 256));
+    return red;
+  };
+  EXPECT_EQ(mantissas(153.95f / 256, Dither::none), (std::vector<int>{153, 153, 153, 153}));
+  EXPECT_EQ(mantissas(153.05f / 256, Dither::bayer2), (std::vector<int>{152, 153, 152, 153}));
+  EXPECT_EQ(mantissas(153.55f / 256, Dither::bayer2), (std::vector<int>{153, 154, 153, 154}));
+  EXPECT_EQ(mantissas(153.05f / 256, Dither::bayer3), (std::vector<int>{152, 153, 152, 152}));
+  EXPECT_EQ(mantissas(153.55f / 256, Dither::bayer4), (std::vector<int>{153, 153, 153, 154}));
+}
+
 }  // namespace
 }  // namespace verisim::image

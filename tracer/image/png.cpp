@@ -1,6 +1,7 @@
 #include "tracer/image/png.h"
 
 #include <png.h>
+#include <zlib.h>
 
 #include <csetjmp>
 #include <ctime>
@@ -70,7 +71,9 @@ void pack_row(const Quantised& picture, int y, png_byte* row) {
 bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const OutputOptions& options, png_byte* row, png_text* texts, int text_count) {
   if (setjmp(png_jmpbuf(w.png))) return false;
   png_init_io(w.png, file);
-  png_set_compression_level(w.png, 1);  // writing time counts more than size here
+  // Writing time counts more than size here: runs and Huffman's code alone, without a search for repeats, which rendered pictures have few of.
+  png_set_compression_level(w.png, 1);
+  png_set_compression_strategy(w.png, Z_RLE);
   png_set_filter(w.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
   png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height), picture.bits,
                color_type(picture.channels), PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -86,7 +89,10 @@ bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const Outpu
   png_set_sBIT(w.png, w.info, &significant);
   png_set_oFFs(w.png, w.info, 0, 0, PNG_OFFSET_PIXEL);
   png_time now;
-  png_convert_from_time_t(&now, std::time(nullptr));
+  const std::time_t seconds = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);  // png_convert_from_time_t uses gmtime's static buffer
+  png_convert_from_struct_tm(&now, &utc);
   png_set_tIME(w.png, w.info, &now);
   if (text_count) png_set_text(w.png, w.info, texts, text_count);
   png_write_info(w.png, w.info);

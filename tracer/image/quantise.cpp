@@ -2,6 +2,7 @@
 #include <array>
 #include <limits>
 
+#include "tracer/image/dither.h"
 #include "tracer/image/gamma.h"
 #include "tracer/image/output.h"
 
@@ -46,58 +47,6 @@ class CodeTable {
   std::array<std::uint16_t, kGuesses> guess_{};  // the code at i / kGuesses
 };
 
-// Bayer matrices, ranks listed per x, then y (spec 02 section 4.4).
-constexpr int kBayer2[2][2] = {{1, 3}, {4, 2}};
-constexpr int kBayer3[3][3] = {{3, 7, 4}, {6, 1, 9}, {2, 8, 5}};
-constexpr int kBayer4[4][4] = {{1, 9, 3, 11}, {13, 5, 15, 7}, {4, 12, 2, 10}, {16, 8, 14, 6}};
-
-float bayer_offset(Dither dither, int x, int y) {
-  switch (dither) {
-    case Dither::bayer2: return static_cast<float>(kBayer2[x % 2][y % 2]) / 4 - 0.5f;
-    case Dither::bayer3: return static_cast<float>(kBayer3[x % 3][y % 3]) / 9 - 0.5f;
-    case Dither::bayer4: return static_cast<float>(kBayer4[x % 4][y % 4]) / 16 - 0.5f;
-    default: return 0;
-  }
-}
-
-// Error diffusion with POV-Ray's quirk: a row's first pixel takes its accumulated error from the buffer of the row before (spec 02 section 4.4).
-class Diffusion {
- public:
-  Diffusion(Dither dither, int width, int channels)
-      : dither_(dither), channels_(channels), here_(static_cast<std::size_t>(width + 2) * channels), below_(here_.size()), carried_(channels) {}
-
-  float take(int x, int channel) {
-    if (dither_ == Dither::diffusion1d) return carried_[channel];
-    const float error = here_[index(x, channel)];
-    if (x == 0 && channel == channels_ - 1) next_row();
-    return error;
-  }
-  void give(int x, int channel, float error) {
-    if (dither_ == Dither::diffusion1d) {
-      carried_[channel] = error;
-    } else if (dither_ == Dither::diffusion2d) {
-      here_[index(x + 1, channel)] += error / 2;
-      below_[index(x, channel)] += error / 4;
-      below_[index(x + 1, channel)] += error / 4;
-    } else {
-      here_[index(x + 1, channel)] += error * 7 / 16;
-      below_[index(x - 1, channel)] += error * 3 / 16;
-      below_[index(x, channel)] += error * 5 / 16;
-      below_[index(x + 1, channel)] += error * 1 / 16;
-    }
-  }
-
- private:
-  std::size_t index(int x, int channel) const { return static_cast<std::size_t>(x + 1) * channels_ + channel; }
-  void next_row() {
-    std::swap(here_, below_);
-    std::fill(below_.begin(), below_.end(), 0.0f);
-  }
-  Dither dither_;
-  int channels_;
-  std::vector<float> here_, below_, carried_;
-};
-
 // Straight alpha: highlights brighter than their alpha raise it (spec 02 section 4.5).
 void to_straight_alpha(Rgb& color, float& alpha) {
   const float y = color.grey();
@@ -115,8 +64,6 @@ int expand(int code, int bits, int file_bits) {
   }
   return value;
 }
-
-bool diffuses(Dither d) { return d == Dither::diffusion1d || d == Dither::diffusion2d || d == Dither::floyd_steinberg; }
 
 struct Depth {
   int bits, file_bits;

@@ -1,6 +1,7 @@
 #include "tracer/render/antialias.h"
 
 #include "tracer/image/gamma.h"
+#include "tracer/render/adaptive_sampling.h"
 
 namespace verisim::render {
 
@@ -25,6 +26,15 @@ Compared encode_for_comparison(const Color& c, const AntialiasSettings& s) {
   const auto encode = [&s](float v) { return std::pow(std::fmax(s.decode_srgb ? image::srgb_decode(v) : v, 0.0f), s.exponent); };
   const float r = encode(c.r);
   return {r, c.g == c.r ? r : encode(c.g), c.b == c.r ? r : encode(c.b), c.t};
+}
+
+AdaptiveSettings adaptive_settings(const Options& options, scene::Gamma working, double working_gamma) {
+  AdaptiveSettings s;
+  s.tolerance = std::clamp(options.antialias_threshold, 0.0f, 1.0f) / 20;
+  s.maximum = 1 << (2 * std::clamp(options.antialias_depth, 1, 6));
+  s.encoded = working == scene::Gamma::srgb || (working == scene::Gamma::power && working_gamma > 1.5) || working == scene::Gamma::none;
+  s.seed = options.seed;
+  return s;
 }
 
 }  // namespace verisim::render

@@ -33,7 +33,8 @@ CameraRays::CameraRays(const scene::Camera& camera, int width, int height)
 
 std::optional<PrimaryRay> CameraRays::at(double x, double y) const {
   using Kind = scene::CameraKind;
-  const double u = (x + 0.5) / width_, w = 1 - (y + 0.5) / height_;
+  // In this form: the last bits decide where a pattern's seam lies in a surface (measured: the sign of y on a plane y = 0 agrees in every pixel).
+  const double u = (x + 0.5) / width_, w = (height_ - (y + 0.5)) / height_;
   const double uc = u - 0.5, wc = w - 0.5, u2 = 2 * u - 1, w2 = 2 * w - 1;
   switch (kind_) {
     case Kind::perspective: return PrimaryRay{{location_, direction_ + uc * right_ + wc * up_}, {uc, wc}};

@@ -3,6 +3,8 @@
 namespace verisim::render {
 namespace {
 
+constexpr double kEdgeTolerance = 1e-9;
+
 const Vec3& vertex(const scene::MeshData& mesh, const scene::MeshTriangle& t, int i) { return mesh.vertices[t.vertex[i]]; }
 
 // The mesh's own front side (spec 04 1.4): (0,0,0), (1,0,0), (0,1,0) faces -z.
@@ -11,14 +13,14 @@ Vec3 face_normal(const scene::MeshData& mesh, const scene::MeshTriangle& t) {
   return normalize(cross(vertex(mesh, t, 0) - b, vertex(mesh, t, 2) - b));
 }
 
-// Barycentric weights of p in a 2-D triangle; false outside.
-bool barycentric(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c, double weights[3]) {
+// Barycentric weights of p in a 2-D triangle; false outside, where a weight is below -tolerance.
+bool barycentric(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c, double tolerance, double weights[3]) {
   const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
   if (area == 0) return false;
   weights[1] = ((p.x - a.x) * (c.y - a.y) - (c.x - a.x) * (p.y - a.y)) / area;
   weights[2] = ((b.x - a.x) * (p.y - a.y) - (p.x - a.x) * (b.y - a.y)) / area;
   weights[0] = 1 - weights[1] - weights[2];
-  return weights[0] >= 0 && weights[1] >= 0 && weights[2] >= 0;
+  return weights[0] >= -tolerance && weights[1] >= -tolerance && weights[2] >= -tolerance;
 }
 
 }  // namespace
@@ -57,10 +59,16 @@ std::optional<MeshCamera::Face> MeshCamera::face(double x, double y, int k) cons
 
 std::optional<Ray> MeshCamera::by_uv(double u, double v) const {
   if (camera_.meshes.empty()) return std::nullopt;
+  // A pixel on the edge between two triangles may lie outside of both by a rounding.
+  std::optional<Ray> ray = by_uv(u, v, 0);
+  return ray ? ray : by_uv(u, v, kEdgeTolerance);
+}
+
+std::optional<Ray> MeshCamera::by_uv(double u, double v, double tolerance) const {
   const scene::MeshData& mesh = *camera_.meshes.front();
   for (const scene::MeshTriangle& t : mesh.triangles) {
     double w[3];
-    if (!t.has_uv || !barycentric({u, v}, mesh.uvs[t.uv[0]], mesh.uvs[t.uv[1]], mesh.uvs[t.uv[2]], w)) continue;
+    if (!t.has_uv || !barycentric({u, v}, mesh.uvs[t.uv[0]], mesh.uvs[t.uv[1]], mesh.uvs[t.uv[2]], tolerance, w)) continue;
     Vec3 origin(0, 0, 0), normal(0, 0, 0);
     for (int i = 0; i < 3; ++i) {
       origin += vertex(mesh, t, i) * w[i];

@@ -23,6 +23,7 @@ class MeshCamera {
   std::optional<Face> face(double x, double y, int k) const;
   Ray finished(std::size_t mesh, const Vec3& origin, const Vec3& normal) const;
   std::optional<Ray> by_uv(double u, double v) const;
+  std::optional<Ray> by_uv(double u, double v, double tolerance) const;
 
   const scene::Camera& camera_;
   int width_, height_;

@@ -1,8 +1,8 @@
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include "tracer/global/photon_media.h"
 #include "tracer/global/photon_shooting.h"
+#include "tracer/parallel.h"
 #include "tracer/render/prepasses.h"
 
 namespace verisim::render {
@@ -12,7 +12,7 @@ using shading::PhotonShot;
 using shading::StoredPhoton;
 
 constexpr std::size_t kSmallRing = 64;  // not worth handing to threads
-constexpr std::size_t kMaxPhotons = std::size_t{1} << 28;
+constexpr std::size_t kRingGrain = 16;
 
 void collect_primitives(const scene::Object& object, std::unordered_set<const scene::Object*>& out) {
   out.insert(&object);
@@ -27,7 +27,8 @@ class Shooter {
         use_media_(effects.media_in_interiors || effects.atmosphere), threads_(threads),
         tracers_([this] { return shading::Tracer(data_, shading::RandomSource(options_.replay, options_.seed), options_.cancel); }) {}
 
-  void shoot(const global::PhotonPair& pair, double spacing, global::RandomTable& random) {
+  // `first` and `share`: the part of the whole pass that this pair is.
+  void shoot(const global::PhotonPair& pair, double spacing, global::RandomTable& random, double first, double share) {
     const scene::Photons& settings = effects_.scene().settings.photons;
     std::unordered_set<const scene::Object*> target;
     collect_primitives(*pair.target, target);
@@ -36,8 +37,9 @@ class Shooter {
     shot.light = pair.light, shot.target = &target;
     shot.max_trace_level = settings.max_trace_level > 0 ? settings.max_trace_level : data_.max_trace_level;
     shot.adc_bailout = settings.adc_bailout >= 0 ? static_cast<float>(settings.adc_bailout) : data_.adc_bailout;
-    global::shoot(pair, spacing, settings, random, [&](std::span<const global::PhotonStart> ring, double sigma) {
+    global::shoot(pair, spacing, settings, random, [&](std::span<const global::PhotonStart> ring, double sigma, double done) {
       shot.sigma = sigma;
+      if (options_.pass_progress) options_.pass_progress("photons", first + done * share);
       return trace_ring(ring, shot, light);
     });
   }
@@ -55,7 +57,7 @@ class Shooter {
     if (options_.replay || threads_ == 1 || ring.size() < kSmallRing) {
       for (std::size_t i = 0; i < ring.size(); ++i) trace(i);
     } else {
-      tbb::parallel_for(std::size_t{0}, ring.size(), trace);
+      parallel_for(ring.size(), kRingGrain, trace);
     }
     shot_count_ += ring.size();
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -83,7 +85,9 @@ class Shooter {
 
   void store(const StoredPhoton& s) {
     global::PhotonMap& map = s.media ? effects_.media_photons() : effects_.surface_photons();
-    if (map.size() >= kMaxPhotons) throw std::length_error("more than 268435456 photons: raise the spacing or lower the count in photons {}");
+    const std::uint64_t most = options_.pass_memory / sizeof(global::Photon);
+    if (effects_.surface_photons().size() + effects_.media_photons().size() >= most)
+      throw LimitExceeded("more than " + std::to_string(most) + " photons: raise the spacing or lower the count in photons { }, or allow more memory");
     global::Photon photon;
     photon.position = {static_cast<float>(s.point.x), static_cast<float>(s.point.y), static_cast<float>(s.point.z)};
     photon.energy = global::Photon::encode(s.energy);
@@ -115,7 +119,11 @@ void photon_pass(global::SceneEffects& effects, const shading::SceneData& data, 
     Shooter shooter(effects, data, options, threads);
     global::RandomTable random;
     try {
-      for (const auto& pair : pairs) shooter.shoot(pair, spacing, random);
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const double share = 1.0 / static_cast<double>(pairs.size());
+        shooter.shoot(pairs[i], spacing, random, static_cast<double>(i) * share, share);
+      }
+      if (options.pass_progress) options.pass_progress("photons", 1.0);
     } catch (const shading::Cancelled&) {
       return;
     }

@@ -21,6 +21,34 @@ CameraModel::CameraModel(const scene::Camera& description, int width, int height
     origin_varies = true;
   }
   if (description.normal) normal = compiler.normal(description.normal);
+  if (!mesh && !blur) find_coherence(width, height);
+}
+
+// From the rays of three pixels in the middle.
+void CameraModel::find_coherence(int width, int height) {
+  using Kind = accel::CameraCoherence::Kind;
+  const double x = width / 2, y = height / 2;
+  const auto here = rays.at(x, y), right = rays.at(x + 1, y), below = rays.at(x, y + 1);
+  if (!here || !right || !below) return;
+  const auto apart = [&](const PrimaryRay& other) {
+    return origin_varies ? length(other.ray.origin - here->ray.origin) : length(normalize(other.ray.direction) - normalize(here->ray.direction));
+  };
+  if (origin_varies && camera.kind != scene::CameraKind::orthographic) return;
+  linear = !normal && (camera.kind == scene::CameraKind::perspective || camera.kind == scene::CameraKind::orthographic);
+  coherence = {origin_varies ? Kind::parallel : Kind::common_origin, std::max(apart(*right), apart(*below))};
+}
+
+// Rays of linear cameras are spanned by those of the corners.
+std::optional<accel::Shaft> CameraModel::shaft(const Box3& world, double left, double top, double right, double bottom) const {
+  Box3 from, to;
+  for (const Vec2& at : {Vec2(left, top), Vec2(right, top), Vec2(left, bottom), Vec2(right, bottom)}) {
+    const Ray ray = rays.at(at.x, at.y)->ray;
+    // To beyond the sphere around the world, whose distance from the corner's own origin this bounds; parallel rays count from behind it, too.
+    const double reach = 2 * (length(world.center() - ray.origin) + length(world.max - world.min)) / length(ray.direction);
+    from.extendBy(origin_varies ? ray.origin - reach * ray.direction : ray.origin);
+    to.extendBy(ray.origin + reach * ray.direction);
+  }
+  return accel::Shaft::between(from, to);
 }
 
 Color PixelSampler::operator()(double x, double y) {
@@ -35,12 +63,19 @@ Color PixelSampler::operator()(double x, double y) {
   tracer_.random().begin_sample(x, y, 0);
   const std::optional<PrimaryRay> primary = camera_.rays.at(x, y);
   if (!primary) return {0, 0, 0, 0, 1};
-  return trace({primary->ray.origin, normalize(primary->ray.direction)}, primary->image);
+  const accel::WorldEntry* entry = nullptr;
+  if (camera_.linear) {
+    entry = tracer_.coherent().camera(x, y, [this](double left, double top, double right, double bottom) {
+      return camera_.shaft(tracer_.scene().world.tree().bounds(), left, top, right, bottom);
+    });
+  }
+  // By way of the reciprocal, as POV-Ray normalises: its last bits decide where a pattern's seam lies in a surface.
+  return trace({primary->ray.origin, primary->ray.direction * (1 / length(primary->ray.direction))}, primary->image, entry);
 }
 
-Color PixelSampler::trace(Ray ray, const Vec2& image) {
+Color PixelSampler::trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry) {
   if (camera_.normal) ray.direction = perturb_direction(*camera_.normal, ray.direction, image);
-  return tracer_.trace_camera(ray, camera_.origin_varies);
+  return tracer_.trace_camera(ray, camera_.origin_varies, std::numeric_limits<double>::infinity(), entry);
 }
 
 Color PixelSampler::mesh_sample(double x, double y) {

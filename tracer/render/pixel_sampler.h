@@ -18,6 +18,13 @@ struct CameraModel {
   std::optional<FocalBlur> blur;
   const textures::CompiledNormal* normal = nullptr;
   bool origin_varies = false;
+  accel::CameraCoherence coherence;
+  bool linear = false;  // rays are linear in the position: perspective and orthographic cameras without a normal
+  // The shaft of all rays of a rectangle of the picture, for linear cameras, through a world with these bounds.
+  std::optional<accel::Shaft> shaft(const Box3& world, double left, double top, double right, double bottom) const;
+
+ private:
+  void find_coherence(int width, int height);
 };
 
 // One per thread.
@@ -29,7 +36,7 @@ class PixelSampler {
 
  private:
   Color mesh_sample(double x, double y);
-  Color trace(Ray ray, const Vec2& image);
+  Color trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry = nullptr);
 
   const CameraModel& camera_;
   shading::Tracer& tracer_;

@@ -16,4 +16,10 @@ void photon_pass(global::SceneEffects& effects, const shading::SceneData& data, 
 // Prepares a thread's tracer for the final trace of a block (radiosity samples taken there stay in the block, unless in replay).
 void begin_block(global::SceneEffects& effects, shading::Tracer& tracer, const Options& options, int block);
 
+// After the block: keeps its radiosity samples if they are to be saved.
+void end_block(global::SceneEffects& effects, shading::Tracer& tracer, const Options& options, int block);
+
+// Writes all radiosity samples to options.radiosity_to, if there is one; adds to the file they were loaded from.
+void save_radiosity(global::SceneEffects& effects, const Options& options);
+
 }  // namespace verisim::render

@@ -1,7 +1,10 @@
+#include <mutex>
+
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include "tracer/global/effects_state.h"
+#include "tracer/global/irradiance_file.h"
+#include "tracer/parallel.h"
 #include "tracer/render/blocks.h"
 #include "tracer/render/prepasses.h"
 
@@ -14,8 +17,8 @@ using global::PretracePlan;
 using global::RadiosityTask;
 
 // A pool of directions is walked through from a different place in every tile; any number coprime to the pool spreads the starts.
-std::size_t first_direction(int pass, int tile, bool final_trace) {
-  return static_cast<std::size_t>(tile) * 613u + static_cast<std::size_t>(pass) * 101u + (final_trace ? 307u : 0u);
+std::size_t first_direction(const Options& options, int pass, int tile, bool final_trace) {
+  return options.seed % 1000003u * 379u + static_cast<std::size_t>(tile) * 613u + static_cast<std::size_t>(pass) * 101u + (final_trace ? 307u : 0u);
 }
 
 struct Worker {
@@ -42,6 +45,45 @@ bool tile_finished(const RadiosityTask& task, std::size_t positions, int queries
   return adaptive > 0 && (task.depth0_weight() - weight_before) / queries >= adaptive;
 }
 
+// Tiles of a pass in groups that are worked on at the same time; a group sees the samples of all groups before it. What tiles of one group take twice is
+// wasted, most of all while the cache is empty: the first pass begins with one tile. Neighbours are put in different groups. Depends on the picture's
+// size alone, never on the number of threads.
+std::vector<std::vector<std::size_t>> waves_of(std::size_t tiles, int pass) {
+  constexpr std::size_t kFewest = 8, kMostWaves = 16;
+  const std::size_t full = std::max(kFewest, (tiles + kMostWaves - 1) / kMostWaves);
+  constexpr std::size_t kStride = 613;  // a prime, so that steps of it visit every tile
+  std::vector<std::vector<std::size_t>> waves;
+  for (std::size_t i = 0, size = pass == 0 ? 1 : full; i < tiles; size = std::min(full, size * 2)) {
+    auto& wave = waves.emplace_back();
+    for (; i < tiles && wave.size() < size; ++i) wave.push_back(tiles % kStride == 0 ? i : i * kStride % tiles);
+  }
+  return waves;
+}
+
+// Tells how far the pretrace is; a pass counts by its number of positions.
+class PretraceProgress {
+ public:
+  PretraceProgress(const PretracePlan& plan, std::size_t tiles, const Options& options) : plan_(plan), tiles_(static_cast<double>(tiles)), options_(options) {
+    for (int pass = 0; pass < plan.passes; ++pass) total_ += positions(pass);
+  }
+  void tile_done(int pass) {
+    if (!options_.pass_progress) return;
+    const std::lock_guard lock(mutex_);
+    done_ += positions(pass) / tiles_;
+    double before = 0;  // tiles that were finished early count with their pass
+    for (int p = 0; p < pass; ++p) before += positions(p);
+    done_ = std::max(done_, before);
+    options_.pass_progress("radiosity pretrace", std::min(1.0, done_ / total_));
+  }
+
+ private:
+  double positions(int pass) const { return 1.0 / (plan_.spacing(pass) * plan_.spacing(pass)); }
+  const PretracePlan& plan_;
+  double tiles_, total_ = 0, done_ = 0;
+  const Options& options_;
+  std::mutex mutex_;
+};
+
 }  // namespace
 
 void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData& data, const CameraModel& camera, const Options& options, int threads) {
@@ -50,6 +92,13 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
   const std::vector<Block> tiles = blocks_of(render_area(options), options.block_size);
   std::vector<std::uint8_t> finished(tiles.size(), 0);
   IrradianceCache& cache = effects.irradiance();
+  cache.set_memory_limit(options.pass_memory);
+  if (!options.radiosity_from.empty()) {
+    constexpr std::uint64_t kSampleBytes = 512;  // with its share of the lookup
+    for (const global::IrradianceSample& s : global::load_samples(options.radiosity_from, options.pass_memory / kSampleBytes)) cache.add(s);
+  }
+  if (!options.radiosity_to.empty() && !options.replay) effects.block_samples().resize(tiles.size());
+  PretraceProgress progress(plan, tiles.size(), options);
   try {
     if (options.replay) {
       Worker worker(data, camera, options);
@@ -62,34 +111,39 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
           const double weight = task->depth0_weight();
           worker.trace_tile(plan, pass, static_cast<int>(i), tiles[i]);
           finished[i] = tile_finished(*task, worker.positions.size(), queries, weight, settings.adaptive_nearest_count);
+          progress.tile_done(pass);
         }
       }
       return;
     }
     tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(data, camera, options); });
     for (int pass = 0; pass < plan.passes; ++pass) {
-      std::vector<IrradianceCache> found(tiles.size(), IrradianceCache(settings.error_bound));
-      const auto work = [&](std::size_t i) {
-        if (finished[i] || (options.cancel && options.cancel->load(std::memory_order_relaxed))) return;
-        Worker& worker = workers.local();
-        auto& task = EffectsStateOfScene::of(worker.tracer).radiosity;
-        task.emplace(*effects.radiosity_settings(), &cache, &found[i], true, pass, static_cast<int>(i));
-        task->seek(first_direction(pass, static_cast<int>(i), false));
-        try {
-          worker.trace_tile(plan, pass, static_cast<int>(i), tiles[i]);
-        } catch (const shading::Cancelled&) {
-          return;
+      for (const std::vector<std::size_t>& wave : waves_of(tiles.size(), pass)) {
+        std::vector<IrradianceCache> found(wave.size(), effects.radiosity_settings()->empty_cache());
+        const auto work = [&](std::size_t i) {
+          const std::size_t tile = wave[i];
+          if (finished[tile] || (options.cancel && options.cancel->load(std::memory_order_relaxed))) return;
+          Worker& worker = workers.local();
+          auto& task = EffectsStateOfScene::of(worker.tracer).radiosity;
+          task.emplace(*effects.radiosity_settings(), &cache, &found[i], true, pass, static_cast<int>(tile));
+          task->seek(first_direction(options, pass, static_cast<int>(tile), false));
+          try {
+            worker.trace_tile(plan, pass, static_cast<int>(tile), tiles[tile]);
+          } catch (const shading::Cancelled&) {
+            return;
+          }
+          finished[tile] = tile_finished(*task, worker.positions.size(), 0, 0.0, settings.adaptive_nearest_count);
+          task.reset();
+          progress.tile_done(pass);
+        };
+        if (threads == 1) {
+          for (std::size_t i = 0; i < wave.size(); ++i) work(i);
+        } else {
+          parallel_for(wave.size(), 1, work);
         }
-        finished[i] = tile_finished(*task, worker.positions.size(), 0, 0.0, settings.adaptive_nearest_count);
-        task.reset();
-      };
-      if (threads == 1) {
-        for (std::size_t i = 0; i < tiles.size(); ++i) work(i);
-      } else {
-        tbb::parallel_for(std::size_t{0}, tiles.size(), work, tbb::simple_partitioner());
-      }
-      for (const IrradianceCache& tile : found) {
-        for (const global::IrradianceSample& sample : tile.samples()) cache.add(sample);
+        for (const IrradianceCache& tile : found) {
+          for (const global::IrradianceSample& sample : tile.samples()) cache.add(sample);
+        }
       }
     }
   } catch (const shading::Cancelled&) {
@@ -103,9 +157,25 @@ void begin_block(global::SceneEffects& effects, shading::Tracer& tracer, const O
     if (!state.radiosity) state.radiosity.emplace(*effects.radiosity_settings(), &effects.irradiance(), &effects.irradiance(), false, -2, 0);
     return;
   }
-  state.own_samples.emplace(effects.scene().settings.radiosity.error_bound);
+  state.own_samples.emplace(effects.radiosity_settings()->empty_cache());
   state.radiosity.emplace(*effects.radiosity_settings(), &effects.irradiance(), &*state.own_samples, false, -2, block);
-  state.radiosity->seek(first_direction(0, block, true));
+  state.radiosity->seek(first_direction(options, 0, block, true));
+}
+
+void end_block(global::SceneEffects& effects, shading::Tracer& tracer, const Options& options, int block) {
+  if (!effects.radiosity || options.replay || options.radiosity_to.empty()) return;
+  effects.block_samples()[static_cast<std::size_t>(block)] = EffectsStateOfScene::of(tracer).own_samples->samples();
+}
+
+void save_radiosity(global::SceneEffects& effects, const Options& options) {
+  if (!effects.radiosity || options.radiosity_to.empty()) return;
+  std::vector<global::IrradianceSample> samples;
+  const bool append = options.radiosity_from == options.radiosity_to;
+  for (const global::IrradianceSample& s : effects.irradiance().samples()) {
+    if (s.pass != -1 || !append) samples.push_back(s);  // those of the file are in it
+  }
+  for (const auto& block : effects.block_samples()) samples.insert(samples.end(), block.begin(), block.end());
+  global::save_samples(options.radiosity_to, samples, append);
 }
 
 }  // namespace verisim::render

@@ -2,14 +2,17 @@
 #include "tracer/render/render.h"
 
 #include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <chrono>
 #include <mutex>
 
+#include "tracer/parallel.h"
+#include "tracer/render/adaptive_sampling.h"
 #include "tracer/render/antialias.h"
 #include "tracer/render/blocks.h"
+#include "tracer/render/layers.h"
+#include "tracer/render/path_pixels.h"
 #include "tracer/render/pixel_sampler.h"
 #include "tracer/render/prepasses.h"
 #include "tracer/render/requirements.h"
@@ -84,25 +87,35 @@ class Queue {
 
 // One thread's work: blocks until there are none left.
 void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& effects, const CameraModel& camera, const Options& options,
-          Framebuffer& frame) {
+          const path::PathScene* paths, Framebuffer& frame) {
   shading::Tracer tracer(scene, shading::RandomSource(options.replay, options.seed), options.cancel);
+  tracer.coherent().set_camera(camera.coherence);
   PixelSampler sampler(camera, tracer);
   const AntialiasSettings settings = antialias_settings(options, scene.scene.settings.gamma, scene.scene.settings.assumed_gamma);
-  const int method = options.antialias ? settings.method : 0;
+  const bool adaptive = options.antialias && options.sampler == Sampler::adaptive;
+  const int method = options.antialias && !adaptive ? settings.method : 0;
   std::optional<AdaptiveGrid<PixelSampler>> grid;
   std::optional<RecursiveQuads<PixelSampler>> quads;
+  std::optional<AdaptiveSampling<PixelSampler>> sampling;
+  if (adaptive)
+    sampling.emplace(adaptive_settings(options, scene.scene.settings.gamma, scene.scene.settings.assumed_gamma), options.width, options.height, sampler);
   if (method == 1) grid.emplace(settings, sampler);
   if (method == 2) quads.emplace(settings, sampler);
   try {
     while (const Block* block = queue.next()) {
       begin_block(effects, tracer, options, queue.index(block));
-      if (grid) {
+      if (paths) {
+        render_paths(*block, camera, *paths, tracer, options, frame);
+      } else if (sampling) {
+        sampling->render(*block, frame);
+      } else if (grid) {
         grid->render(*block, frame);
       } else if (quads) {
         quads->render(*block, frame);
       } else {
         render_plain(*block, sampler, frame);
       }
+      end_block(effects, tracer, options, queue.index(block));
       queue.finished(*block);
     }
   } catch (const shading::Cancelled&) {
@@ -115,6 +128,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
 Statistics render(const scene::Scene& scene, const Options& options, Framebuffer& frame) {
   const auto start = std::chrono::steady_clock::now();
   check_supported(scene, options);
+  if (options.path_samples > 0) path::check_supported(scene);
   const std::size_t pixels = static_cast<std::size_t>(options.width) * options.height;
   if (frame.width != options.width || frame.height != options.height || frame.pixels.size() != pixels) {
     frame.width = options.width, frame.height = options.height;
@@ -127,6 +141,11 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
   const accel::World world(scene, compiler, options.split_unions, options.remove_bounds);
   shading::SceneData data(scene, world, compiler, options.quality, options.output_alpha);
   global::SceneEffects effects(scene, compiler, options.quality);
+  std::optional<path::PathScene> paths;
+  if (options.path_samples > 0) {
+    effects.photons = effects.radiosity = false;  // paths are their own interreflection and caustics
+    paths.emplace(data, effects, options.path_bounces);
+  }
   if (effects.any()) data.effects = &effects;
   const CameraModel camera(scene.camera, options.width, options.height, compiler);
   statistics.seconds_compile = seconds_since(start);
@@ -139,19 +158,26 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
     if (effects.photons) photon_pass(effects, data, options, count);
     if (effects.radiosity) radiosity_pretrace(effects, data, camera, options, count);
   };
+  if (options.layers) resize_layers(*options.layers, options.width, options.height);
+  const auto layer_rows = [&](int first, int last) {
+    if (options.layers && !queue.cancelled()) fill_layers(*options.layers, data, camera, options.width, first, last, options.antialias);
+  };
   if (threads == 1) {
     run_prepasses(1);
-    work(queue, data, effects, camera, options, frame);
+    work(queue, data, effects, camera, options, paths ? &*paths : nullptr, frame);
+    layer_rows(0, options.height);
   } else {
     const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     const tbb::global_control stack(tbb::global_control::thread_stack_size, std::size_t{16} << 20);
     tbb::task_arena arena(threads);
     arena.execute([&] {
       run_prepasses(threads);
-      tbb::parallel_for(0, threads, [&](int) { work(queue, data, effects, camera, options, frame); }, tbb::simple_partitioner());
+      parallel_for(static_cast<std::size_t>(threads), 1, [&](std::size_t) { work(queue, data, effects, camera, options, paths ? &*paths : nullptr, frame); });
+      if (options.layers) parallel_for(static_cast<std::size_t>(options.height), 1, [&](std::size_t y) { layer_rows(static_cast<int>(y), static_cast<int>(y) + 1); });
     });
   }
   statistics.cancelled = queue.cancelled();
+  if (!statistics.cancelled && !paths) save_radiosity(effects, options);
   statistics.seconds_render = seconds_since(render_start);
   return statistics;
 }

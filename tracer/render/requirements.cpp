@@ -1,5 +1,7 @@
 #include "tracer/render/requirements.h"
 
+#include "tracer/shapes/factories.h"
+
 namespace verisim::render {
 namespace {
 
@@ -29,16 +31,24 @@ void check_object(const scene::Object& object) {
     for (const auto& child : group->children) check_object(*child);
 }
 
+void check_geometry(const scene::Object& object) {
+  if (const auto* patch = object.as<std::shared_ptr<const scene::BicubicPatch>>(); patch && !shapes::bicubic_patch_fits(**patch))
+    throw Unsupported("bicubic_patch with more than 2097152 pieces", object.place);
+  if (const auto* csg = object.as<scene::Csg>())
+    for (const auto& child : csg->children) check_geometry(*child);
+  if (const auto* group = object.as<scene::LightGroup>())
+    for (const auto& child : group->children) check_geometry(*child);
+}
+
 }  // namespace
 
 void check_supported(const scene::Scene& scene, const Options& options) {
   if (scene.camera.blur_samples > kMaxBlurSamples) throw Unsupported("more than 1048576 blur_samples", {});
+  for (const auto& object : scene.objects) check_geometry(*object);
   if (options.quality < 9) return;
   const scene::Settings& settings = scene.settings;
   if (settings.radiosity.enabled && settings.radiosity.count_directions > kMaxRadiosityDirections)
     throw Unsupported("radiosity with more than 16777216 directions", settings.radiosity.place);
-  if (settings.radiosity.enabled && settings.subsurface && settings.subsurface_radiosity)
-    throw Unsupported("radiosity inside subsurface { }", settings.radiosity.place);
   check_media(scene.atmosphere);
   for (const auto& object : scene.objects) check_object(*object);
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tracer/image/output.h"
+#include "tracer/render/adaptive_sampling.h"
 #include "tracer/render/antialias.h"
 #include "tracer/render/camera_rays.h"
 #include "tracer/render/focal_blur.h"
@@ -18,8 +19,8 @@ TEST(Jitter, PermutationStartsAsInTheSpecification) {
 TEST(Jitter, CheckValues) {
   const auto near = [](double x, double y, double a, double b) {
     const Vec2 j = jitter2(x, y);
-    EXPECT_NEAR(j.x, a, 1e-9) << x << ' ' << y;
-    EXPECT_NEAR(j.y, b, 1e-9) << x << ' ' << y;
+    EXPECT_EQ(j.x, static_cast<float>(a)) << x << ' ' << y;  // the table is of single precision: seen in the far checks of lens rays
+    EXPECT_EQ(j.y, static_cast<float>(b)) << x << ' ' << y;
   };
   near(0, 0, 0.084015, 0.084015);
   near(1.5, 2.25, -0.306641, -0.197235);
@@ -166,6 +167,167 @@ TEST(Antialias, ThresholdZeroSupersamplesEverything) {
   Framebuffer frame{4, 4, std::vector<Color>(16), {}};
   grid.render({0, 0, 4, 4}, frame);
   EXPECT_EQ(calls, 24 + 16 * 9);
+}
+
+TEST(LowDiscrepancy, EveryPowerOfTwoIsStratifiedInAllElementaryIntervals) {
+  for (const std::uint64_t seed : {0u, 1u, 77u}) {
+    const LowDiscrepancy points(3, -5, seed);
+    for (int k = 1; k <= 8; ++k) {
+      const int n = 1 << k;
+      for (int a = 0; a <= k; ++a) {  // 2^a columns, 2^(k-a) rows: one point in each
+        std::vector<int> count(static_cast<std::size_t>(n));
+        for (int i = 0; i < n; ++i) {
+          const Vec2 p = points(static_cast<std::uint32_t>(i));
+          ASSERT_TRUE(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1);
+          ++count[static_cast<std::size_t>(static_cast<int>(p.x * (1 << a)) + (static_cast<int>(p.y * (1 << (k - a))) << a))];
+        }
+        for (const int c : count) ASSERT_EQ(c, 1) << "k " << k << " a " << a;
+      }
+    }
+  }
+}
+
+// A half plane of white in front of black, whose coverage of every pixel is known by brute force.
+struct HalfPlane {
+  double nx, ny, d;
+  std::size_t samples = 0;
+  Color operator()(double x, double y) {
+    ++samples;
+    const float v = nx * x + ny * y > d ? 1.0f : 0.0f;
+    return {v, v, v, 0, 0};
+  }
+};
+
+struct Sampled {
+  double rms = 0;
+  std::size_t samples = 0;
+};
+template <class Method>
+Sampled edge_error(Method method) {
+  constexpr int kSize = 32;
+  Sampled result;
+  double squares = 0;
+  int pixels = 0;
+  for (int turn = 0; turn < 12; ++turn) {
+    const double angle = 0.13 + turn * 0.5;
+    HalfPlane edge{std::cos(angle), std::sin(angle), 16 * std::cos(angle) + 16 * std::sin(angle) + 0.07 * turn};
+    Framebuffer frame;
+    frame.width = frame.height = kSize;
+    frame.pixels.assign(kSize * kSize, Color());
+    method(edge, frame);
+    result.samples += edge.samples;
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        HalfPlane exact = edge;
+        double coverage = 0;
+        for (int j = 0; j < 32; ++j)
+          for (int i = 0; i < 32; ++i) coverage += exact(x + (i + 0.5) / 32 - 0.5, y + (j + 0.5) / 32 - 0.5).r / 1024;
+        const double error = frame.at(x, y).r - coverage;
+        if (coverage > 0 && coverage < 1) squares += error * error, ++pixels;
+      }
+    }
+  }
+  result.rms = std::sqrt(squares / pixels);
+  return result;
+}
+
+Sampled adaptive_edge(float tolerance) {
+  return edge_error([&](HalfPlane& edge, Framebuffer& frame) {
+    AdaptiveSettings settings;
+    settings.tolerance = tolerance;
+    settings.encoded = true;
+    AdaptiveSampling<HalfPlane>(settings, frame.width, frame.height, edge).render({0, 0, frame.width, frame.height}, frame);
+  });
+}
+
+TEST(AdaptiveSampling, TheErrorOfEdgesFollowsTheTolerance) {
+  const Sampled coarse = adaptive_edge(0.05f), fine = adaptive_edge(0.02f);
+  EXPECT_LT(coarse.rms, 1.6 * 0.05);
+  EXPECT_LT(fine.rms, 1.6 * 0.02);
+  EXPECT_LT(fine.rms, coarse.rms);
+  EXPECT_GT(fine.samples, coarse.samples);
+}
+
+// A floor of squares up to the horizon: edges of moderate contrast, then detail finer than a pixel.
+struct Floor {
+  std::size_t samples = 0;
+  Color operator()(double x, double y) {
+    ++samples;
+    if (y < 6) return {0.3f, 0.4f, 0.6f, 0, 0};
+    const double distance = 30 / (y - 5.9), u = (x - 15.3) * distance / 20;
+    const float v = (static_cast<int>(std::floor(u)) + static_cast<int>(std::floor(distance))) % 2 ? 0.55f : 0.15f;
+    return {v, v, 0.8f * v, 0, 0};
+  }
+};
+
+TEST(AdaptiveSampling, HalvesTheSamplesOfMethodTwoForLessError) {
+  constexpr int kSize = 32;
+  const auto error = [](auto method) {
+    Floor floor;
+    Framebuffer frame;
+    frame.width = frame.height = kSize;
+    frame.pixels.assign(kSize * kSize, Color());
+    method(floor, frame);
+    Sampled result{0, floor.samples};
+    double squares = 0;
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        double exact = 0;
+        for (int j = 0; j < 32; ++j)
+          for (int i = 0; i < 32; ++i) exact += floor(x + (i + 0.5) / 32 - 0.5, y + (j + 0.5) / 32 - 0.5).r / 1024;
+        squares += (frame.at(x, y).r - exact) * (frame.at(x, y).r - exact);
+      }
+    }
+    result.rms = std::sqrt(squares / (kSize * kSize));
+    return result;
+  };
+  AntialiasSettings settings;
+  settings.method = 2, settings.depth = 4, settings.threshold = 0.1f;
+  const Sampled quads = error([&](Floor& floor, Framebuffer& frame) { RecursiveQuads<Floor>(settings, floor).render({0, 0, kSize, kSize}, frame); });
+  const Sampled adaptive = error([&](Floor& floor, Framebuffer& frame) {
+    AdaptiveSettings how;
+    how.encoded = true;
+    how.tolerance = 0.035f;
+    AdaptiveSampling<Floor>(how, kSize, kSize, floor).render({0, 0, kSize, kSize}, frame);
+  });
+  EXPECT_LT(adaptive.rms, quads.rms) << adaptive.samples << " and " << quads.samples << " samples";
+  EXPECT_LT(2 * adaptive.samples, quads.samples) << adaptive.rms << " and " << quads.rms;
+}
+
+TEST(AdaptiveSampling, RampsAndFlatsTakeOneSampleAPixel) {
+  std::size_t samples = 0;
+  auto ramp = [&](double x, double y) {
+    ++samples;
+    const float v = static_cast<float>(0.2 + 0.01 * x + 0.005 * y);
+    return Color(v, v, 0.3f, 0, 0);
+  };
+  Framebuffer frame;
+  frame.width = frame.height = 16;
+  frame.pixels.assign(256, Color());
+  AdaptiveSettings settings;
+  settings.encoded = true;
+  AdaptiveSampling<decltype(ramp)>(settings, 16, 16, ramp).render({0, 0, 16, 16}, frame);
+  EXPECT_EQ(samples, 256u);
+  EXPECT_FLOAT_EQ(frame.at(3, 4).r, 0.25f);
+}
+
+TEST(AdaptiveSampling, FollowsAThinLineBeyondWhereCentresShowIt) {
+  // Centres meet it in the first 15 columns only.
+  auto line = [](double x, double y) {
+    const float v = std::fabs(y - 8 - 0.02 * x) < 0.3 ? 1.0f : 0.0f;
+    return Color(v, v, v, 0, 0);
+  };
+  Framebuffer frame;
+  frame.width = 25, frame.height = 16;
+  frame.pixels.assign(25 * 16, Color());
+  AdaptiveSettings settings;
+  settings.encoded = true;
+  AdaptiveSampling<decltype(line)>(settings, 25, 16, line).render({0, 0, 25, 16}, frame);
+  for (int x = 0; x < 25; ++x) {
+    float column = 0;
+    for (int y = 0; y < 16; ++y) column += frame.at(x, y).r;
+    EXPECT_NEAR(column, 0.6, 0.2) << x;
+  }
 }
 
 }  // namespace

@@ -22,15 +22,16 @@ Vec3 high_corner(const Bounds& b) { return {b.low[0] + b.size[0], b.low[1] + b.s
 float volume(const Bounds& b) { return b.size[0] * b.size[1] * b.size[2]; }
 
 Bounds transformed(const Bounds& b, const Transform& t) {
-  Vec3 low(kBoxLimit), high(-kBoxLimit);
-  for (int i = 0; i < 8; ++i) {
-    Vec3 corner = low_corner(b);
-    for (int k = 0; k < 3; ++k)
-      if (i >> k & 1) corner[k] += static_cast<double>(b.size[k]);
-    const Vec3 p = t.point(corner);
-    for (int k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  // The least and greatest coordinates among the 8 transformed corners: rounding is monotonic, so the sums of the least (greatest) terms are exactly those.
+  const Vec3 a = low_corner(b);
+  Vec3 c = a;
+  for (int k = 0; k < 3; ++k) c[k] += static_cast<double>(b.size[k]);
+  Vec3 low, high;
+  for (int k = 0; k < 3; ++k) {
+    const double x0 = a.x * t.m[0][k], x1 = c.x * t.m[0][k], y0 = a.y * t.m[1][k], y1 = c.y * t.m[1][k], z0 = a.z * t.m[2][k], z1 = c.z * t.m[2][k];
+    low[k] = std::max(std::min(x0, x1) + std::min(y0, y1) + std::min(z0, z1) + t.m[3][k], -kBoxLimit);
+    high[k] = std::min(std::max(x0, x1) + std::max(y0, y1) + std::max(z0, z1) + t.m[3][k], kBoxLimit);
   }
-  for (int k = 0; k < 3; ++k) low[k] = std::max(low[k], -kBoxLimit), high[k] = std::min(high[k], kBoxLimit);
   return make_bounds(low, high);
 }
 
@@ -100,6 +101,8 @@ template <class... F>
 struct Overloaded : F... {
   using F::operator()...;
 };
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;  // clang 14 does not deduce it itself
 
 Bounds from_box(const Box3& box) {
   Vec3 low, high;
@@ -141,10 +144,10 @@ Bounds local_bounds(const Object& object) {
           [&](const Torus& t) { return symmetric(t.major + t.minor, t.minor, t.major + t.minor); },
           [&](const Disc& d) { return symmetric(d.radius, d.radius, 0.001); },
           [](const Triangle& t) { return triangle_bounds(t.p); },
-          [](const SmoothTriangle& t) { return triangle_bounds(t.p); },
+          [](const Boxed<SmoothTriangle>& t) { return triangle_bounds(t->p); },
           [](const Polygon& p) { return from_box(shapes::polygon_box(p)); },
           [](const Poly&) { return unbounded(); },
-          [](const Quadric&) { return unbounded(); },
+          [](const Boxed<Quadric>&) { return unbounded(); },
           [&](const Superellipsoid&) { return symmetric(1.0001, 1.0001, 1.0001); },
           [](const Ovus& o) { return from_box(shapes::ovus_box(o)); },
           [](const std::shared_ptr<const Blob>& b) { return from_box(shapes::blob_box(*b)); },
@@ -161,7 +164,7 @@ Bounds local_bounds(const Object& object) {
           [](const Mesh& m) { return from_box(shapes::mesh_box(m)); },
           [](const Csg&) { return unbounded(); },
           [](const LightGroup&) { return unbounded(); },
-          [](const LightSource&) { return unbounded(); },
+          [](const Boxed<LightSource>&) { return unbounded(); },
       },
       object.shape);
 }

@@ -32,10 +32,11 @@ bool has_texture_anywhere(const Object& object) {
   return false;
 }
 
-bool is_light(const Object& object) { return std::holds_alternative<LightSource>(object.shape); }
+bool is_light(const Object& object) { return object.as<LightSource>() != nullptr; }
 
-void inherit_photons(PhotonFlags& child, const PhotonFlags& parent) {
+void inherit_photons(Rare<PhotonFlags>& flags, const PhotonFlags& parent) {
   if (!parent.given) return;
+  PhotonFlags& child = flags.edit();
   if (parent.target) {
     child.target = true;
     child.target_spacing = parent.target_spacing;
@@ -75,7 +76,7 @@ class Walk {
     o.interior->hollow = o.is_hollow();
     if (!o.interior->ior_given) o.interior->dispersion = 1;
     apply_legacy_finish(o);
-    if (auto* light = std::get_if<LightSource>(&o.shape)) attached_objects(*light);
+    if (auto* light = o.as<LightSource>()) attached_objects(*light);
     if (children_of(o)) children(o);
   }
 
@@ -142,7 +143,8 @@ class Walk {
 using Lights = std::vector<std::shared_ptr<const LightSource>>;
 
 void add_lights(Object& object, const Lights& lights) {
-  object.group_lights.insert(object.group_lights.end(), lights.begin(), lights.end());
+  std::vector<std::shared_ptr<const LightSource>>& all = object.group_lights.edit();
+  all.insert(all.end(), lights.begin(), lights.end());
   auto* children = children_of(object);
   if (!children) return;
   for (ObjectPtr& child : *children) {

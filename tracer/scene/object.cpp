@@ -15,11 +15,12 @@ Object& writable(ObjectPtr& node) {
   return const_cast<Object&>(*node);
 }
 
-std::vector<ObjectPtr> copies(const std::vector<ObjectPtr>& objects) {
+template <class Objects>
+Objects copies(const Objects& objects) {
   std::vector<ObjectPtr> result;
   result.reserve(objects.size());
   for (const ObjectPtr& object : objects) result.push_back(copy(*object));
-  return result;
+  return Objects(std::move(result));
 }
 
 enum class Step { translate, scale, rotate, matrix };
@@ -30,11 +31,35 @@ struct Move {
   Vec3 v;  // of translate, scale, rotate
   Transform t;
   bool uniform_scale() const { return step == Step::scale && v.x == v.y && v.x == v.z; }
+
+  // The objects of a tree that came the same way so far share one matrix: the last one seen and what became of it are kept.
+  mutable Rare<Transform> alone = {}, before = {}, after = {};
 };
 
-void apply(Object& object, const Move& move);
+// a, then a translation: the digits of the product of the matrices, without its many terms that are zero.
+Transform then_translated(const Transform& a, const Vec3& v) {
+  Transform result = a;
+  for (int k = 0; k < 3; ++k) {
+    result.m[3][k] += v[k];
+    result.inv[3][k] = -v.x * a.inv[0][k] + -v.y * a.inv[1][k] + -v.z * a.inv[2][k] + a.inv[3][k];
+  }
+  return result;
+}
 
-void add_matrix(Object& object, const Transform& t) { object.transform = object.transform ? object.transform->then(t) : t; }
+void add(Rare<Transform>& total, const Move& move) {
+  if (!total) {
+    if (!move.alone) move.alone = move.t;
+    total = move.alone;
+  } else if (move.before && &*total == &*move.before) {
+    total = move.after;
+  } else {
+    move.before = total;
+    move.after = move.step == Step::translate ? then_translated(*total, move.v) : total->then(move.t);
+    total = move.after;
+  }
+}
+
+void apply(Object& object, const Move& move);
 
 bool absorb(Sphere& s, const Move& move) {
   if (move.step == Step::translate) s.center += move.v;
@@ -94,7 +119,8 @@ bool absorb(Triangle& triangle, const Move& move) {
   return true;
 }
 
-bool absorb(SmoothTriangle& triangle, const Move& move) {
+bool absorb(Boxed<SmoothTriangle>& smooth, const Move& move) {
+  SmoothTriangle& triangle = *smooth;
   exchange_if_clockwise(triangle.p, [&] { std::swap(triangle.n[0], triangle.n[1]); });
   for (Vec3& p : triangle.p) p = move.t.point(p);
   if (move.step == Step::translate) return true;
@@ -106,7 +132,8 @@ bool absorb(SmoothTriangle& triangle, const Move& move) {
 }
 
 // p Q p' = 0 with p = p' M^-1 becomes M^-1 Q M^-T.
-bool absorb(Quadric& q, const Move& move) {
+bool absorb(Boxed<Quadric>& quadric, const Move& move) {
+  Quadric& q = *quadric;
   Mat4 a;
   a[0][0] = q.square.x, a[1][1] = q.square.y, a[2][2] = q.square.z, a[3][3] = q.constant;
   a[0][1] = a[1][0] = q.mixed.x / 2, a[0][2] = a[2][0] = q.mixed.y / 2, a[1][2] = a[2][1] = q.mixed.z / 2;
@@ -188,14 +215,14 @@ Bounds bounds_from_numbers(const Object& object) {
 // Clips that were added since the box of a quadric was last computed count before the next transformation.
 void refit_clipped_quadric(Object& object) {
   if (!object.as<Quadric>() || object.clips_in_bounds == object.clipped_by.size()) return;
-  object.clips_in_bounds = object.clipped_by.size();
+  object.clips_in_bounds = static_cast<std::uint32_t>(object.clipped_by.size());
   fit_quadric(object, {});
 }
 
 void move_guards(Object& object, const Move& move) {
   if (object.clip_is_bound) {
-    std::vector<ObjectPtr>& source = object.clipped_by.empty() ? object.bounded_by : object.clipped_by;
-    std::vector<ObjectPtr>& link = object.clipped_by.empty() ? object.clipped_by : object.bounded_by;
+    List<ObjectPtr>& source = object.clipped_by.empty() ? object.bounded_by : object.clipped_by;
+    List<ObjectPtr>& link = object.clipped_by.empty() ? object.clipped_by : object.bounded_by;
     link.clear();
     for (ObjectPtr& o : source) apply(writable(o), move);
     link = source;
@@ -211,12 +238,12 @@ void apply(Object& object, const Move& move) {
     for (ObjectPtr& child : csg->children) apply(writable(child), move);
   } else if (auto* group = std::get_if<LightGroup>(&object.shape)) {
     for (ObjectPtr& child : group->children) apply(writable(child), move);
-  } else if (auto* light = std::get_if<LightSource>(&object.shape)) {
+  } else if (auto* light = object.as<LightSource>()) {
     move_light(*light, move);
   } else if (object.transform || !std::visit([&](auto& shape) { return absorb(shape, move); }, object.shape)) {
-    add_matrix(object, move.t);
+    add(object.transform, move);
   }
-  if (object.as<Sphere>()) object.uv_transform = object.uv_transform ? object.uv_transform->then(move.t) : move.t;
+  if (object.as<Sphere>()) add(object.uv_transform, move);
   if (box_moves_stepwise(object)) object.bounds = transformed(object.bounds, move.t);
   else if (!object.as<LightSource>()) object.bounds = bounds_from_numbers(object);
 
@@ -244,7 +271,7 @@ void apply(Object& object, const Move& move) {
 }
 
 // The box of bounded_by or clipped_by replaces the object's when it is smaller (spec 03 2.2).
-void shrink_to(Object& object, const std::vector<ObjectPtr>& limits) {
+void shrink_to(Object& object, const List<ObjectPtr>& limits) {
   if (limits.empty()) return;
   BoxRange box;
   for (const ObjectPtr& limit : limits)
@@ -267,7 +294,7 @@ void compute_bounds(Object& object) {
   }
   object.bounds = bounds_from_numbers(object);
   if (object.as<Quadric>()) {
-    object.clips_in_bounds = object.clipped_by.size();
+    object.clips_in_bounds = static_cast<std::uint32_t>(object.clipped_by.size());
     fit_quadric(object, {});
   }
 }
@@ -290,7 +317,7 @@ void invert(Object& object) {
     return;
   }
   if (object.as<LightSource>() || object.as<LightGroup>() || object.as<Polygon>() || is_patch(object)) return;
-  if (auto* quadric = std::get_if<Quadric>(&object.shape)) {
+  if (auto* quadric = object.as<Quadric>()) {
     quadric->square = -quadric->square, quadric->mixed = -quadric->mixed, quadric->linear = -quadric->linear;
     quadric->constant = -quadric->constant;
   }
@@ -315,7 +342,7 @@ std::shared_ptr<Object> copy(const Object& object) {
   auto result = std::make_shared<Object>(object);
   if (auto* csg = std::get_if<Csg>(&result->shape)) csg->children = copies(csg->children);
   if (auto* group = std::get_if<LightGroup>(&result->shape)) group->children = copies(group->children);
-  if (auto* light = std::get_if<LightSource>(&result->shape)) {
+  if (auto* light = result->as<LightSource>()) {
     if (light->looks_like) light->looks_like = copy(*light->looks_like);
     if (light->projected_through) light->projected_through = copy(*light->projected_through);
   }

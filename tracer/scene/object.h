@@ -113,11 +113,13 @@ struct LightGroup {
   bool from_identifier = false;  // a copy of a declared group: lights of an outer group reach its objects (spec 06 10.1)
 };
 
-using Shape = std::variant<Sphere, Box, Plane, Cone, Torus, Disc, Triangle, SmoothTriangle, Polygon, Poly, Quadric, Superellipsoid, Ovus,
+using Shape = std::variant<Sphere, Box, Plane, Cone, Torus, Disc, Triangle, Boxed<SmoothTriangle>, Polygon, Poly, Boxed<Quadric>, Superellipsoid, Ovus,
                            std::shared_ptr<const Blob>, std::shared_ptr<const Lathe>, std::shared_ptr<const Sor>,
                            std::shared_ptr<const Prism>, std::shared_ptr<const SphereSweep>, std::shared_ptr<const BicubicPatch>,
                            std::shared_ptr<const HeightField>, std::shared_ptr<const Isosurface>, std::shared_ptr<const Parametric>,
-                           std::shared_ptr<const JuliaFractal>, std::shared_ptr<const Text>, Mesh, Csg, LightGroup, LightSource>;
+                           std::shared_ptr<const JuliaFractal>, std::shared_ptr<const Text>, Mesh, Csg, LightGroup, Boxed<LightSource>>;
+template <class T>
+inline constexpr bool kIsBoxed = std::is_same_v<T, SmoothTriangle> || std::is_same_v<T, Quadric> || std::is_same_v<T, LightSource>;
 
 // Axis-aligned bounds as POV-Ray stores them: binary32 lower corner and edge lengths (spec 03 2.2).
 struct Bounds {
@@ -135,11 +137,11 @@ struct PhotonFlags {
 struct Object {
   Shape shape;
   Place place;
-  std::optional<Transform> transform;     // of shapes that carry a matrix (spec 03 section 1)
-  std::optional<Transform> uv_transform;  // accumulated for the uv mapping of spheres
+  Rare<Transform> transform;     // of shapes that carry a matrix (spec 03 section 1)
+  Rare<Transform> uv_transform;  // accumulated for the uv mapping of spheres
   Bounds bounds;
-  std::vector<ObjectPtr> bounded_by, clipped_by;
-  std::size_t clips_in_bounds = 0;  // how many of the clips the automatic box of a quadric already knows
+  List<ObjectPtr> bounded_by, clipped_by;
+  std::uint32_t clips_in_bounds = 0;  // how many of the clips the automatic box of a quadric already knows
   bool clip_is_bound = false;  // clipped_by{bounded_by} or bounded_by{clipped_by}: transform once
   TexturePtr texture, interior_texture;
   InteriorPtr interior;
@@ -149,13 +151,23 @@ struct Object {
   bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false, double_illuminate = false;
   bool uv_mapping = false, sturm = false, hierarchy = true, split_union = true, cutaway_textures = false;
   float radiosity_importance = -1;  // < 0: the scene's default
-  PhotonFlags photons;
+  Rare<PhotonFlags> photons;
   // Filled in by finish_statement for objects below a light_group: their own lights, and whether the global ones apply.
-  std::vector<std::shared_ptr<const LightSource>> group_lights;
+  List<std::shared_ptr<const LightSource>> group_lights;
   bool ignore_global_lights = false;
 
+  // The shape if it is a T; null: another one.
   template <class T>
-  const T* as() const { return std::get_if<T>(&shape); }
+  const T* as() const {
+    if constexpr (kIsBoxed<T>) {
+      const auto* box = std::get_if<Boxed<T>>(&shape);
+      return box ? &**box : nullptr;
+    } else {
+      return std::get_if<T>(&shape);
+    }
+  }
+  template <class T>
+  T* as() { return const_cast<T*>(std::as_const(*this).as<T>()); }
   bool is_hollow() const { return hollow == Flag::unset ? hollow_inherited : hollow == Flag::on; }
 };
 

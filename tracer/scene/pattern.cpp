@@ -9,12 +9,12 @@ void Pattern::prepend(const Transform& t) {
       return;
     }
   }
-  warps.insert(warps.begin(), t);
+  warps.prepend(t);
 }
 
 void Pattern::prepend(Warp warp) {
   if (const auto* t = std::get_if<Transform>(&warp)) return prepend(*t);
-  warps.insert(warps.begin(), std::move(warp));
+  warps.prepend(std::move(warp));
 }
 
 }  // namespace verisim::scene

@@ -10,6 +10,7 @@
 #include "tracer/math/color.h"
 #include "tracer/math/transform.h"
 #include "tracer/scene/place.h"
+#include "tracer/scene/sharing.h"
 
 namespace verisim {
 class Function;  // tracer/functions/function.h
@@ -94,12 +95,6 @@ struct DensityFileParams {
   int bytes = 1;  // per sample
   int interpolate = 0;
 };
-// `filter n F` and `transmit n T`: what a palette entry lets through.
-struct PaletteChange {
-  int index = 0;
-  bool transmit = false;  // false: filter
-  float value = 0;
-};
 // image_map, image_pattern, bump_map, material_map and the image of a height_field (spec 05 section 12).
 struct ImageParams {
   ImagePtr image;
@@ -107,7 +102,6 @@ struct ImageParams {
   bool once = false, use_alpha = false, use_index = false;
   Vec2 repeat{1, 1}, offset{0, 0};
   float filter_all = 0, transmit_all = 0;
-  std::vector<PaletteChange> palette_changes;  // in the order written; indices are valid (0 .. 255)
 };
 using PatternParams = std::variant<std::monostate, AgateParams, BrickParams, CrackleParams, FacetsParams, FractalParams, GradientParams,
                                    QuiltedParams, SlopeParams, SpiralParams, TilingParams, PavementParams, FunctionParams, ObjectParams,
@@ -115,14 +109,14 @@ using PatternParams = std::variant<std::monostate, AgateParams, BrickParams, Cra
 
 struct Pattern {
   PatternKind kind = PatternKind::none;
-  PatternParams params;
   Wave wave = Wave::ramp;
   float frequency = 1, phase = 0, exponent = 1;
   int noise_generator = 0;  // 0: the scene's
+  Rare<PatternParams> params;
   // Evaluated first to last; SDL puts each new item at the front, and consecutive transforms are merged (spec 05 3.1).
-  std::vector<Warp> warps;
+  List<Warp> warps;
   // The "classic" turbulence, always after all warps; absent until one of its keywords is written.
-  std::optional<Turbulence> turbulence;
+  Rare<Turbulence> turbulence;
 
   void prepend(const Transform& t);  // merges into a transform that is already at the front
   void prepend(Warp warp);

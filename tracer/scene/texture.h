@@ -18,7 +18,7 @@ struct Pigment {
   // At most one of the maps is not empty; both empty: the pattern's built-in map (spec 05 4.3). Lists (checker ...) have position i at entry i.
   std::shared_ptr<const ColorMap> color_map;
   std::shared_ptr<const BlendMap<PigmentPtr>> pigment_map;  // also average, and the single child of uv_mapping
-  std::optional<Color> quick_color;  // with filter and transmit
+  Rare<Color> quick_color;  // with filter and transmit
 };
 
 struct SlopeEntry { double height = 0, slope = 0; };
@@ -57,7 +57,7 @@ struct Finish {  // spec 06 section 4.1; albedo forms are already scaled
 struct TextureLayer {
   PigmentPtr pigment;  // never null
   NormalPtr normal;    // null: none
-  Finish finish;
+  Rare<Finish> finish;  // mostly shared with other textures
 };
 
 // Either layers (bottom first, as written) or a pattern over textures.

@@ -15,16 +15,16 @@ bool reflects_light(const scene::Finish& f) { return f.diffuse != 0 || f.diffuse
 Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer) {
   const scene::Finish& finish = layer.layer.finish;
   Rgb sum;
-  if (finish.subsurface && scene_.effects && scene_.effects->subsurface) sum = scene_.effects->subsurface_light(*this, ray, at, layer);
   if (!reflects_light(finish) || !ray.direct_light) return sum;
   if (!at.surface.ignore_global_lights) {
     for (std::size_t i = 0; i < scene_.global_lights(); ++i) {
       // Shadow rays may push onto the cache of nested hits: copy in, copy back.
-      CachedLight cache = light_cache_[at.light_cache + i];
+      CachedLight cache;
+      if (at.keeps_lights) cache = light_cache_[at.light_cache + i];
       const Rgb added = light_contribution(ray, at, layer, scene_.lights()[i], cache);
       if (observer_) observer_->light(scene_.lights()[i], cache.direction, cache.stage == CachedLight::Stage::shadowed, cache.color, added);
       sum += added;
-      light_cache_[at.light_cache + i] = cache;
+      if (at.keeps_lights) light_cache_[at.light_cache + i] = cache;
     }
   }
   for (const scene::LightSource* source : at.surface.group_lights) {

@@ -33,6 +33,21 @@ std::vector<float> area_light_weights(int n) {
 
 Light::Light(const scene::LightSource& source, bool area_lights, std::unique_ptr<shapes::Shape> projector)
     : source_(&source), area_(source.area && area_lights), projector_(std::move(projector)) {
+  radial_ = !source.parallel && source.kind != scene::LightKind::cylinder;
+  attenuates_ = source.kind == scene::LightKind::spotlight || source.kind == scene::LightKind::cylinder ||
+                (source.fade_power > 0 && std::fabs(source.fade_distance) > kEpsilon);
+  parallel_ = (source.parallel || source.kind == scene::LightKind::cylinder) && !area_;
+  if (!area_) {
+    box_ = Box3(source.position);
+  } else if (!source.parallel && source.kind != scene::LightKind::cylinder) {
+    // Samples stand within half an axis of the centre, and half a step beyond with jitter.
+    const auto reach = [&](int size) { return size > 1 ? 0.51 + (source.jitter ? 0.5 / (size - 1) : 0) : 0.01; };
+    const double r1 = reach(source.size1), r2 = reach(source.size2);
+    for (int i = 0; i < 3; ++i) {
+      const double r = source.orient ? (r1 + r2) * length(source.axis1) : r1 * std::fabs(source.axis1[i]) + r2 * std::fabs(source.axis2[i]);
+      box_.min[i] = source.position[i] - r, box_.max[i] = source.position[i] + r;
+    }
+  }
   cos_radius_ = std::cos(source.radius * kPi / 180);
   cos_falloff_ = std::cos(source.falloff * kPi / 180);
   // Quartering goes on for `adaptive` levels at least; 31 levels halve any grid to the end.
@@ -42,29 +57,10 @@ Light::Light(const scene::LightSource& source, bool area_lights, std::unique_ptr
   }
 }
 
-LightDirection Light::direction(const Vec3& p, const Vec3& offset) const {
-  const Vec3 centre = source_->position + offset;
-  Vec3 l;
-  if (source_->kind == scene::LightKind::cylinder || (source_->parallel && area_)) {
-    l = normalize(centre - source_->point_at);
-  } else if (source_->parallel) {
-    l = -source_->direction;
-  } else {
-    const Vec3 to = centre - p;
-    const double d = length(to);
-    return {to / d, d};
-  }
+LightDirection Light::fixed_direction(const Vec3& p, const Vec3& centre) const {
+  const bool along_axis = source_->kind == scene::LightKind::cylinder || area_;
+  const Vec3 l = along_axis ? normalize(centre - source_->point_at) : -source_->direction;
   return {l, dot(centre - p, l)};
-}
-
-double Light::attenuation(const Vec3& p, const LightDirection& l, const Vec3& offset) const {
-  double a = 1;
-  if (source_->kind == scene::LightKind::spotlight) a = spot(l);
-  if (source_->kind == scene::LightKind::cylinder) a = cylinder(p, source_->position + offset);
-  if (a == 0) return 0;
-  if (source_->fade_power > 0 && std::fabs(source_->fade_distance) > kEpsilon)
-    a *= 2 / (1 + std::pow(l.distance / source_->fade_distance, source_->fade_power));
-  return a;
 }
 
 namespace {
@@ -72,10 +68,21 @@ namespace {
 // pow, without its cost for the common exponents.
 double raised(double base, double exponent) {
   if (exponent == 0) return 1;
+  if (exponent == 2) return base * base;
   return exponent == 1 ? base : std::pow(base, exponent);
 }
 
 }  // namespace
+
+double Light::angle_and_distance(const Vec3& p, const LightDirection& l, const Vec3& offset) const {
+  double a = 1;
+  if (source_->kind == scene::LightKind::spotlight) a = spot(l);
+  if (source_->kind == scene::LightKind::cylinder) a = cylinder(p, source_->position + offset);
+  if (a == 0) return 0;
+  if (source_->fade_power > 0 && std::fabs(source_->fade_distance) > kEpsilon)
+    a *= 2 / (1 + raised(l.distance / source_->fade_distance, source_->fade_power));
+  return a;
+}
 
 double Light::spot(const LightDirection& l) const {
   const double along = dot(l.towards, source_->direction), m = l.distance > 0 ? -along : along;

@@ -30,12 +30,25 @@ class Light {
   bool media_attenuation() const { return source_->media_attenuation && source_->media_interaction; }
 
   // Direction and distance from p to the light's centre, displaced by `offset` for a sample of an area light.
-  LightDirection direction(const Vec3& p, const Vec3& offset = Vec3(0, 0, 0)) const;
+  LightDirection direction(const Vec3& p, const Vec3& offset = Vec3(0, 0, 0)) const {
+    const Vec3 centre = source_->position + offset;
+    if (!radial_) return fixed_direction(p, centre);
+    const Vec3 to = centre - p;
+    const double d = length(to);
+    return {to / d, d};
+  }
   // Angular and distance attenuation at p for light from `l`.
-  double attenuation(const Vec3& p, const LightDirection& l, const Vec3& offset = Vec3(0, 0, 0)) const;
+  double attenuation(const Vec3& p, const LightDirection& l, const Vec3& offset = Vec3(0, 0, 0)) const {
+    return attenuates_ ? angle_and_distance(p, l, offset) : 1;
+  }
 
   // Angular attenuation of what leaves the light from `origin` in this direction (photons); distance plays no part.
   double emission(const Vec3& origin, const Vec3& direction) const;
+
+  // The direction towards the light is the same everywhere; if not, everything that shines lies in box().
+  bool parallel() const { return parallel_; }
+  // Empty: unknown.
+  const Box3& box() const { return box_; }
 
   // The displacement of grid position (u, v), jitter included in u and v; axis1/axis2 from `axes`.
   struct Axes {
@@ -51,11 +64,16 @@ class Light {
   const std::vector<float>& weights2() const { return weights2_; }
 
  private:
+  LightDirection fixed_direction(const Vec3& p, const Vec3& centre) const;
+  double angle_and_distance(const Vec3& p, const LightDirection& l, const Vec3& offset) const;
   double spot(const LightDirection& l) const;
   double cylinder(const Vec3& p, const Vec3& centre) const;
 
   const scene::LightSource* source_;
-  bool area_;
+  bool area_, parallel_;
+  bool radial_;      // light spreads from a point; if not, its direction is fixed
+  bool attenuates_;  // by angle or distance
+  Box3 box_;
   double cos_radius_ = 0, cos_falloff_ = 0;
   std::unique_ptr<shapes::Shape> projector_;
   std::vector<float> weights1_, weights2_;

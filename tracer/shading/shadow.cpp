@@ -7,6 +7,7 @@ namespace verisim::shading {
 namespace {
 
 constexpr double kShadowTolerance = 1e-3;  // to the shaded point, to the light, and to the previous transparent surface
+const double kAboveTolerance = std::nextafter(kShadowTolerance, 1.0);
 constexpr double kCachedTolerance = 1e-4;  // to the shaded point, for the last blocker in replay
 constexpr float kDark = static_cast<float>(kEpsilon);
 
@@ -26,6 +27,14 @@ int* Tracer::last_blocker(const ShadowQuery& query) {
   if (!random_.replay() || light >= scene_.global_lights()) return nullptr;
   if (last_blockers_.empty()) last_blockers_.assign(scene_.global_lights(), {-1, -1});
   return &last_blockers_[light][query.eye.level > 0];
+}
+
+accel::WorldEntry* Tracer::shadow_entry(const ShadowQuery& query, const Vec3& p) {
+  const auto light = static_cast<std::uint32_t>(&query.light - scene_.lights().data());
+  const bool first = query.lit && query.eye.level == 0 && query.eye.primary;
+  const auto viewer = first ? accel::CoherentRays::Viewer::camera : accel::CoherentRays::Viewer::other;
+  if (query.light.parallel()) return coherent_.parallel_shadow(p, light, query.light.direction(p).towards, viewer);
+  return query.light.box().isEmpty() ? nullptr : coherent_.shadow(p, light, query.light.box(), viewer);
 }
 
 void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color) {
@@ -48,14 +57,16 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
   }
   // Without transparent objects any opaque hit decides. With them surfaces are met in order: one closer than the tolerance to the transparent
   // surface before it does not count, opaque or not, and media draw their random numbers where POV-Ray's do.
-  if (volumes || random_.replay() || scene_.world.has_transparent_shadows()) {
-    filter_along(query, p, towards, distance, color);
-  } else if (distance > 2 * kShadowTolerance && scene_.world.occluded(ray, kShadowTolerance, distance - kShadowTolerance)) {
+  accel::WorldEntry* const entry = shadow_entry(query, p);
+  const bool any_decides = entry ? entry->only_opaque : !scene_.world.has_transparent_shadows();
+  if (volumes || random_.replay() || !any_decides) {
+    filter_along(query, p, towards, distance, entry, color);
+  } else if (distance > 2 * kShadowTolerance && scene_.world.occluded(ray, kShadowTolerance, distance - kShadowTolerance, entry)) {
     color = {};
   }
 }
 
-void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color) {
+void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, const accel::WorldEntry* entry, Rgb& color) {
   const InteriorScope scope(*this);
   RayState ray = query.eye;
   ray.ray = {p, towards};
@@ -63,7 +74,7 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
     if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
     shapes::Hit hit;
     if (distance <= 2 * kShadowTolerance) break;
-    if (!scene_.world.intersect(ray.ray, shapes::RayKind::shadow, std::nextafter(kShadowTolerance, 1.0), distance - kShadowTolerance, hit)) break;
+    if (!scene_.world.intersect(ray.ray, shapes::RayKind::shadow, kAboveTolerance, distance - kShadowTolerance, hit, entry)) break;
     if (filter_through(query, ray, hit, color)) return;
     shadow_volumes(query, ray, hit.t, true, color);
     ray.interiors = crossed(ray.interiors, hit.shape->surface->interior);

@@ -33,16 +33,18 @@ SurfaceHit::SurfaceHit(const shapes::Hit& h, const Vec3& direction, std::size_t 
 
 Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
   const StackScope<CachedLight> lights(light_cache_);
-  light_cache_.resize(lights.begin() + scene_.global_lights());
   SurfaceHit at(hit, ray.ray.direction, lights.begin(), ray.level + (ray.continuation ? 0 : 1));
   const shapes::Surface& surface = at.surface;
   const Vec3 p = at.pattern_point();
+  const auto* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+  // Nested hits use the same list, so its entries are copied to this call's stretch of the selection stack.
+  weighted_.clear();
+  if (surface.shows_several()) scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
+  at.keeps_lights = !(weighted_.empty() && texture && !texture->patterned() && texture->layers.size() == 1);
+  if (at.keeps_lights) light_cache_.resize(lights.begin() + scene_.global_lights());
 
   Color result;
-  // Nested hits use the same list, so its entries are copied to this call's stretch of the selection stack.
-  scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
   if (weighted_.empty()) {
-    const auto* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
     if (texture) result = shade_texture(ray, at, *texture, p, nullptr);  // none: a cutaway surface in no textured child shows black
   } else {
     const StackScope<textures::WeightedTexture> scope(selection_);
@@ -129,6 +131,8 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
     const LayerContext context{layer, c, normal, surface_opacity(c, scene_.version), filter};
     if (observer_) observer_->layer(at, context, rho);
     Rgb own = c.rgb() * (finish.ambient * scene_.ambient_light + finish.emission) * context.opacity;
+    // Subsurface first: the order in which radiosity is asked for decides where its samples are (replay).
+    if (scene_.effects && scene_.effects->subsurface && finish.subsurface) own += scene_.effects->subsurface_light(*this, ray, at, context);
     if (scene_.effects && scene_.effects->radiosity) own += scene_.effects->indirect_light(*this, ray, at, context);
     own += direct_light(ray, at, context);
     if (scene_.effects && scene_.effects->photons) own += scene_.effects->photon_light(*this, ray, at, context);

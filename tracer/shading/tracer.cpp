@@ -13,9 +13,9 @@ constexpr int kMaxNesting = 1000;
 }  // namespace
 
 Tracer::Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel)
-    : scene_(scene), random_(random), cancel_(cancel), effects_state_(scene.effects ? scene.effects->make_state() : nullptr) {}
+    : scene_(scene), random_(random), cancel_(cancel), coherent_(scene.world), effects_state_(scene.effects ? scene.effects->make_state() : nullptr) {}
 
-Color Tracer::trace_camera(const Ray& ray, bool origin_varies, double t_max) {
+Color Tracer::trace_camera(const Ray& ray, bool origin_varies, double t_max, const accel::WorldEntry* entry) {
   if (origin_varies || !camera_interiors_known_) {
     interiors_.clear();
     scene_.world.interiors_at(ray.origin, interiors_);
@@ -29,24 +29,25 @@ Color Tracer::trace_camera(const Ray& ray, bool origin_varies, double t_max) {
   state.level_limit = scene_.max_trace_level;
   state.direct_light = state.volumes = !pretrace_;
   ++statistics_.camera_rays;
-  return trace(state, t_max);
+  coherent_.set_viewpoint(ray.origin);
+  return trace(state, t_max, entry);
 }
 
 bool Tracer::cut_off(const RayState& ray) const {
   return ray.level >= ray.level_limit || ray.weight < bailout(ray) || nesting_ >= kMaxNesting;
 }
 
-bool Tracer::nearest(const RayState& ray, shapes::Hit& hit, double t_min, double t_max) const {
-  return scene_.world.intersect(ray.ray, ray.kind(), t_min, t_max, hit);
+bool Tracer::nearest(const RayState& ray, shapes::Hit& hit, double t_min, double t_max, const accel::WorldEntry* entry) const {
+  return scene_.world.intersect(ray.ray, ray.kind(), t_min, t_max, hit, entry);
 }
 
-Color Tracer::trace(const RayState& ray, double t_max) {
+Color Tracer::trace(const RayState& ray, double t_max, const accel::WorldEntry* entry) {
   if (cut_off(ray)) {
     if (observer_) observer_->ray_cut_off(ray);
     return {};
   }
   shapes::Hit hit;
-  return resolve(ray, nearest(ray, hit, kNearestHit, t_max) ? &hit : nullptr);
+  return resolve(ray, nearest(ray, hit, kNearestHit, t_max, entry) ? &hit : nullptr);
 }
 
 Color Tracer::resolve(const RayState& ray, const shapes::Hit* hit) {

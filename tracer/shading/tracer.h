@@ -5,11 +5,16 @@
 #include <atomic>
 #include <span>
 
+#include "tracer/accel/coherent_rays.h"
 #include "tracer/render/render.h"
 #include "tracer/shading/explain.h"
 #include "tracer/shading/random.h"
 #include "tracer/shading/ray_state.h"
 #include "tracer/shading/scene_data.h"
+
+namespace verisim::path {
+class PathTracer;
+}
 
 namespace verisim::shading {
 
@@ -28,6 +33,7 @@ struct SurfaceHit {
   bool inside_hit;     // the surface was hit from within
   textures::SurfacePoint texture_point;
   std::size_t light_cache;  // where this hit's results per global light start
+  bool keeps_lights = true; // several layers may ask for them
   int level;                // of the rays it sends out
 
   // Answers that the layers of this hit share: irradiance on either side, and whether photons were gathered.
@@ -44,16 +50,20 @@ class Tracer {
   Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel = nullptr);
 
   // Traces a ray; colour with t = see-through. t_max limits the search for the first surface (mesh_camera).
-  Color trace(const RayState& ray, double t_max = std::numeric_limits<double>::infinity());
+  Color trace(const RayState& ray, double t_max = std::numeric_limits<double>::infinity(), const accel::WorldEntry* entry = nullptr);
   // The two halves of trace, for callers that need to know what was hit: the nearest surface this ray sees, and what it looks like (null: nothing hit).
-  bool nearest(const RayState& ray, shapes::Hit& hit, double t_min = 1e-4, double t_max = std::numeric_limits<double>::infinity()) const;
+  bool nearest(const RayState& ray, shapes::Hit& hit, double t_min = 1e-4, double t_max = std::numeric_limits<double>::infinity(),
+               const accel::WorldEntry* entry = nullptr) const;
   Color resolve(const RayState& ray, const shapes::Hit* hit);
   // Camera rays of the radiosity pretrace ask for irradiance only: no direct light, no volumes.
   void set_pretrace(bool on) { pretrace_ = on; }
+  // What is remembered of rays that go the same way; without a camera every ray searches for itself.
+  accel::CoherentRays& coherent() { return coherent_; }
   // Null: nobody watches.
   void set_observer(Observer* observer) { observer_ = observer; }
   // A camera ray, with the interiors around its origin; `origin_varies`: they must be looked up again.
-  Color trace_camera(const Ray& ray, bool origin_varies, double t_max = std::numeric_limits<double>::infinity());
+  // `entry`: where it enters the world, if known.
+  Color trace_camera(const Ray& ray, bool origin_varies, double t_max = std::numeric_limits<double>::infinity(), const accel::WorldEntry* entry = nullptr);
 
   // Light of `light` that arrives at p after attenuation and shadows, for things that are not surfaces (media); sets the unit direction towards it.
   Rgb light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light);
@@ -91,6 +101,7 @@ class Tracer {
 
  private:
   friend class PhotonWalk;  // photons cross surfaces by the same rules
+  friend class path::PathTracer;  // and so do paths
   struct Frame {  // enclosing patterned textures, innermost first
     const textures::CompiledTexture* texture;
     const Frame* outer;
@@ -150,7 +161,9 @@ class Tracer {
   // Replay only: POV-Ray tries a light's last opaque blocker first, with wider limits, which shows at contacts (spec 06 9.2).
   int* last_blocker(const ShadowQuery& query);
   void cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color);
-  void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color);
+  void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, const accel::WorldEntry* entry, Rgb& color);
+  // Where shadow rays from p to this light start in the world; null: nothing is known.
+  accel::WorldEntry* shadow_entry(const ShadowQuery& query, const Vec3& p);
   bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);
   Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards, const Frame* frame);
   void shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool container, Rgb& color);
@@ -165,6 +178,7 @@ class Tracer {
   const SceneData& scene_;
   RandomSource random_;
   const std::atomic<bool>* cancel_;
+  accel::CoherentRays coherent_;
   std::unique_ptr<EffectsState> effects_state_;
   render::Statistics statistics_;
   Observer* observer_ = nullptr;

@@ -11,8 +11,8 @@ namespace verisim::shapes {
 namespace {
 
 constexpr double kNearest = 1e-5;
-constexpr std::size_t kMaxLeaves = 1u << 20;
-constexpr int kMaxDepth = 30;
+constexpr std::size_t kMaxLeaves = 1u << 21;  // of some 200 bytes
+constexpr int kMaxDepth = 48;                 // halvings after which floating point has no finer steps
 
 using Points = std::array<Vec3, 16>;  // row major: index 4 * row + column
 
@@ -56,11 +56,34 @@ struct Leaf {
   double s0, s1, r0, r1;  // rows run with s, columns with r
 };
 
+// Halves a patch until its pieces are flat or deep enough; visit(points, range) -> bool for each of those, false ends it all. False: it ended early.
+template <class Visit>
+bool subdivide(const scene::BicubicPatch& patch, const Points& p, const Leaf& range, int depth, Visit&& visit) {
+  const bool deep_s = depth >= patch.u_steps || depth >= kMaxDepth, deep_r = depth >= patch.v_steps || depth >= kMaxDepth;
+  if ((deep_s && deep_r) || flat_enough(p, patch.flatness)) return visit(p, range);
+  const double s = (range.s0 + range.s1) / 2, r = (range.r0 + range.r1) / 2;
+  const auto columns = [&](const Points& q, double s0, double s1) {
+    if (deep_r) return subdivide(patch, q, {{}, s0, s1, range.r0, range.r1}, depth + 1, visit);
+    Points left, right;
+    halve(q, false, left, right);
+    return subdivide(patch, left, {{}, s0, s1, range.r0, r}, depth + 1, visit) && subdivide(patch, right, {{}, s0, s1, r, range.r1}, depth + 1, visit);
+  };
+  if (deep_s) return columns(p, range.s0, range.s1);
+  Points first, second;
+  halve(p, true, first, second);
+  return columns(first, range.s0, s) && columns(second, s, range.s1);
+}
+
 class BicubicPatch final : public Primitive<BicubicPatch> {
  public:
   BicubicPatch(const scene::Object& description, const scene::BicubicPatch& patch)
       : Primitive(description, {bicubic_patch_box(patch), true}), points_(patch.points), uv_(patch.uv) {
-    subdivide(patch, points_, {{}, 0, 1, 0, 1}, 0);
+    const bool fits = subdivide(patch, points_, {{}, 0, 1, 0, 1}, 0, [&](const Points& p, Leaf leaf) {
+      leaf.corner[0] = p[0], leaf.corner[1] = p[3], leaf.corner[2] = p[15], leaf.corner[3] = p[12];
+      leaves_.push_back(leaf);
+      return leaves_.size() <= kMaxLeaves;
+    });
+    if (!fits) throw std::runtime_error("bicubic_patch: too many pieces");
     tree_ = BoxTree(leaves_.size(), [&](std::size_t i) {
       Box3 box;
       for (const Vec3& c : leaves_[i].corner) box.extendBy(c);
@@ -109,31 +132,6 @@ class BicubicPatch final : public Primitive<BicubicPatch> {
   }
 
  private:
-  void subdivide(const scene::BicubicPatch& patch, const Points& p, const Leaf& range, int depth) {
-    const bool deep_s = depth >= patch.u_steps, deep_r = depth >= patch.v_steps;
-    if ((deep_s && deep_r) || flat_enough(p, patch.flatness)) {
-      if (leaves_.size() >= kMaxLeaves) throw std::runtime_error("bicubic_patch: too many subdivisions");
-      Leaf leaf = range;
-      leaf.corner[0] = p[0], leaf.corner[1] = p[3], leaf.corner[2] = p[15], leaf.corner[3] = p[12];
-      leaves_.push_back(leaf);
-      return;
-    }
-    if (depth >= kMaxDepth) throw std::runtime_error("bicubic_patch: too many subdivisions");
-    const double s = (range.s0 + range.s1) / 2, r = (range.r0 + range.r1) / 2;
-    const auto columns = [&](const Points& q, double s0, double s1) {
-      if (deep_r) return subdivide(patch, q, {{}, s0, s1, range.r0, range.r1}, depth + 1);
-      Points left, right;
-      halve(q, false, left, right);
-      subdivide(patch, left, {{}, s0, s1, range.r0, r}, depth + 1);
-      subdivide(patch, right, {{}, s0, s1, r, range.r1}, depth + 1);
-    };
-    if (deep_s) return columns(p, range.s0, range.s1);
-    Points first, second;
-    halve(p, true, first, second);
-    columns(first, range.s0, s);
-    columns(second, s, range.s1);
-  }
-
   template <class Sink>
   void triangle(std::uint32_t i, int half, const Ray& ray, const LocalRay& r, Sink& sink) const {
     const Leaf& leaf = leaves_[i];
@@ -191,6 +189,12 @@ std::unique_ptr<Shape> compile_bicubic_patch(const scene::Object& object) {
   auto shape = std::make_unique<BicubicPatch>(unclipped, patch);
   shape->object = &object;
   return shape;
+}
+
+bool bicubic_patch_fits(const scene::BicubicPatch& patch) {
+  if (patch.u_steps <= 10 && patch.v_steps <= 10) return true;
+  std::size_t leaves = 0;
+  return subdivide(patch, patch.points, {{}, 0, 1, 0, 1}, 0, [&](const Points&, const Leaf&) { return ++leaves <= kMaxLeaves; });
 }
 
 Box3 bicubic_patch_box(const scene::BicubicPatch& patch) {

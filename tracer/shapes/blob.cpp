@@ -302,7 +302,9 @@ class Blob final : public Primitive<Blob> {
     bool stop = false;
     for (int i = 0; i < n; ++i) {
       const double depth = (start + span * roots[i]) / l.scale;
-      if (!(depth > kNearest && depth < kFarthest)) continue;
+      // Searches from within (subsurface scattering) ask for everything in front, and POV-Ray's own leave nothing out there.
+      const double nearest = Sink::kNearest && sink.lower() == std::numeric_limits<double>::min() ? 1e-7 : kNearest;
+      if (!(depth > nearest && depth < kFarthest)) continue;
       const bool accepted = sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
       if (Sink::kNearest && accepted) {
         stop = true;

@@ -11,6 +11,8 @@ template <class... F>
 struct Overloaded : F... {
   using F::operator()...;
 };
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;  // clang 14 does not deduce it itself
 
 std::unique_ptr<Shape> dispatch(const scene::Object& object) {
   using namespace scene;
@@ -24,10 +26,10 @@ std::unique_ptr<Shape> dispatch(const scene::Object& object) {
           [&](const Torus&) { return compile_torus(o); },
           [&](const Disc&) { return compile_disc(o); },
           [&](const Triangle&) { return compile_triangle(o); },
-          [&](const SmoothTriangle&) { return compile_smooth_triangle(o); },
+          [&](const Boxed<SmoothTriangle>&) { return compile_smooth_triangle(o); },
           [&](const Polygon&) { return compile_polygon(o); },
           [&](const Poly&) { return compile_poly(o); },
-          [&](const Quadric&) { return compile_quadric(o); },
+          [&](const Boxed<Quadric>&) { return compile_quadric(o); },
           [&](const Superellipsoid&) { return compile_superellipsoid(o); },
           [&](const Ovus&) { return compile_ovus(o); },
           [&](const std::shared_ptr<const Blob>&) { return compile_blob(o); },
@@ -44,7 +46,7 @@ std::unique_ptr<Shape> dispatch(const scene::Object& object) {
           [&](const Mesh&) { return compile_mesh(o); },
           [&](const Csg&) { return compile_csg(o); },
           [&](const LightGroup&) { return compile_light(o); },
-          [&](const LightSource&) { return compile_light(o); },
+          [&](const Boxed<LightSource>&) { return compile_light(o); },
       },
       object.shape);
 }

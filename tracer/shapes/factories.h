@@ -42,6 +42,8 @@ Box3 lathe_box(const scene::Lathe& lathe);
 Box3 sor_box(const scene::Sor& sor);
 Box3 prism_box(const scene::Prism& prism);
 Box3 bicubic_patch_box(const scene::BicubicPatch& patch);
+// False: the patch would be divided into more pieces than fit into memory.
+bool bicubic_patch_fits(const scene::BicubicPatch& patch);
 Box3 height_field_box(const scene::HeightField& field);
 Box3 isosurface_box(const scene::Isosurface& isosurface);
 Box3 parametric_box(const scene::Parametric& parametric);

@@ -1,6 +1,6 @@
 // height_field (spec 04 section 5): two triangles per cell, found by descending a pyramid of extremes from near to far.
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/height_grid.h"
+#include "tracer/shapes/height_quarters.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -34,44 +34,7 @@ class HeightField final : public Primitive<HeightField> {
     }
     if (!(enter <= leave)) return;
 
-    struct Block {
-      int level, i, k;
-    };
-    Block stack[4 * 32];
-    int count = 0;
-    stack[count++] = {grid_->levels() - 1, 0, 0};
-    const Vec3 inverse(1 / d.x, 1 / d.y, 1 / d.z);
-    while (count > 0) {
-      const Block block = stack[--count];
-      const double size = std::ldexp(1.0, block.level);
-      // Where the ray is above this block; a little margin, because triangles are accepted slightly beyond their edges.
-      constexpr double kMargin = 1e-3;
-      double a = enter, b = std::min(leave, sink.upper());
-      const auto clip = [&](double from, double to, double origin, double direction, double reciprocal) {
-        if (direction == 0) return origin >= from && origin <= to;
-        const double x = (from - origin) * reciprocal, y = (to - origin) * reciprocal;
-        a = std::max(a, std::min(x, y)), b = std::min(b, std::max(x, y));
-        return a <= b;
-      };
-      if (!clip(block.i * size - kMargin, (block.i + 1) * size + kMargin, o.x, d.x, inverse.x) ||
-          !clip(block.k * size - kMargin, (block.k + 1) * size + kMargin, o.z, d.z, inverse.z)) {
-        continue;
-      }
-      const auto extremes = grid_->extremes(block.level, block.i, block.k);
-      // Planes reach beyond the heights at their corners by the same margin.
-      const double margin = 1 + kMargin * 4 * (extremes.high - extremes.low);
-      if (!clip(extremes.low - margin, extremes.high + margin, o.y, d.y, inverse.y)) continue;
-      if (block.level == 0) {
-        cell(block.i, block.k, ray, o, d, enter, leave, sink);
-        continue;
-      }
-      // Far children first on the stack.
-      const int below = block.level - 1, flip_x = d.x < 0 ? 1 : 0, flip_z = d.z < 0 ? 1 : 0;
-      for (int c = 3; c >= 0; --c) {
-        const int i = 2 * block.i + ((c & 1) ^ flip_x), k = 2 * block.k + ((c >> 1) ^ flip_z);
-        if (i < grid_->blocks_x(below) && k < grid_->blocks_z(below)) stack[count++] = {below, i, k};
-      }
-    }
+    descend(ray, o, d, enter, leave, sink);
   }
 
   // Below the surface, down to minus infinity.
@@ -119,19 +82,63 @@ class HeightField final : public Primitive<HeightField> {
   }
   Vec3 object_normal(const Vec3& n) const { return world_normal({n.x * scale_.x, n.y * scale_.y, n.z * scale_.z}); }
 
+  // Tests the cells between `enter` and `leave` whose heights the ray may meet, roughly from near to far.
   template <class Sink>
-  void cell(int i, int k, const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave, Sink& sink) const {
+  void descend(const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave, Sink& sink) const {
+    const QuarterTest test(*grid_, o, d);
+    struct Block {
+      int level, i, k;
+      float near;
+    };
+    Block stack[4 * 32];
+    int count = 0;
+    const auto below_of = [](double v) { return static_cast<float>(v - std::fabs(v) * 1e-6); };
+    const auto above_of = [](double v) { return static_cast<float>(v + std::fabs(v) * 1e-6); };
+    const float begin = below_of(enter);
+    float end = above_of(std::min(leave, sink.upper()));
+    stack[count++] = {grid_->levels() - 1, 0, 0, begin};
+    while (count > 0) {
+      const Block block = stack[--count];
+      if (block.near > end) continue;
+      const int below = block.level - 1;
+      const double size = static_cast<double>(1 << block.level);
+      alignas(16) float near[4];
+      const unsigned meets =
+          test.test(grid_->quarters(block.level, block.i, block.k), block.i * size, block.k * size, static_cast<float>(1 << below), begin, end, near);
+      if (!meets) continue;
+      if (below == 0) {
+        for (unsigned n = 0; n < 4; ++n) {
+          const int c = static_cast<int>(n ^ test.flip());
+          if (meets >> c & 1 && cell(2 * block.i + (c & 1), 2 * block.k + (c >> 1), ray, o, d, enter, leave, sink)) {
+            end = above_of(std::min(leave, sink.upper()));
+          }
+        }
+      } else {
+        for (unsigned n = 4; n-- > 0;) {  // far ones first on the stack
+          const int c = static_cast<int>(n ^ test.flip());
+          if (meets >> c & 1) stack[count++] = {below, 2 * block.i + (c & 1), 2 * block.k + (c >> 1), near[c]};
+        }
+      }
+    }
+  }
+
+  // True: a hit was accepted.
+  template <class Sink>
+  bool cell(int i, int k, const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave, Sink& sink) const {
+    const double h00 = grid_->at(i, k), h10 = grid_->at(i + 1, k), h01 = grid_->at(i, k + 1), h11 = grid_->at(i + 1, k + 1);
+    bool any = false;
     for (int triangle = 0; triangle < 2; ++triangle) {
-      const Vec3 n = facet(i, k, triangle);
+      const Vec3 n = triangle == 0 ? Vec3(h00 - h10, 1, h00 - h01) : Vec3(h01 - h11, 1, h10 - h11);
       const double nd = dot(n, d);
       if (!(std::fabs(nd) > kEpsilon)) continue;
-      const Vec3 corner(i + triangle, grid_->at(i + triangle, k + triangle), k + triangle);
+      const Vec3 corner(i + triangle, triangle == 0 ? h00 : h11, k + triangle);
       const double t = dot(n, corner - o) / nd;
       if (!(t >= enter && t <= leave)) continue;
       const double a = o.x + t * d.x - i, b = o.z + t * d.z - k;
       const bool in = triangle == 0 ? a >= -kEdge && b >= -kEdge && a + b <= 1 + kEdge : a <= 1 + kEdge && b <= 1 + kEdge && a + b >= 1 - kEdge;
-      if (in) sink.add(t, [&] { return ray.at(t); }, triangle, i, k);
+      if (in) any |= sink.add(t, [&] { return ray.at(t); }, triangle, i, k);
     }
+    return any;
   }
 
   std::shared_ptr<const HeightGrid> grid_;

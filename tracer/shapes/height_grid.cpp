@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
-#include <unordered_map>
 
 #include "tracer/image/image.h"
+#include "tracer/shapes/shared_payload.h"
 
 namespace verisim::shapes {
 
@@ -29,17 +28,7 @@ std::uint16_t height_of_pixel(const Image& image, int x, int y) {
 }
 
 std::shared_ptr<const HeightGrid> HeightGrid::of(const std::shared_ptr<const scene::HeightField>& field) {
-  static std::mutex mutex;
-  static std::unordered_map<const scene::HeightField*, std::weak_ptr<const HeightGrid>> known;
-  const std::lock_guard lock(mutex);
-  auto& slot = known[field.get()];
-  // An expired entry may belong to an older field that lived at the same address.
-  if (auto grid = slot.lock(); grid && grid->source_.lock() == field) return grid;
-  if (known.size() > 64) std::erase_if(known, [&](const auto& entry) { return entry.first != field.get() && entry.second.expired(); });
-  auto grid = std::make_shared<HeightGrid>(*field);
-  grid->source_ = field;
-  known[field.get()] = grid;
-  return grid;
+  return shared_payload<HeightGrid>(field, [&] { return std::make_shared<HeightGrid>(*field); });
 }
 
 HeightGrid::HeightGrid(const scene::HeightField& field) : water_(field.water_level * 65536) {
@@ -61,35 +50,33 @@ HeightGrid::HeightGrid(const scene::HeightField& field) : water_(field.water_lev
 }
 
 void HeightGrid::build_pyramid() {
-  levels_.emplace_back();  // level 0 is computed from the heights when needed
+  levels_.emplace_back();  // level 0 is the heights themselves
   int w = width_ - 1, d = depth_ - 1;
-  for (int level = 1; w > 1 || d > 1; ++level) {
+  const auto cell = [&](int i, int k) {
+    const auto [low, high] = std::minmax({at(i, k), at(i + 1, k), at(i, k + 1), at(i + 1, k + 1)});
+    return std::pair(low, high);
+  };
+  const auto block = [&](int level, int i, int k) {
+    const Quarters& q = quarters(level, i, k);
+    return std::pair<int, int>(*std::min_element(q.low, q.low + 4), *std::max_element(q.high, q.high + 4));
+  };
+  for (int level = 1; level == 1 || w > 1 || d > 1; ++level) {
     Level next{(w + 1) / 2, (d + 1) / 2, {}};
     next.blocks.resize(static_cast<std::size_t>(next.width) * static_cast<std::size_t>(next.depth));
+    std::size_t n = 0;
     for (int k = 0; k < next.depth; ++k) {
       for (int i = 0; i < next.width; ++i) {
-        Extremes e{65535, 0};
+        Quarters& q = next.blocks[n++];
         for (int c = 0; c < 4; ++c) {
           const int x = 2 * i + (c & 1), z = 2 * k + (c >> 1);
-          if (x >= w || z >= d) continue;
-          const Extremes below = extremes(level - 1, x, z);
-          e.low = std::min(e.low, below.low), e.high = std::max(e.high, below.high);
+          const auto [low, high] = x >= w || z >= d ? std::pair(65535, 0) : level == 1 ? cell(x, z) : block(level - 1, x, z);
+          q.low[c] = static_cast<std::uint16_t>(low), q.high[c] = static_cast<std::uint16_t>(high);
         }
-        next.blocks[static_cast<std::size_t>(k) * static_cast<std::size_t>(next.width) + static_cast<std::size_t>(i)] = e;
       }
     }
     w = next.width, d = next.depth;
     levels_.push_back(std::move(next));
   }
-}
-
-HeightGrid::Extremes HeightGrid::extremes(int level, int i, int k) const {
-  if (level > 0) {
-    const Level& l = levels_[static_cast<std::size_t>(level)];
-    return l.blocks[static_cast<std::size_t>(k) * static_cast<std::size_t>(l.width) + static_cast<std::size_t>(i)];
-  }
-  const auto [low, high] = std::minmax({at(i, k), at(i + 1, k), at(i, k + 1), at(i + 1, k + 1)});
-  return {static_cast<std::uint16_t>(low), static_cast<std::uint16_t>(high)};
 }
 
 // The sum of the unit normals of the up to four triangles around each sample, cut to multiples of 1/32767. Heights count 65536 to a unit, so the vertical

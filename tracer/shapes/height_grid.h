@@ -28,12 +28,15 @@ class HeightGrid {
   double bottom() const { return std::max<double>(lowest_, water_) - 0.001; }
   double top() const { return highest_ + 0.001; }
 
-  // Extremes of the block of 2^level cells a side with block coordinates (i, k).
-  struct Extremes { std::uint16_t low, high; };
+  // A block of 2^level cells a side has four quarters; quarter c lies at (c & 1, c >> 1) of them. Quarters beyond the edge of the field have low > high.
+  struct Quarters {
+    std::uint16_t low[4], high[4];
+  };
   int levels() const { return static_cast<int>(levels_.size()); }  // level 0 is one cell
-  Extremes extremes(int level, int i, int k) const;
-  int blocks_x(int level) const { return level == 0 ? width_ - 1 : levels_[static_cast<std::size_t>(level)].width; }
-  int blocks_z(int level) const { return level == 0 ? depth_ - 1 : levels_[static_cast<std::size_t>(level)].depth; }
+  const Quarters& quarters(int level, int i, int k) const {
+    const Level& l = levels_[static_cast<std::size_t>(level)];
+    return l.blocks[static_cast<std::size_t>(k) * static_cast<std::size_t>(l.width) + static_cast<std::size_t>(i)];
+  }
 
   bool smooth() const { return !normals_.empty(); }
   Vec3 smooth_normal(int i, int k) const {
@@ -44,9 +47,8 @@ class HeightGrid {
  private:
   struct Level {
     int width = 0, depth = 0;
-    std::vector<Extremes> blocks;
+    std::vector<Quarters> blocks;
   };
-  std::weak_ptr<const scene::HeightField> source_;
   void build_pyramid();
   void build_normals();
 

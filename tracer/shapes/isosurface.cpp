@@ -45,10 +45,8 @@ class Isosurface final : public Primitive<Isosurface> {
       return world_normal(container_normal(container, 7, p));
     }
     const double a = surface_.accuracy;
-    const double arguments[3][4] = {{p.x, p.x + a, p.x, p.x}, {p.y, p.y, p.y + a, p.y}, {p.z, p.z, p.z, p.z + a}};
-    double f[4];
-    surface_.function->evaluate_batch(&arguments[0][0], 4, 4, f);
-    const Vec3 gradient(f[1] - f[0], f[2] - f[0], f[3] - f[0]);
+    const double f = value(p);
+    const Vec3 gradient(value({p.x + a, p.y, p.z}) - f, value({p.x, p.y + a, p.z}) - f, value({p.x, p.y, p.z + a}) - f);
     if (gradient.x == 0 && gradient.y == 0 && gradient.z == 0) return world_normal({1, 0, 0});
     return world_normal(normalize(gradient));
   }

@@ -9,7 +9,8 @@ namespace verisim::shapes::julia {
 
 struct Number {
   double x = 0, y = 0, z = 0, w = 0;
-  double norm2() const { return x * x + y * y + z * z + w * w; }
+  // Summed in this order, as measured: on the bounding sphere the last bit decides whether a point escapes.
+  double norm2() const { return x * x + (y * y + z * z + w * w); }
 };
 inline Number operator+(const Number& a, const Number& b) { return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w}; }
 

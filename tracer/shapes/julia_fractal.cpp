@@ -2,15 +2,16 @@
 // exactly.
 #include <cmath>
 
-#include "tracer/shapes/container.h"
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/julia_algebra.h"
+#include "tracer/shapes/julia_map.h"
 #include "tracer/shapes/primitive.h"
+#include "tracer/shapes/shared_payload.h"
 
 namespace verisim::shapes {
 
 namespace {
 
+using julia::Kind;
 using julia::Number;
 using scene::JuliaFunction;
 
@@ -39,88 +40,123 @@ double bounding_radius(const scene::JuliaFractal& f) {
   return std::min(2.0, 1 + std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]) + 1e-7);
 }
 
+julia::Field field_of(const scene::JuliaFractal& f) {
+  julia::Field field;
+  field.parameter = {f.parameter[0], f.parameter[1], f.parameter[2], f.parameter[3]};
+  const auto& s = f.slice;
+  const double norm = std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + s[3] * s[3]);
+  for (int k = 0; k < 3; ++k) field.slice[k] = s[static_cast<std::size_t>(k)] / norm;
+  field.slice_w = s[3] / norm;
+  field.slice_distance = f.slice_distance;
+  field.iterations = std::clamp(f.max_iteration, 1, kMaxIterations);
+  field.precision = 1 / std::max(f.precision, 1.0);
+  const double radius = bounding_radius(f);
+  field.escape = f.hypercomplex ? 16 : radius * radius + 1e-7;
+  const JuliaFunction g = f.function;
+  if (f.hypercomplex) field.kind = g == JuliaFunction::sqr || g == JuliaFunction::cube ? Kind::hypercomplex_square : Kind::other;
+  else field.kind = g == JuliaFunction::cube ? Kind::quaternion_cube : Kind::quaternion_square;
+  field.doubled = g == JuliaFunction::sqr;
+  return field;
+}
+
 class JuliaFractal final : public Primitive<JuliaFractal> {
  public:
-  JuliaFractal(const scene::Object& description, const scene::JuliaFractal& f) : Primitive(description, {julia_fractal_box(f), true}), f_(f) {
-    parameter_ = {f.parameter[0], f.parameter[1], f.parameter[2], f.parameter[3]};
-    const auto& s = f.slice;
-    const double norm = std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + s[3] * s[3]);
-    for (int k = 0; k < 3; ++k) slice_[k] = s[static_cast<std::size_t>(k)] / norm;
-    slice_w_ = s[3] / norm;
-    iterations_ = std::clamp(f.max_iteration, 1, kMaxIterations);
-    precision_ = 1 / std::max(f.precision, 1.0);
-    radius_ = bounding_radius(f);
-    escape_ = f.hypercomplex ? 16 : radius_ * radius_ + 1e-7;
-    const JuliaFunction g = f.function;
-    if (f.hypercomplex) kind_ = g == JuliaFunction::sqr || g == JuliaFunction::cube ? Kind::hypercomplex_square : Kind::other;
-    else kind_ = g == JuliaFunction::cube ? Kind::quaternion_cube : Kind::quaternion_square;
-    plain_ = g == JuliaFunction::sqr || g == JuliaFunction::cube || g == JuliaFunction::reciprocal;
-  }
+  JuliaFractal(const scene::Object& description, const std::shared_ptr<const scene::JuliaFractal>& fractal)
+      : JuliaFractal(description, *fractal, map_of(fractal)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
     const LocalRay r = local(ray);
-    const scene::Contained ball{true, Vec3(0), Vec3(0), {0, 0, 0}, radius_};
-    ContainerSpan span;
-    if (!intersect_container(ball, r.origin, r.direction, span) || !(span.leave >= kFine)) return;
-    const double end = span.leave;
-    double t = std::max(span.enter, kFine), estimate;
-    Orbit orbit(iterations_ + 1);
+    // Where the ray is in the bounding sphere. In just these operations: whether the first point escapes at once is a matter of the last bit, and the whole
+    // sequence of steps hangs on it.
+    const double closest = -dot(r.origin, r.direction), half2 = radius_ * radius_ - dot(r.origin, r.origin) + closest * closest;
+    if (!(half2 > kEpsilon) || (closest < kEpsilon && dot(r.origin, r.origin) >= radius_ * radius_)) return;
+    const double half = std::sqrt(half2), end = closest + half;
+    if (!(end >= kFine)) return;
+    double t = std::max(closest - half, kFine), estimate;
+    // Behind this the ray stays outside.
+    const double last = map_ ? map_->last(r.origin, r.direction, t, end) : end;
+    if (last < 0) return;
+    Orbit orbit(field_.iterations + 1);
     bool in = march(orbit, r, t, estimate);
     if (in) {
       t += 2 * kFine;
       if (t > end) return;
       in = march(orbit, r, t, estimate);
     }
-    for (;;) {
-      const double step = std::max(estimate, precision_), base = t;
-      t += step;
-      if (!(t <= end)) return;
-      const bool now = march(orbit, r, t, estimate);
-      if (now == in) continue;
-      // The plain test decides between the two ends.
-      double low = base, width = step;
-      while (width > kFine) {
-        width /= 2;
-        if (plain_inside(r.origin + (low + width) * r.direction) == in) low += width;
-      }
-      const double depth = in ? low : low + width, world_t = depth / r.scale;
+    // True: this hit ends the search.
+    const auto crossed = [&](double base, double step, bool now) {
+      const double depth = bisect(r, base, step, in), world_t = depth / r.scale;
       in = now;
       sink.add(world_t, [&] { return ray.at(world_t); });
       // Outside CSG the march ends with the first hit, even one too near to be seen: refracted rays often do not meet the far side.
-      if (Sink::kNearest && !sink.clipped(ray.at(world_t))) return;
+      return Sink::kNearest && !sink.clipped(ray.at(world_t));
+    };
+    while (t <= last) {
+      if (estimate <= field_.precision && field_.kind != Kind::other) {
+        // Where the smallest step is due it mostly is so for many steps: look ahead.
+        double ahead[julia::kLanes], estimates[julia::kLanes], at = t;
+        for (double& a : ahead) a = at += field_.precision;
+        if (!(ahead[0] <= end)) return;
+        const unsigned inside = julia::march_lanes(field_, r.origin, r.direction, ahead, estimates);
+        for (int k = 0; k < julia::kLanes; ++k) {
+          if (!(ahead[k] <= end)) return;
+          const double base = t;
+          t = ahead[k], estimate = estimates[k];
+          const bool now = inside >> k & 1;
+          if (now != in && crossed(base, field_.precision, now)) return;
+          if (estimate > field_.precision) break;
+        }
+        continue;
+      }
+      const double step = std::max(estimate, field_.precision), base = t;
+      t += step;
+      if (!(t <= end)) return;
+      const bool now = march(orbit, r, t, estimate);
+      if (now != in && crossed(base, step, now)) return;
     }
   }
 
   bool contains(const Vec3& p) const { return plain_inside(local(p)); }
 
   Vec3 raw_normal(const Hit& hit) const {
-    Orbit orbit(iterations_ + 1);
+    Orbit orbit(field_.iterations + 1);
     const int escaped = iterate(orbit, start(local(hit.point), !plain_));
     // Iterates beyond an early escape do not exist; the last one stands for them.
-    const int last = escaped > 0 ? escaped - 1 : iterations_;
+    const int last = escaped > 0 ? escaped - 1 : field_.iterations;
     const Vec3 n = f_.hypercomplex ? hypercomplex_normal(orbit, last) : quaternion_normal(orbit, last);
     return world_normal(n);
   }
 
  private:
+  using MapPtr = std::shared_ptr<const julia::Map>;
+
+  JuliaFractal(const scene::Object& description, const scene::JuliaFractal& f, MapPtr map)
+      : Primitive(description, {map ? map->box() : julia_fractal_box(f), true}), f_(f), field_(field_of(f)), radius_(bounding_radius(f)), map_(std::move(map)) {
+    plain_ = f.function == JuliaFunction::sqr || f.function == JuliaFunction::cube || f.function == JuliaFunction::reciprocal;
+  }
+  static MapPtr map_of(const std::shared_ptr<const scene::JuliaFractal>& fractal) {
+    const julia::Field field = field_of(*fractal);
+    if (field.kind == Kind::other) return nullptr;
+    return shared_payload<julia::Map>(fractal, [&] { return std::make_shared<julia::Map>(field); });
+  }
+
   // The point in four dimensions. With `quirk` z is replaced by y before w is computed, as POV-Ray's plain inside test does for most functions.
   Number start(const Vec3& p, bool quirk) const {
     const double z = quirk ? p.y : p.z;
-    return {p.x, p.y, z, (f_.slice_distance - slice_.x * p.x - slice_.y * p.y - slice_.z * z) / slice_w_};
+    return {p.x, p.y, z, (f_.slice_distance - field_.slice.x * p.x - field_.slice.y * p.y - field_.slice.z * z) / field_.slice_w};
   }
-  enum class Kind : unsigned char { quaternion_square, quaternion_cube, hypercomplex_square, other };
   template <Kind K>
   Number next(const Number& h) const {
-    if constexpr (K == Kind::quaternion_square) return julia::quaternion_square(h) + parameter_;
-    else if constexpr (K == Kind::quaternion_cube) return julia::quaternion_cube(h) + parameter_;
-    else if constexpr (K == Kind::hypercomplex_square) return product(h, h) + parameter_;
-    else return julia::apply(f_.function, f_.exponent, h) + parameter_;
+    if constexpr (K == Kind::quaternion_square) return julia::quaternion_square(h) + field_.parameter;
+    else if constexpr (K == Kind::quaternion_cube) return julia::quaternion_cube(h) + field_.parameter;
+    else if constexpr (K == Kind::hypercomplex_square) return product(h, h) + field_.parameter;
+    else return julia::apply(f_.function, f_.exponent, h) + field_.parameter;
   }
   // Calls work with the kind of this fractal as a constant.
   template <class F>
   auto with_kind(F&& work) const {
-    switch (kind_) {
+    switch (field_.kind) {
       case Kind::quaternion_square: return work.template operator()<Kind::quaternion_square>();
       case Kind::quaternion_cube: return work.template operator()<Kind::quaternion_cube>();
       case Kind::hypercomplex_square: return work.template operator()<Kind::hypercomplex_square>();
@@ -132,8 +168,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return with_kind([&]<Kind K>() {
       Number h = h0;
       orbit[0] = h;
-      for (int i = 1; i <= iterations_; ++i) {
-        if (h.norm2() > escape_) return i;
+      for (int i = 1; i <= field_.iterations; ++i) {
+        if (h.norm2() > field_.escape) return i;
         orbit[i] = h = next<K>(h);
       }
       return 0;
@@ -142,35 +178,73 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   bool plain_inside(const Vec3& p) const {
     return with_kind([&]<Kind K>() {
       Number h = start(p, !plain_);
-      for (int i = 1; i <= iterations_; ++i) {
-        if (h.norm2() > escape_) return false;
+      for (int i = 1; i <= field_.iterations; ++i) {
+        if (h.norm2() > field_.escape) return false;
         h = next<K>(h);
       }
       return true;
     });
   }
 
+  // The depth reported for a change of state between base and base + step; `in` is the state at base.
+  double bisect(const LocalRay& r, double base, double step, bool in) const {
+    double low = base, width = step;
+    if (field_.kind == Kind::other) {
+      while (width > kFine) {
+        width /= 2;
+        if (plain_inside(r.origin + (low + width) * r.direction) == in) low += width;
+      }
+      return in ? low : low + width;
+    }
+    // The seven points that the next three halvings may ask for, as a heap: after point n comes 2n + 1, or 2n + 2 if it has the state of the base.
+    while (width > kFine) {
+      const double w1 = width / 2, w2 = w1 / 2, w3 = w2 / 2, middle = low + w1, quarter = low + w2, last = middle + w2;
+      const double points[julia::kLanes] = {middle, quarter, last, low + w3, quarter + w3, middle + w3, last + w3, last + w3};
+      const unsigned inside = julia::inside_lanes(field_, r.origin, r.direction, points);
+      for (unsigned n = 0; n < 7 && width > kFine;) {
+        width /= 2;
+        const bool same = (inside >> n & 1) == static_cast<unsigned>(in);
+        if (same) low = points[n];
+        n = 2 * n + (same ? 2 : 1);
+      }
+    }
+    return in ? low : low + width;
+  }
+
   // Inside at depth t, and how far the ray may go from there.
   bool march(Orbit& orbit, const LocalRay& ray, double t, double& estimate) const {
-    const int escaped = iterate(orbit, start(ray.origin + t * ray.direction, false));
-    estimate = precision_;
+    const Number h0 = start(ray.origin + t * ray.direction, false);
+    if (field_.kind == Kind::quaternion_square) return march_quaternion<Kind::quaternion_square>(h0, estimate);
+    if (field_.kind == Kind::quaternion_cube) return march_quaternion<Kind::quaternion_cube>(h0, estimate);
+    const int escaped = iterate(orbit, h0);
+    estimate = field_.precision;
     if (escaped == 0) return true;
     const double q = orbit[escaped - 1].norm2();
-    if (!f_.hypercomplex) {
-      double product2 = 1;
-      for (int i = 0; i < escaped; ++i) product2 *= orbit[i].norm2();
-      const double k = f_.function == JuliaFunction::cube ? 1.0 / 3 : 1.0 / 2;
-      double power = 1;
-      for (int i = 0; i < escaped; ++i) power *= k;
-      estimate = power * std::sqrt(q / product2) * std::log(q);
-      return false;
-    }
     const double slope = dot(hypercomplex_normal(orbit, escaped - 1), ray.direction);
     if (slope < -1e-8) {
       const double decrease = -2 * slope;
-      if (precision_ * decrease < q && q < 30 * precision_ * decrease) estimate = q / decrease;
+      if (field_.precision * decrease < q && q < 30 * field_.precision * decrease) estimate = q / decrease;
     }
     return false;
+  }
+
+  template <Kind K>
+  bool march_quaternion(Number h, double& estimate) const {
+    double product2 = 1, power = 1;
+    for (int i = 1; i <= field_.iterations; ++i) {
+      const double q = h.norm2();
+      product2 *= q;
+      power *= K == Kind::quaternion_cube ? 1.0 / 3 : 1.0 / 2;
+      if (q > field_.escape) {
+        estimate = power * std::sqrt(q / product2);
+        // ln q <= q - 1: most of the smallest steps need no logarithm.
+        estimate = estimate * (q - 1) > field_.precision ? estimate * std::log(q) : field_.precision;
+        return false;
+      }
+      h = next<K>(h);
+    }
+    estimate = field_.precision;
+    return true;
   }
 
   // Gradient of |hM|^2 / 2 by x, y, z with w constant, constant factors dropped.
@@ -196,7 +270,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
 
   Vec3 hypercomplex_normal(const Orbit& orbit, int last) const {
     Number m = orbit[0], n = orbit[last];
-    if (kind_ == Kind::hypercomplex_square) {
+    if (field_.kind == Kind::hypercomplex_square) {
       for (int j = 1; j < last; ++j) m = product(orbit[j], m);
     } else {
       m = other_product(orbit, last);
@@ -224,18 +298,16 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   }
 
   scene::JuliaFractal f_;
-  Number parameter_;
-  Vec3 slice_;
-  double slice_w_ = 1, precision_ = 0.05, radius_ = 2, escape_ = 4;
-  int iterations_ = 20;
-  Kind kind_ = Kind::quaternion_square;
+  julia::Field field_;
+  double radius_;
+  std::shared_ptr<const julia::Map> map_;  // null: none for this function
   bool plain_ = true;  // without the quirk of `start`
 };
 
 }  // namespace
 
 std::unique_ptr<Shape> compile_julia_fractal(const scene::Object& object) {
-  return std::make_unique<JuliaFractal>(object, **object.as<std::shared_ptr<const scene::JuliaFractal>>());
+  return std::make_unique<JuliaFractal>(object, *object.as<std::shared_ptr<const scene::JuliaFractal>>());
 }
 Box3 julia_fractal_box(const scene::JuliaFractal& fractal) {
   const double r = bounding_radius(fractal);

@@ -47,6 +47,26 @@ TEST(JuliaFractal, Hypercomplex) {
   EXPECT_NEAR(trace(object(f), {.1, .2, -5}, {0, 0, 1})->point.z, -0.235598178554970, 1e-14);
 }
 
+// Rays whose first step hangs on the last bit of |h|^2 on the bounding sphere; hit or missed as POV-Ray's trace() says.
+TEST(JuliaFractal, TheFirstStepIsPovRays) {
+  scene::JuliaFractal f;
+  f.parameter = {0.2, 0.1, 0.59, -0.2};
+  f.max_iteration = 7;
+  f.precision = 20;
+  f.hypercomplex = true;
+  const auto o = object(f);
+  const auto shape = compile(o);
+  struct Probe {
+    int x, y;
+    bool hit;
+  };
+  for (const auto& [x, y, expected] : {Probe{43, 33, false}, {12, 35, true}, {21, 35, false}, {25, 39, false}, {21, 48, false}}) {
+    const Vec3 d(-0.6 + x * 0.02, -0.45 + y * 0.015, 2.2);
+    Hit hit;
+    EXPECT_EQ(shape->intersect({{0, 0, -6}, d * (1 / length(d))}, RayKind::query, 1e-4, 1e7, hit), expected) << x << ", " << y;
+  }
+}
+
 TEST(JuliaFractal, HostileParametersEnd) {
   scene::JuliaFractal f = quaternion();
   f.parameter = {std::nan(""), 0, 0, 0};

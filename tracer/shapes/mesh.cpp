@@ -1,5 +1,6 @@
 // mesh and mesh2 (spec 04 section 1). All hits are reported; POV-Ray's early stop for meshes without inside_vector, which loses surfaces in CSG, is not
 // reproduced.
+#include "tracer/accel/shaft.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/mesh_geometry.h"
 #include "tracer/shapes/primitive.h"
@@ -21,19 +22,48 @@ class Mesh final : public Primitive<Mesh> {
     textures_ = mesh.textures.empty() ? mesh.data->textures : mesh.textures;
   }
 
+  bool enter(const accel::Shaft& shaft, accel::EntryPoints& entry) const override {
+    if (!has_matrix()) {
+      geometry_->tree().enter(shaft, entry);
+      return true;
+    }
+    const auto local_box = [&](const Box3& box) {
+      Box3 result;
+      for (int corner = 0; corner < 8; ++corner)
+        result.extendBy(local(Vec3(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z)));
+      return result;
+    };
+    const auto own = accel::Shaft::between(local_box(shaft.from()), local_box(shaft.to()));
+    if (own) geometry_->tree().enter(*own, entry);
+    return own.has_value();
+  }
+  bool intersect_from(const accel::EntryPoints& entry, const Ray& ray, RayKind, double t_min, double t_max, Hit& hit) const override {
+    return nearest_of(ray, t_min, t_max, hit, false, [&](NearestHit& sink) { crossings(ray, sink, &entry); });
+  }
+  bool occludes_from(const accel::EntryPoints& entry, const Ray& ray, double t_min, double t_max) const override {
+    Hit hit;
+    return nearest_of(ray, t_min, t_max, hit, true, [&](NearestHit& sink) { crossings(ray, sink, &entry); });
+  }
+
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void crossings(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
     const LocalRay r = local(ray);
     const double lower = std::max(MeshGeometry::kNearest, sink.lower() * r.scale * (1 - 1e-12));
     const auto limit = [&] { return std::min(MeshGeometry::kFarthest, sink.upper() * r.scale * (1 + 1e-12)); };
-    geometry_->tree().traverse(r.origin, r.direction, lower, limit, [&](std::uint32_t first, std::uint32_t count) {
+    double nearest = -1;
+    std::uint32_t nearest_id = 0;
+    geometry_->tree().traverse_leaves({r.origin, r.direction}, lower, limit(), [&](std::uint32_t first, std::uint32_t count, double) {
       for (std::uint32_t i = first; i < first + count; ++i) {
         const double t = geometry_->hit(i, r.origin, r.direction);
         if (t < 0 || t > MeshGeometry::kFarthest) continue;
         const double world_t = t / r.scale;
-        sink.add(world_t, [&] { return ray.at(world_t); }, static_cast<std::int32_t>(i));
+        // Of triangles hit at the same distance (a ray through a shared edge) the last written is seen, whatever the order of the walk.
+        if (Sink::kNearest && world_t == nearest && geometry_->triangle(i).id() < nearest_id) continue;
+        const bool accepted = sink.add(world_t, [&] { return ray.at(world_t); }, static_cast<std::int32_t>(i));
+        if (Sink::kNearest && accepted) nearest = world_t, nearest_id = geometry_->triangle(i).id();
       }
-    });
+      return limit();
+    }, entry);
   }
 
   bool contains(const Vec3& p) const { return solid_ && geometry_->crossings(local(p), inside_direction_) % 2 != 0; }

@@ -7,6 +7,8 @@ namespace verisim::shapes {
 
 namespace {
 
+constexpr unsigned kLeafSize = 4;
+
 double f32(double v) { return static_cast<float>(v); }
 Vec3 f32(const Vec3& v) { return {f32(v.x), f32(v.y), f32(v.z)}; }
 
@@ -59,15 +61,17 @@ std::shared_ptr<const MeshGeometry> MeshGeometry::of(const std::shared_ptr<const
 
 MeshGeometry::MeshGeometry(std::shared_ptr<const scene::MeshData> data) : data_(std::move(data)) {
   const auto& d = *data_;
-  tree_ = BoxTree(d.triangles.size(), [&](std::size_t i) {
+  const auto box_of = [&](std::size_t i) {
     Box3 box;
     const scene::MeshTriangle& t = d.triangles[i];
     if (!valid(d, t)) return box;
-    const Vec3 n = plane_normal(d.vertices[t.vertex[0]], d.vertices[t.vertex[1]], d.vertices[t.vertex[2]]);
-    if (!(dot(n, n) > 0)) return box;  // without area: never hit
+    const Vec3 &p1 = d.vertices[t.vertex[0]], n = cross(d.vertices[t.vertex[2]] - p1, d.vertices[t.vertex[1]] - p1);
+    const double square = dot(n, n);
+    if (!(square > 0 && square < std::numeric_limits<double>::infinity())) return box;  // without a normal: never hit
     for (const std::uint32_t v : t.vertex) box.extendBy(f32(d.vertices[v]));
     return box;
-  });
+  };
+  tree_ = accel::BoxTree(d.triangles.size(), box_of, kLeafSize);
   triangles_.reserve(tree_.order().size());
   for (const std::uint32_t id : tree_.order()) {
     const scene::MeshTriangle& t = d.triangles[id];
@@ -168,11 +172,12 @@ std::array<float, 3> MeshGeometry::weights(std::uint32_t i, const Vec3& p) const
 
 int MeshGeometry::crossings(const Vec3& origin, const Vec3& direction) const {
   int count = 0;
-  tree_.traverse(origin, direction, 0, [] { return kFarthest; }, [&](std::uint32_t first, std::uint32_t n) {
+  tree_.traverse_leaves({origin, direction}, 0, kFarthest, [&](std::uint32_t first, std::uint32_t n, double limit) {
     for (std::uint32_t i = first; i < first + n; ++i) {
       const double t = hit(i, origin, direction);
       if (t >= 0 && t <= kFarthest) ++count;
     }
+    return limit;
   });
   return count;
 }

@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "tracer/accel/box_tree.h"
 #include "tracer/scene/object.h"
-#include "tracer/shapes/box_tree.h"
 
 namespace verisim::shapes {
 
@@ -43,7 +43,7 @@ class MeshGeometry {
 
   const Triangle& triangle(std::uint32_t i) const { return triangles_[i]; }
   const scene::MeshTriangle& source(std::uint32_t i) const { return data_->triangles[triangles_[i].id()]; }
-  const BoxTree& tree() const { return tree_; }
+  const accel::BoxTree& tree() const { return tree_; }
   const scene::MeshData& data() const { return *data_; }
 
   // The triangle's corner numbers in POV-Ray's canonical order: 0 and 1 may be exchanged.
@@ -62,7 +62,7 @@ class MeshGeometry {
  private:
   std::shared_ptr<const scene::MeshData> data_;
   std::vector<Triangle> triangles_;  // in the order of the tree's leaves
-  BoxTree tree_;
+  accel::BoxTree tree_;
 };
 
 // The box of all vertices used by faces, rounded to binary32.

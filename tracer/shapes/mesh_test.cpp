@@ -191,11 +191,12 @@ TEST(Mesh, TreeLosesNothing) {
       const Vec3 origin = target - distance * direction;
       int by_tree = 0, by_test = 0;
       double nearest_tree = 1e9, nearest_test = 1e9;
-      g.tree().traverse(origin, direction, 0, [] { return 1e7; }, [&](std::uint32_t first, std::uint32_t count) {
+      g.tree().traverse_leaves({origin, direction}, 0, 1e7, [&](std::uint32_t first, std::uint32_t count, double limit) {
         for (std::uint32_t i = first; i < first + count; ++i) {
           const double t = g.hit(i, origin, direction);
           if (t >= 0) ++by_tree, nearest_tree = std::min(nearest_tree, t);
         }
+        return limit;
       });
       for (std::uint32_t i = 0; i < d.triangles.size(); ++i) {
         const double t = g.hit(i, origin, direction);
@@ -232,6 +233,11 @@ TEST(Mesh, CoincidentTrianglesMakeNoEndlessTree) {
   HitList hits;
   compile(m)->intersect_all({{.2, .2, -5}, {0, 0, 1}}, kQuery, hits);
   EXPECT_EQ(hits.size(), 5000u);
+  // Of all that are hit at the same distance the last one is seen.
+  Hit hit;
+  ASSERT_TRUE(compile(m)->intersect({{.2, .2, -5}, {0, 0, 1}}, kQuery, 0, 1e7, hit));
+  const auto geometry = MeshGeometry::of(std::get<scene::Mesh>(m.shape).data);
+  EXPECT_EQ(geometry->triangle(static_cast<std::uint32_t>(hit.part)).id(), 4999u);
 }
 
 TEST(Mesh, CopiesShareTheirGeometry) {

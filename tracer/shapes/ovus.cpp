@@ -92,7 +92,7 @@ class Ovus final : public Primitive<Ovus> {
     const Vec3 p = local(hit.point);
     if (hit.part == bottom_sphere) return world_normal(p);
     if (hit.part == top_sphere) return world_normal({p.x, p.y - m_.bottom, p.z});
-    const double rho = std::hypot(p.x, p.z);
+    const double rho = std::sqrt(p.x * p.x + p.z * p.z);
     if (!(rho > 0)) return world_normal({0, p.y - m_.v, 0});
     const double stretch = 1 + m_.h / rho;
     return world_normal({p.x * stretch, p.y - m_.v, p.z * stretch});
@@ -114,7 +114,7 @@ class Ovus final : public Primitive<Ovus> {
     return true;
   }
   double sheet_value(const Vec3& p) const {
-    const double outer = std::hypot(p.x, p.z) + m_.h, y = p.y - m_.v;
+    const double outer = std::sqrt(p.x * p.x + p.z * p.z) + m_.h, y = p.y - m_.v;
     return outer * outer + y * y - m_.rho * m_.rho;
   }
 

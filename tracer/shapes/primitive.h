@@ -139,6 +139,14 @@ class Primitive : public Shape {
 
   bool inverted() const { return inverted_; }
   bool has_matrix() const { return has_matrix_; }
+  // The nearest hit of those that crossings(sink) reports; `any`: the first.
+  template <class Crossings>
+  bool nearest_of(const Ray& ray, double t_min, double t_max, Hit& hit, bool any, Crossings&& crossings) const {
+    if (guards_ && !guards_->admit(ray)) return false;
+    NearestHit sink(*this, guards_.get(), t_min, t_max, hit, any);
+    crossings(sink);
+    return sink.found();
+  }
   const Transform& matrix() const { return cold_->matrix; }
 
   // The ray in the shape's space; unchanged (and not normalised) when the object has no matrix.

@@ -82,10 +82,14 @@ class Prism final : public Primitive<Prism> {
     const Vec3 pad = 1e-9 * (box_.max - box_.min) + Vec3(1e-12);
     box_.min -= pad, box_.max += pad;
     for (const CurveSegment& s : segments_of(prism)) {
-      Segment segment{s, 0, 0, 0, 0};
+      Segment segment{s, 0, 0, 0, 0, false};
       s.extremes(along_x, segment.x_low, segment.x_high);
       s.extremes(along_z, segment.z_low, segment.z_high);
+      const double z0 = s.value(along_z, 0), z1 = s.value(along_z, 1);
+      segment.z_monotonic = s.degree == 1 && z0 != z1;
       segments_.push_back(segment);
+      outline_.extendBy(Vec2(segment.x_low, segment.z_low));
+      outline_.extendBy(Vec2(segment.x_high, segment.z_high));
     }
   }
 
@@ -104,18 +108,26 @@ class Prism final : public Primitive<Prism> {
         for (const double h : {low_, high_}) {
           if (conic_ && std::fabs(h) <= kEpsilon) continue;
           const double t = (h - o.y) / d.y, size = conic_ ? h : 1;
+          if (Sink::kNearest && !(t >= sink.lower() * l.scale * (1 - 1e-9) && t <= sink.upper() * l.scale * (1 + 1e-9))) continue;
           if (covers((o.x + t * d.x) / size, (o.z + t * d.z) / size)) report(t, kCap, 0);
         }
       }
     } else if (o.y < low_ || o.y > high_) {
       return;
     }
+    // The part of the ray that matters, seen from above.
+    const double end = std::min(leave, sink.upper() * l.scale), slack = 1e-9 * (std::fabs(o.x) + std::fabs(o.z) + end) + 1e-12;
+    const Vec2 from(o.x + enter * d.x, o.z + enter * d.z), to(o.x + end * d.x, o.z + end * d.z);
+    const double x_from = std::min(from.x, to.x) - slack, x_to = std::max(from.x, to.x) + slack;
+    const double z_from = std::min(from.y, to.y) - slack, z_to = std::max(from.y, to.y) + slack;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-      const CurveSegment& s = segments_[i].curve;
+      const Segment& bounds = segments_[i];
+      if (!conic_ && (bounds.x_low > x_to || bounds.x_high < x_from || bounds.z_low > z_to || bounds.z_high < z_from)) continue;
+      const CurveSegment& s = bounds.curve;
       // The outline's point lies on the ray's line when nx X + nz Z + n0 = 0.
       const double nx = conic_ ? o.z * d.y - o.y * d.z : d.z, nz = conic_ ? o.y * d.x - o.x * d.y : -d.x;
       const double n0 = conic_ ? o.x * d.z - o.z * d.x : o.z * d.x - o.x * d.z;
-      if (!straddles(segments_[i], nx, nz, n0)) continue;
+      if (!straddles(bounds, nx, nz, n0)) continue;
       double power[4], roots[3];
       for (int k = 0; k <= s.degree; ++k) {
         const Vec2& c = s.c[static_cast<std::size_t>(k)];
@@ -167,6 +179,7 @@ class Prism final : public Primitive<Prism> {
   struct Segment {
     CurveSegment curve;
     double x_low, x_high, z_low, z_high;
+    bool z_monotonic;  // z strictly grows or falls
   };
 
   // Whether the line nx x + nz z + n0 = 0 may pass through a segment's rectangle.
@@ -179,9 +192,14 @@ class Prism final : public Primitive<Prism> {
 
   // Even-odd count along +x. As in POV-Ray every segment owns both its ends, so a line exactly through a vertex counts it twice (spec 03 section 8).
   bool covers(double x, double z) const {
+    if (x > outline_.max.x || x < outline_.min.x || z < outline_.min.y || z > outline_.max.y) return false;
     int count = 0;
     for (const Segment& s : segments_) {
       if (z < s.z_low || z > s.z_high || x > s.x_high) continue;
+      if (s.z_monotonic && x < s.x_low) {
+        ++count;  // met once, and to the right
+        continue;
+      }
       double roots[3];
       const int n = s.curve.solve(along_z, z, roots);
       for (int i = 0; i < n; ++i) count += s.curve.value(along_x, roots[i]) > x;
@@ -192,6 +210,7 @@ class Prism final : public Primitive<Prism> {
   bool conic_, open_;
   double low_, high_;
   Box3 box_;
+  Imath::Box<Vec2> outline_;
   std::vector<Segment> segments_;
 };
 

@@ -8,6 +8,11 @@
 #include "tracer/math/vec.h"
 #include "tracer/scene/object.h"
 
+namespace verisim::accel {
+class Shaft;
+struct EntryPoints;
+}  // namespace verisim::accel
+
 namespace verisim::shapes {
 
 class Shape;
@@ -60,6 +65,13 @@ class Shape {
   virtual bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const;
   // True if any hit has t_min <= t < t_max, for shadow rays.
   virtual bool occludes(const Ray& ray, double t_min, double t_max) const;
+  // Shapes with a tree of their own: where the rays of a shaft enter it. False: nothing is gained by asking.
+  virtual bool enter(const accel::Shaft& /*shaft*/, accel::EntryPoints& /*entry*/) const { return false; }
+  // intersect and occludes for rays of such a shaft.
+  virtual bool intersect_from(const accel::EntryPoints& /*entry*/, const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const {
+    return intersect(ray, kind, t_min, t_max, hit);
+  }
+  virtual bool occludes_from(const accel::EntryPoints& /*entry*/, const Ray& ray, double t_min, double t_max) const { return occludes(ray, t_min, t_max); }
   // Formula (inverted where the object is), then clip objects.
   virtual bool inside(const Vec3& p) const = 0;
   // The same without the object's own clips: cutaway_textures and the camera's containers ask this (spec 03 2.6, 5.3).

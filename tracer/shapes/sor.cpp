@@ -17,6 +17,7 @@ constexpr std::int32_t kBase = -1, kCap = -2;
 struct Segment {
   double low, high;                 // heights
   std::array<double, 4> c;          // radius^2 = c[0] + c[1] y + c[2] y^2 + c[3] y^3
+  double least2 = 0, most2 = 0;     // bounds of radius^2, a little wide
   double radius2(double y) const { return ((c[3] * y + c[2]) * y + c[1]) * y + c[0]; }
   double slope(double y) const { return (3 * c[3] * y + 2 * c[2]) * y + c[1]; }
 };
@@ -25,10 +26,27 @@ struct Segment {
 Segment hermite(double y0, double y1, double f0, double f1, double s0, double s1) {
   const double h = y1 - y0, mean = (f1 - f0) / h;
   const double a = (s0 + s1 - 2 * mean) / (h * h), b = (3 * mean - 2 * s0 - s1) / h;  // of (y - y0)^3 and (y - y0)^2
-  Segment s{y0, y1, {f0 - y0 * (s0 - y0 * (b - y0 * a)), s0 - y0 * (2 * b - 3 * y0 * a), b - 3 * y0 * a, a}};
+  Segment s{y0, y1, {f0 - y0 * (s0 - y0 * (b - y0 * a)), s0 - y0 * (2 * b - 3 * y0 * a), b - 3 * y0 * a, a}, 0, 0};
   for (double& v : s.c)
     if (std::fabs(v) < kEpsilon) v = 0;
   return s;
+}
+
+// Sets the bounds of a segment's squared radius.
+void measure(Segment& s) {
+  s.least2 = std::min(s.radius2(s.low), s.radius2(s.high)), s.most2 = std::max(s.radius2(s.low), s.radius2(s.high));
+  const double a = 3 * s.c[3], b = 2 * s.c[2], c = s.c[1];
+  double roots[2];
+  int n = 0;
+  if (a != 0) {
+    const double discriminant = b * b - 4 * a * c;
+    if (discriminant >= 0)
+      for (const double sign : {-1.0, 1.0}) roots[n++] = (-b + sign * std::sqrt(discriminant)) / (2 * a);
+  } else if (b != 0) {
+    roots[n++] = -c / b;
+  }
+  for (int i = 0; i < n; ++i)
+    if (roots[i] > s.low && roots[i] < s.high) s.least2 = std::min(s.least2, s.radius2(roots[i])), s.most2 = std::max(s.most2, s.radius2(roots[i]));
 }
 
 std::vector<Segment> segments_of(const scene::Sor& sor) {
@@ -38,27 +56,14 @@ std::vector<Segment> segments_of(const scene::Sor& sor) {
     const double s0 = 2 * p[i].x * (p[i + 1].x - p[i - 1].x) / (p[i + 1].y - p[i - 1].y);
     const double s1 = 2 * p[i + 1].x * (p[i + 2].x - p[i].x) / (p[i + 2].y - p[i].y);
     segments.push_back(hermite(p[i].y, p[i + 1].y, p[i].x * p[i].x, p[i + 1].x * p[i + 1].x, s0, s1));
+    measure(segments.back());
   }
   return segments;
 }
 
 double largest_radius2(const std::vector<Segment>& segments) {
   double largest = 0;
-  for (const Segment& s : segments) {
-    largest = std::max({largest, s.radius2(s.low), s.radius2(s.high)});
-    const double a = 3 * s.c[3], b = 2 * s.c[2], c = s.c[1];
-    double roots[2];
-    int n = 0;
-    if (a != 0) {
-      const double discriminant = b * b - 4 * a * c;
-      if (discriminant >= 0)
-        for (const double sign : {-1.0, 1.0}) roots[n++] = (-b + sign * std::sqrt(discriminant)) / (2 * a);
-    } else if (b != 0) {
-      roots[n++] = -c / b;
-    }
-    for (int i = 0; i < n; ++i)
-      if (roots[i] > s.low && roots[i] < s.high) largest = std::max(largest, s.radius2(roots[i]));
-  }
+  for (const Segment& s : segments) largest = std::max(largest, s.most2);
   return largest;
 }
 
@@ -67,6 +72,8 @@ class Sor final : public Primitive<Sor> {
   Sor(const scene::Object& description, const scene::Sor& sor)
       : Primitive(description, {sor_box(sor)}), segments_(segments_of(sor)), outer2_(largest_radius2(segments_)) {
     if (segments_.empty()) return;
+    const double slack = 1e-9 * outer2_ + 1e-12;
+    for (Segment& s : segments_) s.least2 -= slack, s.most2 += slack;
     base_ = sor.points[1];
     cap_ = sor.points[sor.points.size() - 2];
     has_base_ = !sor.open && base_.x * base_.x > kSmallestCap2;
@@ -80,7 +87,7 @@ class Sor final : public Primitive<Sor> {
     const Vec3 &p = l.origin, &d = l.direction;
     const auto report = [&](double t, std::int32_t part) {
       const double depth = t / l.scale;
-      if (depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; }, part);
+      return depth > kNearest && depth < kFarthest && sink.add(depth, [&] { return ray.origin + depth * ray.direction; }, part);
     };
     const double r = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z, c = p.x * p.x + p.z * p.z;
     double near = 0, far = kFarthest * l.scale;
@@ -102,7 +109,10 @@ class Sor final : public Primitive<Sor> {
       if (has_base_) disc(base_, kBase);
       if (has_cap_) disc(cap_, kCap);
     }
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
+    // Only the nearest hit is wanted: segments from near to far, until one is hit.
+    const bool downwards = Sink::kNearest && d.y < 0;
+    for (std::size_t step = 0; step < segments_.size(); ++step) {
+      const std::size_t i = downwards ? segments_.size() - 1 - step : step;
       const Segment& s = segments_[i];
       double from = near, to = far;
       if (d.y == 0) {
@@ -113,6 +123,11 @@ class Sor final : public Primitive<Sor> {
         from = std::max(from, a), to = std::min(to, b);
       }
       if (!(from <= to)) continue;
+      if (Sink::kNearest && from > sink.upper() * l.scale) return;
+      // The distance from the axis against the radii of this segment.
+      const double middle = r > 0 ? std::clamp(-m / r, from, to) : from;
+      const auto rho2 = [&](double t) { return (r * t + 2 * m) * t + c; };
+      if (rho2(middle) > s.most2 || std::max(rho2(from), rho2(to)) < s.least2) continue;
       // radius^2(py + dy t) - (r t^2 + 2 m t + c), in powers of t - from.
       const Vec3 q = p + from * d;
       const double y = q.y, dy = d.y;
@@ -120,7 +135,9 @@ class Sor final : public Primitive<Sor> {
                                s.c[3] * dy * dy * dy};
       double roots[3];
       const int n = bernstein_roots<3>(power, 0, to - from, roots);
-      for (int k = 0; k < n; ++k) report(from + roots[k], static_cast<std::int32_t>(i));
+      bool accepted = false;
+      for (int k = 0; k < n; ++k) accepted |= report(from + roots[k], static_cast<std::int32_t>(i));
+      if (Sink::kNearest && accepted) return;
     }
   }
 

@@ -45,6 +45,18 @@ double norm(double a, double b, const Power& p) {
   return a * p.root(1 + p.raise(b / a));
 }
 
+// A value along a ray and its slope.
+struct Dual {
+  double value, slope;
+};
+Dual norm(Dual a, Dual b, const Power& p) {
+  if (a.value < b.value) std::swap(a, b);
+  if (!(a.value > 0)) return {0, 0};
+  const double u = p.raise(b.value / a.value), size = a.value * p.root(1 + u);
+  const double slope_b = b.value > 0 ? u * b.slope / b.value : p.exponent() == 1 ? b.slope / a.value : 0;
+  return {size, size / (1 + u) * (a.slope / a.value + slope_b)};
+}
+
 class Superellipsoid final : public Primitive<Superellipsoid> {
  public:
   Superellipsoid(const scene::Object& description, const scene::Superellipsoid& s)
@@ -53,6 +65,7 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
+    if (p_.exponent() >= 1 && q_.exponent() >= 1) return convex_crossings(ray, l, sink);
     double knots[11];
     const int count = knots_of(l, knots);
     if (count < 2) return;
@@ -100,20 +113,79 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
   double value(const Vec3& p) const { return norm(norm(std::fabs(p.x), std::fabs(p.y), p_), std::fabs(p.z), q_) - 1; }
   double value(const LocalRay& l, double t) const { return value(l.origin + t * l.direction); }
 
-  // Where the ray enters and leaves the cube, and crosses the planes of symmetry in between; sorted.
-  static int knots_of(const LocalRay& l, double* knots) {
-    double near = kNearest, far = HUGE_VAL;
+  // With exponents of at least 1 the nested norms are convex: a ray enters once and leaves once, and Newton's method from outside goes straight to each.
+  template <class Sink>
+  void convex_crossings(const Ray& ray, const LocalRay& l, Sink& sink) const {
+    double near, far;
+    if (!clip_to_cube(l, near, far)) return;
+    const auto report = [&](double t) {
+      const double depth = t / l.scale;
+      return depth > kNearest && depth < kFarthest && sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
+    };
+    double entry, exit;
+    const double first = along(l, near, 1).value;
+    if (first > -kZero) {
+      if (std::fabs(first) < kZero) entry = near;
+      else if (!approach(l, near, far, 1, entry)) return;
+      if (report(entry) && Sink::kNearest) return;
+      near = entry;
+    }
+    if (approach(l, far, near, -1, exit) && exit > near) report(exit);
+  }
+  // From `begin`, outside, towards `end`: the first point of the surface. `side`: +1 forward, -1 backward.
+  bool approach(const LocalRay& l, double begin, double end, double side, double& root) const {
+    double t = begin;
+    for (int step = 0; step < 100; ++step) {
+      const Dual f = along(l, t, side);
+      if (f.value < kZero) {
+        root = t;
+        return true;
+      }
+      // The tangent lies below the curve.
+      if (!(f.slope * side < 0)) return false;
+      const double next = t - f.value / f.slope;
+      if (!((end - next) * side >= 0)) return false;
+      if (next == t) {
+        root = t;
+        return true;
+      }
+      t = next;
+    }
+    root = t;
+    return true;
+  }
+  // value() at distance t with its slope on one side.
+  Dual along(const LocalRay& l, double t, double side) const {
+    const Vec3 p = l.origin + t * l.direction;
+    const auto size = [&](int k) {
+      const double v = p[k], d = l.direction[k];
+      return v == 0 ? Dual{0, side * std::fabs(d)} : v < 0 ? Dual{-v, -d} : Dual{v, d};
+    };
+    const Dual f = norm(norm(size(0), size(1), p_), size(2), q_);
+    return {f.value - 1, f.slope};
+  }
+
+  static bool clip_to_cube(const LocalRay& l, double& near, double& far) {
+    near = kNearest, far = HUGE_VAL;
     const Vec3 &o = l.origin, &d = l.direction;
     for (int i = 0; i < 3; ++i) {
       if (std::fabs(d[i]) < kEpsilon) {
-        if (std::fabs(o[i]) > kCube) return 0;
+        if (std::fabs(o[i]) > kCube) return false;
         continue;
       }
       double a = (-kCube - o[i]) / d[i], b = (kCube - o[i]) / d[i];
       if (a > b) std::swap(a, b);
       near = std::max(near, a), far = std::min(far, b);
-      if (!(near < far)) return 0;
+      if (!(near < far)) return false;
     }
+    return true;
+  }
+
+  // Where the ray enters and leaves the cube, and crosses the planes of symmetry in between; sorted.
+  static int knots_of(const LocalRay& l, double* knots) {
+    double near, far;
+    if (!clip_to_cube(l, near, far)) return 0;
+    const Vec3 &o = l.origin, &d = l.direction;
     int n = 0;
     knots[n++] = near;
     const auto cross_plane = [&](double distance, double slope) {

@@ -67,7 +67,9 @@ std::vector<PlacedGlyph> layout(const scene::Text& text) {
 Transform small_rotation() { return Transform::rotation({0.001, 0.001, 0.001}); }
 
 Box3 box_of(const PlacedGlyph& g, double thickness) {
-  return Box3({g.origin.x + g.glyph->x_min, g.origin.y + g.glyph->y_min, -1e-6}, {g.origin.x + g.glyph->x_max, g.origin.y + g.glyph->y_max, thickness + 1e-6});
+  // A negative thickness leaves the caps, but no sides between them.
+  const double near = std::min(-1e-6, thickness + 1e-6), far = std::max(-1e-6, thickness + 1e-6);
+  return Box3({g.origin.x + g.glyph->x_min, g.origin.y + g.glyph->y_min, near}, {g.origin.x + g.glyph->x_max, g.origin.y + g.glyph->y_max, far});
 }
 
 // Roots of a s^2 + b s + c within [0, 1].
@@ -83,8 +85,10 @@ int unit_roots(double a, double b, double c, double (&roots)[2]) {
   const double discriminant = b * b - 4 * a * c;
   if (!(discriminant >= 1e-10)) return 0;
   const double root = std::sqrt(discriminant);
-  keep((-b + root) / (2 * a));
-  keep((-b - root) / (2 * a));
+  // Written so that a nearly straight curve, whose a is a rounding error, keeps its root.
+  const double q = -0.5 * (b + std::copysign(root, b));
+  keep(q / a);
+  if (q != 0) keep(c / q);
   return count;
 }
 
@@ -133,7 +137,7 @@ class Text final : public Primitive<Text> {
  private:
   template <class Sink>
   void caps(std::uint32_t g, const Ray& ray, const Vec3& o, const Vec3& d, Sink& sink) const {
-    if (std::fabs(d.z) < kEpsilon || thickness_ < 0) return;
+    if (std::fabs(d.z) < kEpsilon) return;
     for (const int part : {kFront, kBack}) {
       const double t = ((part == kFront ? 0 : thickness_) - o.z) / d.z;
       if (!(t > kNearest) || !in_outline(*glyphs_[g].glyph, o.x + t * d.x, o.y + t * d.y)) continue;

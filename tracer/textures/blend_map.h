@@ -14,42 +14,46 @@ struct MapPlace {
   bool single() const { return lower == upper; }
 };
 
-// The positions of a map in the order written; they are never sorted. The first entry with v <= position is found by binary search on the
-// running maximum of the positions, which has the same answer for any order.
+// The positions of a map in the order written; they are never sorted. The first entry with v <= position is found by counting (long maps: searching) the
+// smaller ones among the running maxima of the positions, which has the same answer for any order.
 class MapPositions {
  public:
   MapPositions() = default;
   template <class Entries>
   explicit MapPositions(const Entries& entries) {
-    for (const auto& entry : entries) {
-      positions_.push_back(entry.position);
-      running_maximum_.push_back(running_maximum_.empty() ? entry.position : std::max(running_maximum_.back(), entry.position));
+    for (const auto& e : entries) {
+      const float position = e.position;
+      if (entries_.empty()) entries_.push_back({position, position, position, 0});
+      else entries_.push_back({std::max<double>(entries_.back().running_maximum, position), position, entries_.back().position, position - entries_.back().position});
     }
   }
 
-  std::size_t size() const { return positions_.size(); }
-  float position(std::size_t i) const { return positions_[i]; }
+  std::size_t size() const { return entries_.size(); }
+  float position(std::size_t i) const { return entries_[i].position; }
 
   // The map must not be empty.
   MapPlace find(double v) const {
-    const int last = static_cast<int>(positions_.size()) - 1;
-    if (!(v < positions_[last])) return {last, last, 1};
+    const Entry* entries = entries_.data();
+    const int last = static_cast<int>(entries_.size()) - 1;
+    if (!(v < entries[last].position)) return {last, last, 1};
     int j = 0;
-    if (last < 12) {
-      while (v > running_maximum_[j]) ++j;
+    if (last <= 8) {
+      for (int i = 0; i < last; ++i) j += v > entries[i].running_maximum;
     } else {
-      j = static_cast<int>(std::lower_bound(running_maximum_.begin(), running_maximum_.end(), v,
-                                            [](float position, double value) { return position < value; }) -
-                           running_maximum_.begin());
+      j = static_cast<int>(std::lower_bound(entries, entries + last, v, [](const Entry& e, double value) { return e.running_maximum < value; }) - entries);
     }
-    if (j == 0 || v == positions_[j]) return {j, j, 1};
+    const Entry& e = entries[j];
+    if (j == 0 || v == e.position) return {j, j, 1};
     // Width and fraction are rounded to single precision, the difference from the position is not (probe P9).
-    const float low = positions_[j - 1];
-    return {j - 1, j, static_cast<float>((v - low) / (positions_[j] - low))};
+    return {j - 1, j, static_cast<float>((v - e.low) / e.width)};
   }
 
  private:
-  std::vector<float> positions_, running_maximum_;
+  struct Entry {
+    double running_maximum;
+    float position, low, width;  // low: the position before
+  };
+  std::vector<Entry> entries_;
 };
 
 }  // namespace verisim::textures

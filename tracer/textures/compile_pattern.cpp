@@ -11,7 +11,7 @@ namespace {
 
 template <class T>
 const T& parameters(const scene::Pattern& d) {
-  if (const T* p = std::get_if<T>(&d.params)) return *p;
+  if (const T* p = std::get_if<T>(&*d.params)) return *p;
   static const T defaults{};
   return defaults;
 }

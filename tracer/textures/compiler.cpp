@@ -1,14 +1,18 @@
 // Turns descriptions into compiled textures, each one once.
+#include <atomic>
 #include <cmath>
 #include <deque>
 #include <map>
 #include <stdexcept>
+#include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "tracer/functions/function.h"
 #include "tracer/textures/compile_pattern.h"
 #include "tracer/textures/normal.h"
 #include "tracer/textures/patterns/formulas.h"
+#include "tracer/textures/pattern_signature.h"
 #include "tracer/textures/pigment.h"
 #include "tracer/textures/texture.h"
 
@@ -56,6 +60,7 @@ struct Compiler::Impl {
   Cache<scene::Density, CompiledPigment> densities;
   Cache<scene::Normal, CompiledNormal> normals;
   std::deque<CompiledPattern> patterns;
+  std::unordered_map<std::string, CompiledPattern*> known_patterns;
   std::deque<CompiledPigment> loose_pigments;
   std::shared_ptr<const std::vector<WaveSource>> sources;
   int depth = 0;
@@ -93,9 +98,16 @@ const CompiledPattern* Compiler::Impl::pattern(const scene::Pattern& d) {
                                  if (!sources) sources = wave_sources(settings.number_of_waves);
                                  return sources;
                                }};
+  const std::string signature = pattern_signature(d);
+  if (const auto found = known_patterns.find(signature); found != known_patterns.end()) {
+    CompiledPattern* known = found->second;
+    static std::atomic<std::uint64_t> next_id{1};
+    if (known->shared_id == 0 && worth_remembering(*known)) known->shared_id = next_id++;
+    return known;
+  }
   CompiledPattern compiled = compile_pattern(d, context);
   patterns.push_back(std::move(compiled));
-  return &patterns.back();
+  return known_patterns[signature] = &patterns.back();
 }
 
 const CompiledPigment* Compiler::Impl::pigment(const scene::PigmentPtr& d) {

@@ -3,6 +3,7 @@
 
 #include "tracer/functions/function.h"
 #include "tracer/textures/patterns/formulas.h"
+#include "tracer/textures/pigment.h"
 #include "tracer/textures/texture.h"
 
 namespace verisim::textures {
@@ -212,6 +213,35 @@ TEST(Compiler, RefusesBottomlessNesting) {
   }
   Compiler compiler{Settings{}};
   EXPECT_THROW(compiler.pigment(p), std::runtime_error);
+}
+
+// Layers, maps and pigments that look at the same pattern in the same way share it, and see the values that they would see alone.
+TEST(SharedPatterns, AreCompiledAndEvaluatedOnce) {
+  const auto marbled = [](Color second, double scale) {
+    auto pigment = std::make_shared<scene::Pigment>();
+    pigment->pattern.kind = scene::PatternKind::marble;
+    pigment->pattern.turbulence = scene::Turbulence{Vec3(0.7, 0.7, 0.7), 6, 2, 0.5f};
+    pigment->pattern.prepend(Transform::scaling(Vec3(scale, scale, scale)));
+    pigment->color_map = std::make_shared<scene::ColorMap>(scene::ColorMap{{0, Color(1, 1, 1)}, {1, second}});
+    return pigment;
+  };
+  const auto red = marbled(Color(1, 0, 0), 0.5), blue = marbled(Color(0, 0, 1), 0.5), larger = marbled(Color(0, 0, 1), 0.6);
+  Compiler together{Settings{}};
+  const CompiledPigment *a = together.pigment(red), *b = together.pigment(blue), *c = together.pigment(larger);
+  EXPECT_EQ(a->pattern, b->pattern);
+  EXPECT_NE(a->pattern, c->pattern);
+  EXPECT_NE(a->pattern->shared_id, 0u);
+  EXPECT_EQ(c->pattern->shared_id, 0u);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 p(0.37 * i - 50, 0.11 * i, 3 - 0.2 * i);
+    for (const auto& [description, compiled] : {std::pair{red, a}, {blue, b}}) {
+      Compiler alone{Settings{}};
+      Color expected, seen;
+      evaluate(*alone.pigment(description), p, nullptr, expected);
+      evaluate(*compiled, p, nullptr, seen);
+      ASSERT_EQ(seen, expected);
+    }
+  }
 }
 
 }  // namespace

@@ -74,4 +74,49 @@ double noise(const Vec3& p, int generator) {
 
 Vec3 vector_noise(const Vec3& p) { return {lattice_noise(p, 0), lattice_noise(p, 4), lattice_noise(p, 8)}; }
 
+double turbulence(const Vec3& p, const Octaves& octaves, int generator) {
+  double sum = 0;
+  for (int i = 0; i < octaves.count; ++i) {
+    double n = noise(p * octaves.scale[i], generator);
+    if (generator != 1) n = 2 * n - 0.5;
+    if (generator != 1 && i == 0) n = std::clamp(n, 0.0, 1.0);
+    sum += octaves.weight[i] * n;
+  }
+  return sum;
+}
+
+Vec3 vector_turbulence(const Vec3& p, const Octaves& octaves) {
+  Vec3 sum(0, 0, 0);
+  for (int i = 0; i < octaves.count; ++i) sum += octaves.weight[i] * vector_noise(p * octaves.scale[i]);
+  return sum;
+}
+
+double granite_sum(const Vec3& p, int generator) {
+  double sum = 0, scale = 1;
+  for (int i = 0; i < 6; ++i, scale *= 2) {
+    const double n = noise(p * (4 * scale), generator);
+    sum += (generator == 1 ? std::fabs(0.5 - n) : std::min(std::fabs(1 - 2 * n), 0.5)) / scale;
+  }
+  return sum;
+}
+
+double wrinkles_sum(const Vec3& p, int generator) {
+  double sum = 0, scale = 1;
+  for (int i = 0; i < 10; ++i, scale *= 2) {
+    const double n = noise(p * scale, generator);
+    sum += (generator == 1 ? n : std::clamp(2 * n - 0.5, 0.0, 1.0)) / scale;
+  }
+  return 0.5 * sum;
+}
+
+Vec3 wrinkles_vector_sum(const Vec3& p) {
+  Vec3 sum(0, 0, 0);
+  double scale = 1;
+  for (int i = 0; i < 10; ++i, scale *= 2) {
+    const Vec3 d = vector_noise(p * scale);
+    sum += Vec3(std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)) / scale;
+  }
+  return sum;
+}
+
 }  // namespace verisim::textures::reference

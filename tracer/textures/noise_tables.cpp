@@ -15,7 +15,6 @@ void shuffle_hash(NoiseTables& t) {
   for (int i = 0; i < 4096; ++i) t.hash[i] = static_cast<std::uint16_t>(i);
   LinearCongruential generator(0);
   for (int i = 4095; i >= 0; --i) std::swap(t.hash[i], t.hash[generator.draw() % 4096]);
-  for (int i = 0; i < 4096; ++i) t.hash_row[i] = static_cast<std::uint16_t>(t.hash[i] % 256 * sizeof t.value_row[0]);
 }
 
 void fill_gradients(NoiseTables& t) {

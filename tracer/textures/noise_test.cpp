@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "tracer/textures/noise_kernels.h"
 #include "tracer/textures/noise_tables.h"
 
 namespace verisim::textures {
@@ -51,9 +52,53 @@ TEST(Noise, FastVersionAgreesWithTheReference) {
   }
 }
 
+// Every instruction set against the first one, bit by bit, and against the reference.
+TEST(NoiseKernels, GiveTheSameBitsOnEveryInstructionSet) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const Octaves octaves[] = {Octaves(6, 2, 0.5), Octaves(10, 2.17, 0.63), Octaves(1, 3, 0.1)};
+  const NoiseKernels& first = noise_kernels(kBaseline);
+  for (int i = 0; i < 20000; ++i) {
+    const double size = std::pow(10.0, i % 7 - 2);
+    Vec3 p(size * coordinate(random), size * coordinate(random), size * coordinate(random));
+    if (i % 16 == 0) p = Vec3(std::round(p.x), std::round(p.y), p.z);  // lattice points
+    const Octaves& o = octaves[i % 3];
+    const Vec3 vector = first.vector_noise(p), sum = first.vector_turbulence(p, o), wrinkles = first.wrinkles_vector(p);
+    const Vec3 plain_sum = reference::vector_turbulence(p, o), plain_wrinkles = reference::wrinkles_vector_sum(p);
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_NEAR(sum[k], plain_sum[k], 1e-14) << k;
+      ASSERT_NEAR(wrinkles[k], plain_wrinkles[k], 1e-14) << k;
+    }
+    for (int g = 1; g <= 3; ++g) {
+      ASSERT_NEAR(first.noise[g](p), reference::noise(p, g), 2e-15) << g;
+      ASSERT_NEAR(first.turbulence[g](p, o), reference::turbulence(p, o, g), 1e-14) << g;
+      ASSERT_NEAR(first.granite[g](p), reference::granite_sum(p, g), 1e-14) << g;
+      ASSERT_NEAR(first.wrinkles[g](p), reference::wrinkles_sum(p, g), 1e-14) << g;
+    }
+    for (int set = 1; set <= best_instruction_set(); ++set) {
+      const NoiseKernels& other = noise_kernels(static_cast<InstructionSet>(set));
+      ASSERT_EQ(other.vector_noise(p), vector) << other.name;
+      ASSERT_EQ(other.vector_turbulence(p, o), sum) << other.name;
+      ASSERT_EQ(other.wrinkles_vector(p), wrinkles) << other.name;
+      for (int g = 1; g <= 3; ++g) {
+        ASSERT_EQ(other.noise[g](p), first.noise[g](p)) << other.name << ' ' << g;
+        ASSERT_EQ(other.turbulence[g](p, o), first.turbulence[g](p, o)) << other.name << ' ' << g;
+        ASSERT_EQ(other.granite[g](p), first.granite[g](p)) << other.name << ' ' << g;
+        ASSERT_EQ(other.wrinkles[g](p), first.wrinkles[g](p)) << other.name << ' ' << g;
+      }
+    }
+  }
+}
+
 TEST(Noise, SurvivesFarAndInvalidCoordinates) {
   for (const double x : {1e17, -1e17, 1e300, -1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-    for (int g = 1; g <= 3; ++g) noise({x, 0.5, x}, g);  // must not crash
+    for (int g = 1; g <= 3; ++g) {  // must not crash
+      noise({x, 0.5, x}, g);
+      turbulence({x, 0.5, x}, 6, 1e40, 0.5, g);
+      granite_sum({x, 0.5, x}, g);
+      wrinkles_sum({x, 0.5, x}, g);
+    }
+    wrinkles_vector_sum({x, x, x});
     vector_turbulence({x, x, 1}, 10, 3, 0.5);
   }
 }

@@ -11,16 +11,6 @@ Vec3 dents_bump(const Vec3& p, int noise_generator) {
   return n * n * n * vector_noise(p);
 }
 
-Vec3 wrinkles_bump(const Vec3& p) {
-  Vec3 sum(0, 0, 0);
-  double scale = 1;
-  for (int i = 0; i < 10; ++i, scale *= 2) {
-    const Vec3 d = vector_noise(p * scale);
-    sum += Vec3(std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)) / scale;
-  }
-  return sum;
-}
-
 Vec3 facets(const scene::FacetsParams& f, const Vec3& p, const Vec3& n_in) {
   const Vec3 n = normalize(n_in);
   double size = f.size;
@@ -56,7 +46,7 @@ Vec3 displaced(const CompiledNormal& c, const Vec3& p, const Vec3& n) {
   switch (pattern.kind) {
     case scene::PatternKind::bumps: return n + c.amount * vector_noise(p);
     case scene::PatternKind::dents: return n + c.amount * dents_bump(p, pattern.noise_generator);
-    case scene::PatternKind::wrinkles: return n + c.amount * wrinkles_bump(p);
+    case scene::PatternKind::wrinkles: return n + c.amount * wrinkles_vector_sum(p);
     case scene::PatternKind::ripples: return n + ripples_bump(pattern, c.amount, p);
     case scene::PatternKind::waves: return n + waves_bump(pattern, c.amount, p);
     case scene::PatternKind::quilted: {

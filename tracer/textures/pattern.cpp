@@ -8,15 +8,6 @@
 namespace verisim::textures {
 namespace {
 
-// fmod(v, 1.00001) without the slow general remainder for values near the first period.
-double wrap_period(double v) {
-  constexpr double kPeriod = 1.00001;
-  const double magnitude = std::fabs(v);
-  if (magnitude < kPeriod) return v;
-  if (magnitude < 2 * kPeriod) return v < 0 ? v + kPeriod : v - kPeriod;  // exact: the operands are within a factor of two
-  return std::fmod(v, kPeriod);
-}
-
 double wave_form(const CompiledPattern& c, double v) {
   switch (c.wave) {
     case scene::Wave::ramp: return v;
@@ -106,7 +97,8 @@ double formula(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surf
 }
 
 double value_at(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
-  double v = formula(c, p, surface);
+  using enum scene::PatternKind;
+  double v = c.kind == bozo || c.kind == bumps || c.kind == spotted ? noise(p, c.noise_generator) : formula(c, p, surface);
   if (c.frequency != 0) v = wrap_period(v * c.frequency + c.phase);
   if (v < 0) v -= std::floor(v);
   return wave_form(c, v);
@@ -116,16 +108,78 @@ double evaluate(const CompiledPattern& pattern, const Vec3& p, const SurfacePoin
   return value_at(pattern, warped(pattern, p), surface);
 }
 
+bool worth_remembering(const CompiledPattern& c) {
+  using enum scene::PatternKind;
+  switch (c.kind) {
+    case aoi:
+    case slope:
+    case pigment_pattern:  // these may look at the surface
+    case average:
+    case facets:
+    case image_map:
+    case none:
+    case plain:
+    case uv_mapping: return false;
+    case agate:
+    case bozo:
+    case bumps:
+    case crackle:
+    case dents:
+    case density_file:
+    case function:
+    case granite:
+    case julia:
+    case magnet_julia:
+    case magnet_mandel:
+    case mandel:
+    case object:
+    case pavement:
+    case ripples:
+    case spotted:
+    case tiling:
+    case waves:
+    case wrinkles: return true;
+    default: return c.turbulent || !c.chain.rest.empty();
+  }
+}
+
+PatternValue remembered_value(const CompiledPattern& c, const Vec3& p) {
+  struct Memory {
+    std::uint64_t id;
+    Vec3 p;
+    PatternValue result;
+  };
+  constexpr std::size_t kSlots = 64;
+  static thread_local Memory memory[kSlots];
+  Memory& slot = memory[c.shared_id % kSlots];
+  if (slot.id != c.shared_id || slot.p != p) {
+    const Vec3 q = warped(c, p);
+    const PatternValue result{q, value_at(c, q, nullptr)};  // may use the slot itself, for a pattern within
+    slot = {c.shared_id, p, result};
+  }
+  return slot.result;
+}
+
+namespace {
+
+// Spares the square root and the division where they would change the last digit at most.
+Vec3 unit(const Vec3& n) {
+  const double squared = dot(n, n);
+  return std::fabs(squared - 1) < 1e-15 ? n : n / std::sqrt(squared);
+}
+
+}  // namespace
+
 Vec3 normal_into_frame(const CompiledPattern& pattern, bool no_bump_scale, Vec3 n) {
-  if (!no_bump_scale) n = normalize(n);
+  if (!no_bump_scale) n = unit(n);
   for (const Transform& t : pattern.frame) n = t.inverse_normal(n);
-  return no_bump_scale ? n : normalize(n);
+  return no_bump_scale ? n : unit(n);
 }
 
 Vec3 normal_out_of_frame(const CompiledPattern& pattern, bool no_bump_scale, Vec3 n) {
-  if (!no_bump_scale) n = normalize(n);
+  if (!no_bump_scale) n = unit(n);
   for (auto t = pattern.frame.rbegin(); t != pattern.frame.rend(); ++t) n = t->normal(n);
-  return no_bump_scale ? n : normalize(n);
+  return no_bump_scale ? n : unit(n);
 }
 
 }  // namespace verisim::textures

@@ -54,11 +54,13 @@ struct CompiledPattern {
   scene::Wave wave = scene::Wave::ramp;
   int noise_generator = 2;
   double frequency = 1, phase = 0, exponent = 1;
-  TurbulenceStep turbulence{{0, 0, 0}, 6, 2, 0.5};  // the classic record, as the formulas of agate, marble, wood and spirals use it
+  TurbulenceStep turbulence{{0, 0, 0}, Octaves(6, 2, 0.5)};  // the classic record, as the formulas of agate, marble, wood and spirals use it
   bool turbulent = false;                           // it was written
   WarpChain chain;
   std::vector<Transform> frame;  // the transformations alone, in order of evaluation: what happens to normals
   PatternData data;
+  // Not 0: several pigments or textures use this pattern, and its last value at a point is worth remembering. Unique in the program.
+  std::uint64_t shared_id = 0;
 
   template <class T>
   const T& as() const { return *std::get_if<T>(&data); }
@@ -70,6 +72,20 @@ inline Vec3 warped(const CompiledPattern& pattern, const Vec3& p) { return warp_
 double value_at(const CompiledPattern& pattern, const Vec3& warped_point, const SurfacePoint* surface);
 // The formula alone.
 double formula(const CompiledPattern& pattern, const Vec3& warped_point, const SurfacePoint* surface);
+
+// The warped point and the value there.
+struct PatternValue {
+  Vec3 point;
+  double value;
+};
+PatternValue remembered_value(const CompiledPattern& pattern, const Vec3& p);  // of a shared pattern
+inline PatternValue value_of(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface) {
+  if (pattern.shared_id != 0) return remembered_value(pattern, p);
+  const Vec3 q = warped(pattern, p);
+  return {q, value_at(pattern, q, surface)};
+}
+// Whether a value hangs on the point alone and takes longer than looking it up.
+bool worth_remembering(const CompiledPattern& pattern);
 
 // Takes a normal into the space of a pattern and back; each step re-normalises unless `no_bump_scale` (spec 05 10.1).
 Vec3 normal_into_frame(const CompiledPattern& pattern, bool no_bump_scale, Vec3 n);

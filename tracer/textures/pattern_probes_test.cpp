@@ -1,6 +1,10 @@
 // The values of spec 05 section 15 (probes P3, P4 and the wave and warp rows): patterns called as functions in POV-Ray.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
+#include "tracer/textures/patterns/formulas.h"
 #include "tracer/textures/texture.h"
 
 namespace verisim::textures {
@@ -33,8 +37,7 @@ Pattern make(PatternKind kind) {
 }
 
 Turbulence& classic(Pattern& p) {
-  if (!p.turbulence) p.turbulence.emplace();
-  return *p.turbulence;
+  return p.turbulence.edit();
 }
 
 void check(std::span<const Probe> probes, std::span<const Vec3, 5> points, double tolerance) {
@@ -239,6 +242,17 @@ TEST(PatternProbes, PatternsAndWarps) {
        {0.581627746638, 0.519999180742, 0.514879266465, 0.570290368775, 0.424425972371}},
   };
   check(probes, points, 2e-12);
+}
+
+TEST(WrapPeriod, IsTheExactRemainder) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> exponent(-4, 30), sign(-1, 1);
+  for (int i = 0; i < 200000; ++i) {
+    const double v = std::copysign(std::exp2(exponent(random)), sign(random));
+    ASSERT_EQ(wrap_period(v), std::fmod(v, 1.00001)) << v;
+  }
+  for (int n = -50000; n <= 50000; ++n)  // at and beside multiples of the period
+    for (const double v : {n * 1.00001, std::nextafter(n * 1.00001, 1e9), std::nextafter(n * 1.00001, -1e9)}) ASSERT_EQ(wrap_period(v), std::fmod(v, 1.00001)) << v;
 }
 
 TEST(PatternProbes, Fractals) {

@@ -1,25 +1,44 @@
 #include "tracer/textures/pigment.h"
 
+#include <cstring>
+
 #include "tracer/textures/image_lookup.h"
 
 namespace verisim::textures {
 namespace {
 
-Color map_lookup(const CompiledPigment& c, double v) {
-  const MapPlace place = c.positions.find(v);
-  const Color& upper = c.colors[place.upper];
-  if (place.single()) return upper;
-  const Color& lower = c.colors[place.lower];
-  return lower + (upper - lower) * place.t;
+// Colours as four components at once and the fifth alone.
+using Float4 = float __attribute__((vector_size(16)));
+static_assert(sizeof(Color) == 5 * sizeof(float));
+Float4 first_four(const Color& c) {
+  Float4 v;
+  std::memcpy(&v, &c.r, sizeof v);
+  return v;
+}
+void set(Color& c, Float4 four, float fifth) {
+  std::memcpy(&c.r, &four, sizeof four);
+  c.t = fifth;
+}
+// lower + (upper - lower) * t
+void blend(const Color& lower, const Color& upper, float t, Color& result) {
+  const Float4 low = first_four(lower);
+  set(result, low + (first_four(upper) - low) * t, lower.t + (upper.t - lower.t) * t);
 }
 
-bool child_map(const CompiledPigment& c, const Vec3& p, const SurfacePoint* surface, Color& color) {
-  const MapPlace place = c.positions.find(value_at(*c.pattern, p, surface));
+void map_lookup(const CompiledPigment& c, double v, Color& color) {
+  const MapPlace place = c.positions.find(v);
+  if (place.single()) color = c.colors[place.upper];
+  else blend(c.colors[place.lower], c.colors[place.upper], place.t, color);
+}
+
+bool child_map(const CompiledPigment& c, const PatternValue& at, const SurfacePoint* surface, Color& color) {
+  const Vec3& p = at.point;
+  const MapPlace place = c.positions.find(at.value);
   const bool upper_has_color = evaluate(*c.children[place.upper], p, surface, color);
   if (place.single()) return upper_has_color;
   Color lower;
   const bool lower_has_color = evaluate(*c.children[place.lower], p, surface, lower);
-  color = lower + (color - lower) * place.t;
+  blend(lower, color, place.t, color);
   return upper_has_color || lower_has_color;
 }
 
@@ -29,7 +48,8 @@ bool average(const CompiledPigment& c, const Vec3& p, const SurfacePoint* surfac
   for (std::size_t i = 0; i < c.children.size(); ++i) {
     Color each;
     has_color |= evaluate(*c.children[i], p, surface, each);
-    sum += each * c.positions.position(i);
+    const float weight = c.positions.position(i);
+    set(sum, first_four(sum) + first_four(each) * weight, sum.t + each.t * weight);
   }
   color = sum * (1 / c.total_weight);
   return has_color;
@@ -58,12 +78,11 @@ bool evaluate(const CompiledPigment& c, const Vec3& p, const SurfacePoint* surfa
     const Vec3 uv = surface ? uv_point(*surface) : p;
     return evaluate(*c.children[0], uv, surface, color);
   }
-  const Vec3 q = warped(*c.pattern, p);
   switch (c.source) {
-    case color_map: color = map_lookup(c, value_at(*c.pattern, q, surface)); return true;
-    case pigment_map: return child_map(c, q, surface, color);
-    case CompiledPigment::Source::average: return textures::average(c, q, surface, color);
-    default: return image_color(c, q, color);
+    case color_map: map_lookup(c, value_of(*c.pattern, p, surface).value, color); return true;
+    case pigment_map: return child_map(c, value_of(*c.pattern, p, surface), surface, color);
+    case CompiledPigment::Source::average: return textures::average(c, warped(*c.pattern, p), surface, color);
+    default: return image_color(c, warped(*c.pattern, p), color);
   }
 }
 
@@ -83,7 +102,7 @@ scene::ColorMap built_in_map(const scene::Pattern& pattern) {
     case wood: return {{0.6f, {0.666f, 0.312f, 0.2f}}, {0.6f, {0.4f, 0.1333f, 0.066f}}};
     case radial: return {{0, cyan}, {0.333f, yellow}, {0.666f, magenta}, {1, cyan}};
     case mandel:
-      if (const auto* f = std::get_if<scene::FractalParams>(&pattern.params); f && f->exponent == 2)
+      if (const auto* f = std::get_if<scene::FractalParams>(&*pattern.params); f && f->exponent == 2)
         return {{0.001f, black}, {0.001f, cyan}, {0.012f, yellow}, {0.015f, magenta}, {0.1f, cyan}};
       break;
     case brick: return list({{0.5f, 0.5f, 0.5f}, {0.6f, 0.15f, 0.15f}});

@@ -23,6 +23,18 @@ std::span<const WeightedTexture> select(const CompiledTexture& texture, const Ve
     storage[0] = {map[0].value, 1};
     return storage.first(1);
   }
+  if (!texture.average && !texture.material_map) {
+    const PatternValue at = value_of(*texture.pattern, p, surface);
+    warped_point = at.point;
+    const MapPlace place = texture.positions.find(at.value);
+    if (place.single()) {
+      storage[0] = {map[place.upper].value, 1};
+      return storage.first(1);
+    }
+    storage[0] = {map[place.upper].value, place.t};
+    storage[1] = {map[place.lower].value, 1 - place.t};
+    return storage.first(2);
+  }
   warped_point = warped(*texture.pattern, p);
   if (texture.average) {
     float total = 0;
@@ -30,18 +42,8 @@ std::span<const WeightedTexture> select(const CompiledTexture& texture, const Ve
     for (std::size_t i = 0; i < map.size(); ++i) storage[i] = {map[i].value, map[i].position / total};
     return storage.first(map.size());
   }
-  if (texture.material_map) {
-    storage[0] = {map[material_of(texture, warped_point)].value, 1};
-    return storage.first(1);
-  }
-  const MapPlace place = texture.positions.find(value_at(*texture.pattern, warped_point, surface));
-  if (place.single()) {
-    storage[0] = {map[place.upper].value, 1};
-    return storage.first(1);
-  }
-  storage[0] = {map[place.upper].value, place.t};
-  storage[1] = {map[place.lower].value, 1 - place.t};
-  return storage.first(2);
+  storage[0] = {map[material_of(texture, warped_point)].value, 1};
+  return storage.first(1);
 }
 
 Vec3 enter_frame(const CompiledTexture& texture, const Vec3& normal) {

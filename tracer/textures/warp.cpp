@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "tracer/textures/noise.h"
 #include "tracer/textures/noise_tables.h"
 
 namespace verisim::textures {
@@ -103,12 +102,9 @@ Vec3 unfold_cube(const Vec3& p) {
 
 struct Walk {
   Vec3 p;
-  void operator()(const AffineStep& s) {
-    p = Vec3(p.x * s.m[0][0] + p.y * s.m[1][0] + p.z * s.m[2][0] + s.offset.x, p.x * s.m[0][1] + p.y * s.m[1][1] + p.z * s.m[2][1] + s.offset.y,
-             p.x * s.m[0][2] + p.y * s.m[1][2] + p.z * s.m[2][2] + s.offset.z);
-  }
+  void operator()(const AffineStep& s) { p = transformed(s, p); }
   void operator()(const TurbulenceStep& s) {
-    const Vec3 v = vector_turbulence(p, s.octaves, s.lambda, s.omega);
+    const Vec3 v = vector_turbulence(p, s.octaves);
     p += Vec3(v.x * s.amount.x, v.y * s.amount.y, v.z * s.amount.z);
   }
   void operator()(const RepeatStep& s) { p = repeat(s, p); }
@@ -125,42 +121,45 @@ struct Append {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) step.m[i][j] = t.inv[i][j];
     step.offset = Vec3(t.inv[3][0], t.inv[3][1], t.inv[3][2]);
-    chain.emplace_back(step);
+    if (!chain.transforms && chain.rest.empty()) {
+      chain.transforms = true;
+      chain.first = step;
+    } else {
+      chain.rest.emplace_back(step);
+    }
   }
   void operator()(const scene::TurbulenceWarp& w) const {
     const TurbulenceStep step = compile_turbulence(w);
-    if (step.amount != Vec3(0, 0, 0)) chain.emplace_back(step);
+    if (step.amount != Vec3(0, 0, 0)) chain.rest.emplace_back(step);
   }
   void operator()(const scene::ProjectionWarp& w) const {
     ProjectionStep step = w;
     if (const double n = length(step.orientation); n > 0) step.orientation /= n;
-    chain.emplace_back(step);
+    chain.rest.emplace_back(step);
   }
-  void operator()(const scene::RepeatWarp& w) const { chain.emplace_back(w); }
+  void operator()(const scene::RepeatWarp& w) const { chain.rest.emplace_back(w); }
   void operator()(const scene::BlackHoleWarp& w) const {
-    if (w.type == 0) chain.emplace_back(w);
+    if (w.type == 0) chain.rest.emplace_back(w);
   }
-  void operator()(const scene::CubicWarp& w) const { chain.emplace_back(w); }
+  void operator()(const scene::CubicWarp& w) const { chain.rest.emplace_back(w); }
 };
 
 }  // namespace
 
 TurbulenceStep compile_turbulence(const scene::Turbulence& turbulence) {
-  return {turbulence.amount, std::clamp(turbulence.octaves, 1, 10), turbulence.lambda, turbulence.omega};
+  return {turbulence.amount, Octaves(turbulence.octaves, turbulence.lambda, turbulence.omega)};
 }
 
-WarpChain compile_warps(const std::vector<scene::Warp>& warps, const TurbulenceStep* classic) {
+WarpChain compile_warps(const scene::List<scene::Warp>& warps, const TurbulenceStep* classic) {
   WarpChain chain;
   for (const scene::Warp& warp : warps) std::visit(Append{chain}, warp);
-  if (classic && classic->amount != Vec3(0, 0, 0)) chain.emplace_back(*classic);
+  if (classic && classic->amount != Vec3(0, 0, 0)) chain.rest.emplace_back(*classic);
   return chain;
 }
 
-Vec3 warp_point(const WarpChain& chain, Vec3 p) {
+Vec3 walk(const std::vector<WarpStep>& steps, const Vec3& p) {
   Walk walk{p};
-  for (const WarpStep& step : chain) std::visit(walk, step);
-  constexpr double kLimit = 1e17;
-  for (int k = 0; k < 3; ++k) walk.p[k] = walk.p[k] > kLimit ? kLimit : walk.p[k] < -kLimit ? -kLimit : walk.p[k];
+  for (const WarpStep& step : steps) std::visit(walk, step);
   return walk.p;
 }
 

@@ -9,6 +9,7 @@ const store = { get(k) { try { return localStorage.getItem(k); } catch { return 
 const ICON = { exact: '✓', match: '≈', differ: '✗', unsupported: '∅', error: '!', oracle_failed: '?' };
 const NAME = { exact: 'exact', match: 'match', differ: 'differ', unsupported: 'unsupported', error: 'error', oracle_failed: 'oracle failed' };
 const fixed = (v, n) => v === null || v === undefined || !isFinite(v) ? '–' : v.toFixed(n);
+const UNIT = scenes.some(s => s.cpu) ? 'CPU s' : 's';
 const ratio = s => s.oracle_seconds > 0 && s.native_seconds > 0 ? s.oracle_seconds / s.native_seconds : null;
 const source = id => { const e = $(id); return e ? 'data:image/png;base64,' + e.textContent : null; };
 const thumb = (i, side) => source(`t${i}${side}`) || source(`p${i}${side}`);
@@ -35,8 +36,8 @@ const COLUMNS = [
   { key: 'flip', label: 'FLIP', get: metric('flip_mean'), digits: 4, down: true },
   { key: 'within', label: 'Within 1 %', get: metric('within_1_pct'), digits: 3 },
   { key: 'max', label: 'Max', get: metric('max_abs'), digits: 0, down: true },
-  { key: 'oracle', label: `${WHO.o} s`, get: s => s.oracle_seconds || null, digits: 2, down: true, far: true },
-  { key: 'native', label: `${WHO.n} s`, get: s => s.native_seconds || null, digits: 2, down: true, far: true },
+  { key: 'oracle', label: `${WHO.o} ${UNIT}`, get: s => s.oracle_seconds || null, digits: 2, down: true, far: true },
+  { key: 'native', label: `${WHO.n} ${UNIT}`, get: s => s.native_seconds || null, digits: 2, down: true, far: true },
   { key: 'ratio', label: 'Ratio', get: ratio, digits: 1, suffix: '×' },
 ];
 const view = { sort: 'status', reverse: false, text: '', statuses: new Set(), order: [] };
@@ -58,7 +59,7 @@ const rows = scenes.map((s, i) => {
     const img = node('img', { alt: `${who}'s picture of ${s.name}`, width: 84, height: 63 }); img.dataset.i = i; img.dataset.side = side; pics.append(img);
   }
   const link = node('a', { href: `#${i}` }, s.name);
-  const note = s.status === 'exact' ? '' : s.reason + (s.suspects.length ? `; suspect: ${s.suspects[0].what}` : '');
+  const note = [s.reason, s.suspects.length && `suspect: ${s.suspects[0].what}`, s.blame && s.blame.common.length && `in common: ${s.blame.common[0].name}`].filter(Boolean).join('; ');
   const tr = node('tr', {}, pics, node('td', { className: 'scene' }, link, note ? node('small', {}, note) : ''), statusCell(s));
   for (const c of COLUMNS.slice(2)) {
     const v = c.get(s), td = node('td', { className: 'num' + (c.far ? ' far' : '') }, v === null ? '–' : fixed(v, c.digits) + (c.suffix || '')); td.dataset.label = c.label; tr.append(td);
@@ -80,7 +81,7 @@ function sortBy(key) {
 }
 function matches(s) {
   if (view.statuses.size && !view.statuses.has(s.status)) return false;
-  const hay = `${s.name} ${s.status} ${s.class} ${s.reason} ${s.tags.join(' ')} ${s.features.join(' ')} ${s.suspects.map(v => v.what).join(' ')}`.toLowerCase();
+  const hay = `${s.name} ${s.status} ${s.class} ${s.reason} ${s.tags.join(' ')} ${s.features.join(' ')} ${s.suspects.map(v => v.what).join(' ')} ${s.blame ? s.blame.common.map(c => c.name).join(' ') : ''}`.toLowerCase();
   return view.text.toLowerCase().split(/\s+/).every(word => hay.includes(word));
 }
 function show() {
@@ -241,6 +242,8 @@ function readPixel(x, y) {
   $('swatch-o').style.background = o ? `rgb(${o.slice(0, 3)})` : ''; $('swatch-n').style.background = n ? `rgb(${n.slice(0, 3)})` : '';
   const s = scenes[eye.index], command = `verisim explain ${quote(s.file)} ${x} ${y} +W${s.width} +H${s.height} ${s.switches.map(quote).join(' ')}`;
   $('explain').hidden = !s.file; $('explain').firstElementChild.textContent = command;
+  const tree = (s.trees || []).find(t => t.x === x && t.y === y);
+  $('tree').hidden = !tree; $('tree').querySelector('pre').textContent = tree ? tree.text : '';
 }
 const quote = t => /^[\w@%+=:,./-]+$/.test(t) ? t : `'${t.replaceAll("'", `'\\''`)}'`;
 $('explain').querySelector('button').onclick = async e => {
@@ -295,9 +298,11 @@ function figures(s) {
   const out = [], row = (k, v) => out.push(node('tr', {}, node('th', { scope: 'row' }, k), node('td', {}, v)));
   if (s.metrics) for (const [key, label, digits] of FIGURES) if (s.metrics[key] !== undefined) row(label, key === 'psnr' && s.metrics.psnr >= 999 ? '∞' : fixed(s.metrics[key], digits));
   if (s.low_pass) for (const key of ['mad', 'bias', 'rmse']) row(`Blurred ${key}: ours, noise`, `${fixed(s.low_pass.native[key], 3)}, ${fixed(s.low_pass.noise[key], 3)}`);
+  if (s.welch) row("Welch's test", `${s.welch.rejected ? 'rejected' : 'passed'}: p ${s.welch.pixel_p.toExponential(1)} (pixels), ${s.welch.mean_p.toExponential(1)} (mean ${fixed(s.welch.mean_difference, 3)})`);
+  if (s.fit) row('Fitted', s.fit);
   row('Class', s.class); row('Size', `${s.width}×${s.height}`);
-  if (s.oracle_seconds) row(`${WHO.o} [s]`, fixed(s.oracle_seconds, 2) + (s.cached ? ' (kept)' : ''));
-  if (s.native_seconds) row(`${WHO.n} [s]`, fixed(s.native_seconds, 2));
+  if (s.oracle_seconds) row(`${WHO.o} [${s.cpu ? 'CPU s' : 's'}]`, fixed(s.oracle_seconds, 2) + (s.cached ? ' (kept)' : ''));
+  if (s.native_seconds) row(`${WHO.n} [${s.cpu ? 'CPU s' : 's'}]`, fixed(s.native_seconds, 2));
   if (ratio(s)) row('Ratio', fixed(ratio(s), 1) + '×');
   if (s.switches.length) row('Switches', s.switches.join(' '));
   if (s.features.length) row('Random elements', s.features.join(', '));
@@ -323,6 +328,29 @@ function worst(s) {
   $('worst').replaceChildren(...(s.worst || []).map(([x, y, error]) => node('li', {}, node('button', { type: 'button', onclick: () => { if (eye.mode === 'slider') setMode('both'); goTo(x, y, 40); canvas.focus({ preventScroll: false }); } }, `${x}, ${y}: ${fixed(error, 0)} apart`))));
   if (!s.worst || !s.worst.length) $('worst').replaceChildren(node('li', { style: 'list-style: none; margin-left: -26px' }, s.metrics ? 'No pixel differs.' : 'Nothing was compared.'));
 }
+// What the wrong pixels have in common, and the objects they lie on.
+const cells = (tag, ...texts) => texts.map(text => node(tag, tag === 'th' ? { scope: 'col' } : {}, text));
+function blame(s) {
+  const b = s.blame;
+  $('blame').hidden = !b && !s.blame_failed;
+  if (!b) { $('blame-note').textContent = s.blame_failed || ''; $('common').replaceChildren(); $('objects').replaceChildren(); return; }
+  $('blame-note').textContent = `${b.bad_pixels.toLocaleString('en')} of ${(b.bad_pixels + b.good_pixels).toLocaleString('en')} pixels differ by more than ${b.limit} code values.`;
+  const common = b.common.slice(0, 12).map(c => node('tr', {}, node('th', { scope: 'row' }, node('small', {}, c.kind), ' ', c.name), ...cells('td', `${fixed(c.bad_pct, 1)} %`, `${fixed(c.good_pct, 1)} %`, fixed(c.correlation, 2))));
+  $('common').replaceChildren(...(common.length ? [node('tr', {}, ...cells('th', 'In common', 'wrong', 'right', 'phi')), ...common] : [node('tr', {}, ...cells('td', 'The wrong pixels have nothing in common that the right ones have not.'))]));
+  const objects = b.objects.slice(0, 40).map(o => node('tr', {}, node('th', { scope: 'row' }, node('button', { type: 'button', onclick: () => goTo(o.worst[0], o.worst[1], 40) }, o.name)),
+    ...cells('td', `${fixed(100 * o.share, 1)} %`, `${fixed(o.pixels_pct, 1)} %`, `${fixed(o.bad_pct, 1)} %`, fixed(o.rmse, 2), (o.bias > 0 ? '+' : '') + fixed(o.bias, 2))));
+  $('objects').replaceChildren(node('tr', {}, ...cells('th', 'Object', 'of error', 'of picture', 'wrong', 'RMSE', 'bias')), ...objects);
+}
+// Both sides against mathematics.
+function truth(s) {
+  $('truth').hidden = !s.points;
+  if (!s.points) return;
+  const o = s.truth.oracle, n = s.truth.native, show = v => v[0] === v[1] && v[1] === v[2] ? v[0].toFixed(5) : v.map(x => x.toFixed(5)).join(' ');
+  const off = (v, t) => Math.max(...v.map((x, c) => Math.abs(x - t[c]))).toExponential(1);
+  $('formula').textContent = `${s.formula} Largest error: ${WHO.o} ${o.max.toExponential(2)}, ${WHO.n} ${n.max.toExponential(2)}; allowed ${s.tolerance}.`;
+  $('points').replaceChildren(node('tr', {}, ...cells('th', 'Pixel', 'true', WHO.o, 'off', WHO.n, 'off')),
+    ...s.points.map((p, i) => node('tr', {}, node('th', { scope: 'row' }, `${p.x}, ${p.y}`), ...cells('td', show(p.value), show(o.values[i]), off(o.values[i], p.value), show(n.values[i]), off(n.values[i], p.value)))));
+}
 async function open(i) {
   const s = scenes[i], fresh = eye.index !== i;
   eye.index = i;
@@ -330,7 +358,7 @@ async function open(i) {
   $('name').textContent = s.name; $('status').className = 'st ' + s.status; $('status').textContent = `${ICON[s.status]} ${NAME[s.status]}`; $('reason').textContent = s.reason;
   $('suspects').replaceChildren(...s.suspects.map(v => node('li', {}, node('b', {}, v.what), `: ${v.detail} (explains ${(100 * v.explained).toFixed(0)} %)`)));
   document.title = `${s.name} – verisim report`;
-  figures(s); histogram(s); worst(s); makeLegend(); $('explain').hidden = true;
+  figures(s); histogram(s); worst(s); makeLegend(); blame(s); truth(s); $('explain').hidden = $('tree').hidden = true;
   if (!fresh) return;
   eye.cursor = null; eye.o = eye.n = eye.oa = eye.na = eye.heat = null; draw();
   const [o, n, oa, na] = await Promise.all(['o', 'n', 'oa', 'na'].map(k => decode(`p${i}${k}`).catch(() => null)));

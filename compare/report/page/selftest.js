@@ -14,6 +14,12 @@
     check('thumbnails that are seen are decoded', document.querySelector('#rows img').naturalWidth > 0, document.querySelector('#rows img').naturalWidth);
     check('thumbnails far below are not', count < 100 || ![...document.querySelectorAll('#rows img')].pop().src, count);
 
+    // Scrolling through everything: no frame may take long. Frames of headless Chromium follow the clock of the page.
+    const work = []; let layout = 0;
+    for (let y = 0; y < document.documentElement.scrollHeight; y += 600) { const t = performance.now(); scrollTo(0, y); layout += document.documentElement.getBoundingClientRect().height; work.push(performance.now() - t); await wait(0); }
+    scrollTo(0, 0);
+    check('scrolls without a stall', Math.max(...work) < 100 && layout > 0, `${work.length} steps, longest ${Math.max(...work).toFixed(1)} ms`);
+
     const head = k => document.querySelector(`#heads [data-key=${k}] button`);
     head('rmse').click();
     const figures = () => [...document.querySelectorAll('#rows td[data-label=RMSE]')].map(td => parseFloat(td.textContent)).filter(v => !isNaN(v));
@@ -56,6 +62,10 @@
     const worst = document.querySelector('#worst button'); worst.click();
     check('worst pixel', $('where').textContent === 'pixel ' + worst.textContent.split(':')[0] && $('zoomed').textContent === '4000 %', $('where').textContent);
     check('explain', $('explain').textContent.includes('verisim explain'), $('explain').textContent.slice(0, 40));
+    check('one click leads to the ray tree', !$('tree').hidden && $('tree').querySelector('pre').textContent.includes('camera ray'), $('tree').textContent.slice(0, 60));
+    check('names what wrong pixels have in common', $('common').textContent.includes('granite') && $('common').querySelectorAll('tr').length === 2, $('common').textContent);
+    check('lists the objects', $('objects').querySelector('button').textContent === 'box (a.pov:7)', $('objects').textContent);
+    check('shows the known answer', !$('truth').hidden && $('points').querySelectorAll('tr').length === 2 && $('formula').textContent.includes('cos'), $('points').textContent);
     key('ArrowRight', canvas); check('arrows move the cursor', $('where').textContent !== 'pixel ' + worst.textContent.split(':')[0], $('where').textContent);
     check('histogram', document.querySelectorAll('#histogram rect').length > 3, $('histogram').getAttribute('aria-label'));
     const name = $('name').textContent; key('j'); await wait(200); check('next scene', $('name').textContent !== name, $('name').textContent);

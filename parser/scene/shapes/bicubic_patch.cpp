@@ -71,8 +71,6 @@ ObjectRef parse_bicubic_patch(Parser& parser) {
       type = 1;
     }
     patch->type = *type;
-    constexpr int kMaxSteps = 12;  // 2^24 leaves
-    if (patch->u_steps + patch->v_steps > 2 * kMaxSteps) parser.unsupported("bicubic_patch with more than 2^24 pieces");
     for (Vec3& point : patch->points) {
       point = parser.parse_vec3();
       parser.optional_comma();

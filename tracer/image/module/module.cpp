@@ -73,7 +73,7 @@ int read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, 
 int write_image(const char* path, const VerisimWriteOptions* options, char* error, std::size_t error_size) {
   configure_once();
   const VerisimImage& image = *options->image;
-  if (image.width <= 0 || image.height <= 0 || image.channels < 1 || image.channels > 4 || !image.pixels)
+  if (image.width <= 0 || image.height <= 0 || image.channels < 1 || image.channels > (options->channel_names ? 64 : 4) || !image.pixels)
     return fail(error, error_size, "nothing to write");
   auto output = ImageOutput::create(path);
   if (!output) return fail(error, error_size, OIIO::geterror());
@@ -85,12 +85,22 @@ int write_image(const char* path, const VerisimWriteOptions* options, char* erro
     default: break;
   }
   ImageSpec spec(image.width, image.height, image.channels, file);
-  if (image.channels == 2 || image.channels == 4) {
+  if (options->channel_names) {
+    spec.alpha_channel = -1;
+    for (int c = 0; c < image.channels; ++c) {
+      spec.channelnames[static_cast<std::size_t>(c)] = options->channel_names[c];
+      if (spec.channelnames[static_cast<std::size_t>(c)] == "A") spec.alpha_channel = c;
+      if (options->channel_samples) spec.channelformats.push_back(options->channel_samples[c] == kVerisimHalf ? TypeDesc::HALF : TypeDesc::FLOAT);
+    }
+  } else if (image.channels == 2 || image.channels == 4) {
     spec.alpha_channel = image.channels - 1;
     if (!image.premultiplied) spec.attribute("oiio:UnassociatedAlpha", 1);
   }
   if (options->compression) spec.attribute("compression", options->compression);
-  if (options->quality > 0) spec.attribute("CompressionQuality", options->quality);
+  if (options->quality > 0) {
+    spec.attribute("CompressionQuality", options->quality);
+    spec.attribute("jpeg:subsampling", "4:4:4");  // as POV-Ray writes them (spec 02 section 4.7)
+  }
   if (options->bits > 0) spec.attribute("oiio:BitsPerSample", options->bits);
   for (std::int32_t i = 0; i < options->metadata_count; ++i) spec.attribute(options->metadata[2 * i], options->metadata[2 * i + 1]);
   if (!output->open(path, spec)) return fail(error, error_size, output->geterror());

@@ -25,6 +25,8 @@ struct VerisimWriteOptions {
   std::int32_t bits;               // significant bits per channel, 0: all
   std::int32_t metadata_count;
   const char* const* metadata;     // key, value, key, value ...
+  const char* const* channel_names;      // one a channel, or null: the usual ones; only then may there be more than four channels
+  const std::int32_t* channel_samples;   // VerisimSample each channel is stored as (OpenEXR), or null: image->sample
 };
 
 // All return 0 on success; otherwise a message is put into `error` (at most error_size bytes with the terminating zero).
@@ -37,7 +39,7 @@ using VerisimFreeImage = void (*)(VerisimImage* image);
 namespace verisim::image {
 
 // Must change with anything above: an old plug-in beside a new program is refused.
-inline constexpr int kModuleVersion = 1;
+inline constexpr int kModuleVersion = 2;
 
 // The loaded plug-in.
 struct Module {

@@ -1,38 +1,14 @@
 // Crackle and facets: distances to random points, one in each unit cell (spec 05 section 7).
-#include <array>
 #include <limits>
 
 #include "tracer/textures/noise.h"
+#include "tracer/textures/patterns/crackle_kernels.h"
+#include "tracer/textures/patterns/crackle_offsets.h"
 #include "tracer/textures/patterns/formulas.h"
 
 namespace verisim::textures {
 namespace {
 
-struct CellOffset { std::int8_t x, y, z; };
-
-// The 81 cells that POV-Ray looks at, nearest rings first: all of {-2..2}^3 with at most one component of magnitude 2.
-constexpr std::array<CellOffset, 81> make_offsets() {
-  std::array<CellOffset, 81> result{};
-  int n = 0;
-  for (int ring = 0; ring <= 6; ++ring)
-    for (int x = -2; x <= 2; ++x)
-      for (int y = -2; y <= 2; ++y)
-        for (int z = -2; z <= 2; ++z) {
-          const int twos = (x * x == 4) + (y * y == 4) + (z * z == 4);
-          if (twos <= 1 && x * x + y * y + z * z == ring)
-            result[n++] = {static_cast<std::int8_t>(x), static_cast<std::int8_t>(y), static_cast<std::int8_t>(z)};
-        }
-  return result;
-}
-constexpr std::array<CellOffset, 81> kOffsets = make_offsets();
-static_assert(kOffsets[0].x == 0 && kOffsets[0].y == 0 && kOffsets[0].z == 0 && (kOffsets[80].x != 0 || kOffsets[80].y != 0));
-
-struct Metric2 {
-  double operator()(double d) const { return d * d; }
-};
-struct Metric1 {
-  double operator()(double d) const { return std::fabs(d); }
-};
 struct MetricAny {
   double exponent;
   double operator()(double d) const { return std::pow(std::fabs(d), exponent); }
@@ -43,7 +19,7 @@ struct Nearest {
   Vec3 point;  // the nearest one
 };
 
-// The three smallest sums over the axes of metric(difference). `bounded`: the metric grows with the distance, so cells can be skipped.
+// The three smallest sums over the axes of metric(difference), for metrics that are seldom used. `bounded`: the metric grows with the distance, so cells can be skipped.
 template <class Metric>
 Nearest nearest_three(const Vec3& p, Metric metric, bool bounded) {
   const NoiseTables& t = noise_tables();
@@ -63,7 +39,7 @@ Nearest nearest_three(const Vec3& p, Metric metric, bool bounded) {
 
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Nearest best{{kFar, kFar, kFar}, p};
-  for (const CellOffset& o : kOffsets) {
+  for (const CellOffset& o : kCrackleOffsets) {
     if (bounded && gap[0][o.x + 2] + gap[1][o.y + 2] + gap[2][o.z + 2] > best.s[2]) continue;
     const int h = t.hash[t.hash[first_hash[o.x + 2] ^ ((cell[1] + o.y) & 4095)] ^ ((cell[2] + o.z) & 4095)];
     const double x = o.x + random_value(t, h), y = o.y + random_value(t, h + 1), z = o.z + random_value(t, h + 2);
@@ -84,15 +60,48 @@ Nearest nearest_three(const Vec3& p, Metric metric, bool bounded) {
   return best;
 }
 
+const CrackleKernels& kernels = crackle_kernels(best_instruction_set());
+
+// A point's cell and its place within.
+struct CellPlace {
+  std::int64_t a, b, c;
+  Vec3 place;
+};
+CellPlace locate(const Vec3& p) {
+  const std::int64_t a = floor_to_int(p.x - kEpsilon), b = floor_to_int(p.y - kEpsilon), c = floor_to_int(p.z - kEpsilon);
+  return {a, b, c, Vec3(p.x - static_cast<double>(a), p.y - static_cast<double>(b), p.z - static_cast<double>(c))};
+}
+
+// The nearest of the random points by sums of squares.
+Vec3 nearest_point(const Vec3& p) {
+  const CellPlace at = locate(p);
+  const CrackleCell& cell = crackle_cell(CrackleMetric::squares, at.a, at.b, at.c);
+  double least = std::numeric_limits<double>::infinity();
+  int nearest = 0;
+  for (int i = 0; i < cell.count; ++i) {
+    const double x = cell.x[i] - at.place.x, y = cell.y[i] - at.place.y, z = cell.z[i] - at.place.z, s = x * x + y * y + z * z;
+    if (s < least) least = s, nearest = i;
+  }
+  return Vec3(cell.x[nearest], cell.y[nearest], cell.z[nearest]) + Vec3(static_cast<double>(at.a), static_cast<double>(at.b), static_cast<double>(at.c));
+}
+
 }  // namespace
 
 double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {
   const scene::CrackleParams& c = data.p;
-  Nearest n;
-  if (c.metric == 2) n = nearest_three(p, Metric2{}, true);
-  else if (c.metric == 1) n = nearest_three(p, Metric1{}, true);
-  else n = nearest_three(p, MetricAny{c.metric}, c.metric > 0);
-  if (c.solid) return clamp01(noise(n.point, noise_generator));
+  if (c.solid) {
+    const Vec3 nearest = c.metric == 2 ? nearest_point(p) : nearest_three(p, MetricAny{c.metric}, c.metric > 0).point;
+    return clamp01(noise(nearest, noise_generator));
+  }
+  NearestThree n;
+  if (c.metric == 2 || c.metric == 1) {
+    const CellPlace at = locate(p);
+    const CrackleCell& cell = crackle_cell(c.metric == 2 ? CrackleMetric::squares : CrackleMetric::sums, at.a, at.b, at.c);
+    n = c.metric == 2 ? kernels.squares(cell, at.place) : kernels.sums(cell, at.place);
+  } else {
+    const Nearest nearest = nearest_three(p, MetricAny{c.metric}, c.metric > 0);
+    n = {{nearest.s[0], nearest.s[1], nearest.s[2]}};
+  }
   double sum = 0;
   for (int k = 0; k < 3; ++k) {
     if (c.form[k] == 0) continue;
@@ -103,7 +112,7 @@ double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {
 }
 
 Vec3 nearest_facet_point(const Vec3& p, double metric) {
-  if (metric == 2) return nearest_three(p, Metric2{}, true).point;
+  if (metric == 2) return nearest_point(p);
   if (metric == 1) return nearest_three(p, [](double d) { return d; }, false).point;
   return nearest_three(p, MetricAny{metric}, metric > 0).point;
 }

@@ -16,6 +16,20 @@ inline double triangle(double v) {
   const double t = v - std::floor(v);
   return t >= 0.5 ? 2 * (1 - t) : 2 * t;
 }
+// fmod(v, 1.00001), exactly, without the slow general remainder for ordinary values.
+inline double wrap_period(double v) {
+  constexpr double kPeriod = 1.00001;
+  const double magnitude = std::fabs(v);
+  if (magnitude < kPeriod) return v;
+  if (!(magnitude < 0x1p25)) return std::fmod(v, kPeriod);
+  // The period in two parts of 26 bits, so that products with the whole number of periods, and the differences, are exact.
+  constexpr double kHigh = static_cast<double>(static_cast<long long>(kPeriod * 0x1p26)) * 0x1p-26, kLow = kPeriod - kHigh;
+  const double n = static_cast<double>(static_cast<int>(magnitude * (1 / kPeriod)));
+  double r = (magnitude - n * kHigh) - n * kLow;
+  if (r < 0) r += kPeriod;
+  else if (r >= kPeriod) r -= kPeriod;
+  return v < 0 ? -r : r;
+}
 // The remainder in [0, modulus).
 inline double positive_remainder(double v, double modulus) {
   const double r = v - std::floor(v / modulus) * modulus;

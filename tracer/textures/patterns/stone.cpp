@@ -11,8 +11,7 @@ double sine_cycle(double v) { return std::sin(2 * std::numbers::pi * v); }
 namespace {
 
 double turbulence_of(const CompiledPattern& c, const Vec3& p) {
-  const TurbulenceStep& t = c.turbulence;
-  return turbulence(p, t.octaves, t.lambda, t.omega, c.noise_generator);
+  return turbulence(p, c.turbulence.octaves, c.noise_generator);
 }
 
 }  // namespace
@@ -30,7 +29,7 @@ double marble(const CompiledPattern& c, const Vec3& p) {
 double wood(const CompiledPattern& c, const Vec3& p) {
   const TurbulenceStep& t = c.turbulence;
   if (!c.turbulent) return std::sqrt(p.x * p.x + p.y * p.y);
-  const Vec3 v = vector_turbulence(p, t.octaves, t.lambda, t.omega);
+  const Vec3 v = vector_turbulence(p, t.octaves);
   const double x = p.x + sine_cycle((p.x + v.x) * t.amount.x);
   const double y = p.y + sine_cycle((p.y + v.y) * t.amount.y);
   return std::sqrt(x * x + y * y);

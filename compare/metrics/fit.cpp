@@ -1,0 +1,135 @@
+#include "compare/metrics/fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compare/metrics/values.h"
+
+namespace verisim::compare {
+namespace {
+
+Picture cut(const Picture& picture, const Crop& crop) {
+  if (crop.x < 0 || crop.y < 0 || crop.width < 1 || crop.height < 1 || crop.x > picture.width - crop.width || crop.y > picture.height - crop.height)
+    throw PictureMismatch(fmt::format("the crop {}, {}, {}, {} is not inside the reference of {}x{}", crop.x, crop.y, crop.width, crop.height, picture.width, picture.height));
+  Picture out = picture;
+  out.width = crop.width, out.height = crop.height;
+  out.samples.clear();
+  for (int y = crop.y; y < crop.y + crop.height; ++y) {
+    const auto row = picture.samples.begin() + (static_cast<std::ptrdiff_t>(y) * picture.width + crop.x) * picture.channels;
+    out.samples.insert(out.samples.end(), row, row + static_cast<std::ptrdiff_t>(crop.width) * picture.channels);
+  }
+  return out;
+}
+
+double decoded(float v, bool is_float) { return is_float ? v : srgb_to_linear(std::clamp(static_cast<double>(v), 0.0, 1.0)); }
+float encoded(double v, bool is_float) { return static_cast<float>(is_float ? v : linear_to_srgb(std::clamp(v, 0.0, 1.0))); }
+bool is_alpha(const Picture& p, int channel) { return (p.channels == 2 || p.channels == 4) && channel == p.channels - 1; }
+
+// The share of every source pixel in [from, to) along one axis.
+struct Span {
+  int first = 0;
+  std::vector<double> weights;
+};
+std::vector<Span> spans(int from, int to) {
+  std::vector<Span> out(static_cast<std::size_t>(to));
+  const double scale = static_cast<double>(from) / to;
+  for (int i = 0; i < to; ++i) {
+    const double low = i * scale, high = (i + 1) * scale;
+    Span& span = out[static_cast<std::size_t>(i)];
+    span.first = static_cast<int>(low);
+    for (int k = span.first; k < from && k < high; ++k) span.weights.push_back((std::min<double>(k + 1, high) - std::max<double>(k, low)) / scale);
+  }
+  return out;
+}
+
+// Averages in linear light over the area of each new pixel.
+Picture resampled(const Picture& picture, int width, int height) {
+  const std::vector<Span> columns = spans(picture.width, width), rows = spans(picture.height, height);
+  Picture out = picture;
+  out.width = width, out.height = height;
+  if (!out.is_float) out.bits = 16;  // averages are no whole code values
+  out.samples.assign(static_cast<std::size_t>(width) * height * picture.channels, 0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int c = 0; c < picture.channels; ++c) {
+        const bool plain = picture.is_float || is_alpha(picture, c);
+        const Span &across = columns[static_cast<std::size_t>(x)], &down = rows[static_cast<std::size_t>(y)];
+        double sum = 0;
+        for (std::size_t j = 0; j < down.weights.size(); ++j)
+          for (std::size_t i = 0; i < across.weights.size(); ++i) {
+            const std::size_t at = (static_cast<std::size_t>(down.first) + j) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(across.first) + i;
+            sum += down.weights[j] * across.weights[i] * decoded(picture.samples[at * static_cast<std::size_t>(picture.channels) + static_cast<std::size_t>(c)], plain);
+          }
+        out.samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * static_cast<std::size_t>(picture.channels) + static_cast<std::size_t>(c)] =
+            encoded(sum, plain);
+      }
+  return out;
+}
+
+// Linear colour of a pixel; empty when it is clipped or not finite.
+std::optional<Rgb> usable(const Picture& p, std::size_t pixel) {
+  Rgb out;
+  const std::size_t step = p.channels > 2 ? 1 : 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float v = p.samples[pixel * static_cast<std::size_t>(p.channels) + c * step];
+    if (!std::isfinite(v) || (!p.is_float && (v > 254.5f / 255 || v < 0))) return std::nullopt;
+    out[c] = decoded(v, p.is_float);
+  }
+  return out;
+}
+
+// The factors for the test's channels.
+Rgb gains(const Picture& reference, const Picture& test, bool each_channel) {
+  Rgb product{}, square{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(test.width) * static_cast<std::size_t>(test.height); ++i) {
+    const std::optional<Rgb> p = usable(reference, i), q = usable(test, i);
+    if (!p || !q) continue;
+    for (std::size_t c = 0; c < 3; ++c) product[c] += (*p)[c] * (*q)[c], square[c] += (*q)[c] * (*q)[c];
+  }
+  const auto ratio = [](double a, double b) { return a > 0 && b > 0 ? a / b : 1; };
+  if (!each_channel) {
+    const double all = ratio(product[0] + product[1] + product[2], square[0] + square[1] + square[2]);
+    return {all, all, all};
+  }
+  return {ratio(product[0], square[0]), ratio(product[1], square[1]), ratio(product[2], square[2])};
+}
+
+}  // namespace
+
+std::string Fit::text() const {
+  std::string out;
+  if (crop) out += fmt::format("reference cut to {}x{} at {}, {}; ", crop->width, crop->height, crop->x, crop->y);
+  if (resampled) out += fmt::format("reference of {}x{} averaged to the render's size; ", reference_width, reference_height);
+  if (stops != 0) out += fmt::format("exposure {:+.3f} stops; ", stops);
+  if (balance != std::array<double, 3>{1, 1, 1}) out += fmt::format("white balance {:.4f}, {:.4f}, {:.4f}; ", balance[0], balance[1], balance[2]);
+  if (!out.empty()) out.resize(out.size() - 2);
+  return out;
+}
+
+FittedPair fit_to_reference(const Picture& reference, const Picture& test, const FitOptions& options) {
+  Values{reference}, Values{test};  // throw when they are no pictures
+  FittedPair out{options.crop ? cut(reference, *options.crop) : reference, test, {}};
+  out.fit.crop = options.crop;
+  out.fit.reference_width = out.reference.width, out.fit.reference_height = out.reference.height;
+  if (out.reference.width != test.width || out.reference.height != test.height) {
+    out.reference = resampled(out.reference, test.width, test.height);
+    out.fit.resampled = true;
+  }
+  if (!options.exposure && !options.white_balance) return out;
+  const Rgb gain = gains(out.reference, test, options.white_balance);
+  const double mean = std::cbrt(gain[0] * gain[1] * gain[2]);
+  out.fit.stops = std::log2(mean);
+  for (std::size_t c = 0; c < 3; ++c) out.fit.balance[c] = options.white_balance ? gain[c] / mean : 1;
+  const bool grey = test.channels < 3;
+  for (std::size_t i = 0; i < out.test.samples.size(); ++i) {
+    const int c = static_cast<int>(i % static_cast<std::size_t>(test.channels));
+    if (is_alpha(test, c) || !std::isfinite(out.test.samples[i])) continue;
+    float& v = out.test.samples[i];
+    v = encoded((grey ? mean : gain[static_cast<std::size_t>(c)]) * decoded(v, test.is_float), test.is_float);
+  }
+  if (!out.test.is_float) out.test.bits = 16;
+  return out;
+}
+
+}  // namespace verisim::compare

@@ -1,0 +1,55 @@
+// What pixels show, asked from a verisim program as a process of its own; and its JSON form.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "compare/compare.h"
+#include "compare/oracle/process.h"
+#include "compare/oracle/working_copy.h"
+#include "compare/regression/program_call.h"
+
+namespace verisim::compare {
+
+std::string tags_json(const PixelTags& tags) {
+  nlohmann::json json;
+  json["width"] = tags.width, json["height"] = tags.height, json["step"] = tags.step;
+  json["tags"] = nlohmann::json::array();
+  for (const PixelTags::Tag& tag : tags.tags) json["tags"].push_back({{"kind", tag.kind}, {"name", tag.name}});
+  json["sets"] = tags.sets;
+  json["pixels"] = tags.set_of;
+  json["trees"] = nlohmann::json::array();
+  for (const PixelTags::Tree& tree : tags.trees) json["trees"].push_back({{"x", tree.x}, {"y", tree.y}, {"text", tree.text}});
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";  // file names may hold any bytes
+}
+
+PixelTags tags_from_json(const std::string& text) {
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  PixelTags out;
+  try {
+    out.width = json.at("width"), out.height = json.at("height"), out.step = json.at("step");
+    for (const auto& tag : json.at("tags")) out.tags.push_back({tag.at("kind"), tag.at("name")});
+    out.sets = json.at("sets").get<std::vector<std::vector<int>>>();
+    out.set_of = json.at("pixels").get<std::vector<int>>();
+    for (const auto& tree : json.at("trees")) out.trees.push_back({tree.at("x"), tree.at("y"), tree.at("text")});
+  } catch (const nlohmann::json::exception& error) {
+    throw std::runtime_error(fmt::format("not a list of pixel tags: {}", error.what()));
+  }
+  return out;
+}
+
+TagSource tags_of_program(const std::filesystem::path& program) {
+  return [program](const NativeRequest& request, int step, const std::vector<std::pair<int, int>>& trees) {
+    const TemporaryFolder scratch;
+    const std::filesystem::path file = scratch.path() / "tags.json";
+    ProcessRequest process = program_call(program, "explain", request);
+    process.arguments.insert(process.arguments.end(), {"--tags", file.string(), "--tags-step", std::to_string(step)});
+    for (const auto& [x, y] : trees) process.arguments.insert(process.arguments.end(), {"--tree", fmt::format("{},{}", x, y)});
+    const ProcessResult run = run_process(process);
+    std::ifstream in(file);
+    if (!run.succeeded() || !in) throw std::runtime_error(fmt::format("the pixels could not be explained: {}", run.how_it_ended(request.time_limit)));
+    return tags_from_json({std::istreambuf_iterator<char>(in), {}});
+  };
+}
+
+}  // namespace verisim::compare

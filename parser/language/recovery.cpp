@@ -1,0 +1,117 @@
+// Going on after an error, so that one run names several mistakes: the failing statement or directive is skipped as text, and what it would have declared
+// is remembered, so that its uses are not reported as further errors. The first error is the same as if parsing had stopped there.
+#include "parser/language/impl.h"
+
+namespace verisim::parser {
+namespace {
+
+constexpr std::size_t kMostErrors = 20;               // reported in one run
+constexpr int kMostFailures = 60;                     // including those that are not reported: repeated in loops, or consequences
+constexpr std::uint64_t kMostStepsAfterError = 20'000'000;  // executed tokens: the rest of the scene is only read for more errors
+
+// Directives that declare nothing and have an end that can be found.
+bool is_message(Word word) {
+  return word == Word::debug || word == Word::warning || word == Word::render || word == Word::statistics || word == Word::undef || word == Word::fclose ||
+         word == Word::write || word == Word::read;
+}
+
+}  // namespace
+
+// Called where nothing is open but loops, branches, macros and include files: an error until the next call belongs to this token.
+void Parser::Impl::mark_statement() {
+  recovery.file = file;
+  recovery.token = index(position);
+  recovery.frames = frames.size();
+  recovery.conditions = conditions.size();
+}
+
+// False: parsing ends here.
+bool Parser::Impl::recover(ParseError& failure) {
+  const bool consequence = touches_failed_name();
+  if (!consequence && !failure.diagnostic.message.empty() && recovery.reported.emplace(failure.diagnostic.file, failure.diagnostic.line, failure.diagnostic.message).second) {
+    if (options.message) options.message(failure.diagnostic);
+    report.errors.push_back(failure.diagnostic);
+  }
+  if (report.errors.size() == 1 && recovery.steps_left == 0) recovery.steps_left = steps + kMostStepsAfterError;
+  if (failure.last || report.errors.size() >= kMostErrors || ++recovery.failures > kMostFailures || steps > recovery.steps_left) return false;
+  if (!recovery.file || frames.size() < recovery.frames || conditions.size() < recovery.conditions) return false;
+
+  while (frames.size() > recovery.frames) leave_frame();
+  conditions.resize(recovery.conditions);
+  if (file != recovery.file) return false;
+  depth = depth_of_parentheses = 0;
+  blocked = false;
+  arguments.clear();
+  pending = {};
+  go_to(recovery.file, recovery.token);
+  return skip_statement();
+}
+
+// The statement names something whose declaration failed.
+bool Parser::Impl::touches_failed_name() const {
+  if (recovery.failed_names.empty() || !recovery.file || recovery.file != file) return false;
+  const Tokens& tokens = recovery.file->tokens;
+  const std::size_t last = std::min<std::size_t>(index(position) + 1, tokens.size());
+  for (std::size_t i = recovery.token; i < last; ++i)
+    if (tokens[i].kind == TokenKind::identifier && recovery.failed_names.contains(tokens[i].id())) return true;
+  return false;
+}
+
+// Moves the cursor behind the failing statement. False: its end is not clear.
+bool Parser::Impl::skip_statement() {
+  const Token* at = position;
+  const Token* const first = at;
+  if (first->kind == TokenKind::directive) {
+    const Word word = first->word;
+    const bool declares = word == Word::declare || word == Word::local;
+    if (declares || word == Word::macro) {
+      if (at[1].kind != TokenKind::identifier) return false;
+      recovery.failed_names.insert(at[1].id());
+    }
+    if (word == Word::if_ || word == Word::while_ || word == Word::for_ || word == Word::switch_ || word == Word::macro) {
+      std::uint32_t link = first->link();
+      while (link && file->tokens[link].word != Word::end) link = file->tokens[link].link();
+      if (!link) return false;
+      go_to(file, link + 1);
+      return true;
+    }
+    if (!declares && !is_message(word) && word != Word::default_) return false;
+    ++at;
+  }
+  if (first->kind == TokenKind::identifier && at[1].punctuation == '(') {  // a call of something that is no macro
+    int brackets = 0;
+    do {
+      ++at;
+      if (at->kind == TokenKind::end || at->kind == TokenKind::error) return false;
+      brackets += at->punctuation == '(';
+      brackets -= at->punctuation == ')';
+    } while (brackets);
+    go_to(file, index(at) + 1);
+    return true;
+  }
+  // Up to a semicolon, to the brace that closes the statement, or to the next directive.
+  int braces = 0;
+  for (;; ++at) {
+    if (at->kind == TokenKind::end || at->kind == TokenKind::error) return false;
+    if (at->kind == TokenKind::directive && !braces && at != first) break;
+    if (at->punctuation == '{') {
+      ++braces;
+    } else if (at->punctuation == '}') {
+      if (braces > 0) --braces;
+      if (braces) continue;
+      ++at;
+      if (first->kind != TokenKind::directive) break;
+      // A layered texture goes on; a semicolon may end it.
+      if (at->punctuation == ';') ++at;
+      if (at->kind != TokenKind::word || at->word != Word::texture || first[3].word != Word::texture) break;
+      --at;
+    } else if (at->punctuation == ';' && !braces) {
+      ++at;
+      break;
+    }
+  }
+  go_to(file, static_cast<std::uint32_t>(at - file->tokens.data()));
+  return true;
+}
+
+}  // namespace verisim::parser

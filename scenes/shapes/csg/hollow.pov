@@ -1,0 +1,11 @@
+// hollow and solid glass around fog
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -6> look_at 0 angle 40 }
+light_source { <3, 6, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+plane { y, -1.6 pigment { checker rgb 0.8, rgb 0.5 } }
+#declare Coat = texture { pigment { rgb <0.8, 0.6, 0.4> } finish { ambient 0.1 diffuse 0.8 phong 0.4 } }
+fog { distance 12 color rgb <0.6, 0.7, 0.8> }
+sphere { -1.2 * x, 0.9 hollow pigment { rgbt <1, 0.9, 0.8, 0.8> } interior { ior 1.3 } }
+sphere { 1.2 * x, 0.9 pigment { rgbt <1, 0.9, 0.8, 0.8> } interior { ior 1.3 } }

@@ -1,0 +1,10 @@
+// patches and open shapes in differences
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -6> look_at 0 angle 40 }
+light_source { <3, 6, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+plane { y, -1.6 pigment { checker rgb 0.8, rgb 0.5 } }
+#declare Coat = texture { pigment { rgb <0.8, 0.6, 0.4> } finish { ambient 0.1 diffuse 0.8 phong 0.4 } }
+difference { box { -1, 1 scale 0.8 } triangle { <-0.5, -1, 0>, <0.5, -1, 0>, <0, 1, 0> } texture { Coat } translate -1.2 * x rotate 10 * y }
+intersection { disc { 0, <0.2, 0.5, -1>, 1.4 } sphere { <0.2, 0, 0>, 0.9 } texture { Coat } translate 1.2 * x }

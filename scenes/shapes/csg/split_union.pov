@@ -1,0 +1,10 @@
+// a union kept whole by a clip and by its switch
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -6> look_at 0 angle 40 }
+light_source { <3, 6, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+plane { y, -1.6 pigment { checker rgb 0.8, rgb 0.5 } }
+#declare Coat = texture { pigment { rgb <0.8, 0.6, 0.4> } finish { ambient 0.1 diffuse 0.8 phong 0.4 } }
+union { sphere { <-1, 0, 0>, 0.8 } box { <0.2, -0.8, -0.6>, <1.6, 0.7, 0.6> } split_union off texture { Coat } rotate 15 * y }
+union { torus { 0.5, 0.15 } sphere { 0.6 * y, 0.3 } clipped_by { plane { x, 0.2 } } texture { Coat } translate <0, 1.1, -0.5> }

@@ -1,0 +1,12 @@
+// cylinder of degenerate sizes
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -6> look_at 0 angle 40 }
+light_source { <3, 6, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+plane { y, -1.6 pigment { checker rgb 0.8, rgb 0.5 } }
+#declare Coat = texture { pigment { rgb <0.8, 0.6, 0.4> } finish { ambient 0.1 diffuse 0.8 phong 0.4 } }
+cylinder { <-1, -1, 0>, <-1, 1, 0>, 0 texture { Coat } }
+cylinder { <0, -1, 0>, <0, -0.999, 0>, 0.8 texture { Coat } }
+cylinder { <1.2, -1, 0>, <1.2, 1, 0>, -0.4 texture { Coat } }
+cylinder { <-1.4, -1, 0>, <-1.4, 1, 0>, 0.4 open scale <0.0001, 1, 1> texture { Coat } }

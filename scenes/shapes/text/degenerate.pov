@@ -1,0 +1,12 @@
+// text of degenerate sizes
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.5, -6> look_at 0 angle 40 }
+light_source { <3, 6, -8> rgb 1 }
+background { rgb <0.1, 0.2, 0.3> }
+plane { y, -1.6 pigment { checker rgb 0.8, rgb 0.5 } }
+#declare Coat = texture { pigment { rgb <0.8, 0.6, 0.4> } finish { ambient 0.1 diffuse 0.8 phong 0.4 } }
+text { ttf "timrom.ttf" " " 0.4, 0 texture { Coat } }
+text { ttf "timrom.ttf" "A B" 0, 0 translate <-1.4, 0, 0> texture { Coat } }
+text { ttf "timrom.ttf" "\u00b6x" 0.2, 0 translate <0.3, -0.8, 0> texture { Coat } }
+text { ttf "timrom.ttf" "neg" -0.3, 0 translate <-1.4, -1, 0> texture { Coat } }

@@ -1,0 +1,13 @@
+// density file (densities)
+#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 1.6, -4> direction 1.6*z right 1.3333*x up y look_at <0, 0.05, 0> }
+light_source { <-4.3, 6.5, -5.6> rgb 1 }
+light_source { <5, 3, -4> rgb 0.35 shadowless }
+background { rgb <0.1, 0.15, 0.25> }
+
+#declare Sample = texture {
+  pigment { rgbt 1 }
+}
+sphere { 0, 1 pigment { rgbt 1 } hollow interior { media { emission 1.2 density { density_file df3 "../data/block.df3" interpolate 1 scale 1.6 translate -0.8 } } } }
+plane { y, -1.037 pigment { checker rgb 0.4, rgb 0.7 } }

@@ -1,0 +1,2 @@
+#version unofficial 3.5;
+sphere{0,1}

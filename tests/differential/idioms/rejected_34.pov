@@ -1,0 +1,2 @@
+#version unofficial MegaPov 0.5;
+sphere{0,1}

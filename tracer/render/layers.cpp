@@ -1,0 +1,132 @@
+#include "tracer/render/layers.h"
+
+#include "tracer/shading/finish.h"
+
+namespace verisim::render {
+namespace {
+
+using textures::CompiledTexture;
+using textures::WeightedTexture;
+
+// Enclosing patterned textures, innermost first: normals are perturbed in their frames (spec 05 10.1).
+struct Frame {
+  const CompiledTexture* texture;
+  const Frame* outer;
+};
+
+struct Look {
+  Vec3 normal{0, 0, 0};
+  Rgb albedo;
+};
+
+class FirstSurface {
+ public:
+  explicit FirstSurface(const shading::SceneData& scene) : scene_(scene) {}
+
+  // False: nothing is hit.
+  bool hit(const Ray& ray, double t_max, shapes::Hit& hit) const { return scene_.world.intersect(ray, shapes::RayKind::camera, 1e-4, t_max, hit); }
+
+  Look look(const Ray& ray, const shapes::Hit& hit) {
+    shading::SurfaceHit at(hit, ray.direction, 0, 0);
+    const Vec3 p = at.pattern_point();
+    Look result;
+    scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
+    if (weighted_.empty()) {
+      const auto* texture = at.inside_hit && at.surface.interior_texture ? at.surface.interior_texture : at.surface.texture;
+      if (texture) add(at, *texture, p, nullptr, 1, result);
+    } else {
+      for (const WeightedTexture& entry : weighted_) add(at, *entry.texture, p, nullptr, entry.weight, result);
+    }
+    const double size = length(result.normal);
+    result.normal = size > kEpsilon ? result.normal / size : at.raw;
+    return result;
+  }
+
+ private:
+  void add(shading::SurfaceHit& at, const CompiledTexture& texture, const Vec3& p, const Frame* frame, float weight, Look& out) {
+    if (texture.patterned()) {
+      std::vector<WeightedTexture> storage(std::max<std::size_t>(texture.map.size(), 2));
+      Vec3 warped;
+      const Frame inner{&texture, frame};
+      for (const WeightedTexture& entry : textures::select(texture, p, &at.texture_point, storage, warped))
+        if (entry.weight != 0) add(at, *entry.texture, warped, &inner, weight * entry.weight, out);
+      return;
+    }
+    Rgb filter(1);
+    bool top = true;
+    for (const textures::CompiledLayer& layer : texture.layers) {
+      const Vec3 normal = perturbed(at, layer, p, frame);
+      if (top) out.normal += normal * static_cast<double>(weight);
+      top = false;
+      Color c;
+      const bool colored = textures::evaluate(*layer.pigment, p, &at.texture_point, c);
+      out.albedo += filter * c.rgb() * (weight * std::max(0.0f, shading::surface_opacity(c, scene_.version)));
+      if (colored) filter *= c.transmission();
+    }
+  }
+
+  Vec3 perturbed(shading::SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, const Frame* frame) const {
+    if (!layer.normal) return at.raw;
+    const auto enter = [&](const auto& self, const Frame* f) -> Vec3 { return f ? textures::enter_frame(*f->texture, self(self, f->outer)) : at.raw; };
+    at.texture_point.normal = enter(enter, frame);
+    Vec3 n = textures::perturb(*layer.normal, p, at.texture_point);
+    for (const Frame* f = frame; f; f = f->outer) n = textures::leave_frame(*f->texture, n);
+    return n;
+  }
+
+  const shading::SceneData& scene_;
+  std::vector<WeightedTexture> weighted_;
+};
+
+// The ray of a position, without focal blur; of a mesh camera its first.
+std::optional<Ray> primary_ray(const CameraModel& camera, double x, double y) {
+  if (camera.mesh) return camera.mesh->ray(x, y, 0);
+  const std::optional<PrimaryRay> primary = camera.rays.at(x, y);
+  if (!primary) return std::nullopt;
+  Ray ray{primary->ray.origin, normalize(primary->ray.direction)};
+  if (camera.normal) ray.direction = perturb_direction(*camera.normal, ray.direction, primary->image);
+  return ray;
+}
+
+}  // namespace
+
+void resize_layers(Layers& layers, int width, int height) {
+  const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  if (layers.depth) layers.depths.assign(pixels, kFarDepth);
+  if (layers.normal) layers.normals.assign(pixels, Vec3(0, 0, 0));
+  if (layers.albedo) layers.albedos.assign(pixels, Rgb());
+  if (layers.id) layers.ids.assign(pixels, 0);
+}
+
+void fill_layers(Layers& layers, const shading::SceneData& scene, const CameraModel& camera, int width, int first, int last, bool antialias) {
+  constexpr int kGrid = 4;
+  FirstSurface surface(scene);
+  shapes::Hit hit;
+  const double limit = camera.mesh && camera.camera.max_distance >= kEpsilon ? camera.camera.max_distance : std::numeric_limits<double>::infinity();
+  for (int y = first; y < last; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+      Look look;
+      if (const std::optional<Ray> ray = primary_ray(camera, x, y); ray && surface.hit(*ray, limit, hit)) {
+        if (layers.depth) layers.depths[i] = static_cast<float>(hit.t);
+        if (layers.id) layers.ids[i] = static_cast<std::uint32_t>(hit.shape->surface->frame_object) + 1;
+        look = surface.look(*ray, hit);
+      }
+      if (antialias && (layers.normal || layers.albedo)) {
+        look = {};
+        for (int k = 0; k < kGrid * kGrid; ++k) {
+          const double dx = (k % kGrid + 0.5) / kGrid - 0.5, dy = (k / kGrid + 0.5) / kGrid - 0.5;
+          const std::optional<Ray> ray = primary_ray(camera, x + dx, y + dy);
+          if (!ray || !surface.hit(*ray, limit, hit)) continue;
+          const Look part = surface.look(*ray, hit);
+          look.normal += part.normal / static_cast<double>(kGrid * kGrid);
+          look.albedo += part.albedo * (1.0f / (kGrid * kGrid));
+        }
+      }
+      if (layers.normal) layers.normals[i] = look.normal;
+      if (layers.albedo) layers.albedos[i] = look.albedo;
+    }
+  }
+}
+
+}  // namespace verisim::render

@@ -1,0 +1,35 @@
+// Where a Julia fractal can be: the cells of a cube that may hold points of the set. A ray's march is followed exactly (spec 04 section 8), but need not be
+// begun where it meets none of them, nor continued behind the last. Cells are discarded by following their centre and a bound of how far the images of
+// their other points stray from it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tracer/math/vec.h"
+
+#include "tracer/shapes/julia_lanes.h"
+
+namespace verisim::shapes::julia {
+
+class Map {
+ public:
+  // Not for Kind::other.
+  explicit Map(const Field& field);
+
+  // The last distance in begin .. end at which the ray is in a cell that may hold points of the set; negative if there is none.
+  double last(const Vec3& origin, const Vec3& direction, double begin, double end) const;
+  // Encloses all such cells.
+  const Box3& box() const { return box_; }
+
+ private:
+  static constexpr int kSide = 32;
+  bool may_hold(const Field& field, const Vec3& center, double half) const;
+  void fill(const Field& field, int i, int j, int k, int size);
+
+  double low_ = 0, cell_ = 0;  // the cube's lower corner (in each coordinate) and the side of a cell
+  std::vector<bool> cells_;
+  Box3 box_;
+};
+
+}  // namespace verisim::shapes::julia

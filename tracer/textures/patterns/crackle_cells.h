@@ -1,0 +1,23 @@
+// What crackle and facets remember: for a unit cell, the random points of the cells around it that matter inside it.
+#pragma once
+
+#include <cstdint>
+
+#include "tracer/textures/noise_tables.h"
+
+namespace verisim::textures {
+
+// Points relative to the cell's corner, in the order in which POV-Ray's 81 cells are looked at here; those that cannot be among the three nearest of any
+// place in the cell are left out. Filled up to a multiple of 8 with points far away.
+struct alignas(64) CrackleCell {
+  static constexpr int kMost = 88;
+  double x[kMost], y[kMost], z[kMost];
+  int count;
+};
+
+enum class CrackleMetric { squares, sums };  // of metric 2 and of metric 1
+
+// The cell whose lower corner is (a, b, c), from the memory of the calling thread.
+const CrackleCell& crackle_cell(CrackleMetric metric, std::int64_t a, std::int64_t b, std::int64_t c);
+
+}  // namespace verisim::textures

@@ -111,7 +111,7 @@ TEST(Hostile, EndlessLoopsAreStopped) {
   ParseOptions cancelled;
   int polls = 0;
   cancelled.cancelled = [&polls] { return ++polls > 3; };
-  EXPECT_EQ(run("#while(1) #end", cancelled).error, "Cancelled.");
+  EXPECT_NE(run("#while(1) #end", cancelled).error.find("Interrupted"), std::string::npos);
 }
 
 TEST(Hostile, LongLines) {

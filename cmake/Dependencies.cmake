@@ -2,11 +2,8 @@
 find_package(Threads REQUIRED)
 find_package(Boost 1.74 REQUIRED)
 find_package(Imath REQUIRED)
-find_package(embree 3 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(fmt REQUIRED)
-find_package(PNG REQUIRED)
-find_package(Freetype REQUIRED)
 # OpenImageIO pulls some 260 shared libraries in, 0.2 s of start-up: only the image module links it (tracer/image/module).
 find_package(OpenImageIO REQUIRED)
 # Debian's package names include folders of optional packages that need not be installed; CMake refuses those.
@@ -20,8 +17,14 @@ endforeach()
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${oiio_existing_includes}")
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(tomlplusplus REQUIRED)  # manifests
+find_path(VERISIM_TOML_INCLUDE_DIR toml++/toml.h REQUIRED DOC "Folder of toml++, which reads manifests; used without its library")
+# A picture of a small scene takes a few milliseconds, and every shared library costs some of that at each start: archives where there are any.
+set(shared_suffixes ${CMAKE_FIND_LIBRARY_SUFFIXES})
+list(PREPEND CMAKE_FIND_LIBRARY_SUFFIXES .a)
+find_package(PNG REQUIRED)
+set(OPENSSL_USE_STATIC_LIBS ON)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)  # SHA-256, the key of the oracle's cache
+set(CMAKE_FIND_LIBRARY_SUFFIXES ${shared_suffixes})
 if(VERISIM_TESTS)
   find_package(GTest REQUIRED)
 endif()

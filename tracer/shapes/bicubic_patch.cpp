@@ -2,7 +2,7 @@
 // differ in POV-Ray only by what they store.
 #include <stdexcept>
 
-#include "tracer/shapes/box_tree.h"
+#include "tracer/accel/box_tree.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
 
@@ -84,7 +84,7 @@ class BicubicPatch final : public Primitive<BicubicPatch> {
       return leaves_.size() <= kMaxLeaves;
     });
     if (!fits) throw std::runtime_error("bicubic_patch: too many pieces");
-    tree_ = BoxTree(leaves_.size(), [&](std::size_t i) {
+    tree_ = accel::BoxTree(leaves_.size(), [&](std::size_t i) {
       Box3 box;
       for (const Vec3& c : leaves_[i].corner) box.extendBy(c);
       return box;
@@ -99,10 +99,11 @@ class BicubicPatch final : public Primitive<BicubicPatch> {
   void crossings(const Ray& ray, Sink& sink) const {
     const LocalRay r = local(ray);
     const auto limit = [&] { return sink.upper() * r.scale * (1 + 1e-12); };
-    tree_.traverse(r.origin, r.direction, 0, limit, [&](std::uint32_t first, std::uint32_t count) {
+    tree_.traverse_leaves({r.origin, r.direction}, 0, limit(), [&](std::uint32_t first, std::uint32_t count, double) {
       for (std::uint32_t i = first; i < first + count; ++i) {
         for (int half = 0; half < 2; ++half) triangle(i, half, ray, r, sink);
       }
+      return limit();
     });
   }
 
@@ -175,7 +176,7 @@ class BicubicPatch final : public Primitive<BicubicPatch> {
   Points points_;
   std::optional<std::array<Vec2, 4>> uv_;
   std::vector<Leaf> leaves_;  // in the tree's order
-  BoxTree tree_;
+  accel::BoxTree tree_;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "tracer/shapes/box_tree.h"
+#include "tracer/accel/box_tree.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/truetype.h"
@@ -96,7 +96,7 @@ class Text final : public Primitive<Text> {
  public:
   Text(const scene::Object& description, const scene::Text& text)
       : Primitive(description, {text_box(text), true}), thickness_(text.thickness), glyphs_(layout(text)), to_object_(small_rotation()) {
-    tree_ = BoxTree(glyphs_.size(), [&](std::size_t i) { return glyphs_[i].glyph->segments.empty() ? Box3() : box_of(glyphs_[i], thickness_); }, 1);
+    tree_ = accel::BoxTree(glyphs_.size(), [&](std::size_t i) { return glyphs_[i].glyph->segments.empty() ? Box3() : box_of(glyphs_[i], thickness_); }, 1);
     const Transform total = has_matrix() ? to_object_.then(matrix()) : to_object_;
     total_ = total;
   }
@@ -105,13 +105,11 @@ class Text final : public Primitive<Text> {
   void crossings(const Ray& ray, Sink& sink) const {
     const Vec3 o = total_.inverse_point(ray.origin), d = total_.inverse_direction(ray.direction);
     // The direction is not normalised: depths are world distances.
-    tree_.traverse(o, d, 0, [&] { return sink.upper(); }, [&](std::uint32_t first, std::uint32_t count) {
-      for (std::uint32_t i = first; i < first + count; ++i) {
-        const std::uint32_t g = tree_.order()[i];
-        const Vec3 local_origin(o.x - glyphs_[g].origin.x, o.y - glyphs_[g].origin.y, o.z);
-        caps(g, ray, local_origin, d, sink);
-        sides(g, ray, local_origin, d, sink);
-      }
+    tree_.traverse({o, d}, 0, sink.upper(), [&](std::uint32_t g, double) {
+      const Vec3 local_origin(o.x - glyphs_[g].origin.x, o.y - glyphs_[g].origin.y, o.z);
+      caps(g, ray, local_origin, d, sink);
+      sides(g, ray, local_origin, d, sink);
+      return sink.upper();
     });
   }
 
@@ -210,7 +208,7 @@ class Text final : public Primitive<Text> {
   double thickness_;
   std::vector<PlacedGlyph> glyphs_;
   Transform to_object_, total_;
-  BoxTree tree_;
+  accel::BoxTree tree_;
 };
 
 }  // namespace

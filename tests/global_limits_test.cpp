@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -95,6 +96,7 @@ TEST(GlobalLimits, EndlessWorkCanBeCancelled) {
     options.threads = 2;
     std::atomic<bool> over{false};
     const auto start = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();
     // The progress of passes and the flag itself are looked at while rays are traced; a thread of our own sets it.
     std::thread stopper([&] {
       while (!over && std::chrono::steady_clock::now() - start < std::chrono::milliseconds(300)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -103,7 +105,8 @@ TEST(GlobalLimits, EndlessWorkCanBeCancelled) {
     failure(text, options);
     over = true;
     stopper.join();
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20)) << text;
+    // The processor's time, not the clock's: a busy machine is no failure.
+    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 20) << text;
   }
 }
 

@@ -1,7 +1,7 @@
 // Shapes of impossible sizes and broken data: an error that says so, or a picture; never a crash, and soon.
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 
@@ -15,7 +15,7 @@ const char* const kHead = "#version 3.7; global_settings { assumed_gamma 1 } cam
 // Renders or throws; either is an answer. True: it rendered.
 bool expect_answer(const std::string& objects, double seconds = 10) {
   SCOPED_TRACE(objects.substr(0, 200));
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();  // the processor's time: a busy machine is no failure
   bool rendered = false;
   try {
     render_text(kHead + objects, 16, 12);
@@ -23,7 +23,7 @@ bool expect_answer(const std::string& objects, double seconds = 10) {
   } catch (const std::exception& error) {
     EXPECT_STRNE(error.what(), "");
   }
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), seconds);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, seconds);
   return rendered;
 }
 

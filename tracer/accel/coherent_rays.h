@@ -30,7 +30,13 @@ class CoherentRays {
   // Where the camera rays of a pixel enter the world; null: at the root. shaft_of(left, top, right, bottom) gives the shaft of a rectangle of
   // the picture in pixels, whose centres are at integers; it must always be that of the same camera.
   template <class ShaftOf>
-  const WorldEntry* camera(double x, double y, ShaftOf&& shaft_of);
+  const WorldEntry* camera(double x, double y, ShaftOf&& shaft_of) {
+    int count = 1;
+    return camera_row(x, y, count, shaft_of);
+  }
+  // The same for pixels (x, y), (x + 1, y) ..., `count` of them at most; sets it to the number of those that this entry serves.
+  template <class ShaftOf>
+  const WorldEntry* camera_row(double x, double y, int& count, ShaftOf&& shaft_of);
 
   // Who looks at the points that shadow rays start from: they are denser where the camera sees them.
   enum class Viewer : unsigned char { camera, other };
@@ -111,11 +117,12 @@ CoherentRays::Slot& CoherentRays::Table<kSlots>::find(const Key& key, std::size_
 }
 
 template <class ShaftOf>
-const WorldEntry* CoherentRays::camera(double x, double y, ShaftOf&& shaft_of) {
+const WorldEntry* CoherentRays::camera_row(double x, double y, int& count, ShaftOf&& shaft_of) {
   if (camera_.kind == CameraCoherence::Kind::none || tile_worth_.paused()) return nullptr;
   // Positions are within a pixel of the picture, which has fewer than 2^30 pixels a side.
   const int column = static_cast<int>(x + (kTile + 0.5)) / kTile, row = static_cast<int>(y + (kTile + 0.5)) / kTile;
-  ++tile_worth_.used;
+  count = std::min(count, column * kTile - static_cast<int>(x + 0.5));
+  tile_worth_.used += static_cast<std::uint32_t>(count);
   bool known;
   Slot& slot = tiles_.find({{column, row, 0}, 0}, static_cast<std::size_t>(column % 8 + row % 8 * 8), known);
   if (known) return slot.usable ? &slot.entry : nullptr;

@@ -38,8 +38,13 @@ Compared encode_for_comparison(const Color& c, const AntialiasSettings& settings
 
 template <class Sampler>
 void render_plain(const Block& block, Sampler&& sample, Framebuffer& out) {
-  for (int y = block.y; y < block.y + block.height; ++y)
-    for (int x = block.x; x < block.x + block.width; ++x) out.at(x, y) = sample(x, y);
+  for (int y = block.y; y < block.y + block.height; ++y) {
+    if constexpr (requires { sample.row(0, 0, 0, &out.at(0, 0)); }) {
+      sample.row(block.x, y, block.width, &out.at(block.x, y));
+    } else {
+      for (int x = block.x; x < block.x + block.width; ++x) out.at(x, y) = sample(x, y);
+    }
+  }
 }
 
 // Method 1: pixels that differ from the one on the left or above are replaced by an average over a jittered grid.

@@ -73,6 +73,28 @@ Color PixelSampler::operator()(double x, double y) {
   return trace({primary->ray.origin, primary->ray.direction * (1 / length(primary->ray.direction))}, primary->image, entry);
 }
 
+void PixelSampler::row(int x, int y, int count, Color* colors) {
+  if (!camera_.plain() || !wave_.usable()) {
+    for (int i = 0; i < count; ++i) colors[i] = (*this)(x + i, y);
+    return;
+  }
+  for (int done = 0; done < count; done += shading::Wave::kMost) wave(x + done, y, std::min(count - done, shading::Wave::kMost), colors + done);
+}
+
+void PixelSampler::wave(int x, int y, int count, Color* colors) {
+  tracer_.statistics().samples += static_cast<std::uint64_t>(count);
+  camera_.rays.directions(x, y, count, wave_.lanes());
+  const accel::WorldEntry* entries[shading::Wave::kMost];
+  for (int i = 0; i < count;) {
+    int served = count - i;
+    const accel::WorldEntry* entry = tracer_.coherent().camera_row(x + i, y, served, [this](double left, double top, double right, double bottom) {
+      return camera_.shaft(tracer_.scene().world.tree().bounds(), left, top, right, bottom);
+    });
+    for (; served > 0; --served) entries[i++] = entry;
+  }
+  wave_.trace(camera_.camera.location, x, y, count, entries, colors);
+}
+
 Color PixelSampler::trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry) {
   if (camera_.normal) ray.direction = perturb_direction(*camera_.normal, ray.direction, image);
   return tracer_.trace_camera(ray, camera_.origin_varies, std::numeric_limits<double>::infinity(), entry);

@@ -4,7 +4,7 @@
 #include "tracer/render/camera_rays.h"
 #include "tracer/render/focal_blur.h"
 #include "tracer/render/mesh_camera.h"
-#include "tracer/shading/tracer.h"
+#include "tracer/shading/wave.h"
 
 namespace verisim::render {
 
@@ -20,6 +20,8 @@ struct CameraModel {
   bool origin_varies = false;
   accel::CameraCoherence coherence;
   bool linear = false;  // rays are linear in the position: perspective and orthographic cameras without a normal
+  // Rays through pixels are those of CameraRays::directions.
+  bool plain() const { return linear && !origin_varies; }
   // The shaft of all rays of a rectangle of the picture, for linear cameras, through a world with these bounds.
   std::optional<accel::Shaft> shaft(const Box3& world, double left, double top, double right, double bottom) const;
 
@@ -30,16 +32,23 @@ struct CameraModel {
 // One per thread.
 class PixelSampler {
  public:
-  PixelSampler(const CameraModel& camera, shading::Tracer& tracer) : camera_(camera), tracer_(tracer) {}
+  PixelSampler(const CameraModel& camera, shading::Tracer& tracer) : camera_(camera), tracer_(tracer), wave_(tracer) {}
   // (x, y): pixel position, centres at integers. A position without a ray is black with transmit 1.
   Color operator()(double x, double y);
+  // The colours of pixels (x, y), (x + 1, y) ...: the same as one by one, but faster.
+  void row(int x, int y, int count, Color* colors);
+  // Samples may be asked for in any order; if not, random numbers would be drawn in another one.
+  bool any_order() const { return !tracer_.random().replay(); }
 
  private:
   Color mesh_sample(double x, double y);
   Color trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry = nullptr);
 
+  void wave(int x, int y, int count, Color* colors);
+
   const CameraModel& camera_;
   shading::Tracer& tracer_;
+  shading::Wave wave_;
 };
 
 }  // namespace verisim::render

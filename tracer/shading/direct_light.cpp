@@ -8,8 +8,6 @@ namespace {
 
 constexpr float kDark = static_cast<float>(kEpsilon);
 
-bool reflects_light(const scene::Finish& f) { return f.diffuse != 0 || f.diffuse_back != 0 || f.specular != 0 || f.phong != 0; }
-
 }  // namespace
 
 Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer) {

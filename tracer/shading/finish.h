@@ -28,6 +28,9 @@ double fresnel_reflectance(double eta, double cosine);
 // Mirror reflectivity; cosine = -D.N, may be negative; eta is only used by `fresnel`.
 Rgb reflectivity(const scene::Reflection& reflection, const Rgb& pigment, double cosine, double eta);
 
+// Whether lights are asked about at all.
+inline bool reflects_light(const scene::Finish& f) { return f.diffuse != 0 || f.diffuse_back != 0 || f.specular != 0 || f.phong != 0; }
+
 // Opacity of a pigment colour for the surface's own light (spec 06 3.3).
 inline float surface_opacity(const Color& c, int version) {
   return version < 370 ? 1.0f - (c.f * c.rgb().max() + c.t) : 1.0f - c.f - c.t;

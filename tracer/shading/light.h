@@ -45,6 +45,8 @@ class Light {
   // Angular attenuation of what leaves the light from `origin` in this direction (photons); distance plays no part.
   double emission(const Vec3& origin, const Vec3& direction) const;
 
+  // Light spreads from a point; if not, its direction is fixed.
+  bool radial() const { return radial_; }
   // The direction towards the light is the same everywhere; if not, everything that shines lies in box().
   bool parallel() const { return parallel_; }
   // Empty: unknown.
@@ -71,7 +73,7 @@ class Light {
 
   const scene::LightSource* source_;
   bool area_, parallel_;
-  bool radial_;      // light spreads from a point; if not, its direction is fixed
+  bool radial_;
   bool attenuates_;  // by angle or distance
   Box3 box_;
   double cos_radius_ = 0, cos_falloff_ = 0;

@@ -11,6 +11,8 @@ namespace verisim::shading {
 class Sky {
  public:
   Sky(const scene::Scene& scene, textures::Compiler& compiler, bool output_alpha);
+  // False: the same in every direction.
+  bool varies() const { return !pigments_.empty(); }
   // Colour with t = see-through. `opaque`: this ray ignores alpha output (a reflection lies in its path, or radiosity asks).
   Color seen(const Vec3& direction, bool opaque) const;
 

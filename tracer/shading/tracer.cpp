@@ -15,7 +15,7 @@ constexpr int kMaxNesting = 1000;
 Tracer::Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel)
     : scene_(scene), random_(random), cancel_(cancel), coherent_(scene.world), effects_state_(scene.effects ? scene.effects->make_state() : nullptr) {}
 
-Color Tracer::trace_camera(const Ray& ray, bool origin_varies, double t_max, const accel::WorldEntry* entry) {
+RayState Tracer::camera_state(const Ray& ray, bool origin_varies) {
   if (origin_varies || !camera_interiors_known_) {
     interiors_.clear();
     scene_.world.interiors_at(ray.origin, interiors_);
@@ -28,8 +28,13 @@ Color Tracer::trace_camera(const Ray& ray, bool origin_varies, double t_max, con
   state.hollow = all_hollow(state.interiors);
   state.level_limit = scene_.max_trace_level;
   state.direct_light = state.volumes = !pretrace_;
-  ++statistics_.camera_rays;
   coherent_.set_viewpoint(ray.origin);
+  return state;
+}
+
+Color Tracer::trace_camera(const Ray& ray, bool origin_varies, double t_max, const accel::WorldEntry* entry) {
+  const RayState state = camera_state(ray, origin_varies);
+  ++statistics_.camera_rays;
   return trace(state, t_max, entry);
 }
 

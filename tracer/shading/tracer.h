@@ -65,6 +65,9 @@ class Tracer {
   // `entry`: where it enters the world, if known.
   Color trace_camera(const Ray& ray, bool origin_varies, double t_max = std::numeric_limits<double>::infinity(), const accel::WorldEntry* entry = nullptr);
 
+  // The state of such a ray, before it is traced.
+  RayState camera_state(const Ray& ray, bool origin_varies);
+
   // Light of `light` that arrives at p after attenuation and shadows, for things that are not surfaces (media); sets the unit direction towards it.
   Rgb light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light);
   // The same for a point of a surface, with area sampling; `lit` may be null.
@@ -100,6 +103,7 @@ class Tracer {
   bool all_hollow(const InteriorRange& range) const;
 
  private:
+  friend class Wave;        // camera rays shaded together
   friend class PhotonWalk;  // photons cross surfaces by the same rules
   friend class path::PathTracer;  // and so do paths
   struct Frame {  // enclosing patterned textures, innermost first

@@ -1,0 +1,167 @@
+#include "tracer/shading/wave.h"
+
+#include "tracer/shading/finish.h"
+#include "tracer/textures/pigment.h"
+
+namespace verisim::shading {
+namespace {
+
+constexpr double kNearestHit = 1e-4;  // of camera rays
+constexpr float kDark = static_cast<float>(kEpsilon);
+
+bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
+
+// Lights that draw random numbers, or that light a surface by several directions at once, are for the common way.
+bool is_simple(const Light& light) { return !light.area_illumination() && !(light.area() && light.source().jitter) && is_finite(light.color()); }
+
+}  // namespace
+
+Wave::Wave(Tracer& tracer) : tracer_(tracer), scene_(tracer.scene()), kernels_(wave_kernels()), lanes_{} {
+  usable_ = scene_.quality >= 9 && !tracer_.random_.replay() && !scene_.effects && !scene_.fog && scene_.rainbows.empty() && scene_.adc_bailout >= 0 && scene_.adc_bailout < 1;
+  for (std::size_t i = 0; i < scene_.global_lights(); ++i) usable_ = usable_ && is_simple(scene_.lights()[i]);
+  plain_sky_ = !scene_.sky.varies();
+  if (plain_sky_) sky_ = scene_.sky.seen({0, 0, 1}, false);
+}
+
+const Wave::Material& Wave::material(const textures::CompiledTexture& texture) {
+  Material& m = material_;
+  if (m.texture == &texture) return m;
+  m.texture = &texture;
+  m.layer = nullptr;
+  if (texture.layers.size() != 1) return m;
+  const textures::CompiledLayer& layer = texture.layers[0];
+  const scene::Finish& f = layer.finish;
+  const bool mirror = f.reflection.maximum != Rgb() || f.reflection.minimum != Rgb();
+  if (mirror || layer.pigment->transparent || f.brilliance != 1 || f.crand > 0 || f.irid > 0 || (f.phong > 0 && f.specular > 0)) return m;
+  m.constant = layer.pigment->source == textures::CompiledPigment::Source::plain;
+  m.color = layer.pigment->color;
+  m.glow = f.ambient * scene_.ambient_light + f.emission;
+  m.phong = f.phong > 0;
+  m.amount = f.phong > 0 ? f.phong : f.specular > 0 ? f.specular : 0;
+  m.exponent = f.phong > 0 ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
+  m.base_limit = f.phong > 0 && f.phong_size >= 60 ? 0.0008 : 0;
+  if (is_finite(m.glow) && std::fabs(m.exponent) < 1e6 && m.amount < 1e30 && std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f) m.layer = &layer;
+  return m;
+}
+
+// Takes a hit among the surfaces that are lit together; false: it is not of that kind.
+bool Wave::add_surface(const shapes::Hit& hit, const Vec3& direction, int pixel) {
+  const shapes::Surface& surface = *hit.shape->surface;
+  if (surface.shows_several() || surface.ignore_global_lights || !surface.group_lights.empty()) return false;
+  Vec3 raw = hit.shape->normal(hit);
+  const double along = dot(raw, direction);
+  if (!(std::fabs(along) < 1e30)) return false;
+  const bool inside = along > 0;
+  const Material& m = material(inside && surface.interior_texture ? *surface.interior_texture : *surface.texture);
+  if (!m.layer) return false;
+  if (inside) raw = -raw;
+  Vec3 normal = raw;
+  Color color = m.color;
+  if (!m.constant || m.layer->normal) {
+    SurfaceHit at(hit, direction, 0, 0);
+    const Vec3 p = at.pattern_point();
+    normal = tracer_.layer_normal(at, *m.layer, p, nullptr);
+    if (!textures::evaluate(*m.layer->pigment, p, &at.texture_point, color)) return false;
+    if (!(std::fabs(dot(normal, direction)) < 1e30)) return false;
+  }
+  if (color.f != 0 || color.t != 0 || !is_finite(color.rgb())) return false;
+
+  const int k = count_++;
+  pixel_[k] = pixel;
+  surface_[k] = &surface;
+  finish_[k] = &m.layer->finish;
+  lanes_.point.set(k, hit.point);
+  lanes_.normal.set(k, normal);
+  lanes_.view.set(k, direction);
+  lanes_.pigment.r[k] = color.r, lanes_.pigment.g[k] = color.g, lanes_.pigment.b[k] = color.b;
+  const Rgb own = color.rgb() * m.glow;
+  lanes_.own.r[k] = own.r, lanes_.own.g[k] = own.g, lanes_.own.b[k] = own.b;
+  lanes_.direct.r[k] = lanes_.direct.g[k] = lanes_.direct.b[k] = 0;
+  lanes_.exponent[k] = m.exponent, lanes_.amount[k] = m.amount, lanes_.base_limit[k] = m.base_limit, lanes_.phong[k] = m.phong;
+  (m.phong != 0 ? any_phong_ : any_blinn_) |= m.amount != 0;
+  return true;
+}
+
+// Where the light is from every surface.
+void Wave::aim(const Light& light) {
+  if (light.radial()) {
+    kernels_.aim(light.source().position + Vec3(0, 0, 0), count_, lanes_);
+  } else {
+    for (int k = 0; k < count_; ++k) {
+      const LightDirection direction = light.direction(lanes_.point.at(k));
+      lanes_.towards.set(k, direction.towards);
+      lanes_.distance[k] = direction.distance;
+    }
+  }
+  kernels_.face(count_, lanes_);
+}
+
+// Which surfaces the light reaches, and with what colour.
+bool Wave::reach(const Light& light, const RayState& ray) {
+  bool any = false;
+  for (int k = 0; k < count_; ++k) {
+    lanes_.lit[k] = 0;
+    const Vec3 p = lanes_.point.at(k);
+    const LightDirection direction{lanes_.towards.at(k), lanes_.distance[k]};
+    Rgb color = light.color() * static_cast<float>(light.attenuation(p, direction));
+    if (color.max_abs() < kDark) continue;
+    const shapes::Surface& surface = *surface_[k];
+    const scene::Finish& finish = *finish_[k];
+    if (!reflects_light(finish)) continue;
+    const bool back = !surface.double_illuminate && lanes_.cosine[k] < kEpsilon;
+    if (back && finish.diffuse_back == 0) continue;
+    color = tracer_.shadowed(light, p, direction, ray, &surface, color);
+    if (color.max_abs() <= kDark) continue;
+    any = true;
+    lanes_.lit[k] = 1;
+    const float diffuse = back ? finish.diffuse_back : finish.diffuse;
+    lanes_.diffuse[k] = diffuse > 0 ? diffuse : 0;
+    lanes_.shines[k] = light.highlights() && !back;
+    lanes_.intensity.r[k] = color.r, lanes_.intensity.g[k] = color.g, lanes_.intensity.b[k] = color.b;
+    Rgb tint(1);
+    if (finish.metallic > 0) tint = metallic_tint({lanes_.pigment.r[k], lanes_.pigment.g[k], lanes_.pigment.b[k]}, finish.metallic, lanes_.cosine[k]);
+    lanes_.tint.r[k] = tint.r, lanes_.tint.g[k] = tint.g, lanes_.tint.b[k] = tint.b;
+  }
+  return any;
+}
+
+void Wave::respond() {
+  if (!kernels_.respond(any_phong_, any_blinn_, count_, lanes_)) return;
+  for (int k = 0; k < count_; ++k) {
+    if (!lanes_.uncertain[k] || lanes_.lit[k] == 0 || lanes_.amount[k] * lanes_.shines[k] == 0) continue;
+    const Vec3 n = lanes_.normal.at(k), d = lanes_.view.at(k), l = lanes_.towards.at(k);
+    lanes_.strength[k] = static_cast<float>(lanes_.phong[k] != 0 ? phong_highlight(*finish_[k], n, d, l) : specular_highlight(*finish_[k], n, d, l));
+  }
+}
+
+void Wave::light(const Light& light, const RayState& ray) {
+  aim(light);
+  if (!reach(light, ray)) return;
+  respond();
+  kernels_.add(count_, lanes_);
+}
+
+void Wave::trace(const Vec3& origin, double x, double y, int count, const accel::WorldEntry* const* entries, Color* out) {
+  if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
+  count_ = 0;
+  any_phong_ = any_blinn_ = false;
+  RayState ray = tracer_.camera_state({origin, {0, 0, 1}}, false);
+  tracer_.statistics_.camera_rays += static_cast<std::uint64_t>(count);
+  for (int i = 0; i < count; ++i) {
+    ray.ray.direction = lanes_.direction.at(i);
+    shapes::Hit hit;
+    const bool found = tracer_.nearest(ray, hit, kNearestHit, std::numeric_limits<double>::infinity(), entries[i]);
+    if (!found && plain_sky_) {
+      out[i] = sky_;
+    } else if (!found || !add_surface(hit, ray.ray.direction, i)) {
+      tracer_.random_.begin_sample(x + i, y, 0);
+      out[i] = tracer_.resolve(ray, found ? &hit : nullptr);
+    }
+  }
+  if (count_ == 0) return;
+  for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i], ray);
+  for (int k = 0; k < count_; ++k)
+    out[pixel_[k]] = {0 + (lanes_.own.r[k] + lanes_.direct.r[k]), 0 + (lanes_.own.g[k] + lanes_.direct.g[k]), 0 + (lanes_.own.b[k] + lanes_.direct.b[k])};
+}
+
+}  // namespace verisim::shading

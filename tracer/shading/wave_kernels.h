@@ -1,0 +1,70 @@
+// The arithmetic of camera rays that are shaded together (wave.h), compiled for several instruction sets. Every lane does the operations of the scalar
+// code in the same order, so all give its bits.
+#pragma once
+
+#include <cstdint>
+
+#include "tracer/math/vec.h"
+
+namespace verisim::shading {
+
+// One stretch of a row of the picture, as arrays. Kernels work on the first `count` lanes, rounded up to whole registers: what stands behind is any number.
+struct alignas(64) WaveLanes {
+  static constexpr int kMost = 32, kStep = 8;
+  using Doubles = double[kMost];
+  using Floats = float[kMost];
+  struct Vectors {
+    Doubles x, y, z;
+    Vec3 at(int i) const { return {x[i], y[i], z[i]}; }
+    void set(int i, const Vec3& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  };
+  struct Colors {
+    Floats r, g, b;
+  };
+
+  Vectors direction;  // of the camera rays, unit
+
+  // The surfaces that are lit: a denser numbering than that of the rays.
+  Vectors point, normal, view;
+  Colors pigment, own, direct;  // the surface's own light; the sum of what lights add
+  Floats diffuse;               // opacity * coefficient; 0: none
+  Doubles base_limit;           // highlights are dark up to this cosine
+  Doubles exponent, amount;     // of the highlight; amount 0: none
+  Doubles phong;                // 1: the highlight is Phong's, 0: Blinn's
+
+  // One light on these surfaces.
+  Vectors towards;
+  Doubles distance, cosine;
+  Colors intensity, tint;  // what arrives; how metals tint the highlight
+  Floats lit;              // 1 or 0
+  Doubles shines;          // 1 or 0: with highlights
+  Floats scattered;        // diffuse factor
+  Floats strength;         // highlight
+  std::int32_t uncertain[kMost];  // not 0: the last bit of `strength` is not known
+};
+
+// The parts of a perspective camera.
+struct WaveCamera {
+  double width, height;
+  Vec3 direction, right, up;
+};
+
+struct WaveKernels {
+  // Unit directions of the rays through pixels (x, y), (x + 1, y) ...
+  void (*directions)(const WaveCamera& camera, double x, double y, int count, WaveLanes& lanes);
+  // Sets towards and distance from points to a light that shines from `position`.
+  void (*aim)(const Vec3& position, int count, WaveLanes& lanes);
+  // Sets cosine from normals and towards.
+  void (*face)(int count, WaveLanes& lanes);
+  // Sets scattered, strength and uncertain. False: nothing is uncertain. `phong`, `blinn`: some lane has such a highlight.
+  bool (*respond)(bool phong, bool blinn, int count, WaveLanes& lanes);
+  // Adds the light of lit lanes to direct.
+  void (*add)(int count, WaveLanes& lanes);
+};
+
+// Those of the best instruction set of this machine.
+const WaveKernels& wave_kernels();
+// The same function for any set that this machine can run, for tests; null: none.
+const WaveKernels* wave_kernels(int instruction_set);
+
+}  // namespace verisim::shading

@@ -1,0 +1,165 @@
+// Rays that are shaded together get the bits of rays that are shaded one by one.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <random>
+
+#include "tracer/render/pixel_sampler.h"
+#include "tracer/shading/finish.h"
+#include "tracer/shading/wave.h"
+#include "tracer/shapes/test_support.h"
+#include "tracer/textures/instruction_sets.h"
+
+namespace verisim::shading {
+namespace {
+
+class WaveKernel : public testing::TestWithParam<int> {
+ protected:
+  void SetUp() override {
+    kernels = wave_kernels(GetParam());
+    if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  }
+  Vec3 unit() {
+    std::normal_distribution<double> d;
+    return normalize(Vec3(d(random), d(random), d(random)));
+  }
+  const WaveKernels* kernels = nullptr;
+  std::mt19937 random{1};
+  std::unique_ptr<WaveLanes> lanes = std::make_unique<WaveLanes>();
+};
+
+TEST_P(WaveKernel, DirectionsAreThoseOfTheCamera) {
+  scene::Camera camera;
+  camera.direction = {0.1, 0.2, 1.3}, camera.right = {1.33, 0, 0.1}, camera.up = {0, 1, 0.01};
+  const render::CameraRays rays(camera, 641, 479);
+  kernels->directions({641, 479, camera.direction, camera.right, camera.up}, 613, 17, 28, *lanes);
+  for (int i = 0; i < 28; ++i) {
+    const Vec3 d = rays.at(613 + i, 17)->ray.direction;
+    EXPECT_EQ(lanes->direction.at(i), d * (1 / length(d))) << i;
+  }
+}
+
+TEST_P(WaveKernel, LightsAndHighlightsAreThoseOfTheFormulas) {
+  std::uniform_real_distribution<double> number(0, 1);
+  int uncertain = 0, checked = 0;
+  for (int round = 0; round < 2000; ++round) {
+    scene::Finish finish[WaveLanes::kMost];
+    for (int i = 0; i < WaveLanes::kMost; ++i) {
+      scene::Finish& f = finish[i];
+      const bool phong = i % 3 == 0;
+      (phong ? f.phong : f.specular) = static_cast<float>(number(random));
+      f.phong_size = static_cast<float>(std::exp(7 * number(random)));
+      f.roughness = i % 7 == 0 ? 0 : static_cast<float>(std::exp(-9 * number(random)));
+      const Vec3 n = unit();
+      Vec3 view = unit();
+      if (dot(n, view) > 0) view = -view;
+      lanes->normal.set(i, n), lanes->view.set(i, view), lanes->point.set(i, unit());
+      lanes->diffuse[i] = 0.7f, lanes->shines[i] = 1, lanes->phong[i] = phong;
+      lanes->amount[i] = phong ? f.phong : f.specular;
+      lanes->exponent[i] = phong ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
+      lanes->base_limit[i] = phong && f.phong_size >= 60 ? 0.0008 : 0;
+    }
+    const Vec3 position = unit() * 10;
+    kernels->aim(position, WaveLanes::kMost, *lanes);
+    kernels->face(WaveLanes::kMost, *lanes);
+    kernels->respond(true, true, WaveLanes::kMost, *lanes);
+    for (int i = 0; i < WaveLanes::kMost; ++i) {
+      const Vec3 n = lanes->normal.at(i), view = lanes->view.at(i), to = position - lanes->point.at(i), l = to / length(to);
+      ASSERT_EQ(lanes->towards.at(i), l);
+      ASSERT_EQ(lanes->distance[i], length(to));
+      ASSERT_EQ(lanes->cosine[i], dot(n, l));
+      ASSERT_EQ(lanes->scattered[i], static_cast<float>(0.7f * std::fabs(dot(n, l))));
+      const double strength = lanes->phong[i] != 0 ? phong_highlight(finish[i], n, view, l) : specular_highlight(finish[i], n, view, l);
+      uncertain += lanes->uncertain[i] != 0;
+      if (lanes->uncertain[i]) continue;
+      ++checked;
+      ASSERT_EQ(lanes->strength[i], static_cast<float>(strength)) << "exponent " << lanes->exponent[i];
+    }
+  }
+  EXPECT_LT(uncertain, checked / 500);
+}
+
+TEST_P(WaveKernel, NumbersThatAreNoneAreLeftToTheFormulas) {
+  for (int i = 0; i < WaveLanes::kMost; ++i) {
+    lanes->normal.set(i, Vec3(0, 1, 0)), lanes->view.set(i, Vec3(0, -1, 0)), lanes->towards.set(i, Vec3(std::nan("")));
+    lanes->amount[i] = lanes->shines[i] = lanes->exponent[i] = 1;
+  }
+  EXPECT_TRUE(kernels->respond(false, true, WaveLanes::kMost, *lanes));
+  EXPECT_NE(lanes->uncertain[0], 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, WaveKernel, testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+
+// A scene of all kinds of surfaces, lights and finishes that waves know, and some that they leave to others.
+scene::Scene mixed_scene() {
+  using shapes::testing::make;
+  scene::Scene scene;
+  scene.camera.location = {0, 1.5, -6};
+  for (int i = 0; i < 2; ++i) {
+    scene::LightSource light;
+    light.position = {i * 8.0 - 4, 6, -5};
+    light.color = Rgb(0.7f, 0.6f, 0.5f);
+    if (i == 1) light.fade_power = 2, light.fade_distance = 9;
+    scene.objects.push_back(make(scene::Boxed<scene::LightSource>(light)));
+  }
+  const auto add = [&](const auto& shape, const Color& color, const scene::Finish& finish) {
+    auto pigment = std::make_shared<scene::Pigment>();
+    pigment->color = color;
+    auto texture = std::make_shared<scene::Texture>();
+    texture->layers.push_back({pigment, nullptr, finish});
+    const auto object = make(shape);
+    object->texture = texture;
+    object->interior = std::make_shared<scene::Interior>();
+    scene.objects.push_back(object);
+  };
+  for (int i = 0; i < 12; ++i) {
+    scene::Finish finish;
+    if (i % 3 == 1) finish.phong = 0.8f, finish.phong_size = static_cast<float>(10 * i);
+    if (i % 3 == 2) finish.specular = 0.5f, finish.metallic = i > 6 ? 1.0f : 0.0f;
+    if (i == 4) finish.specular = 0.5f;  // both kinds of highlights
+    if (i == 6) finish.reflection.maximum = Rgb(0.4f);
+    if (i == 7) finish.diffuse_back = 0.5f;
+    if (i == 9) finish.brilliance = 3;
+    add(scene::Sphere{{i % 4 * 1.2 - 1.8, 0.4 + i / 4, 0.3 * (i % 3)}, 0.55}, Color(0.2f + 0.06f * static_cast<float>(i), 0.5f, 0.4f, 0, i == 8 ? 0.5f : 0.0f), finish);
+  }
+  add(scene::Plane{{0, 1, 0}, -0.5}, Color(0.6f, 0.6f, 0.5f), {});
+  return scene;
+}
+
+TEST(Wave, GivesTheColoursOfSingleRays) {
+  const scene::Scene scene = mixed_scene();
+  constexpr int kWidth = 83, kHeight = 61;
+  textures::Compiler compiler{textures::Settings{}};
+  const accel::World world(scene, compiler);
+  const SceneData data(scene, world, compiler, 9, false);
+  const render::CameraModel camera(scene.camera, kWidth, kHeight, compiler);
+  Tracer tracer(data, RandomSource(false, 0)), other(data, RandomSource(false, 0));
+  ASSERT_TRUE(Wave(tracer).usable());
+  render::PixelSampler together(camera, tracer), single(camera, other);
+  std::vector<Color> row(kWidth);
+  for (int y = 0; y < kHeight; ++y) {
+    together.row(0, y, kWidth, row.data());
+    for (int x = 0; x < kWidth; ++x) {
+      const Color expected = single(x, y);
+      ASSERT_TRUE(row[x] == expected) << x << ' ' << y;
+    }
+  }
+  EXPECT_EQ(tracer.statistics().shadow_rays, other.statistics().shadow_rays);
+  EXPECT_EQ(tracer.statistics().camera_rays, other.statistics().camera_rays);
+  EXPECT_EQ(tracer.statistics().samples, other.statistics().samples);
+}
+
+TEST(Wave, IsNotForScenesWithVolumesOrReplay) {
+  scene::Scene scene = mixed_scene();
+  textures::Compiler compiler{textures::Settings{}};
+  const accel::World world(scene, compiler);
+  SceneData data(scene, world, compiler, 9, false);
+  Tracer replay(data, RandomSource(true, 0));
+  EXPECT_FALSE(Wave(replay).usable());
+  data.fog = true;
+  Tracer fog(data, RandomSource(false, 0));
+  EXPECT_FALSE(Wave(fog).usable());
+}
+
+}  // namespace
+}  // namespace verisim::shading

@@ -121,7 +121,7 @@ const WorldEntry* CoherentRays::camera_row(double x, double y, int& count, Shaft
   if (camera_.kind == CameraCoherence::Kind::none || tile_worth_.paused()) return nullptr;
   // Positions are within a pixel of the picture, which has fewer than 2^30 pixels a side.
   const int column = static_cast<int>(x + (kTile + 0.5)) / kTile, row = static_cast<int>(y + (kTile + 0.5)) / kTile;
-  count = std::min(count, column * kTile - static_cast<int>(x + 0.5));
+  count = std::min(count, (column + 1) * kTile - static_cast<int>(x + (kTile + 0.5)));
   tile_worth_.used += static_cast<std::uint32_t>(count);
   bool known;
   Slot& slot = tiles_.find({{column, row, 0}, 0}, static_cast<std::size_t>(column % 8 + row % 8 * 8), known);

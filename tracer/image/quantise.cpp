@@ -78,11 +78,14 @@ Depth depth_of(const OutputOptions& options) {
   }
 }
 
+// Whether colours are told apart from how much they cover; `alpha`: the file has a channel for it.
+bool uses_alpha(const OutputOptions& options, bool alpha) { return alpha || options.format == Format::tga || options.format == Format::tga_rle; }
+
 // The samples of one pixel before encoding; alpha, if any, is the last and not gamma encoded.
 int samples_of(const Color& pixel, const OutputOptions& options, bool alpha, float* out) {
   Rgb color = pixel.rgb();
   float a = 1.0f - pixel.t;
-  if (alpha || options.format == Format::tga || options.format == Format::tga_rle) to_straight_alpha(color, a);
+  if (uses_alpha(options, alpha)) to_straight_alpha(color, a);
   int n = 0;
   if (options.greyscale) {
     out[n++] = color.grey();
@@ -114,7 +117,14 @@ Quantised quantise(const render::Framebuffer& framebuffer, const OutputOptions& 
   float samples[4];
   const int color_channels = options.greyscale ? 1 : 3;
   if (dither == Dither::none && depth.bits <= 8) {
-    const CodeTable color_codes(curve, max_value), alpha_codes(linear, max_value);
+    const CodeTable color_codes(curve, max_value);
+    if (!options.greyscale && !uses_alpha(options, alpha) && depth.bits == depth.file_bits) {  // most pictures: colours alone
+      std::uint16_t* sample = out.samples.data();
+      for (const Color& pixel : framebuffer.pixels)
+        for (const float v : {pixel.r, pixel.g, pixel.b}) *sample++ = static_cast<std::uint16_t>(color_codes(clamp01(v)));
+      return out;
+    }
+    const CodeTable alpha_codes(linear, max_value);
     for (const Color& pixel : framebuffer.pixels) {
       const int n = samples_of(pixel, options, alpha, samples);
       for (int c = 0; c < n; ++c) {

@@ -36,15 +36,25 @@ struct Compared {
 };
 Compared encode_for_comparison(const Color& c, const AntialiasSettings& settings);
 
+// Samples at (x, y), (x + 1, y) ...; together, if the sampler knows how.
+template <class Sampler>
+void sample_row(Sampler& sample, double x, double y, int count, Color* colors) {
+  if constexpr (requires { sample.row(x, y, count, colors); }) {
+    sample.row(x, y, count, colors);
+  } else {
+    for (int i = 0; i < count; ++i) colors[i] = sample(x + i, y);
+  }
+}
+// Samples may be taken in any order; if not, random numbers would be drawn in another one.
+template <class Sampler>
+bool any_order(const Sampler& sample) {
+  if constexpr (requires { sample.any_order(); }) return sample.any_order();
+  else return true;
+}
+
 template <class Sampler>
 void render_plain(const Block& block, Sampler&& sample, Framebuffer& out) {
-  for (int y = block.y; y < block.y + block.height; ++y) {
-    if constexpr (requires { sample.row(0, 0, 0, &out.at(0, 0)); }) {
-      sample.row(block.x, y, block.width, &out.at(block.x, y));
-    } else {
-      for (int x = block.x; x < block.x + block.width; ++x) out.at(x, y) = sample(x, y);
-    }
-  }
+  for (int y = block.y; y < block.y + block.height; ++y) sample_row(sample, block.x, y, block.width, &out.at(block.x, y));
 }
 
 // Method 1: pixels that differ from the one on the left or above are replaced by an average over a jittered grid.
@@ -58,10 +68,16 @@ class AdaptiveGrid {
     cells_.assign(static_cast<std::size_t>(stride_) * (block.height + 1), {});
     origin_x_ = block.x - 1, origin_y_ = block.y - 1;
     // The row above and the column on the left only serve as comparison.
-    for (int x = block.x; x < block.x + block.width; ++x) trace_centre(x, origin_y_, true);
+    trace_centres(block.x, origin_y_, block.width);
+    for (int x = block.x; x < block.x + block.width; ++x) cell(x, origin_y_).done = true;
+    const bool whole_rows = any_order(sample_);
     for (int y = block.y; y < block.y + block.height; ++y) {
-      trace_centre(origin_x_, y, true);
-      for (int x = block.x; x < block.x + block.width; ++x) refine(x, y);
+      trace_centres(origin_x_, y, whole_rows ? block.width + 1 : 1);
+      cell(origin_x_, y).done = true;
+      for (int x = block.x; x < block.x + block.width; ++x) {
+        if (!whole_rows) trace_centres(x, y, 1);
+        refine(x, y);
+      }
     }
     for (int y = block.y; y < block.y + block.height; ++y)
       for (int x = block.x; x < block.x + block.width; ++x) out.at(x, y) = cell(x, y).color;
@@ -77,14 +93,13 @@ class AdaptiveGrid {
 
   void set(Cell& c, const Color& color) { c.color = color, c.compared = encode_for_comparison(color, settings_); }
 
-  void trace_centre(int x, int y, bool done) {
-    Cell& c = cell(x, y);
-    set(c, sample_(static_cast<double>(x), static_cast<double>(y)));
-    c.done = done;
+  void trace_centres(int x, int y, int count) {
+    row_.resize(static_cast<std::size_t>(count));
+    sample_row(sample_, x, y, count, row_.data());
+    for (int i = 0; i < count; ++i) set(cell(x + i, y), row_[static_cast<std::size_t>(i)]);
   }
 
   void refine(int x, int y) {
-    trace_centre(x, y, false);
     const Cell &here = cell(x, y), &left = cell(x - 1, y), &top = cell(x, y - 1);
     const bool left_differs = here.compared.differs(left.compared, settings_.threshold);
     const bool top_differs = here.compared.differs(top.compared, settings_.threshold);
@@ -115,6 +130,7 @@ class AdaptiveGrid {
   Sampler& sample_;
   int stride_ = 0, origin_x_ = 0, origin_y_ = 0;
   std::vector<Cell> cells_;
+  std::vector<Color> row_;
 };
 
 // Method 2: pixels whose corners differ are divided into quadrants, recursively.
@@ -127,8 +143,11 @@ class RecursiveQuads {
   void render(const Block& block, Framebuffer& out) {
     const int stride = block.width + 1;
     corners_.resize(static_cast<std::size_t>(stride) * (block.height + 1));
-    for (int y = 0; y <= block.height; ++y)
-      for (int x = 0; x <= block.width; ++x) set(corners_[static_cast<std::size_t>(y) * stride + x], block.x + x - 0.5, block.y + y - 0.5);
+    row_.resize(static_cast<std::size_t>(stride));
+    for (int y = 0; y <= block.height; ++y) {
+      sample_row(sample_, block.x - 0.5, block.y + y - 0.5, stride, row_.data());
+      for (int x = 0; x <= block.width; ++x) set(corners_[static_cast<std::size_t>(y) * stride + x], row_[static_cast<std::size_t>(x)]);
+    }
     for (int y = 0; y < block.height; ++y) {
       for (int x = 0; x < block.width; ++x) {
         ++stamp_;
@@ -149,8 +168,8 @@ class RecursiveQuads {
     std::uint64_t stamp = 0;  // of the pixel it was traced for
   };
   Point& at(int i, int j) { return points_[static_cast<std::size_t>(j) * side_ + i]; }
-  void set(Point& p, double x, double y) {
-    p.color = sample_(x, y);
+  void set(Point& p, const Color& color) {
+    p.color = color;
     p.compared = encode_for_comparison(p.color, settings_);
     p.stamp = stamp_;
   }
@@ -161,7 +180,7 @@ class RecursiveQuads {
     const double step = 1.0 / (side_ - 1), x = pixel_x_ + i * step, y = pixel_y_ + j * step;
     const double scale = settings_.jitter / ((1 << settings_.depth) + 1);
     const Vec2 d = scale == 0 ? Vec2(0, 0) : jitter2(x, y) * scale;
-    set(p, x + d.x, y + d.y);
+    set(p, sample_(x + d.x, y + d.y));
   }
 
   // The quadrant with its top left corner at (i, j) of the pixel's grid.
@@ -186,6 +205,7 @@ class RecursiveQuads {
   double pixel_x_ = 0, pixel_y_ = 0;
   std::uint64_t stamp_ = 1;
   std::vector<Point> points_, corners_;
+  std::vector<Color> row_;
 };
 
 }  // namespace verisim::render

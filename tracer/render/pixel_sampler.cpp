@@ -73,7 +73,7 @@ Color PixelSampler::operator()(double x, double y) {
   return trace({primary->ray.origin, primary->ray.direction * (1 / length(primary->ray.direction))}, primary->image, entry);
 }
 
-void PixelSampler::row(int x, int y, int count, Color* colors) {
+void PixelSampler::row(double x, double y, int count, Color* colors) {
   if (!camera_.plain() || !wave_.usable()) {
     for (int i = 0; i < count; ++i) colors[i] = (*this)(x + i, y);
     return;
@@ -81,7 +81,7 @@ void PixelSampler::row(int x, int y, int count, Color* colors) {
   for (int done = 0; done < count; done += shading::Wave::kMost) wave(x + done, y, std::min(count - done, shading::Wave::kMost), colors + done);
 }
 
-void PixelSampler::wave(int x, int y, int count, Color* colors) {
+void PixelSampler::wave(double x, double y, int count, Color* colors) {
   tracer_.statistics().samples += static_cast<std::uint64_t>(count);
   camera_.rays.directions(x, y, count, wave_.lanes());
   const accel::WorldEntry* entries[shading::Wave::kMost];

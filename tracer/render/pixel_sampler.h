@@ -35,8 +35,8 @@ class PixelSampler {
   PixelSampler(const CameraModel& camera, shading::Tracer& tracer) : camera_(camera), tracer_(tracer), wave_(tracer) {}
   // (x, y): pixel position, centres at integers. A position without a ray is black with transmit 1.
   Color operator()(double x, double y);
-  // The colours of pixels (x, y), (x + 1, y) ...: the same as one by one, but faster.
-  void row(int x, int y, int count, Color* colors);
+  // The colours at (x, y), (x + 1, y) ...: the same as one by one, but faster.
+  void row(double x, double y, int count, Color* colors);
   // Samples may be asked for in any order; if not, random numbers would be drawn in another one.
   bool any_order() const { return !tracer_.random().replay(); }
 
@@ -44,7 +44,7 @@ class PixelSampler {
   Color mesh_sample(double x, double y);
   Color trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry = nullptr);
 
-  void wave(int x, int y, int count, Color* colors);
+  void wave(double x, double y, int count, Color* colors);
 
   const CameraModel& camera_;
   shading::Tracer& tracer_;

@@ -10,7 +10,7 @@ namespace verisim::shading {
 
 // One stretch of a row of the picture, as arrays. Kernels work on the first `count` lanes, rounded up to whole registers: what stands behind is any number.
 struct alignas(64) WaveLanes {
-  static constexpr int kMost = 32, kStep = 8;
+  static constexpr int kMost = 40, kStep = 8;  // the default block and the column beside it fit
   using Doubles = double[kMost];
   using Floats = float[kMost];
   struct Vectors {

@@ -120,7 +120,7 @@ int command_compare(const std::vector<std::string>& arguments) {
   own.value("--native-time-limit", run.native_time_limit, "Seconds for one render by verisim");
   own.value("--native", native, "Another program to be judged, a verisim or a POV-Ray; default: this one");
   own.value("--class", scene_class, "Judge all scenes as 'deterministic' or 'stochastic' in the place of what verisim finds in them");
-  own.value("--runs", run.runs, "Renders of a stochastic scene on each side; from 2 on Welch's test takes part in the verdict");
+  own.value("--runs", run.runs, "Renders of a stochastic scene on each side for Welch's test, 4 if not told otherwise; 1: no such test");
   own.flag("--no-explain", no_explain, "Do not look for what the wrong pixels of a scene that differs have in common");
   own.flag("--explain-all", run.always_blame, "Look for it in scenes that do not differ, too");
   own.flag("--color", color, "Colour the table also when it does not go to a terminal");

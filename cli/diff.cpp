@@ -1,6 +1,7 @@
 // `verisim diff`: how far one picture is from another.
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 
@@ -9,6 +10,8 @@
 #include "cli/commands.h"
 #include "cli/own_options.h"
 #include "compare/compare.h"
+
+namespace fs = std::filesystem;
 
 namespace verisim::cli {
 namespace {
@@ -29,6 +32,27 @@ compare::FitOptions fit_options(const std::string& crop, const std::vector<std::
   }
   return out;
 }
+
+// A line on the terminal when it takes longer than a moment.
+class Progress {
+ public:
+  void show(double done) {
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    if (!terminal_ || elapsed < 2 || elapsed < shown_ + 0.2) return;
+    shown_ = elapsed;
+    std::fprintf(stderr, "\r%.0f %%, about %.0f s left\x1b[K", 100 * done, elapsed / done - elapsed);
+  }
+  void end() {
+    if (shown_ > 0) std::fputs("\r\x1b[K", stderr);
+    shown_ = 0;
+  }
+  ~Progress() { end(); }
+
+ private:
+  const bool terminal_ = isatty(STDERR_FILENO) != 0;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double shown_ = 0;
+};
 
 }  // namespace
 
@@ -53,21 +77,26 @@ int command_diff(const std::vector<std::string>& arguments) {
   const std::vector<std::string> words = own.parse(arguments);
   if (words.size() != 2) throw OptionError("two pictures are needed: verisim diff REFERENCE PICTURE");
 
-  compare::Picture reference = image::read_picture(words[0]), test;
+  const compare::FitOptions wanted = fit_options(crop, fits);
+  compare::Picture reference, test;  // only when they are fitted: two files are measured without being held in memory
   compare::Metrics metrics;
   compare::Fit fit;
+  Progress progress;
+  metric.progress = [&](double done) { progress.show(done); };
   try {
-    compare::require_memory(static_cast<std::uint64_t>(reference.width) * static_cast<std::uint64_t>(reference.height), reference.channels);
-    test = image::read_picture(words[1]);
-    if (const compare::FitOptions wanted = fit_options(crop, fits); wanted.any()) {
+    if (wanted.any()) {
+      reference = image::read_picture(words[0]), test = image::read_picture(words[1]);
       compare::FittedPair pair = compare::fit_to_reference(reference, test, wanted);
       reference = std::move(pair.reference), test = std::move(pair.test), fit = pair.fit;
+      metrics = compare::measure(reference, test, metric);
+    } else {
+      metrics = compare::measure_files(words[0], words[1], metric);
     }
-    metrics = compare::measure(reference, test, metric);
   } catch (const compare::PictureMismatch& mismatch) {
     std::fprintf(stderr, "verisim diff: %s\n", mismatch.what());
     return kDifferent;
   }
+  progress.end();
   compare::Thresholds limits;
   for (const std::string& text : thresholds) {
     const std::size_t equals = text.find('=');
@@ -90,8 +119,8 @@ int command_diff(const std::vector<std::string>& arguments) {
   }
   if (json_to_stdout) std::printf("%s\n", compare::metrics_json(metrics).c_str());
   else if (!json.empty()) compare::write_report(compare::metrics_json(metrics), json);
-  if (!html.empty()) compare::write_report(compare::html_report(compare::run_of_pair(words[0], words[1], metric)), html);
-  if (!heat_map.empty()) compare::write_heat_map(reference, test, heat_map, gain);
+  if (!html.empty()) compare::write_report(compare::html_report(compare::run_of_pair(words[0], words[1], metrics)), html);
+  if (!heat_map.empty()) wanted.any() ? compare::write_heat_map(reference, test, heat_map, gain) : compare::write_heat_map(fs::path(words[0]), fs::path(words[1]), heat_map, gain);
   return verdict.status == compare::Status::exact || verdict.status == compare::Status::match ? kOk : kDifferent;
 }
 

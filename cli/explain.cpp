@@ -124,7 +124,7 @@ std::string oracle_pixel(const fs::path& scene, const Options& options, std::vec
     switches.insert(switches.end(), {"-A", fmt::format("+SC{}", x + 1), fmt::format("+SR{}", y + 1), x == 0 ? fmt::format("+EC{:.9f}", 1.5 / options.width) : fmt::format("+EC{}", x + 1),
                                      y == 0 ? fmt::format("+ER{:.9f}", 1.5 / options.height) : fmt::format("+ER{}", y + 1)});
     request.switches = switches;
-    const compare::OracleRender render = compare::run_oracle(program, oracle, request, 1, files);
+    const compare::OracleRender render = compare::run_oracle(program, oracle, request, 0, files);
     if (!render.ok) return "POV-Ray failed: " + render.message;
     const std::size_t at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(render.picture.width) + static_cast<std::size_t>(x)) * static_cast<std::size_t>(render.picture.channels);
     const auto value = [&](std::size_t c) { return static_cast<int>(render.picture.samples[at + (render.picture.channels >= 3 ? c : 0)] * 255 + 0.5f); };

@@ -32,6 +32,12 @@ namespace verisim::compare {
 
 // ---- what to compare -------------------------------------------------------------------------------------------------------------------------------------------------
 
+// One of several renders of a scene whose weighted sum is the picture: a band of wavelengths, say.
+struct Pass {
+  std::vector<std::string> switches;          // beside those of the scene
+  std::array<std::array<double, 3>, 3> matrix{};  // linear values of the render's channels to linear sRGB
+};
+
 struct SceneRequest {
   std::string name;                           // unique in a run, shown in reports: "lights/shadow.pov"
   std::filesystem::path scene;                // absolute
@@ -41,6 +47,7 @@ struct SceneRequest {
   bool alpha() const;                         // +UA
   std::optional<SceneClass> scene_class;      // empty: by the features the native side reports
   Thresholds thresholds;                      // empty: the rules of docs/comparison.md
+  std::vector<Pass> passes;                   // empty: one render is the picture. Else they are rendered with linear values (OpenEXR) and summed to a picture of 16 bits
   std::vector<std::string> tags;
   std::optional<std::filesystem::path> reference;  // a stored picture in the place of the oracle
   FitOptions fit;                             // of a stored picture: a photograph
@@ -120,7 +127,7 @@ struct OracleOptions {
   std::filesystem::path cache;                // empty: $XDG_CACHE_HOME/verisim/oracle or ~/.cache/verisim/oracle
   bool use_cache = true;
   std::vector<std::filesystem::path> library_paths;  // empty: discovered (the system's povray.ini, known prefixes)
-  int threads = 1;                            // +WT of the first run; the second run of a stochastic scene uses threads + 1
+  int threads = 1;                            // +WT of the first run; others of a stochastic scene take more
   double time_limit = 600;                    // seconds of wall time for one render
 };
 
@@ -146,12 +153,14 @@ struct OracleRender {
   std::uint64_t peak_bytes = 0;
   bool from_cache = false;
 };
-// POV-Ray in the place of our renderer: another version of it, or itself, to measure how often the verdict is wrong. Run i takes first_threads + 2 i threads, so that with
-// the default no run has as many as one of the reference's.
-NativeRenderer povray_renderer(const OracleProgram& program, const OracleOptions& options, int first_threads = 2);
+// POV-Ray in the place of our renderer: another version of it, or itself, to measure how often the verdict is wrong. Run i is variant 2 i + 1, which no run of the
+// reference is.
+NativeRenderer povray_renderer(const OracleProgram& program, const OracleOptions& options);
 
-// Never throws. files_read: what the native side read, as paths of the original files; empty: every file of the scene's folder counts.
-OracleRender run_oracle(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, int threads,
+// Never throws. files_read: what the native side read, as paths of the original files; empty: every file of the scene's folder counts. variant: 0 is the reference. Each
+// other one takes a thread more than the one before, and another order of the blocks (+RP, +RS; never their size, which would change the anti-aliasing), so that random
+// numbers fall on other pixels; nothing else changes in the picture. Run i of several is variant 2 i.
+OracleRender run_oracle(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, int variant,
                         const std::vector<std::filesystem::path>& files_read, std::atomic<bool>* cancel = nullptr);
 
 // ---- a run -----------------------------------------------------------------------------------------------------------------------------------------------------------
@@ -212,7 +221,7 @@ struct RunOptions {
   int native_threads = 0;                     // 0: the cores divided by jobs
   double native_time_limit = 0;
   bool replay = false;                        // both serial: stochastic scenes are judged like any other
-  int runs = 1;                               // of a stochastic scene on each side; from 2 on Welch's test takes part in the verdict
+  int runs = 4;                               // of a stochastic scene on each side, for Welch's test; 1: the low-pass comparison alone
   std::filesystem::path work;                 // results and pictures, kept: a run that was broken off goes on here. Empty: a temporary folder, removed with the Run
   bool resume = false;
   std::filesystem::path baseline;             // stored pictures in the place of the oracle
@@ -242,11 +251,14 @@ std::string markdown_report(const Run& run);
 std::string github_annotations(const Run& run);
 std::string junit_report(const Run& run);
 std::string html_report(const Run& run);
-// One pair of pictures as a run, for `verisim diff A B --html`. Throws PictureMismatch, or std::runtime_error when a picture cannot be read.
-Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test, const MetricOptions& options = {});
+// One pair of pictures, which have been measured, as a run, for `verisim diff A B --html`. Of more than 16 million pixels no suspects are looked for, and the report shows
+// them reduced. Throws std::runtime_error when a picture cannot be read.
+Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test, const Metrics& metrics);
+Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test, const MetricOptions& options = {});  // measures them. Throws PictureMismatch, too
 void write_report(const std::string& text, const std::filesystem::path& path);
 // 8-bit PNG: absolute differences times `gain` as a heat map.
 void write_heat_map(const Picture& reference, const Picture& test, const std::filesystem::path& path, double gain = 16);
+void write_heat_map(const std::filesystem::path& reference, const std::filesystem::path& test, const std::filesystem::path& path, double gain = 16);  // row by row
 
 // ---- bench: both programs as whole processes, in turn ----------------------------------------------------------------------------------------------------------------
 

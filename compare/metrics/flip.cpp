@@ -1,11 +1,11 @@
 // FLIP imitates a person who flips between two pictures. Two pipelines meet in every pixel:
 //   colour:  YCxCz -> contrast sensitivity filters -> L*a*b* with Hunt's adjustment -> HyAB distance, redistributed to 0..1
 //   feature: luminance -> edge and point detectors -> difference of their magnitudes
-// and the error is colour^(1 - feature). All filters are separable, so a picture is worked on in bands of rows with a margin of the filter's radius.
+// and the error is colour^(1 - feature). All filters are separable, and a picture is worked on in tiles with a margin of the filters' radius: the values do not depend on how it is cut.
 #include "compare/metrics/flip.h"
 
-
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <numbers>
 #include <numeric>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kQc = 0.7, kPc = 0.4, kPt = 0.95;         // colour: exponent and redistribution (section 4.1.3)
 constexpr double kQf = 0.5, kFeatureWidth = 0.082;         // feature: exponent, width of the detector in degrees (section 4.2)
-constexpr int kBandRows = 64;
+constexpr int kTileWidth = 256, kTileRows = 64;
 
 // Linear sRGB to CIE XYZ with D65; the rationals are those that follow from the primaries.
 constexpr double kXyz[3][3] = {{10135552.0 / 24577794.0, 8788810.0 / 24577794.0, 4435075.0 / 24577794.0},
@@ -141,19 +141,17 @@ struct Plane {
   const double* row(int y) const { return v.data() + static_cast<std::size_t>(y) * width; }
 };
 
-// Along rows, the border pixel repeated outwards.
-Plane filter_rows(const Plane& in, const Kernel& k) {
-  const int r = static_cast<int>(k.size() / 2), w = in.width;
+// Along rows, from a plane that has `margin` more columns on both sides.
+Plane filter_rows(const Plane& in, const Kernel& k, int margin) {
+  const int r = static_cast<int>(k.size() / 2), w = in.width - 2 * margin;
   Plane out(w, in.rows);
-  std::vector<double> padded(static_cast<std::size_t>(w) + 2 * r);
   for (int y = 0; y < in.rows; ++y) {
-    const double* from = in.row(y);
-    std::fill_n(padded.begin(), r, from[0]);
-    std::copy_n(from, w, padded.begin() + r);
-    std::fill_n(padded.end() - r, r, from[w - 1]);
     double* to = out.row(y);
-    for (std::size_t i = 0; i < k.size(); ++i)
-      for (int x = 0; x < w; ++x) to[x] += k[i] * padded[x + i];
+    for (std::size_t i = 0; i < k.size(); ++i) {
+      const double* from = in.row(y) + margin - r + static_cast<int>(i);
+      const double weight = k[i];
+      for (int x = 0; x < w; ++x) to[x] += weight * from[x];
+    }
   }
   return out;
 }
@@ -172,31 +170,41 @@ Plane filter_columns(const Plane& in, const Kernel& k, int margin) {
   return out;
 }
 
-Plane filter(const Plane& in, const Kernel& across, const Kernel& down, int margin) { return filter_columns(filter_rows(in, across), down, margin); }
+Plane filter(const Plane& in, const Kernel& across, const Kernel& down, int margin) { return filter_columns(filter_rows(in, across, margin), down, margin); }
 
 using PixelSource = std::function<Rgb(int x, int y)>;  // linear light, 0..1
 
-// What one picture contributes to a band of rows.
+struct Tile {
+  int x, y, width, rows;
+};
+
+// The colours of a tile and of a margin around it; the pixels of the picture's border are repeated outwards.
+std::vector<Rgb> colors(const PixelSource& source, int width, int height, const Tile& tile, int margin) {
+  std::vector<Rgb> out;
+  out.reserve(static_cast<std::size_t>(tile.width + 2 * margin) * static_cast<std::size_t>(tile.rows + 2 * margin));
+  for (int y = tile.y - margin; y < tile.y + tile.rows + margin; ++y)
+    for (int x = tile.x - margin; x < tile.x + tile.width + margin; ++x) out.push_back(source(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1)));
+  return out;
+}
+
+// What one picture contributes to a tile.
 struct Seen {
   Plane lightness, a, b;            // after the contrast filters, L*a*b* with Hunt's adjustment
   Plane edges, points;              // magnitudes of the feature vectors
 };
 
-Seen look(const PixelSource& source, int width, int height, int first_row, int rows, const Kernels& k) {
+Seen look(const std::vector<Rgb>& pixels, const Tile& tile, const Kernels& k) {
   const int margin = k.radius();
-  Plane y(width, rows + 2 * margin), cx = y, cz = y, luminance = y;
-  for (int row = 0; row < y.rows; ++row) {
-    const int from = std::clamp(first_row + row - margin, 0, height - 1);
-    for (int x = 0; x < width; ++x) {
-      const Rgb c = linear_to_ycxcz(source(x, from));
-      y.row(row)[x] = c[0], cx.row(row)[x] = c[1], cz.row(row)[x] = c[2];
-      luminance.row(row)[x] = (c[0] + 16) / 116;
-    }
+  Plane y(tile.width + 2 * margin, tile.rows + 2 * margin), cx = y, cz = y, luminance = y;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const Rgb c = linear_to_ycxcz(pixels[i]);
+    y.v[i] = c[0], cx.v[i] = c[1], cz.v[i] = c[2];
+    luminance.v[i] = (c[0] + 16) / 116;
   }
   Seen out{filter(y, k.y, k.y, margin), filter(cx, k.cx, k.cx, margin), filter(cz, k.cz1, k.cz1, margin),
            filter(luminance, k.edge, k.smooth, margin), filter(luminance, k.point, k.smooth, margin)};
-  const Plane cz2 = filter(cz, k.cz2, k.cz2, margin);
-  const Plane edges_down = filter(luminance, k.smooth, k.edge, margin), points_down = filter(luminance, k.smooth, k.point, margin);
+  const Plane cz2 = filter(cz, k.cz2, k.cz2, margin), smooth = filter_rows(luminance, k.smooth, margin);
+  const Plane edges_down = filter_columns(smooth, k.edge, margin), points_down = filter_columns(smooth, k.point, margin);
   for (std::size_t i = 0; i < out.a.v.size(); ++i) {
     Rgb linear = ycxcz_to_linear({out.lightness.v[i], out.a.v[i], k.cz1_weight * out.b.v[i] + k.cz2_weight * cz2.v[i]});
     for (double& v : linear) v = std::clamp(v, 0.0, 1.0);
@@ -216,27 +224,49 @@ double redistribute(double error, double largest) {
   return error < knee ? kPt / knee * error : kPt + (error - knee) / (largest - knee) * (1 - kPt);
 }
 
-void flip_band(const Seen& reference, const Seen& test, float* out) {
+// One error per pixel of the tile; a row of `out` is `stride` long.
+void flip_tile(const Seen& reference, const Seen& test, float* out, int stride) {
   const double largest = largest_difference();
-  for (std::size_t i = 0; i < reference.a.v.size(); ++i) {
-    const double distance = hyab({reference.lightness.v[i], reference.a.v[i], reference.b.v[i]}, {test.lightness.v[i], test.a.v[i], test.b.v[i]});
-    const double color = redistribute(std::pow(distance, kQc), largest);
-    const double feature = std::max(std::fabs(reference.edges.v[i] - test.edges.v[i]), std::fabs(reference.points.v[i] - test.points.v[i]));
-    out[i] = static_cast<float>(std::pow(color, 1 - std::pow(feature / std::numbers::sqrt2, kQf)));
-  }
+  for (int y = 0; y < reference.a.rows; ++y)
+    for (int x = 0; x < reference.a.width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(reference.a.width) + static_cast<std::size_t>(x);
+      const double distance = hyab({reference.lightness.v[i], reference.a.v[i], reference.b.v[i]}, {test.lightness.v[i], test.a.v[i], test.b.v[i]});
+      const double color = redistribute(std::pow(distance, kQc), largest);
+      const double feature = std::max(std::fabs(reference.edges.v[i] - test.edges.v[i]), std::fabs(reference.points.v[i] - test.points.v[i]));
+      out[static_cast<std::ptrdiff_t>(y) * stride + x] = static_cast<float>(std::pow(color, 1 - std::pow(feature / std::numbers::sqrt2, kQf)));
+    }
 }
 
-std::vector<float> flip(const PixelSource& reference, const PixelSource& test, int width, int height, double ppd) {
-  if (!(ppd > 0) || ppd > 10000) throw std::invalid_argument("FLIP: the number of pixels per degree must be positive");
-  const Kernels kernels(ppd);
-  std::vector<float> out(static_cast<std::size_t>(width) * height);
-  const int bands = (height + kBandRows - 1) / kBandRows;
-  parallel_for(static_cast<std::size_t>(bands), 1, [&](std::size_t band) {
-    const int first = static_cast<int>(band) * kBandRows, rows = std::min(kBandRows, height - first);
-    flip_band(look(reference, width, height, first, rows, kernels), look(test, width, height, first, rows, kernels),
-              out.data() + static_cast<std::size_t>(first) * width);
+// The rows from begin to end, one after the other in `out`.
+void flip(const PixelSource& reference, const PixelSource& test, int width, int height, int begin, int end, const Kernels& kernels, float* out) {
+  const int across = (width + kTileWidth - 1) / kTileWidth, down = (end - begin + kTileRows - 1) / kTileRows;
+  parallel_for(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), 1, [&](std::size_t i) {
+    Tile tile{static_cast<int>(i) % across * kTileWidth, begin + static_cast<int>(i) / across * kTileRows, 0, 0};
+    tile.width = std::min(kTileWidth, width - tile.x), tile.rows = std::min(kTileRows, end - tile.y);
+    const std::vector<Rgb> a = colors(reference, width, height, tile, kernels.radius()), b = colors(test, width, height, tile, kernels.radius());
+    float* to = out + static_cast<std::ptrdiff_t>(tile.y - begin) * width + tile.x;
+    if (a != b) return flip_tile(look(a, tile, kernels), look(b, tile, kernels), to, width);
+    for (int y = 0; y < tile.rows; ++y) std::fill_n(to + static_cast<std::ptrdiff_t>(y) * width, tile.width, 0.0f);  // what is equal looks equal
   });
-  return out;
+}
+
+// Decodes the sRGB curve; of values in whole steps of 1/255 by a table.
+double decoded(double v) {
+  static const std::array<double, 256> kTable = [] {
+    std::array<double, 256> table{};
+    for (std::size_t i = 0; i < table.size(); ++i) table[i] = srgb_to_linear(static_cast<double>(i) / 255);
+    return table;
+  }();
+  const auto whole = static_cast<std::size_t>(std::clamp(v, 0.0, 255.0));
+  return static_cast<double>(whole) == v ? kTable[whole] : srgb_to_linear(v / 255);
+}
+
+PixelSource srgb_source(const Values& values) {
+  return [&values](int x, int y) {
+    Rgb c = values.rgb(x, y);
+    for (double& v : c) v = decoded(v);
+    return c;
+  };
 }
 
 // Narkowicz's fit of the ACES curve with its exposure of 0.6 folded in: (k0 x^2 + k1 x) / (k3 x^2 + k4 x + k5).
@@ -252,17 +282,45 @@ double pixels_per_degree(double distance_m, double screen_pixels, double screen_
   return distance_m * (screen_pixels / screen_width_m) * (std::numbers::pi / 180);
 }
 
+struct Flip::State {
+  Kernels kernels;
+};
+
+Flip::Flip(double ppd) {
+  if (!(ppd > 0) || ppd > 10000) throw std::invalid_argument("FLIP: the number of pixels per degree must be positive");
+  state_ = std::make_unique<State>(State{Kernels(ppd)});
+}
+Flip::~Flip() = default;
+int Flip::margin() const { return state_->kernels.radius(); }
+
+void Flip::ldr(const Values& reference, const Values& test, int begin, int end, float* out) const {
+  flip(srgb_source(reference), srgb_source(test), reference.width(), reference.height(), begin, end, state_->kernels, out);
+}
+
+void Flip::hdr(const Values& reference, const Values& test, const Exposures& exposures, int begin, int end, float* out) const {
+  const std::size_t pixels = static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(reference.width());
+  std::vector<float> error(pixels);
+  std::fill_n(out, pixels, 0.0f);
+  for (int i = 0; i < exposures.count; ++i) {
+    const double stops = exposures.start + i * (exposures.stop - exposures.start) / std::max(1, exposures.count - 1), gain = std::exp2(stops);
+    const auto exposed = [gain](const Values& values) {
+      return [&values, gain](int x, int y) {
+        Rgb c = values.linear_float(x, y);
+        for (double& v : c) v = aces(gain * std::max(v, 0.0));
+        return c;
+      };
+    };
+    flip(exposed(reference), exposed(test), reference.width(), reference.height(), begin, end, state_->kernels, error.data());
+    for (std::size_t p = 0; p < pixels; ++p) out[p] = std::max(out[p], error[p]);
+  }
+}
+
 std::vector<float> ldr_flip(const Picture& reference, const Picture& test, double ppd) {
   require_same_size(reference, test);
   const Values a(reference), b(test);
-  const auto linear = [](const Values& values) {
-    return [&values](int x, int y) {
-      Rgb c = values.rgb(x, y);
-      for (double& v : c) v = srgb_to_linear(v / 255);
-      return c;
-    };
-  };
-  return flip(linear(a), linear(b), a.width(), a.height(), ppd);
+  std::vector<float> out(static_cast<std::size_t>(a.width()) * static_cast<std::size_t>(a.height()));
+  Flip(ppd).ldr(a, b, 0, a.height(), out.data());
+  return out;
 }
 
 Exposures hdr_flip_exposures(const Picture& reference) {
@@ -293,20 +351,9 @@ std::vector<float> hdr_flip(const Picture& reference, const Picture& test, doubl
 std::vector<float> hdr_flip(const Picture& reference, const Picture& test, double ppd, const Exposures& exposures) {
   require_same_size(reference, test);
   const Values a(reference), b(test);
-  std::vector<float> worst(static_cast<std::size_t>(a.width()) * a.height());
-  for (int i = 0; i < exposures.count; ++i) {
-    const double stops = exposures.start + i * (exposures.stop - exposures.start) / std::max(1, exposures.count - 1), gain = std::exp2(stops);
-    const auto exposed = [gain](const Values& values) {
-      return [&values, gain](int x, int y) {
-        Rgb c = values.linear_float(x, y);
-        for (double& v : c) v = aces(gain * std::max(v, 0.0));
-        return c;
-      };
-    };
-    const std::vector<float> error = flip(exposed(a), exposed(b), a.width(), a.height(), ppd);
-    for (std::size_t p = 0; p < worst.size(); ++p) worst[p] = std::max(worst[p], error[p]);
-  }
-  return worst;
+  std::vector<float> out(static_cast<std::size_t>(a.width()) * static_cast<std::size_t>(a.height()));
+  Flip(ppd).hdr(a, b, exposures, 0, a.height(), out.data());
+  return out;
 }
 
 double mean(const std::vector<float>& values) {

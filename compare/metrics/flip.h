@@ -2,9 +2,10 @@
 // Images", Eurographics 2021).
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "compare/metrics/metrics.h"
+#include "compare/metrics/values.h"
 
 namespace verisim::compare {
 
@@ -25,6 +26,21 @@ Exposures hdr_flip_exposures(const Picture& reference);
 // Pictures of linear floats. The largest LDR-FLIP error over the exposures, per pixel.
 std::vector<float> hdr_flip(const Picture& reference, const Picture& test, double pixels_per_degree = kDefaultPixelsPerDegree);
 std::vector<float> hdr_flip(const Picture& reference, const Picture& test, double pixels_per_degree, const Exposures& exposures);
+
+// FLIP of some rows of a picture at a time; the values do not depend on which.
+class Flip {
+ public:
+  explicit Flip(double pixels_per_degree);  // throws std::invalid_argument unless it is positive
+  ~Flip();
+  int margin() const;  // rows above and below that the rows in question depend on
+  // The rows from begin to end, one after the other in `out`.
+  void ldr(const Values& reference, const Values& test, int begin, int end, float* out) const;
+  void hdr(const Values& reference, const Values& test, const Exposures& exposures, int begin, int end, float* out) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 double mean(const std::vector<float>& values);
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
+#include <random>
 
 #include "compare/metrics/test_pictures.h"
 #include "compare/metrics/values.h"
@@ -163,18 +165,35 @@ class Plain {
   double ppd_;
 };
 
+void expect_the_papers_formulas(const Picture& a, const Picture& b, const std::vector<double>& viewers) {
+  for (double ppd : viewers) {
+    if (ppd > 70 && a.height > 40) continue;  // square kernels are slow
+    const std::vector<double> expected = Plain(ppd).errors(a, b);
+    const std::vector<float> got = ldr_flip(a, b, ppd);
+    ASSERT_EQ(expected.size(), got.size());
+    for (std::size_t i = 0; i < got.size(); ++i) ASSERT_NEAR(got[i], expected[i], 2e-6) << "pixel " << i << " of " << a.width << "x" << a.height << " at " << ppd << " pixels per degree";
+  }
+}
+
 TEST(Flip, EqualsThePapersFormulasAtSeveralViewingDistances) {
   const std::pair<Picture, Picture> pairs[] = {{scene_like_picture(31, 23), changed(scene_like_picture(31, 23), [](double v) { return std::min(255.0, v + 9); })},
                                                {random_picture(17, 70, 3), random_picture(17, 70, 4)},  // more rows than one band
                                                {scene_like_picture(24, 24), random_picture(24, 24, 5)}};
-  for (const auto& [a, b] : pairs)
-    for (double ppd : {4.0, 20.0, 67.0206, 90.5}) {
-      if (ppd > 70 && a.height > 40) continue;  // square kernels are slow
-      const std::vector<double> expected = Plain(ppd).errors(a, b);
-      const std::vector<float> got = ldr_flip(a, b, ppd);
-      ASSERT_EQ(expected.size(), got.size());
-      for (std::size_t i = 0; i < got.size(); ++i) ASSERT_NEAR(got[i], expected[i], 2e-6) << "pixel " << i << " at " << ppd << " pixels per degree";
-    }
+  for (const auto& [a, b] : pairs) expect_the_papers_formulas(a, b, {4.0, 20.0, 67.0206, 90.5});
+}
+
+// Everything is border here.
+TEST(Flip, EqualsThePapersFormulasOnPicturesSmallerThanTheKernels) {
+  for (const auto& [w, h] : {std::pair(1, 1), std::pair(2, 1), std::pair(1, 9), std::pair(3, 5), std::pair(13, 2)})
+    expect_the_papers_formulas(random_picture(w, h, 6), random_picture(w, h, 7), {1.0, 30.0, 67.0206, 120.0});
+}
+
+TEST(Flip, EqualsThePapersFormulasOnSixteenBitPictures) {
+  Picture a = random_picture(20, 14, 8), b = random_picture(20, 14, 9);
+  a.bits = b.bits = 16;
+  for (Picture* p : {&a, &b})
+    for (float& v : p->samples) v = static_cast<float>(std::floor(65535 * std::fmod(7.31 * static_cast<double>(v) + 0.01, 1.0)) / 65535);
+  expect_the_papers_formulas(a, b, {15.0, 67.0206});
 }
 
 Picture float_picture(Picture p, double scale) {
@@ -219,6 +238,43 @@ TEST(HdrFlip, OfOneExposureIsLdrFlipOfToneMappedPictures) {
   const std::vector<float> expected_1 = ldr_flip(mapped(a, -1), mapped(b, -1)), expected_2 = ldr_flip(mapped(a, 2), mapped(b, 2));
   const std::vector<float> got = hdr_flip(a, b, kDefaultPixelsPerDegree, {-1, 2, 2});
   for (std::size_t i = 0; i < got.size(); ++i) EXPECT_NEAR(got[i], std::max(expected_1[i], expected_2[i]), 1e-5);
+}
+
+// The whole of HDR-FLIP a second time: exposures by bisection, the plain pipeline on tone-mapped pictures, the largest error of each pixel.
+TEST(HdrFlip, EqualsThePapersFormulas) {
+  const auto aces = [](double x) {
+    x *= 0.6;
+    return std::clamp((2.51 * x * x + 0.03 * x) / (2.43 * x * x + 0.59 * x + 0.14), 0.0, 1.0);
+  };
+  double low = 0, high = 100;
+  for (int i = 0; i < 200; ++i) (aces(0.5 * (low + high)) < 0.85 ? low : high) = 0.5 * (low + high);
+  std::mt19937 random(11);
+  std::normal_distribution<double> stops(0, 2.5);
+  for (const auto& [w, h] : {std::pair(23, 17), std::pair(4, 3), std::pair(1, 1)}) {
+    Picture a = float_picture(random_picture(w, h, 3), 1), b = a;
+    for (float& v : a.samples) v = static_cast<float>(std::exp2(stops(random)));
+    for (std::size_t i = 0; i < b.samples.size(); ++i) b.samples[i] = static_cast<float>(a.samples[i] * std::exp2(0.1 * stops(random)));
+    std::vector<double> luminance;
+    for (std::size_t i = 0; i < a.samples.size(); i += 3) luminance.push_back(0.2126 * a.samples[i] + 0.7152 * a.samples[i + 1] + 0.0722 * a.samples[i + 2]);
+    std::sort(luminance.begin(), luminance.end());
+    const double start = std::log2(low / luminance.back()), stop = std::log2(low / luminance[(luminance.size() - 1) / 2]);
+    const int count = std::max(2, static_cast<int>(std::ceil(stop - start)));
+    for (double ppd : {12.0, 67.0206}) {
+      std::vector<double> expected(luminance.size());
+      for (int i = 0; i < count; ++i) {
+        const double gain = std::exp2(start + i * (stop - start) / (count - 1));
+        const auto mapped = [&](const Picture& p) {
+          Picture out = p;
+          for (float& v : out.samples) v = static_cast<float>(linear_to_srgb(aces(gain * v)));
+          return out;
+        };
+        const std::vector<double> error = Plain(ppd).errors(mapped(a), mapped(b));
+        for (std::size_t p = 0; p < error.size(); ++p) expected[p] = std::max(expected[p], error[p]);
+      }
+      const std::vector<float> got = hdr_flip(a, b, ppd);
+      for (std::size_t p = 0; p < got.size(); ++p) ASSERT_NEAR(got[p], expected[p], 2e-5) << "pixel " << p << " of " << w << "x" << h << " at " << ppd;
+    }
+  }
 }
 
 TEST(HdrFlip, SurvivesBlackNegativeAndInfinitePixels) {

@@ -9,8 +9,10 @@
 #include "compare/metrics/edges.h"
 #include "compare/metrics/flip.h"
 #include "compare/metrics/metrics.h"
+#include "compare/metrics/row_window.h"
 #include "compare/metrics/ssim.h"
 #include "compare/metrics/values.h"
+#include "tracer/parallel.h"
 
 namespace verisim::compare {
 namespace {
@@ -22,6 +24,7 @@ struct Sum {
   double squares = 0;
   std::uint64_t count = 0;
   void add(double d) { squares += d * d, ++count; }
+  void add(const Sum& other) { squares += other.squares, count += other.count; }
   std::optional<double> rms() const { return count ? std::optional(std::sqrt(squares / static_cast<double>(count))) : std::nullopt; }
 };
 
@@ -42,18 +45,23 @@ class ColorDifferences {
 
  private:
   static constexpr double kBin = 0.001, kBins = 200000;
-  std::vector<std::uint32_t> bins_ = std::vector<std::uint32_t>(static_cast<std::size_t>(kBins));
+  std::vector<std::uint64_t> bins_ = std::vector<std::uint64_t>(static_cast<std::size_t>(kBins));
   double sum_ = 0;
   std::uint64_t count_ = 0;
 };
+
+std::array<double, 4> rgba(const Values& v, int x, int y) {
+  const Rgb c = v.rgb(x, y);
+  return {c[0], c[1], c[2], v.alpha(x, y)};
+}
 
 // Keeps the largest differences that lie apart from each other.
 class WorstPixels {
  public:
   explicit WorstPixels(int wanted) : wanted_(static_cast<std::size_t>(std::max(0, wanted))) {}
-  void add(int x, int y, double error) {
+  void add(const Values& a, const Values& b, int x, int y, double error) {
     if (wanted_ == 0 || error <= 0.5 || (candidates_.size() >= kMany && error <= floor_)) return;
-    candidates_.push_back({x, y, error, {}, {}});
+    candidates_.push_back({x, y, error, rgba(a, x, y), rgba(b, x, y)});
     if (candidates_.size() >= 2 * kMany) trim();
   }
   std::vector<WorstPixel> take() {
@@ -78,10 +86,127 @@ class WorstPixels {
   std::vector<WorstPixel> candidates_;
 };
 
-std::array<double, 4> rgba(const Values& v, int x, int y) {
-  const Rgb c = v.rgb(x, y);
-  return {c[0], c[1], c[2], v.alpha(x, y)};
+// What one row adds; rows are worked on by several threads and added in their order, so that sums do not depend on threads.
+struct RowFigures {
+  double absolute = 0, signed_sum = 0, max_abs = 0, alpha_max = 0;
+  std::uint64_t edge_count = 0, nan_pixels = 0, within_1 = 0, within_2 = 0;
+  Sum all, edge, interior, alpha;
+  std::vector<double> color;   // CIEDE2000; negative: not a number
+  std::vector<float> largest;  // difference of the channels
+};
+
+RowFigures row_figures(const Values& a, const Values& b, int y, const unsigned char* edges, bool alpha) {
+  RowFigures out;
+  const auto width = static_cast<std::size_t>(a.width());
+  out.color.assign(width, -1), out.largest.assign(width, 0);
+  for (std::size_t i = 0; i < width; ++i) {
+    const int x = static_cast<int>(i);
+    out.edge_count += edges[i];
+    if (!a.finite(x, y) || !b.finite(x, y)) {
+      ++out.nan_pixels;
+      continue;
+    }
+    const Rgb p = a.rgb(x, y), q = b.rgb(x, y);
+    double largest = 0;
+    for (int c = 0; c < 3; ++c) {
+      const double d = q[c] - p[c];
+      largest = std::max(largest, std::fabs(d));
+      out.absolute += std::fabs(d), out.signed_sum += d;
+      out.all.add(d);
+      (edges[i] ? out.edge : out.interior).add(d);
+    }
+    out.max_abs = std::max(out.max_abs, largest);
+    out.color[i] = largest > 0 ? ciede2000(srgb_to_lab(p), srgb_to_lab(q)) : 0;
+    if (alpha) {
+      const double d = std::fabs(b.alpha(x, y) - a.alpha(x, y));
+      out.alpha_max = std::max(out.alpha_max, d);
+      out.alpha.add(d);
+      largest = std::max(largest, d);
+    }
+    out.within_1 += largest <= 1 + kRounding;
+    out.within_2 += largest <= 2 + kRounding;
+    out.largest[i] = static_cast<float>(largest);
+  }
+  return out;
 }
+
+// The figures of two pictures of which only some rows are seen at a time.
+class Measurement {
+ public:
+  Measurement(int width, int height, bool alpha, const std::optional<Exposures>& exposures, const MetricOptions& options)
+      : options_(options), alpha_(alpha), exposures_(exposures), flip_(options.flip_pixels_per_degree), worst_(options.worst_pixels) {
+    m_.width = width, m_.height = height, m_.ssim_block_min = 1;
+  }
+
+  // Rows above and below a band that its figures depend on: FLIP's filters, SSIM's window, the edges.
+  int margin() const { return std::max(flip_.margin(), 10); }
+  int band_rows() const {
+    constexpr int kStep = 64, kPixels = 1 << 22;
+    return options_.band_rows > 0 ? options_.band_rows : std::clamp(kPixels / m_.width / kStep, 1, 16) * kStep;
+  }
+
+  void add_band(const Values& a, const Values& b, int begin, int end) {
+    add_differences(a, b, begin, end);
+    ssim_ += ssim_sum(a, b, begin, end);
+    m_.ssim_block_min = std::min(m_.ssim_block_min, ssim_block_min(a, b, begin, end));
+    std::vector<float> errors(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(m_.width));
+    flip_.ldr(a, b, begin, end, errors.data());
+    for (float e : errors) flip_sum_ += e;
+    if (exposures_) {
+      flip_.hdr(a, b, *exposures_, begin, end, errors.data());
+      for (float e : errors) hdr_flip_sum_ += e;
+    }
+    if (options_.progress) options_.progress(static_cast<double>(end) / m_.height);
+  }
+
+  Metrics result() {
+    const double pixels = static_cast<double>(m_.width) * m_.height, values = static_cast<double>(all_.count);
+    if (values > 0) m_.mae = absolute_ / values, m_.bias = signed_sum_ / values, m_.rmse = *all_.rms();
+    m_.psnr = m_.rmse > 0 ? 20 * std::log10(255 / m_.rmse) : std::numeric_limits<double>::infinity();
+    m_.within_1_pct = 100 * static_cast<double>(within_1_) / pixels;
+    m_.within_2_pct = 100 * static_cast<double>(within_2_) / pixels;
+    m_.edge_pct = 100 * static_cast<double>(edge_count_) / pixels;
+    m_.edge_rmse = edge_.rms(), m_.interior_rmse = interior_.rms(), m_.alpha_rmse = alpha_sum_.rms();
+    if (alpha_sum_.count) m_.alpha_max_abs = alpha_max_;
+    m_.ciede2000_mean = colors_.mean(), m_.ciede2000_p95 = colors_.percentile(0.95);
+    m_.worst = worst_.take();
+    m_.ssim_mean = ssim_ / ssim_windows(m_.width, m_.height);
+    m_.flip_mean = flip_sum_ / pixels;
+    if (exposures_) m_.hdr_flip_mean = hdr_flip_sum_ / pixels;
+    return m_;
+  }
+
+ private:
+  void add_differences(const Values& a, const Values& b, int begin, int end) {
+    const std::vector<unsigned char> edges = edge_mask(a, begin, end);
+    std::vector<RowFigures> rows(static_cast<std::size_t>(end - begin));
+    parallel_for(rows.size(), 1, [&](std::size_t row) { rows[row] = row_figures(a, b, begin + static_cast<int>(row), &edges[row * static_cast<std::size_t>(m_.width)], alpha_); });
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const RowFigures& r = rows[row];
+      absolute_ += r.absolute, signed_sum_ += r.signed_sum;
+      m_.max_abs = std::max(m_.max_abs, r.max_abs), alpha_max_ = std::max(alpha_max_, r.alpha_max);
+      edge_count_ += r.edge_count, m_.nan_pixels += r.nan_pixels, within_1_ += r.within_1, within_2_ += r.within_2;
+      all_.add(r.all), edge_.add(r.edge), interior_.add(r.interior), alpha_sum_.add(r.alpha);
+      for (std::size_t x = 0; x < r.color.size(); ++x) {
+        if (r.color[x] < 0) continue;
+        colors_.add(r.color[x]);
+        ++m_.histogram[static_cast<std::size_t>(std::lround(std::min(r.largest[x], 255.0f)))];
+        worst_.add(a, b, static_cast<int>(x), begin + static_cast<int>(row), r.largest[x]);
+      }
+    }
+  }
+
+  const MetricOptions& options_;
+  bool alpha_;
+  std::optional<Exposures> exposures_;
+  Flip flip_;
+  Metrics m_;
+  double absolute_ = 0, signed_sum_ = 0, alpha_max_ = 0, ssim_ = 0, flip_sum_ = 0, hdr_flip_sum_ = 0;
+  std::uint64_t within_1_ = 0, within_2_ = 0, edge_count_ = 0;
+  Sum all_, edge_, interior_, alpha_sum_;
+  ColorDifferences colors_;
+  WorstPixels worst_;
+};
 
 }  // namespace
 
@@ -107,62 +232,26 @@ void require_memory(std::uint64_t pixels, int channels, std::uint64_t limit) {
 Metrics measure(const Picture& reference, const Picture& test, const MetricOptions& options) {
   const Values a(reference), b(test);
   require_same_size(reference, test);
-  Metrics m;
-  m.width = a.width(), m.height = a.height();
-  const bool alpha = options.alpha && (a.has_alpha() || b.has_alpha());
-  const std::vector<unsigned char> edges = edge_mask(a);
+  std::optional<Exposures> exposures;
+  if (reference.is_float && test.is_float) exposures = hdr_flip_exposures(reference);
+  Measurement out(a.width(), a.height(), options.alpha && (a.has_alpha() || b.has_alpha()), exposures, options);
+  for (int begin = 0; begin < a.height(); begin += out.band_rows()) out.add_band(a, b, begin, std::min(a.height(), begin + out.band_rows()));
+  return out.result();
+}
 
-  double absolute = 0, signed_sum = 0;
-  std::uint64_t within_1 = 0, within_2 = 0, edge_count = 0;
-  Sum all, edge, interior, alpha_sum;
-  ColorDifferences colors;
-  WorstPixels worst(options.worst_pixels);
-  for (int y = 0; y < m.height; ++y)
-    for (int x = 0; x < m.width; ++x) {
-      const bool on_edge = edges[static_cast<std::size_t>(y) * m.width + x];
-      edge_count += on_edge;
-      if (!a.finite(x, y) || !b.finite(x, y)) {
-        ++m.nan_pixels;
-        continue;
-      }
-      const Rgb p = a.rgb(x, y), q = b.rgb(x, y);
-      double largest = 0;
-      for (int c = 0; c < 3; ++c) {
-        const double d = q[c] - p[c];
-        largest = std::max(largest, std::fabs(d));
-        absolute += std::fabs(d), signed_sum += d;
-        all.add(d);
-        (on_edge ? edge : interior).add(d);
-      }
-      m.max_abs = std::max(m.max_abs, largest);
-      if (largest > 0) colors.add(ciede2000(srgb_to_lab(p), srgb_to_lab(q)));
-      else colors.add(0);
-      if (alpha) {
-        const double d = std::fabs(b.alpha(x, y) - a.alpha(x, y));
-        m.alpha_max_abs = std::max(m.alpha_max_abs.value_or(0), d);
-        alpha_sum.add(d);
-        largest = std::max(largest, d);
-      }
-      within_1 += largest <= 1 + kRounding;
-      within_2 += largest <= 2 + kRounding;
-      ++m.histogram[static_cast<std::size_t>(std::lround(std::min(largest, 255.0)))];
-      worst.add(x, y, largest);
-    }
-
-  const double pixels = static_cast<double>(m.width) * m.height, values = static_cast<double>(all.count);
-  if (values > 0) m.mae = absolute / values, m.bias = signed_sum / values, m.rmse = *all.rms();
-  m.psnr = m.rmse > 0 ? 20 * std::log10(255 / m.rmse) : std::numeric_limits<double>::infinity();
-  m.within_1_pct = 100 * static_cast<double>(within_1) / pixels;
-  m.within_2_pct = 100 * static_cast<double>(within_2) / pixels;
-  m.edge_pct = 100 * static_cast<double>(edge_count) / pixels;
-  m.edge_rmse = edge.rms(), m.interior_rmse = interior.rms(), m.alpha_rmse = alpha_sum.rms();
-  m.ciede2000_mean = colors.mean(), m.ciede2000_p95 = colors.percentile(0.95);
-  m.worst = worst.take();
-  for (WorstPixel& p : m.worst) p.reference = rgba(a, p.x, p.y), p.test = rgba(b, p.x, p.y);
-  m.ssim_mean = ssim_mean(a, b), m.ssim_block_min = ssim_block_min(a, b);
-  m.flip_mean = mean(ldr_flip(reference, test, options.flip_pixels_per_degree));
-  if (reference.is_float && test.is_float) m.hdr_flip_mean = mean(hdr_flip(reference, test, options.flip_pixels_per_degree));
-  return m;
+Metrics measure_files(const std::filesystem::path& reference, const std::filesystem::path& test, const MetricOptions& options) {
+  RowWindow a(reference), b(test);
+  require_same_size(a.shape(), b.shape());
+  if (a.whole() && b.whole()) return measure(*a.whole(), *b.whole(), options);
+  const int height = a.shape().height;
+  const auto has_alpha = [](const RowWindow& window) { return window.shape().channels % 2 == 0; };
+  Measurement out(a.shape().width, height, options.alpha && (has_alpha(a) || has_alpha(b)), std::nullopt, options);
+  for (int begin = 0; begin < height; begin += out.band_rows()) {
+    const int end = std::min(height, begin + out.band_rows()), first = std::max(0, begin - out.margin()), last = std::min(height, end + out.margin());
+    const Values p = a.show(first, last), q = b.show(first, last);
+    out.add_band(p, q, begin, end);
+  }
+  return out.result();
 }
 
 }  // namespace verisim::compare

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "compare/metrics/edges.h"
+#include "compare/metrics/flip.h"
 #include "compare/metrics/metrics.h"
 #include "compare/metrics/ssim.h"
 #include "compare/metrics/test_pictures.h"
 #include "compare/metrics/verdict.h"
+#include "compare/oracle/working_copy.h"
 
 namespace verisim::compare {
 namespace {
@@ -74,7 +76,9 @@ TEST(Measure, AlphaIsComparedWhenPresent) {
   EXPECT_DOUBLE_EQ(*m.alpha_max_abs, 55);
   EXPECT_EQ(m.within_1_pct, 0);
   EXPECT_EQ(judge_deterministic(m, false).status, Status::differ);
-  EXPECT_EQ(measure(opaque, glass, {.alpha = false}).within_1_pct, 100);
+  MetricOptions colors;
+  colors.alpha = false;
+  EXPECT_EQ(measure(opaque, glass, colors).within_1_pct, 100);
   EXPECT_FALSE(measure(opaque, opaque).alpha_max_abs);
 }
 
@@ -103,6 +107,85 @@ TEST(Measure, FloatPicturesAreSrgbEncoded) {
   const Metrics m = measure(a, b);
   EXPECT_NEAR(m.max_abs, 255 - 187.516, 1e-2);  // sRGB of 0.5
   EXPECT_TRUE(m.hdr_flip_mean);
+}
+
+// Larger than a band and a tile of any metric, with differences on the seams, and equal parts that are passed over quickly.
+class Bands : public testing::Test {
+ protected:
+  Bands() {
+    const int w = 531, h = 333;
+    reference_ = picture_of(w, h, [](int x, int y, int c) { return 127.5 + 60 * std::sin(0.07 * x * (c + 1)) + 50 * std::cos(0.05 * y) + ((x / 37 + y / 23) % 2 ? 15 : 0); });
+    test_ = reference_;
+    std::mt19937 random(4);
+    std::uniform_int_distribution<int> change(-9, 9);
+    for (int y = 40; y < h; ++y)
+      for (int x = 0; x < 300; ++x)
+        for (int c = 0; c < 3; ++c) {
+          float& v = test_.samples[static_cast<std::size_t>(3 * (y * w + x) + c)];
+          v = static_cast<float>(std::clamp(std::round(255.0 * v + change(random)), 0.0, 255.0) / 255);
+        }
+    image::write_picture(reference_, folder_.path() / "a.png"), image::write_picture(test_, folder_.path() / "b.png");
+    reference_ = image::read_picture(folder_.path() / "a.png"), test_ = image::read_picture(folder_.path() / "b.png");
+  }
+  static void expect_same(const Metrics& a, const Metrics& b) {
+    EXPECT_EQ(a.max_abs, b.max_abs);
+    EXPECT_EQ(a.mae, b.mae);
+    EXPECT_EQ(a.rmse, b.rmse);
+    EXPECT_EQ(a.within_1_pct, b.within_1_pct);
+    EXPECT_NEAR(a.ssim_mean, b.ssim_mean, 1e-13);  // the sums are taken band by band
+    EXPECT_EQ(a.ssim_block_min, b.ssim_block_min);
+    EXPECT_EQ(a.flip_mean, b.flip_mean);
+    EXPECT_EQ(a.ciede2000_mean, b.ciede2000_mean);
+    EXPECT_EQ(a.ciede2000_p95, b.ciede2000_p95);
+    EXPECT_EQ(a.edge_rmse, b.edge_rmse);
+    EXPECT_EQ(a.interior_rmse, b.interior_rmse);
+    EXPECT_EQ(a.edge_pct, b.edge_pct);
+    EXPECT_EQ(a.histogram, b.histogram);
+    ASSERT_EQ(a.worst.size(), b.worst.size());
+    for (std::size_t i = 0; i < a.worst.size(); ++i) EXPECT_TRUE(a.worst[i].x == b.worst[i].x && a.worst[i].y == b.worst[i].y && a.worst[i].test == b.worst[i].test);
+  }
+  TemporaryFolder folder_;
+  Picture reference_, test_;
+};
+
+TEST_F(Bands, FilesReadByRowsGiveTheFiguresOfWholePictures) {
+  MetricOptions whole;
+  whole.band_rows = 64 * 100;
+  const Metrics expected = measure(reference_, test_, whole);
+  EXPECT_GT(expected.flip_mean, 0.01);
+  EXPECT_NEAR(expected.ssim_mean, ssim_mean(Values(reference_), Values(test_)), 1e-13);
+  EXPECT_NEAR(expected.flip_mean, mean(ldr_flip(reference_, test_, whole.flip_pixels_per_degree)), 1e-12);
+  MetricOptions bands;
+  double done = 0;
+  bands.progress = [&](double now) {
+    EXPECT_GT(now, done);
+    done = now;
+  };
+  for (int rows : {64, 128}) {
+    bands.band_rows = rows, done = 0;
+    expect_same(measure(reference_, test_, bands), expected);
+    done = 0;
+    expect_same(measure_files(folder_.path() / "a.png", folder_.path() / "b.png", bands), expected);
+    EXPECT_EQ(done, 1);
+  }
+}
+
+TEST_F(Bands, DamagedFilesAreNamed) {
+  const auto message = [&](const std::string& name) -> std::string {
+    try {
+      measure_files(folder_.path() / "a.png", folder_.path() / name);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  std::filesystem::copy_file(folder_.path() / "b.png", folder_.path() / "short.png");
+  std::filesystem::resize_file(folder_.path() / "short.png", std::filesystem::file_size(folder_.path() / "b.png") * 2 / 3);
+  EXPECT_THAT(message("short.png"), testing::HasSubstr("short.png"));
+  image::write_picture(random_picture(531, 334, 1), folder_.path() / "taller.png");
+  EXPECT_THAT(message("taller.png"), testing::HasSubstr("531x333 and 531x334"));
+  EXPECT_THAT(message("missing.png"), testing::HasSubstr("missing.png"));
+  EXPECT_EQ(message("b.png"), "no error");
 }
 
 TEST(Measure, RefusesWhatCannotBeCompared) {

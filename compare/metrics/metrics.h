@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -51,10 +53,15 @@ struct MetricOptions {
   double flip_pixels_per_degree = 67.0206;           // 0.7 m in front of a 0.7 m wide screen with 3840 pixels
   bool alpha = true;
   int worst_pixels = 20;
+  int band_rows = 0;                                 // rows that are worked on at a time, a multiple of 64; 0: by the width. The figures do not depend on it
+  std::function<void(double done)> progress;         // 0 to 1, now and then
 };
 
 // Throws PictureMismatch.
 Metrics measure(const Picture& reference, const Picture& test, const MetricOptions& options = {});
+// Two files; PNG files are read by bands of rows, so that they may be larger than the memory. Also throws std::runtime_error when a file cannot be read. The sizes are
+// compared before any pixel is read.
+Metrics measure_files(const std::filesystem::path& reference, const std::filesystem::path& test, const MetricOptions& options = {});
 
 // Memory that two pictures of this size take while they are compared, about; and what the machine has to give (0: unknown).
 std::uint64_t measure_bytes(std::uint64_t pixels, int channels);

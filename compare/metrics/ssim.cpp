@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+
+#include "tracer/parallel.h"
 
 namespace verisim::compare {
 namespace {
@@ -32,15 +35,19 @@ std::vector<double> window(int side) {
 
 }  // namespace
 
-double ssim_mean(const Values& reference, const Values& test) {
-  const int w = reference.width(), h = reference.height();
-  const std::vector<double> across = window(w), down = window(h);
+namespace {
+
+constexpr int kChunk = 64;  // rows that one thread works on
+
+// The sums of the windows that end in the rows from begin to end, row by row.
+void add_windows(const Values& reference, const Values& test, int begin, int end, double* sums) {
+  const int w = reference.width();
+  const std::vector<double> across = window(w), down = window(reference.height());
   const int columns = w - static_cast<int>(across.size()) + 1, n = static_cast<int>(down.size());
   // The row moments of the last n rows, in a ring.
   std::vector<std::vector<Moments>> ring(down.size(), std::vector<Moments>(static_cast<std::size_t>(columns)));
   std::vector<double> a(static_cast<std::size_t>(w)), b(a);
-  double total = 0;
-  for (int y = 0; y < h; ++y) {
+  for (int y = std::max(0, begin + 1 - n); y < end; ++y) {
     for (int x = 0; x < w; ++x) a[x] = reference.luma(x, y), b[x] = test.luma(x, y);
     for (int x = 0; x < columns; ++x) {
       Moments m;
@@ -50,7 +57,8 @@ double ssim_mean(const Values& reference, const Values& test) {
       }
       ring[y % n][x] = m;
     }
-    if (y + 1 < n) continue;
+    if (y < begin || y + 1 < n) continue;
+    double sum = 0;
     for (int x = 0; x < columns; ++x) {
       Moments m;
       for (int j = 0; j < n; ++j) {
@@ -58,17 +66,37 @@ double ssim_mean(const Values& reference, const Values& test) {
         const double k = down[j];
         m.a += k * r.a, m.b += k * r.b, m.aa += k * r.aa, m.bb += k * r.bb, m.ab += k * r.ab;
       }
-      total += m.ssim();
+      sum += m.ssim();
     }
+    sums[y - begin] = sum;
   }
-  return total / (static_cast<double>(columns) * (h - n + 1));
 }
 
-double ssim_block_min(const Values& reference, const Values& test) {
-  double worst = 1;
-  for (int y0 = 0; y0 < reference.height(); y0 += 8)
+}  // namespace
+
+double ssim_sum(const Values& reference, const Values& test, int begin, int end) {
+  std::vector<double> sums(static_cast<std::size_t>(end - begin));
+  parallel_for(static_cast<std::size_t>((end - begin + kChunk - 1) / kChunk), 1, [&](std::size_t chunk) {
+    const int first = begin + static_cast<int>(chunk) * kChunk;
+    add_windows(reference, test, first, std::min(end, first + kChunk), &sums[static_cast<std::size_t>(first - begin)]);
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+double ssim_windows(int width, int height) { return static_cast<double>(std::max(1, width - 10)) * std::max(1, height - 10); }
+
+double ssim_mean(const Values& reference, const Values& test) {
+  return ssim_sum(reference, test, 0, reference.height()) / ssim_windows(reference.width(), reference.height());
+}
+
+double ssim_block_min(const Values& reference, const Values& test) { return ssim_block_min(reference, test, 0, reference.height()); }
+
+double ssim_block_min(const Values& reference, const Values& test, int begin, int end) {
+  std::vector<double> worst(static_cast<std::size_t>((end - begin + 7) / 8), 1);
+  parallel_for(worst.size(), 1, [&](std::size_t row) {
+    const int y0 = begin + 8 * static_cast<int>(row), y1 = std::min(y0 + 8, end);
     for (int x0 = 0; x0 < reference.width(); x0 += 8) {
-      const int x1 = std::min(x0 + 8, reference.width()), y1 = std::min(y0 + 8, reference.height());
+      const int x1 = std::min(x0 + 8, reference.width());
       const double k = 1.0 / ((x1 - x0) * (y1 - y0));
       Moments m;
       for (int y = y0; y < y1; ++y)
@@ -76,9 +104,10 @@ double ssim_block_min(const Values& reference, const Values& test) {
           const double p = reference.luma(x, y), q = test.luma(x, y);
           m.a += k * p, m.b += k * q, m.aa += k * p * p, m.bb += k * q * q, m.ab += k * p * q;
         }
-      worst = std::min(worst, m.ssim());
+      worst[row] = std::min(worst[row], m.ssim());
     }
-  return worst;
+  });
+  return *std::min_element(worst.begin(), worst.end());
 }
 
 }  // namespace verisim::compare

@@ -117,6 +117,32 @@ TEST(Welch, PowerAgainstTwoPercent) {
   EXPECT_GE(found, 95);
 }
 
+// Both rules together, as `verisim compare` asks them by default: four runs on each side.
+bool refused(const std::vector<Picture>& references, const std::vector<Picture>& tests) {
+  return judge_stochastic(measure(references[0], tests[0]), false, low_pass(references[0], tests[0]), low_pass(references[0], references[1])).status == Status::differ ||
+         welch_test(references, tests).rejected;
+}
+
+TEST(Noise, FalseAlarmRateOfTheVerdict) {
+  int alarms = 0;
+  for (unsigned i = 0; i < 400; ++i) {
+    NoisyRenderer renderer(20000 + i, 0.25 * (1 + i % 40));
+    const std::vector<Picture> references = several(renderer, 4);
+    alarms += refused(references, several(renderer, 4));
+  }
+  EXPECT_LE(alarms, 10) << "2.5 % of 400";
+}
+
+TEST(Noise, PowerOfTheVerdictAgainstTwoPercent) {
+  int found = 0;
+  for (unsigned i = 0; i < 100; ++i) {
+    NoisyRenderer renderer(30000 + i, 0.25 * (1 + i % 40));
+    const std::vector<Picture> references = several(renderer, 4);
+    found += refused(references, several(renderer, 4, 1.02));
+  }
+  EXPECT_GE(found, 95);
+}
+
 TEST(Welch, FindsOneWrongPixel) {
   NoisyRenderer renderer(3, 1);
   const std::vector<Picture> a = several(renderer, 8);

@@ -6,7 +6,7 @@
 
 namespace verisim::compare {
 
-Values::Values(const Picture& picture) : picture_(picture) {
+Values::Values(const Picture& picture, int first_row, int height) : picture_(picture), first_row_(first_row), height_(height) {
   if (picture.width < 1 || picture.height < 1 || picture.channels < 1 || picture.channels > 4 ||
       picture.samples.size() != static_cast<std::size_t>(picture.width) * picture.height * picture.channels)
     throw PictureMismatch(fmt::format("not a picture: {}x{} with {} channels and {} samples", picture.width, picture.height, picture.channels, picture.samples.size()));

@@ -14,10 +14,12 @@ using Rgb = std::array<double, 3>;
 class Values {
  public:
   // Keeps a reference. Throws PictureMismatch when the sample count does not fit the size.
-  explicit Values(const Picture& picture);
+  explicit Values(const Picture& picture) : Values(picture, 0, picture.height) {}
+  // `rows` holds only some rows, from first_row on, of a picture that is `height` high; no other rows may be asked for.
+  Values(const Picture& rows, int first_row, int height);
 
   int width() const { return picture_.width; }
-  int height() const { return picture_.height; }
+  int height() const { return height_; }
   bool has_alpha() const { return picture_.channels == 2 || picture_.channels == 4; }
 
   // 0..255 for integer pictures; floats are clipped and sRGB encoded. A pixel that is not finite reads as black.
@@ -46,7 +48,7 @@ class Values {
   Rgb linear_float(int x, int y) const;
 
  private:
-  std::size_t index(int x, int y) const { return (static_cast<std::size_t>(y) * picture_.width + x) * picture_.channels; }
+  std::size_t index(int x, int y) const { return (static_cast<std::size_t>(y - first_row_) * picture_.width + x) * picture_.channels; }
   double value(std::size_t i) const {
     if (!encoded_.empty()) return encoded_[i];
     const double v = 255.0 * picture_.samples[i];
@@ -54,6 +56,7 @@ class Values {
   }
 
   const Picture& picture_;
+  int first_row_, height_;
   std::vector<float> encoded_;  // of a float picture
 };
 

@@ -1,5 +1,7 @@
 #include "compare/metrics/welch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "compare/metrics/values.h"
@@ -135,6 +137,10 @@ Extreme most_extreme(const Runs& runs, std::size_t references, const Outcome& ob
 }
 
 }  // namespace
+
+std::string WelchResult::text() const {
+  return mean_p < pixel_p ? fmt::format("the means differ by {:+.3f} (p = {:.2g})", mean_difference, mean_p) : fmt::format("pixel {}, {} differs (p = {:.2g})", worst_x, worst_y, pixel_p);
+}
 
 double student_two_sided(double t, double nu) { return incomplete_beta(0.5 * nu, 0.5, nu / (nu + t * t)); }
 

@@ -1,6 +1,7 @@
 // Welch's test: do several renders of one program and several of another have the same mean? Noise is estimated from the renders themselves.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "compare/metrics/metrics.h"
@@ -13,6 +14,7 @@ struct WelchResult {
   int worst_x = 0, worst_y = 0;    // where
   double mean_p = 1;               // p-value of the pictures' means
   double mean_difference = 0;      // test - reference, 8-bit units
+  std::string text() const;        // what it found, for people
 };
 
 // Two tests share the significance level: one for each pixel's luma, corrected for the number of pixels, which finds local faults; one for the mean of the whole

@@ -193,7 +193,7 @@ class Oracle : public testing::Test {
                                     << text << "\n";
     chmod(options_.program.c_str(), 0755);
   }
-  OracleRender render(int threads = 1, const std::vector<fs::path>& files = {}) { return run_oracle(find_oracle(options_), options_, scene_, threads, files); }
+  OracleRender render(int variant = 0, const std::vector<fs::path>& files = {}) { return run_oracle(find_oracle(options_), options_, scene_, variant, files); }
   int runs() {
     const std::string log = read(root_.path() / "runs");
     return static_cast<int>(std::count(log.begin(), log.end(), '\n'));
@@ -211,7 +211,8 @@ class Oracle : public testing::Test {
 };
 
 TEST_F(Oracle, RendersInIsolation) {
-  const OracleRender r = render(2);
+  options_.threads = 2;
+  const OracleRender r = render();
   ASSERT_TRUE(r.ok) << r.message;
   EXPECT_EQ(r.picture.width, 8);
   EXPECT_FALSE(r.from_cache);
@@ -239,27 +240,27 @@ TEST_F(Oracle, CacheIsKeyedByContent) {
   std::ofstream(include) << "1";
   std::ofstream(other) << "1";
   const std::vector<fs::path> files = {scene_.scene, include};
-  const OracleRender first = render(1, files), second = render(1, files);
+  const OracleRender first = render(0, files), second = render(0, files);
   EXPECT_EQ(runs(), 1);
   EXPECT_TRUE(second.from_cache);
   EXPECT_EQ(second.picture.samples, first.picture.samples);
   EXPECT_DOUBLE_EQ(second.seconds, first.seconds);
   std::ofstream(other) << "2";  // nobody read it
-  EXPECT_TRUE(render(1, files).from_cache);
+  EXPECT_TRUE(render(0, files).from_cache);
   std::ofstream(include) << "2";
-  EXPECT_FALSE(render(1, files).from_cache);
-  EXPECT_FALSE(render(2, files).from_cache);  // other threads
+  EXPECT_FALSE(render(0, files).from_cache);
+  EXPECT_FALSE(render(1, files).from_cache);  // other threads
   scene_.switches = {"+A0.3"};
-  EXPECT_FALSE(render(1, files).from_cache);
+  EXPECT_FALSE(render(0, files).from_cache);
   scene_.switches = {"-A"};
-  EXPECT_TRUE(render(1, files).from_cache);
+  EXPECT_TRUE(render(0, files).from_cache);
   body("cp " + (root_.path() / "answer.png").string() + " \"$out\"", "POV-Ray 3.7.0.11.fake");
-  EXPECT_FALSE(render(1, files).from_cache);
-  EXPECT_FALSE(render(1).from_cache);  // unknown files: the whole folder counts ...
+  EXPECT_FALSE(render(0, files).from_cache);
+  EXPECT_FALSE(render(0).from_cache);  // unknown files: the whole folder counts ...
   std::ofstream(other) << "3";
-  EXPECT_FALSE(render(1).from_cache);  // ... with what was unused before
+  EXPECT_FALSE(render(0).from_cache);  // ... with what was unused before
   options_.use_cache = false;
-  EXPECT_FALSE(render(1, files).from_cache);
+  EXPECT_FALSE(render(0, files).from_cache);
 }
 
 TEST_F(Oracle, DamagedCacheIsRenderedAgain) {
@@ -308,14 +309,14 @@ TEST(PovRay, RendersASphere) {
   options.cache = root.path() / "cache";
   const OracleProgram program = find_oracle(options);
   EXPECT_TRUE(program.version.starts_with("3."));
-  const OracleRender r = run_oracle(program, options, scene, 1, {});
+  const OracleRender r = run_oracle(program, options, scene, 0, {});
   ASSERT_TRUE(r.ok) << r.message;
   EXPECT_NEAR(r.picture.samples[3 * (12 * 32 + 16)], 1, 1e-6);
   EXPECT_NEAR(r.picture.samples[3 * (12 * 32 + 16) + 1], 0, 1e-6);
   EXPECT_GT(r.seconds, 0);
   EXPECT_FALSE(fs::exists(root.path() / "written.txt"));
   std::ofstream(scene.scene) << "sphere{oops}";
-  EXPECT_THAT(run_oracle(program, options, scene, 1, {}).message, HasSubstr("undeclared identifier 'oops'"));
+  EXPECT_THAT(run_oracle(program, options, scene, 0, {}).message, HasSubstr("undeclared identifier 'oops'"));
 }
 
 }  // namespace

@@ -73,22 +73,37 @@ std::string ini_text(const std::vector<fs::path>& library_paths) {
   return out;
 }
 
-std::vector<std::string> command_line(const OracleProgram& program, const SceneRequest& scene, const std::string& input, const std::string& output, int threads) {
+// Where random numbers fall depends on which thread gets which block. With these orders no block of the even variants, or of the odd ones, comes at the same place of a
+// thread's work in more than two of four.
+struct BlockOrder {
+  int pattern, step;
+};
+constexpr BlockOrder kBlockOrders[] = {{0, 0}, {3, 0}, {5, 0}, {2, 0}, {3, 5}, {5, 5}, {2, 5}, {0, 5}};
+
+std::vector<std::string> command_line(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, const std::string& input, const std::string& output,
+                                      int variant) {
   std::vector<std::string> out = {program.path.string(), "+I" + input};
   out.insert(out.end(), scene.switches.begin(), scene.switches.end());
   if (!output_type(scene.switches)) out.push_back("+FN8");
-  for (const std::string& s : {"+O" + output, fmt::format("+W{}", scene.width), fmt::format("+H{}", scene.height), fmt::format("+WT{}", threads)}) out.push_back(s);
+  for (const std::string& s : {"+O" + output, fmt::format("+W{}", scene.width), fmt::format("+H{}", scene.height), fmt::format("+WT{}", std::max(1, options.threads) + variant)})
+    out.push_back(s);
+  if (variant > 0) {
+    constexpr int kOrders = static_cast<int>(std::size(kBlockOrders));
+    const auto [pattern, step] = kBlockOrders[variant % kOrders];
+    out.push_back(fmt::format("+RP{}", pattern)), out.push_back(fmt::format("+RS{}", step + 6 * (variant / kOrders)));
+    if (program.name == "verisim") out.push_back(fmt::format("--seed={}", variant));  // its pictures do not depend on threads
+  }
   for (const char* s : {"-D", "-P", "-V"}) out.emplace_back(s);
   return out;
 }
 
 // Everything that decides how the picture will look.
-std::string cache_key(const OracleProgram& program, const SceneRequest& scene, int threads, const std::vector<fs::path>& files_read) {
+std::string cache_key(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, int variant, const std::vector<fs::path>& files_read) {
   ContentHash hash;
   hash.add("verisim oracle 1");
   hash.add(program.version_text);
   hash.add(ini_text(program.library_paths));
-  for (const std::string& s : command_line(program, scene, scene.scene.filename().string(), "", threads)) hash.add(s == program.path ? "" : s);
+  for (const std::string& s : command_line(program, options, scene, scene.scene.filename().string(), "", variant)) hash.add(s == program.path ? "" : s);
   const fs::path folder = scene.scene.parent_path();
   std::vector<fs::path> files = files_read;
   std::error_code failed;
@@ -207,18 +222,18 @@ OracleProgram find_oracle(const OracleOptions& options) {
   return out;
 }
 
-OracleRender run_oracle(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, int threads, const std::vector<fs::path>& files_read,
+OracleRender run_oracle(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, int variant, const std::vector<fs::path>& files_read,
                         std::atomic<bool>* cancel) {
   OracleRender out;
   try {
     const std::string extension = output_extension(scene.switches);
-    const CacheEntry entry(cache_folder(options), cache_key(program, scene, threads, files_read), extension);
+    const CacheEntry entry(cache_folder(options), cache_key(program, options, scene, variant, files_read), extension);
     if (options.use_cache && entry.load(out)) return out;
 
     const WorkingCopy copy(scene.scene);
     const fs::path ini = copy.home() / "oracle.ini", picture = copy.out() / ("picture" + extension);
     std::ofstream(ini) << ini_text(program.library_paths);
-    const ProcessResult run = run_process({command_line(program, scene, copy.scene().filename().string(), picture.string(), threads), copy.folder(),
+    const ProcessResult run = run_process({command_line(program, options, scene, copy.scene().filename().string(), picture.string(), variant), copy.folder(),
                                            clean_environment(copy.home(), ini), options.time_limit, cancel});
     out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
     if (!run.succeeded()) {
@@ -244,15 +259,15 @@ OracleRender run_oracle(const OracleProgram& program, const OracleOptions& optio
   return out;
 }
 
-NativeRenderer povray_renderer(const OracleProgram& program, const OracleOptions& options, int first_threads) {
-  return [program, options, first_threads](const NativeRequest& request) {
+NativeRenderer povray_renderer(const OracleProgram& program, const OracleOptions& options) {
+  return [program, options](const NativeRequest& request) {
     NativeResult out;
     SceneRequest scene;
     scene.switches = request.switches, scene.width = request.width, scene.height = request.height;
     const TemporaryFolder home;
     const fs::path ini = home.path() / "oracle.ini";
     std::ofstream(ini) << ini_text(program.library_paths);
-    const ProcessResult run = run_process({command_line(program, scene, request.scene.filename().string(), request.output.string(), first_threads + 2 * request.run), request.folder,
+    const ProcessResult run = run_process({command_line(program, options, scene, request.scene.filename().string(), request.output.string(), 2 * request.run + 1), request.folder,
                                            clean_environment(home.path(), ini), options.time_limit, request.cancel});
     out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
     if (run.succeeded()) out.outcome = NativeResult::Outcome::rendered;

@@ -10,13 +10,15 @@
 #include <string>
 #include <system_error>
 
+#include "compare/oracle/folder_watch.h"
+
 namespace verisim::compare {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t kCopyBytes = std::uintmax_t{256} << 20;
 constexpr int kMaxFiles = 20000, kMaxNeighbours = 2000;
-constexpr std::size_t kMaxWaiting = 64;  // copies kept for the next scene
+constexpr std::size_t kMaxWaiting = 16;  // copies kept for the next scene; each takes two of the few hundred watches that a user has
 
 bool many_files(const fs::path& folder) {
   int count = 0;
@@ -54,16 +56,13 @@ class FolderCopy {
     link_neighbours(base);
   }
 
-  // Makes the copy equal to the original; what earlier scenes wrote goes.
+  // Makes the copy equal to the original; what earlier scenes wrote goes. Only what changed on either side is looked at, where that is known: a folder of thousands of
+  // scenes is not gone through for each of them.
   void synchronise() {
     empty_folder(home()), empty_folder(out());
-    fs::create_directories(folder_);
-    copied_bytes_ = 0;
-    std::map<fs::path, Stamp> kept;
-    std::swap(kept, made_);
-    synchronise(original_, folder_, !many_files(original_), kept);
+    if (!refresh()) start_anew();
+    watch_copy_.changes();  // our own
   }
-
   fs::path home() const { return root_.path() / "home"; }
   fs::path out() const { return root_.path() / "out"; }
   const fs::path& folder() const { return folder_; }
@@ -78,7 +77,37 @@ class FolderCopy {
   };
   static Stamp stamp(const fs::path& path) { return {fs::file_size(path), fs::last_write_time(path)}; }
 
-  void synchronise(const fs::path& from, const fs::path& to, bool deep, const std::map<fs::path, Stamp>& kept) {
+  // Everything. The original is watched before it is read, so that nothing is missed.
+  void start_anew() {
+    fs::create_directories(folder_);
+    const bool deep = !many_files(original_);
+    watch_original_ = FolderWatch(original_, deep);
+    copied_bytes_ = 0, links_ = false;
+    std::map<fs::path, Stamp> kept;
+    std::swap(kept, made_);
+    copy_folder(original_, folder_, deep, kept);
+    watch_copy_ = FolderWatch(folder_, deep);
+  }
+
+  // False when it is not known what changed, or when it is not a plain file.
+  bool refresh() {
+    const auto theirs = watch_original_.changes(), ours = watch_copy_.changes();
+    if (!theirs || !ours || links_) return false;
+    const std::uintmax_t copied_bytes = copied_bytes_;
+    for (const auto* side : {&*theirs, &*ours})
+      for (const fs::path& name : *side) {
+        const fs::file_status status = fs::symlink_status(original_ / name), copied = fs::symlink_status(folder_ / name);
+        if (fs::is_directory(copied) || (fs::exists(status) && !fs::is_regular_file(status))) return false;
+        made_.erase(folder_ / name);
+        std::error_code failed;
+        if (fs::is_regular_file(status)) copy_file(fs::directory_entry(original_ / name), folder_ / name, {});
+        else fs::remove(folder_ / name, failed);
+      }
+    copied_bytes_ = copied_bytes;  // what is copied again was counted before
+    return true;
+  }
+
+  void copy_folder(const fs::path& from, const fs::path& to, bool deep, const std::map<fs::path, Stamp>& kept) {
     std::set<fs::path> wanted;
     for (const fs::directory_entry& entry : fs::directory_iterator(from, fs::directory_options::skip_permission_denied)) {
       const fs::path name = entry.path().filename(), target = to / name;
@@ -88,12 +117,13 @@ class FolderCopy {
           link(fs::canonical(entry.path(), failed), target);
         } else if (deep && !name.string().starts_with(".")) {
           if (!fs::is_directory(fs::symlink_status(target))) fs::remove_all(target), fs::create_directory(target);
-          synchronise(entry.path(), target, deep, kept);
+          copy_folder(entry.path(), target, deep, kept);
         } else {
           continue;
         }
       } else if (entry.is_regular_file(failed)) {
-        copy(entry, target, kept);
+        links_ = links_ || entry.is_symlink(failed);
+        copy_file(entry, target, kept);
       } else {
         continue;
       }
@@ -110,7 +140,7 @@ class FolderCopy {
     fs::create_symlink(to, name, failed);
   }
 
-  void copy(const fs::directory_entry& entry, const fs::path& target, const std::map<fs::path, Stamp>& kept) {
+  void copy_file(const fs::directory_entry& entry, const fs::path& target, const std::map<fs::path, Stamp>& kept) {
     std::error_code failed;
     const std::uintmax_t size = entry.file_size(failed);
     if (failed) return;
@@ -144,8 +174,10 @@ class FolderCopy {
 
   TemporaryFolder root_;
   fs::path original_, folder_;
+  FolderWatch watch_original_, watch_copy_;  // nothing is known before they are made
   std::map<fs::path, Stamp> made_;
   std::uintmax_t copied_bytes_ = 0;
+  bool links_ = false;  // files elsewhere, which nobody watches
 };
 
 namespace {

@@ -45,7 +45,7 @@ BenchScene bench_scene(const SceneRequest& scene, const BenchOptions& options, c
   out.name = scene.name;
   for (int run = 0; run < options.runs && out.error.empty(); ++run) {
     if (options.progress) options.progress(scene.name, run);
-    const OracleRender oracle = run_oracle(program, oracle_options, scene, options.threads, {});
+    const OracleRender oracle = run_oracle(program, oracle_options, scene, 0, {});
     if (!oracle.ok) {
       out.error = oracle.message;
       break;
@@ -75,7 +75,7 @@ Bench run_bench(const Suite& suite, const BenchOptions& options) {
   const OracleProgram program = find_oracle(options.oracle);
   OracleOptions oracle_options = options.oracle;
   oracle_options.use_cache = false;
-  oracle_options.time_limit = options.time_limit;
+  oracle_options.threads = options.threads, oracle_options.time_limit = options.time_limit;
   const NativeRenderer native = native_program(options.native_program);
   Bench out;
   out.oracle_version = program.version;

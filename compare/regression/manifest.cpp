@@ -102,6 +102,36 @@ class Manifest {
     return static_cast<int>(value);
   }
 
+  void passes(const toml::node& node, SceneRequest& out) const {
+    const toml::array* array = node.as_array();
+    if (!array || array->empty()) fail(node.source(), "'passes' must be an array of { switches, matrix }");
+    for (const toml::node& item : *array) {
+      const toml::table* table = item.as_table();
+      if (!table) fail(item.source(), "'passes' must be an array of { switches, matrix }");
+      SceneRequest switched;
+      Pass pass;
+      bool has_matrix = false;
+      for (auto&& [key, value] : *table) {
+        if (key == "switches") switches(value, switched);
+        else if (key == "matrix") pass.matrix = matrix(value), has_matrix = true;
+        else fail(value.source(), fmt::format("unknown key '{}' of a pass", std::string(key.str())));
+      }
+      if (!has_matrix) fail(item.source(), "a pass needs a 'matrix'");
+      pass.switches = switched.switches;
+      out.passes.push_back(std::move(pass));
+    }
+  }
+  std::array<std::array<double, 3>, 3> matrix(const toml::node& node) const {
+    std::array<std::array<double, 3>, 3> out{};
+    const toml::array* rows = node.as_array();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const toml::array* row = rows && rows->size() == 3 ? (*rows)[i].as_array() : nullptr;
+      if (!row || row->size() != 3) fail(node.source(), "'matrix' must be three rows of three numbers");
+      for (std::size_t j = 0; j < 3; ++j) out[i][j] = number((*row)[j], "matrix");
+    }
+    return out;
+  }
+
   void common(const std::string& key, const toml::node& node, SceneRequest& out) const {
     if (key == "width") out.width = side(node, key);
     else if (key == "height") out.height = side(node, key);
@@ -216,6 +246,7 @@ class Manifest {
       else if (key == "name") scene.name = text(node, key);
       else if (key == "reference") scene.reference = folder_ / text(node, key);
       else if (key == "truth") truth(node, scene);
+      else if (key == "passes") passes(node, scene);
       else common(key, node, scene);
     }
     if (pattern.empty()) fail(table.source(), "a [[scene]] needs 'file'");

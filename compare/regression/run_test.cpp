@@ -1,4 +1,5 @@
 // Whole runs with a script in the place of POV-Ray and a function in the place of our renderer; manifests, filters, baselines, bench.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -10,6 +11,7 @@
 
 #include "compare/compare.h"
 #include "compare/metrics/test_pictures.h"
+#include "compare/metrics/values.h"
 #include "compare/oracle/working_copy.h"
 
 namespace verisim::compare {
@@ -25,6 +27,16 @@ void write(const fs::path& path, const std::string& text) {
 void script(const fs::path& path, const std::string& text) {
   write(path, "#!/bin/sh\n" + text);
   chmod(path.c_str(), 0755);
+}
+
+// OpenEXR, as renderers write it.
+void write_linear(const Picture& picture, const fs::path& path) {
+  render::Framebuffer frame;
+  frame.width = picture.width, frame.height = picture.height;
+  for (std::size_t i = 0; i < picture.samples.size(); i += 3) frame.pixels.push_back(Color{picture.samples[i], picture.samples[i + 1], picture.samples[i + 2], 0, 0});
+  image::OutputOptions options;
+  options.format = image::Format::exr;
+  image::write(frame, path, options);
 }
 
 Filter chosen(std::vector<std::string> names, std::vector<std::string> tags) {
@@ -45,9 +57,9 @@ class RunTest : public testing::Test {
     image::write_picture(scene_like_picture(32, 24), pictures() / "plain.png");
     image::write_picture(changed(scene_like_picture(32, 24), [](double v) { return std::min(255.0, v + 30); }), pictures() / "bright.png");
     std::mt19937 random(5);
-    for (const char* name : {"noisy1.png", "noisy2.png", "noisy3.png"}) {
+    for (int i = 1; i <= 8; ++i) {
       std::normal_distribution<double> noise(0, 8);
-      image::write_picture(changed(scene_like_picture(32, 24), [&](double v) { return std::clamp(std::round(v + noise(random)), 0.0, 255.0); }), pictures() / name);
+      image::write_picture(changed(scene_like_picture(32, 24), [&](double v) { return std::clamp(std::round(v + noise(random)), 0.0, 255.0); }), pictures() / fmt::format("noisy{}.png", i));
     }
     script(root() / "pov", "if [ \"$1\" = --version ]; then echo 'POV-Ray 3.7.test'; exit 0; fi\n"
                            "for a in \"$@\"; do case \"$a\" in +I*) in=\"${a#+I}\";; +O*) out=\"${a#+O}\";; +WT*) t=\"${a#+WT}\";; esac; done\n"
@@ -95,7 +107,7 @@ class RunTest : public testing::Test {
     out.outcome = NativeResult::Outcome::rendered;
     if (text == "noisy") out.stochastic_features = {"radiosity"};
     if (text == "forgets") return out;
-    fs::copy_file(pictures() / (text == "noisy" ? "noisy3.png" : text == "bright" || all_bright_ ? "bright.png" : "plain.png"), request.output);
+    fs::copy_file(pictures() / (text == "noisy" ? fmt::format("noisy{}.png", 2 + 2 * request.run) : text == "bright" || all_bright_ ? "bright.png" : "plain.png"), request.output);
     out.seconds = 0.5, out.rays = {{"camera", 768}};
     return out;
   }
@@ -157,7 +169,7 @@ TEST_F(RunTest, SeveralRunsAskWelch) {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, 6);
   for (int i = 1; i <= 12; ++i)
-    image::write_picture(changed(scene_like_picture(32, 24), [&](double v) { return std::clamp(std::round(v + noise(random) + (i > 8 ? 2.5 : 0)), 0.0, 255.0); }),
+    image::write_picture(changed(scene_like_picture(32, 24), [&](double v) { return std::clamp(std::round(v + noise(random) + (i > 8 ? 1 : 0)), 0.0, 255.0); }),
                          pictures() / ("noisy" + std::to_string(i) + ".png"));
   scene("noisy.pov", "noisy");
   options_.runs = 4;
@@ -177,10 +189,11 @@ TEST_F(RunTest, SeveralRunsAskWelch) {
   EXPECT_EQ(r["noisy.pov"].status, Status::match) << r["noisy.pov"].reason;
   ASSERT_TRUE(r["noisy.pov"].welch);
   EXPECT_FALSE(r["noisy.pov"].welch->rejected);
-  first = 9, step = 1;  // brighter by 2.5 code values
+  first = 9, step = 1;  // brighter by a code value: less than the low-pass comparison finds
   r = run();
   EXPECT_EQ(r["noisy.pov"].status, Status::differ);
-  EXPECT_GT(r["noisy.pov"].welch->mean_difference, 2);
+  ASSERT_TRUE(r["noisy.pov"].welch) << r["noisy.pov"].reason;
+  EXPECT_GT(r["noisy.pov"].welch->mean_difference, 0.5);
 }
 
 TEST_F(RunTest, SecondRunTakesTheOracleFromItsCache) {
@@ -366,7 +379,39 @@ TEST_F(RunTest, ManifestErrorsHaveTheirPlace) {
   EXPECT_THAT(message("[[scene]]\nfile = \"none.pov\"\n"), HasSubstr("none.pov"));
   EXPECT_THAT(message("[[scene]]\nfile = \"none*.pov\"\n"), HasSubstr("no scene is named"));
   EXPECT_THAT(message("scene = 3\n"), HasSubstr("[[scene]]"));
+  EXPECT_THAT(message("[[scene]]\nfile = \"one.pov\"\npasses = [{ switches = \"-A\" }]\n"), HasSubstr("needs a 'matrix'"));
+  EXPECT_THAT(message("[[scene]]\nfile = \"one.pov\"\npasses = [{ matrix = [[1, 2], [3, 4]] }]\n"), HasSubstr("three rows of three numbers"));
   EXPECT_EQ(message("width = 40\n"), "no error");
+}
+
+// Two renders that add up: red from the first one's blue, green from the second.
+TEST_F(RunTest, PassesAddUpToOnePicture) {
+  scene("bands.pov", "plain");
+  write(root() / "scenes/verisim.toml", "width = 4\nheight = 3\n[[scene]]\nfile = \"bands.pov\"\npasses = [\n"
+                                        "  { switches = \"Declare=Bands=0\", matrix = [[0, 0, 0.5], [0, 0, 0], [0, 0, 0]] },\n"
+                                        "  { switches = \"Declare=Bands=1\", matrix = [[0, 0, 0], [0, 2, 0], [-1, 0, 0]] },\n]\n");
+  options_.baseline = root() / "baseline";
+  std::vector<std::vector<std::string>> asked;
+  options_.native = [&](const NativeRequest& request) {
+    asked.push_back(request.switches);
+    Picture linear = constant_picture(4, 3, 0, 0, 0);
+    for (std::size_t i = 0; i < linear.samples.size(); ++i) linear.samples[i] = std::array{0.25f, 0.125f, 0.5f}[i % 3];
+    write_linear(linear, request.output);
+    NativeResult out;
+    out.outcome = NativeResult::Outcome::rendered, out.seconds = 2, out.files_read = {request.scene};
+    return out;
+  };
+  run();
+  EXPECT_THAT(asked, ElementsAre(ElementsAre("-A", "Declare=Bands=0", "+FE"), ElementsAre("-A", "Declare=Bands=1", "+FE")));
+  ASSERT_EQ(last_.scenes.size(), 1u);
+  EXPECT_EQ(last_.scenes[0].native_seconds, 4);
+  update_baseline(last_, options_.baseline, false);
+  const Picture stored = image::read_picture(options_.baseline / "bands.pov.png");
+  EXPECT_EQ(stored.bits, 16);
+  EXPECT_NEAR(stored.samples[0], linear_to_srgb(0.25), 1e-5);
+  EXPECT_NEAR(stored.samples[1], linear_to_srgb(0.25), 1e-5);
+  EXPECT_EQ(stored.samples[2], 0) << "a negative sum is clipped";
+  EXPECT_EQ(run()["bands.pov"].status, Status::exact);
 }
 
 TEST_F(RunTest, FailedLastTime) {

@@ -13,6 +13,7 @@
 #include "compare/oracle/content_hash.h"
 #include "compare/oracle/switches.h"
 #include "compare/oracle/working_copy.h"
+#include "compare/regression/passes.h"
 #include "compare/report/display.h"
 #include "compare/report/json.h"
 
@@ -192,6 +193,10 @@ class Runner {
     hash.add(options_.native_version), hash.add(options_.native_identity), hash.add(oracle_ ? oracle_->version_text : "");
     hash.add(fmt::format("{}x{} {} {} {} {} {}", r.width, r.height, options_.replay, options_.runs, options_.baseline.string(), options_.always_blame, static_cast<bool>(options_.tags)));
     for (const std::string& s : r.switches) hash.add(s);
+    for (const Pass& pass : r.passes) {
+      for (const std::string& s : pass.switches) hash.add(s);
+      for (const auto& row : pass.matrix) hash.add(fmt::format("{} {} {}", row[0], row[1], row[2]));
+    }
     hash.add(r.scene_class ? to_string(*r.scene_class) : "auto");
     for (const auto& [name, limit] : r.thresholds) hash.add(fmt::format("{} {}", name, limit));
     hash.add(fmt::format("{} {} {} {}", r.fit.exposure, r.fit.white_balance, r.fit.crop ? fmt::format("{} {} {} {}", r.fit.crop->x, r.fit.crop->y, r.fit.crop->width, r.fit.crop->height) : "",
@@ -274,7 +279,7 @@ class Runner {
     }
     const bool rendered = native.outcome == NativeResult::Outcome::rendered;
     if (rendered) result.native_picture = native_output(request, stem, 0);
-    const OracleRender oracle = reference_picture(request, rendered ? files_read : std::vector<fs::path>(), oracle_threads());
+    const OracleRender oracle = reference_picture(request, rendered ? files_read : std::vector<fs::path>(), 0);
     result.oracle_seconds = oracle.seconds, result.oracle_cpu_seconds = oracle.cpu_seconds, result.oracle_cached = oracle.from_cache;
     if (!oracle.ok) {
       result.status = Status::oracle_failed;
@@ -289,8 +294,10 @@ class Runner {
     judge(request, stem, oracle.picture, files_read, result);
   }
 
+  static std::string picture_extension(const SceneRequest& request) { return request.passes.empty() ? output_extension(request.switches) : ".png"; }
+
   fs::path native_output(const SceneRequest& request, const std::string& stem, int run) const {
-    return work_ / (stem + (run ? fmt::format(".run{}", run + 1) : "") + ".native" + output_extension(request.switches));
+    return work_ / (stem + (run ? fmt::format(".run{}", run + 1) : "") + ".native" + picture_extension(request));
   }
 
   void keep_picture(const Picture& picture, const std::string& stem, const char* side, fs::path& kept) const {
@@ -313,6 +320,7 @@ class Runner {
   }
 
   NativeResult render_native(const SceneRequest& request, const fs::path& output, int run, const SceneResult& result, std::vector<fs::path>& files_read) {
+    if (!request.passes.empty()) return render_passes(request, output, run, result, files_read);
     const WorkingCopy copy(request.scene);
     NativeRequest ask = native_request(request, copy);
     ask.output = output, ask.run = run;
@@ -330,17 +338,51 @@ class Runner {
     return native;
   }
 
-  int oracle_threads() const { return options_.replay ? 1 : std::max(1, options_.oracle.threads); }
+  NativeResult render_passes(const SceneRequest& request, const fs::path& output, int run, const SceneResult& result, std::vector<fs::path>& files_read) {
+    NativeResult out;
+    PassSum sum;
+    const TemporaryFolder folder;
+    const fs::path picture = folder.path() / "pass.exr";
+    for (const Pass& pass : request.passes) {
+      NativeResult one = render_native(request_of_pass(request, pass), picture, run, result, files_read);
+      one.seconds += out.seconds, one.cpu_seconds += out.cpu_seconds, one.peak_bytes = std::max(one.peak_bytes, out.peak_bytes);
+      for (const auto& [kind, count] : out.rays) one.rays[kind] += count;
+      out = std::move(one);
+      if (out.outcome != NativeResult::Outcome::rendered) return out;
+      sum.add(image::read_picture(picture), pass);
+    }
+    write_16_bits(sum.picture(), output);
+    return out;
+  }
+
+  OracleRender oracle_picture(const SceneRequest& request, const OracleOptions& options, int variant, const std::vector<fs::path>& files_read) {
+    if (request.passes.empty()) return run_oracle(*oracle_, options, request, variant, files_read, options_.cancel);
+    OracleRender out;
+    PassSum sum;
+    bool from_cache = true;
+    for (const Pass& pass : request.passes) {
+      OracleRender one = run_oracle(*oracle_, options, request_of_pass(request, pass), variant, files_read, options_.cancel);
+      if (!one.ok) return one;
+      out.seconds += one.seconds, out.cpu_seconds += one.cpu_seconds, out.peak_bytes = std::max(out.peak_bytes, one.peak_bytes), from_cache = from_cache && one.from_cache;
+      sum.add(one.picture, pass);
+    }
+    out.picture = sum.picture(), out.ok = true, out.from_cache = from_cache;
+    return out;
+  }
 
   // What takes the oracle's place; empty: nothing.
   fs::path stored_picture(const SceneRequest& request) const {
     if (request.reference) return *request.reference;
-    return options_.baseline.empty() ? fs::path() : options_.baseline / (file_stem(request.name) + output_extension(request.switches));
+    return options_.baseline.empty() ? fs::path() : options_.baseline / (file_stem(request.name) + picture_extension(request));
   }
 
-  OracleRender reference_picture(const SceneRequest& request, const std::vector<fs::path>& files_read, int threads) {
+  OracleRender reference_picture(const SceneRequest& request, const std::vector<fs::path>& files_read, int variant) {
     const fs::path stored = stored_picture(request);
-    if (stored.empty()) return run_oracle(*oracle_, options_.oracle, request, threads, files_read, options_.cancel);
+    if (stored.empty()) {
+      OracleOptions options = options_.oracle;
+      if (options_.replay) options.threads = 1;
+      return oracle_picture(request, options, variant, files_read);
+    }
     OracleRender out;
     if (!fs::exists(stored)) {
       out.message = fmt::format("there is no stored picture {}", stored.string());
@@ -388,26 +430,25 @@ class Runner {
     if (options_.tags && (result.status == Status::differ || options_.always_blame)) find_blame(request, *oracle, native, result);
   }
 
-  // False when the oracle failed.
+  // False when the oracle failed. The low-pass comparison comes first: what it refuses needs no more renders.
   bool judge_noise(const SceneRequest& request, const std::string& stem, const Picture& oracle, const Picture& native, const std::vector<fs::path>& files_read, SceneResult& result,
                    Verdict& verdict) {
-    const int runs = std::max(1, options_.runs);
-    // Two runs of the reference at least; of several, all have an odd number of threads more than the first, so that another POV-Ray can take the even ones.
     std::vector<Picture> references{oracle}, tests{native};
-    for (int run = 1; run < std::max(2, runs); ++run) {
-      OracleRender again = reference_picture(request, files_read, oracle_threads() + (runs > 1 ? 2 * run : run));
-      if (!again.ok) {
-        result.status = Status::oracle_failed, result.reason = "another run for the noise: " + again.message;
-        return false;
-      }
+    const auto another_reference = [&] {
+      OracleRender again = reference_picture(request, files_read, 2 * static_cast<int>(references.size()));
       result.oracle_seconds += again.seconds, result.oracle_cpu_seconds += again.cpu_seconds;
-      references.push_back(std::move(again.picture));
-    }
+      if (!again.ok) result.status = Status::oracle_failed, result.reason = "another run for the noise: " + again.message;
+      else references.push_back(std::move(again.picture));
+      return again.ok;
+    };
+    if (!another_reference()) return false;
     result.native_low_pass = low_pass(oracle, native);
     result.noise_low_pass = low_pass(oracle, references[1]);
     verdict = judge_stochastic(*result.metrics, request.antialiased(), *result.native_low_pass, *result.noise_low_pass);
-    if (runs < 2) return true;
-    for (int run = 1; run < runs; ++run) {
+    if (options_.runs < 2 || verdict.status == Status::differ) return true;
+    while (static_cast<int>(references.size()) < options_.runs)
+      if (!another_reference()) return false;
+    for (int run = 1; run < options_.runs; ++run) {
       std::vector<fs::path> ignored;
       const fs::path output = native_output(request, stem, run);
       const NativeResult again = render_native(request, output, run, result, ignored);
@@ -419,10 +460,7 @@ class Runner {
       tests.push_back(image::read_picture(output));
     }
     result.welch = welch_test(references, tests);
-    if (verdict.status == Status::match && result.welch->rejected)
-      verdict = {Status::differ, fmt::format("Welch's test over {} runs on each side: {}", runs,
-                                             result.welch->mean_p < result.welch->pixel_p ? fmt::format("the means differ by {:+.3f} (p = {:.2g})", result.welch->mean_difference, result.welch->mean_p)
-                                                                                          : fmt::format("pixel {}, {} differs (p = {:.2g})", result.welch->worst_x, result.welch->worst_y, result.welch->pixel_p))};
+    if (result.welch->rejected) verdict = {Status::differ, fmt::format("Welch's test over {} runs on each side: {}", options_.runs, result.welch->text())};
     return true;
   }
 
@@ -447,7 +485,7 @@ class Runner {
       for (const WorstPixel& pixel : result.metrics->worst)
         if (trees.size() < kTrees) trees.emplace_back(pixel.x, pixel.y);
       const double pixels = static_cast<double>(request.width) * request.height;
-      PixelTags tags = options_.tags(native_request(request, copy), std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels)))), trees);
+      PixelTags tags = options_.tags(native_request(request.passes.empty() ? request : request_of_pass(request, request.passes[0]), copy), std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels)))), trees);
       const std::vector<fs::path> library = oracle_ ? oracle_->library_paths : std::vector<fs::path>();
       for (PixelTags::Tag& tag : tags.tags) tag.name = short_names(std::move(tag.name), copy, library);
       for (PixelTags::Tree& tree : tags.trees) tree.text = short_names(std::move(tree.text), copy, library);

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "compare/compare.h"
-#include "compare/metrics/values.h"
+#include "compare/metrics/row_window.h"
 #include "tracer/image/png.h"
 
 namespace verisim::compare {
@@ -31,6 +31,15 @@ Picture blank(int width, int height, int channels) {
   return out;
 }
 
+void heat_row(const Values& a, const Values& b, int y, double gain, float* to) {
+  for (int x = 0; x < a.width(); ++x) {
+    const Rgb p = a.rgb(x, y), q = b.rgb(x, y);
+    double largest = a.finite(x, y) && b.finite(x, y) ? 0 : 255;
+    for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, std::fabs(p[c] - q[c]));
+    for (double v : scale_color(largest * gain / 255)) *to++ = static_cast<float>(v / 255);
+  }
+}
+
 }  // namespace
 
 Picture displayable(const Picture& picture) {
@@ -49,14 +58,30 @@ Picture heat_map(const Picture& reference, const Picture& test, double gain) {
   require_same_size(reference, test);
   const Values a(reference), b(test);
   Picture out = blank(a.width(), a.height(), 3);
-  float* to = out.samples.data();
-  for (int y = 0; y < out.height; ++y)
+  for (int y = 0; y < out.height; ++y) heat_row(a, b, y, gain, &out.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) * 3]);
+  return out;
+}
+
+int reduction(int width, int height) { return std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(width) * height / kMostShown)))); }
+
+Picture shown(const std::filesystem::path& path) {
+  RowWindow rows(path);
+  const int step = reduction(rows.shape().width, rows.shape().height);
+  if (step == 1) return displayable(image::read_picture(path));
+  Picture out = blank((rows.shape().width + step - 1) / step, (rows.shape().height + step - 1) / step, 3);
+  for (int y = 0; y < out.height; ++y) {
+    const int first = y * step, last = std::min(first + step, rows.shape().height);
+    const Values values = rows.show(first, last);
     for (int x = 0; x < out.width; ++x) {
-      const Rgb p = a.rgb(x, y), q = b.rgb(x, y);
-      double largest = a.finite(x, y) && b.finite(x, y) ? 0 : 255;
-      for (int c = 0; c < 3; ++c) largest = std::max(largest, std::fabs(p[c] - q[c]));
-      for (double v : scale_color(largest * gain / 255)) *to++ = static_cast<float>(v / 255);
+      const int left = x * step, right = std::min(left + step, values.width());
+      Rgb sum{};
+      for (int j = first; j < last; ++j)
+        for (int i = left; i < right; ++i)
+          for (std::size_t c = 0; c < 3; ++c) sum[c] += values.rgb(i, j)[c];
+      for (std::size_t c = 0; c < 3; ++c)
+        out.samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) + static_cast<std::size_t>(x)) * 3 + c] = static_cast<float>(sum[c] / (255.0 * (last - first) * (right - left)));
     }
+  }
   return out;
 }
 
@@ -117,6 +142,12 @@ std::string base64(const std::string& bytes) {
 
 void write_heat_map(const Picture& reference, const Picture& test, const std::filesystem::path& path, double gain) {
   image::write_picture(heat_map(reference, test, gain), path);
+}
+
+void write_heat_map(const std::filesystem::path& reference, const std::filesystem::path& test, const std::filesystem::path& path, double gain) {
+  RowWindow a(reference), b(test);
+  require_same_size(a.shape(), b.shape());
+  image::write_rows(a.shape().width, a.shape().height, 3, [&](int y, float* row) { heat_row(a.show(y, y + 1), b.show(y, y + 1), y, gain, row); }, path);
 }
 
 }  // namespace verisim::compare

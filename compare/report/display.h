@@ -1,6 +1,7 @@
 // Pictures made to be looked at.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "compare/metrics/metrics.h"
@@ -15,6 +16,13 @@ Picture heat_map(const Picture& reference, const Picture& test, double gain);
 
 // No larger than the given size, by averaging.
 Picture thumbnail(const Picture& picture, int max_width, int max_height);
+
+// Pictures of more pixels are shown reduced.
+inline constexpr double kMostShown = 1 << 24;
+// How many pixels of a picture of this size become one on either side; 1: none.
+int reduction(int width, int height);
+// A file as it is shown, without alpha when it is reduced. Throws std::runtime_error.
+Picture shown(const std::filesystem::path& path);
 
 // As an 8-bit PNG file in memory; base64 as in RFC 4648.
 std::string png_bytes(const Picture& picture);

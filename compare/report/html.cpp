@@ -21,6 +21,7 @@ Json scene_data(const SceneResult& s) {
   json["tags"] = s.request.tags;
   json["width"] = s.metrics ? s.metrics->width : s.request.width;
   json["height"] = s.metrics ? s.metrics->height : s.request.height;
+  json["reduced"] = reduction(json["width"], json["height"]);
   json["class"] = to_string(s.scene_class);
   json["status"] = to_string(s.status);
   json["reason"] = s.reason;
@@ -86,7 +87,7 @@ Picture channels_of(const Picture& picture, bool alpha) {
 void add_picture(std::string& out, const std::string& number, char side, const std::filesystem::path& path) {
   if (path.empty()) return;
   try {
-    const Picture picture = displayable(image::read_picture(path));
+    const Picture picture = shown(path);
     if (picture.channels == 4) add_png(out, "p" + number + side + "a", channels_of(picture, true));
     const Picture colors = picture.channels == 4 ? channels_of(picture, false) : picture;
     add_png(out, "p" + number + side, colors);
@@ -133,21 +134,24 @@ std::string html_report(const Run& run) {
   return out.append(page, at);
 }
 
-Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test, const MetricOptions& options) {
+Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test, const Metrics& metrics) {
   Run run;
   run.reference_name = reference.filename().string(), run.test_name = test.filename().string();
   if (run.reference_name == run.test_name) run.reference_name = reference.string(), run.test_name = test.string();
   SceneResult& s = run.scenes.emplace_back();
-  const Picture a = image::read_picture(reference), b = image::read_picture(test);
-  s.metrics = measure(a, b, options);
-  const Verdict verdict = judge_deterministic(*s.metrics, false);
+  s.metrics = metrics;
+  const Verdict verdict = judge_deterministic(metrics, false);
   s.status = verdict.status, s.reason = verdict.reason;
-  if (s.status == Status::differ) s.suspicions = diagnose(a, b);
+  if (s.status == Status::differ && reduction(metrics.width, metrics.height) == 1) s.suspicions = diagnose(image::read_picture(reference), image::read_picture(test));
   s.request.name = run.reference_name + " – " + run.test_name;
-  s.request.width = a.width, s.request.height = a.height;
+  s.request.width = metrics.width, s.request.height = metrics.height;
   s.oracle_picture = reference, s.native_picture = test;
   run.summary = summarise(run.scenes);
   return run;
+}
+
+Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test, const MetricOptions& options) {
+  return run_of_pair(reference, test, measure_files(reference, test, options));
 }
 
 }  // namespace verisim::compare

@@ -62,6 +62,53 @@ CornellBox read_cornell_box(const std::filesystem::path& path, Illuminant illumi
   }
 }
 
+double band_mean(const Spectrum& spectrum, int band) {
+  double sum = 0;
+  for (int nm = 0; nm < kBandWidth; ++nm) sum += value_at(spectrum, kFirstBand + kBandWidth * band + nm + 0.5);
+  return sum / kBandWidth;
+}
+
+std::array<BandMatrix, 4> band_matrices(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  if (!stream) throw std::runtime_error("cannot read " + path.string());
+  try {
+    const Spectrum emission = spectrum(json::parse(stream).at("emission_nm"));
+    double mean = 0, luminance = 0;
+    for (int band = 0; band < kBands; ++band) mean += band_mean(emission, band) / kBands;
+    std::array<Triple, kBands> xyz{};
+    for (int band = 0; band < kBands; ++band) {
+      Triple& sum = xyz[static_cast<std::size_t>(band)];
+      for (int nm = 0; nm < kBandWidth; ++nm) {
+        const Triple weights = observer_at(kFirstBand + kBandWidth * band + nm + 0.5);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += weights[c];
+      }
+      luminance += sum[1] * band_mean(emission, band) / mean;
+    }
+    std::array<BandMatrix, 4> out{};
+    for (std::size_t band = 0; band < kBands; ++band) {
+      Triple value = xyz[band];
+      for (double& v : value) v /= luminance;
+      const Triple rgb = xyz_to_rgb(value);
+      for (std::size_t row = 0; row < 3; ++row) out[band / 3][row][band % 3] = rgb[row];
+    }
+    return out;
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path.string() + ": " + error.what());
+  }
+}
+
+std::string as_passes(const std::array<BandMatrix, 4>& matrices) {
+  std::string text;
+  char line[300];
+  for (std::size_t pass = 0; pass < matrices.size(); ++pass) {
+    const BandMatrix& m = matrices[pass];
+    std::snprintf(line, sizeof line, "  { switches = \"Declare=Bands=%d\", matrix = [[%.6f, %.6f, %.6f], [%.6f, %.6f, %.6f], [%.6f, %.6f, %.6f]] },\n", static_cast<int>(pass), m[0][0], m[0][1], m[0][2],
+                  m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]);
+    text += line;
+  }
+  return text;
+}
+
 std::string as_sdl(const CornellBox& box) {
   std::string text;
   char line[200];

@@ -21,6 +21,8 @@ constexpr Matrix kBradfordInverse{{{0.9869929, -0.1470543, 0.1599627}, {0.432305
 
 constexpr double kFirst = 380, kLast = 780, kObserverStep = 5;
 
+}  // namespace
+
 Triple observer_at(double nanometres) {
   const double position = (nanometres - kFirst) / kObserverStep;
   const std::size_t i = std::min(static_cast<std::size_t>(position), observer().size() - 2);
@@ -29,8 +31,6 @@ Triple observer_at(double nanometres) {
   for (std::size_t c = 0; c < 3; ++c) result[c] = (1 - f) * observer()[i][c] + f * observer()[i + 1][c];
   return result;
 }
-
-}  // namespace
 
 double value_at(const Spectrum& spectrum, double nanometres) {
   if (spectrum.empty()) return 1;

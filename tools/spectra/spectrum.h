@@ -38,7 +38,8 @@ Triple xyz_to_rgb(const Triple& xyz);
 // Bradford adaptation from one white to another.
 Triple adapt(const Triple& xyz, const Triple& from_white, const Triple& to_white);
 
-// The observer at 380, 385 ... 780 nm.
+// The observer at 380, 385 ... 780 nm, and linear in between.
 const std::array<Triple, 81>& observer();
+Triple observer_at(double nanometres);
 
 }  // namespace verisim::spectra

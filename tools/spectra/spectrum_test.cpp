@@ -110,6 +110,41 @@ TEST(CornellBoxTest, WrongFilesAreNamed) {
   EXPECT_THROW(read_cornell_box(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.pov"), std::runtime_error);
 }
 
+// What the bands add up to is what the spectra give when they are integrated: the light, and the light on a white and a red wall, but for the ends of the spectrum.
+TEST(CornellBox, BandsAddUpToTheColoursOfTheSpectra) {
+  std::ifstream data(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json");
+  const auto json = nlohmann::json::parse(data);
+  const auto matrices = band_matrices(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json");
+  const auto spectrum = [](const nlohmann::json& samples) {
+    Spectrum out;
+    for (const auto& s : samples) out.emplace_back(s[0], s[1]);
+    return out;
+  };
+  const Spectrum light = spectrum(json["emission_nm"]);
+  double mean = 0;
+  for (int band = 0; band < kBands; ++band) mean += band_mean(light, band) / kBands;
+  const auto composed = [&](const Spectrum& wall) {
+    Triple out{};
+    for (std::size_t band = 0; band < kBands; ++band) {
+      const double value = band_mean(light, static_cast<int>(band)) / mean * (wall.empty() ? 1 : band_mean(wall, static_cast<int>(band)));
+      for (std::size_t row = 0; row < 3; ++row) out[row] += matrices[band / 3][row][band % 3] * value;
+    }
+    return out;
+  };
+  const double y = integrate(light, {})[1];
+  for (const Spectrum& wall : {Spectrum{}, spectrum(json["reflectance_nm"]["white"]), spectrum(json["reflectance_nm"]["red"]), spectrum(json["reflectance_nm"]["green"])}) {
+    Triple xyz = integrate(light, wall);
+    for (double& v : xyz) v /= y;
+    expect_near(composed(wall), xyz_to_rgb(xyz), 0.02);
+  }
+}
+
+TEST(CornellBox, TheManifestHasTheComputedPasses) {
+  std::ifstream source(VERISIM_SOURCE_DIR "/scenes/cornell_box/verisim.toml");
+  const std::string manifest{std::istreambuf_iterator<char>(source), {}};
+  EXPECT_NE(manifest.find(as_passes(band_matrices(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json"))), std::string::npos);
+}
+
 // bands.inc: means over 25 nm, the light relative to its mean over all twelve.
 TEST(CornellBox, BandsAreTheMeansOfTheSpectra) {
   std::ifstream data(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json"), source(VERISIM_SOURCE_DIR "/scenes/cornell_box/bands.inc");

@@ -2,13 +2,16 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
 #include "tracer/image/hdr.h"
 #include "tracer/image/module_files.h"
 #include "tracer/image/netpbm.h"
+#include "tracer/image/picture_rows.h"
 #include "tracer/image/png.h"
 
 namespace verisim::image {
@@ -73,13 +76,62 @@ void write_module_file(const render::Framebuffer& framebuffer, const std::filesy
   }
 }
 
+float sample_scale(int bits) { return 1.0f / static_cast<float>((1 << bits) - 1); }
+
 Picture normalised(const Quantised& in) {
   Picture out{in.width, in.height, in.channels, false, in.bits, {}};
-  const float scale = 1.0f / static_cast<float>((1 << in.bits) - 1);
+  const float scale = sample_scale(in.bits);
   out.samples.resize(in.samples.size());
   for (std::size_t i = 0; i < in.samples.size(); ++i) out.samples[i] = static_cast<float>(in.samples[i]) * scale;
   return out;
 }
+
+bool is_png(std::FILE* file) {
+  unsigned char magic[8] = {};
+  const std::size_t got = std::fread(magic, 1, sizeof magic, file);
+  std::rewind(file);
+  return got == 8 && std::memcmp(magic, "\x89PNG\r\n\x1a\n", 8) == 0;
+}
+
+class PngFileRows : public PictureRows {
+ public:
+  PngFileRows(std::filesystem::path path, File file) : path_(std::move(path)), file_(std::move(file)), png_(file_.get()) {
+    width = png_.width, height = png_.height, channels = png_.channels, bits = png_.bits;
+    row_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels));
+  }
+  bool interlaced() const { return png_.interlaced; }
+  void next(float* row) override {
+    try {
+      png_.next(row_.data());
+    } catch (const std::runtime_error& error) {
+      fail(path_, "read", error.what());
+    }
+    const float scale = sample_scale(bits);
+    for (std::size_t i = 0; i < row_.size(); ++i) row[i] = static_cast<float>(row_[i]) * scale;
+  }
+
+ private:
+  std::filesystem::path path_;
+  File file_;
+  PngRows png_;
+  std::vector<std::uint16_t> row_;
+};
+
+class WholePictureRows : public PictureRows {
+ public:
+  explicit WholePictureRows(Picture picture) : picture_(std::move(picture)) {
+    width = picture_.width, height = picture_.height, channels = picture_.channels, bits = picture_.bits, is_float = picture_.is_float;
+  }
+  void next(float* row) override {
+    const std::size_t n = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
+    std::copy_n(picture_.samples.data() + n * static_cast<std::size_t>(row_++), n, row);
+  }
+  const Picture* whole() const override { return &picture_; }
+
+ private:
+  Picture picture_;
+  int row_ = 0;
+};
 
 }  // namespace
 
@@ -107,11 +159,36 @@ Picture read_picture(const std::filesystem::path& path) {
 }
 
 void write_picture(const Picture& picture, const std::filesystem::path& path) {
-  Quantised q{picture.width, picture.height, picture.channels, 8, {}};
-  q.samples.reserve(picture.samples.size());
-  for (float v : picture.samples) q.samples.push_back(static_cast<std::uint16_t>(v > 0 ? std::floor(std::min(v, 1.0f) * 255.0f + 0.5f) : 0.0f));
+  const std::size_t n = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels);
+  write_rows(picture.width, picture.height, picture.channels, [&](int y, float* row) { std::copy_n(picture.samples.data() + n * static_cast<std::size_t>(y), n, row); }, path);
+}
+
+std::unique_ptr<PictureRows> open_rows(const std::filesystem::path& path) {
+  File file(std::fopen(path.c_str(), "rb"));
+  if (!file) fail(path, "open", std::strerror(errno));
+  if (is_png(file.get())) {
+    std::unique_ptr<PngFileRows> rows;
+    try {
+      rows = std::make_unique<PngFileRows>(path, std::move(file));
+    } catch (const std::runtime_error& error) {
+      fail(path, "read", error.what());
+    }
+    if (!rows->interlaced()) return rows;
+  }
+  return std::make_unique<WholePictureRows>(read_picture(path));
+}
+
+void write_rows(int width, int height, int channels, const std::function<void(int y, float* row)>& rows, const std::filesystem::path& path, int bits) {
+  const Quantised shape{width, height, channels, bits, {}};
+  const float most = static_cast<float>((1 << bits) - 1);
+  std::vector<float> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels));
+  const auto quantised = [&](int y, std::uint16_t* row) {
+    rows(y, values.data());
+    for (std::size_t i = 0; i < values.size(); ++i) row[i] = static_cast<std::uint16_t>(values[i] > 0 ? std::floor(std::min(values[i], 1.0f) * most + 0.5f) : 0.0f);
+  };
   OutputOptions options;
-  write_atomically(path, [&](std::FILE* file) { write_png(file, q, options); });
+  options.bits = bits;
+  write_atomically(path, [&](std::FILE* file) { write_png(file, shape, options, quantised); });
 }
 
 }  // namespace verisim::image

@@ -3,6 +3,7 @@
 #include <png.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <csetjmp>
 #include <ctime>
 #include <stdexcept>
@@ -57,9 +58,8 @@ int color_type(int channels) {
   }
 }
 
-void pack_row(const Quantised& picture, int y, png_byte* row) {
+void pack_row(const Quantised& picture, const std::uint16_t* in, png_byte* row) {
   const std::size_t n = static_cast<std::size_t>(picture.width) * picture.channels;
-  const std::uint16_t* in = picture.samples.data() + n * y;
   if (picture.bits == 8) {
     for (std::size_t i = 0; i < n; ++i) row[i] = static_cast<png_byte>(in[i]);
   } else {
@@ -67,8 +67,11 @@ void pack_row(const Quantised& picture, int y, png_byte* row) {
   }
 }
 
+using RowSource = std::function<void(int y, std::uint16_t* row)>;
+
 // Everything between here and the caller may be left by longjmp: no objects with destructors.
-bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const OutputOptions& options, png_byte* row, png_text* texts, int text_count) {
+bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const OutputOptions& options, const RowSource& rows, std::uint16_t* samples, png_byte* row, png_text* texts,
+               int text_count) {
   if (setjmp(png_jmpbuf(w.png))) return false;
   png_init_io(w.png, file);
   // Writing time counts more than size here: runs and Huffman's code alone, without a search for repeats, which rendered pictures have few of.
@@ -97,7 +100,8 @@ bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const Outpu
   if (text_count) png_set_text(w.png, w.info, texts, text_count);
   png_write_info(w.png, w.info);
   for (int y = 0; y < picture.height; ++y) {
-    pack_row(picture, y, row);
+    rows(y, samples);
+    pack_row(picture, samples, row);
     png_write_row(w.png, row);
   }
   png_write_end(w.png, w.info);
@@ -115,6 +119,13 @@ bool read_header(Reader& r, std::FILE* file) {
   return true;
 }
 
+bool read_row(Reader& r, png_byte* row, bool last) {
+  if (setjmp(png_jmpbuf(r.png))) return false;
+  png_read_row(r.png, row, nullptr);
+  if (last) png_read_end(r.png, nullptr);
+  return true;
+}
+
 bool read_rows(Reader& r, png_byte** rows) {
   if (setjmp(png_jmpbuf(r.png))) return false;
   png_read_image(r.png, rows);
@@ -125,6 +136,11 @@ bool read_rows(Reader& r, png_byte** rows) {
 }  // namespace
 
 void write_png(std::FILE* file, const Quantised& picture, const OutputOptions& options) {
+  const std::size_t n = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels);
+  write_png(file, picture, options, [&](int y, std::uint16_t* row) { std::copy_n(picture.samples.data() + n * static_cast<std::size_t>(y), n, row); });
+}
+
+void write_png(std::FILE* file, const Quantised& picture, const OutputOptions& options, const RowSource& rows) {
   std::map<std::string, std::string> metadata = options.metadata;
   metadata.try_emplace("Software", "verisim");
   std::vector<png_text> texts;
@@ -135,9 +151,10 @@ void write_png(std::FILE* file, const Quantised& picture, const OutputOptions& o
     text.text = const_cast<char*>(value.c_str());
     texts.push_back(text);
   }
-  std::vector<png_byte> row(static_cast<std::size_t>(picture.width) * picture.channels * (picture.bits == 16 ? 2 : 1));
+  std::vector<std::uint16_t> samples(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels));
+  std::vector<png_byte> row(samples.size() * (picture.bits == 16 ? 2 : 1));
   Writer w;
-  if (!write_all(w, file, picture, options, row.data(), texts.data(), static_cast<int>(texts.size()))) throw std::runtime_error(w.failure.message);
+  if (!write_all(w, file, picture, options, rows, samples.data(), row.data(), texts.data(), static_cast<int>(texts.size()))) throw std::runtime_error(w.failure.message);
 }
 
 Quantised read_png(std::FILE* file) {
@@ -159,6 +176,32 @@ Quantised read_png(std::FILE* file) {
   for (std::size_t i = 0; i < count; ++i)
     picture.samples[i] = picture.bits == 16 ? static_cast<std::uint16_t>(bytes[2 * i] << 8 | bytes[2 * i + 1]) : bytes[i];
   return picture;
+}
+
+struct PngRows::State {
+  Reader reader;
+  std::vector<png_byte> bytes;
+  int row = 0;
+};
+
+PngRows::PngRows(std::FILE* file) : state_(std::make_unique<State>()) {
+  Reader& r = state_->reader;
+  if (!read_header(r, file)) throw std::runtime_error(r.failure.message);
+  width = static_cast<int>(png_get_image_width(r.png, r.info));
+  height = static_cast<int>(png_get_image_height(r.png, r.info));
+  channels = png_get_channels(r.png, r.info);
+  bits = png_get_bit_depth(r.png, r.info);
+  interlaced = png_get_interlace_type(r.png, r.info) != PNG_INTERLACE_NONE;
+  state_->bytes.resize(png_get_rowbytes(r.png, r.info));
+}
+
+PngRows::~PngRows() = default;
+
+void PngRows::next(std::uint16_t* row) {
+  std::vector<png_byte>& bytes = state_->bytes;
+  if (!read_row(state_->reader, bytes.data(), ++state_->row == height)) throw std::runtime_error(state_->reader.failure.message);
+  const std::size_t n = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
+  for (std::size_t i = 0; i < n; ++i) row[i] = bits == 16 ? static_cast<std::uint16_t>(bytes[2 * i] << 8 | bytes[2 * i + 1]) : bytes[i];
 }
 
 }  // namespace verisim::image

@@ -234,15 +234,16 @@ function readPixel(x, y) {
     const i = 4 * (y * pic.width + x); return [pic.pixels[i], pic.pixels[i + 1], pic.pixels[i + 2], alpha ? alpha.pixels[i] : 255];
   };
   const o = read(eye.o, eye.oa), n = read(eye.n, eye.na);
-  $('where').textContent = `pixel ${x}, ${y}`;
+  const step = scenes[eye.index].reduced;
+  $('where').textContent = step > 1 ? `mean of ${step}×${step} pixels at ${x * step}, ${y * step}` : `pixel ${x}, ${y}`;
   for (let c = 0; c < 4; c++) {
     body[0].cells[c + 1].textContent = o ? o[c] : '–'; body[1].cells[c + 1].textContent = n ? n[c] : '–';
     body[2].cells[c + 1].textContent = o && n ? (n[c] > o[c] ? '+' : '') + (n[c] - o[c]) : '–';
   }
   $('swatch-o').style.background = o ? `rgb(${o.slice(0, 3)})` : ''; $('swatch-n').style.background = n ? `rgb(${n.slice(0, 3)})` : '';
-  const s = scenes[eye.index], command = `verisim explain ${quote(s.file)} ${x} ${y} +W${s.width} +H${s.height} ${s.switches.map(quote).join(' ')}`;
+  const s = scenes[eye.index], command = `verisim explain ${quote(s.file)} ${x * step} ${y * step} +W${s.width} +H${s.height} ${s.switches.map(quote).join(' ')}`;
   $('explain').hidden = !s.file; $('explain').firstElementChild.textContent = command;
-  const tree = (s.trees || []).find(t => t.x === x && t.y === y);
+  const tree = (s.trees || []).find(t => Math.floor(t.x / step) === x && Math.floor(t.y / step) === y);
   $('tree').hidden = !tree; $('tree').querySelector('pre').textContent = tree ? tree.text : '';
 }
 const quote = t => /^[\w@%+=:,./-]+$/.test(t) ? t : `'${t.replaceAll("'", `'\\''`)}'`;
@@ -300,7 +301,7 @@ function figures(s) {
   if (s.low_pass) for (const key of ['mad', 'bias', 'rmse']) row(`Blurred ${key}: ours, noise`, `${fixed(s.low_pass.native[key], 3)}, ${fixed(s.low_pass.noise[key], 3)}`);
   if (s.welch) row("Welch's test", `${s.welch.rejected ? 'rejected' : 'passed'}: p ${s.welch.pixel_p.toExponential(1)} (pixels), ${s.welch.mean_p.toExponential(1)} (mean ${fixed(s.welch.mean_difference, 3)})`);
   if (s.fit) row('Fitted', s.fit);
-  row('Class', s.class); row('Size', `${s.width}×${s.height}`);
+  row('Class', s.class); row('Size', `${s.width}×${s.height}${s.reduced > 1 ? `, shown at 1:${s.reduced}` : ''}`);
   if (s.oracle_seconds) row(`${WHO.o} [${s.cpu ? 'CPU s' : 's'}]`, fixed(s.oracle_seconds, 2) + (s.cached ? ' (kept)' : ''));
   if (s.native_seconds) row(`${WHO.n} [${s.cpu ? 'CPU s' : 's'}]`, fixed(s.native_seconds, 2));
   if (ratio(s)) row('Ratio', fixed(ratio(s), 1) + '×');
@@ -325,7 +326,7 @@ function histogram(s) {
   box.setAttribute('aria-label', 'Pixels by their largest difference: ' + bins.map((n, i) => n ? `${edges[i]}${edges[i + 1] - edges[i] > 1 ? ` to ${edges[i + 1] - 1}` : ''}: ${n}` : '').filter(Boolean).join('; '));
 }
 function worst(s) {
-  $('worst').replaceChildren(...(s.worst || []).map(([x, y, error]) => node('li', {}, node('button', { type: 'button', onclick: () => { if (eye.mode === 'slider') setMode('both'); goTo(x, y, 40); canvas.focus({ preventScroll: false }); } }, `${x}, ${y}: ${fixed(error, 0)} apart`))));
+  $('worst').replaceChildren(...(s.worst || []).map(([x, y, error]) => node('li', {}, node('button', { type: 'button', onclick: () => { if (eye.mode === 'slider') setMode('both'); goTo(Math.floor(x / s.reduced), Math.floor(y / s.reduced), 40); canvas.focus({ preventScroll: false }); } }, `${x}, ${y}: ${fixed(error, 0)} apart`))));
   if (!s.worst || !s.worst.length) $('worst').replaceChildren(node('li', { style: 'list-style: none; margin-left: -26px' }, s.metrics ? 'No pixel differs.' : 'Nothing was compared.'));
 }
 // What the wrong pixels have in common, and the objects they lie on.
@@ -337,7 +338,7 @@ function blame(s) {
   $('blame-note').textContent = `${b.bad_pixels.toLocaleString('en')} of ${(b.bad_pixels + b.good_pixels).toLocaleString('en')} pixels differ by more than ${b.limit} code values.`;
   const common = b.common.slice(0, 12).map(c => node('tr', {}, node('th', { scope: 'row' }, node('small', {}, c.kind), ' ', c.name), ...cells('td', `${fixed(c.bad_pct, 1)} %`, `${fixed(c.good_pct, 1)} %`, fixed(c.correlation, 2))));
   $('common').replaceChildren(...(common.length ? [node('tr', {}, ...cells('th', 'In common', 'wrong', 'right', 'phi')), ...common] : [node('tr', {}, ...cells('td', 'The wrong pixels have nothing in common that the right ones have not.'))]));
-  const objects = b.objects.slice(0, 40).map(o => node('tr', {}, node('th', { scope: 'row' }, node('button', { type: 'button', onclick: () => goTo(o.worst[0], o.worst[1], 40) }, o.name)),
+  const objects = b.objects.slice(0, 40).map(o => node('tr', {}, node('th', { scope: 'row' }, node('button', { type: 'button', onclick: () => goTo(Math.floor(o.worst[0] / s.reduced), Math.floor(o.worst[1] / s.reduced), 40) }, o.name)),
     ...cells('td', `${fixed(100 * o.share, 1)} %`, `${fixed(o.pixels_pct, 1)} %`, `${fixed(o.bad_pct, 1)} %`, fixed(o.rmse, 2), (o.bias > 0 ? '+' : '') + fixed(o.bias, 2))));
   $('objects').replaceChildren(node('tr', {}, ...cells('th', 'Object', 'of error', 'of picture', 'wrong', 'RMSE', 'bias')), ...objects);
 }

@@ -65,7 +65,7 @@ void Parser::Impl::go_to(const TokenFile* target, std::uint32_t token) {
   file = target;
   position = target->tokens.data() + token;
   ready = false;
-  pending.at = nullptr;
+  pending.at = not_fast = nullptr;
 }
 
 bool Parser::Impl::end_of_file() {

@@ -17,32 +17,7 @@ bool string_word(Word word) { return word_class(word) == WordClass::string_funct
 
 }  // namespace
 
-// The form nearly all loops consist of: an existing float, a side-effect-free scalar, a semicolon.
-bool Parser::Impl::declare_fast(bool local) {
-  const Token* const start = position;
-  if (start->kind != TokenKind::identifier || start[1].punctuation != '=') return false;
-  Symbol* symbol = names[start->id()].symbol;
-  if (!symbol || symbol->is_macro || symbol->element_of || symbol->deprecation || (local && symbol->level != symbols.level())) return false;
-  auto* numeric = std::get_if<Numeric>(&symbol->variable->value);
-  if (!numeric || numeric->terms != 1) return false;
-  position = start + 2;
-  ready = false;
-  double value;
-  blocked = true;
-  const bool done = scalar_fast(value) && position->punctuation == ';';
-  blocked = false;
-  if (!done) {
-    position = start;
-    return false;
-  }
-  numeric->v[0] = value;
-  skip_token();
-  if (position->punctuation == ';') skip_token();
-  return true;
-}
-
 void Parser::Impl::declare(bool local) {
-  if (declare_fast(local)) return;
   std::unique_ptr<Deprecation> deprecation;
   if (peek_blocked().word == Word::deprecated && peek_blocked().kind == TokenKind::word) {
     skip_token();

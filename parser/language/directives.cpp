@@ -12,6 +12,9 @@ void Parser::Impl::directive() {
   if (!depth) mark_statement();
   const Token token = *position;
   skip_token();
+  // Nearly all of what loops and macros execute.
+  if ((token.word == Word::declare || token.word == Word::local) && declare_fast(token.word == Word::local)) return;
+  if (token.word == Word::end && !conditions.empty() && conditions.back().kind == Kind::macro && conditions.back().frames == frames.size()) return end_macro();
   const Nesting nesting(*this);
   const Live live(*this);
   execute(token);
@@ -176,12 +179,16 @@ void Parser::Impl::end_directive(const Token&) {
       break;
     case Kind::macro:
       if (frames.size() != condition.frames) error("#end of a macro is not in the file of its beginning.");
-      conditions.pop_back();
-      leave_frame();
+      end_macro();
       break;
     default:
       conditions.pop_back();
   }
+}
+
+void Parser::Impl::end_macro() {
+  conditions.pop_back();
+  leave_frame();
 }
 
 void Parser::Impl::switch_directive(const Token&) {

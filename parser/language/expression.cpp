@@ -83,11 +83,7 @@ void Parser::Impl::additive(int width, Numeric& out) {
     if (out.terms == 3 && width > 3) out.terms = width, out.v[3] = out.v[4] = 0;
     return;
   }
-  if (double value; scalar_fast(value)) {
-    out.terms = width;
-    out.v.fill(value);
-    return;
-  }
+  if (additive_fast(width, out)) return;
   multiplicative(width, out);
   for (;;) {
     const char operation = peek_operator().punctuation;
@@ -148,7 +144,7 @@ void Parser::Impl::logical(Numeric& out) {
 
 // C ? E : E. Both branches are evaluated.
 void Parser::Impl::full(Numeric& out) {
-  if (literal(true, out)) return;
+  if (literal(true, out) || full_fast(out)) return;
   logical(out);
   if (peek_operator().punctuation != '?') return;
   const Nesting nesting(*this);
@@ -216,7 +212,7 @@ Vec2 Parser::parse_vec2() {
 }
 
 Vec3 Parser::parse_vec3() {
-  if (Vec3 v; impl_->literal_vector(3, &v.x)) return v;
+  if (Vec3 v; impl_->literal_vector(3, &v.x) || impl_->vector_fast(v)) return v;
   const Numeric n = parse_numeric(3);
   return {n.v[0], n.v[1], n.v[2]};
 }

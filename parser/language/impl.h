@@ -113,6 +113,7 @@ struct Parser::Impl {
   void if_chain(bool taken, const TokenFile* in, std::uint32_t link);
   void else_branch(const Token& token);
   void end_directive(const Token& token);
+  void end_macro();
   void switch_directive(const Token& token);
   bool case_matches(Word word, double value);
   void while_directive(const Token& token);
@@ -184,8 +185,16 @@ struct Parser::Impl {
   double full_scalar();
   void fit(Numeric& value, int width);
   double divide(double a, double b);
-  bool scalar_fast(double& out);        // additive scalar without side effects; false: nothing consumed
-  bool condition_fast(double& out);     // the same for a condition with its parentheses
+  // Runs of plain tokens without side effects; false: nothing consumed.
+  bool scalar_fast(double& out);
+  bool vector_fast(Vec3& out);
+  bool additive_fast(int width, Numeric& out);
+  bool full_fast(Numeric& out);
+  bool condition_fast(double& out);     // with its parentheses
+  void move_behind(const Token* token) {
+    position = token;
+    ready = false;
+  }
   bool ends_expression(const Token& token, bool in_full_expression) const;
   bool literal_vector(std::size_t terms, double* out);  // of that many literal numbers; false: nothing consumed
   bool literal(bool in_full_expression, Numeric& out);  // a number or vector on its own; false: nothing consumed
@@ -250,6 +259,7 @@ struct Parser::Impl {
 
   const TokenFile* file = nullptr;
   const Token* position = nullptr;
+  const Token* not_fast = nullptr;  // where the fast paths have just given up
   bool ready = false;    // *position is a token for the parser: directives before it are done
   bool blocked = false;  // operator positions do not execute directives (spec 01 section 4)
   std::shared_ptr<const TokenFile> main_file;

@@ -5,6 +5,23 @@
 
 namespace verisim::parser {
 
+namespace {
+
+bool looks_like_expression(const TokenFile& file, std::uint32_t begin, std::uint32_t end) {
+  constexpr std::uint32_t kLongest = 64;
+  if (begin == end || end - begin > kLongest) return false;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    const Token& token = file.tokens[i];
+    const bool plain = token.kind == TokenKind::number || token.kind == TokenKind::identifier || token.kind == TokenKind::vector ||
+                       (token.kind == TokenKind::word && word_class(token.word) != WordClass::keyword) ||
+                       (token.kind == TokenKind::punctuation && token.punctuation != '{' && token.punctuation != '}' && token.punctuation != ';');
+    if (!plain) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 void Parser::Impl::define_macro(const Token& token) {
   if (language_version < 310) error("Macros need #version 3.1 or later.");
   auto macro = std::make_shared<Macro>();
@@ -43,6 +60,7 @@ void Parser::Impl::define_macro(const Token& token) {
   }
   macro->body = index(position);
   macro->end = token.link();
+  macro->is_expression = looks_like_expression(*file, macro->body, macro->end);
   go_to(file, token.link() + 1);
   if (!symbol) symbol = &symbols.create(name.id(), 0);
   symbol->is_macro = true;
@@ -53,6 +71,17 @@ void Parser::Impl::define_macro(const Token& token) {
 void Parser::Impl::macro_argument() {
   const Token& token = peek();
   Argument argument;
+  if (token.kind == TokenKind::identifier && (position[1].punctuation == ',' || position[1].punctuation == ')') && pending.at != position) {
+    // A plain variable.
+    Symbol* symbol = names[token.id()].symbol;
+    if (symbol && !symbol->element_of && !symbol->deprecation && std::holds_alternative<Numeric>(symbol->variable->value)) {
+      argument.variable = symbol->variable;
+      ++argument.variable->uses;
+      skip_token();
+      arguments.push_back(std::move(argument));
+      return;
+    }
+  }
   if (token.kind == TokenKind::identifier) {
     const Value* held = peek_value();
     if (!held) undeclared(token.id());

@@ -14,7 +14,7 @@ Numeric vector(const Vec3& v) { return {{v.x, v.y, v.z}, 3}; }
 }  // namespace
 
 Vec3 Parser::Impl::vector_argument() {
-  if (Vec3 v; literal_vector(3, &v.x)) return v;
+  if (Vec3 v; literal_vector(3, &v.x) || vector_fast(v)) return v;
   Numeric n;
   additive(3, n);
   fit(n, 3);

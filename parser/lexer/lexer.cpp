@@ -70,6 +70,15 @@ struct Sink {
     return true;
   }
   // Large scenes are mostly literal vectors: one token for each saves memory and time. Not behind what may be an operand, where '<' may be "less than".
+  static bool may_precede_vector(const Token& previous) {
+    switch (previous.kind) {
+      case TokenKind::punctuation: return previous.punctuation != ')' && previous.punctuation != ']' && previous.punctuation != '>';
+      case TokenKind::word: return word_class(previous.word) == WordClass::keyword || word_class(previous.word) == WordClass::color;
+      case TokenKind::vector: return true;
+      default: return false;
+    }
+  }
+  // One with comments inside: those without never were tokens apart (Vector).
   void pack_vector() {
     std::size_t at = tokens.size() - 1, terms = 0;
     double values[5];
@@ -83,18 +92,7 @@ struct Sink {
       if (before == '<') break;
       if (before != ',') return;
     }
-    if (terms < 2 || at < 1 || tokens[at].kind != TokenKind::punctuation) return;
-    const Token& previous = tokens[at - 1];
-    switch (previous.kind) {
-      case TokenKind::punctuation:
-        if (previous.punctuation == ')' || previous.punctuation == ']' || previous.punctuation == '>') return;
-        break;
-      case TokenKind::word:
-        if (word_class(previous.word) != WordClass::keyword && word_class(previous.word) != WordClass::color) return;
-        break;
-      case TokenKind::vector: break;
-      default: return;
-    }
+    if (terms < 2 || at < 1 || tokens[at].kind != TokenKind::punctuation || !may_precede_vector(tokens[at - 1])) return;
     if (numbers.size() + terms > 0xffffffffu) return;
     tokens[at].kind = TokenKind::vector;
     tokens[at].payload = numbers.size() | (std::uint64_t{terms} << 32);
@@ -198,7 +196,22 @@ struct Number : Scanner<Number> {
   using Scanner::Scanner;
   bool scan(const char*& first, const char*) const {
     const char* p = first;
-    if (!is_digit(*p) && !(*p == '.' && is_digit(p[1]))) return false;
+    if (!starts(p)) return false;
+    Token token;
+    double value;
+    if (!read(p, value)) return sink->fail(LexError::second_point, first);
+    token.kind = TokenKind::number;
+    token.offset = sink->offset(first);
+    token.payload = std::bit_cast<std::uint64_t>(value);
+    first = p;
+    return sink->put(token);
+  }
+
+  static bool starts(const char* p) { return is_digit(*p) || (*p == '.' && is_digit(p[1])); }
+
+  // False: a second point.
+  static bool read(const char*& p, double& value) {
+    const char* const first = p;
     std::uint64_t mantissa = 0;
     while (is_digit(*p)) mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p++ - '0');
     std::ptrdiff_t digits = p - first;
@@ -226,8 +239,7 @@ struct Number : Scanner<Number> {
       if (p != exponent_digits) number_end = p;
       if (negative) power = -power;
     }
-    if (*p == '.' && (point || exponent)) return sink->fail(LexError::second_point, first);
-    double value;
+    if (*p == '.' && (point || exponent)) return false;
     const int shift = power - scale;
     if (digits <= 18 && mantissa < (std::uint64_t{1} << 53) && shift >= -22 && shift <= 22) {
       // Both factors are exact doubles, so one rounding gives the correctly rounded result.
@@ -236,12 +248,7 @@ struct Number : Scanner<Number> {
     } else {
       value = convert(first, number_end, power);
     }
-    Token token;
-    token.kind = TokenKind::number;
-    token.offset = sink->offset(first);
-    token.payload = std::bit_cast<std::uint64_t>(value);
-    first = p;
-    return sink->put(token);
+    return true;
   }
 
   static double convert(const char* first, const char* last, int power) {
@@ -259,6 +266,44 @@ struct Number : Scanner<Number> {
       while (p != last && *p == '0') ++p, --magnitude;
     }
     return magnitude + power > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+  }
+};
+
+// < > around 2 to 5 literal numbers with commas.
+struct Vector : Scanner<Vector> {
+  using Scanner::Scanner;
+  bool scan(const char*& first, const char* last) const {
+    if (*first != '<' || sink->tokens.empty() || !Sink::may_precede_vector(sink->tokens.back()) || sink->numbers.size() + 5 > 0xffffffffu) return false;
+    const char* p = first + 1;
+    const auto skip_blanks = [&] {
+      while (p != last && class_of(*p) == blank_class) ++p;
+    };
+    double values[5];
+    std::size_t terms = 0;
+    for (;;) {
+      skip_blanks();
+      const bool negative = *p == '-';
+      if (negative) {
+        ++p;
+        skip_blanks();
+      }
+      if (terms == 5 || !Number::starts(p) || !Number::read(p, values[terms])) return false;
+      if (negative) values[terms] = -values[terms];
+      ++terms;
+      skip_blanks();
+      if (*p == '>') break;
+      if (*p != ',') return false;
+      ++p;
+    }
+    if (terms < 2 || p[1] == '=') return false;
+    Token token;
+    token.kind = TokenKind::vector;
+    token.punctuation = '<';
+    token.offset = sink->offset(first);
+    token.payload = sink->numbers.size() | (std::uint64_t{terms} << 32);
+    sink->numbers.insert(sink->numbers.end(), values, values + terms);
+    first = p + 1;
+    return sink->put(token);
   }
 };
 
@@ -386,7 +431,7 @@ std::shared_ptr<const TokenFile> tokenise(std::shared_ptr<const Source> source, 
   if (main_file)
     while (first != last && static_cast<unsigned char>(*first) >= 0x80) ++first, file->starts_with_high_bytes = true;
 
-  const auto token = WordOrIdentifier(sink) | Number(sink) | Punctuation(sink) | String(sink);
+  const auto token = WordOrIdentifier(sink) | Number(sink) | Vector(sink) | Punctuation(sink) | String(sink);
   const auto tokens = *(Blanks(sink) | LineComment(sink) | BlockComment(sink) | token);
   x3::parse(first, last, tokens);
 

@@ -4,6 +4,7 @@
 
 #include "parser/scene/common.h"
 #include "parser/scene/transform.h"
+#include "tracer/scene/moves.h"
 
 namespace verisim::parser {
 
@@ -102,29 +103,37 @@ Transform parse_transform(Parser& parser) {
 }
 
 bool parse_object_transform(Parser& parser, scene::Object& object) {
-  switch (word_at(parser)) {
-    case Word::translate:
-      parser.next();
-      scene::translate(object, parser.parse_vec3());
-      return true;
-    case Word::rotate:
-      parser.next();
-      scene::rotate(object, parser.parse_vec3());
-      return true;
-    case Word::scale:
-      parser.next();
-      scene::scale(object, parse_scale_vector(parser));
-      return true;
-    case Word::matrix:
-    case Word::transform: {
-      Transform item;
-      parse_transform_item(parser, item);
-      scene::transform(object, item);
-      return true;
+  const auto parse_into = [&](scene::Moves& moves) {
+    switch (word_at(parser)) {
+      case Word::translate:
+        parser.next();
+        moves.translate(parser.parse_vec3());
+        return true;
+      case Word::rotate:
+        parser.next();
+        moves.rotate(parser.parse_vec3());
+        return true;
+      case Word::scale:
+        parser.next();
+        moves.scale(parse_scale_vector(parser));
+        return true;
+      case Word::matrix:
+      case Word::transform: {
+        Transform item;
+        parse_transform_item(parser, item);
+        moves.transform(item);
+        return true;
+      }
+      default:
+        return false;
     }
-    default:
-      return false;
+  };
+  scene::Moves moves;
+  while (!moves.full() && parse_into(moves)) {
   }
+  if (!moves.size()) return false;
+  scene::apply(object, moves);
+  return true;
 }
 
 }  // namespace verisim::parser

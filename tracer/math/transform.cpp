@@ -24,13 +24,31 @@ Transform Transform::scaling(const Vec3& s) {
   return t;
 }
 
+namespace {
+
+// A turn about one axis.
+Mat4 turn(int axis, double radians) {
+  const double c = std::cos(radians), s = std::sin(radians);
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  Mat4 m;
+  m[i][i] = m[j][j] = c, m[i][j] = s, m[j][i] = -s;
+  return m;
+}
+
+}  // namespace
+
 Transform Transform::rotation(const Vec3& degrees) {
   const Vec3 a = degrees * kDegree;
-  Mat4 x, y, z;
-  x[1][1] = std::cos(a.x), x[2][2] = std::cos(a.x), x[1][2] = std::sin(a.x), x[2][1] = -std::sin(a.x);
-  y[0][0] = std::cos(a.y), y[2][2] = std::cos(a.y), y[0][2] = -std::sin(a.y), y[2][0] = std::sin(a.y);
-  z[0][0] = std::cos(a.z), z[1][1] = std::cos(a.z), z[0][1] = std::sin(a.z), z[1][0] = -std::sin(a.z);
-  const Mat4 m = x * y * z;
+  // The product of the turns about x, y and z; those by nothing are left out.
+  Mat4 m;
+  bool turned = false;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (a[axis] == 0) continue;
+    m = turned ? m * turn(axis, a[axis]) : turn(axis, a[axis]);
+    turned = true;
+  }
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) m[i][j] += 0.0;  // no negative zeros, as in the whole product
   return {m, transposed(m)};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tracer/scene/bounds.h"
+#include "tracer/scene/moves.h"
 #include "tracer/shapes/factories.h"
 
 namespace verisim::scene {
@@ -15,26 +16,7 @@ Object& writable(ObjectPtr& node) {
   return const_cast<Object&>(*node);
 }
 
-template <class Objects>
-Objects copies(const Objects& objects) {
-  std::vector<ObjectPtr> result;
-  result.reserve(objects.size());
-  for (const ObjectPtr& object : objects) result.push_back(copy(*object));
-  return Objects(std::move(result));
-}
-
-enum class Step { translate, scale, rotate, matrix };
-
-// One transformation on its way through an object tree.
-struct Move {
-  Step step;
-  Vec3 v;  // of translate, scale, rotate
-  Transform t;
-  bool uniform_scale() const { return step == Step::scale && v.x == v.y && v.x == v.z; }
-
-  // The objects of a tree that came the same way so far share one matrix: the last one seen and what became of it are kept.
-  mutable Rare<Transform> alone = {}, before = {}, after = {};
-};
+using Step = Move::Step;
 
 // a, then a translation: the digits of the product of the matrices, without its many terms that are zero.
 Transform then_translated(const Transform& a, const Vec3& v) {
@@ -45,21 +27,6 @@ Transform then_translated(const Transform& a, const Vec3& v) {
   }
   return result;
 }
-
-void add(Rare<Transform>& total, const Move& move) {
-  if (!total) {
-    if (!move.alone) move.alone = move.t;
-    total = move.alone;
-  } else if (move.before && &*total == &*move.before) {
-    total = move.after;
-  } else {
-    move.before = total;
-    move.after = move.step == Step::translate ? then_translated(*total, move.v) : total->then(move.t);
-    total = move.after;
-  }
-}
-
-void apply(Object& object, const Move& move);
 
 bool absorb(Sphere& s, const Move& move) {
   if (move.step == Step::translate) s.center += move.v;
@@ -168,14 +135,17 @@ bool absorb(T&, const Move&) {
   return false;
 }
 
-void move_light(LightSource& light, const Move& move) {
-  light.position = move.t.point(light.position);
-  light.point_at = move.t.point(light.point_at);
-  light.direction = move.t.direction(light.direction);
-  light.axis1 = move.t.direction(light.axis1);
-  light.axis2 = move.t.direction(light.axis2);
-  if (light.looks_like) apply(writable(light.looks_like), move);
-  if (light.projected_through) apply(writable(light.projected_through), move);
+void move_light(LightSource& light, const Moves& moves) {
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const Transform& t = moves[i].t;
+    light.position = t.point(light.position);
+    light.point_at = t.point(light.point_at);
+    light.direction = t.direction(light.direction);
+    light.axis1 = t.direction(light.axis1);
+    light.axis2 = t.direction(light.axis2);
+  }
+  if (light.looks_like) apply(writable(light.looks_like), moves);
+  if (light.projected_through) apply(writable(light.projected_through), moves);
 }
 
 DensityPtr transformed(const DensityPtr& density, const Transform& t) {
@@ -219,55 +189,61 @@ void refit_clipped_quadric(Object& object) {
   fit_quadric(object, {});
 }
 
-void move_guards(Object& object, const Move& move) {
+void move_guards(Object& object, const Moves& moves) {
   if (object.clip_is_bound) {
     List<ObjectPtr>& source = object.clipped_by.empty() ? object.bounded_by : object.clipped_by;
     List<ObjectPtr>& link = object.clipped_by.empty() ? object.clipped_by : object.bounded_by;
     link.clear();
-    for (ObjectPtr& o : source) apply(writable(o), move);
+    for (ObjectPtr& o : source) apply(writable(o), moves);
     link = source;
     return;
   }
-  for (ObjectPtr& o : object.bounded_by) apply(writable(o), move);
-  for (ObjectPtr& o : object.clipped_by) apply(writable(o), move);
+  for (ObjectPtr& o : object.bounded_by) apply(writable(o), moves);
+  for (ObjectPtr& o : object.clipped_by) apply(writable(o), moves);
 }
 
-void apply(Object& object, const Move& move) {
-  refit_clipped_quadric(object);
+void move_shape(Object& object, const Moves& moves) {
   if (auto* csg = std::get_if<Csg>(&object.shape)) {
-    for (ObjectPtr& child : csg->children) apply(writable(child), move);
+    for (ObjectPtr& child : csg->children) apply(writable(child), moves);
   } else if (auto* group = std::get_if<LightGroup>(&object.shape)) {
-    for (ObjectPtr& child : group->children) apply(writable(child), move);
+    for (ObjectPtr& child : group->children) apply(writable(child), moves);
   } else if (auto* light = object.as<LightSource>()) {
-    move_light(*light, move);
-  } else if (object.transform || !std::visit([&](auto& shape) { return absorb(shape, move); }, object.shape)) {
-    add(object.transform, move);
+    move_light(*light, moves);
+  } else {
+    std::size_t i = 0;
+    if (!object.transform)
+      while (i < moves.size() && std::visit([&](auto& shape) { return absorb(shape, moves[i]); }, object.shape)) ++i;
+    if (i < moves.size()) moves.add_to(object.transform, i);
   }
-  if (object.as<Sphere>()) add(object.uv_transform, move);
-  if (box_moves_stepwise(object)) object.bounds = transformed(object.bounds, move.t);
-  else if (!object.as<LightSource>()) object.bounds = bounds_from_numbers(object);
+  if (object.as<Sphere>()) moves.add_to(object.uv_transform, 0);
+}
 
-  move_guards(object, move);
-  if (!object.uv_mapping) {
-    if (object.texture) object.texture = transformed(object.texture, move.t);
-    if (object.interior_texture) object.interior_texture = transformed(object.interior_texture, move.t);
-    if (const auto* blob = object.as<std::shared_ptr<const Blob>>()) {
-      const auto textured = [](const BlobComponent& c) { return c.texture != nullptr; };
-      if (std::any_of((*blob)->components.begin(), (*blob)->components.end(), textured)) {
-        auto moved = std::make_shared<Blob>(**blob);
-        for (BlobComponent& c : moved->components)
-          if (c.texture) c.texture = transformed(c.texture, move.t);
-        object.shape = std::shared_ptr<const Blob>(std::move(moved));
-      }
-    }
-    if (const Mesh* mesh = object.as<Mesh>(); mesh && mesh->data && !mesh->data->textures.empty()) {
-      std::vector<TexturePtr> textures = mesh->textures.empty() ? mesh->data->textures : mesh->textures;
-      for (TexturePtr& t : textures)
-        if (t) t = transformed(t, move.t);
-      std::get<Mesh>(object.shape).textures = std::move(textures);
+void move_bounds(Object& object, const Moves& moves) {
+  if (box_moves_stepwise(object)) {
+    for (std::size_t i = 0; i < moves.size(); ++i) object.bounds = transformed(object.bounds, moves[i].t);
+  } else if (!object.as<LightSource>()) {
+    object.bounds = bounds_from_numbers(object);
+  }
+}
+
+void move_textures(Object& object, const Transform& t) {
+  if (object.texture) object.texture = transformed(object.texture, t);
+  if (object.interior_texture) object.interior_texture = transformed(object.interior_texture, t);
+  if (const auto* blob = object.as<std::shared_ptr<const Blob>>()) {
+    const auto textured = [](const BlobComponent& c) { return c.texture != nullptr; };
+    if (std::any_of((*blob)->components.begin(), (*blob)->components.end(), textured)) {
+      auto moved = std::make_shared<Blob>(**blob);
+      for (BlobComponent& c : moved->components)
+        if (c.texture) c.texture = transformed(c.texture, t);
+      object.shape = std::shared_ptr<const Blob>(std::move(moved));
     }
   }
-  object.interior = transformed(object.interior, move.t);
+  if (const Mesh* mesh = object.as<Mesh>(); mesh && mesh->data && !mesh->data->textures.empty()) {
+    std::vector<TexturePtr> textures = mesh->textures.empty() ? mesh->data->textures : mesh->textures;
+    for (TexturePtr& texture : textures)
+      if (texture) texture = transformed(texture, t);
+    std::get<Mesh>(object.shape).textures = std::move(textures);
+  }
 }
 
 // The box of bounded_by or clipped_by replaces the object's when it is smaller (spec 03 2.2).
@@ -299,10 +275,57 @@ void compute_bounds(Object& object) {
   }
 }
 
-void translate(Object& object, const Vec3& v) { apply(object, {Step::translate, v, Transform::translation(v)}); }
-void scale(Object& object, const Vec3& s) { apply(object, {Step::scale, s, Transform::scaling(s)}); }
-void rotate(Object& object, const Vec3& degrees) { apply(object, {Step::rotate, degrees, Transform::rotation(degrees)}); }
-void transform(Object& object, const Transform& t) { apply(object, {Step::matrix, Vec3(0), t}); }
+Transform Moves::product(const Transform& before, std::size_t first) const {
+  Transform result = before;
+  for (std::size_t i = first; i < size_; ++i) result = moves_[i]->step == Step::translate ? then_translated(result, moves_[i]->v) : result.then(moves_[i]->t);
+  return result;
+}
+
+void Moves::add_to(Rare<Transform>& total, std::size_t first) const {
+  if (!total) {
+    if (!alone_[first]) alone_[first] = product(moves_[first]->t, first + 1);
+    total = alone_[first];
+  } else if (before_ && after_first_ == first && &*total == &*before_) {
+    total = after_;
+  } else {
+    before_ = total;
+    after_ = product(*total, first);
+    after_first_ = first;
+    total = after_;
+  }
+}
+
+void apply(Object& object, const Moves& moves) {
+  refit_clipped_quadric(object);
+  move_shape(object, moves);
+  move_bounds(object, moves);
+  move_guards(object, moves);
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    if (!object.uv_mapping) move_textures(object, moves[i].t);
+    object.interior = transformed(object.interior, moves[i].t);
+  }
+}
+
+void translate(Object& object, const Vec3& v) {
+  Moves moves;
+  moves.translate(v);
+  apply(object, moves);
+}
+void scale(Object& object, const Vec3& s) {
+  Moves moves;
+  moves.scale(s);
+  apply(object, moves);
+}
+void rotate(Object& object, const Vec3& degrees) {
+  Moves moves;
+  moves.rotate(degrees);
+  apply(object, moves);
+}
+void transform(Object& object, const Transform& t) {
+  Moves moves;
+  moves.transform(t);
+  apply(object, moves);
+}
 
 void invert(Object& object) {
   if (auto* csg = std::get_if<Csg>(&object.shape)) {
@@ -340,14 +363,17 @@ bool is_infinite(const Object& object) { return volume(object.bounds) > kInfinit
 
 std::shared_ptr<Object> copy(const Object& object) {
   auto result = std::make_shared<Object>(object);
-  if (auto* csg = std::get_if<Csg>(&result->shape)) csg->children = copies(csg->children);
-  if (auto* group = std::get_if<LightGroup>(&result->shape)) group->children = copies(group->children);
+  const auto own = [](auto& objects) {
+    for (ObjectPtr& o : objects) o = copy(*o);
+  };
+  if (auto* csg = std::get_if<Csg>(&result->shape)) own(csg->children);
+  if (auto* group = std::get_if<LightGroup>(&result->shape)) own(group->children);
   if (auto* light = result->as<LightSource>()) {
     if (light->looks_like) light->looks_like = copy(*light->looks_like);
     if (light->projected_through) light->projected_through = copy(*light->projected_through);
   }
-  result->bounded_by = copies(object.bounded_by);
-  result->clipped_by = copies(object.clipped_by);
+  own(result->bounded_by);
+  own(result->clipped_by);
   if (object.clip_is_bound) {
     if (result->clipped_by.empty()) result->clipped_by = result->bounded_by;
     else result->bounded_by = result->clipped_by;

@@ -1,7 +1,6 @@
 // text (spec 04 section 9): extruded TrueType outlines, intersected exactly as lines and parabolas.
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <stdexcept>
 
 #include "tracer/accel/box_tree.h"
@@ -36,17 +35,10 @@ std::string font_path(const scene::Text& text) {
 std::vector<PlacedGlyph> layout(const scene::Text& text) {
   const auto font = TrueTypeFont::open(font_path(text));
   std::vector<PlacedGlyph> result;
-  std::map<char16_t, std::shared_ptr<const Glyph>> glyphs;
   Vec2 pen(0, 0);
   std::uint16_t previous = 0;
   for (std::size_t i = 0; i < text.text.size(); ++i) {
-    const char16_t c = text.text[i];
-    auto& glyph = glyphs[c];
-    if (!glyph) {
-      auto made = std::make_shared<Glyph>(font->glyph(font->glyph_index(c, text.unicode)));
-      if (c == u' ') made->segments.clear(), made->x_min = made->y_min = made->x_max = made->y_max = 0;
-      glyph = made;
-    }
+    const std::shared_ptr<const Glyph> glyph = font->character(text.text[i], text.unicode);
     double x;
     if (i == 0) {
       x = -glyph->x_min;

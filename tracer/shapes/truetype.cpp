@@ -45,6 +45,19 @@ TrueTypeFont::TrueTypeFont(std::vector<std::uint8_t> bytes) : bytes_(std::move(b
   metrics_ = u16(hhea.begin + 34);
 }
 
+std::shared_ptr<const Glyph> TrueTypeFont::character(char16_t character, bool unicode) const {
+  const std::lock_guard lock(mutex_);
+  if (kept_ > kMostKept) characters_.clear(), kept_ = 0;
+  std::shared_ptr<const Glyph>& kept = characters_[{character, unicode}];
+  if (!kept) {
+    auto made = std::make_shared<Glyph>(glyph(glyph_index(character, unicode)));
+    if (character == u' ') made->segments.clear(), made->x_min = made->y_min = made->x_max = made->y_max = 0;
+    kept_ += made->segments.size() + 1;
+    kept = made;
+  }
+  return kept;
+}
+
 TrueTypeFont::Table TrueTypeFont::table(const char (&tag)[5]) const {
   const int count = std::min<int>(u16(directory_ + 4), kMaxTables);
   for (int i = 0; i < count; ++i) {

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,8 @@ class TrueTypeFont {
 
   std::uint16_t glyph_index(char16_t character, bool unicode) const;  // 0: missing
   Glyph glyph(std::uint16_t index) const;
+  // What a text shows for a character, kept for the next text: a blank has no outline.
+  std::shared_ptr<const Glyph> character(char16_t character, bool unicode) const;
   // Extra distance between neighbours, em units.
   double kerning(std::uint16_t left, std::uint16_t right) const;
 
@@ -63,6 +67,11 @@ class TrueTypeFont {
   void simple_outline(std::size_t at, std::size_t end, int contours, Outline& result, std::size_t& budget) const;
   void composite_outline(std::size_t at, std::size_t end, int depth, Outline& result, std::size_t& budget) const;
 
+  static constexpr std::size_t kMostKept = 1 << 20;  // segments of outlines
+
+  mutable std::mutex mutex_;
+  mutable std::map<std::pair<char16_t, bool>, std::shared_ptr<const Glyph>> characters_;
+  mutable std::size_t kept_ = 0;
   std::vector<std::uint8_t> bytes_;
   std::size_t directory_ = 0;
   Table cmap_, glyf_, loca_, hmtx_, kern_;

@@ -1,0 +1,387 @@
+// Reads runs of plain tokens: scalars and 3-vectors made of numbers, variables, arithmetic, calls of functions and of macros that are expressions.
+//
+// A scanner has no side effect before its caller moves the cursor (draws from random streams are undone) and gives up at the first thing it does not know, so that
+// the general path can start again from the same token, and gives all messages. Values of 2, 4 and 5 terms are left to that, because how they are widened
+// depends on the context.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "parser/language/impl.h"
+
+namespace verisim::parser {
+
+// A scalar, in v[0], or a 3-vector.
+struct Term {
+  double v[3];
+  int terms;
+  void set(double x) { v[0] = x, terms = 1; }
+  void set(const Vec3& a) { v[0] = a.x, v[1] = a.y, v[2] = a.z, terms = 3; }
+  void widen() {
+    if (terms == 1) v[1] = v[2] = v[0], terms = 3;
+  }
+  Vec3 vector() const { return terms == 1 ? Vec3(v[0]) : Vec3(v[0], v[1], v[2]); }
+};
+
+class Scanner {
+ public:
+  Scanner(Parser::Impl& impl, const Token* at) : p_(impl), at_(at), file_(impl.file), blocked_(impl.blocked) {}
+  Scanner(const Scanner&) = delete;
+  Scanner& operator=(const Scanner&) = delete;
+
+  // An additive term whose end is certain, of at most so many terms.
+  bool value(Term& out, int most_terms) { return (sum(out, 0) && out.terms <= most_terms && ends()) || give_up(); }
+  // The same for a full expression.
+  bool full(Term& out) { return (conditional(out, 0) && ends()) || give_up(); }
+
+  // Everything inside "( ... )" of a condition.
+  bool condition(double& out) {
+    if (at_->punctuation != '(') return false;
+    advance();
+    Term term;
+    if (!conditional(term, 0) || term.terms != 1 || !closes(')') || macros_) return give_up();
+    out = term.v[0];
+    return true;
+  }
+
+  bool element(const Array& array, std::size_t& index) { return subscripts(array, index, 0) || give_up(); }
+  bool accept(char punctuation) {
+    if (at_->punctuation != punctuation) return give_up();
+    advance();
+    return true;
+  }
+  const Token* at() const { return at_; }
+  // False, as if nothing had been read.
+  bool give_up() {
+    while (macros_) leave_macro();
+    while (drawn_) {
+      --drawn_;
+      p_.random_streams[draws_[drawn_].stream] = draws_[drawn_].state;
+    }
+    return false;
+  }
+
+ private:
+  // The expression ends before this token: not when a directive, a macro or the end of the file could still continue it, or a component follows.
+  bool ends() const {
+    if (macros_) return false;
+    switch (at_->kind) {
+      case TokenKind::punctuation: return at_->punctuation != '.' && at_->punctuation != '[';
+      case TokenKind::identifier: return blocked_ || !p_.names[at_->id()].symbol || !p_.names[at_->id()].symbol->is_macro;
+      case TokenKind::word:
+      case TokenKind::number:
+      case TokenKind::vector:
+      case TokenKind::string: return true;
+      default: return false;
+    }
+  }
+
+  void advance() {
+    ++at_;
+    while (at_ == end_) {
+      at_ = calls_[macros_ - 1].behind;
+      leave_macro();
+    }
+  }
+  bool closes(char punctuation) {
+    if (at_->punctuation != punctuation) return false;
+    advance();
+    return true;
+  }
+
+  static bool truth(double v) { return std::fabs(v) > kEps; }
+
+  bool conditional(Term& out, int depth) {
+    if (!logical(out, depth)) return false;
+    if (at_->punctuation != '?') return true;
+    if (depth >= kMaxDepth || out.terms != 1) return false;
+    advance();
+    Term yes, no;
+    if (!conditional(yes, depth + 1) || at_->punctuation != ':') return false;
+    advance();
+    if (!conditional(no, depth + 1)) return false;
+    out = truth(out.v[0]) ? yes : no;
+    return true;
+  }
+
+  bool logical(Term& out, int depth) {
+    if (!relation(out, depth)) return false;
+    for (;;) {
+      const char operation = at_->punctuation;
+      if (operation != '&' && operation != '|') return true;
+      advance();
+      Term right;
+      if (!relation(right, depth) || out.terms + right.terms != 2) return false;
+      const bool a = truth(out.v[0]), b = truth(right.v[0]);
+      out.v[0] = operation == '&' ? a && b : a || b;
+    }
+  }
+
+  bool relation(Term& out, int depth) {
+    if (!sum(out, depth)) return false;
+    for (;;) {
+      const char operation = at_->punctuation;
+      if (operation != '<' && operation != '>' && operation != '=' && operation != kLessEqual && operation != kGreaterEqual && operation != kNotEqual) return true;
+      if (at_->kind == TokenKind::vector) return false;
+      advance();
+      Term right;
+      if (!sum(right, depth) || out.terms + right.terms != 2) return false;
+      const double a = out.v[0], b = right.v[0];
+      const bool equal = !truth(a - b);
+      switch (operation) {
+        case '<': out.v[0] = a < b; break;
+        case '>': out.v[0] = a > b; break;
+        case '=': out.v[0] = equal; break;
+        case kLessEqual: out.v[0] = a <= b || equal; break;
+        case kGreaterEqual: out.v[0] = a >= b || equal; break;
+        default: out.v[0] = !equal;
+      }
+    }
+  }
+
+  bool sum(Term& out, int depth) {
+    if (!product(out, depth)) return false;
+    for (;;) {
+      const char operation = at_->punctuation;
+      if (operation != '+' && operation != '-') return true;
+      advance();
+      Term right;
+      if (!product(right, depth)) return false;
+      const bool plus = operation == '+';
+      if (out.terms + right.terms == 2) {
+        out.v[0] = plus ? out.v[0] + right.v[0] : out.v[0] - right.v[0];
+      } else {
+        out.widen(), right.widen();
+        for (int i = 0; i < 3; ++i) out.v[i] = plus ? out.v[i] + right.v[i] : out.v[i] - right.v[i];
+      }
+    }
+  }
+
+  bool scalar(double& out, int depth) {
+    Term term;
+    if (!sum(term, depth) || term.terms != 1) return false;
+    out = term.v[0];
+    return true;
+  }
+
+  bool product(Term& out, int depth) {
+    if (!operand(out, depth)) return false;
+    for (;;) {
+      const char operation = at_->punctuation;
+      if (operation != '*' && operation != '/') return true;
+      advance();
+      Term right;
+      if (!operand(right, depth)) return false;
+      const bool times = operation == '*';
+      if (out.terms + right.terms == 2) {
+        if (!times && right.v[0] == 0) return false;
+        out.v[0] = times ? out.v[0] * right.v[0] : out.v[0] / right.v[0];
+      } else {
+        out.widen(), right.widen();
+        for (int i = 0; i < 3; ++i) {
+          if (!times && right.v[i] == 0) return false;
+          out.v[i] = times ? out.v[i] * right.v[i] : out.v[i] / right.v[i];
+        }
+      }
+    }
+  }
+
+  // Numbers and floats at once; everything else is a factor.
+  bool operand(Term& out, int depth) {
+    if (at_[1].punctuation != '.') {
+      if (at_->kind == TokenKind::number) {
+        out.set(at_->number());
+        advance();
+        return at_->punctuation != '.';
+      }
+      if (at_->kind == TokenKind::identifier) {
+        const Symbol* symbol = p_.names[at_->id()].symbol;
+        if (symbol && !symbol->element_of && !symbol->deprecation) {
+          const auto* n = std::get_if<Numeric>(&symbol->variable->value);
+          if (n && n->terms == 1) {
+            out.set(n->v[0]);
+            advance();
+            return at_->punctuation != '.';
+          }
+        }
+      }
+    }
+    return factor(out, depth);
+  }
+
+  bool factor(Term& out, int depth) {
+    switch (at_->kind) {
+      case TokenKind::number:
+        out.set(at_->number());
+        advance();
+        return at_->punctuation != '.';
+      case TokenKind::identifier: return identifier(out, depth);
+      case TokenKind::word: return depth < kMaxDepth && call(out, depth);
+      case TokenKind::vector: {
+        if (at_->terms() != 3) return false;
+        const double* numbers = file_->vector(*at_);
+        out.set(Vec3(numbers[0], numbers[1], numbers[2]));
+        advance();
+        return component(out);
+      }
+      case TokenKind::punctuation:
+        if (depth >= kMaxDepth) return false;
+        switch (at_->punctuation) {
+          case '(':
+            advance();
+            if (!conditional(out, depth + 1) || at_->punctuation != ')') return false;
+            advance();
+            return component(out);
+          case '<': return literal(out, depth + 1) && component(out);
+          case '-':
+            advance();
+            if (!factor(out, depth + 1)) return false;
+            for (int i = 0; i < out.terms; ++i) out.v[i] = -out.v[i];
+            return true;
+          case '+':
+            advance();
+            return factor(out, depth + 1);
+          case '!':
+            advance();
+            if (!factor(out, depth + 1)) return false;
+            for (int i = 0; i < out.terms; ++i) out.v[i] = !truth(out.v[i]);
+            return true;
+          default: return false;
+        }
+      default: return false;
+    }
+  }
+
+  // < a, b, c >
+  bool literal(Term& out, int depth) {
+    advance();
+    for (int i = 0; i < 3; ++i) {
+      if (!scalar(out.v[i], depth) || at_->punctuation != (i == 2 ? '>' : ',')) return false;
+      advance();
+    }
+    out.terms = 3;
+    return true;
+  }
+
+  bool subscripts(const Array& array, std::size_t& element, int depth) {
+    element = 0;
+    for (const int size : array.sizes) {
+      double subscript;
+      if (at_->punctuation != '[' || at_->id()) return false;
+      advance();
+      if (!scalar(subscript, depth + 1) || at_->punctuation != ']') return false;
+      advance();
+      const int i = to_int(subscript + kEps);
+      if (!(subscript >= -kEps) || i >= size) return false;
+      element = element * static_cast<std::size_t>(size) + static_cast<std::size_t>(i);
+    }
+    return true;
+  }
+
+  // A float or vector, an element of an array of such, a component of a vector, a call of a float function or of a macro that is an expression.
+  bool identifier(Term& out, int depth);
+  bool variable(const Numeric& n, Term& out) {
+    if (n.terms == 1) {
+      out.set(n.v[0]);
+      advance();
+      return at_->punctuation != '.';
+    }
+    if (n.terms == 5 && p_.language_version < 350) return false;  // a component of a colour declares a colour
+    if (at_[1].punctuation == '.') {
+      advance();
+      return component(n.v.data(), n.terms, out);
+    }
+    if (n.terms != 3) return false;
+    out.set(Vec3(n.v[0], n.v[1], n.v[2]));
+    advance();
+    return true;
+  }
+
+  // The component behind a value, if there is one.
+  bool component(Term& out) {
+    if (at_->punctuation != '.') return true;
+    return out.terms == 3 && component(out.v, 3, out);
+  }
+
+  bool component(const double* v, int terms, Term& out) {
+    if (at_[1].kind != TokenKind::word) return false;
+    int index;
+    switch (at_[1].word) {
+      case Word::x: case Word::u: case Word::red: index = 0; break;
+      case Word::y: case Word::v: case Word::green: index = 1; break;
+      case Word::z: case Word::blue: index = 2; break;
+      default: return false;
+    }
+    if (index >= terms) return false;
+    out.set(v[index]);
+    advance();
+    advance();
+    return at_->punctuation != '.';
+  }
+
+  bool user_call(const Function& function, Term& out, int depth);
+  bool call(Term& out, int depth);
+  bool macro(const Symbol& symbol, Term& out, int depth);
+  void leave_macro();
+
+  bool arguments(double* values, int count, int depth) {
+    advance();
+    if (at_->punctuation != '(') return false;
+    advance();
+    for (int i = 0; i < count; ++i) {
+      if (!scalar(values[i], depth + 1) || at_->punctuation != (i + 1 == count ? ')' : ',')) return false;
+      advance();
+    }
+    return at_->punctuation != '.';
+  }
+
+  bool arguments(Vec3* values, int count, int depth, double* last = nullptr) {
+    advance();
+    if (at_->punctuation != '(') return false;
+    advance();
+    for (int i = 0; i < count; ++i) {
+      Term term;
+      if (!sum(term, depth + 1) || at_->punctuation != (i + 1 == count && !last ? ')' : ',')) return false;
+      values[i] = term.vector();
+      advance();
+    }
+    if (!last) return true;
+    if (!scalar(*last, depth + 1) || at_->punctuation != ')') return false;
+    advance();
+    return true;
+  }
+
+  bool constant(double value, Term& out) {
+    out.set(value);
+    advance();
+    return at_->punctuation != '.';
+  }
+  bool vector(const Vec3& value, Term& out) {
+    out.set(value);
+    return component(out);
+  }
+
+  static constexpr int kMaxDepth = 32;
+  static constexpr std::size_t kMostMacros = 16;
+
+  Parser::Impl& p_;
+  const Token* at_;
+  const TokenFile* file_;
+  const Token* end_ = nullptr;  // of the macro that is being read
+  bool blocked_;
+  // Calls of macros under way.
+  struct Call {
+    const Token *behind, *end;
+    const TokenFile* file;
+  };
+  Call calls_[kMostMacros];
+  std::size_t macros_ = 0;
+  struct Draw {
+    std::uint32_t stream, state;
+  };
+  Draw draws_[8];
+  std::size_t drawn_ = 0;
+};
+
+}  // namespace verisim::parser

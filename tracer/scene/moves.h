@@ -1,0 +1,52 @@
+// Transformations in the order in which an object's modifiers name them, applied in one walk over its tree: most objects have two or three in a row.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "tracer/scene/object.h"
+
+namespace verisim::scene {
+
+// One of them.
+struct Move {
+  enum class Step { translate, scale, rotate, matrix };
+  Step step;
+  Vec3 v;  // of translate, scale, rotate
+  Transform t;
+  bool uniform_scale() const { return step == Step::scale && v.x == v.y && v.x == v.z; }
+};
+
+class Moves {
+ public:
+  static constexpr std::size_t kMost = 4;
+
+  std::size_t size() const { return size_; }
+  bool full() const { return size_ == kMost; }
+  const Move& operator[](std::size_t i) const { return *moves_[i]; }
+
+  void translate(const Vec3& v) { moves_[size_++] = Move{Move::Step::translate, v, Transform::translation(v)}; }
+  void scale(const Vec3& s) { moves_[size_++] = Move{Move::Step::scale, s, Transform::scaling(s)}; }
+  void rotate(const Vec3& degrees) { moves_[size_++] = Move{Move::Step::rotate, degrees, Transform::rotation(degrees)}; }
+  void transform(const Transform& t) { moves_[size_++] = Move{Move::Step::matrix, Vec3(0), t}; }
+
+  // Appends the moves from `first` on to what an object was moved by so far.
+  void add_to(Rare<Transform>& total, std::size_t first) const;
+
+ private:
+  Transform product(const Transform& before, std::size_t first) const;
+
+  std::array<std::optional<Move>, kMost> moves_;
+  std::size_t size_ = 0;
+  // The objects of a tree that came the same way so far share one matrix: the last one seen and what became of it are kept.
+  mutable std::array<Rare<Transform>, kMost> alone_;
+  mutable Rare<Transform> before_, after_;
+  mutable std::size_t after_first_ = 0;
+};
+
+// As POV-Ray does: absorbed into the shape's numbers where it can, else into the matrix; also moves clips, bounds, textures (unless uv-mapped), the interior's
+// media and CSG children.
+void apply(Object& object, const Moves& moves);
+
+}  // namespace verisim::scene

@@ -60,6 +60,8 @@ class BoxTree {
 
   bool empty() const { return nodes_.empty(); }
   const Box3& bounds() const { return bounds_; }
+  // What the boxes of entries are relative to.
+  const Vec3& center() const { return center_; }
   const std::vector<std::uint32_t>& order() const { return order_; }
 
   // Calls visit(index, t_max) for every box that the ray meets between t_min and t_max, roughly in order of distance; it returns the new t_max

@@ -65,6 +65,7 @@ bool CoherentRays::find_cell(const Vec3& p) {
 
 template <class ShaftOf>
 WorldEntry* CoherentRays::shadow_entry(const Vec3& p, std::uint32_t light, Viewer viewer, ShaftOf&& shaft_of) {
+  served_.makeEmpty();
   if (camera_.kind == CameraCoherence::Kind::none || !viewer_known_) return nullptr;
   Worth& worth = cell_worth_[static_cast<int>(viewer)];
   if (worth.paused() || !(p == cell_point_ ? cell_found_ : find_cell(p))) return nullptr;
@@ -73,10 +74,11 @@ WorldEntry* CoherentRays::shadow_entry(const Vec3& p, std::uint32_t light, Viewe
   key.kind = light << 9 | cell_.exponent | static_cast<std::uint32_t>(viewer);
   bool known;
   Slot& slot = cells_.find(key, mixed(key.cell[0], key.cell[1], key.cell[2], key.kind), known);
+  const Vec3 low(key.cell[0] * cell_.width, key.cell[1] * cell_.width, key.cell[2] * cell_.width);
+  served_ = Box3(low, low + Vec3(cell_.width));
   if (known) return slot.usable ? &slot.entry : nullptr;
   worth.count_built();
-  const Vec3 low(key.cell[0] * cell_.width, key.cell[1] * cell_.width, key.cell[2] * cell_.width);
-  return remember(slot, shaft_of(Box3(low, low + Vec3(cell_.width))));
+  return remember(slot, shaft_of(served_));
 }
 
 WorldEntry* CoherentRays::shadow(const Vec3& p, std::uint32_t light, const Box3& target, Viewer viewer) {

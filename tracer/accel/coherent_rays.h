@@ -44,6 +44,9 @@ class CoherentRays {
   WorldEntry* shadow(const Vec3& p, std::uint32_t light, const Box3& target, Viewer viewer);
   // The same for parallel light that comes from a unit direction.
   WorldEntry* parallel_shadow(const Vec3& p, std::uint32_t light, const Vec3& towards, Viewer viewer);
+  // The points for which the entry last given by these two holds, too; empty: none. Whoever uses it for them says so.
+  const Box3& served() const { return served_; }
+  void used_again(Viewer viewer) { ++cell_worth_[static_cast<int>(viewer)].used; }
 
  private:
   static constexpr int kTile = 8;            // pixels
@@ -100,6 +103,7 @@ class CoherentRays {
   Vec3 cell_point_{0, 0, 0};  // the last point that was asked for, and its cell
   ShadowCell cell_;
   bool cell_found_ = false;
+  Box3 served_;
   Worth tile_worth_, cell_worth_[2];
 };
 

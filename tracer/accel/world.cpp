@@ -9,6 +9,7 @@
 #include "tracer/accel/frame_list.h"
 #include "tracer/accel/shaft.h"
 #include "tracer/scene/bounds.h"
+#include "tracer/shapes/plane.h"
 #include "tracer/shapes/scratch_hits.h"
 
 namespace verisim::accel {
@@ -41,6 +42,21 @@ struct Candidate {
   Opacity opacity;
   bool has_tree;  // rays may be told where to enter it
 };
+
+// A plane without a matrix and clips: rays are tested against it in place.
+struct Plane {
+  Vec3 normal;
+  double distance;
+  double distance_along(const Ray& ray) const {
+    const double slope = dot(normal, ray.direction), t = (distance - dot(normal, ray.origin)) / slope;
+    return shapes::meets_plane(slope, t) ? t : -1;
+  }
+};
+std::optional<Plane> plain_plane(const scene::Object& o) {
+  const auto* plane = o.as<scene::Plane>();
+  if (!plane || o.transform || !o.bounded_by.empty() || !o.clipped_by.empty()) return std::nullopt;
+  return Plane{plane->normal, plane->distance};
+}
 
 unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
 
@@ -104,10 +120,18 @@ float entry_distance(const Ray& ray, const Box3& box) {
 
 }  // namespace
 
+// What the rays of a row meet, before anything is decided.
+struct World::RowScratch {
+  static constexpr std::size_t kPlanes = 4;  // more are tested one by one
+  BoxesMet met;
+  alignas(64) double planes[kPlanes][RayRow::kSize];
+};
+
 struct World::Impl {
   std::vector<Entry> entries;
   std::vector<std::unique_ptr<Shape>> shapes;
   std::vector<std::uint32_t> unbounded;  // entries beside the tree
+  std::vector<std::optional<Plane>> planes;  // of each of them that is one
   std::vector<Candidate> bounded;        // of each box of the tree
   BoxTree tree;
   std::deque<Surface> surfaces;
@@ -120,6 +144,10 @@ struct World::Impl {
 
   void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
   bool precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const;
+  void meet_planes(const RayRow& rays, int first, int count, RowScratch& scratch) const {
+    for (std::size_t k = 0; k < std::min(planes.size(), RowScratch::kPlanes); ++k)
+      if (planes[k]) row_kernels().plane(planes[k]->normal, planes[k]->distance, rays, first, count, scratch.planes[k]);
+  }
   void mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const;
 };
 
@@ -190,6 +218,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     e.test_box = !is_empty(e.box) && (boxless || w.in_order) && !cheaper_than_box_test(o) && !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
     if (!never && (boxless || w.in_order)) {
       w.unbounded.push_back(static_cast<std::uint32_t>(i));
+      w.planes.push_back(e.test_box ? std::nullopt : plain_plane(o));
       if (e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow))) w.transparent_unbounded = true;
     }
     if (!never && !boxless && !w.in_order) {
@@ -218,74 +247,210 @@ bool World::Impl::precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) con
   return a < b;
 }
 
-bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit, const WorldEntry* entry) const {
-  const Impl& w = *impl_;
-  const unsigned mask = bit(kind);
-  bool found = false;
-  std::uint32_t owner = 0;
-  const auto test = [&](const Shape& shape, std::uint32_t index, double limit, const EntryPoints* inner) -> double {
+// The search for the nearest hit of one ray.
+class World::Search {
+ public:
+  Search(const Impl& world, const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit)
+      : w_(world), ray_(ray), kind_(kind), mask_(bit(kind)), t_min_(t_min), limit_(t_max), hit_(hit) {}
+
+  bool found() const { return found_; }
+  double limit() const { return limit_; }
+
+  // Entries beside the tree; plane_distance(i) is that of the plane of entry i, -1 if it is not met.
+  template <class PlaneDistance>
+  void test_unbounded(PlaneDistance&& plane_distance) {
+    for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
+      const std::uint32_t index = w_.unbounded[i];
+      const Entry& e = w_.entries[index];
+      if (e.hidden & mask_) continue;
+      if (const Plane* plane = w_.planes[i] ? &*w_.planes[i] : nullptr) {
+        const double t = plane_distance(i, *plane);
+        if (!(t >= t_min_ && (found_ ? t <= limit_ : t < limit_)) || (found_ && t == hit_.t && !w_.precedes(index, owner_, ray_))) continue;
+        hit_ = {t, ray_.origin + t * ray_.direction, e.shape, 0, 0, 0};
+        accept(index);
+        continue;
+      }
+      double near = t_min_, far = limit_;
+      if (e.test_box && !clip_to_box(ray_, e.box, near, far)) continue;
+      test(*e.shape, index, nullptr);
+    }
+  }
+  void test_candidate(std::uint32_t i, const WorldEntry* entry) {
+    const Candidate& c = w_.bounded[i];
+    if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry ? entry->inner_of(i) : nullptr);
+  }
+
+ private:
+  void accept(std::uint32_t index) {
+    found_ = true;
+    owner_ = index;
+    limit_ = hit_.t;
+  }
+  void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner) {
     const auto intersect_shape = [&](double far, Hit& out) {
-      return inner ? shape.intersect_from(*inner, ray, kind, t_min, far, out) : shape.intersect(ray, kind, t_min, far, out);
+      return inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, far, out) : shape.intersect(ray_, kind_, t_min_, far, out);
     };
-    if (!found) {
-      if (!intersect_shape(limit, hit)) return limit;
+    if (!found_) {
+      if (!intersect_shape(limit_, hit_)) return;
     } else {
       Hit other;
-      if (!intersect_shape(next_above(limit), other)) return limit;
-      if (other.t == hit.t && !w.precedes(index, owner, ray)) return limit;
-      hit = other;
+      if (!intersect_shape(next_above(limit_), other)) return;
+      if (other.t == hit_.t && !w_.precedes(index, owner_, ray_)) return;
+      hit_ = other;
     }
-    found = true;
-    owner = index;
-    return hit.t;
-  };
-  double limit = t_max;
-  for (const std::uint32_t index : w.unbounded) {
-    const Entry& e = w.entries[index];
-    if (e.hidden & mask) continue;
-    double near = t_min, far = limit;
-    if (e.test_box && !clip_to_box(ray, e.box, near, far)) continue;
-    limit = test(*e.shape, index, limit, nullptr);
+    accept(index);
   }
-  w.tree.traverse(ray, t_min, limit, [&](std::uint32_t i, double far) {
-    const Candidate& c = w.bounded[i];
-    return c.hidden & mask ? far : test(*c.shape, c.entry, far, entry ? entry->inner_of(i) : nullptr);
-  }, entry ? &entry->points : nullptr);
-  return found;
+
+  const Impl& w_;
+  const Ray& ray_;
+  const RayKind kind_;
+  const unsigned mask_;
+  const double t_min_;
+  double limit_;
+  Hit& hit_;
+  bool found_ = false;
+  std::uint32_t owner_ = 0;
+};
+
+namespace {
+
+// The boxes of a mask (BoxesMet) in order of distance, as far as `limit()`: visit(place) for each; it may lower the limit.
+template <class Limit, class Visit>
+void visit_boxes(const BoxesMet& met, int ray, Limit&& limit, Visit&& visit) {
+  for (auto mask = static_cast<std::uint32_t>(met.mask[ray]); mask != 0;) {
+    int nearest = std::countr_zero(mask);
+    for (std::uint32_t rest = mask & (mask - 1); rest != 0; rest &= rest - 1)
+      if (const int place = std::countr_zero(rest); met.near[place][ray] < met.near[nearest][ray]) nearest = place;
+    if (met.near[nearest][ray] > limit()) return;
+    mask &= ~(1u << nearest);
+    visit(nearest);
+  }
 }
+
+std::uint32_t candidate_at(const EntryPoints& points, int place) { return BoxNode::leaf_first(points.nodes[place / 4].child[place % 4]); }
+
+}  // namespace
+
+bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit, const WorldEntry* entry) const {
+  const Impl& w = *impl_;
+  Search search(w, ray, kind, t_min, t_max, hit);
+  search.test_unbounded([&](std::size_t, const Plane& plane) { return plane.distance_along(ray); });
+  w.tree.traverse(ray, t_min, search.limit(), [&](std::uint32_t i, double) {
+    search.test_candidate(i, entry);
+    return search.limit();
+  }, entry ? &entry->points : nullptr);
+  return search.found();
+}
+
+void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry, Hit* hits, bool* found) const {
+  const Impl& w = *impl_;
+  RowScratch scratch;
+  w.meet_planes(rays, first, count, scratch);
+  const bool boxes = entry && entry->points.complete;
+  if (boxes) row_kernels().boxes(entry->points, w.tree.center(), rays, first, count, t_min, scratch.met);
+  for (int i = first; i < first + count; ++i) {
+    const Ray ray = rays.at(i);
+    Search search(w, ray, kind, t_min, std::numeric_limits<double>::infinity(), hits[i]);
+    search.test_unbounded([&](std::size_t k, const Plane& plane) { return k < RowScratch::kPlanes ? scratch.planes[k][i] : plane.distance_along(ray); });
+    if (boxes) {
+      visit_boxes(scratch.met, i, [&] { return search.limit(); }, [&](int place) { search.test_candidate(candidate_at(entry->points, place), entry); });
+    } else {
+      w.tree.traverse(ray, t_min, search.limit(), [&](std::uint32_t c, double) {
+        search.test_candidate(c, entry);
+        return search.limit();
+      }, entry ? &entry->points : nullptr);
+    }
+    found[i] = search.found();
+  }
+}
+
+// Whether something opaque lies on one ray.
+class World::Occlusion {
+ public:
+  Occlusion(const Impl& world, const Ray& ray, double t_min, double t_max) : w_(world), ray_(ray), above_(next_above(t_min)), t_max_(t_max) {}
+
+  template <class PlaneDistance>
+  bool by_unbounded(PlaneDistance&& plane_distance) const {
+    for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
+      const Entry& e = w_.entries[w_.unbounded[i]];
+      if ((e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
+      if (w_.planes[i]) {
+        const double t = plane_distance(i, *w_.planes[i]);
+        if (t >= above_ && t < t_max_) return true;
+        continue;
+      }
+      double near = above_, far = t_max_;
+      if (e.test_box && !clip_to_box(ray_, e.box, near, far)) continue;
+      if (blocks(*e.shape, e.opacity, nullptr)) return true;
+    }
+    return false;
+  }
+  bool by_candidate(std::uint32_t i, const WorldEntry* entry) const {
+    const Candidate& c = w_.bounded[i];
+    return !(c.hidden & kMask) && c.opacity != Opacity::transparent && blocks(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr);
+  }
+
+ private:
+  static constexpr unsigned kMask = 1u << static_cast<unsigned>(RayKind::shadow);
+
+  bool blocks(const Shape& shape, Opacity opacity, const EntryPoints* inner) const {
+    if (opacity == Opacity::opaque) return inner ? shape.occludes_from(*inner, ray_, above_, t_max_) : shape.occludes(ray_, above_, t_max_);
+    shapes::ScratchHits hits;
+    shape.intersect_all(ray_, RayKind::shadow, hits.list());
+    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
+      if (hits[i].t >= above_ && hits[i].t < t_max_ && hits[i].shape->surface->opaque) return true;
+    return false;
+  }
+
+  const Impl& w_;
+  const Ray& ray_;
+  const double above_, t_max_;
+};
 
 bool World::occluded(const Ray& ray, double t_min, double t_max, WorldEntry* entry) const {
   const Impl& w = *impl_;
-  const unsigned mask = bit(RayKind::shadow);
-  const double above = next_above(t_min);
-  const auto blocks = [&](const Shape& shape, Opacity opacity, const EntryPoints* inner) {
-    if (opacity == Opacity::opaque) return inner ? shape.occludes_from(*inner, ray, above, t_max) : shape.occludes(ray, above, t_max);
-    shapes::ScratchHits hits;
-    shape.intersect_all(ray, RayKind::shadow, hits.list());
-    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
-      if (hits[i].t >= above && hits[i].t < t_max && hits[i].shape->surface->opaque) return true;
-    return false;
-  };
-  if (entry && entry->last_blocker != WorldEntry::kNoBlocker) {
-    const Candidate& c = w.bounded[entry->last_blocker];
-    if (blocks(*c.shape, c.opacity, entry->inner_of(entry->last_blocker))) return true;
-  }
-  for (const std::uint32_t index : w.unbounded) {
-    const Entry& e = w.entries[index];
-    if ((e.hidden & mask) || e.opacity == Opacity::transparent) continue;
-    double near = t_min, far = t_max;
-    if (e.test_box && !clip_to_box(ray, e.box, near, far)) continue;
-    if (blocks(*e.shape, e.opacity, nullptr)) return true;
-  }
+  const Occlusion occlusion(w, ray, t_min, t_max);
+  if (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry)) return true;
+  if (occlusion.by_unbounded([&](std::size_t, const Plane& plane) { return plane.distance_along(ray); })) return true;
   bool found = false;
   w.tree.traverse(ray, t_min, t_max, [&](std::uint32_t i, double far) {
-    const Candidate& c = w.bounded[i];
-    if ((c.hidden & mask) || c.opacity == Opacity::transparent || !blocks(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr)) return far;
+    if (!occlusion.by_candidate(i, entry)) return far;
     found = true;
     if (entry) entry->last_blocker = i;
     return -HUGE_VAL;
   }, entry ? &entry->points : nullptr);
   return found;
+}
+
+void World::occluded_row(const RayRow& rays, int first, int count, const bool* wanted, double t_min, const double* t_max, WorldEntry* entry, bool* blocked) const {
+  const Impl& w = *impl_;
+  RowScratch scratch;
+  w.meet_planes(rays, first, count, scratch);
+  const bool boxes = entry && entry->points.complete;
+  if (boxes) row_kernels().boxes(entry->points, w.tree.center(), rays, first, count, t_min, scratch.met);
+  for (int i = first; i < first + count; ++i) {
+    if (!wanted[i]) continue;
+    const Ray ray = rays.at(i);
+    const Occlusion occlusion(w, ray, t_min, t_max[i]);
+    blocked[i] = (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry)) ||
+                 occlusion.by_unbounded([&](std::size_t k, const Plane& plane) { return k < RowScratch::kPlanes ? scratch.planes[k][i] : plane.distance_along(ray); });
+    if (blocked[i]) continue;
+    double limit = t_max[i];
+    const auto test = [&](std::uint32_t candidate) {
+      if ((entry && candidate == entry->last_blocker) || !occlusion.by_candidate(candidate, entry)) return;
+      blocked[i] = true;
+      if (entry) entry->last_blocker = candidate;
+      limit = -HUGE_VAL;
+    };
+    if (boxes) {
+      visit_boxes(scratch.met, i, [&] { return limit; }, [&](int place) { test(candidate_at(entry->points, place)); });
+    } else {
+      w.tree.traverse(ray, t_min, limit, [&](std::uint32_t candidate, double) {
+        test(candidate);
+        return limit;
+      }, entry ? &entry->points : nullptr);
+    }
+  }
 }
 
 bool World::occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const {

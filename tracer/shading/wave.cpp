@@ -6,7 +6,8 @@
 namespace verisim::shading {
 namespace {
 
-constexpr double kNearestHit = 1e-4;  // of camera rays
+constexpr double kNearestHit = 1e-4;       // of camera rays
+constexpr double kShadowTolerance = 1e-3;  // to the shaded point and to the light
 constexpr float kDark = static_cast<float>(kEpsilon);
 
 bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
@@ -19,6 +20,7 @@ bool is_simple(const Light& light) { return !light.area_illumination() && !(ligh
 Wave::Wave(Tracer& tracer) : tracer_(tracer), scene_(tracer.scene()), kernels_(wave_kernels()), lanes_{} {
   usable_ = scene_.quality >= 9 && !tracer_.random_.replay() && !scene_.effects && !scene_.fog && scene_.rainbows.empty() && scene_.adc_bailout >= 0 && scene_.adc_bailout < 1;
   for (std::size_t i = 0; i < scene_.global_lights(); ++i) usable_ = usable_ && is_simple(scene_.lights()[i]);
+  for (float* tint : {lanes_.tint.r, lanes_.tint.g, lanes_.tint.b}) std::fill_n(tint, kMost, 1.0f);
   plain_sky_ = !scene_.sky.varies();
   if (plain_sky_) sky_ = scene_.sky.seen({0, 0, 1}, false);
 }
@@ -69,16 +71,18 @@ bool Wave::add_surface(const shapes::Hit& hit, const Vec3& direction, int pixel)
   const int k = count_++;
   pixel_[k] = pixel;
   surface_[k] = &surface;
-  finish_[k] = &m.layer->finish;
-  lanes_.point.set(k, hit.point);
+  lanes_.to_light.origin.set(k, hit.point);
   lanes_.normal.set(k, normal);
   lanes_.view.set(k, direction);
+  (m.phong != 0 ? any_phong_ : any_blinn_) |= m.amount != 0;
+  any_metallic_ |= m.layer->finish.metallic > 0;
+  if (layer_[k] == m.layer) return true;
+  layer_[k] = m.constant ? m.layer : nullptr;
+  finish_[k] = &m.layer->finish;
   lanes_.pigment.r[k] = color.r, lanes_.pigment.g[k] = color.g, lanes_.pigment.b[k] = color.b;
   const Rgb own = color.rgb() * m.glow;
   lanes_.own.r[k] = own.r, lanes_.own.g[k] = own.g, lanes_.own.b[k] = own.b;
-  lanes_.direct.r[k] = lanes_.direct.g[k] = lanes_.direct.b[k] = 0;
   lanes_.exponent[k] = m.exponent, lanes_.amount[k] = m.amount, lanes_.base_limit[k] = m.base_limit, lanes_.phong[k] = m.phong;
-  (m.phong != 0 ? any_phong_ : any_blinn_) |= m.amount != 0;
   return true;
 }
 
@@ -88,8 +92,8 @@ void Wave::aim(const Light& light) {
     kernels_.aim(light.source().position + Vec3(0, 0, 0), count_, lanes_);
   } else {
     for (int k = 0; k < count_; ++k) {
-      const LightDirection direction = light.direction(lanes_.point.at(k));
-      lanes_.towards.set(k, direction.towards);
+      const LightDirection direction = light.direction(lanes_.to_light.origin.at(k));
+      lanes_.to_light.direction.set(k, direction.towards);
       lanes_.distance[k] = direction.distance;
     }
   }
@@ -100,36 +104,95 @@ void Wave::aim(const Light& light) {
 bool Wave::reach(const Light& light, const RayState& ray) {
   bool any = false;
   for (int k = 0; k < count_; ++k) {
-    lanes_.lit[k] = 0;
-    const Vec3 p = lanes_.point.at(k);
-    const LightDirection direction{lanes_.towards.at(k), lanes_.distance[k]};
-    Rgb color = light.color() * static_cast<float>(light.attenuation(p, direction));
-    if (color.max_abs() < kDark) continue;
-    const shapes::Surface& surface = *surface_[k];
+    asked_[k] = false;
     const scene::Finish& finish = *finish_[k];
-    if (!reflects_light(finish)) continue;
-    const bool back = !surface.double_illuminate && lanes_.cosine[k] < kEpsilon;
-    if (back && finish.diffuse_back == 0) continue;
-    color = tracer_.shadowed(light, p, direction, ray, &surface, color);
-    if (color.max_abs() <= kDark) continue;
-    any = true;
-    lanes_.lit[k] = 1;
-    const float diffuse = back ? finish.diffuse_back : finish.diffuse;
-    lanes_.diffuse[k] = diffuse > 0 ? diffuse : 0;
+    const LightDirection direction{lanes_.to_light.direction.at(k), lanes_.distance[k]};
+    const Rgb color = light.color() * static_cast<float>(light.attenuation(lanes_.to_light.origin.at(k), direction));
+    const bool back = !surface_[k]->double_illuminate && lanes_.cosine[k] < kEpsilon;
+    if (color.max_abs() < kDark || !reflects_light(finish) || (back && finish.diffuse_back == 0)) continue;
+    any = asked_[k] = true;
+    lanes_.diffuse[k] = std::max(back ? finish.diffuse_back : finish.diffuse, 0.0f);
     lanes_.shines[k] = light.highlights() && !back;
     lanes_.intensity.r[k] = color.r, lanes_.intensity.g[k] = color.g, lanes_.intensity.b[k] = color.b;
-    Rgb tint(1);
-    if (finish.metallic > 0) tint = metallic_tint({lanes_.pigment.r[k], lanes_.pigment.g[k], lanes_.pigment.b[k]}, finish.metallic, lanes_.cosine[k]);
-    lanes_.tint.r[k] = tint.r, lanes_.tint.g[k] = tint.g, lanes_.tint.b[k] = tint.b;
+  }
+  if (!any) return false;
+  cast_shadows(light, ray);
+  any = false;
+  for (int k = 0; k < count_; ++k) {
+    lanes_.lit[k] = asked_[k] && Rgb(lanes_.intensity.r[k], lanes_.intensity.g[k], lanes_.intensity.b[k]).max_abs() > kDark;
+    any |= lanes_.lit[k] != 0;
   }
   return any;
 }
 
+// Filters the light of all that are asked for. Where any opaque thing decides, the rays of one cell of space are traced together.
+void Wave::cast_shadows(const Light& light, const RayState& ray) {
+  if (!light.shadows()) return;
+  const bool together = !light.area() && !light.projector();
+  const auto one_by_one = [&](int k) {
+    const LightDirection direction{lanes_.to_light.direction.at(k), lanes_.distance[k]};
+    const Rgb arriving(lanes_.intensity.r[k], lanes_.intensity.g[k], lanes_.intensity.b[k]);
+    const Rgb color = tracer_.shadowed(light, lanes_.to_light.origin.at(k), direction, ray, surface_[k], arriving);
+    lanes_.intensity.r[k] = color.r, lanes_.intensity.g[k] = color.g, lanes_.intensity.b[k] = color.b;
+  };
+  accel::WorldEntry* entry = nullptr;
+  Box3 served;
+  int first = 0, end = 0;  // the rays that wait, with this entry
+  bool wanted[kMost], blocked[kMost] = {};
+  double limit[kMost];
+  const auto trace_waiting = [&] {
+    if (first < end) scene_.world.occluded_row(lanes_.to_light, first, end - first, wanted, kShadowTolerance, limit, entry, blocked);
+    first = end;
+  };
+  for (int k = 0; k < count_; ++k) {
+    wanted[k] = false;
+    if (!asked_[k]) continue;
+    if (!together) {
+      one_by_one(k);
+      continue;
+    }
+    const Vec3 p = lanes_.to_light.origin.at(k);
+    if (accel::contains(served, p)) {
+      tracer_.coherent_.used_again(accel::CoherentRays::Viewer::camera);
+    } else {
+      if (entry) trace_waiting();  // the next one may take its place
+      accel::WorldEntry* const next = tracer_.shadow_entry({ray, surface_[k], light}, p);
+      if (entry || next) {
+        trace_waiting();
+        first = k;
+      }
+      entry = next;
+      served = tracer_.coherent_.served();
+    }
+    if (entry ? !entry->only_opaque : scene_.world.has_transparent_shadows()) {
+      trace_waiting();
+      one_by_one(k);
+      served.makeEmpty();  // it may have made the entry another's
+    } else {
+      ++tracer_.statistics_.shadow_rays;
+      limit[k] = lanes_.distance[k] - kShadowTolerance;
+      wanted[k] = lanes_.distance[k] > 2 * kShadowTolerance;
+      end = k + 1;
+    }
+  }
+  trace_waiting();
+  for (int k = 0; k < count_; ++k)
+    if (blocked[k]) asked_[k] = false;
+}
+
 void Wave::respond() {
+  if (any_metallic_ || tinted_) {
+    for (int k = 0; k < count_; ++k) {
+      const Rgb pigment(lanes_.pigment.r[k], lanes_.pigment.g[k], lanes_.pigment.b[k]);
+      const Rgb tint = finish_[k]->metallic > 0 ? metallic_tint(pigment, finish_[k]->metallic, lanes_.cosine[k]) : Rgb(1);
+      lanes_.tint.r[k] = tint.r, lanes_.tint.g[k] = tint.g, lanes_.tint.b[k] = tint.b;
+    }
+    tinted_ = true;
+  }
   if (!kernels_.respond(any_phong_, any_blinn_, count_, lanes_)) return;
   for (int k = 0; k < count_; ++k) {
     if (!lanes_.uncertain[k] || lanes_.lit[k] == 0 || lanes_.amount[k] * lanes_.shines[k] == 0) continue;
-    const Vec3 n = lanes_.normal.at(k), d = lanes_.view.at(k), l = lanes_.towards.at(k);
+    const Vec3 n = lanes_.normal.at(k), d = lanes_.view.at(k), l = lanes_.to_light.direction.at(k);
     lanes_.strength[k] = static_cast<float>(lanes_.phong[k] != 0 ? phong_highlight(*finish_[k], n, d, l) : specular_highlight(*finish_[k], n, d, l));
   }
 }
@@ -144,21 +207,26 @@ void Wave::light(const Light& light, const RayState& ray) {
 void Wave::trace(const Vec3& origin, double x, double y, int count, const accel::WorldEntry* const* entries, Color* out) {
   if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
   count_ = 0;
-  any_phong_ = any_blinn_ = false;
+  any_phong_ = any_blinn_ = any_metallic_ = false;
   RayState ray = tracer_.camera_state({origin, {0, 0, 1}}, false);
   tracer_.statistics_.camera_rays += static_cast<std::uint64_t>(count);
+  for (int i = 0; i < count; ++i) lanes_.camera.origin.set(i, origin);
+  for (int first = 0, end; first < count; first = end) {
+    for (end = first + 1; end < count && entries[end] == entries[first];) ++end;
+    scene_.world.intersect_row(lanes_.camera, first, end - first, ray.kind(), kNearestHit, entries[first], hits_, found_);
+  }
   for (int i = 0; i < count; ++i) {
-    ray.ray.direction = lanes_.direction.at(i);
-    shapes::Hit hit;
-    const bool found = tracer_.nearest(ray, hit, kNearestHit, std::numeric_limits<double>::infinity(), entries[i]);
-    if (!found && plain_sky_) {
+    if (!found_[i] && plain_sky_) {
       out[i] = sky_;
-    } else if (!found || !add_surface(hit, ray.ray.direction, i)) {
-      tracer_.random_.begin_sample(x + i, y, 0);
-      out[i] = tracer_.resolve(ray, found ? &hit : nullptr);
+      continue;
     }
+    ray.ray.direction = lanes_.camera.direction.at(i);
+    if (found_[i] && add_surface(hits_[i], ray.ray.direction, i)) continue;
+    tracer_.random_.begin_sample(x + i, y, 0);
+    out[i] = tracer_.resolve(ray, found_[i] ? &hits_[i] : nullptr);
   }
   if (count_ == 0) return;
+  for (float* sum : {lanes_.direct.r, lanes_.direct.g, lanes_.direct.b}) std::fill_n(sum, count_, 0.0f);
   for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i], ray);
   for (int k = 0; k < count_; ++k)
     out[pixel_[k]] = {0 + (lanes_.own.r[k] + lanes_.direct.r[k]), 0 + (lanes_.own.g[k] + lanes_.direct.g[k]), 0 + (lanes_.own.b[k] + lanes_.direct.b[k])};

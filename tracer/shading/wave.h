@@ -16,7 +16,7 @@ class Wave {
   // False: hits of this scene have to be shaded one after another (volumes, random numbers in order, an observer ...).
   bool usable() const { return usable_ && !tracer_.observer_ && !tracer_.pretrace_; }
 
-  // The directions of the rays, to be filled first.
+  // camera.direction is to be filled first.
   WaveLanes& lanes() { return lanes_; }
   // Traces rays from a common origin, with the directions of the first lanes, through pixels (x, y), (x + 1, y) ...: `count` <= kMost colours.
   // Ray i enters the world at entries[i] (null: unknown).
@@ -38,6 +38,7 @@ class Wave {
   void light(const Light& light, const RayState& ray);
   void aim(const Light& light);
   bool reach(const Light& light, const RayState& ray);
+  void cast_shadows(const Light& light, const RayState& ray);
   void respond();
 
   Tracer& tracer_;
@@ -48,9 +49,12 @@ class Wave {
   bool plain_sky_;
   Material material_;   // the last one asked for
   int count_ = 0;       // of surfaces
-  bool any_phong_ = false, any_blinn_ = false;
+  bool any_phong_ = false, any_blinn_ = false, any_metallic_ = false, tinted_ = false;
   WaveLanes lanes_;
+  shapes::Hit hits_[kMost];
+  bool found_[kMost], asked_[kMost];
   int pixel_[kMost];
+  const textures::CompiledLayer* layer_[kMost] = {};  // whose constant numbers stand in the lane; null: those of one point
   const shapes::Surface* surface_[kMost];
   const scene::Finish* finish_[kMost];
 };

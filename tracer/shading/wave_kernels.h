@@ -4,28 +4,24 @@
 
 #include <cstdint>
 
-#include "tracer/math/vec.h"
+#include "tracer/accel/row_kernels.h"
 
 namespace verisim::shading {
 
 // One stretch of a row of the picture, as arrays. Kernels work on the first `count` lanes, rounded up to whole registers: what stands behind is any number.
 struct alignas(64) WaveLanes {
-  static constexpr int kMost = 40, kStep = 8;  // the default block and the column beside it fit
+  static constexpr int kMost = accel::RayRow::kMost, kStep = accel::RayRow::kStep;
   using Doubles = double[kMost];
   using Floats = float[kMost];
-  struct Vectors {
-    Doubles x, y, z;
-    Vec3 at(int i) const { return {x[i], y[i], z[i]}; }
-    void set(int i, const Vec3& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
-  };
+  using Vectors = accel::RayRow::Vectors;
   struct Colors {
     Floats r, g, b;
   };
 
-  Vectors direction;  // of the camera rays, unit
+  accel::RayRow camera;  // directions are unit vectors
 
   // The surfaces that are lit: a denser numbering than that of the rays.
-  Vectors point, normal, view;
+  Vectors normal, view;
   Colors pigment, own, direct;  // the surface's own light; the sum of what lights add
   Floats diffuse;               // opacity * coefficient; 0: none
   Doubles base_limit;           // highlights are dark up to this cosine
@@ -33,7 +29,7 @@ struct alignas(64) WaveLanes {
   Doubles phong;                // 1: the highlight is Phong's, 0: Blinn's
 
   // One light on these surfaces.
-  Vectors towards;
+  accel::RayRow to_light;  // from the point on the surface
   Doubles distance, cosine;
   Colors intensity, tint;  // what arrives; how metals tint the highlight
   Floats lit;              // 1 or 0
@@ -52,9 +48,9 @@ struct WaveCamera {
 struct WaveKernels {
   // Unit directions of the rays through pixels (x, y), (x + 1, y) ...
   void (*directions)(const WaveCamera& camera, double x, double y, int count, WaveLanes& lanes);
-  // Sets towards and distance from points to a light that shines from `position`.
+  // Sets the directions and distances from points to a light that shines from `position`.
   void (*aim)(const Vec3& position, int count, WaveLanes& lanes);
-  // Sets cosine from normals and towards.
+  // Sets cosine from normals and directions.
   void (*face)(int count, WaveLanes& lanes);
   // Sets scattered, strength and uncertain. False: nothing is uncertain. `phong`, `blinn`: some lane has such a highlight.
   bool (*respond)(bool phong, bool blinn, int count, WaveLanes& lanes);

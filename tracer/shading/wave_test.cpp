@@ -35,7 +35,7 @@ TEST_P(WaveKernel, DirectionsAreThoseOfTheCamera) {
   kernels->directions({641, 479, camera.direction, camera.right, camera.up}, 613, 17, 28, *lanes);
   for (int i = 0; i < 28; ++i) {
     const Vec3 d = rays.at(613 + i, 17)->ray.direction;
-    EXPECT_EQ(lanes->direction.at(i), d * (1 / length(d))) << i;
+    EXPECT_EQ(lanes->camera.direction.at(i), d * (1 / length(d))) << i;
   }
 }
 
@@ -53,7 +53,7 @@ TEST_P(WaveKernel, LightsAndHighlightsAreThoseOfTheFormulas) {
       const Vec3 n = unit();
       Vec3 view = unit();
       if (dot(n, view) > 0) view = -view;
-      lanes->normal.set(i, n), lanes->view.set(i, view), lanes->point.set(i, unit());
+      lanes->normal.set(i, n), lanes->view.set(i, view), lanes->to_light.origin.set(i, unit());
       lanes->diffuse[i] = 0.7f, lanes->shines[i] = 1, lanes->phong[i] = phong;
       lanes->amount[i] = phong ? f.phong : f.specular;
       lanes->exponent[i] = phong ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
@@ -64,8 +64,8 @@ TEST_P(WaveKernel, LightsAndHighlightsAreThoseOfTheFormulas) {
     kernels->face(WaveLanes::kMost, *lanes);
     kernels->respond(true, true, WaveLanes::kMost, *lanes);
     for (int i = 0; i < WaveLanes::kMost; ++i) {
-      const Vec3 n = lanes->normal.at(i), view = lanes->view.at(i), to = position - lanes->point.at(i), l = to / length(to);
-      ASSERT_EQ(lanes->towards.at(i), l);
+      const Vec3 n = lanes->normal.at(i), view = lanes->view.at(i), to = position - lanes->to_light.origin.at(i), l = to / length(to);
+      ASSERT_EQ(lanes->to_light.direction.at(i), l);
       ASSERT_EQ(lanes->distance[i], length(to));
       ASSERT_EQ(lanes->cosine[i], dot(n, l));
       ASSERT_EQ(lanes->scattered[i], static_cast<float>(0.7f * std::fabs(dot(n, l))));
@@ -81,7 +81,7 @@ TEST_P(WaveKernel, LightsAndHighlightsAreThoseOfTheFormulas) {
 
 TEST_P(WaveKernel, NumbersThatAreNoneAreLeftToTheFormulas) {
   for (int i = 0; i < WaveLanes::kMost; ++i) {
-    lanes->normal.set(i, Vec3(0, 1, 0)), lanes->view.set(i, Vec3(0, -1, 0)), lanes->towards.set(i, Vec3(std::nan("")));
+    lanes->normal.set(i, Vec3(0, 1, 0)), lanes->view.set(i, Vec3(0, -1, 0)), lanes->to_light.direction.set(i, Vec3(std::nan("")));
     lanes->amount[i] = lanes->shines[i] = lanes->exponent[i] = 1;
   }
   EXPECT_TRUE(kernels->respond(false, true, WaveLanes::kMost, *lanes));

@@ -1,11 +1,11 @@
 // plane (spec 03 4.5).
+#include "tracer/shapes/plane.h"
+
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
 namespace {
-
-constexpr double kNearest = 1e-6, kFarthest = 1e7;
 
 class Plane final : public Primitive<Plane> {
  public:
@@ -16,9 +16,8 @@ class Plane final : public Primitive<Plane> {
     // With a matrix the local direction is not normalised, so distances are those of the world.
     const Vec3 o = local(ray.origin), d = has_matrix() ? matrix().inverse_direction(ray.direction) : ray.direction;
     const double slope = dot(normal_, d);
-    if (std::fabs(slope) < kEpsilon) return;
     const double t = (distance_ - dot(normal_, o)) / slope;
-    if (t >= kNearest && t <= kFarthest) sink.add(t, [&] { return ray.origin + t * ray.direction; });
+    if (meets_plane(slope, t)) sink.add(t, [&] { return ray.origin + t * ray.direction; });
   }
 
   bool contains(const Vec3& p) const { return dot(local(p), normal_) - distance_ < kEpsilon; }

@@ -1,0 +1,93 @@
+// Many rays against boxes and planes: what one ray meets alone.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <random>
+
+#include "tracer/accel/box_tree.h"
+#include "tracer/accel/row_kernels.h"
+#include "tracer/shapes/plane.h"
+#include "tracer/textures/instruction_sets.h"
+
+namespace verisim::accel {
+namespace {
+
+class RowKernel : public testing::TestWithParam<int> {
+ protected:
+  void SetUp() override {
+    kernels = row_kernels(GetParam());
+    if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+    std::normal_distribution<double> d;
+    for (int i = 0; i < RayRow::kMost; ++i) {
+      rays->origin.set(i, Vec3(d(random), d(random), d(random)) * 6.0);
+      Vec3 direction = normalize(Vec3(d(random), d(random), d(random)));
+      if (i % 9 == 0) direction[i % 3] = 0;  // along a face
+      rays->direction.set(i, direction);
+    }
+  }
+  const RowKernels* kernels = nullptr;
+  std::mt19937 random{3};
+  std::unique_ptr<RayRow> rays = std::make_unique<RayRow>();
+};
+
+TEST_P(RowKernel, PlanesAreMetAsByOneRay) {
+  const Vec3 normal = normalize(Vec3(1, 2, -0.5));
+  alignas(64) double t[RayRow::kSize];
+  kernels->plane(normal, 0.7, *rays, 3, 30, t);
+  int met = 0;
+  for (int i = 3; i < 33; ++i) {
+    const double slope = dot(normal, rays->direction.at(i)), along = (0.7 - dot(normal, rays->origin.at(i))) / slope;
+    EXPECT_EQ(t[i], shapes::meets_plane(slope, along) ? along : -1) << i;
+    met += t[i] > 0;
+  }
+  EXPECT_GT(met, 5);
+}
+
+TEST_P(RowKernel, BoxesAreMetByThoseRaysThatMeetThem) {
+  std::uniform_real_distribution<double> u(-4, 4);
+  const auto met = std::make_unique<BoxesMet>();
+  int count = 0, misses = 0;
+  for (int round = 0; round < 200; ++round) {
+    const Vec3 center(u(random), u(random), u(random));
+    EntryPoints entry;
+    entry.count = 2;
+    Box3 boxes[8];
+    for (int n = 0; n < 2; ++n) {
+      entry.nodes[n].clear();
+      for (int k = 0; k < (n == 0 ? 4 : 3); ++k) {
+        Box3& box = boxes[4 * n + k];
+        box.makeEmpty();
+        box.extendBy(Vec3(u(random), u(random), u(random)));
+        box.extendBy(Vec3(u(random), u(random), u(random)));
+        for (int i = 0; i < 3; ++i) {
+          entry.nodes[n].planes[i][k] = static_cast<float>(box.min[i] - center[i] - 1e-5);
+          entry.nodes[n].planes[3 + i][k] = static_cast<float>(box.max[i] - center[i] + 1e-5);
+        }
+        entry.nodes[n].child[k] = BoxNode::leaf(0, 1);
+      }
+    }
+    kernels->boxes(entry, center, *rays, 0, RayRow::kMost, 1e-4, *met);
+    for (int i = 0; i < RayRow::kMost; ++i) {
+      EXPECT_EQ(met->mask[i] >> 7, 0) << "there is no eighth box";
+      for (int b = 0; b < 7; ++b) {
+        double near = 1e-4, far = 1e20;
+        const bool expected = clip_to_box(rays->at(i), boxes[b], near, far);
+        const bool is_met = met->mask[i] >> b & 1;
+        if (expected) {
+          ++count;
+          EXPECT_TRUE(is_met) << i << ' ' << b;
+          EXPECT_LE(met->near[b][i], near);
+        } else {
+          misses += is_met;
+        }
+      }
+    }
+  }
+  EXPECT_GT(count, 1000);
+  EXPECT_LT(misses, 20) << "boxes are not much larger than they are";
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, RowKernel, testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+
+}  // namespace
+}  // namespace verisim::accel

@@ -83,8 +83,9 @@ TEST_F(Process, EndlessScenesEndAtTheirLimit) {
   EXPECT_NE(time.status, 0);
   EXPECT_EQ(time.signal, 0);
   EXPECT_EQ(run({"render", "endless.pov", "--max-steps", "100000"}).status, 3);
-  const pid_t child = start({"render", "endless.pov"});
-  std::this_thread::sleep_for(milliseconds(300));
+  file("told.pov", "#fopen F \"started\" write #write(F, 1) #fclose F #while (1) #end\n");
+  const pid_t child = start({"render", "told.pov"});
+  wait_for("started");
   ::kill(child, SIGINT);
   EXPECT_EQ(wait(child).status, 130);
 }

@@ -106,10 +106,11 @@ bool Wave::reach(const Light& light, const RayState& ray) {
   for (int k = 0; k < count_; ++k) {
     asked_[k] = false;
     const scene::Finish& finish = *finish_[k];
+    const bool back = lanes_.cosine[k] < kEpsilon && !surface_[k]->double_illuminate;
+    if ((back && finish.diffuse_back == 0) || !reflects_light(finish)) continue;
     const LightDirection direction{lanes_.to_light.direction.at(k), lanes_.distance[k]};
     const Rgb color = light.color() * static_cast<float>(light.attenuation(lanes_.to_light.origin.at(k), direction));
-    const bool back = !surface_[k]->double_illuminate && lanes_.cosine[k] < kEpsilon;
-    if (color.max_abs() < kDark || !reflects_light(finish) || (back && finish.diffuse_back == 0)) continue;
+    if (color.max_abs() < kDark) continue;
     any = asked_[k] = true;
     lanes_.diffuse[k] = std::max(back ? finish.diffuse_back : finish.diffuse, 0.0f);
     lanes_.shines[k] = light.highlights() && !back;
@@ -138,6 +139,8 @@ void Wave::cast_shadows(const Light& light, const RayState& ray) {
   accel::WorldEntry* entry = nullptr;
   Box3 served;
   int first = 0, end = 0;  // the rays that wait, with this entry
+  // Without a tree there is nothing to know of where rays start.
+  const bool entries = !scene_.world.tree().empty(), transparent = scene_.world.has_transparent_shadows();
   bool wanted[kMost], blocked[kMost] = {};
   double limit[kMost];
   const auto trace_waiting = [&] {
@@ -152,9 +155,9 @@ void Wave::cast_shadows(const Light& light, const RayState& ray) {
       continue;
     }
     const Vec3 p = lanes_.to_light.origin.at(k);
-    if (accel::contains(served, p)) {
+    if (entries && accel::contains(served, p)) {
       tracer_.coherent_.used_again(accel::CoherentRays::Viewer::camera);
-    } else {
+    } else if (entries) {
       if (entry) trace_waiting();  // the next one may take its place
       accel::WorldEntry* const next = tracer_.shadow_entry({ray, surface_[k], light}, p);
       if (entry || next) {
@@ -164,7 +167,7 @@ void Wave::cast_shadows(const Light& light, const RayState& ray) {
       entry = next;
       served = tracer_.coherent_.served();
     }
-    if (entry ? !entry->only_opaque : scene_.world.has_transparent_shadows()) {
+    if (entry ? !entry->only_opaque : transparent) {
       trace_waiting();
       one_by_one(k);
       served.makeEmpty();  // it may have made the entry another's

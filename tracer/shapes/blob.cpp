@@ -37,6 +37,7 @@ struct Part {
 struct Piece {
   double t0, t1, a, b, c;
   const Part* part;
+  double peak = 0;  // no more than this does it add to the field, but for rounding
 };
 
 struct Event {
@@ -268,7 +269,10 @@ class Blob final : public Primitive<Blob> {
     } else if (!(piece.c < part.radius2)) {
       return;
     }
-    if (piece.t1 > piece.t0 && piece.t1 < HUGE_VAL) pieces.add(piece);
+    if (!(piece.t1 > piece.t0 && piece.t1 < HUGE_VAL)) return;
+    // The field of a positive part is largest where the ray is closest.
+    if (part.k2 > 0) piece.peak = piece.a > kEpsilon ? field(part, std::max(piece.c - piece.b * piece.b / piece.a, 0.0)) : part.k2;
+    pieces.add(piece);
   }
 
   static void update(const Event& event, Scratch<std::int32_t>& active) {
@@ -286,6 +290,9 @@ class Blob final : public Primitive<Blob> {
   template <class Sink>
   bool solve_interval(const Ray& ray, const LocalRay& l, const Scratch<Piece>& pieces, const Scratch<std::int32_t>& active, double start, double span,
                       double from, double to, Sink& sink) const {
+    double peak = 0;
+    for (std::size_t k = 0; k < active.size(); ++k) peak += pieces[static_cast<std::size_t>(active[k])].peak;
+    if (peak < threshold_ - 1e-6 * (1 + std::fabs(threshold_))) return false;
     double power[5] = {-threshold_, 0, 0, 0, 0};
     for (std::size_t k = 0; k < active.size(); ++k) {
       const Piece& piece = pieces[static_cast<std::size_t>(active[k])];

@@ -29,7 +29,7 @@ class QuarterTest {
   unsigned flip() const { return flip_; }
 
   // Bit c: the ray may meet quarter c of the block between enter and leave; near[c] (aligned to 16 bytes): from where on. `half`: cells to a quarter's side.
-  unsigned test(const HeightGrid::Quarters& q, double i, double k, float half, float enter, float leave, float near[4]) const {
+  [[gnu::always_inline]] unsigned test(const HeightGrid::Quarters& q, double i, double k, float half, float enter, float leave, float near[4]) const {
     const float x0 = static_cast<float>(i - origin_.x), z0 = static_cast<float>(k - origin_.z);
 #if defined(__SSE2__)
     const auto lines = [&](float first, float inverse, bool backward, bool far, __m128 steps) {

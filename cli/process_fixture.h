@@ -58,9 +58,10 @@ class Process : public testing::Test {
 
   void file(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
   bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
-  // Until the file is there: how long a render takes depends on the machine. Gives up after half a minute.
+  // Until the file is there and something is in it: how long a render takes depends on the machine. Gives up after half a minute.
   void wait_for(const std::string& name) const {
-    for (int i = 0; i < 3000 && !exists(name); ++i) std::this_thread::sleep_for(milliseconds(10));
+    std::error_code none;
+    for (int i = 0; i < 3000 && (!exists(name) || fs::file_size(folder_ / name, none) == 0); ++i) std::this_thread::sleep_for(milliseconds(10));
   }
 
   // Starts the program in the test's folder, with a home of its own and no configuration.

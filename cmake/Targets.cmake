@@ -2,8 +2,8 @@
 
 add_library(verisim_flags INTERFACE)
 target_compile_options(verisim_flags INTERFACE
-  -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Werror
-  $<$<CXX_COMPILER_ID:GNU>:-Wshadow>  # Clang's finds shadows between friends and fields, too
+  # Clang's -Wshadow counts names of friends and fields, too.
+  -Wall -Wextra -Wpedantic $<$<CXX_COMPILER_ID:GNU>:-Wshadow> -Wnon-virtual-dtor -Werror
   # Coincident faces and tight thresholds must fall as in plain IEEE double arithmetic on every machine.
   -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

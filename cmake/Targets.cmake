@@ -11,6 +11,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(verisim_flags INTERFACE -fno-tree-slp-vectorize)
   # GCC 12 reports these inside its own library headers when it inlines.
   target_compile_options(verisim_flags INTERFACE -Wno-maybe-uninitialized -Wno-stringop-overflow -Wno-array-bounds -Wno-dangling-pointer -Wno-restrict)
+else()
+  target_compile_options(verisim_flags INTERFACE -Wno-psabi)  # wide vectors are passed only between functions of one file
 endif()
 if(VERISIM_SANITIZE)
   target_compile_options(verisim_flags INTERFACE -fsanitize=${VERISIM_SANITIZE} -fno-omit-frame-pointer -g1)

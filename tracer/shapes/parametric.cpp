@@ -81,10 +81,7 @@ class Parametric final : public Primitive<Parametric> {
   }
 
   double value(int axis, double u, double v) const {
-    const double arguments[2] = {u, v};
-    double result;
-    p_.function[static_cast<std::size_t>(axis)]->evaluate({arguments, 2}, &result);
-    return result;
+    return (*p_.function[static_cast<std::size_t>(axis)])(u, v, 0);  // functions without a parameter list have three: x or u, y or v, z
   }
   Vec3 surface(double u, double v) const { return {value(0, u, v), value(1, u, v), value(2, u, v)}; }
 
@@ -95,7 +92,7 @@ class Parametric final : public Primitive<Parametric> {
   }
   Interval interval(int axis, const Cell& c) const {
     const double us[4] = {c.u0, c.u0, c.u1, c.u1}, vs[4] = {c.v0, c.v1, c.v0, c.v1};
-    double arguments[8], f[4];
+    double arguments[12] = {}, f[4];
     for (int k = 0; k < 4; ++k) arguments[k] = us[k], arguments[4 + k] = vs[k];
     p_.function[static_cast<std::size_t>(axis)]->evaluate_batch(arguments, 4, 4, f);
     // POV-Ray subtracts the accuracy from the value: the whole surface is displaced.

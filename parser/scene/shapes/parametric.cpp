@@ -31,7 +31,7 @@ ObjectRef parse_parametric(Parser& parser) {
       } else {
         function = parser.parse_function_or_identifier();
       }
-      if (function->components() != 1) parser.error("parametric needs float functions.");
+      if (function->components() != 1 || function->parameters() != 3) parser.error("A parametric surface needs float functions of u and v.");
       parser.optional_comma();
     }
     const Vec2 first = parser.parse_vec2();

@@ -16,7 +16,7 @@ class EffectsStateOfScene : public shading::EffectsState {
   std::optional<IrradianceCache> own_samples;  // of this tile, where the shared cache is read only
 
   // Photons around the hit that is being shaded, shared by its layers, and the hit they belong to.
-  PhotonMap::Gathered gathered;
+  PhotonMap::Gathered gathered, gathered_in_media;
   const shading::SurfaceHit* gathered_for = nullptr;
   std::vector<MediaEnvironment::Photon> media_photons;
 

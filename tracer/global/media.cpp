@@ -269,13 +269,22 @@ class Integrator {
 
 }  // namespace
 
+namespace {
+
+Rgb density_at(const textures::CompiledPigment& density, const Vec3& p) {
+  Color c;
+  textures::evaluate(density, p, nullptr, c);
+  return c.rgb();
+}
+
+}  // namespace
+
 Rgb media_density(const CompiledMedia& m, const Vec3& p) {
-  Rgb value(1.0f);
-  for (const textures::CompiledPigment* d : m.densities) {
-    Color c;
-    textures::evaluate(*d, p, nullptr, c);
-    value *= c.rgb();
+  for (const std::size_t i : m.simple_densities) {
+    if (density_at(*m.densities[i], p) == Rgb()) return {};
   }
+  Rgb value(1.0f);
+  for (const textures::CompiledPigment* d : m.densities) value *= density_at(*d, p);
   return value;
 }
 
@@ -293,6 +302,14 @@ double bound_of(const scene::Density& density) {
   return most;
 }
 
+bool is_simple(const scene::Density& density) {
+  using enum scene::PatternKind;
+  const scene::Pattern& pattern = density.pattern;
+  const bool formula = pattern.kind == spherical || pattern.kind == cylindrical || pattern.kind == boxed || pattern.kind == planar;
+  const bool moved = std::any_of(pattern.warps.begin(), pattern.warps.end(), [](const scene::Warp& w) { return !std::holds_alternative<Transform>(w); });
+  return formula && !moved && !pattern.turbulence && !density.density_map;
+}
+
 }  // namespace
 
 CompiledMedia compile_media(const scene::Media& description, textures::Compiler& compiler) {
@@ -302,6 +319,7 @@ CompiledMedia compile_media(const scene::Media& description, textures::Compiler&
   m.emits = description.emission.max_abs() > 0.0f;
   m.scatters = description.scattering.max_abs() > 0.0f;
   for (const scene::DensityPtr& density : description.densities) {
+    if (description.densities.size() > 1 && is_simple(*density)) m.simple_densities.push_back(m.densities.size());
     m.densities.push_back(compiler.density(density));
     const bool plain = density->pattern.kind == scene::PatternKind::plain;
     m.varies |= !plain;

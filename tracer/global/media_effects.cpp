@@ -38,11 +38,12 @@ class TracerEnvironment : public MediaEnvironment {
     if (!photons_ || photons_->empty()) return {};
     EffectsStateOfScene& state = EffectsStateOfScene::of(tracer_);
     const scene::Photons& s = effects_.scene().settings.photons;
-    photons_->gather(p, nullptr, {s.gather_min, s.gather_max, s.expand_increase, s.expand_min}, state.gathered);
+    PhotonMap::Gathered& gathered = photons_ == &effects_.media_photons() ? state.gathered_in_media : state.gathered;
+    photons_->gather(p, nullptr, {s.gather_min, s.gather_max, s.expand_increase, s.expand_min}, gathered);
     state.media_photons.clear();
-    const double r = state.gathered.radius;
+    const double r = gathered.radius;
     const auto scale = static_cast<float>(3.0 / (4.0 * kPi * r * r * r));
-    for (const auto* photon : state.gathered.photons) state.media_photons.push_back({photon->color() * scale, photon->direction()});
+    for (const auto* photon : gathered.photons) state.media_photons.push_back({photon->color() * scale, photon->direction()});
     return state.media_photons;
   }
 

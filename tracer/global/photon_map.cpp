@@ -87,6 +87,7 @@ void PhotonMap::build() {
     if (middle > r.first) stack.push_back({r.first, middle - 1});
     if (middle < r.last) stack.push_back({middle + 1, r.last});
   }
+  tree_.build(photons_.size(), [this](std::size_t i) { return photons_[i].position; });
 }
 
 // Keeps the `maximum` nearest, in their order in the map; of equally far ones the first.
@@ -119,79 +120,82 @@ void PhotonMap::Search::keep_nearest(std::size_t maximum, double& limit) {
 
 // Collects the nearest photons with flattened distance below `radius`. Returns whether there were more than `maximum`; then `farthest` is the distance of
 // the last one kept, squared.
-bool PhotonMap::collect(const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, Search& search, double& farthest) const {
-  constexpr long kLeaf = 20;  // ranges that are read through
+template <class Candidates>
+bool PhotonMap::collect(const Candidates& candidates, const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, Search& search,
+                        double& farthest) const {
   search.found.clear();
   double limit = radius * radius;
   bool dropped = false;
-  struct Frame {
-    long first, last;
-    std::array<double, 3> gap;  // from the point to the range's box along the axes
-  };
-  std::array<Frame, 192> stack;
-  int depth = 0;
-  stack[static_cast<std::size_t>(depth++)] = {0, static_cast<long>(photons_.size()) - 1, {0, 0, 0}};
-  while (depth > 0) {
-    const Frame f = stack[static_cast<std::size_t>(--depth)];
-    if (f.first > f.last || f.gap[0] * f.gap[0] + f.gap[1] * f.gap[1] + f.gap[2] * f.gap[2] >= limit) continue;
-    if (f.last - f.first < kLeaf) {
-      for (long i = f.first; i <= f.last; ++i) {
-        const Photon& p = photons_[static_cast<std::size_t>(i)];
-        const Vec3 delta = position(p) - point;
-        double squared = dot(delta, delta);
-        if (squared >= limit) continue;  // flattened distances are never below plain ones
-        if (normal) squared *= 1.0 + 16.0 * std::fabs(dot(*normal, delta));
-        if (squared >= limit) continue;
-        search.found.push_back({squared, static_cast<std::uint32_t>(i)});
-      }
-      if (search.found.size() >= 2 * maximum + kLeaf) search.keep_nearest(maximum, limit), dropped = true;
-      continue;
-    }
-    // In the order of the map, so that what is found does not depend on the radius that was tried first.
-    const long middle = (f.first + f.last) / 2;
-    const Photon& p = photons_[static_cast<std::size_t>(middle)];
-    const double split = point[p.axis] - p.position[p.axis];
-    Frame low{f.first, middle - 1, f.gap}, high{middle + 1, f.last, f.gap};
-    if (split > 0.0) low.gap[p.axis] = split;
-    if (split < 0.0) high.gap[p.axis] = -split;
-    stack[static_cast<std::size_t>(depth++)] = high;
-    stack[static_cast<std::size_t>(depth++)] = {middle, middle, f.gap};
-    stack[static_cast<std::size_t>(depth++)] = low;
-  }
+  candidates.visit(point, limit, [&](std::uint32_t i) {
+    const Vec3 delta = position(photons_[i]) - point;
+    double squared = dot(delta, delta);
+    if (squared >= limit) return;  // flattened distances are never below plain ones
+    if (normal) squared *= 1.0 + 16.0 * std::fabs(dot(*normal, delta));
+    if (squared >= limit) return;
+    search.found.push_back({squared, i});
+    if (search.found.size() >= 2 * maximum + 20) search.keep_nearest(maximum, limit), dropped = true;
+  });
   if (search.found.size() > maximum) search.keep_nearest(maximum, limit), dropped = true;
   farthest = limit;
   return dropped;
 }
 
-void PhotonMap::search(const Vec3& point, const Vec3* normal, double radius, int maximum, Gathered& out) const {
-  out.photons.clear();
-  out.radius = radius;
-  if (photons_.empty() || maximum <= 0) return;
-  // Photons lie about as dense here as where the last search was: radii little above the one that was enough there are tried first. If they hold more
-  // than `maximum`, the nearest are among them, whatever the radius.
-  Search& s = out.search;
+bool PhotonMap::fill(PhotonNeighbourhoods::Cell& cell, std::size_t most) const {
+  cell.indices.clear();
+  double limit = cell.reach * cell.reach;
+  tree_.visit(cell.center, limit, [&](std::uint32_t i) {
+    cell.indices.push_back(i);
+    if (cell.indices.size() > most) limit = 0.0;  // no more, please
+  });
+  if (cell.indices.size() > most) return false;
+  cell.positions.resize(cell.indices.size());
+  for (std::size_t k = 0; k < cell.indices.size(); ++k) {
+    const Vec3 p = position(photons_[cell.indices[k]]) - cell.center;
+    cell.positions.set(k, static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z));
+  }
+  return true;
+}
+
+double PhotonMap::search(const Vec3& point, const Vec3* normal, double radius, int maximum, double& enough, Search& s,
+                         std::vector<const Photon*>& out) const {
+  out.clear();
+  if (photons_.empty() || maximum <= 0) return radius;
+  // Photons lie about as dense here as nearby: radii little above the one that was enough there are tried first. If they hold more than `maximum`, the
+  // nearest are among them, whatever the radius.
   const auto most = static_cast<std::size_t>(maximum);
+  const double start = enough > 0.0 ? std::min(1.06 * enough, radius) : radius;
   double farthest = 0.0;
-  bool dropped = false;
-  for (double guess = 1.06 * s.last_radius; !dropped && guess > 0.0 && guess < radius; guess *= 1.4)
-    dropped = collect(point, normal, guess, most, s, farthest);
-  if (!dropped) dropped = collect(point, normal, radius, most, s, farthest);
-  for (const Search::Found& f : s.found) out.photons.push_back(&photons_[f.index]);
-  if (dropped) out.radius = std::sqrt(farthest);
-  s.last_radius = dropped ? out.radius : 0.0;
+  bool dropped = false, known = false;
+  if (const auto* cell = s.nearby.around(point, start, radius, [&](PhotonNeighbourhoods::Cell& c) { return fill(c, 8 * most + 64); })) {
+    // What the cell knows all of around this point may be less than the radius.
+    const double reach = (cell->reach - length(point - cell->center)) * (1.0 - 1e-9), within = std::min(radius, reach);
+    for (double guess = start; !dropped && !known; guess *= 1.4) {
+      dropped = collect(*cell, point, normal, std::min(guess, within), most, s, farthest);
+      known = dropped || guess >= within;
+    }
+    known = dropped || within == radius;
+  }
+  for (double guess = start; !known; guess *= 1.4) {
+    dropped = collect(tree_, point, normal, std::min(guess, radius), most, s, farthest);
+    known = dropped || guess >= radius;
+  }
+  for (const Search::Found& f : s.found) out.push_back(&photons_[f.index]);
+  const double result = dropped ? std::sqrt(farthest) : radius;
+  enough = dropped ? result : 0.0;
+  return result;
 }
 
 void PhotonMap::gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const {
-  search(point, normal, radius_, settings.maximum, out);
+  out.radius = search(point, normal, radius_, settings.maximum, out.search.nearby.guess(point, radius_), out.search, out.photons);
   if (static_cast<int>(out.photons.size()) >= settings.minimum) return;
-  thread_local Gathered wider;
-  search(point, normal, 3.0 * radius_, settings.maximum, wider);
+  double& guess = out.wider_search.nearby.guess(point, 3.0 * radius_);
+  const double wider = search(point, normal, 3.0 * radius_, settings.maximum, guess, out.wider_search, out.wider_photons);
   const double first = out.photons.empty() ? 1e-16 : static_cast<double>(out.photons.size()) / (out.radius * out.radius);
-  const double second = wider.radius > 0.0 ? static_cast<double>(wider.photons.size()) / (wider.radius * wider.radius) : 0.0;
-  const int found = static_cast<int>(wider.photons.size());
+  const double second = wider > 0.0 ? static_cast<double>(out.wider_photons.size()) / (wider * wider) : 0.0;
+  const int found = static_cast<int>(out.wider_photons.size());
   if ((second - first) / first < settings.expand_increase || (found >= 1 && found < settings.expand_minimum)) {
-    out.photons.swap(wider.photons);
-    out.radius = wider.radius;
+    out.photons.swap(out.wider_photons);
+    out.radius = wider;
   }
 }
 
@@ -213,22 +217,24 @@ void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max
   const auto volume = [&](double r) { return media ? 4.0 / 3.0 * kPi * r * r * r : kPi * r * r; };
   const std::size_t tries = std::clamp<std::size_t>(photons_.size() / 20, 100, 1000);
   std::mt19937 generator(1);
-  Gathered found;
-  found.search.last_radius = typical_radius(gather_max);
+  Search scratch;
+  std::vector<const Photon*> found;
+  const double typical = typical_radius(gather_max);
+  double guess = typical;
   double density = 0.0;
   for (std::size_t i = 0; i < tries; ++i) {
     const Photon& p = photons_[generator() % photons_.size()];
-    search(position(p), nullptr, 1e7, gather_max, found);
-    density += static_cast<double>(found.photons.size()) / volume(found.radius);
-    if (found.search.last_radius == 0.0) found.search.last_radius = typical_radius(gather_max);
+    const double r = search(position(p), nullptr, 1e7, gather_max, guess, scratch, found);
+    density += static_cast<double>(found.size()) / volume(r);
+    if (guess == 0.0) guess = typical;
   }
   density /= static_cast<double>(tries);
   const double ideal = media ? std::pow(3.0 * gather_max / (4.0 * kPi * density), 0.3333) : std::sqrt(gather_max / (kPi * density));
   std::size_t sparse = 0;
   for (std::size_t i = 0; i < tries; ++i) {
     const Photon& p = photons_[generator() % photons_.size()];
-    search(position(p), nullptr, ideal, gather_max, found);
-    const double d = static_cast<double>(found.photons.size()) / volume(found.radius);
+    const double r = search(position(p), nullptr, ideal, gather_max, guess, scratch, found);
+    const double d = static_cast<double>(found.size()) / volume(r);
     if (d > 0.05 * density && d < 0.70 * density) ++sparse;
   }
   radius_ = ideal * (1.0 + 20.0 * static_cast<double>(sparse) / static_cast<double>(tries)) * scale;

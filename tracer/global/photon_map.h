@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "tracer/global/photon_search.h"
 #include "tracer/math/color.h"
 #include "tracer/math/vec.h"
 
@@ -40,7 +41,7 @@ class PhotonMap {
   void set_gather_radius(double user, double multiplier, int gather_max, bool media);
   double gather_radius() const { return radius_; }
 
-  // Scratch of searches, and the radius that was enough for the last one.
+  // Scratch of searches in one map, and what helps the next one.
   struct Search {
     struct Found {
       double squared;
@@ -48,14 +49,17 @@ class PhotonMap {
     };
     std::vector<Found> found;
     std::vector<double> distances;
-    double last_radius = 0;  // 0: no help
+    PhotonNeighbourhoods nearby;
     void keep_nearest(std::size_t maximum, double& limit);
   };
-  // Photons around a point, found by `gather`.
+  // Photons around a point of this map, found by `gather`.
   struct Gathered {
     std::vector<const Photon*> photons;
     double radius = 0;  // of the disc or sphere that holds them
     Search search;
+    // The second, wider search.
+    std::vector<const Photon*> wider_photons;
+    Search wider_search;
   };
   struct GatherSettings {
     int minimum = 20, maximum = 100;
@@ -66,12 +70,18 @@ class PhotonMap {
   void gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const;
 
  private:
-  void search(const Vec3& point, const Vec3* normal, double radius, int maximum, Gathered& out) const;
-  bool collect(const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, Search& search, double& farthest) const;
+  // The nearest photons within `radius` that are at most `maximum`; returns the radius of what holds them.
+  // `guess`: a radius that may be enough, 0: none; the one that was.
+  double search(const Vec3& point, const Vec3* normal, double radius, int maximum, double& guess, Search& scratch, std::vector<const Photon*>& out) const;
+  template <class Candidates>
+  bool collect(const Candidates& candidates, const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, Search& search,
+               double& farthest) const;
+  bool fill(PhotonNeighbourhoods::Cell& cell, std::size_t most) const;
 
   double typical_radius(int count) const;
 
   std::vector<Photon> photons_;
+  PhotonTree tree_;
   double radius_ = 0;
 };
 

@@ -57,6 +57,45 @@ TEST(PhotonMap, GathersWhatAnExhaustiveSearchFinds) {
   }
 }
 
+// What is remembered of earlier searches must not show: dense and sparse places, plane and solid, point after point as a picture asks for them.
+TEST(PhotonMap, FindsTheSameWhateverItWasAskedBefore) {
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::normal_distribution<double> spot(0.0, 0.08);
+  PhotonMap map;
+  for (int i = 0; i < 4000; ++i) map.add(photon({u(generator), 0.3 * u(generator), u(generator)}, Rgb(1.0f)));
+  for (int i = 0; i < 8000; ++i) map.add(photon({0.3 + spot(generator), spot(generator), spot(generator)}, Rgb(1.0f)));
+  map.build();
+  map.set_gather_radius(0.3, 1, 60, false);
+  const Vec3 up(0, 1, 0);
+  PhotonMap::Gathered flat, solid;
+  for (int row = 0; row < 20; ++row) {
+    for (int column = 0; column < 20; ++column) {
+      const Vec3 x(-0.2 + 0.04 * column, 0.01, -0.4 + 0.04 * row);
+      for (const Vec3* normal : {&up, static_cast<const Vec3*>(nullptr)}) {
+        std::vector<std::pair<double, std::size_t>> all;
+        for (std::size_t i = 0; i < map.size(); ++i) {
+          const auto& p = map.photons()[i].position;
+          const Vec3 d = Vec3(p[0], p[1], p[2]) - x;
+          double squared = dot(d, d);
+          if (normal) squared *= 1.0 + 16.0 * std::fabs(dot(*normal, d));
+          if (squared < 0.3 * 0.3) all.emplace_back(squared, i);
+        }
+        std::sort(all.begin(), all.end());
+        const double radius = all.size() > 60 ? std::sqrt(all[59].first) : 0.3;
+        all.resize(std::min<std::size_t>(all.size(), 60));
+        std::vector<const Photon*> expected;
+        for (const auto& [squared, i] : all) expected.push_back(&map.photons()[i]);
+        std::sort(expected.begin(), expected.end());
+        PhotonMap::Gathered& found = normal ? flat : solid;
+        map.gather(x, normal, {.minimum = 0, .maximum = 60}, found);
+        ASSERT_EQ(found.radius, radius) << row << ' ' << column;
+        ASSERT_EQ(found.photons, expected) << row << ' ' << column;
+      }
+    }
+  }
+}
+
 TEST(PhotonMap, WidensTheSearchOnceWhereFewAreFound) {
   PhotonMap map;
   for (int i = 0; i < 10; ++i) map.add(photon({0.25 + 0.001 * i, 0, 0}, Rgb(1.0f)));

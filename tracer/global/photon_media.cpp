@@ -3,6 +3,28 @@
 #include <algorithm>
 
 namespace verisim::global {
+namespace {
+
+class NoLight : public MediaEnvironment {
+ public:
+  explicit NoLight(shading::Tracer& tracer) : tracer_(tracer) {}
+  double random() override { return tracer_.random().media(); }
+  std::span<const scene::LightSource* const> lights() override { return {}; }
+  Rgb illumination(std::size_t, const Vec3&, Vec3&) override { return {}; }
+
+ private:
+  shading::Tracer& tracer_;
+};
+
+using MediaSpan = std::span<const CompiledMedia* const>;
+
+int most_intervals(MediaSpan media) {
+  int n = 1;
+  for (const CompiledMedia* m : media) n = std::max(n, m->description->intervals);
+  return n;
+}
+
+}  // namespace
 
 void ScenePhotonMedia::segment(shading::Tracer& tracer, const shading::RayState& ray, double length, double path, bool deposit,
                                const shading::PhotonShot& shot, Rgb& packet, std::vector<shading::StoredPhoton>& stored) const {
@@ -11,35 +33,46 @@ void ScenePhotonMedia::segment(shading::Tracer& tracer, const shading::RayState&
   const std::size_t in_containers = media.size();
   for (const CompiledMedia* m : effects_.atmosphere_list()) media.push_back(m);
   if (media.empty()) return;
-  const std::span<const CompiledMedia* const> active{media.data(), media.size()};
+  MediaSpan attenuating{media.data(), media.size()};
 
   // Atmospheric media never receive photons, nor do media that only emit.
-  const scene::Photons& settings = effects_.scene().settings.photons;
-  const auto containers = active.first(in_containers);
+  const MediaSpan containers = attenuating.first(in_containers);
   const bool scatters = std::any_of(containers.begin(), containers.end(), [](const CompiledMedia* m) { return m->scatters; });
   const bool collects = std::any_of(containers.begin(), containers.end(), [](const CompiledMedia* m) { return m->description->collect; });
-  if (deposit && settings.media_count > 0 && scatters && collects) {
-    const bool parallel = shot.light->parallel;
-    double step = shot.sigma * (parallel ? 1.0 : path) * settings.media_factor;
-    auto count = static_cast<long>(step > 0.0 ? std::min(length / step, 1e9) : 0.0);
-    if (count > settings.media_count) count = settings.media_count, step = length / static_cast<double>(count);
-    const double factor = parallel || path <= 0.0 ? step / shot.sigma : step / (shot.sigma * path);
+  Rgb passed(1.0f);
+  if (deposit && effects_.scene().settings.photons.media_count > 0 && scatters && collects) {
+    passed = deposit_along(tracer, containers, ray.ray, length, path, shot, packet, stored);
+    attenuating = attenuating.subspan(in_containers);
+  }
+  NoLight environment(tracer);
+  packet *= passed * integrate(attenuating, ray.ray, length, true, environment).transmittance;
+}
+
+Rgb ScenePhotonMedia::deposit_along(shading::Tracer& tracer, MediaSpan media, const Ray& ray, double length, double path, const shading::PhotonShot& shot,
+                                    const Rgb& packet, std::vector<shading::StoredPhoton>& stored) const {
+  const scene::Photons& settings = effects_.scene().settings.photons;
+  const bool parallel = shot.light->parallel;
+  const int intervals = most_intervals(media);
+  const double interval = length / intervals;
+  double step = shot.sigma * (parallel ? 1.0 : path) * settings.media_factor;
+  auto count = static_cast<long>(step > 0.0 ? std::min(interval / step, 1e9) : 0.0);
+  if (count > settings.media_count) count = settings.media_count, step = interval / static_cast<double>(count);
+  // Depth is measured where photons are left; what leaves none on its way through is lost.
+  if (count == 0) return {};
+  const double factor = parallel || path <= 0.0 ? step / shot.sigma : step / (shot.sigma * path);
+  Rgb extinction;
+  for (int i = 0; i < intervals; ++i) {
     for (long j = 0; j < count; ++j) {
       const double at = (static_cast<double>(j) + 0.5 + (tracer.random().media() - 0.5) * settings.jitter) / static_cast<double>(count);
-      const double travelled = path + at * length;
+      const double distance = (i + at) * interval, travelled = path + distance;
       const double share = factor * shot.sigma * (parallel ? 1.0 : travelled) * shot.area_factor(travelled);
-      stored.push_back({ray.ray.at(at * length), -ray.ray.direction, packet * static_cast<float>(share), true});
+      const Vec3 p = ray.at(distance);
+      stored.push_back({p, -ray.direction, packet * static_cast<float>(share), true});
+      for (const CompiledMedia* m : media) extinction += media_density(*m, p) * m->extinction;
     }
   }
-  class NoLight : public MediaEnvironment {
-   public:
-    explicit NoLight(shading::Tracer& t) : tracer(t) {}
-    double random() override { return tracer.random().media(); }
-    std::span<const scene::LightSource* const> lights() override { return {}; }
-    Rgb illumination(std::size_t, const Vec3&, Vec3&) override { return {}; }
-    shading::Tracer& tracer;
-  } environment(tracer);
-  packet *= integrate(active, ray.ray, length, true, environment).transmittance;
+  const Rgb depth = extinction * static_cast<float>(interval / static_cast<double>(count));
+  return {std::exp(-depth.r), std::exp(-depth.g), std::exp(-depth.b)};
 }
 
 }  // namespace verisim::global

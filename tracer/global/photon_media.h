@@ -13,6 +13,10 @@ class ScenePhotonMedia : public shading::PhotonMedia {
                Rgb& packet, std::vector<shading::StoredPhoton>& stored) const override;
 
  private:
+  // Leaves photons in `media` along the segment; returns what of the packet passes.
+  Rgb deposit_along(shading::Tracer& tracer, std::span<const CompiledMedia* const> media, const Ray& ray, double length, double path,
+                    const shading::PhotonShot& shot, const Rgb& packet, std::vector<shading::StoredPhoton>& stored) const;
+
   const SceneEffects& effects_;
 };
 

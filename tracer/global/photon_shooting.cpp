@@ -103,9 +103,8 @@ double photon_spacing(const scene::Photons& settings, std::span<const PhotonPair
       } else if (p.refraction) {
         x *= 2.0;
       }
-      x *= 0.5;
     }
-    sum += x;
+    sum += 0.5 * x;
   }
   return std::sqrt(sum / settings.count);
 }

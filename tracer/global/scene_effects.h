@@ -43,6 +43,7 @@ class SceneEffects : public shading::Effects {
   std::vector<std::vector<IrradianceSample>>& block_samples() { return block_samples_; }
   PhotonMap& surface_photons() { return surface_photons_; }
   PhotonMap& media_photons() { return media_photons_; }
+  const PhotonMap& media_photons() const { return media_photons_; }
   const scene::Scene& scene() const { return scene_; }
   std::span<const CompiledMedia* const> atmosphere_list() const { return atmosphere_list_; }
 

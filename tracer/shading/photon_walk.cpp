@@ -6,7 +6,7 @@
 namespace verisim::shading {
 namespace {
 
-constexpr int kMaxNesting = 300;  // straight continuations do not count as levels
+constexpr int kMaxNesting = 300;
 
 bool is_one(double v) { return std::fabs(v - 1) < kEpsilon; }
 
@@ -66,7 +66,7 @@ void PhotonWalk::follow(Packet packet) {
   packet.passed = passes;
   if (!refracts && !reflects) return;
   ++nesting_;
-  SurfaceHit at(hit, packet.ray.ray.direction, 0, packet.ray.level + (packet.ray.continuation ? 0 : 1));
+  SurfaceHit at(hit, packet.ray.ray.direction, 0, packet.ray.level + 1);  // unlike other rays, also when it goes straight on
   std::vector<textures::WeightedTexture> weighted;
   tracer_.scene_.world.weighted_textures(hit, at.inside_hit, weighted);
   if (weighted.empty()) weighted.push_back({at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture, 1.0f});
@@ -123,7 +123,8 @@ void PhotonWalk::scatter_layers(const Packet& packet, SurfaceHit& at, const text
   if (refracts && filter.max_abs() > 0) refract(packet, at, layers.front(), filter);
   if (!reflects) return;
   for (const Layer& layer : layers) {
-    if (layer.reflectivity != Rgb()) reflect(packet, at, layer, layer.reflectivity * share);
+    // Reflectivity counts twice in the weight, not in the colour.
+    if (layer.reflectivity != Rgb()) reflect(packet, at, layer, layer.reflectivity * share, layer.reflectivity.max_abs());
   }
 }
 
@@ -173,7 +174,7 @@ void PhotonWalk::bend(const Packet& packet, SurfaceHit& at, const Layer& top, co
   const Vec3 n = signed_cosine <= 0 ? top.normal : -top.normal;
   const double q = 1 + ratio * ratio * (k * k - 1);
   if (q < 0) {  // total reflection
-    reflect(packet, at, top, color);
+    reflect(packet, at, top, color, 1.0f);
     return;
   }
   Packet child = child_of(packet, at, d * ratio + n * (ratio * k - std::sqrt(q)), color);
@@ -184,8 +185,9 @@ void PhotonWalk::bend(const Packet& packet, SurfaceHit& at, const Layer& top, co
   follow(child);
 }
 
-void PhotonWalk::reflect(const Packet& packet, SurfaceHit& at, const Layer& layer, const Rgb& color) {
+void PhotonWalk::reflect(const Packet& packet, SurfaceHit& at, const Layer& layer, const Rgb& color, float weight) {
   Packet child = child_of(packet, at, reflected_direction(packet.ray.ray.direction, layer.normal, at.raw), color);
+  child.ray.weight *= weight;
   child.ray.reflected = true;
   child.passed = false;
   follow(child);

@@ -61,7 +61,8 @@ class PhotonWalk {
   void refract(const Packet& packet, SurfaceHit& at, const Layer& top, const Rgb& filter);
   void bend(const Packet& packet, SurfaceHit& at, const Layer& top, const Rgb& color, const Tracer::Refraction& refraction, double ratio,
             float wavelength);
-  void reflect(const Packet& packet, SurfaceHit& at, const Layer& layer, const Rgb& color);
+  // `weight`: further factor of the packet's weight.
+  void reflect(const Packet& packet, SurfaceHit& at, const Layer& layer, const Rgb& color, float weight);
   // A copy of the packet that starts at the hit in this direction, with its colour and weight reduced.
   static Packet child_of(const Packet& packet, const SurfaceHit& at, const Vec3& direction, const Rgb& color);
 

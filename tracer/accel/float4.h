@@ -17,7 +17,6 @@ struct Float4 {
   Float4(__m128 value) : v(value) {}
   explicit Float4(float all) : v(_mm_set1_ps(all)) {}
   static Float4 load(const float* aligned) { return _mm_load_ps(aligned); }
-  static Float4 load_unaligned(const float* p) { return _mm_loadu_ps(p); }
   void store(float* aligned) const { _mm_store_ps(aligned, v); }
 };
 inline Float4 operator+(Float4 a, Float4 b) { return _mm_add_ps(a.v, b.v); }
@@ -44,7 +43,6 @@ struct Float4 {
     std::copy_n(p, 4, r.v);
     return r;
   }
-  static Float4 load_unaligned(const float* p) { return load(p); }
   void store(float* p) const { std::copy_n(v, 4, p); }
 };
 template <class F>

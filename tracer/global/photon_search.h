@@ -16,6 +16,15 @@
 
 namespace verisim::global {
 
+// Four floats from anywhere.
+inline accel::Float4 load_floats(const float* p) {
+#if defined(__SSE2__)
+  return _mm_loadu_ps(p);
+#else
+  return accel::Float4::load(p);
+#endif
+}
+
 // Coordinates side by side; arrays end with a few floats that nobody asks for.
 struct PhotonPositions {
   std::vector<float> x, y, z;
@@ -36,8 +45,8 @@ class FloatPoint {
   // Which of the four photons from i on are near.
   unsigned near(const PhotonPositions& p, std::size_t i, accel::Float4 limit) const {
     using accel::Float4;
-    const Float4 dx = Float4::load_unaligned(p.x.data() + i) - x, dy = Float4::load_unaligned(p.y.data() + i) - y,
-                 dz = Float4::load_unaligned(p.z.data() + i) - z;
+    const Float4 dx = load_floats(p.x.data() + i) - x, dy = load_floats(p.y.data() + i) - y,
+                 dz = load_floats(p.z.data() + i) - z;
     return (dx * dx + dy * dy + dz * dz <= limit).bits();
   }
 

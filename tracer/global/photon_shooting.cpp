@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/accel/frame_list.h"
 #include "tracer/render/render.h"
 #include "tracer/shading/random.h"
 
@@ -29,15 +30,12 @@ void collect_lights(const std::vector<scene::ObjectPtr>& objects, std::vector<co
   }
 }
 
-void collect_targets(const std::vector<scene::ObjectPtr>& objects, std::vector<const scene::Object*>& targets) {
-  for (const scene::ObjectPtr& o : objects) {
-    if (o->photons->target) {
-      if (!o->ignore_global_lights) targets.push_back(o.get());
-    } else if (const auto* csg = o->as<scene::Csg>()) {
-      collect_targets(csg->children, targets);
-    } else if (const auto* group = o->as<scene::LightGroup>()) {
-      collect_targets(group->children, targets);
-    }
+// Unions that are dissolved into frame-level objects are targets piece by piece.
+void collect_targets(const scene::Object& object, std::vector<const scene::Object*>& targets) {
+  if (object.photons->target) {
+    if (!object.ignore_global_lights) targets.push_back(&object);
+  } else if (const auto* csg = object.as<scene::Csg>()) {
+    for (const scene::ObjectPtr& child : csg->children) collect_targets(*child, targets);
   }
 }
 
@@ -67,10 +65,11 @@ double RandomTable::next() {
   return shading::mersenne_table()[index_];
 }
 
-std::vector<PhotonPair> photon_pairs(const scene::Scene& scene) {
+std::vector<PhotonPair> photon_pairs(const scene::Scene& scene, bool split_unions) {
   std::vector<const scene::LightSource*> lights;
   std::vector<const scene::Object*> targets;
-  collect_lights(scene.objects, lights), collect_targets(scene.objects, targets);
+  collect_lights(scene.objects, lights);
+  for (const scene::Object* object : accel::frame_list(scene, split_unions).objects) collect_targets(*object, targets);
   std::vector<PhotonPair> pairs;
   for (const scene::LightSource* light : lights) {
     for (const scene::Object* target : targets) {

@@ -109,6 +109,7 @@ CompiledPattern compile_pattern(const scene::Pattern& d, const PatternContext& c
   c.frequency = d.frequency;
   c.phase = d.phase;
   c.exponent = d.exponent;
+  c.plain_wave = c.wave == scene::Wave::ramp && c.frequency == 1 && c.phase == 0;
   const int generator = d.noise_generator & 3;
   c.noise_generator = generator != 0 ? generator : context.settings.noise_generator;
   if (d.turbulence) {

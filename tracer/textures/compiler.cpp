@@ -139,6 +139,7 @@ void Compiler::Impl::use_colors(CompiledPigment& c, const scene::Pattern& d, con
     c.colors.push_back(entry.value);
     c.transparent |= lets_light_through(entry.value);
   }
+  find_segments(c);
 }
 
 template <class Entries, class CompileChild>
@@ -163,6 +164,7 @@ void Compiler::Impl::use_children(CompiledPigment& c, const scene::Pattern& d, c
     c.source = color_map;
     for (const CompiledPigment* child : c.children) c.colors.push_back(child->color);
     c.children.clear();
+    find_segments(c);
   }
 }
 

@@ -1,16 +1,23 @@
-// The fast noise, compiled for several instruction sets. All versions do the same operations in the same order, and none may fuse products and sums, so
+// The fast noise and what is built upon it, compiled for several instruction sets. All versions do the same operations in the same order, and none may fuse products and sums, so
 // all give the same bits.
 #include "tracer/textures/noise_kernels.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
+#include <type_traits>
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
 
+#include "tracer/textures/evaluation.h"
 #include "tracer/textures/noise_cells.h"
+#include "tracer/textures/patterns/formulas.h"
 
 #define VERISIM_INLINE inline __attribute__((always_inline))
+#define VERISIM_INLINE_LAMBDA __attribute__((always_inline))
+#define VERISIM_RARE __attribute__((noinline))
 #pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
 #pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 reports its own intrinsics
 
@@ -37,6 +44,7 @@ namespace baseline {
 #define VERISIM_REGISTER_DOUBLES 2
 #include "tracer/textures/noise_lanes.inc"
 #include "tracer/textures/noise_kernels.inc"
+#include "tracer/textures/evaluation.inc"
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace baseline
@@ -49,6 +57,7 @@ namespace avx2 {
 #define VERISIM_REGISTER_DOUBLES 4
 #include "tracer/textures/noise_lanes.inc"
 #include "tracer/textures/noise_kernels.inc"
+#include "tracer/textures/evaluation.inc"
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace avx2
@@ -58,18 +67,22 @@ namespace avx512 {
 #define VERISIM_REGISTER_DOUBLES 8
 #include "tracer/textures/noise_lanes.inc"
 #include "tracer/textures/noise_kernels.inc"
+#include "tracer/textures/evaluation.inc"
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace avx512
 #pragma GCC pop_options
 
 const NoiseKernels* const kAll[kInstructionSets] = {&baseline::kKernels, &avx2::kKernels, &avx512::kKernels};
+const EvaluationKernels* const kAllEvaluations[kInstructionSets] = {&baseline::kEvaluation, &avx2::kEvaluation, &avx512::kEvaluation};
 #else
 const NoiseKernels* const kAll[kInstructionSets] = {&baseline::kKernels};
+const EvaluationKernels* const kAllEvaluations[kInstructionSets] = {&baseline::kEvaluation};
 #endif
 
 }  // namespace
 
 const NoiseKernels& noise_kernels(InstructionSet set) { return *kAll[set]; }
+const EvaluationKernels& evaluation_kernels(InstructionSet set) { return *kAllEvaluations[set]; }
 
 }  // namespace verisim::textures

@@ -8,18 +8,6 @@
 namespace verisim::textures {
 namespace {
 
-double wave_form(const CompiledPattern& c, double v) {
-  switch (c.wave) {
-    case scene::Wave::ramp: return v;
-    case scene::Wave::sine: return (1 + sine_cycle(v)) * 0.5;
-    case scene::Wave::triangle: return triangle(v);
-    case scene::Wave::scallop: return std::fabs(sine_cycle(v * 0.5));
-    case scene::Wave::cubic: return v * v * (3 - 2 * v);
-    case scene::Wave::poly: return std::pow(v, c.exponent);
-  }
-  return v;
-}
-
 double function_value(const FunctionData& data, const Vec3& p) {
   const double v = (*data.function)(p.x, p.y, p.z);
   return v > 1 ? std::fmod(v, 1.0) : v;
@@ -39,12 +27,8 @@ double tiling_value(const TilingData& data, const Vec3& p) {
 double formula(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
   using enum scene::PatternKind;
   switch (c.kind) {
-    case agate: return textures::agate(c, p);
     case aoi: return surface ? angle_of_incidence(*surface) : 0;
     case boxed: return textures::boxed(p);
-    case bozo:
-    case bumps:
-    case spotted: return noise(p, c.noise_generator);
     case brick: return textures::brick(c.as<BrickData>(), p);
     case bump_map:
     case image_map:
@@ -61,14 +45,12 @@ double formula(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surf
     }
     case function: return function_value(c.as<FunctionData>(), p);
     case gradient: return textures::gradient(c.as<GradientData>(), p);
-    case granite: return granite_sum(p, c.noise_generator);
     case hexagon: return textures::hexagon(p);
     case julia:
     case magnet_julia:
     case magnet_mandel:
     case mandel: return fractal(c.as<scene::FractalParams>(), c.kind, p);
     case leopard: return textures::leopard(p);
-    case marble: return textures::marble(c, p);
     case object: return c.as<ObjectData>().shape->inside(p) ? 1 : 0;
     case onion: return textures::onion(p);
     case pavement: return evaluate_pavement(c.as<PavementData>().pavement, p.x, p.z);
@@ -85,8 +67,14 @@ double formula(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surf
     case tiling: return tiling_value(c.as<TilingData>(), p);
     case triangular: return textures::triangular(p);
     case waves: return textures::waves(c, p);
-    case wood: return textures::wood(c, p);
-    case wrinkles: return wrinkles_sum(p, c.noise_generator);
+    case agate:
+    case bozo:
+    case bumps:
+    case granite:
+    case marble:
+    case spotted:
+    case wood:
+    case wrinkles: break;  // evaluation.inc
     case average:
     case facets:
     case none:
@@ -94,18 +82,6 @@ double formula(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surf
     case uv_mapping: break;  // never asked for a value
   }
   return 0;
-}
-
-double value_at(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
-  using enum scene::PatternKind;
-  double v = c.kind == bozo || c.kind == bumps || c.kind == spotted ? noise(p, c.noise_generator) : formula(c, p, surface);
-  if (c.frequency != 0) v = wrap_period(v * c.frequency + c.phase);
-  if (v < 0) v -= std::floor(v);
-  return wave_form(c, v);
-}
-
-double evaluate(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface) {
-  return value_at(pattern, warped(pattern, p), surface);
 }
 
 bool worth_remembering(const CompiledPattern& c) {

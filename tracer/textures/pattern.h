@@ -54,6 +54,7 @@ struct CompiledPattern {
   scene::Wave wave = scene::Wave::ramp;
   int noise_generator = 2;
   double frequency = 1, phase = 0, exponent = 1;
+  bool plain_wave = false;  // ramp wave, frequency 1, phase 0: values in [0, 1] stay what they are
   TurbulenceStep turbulence{{0, 0, 0}, Octaves(6, 2, 0.5)};  // the classic record, as the formulas of agate, marble, wood and spirals use it
   bool turbulent = false;                           // it was written
   WarpChain chain;
@@ -67,10 +68,10 @@ struct CompiledPattern {
 };
 
 // The point that the formula, and the children of a map, see.
-inline Vec3 warped(const CompiledPattern& pattern, const Vec3& p) { return warp_point(pattern.chain, p); }
+Vec3 warped(const CompiledPattern& pattern, const Vec3& p);
 // Formula, frequency, phase and wave form at an already warped point.
 double value_at(const CompiledPattern& pattern, const Vec3& warped_point, const SurfacePoint* surface);
-// The formula alone.
+// The formula alone, of the patterns that evaluation.inc does not know.
 double formula(const CompiledPattern& pattern, const Vec3& warped_point, const SurfacePoint* surface);
 
 // The warped point and the value there.
@@ -78,12 +79,8 @@ struct PatternValue {
   Vec3 point;
   double value;
 };
+PatternValue value_of(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface);
 PatternValue remembered_value(const CompiledPattern& pattern, const Vec3& p);  // of a shared pattern
-inline PatternValue value_of(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface) {
-  if (pattern.shared_id != 0) return remembered_value(pattern, p);
-  const Vec3 q = warped(pattern, p);
-  return {q, value_at(pattern, q, surface)};
-}
 // Whether a value hangs on the point alone and takes longer than looking it up.
 bool worth_remembering(const CompiledPattern& pattern);
 

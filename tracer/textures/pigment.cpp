@@ -1,58 +1,31 @@
 #include "tracer/textures/pigment.h"
 
+#include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "tracer/textures/image_lookup.h"
 
 namespace verisim::textures {
-namespace {
-
-// Colours as four components at once and the fifth alone.
-using Float4 = float __attribute__((vector_size(16)));
-static_assert(sizeof(Color) == 5 * sizeof(float));
-Float4 first_four(const Color& c) {
-  Float4 v;
-  std::memcpy(&v, &c.r, sizeof v);
-  return v;
-}
-void set(Color& c, Float4 four, float fifth) {
-  std::memcpy(&c.r, &four, sizeof four);
-  c.t = fifth;
-}
-// lower + (upper - lower) * t
-void blend(const Color& lower, const Color& upper, float t, Color& result) {
-  const Float4 low = first_four(lower);
-  set(result, low + (first_four(upper) - low) * t, lower.t + (upper.t - lower.t) * t);
-}
-
-void map_lookup(const CompiledPigment& c, double v, Color& color) {
-  const MapPlace place = c.positions.find(v);
-  if (place.single()) color = c.colors[place.upper];
-  else blend(c.colors[place.lower], c.colors[place.upper], place.t, color);
-}
-
-bool child_map(const CompiledPigment& c, const PatternValue& at, const SurfacePoint* surface, Color& color) {
-  const Vec3& p = at.point;
-  const MapPlace place = c.positions.find(at.value);
-  const bool upper_has_color = evaluate(*c.children[place.upper], p, surface, color);
-  if (place.single()) return upper_has_color;
-  Color lower;
-  const bool lower_has_color = evaluate(*c.children[place.lower], p, surface, lower);
-  blend(lower, color, place.t, color);
-  return upper_has_color || lower_has_color;
-}
-
-bool average(const CompiledPigment& c, const Vec3& p, const SurfacePoint* surface, Color& color) {
-  Color sum;
-  bool has_color = false;
-  for (std::size_t i = 0; i < c.children.size(); ++i) {
-    Color each;
-    has_color |= evaluate(*c.children[i], p, surface, each);
-    const float weight = c.positions.position(i);
-    set(sum, first_four(sum) + first_four(each) * weight, sum.t + each.t * weight);
+void find_segments(CompiledPigment& c) {
+  if (c.colors.size() > CompiledPigment::kFew + 1) return;
+  c.segments.assign(c.colors.size(), {});
+  std::fill(std::begin(c.first_maxima), std::end(c.first_maxima), std::numeric_limits<double>::infinity());
+  double maximum = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < c.colors.size(); ++i) {
+    ColorSegment& s = c.segments[i];
+    const float position = c.positions.position(i);
+    s.position = position;
+    maximum = i == 0 ? position : std::max<double>(maximum, position);
+    if (i + 1 < c.colors.size()) c.first_maxima[i] = maximum;
+    if (i == 0) continue;
+    const float low = c.positions.position(i - 1), width = position - low;
+    s.low = low;
+    s.width = width;
+    const Color lower = c.colors[i - 1], rise = c.colors[i] - lower;
+    std::memcpy(s.lower, &lower, sizeof lower);
+    std::memcpy(s.rise, &rise, sizeof rise);
   }
-  color = sum * (1 / c.total_weight);
-  return has_color;
 }
 
 bool image_color(const CompiledPigment& c, const Vec3& p, Color& color) {
@@ -64,26 +37,6 @@ bool image_color(const CompiledPigment& c, const Vec3& p, Color& color) {
   }
   color = map_color(lookup, u, v);
   return true;
-}
-
-}  // namespace
-
-bool evaluate(const CompiledPigment& c, const Vec3& p, const SurfacePoint* surface, Color& color) {
-  using enum CompiledPigment::Source;
-  if (c.source == plain) {
-    color = c.color;
-    return true;
-  }
-  if (c.source == uv_mapping) {
-    const Vec3 uv = surface ? uv_point(*surface) : p;
-    return evaluate(*c.children[0], uv, surface, color);
-  }
-  switch (c.source) {
-    case color_map: map_lookup(c, value_of(*c.pattern, p, surface).value, color); return true;
-    case pigment_map: return child_map(c, value_of(*c.pattern, p, surface), surface, color);
-    case CompiledPigment::Source::average: return textures::average(c, warped(*c.pattern, p), surface, color);
-    default: return image_color(c, warped(*c.pattern, p), color);
-  }
 }
 
 scene::ColorMap built_in_map(const scene::Pattern& pattern) {

@@ -102,11 +102,11 @@ Vec3 unfold_cube(const Vec3& p) {
 
 struct Walk {
   Vec3 p;
-  void operator()(const AffineStep& s) { p = transformed(s, p); }
-  void operator()(const TurbulenceStep& s) {
-    const Vec3 v = vector_turbulence(p, s.octaves);
-    p += Vec3(v.x * s.amount.x, v.y * s.amount.y, v.z * s.amount.z);
+  void operator()(const AffineStep& s) {
+    const auto to = [&](int k) { return p.x * s.row[0][k] + p.y * s.row[1][k] + p.z * s.row[2][k] + s.row[3][k]; };
+    p = Vec3(to(0), to(1), to(2));
   }
+  void operator()(const TurbulenceStep&) {}
   void operator()(const RepeatStep& s) { p = repeat(s, p); }
   void operator()(const BlackHoleStep& s) { p = black_hole(s, p); }
   void operator()(const ProjectionStep& s) { p = project(s, p); }
@@ -117,10 +117,9 @@ struct Append {
   WarpChain& chain;
   void operator()(const Transform& t) const {
     if (t.is_identity()) return;
-    AffineStep step;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) step.m[i][j] = t.inv[i][j];
-    step.offset = Vec3(t.inv[3][0], t.inv[3][1], t.inv[3][2]);
+    AffineStep step{};
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 3; ++j) step.row[i][j] = t.inv[i][j];
     if (!chain.transforms && chain.rest.empty()) {
       chain.transforms = true;
       chain.first = step;
@@ -157,9 +156,9 @@ WarpChain compile_warps(const scene::List<scene::Warp>& warps, const TurbulenceS
   return chain;
 }
 
-Vec3 walk(const std::vector<WarpStep>& steps, const Vec3& p) {
+Vec3 walk_step(const WarpStep& step, const Vec3& p) {
   Walk walk{p};
-  for (const WarpStep& step : steps) std::visit(walk, step);
+  std::visit(walk, step);
   return walk.p;
 }
 

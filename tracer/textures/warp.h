@@ -9,10 +9,9 @@
 
 namespace verisim::textures {
 
-// p' = p * (3x3 part) + offset: the inverse of what SDL wrote.
+// p' = p.x * row 0 + p.y * row 1 + p.z * row 2 + row 3: the inverse of what SDL wrote.
 struct AffineStep {
-  double m[3][3];
-  Vec3 offset;
+  alignas(32) double row[4][4];  // the offset last; the fourth column is zero
 };
 struct TurbulenceStep {
   Vec3 amount;
@@ -35,22 +34,7 @@ TurbulenceStep compile_turbulence(const scene::Turbulence& turbulence);
 // Leaves out steps that change nothing. `classic`: the turbulence at the end of the chain, or null.
 WarpChain compile_warps(const scene::List<scene::Warp>& warps, const TurbulenceStep* classic);
 
-inline Vec3 transformed(const AffineStep& s, const Vec3& p) {
-  return {p.x * s.m[0][0] + p.y * s.m[1][0] + p.z * s.m[2][0] + s.offset.x, p.x * s.m[0][1] + p.y * s.m[1][1] + p.z * s.m[2][1] + s.offset.y,
-          p.x * s.m[0][2] + p.y * s.m[1][2] + p.z * s.m[2][2] + s.offset.z};
-}
-Vec3 walk(const std::vector<WarpStep>& steps, const Vec3& p);
-
-// Walks the chain and clamps the result to +-1e17.
-inline Vec3 warp_point(const WarpChain& chain, Vec3 p) {
-  if (chain.transforms) p = transformed(chain.first, p);
-  if (!chain.rest.empty()) p = walk(chain.rest, p);
-  constexpr double kLimit = 1e17;
-  const auto clamped = [](double v) {
-    v = kLimit < v ? kLimit : v;
-    return -kLimit > v ? -kLimit : v;
-  };
-  return {clamped(p.x), clamped(p.y), clamped(p.z)};
-}
+// One step other than turbulence.
+Vec3 walk_step(const WarpStep& step, const Vec3& p);
 
 }  // namespace verisim::textures

@@ -1,5 +1,7 @@
 #include "tracer/textures/patterns/crackle_kernels.h"
 
+#include <bit>
+#include <cmath>
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif

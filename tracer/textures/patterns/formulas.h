@@ -36,11 +36,6 @@ inline double positive_remainder(double v, double modulus) {
   return r >= modulus || r < 0 ? 0 : r;
 }
 
-// stone.cpp: noise and turbulence
-double agate(const CompiledPattern& c, const Vec3& p);
-double marble(const CompiledPattern& c, const Vec3& p);
-double wood(const CompiledPattern& c, const Vec3& p);
-
 // round.cpp: distances and angles
 double boxed(const Vec3& p);
 double cylindrical(const Vec3& p);

@@ -1,4 +1,4 @@
-// Patterns made of turbulence.
+// Spirals, and what patterns made of turbulence share; agate, marble and wood themselves are in evaluation.inc.
 #include <numbers>
 
 #include "tracer/textures/noise.h"
@@ -13,29 +13,6 @@ namespace {
 double turbulence_of(const CompiledPattern& c, const Vec3& p) {
   return turbulence(p, c.turbulence.octaves, c.noise_generator);
 }
-
-}  // namespace
-
-double agate(const CompiledPattern& c, const Vec3& p) {
-  const double v = 0.5 * (1 + sine_cycle(1.3 * static_cast<double>(c.as<scene::AgateParams>().turbulence) * turbulence_of(c, p) + 1.1 * p.z));
-  return v <= 0 ? 0 : std::pow(std::min(v, 1.0), 0.77);
-}
-
-double marble(const CompiledPattern& c, const Vec3& p) {
-  const double amount = c.turbulence.amount.x;
-  return amount == 0 ? p.x : p.x + amount * turbulence_of(c, p);
-}
-
-double wood(const CompiledPattern& c, const Vec3& p) {
-  const TurbulenceStep& t = c.turbulence;
-  if (!c.turbulent) return std::sqrt(p.x * p.x + p.y * p.y);
-  const Vec3 v = vector_turbulence(p, t.octaves);
-  const double x = p.x + sine_cycle((p.x + v.x) * t.amount.x);
-  const double y = p.y + sine_cycle((p.y + v.y) * t.amount.y);
-  return std::sqrt(x * x + y * y);
-}
-
-namespace {
 
 // z + r + arms * (angle about z) / 2 pi + turbulence.
 double spiral_phase(const CompiledPattern& c, const Vec3& p, double r) {

@@ -1,0 +1,19 @@
+// The evaluation of patterns and pigments for one instruction set.
+#pragma once
+
+#include "tracer/textures/instruction_sets.h"
+#include "tracer/textures/pigment.h"
+
+namespace verisim::textures {
+
+struct EvaluationKernels {
+  Vec3 (*warped)(const CompiledPattern& pattern, const Vec3& p);
+  double (*value_at)(const CompiledPattern& pattern, const Vec3& warped_point, const SurfacePoint* surface);
+  PatternValue (*value_of)(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface);
+  bool (*evaluate)(const CompiledPigment& pigment, const Vec3& p, const SurfacePoint* surface, Color& color);
+};
+
+// `set` must not be beyond best_instruction_set().
+const EvaluationKernels& evaluation_kernels(InstructionSet set);
+
+}  // namespace verisim::textures

@@ -257,6 +257,7 @@ void Parser::Impl::undef() {
     message(Severity::warning, fmt::format("Attempt to undef unknown identifier '{}'.", names[name.id()].text));
     return;
   }
+  check_deprecated(*symbol);
   if (!at_subscript()) {
     symbols.remove(name.id());
     return;

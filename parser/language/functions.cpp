@@ -290,6 +290,10 @@ Node FunctionParser::word_primary(Word word) {
   BuiltinCall call{entry->builtin, arguments(entry->arguments, spelling(word))};
   const std::size_t count = call.arguments.size();
   if (entry->arguments == -1 && count < 2) p_.error(fmt::format("'{}' needs at least 2 arguments in a function.", spelling(word)));
+  if (entry->builtin == Builtin::pow_) {
+    const auto* power = std::get_if<Constant>(&call.arguments[1].value);
+    if (power && !call.arguments[1].parenthesised && power->value == 0) p_.message(Severity::warning, "Zero power optimised to constant 1.0!");
+  }
   if (entry->arguments == -2 && count != 3 && count != 4) p_.error("'select' needs 3 or 4 arguments.");
   return {std::move(call), false};
 }

@@ -121,7 +121,7 @@ bool Parser::Impl::legacy_directive() {
   const Token token = peek();
   if (token.kind != TokenKind::word) return false;
   if (token.word != Word::declare && token.word != Word::include && token.word != Word::default_) return false;
-  if (language_version > 295) message(Severity::warning, fmt::format("Directive '{}' should have '#' in front of it.", spelling(token.word)));
+  if (language_version > 295 && token.word != Word::default_) message(Severity::warning, fmt::format("Directive '{}' should have '#' in front of it.", spelling(token.word)));
   skip_token();
   const Nesting nesting(*this);
   execute(token);

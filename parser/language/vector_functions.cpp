@@ -67,8 +67,12 @@ Vec3 trace(Parser::Impl& p) {
 Vec3 extent(Parser::Impl& p, bool maximum) {
   p.open_arguments();
   const Live live(p);
-  const Value* value = p.peek_value();
   Vec3 result(0, 0, 0);
+  if (p.peek().punctuation == ')') {  // of nothing: accepted, and <0,0,0>
+    p.skip_token();
+    return result;
+  }
+  const Value* value = p.peek_value();
   if (value && std::holds_alternative<scene::PigmentPtr>(*value)) {
     const scene::PigmentPtr pigment = std::get<scene::PigmentPtr>(p.resolve().value());
     const auto* image = std::get_if<scene::ImageParams>(&*pigment->pattern.params);

@@ -231,7 +231,10 @@ class CameraReader {
         close_block(parser, "bokeh");
         return true;
       }
-      case Word::normal: camera.normal = parse_normal(parser, camera.normal); return true;
+      case Word::normal:
+        camera.normal = parse_normal(parser, camera.normal);
+        if (camera.normal && camera.normal->pattern.kind == scene::PatternKind::none) parser.error("No normal type given.");
+        return true;
       default: break;
     }
     Transform item;

@@ -184,18 +184,24 @@ void scale_albedo(Finish& finish, const Albedo& albedo) {
 
 bool parse_finish_items(Parser& parser, Finish& finish) {
   Albedo albedo;
-  if (!parse_item(parser, finish, albedo)) return false;
-  while (parse_item(parser, finish, albedo)) {
+  bool any = false;
+  for (;; any = true) {
+    const Word word = word_at(parser);
+    if (!parse_item(parser, finish, albedo)) break;
+    if (parser.version() < 150) parser.warning("Found '" + std::string(spelling(word)) + "' that should be in a finish statement.");
   }
-  scale_albedo(finish, albedo);
-  return true;
+  if (any) scale_albedo(finish, albedo);
+  return any;
 }
 
 scene::Finish parse_finish(Parser& parser, const scene::Finish& start) {
   Block block(parser, "finish");
   Finish finish = start;
   if (const auto* value = parser.accept_value<Shared<Finish>>()) finish = **value;
-  if (!parse_finish_items(parser, finish)) scale_albedo(finish, {});
+  Albedo albedo;
+  while (parse_item(parser, finish, albedo)) {
+  }
+  scale_albedo(finish, albedo);
   block.close();
   return finish;
 }

@@ -65,7 +65,7 @@ void parse_subsurface_settings(Parser& parser, Settings& settings) {
       parser.optional_comma();
       settings.subsurface_samples_single = parser.parse_int();
     } else if (parser.accept(Word::radiosity)) {
-      settings.subsurface_radiosity = parser.parse_flag();
+      settings.subsurface_radiosity = parser.parse_float() > 0;
     } else {
       break;
     }

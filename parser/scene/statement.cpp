@@ -21,12 +21,13 @@ void add_camera(Parser& parser) {
   scene.camera_given = true;
 }
 
-// A normal may be declared without a pattern, but not used so.
-class NormalCheck {
+// What only matters in objects that are rendered: a normal may be declared without a pattern, but not used so; bounds may be of no use.
+class ObjectCheck {
  public:
-  explicit NormalCheck(Parser& p) : parser(p) {}
+  explicit ObjectCheck(Parser& p) : parser(p) {}
 
   void object(const scene::Object& o) {
+    if (!o.bounded_by.empty()) bounds(o);
     for (const scene::TexturePtr* texture : {&o.texture, &o.interior_texture}) {
       if (*texture && *texture != last) check(**texture);
       if (*texture) last = *texture;
@@ -41,6 +42,17 @@ class NormalCheck {
  private:
   Parser& parser;
   scene::TexturePtr last;  // children often share one texture
+
+  void bounds(const scene::Object& o) {
+    if (o.as<scene::Poly>() || o.as<std::shared_ptr<const scene::Text>>() || o.as<scene::LightGroup>()) return;
+    const auto* csg = o.as<scene::Csg>();
+    if (!csg) return parser.warning("Unnecessary bounding object removed.");
+    // The parts of a union are bounded one by one.
+    if (csg->kind != scene::CsgKind::union_ || !o.split_union || !o.clipped_by.empty()) return;
+    for (const scene::ObjectPtr& child : csg->children)
+      if (scene::is_infinite(*child)) return;
+    parser.warning("CSG union unnecessarily bounded.");
+  }
 
   void check(const scene::Texture& texture) {
     for (const scene::TextureLayer& layer : texture.layers) {
@@ -61,7 +73,7 @@ class NormalCheck {
 
 void add_object(Parser& parser, const std::shared_ptr<scene::Object>& object) {
   scene::finish_statement(*object, parser.default_texture());
-  NormalCheck(parser).object(*object);
+  ObjectCheck(parser).object(*object);
   parser.scene().objects.push_back(object);
 }
 

@@ -60,11 +60,9 @@ bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
       break;
     default: break;
   }
-  const Word word = word_at(parser);
   scene::Finish finish = layer.finish;
   if (parse_finish_items(parser, finish)) {
     layer.finish = finish;
-    if (parser.version() < 150) parser.warning("Found '" + std::string(spelling(word)) + "' that should be in a finish statement.");
     return true;
   }
   if (word_at(parser) == Word::none && !at_color(parser)) return false;

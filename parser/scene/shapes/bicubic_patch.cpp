@@ -7,20 +7,25 @@ namespace verisim::parser {
 
 namespace {
 
-// The form without keywords: type [flatness] u_steps v_steps.
+// The form without keywords: type [flatness] u_steps v_steps, without commas.
 void parse_old_form(Parser& parser, scene::BicubicPatch& patch, std::optional<int>& type) {
   parser.warning("Should use keywords for bicubic parameters.");
-  const auto number = [&] {
-    const double value = parser.parse_float();
-    parser.optional_comma();
-    return value;
-  };
-  type = static_cast<int>(number());
-  patch.flatness = *type == 2 || *type == 3 ? number() : 0.1;
-  patch.u_steps = static_cast<int>(number());
-  patch.v_steps = static_cast<int>(number());
+  type = parser.parse_int();
+  patch.flatness = *type == 2 || *type == 3 ? parser.parse_float() : 0.1;
+  patch.u_steps = parser.parse_int();
+  patch.v_steps = parser.parse_int();
 }
 
+bool at_float(Parser& parser) {
+  const Token& token = parser.peek();
+  if (token.kind == TokenKind::number || token.punctuation == '(') return true;
+  if (token.kind == TokenKind::word) return word_class(token.word) == WordClass::float_function;
+  const Value* value = parser.peek_value();
+  const auto* numeric = value ? std::get_if<Numeric>(value) : nullptr;
+  return numeric && numeric->terms == 1;
+}
+
+// Numbers without a keyword are the old form, whatever stood before.
 void parse_keywords(Parser& parser, scene::BicubicPatch& patch, std::optional<int>& type) {
   for (;;) {
     switch (word_at(parser)) {
@@ -44,7 +49,9 @@ void parse_keywords(Parser& parser, scene::BicubicPatch& patch, std::optional<in
         parser.next();
         parser.parse_float();
         break;
-      default: return;
+      default:
+        if (at_float(parser)) parse_old_form(parser, patch, type);
+        return;
     }
   }
 }
@@ -55,8 +62,7 @@ ObjectRef parse_bicubic_patch(Parser& parser) {
   return shape_block(parser, "bicubic_patch", [&](scene::Object& object) {
     auto patch = std::make_shared<scene::BicubicPatch>();
     std::optional<int> type;
-    if (parser.peek().kind == TokenKind::number) parse_old_form(parser, *patch, type);
-    else parse_keywords(parser, *patch, type);
+    parse_keywords(parser, *patch, type);
     parser.optional_comma();
     if (parser.accept(Word::uv_vectors)) {
       patch->uv.emplace();

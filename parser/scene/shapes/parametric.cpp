@@ -11,13 +11,14 @@ namespace {
 void parse_precompute(Parser& parser, scene::Parametric& surface) {
   parser.next();
   surface.precompute_depth = parser.parse_int();
-  if (surface.precompute_depth < 1 || surface.precompute_depth > 20) parser.error("Precompute: invalid depth.");
   parser.optional_comma();
   constexpr Word kAxes[] = {Word::x, Word::y, Word::z};
   for (std::size_t i = 0; i < 3; ++i) {
     if (parser.accept(kAxes[i])) surface.precompute[i] = true;
     parser.optional_comma();
   }
+  const bool any = surface.precompute[0] || surface.precompute[1] || surface.precompute[2];
+  if (any && (surface.precompute_depth < 1 || surface.precompute_depth > 20)) parser.error("Precompute: invalid depth.");
 }
 
 }  // namespace

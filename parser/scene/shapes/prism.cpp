@@ -1,5 +1,6 @@
 // prism { [spline] [sweep] low, high, n, points [open] } (spec 03 4.17).
 #include <algorithm>
+#include <cmath>
 
 #include "parser/scene/objects.h"
 #include "parser/scene/shapes/spline_points.h"
@@ -27,6 +28,44 @@ void check_count(Parser& parser, SplineKind spline, std::size_t count) {
   }
 }
 
+bool same(const Vec2& a, const Vec2& b) { return std::fabs(a.x - b.x) < kEpsilon && std::fabs(a.y - b.y) < kEpsilon; }
+
+// How many outlines there are before one that does not close, and whether that is all of them. A segment is made of `reach` + 1 points: it leads from the one at
+// `begin` to the one at `end`; an outline ends with the segment that comes back to its first point.
+struct Outlines {
+  int closed = 0;
+  bool all = true;
+};
+
+Outlines outlines(const std::vector<Vec2>& p, std::size_t begin, std::size_t end, std::size_t reach, bool chained) {
+  Outlines result;
+  const std::size_t step = chained ? 1 : reach + 1;
+  for (std::size_t i = 0; i + reach < p.size();) {
+    const Vec2 first = p[i + begin];
+    bool closed = false;
+    for (; i + reach < p.size() && !closed; i += step) closed = same(p[i + end], first);
+    if (!closed) return {result.closed, false};
+    ++result.closed;
+    if (chained) i += reach;
+  }
+  return result;
+}
+
+void check_closed(Parser& parser, const scene::Prism& prism) {
+  Outlines found;
+  switch (prism.spline) {
+    case SplineKind::linear:
+      if (!outlines(prism.points, 0, 1, 1, true).all) parser.warning("Linear prism not closed. Closing it.");
+      return;
+    case SplineKind::quadratic: found = outlines(prism.points, 1, 2, 2, true); break;
+    case SplineKind::bezier: found = outlines(prism.points, 0, 3, 3, false); break;
+    default: found = outlines(prism.points, 1, 2, 3, true); break;
+  }
+  if (found.all) return;
+  parser.warning("Prism not closed. Ignoring it.");
+  if (prism.spline != SplineKind::bezier && !found.closed) parser.error("Too few points in prism.");
+}
+
 }  // namespace
 
 ObjectRef parse_prism(Parser& parser) {
@@ -49,6 +88,7 @@ ObjectRef parse_prism(Parser& parser) {
     if (prism->low > prism->high) std::swap(prism->low, prism->high);
     prism->points = parse_points(parser, "prism");
     check_count(parser, prism->spline, prism->points.size());
+    check_closed(parser, *prism);
     prism->open = parser.accept(Word::open);
     object.shape = std::shared_ptr<const scene::Prism>(prism);
   });

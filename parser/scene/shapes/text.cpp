@@ -6,8 +6,9 @@ namespace verisim::parser {
 ObjectRef parse_text(Parser& parser) {
   return shape_block(parser, "text", [&](scene::Object& object) {
     auto text = std::make_shared<scene::Text>();
+    std::string font;
     if (parser.accept(Word::ttf)) {
-      text->font = parser.find_file(parser.parse_path(), ".ttf .TTF").string();
+      font = parser.parse_path();
     } else if (parser.accept(Word::internal)) {
       text->builtin_font = parser.parse_int();
       // Any other number means the font of the logo (spec 04 section 9).
@@ -22,6 +23,8 @@ ObjectRef parse_text(Parser& parser) {
     text->thickness = parser.parse_float();
     parser.optional_comma();
     text->offset = parser.parse_vec3();
+    parser.peek();  // POV-Ray looks for the font here: a missing one is an error of the line that follows
+    if (!text->builtin_font) text->font = parser.find_file(font, ".ttf .TTF").string();
     object.shape = std::shared_ptr<const scene::Text>(text);
   });
 }

@@ -32,8 +32,9 @@ TEST(Differential, Idioms) {
     const parser::ParseResult result = parser::parse_file(entry.path(), options);
     const bool accepted = entry.path().filename().string().starts_with("accepted");
     EXPECT_EQ(result.errors.empty(), accepted) << entry.path() << (result.errors.empty() ? "" : "\n" + parser::format(result.errors.front()));
-    if (std::ifstream expected(fs::path(entry.path()).replace_extension(".txt")); expected)
+    if (std::ifstream expected(fs::path(entry.path()).replace_extension(".txt")); expected) {
       EXPECT_EQ(debug, std::string(std::istreambuf_iterator<char>(expected), {})) << entry.path();
+    }
     ++count;
   }
   fs::current_path(before);

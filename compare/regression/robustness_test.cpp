@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <fstream>
 
 #include "compare/compare.h"
@@ -50,7 +51,7 @@ class Robustness : public testing::Test {
   compare::Run last_;
   fs::path picture_;
   std::string manifest_;
-  int renders_ = 0;
+  std::atomic<int> renders_ = 0;
 };
 
 TEST_F(Robustness, BrokenReferencesAreErrorsOfTheirScenesOnly) {
@@ -101,7 +102,7 @@ TEST_F(Robustness, PicturesThatDoNotFitInMemory) {
   EXPECT_EQ(r["large.pov"].status, Status::error);
   EXPECT_THAT(r["large.pov"].reason, HasSubstr("400.0 million pixels take about 19.4 GiB to compare, and 4.0 GiB are available"));
   EXPECT_EQ(r["good.pov"].status, Status::exact);
-  EXPECT_EQ(renders_, 1);
+  EXPECT_EQ(renders_.load(), 1);
   EXPECT_GT(available_bytes(), 0u);
 }
 
@@ -146,22 +147,22 @@ TEST_F(Robustness, AChangedIncludeFileIsNotResumed) {
   scene("a.pov", "good.png");
   options_.work = root() / "work", options_.resume = true;
   run(), run();
-  EXPECT_EQ(renders_, 1);
+  EXPECT_EQ(renders_.load(), 1);
   write("common.inc", "#declare A = 2;");
   run();
-  EXPECT_EQ(renders_, 2);
+  EXPECT_EQ(renders_.load(), 2);
   image::write_picture(changed(scene_like_picture(32, 24), [](double v) { return v / 2; }), root() / "scenes/good.png");  // the reference, too
   EXPECT_EQ(run()["a.pov"].status, Status::differ);
-  EXPECT_EQ(renders_, 3);
+  EXPECT_EQ(renders_.load(), 3);
   options_.native_identity = "another build";
   run();
-  EXPECT_EQ(renders_, 4);
+  EXPECT_EQ(renders_.load(), 4);
   run();
-  EXPECT_EQ(renders_, 4);
+  EXPECT_EQ(renders_.load(), 4);
   EXPECT_EQ(last_.scenes[0].status, Status::differ);
   std::ofstream(root() / "work/a.pov.result.json") << "{\"key\": 3, \"files_read\": [";  // broken off while it was written
   run();
-  EXPECT_EQ(renders_, 5);
+  EXPECT_EQ(renders_.load(), 5);
 }
 
 TEST_F(Robustness, PhotographsAreFittedAndTheFitIsReported) {

@@ -1,4 +1,4 @@
-// All objects of a scene ready for rays: frame-level list, Embree BVH, infinite objects beside it (specs 03 section 2, 06 section 9).
+// All objects of a scene ready for rays: frame-level list, box tree, infinite objects beside it (specs 03 section 2, 06 section 9).
 #pragma once
 
 #include <memory>

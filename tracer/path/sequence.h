@@ -4,18 +4,12 @@
 #include <cstdint>
 #include <cstring>
 
+#include "tracer/math/bits.h"
 #include "tracer/math/vec.h"
 
 namespace verisim::path {
 
 namespace detail {
-inline std::uint32_t reversed(std::uint32_t x) {
-  x = (x >> 1 & 0x55555555u) | (x & 0x55555555u) << 1;
-  x = (x >> 2 & 0x33333333u) | (x & 0x33333333u) << 2;
-  x = (x >> 4 & 0x0F0F0F0Fu) | (x & 0x0F0F0F0Fu) << 4;
-  x = (x >> 8 & 0x00FF00FFu) | (x & 0x00FF00FFu) << 8;
-  return x >> 16 | x << 16;
-}
 inline std::uint32_t mixed(std::uint64_t z) {  // SplitMix64's finaliser (Steele, Lea, Flood 2014)
   z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
   z = (z ^ z >> 27) * 0x94D049BB133111EBu;
@@ -30,7 +24,7 @@ inline std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x53a22864u;
   return x;
 }
-inline std::uint32_t owen(std::uint32_t x, std::uint32_t seed) { return reversed(laine_karras(reversed(x), seed)); }
+inline std::uint32_t owen(std::uint32_t x, std::uint32_t seed) { return reverse_bits(laine_karras(reverse_bits(x), seed)); }
 // The second dimension of Sobol's sequence: Pascal's triangle modulo 2.
 inline std::uint32_t sobol2(std::uint32_t index) {
   std::uint32_t result = 0;
@@ -52,11 +46,11 @@ class Sequence {
   // Uniform in the unit square; neighbouring samples spread evenly over it.
   Vec2 next2() {
     const std::uint32_t seed = detail::mixed(key_ + 0x9E3779B97F4A7C15u * ++dimension_), index = detail::owen(sample_, seed);
-    return {to_unit(detail::owen(detail::reversed(index), detail::mixed(seed + 1u))), to_unit(detail::owen(detail::sobol2(index), detail::mixed(seed + 2u)))};
+    return {to_unit(detail::owen(reverse_bits(index), detail::mixed(seed + 1u))), to_unit(detail::owen(detail::sobol2(index), detail::mixed(seed + 2u)))};
   }
   double next() {
     const std::uint32_t seed = detail::mixed(key_ + 0x9E3779B97F4A7C15u * ++dimension_), index = detail::owen(sample_, seed);
-    return to_unit(detail::owen(detail::reversed(index), detail::mixed(seed + 1u)));
+    return to_unit(detail::owen(reverse_bits(index), detail::mixed(seed + 1u)));
   }
 
  private:

@@ -4,17 +4,10 @@
 
 #include <cstdint>
 
+#include "tracer/math/bits.h"
 #include "tracer/math/vec.h"
 
 namespace verisim::render {
-
-inline std::uint32_t reverse_bits(std::uint32_t v) {
-  v = (v >> 1 & 0x55555555u) | (v & 0x55555555u) << 1;
-  v = (v >> 2 & 0x33333333u) | (v & 0x33333333u) << 2;
-  v = (v >> 4 & 0x0F0F0F0Fu) | (v & 0x0F0F0F0Fu) << 4;
-  v = (v >> 8 & 0x00FF00FFu) | (v & 0x00FF00FFu) << 8;
-  return v >> 16 | v << 16;
-}
 
 // Permutes nested intervals of a point whose bits are reversed (Laine and Karras 2011, with Burley's constants).
 inline std::uint32_t permute_nested(std::uint32_t reversed, std::uint32_t seed) {

@@ -1,6 +1,6 @@
 // height_field (spec 04 section 5): two triangles per cell, found by descending a pyramid of extremes from near to far.
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/height_quarters.h"
+#include "tracer/shapes/height_walk.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -85,39 +85,13 @@ class HeightField final : public Primitive<HeightField> {
   // Tests the cells between `enter` and `leave` whose heights the ray may meet, roughly from near to far.
   template <class Sink>
   void descend(const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave, Sink& sink) const {
-    const QuarterTest test(*grid_, o, d);
-    struct Block {
-      int level, i, k;
-      float near;
-    };
-    Block stack[4 * 32];
-    int count = 0;
-    const auto below_of = [](double v) { return static_cast<float>(v - std::fabs(v) * 1e-6); };
     const auto above_of = [](double v) { return static_cast<float>(v + std::fabs(v) * 1e-6); };
-    const float begin = below_of(enter);
     float end = above_of(std::min(leave, sink.upper()));
-    stack[count++] = {grid_->levels() - 1, 0, 0, begin};
-    while (count > 0) {
-      const Block block = stack[--count];
-      if (block.near > end) continue;
-      const int below = block.level - 1;
-      const double size = static_cast<double>(1 << block.level);
-      alignas(16) float near[4];
-      const unsigned meets =
-          test.test(grid_->quarters(block.level, block.i, block.k), block.i * size, block.k * size, static_cast<float>(1 << below), begin, end, near);
-      if (!meets) continue;
-      if (below == 0) {
-        for (unsigned n = 0; n < 4; ++n) {
-          const int c = static_cast<int>(n ^ test.flip());
-          if (meets >> c & 1 && cell(2 * block.i + (c & 1), 2 * block.k + (c >> 1), ray, o, d, enter, leave, sink)) {
-            end = above_of(std::min(leave, sink.upper()));
-          }
-        }
-      } else {
-        for (unsigned n = 4; n-- > 0;) {  // far ones first on the stack
-          const int c = static_cast<int>(n ^ test.flip());
-          if (meets >> c & 1) stack[count++] = {below, 2 * block.i + (c & 1), 2 * block.k + (c >> 1), near[c]};
-        }
+    HeightWalk walk(*grid_, o, d, enter, std::min(leave, sink.upper()));
+    HeightCell cells[HeightWalk::kCells];
+    while (const int count = walk.next(end, cells)) {
+      for (int n = 0; n < count; ++n) {
+        if (cells[n].near <= end && cell(cells[n].i, cells[n].k, ray, o, d, enter, leave, sink)) end = above_of(std::min(leave, sink.upper()));
       }
     }
   }

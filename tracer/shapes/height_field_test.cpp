@@ -3,8 +3,9 @@
 
 #include "tracer/image/image.h"
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/height_grid.h"
+#include "tracer/shapes/height_walk.h"
 #include "tracer/shapes/trace_test_support.h"
+#include "tracer/textures/instruction_sets.h"
 
 namespace verisim::shapes {
 namespace {
@@ -136,6 +137,38 @@ TEST(HeightField, ThePyramidFindsTheNearestHit) {
     }
   }
   EXPECT_GT(hits, 500);
+}
+
+// All instruction sets find the same cells, in the same order; and cells at the ray's own heights are never left out.
+TEST(HeightField, WalksAreTheSameWithAllInstructionSets) {
+  std::mt19937 rng(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const HeightGrid grid(field(function_image(150, 90, [&](double x, double y) { return 0.5 + 0.3 * std::sin(9 * x) * std::cos(7 * y) + 0.1 * unit(rng); })));
+  const auto cells_of = [&](int set, const Vec3& o, const Vec3& d, double enter, double leave) {
+    std::vector<std::array<int, 2>> all;
+    HeightWalk walk(grid, o, d, enter, leave);
+    HeightCell cells[HeightWalk::kCells];
+    while (const int count = walk.next(set, static_cast<float>(leave), cells)) {
+      if (count < 0) return all;
+      for (int n = 0; n < count; ++n) all.push_back({cells[n].i, cells[n].k});
+    }
+    return all;
+  };
+  for (int n = 0; n < 10000; ++n) {
+    Vec3 o(unit(rng) * 149, unit(rng) * 65536, unit(rng) * 89), d((unit(rng) - .5) * 149, (unit(rng) - .5) * 65536, (unit(rng) - .5) * 89);
+    if (n % 5 == 0) d.x = 0;
+    if (n % 7 == 0) d.z = 0;
+    const auto expected = cells_of(textures::kBaseline, o, d, 0, 1);
+    for (int set = 1; set <= textures::best_instruction_set(); ++set) ASSERT_EQ(cells_of(set, o, d, 0, 1), expected) << n;
+    for (int step = 0; step < 20; ++step) {
+      const Vec3 p = o + unit(rng) * d;
+      if (!(p.x >= 0 && p.x < 149 && p.z >= 0 && p.z < 89)) continue;
+      const int i = static_cast<int>(p.x), k = static_cast<int>(p.z);
+      const auto [low, high] = std::minmax({grid.at(i, k), grid.at(i + 1, k), grid.at(i, k + 1), grid.at(i + 1, k + 1)});
+      if (p.y < low || p.y > high) continue;
+      ASSERT_NE(std::ranges::find(expected, std::array{i, k}), expected.end()) << n << ": " << i << ' ' << k;
+    }
+  }
 }
 
 TEST(HeightField, SmoothNormalsAreUnitLength) {

@@ -56,21 +56,21 @@ void HeightGrid::build_pyramid() {
     const auto [low, high] = std::minmax({at(i, k), at(i + 1, k), at(i, k + 1), at(i + 1, k + 1)});
     return std::pair(low, high);
   };
-  const auto block = [&](int level, int i, int k) {
-    const Quarters& q = quarters(level, i, k);
-    return std::pair<int, int>(*std::min_element(q.low, q.low + 4), *std::max_element(q.high, q.high + 4));
+  const auto extremes = [&](int level, int i, int k) {
+    const Block& b = block(level, i, k);
+    return std::pair<int, int>(*std::min_element(b.low, b.low + kChildren), *std::max_element(b.high, b.high + kChildren));
   };
   for (int level = 1; level == 1 || w > 1 || d > 1; ++level) {
-    Level next{(w + 1) / 2, (d + 1) / 2, {}};
+    Level next{(w - 1) / 4 + 1, (d - 1) / 4 + 1, {}};
     next.blocks.resize(static_cast<std::size_t>(next.width) * static_cast<std::size_t>(next.depth));
     std::size_t n = 0;
     for (int k = 0; k < next.depth; ++k) {
       for (int i = 0; i < next.width; ++i) {
-        Quarters& q = next.blocks[n++];
-        for (int c = 0; c < 4; ++c) {
-          const int x = 2 * i + (c & 1), z = 2 * k + (c >> 1);
-          const auto [low, high] = x >= w || z >= d ? std::pair(65535, 0) : level == 1 ? cell(x, z) : block(level - 1, x, z);
-          q.low[c] = static_cast<std::uint16_t>(low), q.high[c] = static_cast<std::uint16_t>(high);
+        Block& b = next.blocks[n++];
+        for (int c = 0; c < kChildren; ++c) {
+          const int x = 4 * i + column(c), z = 4 * k + row(c);
+          const auto [low, high] = x >= w || z >= d ? std::pair(65535, 0) : level == 1 ? cell(x, z) : extremes(level - 1, x, z);
+          b.low[c] = static_cast<std::uint16_t>(low), b.high[c] = static_cast<std::uint16_t>(high);
         }
       }
     }

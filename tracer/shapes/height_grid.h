@@ -28,12 +28,15 @@ class HeightGrid {
   double bottom() const { return std::max<double>(lowest_, water_) - 0.001; }
   double top() const { return highest_ + 0.001; }
 
-  // A block of 2^level cells a side has four quarters; quarter c lies at (c & 1, c >> 1) of them. Quarters beyond the edge of the field have low > high.
-  struct Quarters {
-    std::uint16_t low[4], high[4];
+  // A block of 4^level cells a side has sixteen children, in Morton's order; those beyond the edge of the field have low > high.
+  static constexpr int kChildren = 16, kMostLevels = 18;
+  static constexpr int column(int child) { return (child & 1) | (child >> 1 & 2); }
+  static constexpr int row(int child) { return (child >> 1 & 1) | (child >> 2 & 2); }
+  struct alignas(64) Block {
+    std::uint16_t low[kChildren], high[kChildren];
   };
   int levels() const { return static_cast<int>(levels_.size()); }  // level 0 is one cell
-  const Quarters& quarters(int level, int i, int k) const {
+  const Block& block(int level, int i, int k) const {
     const Level& l = levels_[static_cast<std::size_t>(level)];
     return l.blocks[static_cast<std::size_t>(k) * static_cast<std::size_t>(l.width) + static_cast<std::size_t>(i)];
   }
@@ -47,7 +50,7 @@ class HeightGrid {
  private:
   struct Level {
     int width = 0, depth = 0;
-    std::vector<Quarters> blocks;
+    std::vector<Block> blocks;
   };
   void build_pyramid();
   void build_normals();

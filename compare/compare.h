@@ -158,8 +158,8 @@ struct OracleRender {
 NativeRenderer povray_renderer(const OracleProgram& program, const OracleOptions& options);
 
 // Never throws. files_read: what the native side read, as paths of the original files; empty: every file of the scene's folder counts. variant: 0 is the reference. Each
-// other one takes a thread more than the one before, and another order of the blocks (+RP, +RS; never their size, which would change the anti-aliasing), so that random
-// numbers fall on other pixels; nothing else changes in the picture. Run i of several is variant 2 i.
+// other one takes a thread more than the one before (up to eight, then from the beginning), and another order of the blocks (+RP, +RS; never their size, which would change
+// the anti-aliasing), so that random numbers fall on other pixels; nothing else changes in the picture. Run i of several is variant 2 i.
 OracleRender run_oracle(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, int variant,
                         const std::vector<std::filesystem::path>& files_read, std::atomic<bool>* cancel = nullptr);
 
@@ -221,7 +221,7 @@ struct RunOptions {
   int native_threads = 0;                     // 0: the cores divided by jobs
   double native_time_limit = 0;
   bool replay = false;                        // both serial: stochastic scenes are judged like any other
-  int runs = 4;                               // of a stochastic scene on each side, for Welch's test; 1: the low-pass comparison alone
+  int runs = 4;                               // of a stochastic scene on each side, for Welch's test, which asks for as many again before it refuses; 1: the low-pass comparison alone
   std::filesystem::path work;                 // results and pictures, kept: a run that was broken off goes on here. Empty: a temporary folder, removed with the Run
   bool resume = false;
   std::filesystem::path baseline;             // stored pictures in the place of the oracle

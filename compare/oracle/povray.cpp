@@ -74,7 +74,7 @@ std::string ini_text(const std::vector<fs::path>& library_paths) {
 }
 
 // Where random numbers fall depends on which thread gets which block. With these orders no block of the even variants, or of the odd ones, comes at the same place of a
-// thread's work in more than two of four.
+// thread's work in more than two of four. There are never more than eight threads: with many, most blocks of a small picture come first and repeat.
 struct BlockOrder {
   int pattern, step;
 };
@@ -82,13 +82,13 @@ constexpr BlockOrder kBlockOrders[] = {{0, 0}, {3, 0}, {5, 0}, {2, 0}, {3, 5}, {
 
 std::vector<std::string> command_line(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, const std::string& input, const std::string& output,
                                       int variant) {
+  constexpr int kOrders = static_cast<int>(std::size(kBlockOrders));
   std::vector<std::string> out = {program.path.string(), "+I" + input};
   out.insert(out.end(), scene.switches.begin(), scene.switches.end());
   if (!output_type(scene.switches)) out.push_back("+FN8");
-  for (const std::string& s : {"+O" + output, fmt::format("+W{}", scene.width), fmt::format("+H{}", scene.height), fmt::format("+WT{}", std::max(1, options.threads) + variant)})
+  for (const std::string& s : {"+O" + output, fmt::format("+W{}", scene.width), fmt::format("+H{}", scene.height), fmt::format("+WT{}", std::max(1, options.threads) + variant % kOrders)})
     out.push_back(s);
   if (variant > 0) {
-    constexpr int kOrders = static_cast<int>(std::size(kBlockOrders));
     const auto [pattern, step] = kBlockOrders[variant % kOrders];
     out.push_back(fmt::format("+RP{}", pattern)), out.push_back(fmt::format("+RS{}", step + 6 * (variant / kOrders)));
     if (program.name == "verisim") out.push_back(fmt::format("--seed={}", variant));  // its pictures do not depend on threads

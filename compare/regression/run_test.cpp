@@ -180,7 +180,7 @@ TEST_F(RunTest, SeveralRunsAskWelch) {
     out.outcome = NativeResult::Outcome::rendered;
     out.files_read = {request.scene}, out.stochastic_features = {"radiosity"};
     asked.push_back(request.run);
-    fs::copy_file(pictures() / ("noisy" + std::to_string(first + step * request.run) + ".png"), request.output);
+    fs::copy_file(pictures() / ("noisy" + std::to_string(first + step * (request.run % 4)) + ".png"), request.output);
     return out;
   };
   auto r = run();
@@ -190,10 +190,37 @@ TEST_F(RunTest, SeveralRunsAskWelch) {
   ASSERT_TRUE(r["noisy.pov"].welch);
   EXPECT_FALSE(r["noisy.pov"].welch->rejected);
   first = 9, step = 1;  // brighter by a code value: less than the low-pass comparison finds
+  asked.clear();
   r = run();
   EXPECT_EQ(r["noisy.pov"].status, Status::differ);
   ASSERT_TRUE(r["noisy.pov"].welch) << r["noisy.pov"].reason;
+  EXPECT_THAT(asked, ElementsAre(0, 1, 2, 3, 4, 5, 6, 7)) << "a refusal is tried again with twice as many runs";
+  EXPECT_EQ(oracle_runs(), 8) << "four of them from the cache";
   EXPECT_GT(r["noisy.pov"].welch->mean_difference, 0.5);
+}
+
+// Three of the first runs are alike by chance and pass for a place without noise; more runs show it.
+TEST_F(RunTest, ARefusalIsTriedAgainWithTwiceAsManyRuns) {
+  std::mt19937 random(7);
+  const auto spot = [&](int value, const std::string& name) {
+    Picture p = scene_like_picture(32, 24);
+    for (int c = 0; c < 3; ++c) p.samples[static_cast<std::size_t>(3 * (12 * 32 + 16) + c)] = static_cast<float>(value) / 255;
+    image::write_picture(p, pictures() / name);
+  };
+  for (int i = 1; i <= 7; i += 2) spot(118, "noisy" + std::to_string(i) + ".png");
+  for (int i = 0; i < 8; ++i) spot(i < 4 ? 112 : 120, "ours" + std::to_string(i) + ".png");
+  scene("noisy.pov", "noisy");
+  options_.runs = 4;
+  options_.native = [&](const NativeRequest& request) {
+    NativeResult out;
+    out.outcome = NativeResult::Outcome::rendered;
+    out.files_read = {request.scene}, out.stochastic_features = {"area light jitter"};
+    fs::copy_file(pictures() / ("ours" + std::to_string(request.run) + ".png"), request.output);
+    return out;
+  };
+  auto r = run();
+  EXPECT_EQ(r["noisy.pov"].status, Status::match) << r["noisy.pov"].reason;
+  EXPECT_EQ(oracle_runs(), 8);
 }
 
 TEST_F(RunTest, SecondRunTakesTheOracleFromItsCache) {

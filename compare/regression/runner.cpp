@@ -10,10 +10,10 @@
 #include <thread>
 
 #include "compare/compare.h"
-#include "compare/oracle/content_hash.h"
-#include "compare/oracle/switches.h"
 #include "compare/oracle/working_copy.h"
 #include "compare/regression/passes.h"
+#include "compare/regression/renders.h"
+#include "compare/regression/result_store.h"
 #include "compare/report/display.h"
 #include "compare/report/json.h"
 
@@ -21,62 +21,15 @@ namespace verisim::compare {
 namespace fs = std::filesystem;
 namespace {
 
-// "lights/shadow.pov" as a file name that no other scene has.
-std::string file_stem(const std::string& name) {
-  std::string out;
-  bool changed = name.find("__") != std::string::npos;
-  for (char c : name) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.';
-    out += plain ? c : '_';
-    changed |= !plain && c != '/';
-    if (c == '/') out += '_';
-  }
-  if (out.size() > 100) out.resize(100), changed = true;
-  if (!changed && !out.starts_with(".")) return out;
-  ContentHash hash;
-  hash.add(name);
-  return "scene" + out + "-" + hash.hex().substr(0, 12);
-}
-
-// A private copy's path as the original's. The neighbours of the scene's folder are links in the copy.
-std::vector<fs::path> original_paths(const std::vector<fs::path>& files, const WorkingCopy& copy, const fs::path& scene) {
-  std::vector<fs::path> out;
-  const fs::path original = fs::canonical(scene).parent_path();
-  for (const fs::path& file : files) {
-    const fs::path absolute = (file.is_absolute() ? file : copy.folder() / file).lexically_normal();
-    const fs::path relative = absolute.lexically_relative(copy.folder());
-    const bool inside = !relative.empty() && *relative.begin() != "..";
-    std::error_code ignored;
-    out.push_back(inside ? original / relative : fs::weakly_canonical(absolute, ignored));
-  }
-  return out;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
-  return text;
-}
-// Messages name the original, not the copy that goes away.
-std::string original_names(std::string message, const WorkingCopy& copy, const fs::path& scene) {
-  return replaced(std::move(message), copy.folder().string(), scene.parent_path().string());
-}
-// Files of the scene's own folder and of the library by their names alone.
-std::string short_names(std::string text, const WorkingCopy& copy, const std::vector<fs::path>& library) {
-  text = replaced(std::move(text), copy.folder().string() + "/", "");
-  for (auto path = library.rbegin(); path != library.rend(); ++path) text = replaced(std::move(text), path->string() + "/", "");  // the longest is last
-  return text;
-}
-
 class Runner {
  public:
   Runner(const Suite& suite, const RunOptions& options) : suite_(suite), options_(options) {}
 
   Run run() {
-    prepare();
+    const int jobs = std::clamp(options_.jobs, 1, std::max<int>(1, static_cast<int>(suite_.scenes.size())));
+    prepare(jobs);
     run_.scenes.resize(suite_.scenes.size());
     started_.assign(suite_.scenes.size(), false);
-    const int jobs = std::clamp(options_.jobs, 1, std::max<int>(1, static_cast<int>(suite_.scenes.size())));
-    threads_each_ = options_.native_threads > 0 ? options_.native_threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / jobs);
     begin_ = std::chrono::steady_clock::now();
     {
       std::vector<std::jthread> workers;
@@ -97,26 +50,31 @@ class Runner {
  private:
   bool cancelled() const { return options_.cancel && *options_.cancel; }
 
-  void prepare() {
+  void prepare(int jobs) {
     run_.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
     run_.native_version = options_.native_version;
+    fs::path work;
     if (options_.work.empty()) {
       auto temporary = std::make_shared<TemporaryFolder>();
-      work_ = temporary->path();
+      work = temporary->path();
       run_.keep = temporary;
     } else {
       std::error_code failed;
       fs::create_directories(options_.work, failed);
       if (failed) throw std::runtime_error(fmt::format("{}: cannot make the folder: {}", options_.work.string(), failed.message()));
-      work_ = fs::canonical(options_.work);
+      work = fs::canonical(options_.work);
     }
     if (!options_.baseline.empty()) run_.reference_name = "baseline";
     const bool needs_oracle = options_.baseline.empty() && std::any_of(suite_.scenes.begin(), suite_.scenes.end(), [](const SceneRequest& s) { return !s.reference; });
+    std::optional<OracleProgram> oracle;
     if (needs_oracle) {
-      oracle_ = find_oracle(options_.oracle);
-      run_.oracle_version = oracle_->version;
-      run_.reference_name = oracle_->name;
+      oracle = find_oracle(options_.oracle);
+      run_.oracle_version = oracle->version;
+      run_.reference_name = oracle->name;
     }
+    const int threads_each = options_.native_threads > 0 ? options_.native_threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / jobs);
+    renders_.emplace(options_, work, std::move(oracle), threads_each);
+    store_.emplace(options_, *renders_);
     read_previous();
   }
 
@@ -171,10 +129,10 @@ class Runner {
     result.request = request;
     try {
       const std::string stem = file_stem(request.name);
-      if (!options_.resume || !resumed(stem, result)) {
+      if (!options_.resume || !store_->resumed(stem, result)) {
         std::vector<fs::path> files_read;
         compare_one(request, stem, result, files_read);
-        if (!cancelled()) remember(stem, files_read, result);
+        if (!cancelled()) store_->remember(stem, files_read, result);
       }
     } catch (const std::exception& error) {
       result.status = Status::error, result.reason = error.what();
@@ -186,89 +144,13 @@ class Runner {
     return result;
   }
 
-  // A result is kept only while nothing has changed that decides it: the content of every file the scene reads, the settings, and both programs.
-  std::string resume_key(const SceneRequest& r, std::vector<fs::path> files_read) const {
-    ContentHash hash;
-    hash.add("verisim result 2");
-    hash.add(options_.native_version), hash.add(options_.native_identity), hash.add(oracle_ ? oracle_->version_text : "");
-    hash.add(fmt::format("{}x{} {} {} {} {} {}", r.width, r.height, options_.replay, options_.runs, options_.baseline.string(), options_.always_blame, static_cast<bool>(options_.tags)));
-    for (const std::string& s : r.switches) hash.add(s);
-    for (const Pass& pass : r.passes) {
-      for (const std::string& s : pass.switches) hash.add(s);
-      for (const auto& row : pass.matrix) hash.add(fmt::format("{} {} {}", row[0], row[1], row[2]));
-    }
-    hash.add(r.scene_class ? to_string(*r.scene_class) : "auto");
-    for (const auto& [name, limit] : r.thresholds) hash.add(fmt::format("{} {}", name, limit));
-    hash.add(fmt::format("{} {} {} {}", r.fit.exposure, r.fit.white_balance, r.fit.crop ? fmt::format("{} {} {} {}", r.fit.crop->x, r.fit.crop->y, r.fit.crop->width, r.fit.crop->height) : "",
-                         r.flip_pixels_per_degree));
-    if (r.truth)
-      for (const TruthPoint& point : r.truth->points) hash.add(fmt::format("{} {} {} {} {} {}", point.x, point.y, point.value[0], point.value[1], point.value[2], r.truth->tolerance));
-    files_read.push_back(r.scene);
-    if (const fs::path stored = stored_picture(r); !stored.empty()) files_read.push_back(stored);
-    std::sort(files_read.begin(), files_read.end());
-    for (const fs::path& file : files_read) hash.add(file.string()), hash.add_file(file);
-    return hash.hex();
-  }
-
-  bool resumed(const std::string& stem, SceneResult& result) const {
-    std::ifstream in(work_ / (stem + ".result.json"));
-    if (!in) return false;
-    const auto json = nlohmann::json::parse(in, nullptr, false);
-    if (!json.is_object()) return false;
-    try {
-      std::vector<fs::path> files;
-      for (const std::string& file : json.at("files_read").get<std::vector<std::string>>()) files.emplace_back(file);
-      if (json.at("key") != resume_key(result.request, files)) return false;
-      SceneResult read = scene_result_from_json(json.at("result"));
-      read.request = result.request;
-      for (auto [path, name] : {std::pair(&read.oracle_picture, "oracle_picture"), std::pair(&read.native_picture, "native_picture")})
-        if (const std::string file = json.value(name, ""); !file.empty()) *path = work_ / file;
-      for (const auto& tree : json.value("trees", nlohmann::json::array())) read.trees.push_back({tree.at("x"), tree.at("y"), tree.at("text")});
-      if (!read.oracle_picture.empty() && !read.native_picture.empty() && read.metrics)
-        read.metrics = measured_again(*read.metrics, measure(image::read_picture(read.oracle_picture), image::read_picture(read.native_picture), metric_options(result.request)));
-      result = std::move(read);
-      return true;
-    } catch (const std::exception&) {
-      return false;
-    }
-  }
-
-  // The report keeps the figures, but neither the histogram nor the worst pixels; the pictures are kept in 8 bits only.
-  static Metrics measured_again(const Metrics& kept, Metrics m) {
-    m.max_abs = kept.max_abs, m.mae = kept.mae, m.rmse = kept.rmse, m.psnr = kept.psnr, m.bias = kept.bias;
-    m.within_1_pct = kept.within_1_pct, m.within_2_pct = kept.within_2_pct;
-    m.ssim_mean = kept.ssim_mean, m.ssim_block_min = kept.ssim_block_min, m.flip_mean = kept.flip_mean, m.hdr_flip_mean = kept.hdr_flip_mean;
-    m.ciede2000_mean = kept.ciede2000_mean, m.ciede2000_p95 = kept.ciede2000_p95, m.edge_rmse = kept.edge_rmse, m.interior_rmse = kept.interior_rmse;
-    m.alpha_max_abs = kept.alpha_max_abs, m.alpha_rmse = kept.alpha_rmse, m.nan_pixels = kept.nan_pixels;
-    return m;
-  }
-
-  void remember(const std::string& stem, const std::vector<fs::path>& files_read, const SceneResult& result) const {
-    nlohmann::json json;
-    json["key"] = resume_key(result.request, files_read);
-    json["files_read"] = nlohmann::json::array();
-    for (const fs::path& file : files_read) json["files_read"].push_back(file.string());
-    for (const PixelTags::Tree& tree : result.trees) json["trees"].push_back({{"x", tree.x}, {"y", tree.y}, {"text", tree.text}});
-    json["result"] = to_json(result);
-    json["oracle_picture"] = result.oracle_picture.filename().string();
-    json["native_picture"] = result.native_picture.filename().string();
-    write_report(json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace), work_ / (stem + ".result.json"));
-  }
-
-  static MetricOptions metric_options(const SceneRequest& request) {
-    MetricOptions out;
-    out.flip_pixels_per_degree = request.flip_pixels_per_degree;
-    out.alpha = request.alpha();
-    return out;
-  }
-
   void compare_one(const SceneRequest& request, const std::string& stem, SceneResult& result, std::vector<fs::path>& files_read) {
     if (!fs::is_regular_file(request.scene)) {
       result.reason = request.scene.string() + ": no such scene file";
       return;
     }
     require_memory(static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height), request.alpha() ? 4 : 3, options_.memory_limit);
-    const NativeResult native = render_native(request, native_output(request, stem, 0), 0, result, files_read);
+    const NativeResult native = renders_->native(request, renders_->native_output(request, stem, 0), 0, files_read);
     result.native_seconds = native.seconds, result.native_cpu_seconds = native.cpu_seconds, result.rays = native.rays;
     result.stochastic_features = native.stochastic_features;
     const bool noisy = !native.stochastic_features.empty() && !options_.replay && options_.baseline.empty();
@@ -278,8 +160,8 @@ class Runner {
       return;
     }
     const bool rendered = native.outcome == NativeResult::Outcome::rendered;
-    if (rendered) result.native_picture = native_output(request, stem, 0);
-    const OracleRender oracle = reference_picture(request, rendered ? files_read : std::vector<fs::path>(), 0);
+    if (rendered) result.native_picture = renders_->native_output(request, stem, 0);
+    const OracleRender oracle = renders_->reference(request, rendered ? files_read : std::vector<fs::path>(), 0);
     result.oracle_seconds = oracle.seconds, result.oracle_cpu_seconds = oracle.cpu_seconds, result.oracle_cached = oracle.from_cache;
     if (!oracle.ok) {
       result.status = Status::oracle_failed;
@@ -294,107 +176,10 @@ class Runner {
     judge(request, stem, oracle.picture, files_read, result);
   }
 
-  static std::string picture_extension(const SceneRequest& request) { return request.passes.empty() ? output_extension(request.switches) : ".png"; }
-
-  fs::path native_output(const SceneRequest& request, const std::string& stem, int run) const {
-    return work_ / (stem + (run ? fmt::format(".run{}", run + 1) : "") + ".native" + picture_extension(request));
-  }
-
   void keep_picture(const Picture& picture, const std::string& stem, const char* side, fs::path& kept) const {
-    const fs::path path = work_ / fmt::format("{}.{}.png", stem, side);
+    const fs::path path = renders_->work() / fmt::format("{}.{}.png", stem, side);
     image::write_picture(displayable(picture), path);
     kept = path;
-  }
-
-  NativeRequest native_request(const SceneRequest& request, const WorkingCopy& copy) const {
-    NativeRequest ask;
-    ask.folder = copy.folder(), ask.scene = copy.scene();
-    ask.width = request.width, ask.height = request.height, ask.switches = request.switches;
-    if (!output_type(request.switches)) ask.switches.push_back(options_.baseline.empty() ? "+FN8" : "+FN16");
-    ask.threads = options_.replay ? 1 : threads_each_;
-    ask.replay = options_.replay;
-    ask.time_limit = options_.native_time_limit;
-    ask.cancel = options_.cancel;
-    if (oracle_) ask.library_paths = oracle_->library_paths;
-    return ask;
-  }
-
-  NativeResult render_native(const SceneRequest& request, const fs::path& output, int run, const SceneResult& result, std::vector<fs::path>& files_read) {
-    if (!request.passes.empty()) return render_passes(request, output, run, result, files_read);
-    const WorkingCopy copy(request.scene);
-    NativeRequest ask = native_request(request, copy);
-    ask.output = output, ask.run = run;
-    std::error_code ignored;
-    fs::remove(ask.output, ignored);
-    NativeResult native;
-    try {
-      native = options_.native(ask);
-    } catch (const std::exception& error) {
-      native.message = error.what();
-    }
-    native.message = original_names(native.message, copy, result.request.scene);
-    if (native.outcome == NativeResult::Outcome::rendered && !fs::exists(ask.output)) native.outcome = NativeResult::Outcome::error, native.message = "no picture was written";
-    files_read = original_paths(native.files_read, copy, request.scene);
-    return native;
-  }
-
-  NativeResult render_passes(const SceneRequest& request, const fs::path& output, int run, const SceneResult& result, std::vector<fs::path>& files_read) {
-    NativeResult out;
-    PassSum sum;
-    const TemporaryFolder folder;
-    const fs::path picture = folder.path() / "pass.exr";
-    for (const Pass& pass : request.passes) {
-      NativeResult one = render_native(request_of_pass(request, pass), picture, run, result, files_read);
-      one.seconds += out.seconds, one.cpu_seconds += out.cpu_seconds, one.peak_bytes = std::max(one.peak_bytes, out.peak_bytes);
-      for (const auto& [kind, count] : out.rays) one.rays[kind] += count;
-      out = std::move(one);
-      if (out.outcome != NativeResult::Outcome::rendered) return out;
-      sum.add(image::read_picture(picture), pass);
-    }
-    write_16_bits(sum.picture(), output);
-    return out;
-  }
-
-  OracleRender oracle_picture(const SceneRequest& request, const OracleOptions& options, int variant, const std::vector<fs::path>& files_read) {
-    if (request.passes.empty()) return run_oracle(*oracle_, options, request, variant, files_read, options_.cancel);
-    OracleRender out;
-    PassSum sum;
-    bool from_cache = true;
-    for (const Pass& pass : request.passes) {
-      OracleRender one = run_oracle(*oracle_, options, request_of_pass(request, pass), variant, files_read, options_.cancel);
-      if (!one.ok) return one;
-      out.seconds += one.seconds, out.cpu_seconds += one.cpu_seconds, out.peak_bytes = std::max(out.peak_bytes, one.peak_bytes), from_cache = from_cache && one.from_cache;
-      sum.add(one.picture, pass);
-    }
-    out.picture = sum.picture(), out.ok = true, out.from_cache = from_cache;
-    return out;
-  }
-
-  // What takes the oracle's place; empty: nothing.
-  fs::path stored_picture(const SceneRequest& request) const {
-    if (request.reference) return *request.reference;
-    return options_.baseline.empty() ? fs::path() : options_.baseline / (file_stem(request.name) + picture_extension(request));
-  }
-
-  OracleRender reference_picture(const SceneRequest& request, const std::vector<fs::path>& files_read, int variant) {
-    const fs::path stored = stored_picture(request);
-    if (stored.empty()) {
-      OracleOptions options = options_.oracle;
-      if (options_.replay) options.threads = 1;
-      return oracle_picture(request, options, variant, files_read);
-    }
-    OracleRender out;
-    if (!fs::exists(stored)) {
-      out.message = fmt::format("there is no stored picture {}", stored.string());
-      return out;
-    }
-    try {
-      out.picture = image::read_picture(stored);
-      out.ok = true;
-    } catch (const std::exception& error) {
-      out.message = error.what();
-    }
-    return out;
   }
 
   void judge(const SceneRequest& request, const std::string& stem, const Picture& reference, const std::vector<fs::path>& files_read, SceneResult& result) {
@@ -434,33 +219,48 @@ class Runner {
   bool judge_noise(const SceneRequest& request, const std::string& stem, const Picture& oracle, const Picture& native, const std::vector<fs::path>& files_read, SceneResult& result,
                    Verdict& verdict) {
     std::vector<Picture> references{oracle}, tests{native};
-    const auto another_reference = [&] {
-      OracleRender again = reference_picture(request, files_read, 2 * static_cast<int>(references.size()));
-      result.oracle_seconds += again.seconds, result.oracle_cpu_seconds += again.cpu_seconds;
-      if (!again.ok) result.status = Status::oracle_failed, result.reason = "another run for the noise: " + again.message;
-      else references.push_back(std::move(again.picture));
-      return again.ok;
-    };
-    if (!another_reference()) return false;
+    if (!more_references(request, files_read, 2, references, result)) return false;
     result.native_low_pass = low_pass(oracle, native);
     result.noise_low_pass = low_pass(oracle, references[1]);
     verdict = judge_stochastic(*result.metrics, request.antialiased(), *result.native_low_pass, *result.noise_low_pass);
     if (options_.runs < 2 || verdict.status == Status::differ) return true;
-    while (static_cast<int>(references.size()) < options_.runs)
-      if (!another_reference()) return false;
-    for (int run = 1; run < options_.runs; ++run) {
+    // What the first runs refuse must be refused again with twice as many: a renderer whose runs repeat each other here and there passes for one without noise.
+    for (const int runs : {options_.runs, 2 * options_.runs}) {
+      if (!more_references(request, files_read, runs, references, result)) return false;
+      if (!more_tests(request, stem, runs, tests, result, verdict)) return true;
+      result.welch = welch_test(references, tests);
+      if (!result.welch->rejected) return true;
+    }
+    verdict = {Status::differ, fmt::format("Welch's test over {} runs on each side: {}", tests.size(), result.welch->text())};
+    return true;
+  }
+
+  bool more_references(const SceneRequest& request, const std::vector<fs::path>& files_read, int runs, std::vector<Picture>& references, SceneResult& result) {
+    while (static_cast<int>(references.size()) < runs) {
+      OracleRender again = renders_->reference(request, files_read, 2 * static_cast<int>(references.size()));
+      result.oracle_seconds += again.seconds, result.oracle_cpu_seconds += again.cpu_seconds;
+      if (!again.ok) {
+        result.status = Status::oracle_failed, result.reason = "another run for the noise: " + again.message;
+        return false;
+      }
+      references.push_back(std::move(again.picture));
+    }
+    return true;
+  }
+
+  bool more_tests(const SceneRequest& request, const std::string& stem, int runs, std::vector<Picture>& tests, SceneResult& result, Verdict& verdict) {
+    while (static_cast<int>(tests.size()) < runs) {
+      const int run = static_cast<int>(tests.size());
       std::vector<fs::path> ignored;
-      const fs::path output = native_output(request, stem, run);
-      const NativeResult again = render_native(request, output, run, result, ignored);
+      const fs::path output = renders_->native_output(request, stem, run);
+      const NativeResult again = renders_->native(request, output, run, ignored);
       if (again.outcome != NativeResult::Outcome::rendered) {
         verdict = {Status::error, fmt::format("run {}: {}", run + 1, again.message)};
-        return true;
+        return false;
       }
       result.native_seconds += again.seconds, result.native_cpu_seconds += again.cpu_seconds;
       tests.push_back(image::read_picture(output));
     }
-    result.welch = welch_test(references, tests);
-    if (result.welch->rejected) verdict = {Status::differ, fmt::format("Welch's test over {} runs on each side: {}", options_.runs, result.welch->text())};
     return true;
   }
 
@@ -485,8 +285,8 @@ class Runner {
       for (const WorstPixel& pixel : result.metrics->worst)
         if (trees.size() < kTrees) trees.emplace_back(pixel.x, pixel.y);
       const double pixels = static_cast<double>(request.width) * request.height;
-      PixelTags tags = options_.tags(native_request(request.passes.empty() ? request : request_of_pass(request, request.passes[0]), copy), std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels)))), trees);
-      const std::vector<fs::path> library = oracle_ ? oracle_->library_paths : std::vector<fs::path>();
+      PixelTags tags = options_.tags(renders_->native_request(request.passes.empty() ? request : request_of_pass(request, request.passes[0]), copy), std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels)))), trees);
+      const std::vector<fs::path> library = renders_->library_paths();
       for (PixelTags::Tag& tag : tags.tags) tag.name = short_names(std::move(tag.name), copy, library);
       for (PixelTags::Tree& tree : tags.trees) tree.text = short_names(std::move(tree.text), copy, library);
       result.blame = blame(oracle, native, tags, request.antialiased() ? 2 : 1);
@@ -518,13 +318,13 @@ class Runner {
   const Suite& suite_;
   const RunOptions& options_;
   Run run_;
-  fs::path work_;
-  std::optional<OracleProgram> oracle_;
+  std::optional<Renders> renders_;
+  std::optional<ResultStore> store_;
   std::map<std::string, SceneResult> previous_;
   std::mutex mutex_;
   std::atomic<std::size_t> next_{0};
   std::vector<bool> started_;
-  int threads_each_ = 1, done_ = 0, running_ = 0, failed_ = 0;
+  int done_ = 0, running_ = 0, failed_ = 0;
   std::chrono::steady_clock::time_point begin_;
 };
 

@@ -23,7 +23,8 @@ std::uint16_t height_of_pixel(const Image& image, int x, int y) {
     }
     return wrapped(std::clamp(static_cast<double>(p[0]), 0.0, 1.0) * 65535 + 0.01);  // 0.01: the float nearest to n / 65535 must give n
   }
-  if (image.sixteen_bit) return wrapped((0.297 * p[0] + 0.589 * p[1] + 0.114 * p[2]) * 65535 + 1e-3);
+  // Double weights of binary32 channels: of a grey n the sum is often a little less than n, and the height n - 1.
+  if (image.sixteen_bit) return wrapped((0.297 * p[0] + 0.589 * p[1] + 0.114 * p[2]) * 65535);
   return wrapped((static_cast<double>(p[0]) * 256 + p[1]) * 255 + 1e-3);
 }
 

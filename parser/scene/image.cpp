@@ -106,7 +106,7 @@ ImagePtr function_image(Parser& parser) {
   const double sx = w > 1 ? 1 / (w - 1) : 0, sy = h > 1 ? 1 / (h - 1) : 0;
   float* pixel = image->pixels.data();
   const auto sixteen = [](double value) {
-    const double scaled = std::trunc(value * 65535);
+    const double scaled = std::trunc(static_cast<float>(value) * 65535.0f);
     if (!(std::fabs(scaled) < 9e15)) return 0.0f;
     const auto wrapped = static_cast<std::uint16_t>(static_cast<std::int64_t>(scaled));
     return static_cast<float>(wrapped) / 65535.0f;

@@ -1,5 +1,6 @@
 // Objects: what their statements put into the description (spec 03, 04).
 #include "parser/scene/test_support.h"
+#include "tracer/image/image.h"
 
 namespace verisim::parser {
 namespace {
@@ -120,6 +121,17 @@ TEST(Meshes, HugeCountsTakeNoMemory) {
   EXPECT_NE(first_error("mesh2{vertex_vectors{2000000000,0}"), "");
   EXPECT_NE(first_error("polygon{1e18,0"), "");
   EXPECT_NE(first_error("height_field{function 1e5,1e5{x}}"), "");
+}
+
+// POV-Ray's heights at <1557, 1957> / 2000: the value is rounded to binary32 and multiplied there before it is cut off. In double they would be 51018 and 64125.
+TEST(HeightFields, FunctionsAreSampledInSinglePrecision) {
+  for (const char* text : {"height_field{function 2001,2{x}}", "height_field{function 2001,2{pigment{gradient x color_map{[0 rgb 0][1 rgb 1]}}}}"}) {
+    const auto object = object_of(text);
+    const auto& pixels = (*object->as<std::shared_ptr<const scene::HeightField>>())->image.image->pixels;
+    EXPECT_EQ(pixels[4 * 1557], 51019 / 65535.0f) << text;
+    EXPECT_EQ(pixels[4 * 1957], 64126 / 65535.0f) << text;
+    EXPECT_EQ(pixels[4 * 1000], 32767 / 65535.0f) << text;
+  }
 }
 
 TEST(Csg, DifferenceInvertsAllButTheFirst) {

@@ -63,6 +63,8 @@ TEST(HeightField, HeightsOfFileFormats) {
             (V{1, 256, 258, 2760, 32767}));
   EXPECT_EQ(heights(row(ImageType::png, false, true, false, {{1000, 2000, 3000}, {65535, 0, 0}, {0, 65535, 0}, {0, 0, 65535}}, 65535)),
             (V{1817, 19463, 38600, 7470}));
+  EXPECT_EQ(heights(row(ImageType::png, false, true, false, greys({32400, 31759, 30243, 18022, 24575}), 65535)),
+            (V{32399, 31758, 30242, 18022, 24575}));
   EXPECT_EQ(heights(row(ImageType::pgm, true, false, false, greys({1, 3, 100}), 100)), (V{655, 1966, 65535}));
   for (int v = 0; v < 65536; ++v) {
     ASSERT_EQ(heights(row(ImageType::png, true, true, false, greys({float(v)}), 65535)), V{v});

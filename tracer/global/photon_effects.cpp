@@ -6,15 +6,24 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
+// Whether light of any direction can change what this layer shows. Panes of glass rarely do, and photons gather between them.
+bool reflects_photons(const shading::LayerContext& layer, bool highlights) {
+  const scene::Finish& f = layer.layer.finish;
+  if (highlights && (f.phong > 0 || f.specular > 0)) return true;
+  return (f.diffuse > 0 || f.diffuse_back > 0) && (layer.opacity != 0 || f.crand > 0);
+}
+
 }  // namespace
 
 Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState& ray, shading::SurfaceHit& at,
                                const shading::LayerContext& layer) const {
   if (surface_photons_.empty() || !at.surface.photons.collect) return {};
+  if (!at.photon_normal) at.photon_normal = layer.normal;
+  if (!reflects_photons(layer, !ray.gather)) return {};
   EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
   if (state.gathered_for != &at || !at.photons_gathered) {
     const scene::Photons& s = scene_.settings.photons;
-    surface_photons_.gather(at.hit.point, &layer.normal, {s.gather_min, s.gather_max, s.expand_increase, s.expand_min}, state.gathered);
+    surface_photons_.gather(at.hit.point, &*at.photon_normal, {s.gather_min, s.gather_max, s.expand_increase, s.expand_min}, state.gathered);
     state.gathered_for = &at;
     at.photons_gathered = true;
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <optional>
 #include <span>
 
 #include "tracer/accel/coherent_rays.h"
@@ -36,13 +37,15 @@ struct SurfaceHit {
   bool keeps_lights = true; // several layers may ask for them
   int level;                // of the rays it sends out
 
-  // Answers that the layers of this hit share: irradiance on either side, and whether photons were gathered.
+  // Answers that the layers of this hit share: irradiance on either side; whether photons were gathered, and along which
+  // normal: the first layer's.
   struct Indirect {
     bool known = false;
     Rgb light;
   };
   Indirect indirect{}, indirect_back{};
   bool photons_gathered = false;
+  std::optional<Vec3> photon_normal{};
 };
 
 class Tracer {

@@ -5,47 +5,6 @@
 #include "tracer/render/render.h"
 
 namespace verisim::global {
-namespace {
-
-std::size_t hash(std::int32_t x, std::int32_t y, std::int32_t z) {
-  std::uint64_t h = static_cast<std::uint32_t>(x) * 0x9E3779B97F4A7C15ull;
-  h = (h ^ (h >> 29) ^ static_cast<std::uint32_t>(y)) * 0xBF58476D1CE4E5B9ull;
-  h = (h ^ (h >> 32) ^ static_cast<std::uint32_t>(z)) * 0x94D049BB133111EBull;
-  return static_cast<std::size_t>(h ^ (h >> 32));
-}
-
-// Cell index of a coordinate; queries from far outside of all cells are kept in range.
-std::int32_t index_of(double scaled) { return static_cast<std::int32_t>(std::floor(std::clamp(scaled, -2e9, 2e9))); }
-
-}  // namespace
-
-std::int32_t IrradianceCache::Grid::first_chunk(const Vec3& p) const {
-  const std::int32_t x = index_of(p.x * inverse_side), y = index_of(p.y * inverse_side), z = index_of(p.z * inverse_side);
-  const std::size_t mask = cells.size() - 1;
-  for (std::size_t i = hash(x, y, z) & mask;; i = (i + 1) & mask) {
-    const Cell& c = cells[i];
-    if (c.chunk < 0 || (c.x == x && c.y == y && c.z == z)) return c.chunk;
-  }
-}
-
-std::int32_t& IrradianceCache::Grid::chunk_of(std::int32_t x, std::int32_t y, std::int32_t z) {
-  const auto find = [&](std::int32_t a, std::int32_t b, std::int32_t c) -> Cell& {
-    const std::size_t mask = cells.size() - 1;
-    std::size_t i = hash(a, b, c) & mask;
-    while (cells[i].chunk >= 0 && (cells[i].x != a || cells[i].y != b || cells[i].z != c)) i = (i + 1) & mask;
-    return cells[i];
-  };
-  if (2 * (used + 1) > cells.size()) {
-    std::vector<Cell> old(std::max<std::size_t>(64, cells.size() * 2));
-    old.swap(cells);
-    for (const Cell& c : old) {
-      if (c.chunk >= 0) find(c.x, c.y, c.z) = c;
-    }
-  }
-  Cell& cell = find(x, y, z);
-  if (cell.chunk < 0) ++used, cell = {x, y, z, -1};
-  return cell.chunk;
-}
 
 // Returns whether the root has changed.
 bool IrradianceCache::include_in_root(const LatticeCell& cell) {
@@ -64,48 +23,6 @@ bool IrradianceCache::include_in_root(const LatticeCell& cell) {
   return changed;
 }
 
-// Lists the sample in all cells that both its reach and its doubled cell meet.
-void IrradianceCache::enter(std::uint32_t index, double radius) {
-  const Reach& r = reaches_[index];
-  const double extent = std::min(radius, r.half);
-  // One or two cells from the middle to the rim: finer ones give shorter lists, but so many cells that the cache misses them.
-  int level = static_cast<int>(std::ceil(std::log2(extent)));
-  const double farthest = std::max({std::fabs(r.point.x), std::fabs(r.point.y), std::fabs(r.point.z)}) + extent;
-  while (farthest * std::ldexp(1.0, -level) > 1e9) ++level;
-  auto& grids = depths_[static_cast<std::size_t>(samples_[index].depth)].grids;
-  auto grid = std::find_if(grids.begin(), grids.end(), [level](const Grid& g) { return g.level == level; });
-  if (grid == grids.end()) grid = grids.insert(grids.end(), Grid(level));
-  const double inverse = grid->inverse_side, side = std::ldexp(1.0, level);
-  std::int32_t first[3], last[3];
-  for (int a = 0; a < 3; ++a) {
-    first[a] = index_of(std::max(r.point[a] - radius, r.center[a] - r.half) * inverse);
-    last[a] = index_of(std::min(r.point[a] + radius, r.center[a] + r.half) * inverse);
-  }
-  const double most = radius * radius * (1.0 + 1e-9);
-  const auto gap = [&](int a, std::int32_t i) {  // from the point to the cell along one axis
-    const double low = i * side;
-    return std::max({0.0, low - r.point[a], r.point[a] - (low + side)});
-  };
-  for (std::int32_t z = first[2]; z <= last[2]; ++z) {
-    const double gz = gap(2, z);
-    for (std::int32_t y = first[1]; y <= last[1]; ++y) {
-      const double gy = gap(1, y), gyz = gz * gz + gy * gy;
-      if (gyz > most) continue;
-      for (std::int32_t x = first[0]; x <= last[0]; ++x) {
-        const double gx = gap(0, x);
-        if (gyz + gx * gx > most) continue;
-        std::int32_t& head = grid->chunk_of(x, y, z);
-        if (head < 0 || chunks_[static_cast<std::size_t>(head)].count == static_cast<int>(Chunk().samples.size())) {
-          chunks_.push_back({{}, head, 0});
-          head = static_cast<std::int32_t>(chunks_.size()) - 1;
-        }
-        Chunk& chunk = chunks_[static_cast<std::size_t>(head)];
-        chunk.samples[static_cast<std::size_t>(chunk.count++)] = index;
-      }
-    }
-  }
-}
-
 void IrradianceCache::add(const IrradianceSample& sample) {
   const double shrink = sample.depth == 0 ? 1.0 : 8.0, scale = std::ldexp(1.0, sample.depth);
   const double reach = static_cast<double>(sample.mean_distance) * error_bound_ * scale / shrink;
@@ -116,7 +33,7 @@ void IrradianceCache::add(const IrradianceSample& sample) {
   const double farthest = std::max({std::fabs(p.x - reach), std::fabs(p.y - reach), std::fabs(p.z - reach)}) + kOrigin;
   while (farthest / std::ldexp(1.0, level) > 1e9) ++level;
   LatticeCell cell;
-  Reach r{p, sample.mean_distance, {}, 0};
+  DoubledCell r{{}, 0};
   for (;; ++level) {
     const double side = std::ldexp(1.0, level);
     bool fits = true;
@@ -131,14 +48,21 @@ void IrradianceCache::add(const IrradianceSample& sample) {
     if (fits || level > 60) break;
   }
   const auto index = static_cast<std::uint32_t>(samples_.size());
-  // Hash tables hold at most as much again as the lists they lead to.
-  if (samples_.size() * (sizeof(IrradianceSample) + sizeof(Reach)) + 2 * chunks_.size() * sizeof(Chunk) > memory_limit_)
+  std::size_t bytes = samples_.size() * (sizeof(IrradianceSample) + sizeof(DoubledCell));
+  for (const Depth& d : depths_) bytes += d.tree.bytes();
+  if (bytes > memory_limit_)
     throw render::LimitExceeded("radiosity samples take more than " + std::to_string(memory_limit_ >> 20) +
                                 " MiB: raise error_bound or minimum_reuse, or allow more memory");
   samples_.push_back(sample);
-  reaches_.push_back(r);
+  doubled_cells_.push_back(r);
   if (static_cast<int>(depths_.size()) <= sample.depth) depths_.resize(static_cast<std::size_t>(sample.depth) + 1);
-  enter(index, sample.mean_distance * widest_bound_ * scale);
+  const double radius = sample.mean_distance * widest_bound_ * scale * (1.0 + 1e-9);
+  Box3 within;
+  for (int a = 0; a < 3; ++a) {
+    within.min[a] = std::max(p[a] - radius, r.center[a] - r.half);
+    within.max[a] = std::min(p[a] + radius, r.center[a] + r.half);
+  }
+  depths_[static_cast<std::size_t>(sample.depth)].tree.add({index, p, sample.normal, sample.mean_distance, radius, within});
   if (include_in_root(cell)) {
     for (Depth& d : depths_) d.in_root.clear();
   }

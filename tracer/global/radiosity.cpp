@@ -61,7 +61,7 @@ void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuer
   const bool smooth = !pretrace_ && query.depth == 0;
   // 2 sqrt |1 - N.Ni| alone must stay below the bound; with a margin, so that the exact test below decides.
   const double widest_turn = 0.25 * bound * bound * (1.0 + 1e-9);
-  cache.visit(query.depth, query.point, bound, [&](const IrradianceSample& s, double squared) {
+  cache.visit(query.depth, query.point, bound, normal, widest_turn, [&](const IrradianceSample& s, double squared) {
     const double turn = std::fabs(1.0 - dot(normal, s.normal));
     if (turn > widest_turn) return;
     const Vec3 delta = query.point - s.point;

@@ -59,7 +59,7 @@ TEST(IrradianceCache, FindsEverySampleThatCanReachTheQuery) {
   for (int i = 0; i < 300; ++i) {
     const Vec3 x(u(generator), u(generator), u(generator));
     std::vector<const IrradianceSample*> found;
-    cache.visit(0, x, 1.8, [&](const IrradianceSample& s, double) { found.push_back(&s); });
+    cache.visit(0, x, 1.8, {0, 1, 0}, 2.0, [&](const IrradianceSample& s, double) { found.push_back(&s); });
     auto sorted = found;
     std::sort(sorted.begin(), sorted.end());
     EXPECT_EQ(std::unique(sorted.begin(), sorted.end()), sorted.end()) << "a sample was visited twice";
@@ -70,6 +70,39 @@ TEST(IrradianceCache, FindsEverySampleThatCanReachTheQuery) {
       }
     }
   }
+}
+
+TEST(IrradianceCache, LeavesOutOnlyWhatIsTurnedAway) {
+  // Samples of all sizes, many at one place and some far away; floats must not lose one of them.
+  std::mt19937 generator(12);
+  std::normal_distribution<double> u(0, 1);
+  std::uniform_real_distribution<double> exponent(-3, 1);
+  IrradianceCache cache(0.5, 0.75);
+  for (int i = 0; i < 3000; ++i) {
+    IrradianceSample s;
+    const double spread = std::pow(10, exponent(generator));
+    s.point = Vec3(1000, -2000, 30) + spread * Vec3(u(generator), u(generator), u(generator));
+    s.normal = normalize(Vec3(u(generator), u(generator), u(generator)));
+    s.mean_distance = static_cast<float>(spread * std::pow(10, 0.3 * exponent(generator)));
+    cache.add(s);
+  }
+  std::size_t found = 0, reachable = 0;
+  for (int i = 0; i < 500; ++i) {
+    const double spread = std::pow(10, exponent(generator));
+    const Vec3 x = Vec3(1000, -2000, 30) + spread * Vec3(u(generator), u(generator), u(generator));
+    const Vec3 normal = normalize(Vec3(u(generator), u(generator), u(generator)));
+    const double bound = 0.5, turn = 0.8;  // of the cache: nothing within it may be lost
+    std::vector<const IrradianceSample*> expected, visited;
+    for (const IrradianceSample& s : cache.samples()) {
+      if (length(x - s.point) < s.mean_distance * bound && dot(normal, s.normal) > 1 - turn) expected.push_back(&s);
+    }
+    cache.visit(0, x, bound, normal, turn, [&](const IrradianceSample& s, double) { visited.push_back(&s); });
+    reachable += visited.size(), found += expected.size();
+    EXPECT_TRUE(std::is_sorted(visited.begin(), visited.end())) << "not in the order of taking";
+    EXPECT_TRUE(std::includes(visited.begin(), visited.end(), expected.begin(), expected.end()));
+  }
+  EXPECT_GT(found, 1000u);
+  EXPECT_LT(reachable, found + found / 50) << "what is turned away should be left out";
 }
 
 // A gatherer in a uniform furnace: every ray sees the same radiance at the same distance.

@@ -60,8 +60,20 @@ class Isosurface final : public Primitive<Isosurface> {
     double sign;      // of the crossing that is looked for
     double gradient;  // the max_gradient in force
 
+    double known_t[2] = {-1, -1}, known[2] = {0, 0};  // the last values given by end_field
+    int oldest = 0;
+
     // f - threshold at distance t.
     double field(double t) const { return shape.value(origin + t * direction) - shape.surface_.threshold; }
+    // The same at the ends of a search, which are asked for again and again.
+    double end_field(double t) {
+      for (int k = 0; k < 2; ++k)
+        if (known_t[k] == t) return known[k];
+      const int at = oldest;
+      oldest ^= 1;
+      known_t[at] = t;
+      return known[at] = field(t);
+    }
     bool find(double begin, double end, double& t);
     double adapted(double slope, double value0, double value1, double width);
   };
@@ -98,7 +110,7 @@ void Isosurface::trace(const Ray& ray, Search& search, Sink& sink) const {
   const auto report = [&](double t, int face) { return sink.add(t, [&] { return ray.at(t); }, face); };
   const auto start_behind_surface = [&] {
     begin = gap;
-    if (search.field(gap) < 0) search.sign = -1;
+    if (search.end_field(gap) < 0) search.sign = -1;
   };
 
   int remaining = max_trace_;
@@ -107,19 +119,19 @@ void Isosurface::trace(const Ray& ray, Search& search, Sink& sink) const {
   if (!surface_.open) {
     if (begin > a) {
       // Cut away, it is as if the wall had not been met: it uses up none of the hits either.
-      if (search.field(begin) < 0 && !sink.clipped(ray.at(begin))) {
+      if (search.end_field(begin) < 0 && !sink.clipped(ray.at(begin))) {
         --remaining;
         wall = begin, wall_face = span.enter_face, search.sign = -1;
       }
     } else {
-      if (search.field(begin) < near_zero) start_behind_surface();
-      if (search.field(end) < 0) wall = end, wall_face = span.leave_face;
+      if (search.end_field(begin) < near_zero) start_behind_surface();
+      if (search.end_field(end) < 0) wall = end, wall_face = span.leave_face;
     }
   }
   end = std::min(end, kFarthest);
   if (!(end - begin >= a)) return;
   if (wall >= 0 && report(wall, wall_face) && Sink::kNearest && wall == begin) return;
-  if (begin < a && search.sign > 0 && std::fabs(search.field(begin)) < near_zero) start_behind_surface();
+  if (begin < a && search.sign > 0 && std::fabs(search.end_field(begin)) < near_zero) start_behind_surface();
 
   while (remaining-- > 0) {
     double t;
@@ -143,9 +155,9 @@ double Isosurface::Search::adapted(double slope, double value0, double value1, d
 // The first leaf of the dyadic bisection of [begin, end] whose far end is negative (spec 04 6.2).
 bool Isosurface::Search::find(double begin, double end, double& t) {
   if (const auto& evaluate = shape.surface_.evaluate; evaluate && gradient > evaluate->x) gradient *= evaluate->z;
-  double h0 = sign * field(begin);
+  double h0 = sign * end_field(begin);
   if (shape.surface_.open && h0 < 0) sign = -sign, h0 = -h0;
-  const double h1 = sign * field(end), accuracy = shape.surface_.accuracy;
+  const double h1 = sign * end_field(end), accuracy = shape.surface_.accuracy;
 
   struct Node {
     double begin, width, value0, value1, slope;

@@ -113,7 +113,7 @@ BoxTree::BoxTree(std::size_t count, BoxOf&& box, unsigned leaf_size) {
   if (used == 0) return;
   set_bounds(bounds);
   std::vector<BuildItem> items;
-  items.reserve(leaf_size > 1 ? used / 2 + 1 : used);
+  items.reserve(leaf_size > 1 ? used / 2 + used / 16 + 1 : used);
   for (std::size_t i = 0; i < count; ++i) {
     const Box3 b = box(i);
     if (!usable(b)) continue;

@@ -11,6 +11,8 @@ constexpr int kBins = 16;
 constexpr std::size_t kSwept = 8;          // ranges up to this many items are sorted and every split is tried
 constexpr std::size_t kSamples = 2048;     // of a large range, this many items at least choose the split
 constexpr std::size_t kParallel = 16384;   // ranges with fewer items are one task
+// What testing a node costs, in tests of one primitive. One more node for every two pairs of triangles would double the memory of a tree.
+constexpr float kNodeCost = 2;
 // Splits below this depth halve the number of items, whatever that costs: a walk's stack is finite.
 constexpr int kMaxSahDepth = 36;
 
@@ -155,7 +157,7 @@ class Builder {
     if (apart && depth < kMaxSahDepth) best = range.size() <= kSwept ? sweep(range, extent) : bin(range, extent);
     const auto boxes = static_cast<float>(range.boxes);
     const float area = range.bounds.area();
-    if (range.boxes <= leaf_size_ && !(best.cost + area < boxes * area)) {
+    if (range.boxes <= leaf_size_ && !(best.cost + kNodeCost * area < boxes * area)) {
       range.leaf = true;
       return false;
     }

@@ -1,5 +1,7 @@
 #include "tracer/render/pixel_sampler.h"
 
+#include <algorithm>
+
 namespace verisim::render {
 
 CameraModel::CameraModel(const scene::Camera& description, int width, int height, textures::Compiler& compiler)
@@ -74,16 +76,38 @@ Color PixelSampler::operator()(double x, double y) {
 }
 
 void PixelSampler::row(double x, double y, int count, Color* colors) {
-  if (!camera_.plain() || !wave_.usable()) {
+  if (!camera_.linear || !wave_.usable()) {
     for (int i = 0; i < count; ++i) colors[i] = (*this)(x + i, y);
     return;
   }
   for (int done = 0; done < count; done += shading::Wave::kMost) wave(x + done, y, std::min(count - done, shading::Wave::kMost), colors + done);
 }
 
+// Rays from one point, or parallel ones. False: they do not all start within the same objects.
+bool PixelSampler::aim(double x, double y, int count) {
+  accel::RayRow& rays = wave_.lanes().camera;
+  if (!camera_.origin_varies) {
+    for (int i = 0; i < count; ++i) rays.origin.set(i, camera_.camera.location);
+    camera_.rays.directions(x, y, count, wave_.lanes());
+    return true;
+  }
+  for (int i = 0; i < count; ++i) {
+    const Ray ray = camera_.rays.at(x + i, y)->ray;
+    rays.origin.set(i, ray.origin);
+    rays.direction.set(i, ray.direction * (1 / length(ray.direction)));
+    const auto around = tracer_.interiors(tracer_.camera_state(rays.at(i), true).interiors);
+    if (i == 0) around_.assign(around.begin(), around.end());
+    else if (!std::ranges::equal(around, around_)) return false;
+  }
+  return true;
+}
+
 void PixelSampler::wave(double x, double y, int count, Color* colors) {
+  if (!aim(x, y, count)) {
+    for (int i = 0; i < count; ++i) colors[i] = (*this)(x + i, y);
+    return;
+  }
   tracer_.statistics().samples += static_cast<std::uint64_t>(count);
-  camera_.rays.directions(x, y, count, wave_.lanes());
   const accel::WorldEntry* entries[shading::Wave::kMost];
   for (int i = 0; i < count;) {
     int served = count - i;
@@ -92,7 +116,7 @@ void PixelSampler::wave(double x, double y, int count, Color* colors) {
     });
     for (; served > 0; --served) entries[i++] = entry;
   }
-  wave_.trace(camera_.camera.location, x, y, count, entries, colors);
+  wave_.trace(x, y, count, entries, colors);
 }
 
 Color PixelSampler::trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry) {

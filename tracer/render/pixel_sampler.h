@@ -20,8 +20,6 @@ struct CameraModel {
   bool origin_varies = false;
   accel::CameraCoherence coherence;
   bool linear = false;  // rays are linear in the position: perspective and orthographic cameras without a normal
-  // Rays through pixels are those of CameraRays::directions.
-  bool plain() const { return linear && !origin_varies; }
   // The shaft of all rays of a rectangle of the picture, for linear cameras, through a world with these bounds.
   std::optional<accel::Shaft> shaft(const Box3& world, double left, double top, double right, double bottom) const;
 
@@ -44,11 +42,13 @@ class PixelSampler {
   Color mesh_sample(double x, double y);
   Color trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry = nullptr);
 
+  bool aim(double x, double y, int count);
   void wave(double x, double y, int count, Color* colors);
 
   const CameraModel& camera_;
   shading::Tracer& tracer_;
   shading::Wave wave_;
+  std::vector<const scene::Interior*> around_;  // of the first of parallel rays
 };
 
 }  // namespace verisim::render

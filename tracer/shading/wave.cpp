@@ -25,55 +25,93 @@ Wave::Wave(Tracer& tracer) : tracer_(tracer), scene_(tracer.scene()), kernels_(w
   if (plain_sky_) sky_ = scene_.sky.seen({0, 0, 1}, false);
 }
 
-const Wave::Material& Wave::material(const textures::CompiledTexture& texture) {
-  Material& m = material_;
-  if (m.texture == &texture) return m;
-  m.texture = &texture;
-  m.layer = nullptr;
-  if (texture.layers.size() != 1) return m;
-  const textures::CompiledLayer& layer = texture.layers[0];
-  const scene::Finish& f = layer.finish;
+Wave::Material::Material(const textures::CompiledTexture& texture, const SceneData& scene) {
+  if (texture.layers.size() != 1) return;
+  const textures::CompiledLayer& only = texture.layers[0];
+  const scene::Finish& f = only.finish;
   const bool mirror = f.reflection.maximum != Rgb() || f.reflection.minimum != Rgb();
-  if (mirror || layer.pigment->transparent || f.brilliance != 1 || f.crand > 0 || f.irid > 0 || (f.phong > 0 && f.specular > 0)) return m;
-  m.constant = layer.pigment->source == textures::CompiledPigment::Source::plain;
-  m.color = layer.pigment->color;
-  m.glow = f.ambient * scene_.ambient_light + f.emission;
-  m.phong = f.phong > 0;
-  m.amount = f.phong > 0 ? f.phong : f.specular > 0 ? f.specular : 0;
-  m.exponent = f.phong > 0 ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
-  m.base_limit = f.phong > 0 && f.phong_size >= 60 ? 0.0008 : 0;
-  if (is_finite(m.glow) && std::fabs(m.exponent) < 1e6 && m.amount < 1e30 && std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f) m.layer = &layer;
-  return m;
+  if (mirror || only.pigment->transparent || f.brilliance != 1 || f.crand > 0 || f.irid > 0 || (f.phong > 0 && f.specular > 0)) return;
+  constant = only.pigment->source == textures::CompiledPigment::Source::plain;
+  color = only.pigment->color;
+  glow = f.ambient * scene.ambient_light + f.emission;
+  phong = f.phong > 0;
+  amount = f.phong > 0 ? f.phong : f.specular > 0 ? f.specular : 0;
+  exponent = f.phong > 0 ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
+  base_limit = f.phong > 0 && f.phong_size >= 60 ? 0.0008 : 0;
+  if (is_finite(glow) && std::fabs(exponent) < 1e6 && amount < 1e30 && std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f) layer = &only;
+}
+
+const Wave::Material& Wave::material(const textures::CompiledTexture& texture) {
+  if (last_material_.first != &texture) last_material_ = {&texture, &materials_.try_emplace(&texture, texture, scene_).first->second};
+  return *last_material_.second;
+}
+
+// Which way hit i goes, and its normal.
+void Wave::meet(int i) {
+  Met& met = met_[i];
+  met.material = nullptr;
+  const shapes::Hit& hit = hits_[i];
+  const shapes::Surface& surface = *hit.shape->surface;
+  if (surface.shows_several() || surface.ignore_global_lights || !surface.group_lights.empty()) return;
+  const Vec3 direction = lanes_.camera.direction.at(i);
+  met.normal = hit.shape->normal(hit);
+  const double along = dot(met.normal, direction);
+  if (!(std::fabs(along) < 1e30)) return;
+  const bool inside = along > 0;
+  const Material& m = material(inside && surface.interior_texture ? *surface.interior_texture : *surface.texture);
+  if (!m.layer) return;
+  met.material = &m;
+  met.color = m.color;
+  met.colored = m.constant;
+  if (m.constant && !m.layer->normal) {
+    if (inside) met.normal = -met.normal;
+    return;
+  }
+  SurfaceHit& at = met.at.emplace(hit, direction, 0, 0);
+  met.normal = tracer_.layer_normal(at, *m.layer, at.pattern_point(), nullptr);
+  if (!(std::fabs(dot(met.normal, direction)) < 1e30)) met.material = nullptr;
+}
+
+// The colours of what has no constant colour, for all hits of a layer together.
+void Wave::find_colors(int count) {
+  for (int first = 0; first < count; ++first) {
+    const Material* const m = found_[first] ? met_[first].material : nullptr;
+    if (!m || met_[first].colored) continue;
+    textures::PointRow points;
+    const textures::SurfacePoint* surfaces[kMost];
+    int of[kMost], n = 0;
+    for (int i = first; i < count; ++i) {
+      if (!found_[i] || met_[i].material != m) continue;
+      points.set(n, met_[i].at->pattern_point());
+      surfaces[n] = &met_[i].at->texture_point;
+      of[n++] = i;
+    }
+    points.fill_up(n);
+    Color colors[kMost];
+    bool colored[kMost];
+    textures::evaluate(*m->layer->pigment, n, points, surfaces, colors, colored);
+    for (int k = 0; k < n; ++k) {
+      Met& met = met_[of[k]];
+      met.color = colors[k];
+      met.colored = colored[k];
+      if (!colored[k]) met.material = nullptr;
+    }
+  }
 }
 
 // Takes a hit among the surfaces that are lit together; false: it is not of that kind.
-bool Wave::add_surface(const shapes::Hit& hit, const Vec3& direction, int pixel) {
-  const shapes::Surface& surface = *hit.shape->surface;
-  if (surface.shows_several() || surface.ignore_global_lights || !surface.group_lights.empty()) return false;
-  Vec3 raw = hit.shape->normal(hit);
-  const double along = dot(raw, direction);
-  if (!(std::fabs(along) < 1e30)) return false;
-  const bool inside = along > 0;
-  const Material& m = material(inside && surface.interior_texture ? *surface.interior_texture : *surface.texture);
-  if (!m.layer) return false;
-  if (inside) raw = -raw;
-  Vec3 normal = raw;
-  Color color = m.color;
-  if (!m.constant || m.layer->normal) {
-    SurfaceHit at(hit, direction, 0, 0);
-    const Vec3 p = at.pattern_point();
-    normal = tracer_.layer_normal(at, *m.layer, p, nullptr);
-    if (!textures::evaluate(*m.layer->pigment, p, &at.texture_point, color)) return false;
-    if (!(std::fabs(dot(normal, direction)) < 1e30)) return false;
-  }
-  if (color.f != 0 || color.t != 0 || !is_finite(color.rgb())) return false;
+bool Wave::add_surface(int i) {
+  const Met& met = met_[i];
+  const Color& color = met.color;
+  if (!met.material || color.f != 0 || color.t != 0 || !is_finite(color.rgb())) return false;
 
+  const Material& m = *met.material;
   const int k = count_++;
-  pixel_[k] = pixel;
-  surface_[k] = &surface;
-  lanes_.to_light.origin.set(k, hit.point);
-  lanes_.normal.set(k, normal);
-  lanes_.view.set(k, direction);
+  pixel_[k] = i;
+  surface_[k] = hits_[i].shape->surface;
+  lanes_.to_light.origin.set(k, hits_[i].point);
+  lanes_.normal.set(k, met.normal);
+  lanes_.view.set(k, lanes_.camera.direction.at(i));
   (m.phong != 0 ? any_phong_ : any_blinn_) |= m.amount != 0;
   any_metallic_ |= m.layer->finish.metallic > 0;
   if (layer_[k] == m.layer) return true;
@@ -207,24 +245,26 @@ void Wave::light(const Light& light, const RayState& ray) {
   kernels_.add(count_, lanes_);
 }
 
-void Wave::trace(const Vec3& origin, double x, double y, int count, const accel::WorldEntry* const* entries, Color* out) {
+void Wave::trace(double x, double y, int count, const accel::WorldEntry* const* entries, Color* out) {
   if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
   count_ = 0;
   any_phong_ = any_blinn_ = any_metallic_ = false;
-  RayState ray = tracer_.camera_state({origin, {0, 0, 1}}, false);
+  RayState ray = tracer_.camera_state(lanes_.camera.at(0), false);
   tracer_.statistics_.camera_rays += static_cast<std::uint64_t>(count);
-  for (int i = 0; i < count; ++i) lanes_.camera.origin.set(i, origin);
   for (int first = 0, end; first < count; first = end) {
     for (end = first + 1; end < count && entries[end] == entries[first];) ++end;
     scene_.world.intersect_row(lanes_.camera, first, end - first, ray.kind(), kNearestHit, entries[first], hits_, found_);
   }
+  for (int i = 0; i < count; ++i)
+    if (found_[i]) meet(i);
+  find_colors(count);
   for (int i = 0; i < count; ++i) {
     if (!found_[i] && plain_sky_) {
       out[i] = sky_;
       continue;
     }
-    ray.ray.direction = lanes_.camera.direction.at(i);
-    if (found_[i] && add_surface(hits_[i], ray.ray.direction, i)) continue;
+    if (found_[i] && add_surface(i)) continue;
+    ray.ray = lanes_.camera.at(i);
     tracer_.random_.begin_sample(x + i, y, 0);
     out[i] = tracer_.resolve(ray, found_[i] ? &hits_[i] : nullptr);
   }

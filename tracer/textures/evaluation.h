@@ -3,6 +3,7 @@
 
 #include "tracer/textures/instruction_sets.h"
 #include "tracer/textures/pigment.h"
+#include "tracer/textures/point_row.h"
 
 namespace verisim::textures {
 
@@ -11,6 +12,7 @@ struct EvaluationKernels {
   double (*value_at)(const CompiledPattern& pattern, const Vec3& warped_point, const SurfacePoint* surface);
   PatternValue (*value_of)(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface);
   bool (*evaluate)(const CompiledPigment& pigment, const Vec3& p, const SurfacePoint* surface, Color& color);
+  void (*evaluate_row)(const CompiledPigment& pigment, int count, const PointRow& points, const SurfacePoint* const* surfaces, Color* colors, bool* colored);
 };
 
 // `set` must not be beyond best_instruction_set().

@@ -66,5 +66,59 @@ TEST(Evaluation, GivesTheSameBitsOnEveryInstructionSet) {
   }
 }
 
+// Points as they lie in a picture: rows of neighbours, close together or far apart, some of them beyond all lattices.
+void fill(PointRow& row, int count, double step, std::mt19937& random) {
+  std::uniform_real_distribution<double> coordinate(-9, 9);
+  const Vec3 from(coordinate(random), coordinate(random), coordinate(random));
+  const Vec3 along(step * coordinate(random), step * coordinate(random), step * coordinate(random));
+  for (int i = 0; i < count; ++i) row.set(i, from + static_cast<double>(i) * along);
+  row.fill_up(count);
+}
+
+std::vector<scene::PigmentPtr> nested_pigments() {
+  const std::vector<scene::PigmentPtr> leaves = pigments();
+  std::vector<scene::PigmentPtr> all;
+  for (std::size_t i = 0; i + 4 < leaves.size(); i += 7) {
+    for (const bool average : {false, true}) {
+      scene::Pigment d;
+      d.pattern.kind = average ? scene::PatternKind::average : i % 2 ? bozo : gradient;
+      if (d.pattern.kind == gradient) d.pattern.params = scene::GradientParams{{1, 0.2, 0}};
+      d.pattern.prepend(Transform::scaling(Vec3(0.4, 0.5, 0.6)));
+      scene::BlendMap<scene::PigmentPtr> map;
+      for (std::size_t k = 0; k < 4; ++k) map.push_back({0.1f + 0.25f * static_cast<float>(k), leaves[i + k]});
+      map.push_back({0.9f, leaves[i]});
+      d.pigment_map = std::make_shared<const scene::BlendMap<scene::PigmentPtr>>(map);
+      all.push_back(std::make_shared<const scene::Pigment>(d));
+    }
+  }
+  return all;
+}
+
+TEST(Evaluation, GivesRowsTheBitsOfPoints) {
+  std::mt19937 random(9);
+  Compiler compiler{Settings{}};
+  std::vector<scene::PigmentPtr> all = pigments();
+  for (const scene::PigmentPtr& nested : nested_pigments()) all.push_back(nested);
+  for (const scene::PigmentPtr& description : all) {
+    const CompiledPigment& pigment = *compiler.pigment(description);
+    for (int round = 0; round < 12; ++round) {
+      const int count = 1 + (round * 13) % PointRow::kMost;
+      PointRow points;
+      fill(points, count, std::pow(10.0, round % 5 - 4 + (round == 11 ? 12 : 0)), random);
+      for (int set = 0; set <= best_instruction_set(); ++set) {
+        const EvaluationKernels& kernels = evaluation_kernels(static_cast<InstructionSet>(set));
+        Color colors[PointRow::kMost];
+        bool colored[PointRow::kMost];
+        kernels.evaluate_row(pigment, count, points, nullptr, colors, colored);
+        for (int i = 0; i < count; ++i) {
+          Color single;
+          ASSERT_EQ(colored[i], kernels.evaluate(pigment, points.at(i), nullptr, single));
+          ASSERT_EQ(colors[i], single) << "instruction set " << set << ", pattern " << static_cast<int>(pigment.pattern->kind) << ", point " << i << " of " << count;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace verisim::textures

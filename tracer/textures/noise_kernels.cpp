@@ -44,7 +44,9 @@ namespace baseline {
 #define VERISIM_REGISTER_DOUBLES 2
 #include "tracer/textures/noise_lanes.inc"
 #include "tracer/textures/noise_kernels.inc"
+#include "tracer/textures/noise_rows.inc"
 #include "tracer/textures/evaluation.inc"
+#include "tracer/textures/evaluation_rows.inc"
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace baseline
@@ -57,7 +59,9 @@ namespace avx2 {
 #define VERISIM_REGISTER_DOUBLES 4
 #include "tracer/textures/noise_lanes.inc"
 #include "tracer/textures/noise_kernels.inc"
+#include "tracer/textures/noise_rows.inc"
 #include "tracer/textures/evaluation.inc"
+#include "tracer/textures/evaluation_rows.inc"
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace avx2
@@ -67,7 +71,9 @@ namespace avx512 {
 #define VERISIM_REGISTER_DOUBLES 8
 #include "tracer/textures/noise_lanes.inc"
 #include "tracer/textures/noise_kernels.inc"
+#include "tracer/textures/noise_rows.inc"
 #include "tracer/textures/evaluation.inc"
+#include "tracer/textures/evaluation_rows.inc"
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace avx512

@@ -1,0 +1,23 @@
+// Points that textures are asked for together: the hits of neighbouring camera rays.
+#pragma once
+
+#include "tracer/textures/texture.h"
+
+namespace verisim::textures {
+
+struct PointRow {
+  static constexpr int kMost = 40;  // a multiple of eight
+  alignas(64) double x[kMost], y[kMost], z[kMost];
+
+  Vec3 at(int i) const { return {x[i], y[i], z[i]}; }
+  void set(int i, const Vec3& p) { x[i] = p.x, y[i] = p.y, z[i] = p.z; }
+  // Lanes beyond the points repeat the last one, so that they need nothing of their own.
+  void fill_up(int count) {
+    for (int i = count; i % 8 != 0; ++i) set(i, at(count - 1));
+  }
+};
+
+// The colours at the first `count` points, as `evaluate` gives them one by one, but faster. Filled up; `surfaces`: what is known of each hit, or null.
+void evaluate(const CompiledPigment& pigment, int count, const PointRow& points, const SurfacePoint* const* surfaces, Color* colors, bool* colored);
+
+}  // namespace verisim::textures

@@ -25,102 +25,36 @@ Wave::Wave(Tracer& tracer) : tracer_(tracer), scene_(tracer.scene()), kernels_(w
   if (plain_sky_) sky_ = scene_.sky.seen({0, 0, 1}, false);
 }
 
-Wave::Material::Material(const textures::CompiledTexture& texture, const SceneData& scene) {
-  if (texture.layers.size() != 1) return;
-  const textures::CompiledLayer& only = texture.layers[0];
-  const scene::Finish& f = only.finish;
-  const bool mirror = f.reflection.maximum != Rgb() || f.reflection.minimum != Rgb();
-  if (mirror || only.pigment->transparent || f.brilliance != 1 || f.crand > 0 || f.irid > 0 || (f.phong > 0 && f.specular > 0)) return;
-  constant = only.pigment->source == textures::CompiledPigment::Source::plain;
-  color = only.pigment->color;
-  glow = f.ambient * scene.ambient_light + f.emission;
-  phong = f.phong > 0;
-  amount = f.phong > 0 ? f.phong : f.specular > 0 ? f.specular : 0;
-  exponent = f.phong > 0 ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
-  base_limit = f.phong > 0 && f.phong_size >= 60 ? 0.0008 : 0;
-  if (is_finite(glow) && std::fabs(exponent) < 1e6 && amount < 1e30 && std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f) layer = &only;
-}
-
-const Wave::Material& Wave::material(const textures::CompiledTexture& texture) {
-  if (last_material_.first != &texture) last_material_ = {&texture, &materials_.try_emplace(&texture, texture, scene_).first->second};
-  return *last_material_.second;
-}
-
-// Which way hit i goes, and its normal.
-void Wave::meet(int i) {
-  Met& met = met_[i];
-  met.material = nullptr;
-  const shapes::Hit& hit = hits_[i];
-  const shapes::Surface& surface = *hit.shape->surface;
-  if (surface.shows_several() || surface.ignore_global_lights || !surface.group_lights.empty()) return;
-  const Vec3 direction = lanes_.camera.direction.at(i);
-  met.normal = hit.shape->normal(hit);
-  const double along = dot(met.normal, direction);
-  if (!(std::fabs(along) < 1e30)) return;
-  const bool inside = along > 0;
-  const Material& m = material(inside && surface.interior_texture ? *surface.interior_texture : *surface.texture);
-  if (!m.layer) return;
-  met.material = &m;
-  met.color = m.color;
-  met.colored = m.constant;
-  if (m.constant && !m.layer->normal) {
-    if (inside) met.normal = -met.normal;
-    return;
-  }
-  SurfaceHit& at = met.at.emplace(hit, direction, 0, 0);
-  met.normal = tracer_.layer_normal(at, *m.layer, at.pattern_point(), nullptr);
-  if (!(std::fabs(dot(met.normal, direction)) < 1e30)) met.material = nullptr;
-}
-
-// The colours of what has no constant colour, for all hits of a layer together.
-void Wave::find_colors(int count) {
-  for (int first = 0; first < count; ++first) {
-    const Material* const m = found_[first] ? met_[first].material : nullptr;
-    if (!m || met_[first].colored) continue;
-    textures::PointRow points;
-    const textures::SurfacePoint* surfaces[kMost];
-    int of[kMost], n = 0;
-    for (int i = first; i < count; ++i) {
-      if (!found_[i] || met_[i].material != m) continue;
-      points.set(n, met_[i].at->pattern_point());
-      surfaces[n] = &met_[i].at->texture_point;
-      of[n++] = i;
-    }
-    points.fill_up(n);
-    Color colors[kMost];
-    bool colored[kMost];
-    textures::evaluate(*m->layer->pigment, n, points, surfaces, colors, colored);
-    for (int k = 0; k < n; ++k) {
-      Met& met = met_[of[k]];
-      met.color = colors[k];
-      met.colored = colored[k];
-      if (!colored[k]) met.material = nullptr;
-    }
-  }
-}
-
-// Takes a hit among the surfaces that are lit together; false: it is not of that kind.
-bool Wave::add_surface(int i) {
-  const Met& met = met_[i];
-  const Color& color = met.color;
-  if (!met.material || color.f != 0 || color.t != 0 || !is_finite(color.rgb())) return false;
-
-  const Material& m = *met.material;
+void Wave::add_lane(int i, const Part& part) {
+  const Material& m = *part.material;
   const int k = count_++;
   pixel_[k] = i;
   surface_[k] = hits_[i].shape->surface;
   lanes_.to_light.origin.set(k, hits_[i].point);
-  lanes_.normal.set(k, met.normal);
+  lanes_.normal.set(k, part.normal);
   lanes_.view.set(k, lanes_.camera.direction.at(i));
   (m.phong != 0 ? any_phong_ : any_blinn_) |= m.amount != 0;
   any_metallic_ |= m.layer->finish.metallic > 0;
-  if (layer_[k] == m.layer) return true;
-  layer_[k] = m.constant ? m.layer : nullptr;
+  if (layer_[k] == m.layer) return;
+  layer_[k] = m.constant && m.only ? m.layer : nullptr;
   finish_[k] = &m.layer->finish;
-  lanes_.pigment.r[k] = color.r, lanes_.pigment.g[k] = color.g, lanes_.pigment.b[k] = color.b;
-  const Rgb own = color.rgb() * m.glow;
+  opacity_[k] = part.opacity;
+  lanes_.pigment.r[k] = part.color.r, lanes_.pigment.g[k] = part.color.g, lanes_.pigment.b[k] = part.color.b;
+  const Rgb own = part.color.rgb() * m.glow * part.opacity;
   lanes_.own.r[k] = own.r, lanes_.own.g[k] = own.g, lanes_.own.b[k] = own.b;
   lanes_.exponent[k] = m.exponent, lanes_.amount[k] = m.amount, lanes_.base_limit[k] = m.base_limit, lanes_.phong[k] = m.phong;
+}
+
+// Takes what shows at hit i among the surfaces that are lit together; false: there is no room for it.
+bool Wave::add_surface(int i) {
+  const auto each_part = [&](auto use) {
+    for (int l = met_[i].first; l < met_[i].first + met_[i].leaves; ++l)
+      for (int k = leaves_[static_cast<std::size_t>(l)].first; k >= 0; k = parts_[static_cast<std::size_t>(k)].next) use(parts_[static_cast<std::size_t>(k)]);
+  };
+  int needed = 0;
+  each_part([&](const Part&) { ++needed; });
+  if (count_ + needed > kMost) return false;
+  each_part([&](const Part& part) { add_lane(i, part); });
   return true;
 }
 
@@ -150,14 +84,28 @@ bool Wave::reach(const Light& light, const RayState& ray) {
     const Rgb color = light.color() * static_cast<float>(light.attenuation(lanes_.to_light.origin.at(k), direction));
     if (color.max_abs() < kDark) continue;
     any = asked_[k] = true;
-    lanes_.diffuse[k] = std::max(back ? finish.diffuse_back : finish.diffuse, 0.0f);
+    lanes_.diffuse[k] = opacity_[k] * std::max(back ? finish.diffuse_back : finish.diffuse, 0.0f);
     lanes_.shines[k] = light.highlights() && !back;
     lanes_.intensity.r[k] = color.r, lanes_.intensity.g[k] = color.g, lanes_.intensity.b[k] = color.b;
   }
   if (!any) return false;
+  // The first layer of a hit that asks for its shadow does so for all.
+  int asks[kMost];
+  for (int k = 0, first = -1; k < count_; ++k) {
+    if (k == 0 || pixel_[k] != pixel_[k - 1]) first = -1;
+    asks[k] = -1;
+    if (!asked_[k]) continue;
+    if (first < 0) first = k;
+    asks[k] = first;
+    asked_[k] = first == k;
+  }
   cast_shadows(light, ray);
   any = false;
   for (int k = 0; k < count_; ++k) {
+    if (const int first = asks[k]; first >= 0 && first != k) {
+      asked_[k] = asked_[first];
+      lanes_.intensity.r[k] = lanes_.intensity.r[first], lanes_.intensity.g[k] = lanes_.intensity.g[first], lanes_.intensity.b[k] = lanes_.intensity.b[first];
+    }
     lanes_.lit[k] = asked_[k] && Rgb(lanes_.intensity.r[k], lanes_.intensity.g[k], lanes_.intensity.b[k]).max_abs() > kDark;
     any |= lanes_.lit[k] != 0;
   }
@@ -245,34 +193,57 @@ void Wave::light(const Light& light, const RayState& ray) {
   kernels_.add(count_, lanes_);
 }
 
-void Wave::trace(double x, double y, int count, const accel::WorldEntry* const* entries, Color* out) {
-  if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
+// Lights the surfaces that were added, and writes their colours.
+void Wave::show(const RayState& ray, Color* out) {
+  for (float* sum : {lanes_.direct.r, lanes_.direct.g, lanes_.direct.b}) std::fill_n(sum, count_, 0.0f);
+  if (count_ > 0)
+    for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i], ray);
+  for (int k = 0; k < count_;) {
+    const Met& met = met_[pixel_[k]];
+    Rgb shown;
+    Color& result = out[pixel_[k]];
+    for (int l = met.first; l < met.first + met.leaves; ++l) {
+      const Leaf& leaf = leaves_[static_cast<std::size_t>(l)];
+      Rgb color;
+      for (int part = leaf.first; part >= 0; part = parts_[static_cast<std::size_t>(part)].next, ++k)
+        color += parts_[static_cast<std::size_t>(part)].filter * (Rgb(lanes_.own.r[k], lanes_.own.g[k], lanes_.own.b[k]) + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]));
+      if (leaf.around) shown += color * leaf.weight;
+      else shown = color;
+    }
+    result = shown;
+  }
   count_ = 0;
   any_phong_ = any_blinn_ = any_metallic_ = false;
+}
+
+void Wave::trace(double x, double y, int count, const accel::WorldEntry* const* entries, Color* out) {
+  if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
   RayState ray = tracer_.camera_state(lanes_.camera.at(0), false);
   tracer_.statistics_.camera_rays += static_cast<std::uint64_t>(count);
   for (int first = 0, end; first < count; first = end) {
     for (end = first + 1; end < count && entries[end] == entries[first];) ++end;
     scene_.world.intersect_row(lanes_.camera, first, end - first, ray.kind(), kNearestHit, entries[first], hits_, found_);
   }
+  leaves_.clear();
+  parts_.clear();
   for (int i = 0; i < count; ++i)
     if (found_[i]) meet(i);
-  find_colors(count);
+  find_parts(count);
   for (int i = 0; i < count; ++i) {
     if (!found_[i] && plain_sky_) {
       out[i] = sky_;
       continue;
     }
-    if (found_[i] && add_surface(i)) continue;
+    if (found_[i] && met_[i].together) {
+      if (add_surface(i)) continue;
+      show(ray, out);
+      if (add_surface(i)) continue;
+    }
     ray.ray = lanes_.camera.at(i);
     tracer_.random_.begin_sample(x + i, y, 0);
     out[i] = tracer_.resolve(ray, found_[i] ? &hits_[i] : nullptr);
   }
-  if (count_ == 0) return;
-  for (float* sum : {lanes_.direct.r, lanes_.direct.g, lanes_.direct.b}) std::fill_n(sum, count_, 0.0f);
-  for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i], ray);
-  for (int k = 0; k < count_; ++k)
-    out[pixel_[k]] = {0 + (lanes_.own.r[k] + lanes_.direct.r[k]), 0 + (lanes_.own.g[k] + lanes_.direct.g[k]), 0 + (lanes_.own.b[k] + lanes_.direct.b[k])};
+  show(ray, out);
 }
 
 }  // namespace verisim::shading

@@ -1,4 +1,4 @@
-// Camera rays of neighbouring pixels, shaded together: what most pixels of most scenes show, an opaque surface of one layer without mirrors, is worked on
+// Camera rays of neighbouring pixels, shaded together: what most pixels of most scenes show, an opaque surface without mirrors, is worked on
 // with wide instructions; every other hit takes the common way (Tracer::resolve). Both give the same bits.
 #pragma once
 
@@ -27,30 +27,58 @@ class Wave {
   void trace(double x, double y, int count, const accel::WorldEntry* const* entries, Color* out);
 
  private:
-  // A texture as far as it decides which way its hits take.
+  // ---- wave_surfaces.cpp: what shows where rays hit, before lights are asked
+  // A layer as far as it is the same everywhere.
   struct Material {
-    explicit Material(const textures::CompiledTexture& texture, const SceneData& scene);
-
-    const textures::CompiledLayer* layer = nullptr;  // null: the common way
-    bool constant = false;                           // the pigment has one colour
+    const textures::CompiledLayer* layer = nullptr;
+    bool constant = false;  // the pigment has one colour
+    bool only = false;      // the texture has no other layer
     Color color;
-    Rgb glow;                                        // ambient and emission
+    Rgb glow;               // ambient and emission
     double exponent = 0, amount = 0, base_limit = 0, phong = 0;
   };
-
-  // What a ray has met.
-  struct Met {
-    const Material* material;      // null: the common way
-    std::optional<SurfaceHit> at;  // where the surface varies
-    Vec3 normal;                   // the one to shade with
+  // The layers of a texture; none: its hits go the common way. A texture of textures has one layer that stands for them.
+  using Materials = std::vector<Material>;
+  // A layer as it shows at a hit.
+  struct Part {
+    const Material* material;
+    Vec3 normal;
     Color color;
-    bool colored;
+    float opacity;
+    Rgb filter;     // of the layers above
+    int next = -1;  // the layer below
+  };
+  // One of the textures that show at a hit.
+  struct Leaf {
+    int ray;
+    const Materials* materials;
+    const textures::CompiledTexture* around;  // the texture it is part of, or null
+    Vec3 point;
+    float weight = 1;
+    Rgb filter{1};
+    float translucency = 1;  // below the layers known so far
+    int first = -1, last = -1;
+  };
+  struct Met {
+    bool together;                 // false: the common way
+    int first = 0, leaves = 0;
+    std::optional<SurfaceHit> at;  // where the surface varies
   };
 
-  const Material& material(const textures::CompiledTexture& texture);
+  static bool lights_decide(const textures::CompiledTexture& texture);
+  Materials find_materials(const textures::CompiledTexture& texture) const;
+  const Materials& materials(const textures::CompiledTexture& texture);
   void meet(int i);
-  void find_colors(int count);
+  void add_leaves(int i, const textures::CompiledTexture& texture, const Materials& found);
+  void find_parts(int count);
+  void find_layers(int* leaves, int n);
+  void find_colors(const Material& material, const int* leaves, int n, Color* colors, bool* colored);
+  void add_part(int leaf, const Part& part);
+
+  // ---- wave.cpp
   bool add_surface(int i);
+  void add_lane(int i, const Part& part);
+  void show(const RayState& ray, Color* out);
   void light(const Light& light, const RayState& ray);
   void aim(const Light& light);
   bool reach(const Light& light, const RayState& ray);
@@ -63,15 +91,18 @@ class Wave {
   bool usable_;
   Color sky_;           // where there is no sky_sphere
   bool plain_sky_;
-  std::unordered_map<const textures::CompiledTexture*, Material> materials_;
-  std::pair<const textures::CompiledTexture*, const Material*> last_material_{};
+  std::unordered_map<const textures::CompiledTexture*, Materials> materials_;
+  std::pair<const textures::CompiledTexture*, const Materials*> last_materials_{};
+  std::vector<Leaf> leaves_;
+  std::vector<Part> parts_;
   int count_ = 0;       // of surfaces
   bool any_phong_ = false, any_blinn_ = false, any_metallic_ = false, tinted_ = false;
   WaveLanes lanes_;
   shapes::Hit hits_[kMost];
   Met met_[kMost];
   bool found_[kMost], asked_[kMost];
-  int pixel_[kMost];
+  int pixel_[kMost];    // several lanes in a row may be of one
+  float opacity_[kMost];
   const textures::CompiledLayer* layer_[kMost] = {};  // whose constant numbers stand in the lane; null: those of one point
   const shapes::Surface* surface_[kMost];
   const scene::Finish* finish_[kMost];

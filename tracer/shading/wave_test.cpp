@@ -123,6 +123,39 @@ scene::Scene mixed_scene() {
     add(scene::Sphere{{i % 4 * 1.2 - 1.8, 0.4 + i / 4, 0.3 * (i % 3)}, 0.55}, Color(0.2f + 0.06f * static_cast<float>(i), 0.5f, 0.4f, 0, i == 8 ? 0.5f : 0.0f), finish);
   }
   add(scene::Plane{{0, 1, 0}, -0.5}, Color(0.6f, 0.6f, 0.5f), {});
+
+  // Several layers, and several textures: a list, an average, a map.
+  const auto patterned = [](scene::PatternKind kind, float lowest, float highest) {
+    auto pigment = std::make_shared<scene::Pigment>();
+    pigment->pattern.kind = kind;
+    pigment->pattern.prepend(Transform::scaling(Vec3(0.3)));
+    pigment->color_map = std::make_shared<const scene::ColorMap>(scene::ColorMap{{0.2f, Color(0.9f, 0.3f, 0.2f, 0.1f * lowest, lowest)}, {0.7f, Color(0.2f, 0.4f, 0.8f, 0, highest)}});
+    return pigment;
+  };
+  const auto texture_of = [](std::initializer_list<scene::PigmentPtr> layers, bool bumpy) {
+    auto texture = std::make_shared<scene::Texture>();
+    for (const scene::PigmentPtr& pigment : layers) {
+      scene::Finish finish;
+      if (texture->layers.empty()) finish.phong = 0.6f;
+      auto normal = std::make_shared<scene::Normal>();
+      normal->pattern.kind = scene::PatternKind::bumps;
+      texture->layers.push_back({pigment, bumpy && !texture->layers.empty() ? normal : nullptr, finish});
+    }
+    return texture;
+  };
+  using enum scene::PatternKind;
+  const auto opaque = texture_of({patterned(granite, 0, 0)}, false), layered = texture_of({patterned(wrinkles, 0, 0), patterned(marble, 0, 0.8f), patterned(bozo, 0.9f, 0)}, true);
+  const auto veiled = texture_of({patterned(bozo, 0.6f, 0.3f)}, false);
+  for (int i = 0; i < 5; ++i) {
+    auto texture = std::make_shared<scene::Texture>();
+    texture->pattern.kind = i == 1 ? checker : i == 2 ? average : bozo;
+    texture->pattern.prepend(Transform::scaling(Vec3(0.2)));
+    texture->texture_map = std::make_shared<const scene::BlendMap<scene::TexturePtr>>(scene::BlendMap<scene::TexturePtr>{{0.0f, opaque}, {1.0f, i == 4 ? veiled : layered}});
+    const auto object = make(scene::Sphere{{i * 0.9 - 1.8, 2.2, 0.4}, 0.5});
+    object->texture = i == 0 ? layered : texture;
+    object->interior = std::make_shared<scene::Interior>();
+    scene.objects.push_back(object);
+  }
   return scene;
 }
 

@@ -15,11 +15,12 @@ std::vector<scene::PigmentPtr> pigments() {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0, 1);
   std::vector<scene::PigmentPtr> all;
-  for (const scene::PatternKind kind : {bozo, bumps, spotted, agate, granite, marble, wood, wrinkles, dents, onion, radial, leopard}) {
+  for (const scene::PatternKind kind : {bozo, bumps, spotted, agate, granite, marble, wood, wrinkles, dents, onion, radial, leopard, crackle}) {
     for (int variant = 0; variant < 12; ++variant) {
       scene::Pigment d;
       d.pattern.kind = kind;
       if (kind == agate) d.pattern.params = scene::AgateParams{};
+      if (kind == crackle) d.pattern.params = scene::CrackleParams{.form = Vec3(-1, 1, 0.3 * (variant % 2)), .metric = 1.0f + static_cast<float>(variant % 3), .solid = variant == 5};
       d.pattern.noise_generator = variant % 4;
       d.pattern.wave = static_cast<scene::Wave>(variant % 6);
       if (variant % 3 == 1) d.pattern.frequency = 2.5f, d.pattern.phase = 0.3f;

@@ -85,7 +85,42 @@ Vec3 nearest_point(const Vec3& p) {
   return Vec3(cell.x[nearest], cell.y[nearest], cell.z[nearest]) + Vec3(static_cast<double>(at.a), static_cast<double>(at.b), static_cast<double>(at.c));
 }
 
+// The pattern's value from the three smallest distances.
+double in_form(const CrackleData& data, double s0, double s1, double s2) {
+  const scene::CrackleParams& c = data.p;
+  const double distances[3] = {s0, s1, s2};
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    if (c.form[k] == 0) continue;
+    const double s = distances[k] + data.offset_power;
+    sum += c.form[k] * (c.metric == 2 ? std::sqrt(s) : c.metric == 1 ? s : std::pow(s, 1 / c.metric));
+  }
+  return clamp01(sum);
+}
+
+// Eight points of one cell; false: they are not, or this form needs more than distances.
+bool crackle_of_eight(const CrackleData& data, const PointRow& p, int first, double* v) {
+  if (data.p.solid || (data.p.metric != 2 && data.p.metric != 1)) return false;
+  for (int i = first; i < first + 8; ++i)
+    if (!(std::max({std::fabs(p.x[i]), std::fabs(p.y[i]), std::fabs(p.z[i])}) < 1e9)) return false;
+  CrackleEight at;
+  if (!kernels.locate(p.x + first, p.y + first, p.z + first, at)) return false;
+  const auto corner = [&](int k) { return static_cast<std::int64_t>(at.cell[k][0]); };
+  const bool squares = data.p.metric == 2;
+  const CrackleCell& cell = crackle_cell(squares ? CrackleMetric::squares : CrackleMetric::sums, corner(0), corner(1), corner(2));
+  (squares ? kernels.squares_of_eight : kernels.sums_of_eight)(cell, at);
+  for (int k = 0; k < 8; ++k) v[first + k] = in_form(data, at.s[0][k], at.s[1][k], at.s[2][k]);
+  return true;
+}
+
 }  // namespace
+
+void crackle_row(const CrackleData& data, int noise_generator, int count, const PointRow& p, double* v) {
+  for (int first = 0; first < count; first += 8) {
+    if (crackle_of_eight(data, p, first, v)) continue;
+    for (int i = first; i < std::min(count, first + 8); ++i) v[i] = crackle(data, noise_generator, p.at(i));
+  }
+}
 
 double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {
   const scene::CrackleParams& c = data.p;
@@ -102,13 +137,7 @@ double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {
     const Nearest nearest = nearest_three(p, MetricAny{c.metric}, c.metric > 0);
     n = {{nearest.s[0], nearest.s[1], nearest.s[2]}};
   }
-  double sum = 0;
-  for (int k = 0; k < 3; ++k) {
-    if (c.form[k] == 0) continue;
-    const double s = n.s[k] + data.offset_power;
-    sum += c.form[k] * (c.metric == 2 ? std::sqrt(s) : c.metric == 1 ? s : std::pow(s, 1 / c.metric));
-  }
-  return clamp01(sum);
+  return in_form(data, n.s[0], n.s[1], n.s[2]);
 }
 
 Vec3 nearest_facet_point(const Vec3& p, double metric) {

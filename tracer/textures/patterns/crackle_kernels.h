@@ -10,9 +10,17 @@ namespace verisim::textures {
 struct NearestThree {
   double s[3];  // ascending sums of squares, or of absolute differences
 };
+// Eight points: the corners of their cells, their places there, and the three smallest distances.
+struct CrackleEight {
+  alignas(64) double cell[3][8], place[3][8], s[3][8];
+};
 struct CrackleKernels {
   NearestThree (*squares)(const CrackleCell& cell, const Vec3& place);
   NearestThree (*sums)(const CrackleCell& cell, const Vec3& place);
+  // Finds cells and places of points with coordinates below 1e9. False: they are not all in one cell.
+  bool (*locate)(const double* x, const double* y, const double* z, CrackleEight& at);
+  void (*squares_of_eight)(const CrackleCell& cell, CrackleEight& at);
+  void (*sums_of_eight)(const CrackleCell& cell, CrackleEight& at);
   // at_least[i]: how near point i can be to a place in the cell. Returns the distance within which three points are from every place.
   double (*bound_squares)(const CrackleCell& cell, double* at_least);
   double (*bound_sums)(const CrackleCell& cell, double* at_least);

@@ -1,0 +1,181 @@
+// What shows where the rays of a wave hit: textures, their layers, colours and normals, row by row (spec 06 sections 3.1 to 3.3).
+#include "tracer/shading/finish.h"
+#include "tracer/shading/wave.h"
+#include "tracer/textures/pigment.h"
+
+namespace verisim::shading {
+namespace {
+
+constexpr std::size_t kMostTextures = 8, kMostLayers = 8;  // of a hit; what has more goes the common way
+
+bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
+
+}  // namespace
+
+// Layers that lights alone decide, the lowest one opaque.
+bool Wave::lights_decide(const textures::CompiledTexture& texture) {
+  if (texture.patterned() || texture.layers.size() > kMostLayers || texture.layers.back().pigment->transparent) return false;
+  for (const textures::CompiledLayer& layer : texture.layers) {
+    const scene::Finish& f = layer.finish;
+    const bool mirror = f.reflection.maximum != Rgb() || f.reflection.minimum != Rgb();
+    if (mirror || f.brilliance != 1 || f.crand > 0 || f.irid > 0 || (f.phong > 0 && f.specular > 0)) return false;
+  }
+  return true;
+}
+
+Wave::Materials Wave::find_materials(const textures::CompiledTexture& texture) const {
+  Materials all;
+  if (texture.patterned()) {
+    bool simple = !texture.map.empty() && texture.map.size() <= kMostTextures;
+    for (const auto& entry : texture.map) simple = simple && lights_decide(*entry.value);
+    if (simple) all.emplace_back();
+    return all;
+  }
+  if (!lights_decide(texture)) return all;
+  for (const textures::CompiledLayer& layer : texture.layers) {
+    const scene::Finish& f = layer.finish;
+    Material& m = all.emplace_back();
+    m.layer = &layer;
+    m.constant = layer.pigment->source == textures::CompiledPigment::Source::plain;
+    m.only = texture.layers.size() == 1;
+    m.color = layer.pigment->color;
+    m.glow = f.ambient * scene_.ambient_light + f.emission;
+    m.phong = f.phong > 0;
+    m.amount = f.phong > 0 ? f.phong : f.specular > 0 ? f.specular : 0;
+    m.exponent = f.phong > 0 ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
+    m.base_limit = f.phong > 0 && f.phong_size >= 60 ? 0.0008 : 0;
+    const bool finite = is_finite(m.glow) && std::fabs(m.exponent) < 1e6 && m.amount < 1e30 && std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f;
+    if (!finite) return {};
+  }
+  return all;
+}
+
+const Wave::Materials& Wave::materials(const textures::CompiledTexture& texture) {
+  if (last_materials_.first != &texture) {
+    auto known = materials_.find(&texture);
+    if (known == materials_.end()) known = materials_.emplace(&texture, find_materials(texture)).first;
+    last_materials_ = {&texture, &known->second};
+  }
+  return *last_materials_.second;
+}
+
+// Which way hit i goes, and the textures that show there.
+void Wave::meet(int i) {
+  Met& met = met_[i];
+  met.together = false;
+  const shapes::Hit& hit = hits_[i];
+  const shapes::Surface& surface = *hit.shape->surface;
+  if (surface.shows_several() || surface.ignore_global_lights || !surface.group_lights.empty()) return;
+  const Vec3 direction = lanes_.camera.direction.at(i), normal = hit.shape->normal(hit);
+  const double along = dot(normal, direction);
+  if (!(std::fabs(along) < 1e30)) return;
+  const bool inside = along > 0;
+  const textures::CompiledTexture& texture = inside && surface.interior_texture ? *surface.interior_texture : *surface.texture;
+  const Materials& found = materials(texture);
+  if (found.empty()) return;
+  met.together = true;
+  met.first = static_cast<int>(leaves_.size());
+  const Material& first = found[0];
+  if (first.only && first.constant && !first.layer->normal) {
+    leaves_.push_back({i, &found, nullptr, hit.point});
+    met.leaves = 1;
+    add_part(met.first, {&first, inside ? -normal : normal, first.color, surface_opacity(first.color, scene_.version), Rgb(1)});
+    return;
+  }
+  met.at.emplace(hit, direction, 0, 0);
+  add_leaves(i, texture, found);
+}
+
+void Wave::add_leaves(int i, const textures::CompiledTexture& texture, const Materials& found) {
+  Met& met = met_[i];
+  const Vec3 p = met.at->pattern_point();
+  if (!texture.patterned()) {
+    leaves_.push_back({i, &found, nullptr, p});
+  } else {
+    textures::WeightedTexture storage[kMostTextures];
+    Vec3 warped;
+    for (const textures::WeightedTexture& entry : textures::select(texture, p, &met.at->texture_point, storage, warped)) {
+      if (entry.weight == 0) continue;
+      const Materials& inner = materials(*entry.texture);
+      if (inner.empty()) met.together = false;
+      else leaves_.push_back({i, &inner, &texture, warped, entry.weight});
+    }
+  }
+  met.leaves = static_cast<int>(leaves_.size()) - met.first;
+  met.together = met.together && met.leaves > 0;
+}
+
+void Wave::add_part(int leaf, const Part& part) {
+  Leaf& l = leaves_[static_cast<std::size_t>(leaf)];
+  const int k = static_cast<int>(parts_.size());
+  parts_.push_back(part);
+  (l.first < 0 ? l.first : parts_[static_cast<std::size_t>(l.last)].next) = k;
+  l.last = k;
+}
+
+// The layers of all hits. The textures of one hit are looked at one after another: normals leave their trace in what patterns see.
+void Wave::find_parts(int count) {
+  int waiting[kMost], group[kMost];
+  for (int round = 0;; ++round) {
+    int n = 0;
+    for (int i = 0; i < count; ++i) {
+      if (!found_[i] || !met_[i].together || round >= met_[i].leaves) continue;
+      const int leaf = met_[i].first + round;
+      if (leaves_[static_cast<std::size_t>(leaf)].first < 0) waiting[n++] = leaf;
+    }
+    if (n == 0 && round > 0) return;
+    while (n > 0) {
+      const Materials* const all = leaves_[static_cast<std::size_t>(waiting[0])].materials;
+      int same = 0, others = 0;
+      for (int k = 0; k < n; ++k) (leaves_[static_cast<std::size_t>(waiting[k])].materials == all ? group[same++] : waiting[others++]) = waiting[k];
+      n = others;
+      find_layers(group, same);
+    }
+  }
+}
+
+// The layers of one texture at n hits, from the top to the last one that shows.
+void Wave::find_layers(int* leaves, int n) {
+  for (const Material& material : *leaves_[static_cast<std::size_t>(leaves[0])].materials) {
+    if (n == 0) return;
+    Vec3 normals[kMost];
+    Color colors[kMost];
+    bool colored[kMost];
+    for (int k = 0; k < n; ++k) {
+      const Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
+      const Tracer::Frame frame{leaf.around, nullptr};
+      normals[k] = tracer_.layer_normal(*met_[leaf.ray].at, *material.layer, leaf.point, leaf.around ? &frame : nullptr);
+    }
+    find_colors(material, leaves, n, colors, colored);
+    int still = 0;
+    for (int k = 0; k < n; ++k) {
+      Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
+      const Color& c = colors[k];
+      if (!colored[k] || !(std::fabs(dot(normals[k], lanes_.camera.direction.at(leaf.ray))) < 1e30) || !is_finite(c.rgb()) || !is_finite({c.f, c.t, 0})) {
+        met_[leaf.ray].together = false;
+        continue;
+      }
+      add_part(leaves[k], {&material, normals[k], c, surface_opacity(c, scene_.version), leaf.filter});
+      leaf.filter *= c.transmission();
+      leaf.translucency = std::min(1.0f, std::fabs(leaf.filter.grey()));
+      if (leaf.translucency > scene_.adc_bailout) leaves[still++] = leaves[k];
+    }
+    n = still;
+  }
+  // Something behind the surface shows.
+  for (int k = 0; k < n; ++k) met_[leaves_[static_cast<std::size_t>(leaves[k])].ray].together = false;
+}
+
+void Wave::find_colors(const Material& material, const int* leaves, int n, Color* colors, bool* colored) {
+  textures::PointRow points;
+  const textures::SurfacePoint* surfaces[kMost];
+  for (int k = 0; k < n; ++k) {
+    const Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
+    points.set(k, leaf.point);
+    surfaces[k] = &met_[leaf.ray].at->texture_point;
+  }
+  points.fill_up(n);
+  textures::evaluate(*material.layer->pigment, n, points, surfaces, colors, colored);
+}
+
+}  // namespace verisim::shading

@@ -1,5 +1,6 @@
 #include "tracer/accel/box_tree_builder.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "tracer/parallel.h"
@@ -55,7 +56,7 @@ struct Split {
 
 class Builder {
  public:
-  Builder(std::vector<BuildItem>& items, unsigned leaf_size) : items_(items.data()), leaf_size_(leaf_size), spare_(items.size()) {}
+  Builder(std::vector<BuildItem>& items, unsigned leaf_size) : all_(items), items_(items.data()), leaf_size_(leaf_size), spare_(items.size()) {}
 
   Range whole(std::size_t count) {
     Range range;
@@ -92,6 +93,7 @@ class Builder {
         part[i].nodes.emplace_back().clear();
         node(child[i], 0, depth + 1, part[i]);
       });
+      if (depth == 0) release(std::none_of(child, child + count, [](const Range& c) { return c.leaf; }));
       for (int i = 0; i < count; ++i) {
         const std::uint32_t root = child[i].leaf ? leaf(child[i], out) : append(out, part[i]);
         out.nodes[place].child[i] = root;
@@ -116,6 +118,12 @@ class Builder {
     alignas(16) float low[4], high[4];
     b.low.store(low), b.high.store(high);
     for (int i = 0; i < 3; ++i) node.planes[i][k] = low[i], node.planes[3 + i][k] = high[i];
+  }
+
+  // Everything below the root is built: what only its splits needed goes before nodes are copied; the items, too, unless one is still to be named.
+  void release(bool items_too) {
+    std::vector<BuildItem>().swap(spare_);
+    if (items_too) std::vector<BuildItem>().swap(all_);
   }
 
   std::uint32_t leaf(const Range& range, BuiltTree& out) const {
@@ -276,6 +284,7 @@ class Builder {
     range = left;
   }
 
+  std::vector<BuildItem>& all_;
   BuildItem* const items_;
   const unsigned leaf_size_;
   std::vector<BuildItem> spare_;

@@ -42,7 +42,7 @@ struct BuiltTree {
   std::vector<std::uint32_t> order;  // the boxes as leaves refer to them; empty if leaf_size is 1: leaves name their box then
 };
 
-// The items are reordered. At least one; no item counts more than leaf_size, which is at most BoxNode::kMaxLeaf. The tree is the same for any
+// The items are used up. At least one; no item counts more than leaf_size, which is at most BoxNode::kMaxLeaf. The tree is the same for any
 // number of threads.
 BuiltTree build_box_tree(std::vector<BuildItem>& items, unsigned leaf_size);
 

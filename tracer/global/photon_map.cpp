@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -10,6 +11,7 @@ namespace verisim::global {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr auto kAny = std::numeric_limits<std::size_t>::max();  // too many for every search
 
 Vec3 position(const Photon& p) { return {p.position[0], p.position[1], p.position[2]}; }
 
@@ -118,14 +120,14 @@ void PhotonMap::Search::keep_nearest(std::size_t maximum, double& limit) {
   found.resize(kept);
 }
 
-// Collects the nearest photons with flattened distance below `radius`. Returns whether there were more than `maximum`; then `farthest` is the distance of
-// the last one kept, squared.
+// Collects the nearest photons with flattened distance below `radius`. `nearest`: there were more than `maximum`; then `farthest` is the distance of the
+// last one kept, squared. Gives up when it knows that there are `too_many` or more.
 template <class Candidates>
-bool PhotonMap::collect(const Candidates& candidates, const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, Search& search,
-                        double& farthest) const {
+PhotonMap::Collected PhotonMap::collect(const Candidates& candidates, const Vec3& point, const Vec3* normal, double radius, std::size_t maximum,
+                                        std::size_t too_many, Search& search, double& farthest) const {
   search.found.clear();
   double limit = radius * radius;
-  bool dropped = false;
+  Collected result = Collected::all;
   candidates.visit(point, limit, [&](std::uint32_t i) {
     const Vec3 delta = position(photons_[i]) - point;
     double squared = dot(delta, delta);
@@ -133,11 +135,16 @@ bool PhotonMap::collect(const Candidates& candidates, const Vec3& point, const V
     if (normal) squared *= 1.0 + 16.0 * std::fabs(dot(*normal, delta));
     if (squared >= limit) return;
     search.found.push_back({squared, i});
-    if (search.found.size() >= 2 * maximum + 20) search.keep_nearest(maximum, limit), dropped = true;
+    if (search.found.size() >= too_many) {
+      limit = 0.0, result = Collected::too_many;  // no more, please
+    } else if (search.found.size() >= 2 * maximum + 20) {
+      search.keep_nearest(maximum, limit), result = Collected::nearest;
+    }
   });
-  if (search.found.size() > maximum) search.keep_nearest(maximum, limit), dropped = true;
+  if (result == Collected::too_many) return result;
+  if (search.found.size() > maximum) search.keep_nearest(maximum, limit), result = Collected::nearest;
   farthest = limit;
-  return dropped;
+  return result;
 }
 
 bool PhotonMap::fill(PhotonNeighbourhoods::Cell& cell, std::size_t most) const {
@@ -156,42 +163,47 @@ bool PhotonMap::fill(PhotonNeighbourhoods::Cell& cell, std::size_t most) const {
   return true;
 }
 
-double PhotonMap::search(const Vec3& point, const Vec3* normal, double radius, int maximum, double& enough, Search& s,
+double PhotonMap::search(const Vec3& point, const Vec3* normal, double radius, int maximum, std::size_t too_many, double& enough, Search& s,
                          std::vector<const Photon*>& out) const {
   out.clear();
-  if (photons_.empty() || maximum <= 0) return radius;
+  if (photons_.empty() || maximum <= 0 || !(0.3 * radius > 0.0)) return radius;
   // Photons lie about as dense here as nearby: radii little above the one that was enough there are tried first. If they hold more than `maximum`, the
-  // nearest are among them, whatever the radius.
+  // nearest are among them, whatever the radius. Where nothing is known small ones come first: they cost little if they hold too few.
   const auto most = static_cast<std::size_t>(maximum);
-  const double start = enough > 0.0 ? std::min(1.06 * enough, radius) : radius;
+  const double start = enough > 0.0 ? std::min(1.06 * enough, radius) : 0.3 * radius, growth = enough > 0.0 ? 1.4 : 2.0;
   double farthest = 0.0;
-  bool dropped = false, known = false;
+  Collected collected = Collected::all;
+  bool known = false;
   if (const auto* cell = s.nearby.around(point, start, radius, [&](PhotonNeighbourhoods::Cell& c) { return fill(c, 8 * most + 64); })) {
     // What the cell knows all of around this point may be less than the radius.
     const double reach = (cell->reach - length(point - cell->center)) * (1.0 - 1e-9), within = std::min(radius, reach);
-    for (double guess = start; !dropped && !known; guess *= 1.4) {
-      dropped = collect(*cell, point, normal, std::min(guess, within), most, s, farthest);
-      known = dropped || guess >= within;
+    for (double guess = start; collected == Collected::all && !known; guess *= growth) {
+      collected = collect(*cell, point, normal, std::min(guess, within), most, too_many, s, farthest);
+      known = guess >= within;
     }
-    known = dropped || within == radius;
+    known = collected != Collected::all || within == radius;
   }
-  for (double guess = start; !known; guess *= 1.4) {
-    dropped = collect(tree_, point, normal, std::min(guess, radius), most, s, farthest);
-    known = dropped || guess >= radius;
+  for (double guess = start; !known; guess *= growth) {
+    collected = collect(tree_, point, normal, std::min(guess, radius), most, too_many, s, farthest);
+    known = collected != Collected::all || guess >= radius;
   }
+  if (collected == Collected::too_many) return 0.0;
   for (const Search::Found& f : s.found) out.push_back(&photons_[f.index]);
-  const double result = dropped ? std::sqrt(farthest) : radius;
-  enough = dropped ? result : 0.0;
-  return result;
+  return enough = collected == Collected::nearest ? std::sqrt(farthest) : radius;
 }
 
 void PhotonMap::gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const {
-  out.radius = search(point, normal, radius_, settings.maximum, out.search.nearby.guess(point, radius_), out.search, out.photons);
+  out.radius = search(point, normal, radius_, settings.maximum, kAny, out.search.nearby.guess(point, radius_), out.search, out.photons);
   if (static_cast<int>(out.photons.size()) >= settings.minimum) return;
-  double& guess = out.wider_search.nearby.guess(point, 3.0 * radius_);
-  const double wider = search(point, normal, 3.0 * radius_, settings.maximum, guess, out.wider_search, out.wider_photons);
+  // The second try counts if it finds few, or photons that lie hardly denser. So many that they are neither make it vain, wherever the others are.
+  const double reach = 3.0 * radius_;
   const double first = out.photons.empty() ? 1e-16 : static_cast<double>(out.photons.size()) / (out.radius * out.radius);
-  const double second = wider > 0.0 ? static_cast<double>(out.wider_photons.size()) / (wider * wider) : 0.0;
+  const double vain = std::max(settings.expand_minimum + 1.0, first * (1.0 + settings.expand_increase) * reach * reach * (1.0 + 1e-9) + 1.0);
+  const std::size_t too_many = vain < settings.maximum ? static_cast<std::size_t>(std::ceil(vain)) : kAny;
+  double& guess = out.wider_search.nearby.guess(point, reach);
+  const double wider = search(point, normal, reach, settings.maximum, too_many, guess, out.wider_search, out.wider_photons);
+  if (wider == 0.0) return;
+  const double second = static_cast<double>(out.wider_photons.size()) / (wider * wider);
   const int found = static_cast<int>(out.wider_photons.size());
   if ((second - first) / first < settings.expand_increase || (found >= 1 && found < settings.expand_minimum)) {
     out.photons.swap(out.wider_photons);
@@ -224,7 +236,7 @@ void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max
   double density = 0.0;
   for (std::size_t i = 0; i < tries; ++i) {
     const Photon& p = photons_[generator() % photons_.size()];
-    const double r = search(position(p), nullptr, 1e7, gather_max, guess, scratch, found);
+    const double r = search(position(p), nullptr, 1e7, gather_max, kAny, guess, scratch, found);
     density += static_cast<double>(found.size()) / volume(r);
     if (guess == 0.0) guess = typical;
   }
@@ -233,7 +245,7 @@ void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max
   std::size_t sparse = 0;
   for (std::size_t i = 0; i < tries; ++i) {
     const Photon& p = photons_[generator() % photons_.size()];
-    const double r = search(position(p), nullptr, ideal, gather_max, guess, scratch, found);
+    const double r = search(position(p), nullptr, ideal, gather_max, kAny, guess, scratch, found);
     const double d = static_cast<double>(found.size()) / volume(r);
     if (d > 0.05 * density && d < 0.70 * density) ++sparse;
   }

@@ -70,12 +70,14 @@ class PhotonMap {
   void gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const;
 
  private:
-  // The nearest photons within `radius` that are at most `maximum`; returns the radius of what holds them.
+  // The nearest photons within `radius` that are at most `maximum`; returns the radius of what holds them, or 0 if there are `too_many`.
   // `guess`: a radius that may be enough, 0: none; the one that was.
-  double search(const Vec3& point, const Vec3* normal, double radius, int maximum, double& guess, Search& scratch, std::vector<const Photon*>& out) const;
+  double search(const Vec3& point, const Vec3* normal, double radius, int maximum, std::size_t too_many, double& guess, Search& scratch,
+                std::vector<const Photon*>& out) const;
+  enum class Collected { all, nearest, too_many };
   template <class Candidates>
-  bool collect(const Candidates& candidates, const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, Search& search,
-               double& farthest) const;
+  Collected collect(const Candidates& candidates, const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, std::size_t too_many,
+                    Search& search, double& farthest) const;
   bool fill(PhotonNeighbourhoods::Cell& cell, std::size_t most) const;
 
   double typical_radius(int count) const;

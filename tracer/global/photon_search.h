@@ -122,7 +122,7 @@ class PhotonNeighbourhoods {
     template <class Visit>
     void visit(const Vec3& p, const double& limit, Visit&& visit) const;
   };
-  // The radius that was enough near p, for searches within `radius`; what is written is remembered. 0: nothing known, or the whole radius was needed.
+  // The radius that was enough near p, for searches within `radius`; what is written is remembered. 0: nothing known.
   double& guess(const Vec3& p, double radius);
   // The cell around p for searches that need about this radius and never more than `most`; null: it is not worth it. `fill(cell)` enters the photons
   // within cell.reach, and returns false if they are too many.

@@ -104,6 +104,7 @@ Json list(const std::vector<T>& items, const F& convert) {
 }  // namespace
 
 Json SceneDump::scene(const scene::Scene& s) {
+  scene::complete(s);
   Json out{{"format", "verisim scene"}, {"format_version", kFormatVersion}, {"source", s.source_name}, {"version", s.version / 100.0}};
   out["global_settings"] = settings(s.settings);
   out["camera"] = camera(*this, s.camera);

@@ -41,11 +41,12 @@ std::string to_utf8(const std::u16string& text) {
 // The numbers of a shape, under the words of SDL.
 struct ShapeDump {
   SceneDump& dumper;
+  const scene::Object& object;
   Json& out;
 
-  void children(const std::vector<scene::ObjectPtr>& objects) const {
+  void children() const {
     out["children"] = Json::array();
-    for (const scene::ObjectPtr& child : objects) out["children"].push_back(dumper.object(*child));
+    for (const scene::ObjectPtr& child : scene::children_of(object)) out["children"].push_back(dumper.object(*child));
   }
 
   void operator()(const scene::Sphere& s) const { out["center"] = dump(s.center), out["radius"] = s.radius; }
@@ -122,10 +123,10 @@ struct ShapeDump {
       out["faces"].push_back(std::move(face));
     }
   }
-  void operator()(const scene::Csg& c) const { children(c.children); }
+  void operator()(const scene::Csg&) const { children(); }
   void operator()(const scene::LightGroup& g) const {
     out["global_lights"] = g.global_lights;
-    children(g.children);
+    children();
   }
   void operator()(const scene::Boxed<scene::LightSource>& l) const { out.update(dumper.light(*l)); }
 };
@@ -148,7 +149,7 @@ Json SceneDump::light(const scene::LightSource& l) {
 
 Json SceneDump::object(const scene::Object& o) {
   Json out{{"type", object_keyword(o)}, {"place", dump(o.place)}};
-  std::visit(ShapeDump{*this, out}, o.shape);
+  std::visit(ShapeDump{*this, o, out}, o.shape);
   out["matrix"] = o.transform ? dump(*o.transform) : Json(nullptr);
   out["bounds"] = {{"corner", o.bounds.low}, {"size", o.bounds.size}};
   for (const auto& [name, limits] : {std::pair{"bounded_by", &o.bounded_by}, std::pair{"clipped_by", &o.clipped_by}}) {

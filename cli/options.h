@@ -90,7 +90,7 @@ struct Options {
   std::string sampler = "povray";                     // or adaptive
   std::string layers;                                 // of an EXR file, as the user listed them
   std::vector<std::filesystem::path> allow_write, allow_read;
-  parser::Limits limits;
+  parser::Limits limits{.max_steps = std::uint64_t{100'000'000'000}};  // an endless loop ends after some ten minutes; POV-Ray takes hours for as much
   std::uint64_t max_pixels = std::uint64_t{1} << 28;  // of one picture: 20 bytes each
   double max_seconds = 0;                             // of one command; 0: no limit
   std::string exact_output;                           // --output: the name as it is, the type by its extension

@@ -93,7 +93,7 @@ void add_scene_options(OwnOptions& own, Options& options) {
   own.paths("--allow-read", options.allow_read, "Let the scene read only below this path (may be given again); without it it may read everything");
   own.paths("--allow-write", options.allow_write, "Let the scene write (#fopen) below this path, too (may be given again); without it only below the current folder and the scene's");
   own.value("--max-seconds", options.max_seconds, "Give up after this time; 0: no limit");
-  own.value("--max-steps", options.limits.max_steps, "Limit of executed tokens of the scene; 0: no limit");
+  own.value("--max-steps", options.limits.max_steps, "Limit of executed tokens of the scene (default 10^11, some ten minutes of an endless loop); 0: no limit");
   own.value("--max-tokens", options.limits.max_tokens, "Limit of tokens in all files together");
   own.value("--max-file-bytes", options.limits.max_file_bytes, "Limit of one source file");
   own.value("--max-memory", options.limits.max_memory_bytes, "Limit of the memory that parsing takes, in bytes");

@@ -16,10 +16,7 @@ class Walk {
     if (!pointer || !seen_.insert(pointer.get()).second) return;
     const scene::Object& o = *pointer;
     if (const auto* light = o.as<scene::LightSource>()) this->light(*light);
-    if (const auto* csg = o.as<scene::Csg>())
-      for (const auto& child : csg->children) object(child);
-    if (const auto* group = o.as<scene::LightGroup>())
-      for (const auto& child : group->children) object(child);
+    for (const auto& child : scene::children_of(o)) object(child);
     if (const auto* blob = o.as<std::shared_ptr<const scene::Blob>>())
       for (const auto& component : (*blob)->components) texture(component.texture);
     if (const auto* mesh = o.as<scene::Mesh>(); mesh && mesh->data)
@@ -66,8 +63,8 @@ void count(const scene::ObjectPtr& pointer, ObjectCount& result) {
   if (!pointer) return;
   if (pointer->as<scene::LightSource>()) {
     ++result.lights;
-  } else if (const auto* group = pointer->as<scene::LightGroup>()) {
-    for (const auto& child : group->children) count(child, result);
+  } else if (pointer->as<scene::LightGroup>()) {
+    for (const auto& child : scene::children_of(*pointer)) count(child, result);
   } else {
     ++(scene::is_infinite(*pointer) ? result.infinite : result.finite);
   }

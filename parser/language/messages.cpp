@@ -100,8 +100,10 @@ Diagnostic Parser::Impl::diagnostic(Severity severity, const std::string& text, 
 }
 
 void Parser::Impl::message(Severity severity, const std::string& text, const std::string& advice) {
-  // A message from inside a loop is given once for each place.
-  if (file && !messages_given.emplace(file, index(position), std::hash<std::string>{}(text)).second) return;
+  // A message from inside a loop is given once for each place, the name of an experimental feature once a scene.
+  const bool once = text.ends_with("an experimental feature of POV-Ray.");
+  const std::size_t what = std::hash<std::string>{}(text);
+  if (file && !(once ? messages_given.emplace(nullptr, 0, what) : messages_given.emplace(file, index(position), what)).second) return;
   if (messages_given.size() > 10000) messages_given.clear();
   give(severity, text, advice);
 }

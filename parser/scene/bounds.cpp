@@ -11,10 +11,9 @@ namespace {
 
 bool has_texture(const Object& object) {
   if (object.texture) return true;
-  if (const auto* csg = object.as<scene::Csg>()) {
-    for (const ObjectPtr& child : csg->children) {
-      if (has_texture(*child)) return true;
-    }
+  if (!object.as<scene::Csg>()) return false;
+  for (const ObjectPtr& child : scene::declared_children(object)) {
+    if (has_texture(*child)) return true;
   }
   return false;
 }

@@ -119,7 +119,7 @@ class CameraReader {
   void parse_mesh_camera() {
     parser.next();
     parser.expect('{');
-    parser.warning("This rendering uses the following experimental feature(s): mesh camera.");
+    parser.warning("mesh_camera is an experimental feature of POV-Ray.");
     camera.rays_per_pixel = parser.parse_int();
     if (camera.rays_per_pixel <= 0) parser.error("Rays per pixel may not be 0 or negative.");
     parser.optional_comma();

@@ -13,10 +13,10 @@ void read_children(Parser& parser, scene::Object& object, Word word) {
   csg.difference = word == Word::difference;
   while (ObjectRef child = parse_object(parser)) {
     if (csg.kind == scene::CsgKind::intersection && scene::is_patch(*child)) parser.warning("Patch objects not allowed in intersection.");
-    if (csg.difference && !csg.children.empty()) scene::invert(*child);
+    if (csg.difference && !csg.children.declared().empty()) scene::invert(*child);
     csg.children.push_back(child);
   }
-  if (csg.children.size() < 2) parser.warning("Should have at least 2 objects in csg.");
+  if (csg.children.declared().size() < 2) parser.warning("Should have at least 2 objects in csg.");
   object.shape = std::move(csg);
 }
 

@@ -1,6 +1,7 @@
 // #default { ... } (spec 01 section 21).
 #include "parser/scene/camera.h"
 #include "parser/scene/common.h"
+#include "parser/scene/pattern.h"
 #include "parser/scene/texture.h"
 
 namespace verisim::parser {
@@ -10,7 +11,9 @@ void parse_default(Parser& parser) {
   parser.expect('{');
   for (;;) {
     if (parser.at(Word::texture)) {
-      const scene::TexturePtr texture = parse_texture(parser);
+      Block block(parser, "texture");
+      const scene::TexturePtr texture = parse_texture_body(parser, true);
+      block.close();
       if (texture->patterned()) parser.error("Default texture cannot be material map or tiles.");
       if (texture->layers.size() > 1) parser.error("Default texture cannot be layered.");
       parser.default_texture() = texture;

@@ -82,6 +82,7 @@ void parse_subsurface(Parser& parser, Finish& finish) {
   finish.place = parser.place();
   parser.next();
   parser.expect('{');
+  parser.warning("subsurface is an experimental feature of POV-Ray.");
   finish.subsurface = true;
   for (;;) {
     if (parser.accept(Word::translucency)) {
@@ -101,6 +102,7 @@ void parse_diffuse(Parser& parser, Finish& finish, Albedo& albedo) {
   finish.diffuse = to_float(parser.parse_float());
   finish.diffuse_back = 0;
   if (accept_comma_or_number(parser)) finish.diffuse_back = to_float(parser.parse_float());
+  if (finish.diffuse_back != 0) parser.warning("Diffuse reflection on the back is an experimental feature of POV-Ray.");
 }
 
 void warn_compatibility(Parser& parser, const char* keyword) {

@@ -12,17 +12,9 @@ using scene::Object;
 
 namespace {
 
-std::vector<scene::ObjectPtr>* children_of(Object& object) {
-  if (auto* csg = std::get_if<scene::Csg>(&object.shape)) return &csg->children;
-  if (auto* group = std::get_if<scene::LightGroup>(&object.shape)) return &group->children;
-  return nullptr;
-}
-
 // hollow reaches the children that say nothing themselves at once (spec 03 5.4).
 void inherit_hollow(Object& object, bool hollow) {
-  auto* children = children_of(object);
-  if (!children) return;
-  for (scene::ObjectPtr& child : *children) {
+  for (const scene::ObjectPtr& child : scene::own_children(object)) {
     auto& writable = const_cast<Object&>(*child);
     if (writable.hollow != Flag::unset) continue;
     writable.hollow_inherited = hollow;
@@ -32,9 +24,7 @@ void inherit_hollow(Object& object, bool hollow) {
 
 void set_double_illuminate(Object& object, bool on) {
   object.double_illuminate = on;
-  if (auto* children = children_of(object)) {
-    for (scene::ObjectPtr& child : *children) set_double_illuminate(const_cast<Object&>(*child), on);
-  }
+  for (const scene::ObjectPtr& child : scene::own_children(object)) set_double_illuminate(const_cast<Object&>(*child), on);
 }
 
 bool may_be_sturm(const scene::Shape& shape) {

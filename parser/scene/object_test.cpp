@@ -139,14 +139,15 @@ TEST(Csg, DifferenceInvertsAllButTheFirst) {
   const auto& csg = *object->as<scene::Csg>();
   EXPECT_EQ(csg.kind, scene::CsgKind::intersection);
   EXPECT_TRUE(csg.difference);
-  ASSERT_EQ(csg.children.size(), 3u);
-  EXPECT_FALSE(csg.children[0]->inverted);
-  EXPECT_TRUE(csg.children[1]->inverted);
+  const auto& children = scene::children_of(*object);
+  ASSERT_EQ(children.size(), 3u);
+  EXPECT_FALSE(children[0]->inverted);
+  EXPECT_TRUE(children[1]->inverted);
 }
 
 TEST(Csg, UntexturedChildrenGetTheParentsTexture) {
   const auto object = object_of("union{sphere{0,1} sphere{0,2 pigment{rgb x}} texture{pigment{rgb y}}}");
-  const auto& children = object->as<scene::Csg>()->children;
+  const auto& children = scene::children_of(*object);
   EXPECT_EQ(children[0]->texture, object->texture);
   EXPECT_EQ(children[1]->texture->layers[0].pigment->color, Color(1, 0, 0));
 }
@@ -158,14 +159,14 @@ TEST(Csg, DefaultTextureIsTheOneAtTheEndOfTheStatement) {
 
 TEST(Csg, CutawayChildrenStayWithoutTexture) {
   const auto object = object_of("difference{union{sphere{0,1 pigment{rgb x}} box{0,1}} sphere{x,1} cutaway_textures}");
-  const auto& children = object->as<scene::Csg>()->children;
+  const auto& children = scene::children_of(*object);
   EXPECT_FALSE(children[1]->texture);
-  EXPECT_TRUE(children[0]->as<scene::Csg>()->children[1]->texture);  // a child of a union has the default texture after all
+  EXPECT_TRUE(scene::children_of(*children[0])[1]->texture);  // a child of a union has the default texture after all
 }
 
 TEST(Csg, ChildrenShareTheInteriorAndTheLastHollowWins) {
   const auto object = object_of("union{sphere{0,1 hollow} sphere{x,1} interior{ior 1.5}}");
-  const auto& children = object->as<scene::Csg>()->children;
+  const auto& children = scene::children_of(*object);
   EXPECT_EQ(children[0]->interior, object->interior);
   EXPECT_EQ(children[1]->interior, object->interior);
   EXPECT_FALSE(object->interior->hollow);
@@ -182,7 +183,7 @@ TEST(Csg, CopiesHaveInteriorsOfTheirOwn) {
 
 TEST(Csg, FlagsRunDownTheTree) {
   const auto object = object_of("union{sphere{0,1} box{0,1} no_shadow no_image radiosity{importance .5} photons{target .5 refraction on collect off}}");
-  for (const auto& child : object->as<scene::Csg>()->children) {
+  for (const auto& child : scene::children_of(*object)) {
     EXPECT_TRUE(child->no_shadow && child->no_image && !child->no_reflection);
     EXPECT_EQ(child->radiosity_importance, .5f);
     EXPECT_TRUE(child->photons->target && !child->photons->collect);
@@ -230,18 +231,18 @@ TEST(Modifiers, ColorsOutsideOfTexturesWarn) {
 
 TEST(LightGroups, LightsReachTheGroupsObjectsOnly) {
   const auto object = object_of("light_group{light_source{y rgb 1} sphere{0,1} union{box{0,1} sphere{0,2}} global_lights off}");
-  const auto& children = object->as<scene::LightGroup>()->children;
+  const auto& children = scene::children_of(*object);
   EXPECT_EQ(children[1]->group_lights.size(), 1u);
-  EXPECT_EQ(children[2]->as<scene::Csg>()->children[0]->group_lights.size(), 1u);
+  EXPECT_EQ(scene::children_of(*children[2])[0]->group_lights.size(), 1u);
   EXPECT_TRUE(children[1]->ignore_global_lights);
-  EXPECT_FALSE(object_of("light_group{sphere{0,1} global_lights on}")->as<scene::LightGroup>()->children[0]->ignore_global_lights);
+  EXPECT_FALSE(scene::children_of(*object_of("light_group{sphere{0,1} global_lights on}"))[0]->ignore_global_lights);
 }
 
 TEST(LightGroups, InnerGroupsWithLightsInheritOnlyAsCopies) {
   const auto lights_inside = [](const std::string& text) {
     const scene::Scene scene = scene_of(text);
-    const auto& outer = scene.objects.back()->as<scene::LightGroup>()->children;
-    return outer[1]->as<scene::LightGroup>()->children.back()->group_lights.size();
+    const auto& outer = scene::children_of(*scene.objects.back());
+    return scene::children_of(*outer[1]).back()->group_lights.size();
   };
   EXPECT_EQ(lights_inside("light_group{light_source{y rgb 1} light_group{light_source{x rgb 1} sphere{0,1}}}"), 1u);
   EXPECT_EQ(lights_inside("light_group{light_source{y rgb 1} light_group{sphere{0,1}}}"), 1u);

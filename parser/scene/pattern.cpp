@@ -107,6 +107,7 @@ scene::SlopeParams parse_slope(Parser& parser) {
     if (parser.accept(Word::altitude)) {
       if (slope.point_at) parser.error("'altitude' cannot be used together with 'point_at'.");
       slope.altitude = parser.parse_vec3();
+      parser.warning("A slope pattern with altitude is an experimental feature of POV-Ray.");
       range(slope.altitude_low, slope.altitude_high);
     }
     close_block(parser, "slope");
@@ -239,6 +240,7 @@ bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, co
       parser.expect('{');
       std::shared_ptr<scene::Object> object = parse_object(parser);
       if (!object) parser.error_expected("object");
+      scene::complete(*object);
       pattern.params = scene::ObjectParams{object};
       read_list(2);
       close_block(parser, "object");

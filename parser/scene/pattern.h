@@ -34,7 +34,7 @@ scene::ImageParams parse_image(Parser& parser, ImageUse use, float* bump_size = 
 // (`old_texture`: written directly into the texture, before 3.0; frequency and phase belong to the normal then.)
 scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& start, bool old_texture = false);
 scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start);
-scene::TexturePtr parse_texture_body(Parser& parser);
+scene::TexturePtr parse_texture_body(Parser& parser, bool is_default = false);
 scene::DensityPtr parse_density_body(Parser& parser);
 // Whole blocks that modify something.
 scene::PigmentPtr parse_pigment(Parser& parser, const scene::PigmentPtr& start);

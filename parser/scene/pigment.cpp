@@ -83,9 +83,19 @@ scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& st
     check_nesting(parser, *pigment);
     return pigment;
   }
+  // Before 1.5 the items of a pigment may stand in its texture, at the price of a warning.
+  const bool stray = old_texture && parser.version() < 150;
+  const auto belongs_into_pigment = [&](std::string_view item) { parser.warning("Found '" + std::string(item) + "' that should be in a pigment statement."); };
+  const Word first = at_color(parser) ? Word::color : word_at(parser);
   changed = parse_type(parser, *pigment);
+  if (changed && stray) belongs_into_pigment(spelling(first));
   if (!changed && !old_texture && pigment->pattern.kind == PatternKind::none) parser.warning("Pigment type unspecified or not 1st item.");
-  while (!(old_texture && (parser.at(Word::frequency) || parser.at(Word::phase))) && parse_modifier(parser, *pigment)) changed = true;
+  while (!(old_texture && (parser.at(Word::frequency) || parser.at(Word::phase) || parser.at(Word::agate_turb)))) {
+    const Word word = word_at(parser);
+    if (!parse_modifier(parser, *pigment)) break;
+    if (stray && (word == Word::color_map || word == Word::pigment_map || word == Word::quick_color)) belongs_into_pigment(spelling(word));
+    changed = true;
+  }
   if (!changed) return original;  // shared, so that equal pigments are compiled once
   if (pigment->pattern.kind == PatternKind::average && !pigment->pigment_map) parser.error("Average must have map.");
   check_pattern(parser, pigment->pattern);

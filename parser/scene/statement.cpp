@@ -28,20 +28,33 @@ class ObjectCheck {
 
   void object(const scene::Object& o) {
     if (!o.bounded_by.empty()) bounds(o);
-    for (const scene::TexturePtr* texture : {&o.texture, &o.interior_texture}) {
-      if (*texture && *texture != last) check(**texture);
-      if (*texture) last = *texture;
-    }
-    if (const auto* csg = o.as<scene::Csg>()) {
-      for (const scene::ObjectPtr& child : csg->children) object(*child);
-    } else if (const auto* group = o.as<scene::LightGroup>()) {
-      for (const scene::ObjectPtr& child : group->children) object(*child);
-    }
+    textures(o);
+    const auto* csg = o.as<scene::Csg>();
+    if (csg && csg->children.postponed()) postponed(o, o.texture != nullptr);
+    else
+      for (const scene::ObjectPtr& child : scene::children_of(o)) object(*child);
   }
 
  private:
   Parser& parser;
   scene::TexturePtr last;  // children often share one texture
+
+  void textures(const scene::Object& o) {
+    for (const scene::TexturePtr* texture : {&o.texture, &o.interior_texture}) {
+      if (*texture && *texture != last) check(**texture);
+      if (*texture) last = *texture;
+    }
+  }
+
+  // What the children of a copy will be: they have no bounds, and what has no texture will have its parent's or the default one.
+  void postponed(const scene::Object& parent, bool textured) {
+    for (const scene::ObjectPtr& child : scene::declared_children(parent)) {
+      textures(*child);
+      const bool has_texture = textured || child->texture;
+      if (!has_texture && scene::declared_children(*child).empty()) check(*parser.default_texture());
+      postponed(*child, has_texture);
+    }
+  }
 
   void bounds(const scene::Object& o) {
     if (o.as<scene::Poly>() || o.as<std::shared_ptr<const scene::Text>>() || o.as<scene::LightGroup>()) return;
@@ -49,7 +62,7 @@ class ObjectCheck {
     if (!csg) return parser.warning("Unnecessary bounding object removed.");
     // The parts of a union are bounded one by one.
     if (csg->kind != scene::CsgKind::union_ || !o.split_union || !o.clipped_by.empty()) return;
-    for (const scene::ObjectPtr& child : csg->children)
+    for (const scene::ObjectPtr& child : scene::children_of(o))
       if (scene::is_infinite(*child)) return;
     parser.warning("CSG union unnecessarily bounded.");
   }

@@ -37,20 +37,25 @@ bool parse_part(Parser& parser, scene::TextureLayer& layer) {
 
 // Scenes before 3.0 wrote pigment, normal and finish items directly into the texture.
 bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
+  const auto belongs_into_normal = [&] {
+    if (parser.version() < 150) parser.warning("Found '" + std::string(spelling(word_at(parser))) + "' that should be in a normal statement.");
+  };
   switch (word_at(parser)) {
     case Word::bumps:
     case Word::dents:
     case Word::ripples:
     case Word::waves:
     case Word::wrinkles:
-    case Word::bump_map: layer.normal = parse_normal_body(parser, layer.normal); return true;
+    case Word::bump_map: belongs_into_normal(); layer.normal = parse_normal_body(parser, layer.normal); return true;
     case Word::frequency:
     case Word::phase: {
+      belongs_into_normal();
       auto normal = layer.normal ? std::make_shared<scene::Normal>(*layer.normal) : std::make_shared<scene::Normal>();
       parse_pattern_modifier(parser, normal->pattern, PatternOwner::normal);
       layer.normal = normal;
       return true;
     }
+    case Word::uv_mapping: return false;
     case Word::none:
       if (parser.peek().kind == TokenKind::number) {
         layer.finish.edit().crand = to_float(parser.parse_float());
@@ -66,7 +71,6 @@ bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
     return true;
   }
   if (word_at(parser) == Word::none && !at_color(parser)) return false;
-  if (at_color(parser) && parser.version() < 150) parser.warning("Found a colour that should be in a pigment statement.");
   scene::PigmentPtr pigment = parse_pigment_body(parser, layer.pigment, true);
   const bool changed = pigment != layer.pigment;
   layer.pigment = pigment;
@@ -77,7 +81,7 @@ void parse_plain_items(Parser& parser, Texture& texture) {
   for (;;) {
     Transform item;
     if (parse_part(parser, texture.layers.back())) continue;
-    if (parser.at(Word::no_bump_scale)) {
+    if (parser.at(Word::no_bump_scale) && parser.version() >= 300) {
       parser.next();
       for (scene::TextureLayer& layer : texture.layers) {
         if (!layer.normal) continue;
@@ -245,9 +249,9 @@ bool parse_texture_part(Parser& parser, scene::TexturePtr& texture) {
   return true;
 }
 
-scene::TexturePtr parse_texture_body(Parser& parser) {
+scene::TexturePtr parse_texture_body(Parser& parser, bool is_default) {
   const Parser::Depth depth(parser);
-  if (parser.at(Word::uv_mapping)) return parse_uv_mapped(parser);
+  if (parser.at(Word::uv_mapping) && parser.version() >= 300) return parse_uv_mapped(parser);
   if (const auto* value = parser.accept_value<scene::TexturePtr>()) {
     const scene::TexturePtr original = *value;
     if (parser.at('}') || parser.at(']')) return original;  // shared, so that it is compiled once
@@ -273,6 +277,9 @@ scene::TexturePtr parse_texture_body(Parser& parser) {
     return parse_patterned(parser);
   }
   parse_plain_items(parser, *texture);
+  // Between 1.5 and 3.0 a texture says what its pigment is, unless the default texture does.
+  const bool lacks_pigment = texture->layers.back().pigment->pattern.kind == PatternKind::none;
+  if (lacks_pigment && !is_default && parser.version() >= 150 && parser.version() < 300) parser.error_expected("pigment identifier");
   return texture;
 }
 

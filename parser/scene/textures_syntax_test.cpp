@@ -6,6 +6,15 @@ namespace verisim::parser {
 namespace {
 
 constexpr const char* kAccepted[] = {
+    R"(#version 2.0; sphere{0,1 texture{pigment{color red 1} finish{phong 1}}})",
+    R"(#version 2.0; sphere{0,1 texture{bumps .5 color red 1}})",
+    R"(#version 2.0; sphere{0,1 texture{scale 2 wood}})",
+    R"(#version 2.0; sphere{0,1 texture{wood phong 1 turbulence .3}})",
+    R"(#version 2.0; sphere{0,1 texture{tiles{texture{color red 1} tile2 texture{color blue 1}}}})",
+    R"(#version 2.0; #declare T=texture{wood} sphere{0,1 texture{T finish{phong 1}}})",
+    R"(#version 2.0; #default{texture{pigment{color red 1}}} sphere{0,1 texture{finish{phong 1}}})",
+    R"(#version 2.0; #default{texture{finish{phong 1}}} sphere{0,1})",
+    R"(#version 1.0; sphere{0,1 texture{finish{phong 1}}})",
     R"(#declare V=rgb <1,0,0>; sphere{0,1 pigment{V transmit 0.5}})",
     R"(#declare V=rgb <1,0,0>; sphere{0,1 pigment{V*0.5 transmit 0.5}})",
     R"(#declare T=texture{pigment{rgb 1}} texture{pigment{rgbt 1}}; sphere{0,1 texture{T pigment{rgb 0}}})",
@@ -128,6 +137,20 @@ constexpr const char* kAccepted[] = {
 };
 
 constexpr const char* kRefused[] = {
+    R"(#version 2.0; sphere{0,1 texture{agate agate_turb .5}})",
+    R"(#version 2.0; sphere{0,1 texture{finish{phong 1}}})",
+    R"(#version 2.0; sphere{0,1 texture{}})",
+    R"(#version 2.0; sphere{0,1 texture{scale 2}})",
+    R"(#version 2.0; sphere{0,1 texture{pigment{} finish{phong 1}}})",
+    R"(#version 2.0; sphere{0,1 texture{brilliance 2}})",
+    R"(#version 2.0; sphere{0,1 texture{bumps .5}})",
+    R"(#version 2.0; sphere{0,1 texture{turbulence .4}})",
+    R"(#version 2.0; sphere{0,1 texture{quick_color red 1}})",
+    R"(#version 2.0; sphere{0,1 texture{no_bump_scale}})",
+    R"(#version 2.0; sphere{0,1 texture{uv_mapping pigment{wood}}})",
+    R"(#version 2.0; sphere{0,1 texture{tiles{texture{} tile2 texture{}}}})",
+    R"(#version 2.0; #declare F=finish{phong 1} sphere{0,1 texture{F}})",
+    R"(#version 2.0; #declare T=texture{finish{phong 1}})",
     R"(sphere{0,1 pigment{bozo mortar 1}})",
     R"(sphere{0,1 pigment{bozo control0 1}})",
     R"(sphere{0,1 pigment{bozo agate_turb 1}})",

@@ -8,33 +8,28 @@ namespace {
 using scene::Object;
 using scene::ObjectPtr;
 
-const std::vector<ObjectPtr>* children_of(const Object& object) {
-  if (const auto* csg = object.as<scene::Csg>()) return &csg->children;
-  if (const auto* group = object.as<scene::LightGroup>()) return &group->children;
-  return nullptr;
-}
-
 bool is_dissolved(const Object& object, bool split_unions) {
   if (object.as<scene::LightGroup>()) return true;
   const auto* csg = object.as<scene::Csg>();
   if (!csg || csg->kind != scene::CsgKind::union_ || !object.clipped_by.empty() || !object.split_union) return false;
   if (object.bounded_by.empty()) return true;
   if (!split_unions) return false;
-  return std::none_of(csg->children.begin(), csg->children.end(), [](const ObjectPtr& child) { return scene::is_infinite(*child); });
+  const std::vector<ObjectPtr>& children = scene::children_of(object);
+  return std::none_of(children.begin(), children.end(), [](const ObjectPtr& child) { return scene::is_infinite(*child); });
 }
 
 // Lights that are direct children of a light_group belong to it alone (spec 06 10.1).
 void collect_lights(const Object& object, bool in_group, std::vector<const scene::LightSource*>& lights) {
   if (const auto* light = object.as<scene::LightSource>()) {
     if (!in_group) lights.push_back(light);
-  } else if (const auto* children = children_of(object)) {
-    for (const ObjectPtr& child : *children) collect_lights(*child, object.as<scene::LightGroup>() != nullptr, lights);
+  } else {
+    for (const ObjectPtr& child : scene::children_of(object)) collect_lights(*child, object.as<scene::LightGroup>() != nullptr, lights);
   }
 }
 
 void collect_objects(const Object& object, bool split_unions, FrameList& list) {
   if (is_dissolved(object, split_unions)) {
-    for (const ObjectPtr& child : *children_of(object)) collect_objects(*child, split_unions, list);
+    for (const ObjectPtr& child : scene::children_of(object)) collect_objects(*child, split_unions, list);
     return;
   }
   ++list.entries;

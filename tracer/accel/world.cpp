@@ -74,7 +74,7 @@ bool all_children_shadowless(const scene::Object& o) {
   const auto* csg = o.as<scene::Csg>();
   if (!csg || csg->kind != scene::CsgKind::union_) return false;
   bool any = false;
-  for (const auto& child : csg->children) {
+  for (const auto& child : scene::children_of(o)) {
     if (child->as<scene::LightSource>()) continue;
     if (!child->no_shadow) return false;
     any = true;
@@ -513,7 +513,7 @@ void World::Impl::mix_cutaway(const Shape& shape, const Vec3& p, float weight, s
   }
   const auto children = shape.children();
   if (csg->difference) {
-    if (!children.empty() && children[0]->object == csg->children[0].get() && children[0]->inside_unclipped(p)) mix_cutaway(*children[0], p, weight, out);
+    if (!children.empty() && children[0]->object == scene::children_of(*shape.object)[0].get() && children[0]->inside_unclipped(p)) mix_cutaway(*children[0], p, weight, out);
     return;
   }
   std::size_t count = 0;

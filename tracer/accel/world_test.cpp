@@ -22,8 +22,8 @@ const scene::TexturePtr kOpaque = texture_of({1, 0, 0}), kGlass = texture_of({1,
 ObjectRef textured(const ObjectRef& object, const scene::TexturePtr& texture = kOpaque) {
   object->texture = texture;
   object->interior = std::make_shared<scene::Interior>();
-  if (auto* csg = std::get_if<scene::Csg>(&object->shape))
-    for (auto& child : csg->children)
+  if (object->as<scene::Csg>())
+    for (const auto& child : scene::own_children(*object))
       if (!child->texture) textured(std::const_pointer_cast<Object>(child), texture);
   return object;
 }
@@ -103,7 +103,7 @@ TEST(World, ExactTies) {
 TEST(World, LaterChildOfAWholeUnionWinsTies) {
   auto whole = make_union({make(scene::Box{Vec3(-1), Vec3(1)}), make(scene::Box{Vec3(-1), Vec3(1)})}, [](Object& o) { o.split_union = false; });
   textured(whole);
-  EXPECT_EQ(Stage({whole}).hit({0.1, 0.2, -5}, z), std::get<scene::Csg>(whole->shape).children[1].get());
+  EXPECT_EQ(Stage({whole}).hit({0.1, 0.2, -5}, z), scene::children_of(*whole)[1].get());
 }
 
 TEST(World, BoundsCutOnlyWithAHierarchy) {
@@ -158,8 +158,7 @@ TEST(World, OnlyOpaqueSurfacesOcclude) {
   EXPECT_FALSE(Stage({sphere({0, 0, 10}, 1)}).world->has_transparent_shadows());
   // A union that stays whole and has both kinds.
   auto mixed = make_union({make(scene::Sphere{{0, 0, 5}, 1}), make(scene::Sphere{{0, 0, 10}, 1})}, [](Object& o) { o.split_union = false; });
-  auto& children = std::get<scene::Csg>(mixed->shape).children;
-  textured(std::const_pointer_cast<Object>(children[0]), kGlass);
+  textured(std::const_pointer_cast<Object>(scene::own_children(*mixed)[0]), kGlass);
   textured(mixed);
   const Stage mixed_stage({mixed});
   EXPECT_FALSE(mixed_stage.world->occluded({Vec3(0), z}, 1e-3, 8));
@@ -183,7 +182,8 @@ TEST(World, LightsOfGroupsAreNotGlobal) {
     return make(source);
   };
   scene::LightGroup group;
-  group.children = {light(1), make_union({light(2), sphere(Vec3(0), 1)})};
+  group.children.push_back(light(1));
+  group.children.push_back(make_union({light(2), sphere(Vec3(0), 1)}));
   auto grouped = std::make_shared<Object>();
   grouped->shape = group;
   const Stage stage({light(3), textured(make_union({light(4), sphere({0, 0, 9}, 1)})), textured(grouped)});

@@ -69,14 +69,15 @@ Spline::Value Spline::evaluate(double t, Kind kind) const {
       return r;
     }
     case Kind::cubic: {
+      // Multiplied from left to right, as POV-Ray does: the last digits hang on it.
       const double w = (t - a.t) / h, w2 = w * w, w3 = w2 * w;
+      const double at_a = 2 * w * w * w - 3 * w * w + 1, at_b = 3 * w * w - 2 * w * w * w;
       const auto slope = [&](std::size_t j, std::size_t k) {
         return 0.5 * ((p[j].value[k] - p[j - 1].value[k]) / (p[j].t - p[j - 1].t) +
                       (p[j + 1].value[k] - p[j].value[k]) / (p[j + 1].t - p[j].t));
       };
       for (std::size_t k = 0; k < r.size(); ++k) {
-        r[k] = a.value[k] * (2 * w3 - 3 * w2 + 1) + b.value[k] * (3 * w2 - 2 * w3) + h * slope(e - 1, k) * (w3 - 2 * w2 + w) +
-               h * slope(e, k) * (w3 - w2);
+        r[k] = a.value[k] * at_a + b.value[k] * at_b + h * slope(e - 1, k) * (w3 - 2 * w2 + w) + h * slope(e, k) * (w3 - w2);
       }
       return r;
     }

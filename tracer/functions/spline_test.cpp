@@ -33,6 +33,19 @@ TEST(Splines, FourPoints) {
   }
 }
 
+// Printed by POV-Ray with all digits.
+TEST(Splines, LastDigitsOfCubicSplines) {
+  const auto value = [](std::array<double, 4> t, std::array<double, 4> v, double at) {
+    Spline s;
+    for (std::size_t i = 0; i < 4; ++i) s.insert(t[i], {v[i]}, 1);
+    return s.evaluate(at, Spline::Kind::cubic)[0];
+  };
+  EXPECT_EQ(value({-3.762, -2.768, -0.755, 3.269}, {2.549, 8.954, 1.542, -2.066}, -2.185017), 8.129896396119403);
+  EXPECT_EQ(value({-1.859, -0.724, 0.856, 1.804}, {-0.936, -4.005, 5.888, 3.98}, 0.183589), 1.858798337120114);
+  EXPECT_EQ(value({-1.863, 0.944, 1.953, 3.755}, {1.598, -0.876, 6.799, 8.894}, 1.422365), 2.5855018214121954);
+  EXPECT_EQ(value({-1.863, 0.944, 1.953, 3.755}, {1.598, -0.876, 6.799, 8.894}, 1.61413), 4.382191321084943);
+}
+
 TEST(Splines, RepeatedParameters) {
   Spline last;
   last.insert(0, {0, 0, 0}, 3), last.insert(1, {1, 1, 1}, 3), last.insert(1, {5, 5, 5}, 3);

@@ -24,8 +24,8 @@ void collect_lights(const std::vector<scene::ObjectPtr>& objects, std::vector<co
   for (const scene::ObjectPtr& o : objects) {
     if (const auto* light = o->as<scene::LightSource>()) {
       if (light->kind != scene::LightKind::shadowless) lights.push_back(light);
-    } else if (const auto* csg = o->as<scene::Csg>()) {
-      collect_lights(csg->children, lights);
+    } else if (o->as<scene::Csg>()) {
+      collect_lights(scene::children_of(*o), lights);
     }
   }
 }
@@ -34,8 +34,8 @@ void collect_lights(const std::vector<scene::ObjectPtr>& objects, std::vector<co
 void collect_targets(const scene::Object& object, std::vector<const scene::Object*>& targets) {
   if (object.photons->target) {
     if (!object.ignore_global_lights) targets.push_back(&object);
-  } else if (const auto* csg = object.as<scene::Csg>()) {
-    for (const scene::ObjectPtr& child : csg->children) collect_targets(*child, targets);
+  } else if (object.as<scene::Csg>()) {
+    for (const scene::ObjectPtr& child : scene::children_of(object)) collect_targets(*child, targets);
   }
 }
 

@@ -33,11 +33,8 @@ void SceneEffects::add_interior(const scene::Interior* interior, textures::Compi
 
 void SceneEffects::add_object(const scene::Object& object, textures::Compiler& compiler) {
   add_interior(object.interior.get(), compiler);
-  if (const auto* csg = object.as<scene::Csg>()) {
-    for (const auto& child : csg->children) add_object(*child, compiler);
-  } else if (const auto* group = object.as<scene::LightGroup>()) {
-    for (const auto& child : group->children) add_object(*child, compiler);
-  } else if (const auto* light = object.as<scene::LightSource>()) {
+  for (const auto& child : scene::children_of(object)) add_object(*child, compiler);
+  if (const auto* light = object.as<scene::LightSource>()) {
     if (light->looks_like) add_object(*light->looks_like, compiler);
   }
 }

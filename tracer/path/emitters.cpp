@@ -11,11 +11,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 void count_objects(const scene::Object& object, std::unordered_map<const scene::Object*, int>& times) {
   ++times[&object];
-  if (const auto* csg = object.as<scene::Csg>()) {
-    for (const auto& child : csg->children) count_objects(*child, times);
-  } else if (const auto* group = object.as<scene::LightGroup>()) {
-    for (const auto& child : group->children) count_objects(*child, times);
-  }
+  for (const auto& child : scene::children_of(object)) count_objects(*child, times);
 }
 
 // The strongest emission of any layer; it only steers which emitters are chosen how often.
@@ -53,11 +49,11 @@ Emitters::Emitters(const scene::Scene& scene) {
 void Emitters::add(const scene::Object& object) {
   if (const auto* csg = object.as<scene::Csg>()) {
     if (csg->kind != scene::CsgKind::union_ || !object.clipped_by.empty()) return;
-    for (const auto& child : csg->children) add(*child);
+    for (const auto& child : scene::children_of(object)) add(*child);
     return;
   }
-  if (const auto* group = object.as<scene::LightGroup>()) {
-    for (const auto& child : group->children) add(*child);
+  if (object.as<scene::LightGroup>()) {
+    for (const auto& child : scene::children_of(object)) add(*child);
     return;
   }
   if (!object.texture || !object.clipped_by.empty() || !object.bounded_by.empty() || per_area_.contains(&object)) return;

@@ -54,10 +54,7 @@ void check_texture(const scene::Texture& texture, bool subsurface) {
 void check_object(const scene::Object& object, bool subsurface) {
   if (object.texture) check_texture(*object.texture, subsurface);
   if (object.interior_texture) check_texture(*object.interior_texture, subsurface);
-  if (const auto* csg = object.as<scene::Csg>())
-    for (const auto& child : csg->children) check_object(*child, subsurface);
-  if (const auto* group = object.as<scene::LightGroup>())
-    for (const auto& child : group->children) check_object(*child, subsurface);
+  for (const auto& child : scene::children_of(object)) check_object(*child, subsurface);
 }
 
 }  // namespace

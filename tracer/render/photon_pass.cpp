@@ -16,8 +16,8 @@ constexpr std::size_t kRingGrain = 16;
 
 void collect_primitives(const scene::Object& object, std::unordered_set<const scene::Object*>& out) {
   out.insert(&object);
-  if (const auto* csg = object.as<scene::Csg>())
-    for (const auto& child : csg->children) collect_primitives(*child, out);
+  if (object.as<scene::Csg>())
+    for (const auto& child : scene::children_of(object)) collect_primitives(*child, out);
 }
 
 class Shooter {

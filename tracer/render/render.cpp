@@ -128,6 +128,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
 Statistics render(const scene::Scene& scene, const Options& options, Framebuffer& frame) {
   const auto start = std::chrono::steady_clock::now();
   check_supported(scene, options);
+  scene::complete(scene);
   if (options.path_samples > 0) path::check_supported(scene);
   const std::size_t pixels = static_cast<std::size_t>(options.width) * options.height;
   if (frame.width != options.width || frame.height != options.height || frame.pixels.size() != pixels) {

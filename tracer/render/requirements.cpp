@@ -25,19 +25,13 @@ void check_object(const scene::Object& object) {
     check_light(*light, object.place);
     if (light->looks_like) check_object(*light->looks_like);
   }
-  if (const auto* csg = object.as<scene::Csg>())
-    for (const auto& child : csg->children) check_object(*child);
-  if (const auto* group = object.as<scene::LightGroup>())
-    for (const auto& child : group->children) check_object(*child);
+  for (const auto& child : scene::declared_children(object)) check_object(*child);
 }
 
 void check_geometry(const scene::Object& object) {
   if (const auto* patch = object.as<std::shared_ptr<const scene::BicubicPatch>>(); patch && !shapes::bicubic_patch_fits(**patch))
     throw Unsupported("bicubic_patch with more than 2097152 pieces", object.place);
-  if (const auto* csg = object.as<scene::Csg>())
-    for (const auto& child : csg->children) check_geometry(*child);
-  if (const auto* group = object.as<scene::LightGroup>())
-    for (const auto& child : group->children) check_geometry(*child);
+  for (const auto& child : scene::declared_children(object)) check_geometry(*child);
 }
 
 }  // namespace

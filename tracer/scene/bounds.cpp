@@ -62,28 +62,28 @@ void clip_by_plane(const Object& object, BoxRange& range) {
 
 Bounds csg_bounds(Object& object) {
   BoxRange box;
-  if (auto* group = std::get_if<LightGroup>(&object.shape)) {
+  if (object.as<LightGroup>()) {
     box.low = Vec3(kBoxLimit), box.high = Vec3(-kBoxLimit);
-    for (const ObjectPtr& child : group->children) {
+    for (const ObjectPtr& child : children_of(object)) {
       if (child->as<LightSource>()) continue;
       const Vec3 l = low_corner(child->bounds), h = high_corner(child->bounds);
       for (int i = 0; i < 3; ++i) box.low[i] = std::min(box.low[i], l[i]), box.high[i] = std::max(box.high[i], h[i]);
     }
   } else {
-    Csg& csg = std::get<Csg>(object.shape);
-    if (csg.kind == CsgKind::intersection) {
-      for (const ObjectPtr& child : csg.children) {
+    std::vector<ObjectPtr>& children = own_children(object);
+    if (object.as<Csg>()->kind == CsgKind::intersection) {
+      for (const ObjectPtr& child : children) {
         if (child->as<Plane>()) clip_by_plane(*child, box);
         else if (!child->inverted && !child->as<Quadric>() && !child->as<std::shared_ptr<const HeightField>>()) box.clip(child->bounds);
       }
-      for (ObjectPtr& child : csg.children) {
+      for (ObjectPtr& child : children) {
         if (!child->as<Quadric>() || child->inverted) continue;
         fit_quadric(const_cast<Object&>(*child), box);  // the tree is ours: see scene::copy
         box.clip(child->bounds);
       }
     } else {
       box.low = Vec3(kBoxLimit), box.high = Vec3(-kBoxLimit);
-      for (const ObjectPtr& child : csg.children) {
+      for (const ObjectPtr& child : children) {
         const Vec3 l = low_corner(child->bounds), h = high_corner(child->bounds);
         for (int i = 0; i < 3; ++i) box.low[i] = std::min(box.low[i], l[i]), box.high[i] = std::max(box.high[i], h[i]);
       }

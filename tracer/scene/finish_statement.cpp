@@ -1,20 +1,14 @@
 // What POV-Ray does with an object when its top-level statement ends: textures, interiors and flags run down the tree of children, every object gets
 // its own interior or shares its parent's, light groups hand their lights to their objects (spec 03 5.3 and 5.4; 06 6.1, 6.6 and 10.1).
-#include <utility>
+#include "tracer/scene/finish_statement.h"
 
-#include "tracer/scene/object.h"
+#include <utility>
 
 namespace verisim::scene {
 
 namespace {
 
-std::vector<ObjectPtr>* children_of(Object& object) {
-  if (auto* csg = std::get_if<Csg>(&object.shape)) return &csg->children;
-  if (auto* group = std::get_if<LightGroup>(&object.shape)) return &group->children;
-  return nullptr;
-}
-
-const std::vector<ObjectPtr>* children_of(const Object& object) { return children_of(const_cast<Object&>(object)); }
+bool has_children(const Object& object) { return object.as<Csg>() || object.as<LightGroup>(); }
 
 // Children are built by the parser as ordinary objects; one that is shared with a declared identifier is copied before it is changed.
 Object& writable(ObjectPtr& child) {
@@ -24,15 +18,30 @@ Object& writable(ObjectPtr& child) {
 
 bool has_texture_anywhere(const Object& object) {
   if (object.texture) return true;
-  if (const auto* children = children_of(object)) {
-    for (const ObjectPtr& child : *children) {
-      if (has_texture_anywhere(*child)) return true;
-    }
+  for (const ObjectPtr& child : declared_children(object)) {
+    if (has_texture_anywhere(*child)) return true;
   }
   return false;
 }
 
 bool is_light(const Object& object) { return object.as<LightSource>() != nullptr; }
+
+// A union whose objects are all without shadow is, too.
+bool is_shadowless_union(const Object& object);
+
+bool is_shadowless(const Object& object) { return object.no_shadow || is_shadowless_union(object); }
+
+bool is_shadowless_union(const Object& object) {
+  const auto* csg = object.as<Csg>();
+  if (!csg || csg->kind != CsgKind::union_) return false;
+  bool any = false;
+  for (const ObjectPtr& child : declared_children(object)) {
+    if (is_light(*child)) continue;
+    if (!is_shadowless(*child)) return false;
+    any = true;
+  }
+  return any;
+}
 
 void inherit_photons(Rare<PhotonFlags>& flags, const PhotonFlags& parent) {
   if (!parent.given) return;
@@ -66,7 +75,7 @@ class Walk {
   explicit Walk(const TexturePtr& texture) : default_texture(texture) {}
 
   void object(Object& o, bool keeps_untextured) {
-    if (!o.texture && !keeps_untextured && (!children_of(o) || !has_texture_anywhere(o))) o.texture = default_texture;
+    if (!o.texture && !keeps_untextured && (!has_children(o) || !has_texture_anywhere(o))) o.texture = default_texture;
     // Objects written apart have interiors of their own, even copies of one declared object (spec 06 6.1).
     if (o.interior) {
       if (!interior_is_inherited) o.interior = std::make_shared<Interior>(*o.interior);
@@ -77,7 +86,32 @@ class Walk {
     if (!o.interior->ior_given) o.interior->dispersion = 1;
     apply_legacy_finish(o);
     if (auto* light = o.as<LightSource>()) attached_objects(*light);
-    if (children_of(o)) children(o);
+    if (auto* csg = o.as<Csg>(); csg && csg->postponable && (csg->children.shared() || csg->children.postponed())) {
+      o.no_shadow = o.no_shadow || is_shadowless_union(o);
+      csg->children.postpone_end(default_texture);
+    } else if (has_children(o)) {
+      children(o);
+    }
+  }
+
+  void children(Object& parent) {
+    // The flags of a cutaway intersection reach all descendants; only its direct children stay without a texture (spec 03 5.3).
+    auto* csg = std::get_if<Csg>(&parent.shape);
+    const bool keeps_untextured = parent.cutaway_textures && csg && csg->kind == CsgKind::intersection;
+    for (ObjectPtr& pointer : own_children(parent)) {
+      Object& child = writable(pointer);
+      inherit(parent, child);
+      const bool saved = interior_is_inherited;
+      if (!child.interior) {
+        child.interior = parent.interior;
+        interior_is_inherited = true;
+      } else {
+        interior_is_inherited = false;
+      }
+      object(child, keeps_untextured);
+      interior_is_inherited = saved;
+    }
+    parent.no_shadow = parent.no_shadow || is_shadowless_union(parent);
   }
 
  private:
@@ -91,32 +125,6 @@ class Walk {
       object(writable(*attached), false);
       interior_is_inherited = saved;
     }
-  }
-
-  void children(Object& parent) {
-    // The flags of a cutaway intersection reach all descendants; only its direct children stay without a texture (spec 03 5.3).
-    auto* csg = std::get_if<Csg>(&parent.shape);
-    const bool keeps_untextured = parent.cutaway_textures && csg && csg->kind == CsgKind::intersection;
-    bool any_object = false, all_without_shadow = true;
-    for (ObjectPtr& pointer : *children_of(parent)) {
-      Object& child = writable(pointer);
-      const bool light = is_light(child);
-      inherit(parent, child);
-      const bool saved = interior_is_inherited;
-      if (!child.interior) {
-        child.interior = parent.interior;
-        interior_is_inherited = true;
-      } else {
-        interior_is_inherited = false;
-      }
-      object(child, keeps_untextured);
-      interior_is_inherited = saved;
-      if (!light) {
-        any_object = true;
-        all_without_shadow = all_without_shadow && child.no_shadow;
-      }
-    }
-    if (csg && csg->kind == CsgKind::union_ && any_object && all_without_shadow) parent.no_shadow = true;
   }
 
   void inherit(const Object& parent, Object& child) {
@@ -145,13 +153,11 @@ using Lights = std::vector<std::shared_ptr<const LightSource>>;
 void add_lights(Object& object, const Lights& lights) {
   std::vector<std::shared_ptr<const LightSource>>& all = object.group_lights.edit();
   all.insert(all.end(), lights.begin(), lights.end());
-  auto* children = children_of(object);
-  if (!children) return;
-  for (ObjectPtr& child : *children) {
+  for (const ObjectPtr& child : own_children(object)) {
     // A group written in place that has lights of its own keeps the outer lights away from its objects (spec 06 10.1).
     if (const auto* group = child->as<LightGroup>(); group && !group->from_identifier) {
       bool has_lights = false;
-      for (const ObjectPtr& inner : group->children) has_lights = has_lights || is_light(*inner);
+      for (const ObjectPtr& inner : declared_children(*child)) has_lights = has_lights || is_light(*inner);
       if (has_lights) continue;
     }
     if (!is_light(*child)) add_lights(const_cast<Object&>(*child), lights);
@@ -160,28 +166,28 @@ void add_lights(Object& object, const Lights& lights) {
 
 void hide_global_lights(Object& object, bool hide) {
   object.ignore_global_lights = hide;
-  if (auto* children = children_of(object)) {
-    for (ObjectPtr& child : *children) hide_global_lights(const_cast<Object&>(*child), hide);
-  }
+  for (const ObjectPtr& child : own_children(object)) hide_global_lights(const_cast<Object&>(*child), hide);
 }
 
 void collect_light_groups(Object& object, bool inside_group) {
-  auto* children = children_of(object);
-  if (!children) return;
+  if (const auto* csg = object.as<Csg>(); csg && csg->postponable) return;  // no group below
+  const std::vector<ObjectPtr>& children = own_children(object);
   const auto* group = object.as<LightGroup>();
   if (group) {
     // The outermost group decides about the global lights.
     if (!inside_group) hide_global_lights(object, !group->global_lights);
     Lights lights;
-    for (const ObjectPtr& child : *children) {
+    for (const ObjectPtr& child : children) {
       if (const auto* light = child->as<LightSource>()) lights.emplace_back(child, light);
     }
     if (!lights.empty()) add_lights(object, lights);
   }
-  for (ObjectPtr& child : *children) collect_light_groups(const_cast<Object&>(*child), inside_group || group);
+  for (const ObjectPtr& child : children) collect_light_groups(const_cast<Object&>(*child), inside_group || group);
 }
 
 }  // namespace
+
+void finish_children(Object& parent, const TexturePtr& default_texture) { Walk(default_texture).children(parent); }
 
 void finish_statement(Object& object, const TexturePtr& default_texture) {
   Walk(default_texture).object(object, false);

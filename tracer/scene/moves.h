@@ -11,7 +11,7 @@ namespace verisim::scene {
 
 // One of them.
 struct Move {
-  enum class Step { translate, scale, rotate, matrix };
+  using Step = Postponed::Step;
   Step step;
   Vec3 v;  // of translate, scale, rotate
   Transform t;

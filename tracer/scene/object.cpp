@@ -204,9 +204,10 @@ void move_guards(Object& object, const Moves& moves) {
 
 void move_shape(Object& object, const Moves& moves) {
   if (auto* csg = std::get_if<Csg>(&object.shape)) {
-    for (ObjectPtr& child : csg->children) apply(writable(child), moves);
-  } else if (auto* group = std::get_if<LightGroup>(&object.shape)) {
-    for (ObjectPtr& child : group->children) apply(writable(child), moves);
+    if (csg->children.shared() || csg->children.postponed()) return csg->children.postpone(moves);
+    for (ObjectPtr& child : own_children(object)) apply(writable(child), moves);
+  } else if (object.as<LightGroup>()) {
+    for (ObjectPtr& child : own_children(object)) apply(writable(child), moves);
   } else if (auto* light = object.as<LightSource>()) {
     move_light(*light, moves);
   } else {
@@ -265,6 +266,13 @@ void compute_bounds(Object& object) {
     if (const Polygon* polygon = object.as<Polygon>()) object.transform = shapes::polygon_frame(*polygon);
   }
   if (object.as<Csg>() || object.as<LightGroup>()) {
+    if (auto* csg = object.as<Csg>()) {
+      const auto postponable = [](const ObjectPtr& child) {
+        const auto* inner = child->as<Csg>();
+        return child->bounded_by.empty() && !child->as<LightGroup>() && (!inner || inner->postponable);
+      };
+      csg->postponable = std::all_of(csg->children.declared().begin(), csg->children.declared().end(), postponable);
+    }
     object.bounds = csg_bounds(object);
     return;
   }
@@ -330,7 +338,7 @@ void transform(Object& object, const Transform& t) {
 void invert(Object& object) {
   if (auto* csg = std::get_if<Csg>(&object.shape)) {
     csg->kind = csg->kind == CsgKind::intersection ? CsgKind::merge : CsgKind::intersection;
-    for (ObjectPtr& child : csg->children) invert(writable(child));
+    for (ObjectPtr& child : own_children(object)) invert(writable(child));
     object.inverted = !object.inverted;
     return;
   }
@@ -362,12 +370,11 @@ bool is_patch(const Object& object) {
 bool is_infinite(const Object& object) { return volume(object.bounds) > kInfiniteVolume; }
 
 std::shared_ptr<Object> copy(const Object& object) {
+  if (const auto* csg = object.as<Csg>(); csg && csg->children.postponed()) children_of(object);  // copies of copies must not grow chains of moves
   auto result = std::make_shared<Object>(object);
   const auto own = [](auto& objects) {
     for (ObjectPtr& o : objects) o = copy(*o);
   };
-  if (auto* csg = std::get_if<Csg>(&result->shape)) own(csg->children);
-  if (auto* group = std::get_if<LightGroup>(&result->shape)) own(group->children);
   if (auto* light = result->as<LightSource>()) {
     if (light->looks_like) light->looks_like = copy(*light->looks_like);
     if (light->projected_through) light->projected_through = copy(*light->projected_through);

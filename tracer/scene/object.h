@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "tracer/scene/children.h"
 #include "tracer/scene/light.h"
 #include "tracer/scene/texture.h"
 
@@ -105,10 +106,11 @@ enum class CsgKind : std::uint8_t { union_, merge, intersection };  // a differe
 struct Csg {
   CsgKind kind = CsgKind::union_;
   bool difference = false;  // written as difference (cutaway_textures treats its first child apart)
-  std::vector<ObjectPtr> children;
+  bool postponable = false;  // copies need not see what is below: no light_group, no bounds to warn of (set by compute_bounds)
+  Children children;
 };
 struct LightGroup {
-  std::vector<ObjectPtr> children;
+  Children children;
   bool global_lights = false;
   bool from_identifier = false;  // a copy of a declared group: lights of an outer group reach its objects (spec 06 10.1)
 };
@@ -188,7 +190,16 @@ void finish_modifiers(Object& object);
 // True for shapes without an inside (triangle, mesh without inside_vector, bicubic_patch, parametric ...).
 bool is_patch(const Object& object);
 bool is_infinite(const Object& object);  // box volume > 2e10
-// A deep copy of the tree; heavy payloads (mesh, blob, lathe ...) and textures stay shared. Interiors are shared until finish_statement.
+// The objects below a CSG object or light_group; other shapes have none. The children of a copy are made by the first call.
+const std::vector<ObjectPtr>& children_of(const Object& object);
+// For writing.
+std::vector<ObjectPtr>& own_children(Object& object);
+// Of a copy, those of the original: enough where neither place nor inherited properties count.
+const std::vector<ObjectPtr>& declared_children(const Object& object);
+// Makes all children of copies below, so that threads may look at the tree.
+void complete(const Object& object);
+// A copy of the tree; heavy payloads (mesh, blob, lathe ...) and textures stay shared, children until one of the two is written. Interiors are shared until
+// finish_statement.
 std::shared_ptr<Object> copy(const Object& object);
 // At the end of a top-level statement: pushes textures, interiors and flags to the children, gives every object its own interior and the default
 // texture where it has none, collects light groups (spec 03 5.3, 5.4; 06 6.1, 10.1).

@@ -87,4 +87,7 @@ struct Scene {
   std::vector<Media> atmosphere;
 };
 
+// Makes all children of copies (see object.h), so that threads may look at the scene.
+void complete(const Scene& scene);
+
 }  // namespace verisim::scene

@@ -7,10 +7,7 @@ namespace {
 template <class Visit>
 void visit_group_lights(const scene::Object& object, const Visit& visit) {
   for (const auto& light : object.group_lights) visit(light.get());
-  if (const auto* csg = object.as<scene::Csg>())
-    for (const auto& child : csg->children) visit_group_lights(*child, visit);
-  if (const auto* group = object.as<scene::LightGroup>())
-    for (const auto& child : group->children) visit_group_lights(*child, visit);
+  for (const auto& child : scene::children_of(object)) visit_group_lights(*child, visit);
 }
 
 }  // namespace

@@ -346,14 +346,13 @@ class Intersection final : public CsgShape {
 }  // namespace
 
 std::unique_ptr<Shape> compile_csg(const scene::Object& object) {
-  const auto& csg = *object.as<scene::Csg>();
   Children children;
-  for (const scene::ObjectPtr& child : csg.children) {
+  for (const scene::ObjectPtr& child : scene::children_of(object)) {
     const auto* light = child->as<scene::LightSource>();
     if (light && !light->looks_like) continue;  // not part of any solid (spec 03 5.1)
     children.push_back(compile(*child));
   }
-  switch (csg.kind) {
+  switch (object.as<scene::Csg>()->kind) {
     case scene::CsgKind::union_: return std::make_unique<Union>(object, std::move(children));
     case scene::CsgKind::merge: return std::make_unique<Merge>(object, std::move(children));
     default: return std::make_unique<Intersection>(object, std::move(children));

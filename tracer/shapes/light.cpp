@@ -32,7 +32,7 @@ class LightHolder final : public Shape {
 }  // namespace
 
 std::unique_ptr<Shape> compile_light(const scene::Object& object) {
-  if (const auto* group = object.as<scene::LightGroup>()) return std::make_unique<LightHolder>(object, group->children);
+  if (object.as<scene::LightGroup>()) return std::make_unique<LightHolder>(object, scene::children_of(object));
   return std::make_unique<LightHolder>(object, std::vector<scene::ObjectPtr>{object.as<scene::LightSource>()->looks_like});
 }
 

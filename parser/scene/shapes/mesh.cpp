@@ -58,7 +58,7 @@ class MeshReader {
     MeshTriangle t;
     t.has_uv = true;
     t.uv = {0, 0, 0};
-    std::array<Vec2, 3> uv{};
+    std::array<Vec2, 3> uv{Vec2(0), Vec2(0), Vec2(0)};
     if (parser.accept(Word::uv_vectors)) {
       for (Vec2& value : uv) {
         value = parser.parse_vec2();

@@ -107,7 +107,7 @@ TEST(Analytic, VerisimKeepsTheKnownAnswers) {
   for (const compare::SceneRequest& scene : suite.scenes) {
     compare::NativeRequest request;
     request.folder = folder.path(), request.scene = scene.scene, request.output = folder.path() / (scene.name + ".png");
-    request.width = scene.width, request.height = scene.height, request.switches = scene.switches, request.time_limit = 120;
+    request.width = scene.width, request.height = scene.height, request.switches = scene.switches, request.time_limit = 900;
     const compare::NativeResult result = render(request);
     ASSERT_EQ(result.outcome, compare::NativeResult::Outcome::rendered) << scene.name << ": " << result.message;
     const compare::TruthError error = compare::truth_error(image::read_picture(request.output), *scene.truth);

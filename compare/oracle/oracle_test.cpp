@@ -298,6 +298,22 @@ TEST_F(Oracle, HangingOracleIsKilled) {
   EXPECT_THAT(render().message, HasSubstr("no end after 0.3 s"));
 }
 
+TEST_F(Oracle, WaitsOnceForTheOneThatHangs) {
+  body("sleep 100");
+  options_.time_limit = 0.3;
+  render();
+  const OracleRender again = render();
+  EXPECT_TRUE(again.from_cache);
+  EXPECT_FALSE(again.ok);
+  EXPECT_THAT(again.message, HasSubstr("no end after 0.3 s (known from an earlier run; --no-cache tries again)"));
+  EXPECT_EQ(runs(), 1);
+  options_.time_limit = 0.4;  // more time: perhaps it ends
+  render();
+  options_.use_cache = false;
+  render();
+  EXPECT_EQ(runs(), 3);
+}
+
 TEST(PovRay, RendersASphere) {
   if (find_program("povray").empty()) GTEST_SKIP() << "POV-Ray is not installed";
   const TemporaryFolder root;

@@ -132,11 +132,16 @@ struct CacheEntry {
   CacheEntry(const fs::path& cache, const std::string& key, const std::string& extension)
       : folder(cache / key.substr(0, 2) / key), picture(folder / ("picture" + extension)), meta(folder / "meta.json") {}
 
-  bool load(OracleRender& out) const {
+  // True: `out` is what the cache knows, a picture or that there was no end within at least this time.
+  bool load(OracleRender& out, double time_limit) const {
     std::ifstream in(meta);
     if (!in) return false;
     try {
       const auto json = nlohmann::json::parse(in);
+      if (json.contains("no_end_after")) {
+        out.message = json.at("message").get<std::string>() + " (known from an earlier run; --no-cache tries again)", out.from_cache = true;
+        return time_limit > 0 && time_limit <= json.at("no_end_after").get<double>();
+      }
       out.picture = image::read_picture(picture);
       out.seconds = json.at("seconds"), out.cpu_seconds = json.at("cpu_seconds"), out.peak_bytes = json.at("peak_bytes");
       out.ok = out.from_cache = true;
@@ -146,16 +151,23 @@ struct CacheEntry {
     return true;
   }
 
-  // The folder appears complete or not at all; a cache that cannot be written is no reason to fail.
   void store(const OracleRender& render, const fs::path& from, const OracleProgram& program, const SceneRequest& scene) const {
+    store({{"scene", scene.name}, {"version", program.version}, {"switches", scene.switches}, {"width", scene.width}, {"height", scene.height}, {"seconds", render.seconds},
+           {"cpu_seconds", render.cpu_seconds}, {"peak_bytes", render.peak_bytes}},
+          from);
+  }
+  // Waiting once is enough.
+  void store_no_end(const std::string& message, double time_limit) const { store({{"no_end_after", time_limit}, {"message", message}}, {}); }
+
+ private:
+  // The folder appears complete or not at all; a cache that cannot be written is no reason to fail.
+  void store(const nlohmann::json& about, const fs::path& from) const {
     std::error_code failed;
     fs::create_directories(folder.parent_path(), failed);
     std::string temporary = (folder.parent_path() / "new-XXXXXX").string();
     if (failed || !mkdtemp(temporary.data())) return;
-    fs::copy_file(from, fs::path(temporary) / picture.filename(), failed);
-    std::ofstream(fs::path(temporary) / "meta.json") << nlohmann::json{{"scene", scene.name}, {"version", program.version}, {"switches", scene.switches},
-                                                                       {"width", scene.width}, {"height", scene.height}, {"seconds", render.seconds},
-                                                                       {"cpu_seconds", render.cpu_seconds}, {"peak_bytes", render.peak_bytes}}.dump(1) << "\n";
+    if (!from.empty()) fs::copy_file(from, fs::path(temporary) / picture.filename(), failed);
+    std::ofstream(fs::path(temporary) / "meta.json") << about.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
     if (!failed) fs::remove_all(folder, failed);
     if (!failed) fs::rename(temporary, folder, failed);
     if (failed) fs::remove_all(temporary, failed);
@@ -228,7 +240,8 @@ OracleRender run_oracle(const OracleProgram& program, const OracleOptions& optio
   try {
     const std::string extension = output_extension(scene.switches);
     const CacheEntry entry(cache_folder(options), cache_key(program, options, scene, variant, files_read), extension);
-    if (options.use_cache && entry.load(out)) return out;
+    if (options.use_cache && entry.load(out, options.time_limit)) return out;
+    out = {};
 
     const WorkingCopy copy(scene.scene);
     const fs::path ini = copy.home() / "oracle.ini", picture = copy.out() / ("picture" + extension);
@@ -238,6 +251,7 @@ OracleRender run_oracle(const OracleProgram& program, const OracleOptions& optio
     out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
     if (!run.succeeded()) {
       out.message = failure(program, run, options.time_limit);
+      if (run.timed_out && options.use_cache) entry.store_no_end(out.message, options.time_limit);
       return out;
     }
     std::error_code ignored;

@@ -75,6 +75,11 @@ class Walk {
   explicit Walk(const TexturePtr& texture) : default_texture(texture) {}
 
   void object(Object& o, bool keeps_untextured) {
+    itself(o, keeps_untextured);
+    if (has_children(o)) children(o);
+  }
+
+  void itself(Object& o, bool keeps_untextured) {
     if (!o.texture && !keeps_untextured && (!has_children(o) || !has_texture_anywhere(o))) o.texture = default_texture;
     // Objects written apart have interiors of their own, even copies of one declared object (spec 06 6.1).
     if (o.interior) {
@@ -86,12 +91,6 @@ class Walk {
     if (!o.interior->ior_given) o.interior->dispersion = 1;
     apply_legacy_finish(o);
     if (auto* light = o.as<LightSource>()) attached_objects(*light);
-    if (auto* csg = o.as<Csg>(); csg && csg->postponable && (csg->children.shared() || csg->children.postponed())) {
-      o.no_shadow = o.no_shadow || is_shadowless_union(o);
-      csg->children.postpone_end(default_texture);
-    } else if (has_children(o)) {
-      children(o);
-    }
   }
 
   void children(Object& parent) {
@@ -190,7 +189,15 @@ void collect_light_groups(Object& object, bool inside_group) {
 void finish_children(Object& parent, const TexturePtr& default_texture) { Walk(default_texture).children(parent); }
 
 void finish_statement(Object& object, const TexturePtr& default_texture) {
-  Walk(default_texture).object(object, false);
+  Walk walk(default_texture);
+  // What is below a copy may wait only here: deeper in the tree later siblings may share its interior, and the last one written wins.
+  if (auto* csg = object.as<Csg>(); csg && csg->postponable && (csg->children.shared() || csg->children.postponed())) {
+    walk.itself(object, false);
+    object.no_shadow = object.no_shadow || is_shadowless_union(object);
+    csg->children.postpone_end(default_texture);
+    return;
+  }
+  walk.object(object, false);
   collect_light_groups(object, false);
 }
 

@@ -25,28 +25,32 @@ Wave::Wave(Tracer& tracer) : tracer_(tracer), scene_(tracer.scene()), kernels_(w
   if (plain_sky_) sky_ = scene_.sky.seen({0, 0, 1}, false);
 }
 
-void Wave::add_lane(int i, const Part& part) {
-  const Material& m = *part.material;
+void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity) {
   const int k = count_++;
   pixel_[k] = i;
   surface_[k] = hits_[i].shape->surface;
   lanes_.to_light.origin.set(k, hits_[i].point);
-  lanes_.normal.set(k, part.normal);
+  lanes_.normal.set(k, normal);
   lanes_.view.set(k, lanes_.camera.direction.at(i));
   (m.phong != 0 ? any_phong_ : any_blinn_) |= m.amount != 0;
   any_metallic_ |= m.layer->finish.metallic > 0;
   if (layer_[k] == m.layer) return;
   layer_[k] = m.constant && m.only ? m.layer : nullptr;
   finish_[k] = &m.layer->finish;
-  opacity_[k] = part.opacity;
-  lanes_.pigment.r[k] = part.color.r, lanes_.pigment.g[k] = part.color.g, lanes_.pigment.b[k] = part.color.b;
-  const Rgb own = part.color.rgb() * m.glow * part.opacity;
+  opacity_[k] = opacity;
+  lanes_.pigment.r[k] = color.r, lanes_.pigment.g[k] = color.g, lanes_.pigment.b[k] = color.b;
+  const Rgb own = color.rgb() * m.glow * opacity;
   lanes_.own.r[k] = own.r, lanes_.own.g[k] = own.g, lanes_.own.b[k] = own.b;
   lanes_.exponent[k] = m.exponent, lanes_.amount[k] = m.amount, lanes_.base_limit[k] = m.base_limit, lanes_.phong[k] = m.phong;
 }
 
 // Takes what shows at hit i among the surfaces that are lit together; false: there is no room for it.
 bool Wave::add_surface(int i) {
+  if (const Material* plain = met_[i].plain) {
+    if (count_ == kMost) return false;
+    add_lane(i, *plain, met_[i].normal, plain->color, surface_opacity(plain->color, scene_.version));
+    return true;
+  }
   const auto each_part = [&](auto use) {
     for (int l = met_[i].first; l < met_[i].first + met_[i].leaves; ++l)
       for (int k = leaves_[static_cast<std::size_t>(l)].first; k >= 0; k = parts_[static_cast<std::size_t>(k)].next) use(parts_[static_cast<std::size_t>(k)]);
@@ -54,7 +58,7 @@ bool Wave::add_surface(int i) {
   int needed = 0;
   each_part([&](const Part&) { ++needed; });
   if (count_ + needed > kMost) return false;
-  each_part([&](const Part& part) { add_lane(i, part); });
+  each_part([&](const Part& part) { add_lane(i, *part.material, part.normal, part.color, part.opacity); });
   return true;
 }
 
@@ -198,15 +202,17 @@ void Wave::show(const RayState& ray, Color* out) {
   for (float* sum : {lanes_.direct.r, lanes_.direct.g, lanes_.direct.b}) std::fill_n(sum, count_, 0.0f);
   if (count_ > 0)
     for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i], ray);
+  const auto seen = [this](int k) { return Rgb(lanes_.own.r[k], lanes_.own.g[k], lanes_.own.b[k]) + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]); };
   for (int k = 0; k < count_;) {
     const Met& met = met_[pixel_[k]];
-    Rgb shown;
     Color& result = out[pixel_[k]];
+    Rgb shown;
+    if (met.plain) shown += seen(k++);
     for (int l = met.first; l < met.first + met.leaves; ++l) {
       const Leaf& leaf = leaves_[static_cast<std::size_t>(l)];
       Rgb color;
       for (int part = leaf.first; part >= 0; part = parts_[static_cast<std::size_t>(part)].next, ++k)
-        color += parts_[static_cast<std::size_t>(part)].filter * (Rgb(lanes_.own.r[k], lanes_.own.g[k], lanes_.own.b[k]) + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]));
+        color += parts_[static_cast<std::size_t>(part)].filter * seen(k);
       if (leaf.around) shown += color * leaf.weight;
       else shown = color;
     }

@@ -61,6 +61,8 @@ class Wave {
   };
   struct Met {
     bool together;                 // false: the common way
+    const Material* plain;         // the only layer, of one colour and without a normal of its own; null: see leaves
+    Vec3 normal;                   // with `plain`
     int first = 0, leaves = 0;
     std::optional<SurfaceHit> at;  // where the surface varies
   };
@@ -77,7 +79,7 @@ class Wave {
 
   // ---- wave.cpp
   bool add_surface(int i);
-  void add_lane(int i, const Part& part);
+  void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity);
   void show(const RayState& ray, Color* out);
   void light(const Light& light, const RayState& ray);
   void aim(const Light& light);

@@ -63,6 +63,8 @@ const Wave::Materials& Wave::materials(const textures::CompiledTexture& texture)
 void Wave::meet(int i) {
   Met& met = met_[i];
   met.together = false;
+  met.plain = nullptr;
+  met.leaves = 0;
   const shapes::Hit& hit = hits_[i];
   const shapes::Surface& surface = *hit.shape->surface;
   if (surface.shows_several() || surface.ignore_global_lights || !surface.group_lights.empty()) return;
@@ -76,10 +78,9 @@ void Wave::meet(int i) {
   met.together = true;
   met.first = static_cast<int>(leaves_.size());
   const Material& first = found[0];
-  if (first.only && first.constant && !first.layer->normal) {
-    leaves_.push_back({i, &found, nullptr, hit.point});
-    met.leaves = 1;
-    add_part(met.first, {&first, inside ? -normal : normal, first.color, surface_opacity(first.color, scene_.version), Rgb(1)});
+  if (first.only && first.constant && !first.layer->normal && is_finite(first.color.rgb())) {
+    met.plain = &first;
+    met.normal = inside ? -normal : normal;
     return;
   }
   met.at.emplace(hit, direction, 0, 0);
@@ -120,10 +121,9 @@ void Wave::find_parts(int count) {
     int n = 0;
     for (int i = 0; i < count; ++i) {
       if (!found_[i] || !met_[i].together || round >= met_[i].leaves) continue;
-      const int leaf = met_[i].first + round;
-      if (leaves_[static_cast<std::size_t>(leaf)].first < 0) waiting[n++] = leaf;
+      waiting[n++] = met_[i].first + round;
     }
-    if (n == 0 && round > 0) return;
+    if (n == 0) return;
     while (n > 0) {
       const Materials* const all = leaves_[static_cast<std::size_t>(waiting[0])].materials;
       int same = 0, others = 0;

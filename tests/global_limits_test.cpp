@@ -84,6 +84,7 @@ TEST(GlobalLimits, MemoryOfThePassesIsBounded) {
   render::Options options;
   options.pass_memory = 200000;
   EXPECT_TRUE(says(failure(scene("photons { spacing 0.005 }"), options), "photons"));
+  options.pass_memory = 50000;  // samples take a few hundred bytes each
   EXPECT_TRUE(says(failure(scene("radiosity { error_bound 0.01 minimum_reuse 0.0001 maximum_reuse 0.001 pretrace_start 1 pretrace_end 0.05 count 5 }"), options), "radiosity"));
 }
 

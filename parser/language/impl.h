@@ -296,6 +296,7 @@ struct Parser::Impl {
     std::uint64_t steps_left = 0;
   } recovery;
   std::unordered_map<std::string, CachedFile> file_cache;  // by path
+  std::unordered_map<std::string, std::string> fonts;  // where they were found; forgotten when the scene writes a file
   std::unordered_map<std::string, std::filesystem::path> include_locations;
   std::set<std::string> files_seen;
   std::size_t tokens_total = 0;

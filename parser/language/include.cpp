@@ -67,6 +67,7 @@ void Parser::Impl::missing_include(const std::string& name) {
 fs::path Parser::writable_file(const std::string& name) {
   if (name.empty() || name.find('\0') != std::string::npos || !impl_->search->may_write(name))
     error(fmt::format("The scene may not write '{}'.", name), "Scenes write below the current folder and their own; --allow-write PATH permits more.");
+  impl_->fonts.clear();
   return name;
 }
 
@@ -83,6 +84,11 @@ fs::path Parser::find_file(const std::string& name, std::string_view extensions)
   if (!found) error(fmt::format("Cannot find file '{}'.", name), extensions.empty() ? "" : "File name extensions were tried, too.");
   impl_->allow_read(*found);
   return *found;
+}
+
+const std::string& Parser::find_font(const std::string& name) {
+  const auto known = impl_->fonts.find(name);
+  return known != impl_->fonts.end() ? known->second : impl_->fonts.emplace(name, find_file(name, ".ttf .TTF").string()).first->second;
 }
 
 }  // namespace verisim::parser

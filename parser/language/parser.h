@@ -94,6 +94,8 @@ class Parser {
   // Finds a file as #include does without the .inc variants: current folder, library paths; records it as read. Error when missing or not allowed.
   // A name without an extension is tried with each of `extensions` (separated by blanks) first.
   std::filesystem::path find_file(const std::string& name, std::string_view extensions = {});
+  // The same for fonts, remembered: a scene may have thousands of texts, and asking the file system takes longer than reading one.
+  const std::string& find_font(const std::string& name);
   // A file the scene wants written, now or after rendering. Error where it may not write (ParseOptions::allow_write).
   std::filesystem::path writable_file(const std::string& name);
   // Guards recursion of blocks; throws when Limits::max_depth is reached.

@@ -24,7 +24,7 @@ ObjectRef parse_text(Parser& parser) {
     parser.optional_comma();
     text->offset = parser.parse_vec3();
     parser.peek();  // POV-Ray looks for the font here: a missing one is an error of the line that follows
-    if (!text->builtin_font) text->font = parser.find_file(font, ".ttf .TTF").string();
+    if (!text->builtin_font) text->font = parser.find_font(font);
     object.shape = std::shared_ptr<const scene::Text>(text);
   });
 }

@@ -201,7 +201,6 @@ TEST_F(RunTest, SeveralRunsAskWelch) {
 
 // Three of the first runs are alike by chance and pass for a place without noise; more runs show it.
 TEST_F(RunTest, ARefusalIsTriedAgainWithTwiceAsManyRuns) {
-  std::mt19937 random(7);
   const auto spot = [&](int value, const std::string& name) {
     Picture p = scene_like_picture(32, 24);
     for (int c = 0; c < 3; ++c) p.samples[static_cast<std::size_t>(3 * (12 * 32 + 16) + c)] = static_cast<float>(value) / 255;

@@ -58,6 +58,7 @@ bool Wave::add_surface(int i) {
   int needed = 0;
   each_part([&](const Part&) { ++needed; });
   if (count_ + needed > kMost) return false;
+  layered_ |= needed > 1;
   each_part([&](const Part& part) { add_lane(i, *part.material, part.normal, part.color, part.opacity); });
   return true;
 }
@@ -93,8 +94,24 @@ bool Wave::reach(const Light& light, const RayState& ray) {
     lanes_.intensity.r[k] = color.r, lanes_.intensity.g[k] = color.g, lanes_.intensity.b[k] = color.b;
   }
   if (!any) return false;
-  // The first layer of a hit that asks for its shadow does so for all.
   int asks[kMost];
+  if (layered_) share_asking(asks);
+  cast_shadows(light, ray);
+  any = false;
+  for (int k = 0; k < count_; ++k) {
+    if (layered_ && asks[k] >= 0 && asks[k] != k) {
+      const int first = asks[k];
+      asked_[k] = asked_[first];
+      lanes_.intensity.r[k] = lanes_.intensity.r[first], lanes_.intensity.g[k] = lanes_.intensity.g[first], lanes_.intensity.b[k] = lanes_.intensity.b[first];
+    }
+    lanes_.lit[k] = asked_[k] && Rgb(lanes_.intensity.r[k], lanes_.intensity.g[k], lanes_.intensity.b[k]).max_abs() > kDark;
+    any |= lanes_.lit[k] != 0;
+  }
+  return any;
+}
+
+// The first layer of a hit that asks for its shadow does so for all: asks[k] is the layer that asks for layer k, or -1.
+void Wave::share_asking(int* asks) {
   for (int k = 0, first = -1; k < count_; ++k) {
     if (k == 0 || pixel_[k] != pixel_[k - 1]) first = -1;
     asks[k] = -1;
@@ -103,17 +120,6 @@ bool Wave::reach(const Light& light, const RayState& ray) {
     asks[k] = first;
     asked_[k] = first == k;
   }
-  cast_shadows(light, ray);
-  any = false;
-  for (int k = 0; k < count_; ++k) {
-    if (const int first = asks[k]; first >= 0 && first != k) {
-      asked_[k] = asked_[first];
-      lanes_.intensity.r[k] = lanes_.intensity.r[first], lanes_.intensity.g[k] = lanes_.intensity.g[first], lanes_.intensity.b[k] = lanes_.intensity.b[first];
-    }
-    lanes_.lit[k] = asked_[k] && Rgb(lanes_.intensity.r[k], lanes_.intensity.g[k], lanes_.intensity.b[k]).max_abs() > kDark;
-    any |= lanes_.lit[k] != 0;
-  }
-  return any;
 }
 
 // Filters the light of all that are asked for. Where any opaque thing decides, the rays of one cell of space are traced together.
@@ -219,7 +225,7 @@ void Wave::show(const RayState& ray, Color* out) {
     result = shown;
   }
   count_ = 0;
-  any_phong_ = any_blinn_ = any_metallic_ = false;
+  any_phong_ = any_blinn_ = any_metallic_ = layered_ = false;
 }
 
 void Wave::trace(double x, double y, int count, const accel::WorldEntry* const* entries, Color* out) {

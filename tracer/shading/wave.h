@@ -84,6 +84,7 @@ class Wave {
   void light(const Light& light, const RayState& ray);
   void aim(const Light& light);
   bool reach(const Light& light, const RayState& ray);
+  void share_asking(int* asks);
   void cast_shadows(const Light& light, const RayState& ray);
   void respond();
 
@@ -99,6 +100,7 @@ class Wave {
   std::vector<Part> parts_;
   int count_ = 0;       // of surfaces
   bool any_phong_ = false, any_blinn_ = false, any_metallic_ = false, tinted_ = false;
+  bool layered_ = false;  // a hit has several surfaces here
   WaveLanes lanes_;
   shapes::Hit hits_[kMost];
   Met met_[kMost];

@@ -58,6 +58,10 @@ std::optional<Plane> plain_plane(const scene::Object& o) {
   return Plane{plane->normal, plane->distance};
 }
 
+bool has_tree(const scene::Object& o) {
+  return o.as<scene::Mesh>() || o.as<std::shared_ptr<const scene::BicubicPatch>>() || o.as<std::shared_ptr<const scene::Text>>();
+}
+
 unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
 
 unsigned hidden_from(const scene::Object& o) {
@@ -222,7 +226,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
       if (e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow))) w.transparent_unbounded = true;
     }
     if (!never && !boxless && !w.in_order) {
-      w.bounded.push_back({e.shape, static_cast<std::uint32_t>(i), static_cast<unsigned short>(e.hidden), e.opacity, o.as<scene::Mesh>() != nullptr});
+      w.bounded.push_back({e.shape, static_cast<std::uint32_t>(i), static_cast<unsigned short>(e.hidden), e.opacity, has_tree(o)});
       boxes.push_back(tight_box(e.box, shape->bounds()));
     }
     if (!e.infinite && !is_empty(e.box)) w.bounds.extendBy(e.box);

@@ -2,16 +2,15 @@
 // differ in POV-Ray only by what they store.
 #include <stdexcept>
 
-#include "tracer/accel/box_tree.h"
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/tree_primitive.h"
 
 namespace verisim::shapes {
 
 namespace {
 
 constexpr double kNearest = 1e-5;
-constexpr std::size_t kMaxLeaves = 1u << 21;  // of some 200 bytes
+constexpr std::size_t kMaxLeaves = 1u << 21;  // of some 300 bytes
 constexpr int kMaxDepth = 48;                 // halvings after which floating point has no finer steps
 
 using Points = std::array<Vec3, 16>;  // row major: index 4 * row + column
@@ -51,22 +50,28 @@ bool flat_enough(const Points& p, double flatness) {
   return largest < flatness;
 }
 
+// Rows run with s, columns with r.
+struct Range {
+  double s0, s1, r0, r1;
+};
+
 struct Leaf {
-  Vec3 corner[4];         // 00, 03, 33, 30
-  double s0, s1, r0, r1;  // rows run with s, columns with r
+  Vec3 corner[4];  // 00, 03, 33, 30
+  Vec3 normal[4];  // of the whole patch there
+  Range range;
 };
 
 // Halves a patch until its pieces are flat or deep enough; visit(points, range) -> bool for each of those, false ends it all. False: it ended early.
 template <class Visit>
-bool subdivide(const scene::BicubicPatch& patch, const Points& p, const Leaf& range, int depth, Visit&& visit) {
+bool subdivide(const scene::BicubicPatch& patch, const Points& p, const Range& range, int depth, Visit&& visit) {
   const bool deep_s = depth >= patch.u_steps || depth >= kMaxDepth, deep_r = depth >= patch.v_steps || depth >= kMaxDepth;
   if ((deep_s && deep_r) || flat_enough(p, patch.flatness)) return visit(p, range);
   const double s = (range.s0 + range.s1) / 2, r = (range.r0 + range.r1) / 2;
   const auto columns = [&](const Points& q, double s0, double s1) {
-    if (deep_r) return subdivide(patch, q, {{}, s0, s1, range.r0, range.r1}, depth + 1, visit);
+    if (deep_r) return subdivide(patch, q, {s0, s1, range.r0, range.r1}, depth + 1, visit);
     Points left, right;
     halve(q, false, left, right);
-    return subdivide(patch, left, {{}, s0, s1, range.r0, r}, depth + 1, visit) && subdivide(patch, right, {{}, s0, s1, r, range.r1}, depth + 1, visit);
+    return subdivide(patch, left, {s0, s1, range.r0, r}, depth + 1, visit) && subdivide(patch, right, {s0, s1, r, range.r1}, depth + 1, visit);
   };
   if (deep_s) return columns(p, range.s0, range.s1);
   Points first, second;
@@ -74,13 +79,13 @@ bool subdivide(const scene::BicubicPatch& patch, const Points& p, const Leaf& ra
   return columns(first, range.s0, s) && columns(second, s, range.s1);
 }
 
-class BicubicPatch final : public Primitive<BicubicPatch> {
+class BicubicPatch final : public TreePrimitive<BicubicPatch> {
  public:
   BicubicPatch(const scene::Object& description, const scene::BicubicPatch& patch)
-      : Primitive(description, {bicubic_patch_box(patch), true}), points_(patch.points), uv_(patch.uv) {
-    const bool fits = subdivide(patch, points_, {{}, 0, 1, 0, 1}, 0, [&](const Points& p, Leaf leaf) {
-      leaf.corner[0] = p[0], leaf.corner[1] = p[3], leaf.corner[2] = p[15], leaf.corner[3] = p[12];
-      leaves_.push_back(leaf);
+      : TreePrimitive(description, {bicubic_patch_box(patch), true}), points_(patch.points), uv_(patch.uv) {
+    const bool fits = subdivide(patch, points_, {0, 1, 0, 1}, 0, [&](const Points& p, const Range& range) {
+      const auto& [s0, s1, r0, r1] = range;
+      leaves_.push_back({{p[0], p[3], p[15], p[12]}, {exact_normal(s0, r0), exact_normal(s0, r1), exact_normal(s1, r1), exact_normal(s1, r0)}, range});
       return leaves_.size() <= kMaxLeaves;
     });
     if (!fits) throw std::runtime_error("bicubic_patch: too many pieces");
@@ -95,8 +100,10 @@ class BicubicPatch final : public Primitive<BicubicPatch> {
     leaves_ = std::move(sorted);
   }
 
+  const accel::BoxTree& tree() const { return tree_; }
+
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void crossings(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
     const LocalRay r = local(ray);
     const auto limit = [&] { return sink.upper() * r.scale * (1 + 1e-12); };
     tree_.traverse_leaves({r.origin, r.direction}, 0, limit(), [&](std::uint32_t first, std::uint32_t count, double) {
@@ -104,7 +111,7 @@ class BicubicPatch final : public Primitive<BicubicPatch> {
         for (int half = 0; half < 2; ++half) triangle(i, half, ray, r, sink);
       }
       return limit();
-    });
+    }, entry);
   }
 
   bool contains(const Vec3&) const { return false; }
@@ -113,19 +120,17 @@ class BicubicPatch final : public Primitive<BicubicPatch> {
   Vec3 raw_normal(const Hit& hit) const {
     const Leaf& leaf = leaves_[static_cast<std::size_t>(hit.part) / 2];
     const bool second = hit.part % 2 != 0;
-    const Vec3 n = (1 - hit.u - hit.v) * exact_normal(leaf.s0, leaf.r0) +
-                   hit.u * (second ? exact_normal(leaf.s1, leaf.r1) : exact_normal(leaf.s0, leaf.r1)) +
-                   hit.v * (second ? exact_normal(leaf.s1, leaf.r0) : exact_normal(leaf.s1, leaf.r1));
+    const Vec3 n = (1 - hit.u - hit.v) * leaf.normal[0] + hit.u * leaf.normal[second ? 2 : 1] + hit.v * leaf.normal[second ? 3 : 2];
     if (dot(n, n) <= kEpsilon) return world_normal({1, 0, 0});
     return world_normal(n);
   }
 
   Vec2 uv(const Hit& hit) const override {
-    const Leaf& leaf = leaves_[static_cast<std::size_t>(hit.part) / 2];
+    const Range& range = leaves_[static_cast<std::size_t>(hit.part) / 2].range;
     const bool second = hit.part % 2 != 0;
     const double w = 1 - hit.u - hit.v;
-    const double s = w * leaf.s0 + hit.u * (second ? leaf.s1 : leaf.s0) + hit.v * leaf.s1;
-    const double r = w * leaf.r0 + hit.u * leaf.r1 + hit.v * (second ? leaf.r0 : leaf.r1);
+    const double s = w * range.s0 + hit.u * (second ? range.s1 : range.s0) + hit.v * range.s1;
+    const double r = w * range.r0 + hit.u * range.r1 + hit.v * (second ? range.r0 : range.r1);
     if (!uv_) return {r, s};
     const auto& c = *uv_;
     const Vec2 bottom = c[0] + r * (c[1] - c[0]), top = c[3] + r * (c[2] - c[3]);
@@ -140,13 +145,13 @@ class BicubicPatch final : public Primitive<BicubicPatch> {
     const Vec3 e1 = q - p, e2 = s - p, n = cross(e1, e2);
     const double n2 = dot(n, n);
     if (!(n2 > 1e-10 * dot(e1, e1) * dot(e2, e2))) return;
-    const double nd = dot(r.direction, n) / std::sqrt(n2);
-    if (std::fabs(nd) < kEpsilon) return;
-    const double t = dot(n, p - r.origin) / dot(r.direction, n), world_t = t / r.scale;
-    if (world_t < kNearest) return;
+    const double slope = dot(r.direction, n), t = dot(n, p - r.origin) / slope, world_t = t / r.scale;
+    if (!(world_t >= kNearest && world_t <= sink.upper())) return;
     const Vec3 x = r.origin + t * r.direction - p;
-    const double a = dot(cross(x, e2), n) / n2, b = dot(cross(e1, x), n) / n2;
-    if (!(a >= 0 && b >= 0 && a + b <= 1)) return;
+    const double an = dot(cross(x, e2), n), bn = dot(cross(e1, x), n);
+    if (!(an >= 0 && bn >= 0)) return;
+    const double a = an / n2, b = bn / n2;
+    if (!(a + b <= 1) || std::fabs(slope / std::sqrt(n2)) < kEpsilon) return;
     sink.add(world_t, [&] { return ray.at(world_t); }, static_cast<std::int32_t>(2 * i) + half, a, b);
   }
 
@@ -195,7 +200,7 @@ std::unique_ptr<Shape> compile_bicubic_patch(const scene::Object& object) {
 bool bicubic_patch_fits(const scene::BicubicPatch& patch) {
   if (patch.u_steps <= 10 && patch.v_steps <= 10) return true;
   std::size_t leaves = 0;
-  return subdivide(patch, patch.points, {{}, 0, 1, 0, 1}, 0, [&](const Points&, const Leaf&) { return ++leaves <= kMaxLeaves; });
+  return subdivide(patch, patch.points, {0, 1, 0, 1}, 0, [&](const Points&, const Range&) { return ++leaves <= kMaxLeaves; });
 }
 
 Box3 bicubic_patch_box(const scene::BicubicPatch& patch) {

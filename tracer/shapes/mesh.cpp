@@ -1,18 +1,17 @@
 // mesh and mesh2 (spec 04 section 1). All hits are reported; POV-Ray's early stop for meshes without inside_vector, which loses surfaces in CSG, is not
 // reproduced.
-#include "tracer/accel/shaft.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/mesh_geometry.h"
-#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/tree_primitive.h"
 
 namespace verisim::shapes {
 
 namespace {
 
-class Mesh final : public Primitive<Mesh> {
+class Mesh final : public TreePrimitive<Mesh> {
  public:
   Mesh(const scene::Object& description, const scene::Mesh& mesh)
-      : Primitive(description, {mesh_vertex_box(*mesh.data), !has_inside(*mesh.data)}), geometry_(MeshGeometry::of(mesh.data)) {
+      : TreePrimitive(description, {mesh_vertex_box(*mesh.data), !has_inside(*mesh.data)}), geometry_(MeshGeometry::of(mesh.data)) {
     solid_ = has_inside(*mesh.data);
     if (solid_) {
       const Vec3 v = *mesh.data->inside_vector;
@@ -22,28 +21,7 @@ class Mesh final : public Primitive<Mesh> {
     textures_ = mesh.textures.empty() ? mesh.data->textures : mesh.textures;
   }
 
-  bool enter(const accel::Shaft& shaft, accel::EntryPoints& entry) const override {
-    if (!has_matrix()) {
-      geometry_->tree().enter(shaft, entry);
-      return true;
-    }
-    const auto local_box = [&](const Box3& box) {
-      Box3 result;
-      for (int corner = 0; corner < 8; ++corner)
-        result.extendBy(local(Vec3(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z)));
-      return result;
-    };
-    const auto own = accel::Shaft::between(local_box(shaft.from()), local_box(shaft.to()));
-    if (own) geometry_->tree().enter(*own, entry);
-    return own.has_value();
-  }
-  bool intersect_from(const accel::EntryPoints& entry, const Ray& ray, RayKind, double t_min, double t_max, Hit& hit) const override {
-    return nearest_of(ray, t_min, t_max, hit, false, [&](NearestHit& sink) { crossings(ray, sink, &entry); });
-  }
-  bool occludes_from(const accel::EntryPoints& entry, const Ray& ray, double t_min, double t_max) const override {
-    Hit hit;
-    return nearest_of(ray, t_min, t_max, hit, true, [&](NearestHit& sink) { crossings(ray, sink, &entry); });
-  }
+  const accel::BoxTree& tree() const { return geometry_->tree(); }
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {

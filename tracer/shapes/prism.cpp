@@ -5,6 +5,7 @@
 #include "tracer/accel/box_tree.h"
 #include "tracer/math/bernstein.h"
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/outline_index.h"
 #include "tracer/shapes/plane_curve.h"
 #include "tracer/shapes/primitive.h"
 
@@ -81,6 +82,7 @@ class Prism final : public Primitive<Prism> {
         high_(std::max(prism.low, prism.high)), box_(prism_box(prism)) {
     const Vec3 pad = 1e-9 * (box_.max - box_.min) + Vec3(1e-12);
     box_.min -= pad, box_.max += pad;
+    std::vector<Rectangle> bounds;
     for (const CurveSegment& s : segments_of(prism)) {
       Segment segment{s, 0, 0, 0, 0, false};
       s.extremes(along_x, segment.x_low, segment.x_high);
@@ -88,9 +90,10 @@ class Prism final : public Primitive<Prism> {
       const double z0 = s.value(along_z, 0), z1 = s.value(along_z, 1);
       segment.z_monotonic = s.degree == 1 && z0 != z1;
       segments_.push_back(segment);
-      outline_.extendBy(Vec2(segment.x_low, segment.z_low));
-      outline_.extendBy(Vec2(segment.x_high, segment.z_high));
+      bounds.push_back(Rectangle(Vec2(segment.x_low, segment.z_low), Vec2(segment.x_high, segment.z_high)));
+      outline_.extendBy(bounds.back());
     }
+    index_ = OutlineIndex(bounds);
   }
 
   template <class Sink>
@@ -115,19 +118,12 @@ class Prism final : public Primitive<Prism> {
     } else if (o.y < low_ || o.y > high_) {
       return;
     }
-    // The part of the ray that matters, seen from above.
-    const double end = std::min(leave, sink.upper() * l.scale), slack = 1e-9 * (std::fabs(o.x) + std::fabs(o.z) + end) + 1e-12;
-    const Vec2 from(o.x + enter * d.x, o.z + enter * d.z), to(o.x + end * d.x, o.z + end * d.z);
-    const double x_from = std::min(from.x, to.x) - slack, x_to = std::max(from.x, to.x) + slack;
-    const double z_from = std::min(from.y, to.y) - slack, z_to = std::max(from.y, to.y) + slack;
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-      const Segment& bounds = segments_[i];
-      if (!conic_ && (bounds.x_low > x_to || bounds.x_high < x_from || bounds.z_low > z_to || bounds.z_high < z_from)) continue;
-      const CurveSegment& s = bounds.curve;
-      // The outline's point lies on the ray's line when nx X + nz Z + n0 = 0.
-      const double nx = conic_ ? o.z * d.y - o.y * d.z : d.z, nz = conic_ ? o.y * d.x - o.x * d.y : -d.x;
-      const double n0 = conic_ ? o.x * d.z - o.z * d.x : o.z * d.x - o.x * d.z;
-      if (!straddles(bounds, nx, nz, n0)) continue;
+    // The outline's point lies on the ray's line when nx X + nz Z + n0 = 0.
+    const double nx = conic_ ? o.z * d.y - o.y * d.z : d.z, nz = conic_ ? o.y * d.x - o.x * d.y : -d.x;
+    const double n0 = conic_ ? o.x * d.z - o.z * d.x : o.z * d.x - o.x * d.z;
+    index_.overlapping(seen_from_above(o, d, enter, std::min(leave, sink.upper() * l.scale)), [&](std::size_t i) {
+      if (!straddles(segments_[i], nx, nz, n0)) return;
+      const CurveSegment& s = segments_[i].curve;
       double power[4], roots[3];
       for (int k = 0; k <= s.degree; ++k) {
         const Vec2& c = s.c[static_cast<std::size_t>(k)];
@@ -136,7 +132,7 @@ class Prism final : public Primitive<Prism> {
       power[0] += n0;
       int n = 0;
       if (s.degree == 1) {
-        if (power[1] == 0) continue;
+        if (power[1] == 0) return;
         roots[0] = -power[0] / power[1];
         n = roots[0] >= 0 && roots[0] <= 1;
       } else {
@@ -154,7 +150,7 @@ class Prism final : public Primitive<Prism> {
         const double y = o.y + t * d.y;
         if (y >= low_ && y <= high_) report(t, static_cast<std::int32_t>(i), roots[k]);
       }
-    }
+    });
   }
 
   bool contains(const Vec3& point) const {
@@ -190,28 +186,39 @@ class Prism final : public Primitive<Prism> {
     return std::fabs(nx * x + nz * z + n0) <= reach * (1 + 1e-9) + 1e-12 * size;
   }
 
+  // What the stretch of a ray that matters covers of the outline's plane; of a conic sweep, everything.
+  Rectangle seen_from_above(const Vec3& o, const Vec3& d, double enter, double end) const {
+    if (conic_) return Rectangle(Vec2(-HUGE_VAL), Vec2(HUGE_VAL));
+    const double slack = 1e-9 * (std::fabs(o.x) + std::fabs(o.z) + end) + 1e-12;
+    Rectangle r(Vec2(o.x + enter * d.x, o.z + enter * d.z));
+    r.extendBy(Vec2(o.x + end * d.x, o.z + end * d.z));
+    return Rectangle(r.min - Vec2(slack), r.max + Vec2(slack));
+  }
+
   // Even-odd count along +x. As in POV-Ray every segment owns both its ends, so a line exactly through a vertex counts it twice (spec 03 section 8).
   bool covers(double x, double z) const {
     if (x > outline_.max.x || x < outline_.min.x || z < outline_.min.y || z > outline_.max.y) return false;
     int count = 0;
-    for (const Segment& s : segments_) {
-      if (z < s.z_low || z > s.z_high || x > s.x_high) continue;
+    index_.overlapping(Rectangle(Vec2(x, z), Vec2(HUGE_VAL, z)), [&](std::size_t piece) {
+      const Segment& s = segments_[piece];
+      if (z < s.z_low || z > s.z_high || x > s.x_high) return;
       if (s.z_monotonic && x < s.x_low) {
         ++count;  // met once, and to the right
-        continue;
+        return;
       }
       double roots[3];
       const int n = s.curve.solve(along_z, z, roots);
       for (int i = 0; i < n; ++i) count += s.curve.value(along_x, roots[i]) > x;
-    }
+    });
     return count & 1;
   }
 
   bool conic_, open_;
   double low_, high_;
   Box3 box_;
-  Imath::Box<Vec2> outline_;
+  Rectangle outline_;
   std::vector<Segment> segments_;
+  OutlineIndex index_;
 };
 
 }  // namespace

@@ -3,9 +3,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "tracer/accel/box_tree.h"
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/tree_primitive.h"
 #include "tracer/shapes/truetype.h"
 
 namespace verisim::shapes {
@@ -84,17 +83,21 @@ int unit_roots(double a, double b, double c, double (&roots)[2]) {
   return count;
 }
 
-class Text final : public Primitive<Text> {
+class Text final : public TreePrimitive<Text> {
  public:
   Text(const scene::Object& description, const scene::Text& text)
-      : Primitive(description, {text_box(text), true}), thickness_(text.thickness), glyphs_(layout(text)), to_object_(small_rotation()) {
+      : TreePrimitive(description, {text_box(text), true}), thickness_(text.thickness), glyphs_(layout(text)), to_object_(small_rotation()) {
     tree_ = accel::BoxTree(glyphs_.size(), [&](std::size_t i) { return glyphs_[i].glyph->segments.empty() ? Box3() : box_of(glyphs_[i], thickness_); }, 1);
     const Transform total = has_matrix() ? to_object_.then(matrix()) : to_object_;
     total_ = total;
   }
 
+  const accel::BoxTree& tree() const { return tree_; }
+  bool turned() const { return true; }
+  Vec3 to_tree(const Vec3& p) const { return total_.inverse_point(p); }
+
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void crossings(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
     const Vec3 o = total_.inverse_point(ray.origin), d = total_.inverse_direction(ray.direction);
     // The direction is not normalised: depths are world distances.
     tree_.traverse({o, d}, 0, sink.upper(), [&](std::uint32_t g, double) {
@@ -102,7 +105,7 @@ class Text final : public Primitive<Text> {
       caps(g, ray, local_origin, d, sink);
       sides(g, ray, local_origin, d, sink);
       return sink.upper();
-    });
+    }, entry);
   }
 
   bool contains(const Vec3& p) const {
@@ -128,17 +131,22 @@ class Text final : public Primitive<Text> {
   template <class Sink>
   void caps(std::uint32_t g, const Ray& ray, const Vec3& o, const Vec3& d, Sink& sink) const {
     if (std::fabs(d.z) < kEpsilon) return;
-    for (const int part : {kFront, kBack}) {
-      const double t = ((part == kFront ? 0 : thickness_) - o.z) / d.z;
-      if (!(t > kNearest) || !in_outline(*glyphs_[g].glyph, o.x + t * d.x, o.y + t * d.y)) continue;
+    const auto cap = [&](int part, double t) {
+      if (!(t > kNearest && t >= sink.lower() && t <= sink.upper()) || !in_outline(*glyphs_[g].glyph, o.x + t * d.x, o.y + t * d.y)) return;
       sink.add(t, [&] { return ray.at(t); }, part, 0, g);
-    }
+    };
+    const double front = (0 - o.z) / d.z, back = (thickness_ - o.z) / d.z;
+    // Where only the nearest hit is wanted, the nearer cap may spare the other one.
+    const bool back_first = Sink::kNearest && back < front;
+    if (back_first) cap(kBack, back);
+    cap(kFront, front);
+    if (!back_first) cap(kBack, back);
   }
 
   template <class Sink>
   void sides(std::uint32_t g, const Ray& ray, const Vec3& o, const Vec3& d, Sink& sink) const {
-    if (std::fabs(d.x) < kEpsilon && std::fabs(d.y) < kEpsilon) return;
-    const auto& segments = glyphs_[g].glyph->segments;
+    if ((std::fabs(d.x) < kEpsilon && std::fabs(d.y) < kEpsilon) || sink.upper() < sink.lower()) return;
+    const Glyph& glyph = *glyphs_[g].glyph;
     // On which side of the ray's line, seen along z, a point lies.
     const auto side = [&](const Vec2& p) { return (p.x - o.x) * d.y - (p.y - o.y) * d.x; };
     const auto report = [&](double t, std::size_t i, double s) {
@@ -146,18 +154,17 @@ class Text final : public Primitive<Text> {
       const double z = o.z + t * d.z;
       if (z >= 0 && z <= thickness_) sink.add(t, [&] { return ray.at(t); }, static_cast<std::int32_t>(i) + 2, s, g);
     };
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-      const OutlineSegment& p = segments[i];
+    glyph.index.overlapping(seen_from_front(o, d, glyph.size, sink), [&](std::size_t i) {
+      const OutlineSegment& p = glyph.segments[i];
       if (p.straight) {
         const double ex = p.end.x - p.begin.x, ey = p.end.y - p.begin.y, det = d.x * ey - d.y * ex;
-        if (std::fabs(det) < kEpsilon) continue;
+        if (std::fabs(det) < kEpsilon) return;
         const double s = side(p.begin) / det;
-        if (!(s >= 0 && s <= 1)) continue;
-        report(((p.begin.x - o.x) * ey - (p.begin.y - o.y) * ex) / det, i, s);
-        continue;
+        if (!(s >= 0 && s <= 1)) return;
+        return report(((p.begin.x - o.x) * ey - (p.begin.y - o.y) * ex) / det, i, s);
       }
       const double s0 = side(p.begin), s1 = side(p.middle), s2 = side(p.end);
-      if ((s0 > 0 && s1 > 0 && s2 > 0) || (s0 < 0 && s1 < 0 && s2 < 0)) continue;
+      if ((s0 > 0 && s1 > 0 && s2 > 0) || (s0 < 0 && s1 < 0 && s2 < 0)) return;
       const Vec2 a = p.begin - 2.0 * p.middle + p.end, b = 2.0 * (p.middle - p.begin);
       double roots[2];
       const int count = unit_roots(a.x * d.y - a.y * d.x, b.x * d.y - b.y * d.x, s0, roots);
@@ -167,22 +174,41 @@ class Text final : public Primitive<Text> {
         const double at = by_x ? (a.x * s + b.x) * s + p.begin.x - o.x : (a.y * s + b.y) * s + p.begin.y - o.y;
         report(at / (by_x ? d.x : d.y), i, s);
       }
+    });
+  }
+
+  // What the stretch of a ray that lies between the caps and may still matter covers, seen along z. Widened by more than rounding moves a crossing with a
+  // piece of an outline, even with one that the ray nearly runs along.
+  template <class Sink>
+  Rectangle seen_from_front(const Vec3& o, const Vec3& d, double size, const Sink& sink) const {
+    const double across = std::fabs(d.x) + std::fabs(d.y);
+    double from = std::max(sink.lower(), 0.0), to = sink.upper();
+    if (std::fabs(d.z) > 1e-9 * across) {
+      const double front = (0 - o.z) / d.z, back = (thickness_ - o.z) / d.z;
+      from = std::max(from, std::min(front, back)), to = std::min(to, std::max(front, back));
     }
+    if (!(to < 1e30)) return Rectangle(Vec2(-HUGE_VAL), Vec2(HUGE_VAL));
+    const double slack = 1e-5 * (std::fabs(o.x) + std::fabs(o.y) + std::fabs(o.z) + size) * (1 + across * size);
+    Rectangle r(Vec2(o.x + from * d.x, o.y + from * d.y));
+    r.extendBy(Vec2(o.x + to * d.x, o.y + to * d.y));
+    return Rectangle(r.min - Vec2(slack), r.max + Vec2(slack));
   }
 
   // Even-odd rule with a scan line towards +x.
   static bool in_outline(const Glyph& glyph, double x, double y) {
     if (x < glyph.x_min || x > glyph.x_max || y < glyph.y_min || y > glyph.y_max) return false;
     bool in = false;
-    for (const OutlineSegment& p : glyph.segments) {
+    const double left = x - 1e-9 * (std::fabs(x) + glyph.size);
+    glyph.index.overlapping(Rectangle(Vec2(left, y), Vec2(HUGE_VAL, y)), [&](std::size_t i) {
+      const OutlineSegment& p = glyph.segments[i];
       const double y0 = p.begin.y, y1 = p.end.y;
       if (p.straight) {
-        if ((y0 < y) == (y1 < y)) continue;
+        if ((y0 < y) == (y1 < y)) return;
         if (p.begin.x + (y - y0) / (y1 - y0) * (p.end.x - p.begin.x) > x) in = !in;
-        continue;
+        return;
       }
       const double ym = p.middle.y;
-      if ((y0 < y && ym < y && y1 < y) || (y0 > y && ym > y && y1 > y)) continue;
+      if ((y0 < y && ym < y && y1 < y) || (y0 > y && ym > y && y1 > y)) return;
       const double a = y0 - 2 * ym + y1, b = 2 * (ym - y0);
       double roots[2];
       const int count = unit_roots(a, b, y0 - y, roots);
@@ -193,7 +219,7 @@ class Text final : public Primitive<Text> {
         if (s > 1 - kEpsilon && slope <= 0) continue;
         if ((p.begin.x - 2 * p.middle.x + p.end.x) * s * s + 2 * (p.middle.x - p.begin.x) * s + p.begin.x > x) in = !in;
       }
-    }
+    });
     return in;
   }
 

@@ -1,6 +1,7 @@
 #include "tracer/shapes/truetype.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -52,6 +53,7 @@ std::shared_ptr<const Glyph> TrueTypeFont::character(char16_t character, bool un
   if (!kept) {
     auto made = std::make_shared<Glyph>(glyph(glyph_index(character, unicode)));
     if (character == u' ') made->segments.clear(), made->x_min = made->y_min = made->x_max = made->y_max = 0;
+    made->make_index();
     kept_ += made->segments.size() + 1;
     kept = made;
   }
@@ -204,6 +206,19 @@ void TrueTypeFont::composite_outline(std::size_t at, std::size_t end, int depth,
       for (const Point& p : contour) moved.push_back({sx * p.x + s01 * p.y + dx, s10 * p.x + sy * p.y + dy, p.on_curve});
     }
   }
+}
+
+void Glyph::make_index() {
+  std::vector<Rectangle> pieces;
+  pieces.reserve(segments.size());
+  for (const OutlineSegment& s : segments) {
+    Rectangle r(s.begin);
+    r.extendBy(s.end);
+    if (!s.straight) r.extendBy(s.middle);
+    for (const double v : {r.min.x, r.min.y, r.max.x, r.max.y}) size = std::max(size, std::fabs(v));
+    pieces.push_back(r);
+  }
+  index = OutlineIndex(pieces);
 }
 
 Glyph TrueTypeFont::glyph(std::uint16_t index) const {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tracer/math/vec.h"
+#include "tracer/shapes/outline_index.h"
 
 namespace verisim::shapes {
 
@@ -25,6 +26,11 @@ struct Glyph {
   double x_min = 0, y_min = 0, x_max = 0, y_max = 0;  // em units, as POV-Ray takes them
   double advance = 0, left_bearing = 0;               // em units; a composite may take them from a component
   std::uint16_t metrics_glyph = 0;                    // whose kerning applies
+  // Of the segments; made for characters.
+  OutlineIndex index;
+  double size = 0;  // at least the size of any coordinate of a segment
+
+  void make_index();
 };
 
 class TrueTypeFont {

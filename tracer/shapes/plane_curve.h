@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tracer/scene/object.h"
+#include "tracer/shapes/outline_index.h"
 
 namespace verisim::shapes {
 
@@ -19,6 +20,8 @@ struct CurveSegment {
   int solve(int axis, double value, double* roots) const;
   // Smallest and largest coordinate on the segment.
   void extremes(int axis, double& low, double& high) const;
+  // A rectangle around the points of from <= w <= to, wider than they are rounded.
+  Rectangle bounds(double from, double to) const;
 
   static CurveSegment linear(const Vec2& p0, const Vec2& p1);
   static CurveSegment quadratic(const Vec2& p0, const Vec2& p1, const Vec2& p2);                  // from p1 to p2

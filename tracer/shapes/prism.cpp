@@ -82,16 +82,23 @@ class Prism final : public Primitive<Prism> {
         high_(std::max(prism.low, prism.high)), box_(prism_box(prism)) {
     const Vec3 pad = 1e-9 * (box_.max - box_.min) + Vec3(1e-12);
     box_.min -= pad, box_.max += pad;
+    const std::vector<CurveSegment> curves = segments_of(prism);
+    const std::size_t parts = std::clamp<std::size_t>(curves.empty() ? 1 : kPieces / curves.size(), 1, kMostParts);
     std::vector<Rectangle> bounds;
-    for (const CurveSegment& s : segments_of(prism)) {
-      Segment segment{s, 0, 0, 0, 0, false};
+    for (const CurveSegment& s : curves) {
+      Segment segment{s, 0, 0, 0, 0, pieces_.size(), 0};
       s.extremes(along_x, segment.x_low, segment.x_high);
       s.extremes(along_z, segment.z_low, segment.z_high);
-      const double z0 = s.value(along_z, 0), z1 = s.value(along_z, 1);
-      segment.z_monotonic = s.degree == 1 && z0 != z1;
+      outline_.extendBy(Vec2(segment.x_low, segment.z_low));
+      outline_.extendBy(Vec2(segment.x_high, segment.z_high));
+      const std::size_t count = s.degree == 1 ? 1 : parts;
+      for (std::size_t k = 0; k < count; ++k) {
+        const auto w = [&](std::size_t at) { return static_cast<double>(at) / static_cast<double>(count); };
+        pieces_.push_back({segments_.size(), s.bounds(w(k), w(k + 1)), s.value(along_z, w(k)), s.value(along_z, w(k + 1))});
+        bounds.push_back(pieces_.back().bounds);
+      }
+      segment.end_piece = pieces_.size();
       segments_.push_back(segment);
-      bounds.push_back(Rectangle(Vec2(segment.x_low, segment.z_low), Vec2(segment.x_high, segment.z_high)));
-      outline_.extendBy(bounds.back());
     }
     index_ = OutlineIndex(bounds);
   }
@@ -108,7 +115,9 @@ class Prism final : public Primitive<Prism> {
     if (!accel::clip_to_box({o, d}, box_, enter, leave)) return;
     if (std::fabs(d.y) > kEpsilon) {
       if (!open_) {
-        for (const double h : {low_, high_}) {
+        // Where only the nearest hit is wanted, the nearer cap may spare the other one.
+        const bool downwards = Sink::kNearest && d.y < 0 && low_ < high_;
+        for (const double h : {downwards ? high_ : low_, downwards ? low_ : high_}) {
           if (conic_ && std::fabs(h) <= kEpsilon) continue;
           const double t = (h - o.y) / d.y, size = conic_ ? h : 1;
           if (Sink::kNearest && !(t >= sink.lower() * l.scale * (1 - 1e-9) && t <= sink.upper() * l.scale * (1 + 1e-9))) continue;
@@ -118,11 +127,14 @@ class Prism final : public Primitive<Prism> {
     } else if (o.y < low_ || o.y > high_) {
       return;
     }
+    if (sink.upper() < sink.lower()) return;
     // The outline's point lies on the ray's line when nx X + nz Z + n0 = 0.
     const double nx = conic_ ? o.z * d.y - o.y * d.z : d.z, nz = conic_ ? o.y * d.x - o.x * d.y : -d.x;
     const double n0 = conic_ ? o.x * d.z - o.z * d.x : o.z * d.x - o.x * d.z;
-    index_.overlapping(seen_from_above(o, d, enter, std::min(leave, sink.upper() * l.scale)), [&](std::size_t i) {
-      if (!straddles(segments_[i], nx, nz, n0)) return;
+    std::size_t i = segments_.size();  // the segment met last; pieces come in its order
+    index_.overlapping(seen_from_above(o, d, enter, std::min(leave, sink.upper() * l.scale)), [&](std::size_t piece) {
+      if (pieces_[piece].segment == i || !straddles(pieces_[piece].bounds, nx, nz, n0)) return;
+      i = pieces_[piece].segment;
       const CurveSegment& s = segments_[i].curve;
       double power[4], roots[3];
       for (int k = 0; k <= s.degree; ++k) {
@@ -175,13 +187,20 @@ class Prism final : public Primitive<Prism> {
   struct Segment {
     CurveSegment curve;
     double x_low, x_high, z_low, z_high;
-    bool z_monotonic;  // z strictly grows or falls
+    std::size_t first_piece, end_piece;
   };
+  // A part of a segment with narrow bounds.
+  struct Piece {
+    std::size_t segment;
+    Rectangle bounds;
+    double z_begin, z_end;
+  };
+  static constexpr std::size_t kPieces = 64, kMostParts = 16;  // of all curved segments together, if they are few; of one
 
-  // Whether the line nx x + nz z + n0 = 0 may pass through a segment's rectangle.
-  static bool straddles(const Segment& s, double nx, double nz, double n0) {
-    const double x = 0.5 * (s.x_low + s.x_high), z = 0.5 * (s.z_low + s.z_high);
-    const double reach = std::fabs(nx) * 0.5 * (s.x_high - s.x_low) + std::fabs(nz) * 0.5 * (s.z_high - s.z_low);
+  // Whether the line nx x + nz z + n0 = 0 may pass through a piece's rectangle.
+  static bool straddles(const Rectangle& r, double nx, double nz, double n0) {
+    const double x = 0.5 * (r.min.x + r.max.x), z = 0.5 * (r.min.y + r.max.y);
+    const double reach = std::fabs(nx) * 0.5 * (r.max.x - r.min.x) + std::fabs(nz) * 0.5 * (r.max.y - r.min.y);
     const double size = std::fabs(nx * x) + std::fabs(nz * z) + std::fabs(n0);
     return std::fabs(nx * x + nz * z + n0) <= reach * (1 + 1e-9) + 1e-12 * size;
   }
@@ -199,18 +218,38 @@ class Prism final : public Primitive<Prism> {
   bool covers(double x, double z) const {
     if (x > outline_.max.x || x < outline_.min.x || z < outline_.min.y || z > outline_.max.y) return false;
     int count = 0;
+    std::size_t last = segments_.size();
     index_.overlapping(Rectangle(Vec2(x, z), Vec2(HUGE_VAL, z)), [&](std::size_t piece) {
-      const Segment& s = segments_[piece];
-      if (z < s.z_low || z > s.z_high || x > s.x_high) return;
-      if (s.z_monotonic && x < s.x_low) {
-        ++count;  // met once, and to the right
-        return;
-      }
-      double roots[3];
-      const int n = s.curve.solve(along_z, z, roots);
-      for (int i = 0; i < n; ++i) count += s.curve.value(along_x, roots[i]) > x;
+      if (pieces_[piece].segment == last) return;
+      last = pieces_[piece].segment;
+      const Segment& s = segments_[last];
+      if (!(z < s.z_low || z > s.z_high || x > s.x_high)) count += times_met(s, x, z);
     });
     return count & 1;
+  }
+
+  // How often a segment with z in its range is met by the line from a point along +x, up to even numbers. Only a piece whose bounds hold the point asks for roots: one to the right
+  // is met if its ends lie on different sides.
+  int times_met(const Segment& s, double x, double z) const {
+    if (s.curve.degree == 1) {
+      const Piece& p = pieces_[s.first_piece];
+      return x < s.x_low && p.z_begin != p.z_end ? 1 : roots_right_of(s.curve, x, z);
+    }
+    int count = 0;
+    for (std::size_t i = s.first_piece; i < s.end_piece; ++i) {
+      const Piece& p = pieces_[i];
+      if (z < p.bounds.min.y || z > p.bounds.max.y || x > p.bounds.max.x) continue;
+      if (x >= p.bounds.min.x || z == p.z_begin || z == p.z_end) return roots_right_of(s.curve, x, z);
+      count += (p.z_begin < z) != (p.z_end < z);
+    }
+    return count;
+  }
+  static int roots_right_of(const CurveSegment& curve, double x, double z) {
+    double roots[3];
+    int count = 0;
+    const int n = curve.solve(along_z, z, roots);
+    for (int i = 0; i < n; ++i) count += curve.value(along_x, roots[i]) > x;
+    return count;
   }
 
   bool conic_, open_;
@@ -218,7 +257,8 @@ class Prism final : public Primitive<Prism> {
   Box3 box_;
   Rectangle outline_;
   std::vector<Segment> segments_;
-  OutlineIndex index_;
+  std::vector<Piece> pieces_;  // by segments
+  OutlineIndex index_;         // of the pieces
 };
 
 }  // namespace

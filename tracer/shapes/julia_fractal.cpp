@@ -84,11 +84,14 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
       if (t > end) return;
       in = march(orbit, r, t, estimate);
     }
+    // After a crossing POV-Ray's march goes on behind the coarse step, but counts distances from the crossing: those of later hits, not their points, fall short.
+    double uncounted = 0;
     // True: this hit ends the search.
     const auto crossed = [&](double base, double step, bool now) {
       const double depth = bisect(r, base, step, in), world_t = depth / r.scale;
       in = now;
-      sink.add(world_t, [&] { return ray.at(world_t); });
+      sink.add((depth - uncounted) / r.scale, [&] { return ray.at(world_t); });
+      uncounted += t - depth;
       // Outside CSG the march ends with the first hit, even one too near to be seen: refracted rays often do not meet the far side.
       return Sink::kNearest && !sink.clipped(ray.at(world_t));
     };

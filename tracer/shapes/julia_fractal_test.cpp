@@ -67,6 +67,17 @@ TEST(JuliaFractal, TheFirstStepIsPovRays) {
   }
 }
 
+// Distances measured with a plane moved along the ray until POV-Ray's trace() of the union with the fractal found the other one.
+TEST(JuliaFractal, LaterHitsAreCountedAsNearerThanTheirPoints) {
+  const Vec3 d = normalize(Vec3(-0.00226914, -0.173517, 0.984828)), o = Vec3(0, 1.5, -6) + 4.0 * d;
+  HitList hits;
+  compile(object(quaternion()))->intersect_all({o, d}, RayKind::query, hits);
+  ASSERT_GE(hits.size(), 3u);
+  EXPECT_NEAR(length(hits[0].point - o), hits[0].t, 1e-14);
+  EXPECT_NEAR(length(hits[2].point - o), 1.913650444594353, 1e-12);
+  EXPECT_NEAR(hits[2].t, 1.823674960382106, 1e-12);
+}
+
 TEST(JuliaFractal, HostileParametersEnd) {
   scene::JuliaFractal f = quaternion();
   f.parameter = {std::nan(""), 0, 0, 0};

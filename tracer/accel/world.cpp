@@ -43,7 +43,6 @@ struct Candidate {
   bool has_tree;  // rays may be told where to enter it
 };
 
-// A plane without a matrix and clips: rays are tested against it in place.
 struct Plane {
   Vec3 normal;
   double distance;
@@ -53,9 +52,8 @@ struct Plane {
   }
 };
 std::optional<Plane> plain_plane(const scene::Object& o) {
-  const auto* plane = o.as<scene::Plane>();
-  if (!plane || o.transform || !o.bounded_by.empty() || !o.clipped_by.empty()) return std::nullopt;
-  return Plane{plane->normal, plane->distance};
+  const auto plane = shapes::plain_plane(o);
+  return plane ? std::optional(Plane{plane->normal, plane->distance}) : std::nullopt;
 }
 
 bool has_tree(const scene::Object& o) {
@@ -110,6 +108,13 @@ Box3 widened(const scene::Bounds& b) {
 Box3 tight_box(const Box3& pov, const Box3& surface) {
   const bool encloses = !is_empty(surface) && contains(pov, surface.min) && contains(pov, surface.max);
   return encloses ? surface : pov;
+}
+
+// The surface and all that it encloses lie in a finite box.
+bool within_finite_box(const Shape& shape) {
+  const Box3 surface = shape.bounds();
+  const shapes::SolidExtent solid = shape.solid_extent();
+  return is_finite(surface) && !is_empty(surface) && !solid.outside && contains(surface, solid.box.min) && contains(surface, solid.box.max);
 }
 
 // The next number, for numbers above 0.
@@ -220,14 +225,17 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     const bool never = is_empty(e.box) && !(w.in_order && exempt_from_box_test(o));
     const bool boxless = e.infinite || is_empty(e.box) || (w.in_order && exempt_from_box_test(o));
     e.test_box = !is_empty(e.box) && (boxless || w.in_order) && !cheaper_than_box_test(o) && !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
-    if (!never && (boxless || w.in_order)) {
+    // Some of those have a surface of finite size all the same, as solids cut out by planes do: the tree may keep it, for what it finds is put in order later.
+    const Box3 surface = shape->bounds();
+    const bool in_tree = !w.in_order && (!boxless || within_finite_box(*shape));
+    if (!never && !in_tree) {
       w.unbounded.push_back(static_cast<std::uint32_t>(i));
       w.planes.push_back(e.test_box ? std::nullopt : plain_plane(o));
       if (e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow))) w.transparent_unbounded = true;
     }
-    if (!never && !boxless && !w.in_order) {
+    if (!never && in_tree) {
       w.bounded.push_back({e.shape, static_cast<std::uint32_t>(i), static_cast<unsigned short>(e.hidden), e.opacity, has_tree(o)});
-      boxes.push_back(tight_box(e.box, shape->bounds()));
+      boxes.push_back(boxless && !e.test_box ? surface : tight_box(e.box, surface));
     }
     if (!e.infinite && !is_empty(e.box)) w.bounds.extendBy(e.box);
     w.entries.push_back(e);

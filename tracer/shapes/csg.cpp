@@ -4,10 +4,15 @@
 // POV-Ray collects the hits of all children and keeps those that pass an inside test against the others. We do the same but look only at children
 // whose boxes the ray meets, test candidates in increasing distance, and stop at the first that survives.
 #include <algorithm>
+#include <bit>
 
 #include "tracer/accel/box_tree.h"
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/half_spaces.h"
+#include "tracer/shapes/plane.h"
+#include "tracer/shapes/plane_set.h"
 #include "tracer/shapes/primitive.h"
+#include "tracer/shapes/quadric_box.h"
 #include "tracer/shapes/scratch.h"
 
 namespace verisim::shapes {
@@ -73,10 +78,7 @@ class ChildIndex {
 class CsgShape : public Shape {
  public:
   CsgShape(const scene::Object& description, Children children)
-      : Shape(description), children_(std::move(children)), guards_(Guards::of(description)) {
-    for (std::uint32_t i = 0; i < children_.size(); ++i) surfaces_.add(i, children_[i]->bounds());
-    surfaces_.build();
-  }
+      : Shape(description), children_(std::move(children)), guards_(Guards::of(description)) {}
 
   bool inside(const Vec3& p) const final { return (!guards_ || guards_->contain(p)) && inside_unclipped(p); }
   Vec3 normal(const Hit&) const final { return Vec3(0); }  // hits belong to primitives
@@ -170,6 +172,7 @@ class Sum : public CsgShape {
     Box3 complement = everywhere();
     bool any_outside = false;
     for (std::uint32_t i = 0; i < children_.size(); ++i) {
+      surfaces_.add(i, children_[i]->bounds());
       hidden_.push_back(hidden_from(*children_[i]->object, merge));
       sheet = united(sheet, children_[i]->bounds());
       const SolidExtent extent = children_[i]->solid_extent();
@@ -182,6 +185,7 @@ class Sum : public CsgShape {
         solids_.add(i, extent.box);
       }
     }
+    surfaces_.build();
     solids_.build();
     set_extent(sheet, any_outside ? SolidExtent{complement, true} : SolidExtent{solid, false});
   }
@@ -275,8 +279,19 @@ class Intersection final : public CsgShape {
  public:
   Intersection(const scene::Object& description, Children children) : CsgShape(description, std::move(children)) {
     Box3 sheet, solid = everywhere(), complement;
+    std::vector<HalfSpace> half_spaces;
     for (std::uint32_t i = 0; i < children_.size(); ++i) {
       sheet = united(sheet, children_[i]->bounds());
+      if (const auto plane = plain_plane(*children_[i]->object)) {
+        const bool inverted = children_[i]->object->inverted;
+        half_spaces.push_back(inverted ? HalfSpace{-plane->normal, -plane->distance - kEpsilon} : HalfSpace{plane->normal, plane->distance + kEpsilon});
+        if (!planes_.full()) {
+          planes_.add(plane->normal, plane->distance, inverted);
+          plane_children_.push_back(i);
+          continue;
+        }
+      }
+      surfaces_.add(i, children_[i]->bounds());
       const SolidExtent extent = children_[i]->solid_extent();
       if (extent.outside) {
         complement = united(complement, extent.box);
@@ -287,7 +302,11 @@ class Intersection final : public CsgShape {
         solids_.push_back({i, extent.box});
       }
     }
+    surfaces_.build();
     holes_.build();
+    if (!half_spaces.empty()) bounded_ = true, solid = narrowed(solid, half_spaces);
+    for (const auto& child : children_)
+      if (const auto* quadric = child->object->as<scene::Quadric>()) solid = narrowed(solid, *quadric);
     if (bounded_) sheet = common(sheet, solid);
     set_extent(sheet, bounded_ ? SolidExtent{solid, false} : SolidExtent{complement, true});
     limit_ = bounded_ ? solid : everywhere();
@@ -296,28 +315,28 @@ class Intersection final : public CsgShape {
   void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
     double near = 0, far = 2e10;
     if (!clip(ray, near, far) || (guards_ && !guards_->admit(ray))) return;
-    ScratchIndices found;
-    candidates(ray, near, far, found);
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      const std::uint32_t i = found[k];
+    each_child_met(ray, near, far, [&](std::uint32_t i, const double* t) {
       const std::size_t begin = hits.size();
-      child(i).intersect_all(ray, kind, hits);
+      if (t) add_plane_hit(ray, i, *t, hits);
+      else child(i).intersect_all(ray, kind, hits);
       filter(hits, begin, [&](const Vec3& p) { return inside_others(p, i); });
-    }
+    });
   }
 
   bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
     double near = t_min, far = t_max;
     if (!clip(ray, near, far) || (guards_ && !guards_->admit(ray))) return false;
-    ScratchIndices found;
-    candidates(ray, near, far, found);
     ScratchOwners owners;
     ScratchHits hits;
-    for (std::size_t k = 0; k < found.size(); ++k) {
+    each_child_met(ray, near, far, [&](std::uint32_t i, const double* t) {
       const std::size_t before = hits.end();
-      child(found[k]).intersect_all(ray, kind, hits.list());
-      for (std::size_t n = before; n < hits.end(); ++n) owners.add(found[k]);
-    }
+      if (t) {
+        if (*t >= t_min && *t < t_max) add_plane_hit(ray, i, *t, hits.list());
+      } else {
+        child(i).intersect_all(ray, kind, hits.list());
+      }
+      for (std::size_t n = before; n < hits.end(); ++n) owners.add(i);
+    });
     return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) { return inside_others(p, self); });
   }
 
@@ -331,12 +350,39 @@ class Intersection final : public CsgShape {
 
   bool clip(const Ray& ray, double& near, double& far) const { return !bounded_ || accel::clip_to_box(ray, limit_, near, far); }
 
+  // Calls visit(child, t) for the children that the ray may meet, in their order; t is null for those that must be asked, and the distance of a plane.
+  template <class Visit>
+  void each_child_met(const Ray& ray, double near, double far, Visit&& visit) const {
+    alignas(64) double t[PlaneSet::kMost];
+    std::uint64_t met = planes_.meet(ray, t, near, far);
+    if (!(near <= far)) return;
+    const auto planes_before = [&](std::uint32_t end) {
+      for (; met != 0; met &= met - 1) {
+        const int k = std::countr_zero(met);
+        if (plane_children_[static_cast<std::size_t>(k)] >= end) return;
+        if (t[k] >= near && t[k] <= far) visit(plane_children_[static_cast<std::size_t>(k)], t + k);
+      }
+    };
+    ScratchIndices found;
+    candidates(ray, near, far, found);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      planes_before(found[k]);
+      visit(found[k], nullptr);
+    }
+    planes_before(~0u);
+  }
+  void add_plane_hit(const Ray& ray, std::uint32_t i, double t, HitList& hits) const { hits.push_back({t, ray.origin + t * ray.direction, &child(i), 0, 0, 0}); }
+
   bool inside_others(const Vec3& p, std::uint32_t self) const {
+    for (std::uint64_t outside = planes_.outside(p); outside != 0; outside &= outside - 1)
+      if (plane_children_[static_cast<std::size_t>(std::countr_zero(outside))] != self) return false;
     for (const Solid& s : solids_)
       if (s.child != self && !(accel::contains(s.box, p) && child(s.child).inside(p))) return false;
     return !holes_.any_around(p, [&](std::uint32_t i) { return i != self && !child(i).inside(p); });
   }
 
+  PlaneSet planes_;                            // of the children that are plain planes
+  std::vector<std::uint32_t> plane_children_;  // which those are
   std::vector<Solid> solids_;  // nothing outside their boxes is inside them
   ChildIndex holes_;           // everything outside their boxes is
   Box3 limit_;

@@ -1,7 +1,10 @@
 // Where a ray meets a plane: shared by the shape and by what tests many rays against it at once (spec 03 4.5).
 #pragma once
 
+#include <optional>
+
 #include "tracer/math/vec.h"
+#include "tracer/scene/object.h"
 
 namespace verisim::shapes {
 
@@ -9,6 +12,13 @@ namespace verisim::shapes {
 inline bool meets_plane(double slope, double t) {
   constexpr double kNearest = 1e-6, kFarthest = 1e7;
   return !(std::fabs(slope) < kEpsilon) && t >= kNearest && t <= kFarthest;
+}
+
+// A plane without a matrix and clips: rays may be tested against it in place.
+inline std::optional<scene::Plane> plain_plane(const scene::Object& o) {
+  const auto* plane = o.as<scene::Plane>();
+  if (!plane || o.transform || !o.bounded_by.empty() || !o.clipped_by.empty()) return std::nullopt;
+  return *plane;
 }
 
 }  // namespace verisim::shapes

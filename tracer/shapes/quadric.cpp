@@ -1,30 +1,26 @@
 // quadric (spec 03 4.10): coefficients are kept in world space.
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
+#include "tracer/shapes/quadric_box.h"
 
 namespace verisim::shapes {
 namespace {
 
 constexpr double kNearest = 1e-6, kFarthest = 1e7;
 
-// Only an axis-parallel ellipsoid has a box of its own; POV-Ray's boxes of other forms depend on clips and are partly wrong (4.11).
-Box3 box_of(const scene::Quadric& q) {
-  if (q.mixed != Vec3(0)) return everywhere();
-  double sign = q.square.x > 0 ? 1 : -1, j = q.constant;
-  Vec3 center;
-  for (int i = 0; i < 3; ++i) {
-    if (!(sign * q.square[i] > 0)) return everywhere();
-    center[i] = -q.linear[i] / (2 * q.square[i]);
-    j -= q.square[i] * center[i] * center[i];
-  }
-  if (!(sign * j < 0)) return everywhere();
-  Vec3 half;
-  for (int i = 0; i < 3; ++i) half[i] = std::sqrt(-j / q.square[i]) * (1 + 1e-9);
-  return {center - half, center + half};
+// Of {value <= 0} or, for a quadric written with negative coefficients, of {value >= 0}. POV-Ray's boxes depend on clips and are partly wrong (4.11).
+bool negative(const scene::Quadric& q) {
+  for (int i = 0; i < 3; ++i)
+    if (q.square[i] != 0) return q.square[i] < 0;
+  return false;
+}
+Box3 box_of(scene::Quadric q) {
+  if (negative(q)) q.square = -q.square, q.mixed = -q.mixed, q.linear = -q.linear, q.constant = -q.constant;
+  return narrowed(everywhere(), q);
 }
 
-// Whether the side a box can describe is the one the inverted mark says. (An ellipsoid may be written with negative coefficients, too.)
-bool box_tells_solid(const scene::Object& object, const scene::Quadric& q) { return (q.square.x > 0) != object.inverted; }
+// Whether the side a box can describe is the one the inverted mark says.
+bool box_tells_solid(const scene::Object& object, const scene::Quadric& q) { return negative(q) == object.inverted; }
 
 class Quadric final : public Primitive<Quadric> {
  public:

@@ -31,7 +31,13 @@ struct Entry {
   Opacity opacity = Opacity::opaque;
   bool infinite = false;    // of the kind POV-Ray tests before all others
   bool test_box = false;    // rays that miss `box` miss the object
+  bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
   Box3 box;                 // POV-Ray's, right or wrong, widened by rounding
+
+  bool may_meet(const Ray& ray, double t_min, double t_max) const {
+    double near = t_min, far = t_max;
+    return (!test_box || clip_to_box(ray, box, near, far)) && (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
+  }
 };
 
 // What the tree's walk needs of an entry, densely packed.
@@ -151,6 +157,8 @@ struct World::Impl {
   bool transparent_shadows = false;    // something that shadow rays see is not opaque
   bool transparent_unbounded = false;  // one of `unbounded` is such
 
+  void add_beside_tree(std::uint32_t index, const Entry& e);
+  Box3 add_bounded(std::uint32_t index, const Entry& e);  // the box to keep in the tree
   void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
   bool precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const;
   void meet_planes(const RayRow& rays, int first, int count, RowScratch& scratch) const {
@@ -202,6 +210,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
   w.in_order = list.entries < kBoundingThreshold;
 
   std::vector<Box3> boxes;
+  std::vector<std::uint32_t> finite_after_all;
   for (std::size_t i = 0; i < list.objects.size(); ++i) {
     const scene::Object& o = *list.objects[i];
     std::unique_ptr<Shape> shape = shapes::compile(o, {remove_bounds});
@@ -225,23 +234,35 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     const bool never = is_empty(e.box) && !(w.in_order && exempt_from_box_test(o));
     const bool boxless = e.infinite || is_empty(e.box) || (w.in_order && exempt_from_box_test(o));
     e.test_box = !is_empty(e.box) && (boxless || w.in_order) && !cheaper_than_box_test(o) && !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
-    // Some of those have a surface of finite size all the same, as solids cut out by planes do: the tree may keep it, for what it finds is put in order later.
-    const Box3 surface = shape->bounds();
-    const bool in_tree = !w.in_order && (!boxless || within_finite_box(*shape));
-    if (!never && !in_tree) {
-      w.unbounded.push_back(static_cast<std::uint32_t>(i));
-      w.planes.push_back(e.test_box ? std::nullopt : plain_plane(o));
-      if (e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow))) w.transparent_unbounded = true;
-    }
-    if (!never && in_tree) {
-      w.bounded.push_back({e.shape, static_cast<std::uint32_t>(i), static_cast<unsigned short>(e.hidden), e.opacity, has_tree(o)});
-      boxes.push_back(boxless && !e.test_box ? surface : tight_box(e.box, surface));
-    }
+    // Some of those have a surface of finite size all the same, as solids cut out by planes do.
+    e.test_surface = !never && boxless && within_finite_box(*shape);
+    const bool waits = e.test_surface && !w.in_order;
+    if (waits) finite_after_all.push_back(static_cast<std::uint32_t>(i));
+    else if (!never && (boxless || w.in_order)) w.add_beside_tree(static_cast<std::uint32_t>(i), e);
+    else if (!never) boxes.push_back(w.add_bounded(static_cast<std::uint32_t>(i), e));
     if (!e.infinite && !is_empty(e.box)) w.bounds.extendBy(e.box);
     w.entries.push_back(e);
     w.shapes.push_back(std::move(shape));
   }
+  // The tree may keep those, too, for what it finds is put in order later; but the digits of its boxes are relative to the largest of them.
+  constexpr double kOutsized = 4;
+  const auto longest = [](const Box3& box) { return is_empty(box) ? 0 : std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z}); };
+  for (const std::uint32_t i : finite_after_all) {
+    if (longest(w.shapes[i]->bounds()) <= kOutsized * longest(w.bounds)) boxes.push_back(w.add_bounded(i, w.entries[i]));
+    else w.add_beside_tree(i, w.entries[i]);
+  }
   w.tree = BoxTree(boxes);
+}
+
+void World::Impl::add_beside_tree(std::uint32_t index, const Entry& e) {
+  unbounded.push_back(index);
+  planes.push_back(e.test_box ? std::nullopt : plain_plane(*e.object));
+  if (e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow))) transparent_unbounded = true;
+}
+
+Box3 World::Impl::add_bounded(std::uint32_t index, const Entry& e) {
+  bounded.push_back({e.shape, index, static_cast<unsigned short>(e.hidden), e.opacity, has_tree(*e.object)});
+  return e.test_surface && !e.test_box ? e.shape->bounds() : tight_box(e.box, e.shape->bounds());
 }
 
 World::~World() = default;
@@ -282,8 +303,7 @@ class World::Search {
         accept(index);
         continue;
       }
-      double near = t_min_, far = limit_;
-      if (e.test_box && !clip_to_box(ray_, e.box, near, far)) continue;
+      if (!e.may_meet(ray_, t_min_, limit_)) continue;
       test(*e.shape, index, nullptr);
     }
   }
@@ -391,8 +411,7 @@ class World::Occlusion {
         if (t >= above_ && t < t_max_) return true;
         continue;
       }
-      double near = above_, far = t_max_;
-      if (e.test_box && !clip_to_box(ray_, e.box, near, far)) continue;
+      if (!e.may_meet(ray_, above_, t_max_)) continue;
       if (blocks(*e.shape, e.opacity, nullptr)) return true;
     }
     return false;

@@ -52,6 +52,7 @@ class ChildIndex {
     }
   }
   void build() {
+    leave_out_outsized();
     tree_ = BoxTree(boxes_);
     boxes_ = {};
   }
@@ -70,6 +71,30 @@ class ChildIndex {
   }
 
  private:
+  // The digits of a tree's boxes are relative to the largest of them: a few that are huge beside the others would spoil all.
+  void leave_out_outsized() {
+    constexpr double kOutsized = 1e4;
+    constexpr std::size_t kFew = 4;
+    std::vector<double> sizes;
+    for (const Box3& box : boxes_) sizes.push_back(length(box.max - box.min));
+    std::vector<double> sorted = sizes;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted.size() < 2 * kFew) return;
+    const double most = kOutsized * sorted[sorted.size() / 2];
+    if (!(sorted.back() > most) || sorted[sorted.size() - 1 - kFew] > most) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (sizes[i] > most) {
+        unbounded_.push_back(children_[i]);
+      } else {
+        boxes_[kept] = boxes_[i];
+        children_[kept++] = children_[i];
+      }
+    }
+    boxes_.resize(kept);
+    children_.resize(kept);
+  }
+
   std::vector<Box3> boxes_;
   std::vector<std::uint32_t> children_, unbounded_;
   BoxTree tree_;

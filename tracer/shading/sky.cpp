@@ -1,6 +1,23 @@
 #include "tracer/shading/sky.h"
 
 namespace verisim::shading {
+namespace {
+
+// Pigments one behind the other, top first.
+struct Blend {
+  Rgb sum, filter{1};
+
+  void add(const Color& c, const Rgb& emission) {
+    sum += c.rgb() * filter * emission * c.opacity();
+    filter *= c.transmission();
+  }
+  Color over(const Color& background) const {
+    const Rgb whole = sum + background.rgb() * filter * background.opacity(), through = filter * background.transmission();
+    return {whole, 0, std::min(1.0f, std::fabs(through.grey()))};
+  }
+};
+
+}  // namespace
 
 Sky::Sky(const scene::Scene& scene, textures::Compiler& compiler, bool output_alpha)
     : version_(scene.version), output_alpha_(output_alpha), background_(scene.background) {
@@ -14,10 +31,15 @@ Sky::Sky(const scene::Scene& scene, textures::Compiler& compiler, bool output_al
   }
 }
 
+Color Sky::background(bool opaque) const {
+  Color color = background_;
+  if (!output_alpha_ || opaque) color.f = color.t = 0;
+  return color;
+}
+
 Color Sky::seen(const Vec3& direction, bool opaque) const {
   if (version_ < 370 && output_alpha_ && !opaque) return {0, 0, 0, 0, 1};
-  Color background = background_;
-  if (!output_alpha_ || opaque) background.f = background.t = 0;
+  const Color background = this->background(opaque);
   if (pigments_.empty()) {
     const float a = background.opacity();
     return {background.rgb() * a, 0, std::min(1.0f, std::fabs(background.transmission().grey()))};
@@ -26,17 +48,31 @@ Color Sky::seen(const Vec3& direction, bool opaque) const {
   return version_ < 370 ? legacy(q, background.rgb()) : modern(q, background);
 }
 
+void Sky::seen(int count, const textures::PointRow& directions, bool opaque, Color* colors) const {
+  if (version_ < 370 || pigments_.empty()) {
+    for (int i = 0; i < count; ++i) colors[i] = seen(directions.at(i), opaque);
+    return;
+  }
+  textures::PointRow q;
+  for (int i = 0; i < count; ++i) q.set(i, transform_.inverse_point(directions.at(i)));
+  q.fill_up(count);
+  Blend blends[textures::PointRow::kMost];
+  for (const auto* pigment : pigments_) {
+    bool colored[textures::PointRow::kMost];
+    textures::evaluate(*pigment, count, q, nullptr, colors, colored);
+    for (int i = 0; i < count; ++i) blends[i].add(colors[i], emission_);
+  }
+  for (int i = 0; i < count; ++i) colors[i] = blends[i].over(background(opaque));
+}
+
 Color Sky::modern(const Vec3& q, const Color& background) const {
-  Rgb sum, filter(1);
+  Blend blend;
   for (const auto* pigment : pigments_) {
     Color c;
     textures::evaluate(*pigment, q, nullptr, c);
-    sum += c.rgb() * filter * emission_ * c.opacity();
-    filter *= c.transmission();
+    blend.add(c, emission_);
   }
-  sum += background.rgb() * filter * background.opacity();
-  filter *= background.transmission();
-  return {sum, 0, std::min(1.0f, std::fabs(filter.grey()))};
+  return blend.over(background);
 }
 
 // Before 3.7 filter does not tint deeper layers, only the background.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tracer/scene/scene.h"
-#include "tracer/textures/texture.h"
+#include "tracer/textures/point_row.h"
 
 namespace verisim::shading {
 
@@ -15,8 +15,12 @@ class Sky {
   bool varies() const { return !pigments_.empty(); }
   // Colour with t = see-through. `opaque`: this ray ignores alpha output (a reflection lies in its path, or radiosity asks).
   Color seen(const Vec3& direction, bool opaque) const;
+  // The same in many directions.
+  void seen(int count, const textures::PointRow& directions, bool opaque, Color* colors) const;
 
  private:
+  // What stands behind the pigments.
+  Color background(bool opaque) const;
   Color modern(const Vec3& q, const Color& background) const;
   Color legacy(const Vec3& q, const Rgb& background) const;
 

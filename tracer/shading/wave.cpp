@@ -228,6 +228,25 @@ void Wave::show(const RayState& ray, Color* out) {
   any_phong_ = any_blinn_ = any_metallic_ = layered_ = false;
 }
 
+// The rays that hit nothing.
+void Wave::show_sky(int count, Color* out) {
+  textures::PointRow directions;
+  int misses[kMost], n = 0;
+  for (int i = 0; i < count; ++i) {
+    if (found_[i]) continue;
+    if (plain_sky_) {
+      out[i] = sky_;
+    } else {
+      directions.set(n, lanes_.camera.direction.at(i));
+      misses[n++] = i;
+    }
+  }
+  if (n == 0) return;
+  Color colors[kMost];
+  scene_.sky.seen(n, directions, false, colors);
+  for (int k = 0; k < n; ++k) out[misses[k]] = colors[k];
+}
+
 void Wave::trace(double x, double y, int count, const accel::WorldEntry* const* entries, Color* out) {
   if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
   RayState ray = tracer_.camera_state(lanes_.camera.at(0), false);
@@ -241,19 +260,17 @@ void Wave::trace(double x, double y, int count, const accel::WorldEntry* const* 
   for (int i = 0; i < count; ++i)
     if (found_[i]) meet(i);
   find_parts(count);
+  show_sky(count, out);
   for (int i = 0; i < count; ++i) {
-    if (!found_[i] && plain_sky_) {
-      out[i] = sky_;
-      continue;
-    }
-    if (found_[i] && met_[i].together) {
+    if (!found_[i]) continue;
+    if (met_[i].together) {
       if (add_surface(i)) continue;
       show(ray, out);
       if (add_surface(i)) continue;
     }
     ray.ray = lanes_.camera.at(i);
     tracer_.random_.begin_sample(x + i, y, 0);
-    out[i] = tracer_.resolve(ray, found_[i] ? &hits_[i] : nullptr);
+    out[i] = tracer_.resolve(ray, &hits_[i]);
   }
   show(ray, out);
 }

@@ -74,10 +74,11 @@ class Wave {
   void add_leaves(int i, const textures::CompiledTexture& texture, const Materials& found);
   void find_parts(int count);
   void find_layers(int* leaves, int n);
-  void find_colors(const Material& material, const int* leaves, int n, Color* colors, bool* colored);
+  void find_colors_and_normals(const Material& material, const int* leaves, int n, Color* colors, bool* colored, Vec3* normals);
   void add_part(int leaf, const Part& part);
 
   // ---- wave.cpp
+  void show_sky(int count, Color* out);
   bool add_surface(int i);
   void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity);
   void show(const RayState& ray, Color* out);

@@ -141,12 +141,7 @@ void Wave::find_layers(int* leaves, int n) {
     Vec3 normals[kMost];
     Color colors[kMost];
     bool colored[kMost];
-    for (int k = 0; k < n; ++k) {
-      const Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
-      const Tracer::Frame frame{leaf.around, nullptr};
-      normals[k] = tracer_.layer_normal(*met_[leaf.ray].at, *material.layer, leaf.point, leaf.around ? &frame : nullptr);
-    }
-    find_colors(material, leaves, n, colors, colored);
+    find_colors_and_normals(material, leaves, n, colors, colored, normals);
     int still = 0;
     for (int k = 0; k < n; ++k) {
       Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
@@ -166,15 +161,25 @@ void Wave::find_layers(int* leaves, int n) {
   for (int k = 0; k < n; ++k) met_[leaves_[static_cast<std::size_t>(leaves[k])].ray].together = false;
 }
 
-void Wave::find_colors(const Material& material, const int* leaves, int n, Color* colors, bool* colored) {
+// Normals first: they leave their trace in what patterns see (Tracer::layer_normal).
+void Wave::find_colors_and_normals(const Material& material, const int* leaves, int n, Color* colors, bool* colored, Vec3* normals) {
   textures::PointRow points;
-  const textures::SurfacePoint* surfaces[kMost];
+  textures::SurfacePoint* surfaces[kMost];
+  const textures::CompiledNormal* const perturbed = material.layer->normal;
   for (int k = 0; k < n; ++k) {
     const Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
+    SurfaceHit& at = *met_[leaf.ray].at;
     points.set(k, leaf.point);
-    surfaces[k] = &met_[leaf.ray].at->texture_point;
+    surfaces[k] = &at.texture_point;
+    if (perturbed) at.texture_point.normal = leaf.around ? textures::enter_frame(*leaf.around, at.raw) : at.raw;
+    else normals[k] = at.raw;
   }
   points.fill_up(n);
+  if (perturbed) {
+    textures::perturb(*perturbed, n, points, surfaces, normals);
+    for (int k = 0; k < n; ++k)
+      if (const auto* around = leaves_[static_cast<std::size_t>(leaves[k])].around) normals[k] = textures::leave_frame(*around, normals[k]);
+  }
   textures::evaluate(*material.layer->pigment, n, points, surfaces, colors, colored);
 }
 

@@ -12,7 +12,13 @@ struct EvaluationKernels {
   double (*value_at)(const CompiledPattern& pattern, const Vec3& warped_point, const SurfacePoint* surface);
   PatternValue (*value_of)(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface);
   bool (*evaluate)(const CompiledPigment& pigment, const Vec3& p, const SurfacePoint* surface, Color& color);
+  // Rows are filled up.
   void (*evaluate_row)(const CompiledPigment& pigment, int count, const PointRow& points, const SurfacePoint* const* surfaces, Color* colors, bool* colored);
+  void (*warp_row)(const WarpChain& chain, int count, const PointRow& from, PointRow& to);
+  void (*values_row)(const CompiledPattern& pattern, int count, const PointRow& warped_points, const SurfacePoint* const* surfaces, double* values);
+  void (*noise_row)(int generator, int count, const PointRow& points, double* noises);
+  void (*vector_noise_row)(int count, const PointRow& points, PointRow& vectors);
+  void (*wrinkles_row)(int count, const PointRow& points, PointRow& vectors);
 };
 
 // `set` must not be beyond best_instruction_set().

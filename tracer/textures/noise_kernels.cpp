@@ -45,6 +45,7 @@ namespace baseline {
 #include "tracer/textures/noise_lanes.inc"
 #include "tracer/textures/noise_kernels.inc"
 #include "tracer/textures/noise_rows.inc"
+#include "tracer/textures/vector_rows.inc"
 #include "tracer/textures/evaluation.inc"
 #include "tracer/textures/evaluation_rows.inc"
 #undef VERISIM_REGISTER_DOUBLES
@@ -60,6 +61,7 @@ namespace avx2 {
 #include "tracer/textures/noise_lanes.inc"
 #include "tracer/textures/noise_kernels.inc"
 #include "tracer/textures/noise_rows.inc"
+#include "tracer/textures/vector_rows.inc"
 #include "tracer/textures/evaluation.inc"
 #include "tracer/textures/evaluation_rows.inc"
 #undef VERISIM_REGISTER_DOUBLES
@@ -72,6 +74,7 @@ namespace avx512 {
 #include "tracer/textures/noise_lanes.inc"
 #include "tracer/textures/noise_kernels.inc"
 #include "tracer/textures/noise_rows.inc"
+#include "tracer/textures/vector_rows.inc"
 #include "tracer/textures/evaluation.inc"
 #include "tracer/textures/evaluation_rows.inc"
 #undef VERISIM_REGISTER_DOUBLES

@@ -58,22 +58,9 @@ Vec3 displaced(const CompiledNormal& c, const Vec3& p, const Vec3& n) {
   }
 }
 
-// slope_map: Hermite segments (spec 05 10.4).
-double height_of(const CompiledNormal& c, double v) {
-  if (c.slopes.empty()) return v;
-  const MapPlace place = c.positions.find(v);
-  if (place.single()) return c.slopes[place.upper].height;
-  const scene::SlopeEntry &a = c.slopes[place.lower], &b = c.slopes[place.upper];
-  const double low = c.positions.position(place.lower), t = (v - low) / (c.positions.position(place.upper) - low);
-  const double rise = a.height - b.height;
-  return t * t * t * (a.slope + b.slope + 2 * rise) - t * t * (2 * a.slope + b.slope + 3 * rise) + t * a.slope + a.height;
-}
-
 Vec3 height_field(const CompiledNormal& c, const Vec3& p, const SurfacePoint& surface, Vec3 n) {
-  static const Vec3 kPyramid[4] = {
-      {0.942809041, -0.333333333, 0}, {-0.471404521, -0.333333333, 0.816496581}, {-0.471404521, -0.333333333, -0.816496581}, {0, 1, 0}};
-  const double strength = c.amount * -5 * 0.02 / c.accuracy;
-  for (const Vec3& d : kPyramid) n += height_of(c, value_at(*c.pattern, p + c.accuracy * d, &surface)) * strength * d;
+  const double strength = height_strength(c);
+  for (const Vec3& d : kHeightSamples) n += height_of(c, value_at(*c.pattern, p + c.accuracy * d, &surface)) * strength * d;
   return n;
 }
 
@@ -127,6 +114,17 @@ void apply(const CompiledNormal& c, const Vec3& p, SurfacePoint& surface) {
 }
 
 }  // namespace
+
+// Hermite segments (spec 05 10.4).
+double height_of(const CompiledNormal& c, double v) {
+  if (c.slopes.empty()) return v;
+  const MapPlace place = c.positions.find(v);
+  if (place.single()) return c.slopes[place.upper].height;
+  const scene::SlopeEntry &a = c.slopes[place.lower], &b = c.slopes[place.upper];
+  const double low = c.positions.position(place.lower), t = (v - low) / (c.positions.position(place.upper) - low);
+  const double rise = a.height - b.height;
+  return t * t * t * (a.slope + b.slope + 2 * rise) - t * t * (2 * a.slope + b.slope + 3 * rise) + t * a.slope + a.height;
+}
 
 Vec3 perturb(const CompiledNormal& normal, const Vec3& p, SurfacePoint& surface) {
   apply(normal, p, surface);

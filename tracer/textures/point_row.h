@@ -19,5 +19,7 @@ struct PointRow {
 
 // The colours at the first `count` points, as `evaluate` gives them one by one, but faster. Filled up; `surfaces`: what is known of each hit, or null.
 void evaluate(const CompiledPigment& pigment, int count, const PointRow& points, const SurfacePoint* const* surfaces, Color* colors, bool* colored);
+// The normals to shade with at the first `count` points, as `perturb` gives them one by one.
+void perturb(const CompiledNormal& normal, int count, const PointRow& points, SurfacePoint* const* surfaces, Vec3* normals);
 
 }  // namespace verisim::textures

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <random>
 #include <stdexcept>
 
 namespace verisim::global {
@@ -15,80 +14,20 @@ constexpr auto kAny = std::numeric_limits<std::size_t>::max();  // too many for 
 
 Vec3 position(const Photon& p) { return {p.position[0], p.position[1], p.position[2]}; }
 
+// Whether the photon's squared distance is below the limit; with a normal it is larger the farther the photon lies from the plane through `point`.
+inline bool is_near(const Photon& p, const Vec3& point, const Vec3* normal, double limit, double& squared) {
+  const Vec3 delta = position(p) - point;
+  squared = dot(delta, delta);
+  if (squared >= limit) return false;  // flattened distances are never below plain ones
+  if (normal) squared *= 1.0 + 16.0 * std::fabs(dot(*normal, delta));
+  return squared < limit;
+}
+
 }  // namespace
 
-std::array<std::uint8_t, 4> Photon::encode(const Rgb& energy) {
-  const float v = energy.max();
-  if (!(v >= 1e-32f)) return {0, 0, 0, 0};
-  int exponent;
-  const double scale = std::frexp(static_cast<double>(v), &exponent) * 256.0 / v;
-  const auto mantissa = [&](float c) { return static_cast<std::uint8_t>(std::clamp(static_cast<int>(c * scale), 0, 255)); };
-  return {mantissa(energy.r), mantissa(energy.g), mantissa(energy.b), static_cast<std::uint8_t>(exponent + 250)};
-}
-
-void Photon::set_direction(const Vec3& d) {
-  const double horizontal = std::sqrt(d.x * d.x + d.z * d.z);
-  double up = std::acos(std::clamp(horizontal, -1.0, 1.0));
-  if (d.y < 0.0) up = -up;
-  double around = horizontal > 0.0 ? std::acos(std::clamp(d.x / horizontal, -1.0, 1.0)) : 0.0;
-  if (d.z < 0.0) around = -around;
-  elevation = static_cast<std::int8_t>(up * 127.0 / kPi);
-  azimuth = static_cast<std::int8_t>(around * 127.0 / kPi);
-}
-
-Rgb Photon::color() const {
-  static const std::array<float, 256> scales = [] {
-    std::array<float, 256> t;
-    for (int e = 0; e < 256; ++e) t[static_cast<std::size_t>(e)] = e == 0 ? 0.0f : std::ldexp(1.0f, e - (250 + 8));
-    return t;
-  }();
-  const float scale = scales[energy[3]];
-  return {energy[0] * scale, energy[1] * scale, energy[2] * scale};
-}
-
-Vec3 Photon::direction() const {
-  struct Angle {
-    double cosine, sine;
-  };
-  static const std::array<Angle, 256> angles = [] {
-    std::array<Angle, 256> t;
-    for (int i = 0; i < 256; ++i) {
-      const double angle = static_cast<std::int8_t>(i) * kPi / 127.0;
-      t[static_cast<std::size_t>(i)] = {std::cos(angle), std::sin(angle)};
-    }
-    return t;
-  }();
-  const Angle &up = angles[static_cast<std::uint8_t>(elevation)], &around = angles[static_cast<std::uint8_t>(azimuth)];
-  return {up.cosine * around.cosine, up.sine, up.cosine * around.sine};
-}
-
 void PhotonMap::build() {
-  struct Range {
-    std::size_t first, last;  // inclusive
-  };
-  if (photons_.empty()) return;
-  std::vector<Range> stack{{0, photons_.size() - 1}};
-  while (!stack.empty()) {
-    const Range r = stack.back();
-    stack.pop_back();
-    std::array<float, 3> low = photons_[r.first].position, high = low;
-    for (std::size_t i = r.first; i <= r.last; ++i) {
-      for (int a = 0; a < 3; ++a) {
-        low[a] = std::min(low[a], photons_[i].position[a]), high[a] = std::max(high[a], photons_[i].position[a]);
-      }
-    }
-    int axis = 0;
-    for (int a = 1; a < 3; ++a) {
-      if (high[a] - low[a] > high[axis] - low[axis]) axis = a;
-    }
-    const std::size_t middle = (r.first + r.last) / 2;
-    const auto begin = photons_.begin();
-    std::nth_element(begin + static_cast<long>(r.first), begin + static_cast<long>(middle), begin + static_cast<long>(r.last) + 1,
-                     [axis](const Photon& a, const Photon& b) { return a.position[axis] < b.position[axis]; });
-    photons_[middle].axis = static_cast<std::uint8_t>(axis);
-    if (middle > r.first) stack.push_back({r.first, middle - 1});
-    if (middle < r.last) stack.push_back({middle + 1, r.last});
-  }
+  sort_photons(photons_);
+  planes_.build(photons_);
   tree_.build(photons_.size(), [this](std::size_t i) { return photons_[i].position; });
 }
 
@@ -120,20 +59,17 @@ void PhotonMap::Search::keep_nearest(std::size_t maximum, double& limit) {
   found.resize(kept);
 }
 
-// Collects the nearest photons with flattened distance below `radius`. `nearest`: there were more than `maximum`; then `farthest` is the distance of the
-// last one kept, squared. Gives up when it knows that there are `too_many` or more.
+// Collects the nearest photons with flattened distance below `within`, of those that a search within `radius` comes upon. `nearest`: there were more than
+// `maximum`; then `farthest` is the distance of the last one kept, squared. Gives up when it knows that there are `too_many` or more.
 template <class Candidates>
-PhotonMap::Collected PhotonMap::collect(const Candidates& candidates, const Vec3& point, const Vec3* normal, double radius, std::size_t maximum,
-                                        std::size_t too_many, Search& search, double& farthest) const {
+PhotonMap::Collected PhotonMap::collect(const Candidates& candidates, const Vec3& point, const Vec3* normal, double within, double radius,
+                                        std::size_t maximum, std::size_t too_many, Search& search, double& farthest) const {
   search.found.clear();
-  double limit = radius * radius;
+  double limit = within * within;
   Collected result = Collected::all;
   candidates.visit(point, limit, [&](std::uint32_t i) {
-    const Vec3 delta = position(photons_[i]) - point;
-    double squared = dot(delta, delta);
-    if (squared >= limit) return;  // flattened distances are never below plain ones
-    if (normal) squared *= 1.0 + 16.0 * std::fabs(dot(*normal, delta));
-    if (squared >= limit) return;
+    double squared;
+    if (!is_near(photons_[i], point, normal, limit, squared) || !planes_.looks_behind(i, point, radius * radius)) return;
     search.found.push_back({squared, i});
     if (search.found.size() >= too_many) {
       limit = 0.0, result = Collected::too_many;  // no more, please
@@ -145,6 +81,55 @@ PhotonMap::Collected PhotonMap::collect(const Candidates& candidates, const Vec3
   if (search.found.size() > maximum) search.keep_nearest(maximum, limit), result = Collected::nearest;
   farthest = limit;
   return result;
+}
+
+// POV-Ray's search narrows its radius once it knows more than `maximum`, so what it overlooks hangs on the order in which it comes upon them. That matters
+// if one of those found is behind a plane that is beyond the final radius, and `maximum` photons nearer than that plane come before it.
+bool PhotonMap::depends_on_order(const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, double farthest, Search& search) const {
+  // The first one too many takes the place of the last one kept, even if it is farther away. That shows only where few are too many.
+  if (farthest > 0.9 * radius * radius) return true;
+  search.doubts.clear();
+  double reach = 0.0;
+  for (const Search::Found& f : search.found) {
+    planes_.for_each_hiding(f.index, point, farthest, [&](std::uint32_t node, double squared) {
+      search.doubts.push_back({squared, node});
+      reach = std::max(reach, squared);
+      return true;
+    });
+  }
+  if (search.doubts.empty()) return false;
+  search.around.clear();
+  reach *= 1.0 + 1e-9;
+  tree_.visit(point, reach, [&](std::uint32_t i) {
+    if (double squared; is_near(photons_[i], point, normal, reach, squared)) search.around.push_back({squared, i});
+  });
+  return std::ranges::any_of(search.doubts, [&](const Search::Found& doubt) {
+    const auto nearer = [&](const Search::Found& f) { return f.squared <= doubt.squared; };
+    auto spare = std::ranges::count_if(search.around, nearer) - static_cast<std::ptrdiff_t>(maximum);
+    for (const Search::Found& f : search.around) {
+      if (spare < 0) return false;
+      if (nearer(f) && !visited_before(photons_, point, f.index, doubt.index)) --spare;
+    }
+    return spare >= 0;
+  });
+}
+
+void PhotonMap::collect_in_order(const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, Search& search, double& farthest) const {
+  std::vector<Search::Found>& heap = search.found;
+  const auto nearer = [](const Search::Found& a, const Search::Found& b) { return a.squared < b.squared; };
+  heap.clear();
+  double limit = radius * radius;
+  visit_in_order(photons_, point, limit, [&](std::uint32_t i) {
+    double squared;
+    if (!is_near(photons_[i], point, normal, limit, squared)) return;
+    const bool full = heap.size() == maximum;
+    if (full) std::ranges::pop_heap(heap, nearer), heap.pop_back();
+    heap.push_back({squared, i});
+    std::ranges::push_heap(heap, nearer);
+    if (full) limit = heap.front().squared;
+  });
+  farthest = limit;
+  std::ranges::sort(heap, {}, &Search::Found::index);
 }
 
 bool PhotonMap::fill(PhotonNeighbourhoods::Cell& cell, std::size_t most) const {
@@ -178,16 +163,17 @@ double PhotonMap::search(const Vec3& point, const Vec3* normal, double radius, i
     // What the cell knows all of around this point may be less than the radius.
     const double reach = (cell->reach - length(point - cell->center)) * (1.0 - 1e-9), within = std::min(radius, reach);
     for (double guess = start; collected == Collected::all && !known; guess *= growth) {
-      collected = collect(*cell, point, normal, std::min(guess, within), most, too_many, s, farthest);
+      collected = collect(*cell, point, normal, std::min(guess, within), radius, most, too_many, s, farthest);
       known = guess >= within;
     }
     known = collected != Collected::all || within == radius;
   }
   for (double guess = start; !known; guess *= growth) {
-    collected = collect(tree_, point, normal, std::min(guess, radius), most, too_many, s, farthest);
+    collected = collect(tree_, point, normal, std::min(guess, radius), radius, most, too_many, s, farthest);
     known = collected != Collected::all || guess >= radius;
   }
   if (collected == Collected::too_many) return 0.0;
+  if (collected == Collected::nearest && depends_on_order(point, normal, radius, most, farthest, s)) collect_in_order(point, normal, radius, most, s, farthest);
   for (const Search::Found& f : s.found) out.push_back(&photons_[f.index]);
   return enough = collected == Collected::nearest ? std::sqrt(farthest) : radius;
 }
@@ -222,20 +208,19 @@ double PhotonMap::typical_radius(int count) const {
   return extent * std::sqrt(count / static_cast<double>(photons_.size()));
 }
 
-void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max, bool media) {
+void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max, bool media, CLibraryRandom& random) {
   const double scale = multiplier * (media ? 2.0 : 1.0);
   radius_ = user * scale;
   if (user > 0.0 || photons_.empty()) return;
   const auto volume = [&](double r) { return media ? 4.0 / 3.0 * kPi * r * r * r : kPi * r * r; };
   const std::size_t tries = std::clamp<std::size_t>(photons_.size() / 20, 100, 1000);
-  std::mt19937 generator(1);
   Search scratch;
   std::vector<const Photon*> found;
   const double typical = typical_radius(gather_max);
   double guess = typical;
   double density = 0.0;
   for (std::size_t i = 0; i < tries; ++i) {
-    const Photon& p = photons_[generator() % photons_.size()];
+    const Photon& p = photons_[random() % photons_.size()];
     const double r = search(position(p), nullptr, 1e7, gather_max, kAny, guess, scratch, found);
     density += static_cast<double>(found.size()) / volume(r);
     if (guess == 0.0) guess = typical;
@@ -244,7 +229,7 @@ void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max
   const double ideal = media ? std::pow(3.0 * gather_max / (4.0 * kPi * density), 0.3333) : std::sqrt(gather_max / (kPi * density));
   std::size_t sparse = 0;
   for (std::size_t i = 0; i < tries; ++i) {
-    const Photon& p = photons_[generator() % photons_.size()];
+    const Photon& p = photons_[random() % photons_.size()];
     const double r = search(position(p), nullptr, ideal, gather_max, kAny, guess, scratch, found);
     const double d = static_cast<double>(found.size()) / volume(r);
     if (d > 0.05 * density && d < 0.70 * density) ++sparse;

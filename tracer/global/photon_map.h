@@ -1,30 +1,15 @@
-// Stored photons and the density estimate from them (spec 07 sections 3.7 to 3.10).
-//
-// A photon keeps what POV-Ray's keeps: binary32 position, a shared-exponent colour and a direction in two signed bytes; the rounding shows in pictures.
+// Stored photons and the density estimate from them (spec 07 sections 3.9 and 3.10).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
 
+#include "tracer/global/c_random.h"
+#include "tracer/global/photon_order.h"
 #include "tracer/global/photon_search.h"
-#include "tracer/math/color.h"
-#include "tracer/math/vec.h"
 
 namespace verisim::global {
-
-struct Photon {
-  std::array<float, 3> position;
-  std::array<std::uint8_t, 4> energy;  // mantissas and exponent + 250
-  std::uint8_t axis = 0;               // of the tree node
-  std::int8_t elevation = 0, azimuth = 0;
-
-  static std::array<std::uint8_t, 4> encode(const Rgb& energy);
-  void set_direction(const Vec3& towards_light);  // unit
-  Rgb color() const;
-  Vec3 direction() const;
-};
 
 class PhotonMap {
  public:
@@ -37,8 +22,8 @@ class PhotonMap {
 
   // Sorts the photons into a balanced tree (node of [a,b] at (a+b)/2). Call once, before any search.
   void build();
-  // The gather radius: `user` if positive, else estimated from the photons' own density; times multiplier (and 2 for media).
-  void set_gather_radius(double user, double multiplier, int gather_max, bool media);
+  // The gather radius: `user` if positive, else estimated from the density around photons that `random` picks; times multiplier (and 2 for media).
+  void set_gather_radius(double user, double multiplier, int gather_max, bool media, CLibraryRandom& random);
   double gather_radius() const { return radius_; }
 
   // Scratch of searches in one map, and what helps the next one.
@@ -48,6 +33,7 @@ class PhotonMap {
       std::uint32_t index;
     };
     std::vector<Found> found;
+    std::vector<Found> around, doubts;  // of `depends_on_order`; doubts: planes and their nodes
     std::vector<double> distances;
     PhotonNeighbourhoods nearby;
     void keep_nearest(std::size_t maximum, double& limit);
@@ -76,13 +62,16 @@ class PhotonMap {
                 std::vector<const Photon*>& out) const;
   enum class Collected { all, nearest, too_many };
   template <class Candidates>
-  Collected collect(const Candidates& candidates, const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, std::size_t too_many,
-                    Search& search, double& farthest) const;
+  Collected collect(const Candidates& candidates, const Vec3& point, const Vec3* normal, double within, double radius, std::size_t maximum,
+                    std::size_t too_many, Search& search, double& farthest) const;
+  bool depends_on_order(const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, double farthest, Search& search) const;
+  void collect_in_order(const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, Search& search, double& farthest) const;
   bool fill(PhotonNeighbourhoods::Cell& cell, std::size_t most) const;
 
   double typical_radius(int count) const;
 
   std::vector<Photon> photons_;
+  WrongPlanes planes_;
   PhotonTree tree_;
   double radius_ = 0;
 };

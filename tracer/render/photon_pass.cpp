@@ -130,8 +130,9 @@ void photon_pass(global::SceneEffects& effects, const shading::SceneData& data, 
     surface.build(), media.build();
     if (!settings.save_file.empty() && !surface.empty()) global::save_photons(settings.save_file, surface, media);
   }
-  surface.set_gather_radius(settings.radius, settings.radius_gather_multiplier, settings.gather_max, false);
-  media.set_gather_radius(settings.media_radius, settings.media_radius_gather_multiplier, settings.gather_max, true);
+  global::CLibraryRandom random;
+  surface.set_gather_radius(settings.radius, settings.radius_gather_multiplier, settings.gather_max, false, random);
+  media.set_gather_radius(settings.media_radius, settings.media_radius_gather_multiplier, settings.gather_max, true, random);
 }
 
 }  // namespace verisim::render

@@ -161,8 +161,8 @@ void PhotonWalk::refract(const Packet& packet, SurfaceHit& at, const Layer& top,
     part.ray.monochromatic = true;
     for (int i = 0; i < n; ++i) {
       const double wavelength = spectral_wavelength(i, n);
-      const Rgb hue = spectral_weight(i, n) * (1.0f / static_cast<float>(n));
-      bend(part, at, top, color * hue, refraction, ratio_at(refraction.ratio, refraction.dispersion, wavelength), static_cast<float>(wavelength));
+      part.color = packet.color * (spectral_weight(i, n) * (1.0f / static_cast<float>(n)));  // the weight remains
+      bend(part, at, top, color, refraction, ratio_at(refraction.ratio, refraction.dispersion, wavelength), static_cast<float>(wavelength));
     }
   }
 }

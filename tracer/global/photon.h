@@ -1,0 +1,26 @@
+// A stored photon (spec 07 section 3.7).
+//
+// It keeps what POV-Ray's keeps: binary32 position, a shared-exponent colour and a direction in two signed bytes; the rounding shows in pictures.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "tracer/math/color.h"
+#include "tracer/math/vec.h"
+
+namespace verisim::global {
+
+struct Photon {
+  std::array<float, 3> position;
+  std::array<std::uint8_t, 4> energy;  // mantissas and exponent + 250
+  std::uint8_t axis = 0;               // of the tree node
+  std::int8_t elevation = 0, azimuth = 0;
+
+  static std::array<std::uint8_t, 4> encode(const Rgb& energy);
+  void set_direction(const Vec3& towards_light);  // unit
+  Rgb color() const;
+  Vec3 direction() const;
+};
+
+}  // namespace verisim::global

@@ -32,13 +32,15 @@ class RowKernel : public testing::TestWithParam<int> {
 
 TEST_P(RowKernel, PlanesAreMetAsByOneRay) {
   const Vec3 normal = normalize(Vec3(1, 2, -0.5));
-  alignas(64) double t[RayRow::kSize];
-  kernels->plane(normal, 0.7, *rays, 3, 30, t);
   int met = 0;
-  for (int i = 3; i < 33; ++i) {
-    const double slope = dot(normal, rays->direction.at(i)), along = (0.7 - dot(normal, rays->origin.at(i))) / slope;
-    EXPECT_EQ(t[i], shapes::meets_plane(slope, along) ? along : -1) << i;
-    met += t[i] > 0;
+  for (int first = 3; first < 33; first += RayLanes::kCount) {
+    alignas(64) double t[RayLanes::kCount];
+    kernels->plane(normal, 0.7, *rays, first, t);
+    for (int k = 0; k < RayLanes::kCount; ++k) {
+      const double slope = dot(normal, rays->direction.at(first + k)), along = (0.7 - dot(normal, rays->origin.at(first + k))) / slope;
+      EXPECT_EQ(t[k], shapes::meets_plane(slope, along) ? along : -1) << first + k;
+      met += t[k] > 0;
+    }
   }
   EXPECT_GT(met, 5);
 }
@@ -66,20 +68,25 @@ TEST_P(RowKernel, BoxesAreMetByThoseRaysThatMeetThem) {
         entry.nodes[n].child[k] = BoxNode::leaf(0, 1);
       }
     }
-    kernels->boxes(entry, center, *rays, 0, RayRow::kMost, 1e-4, *met);
-    for (int i = 0; i < RayRow::kMost; ++i) {
-      EXPECT_EQ(met->mask[i] >> 7, 0) << "there is no eighth box";
+    for (int first = 0; first < RayRow::kMost; first += RayLanes::kCount) {
+      kernels->boxes(entry, center, *rays, first, 1e-4, *met);
+      EXPECT_EQ(met->lanes[7], 0u) << "there is no eighth box";
       for (int b = 0; b < 7; ++b) {
-        double near = 1e-4, far = 1e20;
-        const bool expected = clip_to_box(rays->at(i), boxes[b], near, far);
-        const bool is_met = met->mask[i] >> b & 1;
-        if (expected) {
-          ++count;
-          EXPECT_TRUE(is_met) << i << ' ' << b;
-          EXPECT_LE(met->near[b][i], near);
-        } else {
-          misses += is_met;
+        double nearest = HUGE_VAL;
+        for (int k = 0; k < RayLanes::kCount; ++k) {
+          double near = 1e-4, far = 1e20;
+          const bool expected = clip_to_box(rays->at(first + k), boxes[b], near, far);
+          const bool is_met = met->lanes[b] >> k & 1;
+          if (is_met) nearest = std::min(nearest, met->near[b][k]);
+          if (expected) {
+            ++count;
+            EXPECT_TRUE(is_met) << first + k << ' ' << b;
+            EXPECT_LE(met->near[b][k], near);
+          } else {
+            misses += is_met;
+          }
         }
+        EXPECT_EQ(nearest, met->nearest[b]);
       }
     }
   }

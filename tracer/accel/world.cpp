@@ -1,62 +1,20 @@
 #include "tracer/accel/world.h"
 
 #include <algorithm>
-#include <bit>
-#include <deque>
 #include <limits>
 
-#include "tracer/accel/box_tree.h"
 #include "tracer/accel/frame_list.h"
 #include "tracer/accel/shaft.h"
+#include "tracer/accel/world_impl.h"
 #include "tracer/scene/bounds.h"
-#include "tracer/shapes/plane.h"
 #include "tracer/shapes/scratch_hits.h"
 
 namespace verisim::accel {
 namespace {
 
-using shapes::Shape;
-using shapes::Surface;
-
 // With fewer frame-level entries than this POV-Ray tests objects one by one, without boxes for most kinds (spec 03 2.3; the shipped povray.ini).
 constexpr std::size_t kBoundingThreshold = 3;
 
-enum class Opacity : unsigned char { opaque, transparent, mixed };
-
-// One frame-level object.
-struct Entry {
-  const Shape* shape = nullptr;
-  const scene::Object* object = nullptr;
-  unsigned hidden = 0;      // RayKinds that do not see it, as bits
-  Opacity opacity = Opacity::opaque;
-  bool infinite = false;    // of the kind POV-Ray tests before all others
-  bool test_box = false;    // rays that miss `box` miss the object
-  bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
-  Box3 box;                 // POV-Ray's, right or wrong, widened by rounding
-
-  bool may_meet(const Ray& ray, double t_min, double t_max) const {
-    double near = t_min, far = t_max;
-    return (!test_box || clip_to_box(ray, box, near, far)) && (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
-  }
-};
-
-// What the tree's walk needs of an entry, densely packed.
-struct Candidate {
-  const Shape* shape;
-  std::uint32_t entry;
-  unsigned short hidden;
-  Opacity opacity;
-  bool has_tree;  // rays may be told where to enter it
-};
-
-struct Plane {
-  Vec3 normal;
-  double distance;
-  double distance_along(const Ray& ray) const {
-    const double slope = dot(normal, ray.direction), t = (distance - dot(normal, ray.origin)) / slope;
-    return shapes::meets_plane(slope, t) ? t : -1;
-  }
-};
 std::optional<Plane> plain_plane(const scene::Object& o) {
   const auto plane = shapes::plain_plane(o);
   return plane ? std::optional(Plane{plane->normal, plane->distance}) : std::nullopt;
@@ -65,8 +23,6 @@ std::optional<Plane> plain_plane(const scene::Object& o) {
 bool has_tree(const scene::Object& o) {
   return o.as<scene::Mesh>() || o.as<std::shared_ptr<const scene::BicubicPatch>>() || o.as<std::shared_ptr<const scene::Text>>();
 }
-
-unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
 
 unsigned hidden_from(const scene::Object& o) {
   unsigned bits = 0;
@@ -123,9 +79,6 @@ bool within_finite_box(const Shape& shape) {
   return is_finite(surface) && !is_empty(surface) && !solid.outside && contains(surface, solid.box.min) && contains(surface, solid.box.max);
 }
 
-// The next number, for numbers above 0.
-double next_above(double x) { return x < std::numeric_limits<double>::infinity() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1) : x; }
-
 // POV-Ray's sort key: the distance at which a ray enters the box, in binary32.
 float entry_distance(const Ray& ray, const Box3& box) {
   double near = 0, far = std::numeric_limits<double>::infinity();
@@ -134,39 +87,6 @@ float entry_distance(const Ray& ray, const Box3& box) {
 }
 
 }  // namespace
-
-// What the rays of a row meet, before anything is decided.
-struct World::RowScratch {
-  static constexpr std::size_t kPlanes = 4;  // more are tested one by one
-  BoxesMet met;
-  alignas(64) double planes[kPlanes][RayRow::kSize];
-};
-
-struct World::Impl {
-  std::vector<Entry> entries;
-  std::vector<std::unique_ptr<Shape>> shapes;
-  std::vector<std::uint32_t> unbounded;  // entries beside the tree
-  std::vector<std::optional<Plane>> planes;  // of each of them that is one
-  std::vector<Candidate> bounded;        // of each box of the tree
-  BoxTree tree;
-  std::deque<Surface> surfaces;
-  std::deque<std::vector<const scene::LightSource*>> group_lights;
-  std::vector<const scene::LightSource*> lights;
-  Box3 bounds;
-  bool in_order = false;  // too few entries for a hierarchy
-  bool transparent_shadows = false;    // something that shadow rays see is not opaque
-  bool transparent_unbounded = false;  // one of `unbounded` is such
-
-  void add_beside_tree(std::uint32_t index, const Entry& e);
-  Box3 add_bounded(std::uint32_t index, const Entry& e);  // the box to keep in the tree
-  void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
-  bool precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const;
-  void meet_planes(const RayRow& rays, int first, int count, RowScratch& scratch) const {
-    for (std::size_t k = 0; k < std::min(planes.size(), RowScratch::kPlanes); ++k)
-      if (planes[k]) row_kernels().plane(planes[k]->normal, planes[k]->distance, rays, first, count, scratch.planes[k]);
-  }
-  void mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const;
-};
 
 void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler) {
   const scene::Object& o = *shape.object;
@@ -267,7 +187,6 @@ Box3 World::Impl::add_bounded(std::uint32_t index, const Entry& e) {
 
 World::~World() = default;
 
-// Which of two entries hit at the same distance POV-Ray tested first and therefore shows (spec 03 2.3).
 bool World::Impl::precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const {
   const Entry &x = entries[a], &y = entries[b];
   if (!in_order) {
@@ -278,210 +197,6 @@ bool World::Impl::precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) con
     }
   }
   return a < b;
-}
-
-// The search for the nearest hit of one ray.
-class World::Search {
- public:
-  Search(const Impl& world, const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit)
-      : w_(world), ray_(ray), kind_(kind), mask_(bit(kind)), t_min_(t_min), limit_(t_max), hit_(hit) {}
-
-  bool found() const { return found_; }
-  double limit() const { return limit_; }
-
-  // Entries beside the tree; plane_distance(i) is that of the plane of entry i, -1 if it is not met.
-  template <class PlaneDistance>
-  void test_unbounded(PlaneDistance&& plane_distance) {
-    for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
-      const std::uint32_t index = w_.unbounded[i];
-      const Entry& e = w_.entries[index];
-      if (e.hidden & mask_) continue;
-      if (const Plane* plane = w_.planes[i] ? &*w_.planes[i] : nullptr) {
-        const double t = plane_distance(i, *plane);
-        if (!(t >= t_min_ && (found_ ? t <= limit_ : t < limit_)) || (found_ && t == hit_.t && !w_.precedes(index, owner_, ray_))) continue;
-        hit_ = {t, ray_.origin + t * ray_.direction, e.shape, 0, 0, 0};
-        accept(index);
-        continue;
-      }
-      if (!e.may_meet(ray_, t_min_, limit_)) continue;
-      test(*e.shape, index, nullptr);
-    }
-  }
-  void test_candidate(std::uint32_t i, const WorldEntry* entry) {
-    const Candidate& c = w_.bounded[i];
-    if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry ? entry->inner_of(i) : nullptr);
-  }
-
- private:
-  void accept(std::uint32_t index) {
-    found_ = true;
-    owner_ = index;
-    limit_ = hit_.t;
-  }
-  void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner) {
-    const auto intersect_shape = [&](double far, Hit& out) {
-      return inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, far, out) : shape.intersect(ray_, kind_, t_min_, far, out);
-    };
-    if (!found_) {
-      if (!intersect_shape(limit_, hit_)) return;
-    } else {
-      Hit other;
-      if (!intersect_shape(next_above(limit_), other)) return;
-      if (other.t == hit_.t && !w_.precedes(index, owner_, ray_)) return;
-      hit_ = other;
-    }
-    accept(index);
-  }
-
-  const Impl& w_;
-  const Ray& ray_;
-  const RayKind kind_;
-  const unsigned mask_;
-  const double t_min_;
-  double limit_;
-  Hit& hit_;
-  bool found_ = false;
-  std::uint32_t owner_ = 0;
-};
-
-namespace {
-
-// The boxes of a mask (BoxesMet) in order of distance, as far as `limit()`: visit(place) for each; it may lower the limit.
-template <class Limit, class Visit>
-void visit_boxes(const BoxesMet& met, int ray, Limit&& limit, Visit&& visit) {
-  for (auto mask = static_cast<std::uint32_t>(met.mask[ray]); mask != 0;) {
-    int nearest = std::countr_zero(mask);
-    for (std::uint32_t rest = mask & (mask - 1); rest != 0; rest &= rest - 1)
-      if (const int place = std::countr_zero(rest); met.near[place][ray] < met.near[nearest][ray]) nearest = place;
-    if (met.near[nearest][ray] > limit()) return;
-    mask &= ~(1u << nearest);
-    visit(nearest);
-  }
-}
-
-std::uint32_t candidate_at(const EntryPoints& points, int place) { return BoxNode::leaf_first(points.nodes[place / 4].child[place % 4]); }
-
-}  // namespace
-
-bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit, const WorldEntry* entry) const {
-  const Impl& w = *impl_;
-  Search search(w, ray, kind, t_min, t_max, hit);
-  search.test_unbounded([&](std::size_t, const Plane& plane) { return plane.distance_along(ray); });
-  w.tree.traverse(ray, t_min, search.limit(), [&](std::uint32_t i, double) {
-    search.test_candidate(i, entry);
-    return search.limit();
-  }, entry ? &entry->points : nullptr);
-  return search.found();
-}
-
-void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry, Hit* hits, bool* found) const {
-  const Impl& w = *impl_;
-  RowScratch scratch;
-  w.meet_planes(rays, first, count, scratch);
-  const bool boxes = entry && entry->points.complete;
-  if (boxes) row_kernels().boxes(entry->points, w.tree.center(), rays, first, count, t_min, scratch.met);
-  for (int i = first; i < first + count; ++i) {
-    const Ray ray = rays.at(i);
-    Search search(w, ray, kind, t_min, std::numeric_limits<double>::infinity(), hits[i]);
-    search.test_unbounded([&](std::size_t k, const Plane& plane) { return k < RowScratch::kPlanes ? scratch.planes[k][i] : plane.distance_along(ray); });
-    if (boxes) {
-      visit_boxes(scratch.met, i, [&] { return search.limit(); }, [&](int place) { search.test_candidate(candidate_at(entry->points, place), entry); });
-    } else {
-      w.tree.traverse(ray, t_min, search.limit(), [&](std::uint32_t c, double) {
-        search.test_candidate(c, entry);
-        return search.limit();
-      }, entry ? &entry->points : nullptr);
-    }
-    found[i] = search.found();
-  }
-}
-
-// Whether something opaque lies on one ray.
-class World::Occlusion {
- public:
-  Occlusion(const Impl& world, const Ray& ray, double t_min, double t_max) : w_(world), ray_(ray), above_(next_above(t_min)), t_max_(t_max) {}
-
-  template <class PlaneDistance>
-  bool by_unbounded(PlaneDistance&& plane_distance) const {
-    for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
-      const Entry& e = w_.entries[w_.unbounded[i]];
-      if ((e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
-      if (w_.planes[i]) {
-        const double t = plane_distance(i, *w_.planes[i]);
-        if (t >= above_ && t < t_max_) return true;
-        continue;
-      }
-      if (!e.may_meet(ray_, above_, t_max_)) continue;
-      if (blocks(*e.shape, e.opacity, nullptr)) return true;
-    }
-    return false;
-  }
-  bool by_candidate(std::uint32_t i, const WorldEntry* entry) const {
-    const Candidate& c = w_.bounded[i];
-    return !(c.hidden & kMask) && c.opacity != Opacity::transparent && blocks(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr);
-  }
-
- private:
-  static constexpr unsigned kMask = 1u << static_cast<unsigned>(RayKind::shadow);
-
-  bool blocks(const Shape& shape, Opacity opacity, const EntryPoints* inner) const {
-    if (opacity == Opacity::opaque) return inner ? shape.occludes_from(*inner, ray_, above_, t_max_) : shape.occludes(ray_, above_, t_max_);
-    shapes::ScratchHits hits;
-    shape.intersect_all(ray_, RayKind::shadow, hits.list());
-    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
-      if (hits[i].t >= above_ && hits[i].t < t_max_ && hits[i].shape->surface->opaque) return true;
-    return false;
-  }
-
-  const Impl& w_;
-  const Ray& ray_;
-  const double above_, t_max_;
-};
-
-bool World::occluded(const Ray& ray, double t_min, double t_max, WorldEntry* entry) const {
-  const Impl& w = *impl_;
-  const Occlusion occlusion(w, ray, t_min, t_max);
-  if (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry)) return true;
-  if (occlusion.by_unbounded([&](std::size_t, const Plane& plane) { return plane.distance_along(ray); })) return true;
-  bool found = false;
-  w.tree.traverse(ray, t_min, t_max, [&](std::uint32_t i, double far) {
-    if (!occlusion.by_candidate(i, entry)) return far;
-    found = true;
-    if (entry) entry->last_blocker = i;
-    return -HUGE_VAL;
-  }, entry ? &entry->points : nullptr);
-  return found;
-}
-
-void World::occluded_row(const RayRow& rays, int first, int count, const bool* wanted, double t_min, const double* t_max, WorldEntry* entry, bool* blocked) const {
-  const Impl& w = *impl_;
-  RowScratch scratch;
-  w.meet_planes(rays, first, count, scratch);
-  const bool boxes = entry && entry->points.complete;
-  if (boxes) row_kernels().boxes(entry->points, w.tree.center(), rays, first, count, t_min, scratch.met);
-  for (int i = first; i < first + count; ++i) {
-    if (!wanted[i]) continue;
-    const Ray ray = rays.at(i);
-    const Occlusion occlusion(w, ray, t_min, t_max[i]);
-    blocked[i] = (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry)) ||
-                 occlusion.by_unbounded([&](std::size_t k, const Plane& plane) { return k < RowScratch::kPlanes ? scratch.planes[k][i] : plane.distance_along(ray); });
-    if (blocked[i]) continue;
-    double limit = t_max[i];
-    const auto test = [&](std::uint32_t candidate) {
-      if ((entry && candidate == entry->last_blocker) || !occlusion.by_candidate(candidate, entry)) return;
-      blocked[i] = true;
-      if (entry) entry->last_blocker = candidate;
-      limit = -HUGE_VAL;
-    };
-    if (boxes) {
-      visit_boxes(scratch.met, i, [&] { return limit; }, [&](int place) { test(candidate_at(entry->points, place)); });
-    } else {
-      w.tree.traverse(ray, t_min, limit, [&](std::uint32_t candidate, double) {
-        test(candidate);
-        return limit;
-      }, entry ? &entry->points : nullptr);
-    }
-  }
 }
 
 bool World::occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const {

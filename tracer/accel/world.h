@@ -74,6 +74,7 @@ class World {
   // True if any *opaque* surface lies in t_min < t < t_max (shadow rays; a cheap any-hit query).
   bool occluded(const Ray& ray, double t_min, double t_max, WorldEntry* entry = nullptr) const;
   // Both for rays first .. first + count - 1 of a row, all of the shaft of `entry` (null: none known). `wanted`: rays that are asked for.
+  // Eight limits are read at a time: t_max is as long as a row.
   void intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry, Hit* hits, bool* found) const;
   void occluded_row(const RayRow& rays, int first, int count, const bool* wanted, double t_min, const double* t_max, WorldEntry* entry, bool* blocked) const;
   // The same for one frame-level object (Surface::frame_object) alone.
@@ -96,9 +97,10 @@ class World {
 
  private:
   struct Impl;
-  struct RowScratch;
+  class RowSearch;
   class Search;
   class Occlusion;
+  class RowOcclusion;
   std::unique_ptr<Impl> impl_;
 };
 

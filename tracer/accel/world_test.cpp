@@ -1,6 +1,7 @@
 // The world: frame-level list, ties, visibility, shadows, interiors, weighted textures (spec 03 2.3, 2.6, 5.3, 5.5, 6.2, 10.6, 10.7).
 #include "tracer/accel/world.h"
 
+#include "tracer/accel/shaft.h"
 #include "tracer/shapes/test_support.h"
 
 namespace verisim::accel {
@@ -81,6 +82,72 @@ TEST(World, FindsTheNearestOfManyAsASearchOfAllDoes) {
       ASSERT_TRUE(stage.world->occluded(ray, 1e-3, h.t + 1));
       ASSERT_FALSE(stage.world->occluded(ray, 1e-3, h.t - 1e-3 * h.t));
     }
+  }
+}
+
+// Objects of many kinds that touch, hide each other and are seen by some rays only.
+std::vector<ObjectRef> crowd() {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> u(-2, 2);
+  std::vector<ObjectRef> objects;
+  for (int i = 0; i < 9; ++i) {
+    const Vec3 c(u(random), u(random), u(random));
+    if (i % 3 == 0) objects.push_back(box(c - Vec3(0.5), c + Vec3(0.5), [i](Object& o) { o.no_shadow = i == 3; }));
+    else objects.push_back(textured(make(scene::Sphere{c, 0.7}), i == 7 ? kGlass : kOpaque));
+    if (i == 6) objects.push_back(box(c - Vec3(0.5), c + Vec3(0.5)));  // a twin
+  }
+  objects.push_back(textured(make(scene::Plane{y, -1.5})));
+  return objects;
+}
+
+// Rows of rays through one tile of a camera's picture: eight of them, or less, or more than eight.
+TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
+  auto all = crowd();
+  const std::vector<ObjectRef> few(all.end() - 2, all.end());
+  for (const auto& objects : {all, few}) {
+    const Stage stage(objects);
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> u(0, 1);
+    const auto rays = std::make_unique<RayRow>();
+    int found_rays = 0, blocked_rays = 0, complete = 0;
+    for (int round = 0; round < 400; ++round) {
+      const Vec3 eye = random_unit(random) * 6.0, through = Vec3(u(random), u(random), u(random)) - Vec3(0.5);
+      const Vec3 target = eye + (through - eye) * 1e3, size(20 + round % 3 * 100);  // behind everything: rays end there
+      const auto shaft = Shaft::between(Box3(eye, eye), Box3(target - size, target + size));
+      ASSERT_TRUE(shaft);
+      WorldEntry entry;
+      stage.world->enter(*shaft, entry);
+      complete += entry.points.complete;
+      const int first = round % 5, count = 1 + round % 20;
+      bool wanted[RayRow::kMost];
+      double limits[RayRow::kSize] = {};
+      for (int i = first; i < first + count; ++i) {
+        rays->origin.set(i, eye);
+        rays->direction.set(i, normalize(target + size * Vec3(2 * u(random) - 1, 2 * u(random) - 1, 2 * u(random) - 1) - eye));
+        wanted[i] = u(random) < 0.8;
+        limits[i] = 3 + 10 * u(random);
+      }
+      WorldEntry* const known = round % 4 == 0 ? nullptr : &entry;
+      Hit hits[RayRow::kMost];
+      bool found[RayRow::kMost], blocked[RayRow::kMost] = {};
+      stage.world->intersect_row(*rays, first, count, RayKind::camera, 1e-4, known, hits, found);
+      stage.world->occluded_row(*rays, first, count, wanted, 1e-3, limits, known, blocked);
+      for (int i = first; i < first + count; ++i) {
+        Hit alone;
+        ASSERT_EQ(found[i], stage.world->intersect(rays->at(i), RayKind::camera, 1e-4, std::numeric_limits<double>::infinity(), alone));
+        if (found[i]) {
+          ASSERT_EQ(hits[i].t, alone.t);
+          ASSERT_EQ(hits[i].shape, alone.shape);
+          ASSERT_EQ(hits[i].point, alone.point);
+          ASSERT_EQ(hits[i].part, alone.part);
+        }
+        ASSERT_EQ(blocked[i], wanted[i] && stage.world->occluded(rays->at(i), 1e-3, limits[i]));
+        found_rays += found[i], blocked_rays += blocked[i];
+      }
+    }
+    EXPECT_GT(found_rays, 1000);
+    EXPECT_GT(blocked_rays, 500);
+    EXPECT_GT(complete, 100);
   }
 }
 

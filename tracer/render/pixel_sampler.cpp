@@ -85,7 +85,7 @@ void PixelSampler::row(double x, double y, int count, Color* colors) {
 
 // Rays from one point, or parallel ones. False: they do not all start within the same objects.
 bool PixelSampler::aim(double x, double y, int count) {
-  accel::RayRow& rays = wave_.lanes().camera;
+  RayRow& rays = wave_.lanes().camera;
   if (!camera_.origin_varies) {
     for (int i = 0; i < count; ++i) rays.origin.set(i, camera_.camera.location);
     camera_.rays.directions(x, y, count, wave_.lanes());

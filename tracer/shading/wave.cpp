@@ -138,7 +138,7 @@ void Wave::cast_shadows(const Light& light, const RayState& ray) {
   // Without a tree there is nothing to know of where rays start.
   const bool entries = !scene_.world.tree().empty(), transparent = scene_.world.has_transparent_shadows();
   bool wanted[kMost], blocked[kMost] = {};
-  double limit[kMost];
+  double limit[RayRow::kSize] = {};
   const auto trace_waiting = [&] {
     if (first < end) scene_.world.occluded_row(lanes_.to_light, first, end - first, wanted, kShadowTolerance, limit, entry, blocked);
     first = end;

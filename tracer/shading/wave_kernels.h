@@ -4,21 +4,21 @@
 
 #include <cstdint>
 
-#include "tracer/accel/row_kernels.h"
+#include "tracer/math/ray_row.h"
 
 namespace verisim::shading {
 
 // One stretch of a row of the picture, as arrays. Kernels work on the first `count` lanes, rounded up to whole registers: what stands behind is any number.
 struct alignas(64) WaveLanes {
-  static constexpr int kMost = accel::RayRow::kMost, kStep = accel::RayRow::kStep;
+  static constexpr int kMost = RayRow::kMost, kStep = RayRow::kStep;
   using Doubles = double[kMost];
   using Floats = float[kMost];
-  using Vectors = accel::RayRow::Vectors;
+  using Vectors = RayRow::Vectors;
   struct Colors {
     Floats r, g, b;
   };
 
-  accel::RayRow camera;  // directions are unit vectors
+  RayRow camera;  // directions are unit vectors
 
   // The surfaces that are lit: a denser numbering than that of the rays.
   Vectors normal, view;
@@ -29,7 +29,7 @@ struct alignas(64) WaveLanes {
   Doubles phong;                // 1: the highlight is Phong's, 0: Blinn's
 
   // One light on these surfaces.
-  accel::RayRow to_light;  // from the point on the surface
+  RayRow to_light;  // from the point on the surface
   Doubles distance, cosine;
   Colors intensity, tint;  // what arrives; how metals tint the highlight
   Floats lit;              // 1 or 0

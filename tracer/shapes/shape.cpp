@@ -73,6 +73,24 @@ bool Shape::occludes(const Ray& ray, double t_min, double t_max) const {
   return intersect(ray, RayKind::shadow, t_min, t_max, hit);
 }
 
+unsigned Shape::intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const {
+  unsigned found = 0;
+  each_lane(rays.asked, [&](int k) {
+    const Ray ray = rays.at(k);
+    if (entry ? intersect_from(*entry, ray, kind, t_min, t_max[k], hits[k]) : intersect(ray, kind, t_min, t_max[k], hits[k])) found |= 1u << k;
+  });
+  return found;
+}
+
+unsigned Shape::occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const {
+  unsigned found = 0;
+  each_lane(rays.asked, [&](int k) {
+    const Ray ray = rays.at(k);
+    if (entry ? occludes_from(*entry, ray, t_min, t_max[k]) : occludes(ray, t_min, t_max[k])) found |= 1u << k;
+  });
+  return found;
+}
+
 std::unique_ptr<const Guards> Guards::of(const scene::Object& object) {
   if (object.bounded_by.empty() && object.clipped_by.empty()) return nullptr;
   auto guards = std::make_unique<Guards>();

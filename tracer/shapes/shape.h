@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "tracer/math/vec.h"
+#include "tracer/math/ray_row.h"
 #include "tracer/scene/object.h"
 
 namespace verisim::accel {
@@ -72,6 +72,10 @@ class Shape {
     return intersect(ray, kind, t_min, t_max, hit);
   }
   virtual bool occludes_from(const accel::EntryPoints& /*entry*/, const Ray& ray, double t_min, double t_max) const { return occludes(ray, t_min, t_max); }
+  // intersect and occludes for several rays: of lane k as far as t_max[k]; the lanes that are hit. `entry`: of a shaft that holds the rays; null: none known.
+  // The defaults ask one ray after another.
+  virtual unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const;
+  virtual unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const;
   // Formula (inverted where the object is), then clip objects.
   virtual bool inside(const Vec3& p) const = 0;
   // The same without the object's own clips: cutaway_textures and the camera's containers ask this (spec 03 2.6, 5.3).

@@ -1,0 +1,83 @@
+// What a World is made of, for its own files: world.cpp makes it, world_search.cpp follows one ray, world_rows.cpp eight.
+#pragma once
+
+#include <bit>
+#include <deque>
+#include <limits>
+#include <optional>
+
+#include "tracer/accel/box_tree.h"
+#include "tracer/accel/world.h"
+#include "tracer/shapes/plane.h"
+
+namespace verisim::accel {
+
+using shapes::Shape;
+using shapes::Surface;
+
+enum class Opacity : unsigned char { opaque, transparent, mixed };
+
+// One frame-level object.
+struct Entry {
+  const Shape* shape = nullptr;
+  const scene::Object* object = nullptr;
+  unsigned hidden = 0;      // RayKinds that do not see it, as bits
+  Opacity opacity = Opacity::opaque;
+  bool infinite = false;    // of the kind POV-Ray tests before all others
+  bool test_box = false;    // rays that miss `box` miss the object
+  bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
+  Box3 box;                 // POV-Ray's, right or wrong, widened by rounding
+
+  bool may_meet(const Ray& ray, double t_min, double t_max) const {
+    double near = t_min, far = t_max;
+    return (!test_box || clip_to_box(ray, box, near, far)) && (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
+  }
+};
+
+// What the tree's walk needs of an entry, densely packed.
+struct Candidate {
+  const Shape* shape;
+  std::uint32_t entry;
+  unsigned short hidden;
+  Opacity opacity;
+  bool has_tree;  // rays may be told where to enter it
+};
+
+struct Plane {
+  Vec3 normal;
+  double distance;
+  double distance_along(const Ray& ray) const {
+    const double slope = dot(normal, ray.direction), t = (distance - dot(normal, ray.origin)) / slope;
+    return shapes::meets_plane(slope, t) ? t : -1;
+  }
+};
+
+inline unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
+
+// The next number, for numbers above 0.
+inline double next_above(double x) { return x < std::numeric_limits<double>::infinity() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1) : x; }
+
+struct World::Impl {
+  std::vector<Entry> entries;
+  std::vector<std::unique_ptr<Shape>> shapes;
+  std::vector<std::uint32_t> unbounded;  // entries beside the tree
+  std::vector<std::optional<Plane>> planes;  // of each of them that is one
+  std::vector<Candidate> bounded;        // of each box of the tree
+  BoxTree tree;
+  std::deque<Surface> surfaces;
+  std::deque<std::vector<const scene::LightSource*>> group_lights;
+  std::vector<const scene::LightSource*> lights;
+  Box3 bounds;
+  bool in_order = false;  // too few entries for a hierarchy
+  bool transparent_shadows = false;    // something that shadow rays see is not opaque
+  bool transparent_unbounded = false;  // one of `unbounded` is such
+
+  void add_beside_tree(std::uint32_t index, const Entry& e);
+  Box3 add_bounded(std::uint32_t index, const Entry& e);  // the box to keep in the tree
+  void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
+  // Which of two entries hit at the same distance POV-Ray tested first and therefore shows (spec 03 2.3).
+  bool precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const;
+  void mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const;
+};
+
+}  // namespace verisim::accel

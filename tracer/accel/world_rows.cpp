@@ -1,0 +1,225 @@
+// Rows of rays in the world, eight at a time: objects are asked in the order in which the eight meet their boxes, each for all rays that it may still
+// concern. What is found is what one ray finds alone, because the world decides ties by rules of its own.
+#include <algorithm>
+
+#include "tracer/accel/world_impl.h"
+#include "tracer/shapes/scratch_hits.h"
+
+namespace verisim::accel {
+namespace {
+
+constexpr int kLanes = RayLanes::kCount;
+
+// The lanes whose limit lies behind the place where they enter a box.
+unsigned within(const double* near, const double* limit) {
+  unsigned lanes = 0;
+  for (int k = 0; k < kLanes; ++k) lanes |= near[k] < limit[k] ? 1u << k : 0;
+  return lanes;
+}
+
+unsigned lanes_below(int count) { return count < kLanes ? (1u << count) - 1 : (1u << kLanes) - 1; }
+
+// The boxes that eight rays meet, nearest first.
+class Places {
+ public:
+  Places(const EntryPoints& entry, const Vec3& center, const RayRow& rays, int first, double t_min) : entry_(entry) {
+    row_kernels().boxes(entry, center, rays, first, t_min, met_);
+    for (int place = 0; place < 4 * entry.count; ++place) {
+      if (met_.lanes[place] == 0) continue;
+      int at = count_++;
+      for (; at > 0 && met_.nearest[order_[at - 1]] > met_.nearest[place]; --at) order_[at] = order_[at - 1];
+      order_[at] = static_cast<std::uint8_t>(place);
+    }
+  }
+  int count() const { return count_; }
+  std::uint32_t candidate(int i) const { return BoxNode::leaf_first(entry_.nodes[order_[i] / 4].child[order_[i] % 4]); }
+  // The lanes that meet box i before their limits.
+  unsigned lanes(int i, const double* limit) const { return met_.lanes[order_[i]] & within(met_.near[order_[i]], limit); }
+
+ private:
+  const EntryPoints& entry_;
+  BoxesMet met_;
+  std::uint8_t order_[EntryPoints::kMost];
+  int count_ = 0;
+};
+
+}  // namespace
+
+// The search for the nearest hits of eight rays.
+class World::RowSearch {
+ public:
+  RowSearch(const Impl& world, const RayLanes& rays, RayKind kind, double t_min, Hit* hits) : w_(world), rays_(rays), kind_(kind), mask_(bit(kind)), t_min_(t_min), hits_(hits) {
+    std::fill_n(limit_, kLanes, std::numeric_limits<double>::infinity());
+  }
+
+  unsigned found() const { return found_; }
+
+  void test_unbounded() {
+    for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
+      const std::uint32_t index = w_.unbounded[i];
+      const Entry& e = w_.entries[index];
+      if (e.hidden & mask_) continue;
+      if (w_.planes[i]) {
+        test_plane(*w_.planes[i], e.shape, index);
+        continue;
+      }
+      unsigned lanes = 0;
+      each_lane(rays_.asked, [&](int k) { lanes |= e.may_meet(rays_.at(k), t_min_, limit_[k]) ? 1u << k : 0; });
+      if (lanes != 0) test(*e.shape, index, nullptr, lanes);
+    }
+  }
+  void test_boxes(const WorldEntry& entry) {
+    const Places places(entry.points, w_.tree.center(), rays_.rays, rays_.first, t_min_);
+    for (int i = 0; i < places.count(); ++i) {
+      const unsigned lanes = places.lanes(i, limit_) & rays_.asked;
+      if (lanes == 0) continue;
+      const std::uint32_t candidate = places.candidate(i);
+      const Candidate& c = w_.bounded[candidate];
+      if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry.inner_of(candidate), lanes);
+    }
+  }
+
+ private:
+  // Lane k is hit at t < limit_[k]: by this entry, or by another at the same distance that comes first.
+  bool accepts(int k, double t, std::uint32_t index) const {
+    return !(found_ >> k & 1) || t != hits_[k].t || w_.precedes(index, owner_[k], rays_.at(k));
+  }
+  void accept(int k, const Hit& hit, std::uint32_t index) {
+    hits_[k] = hit;
+    found_ |= 1u << k;
+    owner_[k] = index;
+    limit_[k] = next_above(hit.t);  // of a tie both are asked
+  }
+  void test_plane(const Plane& plane, const Shape* shape, std::uint32_t index) {
+    alignas(64) double t[kLanes];
+    row_kernels().plane(plane.normal, plane.distance, rays_.rays, rays_.first, t);
+    each_lane(rays_.asked, [&](int k) {
+      if (!(t[k] >= t_min_ && t[k] < limit_[k]) || !accepts(k, t[k], index)) return;
+      const Ray ray = rays_.at(k);
+      accept(k, {t[k], ray.origin + t[k] * ray.direction, shape, 0, 0, 0}, index);
+    });
+  }
+  void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
+    each_lane(shape.intersect_lanes({rays_.rays, rays_.first, lanes}, inner, kind_, t_min_, limit_, others_), [&](int k) {
+      if (accepts(k, others_[k].t, index)) accept(k, others_[k], index);
+    });
+  }
+
+  const Impl& w_;
+  const RayLanes rays_;
+  const RayKind kind_;
+  const unsigned mask_;
+  const double t_min_;
+  Hit* const hits_;
+  alignas(64) double limit_[kLanes];
+  std::uint32_t owner_[kLanes];
+  unsigned found_ = 0;
+  Hit others_[kLanes];
+};
+
+void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry, Hit* hits, bool* found) const {
+  const Impl& w = *impl_;
+  if (!w.tree.empty() && !(entry && entry->points.complete)) {
+    for (int i = first; i < first + count; ++i) found[i] = intersect(rays.at(i), kind, t_min, std::numeric_limits<double>::infinity(), hits[i], entry);
+    return;
+  }
+  for (int start = first; start < first + count; start += kLanes) {
+    RowSearch search(w, {rays, start, lanes_below(first + count - start)}, kind, t_min, hits + start);
+    search.test_unbounded();
+    if (entry) search.test_boxes(*entry);
+    for (int i = start; i < std::min(start + kLanes, first + count); ++i) found[i] = search.found() >> (i - start) & 1;
+  }
+}
+
+// Whether something opaque lies on eight rays.
+class World::RowOcclusion {
+ public:
+  RowOcclusion(const Impl& world, const RayLanes& rays, double t_min, const double* t_max) : w_(world), rays_(rays), open_(rays.asked), t_min_(t_min), above_(next_above(t_min)), t_max_(t_max) {}
+
+  unsigned open() const { return open_; }
+
+  void test_unbounded() {
+    for (std::size_t i = 0; i < w_.unbounded.size() && open_ != 0; ++i) {
+      const Entry& e = w_.entries[w_.unbounded[i]];
+      if ((e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
+      if (w_.planes[i]) {
+        test_plane(*w_.planes[i]);
+        continue;
+      }
+      unsigned lanes = 0;
+      each_lane(open_, [&](int k) { lanes |= e.may_meet(rays_.at(k), above_, t_max_[k]) ? 1u << k : 0; });
+      test(*e.shape, e.opacity, nullptr, lanes);
+    }
+  }
+  void test_boxes(WorldEntry& entry) {
+    const Places places(entry.points, w_.tree.center(), rays_.rays, rays_.first, t_min_);
+    const std::uint32_t last = entry.last_blocker;
+    for (int i = 0; i < places.count() && open_ != 0; ++i) {
+      const std::uint32_t candidate = places.candidate(i);
+      if (candidate != last) test_candidate(candidate, entry, places.lanes(i, t_max_) & open_);
+    }
+  }
+  // True if any lane is blocked by it.
+  void test_candidate(std::uint32_t i, WorldEntry& entry, unsigned lanes) {
+    const Candidate& c = w_.bounded[i];
+    if ((c.hidden & kMask) || c.opacity == Opacity::transparent) return;
+    if (test(*c.shape, c.opacity, entry.inner_of(i), lanes)) entry.last_blocker = i;
+  }
+
+ private:
+  static constexpr unsigned kMask = 1u << static_cast<unsigned>(RayKind::shadow);
+
+  void test_plane(const Plane& plane) {
+    alignas(64) double t[kLanes];
+    row_kernels().plane(plane.normal, plane.distance, rays_.rays, rays_.first, t);
+    unsigned blocked = 0;
+    for (int k = 0; k < kLanes; ++k) blocked |= t[k] >= above_ && t[k] < t_max_[k] ? 1u << k : 0;
+    open_ &= ~blocked;
+  }
+  bool blocks_partly(const Shape& shape, int k) const {
+    shapes::ScratchHits hits;
+    shape.intersect_all(rays_.at(k), RayKind::shadow, hits.list());
+    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
+      if (hits[i].t >= above_ && hits[i].t < t_max_[k] && hits[i].shape->surface->opaque) return true;
+    return false;
+  }
+  // True if any lane is blocked.
+  bool test(const Shape& shape, Opacity opacity, const EntryPoints* inner, unsigned lanes) {
+    if (lanes == 0) return false;
+    unsigned blocked = 0;
+    if (opacity == Opacity::opaque) {
+      blocked = shape.occludes_lanes({rays_.rays, rays_.first, lanes}, inner, above_, t_max_);
+    } else {
+      each_lane(lanes, [&](int k) { blocked |= blocks_partly(shape, k) ? 1u << k : 0; });
+    }
+    open_ &= ~blocked;
+    return blocked != 0;
+  }
+
+  const Impl& w_;
+  const RayLanes rays_;
+  unsigned open_;  // nothing is known to block these
+  const double t_min_, above_;
+  const double* const t_max_;
+};
+
+void World::occluded_row(const RayRow& rays, int first, int count, const bool* wanted, double t_min, const double* t_max, WorldEntry* entry, bool* blocked) const {
+  const Impl& w = *impl_;
+  if (!w.tree.empty() && !(entry && entry->points.complete)) {
+    for (int i = first; i < first + count; ++i)
+      if (wanted[i]) blocked[i] = occluded(rays.at(i), t_min, t_max[i], entry);
+    return;
+  }
+  for (int start = first; start < first + count; start += kLanes) {
+    unsigned asked = 0;
+    const int end = std::min(start + kLanes, first + count);
+    for (int i = start; i < end; ++i) asked |= wanted[i] ? 1u << (i - start) : 0;
+    RowOcclusion occlusion(w, {rays, start, asked}, t_min, t_max + start);
+    if (entry && entry->last_blocker != WorldEntry::kNoBlocker) occlusion.test_candidate(entry->last_blocker, *entry, asked);
+    occlusion.test_unbounded();
+    if (entry && occlusion.open() != 0) occlusion.test_boxes(*entry);
+    each_lane(asked & ~occlusion.open(), [&](int k) { blocked[start + k] = true; });
+  }
+}
+
+}  // namespace verisim::accel

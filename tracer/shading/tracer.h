@@ -180,7 +180,7 @@ class Tracer {
   struct AreaGrid;
   Rgb area_corner(AreaGrid& grid, int u, int v);
   Rgb area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int depth);
-  Rgb area_sample(const AreaGrid& grid, double u, double v);
+  Rgb area_sample(const AreaGrid& grid, int column, int row);
 
   const SceneData& scene_;
   RandomSource random_;

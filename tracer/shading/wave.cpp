@@ -51,15 +51,14 @@ bool Wave::add_surface(int i) {
     add_lane(i, *plain, met_[i].normal, plain->color, surface_opacity(plain->color, scene_.version));
     return true;
   }
-  const auto each_part = [&](auto use) {
-    for (int l = met_[i].first; l < met_[i].first + met_[i].leaves; ++l)
-      for (int k = leaves_[static_cast<std::size_t>(l)].first; k >= 0; k = parts_[static_cast<std::size_t>(k)].next) use(parts_[static_cast<std::size_t>(k)]);
-  };
-  int needed = 0;
-  each_part([&](const Part&) { ++needed; });
-  if (count_ + needed > kMost) return false;
-  layered_ |= needed > 1;
-  each_part([&](const Part& part) { add_lane(i, *part.material, part.normal, part.color, part.opacity); });
+  if (count_ + met_[i].parts > kMost) return false;
+  layered_ |= met_[i].parts > 1;
+  for (int l = met_[i].first; l < met_[i].first + met_[i].leaves; ++l)
+    for (int k = leaves_[static_cast<std::size_t>(l)].first; k >= 0;) {
+      const Part& part = parts_[static_cast<std::size_t>(k)];
+      add_lane(i, *part.material, part.normal, part.color, part.opacity);
+      k = part.next;
+    }
   return true;
 }
 

@@ -41,18 +41,18 @@ class Wave {
   using Materials = std::vector<Material>;
   // A layer as it shows at a hit.
   struct Part {
-    const Material* material;
+    const Material* material = nullptr;
     Vec3 normal;
     Color color;
-    float opacity;
+    float opacity = 0;
     Rgb filter;     // of the layers above
     int next = -1;  // the layer below
   };
   // One of the textures that show at a hit.
   struct Leaf {
-    int ray;
-    const Materials* materials;
-    const textures::CompiledTexture* around;  // the texture it is part of, or null
+    int ray = 0;
+    const Materials* materials = nullptr;
+    const textures::CompiledTexture* around = nullptr;  // the texture it is part of
     Vec3 point;
     float weight = 1;
     Rgb filter{1};
@@ -63,7 +63,7 @@ class Wave {
     bool together;                 // false: the common way
     const Material* plain;         // the only layer, of one colour and without a normal of its own; null: see leaves
     Vec3 normal;                   // with `plain`
-    int first = 0, leaves = 0;
+    int first = 0, leaves = 0, parts = 0;  // leaves and all their parts
     std::optional<SurfaceHit> at;  // where the surface varies
   };
 
@@ -75,7 +75,8 @@ class Wave {
   void find_parts(int count);
   void find_layers(int* leaves, int n);
   void find_colors_and_normals(const Material& material, const int* leaves, int n, Color* colors, bool* colored, Vec3* normals);
-  void add_part(int leaf, const Part& part);
+  void add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point, float weight);
+  Part& add_part(Leaf& leaf);
 
   // ---- wave.cpp
   void show_sky(int count, Color* out);

@@ -64,7 +64,7 @@ void Wave::meet(int i) {
   Met& met = met_[i];
   met.together = false;
   met.plain = nullptr;
-  met.leaves = 0;
+  met.leaves = met.parts = 0;
   const shapes::Hit& hit = hits_[i];
   const shapes::Surface& surface = *hit.shape->surface;
   if (surface.shows_several() || surface.ignore_global_lights || !surface.group_lights.empty()) return;
@@ -87,11 +87,21 @@ void Wave::meet(int i) {
   add_leaves(i, texture, found);
 }
 
+// Leaves and parts are written where they stay: copies of what was just written in pieces would wait for it.
+void Wave::add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point, float weight) {
+  Leaf& leaf = leaves_.emplace_back();
+  leaf.ray = i;
+  leaf.materials = &found;
+  leaf.around = around;
+  leaf.point = point;
+  leaf.weight = weight;
+}
+
 void Wave::add_leaves(int i, const textures::CompiledTexture& texture, const Materials& found) {
   Met& met = met_[i];
   const Vec3 p = met.at->pattern_point();
   if (!texture.patterned()) {
-    leaves_.push_back({i, &found, nullptr, p});
+    add_leaf(i, found, nullptr, p, 1);
   } else {
     textures::WeightedTexture storage[kMostTextures];
     Vec3 warped;
@@ -99,19 +109,20 @@ void Wave::add_leaves(int i, const textures::CompiledTexture& texture, const Mat
       if (entry.weight == 0) continue;
       const Materials& inner = materials(*entry.texture);
       if (inner.empty()) met.together = false;
-      else leaves_.push_back({i, &inner, &texture, warped, entry.weight});
+      else add_leaf(i, inner, &texture, warped, entry.weight);
     }
   }
   met.leaves = static_cast<int>(leaves_.size()) - met.first;
   met.together = met.together && met.leaves > 0;
 }
 
-void Wave::add_part(int leaf, const Part& part) {
-  Leaf& l = leaves_[static_cast<std::size_t>(leaf)];
+Wave::Part& Wave::add_part(Leaf& leaf) {
   const int k = static_cast<int>(parts_.size());
-  parts_.push_back(part);
-  (l.first < 0 ? l.first : parts_[static_cast<std::size_t>(l.last)].next) = k;
-  l.last = k;
+  Part& part = parts_.emplace_back();
+  (leaf.first < 0 ? leaf.first : parts_[static_cast<std::size_t>(leaf.last)].next) = k;
+  leaf.last = k;
+  ++met_[leaf.ray].parts;
+  return part;
 }
 
 // The layers of all hits. The textures of one hit are looked at one after another: normals leave their trace in what patterns see.
@@ -150,7 +161,13 @@ void Wave::find_layers(int* leaves, int n) {
         met_[leaf.ray].together = false;
         continue;
       }
-      add_part(leaves[k], {&material, normals[k], c, surface_opacity(c, scene_.version), leaf.filter});
+      Part& part = add_part(leaf);
+      part.material = &material;
+      part.normal = normals[k];
+      part.color = c;
+      part.opacity = surface_opacity(c, scene_.version);
+      part.filter = leaf.filter;
+      if (material.only && c.f == 0 && c.t == 0) continue;
       leaf.filter *= c.transmission();
       leaf.translucency = std::min(1.0f, std::fabs(leaf.filter.grey()));
       if (leaf.translucency > scene_.adc_bailout) leaves[still++] = leaves[k];

@@ -167,14 +167,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
         const Vec3 difference = layer.normal - top_normal;
         if (std::fabs(difference.x) <= kEpsilon && std::fabs(difference.y) <= kEpsilon && std::fabs(difference.z) <= kEpsilon) continue;
       }
-      const scene::Reflection& r = layer.layer->finish.reflection;
-      const float strength = r.fresnel ? layer.reflectivity.max() : std::max(r.minimum.max(), r.maximum.max());
-      Rgb seen = reflect(ray, at, layer, ray.weight * layer.translucency * strength);
-      if (r.exponent != 1) {
-        const float e = 1 / r.exponent;
-        seen = {std::pow(seen.r, e), std::pow(seen.g, e), std::pow(seen.b, e)};
-      }
-      color += layer.reflectivity * seen;
+      color += mirrored(ray, at, layer);
     }
   }
   return {color, 0, see_through};

@@ -156,6 +156,7 @@ class Tracer {
                       float weight, bool& total_reflection);
   Color split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, float weight);
   Rgb reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer, float weight);
+  Rgb mirrored(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer);
   Rgb fade_factor(const InteriorRange& list, const scene::Interior& interior, double distance) const;
   double fresnel_ratio(const RayState& ray, const scene::Interior& x) const;
 

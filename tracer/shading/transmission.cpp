@@ -122,6 +122,18 @@ Rgb Tracer::reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& laye
   return seen;
 }
 
+// What a layer's mirror adds.
+Rgb Tracer::mirrored(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer) {
+  const scene::Reflection& r = layer.layer->finish.reflection;
+  const float strength = r.fresnel ? layer.reflectivity.max() : std::max(r.minimum.max(), r.maximum.max());
+  Rgb seen = reflect(ray, at, layer, ray.weight * layer.translucency * strength);
+  if (r.exponent != 1) {
+    const float e = 1 / r.exponent;
+    seen = {std::pow(seen.r, e), std::pow(seen.g, e), std::pow(seen.b, e)};
+  }
+  return layer.reflectivity * seen;
+}
+
 // Attenuation over the last segment only, and only at surfaces of the interior that is being left (spec 06 6.4).
 Rgb Tracer::fade_factor(const InteriorRange& range, const scene::Interior& interior, double distance) const {
   if (std::fabs(interior.fade_distance) <= kEpsilon) return Rgb(1);

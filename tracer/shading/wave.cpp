@@ -202,26 +202,48 @@ void Wave::light(const Light& light, const RayState& ray) {
   kernels_.add(count_, lanes_);
 }
 
+Rgb Wave::seen(int k) const {
+  return Rgb(lanes_.own.r[k], lanes_.own.g[k], lanes_.own.b[k]) + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]);
+}
+
+// A texture whose layers are lit in the lanes from `lane` on; moves to the lane behind them.
+Rgb Wave::shown(const Leaf& leaf, const RayState& ray, int& lane) {
+  Rgb color;
+  bool mirrors = false;
+  const auto each_part = [&](auto use) {
+    for (int k = leaf.first; k >= 0; k = parts_[static_cast<std::size_t>(k)].next) use(parts_[static_cast<std::size_t>(k)]);
+  };
+  each_part([&](const Part& part) {
+    color += part.filter * seen(lane++);
+    mirrors |= part.mirror >= 0;
+  });
+  if (!mirrors) return color;
+  RayState eye = ray;
+  eye.ray = lanes_.camera.at(leaf.ray);
+  tracer_.random_.begin_sample(x_ + leaf.ray, y_, 0);
+  each_part([&](const Part& part) {
+    if (part.mirror >= 0) color += tracer_.mirrored(eye, *met_[leaf.ray].at, mirrors_[static_cast<std::size_t>(part.mirror)]);
+  });
+  return color;
+}
+
 // Lights the surfaces that were added, and writes their colours.
 void Wave::show(const RayState& ray, Color* out) {
   for (float* sum : {lanes_.direct.r, lanes_.direct.g, lanes_.direct.b}) std::fill_n(sum, count_, 0.0f);
   if (count_ > 0)
     for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i], ray);
-  const auto seen = [this](int k) { return Rgb(lanes_.own.r[k], lanes_.own.g[k], lanes_.own.b[k]) + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]); };
   for (int k = 0; k < count_;) {
     const Met& met = met_[pixel_[k]];
     Color& result = out[pixel_[k]];
-    Rgb shown;
-    if (met.plain) shown += seen(k++);
+    Rgb sum;
+    if (met.plain) sum += seen(k++);
     for (int l = met.first; l < met.first + met.leaves; ++l) {
       const Leaf& leaf = leaves_[static_cast<std::size_t>(l)];
-      Rgb color;
-      for (int part = leaf.first; part >= 0; part = parts_[static_cast<std::size_t>(part)].next, ++k)
-        color += parts_[static_cast<std::size_t>(part)].filter * seen(k);
-      if (leaf.around) shown += color * leaf.weight;
-      else shown = color;
+      const Rgb color = shown(leaf, ray, k);
+      if (leaf.around) sum += color * leaf.weight;
+      else sum = color;
     }
-    result = shown;
+    result = sum;
   }
   count_ = 0;
   any_phong_ = any_blinn_ = any_metallic_ = layered_ = false;
@@ -256,6 +278,9 @@ void Wave::trace(double x, double y, int count, const accel::WorldEntry* const* 
   }
   leaves_.clear();
   parts_.clear();
+  mirrors_.clear();
+  x_ = x;
+  y_ = y;
   for (int i = 0; i < count; ++i)
     if (found_[i]) meet(i);
   find_parts(count);

@@ -1,5 +1,5 @@
-// Camera rays of neighbouring pixels, shaded together: what most pixels of most scenes show, an opaque surface without mirrors, is worked on
-// with wide instructions; every other hit takes the common way (Tracer::resolve). Both give the same bits.
+// Camera rays of neighbouring pixels, shaded together: what most pixels of most scenes show, an opaque surface, is worked on
+// with wide instructions; every other hit takes the common way (Tracer::resolve). Both give the same bits. What mirrors show is added ray by ray.
 #pragma once
 
 #include <optional>
@@ -33,6 +33,7 @@ class Wave {
     const textures::CompiledLayer* layer = nullptr;
     bool constant = false;  // the pigment has one colour
     bool only = false;      // the texture has no other layer
+    bool mirror = false;
     Color color;
     Rgb glow;               // ambient and emission
     double exponent = 0, amount = 0, base_limit = 0, phong = 0;
@@ -47,6 +48,7 @@ class Wave {
     float opacity = 0;
     Rgb filter;     // of the layers above
     int next = -1;  // the layer below
+    int mirror = -1;
   };
   // One of the textures that show at a hit.
   struct Leaf {
@@ -67,7 +69,7 @@ class Wave {
     std::optional<SurfaceHit> at;  // where the surface varies
   };
 
-  static bool lights_decide(const textures::CompiledTexture& texture);
+  static bool shaded_together(const textures::CompiledTexture& texture);
   Materials find_materials(const textures::CompiledTexture& texture) const;
   const Materials& materials(const textures::CompiledTexture& texture);
   void meet(int i);
@@ -77,12 +79,15 @@ class Wave {
   void find_colors_and_normals(const Material& material, const int* leaves, int n, Color* colors, bool* colored, Vec3* normals);
   void add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point, float weight);
   Part& add_part(Leaf& leaf);
+  void add_mirror(const Leaf& leaf, Part& part);
 
   // ---- wave.cpp
   void show_sky(int count, Color* out);
   bool add_surface(int i);
   void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity);
   void show(const RayState& ray, Color* out);
+  Rgb seen(int lane) const;
+  Rgb shown(const Leaf& leaf, const RayState& ray, int& lane);
   void light(const Light& light, const RayState& ray);
   void aim(const Light& light);
   bool reach(const Light& light, const RayState& ray);
@@ -100,6 +105,8 @@ class Wave {
   std::pair<const textures::CompiledTexture*, const Materials*> last_materials_{};
   std::vector<Leaf> leaves_;
   std::vector<Part> parts_;
+  std::vector<Tracer::ShadedLayer> mirrors_;
+  double x_ = 0, y_ = 0;  // the pixel of the first ray
   int count_ = 0;       // of surfaces
   bool any_phong_ = false, any_blinn_ = false, any_metallic_ = false, tinted_ = false;
   bool layered_ = false;  // a hit has several surfaces here

@@ -9,16 +9,17 @@ namespace {
 constexpr std::size_t kMostTextures = 8, kMostLayers = 8;  // of a hit; what has more goes the common way
 
 bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
+bool is_mirror(const scene::Finish& f) { return f.reflection.maximum != Rgb() || f.reflection.minimum != Rgb(); }
 
 }  // namespace
 
-// Layers that lights alone decide, the lowest one opaque.
-bool Wave::lights_decide(const textures::CompiledTexture& texture) {
+// Layers that lights and simple mirrors decide, the lowest one opaque.
+bool Wave::shaded_together(const textures::CompiledTexture& texture) {
   if (texture.patterned() || texture.layers.size() > kMostLayers || texture.layers.back().pigment->transparent) return false;
   for (const textures::CompiledLayer& layer : texture.layers) {
     const scene::Finish& f = layer.finish;
-    const bool mirror = f.reflection.maximum != Rgb() || f.reflection.minimum != Rgb();
-    if (mirror || f.brilliance != 1 || f.crand > 0 || f.irid > 0 || (f.phong > 0 && f.specular > 0)) return false;
+    if (is_mirror(f) && (f.reflection.fresnel || f.conserve_energy)) return false;
+    if (f.brilliance != 1 || f.crand > 0 || f.irid > 0 || (f.phong > 0 && f.specular > 0)) return false;
   }
   return true;
 }
@@ -27,17 +28,18 @@ Wave::Materials Wave::find_materials(const textures::CompiledTexture& texture) c
   Materials all;
   if (texture.patterned()) {
     bool simple = !texture.map.empty() && texture.map.size() <= kMostTextures;
-    for (const auto& entry : texture.map) simple = simple && lights_decide(*entry.value);
+    for (const auto& entry : texture.map) simple = simple && shaded_together(*entry.value);
     if (simple) all.emplace_back();
     return all;
   }
-  if (!lights_decide(texture)) return all;
+  if (!shaded_together(texture)) return all;
   for (const textures::CompiledLayer& layer : texture.layers) {
     const scene::Finish& f = layer.finish;
     Material& m = all.emplace_back();
     m.layer = &layer;
     m.constant = layer.pigment->source == textures::CompiledPigment::Source::plain;
     m.only = texture.layers.size() == 1;
+    m.mirror = is_mirror(f);
     m.color = layer.pigment->color;
     m.glow = f.ambient * scene_.ambient_light + f.emission;
     m.phong = f.phong > 0;
@@ -78,12 +80,12 @@ void Wave::meet(int i) {
   met.together = true;
   met.first = static_cast<int>(leaves_.size());
   const Material& first = found[0];
-  if (first.only && first.constant && !first.layer->normal && is_finite(first.color.rgb())) {
+  if (first.only && first.constant && !first.mirror && !first.layer->normal && is_finite(first.color.rgb())) {
     met.plain = &first;
     met.normal = inside ? -normal : normal;
     return;
   }
-  met.at.emplace(hit, direction, 0, 0);
+  met.at.emplace(hit, direction, 0, 1);
   add_leaves(i, texture, found);
 }
 
@@ -123,6 +125,14 @@ Wave::Part& Wave::add_part(Leaf& leaf) {
   leaf.last = k;
   ++met_[leaf.ray].parts;
   return part;
+}
+
+void Wave::add_mirror(const Leaf& leaf, Part& part) {
+  const textures::CompiledLayer& layer = *part.material->layer;
+  const Rgb reflected = reflectivity(layer.finish.reflection, part.color.rgb(), -dot(lanes_.camera.direction.at(leaf.ray), part.normal), 0);
+  if (reflected == Rgb()) return;
+  part.mirror = static_cast<int>(mirrors_.size());
+  mirrors_.push_back({&layer, part.color, part.normal, reflected, leaf.translucency});
 }
 
 // The layers of all hits. The textures of one hit are looked at one after another: normals leave their trace in what patterns see.
@@ -167,6 +177,7 @@ void Wave::find_layers(int* leaves, int n) {
       part.color = c;
       part.opacity = surface_opacity(c, scene_.version);
       part.filter = leaf.filter;
+      if (material.mirror) add_mirror(leaf, part);
       if (material.only && c.f == 0 && c.t == 0) continue;
       leaf.filter *= c.transmission();
       leaf.translucency = std::min(1.0f, std::fabs(leaf.filter.grey()));

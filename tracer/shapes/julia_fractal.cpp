@@ -4,6 +4,7 @@
 
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/julia_map.h"
+#include "tracer/shapes/julia_row.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/shared_payload.h"
 
@@ -11,11 +12,11 @@ namespace verisim::shapes {
 
 namespace {
 
+using julia::kFine;
 using julia::Kind;
 using julia::Number;
 using scene::JuliaFunction;
 
-constexpr double kFine = 1e-7;  // tolerance of depths
 constexpr int kMaxIterations = 1 << 20;
 
 // The iterates h0 .. hN of one point. Short ones live on the stack.
@@ -67,16 +68,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
     const LocalRay r = local(ray);
-    // Where the ray is in the bounding sphere. In just these operations: whether the first point escapes at once is a matter of the last bit, and the whole
-    // sequence of steps hangs on it.
-    const double closest = -dot(r.origin, r.direction), half2 = radius_ * radius_ - dot(r.origin, r.origin) + closest * closest;
-    if (!(half2 > kEpsilon) || (closest < kEpsilon && dot(r.origin, r.origin) >= radius_ * radius_)) return;
-    const double half = std::sqrt(half2), end = closest + half;
-    if (!(end >= kFine)) return;
-    double t = std::max(closest - half, kFine), estimate;
-    // Behind this the ray stays outside.
-    const double last = map_ ? map_->last(r.origin, r.direction, t, end) : end;
-    if (last < 0) return;
+    double t, end, last, estimate;
+    if (!enters(r, t, end, last)) return;
     Orbit orbit(field_.iterations + 1);
     bool in = march(orbit, r, t, estimate);
     if (in) {
@@ -120,6 +113,19 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     }
   }
 
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const final {
+    if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    double t[julia::kLanes];
+    const unsigned found = within(t, t_min, t_max, row_crossings(rays, t_max, t));
+    each_lane(found, [&](int k) { hits[k] = {t[k], rays.at(k).at(t[k]), this, 0, 0, 0}; });
+    return found;
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const final {
+    if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    double t[julia::kLanes];
+    return within(t, t_min, t_max, row_crossings(rays, t_max, t));
+  }
+
   bool contains(const Vec3& p) const { return plain_inside(local(p)); }
 
   Vec3 raw_normal(const Hit& hit) const {
@@ -132,10 +138,50 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   }
 
  private:
+  static constexpr int kFewest = 3;  // rays that march in step; fewer look ahead instead
+
+  // Where the ray is in the bounding sphere, and where behind it stays outside; false: nothing can be hit. In just these operations: whether the first point
+  // escapes at once is a matter of the last bit, and the whole sequence of steps hangs on it.
+  bool enters(const LocalRay& r, double& begin, double& end, double& last) const {
+    const double closest = -dot(r.origin, r.direction), half2 = radius_ * radius_ - dot(r.origin, r.origin) + closest * closest;
+    if (!(half2 > kEpsilon) || (closest < kEpsilon && dot(r.origin, r.origin) >= radius_ * radius_)) return false;
+    const double half = std::sqrt(half2);
+    end = closest + half;
+    if (!(end >= kFine)) return false;
+    begin = std::max(closest - half, kFine);
+    last = map_ ? map_->last(r.origin, r.direction, begin, end) : end;
+    return !(last < 0);
+  }
+
+  // World distances of the first crossings of rays; the lanes that have one, unless it lies behind t_max.
+  unsigned row_crossings(const RayLanes& rays, const double* t_max, double* t) const {
+    julia::Rays local_rays{};
+    julia::Stretch stretch{};
+    double scale[julia::kLanes];
+    unsigned asked = 0;
+    each_lane(rays.asked, [&](int k) {
+      const LocalRay r = local(rays.at(k));
+      if (!enters(r, stretch.begin[k], stretch.end[k], stretch.last[k])) return;
+      local_rays.set(k, r.origin, r.direction);
+      scale[k] = r.scale;
+      stretch.limit[k] = t_max[k] * r.scale * (1 + 1e-9);
+      asked |= 1u << k;
+    });
+    const unsigned crossed = julia::first_crossings(field_, local_rays, stretch, asked, t);
+    each_lane(crossed, [&](int k) { t[k] /= scale[k]; });
+    return crossed;
+  }
+  static unsigned within(const double* t, double t_min, const double* t_max, unsigned lanes) {
+    unsigned result = 0;
+    each_lane(lanes, [&](int k) { result |= t[k] >= t_min && t[k] < t_max[k] ? 1u << k : 0; });
+    return result;
+  }
+
   using MapPtr = std::shared_ptr<const julia::Map>;
 
   JuliaFractal(const scene::Object& description, const scene::JuliaFractal& f, MapPtr map)
       : Primitive(description, {map ? map->box() : julia_fractal_box(f), true}), f_(f), field_(field_of(f)), radius_(bounding_radius(f)), map_(std::move(map)) {
+    in_rows_ = field_.kind != Kind::other && description.clipped_by.empty() && description.bounded_by.empty();
     plain_ = f.function == JuliaFunction::sqr || f.function == JuliaFunction::cube || f.function == JuliaFunction::reciprocal;
   }
   static MapPtr map_of(const std::shared_ptr<const scene::JuliaFractal>& fractal) {
@@ -304,6 +350,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   julia::Field field_;
   double radius_;
   std::shared_ptr<const julia::Map> map_;  // null: none for this function
+  bool in_rows_;       // rays may march in step: the first crossing of each decides
   bool plain_ = true;  // without the quirk of `start`
 };
 

@@ -19,6 +19,7 @@ namespace verisim::shapes::julia {
 namespace {
 
 using Lanes = double __attribute__((vector_size(kLanes * 8)));
+constexpr unsigned kAll = (1u << kLanes) - 1;
 using Mask = long long __attribute__((vector_size(kLanes * 8)));
 
 VERISIM_INLINE Lanes all(double v) { return Lanes{} + v; }
@@ -69,16 +70,41 @@ VERISIM_INLINE Wide next(const Wide& h, const Number& c) {
   return {r.x + c.x, r.y + c.y, r.z + c.z, r.w + c.w};
 }
 
-VERISIM_INLINE Wide start(const Field& f, const Vec3& o, const Vec3& d, const double* t) {
-  Lanes at;
-  std::memcpy(&at, t, sizeof at);
-  const Lanes x = o.x + at * d.x, y = o.y + at * d.y, z = o.z + at * d.z;
+VERISIM_INLINE Lanes load(const double* p) {
+  Lanes v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+// Lanes whose bit is set.
+VERISIM_INLINE Mask mask_of(unsigned bits) {
+  const Mask places = {1, 2, 4, 8, 16, 32, 64, 128};
+  return (places & static_cast<long long>(bits)) != 0;
+}
+
+// Points of one ray.
+struct OneRay {
+  const Vec3 &origin, &direction;
+  VERISIM_INLINE Lanes at(int axis, const Lanes& t) const { return origin[axis] + t * direction[axis]; }
+  VERISIM_INLINE Lanes along(const Lanes& x, const Lanes& y, const Lanes& z) const { return x * direction.x + y * direction.y + z * direction.z; }
+};
+// One point of each ray.
+struct ManyRays {
+  const Rays& rays;
+  VERISIM_INLINE Lanes at(int axis, const Lanes& t) const { return load(rays.origin[axis]) + t * load(rays.direction[axis]); }
+  VERISIM_INLINE Lanes along(const Lanes& x, const Lanes& y, const Lanes& z) const {
+    return x * load(rays.direction[0]) + y * load(rays.direction[1]) + z * load(rays.direction[2]);
+  }
+};
+
+template <class Source>
+VERISIM_INLINE Wide start(const Field& f, const Source& rays, const double* t) {
+  const Lanes at = load(t), x = rays.at(0, at), y = rays.at(1, at), z = rays.at(2, at);
   return {x, y, z, (f.slice_distance - f.slice.x * x - f.slice.y * y - f.slice.z * z) / f.slice_w};
 }
 
 template <Kind K>
 VERISIM_INLINE unsigned inside_of(const Field& f, const Vec3& o, const Vec3& d, const double* t) {
-  Wide h = start(f, o, d, t);
+  Wide h = start(f, OneRay{o, d}, t);
   Mask out{};
   for (int i = 1; i <= f.iterations; ++i) {
     out |= norm2(h) > f.escape;
@@ -88,11 +114,11 @@ VERISIM_INLINE unsigned inside_of(const Field& f, const Vec3& o, const Vec3& d, 
   return ~bits(out) & ((1u << kLanes) - 1);
 }
 
-template <Kind K>
-VERISIM_INLINE unsigned march_of(const Field& f, const Vec3& o, const Vec3& d, const double* t, double* estimate) {
+template <Kind K, class Source>
+VERISIM_INLINE unsigned march_of(const Field& f, const Source& rays, const double* t, unsigned asked, unsigned estimated, double* estimate) {
   constexpr bool kQuaternion = K != Kind::hypercomplex_square;
-  Wide h = start(f, o, d, t);
-  Mask out{};
+  Wide h = start(f, rays, t);
+  Mask out = ~mask_of(asked);
   // Of each lane when it escapes: |h|^2 and, for quaternions, the product of all |h|^2 before and k^steps; for others the slope along the ray.
   Lanes q{}, product2 = all(1), power = all(1), slope{};
   Lanes running2 = all(1), running_power = all(1);
@@ -112,7 +138,7 @@ VERISIM_INLINE unsigned march_of(const Field& f, const Vec3& o, const Vec3& d, c
         if (f.doubled) n = {n.x * scale, n.y * scale, n.z * scale, n.w * scale};
         const Lanes vx = m.x * n.x + m.y * n.y + m.z * n.z + m.w * n.w, vy = -m.y * n.x + m.x * n.y - m.w * n.z + m.z * n.w,
                     vz = -m.z * n.x - m.w * n.y + m.x * n.z + m.y * n.w;
-        slope = choose(now, vx * d.x + vy * d.y + vz * d.z, slope);
+        slope = choose(now, rays.along(vx, vy, vz), slope);
       }
       if (i > 1) {
         m = product(h, m);
@@ -127,10 +153,13 @@ VERISIM_INLINE unsigned march_of(const Field& f, const Vec3& o, const Vec3& d, c
   const unsigned inside = ~bits(out) & ((1u << kLanes) - 1);
   Lanes result;
   if constexpr (kQuaternion) {
+    const unsigned outside = estimated & ~inside;
     Lanes root = q / product2;
     for (int k = 0; k < kLanes; ++k) root[k] = std::sqrt(root[k]);
     root = power * root;
+    result = all(f.precision);
     for (int k = 0; k < kLanes; ++k) {
+      if (!(outside >> k & 1)) continue;
       // ln q <= q - 1 spares most of the logarithms.
       result[k] = root[k] * (q[k] - 1) > f.precision ? root[k] * std::log(q[k]) : f.precision;
     }
@@ -155,9 +184,17 @@ VERISIM_ALL_MACHINES unsigned inside_lanes(const Field& f, const Vec3& o, const 
 
 VERISIM_ALL_MACHINES unsigned march_lanes(const Field& f, const Vec3& o, const Vec3& d, const double t[kLanes], double estimate[kLanes]) {
   switch (f.kind) {
-    case Kind::quaternion_square: return march_of<Kind::quaternion_square>(f, o, d, t, estimate);
-    case Kind::quaternion_cube: return march_of<Kind::quaternion_cube>(f, o, d, t, estimate);
-    default: return march_of<Kind::hypercomplex_square>(f, o, d, t, estimate);
+    case Kind::quaternion_square: return march_of<Kind::quaternion_square>(f, OneRay{o, d}, t, kAll, kAll, estimate);
+    case Kind::quaternion_cube: return march_of<Kind::quaternion_cube>(f, OneRay{o, d}, t, kAll, kAll, estimate);
+    default: return march_of<Kind::hypercomplex_square>(f, OneRay{o, d}, t, kAll, kAll, estimate);
+  }
+}
+
+VERISIM_ALL_MACHINES unsigned march_rays(const Field& f, const Rays& rays, const double t[kLanes], unsigned asked, unsigned estimated, double estimate[kLanes]) {
+  switch (f.kind) {
+    case Kind::quaternion_square: return march_of<Kind::quaternion_square>(f, ManyRays{rays}, t, asked, estimated, estimate);
+    case Kind::quaternion_cube: return march_of<Kind::quaternion_cube>(f, ManyRays{rays}, t, asked, estimated, estimate);
+    default: return march_of<Kind::hypercomplex_square>(f, ManyRays{rays}, t, asked, estimated, estimate);
   }
 }
 

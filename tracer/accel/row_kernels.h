@@ -9,9 +9,8 @@ namespace verisim::accel {
 
 // Which of the boxes of an entry eight rays meet; place 4 n + k is child k of node n.
 struct alignas(64) BoxesMet {
+  std::int64_t places[RayLanes::kCount];              // as bits
   double near[EntryPoints::kMost][RayLanes::kCount];  // where a ray enters a box that it meets
-  double nearest[EntryPoints::kMost];                 // of those that meet it
-  unsigned lanes[EntryPoints::kMost];
 };
 
 struct RowKernels {

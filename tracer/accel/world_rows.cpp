@@ -19,27 +19,35 @@ unsigned within(const double* near, const double* limit) {
 
 unsigned lanes_below(int count) { return count < kLanes ? (1u << count) - 1 : (1u << kLanes) - 1; }
 
-// The boxes that eight rays meet, nearest first.
+// The boxes that eight rays meet, nearest first as far as one ray can tell.
 class Places {
  public:
-  Places(const EntryPoints& entry, const Vec3& center, const RayRow& rays, int first, double t_min) : entry_(entry) {
-    row_kernels().boxes(entry, center, rays, first, t_min, met_);
-    for (int place = 0; place < 4 * entry.count; ++place) {
-      if (met_.lanes[place] == 0) continue;
-      int at = count_++;
-      for (; at > 0 && met_.nearest[order_[at - 1]] > met_.nearest[place]; --at) order_[at] = order_[at - 1];
-      order_[at] = static_cast<std::uint8_t>(place);
-    }
+  Places(const EntryPoints& entry, const Vec3& center, const RayLanes& rays, double t_min) : entry_(entry) {
+    row_kernels().boxes(entry, center, rays.rays, rays.first, t_min, met_);
+    each_lane(rays.asked, [&](int k) {
+      for (auto places = static_cast<std::uint32_t>(met_.places[k]); places != 0; places &= places - 1) {
+        const int place = std::countr_zero(places);
+        if (lanes_[place] == 0) insert(place, met_.near[place][k]);
+        lanes_[place] |= 1u << k;
+      }
+    });
   }
   int count() const { return count_; }
   std::uint32_t candidate(int i) const { return BoxNode::leaf_first(entry_.nodes[order_[i] / 4].child[order_[i] % 4]); }
   // The lanes that meet box i before their limits.
-  unsigned lanes(int i, const double* limit) const { return met_.lanes[order_[i]] & within(met_.near[order_[i]], limit); }
+  unsigned lanes(int i, const double* limit) const { return lanes_[order_[i]] & within(met_.near[order_[i]], limit); }
 
  private:
+  void insert(int place, double near) {
+    int at = count_++;
+    for (; at > 0 && distance_[at - 1] > near; --at) order_[at] = order_[at - 1], distance_[at] = distance_[at - 1];
+    order_[at] = static_cast<std::uint8_t>(place), distance_[at] = near;
+  }
+
   const EntryPoints& entry_;
   BoxesMet met_;
-  std::uint8_t order_[EntryPoints::kMost];
+  std::uint8_t order_[EntryPoints::kMost], lanes_[EntryPoints::kMost] = {};
+  double distance_[EntryPoints::kMost];
   int count_ = 0;
 };
 
@@ -69,7 +77,7 @@ class World::RowSearch {
     }
   }
   void test_boxes(const WorldEntry& entry) {
-    const Places places(entry.points, w_.tree.center(), rays_.rays, rays_.first, t_min_);
+    const Places places(entry.points, w_.tree.center(), rays_, t_min_);
     for (int i = 0; i < places.count(); ++i) {
       const unsigned lanes = places.lanes(i, limit_) & rays_.asked;
       if (lanes == 0) continue;
@@ -152,7 +160,7 @@ class World::RowOcclusion {
     }
   }
   void test_boxes(WorldEntry& entry) {
-    const Places places(entry.points, w_.tree.center(), rays_.rays, rays_.first, t_min_);
+    const Places places(entry.points, w_.tree.center(), rays_, t_min_);
     const std::uint32_t last = entry.last_blocker;
     for (int i = 0; i < places.count() && open_ != 0; ++i) {
       const std::uint32_t candidate = places.candidate(i);

@@ -29,22 +29,24 @@ class CodeTable {
       }
       first_[code - 1] = high;
     }
-    for (std::size_t i = 0, code = 0; i < kGuesses; ++i) {
-      while (first_[code] <= static_cast<float>(i) / kGuesses) ++code;
-      guess_[i] = static_cast<std::uint16_t>(code);
+    int code = 0;
+    for (int i = 0; i <= kGuesses; ++i) {
+      while (first_[static_cast<std::size_t>(code)] <= static_cast<float>(i) / kGuesses) ++code;
+      guess_[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(code);
     }
   }
   // 0 <= x <= 1.
   int operator()(float x) const {
-    std::size_t code = guess_[std::min(static_cast<std::size_t>(x * kGuesses), kGuesses - 1)];
-    while (first_[code] <= x) ++code;
-    return static_cast<int>(code);
+    const float* next = first_.data() + guess_[static_cast<std::size_t>(static_cast<int>(x * kGuesses))];
+    next += *next <= x;  // most guesses are right or one too low: no branch that depends on the picture
+    while (*next <= x) ++next;
+    return static_cast<int>(next - first_.data());
   }
 
  private:
-  static constexpr std::size_t kGuesses = 4096;
+  static constexpr int kGuesses = 4096;
   std::vector<float> first_;  // of code + 1; the last is infinite
-  std::array<std::uint16_t, kGuesses> guess_{};  // the code at i / kGuesses
+  std::array<std::uint16_t, kGuesses + 1> guess_{};  // the code at i / kGuesses
 };
 
 // Straight alpha: highlights brighter than their alpha raise it (spec 02 section 4.5).

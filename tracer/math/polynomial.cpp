@@ -21,6 +21,29 @@ bool closed_form_is_difficult(const double* c) {
   return false;
 }
 
+// What the closed forms of a cubic's roots are made of: Vieta's where it has three, Cardano's where it has one.
+struct DepressedCubic {
+  double q, r, q3, d, third;
+  explicit DepressedCubic(const double* c) {
+    const double inverse = 1.0 / c[0];
+    const double a1 = c[1] * inverse, a2 = c[2] * inverse, a3 = c[3] * inverse;
+    const double square = a1 * a1;
+    q = (square - 3.0 * a2) / 9.0;
+    r = (a1 * (square - 4.5 * a2) + 13.5 * a3) / 27.0;
+    q3 = q * q * q, d = q3 - r * r, third = a1 / 3.0;
+  }
+  bool three_roots() const { return d >= 0; }
+  // q3 = 0 makes 0/0 here: an exact triple root is lost, as in POV-Ray.
+  double theta() const { return std::acos(std::clamp(r / std::sqrt(q3), -1.0, 1.0)) / 3.0; }
+  double of_three(double angle) const { return -2.0 * std::sqrt(q) * std::cos(angle) - third; }
+  double only_root() const {
+    const double s = std::cbrt(std::sqrt(-d) + std::fabs(r));
+    return (r < 0 ? s + q / s : -(s + q / s)) - third;
+  }
+  // The one that solve_cubic reports first.
+  double first_root() const { return three_roots() ? of_three(theta()) : only_root(); }
+};
+
 int solve_quartic_closed(const double* c, double* roots) {
   const double inverse = 1.0 / c[0];
   const double c1 = c[1] * inverse, c2 = c[2] * inverse, c3 = c[3] * inverse, c4 = c[4] * inverse;
@@ -30,9 +53,7 @@ int solve_quartic_closed(const double* c, double* roots) {
   const double r = -3.0 / 256.0 * c12 * c12 + 0.0625 * c12 * c2 - 0.25 * c1 * c3 + c4;
 
   const double resolvent[4] = {1.0, -0.5 * p, -r, 0.5 * r * p - 0.125 * q * q};
-  double z_roots[3];
-  if (solve_cubic(resolvent, z_roots) == 0) return 0;
-  const double z = z_roots[0];
+  const double z = DepressedCubic(resolvent).first_root();
 
   double u = 2.0 * z - p, v;
   if (u < 0) {
@@ -89,24 +110,16 @@ int solve_quadratic(const double* c, double* roots) {
 }
 
 int solve_cubic(const double* c, double* roots) {
-  const double inverse = 1.0 / c[0];
-  const double a1 = c[1] * inverse, a2 = c[2] * inverse, a3 = c[3] * inverse;
-  const double square = a1 * a1;
-  const double q = (square - 3.0 * a2) / 9.0;
-  const double r = (a1 * (square - 4.5 * a2) + 13.5 * a3) / 27.0;
-  const double q3 = q * q * q, r2 = r * r, d = q3 - r2, third = a1 / 3.0;
-  if (d >= 0) {
-    // q3 = 0 makes 0/0 here: an exact triple root is lost, as in POV-Ray.
-    const double theta = std::acos(std::clamp(r / std::sqrt(q3), -1.0, 1.0)) / 3.0;
-    const double size = -2.0 * std::sqrt(q), step = 2.0 * std::numbers::pi / 3.0;
-    roots[0] = size * std::cos(theta) - third;
-    roots[1] = size * std::cos(theta + step) - third;
-    roots[2] = size * std::cos(theta + 2.0 * step) - third;
-    return 3;
+  const DepressedCubic cubic(c);
+  if (!cubic.three_roots()) {
+    roots[0] = cubic.only_root();
+    return 1;
   }
-  const double s = std::cbrt(std::sqrt(-d) + std::fabs(r));
-  roots[0] = (r < 0 ? s + q / s : -(s + q / s)) - third;
-  return 1;
+  const double theta = cubic.theta(), step = 2.0 * std::numbers::pi / 3.0;
+  roots[0] = cubic.of_three(theta);
+  roots[1] = cubic.of_three(theta + step);
+  roots[2] = cubic.of_three(theta + 2.0 * step);
+  return 3;
 }
 
 int solve_polynomial(int degree, const double* c, double* roots, bool sturm, double elimination) {

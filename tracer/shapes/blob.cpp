@@ -38,6 +38,8 @@ struct Piece {
   double t0, t1, a, b, c;
   const Part* part;
   double peak = 0;  // no more than this does it add to the field, but for rounding
+  bool expanded = false;
+  double power[5] = {};  // what it adds to the field, in powers of the parameter that all pieces of a ray share; if expanded
 };
 
 struct Event {
@@ -135,6 +137,9 @@ class Blob final : public Primitive<Blob> {
       });
     }
     if (pieces.size() == 0) return;
+    double peak = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) peak += pieces[i].peak;
+    if (misses(peak)) return;
 
     Scratch<Event> events;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -288,21 +293,16 @@ class Blob final : public Primitive<Blob> {
 
   // Reports the hits between `from` and `to` of the rescaled parameter; true if the search may stop.
   template <class Sink>
-  bool solve_interval(const Ray& ray, const LocalRay& l, const Scratch<Piece>& pieces, const Scratch<std::int32_t>& active, double start, double span,
+  bool solve_interval(const Ray& ray, const LocalRay& l, Scratch<Piece>& pieces, const Scratch<std::int32_t>& active, double start, double span,
                       double from, double to, Sink& sink) const {
     double peak = 0;
     for (std::size_t k = 0; k < active.size(); ++k) peak += pieces[static_cast<std::size_t>(active[k])].peak;
-    if (peak < threshold_ - 1e-6 * (1 + std::fabs(threshold_))) return false;
+    if (misses(peak)) return false;
     double power[5] = {-threshold_, 0, 0, 0, 0};
     for (std::size_t k = 0; k < active.size(); ++k) {
-      const Piece& piece = pieces[static_cast<std::size_t>(active[k])];
-      const Part& part = *piece.part;
-      const double a = piece.a * span * span, b = 2 * (piece.b + piece.a * start) * span, c = piece.c + start * (2 * piece.b + start * piece.a);
-      power[4] += part.k0 * a * a;
-      power[3] += part.k0 * 2 * a * b;
-      power[2] += part.k0 * (b * b + 2 * a * c) + part.k1 * a;
-      power[1] += part.k0 * 2 * b * c + part.k1 * b;
-      power[0] += field(part, c);
+      Piece& piece = pieces[static_cast<std::size_t>(active[k])];
+      if (!piece.expanded) expand(piece, start, span);
+      for (int i = 0; i < 5; ++i) power[i] += piece.power[i];
     }
     double roots[4];
     const int n = bernstein_roots<4>(power, from, to, roots);
@@ -319,6 +319,20 @@ class Blob final : public Primitive<Blob> {
       }
     }
     return stop;
+  }
+
+  // Fields that add up to no more than `peak` do not reach the threshold, whatever the rounding.
+  bool misses(double peak) const { return peak < threshold_ - 1e-6 * (1 + std::fabs(threshold_)); }
+
+  static void expand(Piece& piece, double start, double span) {
+    const Part& part = *piece.part;
+    const double a = piece.a * span * span, b = 2 * (piece.b + piece.a * start) * span, c = piece.c + start * (2 * piece.b + start * piece.a);
+    piece.power[4] = part.k0 * a * a;
+    piece.power[3] = part.k0 * 2 * a * b;
+    piece.power[2] = part.k0 * (b * b + 2 * a * c) + part.k1 * a;
+    piece.power[1] = part.k0 * 2 * b * c + part.k1 * b;
+    piece.power[0] = field(part, c);
+    piece.expanded = true;
   }
 
   double threshold_;

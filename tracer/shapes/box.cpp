@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/lane_kernels.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -13,7 +14,7 @@ enum Face : std::int32_t { x_low, x_high, y_low, y_high, z_low, z_high };
 
 class Box final : public Primitive<Box> {
  public:
-  Box(const scene::Object& description, const Vec3& low, const Vec3& high) : Primitive(description, {Box3(low, high)}), low_(low), high_(high) {}
+  Box(const scene::Object& description, const Vec3& low, const Vec3& high) : Primitive(description, {Box3(low, high)}), low_(low), high_(high), guarded_(has_guards(description)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -30,6 +31,19 @@ class Box final : public Primitive<Box> {
       if (Sink::kNearest && accepted) return;
     }
     if (far_face >= 0) sink.add(far, [&] { return ray.origin + far * ray.direction; }, far_face);
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    LaneHits met;
+    meet(rays, t_min, t_max, met);
+    return take_hits(met, rays, *this, hits, [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    LaneHits met;
+    meet(rays, t_min, t_max, met);
+    return lanes_hit(met, rays);
   }
 
   bool contains(const Vec3& point) const {
@@ -58,6 +72,10 @@ class Box final : public Primitive<Box> {
   }
 
  private:
+  void meet(const RayLanes& rays, double t_min, const double* t_max, LaneHits& met) const {
+    lane_kernels().box(low_, high_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
+  }
+
   // Narrows near .. far by one axis. A later axis takes a face over when it wins clearly, or nearly ties and faces the ray more.
   template <int kAxis>
   bool slab(const Vec3& o, const Vec3& d, double& near, double& far, std::int32_t& near_face, std::int32_t& far_face) const {
@@ -79,6 +97,7 @@ class Box final : public Primitive<Box> {
   }
 
   Vec3 low_, high_;
+  bool guarded_;
 };
 
 }  // namespace

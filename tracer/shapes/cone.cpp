@@ -4,6 +4,7 @@
 
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/frame.h"
+#include "tracer/shapes/lane_kernels.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -26,7 +27,7 @@ enum Part : std::int32_t { wall, narrow_cap, wide_cap };
 class Cone final : public Primitive<Cone> {
  public:
   Cone(const scene::Object& description, const scene::Cone& c)
-      : Primitive(description, {cone_box(c)}), cylinder_(is_cylinder(c)), open_(c.open), narrow_(narrow_end(c)) {}
+      : Primitive(description, {cone_box(c)}), cylinder_(is_cylinder(c)), open_(c.open), guarded_(has_guards(description)), narrow_(narrow_end(c)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -77,6 +78,19 @@ class Cone final : public Primitive<Cone> {
     report_cap(narrow_, cylinder_ ? 1 : narrow_ * narrow_, narrow_cap);
   }
 
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    LaneHits met;
+    meet(rays, t_min, t_max, met);
+    return take_hits(met, rays, *this, hits, [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    LaneHits met;
+    meet(rays, t_min, t_max, met);
+    return lanes_hit(met, rays);
+  }
+
   bool contains(const Vec3& point) const {
     const Vec3 p = local(point);
     const double r2 = p.x * p.x + p.y * p.y, limit2 = cylinder_ ? 1 : p.z * p.z;
@@ -93,7 +107,11 @@ class Cone final : public Primitive<Cone> {
   }
 
  private:
-  bool cylinder_, open_;
+  void meet(const RayLanes& rays, double t_min, const double* t_max, LaneHits& met) const {
+    lane_kernels().cone(cylinder_, open_, narrow_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
+  }
+
+  bool cylinder_, open_, guarded_;
   double narrow_;
 };
 

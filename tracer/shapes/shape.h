@@ -72,7 +72,7 @@ class Shape {
     return intersect(ray, kind, t_min, t_max, hit);
   }
   virtual bool occludes_from(const accel::EntryPoints& /*entry*/, const Ray& ray, double t_min, double t_max) const { return occludes(ray, t_min, t_max); }
-  // intersect and occludes for several rays: of lane k as far as t_max[k]; the lanes that are hit. `entry`: of a shaft that holds the rays; null: none known.
+  // intersect and occludes for several rays: of lane k as far as t_max[k], all of which may be read; the lanes that are hit. `entry`: of a shaft that holds them, or null.
   // The defaults ask one ray after another.
   virtual unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const;
   virtual unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const;

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/lane_kernels.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/spherical_uv.h"
 
@@ -19,7 +20,7 @@ class Sphere final : public Primitive<Sphere> {
  public:
   Sphere(const scene::Object& description, const scene::Sphere& s)
       : Primitive(description, {box_of(s)}), center_(s.center), radius_(s.radius), radius2_(s.radius * s.radius),
-        uv_transform_(std::make_unique<Transform>(description.uv_transform.value_or(Transform{}))) {}
+        uv_transform_(std::make_unique<Transform>(description.uv_transform.value_or(Transform{}))), guarded_(has_guards(description)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -42,6 +43,23 @@ class Sphere final : public Primitive<Sphere> {
     }
   }
 
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    LaneHits met;
+    meet(rays, t_min, t_max, met);
+    return take_hits(met, rays, *this, hits, [&](int k, const Ray& ray) {
+      if (!has_matrix()) return ray.origin + met.t[k] * ray.direction;
+      const LocalRay l = local(ray);
+      return world(l.origin + met.local[k] * l.direction);
+    });
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    LaneHits met;
+    meet(rays, t_min, t_max, met);
+    return lanes_hit(met, rays);
+  }
+
   bool contains(const Vec3& p) const { return distance2(p) < radius2_; }
   // A point exactly on the surface is in neither the sphere nor its complement.
   bool formula(const Vec3& p) const { return inverted() ? distance2(p) > radius2_ : distance2(p) < radius2_; }
@@ -56,6 +74,10 @@ class Sphere final : public Primitive<Sphere> {
   }
 
  private:
+  void meet(const RayLanes& rays, double t_min, const double* t_max, LaneHits& met) const {
+    lane_kernels().sphere(center_, radius2_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
+  }
+
   double distance2(const Vec3& p) const {
     const Vec3 d = local(p) - center_;
     return dot(d, d);
@@ -76,6 +98,7 @@ class Sphere final : public Primitive<Sphere> {
   Vec3 center_;
   double radius_, radius2_;
   std::unique_ptr<const Transform> uv_transform_;
+  bool guarded_;
 };
 
 }  // namespace

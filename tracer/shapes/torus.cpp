@@ -3,6 +3,7 @@
 
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/lane_kernels.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -19,7 +20,7 @@ class Torus final : public Primitive<Torus> {
  public:
   Torus(const scene::Object& description, const scene::Torus& t)
       : Primitive(description, {box_of(t)}), major_(t.major), minor_(t.minor), major2_(t.major * t.major), minor2_(t.minor * t.minor),
-        sturm_(description.sturm) {}
+        sturm_(description.sturm), guarded_(has_guards(description)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -35,12 +36,17 @@ class Torus final : public Primitive<Torus> {
     const double k1 = pp - major2_ - minor2_, k2 = dot(p, d);
     const double c[5] = {1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + major2_ * d.y * d.y)), 4 * (k1 * k2 + 2 * major2_ * p.y * d.y),
                          k1 * k1 + 4 * major2_ * (y2 - minor2_)};
-    double roots[4];
-    const int n = solve_polynomial(4, c, roots, sturm_, kElimination);
-    for (int i = n - 1; i >= 0; --i) {
-      const double depth = (roots[i] + advance) / l.scale;
-      if (depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
-    }
+    report(ray, c, advance, l.scale, sink);
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    return nearest_of_lanes(rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    Hit hit;
+    return nearest_of_lanes(rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
   bool contains(const Vec3& point) const {
@@ -65,6 +71,31 @@ class Torus final : public Primitive<Torus> {
   }
 
  private:
+  // The hits of a ray whose quartic counts from `advance`.
+  template <class Sink>
+  void report(const Ray& ray, const double* c, double advance, double scale, Sink& sink) const {
+    double roots[4];
+    const int n = solve_polynomial(4, c, roots, sturm_, kElimination);
+    for (int i = n - 1; i >= 0; --i) {
+      const double depth = (roots[i] + advance) / scale;
+      if (depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
+    }
+  }
+  template <class HitOf>
+  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    TorusLanes lanes;
+    lane_kernels().torus(major_, minor_, has_matrix() ? &matrix() : nullptr, rays, lanes);
+    unsigned found = 0;
+    each_lane(rays.asked, [&](int k) {
+      if (lanes.met[k] == 0) return;
+      const double c[5] = {1, lanes.c[0][k], lanes.c[1][k], lanes.c[2][k], lanes.c[3][k]};
+      NearestHit sink(*this, nullptr, t_min, t_max[k], hit_of(k), any);
+      report(rays.at(k), c, lanes.advance[k], lanes.scale[k], sink);
+      found |= sink.found() ? 1u << k : 0;
+    });
+    return found;
+  }
+
   // |y| <= r, distance from the axis between R - r and R + r.
   bool meets_thick_cylinder(const LocalRay& l) const {
     const Vec3 &o = l.origin, &d = l.direction;
@@ -92,7 +123,7 @@ class Torus final : public Primitive<Torus> {
   }
 
   double major_, minor_, major2_, minor2_;
-  bool sturm_;
+  bool sturm_, guarded_;
 };
 
 }  // namespace

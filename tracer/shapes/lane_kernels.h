@@ -1,0 +1,59 @@
+// Eight rays against one simple shape. Compiled for several instruction sets; every lane does the operations of the shape's own `crossings` in the same
+// order, and finds what NearestHit would keep.
+#pragma once
+
+#include <cstdint>
+
+#include "tracer/math/ray_row.h"
+#include "tracer/math/transform.h"
+#include "tracer/shapes/shape.h"
+
+namespace verisim::shapes {
+
+struct alignas(64) LaneHits {
+  double t[RayLanes::kCount];
+  double local[RayLanes::kCount];       // the distance in the shape's own space, if the shape uses it
+  std::int64_t part[RayLanes::kCount];  // -1: not hit
+};
+
+// Quartics along rays in a torus's own space, and where they count from.
+struct alignas(64) TorusLanes {
+  std::int64_t met[RayLanes::kCount];  // 0: the ray does not come near
+  double c[4][RayLanes::kCount];       // after the leading 1
+  double advance[RayLanes::kCount], scale[RayLanes::kCount];
+};
+
+// `matrix`: from the shape's own space, null: none. Eight limits stand at t_max.
+struct LaneKernels {
+  void (*sphere)(const Vec3& center, double radius2, const Transform* matrix, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
+  void (*box)(const Vec3& low, const Vec3& high, const Transform* matrix, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
+  void (*cone)(bool cylinder, bool open, double narrow, const Transform* matrix, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
+  void (*torus)(double major, double minor, const Transform* matrix, const RayLanes& rays, TorusLanes& lanes);
+};
+
+// Those of the best instruction set of this machine.
+const LaneKernels& lane_kernels();
+// Those of any set, for tests; null: this machine cannot run it.
+const LaneKernels* lane_kernels(int instruction_set);
+
+// Objects with clips and bounds of their own ask one ray after another.
+inline bool has_guards(const scene::Object& o) { return !o.bounded_by.empty() || !o.clipped_by.empty(); }
+
+// The lanes that are hit, with point_at(lane, ray) as their points.
+template <class PointAt>
+unsigned take_hits(const LaneHits& met, const RayLanes& rays, const Shape& shape, Hit* hits, PointAt&& point_at) {
+  unsigned found = 0;
+  each_lane(rays.asked, [&](int k) {
+    if (met.part[k] < 0) return;
+    hits[k] = {met.t[k], point_at(k, rays.at(k)), &shape, static_cast<std::int32_t>(met.part[k]), 0, 0};
+    found |= 1u << k;
+  });
+  return found;
+}
+inline unsigned lanes_hit(const LaneHits& met, const RayLanes& rays) {
+  unsigned found = 0;
+  for (int k = 0; k < RayLanes::kCount; ++k) found |= met.part[k] >= 0 ? 1u << k : 0;
+  return found & rays.asked;
+}
+
+}  // namespace verisim::shapes

@@ -1,0 +1,151 @@
+// Eight rays at once find what each finds alone, to the last bit, whatever their numbers are, and with every instruction set.
+#include "tracer/shapes/lane_kernels.h"
+
+#include <cstring>
+#include <limits>
+#include <memory>
+
+#include "tracer/shapes/test_support.h"
+#include "tracer/textures/instruction_sets.h"
+
+namespace verisim::shapes::testing {
+namespace {
+
+constexpr int kLanes = RayLanes::kCount, kRounds = 3000;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
+bool same(const Hit& a, const Hit& b) {
+  return same(a.t, b.t) && same(a.point.x, b.point.x) && same(a.point.y, b.point.y) && same(a.point.z, b.point.z) && a.shape == b.shape && a.part == b.part && same(a.u, b.u) && same(a.v, b.v);
+}
+
+// Rays towards and beside the origin; every third round some of their numbers are strange.
+class Rays {
+ public:
+  void fill(int round, int first) {
+    static const double kStrange[] = {0.0, -0.0, 5e-324, -1e-310, 1e-11, -1e-9, 1, -1, 1e8, 1e200, -1e300, kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN()};
+    std::normal_distribution<double> d;
+    std::uniform_int_distribution<std::size_t> any(0, std::size(kStrange) - 1);
+    for (int i = first; i < first + kLanes; ++i) {
+      const Vec3 origin = Vec3(d(random), d(random), d(random)) * (round % 2 ? 3.0 : 0.5), target = Vec3(d(random), d(random), d(random)) * 0.7;
+      rows->origin.set(i, origin);
+      rows->direction.set(i, normalize(target - origin));
+      if (round % 3 == 0) {
+        double* const numbers[] = {rows->origin.x, rows->origin.y, rows->origin.z, rows->direction.x, rows->direction.y, rows->direction.z};
+        for (std::size_t n = 0; n < 1 + any(random) % 2; ++n) numbers[any(random) % 6][i] = kStrange[any(random)];
+      }
+      limit[i - first] = round % 5 == 0 ? 2 + std::fabs(d(random)) : kInfinity;
+    }
+    asked = round % 4 == 0 ? static_cast<unsigned>(any(random) * 17 & 255) : 255;
+  }
+  std::mt19937 random{21};
+  std::unique_ptr<RayRow> rows = std::make_unique<RayRow>();
+  alignas(64) double limit[kLanes];
+  unsigned asked = 255;
+};
+
+const Steps kMoved[] = {{}, [](Object& o) {
+                          scene::transform(o, Transform::scaling({0.7, -1.2, 0.9}).then(Transform::rotation({20, 70, -40})).then(Transform::translation({0.2, 0.1, -0.3})));
+                        }};
+
+std::vector<ObjectRef> solids() {
+  std::vector<ObjectRef> objects;
+  for (const Steps& steps : kMoved) {
+    objects.push_back(make(scene::Sphere{{0.1, -0.2, 0.3}, 0.9}, steps));
+    objects.push_back(make(scene::Sphere{Vec3(0), -0.5}, steps));
+    objects.push_back(make(scene::Box{{-1, -0.7, -0.5}, {0.8, 0.9, 1}}, steps));
+    objects.push_back(make(scene::Box{{-1, 0, -1}, {1, 0, 1}}, steps));  // flat
+    for (const bool open : {false, true}) {
+      objects.push_back(make(scene::Cone{{0, -1, 0}, {0, 0.8, 0}, 0.6, 0.6, open}, steps));
+      objects.push_back(make(scene::Cone{{0, -1, 0}, {0, 1, 0}, 1, 0.4, open}, steps));
+      objects.push_back(make(scene::Cone{{-0.5, 0.3, 0}, {1, 0, 0.2}, -0.4, 0.8, open}, steps));  // double
+    }
+    objects.push_back(make(scene::Torus{0.9, 0.35}, steps));
+    objects.push_back(make(scene::Torus{0.3, 0.6}, steps));
+    objects.push_back(make(scene::Sphere{Vec3(0), 0.8}, [&](Object& o) {
+      if (steps) steps(o);
+      o.clipped_by.push_back(make(scene::Plane{{0, 1, 0}, 0}));
+    }));
+  }
+  return objects;
+}
+
+TEST(LaneKernels, ShapesAnswerForEightRaysAsForEach) {
+  Rays rays;
+  for (const ObjectRef& object : solids()) {
+    const std::unique_ptr<Shape> shape = compile(*object);
+    int met = 0, blocked_rays = 0;
+    for (int round = 0; round < kRounds; ++round) {
+      const int first = round % 9;
+      rays.fill(round, first);
+      const RayLanes lanes{*rays.rows, first, rays.asked};
+      const double t_min = round % 7 == 0 ? 1.5 : 1e-4;
+      Hit hits[kLanes];
+      const unsigned found = shape->intersect_lanes(lanes, nullptr, RayKind::camera, t_min, rays.limit, hits);
+      const unsigned blocked = shape->occludes_lanes(lanes, nullptr, t_min, rays.limit);
+      ASSERT_EQ(found & ~rays.asked, 0u);
+      for (int k = 0; k < kLanes; ++k) {
+        if (!(rays.asked >> k & 1)) continue;
+        Hit alone;
+        const bool expected = shape->intersect(lanes.at(k), RayKind::camera, t_min, rays.limit[k], alone);
+        ASSERT_EQ(found >> k & 1, expected) << object->shape.index() << ' ' << round << ' ' << k;
+        ASSERT_EQ(blocked >> k & 1, shape->occludes(lanes.at(k), t_min, rays.limit[k]));
+        if (expected) {
+          ASSERT_TRUE(same(hits[k], alone)) << object->shape.index() << ' ' << round << ' ' << k;
+        }
+        met += expected, blocked_rays += blocked >> k & 1;
+      }
+    }
+    EXPECT_GT(met, 1000);
+    EXPECT_EQ(met, blocked_rays);
+  }
+}
+
+class LaneKernel : public ::testing::TestWithParam<int> {};
+
+TEST_P(LaneKernel, GivesTheSameBitsAsEveryOther) {
+  const LaneKernels *kernels = lane_kernels(GetParam()), &plain = *lane_kernels(textures::kBaseline);
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  const Transform moved = Transform::scaling({0.7, -1.2, 0.9}).then(Transform::rotation({20, 70, -40}));
+  Rays rays;
+  int met = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    rays.fill(round, round % 9);
+    const RayLanes lanes{*rays.rows, round % 9, 255};
+    const Transform* matrix = round % 2 ? &moved : nullptr;
+    const auto compare = [&](auto&& ask) {
+      LaneHits a, b;
+      ask(*kernels, a);
+      ask(plain, b);
+      for (int k = 0; k < kLanes; ++k) {
+        ASSERT_EQ(a.part[k], b.part[k]);
+        if (a.part[k] >= 0) {
+          ASSERT_TRUE(same(a.t[k], b.t[k]));
+        }
+        met += a.part[k] >= 0;
+      }
+    };
+    compare([&](const LaneKernels& set, LaneHits& hits) { set.sphere({0.1, -0.2, 0.3}, 0.8, matrix, lanes, 1e-4, rays.limit, hits); });
+    compare([&](const LaneKernels& set, LaneHits& hits) { set.box(Vec3(-0.9), Vec3(0.8), matrix, lanes, 1e-4, rays.limit, hits); });
+    for (const bool open : {false, true}) {
+      compare([&](const LaneKernels& set, LaneHits& hits) { set.cone(true, open, 0, matrix, lanes, 1e-4, rays.limit, hits); });
+      compare([&](const LaneKernels& set, LaneHits& hits) { set.cone(false, open, -0.4, matrix, lanes, 1e-4, rays.limit, hits); });
+    }
+    TorusLanes a, b;
+    kernels->torus(0.8, 0.3, matrix, lanes, a);
+    plain.torus(0.8, 0.3, matrix, lanes, b);
+    for (int k = 0; k < kLanes; ++k) {
+      ASSERT_EQ(a.met[k], b.met[k]);
+      if (a.met[k] == 0) continue;
+      ++met;
+      ASSERT_TRUE(same(a.advance[k], b.advance[k]) && same(a.scale[k], b.scale[k]));
+      for (const auto& [x, y] : {std::pair{a.c[0][k], b.c[0][k]}, {a.c[1][k], b.c[1][k]}, {a.c[2][k], b.c[2][k]}, {a.c[3][k], b.c[3][k]}}) ASSERT_TRUE(same(x, y));
+    }
+  }
+  EXPECT_GT(met, 10000);
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, LaneKernel, ::testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+
+}  // namespace
+}  // namespace verisim::shapes::testing

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "tracer/shapes/superellipsoid_lanes.h"
 #include "tracer/shapes/test_support.h"
 #include "tracer/textures/instruction_sets.h"
 
@@ -62,6 +63,7 @@ std::vector<ObjectRef> solids() {
     }
     objects.push_back(make(scene::Torus{0.9, 0.35}, steps));
     objects.push_back(make(scene::Torus{0.3, 0.6}, steps));
+    for (const auto& [east, north] : {std::pair{0.4, 0.8}, {1.0, 1.0}, {2.0, 0.15}, {1.3, 2.0}, {2.5, 1.0}}) objects.push_back(make(scene::Superellipsoid{east, north}, steps));
     objects.push_back(make(scene::Sphere{Vec3(0), 0.8}, [&](Object& o) {
       if (steps) steps(o);
       o.clipped_by.push_back(make(scene::Plane{{0, 1, 0}, 0}));
@@ -143,6 +145,54 @@ TEST_P(LaneKernel, GivesTheSameBitsAsEveryOther) {
     }
   }
   EXPECT_GT(met, 10000);
+}
+
+TEST_P(LaneKernel, ApproachesASuperellipsoidInTheSameSteps) {
+  const SuperellipsoidKernels *kernels = superellipsoid_kernels(GetParam()), &plain = *superellipsoid_kernels(textures::kBaseline);
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  Rays rays;
+  int met = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    rays.fill(round, 0);
+    const double p = 1 + round % 14, q = 1 + round % 5 * 0.7;
+    ConvexLanes a{};
+    for (int k = 0; k < kLanes; ++k) {
+      const Ray ray = rays.rows->at(k);
+      a.ox[k] = ray.origin.x, a.oy[k] = ray.origin.y, a.oz[k] = ray.origin.z, a.dx[k] = ray.direction.x, a.dy[k] = ray.direction.y, a.dz[k] = ray.direction.z;
+      a.t[k] = 0, a.end[k] = 20;
+    }
+    ConvexLanes b = a, alone = a;
+    const unsigned found = kernels->approach(p, q, 1, rays.asked, a);
+    ASSERT_EQ(found, plain.approach(p, q, 1, rays.asked, b));
+    double values[kLanes], others[kLanes];
+    kernels->value(p, q, a, values);
+    plain.value(p, q, b, others);
+    each_lane(found, [&](int k) {
+      ASSERT_TRUE(same(a.t[k], b.t[k]));
+      ASSERT_TRUE(same(values[k], others[k]));
+      ++met;
+      // The value is that of the plain formula, and zero at the root of rays that begin outside.
+      const Vec3 at(std::fabs(a.ox[k] + a.t[k] * a.dx[k]), std::fabs(a.oy[k] + a.t[k] * a.dy[k]), std::fabs(a.oz[k] + a.t[k] * a.dz[k]));
+      const double largest = std::max(at.x, at.y);
+      if (round % 3 == 0 || !(largest > 0)) return;
+      const double across = largest * std::pow(std::pow(at.x / largest, p) + std::pow(at.y / largest, p), 1 / p), most = std::max(across, at.z);
+      const double expected = most * std::pow(std::pow(across / most, q) + std::pow(at.z / most, q), 1 / q) - 1;
+      ASSERT_NEAR(values[k], expected, 1e-13 * (1 + std::fabs(expected))) << p << ' ' << q;
+      if (a.t[k] > 0) {
+        ASSERT_NEAR(expected, 0, 2e-10);
+      }
+    });
+    // What one lane finds does not depend on the others.
+    const int k = round % kLanes;
+    const unsigned found_alone = kernels->approach(p, q, 1, 1u << k, alone);
+    if (rays.asked >> k & 1) {
+      ASSERT_EQ(found_alone, found & 1u << k);
+    }
+    if (found >> k & 1) {
+      ASSERT_TRUE(same(alone.t[k], a.t[k]));
+    }
+  }
+  EXPECT_GT(met, 5000);
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, LaneKernel, ::testing::Range(0, static_cast<int>(textures::kInstructionSets)));

@@ -2,7 +2,9 @@
 #include <algorithm>
 
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/lane_kernels.h"
 #include "tracer/shapes/primitive.h"
+#include "tracer/shapes/superellipsoid_lanes.h"
 
 namespace verisim::shapes {
 namespace {
@@ -45,27 +47,15 @@ double norm(double a, double b, const Power& p) {
   return a * p.root(1 + p.raise(b / a));
 }
 
-// A value along a ray and its slope.
-struct Dual {
-  double value, slope;
-};
-Dual norm(Dual a, Dual b, const Power& p) {
-  if (a.value < b.value) std::swap(a, b);
-  if (!(a.value > 0)) return {0, 0};
-  const double u = p.raise(b.value / a.value), size = a.value * p.root(1 + u);
-  const double slope_b = b.value > 0 ? u * b.slope / b.value : p.exponent() == 1 ? b.slope / a.value : 0;
-  return {size, size / (1 + u) * (a.slope / a.value + slope_b)};
-}
-
 class Superellipsoid final : public Primitive<Superellipsoid> {
  public:
   Superellipsoid(const scene::Object& description, const scene::Superellipsoid& s)
-      : Primitive(description, {Box3(Vec3(-1.0001), Vec3(1.0001))}), p_(2 / s.east), q_(2 / s.north) {}
+      : Primitive(description, {Box3(Vec3(-1.0001), Vec3(1.0001))}), p_(2 / s.east), q_(2 / s.north), guarded_(has_guards(description)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
-    if (p_.exponent() >= 1 && q_.exponent() >= 1) return convex_crossings(ray, l, sink);
+    if (convex()) return convex_crossings(ray, l, sink);
     double knots[11];
     const int count = knots_of(l, knots);
     if (count < 2) return;
@@ -94,6 +84,18 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
     }
   }
 
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+    if (guarded_ || !convex()) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    return nearest_of_lanes(rays, t_min, t_max, [&](int k, double t) {
+      const Ray ray = rays.at(k);
+      hits[k] = {t, ray.origin + t * ray.direction, this, 0, 0, 0};
+    });
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+    if (guarded_ || !convex()) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    return nearest_of_lanes(rays, t_min, t_max, [](int, double) {});
+  }
+
   bool contains(const Vec3& p) const { return value(local(p)) < kZero; }
 
   Vec3 raw_normal(const Hit& hit) const {
@@ -114,55 +116,75 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
   double value(const LocalRay& l, double t) const { return value(l.origin + t * l.direction); }
 
   // With exponents of at least 1 the nested norms are convex: a ray enters once and leaves once, and Newton's method from outside goes straight to each.
+  bool convex() const { return p_.exponent() >= 1 && q_.exponent() >= 1; }
+  unsigned approach(double side, unsigned asked, ConvexLanes& lanes) const {
+    return asked == 0 ? 0 : superellipsoid_kernels().approach(p_.exponent(), q_.exponent(), side, asked, lanes);
+  }
+  static void set(ConvexLanes& lanes, int k, const LocalRay& l) {
+    lanes.ox[k] = l.origin.x, lanes.oy[k] = l.origin.y, lanes.oz[k] = l.origin.z;
+    lanes.dx[k] = l.direction.x, lanes.dy[k] = l.direction.y, lanes.dz[k] = l.direction.z;
+  }
+  // The lanes of `asked` that begin within the surface: only rays do that which begin within the cube around it.
+  unsigned beginning_inside(unsigned asked, const ConvexLanes& lanes) const {
+    unsigned begin_here = 0, inside = 0;
+    each_lane(asked, [&](int k) { begin_here |= lanes.t[k] == kNearest ? 1u << k : 0; });
+    if (begin_here == 0) return 0;
+    double values[ConvexLanes::kCount];
+    superellipsoid_kernels().value(p_.exponent(), q_.exponent(), lanes, values);
+    each_lane(begin_here, [&](int k) { inside |= values[k] <= -kZero ? 1u << k : 0; });
+    return inside;
+  }
+
   template <class Sink>
   void convex_crossings(const Ray& ray, const LocalRay& l, Sink& sink) const {
     double near, far;
     if (!clip_to_cube(l, near, far)) return;
-    const auto report = [&](double t) {
-      const double depth = t / l.scale;
+    ConvexLanes lanes{};
+    set(lanes, 0, l);
+    const auto report = [&] {
+      const double depth = lanes.t[0] / l.scale;
       return depth > kNearest && depth < kFarthest && sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
     };
-    double entry, exit;
-    const double first = along(l, near, 1).value;
-    if (first > -kZero) {
-      if (std::fabs(first) < kZero) entry = near;
-      else if (!approach(l, near, far, 1, entry)) return;
-      if (report(entry) && Sink::kNearest) return;
-      near = entry;
+    lanes.t[0] = near, lanes.end[0] = far;
+    if (beginning_inside(1, lanes) == 0) {
+      if (approach(1, 1, lanes) == 0) return;
+      if (report() && Sink::kNearest) return;
+      near = lanes.t[0];
     }
-    if (approach(l, far, near, -1, exit) && exit > near) report(exit);
+    lanes.t[0] = far, lanes.end[0] = near;
+    if (approach(-1, 1, lanes) != 0 && lanes.t[0] > near) report();
   }
-  // From `begin`, outside, towards `end`: the first point of the surface. `side`: +1 forward, -1 backward.
-  bool approach(const LocalRay& l, double begin, double end, double side, double& root) const {
-    double t = begin;
-    for (int step = 0; step < 100; ++step) {
-      const Dual f = along(l, t, side);
-      if (f.value < kZero) {
-        root = t;
-        return true;
-      }
-      // The tangent lies below the curve.
-      if (!(f.slope * side < 0)) return false;
-      const double next = t - f.value / f.slope;
-      if (!((end - next) * side >= 0)) return false;
-      if (next == t) {
-        root = t;
-        return true;
-      }
-      t = next;
-    }
-    root = t;
-    return true;
-  }
-  // value() at distance t with its slope on one side.
-  Dual along(const LocalRay& l, double t, double side) const {
-    const Vec3 p = l.origin + t * l.direction;
-    const auto size = [&](int k) {
-      const double v = p[k], d = l.direction[k];
-      return v == 0 ? Dual{0, side * std::fabs(d)} : v < 0 ? Dual{-v, -d} : Dual{v, d};
+  // The same for eight rays: take(lane, t) for the nearest hits.
+  template <class Take>
+  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, Take&& take) const {
+    ConvexLanes lanes{};
+    double near[ConvexLanes::kCount], far[ConvexLanes::kCount], scale[ConvexLanes::kCount];
+    unsigned asked = 0, found = 0;
+    each_lane(rays.asked, [&](int k) {
+      const LocalRay l = local(rays.at(k));
+      if (!clip_to_cube(l, near[k], far[k])) return;
+      set(lanes, k, l);
+      scale[k] = l.scale;
+      lanes.t[k] = near[k], lanes.end[k] = far[k];
+      asked |= 1u << k;
+    });
+    const auto report = [&](int k) {
+      const double depth = lanes.t[k] / scale[k];
+      if (!(depth > kNearest && depth < kFarthest && depth >= t_min && depth < t_max[k])) return;
+      found |= 1u << k;
+      take(k, depth);
     };
-    const Dual f = norm(norm(size(0), size(1), p_), size(2), q_);
-    return {f.value - 1, f.slope};
+    const unsigned inside = beginning_inside(asked, lanes), entered = approach(1, asked & ~inside, lanes);
+    each_lane(entered, [&](int k) {
+      report(k);
+      near[k] = lanes.t[k];
+    });
+    const unsigned leaving = inside | (entered & ~found);
+    each_lane(leaving, [&](int k) { lanes.t[k] = far[k], lanes.end[k] = near[k]; });
+    each_lane(approach(-1, leaving, lanes), [&](int k) {
+      if (lanes.t[k] > near[k]) report(k);
+    });
+    return found;
   }
 
   static bool clip_to_cube(const LocalRay& l, double& near, double& far) {
@@ -249,6 +271,7 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
   }
 
   Power p_, q_;
+  bool guarded_;
 };
 
 }  // namespace

@@ -1,0 +1,29 @@
+// Newton's method from outside a convex superellipsoid, for eight rays at once. Compiled for several instruction sets; all give the same bits, and what
+// one lane finds does not depend on the others.
+#pragma once
+
+#include "tracer/math/ray_row.h"
+
+namespace verisim::shapes {
+
+// Rays in the shape's own space, and how far each may go.
+struct alignas(64) ConvexLanes {
+  static constexpr int kCount = RayLanes::kCount;
+  double ox[kCount], oy[kCount], oz[kCount], dx[kCount], dy[kCount], dz[kCount];
+  double t[kCount];    // where the search begins, outside; then the root
+  double end[kCount];  // it goes no further than this
+};
+
+struct SuperellipsoidKernels {
+  // |(|(x, y)|_p, z)|_q - 1 at distances t.
+  void (*value)(double p, double q, const ConvexLanes& lanes, double* value);
+  // From t towards `end`: forward if `side` is 1, backward if it is -1. The lanes of `asked` that find the surface.
+  unsigned (*approach)(double p, double q, double side, unsigned asked, ConvexLanes& lanes);
+};
+
+// Those of the best instruction set of this machine.
+const SuperellipsoidKernels& superellipsoid_kernels();
+// Those of any set, for tests; null: this machine cannot run it.
+const SuperellipsoidKernels* superellipsoid_kernels(int instruction_set);
+
+}  // namespace verisim::shapes

@@ -202,29 +202,28 @@ void Wave::light(const Light& light, const RayState& ray) {
   kernels_.add(count_, lanes_);
 }
 
-Rgb Wave::seen(int k) const {
-  return Rgb(lanes_.own.r[k], lanes_.own.g[k], lanes_.own.b[k]) + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]);
-}
-
-// A texture whose layers are lit in the lanes from `lane` on; moves to the lane behind them.
+// What a texture shows whose layers are lit in the lanes from `lane` on; moves to the lane behind them.
 Rgb Wave::shown(const Leaf& leaf, const RayState& ray, int& lane) {
   Rgb color;
   bool mirrors = false;
-  const auto each_part = [&](auto use) {
-    for (int k = leaf.first; k >= 0; k = parts_[static_cast<std::size_t>(k)].next) use(parts_[static_cast<std::size_t>(k)]);
-  };
-  each_part([&](const Part& part) {
-    color += part.filter * seen(lane++);
+  for (int k = leaf.first; k >= 0; ++lane) {
+    const Part& part = parts_[static_cast<std::size_t>(k)];
+    color += part.filter * Rgb(lanes_.direct.r[lane], lanes_.direct.g[lane], lanes_.direct.b[lane]);
     mirrors |= part.mirror >= 0;
-  });
-  if (!mirrors) return color;
+    k = part.next;
+  }
+  if (mirrors) add_mirrored(leaf, ray, color);
+  return color;
+}
+
+void Wave::add_mirrored(const Leaf& leaf, const RayState& ray, Rgb& color) {
   RayState eye = ray;
   eye.ray = lanes_.camera.at(leaf.ray);
   tracer_.random_.begin_sample(x_ + leaf.ray, y_, 0);
-  each_part([&](const Part& part) {
-    if (part.mirror >= 0) color += tracer_.mirrored(eye, *met_[leaf.ray].at, mirrors_[static_cast<std::size_t>(part.mirror)]);
-  });
-  return color;
+  for (int k = leaf.first; k >= 0; k = parts_[static_cast<std::size_t>(k)].next) {
+    const int mirror = parts_[static_cast<std::size_t>(k)].mirror;
+    if (mirror >= 0) color += tracer_.mirrored(eye, *met_[leaf.ray].at, mirrors_[static_cast<std::size_t>(mirror)]);
+  }
 }
 
 // Lights the surfaces that were added, and writes their colours.
@@ -232,11 +231,20 @@ void Wave::show(const RayState& ray, Color* out) {
   for (float* sum : {lanes_.direct.r, lanes_.direct.g, lanes_.direct.b}) std::fill_n(sum, count_, 0.0f);
   if (count_ > 0)
     for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i], ray);
+  const auto add_own = [this](const float* own, float* sum) {
+    for (int k = 0; k < count_; ++k) sum[k] = own[k] + sum[k];
+  };
+  add_own(lanes_.own.r, lanes_.direct.r);
+  add_own(lanes_.own.g, lanes_.direct.g);
+  add_own(lanes_.own.b, lanes_.direct.b);
   for (int k = 0; k < count_;) {
     const Met& met = met_[pixel_[k]];
     Color& result = out[pixel_[k]];
     Rgb sum;
-    if (met.plain) sum += seen(k++);
+    if (met.plain) {
+      sum += Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]);
+      ++k;
+    }
     for (int l = met.first; l < met.first + met.leaves; ++l) {
       const Leaf& leaf = leaves_[static_cast<std::size_t>(l)];
       const Rgb color = shown(leaf, ray, k);

@@ -86,8 +86,8 @@ class Wave {
   bool add_surface(int i);
   void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity);
   void show(const RayState& ray, Color* out);
-  Rgb seen(int lane) const;
   Rgb shown(const Leaf& leaf, const RayState& ray, int& lane);
+  void add_mirrored(const Leaf& leaf, const RayState& ray, Rgb& color);
   void light(const Light& light, const RayState& ray);
   void aim(const Light& light);
   bool reach(const Light& light, const RayState& ray);
@@ -102,7 +102,7 @@ class Wave {
   Color sky_;           // where there is no sky_sphere
   bool plain_sky_;
   std::unordered_map<const textures::CompiledTexture*, Materials> materials_;
-  std::pair<const textures::CompiledTexture*, const Materials*> last_materials_{};
+  std::pair<const textures::CompiledTexture*, const Materials*> last_materials_[16]{};  // by address
   std::vector<Leaf> leaves_;
   std::vector<Part> parts_;
   std::vector<Tracer::ShadedLayer> mirrors_;

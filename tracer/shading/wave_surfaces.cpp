@@ -53,12 +53,13 @@ Wave::Materials Wave::find_materials(const textures::CompiledTexture& texture) c
 }
 
 const Wave::Materials& Wave::materials(const textures::CompiledTexture& texture) {
-  if (last_materials_.first != &texture) {
+  auto& last = last_materials_[reinterpret_cast<std::uintptr_t>(&texture) / sizeof texture % std::size(last_materials_)];
+  if (last.first != &texture) {
     auto known = materials_.find(&texture);
     if (known == materials_.end()) known = materials_.emplace(&texture, find_materials(texture)).first;
-    last_materials_ = {&texture, &known->second};
+    last = {&texture, &known->second};
   }
-  return *last_materials_.second;
+  return *last.second;
 }
 
 // Which way hit i goes, and the textures that show there.

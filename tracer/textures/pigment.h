@@ -20,7 +20,7 @@ struct CompiledPigment {
   MapPositions positions;                        // of the maps; the weights of average
   std::vector<Color> colors;                     // color_map
   std::vector<ColorSegment> segments;            // color_map of few entries: from the entry before to this one
-  static constexpr int kFew = 8;                 // one more than these are few
+  static constexpr int kFew = 32;                // one more than these are few
   alignas(64) double first_maxima[kFew];         // with segments: the largest position up to each entry but the last; infinite beyond
   std::vector<const CompiledPigment*> children;  // pigment_map, average, uv_mapping
   float total_weight = 0;                        // average

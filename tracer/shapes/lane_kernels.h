@@ -29,6 +29,7 @@ struct LaneKernels {
   void (*box)(const Vec3& low, const Vec3& high, const Transform* matrix, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
   void (*cone)(bool cylinder, bool open, double narrow, const Transform* matrix, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
   void (*torus)(double major, double minor, const Transform* matrix, const RayLanes& rays, TorusLanes& lanes);
+  void (*quadric)(const scene::Quadric& quadric, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
 };
 
 // Those of the best instruction set of this machine.

@@ -1,5 +1,6 @@
 // quadric (spec 03 4.10): coefficients are kept in world space.
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/lane_kernels.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/quadric_box.h"
 
@@ -25,7 +26,7 @@ bool box_tells_solid(const scene::Object& object, const scene::Quadric& q) { ret
 class Quadric final : public Primitive<Quadric> {
  public:
   Quadric(const scene::Object& description, const scene::Quadric& q)
-      : Primitive(description, {box_of(q), box_tells_solid(description, q)}), q_(q) {}
+      : Primitive(description, {box_of(q), box_tells_solid(description, q)}), q_(q), guarded_(has_guards(description)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -49,6 +50,19 @@ class Quadric final : public Primitive<Quadric> {
     }
   }
 
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    LaneHits met;
+    lane_kernels().quadric(q_, rays, t_min, t_max, met);
+    return take_hits(met, rays, *this, hits, [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    LaneHits met;
+    lane_kernels().quadric(q_, rays, t_min, t_max, met);
+    return lanes_hit(met, rays);
+  }
+
   // Inversion has negated the coefficients already.
   bool contains(const Vec3& p) const { return value(p) <= 0; }
   bool formula(const Vec3& p) const { return contains(p); }
@@ -68,6 +82,7 @@ class Quadric final : public Primitive<Quadric> {
   }
 
   scene::Quadric q_;
+  bool guarded_;
 };
 
 }  // namespace

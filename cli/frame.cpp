@@ -223,6 +223,14 @@ void write(const Job& job, const Canvas& canvas, const LayerChoice& choice, cons
   report.seconds_write = since(start);
 }
 
+// As POV-Ray ends a render of an isosurface whose max_gradient does not fit.
+void warn_of_object(const Job& job, const scene::Place& place, const std::string& text) {
+  const std::string file = place.file ? *place.file : std::string();
+  const bool povray = job.console.style() == Style::povray;
+  job.console.line(Stream::warning, povray ? wrapped(fmt::format("File: {}  Line: {}\nShutdown Warning: {}", file, place.line, text))
+                                           : wrapped(fmt::format("{}:{}: warning: {}", file, place.line, text)));
+}
+
 void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene, const OutputName& name, FrameReport& report) {
   const Options& options = job.options;
   const Region part = region(options);
@@ -265,6 +273,7 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   report.seconds_render = since(start);
   report.cpu_render = cpu_seconds() - cpu;
 
+  for (const auto& [place, text] : report.statistics.findings) warn_of_object(job, place, text);
   if (state && !state->failure().empty()) job.console.line(Stream::warning, wrapped("Warning: " + state->failure()));
   const bool interrupted = report.statistics.cancelled;
   if (interrupted && state) state->flush(canvas.framebuffer);

@@ -4,6 +4,7 @@
 #include <sys/mount.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <random>
 
 namespace verisim::cli {
@@ -286,6 +287,28 @@ TEST_F(Process, TextStreamsGoToTheirFiles) {
   EXPECT_EQ(quiet.errors.find("hello warning"), std::string::npos);
   EXPECT_NE(quiet.errors.find("hello debug"), std::string::npos);
   EXPECT_NE(run({"+Italk.pov", "+W8", "+H8", "-D"}).errors.find("hello warning"), std::string::npos);
+}
+
+// The figures are POV-Ray's for these scenes.
+TEST_F(Process, IsosurfacesTellWhetherMaxGradientFits) {
+  const std::string camera = "#version 3.7; global_settings{assumed_gamma 1} camera{location <0,0,-5> angle 30} light_source{<3,5,-8> rgb 1}\n";
+  const auto ball = [](const std::string& items) { return "isosurface{function{x*x+y*y+z*z-0.7} " + items + " pigment{rgb 1}}"; };
+  const auto warning = [&](const std::string& scene, const std::string& size = "+W160 +H120") {
+    file("iso.pov", camera + scene);
+    std::string text = run({"+Iiso.pov", size.substr(0, size.find(' ')), size.substr(size.find(' ') + 1), "-D", "-A"}).errors;
+    std::erase(text, '\n');
+    const std::size_t at = text.find("Shutdown Warning: ");
+    return at == std::string::npos ? std::string() : text.substr(at + 18, text.find("----", at) - at - 18);
+  };
+  EXPECT_NE(warning(ball("max_gradient 3.6")).find("gradient found was 2.604, but max_gradient of the isosurface was set to 3.600. Adjust max_gradient to get a faster"), std::string::npos);
+  EXPECT_NE(warning(ball("max_gradient 1.1 scale 0.5")).find("found was 2.239, but max_gradient of the isosurface was set to 1.100. The isosurface may contain holes!"), std::string::npos);
+  EXPECT_EQ(warning(ball("max_gradient 2.6")), "");
+  EXPECT_EQ(warning("#declare I = " + ball("max_gradient 9") + " object{I}"), "");
+  EXPECT_EQ(warning("#declare I = union{" + ball("max_gradient 9") + "} object{I}"), "");
+  EXPECT_EQ(warning("intersection{" + ball("max_gradient 9") + " plane{x,0}}"), "");
+  EXPECT_NE(warning("camera{orthographic location <0.1,0.05,-5> direction z right 0.8*x up 0.0001*y} " + ball("max_gradient 3.1 evaluate 1,1.5,0.9"), "+W2 +H1")
+                .find("Evaluate found a maximum gradient of 4.219 and an average gradient of 4.008. The maximum gradient variation was 1.119."),
+            std::string::npos);
 }
 
 TEST_F(Process, TheScenesFolderIsSearchedAfterPovRaysPlaces) {

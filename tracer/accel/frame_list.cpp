@@ -27,17 +27,18 @@ void collect_lights(const Object& object, bool in_group, std::vector<const scene
   }
 }
 
-void collect_objects(const Object& object, bool split_unions, FrameList& list) {
+void collect_objects(const Object& object, bool split_unions, bool copied, FrameList& list) {
+  copied = copied || object.copied;
   if (is_dissolved(object, split_unions)) {
-    for (const ObjectPtr& child : scene::children_of(object)) collect_objects(*child, split_unions, list);
+    for (const ObjectPtr& child : scene::children_of(object)) collect_objects(*child, split_unions, copied, list);
     return;
   }
   ++list.entries;
   if (const auto* light = object.as<scene::LightSource>()) {
-    if (light->looks_like) list.objects.push_back(&object);
-    return;
+    if (!light->looks_like) return;
   }
   list.objects.push_back(&object);
+  list.copied.push_back(copied);
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ void collect_objects(const Object& object, bool split_unions, FrameList& list) {
 FrameList frame_list(const scene::Scene& scene, bool split_unions) {
   FrameList list;
   for (const ObjectPtr& object : scene.objects) {
-    collect_objects(*object, split_unions, list);
+    collect_objects(*object, split_unions, false, list);
     collect_lights(*object, false, list.lights);
   }
   return list;

@@ -140,6 +140,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     Entry e;
     e.shape = shape.get();
     e.object = &o;
+    e.copied = list.copied[i];
     e.hidden = hidden_from(o);
     if (all_children_shadowless(o)) e.hidden |= bit(RayKind::shadow) | bit(RayKind::photon);
     if (const auto* light = o.as<scene::LightSource>(); light && light->looks_like) e.hidden |= hidden_from(*light->looks_like);
@@ -231,6 +232,13 @@ void World::enter(const Shaft& shaft, WorldEntry& entry) const {
 }
 
 const BoxTree& World::tree() const { return impl_->tree; }
+
+std::vector<std::pair<scene::Place, std::string>> World::findings() const {
+  std::vector<std::pair<scene::Place, std::string>> result;
+  for (const Entry& e : impl_->entries)
+    if (std::string text = e.copied ? std::string() : e.shape->finding(); !text.empty()) result.emplace_back(e.object->place, std::move(text));
+  return result;
+}
 
 bool World::has_transparent_shadows() const { return impl_->transparent_shadows; }
 

@@ -89,6 +89,8 @@ class World {
 
   std::span<const scene::LightSource* const> lights() const;  // global lights in file order
   Box3 bounds() const;                                        // of all finite objects
+  // What shapes at frame level have to say after a render; copies of declared objects say nothing.
+  std::vector<std::pair<scene::Place, std::string>> findings() const;
 
   // Of the objects with bounds.
   const BoxTree& tree() const;

@@ -25,6 +25,7 @@ struct Entry {
   Opacity opacity = Opacity::opaque;
   bool infinite = false;    // of the kind POV-Ray tests before all others
   bool test_box = false;    // rays that miss `box` miss the object
+  bool copied = false;      // of a declared object, or part of such a copy
   bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
   Box3 box;                 // POV-Ray's, right or wrong, widened by rounding
 

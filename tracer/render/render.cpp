@@ -180,6 +180,7 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
   statistics.cancelled = queue.cancelled();
   if (!statistics.cancelled && !paths) save_radiosity(effects, options);
   statistics.seconds_render = seconds_since(render_start);
+  statistics.findings = world.findings();
   return statistics;
 }
 

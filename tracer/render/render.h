@@ -69,6 +69,7 @@ struct Statistics {
   std::uint64_t pixels = 0, samples = 0, camera_rays = 0, reflected_rays = 0, refracted_rays = 0, shadow_rays = 0, transmitted_rays = 0;
   double seconds_compile = 0, seconds_render = 0;
   bool cancelled = false;
+  std::vector<std::pair<scene::Place, std::string>> findings;  // warnings about objects, and where those were written
 };
 
 // A feature the tracer cannot render; `what` names it. The caller reports exit status 4.

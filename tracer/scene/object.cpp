@@ -372,6 +372,7 @@ bool is_infinite(const Object& object) { return volume(object.bounds) > kInfinit
 std::shared_ptr<Object> copy(const Object& object) {
   if (const auto* csg = object.as<Csg>(); csg && csg->children.postponed()) children_of(object);  // copies of copies must not grow chains of moves
   auto result = std::make_shared<Object>(object);
+  result->copied = true;
   const auto own = [](auto& objects) {
     for (ObjectPtr& o : objects) o = copy(*o);
   };

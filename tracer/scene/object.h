@@ -148,6 +148,7 @@ struct Object {
   TexturePtr texture, interior_texture;
   InteriorPtr interior;
   bool inverted = false;
+  bool copied = false;               // made from another object, not written in place
   Flag hollow = Flag::unset;         // as written for this object
   bool hollow_inherited = false;     // as written for a CSG object around it
   bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false, double_illuminate = false;

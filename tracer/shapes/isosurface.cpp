@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "tracer/functions/function.h"
 #include "tracer/shapes/container.h"
 #include "tracer/shapes/factories.h"
@@ -24,13 +26,22 @@ class Isosurface final : public Primitive<Isosurface> {
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
-    Search search{*this, ray.origin, ray.direction, 0, 1, max_gradient_};
+    Search search{*this, ray.origin, ray.direction, 0, 1, 0};
     if (has_matrix()) search.origin = matrix().inverse_point(ray.origin), search.direction = matrix().inverse_direction(ray.direction);
     search.speed = length(search.direction);
-    if (surface_.evaluate) search.gradient = adapted_gradient_.load(std::memory_order_relaxed);
-    trace(ray, search, sink);
-    if (surface_.evaluate) raise_gradient(search.gradient);
+    const double before = search.gradient = surface_.evaluate ? adapted_gradient_.load(std::memory_order_relaxed) : max_gradient_;
+    if (!trace(ray, search, sink)) return;
+    raise(steepest_, search.steepest);
+    if (!surface_.evaluate) return;
+    raise(adapted_gradient_, search.gradient);
+    if (!sink.any()) {  // shadow rays do not count
+      raise(largest_raise_, search.gradient - before);
+      rays_.fetch_add(1, std::memory_order_relaxed);
+      add(sum_of_gradients_, search.gradient);
+    }
   }
+
+  std::string finding() const final { return surface_.evaluate ? evaluate_finding() : gradient_finding(); }
 
   bool contains(const Vec3& p) const {
     const Vec3 q = local(p);
@@ -59,6 +70,7 @@ class Isosurface final : public Primitive<Isosurface> {
     double speed;     // length of the direction
     double sign;      // of the crossing that is looked for
     double gradient;  // the max_gradient in force
+    double steepest = 0;  // slope between the ends of any node
 
     double known_t[2] = {-1, -1}, known[2] = {0, 0};  // the last values given by end_field
     int oldest = 0;
@@ -85,26 +97,63 @@ class Isosurface final : public Primitive<Isosurface> {
     return result;
   }
 
+  // False: the container is missed.
   template <class Sink>
-  void trace(const Ray& ray, Search& search, Sink& sink) const;
+  bool trace(const Ray& ray, Search& search, Sink& sink) const;
+  template <class Sink>
+  void trace(const Ray& ray, Search& search, const ContainerSpan& span, Sink& sink) const;
 
-  void raise_gradient(double g) const {
-    double known = adapted_gradient_.load(std::memory_order_relaxed);
-    while (g > known && !adapted_gradient_.compare_exchange_weak(known, g, std::memory_order_relaxed)) {
+  static void raise(std::atomic<double>& largest, double v) {
+    double known = largest.load(std::memory_order_relaxed);
+    while (v > known && !largest.compare_exchange_weak(known, v, std::memory_order_relaxed)) {
     }
   }
+  static void add(std::atomic<double>& sum, double v) {
+    double known = sum.load(std::memory_order_relaxed);
+    while (!sum.compare_exchange_weak(known, known + v, std::memory_order_relaxed)) {
+    }
+  }
+  std::string gradient_finding() const;
+  std::string evaluate_finding() const;
 
   scene::Isosurface surface_;
   double max_gradient_;
   int max_trace_;
   // `evaluate`: the largest slope any ray needed so far (spec 04 6.4).
   mutable std::atomic<double> adapted_gradient_{surface_.max_gradient};
+  // What the rays found, for the author of the scene (spec 04 6.7).
+  mutable std::atomic<double> steepest_{0}, largest_raise_{0}, sum_of_gradients_{0};
+  mutable std::atomic<std::uint64_t> rays_{0};
 };
 
+std::string Isosurface::gradient_finding() const {
+  const double found = steepest_, set = max_gradient_;
+  if (!(found > kEpsilon && set > kEpsilon)) return {};
+  const double too_much = set - found, ratio = set / found;
+  const std::string start = fmt::format("The maximum gradient found was {:.3f}, but max_gradient of the isosurface was set to {:.3f}. ", found, set);
+  if ((ratio <= 0.9 && too_much <= -0.5) || ((ratio <= 0.95 || too_much <= -0.1) && set < 10))
+    return start + "The isosurface may contain holes! Adjust max_gradient to get a proper rendering of the isosurface.";
+  if (too_much >= 10 || (ratio >= 1.1 && too_much >= 0.5)) return start + "Adjust max_gradient to get a faster rendering of the isosurface.";
+  return {};
+}
+
+std::string Isosurface::evaluate_finding() const {
+  const double largest = adapted_gradient_, variation = largest_raise_;
+  if (rays_ == 0 || !(surface_.evaluate->x > largest || surface_.evaluate->y > largest / (largest - variation))) return {};
+  return fmt::format("Evaluate found a maximum gradient of {:.3f} and an average gradient of {:.3f}. The maximum gradient variation was {:.3f}.", largest,
+                     sum_of_gradients_ / static_cast<double>(rays_), variation);
+}
+
 template <class Sink>
-void Isosurface::trace(const Ray& ray, Search& search, Sink& sink) const {
+bool Isosurface::trace(const Ray& ray, Search& search, Sink& sink) const {
   ContainerSpan span;
-  if (!intersect_container(surface_.container, search.origin, search.direction, span)) return;
+  if (!intersect_container(surface_.container, search.origin, search.direction, span)) return false;
+  trace(ray, search, span, sink);
+  return true;
+}
+
+template <class Sink>
+void Isosurface::trace(const Ray& ray, Search& search, const ContainerSpan& span, Sink& sink) const {
   const double a = surface_.accuracy, gap = 5 * a, near_zero = 4 * search.gradient * a;
   double begin = std::max(span.enter, 0.0), end = span.leave;
   const auto report = [&](double t, int face) { return sink.add(t, [&] { return ray.at(t); }, face); };
@@ -163,16 +212,22 @@ bool Isosurface::Search::find(double begin, double end, double& t) {
     double begin, width, value0, value1, slope;
     int depth;
   };
+  double largest = 0;  // change of the function over a node, for its width
+  const auto ended = [&](bool found) {
+    if (largest > steepest * speed) steepest = largest / speed;
+    return found;
+  };
   Node waiting[kMaxDepth + 1];  // right halves
   int count = 0;
   Node node{begin, end - begin, h0, h1, gradient, 0};
   for (;;) {
     bool split = false;
+    if (const double rise = std::fabs(node.value1 - node.value0); rise > largest * node.width) largest = rise / node.width;
     const double slope = adapted(node.slope, node.value0, node.value1, node.width);
     if (node.width < accuracy || node.depth == kMaxDepth) {
       if (node.value1 < 0) {
         t = node.begin + node.width;
-        return true;
+        return ended(true);
       }
     } else if (node.value0 + node.value1 < slope * speed * node.width) {
       split = true;
@@ -182,7 +237,7 @@ bool Isosurface::Search::find(double begin, double end, double& t) {
       waiting[count++] = {middle, half, value, node.value1, slope, node.depth + 1};
       node = {node.begin, half, node.value0, value, slope, node.depth + 1};
     } else {
-      if (count == 0) return false;
+      if (count == 0) return ended(false);
       node = waiting[--count];
     }
   }

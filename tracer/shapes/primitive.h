@@ -45,6 +45,7 @@ class AllHits {
     hits_.push_back({t, p, &shape_, part, u, v});
     return true;
   }
+  static constexpr bool any() { return false; }
   // The point is cut away by clipped_by; `add` would refuse it.
   bool clipped(const Vec3& p) const { return guards_ && !guards_->contain(p); }
   static constexpr double lower() { return -std::numeric_limits<double>::infinity(); }
@@ -75,6 +76,7 @@ class NearestHit {
   }
   bool clipped(const Vec3& p) const { return guards_ && !guards_->contain(p); }
   bool found() const { return found_; }
+  bool any() const { return any_; }
   // Hits outside lower() .. upper() (world distances) need not be reported.
   double lower() const { return t_min_; }
   double upper() const { return t_max_; }

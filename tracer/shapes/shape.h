@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tracer/math/ray_row.h"
@@ -87,6 +88,9 @@ class Shape {
   virtual Box3 bounds() const = 0;
   // Conservative: see SolidExtent. The default knows nothing.
   virtual SolidExtent solid_extent() const { return {everywhere(), false}; }
+
+  // What the rays so far tell the author of the scene about this shape; mostly nothing.
+  virtual std::string finding() const { return {}; }
 
   // Children of a CSG object, of a light_group or the looks_like of a light; empty for primitives.
   virtual std::span<const std::unique_ptr<Shape>> children() const { return {}; }

@@ -76,7 +76,7 @@ class Wave {
   void add_leaves(int i, const textures::CompiledTexture& texture, const Materials& found);
   void find_parts(int count);
   void find_layers(int* leaves, int n);
-  void find_colors_and_normals(const Material& material, const int* leaves, int n, Color* colors, bool* colored, Vec3* normals);
+  void find_colors_and_normals(const Material& material, const int* leaves, int n);
   void add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point, float weight);
   Part& add_part(Leaf& leaf);
   void add_mirror(const Leaf& leaf, Part& part);
@@ -106,6 +106,9 @@ class Wave {
   std::vector<Leaf> leaves_;
   std::vector<Part> parts_;
   std::vector<Tracer::ShadedLayer> mirrors_;
+  Vec3 normals_[kMost];   // of one layer at some leaves
+  Color colors_[kMost];
+  bool colored_[kMost];
   double x_ = 0, y_ = 0;  // the pixel of the first ray
   int count_ = 0;       // of surfaces
   bool any_phong_ = false, any_blinn_ = false, any_metallic_ = false, tinted_ = false;

@@ -160,21 +160,19 @@ void Wave::find_parts(int count) {
 void Wave::find_layers(int* leaves, int n) {
   for (const Material& material : *leaves_[static_cast<std::size_t>(leaves[0])].materials) {
     if (n == 0) return;
-    Vec3 normals[kMost];
-    Color colors[kMost];
-    bool colored[kMost];
-    find_colors_and_normals(material, leaves, n, colors, colored, normals);
+    find_colors_and_normals(material, leaves, n);
     int still = 0;
     for (int k = 0; k < n; ++k) {
       Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
-      const Color& c = colors[k];
-      if (!colored[k] || !(std::fabs(dot(normals[k], lanes_.camera.direction.at(leaf.ray))) < 1e30) || !is_finite(c.rgb()) || !is_finite({c.f, c.t, 0})) {
+      const Color& c = colors_[k];
+      const bool finite = !material.layer->normal || std::fabs(dot(normals_[k], lanes_.camera.direction.at(leaf.ray))) < 1e30;  // otherwise known since `meet`
+      if (!colored_[k] || !finite || !is_finite(c.rgb()) || !is_finite({c.f, c.t, 0})) {
         met_[leaf.ray].together = false;
         continue;
       }
       Part& part = add_part(leaf);
       part.material = &material;
-      part.normal = normals[k];
+      part.normal = normals_[k];
       part.color = c;
       part.opacity = surface_opacity(c, scene_.version);
       part.filter = leaf.filter;
@@ -191,7 +189,7 @@ void Wave::find_layers(int* leaves, int n) {
 }
 
 // Normals first: they leave their trace in what patterns see (Tracer::layer_normal).
-void Wave::find_colors_and_normals(const Material& material, const int* leaves, int n, Color* colors, bool* colored, Vec3* normals) {
+void Wave::find_colors_and_normals(const Material& material, const int* leaves, int n) {
   textures::PointRow points;
   textures::SurfacePoint* surfaces[kMost];
   const textures::CompiledNormal* const perturbed = material.layer->normal;
@@ -201,15 +199,15 @@ void Wave::find_colors_and_normals(const Material& material, const int* leaves, 
     points.set(k, leaf.point);
     surfaces[k] = &at.texture_point;
     if (perturbed) at.texture_point.normal = leaf.around ? textures::enter_frame(*leaf.around, at.raw) : at.raw;
-    else normals[k] = at.raw;
+    else normals_[k] = at.raw;
   }
   points.fill_up(n);
   if (perturbed) {
-    textures::perturb(*perturbed, n, points, surfaces, normals);
+    textures::perturb(*perturbed, n, points, surfaces, normals_);
     for (int k = 0; k < n; ++k)
-      if (const auto* around = leaves_[static_cast<std::size_t>(leaves[k])].around) normals[k] = textures::leave_frame(*around, normals[k]);
+      if (const auto* around = leaves_[static_cast<std::size_t>(leaves[k])].around) normals_[k] = textures::leave_frame(*around, normals_[k]);
   }
-  textures::evaluate(*material.layer->pigment, n, points, surfaces, colors, colored);
+  textures::evaluate(*material.layer->pigment, n, points, surfaces, colors_, colored_);
 }
 
 }  // namespace verisim::shading

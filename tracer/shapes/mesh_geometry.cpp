@@ -1,7 +1,10 @@
 #include "tracer/shapes/mesh_geometry.h"
 
+#include <algorithm>
 #include <mutex>
 #include <unordered_map>
+
+#include "tracer/parallel.h"
 
 namespace verisim::shapes {
 
@@ -72,26 +75,32 @@ MeshGeometry::MeshGeometry(std::shared_ptr<const scene::MeshData> data) : data_(
     return box;
   };
   tree_ = accel::BoxTree(d.triangles.size(), box_of, kLeafSize);
-  triangles_.reserve(tree_.order().size());
-  for (const std::uint32_t id : tree_.order()) {
-    const scene::MeshTriangle& t = d.triangles[id];
-    const Vec3 &v1 = d.vertices[t.vertex[0]], &v2 = d.vertices[t.vertex[1]], &v3 = d.vertices[t.vertex[2]];
-    const Vec3 n = plane_normal(v1, v2, v3);
-    const int axis = dominant_axis(n), i = axis == 0 ? 1 : 0, j = axis == 2 ? 1 : 2;
-    Triangle triangle;
-    for (int k = 0; k < 3; ++k) triangle.normal[k] = static_cast<float>(n[k]);
-    triangle.constant = static_cast<float>(-dot(n, v1));
-    triangle.id_and_axis = id | static_cast<std::uint32_t>(axis) << 30;
-    Vec3 p1 = f32(v1), p2 = f32(v2);
-    const Vec3 p3 = f32(v3);
-    if (exchanged(p1, p2, p3, axis)) std::swap(p1, p2);
-    const Vec3* const corner[3] = {&p1, &p2, &p3};
-    for (int k = 0; k < 3; ++k) {
-      triangle.corner[k][0] = static_cast<float>((*corner[k])[i]);
-      triangle.corner[k][1] = static_cast<float>((*corner[k])[j]);
-    }
-    triangles_.push_back(triangle);
+  const std::vector<std::uint32_t>& order = tree_.order();
+  triangles_ = std::make_unique_for_overwrite<Triangle[]>(order.size());
+  constexpr std::size_t kTogether = 4096;
+  parallel_for((order.size() + kTogether - 1) / kTogether, 1, [&](std::size_t part) {
+    for (std::size_t i = part * kTogether; i < std::min(order.size(), (part + 1) * kTogether); ++i) triangles_[i] = prepared(order[i]);
+  });
+}
+
+MeshGeometry::Triangle MeshGeometry::prepared(std::uint32_t id) const {
+  const scene::MeshTriangle& t = data_->triangles[id];
+  const Vec3 &v1 = data_->vertices[t.vertex[0]], &v2 = data_->vertices[t.vertex[1]], &v3 = data_->vertices[t.vertex[2]];
+  const Vec3 n = plane_normal(v1, v2, v3);
+  const int axis = dominant_axis(n), i = axis == 0 ? 1 : 0, j = axis == 2 ? 1 : 2;
+  Triangle triangle;
+  for (int k = 0; k < 3; ++k) triangle.normal[k] = static_cast<float>(n[k]);
+  triangle.constant = static_cast<float>(-dot(n, v1));
+  triangle.id_and_axis = id | static_cast<std::uint32_t>(axis) << 30;
+  Vec3 p1 = f32(v1), p2 = f32(v2);
+  const Vec3 p3 = f32(v3);
+  if (exchanged(p1, p2, p3, axis)) std::swap(p1, p2);
+  const Vec3* const corner[3] = {&p1, &p2, &p3};
+  for (int k = 0; k < 3; ++k) {
+    triangle.corner[k][0] = static_cast<float>((*corner[k])[i]);
+    triangle.corner[k][1] = static_cast<float>((*corner[k])[j]);
   }
+  return triangle;
 }
 
 std::array<int, 3> MeshGeometry::corners(std::uint32_t i) const {

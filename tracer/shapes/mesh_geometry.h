@@ -60,8 +60,10 @@ class MeshGeometry {
   int crossings(const Vec3& origin, const Vec3& direction) const;
 
  private:
+  Triangle prepared(std::uint32_t id) const;
+
   std::shared_ptr<const scene::MeshData> data_;
-  std::vector<Triangle> triangles_;  // in the order of the tree's leaves
+  std::unique_ptr<Triangle[]> triangles_;  // in the order of the tree's leaves
   accel::BoxTree tree_;
 };
 

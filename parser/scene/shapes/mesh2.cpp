@@ -149,7 +149,7 @@ class Mesh2Reader {
     const double count = open_list();
     if (count == 0) parser.error("No triangles in triangle mesh.");
     const std::size_t size = checked_count(parser, count, "faces", sizeof(MeshTriangle));
-    data->triangles.reserve(std::min<std::size_t>(size, 1 << 20));
+    data->triangles.reserve(std::min<std::size_t>(size, 1 << 22));  // pages that stay empty cost nothing
     const std::size_t vertices = data->vertices.size();
     for (std::size_t i = 0; i < size; ++i) {
       MeshTriangle t;

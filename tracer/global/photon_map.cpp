@@ -27,6 +27,10 @@ inline bool is_near(const Photon& p, const Vec3& point, const Vec3* normal, doub
 
 void PhotonMap::build() {
   sort_photons(photons_);
+  build_sorted();
+}
+
+void PhotonMap::build_sorted() {
   planes_.build(photons_);
   tree_.build(photons_.size(), [this](std::size_t i) { return photons_[i].position; });
 }
@@ -264,6 +268,8 @@ void read_map(std::ifstream& file, std::uintmax_t bytes_left, PhotonMap& map) {
     Photon p;
     std::copy_n(record.begin(), 12, reinterpret_cast<char*>(p.position.data()));
     std::copy_n(record.begin() + 12, 4, reinterpret_cast<char*>(p.energy.data()));
+    p.axis = static_cast<std::uint8_t>(record[16]);
+    if (p.axis > 2) throw std::runtime_error("photon file is corrupt");
     p.elevation = static_cast<std::int8_t>(record[17]), p.azimuth = static_cast<std::int8_t>(record[18]);
     if (!std::isfinite(p.position[0] + p.position[1] + p.position[2])) throw std::runtime_error("photon file is corrupt");
     map.add(p);
@@ -288,7 +294,7 @@ void load_photons(const std::filesystem::path& path, PhotonMap& surface, PhotonM
   std::ifstream file(path, std::ios::binary);
   if (error || !file) throw std::runtime_error("cannot read photon file " + path.string());
   read_map(file, size, surface), read_map(file, size, media);
-  surface.build(), media.build();
+  surface.build_sorted(), media.build_sorted();
 }
 
 }  // namespace verisim::global

@@ -22,6 +22,7 @@ class PhotonMap {
 
   // Sorts the photons into a balanced tree (node of [a,b] at (a+b)/2). Call once, before any search.
   void build();
+  void build_sorted();  // the same for photons that are in the order of a file
   // The gather radius: `user` if positive, else estimated from the density around photons that `random` picks; times multiplier (and 2 for media).
   void set_gather_radius(double user, double multiplier, int gather_max, bool media, CLibraryRandom& random);
   double gather_radius() const { return radius_; }
@@ -76,7 +77,7 @@ class PhotonMap {
   double radius_ = 0;
 };
 
-// POV-Ray's map file (spec 07 3.9): surface map first, media map second. Throw std::runtime_error; `load` builds the trees it reads anew.
+// POV-Ray's map file (spec 07 3.9): surface map first, media map second. Throw std::runtime_error; a map is used in the order of its file, which need not be a tree.
 void save_photons(const std::filesystem::path& path, const PhotonMap& surface, const PhotonMap& media);
 void load_photons(const std::filesystem::path& path, PhotonMap& surface, PhotonMap& media);
 

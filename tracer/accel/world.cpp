@@ -156,7 +156,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     const bool boxless = e.infinite || is_empty(e.box) || (w.in_order && exempt_from_box_test(o));
     e.test_box = !is_empty(e.box) && (boxless || w.in_order) && !cheaper_than_box_test(o) && !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
-    e.test_surface = !never && boxless && within_finite_box(*shape);
+    e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;
     if (waits) finite_after_all.push_back(static_cast<std::uint32_t>(i));
     else if (!never && (boxless || w.in_order)) w.add_beside_tree(static_cast<std::uint32_t>(i), e);

@@ -26,6 +26,10 @@ namespace verisim {
 // body throws is thrown here once the running tasks have ended. The order is unspecified: a result must not depend on it.
 template <class Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
+  if (count <= grain) {
+    for (std::size_t i = 0; i < count; ++i) body(i);
+    return;
+  }
 #ifdef __SANITIZE_THREAD__
   std::atomic<std::size_t> next{0};
   std::mutex mutex;

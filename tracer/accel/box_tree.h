@@ -17,6 +17,7 @@
 #include "tracer/accel/box_node.h"
 #include "tracer/accel/box_tree_builder.h"
 #include "tracer/math/vec.h"
+#include "tracer/parallel.h"
 
 namespace verisim::accel {
 
@@ -102,25 +103,49 @@ class BoxTree {
 
 template <class BoxOf>
 BoxTree::BoxTree(std::size_t count, BoxOf&& box, unsigned leaf_size) {
-  std::size_t used = 0;
+  constexpr std::size_t kRun = 65536;  // primitives that one task looks at; fixed, so that the tree is the same for any number of threads
+  struct Run {
+    Box3 bounds;
+    std::size_t used = 0;
+    std::vector<BuildItem> items;
+  };
+  std::vector<Run> runs((count + kRun - 1) / kRun);
+  const auto each_box = [&](std::size_t r, auto use) {
+    for (std::size_t i = r * kRun; i < std::min(count, (r + 1) * kRun); ++i)
+      if (const Box3 b = box(i); usable(b)) use(i, b);
+  };
+  parallel_for(runs.size(), 1, [&](std::size_t r) {
+    each_box(r, [&](std::size_t, const Box3& b) {
+      runs[r].bounds.extendBy(b);
+      ++runs[r].used;
+    });
+  });
   Box3 bounds;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Box3 b = box(i);
-    if (!usable(b)) continue;
-    bounds.extendBy(b);
-    ++used;
-  }
-  if (used == 0) return;
+  for (const Run& run : runs)
+    if (run.used > 0) bounds.extendBy(run.bounds);
+  if (is_empty(bounds)) return;
   set_bounds(bounds);
+  parallel_for(runs.size(), 1, [&](std::size_t r) {
+    std::vector<BuildItem>& items = runs[r].items;
+    items.reserve(leaf_size > 1 ? runs[r].used / 2 + runs[r].used / 16 + 1 : runs[r].used);
+    each_box(r, [&](std::size_t i, const Box3& b) {
+      const BuildItem item = item_of(b, i);
+      // Neighbours in the list that are neighbours in space, as in most meshes, stay together: half of the work.
+      if (leaf_size > 1 && !items.empty() && merge_if_close(items.back(), item)) return;
+      items.push_back(item);
+    });
+  });
   std::vector<BuildItem> items;
-  items.reserve(leaf_size > 1 ? used / 2 + used / 16 + 1 : used);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Box3 b = box(i);
-    if (!usable(b)) continue;
-    const BuildItem item = item_of(b, i);
-    // Neighbours in the list that are neighbours in space, as in most meshes, stay together: half of the work.
-    if (leaf_size > 1 && !items.empty() && merge_if_close(items.back(), item)) continue;
-    items.push_back(item);
+  if (runs.size() == 1) {
+    items = std::move(runs[0].items);
+  } else {
+    std::size_t total = 0;
+    for (const Run& run : runs) total += run.items.size();
+    items.reserve(total);
+    for (Run& run : runs) {
+      items.insert(items.end(), run.items.begin(), run.items.end());
+      run.items = {};
+    }
   }
   build(items, leaf_size);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 
 #include "tracer/parallel.h"
 
@@ -56,7 +57,7 @@ struct Split {
 
 class Builder {
  public:
-  Builder(std::vector<BuildItem>& items, unsigned leaf_size) : all_(items), items_(items.data()), leaf_size_(leaf_size), spare_(items.size()) {}
+  Builder(std::vector<BuildItem>& items, unsigned leaf_size) : items_(items), leaf_size_(leaf_size), spare_(items.size()) {}
 
   Range whole(std::size_t count) {
     Range range;
@@ -65,9 +66,34 @@ class Builder {
     return range;
   }
 
-  // Fills out.nodes[place] with the children of `range`.
-  void node(const Range& range, std::uint32_t place, int depth, BuiltTree& out) {
-    Range child[4];
+  // The tree of everything.
+  BuiltTree tree() {
+    BuiltTree built;
+    built.nodes.emplace_back().clear();
+    const Range all = whole(items_.size());
+    if (all.size() <= kParallel) {
+      node(all, 0, 0, built);
+      return built;
+    }
+    Subtree root;
+    upper(all, 0, root);
+    // What only splits needed goes before nodes are copied: not all at once in memory.
+    std::vector<BuildItem>().swap(spare_);
+    std::vector<BuildItem>().swap(items_);
+    join(root, built);
+    return built;
+  }
+
+ private:
+  // A range of so many items that its parts are built by several threads, or one of those parts.
+  struct Subtree {
+    BuiltTree own;  // of an upper range: its one node; of a leaf: its boxes alone
+    std::unique_ptr<Subtree> child[4];
+    std::uint32_t first_node = 0, first_box = 0;  // in the whole tree
+  };
+
+  // Cuts a range into up to four; returns how many.
+  int divide(const Range& range, int depth, Range (&child)[4]) {
     child[0] = range;
     if (range.size() == 1) child[0].leaf = true;
     int count = 1;
@@ -84,24 +110,15 @@ class Builder {
       Range right;
       if (split(child[widest], right, depth)) child[count++] = right;
     }
-    for (int i = 0; i < count; ++i) set_box(out.nodes[place], i, child[i].bounds);
-    if (range.size() > kParallel) {
-      BuiltTree part[4];
-      parallel_for(static_cast<std::size_t>(count), 1, [&](std::size_t i) {
-        if (child[i].leaf) return;
-        part[i].nodes.reserve(child[i].size() / 2);
-        part[i].nodes.emplace_back().clear();
-        node(child[i], 0, depth + 1, part[i]);
-      });
-      if (depth == 0) release(std::none_of(child, child + count, [](const Range& c) { return c.leaf; }));
-      for (int i = 0; i < count; ++i) {
-        const std::uint32_t root = child[i].leaf ? leaf(child[i], out) : append(out, part[i]);
-        out.nodes[place].child[i] = root;
-        part[i] = {};  // large trees: not all twice in memory
-      }
-      return;
-    }
+    return count;
+  }
+
+  // Fills out.nodes[place] with the children of `range`.
+  void node(const Range& range, std::uint32_t place, int depth, BuiltTree& out) {
+    Range child[4];
+    const int count = divide(range, depth, child);
     for (int i = 0; i < count; ++i) {
+      set_box(out.nodes[place], i, child[i].bounds);
       if (child[i].leaf) {
         out.nodes[place].child[i] = leaf(child[i], out);
         continue;
@@ -113,17 +130,74 @@ class Builder {
     }
   }
 
- private:
+  // The same for a range of more than kParallel items.
+  void upper(const Range& range, int depth, Subtree& out) {
+    Range child[4];
+    const int count = divide(range, depth, child);
+    BoxNode& root = out.own.nodes.emplace_back();
+    root.clear();
+    for (int i = 0; i < count; ++i) set_box(root, i, child[i].bounds);
+    parallel_for(static_cast<std::size_t>(count), 1, [&](std::size_t i) {
+      Subtree& part = *(out.child[i] = std::make_unique<Subtree>());
+      if (child[i].leaf) {
+        root.child[i] = leaf(child[i], part.own);
+      } else if (child[i].size() > kParallel) {
+        upper(child[i], depth + 1, part);
+      } else {
+        part.own.nodes.reserve(child[i].size() / 2);
+        part.own.nodes.emplace_back().clear();
+        node(child[i], 0, depth + 1, part.own);
+      }
+    });
+  }
+
+  // Puts the parts one behind the other, and lets nodes and leaves name their places there. The parts are used up.
+  void join(Subtree& root, BuiltTree& out) const {
+    std::vector<Subtree*> parts;
+    std::uint32_t nodes = 0, boxes = 0;
+    const auto place = [&](const auto& self, Subtree& part) -> void {
+      part.first_node = nodes, part.first_box = boxes;
+      nodes += static_cast<std::uint32_t>(part.own.nodes.size()), boxes += static_cast<std::uint32_t>(part.own.order.size());
+      parts.push_back(&part);
+      for (int i = 0; i < 4 && part.child[i]; ++i) {
+        Subtree& child = *part.child[i];
+        self(self, child);
+        if (std::uint32_t& name = part.own.nodes[0].child[i]; child.own.nodes.empty()) {
+          if (leaf_size_ > 1) name += child.first_box;
+        } else {
+          name = child.first_node;
+        }
+      }
+    };
+    place(place, root);
+    out.nodes.resize(nodes);
+    out.order.resize(boxes);
+    parallel_for(parts.size(), 1, [&](std::size_t k) {
+      Subtree& part = *parts[k];
+      std::copy(part.own.order.begin(), part.own.order.end(), out.order.begin() + part.first_box);
+      BoxNode* to = out.nodes.data() + part.first_node;
+      std::copy(part.own.nodes.begin(), part.own.nodes.end(), to);
+      if (!part.child[0]) {
+        for (std::size_t i = 0; i < part.own.nodes.size(); ++i) rename(to[i], part.first_node, part.first_box);
+      }
+      part.own = {};
+    });
+  }
+  void rename(BoxNode& node, std::uint32_t first_node, std::uint32_t first_box) const {
+    for (int k = 0; k < 4; ++k) {
+      if (node.planes[0][k] > node.planes[3][k]) continue;  // no child
+      if (!(node.child[k] & BoxNode::kLeaf)) {
+        node.child[k] += first_node;
+      } else if (leaf_size_ > 1) {
+        node.child[k] += first_box;
+      }
+    }
+  }
+
   static void set_box(BoxNode& node, int k, const Bounds& b) {
     alignas(16) float low[4], high[4];
     b.low.store(low), b.high.store(high);
     for (int i = 0; i < 3; ++i) node.planes[i][k] = low[i], node.planes[3 + i][k] = high[i];
-  }
-
-  // Everything below the root is built: what only its splits needed goes before nodes are copied; the items, too, unless one is still to be named.
-  void release(bool items_too) {
-    std::vector<BuildItem>().swap(spare_);
-    if (items_too) std::vector<BuildItem>().swap(all_);
   }
 
   std::uint32_t leaf(const Range& range, BuiltTree& out) const {
@@ -132,24 +206,6 @@ class Builder {
     for (std::size_t i = range.begin; i < range.end; ++i)
       for (std::uint32_t k = 0; k < items_[i].count(); ++k) out.order.push_back(items_[i].first() + k);
     return BoxNode::leaf(first, range.boxes);
-  }
-
-  std::uint32_t append(BuiltTree& out, const BuiltTree& part) const {
-    const auto nodes = static_cast<std::uint32_t>(out.nodes.size()), boxes = static_cast<std::uint32_t>(out.order.size());
-    out.nodes.insert(out.nodes.end(), part.nodes.begin(), part.nodes.end());
-    out.order.insert(out.order.end(), part.order.begin(), part.order.end());
-    for (std::size_t i = nodes; i < out.nodes.size(); ++i) {
-      for (int k = 0; k < 4; ++k) {
-        if (out.nodes[i].planes[0][k] > out.nodes[i].planes[3][k]) continue;  // no child
-        std::uint32_t& child = out.nodes[i].child[k];
-        if (!(child & BoxNode::kLeaf)) {
-          child += nodes;
-        } else if (leaf_size_ > 1) {
-          child += boxes;
-        }
-      }
-    }
-    return nodes;
   }
 
   // Divides `range`, whose left part stays in it; false: it is a leaf now.
@@ -187,7 +243,7 @@ class Builder {
     Split best;
     best.axis = extent[0] > extent[1] ? (extent[0] > extent[2] ? 0 : 2) : (extent[1] > extent[2] ? 1 : 2);
     const int a = best.axis;
-    BuildItem* const first = items_ + range.begin;
+    BuildItem* const first = items_.data() + range.begin;
     const std::size_t n = range.size();
     for (std::size_t i = 1; i < n; ++i) {
       const BuildItem item = first[i];
@@ -261,7 +317,7 @@ class Builder {
 
   void partition(Range& range, Range& right, const Split& split) {
     Range side[2];
-    BuildItem *left_end = items_ + range.begin, *right_end = spare_.data() + range.begin;
+    BuildItem *left_end = items_.data() + range.begin, *right_end = spare_.data() + range.begin;
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const BuildItem item = items_[i];
       const bool is_right = split.bin_of(item) >= split.bin;
@@ -269,7 +325,7 @@ class Builder {
       left_end += !is_right, right_end += is_right;
       side[is_right].add(item);
     }
-    const auto middle = static_cast<std::size_t>(left_end - items_);
+    const auto middle = static_cast<std::size_t>(left_end - items_.data());
     std::memcpy(left_end, spare_.data() + range.begin, (range.end - middle) * sizeof(BuildItem));
     side[0].begin = range.begin, side[0].end = side[1].begin = middle, side[1].end = range.end;
     range = side[0], right = side[1];
@@ -284,21 +340,13 @@ class Builder {
     range = left;
   }
 
-  std::vector<BuildItem>& all_;
-  BuildItem* const items_;
+  std::vector<BuildItem>& items_;
   const unsigned leaf_size_;
   std::vector<BuildItem> spare_;
 };
 
 }  // namespace
 
-BuiltTree build_box_tree(std::vector<BuildItem>& items, unsigned leaf_size) {
-  BuiltTree tree;
-  Builder builder(items, leaf_size);
-  tree.nodes.reserve(items.size() / 2 + 1);
-  tree.nodes.emplace_back().clear();
-  builder.node(builder.whole(items.size()), 0, 0, tree);
-  return tree;
-}
+BuiltTree build_box_tree(std::vector<BuildItem>& items, unsigned leaf_size) { return Builder(items, leaf_size).tree(); }
 
 }  // namespace verisim::accel

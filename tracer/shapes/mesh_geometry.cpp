@@ -11,6 +11,7 @@ namespace verisim::shapes {
 namespace {
 
 constexpr unsigned kLeafSize = 4;
+constexpr std::size_t kTask = 16384;  // triangles
 
 double f32(double v) { return static_cast<float>(v); }
 Vec3 f32(const Vec3& v) { return {f32(v.x), f32(v.y), f32(v.z)}; }
@@ -77,10 +78,7 @@ MeshGeometry::MeshGeometry(std::shared_ptr<const scene::MeshData> data) : data_(
   tree_ = accel::BoxTree(d.triangles.size(), box_of, kLeafSize);
   const std::vector<std::uint32_t>& order = tree_.order();
   triangles_ = std::make_unique_for_overwrite<Triangle[]>(order.size());
-  constexpr std::size_t kTogether = 4096;
-  parallel_for((order.size() + kTogether - 1) / kTogether, 1, [&](std::size_t part) {
-    for (std::size_t i = part * kTogether; i < std::min(order.size(), (part + 1) * kTogether); ++i) triangles_[i] = prepared(order[i]);
-  });
+  parallel_for(order.size(), kTask, [&](std::size_t i) { triangles_[i] = prepared(order[i]); });
 }
 
 MeshGeometry::Triangle MeshGeometry::prepared(std::uint32_t id) const {
@@ -192,11 +190,19 @@ int MeshGeometry::crossings(const Vec3& origin, const Vec3& direction) const {
 }
 
 Box3 mesh_vertex_box(const scene::MeshData& data) {
+  std::vector<Box3> parts((data.triangles.size() + kTask - 1) / kTask);
+  parallel_for(parts.size(), 1, [&](std::size_t part) {
+    Box3 box;
+    for (std::size_t i = part * kTask; i < std::min(data.triangles.size(), (part + 1) * kTask); ++i) {
+      const scene::MeshTriangle& t = data.triangles[i];
+      if (!valid(data, t)) continue;
+      for (const std::uint32_t v : t.vertex) box.extendBy(f32(data.vertices[v]));
+    }
+    parts[part] = box;
+  });
   Box3 box;
-  for (const scene::MeshTriangle& t : data.triangles) {
-    if (!valid(data, t)) continue;
-    for (const std::uint32_t v : t.vertex) box.extendBy(f32(data.vertices[v]));
-  }
+  for (const Box3& part : parts)
+    if (!part.isEmpty()) box.extendBy(part);
   if (box.isEmpty()) box = Box3(Vec3(0), Vec3(0));
   return box;
 }

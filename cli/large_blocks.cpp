@@ -1,0 +1,42 @@
+// Large blocks of memory in huge pages: a mesh of millions of triangles fills hundreds of MiB once, and a third of the time until its first pixel went into
+// page faults of 4 KiB each. Part of the program, not of the libraries: whoever embeds those chooses an allocator.
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+constexpr std::size_t kHugePage = std::size_t{2} << 20;
+constexpr std::size_t kLarge = 2 * kHugePage;
+
+// Blocks of any alignment: what free() takes, so that delete need not know which they are.
+void* allocate(std::size_t size, std::size_t alignment) {
+  for (;;) {
+    void* block;
+    if (size >= kLarge) {
+      block = std::aligned_alloc(std::max(alignment, kHugePage), (size + kHugePage - 1) / kHugePage * kHugePage);
+      if (block) ::madvise(block, size, MADV_HUGEPAGE);  // advice: where there are none, small pages do
+    } else if (alignment > __STDCPP_DEFAULT_NEW_ALIGNMENT__) {
+      block = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+    } else {
+      block = std::malloc(size == 0 ? 1 : size);
+    }
+    if (block) return block;
+    const std::new_handler handler = std::get_new_handler();
+    if (!handler) throw std::bad_alloc();
+    handler();
+  }
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return allocate(size, 1); }
+void* operator new(std::size_t size, std::align_val_t alignment) { return allocate(size, static_cast<std::size_t>(alignment)); }
+void operator delete(void* block) noexcept { std::free(block); }
+void operator delete(void* block, std::size_t) noexcept { std::free(block); }
+void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }
+void operator delete(void* block, std::size_t, std::align_val_t) noexcept { std::free(block); }
+#endif

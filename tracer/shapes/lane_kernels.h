@@ -16,6 +16,12 @@ struct alignas(64) LaneHits {
   std::int64_t part[RayLanes::kCount];  // -1: not hit
 };
 
+// Primitive::local of eight rays.
+struct alignas(64) LocalLanes {
+  double ox[RayLanes::kCount], oy[RayLanes::kCount], oz[RayLanes::kCount], dx[RayLanes::kCount], dy[RayLanes::kCount], dz[RayLanes::kCount];
+  double scale[RayLanes::kCount];
+};
+
 // Quartics along rays in a torus's own space, and where they count from.
 struct alignas(64) TorusLanes {
   std::int64_t met[RayLanes::kCount];  // 0: the ray does not come near
@@ -25,6 +31,7 @@ struct alignas(64) TorusLanes {
 
 // `matrix`: from the shape's own space, null: none. Eight limits stand at t_max.
 struct LaneKernels {
+  void (*local)(const Transform* matrix, const RayLanes& rays, LocalLanes& lanes);
   void (*sphere)(const Vec3& center, double radius2, const Transform* matrix, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
   void (*box)(const Vec3& low, const Vec3& high, const Transform* matrix, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
   void (*cone)(bool cylinder, bool open, double narrow, const Transform* matrix, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);

@@ -5,6 +5,8 @@
 #include <limits>
 #include <memory>
 
+#include "tracer/shapes/poly_lanes.h"
+#include "tracer/shapes/sphere_sweep_lanes.h"
 #include "tracer/shapes/superellipsoid_lanes.h"
 #include "tracer/shapes/test_support.h"
 #include "tracer/textures/instruction_sets.h"
@@ -49,6 +51,44 @@ const Steps kMoved[] = {{}, [](Object& o) {
                           scene::transform(o, Transform::scaling({0.7, -1.2, 0.9}).then(Transform::rotation({20, 70, -40})).then(Transform::translation({0.2, 0.1, -0.3})));
                         }};
 
+struct Term {
+  int x, y, z;  // powers
+  double factor;
+};
+scene::Poly poly(int order, const std::vector<Term>& terms) {
+  scene::Poly result{order, {}};
+  for (int i = order; i >= 0; --i)
+    for (int j = order - i; j >= 0; --j)
+      for (int k = order - i - j; k >= 0; --k) {
+        result.coefficients.push_back(0);
+        for (const Term& t : terms)
+          if (t.x == i && t.y == j && t.z == k) result.coefficients.back() = t.factor;
+      }
+  return result;
+}
+
+// Shapes whose rays are roots of polynomials.
+void add_curved(const Steps& steps, std::vector<ObjectRef>& objects) {
+  objects.push_back(make(poly(2, {{2, 0, 0, 1}, {0, 2, 0, 2}, {0, 0, 1, 1}, {0, 0, 0, -0.5}}), steps));
+  objects.push_back(make(poly(3, {{3, 0, 0, 1}, {0, 3, 0, 1}, {0, 0, 2, 1}, {0, 1, 1, 0.5}, {0, 0, 0, -0.3}}), steps));
+  objects.push_back(make(poly(4, {{4, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 4, 1}, {2, 0, 0, -1}, {0, 2, 0, -1}, {0, 0, 2, -1}, {0, 0, 0, 0.4}}), steps));
+  objects.push_back(make(poly(5, {{5, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 2, 1}, {0, 0, 0, -0.2}}), steps));  // of lower degree along some rays
+  const std::vector<Term> cushion{{6, 0, 0, 1}, {0, 6, 0, 1}, {0, 0, 6, 1}, {1, 1, 0, 0.3}, {0, 0, 0, -0.7}};
+  objects.push_back(make(poly(6, cushion), steps));
+  objects.push_back(make(poly(6, cushion), [&](Object& o) {
+    if (steps) steps(o);
+    o.clipped_by.push_back(make(scene::Plane{{0, 1, 0}, 0.2}));
+    o.bounded_by.push_back(make(scene::Sphere{Vec3(0), 1}));
+  }));
+  objects.push_back(make(poly(14, {{14, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 2, 1}, {0, 0, 0, -0.5}}), steps));
+  const auto sweep = [&](scene::SplineKind spline, std::vector<Vec3> centers, std::vector<double> radii) {
+    objects.push_back(make(std::make_shared<const scene::SphereSweep>(scene::SphereSweep{spline, std::move(centers), std::move(radii), 1e-6}), steps));
+  };
+  sweep(scene::SplineKind::linear, {{-1, 0, 0}, {0.3, 0.8, 0.2}, {0.8, -0.3, 0.2}}, {0.3, 0.2, 0.5});
+  sweep(scene::SplineKind::b_spline, {{-1, 0, 0}, {-0.3, 0.8, 0.2}, {0.6, -0.7, 0.2}, {1, 0.8, 0}}, {0.6, 0.8, 0.9, 0.4});
+  sweep(scene::SplineKind::cubic, {{-1, -1, 0}, {-0.7, 0.4, 0.1}, {0, -0.3, 0.4}, {0.5, 0.6, -0.3}, {0.9, -0.2, 0}, {1, -1, 0.5}}, {0.2, 0.3, 0.4, 0.2, 0.3, 0.2});
+}
+
 std::vector<ObjectRef> solids() {
   std::vector<ObjectRef> objects;
   for (const Steps& steps : kMoved) {
@@ -66,6 +106,7 @@ std::vector<ObjectRef> solids() {
     objects.push_back(make(scene::Torus{0.9, 0.35}, steps));
     objects.push_back(make(scene::Torus{0.3, 0.6}, steps));
     for (const auto& [east, north] : {std::pair{0.4, 0.8}, {1.0, 1.0}, {2.0, 0.15}, {1.3, 2.0}, {2.5, 1.0}}) objects.push_back(make(scene::Superellipsoid{east, north}, steps));
+    add_curved(steps, objects);
     objects.push_back(make(scene::Sphere{Vec3(0), 0.8}, [&](Object& o) {
       if (steps) steps(o);
       o.clipped_by.push_back(make(scene::Plane{{0, 1, 0}, 0}));
@@ -149,6 +190,36 @@ TEST_P(LaneKernel, GivesTheSameBitsAsEveryOther) {
     }
   }
   EXPECT_GT(met, 10000);
+}
+
+TEST_P(LaneKernel, MakesTheSamePolynomialsAlongRays) {
+  const LaneKernels* kernels = lane_kernels(GetParam());
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  const Transform moved = Transform::scaling({0.7, -1.2, 0.9}).then(Transform::rotation({20, 70, -40}));
+  const scene::Poly surface = poly(6, {{6, 0, 0, 1}, {1, 2, 3, -0.7}, {0, 4, 1, 2}, {0, 0, 5, 0.3}, {2, 1, 0, 1}, {0, 0, 0, -1}});
+  std::vector<unsigned char> used(28, 1);
+  const SweepCubic cubic{{{0.1, -0.3, 0.2, 0.4}, {1, 0.5, -0.2, 0.1}, {-0.3, 0.8, 0.5, -0.2}, {0.2, -0.7, 0.3, 0.1}}, {0.55, 0.06, 0.26}};
+  Rays rays;
+  for (int round = 0; round < kRounds; ++round) {
+    rays.fill(round, round % 9);
+    const RayLanes lanes{*rays.rows, round % 9, 255};
+    LocalLanes local, plain_local;
+    kernels->local(round % 2 ? &moved : nullptr, lanes, local);
+    lane_kernels(textures::kBaseline)->local(round % 2 ? &moved : nullptr, lanes, plain_local);
+    PolyLanes a, b;
+    poly_along(GetParam())(6, surface.coefficients.data(), used.data(), local, a);
+    poly_along(textures::kBaseline)(6, surface.coefficients.data(), used.data(), plain_local, b);
+    ASSERT_EQ(a.size, 7);
+    ASSERT_EQ(b.size, 7);
+    SweepSideLanes c, d;
+    sweep_follow(GetParam())(cubic, local, c);
+    sweep_follow(textures::kBaseline)(cubic, plain_local, d);
+    for (int k = 0; k < kLanes; ++k) {
+      for (int i = 0; i < 7; ++i) ASSERT_TRUE(same(a.c[i][k], b.c[i][k]));
+      for (int i = 0; i < 11; ++i) ASSERT_TRUE(same(c.power[i][k], d.power[i][k]));
+      ASSERT_TRUE(same(c.moved[k], d.moved[k]));
+    }
+  }
 }
 
 TEST_P(LaneKernel, ApproachesASuperellipsoidInTheSameSteps) {

@@ -1,9 +1,10 @@
 // cubic, quartic, poly and polynomial (spec 03 4.9): sum of c x^i y^j z^k = 0, coefficients in order of falling powers of x, then y, then z.
 #include <algorithm>
 
-#include "tracer/math/bernstein.h"
+#include "tracer/math/bernstein_lanes.h"
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/poly_lanes.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -11,29 +12,7 @@ namespace {
 
 constexpr double kFarthestRoot = 1e7, kNearest = 1e-4, kElimination = 1e-4, kInsideThreshold = 1e-4;
 
-// A polynomial in the ray parameter, constant term first; size 0 is zero.
-struct Univariate {
-  double c[kMaxPolynomialDegree + 1];
-  int size = 0;
-
-  // this = this * (a + b t)
-  void multiply(double a, double b) {
-    if (size == 0) return;
-    c[size] = c[size - 1] * b;
-    for (int i = size - 1; i > 0; --i) c[i] = c[i] * a + c[i - 1] * b;
-    c[0] *= a;
-    ++size;
-  }
-  void add(double v) {
-    if (v == 0) return;
-    if (size == 0) c[size++] = 0;
-    c[0] += v;
-  }
-  void add(const Univariate& o) {
-    while (size < o.size) c[size++] = 0;
-    for (int i = 0; i < o.size; ++i) c[i] += o.c[i];
-  }
-};
+#include "tracer/shapes/poly_along.inc"
 
 class Poly final : public Primitive<Poly> {
  public:
@@ -53,15 +32,18 @@ class Poly final : public Primitive<Poly> {
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
-    double roots[kMaxPolynomialDegree];
-    const int n = order_ == 2 ? solve_order2(l, roots) : solve(l, roots);
-    for (int i = 0; i < n; ++i) {
-      const double t = roots[i];
-      if (!(t > kNearest)) continue;
-      bool duplicate = false;
-      for (int k = 0; k < i; ++k) duplicate = duplicate || roots[k] == t;
-      if (!duplicate) sink.add(t / l.scale, [&] { return world(l.origin + t * l.direction); });
-    }
+    const double o[3] = {l.origin.x, l.origin.y, l.origin.z}, d[3] = {l.direction.x, l.direction.y, l.direction.z};
+    Univariate<double> p;
+    along(order_, coefficients_.data(), used_.data(), o, d, p);
+    report_roots(l, p, sink);
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max, Hit* hits) const override {
+    return nearest_of_lanes(rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min, const double* t_max) const override {
+    Hit hit;
+    return nearest_of_lanes(rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
   bool contains(const Vec3& p) const { return value(local(p)) < kInsideThreshold; }
@@ -73,58 +55,88 @@ class Poly final : public Primitive<Poly> {
   }
 
  private:
-  // Horner's rule over all powers, as it runs along the coefficient list.
-  Univariate along(const LocalRay& l) const {
-    const double* c = coefficients_.data();
-    const unsigned char* used = used_.data();
-    Univariate result;
-    for (int i = order_; i >= 0; --i) {
-      Univariate in_y;
-      for (int j = order_ - i; j >= 0; --j) {
-        in_y.multiply(l.origin.y, l.direction.y);
-        const int count = order_ - i - j + 1;
-        if (*used++) {
-          Univariate in_z;
-          for (int k = 0; k < count; ++k) {
-            in_z.multiply(l.origin.z, l.direction.z);
-            in_z.add(c[k]);
-          }
-          in_y.add(in_z);
-        }
-        c += count;
-      }
-      result.multiply(l.origin.x, l.direction.x);
-      result.add(in_y);
+  template <class Sink>
+  void report_roots(const LocalRay& l, Univariate<double>& p, Sink& sink) const {
+    double roots[kMaxPolynomialDegree];
+    const int n = order_ == 2 ? solve_order2(p, roots) : solve(p, roots);
+    for (int i = 0; i < n; ++i) {
+      const double t = roots[i];
+      bool duplicate = false;
+      for (int k = 0; k < i; ++k) duplicate = duplicate || roots[k] == t;
+      if (!duplicate) report(l, t, sink);
     }
-    return result;
+  }
+  template <class Sink>
+  bool report(const LocalRay& l, double t, Sink& sink) const {
+    return t > kNearest && sink.add(t / l.scale, [&] { return world(l.origin + t * l.direction); });
   }
 
-  int solve(const LocalRay& l, double* roots) const {
-    const Univariate p = along(l);
+  template <class HitOf>
+  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
+    if (admitted == 0) return 0;
+    LocalLanes lanes;
+    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes);
+    PolyLanes along;
+    poly_along()(order_, coefficients_.data(), used_.data(), lanes, along);
+    const int degree = along.size - 1;
+    RootLanes bounded;
+    unsigned found = 0, wanted = 0;
+    each_lane(admitted, [&](int k) {
+      if (isolates(degree) && along.c[degree][k] != 0) {
+        double c[kMaxBernsteinDegree + 1];
+        for (int i = 0; i <= degree; ++i) c[i] = along.c[i][k];
+        bounded.from[k] = 0, bounded.to[k] = root_bound(degree, c);
+        wanted |= bounded.to[k] > 0 ? 1u << k : 0;
+        return;
+      }
+      Univariate<double> p;
+      for (; p.size < along.size; ++p.size) p.c[p.size] = along.c[p.size][k];
+      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      report_roots(local(rays.at(k)), p, sink);
+      found |= sink.found() ? 1u << k : 0;
+    });
+    if (wanted == 0) return found;
+    for (int i = 0; i <= degree; ++i) std::copy_n(along.c[i], RayLanes::kCount, bounded.power[i]);
+    unsigned open = bernstein_kernels().begin(degree, wanted, bounded);
+    while (open != 0) {
+      open &= bernstein_kernels().next(degree, open, bounded);
+      each_lane(open, [&](int k) {
+        const double t = bounded.root[k];
+        NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+        if (report(local(rays.at(k)), t, sink)) found |= 1u << k, open &= ~(1u << k);
+        else if (t / lanes.scale[k] >= t_max[k]) open &= ~(1u << k);
+      });
+    }
+    return found;
+  }
+
+  int solve(const Univariate<double>& p, double* roots) const {
     double c[kMaxPolynomialDegree + 1];
     int degree = p.size - 1;
     while (degree >= 0 && p.c[degree] == 0) --degree;
     if (degree < 2) return 0;
-    if (degree >= 5 && degree <= kMaxBernsteinDegree) return solve_bounded(degree, p.c, roots);
+    if (isolates(degree)) {
+      const double bound = root_bound(degree, p.c);
+      return bound > 0 ? bernstein_roots(degree, p.c, 0, bound, roots) : 0;
+    }
     for (int i = 0; i <= degree; ++i) c[i] = p.c[degree - i];
     return solve_polynomial(degree, c, roots, sturm_, kElimination);
   }
 
   // Degrees for which POV-Ray has Sturm sequences: all roots lie within Fujiwara's bound, and on that stretch they are isolated in Bernstein form.
-  static int solve_bounded(int degree, const double* power, double* roots) {
+  static bool isolates(int degree) { return degree >= 5 && degree <= kMaxBernsteinDegree; }
+  static double root_bound(int degree, const double* power) {
     double exponent = -1e9;
     for (int k = 1; k <= degree; ++k) {
       const double ratio = std::fabs(power[degree - k] / power[degree]) * (k == degree ? 0.5 : 1);
       // ratio^(1/k), in powers of two rounded up.
       if (ratio > 0 && std::isfinite(ratio)) exponent = std::max(exponent, (std::ilogb(ratio) + 1.0) / k);
     }
-    const double bound = std::min(2 * std::exp2(exponent) * (1 + 1e-9), kFarthestRoot);
-    if (!(bound > 0)) return 0;
-    return bernstein_roots(degree, power, 0, bound, roots);
+    return std::min(2 * std::exp2(exponent) * (1 + 1e-9), kFarthestRoot);
   }
 
-  int solve_order2(const LocalRay& l, double* roots) const {
-    Univariate p = along(l);
+  int solve_order2(Univariate<double>& p, double* roots) const {
     while (p.size < 3) p.c[p.size++] = 0;
     const double a = p.c[2], b = 0.5 * p.c[1], c = p.c[0];
     if (std::fabs(a) < 1e-20) {

@@ -29,6 +29,8 @@ struct Guards {
   }
   // The ray meets every bounding object in front, or starts inside it (spec 03 2.1).
   bool admit(const Ray& ray) const;
+  // The lanes that are admitted.
+  unsigned admit(const RayLanes& rays) const;
 };
 
 // Collects every hit.
@@ -141,6 +143,7 @@ class Primitive : public Shape {
 
   bool inverted() const { return inverted_; }
   bool has_matrix() const { return has_matrix_; }
+  const Guards* guards() const { return guards_.get(); }
   // The nearest hit of those that crossings(sink) reports; `any`: the first.
   template <class Crossings>
   bool nearest_of(const Ray& ray, double t_min, double t_max, Hit& hit, bool any, Crossings&& crossings) const {

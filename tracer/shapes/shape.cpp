@@ -99,13 +99,28 @@ std::unique_ptr<const Guards> Guards::of(const scene::Object& object) {
   return guards;
 }
 
+constexpr double kSmallestDistance = 1e-4, kLargestDistance = 2e10;  // of a bounding object
+
 bool Guards::admit(const Ray& ray) const {
-  constexpr double kSmallestDistance = 1e-4, kLargestDistance = 2e10;
   for (const auto& bound : bounds) {
     Hit hit;
     if (!bound->inside(ray.origin) && !bound->intersect(ray, RayKind::query, kSmallestDistance, kLargestDistance, hit)) return false;
   }
   return true;
+}
+
+unsigned Guards::admit(const RayLanes& rays) const {
+  double limits[RayLanes::kCount];
+  std::fill_n(limits, RayLanes::kCount, kLargestDistance);
+  unsigned admitted = rays.asked;
+  for (const auto& bound : bounds) {
+    unsigned within = 0;
+    each_lane(admitted, [&](int k) { within |= bound->inside(rays.rays.origin.at(rays.first + k)) ? 1u << k : 0; });
+    Hit hits[RayLanes::kCount];
+    if (const unsigned asked = admitted & ~within; asked != 0) within |= bound->intersect_lanes({rays.rays, rays.first, asked}, nullptr, RayKind::query, kSmallestDistance, limits, hits);
+    admitted &= within;
+  }
+  return admitted;
 }
 
 Box3 surface_bounds(const scene::Object& object, const Box3& local, const Guards* guards) {

@@ -8,10 +8,11 @@
 #include <cmath>
 
 #include "tracer/accel/box_tree.h"
-#include "tracer/math/bernstein.h"
+#include "tracer/math/bernstein_lanes.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/scratch.h"
+#include "tracer/shapes/sphere_sweep_lanes.h"
 
 namespace verisim::shapes {
 namespace {
@@ -30,6 +31,16 @@ struct Segment {
 };
 
 Vec3 center_of(const Vec4& v) { return {v.x, v.y, v.z}; }
+
+#include "tracer/shapes/sphere_sweep_side.inc"
+
+SweepCubic cubic_of(const Segment& s) {
+  SweepCubic cubic;
+  for (int i = 0; i < 4; ++i)
+    for (int x = 0; x < 4; ++x) cubic.power[i][x] = s.c[static_cast<std::size_t>(i)][x];
+  for (int x = 0; x < 3; ++x) cubic.middle[x] = s.at(0.5)[x];
+  return cubic;
+}
 
 std::vector<Segment> segments_of(const scene::SphereSweep& sweep) {
   std::vector<Vec4> p;
@@ -85,6 +96,44 @@ struct Crossing {
   bool enters;
 };
 
+// Where a ray may touch the side of a curved segment: at u, and at t unless the curve lies across the ray: then on both ends of the sphere's chord.
+struct Touch {
+  double u, t;
+};
+struct Touches {
+  bool across = false;
+  int count = 0;
+  Touch at[10];
+};
+
+// The curve lies across the ray: both sides of the tube share their u, and the polynomial is nearly N^2.
+bool is_across(const double* n, const double* m, double radius) {
+  double n_size = 0, m_size = 0;
+  for (int i = 0; i < 6; ++i) n_size = std::max(n_size, std::fabs(n[i]));
+  for (int i = 0; i < 3; ++i) m_size = std::max(m_size, std::fabs(m[i]));
+  return m_size * radius < 1e-6 * n_size;
+}
+void find_across(const double* n, Touches& touches) {
+  double roots[5];
+  touches.across = true;
+  touches.count = bernstein_roots<5>(n, 0, 1, roots);
+  for (int i = 0; i < touches.count; ++i) touches.at[i].u = roots[i];
+}
+double touch_distance(double u, const double* n, const double* m, double moved) {
+  const double across = (m[2] * u + m[1]) * u + m[0];
+  double along = n[5];
+  for (int k = 4; k >= 0; --k) along = along * u + n[k];
+  return moved - along / across;
+}
+
+// A segment that a ray of several may meet.
+struct Visit {
+  std::uint32_t segment;
+  int lane;
+  bool solved;
+  Touches touches;
+};
+
 class SphereSweep final : public Primitive<SphereSweep> {
  public:
   SphereSweep(const scene::Object& description, const scene::SphereSweep& sweep)
@@ -102,28 +151,16 @@ class SphereSweep final : public Primitive<SphereSweep> {
   void crossings(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
     Scratch<Crossing> all;
-    if (tree_.empty()) {
-      for (std::size_t i = 0; i < segments_.size(); ++i) segment(i, l, all);
-    } else {
-      tree_.traverse({l.origin, l.direction}, 0, HUGE_VAL, [&](std::uint32_t i, double limit) {
-        segment(i, l, all);
-        return limit;
-      });
-    }
-    if (all.size() == 0) return;
-    all.sort([](const Crossing& a, const Crossing& b) { return a.t < b.t; });
-    const auto report = [&](const Crossing& c) {
-      if (!(c.t > tolerance_)) return;
-      sink.add(c.t / l.scale, [&] { return world(l.origin + c.t * l.direction); }, c.segment * 4 + c.part, c.u);
-    };
-    report(all[0]);
-    int depth = 1;
-    for (std::size_t i = 1; i + 1 < all.size(); ++i) {
-      const bool boundary = all[i].enters ? depth == 0 : depth == 1;
-      depth += all[i].enters ? 1 : -1;
-      if (boundary) report(all[i]);
-    }
-    if (all.size() > 1) report(all[all.size() - 1]);
+    each_segment_met(l, [&](std::uint32_t i) { segment(i, l, nullptr, all); });
+    report(l, all, sink);
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max, Hit* hits) const override {
+    return nearest_of_lanes(rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min, const double* t_max) const override {
+    Hit hit;
+    return nearest_of_lanes(rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
   // As in POV-Ray: on the wall of some sphere of a segment, so a point inside all spheres of a short segment is missed (spec 03 4.18).
@@ -160,7 +197,107 @@ class SphereSweep final : public Primitive<SphereSweep> {
   }
 
  private:
-  void segment(std::size_t i, const LocalRay& l, Scratch<Crossing>& all) const {
+  template <class Meet>
+  void each_segment_met(const LocalRay& l, Meet&& meet) const {
+    if (tree_.empty()) {
+      for (std::uint32_t i = 0; i < segments_.size(); ++i) meet(i);
+      return;
+    }
+    tree_.traverse({l.origin, l.direction}, 0, HUGE_VAL, [&](std::uint32_t i, double limit) {
+      meet(i);
+      return limit;
+    });
+  }
+
+  template <class Sink>
+  void report(const LocalRay& l, Scratch<Crossing>& all, Sink& sink) const {
+    if (all.size() == 0) return;
+    all.sort([](const Crossing& a, const Crossing& b) { return a.t < b.t; });
+    const auto add = [&](const Crossing& c) {
+      if (!(c.t > tolerance_)) return;
+      sink.add(c.t / l.scale, [&] { return world(l.origin + c.t * l.direction); }, c.segment * 4 + c.part, c.u);
+    };
+    add(all[0]);
+    int depth = 1;
+    for (std::size_t i = 1; i + 1 < all.size(); ++i) {
+      const bool boundary = all[i].enters ? depth == 0 : depth == 1;
+      depth += all[i].enters ? 1 : -1;
+      if (boundary) add(all[i]);
+    }
+    if (all.size() > 1) add(all[all.size() - 1]);
+  }
+
+  // Each ray has its own list of segments; those of the same segment are solved together.
+  template <class HitOf>
+  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
+    Scratch<Visit> visits;
+    std::size_t first[RayLanes::kCount], end[RayLanes::kCount];
+    unsigned met = 0;
+    each_lane(admitted, [&](int k) {
+      first[k] = visits.size();
+      each_segment_met(local(rays.at(k)), [&](std::uint32_t i) { visits.add({i, k, segments_[i].degree == 1, {}}); });
+      end[k] = visits.size();
+      met |= end[k] > first[k] ? 1u << k : 0;
+    });
+    if (met == 0) return 0;
+    LocalLanes lanes;
+    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes);
+    for (std::size_t v = 0; v < visits.size(); ++v)
+      if (!visits[v].solved) solve_together(lanes, visits, v);
+    unsigned found = 0;
+    each_lane(met, [&](int k) {
+      const LocalRay l = local(rays.at(k));
+      Scratch<Crossing> all;
+      for (std::size_t v = first[k]; v < end[k]; ++v) segment(visits[v].segment, l, &visits[v].touches, all);
+      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      report(l, all, sink);
+      found |= sink.found() ? 1u << k : 0;
+    });
+    return found;
+  }
+  // The touches of a visit and of those behind it of the same segment.
+  void solve_together(const LocalLanes& rays, Scratch<Visit>& visits, std::size_t begin) const {
+    const std::uint32_t index = visits[begin].segment;
+    const Segment& s = segments_[index];
+    const double radius = s.at(0.5).w;
+    SweepSideLanes side;
+    sweep_follow()(cubic_of(s), rays, side);
+    RootLanes roots;
+    Visit* of_lane[RayLanes::kCount];
+    unsigned wanted = 0;
+    for (std::size_t v = begin; v < visits.size(); ++v) {
+      Visit& visit = visits[v];
+      if (visit.segment != index) continue;
+      const int k = visit.lane;
+      visit.solved = true;
+      double n[6], m[3];
+      for (int i = 0; i < 6; ++i) n[i] = side.n[i][k];
+      for (int i = 0; i < 3; ++i) m[i] = side.m[i][k];
+      if (is_across(n, m, radius)) {
+        find_across(n, visit.touches);
+        continue;
+      }
+      of_lane[k] = &visit;
+      roots.from[k] = 0, roots.to[k] = 1;
+      wanted |= 1u << k;
+    }
+    for (int i = 0; i <= 10; ++i) std::copy_n(side.power[i], RayLanes::kCount, roots.power[i]);
+    unsigned open = bernstein_kernels().begin(10, wanted, roots);
+    while (open != 0) {
+      open = bernstein_kernels().next(10, open, roots);
+      each_lane(open, [&](int k) {
+        double n[6], m[3];
+        for (int i = 0; i < 6; ++i) n[i] = side.n[i][k];
+        for (int i = 0; i < 3; ++i) m[i] = side.m[i][k];
+        Touches& touches = of_lane[k]->touches;
+        touches.at[touches.count++] = {roots.root[k], touch_distance(roots.root[k], n, m, side.moved[k])};
+      });
+    }
+  }
+
+  // `touches`: of the side, if they are known.
+  void segment(std::size_t i, const LocalRay& l, const Touches* touches, Scratch<Crossing>& all) const {
     const Segment& s = segments_[i];
     const auto index = static_cast<std::int32_t>(i);
     if (i == 0) joint_sphere(s.at(0), 0, index, l, all);
@@ -170,7 +307,7 @@ class SphereSweep final : public Primitive<SphereSweep> {
     plane(s, 0, index, l, all);
     plane(s, 1, index, l, all);
     if (s.degree == 1) linear_side(s, index, l, all);
-    else curved_side(s, index, l, all);
+    else curved_side(s, index, l, touches ? *touches : touches_of(s, l), all);
   }
 
   static bool sphere_chord(const Vec4& sphere, const LocalRay& l, double& near, double& far) {
@@ -234,72 +371,30 @@ class SphereSweep final : public Primitive<SphereSweep> {
     report((-b + root) / a);
   }
 
-  void curved_side(const Segment& s, std::int32_t index, const LocalRay& l, Scratch<Crossing>& all) const {
-    // F(u, t) = t^2 + 2 t B + K with B = (O - C).D and K = |O - C|^2 - R^2. Its derivative by u vanishes at t = -N / M, N = -K'/2, M = -B', and there
-    // N^2 - 2 N M B + M^2 K = 0, of degree 10.
-    const LocalRay near = moved_near(s, l);
-    std::array<Vec3, 4> oc;
-    std::array<double, 4> r;
-    for (std::size_t i = 0; i < 4; ++i) oc[i] = -center_of(s.c[i]), r[i] = s.c[i].w;
-    oc[0] += near.origin;
-    double n[6] = {}, m[3] = {}, b[4], k[7] = {};
-    for (int i = 0; i < 4; ++i) {
-      const auto a = static_cast<std::size_t>(i);
-      b[i] = dot(oc[a], near.direction);
-      for (int j = 0; j < 4; ++j) {
-        const auto c = static_cast<std::size_t>(j);
-        k[i + j] += dot(oc[a], oc[c]) - r[a] * r[c];
-      }
+  static Touches touches_of(const Segment& s, const LocalRay& l) {
+    const double origin[3] = {l.origin.x, l.origin.y, l.origin.z}, direction[3] = {l.direction.x, l.direction.y, l.direction.z};
+    SweepSide<double> side;
+    follow(cubic_of(s), origin, direction, side);
+    Touches touches;
+    if (is_across(side.n, side.m, s.at(0.5).w)) {
+      find_across(side.n, touches);
+      return touches;
     }
-    for (int i = 1; i <= 6; ++i) n[i - 1] = -0.5 * i * k[i];
-    for (int i = 1; i <= 3; ++i) m[i - 1] = -i * b[i];
-    double n_size = 0, m_size = 0;
-    for (const double v : n) n_size = std::max(n_size, std::fabs(v));
-    for (const double v : m) m_size = std::max(m_size, std::fabs(v));
     double roots[10];
-    int count;
-    if (m_size * s.at(0.5).w < 1e-6 * n_size) {
-      // The curve lies across the ray: both sides of the tube share their u, and the polynomial is nearly N^2.
-      count = bernstein_roots<5>(n, 0, 1, roots);
-      for (int i = 0; i < count; ++i) {
-        double enter, leave;
-        if (!sphere_chord(s.at(roots[i]), l, enter, leave)) continue;
-        all.add({enter, roots[i], index, side, true});
-        all.add({leave, roots[i], index, side, false});
-      }
-      return;
-    }
-    double mm[5] = {}, nm[8] = {}, power[11] = {};
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) mm[i + j] += m[i] * m[j];
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 3; ++j) nm[i + j] += n[i] * m[j];
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j) power[i + j] += n[i] * n[j];
-    for (int i = 0; i < 8; ++i)
-      for (int j = 0; j < 4; ++j) power[i + j] -= 2 * nm[i] * b[j];
-    for (int i = 0; i < 5; ++i)
-      for (int j = 0; j < 7; ++j) power[i + j] += mm[i] * k[j];
-    count = bernstein_roots<10>(power, 0, 1, roots);
-    const double moved = dot(near.origin - l.origin, l.direction);
-    for (int i = 0; i < count; ++i) {
-      const double u = roots[i];
+    touches.count = bernstein_roots<10>(side.power, 0, 1, roots);
+    for (int i = 0; i < touches.count; ++i) touches.at[i] = {roots[i], touch_distance(roots[i], side.n, side.m, side.moved)};
+    return touches;
+  }
+
+  static void curved_side(const Segment& s, std::int32_t index, const LocalRay& l, const Touches& touches, Scratch<Crossing>& all) {
+    for (int i = 0; i < touches.count; ++i) {
+      const auto [u, t] = touches.at[i];
       double enter, leave;
       if (!sphere_chord(s.at(u), l, enter, leave)) continue;
       // Only one end of the chord lies on the envelope. (POV-Ray reports both, which unbalances the counter behind the first surface.)
-      const double across = (m[2] * u + m[1]) * u + m[0];
-      double along = n[5];
-      for (int k5 = 4; k5 >= 0; --k5) along = along * u + n[k5];
-      const double t = moved - along / across;
-      if (std::fabs(t - enter) < std::fabs(t - leave)) all.add({enter, u, index, side, true});
-      else all.add({leave, u, index, side, false});
+      if (touches.across || std::fabs(t - enter) < std::fabs(t - leave)) all.add({enter, u, index, side, true});
+      if (touches.across || !(std::fabs(t - enter) < std::fabs(t - leave))) all.add({leave, u, index, side, false});
     }
-  }
-
-  // Degree 10 keeps its digits only for a start close to the segment.
-  static LocalRay moved_near(const Segment& s, const LocalRay& l) {
-    const double t = dot(center_of(s.at(0.5)) - l.origin, l.direction);
-    return {l.origin + t * l.direction, l.direction, 1};
   }
 
   std::vector<Segment> segments_;

@@ -1,0 +1,44 @@
+// Roots of eight polynomials of one degree at once, as bernstein_roots finds them, to the last bit. Compiled for several instruction sets.
+#pragma once
+
+#include <cstdint>
+
+#include "tracer/math/bernstein.h"
+
+namespace verisim {
+
+// Fill `power`, `from` and `to`, call begin, then next as often as roots are wanted: most only want a lane's first. Sets of lanes are bits.
+struct alignas(64) RootLanes {
+  static constexpr int kCount = 8, kMostTerms = kMaxBernsteinDegree + 1;
+  using Lane = double[kCount];
+
+  Lane power[kMostTerms];  // constant terms first
+  Lane from, to;           // where roots are wanted
+  Lane root;               // what `next` finds
+
+  // The stretch that is looked at, in Bernstein form, and the right halves of those that it came from, by their depth.
+  struct Stretch {
+    Lane c[kMostTerms], from, to;
+  };
+  Stretch now, later[bernstein::kMaxDepth];
+  std::int64_t depth[kCount];
+  std::uint64_t waiting[kCount];  // which of `later` belong to a lane
+  Lane last;                      // the root before
+  int found[kCount];
+  unsigned open;  // lanes that may have more roots
+  unsigned done;  // those whose stretch has given its root
+};
+
+struct BernsteinKernels {
+  // The lanes of `asked` that may have roots.
+  unsigned (*begin)(int degree, unsigned asked, RootLanes& lanes);
+  // The lanes of `asked` that have another root, in increasing order; of others there is none left.
+  unsigned (*next)(int degree, unsigned asked, RootLanes& lanes);
+};
+
+// Those of the best instruction set of this machine.
+const BernsteinKernels& bernstein_kernels();
+// Those of any set, for tests; null: this machine cannot run it.
+const BernsteinKernels* bernstein_kernels(int instruction_set);
+
+}  // namespace verisim

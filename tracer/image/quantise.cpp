@@ -30,23 +30,27 @@ class CodeTable {
       first_[code - 1] = high;
     }
     int code = 0;
-    for (int i = 0; i <= kGuesses; ++i) {
-      while (first_[static_cast<std::size_t>(code)] <= static_cast<float>(i) / kGuesses) ++code;
-      guess_[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(code);
+    for (int i = 0; i <= kCells; ++i) {
+      while (first_[static_cast<std::size_t>(code)] <= static_cast<float>(i) / kCells) ++code;
+      cells_[static_cast<std::size_t>(i)] = {first_[static_cast<std::size_t>(code)], code};
     }
   }
   // 0 <= x <= 1.
   int operator()(float x) const {
-    const float* next = first_.data() + guess_[static_cast<std::size_t>(static_cast<int>(x * kGuesses))];
-    next += *next <= x;  // most guesses are right or one too low: no branch that depends on the picture
-    while (*next <= x) ++next;
-    return static_cast<int>(next - first_.data());
+    const Cell& cell = cells_[static_cast<std::size_t>(static_cast<int>(x * kCells))];
+    int code = cell.code + (x >= cell.next);  // most cells have one border at most: no branch that depends on the picture
+    while (first_[static_cast<std::size_t>(code)] <= x) ++code;
+    return code;
   }
 
  private:
-  static constexpr int kGuesses = 4096;
+  static constexpr int kCells = 4096;
+  struct Cell {
+    float next;  // where the following code begins
+    int code;    // at the lower end of the cell
+  };
   std::vector<float> first_;  // of code + 1; the last is infinite
-  std::array<std::uint16_t, kGuesses + 1> guess_{};  // the code at i / kGuesses
+  std::array<Cell, kCells + 1> cells_{};
 };
 
 // Straight alpha: highlights brighter than their alpha raise it (spec 02 section 4.5).

@@ -37,6 +37,8 @@ class Light {
     const double d = length(to);
     return {to / d, d};
   }
+  // If not, attenuation is 1 everywhere.
+  bool attenuates() const { return attenuates_; }
   // Angular and distance attenuation at p for light from `l`.
   double attenuation(const Vec3& p, const LightDirection& l, const Vec3& offset = Vec3(0, 0, 0)) const {
     return attenuates_ ? angle_and_distance(p, l, offset) : 1;

@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kNearestHit = 1e-4;       // of camera rays
 constexpr double kShadowTolerance = 1e-3;  // to the shaded point and to the light
-constexpr float kDark = static_cast<float>(kEpsilon);
 
 bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
 
@@ -32,12 +31,15 @@ void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& c
   lanes_.to_light.origin.set(k, hits_[i].point);
   lanes_.normal.set(k, normal);
   lanes_.view.set(k, lanes_.camera.direction.at(i));
-  (m.phong != 0 ? any_phong_ : any_blinn_) |= m.amount != 0;
-  any_metallic_ |= m.layer->finish.metallic > 0;
+  lanes_.two_sided[k] = surface_[k]->double_illuminate;
+  shine_ |= m.shine;
   if (layer_[k] == m.layer) return;
   layer_[k] = m.constant && m.only ? m.layer : nullptr;
-  finish_[k] = &m.layer->finish;
-  opacity_[k] = opacity;
+  const scene::Finish& finish = m.layer->finish;
+  finish_[k] = &finish;
+  lanes_.front[k] = opacity * std::max(finish.diffuse, 0.0f), lanes_.behind[k] = opacity * std::max(finish.diffuse_back, 0.0f);
+  lanes_.lit_behind[k] = finish.diffuse_back != 0;
+  lanes_.dull[k] = !reflects_light(finish);
   lanes_.pigment.r[k] = color.r, lanes_.pigment.g[k] = color.g, lanes_.pigment.b[k] = color.b;
   const Rgb own = color.rgb() * m.glow * opacity;
   lanes_.own.r[k] = own.r, lanes_.own.g[k] = own.g, lanes_.own.b[k] = own.b;
@@ -48,7 +50,7 @@ void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& c
 bool Wave::add_surface(int i) {
   if (const Material* plain = met_[i].plain) {
     if (count_ == kMost) return false;
-    add_lane(i, *plain, met_[i].normal, plain->color, surface_opacity(plain->color, scene_.version));
+    add_lane(i, *plain, met_[i].normal, plain->color, plain->opacity);
     return true;
   }
   if (count_ + met_[i].parts > kMost) return false;
@@ -78,35 +80,23 @@ void Wave::aim(const Light& light) {
 
 // Which surfaces the light reaches, and with what colour.
 bool Wave::reach(const Light& light, const RayState& ray) {
-  bool any = false;
-  for (int k = 0; k < count_; ++k) {
-    asked_[k] = false;
-    const scene::Finish& finish = *finish_[k];
-    const bool back = lanes_.cosine[k] < kEpsilon && !surface_[k]->double_illuminate;
-    if ((back && finish.diffuse_back == 0) || !reflects_light(finish)) continue;
-    const LightDirection direction{lanes_.to_light.direction.at(k), lanes_.distance[k]};
-    const Rgb color = light.color() * static_cast<float>(light.attenuation(lanes_.to_light.origin.at(k), direction));
-    if (color.max_abs() < kDark) continue;
-    any = asked_[k] = true;
-    lanes_.diffuse[k] = opacity_[k] * std::max(back ? finish.diffuse_back : finish.diffuse, 0.0f);
-    lanes_.shines[k] = light.highlights() && !back;
-    lanes_.intensity.r[k] = color.r, lanes_.intensity.g[k] = color.g, lanes_.intensity.b[k] = color.b;
+  if (light.attenuates()) {
+    for (int k = 0; k < count_; ++k) lanes_.attenuation[k] = static_cast<float>(light.attenuation(lanes_.to_light.origin.at(k), {lanes_.to_light.direction.at(k), lanes_.distance[k]}));
+  } else if (attenuated_) {
+    std::fill_n(lanes_.attenuation, kMost, 1.0f);
   }
-  if (!any) return false;
+  attenuated_ = light.attenuates();
+  if (!kernels_.receive(light.color(), light.highlights(), count_, lanes_)) return false;
   int asks[kMost];
   if (layered_) share_asking(asks);
   cast_shadows(light, ray);
-  any = false;
-  for (int k = 0; k < count_; ++k) {
-    if (layered_ && asks[k] >= 0 && asks[k] != k) {
-      const int first = asks[k];
-      asked_[k] = asked_[first];
-      lanes_.intensity.r[k] = lanes_.intensity.r[first], lanes_.intensity.g[k] = lanes_.intensity.g[first], lanes_.intensity.b[k] = lanes_.intensity.b[first];
-    }
-    lanes_.lit[k] = asked_[k] && Rgb(lanes_.intensity.r[k], lanes_.intensity.g[k], lanes_.intensity.b[k]).max_abs() > kDark;
-    any |= lanes_.lit[k] != 0;
+  for (int k = 0; layered_ && k < count_; ++k) {
+    const int first = asks[k];
+    if (first < 0 || first == k) continue;
+    lanes_.asked[k] = lanes_.asked[first];
+    lanes_.intensity.r[k] = lanes_.intensity.r[first], lanes_.intensity.g[k] = lanes_.intensity.g[first], lanes_.intensity.b[k] = lanes_.intensity.b[first];
   }
-  return any;
+  return kernels_.illuminate(count_, lanes_);
 }
 
 // The first layer of a hit that asks for its shadow does so for all: asks[k] is the layer that asks for layer k, or -1.
@@ -114,10 +104,10 @@ void Wave::share_asking(int* asks) {
   for (int k = 0, first = -1; k < count_; ++k) {
     if (k == 0 || pixel_[k] != pixel_[k - 1]) first = -1;
     asks[k] = -1;
-    if (!asked_[k]) continue;
+    if (lanes_.asked[k] == 0) continue;
     if (first < 0) first = k;
     asks[k] = first;
-    asked_[k] = first == k;
+    lanes_.asked[k] = first == k;
   }
 }
 
@@ -144,7 +134,7 @@ void Wave::cast_shadows(const Light& light, const RayState& ray) {
   };
   for (int k = 0; k < count_; ++k) {
     wanted[k] = false;
-    if (!asked_[k]) continue;
+    if (lanes_.asked[k] == 0) continue;
     if (!together) {
       one_by_one(k);
       continue;
@@ -175,11 +165,11 @@ void Wave::cast_shadows(const Light& light, const RayState& ray) {
   }
   trace_waiting();
   for (int k = 0; k < count_; ++k)
-    if (blocked[k]) asked_[k] = false;
+    if (blocked[k]) lanes_.asked[k] = 0;
 }
 
 void Wave::respond() {
-  if (any_metallic_ || tinted_) {
+  if ((shine_ & kMetallic) || tinted_) {
     for (int k = 0; k < count_; ++k) {
       const Rgb pigment(lanes_.pigment.r[k], lanes_.pigment.g[k], lanes_.pigment.b[k]);
       const Rgb tint = finish_[k]->metallic > 0 ? metallic_tint(pigment, finish_[k]->metallic, lanes_.cosine[k]) : Rgb(1);
@@ -187,7 +177,7 @@ void Wave::respond() {
     }
     tinted_ = true;
   }
-  if (!kernels_.respond(any_phong_, any_blinn_, count_, lanes_)) return;
+  if (!kernels_.respond(shine_ & kPhong, shine_ & kBlinn, count_, lanes_)) return;
   for (int k = 0; k < count_; ++k) {
     if (!lanes_.uncertain[k] || lanes_.lit[k] == 0 || lanes_.amount[k] * lanes_.shines[k] == 0) continue;
     const Vec3 n = lanes_.normal.at(k), d = lanes_.view.at(k), l = lanes_.to_light.direction.at(k);
@@ -231,13 +221,10 @@ void Wave::show(const RayState& ray, Color* out) {
   for (float* sum : {lanes_.direct.r, lanes_.direct.g, lanes_.direct.b}) std::fill_n(sum, count_, 0.0f);
   if (count_ > 0)
     for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i], ray);
-  const auto add_own = [this](const float* own, float* sum) {
-    for (int k = 0; k < count_; ++k) sum[k] = own[k] + sum[k];
-  };
-  add_own(lanes_.own.r, lanes_.direct.r);
-  add_own(lanes_.own.g, lanes_.direct.g);
-  add_own(lanes_.own.b, lanes_.direct.b);
-  for (int k = 0; k < count_;) {
+  kernels_.add_own(count_, lanes_);
+  if (leaves_.empty())
+    for (int k = 0; k < count_; ++k) out[pixel_[k]] = Rgb() + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]);
+  else for (int k = 0; k < count_;) {
     const Met& met = met_[pixel_[k]];
     Color& result = out[pixel_[k]];
     Rgb sum;
@@ -254,7 +241,8 @@ void Wave::show(const RayState& ray, Color* out) {
     result = sum;
   }
   count_ = 0;
-  any_phong_ = any_blinn_ = any_metallic_ = layered_ = false;
+  shine_ = 0;
+  layered_ = false;
 }
 
 // The rays that hit nothing.

@@ -34,10 +34,14 @@ class Wave {
     bool constant = false;  // the pigment has one colour
     bool only = false;      // the texture has no other layer
     bool mirror = false;
+    bool plain = false;     // constant, alone, without a mirror or a normal of its own
     Color color;
+    float opacity = 0;      // of the constant colour
     Rgb glow;               // ambient and emission
     double exponent = 0, amount = 0, base_limit = 0, phong = 0;
+    unsigned shine = 0;     // the kinds of highlight: kPhong, kBlinn, kMetallic
   };
+  static constexpr unsigned kPhong = 1, kBlinn = 2, kMetallic = 4;
   // The layers of a texture; none: its hits go the common way. A texture of textures has one layer that stands for them.
   using Materials = std::vector<Material>;
   // A layer as it shows at a hit.
@@ -103,6 +107,7 @@ class Wave {
   bool plain_sky_;
   std::unordered_map<const textures::CompiledTexture*, Materials> materials_;
   std::pair<const textures::CompiledTexture*, const Materials*> last_materials_[16]{};  // by address
+  std::pair<const shapes::Shape*, const Material*> last_plain_[2]{};  // met from outside, from inside
   std::vector<Leaf> leaves_;
   std::vector<Part> parts_;
   std::vector<Tracer::ShadedLayer> mirrors_;
@@ -111,14 +116,14 @@ class Wave {
   bool colored_[kMost];
   double x_ = 0, y_ = 0;  // the pixel of the first ray
   int count_ = 0;       // of surfaces
-  bool any_phong_ = false, any_blinn_ = false, any_metallic_ = false, tinted_ = false;
+  unsigned shine_ = 0;  // of all surfaces
+  bool tinted_ = false, attenuated_ = true;  // false: all tints, all attenuations are 1
   bool layered_ = false;  // a hit has several surfaces here
   WaveLanes lanes_;
   shapes::Hit hits_[kMost];
   Met met_[kMost];
-  bool found_[kMost], asked_[kMost];
+  bool found_[kMost];
   int pixel_[kMost];    // several lanes in a row may be of one
-  float opacity_[kMost];
   const textures::CompiledLayer* layer_[kMost] = {};  // whose constant numbers stand in the lane; null: those of one point
   const shapes::Surface* surface_[kMost];
   const scene::Finish* finish_[kMost];

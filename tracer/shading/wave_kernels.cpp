@@ -10,6 +10,8 @@ namespace {
 
 using textures::InstructionSet;
 
+constexpr float kDark = static_cast<float>(kEpsilon);
+
 constexpr int rounded(int count) { return (count + WaveLanes::kStep - 1) / WaveLanes::kStep * WaveLanes::kStep; }
 
 #define VERISIM_KERNELS "tracer/shading/wave_kernels.inc"

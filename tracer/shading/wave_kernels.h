@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "tracer/math/color.h"
 #include "tracer/math/ray_row.h"
 
 namespace verisim::shading {
@@ -23,7 +24,8 @@ struct alignas(64) WaveLanes {
   // The surfaces that are lit: a denser numbering than that of the rays.
   Vectors normal, view;
   Colors pigment, own, direct;  // the surface's own light; the sum of what lights add
-  Floats diffuse;               // opacity * coefficient; 0: none
+  Floats front, behind;         // opacity * diffuse coefficient on the side that is turned to the light, and on the other
+  std::int32_t lit_behind[kMost], two_sided[kMost], dull[kMost];  // flags: diffuse_back counts; both sides are front sides; nothing reflects light
   Doubles base_limit;           // highlights are dark up to this cosine
   Doubles exponent, amount;     // of the highlight; amount 0: none
   Doubles phong;                // 1: the highlight is Phong's, 0: Blinn's
@@ -31,8 +33,11 @@ struct alignas(64) WaveLanes {
   // One light on these surfaces.
   RayRow to_light;  // from the point on the surface
   Doubles distance, cosine;
-  Colors intensity, tint;  // what arrives; how metals tint the highlight
-  Floats lit;              // 1 or 0
+  Floats attenuation;         // of the light on its way
+  std::int32_t asked[kMost];  // 1: the light counts where nothing is in its way
+  Colors intensity, tint;     // what arrives; how metals tint the highlight
+  Floats diffuse;             // opacity * coefficient; 0: none
+  Floats lit;                 // 1 or 0
   Doubles shines;          // 1 or 0: with highlights
   Floats scattered;        // diffuse factor
   Floats strength;         // highlight
@@ -52,10 +57,16 @@ struct WaveKernels {
   void (*aim)(const Vec3& position, int count, WaveLanes& lanes);
   // Sets cosine from normals and directions.
   void (*face)(int count, WaveLanes& lanes);
+  // What arrives if nothing is in the way: sets asked, intensity, diffuse and shines. False: nowhere anything.
+  bool (*receive)(const Rgb& light, bool highlights, int count, WaveLanes& lanes);
+  // Sets lit where what was asked for is not dark. False: nowhere.
+  bool (*illuminate)(int count, WaveLanes& lanes);
   // Sets scattered, strength and uncertain. False: nothing is uncertain. `phong`, `blinn`: some lane has such a highlight.
   bool (*respond)(bool phong, bool blinn, int count, WaveLanes& lanes);
   // Adds the light of lit lanes to direct.
   void (*add)(int count, WaveLanes& lanes);
+  // Adds the surfaces' own light to direct.
+  void (*add_own)(int count, WaveLanes& lanes);
 };
 
 // Those of the best instruction set of this machine.

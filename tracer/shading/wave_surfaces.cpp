@@ -46,6 +46,9 @@ Wave::Materials Wave::find_materials(const textures::CompiledTexture& texture) c
     m.amount = f.phong > 0 ? f.phong : f.specular > 0 ? f.specular : 0;
     m.exponent = f.phong > 0 ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
     m.base_limit = f.phong > 0 && f.phong_size >= 60 ? 0.0008 : 0;
+    m.shine = (m.amount == 0 ? 0 : m.phong != 0 ? kPhong : kBlinn) | (f.metallic > 0 ? kMetallic : 0);
+    m.opacity = surface_opacity(m.color, scene_.version);
+    m.plain = m.only && m.constant && !m.mirror && !layer.normal && is_finite(m.color.rgb());
     const bool finite = is_finite(m.glow) && std::fabs(m.exponent) < 1e6 && m.amount < 1e30 && std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f;
     if (!finite) return {};
   }
@@ -69,19 +72,27 @@ void Wave::meet(int i) {
   met.plain = nullptr;
   met.leaves = met.parts = 0;
   const shapes::Hit& hit = hits_[i];
-  const shapes::Surface& surface = *hit.shape->surface;
-  if (surface.shows_several() || surface.ignore_global_lights || !surface.group_lights.empty()) return;
   const Vec3 direction = lanes_.camera.direction.at(i), normal = hit.shape->normal(hit);
   const double along = dot(normal, direction);
   if (!(std::fabs(along) < 1e30)) return;
   const bool inside = along > 0;
+  auto& last = last_plain_[inside];
+  if (last.first == hit.shape) {
+    met.together = true;
+    met.plain = last.second;
+    met.normal = inside ? -normal : normal;
+    return;
+  }
+  const shapes::Surface& surface = *hit.shape->surface;
+  if (surface.shows_several() || surface.ignore_global_lights || !surface.group_lights.empty()) return;
   const textures::CompiledTexture& texture = inside && surface.interior_texture ? *surface.interior_texture : *surface.texture;
   const Materials& found = materials(texture);
   if (found.empty()) return;
   met.together = true;
   met.first = static_cast<int>(leaves_.size());
   const Material& first = found[0];
-  if (first.only && first.constant && !first.mirror && !first.layer->normal && is_finite(first.color.rgb())) {
+  if (first.plain) {
+    last = {hit.shape, &first};
     met.plain = &first;
     met.normal = inside ? -normal : normal;
     return;

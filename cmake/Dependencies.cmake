@@ -25,6 +25,8 @@ find_package(PNG REQUIRED)
 set(OPENSSL_USE_STATIC_LIBS ON)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)  # SHA-256, the key of the oracle's cache
 set(CMAKE_FIND_LIBRARY_SUFFIXES ${shared_suffixes})
+list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+find_package(ISAL REQUIRED)
 if(VERISIM_TESTS)
   find_package(GTest REQUIRED)
 endif()

@@ -20,7 +20,8 @@ install(EXPORT verisimTargets NAMESPACE verisim:: DESTINATION ${package_folder})
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/verisimConfig.cmake.in ${PROJECT_BINARY_DIR}/verisimConfig.cmake
                               INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/verisimConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/verisimConfig.cmake ${PROJECT_BINARY_DIR}/verisimConfigVersion.cmake DESTINATION ${package_folder})
+install(FILES ${PROJECT_BINARY_DIR}/verisimConfig.cmake ${PROJECT_BINARY_DIR}/verisimConfigVersion.cmake
+        ${CMAKE_CURRENT_LIST_DIR}/FindISAL.cmake DESTINATION ${package_folder})
 
 # A small project is built against an installed tree, as others would.
 if(VERISIM_TESTS AND NOT VERISIM_SANITIZE)

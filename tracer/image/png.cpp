@@ -1,7 +1,7 @@
 #include "tracer/image/png.h"
 
+#include <isa-l/igzip_lib.h>
 #include <png.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <csetjmp>
@@ -58,26 +58,78 @@ int color_type(int channels) {
   }
 }
 
-void pack_row(const Quantised& picture, const std::uint16_t* in, png_byte* row) {
-  const std::size_t n = static_cast<std::size_t>(picture.width) * picture.channels;
-  if (picture.bits == 8) {
-    for (std::size_t i = 0; i < n; ++i) row[i] = static_cast<png_byte>(in[i]);
-  } else {
-    for (std::size_t i = 0; i < n; ++i) row[2 * i] = static_cast<png_byte>(in[i] >> 8), row[2 * i + 1] = static_cast<png_byte>(in[i] & 255);
+// Writing time counts more than size here: one filter for all rows, the differences between neighbours, and the fastest deflate there is.
+class RowPacker {
+ public:
+  explicit RowPacker(const Quantised& picture)
+      : samples_(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels)), wide_(picture.bits == 16), pixel_(static_cast<std::size_t>(picture.channels) * (wide_ ? 2 : 1)),
+        plain_(samples_ * (wide_ ? 2 : 1)), filtered_(plain_.size() + 1) {
+    filtered_[0] = PNG_FILTER_VALUE_SUB;
   }
-}
+  // The row as the file has it, before compression.
+  const std::vector<png_byte>& pack(const std::uint16_t* in) {
+    png_byte* const row = plain_.data();
+    if (wide_) {
+      for (std::size_t i = 0; i < samples_; ++i) row[2 * i] = static_cast<png_byte>(in[i] >> 8), row[2 * i + 1] = static_cast<png_byte>(in[i] & 255);
+    } else {
+      for (std::size_t i = 0; i < samples_; ++i) row[i] = static_cast<png_byte>(in[i]);
+    }
+    png_byte* const out = filtered_.data() + 1;
+    std::copy_n(row, pixel_, out);
+    for (std::size_t i = pixel_; i < plain_.size(); ++i) out[i] = static_cast<png_byte>(row[i] - row[i - pixel_]);
+    return filtered_;
+  }
+
+ private:
+  std::size_t samples_;
+  bool wide_;
+  std::size_t pixel_;  // bytes
+  std::vector<png_byte> plain_, filtered_;
+};
+
+// A zlib stream, made in pieces of IDAT chunks.
+class Deflater {
+ public:
+  Deflater() {
+    isal_deflate_init(&stream_);
+    stream_.gzip_flag = IGZIP_ZLIB;
+    stream_.level = 1;
+    stream_.level_buf = level_buffer_.data();
+    stream_.level_buf_size = static_cast<std::uint32_t>(level_buffer_.size());
+    stream_.next_out = out_.data();
+    stream_.avail_out = kChunk;
+  }
+  // May leave by libpng's longjmp.
+  void put(png_structp png, const std::vector<png_byte>& bytes, bool last) {
+    stream_.next_in = const_cast<png_byte*>(bytes.data());
+    stream_.avail_in = static_cast<std::uint32_t>(bytes.size());
+    stream_.end_of_stream = last;
+    for (;;) {
+      if (isal_deflate(&stream_) != COMP_OK) png_error(png, "the picture cannot be compressed");
+      const bool done = last ? stream_.internal_state.state == ZSTATE_END : stream_.avail_in == 0;
+      if (stream_.avail_out == 0 || (done && last)) write_chunk(png);
+      if (done) return;
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kChunk = 1 << 16;
+  void write_chunk(png_structp png) {
+    if (stream_.avail_out < kChunk) png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), out_.data(), kChunk - stream_.avail_out);
+    stream_.next_out = out_.data();
+    stream_.avail_out = kChunk;
+  }
+  isal_zstream stream_;
+  std::vector<png_byte> level_buffer_ = std::vector<png_byte>(ISAL_DEF_LVL1_DEFAULT), out_ = std::vector<png_byte>(kChunk);
+};
 
 using RowSource = std::function<void(int y, std::uint16_t* row)>;
 
 // Everything between here and the caller may be left by longjmp: no objects with destructors.
-bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const OutputOptions& options, const RowSource& rows, std::uint16_t* samples, png_byte* row, png_text* texts,
-               int text_count) {
+bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const OutputOptions& options, const RowSource& rows, std::uint16_t* samples, RowPacker& packer,
+               Deflater& deflater, png_text* texts, int text_count) {
   if (setjmp(png_jmpbuf(w.png))) return false;
   png_init_io(w.png, file);
-  // Writing time counts more than size here: runs and Huffman's code alone, without a search for repeats, which rendered pictures have few of.
-  png_set_compression_level(w.png, 1);
-  png_set_compression_strategy(w.png, Z_RLE);
-  png_set_filter(w.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
   png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height), picture.bits,
                color_type(picture.channels), PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   // Without gamma handling the tags name what the values will be shown as, sRGB (spec 02 section 4.1).
@@ -101,10 +153,9 @@ bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const Outpu
   png_write_info(w.png, w.info);
   for (int y = 0; y < picture.height; ++y) {
     rows(y, samples);
-    pack_row(picture, samples, row);
-    png_write_row(w.png, row);
+    deflater.put(w.png, packer.pack(samples), y + 1 == picture.height);
   }
-  png_write_end(w.png, w.info);
+  png_write_chunk(w.png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);  // png_write_end would miss the rows
   return true;
 }
 
@@ -152,9 +203,10 @@ void write_png(std::FILE* file, const Quantised& picture, const OutputOptions& o
     texts.push_back(text);
   }
   std::vector<std::uint16_t> samples(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels));
-  std::vector<png_byte> row(samples.size() * (picture.bits == 16 ? 2 : 1));
+  RowPacker packer(picture);
+  const auto deflater = std::make_unique<Deflater>();  // its state takes some 100 kB
   Writer w;
-  if (!write_all(w, file, picture, options, rows, samples.data(), row.data(), texts.data(), static_cast<int>(texts.size()))) throw std::runtime_error(w.failure.message);
+  if (!write_all(w, file, picture, options, rows, samples.data(), packer, *deflater, texts.data(), static_cast<int>(texts.size()))) throw std::runtime_error(w.failure.message);
 }
 
 Quantised read_png(std::FILE* file) {

@@ -1,5 +1,8 @@
 // height_field (spec 04 section 5): two triangles per cell, found by descending a pyramid of extremes from near to far.
+#include <bit>
+
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/height_packet.h"
 #include "tracer/shapes/height_walk.h"
 #include "tracer/shapes/primitive.h"
 
@@ -7,7 +10,7 @@ namespace verisim::shapes {
 
 namespace {
 
-constexpr double kNearest = 1e-6, kEdge = 1e-4;
+constexpr double kNearest = kHeightFieldNearest, kEdge = kHeightFieldEdge;
 
 class HeightField final : public Primitive<HeightField> {
  public:
@@ -35,6 +38,15 @@ class HeightField final : public Primitive<HeightField> {
     if (!(enter <= leave)) return;
 
     descend(ray, o, d, enter, leave, sink);
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+    if (guards() || grid_->empty()) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    return nearest_of_lanes(rays, t_min, t_max, hits);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+    if (guards() || grid_->empty()) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    return nearest_of_lanes(rays, t_min, t_max, nullptr);
   }
 
   // Below the surface, down to minus infinity.
@@ -81,6 +93,35 @@ class HeightField final : public Primitive<HeightField> {
     return {h01 - h11, 1, h10 - h11};
   }
   Vec3 object_normal(const Vec3& n) const { return world_normal({n.x * scale_.x, n.y * scale_.y, n.z * scale_.z}); }
+
+  // The hits of several rays; null: whether there are any.
+  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, Hit* hits) const {
+    const HeightPacketKernels& kernels = height_packet_kernels();
+    HeightPacket packet;
+    unsigned found = 0, rest = kernels.enter(*grid_, has_matrix() ? &matrix() : nullptr, rays, packet);
+    const auto quadrant = [&](int k) { return (packet.dx[k] < 0 ? 1 : 0) | (packet.dz[k] < 0 ? 2 : 0); };
+    while (rest != 0) {
+      const int one = std::countr_zero(rest);
+      unsigned group = 0;
+      each_lane(rest, [&](int k) { group |= quadrant(k) == quadrant(one) ? 1u << k : 0; });
+      rest &= ~group;
+      if (std::has_single_bit(group) || !kernels.walk(*grid_, group, t_min, t_max, !hits, packet)) {
+        each_lane(group, [&](int k) {
+          Hit hit;
+          NearestHit sink(*this, nullptr, t_min, t_max[k], hits ? hits[k] : hit, !hits);
+          descend(rays.at(k), {packet.ox[k], packet.oy[k], packet.oz[k]}, {packet.dx[k], packet.dy[k], packet.dz[k]}, packet.enter[k], packet.leave[k], sink);
+          found |= sink.found() ? 1u << k : 0;
+        });
+        continue;
+      }
+      each_lane(group, [&](int k) {
+        if (packet.triangle[k] < 0) return;
+        found |= 1u << k;
+        if (hits) hits[k] = {packet.t[k], rays.at(k).at(packet.t[k]), this, static_cast<std::int32_t>(packet.triangle[k]), double(packet.i[k]), double(packet.k[k])};
+      });
+    }
+    return found;
+  }
 
   // Tests the cells between `enter` and `leave` whose heights the ray may meet, roughly from near to far.
   template <class Sink>

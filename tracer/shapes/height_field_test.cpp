@@ -3,6 +3,7 @@
 
 #include "tracer/image/image.h"
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/height_packet.h"
 #include "tracer/shapes/height_walk.h"
 #include "tracer/shapes/trace_test_support.h"
 #include "tracer/textures/instruction_sets.h"
@@ -171,6 +172,77 @@ TEST(HeightField, WalksAreTheSameWithAllInstructionSets) {
       ASSERT_NE(std::ranges::find(expected, std::array{i, k}), expected.end()) << n << ": " << i << ' ' << k;
     }
   }
+}
+
+// Eight rays that go the same way, from close together or from far, along the grid, in parallel, or anywhere.
+void fill_rays(std::mt19937& rng, int round, RayRow& rays) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto anywhere = [&](double size) { return Vec3(unit(rng) - 0.5, unit(rng) - 0.5, unit(rng) - 0.5) * size; };
+  const Vec3 middle(0.5, 0.4, 0.5), eye = middle + anywhere(round % 3 == 0 ? 40 : 3), aim = middle + anywhere(1), step = anywhere(round % 4 == 0 ? 0.3 : 0.02);
+  for (int i = 0; i < RayLanes::kCount; ++i) {
+    const Vec3 beside = step * double(i);
+    rays.origin.set(i, round % 5 == 1 ? eye + beside : eye);
+    rays.direction.set(i, normalize(aim + beside - eye));
+    if (round % 11 == 0) rays.origin.set(i, middle + anywhere(3)), rays.direction.set(i, normalize(anywhere(1)));
+    if (round % 7 == 0) rays.origin.set(i, {i / 36.0, 2, round % 20 / 20.0}), rays.direction.set(i, round % 2 ? Vec3(0, -1, 0) : normalize(Vec3(1 / 36.0, -0.1, 0)));  // where triangles meet
+  }
+}
+
+// Rays that walk together find what each finds alone, with every instruction set.
+TEST(HeightField, EightRaysFindWhatEachFinds) {
+  std::mt19937 rng(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto rays = std::make_unique<RayRow>();
+  int met = 0, together = 0;
+  for (int kind = 0; kind < 3; ++kind) {
+    auto f = field(function_image(kind == 2 ? 300 : 37, kind == 2 ? 200 : 21, [&](double x, double y) {
+      return kind == 0 ? unit(rng) : kind == 1 ? std::floor(unit(rng) * 4) / 4 : 0.5 + 0.3 * std::sin(30 * x) * std::cos(20 * y);  // rough, terraces, hills
+    }));
+    f.water_level = kind == 1 ? 0.3 : 0;
+    auto o = object(f);
+    const auto plain = compile(o);
+    auto turned = o;
+    turned.transform = Transform::scaling({1.2, -0.8, 0.9}).then(Transform::rotation({10, 50, 30}));
+    const auto moved = compile(turned);
+    const HeightGrid grid(f);
+    for (int round = 0; round < 3000; ++round) {
+      fill_rays(rng, round, *rays);
+      const double t_min = round % 9 == 0 ? 0.8 : 1e-4;
+      alignas(64) double t_max[RayLanes::kCount];
+      for (double& limit : t_max) limit = round % 6 == 0 ? unit(rng) * 3 : 1e30;
+      const RayLanes lanes{*rays, 0, round % 8 == 0 ? static_cast<unsigned>(rng() & 255) : 255};
+      for (const auto* shape : {plain.get(), moved.get()}) {
+        Hit hits[RayLanes::kCount];
+        const unsigned found = shape->intersect_lanes(lanes, nullptr, RayKind::camera, t_min, t_max, hits);
+        ASSERT_EQ(found, shape->occludes_lanes(lanes, nullptr, t_min, t_max)) << round;
+        each_lane(lanes.asked, [&](int k) {
+          Hit alone;
+          ASSERT_EQ(shape->intersect(lanes.at(k), RayKind::camera, t_min, t_max[k], alone), (found >> k & 1) != 0) << kind << ' ' << round << ' ' << k;
+          if (!(found >> k & 1)) return;
+          ASSERT_EQ(hits[k].t, alone.t);
+          ASSERT_EQ(hits[k].point, alone.point);
+          ASSERT_TRUE(hits[k].part == alone.part && hits[k].u == alone.u && hits[k].v == alone.v) << kind << ' ' << round << ' ' << k;
+          ++met;
+        });
+      }
+      for (int set = 0; set <= textures::best_instruction_set(); ++set) {
+        const HeightPacketKernels& kernels = *height_packet_kernels(set);
+        HeightPacket packet;
+        unsigned inside = kernels.enter(grid, nullptr, lanes, packet), group = 0;
+        each_lane(inside, [&](int k) { group |= packet.dx[k] < 0 && packet.dz[k] >= 0 ? 1u << k : 0; });
+        if (group == 0 || !kernels.walk(grid, group, t_min, t_max, false, packet)) continue;
+        each_lane(group, [&](int k) {
+          Hit alone;
+          ASSERT_EQ(plain->intersect(lanes.at(k), RayKind::camera, t_min, t_max[k], alone), packet.triangle[k] >= 0);
+          if (packet.triangle[k] < 0) return;
+          ASSERT_TRUE(packet.t[k] == alone.t && packet.triangle[k] == alone.part && double(packet.i[k]) == alone.u && double(packet.k[k]) == alone.v) << set << ' ' << round;
+          ++together;
+        });
+      }
+    }
+  }
+  EXPECT_GT(met, 10000);
+  EXPECT_GT(together, 3000);
 }
 
 TEST(HeightField, SmoothNormalsAreUnitLength) {

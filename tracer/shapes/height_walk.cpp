@@ -8,6 +8,7 @@
 #include <immintrin.h>
 #endif
 
+#include "tracer/shapes/height_packet.h"
 #include "tracer/textures/instruction_sets.h"
 
 #define VERISIM_INLINE inline __attribute__((always_inline))
@@ -17,6 +18,7 @@
 namespace verisim::shapes {
 namespace {
 
+#define VERISIM_INSTRUCTION_SET 0
 namespace baseline {
 #if defined(__x86_64__)
 using Register = __m128;
@@ -44,11 +46,14 @@ VERISIM_INLINE unsigned at_most(Register a, Register b) {
 }
 #endif
 #include "tracer/shapes/height_walk.inc"
+#include "tracer/shapes/height_packet.inc"
 }  // namespace baseline
+#undef VERISIM_INSTRUCTION_SET
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #pragma GCC push_options
 #pragma GCC target("avx2,bmi,bmi2")
+#define VERISIM_INSTRUCTION_SET 1
 namespace avx2 {
 using Register = __m256;
 VERISIM_INLINE Register broadcast(float v) { return _mm256_set1_ps(v); }
@@ -59,8 +64,11 @@ VERISIM_INLINE Register smaller(Register a, Register b) { return _mm256_min_ps(a
 VERISIM_INLINE Register larger(Register a, Register b) { return _mm256_max_ps(a, b); }
 VERISIM_INLINE unsigned at_most(Register a, Register b) { return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OS))); }
 #include "tracer/shapes/height_walk.inc"
+#include "tracer/shapes/height_packet.inc"
 }  // namespace avx2
+#undef VERISIM_INSTRUCTION_SET
 #pragma GCC target("avx2,bmi,bmi2,avx512f,avx512dq,avx512vl,avx512bw,prefer-vector-width=512")
+#define VERISIM_INSTRUCTION_SET 2
 namespace avx512 {
 using Register = __m512;
 VERISIM_INLINE Register broadcast(float v) { return _mm512_set1_ps(v); }
@@ -71,12 +79,16 @@ VERISIM_INLINE Register smaller(Register a, Register b) { return _mm512_min_ps(a
 VERISIM_INLINE Register larger(Register a, Register b) { return _mm512_max_ps(a, b); }
 VERISIM_INLINE unsigned at_most(Register a, Register b) { return _mm512_cmp_ps_mask(a, b, _CMP_LE_OS); }
 #include "tracer/shapes/height_walk.inc"
+#include "tracer/shapes/height_packet.inc"
 }  // namespace avx512
+#undef VERISIM_INSTRUCTION_SET
 #pragma GCC pop_options
 
 constexpr auto kNext = std::to_array({&baseline::next, &avx2::next, &avx512::next});
+constexpr const HeightPacketKernels* kPacketKernels[] = {&baseline::kPacketKernels, &avx2::kPacketKernels, &avx512::kPacketKernels};
 #else
 constexpr decltype(&baseline::next) kNext[textures::kInstructionSets] = {&baseline::next, nullptr, nullptr};
+constexpr const HeightPacketKernels* kPacketKernels[textures::kInstructionSets] = {&baseline::kPacketKernels, nullptr, nullptr};
 #endif
 
 // The smallest block that holds the cells of the ray between `enter` and `leave`.
@@ -120,6 +132,13 @@ int HeightWalk::next(float end, HeightCell cells[kCells]) { return next_of_best(
 
 int HeightWalk::next(int set, float end, HeightCell cells[kCells]) {
   return set <= textures::best_instruction_set() ? kNext[static_cast<std::size_t>(set)](state_, end, cells) : -1;
+}
+
+const HeightPacketKernels* height_packet_kernels(int set) { return set <= textures::best_instruction_set() ? kPacketKernels[set] : nullptr; }
+
+const HeightPacketKernels& height_packet_kernels() {
+  static const HeightPacketKernels& best = *kPacketKernels[textures::best_instruction_set()];
+  return best;
 }
 
 }  // namespace verisim::shapes

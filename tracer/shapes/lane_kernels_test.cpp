@@ -81,6 +81,8 @@ void add_curved(const Steps& steps, std::vector<ObjectRef>& objects) {
     o.bounded_by.push_back(make(scene::Sphere{Vec3(0), 1}));
   }));
   objects.push_back(make(poly(14, {{14, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 2, 1}, {0, 0, 0, -0.5}}), steps));
+  const std::vector<Vec2> vase{{0.2, -1.2}, {0.4, -0.8}, {0.8, -0.2}, {0.3, 0.3}, {0.5, 0.8}, {0.6, 1}};
+  for (const bool open : {false, true}) objects.push_back(make(std::make_shared<const scene::Sor>(scene::Sor{vase, open}), steps));
   const auto sweep = [&](scene::SplineKind spline, std::vector<Vec3> centers, std::vector<double> radii) {
     objects.push_back(make(std::make_shared<const scene::SphereSweep>(scene::SphereSweep{spline, std::move(centers), std::move(radii), 1e-6}), steps));
   };

@@ -2,10 +2,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
-#include "tracer/math/bernstein.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
+#include "tracer/shapes/sor_lanes.h"
 #include "tracer/shapes/spherical_uv.h"
 
 namespace verisim::shapes {
@@ -14,13 +15,7 @@ namespace {
 constexpr double kNearest = 1e-4, kFarthest = 1e7, kSmallestCap2 = 1e-4;
 constexpr std::int32_t kBase = -1, kCap = -2;
 
-struct Segment {
-  double low, high;                 // heights
-  std::array<double, 4> c;          // radius^2 = c[0] + c[1] y + c[2] y^2 + c[3] y^3
-  double least2 = 0, most2 = 0;     // bounds of radius^2, a little wide
-  double radius2(double y) const { return ((c[3] * y + c[2]) * y + c[1]) * y + c[0]; }
-  double slope(double y) const { return (3 * c[3] * y + 2 * c[2]) * y + c[1]; }
-};
+using Segment = SorSegment;
 
 // The cubic through (y0, f0) and (y1, f1) with slopes s0, s1, in powers of y.
 Segment hermite(double y0, double y1, double f0, double f1, double s0, double s1) {
@@ -85,13 +80,10 @@ class Sor final : public Primitive<Sor> {
     if (segments_.empty()) return;
     const LocalRay l = local(ray);
     const Vec3 &p = l.origin, &d = l.direction;
-    const auto report = [&](double t, std::int32_t part) {
-      const double depth = t / l.scale;
-      return depth > kNearest && depth < kFarthest && sink.add(depth, [&] { return ray.origin + depth * ray.direction; }, part);
-    };
+    const auto report = [&](double t, std::int32_t part) { return add(ray, t / l.scale, part, sink); };
     const double r = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z, c = p.x * p.x + p.z * p.z;
     double near = 0, far = kFarthest * l.scale;
-    const double around2 = outer2_ * (1 + 1e-9) + 1e-12;
+    const double around2 = this->around2();
     if (r > 1e-20) {
       const double discriminant = m * m - r * (c - around2);
       if (!(discriminant >= 0)) return;
@@ -101,14 +93,7 @@ class Sor final : public Primitive<Sor> {
     } else if (!(c <= around2)) {
       return;
     }
-    if (std::fabs(d.y) > kEpsilon) {
-      const auto disc = [&](const Vec2& rim, std::int32_t part) {
-        const double t = (rim.y - p.y) / d.y, x = p.x + t * d.x, z = p.z + t * d.z;
-        if (x * x + z * z <= rim.x * rim.x) report(t, part);
-      };
-      if (has_base_) disc(base_, kBase);
-      if (has_cap_) disc(cap_, kCap);
-    }
+    each_end(l, report);
     // Only the nearest hit is wanted: segments from near to far, until one is hit.
     const bool downwards = Sink::kNearest && d.y < 0;
     for (std::size_t step = 0; step < segments_.size(); ++step) {
@@ -141,6 +126,14 @@ class Sor final : public Primitive<Sor> {
     }
   }
 
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max, Hit* hits) const override {
+    return nearest_of_lanes(rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min, const double* t_max) const override {
+    Hit hit;
+    return nearest_of_lanes(rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+  }
+
   bool contains(const Vec3& point) const {
     const Vec3 p = local(point);
     const double rho2 = p.x * p.x + p.z * p.z;
@@ -167,6 +160,66 @@ class Sor final : public Primitive<Sor> {
   }
 
  private:
+  double around2() const { return outer2_ * (1 + 1e-9) + 1e-12; }
+
+  template <class Sink>
+  static bool add(const Ray& ray, double depth, std::int32_t part, Sink& sink) {
+    return depth > kNearest && depth < kFarthest && sink.add(depth, [&] { return ray.origin + depth * ray.direction; }, part);
+  }
+  template <class Report>
+  void each_end(const LocalRay& l, Report&& report) const {
+    const Vec3 &p = l.origin, &d = l.direction;
+    if (!(std::fabs(d.y) > kEpsilon)) return;
+    const auto disc = [&](const Vec2& rim, std::int32_t part) {
+      const double t = (rim.y - p.y) / d.y, x = p.x + t * d.x, z = p.z + t * d.z;
+      if (x * x + z * z <= rim.x * rim.x) report(t, part);
+    };
+    if (has_base_) disc(base_, kBase);
+    if (has_cap_) disc(cap_, kCap);
+  }
+
+  template <class HitOf>
+  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
+    if (admitted == 0 || segments_.empty()) return 0;
+    SorLanes lanes;
+    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes.rays);
+    const unsigned met = sor_kernels().begin(around2(), kFarthest, admitted, lanes);
+    std::optional<NearestHit> sinks[RayLanes::kCount];
+    unsigned falling = 0;
+    each_lane(met, [&](int k) {
+      sinks[k].emplace(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      if (has_base_ || has_cap_) {
+        const Ray ray = rays.at(k);
+        const LocalRay l = local(ray);
+        each_end(l, [&](double t, std::int32_t part) { return add(ray, t / l.scale, part, *sinks[k]); });
+      }
+      falling |= lanes.rays.dy[k] < 0 ? 1u << k : 0;
+      lanes.upper[k] = sinks[k]->upper();
+    });
+    follow(rays, met & ~falling, false, lanes, sinks);
+    follow(rays, met & falling, true, lanes, sinks);
+    unsigned found = 0;
+    each_lane(met, [&](int k) { found |= sinks[k]->found() ? 1u << k : 0; });
+    return found;
+  }
+  // Segments from near to far, for each lane until it is hit.
+  void follow(const RayLanes& rays, unsigned open, bool downwards, SorLanes& lanes, std::optional<NearestHit>* sinks) const {
+    RootLanes roots;
+    for (std::size_t step = 0; step < segments_.size() && open != 0; ++step) {
+      const std::size_t i = downwards ? segments_.size() - 1 - step : step;
+      unsigned curved = sor_kernels().enter(segments_[i], open, lanes, roots);
+      if (curved != 0) curved = bernstein_kernels().begin(3, curved, roots);
+      while (curved != 0) {
+        curved &= bernstein_kernels().next(3, curved, roots);
+        each_lane(curved, [&](int k) {
+          const double t = lanes.from[k] + roots.root[k];
+          if (add(rays.at(k), t / lanes.rays.scale[k], static_cast<std::int32_t>(i), *sinks[k])) curved &= ~(1u << k), open &= ~(1u << k);
+        });
+      }
+    }
+  }
+
   std::vector<Segment> segments_;
   double outer2_;
   Vec2 base_{0, 0}, cap_{0, 0};  // radius and height of the ends

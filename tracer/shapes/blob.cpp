@@ -3,10 +3,14 @@
 // A capsule is three parts: a cylinder and two half spheres. Along a ray every part has an interval and a quartic; between the ends of intervals the
 // sum is one quartic, whose roots are isolated by its Bernstein coefficients.
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "tracer/accel/box_tree.h"
-#include "tracer/math/bernstein.h"
+#include "tracer/math/bernstein_lanes.h"
+#include "tracer/shapes/blob_lanes.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/frame.h"
 #include "tracer/shapes/primitive.h"
@@ -17,21 +21,11 @@ namespace {
 
 constexpr double kNearest = 1e-2, kFarthest = 1e7, kShortest = 1e-10, kInsideMargin = 1e-6;
 constexpr std::size_t kFewParts = 2, kFewPieces = 24;
+constexpr std::size_t kMostForLanes = 64;  // parts; of more, a tree finds the few that a ray meets
 constexpr std::size_t kMaxTextures = 512;
 
-enum class PartKind : unsigned char { sphere, cylinder, base, apex };
-
-struct Part {
-  PartKind kind;
-  bool moved = false;       // `inverse` counts
-  std::int32_t component = 0;
-  Vec3 center;              // of a sphere or half sphere; the base of a cylinder
-  Vec3 axis;                // unit; of all but spheres
-  double length = 0;        // of a cylinder
-  double radius2 = 0, k0 = 0, k1 = 0, k2 = 0;  // field = k0 D^2 + k1 D + k2 of the squared distance D
-  Transform transform;
-  Box3 box, pov_box;        // in the blob's space: of its reach, and as POV-Ray has it
-};
+using Part = BlobPart;
+using PartKind = BlobPartKind;
 
 // D = a t^2 + 2 b t + c along a ray, valid for t0 < t < t1.
 struct Piece {
@@ -47,6 +41,51 @@ struct Event {
   std::int32_t piece;
   bool enters;
   bool operator<(const Event& other) const { return t < other.t; }
+};
+
+// The stretches of a ray between the ends of pieces, from near to far, with the pieces that are valid there. The ray's parameter is rescaled to 0 .. 1.
+class Stretches {
+ public:
+  // `active`: room for as many as there are pieces.
+  Stretches(const Event* events, std::size_t count, std::int32_t* active) : events_(events), active_(active), count_(count), start(events[0].t), span(events[count - 1].t - start) {}
+
+  bool valid() const { return span > 0 && std::isfinite(span); }
+  // The next one with any piece.
+  bool next() {
+    for (; next_ + 1 < count_; ++next_) {
+      update(events_[next_]);
+      from = (events_[next_].t - start) / span;
+      to = (events_[next_ + 1].t - start) / span;
+      while (to - from < kShortest && next_ + 2 < count_) {
+        update(events_[++next_]);
+        to = (events_[next_ + 1].t - start) / span;
+      }
+      if (active_count_ == 0) continue;
+      ++next_;
+      return true;
+    }
+    return false;
+  }
+  std::span<const std::int32_t> active() const { return {active_, active_count_}; }
+
+ private:
+  void update(const Event& event) {
+    if (event.enters) {
+      active_[active_count_++] = event.piece;
+      return;
+    }
+    std::size_t i = 0;
+    while (active_[i] != event.piece) ++i;
+    active_[i] = active_[--active_count_];
+  }
+
+  const Event* events_;
+  std::int32_t* active_;
+  std::size_t count_, next_ = 0, active_count_ = 0;
+
+ public:
+  double start, span;
+  double from = 0, to = 0;
 };
 
 // A sphere that POV-Ray draws around a part, as a cube; generous for transformed ones.
@@ -112,6 +151,23 @@ std::vector<Part> parts_of(const scene::Blob& blob) {
   return parts;
 }
 
+std::vector<PartSpheres> spheres_around(const std::vector<Part>& parts) {
+  std::vector<PartSpheres> spheres((parts.size() + 7) / 8);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Part& part = parts[i];
+    Vec3 center = part.center;
+    double radius = std::sqrt(part.radius2);
+    if (part.moved) {
+      center = part.box.center(), radius = 0.5 * length(part.box.max - part.box.min);
+    } else if (part.kind == PartKind::cylinder) {
+      center += 0.5 * part.length * part.axis, radius = std::sqrt(part.radius2 + 0.25 * part.length * part.length);
+    }
+    PartSpheres& s = spheres[i / 8];
+    s.x[i % 8] = center.x, s.y[i % 8] = center.y, s.z[i % 8] = center.z, s.radius[i % 8] = radius;
+  }
+  return spheres;
+}
+
 // Where the surface can be: with a positive threshold, within reach of a positive part.
 Box3 box_of(const std::vector<Part>& parts, bool all) {
   Box3 box;
@@ -136,32 +192,30 @@ class Blob final : public Primitive<Blob> {
         return limit;
       });
     }
-    if (pieces.size() == 0) return;
-    double peak = 0;
-    for (std::size_t i = 0; i < pieces.size(); ++i) peak += pieces[i].peak;
-    if (misses(peak)) return;
-
+    if (pieces.size() == 0 || misses(pieces)) return;
     Scratch<Event> events;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      events.insert_sorted({pieces[i].t0, static_cast<std::int32_t>(i), true}, kFewPieces);
-      events.insert_sorted({pieces[i].t1, static_cast<std::int32_t>(i), false}, kFewPieces);
-    }
-    if (events.size() > kFewPieces) events.sort();
-    const double start = events[0].t, span = events[events.size() - 1].t - start;
-    if (!(span > 0) || !std::isfinite(span)) return;
-
+    add_events(pieces, 0, events);
     Scratch<std::int32_t> active;
-    for (std::size_t i = 0; i + 1 < events.size(); ++i) {
-      update(events[i], active);
-      const double from = (events[i].t - start) / span;
-      double to = (events[i + 1].t - start) / span;
-      while (to - from < kShortest && i + 2 < events.size()) {
-        update(events[++i], active);
-        to = (events[i + 1].t - start) / span;
-      }
-      if (active.size() == 0) continue;
-      if (solve_interval(ray, l, pieces, active, start, span, from, to, sink)) return;
+    for (std::size_t i = 0; i < pieces.size(); ++i) active.add(0);
+    Stretches stretches(&events[0], events.size(), &active[0]);
+    if (!stretches.valid()) return;
+    while (stretches.next()) {
+      double power[5], roots[4];
+      if (!sum_pieces(&pieces[0], stretches, power)) continue;
+      const int n = bernstein_roots<4>(power, stretches.from, stretches.to, roots);
+      for (int i = 0; i < n; ++i)
+        if (report(ray, l.scale, stretches, roots[i], sink) && Sink::kNearest) return;
     }
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+    if (spheres_.empty()) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    return nearest_of_lanes(rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+    if (spheres_.empty()) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    Hit hit;
+    return nearest_of_lanes(rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
   bool contains(const Vec3& point) const {
@@ -207,6 +261,7 @@ class Blob final : public Primitive<Blob> {
       boxes.push_back(part.box);
       finite = finite && accel::is_finite(part.box) && !accel::is_empty(part.box);
     }
+    if (parts_.size() <= kMostForLanes && finite) spheres_ = spheres_around(parts_);
     if (parts_.size() > kFewParts && finite) tree_ = accel::BoxTree(boxes);
   }
 
@@ -280,49 +335,139 @@ class Blob final : public Primitive<Blob> {
     pieces.add(piece);
   }
 
-  static void update(const Event& event, Scratch<std::int32_t>& active) {
-    if (event.enters) {
-      active.add(event.piece);
-      return;
-    }
-    std::size_t i = 0;
-    while (active[i] != event.piece) ++i;
-    active[i] = active[active.size() - 1];
-    active.pop();
-  }
-
-  // Reports the hits between `from` and `to` of the rescaled parameter; true if the search may stop.
-  template <class Sink>
-  bool solve_interval(const Ray& ray, const LocalRay& l, Scratch<Piece>& pieces, const Scratch<std::int32_t>& active, double start, double span,
-                      double from, double to, Sink& sink) const {
-    double peak = 0;
-    for (std::size_t k = 0; k < active.size(); ++k) peak += pieces[static_cast<std::size_t>(active[k])].peak;
-    if (misses(peak)) return false;
-    double power[5] = {-threshold_, 0, 0, 0, 0};
-    for (std::size_t k = 0; k < active.size(); ++k) {
-      Piece& piece = pieces[static_cast<std::size_t>(active[k])];
-      if (!piece.expanded) expand(piece, start, span);
-      for (int i = 0; i < 5; ++i) power[i] += piece.power[i];
-    }
-    double roots[4];
-    const int n = bernstein_roots<4>(power, from, to, roots);
-    bool stop = false;
-    for (int i = 0; i < n; ++i) {
-      const double depth = (start + span * roots[i]) / l.scale;
-      // Searches from within (subsurface scattering) ask for everything in front, and POV-Ray's own leave nothing out there.
-      const double nearest = Sink::kNearest && sink.lower() == std::numeric_limits<double>::min() ? 1e-7 : kNearest;
-      if (!(depth > nearest && depth < kFarthest)) continue;
-      const bool accepted = sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
-      if (Sink::kNearest && accepted) {
-        stop = true;
-        break;
-      }
-    }
-    return stop;
-  }
-
   // Fields that add up to no more than `peak` do not reach the threshold, whatever the rounding.
   bool misses(double peak) const { return peak < threshold_ - 1e-6 * (1 + std::fabs(threshold_)); }
+  bool misses(const Scratch<Piece>& pieces) const {
+    double peak = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) peak += pieces[i].peak;
+    return misses(peak);
+  }
+
+  // The ends of pieces from `first` on, whose numbers count from there.
+  static void add_events(const Scratch<Piece>& pieces, std::size_t first, Scratch<Event>& events) {
+    for (std::size_t i = first; i < pieces.size(); ++i) {
+      events.insert_sorted({pieces[i].t0, static_cast<std::int32_t>(i - first), true}, kFewPieces);
+      events.insert_sorted({pieces[i].t1, static_cast<std::int32_t>(i - first), false}, kFewPieces);
+    }
+    if (events.size() > kFewPieces) events.sort();
+  }
+
+  // The field less the threshold on a stretch, in powers of the rescaled parameter; false: it does not reach it.
+  bool sum_pieces(Piece* pieces, const Stretches& stretches, double* power) const {
+    double peak = 0;
+    for (const std::int32_t i : stretches.active()) peak += pieces[i].peak;
+    if (misses(peak)) return false;
+    power[0] = -threshold_, power[1] = power[2] = power[3] = power[4] = 0;
+    for (const std::int32_t n : stretches.active()) {
+      Piece& piece = pieces[n];
+      if (!piece.expanded) expand(piece, stretches.start, stretches.span);
+      for (int i = 0; i < 5; ++i) power[i] += piece.power[i];
+    }
+    return true;
+  }
+
+  template <class Sink>
+  static bool report(const Ray& ray, double scale, const Stretches& stretches, double root, Sink& sink) {
+    const double depth = (stretches.start + stretches.span * root) / scale;
+    // Searches from within (subsurface scattering) ask for everything in front, and POV-Ray's own leave nothing out there.
+    const double nearest = Sink::kNearest && sink.lower() == std::numeric_limits<double>::min() ? 1e-7 : kNearest;
+    return depth > nearest && depth < kFarthest && sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
+  }
+
+  // The parts that any of several rays may meet.
+  std::uint64_t parts_near(const LocalLanes& l, unsigned lanes) const {
+    const int one = std::countr_zero(lanes);
+    const auto origin = [&](int k) { return Vec3(l.ox[k], l.oy[k], l.oz[k]); };
+    const auto direction = [&](int k) { return Vec3(l.dx[k], l.dy[k], l.dz[k]); };
+    double apart2 = 0, bent2 = 0, size2 = HUGE_VAL;
+    bool strange = false;  // no numbers: any part may be near
+    each_lane(lanes, [&](int k) {
+      const Vec3 o = origin(k) - origin(one), d = direction(k) - direction(one);
+      const double a = dot(o, o), b = dot(d, d), c = dot(direction(k), direction(k));
+      apart2 = std::max(apart2, a), bent2 = std::max(bent2, b), size2 = std::min(size2, c);
+      strange = strange || !(a < HUGE_VAL && b < HUGE_VAL && c > 0);
+    });
+    return blob_kernels().near(spheres_.data(), spheres_.size(), origin(one), direction(one), strange ? HUGE_VAL : std::sqrt(apart2), std::sqrt(bent2 / size2));
+  }
+
+  // A ray of several, and its part of the lists that they share.
+  struct LaneSearch {
+    std::size_t first_piece, first_event, events;
+    double scale;
+    std::optional<Stretches> stretches;
+  };
+
+  template <class HitOf>
+  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
+    if (admitted == 0) return 0;
+    LocalLanes lanes;
+    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes);
+    PieceLanes met[kMostForLanes];
+    const std::size_t count = blob_kernels().pieces(parts_.data(), parts_near(lanes, admitted), lanes, admitted, met);
+    if (count == 0) return 0;
+    Scratch<Piece> pieces;
+    Scratch<Event, LaneSearch> events;
+    Scratch<std::int32_t> active;
+    LaneSearch searches[RayLanes::kCount];
+    unsigned open = 0;
+    each_lane(admitted, [&](int k) {
+      LaneSearch& search = searches[k];
+      search = {pieces.size(), events.size(), 0, lanes.scale[k], {}};
+      double peak = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        const PieceLanes& p = met[i];
+        if (!(p.met >> k & 1)) continue;
+        pieces.add({p.t0[k], p.t1[k], p.a[k], p.b[k], p.c[k], p.part, p.peak[k]});
+        peak += p.peak[k];
+      }
+      if (pieces.size() == search.first_piece || misses(peak)) return;
+      Scratch<Event> sorted;
+      add_events(pieces, search.first_piece, sorted);
+      search.events = sorted.size();
+      for (std::size_t i = 0; i < sorted.size(); ++i) events.add(sorted[i]);
+      open |= 1u << k;
+    });
+    for (std::size_t i = 0; i < pieces.size(); ++i) active.add(0);
+    each_lane(open, [&](int k) {
+      LaneSearch& search = searches[k];
+      search.stretches.emplace(&events[search.first_event], search.events, &active[search.first_piece]);
+      if (!search.stretches->valid()) open &= ~(1u << k);
+    });
+
+    // Every lane goes from stretch to stretch until it is hit; those of all lanes are solved together.
+    unsigned found = 0;
+    RootLanes roots;
+    while (open != 0) {
+      unsigned solved = 0;
+      each_lane(open, [&](int k) {
+        LaneSearch& search = searches[k];
+        Stretches& stretches = *search.stretches;
+        double power[5];
+        do {
+          if (!stretches.next() || (stretches.start + stretches.span * stretches.from) / search.scale >= t_max[k]) {
+            open &= ~(1u << k);
+            return;
+          }
+        } while (!sum_pieces(&pieces[search.first_piece], stretches, power));
+        for (int i = 0; i < 5; ++i) roots.power[i][k] = power[i];
+        roots.from[k] = stretches.from, roots.to[k] = stretches.to;
+        solved |= 1u << k;
+      });
+      if (solved != 0) solved = bernstein_kernels().begin(4, solved, roots);
+      while (solved != 0) {
+        solved &= bernstein_kernels().next(4, solved, roots);
+        each_lane(solved, [&](int k) {
+          NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+          if (report(rays.at(k), searches[k].scale, *searches[k].stretches, roots.root[k], sink)) {
+            found |= 1u << k;
+            open &= ~(1u << k), solved &= ~(1u << k);
+          }
+        });
+      }
+    }
+    return found;
+  }
 
   static void expand(Piece& piece, double start, double span) {
     const Part& part = *piece.part;
@@ -337,6 +482,7 @@ class Blob final : public Primitive<Blob> {
 
   double threshold_;
   std::vector<Part> parts_;
+  std::vector<PartSpheres> spheres_;  // if the parts are not too many
   accel::BoxTree tree_;
   std::vector<scene::TexturePtr> textures_;
 };

@@ -5,7 +5,9 @@
 #include <limits>
 #include <memory>
 
+#include "tracer/shapes/blob_lanes.h"
 #include "tracer/shapes/poly_lanes.h"
+#include "tracer/shapes/sor_lanes.h"
 #include "tracer/shapes/sphere_sweep_lanes.h"
 #include "tracer/shapes/superellipsoid_lanes.h"
 #include "tracer/shapes/test_support.h"
@@ -81,6 +83,12 @@ void add_curved(const Steps& steps, std::vector<ObjectRef>& objects) {
     o.bounded_by.push_back(make(scene::Sphere{Vec3(0), 1}));
   }));
   objects.push_back(make(poly(14, {{14, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 2, 1}, {0, 0, 0, -0.5}}), steps));
+  const Transform turned = Transform::scaling({0.7, 1.3, 1}).then(Transform::rotation({30, 10, 50}));
+  const auto blob = [&](double threshold, std::vector<scene::BlobComponent> components) {
+    objects.push_back(make(std::make_shared<const scene::Blob>(scene::Blob{threshold, std::move(components)}), steps));
+  };
+  blob(0.5, {{{-0.4, 0, 0}, {}, 0.9, 1, false, {}, {}}, {{0.5, 0.2, 0}, {}, 0.8, 1, false, {}, {}}, {{0, 0.4, 0}, {}, 0.4, -1.5, false, {}, {}}, {{-0.5, -0.6, 0.2}, {0.6, 0.5, 0}, 0.5, 1, true, {}, {}}});
+  blob(0.3, {{{0, 0, 0}, {0, 0.6, 0}, 0.7, 1, true, turned, {}}, {{0.3, 0, 0}, {}, 0.8, 0.6, false, turned, {}}});
   const std::vector<Vec2> vase{{0.2, -1.2}, {0.4, -0.8}, {0.8, -0.2}, {0.3, 0.3}, {0.5, 0.8}, {0.6, 1}};
   for (const bool open : {false, true}) objects.push_back(make(std::make_shared<const scene::Sor>(scene::Sor{vase, open}), steps));
   const auto sweep = [&](scene::SplineKind spline, std::vector<Vec3> centers, std::vector<double> radii) {
@@ -222,6 +230,76 @@ TEST_P(LaneKernel, MakesTheSamePolynomialsAlongRays) {
       ASSERT_TRUE(same(c.moved[k], d.moved[k]));
     }
   }
+}
+
+TEST_P(LaneKernel, MeetsThePartsOfABlobAlike) {
+  const BlobKernels *kernels = blob_kernels(GetParam()), &plain = *blob_kernels(textures::kBaseline);
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  std::vector<BlobPart> parts(4);
+  PartSpheres spheres;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    BlobPart& part = parts[i];
+    part.kind = static_cast<BlobPartKind>(i);
+    part.center = Vec3(0.2 * double(i), -0.1, 0.3), part.axis = normalize(Vec3(1, 0.5, -0.3)), part.length = 0.7;
+    part.radius2 = 0.5, part.k0 = 4, part.k1 = -4, part.k2 = 1;
+    part.moved = i == 2, part.transform = Transform::scaling({0.7, 1.2, 0.9});
+    spheres.x[i] = part.center.x, spheres.y[i] = part.center.y, spheres.z[i] = part.center.z, spheres.radius[i] = 1.1;
+  }
+  Rays rays;
+  int met = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    rays.fill(round, 0);
+    LocalLanes local;
+    lane_kernels(textures::kBaseline)->local(nullptr, {*rays.rows, 0, 255}, local);
+    const Ray ray = rays.rows->at(3);
+    ASSERT_EQ(kernels->near(&spheres, 1, ray.origin, ray.direction, 0.1, 0.2), plain.near(&spheres, 1, ray.origin, ray.direction, 0.1, 0.2));
+    // What lies near is never left out.
+    const std::uint64_t near = plain.near(&spheres, 1, ray.origin, ray.direction, 0, 0);
+    PieceLanes a[4], b[4];
+    const std::size_t count = kernels->pieces(parts.data(), 15, local, rays.asked, a);
+    ASSERT_EQ(count, plain.pieces(parts.data(), 15, local, rays.asked, b));
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_TRUE(a[i].part == b[i].part && a[i].met == b[i].met);
+      const auto index = static_cast<std::size_t>(a[i].part - parts.data());
+      if (a[i].met >> 3 & 1 && !a[i].part->moved) {
+        ASSERT_TRUE(near >> index & 1);
+      }
+      each_lane(a[i].met, [&](int k) {
+        ASSERT_TRUE(same(a[i].t0[k], b[i].t0[k]) && same(a[i].t1[k], b[i].t1[k]) && same(a[i].a[k], b[i].a[k]) && same(a[i].b[k], b[i].b[k]) && same(a[i].c[k], b[i].c[k]) && same(a[i].peak[k], b[i].peak[k]));
+        ++met;
+      });
+    }
+  }
+  EXPECT_GT(met, 5000);
+}
+
+TEST_P(LaneKernel, MeetsASurfaceOfRevolutionAlike) {
+  const SorKernels *kernels = sor_kernels(GetParam()), &plain = *sor_kernels(textures::kBaseline);
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  const SorSegment segment{-0.6, 0.5, {0.5, 0.2, -0.3, 0.1}, 0.2, 0.7};
+  Rays rays;
+  int met = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    rays.fill(round, 0);
+    SorLanes a, b;
+    RootLanes roots_a, roots_b;
+    const auto ask = [&](const SorKernels& set, SorLanes& lanes, RootLanes& roots, unsigned& open) {
+      lane_kernels(textures::kBaseline)->local(nullptr, {*rays.rows, 0, 255}, lanes.rays);
+      std::copy_n(rays.limit, kLanes, lanes.upper);
+      open = set.begin(0.7, 1e7, rays.asked, lanes);
+      return set.enter(segment, open, lanes, roots);
+    };
+    unsigned open_a, open_b;
+    const unsigned found = ask(*kernels, a, roots_a, open_a);
+    ASSERT_EQ(found, ask(plain, b, roots_b, open_b));
+    ASSERT_EQ(open_a, open_b);
+    each_lane(found, [&](int k) {
+      ASSERT_TRUE(same(a.from[k], b.from[k]) && same(roots_a.to[k], roots_b.to[k]));
+      for (int i = 0; i < 4; ++i) ASSERT_TRUE(same(roots_a.power[i][k], roots_b.power[i][k]));
+      ++met;
+    });
+  }
+  EXPECT_GT(met, 3000);
 }
 
 TEST_P(LaneKernel, ApproachesASuperellipsoidInTheSameSteps) {

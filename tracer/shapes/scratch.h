@@ -11,42 +11,50 @@ namespace verisim::shapes {
 template <class T, class Tag = T>
 class Scratch {
  public:
-  Scratch() : list_(thread_list()), begin_(list_.size()) {}
-  ~Scratch() { list_.resize(begin_); }
+  Scratch() : list_(thread_list()), begin_(list_.end) {}
+  ~Scratch() { list_.end = begin_; }
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
 
   void add(const T& value) {
-    list_.push_back(value);
+    if (list_.end == list_.storage.size()) grow();
+    list_.storage[list_.end++] = value;
     ++size_;
   }
   // Adds in order while there are at most `few` elements, at the end after that: sort() then.
   void insert_sorted(const T& value, std::size_t few) {
     add(value);
     if (size_ > few) return;
-    T* first = &list_[begin_];
+    T* first = &list_.storage[begin_];
     T* place = first + size_ - 1;
     for (; place > first && value < place[-1]; --place) *place = place[-1];
     *place = value;
   }
   void pop() {
-    list_.pop_back();
+    --list_.end;
     --size_;
   }
   std::size_t size() const { return size_; }
-  T& operator[](std::size_t i) { return list_[begin_ + i]; }
-  const T& operator[](std::size_t i) const { return list_[begin_ + i]; }
+  T& operator[](std::size_t i) { return list_.storage[begin_ + i]; }
+  const T& operator[](std::size_t i) const { return list_.storage[begin_ + i]; }
   template <class Less = std::less<>>
   void sort(Less less = {}) {
-    std::sort(list_.begin() + static_cast<std::ptrdiff_t>(begin_), list_.begin() + static_cast<std::ptrdiff_t>(begin_ + size_), less);
+    const auto first = list_.storage.begin() + static_cast<std::ptrdiff_t>(begin_);
+    std::sort(first, first + static_cast<std::ptrdiff_t>(size_), less);
   }
 
  private:
-  static std::vector<T>& thread_list() {
-    thread_local std::vector<T> list;
+  struct List {
+    std::vector<T> storage;
+    std::size_t end = 0;
+  };
+  static List& thread_list() {
+    thread_local List list;
     return list;
   }
-  std::vector<T>& list_;
+  [[gnu::noinline]] void grow() { list_.storage.resize(2 * list_.end + 64); }
+
+  List& list_;
   const std::size_t begin_;
   std::size_t size_ = 0;
 };

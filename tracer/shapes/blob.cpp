@@ -390,6 +390,13 @@ class Blob final : public Primitive<Blob> {
     return blob_kernels().near(spheres_.data(), spheres_.size(), origin(one), direction(one), strange ? HUGE_VAL : std::sqrt(apart2), std::sqrt(bent2 / size2));
   }
 
+  // Events at one place: their order, and with it the order of sums, is that in which the tree finds the parts.
+  static bool any_together(const Scratch<Event>& events) {
+    for (std::size_t i = 1; i < events.size(); ++i)
+      if (events[i].t == events[i - 1].t) return true;
+    return false;
+  }
+
   // A ray of several, and its part of the lists that they share.
   struct LaneSearch {
     std::size_t first_piece, first_event, events;
@@ -410,7 +417,7 @@ class Blob final : public Primitive<Blob> {
     Scratch<Event, LaneSearch> events;
     Scratch<std::int32_t> active;
     LaneSearch searches[RayLanes::kCount];
-    unsigned open = 0;
+    unsigned open = 0, apart = 0;
     each_lane(admitted, [&](int k) {
       LaneSearch& search = searches[k];
       search = {pieces.size(), events.size(), 0, lanes.scale[k], {}};
@@ -424,6 +431,10 @@ class Blob final : public Primitive<Blob> {
       if (pieces.size() == search.first_piece || misses(peak)) return;
       Scratch<Event> sorted;
       add_events(pieces, search.first_piece, sorted);
+      if (!tree_.empty() && any_together(sorted)) {
+        apart |= 1u << k;
+        return;
+      }
       search.events = sorted.size();
       for (std::size_t i = 0; i < sorted.size(); ++i) events.add(sorted[i]);
       open |= 1u << k;
@@ -435,8 +446,13 @@ class Blob final : public Primitive<Blob> {
       if (!search.stretches->valid()) open &= ~(1u << k);
     });
 
-    // Every lane goes from stretch to stretch until it is hit; those of all lanes are solved together.
     unsigned found = 0;
+    each_lane(apart, [&](int k) {
+      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      crossings(rays.at(k), sink);
+      found |= sink.found() ? 1u << k : 0;
+    });
+    // Every lane goes from stretch to stretch until it is hit; those of all lanes are solved together.
     RootLanes roots;
     while (open != 0) {
       unsigned solved = 0;

@@ -29,30 +29,19 @@ void Photon::set_direction(const Vec3& d) {
   azimuth = static_cast<std::int8_t>(around * 127.0 / kPi);
 }
 
-Rgb Photon::color() const {
-  static const std::array<float, 256> scales = [] {
-    std::array<float, 256> t;
-    for (int e = 0; e < 256; ++e) t[static_cast<std::size_t>(e)] = e == 0 ? 0.0f : std::ldexp(1.0f, e - (250 + 8));
-    return t;
-  }();
-  const float scale = scales[energy[3]];
-  return {energy[0] * scale, energy[1] * scale, energy[2] * scale};
-}
+const std::array<float, 256> Photon::kScales = [] {
+  std::array<float, 256> t;
+  for (int e = 0; e < 256; ++e) t[static_cast<std::size_t>(e)] = e == 0 ? 0.0f : std::ldexp(1.0f, e - (250 + 8));
+  return t;
+}();
 
-Vec3 Photon::direction() const {
-  struct Angle {
-    double cosine, sine;
-  };
-  static const std::array<Angle, 256> angles = [] {
-    std::array<Angle, 256> t;
-    for (int i = 0; i < 256; ++i) {
-      const double angle = static_cast<std::int8_t>(i) * kPi / 127.0;
-      t[static_cast<std::size_t>(i)] = {std::cos(angle), std::sin(angle)};
-    }
-    return t;
-  }();
-  const Angle &up = angles[static_cast<std::uint8_t>(elevation)], &around = angles[static_cast<std::uint8_t>(azimuth)];
-  return {up.cosine * around.cosine, up.sine, up.cosine * around.sine};
-}
+const std::array<Photon::Angle, 256> Photon::kAngles = [] {
+  std::array<Angle, 256> t;
+  for (int i = 0; i < 256; ++i) {
+    const double angle = static_cast<std::int8_t>(i) * kPi / 127.0;
+    t[static_cast<std::size_t>(i)] = {std::cos(angle), std::sin(angle)};
+  }
+  return t;
+}();
 
 }  // namespace verisim::global

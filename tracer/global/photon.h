@@ -21,6 +21,23 @@ struct Photon {
   void set_direction(const Vec3& towards_light);  // unit
   Rgb color() const;
   Vec3 direction() const;
+
+ private:
+  struct Angle {
+    double cosine, sine;
+  };
+  static const std::array<float, 256> kScales;
+  static const std::array<Angle, 256> kAngles;
 };
+
+inline Rgb Photon::color() const {
+  const float scale = kScales[energy[3]];
+  return {energy[0] * scale, energy[1] * scale, energy[2] * scale};
+}
+
+inline Vec3 Photon::direction() const {
+  const Angle &up = kAngles[static_cast<std::uint8_t>(elevation)], &around = kAngles[static_cast<std::uint8_t>(azimuth)];
+  return {up.cosine * around.cosine, up.sine, up.cosine * around.sine};
+}
 
 }  // namespace verisim::global

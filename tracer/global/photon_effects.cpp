@@ -1,5 +1,6 @@
 // Photon maps in the recursive trace: the light of stored photons, and the direct light they replace (spec 07 sections 3.10 and 3.11).
 #include "tracer/global/effects_state.h"
+#include "tracer/shading/finish.h"
 
 namespace verisim::global {
 namespace {
@@ -11,6 +12,11 @@ bool reflects_photons(const shading::LayerContext& layer, bool highlights) {
   const scene::Finish& f = layer.layer.finish;
   if (highlights && (f.phong > 0 || f.specular > 0)) return true;
   return (f.diffuse > 0 || f.diffuse_back > 0) && (layer.opacity != 0 || f.crand > 0);
+}
+
+// Whether a layer shows nothing of a light but the plain diffuse part.
+bool is_plain(const scene::Finish& f, bool highlights, bool subsurface) {
+  return !(highlights && (f.phong > 0 || f.specular > 0)) && !(f.irid > 0) && !(f.crand > 0) && !(f.subsurface && subsurface);
 }
 
 }  // namespace
@@ -28,19 +34,26 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
     at.photons_gathered = true;
   }
   const scene::Finish& finish = layer.layer.finish;
-  const bool both_sides = at.surface.double_illuminate || finish.diffuse_back != 0;
+  const bool both_sides = at.surface.double_illuminate || finish.diffuse_back != 0, plain = is_plain(finish, !ray.gather, subsurface);
+  const Rgb pigment = layer.pigment.rgb();
+  const Vec3 normal = layer.normal, raw = at.raw;
   const double r = state.gathered.radius;
   const auto per_area = static_cast<float>(1.0 / (kPi * r * r));
   Rgb sum;
   for (const Photon* photon : state.gathered.photons) {
     const Vec3 direction = photon->direction();
-    const bool behind = dot(layer.normal, direction) < kEpsilon;
+    const double cosine = dot(normal, direction);
+    const bool behind = cosine < kEpsilon;
     if (behind && !both_sides) continue;
     const bool back = behind && !at.surface.double_illuminate;
-    const double slant = std::max(0.1, dot(at.raw, direction));
+    const float diffuse = back ? finish.diffuse_back : finish.diffuse;
+    const double slant = std::max(0.1, dot(raw, direction));
     const Rgb intensity = photon->color() * static_cast<float>(per_area / slant);
-    sum += tracer.layer_response(at, layer, ray.ray.direction, direction, intensity, back ? finish.diffuse_back : finish.diffuse,
-                                 !ray.gather && !back);
+    if (!plain) {
+      sum += tracer.layer_response(at, layer, ray.ray.direction, direction, intensity, diffuse, !ray.gather && !back);
+    } else if (diffuse > 0) {
+      sum += static_cast<float>(shading::diffuse_share(layer.opacity, diffuse, finish.brilliance, cosine)) * pigment * intensity;
+    }
   }
   return sum;
 }

@@ -1,6 +1,8 @@
 #include "tracer/global/photon_map.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -10,18 +12,10 @@ namespace verisim::global {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr auto kAny = std::numeric_limits<std::size_t>::max();  // too many for every search
 
 Vec3 position(const Photon& p) { return {p.position[0], p.position[1], p.position[2]}; }
-
-// Whether the photon's squared distance is below the limit; with a normal it is larger the farther the photon lies from the plane through `point`.
-inline bool is_near(const Photon& p, const Vec3& point, const Vec3* normal, double limit, double& squared) {
-  const Vec3 delta = position(p) - point;
-  squared = dot(delta, delta);
-  if (squared >= limit) return false;  // flattened distances are never below plain ones
-  if (normal) squared *= 1.0 + 16.0 * std::fabs(dot(*normal, delta));
-  return squared < limit;
-}
 
 }  // namespace
 
@@ -35,163 +29,180 @@ void PhotonMap::build_sorted() {
   tree_.build(photons_.size(), [this](std::size_t i) { return photons_[i].position; });
 }
 
-// Keeps the `maximum` nearest, in their order in the map; of equally far ones the first.
-void PhotonMap::Search::keep_nearest(std::size_t maximum, double& limit) {
-  // Squared distances are spread evenly over a disc, so a histogram narrows the last one kept down to a few.
-  constexpr std::size_t kBins = 64;
-  std::array<std::uint32_t, kBins> counts{};
-  const double scale = limit > 0.0 ? kBins / limit : 0.0;
-  const auto bin_of = [scale](double squared) { return std::min(kBins - 1, static_cast<std::size_t>(squared * scale)); };
-  for (const Found& f : found) ++counts[bin_of(f.squared)];
-  std::size_t bin = 0, before = 0;
-  while (before + counts[bin] < maximum) before += counts[bin++];
-  distances.clear();
-  for (const Found& f : found) {
-    if (bin_of(f.squared) == bin) distances.push_back(f.squared);
+void PhotonDistances::keep_nearest(std::size_t maximum, double& limit) {
+  // Squared distances are spread evenly over a disc: two guesses a little beyond and before the last one kept leave few between them.
+  constexpr double kMargin = 6;  // photons
+  double low = 0.0, high = std::nextafter(limit, kInfinity);
+  std::size_t below_low = 0, below_high = size_;
+  for (const double margin : {kMargin, -kMargin}) {
+    const double share = (static_cast<double>(maximum) + margin - static_cast<double>(below_low)) / static_cast<double>(below_high - below_low);
+    const double guess = low + share * (high - low);
+    if (!(guess > low && guess < high)) continue;
+    const std::size_t below = photon_kernels().below(squared_.data(), size_, guess);
+    if (below < maximum) {
+      low = guess, below_low = below;
+    } else {
+      high = guess, below_high = below;
+    }
   }
-  const auto last = distances.begin() + static_cast<std::ptrdiff_t>(maximum - before) - 1;
-  std::nth_element(distances.begin(), last, distances.end());
+  // Sixteen at a time; calls visit(number) for those in a range.
+  const auto for_each_within = [&](double from, double below, auto&& visit) {
+    for (std::size_t i = 0; i < size_; i += PhotonPositions::kAtOnce) {
+      const unsigned valid = size_ - i < PhotonPositions::kAtOnce ? (1u << (size_ - i)) - 1 : ~0u;
+      for (unsigned bits = photon_kernels().within(squared_.data() + i, from, below) & valid; bits != 0; bits &= bits - 1) {
+        visit(i + static_cast<std::size_t>(std::countr_zero(bits)));
+      }
+    }
+  };
+  between_.resize(below_high - below_low);
+  std::size_t n = 0;
+  for_each_within(low, high, [&](std::size_t i) { between_[n++] = squared_[i]; });
+  const auto last = between_.begin() + static_cast<std::ptrdiff_t>(maximum - below_low - 1);
+  std::nth_element(between_.begin(), last, between_.end());
   limit = *last;
-  std::size_t room = maximum;  // for those exactly at the limit
-  for (const Found& f : found) room -= f.squared < limit ? 1 : 0;
   std::size_t kept = 0;
-  for (const Found& f : found) {
-    if (f.squared > limit || (f.squared == limit && room == 0)) continue;
-    if (f.squared == limit) --room;
-    found[kept++] = f;
+  for_each_within(0.0, std::nextafter(limit, kInfinity), [&](std::size_t i) { squared_[kept] = squared_[i], index_[kept++] = index_[i]; });
+  size_ = kept;
+  for (std::size_t i = kept; size_ > maximum;) {
+    if (squared_[--i] != limit) continue;
+    std::copy(squared_.begin() + i + 1, squared_.begin() + size_, squared_.begin() + i);
+    std::copy(index_.begin() + i + 1, index_.begin() + size_, index_.begin() + i);
+    --size_;
   }
-  found.resize(kept);
 }
 
 // Collects the nearest photons with flattened distance below `within`, of those that a search within `radius` comes upon. `nearest`: there were more than
 // `maximum`; then `farthest` is the distance of the last one kept, squared. Gives up when it knows that there are `too_many` or more.
-template <class Candidates>
-PhotonMap::Collected PhotonMap::collect(const Candidates& candidates, const Vec3& point, const Vec3* normal, double within, double radius,
-                                        std::size_t maximum, std::size_t too_many, Search& search, double& farthest) const {
-  search.found.clear();
+PhotonMap::Collected PhotonMap::collect(const Center& center, double within, double radius, std::size_t maximum, std::size_t too_many, Search& search,
+                                        double& farthest) const {
+  PhotonDistances& found = search.found;
+  found.clear();
   double limit = within * within;
   Collected result = Collected::all;
-  candidates.visit(point, limit, [&](std::uint32_t i) {
-    double squared;
-    if (!is_near(photons_[i], point, normal, limit, squared) || !planes_.looks_behind(i, point, radius * radius)) return;
-    search.found.push_back({squared, i});
-    if (search.found.size() >= too_many) {
+  tree_.visit(center.point, limit, [&](std::uint32_t first, std::uint32_t count) {
+    alignas(64) std::array<double, PhotonPositions::kAtOnce> squared;
+    unsigned bits = near(center, limit, first, count, squared.data());
+    for (unsigned doubtful = bits & planes_.any(first); doubtful != 0; doubtful &= doubtful - 1) {
+      const int i = std::countr_zero(doubtful);
+      if (!planes_.looks_behind(first + static_cast<std::uint32_t>(i), center.point, radius * radius)) bits &= ~(1u << i);
+    }
+    found.add(first, bits, squared.data());
+    if (found.size() >= too_many) {
       limit = 0.0, result = Collected::too_many;  // no more, please
-    } else if (search.found.size() >= 2 * maximum + 20) {
-      search.keep_nearest(maximum, limit), result = Collected::nearest;
+    } else if (found.size() >= 2 * maximum + 20) {
+      found.keep_nearest(maximum, limit), result = Collected::nearest;
     }
   });
   if (result == Collected::too_many) return result;
-  if (search.found.size() > maximum) search.keep_nearest(maximum, limit), result = Collected::nearest;
+  if (found.size() > maximum) found.keep_nearest(maximum, limit), result = Collected::nearest;
   farthest = limit;
   return result;
 }
 
 // POV-Ray's search narrows its radius once it knows more than `maximum`, so what it overlooks hangs on the order in which it comes upon them. That matters
 // if one of those found is behind a plane that is beyond the final radius, and `maximum` photons nearer than that plane come before it.
-bool PhotonMap::depends_on_order(const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, double farthest, Search& search) const {
+bool PhotonMap::depends_on_order(const Center& center, double radius, std::size_t maximum, double farthest, Search& search) const {
   // The first one too many takes the place of the last one kept, even if it is farther away. That shows only where few are too many.
   if (farthest > 0.9 * radius * radius) return true;
-  search.doubts.clear();
+  PhotonDistances &doubts = search.doubts, &around = search.around;
+  doubts.clear();
   double reach = 0.0;
-  for (const Search::Found& f : search.found) {
-    planes_.for_each_hiding(f.index, point, farthest, [&](std::uint32_t node, double squared) {
-      search.doubts.push_back({squared, node});
+  for (const std::uint32_t i : search.found.index()) {
+    planes_.for_each_hiding(i, center.point, farthest, [&](std::uint32_t node, double squared) {
+      doubts.add(node, squared);
       reach = std::max(reach, squared);
       return true;
     });
   }
-  if (search.doubts.empty()) return false;
-  search.around.clear();
+  if (doubts.size() == 0) return false;
+  around.clear();
   reach *= 1.0 + 1e-9;
-  tree_.visit(point, reach, [&](std::uint32_t i) {
-    if (double squared; is_near(photons_[i], point, normal, reach, squared)) search.around.push_back({squared, i});
+  tree_.visit(center.point, reach, [&](std::uint32_t first, std::uint32_t count) {
+    alignas(64) std::array<double, PhotonPositions::kAtOnce> squared;
+    around.add(first, near(center, reach, first, count, squared.data()), squared.data());
   });
-  return std::ranges::any_of(search.doubts, [&](const Search::Found& doubt) {
-    const auto nearer = [&](const Search::Found& f) { return f.squared <= doubt.squared; };
-    auto spare = std::ranges::count_if(search.around, nearer) - static_cast<std::ptrdiff_t>(maximum);
-    for (const Search::Found& f : search.around) {
-      if (spare < 0) return false;
-      if (nearer(f) && !visited_before(photons_, point, f.index, doubt.index)) --spare;
-    }
-    return spare >= 0;
-  });
+  std::vector<std::uint32_t>& nearer = search.nearer;
+  for (std::size_t k = 0; k < doubts.size(); ++k) {
+    nearer.resize(around.size());
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < around.size(); ++i) nearer[n] = around.index()[i], n += around.squared()[i] <= doubts.squared()[k];
+    if (n < maximum) continue;
+    std::size_t before = 0;
+    for_each_visited_before(photons_, center.point, doubts.index()[k], [&](std::uint32_t first, std::uint32_t last) {
+      const auto end = nearer.begin() + static_cast<std::ptrdiff_t>(n), from = std::lower_bound(nearer.begin(), end, first);
+      before += static_cast<std::size_t>(std::upper_bound(from, end, last) - from);
+    });
+    if (before >= maximum) return true;
+  }
+  return false;
 }
 
-void PhotonMap::collect_in_order(const Vec3& point, const Vec3* normal, double radius, std::size_t maximum, Search& search, double& farthest) const {
-  std::vector<Search::Found>& heap = search.found;
-  const auto nearer = [](const Search::Found& a, const Search::Found& b) { return a.squared < b.squared; };
-  heap.clear();
-  double limit = radius * radius;
-  visit_in_order(photons_, point, limit, [&](std::uint32_t i) {
+void PhotonMap::collect_in_order(const Center& center, double radius, std::size_t maximum, Search& search, double& farthest) const {
+  struct Found {
     double squared;
-    if (!is_near(photons_[i], point, normal, limit, squared)) return;
-    const bool full = heap.size() == maximum;
-    if (full) std::ranges::pop_heap(heap, nearer), heap.pop_back();
-    heap.push_back({squared, i});
-    std::ranges::push_heap(heap, nearer);
-    if (full) limit = heap.front().squared;
+    std::uint32_t index;
+  };
+  std::vector<Found> heap;  // the farthest first, once it is full
+  const auto nearer = [](const Found& a, const Found& b) { return a.squared < b.squared; };
+  const auto replace_first = [&](const Found& f) {
+    std::size_t i = 0;
+    for (std::size_t child; (child = 2 * i + 1) < maximum; i = child) {
+      if (child + 1 < maximum && heap[child].squared < heap[child + 1].squared) ++child;
+      if (heap[child].squared <= f.squared) break;
+      heap[i] = heap[child];
+    }
+    heap[i] = f;
+  };
+  double limit = radius * radius;
+  const auto look_at = [&](std::uint32_t first, std::uint32_t count, double* squared) { return near(center, limit, first, count, squared); };
+  visit_in_order(photons_, center.point, limit, look_at, [&](std::uint32_t i, double squared) {
+    if (heap.size() == maximum) {
+      replace_first({squared, i});
+      limit = heap.front().squared;
+    } else {
+      heap.push_back({squared, i});
+      if (heap.size() == maximum) std::ranges::make_heap(heap, nearer);
+    }
   });
   farthest = limit;
-  std::ranges::sort(heap, {}, &Search::Found::index);
+  std::ranges::sort(heap, {}, &Found::index);
+  search.found.clear();
+  for (const Found& f : heap) search.found.add(f.index, f.squared);
 }
 
-bool PhotonMap::fill(PhotonNeighbourhoods::Cell& cell, std::size_t most) const {
-  cell.indices.clear();
-  double limit = cell.reach * cell.reach;
-  tree_.visit(cell.center, limit, [&](std::uint32_t i) {
-    cell.indices.push_back(i);
-    if (cell.indices.size() > most) limit = 0.0;  // no more, please
-  });
-  if (cell.indices.size() > most) return false;
-  cell.positions.resize(cell.indices.size());
-  for (std::size_t k = 0; k < cell.indices.size(); ++k) {
-    const Vec3 p = position(photons_[cell.indices[k]]) - cell.center;
-    cell.positions.set(k, static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z));
-  }
-  return true;
-}
-
-double PhotonMap::search(const Vec3& point, const Vec3* normal, double radius, int maximum, std::size_t too_many, double& enough, Search& s,
+double PhotonMap::search(const Center& center, double radius, int maximum, std::size_t too_many, double guess, Search& s,
                          std::vector<const Photon*>& out) const {
   out.clear();
   if (photons_.empty() || maximum <= 0 || !(0.3 * radius > 0.0)) return radius;
-  // Photons lie about as dense here as nearby: radii little above the one that was enough there are tried first. If they hold more than `maximum`, the
-  // nearest are among them, whatever the radius. Where nothing is known small ones come first: they cost little if they hold too few.
+  // If the guess holds more than `maximum`, the nearest are among them, whatever the radius. If not, how many it holds says how much more it takes.
   const auto most = static_cast<std::size_t>(maximum);
-  const double start = enough > 0.0 ? std::min(1.06 * enough, radius) : 0.3 * radius, growth = enough > 0.0 ? 1.4 : 2.0;
   double farthest = 0.0;
   Collected collected = Collected::all;
-  bool known = false;
-  if (const auto* cell = s.nearby.around(point, start, radius, [&](PhotonNeighbourhoods::Cell& c) { return fill(c, 8 * most + 64); })) {
-    // What the cell knows all of around this point may be less than the radius.
-    const double reach = (cell->reach - length(point - cell->center)) * (1.0 - 1e-9), within = std::min(radius, reach);
-    for (double guess = start; collected == Collected::all && !known; guess *= growth) {
-      collected = collect(*cell, point, normal, std::min(guess, within), radius, most, too_many, s, farthest);
-      known = guess >= within;
-    }
-    known = collected != Collected::all || within == radius;
-  }
-  for (double guess = start; !known; guess *= growth) {
-    collected = collect(tree_, point, normal, std::min(guess, radius), radius, most, too_many, s, farthest);
-    known = collected != Collected::all || guess >= radius;
+  for (double within = guess > 0.0 ? guess : 0.3 * radius;;) {
+    collected = collect(center, std::min(within, radius), radius, most, too_many, s, farthest);
+    if (collected != Collected::all || within >= radius) break;
+    const double wanted = 1.2 * static_cast<double>(std::min(most, too_many)), found = static_cast<double>(s.found.size());
+    within *= std::clamp(std::sqrt(wanted / std::max(found, 1.0)), 1.1, 3.0);
   }
   if (collected == Collected::too_many) return 0.0;
-  if (collected == Collected::nearest && depends_on_order(point, normal, radius, most, farthest, s)) collect_in_order(point, normal, radius, most, s, farthest);
-  for (const Search::Found& f : s.found) out.push_back(&photons_[f.index]);
-  return enough = collected == Collected::nearest ? std::sqrt(farthest) : radius;
+  if (collected == Collected::nearest && depends_on_order(center, radius, most, farthest, s)) collect_in_order(center, radius, most, s, farthest);
+  for (const std::uint32_t i : s.found.index()) out.push_back(&photons_[i]);
+  return collected == Collected::nearest ? std::sqrt(farthest) : radius;
 }
 
 void PhotonMap::gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const {
-  out.radius = search(point, normal, radius_, settings.maximum, kAny, out.search.nearby.guess(point, radius_), out.search, out.photons);
+  const Center center{point, normal ? *normal : Vec3(0.0)};
+  NearbyRadii::Known& nearby = out.search.nearby.at(point, radius_);
+  out.radius = search(center, radius_, settings.maximum, kAny, nearby.enough(point), out.search, out.photons);
+  nearby = {point, out.radius};
   if (static_cast<int>(out.photons.size()) >= settings.minimum) return;
   // The second try counts if it finds few, or photons that lie hardly denser. So many that they are neither make it vain, wherever the others are.
   const double reach = 3.0 * radius_;
   const double first = out.photons.empty() ? 1e-16 : static_cast<double>(out.photons.size()) / (out.radius * out.radius);
   const double vain = std::max(settings.expand_minimum + 1.0, first * (1.0 + settings.expand_increase) * reach * reach * (1.0 + 1e-9) + 1.0);
   const std::size_t too_many = vain < settings.maximum ? static_cast<std::size_t>(std::ceil(vain)) : kAny;
-  double& guess = out.wider_search.nearby.guess(point, reach);
-  const double wider = search(point, normal, reach, settings.maximum, too_many, guess, out.wider_search, out.wider_photons);
+  const double guess = std::sqrt(1.2 * std::min(vain, static_cast<double>(settings.maximum)) / first);
+  const double wider = search(center, reach, settings.maximum, too_many, guess, out.wider_search, out.wider_photons);
   if (wider == 0.0) return;
   const double second = static_cast<double>(out.wider_photons.size()) / (wider * wider);
   const int found = static_cast<int>(out.wider_photons.size());
@@ -221,21 +232,19 @@ void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max
   Search scratch;
   std::vector<const Photon*> found;
   const double typical = typical_radius(gather_max);
-  double guess = typical;
-  double density = 0.0;
+  double enough = 0.0, density = 0.0;
   for (std::size_t i = 0; i < tries; ++i) {
     const Photon& p = photons_[random() % photons_.size()];
-    const double r = search(position(p), nullptr, 1e7, gather_max, kAny, guess, scratch, found);
-    density += static_cast<double>(found.size()) / volume(r);
-    if (guess == 0.0) guess = typical;
+    enough = search({position(p), Vec3(0.0)}, 1e7, gather_max, kAny, enough > 0.0 ? 1.06 * enough : typical, scratch, found);
+    density += static_cast<double>(found.size()) / volume(enough);
   }
   density /= static_cast<double>(tries);
   const double ideal = media ? std::pow(3.0 * gather_max / (4.0 * kPi * density), 0.3333) : std::sqrt(gather_max / (kPi * density));
   std::size_t sparse = 0;
   for (std::size_t i = 0; i < tries; ++i) {
     const Photon& p = photons_[random() % photons_.size()];
-    const double r = search(position(p), nullptr, ideal, gather_max, kAny, guess, scratch, found);
-    const double d = static_cast<double>(found.size()) / volume(r);
+    enough = search({position(p), Vec3(0.0)}, ideal, gather_max, kAny, 1.06 * enough, scratch, found);
+    const double d = static_cast<double>(found.size()) / volume(enough);
     if (d > 0.05 * density && d < 0.70 * density) ++sparse;
   }
   radius_ = ideal * (1.0 + 20.0 * static_cast<double>(sparse) / static_cast<double>(tries)) * scale;

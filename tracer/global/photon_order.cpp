@@ -97,25 +97,12 @@ void WrongPlanes::build(std::span<const Photon> sorted) {
   std::ranges::stable_sort(found, {}, [](const auto& f) { return f.first; });
   first_.assign(sorted.size() + 1, 0);
   planes_.clear();
-  for (const auto& [i, plane] : found) ++first_[i + 1], planes_.push_back(plane);
-  for (std::size_t i = 0; i < sorted.size(); ++i) first_[i + 1] += first_[i];
-}
-
-bool visited_before(std::span<const Photon> sorted, const Vec3& p, std::uint32_t i, std::uint32_t node) {
-  Range r{0, sorted.size() - 1};
-  for (;;) {
-    const std::size_t middle = r.middle();
-    if (i == middle) return true;
-    const Photon& photon = sorted[middle];
-    const bool above = i > middle, near = above == !(p[photon.axis] - photon.position[photon.axis] < 0.0);
-    if (node == middle) return near;
-    if ((node > middle) != above) return near;
-    if (above) {
-      r.first = middle + 1;
-    } else {
-      r.last = middle - 1;
-    }
+  any_.assign(sorted.size() / 8 + 4, 0);
+  for (const auto& [i, plane] : found) {
+    ++first_[i + 1], planes_.push_back(plane);
+    any_[i / 8] = static_cast<std::uint8_t>(any_[i / 8] | 1u << i % 8);
   }
+  for (std::size_t i = 0; i < sorted.size(); ++i) first_[i + 1] += first_[i];
 }
 
 }  // namespace verisim::global

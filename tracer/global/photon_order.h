@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <vector>
 
@@ -22,6 +23,12 @@ void sort_photons(std::vector<Photon>& photons);
 class WrongPlanes {
  public:
   void build(std::span<const Photon> sorted);
+  // Bit i: photon first + i lies on the wrong side of some plane; of sixteen.
+  unsigned any(std::size_t first) const {
+    std::uint32_t bits;
+    std::memcpy(&bits, any_.data() + first / 8, sizeof bits);
+    return bits >> first % 8 & 0xFFFF;
+  }
   // Whether a search around p for photons nearer than the square root of `squared` comes upon photon i.
   bool looks_behind(std::size_t i, const Vec3& p, double squared) const {
     return for_each_hiding(i, p, squared, [](std::uint32_t, double) { return false; });
@@ -44,32 +51,65 @@ class WrongPlanes {
     std::uint8_t axis;
     bool from_below;  // overlooked from there, not from above
   };
+  std::vector<std::uint8_t> any_;  // bits, and four bytes more
   std::vector<std::uint32_t> first_;
   std::vector<Plane> planes_;  // those of photon i from first_[i] on
 };
 
-// Whether visit_in_order, if nothing is too far for it, comes upon photon i before it looks behind the plane of `node`.
-bool visited_before(std::span<const Photon> sorted, const Vec3& p, std::uint32_t i, std::uint32_t node);
-
-// Calls visit(index) in the order of POV-Ray's search: a node, then the side of its plane where p lies, then the other if it is nearer than the square root of
-// `limit`, which visit may lower.
+// Calls visit(first, last) for ranges of the photons that visit_in_order, if nothing is too far for it, comes upon before it looks behind the plane of `node`.
 template <class Visit>
-void visit_in_order(std::span<const Photon> sorted, const Vec3& p, const double& limit, Visit&& visit) {
+void for_each_visited_before(std::span<const Photon> sorted, const Vec3& p, std::uint32_t node, Visit&& visit) {
+  std::uint32_t first = 0, last = static_cast<std::uint32_t>(sorted.size()) - 1;
+  for (;;) {
+    const std::uint32_t middle = (first + last) / 2;
+    const Photon& photon = sorted[middle];
+    const bool near_below = p[photon.axis] - photon.position[photon.axis] < 0.0;
+    if (node == middle || (node < middle) != near_below) {
+      visit(near_below ? first : middle, near_below ? middle : last);
+      if (node == middle) return;
+    } else {
+      visit(middle, middle);
+    }
+    if (node < middle) {
+      last = middle - 1;
+    } else {
+      first = middle + 1;
+    }
+  }
+}
+
+// Calls visit(index, squared) for photons nearer than the square root of `limit`, in the order of POV-Ray's search: a node, then the side of its plane where p
+// lies, then the other if it is nearer. visit may lower the limit. look_at(first, count, squared): which of at most sixteen photons are nearer, as bits, and
+// how far they are.
+template <class LookAt, class Visit>
+void visit_in_order(std::span<const Photon> sorted, const Vec3& p, const double& limit, LookAt&& look_at, Visit&& visit) {
+  constexpr std::uint32_t kAtOnce = 16;
   struct Part {
-    std::ptrdiff_t first, last;
+    std::uint32_t first, end;
     double squared;  // how far behind a plane
   };
   std::array<Part, 2 * 64> stack;
   std::size_t depth = 0;
-  stack[depth++] = {0, static_cast<std::ptrdiff_t>(sorted.size()) - 1, -1.0};
+  stack[depth++] = {0, static_cast<std::uint32_t>(sorted.size()), -1.0};
+  // Small parts are looked at as a whole; what is in them comes next.
+  std::uint32_t known = 0, known_end = 0;
+  unsigned near = 0;
+  std::array<double, kAtOnce> squared;
   while (depth > 0) {
     const Part part = stack[--depth];
-    if (part.first > part.last || !(part.squared < limit)) continue;
-    const std::ptrdiff_t middle = (part.first + part.last) / 2;
-    const Photon& node = sorted[static_cast<std::size_t>(middle)];
+    if (part.first == part.end || !(part.squared < limit)) continue;
+    const std::uint32_t count = part.end - part.first, middle = part.first + (count - 1) / 2;
+    if (part.first < known || part.end > known_end) {
+      const bool small = count <= kAtOnce;
+      known = small ? part.first : middle, known_end = small ? part.end : middle + 1;
+      near = look_at(known, known_end - known, squared.data());
+    }
+    if (count <= kAtOnce && (near >> (part.first - known) & ((1u << count) - 1)) == 0) continue;
+    const std::uint32_t i = middle - known;
+    if ((near >> i & 1) && squared[i] < limit) visit(middle, squared[i]);
+    const Photon& node = sorted[middle];
     const double d = p[node.axis] - node.position[node.axis];
-    visit(static_cast<std::uint32_t>(middle));
-    const Part below{part.first, middle - 1, d < 0.0 ? -1.0 : d * d}, above{middle + 1, part.last, d < 0.0 ? d * d : -1.0};
+    const Part below{part.first, middle, d < 0.0 ? -1.0 : d * d}, above{middle + 1, part.end, d < 0.0 ? d * d : -1.0};
     stack[depth++] = d < 0.0 ? above : below;
     stack[depth++] = d < 0.0 ? below : above;
   }

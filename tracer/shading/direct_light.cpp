@@ -98,7 +98,7 @@ Rgb Tracer::layer_response(const SurfaceHit& at, const LayerContext& layer, cons
   Rgb sum;
   const bool replaced = finish.subsurface && scene_.effects && scene_.effects->subsurface;
   if (diffuse > 0 && !replaced) {
-    double s = layer.opacity * diffuse * brilliance(finish.brilliance, cosine);
+    double s = diffuse_share(layer.opacity, diffuse, finish.brilliance, cosine);
     if (finish.crand > 0) s -= finish.crand * random_.crand();
     sum += static_cast<float>(s) * pigment * intensity;
   }

@@ -38,5 +38,7 @@ inline float surface_opacity(const Color& c, int version) {
 
 // How diffuse light falls off: abs(cosine)^brilliance.
 inline double brilliance(float exponent, double cosine) { return exponent == 1.0f ? std::fabs(cosine) : std::pow(std::fabs(cosine), exponent); }
+// How much of a light at this angle a layer reflects diffusely, but for crand.
+inline double diffuse_share(float opacity, float diffuse, float exponent, double cosine) { return opacity * diffuse * brilliance(exponent, cosine); }
 
 }  // namespace verisim::shading

@@ -7,6 +7,7 @@
 
 #include "tracer/functions/internal.h"
 #include "tracer/functions/operations.h"
+#include "tracer/textures/many_points.h"
 #include "tracer/textures/noise.h"
 
 namespace verisim::functions {
@@ -72,6 +73,9 @@ class Noise final : public Function {
   int parameters() const override { return 3; }
   int components() const override { return 1; }
   void evaluate(std::span<const double> a, double* result) const override { *result = textures::noise({a[0], a[1], a[2]}, generator_); }
+  void evaluate_batch(const double* points, std::size_t stride, std::size_t count, double* result) const override {
+    textures::noise(generator_, points, stride, count, result);
+  }
 
  private:
   int generator_;

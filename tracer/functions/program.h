@@ -1,7 +1,7 @@
 // A user function as straight code for a register machine.
 //
 // Registers are doubles: first the parameters, then the constants, then intermediate values. One point is evaluated with the registers on the
-// stack; a batch keeps a block of points per register, so that simple operations run over whole SIMD vectors. Programs with jumps (loops, `select`
+// stack; a batch keeps a block of points per register and runs over whole SIMD vectors (program_lanes.h). Programs with jumps (loops, `select`
 // with costly branches) are evaluated point by point.
 #pragma once
 
@@ -35,6 +35,12 @@ class Program final : public Function {
 
   std::size_t size() const { return code_.size(); }
   bool has_jumps() const { return has_jumps_; }
+  // For LaneKernels.
+  std::size_t registers() const { return registers_; }
+  std::size_t result_register() const { return result_; }
+  std::span<const Instruction> code() const { return code_; }
+  std::span<const Call> calls() const { return calls_; }
+  void set_constants(double* registers, std::size_t width) const;
   // The folded expression, for inlining into other functions.
   const Node& expression() const { return expression_; }
   int slots() const { return slots_; }
@@ -45,14 +51,6 @@ class Program final : public Function {
   void make_native();
   void evaluate_long(std::span<const double> arguments, double* result) const;
   double run(double* registers) const;
-  template <int Width>
-  void run_block(double* registers, std::size_t count) const;
-  template <int Width>
-  void batch(double* registers, const double* arguments, std::size_t stride, std::size_t count, double* result) const;
-  void batch_narrow(double* registers, const double* arguments, std::size_t stride, std::size_t count, double* result) const;
-  void batch_wide(double* registers, const double* arguments, std::size_t stride, std::size_t count, double* result) const;
-  void batch_narrow_avx2(double* registers, const double* arguments, std::size_t stride, std::size_t count, double* result) const;
-  void batch_wide_avx2(double* registers, const double* arguments, std::size_t stride, std::size_t count, double* result) const;
 
   int parameters_ = 0, slots_ = 0;
   std::size_t lowered_nodes_ = 0;

@@ -1,6 +1,8 @@
 // isosurface (spec 04 section 6). The search bisects dyadically and prunes by max_gradient exactly as POV-Ray's: where max_gradient is too small, which is
 // common, the picture depends on every step.
+#include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -8,6 +10,7 @@
 #include "tracer/functions/function.h"
 #include "tracer/shapes/container.h"
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/isosurface_row.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -22,6 +25,8 @@ class Isosurface final : public Primitive<Isosurface> {
   Isosurface(const scene::Object& description, const scene::Isosurface& s)
       : Primitive(description, {container_box(s.container), true}), surface_(s), max_gradient_(s.max_gradient) {
     max_trace_ = s.max_trace <= 0 || s.max_trace > 10 ? 10 : s.max_trace;
+    const bool plain = !s.evaluate && description.clipped_by.empty() && description.bounded_by.empty();
+    if (plain) in_rows_ = FieldLanes::suitable(s.function.get());
   }
 
   template <class Sink>
@@ -41,6 +46,20 @@ class Isosurface final : public Primitive<Isosurface> {
     }
   }
 
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const final {
+    if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    RowHits row(t_min, t_max, false);
+    trace_row(rays, row);
+    each_lane(row.found, [&](int k) { hits[k] = {row.t_max[k], rays.at(k).at(row.t_max[k]), this, row.face[k], 0, 0}; });
+    return row.found | Shape::intersect_lanes({rays.rays, rays.first, row.alone}, entry, kind, t_min, t_max, hits);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const final {
+    if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    RowHits row(t_min, t_max, true);
+    trace_row(rays, row);
+    return row.found | Shape::occludes_lanes({rays.rays, rays.first, row.alone}, entry, t_min, t_max);
+  }
+
   std::string finding() const final { return surface_.evaluate ? evaluate_finding() : gradient_finding(); }
 
   bool contains(const Vec3& p) const {
@@ -56,8 +75,10 @@ class Isosurface final : public Primitive<Isosurface> {
       return world_normal(container_normal(container, 7, p));
     }
     const double a = surface_.accuracy;
-    const double f = value(p);
-    const Vec3 gradient(value({p.x + a, p.y, p.z}) - f, value({p.x, p.y + a, p.z}) - f, value({p.x, p.y, p.z + a}) - f);
+    const double points[3][4] = {{p.x, p.x + a, p.x, p.x}, {p.y, p.y, p.y + a, p.y}, {p.z, p.z, p.z, p.z + a}};
+    double f[4];
+    surface_.function->evaluate_batch(points[0], 4, 4, f);
+    const Vec3 gradient(f[1] - f[0], f[2] - f[0], f[3] - f[0]);
     if (gradient.x == 0 && gradient.y == 0 && gradient.z == 0) return world_normal({1, 0, 0});
     return world_normal(normalize(gradient));
   }
@@ -103,6 +124,28 @@ class Isosurface final : public Primitive<Isosurface> {
   template <class Sink>
   void trace(const Ray& ray, Search& search, const ContainerSpan& span, Sink& sink) const;
 
+  // The nearest hits of eight rays, or any, as NearestHit keeps them for one.
+  struct RowHits {
+    RowHits(double min, const double* max, bool any_will_do) : t_min(min), any(any_will_do) { std::copy_n(max, RayLanes::kCount, t_max); }
+    double t_min;
+    bool any;
+    double t_max[RayLanes::kCount];
+    int face[RayLanes::kCount];
+    unsigned found = 0;
+    unsigned alone = 0;  // lanes that are not to be searched with others
+
+    bool add(int k, double t, int at_face) {
+      const bool again = found >> k & 1;
+      if (!(t >= t_min) || !(again ? t <= t_max[k] : t < t_max[k])) return false;
+      t_max[k] = t, face[k] = at_face;
+      found |= 1u << k;
+      return true;
+    }
+  };
+  // `trace` for eight rays.
+  class RowTrace;
+  void trace_row(const RayLanes& rays, RowHits& hits) const;
+
   static void raise(std::atomic<double>& largest, double v) {
     double known = largest.load(std::memory_order_relaxed);
     while (v > known && !largest.compare_exchange_weak(known, v, std::memory_order_relaxed)) {
@@ -119,6 +162,8 @@ class Isosurface final : public Primitive<Isosurface> {
   scene::Isosurface surface_;
   double max_gradient_;
   int max_trace_;
+  static constexpr int kFewest = 3;  // rays that are searched in step
+  const functions::Program* in_rows_ = nullptr;  // null: rays are searched one by one
   // `evaluate`: the largest slope any ray needed so far (spec 04 6.4).
   mutable std::atomic<double> adapted_gradient_{surface_.max_gradient};
   // What the rays found, for the author of the scene (spec 04 6.7).
@@ -191,6 +236,142 @@ void Isosurface::trace(const Ray& ray, Search& search, const ContainerSpan& span
     search.sign = -search.sign;
   }
 }
+
+// What `trace` does for a ray, a stage at a time for all of them.
+class Isosurface::RowTrace {
+ public:
+  RowTrace(const Isosurface& shape, const RayLanes& rays, RowHits& hits) : shape_(shape), s_(shape.surface_), rays_(rays), hits_(hits), field_(*shape.in_rows_) {
+    lanes_.accuracy = s_.accuracy, lanes_.threshold = s_.threshold;
+  }
+
+  void run() {
+    unsigned active = pass_wall(enter());
+    while (active != 0) active = go_on(find_crossings(field_, lanes_, to_search(active)));
+    double steepest = 0;
+    each_lane(entered_, [&](int k) {
+      if (lanes_.steepest[k] > steepest * speed_[k]) steepest = lanes_.steepest[k] / speed_[k];
+    });
+    raise(shape_.steepest_, steepest);
+  }
+
+ private:
+  static constexpr int kLanes = RayLanes::kCount;
+  using Lane = double[kLanes];
+
+  // f - threshold at distances t.
+  void field(unsigned asked, const Lane& t, Lane& values) {
+    double* const points = field_.points();
+    for (int axis = 0; axis < 3; ++axis)
+      for (int k = 0; k < kLanes; ++k) points[axis * kLanes + k] = lanes_.origin[axis][k] + t[k] * lanes_.direction[axis][k];
+    const double* const f = field_.evaluate(asked);
+    for (int k = 0; k < kLanes; ++k) values[k] = f[k] - s_.threshold;
+  }
+
+  // The rays that meet the container, with the values where they enter and leave it.
+  unsigned enter() {
+    const double a = s_.accuracy;
+    each_lane(rays_.asked, [&](int k) {
+      Ray ray = rays_.at(k);
+      if (shape_.has_matrix()) ray = {shape_.matrix().inverse_point(ray.origin), shape_.matrix().inverse_direction(ray.direction)};
+      if (!intersect_container(s_.container, ray.origin, ray.direction, spans_[k])) return;
+      begin_[k] = std::max(spans_[k].enter, 0.0), end_[k] = spans_[k].leave;
+      const unsigned lane = 1u << k;
+      if (!(end_[k] <= kFarthest && end_[k] - begin_[k] < a * 0x1p50)) {
+        hits_.alone |= lane;
+        return;
+      }
+      entered_ |= lane;
+      for (int axis = 0; axis < 3; ++axis) lanes_.origin[axis][k] = ray.origin[axis], lanes_.direction[axis][k] = ray.direction[axis];
+      speed_[k] = length(ray.direction);
+      lanes_.slope[k] = shape_.max_gradient_ * speed_[k];
+      lanes_.sign[k] = 1;
+      remaining_[k] = shape_.max_trace_;
+    });
+    if (entered_ == 0) return 0;
+    field(entered_, begin_, at_begin_);
+    field(entered_, end_, at_end_);
+    return entered_;
+  }
+
+  // Rays that begin at the surface begin behind it; hits on the container. The rays that are to be searched.
+  unsigned pass_wall(unsigned active) {
+    const double a = s_.accuracy, gap = 5 * a, near_zero = 4 * shape_.max_gradient_ * a;
+    unsigned at_surface = 0, within = 0;
+    each_lane(active, [&](int k) {
+      const unsigned lane = 1u << k;
+      if (begin_[k] > a) return;
+      within |= lane;
+      if (s_.open ? begin_[k] < a && std::fabs(at_begin_[k]) < near_zero : at_begin_[k] < near_zero) at_surface |= lane;
+    });
+    if (s_.open) active &= long_enough(active);
+    at_surface &= active;
+    if (at_surface != 0) {
+      each_lane(at_surface, [&](int k) { begin_[k] = gap; });
+      field(at_surface, begin_, at_begin_);
+      each_lane(at_surface, [&](int k) {
+        if (at_begin_[k] < 0) lanes_.sign[k] = -1;
+      });
+    }
+    if (s_.open) return active;
+    each_lane(active & ~within, [&](int k) {
+      if (at_begin_[k] < 0) --remaining_[k], lanes_.sign[k] = -1;
+    });
+    active &= long_enough(active);
+    unsigned over = 0;
+    each_lane(active, [&](int k) {
+      const bool inside = within >> k & 1;
+      if (inside ? at_end_[k] < 0 && hits_.add(k, end_[k], spans_[k].leave_face) && hits_.any : at_begin_[k] < 0 && hits_.add(k, begin_[k], spans_[k].enter_face)) over |= 1u << k;
+    });
+    return active & ~over;
+  }
+  unsigned long_enough(unsigned lanes) const {
+    unsigned result = 0;
+    each_lane(lanes, [&](int k) { result |= end_[k] - begin_[k] >= s_.accuracy ? 1u << k : 0; });
+    return result;
+  }
+
+  // Sets up a search from begin_ to end_.
+  unsigned to_search(unsigned active) {
+    each_lane(active, [&](int k) {
+      if (remaining_[k]-- <= 0) {
+        active &= ~(1u << k);
+        return;
+      }
+      if (s_.open && lanes_.sign[k] * at_begin_[k] < 0) lanes_.sign[k] = -lanes_.sign[k];
+      lanes_.begin[k] = begin_[k], lanes_.width[k] = end_[k] - begin_[k];
+      lanes_.value0[k] = lanes_.sign[k] * at_begin_[k], lanes_.value1[k] = lanes_.sign[k] * at_end_[k];
+    });
+    return active;
+  }
+
+  // The rays that found the surface where it is not wanted, and may find it again.
+  unsigned go_on(unsigned found) {
+    unsigned active = 0;
+    each_lane(found, [&](int k) {
+      const double t = lanes_.begin[k] + lanes_.width[k];
+      if (hits_.add(k, t, 0)) return;
+      begin_[k] = t + 5 * s_.accuracy;
+      if (end_[k] - begin_[k] < s_.accuracy || begin_[k] > hits_.t_max[k]) return;
+      lanes_.sign[k] = -lanes_.sign[k];
+      active |= 1u << k;
+    });
+    if (active != 0) field(active, begin_, at_begin_);
+    return active;
+  }
+
+  const Isosurface& shape_;
+  const scene::Isosurface& s_;
+  const RayLanes& rays_;
+  RowHits& hits_;
+  FieldLanes field_;
+  SearchLanes lanes_{};
+  unsigned entered_ = 0;
+  ContainerSpan spans_[kLanes];
+  Lane begin_{}, end_{}, at_begin_, at_end_, speed_;
+  int remaining_[kLanes];
+};
+
+void Isosurface::trace_row(const RayLanes& rays, RowHits& hits) const { RowTrace(*this, rays, hits).run(); }
 
 // The slope bound for a node, raised by `evaluate` where the function proves steeper.
 double Isosurface::Search::adapted(double slope, double value0, double value1, double width) {

@@ -4,7 +4,6 @@
 
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/julia_map.h"
-#include "tracer/shapes/julia_row.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/shared_payload.h"
 
@@ -94,7 +93,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
         double ahead[julia::kLanes], estimates[julia::kLanes], at = t;
         for (double& a : ahead) a = at += field_.precision;
         if (!(ahead[0] <= end)) return;
-        const unsigned inside = julia::march_lanes(field_, r.origin, r.direction, ahead, estimates);
+        const unsigned inside = julia::kernels().march(field_, r.origin, r.direction, ahead, estimates);
         for (int k = 0; k < julia::kLanes; ++k) {
           if (!(ahead[k] <= end)) return;
           const double base = t;
@@ -155,20 +154,12 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
 
   // World distances of the first crossings of rays; the lanes that have one, unless it lies behind t_max.
   unsigned row_crossings(const RayLanes& rays, const double* t_max, double* t) const {
-    julia::Rays local_rays{};
-    julia::Stretch stretch{};
-    double scale[julia::kLanes];
-    unsigned asked = 0;
-    each_lane(rays.asked, [&](int k) {
-      const LocalRay r = local(rays.at(k));
-      if (!enters(r, stretch.begin[k], stretch.end[k], stretch.last[k])) return;
-      local_rays.set(k, r.origin, r.direction);
-      scale[k] = r.scale;
-      stretch.limit[k] = t_max[k] * r.scale * (1 + 1e-9);
-      asked |= 1u << k;
-    });
-    const unsigned crossed = julia::first_crossings(field_, local_rays, stretch, asked, t);
-    each_lane(crossed, [&](int k) { t[k] /= scale[k]; });
+    LocalLanes local_rays;
+    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, local_rays);
+    julia::Row row;
+    const unsigned entered = julia::kernels().enter(map_->grid(), radius_, local_rays, rays.asked, t_max, row);
+    const unsigned crossed = julia::kernels().first_crossings(field_, row.rays, row.stretch, entered, t);
+    each_lane(crossed, [&](int k) { t[k] /= local_rays.scale[k]; });
     return crossed;
   }
   static unsigned within(const double* t, double t_min, const double* t_max, unsigned lanes) {
@@ -180,7 +171,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   using MapPtr = std::shared_ptr<const julia::Map>;
 
   JuliaFractal(const scene::Object& description, const scene::JuliaFractal& f, MapPtr map)
-      : Primitive(description, {map ? map->box() : julia_fractal_box(f), true}), f_(f), field_(field_of(f)), radius_(bounding_radius(f)), map_(std::move(map)) {
+      : Primitive(description, {map ? map->grid().box : julia_fractal_box(f), true}), f_(f), field_(field_of(f)), radius_(bounding_radius(f)), map_(std::move(map)) {
     in_rows_ = field_.kind != Kind::other && description.clipped_by.empty() && description.bounded_by.empty();
     plain_ = f.function == JuliaFunction::sqr || f.function == JuliaFunction::cube || f.function == JuliaFunction::reciprocal;
   }
@@ -249,7 +240,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     while (width > kFine) {
       const double w1 = width / 2, w2 = w1 / 2, w3 = w2 / 2, middle = low + w1, quarter = low + w2, last = middle + w2;
       const double points[julia::kLanes] = {middle, quarter, last, low + w3, quarter + w3, middle + w3, last + w3, last + w3};
-      const unsigned inside = julia::inside_lanes(field_, r.origin, r.direction, points);
+      const unsigned inside = julia::kernels().inside(field_, r.origin, r.direction, points);
       for (unsigned n = 0; n < 7 && width > kFine;) {
         width /= 2;
         const bool same = (inside >> n & 1) == static_cast<unsigned>(in);

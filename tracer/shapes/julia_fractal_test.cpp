@@ -1,7 +1,6 @@
 // Probes 22 to 24 of spec 04.
 #include <random>
 
-#include "tracer/math/ray_row.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/trace_test_support.h"
 
@@ -79,36 +78,6 @@ TEST(JuliaFractal, LaterHitsAreCountedAsNearerThanTheirPoints) {
   EXPECT_NEAR(length(hits[0].point - o), hits[0].t, 1e-14);
   EXPECT_NEAR(length(hits[2].point - o), 1.913650444594353, 1e-12);
   EXPECT_NEAR(hits[2].t, 1.823674960382106, 1e-12);
-}
-
-// Rays from outside, from within and along the surface, some of them not asked and some with a limit before the hit.
-void expect_rows_as_single_rays(const Shape& shape, std::mt19937& random, int& found) {
-  std::uniform_real_distribution<double> unit(-1, 1);
-  const auto vector = [&](double size) { return size * Vec3(unit(random), unit(random), unit(random)); };
-  RayRow row{};
-  const int first = 8 * static_cast<int>(random() % 5);
-  const double far = random() % 4 == 0 ? 1 : 5;
-  for (int k = 0; k < RayLanes::kCount; ++k) {
-    const Vec3 from = vector(far);
-    row.origin.set(first + k, from);
-    row.direction.set(first + k, normalize(vector(1.2) - from));
-  }
-  const RayLanes rays{row, first, static_cast<unsigned>(random() % 4 == 0 ? random() & 255 : 255)};
-  double t_max[RayLanes::kCount];
-  for (double& t : t_max) t = random() % 3 == 0 ? 3 * (1 + unit(random)) : 1e7;
-  Hit hits[RayLanes::kCount];
-  const unsigned hit = shape.intersect_lanes(rays, nullptr, RayKind::camera, 1e-4, t_max, hits), blocked = shape.occludes_lanes(rays, nullptr, 1e-4, t_max);
-  for (int k = 0; k < RayLanes::kCount; ++k) {
-    if (!(rays.asked >> k & 1)) continue;
-    Hit single;
-    ASSERT_EQ(shape.intersect(rays.at(k), RayKind::camera, 1e-4, t_max[k], single), static_cast<bool>(hit >> k & 1));
-    ASSERT_EQ(shape.occludes(rays.at(k), 1e-4, t_max[k]), static_cast<bool>(blocked >> k & 1));
-    if (!(hit >> k & 1)) continue;
-    ++found;
-    ASSERT_EQ(hits[k].t, single.t);
-    ASSERT_EQ(hits[k].point, single.point);
-    ASSERT_EQ(hits[k].shape, single.shape);
-  }
 }
 
 TEST(JuliaFractal, RowsOfRaysMarchAsSingleRays) {

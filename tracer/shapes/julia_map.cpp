@@ -7,9 +7,11 @@ namespace verisim::shapes::julia {
 
 namespace {
 
+constexpr int kSide = Grid::kSide;
 constexpr double kMargin = 1e-6;  // relative; far above rounding
 
 double norm(const Number& h) { return std::sqrt(h.norm2()); }
+double size(double re, double im) { return std::sqrt(re * re + im * im); }
 
 // The radius beyond which every point escapes in time: |h^n + c| >= |h|^n - |c|, for hypercomplex squares, too.
 double escape_radius(const Field& f) {
@@ -32,10 +34,10 @@ double escape_radius(const Field& f) {
 
 }  // namespace
 
-Map::Map(const Field& field) : cells_(static_cast<std::size_t>(kSide) * kSide * kSide) {
+Map::Map(const Field& field) {
   const double radius = escape_radius(field);
-  low_ = -radius;
-  cell_ = 2 * radius / kSide;
+  grid_.low = -radius;
+  grid_.cell = 2 * radius / kSide;
   fill(field, 0, 0, 0, kSide);
 }
 
@@ -60,7 +62,7 @@ bool Map::may_hold(const Field& f, const Vec3& p, double half) const {
   // A hypercomplex number is a pair of complex numbers a, b with |h|^2 = (|a|^2 + |b|^2) / 2, and each is squared by itself.
   double stray_a = stray * std::sqrt(2.0), stray_b = stray_a;
   for (int i = 1; i <= f.iterations; ++i) {
-    const double a = std::hypot(h.x - h.w, h.y + h.z), b = std::hypot(h.x + h.w, h.y - h.z);
+    const double a = size(h.x - h.w, h.y + h.z), b = size(h.x + h.w, h.y - h.z);
     const double least_a = std::max(0.0, a - stray_a), least_b = std::max(0.0, b - stray_b);
     if ((least_a * least_a + least_b * least_b) / 2 > escape) return false;
     if (stray_a > 2 * a + 4 && stray_b > 2 * b + 4) return true;
@@ -71,44 +73,44 @@ bool Map::may_hold(const Field& f, const Vec3& p, double half) const {
 }
 
 void Map::fill(const Field& field, int i, int j, int k, int size) {
-  const double half = cell_ * size / 2;
-  const auto at = [&](int n) { return low_ + cell_ * n + half; };
+  const double half = grid_.cell * size / 2;
+  const auto at = [&](int n) { return grid_.low + grid_.cell * n + half; };
   if (!may_hold(field, {at(i), at(j), at(k)}, half * 1.001)) return;
   if (size > 1) {
     const int s = size / 2;
     for (int c = 0; c < 8; ++c) fill(field, i + (c & 1 ? s : 0), j + (c & 2 ? s : 0), k + (c & 4 ? s : 0), s);
     return;
   }
-  cells_[static_cast<std::size_t>((k * kSide + j) * kSide + i)] = true;
-  box_.extendBy(Vec3(at(i) - half, at(j) - half, at(k) - half));
-  box_.extendBy(Vec3(at(i) + half, at(j) + half, at(k) + half));
+  grid_.add(i, j, k);
+  grid_.box.extendBy(Vec3(at(i) - half, at(j) - half, at(k) - half));
+  grid_.box.extendBy(Vec3(at(i) + half, at(j) + half, at(k) + half));
 }
 
 // A walk through the grid from the far end.
 double Map::last(const Vec3& o, const Vec3& d, double begin, double end) const {
-  if (box_.isEmpty()) return -1;
+  if (grid_.box.isEmpty()) return -1;
   for (int k = 0; k < 3; ++k) {
     if (d[k] == 0) {
-      if (o[k] < box_.min[k] || o[k] > box_.max[k]) return -1;
+      if (o[k] < grid_.box.min[k] || o[k] > grid_.box.max[k]) return -1;
       continue;
     }
-    const double a = (box_.min[k] - o[k]) / d[k], b = (box_.max[k] - o[k]) / d[k];
+    const double a = (grid_.box.min[k] - o[k]) / d[k], b = (grid_.box.max[k] - o[k]) / d[k];
     begin = std::max(begin, std::min(a, b)), end = std::min(end, std::max(a, b));
   }
   if (!(begin <= end)) return -1;
   int cell[3], step[3];
   double next[3], delta[3];  // where the ray, seen from its end, leaves the cell; the length of a cell along it
   for (int k = 0; k < 3; ++k) {
-    const double place = (o[k] + end * d[k] - low_) / cell_;
+    const double place = (o[k] + end * d[k] - grid_.low) / grid_.cell;
     cell[k] = std::clamp(static_cast<int>(place), 0, kSide - 1);
     step[k] = d[k] > 0 ? -1 : 1;
-    const double wall = low_ + cell_ * (cell[k] + (step[k] > 0 ? 1 : 0));
+    const double wall = grid_.low + grid_.cell * (cell[k] + (step[k] > 0 ? 1 : 0));
     next[k] = d[k] == 0 ? -1e300 : (wall - o[k]) / d[k];
-    delta[k] = d[k] == 0 ? 0 : cell_ / std::fabs(d[k]);
+    delta[k] = d[k] == 0 ? 0 : grid_.cell / std::fabs(d[k]);
   }
   double t = end;
   for (;;) {
-    if (cells_[static_cast<std::size_t>((cell[2] * kSide + cell[1]) * kSide + cell[0])]) return t;
+    if (grid_.has(cell[0], cell[1], cell[2])) return t;
     const int k = next[0] > next[1] ? (next[0] > next[2] ? 0 : 2) : (next[1] > next[2] ? 1 : 2);
     t = next[k];
     if (!(t > begin)) return -1;

@@ -3,11 +3,6 @@
 // their other points stray from it.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "tracer/math/vec.h"
-
 #include "tracer/shapes/julia_lanes.h"
 
 namespace verisim::shapes::julia {
@@ -19,17 +14,13 @@ class Map {
 
   // The last distance in begin .. end at which the ray is in a cell that may hold points of the set; negative if there is none.
   double last(const Vec3& origin, const Vec3& direction, double begin, double end) const;
-  // Encloses all such cells.
-  const Box3& box() const { return box_; }
+  const Grid& grid() const { return grid_; }
 
  private:
-  static constexpr int kSide = 32;
   bool may_hold(const Field& field, const Vec3& center, double half) const;
   void fill(const Field& field, int i, int j, int k, int size);
 
-  double low_ = 0, cell_ = 0;  // the cube's lower corner (in each coordinate) and the side of a cell
-  std::vector<bool> cells_;
-  Box3 box_;
+  Grid grid_;
 };
 
 }  // namespace verisim::shapes::julia

@@ -5,8 +5,10 @@
 
 #include <functional>
 #include <optional>
+#include <random>
 
 #include "tracer/functions/function.h"
+#include "tracer/math/ray_row.h"
 #include "tracer/shapes/shape.h"
 
 namespace verisim::shapes::test {
@@ -62,5 +64,36 @@ inline std::optional<Traced> trace(const scene::Object& o, const Vec3& from, con
     EXPECT_NEAR(a_.y, b_.y, TOLERANCE) << #A;   \
     EXPECT_NEAR(a_.z, b_.z, TOLERANCE) << #A;   \
   } while (false)
+
+// Rays from outside, from within and along the surface, some of them not asked and some with a limit before the hit.
+inline void expect_rows_as_single_rays(const Shape& shape, std::mt19937& random, int& found) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto vector = [&](double size) { return size * Vec3(unit(random), unit(random), unit(random)); };
+  RayRow row{};
+  const int first = 8 * static_cast<int>(random() % 5);
+  const double far = random() % 4 == 0 ? 1 : 5;
+  for (int k = 0; k < RayLanes::kCount; ++k) {
+    const Vec3 from = vector(far);
+    row.origin.set(first + k, from);
+    row.direction.set(first + k, normalize(vector(1.2) - from));
+  }
+  const RayLanes rays{row, first, static_cast<unsigned>(random() % 4 == 0 ? random() & 255 : 255)};
+  double t_max[RayLanes::kCount];
+  for (double& t : t_max) t = random() % 3 == 0 ? 3 * (1 + unit(random)) : 1e7;
+  Hit hits[RayLanes::kCount];
+  const unsigned hit = shape.intersect_lanes(rays, nullptr, RayKind::camera, 1e-4, t_max, hits), blocked = shape.occludes_lanes(rays, nullptr, 1e-4, t_max);
+  for (int k = 0; k < RayLanes::kCount; ++k) {
+    if (!(rays.asked >> k & 1)) continue;
+    Hit single;
+    ASSERT_EQ(shape.intersect(rays.at(k), RayKind::camera, 1e-4, t_max[k], single), static_cast<bool>(hit >> k & 1));
+    ASSERT_EQ(shape.occludes(rays.at(k), 1e-4, t_max[k]), static_cast<bool>(blocked >> k & 1));
+    if (!(hit >> k & 1)) continue;
+    ++found;
+    ASSERT_EQ(hits[k].t, single.t);
+    ASSERT_EQ(hits[k].point, single.point);
+    ASSERT_EQ(hits[k].shape, single.shape);
+    ASSERT_EQ(hits[k].part, single.part);
+  }
+}
 
 }  // namespace verisim::shapes::test

@@ -1,10 +1,36 @@
 // The evaluation of patterns and pigments as the rest of the program sees it: calls into the kernels that fit this machine.
 #include "tracer/textures/evaluation.h"
 
+#include <algorithm>
+
+#include "tracer/textures/many_points.h"
+#include "tracer/textures/noise.h"
+
 namespace verisim::textures {
 namespace {
 
 const EvaluationKernels& kernels = evaluation_kernels(best_instruction_set());
+
+constexpr std::size_t kFewPoints = 3;  // not worth a row
+
+// Calls values(count, row, result) for rows of points and copies the result, or single(p) for each point.
+template <class Values, class Single>
+void in_rows(const double* points, std::size_t stride, std::size_t count, double* result, Values&& values, Single&& single) {
+  const double *x = points, *y = x + stride, *z = y + stride;
+  if (count < kFewPoints) {
+    for (std::size_t k = 0; k < count; ++k) result[k] = single(Vec3(x[k], y[k], z[k]));
+    return;
+  }
+  PointRow row;
+  alignas(64) double found[PointRow::kMost];
+  for (std::size_t begin = 0; begin < count; begin += PointRow::kMost) {
+    const std::size_t n = std::min<std::size_t>(PointRow::kMost, count - begin);
+    std::copy_n(x + begin, n, row.x), std::copy_n(y + begin, n, row.y), std::copy_n(z + begin, n, row.z);
+    row.fill_up(static_cast<int>(n));
+    values(static_cast<int>(n), row, found);
+    std::copy_n(found, n, result + begin);
+  }
+}
 
 }  // namespace
 
@@ -16,5 +42,17 @@ void evaluate(const CompiledPigment& c, int count, const PointRow& points, const
   kernels.evaluate_row(c, count, points, surfaces, colors, colored);
 }
 double evaluate(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) { return kernels.value_of(c, p, surface).value; }
+
+void evaluate(const CompiledPattern& c, const double* points, std::size_t stride, std::size_t count, double* result) {
+  in_rows(points, stride, count, result, [&](int n, const PointRow& row, double* values) {
+    PointRow warped;
+    kernels.warp_row(c.chain, n, row, warped);
+    kernels.values_row(c, n, warped, nullptr, values);
+  }, [&](const Vec3& p) { return evaluate(c, p, nullptr); });
+}
+void noise(int generator, const double* points, std::size_t stride, std::size_t count, double* result) {
+  in_rows(points, stride, count, result, [&](int n, const PointRow& row, double* values) { kernels.noise_row(generator, n, row, values); },
+          [&](const Vec3& p) { return noise(p, generator); });
+}
 
 }  // namespace verisim::textures

@@ -1,5 +1,6 @@
 // Patterns and pigments as functions of SDL (spec 05 section 2, 01 section 24): there is no surface, so slope and aoi are 0.
 #include "tracer/functions/function.h"
+#include "tracer/textures/many_points.h"
 #include "tracer/textures/texture.h"
 
 namespace verisim::textures {
@@ -12,6 +13,9 @@ class PatternFunction final : public Function {
   int components() const override { return 1; }
   void evaluate(std::span<const double> p, double* result) const override {
     result[0] = textures::evaluate(*pattern_, Vec3(p[0], p[1], p[2]), nullptr);
+  }
+  void evaluate_batch(const double* points, std::size_t stride, std::size_t count, double* result) const override {
+    textures::evaluate(*pattern_, points, stride, count, result);
   }
 
  private:

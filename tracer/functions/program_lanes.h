@@ -1,0 +1,23 @@
+// Programs run for several points at once. Compiled for several instruction sets; all give the bits that the interpreter gives for one point.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "tracer/functions/program.h"
+
+namespace verisim::functions {
+
+struct LaneKernels {
+  static constexpr int kNarrow = 8, kWide = 64;
+  // Runs a program without jumps. Register k of point i is registers[k * width + i]; aligned to 64 bytes. Only what is asked for has a meaning afterwards.
+  void (*narrow)(std::span<const Instruction> code, std::span<const Call> calls, double* registers, std::uint64_t asked);
+  void (*wide)(std::span<const Instruction> code, std::span<const Call> calls, double* registers, std::uint64_t asked);
+};
+
+// Those of the best instruction set of this machine.
+const LaneKernels& lane_kernels();
+// Those of any set, for tests; null: this machine cannot run it.
+const LaneKernels* lane_kernels(int instruction_set);
+
+}  // namespace verisim::functions

@@ -1,0 +1,111 @@
+// Rays in step against single rays, and the instruction sets against each other.
+#include "tracer/shapes/isosurface_row.h"
+
+#include <cmath>
+
+#include "tracer/functions/expression.h"
+#include "tracer/shapes/trace_test_support.h"
+#include "tracer/textures/instruction_sets.h"
+
+namespace verisim::shapes {
+namespace {
+
+using namespace test;
+using functions::Node;
+
+Node number(double v) { return {functions::Constant{v}}; }
+Node axis(int i) { return {functions::Parameter{i}}; }
+Node chain(std::vector<Node> operands, functions::Op op) {
+  std::vector<functions::Op> operators(operands.size() - 1, op);
+  return {functions::Chain{std::move(operands), std::move(operators)}};
+}
+Node sum(std::vector<Node> operands) { return chain(std::move(operands), functions::Op::add); }
+Node product(std::vector<Node> operands) { return chain(std::move(operands), functions::Op::multiply); }
+Node sine(int i, double frequency) { return {functions::BuiltinCall{functions::Builtin::sin_, {product({axis(i), number(frequency)})}}}; }
+
+// x^2 + y^2 + z^2 - 0.8 + size sin 6x sin 6y sin 6z
+FunctionPtr wavy_ball(double size) {
+  const Node waves = product({number(size), sine(0, 6), sine(1, 6), sine(2, 6)});
+  return functions::compile(sum({product({axis(0), axis(0)}), product({axis(1), axis(1)}), product({axis(2), axis(2)}), number(-0.8), waves}), 3, 3);
+}
+
+TEST(IsosurfaceRow, FindsWhatSingleRaysFind) {
+  std::mt19937 random(5);
+  int found = 0;
+  for (int n = 0; n < 48; ++n) {
+    scene::Isosurface s;
+    s.function = wavy_ball(n % 5 == 0 ? 0.9 : 0.2);
+    s.max_gradient = n % 3 == 0 ? 1.1 : 5;  // too small, then pruned nodes matter
+    s.accuracy = n % 4 == 0 ? 0.05 : 0.002;
+    s.max_trace = n % 6;
+    s.open = n % 7 == 0;
+    s.threshold = n % 2 ? 0.1 : 0;
+    if (n % 8 == 1) s.container = {true, Vec3(0), Vec3(0), {0, 0, 0}, 0.9};
+    scene::Object o = object(s);
+    if (n % 3) o.transform = Transform::rotation({30, 40, 50}).then(Transform::scaling({0.9, 1.2, 0.8}));
+    const auto shape = compile(o);
+    for (int i = 0; i < 40 && !HasFatalFailure(); ++i) expect_rows_as_single_rays(*shape, random, found);
+  }
+  EXPECT_GT(found, 2000);
+}
+
+// Distances that are not for lanes are left to the single ray.
+TEST(IsosurfaceRow, FarAndFineSearchesAreSingle) {
+  scene::Isosurface s;
+  s.function = wavy_ball(0.2);
+  s.max_gradient = 5;
+  s.accuracy = 1e-300;
+  std::mt19937 random(6);
+  int found = 0;
+  for (int i = 0; i < 5 && !HasFatalFailure(); ++i) expect_rows_as_single_rays(*compile(object(s)), random, found);
+  EXPECT_GT(found, 0);
+}
+
+void set_up(SearchLanes& lanes, std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(-1, 1);
+  lanes.accuracy = 0.001 * (1.5 + unit(random)), lanes.threshold = 0.1 * unit(random);
+  for (int k = 0; k < SearchLanes::kCount; ++k) {
+    for (int i = 0; i < 3; ++i) lanes.origin[i][k] = unit(random), lanes.direction[i][k] = unit(random);
+    lanes.begin[k] = unit(random), lanes.width[k] = 3 + unit(random);
+    lanes.value0[k] = 0.5 + unit(random), lanes.value1[k] = unit(random);
+    lanes.slope[k] = 2 + unit(random), lanes.sign[k] = unit(random) < 0 ? -1 : 1;
+  }
+}
+unsigned search(const IsosurfaceKernels& kernels, SearchLanes& lanes) {
+  alignas(64) double points[3 * SearchLanes::kCount], values[SearchLanes::kCount];
+  for (unsigned active = kernels.start(lanes, 0xed); active != 0; active = kernels.advance(lanes, values)) {
+    kernels.middles(lanes, points);
+    for (int k = 0; k < SearchLanes::kCount; ++k) values[k] = std::sin(7 * points[k]) + points[8 + k] * points[16 + k];
+  }
+  unsigned found = 0;
+  for (int k = 0; k < SearchLanes::kCount; ++k) found |= lanes.found[k] != 0 ? 1u << k : 0;
+  return found;
+}
+
+TEST(IsosurfaceRow, InstructionSetsGiveTheSameBits) {
+  std::mt19937 random(7);
+  int hits = 0;
+  for (int n = 0; n < 300; ++n) {
+    SearchLanes start{};
+    set_up(start, random);
+    SearchLanes plain = start;
+    const unsigned found = search(*isosurface_kernels(textures::kBaseline), plain);
+    EXPECT_EQ(found & ~0xedu, 0u);
+    hits += std::popcount(found);
+    for (int set = textures::kAvx2; set < textures::kInstructionSets; ++set) {
+      const IsosurfaceKernels* const kernels = isosurface_kernels(set);
+      if (!kernels) continue;
+      SearchLanes other = start;
+      ASSERT_EQ(search(*kernels, other), found);
+      each_lane(0xed, [&](int k) {
+        ASSERT_EQ(other.begin[k], plain.begin[k]);
+        ASSERT_EQ(other.width[k], plain.width[k]);
+        ASSERT_EQ(other.steepest[k], plain.steepest[k]);
+      });
+    }
+  }
+  EXPECT_GT(hits, 300);
+}
+
+}  // namespace
+}  // namespace verisim::shapes

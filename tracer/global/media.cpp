@@ -43,6 +43,7 @@ class Integrator {
       aa_threshold_ = std::min(aa_threshold_, m->description->aa_threshold);
       scatters_ |= m->scatters;
       has_density_ |= !m->densities.empty();
+      varies_ |= m->varies;
       constant_shadow_ &= m->last_density_plain;
     }
     if (!shadow_) collect_lights();
@@ -227,12 +228,15 @@ class Integrator {
   Sample refine(const Interval& span, const Sample& s1, double d1, const Sample& s3, double d3, int level) {
     const double d2 = 0.5 * (d1 + d3);
     const Sample s2 = sample(span, jittered(d2, d3 - d1), false);
+    return weighted(s1, s2, s3, level, [&] { return refine(span, s1, d1, s2, d2, level - 1); }, [&] { return refine(span, s2, d2, s3, d3, level - 1); });
+  }
+  // The mean over a stretch with a sample at either end and in the middle; left() and right(): those over its halves, where the brightness changes.
+  template <class Left, class Right>
+  Sample weighted(const Sample& s1, const Sample& s2, const Sample& s3, int level, Left&& left, Right&& right) const {
     if (level <= 0) return (s1 + s2 + s3) * (1.0f / 3.0f);
-    const Sample left = difference(s1.source, s2.source) > aa_threshold_ ? refine(span, s1, d1, s2, d2, level - 1) * 0.5f
-                                                                        : s1 * (1.0f / 3.0f) + s2 * (1.0f / 6.0f);
-    const Sample right = difference(s2.source, s3.source) > aa_threshold_ ? refine(span, s2, d2, s3, d3, level - 1) * 0.5f
-                                                                         : s2 * (1.0f / 6.0f) + s3 * (1.0f / 3.0f);
-    return left + right;
+    const Sample before = difference(s1.source, s2.source) > aa_threshold_ ? left() * 0.5f : s1 * (1.0f / 3.0f) + s2 * (1.0f / 6.0f);
+    const Sample behind = difference(s2.source, s3.source) > aa_threshold_ ? right() * 0.5f : s2 * (1.0f / 6.0f) + s3 * (1.0f / 3.0f);
+    return before + behind;
   }
 
   // Method 3: q sub-intervals on a grid of step 1 / (q + 1), refined where the brightness changes; a left Riemann rule for attenuation.
@@ -242,16 +246,96 @@ class Integrator {
     const float share = 1.0f / static_cast<float>(q);
     Sample result;
     Rgb before;
-    Sample s1 = sample(span, jittered(0.0, step), false);
-    for (int k = 1; k <= q; ++k) {
-      const Sample s3 = sample(span, jittered(k * step, step), false);
-      const Sample part = refine(span, s1, (k - 1) * step, s3, k * step, control_->aa_level - 1);
+    const auto add = [&](const Sample& part) {
       result.source += part.source * exponential(before * share) * share;
       before += part.depth;
-      s1 = s3;
+    };
+    const int level = control_->aa_level - 1;
+    if (foreseeable()) {
+      for (int k = 0; k < q; k += kMostStretches) {
+        const Stretches stretches = refine_together(span, k, std::min(q - k, kMostStretches), step, level);
+        for (int i = 0; i < kMostStretches && k + i < q; ++i) add(mean(span, stretches, i, level));
+      }
+    } else {
+      Sample s1 = sample(span, jittered(0.0, step), false);
+      for (int k = 1; k <= q; ++k) {
+        const Sample s3 = sample(span, jittered(k * step, step), false);
+        add(refine(span, s1, (k - 1) * step, s3, k * step, level));
+        s1 = s3;
+      }
     }
     result.depth = before * share;
     return result;
+  }
+
+  // Whether samples neither draw numbers nor look at lights, so that they may be taken in any order; and densities gain from being asked for together.
+  bool foreseeable() const { return varies_ && control_->jitter == 0.0 && (shadow_ || !scatters_); }
+
+  // What refine() does with one stretch, taken level by level; behind a few levels it goes on alone.
+  struct Stretch {
+    double d1, d3;
+    Sample s1, s2, s3;
+    int left = -1, right = -1;  // refined
+    double middle() const { return 0.5 * (d1 + d3); }
+  };
+  using Stretches = boost::container::small_vector<Stretch, 64>;
+  static constexpr int kMostStretches = (textures::PointRow::kMost - 1) / 2, kLevelsTogether = 5;
+
+  // Stretches first + 1 .. first + count of the grid.
+  Stretches refine_together(const Interval& span, int first, int count, double step, int level) const {
+    std::array<double, textures::PointRow::kMost> at;
+    std::array<Sample, textures::PointRow::kMost> samples;
+    Stretches all;
+    for (int i = 0; i < count; ++i) all.push_back({(first + i) * step, (first + i + 1) * step, {}, {}, {}});
+    // Both ends and the middle are wanted anyway.
+    for (int i = 0; i < count; ++i) at[2 * i] = all[i].d1, at[2 * i + 1] = all[i].middle();
+    at[2 * count] = all[count - 1].d3;
+    sample_row(span, 2 * count + 1, at.data(), samples.data());
+    for (int i = 0; i < count; ++i) all[i].s1 = samples[2 * i], all[i].s2 = samples[2 * i + 1], all[i].s3 = samples[2 * i + 2];
+    for (std::size_t begin = 0, depth = 0; level > 0 && depth < kLevelsTogether; --level, ++depth) {
+      const std::size_t end = all.size();
+      for (; begin < end; ++begin) {
+        const Stretch s = all[begin];
+        if (difference(s.s1.source, s.s2.source) > aa_threshold_) {
+          all[begin].left = static_cast<int>(all.size());
+          all.push_back({s.d1, s.middle(), s.s1, {}, s.s2});
+        }
+        if (difference(s.s2.source, s.s3.source) > aa_threshold_) {
+          all[begin].right = static_cast<int>(all.size());
+          all.push_back({s.middle(), s.d3, s.s2, {}, s.s3});
+        }
+      }
+      for (std::size_t i = end; i < all.size(); i += at.size()) {
+        const std::size_t n = std::min(at.size(), all.size() - i);
+        for (std::size_t k = 0; k < n; ++k) at[k] = all[i + k].middle();
+        sample_row(span, static_cast<int>(n), at.data(), samples.data());
+        for (std::size_t k = 0; k < n; ++k) all[i + k].s2 = samples[k];
+      }
+    }
+    return all;
+  }
+  Sample mean(const Interval& span, const Stretches& all, int number, int level) {
+    const Stretch& s = all[static_cast<std::size_t>(number)];
+    return weighted(s.s1, s.s2, s.s3, level,
+                    [&] { return s.left >= 0 ? mean(span, all, s.left, level - 1) : refine(span, s.s1, s.d1, s.s2, s.middle(), level - 1); },
+                    [&] { return s.right >= 0 ? mean(span, all, s.right, level - 1) : refine(span, s.s2, s.middle(), s.s3, s.d3, level - 1); });
+  }
+
+  // sample(), at many places of an interval, without lights.
+  void sample_row(const Interval& span, int count, const double* at, Sample* samples) const {
+    textures::PointRow points;
+    std::array<Rgb, textures::PointRow::kMost> density, extinction, emission;
+    for (int i = 0; i < count; ++i) points.set(i, ray_.at(span.start + at[i] * span.length));
+    points.fill_up(count);
+    for (const CompiledMedia* m : media_) {
+      media_densities(*m, count, points, density.data());
+      for (int i = 0; i < count; ++i) {
+        extinction[i] += density[i] * m->extinction;
+        if (!shadow_ && m->emits) emission[i] += density[i] * m->description->emission;
+      }
+    }
+    const float s = static_cast<float>(span.length);
+    for (int i = 0; i < count; ++i) samples[i] = {emission[i] * s, extinction[i] * s};
   }
 
   std::span<const CompiledMedia* const> media_;
@@ -261,73 +345,13 @@ class Integrator {
   MediaEnvironment& environment_;
   const scene::Media* control_;
   double aa_threshold_;
-  bool scatters_ = false, has_density_ = false, constant_shadow_ = true;
+  bool scatters_ = false, has_density_ = false, varies_ = false, constant_shadow_ = true;
   int lit_count_ = 0, intervals_ = 0;
   std::array<LitLight, kMaxLights> lit_;
   std::array<Interval, kMostSpans> spans_;
 };
 
 }  // namespace
-
-namespace {
-
-Rgb density_at(const textures::CompiledPigment& density, const Vec3& p) {
-  Color c;
-  textures::evaluate(density, p, nullptr, c);
-  return c.rgb();
-}
-
-}  // namespace
-
-Rgb media_density(const CompiledMedia& m, const Vec3& p) {
-  for (const std::size_t i : m.simple_densities) {
-    if (density_at(*m.densities[i], p) == Rgb()) return {};
-  }
-  Rgb value(1.0f);
-  for (const textures::CompiledPigment* d : m.densities) value *= density_at(*d, p);
-  return value;
-}
-
-namespace {
-
-double bound_of(const scene::Density& density) {
-  if (density.pattern.kind == scene::PatternKind::plain) return density.color.rgb().max_abs();
-  double most = density.color_map || density.density_map ? 0.0 : 1.0;  // built-in maps stay within 0..1
-  if (density.color_map) {
-    for (const auto& entry : *density.color_map) most = std::max(most, static_cast<double>(entry.value.rgb().max_abs()));
-  }
-  if (density.density_map) {
-    for (const auto& entry : *density.density_map) most = std::max(most, entry.value ? bound_of(*entry.value) : 1.0);
-  }
-  return most;
-}
-
-bool is_simple(const scene::Density& density) {
-  using enum scene::PatternKind;
-  const scene::Pattern& pattern = density.pattern;
-  const bool formula = pattern.kind == spherical || pattern.kind == cylindrical || pattern.kind == boxed || pattern.kind == planar;
-  const bool moved = std::any_of(pattern.warps.begin(), pattern.warps.end(), [](const scene::Warp& w) { return !std::holds_alternative<Transform>(w); });
-  return formula && !moved && !pattern.turbulence && !density.density_map;
-}
-
-}  // namespace
-
-CompiledMedia compile_media(const scene::Media& description, textures::Compiler& compiler) {
-  CompiledMedia m;
-  m.description = &description;
-  m.extinction = description.absorption + description.scattering * static_cast<float>(description.extinction);
-  m.emits = description.emission.max_abs() > 0.0f;
-  m.scatters = description.scattering.max_abs() > 0.0f;
-  for (const scene::DensityPtr& density : description.densities) {
-    if (description.densities.size() > 1 && is_simple(*density)) m.simple_densities.push_back(m.densities.size());
-    m.densities.push_back(compiler.density(density));
-    const bool plain = density->pattern.kind == scene::PatternKind::plain;
-    m.varies |= !plain;
-    m.last_density_plain = plain;
-    m.density_bound *= bound_of(*density);
-  }
-  return m;
-}
 
 MediaResult integrate(std::span<const CompiledMedia* const> media, const Ray& ray, double length, bool shadow, MediaEnvironment& environment) {
   if (media.empty() || !(length > 0.0)) return {};

@@ -10,6 +10,7 @@
 
 #include "tracer/scene/texture.h"
 #include "tracer/scene/light.h"
+#include "tracer/textures/point_row.h"
 #include "tracer/textures/texture.h"
 
 namespace verisim::global {
@@ -28,6 +29,8 @@ struct CompiledMedia {
 CompiledMedia compile_media(const scene::Media& description, textures::Compiler& compiler);
 // The product of the medium's densities at p.
 Rgb media_density(const CompiledMedia& media, const Vec3& p);
+// The same at the first `count` points of a row that is filled up.
+void media_densities(const CompiledMedia& media, int count, const textures::PointRow& points, Rgb* densities);
 
 // What the integrator asks of the tracer.
 class MediaEnvironment {

@@ -11,6 +11,10 @@ struct Rgb {
 
   Rgb() = default;
   constexpr Rgb(float red, float green, float blue) : r(red), g(green), b(blue) {}
+  // Not trivial on purpose: the calling convention would return three floats in two registers, packed by way of the stack, where each call waits for its
+  // own stores.
+  constexpr Rgb(const Rgb& o) : r(o.r), g(o.g), b(o.b) {}
+  constexpr Rgb& operator=(const Rgb& o) { r = o.r, g = o.g, b = o.b; return *this; }
   explicit constexpr Rgb(float grey_value) : r(grey_value), g(grey_value), b(grey_value) {}
 
   friend bool operator==(const Rgb&, const Rgb&) = default;

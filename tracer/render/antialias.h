@@ -45,6 +45,16 @@ void sample_row(Sampler& sample, double x, double y, int count, Color* colors) {
     for (int i = 0; i < count; ++i) colors[i] = sample(x + i, y);
   }
 }
+// Samples at any places near each other; together, if the sampler knows how.
+template <class Sampler>
+void sample_points(Sampler& sample, const std::vector<Vec2>& places, std::vector<Color>& colors) {
+  colors.resize(places.size());
+  if constexpr (requires { sample.points(places.data(), 1, colors.data()); }) {
+    sample.points(places.data(), static_cast<int>(places.size()), colors.data());
+  } else {
+    for (std::size_t i = 0; i < places.size(); ++i) colors[i] = sample(places[i].x, places[i].y);
+  }
+}
 // Samples may be taken in any order; if not, random numbers would be drawn in another one.
 template <class Sampler>
 bool any_order(const Sampler& sample) {
@@ -103,33 +113,48 @@ class AdaptiveGrid {
     const Cell &here = cell(x, y), &left = cell(x - 1, y), &top = cell(x, y - 1);
     const bool left_differs = here.compared.differs(left.compared, settings_.threshold);
     const bool top_differs = here.compared.differs(top.compared, settings_.threshold);
-    if (left_differs) supersample(x - 1, y);
-    if (top_differs) supersample(x, y - 1);
-    if (left_differs || top_differs) supersample(x, y);
+    waiting_.clear();
+    if (left_differs) ask(x - 1, y);
+    if (top_differs) ask(x, y - 1);
+    if (left_differs || top_differs) ask(x, y);
+    if (!waiting_.empty()) supersample();
   }
 
-  void supersample(int x, int y) {
+  void ask(int x, int y) {
     Cell& c = cell(x, y);
     if (c.done) return;
     c.done = true;
+    if (waiting_.empty()) places_.clear();
+    waiting_.push_back(&c);
     const int n = settings_.depth;
     const double step = 1.0 / n, first = -0.5 + 0.5 * step, scale = settings_.jitter / n;
-    Color sum = c.color;
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
         const double sx = x + (first + i * step), sy = y + (first + j * step);
         const Vec2 d = scale == 0 ? Vec2(0, 0) : jitter2(sx, sy) * scale;
-        sum += sample_(sx + d.x, sy + d.y);
+        places_.emplace_back(sx + d.x, sy + d.y);
       }
     }
-    const auto count = static_cast<float>(n * n + 1);
-    set(c, {sum.r / count, sum.g / count, sum.b / count, sum.f / count, sum.t / count});
+  }
+
+  // The pixels that wait.
+  void supersample() {
+    sample_points(sample_, places_, row_);
+    const std::size_t samples = places_.size() / waiting_.size();
+    const auto count = static_cast<float>(samples + 1);
+    for (std::size_t k = 0; k < waiting_.size(); ++k) {
+      Color sum = waiting_[k]->color;
+      for (std::size_t i = 0; i < samples; ++i) sum += row_[k * samples + i];
+      set(*waiting_[k], {sum.r / count, sum.g / count, sum.b / count, sum.f / count, sum.t / count});
+    }
   }
 
   const AntialiasSettings settings_;
   Sampler& sample_;
   int stride_ = 0, origin_x_ = 0, origin_y_ = 0;
   std::vector<Cell> cells_;
+  std::vector<Cell*> waiting_;
+  std::vector<Vec2> places_;
   std::vector<Color> row_;
 };
 
@@ -174,13 +199,21 @@ class RecursiveQuads {
     p.stamp = stamp_;
   }
 
-  void need(int i, int j) {
+  void ask(int i, int j) {
     Point& p = at(i, j);
     if (p.stamp == stamp_) return;
+    if (waiting_.empty()) places_.clear();
+    waiting_.push_back(&p);
     const double step = 1.0 / (side_ - 1), x = pixel_x_ + i * step, y = pixel_y_ + j * step;
     const double scale = settings_.jitter / ((1 << settings_.depth) + 1);
     const Vec2 d = scale == 0 ? Vec2(0, 0) : jitter2(x, y) * scale;
-    set(p, sample_(x + d.x, y + d.y));
+    places_.emplace_back(x + d.x, y + d.y);
+  }
+  void trace_waiting() {
+    if (waiting_.empty()) return;
+    sample_points(sample_, places_, row_);
+    for (std::size_t k = 0; k < waiting_.size(); ++k) set(*waiting_[k], row_[k]);
+    waiting_.clear();
   }
 
   // The quadrant with its top left corner at (i, j) of the pixel's grid.
@@ -191,7 +224,8 @@ class RecursiveQuads {
       for (int b = a + 1; b < 4; ++b) differ = differ || corner[a].compared.differs(corner[b].compared, settings_.threshold);
     if (!differ) return (corner[0].color + corner[1].color + corner[2].color + corner[3].color) * 0.25f;
     const int half = size / 2;
-    need(i, j + half), need(i + half, j), need(i + size, j + half), need(i + half, j + size), need(i + half, j + half);
+    ask(i, j + half), ask(i + half, j), ask(i + size, j + half), ask(i + half, j + size), ask(i + half, j + half);
+    trace_waiting();
     Color sum = quad(i, j, half, levels - 1);
     sum += quad(i, j + half, half, levels - 1);
     sum += quad(i + half, j, half, levels - 1);
@@ -205,6 +239,8 @@ class RecursiveQuads {
   double pixel_x_ = 0, pixel_y_ = 0;
   std::uint64_t stamp_ = 1;
   std::vector<Point> points_, corners_;
+  std::vector<Point*> waiting_;
+  std::vector<Vec2> places_;
   std::vector<Color> row_;
 };
 

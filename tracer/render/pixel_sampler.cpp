@@ -65,36 +65,47 @@ Color PixelSampler::operator()(double x, double y) {
   tracer_.random().begin_sample(x, y, 0);
   const std::optional<PrimaryRay> primary = camera_.rays.at(x, y);
   if (!primary) return {0, 0, 0, 0, 1};
-  const accel::WorldEntry* entry = nullptr;
-  if (camera_.linear) {
-    entry = tracer_.coherent().camera(x, y, [this](double left, double top, double right, double bottom) {
-      return camera_.shaft(tracer_.scene().world.tree().bounds(), left, top, right, bottom);
-    });
-  }
+  int one = 1;
+  const accel::WorldEntry* const known = camera_.linear ? entry(x, y, one) : nullptr;
   // By way of the reciprocal, as POV-Ray normalises: its last bits decide where a pattern's seam lies in a surface.
-  return trace({primary->ray.origin, primary->ray.direction * (1 / length(primary->ray.direction))}, primary->image, entry);
+  return trace({primary->ray.origin, primary->ray.direction * (1 / length(primary->ray.direction))}, primary->image, known);
+}
+
+const accel::WorldEntry* PixelSampler::entry(double x, double y, int& count) {
+  return tracer_.coherent().camera_row(x, y, count, [this](double left, double top, double right, double bottom) {
+    return camera_.shaft(tracer_.scene().world.tree().bounds(), left, top, right, bottom);
+  });
 }
 
 void PixelSampler::row(double x, double y, int count, Color* colors) {
-  if (!camera_.linear || !wave_.usable()) {
+  if (!together()) {
     for (int i = 0; i < count; ++i) colors[i] = (*this)(x + i, y);
     return;
   }
-  for (int done = 0; done < count; done += shading::Wave::kMost) wave(x + done, y, std::min(count - done, shading::Wave::kMost), colors + done);
+  for (int done = 0; done < count; done += shading::Wave::kMost) row_wave(x + done, y, std::min(count - done, shading::Wave::kMost), colors + done);
 }
 
-// Rays from one point, or parallel ones. False: they do not all start within the same objects.
-bool PixelSampler::aim(double x, double y, int count) {
-  RayRow& rays = wave_.lanes().camera;
-  if (!camera_.origin_varies) {
-    for (int i = 0; i < count; ++i) rays.origin.set(i, camera_.camera.location);
-    camera_.rays.directions(x, y, count, wave_.lanes());
-    return true;
+void PixelSampler::points(const Vec2* places, int count, Color* colors) {
+  if (!together()) {
+    for (int i = 0; i < count; ++i) colors[i] = (*this)(places[i].x, places[i].y);
+    return;
   }
+  for (int done = 0; done < count; done += shading::Wave::kMost) {
+    const int n = std::min(count - done, shading::Wave::kMost);
+    std::copy_n(places + done, n, wave_.places());
+    point_wave(n, colors + done);
+  }
+}
+
+// The rays through the wave's places, from one point or parallel. False: they do not all start within the same objects.
+bool PixelSampler::aim(int count) {
+  RayRow& rays = wave_.lanes().camera;
+  const Vec2* const places = wave_.places();
   for (int i = 0; i < count; ++i) {
-    const Ray ray = camera_.rays.at(x + i, y)->ray;
+    const Ray ray = camera_.rays.at(places[i].x, places[i].y)->ray;
     rays.origin.set(i, ray.origin);
     rays.direction.set(i, ray.direction * (1 / length(ray.direction)));
+    if (!camera_.origin_varies) continue;
     const auto around = tracer_.interiors(tracer_.camera_state(rays.at(i), true).interiors);
     if (i == 0) around_.assign(around.begin(), around.end());
     else if (!std::ranges::equal(around, around_)) return false;
@@ -102,21 +113,36 @@ bool PixelSampler::aim(double x, double y, int count) {
   return true;
 }
 
-void PixelSampler::wave(double x, double y, int count, Color* colors) {
-  if (!aim(x, y, count)) {
-    for (int i = 0; i < count; ++i) colors[i] = (*this)(x + i, y);
-    return;
+void PixelSampler::one_by_one(int count, Color* colors) {
+  Vec2 places[shading::Wave::kMost];
+  std::copy_n(wave_.places(), count, places);
+  for (int i = 0; i < count; ++i) colors[i] = (*this)(places[i].x, places[i].y);
+}
+
+void PixelSampler::row_wave(double x, double y, int count, Color* colors) {
+  for (int i = 0; i < count; ++i) wave_.places()[i] = Vec2(x + i, y);
+  if (camera_.origin_varies) {
+    if (!aim(count)) return one_by_one(count, colors);
+  } else {
+    for (int i = 0; i < count; ++i) wave_.lanes().camera.origin.set(i, camera_.camera.location);
+    camera_.rays.directions(x, y, count, wave_.lanes());
   }
   tracer_.statistics().samples += static_cast<std::uint64_t>(count);
   const accel::WorldEntry* entries[shading::Wave::kMost];
   for (int i = 0; i < count;) {
     int served = count - i;
-    const accel::WorldEntry* entry = tracer_.coherent().camera_row(x + i, y, served, [this](double left, double top, double right, double bottom) {
-      return camera_.shaft(tracer_.scene().world.tree().bounds(), left, top, right, bottom);
-    });
-    for (; served > 0; --served) entries[i++] = entry;
+    const accel::WorldEntry* const here = entry(x + i, y, served);
+    for (; served > 0; --served) entries[i++] = here;
   }
-  wave_.trace(x, y, count, entries, colors);
+  wave_.trace(count, entries, colors);
+}
+
+void PixelSampler::point_wave(int count, Color* colors) {
+  if (!aim(count)) return one_by_one(count, colors);
+  tracer_.statistics().samples += static_cast<std::uint64_t>(count);
+  const accel::WorldEntry* entries[shading::Wave::kMost];
+  for (int i = 0, one = 1; i < count; ++i) entries[i] = entry(wave_.places()[i].x, wave_.places()[i].y, one);
+  wave_.trace(count, entries, colors);
 }
 
 Color PixelSampler::trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry) {

@@ -35,6 +35,8 @@ class PixelSampler {
   Color operator()(double x, double y);
   // The colours at (x, y), (x + 1, y) ...: the same as one by one, but faster.
   void row(double x, double y, int count, Color* colors);
+  // The colours at any places, best near each other: the same as one by one, but faster.
+  void points(const Vec2* places, int count, Color* colors);
   // Samples may be asked for in any order; if not, random numbers would be drawn in another one.
   bool any_order() const { return !tracer_.random().replay(); }
 
@@ -42,8 +44,13 @@ class PixelSampler {
   Color mesh_sample(double x, double y);
   Color trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry = nullptr);
 
-  bool aim(double x, double y, int count);
-  void wave(double x, double y, int count, Color* colors);
+  bool together() const { return camera_.linear && wave_.usable(); }
+  bool aim(int count);
+  void row_wave(double x, double y, int count, Color* colors);
+  void point_wave(int count, Color* colors);
+  void one_by_one(int count, Color* colors);
+  // Where rays through (x, y), (x + 1, y) ... enter the world, `count` of them at most; sets it to the number of those that this holds for.
+  const accel::WorldEntry* entry(double x, double y, int& count);
 
   const CameraModel& camera_;
   shading::Tracer& tracer_;

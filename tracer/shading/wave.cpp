@@ -209,7 +209,7 @@ Rgb Wave::shown(const Leaf& leaf, const RayState& ray, int& lane) {
 void Wave::add_mirrored(const Leaf& leaf, const RayState& ray, Rgb& color) {
   RayState eye = ray;
   eye.ray = lanes_.camera.at(leaf.ray);
-  tracer_.random_.begin_sample(x_ + leaf.ray, y_, 0);
+  tracer_.random_.begin_sample(places_[leaf.ray].x, places_[leaf.ray].y, 0);
   for (int k = leaf.first; k >= 0; k = parts_[static_cast<std::size_t>(k)].next) {
     const int mirror = parts_[static_cast<std::size_t>(k)].mirror;
     if (mirror >= 0) color += tracer_.mirrored(eye, *met_[leaf.ray].at, mirrors_[static_cast<std::size_t>(mirror)]);
@@ -264,7 +264,7 @@ void Wave::show_sky(int count, Color* out) {
   for (int k = 0; k < n; ++k) out[misses[k]] = colors[k];
 }
 
-void Wave::trace(double x, double y, int count, const accel::WorldEntry* const* entries, Color* out) {
+void Wave::trace(int count, const accel::WorldEntry* const* entries, Color* out) {
   if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
   RayState ray = tracer_.camera_state(lanes_.camera.at(0), false);
   tracer_.statistics_.camera_rays += static_cast<std::uint64_t>(count);
@@ -275,8 +275,6 @@ void Wave::trace(double x, double y, int count, const accel::WorldEntry* const* 
   leaves_.clear();
   parts_.clear();
   mirrors_.clear();
-  x_ = x;
-  y_ = y;
   for (int i = 0; i < count; ++i)
     if (found_[i]) meet(i);
   find_parts(count);
@@ -289,7 +287,7 @@ void Wave::trace(double x, double y, int count, const accel::WorldEntry* const* 
       if (add_surface(i)) continue;
     }
     ray.ray = lanes_.camera.at(i);
-    tracer_.random_.begin_sample(x + i, y, 0);
+    tracer_.random_.begin_sample(places_[i].x, places_[i].y, 0);
     out[i] = tracer_.resolve(ray, &hits_[i]);
   }
   show(ray, out);

@@ -20,11 +20,12 @@ class Wave {
   // False: hits of this scene have to be shaded one after another (volumes, random numbers in order, an observer ...).
   bool usable() const { return usable_ && !tracer_.observer_ && !tracer_.pretrace_; }
 
-  // `camera` is to be filled first.
+  // `camera` of the lanes and the places in the picture that the rays go through are to be filled first.
   WaveLanes& lanes() { return lanes_; }
-  // Traces the rays of the first lanes, which go through pixels (x, y), (x + 1, y) ...: `count` <= kMost colours. The same objects are around all their origins.
-  // Ray i enters the world at entries[i] (null: unknown).
-  void trace(double x, double y, int count, const accel::WorldEntry* const* entries, Color* out);
+  Vec2* places() { return places_; }
+  // Traces the rays of the first lanes: `count` <= kMost colours. The same objects are around all their origins. Ray i enters the world at entries[i]
+  // (null: unknown).
+  void trace(int count, const accel::WorldEntry* const* entries, Color* out);
 
  private:
   // ---- wave_surfaces.cpp: what shows where rays hit, before lights are asked
@@ -114,7 +115,7 @@ class Wave {
   Vec3 normals_[kMost];   // of one layer at some leaves
   Color colors_[kMost];
   bool colored_[kMost];
-  double x_ = 0, y_ = 0;  // the pixel of the first ray
+  Vec2 places_[kMost];
   int count_ = 0;       // of surfaces
   unsigned shine_ = 0;  // of all surfaces
   bool tinted_ = false, attenuated_ = true;  // false: all tints, all attenuations are 1

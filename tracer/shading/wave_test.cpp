@@ -79,6 +79,48 @@ TEST_P(WaveKernel, LightsAndHighlightsAreThoseOfTheFormulas) {
   EXPECT_LT(uncertain, checked / 500);
 }
 
+TEST_P(WaveKernel, WhatArrivesIsAskedForWhereItCounts) {
+  std::uniform_real_distribution<double> number(-1, 1);
+  int asked_for = 0, lit = 0;
+  for (int round = 0; round < 500; ++round) {
+    const Rgb light(static_cast<float>(std::fabs(number(random))), 0.5f, round % 5 == 0 ? 0 : static_cast<float>(number(random)));
+    const bool highlights = round % 2 == 0;
+    for (int i = 0; i < WaveLanes::kMost; ++i) {
+      lanes->cosine[i] = i % 5 == 0 ? 0 : number(random);
+      lanes->front[i] = static_cast<float>(number(random)), lanes->behind[i] = static_cast<float>(number(random));
+      lanes->two_sided[i] = i % 3 == 0, lanes->lit_behind[i] = i % 4 == 0, lanes->dull[i] = i % 11 == 0;
+      lanes->attenuation[i] = i % 7 == 0 ? 1e-12f : static_cast<float>(std::fabs(number(random)));
+    }
+    const int count = 1 + round % WaveLanes::kMost;
+    bool any = false;
+    const bool received = kernels->receive(light, highlights, count, *lanes);
+    for (int i = 0; i < count; ++i) {
+      const bool back = lanes->cosine[i] < kEpsilon && lanes->two_sided[i] == 0;
+      const Rgb color = light * lanes->attenuation[i];
+      const bool expected = !(back && lanes->lit_behind[i] == 0) && lanes->dull[i] == 0 && !(color.max_abs() < static_cast<float>(kEpsilon));
+      ASSERT_EQ(lanes->asked[i], expected) << i;
+      any |= expected;
+      asked_for += expected;
+      ASSERT_EQ(lanes->diffuse[i], back ? lanes->behind[i] : lanes->front[i]);
+      ASSERT_EQ(lanes->shines[i], highlights && !back);
+      ASSERT_EQ(Rgb(lanes->intensity.r[i], lanes->intensity.g[i], lanes->intensity.b[i]), color);
+      if (i % 6 == 1) lanes->intensity.r[i] = lanes->intensity.g[i] = lanes->intensity.b[i] = 0;  // in a shadow
+    }
+    ASSERT_EQ(received, any);
+    any = false;
+    const bool illuminated = kernels->illuminate(count, *lanes);
+    for (int i = 0; i < count; ++i) {
+      const bool expected = lanes->asked[i] != 0 && i % 6 != 1;
+      ASSERT_EQ(lanes->lit[i], expected ? 1.0f : 0.0f);
+      any |= expected;
+      lit += expected;
+    }
+    ASSERT_EQ(illuminated, any);
+  }
+  EXPECT_GT(asked_for, lit);
+  EXPECT_GT(lit, 1000);
+}
+
 TEST_P(WaveKernel, NumbersThatAreNoneAreLeftToTheFormulas) {
   for (int i = 0; i < WaveLanes::kMost; ++i) {
     lanes->normal.set(i, Vec3(0, 1, 0)), lanes->view.set(i, Vec3(0, -1, 0)), lanes->to_light.direction.set(i, Vec3(std::nan("")));
@@ -176,6 +218,16 @@ TEST(Wave, GivesTheColoursOfSingleRays) {
       const Color expected = single(x, y);
       ASSERT_TRUE(row[x] == expected) << x << ' ' << y;
     }
+  }
+  std::mt19937 random{5};
+  std::uniform_real_distribution<double> beside(-1.4, 1.4), across(0, kWidth - 1), down(0, kHeight - 1);
+  for (int count = 1; count < 3 * Wave::kMost; count += 7) {
+    const double x = across(random), y = down(random);
+    std::vector<Vec2> places;
+    for (int i = 0; i < count; ++i) places.emplace_back(x + beside(random), y + beside(random));
+    std::vector<Color> colors(places.size());
+    together.points(places.data(), count, colors.data());
+    for (std::size_t i = 0; i < places.size(); ++i) ASSERT_TRUE(colors[i] == single(places[i].x, places[i].y)) << count << ' ' << i;
   }
   EXPECT_EQ(tracer.statistics().shadow_rays, other.statistics().shadow_rays);
   EXPECT_EQ(tracer.statistics().camera_rays, other.statistics().camera_rays);

@@ -7,6 +7,7 @@
 #include <bit>
 
 #include "tracer/accel/box_tree.h"
+#include "tracer/shapes/box_set.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/half_spaces.h"
 #include "tracer/shapes/plane.h"
@@ -53,21 +54,26 @@ class ChildIndex {
   }
   void build() {
     leave_out_outsized();
-    tree_ = BoxTree(boxes_);
+    if (boxes_.size() <= BoxSet::kMost) few_ = BoxSet(boxes_);
+    else tree_ = BoxTree(boxes_);
     boxes_ = {};
   }
   // Calls visit(child, t_max) -> t_max for every child whose box the ray meets.
   template <class Visit>
   void along(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
     for (const std::uint32_t child : unbounded_) t_max = visit(child, t_max);
-    tree_.traverse(ray, t_min, t_max, [&](std::uint32_t i, double limit) { return visit(children_[i], limit); });
+    if (few_.empty()) return tree_.traverse(ray, t_min, t_max, [&](std::uint32_t i, double limit) { return visit(children_[i], limit); });
+    for (std::uint32_t met = few_.meet(ray, t_min, t_max); met != 0; met &= met - 1) t_max = visit(children_[static_cast<std::size_t>(std::countr_zero(met))], t_max);
   }
   // Calls visit(child) for every child whose box contains p until one returns true.
   template <class Visit>
   bool any_around(const Vec3& p, Visit&& visit) const {
     for (const std::uint32_t child : unbounded_)
       if (visit(child)) return true;
-    return !tree_.empty() && tree_.any_around(p, [&](std::uint32_t i) { return visit(children_[i]); });
+    if (few_.empty()) return tree_.any_around(p, [&](std::uint32_t i) { return visit(children_[i]); });
+    for (std::uint32_t here = few_.around(p); here != 0; here &= here - 1)
+      if (visit(children_[static_cast<std::size_t>(std::countr_zero(here))])) return true;
+    return false;
   }
 
  private:
@@ -97,7 +103,8 @@ class ChildIndex {
 
   std::vector<Box3> boxes_;
   std::vector<std::uint32_t> children_, unbounded_;
-  BoxTree tree_;
+  BoxSet few_;    // of few boxes
+  BoxTree tree_;  // of many
 };
 
 class CsgShape : public Shape {

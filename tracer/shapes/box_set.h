@@ -1,0 +1,58 @@
+// A few boxes, eight at a time against one ray or one point: what a tree would find, sooner. Compiled for several instruction sets; all find the same.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tracer/math/vec.h"
+
+namespace verisim::shapes {
+
+// Eight boxes as arrays; what stands behind the last box of a set means nothing.
+struct alignas(64) EightBoxes {
+  double low[3][8] = {}, high[3][8] = {};
+};
+
+struct BoxKernels {
+  // Bit i: the ray, whose direction has these reciprocals, meets box i between t_min and t_max.
+  unsigned (*meet)(const EightBoxes& boxes, const Vec3& origin, const Vec3& reciprocal, double t_min, double t_max);
+  // Bit i: box i contains p.
+  unsigned (*around)(const EightBoxes& boxes, const Vec3& p);
+};
+
+// Those of any instruction set, for tests; null: this machine cannot run it.
+const BoxKernels* box_kernels(int instruction_set);
+
+class BoxSet {
+ public:
+  static constexpr std::size_t kMost = 32;
+
+  BoxSet();
+  // Not empty and not unbounded ones, kMost of them at most. Like the boxes of a tree, they are taken a little larger than they are.
+  explicit BoxSet(std::span<const Box3> boxes);
+  bool empty() const { return blocks_.empty(); }
+
+  // The boxes, as bits, that a ray may meet between t_min and t_max.
+  std::uint32_t meet(const Ray& ray, double t_min, double t_max) const {
+    constexpr double kHuge = 1e300;  // in the place of infinity, which times 0 would be no number
+    const auto reciprocal = [](double d) { return d > 1 / kHuge || d < -1 / kHuge ? 1 / d : kHuge; };
+    const Vec3 inverse(reciprocal(ray.direction.x), reciprocal(ray.direction.y), reciprocal(ray.direction.z));
+    std::uint32_t met = 0;
+    for (std::size_t n = 0; n < blocks_.size(); ++n) met |= std::uint32_t{kernels_->meet(blocks_[n], ray.origin, inverse, t_min, t_max)} << 8 * n;
+    return met & all_;
+  }
+  // Those that contain p.
+  std::uint32_t around(const Vec3& p) const {
+    std::uint32_t here = 0;
+    for (std::size_t n = 0; n < blocks_.size(); ++n) here |= std::uint32_t{kernels_->around(blocks_[n], p)} << 8 * n;
+    return here & all_;
+  }
+
+ private:
+  const BoxKernels* kernels_;
+  std::vector<EightBoxes> blocks_;
+  std::uint32_t all_ = 0;  // which boxes there are
+};
+
+}  // namespace verisim::shapes

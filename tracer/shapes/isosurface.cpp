@@ -364,7 +364,7 @@ class Isosurface::RowTrace {
   const RayLanes& rays_;
   RowHits& hits_;
   FieldLanes field_;
-  SearchLanes lanes_{};
+  SearchLanes lanes_;
   unsigned entered_ = 0;
   ContainerSpan spans_[kLanes];
   Lane begin_{}, end_{}, at_begin_, at_end_, speed_;

@@ -34,8 +34,11 @@ const functions::Program* FieldLanes::suitable(const Function* function) {
 }
 
 FieldLanes::FieldLanes(const functions::Program& program) : program_(program) {
-  std::fill_n(registers_, program.registers() * SearchLanes::kCount, 0.0);
-  program.set_constants(registers_, SearchLanes::kCount);
+  constexpr std::size_t kCount = SearchLanes::kCount;
+  // Lanes that are not asked for are computed with the others, and must not be slow.
+  std::fill_n(registers_, 3 * kCount, 0.0);
+  for (const functions::Call& call : program.calls()) std::fill_n(registers_ + call.results * kCount, static_cast<std::size_t>(call.function->components()) * kCount, 0.0);
+  program.set_constants(registers_, kCount);
 }
 
 const double* FieldLanes::evaluate(unsigned asked) {

@@ -14,13 +14,13 @@ inline constexpr int kMostHalvings = 50;
 // The nodes that eight rays are at, and the way to them. A search of lane k is set up in begin ... sign; `slope` is the slope bound along its ray.
 struct alignas(64) SearchLanes {
   static constexpr int kCount = RayLanes::kCount;
-  double origin[3][kCount], direction[3][kCount];  // in object space
-  double begin[kCount], width[kCount], value0[kCount], value1[kCount], slope[kCount], sign[kCount];
-  double root_width[kCount];
-  double steepest[kCount];            // change of the function over a node, for its width
-  std::int64_t place[kCount], unit[kCount];  // where the node begins and how long it is, in 2^-50 of the root
-  std::int64_t depth[kCount], active[kCount], found[kCount];  // the last two: 0 or -1
-  double accuracy, threshold;
+  double origin[3][kCount] = {}, direction[3][kCount] = {};  // in object space
+  double begin[kCount] = {}, width[kCount] = {}, value0[kCount] = {}, value1[kCount] = {}, slope[kCount] = {}, sign[kCount] = {};
+  double root_width[kCount] = {};
+  double steepest[kCount] = {};  // change of the function over a node, for its width
+  std::int64_t place[kCount] = {}, unit[kCount] = {};  // where the node begins and how long it is, in 2^-50 of the root
+  std::int64_t depth[kCount] = {}, active[kCount] = {}, found[kCount] = {};  // the last two: 0 or -1
+  double accuracy = 0, threshold = 0;
   double begins[kMostHalvings + 1][kCount], ends[kMostHalvings + 1][kCount];  // of the nodes above: where they begin, and the value where they end
 };
 

@@ -26,6 +26,8 @@ std::vector<double> arguments(std::mt19937_64& random) {
   for (int n = -200; n <= 200; ++n)
     for (const double off : {0.0, 1e-9, -1e-5}) all.push_back(n * kPi / 16 + off);
   for (int n = -200; n <= 200; ++n) all.push_back(n / 64.0);
+  for (int n = 0; n < 4000; ++n) all.push_back(1 + 0.01 * unit(random));
+  for (int n = 0; n < 4000; ++n) all.push_back(std::exp2(1000 * unit(random)));
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "tracer/functions/library_tables.h"
 #include "tracer/textures/instruction_sets.h"
 
 #if defined(__x86_64__)

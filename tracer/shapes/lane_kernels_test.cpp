@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "tracer/shapes/blob_lanes.h"
+#include "tracer/shapes/lathe_lanes.h"
 #include "tracer/shapes/poly_lanes.h"
 #include "tracer/shapes/sor_lanes.h"
 #include "tracer/shapes/sphere_sweep_lanes.h"
@@ -91,6 +92,13 @@ void add_curved(const Steps& steps, std::vector<ObjectRef>& objects) {
   blob(0.3, {{{0, 0, 0}, {0, 0.6, 0}, 0.7, 1, true, turned, {}}, {{0.3, 0, 0}, {}, 0.8, 0.6, false, turned, {}}});
   const std::vector<Vec2> vase{{0.2, -1.2}, {0.4, -0.8}, {0.8, -0.2}, {0.3, 0.3}, {0.5, 0.8}, {0.6, 1}};
   for (const bool open : {false, true}) objects.push_back(make(std::make_shared<const scene::Sor>(scene::Sor{vase, open}), steps));
+  const auto lathe = [&](scene::SplineKind spline, std::vector<Vec2> points) {
+    objects.push_back(make(std::make_shared<const scene::Lathe>(scene::Lathe{spline, std::move(points)}), steps));
+  };
+  lathe(scene::SplineKind::linear, {{0, -1}, {0.8, -0.5}, {0.3, 0.4}, {0.9, 1}});
+  lathe(scene::SplineKind::quadratic, {{0, -1.2}, {0.5, -1}, {0.9, 0}, {0.4, 0.5}, {0, 0.9}});
+  lathe(scene::SplineKind::cubic, {{0.3, -1}, {0.7, -0.8}, {0.4, -0.2}, {0.9, 0.5}, {0, 0.9}, {-0.4, 1}});
+  lathe(scene::SplineKind::bezier, {{0.4, -1}, {1.2, -0.6}, {0.1, -0.2}, {0.3, 0.3}, {0.3, 0.3}, {0.5, 0.5}, {0.2, 0.7}, {0.7, 0.9}});
   const auto sweep = [&](scene::SplineKind spline, std::vector<Vec3> centers, std::vector<double> radii) {
     objects.push_back(make(std::make_shared<const scene::SphereSweep>(scene::SphereSweep{spline, std::move(centers), std::move(radii), 1e-6}), steps));
   };
@@ -296,6 +304,33 @@ TEST_P(LaneKernel, MeetsASurfaceOfRevolutionAlike) {
     each_lane(found, [&](int k) {
       ASSERT_TRUE(same(a.from[k], b.from[k]) && same(roots_a.to[k], roots_b.to[k]));
       for (int i = 0; i < 4; ++i) ASSERT_TRUE(same(roots_a.power[i][k], roots_b.power[i][k]));
+      ++met;
+    });
+  }
+  EXPECT_GT(met, 3000);
+}
+
+TEST_P(LaneKernel, MeetsALatheAlike) {
+  const LatheKernels *kernels = lathe_kernels(GetParam()), &plain = *lathe_kernels(textures::kBaseline);
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  const CurveSegment segment = CurveSegment::bezier({0.4, -1}, {1.2, -0.6}, {0.1, -0.2}, {0.3, 0.7});
+  Rays rays;
+  int met = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    rays.fill(round, 0);
+    LatheLanes a, b;
+    RootLanes roots_a, roots_b;
+    const auto ask = [&](const LatheKernels& set, LatheLanes& lanes, RootLanes& roots) {
+      lane_kernels(textures::kBaseline)->local(nullptr, {*rays.rows, 0, 255}, lanes.rays);
+      const unsigned near = set.begin(0.8, rays.asked, lanes);
+      set.follow(segment, lanes, roots);
+      return near & set.beside(-0.3, 0.2, 1e-9, lanes);
+    };
+    const unsigned found = ask(*kernels, a, roots_a);
+    ASSERT_EQ(found, ask(plain, b, roots_b));
+    each_lane(found, [&](int k) {
+      ASSERT_TRUE(same(a.y0[k], b.y0[k]) && same(a.y1[k], b.y1[k]));
+      for (int i = 0; i < 7; ++i) ASSERT_TRUE(same(roots_a.power[i][k], roots_b.power[i][k]));
       ++met;
     });
   }

@@ -5,9 +5,10 @@
 // for nearly horizontal rays (where POV-Ray's roots are noisy or lost: section 8).
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "tracer/math/bernstein.h"
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/lathe_lanes.h"
 #include "tracer/shapes/plane_curve.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/spherical_uv.h"
@@ -78,7 +79,7 @@ class Lathe final : public Primitive<Lathe> {
     const double r = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z, c = p.x * p.x + p.z * p.z;
     // The stretch inside the outermost cylinder, and the heights it passes.
     double near = -HUGE_VAL, far = HUGE_VAL;
-    const double outer2 = range_.r_high * range_.r_high * (1 + 1e-9);
+    const double outer2 = this->outer2();
     if (r > 1e-20) {
       const double discriminant = m * m - r * (c - outer2);
       if (!(discriminant >= 0)) return;
@@ -91,17 +92,21 @@ class Lathe final : public Primitive<Lathe> {
     double y0 = p.y + d.y * std::max(near, 0.0), y1 = p.y + d.y * far;
     if (!(std::fabs(d.y) > 0)) y0 = y1 = p.y;
     if (y0 > y1) std::swap(y0, y1);
-    const double slack = 1e-9 * (range_.y_high - range_.y_low);
-    const Solver solver{*this, l, r, m, c};
+    const double slack = this->slack();
+    const Solver solver{l, r, m, c};
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const Segment& s = segments_[i];
       if (s.y_low > y1 + slack || s.y_high < y0 - slack) continue;
-      solver.segment(s.curve, [&](double w, double t) {
-        const double depth = t / l.scale;
-        if (depth > kNearest && depth < kFarthest)
-          sink.add(depth, [&] { return ray.origin + depth * ray.direction; }, static_cast<std::int32_t>(i), w);
-      });
+      solver.segment(s.curve, [&](double w, double t) { add(ray, t / l.scale, i, w, sink); });
     }
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max, Hit* hits) const override {
+    return nearest_of_lanes(rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min, const double* t_max) const override {
+    Hit hit;
+    return nearest_of_lanes(rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
   bool contains(const Vec3& point) const {
@@ -139,8 +144,64 @@ class Lathe final : public Primitive<Lathe> {
     double y_low, y_high;
   };
 
+  double outer2() const { return range_.r_high * range_.r_high * (1 + 1e-9); }
+  double slack() const { return 1e-9 * (range_.y_high - range_.y_low); }
+  template <class Sink>
+  static void add(const Ray& ray, double depth, std::size_t segment, double w, Sink& sink) {
+    if (depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; }, static_cast<std::int32_t>(segment), w);
+  }
+
+  template <class HitOf>
+  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
+    if (admitted == 0) return 0;
+    LatheLanes lanes;
+    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes.rays);
+    const unsigned met = lathe_kernels().begin(outer2(), admitted, lanes);
+    LocalRay locals[RayLanes::kCount];
+    std::optional<NearestHit> sinks[RayLanes::kCount];
+    unsigned found = 0, horizontal = 0;
+    each_lane(met, [&](int k) {
+      locals[k] = local(rays.at(k));
+      sinks[k].emplace(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      horizontal |= std::fabs(lanes.rays.dy[k]) < kNearlyHorizontal ? 1u << k : 0;
+    });
+    unsigned open = met;
+    for (std::size_t i = 0; i < segments_.size() && open != 0; ++i) {
+      const Segment& s = segments_[i];
+      const unsigned beside = open & lathe_kernels().beside(s.y_low, s.y_high, slack(), lanes);
+      if (beside == 0) continue;
+      const auto report = [&](int k, double w, double t) {
+        add(rays.at(k), t / locals[k].scale, i, w, *sinks[k]);
+        if (any && sinks[k]->found()) open &= ~(1u << k);
+      };
+      each_lane(beside & horizontal, [&](int k) {
+        Solver{locals[k], lanes.r[k], lanes.m[k], lanes.c[k]}.segment(s.curve, [&](double w, double t) { report(k, w, t); });
+      });
+      if ((beside & ~horizontal) != 0) follow(s.curve, beside & ~horizontal, lanes, locals, report, open);
+    }
+    each_lane(met, [&](int k) { found |= sinks[k]->found() ? 1u << k : 0; });
+    return found;
+  }
+  // The roots of a segment for several rays; those that are no longer open are left alone.
+  template <class Report>
+  static void follow(const CurveSegment& curve, unsigned rays, const LatheLanes& lanes, const LocalRay* locals, Report&& report, const unsigned& open) {
+    RootLanes roots;
+    lathe_kernels().follow(curve, lanes, roots);
+    unsigned more = bernstein_kernels().begin(2 * curve.degree, rays, roots);
+    while (more != 0) {
+      more = bernstein_kernels().next(2 * curve.degree, more, roots);
+      each_lane(more, [&](int k) {
+        const LocalRay& l = locals[k];
+        double w = roots.root[k], t = (curve.value(height, w) - l.origin.y) / l.direction.y;
+        Solver{l, lanes.r[k], lanes.m[k], lanes.c[k]}.polish(curve, w, t);
+        report(k, w, t);
+      });
+      more &= open;
+    }
+  }
+
   struct Solver {
-    const Lathe& lathe;
     const LocalRay& l;
     double r, m, c;
 

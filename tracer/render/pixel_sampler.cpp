@@ -99,7 +99,7 @@ void PixelSampler::points(const Vec2* places, int count, Color* colors) {
 
 // The rays through the wave's places, from one point or parallel. False: they do not all start within the same objects.
 bool PixelSampler::aim(int count) {
-  RayRow& rays = wave_.lanes().camera;
+  RayRow& rays = wave_.lanes().rays;
   const Vec2* const places = wave_.places();
   for (int i = 0; i < count; ++i) {
     const Ray ray = camera_.rays.at(places[i].x, places[i].y)->ray;
@@ -124,7 +124,7 @@ void PixelSampler::row_wave(double x, double y, int count, Color* colors) {
   if (camera_.origin_varies) {
     if (!aim(count)) return one_by_one(count, colors);
   } else {
-    for (int i = 0; i < count; ++i) wave_.lanes().camera.origin.set(i, camera_.camera.location);
+    for (int i = 0; i < count; ++i) wave_.lanes().rays.origin.set(i, camera_.camera.location);
     camera_.rays.directions(x, y, count, wave_.lanes());
   }
   tracer_.statistics().samples += static_cast<std::uint64_t>(count);

@@ -156,7 +156,9 @@ class Tracer {
                       float weight, bool& total_reflection);
   Color split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, float weight);
   Rgb reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer, float weight);
+  static float mirror_strength(const ShadedLayer& layer);
   Rgb mirrored(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer);
+  static Rgb mirror_image(const ShadedLayer& layer, Rgb seen);
   Rgb fade_factor(const InteriorRange& list, const scene::Interior& interior, double distance) const;
   double fresnel_ratio(const RayState& ray, const scene::Interior& x) const;
 

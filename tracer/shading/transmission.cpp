@@ -122,11 +122,19 @@ Rgb Tracer::reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& laye
   return seen;
 }
 
+// By which the weight of reflected rays goes down.
+float Tracer::mirror_strength(const ShadedLayer& layer) {
+  const scene::Reflection& r = layer.layer->finish.reflection;
+  return r.fresnel ? layer.reflectivity.max() : std::max(r.minimum.max(), r.maximum.max());
+}
+
 // What a layer's mirror adds.
 Rgb Tracer::mirrored(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer) {
+  return mirror_image(layer, reflect(ray, at, layer, ray.weight * layer.translucency * mirror_strength(layer)));
+}
+
+Rgb Tracer::mirror_image(const ShadedLayer& layer, Rgb seen) {
   const scene::Reflection& r = layer.layer->finish.reflection;
-  const float strength = r.fresnel ? layer.reflectivity.max() : std::max(r.minimum.max(), r.maximum.max());
-  Rgb seen = reflect(ray, at, layer, ray.weight * layer.translucency * strength);
   if (r.exponent != 1) {
     const float e = 1 / r.exponent;
     seen = {std::pow(seen.r, e), std::pow(seen.g, e), std::pow(seen.b, e)};

@@ -21,7 +21,8 @@ Wave::Wave(Tracer& tracer) : tracer_(tracer), scene_(tracer.scene()), kernels_(w
   for (std::size_t i = 0; i < scene_.global_lights(); ++i) usable_ = usable_ && is_simple(scene_.lights()[i]);
   for (float* tint : {lanes_.tint.r, lanes_.tint.g, lanes_.tint.b}) std::fill_n(tint, kMost, 1.0f);
   plain_sky_ = !scene_.sky.varies();
-  if (plain_sky_) sky_ = scene_.sky.seen({0, 0, 1}, false);
+  for (const bool mirrored : {false, true})
+    if (plain_sky_) sky_[mirrored] = scene_.sky.seen({0, 0, 1}, mirrored);
 }
 
 void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity) {
@@ -30,7 +31,7 @@ void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& c
   surface_[k] = hits_[i].shape->surface;
   lanes_.to_light.origin.set(k, hits_[i].point);
   lanes_.normal.set(k, normal);
-  lanes_.view.set(k, lanes_.camera.direction.at(i));
+  lanes_.view.set(k, lanes_.rays.direction.at(i));
   lanes_.two_sided[k] = surface_[k]->double_illuminate;
   shine_ |= m.shine;
   if (layer_[k] == m.layer) return;
@@ -79,7 +80,7 @@ void Wave::aim(const Light& light) {
 }
 
 // Which surfaces the light reaches, and with what colour.
-bool Wave::reach(const Light& light, const RayState& ray) {
+bool Wave::reach(const Light& light) {
   if (light.attenuates()) {
     for (int k = 0; k < count_; ++k) lanes_.attenuation[k] = static_cast<float>(light.attenuation(lanes_.to_light.origin.at(k), {lanes_.to_light.direction.at(k), lanes_.distance[k]}));
   } else if (attenuated_) {
@@ -89,7 +90,7 @@ bool Wave::reach(const Light& light, const RayState& ray) {
   if (!kernels_.receive(light.color(), light.highlights(), count_, lanes_)) return false;
   int asks[kMost];
   if (layered_) share_asking(asks);
-  cast_shadows(light, ray);
+  cast_shadows(light);
   for (int k = 0; layered_ && k < count_; ++k) {
     const int first = asks[k];
     if (first < 0 || first == k) continue;
@@ -112,13 +113,13 @@ void Wave::share_asking(int* asks) {
 }
 
 // Filters the light of all that are asked for. Where any opaque thing decides, the rays of one cell of space are traced together.
-void Wave::cast_shadows(const Light& light, const RayState& ray) {
+void Wave::cast_shadows(const Light& light) {
   if (!light.shadows()) return;
   const bool together = !light.area() && !light.projector();
   const auto one_by_one = [&](int k) {
     const LightDirection direction{lanes_.to_light.direction.at(k), lanes_.distance[k]};
     const Rgb arriving(lanes_.intensity.r[k], lanes_.intensity.g[k], lanes_.intensity.b[k]);
-    const Rgb color = tracer_.shadowed(light, lanes_.to_light.origin.at(k), direction, ray, surface_[k], arriving);
+    const Rgb color = tracer_.shadowed(light, lanes_.to_light.origin.at(k), direction, ray_state(pixel_[k]), surface_[k], arriving);
     lanes_.intensity.r[k] = color.r, lanes_.intensity.g[k] = color.g, lanes_.intensity.b[k] = color.b;
   };
   accel::WorldEntry* entry = nullptr;
@@ -141,10 +142,10 @@ void Wave::cast_shadows(const Light& light, const RayState& ray) {
     }
     const Vec3 p = lanes_.to_light.origin.at(k);
     if (entries && accel::contains(served, p)) {
-      tracer_.coherent_.used_again(accel::CoherentRays::Viewer::camera);
+      tracer_.coherent_.used_again(state_.primary ? accel::CoherentRays::Viewer::camera : accel::CoherentRays::Viewer::other);
     } else if (entries) {
       if (entry) trace_waiting();  // the next one may take its place
-      accel::WorldEntry* const next = tracer_.shadow_entry({ray, surface_[k], light}, p);
+      accel::WorldEntry* const next = tracer_.shadow_entry({state_, surface_[k], light}, p);
       if (entry || next) {
         trace_waiting();
         first = k;
@@ -185,15 +186,15 @@ void Wave::respond() {
   }
 }
 
-void Wave::light(const Light& light, const RayState& ray) {
+void Wave::light(const Light& light) {
   aim(light);
-  if (!reach(light, ray)) return;
+  if (!reach(light)) return;
   respond();
   kernels_.add(count_, lanes_);
 }
 
 // What a texture shows whose layers are lit in the lanes from `lane` on; moves to the lane behind them.
-Rgb Wave::shown(const Leaf& leaf, const RayState& ray, int& lane) {
+Rgb Wave::shown(const Leaf& leaf, int& lane) {
   Rgb color;
   bool mirrors = false;
   for (int k = leaf.first; k >= 0; ++lane) {
@@ -202,25 +203,15 @@ Rgb Wave::shown(const Leaf& leaf, const RayState& ray, int& lane) {
     mirrors |= part.mirror >= 0;
     k = part.next;
   }
-  if (mirrors) add_mirrored(leaf, ray, color);
+  if (mirrors) add_mirrored(leaf, color);
   return color;
 }
 
-void Wave::add_mirrored(const Leaf& leaf, const RayState& ray, Rgb& color) {
-  RayState eye = ray;
-  eye.ray = lanes_.camera.at(leaf.ray);
-  tracer_.random_.begin_sample(places_[leaf.ray].x, places_[leaf.ray].y, 0);
-  for (int k = leaf.first; k >= 0; k = parts_[static_cast<std::size_t>(k)].next) {
-    const int mirror = parts_[static_cast<std::size_t>(k)].mirror;
-    if (mirror >= 0) color += tracer_.mirrored(eye, *met_[leaf.ray].at, mirrors_[static_cast<std::size_t>(mirror)]);
-  }
-}
-
 // Lights the surfaces that were added, and writes their colours.
-void Wave::show(const RayState& ray, Color* out) {
+void Wave::show(Color* out) {
   for (float* sum : {lanes_.direct.r, lanes_.direct.g, lanes_.direct.b}) std::fill_n(sum, count_, 0.0f);
   if (count_ > 0)
-    for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i], ray);
+    for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i]);
   kernels_.add_own(count_, lanes_);
   if (leaves_.empty())
     for (int k = 0; k < count_; ++k) out[pixel_[k]] = Rgb() + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]);
@@ -234,7 +225,7 @@ void Wave::show(const RayState& ray, Color* out) {
     }
     for (int l = met.first; l < met.first + met.leaves; ++l) {
       const Leaf& leaf = leaves_[static_cast<std::size_t>(l)];
-      const Rgb color = shown(leaf, ray, k);
+      const Rgb color = shown(leaf, k);
       if (leaf.around) sum += color * leaf.weight;
       else sum = color;
     }
@@ -252,25 +243,30 @@ void Wave::show_sky(int count, Color* out) {
   for (int i = 0; i < count; ++i) {
     if (found_[i]) continue;
     if (plain_sky_) {
-      out[i] = sky_;
+      out[i] = sky_[state_.reflected];
     } else {
-      directions.set(n, lanes_.camera.direction.at(i));
+      directions.set(n, lanes_.rays.direction.at(i));
       misses[n++] = i;
     }
   }
   if (n == 0) return;
   Color colors[kMost];
-  scene_.sky.seen(n, directions, false, colors);
+  scene_.sky.seen(n, directions, state_.reflected, colors);
   for (int k = 0; k < n; ++k) out[misses[k]] = colors[k];
 }
 
 void Wave::trace(int count, const accel::WorldEntry* const* entries, Color* out) {
-  if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
-  RayState ray = tracer_.camera_state(lanes_.camera.at(0), false);
+  state_ = tracer_.camera_state(lanes_.rays.at(0), false);
+  std::fill_n(weights_, count, 1.0f);
   tracer_.statistics_.camera_rays += static_cast<std::uint64_t>(count);
+  run(count, entries, out);
+}
+
+void Wave::run(int count, const accel::WorldEntry* const* entries, Color* out) {
+  if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
   for (int first = 0, end; first < count; first = end) {
     for (end = first + 1; end < count && entries[end] == entries[first];) ++end;
-    scene_.world.intersect_row(lanes_.camera, first, end - first, ray.kind(), kNearestHit, entries[first], hits_, found_);
+    scene_.world.intersect_row(lanes_.rays, first, end - first, state_.kind(), kNearestHit, entries[first], hits_, found_);
   }
   leaves_.clear();
   parts_.clear();
@@ -278,19 +274,19 @@ void Wave::trace(int count, const accel::WorldEntry* const* entries, Color* out)
   for (int i = 0; i < count; ++i)
     if (found_[i]) meet(i);
   find_parts(count);
+  trace_mirrors();
   show_sky(count, out);
   for (int i = 0; i < count; ++i) {
     if (!found_[i]) continue;
     if (met_[i].together) {
       if (add_surface(i)) continue;
-      show(ray, out);
+      show(out);
       if (add_surface(i)) continue;
     }
-    ray.ray = lanes_.camera.at(i);
     tracer_.random_.begin_sample(places_[i].x, places_[i].y, 0);
-    out[i] = tracer_.resolve(ray, &hits_[i]);
+    out[i] = tracer_.resolve(ray_state(i), &hits_[i]);
   }
-  show(ray, out);
+  show(out);
 }
 
 }  // namespace verisim::shading

@@ -1,5 +1,5 @@
 // Camera rays of neighbouring pixels, shaded together: what most pixels of most scenes show, an opaque surface, is worked on
-// with wide instructions; every other hit takes the common way (Tracer::resolve). Both give the same bits. What mirrors show is added ray by ray.
+// with wide instructions; every other hit takes the common way (Tracer::resolve). Both give the same bits. What their mirrors show is a wave of its own.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,10 @@ class Wave {
   // False: hits of this scene have to be shaded one after another (volumes, random numbers in order, an observer ...).
   bool usable() const { return usable_ && !tracer_.observer_ && !tracer_.pretrace_; }
 
-  // `camera` of the lanes and the places in the picture that the rays go through are to be filled first.
+  // `rays` of the lanes and the places in the picture that the rays go through are to be filled first.
   WaveLanes& lanes() { return lanes_; }
   Vec2* places() { return places_; }
-  // Traces the rays of the first lanes: `count` <= kMost colours. The same objects are around all their origins. Ray i enters the world at entries[i]
+  // Traces the camera rays of the first lanes: `count` <= kMost colours. The same objects are around all their origins. Ray i enters the world at entries[i]
   // (null: unknown).
   void trace(int count, const accel::WorldEntry* const* entries, Color* out);
 
@@ -84,37 +84,52 @@ class Wave {
   void find_colors_and_normals(const Material& material, const int* leaves, int n);
   void add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point, float weight);
   Part& add_part(Leaf& leaf);
-  void add_mirror(const Leaf& leaf, Part& part);
+  Rgb add_mirror(const Leaf& leaf, Part& part);
+
+  // ---- wave_mirrors.cpp: what mirrors show
+  struct Mirror {
+    Tracer::ShadedLayer layer;
+    int ray;
+    bool seen = false;  // `color` is known
+    Rgb color;
+  };
+  RayState ray_state(int i) const;
+  void trace_mirrors();
+  void trace_mirrored(const int* mirrors, int count);
+  void add_mirrored(const Leaf& leaf, Rgb& color);
 
   // ---- wave.cpp
+  void run(int count, const accel::WorldEntry* const* entries, Color* out);
   void show_sky(int count, Color* out);
   bool add_surface(int i);
   void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity);
-  void show(const RayState& ray, Color* out);
-  Rgb shown(const Leaf& leaf, const RayState& ray, int& lane);
-  void add_mirrored(const Leaf& leaf, const RayState& ray, Rgb& color);
-  void light(const Light& light, const RayState& ray);
+  void show(Color* out);
+  Rgb shown(const Leaf& leaf, int& lane);
+  void light(const Light& light);
   void aim(const Light& light);
-  bool reach(const Light& light, const RayState& ray);
+  bool reach(const Light& light);
   void share_asking(int* asks);
-  void cast_shadows(const Light& light, const RayState& ray);
+  void cast_shadows(const Light& light);
   void respond();
 
   Tracer& tracer_;
   const SceneData& scene_;
   const WaveKernels& kernels_;
   bool usable_;
-  Color sky_;           // where there is no sky_sphere
+  Color sky_[2];        // where there is no sky_sphere; in mirrors
   bool plain_sky_;
   std::unordered_map<const textures::CompiledTexture*, Materials> materials_;
   std::pair<const textures::CompiledTexture*, const Materials*> last_materials_[16]{};  // by address
   std::pair<const shapes::Shape*, const Material*> last_plain_[2]{};  // met from outside, from inside
   std::vector<Leaf> leaves_;
   std::vector<Part> parts_;
-  std::vector<Tracer::ShadedLayer> mirrors_;
+  std::vector<Mirror> mirrors_;
+  std::unique_ptr<Wave> reflected_;  // made when it is needed
   Vec3 normals_[kMost];   // of one layer at some leaves
   Color colors_[kMost];
   bool colored_[kMost];
+  RayState state_;          // of all rays, but for the ray itself and its weight
+  float weights_[kMost];
   Vec2 places_[kMost];
   int count_ = 0;       // of surfaces
   unsigned shine_ = 0;  // of all surfaces

@@ -19,7 +19,7 @@ struct alignas(64) WaveLanes {
     Floats r, g, b;
   };
 
-  RayRow camera;  // directions are unit vectors
+  RayRow rays;  // directions are unit vectors
 
   // The surfaces that are lit: a denser numbering than that of the rays.
   Vectors normal, view;

@@ -18,7 +18,6 @@ bool Wave::shaded_together(const textures::CompiledTexture& texture) {
   if (texture.patterned() || texture.layers.size() > kMostLayers || texture.layers.back().pigment->transparent) return false;
   for (const textures::CompiledLayer& layer : texture.layers) {
     const scene::Finish& f = layer.finish;
-    if (is_mirror(f) && (f.reflection.fresnel || f.conserve_energy)) return false;
     if (f.brilliance != 1 || f.crand > 0 || f.irid > 0 || (f.phong > 0 && f.specular > 0)) return false;
   }
   return true;
@@ -72,7 +71,7 @@ void Wave::meet(int i) {
   met.plain = nullptr;
   met.leaves = met.parts = 0;
   const shapes::Hit& hit = hits_[i];
-  const Vec3 direction = lanes_.camera.direction.at(i), normal = hit.shape->normal(hit);
+  const Vec3 direction = lanes_.rays.direction.at(i), normal = hit.shape->normal(hit);
   const double along = dot(normal, direction);
   if (!(std::fabs(along) < 1e30)) return;
   const bool inside = along > 0;
@@ -97,7 +96,7 @@ void Wave::meet(int i) {
     met.normal = inside ? -normal : normal;
     return;
   }
-  met.at.emplace(hit, direction, 0, 1);
+  met.at.emplace(hit, direction, 0, state_.level + 1);
   add_leaves(i, texture, found);
 }
 
@@ -139,12 +138,16 @@ Wave::Part& Wave::add_part(Leaf& leaf) {
   return part;
 }
 
-void Wave::add_mirror(const Leaf& leaf, Part& part) {
+// The share that it reflects.
+Rgb Wave::add_mirror(const Leaf& leaf, Part& part) {
   const textures::CompiledLayer& layer = *part.material->layer;
-  const Rgb reflected = reflectivity(layer.finish.reflection, part.color.rgb(), -dot(lanes_.camera.direction.at(leaf.ray), part.normal), 0);
-  if (reflected == Rgb()) return;
+  const scene::Reflection& reflection = layer.finish.reflection;
+  const double ratio = reflection.fresnel ? tracer_.fresnel_ratio(state_, *met_[leaf.ray].at->surface.interior) : 0;
+  const Rgb reflected = reflectivity(reflection, part.color.rgb(), -dot(lanes_.rays.direction.at(leaf.ray), part.normal), ratio);
+  if (reflected == Rgb()) return reflected;
   part.mirror = static_cast<int>(mirrors_.size());
-  mirrors_.push_back({&layer, part.color, part.normal, reflected, leaf.translucency});
+  mirrors_.push_back({{&layer, part.color, part.normal, reflected, leaf.translucency}, leaf.ray, false, {}});
+  return reflected;
 }
 
 // The layers of all hits. The textures of one hit are looked at one after another: normals leave their trace in what patterns see.
@@ -176,7 +179,7 @@ void Wave::find_layers(int* leaves, int n) {
     for (int k = 0; k < n; ++k) {
       Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
       const Color& c = colors_[k];
-      const bool finite = !material.layer->normal || std::fabs(dot(normals_[k], lanes_.camera.direction.at(leaf.ray))) < 1e30;  // otherwise known since `meet`
+      const bool finite = !material.layer->normal || std::fabs(dot(normals_[k], lanes_.rays.direction.at(leaf.ray))) < 1e30;  // otherwise known since `meet`
       if (!colored_[k] || !finite || !is_finite(c.rgb()) || !is_finite({c.f, c.t, 0})) {
         met_[leaf.ray].together = false;
         continue;
@@ -187,9 +190,10 @@ void Wave::find_layers(int* leaves, int n) {
       part.color = c;
       part.opacity = surface_opacity(c, scene_.version);
       part.filter = leaf.filter;
-      if (material.mirror) add_mirror(leaf, part);
+      const Rgb reflected = material.mirror ? add_mirror(leaf, part) : Rgb();
       if (material.only && c.f == 0 && c.t == 0) continue;
       leaf.filter *= c.transmission();
+      if (material.layer->finish.conserve_energy) leaf.filter *= {std::min(1.0f, 1 - reflected.r), std::min(1.0f, 1 - reflected.g), std::min(1.0f, 1 - reflected.b)};
       leaf.translucency = std::min(1.0f, std::fabs(leaf.filter.grey()));
       if (leaf.translucency > scene_.adc_bailout) leaves[still++] = leaves[k];
     }

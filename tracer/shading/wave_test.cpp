@@ -35,7 +35,7 @@ TEST_P(WaveKernel, DirectionsAreThoseOfTheCamera) {
   kernels->directions({641, 479, camera.direction, camera.right, camera.up}, 613, 17, 28, *lanes);
   for (int i = 0; i < 28; ++i) {
     const Vec3 d = rays.at(613 + i, 17)->ray.direction;
-    EXPECT_EQ(lanes->camera.direction.at(i), d * (1 / length(d))) << i;
+    EXPECT_EQ(lanes->rays.direction.at(i), d * (1 / length(d))) << i;
   }
 }
 
@@ -160,11 +160,16 @@ scene::Scene mixed_scene() {
     if (i % 3 == 2) finish.specular = 0.5f, finish.metallic = i > 6 ? 1.0f : 0.0f;
     if (i == 4) finish.specular = 0.5f;  // both kinds of highlights
     if (i == 6) finish.reflection.maximum = Rgb(0.4f);
+    if (i == 2) finish.reflection.maximum = Rgb(1), finish.reflection.fresnel = finish.conserve_energy = true;
+    if (i == 10) finish.reflection.minimum = Rgb(0.1f, 0.3f, 0.2f), finish.reflection.maximum = Rgb(0.6f), finish.reflection.exponent = 1.5f;
+    if (i == 11) finish.crand = 0.2f;  // random numbers in mirrors, too
     if (i == 7) finish.diffuse_back = 0.5f;
     if (i == 9) finish.brilliance = 3;
     add(scene::Sphere{{i % 4 * 1.2 - 1.8, 0.4 + i / 4, 0.3 * (i % 3)}, 0.55}, Color(0.2f + 0.06f * static_cast<float>(i), 0.5f, 0.4f, 0, i == 8 ? 0.5f : 0.0f), finish);
   }
-  add(scene::Plane{{0, 1, 0}, -0.5}, Color(0.6f, 0.6f, 0.5f), {});
+  scene::Finish polished;
+  polished.reflection.maximum = Rgb(0.3f);
+  add(scene::Plane{{0, 1, 0}, -0.5}, Color(0.6f, 0.6f, 0.5f), polished);
 
   // Several layers, and several textures: a list, an average, a map.
   const auto patterned = [](scene::PatternKind kind, float lowest, float highest) {
@@ -231,6 +236,8 @@ TEST(Wave, GivesTheColoursOfSingleRays) {
   }
   EXPECT_EQ(tracer.statistics().shadow_rays, other.statistics().shadow_rays);
   EXPECT_EQ(tracer.statistics().camera_rays, other.statistics().camera_rays);
+  EXPECT_EQ(tracer.statistics().reflected_rays, other.statistics().reflected_rays);
+  EXPECT_GT(tracer.statistics().reflected_rays, 1000u);
   EXPECT_EQ(tracer.statistics().samples, other.statistics().samples);
 }
 

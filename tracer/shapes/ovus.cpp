@@ -62,6 +62,7 @@ class Ovus final : public Primitive<Ovus> {
       for (const double t : {near, far})
         if (m_.sphere_only || height(t) > m_.high) report(t, top_sphere);
     if (m_.sphere_only || !(m_.low < m_.high)) return;
+    if (sink.upper() < 0 || !passes_sheet(l)) return;  // some hit was enough, or there is no other
 
     // The quartic of a torus of radii H and rho about (0, V, 0), from a start near the body.
     const double around = m_.bottom + 2 * m_.top, distance = length(l.origin);
@@ -112,6 +113,22 @@ class Ovus final : public Primitive<Ovus> {
     const double half = std::sqrt(half2);
     near = closest - half, far = closest + half;
     return true;
+  }
+  // False: no point of the ray lies in the sheet's heights and near enough to the axis for its value to be small.
+  bool passes_sheet(const LocalRay& l) const {
+    const Vec3 &o = l.origin, &d = l.direction;
+    const double radius = std::sqrt(m_.rho * m_.rho + kOnSheet) - m_.h, radius2 = radius * radius * (1 + 1e-6) + 1e-9;
+    const double slack = 1e-9 * (std::fabs(o.y) + std::fabs(m_.low) + std::fabs(m_.high));
+    double enter = -HUGE_VAL, leave = HUGE_VAL;
+    if (std::fabs(d.y) > kEpsilon) {
+      const double a = (m_.low - slack - o.y) / d.y, b = (m_.high + slack - o.y) / d.y;
+      enter = std::min(a, b), leave = std::max(a, b);
+    }
+    // The squared distance from the axis is a t^2 + 2 b t + c; it is least at -b / a.
+    const double a = d.x * d.x + d.z * d.z, b = o.x * d.x + o.z * d.z, c = o.x * o.x + o.z * o.z;
+    if (!(a > kEpsilon)) return true;
+    const double t = std::clamp(-b / a, enter, leave), x = o.x + t * d.x, z = o.z + t * d.z;
+    return !(x * x + z * z > radius2 + 1e-9 * c);
   }
   double sheet_value(const Vec3& p) const {
     const double outer = std::sqrt(p.x * p.x + p.z * p.z) + m_.h, y = p.y - m_.v;

@@ -188,5 +188,20 @@ TEST_P(MediaReplayProbes, EqualPovRay) {
 
 INSTANTIATE_TEST_SUITE_P(Random, MediaReplayProbes, testing::ValuesIn(random_media()), kName);
 
+// Six intervals of a segment that grows from pixel to pixel: now and then the rounding of the last start adds one, and all later pixels draw other numbers.
+TEST(MediaReplay, DividesSegmentsAsPovRayDoes) {
+  constexpr int kWidth = 20;
+  const std::vector<double> expected = {22810, 21889, 24011, 23443, 22519, 23775, 23247, 23673, 23670, 23027,
+                                        22894, 24322, 23774, 23613, 23906, 25472, 24556, 24446, 25597, 25084};
+  render::Options options;
+  options.replay = true;
+  const auto picture = render_text(
+      "#version 3.7; global_settings { assumed_gamma 1 } camera { orthographic location <-0.25,0.002,-5> right x*0.5 up y*0.005 direction z }"
+      "intersection { plane { -z,1 } plane { <-0.3,0,1>,0.9 } box { -3,3 } hollow pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { media {"
+      "emission 0.4 method 1 intervals 6 samples 1 density { gradient z color_map { [0 rgb 0][1 rgb 1] } scale 4 translate -2*z } } } }",
+      kWidth, 1, options);
+  for (int x = 0; x < kWidth; ++x) EXPECT_NEAR(lin16(picture, x, 0)[0], expected[static_cast<std::size_t>(x)], 2.0) << x;
+}
+
 }  // namespace
 }  // namespace verisim::test

@@ -83,10 +83,10 @@ class Integrator {
   }
 
   void push(double start, double end, bool lit, int count) {
-    // Starts are summed up, as POV-Ray does: where the rounded sum stays below the end, an interval of no length is added, which draws numbers.
+    // Where the end of the last interval is rounded to below the piece's, another one of hardly any length follows. It draws numbers, in POV-Ray as well.
     const double step = (end - start) / count;
     int n = 0;
-    for (double s = start; s < end && n <= count && intervals_ < kMostSpans; s += step, ++n) spans_[intervals_++] = {s, std::min(step, end - s), lit};
+    for (double s = start; s < end && n <= count && intervals_ < kMostSpans; s = start + ++n * step) spans_[intervals_++] = {s, std::min(step, end - s), lit};
   }
 
   // Spec 07 4.5: the union of all lit ranges cuts the segment; the pieces share the intervals by `ratio`.

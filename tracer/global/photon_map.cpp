@@ -144,25 +144,14 @@ void PhotonMap::collect_in_order(const Center& center, double radius, std::size_
   };
   std::vector<Found> heap;  // the farthest first, once it is full
   const auto nearer = [](const Found& a, const Found& b) { return a.squared < b.squared; };
-  const auto replace_first = [&](const Found& f) {
-    std::size_t i = 0;
-    for (std::size_t child; (child = 2 * i + 1) < maximum; i = child) {
-      if (child + 1 < maximum && heap[child].squared < heap[child + 1].squared) ++child;
-      if (heap[child].squared <= f.squared) break;
-      heap[i] = heap[child];
-    }
-    heap[i] = f;
-  };
   double limit = radius * radius;
   const auto look_at = [&](std::uint32_t first, std::uint32_t count, double* squared) { return near(center, limit, first, count, squared); };
   visit_in_order(photons_, center.point, limit, look_at, [&](std::uint32_t i, double squared) {
-    if (heap.size() == maximum) {
-      replace_first({squared, i});
-      limit = heap.front().squared;
-    } else {
-      heap.push_back({squared, i});
-      if (heap.size() == maximum) std::ranges::make_heap(heap, nearer);
-    }
+    const bool full = heap.size() == maximum;
+    if (full) std::ranges::pop_heap(heap, nearer), heap.pop_back();
+    heap.push_back({squared, i});
+    std::ranges::push_heap(heap, nearer);
+    if (full) limit = heap.front().squared;
   });
   farthest = limit;
   std::ranges::sort(heap, {}, &Found::index);

@@ -65,6 +65,21 @@ class ChildIndex {
     if (few_.empty()) return tree_.traverse(ray, t_min, t_max, [&](std::uint32_t i, double limit) { return visit(children_[i], limit); });
     for (std::uint32_t met = few_.meet(ray, t_min, t_max); met != 0; met &= met - 1) t_max = visit(children_[static_cast<std::size_t>(std::countr_zero(met))], t_max);
   }
+  // Calls visit(child) for every child whose box the ray meets, in order of declaration.
+  template <class Visit>
+  void in_order(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+    if (unbounded_.empty() && !few_.empty()) {
+      for (std::uint32_t met = few_.meet(ray, t_min, t_max); met != 0; met &= met - 1) visit(children_[static_cast<std::size_t>(std::countr_zero(met))]);
+      return;
+    }
+    ScratchIndices found;
+    along(ray, t_min, t_max, [&](std::uint32_t i, double limit) {
+      found.add(i);
+      return limit;
+    });
+    found.sort();
+    for (std::size_t k = 0; k < found.size(); ++k) visit(found[k]);
+  }
   // Calls visit(child) for every child whose box contains p until one returns true.
   template <class Visit>
   bool any_around(const Vec3& p, Visit&& visit) const {
@@ -121,14 +136,6 @@ class CsgShape : public Shape {
  protected:
   const Shape& child(std::uint32_t i) const { return *children_[i]; }
 
-  // Children whose boxes the ray meets, in order of declaration.
-  void candidates(const Ray& ray, double t_min, double t_max, ScratchIndices& found) const {
-    surfaces_.along(ray, t_min, t_max, [&](std::uint32_t i, double limit) {
-      found.add(i);
-      return limit;
-    });
-    found.sort();
-  }
   // Drops hits from `begin` on that lie outside the clip objects or fail `keep`.
   template <class Keep>
   void filter(HitList& hits, std::size_t begin, Keep&& keep) const {
@@ -144,6 +151,7 @@ class CsgShape : public Shape {
   bool nearest_surviving(ScratchHits& hits, const ScratchOwners& owners, double t_min, double t_max, Hit& hit, Keep&& keep) const {
     std::size_t count = 0;
     for (std::size_t i = hits.begin(); i < hits.end(); ++i) count += hits[i].t >= t_min && hits[i].t < t_max;
+    if (count == 0) return false;
     double after = t_min;
     std::size_t after_index = hits.end();  // at t == after only candidates before this one remain
     while (count-- > 0) {
@@ -249,11 +257,10 @@ class Union final : public Sum {
 
   void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
     if (guards_ && !guards_->admit(ray)) return;
-    ScratchIndices found;
-    candidates(ray, 0, 2e10, found);
     const std::size_t begin = hits.size();
-    for (std::size_t k = 0; k < found.size(); ++k)
-      if (!hidden(found[k], kind)) child(found[k]).intersect_all(ray, kind, hits);
+    surfaces_.in_order(ray, 0, 2e10, [&](std::uint32_t i) {
+      if (!hidden(i, kind)) child(i).intersect_all(ray, kind, hits);
+    });
     if (guards_ && !guards_->clips.empty()) filter(hits, begin, [](const Vec3&) { return true; });
   }
 
@@ -280,29 +287,24 @@ class Merge final : public Sum {
 
   void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
     if (guards_ && !guards_->admit(ray)) return;
-    ScratchIndices found;
-    candidates(ray, 0, 2e10, found);
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      const std::uint32_t i = found[k];
-      if (hidden(i, kind)) continue;
+    surfaces_.in_order(ray, 0, 2e10, [&](std::uint32_t i) {
+      if (hidden(i, kind)) return;
       const std::size_t begin = hits.size();
       child(i).intersect_all(ray, kind, hits);
       filter(hits, begin, [&](const Vec3& p) { return !inside_another(p, i, kind); });
-    }
+    });
   }
 
   bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
     if (guards_ && !guards_->admit(ray)) return false;
-    ScratchIndices found;
-    candidates(ray, t_min, t_max, found);
     ScratchOwners owners;
     ScratchHits hits;
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      if (hidden(found[k], kind)) continue;
+    surfaces_.in_order(ray, t_min, t_max, [&](std::uint32_t i) {
+      if (hidden(i, kind)) return;
       const std::size_t before = hits.end();
-      child(found[k]).intersect_all(ray, kind, hits.list());
-      for (std::size_t n = before; n < hits.end(); ++n) owners.add(found[k]);
-    }
+      child(i).intersect_all(ray, kind, hits.list());
+      for (std::size_t n = before; n < hits.end(); ++n) owners.add(i);
+    });
     return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) { return !inside_another(p, self, kind); });
   }
 };
@@ -395,12 +397,10 @@ class Intersection final : public CsgShape {
         if (t[k] >= near && t[k] <= far) visit(plane_children_[static_cast<std::size_t>(k)], t + k);
       }
     };
-    ScratchIndices found;
-    candidates(ray, near, far, found);
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      planes_before(found[k]);
-      visit(found[k], nullptr);
-    }
+    surfaces_.in_order(ray, near, far, [&](std::uint32_t i) {
+      planes_before(i);
+      visit(i, nullptr);
+    });
     planes_before(~0u);
   }
   void add_plane_hit(const Ray& ray, std::uint32_t i, double t, HitList& hits) const { hits.push_back({t, ray.origin + t * ray.direction, &child(i), 0, 0, 0}); }

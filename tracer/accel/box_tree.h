@@ -64,6 +64,8 @@ class BoxTree {
   // What the boxes of entries are relative to.
   const Vec3& center() const { return center_; }
   const std::vector<std::uint32_t>& order() const { return order_; }
+  // What a node names a child by; node 0 is the root.
+  const BoxNode& node(std::uint32_t i) const { return nodes_[i]; }
 
   // Calls visit(index, t_max) for every box that the ray meets between t_min and t_max, roughly in order of distance; it returns the new t_max
   // (the same, a smaller one, or minus infinity to stop). For trees of leaf size 1. `entry`: of a shaft that holds the ray; null: the root.
@@ -84,9 +86,9 @@ class BoxTree {
   // The subtrees that a shaft meets.
   void enter(const Shaft& shaft, EntryPoints& entry) const;
 
- private:
-  static constexpr int kStackSize = 256;
+  static constexpr int kStackSize = 256;  // of a walk
 
+ private:
   static bool usable(const Box3& box) { return !is_empty(box) && is_finite(box); }
   void set_bounds(const Box3& bounds);
   BuildItem item_of(const Box3& box, std::size_t index) const;

@@ -5,6 +5,8 @@
 #include "tracer/shapes/plane.h"
 #include "tracer/textures/instruction_sets.h"
 
+#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
+
 namespace verisim::accel {
 namespace {
 

@@ -13,9 +13,24 @@ struct alignas(64) BoxesMet {
   double near[EntryPoints::kMost][RayLanes::kCount];  // where a ray enters a box that it meets
 };
 
+// Eight rays as the nodes of a tree see them.
+struct alignas(64) NodeRays {
+  using Lane = double[RayLanes::kCount];
+  Lane ox, oy, oz, ix, iy, iz;  // origins relative to the tree's centre, inverse directions
+};
+
+// Which children of a node eight rays meet.
+struct alignas(64) ChildrenMet {
+  double near[4][RayLanes::kCount];  // where they are entered
+  unsigned lanes[4];
+};
+
 struct RowKernels {
   // Eight rays from `first` against boxes relative to `center`, at distances above t_min.
   void (*boxes)(const EntryPoints& entry, const Vec3& center, const RayRow& rays, int first, double t_min, BoxesMet& met);
+  NodeRays (*node_rays)(const Vec3& center, const RayRow& rays, int first);
+  // The children of a node that they meet above t_min and before their limits.
+  void (*children)(const BoxNode& node, const NodeRays& rays, double t_min, const double* limit, ChildrenMet& met);
   // The distances at which they meet a plane (shapes/plane.h); -1 where they do not.
   void (*plane)(const Vec3& normal, double distance, const RayRow& rays, int first, double* t);
 };

@@ -70,6 +70,21 @@ TEST_P(RowKernel, BoxesAreMetByThoseRaysThatMeetThem) {
     }
     for (int first = 0; first < RayRow::kMost; first += RayLanes::kCount) {
       kernels->boxes(entry, center, *rays, first, 1e-4, *met);
+      const NodeRays there = kernels->node_rays(center, *rays, first);
+      double limit[RayLanes::kCount];
+      for (int k = 0; k < RayLanes::kCount; ++k) limit[k] = k % 3 == 0 ? 5 : 1e20;
+      for (int n = 0; n < 2; ++n) {
+        ChildrenMet children;
+        kernels->children(entry.nodes[n], there, 1e-4, limit, children);
+        for (int k = 0; k < RayLanes::kCount; ++k)
+          for (int b = 0; b < 4; ++b) {
+            const bool is_met = met->places[k] >> (4 * n + b) & 1 && met->near[4 * n + b][k] < limit[k];
+            EXPECT_EQ(children.lanes[b] >> k & 1, is_met) << n << b << ' ' << first + k;
+            if (is_met) {
+              EXPECT_EQ(children.near[b][k], met->near[4 * n + b][k]);
+            }
+          }
+      }
       for (int k = 0; k < RayLanes::kCount; ++k) {
         EXPECT_EQ(met->places[k] >> 7, 0) << "there is no eighth box";
         for (int b = 0; b < 7; ++b) {

@@ -51,6 +51,46 @@ class Places {
   int count_ = 0;
 };
 
+// Walks a tree with eight rays, from the subtrees of an entry or from the root. Calls visit(candidate, lanes) for the boxes that lanes of `open` meet
+// before their limits, which may shrink meanwhile, roughly from near to far.
+template <class Visit>
+void walk(const BoxTree& tree, const EntryPoints* entry, const RayLanes& rays, double t_min, const double* limit, const unsigned& open, Visit&& visit) {
+  struct Item {
+    std::uint32_t child;
+    unsigned lanes;
+  } stack[BoxTree::kStackSize];
+  int size = 0;
+  const NodeRays there = row_kernels().node_rays(tree.center(), rays.rays, rays.first);
+  ChildrenMet met;
+  const auto expand = [&](const BoxNode& node, unsigned lanes) {
+    row_kernels().children(node, there, t_min, limit, met);
+    const int first = size;
+    double near[4];
+    for (int k = 0; k < 4; ++k) {
+      const unsigned here = met.lanes[k] & lanes;
+      if (here == 0) continue;
+      const double distance = met.near[k][std::countr_zero(here)];
+      int at = size++ - first;  // the nearest on top
+      for (; at > 0 && near[at - 1] < distance; --at) near[at] = near[at - 1], stack[first + at] = stack[first + at - 1];
+      near[at] = distance, stack[first + at] = {node.child[k], here};
+    }
+  };
+  if (entry) {
+    for (int n = entry->count - 1; n >= 0; --n) expand(entry->nodes[n], open);
+  } else {
+    expand(tree.node(0), open);
+  }
+  while (size > 0) {
+    const Item item = stack[--size];
+    const unsigned lanes = item.lanes & open;
+    if (lanes == 0) continue;
+    if (item.child & BoxNode::kLeaf) visit(BoxNode::leaf_first(item.child), lanes);
+    else expand(tree.node(item.child), lanes);
+  }
+}
+
+constexpr int kFewest = 3;  // rays for which this costs less than one walk for each
+
 }  // namespace
 
 // The search for the nearest hits of eight rays.
@@ -82,9 +122,11 @@ class World::RowSearch {
       const unsigned lanes = places.lanes(i, limit_) & rays_.asked;
       if (lanes == 0) continue;
       const std::uint32_t candidate = places.candidate(i);
-      const Candidate& c = w_.bounded[candidate];
-      if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry.inner_of(candidate), lanes);
+      test_candidate(candidate, &entry, lanes);
     }
+  }
+  void walk_tree(const WorldEntry* entry) {
+    walk(w_.tree, entry ? &entry->points : nullptr, rays_, t_min_, limit_, rays_.asked, [&](std::uint32_t candidate, unsigned lanes) { test_candidate(candidate, entry, lanes); });
   }
 
  private:
@@ -97,6 +139,10 @@ class World::RowSearch {
     found_ |= 1u << k;
     owner_[k] = index;
     limit_[k] = next_above(hit.t);  // of a tie both are asked
+  }
+  void test_candidate(std::uint32_t i, const WorldEntry* entry, unsigned lanes) {
+    const Candidate& c = w_.bounded[i];
+    if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry ? entry->inner_of(i) : nullptr, lanes);
   }
   void test_plane(const Plane& plane, const Shape* shape, std::uint32_t index) {
     alignas(64) double t[kLanes];
@@ -127,14 +173,17 @@ class World::RowSearch {
 
 void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry, Hit* hits, bool* found) const {
   const Impl& w = *impl_;
-  if (!w.tree.empty() && !(entry && entry->points.complete)) {
-    for (int i = first; i < first + count; ++i) found[i] = intersect(rays.at(i), kind, t_min, std::numeric_limits<double>::infinity(), hits[i], entry);
-    return;
-  }
+  const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
-    RowSearch search(w, {rays, start, lanes_below(first + count - start)}, kind, t_min, hits + start);
+    const int rest = first + count - start;
+    if (!all_known && rest < kFewest) {
+      for (int i = start; i < start + rest; ++i) found[i] = intersect(rays.at(i), kind, t_min, std::numeric_limits<double>::infinity(), hits[i], entry);
+      return;
+    }
+    RowSearch search(w, {rays, start, lanes_below(rest)}, kind, t_min, hits + start);
     search.test_unbounded();
-    if (entry) search.test_boxes(*entry);
+    if (!all_known) search.walk_tree(entry);
+    else if (entry) search.test_boxes(*entry);
     for (int i = start; i < std::min(start + kLanes, first + count); ++i) found[i] = search.found() >> (i - start) & 1;
   }
 }
@@ -164,14 +213,20 @@ class World::RowOcclusion {
     const std::uint32_t last = entry.last_blocker;
     for (int i = 0; i < places.count() && open_ != 0; ++i) {
       const std::uint32_t candidate = places.candidate(i);
-      if (candidate != last) test_candidate(candidate, entry, places.lanes(i, t_max_) & open_);
+      if (candidate != last) test_candidate(candidate, &entry, places.lanes(i, t_max_) & open_);
     }
   }
+  void walk_tree(WorldEntry* entry) {
+    const std::uint32_t last = entry ? entry->last_blocker : WorldEntry::kNoBlocker;
+    walk(w_.tree, entry ? &entry->points : nullptr, rays_, t_min_, t_max_, open_, [&](std::uint32_t candidate, unsigned lanes) {
+      if (candidate != last) test_candidate(candidate, entry, lanes);
+    });
+  }
   // True if any lane is blocked by it.
-  void test_candidate(std::uint32_t i, WorldEntry& entry, unsigned lanes) {
+  void test_candidate(std::uint32_t i, WorldEntry* entry, unsigned lanes) {
     const Candidate& c = w_.bounded[i];
     if ((c.hidden & kMask) || c.opacity == Opacity::transparent) return;
-    if (test(*c.shape, c.opacity, entry.inner_of(i), lanes)) entry.last_blocker = i;
+    if (test(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr, lanes) && entry) entry->last_blocker = i;
   }
 
  private:
@@ -213,19 +268,24 @@ class World::RowOcclusion {
 
 void World::occluded_row(const RayRow& rays, int first, int count, const bool* wanted, double t_min, const double* t_max, WorldEntry* entry, bool* blocked) const {
   const Impl& w = *impl_;
-  if (!w.tree.empty() && !(entry && entry->points.complete)) {
-    for (int i = first; i < first + count; ++i)
-      if (wanted[i]) blocked[i] = occluded(rays.at(i), t_min, t_max[i], entry);
-    return;
-  }
+  const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
     unsigned asked = 0;
     const int end = std::min(start + kLanes, first + count);
     for (int i = start; i < end; ++i) asked |= wanted[i] ? 1u << (i - start) : 0;
+    if (!all_known && std::popcount(asked) < kFewest) {
+      each_lane(asked, [&](int k) { blocked[start + k] = occluded(rays.at(start + k), t_min, t_max[start + k], entry); });
+      continue;
+    }
     RowOcclusion occlusion(w, {rays, start, asked}, t_min, t_max + start);
-    if (entry && entry->last_blocker != WorldEntry::kNoBlocker) occlusion.test_candidate(entry->last_blocker, *entry, asked);
+    if (entry && entry->last_blocker != WorldEntry::kNoBlocker) occlusion.test_candidate(entry->last_blocker, entry, asked);
     occlusion.test_unbounded();
-    if (entry && occlusion.open() != 0) occlusion.test_boxes(*entry);
+    if (occlusion.open() == 0) {
+    } else if (!all_known) {
+      occlusion.walk_tree(entry);
+    } else if (entry) {
+      occlusion.test_boxes(*entry);
+    }
     each_lane(asked & ~occlusion.open(), [&](int k) { blocked[start + k] = true; });
   }
 }

@@ -30,12 +30,13 @@ void PhotonMap::build_sorted() {
 }
 
 void PhotonDistances::keep_nearest(std::size_t maximum, double& limit) {
-  // Squared distances are spread evenly over a disc: two guesses a little beyond and before the last one kept leave few between them.
-  constexpr double kMargin = 6;  // photons
+  // Squared distances are spread about evenly over a disc: guesses a little beyond and before the last one kept, in turn, leave few between them.
+  constexpr int kMostGuesses = 8, kFew = 12;
   double low = 0.0, high = std::nextafter(limit, kInfinity);
   std::size_t below_low = 0, below_high = size_;
-  for (const double margin : {kMargin, -kMargin}) {
-    const double share = (static_cast<double>(maximum) + margin - static_cast<double>(below_low)) / static_cast<double>(below_high - below_low);
+  for (int i = 0; i < kMostGuesses && below_high - below_low > kFew; ++i) {
+    const auto between = static_cast<double>(below_high - below_low), margin = std::min(4.0, 0.2 * between);
+    const double share = (static_cast<double>(maximum - below_low) + (i % 2 == 0 ? margin : -margin)) / between;
     const double guess = low + share * (high - low);
     if (!(guess > low && guess < high)) continue;
     const std::size_t below = photon_kernels().below(squared_.data(), size_, guess);

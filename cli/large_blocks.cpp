@@ -17,8 +17,9 @@ void* allocate(std::size_t size, std::size_t alignment) {
   for (;;) {
     void* block;
     if (size >= kLarge) {
-      block = std::aligned_alloc(std::max(alignment, kHugePage), (size + kHugePage - 1) / kHugePage * kHugePage);
-      if (block) ::madvise(block, size, MADV_HUGEPAGE);  // advice: where there are none, small pages do
+      const std::size_t whole = (size + kHugePage - 1) / kHugePage * kHugePage;
+      block = std::aligned_alloc(std::max(alignment, kHugePage), whole);
+      if (block) ::madvise(block, whole, MADV_HUGEPAGE);  // advice: where there are none, small pages do
     } else if (alignment > __STDCPP_DEFAULT_NEW_ALIGNMENT__) {
       block = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
     } else {

@@ -34,17 +34,20 @@ void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& c
   lanes_.view.set(k, lanes_.rays.direction.at(i));
   lanes_.two_sided[k] = surface_[k]->double_illuminate;
   shine_ |= m.shine;
-  if (layer_[k] == m.layer) return;
-  layer_[k] = m.constant && m.only ? m.layer : nullptr;
   const scene::Finish& finish = m.layer->finish;
-  finish_[k] = &finish;
+  if (material_[k] == &m) {
+    if (m.constant && m.only) return;
+  } else {
+    material_[k] = &m;
+    finish_[k] = &finish;
+    lanes_.lit_behind[k] = finish.diffuse_back != 0;
+    lanes_.dull[k] = !reflects_light(finish);
+    lanes_.exponent[k] = m.exponent, lanes_.amount[k] = m.amount, lanes_.base_limit[k] = m.base_limit, lanes_.phong[k] = m.phong;
+  }
   lanes_.front[k] = opacity * std::max(finish.diffuse, 0.0f), lanes_.behind[k] = opacity * std::max(finish.diffuse_back, 0.0f);
-  lanes_.lit_behind[k] = finish.diffuse_back != 0;
-  lanes_.dull[k] = !reflects_light(finish);
   lanes_.pigment.r[k] = color.r, lanes_.pigment.g[k] = color.g, lanes_.pigment.b[k] = color.b;
   const Rgb own = color.rgb() * m.glow * opacity;
   lanes_.own.r[k] = own.r, lanes_.own.g[k] = own.g, lanes_.own.b[k] = own.b;
-  lanes_.exponent[k] = m.exponent, lanes_.amount[k] = m.amount, lanes_.base_limit[k] = m.base_limit, lanes_.phong[k] = m.phong;
 }
 
 // Takes what shows at hit i among the surfaces that are lit together; false: there is no room for it.

@@ -140,7 +140,7 @@ class Wave {
   Met met_[kMost];
   bool found_[kMost];
   int pixel_[kMost];    // several lanes in a row may be of one
-  const textures::CompiledLayer* layer_[kMost] = {};  // whose constant numbers stand in the lane; null: those of one point
+  const Material* material_[kMost] = {};  // whose numbers stand in the lane
   const shapes::Surface* surface_[kMost];
   const scene::Finish* finish_[kMost];
 };

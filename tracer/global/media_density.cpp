@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 
+#include <boost/container/small_vector.hpp>
+
 #include "tracer/global/media.h"
 
 namespace verisim::global {
@@ -26,22 +28,26 @@ Rgb media_density(const CompiledMedia& m, const Vec3& p) {
 
 void media_densities(const CompiledMedia& m, int count, const textures::PointRow& points, Rgb* densities) {
   constexpr int kMost = textures::PointRow::kMost;
-  std::array<Color, kMost> colors;
-  std::array<bool, kMost> colored;
-  std::array<int, kMost> place;
-  const auto evaluate = [&](std::size_t density, int n, const textures::PointRow& at) {
-    textures::evaluate(*m.densities[density], n, at, nullptr, colors.data(), colored.data());
-  };
-  // Points where a simple density is zero are left out.
+  using Values = std::array<Rgb, kMost>;
   textures::PointRow left = points;
+  std::array<int, kMost> place;
   for (int i = 0; i < count; ++i) place[i] = i;
   int n = count;
+  const auto evaluate = [&](std::size_t density, Values& values) {
+    std::array<Color, kMost> colors;
+    std::array<bool, kMost> colored;
+    textures::evaluate(*m.densities[density], n, left, nullptr, colors.data(), colored.data());
+    for (int i = 0; i < n; ++i) values[i] = colors[i].rgb();
+  };
+  // Points where a simple density is zero are left out.
+  boost::container::small_vector<Values, 1> known;
   for (const std::size_t density : m.simple_densities) {
     if (n == 0) break;
-    evaluate(density, n, left);
+    evaluate(density, known.emplace_back());
     int kept = 0;
     for (int i = 0; i < n; ++i) {
-      if (colors[i].rgb() == Rgb()) continue;
+      if (known.back()[i] == Rgb()) continue;
+      for (Values& values : known) values[kept] = values[i];
       place[kept] = place[i];
       left.set(kept++, left.at(i));
     }
@@ -49,9 +55,12 @@ void media_densities(const CompiledMedia& m, int count, const textures::PointRow
   }
   std::fill_n(densities, count, Rgb());
   for (int i = 0; i < n; ++i) densities[place[i]] = Rgb(1.0f);
-  for (std::size_t density = 0; n > 0 && density < m.densities.size(); ++density) {
-    evaluate(density, n, left);
-    for (int i = 0; i < n; ++i) densities[place[i]] *= colors[i].rgb();
+  Values found;
+  for (std::size_t density = 0, simple = 0; n > 0 && density < m.densities.size(); ++density) {
+    const bool is_known = simple < m.simple_densities.size() && m.simple_densities[simple] == density;
+    if (!is_known) evaluate(density, found);
+    const Values& values = is_known ? known[simple++] : found;
+    for (int i = 0; i < n; ++i) densities[place[i]] *= values[i];
   }
 }
 

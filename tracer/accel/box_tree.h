@@ -83,6 +83,10 @@ class BoxTree {
   template <class Visit>
   bool any_around(const Vec3& p, Visit&& visit) const;
 
+  // Calls visit(index) for every box, in the order in which any_around finds those that contain a point. For trees of leaf size 1.
+  template <class Visit>
+  void each(Visit&& visit) const;
+
   // The subtrees that a shaft meets.
   void enter(const Shaft& shaft, EntryPoints& entry) const;
 
@@ -252,6 +256,24 @@ bool BoxTree::any_around(const Vec3& p, Visit&& visit) const {
     for (unsigned hits = boxes_around(node, point); hits != 0; hits &= hits - 1) stack[size++] = node.child[__builtin_ctz(hits)];
   }
   return false;
+}
+
+template <class Visit>
+void BoxTree::each(Visit&& visit) const {
+  if (nodes_.empty()) return;
+  std::uint32_t stack[kStackSize];
+  int size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t child = stack[--size];
+    if (child & BoxNode::kLeaf) {
+      visit(BoxNode::leaf_first(child));
+      continue;
+    }
+    const BoxNode& node = nodes_[child];
+    for (int k = 0; k < 4; ++k)
+      if (node.planes[0][k] <= node.planes[3][k]) stack[size++] = node.child[k];  // the others are none
+  }
 }
 
 }  // namespace verisim::accel

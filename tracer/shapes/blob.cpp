@@ -263,6 +263,13 @@ class Blob final : public Primitive<Blob> {
     }
     if (parts_.size() <= kMostForLanes && finite) spheres_ = spheres_around(parts_);
     if (parts_.size() > kFewParts && finite) tree_ = accel::BoxTree(boxes);
+    if (spheres_.empty() || tree_.empty()) return;
+    std::vector<Part> ordered;
+    tree_.each([&](std::uint32_t i) {
+      order_.push_back(i);
+      ordered.push_back(parts_[i]);
+    });
+    ordered_spheres_ = spheres_around(ordered);
   }
 
   static double field(const Part& part, double d2) { return (part.k0 * d2 + part.k1) * d2 + part.k2; }
@@ -293,6 +300,11 @@ class Blob final : public Primitive<Blob> {
     };
     if (tree_.empty()) {
       for (const Part& part : parts_) test(part);
+      return;
+    }
+    if (!order_.empty()) {
+      for (std::uint64_t around = blob_kernels().around(ordered_spheres_.data(), ordered_spheres_.size(), p); around != 0; around &= around - 1)
+        test(parts_[order_[static_cast<std::size_t>(std::countr_zero(around))]]);
       return;
     }
     tree_.any_around(p, [&](std::uint32_t i) {
@@ -499,6 +511,9 @@ class Blob final : public Primitive<Blob> {
   double threshold_;
   std::vector<Part> parts_;
   std::vector<PartSpheres> spheres_;  // if the parts are not too many
+  // The parts in the order in which the tree finds those around a point, which decides the last digits of sums; empty: ask the tree.
+  std::vector<std::uint32_t> order_;
+  std::vector<PartSpheres> ordered_spheres_;
   accel::BoxTree tree_;
   std::vector<scene::TexturePtr> textures_;
 };

@@ -36,6 +36,8 @@ struct BlobKernels {
   // The parts, as bits, that rays may meet: they start within `apart` of the origin, and their directions are within `bent` of the direction, in proportion
   // to its length.
   std::uint64_t (*near)(const PartSpheres* spheres, std::size_t blocks, const Vec3& origin, const Vec3& direction, double apart, double bent);
+  // The parts, as bits, that may reach a point.
+  std::uint64_t (*around)(const PartSpheres* spheres, std::size_t blocks, const Vec3& p);
   // Fills `pieces` with those of `near` that any lane of `asked` meets; how many.
   std::size_t (*pieces)(const BlobPart* parts, std::uint64_t near, const LocalLanes& rays, unsigned asked, PieceLanes* pieces);
 };

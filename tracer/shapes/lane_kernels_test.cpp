@@ -261,6 +261,13 @@ TEST_P(LaneKernel, MeetsThePartsOfABlobAlike) {
     lane_kernels(textures::kBaseline)->local(nullptr, {*rays.rows, 0, 255}, local);
     const Ray ray = rays.rows->at(3);
     ASSERT_EQ(kernels->near(&spheres, 1, ray.origin, ray.direction, 0.1, 0.2), plain.near(&spheres, 1, ray.origin, ray.direction, 0.1, 0.2));
+    const std::uint64_t around = plain.around(&spheres, 1, ray.origin);
+    ASSERT_EQ(kernels->around(&spheres, 1, ray.origin), around);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (length(ray.origin - parts[i].center) <= spheres.radius[i]) {
+        ASSERT_TRUE(around >> i & 1);
+      }
+    }
     // What lies near is never left out.
     const std::uint64_t near = plain.near(&spheres, 1, ray.origin, ray.direction, 0, 0);
     PieceLanes a[4], b[4];

@@ -11,170 +11,24 @@
 #include "tracer/accel/box_tree.h"
 #include "tracer/math/bernstein_lanes.h"
 #include "tracer/shapes/blob_lanes.h"
+#include "tracer/shapes/blob_parts.h"
+#include "tracer/shapes/blob_stretches.h"
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/frame.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/scratch.h"
 
 namespace verisim::shapes {
 namespace {
 
-constexpr double kNearest = 1e-2, kFarthest = 1e7, kShortest = 1e-10, kInsideMargin = 1e-6;
+using namespace blob;
+
+constexpr double kNearest = 1e-2, kFarthest = 1e7, kInsideMargin = 1e-6;
 constexpr std::size_t kFewParts = 2, kFewPieces = 24;
 constexpr std::size_t kMostForLanes = 64;  // parts; of more, a tree finds the few that a ray meets
 constexpr std::size_t kMaxTextures = 512;
 
 using Part = BlobPart;
 using PartKind = BlobPartKind;
-
-// D = a t^2 + 2 b t + c along a ray, valid for t0 < t < t1.
-struct Piece {
-  double t0, t1, a, b, c;
-  const Part* part;
-  double peak = 0;  // no more than this does it add to the field, but for rounding
-  bool expanded = false;
-  double power[5] = {};  // what it adds to the field, in powers of the parameter that all pieces of a ray share; if expanded
-};
-
-struct Event {
-  double t;
-  std::int32_t piece;
-  bool enters;
-  bool operator<(const Event& other) const { return t < other.t; }
-};
-
-// The stretches of a ray between the ends of pieces, from near to far, with the pieces that are valid there. The ray's parameter is rescaled to 0 .. 1.
-class Stretches {
- public:
-  // `active`: room for as many as there are pieces.
-  Stretches(const Event* events, std::size_t count, std::int32_t* active) : events_(events), active_(active), count_(count), start(events[0].t), span(events[count - 1].t - start) {}
-
-  bool valid() const { return span > 0 && std::isfinite(span); }
-  // The next one with any piece.
-  bool next() {
-    for (; next_ + 1 < count_; ++next_) {
-      update(events_[next_]);
-      from = (events_[next_].t - start) / span;
-      to = (events_[next_ + 1].t - start) / span;
-      while (to - from < kShortest && next_ + 2 < count_) {
-        update(events_[++next_]);
-        to = (events_[next_ + 1].t - start) / span;
-      }
-      if (active_count_ == 0) continue;
-      ++next_;
-      return true;
-    }
-    return false;
-  }
-  std::span<const std::int32_t> active() const { return {active_, active_count_}; }
-
- private:
-  void update(const Event& event) {
-    if (event.enters) {
-      active_[active_count_++] = event.piece;
-      return;
-    }
-    std::size_t i = 0;
-    while (active_[i] != event.piece) ++i;
-    active_[i] = active_[--active_count_];
-  }
-
-  const Event* events_;
-  std::int32_t* active_;
-  std::size_t count_, next_ = 0, active_count_ = 0;
-
- public:
-  double start, span;
-  double from = 0, to = 0;
-};
-
-// A sphere that POV-Ray draws around a part, as a cube; generous for transformed ones.
-Box3 cube_around(const Vec3& center, double radius, const Transform& t) {
-  Box3 box;
-  for (int corner = 0; corner < 8; ++corner)
-    box.extendBy(t.point(center + radius * Vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1)));
-  const Vec3 size = box.max - box.min;
-  const Vec3 half(0.5 * std::max({size.x, size.y, size.z}));
-  const Vec3 moved = t.point(center);
-  return {moved - half, moved + half};
-}
-
-// The box of a moved sphere.
-Box3 box_of_sphere(const Vec3& center, double radius, const Transform& t) {
-  const Vec3 moved = t.point(center);
-  Vec3 half;
-  for (int i = 0; i < 3; ++i) half[i] = radius * (1 + 1e-9) * std::sqrt(t.m[0][i] * t.m[0][i] + t.m[1][i] * t.m[1][i] + t.m[2][i] * t.m[2][i]);
-  return {moved - half, moved + half};
-}
-
-std::vector<Part> parts_of(const scene::Blob& blob) {
-  std::vector<Part> parts;
-  for (std::size_t i = 0; i < blob.components.size(); ++i) {
-    const scene::BlobComponent& c = blob.components[i];
-    Part part;
-    part.component = static_cast<std::int32_t>(i);
-    part.radius2 = c.radius * c.radius;
-    part.k0 = c.strength / (part.radius2 * part.radius2);
-    part.k1 = -2 * c.strength / part.radius2;
-    part.k2 = c.strength;
-    part.moved = c.transform.has_value();
-    part.transform = c.transform.value_or(Transform{});
-    part.center = c.a;
-    const double radius = std::fabs(c.radius);
-    if (!c.cylinder) {
-      part.kind = PartKind::sphere;
-      part.pov_box = cube_around(c.a, radius, part.transform);
-      part.box = box_of_sphere(c.a, radius, part.transform);
-      parts.push_back(part);
-      continue;
-    }
-    const double len = length(c.b - c.a);
-    part.axis = (c.b - c.a) / len;
-    part.length = len;
-    const Transform frame = frame_along(c.a, part.axis, 1, 1).then(part.transform);
-    part.kind = PartKind::cylinder;
-    const Box3 base = box_of_sphere(c.a, radius, part.transform), apex = box_of_sphere(c.b, radius, part.transform);
-    part.pov_box = cube_around({0, 0, 0.5 * len}, std::sqrt(part.radius2 + 0.25 * len * len), frame);
-    part.box = base;
-    part.box.extendBy(apex);
-    parts.push_back(part);
-    part.kind = PartKind::base;
-    part.pov_box = cube_around(Vec3(0), radius, frame);
-    part.box = base;
-    parts.push_back(part);
-    part.kind = PartKind::apex;
-    part.center = c.b;
-    part.pov_box = cube_around({0, 0, len}, radius, frame);
-    part.box = apex;
-    parts.push_back(part);
-  }
-  return parts;
-}
-
-std::vector<PartSpheres> spheres_around(const std::vector<Part>& parts) {
-  std::vector<PartSpheres> spheres((parts.size() + 7) / 8);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Part& part = parts[i];
-    Vec3 center = part.center;
-    double radius = std::sqrt(part.radius2);
-    if (part.moved) {
-      center = part.box.center(), radius = 0.5 * length(part.box.max - part.box.min);
-    } else if (part.kind == PartKind::cylinder) {
-      center += 0.5 * part.length * part.axis, radius = std::sqrt(part.radius2 + 0.25 * part.length * part.length);
-    }
-    PartSpheres& s = spheres[i / 8];
-    s.x[i % 8] = center.x, s.y[i % 8] = center.y, s.z[i % 8] = center.z, s.radius[i % 8] = radius;
-  }
-  return spheres;
-}
-
-// Where the surface can be: with a positive threshold, within reach of a positive part.
-Box3 box_of(const std::vector<Part>& parts, bool all) {
-  Box3 box;
-  for (const Part& part : parts)
-    if (all || part.k2 > 0) box.extendBy(part.box);
-  return box;
-}
 
 class Blob final : public Primitive<Blob> {
  public:

@@ -138,8 +138,9 @@ class WholePictureRows : public PictureRows {
 void write(const render::Framebuffer& framebuffer, const std::filesystem::path& path, const OutputOptions& options) {
   if (options.format == Format::hdr) return write_atomically(path, [&](std::FILE* file) { write_hdr(file, framebuffer, options); });
   if (options.format != Format::png && options.format != Format::ppm) return write_module_file(framebuffer, path, options);
-  const Quantised picture = quantise(framebuffer, options);
-  write_atomically(path, [&](std::FILE* file) { options.format == Format::png ? write_png(file, picture, options) : write_ppm(file, picture, options); });
+  if (options.format == Format::ppm) return write_atomically(path, [&, picture = quantise(framebuffer, options)](std::FILE* file) { write_ppm(file, picture, options); });
+  Quantiser rows(framebuffer, options);
+  write_atomically(path, [&](std::FILE* file) { write_png(file, rows.shape(), options, [&](int y, std::uint16_t* row) { rows.row(y, row); }); });
 }
 
 Picture read_picture(const std::filesystem::path& path) {

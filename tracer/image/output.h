@@ -33,6 +33,21 @@ struct Quantised {
 };
 Quantised quantise(const render::Framebuffer& framebuffer, const OutputOptions& options);
 
+// The same row by row: a second picture in memory would be as large as the first. The framebuffer and the options must outlive it.
+class Quantiser {
+ public:
+  Quantiser(const render::Framebuffer& framebuffer, const OutputOptions& options);
+  ~Quantiser();
+  Quantiser(const Quantiser&) = delete;
+  Quantiser& operator=(const Quantiser&) = delete;
+  Quantised shape() const;                 // without samples
+  void row(int y, std::uint16_t* samples);  // in order, from 0: errors are diffused to rows below
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
 // Throws std::runtime_error naming the file and the reason. path "-" is standard output.
 void write(const render::Framebuffer& framebuffer, const std::filesystem::path& path, const OutputOptions& options);
 

@@ -1,6 +1,7 @@
 // Framebuffer colours become integers: straight alpha, gamma, dithering, rounding (spec 02 sections 4.3 to 4.6).
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "tracer/image/dither.h"
 #include "tracer/image/gamma.h"
@@ -102,48 +103,45 @@ int samples_of(const Color& pixel, const OutputOptions& options, bool alpha, flo
   return n;
 }
 
+bool has_alpha_channel(const OutputOptions& options) {
+  const Format f = options.format;
+  return options.alpha && (f == Format::png || f == Format::tga || f == Format::tga_rle || f == Format::bmp || f == Format::tiff);
+}
+
+OutputCurve curve_of(const OutputOptions& options) {
+  if (options.format == Format::ppm && options.greyscale) return OutputCurve(scene::Gamma::none, 1, Curve::identity());
+  return OutputCurve(options.working, options.working_gamma, options.file_srgb ? Curve::srgb() : Curve::power(options.file_gamma));
+}
+
 }  // namespace
 
-Quantised quantise(const render::Framebuffer& framebuffer, const OutputOptions& options) {
-  const Depth depth = depth_of(options);
-  const int max_value = (1 << depth.bits) - 1;
-  const bool alpha = options.alpha && (options.format == Format::png || options.format == Format::tga || options.format == Format::tga_rle ||
-                                       options.format == Format::bmp || options.format == Format::tiff);
-  Quantised out{framebuffer.width, framebuffer.height, (options.greyscale ? 1 : 3) + (alpha ? 1 : 0), depth.file_bits, {}};
-  out.samples.resize(static_cast<std::size_t>(out.width) * out.height * out.channels);
+struct Quantiser::State {
+  State(const render::Framebuffer& from, const OutputOptions& settings)
+      : framebuffer(from), options(settings), depth(depth_of(settings)), max_value((1 << depth.bits) - 1), alpha(has_alpha_channel(settings)),
+        color_channels(settings.greyscale ? 1 : 3), curve(curve_of(settings)), dither(settings.format == Format::jpeg ? Dither::none : settings.dither),
+        diffusion(dither, from.width, color_channels + alpha) {
+    if (dither == Dither::none && depth.bits <= 8) color_codes.emplace(curve, max_value), alpha_codes.emplace(linear, max_value);
+  }
 
-  const Curve file = options.file_srgb ? Curve::srgb() : Curve::power(options.file_gamma);
-  const bool encode = !(options.format == Format::ppm && options.greyscale);
-  const OutputCurve curve = encode ? OutputCurve(options.working, options.working_gamma, file)
-                                   : OutputCurve(scene::Gamma::none, 1, Curve::identity());
-  const OutputCurve linear(scene::Gamma::none, 1, Curve::identity());
-  const Dither dither = options.format == Format::jpeg ? Dither::none : options.dither;
-
-  std::size_t at = 0;
-  float samples[4];
-  const int color_channels = options.greyscale ? 1 : 3;
-  if (dither == Dither::none && depth.bits <= 8) {
-    const CodeTable color_codes(curve, max_value);
-    if (!options.greyscale && !uses_alpha(options, alpha) && depth.bits == depth.file_bits) {  // most pictures: colours alone
-      std::uint16_t* sample = out.samples.data();
-      for (const Color& pixel : framebuffer.pixels)
-        for (const float v : {pixel.r, pixel.g, pixel.b}) *sample++ = static_cast<std::uint16_t>(color_codes(clamp01(v)));
-      return out;
-    }
-    const CodeTable alpha_codes(linear, max_value);
-    for (const Color& pixel : framebuffer.pixels) {
-      const int n = samples_of(pixel, options, alpha, samples);
+  void colors_alone(const Color* pixels, std::uint16_t* out) const {
+    const CodeTable& codes = *color_codes;
+    for (int x = 0; x < framebuffer.width; ++x)
+      for (const float v : {pixels[x].r, pixels[x].g, pixels[x].b}) *out++ = static_cast<std::uint16_t>(codes(clamp01(v)));
+  }
+  void by_table(const Color* pixels, std::uint16_t* out) const {
+    float samples[4];
+    for (int x = 0; x < framebuffer.width; ++x) {
+      const int n = samples_of(pixels[x], options, alpha, samples);
       for (int c = 0; c < n; ++c) {
-        const int code = c < color_channels ? color_codes(clamp01(samples[c])) : alpha_codes(clamp01(samples[c]));
-        out.samples[at++] = static_cast<std::uint16_t>(expand(code, depth.bits, depth.file_bits));
+        const int code = c < color_channels ? (*color_codes)(clamp01(samples[c])) : (*alpha_codes)(clamp01(samples[c]));
+        *out++ = static_cast<std::uint16_t>(expand(code, depth.bits, depth.file_bits));
       }
     }
-    return out;
   }
-  Diffusion diffusion(dither, out.width, out.channels);
-  for (int y = 0; y < out.height; ++y) {
-    for (int x = 0; x < out.width; ++x) {
-      const int n = samples_of(framebuffer.at(x, y), options, alpha, samples);
+  void one_by_one(const Color* pixels, int y, std::uint16_t* out) {
+    float samples[4];
+    for (int x = 0; x < framebuffer.width; ++x) {
+      const int n = samples_of(pixels[x], options, alpha, samples);
       const float offset = bayer_offset(dither, x, y) / static_cast<float>(max_value);
       int codes[4];
       float errors[4];
@@ -159,9 +157,45 @@ Quantised quantise(const render::Framebuffer& framebuffer, const OutputOptions& 
       }
       if (diffuses(dither))
         for (int c = 0; c < n; ++c) diffusion.give(x, c, errors[c]);
-      for (int c = 0; c < n; ++c) out.samples[at++] = static_cast<std::uint16_t>(expand(codes[c], depth.bits, depth.file_bits));
+      for (int c = 0; c < n; ++c) *out++ = static_cast<std::uint16_t>(expand(codes[c], depth.bits, depth.file_bits));
     }
   }
+
+  const render::Framebuffer& framebuffer;
+  const OutputOptions& options;
+  const Depth depth;
+  const int max_value;
+  const bool alpha;
+  const int color_channels;
+  const OutputCurve curve, linear{scene::Gamma::none, 1, Curve::identity()};
+  const Dither dither;
+  Diffusion diffusion;
+  std::optional<CodeTable> color_codes, alpha_codes;
+};
+
+Quantiser::Quantiser(const render::Framebuffer& framebuffer, const OutputOptions& options) : state_(std::make_unique<State>(framebuffer, options)) {}
+Quantiser::~Quantiser() = default;
+
+Quantised Quantiser::shape() const {
+  const State& s = *state_;
+  return {s.framebuffer.width, s.framebuffer.height, s.color_channels + s.alpha, s.depth.file_bits, {}};
+}
+
+void Quantiser::row(int y, std::uint16_t* out) {
+  State& s = *state_;
+  const Color* const pixels = s.framebuffer.pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(s.framebuffer.width);
+  if (!s.color_codes) return s.one_by_one(pixels, y, out);
+  const bool alone = !s.options.greyscale && !uses_alpha(s.options, s.alpha) && s.depth.bits == s.depth.file_bits;
+  if (alone) s.colors_alone(pixels, out);  // most pictures
+  else s.by_table(pixels, out);
+}
+
+Quantised quantise(const render::Framebuffer& framebuffer, const OutputOptions& options) {
+  Quantiser quantiser(framebuffer, options);
+  Quantised out = quantiser.shape();
+  const std::size_t n = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.channels);
+  out.samples.resize(n * static_cast<std::size_t>(out.height));
+  for (int y = 0; y < out.height; ++y) quantiser.row(y, out.samples.data() + n * static_cast<std::size_t>(y));
   return out;
 }
 

@@ -1,6 +1,7 @@
 // What a World is made of, for its own files: world.cpp makes it, world_search.cpp follows one ray, world_rows.cpp eight.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <deque>
 #include <limits>
@@ -17,6 +18,31 @@ using shapes::Surface;
 
 enum class Opacity : unsigned char { opaque, transparent, mixed };
 
+// POV-Ray's own test of an object's box, in single precision (spec 03 2.2; the order of comparisons is that of Williams, Barrus, Morley and Shirley, "An
+// efficient and robust ray-box intersection algorithm", 2005). Only a ray that grazes the box can fail it and meet the object nevertheless: one that runs
+// within a face across x does, because 0 times infinity is no number there; within other faces it passes.
+struct SlabTest {
+  std::array<float, 3> low, high;
+  bool used = false;
+
+  bool passes(const Ray& ray) const {
+    if (!used) return true;
+    float near[3], far[3];
+    for (int i = 0; i < 3; ++i) {
+      const auto inverse = static_cast<float>(1 / ray.direction[i]), origin = static_cast<float>(ray.origin[i]);
+      const bool backward = inverse < 0;
+      near[i] = ((backward ? high[i] : low[i]) - origin) * inverse;
+      far[i] = ((backward ? low[i] : high[i]) - origin) * inverse;
+    }
+    for (int i = 1; i < 3; ++i) {
+      if (near[0] > far[i] || near[i] > far[0]) return false;
+      if (near[i] > near[0]) near[0] = near[i];
+      if (far[i] < far[0]) far[0] = far[i];
+    }
+    return near[0] < std::numeric_limits<float>::infinity() && far[0] > 1e-4f;
+  }
+};
+
 // One frame-level object.
 struct Entry {
   const Shape* shape = nullptr;
@@ -28,6 +54,7 @@ struct Entry {
   bool copied = false;      // of a declared object, or part of such a copy
   bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
   Box3 box;                 // POV-Ray's, right or wrong, widened by rounding
+  SlabTest slab;            // for hits
 
   bool may_meet(const Ray& ray, double t_min, double t_max) const {
     double near = t_min, far = t_max;

@@ -155,7 +155,7 @@ class World::RowSearch {
   }
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
     each_lane(shape.intersect_lanes({rays_.rays, rays_.first, lanes}, inner, kind_, t_min_, limit_, others_), [&](int k) {
-      if (accepts(k, others_[k].t, index)) accept(k, others_[k], index);
+      if (accepts(k, others_[k].t, index) && w_.entries[index].slab.passes(rays_.at(k))) accept(k, others_[k], index);
     });
   }
 
@@ -205,7 +205,7 @@ class World::RowOcclusion {
       }
       unsigned lanes = 0;
       each_lane(open_, [&](int k) { lanes |= e.may_meet(rays_.at(k), above_, t_max_[k]) ? 1u << k : 0; });
-      test(*e.shape, e.opacity, nullptr, lanes);
+      test(*e.shape, e, nullptr, lanes);
     }
   }
   void test_boxes(WorldEntry& entry) {
@@ -226,7 +226,7 @@ class World::RowOcclusion {
   void test_candidate(std::uint32_t i, WorldEntry* entry, unsigned lanes) {
     const Candidate& c = w_.bounded[i];
     if ((c.hidden & kMask) || c.opacity == Opacity::transparent) return;
-    if (test(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr, lanes) && entry) entry->last_blocker = i;
+    if (test(*c.shape, w_.entries[c.entry], entry ? entry->inner_of(i) : nullptr, lanes) && entry) entry->last_blocker = i;
   }
 
  private:
@@ -247,14 +247,15 @@ class World::RowOcclusion {
     return false;
   }
   // True if any lane is blocked.
-  bool test(const Shape& shape, Opacity opacity, const EntryPoints* inner, unsigned lanes) {
+  bool test(const Shape& shape, const Entry& e, const EntryPoints* inner, unsigned lanes) {
     if (lanes == 0) return false;
     unsigned blocked = 0;
-    if (opacity == Opacity::opaque) {
+    if (e.opacity == Opacity::opaque) {
       blocked = shape.occludes_lanes({rays_.rays, rays_.first, lanes}, inner, above_, t_max_);
     } else {
       each_lane(lanes, [&](int k) { blocked |= blocks_partly(shape, k) ? 1u << k : 0; });
     }
+    each_lane(blocked, [&](int k) { blocked &= e.slab.passes(rays_.at(k)) ? ~0u : ~(1u << k); });
     open_ &= ~blocked;
     return blocked != 0;
   }

@@ -46,10 +46,10 @@ class World::Search {
       return inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, far, out) : shape.intersect(ray_, kind_, t_min_, far, out);
     };
     if (!found_) {
-      if (!intersect_shape(limit_, hit_)) return;
+      if (!intersect_shape(limit_, hit_) || !w_.entries[index].slab.passes(ray_)) return;
     } else {
       Hit other;
-      if (!intersect_shape(next_above(limit_), other)) return;
+      if (!intersect_shape(next_above(limit_), other) || !w_.entries[index].slab.passes(ray_)) return;
       if (other.t == hit_.t && !w_.precedes(index, owner_, ray_)) return;
       hit_ = other;
     }
@@ -93,13 +93,14 @@ class World::Occlusion {
         continue;
       }
       if (!e.may_meet(ray_, above_, t_max_)) continue;
-      if (blocks(*e.shape, e.opacity, nullptr)) return true;
+      if (blocks(*e.shape, e.opacity, nullptr) && e.slab.passes(ray_)) return true;
     }
     return false;
   }
   bool by_candidate(std::uint32_t i, const WorldEntry* entry) const {
     const Candidate& c = w_.bounded[i];
-    return !(c.hidden & kMask) && c.opacity != Opacity::transparent && blocks(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr);
+    return !(c.hidden & kMask) && c.opacity != Opacity::transparent && blocks(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr) &&
+           w_.entries[c.entry].slab.passes(ray_);
   }
 
  private:

@@ -1,5 +1,5 @@
 // The world: frame-level list, ties, visibility, shadows, interiors, weighted textures (spec 03 2.3, 2.6, 5.3, 5.5, 6.2, 10.6, 10.7).
-#include "tracer/accel/world.h"
+#include "tracer/accel/world_impl.h"
 
 #include "tracer/accel/shaft.h"
 #include "tracer/shapes/test_support.h"
@@ -152,6 +152,22 @@ TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
     if (objects.size() < many.size()) EXPECT_GT(complete, 100);
     else EXPECT_LT(complete, 360);  // the walk is tested, too
   }
+}
+
+// Measured with orthographic cameras: POV-Ray misses objects along the faces of their boxes that lie across x, and meets them along the others.
+TEST(World, RaysWithinAFaceOfABox) {
+  const SlabTest slab{{-1, -2, -3}, {1, 2, 3}, true};
+  for (const double side : {-1.0, 1.0}) {
+    EXPECT_FALSE(slab.passes({{side, 0.5, -9}, {0, 0, 1}}));
+    EXPECT_FALSE(slab.passes({{side * (1 + 1e-9), 0.5, -9}, {0, 0, 1}})) << "the same in single precision";
+    EXPECT_TRUE(slab.passes({{side * (1 - 1e-6), 0.5, -9}, {0, 0, 1}}));
+    EXPECT_TRUE(slab.passes({{0.5, 2 * side, -9}, {0, 0, 1}}));
+    EXPECT_TRUE(slab.passes({{-9, 0.5, 3 * side}, {1, 0, 0}}));
+    EXPECT_FALSE(slab.passes({{0.5, 2.1 * side, -9}, {0, 0, 1}}));
+  }
+  EXPECT_TRUE(slab.passes({{0, 0, 0}, {0, 1, 0}}));
+  EXPECT_FALSE(slab.passes({{0, 0, 9}, {0, 0, 1}})) << "it lies behind";
+  EXPECT_TRUE(SlabTest{}.passes({{1, 0, 9}, {0, 0, 1}})) << "no box";
 }
 
 TEST(World, ExactTies) {

@@ -207,6 +207,11 @@ TEST(HeightField, EightRaysFindWhatEachFinds) {
     const HeightGrid grid(f);
     for (int round = 0; round < 3000; ++round) {
       fill_rays(rng, round, *rays);
+      const double across = unit(rng), tilt = std::exp(-40 * unit(rng));
+      for (int k = 0; round % 10 == 3 && k < RayLanes::kCount; ++k) {  // straight down, but for the rounding of a rotation
+        rays->origin.set(k, {0.1 * k + 0.03, 2, across});
+        rays->direction.set(k, {round % 20 == 3 ? 0 : 0.5 * tilt, -1, tilt});
+      }
       const double t_min = round % 9 == 0 ? 0.8 : 1e-4;
       alignas(64) double t_max[RayLanes::kCount];
       for (double& limit : t_max) limit = round % 6 == 0 ? unit(rng) * 3 : 1e30;

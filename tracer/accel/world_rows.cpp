@@ -281,11 +281,9 @@ void World::occluded_row(const RayRow& rays, int first, int count, const bool* w
     RowOcclusion occlusion(w, {rays, start, asked}, t_min, t_max + start);
     if (entry && entry->last_blocker != WorldEntry::kNoBlocker) occlusion.test_candidate(entry->last_blocker, entry, asked);
     occlusion.test_unbounded();
-    if (occlusion.open() == 0) {
-    } else if (!all_known) {
-      occlusion.walk_tree(entry);
-    } else if (entry) {
-      occlusion.test_boxes(*entry);
+    if (occlusion.open() != 0) {
+      if (!all_known) occlusion.walk_tree(entry);
+      else if (entry) occlusion.test_boxes(*entry);
     }
     each_lane(asked & ~occlusion.open(), [&](int k) { blocked[start + k] = true; });
   }

@@ -120,7 +120,9 @@ struct Quantiser::State {
       : framebuffer(from), options(settings), depth(depth_of(settings)), max_value((1 << depth.bits) - 1), alpha(has_alpha_channel(settings)),
         color_channels(settings.greyscale ? 1 : 3), curve(curve_of(settings)), dither(settings.format == Format::jpeg ? Dither::none : settings.dither),
         diffusion(dither, from.width, color_channels + alpha) {
-    if (dither == Dither::none && depth.bits <= 8) color_codes.emplace(curve, max_value), alpha_codes.emplace(linear, max_value);
+    if (dither != Dither::none || depth.bits > 8) return;
+    color_codes.emplace(curve, max_value);
+    if (alpha) alpha_codes.emplace(linear, max_value);
   }
 
   void colors_alone(const Color* pixels, std::uint16_t* out) const {

@@ -210,15 +210,9 @@ Rgb Wave::shown(const Leaf& leaf, int& lane) {
   return color;
 }
 
-// Lights the surfaces that were added, and writes their colours.
-void Wave::show(Color* out) {
-  for (float* sum : {lanes_.direct.r, lanes_.direct.g, lanes_.direct.b}) std::fill_n(sum, count_, 0.0f);
-  if (count_ > 0)
-    for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i]);
-  kernels_.add_own(count_, lanes_);
-  if (leaves_.empty())
-    for (int k = 0; k < count_; ++k) out[pixel_[k]] = Rgb() + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]);
-  else for (int k = 0; k < count_;) {
+// The colours of pixels from their layers and textures.
+void Wave::sum_layers(Color* out) {
+  for (int k = 0; k < count_;) {
     const Met& met = met_[pixel_[k]];
     Color& result = out[pixel_[k]];
     Rgb sum;
@@ -233,6 +227,19 @@ void Wave::show(Color* out) {
       else sum = color;
     }
     result = sum;
+  }
+}
+
+// Lights the surfaces that were added, and writes their colours.
+void Wave::show(Color* out) {
+  for (float* sum : {lanes_.direct.r, lanes_.direct.g, lanes_.direct.b}) std::fill_n(sum, count_, 0.0f);
+  if (count_ > 0)
+    for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i]);
+  kernels_.add_own(count_, lanes_);
+  if (leaves_.empty()) {  // plain surfaces alone
+    for (int k = 0; k < count_; ++k) out[pixel_[k]] = Rgb() + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]);
+  } else {
+    sum_layers(out);
   }
   count_ = 0;
   shine_ = 0;

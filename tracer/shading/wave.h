@@ -104,6 +104,7 @@ class Wave {
   bool add_surface(int i);
   void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity);
   void show(Color* out);
+  void sum_layers(Color* out);
   Rgb shown(const Leaf& leaf, int& lane);
   void light(const Light& light);
   void aim(const Light& light);

@@ -4,6 +4,8 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -134,6 +136,8 @@ class Isosurface final : public Primitive<Isosurface> {
     unsigned found = 0;
     unsigned alone = 0;  // lanes that are not to be searched with others
 
+    // A lane is to be searched with others no more: forget what it met.
+    void leave(int k) { found &= ~(1u << k), alone |= 1u << k; }
     bool add(int k, double t, int at_face) {
       const bool again = found >> k & 1;
       if (!(t >= t_min) || !(again ? t <= t_max[k] : t < t_max[k])) return false;
@@ -164,6 +168,20 @@ class Isosurface final : public Primitive<Isosurface> {
   int max_trace_;
   static constexpr int kFewest = 3;  // rays that are searched in step
   const functions::Program* in_rows_ = nullptr;  // null: rays are searched one by one
+  // Made for those that have many rays to search.
+  const CurvatureMap* map() const {
+    constexpr int kRowsWithout = 200;
+    const CurvatureMap* const made = map_.load(std::memory_order_acquire);
+    if (made) return made->useful() ? made : nullptr;
+    if (rows_.fetch_add(1, std::memory_order_relaxed) == kRowsWithout) {
+      own_map_ = std::make_unique<CurvatureMap>(*in_rows_, container_box(surface_.container));
+      map_.store(own_map_.get(), std::memory_order_release);
+    }
+    return nullptr;
+  }
+  mutable std::atomic<int> rows_{0};
+  mutable std::unique_ptr<const CurvatureMap> own_map_;
+  mutable std::atomic<const CurvatureMap*> map_{nullptr};
   // `evaluate`: the largest slope any ray needed so far (spec 04 6.4).
   mutable std::atomic<double> adapted_gradient_{surface_.max_gradient};
   // What the rays found, for the author of the scene (spec 04 6.7).
@@ -242,11 +260,18 @@ class Isosurface::RowTrace {
  public:
   RowTrace(const Isosurface& shape, const RayLanes& rays, RowHits& hits) : shape_(shape), s_(shape.surface_), rays_(rays), hits_(hits), field_(*shape.in_rows_) {
     lanes_.accuracy = s_.accuracy, lanes_.threshold = s_.threshold;
+    lanes_.map = shape.map();
   }
 
   void run() {
     unsigned active = pass_wall(enter());
-    while (active != 0) active = go_on(find_crossings(field_, lanes_, to_search(active)));
+    while (active != 0) {
+      const unsigned found = find_crossings(field_, lanes_, to_search(active));
+      each_lane(active, [&](int k) {
+        if (lanes_.lost[k] != 0) hits_.leave(k);
+      });
+      active = go_on(found);
+    }
     double steepest = 0;
     each_lane(entered_, [&](int k) {
       if (lanes_.steepest[k] > steepest * speed_[k]) steepest = lanes_.steepest[k] / speed_[k];
@@ -269,7 +294,7 @@ class Isosurface::RowTrace {
 
   // The rays that meet the container, with the values where they enter and leave it.
   unsigned enter() {
-    const double a = s_.accuracy;
+    const double a = s_.accuracy, steepest = shape_.steepest_.load(std::memory_order_relaxed);
     each_lane(rays_.asked, [&](int k) {
       Ray ray = rays_.at(k);
       if (shape_.has_matrix()) ray = {shape_.matrix().inverse_point(ray.origin), shape_.matrix().inverse_direction(ray.direction)};
@@ -286,11 +311,27 @@ class Isosurface::RowTrace {
       lanes_.slope[k] = shape_.max_gradient_ * speed_[k];
       lanes_.sign[k] = 1;
       remaining_[k] = shape_.max_trace_;
+      // A little less than what is known to all, so that rounding does not make it more.
+      lanes_.steepest[k] = steepest * speed_[k] * (1 - 0x1p-51);
+      place_in_map(k);
     });
     if (entered_ == 0) return 0;
     field(entered_, begin_, at_begin_);
     field(entered_, end_, at_end_);
     return entered_;
+  }
+
+  void place_in_map(int k) {
+    if (!lanes_.map) return;
+    const CurvatureMap& map = *lanes_.map;
+    lanes_.speed2[k] = speed_[k] * speed_[k] * (1 + 1e-12);
+    lanes_.reach[k] = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double origin = lanes_.origin[axis][k], step = lanes_.direction[axis][k];
+      lanes_.cell_origin[axis][k] = (origin - map.low()[axis]) / map.edge(), lanes_.cell_step[axis][k] = step / map.edge();
+      lanes_.reach[k] = std::max(lanes_.reach[k], std::fabs(lanes_.cell_step[axis][k]));
+      if (!(std::fabs(origin) + end_[k] * std::fabs(step) <= map.farthest())) lanes_.reach[k] = std::numeric_limits<double>::infinity();
+    }
   }
 
   // Rays that begin at the surface begin behind it; hits on the container. The rays that are to be searched.

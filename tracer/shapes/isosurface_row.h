@@ -1,11 +1,12 @@
-// The search for crossings of an isosurface along eight rays in step: every ray visits the nodes that it visits alone (isosurface.cpp), in the same order, so
-// it finds the same.
+// The search for crossings of an isosurface along eight rays in step: every ray visits the nodes that it visits alone (isosurface.cpp), in the same order, but
+// for those of which it is known beforehand what comes of them. So it finds the same, and the steepest slope of all rays is the same.
 #pragma once
 
 #include <cstdint>
 
 #include "tracer/functions/program.h"
 #include "tracer/math/ray_row.h"
+#include "tracer/shapes/curvature_map.h"
 
 namespace verisim::shapes {
 
@@ -17,11 +18,18 @@ struct alignas(64) SearchLanes {
   double origin[3][kCount] = {}, direction[3][kCount] = {};  // in object space
   double begin[kCount] = {}, width[kCount] = {}, value0[kCount] = {}, value1[kCount] = {}, slope[kCount] = {}, sign[kCount] = {};
   double root_width[kCount] = {};
-  double steepest[kCount] = {};  // change of the function over a node, for its width
+  double steepest[kCount] = {};  // change of the function over a node, for its width: the largest that any ray is known to have met
   std::int64_t place[kCount] = {}, unit[kCount] = {};  // where the node begins and how long it is, in 2^-50 of the root
   std::int64_t depth[kCount] = {}, active[kCount] = {}, found[kCount] = {};  // the last two: 0 or -1
-  double accuracy = 0, threshold = 0;
+  // The ray in cells of the map, the most cells along an axis for a distance, and its speed squared.
+  double cell_origin[3][kCount] = {}, cell_step[3][kCount] = {}, reach[kCount] = {}, speed2[kCount] = {};
+  // Lanes that look for the only crossing in their node, closer and closer: limits of it and of the slope, the next place to look at and the last one.
+  std::int64_t homing[kCount] = {}, tries[kCount] = {}, lost[kCount] = {};  // lost: did not get close enough; is to be searched alone
+  double low[kCount] = {}, high[kCount] = {}, least[kCount] = {}, most[kCount] = {}, bend[kCount] = {}, grain[kCount] = {};
+  double probe[kCount] = {}, last[kCount] = {}, last_value[kCount] = {};
   double begins[kMostHalvings + 1][kCount], ends[kMostHalvings + 1][kCount];  // of the nodes above: where they begin, and the value where they end
+  double accuracy = 0, threshold = 0;
+  const CurvatureMap* map = nullptr;  // what is known of the function's second derivatives; null: nothing
 };
 
 struct IsosurfaceKernels {
@@ -55,7 +63,7 @@ class FieldLanes {
   alignas(64) double registers_[kMostRegisters * SearchLanes::kCount];
 };
 
-// The lanes of `asked` that find the surface; where is begin + width.
+// The lanes of `asked` that find the surface; where is begin + width. Those that are lost found nothing, which means nothing.
 unsigned find_crossings(FieldLanes& field, SearchLanes& lanes, unsigned asked);
 
 }  // namespace verisim::shapes

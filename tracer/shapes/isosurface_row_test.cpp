@@ -82,6 +82,60 @@ unsigned search(const IsosurfaceKernels& kernels, SearchLanes& lanes) {
   return found;
 }
 
+// Searches with a map of curvature end where those without it do, with the same steepest slope, after fewer steps.
+TEST(IsosurfaceRow, AMapChangesOnlyTheSteps) {
+  const FunctionPtr function = wavy_ball(0.25);
+  const auto& program = *FieldLanes::suitable(function.get());
+  const CurvatureMap map(program, {Vec3(-1.3), Vec3(1.3)});
+  ASSERT_TRUE(map.useful());
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int hits = 0, steps[2] = {}, lost = 0;
+  for (int n = 0; n < 3000; ++n) {
+    FieldLanes field(program);
+    SearchLanes lanes;
+    lanes.accuracy = n % 3 == 0 ? 0.05 : 0.001, lanes.threshold = n % 2 ? 0.05 : 0;
+    for (int k = 0; k < SearchLanes::kCount; ++k) {
+      const Vec3 from = Vec3(unit(random), unit(random), unit(random)) * 1.3, to = Vec3(unit(random), unit(random), unit(random)) * 1.3;
+      const double speed = length(to - from);
+      for (int i = 0; i < 3; ++i) {
+        lanes.origin[i][k] = from[i], lanes.direction[i][k] = to[i] - from[i];
+        lanes.cell_origin[i][k] = (from[i] - map.low()[i]) / map.edge(), lanes.cell_step[i][k] = (to[i] - from[i]) / map.edge();
+        lanes.reach[k] = std::max(lanes.reach[k], std::fabs(lanes.cell_step[i][k]));
+      }
+      lanes.speed2[k] = speed * speed * (1 + 1e-12);
+      lanes.width[k] = 1;
+      lanes.value0[k] = (*function)(from.x, from.y, from.z) - lanes.threshold, lanes.value1[k] = (*function)(to.x, to.y, to.z) - lanes.threshold;
+      lanes.slope[k] = (n % 5 == 0 ? 2.0 : 5.0) * speed;  // too small, or large enough
+      lanes.steepest[k] = (n % 4) * 1.5 * speed, lanes.sign[k] = lanes.value0[k] < 0 ? -1 : 1;
+      lanes.value0[k] *= lanes.sign[k], lanes.value1[k] *= lanes.sign[k];
+    }
+    SearchLanes with = lanes;
+    with.map = &map;
+    const auto search_in = [&](SearchLanes& s, int& count) {
+      const IsosurfaceKernels& kernels = isosurface_kernels();
+      for (unsigned active = kernels.start(s, 255); active != 0; active = kernels.advance(s, field.evaluate(active))) kernels.middles(s, field.points()), count += std::popcount(active);
+    };
+    search_in(lanes, steps[0]);
+    search_in(with, steps[1]);
+    for (int k = 0; k < SearchLanes::kCount; ++k) {
+      if (with.lost[k] != 0) {
+        ++lost;
+        continue;
+      }
+      ASSERT_EQ(with.found[k], lanes.found[k]);
+      ASSERT_EQ(with.steepest[k], lanes.steepest[k]);
+      if (lanes.found[k] == 0) continue;
+      ++hits;
+      ASSERT_EQ(with.begin[k], lanes.begin[k]);
+      ASSERT_EQ(with.width[k], lanes.width[k]);
+    }
+  }
+  EXPECT_GT(hits, 5000);
+  EXPECT_LT(lost, 3);
+  EXPECT_LT(4 * steps[1], 3 * steps[0]);
+}
+
 TEST(IsosurfaceRow, InstructionSetsGiveTheSameBits) {
   std::mt19937 random(7);
   int hits = 0;

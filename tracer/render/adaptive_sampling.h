@@ -28,22 +28,18 @@ class AdaptiveSampling {
 
   void render(const Block& block, Framebuffer& out) {
     trace_centres(block);
-    pending_.clear();
+    chosen_.clear();
     for (int y = block.y; y < block.y + block.height; ++y)
       for (int x = block.x; x < block.x + block.width; ++x)
         if (uneven(x, y)) choose(x, y);
-    for (std::size_t i = 0; i < pending_.size(); ++i) {  // grows while it is worked on
-      const auto [x, y] = pending_[i];
-      refine(x, y);
-      static constexpr int kSides[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
-      for (std::size_t side = 0; side < 4; ++side) {
-        const int nx = x + kSides[side][0], ny = y + kSides[side][1];
-        if (nx < block.x || ny < block.y || nx >= block.x + block.width || ny >= block.y + block.height) continue;
-        if (goes_on(margins_[side], cell(x, y).encoded, cell(nx, ny).encoded)) choose(nx, ny);
-      }
+    for (std::size_t first = 0; first < chosen_.size();) {  // grows while it is worked on
+      const std::size_t count = std::min(chosen_.size() - first, kTogether);
+      refine(first, count);
+      for (std::size_t i = 0; i < count; ++i) follow(block, pixels_[i]);
+      first += count;
     }
     for (int y = block.y; y < block.y + block.height; ++y)
-      for (int x = block.x; x < block.x + block.width; ++x) out.at(x, y) = cell(x, y).color;
+      for (int x = block.x; x < block.x + block.width; ++x) out.at(x, y) = cell(x, y).mean;
   }
 
  private:
@@ -54,11 +50,12 @@ class AdaptiveSampling {
   static constexpr float kUnseen = 0.5f;      // of the variance that n equal samples may hide
   static constexpr float kSurprise = 8;       // tolerances beyond what two centres show
   static constexpr int kFirst = 4;            // samples before the first look
+  static constexpr std::size_t kTogether = 64;  // pixels that take their samples in step
 
   using Channels = std::array<float, 4>;  // r, g, b, transmit
   struct Cell {
-    Color color;       // of the centre, then of the pixel
-    Channels encoded;  // of the centre
+    Color color, mean;  // of the centre, of the pixel
+    Channels encoded;   // of the centre
     bool traced = false, chosen = false;
   };
   struct Range {
@@ -66,6 +63,17 @@ class AdaptiveSampling {
     void add(const Channels& v) {
       for (std::size_t k = 0; k < v.size(); ++k) low[k] = std::min(low[k], v[k]), high[k] = std::max(high[k], v[k]);
     }
+  };
+  // A pixel that takes samples.
+  struct Pixel {
+    int x, y;
+    LowDiscrepancy points;
+    Range around;                  // what the centres here and next to it show
+    std::array<Range, 4> margins;  // left, right, top, bottom: what lies along the sides
+    Channels sum{}, squares{}, half{};  // `half`: of the first half_n samples
+    Color total{};
+    int n = 0, half_n = 0;
+    bool settled = false;
   };
   Cell& cell(int x, int y) { return cells_[static_cast<std::size_t>(y - origin_y_) * stride_ + (x - origin_x_)]; }
 
@@ -81,10 +89,13 @@ class AdaptiveSampling {
   void trace_centres(const Block& block) {
     stride_ = block.width + 2, origin_x_ = block.x - 1, origin_y_ = block.y - 1;
     cells_.assign(static_cast<std::size_t>(stride_) * (block.height + 2), {});
+    const int left = std::max(origin_x_, 0), right = std::min(block.x + block.width + 1, width_);
+    colors_.resize(static_cast<std::size_t>(right - left));
     for (int y = std::max(origin_y_, 0); y < std::min(block.y + block.height + 1, height_); ++y) {
-      for (int x = std::max(origin_x_, 0); x < std::min(block.x + block.width + 1, width_); ++x) {
+      sample_row(sample_, left, y, right - left, colors_.data());
+      for (int x = left; x < right; ++x) {
         Cell& c = cell(x, y);
-        c.color = sample_(static_cast<double>(x), static_cast<double>(y));
+        c.color = c.mean = colors_[static_cast<std::size_t>(x - left)];
         c.encoded = encode(c.color);
         c.traced = true;
       }
@@ -95,7 +106,7 @@ class AdaptiveSampling {
     Cell& c = cell(x, y);
     if (c.chosen) return;
     c.chosen = true;
-    pending_.push_back({x, y});
+    chosen_.push_back({x, y});
   }
 
   // Does the pixel lie off the line between neighbours on opposite sides? On a ramp its centre is enough.
@@ -119,44 +130,84 @@ class AdaptiveSampling {
     return false;
   }
 
-  // Samples until the error is small enough; leaves the range of what lies along the pixel's four sides in margins_.
-  void refine(int x, int y) {
-    Cell& here = cell(x, y);
-    Range linear{channels(here.color), channels(here.color)};
-    for (int ny = y - 1; ny <= y + 1; ++ny) {
-      for (int nx = x - 1; nx <= x + 1; ++nx) {
-        if (const Cell& c = cell(nx, ny); c.traced) linear.add(channels(c.color));
-      }
+  // Neighbours that the margin of a pixel shows something of.
+  void follow(const Block& block, const Pixel& pixel) {
+    static constexpr int kSides[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+    for (std::size_t side = 0; side < 4; ++side) {
+      const int x = pixel.x + kSides[side][0], y = pixel.y + kSides[side][1];
+      if (x < block.x || y < block.y || x >= block.x + block.width || y >= block.y + block.height) continue;
+      if (goes_on(pixel.margins[side], cell(pixel.x, pixel.y).encoded, cell(x, y).encoded)) choose(x, y);
     }
-    margins_.fill({here.encoded, here.encoded});
-    const LowDiscrepancy points(x, y, settings_.seed);
-    Channels sum{}, squares{}, half{};
-    Color total;
-    int n = 0;
-    for (int goal = std::min(kFirst, settings_.maximum), half_n = 0;; goal = std::min(2 * n, settings_.maximum)) {
-      half = sum, half_n = n;
-      for (; n < goal; ++n) {
-        const Vec2 p = points(static_cast<std::uint32_t>(n));
-        const Color c = sample_(x + p.x - 0.5, y + p.y - 0.5);
-        total += c;
-        const Channels v = channels(c);
-        for (std::size_t k = 0; k < v.size(); ++k) sum[k] += v[k], squares[k] += v[k] * v[k];
-        if (!(p.x > 0.25 && p.x < 0.75 && p.y > 0.25 && p.y < 0.75)) {
-          const Channels e = encode(c);
-          if (p.x <= 0.25) margins_[0].add(e);
-          if (p.x >= 0.75) margins_[1].add(e);
-          if (p.y <= 0.25) margins_[2].add(e);
-          if (p.y >= 0.75) margins_[3].add(e);
+  }
+
+  // Samples of some chosen pixels until the error of each is small enough.
+  void refine(std::size_t first, std::size_t count) {
+    pixels_.clear();
+    for (std::size_t i = first; i < first + count; ++i) pixels_.push_back(begin(chosen_[i][0], chosen_[i][1]));
+    for (bool all_settled = false; !all_settled;) {
+      places_.clear();
+      for (Pixel& pixel : pixels_) {
+        for (int n = pixel.n; !pixel.settled && n < goal(pixel); ++n) {
+          const Vec2 p = pixel.points(static_cast<std::uint32_t>(n));
+          places_.emplace_back(pixel.x + p.x - 0.5, pixel.y + p.y - 0.5);
         }
       }
-      if (n >= settings_.maximum || error(sum, squares, half, n, half_n, linear) <= settings_.tolerance) break;
+      sample_points(sample_, places_, colors_);
+      all_settled = true;
+      for (std::size_t next = 0; Pixel& pixel : pixels_) {
+        if (pixel.settled) continue;
+        const int count_now = goal(pixel) - pixel.n;
+        add(pixel, colors_.data() + next, places_.data() + next, count_now);
+        next += static_cast<std::size_t>(count_now);
+        all_settled = all_settled && pixel.settled;
+      }
     }
-    here.color = (total + here.color) * (1.0f / static_cast<float>(n + 1));
+    for (const Pixel& pixel : pixels_) {
+      Cell& here = cell(pixel.x, pixel.y);
+      here.mean = (pixel.total + here.color) * (1.0f / static_cast<float>(pixel.n + 1));
+    }
+  }
+
+  Pixel begin(int x, int y) {
+    const Cell& here = cell(x, y);
+    Range around{channels(here.color), channels(here.color)};
+    for (int ny = y - 1; ny <= y + 1; ++ny) {
+      for (int nx = x - 1; nx <= x + 1; ++nx) {
+        if (const Cell& c = cell(nx, ny); c.traced) around.add(channels(c.color));
+      }
+    }
+    const Range none{here.encoded, here.encoded};
+    return {x, y, LowDiscrepancy(x, y, settings_.seed), around, {none, none, none, none}};
+  }
+
+  // How many samples there are to be before the next look.
+  int goal(const Pixel& pixel) const { return std::min(pixel.n == 0 ? kFirst : 2 * pixel.n, settings_.maximum); }
+
+  void add(Pixel& pixel, const Color* colors, const Vec2* places, int count) {
+    pixel.half = pixel.sum, pixel.half_n = pixel.n;
+    for (int i = 0; i < count; ++i) {
+      const Color& c = colors[i];
+      pixel.total += c;
+      const Channels v = channels(c);
+      for (std::size_t k = 0; k < v.size(); ++k) pixel.sum[k] += v[k], pixel.squares[k] += v[k] * v[k];
+      const double x = places[i].x - pixel.x, y = places[i].y - pixel.y;
+      if (std::fabs(x) < 0.25 && std::fabs(y) < 0.25) continue;
+      const Channels e = encode(c);
+      if (x <= -0.25) pixel.margins[0].add(e);
+      if (x >= 0.25) pixel.margins[1].add(e);
+      if (y <= -0.25) pixel.margins[2].add(e);
+      if (y >= 0.25) pixel.margins[3].add(e);
+    }
+    pixel.n += count;
+    pixel.settled = pixel.n >= settings_.maximum || error(pixel) <= settings_.tolerance;
   }
 
   // Estimated error of the mean of n samples, encoded. The variance is never taken for less than what Laplace's rule of succession leaves for a part of the
   // pixel that no sample met, when it holds what the neighbours hold: four equal samples prove little beside an edge.
-  float error(const Channels& sum, const Channels& squares, const Channels& half, int n, int half_n, const Range& around) const {
+  float error(const Pixel& pixel) const {
+    const Channels &sum = pixel.sum, &squares = pixel.squares, &half = pixel.half;
+    const Range& around = pixel.around;
+    const int n = pixel.n, half_n = pixel.half_n;
     const float count = static_cast<float>(n), shrink = kStratified * std::pow(count, -0.75f);
     const float unseen = kUnseen * (count + 1) / ((count + 2) * (count + 2));
     float worst = 0;
@@ -178,8 +229,10 @@ class AdaptiveSampling {
   Sampler& sample_;
   int stride_ = 0, origin_x_ = 0, origin_y_ = 0;
   std::vector<Cell> cells_;
-  std::vector<std::array<int, 2>> pending_;
-  std::array<Range, 4> margins_;  // left, right, top, bottom of the pixel refined last
+  std::vector<std::array<int, 2>> chosen_;
+  std::vector<Pixel> pixels_;
+  std::vector<Vec2> places_;
+  std::vector<Color> colors_;
 };
 
 }  // namespace verisim::render

@@ -84,6 +84,8 @@ FocalBlur::FocalBlur(const scene::Camera& camera, const Weight& bokeh)
     }
   }
   make_groups(camera, sizes);
+  for (const Vec2& p : positions_) lens_extent_ = Vec2(std::fmax(lens_extent_.x, std::fabs(p.x)), std::fmax(lens_extent_.y, std::fabs(p.y)));
+  lens_extent_ = (lens_extent_ + Vec2(lens_jitter_, lens_jitter_)) * std::fabs(aperture_ / 2);
 }
 
 void FocalBlur::place_without_bokeh(int count) {
@@ -150,6 +152,56 @@ std::optional<PrimaryRay> FocalBlur::ray(const CameraRays& camera, double x, dou
   const Vec3 q = lens.x * lens_x_ - lens.y * lens_y_;
   primary->ray = {location_ + q, normalize(primary->ray.direction * focal_scale_ - q)};
   return primary;
+}
+
+void FocalBlur::Average::add(const std::optional<Color>& seen) {
+  const Color c = seen.value_or(Color());
+  const float t = seen ? c.t : 1.0f;  // a missing ray is opaque in the sum, clear in the test
+  if (!seen) no_ray_transmit_ += 1.0f;
+  sum_ += c;
+  squares_[0] += c.r * c.r, squares_[1] += c.g * c.g, squares_[2] += c.b * c.b, squares_[3] += t * t;
+  if (++n_ == wanted()) test();
+}
+
+void FocalBlur::Average::test() {
+  const Group& group = blur_->groups_[group_++];
+  complete_ = group_ == blur_->groups_.size();
+  if (complete_ || n_ < blur_->minimum_ || !(group.threshold > 0)) return;
+  const float sums[4] = {sum_.r, sum_.g, sum_.b, sum_.t + no_ray_transmit_};
+  complete_ = true;
+  for (int c = 0; c < 4; ++c) {
+    const double mean = static_cast<double>(sums[c]) / n_;
+    complete_ = complete_ && static_cast<float>((static_cast<double>(squares_[c]) / n_ - mean * mean) / n_) < group.threshold;
+  }
+}
+
+Color FocalBlur::Average::mean() const {
+  const auto count = static_cast<float>(n_);
+  return {sum_.r / count, sum_.g / count, sum_.b / count, sum_.f / count, sum_.t / count};
+}
+
+// A ray is at location + q + s (d - q) for s >= 0, where q lies on the lens and d leads to the point that is in focus. It is followed to the s at which all
+// rays are behind the world: a longer shaft would be wider than need be, because lens rays diverge on both sides of the focus.
+std::optional<accel::Shaft> FocalBlur::shaft(const CameraRays& camera, const Box3& world, double left, double top, double right, double bottom) const {
+  constexpr double kJitter = 0.54, kRounding = 1e-6;  // the pixel's area is jittered by less, see `ray`
+  const Vec3 ahead = cross(lens_x_, lens_y_);
+  Box3 focused;
+  double depth = std::numeric_limits<double>::infinity(), furthest = 0;
+  for (const Vec2& at : {Vec2(left - kJitter, top - kJitter), Vec2(right + kJitter, top - kJitter), Vec2(left - kJitter, bottom + kJitter), Vec2(right + kJitter, bottom + kJitter)}) {
+    const Vec3 d = camera.at(at.x, at.y)->ray.direction * focal_scale_;
+    focused.extendBy(d);
+    depth = std::fmin(depth, dot(d, ahead));
+  }
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p(corner & 1 ? world.max.x : world.min.x, corner & 2 ? world.max.y : world.min.y, corner & 4 ? world.max.z : world.min.z);
+    furthest = std::fmax(furthest, dot(p - location_, ahead));
+  }
+  if (!(depth > 0)) return std::nullopt;
+  const double s = furthest / depth * (1 + kRounding);
+  Vec3 lens;
+  for (int i = 0; i < 3; ++i) lens[i] = (lens_extent_.x * std::fabs(lens_x_[i]) + lens_extent_.y * std::fabs(lens_y_[i])) * (1 + kRounding);
+  const Vec3 spread = lens * std::fabs(1 - s);
+  return accel::Shaft::between({location_ - lens, location_ + lens}, {location_ + s * focused.min - spread, location_ + s * focused.max + spread});
 }
 
 }  // namespace verisim::render

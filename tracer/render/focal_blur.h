@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "tracer/accel/shaft.h"
 #include "tracer/render/camera_rays.h"
 
 namespace verisim::render {
@@ -17,35 +18,31 @@ class FocalBlur {
   // The n-th lens ray of the pixel sample at (x, y); its direction is unit. Empty where the camera has no ray.
   std::optional<PrimaryRay> ray(const CameraRays& camera, double x, double y, int n) const;
 
-  // Averages `trace(ray)` over lens rays until the statistical test is satisfied. `trace` gets an empty ray where there is none.
-  template <class Trace>
-  Color sample(const CameraRays& camera, double x, double y, Trace&& trace) const {
-    Color sum;
-    float squares[4] = {};
-    float no_ray_transmit = 0;
-    int n = 0;
-    for (const Group& group : groups_) {
-      for (; n < group.end; ++n) {
-        const std::optional<PrimaryRay> primary = ray(camera, x, y, n);
-        const Color c = primary ? trace(*primary, n) : Color();
-        const float t = primary ? c.t : 1.0f;  // a missing ray is opaque in the sum, clear in the test
-        if (!primary) no_ray_transmit += 1.0f;
-        sum += c;
-        squares[0] += c.r * c.r, squares[1] += c.g * c.g, squares[2] += c.b * c.b, squares[3] += t * t;
-      }
-      if (n >= minimum_ && group.threshold > 0) {
-        const float sums[4] = {sum.r, sum.g, sum.b, sum.t + no_ray_transmit};
-        bool settled = true;
-        for (int c = 0; c < 4; ++c) {
-          const double mean = static_cast<double>(sums[c]) / n;
-          settled = settled && static_cast<float>((static_cast<double>(squares[c]) / n - mean * mean) / n) < group.threshold;
-        }
-        if (settled) break;
-      }
-    }
-    const auto count = static_cast<float>(n);
-    return {sum.r / count, sum.g / count, sum.b / count, sum.f / count, sum.t / count};
-  }
+  // What is known of a pixel sample: its lens rays are added in order, group by group, until the statistical test is satisfied.
+  class Average {
+   public:
+    explicit Average(const FocalBlur& blur) : blur_(&blur) {}
+    bool complete() const { return complete_; }
+    int known() const { return n_; }
+    // How many rays there are to be before the next test.
+    int wanted() const { return blur_->groups_[group_].end; }
+    // Empty: the camera has no such ray.
+    void add(const std::optional<Color>& seen);
+    Color mean() const;
+
+   private:
+    void test();
+
+    const FocalBlur* blur_;
+    Color sum_;
+    float squares_[4] = {};
+    float no_ray_transmit_ = 0;
+    int n_ = 0;
+    std::size_t group_ = 0;
+    bool complete_ = false;
+  };
+  // Where the lens rays of all pixel samples in a rectangle are, for a camera whose rays are linear in the position, through a world with these bounds.
+  std::optional<accel::Shaft> shaft(const CameraRays& camera, const Box3& world, double left, double top, double right, double bottom) const;
 
   const std::vector<Vec2>& positions() const { return positions_; }
   double lens_jitter() const { return lens_jitter_; }
@@ -65,6 +62,7 @@ class FocalBlur {
   int minimum_;
   double aperture_, focal_scale_;  // focal distance over the length of the direction
   Vec3 location_, lens_x_, lens_y_;
+  Vec2 lens_extent_;  // no ray starts further from the centre, along either axis
 };
 
 }  // namespace verisim::render

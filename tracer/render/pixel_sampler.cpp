@@ -23,25 +23,27 @@ CameraModel::CameraModel(const scene::Camera& description, int width, int height
     origin_varies = true;
   }
   if (description.normal) normal = compiler.normal(description.normal);
-  if (!mesh && !blur) find_coherence(width, height);
+  if (!mesh) find_coherence(width, height);
 }
 
 // From the rays of three pixels in the middle.
 void CameraModel::find_coherence(int width, int height) {
   using Kind = accel::CameraCoherence::Kind;
+  if (blur && camera.kind != scene::CameraKind::perspective) return;
   const double x = width / 2, y = height / 2;
   const auto here = rays.at(x, y), right = rays.at(x + 1, y), below = rays.at(x, y + 1);
   if (!here || !right || !below) return;
   const auto apart = [&](const PrimaryRay& other) {
-    return origin_varies ? length(other.ray.origin - here->ray.origin) : length(normalize(other.ray.direction) - normalize(here->ray.direction));
+    return rays.origin_varies() ? length(other.ray.origin - here->ray.origin) : length(normalize(other.ray.direction) - normalize(here->ray.direction));
   };
-  if (origin_varies && camera.kind != scene::CameraKind::orthographic) return;
+  if (rays.origin_varies() && camera.kind != scene::CameraKind::orthographic) return;
   linear = !normal && (camera.kind == scene::CameraKind::perspective || camera.kind == scene::CameraKind::orthographic);
-  coherence = {origin_varies ? Kind::parallel : Kind::common_origin, std::max(apart(*right), apart(*below))};
+  coherence = {rays.origin_varies() ? Kind::parallel : Kind::common_origin, std::max(apart(*right), apart(*below))};
 }
 
 // Rays of linear cameras are spanned by those of the corners.
 std::optional<accel::Shaft> CameraModel::shaft(const Box3& world, double left, double top, double right, double bottom) const {
+  if (blur) return blur->shaft(rays, world, left, top, right, bottom);
   Box3 from, to;
   for (const Vec2& at : {Vec2(left, top), Vec2(right, top), Vec2(left, bottom), Vec2(right, bottom)}) {
     const Ray ray = rays.at(at.x, at.y)->ray;
@@ -56,12 +58,7 @@ std::optional<accel::Shaft> CameraModel::shaft(const Box3& world, double left, d
 Color PixelSampler::operator()(double x, double y) {
   ++tracer_.statistics().samples;
   if (camera_.mesh) return mesh_sample(x, y);
-  if (camera_.blur) {
-    return camera_.blur->sample(camera_.rays, x, y, [&](const PrimaryRay& primary, int n) {
-      tracer_.random().begin_sample(x, y, static_cast<std::uint32_t>(n));
-      return trace(primary.ray, primary.image);
-    });
-  }
+  if (camera_.blur) return lens_sample({x, y});
   tracer_.random().begin_sample(x, y, 0);
   const std::optional<PrimaryRay> primary = camera_.rays.at(x, y);
   if (!primary) return {0, 0, 0, 0, 1};
@@ -82,7 +79,12 @@ void PixelSampler::row(double x, double y, int count, Color* colors) {
     for (int i = 0; i < count; ++i) colors[i] = (*this)(x + i, y);
     return;
   }
-  for (int done = 0; done < count; done += shading::Wave::kMost) row_wave(x + done, y, std::min(count - done, shading::Wave::kMost), colors + done);
+  for (int done = 0; done < count; done += shading::Wave::kMost) {
+    const int n = std::min(count - done, shading::Wave::kMost);
+    for (int i = 0; i < n; ++i) wave_.places()[i] = Vec2(x + done + i, y);
+    if (camera_.blur) lens_points(n, colors + done);
+    else row_wave(n, colors + done);
+  }
 }
 
 void PixelSampler::points(const Vec2* places, int count, Color* colors) {
@@ -93,7 +95,8 @@ void PixelSampler::points(const Vec2* places, int count, Color* colors) {
   for (int done = 0; done < count; done += shading::Wave::kMost) {
     const int n = std::min(count - done, shading::Wave::kMost);
     std::copy_n(places + done, n, wave_.places());
-    point_wave(n, colors + done);
+    if (camera_.blur) lens_points(n, colors + done);
+    else point_wave(n, colors + done);
   }
 }
 
@@ -105,12 +108,15 @@ bool PixelSampler::aim(int count) {
     const Ray ray = camera_.rays.at(places[i].x, places[i].y)->ray;
     rays.origin.set(i, ray.origin);
     rays.direction.set(i, ray.direction * (1 / length(ray.direction)));
-    if (!camera_.origin_varies) continue;
-    const auto around = tracer_.interiors(tracer_.camera_state(rays.at(i), true).interiors);
-    if (i == 0) around_.assign(around.begin(), around.end());
-    else if (!std::ranges::equal(around, around_)) return false;
+    if (camera_.origin_varies && !starts_like_the_first(i)) return false;
   }
   return true;
+}
+
+bool PixelSampler::starts_like_the_first(int i) {
+  const auto around = tracer_.interiors(tracer_.camera_state(wave_.lanes().rays.at(i), true).interiors);
+  if (i == 0) around_.assign(around.begin(), around.end());
+  return std::ranges::equal(around, around_);
 }
 
 void PixelSampler::one_by_one(int count, Color* colors) {
@@ -119,8 +125,8 @@ void PixelSampler::one_by_one(int count, Color* colors) {
   for (int i = 0; i < count; ++i) colors[i] = (*this)(places[i].x, places[i].y);
 }
 
-void PixelSampler::row_wave(double x, double y, int count, Color* colors) {
-  for (int i = 0; i < count; ++i) wave_.places()[i] = Vec2(x + i, y);
+void PixelSampler::row_wave(int count, Color* colors) {
+  const double x = wave_.places()[0].x, y = wave_.places()[0].y;
   if (camera_.origin_varies) {
     if (!aim(count)) return one_by_one(count, colors);
   } else {

@@ -1,6 +1,8 @@
 // The colour of one pixel sample: camera ray or lens rays, traced.
 #pragma once
 
+#include <span>
+
 #include "tracer/render/camera_rays.h"
 #include "tracer/render/focal_blur.h"
 #include "tracer/render/mesh_camera.h"
@@ -46,16 +48,35 @@ class PixelSampler {
 
   bool together() const { return camera_.linear && wave_.usable(); }
   bool aim(int count);
-  void row_wave(double x, double y, int count, Color* colors);
+  // Ray i of the wave starts within the same objects as ray 0, which is to be asked for first.
+  bool starts_like_the_first(int i);
+  // The colours at the wave's places; of a row, each is one pixel from the other.
+  void row_wave(int count, Color* colors);
   void point_wave(int count, Color* colors);
   void one_by_one(int count, Color* colors);
   // Where rays through (x, y), (x + 1, y) ... enter the world, `count` of them at most; sets it to the number of those that this holds for.
   const accel::WorldEntry* entry(double x, double y, int& count);
 
+  // ---- lens_samples.cpp
+  struct LensRay {
+    int sample, number;
+  };
+  std::optional<Color> lens_ray(const Vec2& place, int number);
+  Color lens_sample(const Vec2& place);
+  void lens_points(int count, Color* colors);
+  void lens_wave(std::span<const LensRay> rays);
+
   const CameraModel& camera_;
   shading::Tracer& tracer_;
   shading::Wave wave_;
-  std::vector<const scene::Interior*> around_;  // of the first of parallel rays
+  std::vector<const scene::Interior*> around_;  // the wave's first ray, where rays start at different points
+  // The samples that are taken together, and the rays that they wait for.
+  struct Lens {
+    Vec2 places[shading::Wave::kMost];
+    const accel::WorldEntry* entries[shading::Wave::kMost];
+    std::vector<FocalBlur::Average> averages;
+    std::vector<LensRay> rays;
+  } lens_;
 };
 
 }  // namespace verisim::render

@@ -1,20 +1,42 @@
 #include "tracer/shading/sky.h"
 
+#include <array>
+
 namespace verisim::shading {
 namespace {
 
 // Pigments one behind the other, top first.
-struct Blend {
-  Rgb sum, filter{1};
-
+class Blend {
+ public:
   void add(const Color& c, const Rgb& emission) {
-    sum += c.rgb() * filter * emission * c.opacity();
-    filter *= c.transmission();
+    sum_ += c.rgb() * filter_ * emission * c.opacity();
+    filter_ *= c.transmission();
   }
-  Color over(const Color& background) const {
-    const Rgb whole = sum + background.rgb() * filter * background.opacity(), through = filter * background.transmission();
+  Color over(const Color& background, const Rgb& /*emission*/) const {
+    const Rgb whole = sum_ + background.rgb() * filter_ * background.opacity(), through = filter_ * background.transmission();
     return {whole, 0, std::min(1.0f, std::fabs(through.grey()))};
   }
+
+ private:
+  Rgb sum_, filter_{1};
+};
+
+// Before 3.7 filter does not tint deeper layers, only the background.
+class LegacyBlend {
+ public:
+  void add(const Color& c, const Rgb& /*emission*/) {
+    sum_ += c.rgb() * (passed_ * c.opacity());
+    product_ = {product_.r * c.r, product_.g * c.g, product_.b * c.b, product_.f * c.f, product_.t * c.t};
+    passed_ = std::fabs(product_.f) + std::fabs(product_.t);
+  }
+  Color over(const Color& background, const Rgb& emission) const {
+    return sum_ * emission + background.rgb() * (product_.rgb() * product_.f + Rgb(product_.t));
+  }
+
+ private:
+  Rgb sum_;
+  Color product_{1, 1, 1, 1, 1};
+  float passed_ = 1;
 };
 
 }  // namespace
@@ -45,51 +67,35 @@ Color Sky::seen(const Vec3& direction, bool opaque) const {
     return {background.rgb() * a, 0, std::min(1.0f, std::fabs(background.transmission().grey()))};
   }
   const Vec3 q = transform_.inverse_point(direction);
-  return version_ < 370 ? legacy(q, background.rgb()) : modern(q, background);
+  const auto through = [&](auto blend) {
+    for (const auto* pigment : pigments_) {
+      Color c;
+      textures::evaluate(*pigment, q, nullptr, c);
+      blend.add(c, emission_);
+    }
+    return blend.over(background, emission_);
+  };
+  return version_ < 370 ? through(LegacyBlend()) : through(Blend());
 }
 
 void Sky::seen(int count, const textures::PointRow& directions, bool opaque, Color* colors) const {
-  if (version_ < 370 || pigments_.empty()) {
+  if (pigments_.empty() || (version_ < 370 && output_alpha_ && !opaque)) {
     for (int i = 0; i < count; ++i) colors[i] = seen(directions.at(i), opaque);
     return;
   }
   textures::PointRow q;
   for (int i = 0; i < count; ++i) q.set(i, transform_.inverse_point(directions.at(i)));
   q.fill_up(count);
-  Blend blends[textures::PointRow::kMost];
-  for (const auto* pigment : pigments_) {
-    bool colored[textures::PointRow::kMost];
-    textures::evaluate(*pigment, count, q, nullptr, colors, colored);
-    for (int i = 0; i < count; ++i) blends[i].add(colors[i], emission_);
-  }
-  for (int i = 0; i < count; ++i) colors[i] = blends[i].over(background(opaque));
-}
-
-Color Sky::modern(const Vec3& q, const Color& background) const {
-  Blend blend;
-  for (const auto* pigment : pigments_) {
-    Color c;
-    textures::evaluate(*pigment, q, nullptr, c);
-    blend.add(c, emission_);
-  }
-  return blend.over(background);
-}
-
-// Before 3.7 filter does not tint deeper layers, only the background.
-Color Sky::legacy(const Vec3& q, const Rgb& background) const {
-  Rgb sum;
-  Color product(1, 1, 1, 1, 1);
-  float passed = 1;
-  for (const auto* pigment : pigments_) {
-    Color c;
-    textures::evaluate(*pigment, q, nullptr, c);
-    sum += c.rgb() * (passed * c.opacity());
-    product = {product.r * c.r, product.g * c.g, product.b * c.b, product.f * c.f, product.t * c.t};
-    passed = std::fabs(product.f) + std::fabs(product.t);
-  }
-  sum *= emission_;
-  sum += background * (product.rgb() * product.f + Rgb(product.t));
-  return sum;
+  const auto through = [&](auto&& blends) {
+    for (const auto* pigment : pigments_) {
+      bool colored[textures::PointRow::kMost];
+      textures::evaluate(*pigment, count, q, nullptr, colors, colored);
+      for (int i = 0; i < count; ++i) blends[i].add(colors[i], emission_);
+    }
+    for (int i = 0; i < count; ++i) colors[i] = blends[i].over(background(opaque), emission_);
+  };
+  if (version_ < 370) through(std::array<LegacyBlend, textures::PointRow::kMost>());
+  else through(std::array<Blend, textures::PointRow::kMost>());
 }
 
 }  // namespace verisim::shading

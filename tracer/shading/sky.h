@@ -21,8 +21,6 @@ class Sky {
  private:
   // What stands behind the pigments.
   Color background(bool opaque) const;
-  Color modern(const Vec3& q, const Color& background) const;
-  Color legacy(const Vec3& q, const Rgb& background) const;
 
   int version_;
   bool output_alpha_;

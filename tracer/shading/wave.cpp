@@ -181,12 +181,29 @@ void Wave::respond() {
     }
     tinted_ = true;
   }
-  if (!kernels_.respond(shine_ & kPhong, shine_ & kBlinn, count_, lanes_)) return;
-  for (int k = 0; k < count_; ++k) {
-    if (!lanes_.uncertain[k] || lanes_.lit[k] == 0 || lanes_.amount[k] * lanes_.shines[k] == 0) continue;
-    const Vec3 n = lanes_.normal.at(k), d = lanes_.view.at(k), l = lanes_.to_light.direction.at(k);
-    lanes_.strength[k] = static_cast<float>(lanes_.phong[k] != 0 ? phong_highlight(*finish_[k], n, d, l) : specular_highlight(*finish_[k], n, d, l));
+  if (kernels_.respond(shine_ & kPhong, shine_ & kBlinn, count_, lanes_)) {
+    for (int k = 0; k < count_; ++k)
+      if (lanes_.uncertain[k] && lanes_.lit[k] != 0 && lanes_.amount[k] * lanes_.shines[k] != 0) lanes_.strength[k] = static_cast<float>(highlight(k));
   }
+  if (shine_ & (kBothHighlights | kBrilliance)) respond_specially();
+}
+
+// What the wide instructions do not know.
+void Wave::respond_specially() {
+  for (int k = 0; k < count_; ++k) {
+    if (lanes_.lit[k] == 0) continue;
+    if ((material_[k]->shine & kBrilliance) && lanes_.diffuse[k] != 0) lanes_.scattered[k] = static_cast<float>(lanes_.diffuse[k] * brilliance(finish_[k]->brilliance, lanes_.cosine[k]));
+    if ((material_[k]->shine & kBothHighlights) && lanes_.shines[k] != 0) lanes_.strength[k] = static_cast<float>(highlight(k));
+  }
+}
+
+double Wave::highlight(int k) const {
+  const scene::Finish& finish = *finish_[k];
+  const Vec3 n = lanes_.normal.at(k), d = lanes_.view.at(k), l = lanes_.to_light.direction.at(k);
+  double strength = 0;
+  if (finish.phong > 0) strength += phong_highlight(finish, n, d, l);
+  if (finish.specular > 0) strength += specular_highlight(finish, n, d, l);
+  return strength;
 }
 
 void Wave::light(const Light& light) {
@@ -293,7 +310,7 @@ void Wave::run(int count, const accel::WorldEntry* const* entries, Color* out) {
       show(out);
       if (add_surface(i)) continue;
     }
-    tracer_.random_.begin_sample(places_[i].x, places_[i].y, 0);
+    begin_sample(i);
     out[i] = tracer_.resolve(ray_state(i), &hits_[i]);
   }
   show(out);

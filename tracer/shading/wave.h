@@ -20,9 +20,11 @@ class Wave {
   // False: hits of this scene have to be shaded one after another (volumes, random numbers in order, an observer ...).
   bool usable() const { return usable_ && !tracer_.observer_ && !tracer_.pretrace_; }
 
-  // `rays` of the lanes and the places in the picture that the rays go through are to be filled first.
+  // `rays` of the lanes and what random numbers hang on are to be filled first: the samples' places in the picture, and for those that have several rays
+  // the numbers of these.
   WaveLanes& lanes() { return lanes_; }
   Vec2* places() { return places_; }
+  std::uint32_t* numbers() { return numbers_; }
   // Traces the camera rays of the first lanes: `count` <= kMost colours. The same objects are around all their origins. Ray i enters the world at entries[i]
   // (null: unknown).
   void trace(int count, const accel::WorldEntry* const* entries, Color* out);
@@ -40,9 +42,9 @@ class Wave {
     float opacity = 0;      // of the constant colour
     Rgb glow;               // ambient and emission
     double exponent = 0, amount = 0, base_limit = 0, phong = 0;
-    unsigned shine = 0;     // the kinds of highlight: kPhong, kBlinn, kMetallic
+    unsigned shine = 0;     // how it responds to light, as bits
   };
-  static constexpr unsigned kPhong = 1, kBlinn = 2, kMetallic = 4;
+  static constexpr unsigned kPhong = 1, kBlinn = 2, kMetallic = 4, kBothHighlights = 8, kBrilliance = 16;
   // The layers of a texture; none: its hits go the common way. A texture of textures has one layer that stands for them.
   using Materials = std::vector<Material>;
   // A layer as it shows at a hit.
@@ -94,6 +96,7 @@ class Wave {
     Rgb color;
   };
   RayState ray_state(int i) const;
+  void begin_sample(int i) { tracer_.random_.begin_sample(places_[i].x, places_[i].y, numbers_[i]); }
   void trace_mirrors();
   void trace_mirrored(const int* mirrors, int count);
   void add_mirrored(const Leaf& leaf, Rgb& color);
@@ -112,6 +115,8 @@ class Wave {
   void share_asking(int* asks);
   void cast_shadows(const Light& light);
   void respond();
+  void respond_specially();
+  double highlight(int k) const;
 
   Tracer& tracer_;
   const SceneData& scene_;
@@ -132,6 +137,7 @@ class Wave {
   RayState state_;          // of all rays, but for the ray itself and its weight
   float weights_[kMost];
   Vec2 places_[kMost];
+  std::uint32_t numbers_[kMost] = {};
   int count_ = 0;       // of surfaces
   unsigned shine_ = 0;  // of all surfaces
   bool tinted_ = false, attenuated_ = true;  // false: all tints, all attenuations are 1

@@ -46,6 +46,7 @@ void Wave::trace_mirrored(const int* mirrors, int count) {
     if (tracer_.cut_off(child.state_)) continue;
     child.weights_[n] = child.state_.weight;
     child.places_[n] = places_[mirror.ray];
+    child.numbers_[n] = numbers_[mirror.ray];
     child.lanes_.rays.origin.set(n, at.hit.point);
     child.lanes_.rays.direction.set(n, reflected_direction(lanes_.rays.direction.at(mirror.ray), mirror.layer.normal, at.raw));
     traced[n++] = mirrors[k];
@@ -65,7 +66,7 @@ void Wave::add_mirrored(const Leaf& leaf, Rgb& color) {
     if (mirror.seen) {
       color += tracer_.mirror_image(mirror.layer, mirror.color);
     } else {
-      if (!drawing) tracer_.random_.begin_sample(places_[leaf.ray].x, places_[leaf.ray].y, 0);
+      if (!drawing) begin_sample(leaf.ray);
       drawing = true;
       color += tracer_.mirrored(ray_state(leaf.ray), *met_[leaf.ray].at, mirror.layer);
     }

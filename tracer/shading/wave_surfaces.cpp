@@ -18,7 +18,7 @@ bool Wave::shaded_together(const textures::CompiledTexture& texture) {
   if (texture.patterned() || texture.layers.size() > kMostLayers || texture.layers.back().pigment->transparent) return false;
   for (const textures::CompiledLayer& layer : texture.layers) {
     const scene::Finish& f = layer.finish;
-    if (f.brilliance != 1 || f.crand > 0 || f.irid > 0 || (f.phong > 0 && f.specular > 0)) return false;
+    if (f.crand > 0 || f.irid > 0) return false;
   }
   return true;
 }
@@ -45,7 +45,7 @@ Wave::Materials Wave::find_materials(const textures::CompiledTexture& texture) c
     m.amount = f.phong > 0 ? f.phong : f.specular > 0 ? f.specular : 0;
     m.exponent = f.phong > 0 ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
     m.base_limit = f.phong > 0 && f.phong_size >= 60 ? 0.0008 : 0;
-    m.shine = (m.amount == 0 ? 0 : m.phong != 0 ? kPhong : kBlinn) | (f.metallic > 0 ? kMetallic : 0);
+    m.shine = (m.amount == 0 ? 0 : m.phong != 0 ? kPhong : kBlinn) | (f.metallic > 0 ? kMetallic : 0) | (f.phong > 0 && f.specular > 0 ? kBothHighlights : 0) | (f.brilliance != 1 ? kBrilliance : 0);
     m.opacity = surface_opacity(m.color, scene_.version);
     m.plain = m.only && m.constant && !m.mirror && !layer.normal && is_finite(m.color.rgb());
     const bool finite = is_finite(m.glow) && std::fabs(m.exponent) < 1e6 && m.amount < 1e30 && std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f;

@@ -164,7 +164,7 @@ scene::Scene mixed_scene() {
     if (i == 10) finish.reflection.minimum = Rgb(0.1f, 0.3f, 0.2f), finish.reflection.maximum = Rgb(0.6f), finish.reflection.exponent = 1.5f;
     if (i == 11) finish.crand = 0.2f;  // random numbers in mirrors, too
     if (i == 7) finish.diffuse_back = 0.5f;
-    if (i == 9) finish.brilliance = 3;
+    if (i == 9 || i == 2) finish.brilliance = 3;
     add(scene::Sphere{{i % 4 * 1.2 - 1.8, 0.4 + i / 4, 0.3 * (i % 3)}, 0.55}, Color(0.2f + 0.06f * static_cast<float>(i), 0.5f, 0.4f, 0, i == 8 ? 0.5f : 0.0f), finish);
   }
   scene::Finish polished;
@@ -239,6 +239,33 @@ TEST(Wave, GivesTheColoursOfSingleRays) {
   EXPECT_EQ(tracer.statistics().reflected_rays, other.statistics().reflected_rays);
   EXPECT_GT(tracer.statistics().reflected_rays, 1000u);
   EXPECT_EQ(tracer.statistics().samples, other.statistics().samples);
+}
+
+// Lens rays of several samples advance in step; each sample ends where it ends alone.
+TEST(Wave, GivesTheColoursOfSingleLensRays) {
+  scene::Scene scene = mixed_scene();
+  constexpr int kWidth = 45, kHeight = 31;
+  textures::Compiler compiler{textures::Settings{}};
+  const accel::World world(scene, compiler);
+  const SceneData data(scene, world, compiler, 9, false);
+  for (const double focus : {2.0, 6.0, 40.0}) {
+    for (const int samples : {1, 5, 19, 40}) {
+      scene.camera.aperture = samples == 5 ? 8 : 0.6;  // the large lens reaches into the things around it
+      scene.camera.focal_distance = focus, scene.camera.blur_samples = samples, scene.camera.variance = 1e-3;
+      const render::CameraModel camera(scene.camera, kWidth, kHeight, compiler);
+      ASSERT_TRUE(camera.linear);
+      Tracer tracer(data, RandomSource(false, 0)), other(data, RandomSource(false, 0));
+      tracer.coherent().set_camera(camera.coherence);
+      render::PixelSampler together(camera, tracer), single(camera, other);
+      std::vector<Color> row(kWidth);
+      for (int y = 0; y < kHeight; y += 3) {
+        together.row(-0.5, y, kWidth, row.data());
+        for (int x = 0; x < kWidth; ++x) ASSERT_TRUE(row[static_cast<std::size_t>(x)] == single(x - 0.5, y)) << x << ' ' << y << " focus " << focus << " samples " << samples;
+      }
+      EXPECT_EQ(tracer.statistics().camera_rays, other.statistics().camera_rays);
+      EXPECT_EQ(tracer.statistics().samples, other.statistics().samples);
+    }
+  }
 }
 
 TEST(Wave, IsNotForScenesWithVolumesOrReplay) {

@@ -22,6 +22,10 @@ class SubsurfaceEnvironment {
   virtual ~SubsurfaceEnvironment() = default;
   // The nearest surface at any distance t > 0 (no minimum).
   virtual bool nearest(const Ray& ray, SurfaceHit& hit) = 0;
+  // The same for several rays from one point; found[i]: hits[i] is set.
+  virtual void nearest(const Vec3& origin, std::span<const Vec3> directions, SurfaceHit* hits, bool* found) {
+    for (std::size_t i = 0; i < directions.size(); ++i) found[i] = nearest({origin, directions[i]}, hits[i]);
+  }
   virtual std::size_t lights() = 0;
   // Light arriving at p from a light after shadows; false: none. Sets the unit direction towards the light.
   virtual bool illumination(std::size_t light, const Vec3& p, Rgb& color, Vec3& to_light) = 0;

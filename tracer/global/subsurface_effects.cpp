@@ -1,5 +1,5 @@
 // Subsurface scattering in the recursive trace (spec 07 section 5).
-#include <random>
+#include <algorithm>
 
 #include "tracer/global/effects_state.h"
 
@@ -48,6 +48,22 @@ class TracerEnvironment : public SubsurfaceEnvironment {
     return true;
   }
 
+  void nearest(const Vec3& origin, std::span<const Vec3> directions, SurfaceHit* hits, bool* found) override {
+    RayRow row;
+    shapes::Hit met[RayRow::kSize];
+    for (std::size_t begin = 0; begin < directions.size(); begin += RayRow::kMost) {
+      const std::size_t size = std::min<std::size_t>(RayRow::kMost, directions.size() - begin);
+      for (std::size_t i = 0; i < RayRow::kSize; ++i) {
+        row.origin.set(static_cast<int>(i), origin);
+        row.direction.set(static_cast<int>(i), directions[begin + std::min(i, size - 1)]);
+      }
+      tracer_.scene().world.intersect_row(row, 0, static_cast<int>(size), ray_.kind(), std::numeric_limits<double>::min(), nullptr, met, found + begin);
+      for (std::size_t i = 0; i < size; ++i) {
+        if (found[begin + i]) hits[begin + i] = {met[i].t, met[i].point, met[i].shape->normal(met[i]), met[i].shape->surface->interior};
+      }
+    }
+  }
+
   std::size_t lights() override { return lights_.size(); }
 
   bool illumination(std::size_t light, const Vec3& p, Rgb& color, Vec3& to_light) override {
@@ -89,13 +105,18 @@ class TracerEnvironment : public SubsurfaceEnvironment {
   }
 
   double random() override {
+    if (replay()) return streamed();
+    return tracer_.random().shading();
+  }
+
+ private:
+  double streamed() {
     // The first value of the stream is element 1 of the generator's table (spec 07 section 1).
     const double v = shading::mersenne_table()[1 + sequence_.stream % kCycle];
     sequence_.stream = (sequence_.stream + 1) % kCycle;
     return v;
   }
 
- private:
   const SceneEffects& effects_;
   shading::Tracer& tracer_;
   const shading::RayState& ray_;
@@ -129,12 +150,6 @@ Rgb SceneEffects::subsurface_light(shading::Tracer& tracer, const shading::RaySt
   point.relative_ior = at.surface.interior->ior / (surrounding.empty() ? 1.0 : surrounding.back()->ior);
   point.reflectance = layer.pigment.rgb() * finish.raw_diffuse;
   point.translucency = finish.translucency;
-  if (!tracer.random().replay()) {
-    // The sequences start where the sample's own random numbers say: independent of threads and of other pixels.
-    auto& sequence = state.subsurface[static_cast<std::size_t>(state.subsurface_level)];
-    sequence.halton = static_cast<std::uint32_t>(tracer.random().shading() * kCycle);
-    sequence.stream = static_cast<std::uint32_t>(tracer.random().shading() * kCycle);
-  }
   TracerEnvironment environment(*this, tracer, ray, at, state);
   ++state.subsurface_level;
   const Rgb light = global::subsurface(point, settings, environment);

@@ -2,13 +2,14 @@
 #include "tracer/functions/internal_noise.h"
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 
 #include "tracer/functions/internal.h"
 #include "tracer/functions/operations.h"
 #include "tracer/textures/many_points.h"
-#include "tracer/textures/noise.h"
+#include "tracer/textures/noise_kernels.h"
 
 namespace verisim::functions {
 
@@ -22,6 +23,19 @@ int generator(double p) {
   return g == 0 ? 1 : g;
 }
 
+// Calls use(i, noise) for octaves i < count of p, whose place is multiplied by the lacunarity from each to the next.
+template <class Use>
+void each_octave(Vec3 p, double lacunarity, int count, int generator, Use use) {
+  for (int first = 0; first < count; first += 8) {
+    textures::EightPoints points;
+    const int n = std::min(count - first, 8);
+    for (int k = 0; k < n; ++k, p *= lacunarity) points.x[k] = p.x, points.y[k] = p.y, points.z[k] = p.z;
+    double noises[8];
+    textures::noises(generator, points, n, noises);
+    for (int k = 0; k < n; ++k) use(first + k, noises[k]);
+  }
+}
+
 // s^t with t multiplications; t <= 0 gives 1.
 double repeated_product(double s, double t) {
   double r = 1;
@@ -32,19 +46,15 @@ double repeated_product(double s, double t) {
 
 double hetero_mf(Vec3 p, const double* a) {
   const double H = a[0], lacunarity = a[1], octaves = a[2], offset = a[3];
-  const int g = generator(a[5]);
-  const auto n = [&](const Vec3& q) { return 2 * textures::noise(q, g) - 1 + offset; };
-  double s = n(p);
-  int i = 1;
-  for (; i < octaves && i < kMaxOctaves; ++i) {
-    p *= lacunarity;
-    s += n(p) * std::pow(lacunarity, -i * H) * repeated_product(s, a[4]);
-  }
+  const int whole = octaves > 1 ? static_cast<int>(std::min(std::ceil(octaves), static_cast<double>(kMaxOctaves))) : 1;
   const double fraction = octaves - std::trunc(octaves);
-  if (fraction != 0 && i < kMaxOctaves) {
-    p *= lacunarity;
-    s += fraction * s * n(p) * std::pow(lacunarity, -i * H);
-  }
+  double s = 0;
+  each_octave(p, lacunarity, whole + (fraction != 0 && whole < kMaxOctaves), generator(a[5]), [&](int i, double noise) {
+    const double n = 2 * noise - 1 + offset;
+    if (i == 0) s = n;
+    else if (i < whole) s += n * std::pow(lacunarity, -i * H) * repeated_product(s, a[4]);
+    else s += fraction * s * n * std::pow(lacunarity, -i * H);
+  });
   return s;
 }
 
@@ -104,25 +114,33 @@ class RidgedMultifractal final : public Function {
   int parameters() const override { return 9; }
   int components() const override { return 1; }
   void evaluate(std::span<const double> a, double* result) const override {
-    std::call_once(once_, [&] {
-      double frequency = 1;
-      for (double& w : weights_) w = std::pow(frequency, -a[3]), frequency *= a[4];
-    });
+    if (!known_.load(std::memory_order_acquire)) find_weights(a);
     const double lacunarity = a[4], octaves = a[5], offset = a[6], gain = a[7];
-    const int g = generator(a[8]);
-    Vec3 p{a[0], a[1], a[2]};
-    const auto n = [&](const Vec3& q) { return sq(offset - std::fabs(2 * textures::noise(q, g) - 1)); };
-    double s = n(p), sum = s;
-    for (std::size_t i = 1; static_cast<double>(i) < octaves && i < weights_.size(); ++i) {
-      p *= lacunarity;
-      s = n(p) * std::min(1.0, std::max(0.0, s * gain));
-      sum += s * weights_[i];
-    }
+    const int count = octaves > 1 ? static_cast<int>(std::min(std::ceil(octaves), static_cast<double>(weights_.size()))) : 1;
+    double s = 0, sum = 0;
+    each_octave({a[0], a[1], a[2]}, lacunarity, count, generator(a[8]), [&](int i, double noise) {
+      const double n = sq(offset - std::fabs(2 * noise - 1));
+      if (i == 0) {
+        s = sum = n;
+        return;
+      }
+      s = n * std::min(1.0, std::max(0.0, s * gain));
+      sum += s * weights_[static_cast<std::size_t>(i)];
+    });
     *result = sum;
   }
 
  private:
-  mutable std::once_flag once_;
+  void find_weights(std::span<const double> a) const {
+    const std::scoped_lock lock(mutex_);
+    if (known_.load(std::memory_order_relaxed)) return;
+    double frequency = 1;
+    for (double& w : weights_) w = std::pow(frequency, -a[3]), frequency *= a[4];
+    known_.store(true, std::memory_order_release);
+  }
+
+  mutable std::mutex mutex_;
+  mutable std::atomic<bool> known_ = false;
   mutable std::array<double, 64> weights_{};
 };
 

@@ -6,10 +6,17 @@
 
 namespace verisim::textures {
 
+// Points whose noise is asked for together; those that are not used are zero.
+struct alignas(64) EightPoints {
+  double x[8] = {}, y[8] = {}, z[8] = {};
+};
+
 // One entry a generator; entry 0 is unused.
 struct NoiseKernels {
   const char* name;
   double (*noise[4])(const Vec3& p);
+  // The noises at the first `count` points, octaves of one point most of all: their cells are remembered.
+  void (*noises[4])(const EightPoints& points, int count, double* noises);
   double (*turbulence[4])(const Vec3& p, const Octaves& octaves);
   double (*granite[4])(const Vec3& p);
   double (*wrinkles[4])(const Vec3& p);
@@ -20,5 +27,8 @@ struct NoiseKernels {
 
 // `set` must not be beyond best_instruction_set().
 const NoiseKernels& noise_kernels(InstructionSet set);
+
+// At `count` <= 8 points, bit by bit what noise() gives at each.
+void noises(int generator, const EightPoints& points, int count, double* noises);
 
 }  // namespace verisim::textures

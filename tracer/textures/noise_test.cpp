@@ -90,6 +90,26 @@ TEST(NoiseKernels, GiveTheSameBitsOnEveryInstructionSet) {
   }
 }
 
+TEST(NoiseKernels, SeveralPointsGetWhatEachGets) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (int i = 0; i < 5000; ++i) {
+    const int count = 1 + i % 8;
+    EightPoints points;
+    double size = std::pow(10.0, i % 5 - 2);
+    for (int k = 0; k < count; ++k, size *= 2.17) points.x[k] = size * coordinate(random), points.y[k] = size * coordinate(random), points.z[k] = size * coordinate(random);
+    if (i % 50 == 0) points.y[count / 2] = 1e11;
+    for (int set = 0; set <= best_instruction_set(); ++set) {
+      const NoiseKernels& kernels = noise_kernels(static_cast<InstructionSet>(set));
+      for (int g = 1; g <= 3; ++g) {
+        double together[8];
+        kernels.noises[g](points, count, together);
+        for (int k = 0; k < count; ++k) ASSERT_EQ(together[k], kernels.noise[g](Vec3(points.x[k], points.y[k], points.z[k]))) << kernels.name << ' ' << g << ' ' << k;
+      }
+    }
+  }
+}
+
 TEST(Noise, SurvivesFarAndInvalidCoordinates) {
   for (const double x : {1e17, -1e17, 1e300, -1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     for (int g = 1; g <= 3; ++g) {  // must not crash

@@ -79,7 +79,8 @@ class NearbyRadii {
   struct Known {
     Vec3 point{0.0};
     double radius = 0;  // 0: nothing known
-    double enough(const Vec3& p) const { return radius > 0.0 ? radius * (1.0 + 1e-9) + length(p - point) : 0.0; }
+    // More than that are to be looked at again if it is too little, which is cheaper than to be sure.
+    double enough(const Vec3& p) const { return radius > 0.0 ? std::min(radius * (1.0 + 1e-9) + length(p - point), 1.1 * radius) : 0.0; }
   };
   // The last search near p, for searches within `radius`; what is written is remembered.
   Known& at(const Vec3& p, double radius);

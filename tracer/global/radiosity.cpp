@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace verisim::global {
 namespace {
@@ -97,7 +96,7 @@ Rgb RadiosityTask::irradiance(const RadiosityQuery& query, Gatherer& gatherer, f
   if (base_) accumulate(*base_, query, normal, bound, estimate);
   if (own_ && own_ != base_) accumulate(*own_, query, normal, bound, estimate);
   const double required = settings_.required_weight(query.depth);
-  if (query.depth == 0) ++depth0_queries_, depth0_weight_ += 4.0 * estimate.weight;
+  if (query.depth == 0) ++primary_queries_.count, primary_queries_.weight += 4.0 * estimate.weight;
 
   Rgb result;
   const bool enough = 4.0 * estimate.weight >= required || (!pretrace_ && !d.always_sample && estimate.weight > 0.0);
@@ -184,46 +183,6 @@ Rgb RadiosityTask::take_sample(const RadiosityQuery& query, Gatherer& gatherer, 
     own_->add(sample);
   }
   return irradiance;
-}
-
-double PretracePlan::spacing(int pass) const { return std::max(std::ldexp(first, -pass), last); }
-
-PretracePlan pretrace_plan(const scene::Radiosity& description, int width, int height) {
-  PretracePlan plan;
-  const double most = std::max(width, height);
-  plan.first = most * description.pretrace_start;
-  plan.last = std::max(1.0, most * description.pretrace_end);
-  // Tiny pictures would give a negative number, which POV-Ray takes for some 250 useless passes; none is enough.
-  plan.passes = std::max(0, static_cast<int>(std::floor(std::log2(plan.first / plan.last) + 1.0 - kEpsilon)) + 1);
-  return plan;
-}
-
-void pretrace_positions(const PretracePlan& plan, int pass, int tile, int left, int right, int top, int bottom, std::vector<Vec2>& positions) {
-  constexpr int kTable = 2047;
-  static const std::vector<double> table = [] {
-    std::mt19937 generator;
-    std::vector<double> t(kTable);
-    for (double& v : t) v = -1.0 + 2.0 * generator() / 4294967296.0;
-    return t;
-  }();
-  positions.clear();
-  const double spacing = plan.spacing(pass), jitter = std::min(1.0, spacing / 2.0);
-  int index = static_cast<int>(((1LL + pass) * 17 + 13LL * tile) % kTable);
-  const auto draw = [&] {
-    index = (index + 1) % kTable;
-    return table[index];
-  };
-  // Coordinates are summed up, as POV-Ray does: the rounding decides whether a position on a tile's border belongs to it.
-  const auto first = [spacing](int edge) {
-    const double start = std::ceil((edge - 0.5) / spacing) * spacing;
-    return start < edge ? start + spacing : start;
-  };
-  for (double y = first(top); y < bottom + 1; y += spacing) {
-    for (double x = first(left); x < right + 1; x += spacing) {
-      const double dy = draw(), dx = draw();
-      positions.emplace_back(x + (spacing - 1.0) / 2.0 + jitter * dx, y + (spacing - 1.0) / 2.0 + jitter * dy);
-    }
-  }
 }
 
 }  // namespace verisim::global

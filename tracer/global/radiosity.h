@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tracer/global/irradiance_cache.h"
+#include "tracer/global/pretrace.h"
 #include "tracer/scene/scene.h"
 
 namespace verisim::global {
@@ -69,8 +70,8 @@ class RadiosityTask {
   void seek(std::size_t first_direction) { cursor_.fill(first_direction % settings_.pool_size()); }
   // Irradiance at the point, and through `quality` (in and out) the worst quality so far along the enclosing ray.
   Rgb irradiance(const RadiosityQuery& query, Gatherer& gatherer, float& quality);
-  int depth0_queries() const { return depth0_queries_; }
-  double depth0_weight() const { return depth0_weight_; }  // sum over depth-0 queries of 4 S before gathering
+  // Those of depth 0 so far; the weights are 4 S before gathering.
+  const PretraceQueries& primary_queries() const { return primary_queries_; }
 
  private:
   struct Estimate {
@@ -86,18 +87,7 @@ class RadiosityTask {
   bool pretrace_;
   int pass_, tile_;
   std::array<std::size_t, kMaxRadiosityDepth> cursor_{};
-  int depth0_queries_ = 0;
-  double depth0_weight_ = 0;
+  PretraceQueries primary_queries_;
 };
-
-// Pretrace geometry (spec 07 2.9).
-struct PretracePlan {
-  double first = 0, last = 1;  // spacing in pixels
-  int passes = 0;
-  double spacing(int pass) const;
-};
-PretracePlan pretrace_plan(const scene::Radiosity& description, int width, int height);
-// Pixel coordinates (centre of pixel (i,j) = (i,j)) of pass `pass` inside the tile [left..right] x [top..bottom], in POV-Ray's order.
-void pretrace_positions(const PretracePlan& plan, int pass, int tile, int left, int right, int top, int bottom, std::vector<Vec2>& positions);
 
 }  // namespace verisim::global

@@ -8,31 +8,6 @@
 namespace verisim::global {
 namespace {
 
-TEST(Pretrace, JitterEqualsProbeR1) {
-  // Spec 07 P-R1: one pixel; sample at x = 0.02 * 0.5 * 0.935390, z = -0.02 * 0.5 * 0.929777.
-  scene::Radiosity settings;
-  settings.pretrace_start = settings.pretrace_end = 1;
-  const PretracePlan plan = pretrace_plan(settings, 1, 1);
-  EXPECT_EQ(plan.passes, 1);  // floor(log2(1) + 1 - eps) + 1
-  std::vector<Vec2> positions;
-  pretrace_positions(plan, 0, 0, 0, 0, 0, 0, positions);
-  ASSERT_EQ(positions.size(), 1u);
-  EXPECT_NEAR(positions[0].x, 0.5 * 0.935390, 1e-6);
-  EXPECT_NEAR(positions[0].y, 0.5 * 0.929777, 1e-6);
-}
-
-TEST(Pretrace, DefaultsGiveTwoPasses) {
-  scene::Radiosity settings;
-  settings.pretrace_start = 0.08, settings.pretrace_end = 0.04;
-  const PretracePlan plan = pretrace_plan(settings, 160, 120);
-  EXPECT_EQ(plan.passes, 2);
-  EXPECT_FLOAT_EQ(plan.spacing(0), 12.8f);
-  EXPECT_FLOAT_EQ(plan.spacing(1), 6.4f);
-  std::vector<Vec2> positions;
-  pretrace_positions(plan, 1, 1, 32, 63, 0, 31, positions);
-  EXPECT_EQ(positions.size(), 30u);  // 32 + 5 * 6.4 is summed up to just below 64
-}
-
 TEST(RadiositySettings, FirstDirectionIsHaltons) {
   scene::Radiosity description;
   const RadiositySettings settings(description, Vec3(0, 0, 0));

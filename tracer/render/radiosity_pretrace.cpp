@@ -4,6 +4,7 @@
 
 #include "tracer/global/effects_state.h"
 #include "tracer/global/irradiance_file.h"
+#include "tracer/global/pretrace.h"
 #include "tracer/parallel.h"
 #include "tracer/render/blocks.h"
 #include "tracer/render/prepasses.h"
@@ -14,6 +15,7 @@ namespace {
 using global::EffectsStateOfScene;
 using global::IrradianceCache;
 using global::PretracePlan;
+using global::PretraceTile;
 using global::RadiosityTask;
 
 // A pool of directions is walked through from a different place in every tile; any number coprime to the pool spreads the starts.
@@ -28,21 +30,19 @@ struct Worker {
   }
   shading::Tracer tracer;
   PixelSampler sampler;
-  std::vector<Vec2> positions;
 
-  void trace_tile(const PretracePlan& plan, int pass, int tile, const Block& b) {
-    global::pretrace_positions(plan, pass, tile, b.x, b.x + b.width - 1, b.y, b.y + b.height - 1, positions);
-    for (const Vec2& p : positions) sampler(p.x, p.y);
+  void trace_tile(const PretracePlan& plan, int pass, int adaptive, const RadiosityTask& task, PretraceTile& tile) {
+    tile.run(plan, pass, adaptive, [this](double x, double y) { sampler(x, y); }, [&task] { return task.primary_queries(); });
   }
 };
 
-// Tiles that need no more passes (spec 07 2.9): whole tiles without any query, or with enough weight everywhere when nearest_count asks for that.
-// With the adaptive value POV-Ray splits tiles into blocks; here the tile is the block, which only costs samples.
-bool tile_finished(const RadiosityTask& task, std::size_t positions, int queries_before, double weight_before, int adaptive) {
-  if (positions < 9) return false;
-  const int queries = task.depth0_queries() - queries_before;
-  if (queries == 0) return true;
-  return adaptive > 0 && (task.depth0_weight() - weight_before) / queries >= adaptive;
+std::vector<PretraceTile> tiles_of(const Options& options) {
+  std::vector<PretraceTile> tiles;
+  for (const Block& b : blocks_of(render_area(options), options.block_size)) {
+    const double x = b.x, y = b.y;
+    tiles.push_back({static_cast<int>(tiles.size()), {x, y, x + b.width, y + b.height}});
+  }
+  return tiles;
 }
 
 // Tiles of a pass in groups that are worked on at the same time; a group sees the samples of all groups before it. What tiles of one group take twice is
@@ -89,8 +89,8 @@ class PretraceProgress {
 void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData& data, const CameraModel& camera, const Options& options, int threads) {
   const scene::Radiosity& settings = effects.scene().settings.radiosity;
   const PretracePlan plan = global::pretrace_plan(settings, options.width, options.height);
-  const std::vector<Block> tiles = blocks_of(render_area(options), options.block_size);
-  std::vector<std::uint8_t> finished(tiles.size(), 0);
+  const int adaptive = settings.adaptive_nearest_count;
+  std::vector<PretraceTile> tiles = tiles_of(options);
   IrradianceCache& cache = effects.irradiance();
   cache.set_memory_limit(options.pass_memory);
   if (!options.radiosity_from.empty()) {
@@ -105,12 +105,9 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
       auto& task = EffectsStateOfScene::of(worker.tracer).radiosity;
       task.emplace(*effects.radiosity_settings(), &cache, &cache, true, 0, 0);
       for (int pass = 0; pass < plan.passes; ++pass) {
-        for (std::size_t i = 0; i < tiles.size(); ++i) {
-          if (finished[i]) continue;
-          const int queries = task->depth0_queries();
-          const double weight = task->depth0_weight();
-          worker.trace_tile(plan, pass, static_cast<int>(i), tiles[i]);
-          finished[i] = tile_finished(*task, worker.positions.size(), queries, weight, settings.adaptive_nearest_count);
+        for (PretraceTile& tile : tiles) {
+          if (tile.finished()) continue;
+          worker.trace_tile(plan, pass, adaptive, *task, tile);
           progress.tile_done(pass);
         }
       }
@@ -122,17 +119,16 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
         std::vector<IrradianceCache> found(wave.size(), effects.radiosity_settings()->empty_cache());
         const auto work = [&](std::size_t i) {
           const std::size_t tile = wave[i];
-          if (finished[tile] || (options.cancel && options.cancel->load(std::memory_order_relaxed))) return;
+          if (tiles[tile].finished() || (options.cancel && options.cancel->load(std::memory_order_relaxed))) return;
           Worker& worker = workers.local();
           auto& task = EffectsStateOfScene::of(worker.tracer).radiosity;
           task.emplace(*effects.radiosity_settings(), &cache, &found[i], true, pass, static_cast<int>(tile));
           task->seek(first_direction(options, pass, static_cast<int>(tile), false));
           try {
-            worker.trace_tile(plan, pass, static_cast<int>(tile), tiles[tile]);
+            worker.trace_tile(plan, pass, adaptive, *task, tiles[tile]);
           } catch (const shading::Cancelled&) {
             return;
           }
-          finished[tile] = tile_finished(*task, worker.positions.size(), 0, 0.0, settings.adaptive_nearest_count);
           task.reset();
           progress.tile_done(pass);
         };

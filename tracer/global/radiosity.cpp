@@ -108,6 +108,7 @@ Rgb RadiosityTask::irradiance(const RadiosityQuery& query, Gatherer& gatherer, f
     const double total = estimate.weight + sample_quality;
     result = estimate.weight > 0.0 && total > 0.0 ? (estimate.sum + sample * sample_quality) * static_cast<float>(1.0 / total) : sample;
     estimate.weight = total;
+    quality = std::max(quality, sample_quality);
   }
   quality = std::min(quality, static_cast<float>(4.0 * estimate.weight / required));
   const auto g = static_cast<float>(d.gray_threshold);
@@ -149,10 +150,12 @@ Rgb RadiosityTask::take_sample(const RadiosityQuery& query, Gatherer& gatherer, 
       direction = to_world(draw(), query.geometric_normal);
     }
     const float threshold = static_cast<float>(i) / static_cast<float>(n - 1);
+    latest_importance_ = -1;
     const GatherResult g = gatherer.gather({query.point, direction}, query.depth, threshold);
-    if (g.shaded) {
+    if (latest_importance_ < 0) latest_importance_ = g.importance;
+    if (g.shaded && latest_importance_ >= threshold) {
       float q = g.quality;
-      if (g.importance < 1.0f) q *= static_cast<float>(n) / (std::floor(g.importance * static_cast<float>(n - 1)) + 1.0f);
+      if (latest_importance_ < 1.0f) q *= static_cast<float>(n) / (std::floor(latest_importance_ * static_cast<float>(n - 1)) + 1.0f);
       Rgb color = g.color;
       if (d.max_sample > 0.0 && color.max() > d.max_sample) color *= static_cast<float>(d.max_sample / color.max());
       sum += color * q;

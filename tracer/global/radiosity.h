@@ -68,7 +68,8 @@ class RadiosityTask {
 
   // Where the direction cursors start; POV-Ray starts every phase at 0.
   void seek(std::size_t first_direction) { cursor_.fill(first_direction % settings_.pool_size()); }
-  // Irradiance at the point, and through `quality` (in and out) the worst quality so far along the enclosing ray.
+  // Irradiance at the point, and through `quality` (in and out) the worst quality so far along the enclosing ray; a sample taken for it may be of better
+  // quality than 1, if it has hit more of what is of little importance than most do, and then counts for as much.
   Rgb irradiance(const RadiosityQuery& query, Gatherer& gatherer, float& quality);
   // Those of depth 0 so far; the weights are 4 S before gathering.
   const PretraceQueries& primary_queries() const { return primary_queries_; }
@@ -88,6 +89,9 @@ class RadiosityTask {
   int pass_, tile_;
   std::array<std::size_t, kMaxRadiosityDepth> cursor_{};
   PretraceQueries primary_queries_;
+  // Of what the last gather ray hit first, at any depth; below 0: none since the ray that is being followed. POV-Ray weighs a ray by it, hence by what the
+  // samples along it have hit last, if any were taken (measured with 3.7.0.10).
+  float latest_importance_ = -1;
 };
 
 }  // namespace verisim::global

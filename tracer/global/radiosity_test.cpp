@@ -90,6 +90,37 @@ class Furnace : public Gatherer {
   int rays = 0;
 };
 
+// The first ray of a sample hits something of importance 0.2 and of radiance 1, the others what is black; a sample is taken while one of them is followed.
+class Lamp : public Gatherer {
+ public:
+  GatherResult gather(const Ray&, int depth, float threshold) override {
+    if (depth > 0) return {.distance = 1.0, .shaded = true, .importance = nested_importance, .color = Rgb(0.0f), .quality = 1};
+    GatherResult result{.distance = 1.0, .shaded = true, .importance = threshold == 0 ? 0.2f : 1.0f, .color = Rgb(threshold == 0 ? 1.0f : 0.0f), .quality = 1};
+    if (task && threshold == nested_threshold) task->irradiance({{0, 3, 0}, {0, -1, 0}, {0, -1, 0}, 1.0, 1}, *this, result.quality);
+    return result;
+  }
+  RadiosityTask* task = nullptr;  // of samples within samples
+  float nested_threshold = 0, nested_importance = 1;
+};
+
+TEST(RadiosityTask, RaysAreWeighedByTheImportanceOfWhatWasHitLast) {
+  scene::Radiosity description;
+  description.count = 5;
+  const RadiositySettings settings(description, Vec3(0, 1, -3));
+  const auto irradiance = [&](Lamp lamp, bool nested) {
+    IrradianceCache cache = settings.empty_cache();
+    RadiosityTask task(settings, &cache, &cache, true, 0, 0);
+    lamp.task = nested ? &task : nullptr;
+    float quality = 1;
+    return task.irradiance({{0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1.0, 0}, lamp, quality).r;
+  };
+  Lamp lamp;
+  EXPECT_FLOAT_EQ(irradiance(lamp, false), 5.0f / 9.0f);  // one of five such rays may be followed: it counts for five
+  EXPECT_FLOAT_EQ(irradiance(lamp, true), 1.0f / 5.0f);   // but the sample within it has hit what is important
+  lamp.nested_threshold = 0.75f, lamp.nested_importance = 0.5f;
+  EXPECT_FLOAT_EQ(irradiance(lamp, true), 5.0f / 8.0f);  // of too little importance in the end for the fourth ray: it is left out
+}
+
 TEST(RadiosityTask, ReusesSamplesNearbyAndTakesNewOnesElsewhere) {
   scene::Radiosity description;
   const RadiositySettings settings(description, Vec3(0, 1, -3));

@@ -83,10 +83,11 @@ class Integrator {
   }
 
   void push(double start, double end, bool lit, int count) {
-    // Where the end of the last interval is rounded to below the piece's, another one of hardly any length follows. It draws numbers, in POV-Ray as well.
+    // Where the end of the last interval is rounded to below the piece's, another one of hardly any length follows. It draws numbers, in POV-Ray as well, but
+    // lights are not looked at in it.
     const double step = (end - start) / count;
     int n = 0;
-    for (double s = start; s < end && n <= count && intervals_ < kMostSpans; s = start + ++n * step) spans_[intervals_++] = {s, std::min(step, end - s), lit};
+    for (double s = start; s < end && n <= count && intervals_ < kMostSpans; s = start + ++n * step) spans_[intervals_++] = {s, std::min(step, end - s), lit && n < count};
   }
 
   // Spec 07 4.5: the union of all lit ranges cuts the segment; the pieces share the intervals by `ratio`.

@@ -35,7 +35,7 @@ class Light {
     if (!radial_) return fixed_direction(p, centre);
     const Vec3 to = centre - p;
     const double d = length(to);
-    return {to / d, d};
+    return {to * (1 / d), d};  // not to / d: POV-Ray's rounding, on which the intervals of media along shadow rays hang
   }
   // If not, attenuation is 1 everywhere.
   bool attenuates() const { return attenuates_; }

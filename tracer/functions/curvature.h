@@ -8,7 +8,7 @@ namespace verisim::functions {
 
 struct Curvature {
   double bend;   // no second derivative along a unit vector is larger anywhere in the box; infinity: not known, or the function has an edge there
-  double error;  // how far computed values may be from the function's, where `bend` is finite
+  double error;  // how far computed values, even those of LaneKernels::nearly, may be from the function's, where `bend` is finite
 };
 
 // For the boxes one after the other.

@@ -58,5 +58,28 @@ TEST(ProgramLanes, OperationsGiveTheSameBitsInLanes) {
   }
 }
 
+TEST(ProgramLanes, NearSinesAreNear) {
+  std::mt19937_64 random(10);
+  std::vector<double> a = arguments(random);
+  std::erase_if(a, [](double v) { return !(std::fabs(v) <= LaneKernels::kMostNear); });
+  ASSERT_GT(a.size(), 10000u);
+  alignas(64) double registers[2 * kWidth];
+  for (int set = 0; set < textures::kInstructionSets; ++set) {
+    const LaneKernels* const kernels = lane_kernels(set);
+    if (!kernels) continue;
+    for (const Code code : {Code::sin, Code::cos}) {
+      const Instruction instruction{code, 1, 0};
+      for (std::size_t begin = 0; begin + kWidth <= a.size(); begin += kWidth) {
+        std::copy_n(&a[begin], kWidth, registers);
+        kernels->nearly({&instruction, 1}, {}, registers, 255);
+        for (std::size_t k = 0; k < kWidth; ++k) {
+          const double expected = code == Code::sin ? std::sin(a[begin + k]) : std::cos(a[begin + k]);
+          ASSERT_LE(std::fabs(registers[kWidth + k] - expected), LaneKernels::kNearError) << a[begin + k] << ", set " << set;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace verisim::functions

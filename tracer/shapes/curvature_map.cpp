@@ -36,13 +36,17 @@ CurvatureMap::CurvatureMap(const functions::Program& program, const Box3& contai
   functions::CurvatureBounds bounds(program, farthest_ * 0x1p-50);
   const double margin = edge_ * 1e-6;
   bends_.resize(at(count_[0] - 1, count_[1] - 1, count_[2] - 1) + 1);
+  complete_ = true;
   for (int i = 0; i < count_[0]; ++i)
     for (int j = 0; j < count_[1]; ++j)
       for (int k = 0; k < count_[2]; ++k) {
         const Vec3 corner = low_ + Vec3(i, j, k) * edge_;
         const functions::Curvature c = bounds.within({corner - Vec3(margin), corner + Vec3(edge_ + margin)});
         bends_[at(i, j, k)] = c.bend;
-        if (!std::isfinite(c.bend)) continue;
+        if (!std::isfinite(c.bend)) {
+          complete_ = false;
+          continue;
+        }
         useful_ = true;
         error_ = std::max(error_, c.error);
       }

@@ -15,7 +15,9 @@ class CurvatureMap {
 
   // False: nothing is known anywhere.
   bool useful() const { return useful_; }
-  // Of computed values, for points whose coordinates are sums of numbers up to `farthest`.
+  // True: bends and errors are known everywhere.
+  bool complete() const { return complete_; }
+  // Of computed values, even those of LaneKernels::nearly, for points whose coordinates are sums of numbers up to `farthest`.
   double error() const { return error_; }
   double farthest() const { return farthest_; }
 
@@ -33,7 +35,7 @@ class CurvatureMap {
   double edge_ = 0, error_ = 0, farthest_ = 0;
   std::array<int, 3> count_{1, 1, 1};
   std::vector<double> bends_;
-  bool useful_ = false;
+  bool useful_ = false, complete_ = false;
 };
 
 }  // namespace verisim::shapes

@@ -128,16 +128,19 @@ class Isosurface final : public Primitive<Isosurface> {
 
   // The nearest hits of eight rays, or any, as NearestHit keeps them for one.
   struct RowHits {
-    RowHits(double min, const double* max, bool any_will_do) : t_min(min), any(any_will_do) { std::copy_n(max, RayLanes::kCount, t_max); }
+    RowHits(double min, const double* max, bool any_will_do) : t_min(min), limit(max), any(any_will_do) { std::copy_n(max, RayLanes::kCount, t_max); }
     double t_min;
+    const double* limit;
     bool any;
     double t_max[RayLanes::kCount];
     int face[RayLanes::kCount];
     unsigned found = 0;
     unsigned alone = 0;  // lanes that are not to be searched with others
 
-    // A lane is to be searched with others no more: forget what it met.
-    void leave(int k) { found &= ~(1u << k), alone |= 1u << k; }
+    void forget(unsigned lanes) {
+      each_lane(lanes & found, [&](int k) { t_max[k] = limit[k]; });
+      found &= ~lanes;
+    }
     bool add(int k, double t, int at_face) {
       const bool again = found >> k & 1;
       if (!(t >= t_min) || !(again ? t <= t_max[k] : t < t_max[k])) return false;
@@ -179,7 +182,7 @@ class Isosurface final : public Primitive<Isosurface> {
     }
     return nullptr;
   }
-  mutable std::atomic<int> rows_{0};
+  mutable std::atomic<int> rows_{0}, doubts_{0};
   mutable std::unique_ptr<const CurvatureMap> own_map_;
   mutable std::atomic<const CurvatureMap*> map_{nullptr};
   // `evaluate`: the largest slope any ray needed so far (spec 04 6.4).
@@ -258,18 +261,20 @@ void Isosurface::trace(const Ray& ray, Search& search, const ContainerSpan& span
 // What `trace` does for a ray, a stage at a time for all of them.
 class Isosurface::RowTrace {
  public:
-  RowTrace(const Isosurface& shape, const RayLanes& rays, RowHits& hits) : shape_(shape), s_(shape.surface_), rays_(rays), hits_(hits), field_(*shape.in_rows_) {
+  // Nearly: values need not be exact where the map says how wrong they are.
+  RowTrace(const Isosurface& shape, const RayLanes& rays, RowHits& hits, const CurvatureMap* map, bool nearly) : shape_(shape), s_(shape.surface_), rays_(rays), hits_(hits), field_(*shape.in_rows_) {
     lanes_.accuracy = s_.accuracy, lanes_.threshold = s_.threshold;
-    lanes_.map = shape.map();
+    lanes_.map = map;
+    if (nearly) lanes_.doubt = 2 * map->error();
   }
 
-  void run() {
+  // The rays of which it is not known what they meet.
+  unsigned run() {
     unsigned active = pass_wall(enter());
     while (active != 0) {
-      const unsigned found = find_crossings(field_, lanes_, to_search(active));
-      each_lane(active, [&](int k) {
-        if (lanes_.lost[k] != 0) hits_.leave(k);
-      });
+      active = to_search(active & ~lost_);
+      const unsigned found = find_crossings(field_, lanes_, active);
+      each_lane(active, [&](int k) { lost_ |= lanes_.lost[k] != 0 ? 1u << k : 0; });
       active = go_on(found);
     }
     double steepest = 0;
@@ -277,6 +282,7 @@ class Isosurface::RowTrace {
       if (lanes_.steepest[k] > steepest * speed_[k]) steepest = lanes_.steepest[k] / speed_[k];
     });
     raise(shape_.steepest_, steepest);
+    return lost_;
   }
 
  private:
@@ -288,8 +294,15 @@ class Isosurface::RowTrace {
     double* const points = field_.points();
     for (int axis = 0; axis < 3; ++axis)
       for (int k = 0; k < kLanes; ++k) points[axis * kLanes + k] = lanes_.origin[axis][k] + t[k] * lanes_.direction[axis][k];
-    const double* const f = field_.evaluate(asked);
+    const double* const f = field_.evaluate(asked, lanes_.doubt > 0);
     for (int k = 0; k < kLanes; ++k) values[k] = f[k] - s_.threshold;
+    if (lanes_.doubt == 0) return;
+    // What follows asks for the sign, and whether the surface is near.
+    const double near_zero = 4 * shape_.max_gradient_ * s_.accuracy;
+    each_lane(asked, [&](int k) {
+      const double size = std::fabs(values[k]);
+      if (!(size > lanes_.doubt && std::fabs(size - near_zero) > lanes_.doubt)) lost_ |= 1u << k;
+    });
   }
 
   // The rays that meet the container, with the values where they enter and leave it.
@@ -406,13 +419,22 @@ class Isosurface::RowTrace {
   RowHits& hits_;
   FieldLanes field_;
   SearchLanes lanes_;
-  unsigned entered_ = 0;
+  unsigned entered_ = 0, lost_ = 0;
   ContainerSpan spans_[kLanes];
   Lane begin_{}, end_{}, at_begin_, at_end_, speed_;
   int remaining_[kLanes];
 };
 
-void Isosurface::trace_row(const RayLanes& rays, RowHits& hits) const { RowTrace(*this, rays, hits).run(); }
+void Isosurface::trace_row(const RayLanes& rays, RowHits& hits) const {
+  constexpr int kMostDoubts = 10000;  // then it is not worth while
+  const CurvatureMap* const known = map();
+  const bool nearly = known && known->complete() && doubts_.load(std::memory_order_relaxed) < kMostDoubts;
+  const unsigned lost = RowTrace(*this, rays, hits, known, nearly).run();
+  if (lost == 0) return;
+  if (nearly) doubts_.fetch_add(std::popcount(lost), std::memory_order_relaxed);
+  hits.forget(lost);
+  RowTrace(*this, {rays.rays, rays.first, lost}, hits, nullptr, false).run();
+}
 
 // The slope bound for a node, raised by `evaluate` where the function proves steeper.
 double Isosurface::Search::adapted(double slope, double value0, double value1, double width) {

@@ -41,8 +41,9 @@ FieldLanes::FieldLanes(const functions::Program& program) : program_(program) {
   program.set_constants(registers_, kCount);
 }
 
-const double* FieldLanes::evaluate(unsigned asked) {
-  functions::lane_kernels().narrow(program_.code(), program_.calls(), registers_, asked);
+const double* FieldLanes::evaluate(unsigned asked, bool nearly) {
+  const functions::LaneKernels& kernels = functions::lane_kernels();
+  (nearly ? kernels.nearly : kernels.narrow)(program_.code(), program_.calls(), registers_, asked);
   return registers_ + program_.result_register() * SearchLanes::kCount;
 }
 
@@ -51,7 +52,7 @@ unsigned find_crossings(FieldLanes& field, SearchLanes& lanes, unsigned asked) {
   unsigned active = kernels.start(lanes, asked);
   while (active != 0) {
     kernels.middles(lanes, field.points());
-    active = kernels.advance(lanes, field.evaluate(active));
+    active = kernels.advance(lanes, field.evaluate(active, lanes.doubt > 0));
   }
   unsigned found = 0;
   each_lane(asked, [&](int k) { found |= lanes.found[k] != 0 ? 1u << k : 0; });

@@ -23,13 +23,16 @@ struct alignas(64) SearchLanes {
   std::int64_t depth[kCount] = {}, active[kCount] = {}, found[kCount] = {};  // the last two: 0 or -1
   // The ray in cells of the map, the most cells along an axis for a distance, and its speed squared.
   double cell_origin[3][kCount] = {}, cell_step[3][kCount] = {}, reach[kCount] = {}, speed2[kCount] = {};
-  // Lanes that look for the only crossing in their node, closer and closer: limits of it and of the slope, the next place to look at and the last one.
-  std::int64_t homing[kCount] = {}, tries[kCount] = {}, lost[kCount] = {};  // lost: did not get close enough; is to be searched alone
-  double low[kCount] = {}, high[kCount] = {}, least[kCount] = {}, most[kCount] = {}, bend[kCount] = {}, grain[kCount] = {};
+  // Lanes that look for the only crossing in their node, closer and closer: limits of it and of the distance in which the function falls by one, the next
+  // place to look at and the last one.
+  std::int64_t homing[kCount] = {}, tries[kCount] = {}, lost[kCount] = {};  // lost: is to be searched again without a map and with exact values
+  double low[kCount] = {}, high[kCount] = {}, fewest[kCount] = {}, most[kCount] = {}, bend[kCount] = {}, grain[kCount] = {};
   double probe[kCount] = {}, last[kCount] = {}, last_value[kCount] = {};
   double begins[kMostHalvings + 1][kCount], ends[kMostHalvings + 1][kCount];  // of the nodes above: where they begin, and the value where they end
   double accuracy = 0, threshold = 0;
   const CurvatureMap* map = nullptr;  // what is known of the function's second derivatives; null: nothing
+  // How far values are at most from exact ones. Lanes that would have to know them better are lost, too.
+  double doubt = 0;
 };
 
 struct IsosurfaceKernels {
@@ -55,8 +58,8 @@ class FieldLanes {
   explicit FieldLanes(const functions::Program& program);
   // x, y and z of the points, eight each.
   double* points() { return registers_; }
-  // The values at the points of the lanes that are asked for.
-  const double* evaluate(unsigned asked);
+  // The values at the points of the lanes that are asked for; or nearly, as LaneKernels.
+  const double* evaluate(unsigned asked, bool nearly);
 
  private:
   const functions::Program& program_;

@@ -90,7 +90,7 @@ TEST(IsosurfaceRow, AMapChangesOnlyTheSteps) {
   ASSERT_TRUE(map.useful());
   std::mt19937 random(8);
   std::uniform_real_distribution<double> unit(-1, 1);
-  int hits = 0, steps[2] = {}, lost = 0;
+  int hits = 0, steps[2] = {}, lost = 0, doubtful = 0;
   for (int n = 0; n < 3000; ++n) {
     FieldLanes field(program);
     SearchLanes lanes;
@@ -112,15 +112,17 @@ TEST(IsosurfaceRow, AMapChangesOnlyTheSteps) {
     }
     SearchLanes with = lanes;
     with.map = &map;
+    const bool nearly = n % 8 == 7;  // when the steepest slope is known
+    if (nearly) with.doubt = 2 * map.error();
     const auto search_in = [&](SearchLanes& s, int& count) {
       const IsosurfaceKernels& kernels = isosurface_kernels();
-      for (unsigned active = kernels.start(s, 255); active != 0; active = kernels.advance(s, field.evaluate(active))) kernels.middles(s, field.points()), count += std::popcount(active);
+      for (unsigned active = kernels.start(s, 255); active != 0; active = kernels.advance(s, field.evaluate(active, s.doubt > 0))) kernels.middles(s, field.points()), count += std::popcount(active);
     };
     search_in(lanes, steps[0]);
     search_in(with, steps[1]);
     for (int k = 0; k < SearchLanes::kCount; ++k) {
       if (with.lost[k] != 0) {
-        ++lost;
+        ++(nearly ? doubtful : lost);
         continue;
       }
       ASSERT_EQ(with.found[k], lanes.found[k]);
@@ -133,6 +135,7 @@ TEST(IsosurfaceRow, AMapChangesOnlyTheSteps) {
   }
   EXPECT_GT(hits, 5000);
   EXPECT_LT(lost, 3);
+  EXPECT_LT(doubtful, 100);  // of 3000
   EXPECT_LT(4 * steps[1], 3 * steps[0]);
 }
 

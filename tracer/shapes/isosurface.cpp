@@ -4,7 +4,7 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <limits>
+#include <cstring>
 #include <memory>
 
 #include <fmt/format.h>
@@ -21,6 +21,29 @@ namespace {
 
 constexpr double kFarthest = 2e10;
 constexpr int kMaxDepth = 62;  // halvings after which floating point has no finer steps
+
+// Normals that a thread computed for eight hits together, until they are asked for. An entry is found by the place in Hit::u, and then compared.
+struct NormalMemory {
+  struct Entry {
+    std::uint64_t shape = 0;
+    double point[3] = {}, normal[3] = {};
+  };
+  static constexpr int kCount = 2 * RayRow::kSize;
+
+  const Entry* find(const Hit& hit, std::uint64_t shape) const {
+    const Entry& entry = entries[static_cast<int>(hit.u)];
+    return hit.part == 0 && entry.shape == shape && std::memcmp(entry.point, &hit.point, sizeof entry.point) == 0 ? &entry : nullptr;
+  }
+  int add(const Entry& entry) {
+    next = (next + 1) % kCount;
+    entries[next] = entry;
+    return next;
+  }
+  Entry entries[kCount] = {};
+  int next = 0;
+};
+constinit thread_local NormalMemory normals_of_thread;
+std::atomic<std::uint64_t> isosurfaces_made{0};
 
 class Isosurface final : public Primitive<Isosurface> {
  public:
@@ -51,14 +74,17 @@ class Isosurface final : public Primitive<Isosurface> {
   unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const final {
     if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     RowHits row(t_min, t_max, false);
-    trace_row(rays, row);
+    FieldLanes field(*in_rows_);
+    trace_row(rays, row, field);
     each_lane(row.found, [&](int k) { hits[k] = {row.t_max[k], rays.at(k).at(row.t_max[k]), this, row.face[k], 0, 0}; });
+    remember_normals(row.found, field, hits);
     return row.found | Shape::intersect_lanes({rays.rays, rays.first, row.alone}, entry, kind, t_min, t_max, hits);
   }
   unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const final {
     if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     RowHits row(t_min, t_max, true);
-    trace_row(rays, row);
+    FieldLanes field(*in_rows_);
+    trace_row(rays, row, field);
     return row.found | Shape::occludes_lanes({rays.rays, rays.first, row.alone}, entry, t_min, t_max);
   }
 
@@ -70,12 +96,11 @@ class Isosurface final : public Primitive<Isosurface> {
   }
 
   Vec3 raw_normal(const Hit& hit) const {
+    if (const NormalMemory::Entry* known = normals_of_thread.find(hit, number_)) return {known->normal[0], known->normal[1], known->normal[2]};
     const Vec3 p = local(hit.point);
     if (hit.part > 0) return world_normal(container_normal(surface_.container, hit.part, p));
     const auto& container = surface_.container;
-    if (container.sphere && std::fabs(length(p - container.center) - container.radius) < kEpsilon) {
-      return world_normal(container_normal(container, 7, p));
-    }
+    if (on_shell(p)) return world_normal(container_normal(container, 7, p));
     const double a = surface_.accuracy;
     const double points[3][4] = {{p.x, p.x + a, p.x, p.x}, {p.y, p.y, p.y + a, p.y}, {p.z, p.z, p.z, p.z + a}};
     double f[4];
@@ -120,6 +145,12 @@ class Isosurface final : public Primitive<Isosurface> {
     return result;
   }
 
+  // What counts as a hit on a spherical container, whatever was hit.
+  bool on_shell(const Vec3& p) const {
+    const auto& container = surface_.container;
+    return container.sphere && std::fabs(length(p - container.center) - container.radius) < kEpsilon;
+  }
+
   // False: the container is missed.
   template <class Sink>
   bool trace(const Ray& ray, Search& search, Sink& sink) const;
@@ -151,7 +182,9 @@ class Isosurface final : public Primitive<Isosurface> {
   };
   // `trace` for eight rays.
   class RowTrace;
-  void trace_row(const RayLanes& rays, RowHits& hits) const;
+  void trace_row(const RayLanes& rays, RowHits& hits, FieldLanes& field) const;
+  const Mat4* to_object() const { return has_matrix() ? &matrix().inv : nullptr; }
+  void remember_normals(unsigned found, FieldLanes& field, Hit* hits) const;
 
   static void raise(std::atomic<double>& largest, double v) {
     double known = largest.load(std::memory_order_relaxed);
@@ -166,6 +199,7 @@ class Isosurface final : public Primitive<Isosurface> {
   std::string gradient_finding() const;
   std::string evaluate_finding() const;
 
+  const std::uint64_t number_ = ++isosurfaces_made;
   scene::Isosurface surface_;
   double max_gradient_;
   int max_trace_;
@@ -262,7 +296,8 @@ void Isosurface::trace(const Ray& ray, Search& search, const ContainerSpan& span
 class Isosurface::RowTrace {
  public:
   // Nearly: values need not be exact where the map says how wrong they are.
-  RowTrace(const Isosurface& shape, const RayLanes& rays, RowHits& hits, const CurvatureMap* map, bool nearly) : shape_(shape), s_(shape.surface_), rays_(rays), hits_(hits), field_(*shape.in_rows_) {
+  RowTrace(const Isosurface& shape, const RayLanes& rays, RowHits& hits, FieldLanes& field, const CurvatureMap* map, bool nearly)
+      : shape_(shape), s_(shape.surface_), rays_(rays), hits_(hits), field_(field) {
     lanes_.accuracy = s_.accuracy, lanes_.threshold = s_.threshold;
     lanes_.map = map;
     if (nearly) lanes_.doubt = 2 * map->error();
@@ -277,9 +312,10 @@ class Isosurface::RowTrace {
       each_lane(active, [&](int k) { lost_ |= lanes_.lost[k] != 0 ? 1u << k : 0; });
       active = go_on(found);
     }
+    if (lanes_.doubt > 0) return lost_;  // which met what is steeper
     double steepest = 0;
     each_lane(entered_, [&](int k) {
-      if (lanes_.steepest[k] > steepest * speed_[k]) steepest = lanes_.steepest[k] / speed_[k];
+      if (lanes_.steepest[k] > steepest * entry_.speed[k]) steepest = lanes_.steepest[k] / entry_.speed[k];
     });
     raise(shape_.steepest_, steepest);
     return lost_;
@@ -308,43 +344,20 @@ class Isosurface::RowTrace {
   // The rays that meet the container, with the values where they enter and leave it.
   unsigned enter() {
     const double a = s_.accuracy, steepest = shape_.steepest_.load(std::memory_order_relaxed);
-    each_lane(rays_.asked, [&](int k) {
-      Ray ray = rays_.at(k);
-      if (shape_.has_matrix()) ray = {shape_.matrix().inverse_point(ray.origin), shape_.matrix().inverse_direction(ray.direction)};
-      if (!intersect_container(s_.container, ray.origin, ray.direction, spans_[k])) return;
-      begin_[k] = std::max(spans_[k].enter, 0.0), end_[k] = spans_[k].leave;
-      const unsigned lane = 1u << k;
-      if (!(end_[k] <= kFarthest && end_[k] - begin_[k] < a * 0x1p50)) {
-        hits_.alone |= lane;
-        return;
-      }
-      entered_ |= lane;
-      for (int axis = 0; axis < 3; ++axis) lanes_.origin[axis][k] = ray.origin[axis], lanes_.direction[axis][k] = ray.direction[axis];
-      speed_[k] = length(ray.direction);
-      lanes_.slope[k] = shape_.max_gradient_ * speed_[k];
+    const unsigned met = isosurface_kernels().enter(lanes_, entry_, rays_, s_.container, shape_.to_object());
+    for (int k = 0; k < kLanes; ++k) {
+      begin_[k] = std::max(entry_.enter[k], 0.0), end_[k] = entry_.leave[k];
+      lanes_.slope[k] = shape_.max_gradient_ * entry_.speed[k];
       lanes_.sign[k] = 1;
-      remaining_[k] = shape_.max_trace_;
       // A little less than what is known to all, so that rounding does not make it more.
-      lanes_.steepest[k] = steepest * speed_[k] * (1 - 0x1p-51);
-      place_in_map(k);
-    });
+      lanes_.steepest[k] = steepest * entry_.speed[k] * (1 - 0x1p-51);
+      remaining_[k] = shape_.max_trace_;
+    }
+    each_lane(met, [&](int k) { (end_[k] <= kFarthest && end_[k] - begin_[k] < a * 0x1p50 ? entered_ : hits_.alone) |= 1u << k; });
     if (entered_ == 0) return 0;
     field(entered_, begin_, at_begin_);
     field(entered_, end_, at_end_);
     return entered_;
-  }
-
-  void place_in_map(int k) {
-    if (!lanes_.map) return;
-    const CurvatureMap& map = *lanes_.map;
-    lanes_.speed2[k] = speed_[k] * speed_[k] * (1 + 1e-12);
-    lanes_.reach[k] = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double origin = lanes_.origin[axis][k], step = lanes_.direction[axis][k];
-      lanes_.cell_origin[axis][k] = (origin - map.low()[axis]) / map.edge(), lanes_.cell_step[axis][k] = step / map.edge();
-      lanes_.reach[k] = std::max(lanes_.reach[k], std::fabs(lanes_.cell_step[axis][k]));
-      if (!(std::fabs(origin) + end_[k] * std::fabs(step) <= map.farthest())) lanes_.reach[k] = std::numeric_limits<double>::infinity();
-    }
   }
 
   // Rays that begin at the surface begin behind it; hits on the container. The rays that are to be searched.
@@ -374,7 +387,7 @@ class Isosurface::RowTrace {
     unsigned over = 0;
     each_lane(active, [&](int k) {
       const bool inside = within >> k & 1;
-      if (inside ? at_end_[k] < 0 && hits_.add(k, end_[k], spans_[k].leave_face) && hits_.any : at_begin_[k] < 0 && hits_.add(k, begin_[k], spans_[k].enter_face)) over |= 1u << k;
+      if (inside ? at_end_[k] < 0 && hits_.add(k, end_[k], static_cast<int>(entry_.leave_face[k])) && hits_.any : at_begin_[k] < 0 && hits_.add(k, begin_[k], static_cast<int>(entry_.enter_face[k]))) over |= 1u << k;
     });
     return active & ~over;
   }
@@ -417,23 +430,45 @@ class Isosurface::RowTrace {
   const scene::Isosurface& s_;
   const RayLanes& rays_;
   RowHits& hits_;
-  FieldLanes field_;
+  FieldLanes& field_;
   SearchLanes lanes_;
   unsigned entered_ = 0, lost_ = 0;
-  ContainerSpan spans_[kLanes];
-  Lane begin_{}, end_{}, at_begin_, at_end_, speed_;
+  EntryLanes entry_;
+  Lane begin_{}, end_{}, at_begin_, at_end_;
   int remaining_[kLanes];
 };
 
-void Isosurface::trace_row(const RayLanes& rays, RowHits& hits) const {
+void Isosurface::trace_row(const RayLanes& rays, RowHits& hits, FieldLanes& field) const {
   constexpr int kMostDoubts = 10000;  // then it is not worth while
   const CurvatureMap* const known = map();
   const bool nearly = known && known->complete() && doubts_.load(std::memory_order_relaxed) < kMostDoubts;
-  const unsigned lost = RowTrace(*this, rays, hits, known, nearly).run();
+  const unsigned lost = RowTrace(*this, rays, hits, field, known, nearly).run();
   if (lost == 0) return;
   if (nearly) doubts_.fetch_add(std::popcount(lost), std::memory_order_relaxed);
   hits.forget(lost);
-  RowTrace(*this, {rays.rays, rays.first, lost}, hits, nullptr, false).run();
+  RowTrace(*this, {rays.rays, rays.first, lost}, hits, field, nullptr, false).run();
+}
+
+void Isosurface::remember_normals(unsigned found, FieldLanes& field, Hit* hits) const {
+  constexpr int kLanes = RayLanes::kCount;
+  double points[3][kLanes] = {};
+  unsigned lanes = 0;
+  each_lane(found, [&](int k) {
+    if (hits[k].part != 0) return;
+    const Vec3 p = local(hits[k].point);
+    if (on_shell(p)) return;
+    lanes |= 1u << k;
+    for (int axis = 0; axis < 3; ++axis) points[axis][k] = p[axis];
+  });
+  if (std::popcount(lanes) < kFewest) return;
+  alignas(64) double values[4 * kLanes], normals[3 * kLanes];
+  for (int n = 0; n < 4; ++n) {
+    for (int axis = 0; axis < 3; ++axis)
+      for (int k = 0; k < kLanes; ++k) field.points()[axis * kLanes + k] = n == axis + 1 ? points[axis][k] + surface_.accuracy : points[axis][k];
+    std::copy_n(field.evaluate(lanes, false), kLanes, values + n * kLanes);
+  }
+  isosurface_kernels().normals(values, to_object(), normals);
+  each_lane(lanes, [&](int k) { hits[k].u = normals_of_thread.add({number_, {hits[k].point.x, hits[k].point.y, hits[k].point.z}, {normals[k], normals[kLanes + k], normals[2 * kLanes + k]}}); });
 }
 
 // The slope bound for a node, raised by `evaluate` where the function proves steeper.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "tracer/functions/program_lanes.h"
 #include "tracer/textures/instruction_sets.h"

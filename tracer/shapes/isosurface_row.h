@@ -6,6 +6,7 @@
 
 #include "tracer/functions/program.h"
 #include "tracer/math/ray_row.h"
+#include "tracer/scene/object.h"
 #include "tracer/shapes/curvature_map.h"
 
 namespace verisim::shapes {
@@ -35,13 +36,23 @@ struct alignas(64) SearchLanes {
   double doubt = 0;
 };
 
+// Where rays enter and leave the container, and through which faces (ContainerSpan); the length of their directions.
+struct alignas(64) EntryLanes {
+  double enter[SearchLanes::kCount], leave[SearchLanes::kCount], speed[SearchLanes::kCount];
+  std::int64_t enter_face[SearchLanes::kCount], leave_face[SearchLanes::kCount];
+};
+
 struct IsosurfaceKernels {
+  // Sets up the rays in object space, and where they are in the map; those that meet the container. The matrix may be null.
+  unsigned (*enter)(SearchLanes& lanes, EntryLanes& entry, const RayLanes& rays, const scene::Contained& container, const Mat4* to_object);
   // The middles of the nodes.
   void (*middles)(const SearchLanes& lanes, double* points);
   // Begins at the roots; the lanes that want the value in the middle of their node.
   unsigned (*start)(SearchLanes& lanes, unsigned asked);
   // Goes on with the values in the middles. A lane that ends has found the surface at begin + width, or nothing.
   unsigned (*advance)(SearchLanes& lanes, const double* values);
+  // Unit normals in the world, not inverted, from the values at points and at a step along each axis from there: eight each.
+  void (*normals)(const double* values, const Mat4* to_object, double* normals);
 };
 
 // Those of the best instruction set of this machine.

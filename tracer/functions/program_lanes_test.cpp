@@ -58,22 +58,25 @@ TEST(ProgramLanes, OperationsGiveTheSameBitsInLanes) {
   }
 }
 
-TEST(ProgramLanes, NearSinesAreNear) {
+TEST(ProgramLanes, NearValuesAreNear) {
   std::mt19937_64 random(10);
   std::vector<double> a = arguments(random);
   std::erase_if(a, [](double v) { return !(std::fabs(v) <= LaneKernels::kMostNear); });
   ASSERT_GT(a.size(), 10000u);
+  std::vector<double> b = a;
+  std::shuffle(b.begin(), b.end(), random);
   alignas(64) double registers[2 * kWidth];
   for (int set = 0; set < textures::kInstructionSets; ++set) {
     const LaneKernels* const kernels = lane_kernels(set);
     if (!kernels) continue;
-    for (const Code code : {Code::sin, Code::cos}) {
-      const Instruction instruction{code, 1, 0};
+    for (const Code code : {Code::sin, Code::cos, Code::atan2}) {
+      const Instruction instruction{code, 1, 0, 1};
       for (std::size_t begin = 0; begin + kWidth <= a.size(); begin += kWidth) {
         std::copy_n(&a[begin], kWidth, registers);
+        std::copy_n(&b[begin], kWidth, registers + kWidth);
         kernels->nearly({&instruction, 1}, {}, registers, 255);
         for (std::size_t k = 0; k < kWidth; ++k) {
-          const double expected = code == Code::sin ? std::sin(a[begin + k]) : std::cos(a[begin + k]);
+          const double expected = with_code(code, [&]<Code C>() { return apply<C>(a[begin + k], b[begin + k]); });
           ASSERT_LE(std::fabs(registers[kWidth + k] - expected), LaneKernels::kNearError) << a[begin + k] << ", set " << set;
         }
       }

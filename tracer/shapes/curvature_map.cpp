@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tracer/functions/curvature.h"
+#include "tracer/functions/drift.h"
 
 namespace verisim::shapes {
 
@@ -36,21 +37,18 @@ CurvatureMap::CurvatureMap(const functions::Program& program, const Box3& contai
   functions::CurvatureBounds bounds(program, farthest_ * 0x1p-50);
   const double margin = edge_ * 1e-6;
   bends_.resize(at(count_[0] - 1, count_[1] - 1, count_[2] - 1) + 1);
-  complete_ = true;
   for (int i = 0; i < count_[0]; ++i)
     for (int j = 0; j < count_[1]; ++j)
       for (int k = 0; k < count_[2]; ++k) {
         const Vec3 corner = low_ + Vec3(i, j, k) * edge_;
         const functions::Curvature c = bounds.within({corner - Vec3(margin), corner + Vec3(edge_ + margin)});
         bends_[at(i, j, k)] = c.bend;
-        if (!std::isfinite(c.bend)) {
-          complete_ = false;
-          continue;
-        }
+        if (!std::isfinite(c.bend)) continue;
         useful_ = true;
         error_ = std::max(error_, c.error);
       }
   join_neighbours();
+  drift_ = functions::drift(program, {container.min - Vec3(margin + largest * 1e-9), container.max + Vec3(margin + largest * 1e-9)});
 }
 
 void CurvatureMap::join_neighbours() {

@@ -15,8 +15,8 @@ class CurvatureMap {
 
   // False: nothing is known anywhere.
   bool useful() const { return useful_; }
-  // True: bends and errors are known everywhere.
-  bool complete() const { return complete_; }
+  // How far values of LaneKernels::nearly may be from exact ones; infinity: not known.
+  double drift() const { return drift_; }
   // Of computed values, even those of LaneKernels::nearly, for points whose coordinates are sums of numbers up to `farthest`.
   double error() const { return error_; }
   double farthest() const { return farthest_; }
@@ -32,10 +32,10 @@ class CurvatureMap {
   void join_neighbours();
 
   Vec3 low_;
-  double edge_ = 0, error_ = 0, farthest_ = 0;
+  double edge_ = 0, error_ = 0, farthest_ = 0, drift_ = 0;
   std::array<int, 3> count_{1, 1, 1};
   std::vector<double> bends_;
-  bool useful_ = false, complete_ = false;
+  bool useful_ = false;
 };
 
 }  // namespace verisim::shapes

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 
 #include <fmt/format.h>
@@ -300,7 +301,7 @@ class Isosurface::RowTrace {
       : shape_(shape), s_(shape.surface_), rays_(rays), hits_(hits), field_(field) {
     lanes_.accuracy = s_.accuracy, lanes_.threshold = s_.threshold;
     lanes_.map = map;
-    if (nearly) lanes_.doubt = 2 * map->error();
+    if (nearly) lanes_.doubt = 2 * map->drift() + std::fabs(s_.threshold) * 0x1p-50 + std::numeric_limits<double>::min();
   }
 
   // The rays of which it is not known what they meet.
@@ -441,7 +442,7 @@ class Isosurface::RowTrace {
 void Isosurface::trace_row(const RayLanes& rays, RowHits& hits, FieldLanes& field) const {
   constexpr int kMostDoubts = 10000;  // then it is not worth while
   const CurvatureMap* const known = map();
-  const bool nearly = known && known->complete() && doubts_.load(std::memory_order_relaxed) < kMostDoubts;
+  const bool nearly = known && std::isfinite(known->drift()) && doubts_.load(std::memory_order_relaxed) < kMostDoubts;
   const unsigned lost = RowTrace(*this, rays, hits, field, known, nearly).run();
   if (lost == 0) return;
   if (nearly) doubts_.fetch_add(std::popcount(lost), std::memory_order_relaxed);

@@ -113,7 +113,7 @@ TEST(IsosurfaceRow, AMapChangesOnlyTheSteps) {
     SearchLanes with = lanes;
     with.map = &map;
     const bool nearly = n % 8 == 7;  // when the steepest slope is known
-    if (nearly) with.doubt = 2 * map.error();
+    if (nearly) with.doubt = 2 * map.drift() + 1e-16;
     const auto search_in = [&](SearchLanes& s, int& count) {
       const IsosurfaceKernels& kernels = isosurface_kernels();
       for (unsigned active = kernels.start(s, 255); active != 0; active = kernels.advance(s, field.evaluate(active, s.doubt > 0))) kernels.middles(s, field.points()), count += std::popcount(active);

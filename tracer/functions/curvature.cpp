@@ -263,7 +263,8 @@ CurvatureBounds::CurvatureBounds(const Program& program, double coordinate_error
 CurvatureBounds::~CurvatureBounds() = default;
 
 Curvature CurvatureBounds::within(const Box3& box) {
-  constexpr Curvature kUnknown{std::numeric_limits<double>::infinity(), 0};
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  constexpr Curvature kUnknown{kNoLimit, {kNoLimit, kNoLimit, kNoLimit, kNoLimit, kNoLimit, kNoLimit}, 0};
   if (registers_.empty()) return kUnknown;
   for (unsigned k = 0; k < 3; ++k) {
     Jet& coordinate = registers_[k] = Jet{};
@@ -274,13 +275,14 @@ Curvature CurvatureBounds::within(const Box3& box) {
   const Jet& result = registers_[program_.result_register()];
   if (!result.smooth || !result.value.finite()) return kUnknown;
   std::array<std::array<double, 3>, 3> most{};
+  Curvature found{0, {}, 2 * result.error};
   for (std::size_t i = 0; i < 6; ++i) {
     const auto [p, q] = kPairs[i];
     if (!result.bend[i].finite()) return kUnknown;
-    most[p][q] = most[q][p] = result.bend[i].magnitude();
+    most[p][q] = most[q][p] = found.parts[i] = result.bend[i].magnitude();
   }
-  const double bend = norm(most);
-  return std::isfinite(bend) && std::isfinite(result.error) ? Curvature{bend, 2 * result.error} : kUnknown;
+  found.bend = norm(most);
+  return std::isfinite(found.bend) && std::isfinite(result.error) ? found : kUnknown;
 }
 
 }  // namespace verisim::functions

@@ -43,6 +43,7 @@ CurvatureMap::CurvatureMap(const functions::Program& program, const Box3& contai
         const Vec3 corner = low_ + Vec3(i, j, k) * edge_;
         const functions::Curvature c = bounds.within({corner - Vec3(margin), corner + Vec3(edge_ + margin)});
         bends_[at(i, j, k)] = c.bend;
+        for (std::size_t n = 0; n < 6; ++n) parts_[n] = std::max(parts_[n], c.parts[n]);
         if (!std::isfinite(c.bend)) continue;
         useful_ = true;
         error_ = std::max(error_, c.error);

@@ -23,6 +23,8 @@ class CurvatureMap {
 
   // Entry (i, j, k) is for what lies within cell (i, j, k) and the next one along each axis: first index slowest.
   const double* bends() const { return bends_.data(); }
+  // For all of the container, as Curvature::parts.
+  const std::array<double, 6>& parts() const { return parts_; }
   const Vec3& low() const { return low_; }
   double edge() const { return edge_; }  // of a cell
   int count(int axis) const { return count_[static_cast<std::size_t>(axis)]; }
@@ -34,6 +36,7 @@ class CurvatureMap {
   Vec3 low_;
   double edge_ = 0, error_ = 0, farthest_ = 0, drift_ = 0;
   std::array<int, 3> count_{1, 1, 1};
+  std::array<double, 6> parts_{};
   std::vector<double> bends_;
   bool useful_ = false;
 };

@@ -22,8 +22,8 @@ struct alignas(64) SearchLanes {
   double steepest[kCount] = {};  // change of the function over a node, for its width: the largest that any ray is known to have met
   std::int64_t place[kCount] = {}, unit[kCount] = {};  // where the node begins and how long it is, in 2^-50 of the root
   std::int64_t depth[kCount] = {}, active[kCount] = {}, found[kCount] = {};  // the last two: 0 or -1
-  // The ray in cells of the map, the most cells along an axis for a distance, and its speed squared.
-  double cell_origin[3][kCount] = {}, cell_step[3][kCount] = {}, reach[kCount] = {}, speed2[kCount] = {};
+  // The ray in cells of the map, the most cells along an axis for a distance, its speed squared, and the largest second derivative along it anywhere.
+  double cell_origin[3][kCount] = {}, cell_step[3][kCount] = {}, reach[kCount] = {}, speed2[kCount] = {}, bend_anywhere[kCount] = {};
   // Lanes that look for the only crossing in their node, closer and closer: limits of it and of the distance in which the function falls by one, the next
   // place to look at and the last one.
   std::int64_t homing[kCount] = {}, tries[kCount] = {}, lost[kCount] = {};  // lost: is to be searched again without a map and with exact values

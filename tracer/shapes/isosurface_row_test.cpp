@@ -103,6 +103,7 @@ TEST(IsosurfaceRow, AMapChangesOnlyTheSteps) {
         lanes.cell_origin[i][k] = (from[i] - map.low()[i]) / map.edge(), lanes.cell_step[i][k] = (to[i] - from[i]) / map.edge();
         lanes.reach[k] = std::max(lanes.reach[k], std::fabs(lanes.cell_step[i][k]));
       }
+      lanes.bend_anywhere[k] = std::numeric_limits<double>::infinity();
       lanes.speed2[k] = speed * speed * (1 + 1e-12);
       lanes.width[k] = 1;
       lanes.value0[k] = (*function)(from.x, from.y, from.z) - lanes.threshold, lanes.value1[k] = (*function)(to.x, to.y, to.z) - lanes.threshold;

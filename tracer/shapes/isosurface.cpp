@@ -323,92 +323,55 @@ class Isosurface::RowTrace {
   }
 
  private:
-  static constexpr int kLanes = RayLanes::kCount;
-  using Lane = double[kLanes];
-
-  // f - threshold at distances t.
-  void field(unsigned asked, const Lane& t, Lane& values) {
-    double* const points = field_.points();
-    for (int axis = 0; axis < 3; ++axis)
-      for (int k = 0; k < kLanes; ++k) points[axis * kLanes + k] = lanes_.origin[axis][k] + t[k] * lanes_.direction[axis][k];
-    const double* const f = field_.evaluate(asked, lanes_.doubt > 0);
-    for (int k = 0; k < kLanes; ++k) values[k] = f[k] - s_.threshold;
-    if (lanes_.doubt == 0) return;
-    // What follows asks for the sign, and whether the surface is near.
-    const double near_zero = 4 * shape_.max_gradient_ * s_.accuracy;
-    each_lane(asked, [&](int k) {
-      const double size = std::fabs(values[k]);
-      if (!(size > lanes_.doubt && std::fabs(size - near_zero) > lanes_.doubt)) lost_ |= 1u << k;
-    });
+  // f - threshold at distances t, of the rays that are asked for; loses those for which it is not known what it is like.
+  Judged field(unsigned asked, const double* t, double* values) {
+    kernels_.place(lanes_, t, field_.points());
+    const Judged judged = kernels_.judge(lanes_, field_.evaluate(asked, lanes_.doubt > 0), near_zero_, asked, values);
+    lost_ |= judged.doubtful;
+    return judged;
   }
 
-  // The rays that meet the container, with the values where they enter and leave it.
+  // The rays that meet the container.
   unsigned enter() {
-    const double a = s_.accuracy, steepest = shape_.steepest_.load(std::memory_order_relaxed);
-    const unsigned met = isosurface_kernels().enter(lanes_, entry_, rays_, s_.container, shape_.to_object());
-    for (int k = 0; k < kLanes; ++k) {
-      begin_[k] = std::max(entry_.enter[k], 0.0), end_[k] = entry_.leave[k];
-      lanes_.slope[k] = shape_.max_gradient_ * entry_.speed[k];
-      lanes_.sign[k] = 1;
-      // A little less than what is known to all, so that rounding does not make it more.
-      lanes_.steepest[k] = steepest * entry_.speed[k] * (1 - 0x1p-51);
-      remaining_[k] = shape_.max_trace_;
-    }
-    each_lane(met, [&](int k) { (end_[k] <= kFarthest && end_[k] - begin_[k] < a * 0x1p50 ? entered_ : hits_.alone) |= 1u << k; });
-    if (entered_ == 0) return 0;
-    field(entered_, begin_, at_begin_);
-    field(entered_, end_, at_end_);
+    const double steepest = shape_.steepest_.load(std::memory_order_relaxed);
+    const unsigned met = kernels_.enter(lanes_, entry_, rays_, s_.container, shape_.to_object(), shape_.max_gradient_, steepest);
+    const unsigned usual = kernels_.stretches(lanes_, entry_).usual;
+    entered_ = met & usual;
+    hits_.alone |= met & ~usual;
+    std::fill_n(remaining_, RayLanes::kCount, shape_.max_trace_);
     return entered_;
   }
 
   // Rays that begin at the surface begin behind it; hits on the container. The rays that are to be searched.
   unsigned pass_wall(unsigned active) {
-    const double a = s_.accuracy, gap = 5 * a, near_zero = 4 * shape_.max_gradient_ * a;
-    unsigned at_surface = 0, within = 0;
-    each_lane(active, [&](int k) {
-      const unsigned lane = 1u << k;
-      if (begin_[k] > a) return;
-      within |= lane;
-      if (s_.open ? begin_[k] < a && std::fabs(at_begin_[k]) < near_zero : at_begin_[k] < near_zero) at_surface |= lane;
-    });
-    if (s_.open) active &= long_enough(active);
-    at_surface &= active;
-    if (at_surface != 0) {
-      each_lane(at_surface, [&](int k) { begin_[k] = gap; });
-      field(at_surface, begin_, at_begin_);
+    if (active == 0) return 0;
+    const Judged begin = field(active, entry_.begin, entry_.at_begin), end = field(active, entry_.end, entry_.at_end);
+    Stretches stretches = kernels_.stretches(lanes_, entry_);
+    const unsigned within = active & stretches.within;
+    if (s_.open) active &= stretches.enough;
+    if (const unsigned at_surface = active & within & (s_.open ? stretches.before & begin.close : begin.below); at_surface != 0) {
+      each_lane(at_surface, [&](int k) { entry_.begin[k] = 5 * s_.accuracy; });
+      field(at_surface, entry_.begin, entry_.at_begin);
       each_lane(at_surface, [&](int k) {
-        if (at_begin_[k] < 0) lanes_.sign[k] = -1;
+        if (entry_.at_begin[k] < 0) lanes_.sign[k] = -1;
       });
+      stretches = kernels_.stretches(lanes_, entry_);
     }
     if (s_.open) return active;
-    each_lane(active & ~within, [&](int k) {
-      if (at_begin_[k] < 0) --remaining_[k], lanes_.sign[k] = -1;
-    });
-    active &= long_enough(active);
+    const unsigned at_wall = active & ~within & begin.negative;
+    each_lane(at_wall, [&](int k) { --remaining_[k], lanes_.sign[k] = -1; });
+    active &= stretches.enough;
     unsigned over = 0;
-    each_lane(active, [&](int k) {
-      const bool inside = within >> k & 1;
-      if (inside ? at_end_[k] < 0 && hits_.add(k, end_[k], static_cast<int>(entry_.leave_face[k])) && hits_.any : at_begin_[k] < 0 && hits_.add(k, begin_[k], static_cast<int>(entry_.enter_face[k]))) over |= 1u << k;
-    });
+    each_lane(active & at_wall, [&](int k) { over |= hits_.add(k, entry_.begin[k], static_cast<int>(entry_.enter_face[k])) ? 1u << k : 0; });
+    each_lane(active & within & end.negative, [&](int k) { over |= hits_.add(k, entry_.end[k], static_cast<int>(entry_.leave_face[k])) && hits_.any ? 1u << k : 0; });
     return active & ~over;
   }
-  unsigned long_enough(unsigned lanes) const {
-    unsigned result = 0;
-    each_lane(lanes, [&](int k) { result |= end_[k] - begin_[k] >= s_.accuracy ? 1u << k : 0; });
-    return result;
-  }
 
-  // Sets up a search from begin_ to end_.
   unsigned to_search(unsigned active) {
     each_lane(active, [&](int k) {
-      if (remaining_[k]-- <= 0) {
-        active &= ~(1u << k);
-        return;
-      }
-      if (s_.open && lanes_.sign[k] * at_begin_[k] < 0) lanes_.sign[k] = -lanes_.sign[k];
-      lanes_.begin[k] = begin_[k], lanes_.width[k] = end_[k] - begin_[k];
-      lanes_.value0[k] = lanes_.sign[k] * at_begin_[k], lanes_.value1[k] = lanes_.sign[k] * at_end_[k];
+      if (remaining_[k]-- <= 0) active &= ~(1u << k);
     });
+    kernels_.set_up(lanes_, entry_, active, s_.open);
     return active;
   }
 
@@ -418,12 +381,12 @@ class Isosurface::RowTrace {
     each_lane(found, [&](int k) {
       const double t = lanes_.begin[k] + lanes_.width[k];
       if (hits_.add(k, t, 0)) return;
-      begin_[k] = t + 5 * s_.accuracy;
-      if (end_[k] - begin_[k] < s_.accuracy || begin_[k] > hits_.t_max[k]) return;
+      const double begin = entry_.begin[k] = t + 5 * s_.accuracy;
+      if (entry_.end[k] - begin < s_.accuracy || begin > hits_.t_max[k]) return;
       lanes_.sign[k] = -lanes_.sign[k];
       active |= 1u << k;
     });
-    if (active != 0) field(active, begin_, at_begin_);
+    if (active != 0) field(active, entry_.begin, entry_.at_begin);
     return active;
   }
 
@@ -432,11 +395,12 @@ class Isosurface::RowTrace {
   const RayLanes& rays_;
   RowHits& hits_;
   FieldLanes& field_;
+  const IsosurfaceKernels& kernels_ = isosurface_kernels();
+  const double near_zero_ = 4 * shape_.max_gradient_ * s_.accuracy;
   SearchLanes lanes_;
   unsigned entered_ = 0, lost_ = 0;
   EntryLanes entry_;
-  Lane begin_{}, end_{}, at_begin_, at_end_;
-  int remaining_[kLanes];
+  int remaining_[RayLanes::kCount];
 };
 
 void Isosurface::trace_row(const RayLanes& rays, RowHits& hits, FieldLanes& field) const {

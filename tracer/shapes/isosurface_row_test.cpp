@@ -93,7 +93,7 @@ TEST(IsosurfaceRow, AMapChangesOnlyTheSteps) {
   int hits = 0, steps[2] = {}, lost = 0, doubtful = 0;
   for (int n = 0; n < 3000; ++n) {
     FieldLanes field(program);
-    SearchLanes lanes;
+    SearchLanes lanes{};
     lanes.accuracy = n % 3 == 0 ? 0.05 : 0.001, lanes.threshold = n % 2 ? 0.05 : 0;
     for (int k = 0; k < SearchLanes::kCount; ++k) {
       const Vec3 from = Vec3(unit(random), unit(random), unit(random)) * 1.3, to = Vec3(unit(random), unit(random), unit(random)) * 1.3;

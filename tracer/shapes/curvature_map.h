@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "tracer/functions/program.h"
+#include "tracer/functions/curvature.h"
 #include "tracer/math/vec.h"
 
 namespace verisim::shapes {
@@ -31,6 +31,7 @@ class CurvatureMap {
 
  private:
   std::size_t at(int i, int j, int k) const { return static_cast<std::size_t>((i * count_[1] + j) * count_[2] + k); }
+  bool fill(functions::CurvatureBounds& bounds, const Vec3& size, double cells);
   void join_neighbours();
 
   Vec3 low_;

@@ -15,7 +15,7 @@ const EvaluationKernels& kernels = evaluation_kernels(best_instruction_set());
 constexpr std::size_t kFewPoints = 3;  // not worth a row
 
 // std::copy_n for a number of which the compiler knows nothing is a call, or an instruction that takes long to start.
-void copy_few(const double* from, std::size_t count, double* to) {
+inline __attribute__((always_inline)) void copy_few(const double* from, std::size_t count, double* to) {
   for (; count >= 4; count -= 4, from += 4, to += 4) std::memcpy(to, from, 4 * sizeof *to);
   if (count & 2) std::memcpy(to, from, 2 * sizeof *to), from += 2, to += 2;
   if (count & 1) *to = *from;

@@ -325,18 +325,18 @@ class Integrator {
   // sample(), at many places of an interval, without lights.
   void sample_row(const Interval& span, int count, const double* at, Sample* samples) const {
     textures::PointRow points;
-    std::array<Rgb, textures::PointRow::kMost> density, extinction, emission;
-    for (int i = 0; i < count; ++i) points.set(i, ray_.at(span.start + at[i] * span.length));
+    for (int i = 0; i < count; ++i) points.set(i, ray_.at(span.start + at[i] * span.length)), samples[i] = {};
     points.fill_up(count);
+    thread_local Rgb density[textures::PointRow::kMost];
     for (const CompiledMedia* m : media_) {
-      media_densities(*m, count, points, density.data());
+      media_densities(*m, count, points, density);
       for (int i = 0; i < count; ++i) {
-        extinction[i] += density[i] * m->extinction;
-        if (!shadow_ && m->emits) emission[i] += density[i] * m->description->emission;
+        samples[i].depth += density[i] * m->extinction;
+        if (!shadow_ && m->emits) samples[i].source += density[i] * m->description->emission;
       }
     }
     const float s = static_cast<float>(span.length);
-    for (int i = 0; i < count; ++i) samples[i] = {emission[i] * s, extinction[i] * s};
+    for (int i = 0; i < count; ++i) samples[i] = samples[i] * s;
   }
 
   std::span<const CompiledMedia* const> media_;

@@ -1,8 +1,7 @@
 // Densities of media, one by one and many together.
 #include <algorithm>
 #include <array>
-
-#include <boost/container/small_vector.hpp>
+#include <vector>
 
 #include "tracer/global/media.h"
 
@@ -26,41 +25,61 @@ Rgb media_density(const CompiledMedia& m, const Vec3& p) {
   return value;
 }
 
+namespace {
+
+constexpr int kMost = textures::PointRow::kMost;
+
+// Room of a thread: what is asked for are often few points, and clearing a row would cost more than they do.
+struct DensityRoom {
+  textures::PointRow left;
+  int place[kMost];
+  Rgb found[kMost];
+  Color colors[kMost];
+  bool colored[kMost];
+  std::vector<std::array<Rgb, kMost>> known;
+};
+
+}  // namespace
+
 void media_densities(const CompiledMedia& m, int count, const textures::PointRow& points, Rgb* densities) {
-  constexpr int kMost = textures::PointRow::kMost;
-  using Values = std::array<Rgb, kMost>;
-  textures::PointRow left = points;
-  std::array<int, kMost> place;
-  for (int i = 0; i < count; ++i) place[i] = i;
+  thread_local DensityRoom room;
+  const textures::PointRow* left = &points;  // the points that are not known to have none
   int n = count;
-  const auto evaluate = [&](std::size_t density, Values& values) {
-    std::array<Color, kMost> colors;
-    std::array<bool, kMost> colored;
-    textures::evaluate(*m.densities[density], n, left, nullptr, colors.data(), colored.data());
-    for (int i = 0; i < n; ++i) values[i] = colors[i].rgb();
+  const auto evaluate = [&](std::size_t density, Rgb* values) {
+    textures::evaluate(*m.densities[density], n, *left, nullptr, room.colors, room.colored);
+    for (int i = 0; i < n; ++i) values[i] = room.colors[i].rgb();
   };
   // Points where a simple density is zero are left out.
-  boost::container::small_vector<Values, 1> known;
+  if (room.known.size() < m.simple_densities.size()) room.known.resize(m.simple_densities.size());
+  std::size_t known = 0;
   for (const std::size_t density : m.simple_densities) {
     if (n == 0) break;
-    evaluate(density, known.emplace_back());
+    Rgb* const values = room.known[known++].data();
+    evaluate(density, values);
     int kept = 0;
     for (int i = 0; i < n; ++i) {
-      if (known.back()[i] == Rgb()) continue;
-      for (Values& values : known) values[kept] = values[i];
-      place[kept] = place[i];
-      left.set(kept++, left.at(i));
+      if (values[i] == Rgb()) continue;
+      if (kept != i || left == &points) {
+        for (std::size_t k = 0; k < known; ++k) room.known[k][kept] = room.known[k][i];
+        room.left.set(kept, left->at(i));
+        room.place[kept] = left == &points ? i : room.place[i];
+      }
+      ++kept;
     }
-    left.fill_up(n = kept);
+    left = &room.left;
+    room.left.fill_up(n = kept);
   }
-  std::fill_n(densities, count, Rgb());
-  for (int i = 0; i < n; ++i) densities[place[i]] = Rgb(1.0f);
-  Values found;
+  if (left == &points) {
+    for (int i = 0; i < n; ++i) densities[i] = Rgb(1.0f), room.place[i] = i;
+  } else {
+    std::fill_n(densities, count, Rgb());
+    for (int i = 0; i < n; ++i) densities[room.place[i]] = Rgb(1.0f);
+  }
   for (std::size_t density = 0, simple = 0; n > 0 && density < m.densities.size(); ++density) {
     const bool is_known = simple < m.simple_densities.size() && m.simple_densities[simple] == density;
-    if (!is_known) evaluate(density, found);
-    const Values& values = is_known ? known[simple++] : found;
-    for (int i = 0; i < n; ++i) densities[place[i]] *= values[i];
+    if (!is_known) evaluate(density, room.found);
+    const Rgb* const values = is_known ? room.known[simple++].data() : room.found;
+    for (int i = 0; i < n; ++i) densities[room.place[i]] *= values[i];
   }
 }
 

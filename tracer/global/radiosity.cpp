@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/global/gather_lattice.h"
+
 namespace verisim::global {
 namespace {
 
@@ -118,10 +120,14 @@ Rgb RadiosityTask::irradiance(const RadiosityQuery& query, Gatherer& gatherer, f
 
 Rgb RadiosityTask::take_sample(const RadiosityQuery& query, Gatherer& gatherer, float& quality) {
   const scene::Radiosity& d = settings_.description();
-  const int n = settings_.rays(query.depth);
+  const bool on_lattice = next_lattice_ && GatherLattice::worthwhile(settings_.rays(query.depth));
+  const int n = on_lattice ? GatherLattice::enough(settings_.rays(query.depth)) : settings_.rays(query.depth);
   const std::size_t pool = settings_.pool_size();
   std::size_t& cursor = cursor_[query.depth];
-  const auto draw = [&] {
+  std::optional<GatherLattice> lattice;
+  if (on_lattice) lattice.emplace(n, (*next_lattice_)++);
+  const auto draw = [&]() -> Vec3 {
+    if (lattice) return lattice->next();
     const Vec3& direction = settings_.direction(cursor);
     cursor = cursor + 1 == pool ? 0 : cursor + 1;
     return direction;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -66,8 +67,11 @@ class RadiosityTask {
   // `base` is read only; new samples go to `own` (which may be the same cache when tasks run one after the other).
   RadiosityTask(const RadiositySettings& settings, const IrradianceCache* base, IrradianceCache* own, bool pretrace, int pass, int tile);
 
-  // Where the direction cursors start; POV-Ray starts every phase at 0.
-  void seek(std::size_t first_direction) { cursor_.fill(first_direction % settings_.pool_size()); }
+  // The default mode: where the direction cursors start (POV-Ray starts every phase at 0), and the number of the first lattice of directions.
+  void spread(std::size_t first) {
+    cursor_.fill(first % settings_.pool_size());
+    next_lattice_ = first;
+  }
   // Irradiance at the point, and through `quality` (in and out) the worst quality so far along the enclosing ray; a sample taken for it may be of better
   // quality than 1, if it has hit more of what is of little importance than most do, and then counts for as much.
   Rgb irradiance(const RadiosityQuery& query, Gatherer& gatherer, float& quality);
@@ -88,6 +92,7 @@ class RadiosityTask {
   bool pretrace_;
   int pass_, tile_;
   std::array<std::size_t, kMaxRadiosityDepth> cursor_{};
+  std::optional<std::size_t> next_lattice_;
   PretraceQueries primary_queries_;
   // Of what the last gather ray hit first, at any depth; below 0: none since the ray that is being followed. POV-Ray weighs a ray by it, hence by what the
   // samples along it have hit last, if any were taken (measured with 3.7.0.10).

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <random>
 
+#include "tracer/global/gather_lattice.h"
+
 namespace verisim::global {
 namespace {
 
@@ -17,6 +19,34 @@ TEST(RadiositySettings, FirstDirectionIsHaltons) {
   EXPECT_EQ(settings.rays(0), 35);
   EXPECT_EQ(settings.rays(1), 17);
   EXPECT_EQ(settings.rays(4), 5);
+}
+
+// The moments of a cosine-weighted hemisphere: the mean of cos^k is 2 / (k + 2), azimuths cancel. Beginnings, which importance uses, are spread, too; so are
+// the directions behind the lattice, for normals that turn many away.
+TEST(GatherLattice, IsCosineWeightedFromItsBeginning) {
+  for (const int count : {5, 35, 136, 1600}) {
+    for (const std::size_t number : {0u, 7u, 123456u}) {
+      for (const int rays : {count / 2, count, 3 * count}) {
+        GatherLattice lattice(count, number);
+        Vec3 mean(0, 0, 0);
+        double square = 0;
+        for (int i = 0; i < rays; ++i) {
+          const Vec3 d = lattice.next();
+          EXPECT_NEAR(length(d), 1.0, 1e-12);
+          EXPECT_GE(d.y, 0.0);
+          mean += d / rays;
+          square += d.y * d.y / rays;
+        }
+        const double tolerance = 1.5 / rays + (rays == count / 2 ? 1.5 / rays : 0);
+        EXPECT_NEAR(mean.x, 0.0, tolerance) << count << ' ' << rays;
+        EXPECT_NEAR(mean.y, 2.0 / 3.0, tolerance) << count << ' ' << rays;
+        EXPECT_NEAR(mean.z, 0.0, tolerance) << count << ' ' << rays;
+        EXPECT_NEAR(square, 0.5, tolerance) << count << ' ' << rays;
+      }
+    }
+  }
+  EXPECT_FALSE(GatherLattice::worthwhile(35));
+  EXPECT_EQ(GatherLattice::enough(200), 137);
 }
 
 TEST(IrradianceCache, FindsEverySampleThatCanReachTheQuery) {

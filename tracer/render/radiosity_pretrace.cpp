@@ -123,7 +123,7 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
           Worker& worker = workers.local();
           auto& task = EffectsStateOfScene::of(worker.tracer).radiosity;
           task.emplace(*effects.radiosity_settings(), &cache, &found[i], true, pass, static_cast<int>(tile));
-          task->seek(first_direction(options, pass, static_cast<int>(tile), false));
+          task->spread(first_direction(options, pass, static_cast<int>(tile), false));
           try {
             worker.trace_tile(plan, pass, adaptive, *task, tiles[tile]);
           } catch (const shading::Cancelled&) {
@@ -155,7 +155,7 @@ void begin_block(global::SceneEffects& effects, shading::Tracer& tracer, const O
   }
   state.own_samples.emplace(effects.radiosity_settings()->empty_cache());
   state.radiosity.emplace(*effects.radiosity_settings(), &effects.irradiance(), &*state.own_samples, false, -2, block);
-  state.radiosity->seek(first_direction(options, 0, block, true));
+  state.radiosity->spread(first_direction(options, 0, block, true));
 }
 
 void end_block(global::SceneEffects& effects, shading::Tracer& tracer, const Options& options, int block) {

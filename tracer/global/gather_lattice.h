@@ -1,0 +1,43 @@
+// Directions in which a radiosity sample of many rays looks in the default mode: cosine-weighted about +y like POV-Ray's (spec 07 2.7), but each sample has a
+// lattice of its own, shifted against those of the others, instead of the next stretch of one sequence: fewer rays make no more noise. Samples of few rays are
+// left as they are: how far they are used hangs on a harmonic mean, and a better one would change the look.
+#pragma once
+
+#include <cmath>
+#include <numeric>
+
+#include "tracer/math/vec.h"
+
+namespace verisim::global {
+
+class GatherLattice {
+ public:
+  static bool worthwhile(int rays) { return rays > kFew; }
+  // Rays for the noise of `rays` of POV-Ray's.
+  static int enough(int rays) { return rays - (rays - kFew) * 9 / 20; }
+
+  // Lattices of successive numbers complement each other.
+  GatherLattice(int count, std::size_t number) : count_(count), u_(part(kU * static_cast<double>(number))), v_(part(kV * static_cast<double>(number))) {
+    step_ = std::max(1, static_cast<int>(count * kGolden));
+    while (std::gcd(step_, count_) != 1) ++step_;
+  }
+
+  // The first `count` are the lattice, in an order whose beginnings are spread evenly, too; then come others, shifted again.
+  Vec3 next() {
+    if (drawn_ == count_) drawn_ = 0, u_ = part(u_ + kU), v_ = part(v_ + kV);
+    const auto place = static_cast<double>(static_cast<long long>(drawn_++) * step_ % count_);
+    const double u = (place + u_) / count_, angle = 2.0 * 3.14159265358979323846 * (place * kGolden + v_), r = std::sqrt(u);
+    return {r * std::cos(angle), std::sqrt(1.0 - u), r * std::sin(angle)};
+  }
+
+ private:
+  static constexpr int kFew = 60;
+  static constexpr double kGolden = 0.61803398874989485;
+  static constexpr double kU = 0.75487766624669276, kV = 0.56984029099805327;  // powers of the inverse plastic number: shifts that fill the square evenly
+  static double part(double x) { return x - std::floor(x); }
+
+  int count_, step_, drawn_ = 0;
+  double u_, v_;
+};
+
+}  // namespace verisim::global

@@ -64,7 +64,7 @@ TEST_P(WaveKernel, LightsAndHighlightsAreThoseOfTheFormulas) {
     kernels->face(WaveLanes::kMost, *lanes);
     kernels->respond(true, true, WaveLanes::kMost, *lanes);
     for (int i = 0; i < WaveLanes::kMost; ++i) {
-      const Vec3 n = lanes->normal.at(i), view = lanes->view.at(i), to = position - lanes->to_light.origin.at(i), l = to / length(to);
+      const Vec3 n = lanes->normal.at(i), view = lanes->view.at(i), to = position - lanes->to_light.origin.at(i), l = to * (1 / length(to));
       ASSERT_EQ(lanes->to_light.direction.at(i), l);
       ASSERT_EQ(lanes->distance[i], length(to));
       ASSERT_EQ(lanes->cosine[i], dot(n, l));

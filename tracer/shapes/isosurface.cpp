@@ -78,7 +78,7 @@ class Isosurface final : public Primitive<Isosurface> {
     FieldLanes field(*in_rows_);
     trace_row(rays, row, field);
     each_lane(row.found, [&](int k) { hits[k] = {row.t_max[k], rays.at(k).at(row.t_max[k]), this, row.face[k], 0, 0}; });
-    remember_normals(row.found, field, hits);
+    remember_normals(row.found, hits);
     return row.found | Shape::intersect_lanes({rays.rays, rays.first, row.alone}, entry, kind, t_min, t_max, hits);
   }
   unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const final {
@@ -185,7 +185,7 @@ class Isosurface final : public Primitive<Isosurface> {
   class RowTrace;
   void trace_row(const RayLanes& rays, RowHits& hits, FieldLanes& field) const;
   const Mat4* to_object() const { return has_matrix() ? &matrix().inv : nullptr; }
-  void remember_normals(unsigned found, FieldLanes& field, Hit* hits) const;
+  void remember_normals(unsigned found, Hit* hits) const;
 
   static void raise(std::atomic<double>& largest, double v) {
     double known = largest.load(std::memory_order_relaxed);
@@ -414,7 +414,7 @@ void Isosurface::trace_row(const RayLanes& rays, RowHits& hits, FieldLanes& fiel
   RowTrace(*this, {rays.rays, rays.first, lost}, hits, field, nullptr, false).run();
 }
 
-void Isosurface::remember_normals(unsigned found, FieldLanes& field, Hit* hits) const {
+void Isosurface::remember_normals(unsigned found, Hit* hits) const {
   constexpr int kLanes = RayLanes::kCount;
   double points[3][kLanes] = {};
   unsigned lanes = 0;
@@ -427,11 +427,7 @@ void Isosurface::remember_normals(unsigned found, FieldLanes& field, Hit* hits) 
   });
   if (std::popcount(lanes) < kFewest) return;
   alignas(64) double values[4 * kLanes], normals[3 * kLanes];
-  for (int n = 0; n < 4; ++n) {
-    for (int axis = 0; axis < 3; ++axis)
-      for (int k = 0; k < kLanes; ++k) field.points()[axis * kLanes + k] = n == axis + 1 ? points[axis][k] + surface_.accuracy : points[axis][k];
-    std::copy_n(field.evaluate(lanes, false), kLanes, values + n * kLanes);
-  }
+  evaluate_around(*in_rows_, points, surface_.accuracy, lanes, values);
   isosurface_kernels().normals(values, to_object(), normals);
   each_lane(lanes, [&](int k) { hits[k].u = normals_of_thread.add({number_, {hits[k].point.x, hits[k].point.y, hits[k].point.z}, {normals[k], normals[kLanes + k], normals[2 * kLanes + k]}}); });
 }

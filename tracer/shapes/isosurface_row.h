@@ -95,6 +95,9 @@ class FieldLanes {
   alignas(64) double registers_[kMostRegisters * SearchLanes::kCount];
 };
 
+// The values at eight points, x, y and z, and at a step from them along each axis: eight each. The program is suitable.
+void evaluate_around(const functions::Program& program, const double (&points)[3][SearchLanes::kCount], double step, unsigned asked, double* values);
+
 // The lanes of `asked` that find the surface; where is begin + width. Those that are lost found nothing, which means nothing.
 unsigned find_crossings(FieldLanes& field, SearchLanes& lanes, unsigned asked);
 

@@ -1,6 +1,7 @@
 // Helpers of the shape tests: build functions, shoot rays, compare with probe values.
 #pragma once
 
+#include <cstring>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -93,6 +94,8 @@ inline void expect_rows_as_single_rays(const Shape& shape, std::mt19937& random,
     ASSERT_EQ(hits[k].point, single.point);
     ASSERT_EQ(hits[k].shape, single.shape);
     ASSERT_EQ(hits[k].part, single.part);
+    const Vec3 in_row = shape.normal(hits[k]), alone = shape.normal(single);
+    ASSERT_EQ(std::memcmp(&in_row, &alone, sizeof alone), 0);
   }
 }
 

@@ -102,15 +102,19 @@ class World::RowSearch {
 
   unsigned found() const { return found_; }
 
+  void test_planes() {
+    for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
+      const std::uint32_t index = w_.unbounded[i];
+      const Entry& e = w_.entries[index];
+      if (w_.planes[i] && !(e.hidden & mask_)) test_plane(*w_.planes[i], e.shape, index);
+    }
+  }
+  // What else is beside the tree costs more, so it is asked when most rays have hit something.
   void test_unbounded() {
     for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
       const std::uint32_t index = w_.unbounded[i];
       const Entry& e = w_.entries[index];
-      if (e.hidden & mask_) continue;
-      if (w_.planes[i]) {
-        test_plane(*w_.planes[i], e.shape, index);
-        continue;
-      }
+      if (w_.planes[i] || (e.hidden & mask_)) continue;
       unsigned lanes = 0;
       each_lane(rays_.asked, [&](int k) { lanes |= e.may_meet(rays_.at(k), t_min_, limit_[k]) ? 1u << k : 0; });
       if (lanes != 0) test(*e.shape, index, nullptr, lanes);
@@ -181,9 +185,10 @@ void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind
       return;
     }
     RowSearch search(w, {rays, start, lanes_below(rest)}, kind, t_min, hits + start);
-    search.test_unbounded();
+    search.test_planes();
     if (!all_known) search.walk_tree(entry);
     else if (entry) search.test_boxes(*entry);
+    search.test_unbounded();
     for (int i = start; i < std::min(start + kLanes, first + count); ++i) found[i] = search.found() >> (i - start) & 1;
   }
 }
@@ -195,14 +200,16 @@ class World::RowOcclusion {
 
   unsigned open() const { return open_; }
 
+  void test_planes() {
+    for (std::size_t i = 0; i < w_.unbounded.size() && open_ != 0; ++i) {
+      const Entry& e = w_.entries[w_.unbounded[i]];
+      if (w_.planes[i] && !(e.hidden & kMask) && e.opacity != Opacity::transparent) test_plane(*w_.planes[i]);
+    }
+  }
   void test_unbounded() {
     for (std::size_t i = 0; i < w_.unbounded.size() && open_ != 0; ++i) {
       const Entry& e = w_.entries[w_.unbounded[i]];
-      if ((e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
-      if (w_.planes[i]) {
-        test_plane(*w_.planes[i]);
-        continue;
-      }
+      if (w_.planes[i] || (e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
       unsigned lanes = 0;
       each_lane(open_, [&](int k) { lanes |= e.may_meet(rays_.at(k), above_, t_max_[k]) ? 1u << k : 0; });
       test(*e.shape, e, nullptr, lanes);
@@ -280,11 +287,12 @@ void World::occluded_row(const RayRow& rays, int first, int count, const bool* w
     }
     RowOcclusion occlusion(w, {rays, start, asked}, t_min, t_max + start);
     if (entry && entry->last_blocker != WorldEntry::kNoBlocker) occlusion.test_candidate(entry->last_blocker, entry, asked);
-    occlusion.test_unbounded();
+    occlusion.test_planes();
     if (occlusion.open() != 0) {
       if (!all_known) occlusion.walk_tree(entry);
       else if (entry) occlusion.test_boxes(*entry);
     }
+    occlusion.test_unbounded();
     each_lane(asked & ~occlusion.open(), [&](int k) { blocked[start + k] = true; });
   }
 }

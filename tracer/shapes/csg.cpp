@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "tracer/accel/box_tree.h"
-#include "tracer/shapes/box_set.h"
+#include "tracer/shapes/child_index.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/half_spaces.h"
 #include "tracer/shapes/plane.h"
@@ -19,15 +18,10 @@
 namespace verisim::shapes {
 namespace {
 
-using accel::BoxTree;
 using Children = std::vector<std::unique_ptr<Shape>>;
 
-struct ChildTag;
 struct OwnerTag;
-using ScratchIndices = Scratch<std::uint32_t, ChildTag>;  // of the children a ray may hit, in increasing order
-using ScratchOwners = Scratch<std::uint32_t, OwnerTag>;   // the child of each candidate hit
-
-bool is_finite(const Box3& box) { return accel::is_finite(box); }
+using ScratchOwners = Scratch<std::uint32_t, OwnerTag>;  // the child of each candidate hit
 
 Box3 united(const Box3& a, const Box3& b) {
   Box3 box = a;
@@ -39,88 +33,6 @@ Box3 common(const Box3& a, const Box3& b) {
   for (int i = 0; i < 3; ++i) box.min[i] = std::max(a.min[i], b.min[i]), box.max[i] = std::min(a.max[i], b.max[i]);
   return box;
 }
-
-// Some children, by index, found by their boxes.
-class ChildIndex {
- public:
-  void add(std::uint32_t child, const Box3& box) {
-    if (accel::is_empty(box)) return;
-    if (is_finite(box)) {
-      boxes_.push_back(box);
-      children_.push_back(child);
-    } else {
-      unbounded_.push_back(child);
-    }
-  }
-  void build() {
-    leave_out_outsized();
-    if (boxes_.size() <= BoxSet::kMost) few_ = BoxSet(boxes_);
-    else tree_ = BoxTree(boxes_);
-    boxes_ = {};
-  }
-  // Calls visit(child, t_max) -> t_max for every child whose box the ray meets.
-  template <class Visit>
-  void along(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
-    for (const std::uint32_t child : unbounded_) t_max = visit(child, t_max);
-    if (few_.empty()) return tree_.traverse(ray, t_min, t_max, [&](std::uint32_t i, double limit) { return visit(children_[i], limit); });
-    for (std::uint32_t met = few_.meet(ray, t_min, t_max); met != 0; met &= met - 1) t_max = visit(children_[static_cast<std::size_t>(std::countr_zero(met))], t_max);
-  }
-  // Calls visit(child) for every child whose box the ray meets, in order of declaration.
-  template <class Visit>
-  void in_order(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
-    if (unbounded_.empty() && !few_.empty()) {
-      for (std::uint32_t met = few_.meet(ray, t_min, t_max); met != 0; met &= met - 1) visit(children_[static_cast<std::size_t>(std::countr_zero(met))]);
-      return;
-    }
-    ScratchIndices found;
-    along(ray, t_min, t_max, [&](std::uint32_t i, double limit) {
-      found.add(i);
-      return limit;
-    });
-    found.sort();
-    for (std::size_t k = 0; k < found.size(); ++k) visit(found[k]);
-  }
-  // Calls visit(child) for every child whose box contains p until one returns true.
-  template <class Visit>
-  bool any_around(const Vec3& p, Visit&& visit) const {
-    for (const std::uint32_t child : unbounded_)
-      if (visit(child)) return true;
-    if (few_.empty()) return tree_.any_around(p, [&](std::uint32_t i) { return visit(children_[i]); });
-    for (std::uint32_t here = few_.around(p); here != 0; here &= here - 1)
-      if (visit(children_[static_cast<std::size_t>(std::countr_zero(here))])) return true;
-    return false;
-  }
-
- private:
-  // The digits of a tree's boxes are relative to the largest of them: a few that are huge beside the others would spoil all.
-  void leave_out_outsized() {
-    constexpr double kOutsized = 1e4;
-    constexpr std::size_t kFew = 4;
-    std::vector<double> sizes;
-    for (const Box3& box : boxes_) sizes.push_back(length(box.max - box.min));
-    std::vector<double> sorted = sizes;
-    std::sort(sorted.begin(), sorted.end());
-    if (sorted.size() < 2 * kFew) return;
-    const double most = kOutsized * sorted[sorted.size() / 2];
-    if (!(sorted.back() > most) || sorted[sorted.size() - 1 - kFew] > most) return;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < boxes_.size(); ++i) {
-      if (sizes[i] > most) {
-        unbounded_.push_back(children_[i]);
-      } else {
-        boxes_[kept] = boxes_[i];
-        children_[kept++] = children_[i];
-      }
-    }
-    boxes_.resize(kept);
-    children_.resize(kept);
-  }
-
-  std::vector<Box3> boxes_;
-  std::vector<std::uint32_t> children_, unbounded_;
-  BoxSet few_;    // of few boxes
-  BoxTree tree_;  // of many
-};
 
 class CsgShape : public Shape {
  public:
@@ -347,9 +259,9 @@ class Intersection final : public CsgShape {
   }
 
   void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
-    double near = 0, far = 2e10;
-    if (!clip(ray, near, far) || (guards_ && !guards_->admit(ray))) return;
-    each_child_met(ray, near, far, [&](std::uint32_t i, const double* t) {
+    Way way;
+    if (!find_way(ray, 0, 2e10, way)) return;
+    each_child_met(ray, way, [&](std::uint32_t i, const double* t) {
       const std::size_t begin = hits.size();
       if (t) add_plane_hit(ray, i, *t, hits);
       else child(i).intersect_all(ray, kind, hits);
@@ -358,20 +270,23 @@ class Intersection final : public CsgShape {
   }
 
   bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
-    double near = t_min, far = t_max;
-    if (!clip(ray, near, far) || (guards_ && !guards_->admit(ray))) return false;
-    ScratchOwners owners;
-    ScratchHits hits;
-    each_child_met(ray, near, far, [&](std::uint32_t i, const double* t) {
-      const std::size_t before = hits.end();
-      if (t) {
-        if (*t >= t_min && *t < t_max) add_plane_hit(ray, i, *t, hits.list());
-      } else {
-        child(i).intersect_all(ray, kind, hits.list());
-      }
-      for (std::size_t n = before; n < hits.end(); ++n) owners.add(i);
-    });
-    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) { return inside_others(p, self); });
+    Way way;
+    return find_way(ray, t_min, t_max, way) && nearest(ray, kind, t_min, t_max, way, hit);
+  }
+
+  // The box and the planes decide for all rays at once which of them need be looked at.
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+    if (std::popcount(rays.asked) < kFewest) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    unsigned found = 0;
+    each_way(rays, t_min, t_max, [&](int k, const Ray& ray, const Way& way) { found |= nearest(ray, kind, t_min, t_max[k], way, hits[k]) ? 1u << k : 0; });
+    return found;
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+    if (std::popcount(rays.asked) < kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    unsigned found = 0;
+    Hit hit;
+    each_way(rays, t_min, t_max, [&](int k, const Ray& ray, const Way& way) { found |= nearest(ray, RayKind::shadow, t_min, t_max[k], way, hit) ? 1u << k : 0; });
+    return found;
   }
 
   bool inside_unclipped(const Vec3& p) const override { return inside_others(p, ~0u); }
@@ -382,22 +297,85 @@ class Intersection final : public CsgShape {
     Box3 box;
   };
 
-  bool clip(const Ray& ray, double& near, double& far) const { return !bounded_ || accel::clip_to_box(ray, limit_, near, far); }
+  static constexpr int kFewest = 3;  // rays that are worth it
+  // Where a ray may meet the surface.
+  struct Way {
+    double enter, leave;           // where it may be inside all planes
+    double near, far;              // and inside the box
+    std::uint64_t met = 0;         // the planes that it meets, at t
+    alignas(64) double t[PlaneSet::kMost];
+  };
+  bool find_way(const Ray& ray, double t_min, double t_max, Way& way) const {
+    way.near = t_min, way.far = t_max;
+    if (bounded_ && !accel::clip_to_box(ray, limit_, way.near, way.far)) return false;
+    if (guards_ && !guards_->admit(ray)) return false;
+    way.enter = t_min, way.leave = t_max;
+    way.met = planes_.meet(ray, way.t, way.enter, way.leave);
+    way.near = std::max(way.near, way.enter), way.far = std::min(way.far, way.leave);
+    return way.near <= way.far;
+  }
+  template <class Visit>
+  void each_way(const RayLanes& rays, double t_min, const double* t_max, Visit&& visit) const {
+    alignas(64) double near[RayLanes::kCount], far[RayLanes::kCount], enter[RayLanes::kCount], leave[RayLanes::kCount];
+    std::fill_n(near, RayLanes::kCount, t_min), std::copy_n(t_max, RayLanes::kCount, far);
+    std::copy_n(near, RayLanes::kCount, enter), std::copy_n(far, RayLanes::kCount, leave);
+    if (bounded_) planes_.clip(limit_, rays, near, far);
+    unsigned open = guards_ ? guards_->admit({rays.rays, rays.first, within(near, far, rays.asked)}) : within(near, far, rays.asked);
+    if (open == 0) return;
+    PlaneSet::Lanes planes;
+    planes_.meet(rays, planes, enter, leave);
+    for (int k = 0; k < RayLanes::kCount; ++k) near[k] = std::max(near[k], enter[k]), far[k] = std::min(far[k], leave[k]);
+    open = within(near, far, open);
+    each_lane(open, [&](int k) {
+      Way way;
+      way.enter = enter[k], way.leave = leave[k], way.near = near[k], way.far = far[k];
+      for (int i = 0; i < planes_.size(); ++i) way.t[i] = planes.t[i][k], way.met |= std::uint64_t{planes.met[i] >> k & 1u} << i;
+      visit(k, rays.at(k), way);
+    });
+  }
+  static unsigned within(const double* near, const double* far, unsigned asked) {
+    unsigned lanes = 0;
+    for (int k = 0; k < RayLanes::kCount; ++k) lanes |= near[k] <= far[k] ? 1u << k : 0;
+    return lanes & asked;
+  }
+
+  // A hit that a plane cuts away for sure. Some shapes report hits as nearer than their points are: those are left to the inside test.
+  static bool outside_planes(const Ray& ray, const Way& way, const Hit& hit) {
+    if (hit.t >= way.enter && hit.t <= way.leave) return false;
+    const Vec3 off = hit.point - (ray.origin + hit.t * ray.direction);
+    return std::fabs(off.x) + std::fabs(off.y) + std::fabs(off.z) < 0.5 * PlaneSet::doubt_at(ray.origin);
+  }
+
+  bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Way& way, Hit& hit) const {
+    ScratchOwners owners;
+    ScratchHits hits;
+    each_child_met(ray, way, [&](std::uint32_t i, const double* t) {
+      std::size_t kept = hits.end();
+      if (t) {
+        if (*t >= t_min && *t < t_max) add_plane_hit(ray, i, *t, hits.list());
+      } else {
+        child(i).intersect_all(ray, kind, hits.list());
+        for (std::size_t n = kept; n < hits.end(); ++n)
+          if (!outside_planes(ray, way, hits[n])) hits[kept++] = hits[n];
+        hits.list().resize(kept);
+      }
+      while (owners.size() < hits.end() - hits.begin()) owners.add(i);
+    });
+    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) { return inside_others(p, self); });
+  }
 
   // Calls visit(child, t) for the children that the ray may meet, in their order; t is null for those that must be asked, and the distance of a plane.
   template <class Visit>
-  void each_child_met(const Ray& ray, double near, double far, Visit&& visit) const {
-    alignas(64) double t[PlaneSet::kMost];
-    std::uint64_t met = planes_.meet(ray, t, near, far);
-    if (!(near <= far)) return;
+  void each_child_met(const Ray& ray, const Way& way, Visit&& visit) const {
+    std::uint64_t met = way.met;
     const auto planes_before = [&](std::uint32_t end) {
       for (; met != 0; met &= met - 1) {
         const int k = std::countr_zero(met);
         if (plane_children_[static_cast<std::size_t>(k)] >= end) return;
-        if (t[k] >= near && t[k] <= far) visit(plane_children_[static_cast<std::size_t>(k)], t + k);
+        if (way.t[k] >= way.near && way.t[k] <= way.far) visit(plane_children_[static_cast<std::size_t>(k)], way.t + k);
       }
     };
-    surfaces_.in_order(ray, near, far, [&](std::uint32_t i) {
+    surfaces_.in_order(ray, way.near, way.far, [&](std::uint32_t i) {
       planes_before(i);
       visit(i, nullptr);
     });

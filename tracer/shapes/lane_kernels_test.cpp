@@ -107,6 +107,25 @@ void add_curved(const Steps& steps, std::vector<ObjectRef>& objects) {
   sweep(scene::SplineKind::cubic, {{-1, -1, 0}, {-0.7, 0.4, 0.1}, {0, -0.3, 0.4}, {0.5, 0.6, -0.3}, {0.9, -0.2, 0}, {1, -1, 0.5}}, {0.2, 0.3, 0.4, 0.2, 0.3, 0.2});
 }
 
+// Intersections of planes and others: finite, infinite, with holes, with clips and bounds.
+void add_intersections(const Steps& steps, std::vector<ObjectRef>& objects) {
+  const auto plane = [](const Vec3& n, double d) { return make(scene::Plane{n, d}); };
+  const ObjectRef ball = make(scene::Sphere{{0.1, 0.1, 0}, 0.8}), waist = make(scene::Quadric{{1, -1, 1}, Vec3(0), Vec3(0), -0.2});
+  const ObjectRef lower = plane({0, 1, 0}, 0.6), upper = plane({0, -1, 0}, 0.7), slope = plane(normalize(Vec3(1, 1, 0.3)), 0.4);
+  objects.push_back(make_intersection({lower, waist, upper}, steps));
+  objects.push_back(make_intersection({ball, slope, upper}, steps));
+  objects.push_back(make_intersection({lower, slope}, steps));
+  objects.push_back(make_intersection({waist, plane({0, 1, 0}, -0.2)}, steps));
+  objects.push_back(make_intersection({lower, upper, plane({1, 0, 0}, 0.5), plane({-1, 0, 0}, 0.5), plane({0, 0, 1}, 0.5), plane({0, 0, -1}, 0.3)}, steps));
+  objects.push_back(make_difference({make_intersection({lower, upper, ball}), slope, make(scene::Box{{-0.2, -1, -0.2}, {0.3, 1, 0.1}})}, steps));
+  objects.push_back(make_intersection({make_union({plane({1, 0, 0}, -0.2), plane({0, 0, 1}, 0.1)}), ball, upper}, steps));
+  objects.push_back(make_intersection({ball, slope, upper}, [&](Object& o) {
+    if (steps) steps(o);
+    o.clipped_by.push_back(make(scene::Plane{{0, 1, 0}, 0.2}));
+    o.bounded_by.push_back(make(scene::Box{{-0.7, -0.7, -0.7}, {0.6, 0.6, 0.6}}));
+  }));
+}
+
 std::vector<ObjectRef> solids() {
   std::vector<ObjectRef> objects;
   for (const Steps& steps : kMoved) {
@@ -125,6 +144,7 @@ std::vector<ObjectRef> solids() {
     objects.push_back(make(scene::Torus{0.3, 0.6}, steps));
     for (const auto& [east, north] : {std::pair{0.4, 0.8}, {1.0, 1.0}, {2.0, 0.15}, {1.3, 2.0}, {2.5, 1.0}}) objects.push_back(make(scene::Superellipsoid{east, north}, steps));
     add_curved(steps, objects);
+    add_intersections(steps, objects);
     objects.push_back(make(scene::Sphere{Vec3(0), 0.8}, [&](Object& o) {
       if (steps) steps(o);
       o.clipped_by.push_back(make(scene::Plane{{0, 1, 0}, 0}));

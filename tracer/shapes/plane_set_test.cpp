@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "tracer/accel/box_tree.h"
 #include "tracer/shapes/half_spaces.h"
 #include "tracer/shapes/plane.h"
 #include "tracer/shapes/quadric_box.h"
@@ -69,6 +70,52 @@ TEST_P(PlaneKernel, MeetsEachPlaneAsItIsMetAlone) {
   }
   EXPECT_GT(met, 4000);
   EXPECT_GT(behind, 4000);
+}
+
+TEST_P(PlaneKernel, MeetsAPlaneWithEightRaysAsWithEach) {
+  const PlaneKernels* kernels = plane_kernels(GetParam());
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  int within_box = 0, missed_box = 0;
+  for (int round = 0; round < 1000; ++round) {
+    EightPlanes planes;  // but for one they are met by nothing
+    const int i = round % 8, first = round % 9;
+    const Vec3 n = round % 5 ? normalize(random_vector(1)) : Vec3(0, 1, 0);
+    planes.x[i] = n.x, planes.y[i] = n.y, planes.z[i] = n.z, planes.distance[i] = random_vector(2).x, planes.side[i] = round % 3 ? 1 : -1;
+    const Vec3 corner = random_vector(2);
+    const Box3 box(corner - Vec3(1, 2, 1), corner + Vec3(1, 1, round % 4 ? 1 : std::numeric_limits<double>::infinity()));
+    RayRow rays{};
+    alignas(64) double doubt[8], t[8], enter[8], leave[8], near[8], far[8];
+    for (int k = 0; k < 8; ++k) {
+      rays.origin.set(first + k, random_vector(3)), rays.direction.set(first + k, (round + k) % 7 ? normalize(random_vector(1)) : Vec3(0, 0, 1));
+      doubt[k] = 1e-6 * (k + 1), enter[k] = near[k] = 1e-4, leave[k] = far[k] = k == 3 ? 1 : 1e7;
+    }
+    const unsigned met = kernels->meet_row(planes, i, rays, first, doubt, t, enter, leave);
+    kernels->clip_row(box, rays, first, near, far);
+    for (int k = 0; k < 8; ++k) {
+      const Ray ray = rays.at(first + k);
+      alignas(64) double alone[8];
+      double from = 1e-4, to = k == 3 ? 1 : 1e7;
+      const unsigned bits = kernels->meet(planes, ray, doubt[k], alone, from, to);
+      ASSERT_EQ(met >> k & 1, bits >> i & 1);
+      if (met >> k & 1) {
+        ASSERT_EQ(t[k], alone[i]);
+      }
+      ASSERT_EQ(enter[k], from);
+      ASSERT_EQ(leave[k], to);
+      from = 1e-4, to = k == 3 ? 1 : 1e7;
+      const bool inside = accel::clip_to_box(ray, box, from, to);
+      ASSERT_EQ(near[k] <= far[k], inside);
+      if (!inside) {
+        ++missed_box;
+        continue;
+      }
+      ++within_box;
+      ASSERT_EQ(near[k], from);
+      ASSERT_EQ(far[k], to);
+    }
+  }
+  EXPECT_GT(within_box, 300);
+  EXPECT_GT(missed_box, 300);
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, PlaneKernel, testing::Range(0, static_cast<int>(textures::kInstructionSets)));

@@ -8,6 +8,8 @@
 
 namespace verisim::shading {
 
+constexpr double kMissDistance = 2e10;  // what fog and rainbows take for the length of a ray that hits nothing
+
 // What fog does to light that comes along a segment: colour = added + passed * colour.
 struct FogEffect {
   Rgb added, passed{1};

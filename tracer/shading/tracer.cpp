@@ -6,7 +6,6 @@ namespace verisim::shading {
 namespace {
 
 constexpr double kNearestHit = 1e-4;   // of camera, reflected and transmitted rays
-constexpr double kMissDistance = 2e10; // what fog and rainbows take for the length of a ray that hits nothing
 // Straight continuations do not count as levels, so their number is only limited here, by the stack; POV-Ray itself fails at about 300.
 constexpr int kMaxNesting = 1000;
 

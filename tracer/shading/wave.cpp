@@ -1,6 +1,7 @@
 #include "tracer/shading/wave.h"
 
 #include "tracer/shading/finish.h"
+#include "tracer/shading/fog.h"
 #include "tracer/textures/pigment.h"
 
 namespace verisim::shading {
@@ -17,7 +18,7 @@ bool is_simple(const Light& light) { return !light.area_illumination() && !(ligh
 }  // namespace
 
 Wave::Wave(Tracer& tracer) : tracer_(tracer), scene_(tracer.scene()), kernels_(wave_kernels()), lanes_{} {
-  usable_ = scene_.quality >= 9 && !tracer_.random_.replay() && !scene_.effects && !scene_.fog && scene_.rainbows.empty() && scene_.adc_bailout >= 0 && scene_.adc_bailout < 1;
+  usable_ = scene_.quality >= 9 && !tracer_.random_.replay() && !scene_.effects && scene_.rainbows.empty() && scene_.adc_bailout >= 0 && scene_.adc_bailout < 1;
   for (std::size_t i = 0; i < scene_.global_lights(); ++i) usable_ = usable_ && is_simple(scene_.lights()[i]);
   for (float* tint : {lanes_.tint.r, lanes_.tint.g, lanes_.tint.b}) std::fill_n(tint, kMost, 1.0f);
   plain_sky_ = !scene_.sky.varies();
@@ -118,7 +119,7 @@ void Wave::share_asking(int* asks) {
 // Filters the light of all that are asked for. Where any opaque thing decides, the rays of one cell of space are traced together.
 void Wave::cast_shadows(const Light& light) {
   if (!light.shadows()) return;
-  const bool together = !light.area() && !light.projector();
+  const bool together = !light.area() && !light.projector() && !(scene_.fog && light.media_attenuation());
   const auto one_by_one = [&](int k) {
     const LightDirection direction{lanes_.to_light.direction.at(k), lanes_.distance[k]};
     const Rgb arriving(lanes_.intensity.r[k], lanes_.intensity.g[k], lanes_.intensity.b[k]);
@@ -303,6 +304,7 @@ void Wave::run(int count, const accel::WorldEntry* const* entries, Color* out) {
   find_parts(count);
   trace_mirrors();
   show_sky(count, out);
+  bool resolved[kMost] = {};
   for (int i = 0; i < count; ++i) {
     if (!found_[i]) continue;
     if (met_[i].together) {
@@ -312,8 +314,16 @@ void Wave::run(int count, const accel::WorldEntry* const* entries, Color* out) {
     }
     begin_sample(i);
     out[i] = tracer_.resolve(ray_state(i), &hits_[i]);
+    resolved[i] = true;
   }
   show(out);
+  if (scene_.fog && state_.hollow) apply_fog(count, resolved, out);
+}
+
+// To what was not resolved the common way, which knows of fog.
+void Wave::apply_fog(int count, const bool* resolved, Color* out) {
+  for (int i = 0; i < count; ++i)
+    if (!resolved[i]) tracer_.apply_volumes(ray_state(i), found_[i] ? hits_[i].t : kMissDistance, nullptr, out[i]);
 }
 
 }  // namespace verisim::shading

@@ -103,6 +103,7 @@ class Wave {
 
   // ---- wave.cpp
   void run(int count, const accel::WorldEntry* const* entries, Color* out);
+  void apply_fog(int count, const bool* resolved, Color* out);
   void show_sky(int count, Color* out);
   bool add_surface(int i);
   void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity);

@@ -133,15 +133,22 @@ TEST_P(WaveKernel, NumbersThatAreNoneAreLeftToTheFormulas) {
 INSTANTIATE_TEST_SUITE_P(InstructionSets, WaveKernel, testing::Range(0, static_cast<int>(textures::kInstructionSets)));
 
 // A scene of all kinds of surfaces, lights and finishes that waves know, and some that they leave to others.
-scene::Scene mixed_scene() {
+scene::Scene mixed_scene(bool foggy = false) {
   using shapes::testing::make;
   scene::Scene scene;
   scene.camera.location = {0, 1.5, -6};
+  if (foggy) {
+    scene::Fog fog;
+    fog.color = Color(0.4f, 0.5f, 0.6f, 0.1f, 0.2f), fog.distance = 12;
+    scene.fogs.push_back(fog);
+    fog.type = 2, fog.altitude = 1, fog.turbulence.emplace();
+    scene.fogs.push_back(fog);
+  }
   for (int i = 0; i < 2; ++i) {
     scene::LightSource light;
     light.position = {i * 8.0 - 4, 6, -5};
     light.color = Rgb(0.7f, 0.6f, 0.5f);
-    if (i == 1) light.fade_power = 2, light.fade_distance = 9;
+    if (i == 1) light.fade_power = 2, light.fade_distance = 9, light.media_attenuation = foggy;
     scene.objects.push_back(make(scene::Boxed<scene::LightSource>(light)));
   }
   const auto add = [&](const auto& shape, const Color& color, const scene::Finish& finish) {
@@ -206,8 +213,7 @@ scene::Scene mixed_scene() {
   return scene;
 }
 
-TEST(Wave, GivesTheColoursOfSingleRays) {
-  const scene::Scene scene = mixed_scene();
+void expect_the_same_together(const scene::Scene& scene) {
   constexpr int kWidth = 83, kHeight = 61;
   textures::Compiler compiler{textures::Settings{}};
   const accel::World world(scene, compiler);
@@ -240,6 +246,9 @@ TEST(Wave, GivesTheColoursOfSingleRays) {
   EXPECT_GT(tracer.statistics().reflected_rays, 1000u);
   EXPECT_EQ(tracer.statistics().samples, other.statistics().samples);
 }
+
+TEST(Wave, GivesTheColoursOfSingleRays) { expect_the_same_together(mixed_scene()); }
+TEST(Wave, SeesThroughFogAsSingleRaysDo) { expect_the_same_together(mixed_scene(true)); }
 
 // Lens rays of several samples advance in step; each sample ends where it ends alone.
 TEST(Wave, GivesTheColoursOfSingleLensRays) {
@@ -275,9 +284,9 @@ TEST(Wave, IsNotForScenesWithVolumesOrReplay) {
   SceneData data(scene, world, compiler, 9, false);
   Tracer replay(data, RandomSource(true, 0));
   EXPECT_FALSE(Wave(replay).usable());
-  data.fog = true;
-  Tracer fog(data, RandomSource(false, 0));
-  EXPECT_FALSE(Wave(fog).usable());
+  data.rainbows.emplace_back(scene::Rainbow{});
+  Tracer rainbow(data, RandomSource(false, 0));
+  EXPECT_FALSE(Wave(rainbow).usable());
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ class Integrator {
     // lights are not looked at in it.
     const double step = (end - start) / count;
     int n = 0;
-    for (double s = start; s < end && n <= count && intervals_ < kMostSpans; s = start + ++n * step) spans_[intervals_++] = {s, std::min(step, end - s), lit && n < count};
+    for (double s = start; s < end && n <= count && intervals_ < kMostSpans; s = start + ++n * step) spans_[intervals_++] = {s, n < count ? step : end - s, lit && n < count};
   }
 
   // Spec 07 4.5: the union of all lit ranges cuts the segment; the pieces share the intervals by `ratio`.

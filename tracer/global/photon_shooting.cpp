@@ -39,9 +39,16 @@ void collect_targets(const scene::Object& object, std::vector<const scene::Objec
   }
 }
 
+// Rounded as POV-Ray does, measured by its photon files: where photons of a plane lie in its map hangs on the last bit.
+Vec3 unit(const Vec3& v) { return v * (1 / length(v)); }
+
+// v turned about a unit axis, likewise.
 Vec3 rotate(const Vec3& v, const Vec3& axis, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return v * c + cross(axis, v) * s + axis * (dot(axis, v) * (1.0 - c));
+  const double c = std::cos(angle), s = std::sin(angle), x = axis.x, y = axis.y, z = axis.z;
+  const Vec3 row[3] = {{x * x + c * (1 - x * x), x * y * (1 - c) + z * s, x * z * (1 - c) - y * s},
+                       {x * y * (1 - c) - z * s, y * y + c * (1 - y * y), y * z * (1 - c) + x * s},
+                       {x * z * (1 - c) + y * s, y * z * (1 - c) - x * s, z * z + c * (1 - z * z)}};
+  return v.x * row[0] + v.y * row[1] + v.z * row[2];
 }
 
 // The frame of one light point: unit vector towards the target, and one to its left.
@@ -52,9 +59,9 @@ struct Frame {
 Frame frame(const PhotonPair& pair, const Vec3& origin) {
   Frame f;
   f.origin = origin;
-  f.towards = pair.light->parallel ? pair.light->direction : normalize(pair.center - origin);
+  f.towards = pair.light->parallel ? pair.light->direction : unit(pair.center - origin);
   const Vec3 up = std::fabs(std::fabs(f.towards.z) - 1.0) < 0.1 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
-  f.left = normalize(cross(f.towards, up));
+  f.left = unit(cross(f.towards, up));
   return f;
 }
 

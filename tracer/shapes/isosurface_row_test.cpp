@@ -49,6 +49,18 @@ TEST(IsosurfaceRow, FindsWhatSingleRaysFind) {
   EXPECT_GT(found, 2000);
 }
 
+// Lanes that begin behind the surface leave the others alone, also where a function is computed only for the lanes that are asked for.
+TEST(IsosurfaceRow, SomeRaysBeginAtTheSurface) {
+  scene::Isosurface s;
+  s.function = functions::compile(sum({product({axis(0), axis(0)}), product({axis(1), axis(1)}), {functions::BuiltinCall{functions::Builtin::tanh_, {axis(2)}}}, number(-0.5)}), 3, 3);
+  s.max_gradient = 3, s.accuracy = 0.05;  // what is near the surface: 4 x 3 x 0.05
+  std::mt19937 random(9);
+  int found = 0;
+  const auto shape = compile(object(s));
+  for (int i = 0; i < 2000 && !HasFatalFailure(); ++i) expect_rows_as_single_rays(*shape, random, found);
+  EXPECT_GT(found, 2000);
+}
+
 // Distances that are not for lanes are left to the single ray.
 TEST(IsosurfaceRow, FarAndFineSearchesAreSingle) {
   scene::Isosurface s;

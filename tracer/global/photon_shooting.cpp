@@ -39,10 +39,7 @@ void collect_targets(const scene::Object& object, std::vector<const scene::Objec
   }
 }
 
-// Rounded as POV-Ray does, measured by its photon files: where photons of a plane lie in its map hangs on the last bit.
-Vec3 unit(const Vec3& v) { return v * (1 / length(v)); }
-
-// v turned about a unit axis, likewise.
+// v turned about a unit axis, rounded as POV-Ray does, measured by its photon files: where photons of a plane lie in its map hangs on the last bit.
 Vec3 rotate(const Vec3& v, const Vec3& axis, double angle) {
   const double c = std::cos(angle), s = std::sin(angle), x = axis.x, y = axis.y, z = axis.z;
   const Vec3 row[3] = {{x * x + c * (1 - x * x), x * y * (1 - c) + z * s, x * z * (1 - c) - y * s},
@@ -59,9 +56,9 @@ struct Frame {
 Frame frame(const PhotonPair& pair, const Vec3& origin) {
   Frame f;
   f.origin = origin;
-  f.towards = pair.light->parallel ? pair.light->direction : unit(pair.center - origin);
+  f.towards = pair.light->parallel ? pair.light->direction : normalize(pair.center - origin);
   const Vec3 up = std::fabs(std::fabs(f.towards.z) - 1.0) < 0.1 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
-  f.left = unit(cross(f.towards, up));
+  f.left = normalize(cross(f.towards, up));
   return f;
 }
 

@@ -9,10 +9,12 @@
 namespace verisim {
 namespace {
 
-constexpr double kForceSturm = 1e12;  // ratio of coefficients beyond which the closed form of degree 4 is not trusted
+constexpr double kForceSturm = 1e12;  // ratio of coefficients beyond which POV-Ray does not trust the closed form of degree 4
+constexpr double kVanishing = 1e-7;   // of the leading coefficient beside the third: the closed form has lost most of its digits, and POV-Ray shows speckle
 
 bool closed_form_is_difficult(const double* c) {
   // POV-Ray compares with the signed reference, so a negative one is replaced by any successor.
+  if (std::fabs(c[0]) < kVanishing * std::fabs(c[2])) return true;
   double reference = c[0];
   for (int i = 1; i <= 4; ++i)
     if (std::fabs(c[i]) > reference) reference = c[i];
@@ -125,7 +127,7 @@ int solve_cubic(const double* c, double* roots) {
 int solve_polynomial(int degree, const double* c, double* roots, bool sturm, double elimination) {
   while (degree > 0 && std::fabs(c[0]) < kEpsilon) ++c, --degree;
   const auto near_zero_root = [&](int n) { return elimination > 0 && c[n - 1] != 0 && std::fabs(c[n] / c[n - 1]) < elimination; };
-  const auto cubic = [&] { return sturm ? solve_sturm(3, c, roots) : solve_cubic(c, roots); };
+  const auto cubic = [&] { return sturm || std::fabs(c[0]) < kVanishing * std::fabs(c[1]) ? solve_sturm(3, c, roots) : solve_cubic(c, roots); };
   switch (degree) {
     case 0: return 0;
     case 1: roots[0] = -c[1] / c[0]; return 1;

@@ -13,7 +13,7 @@ Vec3 reflected_direction(const Vec3& d, const Vec3& normal, const Vec3& raw) {
   Vec3 r = mirrored(d, normal);
   const double below = dot(r, raw);
   if (below < 0) r = dot(r, normal) < 0 ? mirrored(d, raw) : r - raw * (2 * below);
-  return r * (1 / length(r));  // rounded as POV-Ray does, measured by its photon files
+  return normalize(r);
 }
 
 double metallic_fresnel(double cosine) {

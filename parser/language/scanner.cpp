@@ -144,7 +144,7 @@ bool Scanner::call(Term& out, int depth) {
     case Word::vlength: return arguments(a, 1, depth) && (r = length(a[0]), at_->punctuation != '.');
     case Word::vdot: return arguments(a, 2, depth) && (r = dot(a[0], a[1]), at_->punctuation != '.');
     case Word::vcross: return arguments(a, 2, depth) && vector(cross(a[0], a[1]), out);
-    case Word::vnormalize: return arguments(a, 1, depth) && a[0] != Vec3(0, 0, 0) && vector(a[0] * (1 / length(a[0])), out);  // as the general path
+    case Word::vnormalize: return arguments(a, 1, depth) && a[0] != Vec3(0, 0, 0) && vector(normalize(a[0]), out);
     case Word::vrotate: return arguments(a, 2, depth) && vector(Transform::rotation(a[1]).point(a[0]), out);
     case Word::vaxis_rotate: return arguments(a, 2, depth, v) && vector(Transform::axis_rotation(a[1], v[0] * (std::numbers::pi / 180)).point(a[0]), out);
     case Word::rand: {

@@ -126,7 +126,7 @@ bool Parser::Impl::vector_function(Word word, Numeric& out) {
         if (language_version >= 350) message(Severity::possible_error, "Normalizing a zero-length vector.");
         out = vector(a);
       } else {
-        out = vector(a * (1 / length(a)));  // the reciprocal first, as measured
+        out = vector(normalize(a));
       }
       break;
     }

@@ -18,7 +18,7 @@ bool uses_view_angle(CameraKind kind) { return kind == CameraKind::perspective |
 void apply_angle(Camera& camera) {
   if (!uses_view_angle(camera.kind) || !(camera.angle > 0)) return;
   const double distance = length(camera.right) / std::tan(camera.angle * M_PI / 360) / 2;
-  camera.direction = camera.direction * (1 / length(camera.direction)) * distance;
+  camera.direction = normalize(camera.direction) * distance;
 }
 
 // Step 3 of spec 02 1.3.
@@ -28,13 +28,13 @@ void apply_look_at(Parser& parser, Camera& camera, const Vec3& target) {
   const double handedness = dot(cross(camera.up, camera.direction), camera.right);
   const Vec3 towards = target - camera.location;
   if (dot(towards, towards) < kEpsilon) parser.error("Camera location and look_at point must be different.");
-  const Vec3 d = towards * (1 / length(towards));  // the reciprocal first, as measured
+  const Vec3 d = normalize(towards);
   Vec3 r = cross(camera.sky, d);
   if (std::fabs(r.x) < kEpsilon && std::fabs(r.y) < kEpsilon && std::fabs(r.z) < kEpsilon) {
     parser.warning("Camera location to look_at direction and sky direction should be different. Using default/supplied right vector instead.");
     r = camera.right;
   }
-  r = r * (1 / length(r));
+  r = normalize(r);
   camera.up = cross(d, r) * up_length;
   camera.direction = d * direction_length;
   camera.right = r * (handedness > 0 ? right_length : -right_length);

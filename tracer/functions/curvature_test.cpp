@@ -5,18 +5,13 @@
 #include <gtest/gtest.h>
 
 #include "tracer/functions/interval.h"
+#include "tracer/functions/test_support.h"
 
 namespace verisim::functions {
 namespace {
 
-Node number(double v) { return {Constant{v}}; }
-Node x() { return {Parameter{0}}; }
-Node y() { return {Parameter{1}}; }
-Node z() { return {Parameter{2}}; }
-Node of(Builtin f, std::vector<Node> arguments) { return {BuiltinCall{f, std::move(arguments)}}; }
-Node chain(Node a, Op op, Node b) { return {Chain{{std::move(a), std::move(b)}, {op}}, true}; }
-Node times(Node a, Node b) { return chain(std::move(a), Op::multiply, std::move(b)); }
-Node plus(Node a, Node b) { return chain(std::move(a), Op::add, std::move(b)); }
+using namespace test;
+
 Node distance() { return of(Builtin::sqrt_, {plus(plus(times(x(), x()), times(y(), y())), times(z(), z()))}); }
 
 const Program& program(const FunctionPtr& f) { return dynamic_cast<const Program&>(*f); }

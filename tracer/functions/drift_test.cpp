@@ -5,19 +5,14 @@
 #include <gtest/gtest.h>
 
 #include "tracer/functions/program_lanes.h"
+#include "tracer/functions/test_support.h"
 #include "tracer/textures/instruction_sets.h"
 
 namespace verisim::functions {
 namespace {
 
-Node number(double v) { return {Constant{v}}; }
-Node x() { return {Parameter{0}}; }
-Node y() { return {Parameter{1}}; }
-Node z() { return {Parameter{2}}; }
-Node of(Builtin f, std::vector<Node> arguments) { return {BuiltinCall{f, std::move(arguments)}}; }
-Node chain(Node a, Op op, Node b) { return {Chain{{std::move(a), std::move(b)}, {op}}, true}; }
-Node times(Node a, Node b) { return chain(std::move(a), Op::multiply, std::move(b)); }
-Node plus(Node a, Node b) { return chain(std::move(a), Op::add, std::move(b)); }
+using namespace test;
+
 Node waves() { return times(of(Builtin::sin_, {times(number(6), x())}), of(Builtin::cos_, {times(number(40), y())})); }
 Node angle() { return of(Builtin::atan2_, {x(), z()}); }
 Node distance() { return of(Builtin::sqrt_, {plus(times(x(), x()), times(z(), z()))}); }

@@ -64,8 +64,7 @@ Color PixelSampler::operator()(double x, double y) {
   if (!primary) return {0, 0, 0, 0, 1};
   int one = 1;
   const accel::WorldEntry* const known = camera_.linear ? entry(x, y, one) : nullptr;
-  // By way of the reciprocal, as POV-Ray normalises: its last bits decide where a pattern's seam lies in a surface.
-  return trace({primary->ray.origin, primary->ray.direction * (1 / length(primary->ray.direction))}, primary->image, known);
+  return trace({primary->ray.origin, normalize(primary->ray.direction)}, primary->image, known);
 }
 
 const accel::WorldEntry* PixelSampler::entry(double x, double y, int& count) {
@@ -107,7 +106,7 @@ bool PixelSampler::aim(int count) {
   for (int i = 0; i < count; ++i) {
     const Ray ray = camera_.rays.at(places[i].x, places[i].y)->ray;
     rays.origin.set(i, ray.origin);
-    rays.direction.set(i, ray.direction * (1 / length(ray.direction)));
+    rays.direction.set(i, normalize(ray.direction));
     if (camera_.origin_varies && !starts_like_the_first(i)) return false;
   }
   return true;

@@ -58,6 +58,8 @@ class CsgShape : public Shape {
     }
     hits.resize(end);
   }
+  // p is inside the clip objects of this object and of those around it.
+  bool within_clips(const Vec3& p, const Clips* outer) const { return (!guards_ || guards_->contain(p)) && (!outer || outer->contain(p)); }
   // Of candidates whose `owner` says which child they came from: the nearest in range that keep(point, owner) accepts; at equal t the last collected.
   template <class Keep>
   bool nearest_surviving(ScratchHits& hits, const ScratchOwners& owners, double t_min, double t_max, Hit& hit, Keep&& keep) const {
@@ -75,7 +77,7 @@ class CsgShape : public Shape {
       }
       if (best == hits.end()) return false;
       const Hit candidate = hits[best];
-      if (keep(candidate.point, owners[best - hits.begin()]) && (!guards_ || guards_->contain(candidate.point))) {
+      if (keep(candidate.point, owners[best - hits.begin()])) {
         hit = candidate;
         return true;
       }
@@ -89,12 +91,8 @@ class CsgShape : public Shape {
     solid_ = solid;
     if (!guards_) return;
     if (solid_.outside && !guards_->clips.empty()) solid_ = {everywhere(), false};
-    for (const auto& clip : guards_->clips) {
-      const SolidExtent extent = clip->solid_extent();
-      if (extent.outside) continue;
-      bounds_ = common(bounds_, extent.box);
-      if (!solid_.outside) solid_.box = common(solid_.box, extent.box);
-    }
+    narrow(bounds_, *guards_);
+    if (!solid_.outside) narrow(solid_.box, *guards_);
   }
 
   const Children children_;
@@ -176,18 +174,43 @@ class Union final : public Sum {
     if (guards_ && !guards_->clips.empty()) filter(hits, begin, [](const Vec3&) { return true; });
   }
 
-  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
-    if (guards_) return Shape::intersect(ray, kind, t_min, t_max, hit);
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override { return nearest(ray, kind, t_min, t_max, nullptr, hit); }
+  bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips, Hit& hit) const override {
+    return nearest(ray, kind, t_min, t_max, &clips, hit);
+  }
+  bool occludes(const Ray& ray, double t_min, double t_max) const override {
+    if (guards_ && !guards_->admit(ray)) return false;
+    const bool clipped = guards_ && !guards_->clips.empty();
+    bool found = false;
+    surfaces_.along(ray, t_min, t_max, [&](std::uint32_t i, double limit) {
+      Hit hit;
+      found = found || (clipped ? child(i).intersect_clipped(ray, RayKind::shadow, t_min, t_max, {*guards_}, hit) : child(i).occludes(ray, t_min, t_max));
+      return found ? -HUGE_VAL : limit;
+    });
+    return found;
+  }
+
+ private:
+  // `clips`: those of the unions around this one, or null.
+  bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips* clips, Hit& hit) const {
+    if (!guards_) return nearest_of_children(ray, kind, t_min, t_max, t_min, t_max, clips, hit);
+    double near = t_min, far = t_max;
+    if (!accel::clip_to_box(ray, bounds_, near, far) || !guards_->admit(ray)) return false;
+    const Clips all{*guards_, clips};
+    return nearest_of_children(ray, kind, t_min, t_max, near, far, guards_->clips.empty() ? clips : &all, hit);
+  }
+  // Of the children whose boxes are met between `near` and `far`.
+  bool nearest_of_children(const Ray& ray, RayKind kind, double t_min, double t_max, double near, double far, const Clips* clips, Hit& hit) const {
     bool found = false;
     std::uint32_t owner = 0;
-    surfaces_.along(ray, t_min, t_max, [&](std::uint32_t i, double limit) {
+    surfaces_.along(ray, near, far, [&](std::uint32_t i, double limit) {
       if (hidden(i, kind)) return limit;
       // At equal distance the later child wins.
-      const double bound = found && i > owner ? std::nextafter(limit, HUGE_VAL) : limit;
-      if (!child(i).intersect(ray, kind, t_min, bound, hit)) return limit;
+      const double bound = !found ? t_max : i > owner ? std::nextafter(hit.t, HUGE_VAL) : hit.t;
+      if (clips ? !child(i).intersect_clipped(ray, kind, t_min, bound, *clips, hit) : !child(i).intersect(ray, kind, t_min, bound, hit)) return limit;
       found = true;
       owner = i;
-      return hit.t;
+      return std::min(hit.t, limit);
     });
     return found;
   }
@@ -207,7 +230,13 @@ class Merge final : public Sum {
     });
   }
 
-  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override { return nearest(ray, kind, t_min, t_max, nullptr, hit); }
+  bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips, Hit& hit) const override {
+    return nearest(ray, kind, t_min, t_max, &clips, hit);
+  }
+
+ private:
+  bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips* clips, Hit& hit) const {
     if (guards_ && !guards_->admit(ray)) return false;
     ScratchOwners owners;
     ScratchHits hits;
@@ -217,7 +246,7 @@ class Merge final : public Sum {
       child(i).intersect_all(ray, kind, hits.list());
       for (std::size_t n = before; n < hits.end(); ++n) owners.add(i);
     });
-    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) { return !inside_another(p, self, kind); });
+    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) { return !inside_another(p, self, kind) && within_clips(p, clips); });
   }
 };
 
@@ -229,10 +258,9 @@ class Intersection final : public CsgShape {
     for (std::uint32_t i = 0; i < children_.size(); ++i) {
       sheet = united(sheet, children_[i]->bounds());
       if (const auto plane = plain_plane(*children_[i]->object)) {
-        const bool inverted = children_[i]->object->inverted;
-        half_spaces.push_back(inverted ? HalfSpace{-plane->normal, -plane->distance - kEpsilon} : HalfSpace{plane->normal, plane->distance + kEpsilon});
+        half_spaces.push_back(*half_space_of(*children_[i]->object));
         if (!planes_.full()) {
-          planes_.add(plane->normal, plane->distance, inverted);
+          planes_.add(plane->normal, plane->distance, children_[i]->object->inverted);
           plane_children_.push_back(i);
           continue;
         }
@@ -273,6 +301,14 @@ class Intersection final : public CsgShape {
     Way way;
     return find_way(ray, t_min, t_max, way) && nearest(ray, kind, t_min, t_max, way, hit);
   }
+  bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips, Hit& hit) const override {
+    Way way;
+    return find_way(ray, t_min, t_max, way) && nearest(ray, kind, t_min, t_max, way, hit, &clips);
+  }
+  bool occludes(const Ray& ray, double t_min, double t_max) const override {
+    Way way;
+    return find_way(ray, t_min, t_max, way) && blocks(ray, t_min, t_max, way);
+  }
 
   // The box and the planes decide for all rays at once which of them need be looked at.
   unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
@@ -284,8 +320,7 @@ class Intersection final : public CsgShape {
   unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
     if (std::popcount(rays.asked) < kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     unsigned found = 0;
-    Hit hit;
-    each_way(rays, t_min, t_max, [&](int k, const Ray& ray, const Way& way) { found |= nearest(ray, RayKind::shadow, t_min, t_max[k], way, hit) ? 1u << k : 0; });
+    each_way(rays, t_min, t_max, [&](int k, const Ray& ray, const Way& way) { found |= blocks(ray, t_min, t_max[k], way) ? 1u << k : 0; });
     return found;
   }
 
@@ -346,7 +381,7 @@ class Intersection final : public CsgShape {
     return std::fabs(off.x) + std::fabs(off.y) + std::fabs(off.z) < 0.5 * PlaneSet::doubt_at(ray.origin);
   }
 
-  bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Way& way, Hit& hit) const {
+  bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Way& way, Hit& hit, const Clips* clips = nullptr) const {
     ScratchOwners owners;
     ScratchHits hits;
     each_child_met(ray, way, [&](std::uint32_t i, const double* t) {
@@ -361,7 +396,26 @@ class Intersection final : public CsgShape {
       }
       while (owners.size() < hits.end() - hits.begin()) owners.add(i);
     });
-    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) { return inside_others(p, self); });
+    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) { return inside_others(p, self) && within_clips(p, clips); });
+  }
+  // Any hit survives.
+  bool blocks(const Ray& ray, double t_min, double t_max, const Way& way) const {
+    bool found = false;
+    const auto survives = [&](double t, const Vec3& p, std::uint32_t self) { return t >= t_min && t < t_max && inside_others(p, self) && within_clips(p, nullptr); };
+    each_child_met(ray, way, [&](std::uint32_t i, const double* t) {
+      if (found) return;
+      if (t) {
+        found = survives(*t, ray.origin + *t * ray.direction, i);
+        return;
+      }
+      ScratchHits hits;
+      child(i).intersect_all(ray, RayKind::shadow, hits.list());
+      for (std::size_t n = hits.begin(); n < hits.end() && !found; ++n) {
+        const Hit hit = hits[n];  // inside tests may grow the list
+        found = survives(hit.t, hit.point, i) && !outside_planes(ray, way, hit);
+      }
+    });
+    return found;
   }
 
   // Calls visit(child, t) for the children that the ray may meet, in their order; t is null for those that must be asked, and the distance of a plane.

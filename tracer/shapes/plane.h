@@ -5,6 +5,7 @@
 
 #include "tracer/math/vec.h"
 #include "tracer/scene/object.h"
+#include "tracer/shapes/half_spaces.h"
 
 namespace verisim::shapes {
 
@@ -19,6 +20,13 @@ inline std::optional<scene::Plane> plain_plane(const scene::Object& o) {
   const auto* plane = o.as<scene::Plane>();
   if (!plane || o.transform || !o.bounded_by.empty() || !o.clipped_by.empty()) return std::nullopt;
   return *plane;
+}
+
+// Where such a plane is solid.
+inline std::optional<HalfSpace> half_space_of(const scene::Object& o) {
+  const auto plane = plain_plane(o);
+  if (!plane) return std::nullopt;
+  return o.inverted ? HalfSpace{-plane->normal, -plane->distance - kEpsilon} : HalfSpace{plane->normal, plane->distance + kEpsilon};
 }
 
 }  // namespace verisim::shapes

@@ -33,6 +33,18 @@ struct Guards {
   unsigned admit(const RayLanes& rays) const;
 };
 
+// The clip objects of the unions that a shape is part of, innermost first.
+struct Clips {
+  const Guards& guards;
+  const Clips* outer = nullptr;
+
+  bool contain(const Vec3& p) const {
+    for (const Clips* c = this; c; c = c->outer)
+      if (!c->guards.contain(p)) return false;
+    return true;
+  }
+};
+
 // Collects every hit.
 class AllHits {
  public:
@@ -63,20 +75,20 @@ class AllHits {
 class NearestHit {
  public:
   static constexpr bool kNearest = true;
-  NearestHit(const Shape& shape, const Guards* guards, double t_min, double t_max, Hit& hit, bool any = false)
-      : shape_(shape), guards_(guards), t_min_(t_min), t_max_(t_max), hit_(hit), any_(any) {}
+  NearestHit(const Shape& shape, const Guards* guards, double t_min, double t_max, Hit& hit, bool any = false, const Clips* clips = nullptr)
+      : shape_(shape), guards_(guards), clips_(clips), t_min_(t_min), t_max_(t_max), hit_(hit), any_(any) {}
 
   template <class PointAt>
   bool add(double t, PointAt&& point, std::int32_t part = 0, double u = 0, double v = 0) {
     if (!(t >= t_min_) || !(found_ ? t <= t_max_ : t < t_max_)) return false;
     const Vec3 p = point();
-    if (guards_ && !guards_->contain(p)) return false;
+    if (clipped(p)) return false;
     hit_ = {t, p, &shape_, part, u, v};
     t_max_ = any_ ? -std::numeric_limits<double>::infinity() : t;
     found_ = true;
     return true;
   }
-  bool clipped(const Vec3& p) const { return guards_ && !guards_->contain(p); }
+  bool clipped(const Vec3& p) const { return (guards_ && !guards_->contain(p)) || (clips_ && !clips_->contain(p)); }
   bool found() const { return found_; }
   bool any() const { return any_; }
   // Hits outside lower() .. upper() (world distances) need not be reported.
@@ -86,6 +98,7 @@ class NearestHit {
  private:
   const Shape& shape_;
   const Guards* guards_;
+  const Clips* clips_;
   const double t_min_;
   double t_max_;
   Hit& hit_;
@@ -116,6 +129,12 @@ class Primitive : public Shape {
   bool intersect(const Ray& ray, RayKind, double t_min, double t_max, Hit& hit) const final {
     if (guards_ && !guards_->admit(ray)) return false;
     NearestHit sink(*this, guards_.get(), t_min, t_max, hit);
+    derived().crossings(ray, sink);
+    return sink.found();
+  }
+  bool intersect_clipped(const Ray& ray, RayKind, double t_min, double t_max, const Clips& clips, Hit& hit) const final {
+    if (guards_ && !guards_->admit(ray)) return false;
+    NearestHit sink(*this, guards_.get(), t_min, t_max, hit, false, &clips);
     derived().crossings(ray, sink);
     return sink.found();
   }
@@ -181,6 +200,8 @@ class Primitive : public Shape {
   bool inverted_, has_matrix_;
 };
 
+// The part of `box` that can lie inside every clip object.
+void narrow(Box3& box, const Guards& guards);
 // `box` under an object's matrix and narrowed to its clips: where its surface can be.
 Box3 surface_bounds(const scene::Object& object, const Box3& local, const Guards* guards);
 SolidExtent surface_solid(const scene::Object& object, const LocalBox& local, const Guards* guards);

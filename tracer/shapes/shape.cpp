@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "tracer/shapes/half_spaces.h"
+#include "tracer/shapes/plane.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -32,19 +34,6 @@ Box3 transformed(const Box3& box, const std::optional<Transform>& transform) {
   return padded(result);
 }
 
-// Shared by both boxes: hits and inside points lie within every clip object.
-void narrow(Box3& box, const Guards* guards) {
-  if (!guards) return;
-  for (const auto& clip : guards->clips) {
-    const SolidExtent extent = clip->solid_extent();
-    if (extent.outside) continue;
-    for (int i = 0; i < 3; ++i) {
-      box.min[i] = std::max(box.min[i], extent.box.min[i]);
-      box.max[i] = std::min(box.max[i], extent.box.max[i]);
-    }
-  }
-}
-
 }  // namespace
 
 Box3 everywhere() { return Box3(Vec3(-kInfinity), Vec3(kInfinity)); }
@@ -54,18 +43,31 @@ HitList& thread_hits() {
   return hits;
 }
 
-bool Shape::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const {
+namespace {
+
+template <class Keep>
+bool nearest_of_all(const Shape& shape, const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit, Keep&& keep) {
   ScratchHits hits;
-  intersect_all(ray, kind, hits.list());
+  shape.intersect_all(ray, kind, hits.list());
   bool found = false;
   for (std::size_t i = hits.begin(); i < hits.end(); ++i) {
     const double t = hits[i].t;
-    if (!(t >= t_min) || !(found ? t <= t_max : t < t_max)) continue;
+    if (!(t >= t_min) || !(found ? t <= t_max : t < t_max) || !keep(Vec3(hits[i].point))) continue;
     hit = hits[i];
     t_max = t;
     found = true;
   }
   return found;
+}
+
+}  // namespace
+
+bool Shape::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const {
+  return nearest_of_all(*this, ray, kind, t_min, t_max, hit, [](const Vec3&) { return true; });
+}
+
+bool Shape::intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips, Hit& hit) const {
+  return nearest_of_all(*this, ray, kind, t_min, t_max, hit, [&](const Vec3& p) { return clips.contain(p); });
 }
 
 bool Shape::occludes(const Ray& ray, double t_min, double t_max) const {
@@ -123,9 +125,23 @@ unsigned Guards::admit(const RayLanes& rays) const {
   return admitted;
 }
 
+void narrow(Box3& box, const Guards& guards) {
+  std::vector<HalfSpace> half_spaces;
+  for (const auto& clip : guards.clips) {
+    if (const auto half_space = half_space_of(*clip->object)) half_spaces.push_back(*half_space);
+    const SolidExtent extent = clip->solid_extent();
+    if (extent.outside) continue;
+    for (int i = 0; i < 3; ++i) {
+      box.min[i] = std::max(box.min[i], extent.box.min[i]);
+      box.max[i] = std::min(box.max[i], extent.box.max[i]);
+    }
+  }
+  box = narrowed(box, half_spaces);
+}
+
 Box3 surface_bounds(const scene::Object& object, const Box3& local, const Guards* guards) {
   Box3 box = transformed(local, object.transform);
-  narrow(box, guards);
+  if (guards) narrow(box, *guards);
   return box;
 }
 
@@ -134,7 +150,7 @@ SolidExtent surface_solid(const scene::Object& object, const LocalBox& local, co
   if (local.solid_inside) extent = {transformed(local.box, object.transform), object.inverted};
   // Clips apply after inversion: outside any of them nothing is inside.
   if (guards && extent.outside) extent = {everywhere(), false};
-  if (!extent.outside) narrow(extent.box, guards);
+  if (guards && !extent.outside) narrow(extent.box, *guards);
   return extent;
 }
 

@@ -17,6 +17,7 @@ struct EntryPoints;
 namespace verisim::shapes {
 
 class Shape;
+struct Clips;
 
 // One crossing of a ray with a surface.
 struct Hit {
@@ -64,6 +65,8 @@ class Shape {
   virtual void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const = 0;
   // The nearest hit with t_min <= t < t_max; on equal t the one collected last (spec 03 2.1). The default scans intersect_all.
   virtual bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const;
+  // The same among the hits inside all of `clips`: what a union that carries clip objects asks its children.
+  virtual bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips, Hit& hit) const;
   // True if any hit has t_min <= t < t_max, for shadow rays.
   virtual bool occludes(const Ray& ray, double t_min, double t_max) const;
   // Shapes with a tree of their own: where the rays of a shaft enter it. False: nothing is gained by asking.

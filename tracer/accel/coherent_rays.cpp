@@ -87,8 +87,9 @@ WorldEntry* CoherentRays::shadow(const Vec3& p, std::uint32_t light, const Box3&
 
 WorldEntry* CoherentRays::parallel_shadow(const Vec3& p, std::uint32_t light, const Vec3& towards, Viewer viewer) {
   return shadow_entry(p, light, viewer, [&](const Box3& cell) {
-    // Far enough to leave everything behind.
-    const Box3& all = world_.tree().bounds();
+    // Far enough to leave everything behind, what is beside the tree as well.
+    Box3 all = world_.tree().bounds();
+    if (const Box3 finite = world_.bounds(); !is_empty(finite)) all.extendBy(finite);
     const double reach = 2 * (length(all.max - all.min) + length(cell.max - all.center()) + length(cell.max - cell.min));
     return Shaft::between(cell, Box3(cell.min + towards * reach, cell.max + towards * reach));
   });

@@ -130,7 +130,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
   w.in_order = list.entries < kBoundingThreshold;
 
   std::vector<Box3> boxes;
-  std::vector<std::uint32_t> finite_after_all;
+  std::vector<std::uint32_t> finite, finite_after_all;
   for (std::size_t i = 0; i < list.objects.size(); ++i) {
     const scene::Object& o = *list.objects[i];
     std::unique_ptr<Shape> shape = shapes::compile(o, {remove_bounds});
@@ -164,11 +164,13 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     const bool waits = e.test_surface && !w.in_order;
     if (waits) finite_after_all.push_back(static_cast<std::uint32_t>(i));
     else if (!never && (boxless || w.in_order)) w.add_beside_tree(static_cast<std::uint32_t>(i), e);
-    else if (!never) boxes.push_back(w.add_bounded(static_cast<std::uint32_t>(i), e));
+    else if (!never) finite.push_back(static_cast<std::uint32_t>(i));
     if (!e.infinite && !is_empty(e.box)) w.bounds.extendBy(e.box);
     w.entries.push_back(e);
     w.shapes.push_back(std::move(shape));
   }
+  w.set_apart(finite);
+  for (const std::uint32_t i : finite) boxes.push_back(w.add_bounded(i, w.entries[i]));
   // The tree may keep those, too, for what it finds is put in order later; but the digits of its boxes are relative to the largest of them.
   constexpr double kOutsized = 4;
   const auto longest = [](const Box3& box) { return is_empty(box) ? 0 : std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z}); };
@@ -183,6 +185,29 @@ void World::Impl::add_beside_tree(std::uint32_t index, const Entry& e) {
   unbounded.push_back(index);
   planes.push_back(e.test_box ? std::nullopt : plain_plane(*e.object));
   if (e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow))) transparent_unbounded = true;
+}
+
+void World::Impl::set_apart(std::vector<std::uint32_t>& finite) {
+  constexpr std::size_t kMost = 4, kFewestOthers = 4;
+  constexpr double kFar = 3;  // times the size of all others
+  if (finite.size() < kMost + kFewestOthers) return;
+  std::vector<std::uint32_t> largest(finite);
+  const auto size = [&](std::uint32_t i) { return length(entries[i].box.max - entries[i].box.min); };
+  std::partial_sort(largest.begin(), largest.begin() + kMost, largest.end(), [&](std::uint32_t a, std::uint32_t b) { return size(a) > size(b); });
+  for (std::size_t count = kMost; count > 0 && around.empty(); --count) {
+    Box3 others;
+    for (std::size_t k = count; k < largest.size(); ++k) others.extendBy(entries[largest[k]].box);
+    const Vec3 center = 0.5 * (others.min + others.max), reach = 0.5 * kFar * (others.max - others.min);
+    const Box3 wide(center - reach, center + reach);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Entry& e = entries[largest[k]];
+      const Box3 surface = e.shape->bounds();
+      const auto room = shapes::Hollow::of(*e.object);
+      if (room && room->holds(wide) && contains(e.box, surface.min) && contains(e.box, surface.max)) around.push_back({largest[k], *room});
+    }
+    if (around.size() < count) around.clear();
+  }
+  std::erase_if(finite, [&](std::uint32_t i) { return std::any_of(around.begin(), around.end(), [&](const Surrounding& s) { return s.entry == i; }); });
 }
 
 Box3 World::Impl::add_bounded(std::uint32_t index, const Entry& e) {
@@ -232,6 +257,10 @@ void World::enter(const Shaft& shaft, WorldEntry& entry) const {
       if (!c.shape->enter(shaft, inner.points)) entry.inner.pop_back();
     }
   }
+  for (const Surrounding& s : w.around) {
+    const Entry& e = w.entries[s.entry];
+    opaque = opaque && (e.opacity == Opacity::opaque || (e.hidden & bit(RayKind::shadow)) || (s.room.holds(shaft.from()) && s.room.holds(shaft.to())));
+  }
   entry.only_opaque = opaque || !w.transparent_shadows;
 }
 
@@ -251,6 +280,7 @@ void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& int
   interiors.clear();
   thread_local std::vector<std::uint32_t> around;
   around.assign(w.unbounded.begin(), w.unbounded.end());
+  for (const Surrounding& s : w.around) around.push_back(s.entry);
   w.tree.any_around(p, [&](std::uint32_t i) {
     around.push_back(w.bounded[i].entry);
     return false;

@@ -9,6 +9,7 @@
 
 #include "tracer/accel/box_tree.h"
 #include "tracer/accel/world.h"
+#include "tracer/shapes/hollow.h"
 #include "tracer/shapes/plane.h"
 
 namespace verisim::accel {
@@ -85,11 +86,18 @@ inline unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
 // The next number, for numbers above 0.
 inline double next_above(double x) { return x < std::numeric_limits<double>::infinity() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1) : x; }
 
+// A large object far around all others, as a sky is. Rays begin within it, so that a tree would ask it first, about what is last on their way.
+struct Surrounding {
+  std::uint32_t entry;
+  shapes::Hollow room;
+};
+
 struct World::Impl {
   std::vector<Entry> entries;
   std::vector<std::unique_ptr<Shape>> shapes;
   std::vector<std::uint32_t> unbounded;  // entries beside the tree
   std::vector<std::optional<Plane>> planes;  // of each of them that is one
+  std::vector<Surrounding> around;       // beside the tree, too
   std::vector<Candidate> bounded;        // of each box of the tree
   BoxTree tree;
   std::deque<Surface> surfaces;
@@ -102,6 +110,8 @@ struct World::Impl {
 
   void add_beside_tree(std::uint32_t index, const Entry& e);
   Box3 add_bounded(std::uint32_t index, const Entry& e);  // the box to keep in the tree
+  // Moves what surrounds all others from these entries to `around`.
+  void set_apart(std::vector<std::uint32_t>& finite);
   void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
   // Which of two entries hit at the same distance POV-Ray tested first and therefore shows (spec 03 2.3).
   bool precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const;

@@ -120,6 +120,14 @@ class World::RowSearch {
       if (lanes != 0) test(*e.shape, index, nullptr, lanes);
     }
   }
+  void test_around() {
+    for (const Surrounding& s : w_.around) {
+      const Entry& e = w_.entries[s.entry];
+      unsigned lanes = 0;
+      if (!(e.hidden & mask_)) each_lane(rays_.asked, [&](int k) { lanes |= s.room.holds(rays_.at(k), t_min_, limit_[k]) ? 0 : 1u << k; });
+      if (lanes != 0) test(*e.shape, s.entry, nullptr, lanes);
+    }
+  }
   void test_boxes(const WorldEntry& entry) {
     const Places places(entry.points, w_.tree.center(), rays_, t_min_);
     for (int i = 0; i < places.count(); ++i) {
@@ -189,6 +197,7 @@ void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind
     if (!all_known) search.walk_tree(entry);
     else if (entry) search.test_boxes(*entry);
     search.test_unbounded();
+    search.test_around();
     for (int i = start; i < std::min(start + kLanes, first + count); ++i) found[i] = search.found() >> (i - start) & 1;
   }
 }
@@ -212,6 +221,15 @@ class World::RowOcclusion {
       if (w_.planes[i] || (e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
       unsigned lanes = 0;
       each_lane(open_, [&](int k) { lanes |= e.may_meet(rays_.at(k), above_, t_max_[k]) ? 1u << k : 0; });
+      test(*e.shape, e, nullptr, lanes);
+    }
+  }
+  void test_around() {
+    for (const Surrounding& s : w_.around) {
+      const Entry& e = w_.entries[s.entry];
+      if ((e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
+      unsigned lanes = 0;
+      each_lane(open_, [&](int k) { lanes |= s.room.holds(rays_.at(k), above_, t_max_[k]) ? 0 : 1u << k; });
       test(*e.shape, e, nullptr, lanes);
     }
   }
@@ -293,6 +311,7 @@ void World::occluded_row(const RayRow& rays, int first, int count, const bool* w
       else if (entry) occlusion.test_boxes(*entry);
     }
     occlusion.test_unbounded();
+    occlusion.test_around();
     each_lane(asked & ~occlusion.open(), [&](int k) { blocked[start + k] = true; });
   }
 }

@@ -30,6 +30,12 @@ class World::Search {
       test(*e.shape, index, nullptr);
     }
   }
+  void test_around() {
+    for (const Surrounding& s : w_.around) {
+      const Entry& e = w_.entries[s.entry];
+      if (!(e.hidden & mask_) && !s.room.holds(ray_, t_min_, limit_)) test(*e.shape, s.entry, nullptr);
+    }
+  }
   void test_candidate(std::uint32_t i, const WorldEntry* entry) {
     const Candidate& c = w_.bounded[i];
     if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry ? entry->inner_of(i) : nullptr);
@@ -75,6 +81,7 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
     search.test_candidate(i, entry);
     return search.limit();
   }, entry ? &entry->points : nullptr);
+  search.test_around();
   return search.found();
 }
 
@@ -93,6 +100,14 @@ class World::Occlusion {
         continue;
       }
       if (!e.may_meet(ray_, above_, t_max_)) continue;
+      if (blocks(*e.shape, e.opacity, nullptr) && e.slab.passes(ray_)) return true;
+    }
+    return false;
+  }
+  bool by_surrounding() const {
+    for (const Surrounding& s : w_.around) {
+      const Entry& e = w_.entries[s.entry];
+      if ((e.hidden & kMask) || e.opacity == Opacity::transparent || s.room.holds(ray_, above_, t_max_)) continue;
       if (blocks(*e.shape, e.opacity, nullptr) && e.slab.passes(ray_)) return true;
     }
     return false;
@@ -124,7 +139,7 @@ bool World::occluded(const Ray& ray, double t_min, double t_max, WorldEntry* ent
   const Impl& w = *impl_;
   const Occlusion occlusion(w, ray, t_min, t_max);
   if (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry)) return true;
-  if (occlusion.by_unbounded()) return true;
+  if (occlusion.by_unbounded() || occlusion.by_surrounding()) return true;
   bool found = false;
   w.tree.traverse(ray, t_min, t_max, [&](std::uint32_t i, double far) {
     if (!occlusion.by_candidate(i, entry)) return far;

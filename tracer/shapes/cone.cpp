@@ -1,5 +1,7 @@
 // cone and cylinder (spec 03 4.3). Both are kept in a standard frame: a cylinder has radius 1 and z from 0 to 1; a cone has its tip at the origin and
 // its wide end, of radius 1, at z = 1; the narrow end is at z = `narrow` (negative for a double cone).
+#include "tracer/shapes/cone.h"
+
 #include <algorithm>
 
 #include "tracer/shapes/factories.h"
@@ -12,13 +14,8 @@ namespace {
 
 constexpr double kNearest = 1e-9, kFarthest = 1e7;  // of local distances
 
-bool is_cylinder(const scene::Cone& c) {
-  const double wide = std::max(c.base_radius, c.cap_radius), narrow = std::min(c.base_radius, c.cap_radius);
-  return std::fabs(wide - narrow) < kEpsilon || (wide - narrow) * (wide - narrow) < kEpsilon * wide;
-}
-
 double narrow_end(const scene::Cone& c) {
-  if (is_cylinder(c)) return 0;
+  if (cone_is_cylinder(c)) return 0;
   return std::min(c.base_radius, c.cap_radius) / std::max(c.base_radius, c.cap_radius);
 }
 
@@ -27,7 +24,7 @@ enum Part : std::int32_t { wall, narrow_cap, wide_cap };
 class Cone final : public Primitive<Cone> {
  public:
   Cone(const scene::Object& description, const scene::Cone& c)
-      : Primitive(description, {cone_box(c)}), cylinder_(is_cylinder(c)), open_(c.open), guarded_(has_guards(description)), narrow_(narrow_end(c)) {}
+      : Primitive(description, {cone_box(c)}), cylinder_(cone_is_cylinder(c)), open_(c.open), guarded_(has_guards(description)), narrow_(narrow_end(c)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -117,9 +114,14 @@ class Cone final : public Primitive<Cone> {
 
 }  // namespace
 
+bool cone_is_cylinder(const scene::Cone& c) {
+  const double wide = std::max(c.base_radius, c.cap_radius), narrow = std::min(c.base_radius, c.cap_radius);
+  return std::fabs(wide - narrow) < kEpsilon || (wide - narrow) * (wide - narrow) < kEpsilon * wide;
+}
+
 Transform cone_frame(const scene::Cone& c) {
   const bool cap_is_wide = c.base_radius < c.cap_radius;
-  if (is_cylinder(c)) {
+  if (cone_is_cylinder(c)) {
     const Vec3 axis = c.base - c.cap;
     const double len = length(axis);
     return frame_along(c.cap, axis * (1.0 / len), std::max(c.base_radius, c.cap_radius), len);

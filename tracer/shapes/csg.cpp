@@ -9,6 +9,7 @@
 #include "tracer/shapes/child_index.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/half_spaces.h"
+#include "tracer/shapes/hollow.h"
 #include "tracer/shapes/plane.h"
 #include "tracer/shapes/plane_set.h"
 #include "tracer/shapes/primitive.h"
@@ -284,6 +285,7 @@ class Intersection final : public CsgShape {
     if (bounded_) sheet = common(sheet, solid);
     set_extent(sheet, bounded_ ? SolidExtent{solid, false} : SolidExtent{complement, true});
     limit_ = bounded_ ? solid : everywhere();
+    find_hollows();
   }
 
   void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
@@ -347,7 +349,7 @@ class Intersection final : public CsgShape {
     way.enter = t_min, way.leave = t_max;
     way.met = planes_.meet(ray, way.t, way.enter, way.leave);
     way.near = std::max(way.near, way.enter), way.far = std::min(way.far, way.leave);
-    return way.near <= way.far;
+    return way.near <= way.far && !within_hollow(ray, way.near, way.far);
   }
   template <class Visit>
   void each_way(const RayLanes& rays, double t_min, const double* t_max, Visit&& visit) const {
@@ -362,16 +364,39 @@ class Intersection final : public CsgShape {
     for (int k = 0; k < RayLanes::kCount; ++k) near[k] = std::max(near[k], enter[k]), far[k] = std::min(far[k], leave[k]);
     open = within(near, far, open);
     each_lane(open, [&](int k) {
+      const Ray ray = rays.at(k);
+      if (within_hollow(ray, near[k], far[k])) return;
       Way way;
       way.enter = enter[k], way.leave = leave[k], way.near = near[k], way.far = far[k];
       for (int i = 0; i < planes_.size(); ++i) way.t[i] = planes.t[i][k], way.met |= std::uint64_t{planes.met[i] >> k & 1u} << i;
-      visit(k, rays.at(k), way);
+      visit(k, ray, way);
     });
   }
   static unsigned within(const double* near, const double* far, unsigned asked) {
     unsigned lanes = 0;
     for (int k = 0; k < RayLanes::kCount; ++k) lanes |= near[k] <= far[k] ? 1u << k : 0;
     return lanes & asked;
+  }
+
+  // Convex children that are taken away and leave little of the solid's box.
+  void find_hollows() {
+    constexpr double kSmallest = 0.1;  // of the box
+    if (!std::all_of(children_.begin(), children_.end(), [](const auto& c) { return reports_true_distances(*c); })) return;
+    for (const auto& child : children_) {
+      const Box3 box = common(child->bounds(), limit_);
+      if (!child->object->inverted || accel::is_empty(box) || !(volume(box) >= kSmallest * volume(limit_))) continue;
+      if (const auto hollow = Hollow::of(*child->object)) hollows_.push_back(*hollow);
+    }
+  }
+  static double volume(const Box3& box) { return (box.max.x - box.min.x) * (box.max.y - box.min.y) * (box.max.z - box.min.z); }
+  // The points of hits are where their distances say. Others might lie beyond the stretch that is looked at.
+  static bool reports_true_distances(const Shape& shape) {
+    const scene::Object& o = *shape.object;
+    if (o.as<std::shared_ptr<const scene::JuliaFractal>>() || o.as<std::shared_ptr<const scene::Parametric>>()) return false;
+    return std::all_of(shape.children().begin(), shape.children().end(), [](const auto& c) { return reports_true_distances(*c); });
+  }
+  bool within_hollow(const Ray& ray, double near, double far) const {
+    return std::any_of(hollows_.begin(), hollows_.end(), [&](const Hollow& hollow) { return hollow.holds(ray, near, far); });
   }
 
   // A hit that a plane cuts away for sure. Some shapes report hits as nearer than their points are: those are left to the inside test.
@@ -451,6 +476,7 @@ class Intersection final : public CsgShape {
   ChildIndex holes_;           // everything outside their boxes is
   Box3 limit_;
   bool bounded_ = false;
+  std::vector<Hollow> hollows_;
 };
 
 }  // namespace

@@ -130,7 +130,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
   w.in_order = list.entries < kBoundingThreshold;
 
   std::vector<Box3> boxes;
-  std::vector<std::uint32_t> finite, finite_after_all;
+  std::vector<std::uint32_t> finite, beside, finite_after_all;
   for (std::size_t i = 0; i < list.objects.size(); ++i) {
     const scene::Object& o = *list.objects[i];
     std::unique_ptr<Shape> shape = shapes::compile(o, {remove_bounds});
@@ -163,13 +163,14 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;
     if (waits) finite_after_all.push_back(static_cast<std::uint32_t>(i));
-    else if (!never && (boxless || w.in_order)) w.add_beside_tree(static_cast<std::uint32_t>(i), e);
+    else if (!never && (boxless || w.in_order)) beside.push_back(static_cast<std::uint32_t>(i));
     else if (!never) finite.push_back(static_cast<std::uint32_t>(i));
     if (!e.infinite && !is_empty(e.box)) w.bounds.extendBy(e.box);
     w.entries.push_back(e);
     w.shapes.push_back(std::move(shape));
   }
-  w.set_apart(finite);
+  w.set_apart(finite, beside);
+  for (const std::uint32_t i : beside) w.add_beside_tree(i, w.entries[i]);
   for (const std::uint32_t i : finite) boxes.push_back(w.add_bounded(i, w.entries[i]));
   // The tree may keep those, too, for what it finds is put in order later; but the digits of its boxes are relative to the largest of them.
   constexpr double kOutsized = 4;
@@ -187,14 +188,16 @@ void World::Impl::add_beside_tree(std::uint32_t index, const Entry& e) {
   if (e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow))) transparent_unbounded = true;
 }
 
-void World::Impl::set_apart(std::vector<std::uint32_t>& finite) {
-  constexpr std::size_t kMost = 4, kFewestOthers = 4;
+void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std::uint32_t>& beside) {
+  constexpr std::size_t kMost = 4;
   constexpr double kFar = 3;  // times the size of all others
-  if (finite.size() < kMost + kFewestOthers) return;
   std::vector<std::uint32_t> largest(finite);
+  std::copy_if(beside.begin(), beside.end(), std::back_inserter(largest), [&](std::uint32_t i) { return !entries[i].test_box && is_finite(entries[i].shape->bounds()); });
+  if (largest.size() < 2) return;
+  const std::size_t most = std::min(kMost, largest.size() - 1);
   const auto size = [&](std::uint32_t i) { return length(entries[i].box.max - entries[i].box.min); };
-  std::partial_sort(largest.begin(), largest.begin() + kMost, largest.end(), [&](std::uint32_t a, std::uint32_t b) { return size(a) > size(b); });
-  for (std::size_t count = kMost; count > 0 && around.empty(); --count) {
+  std::partial_sort(largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(most), largest.end(), [&](std::uint32_t a, std::uint32_t b) { return size(a) > size(b); });
+  for (std::size_t count = most; count > 0 && around.empty(); --count) {
     Box3 others;
     for (std::size_t k = count; k < largest.size(); ++k) others.extendBy(entries[largest[k]].box);
     const Vec3 center = 0.5 * (others.min + others.max), reach = 0.5 * kFar * (others.max - others.min);
@@ -207,7 +210,7 @@ void World::Impl::set_apart(std::vector<std::uint32_t>& finite) {
     }
     if (around.size() < count) around.clear();
   }
-  std::erase_if(finite, [&](std::uint32_t i) { return std::any_of(around.begin(), around.end(), [&](const Surrounding& s) { return s.entry == i; }); });
+  for (const Surrounding& s : around) std::erase(finite, s.entry), std::erase(beside, s.entry);
 }
 
 Box3 World::Impl::add_bounded(std::uint32_t index, const Entry& e) {

@@ -110,8 +110,8 @@ struct World::Impl {
 
   void add_beside_tree(std::uint32_t index, const Entry& e);
   Box3 add_bounded(std::uint32_t index, const Entry& e);  // the box to keep in the tree
-  // Moves what surrounds all others from these entries to `around`.
-  void set_apart(std::vector<std::uint32_t>& finite);
+  // Moves what surrounds all others to `around`: from the entries of the tree and those beside it.
+  void set_apart(std::vector<std::uint32_t>& finite, std::vector<std::uint32_t>& beside);
   void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
   // Which of two entries hit at the same distance POV-Ray tested first and therefore shows (spec 03 2.3).
   bool precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const;

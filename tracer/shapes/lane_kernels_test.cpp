@@ -376,17 +376,19 @@ TEST_P(LaneKernel, ApproachesASuperellipsoidInTheSameSteps) {
     for (int k = 0; k < kLanes; ++k) {
       const Ray ray = rays.rows->at(k);
       a.ox[k] = ray.origin.x, a.oy[k] = ray.origin.y, a.oz[k] = ray.origin.z, a.dx[k] = ray.direction.x, a.dy[k] = ray.direction.y, a.dz[k] = ray.direction.z;
-      a.t[k] = 0, a.end[k] = 20;
+      a.t[k] = 0, a.end[k] = 20, a.side[k] = 1;
     }
-    ConvexLanes b = a, alone = a;
-    const unsigned found = kernels->approach(p, q, 1, rays.asked, a);
-    ASSERT_EQ(found, plain.approach(p, q, 1, rays.asked, b));
-    double values[kLanes], others[kLanes];
-    kernels->value(p, q, a, values);
-    plain.value(p, q, b, others);
+    ConvexLanes b = a, alone = a, pair = a;
+    const unsigned found = kernels->approach(p, q, rays.asked, a);
+    ASSERT_EQ(found, plain.approach(p, q, rays.asked, b));
+    const ConvexLanes arrived = a;
+    kernels->value(p, q, a);
+    plain.value(p, q, b);
+    const double* values = a.value;
     each_lane(found, [&](int k) {
       ASSERT_TRUE(same(a.t[k], b.t[k]));
-      ASSERT_TRUE(same(values[k], others[k]));
+      ASSERT_TRUE(same(values[k], b.value[k]));
+      ASSERT_TRUE(same(values[k], arrived.value[k]));
       ++met;
       // The value is that of the plain formula, and zero at the root of rays that begin outside.
       const Vec3 at(std::fabs(a.ox[k] + a.t[k] * a.dx[k]), std::fabs(a.oy[k] + a.t[k] * a.dy[k]), std::fabs(a.oz[k] + a.t[k] * a.dz[k]));
@@ -401,13 +403,16 @@ TEST_P(LaneKernel, ApproachesASuperellipsoidInTheSameSteps) {
     });
     // What one lane finds does not depend on the others.
     const int k = round % kLanes;
-    const unsigned found_alone = kernels->approach(p, q, 1, 1u << k, alone);
+    const unsigned found_alone = kernels->approach(p, q, 1u << k, alone);
     if (rays.asked >> k & 1) {
       ASSERT_EQ(found_alone, found & 1u << k);
     }
     if (found >> k & 1) {
       ASSERT_TRUE(same(alone.t[k], a.t[k]));
     }
+    const unsigned found_pair = kernels->approach_pair(p, q, rays.asked & 3, pair);
+    ASSERT_EQ(found_pair, found & 3);
+    each_lane(found_pair, [&](int lane) { ASSERT_TRUE(same(pair.t[lane], a.t[lane]) && same(pair.value[lane], a.value[lane])); });
   }
   EXPECT_GT(met, 5000);
 }

@@ -66,8 +66,12 @@ class Lathe final : public Primitive<Lathe> {
  public:
   Lathe(const scene::Object& description, const scene::Lathe& lathe) : Primitive(description, {lathe_box(lathe)}), range_(lathe) {
     for (const CurveSegment& s : segments_of(lathe)) {
-      Segment segment{s, 0, 0};
+      Segment segment{s, 0, 0, 0, 0};
       s.extremes(height, segment.y_low, segment.y_high);
+      double x0, x1;
+      s.extremes(radius, x0, x1);
+      const double least = x0 <= 0 && x1 >= 0 ? 0 : std::min(std::fabs(x0), std::fabs(x1)), most = std::max(std::fabs(x0), std::fabs(x1));
+      segment.low2 = least * least, segment.high2 = most * most;
       segments_.push_back(segment);
     }
   }
@@ -94,9 +98,10 @@ class Lathe final : public Primitive<Lathe> {
     if (y0 > y1) std::swap(y0, y1);
     const double slack = this->slack();
     const Solver solver{l, r, m, c};
+    const Passage passage(l, r, m, c, outer2);
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const Segment& s = segments_[i];
-      if (s.y_low > y1 + slack || s.y_high < y0 - slack) continue;
+      if (s.y_low > y1 + slack || s.y_high < y0 - slack || passage.passes(s)) continue;
       solver.segment(s.curve, [&](double w, double t) { add(ray, t / l.scale, i, w, sink); });
     }
   }
@@ -141,7 +146,32 @@ class Lathe final : public Primitive<Lathe> {
  private:
   struct Segment {
     CurveSegment curve;
-    double y_low, y_high;
+    double y_low, y_high;  // its heights
+    double low2, high2;    // and squares of its radii
+  };
+  // How far from the axis a ray is between two heights.
+  class Passage {
+   public:
+    Passage(const LocalRay& l, double r, double m, double c, double outer2) : r_(r), m_(m), c_(c), height_(l.origin.y) {
+      constexpr double kSteep = 1e-3;  // others know their roots less well
+      if (!(std::fabs(l.direction.y) > kSteep)) return;
+      inverse_ = 1 / l.direction.y;
+      turn_ = r > 1e-20 ? -m / r : 0;
+      doubt_ = 1e-5 * outer2 + 1e-9 * (c + m * m);
+    }
+    // For sure within or around a segment all the way.
+    bool passes(const Segment& s) const {
+      if (inverse_ == 0) return false;
+      double from = (s.y_low - height_) * inverse_, to = (s.y_high - height_) * inverse_;
+      if (from > to) std::swap(from, to);
+      const double nearest = distance2(std::clamp(turn_, from, to));
+      return nearest > s.high2 + doubt_ || std::max(distance2(from), distance2(to)) < s.low2 - doubt_;
+    }
+
+   private:
+    double distance2(double t) const { return (r_ * t + 2 * m_) * t + c_; }
+
+    double r_, m_, c_, height_, inverse_ = 0, turn_ = 0, doubt_ = 0;
   };
 
   double outer2() const { return range_.r_high * range_.r_high * (1 + 1e-9); }

@@ -50,7 +50,10 @@ double norm(double a, double b, const Power& p) {
 class Superellipsoid final : public Primitive<Superellipsoid> {
  public:
   Superellipsoid(const scene::Object& description, const scene::Superellipsoid& s)
-      : Primitive(description, {Box3(Vec3(-1.0001), Vec3(1.0001))}), p_(2 / s.east), q_(2 / s.north), guarded_(has_guards(description)) {}
+      : Primitive(description, {Box3(Vec3(-1.0001), Vec3(1.0001))}), p_(2 / s.east), q_(2 / s.north), guarded_(has_guards(description)) {
+    constexpr double kDoubt = 1e-9;
+    most_inside_ = (1 - kDoubt) * std::pow(2, -1 / p_.exponent() - 1 / q_.exponent()), least_outside_ = 1 + kDoubt;
+  }
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -96,14 +99,21 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
     return nearest_of_lanes(rays, t_min, t_max, [](int, double) {});
   }
 
-  bool contains(const Vec3& p) const { return value(local(p)) < kZero; }
+  bool contains(const Vec3& point) const {
+    const Vec3 p = local(point);
+    // The norm of three numbers is at least the largest of them, and at most so many times as much as it is for equal ones.
+    const double largest = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    if (largest > least_outside_) return false;
+    return largest < most_inside_ || value(p) < kZero;
+  }
 
   Vec3 raw_normal(const Hit& hit) const {
     const Vec3 v = local(hit.point);
     const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
     const double r = norm(x, y, p_), f = norm(r, z, q_);
-    const double across = f > 0 && r > 0 ? std::pow(r / f, q_.exponent() - 1) : 0;
-    const auto part = [](double a, double size, double power) { return size > 0 && a > 0 ? std::pow(a / size, power) : power == 0 ? 1.0 : 0.0; };
+    const auto raised = [](double ratio, double power) { return ratio == 1 ? 1 : std::pow(ratio, power); };  // 1: most of a body with sharp edges
+    const double across = f > 0 && r > 0 ? raised(r / f, q_.exponent() - 1) : 0;
+    const auto part = [&](double a, double size, double power) { return size > 0 && a > 0 ? raised(a / size, power) : power == 0 ? 1.0 : 0.0; };
     const Vec3 g(std::copysign(across * part(x, r, p_.exponent() - 1), v.x), std::copysign(across * part(y, r, p_.exponent() - 1), v.y),
                  std::copysign(part(z, f, q_.exponent() - 1), v.z));
     const double largest = std::max({std::fabs(g.x), std::fabs(g.y), std::fabs(g.z)});
@@ -118,41 +128,43 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
   // With exponents of at least 1 the nested norms are convex: a ray enters once and leaves once, and Newton's method from outside goes straight to each.
   bool convex() const { return p_.exponent() >= 1 && q_.exponent() >= 1; }
   unsigned approach(double side, unsigned asked, ConvexLanes& lanes) const {
-    return asked == 0 ? 0 : superellipsoid_kernels().approach(p_.exponent(), q_.exponent(), side, asked, lanes);
+    if (asked == 0) return 0;
+    std::fill_n(lanes.side, ConvexLanes::kCount, side);
+    return superellipsoid_kernels().approach(p_.exponent(), q_.exponent(), asked, lanes);
   }
   static void set(ConvexLanes& lanes, int k, const LocalRay& l) {
     lanes.ox[k] = l.origin.x, lanes.oy[k] = l.origin.y, lanes.oz[k] = l.origin.z;
     lanes.dx[k] = l.direction.x, lanes.dy[k] = l.direction.y, lanes.dz[k] = l.direction.z;
   }
   // The lanes of `asked` that begin within the surface: only rays do that which begin within the cube around it.
-  unsigned beginning_inside(unsigned asked, const ConvexLanes& lanes) const {
+  unsigned beginning_inside(unsigned asked, ConvexLanes& lanes) const {
     unsigned begin_here = 0, inside = 0;
     each_lane(asked, [&](int k) { begin_here |= lanes.t[k] == kNearest ? 1u << k : 0; });
     if (begin_here == 0) return 0;
-    double values[ConvexLanes::kCount];
-    superellipsoid_kernels().value(p_.exponent(), q_.exponent(), lanes, values);
-    each_lane(begin_here, [&](int k) { inside |= values[k] <= -kZero ? 1u << k : 0; });
+    superellipsoid_kernels().value(p_.exponent(), q_.exponent(), lanes);
+    each_lane(begin_here, [&](int k) { inside |= lanes.value[k] <= -kZero ? 1u << k : 0; });
     return inside;
   }
 
+  // The entry and the exit are looked for at the same time: each step is a long chain of operations that wait for each other. The exit would be found
+  // from behind the entry only; that the search for it may pass the entry, where it finds nothing, does not matter.
   template <class Sink>
   void convex_crossings(const Ray& ray, const LocalRay& l, Sink& sink) const {
     double near, far;
     if (!clip_to_cube(l, near, far)) return;
-    ConvexLanes lanes{};
-    set(lanes, 0, l);
-    const auto report = [&] {
-      const double depth = lanes.t[0] / l.scale;
+    ConvexLanes lanes;
+    set(lanes, 0, l), set(lanes, 1, l);
+    lanes.t[0] = near, lanes.end[0] = far, lanes.side[0] = 1;
+    lanes.t[1] = far, lanes.end[1] = near, lanes.side[1] = -1;
+    const unsigned found = superellipsoid_kernels().approach_pair(p_.exponent(), q_.exponent(), 3, lanes);
+    if (!(found & 1)) return;
+    const auto report = [&](double t) {
+      const double depth = t / l.scale;
       return depth > kNearest && depth < kFarthest && sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
     };
-    lanes.t[0] = near, lanes.end[0] = far;
-    if (beginning_inside(1, lanes) == 0) {
-      if (approach(1, 1, lanes) == 0) return;
-      if (report() && Sink::kNearest) return;
-      near = lanes.t[0];
-    }
-    lanes.t[0] = far, lanes.end[0] = near;
-    if (approach(-1, 1, lanes) != 0 && lanes.t[0] > near) report();
+    const bool begins_inside = near == kNearest && lanes.t[0] == near && lanes.value[0] <= -kZero;
+    if (!begins_inside && report(lanes.t[0]) && Sink::kNearest) return;
+    if ((found & 2) && lanes.t[1] > lanes.t[0]) report(lanes.t[1]);
   }
   // The same for eight rays: take(lane, t) for the nearest hits.
   template <class Take>
@@ -271,6 +283,7 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
   }
 
   Power p_, q_;
+  double most_inside_, least_outside_;  // of coordinates: where the formula need not be asked
   bool guarded_;
 };
 

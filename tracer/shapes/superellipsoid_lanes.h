@@ -10,15 +10,19 @@ namespace verisim::shapes {
 struct alignas(64) ConvexLanes {
   static constexpr int kCount = RayLanes::kCount;
   double ox[kCount], oy[kCount], oz[kCount], dx[kCount], dy[kCount], dz[kCount];
-  double t[kCount];    // where the search begins, outside; then the root
-  double end[kCount];  // it goes no further than this
+  double t[kCount];      // where the search begins, outside; then the root
+  double end[kCount];    // it goes no further than this
+  double side[kCount];   // 1: forward, -1: backward
+  double value[kCount];  // |(|(x, y)|_p, z)|_q - 1 at t: an answer
 };
 
 struct SuperellipsoidKernels {
-  // |(|(x, y)|_p, z)|_q - 1 at distances t.
-  void (*value)(double p, double q, const ConvexLanes& lanes, double* value);
-  // From t towards `end`: forward if `side` is 1, backward if it is -1. The lanes of `asked` that find the surface.
-  unsigned (*approach)(double p, double q, double side, unsigned asked, ConvexLanes& lanes);
+  // The values at distances t.
+  void (*value)(double p, double q, ConvexLanes& lanes);
+  // From t towards `end`. The lanes of `asked` that find the surface.
+  unsigned (*approach)(double p, double q, unsigned asked, ConvexLanes& lanes);
+  // The same for the first two lanes.
+  unsigned (*approach_pair)(double p, double q, unsigned asked, ConvexLanes& lanes);
 };
 
 // Those of the best instruction set of this machine.

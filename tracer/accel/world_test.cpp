@@ -100,6 +100,41 @@ std::vector<ObjectRef> crowd() {
   return objects;
 }
 
+// Two skies and a room that stand far around them.
+std::vector<ObjectRef> crowd_under_skies() {
+  auto objects = crowd();
+  objects.push_back(textured(make(scene::Sphere{Vec3(0), 30}, [](Object& o) { scene::transform(o, Transform::scaling({1, 0.8, 1})); }), kGlass));
+  objects.insert(objects.begin(), sphere({1, 2, 3}, 25));
+  objects.push_back(box(Vec3(-15), Vec3(18)));
+  return objects;
+}
+
+TEST(World, SkiesAreFoundAsASearchOfAllFindsThem) {
+  const auto objects = crowd_under_skies();
+  const Stage stage(objects);
+  std::vector<std::unique_ptr<shapes::Shape>> shapes;
+  for (const auto& o : objects) shapes.push_back(shapes::compile(*o));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 from = (i % 2 ? 4.0 : 40.0) * Vec3(u(random), u(random), u(random)), to = (i % 5 ? 3.0 : 30.0) * Vec3(u(random), u(random), u(random));
+    const Ray ray{from, normalize(to - from)};
+    double nearest = 2e10;
+    for (const auto& shape : shapes)
+      if (Hit h; shape->intersect(ray, RayKind::camera, 1e-4, nearest, h)) nearest = h.t;
+    Hit h;
+    ASSERT_EQ(stage.world->intersect(ray, RayKind::camera, 1e-4, 2e10, h), nearest < 2e10);
+    if (nearest < 2e10) {
+      ASSERT_EQ(h.t, nearest);
+    }
+    const double limit = 10 + 10 * u(random);
+    bool blocked = false;
+    for (const auto& shape : shapes)
+      if (!shape->object->no_shadow && shape->object->texture != kGlass) blocked = blocked || shape->occludes(ray, 1e-3, limit);
+    ASSERT_EQ(stage.world->occluded(ray, 1e-3, limit), blocked);
+  }
+}
+
 // Rows of rays through one tile of a camera's picture: eight of them, or less, or more than eight.
 TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
   auto all = crowd();
@@ -108,7 +143,7 @@ TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
   std::uniform_real_distribution<double> u(0, 1);
   auto many = all;  // more than what an entry can name
   for (int i = 0; i < 90; ++i) many.push_back(textured(make(scene::Sphere{Vec3(u(random), u(random), u(random)) * 4.0 - Vec3(2), 0.3}), i % 20 == 0 ? kGlass : kOpaque));
-  for (const auto& objects : {all, few, many}) {
+  for (const auto& objects : {all, few, many, crowd_under_skies()}) {
     const Stage stage(objects);
     const auto rays = std::make_unique<RayRow>();
     int found_rays = 0, blocked_rays = 0, complete = 0;

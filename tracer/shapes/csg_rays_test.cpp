@@ -1,0 +1,82 @@
+// What rays meet of CSG objects, beside the plain rule of spec 03 section 5: all hits of the children that pass the inside tests, and of those the nearest.
+#include "tracer/shapes/test_support.h"
+
+namespace verisim::shapes::testing {
+namespace {
+
+bool within_clips(const Object& object, const Vec3& p) {
+  return std::all_of(object.clipped_by.begin(), object.clipped_by.end(), [&](const auto& clip) { return compile(*clip)->inside(p); });
+}
+
+// The plain rule, for objects without bounds.
+HitList hits_by_rule(const Shape& shape, const Ray& ray) {
+  HitList hits;
+  const auto* csg = shape.object->as<scene::Csg>();
+  if (!csg) {
+    shape.intersect_all(ray, RayKind::query, hits);
+    return hits;
+  }
+  for (const auto& child : shape.children())
+    for (const Hit& hit : hits_by_rule(*child, ray)) {
+      bool kept = within_clips(*shape.object, hit.point);
+      for (const auto& other : shape.children())
+        if (csg->kind == scene::CsgKind::intersection && other != child) kept = kept && other->inside(hit.point);
+        else if (csg->kind == scene::CsgKind::merge && other != child) kept = kept && !other->inside(hit.point);
+      if (kept) hits.push_back(hit);
+    }
+  return hits;
+}
+
+void expect_rule(const ObjectRef& object) {
+  const auto shape = compile(*object);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-3, 3);
+  int met = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3 from(place(random), place(random), place(random)), to(0.5 * place(random), 0.5 * place(random), 0.5 * place(random));
+    const Ray ray{from, normalize(to - from)};
+    HitList expected = hits_by_rule(*shape, ray), all;
+    shape->intersect_all(ray, RayKind::query, all);
+    ASSERT_EQ(all.size(), expected.size());
+    for (std::size_t k = 0; k < all.size(); ++k) ASSERT_TRUE(all[k].t == expected[k].t && all[k].shape == expected[k].shape);
+    const double t_min = i % 3 == 0 ? 1.0 : 0.0, t_max = i % 2 == 0 ? 1e9 : 2.5;
+    const Hit* nearest = nullptr;
+    for (const Hit& h : expected)
+      if (h.t >= t_min && h.t < t_max && (!nearest || h.t <= nearest->t)) nearest = &h;
+    Hit hit;
+    ASSERT_EQ(shape->intersect(ray, RayKind::query, t_min, t_max, hit), nearest != nullptr);
+    ASSERT_EQ(shape->occludes(ray, t_min, t_max), nearest != nullptr);
+    if (!nearest) continue;
+    ASSERT_TRUE(hit.t == nearest->t && hit.shape == nearest->shape && hit.point == nearest->point);
+    ++met;
+  }
+  EXPECT_GT(met, 300);
+}
+
+const ObjectRef block = make(scene::Box{{-1.5, -1, -1.2}, {1.5, 1, 1.2}});
+const ObjectRef tube = make(scene::Cone{{-2, 0, 0}, {2, 0, 0}, 0.8, 0.8}, [](Object& o) { scene::rotate(o, {0, 10, 5}); });
+const ObjectRef ball = make(scene::Sphere{{0.3, 0.2, 0.1}, 1});
+const ObjectRef ring = make(scene::Torus{0.9, 0.2});
+const Steps below = [](Object& o) { o.clipped_by.push_back(make(scene::Plane{{0.2, 1, 0}, 0.1})); };
+const Steps above = [](Object& o) { o.clipped_by.push_back(make(scene::Plane{{0, 1, 0.1}, -0.2}, [](Object& p) { scene::invert(p); })); };
+
+TEST(CsgRays, SolidsWithRoomyHoles) {
+  expect_rule(make_difference({block, tube}));
+  expect_rule(make_difference({block, tube, make(scene::Cone{{0, 0, -2}, {0, 0, 2}, 0.9, 0.7})}));
+  expect_rule(make_difference({block, make(scene::Box{{-1.4, -0.9, -1.1}, {1.4, 1.1, 1.1}})}));
+  expect_rule(make_difference({make(scene::Sphere{Vec3(0), 1.2}), ball}));
+}
+
+TEST(CsgRays, UnionsWithClips) {
+  expect_rule(make_union({ball, ring, tube}, below));
+  expect_rule(make_union({make_difference({block, tube}), ring}, above));
+  expect_rule(make_union({make_union({ball, ring}, below), make_merge({tube, block}, below), ring}, above));
+}
+
+TEST(CsgRays, ClippedSolids) {
+  expect_rule(make_difference({block, tube}, below));
+  expect_rule(make_merge({ball, ring, tube}, above));
+}
+
+}  // namespace
+}  // namespace verisim::shapes::testing

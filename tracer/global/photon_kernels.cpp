@@ -1,22 +1,30 @@
 #include "tracer/global/photon_kernels.h"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <vector>
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#include "tracer/global/photon_order.h"
+#include "tracer/global/photon_tree.h"
 #include "tracer/textures/instruction_sets.h"
+
+#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
 
 namespace verisim::global {
 namespace {
 
-template <class Integer>
-constexpr std::array<Integer, PhotonPositions::kAtOnce> bits() {
-  std::array<Integer, PhotonPositions::kAtOnce> result{};
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = Integer{1} << i;
-  return result;
-}
-constexpr auto kBit = bits<std::int32_t>();
-constexpr auto kLongBit = bits<std::int64_t>();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr auto kAnyNumber = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kAtOnce = PhotonPositions::kAtOnce;
+constexpr std::size_t kCrowd = 2;  // times the wanted number of photons is when the nearest are picked out, and the search narrowed
 
 #define VERISIM_KERNELS "tracer/global/photon_kernels.inc"
 #include "tracer/textures/each_instruction_set.inc"
@@ -24,6 +32,17 @@ constexpr auto kLongBit = bits<std::int64_t>();
 const PhotonKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 }  // namespace
+
+void PhotonDistances::grow(std::size_t size) {
+  const std::size_t room = 2 * size + 4 * PhotonPositions::kAtOnce;
+  squared_.resize(room), index_.resize(room);
+}
+
+void PhotonDistances::erase(std::size_t i) {
+  std::copy(squared_.data() + i + 1, squared_.data() + size_, squared_.data() + i);
+  std::copy(index_.data() + i + 1, index_.data() + size_, index_.data() + i);
+  --size_;
+}
 
 const PhotonKernels* photon_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
 

@@ -1,14 +1,18 @@
-// How far sixteen photons of a map, or boxes around them, are from a point, at once. Compiled for several instruction sets; every lane does the operations of the scalar code in
-// the same order.
+// Which photons of a map are near a point, sixteen at a time. Compiled for several instruction sets; every lane does the operations of the scalar code in the same order.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tracer/math/vec.h"
 
 namespace verisim::global {
+
+class PhotonTree;
+class WrongPlanes;
 
 // Coordinates side by side; behind the last are as many more as a kernel may read.
 struct PhotonPositions {
@@ -24,16 +28,68 @@ struct alignas(64) PhotonBoxes {
   std::array<float, PhotonPositions::kAtOnce> low[3], high[3];
 };
 
+// Photons by number, with their flattened distances, squared.
+class PhotonDistances {
+ public:
+  std::size_t size() const { return size_; }
+  std::span<const double> squared() const { return {squared_.data(), size_}; }
+  std::span<const std::uint32_t> index() const { return {index_.data(), size_}; }
+  void clear() { size_ = 0; }
+  void add(std::uint32_t index, double squared) {
+    make_room(size_ + 1);
+    squared_[size_] = squared, index_[size_++] = index;
+  }
+  // Takes one out; the others stay in their order.
+  void erase(std::size_t i);
+
+  // For kernels: room for `size`, and sixteen more that may be written behind the last.
+  void make_room(std::size_t size) {
+    if (size + PhotonPositions::kAtOnce > index_.size()) grow(size);
+  }
+  double* squared_data() { return squared_.data(); }
+  std::uint32_t* index_data() { return index_.data(); }
+  void set_size(std::size_t size) { size_ = size; }
+
+ private:
+  void grow(std::size_t size);
+
+  std::vector<double> squared_;  // these are longer
+  std::vector<std::uint32_t> index_;
+  std::size_t size_ = 0;
+};
+
+// Where a search is made: distances are flattened along the normal, unless it is zero. Squared distances off the plane through the point are larger by a factor
+// 1 + 16 |normal . delta|.
+struct PhotonCenter {
+  Vec3 point, normal;
+};
+
+struct PhotonQuery {
+  const PhotonCenter& center;
+  std::size_t maximum;   // so many nearest are wanted
+  std::size_t too_many;  // more are not
+  // Photons that a search within the square root of `radius_squared` overlooks are left out; null: there are none so near.
+  const WrongPlanes* planes;
+  double radius_squared;
+};
+
+enum class Collected { all, nearest, too_many };
+
 struct PhotonKernels {
   // Bit i: box i is nearer to the point than the square root of `squared`, or as near.
   unsigned (*boxes)(const PhotonBoxes& boxes, const std::array<float, 3>& point, float squared);
-  // Squared distances of sixteen photons from number `first` on. Those off the plane through `point` are flattened away: they are larger by a factor
-  // 1 + 16 |normal . delta|; a normal of zero leaves them as they are. Bit i: squared[i] < limit.
-  unsigned (*near)(const PhotonPositions& photons, std::size_t first, const Vec3& point, const Vec3& normal, double limit, double* squared);
-  // Bit i: number i of sixteen is at least `from` and less than `below`.
-  unsigned (*within)(const double* numbers, double from, double below);
-  // How many of n numbers are smaller.
-  std::size_t (*below)(const double* numbers, std::size_t n, double limit);
+  // Squared distances of sixteen photons from number `first` on. Bit i: squared[i] < limit.
+  unsigned (*near)(const PhotonPositions& photons, std::size_t first, const PhotonCenter& center, double limit, double* squared);
+  // Finds the photons whose squared distance is below `limit`, in the order of the map. `nearest`: there are many more than the maximum, and only those below a lower `limit`, or at it,
+  // were found, at least the maximum. Gives up when it knows that there are `too_many` or more.
+  Collected (*collect)(const PhotonTree& tree, const PhotonQuery& query, double& limit, PhotonDistances& found);
+  // Copies the `maximum` nearest of more than that to `to` (which may be `from`), in their order; of equally far ones the first. `limit`: none is farther; then the distance of the
+  // last one kept.
+  void (*keep_nearest)(PhotonDistances& from, std::size_t maximum, double& limit, PhotonDistances& to);
+  // Copies those with squared distances of at most `limit`.
+  void (*keep_within)(PhotonDistances& from, double limit, PhotonDistances& to);
+  // Writes the places in the list of those that are as far as `radius - overhang[index]`, and returns how many there are.
+  std::size_t (*reaching)(const PhotonDistances& list, const float* overhang, double radius, std::uint32_t* places);
 };
 
 const PhotonKernels& photon_kernels();

@@ -8,11 +8,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
 #include "tracer/global/photon.h"
+#include "tracer/global/photon_kernels.h"
 
 namespace verisim::global {
 
@@ -23,16 +23,14 @@ void sort_photons(std::vector<Photon>& photons);
 class WrongPlanes {
  public:
   void build(std::span<const Photon> sorted);
-  // Bit i: photon first + i lies on the wrong side of some plane; of sixteen.
-  unsigned any(std::size_t first) const {
-    std::uint32_t bits;
-    std::memcpy(&bits, any_.data() + first / 8, sizeof bits);
-    return bits >> first % 8 & 0xFFFF;
-  }
-  // Whether a search around p for photons nearer than the square root of `squared` comes upon photon i.
-  bool looks_behind(std::size_t i, const Vec3& p, double squared) const {
-    return for_each_hiding(i, p, squared, [](std::uint32_t, double) { return false; });
-  }
+  // Whether there are any that can hide photons within a distance from the point of a search that looks at all planes nearer than `radius`.
+  bool hide(double distance, double radius) const { return (distance + largest_overhang_) * (1.0 + kRounding) >= radius; }
+  // Removes photons from number `from` of the list on that a search around p for photons nearer than the square root of `squared` does not come upon.
+  void drop_hidden(const Vec3& p, double squared, std::size_t from, PhotonDistances& list) const;
+  // For each photon: planes that hide it are at most so much farther away than it is from the one who searches; -infinity: none does.
+  const float* overhang() const { return overhang_.data(); }
+  static constexpr double kRounding = 1e-9;  // of distances
+
   // Calls visit(node, squared distance of its plane) for the planes that hide photon i from such a search, as long as visit returns true; then returns that.
   template <class Visit>
   bool for_each_hiding(std::size_t i, const Vec3& p, double squared, Visit&& visit) const {
@@ -51,32 +49,14 @@ class WrongPlanes {
     std::uint8_t axis;
     bool from_below;  // overlooked from there, not from above
   };
-  std::vector<std::uint8_t> any_;  // bits, and four bytes more
+  std::vector<float> overhang_;
+  double largest_overhang_ = 0;
   std::vector<std::uint32_t> first_;
   std::vector<Plane> planes_;  // those of photon i from first_[i] on
 };
 
-// Calls visit(first, last) for ranges of the photons that visit_in_order, if nothing is too far for it, comes upon before it looks behind the plane of `node`.
-template <class Visit>
-void for_each_visited_before(std::span<const Photon> sorted, const Vec3& p, std::uint32_t node, Visit&& visit) {
-  std::uint32_t first = 0, last = static_cast<std::uint32_t>(sorted.size()) - 1;
-  for (;;) {
-    const std::uint32_t middle = (first + last) / 2;
-    const Photon& photon = sorted[middle];
-    const bool near_below = p[photon.axis] - photon.position[photon.axis] < 0.0;
-    if (node == middle || (node < middle) != near_below) {
-      visit(near_below ? first : middle, near_below ? middle : last);
-      if (node == middle) return;
-    } else {
-      visit(middle, middle);
-    }
-    if (node < middle) {
-      last = middle - 1;
-    } else {
-      first = middle + 1;
-    }
-  }
-}
+// How many of some photons, by number and in ascending order, visit_in_order comes upon before it looks behind the plane of `node`, if nothing is too far for it.
+std::size_t count_visited_before(std::span<const Photon> sorted, const Vec3& p, std::uint32_t node, std::span<const std::uint32_t> photons);
 
 // Calls visit(index, squared) for photons nearer than the square root of `limit`, in the order of POV-Ray's search: a node, then the side of its plane where p
 // lies, then the other if it is nearer. visit may lower the limit. look_at(first, count, squared): which of at most sixteen photons are nearer, as bits, and

@@ -1,68 +1,133 @@
 #include "tracer/global/photon_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-#include <span>
 
 namespace verisim::global {
+namespace {
 
-NearbyRadii::Known& NearbyRadii::at(const Vec3& p, double radius) {
-  // A lattice with sides that are powers of two.
-  const double side = 0.35 * radius;
-  if (!(side > 1e-30 && side < 1e30)) return nowhere_ = {};
-  const int level = std::ilogb(side);
-  const double inverse = std::ldexp(1.0, -level);
-  if (!(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) * inverse < 1e15)) return nowhere_ = {};
-  const auto index = [inverse](double v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v * inverse))); };
-  const std::uint64_t mixed = index(p.x) * 0x9E3779B97F4A7C15u + index(p.y) * 0xC2B2AE3D27D4EB4Fu + index(p.z) * 0x165667B19E3779F9u +
-                              static_cast<std::uint64_t>(level) * 0xD6E8FEB86659FD93u;
-  if (known_.empty()) known_.resize(kPlaces);
-  return known_[((mixed ^ mixed >> 32) * 0x9E3779B97F4A7C15u >> 40) % kPlaces];
-}
+constexpr auto kAny = std::numeric_limits<std::size_t>::max();
 
-void PhotonTree::build_nodes(std::size_t count) {
-  nodes_.clear();
-  if (count > 0) add_node({0, static_cast<std::uint32_t>(count), 0});
-}
+}  // namespace
 
-void PhotonTree::set_bounds(PhotonBoxes& boxes, std::size_t lane, const Range& r) const {
-  const std::array<const std::vector<float>*, 3> axes{&positions_.x, &positions_.y, &positions_.z};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const auto [low, high] = std::minmax_element(axes[a]->begin() + r.first, axes[a]->begin() + r.end);
-    boxes.low[a][lane] = *low, boxes.high[a][lane] = *high;
+double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& center, double radius, int maximum, std::size_t too_many, double guess,
+                             std::vector<const Photon*>& out) {
+  out.clear();
+  if (index.photons.empty() || maximum <= 0 || !(0.3 * radius > 0.0)) return radius;
+  index_ = &index, center_ = center, radius_ = radius, maximum_ = static_cast<std::size_t>(maximum);
+  // If the guess holds more than `maximum`, the nearest are among them, whatever the radius. If not, how many it holds says how much more it takes.
+  Collected collected = Collected::all;
+  for (double within = guess > 0.0 ? guess : 0.3 * radius;;) {
+    collected = collect(std::min(within, radius), maximum_, too_many);
+    if (collected == Collected::all && found_.size() > maximum_) collected = Collected::nearest;
+    if (collected != Collected::all || within >= radius) break;
+    const double wanted = 1.2 * static_cast<double>(std::min(maximum_, too_many)), found = static_cast<double>(found_.size());
+    within *= std::clamp(std::sqrt(wanted / std::max(found, 1.0)), 1.1, 3.0);
   }
+  if (collected == Collected::too_many) return 0.0;
+  const PhotonDistances* result = &found_;
+  if (collected == Collected::nearest) {
+    keep_nearest();
+    if (!drop_overlooked()) collect_in_order();
+    radius = std::sqrt(farthest_), result = &kept_;
+  }
+  out.resize(result->size());
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = &index.photons[result->index()[i]];
+  return radius;
 }
 
-std::uint32_t PhotonTree::add_node(const Range& range) {
-  const auto number = static_cast<std::uint32_t>(nodes_.size());
-  Node& fresh = nodes_.emplace_back();
-  for (std::size_t a = 0; a < 3; ++a) {
-    fresh.boxes.low[a].fill(std::numeric_limits<float>::infinity());
-    fresh.boxes.high[a].fill(-std::numeric_limits<float>::infinity());
-  }
-  std::array<Range, kParts> parts{range};
-  std::size_t n = 1;
-  for (std::size_t step = 0; step < std::bit_width(kParts) - 1; ++step) {
-    std::array<Range, kParts> halves;
-    std::size_t m = 0;
-    for (const Range& r : std::span(parts.data(), n)) {
-      const std::uint32_t last = r.end - 1 - r.extra, middle = (r.first + last) / 2;
-      if (r.size() <= kLeaf) {
-        halves[m++] = r;
-      } else {
-        halves[m++] = {r.first, middle + 1, 1}, halves[m++] = {middle + 1, r.end, r.extra};
-      }
+// Collects the photons with flattened distance below `within`, of those that a search within the radius can come upon; of many more than `most` the nearest.
+Collected PhotonSearch::collect(double within, std::size_t most, std::size_t too_many) {
+  limit_ = within * within;
+  const WrongPlanes& planes = index_->planes;
+  const PhotonQuery query{center_, most, too_many, planes.hide(within, radius_) ? &planes : nullptr, radius_ * radius_};
+  return kernels_.collect(index_->tree, query, limit_, found_);
+}
+
+void PhotonSearch::keep_nearest() {
+  farthest_ = limit_;
+  kernels_.keep_nearest(found_, maximum_, farthest_, kept_);
+}
+
+// POV-Ray's search narrows its radius once it knows more than the maximum, and then overlooks photons behind planes that are beyond. Replaces those that are kept by the next ones.
+// False: it cannot be told without following that search.
+bool PhotonSearch::drop_overlooked() {
+  overlooked_.clear();
+  for (double judged = -1.0;;) {
+    // The first one too many takes the place of the last one kept, even if it is farther away. That shows only where few are too many.
+    if (farthest_ > 0.9 * radius_ * radius_) return false;
+    const std::size_t known = overlooked_.size();
+    find_doubts(judged);
+    for (const Doubt& doubt : doubts_) {
+      const Verdict verdict = judge(doubt);
+      if (verdict == Verdict::unknown) return false;
+      if (verdict == Verdict::overlooked) forget(doubt.photon), overlooked_.push_back(doubt.photon);
     }
-    parts = halves, n = m;
+    if (overlooked_.size() == known) return true;
+    judged = farthest_;
+    keep_nearest();
   }
-  for (std::size_t lane = 0; lane < n; ++lane) {
-    set_bounds(nodes_[number].boxes, lane, parts[lane]);
-    const bool leaf = parts[lane].size() <= kLeaf;
-    const std::uint32_t first = leaf ? parts[lane].first : add_node(parts[lane]);  // may move the nodes
-    nodes_[number].first[lane] = first;
-    nodes_[number].count[lane] = leaf ? parts[lane].size() : 0;
+}
+
+// Doubts about photons that are kept and farther away than `judged`, squared: planes that are beyond all that are kept.
+void PhotonSearch::find_doubts(double judged) {
+  doubts_.clear();
+  places_.resize(kept_.size() + PhotonPositions::kAtOnce);
+  const std::size_t count = kernels_.reaching(kept_, index_->planes.overhang(), std::sqrt(farthest_) * (1.0 - WrongPlanes::kRounding), places_.data());
+  for (const std::uint32_t place : std::span(places_.data(), count)) {
+    if (kept_.squared()[place] <= judged) continue;
+    const std::uint32_t photon = kept_.index()[place];
+    index_->planes.for_each_hiding(photon, center_.point, farthest_, [&](std::uint32_t node, double squared) {
+      doubts_.push_back({photon, node, squared});
+      return true;
+    });
   }
-  return number;
+}
+
+// A photon behind a plane is overlooked if more than the maximum that are nearer than the plane were found before. Those that may be overlooked themselves are no proof.
+PhotonSearch::Verdict PhotonSearch::judge(const Doubt& doubt) {
+  look_around(doubt.squared);
+  kernels_.keep_within(found_, doubt.squared, nearer_);
+  if (nearer_.size() <= maximum_) return Verdict::found;  // with the doubtful one
+  const auto found_before = [&] { return count_visited_before(index_->photons, center_.point, doubt.node, nearer_.index()); };
+  const std::size_t most = found_before();
+  if (most < maximum_) return Verdict::found;
+  index_->planes.drop_hidden(center_.point, farthest_, 0, nearer_);
+  return found_before() > maximum_ ? Verdict::overlooked : Verdict::unknown;
+}
+
+// Makes `found_` hold all photons up to a squared distance.
+void PhotonSearch::look_around(double squared) {
+  if (squared < limit_) return;
+  collect(std::sqrt(squared) * (1.0 + 1e-9), kAny, kAny);
+  for (const std::uint32_t photon : overlooked_) forget(photon);
+}
+
+void PhotonSearch::forget(std::uint32_t photon) {
+  const auto numbers = found_.index();
+  const auto at = std::ranges::lower_bound(numbers, photon);
+  if (at != numbers.end() && *at == photon) found_.erase(static_cast<std::size_t>(at - numbers.begin()));
+}
+
+void PhotonSearch::collect_in_order() {
+  heap_.clear();
+  const auto nearer = [](const Found& a, const Found& b) { return a.squared < b.squared; };
+  double limit = radius_ * radius_;
+  const auto look_at = [&](std::uint32_t first, std::uint32_t count, double* squared) {
+    return kernels_.near(index_->tree.positions(), first, center_, limit, squared) & ((1u << count) - 1);
+  };
+  visit_in_order(index_->photons, center_.point, limit, look_at, [&](std::uint32_t i, double squared) {
+    const bool full = heap_.size() == maximum_;
+    if (full) std::ranges::pop_heap(heap_, nearer), heap_.pop_back();
+    heap_.push_back({squared, i});
+    std::ranges::push_heap(heap_, nearer);
+    if (full) limit = heap_.front().squared;
+  });
+  farthest_ = limit;
+  std::ranges::sort(heap_, {}, &Found::index);
+  kept_.clear();
+  for (const Found& f : heap_) kept_.add(f.index, f.squared);
 }
 
 }  // namespace verisim::global

@@ -1,0 +1,43 @@
+// Candidates for the photons nearest to a point: a tree of boxes, in floats with margins for their rounding; ranges of at most sixteen photons are left to the kernels.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tracer/global/photon.h"
+#include "tracer/global/photon_kernels.h"
+
+namespace verisim::global {
+
+class PhotonTree {
+ public:
+  static constexpr std::uint32_t kLeaf = PhotonPositions::kAtOnce, kParts = PhotonPositions::kAtOnce;
+  static constexpr std::size_t kMostLevels = 9;  // of 2^32 photons
+  struct Node {
+    PhotonBoxes boxes;
+    std::array<std::uint32_t, kParts> first, count;  // photons of a leaf, or, with count 0, a node's number
+  };
+
+  // Photon (first + last) / 2 of a range [first, last] is the median of one coordinate, and so on within.
+  void build(std::span<const Photon> sorted);
+  const PhotonPositions& positions() const { return positions_; }
+  // The first one is the root; there is none without photons. Parts of a node are in the order of the map.
+  std::span<const Node> nodes() const { return nodes_; }
+
+ private:
+  // Photons [first, end), sorted like the map except for the last `extra` ones, which are medians of larger ranges.
+  struct Range {
+    std::uint32_t first, end, extra;
+    std::uint32_t size() const { return end - first; }
+  };
+  std::uint32_t add_node(const Range& range, int levels);
+  void set_bounds(PhotonBoxes& boxes, std::size_t lane, const Range& range) const;
+
+  PhotonPositions positions_;
+  std::vector<Node> nodes_;
+};
+
+}  // namespace verisim::global

@@ -180,6 +180,8 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     else w.add_beside_tree(i, w.entries[i]);
   }
   w.tree = BoxTree(boxes);
+  std::erase_if(boxes, [](const Box3& box) { return is_empty(box) || !is_finite(box); });
+  if (boxes.size() == w.bounded.size() && boxes.size() <= shapes::BoxSet::kMost) w.few = shapes::BoxSet(boxes);
 }
 
 void World::Impl::add_beside_tree(std::uint32_t index, const Entry& e) {

@@ -9,6 +9,7 @@
 
 #include "tracer/accel/box_tree.h"
 #include "tracer/accel/world.h"
+#include "tracer/shapes/box_set.h"
 #include "tracer/shapes/hollow.h"
 #include "tracer/shapes/plane.h"
 
@@ -100,6 +101,7 @@ struct World::Impl {
   std::vector<Surrounding> around;       // beside the tree, too
   std::vector<Candidate> bounded;        // of each box of the tree
   BoxTree tree;
+  shapes::BoxSet few;                    // its boxes, if they are so few that a single ray finds them sooner without it
   std::deque<Surface> surfaces;
   std::deque<std::vector<const scene::LightSource*>> group_lights;
   std::vector<const scene::LightSource*> lights;
@@ -108,6 +110,12 @@ struct World::Impl {
   bool transparent_shadows = false;    // something that shadow rays see is not opaque
   bool transparent_unbounded = false;  // one of `unbounded` is such
 
+  // BoxTree::traverse, or what does the same.
+  template <class Visit>
+  void traverse(const Ray& ray, double t_min, double t_max, Visit&& visit, const WorldEntry* entry) const {
+    if (entry || few.empty()) tree.traverse(ray, t_min, t_max, visit, entry ? &entry->points : nullptr);
+    else few.traverse(ray, t_min, t_max, visit);
+  }
   void add_beside_tree(std::uint32_t index, const Entry& e);
   Box3 add_bounded(std::uint32_t index, const Entry& e);  // the box to keep in the tree
   // Moves what surrounds all others to `around`: from the entries of the tree and those beside it.

@@ -77,10 +77,10 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
   const Impl& w = *impl_;
   Search search(w, ray, kind, t_min, t_max, hit);
   search.test_unbounded();
-  w.tree.traverse(ray, t_min, search.limit(), [&](std::uint32_t i, double) {
+  w.traverse(ray, t_min, search.limit(), [&](std::uint32_t i, double) {
     search.test_candidate(i, entry);
     return search.limit();
-  }, entry ? &entry->points : nullptr);
+  }, entry);
   search.test_around();
   return search.found();
 }
@@ -141,12 +141,12 @@ bool World::occluded(const Ray& ray, double t_min, double t_max, WorldEntry* ent
   if (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry)) return true;
   if (occlusion.by_unbounded() || occlusion.by_surrounding()) return true;
   bool found = false;
-  w.tree.traverse(ray, t_min, t_max, [&](std::uint32_t i, double far) {
+  w.traverse(ray, t_min, t_max, [&](std::uint32_t i, double far) {
     if (!occlusion.by_candidate(i, entry)) return far;
     found = true;
     if (entry) entry->last_blocker = i;
     return -HUGE_VAL;
-  }, entry ? &entry->points : nullptr);
+  }, entry);
   return found;
 }
 

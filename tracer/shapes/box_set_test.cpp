@@ -31,6 +31,23 @@ TEST(BoxSet, FindsTheBoxesOfARayAndOfAPoint) {
     if (round % 5 == 0) ray.origin = boxes[0].min, ray.direction = {0, 0, 1};  // along a face
     const double t_min = round % 4 == 0 ? 0.5 : 0, t_max = round % 6 == 0 ? 1.5 : 2e10;
     const std::uint32_t found = set.meet(ray, t_min, t_max), here = set.around(ray.origin);
+    std::uint32_t visited = 0;
+    double last = -1;
+    set.traverse(ray, t_min, t_max, [&](std::uint32_t i, double limit) {
+      EXPECT_EQ(limit, t_max);
+      double near = t_min, far = t_max;
+      if (accel::clip_to_box(ray, boxes[i], near, far)) {
+        EXPECT_GE(near, last - 1e-4);  // boxes are a little larger than they are
+        last = near;
+      }
+      visited |= std::uint32_t{1} << i;
+      return limit;
+    });
+    ASSERT_EQ(visited, found);
+    // Nothing behind a limit that was found, and nothing at all behind the last.
+    int more = 0;
+    set.traverse(ray, t_min, t_max, [&](std::uint32_t, double) { return ++more, -HUGE_VAL; });
+    ASSERT_EQ(more, found != 0);
     if (boxes.size() < 32) {
       ASSERT_EQ(found >> boxes.size(), 0u);
       ASSERT_EQ(here >> boxes.size(), 0u);
@@ -67,6 +84,11 @@ TEST(BoxSet, IsTheSameWithAllInstructionSets) {
     if (round % 3 == 0) (round % 2 ? origin : reciprocal)[round / 3 % 3] = kStrange[random() % std::size(kStrange)];
     for (int set = 1; set <= textures::best_instruction_set(); ++set) {
       ASSERT_EQ(box_kernels(set)->meet(boxes, origin, reciprocal, 0, 2e10), box_kernels(0)->meet(boxes, origin, reciprocal, 0, 2e10));
+      alignas(64) double near[8], plain[8];
+      const unsigned met = box_kernels(set)->meet_at(boxes, origin, reciprocal, 0, 2e10, near);
+      ASSERT_EQ(met, box_kernels(0)->meet_at(boxes, origin, reciprocal, 0, 2e10, plain));
+      ASSERT_EQ(met, box_kernels(0)->meet(boxes, origin, reciprocal, 0, 2e10));
+      for (int i = 0; i < 8; ++i) ASSERT_TRUE(!(met >> i & 1) || near[i] == plain[i]);
       ASSERT_EQ(box_kernels(set)->around(boxes, origin), box_kernels(0)->around(boxes, origin));
     }
   }

@@ -34,7 +34,8 @@ class ChildIndex {
   void along(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
     for (const std::uint32_t child : unbounded_) t_max = visit(child, t_max);
     if (!few_) return tree_.traverse(ray, t_min, t_max, [&](std::uint32_t i, double limit) { return visit(children_[i], limit); });
-    for (std::uint32_t met = met_by(ray, t_min, t_max); met != 0; met &= met - 1) t_max = visit(first_of(met), t_max);
+    for (std::uint32_t places = always_; places != 0; places &= places - 1) t_max = visit(first_of(places), t_max);
+    set_.traverse(ray, t_min, t_max, [&](std::uint32_t i, double limit) { return visit(children_[places_[i]], limit); });
   }
   // Calls visit(child) for every child whose box the ray meets, in order of declaration.
   template <class Visit>
@@ -78,7 +79,7 @@ class ChildIndex {
   }
   // Of few: the places in the list of the boxes that are found, and of those that always are.
   std::uint32_t placed(std::uint32_t found) const {
-    if (always_ == 0) return found;
+    if (always_ == 0) return found;  // places_[i] is i
     std::uint32_t places = always_;
     for (; found != 0; found &= found - 1) places |= std::uint32_t{1} << places_[static_cast<std::size_t>(std::countr_zero(found))];
     return places;

@@ -140,13 +140,14 @@ bool World::occluded(const Ray& ray, double t_min, double t_max, WorldEntry* ent
   const Occlusion occlusion(w, ray, t_min, t_max);
   if (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry)) return true;
   if (occlusion.by_unbounded() || occlusion.by_surrounding()) return true;
+  if (!entry && !w.few.empty()) return w.few.any_along(ray, t_min, t_max, [&](std::uint32_t i) { return occlusion.by_candidate(i, nullptr); });
   bool found = false;
-  w.traverse(ray, t_min, t_max, [&](std::uint32_t i, double far) {
+  w.tree.traverse(ray, t_min, t_max, [&](std::uint32_t i, double far) {
     if (!occlusion.by_candidate(i, entry)) return far;
     found = true;
     if (entry) entry->last_blocker = i;
     return -HUGE_VAL;
-  }, entry);
+  }, entry ? &entry->points : nullptr);
   return found;
 }
 

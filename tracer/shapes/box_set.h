@@ -47,8 +47,7 @@ class BoxSet {
   // Calls visit(box, t_max) -> t_max for the boxes that a ray meets between t_min and t_max, from near to far, as a tree does.
   template <class Visit>
   void traverse(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
-    // No ray at all: its numbers would defeat the comparisons.
-    if (!(dot(ray.origin, ray.origin) + dot(ray.direction, ray.direction) < std::numeric_limits<double>::infinity())) return;
+    if (!is_ray(ray)) return;
     const Vec3 inverse = reciprocal(ray.direction);
     alignas(64) double near[kMost];
     std::uint32_t met = 0;
@@ -63,6 +62,14 @@ class BoxSet {
       t_max = visit(static_cast<std::uint32_t>(next), t_max);
     }
   }
+  // Calls visit(box) for the boxes that a ray meets, in any order, until it returns true. Returns whether it did.
+  template <class Visit>
+  bool any_along(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
+    if (!is_ray(ray)) return false;
+    for (std::uint32_t met = meet(ray, t_min, t_max); met != 0; met &= met - 1)
+      if (visit(static_cast<std::uint32_t>(std::countr_zero(met)))) return true;
+    return false;
+  }
   // Those that contain p.
   std::uint32_t around(const Vec3& p) const {
     std::uint32_t here = 0;
@@ -71,6 +78,8 @@ class BoxSet {
   }
 
  private:
+  // Other numbers would defeat the comparisons.
+  static bool is_ray(const Ray& ray) { return dot(ray.origin, ray.origin) + dot(ray.direction, ray.direction) < std::numeric_limits<double>::infinity(); }
   static Vec3 reciprocal(const Vec3& direction) {
     constexpr double kHuge = 1e300;  // in the place of infinity, which times 0 would be no number
     const auto of = [](double d) { return d > 1 / kHuge || d < -1 / kHuge ? 1 / d : kHuge; };

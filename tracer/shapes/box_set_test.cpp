@@ -48,6 +48,13 @@ TEST(BoxSet, FindsTheBoxesOfARayAndOfAPoint) {
     int more = 0;
     set.traverse(ray, t_min, t_max, [&](std::uint32_t, double) { return ++more, -HUGE_VAL; });
     ASSERT_EQ(more, found != 0);
+    std::uint32_t seen = 0;
+    ASSERT_FALSE(set.any_along(ray, t_min, t_max, [&](std::uint32_t i) {
+      seen |= std::uint32_t{1} << i;
+      return false;
+    }));
+    ASSERT_EQ(seen, found);
+    ASSERT_EQ(set.any_along(ray, t_min, t_max, [](std::uint32_t) { return true; }), found != 0);
     if (boxes.size() < 32) {
       ASSERT_EQ(found >> boxes.size(), 0u);
       ASSERT_EQ(here >> boxes.size(), 0u);

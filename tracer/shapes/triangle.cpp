@@ -56,7 +56,7 @@ class Triangle final : public Primitive<Triangle> {
     const double slope = dot(normal_, ray.direction);
     if (std::fabs(slope) < kEpsilon) return;
     const double t = (distance_ - dot(normal_, ray.origin)) / slope;
-    if (!(t >= kNearest && t <= kFarthest)) return;
+    if (!(t >= kNearest && t <= kFarthest) || t < sink.lower() || t > sink.upper()) return;
     const double s = ray.origin[i_] + t * ray.direction[i_], q = ray.origin[j_] + t * ray.direction[j_];
     for (int k = 0; k < 3; ++k) {
       const Vec3 &a = p_[k], &b = p_[k == 2 ? 0 : k + 1];

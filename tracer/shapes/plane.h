@@ -9,11 +9,10 @@
 
 namespace verisim::shapes {
 
+inline constexpr double kNearestPlane = 1e-6, kFarthestPlane = 1e7;
+
 // `slope`: normal . direction; `t`: (distance - normal . origin) / slope.
-inline bool meets_plane(double slope, double t) {
-  constexpr double kNearest = 1e-6, kFarthest = 1e7;
-  return !(std::fabs(slope) < kEpsilon) && t >= kNearest && t <= kFarthest;
-}
+inline bool meets_plane(double slope, double t) { return !(std::fabs(slope) < kEpsilon) && t >= kNearestPlane && t <= kFarthestPlane; }
 
 // A plane without a matrix and clips: rays may be tested against it in place.
 inline std::optional<scene::Plane> plain_plane(const scene::Object& o) {

@@ -3,6 +3,8 @@
 #include "tracer/shapes/plane.h"
 #include "tracer/textures/instruction_sets.h"
 
+#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
+
 namespace verisim::shapes {
 namespace {
 

@@ -19,7 +19,8 @@ namespace verisim::global {
 struct CompiledMedia {
   const scene::Media* description = nullptr;
   std::vector<const textures::CompiledPigment*> densities;  // empty: constant 1
-  std::vector<std::size_t> simple_densities;  // those of several that cost little; where one of them is zero, the others need not be known
+  // The densities in the order they are asked for, what costs little first: where one is zero, the others need not be known.
+  std::vector<std::size_t> by_cost;
   Rgb extinction;                // absorption + extinction factor * scattering, per scene unit
   bool varies = false;           // some density is not a plain colour
   bool last_density_plain = true;  // what POV-Ray looks at to call a medium constant on shadow rays (spec 07 4.6)

@@ -1,7 +1,10 @@
 // Densities of media, one by one and many together.
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <vector>
+
+#include <boost/container/small_vector.hpp>
 
 #include "tracer/global/media.h"
 
@@ -17,12 +20,14 @@ Rgb density_at(const textures::CompiledPigment& density, const Vec3& p) {
 }  // namespace
 
 Rgb media_density(const CompiledMedia& m, const Vec3& p) {
-  for (const std::size_t i : m.simple_densities) {
-    if (density_at(*m.densities[i], p) == Rgb()) return {};
+  boost::container::small_vector<Rgb, 8> values(m.densities.size());
+  for (const std::size_t i : m.by_cost) {
+    values[i] = density_at(*m.densities[i], p);
+    if (values[i] == Rgb()) return {};
   }
-  Rgb value(1.0f);
-  for (const textures::CompiledPigment* d : m.densities) value *= density_at(*d, p);
-  return value;
+  Rgb product(1.0f);
+  for (const Rgb& value : values) product *= value;
+  return product;
 }
 
 namespace {
@@ -33,53 +38,45 @@ constexpr int kMost = textures::PointRow::kMost;
 struct DensityRoom {
   textures::PointRow left;
   int place[kMost];
-  Rgb found[kMost];
   Color colors[kMost];
   bool colored[kMost];
-  std::vector<std::array<Rgb, kMost>> known;
+  std::vector<std::array<Rgb, kMost>> values;  // of each density where none that was asked for is zero
 };
 
 }  // namespace
 
 void media_densities(const CompiledMedia& m, int count, const textures::PointRow& points, Rgb* densities) {
   thread_local DensityRoom room;
+  if (room.values.size() < m.densities.size()) room.values.resize(m.densities.size());
   const textures::PointRow* left = &points;  // the points that are not known to have none
   int n = count;
-  const auto evaluate = [&](std::size_t density, Rgb* values) {
-    textures::evaluate(*m.densities[density], n, *left, nullptr, room.colors, room.colored);
-    for (int i = 0; i < n; ++i) values[i] = room.colors[i].rgb();
-  };
-  // Points where a simple density is zero are left out.
-  if (room.known.size() < m.simple_densities.size()) room.known.resize(m.simple_densities.size());
-  std::size_t known = 0;
-  for (const std::size_t density : m.simple_densities) {
-    if (n == 0) break;
-    Rgb* const values = room.known[known++].data();
-    evaluate(density, values);
+  std::iota(room.place, room.place + n, 0);
+  for (std::size_t known = 0; n > 0 && known < m.by_cost.size(); ++known) {
+    textures::evaluate(*m.densities[m.by_cost[known]], n, *left, nullptr, room.colors, room.colored);
+    auto& values = room.values[m.by_cost[known]];
     int kept = 0;
     for (int i = 0; i < n; ++i) {
-      if (values[i] == Rgb()) continue;
-      if (kept != i || left == &points) {
-        for (std::size_t k = 0; k < known; ++k) room.known[k][kept] = room.known[k][i];
-        room.left.set(kept, left->at(i));
-        room.place[kept] = left == &points ? i : room.place[i];
+      const Rgb value = room.colors[i].rgb();
+      if (value == Rgb()) continue;
+      if (kept != i) {
+        for (std::size_t k = 0; k < known; ++k) room.values[m.by_cost[k]][kept] = room.values[m.by_cost[k]][i];
+        room.place[kept] = room.place[i];
       }
-      ++kept;
+      values[kept++] = value;
     }
+    if (kept == n || known + 1 == m.by_cost.size()) {
+      n = kept;
+      continue;
+    }
+    for (int i = 0; i < kept; ++i) room.left.set(i, points.at(room.place[i]));
     left = &room.left;
     room.left.fill_up(n = kept);
   }
-  if (left == &points) {
-    for (int i = 0; i < n; ++i) densities[i] = Rgb(1.0f), room.place[i] = i;
-  } else {
-    std::fill_n(densities, count, Rgb());
-    for (int i = 0; i < n; ++i) densities[room.place[i]] = Rgb(1.0f);
-  }
-  for (std::size_t density = 0, simple = 0; n > 0 && density < m.densities.size(); ++density) {
-    const bool is_known = simple < m.simple_densities.size() && m.simple_densities[simple] == density;
-    if (!is_known) evaluate(density, room.found);
-    const Rgb* const values = is_known ? room.known[simple++].data() : room.found;
-    for (int i = 0; i < n; ++i) densities[room.place[i]] *= values[i];
+  std::fill_n(densities, count, Rgb());
+  for (int i = 0; i < n; ++i) {
+    Rgb product(1.0f);
+    for (std::size_t density = 0; density < m.densities.size(); ++density) product *= room.values[density][i];
+    densities[room.place[i]] = product;
   }
 }
 
@@ -97,12 +94,20 @@ double bound_of(const scene::Density& density) {
   return most;
 }
 
-bool is_simple(const scene::Density& density) {
+// What a density costs, very roughly: one for a formula or the noise of an octave.
+int cost_of(const scene::Density& density) {
   using enum scene::PatternKind;
   const scene::Pattern& pattern = density.pattern;
-  const bool formula = pattern.kind == spherical || pattern.kind == cylindrical || pattern.kind == boxed || pattern.kind == planar;
-  const bool moved = std::any_of(pattern.warps.begin(), pattern.warps.end(), [](const scene::Warp& w) { return !std::holds_alternative<Transform>(w); });
-  return formula && !moved && !pattern.turbulence && !density.density_map;
+  if (pattern.kind == plain || pattern.kind == none) return 0;
+  int cost = pattern.kind == wrinkles ? 10 : pattern.kind == granite ? 6 : 1;
+  if (pattern.turbulence) cost += pattern.turbulence->octaves;
+  for (const scene::Warp& warp : pattern.warps) {
+    if (const auto* turbulence = std::get_if<scene::TurbulenceWarp>(&warp)) cost += turbulence->octaves;
+  }
+  if (density.density_map) {
+    for (const auto& entry : *density.density_map) cost += entry.value ? cost_of(*entry.value) : 0;
+  }
+  return cost;
 }
 
 }  // namespace
@@ -113,14 +118,17 @@ CompiledMedia compile_media(const scene::Media& description, textures::Compiler&
   m.extinction = description.absorption + description.scattering * static_cast<float>(description.extinction);
   m.emits = description.emission.max_abs() > 0.0f;
   m.scatters = description.scattering.max_abs() > 0.0f;
+  std::vector<int> costs;
   for (const scene::DensityPtr& density : description.densities) {
-    if (description.densities.size() > 1 && is_simple(*density)) m.simple_densities.push_back(m.densities.size());
+    m.by_cost.push_back(m.densities.size());
+    costs.push_back(cost_of(*density));
     m.densities.push_back(compiler.density(density));
     const bool plain = density->pattern.kind == scene::PatternKind::plain;
     m.varies |= !plain;
     m.last_density_plain = plain;
     m.density_bound *= bound_of(*density);
   }
+  std::stable_sort(m.by_cost.begin(), m.by_cost.end(), [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
   return m;
 }
 

@@ -1,4 +1,5 @@
 // Turns descriptions into compiled textures, each one once.
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <deque>
@@ -138,6 +139,11 @@ void Compiler::Impl::use_colors(CompiledPigment& c, const scene::Pattern& d, con
   for (const auto& entry : map) {
     c.colors.push_back(entry.value);
     c.transparent |= lets_light_through(entry.value);
+  }
+  if (std::all_of(c.colors.begin(), c.colors.end(), [&](const Color& color) { return color == c.colors[0]; })) {
+    c.source = CompiledPigment::Source::plain;
+    c.color = c.colors[0];
+    return;
   }
   find_segments(c);
 }

@@ -95,11 +95,40 @@ std::vector<scene::PigmentPtr> nested_pigments() {
   return all;
 }
 
+// Maps that begin with several entries of one colour, and patterns that hang on some coordinates only: rows need not know everything about them.
+std::vector<scene::PigmentPtr> pigments_of_few_colors() {
+  std::vector<scene::PigmentPtr> all;
+  for (const scene::PatternKind kind : {granite, wrinkles, marble, gradient, planar, bozo}) {
+    for (int variant = 0; variant < 24; ++variant) {
+      scene::Pigment d;
+      d.pattern.kind = kind;
+      const double y = variant % 2, z = variant % 3 == 0 ? 0 : 1;
+      if (kind == gradient) d.pattern.params = scene::GradientParams{{y == 0 && z == 0 ? 1.0 : 0.0, y, z}};
+      d.pattern.noise_generator = variant % 4;
+      if (variant % 8 == 7) d.pattern.phase = 0.2f;
+      if (variant % 3 != 0) {
+        scene::TurbulenceWarp turbulence;
+        turbulence.amount = Vec3(0.5, 0.3, 0.7);
+        turbulence.octaves = 1 + variant % 10;
+        d.pattern.prepend(turbulence);
+      }
+      if (variant % 6 == 5) d.pattern.prepend(Transform::rotation(Vec3(10, 20, 30)));
+      const Color dark(0.1f, 0.2f, 0.3f), light(1, 0.5f, 0.25f);
+      const float end = 0.2f + 0.1f * static_cast<float>(variant % 7);
+      const bool all_dark = variant == 23;
+      d.color_map = std::make_shared<const scene::ColorMap>(scene::ColorMap{{0, dark}, {end / 2, dark}, {end, dark}, {0.9f, all_dark ? dark : light}, {1, dark}});
+      all.push_back(std::make_shared<const scene::Pigment>(d));
+    }
+  }
+  return all;
+}
+
 TEST(Evaluation, GivesRowsTheBitsOfPoints) {
   std::mt19937 random(9);
   Compiler compiler{Settings{}};
   std::vector<scene::PigmentPtr> all = pigments();
   for (const scene::PigmentPtr& nested : nested_pigments()) all.push_back(nested);
+  for (const scene::PigmentPtr& few : pigments_of_few_colors()) all.push_back(few);
   for (const scene::PigmentPtr& description : all) {
     const CompiledPigment& pigment = *compiler.pigment(description);
     for (int round = 0; round < 12; ++round) {

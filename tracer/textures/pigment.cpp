@@ -7,7 +7,19 @@
 #include "tracer/textures/image_lookup.h"
 
 namespace verisim::textures {
+namespace {
+
+// The last of the positions that rise from the first one and have its colour, if it is below all that follow.
+double end_of_first_color(const CompiledPigment& c) {
+  double end = 0;
+  for (std::size_t i = 0; i + 1 < c.colors.size() && c.colors[i] == c.colors[0] && c.positions.position(i) >= end; ++i) end = c.positions.position(i);
+  return end < c.positions.position(c.colors.size() - 1) ? end : 0;
+}
+
+}  // namespace
+
 void find_segments(CompiledPigment& c) {
+  c.flat = end_of_first_color(c);
   if (c.colors.size() > CompiledPigment::kFew + 1) return;
   c.segments.assign(c.colors.size(), {});
   std::fill(std::begin(c.first_maxima), std::end(c.first_maxima), std::numeric_limits<double>::infinity());

@@ -22,12 +22,13 @@ struct CompiledPigment {
   std::vector<ColorSegment> segments;            // color_map of few entries: from the entry before to this one
   static constexpr int kFew = 32;                // one more than these are few
   alignas(64) double first_maxima[kFew];         // with segments: the largest position up to each entry but the last; infinite beyond
+  double flat = 0;                               // color_map: for values from 0 up to here the colour is the same
   std::vector<const CompiledPigment*> children;  // pigment_map, average, uv_mapping
   float total_weight = 0;                        // average
   bool transparent = false;                      // some entry filters or transmits, or may have no colour (spec 05 11.4)
 };
 
-// Fills `segments` and `first_maxima` of a map with few entries from `positions` and `colors`.
+// Fills `segments` and `first_maxima` of a map with few entries, and `flat`, from `positions` and `colors`.
 void find_segments(CompiledPigment& pigment);
 // The colour of an image_map at a warped point; false: outside.
 bool image_color(const CompiledPigment& pigment, const Vec3& warped_point, Color& color);

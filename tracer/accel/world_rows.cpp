@@ -19,6 +19,13 @@ unsigned within(const double* near, const double* limit) {
 
 unsigned lanes_below(int count) { return count < kLanes ? (1u << count) - 1 : (1u << kLanes) - 1; }
 
+// Of the next eight rays those that are asked for.
+unsigned lanes_asked(const bool* wanted, int count) {
+  unsigned lanes = lanes_below(count);
+  for (int k = 0; wanted && k < count && k < kLanes; ++k) lanes &= wanted[k] ? ~0u : ~(1u << k);
+  return lanes;
+}
+
 // The boxes that eight rays meet, nearest first as far as one ray can tell.
 class Places {
  public:
@@ -96,8 +103,10 @@ constexpr int kFewest = 3;  // rays for which this costs less than one walk for 
 // The search for the nearest hits of eight rays.
 class World::RowSearch {
  public:
-  RowSearch(const Impl& world, const RayLanes& rays, RayKind kind, double t_min, Hit* hits) : w_(world), rays_(rays), kind_(kind), mask_(bit(kind)), t_min_(t_min), hits_(hits) {
-    std::fill_n(limit_, kLanes, std::numeric_limits<double>::infinity());
+  RowSearch(const Impl& world, const RayLanes& rays, RayKind kind, double t_min, const double* t_max, Hit* hits)
+      : w_(world), rays_(rays), kind_(kind), mask_(bit(kind)), t_min_(t_min), hits_(hits) {
+    if (t_max) std::copy_n(t_max, kLanes, limit_);
+    else std::fill_n(limit_, kLanes, std::numeric_limits<double>::infinity());
   }
 
   unsigned found() const { return found_; }
@@ -183,22 +192,22 @@ class World::RowSearch {
   Hit others_[kLanes];
 };
 
-void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry, Hit* hits, bool* found) const {
+void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry, Hit* hits, bool* found, const double* t_max) const {
   const Impl& w = *impl_;
   const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
-    const int rest = first + count - start;
-    if (!all_known && rest < kFewest) {
-      for (int i = start; i < start + rest; ++i) found[i] = intersect(rays.at(i), kind, t_min, std::numeric_limits<double>::infinity(), hits[i], entry);
+    const int rest = std::min(kLanes, first + count - start);
+    if (rest < kFewest) {
+      for (int i = start; i < start + rest; ++i) found[i] = intersect(rays.at(i), kind, t_min, t_max ? t_max[i] : std::numeric_limits<double>::infinity(), hits[i], entry);
       return;
     }
-    RowSearch search(w, {rays, start, lanes_below(rest)}, kind, t_min, hits + start);
+    RowSearch search(w, {rays, start, lanes_below(rest)}, kind, t_min, t_max ? t_max + start : nullptr, hits + start);
     search.test_planes();
     if (!all_known) search.walk_tree(entry);
     else if (entry) search.test_boxes(*entry);
     search.test_unbounded();
     search.test_around();
-    for (int i = start; i < std::min(start + kLanes, first + count); ++i) found[i] = search.found() >> (i - start) & 1;
+    for (int k = 0; k < rest; ++k) found[start + k] = search.found() >> k & 1;
   }
 }
 
@@ -296,10 +305,8 @@ void World::occluded_row(const RayRow& rays, int first, int count, const bool* w
   const Impl& w = *impl_;
   const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
-    unsigned asked = 0;
-    const int end = std::min(start + kLanes, first + count);
-    for (int i = start; i < end; ++i) asked |= wanted[i] ? 1u << (i - start) : 0;
-    if (!all_known && std::popcount(asked) < kFewest) {
+    const unsigned asked = lanes_asked(wanted ? wanted + start : nullptr, first + count - start);
+    if (std::popcount(asked) < kFewest) {
       each_lane(asked, [&](int k) { blocked[start + k] = occluded(rays.at(start + k), t_min, t_max[start + k], entry); });
       continue;
     }

@@ -50,6 +50,7 @@ Rgb Tracer::light_contribution(const RayState& ray, SurfaceHit& at, const LayerC
     back = true;
   }
   if (cache.stage == CachedLight::Stage::located) {
+    const RandomBranch branch(random_, RandomBranch::light(static_cast<std::size_t>(&light - scene_.lights().data())));
     cache.color = shadowed(light, at.hit.point, cache.direction, ray, &at.surface, cache.color);
     cache.stage = CachedLight::Stage::shadowed;
   }

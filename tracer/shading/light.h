@@ -9,6 +9,9 @@
 
 namespace verisim::shading {
 
+constexpr double kShadowTolerance = 1e-3;  // to the shaded point, to the light, and to the previous transparent surface
+inline const double kAboveShadowTolerance = std::nextafter(kShadowTolerance, 1.0);
+
 struct LightDirection {
   Vec3 towards;     // unit, from the point to the light
   double distance;  // along it; negative behind a parallel light

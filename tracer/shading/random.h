@@ -1,9 +1,10 @@
 // Random numbers of shading: one interface, two sources (spec 06 section 14, 07 section 1).
 //
-// By default numbers are a hash of (seed, camera sample, purpose, count): the picture is the same for any number of threads. In replay mode they are
-// POV-Ray's own streams, read on from sample to sample, which is only meaningful with one thread.
+// By default numbers are a hash of (seed, camera sample, way of the ray from there, purpose, count): the picture is the same for any number of threads, and
+// whatever is traced before or together. In replay mode they are POV-Ray's own streams, read on from sample to sample, which is only meaningful with one thread.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -17,14 +18,24 @@ class RandomSource {
  public:
   RandomSource(bool replay, std::uint64_t seed) : replay_(replay), seed_(seed) { begin_sample(0, 0, 0); }
 
-  // Called at the start of every camera ray; (x, y) is its pixel position, n numbers the rays of one position.
-  void begin_sample(double x, double y, std::uint32_t n) {
-    if (replay_) return;
+  // Of a sequence of numbers.
+  using Key = std::uint64_t;
+  // Of a camera ray; (x, y) is its pixel position, n numbers the rays of one position.
+  Key sample_key(double x, double y, std::uint32_t n) const {
     std::uint64_t bits[2];
     std::memcpy(bits, &x, 8), std::memcpy(bits + 1, &y, 8);
-    key_ = mix(mix(mix(seed_ + 0x9E3779B97F4A7C15u) ^ bits[0]) + (bits[1] ^ (std::uint64_t{n} << 1)));
+    return mix(mix(mix(seed_ + 0x9E3779B97F4A7C15u) ^ bits[0]) + (bits[1] ^ (std::uint64_t{n} << 1)));
+  }
+  // Of what a ray with this key leads to: see RandomBranch.
+  static Key branch_key(Key key, std::uint32_t number) { return mix(key ^ (number + 1) * 0xD1342543DE82EF95u); }
+
+  void begin(Key key) {
+    if (replay_) return;
+    key_ = key;
     for (auto& c : counters_) c = 0;
   }
+  // Called at the start of every camera ray.
+  void begin_sample(double x, double y, std::uint32_t n) { begin(sample_key(x, y, n)); }
 
   double shading() { return replay_ ? table(shading_index_) : next(0); }  // area light and rainbow jitter
   double media() { return replay_ ? table(media_index_) : next(1); }
@@ -36,6 +47,7 @@ class RandomSource {
   bool replay() const { return replay_; }
 
  private:
+  friend class RandomBranch;
   static std::uint64_t mix(std::uint64_t z) {  // SplitMix64's finaliser (Steele, Lea, Flood 2014)
     z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
     z = (z ^ z >> 27) * 0x94D049BB133111EBu;
@@ -47,9 +59,39 @@ class RandomSource {
   static double table(std::uint32_t& index);
 
   bool replay_;
-  std::uint64_t seed_, key_ = 0;
+  std::uint64_t seed_;
+  Key key_ = 0;
   std::uint64_t counters_[3] = {};
   std::uint32_t shading_index_ = 0, media_index_ = 0, crand_state_ = 0;
+};
+
+// While it lives, numbers are those of one branch of a ray's tree; POV-Ray's streams go on as ever.
+class RandomBranch {
+ public:
+  RandomBranch(RandomSource& source, std::uint32_t number) : source_(source), key_(source.key_) {
+    std::copy_n(source.counters_, 3, counters_);
+    source.begin(RandomSource::branch_key(key_, number));
+  }
+  ~RandomBranch() {
+    if (source_.replay_) return;
+    source_.key_ = key_;
+    std::copy_n(counters_, 3, source_.counters_);
+  }
+  RandomBranch(const RandomBranch&) = delete;
+  RandomBranch& operator=(const RandomBranch&) = delete;
+
+  // The branches of a hit: of the texture-th texture that shows there, the ray behind the surface and the mirror of a layer; the light that a layer gets from
+  // other surfaces; a light; the media of the ray's interiors and what fills the air.
+  static std::uint32_t behind(int texture) { return static_cast<std::uint32_t>(texture) << 8; }
+  static std::uint32_t mirror(int texture, int layer) { return behind(texture) + 1 + static_cast<std::uint32_t>(layer); }
+  static std::uint32_t indirect(int texture, int layer) { return mirror(texture, layer) + (1u << 29); }
+  static std::uint32_t light(std::size_t index) { return (1u << 30) + static_cast<std::uint32_t>(index); }
+  static constexpr std::uint32_t kContainer = 1u << 31, kAir = kContainer + 1;
+
+ private:
+  RandomSource& source_;
+  RandomSource::Key key_;
+  std::uint64_t counters_[3];
 };
 
 }  // namespace verisim::shading

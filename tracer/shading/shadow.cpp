@@ -6,8 +6,6 @@
 namespace verisim::shading {
 namespace {
 
-constexpr double kShadowTolerance = 1e-3;  // to the shaded point, to the light, and to the previous transparent surface
-const double kAboveTolerance = std::nextafter(kShadowTolerance, 1.0);
 constexpr double kCachedTolerance = 1e-4;  // to the shaded point, for the last blocker in replay
 constexpr float kDark = static_cast<float>(kEpsilon);
 
@@ -31,10 +29,12 @@ int* Tracer::last_blocker(const ShadowQuery& query) {
 
 accel::WorldEntry* Tracer::shadow_entry(const ShadowQuery& query, const Vec3& p) {
   const auto light = static_cast<std::uint32_t>(&query.light - scene_.lights().data());
-  const bool first = query.lit && query.eye.level == 0 && query.eye.primary;
-  const auto viewer = first ? accel::CoherentRays::Viewer::camera : accel::CoherentRays::Viewer::other;
-  if (query.light.parallel()) return coherent_.parallel_shadow(p, light, query.light.direction(p).towards, viewer);
-  return query.light.box().isEmpty() ? nullptr : coherent_.shadow(p, light, query.light.box(), viewer);
+  if (query.light.parallel()) return coherent_.parallel_shadow(p, light, query.light.direction(p).towards, viewer(query));
+  return query.light.box().isEmpty() ? nullptr : coherent_.shadow(p, light, query.light.box(), viewer(query));
+}
+
+accel::CoherentRays::Viewer Tracer::viewer(const ShadowQuery& query) {
+  return query.lit && query.eye.level == 0 && query.eye.primary ? accel::CoherentRays::Viewer::camera : accel::CoherentRays::Viewer::other;
 }
 
 void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color) {
@@ -66,7 +66,8 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
   }
 }
 
-void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, const accel::WorldEntry* entry, Rgb& color) {
+void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, const accel::WorldEntry* entry, Rgb& color,
+                          const shapes::Hit* first) {
   const InteriorScope scope(*this);
   RayState ray = query.eye;
   ray.ray = {p, towards};
@@ -74,7 +75,9 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
     if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
     shapes::Hit hit;
     if (distance <= 2 * kShadowTolerance) break;
-    if (!scene_.world.intersect(ray.ray, shapes::RayKind::shadow, kAboveTolerance, distance - kShadowTolerance, hit, entry)) break;
+    if (first) hit = *first;
+    else if (!scene_.world.intersect(ray.ray, shapes::RayKind::shadow, kAboveShadowTolerance, distance - kShadowTolerance, hit, entry)) break;
+    first = nullptr;
     if (filter_through(query, ray, hit, color)) return;
     shadow_volumes(query, ray, hit.t, true, color);
     ray.interiors = crossed(ray.interiors, hit.shape->surface->interior);

@@ -56,8 +56,10 @@ Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
       result += shade_texture(ray, at, *entry.texture, p, nullptr) * entry.weight;
     }
   }
-  if (scene_.effects && scene_.effects->media_in_interiors && ray.hollow && ray.interiors.count > 0 && ray.volumes)
+  if (scene_.effects && scene_.effects->media_in_interiors && ray.hollow && ray.interiors.count > 0 && ray.volumes) {
+    const RandomBranch branch(random_, RandomBranch::kContainer);
     scene_.effects->container_media(*this, ray, hit.t, surface, result);
+  }
   return result;
 }
 
@@ -112,6 +114,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
   Rgb color, filter(1);
   float translucency = 1;
   bool any_reflection = false;
+  const int index = at.textures++;
   double eta = 0;  // of fresnel; 0: not yet known
   for (const textures::CompiledLayer& layer : texture.layers) {
     if (!(translucency > adc)) break;
@@ -133,7 +136,10 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
     Rgb own = c.rgb() * (finish.ambient * scene_.ambient_light + finish.emission) * context.opacity;
     // Subsurface first: the order in which radiosity is asked for decides where its samples are (replay).
     if (scene_.effects && scene_.effects->subsurface && finish.subsurface) own += scene_.effects->subsurface_light(*this, ray, at, context);
-    if (scene_.effects && scene_.effects->radiosity) own += scene_.effects->indirect_light(*this, ray, at, context);
+    if (scene_.effects && scene_.effects->radiosity) {
+      const RandomBranch branch(random_, RandomBranch::indirect(index, static_cast<int>(&layer - texture.layers.data())));
+      own += scene_.effects->indirect_light(*this, ray, at, context);
+    }
     own += direct_light(ray, at, context);
     if (scene_.effects && scene_.effects->photons) own += scene_.effects->photon_light(*this, ray, at, context);
     color += filter * own;
@@ -150,6 +156,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
   bool total_reflection = false;
   if (translucency > adc && scene_.quality >= 6) {
     const ShadedLayer top = layers_[layers.begin()];
+    const RandomBranch branch(random_, RandomBranch::behind(index));
     const Color seen = transmit(ray, at, top, ray.weight * filter.max_abs(), total_reflection);
     if (total_reflection) {
       color += seen.rgb();
@@ -167,6 +174,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
         const Vec3 difference = layer.normal - top_normal;
         if (std::fabs(difference.x) <= kEpsilon && std::fabs(difference.y) <= kEpsilon && std::fabs(difference.z) <= kEpsilon) continue;
       }
+      const RandomBranch branch(random_, RandomBranch::mirror(index, static_cast<int>(i - layers.begin())));
       color += mirrored(ray, at, layer);
     }
   }

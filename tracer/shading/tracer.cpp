@@ -12,7 +12,9 @@ constexpr int kMaxNesting = 1000;
 }  // namespace
 
 Tracer::Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel)
-    : scene_(scene), random_(random), cancel_(cancel), coherent_(scene.world), effects_state_(scene.effects ? scene.effects->make_state() : nullptr) {}
+    : scene_(scene), random_(random), cancel_(cancel), coherent_(scene.world), effects_state_(scene.effects ? scene.effects->make_state() : nullptr) {
+  has_volumes_ = scene.quality >= 9 && (!scene.rainbows.empty() || scene.fog || (scene.effects && scene.effects->atmosphere));
+}
 
 RayState Tracer::camera_state(const Ray& ray, bool origin_varies) {
   if (origin_varies || !camera_interiors_known_) {
@@ -70,13 +72,14 @@ Color Tracer::resolve(const RayState& ray, const shapes::Hit* hit) {
   } else {
     color = scene_.sky.seen(ray.ray.direction, ray.reflected || ray.gather);
   }
-  if (scene_.quality >= 9 && ray.hollow && ray.volumes) apply_volumes(ray, length, hit ? hit->shape->surface : nullptr, color);
+  if (has_volumes_ && ray.hollow && ray.volumes) apply_volumes(ray, length, hit ? hit->shape->surface : nullptr, color);
   if (observer_) observer_->ray_ended(ray, color);
   return color;
 }
 
 // Rainbow, atmosphere, fog: in this order, over the whole segment (spec 06 2.2 step 5).
 void Tracer::apply_volumes(const RayState& ray, double length, const shapes::Surface* end, Color& color) {
+  const RandomBranch branch(random_, RandomBranch::kAir);
   if (!scene_.rainbows.empty()) {
     Rgb sum;
     float count = 0, see_through = 1;

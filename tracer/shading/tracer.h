@@ -22,6 +22,8 @@ namespace verisim::shading {
 // The render was cancelled while a ray was being traced.
 struct Cancelled {};
 
+struct ShadowRow;
+
 // One hit while it is being shaded.
 struct SurfaceHit {
   SurfaceHit(const shapes::Hit& h, const Vec3& direction, std::size_t cache, int child_level);
@@ -36,6 +38,7 @@ struct SurfaceHit {
   std::size_t light_cache;  // where this hit's results per global light start
   bool keeps_lights = true; // several layers may ask for them
   int level;                // of the rays it sends out
+  int textures = 0;         // that were shaded here so far
 
   // Answers that the layers of this hit share: irradiance on either side; whether photons were gathered, and along which
   // normal: the first layer's.
@@ -79,6 +82,9 @@ class Tracer {
   // `diffuse`: coefficient to use; <= 0: none.
   Rgb layer_response(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l, const Rgb& intensity, float diffuse,
                      bool highlights);
+
+  // Filters the light of all rays of a row; `eye`: the ray that asks, but for its own way and weight.
+  void cast_shadows(const Light& light, const RayState& eye, ShadowRow& row);
 
   const SceneData& scene() const { return scene_; }
   RandomSource& random() { return random_; }
@@ -152,6 +158,8 @@ class Tracer {
   // ---- transmission.cpp
   Color transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, float weight, bool& total_reflection);
   Refraction cross_surface(const RayState& ray, const scene::Interior& x);
+  Color attenuated(const Color& seen, const InteriorRange& interiors, const SurfaceHit& at, bool total_reflection) const;
+  static std::optional<Vec3> refracted_direction(const Vec3& d, const Vec3& normal, double ratio);
   Color refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, double ratio, float wavelength,
                       float weight, bool& total_reflection);
   Color split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, float weight);
@@ -171,9 +179,14 @@ class Tracer {
   // Replay only: POV-Ray tries a light's last opaque blocker first, with wider limits, which shows at contacts (spec 06 9.2).
   int* last_blocker(const ShadowQuery& query);
   void cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color);
-  void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, const accel::WorldEntry* entry, Rgb& color);
+  // `first`: the nearest hit, if it is known that there is one.
+  void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, const accel::WorldEntry* entry, Rgb& color,
+                    const shapes::Hit* first = nullptr);
   // Where shadow rays from p to this light start in the world; null: nothing is known.
   accel::WorldEntry* shadow_entry(const ShadowQuery& query, const Vec3& p);
+  static accel::CoherentRays::Viewer viewer(const ShadowQuery& query);
+  // ---- shadow_row.cpp
+  void filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count, ShadowRow& row);
   bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);
   Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards, const Frame* frame);
   void shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool container, Rgb& color);
@@ -194,6 +207,7 @@ class Tracer {
   Observer* observer_ = nullptr;
   int nesting_ = 0;
   bool pretrace_ = false;
+  bool has_volumes_;  // in the air
   std::vector<const scene::Interior*> interiors_;
   std::size_t camera_interiors_ = 0;
   bool camera_interiors_known_ = false;

@@ -35,8 +35,14 @@ Color Tracer::transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& t
   } else {
     seen = split_spectrum(ray, at, top, refraction, weight);
   }
+  return attenuated(seen, ray.interiors, at, total_reflection);
+}
+
+// Of what is seen through a surface.
+Color Tracer::attenuated(const Color& seen, const InteriorRange& interiors, const SurfaceHit& at, bool total_reflection) const {
+  const scene::Interior& x = *at.surface.interior;
   Rgb attenuation(x.refraction);
-  attenuation *= fade_factor(ray.interiors, x, at.hit.t);
+  attenuation *= fade_factor(interiors, x, at.hit.t);
   return {seen.rgb() * attenuation, 0, total_reflection ? 0 : seen.t * attenuation.grey()};
 }
 
@@ -65,18 +71,24 @@ Tracer::Refraction Tracer::cross_surface(const RayState& ray, const scene::Inter
   return r;
 }
 
+// By Snell's law; none: all light is reflected.
+std::optional<Vec3> Tracer::refracted_direction(const Vec3& d, const Vec3& normal, double ratio) {
+  const double signed_cosine = dot(d, normal), k = std::fabs(signed_cosine);
+  const Vec3 n = signed_cosine <= 0 ? normal : -normal;
+  const double q = 1 + ratio * ratio * (k * k - 1);
+  if (q < 0) return std::nullopt;
+  return d * ratio + n * (ratio * k - std::sqrt(q));
+}
+
 Color Tracer::refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, double ratio, float wavelength,
                             float weight, bool& total_reflection) {
-  const Vec3& d = ray.ray.direction;
-  const double signed_cosine = dot(d, top.normal), k = std::fabs(signed_cosine);
-  const Vec3 n = signed_cosine <= 0 ? top.normal : -top.normal;
-  const double q = 1 + ratio * ratio * (k * k - 1);
-  if (q < 0) {
+  const auto direction = refracted_direction(ray.ray.direction, top.normal, ratio);
+  if (!direction) {
     total_reflection = true;
     return reflect(ray, at, top, weight);
   }
   RayState child = ray;
-  child.ray = {at.hit.point, d * ratio + n * (ratio * k - std::sqrt(q))};
+  child.ray = {at.hit.point, *direction};
   child.interiors = refraction.interiors;
   child.hollow = refraction.hollow;
   child.primary = false;

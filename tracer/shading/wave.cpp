@@ -2,23 +2,25 @@
 
 #include "tracer/shading/finish.h"
 #include "tracer/shading/fog.h"
+#include "tracer/shading/shadow_row.h"
 #include "tracer/textures/pigment.h"
 
 namespace verisim::shading {
 namespace {
 
 constexpr double kNearestHit = 1e-4;       // of camera rays
-constexpr double kShadowTolerance = 1e-3;  // to the shaded point and to the light
 
 bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
 
-// Lights that draw random numbers, or that light a surface by several directions at once, are for the common way.
-bool is_simple(const Light& light) { return !light.area_illumination() && !(light.area() && light.source().jitter) && is_finite(light.color()); }
+// Lights that light a surface by several directions at once are for the common way.
+bool is_simple(const Light& light) { return !light.area_illumination() && is_finite(light.color()); }
 
 }  // namespace
 
 Wave::Wave(Tracer& tracer) : tracer_(tracer), scene_(tracer.scene()), kernels_(wave_kernels()), lanes_{} {
-  usable_ = scene_.quality >= 9 && !tracer_.random_.replay() && !scene_.effects && scene_.rainbows.empty() && scene_.adc_bailout >= 0 && scene_.adc_bailout < 1;
+  usable_ = scene_.quality >= 9 && !tracer_.random_.replay() && scene_.adc_bailout >= 0 && scene_.adc_bailout < 1;
+  indirect_ = scene_.effects && scene_.effects->radiosity;
+  photons_ = scene_.effects && scene_.effects->photons;
   for (std::size_t i = 0; i < scene_.global_lights(); ++i) usable_ = usable_ && is_simple(scene_.lights()[i]);
   for (float* tint : {lanes_.tint.r, lanes_.tint.g, lanes_.tint.b}) std::fill_n(tint, kMost, 1.0f);
   plain_sky_ = !scene_.sky.varies();
@@ -26,8 +28,9 @@ Wave::Wave(Tracer& tracer) : tracer_(tracer), scene_(tracer.scene()), kernels_(w
     if (plain_sky_) sky_[mirrored] = scene_.sky.seen({0, 0, 1}, mirrored);
 }
 
-void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity) {
+void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity, int texture, const Part* part) {
   const int k = count_++;
+  part_[k] = part;
   pixel_[k] = i;
   surface_[k] = hits_[i].shape->surface;
   lanes_.to_light.origin.set(k, hits_[i].point);
@@ -37,7 +40,7 @@ void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& c
   shine_ |= m.shine;
   const scene::Finish& finish = m.layer->finish;
   if (material_[k] == &m) {
-    if (m.constant && m.only) return;
+    if (m.constant && m.only && !indirect_) return;
   } else {
     material_[k] = &m;
     finish_[k] = &finish;
@@ -47,7 +50,11 @@ void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& c
   }
   lanes_.front[k] = opacity * std::max(finish.diffuse, 0.0f), lanes_.behind[k] = opacity * std::max(finish.diffuse_back, 0.0f);
   lanes_.pigment.r[k] = color.r, lanes_.pigment.g[k] = color.g, lanes_.pigment.b[k] = color.b;
-  const Rgb own = color.rgb() * m.glow * opacity;
+  Rgb own = color.rgb() * m.glow * opacity;
+  if (indirect_) {
+    begin_branch(i, RandomBranch::indirect(texture, part->index));
+    own += scene_.effects->indirect_light(tracer_, ray_state(i), *met_[i].at, layer_context(*part));
+  }
   lanes_.own.r[k] = own.r, lanes_.own.g[k] = own.g, lanes_.own.b[k] = own.b;
 }
 
@@ -55,7 +62,7 @@ void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& c
 bool Wave::add_surface(int i) {
   if (const Material* plain = met_[i].plain) {
     if (count_ == kMost) return false;
-    add_lane(i, *plain, met_[i].normal, plain->color, plain->opacity);
+    add_lane(i, *plain, met_[i].normal, plain->color, plain->opacity, 0, nullptr);
     return true;
   }
   if (count_ + met_[i].parts > kMost) return false;
@@ -63,7 +70,7 @@ bool Wave::add_surface(int i) {
   for (int l = met_[i].first; l < met_[i].first + met_[i].leaves; ++l)
     for (int k = leaves_[static_cast<std::size_t>(l)].first; k >= 0;) {
       const Part& part = parts_[static_cast<std::size_t>(k)];
-      add_lane(i, *part.material, part.normal, part.color, part.opacity);
+      add_lane(i, *part.material, part.normal, part.color, part.opacity, l - met_[i].first, &part);
       k = part.next;
     }
   return true;
@@ -116,61 +123,22 @@ void Wave::share_asking(int* asks) {
   }
 }
 
-// Filters the light of all that are asked for. Where any opaque thing decides, the rays of one cell of space are traced together.
+// Filters the light of all that are asked for.
 void Wave::cast_shadows(const Light& light) {
   if (!light.shadows()) return;
-  const bool together = !light.area() && !light.projector() && !(scene_.fog && light.media_attenuation());
-  const auto one_by_one = [&](int k) {
-    const LightDirection direction{lanes_.to_light.direction.at(k), lanes_.distance[k]};
-    const Rgb arriving(lanes_.intensity.r[k], lanes_.intensity.g[k], lanes_.intensity.b[k]);
-    const Rgb color = tracer_.shadowed(light, lanes_.to_light.origin.at(k), direction, ray_state(pixel_[k]), surface_[k], arriving);
-    lanes_.intensity.r[k] = color.r, lanes_.intensity.g[k] = color.g, lanes_.intensity.b[k] = color.b;
-  };
-  accel::WorldEntry* entry = nullptr;
-  Box3 served;
-  int first = 0, end = 0;  // the rays that wait, with this entry
-  // Without a tree there is nothing to know of where rays start.
-  const bool entries = !scene_.world.tree().empty(), transparent = scene_.world.has_transparent_shadows();
-  bool wanted[kMost], blocked[kMost] = {};
-  double limit[RayRow::kSize] = {};
-  const auto trace_waiting = [&] {
-    if (first < end) scene_.world.occluded_row(lanes_.to_light, first, end - first, wanted, kShadowTolerance, limit, entry, blocked);
-    first = end;
-  };
+  const std::uint32_t number = RandomBranch::light(static_cast<std::size_t>(&light - scene_.lights().data()));
+  ShadowRow row;
+  int lane[kMost];
   for (int k = 0; k < count_; ++k) {
-    wanted[k] = false;
     if (lanes_.asked[k] == 0) continue;
-    if (!together) {
-      one_by_one(k);
-      continue;
-    }
-    const Vec3 p = lanes_.to_light.origin.at(k);
-    if (entries && accel::contains(served, p)) {
-      tracer_.coherent_.used_again(state_.primary ? accel::CoherentRays::Viewer::camera : accel::CoherentRays::Viewer::other);
-    } else if (entries) {
-      if (entry) trace_waiting();  // the next one may take its place
-      accel::WorldEntry* const next = tracer_.shadow_entry({state_, surface_[k], light}, p);
-      if (entry || next) {
-        trace_waiting();
-        first = k;
-      }
-      entry = next;
-      served = tracer_.coherent_.served();
-    }
-    if (entry ? !entry->only_opaque : transparent) {
-      trace_waiting();
-      one_by_one(k);
-      served.makeEmpty();  // it may have made the entry another's
-    } else {
-      ++tracer_.statistics_.shadow_rays;
-      limit[k] = lanes_.distance[k] - kShadowTolerance;
-      wanted[k] = lanes_.distance[k] > 2 * kShadowTolerance;
-      end = k + 1;
-    }
+    lane[row.count] = k;
+    row.add(lanes_.to_light.at(k), lanes_.distance[k], {lanes_.intensity.r[k], lanes_.intensity.g[k], lanes_.intensity.b[k]}, surface_[k], RandomSource::branch_key(keys_[pixel_[k]], number));
   }
-  trace_waiting();
-  for (int k = 0; k < count_; ++k)
-    if (blocked[k]) lanes_.asked[k] = 0;
+  tracer_.cast_shadows(light, state_, row);
+  for (int i = 0; i < row.count; ++i) {
+    const int k = lane[i];
+    lanes_.intensity.r[k] = row.light[i].r, lanes_.intensity.g[k] = row.light[i].g, lanes_.intensity.b[k] = row.light[i].b;
+  }
 }
 
 void Wave::respond() {
@@ -215,17 +183,18 @@ void Wave::light(const Light& light) {
 }
 
 // What a texture shows whose layers are lit in the lanes from `lane` on; moves to the lane behind them.
-Rgb Wave::shown(const Leaf& leaf, int& lane) {
+Color Wave::shown(const Leaf& leaf, int& lane) {
   Rgb color;
-  bool mirrors = false;
+  bool branches = leaf.behind >= 0;
   for (int k = leaf.first; k >= 0; ++lane) {
     const Part& part = parts_[static_cast<std::size_t>(k)];
     color += part.filter * Rgb(lanes_.direct.r[lane], lanes_.direct.g[lane], lanes_.direct.b[lane]);
-    mirrors |= part.mirror >= 0;
+    branches |= part.mirror >= 0;
     k = part.next;
   }
-  if (mirrors) add_mirrored(leaf, color);
-  return color;
+  Color result = color;
+  if (branches) add_branches(leaf, result);
+  return result;
 }
 
 // The colours of pixels from their layers and textures.
@@ -233,18 +202,27 @@ void Wave::sum_layers(Color* out) {
   for (int k = 0; k < count_;) {
     const Met& met = met_[pixel_[k]];
     Color& result = out[pixel_[k]];
-    Rgb sum;
+    Color sum;
     if (met.plain) {
       sum += Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]);
       ++k;
     }
     for (int l = met.first; l < met.first + met.leaves; ++l) {
       const Leaf& leaf = leaves_[static_cast<std::size_t>(l)];
-      const Rgb color = shown(leaf, k);
+      const Color color = shown(leaf, k);
       if (leaf.around) sum += color * leaf.weight;
       else sum = color;
     }
     result = sum;
+  }
+}
+
+LayerContext Wave::layer_context(const Part& part) { return {*part.material->layer, part.color, part.normal, part.opacity, part.filter}; }
+
+void Wave::add_photons() {
+  for (int k = 0; k < count_; ++k) {
+    const Rgb added = scene_.effects->photon_light(tracer_, ray_state(pixel_[k]), *met_[pixel_[k]].at, layer_context(*part_[k]));
+    lanes_.direct.r[k] += added.r, lanes_.direct.g[k] += added.g, lanes_.direct.b[k] += added.b;
   }
 }
 
@@ -254,6 +232,7 @@ void Wave::show(Color* out) {
   if (count_ > 0)
     for (std::size_t i = 0; i < scene_.global_lights(); ++i) light(scene_.lights()[i]);
   kernels_.add_own(count_, lanes_);
+  if (photons_) add_photons();
   if (leaves_.empty()) {  // plain surfaces alone
     for (int k = 0; k < count_; ++k) out[pixel_[k]] = Rgb() + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]);
   } else {
@@ -286,6 +265,7 @@ void Wave::show_sky(int count, Color* out) {
 void Wave::trace(int count, const accel::WorldEntry* const* entries, Color* out) {
   state_ = tracer_.camera_state(lanes_.rays.at(0), false);
   std::fill_n(weights_, count, 1.0f);
+  for (int i = 0; i < count; ++i) keys_[i] = tracer_.random_.sample_key(places_[i].x, places_[i].y, numbers_[i]);
   tracer_.statistics_.camera_rays += static_cast<std::uint64_t>(count);
   run(count, entries, out);
 }
@@ -298,11 +278,11 @@ void Wave::run(int count, const accel::WorldEntry* const* entries, Color* out) {
   }
   leaves_.clear();
   parts_.clear();
-  mirrors_.clear();
+  branches_.clear();
   for (int i = 0; i < count; ++i)
     if (found_[i]) meet(i);
   find_parts(count);
-  trace_mirrors();
+  trace_branches();
   show_sky(count, out);
   bool resolved[kMost] = {};
   for (int i = 0; i < count; ++i) {
@@ -312,18 +292,29 @@ void Wave::run(int count, const accel::WorldEntry* const* entries, Color* out) {
       show(out);
       if (add_surface(i)) continue;
     }
-    begin_sample(i);
+    tracer_.random_.begin(keys_[i]);
     out[i] = tracer_.resolve(ray_state(i), &hits_[i]);
     resolved[i] = true;
   }
   show(out);
-  if (scene_.fog && state_.hollow) apply_fog(count, resolved, out);
+  apply_volumes(count, resolved, out);
 }
 
-// To what was not resolved the common way, which knows of fog.
-void Wave::apply_fog(int count, const bool* resolved, Color* out) {
-  for (int i = 0; i < count; ++i)
-    if (!resolved[i]) tracer_.apply_volumes(ray_state(i), found_[i] ? hits_[i].t : kMissDistance, nullptr, out[i]);
+// To what was not resolved the common way, which knows of them.
+void Wave::apply_volumes(int count, const bool* resolved, Color* out) {
+  if (!state_.hollow) return;
+  const bool container = scene_.effects && scene_.effects->media_in_interiors && state_.interiors.count > 0;
+  if (!container && !tracer_.has_volumes_) return;
+  for (int i = 0; i < count; ++i) {
+    if (resolved[i]) continue;
+    const shapes::Surface* const end = found_[i] ? hits_[i].shape->surface : nullptr;
+    if (container && end) {
+      begin_branch(i, RandomBranch::kContainer);
+      scene_.effects->container_media(tracer_, ray_state(i), hits_[i].t, *end, out[i]);
+    }
+    tracer_.random_.begin(keys_[i]);
+    if (tracer_.has_volumes_) tracer_.apply_volumes(ray_state(i), found_[i] ? hits_[i].t : kMissDistance, end, out[i]);
+  }
 }
 
 }  // namespace verisim::shading

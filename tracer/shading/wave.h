@@ -1,5 +1,6 @@
 // Camera rays of neighbouring pixels, shaded together: what most pixels of most scenes show, an opaque surface, is worked on
-// with wide instructions; every other hit takes the common way (Tracer::resolve). Both give the same bits. What their mirrors show is a wave of its own.
+// with wide instructions; every other hit takes the common way (Tracer::resolve). Both give the same bits. What is seen in their mirrors and through them are
+// waves of their own.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@ class Wave {
 
   explicit Wave(Tracer& tracer);
 
-  // False: hits of this scene have to be shaded one after another (volumes, random numbers in order, an observer ...).
+  // False: hits of this scene have to be shaded one after another (random numbers in order, an observer ...).
   bool usable() const { return usable_ && !tracer_.observer_ && !tracer_.pretrace_; }
 
   // `rays` of the lanes and what random numbers hang on are to be filled first: the samples' places in the picture, and for those that have several rays
@@ -54,8 +55,9 @@ class Wave {
     Color color;
     float opacity = 0;
     Rgb filter;     // of the layers above
+    int index = 0;  // in its texture
     int next = -1;  // the layer below
-    int mirror = -1;
+    int mirror = -1;  // its branch
   };
   // One of the textures that show at a hit.
   struct Leaf {
@@ -66,7 +68,8 @@ class Wave {
     float weight = 1;
     Rgb filter{1};
     float translucency = 1;  // below the layers known so far
-    int first = -1, last = -1;
+    int first = -1, last = -1, parts = 0;
+    int behind = -1;  // the branch that goes on through the surface
   };
   struct Met {
     bool together;                 // false: the common way
@@ -76,7 +79,7 @@ class Wave {
     std::optional<SurfaceHit> at;  // where the surface varies
   };
 
-  static bool shaded_together(const textures::CompiledTexture& texture);
+  bool shaded_together(const textures::CompiledTexture& texture) const;
   Materials find_materials(const textures::CompiledTexture& texture) const;
   const Materials& materials(const textures::CompiledTexture& texture);
   void meet(int i);
@@ -88,28 +91,48 @@ class Wave {
   Part& add_part(Leaf& leaf);
   Rgb add_mirror(const Leaf& leaf, Part& part);
 
-  // ---- wave_mirrors.cpp: what mirrors show
-  struct Mirror {
-    Tracer::ShadedLayer layer;
-    int ray;
-    bool seen = false;  // `color` is known
-    Rgb color;
+  // ---- wave_branches.cpp: what is seen in mirrors and behind surfaces
+  // A ray that a texture sends out: a layer's mirror, or what goes on through the surface.
+  struct Branch {
+    Tracer::ShadedLayer layer;  // of the mirror, or the top one
+    int ray, leaf;
+    bool behind;
+    RandomSource::Key key;
+    float weight = 0;           // behind, until it is aimed: relative to that of its ray
+    bool total = false;         // reflected where it might have gone on
+    bool seen = false;          // `color` is known
+    int group = -1;             // which wave it is part of; -1: none, 0: mirrors
+    Vec3 direction{};
+    Color color{};
+  };
+  struct Crossing {
+    const scene::Interior* interior;
+    Tracer::Refraction refraction;
+    bool simple = false, straight = false;  // without dispersion, without refraction
+    int group = 0;
   };
   RayState ray_state(int i) const;
-  void begin_sample(int i) { tracer_.random_.begin_sample(places_[i].x, places_[i].y, numbers_[i]); }
-  void trace_mirrors();
-  void trace_mirrored(const int* mirrors, int count);
-  void add_mirrored(const Leaf& leaf, Rgb& color);
+  void begin_branch(int i, std::uint32_t number) { tracer_.random_.begin(RandomSource::branch_key(keys_[i], number)); }
+  int add_branch(const Leaf& leaf, const Tracer::ShadedLayer& layer, bool behind);
+  const Crossing& crossing(const scene::Interior& interior);
+  void aim_behind(Branch& branch);
+  bool hidden(const Leaf& leaf, const Branch& mirror) const;
+  void trace_branches();
+  void trace_group(int group, const Crossing* crossing);
+  void add_branches(const Leaf& leaf, Color& color);
+  Color seen_behind(const Branch& branch, bool& total);
 
   // ---- wave.cpp
   void run(int count, const accel::WorldEntry* const* entries, Color* out);
-  void apply_fog(int count, const bool* resolved, Color* out);
+  void apply_volumes(int count, const bool* resolved, Color* out);
   void show_sky(int count, Color* out);
   bool add_surface(int i);
-  void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity);
+  void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity, int texture, const Part* part);
+  static LayerContext layer_context(const Part& part);
+  void add_photons();
   void show(Color* out);
   void sum_layers(Color* out);
-  Rgb shown(const Leaf& leaf, int& lane);
+  Color shown(const Leaf& leaf, int& lane);
   void light(const Light& light);
   void aim(const Light& light);
   bool reach(const Light& light);
@@ -122,7 +145,7 @@ class Wave {
   Tracer& tracer_;
   const SceneData& scene_;
   const WaveKernels& kernels_;
-  bool usable_;
+  bool usable_, indirect_, photons_;  // with light from radiosity, from photons
   Color sky_[2];        // where there is no sky_sphere; in mirrors
   bool plain_sky_;
   std::unordered_map<const textures::CompiledTexture*, Materials> materials_;
@@ -130,8 +153,10 @@ class Wave {
   std::pair<const shapes::Shape*, const Material*> last_plain_[2]{};  // met from outside, from inside
   std::vector<Leaf> leaves_;
   std::vector<Part> parts_;
-  std::vector<Mirror> mirrors_;
-  std::unique_ptr<Wave> reflected_;  // made when it is needed
+  std::vector<Branch> branches_;
+  std::vector<Crossing> crossings_;
+  std::unique_ptr<Wave> branch_wave_;  // made when it is needed
+  int depth_ = 0;                      // waves around this one
   Vec3 normals_[kMost];   // of one layer at some leaves
   Color colors_[kMost];
   bool colored_[kMost];
@@ -139,6 +164,7 @@ class Wave {
   float weights_[kMost];
   Vec2 places_[kMost];
   std::uint32_t numbers_[kMost] = {};
+  RandomSource::Key keys_[kMost];
   int count_ = 0;       // of surfaces
   unsigned shine_ = 0;  // of all surfaces
   bool tinted_ = false, attenuated_ = true;  // false: all tints, all attenuations are 1
@@ -149,6 +175,7 @@ class Wave {
   bool found_[kMost];
   int pixel_[kMost];    // several lanes in a row may be of one
   const Material* material_[kMost] = {};  // whose numbers stand in the lane
+  const Part* part_[kMost];  // null: plain
   const shapes::Surface* surface_[kMost];
   const scene::Finish* finish_[kMost];
 };

@@ -13,12 +13,12 @@ bool is_mirror(const scene::Finish& f) { return f.reflection.maximum != Rgb() ||
 
 }  // namespace
 
-// Layers that lights and simple mirrors decide, the lowest one opaque.
-bool Wave::shaded_together(const textures::CompiledTexture& texture) {
-  if (texture.patterned() || texture.layers.size() > kMostLayers || texture.layers.back().pigment->transparent) return false;
+// Layers without noise in their colours.
+bool Wave::shaded_together(const textures::CompiledTexture& texture) const {
+  if (texture.patterned() || texture.layers.size() > kMostLayers) return false;
   for (const textures::CompiledLayer& layer : texture.layers) {
     const scene::Finish& f = layer.finish;
-    if (f.crand > 0 || f.irid > 0) return false;
+    if (f.crand > 0 || f.irid > 0 || (f.subsurface && scene_.effects && scene_.effects->subsurface)) return false;
   }
   return true;
 }
@@ -47,7 +47,7 @@ Wave::Materials Wave::find_materials(const textures::CompiledTexture& texture) c
     m.base_limit = f.phong > 0 && f.phong_size >= 60 ? 0.0008 : 0;
     m.shine = (m.amount == 0 ? 0 : m.phong != 0 ? kPhong : kBlinn) | (f.metallic > 0 ? kMetallic : 0) | (f.phong > 0 && f.specular > 0 ? kBothHighlights : 0) | (f.brilliance != 1 ? kBrilliance : 0);
     m.opacity = surface_opacity(m.color, scene_.version);
-    m.plain = m.only && m.constant && !m.mirror && !layer.normal && is_finite(m.color.rgb());
+    m.plain = m.only && m.constant && !m.mirror && !layer.normal && !layer.pigment->transparent && !indirect_ && !photons_ && is_finite(m.color.rgb());
     const bool finite = is_finite(m.glow) && std::fabs(m.exponent) < 1e6 && m.amount < 1e30 && std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f;
     if (!finite) return {};
   }
@@ -96,7 +96,7 @@ void Wave::meet(int i) {
     met.normal = inside ? -normal : normal;
     return;
   }
-  met.at.emplace(hit, direction, 0, state_.level + 1);
+  met.at.emplace(hit, direction, 0, state_.level + (state_.continuation ? 0 : 1));
   add_leaves(i, texture, found);
 }
 
@@ -134,6 +134,7 @@ Wave::Part& Wave::add_part(Leaf& leaf) {
   Part& part = parts_.emplace_back();
   (leaf.first < 0 ? leaf.first : parts_[static_cast<std::size_t>(leaf.last)].next) = k;
   leaf.last = k;
+  part.index = leaf.parts++;
   ++met_[leaf.ray].parts;
   return part;
 }
@@ -145,8 +146,7 @@ Rgb Wave::add_mirror(const Leaf& leaf, Part& part) {
   const double ratio = reflection.fresnel ? tracer_.fresnel_ratio(state_, *met_[leaf.ray].at->surface.interior) : 0;
   const Rgb reflected = reflectivity(reflection, part.color.rgb(), -dot(lanes_.rays.direction.at(leaf.ray), part.normal), ratio);
   if (reflected == Rgb()) return reflected;
-  part.mirror = static_cast<int>(mirrors_.size());
-  mirrors_.push_back({{&layer, part.color, part.normal, reflected, leaf.translucency}, leaf.ray, false, {}});
+  part.mirror = add_branch(leaf, {&layer, part.color, part.normal, reflected, leaf.translucency}, false);
   return reflected;
 }
 
@@ -200,7 +200,12 @@ void Wave::find_layers(int* leaves, int n) {
     n = still;
   }
   // Something behind the surface shows.
-  for (int k = 0; k < n; ++k) met_[leaves_[static_cast<std::size_t>(leaves[k])].ray].together = false;
+  for (int k = 0; k < n; ++k) {
+    Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
+    const Part& top = parts_[static_cast<std::size_t>(leaf.first)];
+    leaf.behind = add_branch(leaf, {top.material->layer, top.color, top.normal, Rgb(), 1}, true);
+    branches_.back().weight = leaf.filter.max_abs();
+  }
 }
 
 // Normals first: they leave their trace in what patterns see (Tracer::layer_normal).

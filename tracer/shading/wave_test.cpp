@@ -4,6 +4,7 @@
 #include <memory>
 #include <random>
 
+#include "tracer/global/scene_effects.h"
 #include "tracer/render/pixel_sampler.h"
 #include "tracer/shading/finish.h"
 #include "tracer/shading/wave.h"
@@ -217,7 +218,9 @@ void expect_the_same_together(const scene::Scene& scene) {
   constexpr int kWidth = 83, kHeight = 61;
   textures::Compiler compiler{textures::Settings{}};
   const accel::World world(scene, compiler);
-  const SceneData data(scene, world, compiler, 9, false);
+  SceneData data(scene, world, compiler, 9, false);
+  const global::SceneEffects effects(scene, compiler, 9);
+  if (effects.any()) data.effects = &effects;
   const render::CameraModel camera(scene.camera, kWidth, kHeight, compiler);
   Tracer tracer(data, RandomSource(false, 0)), other(data, RandomSource(false, 0));
   ASSERT_TRUE(Wave(tracer).usable());
@@ -243,8 +246,72 @@ void expect_the_same_together(const scene::Scene& scene) {
   EXPECT_EQ(tracer.statistics().shadow_rays, other.statistics().shadow_rays);
   EXPECT_EQ(tracer.statistics().camera_rays, other.statistics().camera_rays);
   EXPECT_EQ(tracer.statistics().reflected_rays, other.statistics().reflected_rays);
+  EXPECT_EQ(tracer.statistics().refracted_rays, other.statistics().refracted_rays);
+  EXPECT_EQ(tracer.statistics().transmitted_rays, other.statistics().transmitted_rays);
   EXPECT_GT(tracer.statistics().reflected_rays, 1000u);
   EXPECT_EQ(tracer.statistics().samples, other.statistics().samples);
+}
+
+// Lenses in front of the mixed scene: one within another, one that reflects totally and has a mirror, a prism of colours, a pane without refraction, coloured
+// fading glass, and layers and maps of which some let light through.
+scene::Scene glass_scene() {
+  using shapes::testing::make;
+  scene::Scene scene = mixed_scene();
+  scene.settings.max_trace_level = 9;
+  const auto add = [&](const auto& shape, float ior, const Color& color, float mirror) {
+    auto texture = std::make_shared<scene::Texture>();
+    auto pigment = std::make_shared<scene::Pigment>();
+    pigment->color = color;
+    scene::Finish finish;
+    finish.reflection.maximum = Rgb(mirror), finish.conserve_energy = mirror > 0.2f;
+    texture->layers.push_back({pigment, nullptr, finish});
+    const auto object = make(shape);
+    object->texture = texture;
+    object->interior = std::make_shared<scene::Interior>();
+    object->interior->ior = ior;
+    scene.objects.push_back(object);
+    return object->interior;
+  };
+  const auto outer = add(scene::Sphere{{-1, 1, -2.5}, 0.7}, 1.5f, Color(0.9f, 1, 0.9f, 0.8f, 0.1f), 0.1f);
+  outer->fade_distance = 0.5f, outer->fade_power = 2, outer->fade_color = Rgb(0.2f, 0.8f, 0.3f);
+  add(scene::Sphere{{-1, 1, -2.5}, 0.4}, 1.1f, Color(1, 1, 1, 0, 0.9f), 0.3f);
+  add(scene::Box{{0.2, 0.2, -3}, {1.1, 1.3, -2}}, 2.4f, Color(1, 0.9f, 0.9f, 0.9f, 0), 0.3f);
+  add(scene::Sphere{{0.3, 2, -2.5}, 0.4}, 1.4f, Color(1, 1, 1, 0.9f, 0), 0)->dispersion = 1.05f;
+  add(scene::Box{{-2, -0.4, -3.2}, {2, 0.4, -3.1}}, 1, Color(0.6f, 0.8f, 1, 0.5f, 0.4f), 0);
+  return scene;
+}
+
+scene::Media media(const Rgb& emission, double jitter) {
+  scene::Media media;
+  media.emission = emission, media.absorption = Rgb(0.2f), media.jitter = jitter;
+  media.has_scattering = true, media.scattering = Rgb(0.1f);
+  return media;
+}
+
+TEST(Wave, GoesThroughGlassAsSingleRaysDo) { expect_the_same_together(glass_scene()); }
+
+// Each branch of a ray's tree has random numbers of its own, so it does not matter what is traced together.
+TEST(Wave, DrawsTheRandomNumbersOfSingleRays) {
+  scene::Scene scene = glass_scene();
+  for (const auto& object : scene.objects) {
+    if (!object->interior) continue;
+    object->interior->hollow = true;
+    object->interior->media.push_back(media(Rgb(0.1f, 0.2f, 0.3f), 0.5));
+  }
+  expect_the_same_together(scene);
+  for (const auto& object : scene.objects) {
+    if (auto* light = const_cast<scene::LightSource*>(object->as<scene::LightSource>())) {
+      light->area = light->jitter = true;
+      light->axis1 = {1, 0, 0}, light->axis2 = {0, 1, 0}, light->size1 = light->size2 = 3;
+    }
+  }
+  expect_the_same_together(scene);
+  scene.atmosphere.push_back(media(Rgb(0.01f), 0.3));
+  scene::Rainbow rainbow;
+  rainbow.direction = {0, 0, 1}, rainbow.angle = 30, rainbow.width = 20, rainbow.distance = 3, rainbow.jitter = 0.1;
+  rainbow.colors = std::make_shared<scene::Pigment>();
+  scene.rainbows.push_back(rainbow);
+  expect_the_same_together(scene);
 }
 
 TEST(Wave, GivesTheColoursOfSingleRays) { expect_the_same_together(mixed_scene()); }
@@ -277,16 +344,13 @@ TEST(Wave, GivesTheColoursOfSingleLensRays) {
   }
 }
 
-TEST(Wave, IsNotForScenesWithVolumesOrReplay) {
+TEST(Wave, IsNotForReplay) {
   scene::Scene scene = mixed_scene();
   textures::Compiler compiler{textures::Settings{}};
   const accel::World world(scene, compiler);
   SceneData data(scene, world, compiler, 9, false);
   Tracer replay(data, RandomSource(true, 0));
   EXPECT_FALSE(Wave(replay).usable());
-  data.rainbows.emplace_back(scene::Rainbow{});
-  Tracer rainbow(data, RandomSource(false, 0));
-  EXPECT_FALSE(Wave(rainbow).usable());
 }
 
 }  // namespace

@@ -1,0 +1,146 @@
+// Shadow rays that start in the same cell of space go together (accel::CoherentRays). What arrives is what each finds alone.
+#include "tracer/shading/shadow_row.h"
+
+#include <boost/container/small_vector.hpp>
+
+namespace verisim::shading {
+namespace {
+
+// The rays of a row by their cells.
+struct Cells {
+  struct Cell {
+    accel::WorldEntry* entry;  // null: nothing is known
+    Box3 served;               // empty: nothing else
+  };
+  Cell cells[ShadowRow::kMost];
+  int count = 0;
+  std::uint8_t of[ShadowRow::kMost];
+  int find(const Vec3& p, int last) const {
+    if (last >= 0 && accel::contains(cells[last].served, p)) return last;
+    for (int c = count - 1; c >= 0; --c)
+      if (accel::contains(cells[c].served, p)) return c;
+    return -1;
+  }
+};
+
+// Rays of one cell, on their way.
+struct Travellers {
+  int count = 0;
+  RayRow rays;
+  double limit[RayRow::kSize];
+  int index[ShadowRow::kMost];  // in the row
+  void add(int i, const Ray& ray, double distance) {
+    rays.origin.set(count, ray.origin), rays.direction.set(count, ray.direction);
+    limit[count] = distance - kShadowTolerance;
+    index[count++] = i;
+  }
+};
+
+}  // namespace
+
+void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& row) {
+  if (!light.shadows() || row.count == 0) return;
+  const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
+  if (light.area() || light.projector() || random_.replay() || ((scene_.fog || media) && light.media_attenuation())) {
+    for (int i = 0; i < row.count; ++i) {
+      random_.begin(row.key[i]);
+      row.light[i] = shadowed(light, row.rays.origin.at(i), {row.rays.direction.at(i), row.distance[i]}, eye, row.lit[i], row.light[i]);
+    }
+    return;
+  }
+  statistics_.shadow_rays += static_cast<std::uint64_t>(row.count);
+  const bool entries = !scene_.world.tree().empty();  // without a tree there is nothing to know of where rays start
+  Cells cells;
+  int unknown = -1, last = -1;
+  for (int i = 0; i < row.count; ++i) {
+    const Vec3 p = row.rays.origin.at(i);
+    int c = cells.find(p, last);
+    if (c >= 0) {
+      coherent_.used_again(viewer({eye, row.lit[i], light}));
+    } else {
+      accel::WorldEntry* const entry = entries ? shadow_entry({eye, row.lit[i], light}, p) : nullptr;
+      // What was remembered for another cell may have had to go.
+      for (int other = 0; entry && other < cells.count; ++other)
+        if (cells.cells[other].entry == entry) cells.cells[other].entry = nullptr;
+      c = entry || unknown < 0 ? cells.count++ : unknown;
+      if (entry) {
+        cells.cells[c] = {entry, coherent_.served()};
+      } else {
+        unknown = c;
+        cells.cells[c] = {nullptr, Box3()};
+      }
+    }
+    cells.of[i] = static_cast<std::uint8_t>(last = c);
+  }
+  for (int c = 0; c < cells.count; ++c) {
+    Travellers cell;
+    for (int i = 0; i < row.count; ++i)
+      if (cells.of[i] == c && row.distance[i] > 2 * kShadowTolerance) cell.add(i, row.rays.at(i), row.distance[i]);  // otherwise nothing fits in between
+    accel::WorldEntry* const entry = cells.cells[c].entry;
+    if (entry ? entry->only_opaque : !scene_.world.has_transparent_shadows()) {
+      bool blocked[ShadowRow::kMost] = {};
+      scene_.world.occluded_row(cell.rays, 0, cell.count, nullptr, kShadowTolerance, cell.limit, entry, blocked);
+      for (int k = 0; k < cell.count; ++k)
+        if (blocked[k]) row.light[cell.index[k]] = Rgb();
+    } else {
+      filter_row(light, eye, entry, cell.index, cell.count, row);
+    }
+  }
+}
+
+// filter_along() for the rays `index` of a row: where transparent surfaces may be met. Nothing but media of containers acts between them here.
+void Tracer::filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count, ShadowRow& row) {
+  const InteriorScope scope(*this);
+  // Those that have met a transparent surface.
+  struct Way {
+    int index;
+    RayState ray;
+    double distance;
+    RandomSource random;
+  };
+  boost::container::small_vector<Way, 8> ways, onward;
+  const bool draws = scene_.effects && scene_.effects->media_in_interiors;
+  const auto meet = [&](Way& way, const shapes::Hit& hit) {
+    const ShadowQuery query{eye, row.lit[way.index], light};
+    Rgb& color = row.light[way.index];
+    if (draws) random_ = way.random;
+    if (filter_through(query, way.ray, hit, color)) return;
+    shadow_volumes(query, way.ray, hit.t, true, color);
+    way.ray.interiors = crossed(way.ray.interiors, hit.shape->surface->interior);
+    way.ray.hollow = all_hollow(way.ray.interiors);
+    way.ray.ray.origin = hit.point;
+    way.distance -= hit.t;
+    if (!(way.distance > 2 * kShadowTolerance)) return;
+    if (draws) way.random = random_;
+    onward.push_back(way);
+  };
+  Travellers open;
+  for (int k = 0; k < count; ++k) open.add(index[k], row.rays.at(index[k]), row.distance[index[k]]);
+  shapes::Hit hits[ShadowRow::kMost];
+  bool found[ShadowRow::kMost];
+  scene_.world.intersect_row(open.rays, 0, open.count, shapes::RayKind::shadow, kAboveShadowTolerance, entry, hits, found, open.limit);
+  for (int k = 0; k < open.count; ++k) {
+    if (!found[k]) continue;
+    const int i = open.index[k];
+    if (hits[k].shape->surface->opaque) {
+      row.light[i] = Rgb();
+      continue;
+    }
+    Way way{i, eye, row.distance[i], random_};
+    way.ray.ray = open.rays.at(k);
+    if (draws) way.random.begin(row.key[i]);
+    meet(way, hits[k]);
+  }
+  while (!onward.empty()) {
+    if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
+    ways.swap(onward);
+    onward.clear();
+    open.count = 0;
+    for (const Way& way : ways) open.add(way.index, way.ray.ray, way.distance);
+    scene_.world.intersect_row(open.rays, 0, open.count, shapes::RayKind::shadow, kAboveShadowTolerance, entry, hits, found, open.limit);
+    for (int k = 0; k < open.count; ++k)
+      if (found[k]) meet(ways[static_cast<std::size_t>(k)], hits[k]);
+  }
+}
+
+}  // namespace verisim::shading

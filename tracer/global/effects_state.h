@@ -18,7 +18,6 @@ class EffectsStateOfScene : public shading::EffectsState {
   // Photons around the hit that is being shaded, shared by its layers, and the hit they belong to.
   PhotonMap::Gathered gathered, gathered_in_media;
   const shading::SurfaceHit* gathered_for = nullptr;
-  std::vector<MediaEnvironment::Photon> media_photons;
 
   // Subsurface: one pair of cursors per nesting level (spec 07 5.3).
   struct SubsurfaceSequence {

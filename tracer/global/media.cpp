@@ -42,6 +42,7 @@ class Integrator {
       if (m->description->intervals > control_->intervals) control_ = m->description;
       aa_threshold_ = std::min(aa_threshold_, m->description->aa_threshold);
       scatters_ |= m->scatters;
+      isotropic_ &= !m->scatters || phase_is_constant(*m->description);
       has_density_ |= !m->densities.empty();
       varies_ |= m->varies;
       constant_shadow_ &= m->last_density_plain;
@@ -170,7 +171,12 @@ class Integrator {
       const Rgb arriving = environment_.illumination(light.index, p, to_light);
       if (arriving.max_abs() > 0.0f) sum += scattering * arriving * mean_phase(to_light);
     }
-    for (const MediaEnvironment::Photon& photon : environment_.photons(p)) sum += scattering * photon.energy * mean_phase(photon.direction);
+    const MediaEnvironment::NearbyPhotons near = environment_.photons(p);
+    if (isotropic_) {
+      for (const Photon* photon : near.photons) sum += scattering * (photon->color() * near.share);
+    } else {
+      for (const Photon* photon : near.photons) sum += scattering * (photon->color() * near.share) * mean_phase(photon->direction());
+    }
     return sum;
   }
 
@@ -346,7 +352,7 @@ class Integrator {
   MediaEnvironment& environment_;
   const scene::Media* control_;
   double aa_threshold_;
-  bool scatters_ = false, has_density_ = false, varies_ = false, constant_shadow_ = true;
+  bool scatters_ = false, isotropic_ = true, has_density_ = false, varies_ = false, constant_shadow_ = true;
   int lit_count_ = 0, intervals_ = 0;
   std::array<LitLight, kMaxLights> lit_;
   std::array<Interval, kMostSpans> spans_;

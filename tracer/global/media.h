@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "tracer/global/photon.h"
 #include "tracer/scene/texture.h"
 #include "tracer/scene/light.h"
 #include "tracer/textures/point_row.h"
@@ -44,12 +45,12 @@ class MediaEnvironment {
   virtual std::span<const scene::LightSource* const> lights() = 0;
   // Light of number `light` that arrives at p after shadows; sets the unit direction towards it.
   virtual Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light) = 0;
-  // One photon near p: energy density already divided by the sphere's volume, and the unit direction towards where it came from.
-  struct Photon {
-    Rgb energy;
-    Vec3 direction;
+  // Photons near p; their colours are to be multiplied by `share`, one by the volume of the sphere that holds them.
+  struct NearbyPhotons {
+    std::span<const Photon* const> photons;
+    float share = 0;
   };
-  virtual std::span<const Photon> photons(const Vec3& p) { (void)p; return {}; }
+  virtual NearbyPhotons photons(const Vec3& p) { (void)p; return {}; }
 };
 
 struct MediaResult {
@@ -65,5 +66,6 @@ bool lit_range(const scene::LightSource& light, const Ray& ray, double length, d
 
 // Phase function value for the cosine between the direction to the light and the view ray's direction (spec 07 4.4; no 1/(4 pi)).
 double phase(const scene::Media& media, double cosine);
+bool phase_is_constant(const scene::Media& media);  // it is 1
 
 }  // namespace verisim::global

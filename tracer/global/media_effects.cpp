@@ -34,17 +34,14 @@ class TracerEnvironment : public MediaEnvironment {
 
   Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light) override { return tracer_.light_at(*lights_[light], p, ray_, to_light); }
 
-  std::span<const Photon> photons(const Vec3& p) override {
+  NearbyPhotons photons(const Vec3& p) override {
     if (!photons_ || photons_->empty()) return {};
     EffectsStateOfScene& state = EffectsStateOfScene::of(tracer_);
     const scene::Photons& s = effects_.scene().settings.photons;
     PhotonMap::Gathered& gathered = photons_ == &effects_.media_photons() ? state.gathered_in_media : state.gathered;
     photons_->gather(p, nullptr, {s.gather_min, s.gather_max, s.expand_increase, s.expand_min}, gathered);
-    state.media_photons.clear();
     const double r = gathered.radius;
-    const auto scale = static_cast<float>(3.0 / (4.0 * kPi * r * r * r));
-    for (const auto* photon : gathered.photons) state.media_photons.push_back({photon->color() * scale, photon->direction()});
-    return state.media_photons;
+    return {gathered.photons, static_cast<float>(3.0 / (4.0 * kPi * r * r * r))};
   }
 
  private:

@@ -26,4 +26,6 @@ double phase(const scene::Media& media, double cosine) {
   }
 }
 
+bool phase_is_constant(const scene::Media& media) { return media.scattering_type < 2 || media.scattering_type > 5; }
+
 }  // namespace verisim::global

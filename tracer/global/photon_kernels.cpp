@@ -23,8 +23,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr auto kAnyNumber = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t kAtOnce = PhotonPositions::kAtOnce;
-constexpr std::size_t kCrowd = 2;  // times the wanted number of photons is when the nearest are picked out, and the search narrowed
+constexpr std::size_t kAtOnce = PhotonLeaf::kAtOnce;
+constexpr std::size_t kCrowd = 3;  // times the wanted number of photons is when the nearest are picked out, and the search narrowed
 
 #define VERISIM_KERNELS "tracer/global/photon_kernels.inc"
 #include "tracer/textures/each_instruction_set.inc"
@@ -34,7 +34,7 @@ const PhotonKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TAB
 }  // namespace
 
 void PhotonDistances::grow(std::size_t size) {
-  const std::size_t room = 2 * size + 4 * PhotonPositions::kAtOnce;
+  const std::size_t room = 2 * size + 4 * PhotonLeaf::kAtOnce;
   squared_.resize(room), index_.resize(room);
 }
 

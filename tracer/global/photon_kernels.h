@@ -14,18 +14,15 @@ namespace verisim::global {
 class PhotonTree;
 class WrongPlanes;
 
-// Coordinates side by side; behind the last are as many more as a kernel may read.
-struct PhotonPositions {
+// Sixteen photons side by side; those that are left over are infinitely far away.
+struct alignas(64) PhotonLeaf {
   static constexpr std::size_t kAtOnce = 16;
-  std::vector<float> x, y, z;
-  void resize(std::size_t n) {
-    for (std::vector<float>* v : {&x, &y, &z}) v->assign(n + kAtOnce - 1, 0.0f);
-  }
+  std::array<float, kAtOnce> x, y, z;
 };
 
 // Sixteen boxes around photons; those that are left over are empty.
 struct alignas(64) PhotonBoxes {
-  std::array<float, PhotonPositions::kAtOnce> low[3], high[3];
+  std::array<float, PhotonLeaf::kAtOnce> low[3], high[3];
 };
 
 // Photons by number, with their flattened distances, squared.
@@ -44,7 +41,7 @@ class PhotonDistances {
 
   // For kernels: room for `size`, and sixteen more that may be written behind the last.
   void make_room(std::size_t size) {
-    if (size + PhotonPositions::kAtOnce > index_.size()) grow(size);
+    if (size + PhotonLeaf::kAtOnce > index_.size()) grow(size);
   }
   double* squared_data() { return squared_.data(); }
   std::uint32_t* index_data() { return index_.data(); }
@@ -68,9 +65,9 @@ struct PhotonQuery {
   const PhotonCenter& center;
   std::size_t maximum;   // so many nearest are wanted
   std::size_t too_many;  // more are not
-  // Photons that a search within the square root of `radius_squared` overlooks are left out; null: there are none so near.
+  // Photons that a search within `radius` overlooks in any case are left out; null: there are none so near.
   const WrongPlanes* planes;
-  double radius_squared;
+  double radius;
 };
 
 enum class Collected { all, nearest, too_many };
@@ -78,8 +75,8 @@ enum class Collected { all, nearest, too_many };
 struct PhotonKernels {
   // Bit i: box i is nearer to the point than the square root of `squared`, or as near.
   unsigned (*boxes)(const PhotonBoxes& boxes, const std::array<float, 3>& point, float squared);
-  // Squared distances of sixteen photons from number `first` on. Bit i: squared[i] < limit.
-  unsigned (*near)(const PhotonPositions& photons, std::size_t first, const PhotonCenter& center, double limit, double* squared);
+  // Squared distances of sixteen photons. Bit i: squared[i] < limit.
+  unsigned (*near)(const PhotonLeaf& photons, const PhotonCenter& center, double limit, double* squared);
   // Finds the photons whose squared distance is below `limit`, in the order of the map. `nearest`: there are many more than the maximum, and only those below a lower `limit`, or at it,
   // were found, at least the maximum. Gives up when it knows that there are `too_many` or more.
   Collected (*collect)(const PhotonTree& tree, const PhotonQuery& query, double& limit, PhotonDistances& found);

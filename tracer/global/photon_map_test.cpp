@@ -104,6 +104,37 @@ TEST(PhotonMap, GathersWhatAPlainWalkFinds) {
   EXPECT_GT(overlooked, 100);  // else this would not show that the same ones are
 }
 
+// Hardly more within the radius than wanted: the first one too many takes the place of the last one kept, even if it is farther away, and stays if nothing nearer comes.
+TEST(PhotonMap, FindsTheSameAsAPlainWalkWhereFewAreTooMany) {
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> u(-1, 1);
+  int farther_kept = 0;  // or a nearer one overlooked
+  for (const int count : {12, 40, 700}) {
+    PhotonMap map;
+    for (int i = 0; i < count; ++i) map.add(photon({u(generator), u(generator), u(generator)}, Rgb(1.0f)));
+    map.build();
+    CLibraryRandom random;
+    const double radius = std::cbrt(8.0 / count * 12 / 4.2);  // about twelve
+    map.set_gather_radius(radius, 1, 10, false, random);
+    PhotonMap::Gathered found;
+    for (int run = 0; run < 2000; ++run) {
+      const Vec3 x(u(generator), u(generator), u(generator));
+      PlainSearch plain{map, x, nullptr, 10, radius * radius};
+      const std::vector<const Photon*> expected = plain.photons();
+      map.gather(x, nullptr, {.minimum = 0, .maximum = 10}, found);
+      ASSERT_EQ(found.radius, std::sqrt(plain.limit)) << count << ' ' << run;
+      ASSERT_EQ(found.photons, expected) << count << ' ' << run;
+      std::size_t nearer = 0;
+      for (const Photon& p : map.photons()) {
+        const Vec3 d = Vec3(p.position[0], p.position[1], p.position[2]) - x;
+        nearer += dot(d, d) < plain.limit;
+      }
+      farther_kept += expected.size() == 10 && nearer > 10;
+    }
+  }
+  EXPECT_GT(farther_kept, 100);
+}
+
 // Map files of 3.7.0.10, photons on a line in the order of shooting: two stay as they are, three are sorted, of more some pairs are left the wrong way round.
 TEST(PhotonMap, KeepsPhotonsInPovRaysOrder) {
   const std::vector<std::pair<std::vector<int>, std::vector<int>>> cases = {

@@ -110,37 +110,16 @@ void WrongPlanes::build(std::span<const Photon> sorted) {
   for (std::size_t i = 0; i < sorted.size(); ++i) first_[i + 1] += first_[i];
 }
 
-void WrongPlanes::drop_hidden(const Vec3& p, double squared, std::size_t from, PhotonDistances& list) const {
+void WrongPlanes::drop_hidden(const Vec3& p, double radius, std::size_t from, PhotonDistances& list) const {
   std::size_t kept = from;
+  const double squared = radius * radius, careful = radius * (1.0 - kRounding);
   for (std::size_t k = from; k < list.size(); ++k) {
     const std::uint32_t i = list.index()[k];
-    list.squared_data()[kept] = list.squared()[k], list.index_data()[kept] = i;
-    kept += for_each_hiding(i, p, squared, [](std::uint32_t, double) { return false; });
+    const double distance = list.squared()[k], rest = careful - overhang_[i];
+    list.squared_data()[kept] = distance, list.index_data()[kept] = i;
+    kept += distance < rest * std::fabs(rest) || for_each_hiding(i, p, squared, [](std::uint32_t, double) { return false; });
   }
   list.set_size(kept);
-}
-
-std::size_t count_visited_before(std::span<const Photon> sorted, const Vec3& p, std::uint32_t node, std::span<const std::uint32_t> photons) {
-  // `inside`: those of the photons that are in the range of a node, which gets smaller.
-  std::uint32_t first = 0, last = static_cast<std::uint32_t>(sorted.size()) - 1;
-  const std::uint32_t *inside = photons.data(), *inside_end = inside + photons.size();
-  std::size_t count = 0;
-  while (inside != inside_end) {
-    const std::uint32_t middle = (first + last) / 2;
-    const std::uint32_t* const above = std::lower_bound(inside, inside_end, middle);
-    const std::uint32_t* const beyond = above + (above != inside_end && *above == middle);
-    const Photon& photon = sorted[middle];
-    const bool near_below = p[photon.axis] - photon.position[photon.axis] < 0.0;
-    count += static_cast<std::size_t>(beyond - above);
-    if (node == middle || (node < middle) != near_below) count += static_cast<std::size_t>(near_below ? above - inside : inside_end - beyond);
-    if (node == middle) break;
-    if (node < middle) {
-      last = middle - 1, inside_end = above;
-    } else {
-      first = middle + 1, inside = beyond;
-    }
-  }
-  return count;
 }
 
 }  // namespace verisim::global

@@ -5,6 +5,7 @@
 // wrong side of a plane. This shows in pictures, and the radius that is found automatically hangs on the order. Measured with the map files of 3.7.0.10.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,8 +26,8 @@ class WrongPlanes {
   void build(std::span<const Photon> sorted);
   // Whether there are any that can hide photons within a distance from the point of a search that looks at all planes nearer than `radius`.
   bool hide(double distance, double radius) const { return (distance + largest_overhang_) * (1.0 + kRounding) >= radius; }
-  // Removes photons from number `from` of the list on that a search around p for photons nearer than the square root of `squared` does not come upon.
-  void drop_hidden(const Vec3& p, double squared, std::size_t from, PhotonDistances& list) const;
+  // Removes photons from number `from` of the list on that a search around p for photons nearer than `radius` does not come upon.
+  void drop_hidden(const Vec3& p, double radius, std::size_t from, PhotonDistances& list) const;
   // For each photon: planes that hide it are at most so much farther away than it is from the one who searches; -infinity: none does.
   const float* overhang() const { return overhang_.data(); }
   static constexpr double kRounding = 1e-9;  // of distances
@@ -55,15 +56,43 @@ class WrongPlanes {
   std::vector<Plane> planes_;  // those of photon i from first_[i] on
 };
 
-// How many of some photons, by number and in ascending order, visit_in_order comes upon before it looks behind the plane of `node`, if nothing is too far for it.
-std::size_t count_visited_before(std::span<const Photon> sorted, const Vec3& p, std::uint32_t node, std::span<const std::uint32_t> photons);
+// What visit_in_order comes upon before it looks behind the plane of `node`, if nothing is too far for it.
+struct VisitedBefore {
+  std::size_t count = 0;       // of some photons, by number and in ascending order
+  bool after_another = false;  // a photon for which `is_other` comes before the last one counted; not all are looked at
+};
+template <class IsOther>
+VisitedBefore visited_before(std::span<const Photon> sorted, const Vec3& p, std::uint32_t node, std::span<const std::uint32_t> photons, IsOther&& is_other) {
+  // `inside`: those of the photons that are in the range of a node, which gets smaller.
+  std::uint32_t first = 0, last = static_cast<std::uint32_t>(sorted.size()) - 1;
+  auto inside = photons.begin(), inside_end = photons.end();
+  VisitedBefore result;
+  bool another = false;
+  const auto add = [&](std::ptrdiff_t n) {
+    result.count += static_cast<std::size_t>(n), result.after_another |= n > 0 && another;
+  };
+  while (inside != inside_end) {
+    const std::uint32_t middle = (first + last) / 2;
+    const auto above = std::lower_bound(inside, inside_end, middle), beyond = above + (above != inside_end && *above == middle);
+    const Photon& photon = sorted[middle];
+    const bool near_below = p[photon.axis] - photon.position[photon.axis] < 0.0;
+    add(beyond - above);
+    another = another || is_other(middle);
+    if (node == middle || (node < middle) != near_below) add(near_below ? above - inside : inside_end - beyond);
+    if (node == middle) break;
+    if (node < middle) {
+      last = middle - 1, inside_end = above;
+    } else {
+      first = middle + 1, inside = beyond;
+    }
+  }
+  return result;
+}
 
-// Calls visit(index, squared) for photons nearer than the square root of `limit`, in the order of POV-Ray's search: a node, then the side of its plane where p
-// lies, then the other if it is nearer. visit may lower the limit. look_at(first, count, squared): which of at most sixteen photons are nearer, as bits, and
-// how far they are.
-template <class LookAt, class Visit>
-void visit_in_order(std::span<const Photon> sorted, const Vec3& p, const double& limit, LookAt&& look_at, Visit&& visit) {
-  constexpr std::uint32_t kAtOnce = 16;
+// Calls visit(index) for photons in the order of POV-Ray's search: a node, then the side of its plane where p lies, then the other if it is nearer than the
+// square root of `limit`, which visit may lower.
+template <class Visit>
+void visit_in_order(std::span<const Photon> sorted, const Vec3& p, const double& limit, Visit&& visit) {
   struct Part {
     std::uint32_t first, end;
     double squared;  // how far behind a plane
@@ -71,22 +100,11 @@ void visit_in_order(std::span<const Photon> sorted, const Vec3& p, const double&
   std::array<Part, 2 * 64> stack;
   std::size_t depth = 0;
   stack[depth++] = {0, static_cast<std::uint32_t>(sorted.size()), -1.0};
-  // Small parts are looked at as a whole; what is in them comes next.
-  std::uint32_t known = 0, known_end = 0;
-  unsigned near = 0;
-  std::array<double, kAtOnce> squared;
   while (depth > 0) {
     const Part part = stack[--depth];
     if (part.first == part.end || !(part.squared < limit)) continue;
-    const std::uint32_t count = part.end - part.first, middle = part.first + (count - 1) / 2;
-    if (part.first < known || part.end > known_end) {
-      const bool small = count <= kAtOnce;
-      known = small ? part.first : middle, known_end = small ? part.end : middle + 1;
-      near = look_at(known, known_end - known, squared.data());
-    }
-    if (count <= kAtOnce && (near >> (part.first - known) & ((1u << count) - 1)) == 0) continue;
-    const std::uint32_t i = middle - known;
-    if ((near >> i & 1) && squared[i] < limit) visit(middle, squared[i]);
+    const std::uint32_t middle = part.first + (part.end - part.first - 1) / 2;
+    visit(middle);
     const Photon& node = sorted[middle];
     const double d = p[node.axis] - node.position[node.axis];
     const Part below{part.first, middle, d < 0.0 ? -1.0 : d * d}, above{middle + 1, part.end, d < 0.0 ? d * d : -1.0};

@@ -1,6 +1,7 @@
 #include "tracer/global/photon_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -41,7 +42,7 @@ double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& cente
 Collected PhotonSearch::collect(double within, std::size_t most, std::size_t too_many) {
   limit_ = within * within;
   const WrongPlanes& planes = index_->planes;
-  const PhotonQuery query{center_, most, too_many, planes.hide(within, radius_) ? &planes : nullptr, radius_ * radius_};
+  const PhotonQuery query{center_, most, too_many, planes.hide(within, radius_) ? &planes : nullptr, radius_};
   return kernels_.collect(index_->tree, query, limit_, found_);
 }
 
@@ -55,8 +56,6 @@ void PhotonSearch::keep_nearest() {
 bool PhotonSearch::drop_overlooked() {
   overlooked_.clear();
   for (double judged = -1.0;;) {
-    // The first one too many takes the place of the last one kept, even if it is farther away. That shows only where few are too many.
-    if (farthest_ > 0.9 * radius_ * radius_) return false;
     const std::size_t known = overlooked_.size();
     find_doubts(judged);
     for (const Doubt& doubt : doubts_) {
@@ -64,16 +63,39 @@ bool PhotonSearch::drop_overlooked() {
       if (verdict == Verdict::unknown) return false;
       if (verdict == Verdict::overlooked) forget(doubt.photon), overlooked_.push_back(doubt.photon);
     }
-    if (overlooked_.size() == known) return true;
+    // The first one too many takes the place of the last one found, even if it is farther away. That shows if those found so far are the nearest of all.
+    if (overlooked_.size() == known) return another_was_early();
     judged = farthest_;
     keep_nearest();
   }
 }
 
+// Whether one of those that are not kept was found before the last of those that are.
+bool PhotonSearch::another_was_early() {
+  // Mostly a node on the way to one that is kept.
+  const std::uint32_t kept = kept_.index()[kept_.size() / 2];
+  std::uint32_t first = 0, end = static_cast<std::uint32_t>(index_->photons.size());
+  for (std::uint32_t node; (node = first + (end - 1 - first) / 2) != kept;) {
+    const double squared = squared_distance(node);
+    if (squared > farthest_ && squared < radius_ * radius_) return true;
+    if (kept < node) {
+      end = node;
+    } else {
+      first = node + 1;
+    }
+  }
+  const auto nobody = [](std::uint32_t) { return false; };
+  for (std::size_t k = 0; k < found_.size(); ++k) {
+    if (found_.squared()[k] <= farthest_) continue;
+    if (visited_before(index_->photons, center_.point, found_.index()[k], kept_.index(), nobody).count < maximum_) return true;
+  }
+  return false;
+}
+
 // Doubts about photons that are kept and farther away than `judged`, squared: planes that are beyond all that are kept.
 void PhotonSearch::find_doubts(double judged) {
   doubts_.clear();
-  places_.resize(kept_.size() + PhotonPositions::kAtOnce);
+  places_.resize(kept_.size() + PhotonLeaf::kAtOnce);
   const std::size_t count = kernels_.reaching(kept_, index_->planes.overhang(), std::sqrt(farthest_) * (1.0 - WrongPlanes::kRounding), places_.data());
   for (const std::uint32_t place : std::span(places_.data(), count)) {
     if (kept_.squared()[place] <= judged) continue;
@@ -85,16 +107,27 @@ void PhotonSearch::find_doubts(double judged) {
   }
 }
 
-// A photon behind a plane is overlooked if more than the maximum that are nearer than the plane were found before. Those that may be overlooked themselves are no proof.
+// A photon behind a plane is overlooked if more than the maximum that are nearer than the plane were found before; or as many, and another one that was dropped for the last of them.
+// Those that may be overlooked themselves are no proof.
 PhotonSearch::Verdict PhotonSearch::judge(const Doubt& doubt) {
   look_around(doubt.squared);
   kernels_.keep_within(found_, doubt.squared, nearer_);
   if (nearer_.size() <= maximum_) return Verdict::found;  // with the doubtful one
-  const auto found_before = [&] { return count_visited_before(index_->photons, center_.point, doubt.node, nearer_.index()); };
-  const std::size_t most = found_before();
-  if (most < maximum_) return Verdict::found;
-  index_->planes.drop_hidden(center_.point, farthest_, 0, nearer_);
-  return found_before() > maximum_ ? Verdict::overlooked : Verdict::unknown;
+  const auto found_before = [&](auto&& is_other) { return visited_before(index_->photons, center_.point, doubt.node, nearer_.index(), is_other); };
+  if (found_before([](std::uint32_t) { return false; }).count < maximum_) return Verdict::found;
+  index_->planes.drop_hidden(center_.point, std::sqrt(farthest_) * (1.0 - WrongPlanes::kRounding), 0, nearer_);
+  const VisitedBefore certain = found_before([&](std::uint32_t photon) {
+    const double squared = squared_distance(photon);
+    return squared > doubt.squared && squared < radius_ * radius_;
+  });
+  return certain.count + certain.after_another > maximum_ ? Verdict::overlooked : Verdict::unknown;
+}
+
+// Flattened.
+double PhotonSearch::squared_distance(std::uint32_t photon) const {
+  const std::array<float, 3>& at = index_->photons[photon].position;
+  const Vec3 d = Vec3(at[0], at[1], at[2]) - center_.point;
+  return dot(d, d) * (1.0 + 16.0 * std::fabs(dot(center_.normal, d)));
 }
 
 // Makes `found_` hold all photons up to a squared distance.
@@ -114,10 +147,9 @@ void PhotonSearch::collect_in_order() {
   heap_.clear();
   const auto nearer = [](const Found& a, const Found& b) { return a.squared < b.squared; };
   double limit = radius_ * radius_;
-  const auto look_at = [&](std::uint32_t first, std::uint32_t count, double* squared) {
-    return kernels_.near(index_->tree.positions(), first, center_, limit, squared) & ((1u << count) - 1);
-  };
-  visit_in_order(index_->photons, center_.point, limit, look_at, [&](std::uint32_t i, double squared) {
+  visit_in_order(index_->photons, center_.point, limit, [&](std::uint32_t i) {
+    const double squared = squared_distance(i);
+    if (!(squared < limit)) return;
     const bool full = heap_.size() == maximum_;
     if (full) std::ranges::pop_heap(heap_, nearer), heap_.pop_back();
     heap_.push_back({squared, i});

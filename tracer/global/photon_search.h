@@ -44,10 +44,12 @@ class PhotonSearch {
   Collected collect(double within, std::size_t most, std::size_t too_many);
   void keep_nearest();
   bool drop_overlooked();
+  bool another_was_early();
   void find_doubts(double judged);
   Verdict judge(const Doubt& doubt);
   void look_around(double squared);
   void forget(std::uint32_t photon);
+  double squared_distance(std::uint32_t photon) const;
   void collect_in_order();
 
   const PhotonKernels& kernels_ = photon_kernels();

@@ -8,39 +8,44 @@ namespace verisim::global {
 namespace {
 
 constexpr int kLevelsOfNode = std::bit_width(PhotonTree::kParts) - 1;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+void set_bounds(PhotonBoxes& boxes, std::size_t lane, std::span<const Photon> photons) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto [low, high] = std::ranges::minmax(photons, {}, [a](const Photon& p) { return p.position[a]; });
+    boxes.low[a][lane] = low.position[a], boxes.high[a][lane] = high.position[a];
+  }
+}
 
 }  // namespace
 
 void PhotonTree::build(std::span<const Photon> sorted) {
-  nodes_.clear();
-  positions_.resize(sorted.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const std::array<float, 3>& p = sorted[i].position;
-    positions_.x[i] = p[0], positions_.y[i] = p[1], positions_.z[i] = p[2];
-  }
+  nodes_.clear(), leaves_.clear();
   if (sorted.empty()) return;
   // Only the root may have few parts: nodes above the leaves are the many ones.
   const auto count = static_cast<std::uint32_t>(sorted.size());
   int levels = 0;
   while ((count >> levels) + 1 > kLeaf) ++levels;
-  add_node({0, count, 0}, levels > 0 ? (levels - 1) % kLevelsOfNode + 1 : 0);
+  add_node(sorted, {0, count, 0}, levels > 0 ? (levels - 1) % kLevelsOfNode + 1 : 0);
 }
 
-void PhotonTree::set_bounds(PhotonBoxes& boxes, std::size_t lane, const Range& r) const {
-  const std::array<const std::vector<float>*, 3> axes{&positions_.x, &positions_.y, &positions_.z};
-  for (std::size_t a = 0; a < 3; ++a) {
-    const auto [low, high] = std::minmax_element(axes[a]->begin() + r.first, axes[a]->begin() + r.end);
-    boxes.low[a][lane] = *low, boxes.high[a][lane] = *high;
+std::uint32_t PhotonTree::add_leaf(std::span<const Photon> photons) {
+  PhotonLeaf& leaf = leaves_.emplace_back();
+  for (auto* coordinate : {&leaf.x, &leaf.y, &leaf.z}) coordinate->fill(kInfinity);
+  for (std::size_t i = 0; i < photons.size(); ++i) {
+    const std::array<float, 3>& p = photons[i].position;
+    leaf.x[i] = p[0], leaf.y[i] = p[1], leaf.z[i] = p[2];
   }
+  return static_cast<std::uint32_t>(leaves_.size() - 1);
 }
 
 // Halves the range and its parts `levels` times.
-std::uint32_t PhotonTree::add_node(const Range& range, int levels) {
+std::uint32_t PhotonTree::add_node(std::span<const Photon> sorted, const Range& range, int levels) {
   const auto number = static_cast<std::uint32_t>(nodes_.size());
   Node& fresh = nodes_.emplace_back();
   for (std::size_t a = 0; a < 3; ++a) {
-    fresh.boxes.low[a].fill(std::numeric_limits<float>::infinity());
-    fresh.boxes.high[a].fill(-std::numeric_limits<float>::infinity());
+    fresh.boxes.low[a].fill(kInfinity);
+    fresh.boxes.high[a].fill(-kInfinity);
   }
   std::array<Range, kParts> parts{range};
   std::size_t n = 1;
@@ -58,11 +63,11 @@ std::uint32_t PhotonTree::add_node(const Range& range, int levels) {
     parts = halves, n = m;
   }
   for (std::size_t lane = 0; lane < n; ++lane) {
-    set_bounds(nodes_[number].boxes, lane, parts[lane]);
-    const bool leaf = parts[lane].size() <= kLeaf;
-    const std::uint32_t first = leaf ? parts[lane].first : add_node(parts[lane], kLevelsOfNode);  // may move the nodes
-    nodes_[number].first[lane] = first;
-    nodes_[number].count[lane] = leaf ? parts[lane].size() : 0;
+    const Range& part = parts[lane];
+    const bool leaf = part.size() <= kLeaf;
+    set_bounds(nodes_[number].boxes, lane, sorted.subspan(part.first, part.size()));
+    const std::uint32_t child = leaf ? add_leaf(sorted.subspan(part.first, part.size())) : add_node(sorted, part, kLevelsOfNode);  // may move the nodes
+    nodes_[number].child[lane] = child, nodes_[number].first[lane] = leaf ? part.first : kNode;
   }
   return number;
 }

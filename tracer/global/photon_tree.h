@@ -14,16 +14,17 @@ namespace verisim::global {
 
 class PhotonTree {
  public:
-  static constexpr std::uint32_t kLeaf = PhotonPositions::kAtOnce, kParts = PhotonPositions::kAtOnce;
+  static constexpr std::uint32_t kLeaf = PhotonLeaf::kAtOnce, kParts = PhotonLeaf::kAtOnce;
+  static constexpr std::uint32_t kNode = 0xFFFFFFFF;  // in the place of a first photon
   static constexpr std::size_t kMostLevels = 9;  // of 2^32 photons
   struct Node {
     PhotonBoxes boxes;
-    std::array<std::uint32_t, kParts> first, count;  // photons of a leaf, or, with count 0, a node's number
+    std::array<std::uint32_t, kParts> child, first;  // leaves and their first photons, or nodes
   };
 
   // Photon (first + last) / 2 of a range [first, last] is the median of one coordinate, and so on within.
   void build(std::span<const Photon> sorted);
-  const PhotonPositions& positions() const { return positions_; }
+  std::span<const PhotonLeaf> leaves() const { return leaves_; }
   // The first one is the root; there is none without photons. Parts of a node are in the order of the map.
   std::span<const Node> nodes() const { return nodes_; }
 
@@ -33,11 +34,11 @@ class PhotonTree {
     std::uint32_t first, end, extra;
     std::uint32_t size() const { return end - first; }
   };
-  std::uint32_t add_node(const Range& range, int levels);
-  void set_bounds(PhotonBoxes& boxes, std::size_t lane, const Range& range) const;
+  std::uint32_t add_node(std::span<const Photon> sorted, const Range& range, int levels);
+  std::uint32_t add_leaf(std::span<const Photon> photons);
 
-  PhotonPositions positions_;
   std::vector<Node> nodes_;
+  std::vector<PhotonLeaf> leaves_;
 };
 
 }  // namespace verisim::global

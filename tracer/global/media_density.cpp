@@ -94,12 +94,22 @@ double bound_of(const scene::Density& density) {
   return most;
 }
 
-// What a density costs, very roughly: one for a formula or the noise of an octave.
-int cost_of(const scene::Density& density) {
+// What a pattern costs, very roughly: one for a formula or the noise of an octave.
+int cost_of(scene::PatternKind kind) {
   using enum scene::PatternKind;
+  switch (kind) {
+    case plain: case none: return 0;
+    case granite: return 6;
+    case crackle: case facets: case function: case object: case pigment_pattern: return 8;
+    case wrinkles: case julia: case magnet_julia: case magnet_mandel: case mandel: return 10;
+    default: return 1;
+  }
+}
+
+int cost_of(const scene::Density& density) {
   const scene::Pattern& pattern = density.pattern;
-  if (pattern.kind == plain || pattern.kind == none) return 0;
-  int cost = pattern.kind == wrinkles ? 10 : pattern.kind == granite ? 6 : 1;
+  int cost = cost_of(pattern.kind);
+  if (cost == 0) return 0;
   if (pattern.turbulence) cost += pattern.turbulence->octaves;
   for (const scene::Warp& warp : pattern.warps) {
     if (const auto* turbulence = std::get_if<scene::TurbulenceWarp>(&warp)) cost += turbulence->octaves;

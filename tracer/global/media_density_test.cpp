@@ -52,5 +52,12 @@ TEST(MediaDensity, OfRowsIsTheProductOfAllDensities) {
   EXPECT_GT(some, 100);
 }
 
+TEST(MediaDensity, IsAskedForCheapestFirst) {
+  textures::Compiler compiler{textures::Settings{}};
+  scene::Media description;
+  description.densities = {density(wrinkles, 0.4f, 1), density(crackle, 0.4f, 1), density(granite, 0.4f, 1), density(spherical, 0.4f, 1)};
+  EXPECT_EQ(compile_media(description, compiler).by_cost, (std::vector<std::size_t>{3, 2, 1, 0}));
+}
+
 }  // namespace
 }  // namespace verisim::global

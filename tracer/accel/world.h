@@ -73,11 +73,11 @@ class World {
   bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit, const WorldEntry* entry = nullptr) const;
   // True if any *opaque* surface lies in t_min < t < t_max (shadow rays; a cheap any-hit query).
   bool occluded(const Ray& ray, double t_min, double t_max, WorldEntry* entry = nullptr) const;
-  // Both for rays first .. first + count - 1 of a row, all of the shaft of `entry` (null: none known). `wanted`: rays that are asked for; null: all.
+  // Both for rays first .. first + count - 1 of a row, all of the shaft of `entry` (null: none known).
   // Eight limits are read at a time: t_max is as long as a row; null: no limits. What is not blocked is not written.
   void intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry, Hit* hits, bool* found,
                      const double* t_max = nullptr) const;
-  void occluded_row(const RayRow& rays, int first, int count, const bool* wanted, double t_min, const double* t_max, WorldEntry* entry, bool* blocked) const;
+  void occluded_row(const RayRow& rays, int first, int count, double t_min, const double* t_max, WorldEntry* entry, bool* blocked) const;
   // The same for one frame-level object (Surface::frame_object) alone.
   bool occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const;
   bool has_transparent_shadows() const;  // false: `occluded` alone decides every shadow

@@ -19,13 +19,6 @@ unsigned within(const double* near, const double* limit) {
 
 unsigned lanes_below(int count) { return count < kLanes ? (1u << count) - 1 : (1u << kLanes) - 1; }
 
-// Of the next eight rays those that are asked for.
-unsigned lanes_asked(const bool* wanted, int count) {
-  unsigned lanes = lanes_below(count);
-  for (int k = 0; wanted && k < count && k < kLanes; ++k) lanes &= wanted[k] ? ~0u : ~(1u << k);
-  return lanes;
-}
-
 // The boxes that eight rays meet, nearest first as far as one ray can tell.
 class Places {
  public:
@@ -301,11 +294,11 @@ class World::RowOcclusion {
   const double* const t_max_;
 };
 
-void World::occluded_row(const RayRow& rays, int first, int count, const bool* wanted, double t_min, const double* t_max, WorldEntry* entry, bool* blocked) const {
+void World::occluded_row(const RayRow& rays, int first, int count, double t_min, const double* t_max, WorldEntry* entry, bool* blocked) const {
   const Impl& w = *impl_;
   const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
-    const unsigned asked = lanes_asked(wanted ? wanted + start : nullptr, first + count - start);
+    const unsigned asked = lanes_below(first + count - start);
     if (std::popcount(asked) < kFewest) {
       each_lane(asked, [&](int k) { blocked[start + k] = occluded(rays.at(start + k), t_min, t_max[start + k], entry); });
       continue;

@@ -146,7 +146,7 @@ TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
   for (const auto& objects : {all, few, many, crowd_under_skies()}) {
     const Stage stage(objects);
     const auto rays = std::make_unique<RayRow>();
-    int found_rays = 0, blocked_rays = 0, complete = 0;
+    int found_rays = 0, blocked_rays = 0, beyond = 0, complete = 0;
     for (int round = 0; round < 400; ++round) {
       const Vec3 eye = random_unit(random) * 6.0, through = Vec3(u(random), u(random), u(random)) - Vec3(0.5);
       const Vec3 target = eye + (through - eye) * 1e3, size(20 + round % 3 * 100);  // behind everything: rays end there
@@ -156,19 +156,19 @@ TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
       stage.world->enter(*shaft, entry);
       complete += entry.points.complete;
       const int first = round % 5, count = 1 + round % 20;
-      bool wanted[RayRow::kMost];
       double limits[RayRow::kSize] = {};
       for (int i = first; i < first + count; ++i) {
         rays->origin.set(i, eye);
         rays->direction.set(i, normalize(target + size * Vec3(2 * u(random) - 1, 2 * u(random) - 1, 2 * u(random) - 1) - eye));
-        wanted[i] = u(random) < 0.8;
         limits[i] = 3 + 10 * u(random);
       }
       WorldEntry* const known = round % 4 == 0 ? nullptr : &entry;
       Hit hits[RayRow::kMost];
-      bool found[RayRow::kMost], blocked[RayRow::kMost] = {};
+      Hit hits_before[RayRow::kMost];
+      bool found[RayRow::kMost], found_before[RayRow::kMost], blocked[RayRow::kMost] = {};
       stage.world->intersect_row(*rays, first, count, RayKind::camera, 1e-4, known, hits, found);
-      stage.world->occluded_row(*rays, first, count, wanted, 1e-3, limits, known, blocked);
+      stage.world->intersect_row(*rays, first, count, RayKind::camera, 1e-4, known, hits_before, found_before, limits);
+      stage.world->occluded_row(*rays, first, count, 1e-3, limits, known, blocked);
       for (int i = first; i < first + count; ++i) {
         Hit alone;
         ASSERT_EQ(found[i], stage.world->intersect(rays->at(i), RayKind::camera, 1e-4, std::numeric_limits<double>::infinity(), alone));
@@ -178,12 +178,19 @@ TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
           ASSERT_EQ(hits[i].point, alone.point);
           ASSERT_EQ(hits[i].part, alone.part);
         }
-        ASSERT_EQ(blocked[i], wanted[i] && stage.world->occluded(rays->at(i), 1e-3, limits[i]));
+        ASSERT_EQ(found_before[i], stage.world->intersect(rays->at(i), RayKind::camera, 1e-4, limits[i], alone));
+        if (found_before[i]) {
+          ASSERT_EQ(hits_before[i].t, alone.t);
+          ASSERT_EQ(hits_before[i].shape, alone.shape);
+        }
+        beyond += found[i] && !found_before[i];
+        ASSERT_EQ(blocked[i], stage.world->occluded(rays->at(i), 1e-3, limits[i]));
         found_rays += found[i], blocked_rays += blocked[i];
       }
     }
     EXPECT_GT(found_rays, 1000);
     EXPECT_GT(blocked_rays, 500);
+    EXPECT_GT(beyond, 100);
     if (objects.size() < many.size()) EXPECT_GT(complete, 100);
     else EXPECT_LT(complete, 360);  // the walk is tested, too
   }

@@ -8,7 +8,6 @@ namespace {
 
 constexpr int kMaxNesting = 300;
 
-bool is_one(double v) { return std::fabs(v - 1) < kEpsilon; }
 
 // On in one of object and light, off in neither (spec 07 3.6).
 bool allowed(scene::Flag object, scene::Flag light) {
@@ -144,14 +143,14 @@ void PhotonWalk::refract(const Packet& packet, SurfaceHit& at, const Layer& top,
   const Tracer::InteriorScope scope(tracer_);
   const Tracer::Refraction refraction = tracer_.cross_surface(packet.ray, x);
   const Rgb color = filter * tracer_.fade_factor(packet.ray.interiors, x, at.hit.t);
-  if (packet.passed || (is_one(refraction.ratio) && is_one(refraction.dispersion))) {
+  if (packet.passed || (refraction.straight() && !refraction.disperses())) {
     Packet child = child_of(packet, at, packet.ray.ray.direction, color);
     child.ray.interiors = refraction.interiors;
     child.ray.hollow = refraction.hollow;
     child.ray.refracted = true;
     child.ray.continuation = true;
     follow(child);
-  } else if (is_one(refraction.dispersion)) {
+  } else if (!refraction.disperses()) {
     bend(packet, at, top, color, refraction, refraction.ratio, packet.ray.wavelength);
   } else if (packet.ray.monochromatic) {
     bend(packet, at, top, color, refraction, ratio_at(refraction.ratio, refraction.dispersion, packet.ray.wavelength), packet.ray.wavelength);

@@ -79,7 +79,7 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& ro
     accel::WorldEntry* const entry = cells.cells[c].entry;
     if (entry ? entry->only_opaque : !scene_.world.has_transparent_shadows()) {
       bool blocked[ShadowRow::kMost] = {};
-      scene_.world.occluded_row(cell.rays, 0, cell.count, nullptr, kShadowTolerance, cell.limit, entry, blocked);
+      scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);
       for (int k = 0; k < cell.count; ++k)
         if (blocked[k]) row.light[cell.index[k]] = Rgb();
     } else {

@@ -170,10 +170,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
     for (std::size_t i = layers.begin(); i < end; ++i) {
       const ShadedLayer layer = layers_[i];
       if (layer.reflectivity == Rgb()) continue;
-      if (total_reflection) {
-        const Vec3 difference = layer.normal - top_normal;
-        if (std::fabs(difference.x) <= kEpsilon && std::fabs(difference.y) <= kEpsilon && std::fabs(difference.z) <= kEpsilon) continue;
-      }
+      if (total_reflection && hidden_by_total_reflection(top_normal, layer)) continue;
       const RandomBranch branch(random_, RandomBranch::mirror(index, static_cast<int>(i - layers.begin())));
       color += mirrored(ray, at, layer);
     }

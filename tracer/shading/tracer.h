@@ -136,6 +136,8 @@ class Tracer {
     InteriorRange interiors;
     bool hollow;
     int samples;
+    bool straight() const { return std::fabs(ratio - 1) < kEpsilon; }
+    bool disperses() const { return !(std::fabs(dispersion - 1) < kEpsilon); }
   };
 
   // ---- tracer.cpp
@@ -164,6 +166,8 @@ class Tracer {
                       float weight, bool& total_reflection);
   Color split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, float weight);
   Rgb reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer, float weight);
+  // Of a total reflection this layer's mirror would show the same once more.
+  static bool hidden_by_total_reflection(const Vec3& top_normal, const ShadedLayer& layer);
   static float mirror_strength(const ShadedLayer& layer);
   Rgb mirrored(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer);
   static Rgb mirror_image(const ShadedLayer& layer, Rgb seen);

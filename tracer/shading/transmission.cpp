@@ -4,18 +4,13 @@
 #include "tracer/shading/tracer.h"
 
 namespace verisim::shading {
-namespace {
-
-bool is_one(double v) { return std::fabs(v - 1) < kEpsilon; }
-
-}  // namespace
 
 Color Tracer::transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, float weight, bool& total_reflection) {
   const scene::Interior& x = *at.surface.interior;
   const InteriorScope scope(*this);
   const Refraction refraction = cross_surface(ray, x);
   Color seen;
-  if (is_one(refraction.ratio) && is_one(refraction.dispersion)) {
+  if (refraction.straight() && !refraction.disperses()) {
     RayState child = ray;
     child.ray.origin = at.hit.point;
     child.interiors = refraction.interiors;
@@ -27,7 +22,7 @@ Color Tracer::transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& t
     child.level = at.level;
     ++statistics_.transmitted_rays;
     seen = trace(child);
-  } else if (is_one(refraction.dispersion)) {
+  } else if (!refraction.disperses()) {
     seen = refracted_ray(ray, at, top, refraction, refraction.ratio, ray.wavelength, weight, total_reflection);
   } else if (ray.monochromatic) {
     const double ratio = ratio_at(refraction.ratio, refraction.dispersion, ray.wavelength);
@@ -132,6 +127,11 @@ Rgb Tracer::reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& laye
     seen *= iridescence_of(at, context, std::fabs(dot(layer.normal, child.ray.direction)) + std::fabs(dot(layer.normal, d)));
   }
   return seen;
+}
+
+bool Tracer::hidden_by_total_reflection(const Vec3& top_normal, const ShadedLayer& layer) {
+  const Vec3 difference = layer.normal - top_normal;
+  return std::fabs(difference.x) <= kEpsilon && std::fabs(difference.y) <= kEpsilon && std::fabs(difference.z) <= kEpsilon;
 }
 
 // By which the weight of reflected rays goes down.

@@ -108,7 +108,6 @@ class Wave {
   struct Crossing {
     const scene::Interior* interior;
     Tracer::Refraction refraction;
-    bool simple = false, straight = false;  // without dispersion, without refraction
     int group = 0;
   };
   RayState ray_state(int i) const;
@@ -118,7 +117,7 @@ class Wave {
   void aim_behind(Branch& branch);
   bool hidden(const Leaf& leaf, const Branch& mirror) const;
   void trace_branches();
-  void trace_group(int group, const Crossing* crossing);
+  void trace_group(int group, const Tracer::Refraction* refraction);
   void add_branches(const Leaf& leaf, Color& color);
   Color seen_behind(const Branch& branch, bool& total);
 

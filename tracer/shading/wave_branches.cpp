@@ -10,13 +10,6 @@ namespace {
 constexpr int kFewest = 8;    // rays that are worth a wave
 constexpr int kDeepest = 12;  // waves within waves: each has its own room
 
-bool is_one(double v) { return std::fabs(v - 1) < kEpsilon; }
-
-bool same_normal(const Vec3& a, const Vec3& b) {
-  const Vec3 difference = a - b;
-  return std::fabs(difference.x) <= kEpsilon && std::fabs(difference.y) <= kEpsilon && std::fabs(difference.z) <= kEpsilon;
-}
-
 }  // namespace
 
 RayState Wave::ray_state(int i) const {
@@ -38,13 +31,11 @@ const Wave::Crossing& Wave::crossing(const scene::Interior& interior) {
   for (const Crossing& known : crossings_)
     if (known.interior == &interior) return known;
   Crossing& c = crossings_.emplace_back(Crossing{&interior, tracer_.cross_surface(ray_state(0), interior)});
-  c.simple = is_one(c.refraction.dispersion);
-  c.straight = is_one(c.refraction.ratio);
+  c.group = static_cast<int>(crossings_.size());
   // Rays that are in the same interiors behind different surfaces are one wave.
-  c.group = 1 + 2 * static_cast<int>(crossings_.size() - 1) + (c.straight ? 1 : 0);
   const auto inside = tracer_.interiors(c.refraction.interiors);
   for (const Crossing& other : crossings_) {
-    if (&other == &c || other.straight != c.straight || !std::ranges::equal(inside, tracer_.interiors(other.refraction.interiors))) continue;
+    if (&other == &c || other.refraction.straight() != c.refraction.straight() || !std::ranges::equal(inside, tracer_.interiors(other.refraction.interiors))) continue;
     c.group = other.group;
     break;
   }
@@ -55,10 +46,10 @@ const Wave::Crossing& Wave::crossing(const scene::Interior& interior) {
 void Wave::aim_behind(Branch& branch) {
   const SurfaceHit& at = *met_[branch.ray].at;
   const Crossing& c = crossing(*at.surface.interior);
-  if (!c.simple) return;  // a spectrum of rays
+  if (c.refraction.disperses()) return;  // a spectrum of rays
   const Vec3 d = lanes_.rays.direction.at(branch.ray), &normal = branch.layer.normal;
   branch.weight = weights_[branch.ray] * branch.weight;
-  if (c.straight) {
+  if (c.refraction.straight()) {
     branch.group = c.group;
     branch.direction = d;
     return;
@@ -73,10 +64,9 @@ void Wave::aim_behind(Branch& branch) {
   }
 }
 
-// Of a total reflection the top layer's mirror would show the same once more.
 bool Wave::hidden(const Leaf& leaf, const Branch& mirror) const {
   return leaf.behind >= 0 && branches_[static_cast<std::size_t>(leaf.behind)].total &&
-         same_normal(mirror.layer.normal, parts_[static_cast<std::size_t>(leaf.first)].normal);
+         Tracer::hidden_by_total_reflection(parts_[static_cast<std::size_t>(leaf.first)].normal, mirror.layer);
 }
 
 void Wave::trace_branches() {
@@ -92,12 +82,12 @@ void Wave::trace_branches() {
     branch.direction = reflected_direction(lanes_.rays.direction.at(branch.ray), branch.layer.normal, met_[branch.ray].at->raw);
   }
   trace_group(0, nullptr);
-  for (const Crossing& c : crossings_)
-    if (c.simple && c.group == 1 + 2 * static_cast<int>(&c - crossings_.data()) + (c.straight ? 1 : 0)) trace_group(c.group, &c);
+  for (std::size_t i = 0; i < crossings_.size(); ++i)
+    if (crossings_[i].group == static_cast<int>(i) + 1) trace_group(crossings_[i].group, &crossings_[i].refraction);
 }
 
-// The branches of one group; `crossing`: null in mirrors.
-void Wave::trace_group(int group, const Crossing* crossing) {
+// The branches of one group; `refraction`: null in mirrors.
+void Wave::trace_group(int group, const Tracer::Refraction* refraction) {
   const auto size = std::ranges::count(branches_, group, &Branch::group);
   if (size < kFewest) return;
   if (!branch_wave_) {
@@ -107,16 +97,16 @@ void Wave::trace_group(int group, const Crossing* crossing) {
   Wave& child = *branch_wave_;
   child.state_ = state_;
   child.state_.primary = false;
-  child.state_.continuation = crossing && crossing->straight;
+  child.state_.continuation = refraction && refraction->straight();
   child.state_.level = state_.level + (state_.continuation ? 0 : 1);
-  if (crossing) {
+  if (refraction) {
     child.state_.refracted = true;
-    child.state_.interiors = crossing->refraction.interiors;
-    child.state_.hollow = crossing->refraction.hollow;
+    child.state_.interiors = refraction->interiors;
+    child.state_.hollow = refraction->hollow;
   } else {
     child.state_.reflected = true;
   }
-  std::uint64_t& counter = !crossing ? tracer_.statistics_.reflected_rays : crossing->straight ? tracer_.statistics_.transmitted_rays : tracer_.statistics_.refracted_rays;
+  std::uint64_t& counter = !refraction ? tracer_.statistics_.reflected_rays : refraction->straight() ? tracer_.statistics_.transmitted_rays : tracer_.statistics_.refracted_rays;
   counter += static_cast<std::uint64_t>(size);
   Branch* traced[kMost];
   int n = 0;
@@ -163,7 +153,7 @@ void Wave::add_branches(const Leaf& leaf, Color& color) {
     const Branch& branch = branches_[static_cast<std::size_t>(i)];
     if (branch.seen) {
       sum += tracer_.mirror_image(branch.layer, branch.color.rgb());
-    } else if (!(total && same_normal(branch.layer.normal, parts_[static_cast<std::size_t>(leaf.first)].normal))) {
+    } else if (!(total && Tracer::hidden_by_total_reflection(parts_[static_cast<std::size_t>(leaf.first)].normal, branch.layer))) {
       tracer_.random_.begin(branch.key);
       sum += tracer_.mirrored(ray_state(branch.ray), *met_[branch.ray].at, branch.layer);
     }

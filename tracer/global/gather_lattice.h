@@ -1,8 +1,10 @@
-// Directions in which a radiosity sample of many rays looks in the default mode: cosine-weighted about +y like POV-Ray's (spec 07 2.7), but each sample has a
-// lattice of its own, shifted against those of the others, instead of the next stretch of one sequence: fewer rays make no more noise. Samples of few rays are
-// left as they are: how far they are used hangs on a harmonic mean, and a better one would change the look.
+// Directions in which a radiosity sample looks in the default mode: cosine-weighted about +y like POV-Ray's (spec 07 2.7), but each sample has a lattice of its
+// own, shifted against those of the others, instead of the next stretch of one sequence. Noise hangs on samples of few rays and time on those of many: these
+// take fewer rays than in POV-Ray, those of few take more. Those of very few, at deep levels, are left as they are: how far they are used hangs on a harmonic
+// mean, and a better one would change the look.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -13,8 +15,8 @@ namespace verisim::global {
 class GatherLattice {
  public:
   static bool worthwhile(int rays) { return rays > kFew; }
-  // Rays for the noise of `rays` of POV-Ray's.
-  static int enough(int rays) { return rays - (rays - kFew) * 9 / 20; }
+  // Rays in place of `rays` of POV-Ray's.
+  static int enough(int rays) { return std::min(2 * rays, rays - (rays - kEven) * 9 / 20); }
 
   // Lattices of successive numbers complement each other.
   GatherLattice(int count, std::size_t number) : count_(count), u_(part(kU * static_cast<double>(number))), v_(part(kV * static_cast<double>(number))) {
@@ -31,7 +33,7 @@ class GatherLattice {
   }
 
  private:
-  static constexpr int kFew = 60;
+  static constexpr int kFew = 16, kEven = 60;  // kEven: as many as in POV-Ray
   static constexpr double kGolden = 0.61803398874989485;
   static constexpr double kU = 0.75487766624669276, kV = 0.56984029099805327;  // powers of the inverse plastic number: shifts that fill the square evenly
   static double part(double x) { return x - std::floor(x); }

@@ -45,8 +45,15 @@ TEST(GatherLattice, IsCosineWeightedFromItsBeginning) {
       }
     }
   }
-  EXPECT_FALSE(GatherLattice::worthwhile(35));
+}
+
+TEST(GatherLattice, TakesTimeFromSamplesOfManyRaysAndGivesItToThoseOfFew) {
   EXPECT_EQ(GatherLattice::enough(200), 137);
+  EXPECT_EQ(GatherLattice::enough(60), 60);
+  EXPECT_EQ(GatherLattice::enough(35), 46);
+  EXPECT_EQ(GatherLattice::enough(17), 34);
+  EXPECT_TRUE(GatherLattice::worthwhile(17));
+  EXPECT_FALSE(GatherLattice::worthwhile(8));
 }
 
 TEST(IrradianceCache, FindsEverySampleThatCanReachTheQuery) {

@@ -79,6 +79,9 @@ bool within_finite_box(const Shape& shape) {
   return is_finite(surface) && !is_empty(surface) && !solid.outside && contains(surface, solid.box.min) && contains(surface, solid.box.max);
 }
 
+// A shadow ray may meet something there that is not opaque.
+bool lets_light_through(const Entry& e) { return e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow)); }
+
 // POV-Ray's sort key: the distance at which a ray enters the box, in binary32.
 float entry_distance(const Ray& ray, const Box3& box) {
   double near = 0, far = std::numeric_limits<double>::infinity();
@@ -147,7 +150,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     std::size_t opaque = 0;
     for (std::size_t s = first_surface; s < w.surfaces.size(); ++s) opaque += w.surfaces[s].opaque;
     e.opacity = opaque == w.surfaces.size() - first_surface ? Opacity::opaque : opaque == 0 ? Opacity::transparent : Opacity::mixed;
-    if (e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow))) w.transparent_shadows = true;
+    if (lets_light_through(e)) w.transparent_shadows = true;
     e.infinite = scene::is_infinite(o);
     e.box = widened(o.bounds);
 
@@ -179,6 +182,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     if (longest(w.shapes[i]->bounds()) <= kOutsized * longest(w.bounds)) boxes.push_back(w.add_bounded(i, w.entries[i]));
     else w.add_beside_tree(i, w.entries[i]);
   }
+  w.find_rooms();
   w.tree = BoxTree(boxes);
   std::erase_if(boxes, [](const Box3& box) { return is_empty(box) || !is_finite(box); });
   if (boxes.size() == w.bounded.size() && boxes.size() <= shapes::BoxSet::kMost) w.few = shapes::BoxSet(boxes);
@@ -187,7 +191,6 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
 void World::Impl::add_beside_tree(std::uint32_t index, const Entry& e) {
   unbounded.push_back(index);
   planes.push_back(e.test_box ? std::nullopt : plain_plane(*e.object));
-  if (e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow))) transparent_unbounded = true;
 }
 
 void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std::uint32_t>& beside) {
@@ -220,6 +223,24 @@ Box3 World::Impl::add_bounded(std::uint32_t index, const Entry& e) {
   return e.test_surface && !e.test_box ? e.shape->bounds() : tight_box(e.box, e.shape->bounds());
 }
 
+void World::Impl::find_rooms() {
+  constexpr std::size_t kMost = 8;  // each may be looked at for every shaft
+  only_rooms = true;
+  for (std::uint32_t i = 0; i < entries.size(); ++i) {
+    if (!lets_light_through(entries[i])) continue;
+    const auto hollow = shapes::Hollow::of(*entries[i].object);
+    const bool is_room = hollow && rooms.size() < kMost && std::any_of(lights.begin(), lights.end(), [&](const scene::LightSource* light) { return hollow->holds(light->position); });
+    if (is_room) rooms.push_back({i, *hollow});
+    only_rooms = only_rooms && is_room;
+  }
+}
+
+bool World::Impl::seems_opaque(std::uint32_t entry, const Shaft& shaft) const {
+  if (!lets_light_through(entries[entry])) return true;
+  const auto room = std::find_if(rooms.begin(), rooms.end(), [&](const Room& r) { return r.entry == entry; });
+  return room != rooms.end() && room->hollow.holds(shaft.from()) && room->hollow.holds(shaft.to());
+}
+
 World::~World() = default;
 
 bool World::Impl::precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const {
@@ -248,24 +269,22 @@ void World::enter(const Shaft& shaft, WorldEntry& entry) const {
   entry.last_blocker = WorldEntry::kNoBlocker;
   w.tree.enter(shaft, entry.points);
   entry.inner.clear();
-  bool opaque = entry.points.complete && !w.transparent_unbounded;
+  bool opaque = entry.points.complete;
   for (int n = 0; n < entry.points.count; ++n) {
     const BoxNode& node = entry.points.nodes[n];
     for (int k = 0; k < 4; ++k) {
       if (!(node.child[k] & BoxNode::kLeaf)) continue;  // a subtree; or none, the last node may not be full
       const std::uint32_t index = BoxNode::leaf_first(node.child[k]);
       const Candidate& c = w.bounded[index];
-      opaque = opaque && (c.opacity == Opacity::opaque || (c.hidden & bit(RayKind::shadow)));
+      opaque = opaque && w.seems_opaque(c.entry, shaft);
       if (!c.has_tree) continue;
       WorldEntry::Inner& inner = entry.inner.emplace_back();
       inner.candidate = index;
       if (!c.shape->enter(shaft, inner.points)) entry.inner.pop_back();
     }
   }
-  for (const Surrounding& s : w.around) {
-    const Entry& e = w.entries[s.entry];
-    opaque = opaque && (e.opacity == Opacity::opaque || (e.hidden & bit(RayKind::shadow)) || (s.room.holds(shaft.from()) && s.room.holds(shaft.to())));
-  }
+  for (const std::uint32_t i : w.unbounded) opaque = opaque && w.seems_opaque(i, shaft);
+  for (const Surrounding& s : w.around) opaque = opaque && (w.seems_opaque(s.entry, shaft) || (s.room.holds(shaft.from()) && s.room.holds(shaft.to())));
   entry.only_opaque = opaque || !w.transparent_shadows;
 }
 
@@ -279,6 +298,10 @@ std::vector<std::pair<scene::Place, std::string>> World::findings() const {
 }
 
 bool World::has_transparent_shadows() const { return impl_->transparent_shadows; }
+
+bool World::only_opaque_between(const Vec3& from, const Vec3& to) const {
+  return impl_->only_rooms && std::all_of(impl_->rooms.begin(), impl_->rooms.end(), [&](const Room& room) { return room.hollow.holds(from) && room.hollow.holds(to); });
+}
 
 void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& interiors) const {
   const Impl& w = *impl_;

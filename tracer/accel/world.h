@@ -81,6 +81,8 @@ class World {
   // The same for one frame-level object (Surface::frame_object) alone.
   bool occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const;
   bool has_transparent_shadows() const;  // false: `occluded` alone decides every shadow
+  // It is known that no shadow ray between these two points meets anything that is not opaque.
+  bool only_opaque_between(const Vec3& from, const Vec3& to) const;
 
   // Interiors of all objects that contain p, in order of declaration, for the start of a camera ray (spec 06 2.1).
   void interiors_at(const Vec3& p, std::vector<const scene::Interior*>& interiors) const;

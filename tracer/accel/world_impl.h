@@ -93,12 +93,20 @@ struct Surrounding {
   shapes::Hollow room;
 };
 
+// Within a transparent object in which a light stands, as a container of media around a scene: most shadow rays towards that light stay there.
+struct Room {
+  std::uint32_t entry;
+  shapes::Hollow hollow;
+};
+
 struct World::Impl {
   std::vector<Entry> entries;
   std::vector<std::unique_ptr<Shape>> shapes;
   std::vector<std::uint32_t> unbounded;  // entries beside the tree
   std::vector<std::optional<Plane>> planes;  // of each of them that is one
   std::vector<Surrounding> around;       // beside the tree, too
+  std::vector<Room> rooms;
+  bool only_rooms = false;               // whatever is not opaque has one
   std::vector<Candidate> bounded;        // of each box of the tree
   BoxTree tree;
   shapes::BoxSet few;                    // its boxes, if they are so few that a single ray finds them sooner without it
@@ -108,7 +116,6 @@ struct World::Impl {
   Box3 bounds;
   bool in_order = false;  // too few entries for a hierarchy
   bool transparent_shadows = false;    // something that shadow rays see is not opaque
-  bool transparent_unbounded = false;  // one of `unbounded` is such
 
   // BoxTree::traverse, or what does the same.
   template <class Visit>
@@ -121,6 +128,9 @@ struct World::Impl {
   // Moves what surrounds all others to `around`: from the entries of the tree and those beside it.
   void set_apart(std::vector<std::uint32_t>& finite, std::vector<std::uint32_t>& beside);
   void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
+  void find_rooms();
+  // No shadow ray of the shaft meets what is not opaque of this entry: it is, or the whole shaft lies in its room.
+  bool seems_opaque(std::uint32_t entry, const Shaft& shaft) const;
   // Which of two entries hit at the same distance POV-Ray tested first and therefore shows (spec 03 2.3).
   bool precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const;
   void mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const;

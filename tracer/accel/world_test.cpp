@@ -135,6 +135,46 @@ TEST(World, SkiesAreFoundAsASearchOfAllFindsThem) {
   }
 }
 
+ObjectRef light_at(const Vec3& p) {
+  scene::LightSource light;
+  light.position = p;
+  return make(scene::Boxed<scene::LightSource>(light));
+}
+
+// Shadow rays that stay in a transparent ball with their light do not meet it.
+TEST(World, RoomsOfLightsAreKnownToLetShadowRaysAlone) {
+  auto objects = far_spheres();
+  objects.push_back(light_at({0, 5, 0}));
+  objects.push_back(textured(make(scene::Sphere{Vec3(0), 200}), kGlass));
+  const Stage stage(objects);
+  EXPECT_TRUE(stage.world->has_transparent_shadows());
+  EXPECT_TRUE(stage.world->only_opaque_between({100, 0, 0}, {0, 5, 0}));
+  EXPECT_FALSE(stage.world->only_opaque_between({201, 0, 0}, {0, 5, 0}));
+  EXPECT_FALSE(stage.world->only_opaque_between({0, 5, 0}, {0, -200, 0}));
+  const auto only_opaque = [](const Stage& s, const Vec3& from, const Vec3& to) {
+    WorldEntry entry;
+    s.world->enter(*Shaft::between(Box3(from - Vec3(1), from + Vec3(1)), Box3(to, to)), entry);
+    return entry.only_opaque;
+  };
+  EXPECT_TRUE(only_opaque(stage, {100, 0, 0}, {0, 5, 0}));
+  EXPECT_FALSE(only_opaque(stage, {199.5, 0, 0}, {0, 5, 0}));
+  EXPECT_FALSE(only_opaque(stage, {250, 0, 0}, {0, 5, 0}));
+
+  // Glass elsewhere in the ball.
+  objects.push_back(textured(make(scene::Sphere{{20, 20, 0}, 3}), kGlass));
+  const Stage with_glass(objects);
+  EXPECT_FALSE(with_glass.world->only_opaque_between({100, 0, 0}, {0, 5, 0}));
+  EXPECT_TRUE(only_opaque(with_glass, {0, -20, 0}, {0, 5, 0}));
+  EXPECT_FALSE(only_opaque(with_glass, {40, 35, 0}, {0, 5, 0}));
+
+  // Without a light in it, it is no such room.
+  objects = far_spheres();
+  objects.push_back(light_at({0, 500, 0}));
+  objects.push_back(textured(make(scene::Sphere{Vec3(0), 200}), kGlass));
+  const Stage lit_from_outside(objects);
+  EXPECT_FALSE(lit_from_outside.world->only_opaque_between({100, 0, 0}, {0, 5, 0}));
+}
+
 // Rows of rays through one tile of a camera's picture: eight of them, or less, or more than eight.
 TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
   auto all = crowd();

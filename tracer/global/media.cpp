@@ -50,6 +50,21 @@ class Integrator {
     if (!shadow_) collect_lights();
   }
 
+  int foreseen_places(int most, double* places) {
+    if (control_->method != 3 || control_->jitter != 0.0 || !scatters_ || varies_) return 0;
+    divide();
+    const int q = stretches(), each = 2 * q + 1;
+    if (intervals_ > most / each) return 0;
+    const double step = 1.0 / (q + 1);
+    for (int i = 0; i < intervals_; ++i) {
+      const Interval& span = spans_[static_cast<std::size_t>(i)];
+      const auto set = [&](int number, double at) { places[i * each + number] = span.lit ? span.start + at * span.length : -1; };
+      set(0, 0.0);
+      for (int k = 1; k <= q; ++k) set(2 * k - 1, middle((k - 1) * step, k * step)), set(2 * k, k * step);
+    }
+    return intervals_ * each;
+  }
+
   MediaResult run() {
     divide();
     Rgb emission, depth;
@@ -132,8 +147,8 @@ class Integrator {
     }
   }
 
-  // Spec 07 4.6: one sample at fraction `at` of an interval; `inner_attenuation`: methods 1 and 2 attenuate inside the interval.
-  Sample sample(const Interval& span, double at, bool inner_attenuation) {
+  // Spec 07 4.6: one sample at fraction `at` of an interval; `inner_attenuation`: methods 1 and 2 attenuate inside the interval. `place`: if foreseen.
+  Sample sample(const Interval& span, double at, bool inner_attenuation, int place = -1) {
     const double distance = span.start + at * span.length;
     const Vec3 p = ray_.at(distance);
     Rgb extinction, emission, scattering;
@@ -147,7 +162,7 @@ class Integrator {
     const float s = static_cast<float>(span.length);
     Sample result{Rgb(), extinction * s};
     if (shadow_) return result;
-    result.source = (emission + scattered(p, distance, scattering, span.lit)) * s;
+    result.source = (emission + scattered(p, distance, scattering, span.lit, place)) * s;
     if (inner_attenuation) result.source *= exponential(extinction * static_cast<float>(at * span.length));
     return result;
   }
@@ -161,14 +176,14 @@ class Integrator {
   }
 
   // Photons are found everywhere, lights only in lit pieces.
-  Rgb scattered(const Vec3& p, double distance, const Rgb& scattering, bool lit) {
+  Rgb scattered(const Vec3& p, double distance, const Rgb& scattering, bool lit, int place) {
     Rgb sum;
     if (!scatters_ || (scattering.max_abs() <= 0.0f && !environment_.replay())) return sum;
     for (int i = 0; lit && i < lit_count_; ++i) {
       const LitLight& light = lit_[i];
       if (distance < light.first || distance > light.last) continue;
       Vec3 to_light;
-      const Rgb arriving = environment_.illumination(light.index, p, to_light);
+      const Rgb arriving = environment_.illumination(light.index, p, to_light, place);
       if (arriving.max_abs() > 0.0f) sum += scattering * arriving * mean_phase(to_light);
     }
     const MediaEnvironment::NearbyPhotons near = environment_.photons(p);
@@ -232,9 +247,9 @@ class Integrator {
   double jittered(double at, double step) { return control_->jitter != 0.0 ? at + control_->jitter * step * (environment_.random() - 0.5) : at; }
 
   // d1 .. d3: places on the grid; only where samples are taken is jittered.
-  Sample refine(const Interval& span, const Sample& s1, double d1, const Sample& s3, double d3, int level) {
-    const double d2 = 0.5 * (d1 + d3);
-    const Sample s2 = sample(span, jittered(d2, d3 - d1), false);
+  Sample refine(const Interval& span, const Sample& s1, double d1, const Sample& s3, double d3, int level, int place = -1) {
+    const double d2 = middle(d1, d3);
+    const Sample s2 = sample(span, jittered(d2, d3 - d1), false, place);
     return weighted(s1, s2, s3, level, [&] { return refine(span, s1, d1, s2, d2, level - 1); }, [&] { return refine(span, s2, d2, s3, d3, level - 1); });
   }
   // The mean over a stretch with a sample at either end and in the middle; left() and right(): those over its halves, where the brightness changes.
@@ -246,9 +261,12 @@ class Integrator {
     return before + behind;
   }
 
+  int stretches() const { return std::max(2, control_->samples_min / 2 + 1); }
+  static double middle(double d1, double d3) { return 0.5 * (d1 + d3); }
+
   // Method 3: q sub-intervals on a grid of step 1 / (q + 1), refined where the brightness changes; a left Riemann rule for attenuation.
   Sample adaptive(const Interval& span) {
-    const int q = std::max(2, control_->samples_min / 2 + 1);
+    const int q = stretches();
     const double step = 1.0 / (q + 1);
     const float share = 1.0f / static_cast<float>(q);
     Sample result;
@@ -264,10 +282,11 @@ class Integrator {
         for (int i = 0; i < kMostStretches && k + i < q; ++i) add(mean(span, stretches, i, level));
       }
     } else {
-      Sample s1 = sample(span, jittered(0.0, step), false);
+      const int first = static_cast<int>(&span - spans_.data()) * (2 * q + 1);  // as foreseen_places() counts
+      Sample s1 = sample(span, jittered(0.0, step), false, first);
       for (int k = 1; k <= q; ++k) {
-        const Sample s3 = sample(span, jittered(k * step, step), false);
-        add(refine(span, s1, (k - 1) * step, s3, k * step, level));
+        const Sample s3 = sample(span, jittered(k * step, step), false, first + 2 * k);
+        add(refine(span, s1, (k - 1) * step, s3, k * step, level, first + 2 * k - 1));
         s1 = s3;
       }
     }
@@ -283,7 +302,7 @@ class Integrator {
     double d1, d3;
     Sample s1, s2, s3;
     int left = -1, right = -1;  // refined
-    double middle() const { return 0.5 * (d1 + d3); }
+    double middle() const { return Integrator::middle(d1, d3); }
   };
   using Stretches = boost::container::small_vector<Stretch, 64>;
   static constexpr int kMostStretches = (textures::PointRow::kMost - 1) / 2, kLevelsTogether = 5;
@@ -365,6 +384,11 @@ MediaResult integrate(std::span<const CompiledMedia* const> media, const Ray& ra
   // Shadow rays pass what takes no light away without drawing a number.
   if (shadow && std::none_of(media.begin(), media.end(), [](const CompiledMedia* m) { return m->scatters || m->extinction != Rgb(); })) return {};
   return Integrator(media, ray, length, shadow, environment).run();
+}
+
+int foreseen_places(std::span<const CompiledMedia* const> media, const Ray& ray, double length, MediaEnvironment& environment, int most, double* places) {
+  if (media.empty() || !(length > 0.0)) return 0;
+  return Integrator(media, ray, length, false, environment).foreseen_places(most, places);
 }
 
 }  // namespace verisim::global

@@ -43,8 +43,8 @@ class MediaEnvironment {
   virtual bool replay() const { return false; }
   // The lights that take part: media_interaction on, not shadowless; global ones unless the object at the segment's end ignores them, then its group's.
   virtual std::span<const scene::LightSource* const> lights() = 0;
-  // Light of number `light` that arrives at p after shadows; sets the unit direction towards it.
-  virtual Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light) = 0;
+  // Light of number `light` that arrives at p after shadows; sets the unit direction towards it. `place`: that of foreseen_places, or -1.
+  virtual Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light, int place) = 0;
   // Photons near p; their colours are to be multiplied by `share`, one by the volume of the sphere that holds them.
   struct NearbyPhotons {
     std::span<const Photon* const> photons;
@@ -60,6 +60,10 @@ struct MediaResult {
 
 // All `media` act together over ray.at(0) .. ray.at(length), |direction| = 1. `shadow`: attenuation only, by the rules of shadow rays.
 MediaResult integrate(std::span<const CompiledMedia* const> media, const Ray& ray, double length, bool shadow, MediaEnvironment& environment);
+
+// The distances on the way of a ray where integrate() will look at lights, as far as they are known before: `most` of them at most, -1 where it does not look.
+// What it looks at first is not among them if that hangs on what was seen before. 0: none are known.
+int foreseen_places(std::span<const CompiledMedia* const> media, const Ray& ray, double length, MediaEnvironment& environment, int most, double* places);
 
 // The stretch of the segment [0, length] inside the light's cone or cylinder (spec 07 4.5); false: none.
 bool lit_range(const scene::LightSource& light, const Ray& ray, double length, double& first, double& last);

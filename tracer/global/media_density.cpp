@@ -20,6 +20,7 @@ Rgb density_at(const textures::CompiledPigment& density, const Vec3& p) {
 }  // namespace
 
 Rgb media_density(const CompiledMedia& m, const Vec3& p) {
+  if (m.densities.empty()) return Rgb(1.0f);
   boost::container::small_vector<Rgb, 8> values(m.densities.size());
   for (const std::size_t i : m.by_cost) {
     values[i] = density_at(*m.densities[i], p);

@@ -2,16 +2,33 @@
 #include <boost/container/small_vector.hpp>
 
 #include "tracer/global/effects_state.h"
+#include "tracer/shading/shadow_row.h"
 
 namespace verisim::global {
+
+using shading::LightWay;
+
+// What is in the way from some places of rays that go together to the global lights, found for the same place of all of them at once: shadow rays from there
+// go side by side. Those from one place of a ray to the next do not.
+struct MediaWays {
+  static constexpr int kMostRays = shading::ShadowRow::kMost, kMostPlaces = 128;
+  std::vector<LightWay> ways;  // of each light, of each place, of each ray
+  int places = 0;
+  LightWay* row(std::size_t light, int place) { return ways.data() + (light * kMostPlaces + static_cast<std::size_t>(place)) * kMostRays; }
+};
+struct RayWays {
+  MediaWays& all;
+  int ray, places;
+};
+
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
 class TracerEnvironment : public MediaEnvironment {
  public:
-  TracerEnvironment(const SceneEffects& effects, const PhotonMap* photons, shading::Tracer& tracer, const shading::RayState& ray, const shapes::Surface* end)
-      : effects_(effects), photons_(photons), tracer_(tracer), ray_(ray), end_(end) {}
+  TracerEnvironment(const SceneEffects& effects, const PhotonMap* photons, shading::Tracer& tracer, const shading::RayState& ray, const shapes::Surface* end, const RayWays* ways = nullptr)
+      : effects_(effects), photons_(photons), tracer_(tracer), ray_(ray), end_(end), ways_(ways) {}
 
   double random() override { return tracer_.random().media(); }
   bool replay() const override { return tracer_.random().replay(); }
@@ -32,7 +49,7 @@ class TracerEnvironment : public MediaEnvironment {
     return {sources_.data(), sources_.size()};
   }
 
-  Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light) override { return tracer_.light_at(*lights_[light], p, ray_, to_light); }
+  Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light, int place) override { return tracer_.light_at(*lights_[light], p, ray_, to_light, way(light, place)); }
 
   NearbyPhotons photons(const Vec3& p) override {
     if (!photons_ || photons_->empty()) return {};
@@ -45,11 +62,18 @@ class TracerEnvironment : public MediaEnvironment {
   }
 
  private:
+  LightWay way(std::size_t light, int place) const {
+    if (!ways_ || place < 0 || place >= ways_->places) return LightWay::unknown;
+    const auto number = static_cast<std::size_t>(lights_[light] - tracer_.scene().lights().data());
+    return number < tracer_.scene().global_lights() ? ways_->all.row(number, place)[ways_->ray] : LightWay::unknown;
+  }
+
   const SceneEffects& effects_;
   const PhotonMap* photons_;
   shading::Tracer& tracer_;
   const shading::RayState& ray_;
   const shapes::Surface* end_;
+  const RayWays* ways_;
   boost::container::small_vector<const scene::LightSource*, 16> sources_;
   boost::container::small_vector<const shading::Light*, 16> lights_;
 };
@@ -57,10 +81,10 @@ class TracerEnvironment : public MediaEnvironment {
 }  // namespace
 
 void SceneEffects::apply(shading::Tracer& tracer, const shading::RayState& ray, double length, const shapes::Surface* end,
-                         std::span<const CompiledMedia* const> media, Color& color) const {
+                         std::span<const CompiledMedia* const> media, Color& color, const RayWays* ways) const {
   // Gather rays that see media look photons up in the surface map (spec 07 2.11).
   const PhotonMap* map = photons ? (ray.gather ? &surface_photons_ : &media_photons_) : nullptr;
-  TracerEnvironment environment(*this, map, tracer, ray, end);
+  TracerEnvironment environment(*this, map, tracer, ray, end, ways);
   const MediaResult result = integrate(media, ray.ray, length, false, environment);
   const Rgb rgb = color.rgb() * result.transmittance + result.emission;
   color = Color(rgb, 0, color.t * result.transmittance.grey());
@@ -71,6 +95,50 @@ void SceneEffects::container_media(shading::Tracer& tracer, const shading::RaySt
   MediaList media;
   collect(tracer.interiors(ray.interiors), media);
   if (!media.empty()) apply(tracer, ray, length, &end, {media.data(), media.size()}, color);
+}
+
+void SceneEffects::container_media(shading::Tracer& tracer, const shading::RayState& common, std::span<const shading::ContainerStretch> stretches) const {
+  MediaList list;
+  collect(tracer.interiors(common.interiors), list);
+  if (list.empty()) return;
+  const std::span<const CompiledMedia* const> media{list.data(), list.size()};
+  shading::RayState ray = common;
+  const auto begin = [&](const shading::ContainerStretch& s) {
+    ray.ray = s.ray;
+    tracer.random().begin(s.key);
+  };
+  // Where they will look at lights.
+  thread_local MediaWays ways;
+  thread_local std::array<double, MediaWays::kMostPlaces> places[MediaWays::kMostRays];
+  int count[MediaWays::kMostRays], most = 0;
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const shading::ContainerStretch& s = stretches[i];
+    begin(s);
+    TracerEnvironment environment(*this, nullptr, tracer, ray, s.end);
+    count[i] = foreseen_places(media, s.ray, s.length, environment, MediaWays::kMostPlaces, places[i].data());
+    most = std::max(most, count[i]);
+  }
+  const shading::SceneData& scene = tracer.scene();
+  if (most > 0) ways.ways.resize(scene.global_lights() * MediaWays::kMostPlaces * MediaWays::kMostRays);
+  for (int place = 0; place < most; ++place) {
+    Vec3 points[MediaWays::kMostRays];
+    std::size_t rays[MediaWays::kMostRays], n = 0;
+    for (std::size_t i = 0; i < stretches.size(); ++i)
+      if (place < count[i] && places[i][place] >= 0) points[n] = stretches[i].ray.at(places[i][place]), rays[n++] = i;
+    for (std::size_t light = 0; light < scene.global_lights(); ++light) {
+      shading::LightWays found;
+      if (scene.lights()[light].source().media_interaction) tracer.look_for_light(scene.lights()[light], common, std::span(points, n), found.data());
+      else found.fill(LightWay::unknown);
+      LightWay* const row = ways.row(light, place);
+      std::fill_n(row, stretches.size(), LightWay::unknown);
+      for (std::size_t k = 0; k < n; ++k) row[rays[k]] = found[k];
+    }
+  }
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    begin(stretches[i]);
+    const RayWays own{ways, static_cast<int>(i), count[i]};
+    apply(tracer, ray, stretches[i].length, stretches[i].end, media, *stretches[i].color, &own);
+  }
 }
 
 void SceneEffects::atmosphere_media(shading::Tracer& tracer, const shading::RayState& ray, double length, const shapes::Surface* end,

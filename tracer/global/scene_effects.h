@@ -17,6 +17,8 @@ namespace verisim::global {
 // Media active on one stretch; rarely more than a few.
 using MediaList = boost::container::small_vector<const CompiledMedia*, 16>;
 
+struct RayWays;
+
 class SceneEffects : public shading::Effects {
  public:
   // `quality` below 9 switches everything off. The scene and the compiler must outlive this.
@@ -26,6 +28,7 @@ class SceneEffects : public shading::Effects {
 
   std::unique_ptr<shading::EffectsState> make_state() const override;
   void container_media(shading::Tracer&, const shading::RayState&, double length, const shapes::Surface& end, Color&) const override;
+  void container_media(shading::Tracer&, const shading::RayState& common, std::span<const shading::ContainerStretch>) const override;
   void atmosphere_media(shading::Tracer&, const shading::RayState&, double length, const shapes::Surface* end, Color&) const override;
   void shadow_media(shading::Tracer&, const shading::RayState&, double length, bool container, bool atmosphere, Rgb&) const override;
   Rgb indirect_light(shading::Tracer&, const shading::RayState&, shading::SurfaceHit&, const shading::LayerContext&) const override;
@@ -56,8 +59,9 @@ class SceneEffects : public shading::Effects {
   friend class EffectsStateOfScene;
   void add_object(const scene::Object& object, textures::Compiler& compiler);
   void add_interior(const scene::Interior* interior, textures::Compiler& compiler);
+  // `ways`: to the lights from the foreseen places of this ray; null: nothing is foreseen.
   void apply(shading::Tracer& tracer, const shading::RayState& ray, double length, const shapes::Surface* end,
-             std::span<const CompiledMedia* const> media, Color& color) const;
+             std::span<const CompiledMedia* const> media, Color& color, const RayWays* ways = nullptr) const;
 
   const scene::Scene& scene_;
   std::unordered_map<const scene::Interior*, std::vector<CompiledMedia>> interior_media_;

@@ -1,5 +1,6 @@
 // Light sources on one layer: facing, shadows, diffuse reflection, highlights, iridescence (spec 06 sections 4.2 and 8.3).
 #include "tracer/shading/finish.h"
+#include "tracer/shading/shadow_row.h"
 #include "tracer/shading/tracer.h"
 #include "tracer/textures/noise.h"
 
@@ -127,12 +128,14 @@ Rgb Tracer::iridescence_of(const SurfaceHit& at, const LayerContext& layer, doub
   return iridescence(finish.irid, thickness, cosines, scene_.scene.settings.irid_wavelength);
 }
 
-Rgb Tracer::light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light) {
+Rgb Tracer::light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light, LightWay way) {
   const LightDirection direction = light.direction(p);
   to_light = direction.towards;
   const Rgb color = light.color() * static_cast<float>(light.attenuation(p, direction));
   if (color.max_abs() < kDark) return {};
-  return shadowed(light, p, direction, ray, nullptr, color);
+  if (way == LightWay::unknown) return shadowed(light, p, direction, ray, nullptr, color);
+  ++statistics_.shadow_rays;
+  return way == LightWay::open ? color : Rgb();
 }
 
 }  // namespace verisim::shading

@@ -5,8 +5,10 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "tracer/shading/light.h"
+#include "tracer/shading/random.h"
 #include "tracer/textures/texture.h"
 
 namespace verisim::shading {
@@ -24,6 +26,15 @@ struct LayerContext {
   Rgb filter;       // F_i: what the layers above let through
 };
 
+// A ray on its way through containers, up to a surface.
+struct ContainerStretch {
+  Ray ray;
+  double length;
+  const shapes::Surface* end;
+  RandomSource::Key key;  // of what it draws
+  Color* color;           // seen at its end; then seen through the media
+};
+
 class EffectsState {
  public:
   virtual ~EffectsState() = default;
@@ -39,6 +50,8 @@ class Effects {
 
   // Media of the interiors the ray is inside, over its segment [0, length] that ends at a surface; changes r, g, b and see-through (spec 07 4.2).
   virtual void container_media(Tracer&, const RayState&, double /*length*/, const shapes::Surface& /*end*/, Color&) const {}
+  // The same for several rays that are like `common` but for their ways and weights.
+  virtual void container_media(Tracer&, const RayState& /*common*/, std::span<const ContainerStretch>) const {}
   // Atmospheric media over any segment of a hollow ray; `end` is null when it hits nothing.
   virtual void atmosphere_media(Tracer&, const RayState&, double /*length*/, const shapes::Surface* /*end*/, Color&) const {}
   // The same on a shadow ray: attenuation only. `container`/`atmosphere`: which of the two act here.

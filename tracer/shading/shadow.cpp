@@ -58,8 +58,8 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
   // Without transparent objects any opaque hit decides. With them surfaces are met in order: one closer than the tolerance to the transparent
   // surface before it does not count, opaque or not, and media draw their random numbers where POV-Ray's do.
   accel::WorldEntry* const entry = shadow_entry(query, p);
-  const bool any_decides = entry ? entry->only_opaque : !scene_.world.has_transparent_shadows();
-  if (volumes || random_.replay() || !any_decides) {
+  const auto any_decides = [&] { return (entry ? entry->only_opaque : !scene_.world.has_transparent_shadows()) || scene_.world.only_opaque_between(p, p + distance * towards); };
+  if (volumes || random_.replay() || !any_decides()) {
     filter_along(query, p, towards, distance, entry, color);
   } else if (distance > 2 * kShadowTolerance && scene_.world.occluded(ray, kShadowTolerance, distance - kShadowTolerance, entry)) {
     color = {};

@@ -1,6 +1,8 @@
 // Shadow rays that start in the same cell of space go together (accel::CoherentRays). What arrives is what each finds alone.
 #include "tracer/shading/shadow_row.h"
 
+#include <algorithm>
+
 #include <boost/container/small_vector.hpp>
 
 namespace verisim::shading {
@@ -38,17 +40,15 @@ struct Travellers {
 
 }  // namespace
 
-void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& row) {
-  if (!light.shadows() || row.count == 0) return;
+// Shadow rays to this light go one by one: many to an area, or with things to meet or numbers to draw on their way that the rows do not know.
+bool Tracer::rays_alone(const Light& light) const {
   const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
-  if (light.area() || light.projector() || random_.replay() || ((scene_.fog || media) && light.media_attenuation())) {
-    for (int i = 0; i < row.count; ++i) {
-      random_.begin(row.key[i]);
-      row.light[i] = shadowed(light, row.rays.origin.at(i), {row.rays.direction.at(i), row.distance[i]}, eye, row.lit[i], row.light[i]);
-    }
-    return;
-  }
-  statistics_.shadow_rays += static_cast<std::uint64_t>(row.count);
+  return light.area() || light.projector() || random_.replay() || ((scene_.fog || media) && light.media_attenuation());
+}
+
+// Calls opaque(cell, entry) for rays that meet nothing but opaque objects, and mixed(cell, entry) for others.
+template <class Opaque, class Mixed>
+void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRow& row, Opaque&& opaque, Mixed&& mixed) {
   const bool entries = !scene_.world.tree().empty();  // without a tree there is nothing to know of where rays start
   Cells cells;
   int unknown = -1, last = -1;
@@ -77,15 +77,47 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& ro
     for (int i = 0; i < row.count; ++i)
       if (cells.of[i] == c && row.distance[i] > 2 * kShadowTolerance) cell.add(i, row.rays.at(i), row.distance[i]);  // otherwise nothing fits in between
     accel::WorldEntry* const entry = cells.cells[c].entry;
-    if (entry ? entry->only_opaque : !scene_.world.has_transparent_shadows()) {
-      bool blocked[ShadowRow::kMost] = {};
-      scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);
-      for (int k = 0; k < cell.count; ++k)
-        if (blocked[k]) row.light[cell.index[k]] = Rgb();
-    } else {
-      filter_row(light, eye, entry, cell.index, cell.count, row);
-    }
+    const auto stays_in_room = [&](int i) { return scene_.world.only_opaque_between(row.rays.origin.at(i), row.rays.origin.at(i) + row.distance[i] * row.rays.direction.at(i)); };
+    const bool only_opaque = (entry ? entry->only_opaque : !scene_.world.has_transparent_shadows()) || std::all_of(cell.index, cell.index + cell.count, stays_in_room);
+    if (only_opaque) opaque(cell, entry);
+    else mixed(cell, entry);
   }
+}
+
+void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& row) {
+  if (!light.shadows() || row.count == 0) return;
+  if (rays_alone(light)) {
+    for (int i = 0; i < row.count; ++i) {
+      random_.begin(row.key[i]);
+      row.light[i] = shadowed(light, row.rays.origin.at(i), {row.rays.direction.at(i), row.distance[i]}, eye, row.lit[i], row.light[i]);
+    }
+    return;
+  }
+  statistics_.shadow_rays += static_cast<std::uint64_t>(row.count);
+  by_cells(light, eye, row, [&](const Travellers& cell, accel::WorldEntry* entry) {
+    bool blocked[ShadowRow::kMost] = {};
+    scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);
+    for (int k = 0; k < cell.count; ++k)
+      if (blocked[k]) row.light[cell.index[k]] = Rgb();
+  }, [&](const Travellers& cell, accel::WorldEntry* entry) { filter_row(light, eye, entry, cell.index, cell.count, row); });
+}
+
+void Tracer::look_for_light(const Light& light, const RayState& eye, std::span<const Vec3> points, LightWay* ways) {
+  std::fill_n(ways, points.size(), LightWay::unknown);
+  if (scene_.quality < 4 || !light.shadows() || rays_alone(light)) return;
+  ShadowRow row;
+  int point[ShadowRow::kMost];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const LightDirection direction = light.direction(points[i]);
+    if (light.attenuates() && light.attenuation(points[i], direction) == 0) continue;
+    point[row.count] = static_cast<int>(i);
+    row.add({points[i], direction.towards}, direction.distance, Rgb(), nullptr, 0);
+  }
+  by_cells(light, eye, row, [&](const Travellers& cell, accel::WorldEntry* entry) {
+    bool blocked[ShadowRow::kMost] = {};
+    scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);
+    for (int k = 0; k < cell.count; ++k) ways[point[cell.index[k]]] = blocked[k] ? LightWay::blocked : LightWay::open;
+  }, [](const Travellers&, accel::WorldEntry*) {});
 }
 
 // filter_along() for the rays `index` of a row: where transparent surfaces may be met. Nothing but media of containers acts between them here.

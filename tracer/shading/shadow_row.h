@@ -1,6 +1,8 @@
 // Shadow rays to one light that are traced together: from the surfaces of a wave, or from places along a ray through a medium.
 #pragma once
 
+#include <array>
+
 #include "tracer/math/ray_row.h"
 #include "tracer/shading/random.h"
 #include "tracer/shading/tracer.h"
@@ -23,5 +25,9 @@ struct ShadowRow {
     ++count;
   }
 };
+
+// What is known of the way to a light.
+enum class LightWay : unsigned char { unknown, blocked, open };
+using LightWays = std::array<LightWay, ShadowRow::kMost>;
 
 }  // namespace verisim::shading

@@ -23,6 +23,7 @@ namespace verisim::shading {
 struct Cancelled {};
 
 struct ShadowRow;
+enum class LightWay : unsigned char;
 
 // One hit while it is being shaded.
 struct SurfaceHit {
@@ -75,7 +76,8 @@ class Tracer {
   RayState camera_state(const Ray& ray, bool origin_varies);
 
   // Light of `light` that arrives at p after attenuation and shadows, for things that are not surfaces (media); sets the unit direction towards it.
-  Rgb light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light);
+  // `way`: whether anything is in the way, if that is known.
+  Rgb light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light, LightWay way = LightWay{});
   // The same for a point of a surface, with area sampling; `lit` may be null.
   Rgb shadowed(const Light& light, const Vec3& p, const LightDirection& centre, const RayState& ray, const shapes::Surface* lit, Rgb color);
   // Diffuse reflection, highlights and iridescence of one layer for light of colour `intensity` from unit direction l (spec 06 4.2.4 to 4.2.6).
@@ -85,6 +87,9 @@ class Tracer {
 
   // Filters the light of all rays of a row; `eye`: the ray that asks, but for its own way and weight.
   void cast_shadows(const Light& light, const RayState& eye, ShadowRow& row);
+  // light_at() for many points, as far as it may be known what is in the way without filtering any light and drawing any number: where nothing but opaque
+  // objects can be met. The others stay unknown.
+  void look_for_light(const Light& light, const RayState& eye, std::span<const Vec3> points, LightWay* ways);
 
   const SceneData& scene() const { return scene_; }
   RandomSource& random() { return random_; }
@@ -190,6 +195,9 @@ class Tracer {
   accel::WorldEntry* shadow_entry(const ShadowQuery& query, const Vec3& p);
   static accel::CoherentRays::Viewer viewer(const ShadowQuery& query);
   // ---- shadow_row.cpp
+  bool rays_alone(const Light& light) const;
+  template <class Opaque, class Mixed>
+  void by_cells(const Light& light, const RayState& eye, const ShadowRow& row, Opaque&& opaque, Mixed&& mixed);
   void filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count, ShadowRow& row);
   bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);
   Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards, const Frame* frame);

@@ -305,15 +305,17 @@ void Wave::apply_volumes(int count, const bool* resolved, Color* out) {
   if (!state_.hollow) return;
   const bool container = scene_.effects && scene_.effects->media_in_interiors && state_.interiors.count > 0;
   if (!container && !tracer_.has_volumes_) return;
-  for (int i = 0; i < count; ++i) {
+  if (container) {
+    ContainerStretch stretches[kMost];
+    std::size_t n = 0;
+    for (int i = 0; i < count; ++i)
+      if (found_[i] && !resolved[i]) stretches[n++] = {lanes_.rays.at(i), hits_[i].t, hits_[i].shape->surface, RandomSource::branch_key(keys_[i], RandomBranch::kContainer), &out[i]};
+    scene_.effects->container_media(tracer_, state_, std::span(stretches, n));
+  }
+  for (int i = 0; i < count && tracer_.has_volumes_; ++i) {
     if (resolved[i]) continue;
-    const shapes::Surface* const end = found_[i] ? hits_[i].shape->surface : nullptr;
-    if (container && end) {
-      begin_branch(i, RandomBranch::kContainer);
-      scene_.effects->container_media(tracer_, ray_state(i), hits_[i].t, *end, out[i]);
-    }
     tracer_.random_.begin(keys_[i]);
-    if (tracer_.has_volumes_) tracer_.apply_volumes(ray_state(i), found_[i] ? hits_[i].t : kMissDistance, end, out[i]);
+    tracer_.apply_volumes(ray_state(i), found_[i] ? hits_[i].t : kMissDistance, found_[i] ? hits_[i].shape->surface : nullptr, out[i]);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "tracer/global/scene_effects.h"
 #include "tracer/render/pixel_sampler.h"
 #include "tracer/shading/finish.h"
+#include "tracer/shading/shadow_row.h"
 #include "tracer/shading/wave.h"
 #include "tracer/shapes/test_support.h"
 #include "tracer/textures/instruction_sets.h"
@@ -154,6 +155,7 @@ scene::Scene mixed_scene(bool foggy = false) {
   }
   const auto add = [&](const auto& shape, const Color& color, const scene::Finish& finish) {
     auto pigment = std::make_shared<scene::Pigment>();
+    pigment->pattern.kind = scene::PatternKind::plain;
     pigment->color = color;
     auto texture = std::make_shared<scene::Texture>();
     texture->layers.push_back({pigment, nullptr, finish});
@@ -261,6 +263,7 @@ scene::Scene glass_scene() {
   const auto add = [&](const auto& shape, float ior, const Color& color, float mirror) {
     auto texture = std::make_shared<scene::Texture>();
     auto pigment = std::make_shared<scene::Pigment>();
+    pigment->pattern.kind = scene::PatternKind::plain;
     pigment->color = color;
     scene::Finish finish;
     finish.reflection.maximum = Rgb(mirror), finish.conserve_energy = mirror > 0.2f;
@@ -293,6 +296,7 @@ TEST(Wave, GoesThroughGlassAsSingleRaysDo) { expect_the_same_together(glass_scen
 // Each branch of a ray's tree has random numbers of its own, so it does not matter what is traced together.
 TEST(Wave, DrawsTheRandomNumbersOfSingleRays) {
   scene::Scene scene = glass_scene();
+  scene.settings.max_trace_level = 3;
   for (const auto& object : scene.objects) {
     if (!object->interior) continue;
     object->interior->hollow = true;
@@ -312,6 +316,70 @@ TEST(Wave, DrawsTheRandomNumbersOfSingleRays) {
   rainbow.colors = std::make_shared<scene::Pigment>();
   scene.rainbows.push_back(rainbow);
   expect_the_same_together(scene);
+}
+
+// The opaque things of the mixed scene in a clear hollow ball with scattering media.
+scene::Scene scene_in_container(double jitter) {
+  scene::Scene scene = mixed_scene();
+  std::erase_if(scene.objects, [](const scene::ObjectPtr& object) {
+    return object->texture && (object->texture->texture_map || object->texture->layers.size() != 1 || object->texture->layers[0].pigment->color.t > 0 || object->texture->layers[0].pigment->color_map);
+  });
+  auto texture = std::make_shared<scene::Texture>();
+  auto pigment = std::make_shared<scene::Pigment>();
+  pigment->pattern.kind = scene::PatternKind::plain;
+  pigment->color = Color(1, 1, 1, 0, 1);
+  texture->layers.push_back({pigment, nullptr, scene::Finish{}});
+  const auto container = shapes::testing::make(scene::Sphere{{0, 0, 0}, 15});
+  container->texture = texture;
+  container->interior = std::make_shared<scene::Interior>();
+  container->interior->hollow = true;
+  container->interior->media.push_back(media(Rgb(0.01f), jitter));
+  container->interior->media.push_back(media(Rgb(0.02f), jitter));
+  container->interior->media.back().intervals = 3, container->interior->media.back().samples_min = 4;
+  scene.objects.push_back(container);
+  return scene;
+}
+
+TEST(Wave, SeesMediaOfContainersAsSingleRaysDo) {
+  expect_the_same_together(scene_in_container(0));
+  expect_the_same_together(scene_in_container(0.5));
+}
+
+// What is found for many points at once is what each finds alone.
+TEST(Wave, LooksForLightInSpace) {
+  const scene::Scene scene = scene_in_container(0);
+  textures::Compiler compiler{textures::Settings{}};
+  const accel::World world(scene, compiler);
+  const SceneData data(scene, world, compiler, 9, false);
+  Tracer tracer(data, RandomSource(false, 0));
+  const RayState eye = tracer.camera_state({{0, 1, -6}, {0, 0, 1}}, false);
+  std::mt19937 random{6};
+  std::uniform_real_distribution<double> u(-4, 4);
+  int blocked = 0, open = 0;
+  for (int round = 0; round < 100; ++round) {
+    std::vector<Vec3> points;
+    for (int i = 0; i <= round % ShadowRow::kMost; ++i) points.emplace_back(u(random), u(random), u(random));
+    for (std::size_t light = 0; light < data.global_lights(); ++light) {
+      LightWays ways;
+      tracer.look_for_light(data.lights()[light], eye, points, ways.data());
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        Vec3 to_light, again;
+        const Rgb alone = tracer.light_at(data.lights()[light], points[i], eye, to_light);
+        ASSERT_NE(ways[i], LightWay::unknown);
+        ASSERT_EQ(tracer.light_at(data.lights()[light], points[i], eye, again, ways[i]), alone);
+        ASSERT_EQ(ways[i] == LightWay::open, alone != Rgb());
+        ASSERT_EQ(to_light, again);
+        ++(ways[i] == LightWay::open ? open : blocked);
+      }
+    }
+  }
+  EXPECT_GT(blocked, 100);
+  EXPECT_GT(open, 100);
+  // From beyond the container its wall is met.
+  const Vec3 beyond(30, 40, -20);
+  LightWays ways;
+  tracer.look_for_light(data.lights()[0], eye, {&beyond, 1}, ways.data());
+  EXPECT_EQ(ways[0], LightWay::unknown);
 }
 
 TEST(Wave, GivesTheColoursOfSingleRays) { expect_the_same_together(mixed_scene()); }

@@ -4,6 +4,7 @@
 // does not depend on which thread renders which block.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -80,15 +81,8 @@ class AdaptiveGrid {
     // The row above and the column on the left only serve as comparison.
     trace_centres(block.x, origin_y_, block.width);
     for (int x = block.x; x < block.x + block.width; ++x) cell(x, origin_y_).done = true;
-    const bool whole_rows = any_order(sample_);
-    for (int y = block.y; y < block.y + block.height; ++y) {
-      trace_centres(origin_x_, y, whole_rows ? block.width + 1 : 1);
-      cell(origin_x_, y).done = true;
-      for (int x = block.x; x < block.x + block.width; ++x) {
-        if (!whole_rows) trace_centres(x, y, 1);
-        refine(x, y);
-      }
-    }
+    if (any_order(sample_)) refine_together(block);
+    else refine_in_order(block);
     for (int y = block.y; y < block.y + block.height; ++y)
       for (int x = block.x; x < block.x + block.width; ++x) out.at(x, y) = cell(x, y).color;
   }
@@ -109,22 +103,44 @@ class AdaptiveGrid {
     for (int i = 0; i < count; ++i) set(cell(x + i, y), row_[static_cast<std::size_t>(i)]);
   }
 
+  void refine_in_order(const Block& block) {
+    for (int y = block.y; y < block.y + block.height; ++y) {
+      trace_centres(origin_x_, y, 1);
+      cell(origin_x_, y).done = true;
+      for (int x = block.x; x < block.x + block.width; ++x) {
+        trace_centres(x, y, 1);
+        refine(x, y);
+        supersample();
+      }
+    }
+  }
+  // The same with many samples at a time. What a pixel asks for hangs on the pixels on the left and above, and on those that these were asked for by: the
+  // one at (x, y) on those up to (x - 1, y) in its row and up to (x + 1, y - 1) in the row above. So those of all rows with the same x + 2y wait for the same ones.
+  void refine_together(const Block& block) {
+    for (int y = block.y; y < block.y + block.height; ++y) {
+      trace_centres(origin_x_, y, block.width + 1);
+      cell(origin_x_, y).done = true;
+    }
+    for (int front = 0; front < block.width + 2 * (block.height - 1); ++front) {
+      for (int y = std::max(0, (front - block.width) / 2); y < block.height && 2 * y <= front; ++y)
+        if (const int x = front - 2 * y; x < block.width) refine(block.x + x, block.y + y);
+      supersample();
+    }
+  }
+
   void refine(int x, int y) {
     const Cell &here = cell(x, y), &left = cell(x - 1, y), &top = cell(x, y - 1);
     const bool left_differs = here.compared.differs(left.compared, settings_.threshold);
     const bool top_differs = here.compared.differs(top.compared, settings_.threshold);
-    waiting_.clear();
     if (left_differs) ask(x - 1, y);
     if (top_differs) ask(x, y - 1);
     if (left_differs || top_differs) ask(x, y);
-    if (!waiting_.empty()) supersample();
   }
 
   void ask(int x, int y) {
     Cell& c = cell(x, y);
     if (c.done) return;
     c.done = true;
-    if (waiting_.empty()) places_.clear();
     waiting_.push_back(&c);
     const int n = settings_.depth;
     const double step = 1.0 / n, first = -0.5 + 0.5 * step, scale = settings_.jitter / n;
@@ -139,6 +155,7 @@ class AdaptiveGrid {
 
   // The pixels that wait.
   void supersample() {
+    if (waiting_.empty()) return;
     sample_points(sample_, places_, row_);
     const std::size_t samples = places_.size() / waiting_.size();
     const auto count = static_cast<float>(samples + 1);
@@ -147,6 +164,8 @@ class AdaptiveGrid {
       for (std::size_t i = 0; i < samples; ++i) sum += row_[k * samples + i];
       set(*waiting_[k], {sum.r / count, sum.g / count, sum.b / count, sum.f / count, sum.t / count});
     }
+    waiting_.clear();
+    places_.clear();
   }
 
   const AntialiasSettings settings_;

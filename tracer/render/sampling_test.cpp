@@ -169,6 +169,37 @@ TEST(Antialias, ThresholdZeroSupersamplesEverything) {
   EXPECT_EQ(calls, 24 + 16 * 9);
 }
 
+// A picture of edges and noise, whose samples are taken one by one or many at a time.
+struct Speckled {
+  bool together;
+  std::vector<std::pair<double, double>> asked{};
+  bool any_order() const { return together; }
+  Color operator()(double x, double y) {
+    asked.emplace_back(x, y);
+    const double v = 0.5 + 0.2 * std::sin(0.3 * x) + 0.2 * std::sin(0.4 * y) + (std::sin(12.9898 * x + 78.233 * y) > 0.95 ? 0.3 : 0);
+    return {static_cast<float>(v), static_cast<float>(v * v), 0.5f};
+  }
+};
+
+TEST(AdaptiveGrid, PixelsThatDoNotWaitForEachOtherAreSupersampledTogether) {
+  Options options;
+  options.antialias_threshold = 0.25f;
+  for (const Block& block : {Block{0, 0, 24, 20}, Block{5, 7, 1, 9}, Block{0, 0, 13, 1}, Block{2, 1, 3, 17}}) {
+    Speckled one_by_one{false}, together{true};
+    Framebuffer expected{24, 20, std::vector<Color>(24 * 20), {}}, frame = expected;
+    const AntialiasSettings settings = antialias_settings(options, scene::Gamma::power, 1);
+    AdaptiveGrid(settings, one_by_one).render(block, expected);
+    AdaptiveGrid(settings, together).render(block, frame);
+    for (int y = 0; y < 20; ++y)
+      for (int x = 0; x < 24; ++x) ASSERT_EQ(frame.at(x, y), expected.at(x, y)) << x << ' ' << y;
+    std::sort(one_by_one.asked.begin(), one_by_one.asked.end()), std::sort(together.asked.begin(), together.asked.end());
+    EXPECT_EQ(together.asked, one_by_one.asked);
+    const auto plain = static_cast<std::size_t>((block.width + 1) * (block.height + 1) - 1), all = plain + static_cast<std::size_t>(9 * block.width * block.height);
+    EXPECT_GT(together.asked.size(), plain);
+    EXPECT_LT(together.asked.size(), all);
+  }
+}
+
 TEST(LowDiscrepancy, EveryPowerOfTwoIsStratifiedInAllElementaryIntervals) {
   for (const std::uint64_t seed : {0u, 1u, 77u}) {
     const LowDiscrepancy points(3, -5, seed);

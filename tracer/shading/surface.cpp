@@ -22,8 +22,8 @@ class StackScope {
 
 }  // namespace
 
-SurfaceHit::SurfaceHit(const shapes::Hit& h, const Vec3& direction, std::size_t cache, int child_level)
-    : hit(h), surface(*h.shape->surface), raw(h.shape->normal(h)), inside_hit(dot(raw, direction) > 0), light_cache(cache), level(child_level) {
+SurfaceHit::SurfaceHit(const shapes::Hit& h, const Vec3& normal, const Vec3& direction, std::size_t cache, int child_level)
+    : hit(h), surface(*h.shape->surface), raw(normal), inside_hit(dot(raw, direction) > 0), light_cache(cache), level(child_level) {
   if (inside_hit) raw = -raw;
   texture_point = {h.point, raw, direction, [](const void* context) {
                      const auto& seen = *static_cast<const shapes::Hit*>(context);

@@ -27,7 +27,8 @@ enum class LightWay : unsigned char;
 
 // One hit while it is being shaded.
 struct SurfaceHit {
-  SurfaceHit(const shapes::Hit& h, const Vec3& direction, std::size_t cache, int child_level);
+  SurfaceHit(const shapes::Hit& h, const Vec3& direction, std::size_t cache, int child_level) : SurfaceHit(h, h.shape->normal(h), direction, cache, child_level) {}
+  SurfaceHit(const shapes::Hit& h, const Vec3& normal, const Vec3& direction, std::size_t cache, int child_level);
   // Where textures are evaluated: the point, or its surface coordinates (spec 06 3.1).
   Vec3 pattern_point() const { return surface.uv_mapping ? textures::uv_point(texture_point) : hit.point; }
 

@@ -96,7 +96,7 @@ void Wave::meet(int i) {
     met.normal = inside ? -normal : normal;
     return;
   }
-  met.at.emplace(hit, direction, 0, state_.level + (state_.continuation ? 0 : 1));
+  met.at.emplace(hit, normal, direction, 0, state_.level + (state_.continuation ? 0 : 1));
   add_leaves(i, texture, found);
 }
 

@@ -67,6 +67,21 @@ TEST(CsgRays, SolidsWithRoomyHoles) {
   expect_rule(make_difference({make(scene::Sphere{Vec3(0), 1.2}), ball}));
 }
 
+// What is cut out of a solid that rays cross once is only looked for where they are within it.
+TEST(CsgRays, SolidsOfASuperellipsoid) {
+  for (const auto& [east, north] : {std::pair(0.05, 0.05), std::pair(0.4, 1.3)}) {
+    const ObjectRef body = make(scene::Superellipsoid{east, north}, [](Object& o) {
+      scene::scale(o, {1.5, 1, 1.2});
+      scene::rotate(o, {5, 20, 0});
+    });
+    expect_rule(make_difference({body, tube}));
+    expect_rule(make_difference({body, ring, make_difference({tube, block}), ball}));
+    expect_rule(make_difference({body, make_union({ring, make(scene::Sphere{{0.9, 0.7, 0}, 0.6})}), make_merge({ball, tube})}));
+    expect_rule(make_intersection({ball, body, make(scene::Plane{{0.2, 1, 0}, 0.1})}));
+    expect_rule(make_difference({body, make_intersection({block, ball}), ring}, below));
+  }
+}
+
 TEST(CsgRays, UnionsWithClips) {
   expect_rule(make_union({ball, ring, tube}, below));
   expect_rule(make_union({make_difference({block, tube}), ring}, above));

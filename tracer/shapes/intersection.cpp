@@ -1,7 +1,9 @@
 // intersection, and with it difference (spec 03 section 5).
 #include <algorithm>
 #include <bit>
+#include <utility>
 
+#include "tracer/shapes/convex.h"
 #include "tracer/shapes/csg.h"
 #include "tracer/shapes/half_spaces.h"
 #include "tracer/shapes/hollow.h"
@@ -27,7 +29,8 @@ class Intersection final : public CsgShape {
           continue;
         }
       }
-      surfaces_.add(i, children_[i]->bounds());
+      if (const auto* convex = dynamic_cast<const Convex*>(children_[i].get()); convex && !core_ && convex->crossed_once()) core_ = convex, core_child_ = i;
+      else surfaces_.add(i, children_[i]->bounds());
       const SolidExtent extent = children_[i]->solid_extent();
       if (extent.outside) {
         complement = united(complement, extent.box);
@@ -46,6 +49,8 @@ class Intersection final : public CsgShape {
     if (bounded_) sheet = common(sheet, solid);
     set_extent(sheet, bounded_ ? SolidExtent{solid, false} : SolidExtent{complement, true});
     limit_ = bounded_ ? solid : everywhere();
+    for (const auto& child : children_) nested_.push_back(!child->children().empty());
+    true_distances_ = std::all_of(children_.begin(), children_.end(), [](const auto& c) { return reports_true_distances(*c); });
     find_hollows();
   }
 
@@ -77,13 +82,13 @@ class Intersection final : public CsgShape {
   unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
     if (std::popcount(rays.asked) < kFewest) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     unsigned found = 0;
-    each_way(rays, t_min, t_max, [&](int k, const Ray& ray, const Way& way) { found |= nearest(ray, kind, t_min, t_max[k], way, hits[k]) ? 1u << k : 0; });
+    each_way(rays, t_min, t_max, [&](int k, const Ray& ray, Way& way) { found |= nearest(ray, kind, t_min, t_max[k], way, hits[k]) ? 1u << k : 0; });
     return found;
   }
   unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
     if (std::popcount(rays.asked) < kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     unsigned found = 0;
-    each_way(rays, t_min, t_max, [&](int k, const Ray& ray, const Way& way) { found |= blocks(ray, t_min, t_max[k], way) ? 1u << k : 0; });
+    each_way(rays, t_min, t_max, [&](int k, const Ray& ray, Way& way) { found |= blocks(ray, t_min, t_max[k], way) ? 1u << k : 0; });
     return found;
   }
 
@@ -100,6 +105,7 @@ class Intersection final : public CsgShape {
   struct Way {
     double enter, leave;           // where it may be inside all planes
     double near, far;              // and inside the box
+    Crossings core;                // of the convex child
     std::uint64_t met = 0;         // the planes that it meets, at t
     alignas(64) double t[PlaneSet::kMost];
   };
@@ -110,7 +116,16 @@ class Intersection final : public CsgShape {
     way.enter = t_min, way.leave = t_max;
     way.met = planes_.meet(ray, way.t, way.enter, way.leave);
     way.near = std::max(way.near, way.enter), way.far = std::min(way.far, way.leave);
-    return way.near <= way.far && !within_hollow(ray, way.near, way.far);
+    if (!(way.near <= way.far) || within_hollow(ray, way.near, way.far)) return false;
+    if (!core_) return true;
+    way.core = core_->cross(ray);
+    return narrow(way);
+  }
+  // To where the ray may be inside the convex child. False: nowhere.
+  static bool narrow(Way& way) {
+    way.enter = std::max(way.enter, way.core.near), way.leave = std::min(way.leave, way.core.far);
+    way.near = std::max(way.near, way.core.near), way.far = std::min(way.far, way.core.far);
+    return way.near <= way.far;
   }
   template <class Visit>
   void each_way(const RayLanes& rays, double t_min, const double* t_max, Visit&& visit) const {
@@ -124,11 +139,17 @@ class Intersection final : public CsgShape {
     planes_.meet(rays, planes, enter, leave);
     for (int k = 0; k < RayLanes::kCount; ++k) near[k] = std::max(near[k], enter[k]), far[k] = std::min(far[k], leave[k]);
     open = within(near, far, open);
+    if (!hollows_.empty()) each_lane(open, [&](int k) { open &= within_hollow(rays.at(k), near[k], far[k]) ? ~(1u << k) : ~0u; });
+    Crossings core[RayLanes::kCount];
+    if (core_ && open != 0) core_->cross_lanes({rays.rays, rays.first, open}, core);
     each_lane(open, [&](int k) {
       const Ray ray = rays.at(k);
-      if (within_hollow(ray, near[k], far[k])) return;
       Way way;
       way.enter = enter[k], way.leave = leave[k], way.near = near[k], way.far = far[k];
+      if (core_) {
+        way.core = core[k];
+        if (!narrow(way)) return;
+      }
       for (int i = 0; i < planes_.size(); ++i) way.t[i] = planes.t[i][k], way.met |= std::uint64_t{planes.met[i] >> k & 1u} << i;
       visit(k, ray, way);
     });
@@ -142,7 +163,7 @@ class Intersection final : public CsgShape {
   // Convex children that are taken away and leave little of the solid's box.
   void find_hollows() {
     constexpr double kSmallest = 0.1;  // of the box
-    if (!std::all_of(children_.begin(), children_.end(), [](const auto& c) { return reports_true_distances(*c); })) return;
+    if (!true_distances_) return;
     for (const auto& child : children_) {
       const Box3 box = common(child->bounds(), limit_);
       if (!child->object->inverted || accel::is_empty(box) || !(volume(box) >= kSmallest * volume(limit_))) continue;
@@ -167,22 +188,50 @@ class Intersection final : public CsgShape {
     return std::fabs(off.x) + std::fabs(off.y) + std::fabs(off.z) < 0.5 * PlaneSet::doubt_at(ray.origin);
   }
 
-  bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Way& way, Hit& hit, const Clips* clips = nullptr) const {
+  bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, Way& way, Hit& hit, const Clips* clips = nullptr) const {
+    const auto survives = [&](const Vec3& p, std::uint32_t self) { return inside_others(p, self) && within_clips(p, clips); };
+    const bool core_known = true_distances_ && way.core.count > 0;
+    if (core_known) keep_first(ray, t_min, t_max, way, survives);
     ScratchOwners owners;
     ScratchHits hits;
-    each_child_met(ray, way, [&](std::uint32_t i, const double* t) {
-      std::size_t kept = hits.end();
-      if (t) {
-        if (*t >= t_min && *t < t_max) add_plane_hit(ray, i, *t, hits.list());
-      } else {
-        child(i).intersect_all(ray, kind, hits.list());
-        for (std::size_t n = kept; n < hits.end(); ++n)
-          if (!outside_planes(ray, way, hits[n])) hits[kept++] = hits[n];
-        hits.list().resize(kept);
-      }
-      while (owners.size() < hits.end() - hits.begin()) owners.add(i);
-    });
-    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) { return inside_others(p, self) && within_clips(p, clips); });
+    bool surely = true;
+    const auto collect = [&](bool firsts) {
+      each_child_met(ray, way, [&](std::uint32_t i, const double* t) {
+        std::size_t kept = hits.end();
+        if (t) {
+          if (*t >= t_min && *t < t_max) add_plane_hit(ray, i, *t, hits.list());
+        } else if (is_core(i)) {
+          for (int n = 0; n < way.core.count; ++n) add_plane_hit(ray, i, way.core.t[n], hits.list());
+        } else if (firsts && nested_[i]) {
+          if (Hit first; child(i).intersect(ray, kind, std::max(t_min, way.enter), std::min(t_max, std::nextafter(way.leave, HUGE_VAL)), first)) hits.list().push_back(first);
+        } else {
+          child(i).intersect_all(ray, kind, hits.list());
+          for (std::size_t n = kept; n < hits.end(); ++n)
+            if (!outside_planes(ray, way, hits[n])) hits[kept++] = hits[n];
+          hits.list().resize(kept);
+        }
+        while (owners.size() < hits.end() - hits.begin()) owners.add(i);
+      });
+      return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) {
+        if ((core_known && is_core(self)) || survives(p, self)) return true;
+        surely = !(firsts && nested_[self]);  // what is behind it may survive
+        return !surely;
+      });
+    };
+    const bool found = collect(true_distances_);
+    if (surely) return found;
+    hits.list().resize(hits.begin());
+    while (owners.size() > 0) owners.pop();
+    return collect(false);
+  }
+  // Leaves the first hit of the convex child that survives, and what is not behind it.
+  template <class Survives>
+  void keep_first(const Ray& ray, double t_min, double t_max, Way& way, Survives&& survives) const {
+    Crossings& core = way.core;
+    const int count = std::exchange(core.count, 0);
+    for (int n = 0; n < count && core.count == 0; ++n)
+      if (core.t[n] >= t_min && core.t[n] < t_max && survives(ray.origin + core.t[n] * ray.direction, core_child_)) core.add(core.t[n]);
+    if (core.count > 0) way.far = std::min(way.far, core.t[0]), way.leave = std::min(way.leave, core.t[0]);
   }
   // Any hit survives.
   bool blocks(const Ray& ray, double t_min, double t_max, const Way& way) const {
@@ -215,12 +264,22 @@ class Intersection final : public CsgShape {
         if (way.t[k] >= way.near && way.t[k] <= way.far) visit(plane_children_[static_cast<std::size_t>(k)], way.t + k);
       }
     };
+    bool core_waits = core_ != nullptr;
+    const auto all_before = [&](std::uint32_t end) {
+      if (core_waits && core_child_ < end) {
+        core_waits = false;
+        planes_before(core_child_);
+        visit(core_child_, nullptr);
+      }
+      planes_before(end);
+    };
     surfaces_.in_order(ray, way.near, way.far, [&](std::uint32_t i) {
-      planes_before(i);
+      all_before(i);
       visit(i, nullptr);
     });
-    planes_before(~0u);
+    all_before(~0u);
   }
+  bool is_core(std::uint32_t i) const { return core_ && i == core_child_; }
   void add_plane_hit(const Ray& ray, std::uint32_t i, double t, HitList& hits) const { hits.push_back({t, ray.origin + t * ray.direction, &child(i), 0, 0, 0}); }
 
   bool inside_others(const Vec3& p, std::uint32_t self) const {
@@ -237,6 +296,10 @@ class Intersection final : public CsgShape {
   ChildIndex holes_;           // everything outside their boxes is
   Box3 limit_;
   bool bounded_ = false;
+  const Convex* core_ = nullptr;  // a child that rays cross once: asked first
+  std::uint32_t core_child_ = 0;
+  std::vector<bool> nested_;      // the children that are CSG objects: their first hit is mostly the only one that matters
+  bool true_distances_ = false;
   std::vector<Hollow> hollows_;
 };
 

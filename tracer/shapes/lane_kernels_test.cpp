@@ -119,6 +119,10 @@ void add_intersections(const Steps& steps, std::vector<ObjectRef>& objects) {
   objects.push_back(make_intersection({lower, upper, plane({1, 0, 0}, 0.5), plane({-1, 0, 0}, 0.5), plane({0, 0, 1}, 0.5), plane({0, 0, -1}, 0.3)}, steps));
   objects.push_back(make_difference({make_intersection({lower, upper, ball}), slope, make(scene::Box{{-0.2, -1, -0.2}, {0.3, 1, 0.1}})}, steps));
   objects.push_back(make_intersection({make_union({plane({1, 0, 0}, -0.2), plane({0, 0, 1}, 0.1)}), ball, upper}, steps));
+  const ObjectRef body = make(scene::Superellipsoid{0.1, 0.3}), ring = make(scene::Torus{0.8, 0.3});
+  objects.push_back(make_difference({body, ring}, steps));
+  objects.push_back(make_difference({body, slope, make_union({ball, ring})}, steps));
+  objects.push_back(make_difference({body, make_difference({ball, make(scene::Box{{-0.2, -1, -0.2}, {0.3, 1, 0.1}})})}, steps));
   objects.push_back(make_intersection({ball, slope, upper}, [&](Object& o) {
     if (steps) steps(o);
     o.clipped_by.push_back(make(scene::Plane{{0, 1, 0}, 0.2}));

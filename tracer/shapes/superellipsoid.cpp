@@ -1,8 +1,10 @@
 // superellipsoid (spec 03 4.12): nested p-norms, |(|(x, y)|_2/e, z)|_2/n = 1.
 #include <algorithm>
 
+#include "tracer/shapes/convex.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/lane_kernels.h"
+#include "tracer/shapes/plane_set.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/superellipsoid_lanes.h"
 
@@ -47,12 +49,13 @@ double norm(double a, double b, const Power& p) {
   return a * p.root(1 + p.raise(b / a));
 }
 
-class Superellipsoid final : public Primitive<Superellipsoid> {
+class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
  public:
   Superellipsoid(const scene::Object& description, const scene::Superellipsoid& s)
       : Primitive(description, {Box3(Vec3(-1.0001), Vec3(1.0001))}), p_(2 / s.east), q_(2 / s.north), guarded_(has_guards(description)) {
     constexpr double kDoubt = 1e-9;
     most_inside_ = (1 - kDoubt) * std::pow(2, -1 / p_.exponent() - 1 / q_.exponent()), least_outside_ = 1 + kDoubt;
+    if (has_matrix()) stretch_ = length(Vec3(length(matrix().inverse_direction({1, 0, 0})), length(matrix().inverse_direction({0, 1, 0})), length(matrix().inverse_direction({0, 0, 1}))));
   }
 
   template <class Sink>
@@ -97,6 +100,28 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
   unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
     if (guarded_ || !convex()) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     return nearest_of_lanes(rays, t_min, t_max, [](int, double) {});
+  }
+
+  bool crossed_once() const override { return convex() && !inverted() && !guarded_; }
+  Crossings cross(const Ray& ray) const override { return cross(ray, local(ray)); }
+  void cross_lanes(const RayLanes& rays, Crossings* crossings) const override {
+    ConvexLanes entry{}, exit{};
+    double near[ConvexLanes::kCount], scale[ConvexLanes::kCount];
+    unsigned asked = 0;
+    each_lane(rays.asked, [&](int k) {
+      crossings[k] = {};
+      const LocalRay l = local(rays.at(k));
+      double far;
+      if (!clip_to_cube(l, near[k], far)) return;
+      set(entry, k, l), set(exit, k, l);
+      scale[k] = l.scale;
+      entry.t[k] = exit.end[k] = near[k], entry.end[k] = exit.t[k] = far;
+      asked |= 1u << k;
+    });
+    const unsigned entered = approach(1, asked, entry), left = approach(-1, entered, exit);
+    each_lane(entered, [&](int k) {
+      crossings[k] = found_from(near[k], scale[k], doubt_at(rays.rays.origin.at(rays.first + k)), entry, true, exit, left >> k & 1, k, k);
+    });
   }
 
   bool contains(const Vec3& point) const {
@@ -146,25 +171,42 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
     return inside;
   }
 
-  // The entry and the exit are looked for at the same time: each step is a long chain of operations that wait for each other. The exit would be found
-  // from behind the entry only; that the search for it may pass the entry, where it finds nothing, does not matter.
-  template <class Sink>
-  void convex_crossings(const Ray& ray, const LocalRay& l, Sink& sink) const {
+  // What is known of one ray: where it enters the cube, and lanes in which the entry and the exit were looked for from either end of the stretch within it.
+  // The exit would be found from behind the entry only; that the search for it may pass the entry, where it finds nothing, does not matter.
+  Crossings found_from(double begin, double scale, double doubt, const ConvexLanes& entry, bool entered, const ConvexLanes& exit, bool left, int i, int j) const {
+    Crossings c;
+    if (!entered) return c;
+    const auto take = [&](double t) {
+      const double depth = t / scale;
+      if (depth > kNearest && depth < kFarthest) c.add(depth);
+    };
+    const bool begins_here = begin == kNearest && entry.t[i] == begin;
+    if (!(begins_here && entry.value[i] <= -kZero)) take(entry.t[i]);
+    const bool leaves = left && exit.t[j] > entry.t[i];
+    if (leaves) take(exit.t[j]);
+    // The value is convex along the ray: beyond its zeros it is above its tangents there.
+    if (!begins_here) c.near = (entry.t[i] - doubt / std::fabs(entry.slope[i])) / scale;
+    if (leaves) c.far = (exit.t[j] + doubt / std::fabs(exit.slope[j])) / scale;
+    return c;
+  }
+  // How much the value changes, at most, where a point is off by PlaneSet::doubt_at; and what the inside test tolerates.
+  double doubt_at(const Vec3& origin) const { return 2 * stretch_ * PlaneSet::doubt_at(origin) + 100 * kZero; }
+  // The entry and the exit are looked for at the same time: each step is a long chain of operations that wait for each other.
+  Crossings cross(const Ray& ray, const LocalRay& l) const {
     double near, far;
-    if (!clip_to_cube(l, near, far)) return;
+    if (!clip_to_cube(l, near, far)) return {};
     ConvexLanes lanes;
     set(lanes, 0, l), set(lanes, 1, l);
     lanes.t[0] = near, lanes.end[0] = far, lanes.side[0] = 1;
     lanes.t[1] = far, lanes.end[1] = near, lanes.side[1] = -1;
     const unsigned found = superellipsoid_kernels().approach_pair(p_.exponent(), q_.exponent(), 3, lanes);
-    if (!(found & 1)) return;
-    const auto report = [&](double t) {
-      const double depth = t / l.scale;
-      return depth > kNearest && depth < kFarthest && sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
-    };
-    const bool begins_inside = near == kNearest && lanes.t[0] == near && lanes.value[0] <= -kZero;
-    if (!begins_inside && report(lanes.t[0]) && Sink::kNearest) return;
-    if ((found & 2) && lanes.t[1] > lanes.t[0]) report(lanes.t[1]);
+    return found_from(near, l.scale, doubt_at(ray.origin), lanes, found & 1, lanes, found & 2, 0, 1);
+  }
+  template <class Sink>
+  void convex_crossings(const Ray& ray, const LocalRay& l, Sink& sink) const {
+    const Crossings c = cross(ray, l);
+    for (int i = 0; i < c.count; ++i)
+      if (sink.add(c.t[i], [&] { return ray.origin + c.t[i] * ray.direction; }) && Sink::kNearest) return;
   }
   // The same for eight rays: take(lane, t) for the nearest hits.
   template <class Take>
@@ -283,6 +325,7 @@ class Superellipsoid final : public Primitive<Superellipsoid> {
   }
 
   Power p_, q_;
+  double stretch_ = 2;  // nothing grows more than this much on the way to local coordinates
   double most_inside_, least_outside_;  // of coordinates: where the formula need not be asked
   bool guarded_;
 };

@@ -14,6 +14,7 @@ struct alignas(64) ConvexLanes {
   double end[kCount];    // it goes no further than this
   double side[kCount];   // 1: forward, -1: backward
   double value[kCount];  // |(|(x, y)|_p, z)|_q - 1 at t: an answer
+  double slope[kCount];  // of the value, as an answer of `approach`
 };
 
 struct SuperellipsoidKernels {

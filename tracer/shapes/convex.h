@@ -1,0 +1,32 @@
+// Solids that a ray crosses in one stretch, for the objects that are cut out of them: outside that stretch nothing of what else the object is made of shows.
+#pragma once
+
+#include <limits>
+
+#include "tracer/math/ray_row.h"
+
+namespace verisim::shapes {
+
+struct Crossings {
+  // Where points of the ray may be inside; what lies at other distances, the solid's inside test refuses, even where points are off the ray by PlaneSet::doubt_at.
+  double near = -std::numeric_limits<double>::infinity(), far = std::numeric_limits<double>::infinity();
+  // What intersect_all adds, in its order: hits without parts at points of the ray.
+  double t[2];
+  int count = 0;
+
+  void add(double distance) { t[count++] = distance; }
+};
+
+class Convex {
+ public:
+  // False: a ray may cross it in several stretches, or only parts of it are left.
+  virtual bool crossed_once() const = 0;
+  virtual Crossings cross(const Ray& ray) const = 0;
+  // The same of the rays of `asked`.
+  virtual void cross_lanes(const RayLanes& rays, Crossings* crossings) const = 0;
+
+ protected:
+  ~Convex() = default;
+};
+
+}  // namespace verisim::shapes

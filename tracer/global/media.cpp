@@ -27,6 +27,7 @@ Sample operator+(const Sample& a, const Sample& b) { return {a.source + b.source
 Sample operator*(const Sample& a, float s) { return {a.source * s, a.depth * s}; }
 
 Rgb exponential(const Rgb& optical_depth) {
+  if (optical_depth == Rgb()) return Rgb(1.0f);
   return {std::exp(-optical_depth.r), std::exp(-optical_depth.g), std::exp(-optical_depth.b)};
 }
 
@@ -350,18 +351,25 @@ class Integrator {
   // sample(), at many places of an interval, without lights.
   void sample_row(const Interval& span, int count, const double* at, Sample* samples) const {
     textures::PointRow points;
-    for (int i = 0; i < count; ++i) points.set(i, ray_.at(span.start + at[i] * span.length)), samples[i] = {};
+    for (int i = 0; i < count; ++i) points.set(i, ray_.at(span.start + at[i] * span.length));
     points.fill_up(count);
-    thread_local Rgb density[textures::PointRow::kMost];
+    textures::RgbRow density, source, depth;
+    clear(count, source), clear(count, depth);
     for (const CompiledMedia* m : media_) {
+      const bool shines = !shadow_ && m->emits, dims = m->extinction != Rgb();
+      if (!shines && !dims) continue;
       media_densities(*m, count, points, density);
-      for (int i = 0; i < count; ++i) {
-        samples[i].depth += density[i] * m->extinction;
-        if (!shadow_ && m->emits) samples[i].source += density[i] * m->description->emission;
-      }
+      if (dims) add(count, density, m->extinction, depth);
+      if (shines) add(count, density, m->description->emission, source);
     }
     const float s = static_cast<float>(span.length);
-    for (int i = 0; i < count; ++i) samples[i] = samples[i] * s;
+    for (int i = 0; i < count; ++i) samples[i] = {Rgb(source.r[i], source.g[i], source.b[i]) * s, Rgb(depth.r[i], depth.g[i], depth.b[i]) * s};
+  }
+  static void clear(int count, textures::RgbRow& row) {
+    for (float* channel : {row.r, row.g, row.b}) std::fill_n(channel, count, 0.0f);
+  }
+  static void add(int count, const textures::RgbRow& density, const Rgb& color, textures::RgbRow& to) {
+    for (int i = 0; i < count; ++i) to.r[i] += density.r[i] * color.r, to.g[i] += density.g[i] * color.g, to.b[i] += density.b[i] * color.b;
   }
 
   std::span<const CompiledMedia* const> media_;

@@ -32,7 +32,7 @@ CompiledMedia compile_media(const scene::Media& description, textures::Compiler&
 // The product of the medium's densities at p.
 Rgb media_density(const CompiledMedia& media, const Vec3& p);
 // The same at the first `count` points of a row that is filled up.
-void media_densities(const CompiledMedia& media, int count, const textures::PointRow& points, Rgb* densities);
+void media_densities(const CompiledMedia& media, int count, const textures::PointRow& points, textures::RgbRow& densities);
 
 // What the integrator asks of the tracer.
 class MediaEnvironment {

@@ -1,6 +1,5 @@
 // Densities of media, one by one and many together.
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <vector>
 
@@ -33,52 +32,81 @@ Rgb media_density(const CompiledMedia& m, const Vec3& p) {
 
 namespace {
 
-constexpr int kMost = textures::PointRow::kMost;
+constexpr int kMost = textures::PointRow::kMost, kEight = 8;
 
 // Room of a thread: what is asked for are often few points, and clearing a row would cost more than they do.
 struct DensityRoom {
   textures::PointRow left;
   int place[kMost];
-  Color colors[kMost];
-  bool colored[kMost];
-  std::vector<std::array<Rgb, kMost>> values;  // of each density where none that was asked for is zero
+  std::int32_t alive[kMost];            // 1 where no density so far is zero, otherwise 0
+  std::vector<textures::RgbRow> values;  // of each density at the points that are left
 };
+
+int in_eights(int count) { return (count + kEight - 1) / kEight * kEight; }
+
+void multiply(int count, const float* __restrict by, float* __restrict to) {
+  for (int i = 0; i < count; ++i) to[i] *= by[i];
+}
+// Returns how many are left.
+int mark_zeros(int count, const textures::RgbRow& values, std::int32_t* __restrict alive) {
+  int still = 0;
+  for (int i = 0; i < count; ++i) {
+    alive[i] &= static_cast<std::int32_t>(values.r[i] != 0) | static_cast<std::int32_t>(values.g[i] != 0) | static_cast<std::int32_t>(values.b[i] != 0);
+    still += alive[i];
+  }
+  return still;
+}
+void clear_dead(int count, const std::int32_t* __restrict alive, float* __restrict values) {
+  for (int i = 0; i < count; ++i) values[i] = alive[i] != 0 ? values[i] : 0.0f;
+}
+void keep(int count, const int* kept, float* values) {
+  for (int k = 0; k < count; ++k) values[k] = values[kept[k]];
+}
 
 }  // namespace
 
-void media_densities(const CompiledMedia& m, int count, const textures::PointRow& points, Rgb* densities) {
+void media_densities(const CompiledMedia& m, int count, const textures::PointRow& points, textures::RgbRow& densities) {
   thread_local DensityRoom room;
   if (room.values.size() < m.densities.size()) room.values.resize(m.densities.size());
-  const textures::PointRow* left = &points;  // the points that are not known to have none
+  const textures::PointRow* left = &points;  // the points where a density may not be zero, and few others
   int n = count;
-  std::iota(room.place, room.place + n, 0);
+  bool all = true;
+  std::fill_n(room.alive, in_eights(n), 1);
   for (std::size_t known = 0; n > 0 && known < m.by_cost.size(); ++known) {
-    textures::evaluate(*m.densities[m.by_cost[known]], n, *left, nullptr, room.colors, room.colored);
-    auto& values = room.values[m.by_cost[known]];
-    int kept = 0;
-    for (int i = 0; i < n; ++i) {
-      const Rgb value = room.colors[i].rgb();
-      if (value == Rgb()) continue;
-      if (kept != i) {
-        for (std::size_t k = 0; k < known; ++k) room.values[m.by_cost[k]][kept] = room.values[m.by_cost[k]][i];
-        room.place[kept] = room.place[i];
-      }
-      values[kept++] = value;
+    textures::RgbRow& values = room.values[m.by_cost[known]];
+    textures::evaluate(*m.densities[m.by_cost[known]], n, *left, values);
+    const int still = mark_zeros(n, values, room.alive);
+    if (known + 1 == m.by_cost.size() || in_eights(still) == in_eights(n)) continue;  // eights are asked together
+    if (all) std::iota(room.place, room.place + n, 0);
+    all = false;
+    int kept[kMost], k = 0;
+    for (int i = 0; i < n; ++i)
+      if (room.alive[i] != 0) kept[k++] = i;
+    for (std::size_t i = 0; i <= known; ++i) {
+      textures::RgbRow& row = room.values[m.by_cost[i]];
+      keep(k, kept, row.r), keep(k, kept, row.g), keep(k, kept, row.b);
     }
-    if (kept == n || known + 1 == m.by_cost.size()) {
-      n = kept;
-      continue;
+    for (int i = 0; i < k; ++i) {
+      room.left.set(i, points.at(room.place[kept[i]]));
+      room.place[i] = room.place[kept[i]];
     }
-    for (int i = 0; i < kept; ++i) room.left.set(i, points.at(room.place[i]));
     left = &room.left;
-    room.left.fill_up(n = kept);
+    n = k;
+    if (n > 0) room.left.fill_up(n);
+    std::fill_n(room.alive, in_eights(n), 1);
   }
-  std::fill_n(densities, count, Rgb());
-  for (int i = 0; i < n; ++i) {
-    Rgb product(1.0f);
-    for (std::size_t density = 0; density < m.densities.size(); ++density) product *= room.values[density][i];
-    densities[room.place[i]] = product;
+  textures::RgbRow products;
+  textures::RgbRow& product = all ? densities : products;
+  for (float* channel : {product.r, product.g, product.b}) std::fill_n(channel, in_eights(n), 1.0f);
+  for (std::size_t density = 0; density < m.densities.size(); ++density) {
+    const textures::RgbRow& values = room.values[density];
+    multiply(in_eights(n), values.r, product.r), multiply(in_eights(n), values.g, product.g), multiply(in_eights(n), values.b, product.b);
   }
+  // Whatever the other densities are there.
+  for (float* channel : {product.r, product.g, product.b}) clear_dead(n, room.alive, channel);
+  if (all) return;
+  for (float* channel : {densities.r, densities.g, densities.b}) std::fill_n(channel, count, 0.0f);
+  for (int i = 0; i < n; ++i) densities.r[room.place[i]] = products.r[i], densities.g[room.place[i]] = products.g[i], densities.b[room.place[i]] = products.b[i];
 }
 
 namespace {

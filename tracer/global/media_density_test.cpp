@@ -39,11 +39,11 @@ TEST(MediaDensity, OfRowsIsTheProductOfAllDensities) {
     textures::PointRow points;
     for (int i = 0; i < count; ++i) points.set(i, from + static_cast<double>(i) * along);
     points.fill_up(count);
-    Rgb densities[textures::PointRow::kMost];
+    textures::RgbRow densities;
     media_densities(media, count, points, densities);
     for (int i = 0; i < count; ++i) {
       const Rgb expected = product(media, points.at(i));
-      ASSERT_EQ(densities[i], expected) << round << ' ' << i;
+      ASSERT_EQ(Rgb(densities.r[i], densities.g[i], densities.b[i]), expected) << round << ' ' << i;
       ASSERT_EQ(media_density(media, points.at(i)), expected) << round << ' ' << i;
       ++(expected == Rgb() ? none : some);
     }

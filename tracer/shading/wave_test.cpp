@@ -296,7 +296,7 @@ TEST(Wave, GoesThroughGlassAsSingleRaysDo) { expect_the_same_together(glass_scen
 // Each branch of a ray's tree has random numbers of its own, so it does not matter what is traced together.
 TEST(Wave, DrawsTheRandomNumbersOfSingleRays) {
   scene::Scene scene = glass_scene();
-  scene.settings.max_trace_level = 3;
+  scene.settings.max_trace_level = 2;
   for (const auto& object : scene.objects) {
     if (!object->interior) continue;
     object->interior->hollow = true;
@@ -306,7 +306,7 @@ TEST(Wave, DrawsTheRandomNumbersOfSingleRays) {
   for (const auto& object : scene.objects) {
     if (auto* light = const_cast<scene::LightSource*>(object->as<scene::LightSource>())) {
       light->area = light->jitter = true;
-      light->axis1 = {1, 0, 0}, light->axis2 = {0, 1, 0}, light->size1 = light->size2 = 3;
+      light->axis1 = {1, 0, 0}, light->axis2 = {0, 1, 0}, light->size1 = light->size2 = 2;
     }
   }
   expect_the_same_together(scene);

@@ -49,6 +49,7 @@ bool evaluate(const CompiledPigment& c, const Vec3& p, const SurfacePoint* surfa
 void evaluate(const CompiledPigment& c, int count, const PointRow& points, const SurfacePoint* const* surfaces, Color* colors, bool* colored) {
   kernels.evaluate_row(c, count, points, surfaces, colors, colored);
 }
+void evaluate(const CompiledPigment& c, int count, const PointRow& points, RgbRow& colors) { kernels.rgb_row(c, count, points, colors); }
 double evaluate(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) { return kernels.value_of(c, p, surface).value; }
 
 void evaluate(const CompiledPattern& c, const double* points, std::size_t stride, std::size_t count, double* result) {

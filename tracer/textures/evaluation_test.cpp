@@ -15,7 +15,7 @@ std::vector<scene::PigmentPtr> pigments() {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0, 1);
   std::vector<scene::PigmentPtr> all;
-  for (const scene::PatternKind kind : {bozo, bumps, spotted, agate, granite, marble, wood, wrinkles, dents, onion, radial, leopard, crackle}) {
+  for (const scene::PatternKind kind : {bozo, bumps, spotted, agate, granite, marble, wood, wrinkles, dents, onion, radial, leopard, crackle, spherical}) {
     for (int variant = 0; variant < 12; ++variant) {
       scene::Pigment d;
       d.pattern.kind = kind;
@@ -98,7 +98,7 @@ std::vector<scene::PigmentPtr> nested_pigments() {
 // Maps that begin with several entries of one colour, and patterns that hang on some coordinates only: rows need not know everything about them.
 std::vector<scene::PigmentPtr> pigments_of_few_colors() {
   std::vector<scene::PigmentPtr> all;
-  for (const scene::PatternKind kind : {granite, wrinkles, marble, gradient, planar, bozo}) {
+  for (const scene::PatternKind kind : {granite, wrinkles, marble, gradient, planar, bozo, spherical, crackle}) {
     for (int variant = 0; variant < 24; ++variant) {
       scene::Pigment d;
       d.pattern.kind = kind;
@@ -145,6 +145,9 @@ TEST(Evaluation, GivesRowsTheBitsOfPoints) {
           ASSERT_EQ(colored[i], kernels.evaluate(pigment, points.at(i), nullptr, single));
           ASSERT_EQ(colors[i], single) << "instruction set " << set << ", pattern " << static_cast<int>(pigment.pattern->kind) << ", point " << i << " of " << count;
         }
+        RgbRow rgb;
+        kernels.rgb_row(pigment, count, points, rgb);
+        for (int i = 0; i < count; ++i) ASSERT_EQ(Rgb(rgb.r[i], rgb.g[i], rgb.b[i]), colors[i].rgb()) << "instruction set " << set << ", pattern " << static_cast<int>(pigment.pattern->kind);
       }
     }
   }

@@ -37,6 +37,7 @@ void find_segments(CompiledPigment& c) {
     const Color lower = c.colors[i - 1], rise = c.colors[i] - lower;
     std::memcpy(s.lower, &lower, sizeof lower);
     std::memcpy(s.rise, &rise, sizeof rise);
+    s.constant = rise == Color(0, 0, 0);
   }
 }
 

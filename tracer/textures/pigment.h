@@ -10,6 +10,7 @@ namespace verisim::textures {
 struct ColorSegment {
   alignas(32) float lower[8] = {}, rise[8] = {};
   double position = 0, low = 0, width = 0;  // singles, widened
+  bool constant = false;  // it rises nowhere
 };
 
 struct CompiledPigment {

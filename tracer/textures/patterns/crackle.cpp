@@ -1,4 +1,6 @@
 // Crackle and facets: distances to random points, one in each unit cell (spec 05 section 7).
+#include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "tracer/textures/noise.h"
@@ -98,28 +100,94 @@ double in_form(const CrackleData& data, double s0, double s1, double s2) {
   return clamp01(sum);
 }
 
-// Eight points of one cell; false: they are not, or this form needs more than distances.
-bool crackle_of_eight(const CrackleData& data, const PointRow& p, int first, double* v) {
+// The cells of a row's points, and their places there.
+struct CrackleRow {
+  alignas(64) double cell[3][PointRow::kMost], place[3][PointRow::kMost];
+  bool together(int i, int k) const { return cell[0][i] == cell[0][k] && cell[1][i] == cell[1][k] && cell[2][i] == cell[2][k]; }
+};
+
+class CrackleValues {
+ public:
+  CrackleValues(const CrackleData& data, double* values) : data_(data), squares_(data.p.metric == 2), form_{data.p.form[0], data.p.form[1], data.p.form[2]}, values_(values) {}
+
+  // Eight neighbours in one cell.
+  void of_eight(CrackleEight& at, double* values) const {
+    (squares_ ? kernels.squares_of_eight : kernels.sums_of_eight)(cell_at(at.cell[0][0], at.cell[1][0], at.cell[2][0]), at);
+    kernels.in_form(at, form_, data_.offset_power, squares_, values);
+  }
+  // Points of a row wherever they are, cell by cell.
+  void of_all(const CrackleRow& row, std::uint64_t open) const {
+    while (open != 0) {
+      const int first = std::countr_zero(open);
+      int found[8], n = 0;
+      for (std::uint64_t rest = open; rest != 0 && n < 8; rest &= rest - 1)
+        if (const int i = std::countr_zero(rest); row.together(i, first)) found[n++] = i, open &= ~(std::uint64_t{1} << i);
+      of_some(row, found, n);
+    }
+  }
+
+ private:
+  static constexpr int kAlone = 3;  // points of a cell that are found one by one: then its random points are the lanes
+
+  const CrackleCell& cell_at(double a, double b, double c) const {
+    return crackle_cell(squares_ ? CrackleMetric::squares : CrackleMetric::sums, static_cast<std::int64_t>(a), static_cast<std::int64_t>(b), static_cast<std::int64_t>(c));
+  }
+  void of_some(const CrackleRow& row, const int* found, int n) const {
+    const CrackleCell& cell = cell_at(row.cell[0][found[0]], row.cell[1][found[0]], row.cell[2][found[0]]);
+    if (n <= kAlone) {
+      for (int k = 0; k < n; ++k) {
+        const NearestThree nearest = (squares_ ? kernels.squares : kernels.sums)(cell, {row.place[0][found[k]], row.place[1][found[k]], row.place[2][found[k]]});
+        values_[found[k]] = in_form(data_, nearest.s[0], nearest.s[1], nearest.s[2]);
+      }
+      return;
+    }
+    CrackleEight at;
+    for (int k = 0; k < 8; ++k)
+      for (int axis = 0; axis < 3; ++axis) at.place[axis][k] = row.place[axis][found[std::min(k, n - 1)]];
+    (squares_ ? kernels.squares_of_eight : kernels.sums_of_eight)(cell, at);
+    alignas(64) double values[8];
+    kernels.in_form(at, form_, data_.offset_power, squares_, values);
+    for (int k = 0; k < n; ++k) values_[found[k]] = values[k];
+  }
+
+  const CrackleData& data_;
+  const bool squares_;
+  const double form_[3];
+  double* const values_;
+};
+
+// Whether the cells of points can be found in lanes: the form needs no more than distances, and coordinates are not too large.
+bool in_lanes(const CrackleData& data, int count, const PointRow& p) {
   if (data.p.solid || (data.p.metric != 2 && data.p.metric != 1)) return false;
-  for (int i = first; i < first + 8; ++i)
-    if (!(std::max({std::fabs(p.x[i]), std::fabs(p.y[i]), std::fabs(p.z[i])}) < 1e9)) return false;
-  CrackleEight at;
-  if (!kernels.locate(p.x + first, p.y + first, p.z + first, at)) return false;
-  const auto corner = [&](int k) { return static_cast<std::int64_t>(at.cell[k][0]); };
-  const bool squares = data.p.metric == 2;
-  const CrackleCell& cell = crackle_cell(squares ? CrackleMetric::squares : CrackleMetric::sums, corner(0), corner(1), corner(2));
-  (squares ? kernels.squares_of_eight : kernels.sums_of_eight)(cell, at);
-  for (int k = 0; k < 8; ++k) v[first + k] = in_form(data, at.s[0][k], at.s[1][k], at.s[2][k]);
-  return true;
+  constexpr double kFar = 1e9;
+  bool near = true;
+  for (int i = 0; i < count; ++i) near = near && std::fabs(p.x[i]) < kFar && std::fabs(p.y[i]) < kFar && std::fabs(p.z[i]) < kFar;
+  return near;
 }
 
 }  // namespace
 
 void crackle_row(const CrackleData& data, int noise_generator, int count, const PointRow& p, double* v) {
-  for (int first = 0; first < count; first += 8) {
-    if (crackle_of_eight(data, p, first, v)) continue;
-    for (int i = first; i < std::min(count, first + 8); ++i) v[i] = crackle(data, noise_generator, p.at(i));
+  if (!in_lanes(data, count, p)) {
+    for (int i = 0; i < count; ++i) v[i] = crackle(data, noise_generator, p.at(i));
+    return;
   }
+  const CrackleValues values(data, v);
+  CrackleRow row;
+  std::uint64_t open = 0;
+  for (int first = 0; first < count; first += 8) {
+    CrackleEight at;
+    if (kernels.locate(p.x + first, p.y + first, p.z + first, at)) {
+      values.of_eight(at, v + first);
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      std::copy_n(at.cell[axis], 8, row.cell[axis] + first);
+      std::copy_n(at.place[axis], 8, row.place[axis] + first);
+    }
+    open |= ((std::uint64_t{1} << std::min(count - first, 8)) - 1) << first;
+  }
+  values.of_all(row, open);
 }
 
 double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {

@@ -1,4 +1,5 @@
 // Light sources on one layer: facing, shadows, diffuse reflection, highlights, iridescence (spec 06 sections 4.2 and 8.3).
+#include "tracer/math/ray_row.h"
 #include "tracer/shading/finish.h"
 #include "tracer/shading/shadow_row.h"
 #include "tracer/shading/tracer.h"
@@ -15,7 +16,9 @@ Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext
   const scene::Finish& finish = layer.layer.finish;
   Rgb sum;
   if (!reflects_light(finish) || !ray.direct_light) return sum;
-  if (!at.surface.ignore_global_lights) {
+  if (!at.surface.ignore_global_lights && lights_go_together(ray)) {
+    sum = lights_together(ray, at, layer);
+  } else if (!at.surface.ignore_global_lights) {
     for (std::size_t i = 0; i < scene_.global_lights(); ++i) {
       // Shadow rays may push onto the cache of nested hits: copy in, copy back.
       CachedLight cache;
@@ -35,28 +38,87 @@ Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext
   return sum;
 }
 
-Rgb Tracer::light_contribution(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache) {
-  if (light.area_illumination() && light.area() && !ray.gather) return area_illumination(ray, at, layer, light, cache);
+bool Tracer::lights_go_together(const RayState& ray) const {
+  constexpr std::size_t kFewest = 3;  // lights for which a row costs less than one ray for each
+  return lights_in_rows_ && scene_.global_lights() >= kFewest && (ray.gather || !area_lights_) && !observer_;
+}
+
+// light_contribution() of all global lights. Nothing on the ways of these shadow rays draws random numbers, so they may go at once.
+Rgb Tracer::lights_together(const RayState& ray, SurfaceHit& at, const LayerContext& layer) {
+  struct Asked {
+    std::size_t light;
+    CachedLight cache;
+    bool back, shadow;
+  };
+  constexpr std::size_t kMost = RayRow::kMost;
+  const scene::Finish& finish = layer.layer.finish;
+  Rgb sum;
+  Asked asked[kMost];
+  RayRow rays;
+  double limit[RayRow::kSize];
+  for (std::size_t next = 0; next < scene_.global_lights();) {
+    std::size_t count = 0;
+    int row = 0;
+    for (; next < scene_.global_lights() && count < kMost; ++next) {
+      const Light& light = scene_.lights()[next];
+      Asked& a = asked[count];
+      a = {next, {}, false, false};
+      if (at.keeps_lights) a.cache = light_cache_[at.light_cache + next];
+      const bool counts = locate(at, layer, light, a.cache, a.back);
+      if (counts) {
+        ++count;
+        a.shadow = a.cache.stage == CachedLight::Stage::located && light.shadows();
+        a.cache.stage = CachedLight::Stage::shadowed;
+        if (a.shadow) {
+          ++statistics_.shadow_rays;
+          a.shadow = a.cache.direction.distance > 2 * kShadowTolerance;
+        }
+        if (a.shadow) {
+          rays.origin.set(row, at.hit.point), rays.direction.set(row, a.cache.direction.towards);
+          limit[row++] = a.cache.direction.distance - kShadowTolerance;
+        }
+      } else if (at.keeps_lights) {
+        light_cache_[at.light_cache + next] = a.cache;
+      }
+    }
+    bool blocked[kMost] = {};
+    if (row > 0) scene_.world.occluded_row(rays, 0, row, kShadowTolerance, limit, nullptr, blocked);
+    row = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      Asked& a = asked[k];
+      if (a.shadow && blocked[row++]) a.cache.color = {};
+      if (at.keeps_lights) light_cache_[at.light_cache + a.light] = a.cache;
+      if (a.cache.color.max_abs() <= kDark) continue;
+      const bool highlights = scene_.lights()[a.light].highlights() && !ray.gather && !a.back;
+      sum += layer_response(at, layer, ray.ray.direction, a.cache.direction.towards, a.cache.color, a.back ? finish.diffuse_back : finish.diffuse, highlights);
+    }
+  }
+  return sum;
+}
+
+bool Tracer::locate(SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache, bool& back) const {
   if (cache.stage == CachedLight::Stage::unknown) {
     cache.direction = light.direction(at.hit.point);
     cache.color = light.color() * static_cast<float>(light.attenuation(at.hit.point, cache.direction));
     cache.stage = CachedLight::Stage::located;
   }
-  if (cache.color.max_abs() < kDark) return {};
-  const scene::Finish& finish = layer.layer.finish;
-  const Vec3& l = cache.direction.towards;
+  if (cache.color.max_abs() < kDark) return false;
+  back = !at.surface.double_illuminate && !light.area_illumination() && dot(layer.normal, cache.direction.towards) < kEpsilon;
+  return !back || layer.layer.finish.diffuse_back != 0;
+}
+
+Rgb Tracer::light_contribution(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache) {
+  if (light.area_illumination() && light.area() && !ray.gather) return area_illumination(ray, at, layer, light, cache);
   bool back = false;
-  if (!at.surface.double_illuminate && !light.area_illumination() && dot(layer.normal, l) < kEpsilon) {
-    if (finish.diffuse_back == 0) return {};
-    back = true;
-  }
+  if (!locate(at, layer, light, cache, back)) return {};
+  const scene::Finish& finish = layer.layer.finish;
   if (cache.stage == CachedLight::Stage::located) {
     const RandomBranch branch(random_, RandomBranch::light(static_cast<std::size_t>(&light - scene_.lights().data())));
     cache.color = shadowed(light, at.hit.point, cache.direction, ray, &at.surface, cache.color);
     cache.stage = CachedLight::Stage::shadowed;
   }
   if (cache.color.max_abs() <= kDark) return {};
-  return layer_response(at, layer, ray.ray.direction, l, cache.color, back ? finish.diffuse_back : finish.diffuse,
+  return layer_response(at, layer, ray.ray.direction, cache.direction.towards, cache.color, back ? finish.diffuse_back : finish.diffuse,
                         light.highlights() && !ray.gather && !back);
 }
 

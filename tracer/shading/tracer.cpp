@@ -13,6 +13,13 @@ constexpr int kMaxNesting = 1000;
 
 Tracer::Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel)
     : scene_(scene), random_(random), cancel_(cancel), coherent_(scene.world), effects_state_(scene.effects ? scene.effects->make_state() : nullptr) {
+  const bool media = scene.effects && (scene.effects->media_in_interiors || scene.effects->atmosphere);
+  lights_in_rows_ = scene.quality >= 4 && !random.replay() && !scene.world.has_transparent_shadows();
+  for (std::size_t i = 0; i < scene.global_lights(); ++i) {
+    const Light& light = scene.lights()[i];
+    lights_in_rows_ = lights_in_rows_ && !light.projector() && !((scene.fog || media) && light.media_attenuation());
+    area_lights_ = area_lights_ || light.area() || light.area_illumination();
+  }
   has_volumes_ = scene.quality >= 9 && (!scene.rainbows.empty() || scene.fog || (scene.effects && scene.effects->atmosphere));
 }
 

@@ -159,6 +159,11 @@ class Tracer {
 
   // ---- direct_light.cpp
   Rgb direct_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer);
+  // All global lights may be asked with one row of shadow rays from the point.
+  bool lights_go_together(const RayState& ray) const;
+  Rgb lights_together(const RayState& ray, SurfaceHit& at, const LayerContext& layer);
+  // What arrives before shadows are known; false: nothing that counts. `back`: on the side that faces away.
+  bool locate(SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache, bool& back) const;
   Rgb light_contribution(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache);
   Rgb area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache);
   Rgb iridescence_of(const SurfaceHit& at, const LayerContext& layer, double cosines);
@@ -221,6 +226,7 @@ class Tracer {
   int nesting_ = 0;
   bool pretrace_ = false;
   bool has_volumes_;  // in the air
+  bool lights_in_rows_, area_lights_ = false;
   std::vector<const scene::Interior*> interiors_;
   std::size_t camera_interiors_ = 0;
   bool camera_interiors_known_ = false;

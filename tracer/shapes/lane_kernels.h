@@ -29,6 +29,14 @@ struct alignas(64) TorusLanes {
   double advance[RayLanes::kCount], scale[RayLanes::kCount];
 };
 
+// A triangle's plane and its corners in the plane of axes u and v, anticlockwise there.
+struct TriangleShape {
+  Vec3 normal;
+  double distance;
+  int u, v;
+  double cu[3], cv[3];
+};
+
 // `matrix`: from the shape's own space, null: none. Eight limits stand at t_max.
 struct LaneKernels {
   void (*local)(const Transform* matrix, const RayLanes& rays, LocalLanes& lanes);
@@ -37,6 +45,7 @@ struct LaneKernels {
   void (*cone)(bool cylinder, bool open, double narrow, const Transform* matrix, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
   void (*torus)(double major, double minor, const Transform* matrix, const RayLanes& rays, TorusLanes& lanes);
   void (*quadric)(const scene::Quadric& quadric, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
+  void (*triangle)(const TriangleShape& triangle, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
 };
 
 // Those of the best instruction set of this machine.

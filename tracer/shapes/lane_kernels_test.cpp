@@ -144,6 +144,8 @@ std::vector<ObjectRef> solids() {
     }
     objects.push_back(make(scene::Quadric{{1, 0.5, 1.5}, {0.2, -0.1, 0.3}, {0.1, -0.2, 0}, -1}, steps));
     objects.push_back(make(scene::Quadric{{1, -1, 0}, {0, 0, 0}, {0, 0, 1}, 0}, steps));  // some rays meet it once
+    objects.push_back(make(scene::Triangle{{Vec3(-1.3, -0.8, 0.4), Vec3(1.2, -0.9, -0.3), Vec3(0.2, 1.4, 0.1)}}, steps));
+    objects.push_back(make(scene::SmoothTriangle{{Vec3(0.3, -1.2, -1), Vec3(0.2, 1.3, -0.8), Vec3(-0.3, 0.2, 1.5)}, {Vec3(1, 0, 0), Vec3(1, 0.2, 0), Vec3(1, 0.1, -0.3)}}, steps));
     objects.push_back(make(scene::Torus{0.9, 0.35}, steps));
     objects.push_back(make(scene::Torus{0.3, 0.6}, steps));
     for (const auto& [east, north] : {std::pair{0.4, 0.8}, {1.0, 1.0}, {2.0, 0.15}, {1.3, 2.0}, {2.5, 1.0}}) objects.push_back(make(scene::Superellipsoid{east, north}, steps));
@@ -220,6 +222,8 @@ TEST_P(LaneKernel, GivesTheSameBitsAsEveryOther) {
     }
     const scene::Quadric saddle{{1, -0.5, 0}, {0.2, 0, 0.3}, {0, 0.1, 1}, round % 3 - 1.0};
     compare([&](const LaneKernels& set, LaneHits& hits) { set.quadric(saddle, lanes, 1e-4, rays.limit, hits); });
+    const TriangleShape slanted{normalize(Vec3(0.4, -0.9, 0.3)), 0.1, 0, 2, {-1.5, 1.3, 0.1}, {-1.2, -1, 1.7}};
+    compare([&](const LaneKernels& set, LaneHits& hits) { set.triangle(slanted, lanes, 1e-4, rays.limit, hits); });
     TorusLanes a, b;
     kernels->torus(0.8, 0.3, matrix, lanes, a);
     plain.torus(0.8, 0.3, matrix, lanes, b);

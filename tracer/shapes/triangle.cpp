@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/lane_kernels.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -48,6 +49,22 @@ class Triangle final : public Primitive<Triangle> {
       std::swap(n_[0], n_[1]);
     }
     if (smooth_) prepare_interpolation();
+    guarded_ = has_guards(description);
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    if (degenerate_) return 0;
+    LaneHits met;
+    lane_kernels().triangle(lanes_shape(), rays, t_min, t_max, met);
+    return take_hits(met, rays, *this, hits, [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    if (degenerate_) return 0;
+    LaneHits met;
+    lane_kernels().triangle(lanes_shape(), rays, t_min, t_max, met);
+    return lanes_hit(met, rays);
   }
 
   template <class Sink>
@@ -79,6 +96,9 @@ class Triangle final : public Primitive<Triangle> {
   }
 
  private:
+  TriangleShape lanes_shape() const {
+    return {normal_, distance_, i_, j_, {p_[0][i_], p_[1][i_], p_[2][i_]}, {p_[0][j_], p_[1][j_], p_[2][j_]}};
+  }
   void prepare_interpolation() {
     const Vec3 edge = p_[2] - p_[1];
     perpendicular_ = normalize(cross(edge, normal_));
@@ -91,7 +111,7 @@ class Triangle final : public Primitive<Triangle> {
   Vec3 normal_{0, 0, 0}, perpendicular_{0, 0, 0};
   double distance_ = 0;
   int i_ = 0, j_ = 1, edge_axis_ = 0;
-  bool degenerate_ = false, smooth_ = false;
+  bool degenerate_ = false, smooth_ = false, guarded_ = false;
 };
 
 }  // namespace

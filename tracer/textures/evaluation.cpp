@@ -44,6 +44,9 @@ void in_rows(const double* points, std::size_t stride, std::size_t count, double
 
 Vec3 warped(const CompiledPattern& c, const Vec3& p) { return kernels.warped(c, p); }
 double value_at(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) { return kernels.value_at(c, p, surface); }
+void values_at(const CompiledPattern& c, int count, const PointRow& points, const SurfacePoint* const* surfaces, double* values) {
+  kernels.values_row(c, count, points, surfaces, values);
+}
 PatternValue value_of(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) { return kernels.value_of(c, p, surface); }
 bool evaluate(const CompiledPigment& c, const Vec3& p, const SurfacePoint* surface, Color& color) { return kernels.evaluate(c, p, surface, color); }
 void evaluate(const CompiledPigment& c, int count, const PointRow& points, const SurfacePoint* const* surfaces, Color* colors, bool* colored) {

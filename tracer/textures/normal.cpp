@@ -1,5 +1,8 @@
 #include "tracer/textures/normal.h"
 
+#include <iterator>
+
+#include "tracer/textures/evaluation.h"
 #include "tracer/textures/noise.h"
 #include "tracer/textures/patterns/formulas.h"
 
@@ -59,8 +62,15 @@ Vec3 displaced(const CompiledNormal& c, const Vec3& p, const Vec3& n) {
 }
 
 Vec3 height_field(const CompiledNormal& c, const Vec3& p, const SurfacePoint& surface, Vec3 n) {
+  constexpr int kCount = std::size(kHeightSamples);
+  PointRow points;
+  for (int i = 0; i < kCount; ++i) points.set(i, p + c.accuracy * kHeightSamples[i]);
+  points.fill_up(kCount);
+  const SurfacePoint* const surfaces[kCount] = {&surface, &surface, &surface, &surface};
+  alignas(64) double values[PointRow::kMost];
+  values_at(*c.pattern, kCount, points, surfaces, values);
   const double strength = height_strength(c);
-  for (const Vec3& d : kHeightSamples) n += height_of(c, value_at(*c.pattern, p + c.accuracy * d, &surface)) * strength * d;
+  for (int i = 0; i < kCount; ++i) n += height_of(c, values[i]) * strength * kHeightSamples[i];
   return n;
 }
 

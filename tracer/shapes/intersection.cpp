@@ -51,6 +51,8 @@ class Intersection final : public CsgShape {
     limit_ = bounded_ ? solid : everywhere();
     for (const auto& child : children_) nested_.push_back(!child->children().empty());
     true_distances_ = std::all_of(children_.begin(), children_.end(), [](const auto& c) { return reports_true_distances(*c); });
+    // Between planes, and mostly within a convex child; what else cuts off a first hit makes all of them be asked for again.
+    firsts_survive_ = true_distances_ && (core_ || static_cast<std::size_t>(planes_.size()) + 1 == children_.size());
     find_hollows();
   }
 
@@ -218,7 +220,7 @@ class Intersection final : public CsgShape {
         return !surely;
       });
     };
-    const bool found = collect(true_distances_);
+    const bool found = collect(firsts_survive_);
     if (surely) return found;
     hits.list().resize(hits.begin());
     while (owners.size() > 0) owners.pop();
@@ -298,8 +300,8 @@ class Intersection final : public CsgShape {
   bool bounded_ = false;
   const Convex* core_ = nullptr;  // a child that rays cross once: asked first
   std::uint32_t core_child_ = 0;
-  std::vector<bool> nested_;      // the children that are CSG objects: their first hit is mostly the only one that matters
-  bool true_distances_ = false;
+  std::vector<bool> nested_;      // the children that are CSG objects: their first hit is the only one that matters, if it survives
+  bool true_distances_ = false, firsts_survive_ = false;
   std::vector<Hollow> hollows_;
 };
 

@@ -12,7 +12,7 @@ constexpr double kNearestHit = 1e-4;       // of camera rays
 
 bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
 
-// Light that spreads evenly and fades with the square of the distance: Light::attenuation, but a plain loop.
+// Light that spreads evenly and fades with the square of the distance: the formula of Light::attenuation (light.cpp) in a plain loop, bit by bit the same.
 bool fades_by_square(const Light& light) {
   const scene::LightSource& s = light.source();
   return (s.kind == scene::LightKind::point || s.kind == scene::LightKind::shadowless) && s.fade_power == 2 && light.attenuates();

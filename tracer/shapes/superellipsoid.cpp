@@ -33,6 +33,7 @@ class Power {
     return result;
   }
   double root(double x) const {
+    if (x == 1) return 1;  // most of a body with sharp edges
     if (roots_ < 0) return std::pow(x, inverse_);
     for (int i = 0; i < roots_; ++i) x = std::sqrt(x);
     return x;
@@ -136,7 +137,7 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     const Vec3 v = local(hit.point);
     const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
     const double r = norm(x, y, p_), f = norm(r, z, q_);
-    const auto raised = [](double ratio, double power) { return ratio == 1 ? 1 : std::pow(ratio, power); };  // 1: most of a body with sharp edges
+    const auto raised = [](double ratio, double power) { return ratio == 1 ? 1 : std::pow(ratio, power); };
     const double across = f > 0 && r > 0 ? raised(r / f, q_.exponent() - 1) : 0;
     const auto part = [&](double a, double size, double power) { return size > 0 && a > 0 ? raised(a / size, power) : power == 0 ? 1.0 : 0.0; };
     const Vec3 g(std::copysign(across * part(x, r, p_.exponent() - 1), v.x), std::copysign(across * part(y, r, p_.exponent() - 1), v.y),

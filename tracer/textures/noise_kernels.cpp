@@ -6,11 +6,14 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <numbers>
+#include <span>
 #include <type_traits>
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
 
+#include "tracer/functions/program_lanes.h"
 #include "tracer/textures/evaluation.h"
 #include "tracer/textures/noise_cells.h"
 #include "tracer/textures/patterns/formulas.h"

@@ -4,9 +4,14 @@
 #include <algorithm>
 
 #include <boost/container/small_vector.hpp>
+#include <boost/container/static_vector.hpp>
 
 namespace verisim::shading {
 namespace {
+
+// As many as are used: what is made for a whole row costs more than a few rays.
+template <class T>
+using RowOf = boost::container::static_vector<T, ShadowRow::kMost>;
 
 // The rays of a row by their cells.
 struct Cells {
@@ -14,13 +19,15 @@ struct Cells {
     accel::WorldEntry* entry;  // null: nothing is known
     Box3 served;               // empty: nothing else
   };
-  Cell cells[ShadowRow::kMost];
-  int count = 0;
+  RowOf<Cell> cells;
   std::uint8_t of[ShadowRow::kMost];
+  int count() const { return static_cast<int>(cells.size()); }
+  Cell& operator[](int c) { return cells[static_cast<std::size_t>(c)]; }
+  const Cell& operator[](int c) const { return cells[static_cast<std::size_t>(c)]; }
   int find(const Vec3& p, int last) const {
-    if (last >= 0 && accel::contains(cells[last].served, p)) return last;
-    for (int c = count - 1; c >= 0; --c)
-      if (accel::contains(cells[c].served, p)) return c;
+    if (last >= 0 && accel::contains((*this)[last].served, p)) return last;
+    for (int c = count() - 1; c >= 0; --c)
+      if (accel::contains((*this)[c].served, p)) return c;
     return -1;
   }
 };
@@ -60,23 +67,19 @@ void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRow& 
     } else {
       accel::WorldEntry* const entry = entries ? shadow_entry({eye, row.lit[i], light}, p) : nullptr;
       // What was remembered for another cell may have had to go.
-      for (int other = 0; entry && other < cells.count; ++other)
-        if (cells.cells[other].entry == entry) cells.cells[other].entry = nullptr;
-      c = entry || unknown < 0 ? cells.count++ : unknown;
-      if (entry) {
-        cells.cells[c] = {entry, coherent_.served()};
-      } else {
-        unknown = c;
-        cells.cells[c] = {nullptr, Box3()};
-      }
+      for (Cells::Cell& other : cells.cells)
+        if (entry && other.entry == entry) other.entry = nullptr;
+      c = entry || unknown < 0 ? cells.count() : unknown;
+      if (c == cells.count()) cells.cells.push_back({entry, entry ? coherent_.served() : Box3()});
+      if (!entry) unknown = c;
     }
     cells.of[i] = static_cast<std::uint8_t>(last = c);
   }
-  for (int c = 0; c < cells.count; ++c) {
+  for (int c = 0; c < cells.count(); ++c) {
     Travellers cell;
     for (int i = 0; i < row.count; ++i)
       if (cells.of[i] == c && row.distance[i] > 2 * kShadowTolerance) cell.add(i, row.rays.at(i), row.distance[i]);  // otherwise nothing fits in between
-    accel::WorldEntry* const entry = cells.cells[c].entry;
+    accel::WorldEntry* const entry = cells[c].entry;
     const auto stays_in_room = [&](int i) { return scene_.world.only_opaque_between(row.rays.origin.at(i), row.rays.origin.at(i) + row.distance[i] * row.rays.direction.at(i)); };
     const bool only_opaque = (entry ? entry->only_opaque : !scene_.world.has_transparent_shadows()) || std::all_of(cell.index, cell.index + cell.count, stays_in_room);
     if (only_opaque) opaque(cell, entry);
@@ -148,7 +151,8 @@ void Tracer::filter_row(const Light& light, const RayState& eye, const accel::Wo
   };
   Travellers open;
   for (int k = 0; k < count; ++k) open.add(index[k], row.rays.at(index[k]), row.distance[index[k]]);
-  shapes::Hit hits[ShadowRow::kMost];
+  RowOf<shapes::Hit> room(static_cast<std::size_t>(count));
+  shapes::Hit* const hits = room.data();
   bool found[ShadowRow::kMost];
   scene_.world.intersect_row(open.rays, 0, open.count, shapes::RayKind::shadow, kAboveShadowTolerance, entry, hits, found, open.limit);
   for (int k = 0; k < open.count; ++k) {

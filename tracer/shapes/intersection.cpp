@@ -114,11 +114,10 @@ class Intersection final : public CsgShape {
   bool find_way(const Ray& ray, double t_min, double t_max, Way& way) const {
     way.near = t_min, way.far = t_max;
     if (bounded_ && !accel::clip_to_box(ray, limit_, way.near, way.far)) return false;
-    if (guards_ && !guards_->admit(ray)) return false;
     way.enter = t_min, way.leave = t_max;
     way.met = planes_.meet(ray, way.t, way.enter, way.leave);
     way.near = std::max(way.near, way.enter), way.far = std::min(way.far, way.leave);
-    if (!(way.near <= way.far) || within_hollow(ray, way.near, way.far)) return false;
+    if (!(way.near <= way.far) || (guards_ && !guards_->admit(ray)) || within_hollow(ray, way.near, way.far)) return false;
     if (!core_) return true;
     way.core = core_->cross(ray);
     return narrow(way);
@@ -135,12 +134,13 @@ class Intersection final : public CsgShape {
     std::fill_n(near, RayLanes::kCount, t_min), std::copy_n(t_max, RayLanes::kCount, far);
     std::copy_n(near, RayLanes::kCount, enter), std::copy_n(far, RayLanes::kCount, leave);
     if (bounded_) planes_.clip(limit_, rays, near, far);
-    unsigned open = guards_ ? guards_->admit({rays.rays, rays.first, within(near, far, rays.asked)}) : within(near, far, rays.asked);
+    unsigned open = within(near, far, rays.asked);
     if (open == 0) return;
     PlaneSet::Lanes planes;
     planes_.meet(rays, planes, enter, leave);
     for (int k = 0; k < RayLanes::kCount; ++k) near[k] = std::max(near[k], enter[k]), far[k] = std::min(far[k], leave[k]);
     open = within(near, far, open);
+    if (guards_ && open != 0) open = guards_->admit({rays.rays, rays.first, open});
     if (!hollows_.empty()) each_lane(open, [&](int k) { open &= within_hollow(rays.at(k), near[k], far[k]) ? ~(1u << k) : ~0u; });
     Crossings core[RayLanes::kCount];
     if (core_ && open != 0) core_->cross_lanes({rays.rays, rays.first, open}, core);

@@ -1,7 +1,8 @@
-// Four floats at once: SSE where there is SSE (every x86-64), plain code elsewhere. Only what the box trees need.
+// Four floats at once: SSE where there is SSE (every x86-64), plain code elsewhere. Only what the trees need.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -24,6 +25,7 @@ inline Float4 operator-(Float4 a, Float4 b) { return _mm_sub_ps(a.v, b.v); }
 inline Float4 operator*(Float4 a, Float4 b) { return _mm_mul_ps(a.v, b.v); }
 inline Float4 min(Float4 a, Float4 b) { return _mm_min_ps(a.v, b.v); }
 inline Float4 max(Float4 a, Float4 b) { return _mm_max_ps(a.v, b.v); }
+inline Float4 sqrt(Float4 a) { return _mm_sqrt_ps(a.v); }
 // Lanes in which a <= b; lane i is bit i of bits().
 struct Mask4 {
   __m128 v;
@@ -57,6 +59,7 @@ inline Float4 operator*(Float4 a, Float4 b) { return lanewise(a, b, [](float x, 
 // As the instructions do: the second operand where the comparison is false.
 inline Float4 min(Float4 a, Float4 b) { return lanewise(a, b, [](float x, float y) { return x < y ? x : y; }); }
 inline Float4 max(Float4 a, Float4 b) { return lanewise(a, b, [](float x, float y) { return x > y ? x : y; }); }
+inline Float4 sqrt(Float4 a) { return lanewise(a, a, [](float x, float) { return std::sqrt(x); }); }
 struct Mask4 {
   unsigned lanes;
   unsigned bits() const { return lanes; }

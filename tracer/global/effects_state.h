@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "tracer/global/scene_effects.h"
-#include "tracer/shading/tracer.h"
+#include "tracer/shading/wave.h"
 
 namespace verisim::global {
 
@@ -13,6 +13,7 @@ class EffectsStateOfScene : public shading::EffectsState {
  public:
   // Radiosity of the tile or phase being rendered; null: queries give nothing (photon shooting).
   std::optional<RadiosityTask> radiosity;
+  std::array<std::unique_ptr<shading::Wave>, kMaxRadiosityDepth + 1> gather_waves;  // by gather_depth; made when they are needed
   std::optional<IrradianceCache> own_samples;  // of this tile, where the shared cache is read only
 
   // Photons around the hit that is being shaded, shared by its layers, and the hit they belong to.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "tracer/math/vec.h"
 
@@ -16,13 +17,27 @@ class GatherLattice {
  public:
   static bool worthwhile(int rays) { return rays > kFew; }
   // Rays in place of `rays` of POV-Ray's.
-  static int enough(int rays) { return std::min(2 * rays, rays - (rays - kEven) * 9 / 20); }
+  static int enough(int rays) { return rays > kEven ? rays - (rays - kEven) / 5 : std::min(2 * rays, rays + (kEven - rays) * 9 / 20); }
+
+  // From one direction to the next, so that few of them are spread evenly, too: their places are much like those of the sequence of shifts.
+  static int step(int count) {
+    constexpr int kTried = 250;  // on either side of what suits one of the coordinates
+    int best = 1;
+    double least = 1.0;
+    for (const auto& [ku, kv] : {std::pair(kU, kV), std::pair(kV, kU)}) {
+      const int center = static_cast<int>(ku * count);
+      for (int s = std::max(1, center - kTried); s < std::min(count, center + kTried); ++s) {
+        const double angle = s * kGolden;
+        const double off = std::max(apart(static_cast<double>(s) / count, ku), std::min(apart(angle, kv), apart(angle, -kv)));
+        if (off < least && std::gcd(s, count) == 1) least = off, best = s;
+      }
+    }
+    return best;
+  }
 
   // Lattices of successive numbers complement each other.
-  GatherLattice(int count, std::size_t number) : count_(count), u_(part(kU * static_cast<double>(number))), v_(part(kV * static_cast<double>(number))) {
-    step_ = std::max(1, static_cast<int>(count * kGolden));
-    while (std::gcd(step_, count_) != 1) ++step_;
-  }
+  GatherLattice(int count, int step, std::size_t number)
+      : count_(count), step_(step), u_(part(kU * static_cast<double>(number))), v_(part(kV * static_cast<double>(number))) {}
 
   // The first `count` are the lattice, in an order whose beginnings are spread evenly, too; then come others, shifted again.
   Vec3 next() {
@@ -37,6 +52,7 @@ class GatherLattice {
   static constexpr double kGolden = 0.61803398874989485;
   static constexpr double kU = 0.75487766624669276, kV = 0.56984029099805327;  // powers of the inverse plastic number: shifts that fill the square evenly
   static double part(double x) { return x - std::floor(x); }
+  static double apart(double a, double b) { return std::fabs(a - b - std::round(a - b)); }
 
   int count_, step_, drawn_ = 0;
   double u_, v_;

@@ -62,7 +62,7 @@ void IrradianceCache::add(const IrradianceSample& sample) {
     within.min[a] = std::max(p[a] - radius, r.center[a] - r.half);
     within.max[a] = std::min(p[a] + radius, r.center[a] + r.half);
   }
-  depths_[static_cast<std::size_t>(sample.depth)].tree.add({index, p, sample.normal, sample.mean_distance, radius, within});
+  depths_[static_cast<std::size_t>(sample.depth)].tree.add({index, p, sample.normal, sample.mean_distance, std::max(sample.mean_distance, sample.nearest_distance), radius, within});
   if (include_in_root(cell)) {
     for (Depth& d : depths_) d.in_root.clear();
   }

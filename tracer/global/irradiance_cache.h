@@ -43,9 +43,10 @@ class IrradianceCache {
   bool empty() const { return samples_.empty(); }
 
   // Calls visit(sample, squared distance) for every sample of this depth that POV-Ray's lookup finds from x and that is nearer than
-  // bound * its mean distance, in the order they were added. Samples whose normal's cosine with `normal` is below 1 - widest_turn may be left out.
+  // bound * its mean distance, in the order they were added. Those may be left out of which the larger of their mean and nearest distances and their normal
+  // tell that their error (spec 07 2.5) is above the bound.
   template <class Visit>
-  void visit(int depth, const Vec3& x, double bound, const Vec3& normal, double widest_turn, Visit&& visit) const {
+  void visit(int depth, const Vec3& x, double bound, const Vec3& normal, Visit&& visit) const {
     if (depth >= static_cast<int>(depths_.size())) return;
     const Depth& d = depths_[static_cast<std::size_t>(depth)];
     const auto consider = [&](std::uint32_t index, bool in_root) {
@@ -56,7 +57,7 @@ class IrradianceCache {
       if (in_root == doubled_cells_[index].contains(x)) return;  // a sample of the root cell is also found from outside of its doubled cell
       visit(s, squared);
     };
-    d.tree.visit(x, bound, normal, widest_turn, [&](std::uint32_t index) { consider(index, false); });
+    d.tree.visit(x, bound, normal, [&](std::uint32_t index) { consider(index, false); });
     for (const std::uint32_t index : d.in_root) consider(index, true);
   }
 

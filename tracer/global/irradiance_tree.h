@@ -20,23 +20,23 @@ class IrradianceTree {
   struct Entry {
     std::uint32_t sample;  // number, for whoever asks
     Vec3 point, normal;
-    float mean_distance;
+    float mean_distance, widest;  // what distances are measured by, and what at most
     double radius;         // of the ball that it reaches at most
     Box3 within;           // it is not found from outside of this box
     double extent() const { return 0.5 * std::max({within.max.x - within.min.x, within.max.y - within.min.y, within.max.z - within.min.z}); }
   };
   void add(const Entry& entry);
-  // Calls visit(sample) for all whose distance from x is below bound * mean_distance and whose normal has a cosine above 1 - widest_turn with `normal`,
-  // and for some more.
+  // Calls visit(sample) for all whose distance r from x is below bound * mean_distance, and r / widest + 2 sqrt(1 - cosine of the normals) below bound, and
+  // for some more.
   template <class Visit>
-  void visit(const Vec3& x, double bound, const Vec3& normal, double widest_turn, Visit&& visit) const;
+  void visit(const Vec3& x, double bound, const Vec3& normal, Visit&& visit) const;
   std::size_t bytes() const { return entries_.size() * sizeof(Entry) + nodes_.size() * sizeof(Node) + lanes_ * sizeof(Lanes); }
 
  private:
   // Four samples; unused places are far from everywhere.
   struct alignas(16) Lanes {
     float point[3][4], normal[3][4];  // points relative to the node's centre
-    float mean_distance[4];
+    float mean_distance[4], widest[4];
     std::uint32_t entry[4];
   };
   struct Node {
@@ -66,7 +66,7 @@ class IrradianceTree {
 };
 
 template <class Visit>
-void IrradianceTree::visit(const Vec3& x, double bound, const Vec3& normal, double widest_turn, Visit&& visit) const {
+void IrradianceTree::visit(const Vec3& x, double bound, const Vec3& normal, Visit&& visit) const {
   using accel::Float4;
   constexpr double kMargin = 1e-5;
   if (nodes_.empty()) return;
@@ -77,13 +77,15 @@ void IrradianceTree::visit(const Vec3& x, double bound, const Vec3& normal, doub
   const auto all = [](double v) { return Float4(static_cast<float>(v)); };
   const Vec3 p = x - node->center;
   const Float4 px = all(p.x), py = all(p.y), pz = all(p.z), nx = all(normal.x), ny = all(normal.y), nz = all(normal.z);
-  const Float4 most = all(bound * (1.0 + kMargin)), rounding = all(2e-6 * (node->farthest + node->half)), least_cosine = all(1.0 - widest_turn - kMargin);
+  const Float4 most = all(bound * (1.0 + kMargin)), rounding = all(2e-6 * (node->farthest + node->half)), none = all(0.0), one = all(1.0 - kMargin), two = all(2.0);
   for (const Lanes& s : node->lanes) {
     const auto load = [](const float* v) { return Float4::load(v); };
     const Float4 dx = load(s.point[0]) - px, dy = load(s.point[1]) - py, dz = load(s.point[2]) - pz;
     const Float4 reach = load(s.mean_distance) * most + rounding;
     const Float4 cosine = load(s.normal[0]) * nx + load(s.normal[1]) * ny + load(s.normal[2]) * nz;
-    for (unsigned bits = ((dx * dx + dy * dy + dz * dz <= reach * reach) & (least_cosine <= cosine)).bits(); bits != 0; bits &= bits - 1)
+    const Float4 left = most - two * sqrt(max(one - cosine, none)), widest = max(load(s.widest) * left, none) + rounding;
+    const Float4 squared = dx * dx + dy * dy + dz * dz;
+    for (unsigned bits = ((squared <= reach * reach) & (squared <= widest * widest) & (none <= left)).bits(); bits != 0; bits &= bits - 1)
       visit(entries_[s.entry[std::countr_zero(bits)]].sample);
   }
 }

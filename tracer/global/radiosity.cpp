@@ -23,6 +23,57 @@ Vec3 to_world(const Vec3& d, const Vec3& n) {
   return d.x * x + d.y * n + d.z * z;
 }
 
+// The rays of one sample, drawn as POV-Ray does (spec 07 2.7), or on a lattice.
+class SampleRays {
+ public:
+  // `cursor`: into the pool of directions; `next_lattice`: empty for POV-Ray's own directions.
+  SampleRays(const RadiositySettings& settings, const RadiosityQuery& query, std::size_t& cursor, std::optional<std::size_t>& next_lattice)
+      : settings_(settings), query_(query), cursor_(cursor), count_(settings.rays(query.depth)) {
+    if (next_lattice && GatherLattice::worthwhile(count_)) {
+      count_ = GatherLattice::enough(count_);
+      lattice_.emplace(count_, settings.lattice_step(query.depth), (*next_lattice)++);
+    }
+    perturbed_ = settings.description().normal && dot(query.layer_normal, query.geometric_normal) < 1.0 - 1e-12;
+    most_tries_ = std::min<std::size_t>(5 * static_cast<std::size_t>(count_), settings.pool_size());
+  }
+
+  int count() const { return count_; }
+  // Of the rays so far, those about the layer's normal instead of the surface's.
+  int about_layer() const { return about_layer_; }
+
+  GatherRay next() {
+    Vec3 direction;
+    bool found = false;
+    while (perturbed_ && tries_ < most_tries_ && !found) {
+      ++tries_;
+      direction = to_world(draw(), query_.layer_normal);
+      found = dot(direction, query_.geometric_normal) > 0.0;
+    }
+    if (found) {
+      ++about_layer_;
+    } else {
+      direction = to_world(draw(), query_.geometric_normal);
+    }
+    return {direction, static_cast<float>(drawn_++) / static_cast<float>(count_ - 1)};
+  }
+
+ private:
+  Vec3 draw() {
+    if (lattice_) return lattice_->next();
+    const Vec3& direction = settings_.direction(cursor_);
+    cursor_ = cursor_ + 1 == settings_.pool_size() ? 0 : cursor_ + 1;
+    return direction;
+  }
+
+  const RadiositySettings& settings_;
+  const RadiosityQuery& query_;
+  std::size_t& cursor_;
+  std::optional<GatherLattice> lattice_;
+  int count_, drawn_ = 0, about_layer_ = 0;
+  bool perturbed_;
+  std::size_t most_tries_, tries_ = 0;
+};
+
 }  // namespace
 
 RadiositySettings::RadiositySettings(const scene::Radiosity& description, const Vec3& camera_location)
@@ -36,6 +87,7 @@ RadiositySettings::RadiositySettings(const scene::Radiosity& description, const 
   }
   for (int d = 0; d < kMaxRadiosityDepth; ++d) {
     rays_[d] = std::min(size, std::max(5, static_cast<int>(std::floor(std::ldexp(static_cast<double>(description.count), -d)))));
+    if (GatherLattice::worthwhile(rays_[d])) lattice_steps_[d] = GatherLattice::step(GatherLattice::enough(rays_[d]));
   }
 }
 
@@ -60,23 +112,21 @@ RadiosityTask::RadiosityTask(const RadiositySettings& settings, const Irradiance
 void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound,
                                Estimate& estimate) const {
   const bool smooth = !pretrace_ && query.depth == 0;
-  // 2 sqrt |1 - N.Ni| alone must stay below the bound; with a margin, so that the exact test below decides.
-  const double widest_turn = 0.25 * bound * bound * (1.0 + 1e-9);
-  cache.visit(query.depth, query.point, bound, normal, widest_turn, [&](const IrradianceSample& s, double squared) {
+  cache.visit(query.depth, query.point, bound, normal, [&](const IrradianceSample& s, double squared) {
     const double turn = std::fabs(1.0 - dot(normal, s.normal));
-    if (turn > widest_turn) return;
     const Vec3 delta = query.point - s.point;
     const double r = std::sqrt(squared);
-    double radius = s.mean_distance, facing = 1.0;
-    if (r > 1e-6) {
-      const Vec3 u = delta / r;
+    const bool apart = r > 1e-6;
+    const Vec3 u = apart ? delta / r : delta;
+    double radius = s.mean_distance;
+    if (apart) {
       const double c = dot(u, s.nearest_direction);
       if (c > 0.0) radius = c * s.nearest_distance + (1.0 - c) * s.mean_distance;
       if (r >= radius * bound) return;
-      facing = dot(u, normalize(normal + s.normal));
     }
     const double error = r / radius + 2.0 * std::sqrt(turn);
     if (!(error < bound)) return;
+    const double facing = apart ? dot(u, normalize(normal + s.normal)) : 1.0;
     if (facing <= -0.05) return;
     const double t = error / bound;
     double weight = 1.0 - t;
@@ -89,7 +139,7 @@ void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuer
   });
 }
 
-Rgb RadiosityTask::irradiance(const RadiosityQuery& query, Gatherer& gatherer, float& quality) {
+Rgb RadiosityTask::irradiance(const RadiosityQuery& query, Gatherer& gatherer, shading::GatherNotes& notes) {
   const scene::Radiosity& d = settings_.description();
   const Vec3& normal = d.normal ? query.layer_normal : query.geometric_normal;
   const double bound =
@@ -105,73 +155,54 @@ Rgb RadiosityTask::irradiance(const RadiosityQuery& query, Gatherer& gatherer, f
   if (enough) {
     result = estimate.sum * static_cast<float>(1.0 / estimate.weight);
   } else {
-    float sample_quality = 1.0f;
-    const Rgb sample = take_sample(query, gatherer, sample_quality);
-    const double total = estimate.weight + sample_quality;
-    result = estimate.weight > 0.0 && total > 0.0 ? (estimate.sum + sample * sample_quality) * static_cast<float>(1.0 / total) : sample;
+    shading::GatherNotes of_sample;
+    const Rgb sample = take_sample(query, gatherer, of_sample);
+    const double total = estimate.weight + of_sample.quality;
+    result = estimate.weight > 0.0 && total > 0.0 ? (estimate.sum + sample * of_sample.quality) * static_cast<float>(1.0 / total) : sample;
     estimate.weight = total;
-    quality = std::max(quality, sample_quality);
+    notes.quality = std::max(notes.quality, of_sample.quality);
+    notes.importance = of_sample.importance;
   }
-  quality = std::min(quality, static_cast<float>(4.0 * estimate.weight / required));
+  notes.quality = std::min(notes.quality, static_cast<float>(4.0 * estimate.weight / required));
   const auto g = static_cast<float>(d.gray_threshold);
   if (g > 0.0f) result = result * (1.0f - g) + Rgb(result.grey() * g);
   return result * static_cast<float>(d.brightness);
 }
 
-Rgb RadiosityTask::take_sample(const RadiosityQuery& query, Gatherer& gatherer, float& quality) {
+Rgb RadiosityTask::take_sample(const RadiosityQuery& query, Gatherer& gatherer, shading::GatherNotes& notes) {
   const scene::Radiosity& d = settings_.description();
-  const bool on_lattice = next_lattice_ && GatherLattice::worthwhile(settings_.rays(query.depth));
-  const int n = on_lattice ? GatherLattice::enough(settings_.rays(query.depth)) : settings_.rays(query.depth);
-  const std::size_t pool = settings_.pool_size();
-  std::size_t& cursor = cursor_[query.depth];
-  std::optional<GatherLattice> lattice;
-  if (on_lattice) lattice.emplace(n, (*next_lattice_)++);
-  const auto draw = [&]() -> Vec3 {
-    if (lattice) return lattice->next();
-    const Vec3& direction = settings_.direction(cursor);
-    cursor = cursor + 1 == pool ? 0 : cursor + 1;
-    return direction;
-  };
-
-  const bool perturbed = d.normal && dot(query.layer_normal, query.geometric_normal) < 1.0 - 1e-12;
-  const std::size_t most_tries = std::min<std::size_t>(5 * static_cast<std::size_t>(n), pool);
-  std::size_t tries = 0;
-  int about_layer = 0;
+  SampleRays rays(settings_, query, cursor_[static_cast<std::size_t>(query.depth)], next_lattice_);
+  const int n = rays.count();
+  auto& room = gathering_[static_cast<std::size_t>(query.depth)];
+  if (!room) room = std::make_unique<Gathering>();
 
   Rgb sum;
   float quality_sum = 0, nearest = 2e10f;
   Vec3 nearest_direction(0, 0, 0);
   double inverse_sum = 0;
-  for (int i = 0; i < n; ++i) {
-    Vec3 direction;
-    bool found = false;
-    while (perturbed && tries < most_tries && !found) {
-      ++tries;
-      direction = to_world(draw(), query.layer_normal);
-      found = dot(direction, query.geometric_normal) > 0.0;
+  for (int done = 0; done < n;) {
+    const int together = std::min(n - done, kGatheredTogether);
+    done += together;
+    for (int i = 0; i < together; ++i) room->rays[i] = rays.next(), room->results[i] = {};
+    gatherer.gather(query.point, {room->rays, static_cast<std::size_t>(together)}, query.depth, room->results);
+    for (int i = 0; i < together; ++i) {
+      const GatherRay& ray = room->rays[i];
+      const GatherResult& g = room->results[i];
+      const float importance = notes.importance = g.notes.importance < 0 ? g.importance : g.notes.importance;
+      if (g.shaded && importance >= ray.threshold) {
+        float q = g.notes.quality;
+        if (importance < 1.0f) q *= static_cast<float>(n) / (std::floor(importance * static_cast<float>(n - 1)) + 1.0f);
+        Rgb color = g.color;
+        if (d.max_sample > 0.0 && color.max() > d.max_sample) color *= static_cast<float>(d.max_sample / color.max());
+        sum += color * q;
+        quality_sum += q;
+      }
+      inverse_sum += 1.0 / g.distance;  // a miss is infinitely far
+      if (g.distance < nearest) nearest = static_cast<float>(g.distance), nearest_direction = ray.direction;
     }
-    if (found) {
-      ++about_layer;
-    } else {
-      direction = to_world(draw(), query.geometric_normal);
-    }
-    const float threshold = static_cast<float>(i) / static_cast<float>(n - 1);
-    latest_importance_ = -1;
-    const GatherResult g = gatherer.gather({query.point, direction}, query.depth, threshold);
-    if (latest_importance_ < 0) latest_importance_ = g.importance;
-    if (g.shaded && latest_importance_ >= threshold) {
-      float q = g.quality;
-      if (latest_importance_ < 1.0f) q *= static_cast<float>(n) / (std::floor(latest_importance_ * static_cast<float>(n - 1)) + 1.0f);
-      Rgb color = g.color;
-      if (d.max_sample > 0.0 && color.max() > d.max_sample) color *= static_cast<float>(d.max_sample / color.max());
-      sum += color * q;
-      quality_sum += q;
-    }
-    inverse_sum += 1.0 / g.distance;  // a miss is infinitely far
-    if (g.distance < nearest) nearest = static_cast<float>(g.distance), nearest_direction = direction;
   }
   const Rgb irradiance = quality_sum > 0.0f ? sum * (1.0f / quality_sum) : sum;
-  quality = quality_sum / static_cast<float>(n);
+  const float quality = notes.quality = quality_sum / static_cast<float>(n);
 
   const Vec3 from_camera = query.point - settings_.camera_location();
   const double distance = length(from_camera), scale = std::ldexp(1.0, query.depth);
@@ -180,7 +211,7 @@ Rgb RadiosityTask::take_sample(const RadiosityQuery& query, Gatherer& gatherer, 
     mean = std::min(std::max(mean, distance * d.minimum_reuse * scale), distance * d.maximum_reuse * scale);
     IrradianceSample sample;
     sample.point = query.point;
-    sample.normal = 2 * about_layer > n ? query.layer_normal : query.geometric_normal;
+    sample.normal = 2 * rays.about_layer() > n ? query.layer_normal : query.geometric_normal;
     sample.nearest_direction = nearest_direction;
     sample.irradiance = irradiance;
     sample.mean_distance = static_cast<float>(mean);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "tracer/global/irradiance_cache.h"
 #include "tracer/global/pretrace.h"
 #include "tracer/scene/scene.h"
+#include "tracer/shading/ray_state.h"
 
 namespace verisim::global {
 
@@ -25,6 +27,7 @@ class RadiositySettings {
   IrradianceCache empty_cache() const;
   Vec3 camera_location() const { return camera_location_; }
   int rays(int depth) const { return rays_[depth]; }
+  int lattice_step(int depth) const { return lattice_steps_[depth]; }
   double required_weight(int depth) const;         // K_d; a query is satisfied by an accumulated weight of K_d / 4
   // Trace level and weight a gather ray of this depth starts with (spec 07 2.6).
   static int start_level(int depth) { return static_cast<int>(1.5 * (depth + 1)); }
@@ -36,7 +39,13 @@ class RadiositySettings {
   const scene::Radiosity* description_;
   Vec3 camera_location_;
   std::vector<Vec3> pool_;  // Halton (2,3), cosine-weighted about +y
-  std::array<int, kMaxRadiosityDepth> rays_{};
+  std::array<int, kMaxRadiosityDepth> rays_{}, lattice_steps_{};
+};
+
+// A ray that gathers light for a sample; it is shaded only where what it hits has at least this importance.
+struct GatherRay {
+  Vec3 direction;
+  float threshold;
 };
 
 struct GatherResult {
@@ -44,15 +53,17 @@ struct GatherResult {
   bool shaded = false;   // false: culled by importance
   float importance = 1;  // of what was hit, or the default importance
   Rgb color;
-  float quality = 1;     // worst quality of the queries along the ray
+  shading::GatherNotes notes;
 };
 
-// Traces one gather ray; implemented by the tracer.
+inline constexpr int kGatheredTogether = 160;  // rays at most
+
+// Traces rays of a sample; implemented by the tracer.
 class Gatherer {
  public:
   virtual ~Gatherer() = default;
-  // depth: of the sample that gathers; threshold: shade only what has at least this importance.
-  virtual GatherResult gather(const Ray& ray, int depth, float threshold) = 0;
+  // `depth`: of the sample that gathers; there is a result for each ray, as it was made.
+  virtual void gather(const Vec3& from, std::span<const GatherRay> rays, int depth, GatherResult* results) = 0;
 };
 
 struct RadiosityQuery {
@@ -72,9 +83,9 @@ class RadiosityTask {
     cursor_.fill(first % settings_.pool_size());
     next_lattice_ = first;
   }
-  // Irradiance at the point, and through `quality` (in and out) the worst quality so far along the enclosing ray; a sample taken for it may be of better
-  // quality than 1, if it has hit more of what is of little importance than most do, and then counts for as much.
-  Rgb irradiance(const RadiosityQuery& query, Gatherer& gatherer, float& quality);
+  // Irradiance at the point, and what the enclosing ray is to know of it. A sample taken for it may be of better quality than 1, if it has hit more of what is
+  // of little importance than most do, and then counts for as much.
+  Rgb irradiance(const RadiosityQuery& query, Gatherer& gatherer, shading::GatherNotes& notes);
   // Those of depth 0 so far; the weights are 4 S before gathering.
   const PretraceQueries& primary_queries() const { return primary_queries_; }
 
@@ -84,7 +95,7 @@ class RadiosityTask {
     double weight = 0;
   };
   void accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound, Estimate& estimate) const;
-  Rgb take_sample(const RadiosityQuery& query, Gatherer& gatherer, float& quality);
+  Rgb take_sample(const RadiosityQuery& query, Gatherer& gatherer, shading::GatherNotes& notes);
 
   const RadiositySettings& settings_;
   const IrradianceCache* base_;
@@ -94,9 +105,12 @@ class RadiosityTask {
   std::array<std::size_t, kMaxRadiosityDepth> cursor_{};
   std::optional<std::size_t> next_lattice_;
   PretraceQueries primary_queries_;
-  // Of what the last gather ray hit first, at any depth; below 0: none since the ray that is being followed. POV-Ray weighs a ray by it, hence by what the
-  // samples along it have hit last, if any were taken (measured with 3.7.0.10).
-  float latest_importance_ = -1;
+  // Of the samples that are being taken, one within another. What is drawn does not hang on what rays meet, so they are drawn before they are traced.
+  struct Gathering {
+    GatherRay rays[kGatheredTogether];
+    GatherResult results[kGatheredTogether];
+  };
+  std::array<std::unique_ptr<Gathering>, kMaxRadiosityDepth> gathering_;
 };
 
 }  // namespace verisim::global

@@ -45,6 +45,8 @@ class RandomSource {
     return crand_state_ / 4294967295.0;
   }
   bool replay() const { return replay_; }
+  // Of the sequence that is being drawn from.
+  Key key() const { return key_; }
 
  private:
   friend class RandomBranch;
@@ -81,10 +83,11 @@ class RandomBranch {
   RandomBranch& operator=(const RandomBranch&) = delete;
 
   // The branches of a hit: of the texture-th texture that shows there, the ray behind the surface and the mirror of a layer; the light that a layer gets from
-  // other surfaces; a light; the media of the ray's interiors and what fills the air.
+  // other surfaces, and a ray that gathers it; a light; the media of the ray's interiors and what fills the air.
   static std::uint32_t behind(int texture) { return static_cast<std::uint32_t>(texture) << 8; }
   static std::uint32_t mirror(int texture, int layer) { return behind(texture) + 1 + static_cast<std::uint32_t>(layer); }
   static std::uint32_t indirect(int texture, int layer) { return mirror(texture, layer) + (1u << 29); }
+  static std::uint32_t gather(std::size_t ray) { return indirect(0, 0) + (1u << 28) + static_cast<std::uint32_t>(ray); }
   static std::uint32_t light(std::size_t index) { return (1u << 30) + static_cast<std::uint32_t>(index); }
   static constexpr std::uint32_t kContainer = 1u << 31, kAir = kContainer + 1;
 

@@ -11,6 +11,13 @@ struct InteriorRange {
   std::uint32_t begin = 0, count = 0;
 };
 
+// What a radiosity ray learns on its way of the samples that are asked for along it.
+struct GatherNotes {
+  float quality = 1;      // the worst of the answers
+  // Of what the last ray of the last sample that was taken on the way hit first; below 0: none was taken. POV-Ray weighs a ray by it (measured with 3.7.0.10).
+  float importance = -1;
+};
+
 struct RayState {
   Ray ray;
   InteriorRange interiors;
@@ -28,7 +35,7 @@ struct RayState {
   int level_limit = 5;         // max_trace_level, or what a gather ray is allowed
   // Radiosity bookkeeping of whoever started this ray; inherited by all descendants.
   int gather_depth = 0;
-  float* gather_quality = nullptr;
+  GatherNotes* notes = nullptr;
 
   shapes::RayKind kind() const {
     using shapes::RayKind;

@@ -48,15 +48,15 @@ struct Travellers {
 }  // namespace
 
 // Shadow rays to this light go one by one: many to an area, or with things to meet or numbers to draw on their way that the rows do not know.
-bool Tracer::rays_alone(const Light& light) const {
+bool Tracer::rays_alone(const Light& light, const RayState& eye) const {
   const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
-  return light.area() || light.projector() || random_.replay() || ((scene_.fog || media) && light.media_attenuation());
+  return (light.area() && !eye.gather) || light.projector() || random_.replay() || ((scene_.fog || media) && light.media_attenuation());
 }
 
 // Calls opaque(cell, entry) for rays that meet nothing but opaque objects, and mixed(cell, entry) for others.
 template <class Opaque, class Mixed>
 void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRow& row, Opaque&& opaque, Mixed&& mixed) {
-  const bool entries = !scene_.world.tree().empty();  // without a tree there is nothing to know of where rays start
+  const bool entries = !scene_.world.tree().empty() && !eye.gather;  // without a tree there is nothing to know of where rays start
   Cells cells;
   int unknown = -1, last = -1;
   for (int i = 0; i < row.count; ++i) {
@@ -89,7 +89,7 @@ void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRow& 
 
 void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& row) {
   if (!light.shadows() || row.count == 0) return;
-  if (rays_alone(light)) {
+  if (rays_alone(light, eye)) {
     for (int i = 0; i < row.count; ++i) {
       random_.begin(row.key[i]);
       row.light[i] = shadowed(light, row.rays.origin.at(i), {row.rays.direction.at(i), row.distance[i]}, eye, row.lit[i], row.light[i]);
@@ -107,7 +107,7 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& ro
 
 void Tracer::look_for_light(const Light& light, const RayState& eye, std::span<const Vec3> points, LightWay* ways) {
   std::fill_n(ways, points.size(), LightWay::unknown);
-  if (scene_.quality < 4 || !light.shadows() || rays_alone(light)) return;
+  if (scene_.quality < 4 || !light.shadows() || rays_alone(light, eye)) return;
   ShadowRow row;
   int point[ShadowRow::kMost];
   for (std::size_t i = 0; i < points.size(); ++i) {

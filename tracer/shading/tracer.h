@@ -201,7 +201,7 @@ class Tracer {
   accel::WorldEntry* shadow_entry(const ShadowQuery& query, const Vec3& p);
   static accel::CoherentRays::Viewer viewer(const ShadowQuery& query);
   // ---- shadow_row.cpp
-  bool rays_alone(const Light& light) const;
+  bool rays_alone(const Light& light, const RayState& eye) const;
   template <class Opaque, class Mixed>
   void by_cells(const Light& light, const RayState& eye, const ShadowRow& row, Opaque&& opaque, Mixed&& mixed);
   void filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count, ShadowRow& row);

@@ -29,15 +29,15 @@ bool is_simple(const Light& light) { return !light.area_illumination() && is_fin
 
 }  // namespace
 
-Wave::Wave(Tracer& tracer) : tracer_(tracer), scene_(tracer.scene()), kernels_(wave_kernels()), lanes_{} {
+Wave::Wave(Tracer& tracer, bool asks_around) : tracer_(tracer), scene_(tracer.scene()), kernels_(wave_kernels()), lanes_{} {
   usable_ = scene_.quality >= 9 && !tracer_.random_.replay() && scene_.adc_bailout >= 0 && scene_.adc_bailout < 1;
-  indirect_ = scene_.effects && scene_.effects->radiosity;
+  indirect_ = asks_around && scene_.effects && scene_.effects->radiosity;
   photons_ = scene_.effects && scene_.effects->photons;
   for (std::size_t i = 0; i < scene_.global_lights(); ++i) usable_ = usable_ && is_simple(scene_.lights()[i]);
   for (float* tint : {lanes_.tint.r, lanes_.tint.g, lanes_.tint.b}) std::fill_n(tint, kMost, 1.0f);
   plain_sky_ = !scene_.sky.varies();
-  for (const bool mirrored : {false, true})
-    if (plain_sky_) sky_[mirrored] = scene_.sky.seen({0, 0, 1}, mirrored);
+  for (const bool opaque : {false, true})
+    if (plain_sky_) sky_[opaque] = scene_.sky.seen({0, 0, 1}, opaque);
 }
 
 void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity, int texture, const Part* part) {
@@ -112,7 +112,7 @@ bool Wave::reach(const Light& light) {
     std::fill_n(lanes_.attenuation, kMost, 1.0f);
   }
   attenuated_ = light.attenuates();
-  if (!kernels_.receive(light.color(), light.highlights(), count_, lanes_)) return false;
+  if (!kernels_.receive(light.color(), light.highlights() && !state_.gather, count_, lanes_)) return false;
   int asks[kMost];
   if (layered_) share_asking(asks);
   cast_shadows(light);
@@ -259,12 +259,13 @@ void Wave::show(Color* out) {
 
 // The rays that hit nothing.
 void Wave::show_sky(int count, Color* out) {
+  const bool opaque = state_.reflected || state_.gather;
   textures::PointRow directions;
   int misses[kMost], n = 0;
   for (int i = 0; i < count; ++i) {
     if (found_[i]) continue;
     if (plain_sky_) {
-      out[i] = sky_[state_.reflected];
+      out[i] = sky_[opaque];
     } else {
       directions.set(n, lanes_.rays.direction.at(i));
       misses[n++] = i;
@@ -272,7 +273,7 @@ void Wave::show_sky(int count, Color* out) {
   }
   if (n == 0) return;
   Color colors[kMost];
-  scene_.sky.seen(n, directions, state_.reflected, colors);
+  scene_.sky.seen(n, directions, opaque, colors);
   for (int k = 0; k < n; ++k) out[misses[k]] = colors[k];
 }
 
@@ -290,6 +291,11 @@ void Wave::run(int count, const accel::WorldEntry* const* entries, Color* out) {
     for (end = first + 1; end < count && entries[end] == entries[first];) ++end;
     scene_.world.intersect_row(lanes_.rays, first, end - first, state_.kind(), kNearestHit, entries[first], hits_, found_);
   }
+  shade(count, out);
+}
+
+// What is known to be hit.
+void Wave::shade(int count, Color* out) {
   leaves_.clear();
   parts_.clear();
   branches_.clear();
@@ -316,7 +322,7 @@ void Wave::run(int count, const accel::WorldEntry* const* entries, Color* out) {
 
 // To what was not resolved the common way, which knows of them.
 void Wave::apply_volumes(int count, const bool* resolved, Color* out) {
-  if (!state_.hollow) return;
+  if (!state_.hollow || !state_.volumes) return;
   const bool container = scene_.effects && scene_.effects->media_in_interiors && state_.interiors.count > 0;
   if (!container && !tracer_.has_volumes_) return;
   if (container) {

@@ -1,4 +1,4 @@
-// Camera rays of neighbouring pixels, shaded together: what most pixels of most scenes show, an opaque surface, is worked on
+// Camera rays of neighbouring pixels, and the rays of radiosity samples, shaded together: what most pixels of most scenes show, an opaque surface, is worked on
 // with wide instructions; every other hit takes the common way (Tracer::resolve). Both give the same bits. What is seen in their mirrors and through them are
 // waves of their own.
 #pragma once
@@ -16,7 +16,8 @@ class Wave {
  public:
   static constexpr int kMost = WaveLanes::kMost;
 
-  explicit Wave(Tracer& tracer);
+  // `asks_around`: surfaces get light from radiosity, if there is any.
+  explicit Wave(Tracer& tracer, bool asks_around = true);
 
   // False: hits of this scene have to be shaded one after another (random numbers in order, an observer ...).
   bool usable() const { return usable_ && !tracer_.observer_ && !tracer_.pretrace_; }
@@ -29,6 +30,15 @@ class Wave {
   // Traces the camera rays of the first lanes: `count` <= kMost colours. The same objects are around all their origins. Ray i enters the world at entries[i]
   // (null: unknown).
   void trace(int count, const accel::WorldEntry* const* entries, Color* out);
+
+  // ---- wave_gather.cpp: radiosity's rays
+  // False: they have to be shaded one after another.
+  bool can_gather() const;
+  // Takes one more ray, its random numbers and what it hits (null: nothing).
+  void add_gathering(const Ray& ray, RandomSource::Key key, const shapes::Hit* hit, GatherNotes& notes);
+  bool full() const { return gathering_ == kMost; }
+  // Shades the rays that were taken, which are like `common` but for their ways and notes.
+  void shade_gathering(const RayState& common, Color* out);
 
  private:
   // ---- wave_surfaces.cpp: what shows where rays hit, before lights are asked
@@ -123,6 +133,7 @@ class Wave {
 
   // ---- wave.cpp
   void run(int count, const accel::WorldEntry* const* entries, Color* out);
+  void shade(int count, Color* out);
   void apply_volumes(int count, const bool* resolved, Color* out);
   void show_sky(int count, Color* out);
   bool add_surface(int i);
@@ -145,7 +156,7 @@ class Wave {
   const SceneData& scene_;
   const WaveKernels& kernels_;
   bool usable_, indirect_, photons_;  // with light from radiosity, from photons
-  Color sky_[2];        // where there is no sky_sphere; in mirrors
+  Color sky_[2];        // where there is no sky_sphere; without alpha
   bool plain_sky_;
   std::unordered_map<const textures::CompiledTexture*, Materials> materials_;
   std::pair<const textures::CompiledTexture*, const Materials*> last_materials_[16]{};  // by address
@@ -161,6 +172,8 @@ class Wave {
   bool colored_[kMost];
   RayState state_;          // of all rays, but for the ray itself and its weight
   float weights_[kMost];
+  GatherNotes* notes_[kMost];  // of radiosity's rays
+  int gathering_ = 0;
   Vec2 places_[kMost];
   std::uint32_t numbers_[kMost] = {};
   RandomSource::Key keys_[kMost];

@@ -16,6 +16,7 @@ RayState Wave::ray_state(int i) const {
   RayState ray = state_;
   ray.ray = lanes_.rays.at(i);
   ray.weight = weights_[i];
+  if (state_.gather) ray.notes = notes_[i];
   return ray;
 }
 
@@ -91,7 +92,7 @@ void Wave::trace_group(int group, const Tracer::Refraction* refraction) {
   const auto size = std::ranges::count(branches_, group, &Branch::group);
   if (size < kFewest) return;
   if (!branch_wave_) {
-    branch_wave_ = std::make_unique<Wave>(tracer_);
+    branch_wave_ = std::make_unique<Wave>(tracer_, indirect_);
     branch_wave_->depth_ = depth_ + 1;
   }
   Wave& child = *branch_wave_;
@@ -124,6 +125,7 @@ void Wave::trace_group(int group, const Tracer::Refraction* refraction) {
     if (tracer_.cut_off(child.state_)) continue;
     child.weights_[n] = branch.weight;
     child.keys_[n] = branch.key;
+    if (state_.gather) child.notes_[n] = notes_[branch.ray];
     child.lanes_.rays.origin.set(n, met_[branch.ray].at->hit.point);
     child.lanes_.rays.direction.set(n, branch.direction);
     traced[n++] = &branch;

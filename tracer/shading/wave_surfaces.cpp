@@ -195,7 +195,7 @@ void Wave::find_layers(int* leaves, int n) {
       leaf.filter *= c.transmission();
       if (material.layer->finish.conserve_energy) leaf.filter *= {std::min(1.0f, 1 - reflected.r), std::min(1.0f, 1 - reflected.g), std::min(1.0f, 1 - reflected.b)};
       leaf.translucency = std::min(1.0f, std::fabs(leaf.filter.grey()));
-      if (leaf.translucency > scene_.adc_bailout) leaves[still++] = leaves[k];
+      if (leaf.translucency > tracer_.bailout(state_)) leaves[still++] = leaves[k];
     }
     n = still;
   }

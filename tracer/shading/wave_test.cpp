@@ -412,6 +412,59 @@ TEST(Wave, GivesTheColoursOfSingleLensRays) {
   }
 }
 
+// Radiosity's rays from a place into all directions.
+void expect_the_same_gathered(scene::Scene scene, bool volumes) {
+  scene.settings.radiosity.adc_bailout = 0.01;
+  for (const auto& object : scene.objects)  // which these rays see as a point
+    if (auto* light = const_cast<scene::LightSource*>(object->as<scene::LightSource>())) light->area = true, light->axis1 = {1, 0, 0}, light->axis2 = {0, 1, 0}, light->size1 = light->size2 = 3;
+  textures::Compiler compiler{textures::Settings{}};
+  const accel::World world(scene, compiler);
+  SceneData data(scene, world, compiler, 9, true);
+  const global::SceneEffects effects(scene, compiler, 9);
+  if (effects.any()) data.effects = &effects;
+  Tracer tracer(data, RandomSource(false, 0)), other(data, RandomSource(false, 0));
+  const auto wave = std::make_unique<Wave>(tracer);
+  ASSERT_TRUE(wave->can_gather());
+  RayState state;
+  state.primary = false, state.gather = true, state.volumes = volumes, state.weight = 0.5f, state.level = 1, state.level_limit = 5, state.gather_depth = 1;
+  std::mt19937 random{9};
+  std::normal_distribution<double> n;
+  int hits = 0;
+  for (int count = 1; count <= Wave::kMost; ++count) {
+    const Vec3 from(0.4 * n(random), 1.2, -1.5 + 0.3 * n(random));
+    std::vector<shapes::Hit> hit(static_cast<std::size_t>(count));
+    std::vector<GatherNotes> notes(hit.size());
+    std::vector<Color> expected(hit.size()), colors(hit.size());
+    for (std::size_t i = 0; i < hit.size(); ++i) {
+      const Ray ray{from, normalize(Vec3(n(random), n(random), n(random)))};
+      const auto key = RandomSource::branch_key(static_cast<RandomSource::Key>(count), RandomBranch::gather(i));
+      state.ray = ray;
+      const bool found = other.nearest(state, hit[i]);
+      hits += found;
+      other.random().begin(key);
+      expected[i] = other.resolve(state, found ? &hit[i] : nullptr);
+      wave->add_gathering(ray, key, found ? &hit[i] : nullptr, notes[i]);
+    }
+    EXPECT_EQ(wave->full(), count == Wave::kMost);
+    wave->shade_gathering(state, colors.data());
+    for (std::size_t i = 0; i < hit.size(); ++i) ASSERT_TRUE(colors[i] == expected[i]) << count << ' ' << i;
+  }
+  EXPECT_GT(hits, 300);
+  EXPECT_EQ(tracer.statistics().reflected_rays, other.statistics().reflected_rays);
+  EXPECT_EQ(tracer.statistics().shadow_rays, other.statistics().shadow_rays);
+}
+
+TEST(Wave, GathersTheLightOfSingleRays) {
+  expect_the_same_gathered(mixed_scene(), true);
+  expect_the_same_gathered(mixed_scene(true), false);
+  expect_the_same_gathered(mixed_scene(true), true);
+  expect_the_same_gathered(glass_scene(), true);
+  scene::Scene hazy = mixed_scene();
+  hazy.atmosphere.push_back(media(Rgb(0.01f), 0.3));
+  expect_the_same_gathered(hazy, true);
+  expect_the_same_gathered(hazy, false);
+}
+
 TEST(Wave, IsNotForReplay) {
   scene::Scene scene = mixed_scene();
   textures::Compiler compiler{textures::Settings{}};

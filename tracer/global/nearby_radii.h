@@ -19,12 +19,20 @@ class NearbyRadii {
     // More than that are to be looked at again if it is too little, which is cheaper than to be sure.
     double enough(const Vec3& p) const { return radius > 0.0 ? std::min(radius * (1.0 + 1e-9) + length(p - point), 1.1 * radius) : 0.0; }
   };
-  // The last search near p, for searches within `radius`; what is written is remembered.
-  Known& at(const Vec3& p, double radius);
+  // What is known around p, in a cell of space a good deal smaller than a search may reach, and in one smaller than they reached there, which may be much less.
+  struct Places {
+    Known &around, &near;
+    const Known& nearest(const Vec3& p) const { return near.radius > 0.0 && length(near.point - p) < length(around.point - p) ? near : around; }
+    void remember(const Known& known) const { around = near = known; }
+  };
+  // For searches within `radius`.
+  Places at(const Vec3& p, double radius);
 
  private:
   static constexpr std::size_t kPlaces = 4096;
-  std::vector<Known> known_;
+  Known& cell(std::vector<Known>& cells, const Vec3& p, double side);
+
+  std::vector<Known> large_, small_;
   Known nowhere_;
 };
 

@@ -39,9 +39,13 @@ void PhotonDistances::grow(std::size_t size) {
 }
 
 void PhotonDistances::erase(std::size_t i) {
-  std::copy(squared_.data() + i + 1, squared_.data() + size_, squared_.data() + i);
-  std::copy(index_.data() + i + 1, index_.data() + size_, index_.data() + i);
+  move(i + 1, size_, i);
   --size_;
+}
+
+void PhotonDistances::move(std::size_t from, std::size_t end, std::size_t to) {
+  std::copy(squared_.data() + from, squared_.data() + end, squared_.data() + to);
+  std::copy(index_.data() + from, index_.data() + end, index_.data() + to);
 }
 
 const PhotonKernels* photon_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }

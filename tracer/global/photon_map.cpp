@@ -30,9 +30,9 @@ void PhotonMap::build_sorted() {
 
 void PhotonMap::gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const {
   const PhotonCenter center{point, normal ? *normal : Vec3(0.0)};
-  NearbyRadii::Known& nearby = out.nearby.at(point, radius_);
-  out.radius = out.search.nearest(index_, center, radius_, settings.maximum, kAny, nearby.enough(point), out.photons);
-  nearby = {point, out.radius};
+  const NearbyRadii::Places nearby = out.nearby.at(point, radius_);
+  out.radius = out.search.nearest(index_, center, radius_, settings.maximum, kAny, nearby.nearest(point).enough(point), out.photons);
+  nearby.remember({point, out.radius});
   if (static_cast<int>(out.photons.size()) >= settings.minimum) return;
   // The second try counts if it finds few, or photons that lie hardly denser. So many that they are neither make it vain, wherever the others are.
   const double reach = 3.0 * radius_;

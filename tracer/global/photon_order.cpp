@@ -111,14 +111,20 @@ void WrongPlanes::build(std::span<const Photon> sorted) {
 }
 
 void WrongPlanes::drop_hidden(const Vec3& p, double radius, std::size_t from, PhotonDistances& list) const {
-  std::size_t kept = from;
-  const double squared = radius * radius, careful = radius * (1.0 - kRounding);
-  for (std::size_t k = from; k < list.size(); ++k) {
-    const std::uint32_t i = list.index()[k];
-    const double distance = list.squared()[k], rest = careful - overhang_[i];
-    list.squared_data()[kept] = distance, list.index_data()[kept] = i;
-    kept += distance < rest * std::fabs(rest) || for_each_hiding(i, p, squared, [](std::uint32_t, double) { return false; });
+  thread_local std::vector<std::uint32_t> doubtful;
+  doubtful.resize(list.size() + PhotonLeaf::kAtOnce);
+  const std::size_t count = photon_kernels().reaching(list, overhang(), radius * (1.0 - kRounding), doubtful.data());
+  std::size_t kept = from, next = from;
+  const auto keep_until = [&](std::size_t end) {
+    if (kept != next) list.move(next, end, kept);
+    kept += end - next, next = end;
+  };
+  for (const std::uint32_t place : std::span(doubtful.data(), count)) {
+    if (place < from || for_each_hiding(list.index()[place], p, radius * radius, [](std::uint32_t, double) { return false; })) continue;
+    keep_until(place);
+    ++next;
   }
+  keep_until(list.size());
   list.set_size(kept);
 }
 

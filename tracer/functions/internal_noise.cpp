@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "tracer/functions/internal.h"
+#include "tracer/functions/narrowing.h"
 #include "tracer/functions/operations.h"
 #include "tracer/textures/many_points.h"
 #include "tracer/textures/noise_kernels.h"
@@ -30,8 +31,8 @@ void each_octave(Vec3 p, double lacunarity, int count, int generator, Use use) {
     textures::EightPoints points;
     const int n = std::min(count - first, 8);
     for (int k = 0; k < n; ++k, p *= lacunarity) points.x[k] = p.x, points.y[k] = p.y, points.z[k] = p.z;
-    double noises[8];
-    textures::noises(generator, points, n, noises);
+    alignas(64) double noises[8];
+    textures::noises(generator, points, textures::first_of_eight(n), noises);
     for (int k = 0; k < n; ++k) use(first + k, noises[k]);
   }
 }
@@ -109,39 +110,94 @@ class Fractal final : public Function {
 };
 
 // The weights of the octaves are those of the first call ever made; later calls with other parameters use them, too.
-class RidgedMultifractal final : public Function {
+class RidgedMultifractal final : public Function, public OctaveSum {
  public:
   int parameters() const override { return 9; }
   int components() const override { return 1; }
   void evaluate(std::span<const double> a, double* result) const override {
-    if (!known_.load(std::memory_order_acquire)) find_weights(a);
-    const double lacunarity = a[4], octaves = a[5], offset = a[6], gain = a[7];
-    const int count = octaves > 1 ? static_cast<int>(std::min(std::ceil(octaves), static_cast<double>(weights_.size()))) : 1;
-    double s = 0, sum = 0;
-    each_octave({a[0], a[1], a[2]}, lacunarity, count, generator(a[8]), [&](int i, double noise) {
-      const double n = sq(offset - std::fabs(2 * noise - 1));
-      if (i == 0) {
-        s = sum = n;
-        return;
-      }
-      s = n * std::min(1.0, std::max(0.0, s * gain));
-      sum += s * weights_[static_cast<std::size_t>(i)];
-    });
+    const Ridges ridges = known_ridges(a);
+    double last = 0, sum = 0;
+    each_octave({a[0], a[1], a[2]}, a[4], ridges.count, generator(a[8]), [&](int i, double noise) { add(ridges, i, noise, last, sum); });
     *result = sum;
   }
 
+  Bounds begin(std::span<const double> a, Partial& p, Room& room) const override {
+    constexpr double kFarthest = 1e9;
+    if (!room.known) prepare(a, room);
+    if (!room.gradual || !((std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2])) * room.growth < kFarthest)) {
+      evaluate(a, &p.sum);
+      p.done = room.count;
+      return {p.sum, p.sum};
+    }
+    p = {0, Vec3(a[0], a[1], a[2]), 0, 0};
+    return add_some(a, kFirst, p, room);
+  }
+
+  Bounds narrow(std::span<const double> a, Partial& p, Room& room) const override { return add_some(a, p.done == kFirst ? kNext : room.count, p, room); }
+
  private:
+  static constexpr int kFirst = 3, kNext = 2;  // octaves
+  static constexpr double kLargest = 1e50;
+  struct Ridges {
+    int count;
+    double offset, gain;
+  };
+  Ridges known_ridges(std::span<const double> a) const {
+    if (!known_.load(std::memory_order_acquire)) find_weights(a);
+    return {a[5] > 1 ? static_cast<int>(std::min(std::ceil(a[5]), static_cast<double>(weights_.size()))) : 1, a[6], a[7]};
+  }
+  // `last`: what the octave before is.
+  void add(const Ridges& ridges, int i, double noise, double& last, double& sum) const {
+    const double ridge = sq(ridges.offset - std::fabs(2 * noise - 1));
+    if (i == 0) {
+      last = sum = ridge;
+      return;
+    }
+    last = ridge * std::min(1.0, std::max(0.0, last * ridges.gain));
+    sum += last * weights_[static_cast<std::size_t>(i)];
+  }
+
+  // Not less than what is computed with some other roundings.
+  static double bound(double sum) { return sum * (1 + 1e-12) + 1e-300; }
+
+  Bounds add_some(std::span<const double> a, int octaves, Partial& p, Room& room) const {
+    const Ridges ridges{room.count, a[6], a[7]};
+    const int first = p.done, done = std::min(first + octaves, room.count);
+    Vec3 next = p.next;
+    for (int i = first; i < done; ++i, next *= a[4]) room.points.x[i] = next.x, room.points.y[i] = next.y, room.points.z[i] = next.z;
+    alignas(64) double noises[8];
+    textures::noises(room.generator, room.points, textures::first_of_eight(done) & ~textures::first_of_eight(first), noises);
+    double last = p.last, sum = p.sum;
+    for (int i = first; i < done; ++i) add(ridges, i, noises[i], last, sum);
+    p = {done, next, last, sum};
+    return {sum, done == room.count ? sum : bound(sum + last * room.rest[static_cast<std::size_t>(done)])};
+  }
+
+  void prepare(std::span<const double> a, Room& room) const {
+    const Ridges ridges = known_ridges(a);
+    room.known = true;
+    room.count = ridges.count, room.generator = generator(a[8]);
+    room.gradual = room.count <= 8 && plain_ && std::fabs(ridges.offset) < kLargest && ridges.gain >= 0 && ridges.gain < kLargest;
+    if (!room.gradual) return;
+    room.growth = std::pow(std::max(1.0, std::fabs(a[4])), room.count);
+    const double most = std::max(sq(ridges.offset), sq(ridges.offset - 1));  // of a ridge: noise is between 0 and 1
+    double rest = 0;
+    for (auto i = static_cast<std::size_t>(room.count); i-- > 1;) room.rest[i] = rest = most * ridges.gain * (weights_[i] + rest);
+  }
+
   void find_weights(std::span<const double> a) const {
     const std::scoped_lock lock(mutex_);
     if (known_.load(std::memory_order_relaxed)) return;
     double frequency = 1;
-    for (double& w : weights_) w = std::pow(frequency, -a[3]), frequency *= a[4];
+    plain_ = true;
+    for (double& w : weights_) w = std::pow(frequency, -a[3]), frequency *= a[4], plain_ &= w >= 0 && w < kLargest;
     known_.store(true, std::memory_order_release);
   }
 
   mutable std::mutex mutex_;
   mutable std::atomic<bool> known_ = false;
   mutable std::array<double, 64> weights_{};
+  mutable bool plain_ = false;  // weights that let a sum only grow
 };
 
 }  // namespace

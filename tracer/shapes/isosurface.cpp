@@ -1,5 +1,4 @@
-// isosurface (spec 04 section 6). The search bisects dyadically and prunes by max_gradient exactly as POV-Ray's: where max_gradient is too small, which is
-// common, the picture depends on every step.
+// isosurface (spec 04 section 6).
 #include <algorithm>
 #include <atomic>
 #include <bit>
@@ -14,6 +13,7 @@
 #include "tracer/shapes/container.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/isosurface_row.h"
+#include "tracer/shapes/isosurface_search.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -21,7 +21,6 @@ namespace verisim::shapes {
 namespace {
 
 constexpr double kFarthest = 2e10;
-constexpr int kMaxDepth = 62;  // halvings after which floating point has no finer steps
 
 // Normals that a thread computed for eight hits together, until they are asked for. An entry is found by the place in Hit::u, and then compared.
 struct NormalMemory {
@@ -53,11 +52,17 @@ class Isosurface final : public Primitive<Isosurface> {
     max_trace_ = s.max_trace <= 0 || s.max_trace > 10 ? 10 : s.max_trace;
     const bool plain = !s.evaluate && description.clipped_by.empty() && description.bounded_by.empty();
     if (plain) in_rows_ = FieldLanes::suitable(s.function.get());
+    if (!s.evaluate) field_.narrowing = functions::Narrowing::of(s.function.get());
   }
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
-    Search search{*this, ray.origin, ray.direction, 0, 1, 0};
+    if (field_.narrowing) crossings_by<BoundedValue>(ray, sink);
+    else crossings_by<ExactValue>(ray, sink);
+  }
+  template <class Value, class Sink>
+  void crossings_by(const Ray& ray, Sink& sink) const {
+    IsosurfaceSearch<Value> search{field_, ray.origin, ray.direction, 0, 1, 0, steepest_.load(std::memory_order_relaxed)};
     if (has_matrix()) search.origin = matrix().inverse_point(ray.origin), search.direction = matrix().inverse_direction(ray.direction);
     search.speed = length(search.direction);
     const double before = search.gradient = surface_.evaluate ? adapted_gradient_.load(std::memory_order_relaxed) : max_gradient_;
@@ -93,7 +98,7 @@ class Isosurface final : public Primitive<Isosurface> {
 
   bool contains(const Vec3& p) const {
     const Vec3 q = local(p);
-    return in_container(surface_.container, q) && !(value(q) - surface_.threshold > 0);
+    return in_container(surface_.container, q) && !(field_.value(q) - surface_.threshold > 0);
   }
 
   Vec3 raw_normal(const Hit& hit) const {
@@ -112,40 +117,6 @@ class Isosurface final : public Primitive<Isosurface> {
   }
 
  private:
-  // One ray in object space; the direction is not normalised.
-  struct Search {
-    const Isosurface& shape;
-    Vec3 origin, direction;
-    double speed;     // length of the direction
-    double sign;      // of the crossing that is looked for
-    double gradient;  // the max_gradient in force
-    double steepest = 0;  // slope between the ends of any node
-
-    double known_t[2] = {-1, -1}, known[2] = {0, 0};  // the last values given by end_field
-    int oldest = 0;
-
-    // f - threshold at distance t.
-    double field(double t) const { return shape.value(origin + t * direction) - shape.surface_.threshold; }
-    // The same at the ends of a search, which are asked for again and again.
-    double end_field(double t) {
-      for (int k = 0; k < 2; ++k)
-        if (known_t[k] == t) return known[k];
-      const int at = oldest;
-      oldest ^= 1;
-      known_t[at] = t;
-      return known[at] = field(t);
-    }
-    bool find(double begin, double end, double& t);
-    double adapted(double slope, double value0, double value1, double width);
-  };
-
-  double value(const Vec3& p) const {
-    const double arguments[3] = {p.x, p.y, p.z};
-    double result;
-    surface_.function->evaluate(arguments, &result);
-    return result;
-  }
-
   // What counts as a hit on a spherical container, whatever was hit.
   bool on_shell(const Vec3& p) const {
     const auto& container = surface_.container;
@@ -153,10 +124,10 @@ class Isosurface final : public Primitive<Isosurface> {
   }
 
   // False: the container is missed.
-  template <class Sink>
-  bool trace(const Ray& ray, Search& search, Sink& sink) const;
-  template <class Sink>
-  void trace(const Ray& ray, Search& search, const ContainerSpan& span, Sink& sink) const;
+  template <class Value, class Sink>
+  bool trace(const Ray& ray, IsosurfaceSearch<Value>& search, Sink& sink) const;
+  template <class Value, class Sink>
+  void trace(const Ray& ray, IsosurfaceSearch<Value>& search, const ContainerSpan& span, Sink& sink) const;
 
   // The nearest hits of eight rays, or any, as NearestHit keeps them for one.
   struct RowHits {
@@ -202,6 +173,7 @@ class Isosurface final : public Primitive<Isosurface> {
 
   const std::uint64_t number_ = ++isosurfaces_made;
   scene::Isosurface surface_;
+  IsosurfaceField field_{surface_, nullptr};
   double max_gradient_;
   int max_trace_;
   static constexpr int kFewest = 3;  // rays that are searched in step
@@ -245,22 +217,22 @@ std::string Isosurface::evaluate_finding() const {
                      sum_of_gradients_ / static_cast<double>(rays_), variation);
 }
 
-template <class Sink>
-bool Isosurface::trace(const Ray& ray, Search& search, Sink& sink) const {
+template <class Value, class Sink>
+bool Isosurface::trace(const Ray& ray, IsosurfaceSearch<Value>& search, Sink& sink) const {
   ContainerSpan span;
   if (!intersect_container(surface_.container, search.origin, search.direction, span)) return false;
   trace(ray, search, span, sink);
   return true;
 }
 
-template <class Sink>
-void Isosurface::trace(const Ray& ray, Search& search, const ContainerSpan& span, Sink& sink) const {
+template <class Value, class Sink>
+void Isosurface::trace(const Ray& ray, IsosurfaceSearch<Value>& search, const ContainerSpan& span, Sink& sink) const {
   const double a = surface_.accuracy, gap = 5 * a, near_zero = 4 * search.gradient * a;
   double begin = std::max(span.enter, 0.0), end = span.leave;
   const auto report = [&](double t, int face) { return sink.add(t, [&] { return ray.at(t); }, face); };
   const auto start_behind_surface = [&] {
     begin = gap;
-    if (search.end_field(gap) < 0) search.sign = -1;
+    if (search.below(gap, 0)) search.sign = -1;
   };
 
   int remaining = max_trace_;
@@ -269,19 +241,19 @@ void Isosurface::trace(const Ray& ray, Search& search, const ContainerSpan& span
   if (!surface_.open) {
     if (begin > a) {
       // Cut away, it is as if the wall had not been met: it uses up none of the hits either.
-      if (search.end_field(begin) < 0 && !sink.clipped(ray.at(begin))) {
+      if (search.below(begin, 0) && !sink.clipped(ray.at(begin))) {
         --remaining;
         wall = begin, wall_face = span.enter_face, search.sign = -1;
       }
     } else {
-      if (search.end_field(begin) < near_zero) start_behind_surface();
-      if (search.end_field(end) < 0) wall = end, wall_face = span.leave_face;
+      if (search.below(begin, near_zero)) start_behind_surface();
+      if (search.below(end, 0)) wall = end, wall_face = span.leave_face;
     }
   }
   end = std::min(end, kFarthest);
   if (!(end - begin >= a)) return;
   if (wall >= 0 && report(wall, wall_face) && Sink::kNearest && wall == begin) return;
-  if (begin < a && search.sign > 0 && std::fabs(search.end_field(begin)) < near_zero) start_behind_surface();
+  if (begin < a && search.sign > 0 && search.end_field(begin).near_zero(search, near_zero)) start_behind_surface();
 
   while (remaining-- > 0) {
     double t;
@@ -430,57 +402,6 @@ void Isosurface::remember_normals(unsigned found, Hit* hits) const {
   evaluate_around(*in_rows_, points, surface_.accuracy, lanes, values);
   isosurface_kernels().normals(values, to_object(), normals);
   each_lane(lanes, [&](int k) { hits[k].u = normals_of_thread.add({number_, {hits[k].point.x, hits[k].point.y, hits[k].point.z}, {normals[k], normals[kLanes + k], normals[2 * kLanes + k]}}); });
-}
-
-// The slope bound for a node, raised by `evaluate` where the function proves steeper.
-double Isosurface::Search::adapted(double slope, double value0, double value1, double width) {
-  if (!shape.surface_.evaluate) return slope;
-  const double factor = shape.surface_.evaluate->y;
-  const double estimate = std::fabs(value1 - value0) / (speed * width);
-  if (gradient < estimate * factor) gradient = slope = estimate * factor * factor;
-  return slope;
-}
-
-// The first leaf of the dyadic bisection of [begin, end] whose far end is negative (spec 04 6.2).
-bool Isosurface::Search::find(double begin, double end, double& t) {
-  if (const auto& evaluate = shape.surface_.evaluate; evaluate && gradient > evaluate->x) gradient *= evaluate->z;
-  double h0 = sign * end_field(begin);
-  if (shape.surface_.open && h0 < 0) sign = -sign, h0 = -h0;
-  const double h1 = sign * end_field(end), accuracy = shape.surface_.accuracy;
-
-  struct Node {
-    double begin, width, value0, value1, slope;
-    int depth;
-  };
-  double largest = 0;  // change of the function over a node, for its width
-  const auto ended = [&](bool found) {
-    if (largest > steepest * speed) steepest = largest / speed;
-    return found;
-  };
-  Node waiting[kMaxDepth + 1];  // right halves
-  int count = 0;
-  Node node{begin, end - begin, h0, h1, gradient, 0};
-  for (;;) {
-    bool split = false;
-    if (const double rise = std::fabs(node.value1 - node.value0); rise > largest * node.width) largest = rise / node.width;
-    const double slope = adapted(node.slope, node.value0, node.value1, node.width);
-    if (node.width < accuracy || node.depth == kMaxDepth) {
-      if (node.value1 < 0) {
-        t = node.begin + node.width;
-        return ended(true);
-      }
-    } else if (node.value0 + node.value1 < slope * speed * node.width) {
-      split = true;
-    }
-    if (split) {
-      const double half = node.width / 2, middle = node.begin + half, value = sign * field(middle);
-      waiting[count++] = {middle, half, value, node.value1, slope, node.depth + 1};
-      node = {node.begin, half, node.value0, value, slope, node.depth + 1};
-    } else {
-      if (count == 0) return ended(false);
-      node = waiting[--count];
-    }
-  }
 }
 
 }  // namespace

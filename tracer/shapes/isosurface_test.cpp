@@ -1,4 +1,8 @@
 // Probes 14 to 19 of spec 04.
+#include "tracer/functions/expression.h"
+#include "tracer/functions/internal.h"
+#include "tracer/functions/narrowing.h"
+#include "tracer/functions/test_support.h"
 #include "tracer/shapes/trace_test_support.h"
 
 namespace verisim::shapes {
@@ -106,6 +110,43 @@ TEST(Isosurface, TinyAccuracyEnds) {
   const auto hit = trace(object(s), {.1, .2, -5}, {0, 0, 1});
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->point.z, -std::sqrt(0.65), 1e-9);
+}
+
+// Fractals are known octave by octave: the same is found as with values that are computed as they are.
+TEST(Isosurface, BoundsOfValuesFindWhatValuesFind) {
+  using namespace functions;
+  std::vector<Node> arguments{functions::test::x(), functions::test::y(), functions::test::z()};
+  for (const double parameter : {0.1, 3.1, 8.0, 0.7, 0.8, 2.0}) arguments.push_back({Constant{parameter}});
+  const Node fractal{UserCall{internal_function(59, 2), arguments}};
+  const FunctionPtr known = functions::compile(functions::test::chain(functions::test::z(), Op::subtract, functions::test::times(fractal, functions::test::number(0.2))), 3, 3);
+  ASSERT_TRUE(Narrowing::of(known.get()));
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int hits = 0;
+  for (const double max_gradient : {0.3, 1.3, 4.0}) {  // too small: the picture has holes, which have to be the same
+    for (const bool open : {false, true}) {
+      auto s = iso(known), plain = iso(xyz([&](double x, double y, double z) { return (*known)(x, y, z); }));
+      s.max_gradient = plain.max_gradient = max_gradient;
+      s.open = plain.open = open;
+      s.threshold = plain.threshold = 0.01;
+      const auto shape = compile(object(s)), other = compile(object(plain));
+      for (int i = 0; i < 3000; ++i) {
+        const Vec3 from(1.5 * unit(random), 1.5 * unit(random), unit(random)), to(unit(random), unit(random), 0.3 * unit(random));
+        const auto a = trace(*shape, from, to - from), b = trace(*other, from, to - from);
+        ASSERT_EQ(a.has_value(), b.has_value());
+        if (!a) continue;
+        ++hits;
+        ASSERT_EQ(a->point, b->point);
+        ASSERT_EQ(a->normal, b->normal);
+        const Vec3 start = a->point, way(unit(random), unit(random), unit(random));
+        const auto next = trace(*shape, start, way), next_other = trace(*other, start, way);
+        ASSERT_EQ(next.has_value(), next_other.has_value());
+        ASSERT_EQ(next ? next->point : Vec3(0), next_other ? next_other->point : Vec3(0));
+      }
+      EXPECT_EQ(shape->finding(), other->finding());
+    }
+  }
+  EXPECT_GT(hits, 5000);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ Octaves::Octaves(int octaves, double lambda, double omega) : count(std::clamp(oc
 }
 
 double noise(const Vec3& p, int generator) { return kernels.noise[valid(generator)](p); }
-void noises(int generator, const EightPoints& points, int count, double* noises) { kernels.noises[valid(generator)](points, count, noises); }
+void noises(int generator, const EightPoints& points, unsigned wanted, double* noises) { kernels.noises[valid(generator)](points, wanted, noises); }
 Vec3 vector_noise(const Vec3& p) { return kernels.vector_noise(p); }
 double turbulence(const Vec3& p, const Octaves& octaves, int generator) { return kernels.turbulence[valid(generator)](p, octaves); }
 Vec3 vector_turbulence(const Vec3& p, const Octaves& octaves) { return kernels.vector_turbulence(p, octaves); }

@@ -15,8 +15,8 @@ struct alignas(64) EightPoints {
 struct NoiseKernels {
   const char* name;
   double (*noise[4])(const Vec3& p);
-  // The noises at the first `count` points, octaves of one point most of all: their cells are remembered.
-  void (*noises[4])(const EightPoints& points, int count, double* noises);
+  // The noises at those of the points that are wanted, octaves of one point most of all: their cells are remembered. The eight noises are aligned as points are.
+  void (*noises[4])(const EightPoints& points, unsigned wanted, double* noises);
   double (*turbulence[4])(const Vec3& p, const Octaves& octaves);
   double (*granite[4])(const Vec3& p);
   double (*wrinkles[4])(const Vec3& p);
@@ -28,7 +28,9 @@ struct NoiseKernels {
 // `set` must not be beyond best_instruction_set().
 const NoiseKernels& noise_kernels(InstructionSet set);
 
-// At `count` <= 8 points, bit by bit what noise() gives at each.
-void noises(int generator, const EightPoints& points, int count, double* noises);
+// At the points that are wanted (bit k: point k), bit by bit what noise() gives at each; the others are anything. `noises` is aligned as points are.
+void noises(int generator, const EightPoints& points, unsigned wanted, double* noises);
+// The first `count` of eight, as bits.
+constexpr unsigned first_of_eight(int count) { return (1u << count) - 1; }
 
 }  // namespace verisim::textures

@@ -102,9 +102,13 @@ TEST(NoiseKernels, SeveralPointsGetWhatEachGets) {
     for (int set = 0; set <= best_instruction_set(); ++set) {
       const NoiseKernels& kernels = noise_kernels(static_cast<InstructionSet>(set));
       for (int g = 1; g <= 3; ++g) {
-        double together[8];
-        kernels.noises[g](points, count, together);
-        for (int k = 0; k < count; ++k) ASSERT_EQ(together[k], kernels.noise[g](Vec3(points.x[k], points.y[k], points.z[k]))) << kernels.name << ' ' << g << ' ' << k;
+        alignas(64) double together[8];
+        const unsigned wanted = first_of_eight(count) & ~(i % 3 == 0 ? 5u : 0u);
+        kernels.noises[g](points, wanted, together);
+        for (int k = 0; k < count; ++k) {
+          if (!(wanted >> k & 1)) continue;
+          ASSERT_EQ(together[k], kernels.noise[g](Vec3(points.x[k], points.y[k], points.z[k]))) << kernels.name << ' ' << g << ' ' << k;
+        }
       }
     }
   }

@@ -17,7 +17,7 @@ class GatherLattice {
  public:
   static bool worthwhile(int rays) { return rays > kFew; }
   // Rays in place of `rays` of POV-Ray's.
-  static int enough(int rays) { return rays > kEven ? rays - (rays - kEven) / 5 : std::min(2 * rays, rays + (kEven - rays) * 9 / 20); }
+  static int enough(int rays) { return rays > kEven ? rays - (rays - kEven) * 2 / 7 : std::min(2 * rays, rays + (kEven - rays) * 9 / 20); }
 
   // From one direction to the next, so that few of them are spread evenly, too: their places are much like those of the sequence of shifts.
   static int step(int count) {

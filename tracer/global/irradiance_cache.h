@@ -57,11 +57,25 @@ class IrradianceCache {
       if (in_root == doubled_cells_[index].contains(x)) return;  // a sample of the root cell is also found from outside of its doubled cell
       visit(s, squared);
     };
-    d.tree.visit(x, bound, normal, [&](std::uint32_t index) { consider(index, false); });
+    // Samples lie about in memory: the next ones are on their way while some are looked at.
+    std::uint32_t found[kAhead];
+    int count = 0;
+    const auto consider_found = [&] {
+      for (int i = 0; i < count; ++i) consider(found[i], false);
+      count = 0;
+    };
+    d.tree.visit(x, bound, normal, [&](std::uint32_t index) {
+      const char* const sample = reinterpret_cast<const char*>(&samples_[index]);
+      __builtin_prefetch(sample), __builtin_prefetch(sample + 64), __builtin_prefetch(&doubled_cells_[index]);
+      found[count++] = index;
+      if (count == kAhead) consider_found();
+    });
+    consider_found();
     for (const std::uint32_t index : d.in_root) consider(index, true);
   }
 
  private:
+  static constexpr int kAhead = 32;
   static constexpr double kOrigin = 1e7;  // of POV-Ray's lattice
   struct DoubledCell {
     Vec3 center;

@@ -70,7 +70,7 @@ void IrradianceTree::append(Node& leaf, std::uint32_t entry) {
   const Vec3 p = e.point - leaf.center;
   for (int a = 0; a < 3; ++a) to.point[a][lane] = static_cast<float>(p[a]), to.normal[a][lane] = static_cast<float>(e.normal[a]);
   to.mean_distance[lane] = e.mean_distance, to.widest[lane] = e.widest;
-  to.entry[lane] = entry;
+  to.entry[lane] = entry, to.sample[lane] = e.sample;
   leaf.farthest = std::max({leaf.farthest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   leaf.extents += e.extent();
 }

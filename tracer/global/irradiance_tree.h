@@ -37,7 +37,7 @@ class IrradianceTree {
   struct alignas(16) Lanes {
     float point[3][4], normal[3][4];  // points relative to the node's centre
     float mean_distance[4], widest[4];
-    std::uint32_t entry[4];
+    std::uint32_t entry[4], sample[4];
   };
   struct Node {
     Vec3 center;
@@ -86,7 +86,7 @@ void IrradianceTree::visit(const Vec3& x, double bound, const Vec3& normal, Visi
     const Float4 left = most - two * sqrt(max(one - cosine, none)), widest = max(load(s.widest) * left, none) + rounding;
     const Float4 squared = dx * dx + dy * dy + dz * dz;
     for (unsigned bits = ((squared <= reach * reach) & (squared <= widest * widest) & (none <= left)).bits(); bits != 0; bits &= bits - 1)
-      visit(entries_[s.entry[std::countr_zero(bits)]].sample);
+      visit(s.sample[std::countr_zero(bits)]);
   }
 }
 

@@ -49,7 +49,7 @@ TEST(GatherLattice, IsCosineWeightedFromItsBeginning) {
 }
 
 TEST(GatherLattice, TakesTimeFromSamplesOfManyRaysAndGivesItToThoseOfFew) {
-  EXPECT_EQ(GatherLattice::enough(200), 172);
+  EXPECT_EQ(GatherLattice::enough(200), 160);
   EXPECT_EQ(GatherLattice::enough(60), 60);
   EXPECT_EQ(GatherLattice::enough(35), 46);
   EXPECT_EQ(GatherLattice::enough(17), 34);

@@ -97,6 +97,15 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& ro
     return;
   }
   statistics_.shadow_rays += static_cast<std::uint64_t>(row.count);
+  if (eye.gather && !scene_.world.has_transparent_shadows()) {  // from all over the scene: cells would have a ray each
+    double limit[RayRow::kSize];
+    bool blocked[ShadowRow::kMost] = {};
+    for (int i = 0; i < row.count; ++i) limit[i] = row.distance[i] - kShadowTolerance;
+    scene_.world.occluded_row(row.rays, 0, row.count, kShadowTolerance, limit, nullptr, blocked);
+    for (int i = 0; i < row.count; ++i)
+      if (blocked[i] && row.distance[i] > 2 * kShadowTolerance) row.light[i] = Rgb();
+    return;
+  }
   by_cells(light, eye, row, [&](const Travellers& cell, accel::WorldEntry* entry) {
     bool blocked[ShadowRow::kMost] = {};
     scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);

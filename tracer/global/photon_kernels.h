@@ -75,8 +75,8 @@ struct PhotonQuery {
 enum class Collected { all, nearest, too_many };
 
 struct PhotonKernels {
-  // Bit i: some place of box i may have a squared distance of at most `squared`, by floats that may be wrong by the rounding of the point.
-  unsigned (*boxes)(const PhotonBoxes& boxes, const PhotonCenter& center, float squared);
+  // Bit i: box i is nearer to the point than the square root of `squared`, or as near.
+  unsigned (*boxes)(const PhotonBoxes& boxes, const std::array<float, 3>& point, float squared);
   // Squared distances of sixteen photons. Bit i: squared[i] < limit.
   unsigned (*near)(const PhotonLeaf& photons, const PhotonCenter& center, double limit, double* squared);
   // Finds the photons whose squared distance is below `limit`, in the order of the map. `nearest`: there are many more than the maximum, and only those below a lower `limit`, or at it,

@@ -35,14 +35,14 @@ class GatherLattice {
     return best;
   }
 
-  // Lattices of successive numbers complement each other.
+  // Lattices of successive numbers complement each other, and begin everywhere: what only their beginnings look at is seen by all directions alike.
   GatherLattice(int count, int step, std::size_t number)
-      : count_(count), step_(step), u_(part(kU * static_cast<double>(number))), v_(part(kV * static_cast<double>(number))) {}
+      : count_(count), step_(step), first_(static_cast<int>(part(kFirst * static_cast<double>(number)) * count)), u_(part(kU * static_cast<double>(number))), v_(part(kV * static_cast<double>(number))) {}
 
   // The first `count` are the lattice, in an order whose beginnings are spread evenly, too; then come others, shifted again.
   Vec3 next() {
     if (drawn_ == count_) drawn_ = 0, u_ = part(u_ + kU), v_ = part(v_ + kV);
-    const auto place = static_cast<double>(static_cast<long long>(drawn_++) * step_ % count_);
+    const auto place = static_cast<double>((static_cast<long long>(drawn_++) * step_ + first_) % count_);
     const double u = (place + u_) / count_, angle = 2.0 * 3.14159265358979323846 * (place * kGolden + v_), r = std::sqrt(u);
     return {r * std::cos(angle), std::sqrt(1.0 - u), r * std::sin(angle)};
   }
@@ -51,10 +51,11 @@ class GatherLattice {
   static constexpr int kFew = 16, kEven = 60;  // kEven: as many as in POV-Ray
   static constexpr double kGolden = 0.61803398874989485;
   static constexpr double kU = 0.75487766624669276, kV = 0.56984029099805327;  // powers of the inverse plastic number: shifts that fill the square evenly
+  static constexpr double kFirst = 0.81917251339616443;  // inverse of the root of x^4 = x + 1
   static double part(double x) { return x - std::floor(x); }
   static double apart(double a, double b) { return std::fabs(a - b - std::round(a - b)); }
 
-  int count_, step_, drawn_ = 0;
+  int count_, step_, first_, drawn_ = 0;
   double u_, v_;
 };
 

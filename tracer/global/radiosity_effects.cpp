@@ -1,5 +1,7 @@
 // Radiosity in the recursive trace: when a layer asks for irradiance, and what a gather ray sees (spec 07 sections 2.4, 2.6, 2.11).
+#include <algorithm>
 #include <array>
+#include <memory>
 #include <numeric>
 
 #include "tracer/global/effects_state.h"

@@ -1,5 +1,6 @@
 // Radiosity's rays in waves: what surfaces show to each other (spec 07 sections 2.6 and 2.11).
 #include <algorithm>
+#include <utility>
 
 #include "tracer/shading/wave.h"
 

@@ -63,6 +63,8 @@ class BoxTree {
   const Box3& bounds() const { return bounds_; }
   // What the boxes of entries are relative to.
   const Vec3& center() const { return center_; }
+  // What boxes are widened by.
+  double slack() const { return slack_; }
   const std::vector<std::uint32_t>& order() const { return order_; }
   // What a node names a child by; node 0 is the root.
   const BoxNode& node(std::uint32_t i) const { return nodes_[i]; }

@@ -1,6 +1,7 @@
 #include "tracer/accel/row_kernels.h"
 
 #include <cmath>
+#include <limits>
 
 #include "tracer/shapes/plane.h"
 #include "tracer/textures/instruction_sets.h"

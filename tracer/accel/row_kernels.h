@@ -7,30 +7,27 @@
 
 namespace verisim::accel {
 
-// Which of the boxes of an entry eight rays meet; place 4 n + k is child k of node n.
-struct alignas(64) BoxesMet {
-  std::int64_t places[RayLanes::kCount];              // as bits
-  double near[EntryPoints::kMost][RayLanes::kCount];  // where a ray enters a box that it meets
-};
-
-// Eight rays as the nodes of a tree see them.
+// Eight rays as the nodes of a tree see them: in single precision, from where they enter the tree.
 struct alignas(64) NodeRays {
-  using Lane = double[RayLanes::kCount];
-  Lane ox, oy, oz, ix, iy, iz;  // origins relative to the tree's centre, inverse directions
+  using Lane = float[RayLanes::kCount];
+  Lane origin[3], inverse[3];  // origins relative to the tree's centre, inverse directions
+  double start[RayLanes::kCount];  // where they enter the tree; infinite: they miss it
+  double slack;
 };
 
 // Which children of a node eight rays meet.
 struct alignas(64) ChildrenMet {
-  double near[4][RayLanes::kCount];  // where they are entered
+  float near[4][RayLanes::kCount];  // where they are entered, counted from where the ray enters the tree
   unsigned lanes[4];
 };
 
 struct RowKernels {
-  // Eight rays from `first` against boxes relative to `center`, at distances above t_min.
-  void (*boxes)(const EntryPoints& entry, const Vec3& center, const RayRow& rays, int first, double t_min, BoxesMet& met);
-  NodeRays (*node_rays)(const Vec3& center, const RayRow& rays, int first);
-  // The children of a node that they meet above t_min and before their limits.
-  void (*children)(const BoxNode& node, const NodeRays& rays, double t_min, const double* limit, ChildrenMet& met);
+  // Eight rays from `first` in a tree with this centre, bounds and slack (box_tree.h), at distances above t_min.
+  void (*node_rays)(const Box3& bounds, const Vec3& center, double slack, const RayRow& rays, int first, double t_min, NodeRays& there);
+  // The children of a node that they meet before their limits, and perhaps some that they narrowly miss.
+  void (*children)(const BoxNode& node, const NodeRays& rays, const double* limit, ChildrenMet& met);
+  // The lanes whose limits lie behind these places.
+  unsigned (*before)(const float* near, const NodeRays& rays, const double* limit);
   // The distances at which they meet a plane (shapes/plane.h); -1 where they do not.
   void (*plane)(const Vec3& normal, double distance, const RayRow& rays, int first, double* t);
 };

@@ -1,6 +1,8 @@
 // Many rays against boxes and planes: what one ray meets alone.
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <limits>
 #include <memory>
 #include <random>
 
@@ -47,54 +49,50 @@ TEST_P(RowKernel, PlanesAreMetAsByOneRay) {
 
 TEST_P(RowKernel, BoxesAreMetByThoseRaysThatMeetThem) {
   std::uniform_real_distribution<double> u(-4, 4);
-  const auto met = std::make_unique<BoxesMet>();
-  int count = 0, misses = 0;
+  int count = 0, misses = 0, beyond = 0, outside = 0;
   for (int round = 0; round < 200; ++round) {
-    const Vec3 center(u(random), u(random), u(random));
-    EntryPoints entry;
-    entry.count = 2;
-    Box3 boxes[8];
-    for (int n = 0; n < 2; ++n) {
-      entry.nodes[n].clear();
-      for (int k = 0; k < (n == 0 ? 4 : 3); ++k) {
-        Box3& box = boxes[4 * n + k];
-        box.makeEmpty();
-        box.extendBy(Vec3(u(random), u(random), u(random)));
-        box.extendBy(Vec3(u(random), u(random), u(random)));
-        for (int i = 0; i < 3; ++i) {
-          entry.nodes[n].planes[i][k] = static_cast<float>(box.min[i] - center[i] - 1e-5);
-          entry.nodes[n].planes[3 + i][k] = static_cast<float>(box.max[i] - center[i] + 1e-5);
-        }
-        entry.nodes[n].child[k] = BoxNode::leaf(0, 1);
+    Box3 boxes[8], bounds;
+    for (int b = 0; b < 7; ++b) {
+      for (int corner = 0; corner < 2; ++corner) boxes[b].extendBy(Vec3(u(random), u(random), u(random)));
+      bounds.extendBy(boxes[b]);
+    }
+    const Vec3 center = bounds.center();
+    const double slack = 1e-5;
+    BoxNode nodes[2];
+    for (int b = 0; b < 8; ++b) {
+      BoxNode& node = nodes[b / 4];
+      if (b % 4 == 0) node.clear();
+      if (b == 7) break;  // there is no eighth box
+      for (int i = 0; i < 3; ++i) {
+        node.planes[i][b % 4] = static_cast<float>(boxes[b].min[i] - center[i] - slack);
+        node.planes[3 + i][b % 4] = static_cast<float>(boxes[b].max[i] - center[i] + slack);
       }
+      node.child[b % 4] = BoxNode::leaf(0, 1);
     }
     for (int first = 0; first < RayRow::kMost; first += RayLanes::kCount) {
-      kernels->boxes(entry, center, *rays, first, 1e-4, *met);
-      const NodeRays there = kernels->node_rays(center, *rays, first);
+      NodeRays there;
+      kernels->node_rays({bounds.min - Vec3(slack), bounds.max + Vec3(slack)}, center, slack, *rays, first, 1e-4, there);
       double limit[RayLanes::kCount];
-      for (int k = 0; k < RayLanes::kCount; ++k) limit[k] = k % 3 == 0 ? 5 : 1e20;
-      for (int n = 0; n < 2; ++n) {
-        ChildrenMet children;
-        kernels->children(entry.nodes[n], there, 1e-4, limit, children);
-        for (int k = 0; k < RayLanes::kCount; ++k)
-          for (int b = 0; b < 4; ++b) {
-            const bool is_met = met->places[k] >> (4 * n + b) & 1 && met->near[4 * n + b][k] < limit[k];
-            EXPECT_EQ(children.lanes[b] >> k & 1, is_met) << n << b << ' ' << first + k;
-            if (is_met) {
-              EXPECT_EQ(children.near[b][k], met->near[4 * n + b][k]);
-            }
-          }
-      }
-      for (int k = 0; k < RayLanes::kCount; ++k) {
-        EXPECT_EQ(met->places[k] >> 7, 0) << "there is no eighth box";
-        for (int b = 0; b < 7; ++b) {
-          double near = 1e-4, far = 1e20;
-          const bool expected = clip_to_box(rays->at(first + k), boxes[b], near, far);
-          const bool is_met = met->places[k] >> b & 1;
+      for (int k = 0; k < RayLanes::kCount; ++k) limit[k] = k % 3 == 0 ? 5 : k % 3 == 1 ? 1e20 : std::numeric_limits<double>::infinity();
+      for (int k = 0; k < RayLanes::kCount; ++k) outside += there.start[k] == std::numeric_limits<double>::infinity();
+      for (int b = 0; b < 8; ++b) {
+        ChildrenMet met;
+        kernels->children(nodes[b / 4], there, limit, met);
+        if (b == 7) {
+          EXPECT_EQ(met.lanes[3], 0u) << "there is no eighth box";
+          break;
+        }
+        double nothing[RayLanes::kCount] = {};
+        EXPECT_EQ(kernels->before(met.near[b % 4], there, limit) & met.lanes[b % 4], met.lanes[b % 4]);
+        beyond += std::popcount(met.lanes[b % 4] & ~kernels->before(met.near[b % 4], there, nothing));
+        for (int k = 0; k < RayLanes::kCount; ++k) {
+          double near = 1e-4, far = limit[k];
+          const bool expected = clip_to_box(rays->at(first + k), boxes[b], near, far), is_met = met.lanes[b % 4] >> k & 1;
           if (expected) {
             ++count;
             EXPECT_TRUE(is_met) << first + k << ' ' << b;
-            EXPECT_LE(met->near[b][k], near);
+            EXPECT_LE(there.start[k] + met.near[b % 4][k], near + 1e-6);
+            EXPECT_GE(there.start[k] + met.near[b % 4][k], near - 1e-3 * (1 + near)) << "nor far before it";
           } else {
             misses += is_met;
           }
@@ -103,6 +101,8 @@ TEST_P(RowKernel, BoxesAreMetByThoseRaysThatMeetThem) {
     }
   }
   EXPECT_GT(count, 1000);
+  EXPECT_GT(beyond, 500) << "limits may shrink";
+  EXPECT_GT(outside, 100) << "rays that miss all boxes";
   EXPECT_LT(misses, 20) << "boxes are not much larger than they are";
 }
 

@@ -10,44 +10,47 @@ namespace {
 
 constexpr int kLanes = RayLanes::kCount;
 
-// The lanes whose limit lies behind the place where they enter a box.
-unsigned within(const double* near, const double* limit) {
-  unsigned lanes = 0;
-  for (int k = 0; k < kLanes; ++k) lanes |= near[k] < limit[k] ? 1u << k : 0;
-  return lanes;
-}
-
 unsigned lanes_below(int count) { return count < kLanes ? (1u << count) - 1 : (1u << kLanes) - 1; }
 
-// The boxes that eight rays meet, nearest first as far as one ray can tell.
+NodeRays rays_in(const BoxTree& tree, const RayLanes& rays, double t_min) {
+  NodeRays there;
+  row_kernels().node_rays(tree.bounds(), tree.center(), tree.slack(), rays.rays, rays.first, t_min, there);
+  return there;
+}
+
+// The boxes that eight rays meet before their limits, nearest first as far as one ray can tell.
 class Places {
  public:
-  Places(const EntryPoints& entry, const Vec3& center, const RayLanes& rays, double t_min) : entry_(entry) {
-    row_kernels().boxes(entry, center, rays.rays, rays.first, t_min, met_);
-    each_lane(rays.asked, [&](int k) {
-      for (auto places = static_cast<std::uint32_t>(met_.places[k]); places != 0; places &= places - 1) {
-        const int place = std::countr_zero(places);
-        if (lanes_[place] == 0) insert(place, met_.near[place][k]);
-        lanes_[place] |= 1u << k;
+  Places(const BoxTree& tree, const EntryPoints& entry, const RayLanes& rays, double t_min, const double* limit) : entry_(entry), there_(rays_in(tree, rays, t_min)) {
+    for (int n = 0; n < entry.count; ++n) {
+      row_kernels().children(entry.nodes[n], there_, limit, met_[n]);
+      for (int k = 0; k < 4; ++k) {
+        met_[n].lanes[k] &= rays.asked;
+        if (met_[n].lanes[k] != 0) insert(4 * n + k, met_[n].near[k][std::countr_zero(met_[n].lanes[k])]);
       }
-    });
+    }
   }
   int count() const { return count_; }
   std::uint32_t candidate(int i) const { return BoxNode::leaf_first(entry_.nodes[order_[i] / 4].child[order_[i] % 4]); }
-  // The lanes that meet box i before their limits.
-  unsigned lanes(int i, const double* limit) const { return lanes_[order_[i]] & within(met_.near[order_[i]], limit); }
+  // The lanes that meet box i before their limits, which may have shrunk.
+  unsigned lanes(int i, const double* limit) const {
+    const ChildrenMet& met = met_[order_[i] / 4];
+    const int k = order_[i] % 4;
+    return met.lanes[k] & row_kernels().before(met.near[k], there_, limit);
+  }
 
  private:
-  void insert(int place, double near) {
+  void insert(int place, float near) {
     int at = count_++;
     for (; at > 0 && distance_[at - 1] > near; --at) order_[at] = order_[at - 1], distance_[at] = distance_[at - 1];
     order_[at] = static_cast<std::uint8_t>(place), distance_[at] = near;
   }
 
   const EntryPoints& entry_;
-  BoxesMet met_;
-  std::uint8_t order_[EntryPoints::kMost], lanes_[EntryPoints::kMost] = {};
-  double distance_[EntryPoints::kMost];
+  const NodeRays there_;
+  ChildrenMet met_[EntryPoints::kNodes];
+  std::uint8_t order_[EntryPoints::kMost];
+  float distance_[EntryPoints::kMost];
   int count_ = 0;
 };
 
@@ -60,16 +63,16 @@ void walk(const BoxTree& tree, const EntryPoints* entry, const RayLanes& rays, d
     unsigned lanes;
   } stack[BoxTree::kStackSize];
   int size = 0;
-  const NodeRays there = row_kernels().node_rays(tree.center(), rays.rays, rays.first);
+  const NodeRays there = rays_in(tree, rays, t_min);
   ChildrenMet met;
   const auto expand = [&](const BoxNode& node, unsigned lanes) {
-    row_kernels().children(node, there, t_min, limit, met);
+    row_kernels().children(node, there, limit, met);
     const int first = size;
-    double near[4];
+    float near[4];
     for (int k = 0; k < 4; ++k) {
       const unsigned here = met.lanes[k] & lanes;
       if (here == 0) continue;
-      const double distance = met.near[k][std::countr_zero(here)];
+      const float distance = met.near[k][std::countr_zero(here)];
       int at = size++ - first;  // the nearest on top
       for (; at > 0 && near[at - 1] < distance; --at) near[at] = near[at - 1], stack[first + at] = stack[first + at - 1];
       near[at] = distance, stack[first + at] = {node.child[k], here};
@@ -131,7 +134,7 @@ class World::RowSearch {
     }
   }
   void test_boxes(const WorldEntry& entry) {
-    const Places places(entry.points, w_.tree.center(), rays_, t_min_);
+    const Places places(w_.tree, entry.points, rays_, t_min_, limit_);
     for (int i = 0; i < places.count(); ++i) {
       const unsigned lanes = places.lanes(i, limit_) & rays_.asked;
       if (lanes == 0) continue;
@@ -236,7 +239,7 @@ class World::RowOcclusion {
     }
   }
   void test_boxes(WorldEntry& entry) {
-    const Places places(entry.points, w_.tree.center(), rays_, t_min_);
+    const Places places(w_.tree, entry.points, rays_, t_min_, t_max_);
     const std::uint32_t last = entry.last_blocker;
     for (int i = 0; i < places.count() && open_ != 0; ++i) {
       const std::uint32_t candidate = places.candidate(i);

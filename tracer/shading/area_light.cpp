@@ -1,28 +1,15 @@
-// Soft shadows: recursive quartering of the grid of an area light (spec 06 section 8.2).
+// Soft shadows: recursive quartering of the grid of an area light (spec 06 section 8.2). What is known to be asked for goes in rows of rays.
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "tracer/math/ray_row.h"
 #include "tracer/shading/tracer.h"
 
 namespace verisim::shading {
 namespace {
 
-// Independent of each other for different n or key.
-std::uint64_t scrambled(std::uint32_t n, std::uint64_t key) {
-  std::uint64_t z = key + n * 0x9E3779B97F4A7C15u;
-  z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ z >> 27) * 0x94D049BB133111EBu;
-  return z ^ z >> 31;
-}
 double unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
-
-// Where i of n stands after a shuffle.
-std::uint32_t shuffled(std::uint32_t i, std::uint32_t n, std::uint64_t key) {
-  const std::uint64_t own = scrambled(i, key);
-  std::uint32_t place = 0;
-  for (std::uint32_t j = 0; j < n; ++j) {
-    const std::uint64_t other = scrambled(j, key);
-    place += other < own || (other == own && j < i) ? 1 : 0;
-  }
-  return place;
-}
 
 }  // namespace
 
@@ -35,45 +22,109 @@ struct Tracer::AreaGrid {
   Light::Axes axes;
   const Rgb& color;  // of the unshadowed light
   std::uint64_t key = 0;
+  Shuffle *rows = nullptr, *columns = nullptr;  // null: no jitter, or POV-Ray's own
+  bool together = false;                // rays may go in rows
+  accel::WorldEntry* entry = nullptr;   // of these
 
   Vec2 jitter(int column, int row) const {
     const auto u = static_cast<std::uint32_t>(column), v = static_cast<std::uint32_t>(row);
-    const auto columns = static_cast<std::uint32_t>(query.light.size1()), rows = static_cast<std::uint32_t>(query.light.size2());
-    const std::uint32_t cell = v * columns + u;
-    const double across = shuffled(v, rows, key) + unit(scrambled(cell, key + 1)), along = shuffled(u, columns, key + 2) + unit(scrambled(cell, key + 3));
-    return {across / rows - 0.5, along / columns - 0.5};
+    const auto width = static_cast<std::uint32_t>(query.light.size1()), height = static_cast<std::uint32_t>(query.light.size2());
+    const std::uint32_t cell = v * width + u;
+    const double across = rows->place(v) + unit(scrambled(cell, key + 1)), along = columns->place(u) + unit(scrambled(cell, key + 3));
+    return {across / height - 0.5, along / width - 0.5};
   }
 };
 
 Rgb Tracer::area_shadow(const ShadowQuery& query, const Vec3& p, const LightDirection& centre, const Rgb& color) {
   const Light& light = query.light;
   AreaGrid grid{query, p, light.axes(centre.towards), color};
-  if (light.source().jitter && !random_.replay()) grid.key = static_cast<std::uint64_t>(random_.shading() * 0x1p53) << 11;
-  if (light.fixed_weights()) {
-    Rgb sum;
-    for (int v = 0; v < light.size2(); ++v)
-      for (int u = 0; u < light.size1(); ++u) sum += area_sample(grid, u, v) * (light.weights1()[u] * light.weights2()[v]);
-    return sum;
+  if (light.source().jitter && !random_.replay()) {
+    grid.key = static_cast<std::uint64_t>(random_.shading() * 0x1p53) << 11;
+    grid.rows = &area_rows_, grid.columns = &area_columns_;
+    area_rows_.begin(static_cast<std::uint32_t>(light.size2()), grid.key), area_columns_.begin(static_cast<std::uint32_t>(light.size1()), grid.key + 2);
   }
   const std::size_t cells = static_cast<std::size_t>(light.size1()) * light.size2();
   if (corners_.size() < cells) corners_.resize(cells);
   ++corner_stamp_;
+  if (!light.projector() && !random_.replay() && !light_on_way_changes(light)) grid.together = true, grid.entry = shadow_entry(query, p);
+  if (grid.together) ask_first_corners(grid);
+  if (light.fixed_weights()) {
+    Rgb sum;
+    for (int v = 0; v < light.size2(); ++v)
+      for (int u = 0; u < light.size1(); ++u) sum += area_corner(grid, u, v) * (light.weights1()[u] * light.weights2()[v]);
+    return sum;
+  }
   return area_region(grid, 0, 0, light.size1() - 1, light.size2() - 1, 0);
 }
 
-Rgb Tracer::area_sample(const AreaGrid& grid, int column, int row) {
+LightDirection Tracer::area_direction(const AreaGrid& grid, int column, int row) {
   const Light& light = grid.query.light;
   double u = column, v = row;
-  if (light.source().jitter && random_.replay()) {
-    u += random_.shading() - 0.5, v += random_.shading() - 0.5;
-  } else if (light.source().jitter) {
+  if (grid.rows) {
     const Vec2 offset = grid.jitter(column, row);
     u += offset.x, v += offset.y;
+  } else if (light.source().jitter) {
+    u += random_.shading() - 0.5, v += random_.shading() - 0.5;
   }
-  const LightDirection to = light.direction(grid.p, light.offset(grid.axes, u, v));
+  return light.direction(grid.p, light.offset(grid.axes, u, v));
+}
+
+Rgb Tracer::area_sample(const AreaGrid& grid, int column, int row) {
+  const LightDirection to = area_direction(grid, column, row);
   Rgb color = grid.color;
   cast_shadow(grid.query, grid.p, to.towards, to.distance, color);
   return color;
+}
+
+// The samples in these columns and rows that are not known, at once; those that meet transparent objects are left for later.
+void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> rows) {
+  RayRow rays;
+  double limit[RayRow::kSize];
+  CornerResult* asked[RayRow::kMost];
+  int count = 0;
+  const auto ask = [&] {
+    bool blocked[RayRow::kMost] = {};
+    scene_.world.occluded_row(rays, 0, count, kShadowTolerance, limit, grid.entry, blocked);
+    for (int k = 0; k < count; ++k) *asked[k] = {blocked[k] ? Rgb() : grid.color, corner_stamp_};
+    statistics_.shadow_rays += static_cast<std::uint64_t>(count);
+    count = 0;
+  };
+  for (const int v : rows) {
+    for (const int u : columns) {
+      CornerResult& corner = corners_[static_cast<std::size_t>(v) * grid.query.light.size1() + u];
+      if (corner.stamp == corner_stamp_) continue;
+      const LightDirection to = area_direction(grid, u, v);
+      if (!(to.distance > 2 * kShadowTolerance) || !any_object_decides(grid.entry, grid.p, to.towards, to.distance)) continue;
+      rays.origin.set(count, grid.p), rays.direction.set(count, to.towards);
+      limit[count] = to.distance - kShadowTolerance;
+      asked[count++] = &corner;
+      if (count == RayRow::kMost) ask();
+    }
+  }
+  if (count > 0) ask();
+}
+
+// Those that quartering asks for whatever it finds.
+void Tracer::ask_first_corners(const AreaGrid& grid) {
+  const Light& light = grid.query.light;
+  const int levels = light.source().adaptive;
+  // The coordinates of corners, halved and halved again.
+  const auto lines = [levels](int size, std::vector<int>& found) {
+    found.clear();
+    const auto divide = [&](const auto& self, int low, int high, int depth) -> void {
+      if (depth >= levels || high - low <= 1) {
+        found.push_back(low);
+        if (high != low) found.push_back(high);
+        return;
+      }
+      self(self, low, (low + high) / 2, depth + 1);
+      self(self, (low + high + 1) / 2, high, depth + 1);
+    };
+    divide(divide, 0, size - 1, 0);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  };
+  lines(light.size1(), area_lines_[0]), lines(light.size2(), area_lines_[1]);
+  ask_corners(grid, area_lines_[0], area_lines_[1]);
 }
 
 Rgb Tracer::area_corner(AreaGrid& grid, int u, int v) {
@@ -96,6 +147,7 @@ Rgb Tracer::area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int dept
     };
     if (depth < grid.query.light.source().adaptive || differ(0, 1) || differ(1, 3) || differ(3, 2) || differ(2, 0)) {
       const int u_low = (u1 + u2) / 2, u_high = (u1 + u2 + 1) / 2, v_low = (v1 + v2) / 2, v_high = (v1 + v2 + 1) / 2;
+      if (grid.together && depth >= grid.query.light.source().adaptive) ask_corners(grid, std::array{u1, u_low, u_high, u2}, std::array{v1, v_low, v_high, v2});
       c[0] = area_region(grid, u1, v1, u_low, v_low, depth + 1);
       c[1] = area_region(grid, u_high, v1, u2, v_low, depth + 1);
       c[2] = area_region(grid, u1, v_high, u_low, v2, depth + 1);

@@ -37,6 +37,15 @@ accel::CoherentRays::Viewer Tracer::viewer(const ShadowQuery& query) {
   return query.lit && query.eye.level == 0 && query.eye.primary ? accel::CoherentRays::Viewer::camera : accel::CoherentRays::Viewer::other;
 }
 
+bool Tracer::light_on_way_changes(const Light& light) const {
+  const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
+  return scene_.quality >= 9 && light.media_attenuation() && (scene_.fog || media);
+}
+
+bool Tracer::any_object_decides(const accel::WorldEntry* entry, const Vec3& p, const Vec3& towards, double distance) const {
+  return (entry ? entry->only_opaque : !scene_.world.has_transparent_shadows()) || scene_.world.only_opaque_between(p, p + distance * towards);
+}
+
 void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color) {
   ++statistics_.shadow_rays;
   const Ray ray{p, towards};
@@ -49,8 +58,6 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
     if (!query.light.highlights()) return;  // shadowless: the projector is all it heeds
     distance = hit.t;
   }
-  const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
-  const bool volumes = scene_.quality >= 9 && query.light.media_attenuation() && (scene_.fog || media);
   if (const int* blocker = last_blocker(query); blocker && *blocker >= 0 && scene_.world.occluded_by(*blocker, ray, kCachedTolerance, distance)) {
     color = {};
     return;
@@ -58,8 +65,7 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
   // Without transparent objects any opaque hit decides. With them surfaces are met in order: one closer than the tolerance to the transparent
   // surface before it does not count, opaque or not, and media draw their random numbers where POV-Ray's do.
   accel::WorldEntry* const entry = shadow_entry(query, p);
-  const auto any_decides = [&] { return (entry ? entry->only_opaque : !scene_.world.has_transparent_shadows()) || scene_.world.only_opaque_between(p, p + distance * towards); };
-  if (volumes || random_.replay() || !any_decides()) {
+  if (light_on_way_changes(query.light) || random_.replay() || !any_object_decides(entry, p, towards, distance)) {
     filter_along(query, p, towards, distance, entry, color);
   } else if (distance > 2 * kShadowTolerance && scene_.world.occluded(ray, kShadowTolerance, distance - kShadowTolerance, entry)) {
     color = {};

@@ -12,6 +12,7 @@
 #include "tracer/shading/random.h"
 #include "tracer/shading/ray_state.h"
 #include "tracer/shading/scene_data.h"
+#include "tracer/shading/shuffle.h"
 
 namespace verisim::path {
 class PathTracer;
@@ -194,6 +195,10 @@ class Tracer {
   // Replay only: POV-Ray tries a light's last opaque blocker first, with wider limits, which shows at contacts (spec 06 9.2).
   int* last_blocker(const ShadowQuery& query);
   void cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color);
+  // Fog or media may take from this light on its way.
+  bool light_on_way_changes(const Light& light) const;
+  // No transparent object is on the way, so that any one decides.
+  bool any_object_decides(const accel::WorldEntry* entry, const Vec3& p, const Vec3& towards, double distance) const;
   // `first`: the nearest hit, if it is known that there is one.
   void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, const accel::WorldEntry* entry, Rgb& color,
                     const shapes::Hit* first = nullptr);
@@ -215,6 +220,9 @@ class Tracer {
   Rgb area_corner(AreaGrid& grid, int u, int v);
   Rgb area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int depth);
   Rgb area_sample(const AreaGrid& grid, int column, int row);
+  LightDirection area_direction(const AreaGrid& grid, int column, int row);
+  void ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> rows);
+  void ask_first_corners(const AreaGrid& grid);
 
   const SceneData& scene_;
   RandomSource random_;
@@ -239,6 +247,8 @@ class Tracer {
   };
   std::vector<std::array<int, 2>> last_blockers_;  // per global light: frame-level object or -1, for camera hits and for deeper ones
   std::vector<CornerResult> corners_;
+  Shuffle area_rows_, area_columns_;
+  std::vector<int> area_lines_[2];
   std::uint64_t corner_stamp_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "tracer/math/vec.h"
 
@@ -35,16 +36,27 @@ class GatherLattice {
     return best;
   }
 
+  // What all lattices of as many rays share.
+  struct Plan {
+    Plan() = default;
+    explicit Plan(int n) : count(n), step(GatherLattice::step(n)), turns(static_cast<std::size_t>(n)) {
+      for (int place = 0; place < n; ++place) turns[static_cast<std::size_t>(place)] = turn(place * kGolden);
+    }
+    int count = 0, step = 0;
+    std::vector<Vec2> turns;  // cosines and sines of the angles that places are at
+  };
+
   // Lattices of successive numbers complement each other, and begin everywhere: what only their beginnings look at is seen by all directions alike.
-  GatherLattice(int count, int step, std::size_t number)
-      : count_(count), step_(step), first_(static_cast<int>(part(kFirst * static_cast<double>(number)) * count)), u_(part(kU * static_cast<double>(number))), v_(part(kV * static_cast<double>(number))) {}
+  GatherLattice(const Plan& plan, std::size_t number)
+      : plan_(plan), first_(static_cast<int>(part(kFirst * static_cast<double>(number)) * plan.count)), u_(part(kU * static_cast<double>(number))), v_(part(kV * static_cast<double>(number))), turn_(turn(v_)) {}
 
   // The first `count` are the lattice, in an order whose beginnings are spread evenly, too; then come others, shifted again.
   Vec3 next() {
-    if (drawn_ == count_) drawn_ = 0, u_ = part(u_ + kU), v_ = part(v_ + kV);
-    const auto place = static_cast<double>((static_cast<long long>(drawn_++) * step_ + first_) % count_);
-    const double u = (place + u_) / count_, angle = 2.0 * 3.14159265358979323846 * (place * kGolden + v_), r = std::sqrt(u);
-    return {r * std::cos(angle), std::sqrt(1.0 - u), r * std::sin(angle)};
+    if (drawn_ == plan_.count) drawn_ = 0, u_ = part(u_ + kU), v_ = part(v_ + kV), turn_ = turn(v_);
+    const auto place = static_cast<std::size_t>((static_cast<long long>(drawn_++) * plan_.step + first_) % plan_.count);
+    const double u = (static_cast<double>(place) + u_) / plan_.count, r = std::sqrt(u);
+    const Vec2& own = plan_.turns[place];
+    return {r * (own.x * turn_.x - own.y * turn_.y), std::sqrt(1.0 - u), r * (own.x * turn_.y + own.y * turn_.x)};
   }
 
  private:
@@ -55,8 +67,15 @@ class GatherLattice {
   static double part(double x) { return x - std::floor(x); }
   static double apart(double a, double b) { return std::fabs(a - b - std::round(a - b)); }
 
-  int count_, step_, first_, drawn_ = 0;
+  static Vec2 turn(double whole) {
+    const double angle = 2.0 * 3.14159265358979323846 * whole;
+    return {std::cos(angle), std::sin(angle)};
+  }
+
+  const Plan& plan_;
+  int first_, drawn_ = 0;
   double u_, v_;
+  Vec2 turn_;
 };
 
 }  // namespace verisim::global

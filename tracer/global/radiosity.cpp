@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracer/global/gather_lattice.h"
-
 namespace verisim::global {
 namespace {
 
@@ -14,24 +12,33 @@ double radical_inverse(unsigned index, unsigned base) {
   return result;
 }
 
-// A pool entry (y up) in the frame of `n` (spec 07 2.7): within 2.56 degrees of the poles the axis is exactly +-y.
-Vec3 to_world(const Vec3& d, const Vec3& n) {
-  if (n.y > 0.999) return d;
-  if (n.y < -0.999) return -d;
-  const Vec3 a = std::fabs(n.z) > 0.9 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
-  const Vec3 x = normalize(cross(n, a)), z = normalize(cross(x, n));
-  return d.x * x + d.y * n + d.z * z;
-}
+// Takes entries of the pool (y up) to the frame of a normal (spec 07 2.7): within 2.56 degrees of the poles the axis is exactly +-y.
+class NormalFrame {
+ public:
+  explicit NormalFrame(const Vec3& n) : y_(n), pole_(n.y > 0.999 ? 1 : n.y < -0.999 ? -1 : 0) {
+    if (pole_ != 0) return;
+    x_ = normalize(cross(n, std::fabs(n.z) > 0.9 ? Vec3(0, 1, 0) : Vec3(0, 0, 1)));
+    z_ = normalize(cross(x_, n));
+  }
+  Vec3 operator()(const Vec3& d) const {
+    if (pole_ != 0) return pole_ > 0 ? d : -d;
+    return d.x * x_ + d.y * y_ + d.z * z_;
+  }
+
+ private:
+  Vec3 x_, y_, z_;
+  int pole_;
+};
 
 // The rays of one sample, drawn as POV-Ray does (spec 07 2.7), or on a lattice.
 class SampleRays {
  public:
   // `cursor`: into the pool of directions; `next_lattice`: empty for POV-Ray's own directions.
   SampleRays(const RadiositySettings& settings, const RadiosityQuery& query, std::size_t& cursor, std::optional<std::size_t>& next_lattice)
-      : settings_(settings), query_(query), cursor_(cursor), count_(settings.rays(query.depth)) {
+      : settings_(settings), query_(query), about_normal_(query.geometric_normal), about_layer_normal_(query.layer_normal), cursor_(cursor), count_(settings.rays(query.depth)) {
     if (next_lattice && GatherLattice::worthwhile(count_)) {
       count_ = GatherLattice::enough(count_);
-      lattice_.emplace(count_, settings.lattice_step(query.depth), (*next_lattice)++);
+      lattice_.emplace(settings.lattice_plan(query.depth), (*next_lattice)++);
     }
     perturbed_ = settings.description().normal && dot(query.layer_normal, query.geometric_normal) < 1.0 - 1e-12;
     most_tries_ = std::min<std::size_t>(5 * static_cast<std::size_t>(count_), settings.pool_size());
@@ -46,13 +53,13 @@ class SampleRays {
     bool found = false;
     while (perturbed_ && tries_ < most_tries_ && !found) {
       ++tries_;
-      direction = to_world(draw(), query_.layer_normal);
+      direction = about_layer_normal_(draw());
       found = dot(direction, query_.geometric_normal) > 0.0;
     }
     if (found) {
       ++about_layer_;
     } else {
-      direction = to_world(draw(), query_.geometric_normal);
+      direction = about_normal_(draw());
     }
     return {direction, static_cast<float>(drawn_++) / static_cast<float>(count_ - 1)};
   }
@@ -67,6 +74,7 @@ class SampleRays {
 
   const RadiositySettings& settings_;
   const RadiosityQuery& query_;
+  const NormalFrame about_normal_, about_layer_normal_;
   std::size_t& cursor_;
   std::optional<GatherLattice> lattice_;
   int count_, drawn_ = 0, about_layer_ = 0;
@@ -87,7 +95,7 @@ RadiositySettings::RadiositySettings(const scene::Radiosity& description, const 
   }
   for (int d = 0; d < kMaxRadiosityDepth; ++d) {
     rays_[d] = std::min(size, std::max(5, static_cast<int>(std::floor(std::ldexp(static_cast<double>(description.count), -d)))));
-    if (GatherLattice::worthwhile(rays_[d])) lattice_steps_[d] = GatherLattice::step(GatherLattice::enough(rays_[d]));
+    if (GatherLattice::worthwhile(rays_[d])) lattice_plans_[d] = GatherLattice::Plan(GatherLattice::enough(rays_[d]));
   }
 }
 
@@ -109,34 +117,33 @@ float RadiositySettings::gather_weight(int depth) const {
 RadiosityTask::RadiosityTask(const RadiositySettings& settings, const IrradianceCache* base, IrradianceCache* own, bool pretrace, int pass, int tile)
     : settings_(settings), base_(base), own_(own), pretrace_(pretrace), pass_(pass), tile_(tile) {}
 
-void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound,
-                               Estimate& estimate) const {
-  const bool smooth = !pretrace_ && query.depth == 0;
-  cache.visit(query.depth, query.point, bound, normal, [&](const IrradianceSample& s, double squared) {
-    const double turn = std::fabs(1.0 - dot(normal, s.normal));
-    const Vec3 delta = query.point - s.point;
-    const double r = std::sqrt(squared);
-    const bool apart = r > 1e-6;
-    const Vec3 u = apart ? delta / r : delta;
-    double radius = s.mean_distance;
-    if (apart) {
-      const double c = dot(u, s.nearest_direction);
-      if (c > 0.0) radius = c * s.nearest_distance + (1.0 - c) * s.mean_distance;
-      if (r >= radius * bound) return;
+void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound, Estimate& estimate) {
+  static const IrradianceWeightKernels& kernels = irradiance_weight_kernels();
+  const IrradianceWeightQuery weights{normal, bound, /*smooth=*/!pretrace_ && query.depth == 0};
+  IrradianceRow& row = row_;
+  const IrradianceSample* samples[IrradianceRow::kMost];
+  int count = 0;
+  const auto add_row = [&] {
+    kernels.weigh(weights, count, row);
+    for (int i = 0; i < count; ++i) {
+      if (!(row.weight[i] > IrradianceRow::kNone)) continue;
+      const double weight = row.weight[i] * samples[i]->quality;
+      estimate.sum += samples[i]->irradiance * static_cast<float>(weight);
+      estimate.weight += weight;
     }
-    const double error = r / radius + 2.0 * std::sqrt(turn);
-    if (!(error < bound)) return;
-    const double facing = apart ? dot(u, normalize(normal + s.normal)) : 1.0;
-    if (facing <= -0.05) return;
-    const double t = error / bound;
-    double weight = 1.0 - t;
-    if (smooth) weight = t < 0.5 ? 1.0 - 2.0 * t * t : 2.0 * (1.0 - t) * (1.0 - t);
-    if (facing <= 0.0) weight *= 1.0 + 20.0 * facing;
-    if (!(weight > 0.001)) return;
-    weight *= s.quality;
-    estimate.sum += s.irradiance * static_cast<float>(weight);
-    estimate.weight += weight;
+    count = 0;
+  };
+  cache.visit(query.depth, query.point, bound, normal, [&](const IrradianceSample& s, double squared) {
+    row.delta.set(count, query.point - s.point);
+    row.normal.set(count, s.normal);
+    row.nearest_direction.set(count, s.nearest_direction);
+    row.squared[count] = squared;
+    row.mean_distance[count] = s.mean_distance;
+    row.nearest_distance[count] = s.nearest_distance;
+    samples[count++] = &s;
+    if (count == IrradianceRow::kMost) add_row();
   });
+  if (count > 0) add_row();
 }
 
 Rgb RadiosityTask::irradiance(const RadiosityQuery& query, Gatherer& gatherer, shading::GatherNotes& notes) {

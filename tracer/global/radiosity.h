@@ -8,7 +8,10 @@
 #include <span>
 #include <vector>
 
+#include "tracer/global/gather_lattice.h"
 #include "tracer/global/irradiance_cache.h"
+#include "tracer/global/irradiance_weights.h"
+#include "tracer/global/irradiance_weights.h"
 #include "tracer/global/pretrace.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shading/ray_state.h"
@@ -27,7 +30,7 @@ class RadiositySettings {
   IrradianceCache empty_cache() const;
   Vec3 camera_location() const { return camera_location_; }
   int rays(int depth) const { return rays_[depth]; }
-  int lattice_step(int depth) const { return lattice_steps_[depth]; }
+  const GatherLattice::Plan& lattice_plan(int depth) const { return lattice_plans_[depth]; }
   double required_weight(int depth) const;         // K_d; a query is satisfied by an accumulated weight of K_d / 4
   // Trace level and weight a gather ray of this depth starts with (spec 07 2.6).
   static int start_level(int depth) { return static_cast<int>(1.5 * (depth + 1)); }
@@ -39,7 +42,8 @@ class RadiositySettings {
   const scene::Radiosity* description_;
   Vec3 camera_location_;
   std::vector<Vec3> pool_;  // Halton (2,3), cosine-weighted about +y
-  std::array<int, kMaxRadiosityDepth> rays_{}, lattice_steps_{};
+  std::array<int, kMaxRadiosityDepth> rays_{};
+  std::array<GatherLattice::Plan, kMaxRadiosityDepth> lattice_plans_;
 };
 
 // A ray that gathers light for a sample; it is shaded only where what it hits has at least this importance.
@@ -94,7 +98,7 @@ class RadiosityTask {
     Rgb sum;
     double weight = 0;
   };
-  void accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound, Estimate& estimate) const;
+  void accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound, Estimate& estimate);
   Rgb take_sample(const RadiosityQuery& query, Gatherer& gatherer, shading::GatherNotes& notes);
 
   const RadiositySettings& settings_;
@@ -111,6 +115,7 @@ class RadiosityTask {
     GatherResult results[kGatheredTogether];
   };
   std::array<std::unique_ptr<Gathering>, kMaxRadiosityDepth> gathering_;
+  IrradianceRow row_;  // of accumulate
 };
 
 }  // namespace verisim::global

@@ -25,10 +25,11 @@ TEST(RadiositySettings, FirstDirectionIsHaltons) {
 // the directions behind the lattice, for normals that turn many away.
 TEST(GatherLattice, IsCosineWeightedFromItsBeginning) {
   for (const int count : {5, 34, 46, 89, 160, 1600, 1000000}) {
+    const GatherLattice::Plan plan(count);
     for (const std::size_t number : {0u, 7u, 123456u}) {
       for (const int rays : {count / 5, count / 2, count, 3 * count}) {
         if (rays > 5000) continue;
-        GatherLattice lattice(count, GatherLattice::step(count), number);
+        GatherLattice lattice(plan, number);
         Vec3 mean(0, 0, 0);
         double square = 0;
         for (int i = 0; i < rays; ++i) {

@@ -1,0 +1,24 @@
+#include "tracer/global/irradiance_weights.h"
+
+#include <cmath>
+
+#include "tracer/textures/instruction_sets.h"
+
+namespace verisim::global {
+namespace {
+
+#define VERISIM_KERNELS "tracer/global/irradiance_weights.inc"
+#include "tracer/textures/each_instruction_set.inc"
+
+const IrradianceWeightKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+
+}  // namespace
+
+const IrradianceWeightKernels* irradiance_weight_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+
+const IrradianceWeightKernels& irradiance_weight_kernels() {
+  static const IrradianceWeightKernels& best = *kAll[textures::best_instruction_set()];
+  return best;
+}
+
+}  // namespace verisim::global

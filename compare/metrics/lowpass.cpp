@@ -64,4 +64,16 @@ LowPass low_pass(const Picture& first, const Picture& second, double sigma) {
   return out;
 }
 
+Picture mean_of(std::span<const Picture> renders) {
+  Picture mean = renders.front();
+  std::vector<double> sums(mean.samples.begin(), mean.samples.end());
+  for (const Picture& p : renders.subspan(1)) {
+    require_same_size(mean, p);
+    if (p.samples.size() != sums.size()) throw PictureMismatch("renders of one scene differ in their channels");
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += p.samples[i];
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) mean.samples[i] = static_cast<float>(sums[i] / static_cast<double>(renders.size()));
+  return mean;
+}
+
 }  // namespace verisim::compare

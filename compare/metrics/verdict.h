@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "compare/metrics/metrics.h"
@@ -20,6 +21,8 @@ struct LowPass {
   double mad = 0, bias = 0, rmse = 0;  // mean absolute difference, |mean difference| (worst channel), root mean square difference
 };
 LowPass low_pass(const Picture& a, const Picture& b, double sigma = 2);
+// The mean of renders of one scene, all of one size. Throws PictureMismatch.
+Picture mean_of(std::span<const Picture> renders);
 
 // Limits of a stochastic scene, from the oracle's difference to itself.
 struct NoiseLimits {

@@ -215,15 +215,27 @@ class Runner {
     if (options_.tags && (result.status == Status::differ || options_.always_blame)) find_blame(request, *oracle, native, result);
   }
 
-  // False when the oracle failed. The low-pass comparison comes first: what it refuses needs no more renders.
+  // False when the oracle failed.
   bool judge_noise(const SceneRequest& request, const std::string& stem, const Picture& oracle, const Picture& native, const std::vector<fs::path>& files_read, SceneResult& result,
                    Verdict& verdict) {
     std::vector<Picture> references{oracle}, tests{native};
     if (!more_references(request, files_read, 2, references, result)) return false;
-    result.native_low_pass = low_pass(oracle, native);
-    result.noise_low_pass = low_pass(oracle, references[1]);
-    verdict = judge_stochastic(*result.metrics, request.antialiased(), *result.native_low_pass, *result.noise_low_pass);
-    if (options_.runs < 2 || verdict.status == Status::differ) return true;
+    const auto judge_low_pass = [&](const LowPass& ours, const LowPass& noise) {
+      result.native_low_pass = ours, result.noise_low_pass = noise;
+      verdict = judge_stochastic(*result.metrics, request.antialiased(), ours, noise);
+    };
+    judge_low_pass(low_pass(oracle, native), low_pass(oracle, references[1]));
+    if (options_.runs < 2) return true;
+    // One pair of pictures tells little of the noise that whole pictures have: what is refused must be refused again by means of several.
+    if (verdict.status == Status::differ && result.metrics->nan_pixels == 0) {
+      if (!more_references(request, files_read, options_.runs, references, result)) return false;
+      if (!more_tests(request, stem, options_.runs, tests, result, verdict)) return true;
+      const std::span<const Picture> all(references);
+      const std::size_t half = all.size() / 2;
+      judge_low_pass(low_pass(mean_of(all), mean_of(tests)), low_pass(mean_of(all.first(half)), mean_of(all.subspan(half))));
+      if (verdict.status == Status::differ) verdict.reason += fmt::format(" in the means of {} runs", tests.size());
+    }
+    if (verdict.status == Status::differ) return true;
     // What the first runs refuse must be refused again with twice as many: a renderer whose runs repeat each other here and there passes for one without noise.
     for (const int runs : {options_.runs, 2 * options_.runs}) {
       if (!more_references(request, files_read, runs, references, result)) return false;

@@ -3,6 +3,10 @@
 #include <cmath>
 #include <limits>
 
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
 #include "tracer/shapes/plane.h"
 #include "tracer/textures/instruction_sets.h"
 

@@ -17,7 +17,7 @@ class AreaLight : public testing::TestWithParam<Grid> {};
 
 // A clear ball around the light, which nobody sees, changes nothing but that rays must be asked one by one what they meet.
 TEST_P(AreaLight, CastsTheSameShadowsThroughAClearBall) {
-  const auto picture = [](const char* ball) {
+  const auto picture = [](const char* ball, render::Statistics& counted) {
     return test::render_text(fmt::format(R"(
       #version 3.7; global_settings {{ assumed_gamma 1 }}
       camera {{ location <0, 4, -6> look_at <0, 0.5, 0> }}
@@ -28,9 +28,10 @@ TEST_P(AreaLight, CastsTheSameShadowsThroughAClearBall) {
         box {{ <-1, 0, -1>, <0, 1, 0> }} cylinder {{ <1, 0, 1>, <1, 2, 1>, 0.3 }} sphere {{ <0.5, 0.5, -1>, 0.4 }} torus {{ 0.8, 0.15 translate <-1, 1.5, 1> }}
         difference {{ sphere {{ <1.8, 1, -0.5>, 0.6 }} box {{ <1.5, 0.8, -2>, <2, 1.2, 2> }} }}
         pigment {{ rgb 0.7 }}
-      }})", GetParam().sizes, GetParam().options, ball), 64, 48);
+      }})", GetParam().sizes, GetParam().options, ball), 64, 48, {}, &counted);
   };
-  const render::Framebuffer together = picture(""), alone = picture("sphere { <2, 6, -1>, 3.5 pigment { rgbt 1 } hollow no_image no_reflection }");
+  render::Statistics rays_together, rays_alone;
+  const render::Framebuffer together = picture("", rays_together), alone = picture("sphere { <2, 6, -1>, 3.5 pigment { rgbt 1 } hollow no_image no_reflection }", rays_alone);
   int half_lit = 0;
   for (int y = 0; y < 48; ++y) {
     for (int x = 0; x < 64; ++x) {
@@ -38,6 +39,7 @@ TEST_P(AreaLight, CastsTheSameShadowsThroughAClearBall) {
       half_lit += together.at(x, y).r > 0.15f && together.at(x, y).r < 0.3f;
     }
   }
+  EXPECT_EQ(rays_together.shadow_rays, rays_alone.shadow_rays) << "none is asked twice";
   EXPECT_GT(half_lit, 50) << "there should be penumbras";
 }
 

@@ -7,7 +7,7 @@
 
 namespace verisim::test {
 
-render::Framebuffer render_text(const std::string& text, int width, int height, const render::Options& options) {
+render::Framebuffer render_text(const std::string& text, int width, int height, const render::Options& options, render::Statistics* statistics) {
   parser::ParseOptions parse;
   parse.width = width, parse.height = height;
   const parser::ParseResult result = parser::parse_text(text, "probe.pov", parse);
@@ -17,7 +17,8 @@ render::Framebuffer render_text(const std::string& text, int width, int height, 
   o.width = width, o.height = height;
   if (o.threads == 0) o.threads = 1;
   render::Framebuffer picture;
-  render::render(*result.scene, o, picture);
+  const render::Statistics counted = render::render(*result.scene, o, picture);
+  if (statistics) *statistics = counted;
   return picture;
 }
 

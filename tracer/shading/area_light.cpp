@@ -23,8 +23,8 @@ struct Tracer::AreaGrid {
   const Rgb& color;  // of the unshadowed light
   std::uint64_t key = 0;
   Shuffle *rows = nullptr, *columns = nullptr;  // null: no jitter, or POV-Ray's own
-  bool together = false;                // rays may go in rows
-  accel::WorldEntry* entry = nullptr;   // of these
+  bool together = false;                        // rays may go in rows
+  accel::WorldEntry* entry = nullptr;           // of these
 
   Vec2 jitter(int column, int row) const {
     const auto u = static_cast<std::uint32_t>(column), v = static_cast<std::uint32_t>(row);
@@ -98,6 +98,7 @@ void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std
       rays.origin.set(count, grid.p), rays.direction.set(count, to.towards);
       limit[count] = to.distance - kShadowTolerance;
       asked[count++] = &corner;
+      corner.stamp = corner_stamp_;  // the middle of an even number of cells is named twice
       if (count == RayRow::kMost) ask();
     }
   }

@@ -11,7 +11,6 @@
 #include "tracer/global/gather_lattice.h"
 #include "tracer/global/irradiance_cache.h"
 #include "tracer/global/irradiance_weights.h"
-#include "tracer/global/irradiance_weights.h"
 #include "tracer/global/pretrace.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shading/ray_state.h"

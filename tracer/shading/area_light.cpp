@@ -124,7 +124,10 @@ void Tracer::ask_first_corners(const AreaGrid& grid) {
     divide(divide, 0, size - 1, 0);
     found.erase(std::unique(found.begin(), found.end()), found.end());
   };
-  lines(light.size1(), area_lines_[0]), lines(light.size2(), area_lines_[1]);
+  if (const std::array of{light.size1(), light.size2(), levels}; area_lines_of_ != of) {
+    lines(light.size1(), area_lines_[0]), lines(light.size2(), area_lines_[1]);
+    area_lines_of_ = of;
+  }
   ask_corners(grid, area_lines_[0], area_lines_[1]);
 }
 

@@ -248,7 +248,8 @@ class Tracer {
   std::vector<std::array<int, 2>> last_blockers_;  // per global light: frame-level object or -1, for camera hits and for deeper ones
   std::vector<CornerResult> corners_;
   Shuffle area_rows_, area_columns_;
-  std::vector<int> area_lines_[2];
+  std::vector<int> area_lines_[2];      // the columns and rows that the quartering of a grid of these sizes and levels asks for first
+  std::array<int, 3> area_lines_of_{};
   std::uint64_t corner_stamp_ = 0;
 };
 

@@ -34,6 +34,16 @@ Rgb media_density(const CompiledMedia& media, const Vec3& p);
 // The same at the first `count` points of a row that is filled up.
 void media_densities(const CompiledMedia& media, int count, const textures::PointRow& points, textures::RgbRow& densities);
 
+struct MediaMixture;
+
+// Photons near a point in a medium; their colours are to be multiplied by `share`, one by the volume of the sphere that holds them.
+struct NearbyPhotons {
+  std::span<const Photon* const> photons;
+  float share = 0;
+  // Adds what the media send of them along a view ray.
+  void add_scattered(const MediaMixture& mixture, const Rgb& scattering, const Vec3& view, Rgb& sum) const;
+};
+
 // What the integrator asks of the tracer.
 class MediaEnvironment {
  public:
@@ -43,13 +53,8 @@ class MediaEnvironment {
   virtual bool replay() const { return false; }
   // The lights that take part: media_interaction on, not shadowless; global ones unless the object at the segment's end ignores them, then its group's.
   virtual std::span<const scene::LightSource* const> lights() = 0;
-  // Light of number `light` that arrives at p after shadows; sets the unit direction towards it. `place`: that of foreseen_places, or -1.
-  virtual Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light, int place) = 0;
-  // Photons near p; their colours are to be multiplied by `share`, one by the volume of the sphere that holds them.
-  struct NearbyPhotons {
-    std::span<const Photon* const> photons;
-    float share = 0;
-  };
+  // Light of number `light` that arrives at p after shadows; sets the unit direction towards it.
+  virtual Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light) = 0;
   virtual NearbyPhotons photons(const Vec3& p) { (void)p; return {}; }
 };
 
@@ -60,10 +65,6 @@ struct MediaResult {
 
 // All `media` act together over ray.at(0) .. ray.at(length), |direction| = 1. `shadow`: attenuation only, by the rules of shadow rays.
 MediaResult integrate(std::span<const CompiledMedia* const> media, const Ray& ray, double length, bool shadow, MediaEnvironment& environment);
-
-// The distances on the way of a ray where integrate() will look at lights, as far as they are known before: `most` of them at most, -1 where it does not look.
-// What it looks at first is not among them if that hangs on what was seen before. 0: none are known.
-int foreseen_places(std::span<const CompiledMedia* const> media, const Ray& ray, double length, MediaEnvironment& environment, int most, double* places);
 
 // The stretch of the segment [0, length] inside the light's cone or cylinder (spec 07 4.5); false: none.
 bool lit_range(const scene::LightSource& light, const Ray& ray, double length, double& first, double& last);

@@ -10,7 +10,7 @@ class NoLight : public MediaEnvironment {
   explicit NoLight(shading::Tracer& tracer) : tracer_(tracer) {}
   double random() override { return tracer_.random().media(); }
   std::span<const scene::LightSource* const> lights() override { return {}; }
-  Rgb illumination(std::size_t, const Vec3&, Vec3&, int) override { return {}; }
+  Rgb illumination(std::size_t, const Vec3&, Vec3&) override { return {}; }
 
  private:
   shading::Tracer& tracer_;

@@ -17,8 +17,6 @@ namespace verisim::global {
 // Media active on one stretch; rarely more than a few.
 using MediaList = boost::container::small_vector<const CompiledMedia*, 16>;
 
-struct RayWays;
-
 class SceneEffects : public shading::Effects {
  public:
   // `quality` below 9 switches everything off. The scene and the compiler must outlive this.
@@ -59,9 +57,9 @@ class SceneEffects : public shading::Effects {
   friend class EffectsStateOfScene;
   void add_object(const scene::Object& object, textures::Compiler& compiler);
   void add_interior(const scene::Interior* interior, textures::Compiler& compiler);
-  // `ways`: to the lights from the foreseen places of this ray; null: nothing is foreseen.
+  const PhotonMap* photons_in_media(const shading::RayState& ray) const;
   void apply(shading::Tracer& tracer, const shading::RayState& ray, double length, const shapes::Surface* end,
-             std::span<const CompiledMedia* const> media, Color& color, const RayWays* ways = nullptr) const;
+             std::span<const CompiledMedia* const> media, Color& color) const;
 
   const scene::Scene& scene_;
   std::unordered_map<const scene::Interior*, std::vector<CompiledMedia>> interior_media_;

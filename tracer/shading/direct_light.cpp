@@ -190,14 +190,11 @@ Rgb Tracer::iridescence_of(const SurfaceHit& at, const LayerContext& layer, doub
   return iridescence(finish.irid, thickness, cosines, scene_.scene.settings.irid_wavelength);
 }
 
-Rgb Tracer::light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light, LightWay way) {
+Rgb Tracer::light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light) {
   const LightDirection direction = light.direction(p);
   to_light = direction.towards;
   const Rgb color = light.color() * static_cast<float>(light.attenuation(p, direction));
-  if (color.max_abs() < kDark) return {};
-  if (way == LightWay::unknown) return shadowed(light, p, direction, ray, nullptr, color);
-  ++statistics_.shadow_rays;
-  return way == LightWay::open ? color : Rgb();
+  return color.max_abs() < kDark ? Rgb() : shadowed(light, p, direction, ray, nullptr, color);
 }
 
 }  // namespace verisim::shading

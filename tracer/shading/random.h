@@ -45,6 +45,8 @@ class RandomSource {
     return crand_state_ / 4294967295.0;
   }
   bool replay() const { return replay_; }
+  // Whether any number was drawn since begin().
+  bool drawn() const { return (counters_[0] | counters_[1] | counters_[2]) != 0; }
   // Of the sequence that is being drawn from.
   Key key() const { return key_; }
 

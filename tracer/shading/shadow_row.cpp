@@ -24,6 +24,13 @@ struct Cells {
   int count() const { return static_cast<int>(cells.size()); }
   Cell& operator[](int c) { return cells[static_cast<std::size_t>(c)]; }
   const Cell& operator[](int c) const { return cells[static_cast<std::size_t>(c)]; }
+  // The numbers of the rays, cell by cell.
+  void sort(int rays, std::uint8_t* order) const {
+    std::uint8_t next[ShadowRow::kMost + 1] = {};
+    for (int i = 0; i < rays; ++i) ++next[of[i] + 1];
+    for (int c = 1; c < count(); ++c) next[c] = static_cast<std::uint8_t>(next[c] + next[c - 1]);
+    for (int i = 0; i < rays; ++i) order[next[of[i]]++] = static_cast<std::uint8_t>(i);
+  }
   int find(const Vec3& p, int last) const {
     if (last >= 0 && accel::contains((*this)[last].served, p)) return last;
     for (int c = count() - 1; c >= 0; --c)
@@ -55,7 +62,7 @@ bool Tracer::rays_alone(const Light& light, const RayState& eye) const {
 
 // Calls opaque(cell, entry) for rays that meet nothing but opaque objects, and mixed(cell, entry) for others.
 template <class Opaque, class Mixed>
-void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRow& row, Opaque&& opaque, Mixed&& mixed) {
+void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRays& row, Opaque&& opaque, Mixed&& mixed) {
   const bool entries = !scene_.world.tree().empty() && !eye.gather;  // without a tree there is nothing to know of where rays start
   Cells cells;
   int unknown = -1, last = -1;
@@ -63,9 +70,9 @@ void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRow& 
     const Vec3 p = row.rays.origin.at(i);
     int c = cells.find(p, last);
     if (c >= 0) {
-      coherent_.used_again(viewer({eye, row.lit[i], light}));
+      coherent_.used_again(viewer({eye, row.surface(i), light}));
     } else {
-      accel::WorldEntry* const entry = entries ? shadow_entry({eye, row.lit[i], light}, p) : nullptr;
+      accel::WorldEntry* const entry = entries ? shadow_entry({eye, row.surface(i), light}, p) : nullptr;
       // What was remembered for another cell may have had to go.
       for (Cells::Cell& other : cells.cells)
         if (entry && other.entry == entry) other.entry = nullptr;
@@ -75,10 +82,14 @@ void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRow& 
     }
     cells.of[i] = static_cast<std::uint8_t>(last = c);
   }
-  for (int c = 0; c < cells.count(); ++c) {
+  std::uint8_t order[ShadowRow::kMost];
+  cells.sort(row.count, order);
+  for (int c = 0, k = 0; c < cells.count(); ++c) {
     Travellers cell;
-    for (int i = 0; i < row.count; ++i)
-      if (cells.of[i] == c && row.distance[i] > 2 * kShadowTolerance) cell.add(i, row.rays.at(i), row.distance[i]);  // otherwise nothing fits in between
+    for (; k < row.count && cells.of[order[k]] == c; ++k) {
+      const int i = order[k];
+      if (row.distance[i] > 2 * kShadowTolerance) cell.add(i, row.rays.at(i), row.distance[i]);  // otherwise nothing fits in between
+    }
     accel::WorldEntry* const entry = cells[c].entry;
     const auto stays_in_room = [&](int i) { return scene_.world.only_opaque_between(row.rays.origin.at(i), row.rays.origin.at(i) + row.distance[i] * row.rays.direction.at(i)); };
     const bool only_opaque = (entry ? entry->only_opaque : !scene_.world.has_transparent_shadows()) || std::all_of(cell.index, cell.index + cell.count, stays_in_room);
@@ -106,7 +117,7 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& ro
       if (blocked[i] && row.distance[i] > 2 * kShadowTolerance) row.light[i] = Rgb();
     return;
   }
-  by_cells(light, eye, row, [&](const Travellers& cell, accel::WorldEntry* entry) {
+  by_cells(light, eye, {row.rays, row.distance, row.lit, row.count}, [&](const Travellers& cell, accel::WorldEntry* entry) {
     bool blocked[ShadowRow::kMost] = {};
     scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);
     for (int k = 0; k < cell.count; ++k)
@@ -114,21 +125,14 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& ro
   }, [&](const Travellers& cell, accel::WorldEntry* entry) { filter_row(light, eye, entry, cell.index, cell.count, row); });
 }
 
-void Tracer::look_for_light(const Light& light, const RayState& eye, std::span<const Vec3> points, LightWay* ways) {
-  std::fill_n(ways, points.size(), LightWay::unknown);
+void Tracer::look_for_light(const Light& light, const RayState& eye, const RayRow& rays, const double* distance, int count, LightWay* ways) {
+  std::fill_n(ways, count, LightWay::unknown);
   if (scene_.quality < 4 || !light.shadows() || rays_alone(light, eye)) return;
-  ShadowRow row;
-  int point[ShadowRow::kMost];
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const LightDirection direction = light.direction(points[i]);
-    if (light.attenuates() && light.attenuation(points[i], direction) == 0) continue;
-    point[row.count] = static_cast<int>(i);
-    row.add({points[i], direction.towards}, direction.distance, Rgb(), nullptr, 0);
-  }
-  by_cells(light, eye, row, [&](const Travellers& cell, accel::WorldEntry* entry) {
+  by_cells(light, eye, {rays, distance, nullptr, count}, [&](const Travellers& cell, accel::WorldEntry* entry) {
     bool blocked[ShadowRow::kMost] = {};
     scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);
-    for (int k = 0; k < cell.count; ++k) ways[point[cell.index[k]]] = blocked[k] ? LightWay::blocked : LightWay::open;
+    for (int k = 0; k < cell.count; ++k) ways[cell.index[k]] = blocked[k] ? LightWay::blocked : LightWay::open;
+    statistics_.shadow_rays += static_cast<std::uint64_t>(cell.count);
   }, [](const Travellers&, accel::WorldEntry*) {});
 }
 

@@ -26,6 +26,15 @@ struct ShadowRow {
   }
 };
 
+// The rays of a row, from surfaces or from places in space.
+struct ShadowRays {
+  const RayRow& rays;
+  const double* distance;
+  const shapes::Surface* const* lit;  // null: no surfaces
+  int count;
+  const shapes::Surface* surface(int i) const { return lit ? lit[i] : nullptr; }
+};
+
 // What is known of the way to a light.
 enum class LightWay : unsigned char { unknown, blocked, open };
 using LightWays = std::array<LightWay, ShadowRow::kMost>;

@@ -32,6 +32,15 @@ SurfaceHit::SurfaceHit(const shapes::Hit& h, const Vec3& normal, const Vec3& dir
 }
 
 Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
+  Color result = shade_surface(ray, hit);
+  if (scene_.effects && scene_.effects->media_in_interiors && ray.hollow && ray.interiors.count > 0 && ray.volumes) {
+    const RandomBranch branch(random_, RandomBranch::kContainer);
+    scene_.effects->container_media(*this, ray, hit.t, *hit.shape->surface, result);
+  }
+  return result;
+}
+
+Color Tracer::shade_surface(const RayState& ray, const shapes::Hit& hit) {
   const StackScope<CachedLight> lights(light_cache_);
   SurfaceHit at(hit, ray.ray.direction, lights.begin(), ray.level + (ray.continuation ? 0 : 1));
   const shapes::Surface& surface = at.surface;
@@ -55,10 +64,6 @@ Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
       if (entry.weight < bailout(ray)) continue;
       result += shade_texture(ray, at, *entry.texture, p, nullptr) * entry.weight;
     }
-  }
-  if (scene_.effects && scene_.effects->media_in_interiors && ray.hollow && ray.interiors.count > 0 && ray.volumes) {
-    const RandomBranch branch(random_, RandomBranch::kContainer);
-    scene_.effects->container_media(*this, ray, hit.t, surface, result);
   }
   return result;
 }

@@ -9,6 +9,12 @@ constexpr double kNearestHit = 1e-4;   // of camera, reflected and transmitted r
 // Straight continuations do not count as levels, so their number is only limited here, by the stack; POV-Ray itself fails at about 300.
 constexpr int kMaxNesting = 1000;
 
+struct Nested {
+  int& n;
+  explicit Nested(int& value) : n(value) { ++n; }
+  ~Nested() { --n; }
+};
+
 }  // namespace
 
 Tracer::Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel)
@@ -66,11 +72,7 @@ Color Tracer::trace(const RayState& ray, double t_max, const accel::WorldEntry* 
 Color Tracer::resolve(const RayState& ray, const shapes::Hit* hit) {
   if (cut_off(ray)) return {};
   if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
-  struct Nested {
-    int& n;
-    explicit Nested(int& value) : n(value) { ++n; }
-    ~Nested() { --n; }
-  } nested(nesting_);
+  const Nested nested(nesting_);
   if (observer_) observer_->ray_started(ray, hit);
   Color color;
   const double length = hit ? hit->t : kMissDistance;
@@ -82,6 +84,12 @@ Color Tracer::resolve(const RayState& ray, const shapes::Hit* hit) {
   if (has_volumes_ && ray.hollow && ray.volumes) apply_volumes(ray, length, hit ? hit->shape->surface : nullptr, color);
   if (observer_) observer_->ray_ended(ray, color);
   return color;
+}
+
+Color Tracer::resolve_surface(const RayState& ray, const shapes::Hit& hit) {
+  if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
+  const Nested nested(nesting_);
+  return shade_surface(ray, hit);
 }
 
 // Rainbow, atmosphere, fog: in this order, over the whole segment (spec 06 2.2 step 5).

@@ -24,6 +24,7 @@ namespace verisim::shading {
 struct Cancelled {};
 
 struct ShadowRow;
+struct ShadowRays;
 enum class LightWay : unsigned char;
 
 // One hit while it is being shaded.
@@ -64,6 +65,8 @@ class Tracer {
   bool nearest(const RayState& ray, shapes::Hit& hit, double t_min = 1e-4, double t_max = std::numeric_limits<double>::infinity(),
                const accel::WorldEntry* entry = nullptr) const;
   Color resolve(const RayState& ray, const shapes::Hit* hit);
+  // The same of a ray that is not cut_off(), but for the media and volumes on its way to the surface.
+  Color resolve_surface(const RayState& ray, const shapes::Hit& hit);
   // Camera rays of the radiosity pretrace ask for irradiance only: no direct light, no volumes.
   void set_pretrace(bool on) { pretrace_ = on; }
   // What is remembered of rays that go the same way; without a camera every ray searches for itself.
@@ -78,8 +81,7 @@ class Tracer {
   RayState camera_state(const Ray& ray, bool origin_varies);
 
   // Light of `light` that arrives at p after attenuation and shadows, for things that are not surfaces (media); sets the unit direction towards it.
-  // `way`: whether anything is in the way, if that is known.
-  Rgb light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light, LightWay way = LightWay{});
+  Rgb light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light);
   // The same for a point of a surface, with area sampling; `lit` may be null.
   Rgb shadowed(const Light& light, const Vec3& p, const LightDirection& centre, const RayState& ray, const shapes::Surface* lit, Rgb color);
   // Diffuse reflection, highlights and iridescence of one layer for light of colour `intensity` from unit direction l (spec 06 4.2.4 to 4.2.6).
@@ -89,9 +91,9 @@ class Tracer {
 
   // Filters the light of all rays of a row; `eye`: the ray that asks, but for its own way and weight.
   void cast_shadows(const Light& light, const RayState& eye, ShadowRow& row);
-  // light_at() for many points, as far as it may be known what is in the way without filtering any light and drawing any number: where nothing but opaque
-  // objects can be met. The others stay unknown.
-  void look_for_light(const Light& light, const RayState& eye, std::span<const Vec3> points, LightWay* ways);
+  // Whether anything is in the way of shadow rays, `rays` with the distances of the light, as far as that may be known without filtering any light and drawing any number: where nothing but
+  // opaque objects can be met. The others stay unknown.
+  void look_for_light(const Light& light, const RayState& eye, const RayRow& rays, const double* distance, int count, LightWay* ways);
 
   const SceneData& scene() const { return scene_; }
   RandomSource& random() { return random_; }
@@ -153,6 +155,7 @@ class Tracer {
 
   // ---- surface.cpp
   Color shade(const RayState& ray, const shapes::Hit& hit);
+  Color shade_surface(const RayState& ray, const shapes::Hit& hit);  // without the media on the way to it
   Color shade_texture(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Frame* frame);
   Color shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Frame* frame);
   Vec3 layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, const Frame* frame);
@@ -208,7 +211,7 @@ class Tracer {
   // ---- shadow_row.cpp
   bool rays_alone(const Light& light, const RayState& eye) const;
   template <class Opaque, class Mixed>
-  void by_cells(const Light& light, const RayState& eye, const ShadowRow& row, Opaque&& opaque, Mixed&& mixed);
+  void by_cells(const Light& light, const RayState& eye, const ShadowRays& row, Opaque&& opaque, Mixed&& mixed);
   void filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count, ShadowRow& row);
   bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);
   Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards, const Frame* frame);

@@ -304,7 +304,7 @@ void Wave::shade(int count, Color* out) {
   find_parts(count);
   trace_branches();
   show_sky(count, out);
-  bool resolved[kMost] = {};
+  bool cut_off[kMost] = {};
   for (int i = 0; i < count; ++i) {
     if (!found_[i]) continue;
     if (met_[i].together) {
@@ -313,15 +313,15 @@ void Wave::shade(int count, Color* out) {
       if (add_surface(i)) continue;
     }
     tracer_.random_.begin(keys_[i]);
-    out[i] = tracer_.resolve(ray_state(i), &hits_[i]);
-    resolved[i] = true;
+    const RayState ray = ray_state(i);
+    cut_off[i] = tracer_.cut_off(ray);
+    out[i] = cut_off[i] ? Color() : tracer_.resolve_surface(ray, hits_[i]);
   }
   show(out);
-  apply_volumes(count, resolved, out);
+  apply_volumes(count, cut_off, out);
 }
 
-// To what was not resolved the common way, which knows of them.
-void Wave::apply_volumes(int count, const bool* resolved, Color* out) {
+void Wave::apply_volumes(int count, const bool* cut_off, Color* out) {
   if (!state_.hollow || !state_.volumes) return;
   const bool container = scene_.effects && scene_.effects->media_in_interiors && state_.interiors.count > 0;
   if (!container && !tracer_.has_volumes_) return;
@@ -329,11 +329,11 @@ void Wave::apply_volumes(int count, const bool* resolved, Color* out) {
     ContainerStretch stretches[kMost];
     std::size_t n = 0;
     for (int i = 0; i < count; ++i)
-      if (found_[i] && !resolved[i]) stretches[n++] = {lanes_.rays.at(i), hits_[i].t, hits_[i].shape->surface, RandomSource::branch_key(keys_[i], RandomBranch::kContainer), &out[i]};
+      if (found_[i] && !cut_off[i]) stretches[n++] = {lanes_.rays.at(i), hits_[i].t, hits_[i].shape->surface, RandomSource::branch_key(keys_[i], RandomBranch::kContainer), &out[i]};
     scene_.effects->container_media(tracer_, state_, std::span(stretches, n));
   }
   for (int i = 0; i < count && tracer_.has_volumes_; ++i) {
-    if (resolved[i]) continue;
+    if (cut_off[i]) continue;
     tracer_.random_.begin(keys_[i]);
     tracer_.apply_volumes(ray_state(i), found_[i] ? hits_[i].t : kMissDistance, found_[i] ? hits_[i].shape->surface : nullptr, out[i]);
   }

@@ -134,7 +134,7 @@ class Wave {
   // ---- wave.cpp
   void run(int count, const accel::WorldEntry* const* entries, Color* out);
   void shade(int count, Color* out);
-  void apply_volumes(int count, const bool* resolved, Color* out);
+  void apply_volumes(int count, const bool* cut_off, Color* out);
   void show_sky(int count, Color* out);
   bool add_surface(int i);
   void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity, int texture, const Part* part);

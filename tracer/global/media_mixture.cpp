@@ -22,10 +22,29 @@ float MediaMixture::mean_phase(double cosine) const {
   return static_cast<float>(sum / static_cast<double>(media.size()));
 }
 
+void MediaMixture::scatter(int count, MediaLanes& lanes) const {
+  static const MediaKernels& kernels = media_kernels();
+  static const scene::Media isotropic_media{};
+  std::fill_n(lanes.phase, count, 0.0);
+  for (const CompiledMedia* m : media) kernels.add_phase(m->scatters ? *m->description : isotropic_media, count, lanes);
+  kernels.scatter(static_cast<int>(media.size()), count, lanes);
+}
+
 void NearbyPhotons::add_scattered(const MediaMixture& mixture, const Rgb& scattering, const Vec3& view, Rgb& sum) const {
-  for (const Photon* photon : photons) {
-    const Rgb added = scattering * (photon->color() * share);
-    sum += mixture.isotropic ? added : added * mixture.mean_phase(dot(photon->direction(), view));
+  if (mixture.isotropic) {
+    for (const Photon* photon : photons) sum += scattering * (photon->color() * share);
+    return;
+  }
+  MediaLanes lanes;
+  for (std::size_t first = 0; first < photons.size(); first += MediaLanes::kMost) {
+    const int count = static_cast<int>(std::min<std::size_t>(MediaLanes::kMost, photons.size() - first));
+    for (int i = 0; i < count; ++i) {
+      const Photon& photon = *photons[first + static_cast<std::size_t>(i)];
+      lanes.to_light.direction.set(i, photon.direction()), lanes.view.set(i, view);
+      lanes.scattering.set(i, scattering), lanes.arriving.set(i, photon.color() * share);
+    }
+    mixture.scatter(count, lanes);
+    for (int i = 0; i < count; ++i) sum += lanes.scattered.at(i);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "tracer/global/media.h"
+#include "tracer/global/media_kernels.h"
 
 namespace verisim::global {
 
@@ -13,6 +14,8 @@ struct MediaMixture {
   explicit MediaMixture(std::span<const CompiledMedia* const> media);
   // Mean phase for the cosine between the directions to the light and of the view ray, over all media, also those without scattering (isotropic).
   float mean_phase(double cosine) const;
+  // Sets what is scattered of what arrives in the lanes.
+  void scatter(int count, MediaLanes& lanes) const;
 
   std::span<const CompiledMedia* const> media;
   const scene::Media* control;  // that asks for most intervals

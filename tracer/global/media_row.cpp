@@ -17,7 +17,6 @@ constexpr std::size_t kMost = MediaLanes::kMost;
 static_assert(kMost <= textures::PointRow::kMost && kMost <= shading::ShadowRow::kMost);
 constexpr std::size_t kMostPlaces = 128;  // of a ray, before its stretches are halved
 constexpr float kDark = static_cast<float>(kEpsilon);
-const scene::Media kIsotropic{};
 
 void clear(std::size_t count, textures::RgbRow& row) {
   for (float* channel : {row.r, row.g, row.b}) std::fill_n(channel, count, 0.0f);
@@ -273,9 +272,7 @@ void MediaRow::add_light(std::size_t number, std::span<const Question> questions
     if (ways[static_cast<std::size_t>(k)] == LightWay::blocked) lanes.arriving.set(k, Rgb());
     if (ways[static_cast<std::size_t>(k)] == LightWay::unknown) lanes.arriving.set(k, light_alone(light, k, room_.intervals[questions[room_.question[k]].interval].ray, lanes.arriving.at(k)));
   }
-  std::fill_n(lanes.phase, bright, 0.0);
-  for (const CompiledMedia* m : mixture_.media) media_kernels().add_phase(m->scatters ? *m->description : kIsotropic, bright, lanes);
-  media_kernels().scatter(static_cast<int>(mixture_.media.size()), bright, lanes);
+  mixture_.scatter(bright, lanes);
   for (int k = 0; k < bright; ++k) {
     if (!(lanes.arriving.at(k).max_abs() > 0.0f)) continue;
     const std::size_t i = room_.question[k];

@@ -1,5 +1,6 @@
 // Photon maps in the recursive trace: the light of stored photons, and the direct light they replace (spec 07 sections 3.10 and 3.11).
 #include "tracer/global/effects_state.h"
+#include "tracer/global/photon_row.h"
 #include "tracer/shading/finish.h"
 
 namespace verisim::global {
@@ -40,6 +41,11 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
   const double r = state.gathered.radius;
   const auto per_area = static_cast<float>(1.0 / (kPi * r * r));
   Rgb sum;
+  if (plain && finish.brilliance == 1.0f) {
+    const float behind = !both_sides ? 0.0f : at.surface.double_illuminate ? finish.diffuse : finish.diffuse_back;
+    add_light(state.gathered.photons, {normal, raw, pigment, per_area, layer.opacity * std::max(finish.diffuse, 0.0f), layer.opacity * std::max(behind, 0.0f)}, sum);
+    return sum;
+  }
   for (const Photon* photon : state.gathered.photons) {
     const Vec3 direction = photon->direction();
     const double cosine = dot(normal, direction);

@@ -20,12 +20,29 @@ void collect_primitives(const scene::Object& object, std::unordered_set<const sc
     for (const auto& child : scene::children_of(object)) collect_primitives(*child, out);
 }
 
+// What shoots in one thread.
+struct Gun {
+  shading::Tracer tracer;
+  // The interiors around a place: most photons of a light start at the same one.
+  std::optional<Vec3> place{};
+  std::vector<const scene::Interior*> interiors{};
+
+  std::span<const scene::Interior* const> around(const shading::SceneData& data, const Vec3& p) {
+    if (place != p) {
+      interiors.clear();
+      data.world.interiors_at(p, interiors);
+      place = p;
+    }
+    return interiors;
+  }
+};
+
 class Shooter {
  public:
   Shooter(global::SceneEffects& effects, const shading::SceneData& data, const Options& options, int threads)
       : effects_(effects), data_(data), options_(options), media_(effects),
         use_media_(effects.media_in_interiors || effects.atmosphere), threads_(threads),
-        tracers_([this] { return shading::Tracer(data_, shading::RandomSource(options_.replay, options_.seed), options_.cancel); }) {}
+        guns_([this] { return Gun{shading::Tracer(data_, shading::RandomSource(options_.replay, options_.seed), options_.cancel)}; }) {}
 
   // `first` and `share`: the part of the whole pass that this pair is.
   void shoot(const global::PhotonPair& pair, double spacing, global::RandomTable& random, double first, double share) {
@@ -50,9 +67,9 @@ class Shooter {
     std::atomic<bool> hit{false};
     const auto trace = [&](std::size_t i) {
       results_[i].clear();
-      shading::Tracer& tracer = tracers_.local();
-      if (!options_.replay) tracer.random().begin_sample(static_cast<double>(shot_count_ + i), 0.5, 0);
-      if (trace_one(tracer, ring[i], shot, light, results_[i])) hit.store(true, std::memory_order_relaxed);
+      Gun& gun = guns_.local();
+      if (!options_.replay) gun.tracer.random().begin_sample(static_cast<double>(shot_count_ + i), 0.5, 0);
+      if (trace_one(gun, ring[i], shot, light, results_[i])) hit.store(true, std::memory_order_relaxed);
     };
     if (options_.replay || threads_ == 1 || ring.size() < kSmallRing) {
       for (std::size_t i = 0; i < ring.size(); ++i) trace(i);
@@ -66,7 +83,7 @@ class Shooter {
     return hit.load();
   }
 
-  bool trace_one(shading::Tracer& tracer, const global::PhotonStart& start, const PhotonShot& shot, const shading::Light& light,
+  bool trace_one(Gun& gun, const global::PhotonStart& start, const PhotonShot& shot, const shading::Light& light,
                  std::vector<StoredPhoton>& stored) {
     Ray ray = start.ray;
     // The packet carries what the light sends this way; fading is part of what is stored.
@@ -80,7 +97,7 @@ class Shooter {
       if (hits.empty()) return false;
       ray.origin = ray.at(farthest);
     }
-    return shading::PhotonWalk(tracer, shot, use_media_ ? &media_ : nullptr).run(ray, color, stored);
+    return shading::PhotonWalk(gun.tracer, shot, use_media_ ? &media_ : nullptr).run(ray, gun.around(data_, ray.origin), color, stored);
   }
 
   void store(const StoredPhoton& s) {
@@ -101,7 +118,7 @@ class Shooter {
   global::ScenePhotonMedia media_;
   bool use_media_;
   int threads_;
-  tbb::enumerable_thread_specific<shading::Tracer> tracers_;
+  tbb::enumerable_thread_specific<Gun> guns_;
   std::vector<std::vector<StoredPhoton>> results_;  // per photon of a ring, so that the map's order does not depend on threads
   std::size_t shot_count_ = 0;
 };

@@ -25,12 +25,10 @@ double PhotonShot::area_factor(double path) const {
   return factor;
 }
 
-bool PhotonWalk::run(const Ray& start, const Rgb& color, std::vector<StoredPhoton>& stored) {
+bool PhotonWalk::run(const Ray& start, std::span<const scene::Interior* const> around, const Rgb& color, std::vector<StoredPhoton>& stored) {
   stored_ = &stored;
   hit_target_ = false;
   const Tracer::InteriorScope scope(tracer_);
-  std::vector<const scene::Interior*> around;
-  tracer_.scene_.world.interiors_at(start.origin, around);
   Packet packet;
   packet.ray.ray = start;
   packet.ray.interiors = tracer_.copied(around);
@@ -68,10 +66,11 @@ void PhotonWalk::follow(Packet packet) {
   SurfaceHit at(hit, packet.ray.ray.direction, 0, packet.ray.level + 1);  // unlike other rays, also when it goes straight on
   std::vector<textures::WeightedTexture> weighted;
   tracer_.scene_.world.weighted_textures(hit, at.inside_hit, weighted);
-  if (weighted.empty()) weighted.push_back({at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture, 1.0f});
-  for (const auto& entry : weighted) {
-    if (entry.texture) scatter(packet, at, *entry.texture, at.pattern_point(), nullptr, entry.weight, refracts, reflects);
-  }
+  const auto scatter_at = [&](const textures::CompiledTexture* texture, float weight) {
+    if (texture) scatter(packet, at, *texture, at.pattern_point(), nullptr, weight, refracts, reflects);
+  };
+  if (weighted.empty()) scatter_at(at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture, 1.0f);
+  for (const auto& entry : weighted) scatter_at(entry.texture, entry.weight);
   --nesting_;
 }
 

@@ -37,8 +37,8 @@ class PhotonMedia {
 class PhotonWalk {
  public:
   PhotonWalk(Tracer& tracer, const PhotonShot& shot, const PhotonMedia* media) : tracer_(tracer), shot_(shot), media_(media) {}
-  // Follows a packet of this colour; appends to `stored`. Returns whether it hit the target.
-  bool run(const Ray& start, const Rgb& color, std::vector<StoredPhoton>& stored);
+  // Follows a packet of this colour; `around`: the interiors where it starts. Appends to `stored`. Returns whether it hit the target.
+  bool run(const Ray& start, std::span<const scene::Interior* const> around, const Rgb& color, std::vector<StoredPhoton>& stored);
 
  private:
   struct Packet {

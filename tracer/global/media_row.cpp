@@ -4,6 +4,7 @@
 
 #include "tracer/global/media_kernels.h"
 #include "tracer/global/media_refinement.h"
+#include "tracer/shading/light_falloff.h"
 #include "tracer/shading/shadow_row.h"
 #include "tracer/textures/point_row.h"
 
@@ -253,9 +254,15 @@ void MediaRow::add_light(std::size_t number, std::span<const Question> questions
     }
   }
   // What arrives: nothing is asked where that is dark.
+  float attenuation[MediaLanes::kSize];
+  if (const auto falloff = light.attenuates() ? shading::LightFalloff::of(light) : std::nullopt) {
+    falloff->attenuate(lanes.to_light.direction, lanes.distance, count, attenuation);
+  } else {
+    for (int k = 0; k < count; ++k) attenuation[k] = static_cast<float>(light.attenuation(lanes.to_light.origin.at(k), {lanes.to_light.direction.at(k), lanes.distance[k]}));
+  }
   int bright = 0;
   for (int k = 0; k < count; ++k) {
-    const Rgb color = light.color() * static_cast<float>(light.attenuation(lanes.to_light.origin.at(k), {lanes.to_light.direction.at(k), lanes.distance[k]}));
+    const Rgb color = light.color() * attenuation[k];
     if (color.max_abs() < kDark) continue;
     lanes.arriving.set(bright, color);
     if (bright != k) {

@@ -47,6 +47,10 @@ class Light {
     return attenuates_ ? angle_and_distance(p, l, offset) : 1;
   }
 
+  // Of a spot light: where it shines with all its strength, and beyond which not at all.
+  double cos_radius() const { return cos_radius_; }
+  double cos_falloff() const { return cos_falloff_; }
+
   // Angular attenuation of what leaves the light from `origin` in this direction (photons); distance plays no part.
   double emission(const Vec3& origin, const Vec3& direction) const;
 

@@ -2,6 +2,7 @@
 
 #include "tracer/shading/finish.h"
 #include "tracer/shading/fog.h"
+#include "tracer/shading/light_falloff.h"
 #include "tracer/shading/shadow_row.h"
 #include "tracer/textures/pigment.h"
 
@@ -11,18 +12,6 @@ namespace {
 constexpr double kNearestHit = 1e-4;       // of camera rays
 
 bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
-
-// Light that spreads evenly and fades with the square of the distance: the formula of Light::attenuation (light.cpp) in a plain loop, bit by bit the same.
-bool fades_by_square(const Light& light) {
-  const scene::LightSource& s = light.source();
-  return (s.kind == scene::LightKind::point || s.kind == scene::LightKind::shadowless) && s.fade_power == 2 && light.attenuates();
-}
-void fade_by_square(double fade_distance, int count, const double* distance, float* attenuation) {
-  for (int k = 0; k < count; ++k) {
-    const double ratio = distance[k] / fade_distance;
-    attenuation[k] = static_cast<float>(2 / (1 + ratio * ratio));
-  }
-}
 
 // Lights that light a surface by several directions at once are for the common way.
 bool is_simple(const Light& light) { return !light.area_illumination() && is_finite(light.color()); }
@@ -104,8 +93,8 @@ void Wave::aim(const Light& light) {
 
 // Which surfaces the light reaches, and with what colour.
 bool Wave::reach(const Light& light) {
-  if (fades_by_square(light)) {
-    fade_by_square(light.source().fade_distance, count_, lanes_.distance, lanes_.attenuation);
+  if (const auto falloff = light.attenuates() ? LightFalloff::of(light) : std::nullopt) {
+    falloff->attenuate(lanes_.to_light.direction, lanes_.distance, count_, lanes_.attenuation);
   } else if (light.attenuates()) {
     for (int k = 0; k < count_; ++k) lanes_.attenuation[k] = static_cast<float>(light.attenuation(lanes_.to_light.origin.at(k), {lanes_.to_light.direction.at(k), lanes_.distance[k]}));
   } else if (attenuated_) {

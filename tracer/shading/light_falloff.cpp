@@ -1,0 +1,39 @@
+#include "tracer/shading/light_falloff.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/textures/instruction_sets.h"
+
+namespace verisim::shading {
+namespace {
+
+#define VERISIM_KERNELS "tracer/shading/light_falloff.inc"
+#include "tracer/textures/each_instruction_set.inc"
+
+const LightFalloffKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+
+bool is_simple(double exponent) { return exponent == 0 || exponent == 1 || exponent == 2; }
+
+}  // namespace
+
+const LightFalloffKernels* light_falloff_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+
+std::optional<LightFalloff> LightFalloff::of(const Light& light) {
+  const scene::LightSource& source = light.source();
+  LightFalloff f;
+  f.spot = source.kind == scene::LightKind::spotlight;
+  f.fades = source.fade_power > 0 && std::fabs(source.fade_distance) > kEpsilon;
+  if (source.kind == scene::LightKind::cylinder || (f.spot && !is_simple(source.tightness)) || (f.fades && !is_simple(source.fade_power))) return std::nullopt;
+  f.direction = source.direction, f.tightness = static_cast<int>(f.spot ? source.tightness : 0);
+  f.cos_radius = light.cos_radius(), f.cos_falloff = light.cos_falloff(), f.soft = f.cos_radius > 0;
+  f.power = static_cast<int>(f.fades ? source.fade_power : 0), f.fade_distance = source.fade_distance;
+  return f;
+}
+
+void LightFalloff::attenuate(const RayRow::Vectors& towards, const double* distance, int count, float* attenuation) const {
+  static const LightFalloffKernels& kernels = *kAll[textures::best_instruction_set()];
+  kernels.attenuate(*this, towards, distance, count, attenuation);
+}
+
+}  // namespace verisim::shading

@@ -1,0 +1,70 @@
+#include "tracer/shading/light_falloff.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <random>
+
+#include "tracer/textures/instruction_sets.h"
+
+namespace verisim::shading {
+namespace {
+
+class LightFalloffs : public testing::TestWithParam<int> {};
+
+TEST_P(LightFalloffs, AreThoseOfEachPoint) {
+  const LightFalloffKernels* kernels = light_falloff_kernels(GetParam());
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  std::mt19937 generator(9);
+  std::uniform_real_distribution<double> u(-1, 1);
+  const auto vector = [&] { return Vec3(u(generator), u(generator), u(generator)); };
+  const auto rays = std::make_unique<RayRow>();
+  int dark = 0, dim = 0, bright = 0;
+  for (int round = 0; round < 400; ++round) {
+    scene::LightSource source;
+    source.position = 4.0 * vector();
+    if (round % 4 != 0) {
+      source.kind = scene::LightKind::spotlight;
+      source.direction = normalize(vector());
+      source.tightness = round % 3;
+      source.falloff = 90 + 60 * u(generator), source.radius = round % 5 == 0 ? source.falloff : 0.6 * source.falloff;
+      if (round % 7 == 0) source.radius = -90;
+    }
+    if (round % 2 == 0) source.fade_power = round % 3, source.fade_distance = 2 + u(generator);
+    const Light light(source, true);
+    const auto falloff = LightFalloff::of(light);
+    ASSERT_TRUE(falloff.has_value());
+    const int count = 1 + round % RayRow::kMost;
+    double distance[RayRow::kSize];
+    float found[RayRow::kSize];
+    for (int i = 0; i < count; ++i) {
+      rays->origin.set(i, 5.0 * vector());
+      const LightDirection to = light.direction(rays->origin.at(i));
+      rays->direction.set(i, to.towards), distance[i] = to.distance;
+    }
+    kernels->attenuate(*falloff, rays->direction, distance, count, found);
+    for (int i = 0; i < count; ++i) {
+      const double expected = light.attenuation(rays->origin.at(i), {rays->direction.at(i), distance[i]});
+      ASSERT_EQ(found[i], static_cast<float>(expected)) << round << ' ' << i;
+      ++(expected == 0 ? dark : expected < 1 ? dim : bright);
+    }
+  }
+  EXPECT_GT(dark, 300);
+  EXPECT_GT(dim, 1000);
+  EXPECT_GT(bright, 300);
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, LightFalloffs, testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+
+TEST(LightFalloff, LeavesOtherLightsAlone) {
+  scene::LightSource source;
+  source.kind = scene::LightKind::spotlight, source.tightness = 10;
+  EXPECT_FALSE(LightFalloff::of(Light(source, true)));
+  source.kind = scene::LightKind::cylinder, source.tightness = 0;
+  EXPECT_FALSE(LightFalloff::of(Light(source, true)));
+  source.kind = scene::LightKind::point, source.fade_power = 1.5, source.fade_distance = 3;
+  EXPECT_FALSE(LightFalloff::of(Light(source, true)));
+}
+
+}  // namespace
+}  // namespace verisim::shading

@@ -55,9 +55,9 @@ class Places {
 };
 
 // Walks a tree with eight rays, from the subtrees of an entry or from the root. Calls visit(candidate, lanes) for the boxes that lanes of `open` meet
-// before their limits, which may shrink meanwhile, roughly from near to far.
-template <class Visit>
-void walk(const BoxTree& tree, const EntryPoints* entry, const RayLanes& rays, double t_min, const double* limit, const unsigned& open, Visit&& visit) {
+// before their limits, which may shrink meanwhile, roughly from near to far. `ahead` tells of candidates before they are visited, if they are: first soon, then next.
+template <class Ahead, class Visit>
+void walk(const BoxTree& tree, const EntryPoints* entry, const RayLanes& rays, double t_min, const double* limit, const unsigned& open, const Ahead& ahead, Visit&& visit) {
   struct Item {
     std::uint32_t child;
     unsigned lanes;
@@ -76,6 +76,7 @@ void walk(const BoxTree& tree, const EntryPoints* entry, const RayLanes& rays, d
       int at = size++ - first;  // the nearest on top
       for (; at > 0 && near[at - 1] < distance; --at) near[at] = near[at - 1], stack[first + at] = stack[first + at - 1];
       near[at] = distance, stack[first + at] = {node.child[k], here};
+      if (node.child[k] & BoxNode::kLeaf) ahead.soon(BoxNode::leaf_first(node.child[k]));
     }
   };
   if (entry) {
@@ -87,10 +88,18 @@ void walk(const BoxTree& tree, const EntryPoints* entry, const RayLanes& rays, d
     const Item item = stack[--size];
     const unsigned lanes = item.lanes & open;
     if (lanes == 0) continue;
+    if (size > 0 && stack[size - 1].child & BoxNode::kLeaf) ahead.next(BoxNode::leaf_first(stack[size - 1].child));
     if (item.child & BoxNode::kLeaf) visit(BoxNode::leaf_first(item.child), lanes);
     else expand(tree.node(item.child), lanes);
   }
 }
+
+// Shapes lie about in memory: they are on their way while others are asked.
+struct Prefetch {
+  const Candidate* candidates;
+  void soon(std::uint32_t i) const { __builtin_prefetch(candidates + i); }
+  void next(std::uint32_t i) const { __builtin_prefetch(candidates[i].shape); }
+};
 
 constexpr int kFewest = 3;  // rays for which this costs less than one walk for each
 
@@ -143,7 +152,7 @@ class World::RowSearch {
     }
   }
   void walk_tree(const WorldEntry* entry) {
-    walk(w_.tree, entry ? &entry->points : nullptr, rays_, t_min_, limit_, rays_.asked, [&](std::uint32_t candidate, unsigned lanes) { test_candidate(candidate, entry, lanes); });
+    walk(w_.tree, entry ? &entry->points : nullptr, rays_, t_min_, limit_, rays_.asked, Prefetch{w_.bounded.data()}, [&](std::uint32_t candidate, unsigned lanes) { test_candidate(candidate, entry, lanes); });
   }
 
  private:
@@ -248,7 +257,7 @@ class World::RowOcclusion {
   }
   void walk_tree(WorldEntry* entry) {
     const std::uint32_t last = entry ? entry->last_blocker : WorldEntry::kNoBlocker;
-    walk(w_.tree, entry ? &entry->points : nullptr, rays_, t_min_, t_max_, open_, [&](std::uint32_t candidate, unsigned lanes) {
+    walk(w_.tree, entry ? &entry->points : nullptr, rays_, t_min_, t_max_, open_, Prefetch{w_.bounded.data()}, [&](std::uint32_t candidate, unsigned lanes) {
       if (candidate != last) test_candidate(candidate, entry, lanes);
     });
   }

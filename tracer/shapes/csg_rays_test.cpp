@@ -27,6 +27,38 @@ HitList hits_by_rule(const Shape& shape, const Ray& ray) {
   return hits;
 }
 
+// Rays that are asked together find what each finds alone.
+void expect_the_same_in_lanes(const Shape& shape) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> place(-3, 3);
+  const auto rays = std::make_unique<RayRow>();
+  int met = 0;
+  for (int round = 0; round < 500; ++round) {
+    const Vec3 from(place(random), place(random), place(random)), to(0.5 * place(random), 0.5 * place(random), 0.5 * place(random));
+    const int first = round % 3 * RayLanes::kCount;
+    const RayLanes lanes{*rays, first, round % 4 == 0 ? static_cast<unsigned>(random()) & 255u : 255u};
+    const double t_min = round % 5 == 0 ? 1.0 : 0.0, spread = round % 2 == 0 ? 0.05 : 0.4;
+    double t_max[RayLanes::kCount];
+    for (int k = 0; k < RayLanes::kCount; ++k) {
+      rays->origin.set(first + k, from), rays->direction.set(first + k, normalize(to + spread * Vec3(place(random), place(random), place(random)) - from));
+      t_max[k] = k % 3 == 0 ? 2.5 : 1e9;
+    }
+    Hit hits[RayLanes::kCount];
+    const unsigned found = shape.intersect_lanes(lanes, nullptr, RayKind::query, t_min, t_max, hits);
+    const unsigned blocked = shape.occludes_lanes(lanes, nullptr, t_min, t_max);
+    each_lane(lanes.asked, [&](int k) {
+      Hit alone;
+      ASSERT_EQ(shape.intersect(lanes.at(k), RayKind::query, t_min, t_max[k], alone), (found >> k & 1) != 0) << round << ' ' << k;
+      ASSERT_EQ(found >> k & 1, blocked >> k & 1) << round << ' ' << k;
+      if (!(found >> k & 1)) return;
+      ASSERT_TRUE(hits[k].t == alone.t && hits[k].shape == alone.shape && hits[k].point == alone.point && hits[k].part == alone.part) << round << ' ' << k;
+      ++met;
+    });
+    if (::testing::Test::HasFatalFailure()) return;
+  }
+  EXPECT_GT(met, 300);
+}
+
 void expect_rule(const ObjectRef& object) {
   const auto shape = compile(*object);
   std::mt19937 random(11);
@@ -51,6 +83,7 @@ void expect_rule(const ObjectRef& object) {
     ++met;
   }
   EXPECT_GT(met, 300);
+  expect_the_same_in_lanes(*shape);
 }
 
 const ObjectRef block = make(scene::Box{{-1.5, -1, -1.2}, {1.5, 1, 1.2}});
@@ -86,6 +119,19 @@ TEST(CsgRays, UnionsWithClips) {
   expect_rule(make_union({ball, ring, tube}, below));
   expect_rule(make_union({make_difference({block, tube}), ring}, above));
   expect_rule(make_union({make_union({ball, ring}, below), make_merge({tube, block}, below), ring}, above));
+}
+
+// Not dissolved, with bounds, more children than boxes of a set, some of them infinite.
+TEST(CsgRays, UnionsInLanes) {
+  const Steps bounded = [](Object& o) { o.bounded_by.push_back(make(scene::Sphere{Vec3(0), 1.6})); };
+  expect_the_same_in_lanes(*compile(*make_union({ball, ring, tube})));
+  expect_the_same_in_lanes(*compile(*make_union({ball, ring, tube}, bounded)));
+  expect_the_same_in_lanes(*compile(*make_union({make_difference({block, tube}), ring, make(scene::Plane{{0.2, 1, 0}, -0.9})}, bounded)));
+  std::vector<ObjectRef> many;
+  for (int i = 0; i < 40; ++i) many.push_back(make(scene::Sphere{{0.1 * i - 2, 0.5 * std::sin(i), 0.5 * std::cos(2 * i)}, 0.2}));
+  expect_the_same_in_lanes(*compile(*make_union(many, below)));
+  // Of two that are met at the same distance the later one shows.
+  expect_the_same_in_lanes(*compile(*make_union({ball, make(scene::Sphere{{0.3, 0.2, 0.1}, 1}), make_union({ball, ring}, below)})));
 }
 
 TEST(CsgRays, ClippedSolids) {

@@ -88,7 +88,7 @@ void MediaRow::divide(std::span<const ContainerStretch> rays) {
   room_.stretches = rays;
   room_.rays.clear(), room_.intervals.clear(), room_.lights.clear();
   std::vector<const scene::LightSource*> sources;
-  for (std::size_t i = 0; i < scene.global_lights() && mixture_.scatters; ++i) {
+  for (std::size_t i = 0; i < scene.global_lights(); ++i) {  // intervals hang on them even where nothing scatters
     const shading::Light& light = scene.lights()[i];
     if (light.source().media_interaction && light.source().kind != scene::LightKind::shadowless) room_.lights.push_back(&light), sources.push_back(&light.source());
   }
@@ -98,7 +98,7 @@ void MediaRow::divide(std::span<const ContainerStretch> rays) {
     const ContainerStretch& s = rays[i];
     const auto first = static_cast<std::uint32_t>(room_.intervals.size());
     const bool own_lights = s.end && (s.end->ignore_global_lights || !s.end->group_lights.empty());
-    if (s.length > 0.0 && !(own_lights && mixture_.scatters)) {
+    if (s.length > 0.0 && !own_lights) {
       room_.dividing.look_for_lights(sources, s.ray, s.length);
       room_.dividing.divide(mixture_, s.length);
       if (room_.dividing.all().size() * each <= kMostPlaces) {

@@ -155,6 +155,19 @@ TEST(MediaRow, FollowsDensitiesAsSingleRaysDo) {
   expect_all_together(expect_the_same(lit_scene(false), {glowing}));
 }
 
+// Where lights shine decides on the intervals, also if nothing scatters.
+TEST(MediaRow, DividesRaysAsSingleRaysDo) {
+  scene::Scene scene = lit_scene(false);
+  std::erase_if(scene.objects, [](const scene::ObjectPtr& object) {
+    const auto* light = object->as<scene::LightSource>();
+    return light && light->kind != scene::LightKind::spotlight;
+  });
+  scene::Media glowing;
+  glowing.emission = Rgb(0.3f, 0.1f, 0.2f), glowing.densities = {clouds()}, glowing.intervals = 5, glowing.samples_min = 1, glowing.aa_level = 1;
+  expect_all_together(expect_the_same(scene, {glowing}));
+  EXPECT_GT(expect_the_same(scene, {scattering(1, 0.1)}).together, 100);
+}
+
 // Rays whose light draws numbers on its way are left to go alone.
 TEST(MediaRow, LeavesRaysThatDrawNumbers) {
   scene::Scene scene = lit_scene(false);

@@ -113,6 +113,11 @@ void check_folder(const fs::path& path) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) throw Failure{kInputOutput, fmt::format("cannot write '{}': there is no folder '{}'", path.string(), folder.string())};
   if (fs::is_directory(path, ignored)) throw Failure{kInputOutput, fmt::format("cannot write '{}': it is a folder", path.string())};
+  // A file without a name, where the file system has such: a kill leaves nothing behind.
+  if (const int nameless = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600); nameless >= 0) {
+    ::close(nameless);
+    return;
+  }
   std::string probe = (folder / ".verisim-XXXXXX").string();
   const int file = mkstemp(probe.data());
   if (file < 0) throw Failure{kInputOutput, fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno))};

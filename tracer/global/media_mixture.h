@@ -1,6 +1,7 @@
 // What media of one stretch of a ray are together, and the intervals that they are sampled in (spec 07 sections 4.4 and 4.5).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 

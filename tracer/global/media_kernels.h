@@ -23,8 +23,6 @@ struct alignas(64) MediaLanes {
 };
 
 struct MediaKernels {
-  // Sets the directions and distances of a light that shines from `position`.
-  void (*aim)(const Vec3& position, int count, MediaLanes& lanes);
   // Adds the phase function of a medium for light from these directions.
   void (*add_phase)(const scene::Media& media, int count, MediaLanes& lanes);
   // Sets what is scattered along the view rays of what arrives, by that many media.

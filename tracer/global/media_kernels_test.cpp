@@ -33,16 +33,12 @@ TEST_P(MediaLanesOf, AreThoseOfEachPlace) {
       lanes->to_light.origin.set(i, place.back()), lanes->view.set(i, view.back()), lanes->scattering.set(i, scattering.back()), lanes->arriving.set(i, arriving.back());
       lanes->phase[i] = 0;
     }
-    kernels->aim(light, count, *lanes);
+    for (int i = 0; i < count; ++i) lanes->to_light.direction.set(i, normalize(light - place[static_cast<std::size_t>(i)]));
     for (const scene::Media& m : media) kernels->add_phase(m, count, *lanes);
     kernels->scatter(static_cast<int>(media.size()), count, *lanes);
     for (int i = 0; i < count; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      const Vec3 to = light - place[k];
-      const double distance = length(to);
-      const Vec3 towards = to * (1 / distance);
-      ASSERT_EQ(lanes->distance[i], distance);
-      ASSERT_EQ(lanes->to_light.direction.at(i), towards);
+      const Vec3 towards = lanes->to_light.direction.at(i);
       double sum = 0;
       for (const scene::Media& m : media) sum += phase(m, dot(towards, view[k]));
       const auto mean = static_cast<float>(sum / static_cast<double>(media.size()));

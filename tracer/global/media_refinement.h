@@ -57,9 +57,9 @@ class MediaRefinement {
  public:
   // d1, d3: places in an interval, 0 to 1, with samples s1 and s3; s2 is the one between.
   struct Stretch {
-    double d1, d3;
+    double d1 = 0, d3 = 0;
     MediaSample s1, s2, s3;
-    std::uint32_t interval;  // as the caller numbers them
+    std::uint32_t interval = 0;  // as the caller numbers them
     int left = -1, right = -1;  // its halves that are refined
     double middle() const { return middle_of(d1, d3); }
   };

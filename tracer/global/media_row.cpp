@@ -131,7 +131,7 @@ void MediaRow::look_along() {
     any = 0;
     for (const Room::RayPart& ray : room_.rays) {
       const std::size_t interval = ray.first + place / each;
-      if (interval >= ray.end) continue;
+      if (interval >= ray.end || ray.lost) continue;
       ++any;
       questions[count] = {static_cast<std::uint32_t>(interval), at}, sample[count] = interval * each + number;
       if (++count == kMost) flush();
@@ -147,7 +147,7 @@ void MediaRow::refine() {
   all.clear();
   const MediaSample* s = room_.first.data();
   for (std::uint32_t i = 0; i < room_.intervals.size(); ++i, ++s)
-    for (int k = 0; k < q; ++k, s += 2) all.push_back({k * step, (k + 1) * step, s[0], s[1], s[2], i});
+    for (int k = 0; k < q; ++k, s += 2) all.push_back(room_.rays[room_.intervals[i].ray].lost ? MediaRefinement::Stretch{} : MediaRefinement::Stretch{k * step, (k + 1) * step, s[0], s[1], s[2], i});
   std::array<Question, kMost> questions;
   std::array<MediaSample, kMost> samples;
   std::size_t begin = 0;
@@ -245,14 +245,7 @@ void MediaRow::add_light(std::size_t number, std::span<const Question> questions
     room_.question[count++] = i;
   }
   if (count == 0) return;
-  if (light.radial()) {
-    media_kernels().aim(light.source().position, count, lanes);
-  } else {
-    for (int k = 0; k < count; ++k) {
-      const shading::LightDirection direction = light.direction(lanes.to_light.origin.at(k));
-      lanes.to_light.direction.set(k, direction.towards), lanes.distance[k] = direction.distance;
-    }
-  }
+  shading::aim_at(light, count, lanes.to_light, lanes.distance);
   // What arrives: nothing is asked where that is dark.
   float attenuation[MediaLanes::kSize];
   if (const auto falloff = light.attenuates() ? shading::LightFalloff::of(light) : std::nullopt) {

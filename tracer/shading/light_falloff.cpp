@@ -8,10 +8,17 @@
 namespace verisim::shading {
 namespace {
 
+constexpr int rounded(int count) { return (count + RayRow::kStep - 1) / RayRow::kStep * RayRow::kStep; }
+
 #define VERISIM_KERNELS "tracer/shading/light_falloff.inc"
 #include "tracer/textures/each_instruction_set.inc"
 
 const LightFalloffKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+
+const LightFalloffKernels& best_kernels() {
+  static const LightFalloffKernels& best = *kAll[textures::best_instruction_set()];
+  return best;
+}
 
 bool is_simple(double exponent) { return exponent == 0 || exponent == 1 || exponent == 2; }
 
@@ -32,8 +39,15 @@ std::optional<LightFalloff> LightFalloff::of(const Light& light) {
 }
 
 void LightFalloff::attenuate(const RayRow::Vectors& towards, const double* distance, int count, float* attenuation) const {
-  static const LightFalloffKernels& kernels = *kAll[textures::best_instruction_set()];
-  kernels.attenuate(*this, towards, distance, count, attenuation);
+  best_kernels().attenuate(*this, towards, distance, count, attenuation);
+}
+
+void aim_at(const Light& light, int count, RayRow& to_light, double* distance) {
+  if (light.radial()) return best_kernels().aim(light.source().position, count, to_light, distance);
+  for (int k = 0; k < count; ++k) {
+    const LightDirection direction = light.direction(to_light.origin.at(k));
+    to_light.direction.set(k, direction.towards), distance[k] = direction.distance;
+  }
 }
 
 }  // namespace verisim::shading

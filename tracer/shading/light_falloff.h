@@ -1,5 +1,5 @@
-// How light from a point fades with angle and distance (spec 06 section 7.3), a row of points at a time. Compiled for several instruction sets; every lane does the operations of
-// Light::attenuation in the same order.
+// Where a light is from a row of points, and how it fades there with angle and distance (spec 06 section 7.3). Compiled for several instruction sets; every lane does the operations of
+// Light::direction and Light::attenuation in the same order.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace verisim::shading {
 
 struct LightFalloff {
   bool spot = false, soft = false, fades = false;  // soft: within a cone, and beyond it less and less
-  int tightness = 0, power = 0;                    // exponents: 0, 1 or 2
+  int tightness = 0, power = 0;                    // exponents: 0, 1 or 2; if it fades, 1 or 2
   Vec3 direction{0, 0, 0};                         // of a spot light
   double cos_radius = 0, cos_falloff = 0, fade_distance = 1;
 
@@ -21,7 +21,11 @@ struct LightFalloff {
   void attenuate(const RayRow::Vectors& towards, const double* distance, int count, float* attenuation) const;
 };
 
+// Sets the unit directions from points to the light's centre, and its distances. Points: to_light.origin.
+void aim_at(const Light& light, int count, RayRow& to_light, double* distance);
+
 struct LightFalloffKernels {
+  void (*aim)(const Vec3& position, int count, RayRow& to_light, double* distance);
   void (*attenuate)(const LightFalloff& falloff, const RayRow::Vectors& towards, const double* distance, int count, float* attenuation);
 };
 // Those of any instruction set, for tests; null: this machine cannot run it.

@@ -18,7 +18,7 @@ TEST_P(LightFalloffs, AreThoseOfEachPoint) {
   std::mt19937 generator(9);
   std::uniform_real_distribution<double> u(-1, 1);
   const auto vector = [&] { return Vec3(u(generator), u(generator), u(generator)); };
-  const auto rays = std::make_unique<RayRow>();
+  const auto rays = std::make_unique<RayRow>(), aimed = std::make_unique<RayRow>();
   int dark = 0, dim = 0, bright = 0;
   for (int round = 0; round < 400; ++round) {
     scene::LightSource source;
@@ -35,13 +35,16 @@ TEST_P(LightFalloffs, AreThoseOfEachPoint) {
     const auto falloff = LightFalloff::of(light);
     ASSERT_TRUE(falloff.has_value());
     const int count = 1 + round % RayRow::kMost;
-    double distance[RayRow::kSize];
+    double distance[RayRow::kSize], aimed_distance[RayRow::kSize];
     float found[RayRow::kSize];
     for (int i = 0; i < count; ++i) {
       rays->origin.set(i, 5.0 * vector());
       const LightDirection to = light.direction(rays->origin.at(i));
       rays->direction.set(i, to.towards), distance[i] = to.distance;
     }
+    *aimed = *rays;
+    kernels->aim(source.position, count, *aimed, aimed_distance);
+    for (int i = 0; i < count; ++i) ASSERT_TRUE(aimed->direction.at(i) == rays->direction.at(i) && aimed_distance[i] == distance[i]) << round << ' ' << i;
     kernels->attenuate(*falloff, rays->direction, distance, count, found);
     for (int i = 0; i < count; ++i) {
       const double expected = light.attenuation(rays->origin.at(i), {rays->direction.at(i), distance[i]});

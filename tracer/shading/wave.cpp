@@ -79,15 +79,7 @@ bool Wave::add_surface(int i) {
 
 // Where the light is from every surface.
 void Wave::aim(const Light& light) {
-  if (light.radial()) {
-    kernels_.aim(light.source().position + Vec3(0, 0, 0), count_, lanes_);
-  } else {
-    for (int k = 0; k < count_; ++k) {
-      const LightDirection direction = light.direction(lanes_.to_light.origin.at(k));
-      lanes_.to_light.direction.set(k, direction.towards);
-      lanes_.distance[k] = direction.distance;
-    }
-  }
+  aim_at(light, count_, lanes_.to_light, lanes_.distance);
   kernels_.face(count_, lanes_);
 }
 

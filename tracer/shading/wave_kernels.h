@@ -53,8 +53,6 @@ struct WaveCamera {
 struct WaveKernels {
   // Unit directions of the rays through pixels (x, y), (x + 1, y) ...
   void (*directions)(const WaveCamera& camera, double x, double y, int count, WaveLanes& lanes);
-  // Sets the directions and distances from points to a light that shines from `position`.
-  void (*aim)(const Vec3& position, int count, WaveLanes& lanes);
   // Sets cosine from normals and directions.
   void (*face)(int count, WaveLanes& lanes);
   // What arrives if nothing is in the way: sets asked, intensity, diffuse and shines. False: nowhere anything.

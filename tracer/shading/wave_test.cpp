@@ -7,6 +7,7 @@
 #include "tracer/global/scene_effects.h"
 #include "tracer/render/pixel_sampler.h"
 #include "tracer/shading/finish.h"
+#include "tracer/shading/light_falloff.h"
 #include "tracer/shading/shadow_row.h"
 #include "tracer/shading/wave.h"
 #include "tracer/shapes/test_support.h"
@@ -62,7 +63,7 @@ TEST_P(WaveKernel, LightsAndHighlightsAreThoseOfTheFormulas) {
       lanes->base_limit[i] = phong && f.phong_size >= 60 ? 0.0008 : 0;
     }
     const Vec3 position = unit() * 10;
-    kernels->aim(position, WaveLanes::kMost, *lanes);
+    light_falloff_kernels(GetParam())->aim(position, WaveLanes::kMost, lanes->to_light, lanes->distance);
     kernels->face(WaveLanes::kMost, *lanes);
     kernels->respond(true, true, WaveLanes::kMost, *lanes);
     for (int i = 0; i < WaveLanes::kMost; ++i) {

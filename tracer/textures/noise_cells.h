@@ -15,20 +15,14 @@ namespace verisim::textures {
 struct alignas(64) NoiseCell {
   double a[8], b[8], c[8], d[8];
 };
-// The three components of the vector noise.
-struct VectorCell {
-  NoiseCell component[3];
-};
-
 // Direct-mapped memory of cells. Only the low 12 bits of lattice coordinates matter (11 for the gradient noise of generator 3). The low bits of x follow from
-// slot, y and z, so a slot and a key of 28 bits name a cell; bits beyond tell components of the vector noise apart where they are kept one by one. No key is 0.
-constexpr std::uint32_t kNoiseSlots = 2048, kVectorSlots = 1024;  // half a megabyte, three quarters: what a second-level cache holds
+// slot, y and z, so a slot and a key of 28 bits name a cell. No key is 0.
+constexpr std::uint32_t kNoiseSlots = 2048;  // half a megabyte: what a second-level cache holds
 template <std::uint32_t slots>
 constexpr std::uint32_t cell_slot(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   return (x + 37 * y + 331 * z) % slots;
 }
 constexpr std::uint32_t kLatticeKey = 1u << 27, kGradientKey = 3u << 27;
-constexpr std::uint32_t component_key(int component) { return static_cast<std::uint32_t>(component) << 29; }
 constexpr std::uint32_t cell_key(std::uint32_t x, std::uint32_t y, std::uint32_t z) { return (x >> 10 & 3) | (y & 4095) << 2 | (z & 4095) << 14; }
 
 template <class Cell, std::uint32_t slots>
@@ -37,11 +31,9 @@ struct CellMemory {
   Cell cells[slots];
 };
 using ScalarMemory = CellMemory<NoiseCell, kNoiseSlots>;
-using VectorMemory = CellMemory<VectorCell, kVectorSlots>;
 
 struct NoiseMemory {
   ScalarMemory scalar;
-  VectorMemory vector;
 };
 
 // The memory of the calling thread; made when it is first asked for.

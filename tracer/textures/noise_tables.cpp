@@ -47,6 +47,7 @@ void fill_gradients(NoiseTables& t) {
 
 NoiseTables::NoiseTables() {
   shuffle_hash(*this);
+  for (int i = 0; i < 4096; ++i) value_offset[i] = static_cast<std::uint16_t>((hash[i] & 255) * sizeof value_row[0]);
   std::mt19937 twister;  // seed 5489
   for (int i = 0; i < 32768; ++i) random[i] = static_cast<std::uint32_t>(twister());
   for (int i = 0; i < 4; ++i) random[32768 + i] = random[i];

@@ -4,6 +4,7 @@
 // are found in Bernstein form and polished on the two original equations, Y = py + dy t and r t^2 + 2 m t + c = X^2, which stay well-conditioned
 // for nearly horizontal rays (where POV-Ray's roots are noisy or lost: section 8).
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -66,12 +67,18 @@ class Lathe final : public Primitive<Lathe> {
  public:
   Lathe(const scene::Object& description, const scene::Lathe& lathe) : Primitive(description, {lathe_box(lathe)}), range_(lathe) {
     for (const CurveSegment& s : segments_of(lathe)) {
-      Segment segment{s, 0, 0, 0, 0};
+      Segment segment{s, 0, 0};
       s.extremes(height, segment.y_low, segment.y_high);
       double x0, x1;
       s.extremes(radius, x0, x1);
       const double least = x0 <= 0 && x1 >= 0 ? 0 : std::min(std::fabs(x0), std::fabs(x1)), most = std::max(std::fabs(x0), std::fabs(x1));
-      segment.low2 = least * least, segment.high2 = most * most;
+      const std::size_t lane = segments_.size() % 8;
+      if (lane == 0) {
+        blocks_.emplace_back();
+        std::fill_n(blocks_.back().y_low, 8, HUGE_VAL), std::fill_n(blocks_.back().y_high, 8, -HUGE_VAL);
+      }
+      EightSegments& block = blocks_.back();
+      block.y_low[lane] = segment.y_low, block.y_high[lane] = segment.y_high, block.low2[lane] = least * least, block.high2[lane] = most * most;
       segments_.push_back(segment);
     }
   }
@@ -93,17 +100,17 @@ class Lathe final : public Primitive<Lathe> {
     } else if (!(c <= outer2)) {
       return;
     }
-    double y0 = p.y + d.y * std::max(near, 0.0), y1 = p.y + d.y * far;
-    if (!(std::fabs(d.y) > 0)) y0 = y1 = p.y;
-    if (y0 > y1) std::swap(y0, y1);
-    const double slack = this->slack();
+    const double doubt = 1e-7 * (range_.r_high + std::sqrt(c));
+    near = std::max({near, 0.0, sink.lower() * l.scale - doubt}), far = std::min(far, sink.upper() * l.scale + doubt);
+    if (near > far) return;
+    const LathePassage passage = this->passage(l, r, m, c, near, far);
     const Solver solver{l, r, m, c};
-    const Passage passage(l, r, m, c, outer2);
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-      const Segment& s = segments_[i];
-      if (s.y_low > y1 + slack || s.y_high < y0 - slack || passage.passes(s)) continue;
-      solver.segment(s.curve, [&](double w, double t) { add(ray, t / l.scale, i, w, sink); });
-    }
+    for (std::size_t block = 0; block < blocks_.size(); ++block)
+      for (unsigned met = lathe_kernels().along(blocks_[block], passage); met != 0; met &= met - 1) {
+        const std::size_t i = 8 * block + static_cast<std::size_t>(std::countr_zero(met));
+        if (i >= segments_.size()) break;  // of numbers that are none
+        solver.segment(segments_[i].curve, [&](double w, double t) { add(ray, t / l.scale, i, w, sink); });
+      }
   }
 
   unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max, Hit* hits) const override {
@@ -147,32 +154,17 @@ class Lathe final : public Primitive<Lathe> {
   struct Segment {
     CurveSegment curve;
     double y_low, y_high;  // its heights
-    double low2, high2;    // and squares of its radii
   };
-  // How far from the axis a ray is between two heights.
-  class Passage {
-   public:
-    Passage(const LocalRay& l, double r, double m, double c, double outer2) : r_(r), m_(m), c_(c), height_(l.origin.y) {
-      constexpr double kSteep = 1e-3;  // others know their roots less well
-      if (!(std::fabs(l.direction.y) > kSteep)) return;
-      inverse_ = 1 / l.direction.y;
-      turn_ = r > 1e-20 ? -m / r : 0;
-      doubt_ = 1e-5 * outer2 + 1e-9 * (c + m * m);
-    }
-    // For sure within or around a segment all the way.
-    bool passes(const Segment& s) const {
-      if (inverse_ == 0) return false;
-      double from = (s.y_low - height_) * inverse_, to = (s.y_high - height_) * inverse_;
-      if (from > to) std::swap(from, to);
-      const double nearest = distance2(std::clamp(turn_, from, to));
-      return nearest > s.high2 + doubt_ || std::max(distance2(from), distance2(to)) < s.low2 - doubt_;
-    }
-
-   private:
-    double distance2(double t) const { return (r_ * t + 2 * m_) * t + c_; }
-
-    double r_, m_, c_, height_, inverse_ = 0, turn_ = 0, doubt_ = 0;
-  };
+  // Where a ray is between two distances, for the kernel.
+  LathePassage passage(const LocalRay& l, double r, double m, double c, double near, double far) const {
+    constexpr double kSteep = 1e-3;  // others know their roots less well
+    double y0 = l.origin.y + l.direction.y * near, y1 = l.origin.y + l.direction.y * far;
+    if (!(std::fabs(l.direction.y) > 0)) y0 = y1 = l.origin.y;
+    if (y0 > y1) std::swap(y0, y1);
+    LathePassage p{y0, y1, slack(), r, m, c, l.origin.y, near, far};
+    if (std::fabs(l.direction.y) > kSteep) p.inverse = 1 / l.direction.y, p.turn = r > 1e-20 ? -m / r : 0, p.doubt = 1e-5 * outer2() + 1e-9 * (c + m * m);
+    return p;
+  }
 
   double outer2() const { return range_.r_high * range_.r_high * (1 + 1e-9); }
   double slack() const { return 1e-9 * (range_.y_high - range_.y_low); }
@@ -297,6 +289,7 @@ class Lathe final : public Primitive<Lathe> {
   };
 
   std::vector<Segment> segments_;
+  std::vector<EightSegments> blocks_;
   Range range_;
 };
 

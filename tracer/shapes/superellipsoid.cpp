@@ -53,7 +53,7 @@ double norm(double a, double b, const Power& p) {
 class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
  public:
   Superellipsoid(const scene::Object& description, const scene::Superellipsoid& s)
-      : Primitive(description, {Box3(Vec3(-1.0001), Vec3(1.0001))}), p_(2 / s.east), q_(2 / s.north), guarded_(has_guards(description)) {
+      : Primitive(description, {Box3(Vec3(-1.0001), Vec3(1.0001))}), p_(2 / s.east), q_(2 / s.north), p_less_(p_.exponent() - 1), q_less_(q_.exponent() - 1), guarded_(has_guards(description)) {
     constexpr double kDoubt = 1e-9;
     most_inside_ = (1 - kDoubt) * std::pow(2, -1 / p_.exponent() - 1 / q_.exponent()), least_outside_ = 1 + kDoubt;
     if (has_matrix()) stretch_ = length(Vec3(length(matrix().inverse_direction({1, 0, 0})), length(matrix().inverse_direction({0, 1, 0})), length(matrix().inverse_direction({0, 0, 1}))));
@@ -137,11 +137,10 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     const Vec3 v = local(hit.point);
     const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
     const double r = norm(x, y, p_), f = norm(r, z, q_);
-    const auto raised = [](double ratio, double power) { return ratio == 1 ? 1 : std::pow(ratio, power); };
-    const double across = f > 0 && r > 0 ? raised(r / f, q_.exponent() - 1) : 0;
-    const auto part = [&](double a, double size, double power) { return size > 0 && a > 0 ? raised(a / size, power) : power == 0 ? 1.0 : 0.0; };
-    const Vec3 g(std::copysign(across * part(x, r, p_.exponent() - 1), v.x), std::copysign(across * part(y, r, p_.exponent() - 1), v.y),
-                 std::copysign(part(z, f, q_.exponent() - 1), v.z));
+    const auto raised = [](double ratio, const Power& power) { return ratio == 1 ? 1 : power.raise(ratio); };
+    const double across = f > 0 && r > 0 ? raised(r / f, q_less_) : 0;
+    const auto part = [&](double a, double size, const Power& power) { return size > 0 && a > 0 ? raised(a / size, power) : power.exponent() == 0 ? 1.0 : 0.0; };
+    const Vec3 g(std::copysign(across * part(x, r, p_less_), v.x), std::copysign(across * part(y, r, p_less_), v.y), std::copysign(part(z, f, q_less_), v.z));
     const double largest = std::max({std::fabs(g.x), std::fabs(g.y), std::fabs(g.z)});
     if (!(largest > 0) || !std::isfinite(largest)) return {1, 0, 0};
     return world_normal(g / largest);
@@ -325,7 +324,7 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     return false;
   }
 
-  Power p_, q_;
+  Power p_, q_, p_less_, q_less_;  // the exponents, and these less 1
   double stretch_ = 2;  // nothing grows more than this much on the way to local coordinates
   double most_inside_, least_outside_;  // of coordinates: where the formula need not be asked
   bool guarded_;

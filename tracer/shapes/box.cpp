@@ -46,6 +46,11 @@ class Box final : public Primitive<Box> {
     return lanes_hit(met, rays);
   }
 
+  SimpleSolid simple() const override {
+    if (guarded_) return {};
+    return {.form = SimpleSolid::Form::box, .inverted = inverted(), .matrix = has_matrix() ? &matrix() : nullptr, .a = low_, .b = high_};
+  }
+
   bool contains(const Vec3& point) const {
     const Vec3 p = local(point);
     return p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y && p.z >= low_.z && p.z <= high_.z;

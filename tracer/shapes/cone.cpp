@@ -88,6 +88,11 @@ class Cone final : public Primitive<Cone> {
     return lanes_hit(met, rays);
   }
 
+  SimpleSolid simple() const override {
+    if (guarded_) return {};
+    return {.form = SimpleSolid::Form::cone, .inverted = inverted(), .cylinder = cylinder_, .open = open_, .matrix = has_matrix() ? &matrix() : nullptr, .c = narrow_};
+  }
+
   bool contains(const Vec3& point) const {
     const Vec3 p = local(point);
     const double r2 = p.x * p.x + p.y * p.y, limit2 = cylinder_ ? 1 : p.z * p.z;

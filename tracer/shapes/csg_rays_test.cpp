@@ -1,5 +1,7 @@
 // What rays meet of CSG objects, beside the plain rule of spec 03 section 5: all hits of the children that pass the inside tests, and of those the nearest.
+#include "tracer/shapes/csg_tree.h"
 #include "tracer/shapes/test_support.h"
+#include "tracer/textures/instruction_sets.h"
 
 namespace verisim::shapes::testing {
 namespace {
@@ -132,6 +134,116 @@ TEST(CsgRays, UnionsInLanes) {
   expect_the_same_in_lanes(*compile(*make_union(many, below)));
   // Of two that are met at the same distance the later one shows.
   expect_the_same_in_lanes(*compile(*make_union({ball, make(scene::Sphere{{0.3, 0.2, 0.1}, 1}), make_union({ball, ring}, below)})));
+}
+
+// Trees of random solids, with all instruction sets: alone and eight at a time they find what the plain rule finds.
+class RandomObjects {
+ public:
+  explicit RandomObjects(unsigned seed) : random_(seed) {}
+  Vec3 vector(double most) { return {number(-most, most), number(-most, most), number(-most, most)}; }
+  double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+
+  ObjectRef solid(int depth) {
+    if (depth == 0 || below(6) == 0) return leaf();
+    std::vector<ObjectRef> parts;
+    for (int n = 2 + below(3); n > 0; --n) parts.push_back(solid(depth - 1));
+    switch (below(4)) {
+      case 0: return make_union(parts, steps());
+      case 1: return make_merge(parts, steps());
+      case 2: return make_intersection(parts, steps());
+      default: return make_difference(parts, steps());
+    }
+  }
+
+ private:
+  Steps steps() {
+    const bool turned = below(2) == 0, moved = below(2) == 0, inverted = below(6) == 0, clipped = below(12) == 0, grown = below(4) == 0;
+    const Vec3 angles = vector(180), way = vector(0.6);
+    const double size = number(0.6, 1.5);
+    return [=](Object& o) {
+      if (grown) scene::scale(o, {size, 1, 1 / size});
+      if (turned) scene::rotate(o, angles);
+      if (moved) scene::translate(o, way);
+      if (clipped) o.clipped_by.push_back(make(scene::Sphere{way, 1.2}));
+      if (inverted) scene::invert(o);
+    };
+  }
+  ObjectRef leaf() {
+    switch (below(9)) {
+      case 0:
+      case 1: return make(scene::Sphere{vector(0.6), number(0.3, 1.2)}, steps());
+      case 2: return make(scene::Box{{number(-1, -0.1), number(-1, -0.1), number(-1, -0.1)}, {number(0.1, 1), number(0.1, 1), number(0.1, 1)}}, steps());
+      case 3: return make(scene::Box{{-1, -1, -0.5}, {1, 0.5, 1}}, steps());  // faces that several have
+      case 4: return make(scene::Plane{normalize(vector(1)), number(-0.3, 0.8)}, steps());
+      case 5: return make(scene::Cone{{0, -0.8, 0}, {0, 0.9, 0}, 0.5, 0.5, below(3) == 0}, steps());
+      case 6: return make(scene::Cone{vector(0.8), {0, 0.9, 0}, number(0.2, 0.9), number(0, 0.9), below(3) == 0}, steps());
+      case 7: return make(scene::Quadric{{number(-0.5, 1.5), number(-0.5, 1.5), number(-0.5, 1.5)}, vector(0.4), vector(0.3), number(-0.8, -0.1)}, steps());
+      default: return make(below(2) == 0 ? scene::Shape(scene::Torus{0.8, 0.3}) : scene::Shape(scene::Superellipsoid{0.3, 0.6}), steps());
+    }
+  }
+  std::mt19937 random_;
+};
+TEST(CsgRays, RandomTrees) {
+  RandomObjects random(17);
+  int met = 0, trees = 0;
+  for (int round = 0; round < 150; ++round) {
+    const ObjectRef object = random.solid(1 + round % 3);
+    const auto shape = compile(*object);
+    if (shape->children().empty() || !object->clipped_by.empty()) continue;
+    std::unique_ptr<const CsgTree> kinds[textures::kInstructionSets];
+    for (int set = 0; set < textures::kInstructionSets; ++set) kinds[set] = CsgTree::of(*shape, shape->children(), everywhere(), {}, set);
+    trees += kinds[0] != nullptr;
+    const auto rays = std::make_unique<RayRow>();
+    for (int k = 0; k < RayRow::kMost; ++k) {
+      const Vec3 from = random.vector(round % 2 == 0 ? 3 : 0.8);
+      rays->origin.set(k, from), rays->direction.set(k, k % 7 == 0 ? Vec3(0, k % 2 == 0 ? 1 : -1, 0) : normalize(random.vector(0.7) - from));
+    }
+    for (int first = 0; first < RayRow::kMost; first += RayLanes::kCount) {
+      const double t_min = first == 0 ? 0.5 : 0;
+      double t_max[RayLanes::kCount];
+      for (int k = 0; k < RayLanes::kCount; ++k) t_max[k] = k % 3 == 0 ? 2.5 : HUGE_VAL;
+      const RayLanes lanes{*rays, first, 255};
+      Hit hits[RayLanes::kCount];
+      const unsigned found = shape->intersect_lanes(lanes, nullptr, RayKind::query, t_min, t_max, hits);
+      for (int k = 0; k < RayLanes::kCount; ++k) {
+        const HitList all = hits_by_rule(*shape, lanes.at(k));
+        const Hit* nearest = nullptr;
+        for (const Hit& h : all)
+          if (h.t >= t_min && h.t < t_max[k] && (!nearest || h.t <= nearest->t)) nearest = &h;
+        ASSERT_EQ(found >> k & 1, nearest ? 1u : 0u) << round << ' ' << first + k;
+        const auto same = [&](const Hit& hit) { return hit.t == nearest->t && hit.shape == nearest->shape && hit.point == nearest->point && hit.part == nearest->part; };
+        ASSERT_TRUE(!nearest || same(hits[k])) << round << ' ' << first + k;
+        met += nearest != nullptr;
+        for (const auto& tree : kinds) {
+          if (!tree) continue;
+          Hit hit;
+          const CsgQuery query{RayKind::query, t_min, t_max + k, nullptr, nullptr};
+          ASSERT_EQ(tree->nearest(lanes.at(k), query, hit), nearest != nullptr) << round << ' ' << first + k;
+          ASSERT_EQ(tree->occluded(lanes.at(k), query), nearest != nullptr) << round << ' ' << first + k;
+          ASSERT_TRUE(!nearest || same(hit)) << round << ' ' << first + k;
+        }
+      }
+      for (const auto& tree : kinds) {
+        if (!tree) continue;
+        Hit others[RayLanes::kCount];
+        const CsgQuery query{RayKind::query, t_min, t_max, nullptr, nullptr};
+        ASSERT_EQ(tree->nearest(lanes, query, others), found);
+        ASSERT_EQ(tree->occluded(lanes, query), found);
+        each_lane(found, [&](int k) { ASSERT_TRUE(others[k].t == hits[k].t && others[k].shape == hits[k].shape && others[k].point == hits[k].point && others[k].part == hits[k].part); });
+      }
+    }
+  }
+  EXPECT_GT(trees, 80);
+  EXPECT_GT(met, 1000);
+}
+
+// Of hits at the same distance the last one shows.
+TEST(CsgRays, SolidsInTheSamePlace) {
+  const auto copy = [](const ObjectRef& object) { return make(object->shape); };
+  expect_rule(make_intersection({make_union({block, copy(block)}), make(scene::Plane{{0.2, 1, 0}, 0.5})}));
+  expect_rule(make_intersection({make(scene::Plane{{0.2, 1, 0}, 0.5}), make_union({make_union({ball, ring}), copy(ball), copy(ring)})}));
+  expect_rule(make_intersection({block, copy(block)}));
 }
 
 TEST(CsgRays, ClippedSolids) {

@@ -260,7 +260,7 @@ void Isosurface::trace(const Ray& ray, IsosurfaceSearch<Value>& search, const Co
     if (!search.find(begin, end, t)) return;
     if (report(t, 0) && Sink::kNearest) return;
     begin = t + gap;
-    if (end - begin < a || (Sink::kNearest && begin > sink.upper())) return;
+    if (end - begin < a || begin > sink.upper()) return;
     search.sign = -search.sign;
   }
 }

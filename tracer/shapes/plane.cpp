@@ -20,6 +20,11 @@ class Plane final : public Primitive<Plane> {
     if (meets_plane(slope, t)) sink.add(t, [&] { return ray.origin + t * ray.direction; });
   }
 
+  SimpleSolid simple() const override {
+    if (guards()) return {};
+    return {.form = SimpleSolid::Form::plane, .inverted = inverted(), .matrix = has_matrix() ? &matrix() : nullptr, .a = normal_, .c = distance_};
+  }
+
   bool contains(const Vec3& p) const { return dot(local(p), normal_) - distance_ < kEpsilon; }
   Vec3 raw_normal(const Hit&) const { return has_matrix() ? world_normal(normal_) : normal_; }
 

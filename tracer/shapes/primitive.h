@@ -49,7 +49,9 @@ struct Clips {
 class AllHits {
  public:
   static constexpr bool kNearest = false;
-  AllHits(const Shape& shape, const Guards* guards, HitList& hits) : shape_(shape), guards_(guards), hits_(hits) {}
+  // Those beyond from .. to may be left out.
+  AllHits(const Shape& shape, const Guards* guards, HitList& hits, double from = -std::numeric_limits<double>::infinity(), double to = std::numeric_limits<double>::infinity())
+      : shape_(shape), guards_(guards), hits_(hits), from_(from), to_(to) {}
 
   // `point` is a callable that yields the hit point; it is only called when needed. True: the hit was accepted.
   template <class PointAt>
@@ -62,13 +64,14 @@ class AllHits {
   static constexpr bool any() { return false; }
   // The point is cut away by clipped_by; `add` would refuse it.
   bool clipped(const Vec3& p) const { return guards_ && !guards_->contain(p); }
-  static constexpr double lower() { return -std::numeric_limits<double>::infinity(); }
-  static constexpr double upper() { return std::numeric_limits<double>::infinity(); }
+  double lower() const { return from_; }
+  double upper() const { return to_; }
 
  private:
   const Shape& shape_;
   const Guards* guards_;
   HitList& hits_;
+  const double from_, to_;
 };
 
 // Keeps the nearest hit in [t_min, t_max); of hits at equal t the last one. `any`: the first one found will do, further ones are not looked for.
@@ -124,6 +127,11 @@ class Primitive : public Shape {
   void intersect_all(const Ray& ray, RayKind, HitList& hits) const final {
     if (guards_ && !guards_->admit(ray)) return;
     AllHits sink(*this, guards_.get(), hits);
+    derived().crossings(ray, sink);
+  }
+  void intersect_between(const Ray& ray, RayKind, double from, double to, HitList& hits) const final {
+    if (guards_ && !guards_->admit(ray)) return;
+    AllHits sink(*this, guards_.get(), hits, from, to);
     derived().crossings(ray, sink);
   }
   bool intersect(const Ray& ray, RayKind, double t_min, double t_max, Hit& hit) const final {

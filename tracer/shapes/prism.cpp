@@ -120,7 +120,7 @@ class Prism final : public Primitive<Prism> {
         for (const double h : {downwards ? high_ : low_, downwards ? low_ : high_}) {
           if (conic_ && std::fabs(h) <= kEpsilon) continue;
           const double t = (h - o.y) / d.y, size = conic_ ? h : 1;
-          if (Sink::kNearest && !(t >= sink.lower() * l.scale * (1 - 1e-9) && t <= sink.upper() * l.scale * (1 + 1e-9))) continue;
+          if (!(t >= sink.lower() * l.scale * (1 - 1e-9) && t <= sink.upper() * l.scale * (1 + 1e-9))) continue;
           if (covers((o.x + t * d.x) / size, (o.z + t * d.z) / size)) report(t, kCap, 0);
         }
       }

@@ -63,6 +63,11 @@ class Quadric final : public Primitive<Quadric> {
     return lanes_hit(met, rays);
   }
 
+  SimpleSolid simple() const override {
+    if (guarded_) return {};
+    return {.form = SimpleSolid::Form::quadric, .quadric = &q_};
+  }
+
   // Inversion has negated the coefficients already.
   bool contains(const Vec3& p) const { return value(p) <= 0; }
   bool formula(const Vec3& p) const { return contains(p); }

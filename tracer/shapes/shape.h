@@ -8,6 +8,7 @@
 
 #include "tracer/math/ray_row.h"
 #include "tracer/scene/object.h"
+#include "tracer/shapes/simple_solid.h"
 
 namespace verisim::accel {
 class Shaft;
@@ -63,6 +64,8 @@ class Shape {
   // Appends every hit within the shape's own limits (spec 03 2.1 and 2.2), in POV-Ray's order of collection, clips and bounds of this object applied.
   // `kind` lets unions and merges leave out children that this ray does not see.
   virtual void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const = 0;
+  // The same, where hits nearer than `from` or farther than `to` may be left out.
+  virtual void intersect_between(const Ray& ray, RayKind kind, double /*from*/, double /*to*/, HitList& hits) const { intersect_all(ray, kind, hits); }
   // The nearest hit with t_min <= t < t_max; on equal t the one collected last (spec 03 2.1). The default scans intersect_all.
   virtual bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const;
   // The same among the hits inside all of `clips`: what a union that carries clip objects asks its children.
@@ -91,6 +94,9 @@ class Shape {
   virtual Box3 bounds() const = 0;
   // Conservative: see SolidExtent. The default knows nothing.
   virtual SolidExtent solid_extent() const { return {everywhere(), false}; }
+
+  // The numbers of a simple solid without clips and bounds; of others none. They may be read while the shape lives.
+  virtual SimpleSolid simple() const { return {}; }
 
   // What the rays so far tell the author of the scene about this shape; mostly nothing.
   virtual std::string finding() const { return {}; }

@@ -60,6 +60,11 @@ class Sphere final : public Primitive<Sphere> {
     return lanes_hit(met, rays);
   }
 
+  SimpleSolid simple() const override {
+    if (guarded_) return {};
+    return {.form = SimpleSolid::Form::sphere, .inverted = inverted(), .matrix = has_matrix() ? &matrix() : nullptr, .a = center_, .c = radius2_};
+  }
+
   bool contains(const Vec3& p) const { return distance2(p) < radius2_; }
   // A point exactly on the surface is in neither the sphere nor its complement.
   bool formula(const Vec3& p) const { return inverted() ? distance2(p) > radius2_ : distance2(p) < radius2_; }

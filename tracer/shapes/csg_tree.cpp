@@ -160,7 +160,7 @@ std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std
   builder.add_tests(0, {});
   tree->true_distances = std::all_of(children.begin(), children.end(), [](const auto& c) { return reports_true_distances(*c); });
   if (!builder.computes) return nullptr;
-  tree->limit = limit, tree->bounded = !(limit == everywhere());
+  tree->limit = Builder::enlarged(limit), tree->bounded = !(limit == everywhere());
   tree->hollows.assign(hollows.begin(), hollows.end());
   return tree;
 }

@@ -8,7 +8,6 @@ namespace {
 
 constexpr int kMaxNesting = 300;
 
-
 // On in one of object and light, off in neither (spec 07 3.6).
 bool allowed(scene::Flag object, scene::Flag light) {
   using enum scene::Flag;
@@ -97,95 +96,106 @@ void PhotonWalk::scatter_layers(const Packet& packet, SurfaceHit& at, const text
                                 const Tracer::Frame* frame, float share, bool refracts, bool reflects) {
   const Vec3& d = packet.ray.ray.direction;
   std::vector<Layer> layers;
-  Rgb filter(share);
+  Rgb filter(1);
+  float translucency = 1;
   for (const textures::CompiledLayer& layer : texture.layers) {
+    if (!(translucency > shot_.adc_bailout)) break;
     const scene::Finish& finish = layer.finish;
+    const scene::Reflection& mirror = finish.reflection;
     const Vec3 normal = tracer_.layer_normal(at, layer, p, frame);
     Color c;
     const bool colored = textures::evaluate(*layer.pigment, p, &at.texture_point, c);
-    Rgb rho;
-    if (finish.reflection.maximum != Rgb() || finish.reflection.minimum != Rgb()) {
-      const double eta = finish.reflection.fresnel ? tracer_.fresnel_ratio(packet.ray, *at.surface.interior) : 1.0;
-      rho = reflectivity(finish.reflection, c.rgb(), -dot(d, normal), eta);
-      if (finish.reflection.exponent != 1) {
-        const float e = 1 / finish.reflection.exponent;
-        rho = {std::pow(rho.r, e), std::pow(rho.g, e), std::pow(rho.b, e)};
-      }
+    Layer here{normal, {}, mirror.exponent, 0};
+    if (mirror.maximum != Rgb() || mirror.minimum != Rgb()) {
+      const double eta = mirror.fresnel ? tracer_.fresnel_ratio(packet.ray, *at.surface.interior) : 1.0;
+      here.reflectivity = reflectivity(mirror, c.rgb(), -dot(d, normal), eta);
+      // Reflectivity counts twice in the weight.
+      here.weight = translucency * here.reflectivity.max_abs() * Tracer::mirror_strength(mirror, here.reflectivity);
     }
-    layers.push_back({normal, rho});
-    if (!colored) continue;
-    filter *= c.transmission();
-    if (finish.conserve_energy) filter *= {std::min(1.0f, 1 - rho.r), std::min(1.0f, 1 - rho.g), std::min(1.0f, 1 - rho.b)};
+    layers.push_back(here);
+    if (colored) {
+      filter *= filter * c.transmission();  // what came through the layers above counts twice, too
+      const Rgb& rho = here.reflectivity;
+      if (finish.conserve_energy) filter *= {std::min(1.0f, 1 - rho.r), std::min(1.0f, 1 - rho.g), std::min(1.0f, 1 - rho.b)};
+    }
+    translucency = std::min(1.0f, std::fabs(filter.grey()));
   }
   if (layers.empty()) return;
-  if (refracts && filter.max_abs() > 0) refract(packet, at, layers.front(), filter);
+  const Vec3 top_normal = layers.front().normal;
+  const bool total = refracts && translucency > shot_.adc_bailout && refract(packet, at, top_normal, filter, share);
   if (!reflects) return;
   for (const Layer& layer : layers) {
-    // Reflectivity counts twice in the weight, not in the colour.
-    if (layer.reflectivity != Rgb()) reflect(packet, at, layer, layer.reflectivity * share, layer.reflectivity.max_abs());
+    if (layer.reflectivity == Rgb() || (total && Tracer::hidden_by_total_reflection(top_normal, layer.normal))) continue;
+    Packet mirrored = packet;
+    if (layer.exponent != 1) {  // of what arrives, not of the mirror
+      const float e = 1 / layer.exponent;
+      mirrored.color = {std::pow(packet.color.r, e), std::pow(packet.color.g, e), std::pow(packet.color.b, e)};
+    }
+    reflect(mirrored, at, layer.normal, layer.reflectivity * share, layer.weight);
   }
 }
 
-PhotonWalk::Packet PhotonWalk::child_of(const Packet& packet, const SurfaceHit& at, const Vec3& direction, const Rgb& color) {
+PhotonWalk::Packet PhotonWalk::child_of(const Packet& packet, const SurfaceHit& at, const Vec3& direction, const Rgb& color, float weight) {
   Packet child = packet;
   child.ray.ray = {at.hit.point, direction};
   child.ray.primary = false;
   child.ray.continuation = false;
   child.ray.level = at.level;
-  child.ray.weight *= color.max_abs();
+  child.ray.weight *= weight;
   child.color *= color;
   return child;
 }
 
-void PhotonWalk::refract(const Packet& packet, SurfaceHit& at, const Layer& top, const Rgb& filter) {
+bool PhotonWalk::refract(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Rgb& filter, float share) {
   const scene::Interior& x = *at.surface.interior;
   const Tracer::InteriorScope scope(tracer_);
   const Tracer::Refraction refraction = tracer_.cross_surface(packet.ray, x);
-  const Rgb color = filter * tracer_.fade_factor(packet.ray.interiors, x, at.hit.t);
+  const Passage through{filter * share, tracer_.fade_factor(packet.ray.interiors, x, at.hit.t), share, filter.max_abs()};
   if (packet.passed || (refraction.straight() && !refraction.disperses())) {
-    Packet child = child_of(packet, at, packet.ray.ray.direction, color);
+    Packet child = child_of(packet, at, packet.ray.ray.direction, through.filter * through.fade, through.weight);
     child.ray.interiors = refraction.interiors;
     child.ray.hollow = refraction.hollow;
     child.ray.refracted = true;
     child.ray.continuation = true;
     follow(child);
-  } else if (!refraction.disperses()) {
-    bend(packet, at, top, color, refraction, refraction.ratio, packet.ray.wavelength);
-  } else if (packet.ray.monochromatic) {
-    bend(packet, at, top, color, refraction, ratio_at(refraction.ratio, refraction.dispersion, packet.ray.wavelength), packet.ray.wavelength);
-  } else {
-    const int n = refraction.samples;
-    Packet part = packet;
-    part.ray.monochromatic = true;
-    for (int i = 0; i < n; ++i) {
-      const double wavelength = spectral_wavelength(i, n);
-      part.color = packet.color * (spectral_weight(i, n) * (1.0f / static_cast<float>(n)));  // the weight remains
-      bend(part, at, top, color, refraction, ratio_at(refraction.ratio, refraction.dispersion, wavelength), static_cast<float>(wavelength));
-    }
+    return false;
   }
+  if (!refraction.disperses()) return bend(packet, at, normal, through, refraction, refraction.ratio, packet.ray.wavelength);
+  if (packet.ray.monochromatic)
+    return bend(packet, at, normal, through, refraction, ratio_at(refraction.ratio, refraction.dispersion, packet.ray.wavelength), packet.ray.wavelength);
+  const int n = refraction.samples;
+  Packet part = packet;
+  part.ray.monochromatic = true;
+  bool total = false;
+  for (int i = 0; i < n; ++i) {
+    const double wavelength = spectral_wavelength(i, n);
+    part.color = packet.color * (spectral_weight(i, n) * (1.0f / static_cast<float>(n)));  // the weight remains
+    total |= bend(part, at, normal, through, refraction, ratio_at(refraction.ratio, refraction.dispersion, wavelength), static_cast<float>(wavelength));
+  }
+  return total;
 }
 
-void PhotonWalk::bend(const Packet& packet, SurfaceHit& at, const Layer& top, const Rgb& color, const Tracer::Refraction& refraction, double ratio,
+bool PhotonWalk::bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through, const Tracer::Refraction& refraction, double ratio,
                       float wavelength) {
   const Vec3& d = packet.ray.ray.direction;
-  const double signed_cosine = dot(d, top.normal), k = std::fabs(signed_cosine);
-  const Vec3 n = signed_cosine <= 0 ? top.normal : -top.normal;
+  const double signed_cosine = dot(d, normal), k = std::fabs(signed_cosine);
+  const Vec3 n = signed_cosine <= 0 ? normal : -normal;
   const double q = 1 + ratio * ratio * (k * k - 1);
-  if (q < 0) {  // total reflection
-    reflect(packet, at, top, color, 1.0f);
-    return;
+  if (q < 0) {  // total reflection: the surface filters the weight, but not the light
+    reflect(packet, at, normal, through.fade * through.share, through.weight);
+    return true;
   }
-  Packet child = child_of(packet, at, d * ratio + n * (ratio * k - std::sqrt(q)), color);
+  Packet child = child_of(packet, at, d * ratio + n * (ratio * k - std::sqrt(q)), through.filter * through.fade, through.weight);
   child.ray.interiors = refraction.interiors;
   child.ray.hollow = refraction.hollow;
   child.ray.refracted = true;
   child.ray.wavelength = wavelength;
   follow(child);
+  return false;
 }
 
-void PhotonWalk::reflect(const Packet& packet, SurfaceHit& at, const Layer& layer, const Rgb& color, float weight) {
-  Packet child = child_of(packet, at, reflected_direction(packet.ray.ray.direction, layer.normal, at.raw), color);
-  child.ray.weight *= weight;
+void PhotonWalk::reflect(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Rgb& color, float weight) {
+  Packet child = child_of(packet, at, reflected_direction(packet.ray.ray.direction, normal, at.raw), color, weight);
   child.ray.reflected = true;
   child.passed = false;
   follow(child);

@@ -51,6 +51,12 @@ class PhotonWalk {
   struct Layer {
     Vec3 normal;
     Rgb reflectivity;
+    float exponent, weight;  // `weight`: of what is reflected
+  };
+  // What gets through a surface. Shares of textures do not count in weights.
+  struct Passage {
+    Rgb filter, fade;  // by the surface, on the way to it; `filter` with `share`
+    float share, weight;
   };
 
   void follow(Packet packet);
@@ -58,13 +64,13 @@ class PhotonWalk {
                bool refracts, bool reflects);
   void scatter_layers(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Tracer::Frame* frame,
                       float share, bool refracts, bool reflects);
-  void refract(const Packet& packet, SurfaceHit& at, const Layer& top, const Rgb& filter);
-  void bend(const Packet& packet, SurfaceHit& at, const Layer& top, const Rgb& color, const Tracer::Refraction& refraction, double ratio,
+  // These two return whether all or some of it was reflected totally.
+  bool refract(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Rgb& filter, float share);
+  bool bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through, const Tracer::Refraction& refraction, double ratio,
             float wavelength);
-  // `weight`: further factor of the packet's weight.
-  void reflect(const Packet& packet, SurfaceHit& at, const Layer& layer, const Rgb& color, float weight);
+  void reflect(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Rgb& color, float weight);
   // A copy of the packet that starts at the hit in this direction, with its colour and weight reduced.
-  static Packet child_of(const Packet& packet, const SurfaceHit& at, const Vec3& direction, const Rgb& color);
+  static Packet child_of(const Packet& packet, const SurfaceHit& at, const Vec3& direction, const Rgb& color, float weight);
 
   Tracer& tracer_;
   const PhotonShot& shot_;

@@ -175,7 +175,7 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
     for (std::size_t i = layers.begin(); i < end; ++i) {
       const ShadedLayer layer = layers_[i];
       if (layer.reflectivity == Rgb()) continue;
-      if (total_reflection && hidden_by_total_reflection(top_normal, layer)) continue;
+      if (total_reflection && hidden_by_total_reflection(top_normal, layer.normal)) continue;
       const RandomBranch branch(random_, RandomBranch::mirror(index, static_cast<int>(i - layers.begin())));
       color += mirrored(ray, at, layer);
     }

@@ -182,8 +182,8 @@ class Tracer {
   Color split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, float weight);
   Rgb reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer, float weight);
   // Of a total reflection this layer's mirror would show the same once more.
-  static bool hidden_by_total_reflection(const Vec3& top_normal, const ShadedLayer& layer);
-  static float mirror_strength(const ShadedLayer& layer);
+  static bool hidden_by_total_reflection(const Vec3& top_normal, const Vec3& normal);
+  static float mirror_strength(const scene::Reflection& mirror, const Rgb& reflectivity);
   Rgb mirrored(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer);
   static Rgb mirror_image(const ShadedLayer& layer, Rgb seen);
   Rgb fade_factor(const InteriorRange& list, const scene::Interior& interior, double distance) const;

@@ -129,20 +129,19 @@ Rgb Tracer::reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& laye
   return seen;
 }
 
-bool Tracer::hidden_by_total_reflection(const Vec3& top_normal, const ShadedLayer& layer) {
-  const Vec3 difference = layer.normal - top_normal;
+bool Tracer::hidden_by_total_reflection(const Vec3& top_normal, const Vec3& normal) {
+  const Vec3 difference = normal - top_normal;
   return std::fabs(difference.x) <= kEpsilon && std::fabs(difference.y) <= kEpsilon && std::fabs(difference.z) <= kEpsilon;
 }
 
 // By which the weight of reflected rays goes down.
-float Tracer::mirror_strength(const ShadedLayer& layer) {
-  const scene::Reflection& r = layer.layer->finish.reflection;
-  return r.fresnel ? layer.reflectivity.max() : std::max(r.minimum.max(), r.maximum.max());
+float Tracer::mirror_strength(const scene::Reflection& mirror, const Rgb& reflectivity) {
+  return mirror.fresnel ? reflectivity.max() : std::max(mirror.minimum.max(), mirror.maximum.max());
 }
 
 // What a layer's mirror adds.
 Rgb Tracer::mirrored(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer) {
-  return mirror_image(layer, reflect(ray, at, layer, ray.weight * layer.translucency * mirror_strength(layer)));
+  return mirror_image(layer, reflect(ray, at, layer, ray.weight * layer.translucency * mirror_strength(layer.layer->finish.reflection, layer.reflectivity)));
 }
 
 Rgb Tracer::mirror_image(const ShadedLayer& layer, Rgb seen) {

@@ -67,7 +67,7 @@ void Wave::aim_behind(Branch& branch) {
 
 bool Wave::hidden(const Leaf& leaf, const Branch& mirror) const {
   return leaf.behind >= 0 && branches_[static_cast<std::size_t>(leaf.behind)].total &&
-         Tracer::hidden_by_total_reflection(parts_[static_cast<std::size_t>(leaf.first)].normal, mirror.layer);
+         Tracer::hidden_by_total_reflection(parts_[static_cast<std::size_t>(leaf.first)].normal, mirror.layer.normal);
 }
 
 void Wave::trace_branches() {
@@ -79,7 +79,7 @@ void Wave::trace_branches() {
   for (Branch& branch : branches_) {
     if (branch.behind || !met_[branch.ray].together || hidden(leaves_[static_cast<std::size_t>(branch.leaf)], branch)) continue;
     branch.group = 0;
-    branch.weight = weights_[branch.ray] * branch.layer.translucency * tracer_.mirror_strength(branch.layer);
+    branch.weight = weights_[branch.ray] * branch.layer.translucency * Tracer::mirror_strength(branch.layer.layer->finish.reflection, branch.layer.reflectivity);
     branch.direction = reflected_direction(lanes_.rays.direction.at(branch.ray), branch.layer.normal, met_[branch.ray].at->raw);
   }
   trace_group(0, nullptr);
@@ -155,7 +155,7 @@ void Wave::add_branches(const Leaf& leaf, Color& color) {
     const Branch& branch = branches_[static_cast<std::size_t>(i)];
     if (branch.seen) {
       sum += tracer_.mirror_image(branch.layer, branch.color.rgb());
-    } else if (!(total && Tracer::hidden_by_total_reflection(parts_[static_cast<std::size_t>(leaf.first)].normal, branch.layer))) {
+    } else if (!(total && Tracer::hidden_by_total_reflection(parts_[static_cast<std::size_t>(leaf.first)].normal, branch.layer.normal))) {
       tracer_.random_.begin(branch.key);
       sum += tracer_.mirrored(ray_state(branch.ray), *met_[branch.ray].at, branch.layer);
     }

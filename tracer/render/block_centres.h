@@ -32,12 +32,19 @@ inline Float4 channels(const Color& c) {
   alignas(16) const float lanes[4] = {c.r, c.g, c.b, c.t};
   return Float4::load(lanes);
 }
-// About as a file shows it: clipped, and the root for sRGB's curve; transmit stays as it is.
-inline Float4 as_shown(const Color& c, bool encoded) {
-  alignas(16) const float lanes[4] = {c.r, c.g, c.b, encoded ? c.t : c.t * c.t};
-  const Float4 clipped = min(max(Float4::load(lanes), Float4(0.0f)), Float4(1.0f));
-  return encoded ? clipped : sqrt(clipped);
+inline Color color_of(Float4 v) {
+  alignas(16) float lanes[4];
+  v.store(lanes);
+  return {lanes[0], lanes[1], lanes[2], 0, lanes[3]};
 }
+// About as a file shows it: clipped, and the root for sRGB's curve; transmit stays as it is.
+inline Float4 as_shown(Float4 v, bool encoded) {
+  const Float4 clipped = min(max(v, Float4(0.0f)), Float4(1.0f));
+  if (encoded) return clipped;
+  alignas(16) static constexpr float kColors[4] = {1, 1, 1, 0}, kTransmit[4] = {0, 0, 0, 1};
+  return sqrt(clipped * (Float4::load(kColors) + Float4::load(kTransmit) * clipped));
+}
+inline Float4 as_shown(const Color& c, bool encoded) { return as_shown(channels(c), encoded); }
 
 class BlockCentres {
  public:
@@ -68,7 +75,7 @@ class BlockCentres {
       for (int x = left_; x < right_; ++x) {
         if (!first(x, y)) {
           if (!predict(x, y)) want(x, y);
-        } else if (exceeds(off_line(x, y, {{{2, 0}, {0, 2}, {1, 1}, {1, -1}}}), limit())) {
+        } else if (exceeds(off_line(x, y, 2), limit())) {
           for (const auto& [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
             if (inside(x + dx, y + dy)) want(x + dx, y + dy);
         }
@@ -114,14 +121,14 @@ class BlockCentres {
   Cell& cell(int x, int y) { return cells_[index(x, y)]; }
   const Cell& cell(int x, int y) const { return cells_[index(x, y)]; }
   // The colour of the centre as a file shows it.
-  Float4 shown(int x, int y) const { return shown_[index(x, y)]; }
+  const Float4& shown(int x, int y) const { return shown_[index(x, y)]; }
   // The pixel that stands for (x, y): beyond the picture it goes on as at its border.
   int column(int x) const { return std::clamp(x, left_, right_ - 1); }
   int row(int y) const { return std::clamp(y, top_, bottom_ - 1); }
   const Cell& near(int x, int y) const { return cell(column(x), row(y)); }
 
   // How far the pixel lies off the lines between its neighbours on opposite sides: on a ramp its centre is the mean already.
-  Float4 uneven(int x, int y) const { return off_line(x, y, {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}}); }
+  Float4 uneven(int x, int y) const { return off_line(x, y, 1); }
 
  private:
   // Found by measurement over a dozen scenes (bench/sampling); none of them is critical.
@@ -133,37 +140,48 @@ class BlockCentres {
 
   std::size_t index(int x, int y) const { return static_cast<std::size_t>((y - top_) * (right_ - left_) + x - left_); }
 
-  Float4 off_line(int x, int y, const std::array<std::array<int, 2>, 4>& pairs) const {
-    const Float4* here = &shown_[index(x, y)];
+  // Against the neighbours at a distance in the row and the column, and the next ones on the diagonals.
+  Float4 off_line(int x, int y, int reach) const {
+    const Float4* const here = &shown_[index(x, y)];
+    const Float4 twice = *here + *here;
     const int stride = right_ - left_;
-    const bool amid = x - 2 >= left_ && x + 2 < right_ && y - 2 >= top_ && y + 2 < bottom_;
-    Float4 most(0.0f);
-    for (const auto& [dx, dy] : pairs) {
-      const int step = dy * stride + dx;
-      const Float4 before = amid || inside(x - dx, y - dy) ? here[-step] : *here, after = amid || inside(x + dx, y + dy) ? here[step] : *here;
-      most = max(most, distance(*here + *here, before + after));
+    if (x - reach >= left_ && x + reach < right_ && y - reach >= top_ && y + reach < bottom_) {
+      const auto off = [&](int step) { return distance(twice, here[-step] + here[step]); };
+      return max(max(off(reach), off(reach * stride)), max(off(stride + 1), off(stride - 1)));
     }
-    return most;
+    const auto off = [&](int dx, int dy) {
+      return distance(twice, (inside(x - dx, y - dy) ? here[-dy * stride - dx] : *here) + (inside(x + dx, y + dy) ? here[dy * stride + dx] : *here));
+    };
+    return max(max(off(reach, 0), off(0, reach)), max(off(1, 1), off(1, -1)));
   }
 
   // The colour of a centre from the four around it. False: they do not lie on a plane.
   bool predict(int x, int y) {
-    const int left = column(x - 1), right = column(x + 1), top = row(y - 1), bottom = row(y + 1);
-    const bool all = right - left == 2 && bottom - top == 2;
-    Color sum;
-    float n = 0;
-    Float4 low(1.0f), high(0.0f);
-    for (const auto& [nx, ny] : {std::array{left, y}, {right, y}, {x, top}, {x, bottom}}) {
-      if (nx == x && ny == y) continue;
-      sum += cell(nx, ny).color, n += 1;
-      low = min(low, shown(nx, ny)), high = max(high, shown(nx, ny));
+    const int stride = right_ - left_;
+    const std::size_t here = index(x, y);
+    Color& color = cells_[here].color;
+    bool plane;
+    if (x > left_ && x + 1 < right_ && y > top_ && y + 1 < bottom_) {
+      const Cell* const c = &cells_[here];
+      const Float4* const s = &shown_[here];
+      color = ((c[-1].color + c[1].color) + (c[-stride].color + c[stride].color)) * 0.25f;
+      plane = !exceeds(distance(s[-1] + s[1], s[-stride] + s[stride]), limit());
+    } else {  // beside what is not known only equal ones are believed
+      Color sum;
+      float n = 0;
+      Float4 low(1.0f), high(0.0f);
+      for (const auto& [dx, dy] : {std::array{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
+        if (!inside(x + dx, y + dy)) continue;
+        sum += cell(x + dx, y + dy).color, n += 1;
+        low = min(low, shown(x + dx, y + dy)), high = max(high, shown(x + dx, y + dy));
+      }
+      if (n == 0) return false;
+      color = sum * (1 / n);
+      plane = !exceeds(high - low, limit());
     }
-    if (n == 0) return false;
-    Cell& here = cell(x, y);
-    here.color = here.mean = sum * (1 / n);
-    shown_[index(x, y)] = as_shown(here.color, settings_.encoded);
-    // Beside what is not known only equal ones are believed.
-    return !exceeds(all ? distance(shown(left, y) + shown(right, y), shown(x, top) + shown(x, bottom)) : high - low, limit());
+    cells_[here].mean = color;
+    shown_[here] = as_shown(color, settings_.encoded);
+    return plane;
   }
 
   const AdaptiveSettings settings_;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace verisim::render {
 
@@ -35,20 +36,9 @@ class EdgeModel {
     float nx = 0, ny = 0, d = 0;        // the middle edge; the normal points to the second side
   };
 
-  // From the centres of 3x3 pixels alone: bit 3 * row + column is set for the second side.
-  static const Estimate& of_centres(unsigned bits) {
-    static const std::array<Estimate, 512> all = [] {
-      std::array<Estimate, 512> result;
-      for (unsigned i = 0; i < result.size(); ++i) {
-        EdgeModel model;
-        model.clear();
-        for (int k = 0; k < 9; ++k) model.add(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 - 1), i >> k & 1);
-        result[i] = model.estimate();
-      }
-      return result;
-    }();
-    return all[bits];
-  }
+  // Of the centres of 3x3 pixels, bit 3 * row + column set for the second side: most of what is asked.
+  struct Centres;
+  static const Centres& of_centres(unsigned bits);
 
   void clear() {
     for (Side& side : sides_) side.low.fill(kFar), side.high.fill(-kFar);
@@ -111,5 +101,23 @@ class EdgeModel {
   }
   std::array<Side, 2> sides_;
 };
+
+struct EdgeModel::Centres {
+  EdgeModel model;
+  Estimate estimate;
+};
+
+inline const EdgeModel::Centres& EdgeModel::of_centres(unsigned bits) {
+  static const auto all = [] {
+    std::vector<Centres> result(512);
+    for (unsigned i = 0; i < result.size(); ++i) {
+      result[i].model.clear();
+      for (int k = 0; k < 9; ++k) result[i].model.add(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 - 1), i >> k & 1);
+      result[i].estimate = result[i].model.estimate();
+    }
+    return result;
+  }();
+  return all[bits];
+}
 
 }  // namespace verisim::render

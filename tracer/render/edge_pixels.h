@@ -11,7 +11,9 @@ namespace verisim::render {
 template <class Sampler>
 class EdgePixels {
  public:
-  EdgePixels(const AdaptiveSettings& settings, BlockCentres& centres, Sampler& sample) : settings_(settings), centres_(centres), sample_(sample) {}
+  EdgePixels(const AdaptiveSettings& settings, BlockCentres& centres, Sampler& sample) : settings_(settings), centres_(centres), sample_(sample) {
+    for (int k = 0; k < 9; ++k) seen_[k] = seen_at(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 - 1));
+  }
 
   void clear() { pixels_.clear(), samples_.clear(); }
   void add(int x, int y) { pixels_.push_back({x, y, 0}); }
@@ -44,7 +46,7 @@ class EdgePixels {
 
  private:
   // Found by measurement over a dozen scenes (bench/sampling); none of them is critical.
-  static constexpr float kSame = 0.3f;        // of the contrast: how far a sample may be from the colour of its side
+  static constexpr float kSame = 0.4f;        // of the contrast: how far a sample may be from the colour of its side
   static constexpr float kSide = 0.5f;        // weight of the deviation of the colours of one side
   static constexpr float kConfidence = 2.3f;  // standard deviations of the covered part that the tolerance is for
   static constexpr int kMost = 6;             // samples of one pixel
@@ -61,27 +63,35 @@ class EdgePixels {
   enum class Verdict { known, other, asks };
 
   struct Seen {
-    float x, y;  // from the centre
-    const Color* color;
+    float x, y;    // from the centre
+    float weight;  // of its colour for that of its side: samples nearby tell it best
     bool second = false;
+    const Color* color = nullptr;
   };
+  static Seen seen_at(float x, float y) { return {x, y, 1 / (0.1f + x * x + y * y)}; }
 
-  // Everything that was sampled in the pixel and those around it: the nine centres first.
+  // Everything that was sampled in the pixel and those around it: the nine centres first, whose places are known.
   int gather(int x, int y) {
     int n = 0, samples[9];
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx, ++n) {
-        const int column = centres_.column(x + dx), row = centres_.row(y + dy);
-        const BlockCentres::Cell& c = centres_.cell(column, row);
-        seen_[n] = {static_cast<float>(dx), static_cast<float>(dy), &c.color};
+    if (centres_.inside(x - 1, y - 1) && centres_.inside(x + 1, y + 1)) {
+      for (int row = y - 1; row <= y + 1; ++row) {
+        const BlockCentres::Cell* const cells = &centres_.cell(x - 1, row);
+        const Float4* const shown = &centres_.shown(x - 1, row);
+        for (int k = 0; k < 3; ++k, ++n) seen_[n].color = &cells[k].color, shown[k].store(shown_[n]), samples[n] = cells[k].samples;
+      }
+    } else {
+      for (; n < 9; ++n) {
+        const int there_x = x + n % 3 - 1, there_y = y + n / 3 - 1, column = centres_.column(there_x), row = centres_.row(there_y);
+        seen_[n].color = &centres_.cell(column, row).color;
         centres_.shown(column, row).store(shown_[n]);
-        samples[n] = column == x + dx && row == y + dy ? c.samples : -1;
+        samples[n] = centres_.inside(there_x, there_y) ? centres_.cell(column, row).samples : -1;
       }
     }
     for (int i : samples) {
       for (; i >= 0; i = samples_[static_cast<std::size_t>(i)].previous, ++n) {
         const Sample& s = samples_[static_cast<std::size_t>(i)];
-        seen_[n] = {static_cast<float>(s.place.x - x), static_cast<float>(s.place.y - y), &s.color};
+        seen_[n] = seen_at(static_cast<float>(s.place.x - x), static_cast<float>(s.place.y - y));
+        seen_[n].color = &s.color;
         s.shown.store(shown_[n]);
       }
     }
@@ -97,26 +107,25 @@ class EdgePixels {
     const auto channel = std::max_element(range, range + 4) - range;
     const float contrast = range[channel], middle = lows[channel] + 0.5f * contrast;
     if (contrast <= settings_.tolerance) return false;
-    int lowest = 0, highest = 0;
     centre_sides_ = 0;
+    for (int i = 0; i < n; ++i) seen_[i].second = shown_[i][channel] > middle;
+    for (int i = 0; i < 9; ++i) centre_sides_ |= static_cast<unsigned>(seen_[i].second) << i;
+    if (!EdgeModel::of_centres(centre_sides_).estimate.possible) return false;
+    Float4 lowest[2] = {high, high}, highest[2] = {low, low};
     for (int i = 0; i < n; ++i) {
-      const float v = shown_[i][channel];
-      seen_[i].second = v > middle;
-      if (i < 9) centre_sides_ |= static_cast<unsigned>(v > middle) << i;
-      lowest = v < shown_[lowest][channel] ? i : lowest, highest = v > shown_[highest][channel] ? i : highest;
+      const Float4 v = Float4::load(shown_[i]);
+      const bool side = seen_[i].second;
+      lowest[side] = min(lowest[side], v), highest[side] = max(highest[side], v);
     }
-    if (!EdgeModel::of_centres(centre_sides_).possible) return false;
-    const Float4 sides[2] = {Float4::load(shown_[lowest]), Float4::load(shown_[highest])}, same(std::max(2 * settings_.tolerance, kSame * contrast));
-    unsigned fits = 15;
-    for (int i = 0; i < n; ++i) fits &= (distance(Float4::load(shown_[i]), seen_[i].second ? sides[1] : sides[0]) <= same).bits();
-    return fits == 15;
+    return !exceeds(max(highest[0] - lowest[0], highest[1] - lowest[1]), std::max(2 * settings_.tolerance, kSame * contrast));
   }
 
-  EdgeModel::Estimate estimate(int n) {
-    if (n == 9) return EdgeModel::of_centres(centre_sides_);
-    model_.clear();
-    for (int i = 0; i < n; ++i) model_.add(seen_[i].x, seen_[i].y, seen_[i].second);
-    return model_.estimate();
+  EdgeModel::Estimate estimate(int n) const {
+    const EdgeModel::Centres& centres = EdgeModel::of_centres(centre_sides_);
+    if (n == 9) return centres.estimate;
+    EdgeModel model = centres.model;
+    for (int i = 9; i < n; ++i) model.add(seen_[i].x, seen_[i].y, seen_[i].second);
+    return model.estimate();
   }
 
   Verdict look(Pixel& pixel) {
@@ -125,28 +134,28 @@ class EdgePixels {
     const EdgeModel::Estimate edge = estimate(n);
     if (!edge.possible) return Verdict::other;
     // The colours of the sides are those of the samples nearby.
-    Color colors[2];
-    float weights[2] = {0, 0};
-    Float4 sums[2] = {Float4(0.0f), Float4(0.0f)}, squares[2] = {Float4(0.0f), Float4(0.0f)};
+    struct {
+      Float4 color{0.0f}, shown{0.0f}, squares{0.0f};
+      float weight = 0;
+    } sides[2];
     for (int i = 0; i < n; ++i) {
       const Seen& s = seen_[i];
-      const float w = 1 / (0.1f + s.x * s.x + s.y * s.y);
-      const Float4 v = Float4::load(shown_[i]), weighted = v * Float4(w);
-      colors[s.second] += *s.color * w, weights[s.second] += w;
-      sums[s.second] = sums[s.second] + weighted, squares[s.second] = squares[s.second] + weighted * v;
+      auto& side = sides[s.second];
+      const Float4 w(s.weight), v = Float4::load(shown_[i]);
+      side.color = side.color + w * channels(*s.color), side.shown = side.shown + w * v, side.squares = side.squares + w * v * v;
+      side.weight += s.weight;
     }
-    for (int side = 0; side < 2; ++side) colors[side] *= 1 / weights[side];
-    const Color jump = (colors[1] - colors[0]) * (kConfidence * edge.deviation);
-    const Color mean = colors[0] * (1 - edge.coverage) + colors[1] * edge.coverage;
-    const Float4 error = Float4(0.5f) * distance(as_shown(mean + jump, settings_.encoded), as_shown(mean - jump, settings_.encoded));
-    Float4 sides(0.0f);
-    for (int side = 0; side < 2; ++side) {
-      const float part = side ? edge.coverage : 1 - edge.coverage;
-      const Float4 one(1 / weights[side]), average = sums[side] * one;
-      sides = sides + Float4(kSide * kSide * part * part) * max(Float4(0.0f), squares[side] * one - average * average);
+    Float4 variance(0.0f);
+    for (int i = 0; i < 2; ++i) {
+      const float part = i ? edge.coverage : 1 - edge.coverage;
+      const Float4 one(1 / sides[i].weight), average = one * sides[i].shown;
+      variance = variance + Float4(kSide * kSide * part * part) * max(Float4(0.0f), one * sides[i].squares - average * average);
+      sides[i].color = one * sides[i].color;
     }
-    if (!exceeds(error * error + sides, settings_.tolerance * settings_.tolerance)) {
-      centres_.cell(pixel.x, pixel.y).mean = mean;
+    const Float4 jump = sides[1].color - sides[0].color, mean = sides[0].color + Float4(edge.coverage) * jump, off = Float4(kConfidence * edge.deviation) * jump;
+    const Float4 error = Float4(0.5f) * distance(as_shown(mean + off, settings_.encoded), as_shown(mean - off, settings_.encoded));
+    if (!exceeds(error * error + variance, settings_.tolerance * settings_.tolerance)) {
+      centres_.cell(pixel.x, pixel.y).mean = color_of(mean);
       return Verdict::known;
     }
     if (pixel.taken >= kMost) return Verdict::other;
@@ -167,7 +176,6 @@ class EdgePixels {
   std::vector<Vec2> places_;
   std::vector<BlockCentres::Cell*> asking_;
   std::vector<Color> colors_;
-  EdgeModel model_;
   unsigned centre_sides_ = 0;  // a bit for each of the nine
   std::array<Seen, kGathered> seen_;
   alignas(16) float shown_[kGathered][4];

@@ -145,7 +145,7 @@ class StratifiedPixels {
 
   // Estimated error of the mean of n samples, as a file shows it. The variance is never taken for less than what Laplace's rule of succession leaves for a
   // part of the pixel that no sample met, when it holds what the neighbours hold: four equal samples prove little beside an edge.
-  float error(const Pixel& pixel, Float4 shown_mean) const {
+  float error(const Pixel& pixel, Float4 of_samples) const {
     const Moments& m = pixel.from_smooth ? pixel.beyond : pixel.plain;
     const float n = static_cast<float>(pixel.n), half_n = static_cast<float>(pixel.half_n);
     const float unseen = kUnseen * (n + 1) / ((n + 2) * (n + 2));
@@ -157,12 +157,7 @@ class StratifiedPixels {
       squared = Float4(1 - kHalves) * squared + Float4(0.25f * kHalves) * difference * difference;
     }
     const Float4 e = sqrt(squared);
-    return 0.5f * largest(distance(as_shown(color_of(shown_mean + e), settings_.encoded), as_shown(color_of(shown_mean - e), settings_.encoded)));
-  }
-  static Color color_of(Float4 v) {
-    alignas(16) float lanes[4];
-    v.store(lanes);
-    return {lanes[0], lanes[1], lanes[2], 0, lanes[3]};
+    return 0.5f * largest(distance(as_shown(of_samples + e, settings_.encoded), as_shown(of_samples - e, settings_.encoded)));
   }
 
   const AdaptiveSettings settings_;

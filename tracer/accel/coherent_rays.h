@@ -38,6 +38,9 @@ class CoherentRays {
   template <class ShaftOf>
   const WorldEntry* camera_row(double x, double y, int& count, ShaftOf&& shaft_of);
 
+  // Entries of pixels no further apart than this, in either direction, can be used together: none takes the place of another.
+  static constexpr double camera_reach();
+
   // Who looks at the points that shadow rays start from: they are denser where the camera sees them.
   enum class Viewer : unsigned char { camera, other };
   // Where shadow rays from p to points of `target` enter the world; null: at the root. `light`: any number that stands for the target.
@@ -50,6 +53,7 @@ class CoherentRays {
 
  private:
   static constexpr int kTile = 8;            // pixels
+  static constexpr int kTiles = 16;          // in each direction are remembered
   static constexpr double kShadowCell = 16;  // pixels, at least
 
   struct Key {
@@ -98,7 +102,7 @@ class CoherentRays {
   CameraCoherence camera_;
   Vec3 viewpoint_{0, 0, 0};
   bool viewer_known_ = false;
-  Table<64> tiles_;
+  Table<static_cast<std::size_t>(kTiles) * kTiles> tiles_;
   Table<512> cells_;
   Vec3 cell_point_{0, 0, 0};  // the last point that was asked for, and its cell
   ShadowCell cell_;
@@ -106,6 +110,8 @@ class CoherentRays {
   Box3 served_;
   Worth tile_worth_, cell_worth_[2];
 };
+
+constexpr double CoherentRays::camera_reach() { return (kTiles - 1) * kTile; }
 
 template <std::size_t kSlots>
 CoherentRays::Slot& CoherentRays::Table<kSlots>::find(const Key& key, std::size_t hash, bool& known) {
@@ -128,7 +134,7 @@ const WorldEntry* CoherentRays::camera_row(double x, double y, int& count, Shaft
   count = std::min(count, (column + 1) * kTile - static_cast<int>(x + (kTile + 0.5)));
   tile_worth_.used += static_cast<std::uint32_t>(count);
   bool known;
-  Slot& slot = tiles_.find({{column, row, 0}, 0}, static_cast<std::size_t>(column % 8 + row % 8 * 8), known);
+  Slot& slot = tiles_.find({{column, row, 0}, 0}, static_cast<std::size_t>(column % kTiles + row % kTiles * kTiles), known);
   if (known) return slot.usable ? &slot.entry : nullptr;
   tile_worth_.count_built();
   const double left = (column - 1) * kTile - 0.5, top = (row - 1) * kTile - 0.5, margin = 1e-3;

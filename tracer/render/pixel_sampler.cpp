@@ -86,13 +86,24 @@ void PixelSampler::row(double x, double y, int count, Color* colors) {
   }
 }
 
+// How many of the places are near enough to share a wave: where their rays enter the world is remembered for all of them.
+int PixelSampler::together(const Vec2* places, int count) {
+  Imath::Box2d around(places[0]);
+  for (int i = 1; i < count; ++i) {
+    around.extendBy(places[i]);
+    const Vec2 size = around.size();
+    if (std::max(size.x, size.y) > accel::CoherentRays::camera_reach()) return i;
+  }
+  return count;
+}
+
 void PixelSampler::points(const Vec2* places, int count, Color* colors) {
   if (!together()) {
     for (int i = 0; i < count; ++i) colors[i] = (*this)(places[i].x, places[i].y);
     return;
   }
-  for (int done = 0; done < count; done += shading::Wave::kMost) {
-    const int n = std::min(count - done, shading::Wave::kMost);
+  for (int done = 0, n = 0; done < count; done += n) {
+    n = together(places + done, std::min(count - done, shading::Wave::kMost));
     std::copy_n(places + done, n, wave_.places());
     if (camera_.blur) lens_points(n, colors + done);
     else point_wave(n, colors + done);

@@ -1,6 +1,8 @@
 // Jitter, lens positions, cameras and anti-aliasing against the numbers of spec 02.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "tracer/image/output.h"
 #include "tracer/render/adaptive_sampling.h"
 #include "tracer/render/antialias.h"
@@ -281,9 +283,11 @@ TEST(AdaptiveSampling, TheErrorOfEdgesFollowsTheTolerance) {
 
 // A floor of squares up to the horizon: edges of moderate contrast, then detail finer than a pixel.
 struct Floor {
+  double scale = 1;
   std::size_t samples = 0;
   Color operator()(double x, double y) {
     ++samples;
+    x /= scale, y /= scale;
     if (y < 6) return {0.3f, 0.4f, 0.6f, 0, 0};
     const double distance = 30 / (y - 5.9), u = (x - 15.3) * distance / 20;
     const float v = (static_cast<int>(std::floor(u)) + static_cast<int>(std::floor(distance))) % 2 ? 0.55f : 0.15f;
@@ -291,55 +295,138 @@ struct Floor {
   }
 };
 
-TEST(AdaptiveSampling, HalvesTheSamplesOfMethodTwoForLessError) {
-  constexpr int kSize = 32;
-  const auto error = [](auto method) {
-    Floor floor;
+struct AgainstMethodTwo {
+  int depth;
+  float threshold, tolerance;
+  int size;  // of the picture, which shows the same
+};
+class AgainstQuads : public testing::TestWithParam<AgainstMethodTwo> {};
+
+TEST_P(AgainstQuads, HalfTheSamplesForLessError) {
+  const int size = GetParam().size;
+  const auto error = [&](auto method) {
+    Floor floor{size / 32.0};
     Framebuffer frame;
-    frame.width = frame.height = kSize;
-    frame.pixels.assign(kSize * kSize, Color());
+    frame.width = frame.height = size;
+    frame.pixels.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), Color());
     method(floor, frame);
     Sampled result{0, floor.samples};
     double squares = 0;
-    for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < size; ++y) {
+      for (int x = 0; x < size; ++x) {
         double exact = 0;
         for (int j = 0; j < 32; ++j)
           for (int i = 0; i < 32; ++i) exact += floor(x + (i + 0.5) / 32 - 0.5, y + (j + 0.5) / 32 - 0.5).r / 1024;
         squares += (frame.at(x, y).r - exact) * (frame.at(x, y).r - exact);
       }
     }
-    result.rms = std::sqrt(squares / (kSize * kSize));
+    result.rms = std::sqrt(squares / (size * size));
     return result;
   };
   AntialiasSettings settings;
-  settings.method = 2, settings.depth = 4, settings.threshold = 0.1f;
-  const Sampled quads = error([&](Floor& floor, Framebuffer& frame) { RecursiveQuads<Floor>(settings, floor).render({0, 0, kSize, kSize}, frame); });
+  settings.method = 2, settings.depth = GetParam().depth, settings.threshold = GetParam().threshold;
+  const Sampled quads = error([&](Floor& floor, Framebuffer& frame) { RecursiveQuads<Floor>(settings, floor).render({0, 0, size, size}, frame); });
   const Sampled adaptive = error([&](Floor& floor, Framebuffer& frame) {
     AdaptiveSettings how;
     how.encoded = true;
-    how.tolerance = 0.035f;
-    AdaptiveSampling<Floor>(how, kSize, kSize, floor).render({0, 0, kSize, kSize}, frame);
+    how.tolerance = GetParam().tolerance;
+    AdaptiveSampling<Floor>(how, size, size, floor).render({0, 0, size, size}, frame);
   });
   EXPECT_LT(adaptive.rms, quads.rms) << adaptive.samples << " and " << quads.samples << " samples";
   EXPECT_LT(2 * adaptive.samples, quads.samples) << adaptive.rms << " and " << quads.rms;
 }
+INSTANTIATE_TEST_SUITE_P(AdaptiveSampling, AgainstQuads, testing::Values(AgainstMethodTwo{3, 0.3f, 0.05f, 128}, AgainstMethodTwo{4, 0.1f, 0.025f, 32}),
+                         [](const auto& i) { return i.param.depth == 3 ? "defaults" : "fine"; });
 
-TEST(AdaptiveSampling, RampsAndFlatsTakeOneSampleAPixel) {
+// A picture of `size` pixels a side in blocks, the last one first if `backwards`.
+template <class Picture>
+Framebuffer sampled(Picture& picture, int size, float tolerance, int block_size = 64, bool backwards = false) {
+  Framebuffer frame;
+  frame.width = frame.height = size;
+  frame.pixels.assign(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), Color());
+  AdaptiveSettings settings;
+  settings.encoded = true;
+  settings.tolerance = tolerance;
+  std::vector<Block> blocks;
+  for (int y = 0; y < size; y += block_size)
+    for (int x = 0; x < size; x += block_size) blocks.push_back({x, y, std::min(block_size, size - x), std::min(block_size, size - y)});
+  if (backwards) std::reverse(blocks.begin(), blocks.end());
+  AdaptiveSampling<Picture> sampling(settings, size, size, picture);
+  for (const Block& block : blocks) sampling.render(block, frame);
+  return frame;
+}
+
+TEST(AdaptiveSampling, RampsAndFlatsTakeHalfASampleAPixel) {
   std::size_t samples = 0;
   auto ramp = [&](double x, double y) {
     ++samples;
     const float v = static_cast<float>(0.2 + 0.01 * x + 0.005 * y);
     return Color(v, v, 0.3f, 0, 0);
   };
-  Framebuffer frame;
-  frame.width = frame.height = 16;
-  frame.pixels.assign(256, Color());
-  AdaptiveSettings settings;
-  settings.encoded = true;
-  AdaptiveSampling<decltype(ramp)>(settings, 16, 16, ramp).render({0, 0, 16, 16}, frame);
-  EXPECT_EQ(samples, 256u);
-  EXPECT_FLOAT_EQ(frame.at(3, 4).r, 0.25f);
+  const Framebuffer frame = sampled(ramp, 32, 0.015f);
+  EXPECT_LE(samples, 32u * 32u / 2 + 4);
+  for (int y = 1; y < 31; ++y)
+    for (int x = 1; x < 31; ++x) EXPECT_NEAR(frame.at(x, y).r, 0.2 + 0.01 * x + 0.005 * y, 1e-5);
+  samples = 0;
+  sampled(ramp, 32, 0.005f);
+  EXPECT_EQ(samples, 32u * 32u) << "a fine tolerance traces every centre";
+}
+
+struct Dot {
+  double x, y, radius;
+  Color operator()(double at_x, double at_y) const {
+    const float v = std::hypot(at_x - x, at_y - y) < radius ? 0.9f : 0.1f;
+    return {v, v, v, 0, 0};
+  }
+};
+double light(const Framebuffer& frame) {
+  double sum = 0;
+  for (const Color& c : frame.pixels) sum += (c.r - 0.1) / 0.8;
+  return sum;
+}
+
+TEST(AdaptiveSampling, DotsTwoPixelsWideAreFoundAndFollowedWhereverTheyAre) {
+  for (int i = 0; i < 8; ++i) {
+    for (int j = 0; j < 8; ++j) {
+      Dot dot{15 + i / 8.0 + 0.06, 16 + j / 8.0 + 0.03, 1.05};
+      EXPECT_NEAR(light(sampled(dot, 32, 0.015f)), std::numbers::pi * 1.05 * 1.05, 0.7) << i << ' ' << j;
+    }
+  }
+}
+
+TEST(AdaptiveSampling, SmallerDotsMayHideBetweenTheFirstCentres) {
+  Dot between{16, 17, 0.9}, on{16, 16, 0.9};
+  EXPECT_NEAR(light(sampled(between, 32, 0.015f)), 0, 1e-4);
+  EXPECT_NEAR(light(sampled(on, 32, 0.015f)), std::numbers::pi * 0.81, 0.7);
+  EXPECT_NEAR(light(sampled(between, 32, 0.005f)), std::numbers::pi * 0.81, 0.5) << "not with a fine tolerance";
+}
+
+TEST(AdaptiveSampling, StraightLinesOfOnePixelDoNotHide) {
+  for (int i = 0; i < 16; ++i) {
+    auto line = [&](double x, double) {
+      const float v = std::fabs(x - 15 - i / 8.0) < 0.52 ? 0.9f : 0.1f;
+      return Color(v, v, v, 0, 0);
+    };
+    EXPECT_NEAR(light(sampled(line, 32, 0.015f)) / 32, 1.04, 0.15) << i;
+  }
+}
+
+// Discs of many sizes on a ramp: smooth regions, curved edges and where they meet.
+struct Discs {
+  std::size_t samples = 0;
+  Color operator()(double x, double y) {
+    ++samples;
+    float v = static_cast<float>(0.15 + 0.002 * x + 0.001 * y);
+    for (int i = 0; i < 12; ++i)
+      if (std::hypot(x - (i * 37 % 96), y - (i * 59 % 96)) < 10 + 2 * i) v = 0.3f + 0.05f * static_cast<float>(i);
+    return {v, 0.8f * v, 0.5f, 0, 0};
+  }
+};
+
+TEST(AdaptiveSampling, BlocksDoNotDependOnWhatWasRenderedBefore) {
+  Discs discs;
+  const Framebuffer forwards = sampled(discs, 96, 0.02f, 32), backwards = sampled(discs, 96, 0.02f, 32, true);
+  for (std::size_t i = 0; i < forwards.pixels.size(); ++i) ASSERT_EQ(forwards.pixels[i], backwards.pixels[i]) << i;
 }
 
 TEST(AdaptiveSampling, FollowsAThinLineBeyondWhereCentresShowIt) {

@@ -393,6 +393,26 @@ TEST(Wave, LooksForLightInSpace) {
 TEST(Wave, GivesTheColoursOfSingleRays) { expect_the_same_together(mixed_scene()); }
 TEST(Wave, SeesThroughFogAsSingleRaysDo) { expect_the_same_together(mixed_scene(true)); }
 
+// Places all over the picture: where rays of one wave enter the world is remembered for all of them at once.
+TEST(Wave, GivesTheColoursOfSinglePointsFarApart) {
+  const scene::Scene scene = mixed_scene();
+  constexpr int kWidth = 640, kHeight = 480;
+  textures::Compiler compiler{textures::Settings{}};
+  const accel::World world(scene, compiler);
+  const SceneData data(scene, world, compiler, 9, false);
+  const render::CameraModel camera(scene.camera, kWidth, kHeight, compiler);
+  Tracer tracer(data, RandomSource(false, 0)), other(data, RandomSource(false, 0));
+  tracer.coherent().set_camera(camera.coherence);
+  render::PixelSampler together(camera, tracer), single(camera, other);
+  std::mt19937 random{7};
+  std::uniform_real_distribution<double> across(-0.5, kWidth - 0.5), down(-0.5, kHeight - 0.5);
+  std::vector<Vec2> places;
+  for (int i = 0; i < 20 * Wave::kMost; ++i) places.emplace_back(across(random), down(random));
+  std::vector<Color> colors(places.size());
+  together.points(places.data(), static_cast<int>(places.size()), colors.data());
+  for (std::size_t i = 0; i < places.size(); ++i) ASSERT_TRUE(colors[i] == single(places[i].x, places[i].y)) << i;
+}
+
 // Lens rays of several samples advance in step; each sample ends where it ends alone.
 TEST(Wave, GivesTheColoursOfSingleLensRays) {
   scene::Scene scene = mixed_scene();

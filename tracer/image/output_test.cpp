@@ -4,6 +4,9 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <random>
+
+#include "tracer/image/gamma.h"
 
 namespace verisim::image {
 namespace {
@@ -72,6 +75,38 @@ TEST(Quantise, TableAgreesWithFormulaOnARamp) {
     const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
     EXPECT_EQ(codes({x, x, x}, table)[0], static_cast<int>(std::floor(encoded * 255 + 0.5f))) << x;
     EXPECT_EQ(codes({x, x, x}, formula)[0], std::max(0, static_cast<int>(std::floor(encoded * 255 + 0.25f)))) << x;
+  }
+}
+
+TEST(Quantise, FineCodesAgreeWithTheFormula) {
+  constexpr int kCount = 1 << 16;
+  render::Framebuffer picture = filled(kCount, 1, {});
+  std::mt19937 random{3};
+  std::uniform_real_distribution<float> linear(-0.1f, 1.1f), exponent(-20, 0);
+  for (int i = 0; i < kCount; ++i) {
+    const float x = i % 2 ? linear(random) : std::exp2(exponent(random));
+    picture.at(i, 0) = {x, i == 4 ? std::nanf("") : 1 - x, i == 4 ? 1 : 0.003f + 0.0003f * x};  // with the knee of sRGB's curve
+  }
+  for (const GammaCase& c : {GammaCase{"", scene::Gamma::power, 1, true, 1, {}, {}}, GammaCase{"", scene::Gamma::power, 1, false, 2.2, {}, {}},
+                             GammaCase{"", scene::Gamma::power, 2.2, true, 1, {}, {}}, GammaCase{"", scene::Gamma::srgb, 1, false, 1.8, {}, {}},
+                             GammaCase{"", scene::Gamma::none, 1, true, 1, {}, {}}}) {
+    OutputOptions options;
+    options.working = c.working, options.working_gamma = c.working_gamma, options.file_srgb = c.file_srgb, options.file_gamma = c.file_gamma;
+    const OutputCurve curve(c.working, c.working_gamma, c.file_srgb ? Curve::srgb() : Curve::power(c.file_gamma));
+    for (const int bits : {9, 12, 16}) {
+      options.bits = bits;
+      const int max_value = (1 << bits) - 1;
+      const Quantised q = quantise(picture, options);
+      for (int i = 0; i < kCount; ++i) {
+        const Color& color = picture.at(i, 0);
+        const float values[3] = {color.r, color.g, color.b};
+        for (int k = 0; k < 3; ++k) {
+          const float encoded = curve.encode(values[k]), clipped = encoded > 0 ? std::min(encoded, 1.0f) : 0.0f;
+          const int code = static_cast<int>(std::floor(clipped * static_cast<float>(max_value) + 0.5f));
+          ASSERT_EQ(q.samples[static_cast<std::size_t>(3 * i + k)] >> (16 - bits), code) << values[k] << " with " << bits << " bits";
+        }
+      }
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 // Framebuffer colours become integers: straight alpha, gamma, dithering, rounding (spec 02 sections 4.3 to 4.6).
 #include <array>
+#include <bit>
 #include <limits>
 #include <optional>
 
@@ -52,6 +53,43 @@ class CodeTable {
   };
   std::vector<float> first_;  // of code + 1; the last is infinite
   std::array<Cell, kCells + 1> cells_{};
+};
+
+// Codes of more than 8 bits, without dithering: parabolas between 128 places of each octave, and the curve itself where those come near to a border.
+class FineCodes {
+ public:
+  FineCodes(const OutputCurve& curve, int max_value) : curve_(curve), max_value_(max_value) {
+    for (std::uint32_t i = 0; i < kCells; ++i) {
+      const float from = std::bit_cast<float>((kFirst + i) << 16), to = std::bit_cast<float>((kFirst + i + 1) << 16);
+      const auto value = [&](float u) { return curve.encode(from + u * (to - from)) * static_cast<float>(max_value) + 0.5f; };
+      const float start = value(0), middle = value(0.5f), end = value(1);
+      Cell& cell = cells_[i] = {start, 4 * middle - 3 * start - end, 2 * start + 2 * end - 4 * middle};
+      for (const float u : {0.13f, 0.25f, 0.7f, 0.9f})
+        if (!(std::fabs(cell.at(u) - value(u)) < kSure / 2)) cell = {0, 0, 0};  // never sure: the knee of sRGB's curve
+    }
+  }
+  // 0 <= x <= 1.
+  int operator()(float x) const {
+    const std::uint32_t bits = std::bit_cast<std::uint32_t>(x), cell = (bits >> 16) - kFirst;
+    if (cell < kCells) {
+      const float value = cells_[cell].at(static_cast<float>(bits & 0xffff) * 0x1p-16f);
+      const int code = static_cast<int>(value);
+      const float beyond = value - static_cast<float>(code);
+      if (beyond > kSure && beyond < 1 - kSure) return code;
+    }
+    return round_to(curve_.encode(x), max_value_);
+  }
+
+ private:
+  static constexpr std::uint32_t kFirst = 0x3780, kCells = 0x3f80 - kFirst;  // the upper half of floats from 2^-16 to 1
+  static constexpr float kSure = 0.04f;                                      // several times what rounding of the curve and the parabolas amounts to
+  struct Cell {
+    float start, slope, bend;
+    float at(float u) const { return start + u * (slope + u * bend); }
+  };
+  const OutputCurve curve_;
+  const int max_value_;
+  std::array<Cell, kCells> cells_;
 };
 
 // Straight alpha: highlights brighter than their alpha raise it (spec 02 section 4.5).
@@ -120,13 +158,17 @@ struct Quantiser::State {
       : framebuffer(from), options(settings), depth(depth_of(settings)), max_value((1 << depth.bits) - 1), alpha(has_alpha_channel(settings)),
         color_channels(settings.greyscale ? 1 : 3), curve(curve_of(settings)), dither(settings.format == Format::jpeg ? Dither::none : settings.dither),
         diffusion(dither, from.width, color_channels + alpha) {
-    if (dither != Dither::none || depth.bits > 8) return;
+    if (dither != Dither::none) return;
+    if (depth.bits > 8) {
+      fine_codes.emplace(curve, max_value);
+      return;
+    }
     color_codes.emplace(curve, max_value);
     if (alpha) alpha_codes.emplace(linear, max_value);
   }
 
-  void colors_alone(const Color* pixels, std::uint16_t* out) const {
-    const CodeTable& codes = *color_codes;
+  template <class Codes>
+  void colors_alone(const Codes& codes, const Color* pixels, std::uint16_t* out) const {
     for (int x = 0; x < framebuffer.width; ++x)
       for (const float v : {pixels[x].r, pixels[x].g, pixels[x].b}) *out++ = static_cast<std::uint16_t>(codes(clamp01(v)));
   }
@@ -154,7 +196,7 @@ struct Quantiser::State {
           codes[c] = round_to(channel_curve.encode(value), max_value);
           errors[c] = clamp01(value) - channel_curve.decode(static_cast<float>(codes[c]) / static_cast<float>(max_value));
         } else {
-          codes[c] = round_to(channel_curve.encode(samples[c]) + offset, max_value);
+          codes[c] = fine_codes && c < color_channels ? (*fine_codes)(clamp01(samples[c])) : round_to(channel_curve.encode(samples[c]) + offset, max_value);
         }
       }
       if (diffuses(dither))
@@ -173,6 +215,7 @@ struct Quantiser::State {
   const Dither dither;
   Diffusion diffusion;
   std::optional<CodeTable> color_codes, alpha_codes;
+  std::optional<FineCodes> fine_codes;
 };
 
 Quantiser::Quantiser(const render::Framebuffer& framebuffer, const OutputOptions& options) : state_(std::make_unique<State>(framebuffer, options)) {}
@@ -186,10 +229,11 @@ Quantised Quantiser::shape() const {
 void Quantiser::row(int y, std::uint16_t* out) {
   State& s = *state_;
   const Color* const pixels = s.framebuffer.pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(s.framebuffer.width);
-  if (!s.color_codes) return s.one_by_one(pixels, y, out);
-  const bool alone = !s.options.greyscale && !uses_alpha(s.options, s.alpha) && s.depth.bits == s.depth.file_bits;
-  if (alone) s.colors_alone(pixels, out);  // most pictures
-  else s.by_table(pixels, out);
+  const bool alone = !s.options.greyscale && !uses_alpha(s.options, s.alpha) && s.depth.bits == s.depth.file_bits;  // most pictures
+  if (alone && s.color_codes) s.colors_alone(*s.color_codes, pixels, out);
+  else if (alone && s.fine_codes) s.colors_alone(*s.fine_codes, pixels, out);
+  else if (s.color_codes) s.by_table(pixels, out);
+  else s.one_by_one(pixels, y, out);
 }
 
 Quantised quantise(const render::Framebuffer& framebuffer, const OutputOptions& options) {

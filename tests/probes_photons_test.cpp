@@ -59,6 +59,10 @@ INSTANTIATE_TEST_SUITE_P(
             glass(R"(pigment{rgbf<.9,.5,.7,.7>} finish{reflection .3 conserve_energy})"),
             534,
             {4.6263, 3.0733, 3.8031}},
+        Way{"MirrorsWithinFadedGlassFade", 6, "",
+            "light_source{<500,550,-100>,1} object{cylinder{-y*2,y*2,1} pigment{rgbf<1,1,1,.9>} finish{reflection .2}"
+            "interior{ior 1.5 fade_distance 2 fade_power 1001 fade_color rgb<.35,.65,.85>} photons{target refraction on reflection on collect off}}",
+            534, {5.3818, 6.5627, 7.6615}},
         Way{"TotalReflectionWeighsLess", 3, "adc_bailout .5", glass(R"(pigment{rgbf<1,1,1,.7>})"), 39, {1.0941, 1.0941, 1.0941}},
         Way{"EndsWhereLittleGreyGetsThrough", 2, "adc_bailout .42", glass(R"(pigment{rgbf<.9,.5,.2,.7>})"), 0, {0, 0, 0}},
         Way{"GoesOnWhereMoreDoes", 2, "adc_bailout .40", glass(R"(pigment{rgbf<.9,.5,.2,.7>})"), 39, {0.98462, 0.54663, 0.21814}},

@@ -122,7 +122,8 @@ void PhotonWalk::scatter_layers(const Packet& packet, SurfaceHit& at, const text
   }
   if (layers.empty()) return;
   const Vec3 top_normal = layers.front().normal;
-  const bool total = refracts && translucency > shot_.adc_bailout && refract(packet, at, top_normal, filter, share);
+  const Rgb fade = tracer_.fade_factor(packet.ray.interiors, *at.surface.interior, at.hit.t);
+  const bool total = refracts && translucency > shot_.adc_bailout && refract(packet, at, top_normal, {filter * share, fade, share, filter.max_abs()});
   if (!reflects) return;
   for (const Layer& layer : layers) {
     if (layer.reflectivity == Rgb() || (total && Tracer::hidden_by_total_reflection(top_normal, layer.normal))) continue;
@@ -131,7 +132,7 @@ void PhotonWalk::scatter_layers(const Packet& packet, SurfaceHit& at, const text
       const float e = 1 / layer.exponent;
       mirrored.color = {std::pow(packet.color.r, e), std::pow(packet.color.g, e), std::pow(packet.color.b, e)};
     }
-    reflect(mirrored, at, layer.normal, layer.reflectivity * share, layer.weight);
+    reflect(mirrored, at, layer.normal, layer.reflectivity * fade * share, layer.weight);
   }
 }
 
@@ -146,11 +147,9 @@ PhotonWalk::Packet PhotonWalk::child_of(const Packet& packet, const SurfaceHit& 
   return child;
 }
 
-bool PhotonWalk::refract(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Rgb& filter, float share) {
-  const scene::Interior& x = *at.surface.interior;
+bool PhotonWalk::refract(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through) {
   const Tracer::InteriorScope scope(tracer_);
-  const Tracer::Refraction refraction = tracer_.cross_surface(packet.ray, x);
-  const Passage through{filter * share, tracer_.fade_factor(packet.ray.interiors, x, at.hit.t), share, filter.max_abs()};
+  const Tracer::Refraction refraction = tracer_.cross_surface(packet.ray, *at.surface.interior);
   if (packet.passed || (refraction.straight() && !refraction.disperses())) {
     Packet child = child_of(packet, at, packet.ray.ray.direction, through.filter * through.fade, through.weight);
     child.ray.interiors = refraction.interiors;

@@ -65,7 +65,7 @@ class PhotonWalk {
   void scatter_layers(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Tracer::Frame* frame,
                       float share, bool refracts, bool reflects);
   // These two return whether all or some of it was reflected totally.
-  bool refract(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Rgb& filter, float share);
+  bool refract(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through);
   bool bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through, const Tracer::Refraction& refraction, double ratio,
             float wavelength);
   void reflect(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Rgb& color, float weight);

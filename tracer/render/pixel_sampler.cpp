@@ -86,8 +86,8 @@ void PixelSampler::row(double x, double y, int count, Color* colors) {
   }
 }
 
-// How many of the places are near enough to share a wave: where their rays enter the world is remembered for all of them.
-int PixelSampler::together(const Vec2* places, int count) {
+// How many of the places, from the first on, may share a wave: where their rays enter the world is remembered for all of them.
+int PixelSampler::near_each_other(const Vec2* places, int count) {
   Imath::Box2d around(places[0]);
   for (int i = 1; i < count; ++i) {
     around.extendBy(places[i]);
@@ -103,7 +103,7 @@ void PixelSampler::points(const Vec2* places, int count, Color* colors) {
     return;
   }
   for (int done = 0, n = 0; done < count; done += n) {
-    n = together(places + done, std::min(count - done, shading::Wave::kMost));
+    n = near_each_other(places + done, std::min(count - done, shading::Wave::kMost));
     std::copy_n(places + done, n, wave_.places());
     if (camera_.blur) lens_points(n, colors + done);
     else point_wave(n, colors + done);

@@ -47,7 +47,7 @@ class PixelSampler {
   Color trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry = nullptr);
 
   bool together() const { return camera_.linear && wave_.usable(); }
-  static int together(const Vec2* places, int count);
+  static int near_each_other(const Vec2* places, int count);
   bool aim(int count);
   // Ray i of the wave starts within the same objects as ray 0, which is to be asked for first.
   bool starts_like_the_first(int i);

@@ -38,6 +38,8 @@ class CoherentRays {
   template <class ShaftOf>
   const WorldEntry* camera_row(double x, double y, int& count, ShaftOf&& shaft_of);
 
+  // Side of the squares of pixels that share an entry; the first of them begins at pixel 0.
+  static constexpr int camera_tile() { return kTile; }
   // Entries of pixels no further apart than this, in either direction, can be used together: none takes the place of another.
   static constexpr double camera_reach();
 
@@ -108,6 +110,8 @@ class CoherentRays {
   ShadowCell cell_;
   bool cell_found_ = false;
   Box3 served_;
+  int last_column_ = -1, last_row_ = -1;  // the tile last asked for
+  const WorldEntry* last_tile_ = nullptr;
   Worth tile_worth_, cell_worth_[2];
 };
 
@@ -133,12 +137,14 @@ const WorldEntry* CoherentRays::camera_row(double x, double y, int& count, Shaft
   const int column = static_cast<int>(x + (kTile + 0.5)) / kTile, row = static_cast<int>(y + (kTile + 0.5)) / kTile;
   count = std::min(count, (column + 1) * kTile - static_cast<int>(x + (kTile + 0.5)));
   tile_worth_.used += static_cast<std::uint32_t>(count);
+  if (column == last_column_ && row == last_row_) return last_tile_;
+  last_column_ = column, last_row_ = row;
   bool known;
   Slot& slot = tiles_.find({{column, row, 0}, 0}, static_cast<std::size_t>(column % kTiles + row % kTiles * kTiles), known);
-  if (known) return slot.usable ? &slot.entry : nullptr;
+  if (known) return last_tile_ = slot.usable ? &slot.entry : nullptr;
   tile_worth_.count_built();
   const double left = (column - 1) * kTile - 0.5, top = (row - 1) * kTile - 0.5, margin = 1e-3;
-  return remember(slot, shaft_of(left - margin, top - margin, left + kTile + margin, top + kTile + margin));
+  return last_tile_ = remember(slot, shaft_of(left - margin, top - margin, left + kTile + margin, top + kTile + margin));
 }
 
 }  // namespace verisim::accel

@@ -17,6 +17,7 @@ struct Float4 {
   Float4() = default;
   Float4(__m128 value) : v(value) {}
   explicit Float4(float all) : v(_mm_set1_ps(all)) {}
+  Float4(float a, float b, float c, float d) : v(_mm_setr_ps(a, b, c, d)) {}
   static Float4 load(const float* aligned) { return _mm_load_ps(aligned); }
   void store(float* aligned) const { _mm_store_ps(aligned, v); }
 };
@@ -40,6 +41,7 @@ struct Float4 {
   float v[4];
   Float4() = default;
   explicit Float4(float all) : v{all, all, all, all} {}
+  Float4(float a, float b, float c, float d) : v{a, b, c, d} {}
   static Float4 load(const float* p) {
     Float4 r;
     std::copy_n(p, 4, r.v);

@@ -69,14 +69,15 @@ class RowPacker {
   // The row as the file has it, before compression.
   const std::vector<png_byte>& pack(const std::uint16_t* in) {
     png_byte* const row = plain_.data();
-    if (wide_) {
-      for (std::size_t i = 0; i < samples_; ++i) row[2 * i] = static_cast<png_byte>(in[i] >> 8), row[2 * i + 1] = static_cast<png_byte>(in[i] & 255);
-    } else {
-      for (std::size_t i = 0; i < samples_; ++i) row[i] = static_cast<png_byte>(in[i]);
-    }
     png_byte* const out = filtered_.data() + 1;
-    std::copy_n(row, pixel_, out);
-    for (std::size_t i = pixel_; i < plain_.size(); ++i) out[i] = static_cast<png_byte>(row[i] - row[i - pixel_]);
+    const std::size_t samples = samples_, pixel = pixel_, size = plain_.size();  // bytes that are written might be the members, for all the compiler knows
+    if (wide_) {
+      for (std::size_t i = 0; i < samples; ++i) row[2 * i] = static_cast<png_byte>(in[i] >> 8), row[2 * i + 1] = static_cast<png_byte>(in[i] & 255);
+    } else {
+      for (std::size_t i = 0; i < samples; ++i) row[i] = static_cast<png_byte>(in[i]);
+    }
+    std::copy_n(row, pixel, out);
+    for (std::size_t i = pixel; i < size; ++i) out[i] = static_cast<png_byte>(row[i] - row[i - pixel]);
     return filtered_;
   }
 

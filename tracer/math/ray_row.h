@@ -9,7 +9,7 @@ namespace verisim {
 
 // Wide instructions work on eight rays at a time: behind the last one stands any number.
 struct alignas(64) RayRow {
-  static constexpr int kMost = 40, kStep = 8, kSize = kMost + kStep;  // the default block of a picture and the column beside it fit
+  static constexpr int kMost = 64, kStep = 8, kSize = kMost + kStep;  // a tile of camera rays (accel/coherent_rays.h)
   struct Vectors {
     double x[kSize], y[kSize], z[kSize];
     Vec3 at(int i) const { return {x[i], y[i], z[i]}; }

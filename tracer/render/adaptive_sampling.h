@@ -40,7 +40,7 @@ class AdaptiveSampling {
       stratified_.work();
       stratified_.follow([&](int x, int y) { choose(x, y); });
     }
-    for_all([&](int x, int y) { out.at(x, y) = centres_.cell(x, y).mean; });
+    for_all([&](int x, int y) { out.at(x, y) = color_of(centres_.cell(x, y).mean); });
   }
 
  private:
@@ -52,8 +52,7 @@ class AdaptiveSampling {
 
   template <class F>
   void for_all(F&& f) {
-    for (int y = block_.y; y < block_.y + block_.height; ++y)
-      for (int x = block_.x; x < block_.x + block_.width; ++x) f(x, y);
+    by_tiles(block_.x, block_.y, block_.x + block_.width, block_.y + block_.height, f);
   }
   bool inside_block(int x, int y) const { return x >= block_.x && y >= block_.y && x < block_.x + block_.width && y < block_.y + block_.height; }
 
@@ -79,9 +78,9 @@ class AdaptiveSampling {
 
   // Detail too faint to be worth samples: what centres show of it is noise in part, which their mean has less of.
   void smooth(int x, int y) {
-    Color sum;
+    Float4 sum(0.0f);
     for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) sum += centres_.near(x + dx, y + dy).color * ((dx ? 0.25f : 0.5f) * (dy ? 0.25f : 0.5f));
+      for (int dx = -1; dx <= 1; ++dx) sum = sum + centres_.near(x + dx, y + dy).color * Float4((dx ? 0.25f : 0.5f) * (dy ? 0.25f : 0.5f));
     centres_.cell(x, y).mean = sum;
   }
 

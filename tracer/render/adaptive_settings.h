@@ -23,10 +23,7 @@ inline float largest(Float4 v) {
   v.store(lanes);
   return std::max(std::max(lanes[0], lanes[1]), std::max(lanes[2], lanes[3]));
 }
-inline Float4 channels(const Color& c) {
-  alignas(16) const float lanes[4] = {c.r, c.g, c.b, c.t};
-  return Float4::load(lanes);
-}
+inline Float4 channels(const Color& c) { return {c.r, c.g, c.b, c.t}; }
 inline Color color_of(Float4 v) {
   alignas(16) float lanes[4];
   v.store(lanes);
@@ -36,9 +33,7 @@ inline Color color_of(Float4 v) {
 inline Float4 as_shown(Float4 v, bool encoded) {
   const Float4 clipped = min(max(v, Float4(0.0f)), Float4(1.0f));
   if (encoded) return clipped;
-  alignas(16) static constexpr float kColors[4] = {1, 1, 1, 0}, kTransmit[4] = {0, 0, 0, 1};
-  return sqrt(clipped * (Float4::load(kColors) + Float4::load(kTransmit) * clipped));
+  return sqrt(clipped * (Float4(1, 1, 1, 0) + Float4(0, 0, 0, 1) * clipped));
 }
-inline Float4 as_shown(const Color& c, bool encoded) { return as_shown(channels(c), encoded); }
 
 }  // namespace verisim::render

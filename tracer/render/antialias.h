@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tracer/accel/coherent_rays.h"
 #include "tracer/render/jitter.h"
 #include "tracer/render/render.h"
 
@@ -56,6 +57,21 @@ void sample_points(Sampler& sample, const std::vector<Vec2>& places, std::vector
     for (std::size_t i = 0; i < places.size(); ++i) colors[i] = sample(places[i].x, places[i].y);
   }
 }
+// Calls f(x, y) for all pixels of a rectangle, one tile of the camera's rays after another: those go together through the scene.
+template <class F>
+void by_tiles(int left, int top, int right, int bottom, F&& f) {
+  constexpr int kTile = accel::CoherentRays::camera_tile();
+  const auto beyond = [](int v) { return (v / kTile + 1) * kTile; };
+  for (int y0 = top, y1; y0 < bottom; y0 = y1) {
+    y1 = std::min(beyond(y0), bottom);
+    for (int x0 = left, x1; x0 < right; x0 = x1) {
+      x1 = std::min(beyond(x0), right);
+      for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) f(x, y);
+    }
+  }
+}
+
 // Samples may be taken in any order; if not, random numbers would be drawn in another one.
 template <class Sampler>
 bool any_order(const Sampler& sample) {
@@ -79,8 +95,8 @@ class AdaptiveGrid {
     cells_.assign(static_cast<std::size_t>(stride_) * (block.height + 1), {});
     origin_x_ = block.x - 1, origin_y_ = block.y - 1;
     // The row above and the column on the left only serve as comparison.
-    trace_centres(block.x, origin_y_, block.width);
     for (int x = block.x; x < block.x + block.width; ++x) cell(x, origin_y_).done = true;
+    for (int y = block.y; y < block.y + block.height; ++y) cell(origin_x_, y).done = true;
     if (any_order(sample_)) refine_together(block);
     else refine_in_order(block);
     for (int y = block.y; y < block.y + block.height; ++y)
@@ -104,9 +120,9 @@ class AdaptiveGrid {
   }
 
   void refine_in_order(const Block& block) {
+    trace_centres(block.x, origin_y_, block.width);
     for (int y = block.y; y < block.y + block.height; ++y) {
       trace_centres(origin_x_, y, 1);
-      cell(origin_x_, y).done = true;
       for (int x = block.x; x < block.x + block.width; ++x) {
         trace_centres(x, y, 1);
         refine(x, y);
@@ -117,10 +133,12 @@ class AdaptiveGrid {
   // The same with many samples at a time. What a pixel asks for hangs on the pixels on the left and above, and on those that these were asked for by: the
   // one at (x, y) on those up to (x - 1, y) in its row and up to (x + 1, y - 1) in the row above. So those of all rows with the same x + 2y wait for the same ones.
   void refine_together(const Block& block) {
-    for (int y = block.y; y < block.y + block.height; ++y) {
-      trace_centres(origin_x_, y, block.width + 1);
-      cell(origin_x_, y).done = true;
-    }
+    by_tiles(origin_x_, origin_y_, block.x + block.width, block.y + block.height, [&](int x, int y) {
+      if (x != origin_x_ || y != origin_y_) places_.emplace_back(x, y);
+    });
+    sample_points(sample_, places_, row_);
+    for (std::size_t i = 0; i < places_.size(); ++i) set(cell(static_cast<int>(places_[i].x), static_cast<int>(places_[i].y)), row_[i]);
+    places_.clear();
     for (int front = 0; front < block.width + 2 * (block.height - 1); ++front) {
       for (int y = std::max(0, (front - block.width) / 2); y < block.height && 2 * y <= front; ++y)
         if (const int x = front - 2 * y; x < block.width) refine(block.x + x, block.y + y);

@@ -13,10 +13,10 @@ namespace verisim::render {
 class BlockCentres {
  public:
   struct Cell {
-    Color color;        // of the centre: traced or predicted
-    Color mean;         // of the pixel
-    int samples = -1;   // the last one of those that were taken for an edge in the pixel
-    bool traced = false, wanted = false, chosen = false;
+    Float4 color{0.0f};  // of the centre: traced or predicted
+    Float4 mean{0.0f};   // of the pixel
+    int samples = -1;    // the last one of those that were taken for an edge in the pixel
+    bool wanted = false, chosen = false;
   };
 
   BlockCentres(const AdaptiveSettings& settings, int width, int height) : settings_(settings), width_(width), height_(height) {}
@@ -30,21 +30,19 @@ class BlockCentres {
     shown_.resize(cells_.size());
     places_.clear();
     const bool all = settings_.tolerance < kFine;
-    for (int y = top_; y < bottom_; ++y)
-      for (int x = left_; x < right_; ++x)
-        if (all || first(x, y)) want(x, y);
+    by_tiles(left_, top_, right_, bottom_, [&](int x, int y) {
+      if (all || first(x, y)) want(x, y);
+    });
     trace_wanted(sample);
     if (all) return;
-    for (int y = top_; y < bottom_; ++y) {
-      for (int x = left_; x < right_; ++x) {
-        if (!first(x, y)) {
-          if (!predict(x, y)) want(x, y);
-        } else if (exceeds(off_line(x, y, 2), limit())) {
-          for (const auto& [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
-            if (inside(x + dx, y + dy)) want(x + dx, y + dy);
-        }
+    by_tiles(left_, top_, right_, bottom_, [&](int x, int y) {
+      if (!first(x, y)) {
+        if (!predict(x, y)) want(x, y);
+      } else if (exceeds(off_line(x, y, 2), limit())) {
+        for (const auto& [dx, dy] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+          if (inside(x + dx, y + dy)) want(x + dx, y + dy);
       }
-    }
+    });
     while (!places_.empty()) trace_wanted(sample);
   }
 
@@ -64,11 +62,10 @@ class BlockCentres {
     for (std::size_t i = 0; i < traced_.size(); ++i) {
       const int x = static_cast<int>(traced_[i].x), y = static_cast<int>(traced_[i].y);
       Cell& c = cell(x, y);
-      c.color = c.mean = colors_[i];
+      c.color = c.mean = channels(colors_[i]);
       const Float4 now = as_shown(c.color, settings_.encoded);
       const bool surprise = !first(x, y) && exceeds(distance(now, shown(x, y)), limit());
       shown_[index(x, y)] = now;
-      c.traced = true;
       if (surprise) want_around(x, y);
     }
   }
@@ -123,27 +120,27 @@ class BlockCentres {
   bool predict(int x, int y) {
     const int stride = right_ - left_;
     const std::size_t here = index(x, y);
-    Color& color = cells_[here].color;
+    Float4 color;
     bool plane;
     if (x > left_ && x + 1 < right_ && y > top_ && y + 1 < bottom_) {
       const Cell* const c = &cells_[here];
       const Float4* const s = &shown_[here];
-      color = ((c[-1].color + c[1].color) + (c[-stride].color + c[stride].color)) * 0.25f;
+      color = ((c[-1].color + c[1].color) + (c[-stride].color + c[stride].color)) * Float4(0.25f);
       plane = !exceeds(distance(s[-1] + s[1], s[-stride] + s[stride]), limit());
     } else {  // beside what is not known only equal ones are believed
-      Color sum;
+      Float4 sum(0.0f);
       float n = 0;
       Float4 low(1.0f), high(0.0f);
       for (const auto& [dx, dy] : {std::array{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
         if (!inside(x + dx, y + dy)) continue;
-        sum += cell(x + dx, y + dy).color, n += 1;
+        sum = sum + cell(x + dx, y + dy).color, n += 1;
         low = min(low, shown(x + dx, y + dy)), high = max(high, shown(x + dx, y + dy));
       }
       if (n == 0) return false;
-      color = sum * (1 / n);
+      color = sum * Float4(1 / n);
       plane = !exceeds(high - low, limit());
     }
-    cells_[here].mean = color;
+    cells_[here].color = cells_[here].mean = color;
     shown_[here] = as_shown(color, settings_.encoded);
     return plane;
   }

@@ -22,9 +22,9 @@ class CameraRays {
   CameraRays(const scene::Camera& camera, int width, int height);
   // Empty: no ray belongs to this position (outside a fisheye's disc ...).
   std::optional<PrimaryRay> at(double x, double y) const;
-  // The unit directions of the rays through pixels (x, y), (x + 1, y) ... of a perspective camera.
-  void directions(double x, double y, int count, shading::WaveLanes& lanes) const {
-    shading::wave_kernels().directions({width_, height_, direction_, right_, up_}, x, y, count, lanes);
+  // The unit directions of the rays of a perspective camera through places of the picture; behind them is room up to a multiple of RayRow::kStep.
+  void directions(const Vec2* places, int count, shading::WaveLanes& lanes) const {
+    shading::wave_kernels().directions({width_, height_, direction_, right_, up_}, places, count, lanes);
   }
   // Rays start at different points, so the objects around the origin must be looked up for each (spec 02 section 1.8).
   bool origin_varies() const { return origin_varies_; }

@@ -37,7 +37,8 @@ class EdgePixels {
         pixels_.resize(kept);
         sample_points(sample_, places_, colors_);
         for (std::size_t i = 0; i < places_.size(); ++i) {
-          samples_.push_back({places_[i], colors_[i], as_shown(colors_[i], settings_.encoded), asking_[i]->samples});
+          const Float4 color = channels(colors_[i]);
+          samples_.push_back({places_[i], color, as_shown(color, settings_.encoded), asking_[i]->samples});
           asking_[i]->samples = static_cast<int>(samples_.size()) - 1;
         }
       }
@@ -56,8 +57,7 @@ class EdgePixels {
   };
   struct Sample {
     Vec2 place;
-    Color color;
-    Float4 shown;
+    Float4 color, shown;
     int previous;  // in the same pixel
   };
   enum class Verdict { known, other, asks };
@@ -66,7 +66,7 @@ class EdgePixels {
     float x, y;    // from the centre
     float weight;  // of its colour for that of its side: samples nearby tell it best
     bool second = false;
-    const Color* color = nullptr;
+    const Float4* color = nullptr;
   };
   static Seen seen_at(float x, float y) { return {x, y, 1 / (0.1f + x * x + y * y)}; }
 
@@ -142,7 +142,7 @@ class EdgePixels {
       const Seen& s = seen_[i];
       auto& side = sides[s.second];
       const Float4 w(s.weight), v = Float4::load(shown_[i]);
-      side.color = side.color + w * channels(*s.color), side.shown = side.shown + w * v, side.squares = side.squares + w * v * v;
+      side.color = side.color + w * *s.color, side.shown = side.shown + w * v, side.squares = side.squares + w * v * v;
       side.weight += s.weight;
     }
     Float4 variance(0.0f);
@@ -155,7 +155,7 @@ class EdgePixels {
     const Float4 jump = sides[1].color - sides[0].color, mean = sides[0].color + Float4(edge.coverage) * jump, off = Float4(kConfidence * edge.deviation) * jump;
     const Float4 error = Float4(0.5f) * distance(as_shown(mean + off, settings_.encoded), as_shown(mean - off, settings_.encoded));
     if (!exceeds(error * error + variance, settings_.tolerance * settings_.tolerance)) {
-      centres_.cell(pixel.x, pixel.y).mean = color_of(mean);
+      centres_.cell(pixel.x, pixel.y).mean = mean;
       return Verdict::known;
     }
     if (pixel.taken >= kMost) return Verdict::other;

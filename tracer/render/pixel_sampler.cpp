@@ -114,11 +114,16 @@ void PixelSampler::points(const Vec2* places, int count, Color* colors) {
 bool PixelSampler::aim(int count) {
   RayRow& rays = wave_.lanes().rays;
   const Vec2* const places = wave_.places();
+  if (!camera_.origin_varies) {
+    for (int i = 0; i < count; ++i) rays.origin.set(i, camera_.camera.location);
+    camera_.rays.directions(places, count, wave_.lanes());
+    return true;
+  }
   for (int i = 0; i < count; ++i) {
     const Ray ray = camera_.rays.at(places[i].x, places[i].y)->ray;
     rays.origin.set(i, ray.origin);
     rays.direction.set(i, normalize(ray.direction));
-    if (camera_.origin_varies && !starts_like_the_first(i)) return false;
+    if (!starts_like_the_first(i)) return false;
   }
   return true;
 }
@@ -136,13 +141,8 @@ void PixelSampler::one_by_one(int count, Color* colors) {
 }
 
 void PixelSampler::row_wave(int count, Color* colors) {
+  if (!aim(count)) return one_by_one(count, colors);
   const double x = wave_.places()[0].x, y = wave_.places()[0].y;
-  if (camera_.origin_varies) {
-    if (!aim(count)) return one_by_one(count, colors);
-  } else {
-    for (int i = 0; i < count; ++i) wave_.lanes().rays.origin.set(i, camera_.camera.location);
-    camera_.rays.directions(x, y, count, wave_.lanes());
-  }
   tracer_.statistics().samples += static_cast<std::uint64_t>(count);
   const accel::WorldEntry* entries[shading::Wave::kMost];
   for (int i = 0; i < count;) {

@@ -40,8 +40,8 @@ class StratifiedPixels {
     }
     for (const Pixel& pixel : pixels_) {
       BlockCentres::Cell& here = centres_.cell(pixel.x, pixel.y);
-      const float part = 1 / static_cast<float>(pixel.n + 1);
-      here.mean = pixel.from_smooth ? pixel.smooth + pixel.beyond_smooth * part : (pixel.total + here.color) * part;
+      const Float4 part(1 / static_cast<float>(pixel.n + 1));
+      here.mean = pixel.from_smooth ? pixel.smooth + pixel.beyond.sum * part : (pixel.plain.sum + here.color) * part;
     }
   }
 
@@ -82,22 +82,21 @@ class StratifiedPixels {
     LowDiscrepancy points;
     Range around;      // what the centres here and next to it show
     Range margins[4];  // left, right, top, bottom: what lies along the sides
-    Color smooth;      // the mean of the surface through the centres
+    Float4 smooth;     // the mean of the surface through the centres
     Moments plain, beyond;  // of the samples; of what is left of them beyond that surface
-    Color total{}, beyond_smooth{};
     int n = 0, half_n = 0;
     bool settled = false, from_smooth = false;
   };
 
   Pixel begin(int x, int y) const {
     const BlockCentres::Cell& here = centres_.cell(x, y);
-    Range around{channels(here.color), channels(here.color)};
-    Color smooth;
+    Range around{here.color, here.color};
+    Float4 smooth(0.0f);
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
-        const Color& c = centres_.near(x + dx, y + dy).color;
-        around.add(channels(c));
-        smooth += c * ((dx ? 0.125f : 0.75f) * (dy ? 0.125f : 0.75f));
+        const Float4 c = centres_.near(x + dx, y + dy).color;
+        around.add(c);
+        smooth = smooth + c * Float4((dx ? 0.125f : 0.75f) * (dy ? 0.125f : 0.75f));
       }
     }
     const Float4 shown = centres_.shown(x, y);
@@ -106,11 +105,12 @@ class StratifiedPixels {
   }
 
   // The surface through the centres (bilinear between four) at (u, v) from that of the pixel.
-  Color surface(const Pixel& pixel, float u, float v) const {
+  Float4 surface(const Pixel& pixel, float u, float v) const {
     const int x = pixel.x, y = pixel.y, side_x = u < 0 ? x - 1 : x + 1, side_y = v < 0 ? y - 1 : y + 1;
-    u = std::fabs(u), v = std::fabs(v);
-    return (centres_.near(x, y).color * (1 - u) + centres_.near(side_x, y).color * u) * (1 - v) +
-           (centres_.near(x, side_y).color * (1 - u) + centres_.near(side_x, side_y).color * u) * v;
+    const Float4 to_x(std::fabs(u)), to_y(std::fabs(v));
+    const auto between = [](Float4 from, Float4 to, Float4 part) { return from + part * (to - from); };
+    return between(between(centres_.near(x, y).color, centres_.near(side_x, y).color, to_x),
+                   between(centres_.near(x, side_y).color, centres_.near(side_x, side_y).color, to_x), to_y);
   }
 
   // How many samples there are to be before the next look.
@@ -120,11 +120,10 @@ class StratifiedPixels {
     pixel.plain.half = pixel.plain.sum, pixel.beyond.half = pixel.beyond.sum, pixel.half_n = pixel.n;
     for (int i = 0; i < count; ++i) {
       const float x = static_cast<float>(places[i].x - pixel.x), y = static_cast<float>(places[i].y - pixel.y);
-      const Color left = colors[i] - surface(pixel, x, y);
-      pixel.total += colors[i], pixel.beyond_smooth += left;
-      pixel.plain.add(channels(colors[i])), pixel.beyond.add(channels(left));
+      const Float4 color = channels(colors[i]);
+      pixel.plain.add(color), pixel.beyond.add(color - surface(pixel, x, y));
       if (std::fabs(x) < 0.25f && std::fabs(y) < 0.25f) continue;
-      const Float4 shown = as_shown(colors[i], settings_.encoded);
+      const Float4 shown = as_shown(color, settings_.encoded);
       if (x <= -0.25f) pixel.margins[0].add(shown);
       if (x >= 0.25f) pixel.margins[1].add(shown);
       if (y <= -0.25f) pixel.margins[2].add(shown);

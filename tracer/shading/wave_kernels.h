@@ -51,8 +51,8 @@ struct WaveCamera {
 };
 
 struct WaveKernels {
-  // Unit directions of the rays through pixels (x, y), (x + 1, y) ...
-  void (*directions)(const WaveCamera& camera, double x, double y, int count, WaveLanes& lanes);
+  // Unit directions of the rays through places of the picture, for whose number as of rays there is room.
+  void (*directions)(const WaveCamera& camera, const Vec2* places, int count, WaveLanes& lanes);
   // Sets cosine from normals and directions.
   void (*face)(int count, WaveLanes& lanes);
   // What arrives if nothing is in the way: sets asked, intensity, diffuse and shines. False: nowhere anything.

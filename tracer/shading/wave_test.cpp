@@ -35,9 +35,11 @@ TEST_P(WaveKernel, DirectionsAreThoseOfTheCamera) {
   scene::Camera camera;
   camera.direction = {0.1, 0.2, 1.3}, camera.right = {1.33, 0, 0.1}, camera.up = {0, 1, 0.01};
   const render::CameraRays rays(camera, 641, 479);
-  kernels->directions({641, 479, camera.direction, camera.right, camera.up}, 613, 17, 28, *lanes);
+  Vec2 places[32];
+  for (int i = 0; i < 32; ++i) places[i] = Vec2(613 + i - 0.37 * (i % 3), 17 + 0.25 * i);
+  kernels->directions({641, 479, camera.direction, camera.right, camera.up}, places, 28, *lanes);
   for (int i = 0; i < 28; ++i) {
-    const Vec3 d = rays.at(613 + i, 17)->ray.direction;
+    const Vec3 d = rays.at(places[i].x, places[i].y)->ray.direction;
     EXPECT_EQ(lanes->rays.direction.at(i), d * (1 / length(d))) << i;
   }
 }

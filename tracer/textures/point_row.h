@@ -6,7 +6,7 @@
 namespace verisim::textures {
 
 struct PointRow {
-  static constexpr int kMost = 40;  // a multiple of eight
+  static constexpr int kMost = 64;  // a multiple of eight
   alignas(64) double x[kMost], y[kMost], z[kMost];
 
   Vec3 at(int i) const { return {x[i], y[i], z[i]}; }

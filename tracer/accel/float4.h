@@ -34,6 +34,7 @@ struct Mask4 {
 };
 inline Mask4 operator<=(Float4 a, Float4 b) { return {_mm_cmple_ps(a.v, b.v)}; }
 inline Mask4 operator&(Mask4 a, Mask4 b) { return {_mm_and_ps(a.v, b.v)}; }
+inline Float4 select(Mask4 where, Float4 yes, Float4 no) { return _mm_or_ps(_mm_and_ps(where.v, yes.v), _mm_andnot_ps(where.v, no.v)); }
 
 #else
 
@@ -72,6 +73,11 @@ inline Mask4 operator<=(Float4 a, Float4 b) {
   return {r};
 }
 inline Mask4 operator&(Mask4 a, Mask4 b) { return {a.lanes & b.lanes}; }
+inline Float4 select(Mask4 where, Float4 yes, Float4 no) {
+  Float4 r;
+  for (int i = 0; i < 4; ++i) r.v[i] = where.lanes >> i & 1 ? yes.v[i] : no.v[i];
+  return r;
+}
 
 #endif
 

@@ -10,24 +10,38 @@
 #include <numbers>
 #include <vector>
 
+#include "tracer/accel/float4.h"
+
 namespace verisim::render {
 
-// The part of the pixel with nx * x + ny * y < d, for a unit normal: the integral of a box's width, a sum of four squares.
-inline float half_plane_coverage(float nx, float ny, float d) {
-  const float a = std::max(std::fabs(nx), std::fabs(ny)), b = std::min(std::fabs(nx), std::fabs(ny));
-  const float from = 0.5f * (a - b), to = 0.5f * (a + b);
-  const float t = std::fabs(d);
-  float beyond;  // what lies on the other side of the centre's side
-  if (t >= to) beyond = 0;
-  else if (t <= from) beyond = 0.5f - t / a;
-  else beyond = (to - t) * (to - t) / (2 * a * b);
-  return d < 0 ? beyond : 1 - beyond;
-}
+using accel::Float4;
+
+// Four families of half-planes nx * x + ny * y < d, for unit normals.
+class HalfPlanes {
+ public:
+  HalfPlanes() = default;
+  HalfPlanes(const float* nx, const float* ny) {
+    for (int k = 0; k < 4; ++k) {
+      const float a = std::max(std::fabs(nx[k]), std::fabs(ny[k])), b = std::min(std::fabs(nx[k]), std::fabs(ny[k]));
+      from_[k] = 0.5f * (a - b), to_[k] = 0.5f * (a + b);
+      slope_[k] = 1 / a, bend_[k] = 1 / (2 * a * std::max(b, 1e-12f));
+    }
+  }
+  // The part of the pixel that lies in them: the integral of a box's width, straight in the middle, a parabola where the edge cuts off a corner.
+  Float4 coverage(Float4 d) const {
+    const Float4 zero(0.0f), t = max(d, zero - d), corner = max(Float4::load(to_) - t, zero);
+    const Float4 beyond = select(t <= Float4::load(from_), Float4(0.5f) - Float4::load(slope_) * t, Float4::load(bend_) * corner * corner);  // not on the centre's side
+    return select(zero <= d, Float4(1.0f) - beyond, beyond);
+  }
+
+ private:
+  alignas(16) float from_[4], to_[4], slope_[4], bend_[4];
+};
 
 // All half-planes that part two sets of points, by directions of the normal: for each the range of offsets.
 class EdgeModel {
  public:
-  static constexpr int kDirections = 24;  // over half a turn; the others are their opposites
+  static constexpr int kDirections = 24;  // over half a turn, a multiple of four; the others are their opposites
   static constexpr float kSlack = 0.06f;  // pixels by which a point may lie on the wrong side: edges are curved, directions are few
 
   struct Estimate {
@@ -56,43 +70,54 @@ class EdgeModel {
   // Means over all possible edges, with the measure of lines that does not change with motions: direction times offset.
   Estimate estimate() const {
     const Directions& n = directions();
-    float weight = 0, first = 0, second = 0, nx = 0, ny = 0, d = 0;
-    for (int k = 0; k < kDirections; ++k) {
-      const float up = sides_[1].low[k] - sides_[0].high[k], down = sides_[0].low[k] - sides_[1].high[k];
-      const float gap = std::max(up, down) + kSlack;
-      if (gap <= 0) continue;
-      const float sign = up > down ? 1.0f : -1.0f;
-      const float middle = up > down ? 0.5f * (sides_[1].low[k] + sides_[0].high[k]) : 0.5f * (sides_[0].low[k] + sides_[1].high[k]);
-      for (const float part : {-1.0f / 3, 0.0f, 1.0f / 3}) {
-        const float c = half_plane_coverage(n.x[k], n.y[k], middle + part * gap), covered = up > down ? 1 - c : c;
-        first += gap * covered;
-        second += gap * covered * covered;
+    const Float4 zero(0.0f), slack(kSlack), half(0.5f), third(1.0f / 3);
+    Float4 weight = zero, first = zero, second = zero, nx = zero, ny = zero, d = zero;
+    for (int k = 0; k < kDirections; k += 4) {
+      const Float4 low0 = Float4::load(&sides_[0].low[k]), high0 = Float4::load(&sides_[0].high[k]);
+      const Float4 low1 = Float4::load(&sides_[1].low[k]), high1 = Float4::load(&sides_[1].high[k]);
+      const Float4 up = low1 - high0, down = low0 - high1, gap = max(max(up, down) + slack, zero);
+      if ((gap <= zero).bits() == 15) continue;
+      const auto along = up <= down;  // the normal points from the second side to the first one
+      const Float4 offset = select(along, half * (low0 + high1), zero - half * (low1 + high0));  // of the second side's half-plane
+      for (const Float4 at : {offset - third * gap, offset, offset + third * gap}) {
+        const Float4 covered = n.half_planes[k / 4].coverage(at);
+        first = first + gap * covered;
+        second = second + gap * covered * covered;
       }
-      weight += gap;
-      nx += gap * sign * n.x[k], ny += gap * sign * n.y[k], d += gap * sign * middle;
+      weight = weight + gap;
+      const Float4 signed_gap = select(along, zero - gap, gap);
+      nx = nx + signed_gap * Float4::load(&n.x[k]), ny = ny + signed_gap * Float4::load(&n.y[k]), d = d - gap * offset;
     }
-    if (!(weight > 0)) return {};
     Estimate e;
+    const float sum = sum_of(weight);
+    if (!(sum > 0)) return e;
     e.possible = true;
-    e.coverage = first / (3 * weight);
-    e.deviation = std::sqrt(std::max(0.0f, second / (3 * weight) - e.coverage * e.coverage));
-    const float length = std::max(std::sqrt(nx * nx + ny * ny), 1e-6f);
-    e.nx = nx / length, e.ny = ny / length, e.d = d / length;
+    e.coverage = sum_of(first) / (3 * sum);
+    e.deviation = std::sqrt(std::max(0.0f, sum_of(second) / (3 * sum) - e.coverage * e.coverage));
+    const float x = sum_of(nx), y = sum_of(ny), length = std::max(std::sqrt(x * x + y * y), 1e-6f);
+    e.nx = x / length, e.ny = y / length, e.d = sum_of(d) / length;
     return e;
   }
 
  private:
   static constexpr float kFar = 8;
+  static float sum_of(Float4 v) {
+    alignas(16) float lanes[4];
+    v.store(lanes);
+    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
+  }
   struct Side {
-    std::array<float, kDirections> low, high;
+    alignas(16) std::array<float, kDirections> low, high;
   };
   struct Directions {
-    std::array<float, kDirections> x, y;
+    alignas(16) std::array<float, kDirections> x, y;
+    std::array<HalfPlanes, kDirections / 4> half_planes;
     Directions() {
       for (int k = 0; k < kDirections; ++k) {
         const double angle = std::numbers::pi * (k + 0.5) / kDirections;
         x[k] = static_cast<float>(std::cos(angle)), y[k] = static_cast<float>(std::sin(angle));
       }
+      for (int k = 0; k < kDirections; k += 4) half_planes[k / 4] = HalfPlanes(&x[k], &y[k]);
     }
   };
   static const Directions& directions() {

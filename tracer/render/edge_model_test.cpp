@@ -16,12 +16,19 @@ double brute_force_coverage(double nx, double ny, double d) {
   return static_cast<double>(inside) / (kSide * kSide);
 }
 
+float coverage(float nx, float ny, float d) {
+  const float x[4] = {nx, -ny, 1, 0.6f}, y[4] = {ny, nx, 0, 0.8f};
+  alignas(16) float lanes[4];
+  HalfPlanes(x, y).coverage(Float4(d)).store(lanes);
+  return lanes[0];
+}
+
 TEST(EdgeModel, CoverageIsExact) {
   for (int turn = 0; turn < 16; ++turn) {
     const double angle = turn * std::numbers::pi / 8;  // straight ones and diagonals among them
     const double nx = std::cos(angle), ny = std::sin(angle);
     for (double d = -0.8; d < 0.81; d += 0.0973)
-      EXPECT_NEAR(half_plane_coverage(static_cast<float>(nx), static_cast<float>(ny), static_cast<float>(d)), brute_force_coverage(nx, ny, d), 0.004) << angle << ' ' << d;
+      EXPECT_NEAR(coverage(static_cast<float>(nx), static_cast<float>(ny), static_cast<float>(d)), brute_force_coverage(nx, ny, d), 0.004) << angle << ' ' << d;
   }
 }
 
@@ -41,7 +48,7 @@ TEST(EdgeModel, SamplesInTheMiddleOfWhatIsPossibleFindTheEdge) {
     unsigned bits = 0;
     for (int k = 0; k < 9; ++k) bits |= static_cast<unsigned>(truth.second(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 - 1))) << k;
     EdgeModel model = EdgeModel::of_centres(bits).model;
-    const float covered = 1 - half_plane_coverage(truth.nx, truth.ny, truth.d);
+    const float covered = 1 - coverage(truth.nx, truth.ny, truth.d);
     for (int taken = 0; taken < 5; ++taken) {
       const EdgeModel::Estimate e = model.estimate();
       ASSERT_TRUE(e.possible) << angle << ' ' << truth.d << " after " << taken;

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "tracer/math/ray_row.h"
+#include "tracer/shading/light_falloff.h"
 #include "tracer/shading/tracer.h"
 
 namespace verisim::shading {
@@ -26,12 +27,13 @@ struct Tracer::AreaGrid {
   bool together = false;                        // rays may go in rows
   accel::WorldEntry* entry = nullptr;           // of these
 
-  Vec2 jitter(int column, int row) const {
+  // Moves a position within its cell.
+  void jitter(int column, int row, double& x, double& y) const {
     const auto u = static_cast<std::uint32_t>(column), v = static_cast<std::uint32_t>(row);
     const auto width = static_cast<std::uint32_t>(query.light.size1()), height = static_cast<std::uint32_t>(query.light.size2());
     const std::uint32_t cell = v * width + u;
     const double across = rows->place(v) + unit(scrambled(cell, key + 1)), along = columns->place(u) + unit(scrambled(cell, key + 3));
-    return {across / height - 0.5, along / width - 0.5};
+    x += across / height - 0.5, y += along / width - 0.5;
   }
 };
 
@@ -57,20 +59,12 @@ Rgb Tracer::area_shadow(const ShadowQuery& query, const Vec3& p, const LightDire
   return area_region(grid, 0, 0, light.size1() - 1, light.size2() - 1, 0);
 }
 
-LightDirection Tracer::area_direction(const AreaGrid& grid, int column, int row) {
+Rgb Tracer::area_sample(const AreaGrid& grid, int column, int row) {
   const Light& light = grid.query.light;
   double u = column, v = row;
-  if (grid.rows) {
-    const Vec2 offset = grid.jitter(column, row);
-    u += offset.x, v += offset.y;
-  } else if (light.source().jitter) {
-    u += random_.shading() - 0.5, v += random_.shading() - 0.5;
-  }
-  return light.direction(grid.p, light.offset(grid.axes, u, v));
-}
-
-Rgb Tracer::area_sample(const AreaGrid& grid, int column, int row) {
-  const LightDirection to = area_direction(grid, column, row);
+  if (grid.rows) grid.jitter(column, row, u, v);
+  else if (light.source().jitter) u += random_.shading() - 0.5, v += random_.shading() - 0.5;
+  const LightDirection to = light.direction(grid.p, light.offset(grid.axes, u, v));
   Rgb color = grid.color;
   cast_shadow(grid.query, grid.p, to.towards, to.distance, color);
   return color;
@@ -78,26 +72,39 @@ Rgb Tracer::area_sample(const AreaGrid& grid, int column, int row) {
 
 // The samples in these columns and rows that are not known, at once; those that meet transparent objects are left for later.
 void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> rows) {
+  const Light& light = grid.query.light;
   RayRow rays;
-  double limit[RayRow::kSize];
-  CornerResult* asked[RayRow::kMost];
+  double distance[RayRow::kSize];
+  GridPlaces places;
+  CornerResult* corners[RayRow::kMost];
   int count = 0;
+  const bool only_opaque = grid.entry ? grid.entry->only_opaque : !scene_.world.has_transparent_shadows();
   const auto ask = [&] {
+    aim_at_grid(light, grid.axes, grid.p, places, count, rays, distance);
+    int asked = 0;
+    for (int k = 0; k < count; ++k) {
+      const Vec3 towards = rays.direction.at(k);
+      if (!(distance[k] > 2 * kShadowTolerance) || !(only_opaque || scene_.world.only_opaque_between(grid.p, grid.p + distance[k] * towards))) {
+        corners[k]->stamp = 0;
+        continue;
+      }
+      rays.origin.set(asked, grid.p), rays.direction.set(asked, towards);
+      distance[asked] = distance[k] - kShadowTolerance;
+      corners[asked++] = corners[k];
+    }
     bool blocked[RayRow::kMost] = {};
-    scene_.world.occluded_row(rays, 0, count, kShadowTolerance, limit, grid.entry, blocked);
-    for (int k = 0; k < count; ++k) *asked[k] = {blocked[k] ? Rgb() : grid.color, corner_stamp_};
-    statistics_.shadow_rays += static_cast<std::uint64_t>(count);
+    scene_.world.occluded_row(rays, 0, asked, kShadowTolerance, distance, grid.entry, blocked);
+    for (int k = 0; k < asked; ++k) *corners[k] = {blocked[k] ? Rgb() : grid.color, corner_stamp_};
+    statistics_.shadow_rays += static_cast<std::uint64_t>(asked);
     count = 0;
   };
   for (const int v : rows) {
     for (const int u : columns) {
-      CornerResult& corner = corners_[static_cast<std::size_t>(v) * grid.query.light.size1() + u];
+      CornerResult& corner = corners_[static_cast<std::size_t>(v) * light.size1() + u];
       if (corner.stamp == corner_stamp_) continue;
-      const LightDirection to = area_direction(grid, u, v);
-      if (!(to.distance > 2 * kShadowTolerance) || !any_object_decides(grid.entry, grid.p, to.towards, to.distance)) continue;
-      rays.origin.set(count, grid.p), rays.direction.set(count, to.towards);
-      limit[count] = to.distance - kShadowTolerance;
-      asked[count++] = &corner;
+      places.u[count] = u, places.v[count] = v;
+      if (grid.rows) grid.jitter(u, v, places.u[count], places.v[count]);
+      corners[count++] = &corner;
       corner.stamp = corner_stamp_;  // the middle of an even number of cells is named twice
       if (count == RayRow::kMost) ask();
     }

@@ -50,4 +50,15 @@ void aim_at(const Light& light, int count, RayRow& to_light, double* distance) {
   }
 }
 
+void aim_at_grid(const Light& light, const Light::Axes& axes, const Vec3& p, const GridPlaces& places, int count, RayRow& to_light, double* distance) {
+  if (light.radial()) {
+    const LightGrid grid{light.source().position, axes.a1, axes.a2, static_cast<double>(light.size1() - 1), static_cast<double>(light.size2() - 1), light.source().circular};
+    return best_kernels().aim_at_grid(grid, p, places, count, to_light, distance);
+  }
+  for (int k = 0; k < count; ++k) {
+    const LightDirection direction = light.direction(p, light.offset(axes, places.u[k], places.v[k]));
+    to_light.direction.set(k, direction.towards), distance[k] = direction.distance;
+  }
+}
+
 }  // namespace verisim::shading

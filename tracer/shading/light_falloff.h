@@ -1,5 +1,5 @@
-// Where a light is from a row of points, and how it fades there with angle and distance (spec 06 section 7.3). Compiled for several instruction sets; every lane does the operations of
-// Light::direction and Light::attenuation in the same order.
+// Where a light is from a row of points, where the samples of an area light are from one, and how light fades with angle and distance (spec 06 sections 7.3 and 8). Compiled for several
+// instruction sets; every lane does the operations of Light::direction, Light::offset and Light::attenuation in the same order.
 #pragma once
 
 #include <optional>
@@ -24,8 +24,23 @@ struct LightFalloff {
 // Sets the unit directions from points to the light's centre, and its distances. Points: to_light.origin.
 void aim_at(const Light& light, int count, RayRow& to_light, double* distance);
 
+// Positions in the grid of an area light, jitter included.
+struct GridPlaces {
+  double u[RayRow::kSize], v[RayRow::kSize];
+};
+// Sets the unit directions from p to places on an area light, and their distances; `axes` are those at p.
+void aim_at_grid(const Light& light, const Light::Axes& axes, const Vec3& p, const GridPlaces& places, int count, RayRow& to_light, double* distance);
+
+// An area light as the kernels see it.
+struct LightGrid {
+  Vec3 position, a1, a2;
+  double last1, last2;  // columns and rows, less one
+  bool circular;
+};
+
 struct LightFalloffKernels {
   void (*aim)(const Vec3& position, int count, RayRow& to_light, double* distance);
+  void (*aim_at_grid)(const LightGrid& grid, const Vec3& p, const GridPlaces& places, int count, RayRow& to_light, double* distance);
   void (*attenuate)(const LightFalloff& falloff, const RayRow::Vectors& towards, const double* distance, int count, float* attenuation);
 };
 // Those of any instruction set, for tests; null: this machine cannot run it.

@@ -57,6 +57,35 @@ TEST_P(LightFalloffs, AreThoseOfEachPoint) {
   EXPECT_GT(bright, 300);
 }
 
+TEST_P(LightFalloffs, AimAtEachSampleOfAnAreaLight) {
+  const LightFalloffKernels* kernels = light_falloff_kernels(GetParam());
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto vector = [&] { return Vec3(unit(generator), unit(generator), unit(generator)); };
+  const auto rays = std::make_unique<RayRow>();
+  const auto places = std::make_unique<GridPlaces>();
+  for (int round = 0; round < 200; ++round) {
+    scene::LightSource source;
+    source.position = 4.0 * vector();
+    source.area = true, source.axis1 = vector(), source.axis2 = vector();
+    source.size1 = 1 + round % 5, source.size2 = 1 + round / 5 % 4;
+    source.circular = source.size1 > 1 && source.size2 > 1 && round % 3 == 0, source.orient = round % 7 == 0;
+    const Light light(source, true);
+    const Vec3 p = 5.0 * vector();
+    const Light::Axes axes = light.axes(light.direction(p).towards);
+    const int count = 1 + round % RayRow::kMost;
+    for (int i = 0; i < count; ++i) places->u[i] = i % source.size1 + 0.5 * unit(generator), places->v[i] = i % source.size2 + 0.5 * unit(generator);
+    double distance[RayRow::kSize];
+    const LightGrid grid{source.position, axes.a1, axes.a2, source.size1 - 1.0, source.size2 - 1.0, source.circular};
+    kernels->aim_at_grid(grid, p, *places, count, *rays, distance);
+    for (int i = 0; i < count; ++i) {
+      const LightDirection expected = light.direction(p, light.offset(axes, places->u[i], places->v[i]));
+      ASSERT_TRUE(rays->direction.at(i) == expected.towards && distance[i] == expected.distance) << round << ' ' << i;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(InstructionSets, LightFalloffs, testing::Range(0, static_cast<int>(textures::kInstructionSets)));
 
 TEST(LightFalloff, LeavesOtherLightsAlone) {

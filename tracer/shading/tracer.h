@@ -223,7 +223,6 @@ class Tracer {
   Rgb area_corner(AreaGrid& grid, int u, int v);
   Rgb area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int depth);
   Rgb area_sample(const AreaGrid& grid, int column, int row);
-  LightDirection area_direction(const AreaGrid& grid, int column, int row);
   void ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> rows);
   void ask_first_corners(const AreaGrid& grid);
 

@@ -78,13 +78,13 @@ void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std
   GridPlaces places;
   CornerResult* corners[RayRow::kMost];
   int count = 0;
-  const bool only_opaque = grid.entry ? grid.entry->only_opaque : !scene_.world.has_transparent_shadows();
+  const bool any_decides = only_opaque(grid.entry);
   const auto ask = [&] {
     aim_at_grid(light, grid.axes, grid.p, places, count, rays, distance);
     int asked = 0;
     for (int k = 0; k < count; ++k) {
       const Vec3 towards = rays.direction.at(k);
-      if (!(distance[k] > 2 * kShadowTolerance) || !(only_opaque || scene_.world.only_opaque_between(grid.p, grid.p + distance[k] * towards))) {
+      if (!(distance[k] > 2 * kShadowTolerance) || !(any_decides || scene_.world.only_opaque_between(grid.p, grid.p + distance[k] * towards))) {
         corners[k]->stamp = 0;
         continue;
       }

@@ -50,11 +50,15 @@ void aim_at(const Light& light, int count, RayRow& to_light, double* distance) {
   }
 }
 
+LightGrid::LightGrid(const Light& light, const Light::Axes& axes)
+    : position(light.source().position), a1(axes.a1), a2(axes.a2), last1(light.size1() - 1), last2(light.size2() - 1), circular(light.source().circular) {
+  if (circular) return;
+  if (last1 == 0) a1 = Vec3(0, 0, 0), last1 = 1;
+  if (last2 == 0) a2 = Vec3(0, 0, 0), last2 = 1;
+}
+
 void aim_at_grid(const Light& light, const Light::Axes& axes, const Vec3& p, const GridPlaces& places, int count, RayRow& to_light, double* distance) {
-  if (light.radial()) {
-    const LightGrid grid{light.source().position, axes.a1, axes.a2, static_cast<double>(light.size1() - 1), static_cast<double>(light.size2() - 1), light.source().circular};
-    return best_kernels().aim_at_grid(grid, p, places, count, to_light, distance);
-  }
+  if (light.radial()) return best_kernels().aim_at_grid(LightGrid(light, axes), p, places, count, to_light, distance);
   for (int k = 0; k < count; ++k) {
     const LightDirection direction = light.direction(p, light.offset(axes, places.u[k], places.v[k]));
     to_light.direction.set(k, direction.towards), distance[k] = direction.distance;

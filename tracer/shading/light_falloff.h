@@ -33,9 +33,11 @@ void aim_at_grid(const Light& light, const Light::Axes& axes, const Vec3& p, con
 
 // An area light as the kernels see it.
 struct LightGrid {
-  Vec3 position, a1, a2;
-  double last1, last2;  // columns and rows, less one
+  Vec3 position, a1, a2;  // an axis has no length where there is one sample along it
+  double last1, last2;    // columns and rows, less one
   bool circular;
+
+  LightGrid(const Light& light, const Light::Axes& axes);
 };
 
 struct LightFalloffKernels {

@@ -77,8 +77,7 @@ TEST_P(LightFalloffs, AimAtEachSampleOfAnAreaLight) {
     const int count = 1 + round % RayRow::kMost;
     for (int i = 0; i < count; ++i) places->u[i] = i % source.size1 + 0.5 * unit(generator), places->v[i] = i % source.size2 + 0.5 * unit(generator);
     double distance[RayRow::kSize];
-    const LightGrid grid{source.position, axes.a1, axes.a2, source.size1 - 1.0, source.size2 - 1.0, source.circular};
-    kernels->aim_at_grid(grid, p, *places, count, *rays, distance);
+    kernels->aim_at_grid(LightGrid(light, axes), p, *places, count, *rays, distance);
     for (int i = 0; i < count; ++i) {
       const LightDirection expected = light.direction(p, light.offset(axes, places->u[i], places->v[i]));
       ASSERT_TRUE(rays->direction.at(i) == expected.towards && distance[i] == expected.distance) << round << ' ' << i;

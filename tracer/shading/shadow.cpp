@@ -43,7 +43,7 @@ bool Tracer::light_on_way_changes(const Light& light) const {
 }
 
 bool Tracer::any_object_decides(const accel::WorldEntry* entry, const Vec3& p, const Vec3& towards, double distance) const {
-  return (entry ? entry->only_opaque : !scene_.world.has_transparent_shadows()) || scene_.world.only_opaque_between(p, p + distance * towards);
+  return only_opaque(entry) || scene_.world.only_opaque_between(p, p + distance * towards);
 }
 
 void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color) {

@@ -92,8 +92,7 @@ void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRays&
     }
     accel::WorldEntry* const entry = cells[c].entry;
     const auto stays_in_room = [&](int i) { return scene_.world.only_opaque_between(row.rays.origin.at(i), row.rays.origin.at(i) + row.distance[i] * row.rays.direction.at(i)); };
-    const bool only_opaque = (entry ? entry->only_opaque : !scene_.world.has_transparent_shadows()) || std::all_of(cell.index, cell.index + cell.count, stays_in_room);
-    if (only_opaque) opaque(cell, entry);
+    if (only_opaque(entry) || std::all_of(cell.index, cell.index + cell.count, stays_in_room)) opaque(cell, entry);
     else mixed(cell, entry);
   }
 }

@@ -200,6 +200,8 @@ class Tracer {
   void cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color);
   // Fog or media may take from this light on its way.
   bool light_on_way_changes(const Light& light) const;
+  // Shadow rays that start there meet nothing but opaque objects; null: from anywhere.
+  bool only_opaque(const accel::WorldEntry* entry) const { return entry ? entry->only_opaque : !scene_.world.has_transparent_shadows(); }
   // No transparent object is on the way, so that any one decides.
   bool any_object_decides(const accel::WorldEntry* entry, const Vec3& p, const Vec3& towards, double distance) const;
   // `first`: the nearest hit, if it is known that there is one.

@@ -16,14 +16,15 @@ struct alignas(64) NoiseCell {
   double a[8], b[8], c[8], d[8];
 };
 // Direct-mapped memory of cells. Only the low 12 bits of lattice coordinates matter (11 for the gradient noise of generator 3). The low bits of x follow from
-// slot, y and z, so a slot and a key of 28 bits name a cell. No key is 0.
-constexpr std::uint32_t kNoiseSlots = 2048;  // half a megabyte: what a second-level cache holds
+// slot, y and z, so a slot and a key of 29 bits name a cell. No key is 0.
+constexpr std::uint32_t kNoiseSlots = 512;  // an eighth of a megabyte: a part of the second-level cache, which the rest of the program needs as well
 template <std::uint32_t slots>
 constexpr std::uint32_t cell_slot(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   return (x + 37 * y + 331 * z) % slots;
 }
 constexpr std::uint32_t kLatticeKey = 1u << 27, kGradientKey = 3u << 27;
-constexpr std::uint32_t cell_key(std::uint32_t x, std::uint32_t y, std::uint32_t z) { return (x >> 10 & 3) | (y & 4095) << 2 | (z & 4095) << 14; }
+constexpr std::uint32_t cell_key(std::uint32_t x, std::uint32_t y, std::uint32_t z) { return (x >> 9 & 7) | (y & 4095) << 3 | (z & 4095) << 15; }
+static_assert(kNoiseSlots % 512 == 0);
 
 template <class Cell, std::uint32_t slots>
 struct CellMemory {

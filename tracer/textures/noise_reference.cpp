@@ -25,10 +25,10 @@ double lattice_noise(const Vec3& p, int offset) {
   for (int c = 0; c < 8; ++c) {
     const int corner[3] = {c & 1, c >> 1 & 1, c >> 2};
     const int m = lattice_hash(t, i[0] + 10000 + corner[0], i[1] + 10000 + corner[1], i[2] + 10000 + corner[2]) % 256 + offset;
-    double weight = 1, value = t.value_row[m][0];
+    double weight = 1, value = t.values[m] / 2;
     for (int k = 0; k < 3; ++k) {
       weight *= corner[k] ? smooth(f[k]) : 1 - smooth(f[k]);
-      value += t.value_row[m][k + 1] * (f[k] - corner[k]);
+      value += t.values[m + k + 1] * (f[k] - corner[k]);
     }
     sum += weight * value;
   }

@@ -1,5 +1,7 @@
 #include "tracer/textures/noise_tables.h"
 
+#include <algorithm>
+#include <iterator>
 #include <random>
 #include <utility>
 
@@ -47,14 +49,12 @@ void fill_gradients(NoiseTables& t) {
 
 NoiseTables::NoiseTables() {
   shuffle_hash(*this);
-  for (int i = 0; i < 4096; ++i) value_offset[i] = static_cast<std::uint16_t>((hash[i] & 255) * sizeof value_row[0]);
+  for (int i = 0; i < 4096; ++i) value_start[i] = static_cast<std::uint8_t>(hash[i] & 255);
+  std::copy(std::begin(kValueTable), std::end(kValueTable), values);
+  values[std::size(kValueTable)] = 0;
   std::mt19937 twister;  // seed 5489
   for (int i = 0; i < 32768; ++i) random[i] = static_cast<std::uint32_t>(twister());
   for (int i = 0; i < 4; ++i) random[32768 + i] = random[i];
-  for (int b = 0; b < 264; ++b) {
-    value_row[b][0] = kValueTable[b] / 2;
-    for (int k = 1; k < 4; ++k) value_row[b][k] = kValueTable[b + k];
-  }
   fill_gradients(*this);
 }
 

@@ -16,9 +16,9 @@ TEST(NoiseTables, MatchTheChecksOfTheSpecification) {
   for (int i = 0; i < 8; ++i) EXPECT_EQ(t.hash[i], hash[i]) << i;
   const double random[3] = {0.814723691903055, 0.135477004107088, 0.905791934113949};
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(random_value(t, i), random[i], 1e-15) << i;
-  EXPECT_EQ(t.value_row[0][0], -0.5);
-  EXPECT_EQ(t.value_row[0][1], 0.604974);
-  EXPECT_EQ(t.value_row[263][3], 0.566186);
+  EXPECT_EQ(t.values[0], -1);
+  EXPECT_EQ(t.values[1], 0.604974);
+  EXPECT_EQ(t.values[266], 0.566186);
   EXPECT_NEAR(t.gradient_row[0][1], 0.604425069426, 1e-12);
   EXPECT_NEAR(t.gradient_row[0][2], 0.705260289544, 1e-12);
   EXPECT_NEAR(t.gradient_row[0][3], 0.370510808805, 1e-12);
@@ -108,6 +108,31 @@ TEST(NoiseKernels, SeveralPointsGetWhatEachGets) {
         for (int k = 0; k < count; ++k) {
           if (!(wanted >> k & 1)) continue;
           ASSERT_EQ(together[k], kernels.noise[g](Vec3(points.x[k], points.y[k], points.z[k]))) << kernels.name << ' ' << g << ' ' << k;
+        }
+      }
+    }
+  }
+}
+
+// Neighbours, and cells whose places in the memory are the same.
+TEST(NoiseKernels, TellCellsApartThatShareAPlaceInTheMemory) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> within(0, 1);
+  const double steps[] = {1, 128, 256, 512, 1024, 2048};
+  for (int i = 0; i < 6000; ++i) {
+    EightPoints points;
+    const double step = steps[i % 6];
+    const auto coordinate = [&](int most) { return step * static_cast<double>(random() % static_cast<unsigned>(most)) - 1000 + within(random); };
+    for (int k = 0; k < 8; ++k) points.x[k] = coordinate(1 + i % 5), points.y[k] = coordinate(1 + i % 3), points.z[k] = coordinate(2);
+    for (int set = 0; set <= best_instruction_set(); ++set) {
+      const NoiseKernels& kernels = noise_kernels(static_cast<InstructionSet>(set));
+      for (int g = 1; g <= 3; ++g) {
+        alignas(64) double together[8];
+        kernels.noises[g](points, 255, together);
+        for (int k = 0; k < 8; ++k) {
+          const Vec3 p(points.x[k], points.y[k], points.z[k]);
+          ASSERT_NEAR(together[k], reference::noise(p, g), 2e-15) << kernels.name << ' ' << g << ' ' << step;
+          ASSERT_EQ(together[k], kernels.noise[g](p)) << kernels.name << ' ' << g << ' ' << step;
         }
       }
     }

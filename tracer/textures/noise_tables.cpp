@@ -49,7 +49,6 @@ void fill_gradients(NoiseTables& t) {
 
 NoiseTables::NoiseTables() {
   shuffle_hash(*this);
-  for (int i = 0; i < 4096; ++i) value_start[i] = static_cast<std::uint8_t>(hash[i] & 255);
   std::copy(std::begin(kValueTable), std::end(kValueTable), values);
   values[std::size(kValueTable)] = 0;
   std::mt19937 twister;  // seed 5489

@@ -24,9 +24,8 @@ struct NoiseTables {
   NoiseTables();
 
   // Small, to stay in the nearest cache among everything else.
-  std::uint16_t hash[4096];         // T: a permutation of 0 .. 4095
-  std::uint8_t value_start[4096];   // T[i] & 255: where a corner's numbers begin in `values`
-  double values[268];               // R: R[b]/2 and the slopes R[b+1], R[b+2], R[b+3] are one corner of generators 1 and 2
+  std::uint16_t hash[4096];  // T: a permutation of 0 .. 4095
+  double values[268];        // R: R[b]/2 and the slopes R[b+1], R[b+2], R[b+3] are one corner of generators 1 and 2, b = T[...] & 255
   std::uint32_t random[32768 + 4];   // U * 2^32: MT19937; the first entries repeat at the end, so that three can be read without wrapping
   alignas(32) double gradient_row[2048][4]; // 0, g_x, g_y, g_z: one corner of generator 3
   std::uint16_t permutation[2048];   // P of generator 3

@@ -23,7 +23,7 @@ class LinearCongruential {
 struct NoiseTables {
   NoiseTables();
 
-  // Small, to stay in the nearest cache among everything else.
+  // Generators 1 and 2 need these two, 10 KB, for every corner: they are small to stay in the nearest cache.
   std::uint16_t hash[4096];  // T: a permutation of 0 .. 4095
   double values[268];        // R: R[b]/2 and the slopes R[b+1], R[b+2], R[b+3] are one corner of generators 1 and 2, b = T[...] & 255
   std::uint32_t random[32768 + 4];   // U * 2^32: MT19937; the first entries repeat at the end, so that three can be read without wrapping

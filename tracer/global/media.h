@@ -38,7 +38,7 @@ struct MediaMixture;
 
 // Photons near a point in a medium; their colours are to be multiplied by `share`, one by the volume of the sphere that holds them.
 struct NearbyPhotons {
-  std::span<const Photon* const> photons;
+  SomePhotons photons;
   float share = 0;
   // Adds what the media send of them along a view ray.
   void add_scattered(const MediaMixture& mixture, const Rgb& scattering, const Vec3& view, Rgb& sum) const;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "tracer/math/color.h"
 #include "tracer/math/vec.h"
@@ -20,6 +21,7 @@ struct Photon {
   static std::array<std::uint8_t, 4> encode(const Rgb& energy);
   void set_direction(const Vec3& towards_light);  // unit
   Rgb color() const;
+  float scale() const { return kScales[energy[3]]; }  // of its mantissas
   Vec3 direction() const;
 
  private:
@@ -30,8 +32,17 @@ struct Photon {
   static const std::array<Angle, 256> kAngles;
 };
 
+// Some photons of a map.
+struct SomePhotons {
+  std::span<const Photon> map;
+  std::span<const std::uint32_t> numbers;
+  bool empty() const { return numbers.empty(); }
+  std::size_t size() const { return numbers.size(); }
+  const Photon& operator[](std::size_t i) const { return map[numbers[i]]; }
+};
+
 inline Rgb Photon::color() const {
-  const float scale = kScales[energy[3]];
+  const float scale = this->scale();
   return {energy[0] * scale, energy[1] * scale, energy[2] * scale};
 }
 

@@ -46,15 +46,16 @@ Rgb SceneEffects::photon_light(shading::Tracer& tracer, const shading::RayState&
     add_light(state.gathered.photons, {normal, raw, pigment, per_area, layer.opacity * std::max(finish.diffuse, 0.0f), layer.opacity * std::max(behind, 0.0f)}, sum);
     return sum;
   }
-  for (const Photon* photon : state.gathered.photons) {
-    const Vec3 direction = photon->direction();
+  for (std::size_t i = 0; i < state.gathered.photons.size(); ++i) {
+    const Photon& photon = state.gathered.photons[i];
+    const Vec3 direction = photon.direction();
     const double cosine = dot(normal, direction);
     const bool behind = cosine < kEpsilon;
     if (behind && !both_sides) continue;
     const bool back = behind && !at.surface.double_illuminate;
     const float diffuse = back ? finish.diffuse_back : finish.diffuse;
     const double slant = std::max(0.1, dot(raw, direction));
-    const Rgb intensity = photon->color() * static_cast<float>(per_area / slant);
+    const Rgb intensity = photon.color() * static_cast<float>(per_area / slant);
     if (!plain) {
       sum += tracer.layer_response(at, layer, ray.ray.direction, direction, intensity, diffuse, !ray.gather && !back);
     } else if (diffuse > 0) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #if defined(__x86_64__)
@@ -21,10 +22,52 @@
 namespace verisim::global {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr float kInfiniteFloat = std::numeric_limits<float>::infinity();
 constexpr auto kAnyNumber = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kAtOnce = PhotonLeaf::kAtOnce;
 constexpr std::size_t kCrowd = 3;  // times the wanted number of photons is when the nearest are picked out, and the search narrowed
+
+// Where distances are equal when rounded they are measured again: places in a list with squared distances.
+using Equals = std::vector<std::pair<double, std::size_t>>;
+void find_equals(const PhotonDistances& list, float rounded, const PhotonMeasure& measure, Equals& equals) {
+  equals.clear();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list.squared()[i] == rounded) equals.emplace_back(measure.squared(list.index()[i]), i);
+  }
+}
+
+// `places`: in ascending order.
+void drop(PhotonDistances& list, std::span<const std::pair<double, std::size_t>> places) {
+  if (places.empty()) return;
+  std::size_t kept = places.front().second;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::size_t from = places[k].second + 1, end = k + 1 < places.size() ? places[k + 1].second : list.size();
+    list.move(from, end, kept);
+    kept += end - from;
+  }
+  list.set_size(kept);
+}
+
+// Of those that are as far as `limit` when rounded, removes those that are farther.
+void drop_farther(PhotonDistances& list, const PhotonMeasure& measure, double limit) {
+  Equals equals;
+  find_equals(list, PhotonDistances::rounded(limit), measure, equals);
+  std::erase_if(equals, [limit](const auto& e) { return e.first <= limit; });
+  drop(list, equals);
+}
+
+// Of those that are as far as the last one when rounded, keeps the nearest, until there are `wanted` in all; returns the squared distance of the last one.
+double drop_farthest(PhotonDistances& list, float last, const PhotonMeasure& measure, std::size_t wanted) {
+  Equals equals;
+  find_equals(list, last, measure, equals);
+  std::ranges::sort(equals);
+  const std::size_t kept = equals.size() - (list.size() - wanted);
+  const double limit = equals[kept - 1].first;
+  equals.erase(equals.begin(), equals.begin() + static_cast<std::ptrdiff_t>(kept));
+  std::ranges::sort(equals, {}, &Equals::value_type::second);
+  drop(list, equals);
+  return limit;
+}
 
 #define VERISIM_KERNELS "tracer/global/photon_kernels.inc"
 #include "tracer/textures/each_instruction_set.inc"

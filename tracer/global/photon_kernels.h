@@ -1,12 +1,17 @@
-// Which photons of a map are near a point, sixteen at a time. Compiled for several instruction sets; every lane does the operations of the scalar code in the same order.
+// Which photons of a map are near a point, eight at a time. Compiled for several instruction sets; every lane does the operations of the scalar code in the same order.
+//
+// Floats say which may be near; those are measured in doubles. What is found is compared by distances rounded to floats, and measured again where these are equal.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "tracer/global/photon.h"
 #include "tracer/math/vec.h"
 
 namespace verisim::global {
@@ -25,16 +30,36 @@ struct alignas(64) PhotonBoxes {
   std::array<float, PhotonLeaf::kAtOnce> low[3], high[3];
 };
 
-// Photons by number, with their flattened distances, squared.
+// Where a search is made: distances are flattened along the normal, unless it is zero. Squared distances off the plane through the point are larger by a factor
+// 1 + 16 |normal . delta|.
+struct PhotonCenter {
+  Vec3 point, normal;
+  double squared_distance(const Photon& photon) const {
+    const Vec3 d = Vec3(photon.position[0], photon.position[1], photon.position[2]) - point;
+    return dot(d, d) * (1.0 + 16.0 * std::fabs(dot(normal, d)));
+  }
+};
+
+// Photons of a map, measured from a center.
+struct PhotonMeasure {
+  const Photon* photons;
+  PhotonCenter center;
+  double squared(std::uint32_t number) const { return center.squared_distance(photons[number]); }
+};
+
+// Photons by number, with their flattened distances, squared and rounded.
 class PhotonDistances {
  public:
+  // What is not smaller is not smaller when rounded; all are finite.
+  static float rounded(double squared) { return static_cast<float>(std::min(squared, 3e38)); }
+
   std::size_t size() const { return size_; }
-  std::span<const double> squared() const { return {squared_.data(), size_}; }
+  std::span<const float> squared() const { return {squared_.data(), size_}; }
   std::span<const std::uint32_t> index() const { return {index_.data(), size_}; }
   void clear() { size_ = 0; }
   void add(std::uint32_t index, double squared) {
     make_room(size_ + 1);
-    squared_[size_] = squared, index_[size_++] = index;
+    squared_[size_] = rounded(squared), index_[size_++] = index;
   }
   // Takes one out; the others stay in their order.
   void erase(std::size_t i);
@@ -45,26 +70,20 @@ class PhotonDistances {
   void make_room(std::size_t size) {
     if (size + PhotonLeaf::kAtOnce > index_.size()) grow(size);
   }
-  double* squared_data() { return squared_.data(); }
+  float* squared_data() { return squared_.data(); }
   std::uint32_t* index_data() { return index_.data(); }
   void set_size(std::size_t size) { size_ = size; }
 
  private:
   void grow(std::size_t size);
 
-  std::vector<double> squared_;  // these are longer
+  std::vector<float> squared_;  // these are longer
   std::vector<std::uint32_t> index_;
   std::size_t size_ = 0;
 };
 
-// Where a search is made: distances are flattened along the normal, unless it is zero. Squared distances off the plane through the point are larger by a factor
-// 1 + 16 |normal . delta|.
-struct PhotonCenter {
-  Vec3 point, normal;
-};
-
 struct PhotonQuery {
-  const PhotonCenter& center;
+  const PhotonMeasure& measure;
   std::size_t maximum;   // so many nearest are wanted
   std::size_t too_many;  // more are not
   // Photons that a search within `radius` overlooks in any case are left out; null: there are none so near.
@@ -77,18 +96,17 @@ enum class Collected { all, nearest, too_many };
 struct PhotonKernels {
   // Bit i: box i is nearer to the point than the square root of `squared`, or as near.
   unsigned (*boxes)(const PhotonBoxes& boxes, const std::array<float, 3>& point, float squared);
-  // Squared distances of sixteen photons. Bit i: squared[i] < limit.
-  unsigned (*near)(const PhotonLeaf& photons, const PhotonCenter& center, double limit, double* squared);
   // Finds the photons whose squared distance is below `limit`, in the order of the map. `nearest`: there are many more than the maximum, and only those below a lower `limit`, or at it,
   // were found, at least the maximum. Gives up when it knows that there are `too_many` or more.
   Collected (*collect)(const PhotonTree& tree, const PhotonQuery& query, double& limit, PhotonDistances& found);
-  // Copies the `maximum` nearest of more than that to `to` (which may be `from`), in their order; of equally far ones the first. `limit`: none is farther; then the distance of the
+  // Copies the `maximum` nearest of more than that to `to` (which may be `from`), in their order; of equally far ones the first. `limit`: none is farther; then the squared distance of the
   // last one kept.
-  void (*keep_nearest)(PhotonDistances& from, std::size_t maximum, double& limit, PhotonDistances& to);
+  void (*keep_nearest)(PhotonDistances& from, const PhotonMeasure& measure, std::size_t maximum, double& limit, PhotonDistances& to);
   // Copies those with squared distances of at most `limit`.
-  void (*keep_within)(PhotonDistances& from, double limit, PhotonDistances& to);
-  // Writes the places in the list of those that are as far as `radius - overhang[index]`, and returns how many there are.
-  std::size_t (*reaching)(const PhotonDistances& list, const float* overhang, double radius, std::uint32_t* places);
+  void (*keep_within)(PhotonDistances& from, const PhotonMeasure& measure, double limit, PhotonDistances& to);
+  // Writes the places in the list of those that are as far as `radius - overhang[index]`, and perhaps of some that are hardly nearer; returns how many there are. Behind
+  // the list stand sixteen numbers, of any size, and there is room for sixteen places more than it has.
+  std::size_t (*reaching)(PhotonDistances& list, const float* overhang, double radius, std::uint32_t* places);
 };
 
 const PhotonKernels& photon_kernels();

@@ -29,23 +29,28 @@ void PhotonMap::build_sorted() {
 }
 
 void PhotonMap::gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const {
-  const PhotonCenter center{point, normal ? *normal : Vec3(0.0)};
+  find({point, normal ? *normal : Vec3(0.0)}, settings, out);
+  out.photons = {index_.photons, out.numbers};
+}
+
+void PhotonMap::find(const PhotonCenter& center, const GatherSettings& settings, Gathered& out) const {
+  const Vec3& point = center.point;
   const NearbyRadii::Places nearby = out.nearby.at(point, radius_);
-  out.radius = out.search.nearest(index_, center, radius_, settings.maximum, kAny, nearby.nearest(point).enough(point), out.photons);
+  out.radius = out.search.nearest(index_, center, radius_, settings.maximum, kAny, nearby.nearest(point).enough(point), out.numbers);
   nearby.remember({point, out.radius});
-  if (static_cast<int>(out.photons.size()) >= settings.minimum) return;
+  if (static_cast<int>(out.numbers.size()) >= settings.minimum) return;
   // The second try counts if it finds few, or photons that lie hardly denser. So many that they are neither make it vain, wherever the others are.
   const double reach = 3.0 * radius_;
-  const double first = out.photons.empty() ? 1e-16 : static_cast<double>(out.photons.size()) / (out.radius * out.radius);
+  const double first = out.numbers.empty() ? 1e-16 : static_cast<double>(out.numbers.size()) / (out.radius * out.radius);
   const double vain = std::max(settings.expand_minimum + 1.0, first * (1.0 + settings.expand_increase) * reach * reach * (1.0 + 1e-9) + 1.0);
   const std::size_t too_many = vain < settings.maximum ? static_cast<std::size_t>(std::ceil(vain)) : kAny;
   const double guess = std::sqrt(1.2 * std::min(vain, static_cast<double>(settings.maximum)) / first);
-  const double wider = out.search.nearest(index_, center, reach, settings.maximum, too_many, guess, out.wider_photons);
+  const double wider = out.search.nearest(index_, center, reach, settings.maximum, too_many, guess, out.wider_numbers);
   if (wider == 0.0) return;
-  const double second = static_cast<double>(out.wider_photons.size()) / (wider * wider);
-  const int found = static_cast<int>(out.wider_photons.size());
+  const double second = static_cast<double>(out.wider_numbers.size()) / (wider * wider);
+  const int found = static_cast<int>(out.wider_numbers.size());
   if ((second - first) / first < settings.expand_increase || (found >= 1 && found < settings.expand_minimum)) {
-    out.photons.swap(out.wider_photons);
+    out.numbers.swap(out.wider_numbers);
     out.radius = wider;
   }
 }
@@ -68,7 +73,7 @@ void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max
   const auto volume = [&](double r) { return media ? 4.0 / 3.0 * kPi * r * r * r : kPi * r * r; };
   const std::size_t tries = std::clamp<std::size_t>(photons().size() / 20, 100, 1000);
   PhotonSearch search;
-  std::vector<const Photon*> found;
+  std::vector<std::uint32_t> found;
   const double typical = typical_radius(gather_max);
   double enough = 0.0, density = 0.0;
   for (std::size_t i = 0; i < tries; ++i) {

@@ -28,12 +28,13 @@ class PhotonMap {
 
   // Photons around a point of this map, found by `gather`.
   struct Gathered {
-    std::vector<const Photon*> photons;
+    SomePhotons photons;
     double radius = 0;  // of the disc or sphere that holds them
     // What is kept for the next one.
+    std::vector<std::uint32_t> numbers;
     PhotonSearch search;
     NearbyRadii nearby;
-    std::vector<const Photon*> wider_photons;  // of the second search
+    std::vector<std::uint32_t> wider_numbers;  // of the second search
   };
   struct GatherSettings {
     int minimum = 20, maximum = 100;
@@ -45,6 +46,7 @@ class PhotonMap {
 
  private:
   double typical_radius(int count) const;
+  void find(const PhotonCenter& center, const GatherSettings& settings, Gathered& out) const;
 
   PhotonIndex index_;
   double radius_ = 0;

@@ -56,6 +56,18 @@ class WrongPlanes {
   std::vector<Plane> planes_;  // those of photon i from first_[i] on
 };
 
+// The first of ascending numbers that is not smaller than `least`; `end` if there is none. Without branches that cannot be foretold, but for those that find all on one side, as in large ranges.
+inline const std::uint32_t* first_from(const std::uint32_t* begin, const std::uint32_t* end, std::uint32_t least) {
+  if (begin == end || *begin >= least) return begin;
+  if (end[-1] < least) return end;
+  for (std::ptrdiff_t n = end - begin; n > 1;) {
+    const std::ptrdiff_t half = n / 2;
+    begin += begin[half] < least ? half : 0;
+    n -= half;
+  }
+  return begin + 1;  // it is smaller
+}
+
 // What visit_in_order comes upon before it looks behind the plane of `node`, if nothing is too far for it.
 struct VisitedBefore {
   std::size_t count = 0;       // of some photons, by number and in ascending order
@@ -65,7 +77,7 @@ template <class IsOther>
 VisitedBefore visited_before(std::span<const Photon> sorted, const Vec3& p, std::uint32_t node, std::span<const std::uint32_t> photons, IsOther&& is_other) {
   // `inside`: those of the photons that are in the range of a node, which gets smaller.
   std::uint32_t first = 0, last = static_cast<std::uint32_t>(sorted.size()) - 1;
-  auto inside = photons.begin(), inside_end = photons.end();
+  const std::uint32_t *inside = photons.data(), *inside_end = inside + photons.size();
   VisitedBefore result;
   bool another = false;
   const auto add = [&](std::ptrdiff_t n) {
@@ -73,7 +85,8 @@ VisitedBefore visited_before(std::span<const Photon> sorted, const Vec3& p, std:
   };
   while (inside != inside_end) {
     const std::uint32_t middle = (first + last) / 2;
-    const auto above = std::lower_bound(inside, inside_end, middle), beyond = above + (above != inside_end && *above == middle);
+    const std::uint32_t* const above = first_from(inside, inside_end, middle);
+    const std::uint32_t* const beyond = above + (above != inside_end && *above == middle);
     const Photon& photon = sorted[middle];
     const bool near_below = p[photon.axis] - photon.position[photon.axis] < 0.0;
     add(beyond - above);

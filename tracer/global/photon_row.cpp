@@ -22,12 +22,12 @@ const PhotonRowKernels& photon_row_kernels() {
   return best;
 }
 
-void add_light(std::span<const Photon* const> photons, const PhotonSurface& surface, Rgb& sum) {
+void add_light(const SomePhotons& photons, const PhotonSurface& surface, Rgb& sum) {
   PhotonRow row;
   for (std::size_t first = 0; first < photons.size(); first += PhotonRow::kMost) {
     const std::size_t count = std::min(PhotonRow::kMost, photons.size() - first);
     for (std::size_t i = 0; i < count; ++i) {
-      const Photon& photon = *photons[first + i];
+      const Photon& photon = photons[first + i];
       const Vec3 direction = photon.direction();
       const Rgb energy = photon.color();
       row.x[i] = direction.x, row.y[i] = direction.y, row.z[i] = direction.z;

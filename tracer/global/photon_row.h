@@ -32,6 +32,6 @@ const PhotonRowKernels& photon_row_kernels();
 const PhotonRowKernels* photon_row_kernels(int instruction_set);
 
 // Adds the light of the photons to `sum`, in their order.
-void add_light(std::span<const Photon* const> photons, const PhotonSurface& surface, Rgb& sum);
+void add_light(const SomePhotons& photons, const PhotonSurface& surface, Rgb& sum);
 
 }  // namespace verisim::global

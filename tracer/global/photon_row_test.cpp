@@ -67,10 +67,10 @@ TEST(PhotonLight, IsTheSumInTheirOrder) {
   std::mt19937 generator(6);
   for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 200u}) {
     const Case c = random_case(generator, count, 3);
-    std::vector<const Photon*> photons;
+    std::vector<std::uint32_t> numbers;
     Rgb expected(0.25f), sum(0.25f);
-    for (std::size_t i = 0; i < count; ++i) photons.push_back(&c.photons[i]), expected += c.expected[i];
-    add_light(photons, c.surface, sum);
+    for (std::size_t i = 0; i < count; ++i) numbers.push_back(static_cast<std::uint32_t>(i)), expected += c.expected[i];
+    add_light({c.photons, numbers}, c.surface, sum);
     EXPECT_EQ(sum, expected) << count;
   }
 }

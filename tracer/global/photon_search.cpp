@@ -13,10 +13,10 @@ constexpr auto kAny = std::numeric_limits<std::size_t>::max();
 }  // namespace
 
 double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& center, double radius, int maximum, std::size_t too_many, double guess,
-                             std::vector<const Photon*>& out) {
+                             std::vector<std::uint32_t>& out) {
   out.clear();
   if (index.photons.empty() || maximum <= 0 || !(0.3 * radius > 0.0)) return radius;
-  index_ = &index, center_ = center, radius_ = radius, maximum_ = static_cast<std::size_t>(maximum);
+  index_ = &index, measure_ = {index.photons.data(), center}, radius_ = radius, maximum_ = static_cast<std::size_t>(maximum);
   // If the guess holds more than `maximum`, the nearest are among them, whatever the radius. If not, how many it holds says how much more it takes.
   Collected collected = Collected::all;
   for (double within = guess > 0.0 ? guess : 0.3 * radius;;) {
@@ -33,8 +33,7 @@ double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& cente
     if (!drop_overlooked()) collect_in_order();
     radius = std::sqrt(farthest_), result = &kept_;
   }
-  out.resize(result->size());
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = &index.photons[result->index()[i]];
+  out.assign(result->index().begin(), result->index().end());
   return radius;
 }
 
@@ -42,13 +41,13 @@ double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& cente
 Collected PhotonSearch::collect(double within, std::size_t most, std::size_t too_many) {
   limit_ = within * within;
   const WrongPlanes& planes = index_->planes;
-  const PhotonQuery query{center_, most, too_many, planes.hide(within, radius_) ? &planes : nullptr, radius_};
+  const PhotonQuery query{measure_, most, too_many, planes.hide(within, radius_) ? &planes : nullptr, radius_};
   return kernels_.collect(index_->tree, query, limit_, found_);
 }
 
 void PhotonSearch::keep_nearest() {
   farthest_ = limit_;
-  kernels_.keep_nearest(found_, maximum_, farthest_, kept_);
+  kernels_.keep_nearest(found_, measure_, maximum_, farthest_, kept_);
 }
 
 // POV-Ray's search narrows its radius once it knows more than the maximum, and then overlooks photons behind planes that are beyond. Replaces those that are kept by the next ones.
@@ -76,7 +75,7 @@ bool PhotonSearch::another_was_early() {
   const std::uint32_t kept = kept_.index()[kept_.size() / 2];
   std::uint32_t first = 0, end = static_cast<std::uint32_t>(index_->photons.size());
   for (std::uint32_t node; (node = first + (end - 1 - first) / 2) != kept;) {
-    const double squared = squared_distance(node);
+    const double squared = measure_.squared(node);
     if (squared > farthest_ && squared < radius_ * radius_) return true;
     if (kept < node) {
       end = node;
@@ -85,9 +84,11 @@ bool PhotonSearch::another_was_early() {
     }
   }
   const auto nobody = [](std::uint32_t) { return false; };
+  const float farthest = PhotonDistances::rounded(farthest_);
   for (std::size_t k = 0; k < found_.size(); ++k) {
-    if (found_.squared()[k] <= farthest_) continue;
-    if (visited_before(index_->photons, center_.point, found_.index()[k], kept_.index(), nobody).count < maximum_) return true;
+    const float squared = found_.squared()[k];
+    if (squared < farthest || (squared == farthest && measure_.squared(found_.index()[k]) <= farthest_)) continue;
+    if (visited_before(index_->photons, measure_.center.point, found_.index()[k], kept_.index(), nobody).count < maximum_) return true;
   }
   return false;
 }
@@ -98,9 +99,9 @@ void PhotonSearch::find_doubts(double judged) {
   places_.resize(kept_.size() + PhotonLeaf::kAtOnce);
   const std::size_t count = kernels_.reaching(kept_, index_->planes.overhang(), std::sqrt(farthest_) * (1.0 - WrongPlanes::kRounding), places_.data());
   for (const std::uint32_t place : std::span(places_.data(), count)) {
-    if (kept_.squared()[place] <= judged) continue;
     const std::uint32_t photon = kept_.index()[place];
-    index_->planes.for_each_hiding(photon, center_.point, farthest_, [&](std::uint32_t node, double squared) {
+    if (judged >= 0.0 && measure_.squared(photon) <= judged) continue;
+    index_->planes.for_each_hiding(photon, measure_.center.point, farthest_, [&](std::uint32_t node, double squared) {
       doubts_.push_back({photon, node, squared});
       return true;
     });
@@ -110,29 +111,28 @@ void PhotonSearch::find_doubts(double judged) {
 // A photon behind a plane is overlooked if more than the maximum that are nearer than the plane were found before; or as many, and another one that was dropped for the last of them.
 // Those that may be overlooked themselves are no proof.
 PhotonSearch::Verdict PhotonSearch::judge(const Doubt& doubt) {
+  const Verdict verdict = judge_by_found(doubt);
+  // Photons nearer than the plane that are not found yet could only be more proof.
+  if (verdict == Verdict::overlooked || doubt.squared < limit_) return verdict;
   look_around(doubt.squared);
-  kernels_.keep_within(found_, doubt.squared, nearer_);
+  return judge_by_found(doubt);
+}
+
+PhotonSearch::Verdict PhotonSearch::judge_by_found(const Doubt& doubt) {
+  kernels_.keep_within(found_, measure_, doubt.squared, nearer_);
   if (nearer_.size() <= maximum_) return Verdict::found;  // with the doubtful one
-  const auto found_before = [&](auto&& is_other) { return visited_before(index_->photons, center_.point, doubt.node, nearer_.index(), is_other); };
+  const auto found_before = [&](auto&& is_other) { return visited_before(index_->photons, measure_.center.point, doubt.node, nearer_.index(), is_other); };
   if (found_before([](std::uint32_t) { return false; }).count < maximum_) return Verdict::found;
-  index_->planes.drop_hidden(center_.point, std::sqrt(farthest_) * (1.0 - WrongPlanes::kRounding), 0, nearer_);
+  index_->planes.drop_hidden(measure_.center.point, std::sqrt(farthest_) * (1.0 - WrongPlanes::kRounding), 0, nearer_);
   const VisitedBefore certain = found_before([&](std::uint32_t photon) {
-    const double squared = squared_distance(photon);
+    const double squared = measure_.squared(photon);
     return squared > doubt.squared && squared < radius_ * radius_;
   });
   return certain.count + certain.after_another > maximum_ ? Verdict::overlooked : Verdict::unknown;
 }
 
-// Flattened.
-double PhotonSearch::squared_distance(std::uint32_t photon) const {
-  const std::array<float, 3>& at = index_->photons[photon].position;
-  const Vec3 d = Vec3(at[0], at[1], at[2]) - center_.point;
-  return dot(d, d) * (1.0 + 16.0 * std::fabs(dot(center_.normal, d)));
-}
-
 // Makes `found_` hold all photons up to a squared distance.
 void PhotonSearch::look_around(double squared) {
-  if (squared < limit_) return;
   collect(std::sqrt(squared) * (1.0 + 1e-9), kAny, kAny);
   for (const std::uint32_t photon : overlooked_) forget(photon);
 }
@@ -147,8 +147,8 @@ void PhotonSearch::collect_in_order() {
   heap_.clear();
   const auto nearer = [](const Found& a, const Found& b) { return a.squared < b.squared; };
   double limit = radius_ * radius_;
-  visit_in_order(index_->photons, center_.point, limit, [&](std::uint32_t i) {
-    const double squared = squared_distance(i);
+  visit_in_order(index_->photons, measure_.center.point, limit, [&](std::uint32_t i) {
+    const double squared = measure_.squared(i);
     if (!(squared < limit)) return;
     const bool full = heap_.size() == maximum_;
     if (full) std::ranges::pop_heap(heap_, nearer), heap_.pop_back();

@@ -26,9 +26,9 @@ struct PhotonIndex {
 // Searches of one thread, one after the other.
 class PhotonSearch {
  public:
-  // Writes the nearest photons within `radius` that are at most `maximum`; returns the radius of what holds them, or 0 if there are `too_many`.
+  // Writes the numbers of the nearest photons within `radius` that are at most `maximum`; returns the radius of what holds them, or 0 if there are `too_many`.
   // `guess`: a radius that may be enough; 0: none.
-  double nearest(const PhotonIndex& index, const PhotonCenter& center, double radius, int maximum, std::size_t too_many, double guess, std::vector<const Photon*>& out);
+  double nearest(const PhotonIndex& index, const PhotonCenter& center, double radius, int maximum, std::size_t too_many, double guess, std::vector<std::uint32_t>& out);
 
  private:
   struct Doubt {
@@ -47,15 +47,15 @@ class PhotonSearch {
   bool another_was_early();
   void find_doubts(double judged);
   Verdict judge(const Doubt& doubt);
+  Verdict judge_by_found(const Doubt& doubt);
   void look_around(double squared);
   void forget(std::uint32_t photon);
-  double squared_distance(std::uint32_t photon) const;
   void collect_in_order();
 
   const PhotonKernels& kernels_ = photon_kernels();
   // What is looked for.
   const PhotonIndex* index_ = nullptr;
-  PhotonCenter center_{Vec3(0.0), Vec3(0.0)};
+  PhotonMeasure measure_{nullptr, {Vec3(0.0), Vec3(0.0)}};
   double radius_ = 0;
   std::size_t maximum_ = 0;
   // All photons whose squared distance is below `limit_` are in `found_`, but for those that no search finds; the nearest of them are in `kept_`, none beyond `farthest_`.

@@ -11,6 +11,12 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(verisim_flags INTERFACE -fno-tree-slp-vectorize)
   # GCC 12 reports these inside its own library headers when it inlines.
   target_compile_options(verisim_flags INTERFACE -Wno-maybe-uninitialized -Wno-stringop-overflow -Wno-array-bounds -Wno-dangling-pointer -Wno-restrict)
+  # GCC 12 copies structs of wide registers by halves; reading them whole then waits until both are in the cache, some twenty cycles. Code for smaller registers stays as it is.
+  include(CheckCXXCompilerFlag)
+  check_cxx_compiler_flag("-mmove-max=256 -mstore-max=256" VERISIM_COPIES_BY_REGISTERS)
+  if(VERISIM_COPIES_BY_REGISTERS)
+    target_compile_options(verisim_flags INTERFACE -mmove-max=256 -mstore-max=256)
+  endif()
 else()
   target_compile_options(verisim_flags INTERFACE -Wno-psabi)  # wide vectors are passed only between functions of one file
 endif()

@@ -29,7 +29,7 @@ class NearbyRadii {
   Places at(const Vec3& p, double radius);
 
  private:
-  static constexpr std::size_t kPlaces = 4096;
+  static constexpr std::size_t kPlaces = 512;
   Known& cell(std::vector<Known>& cells, const Vec3& p, double side);
 
   std::vector<Known> large_, small_;

@@ -11,12 +11,17 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(verisim_flags INTERFACE -fno-tree-slp-vectorize)
   # GCC 12 reports these inside its own library headers when it inlines.
   target_compile_options(verisim_flags INTERFACE -Wno-maybe-uninitialized -Wno-stringop-overflow -Wno-array-bounds -Wno-dangling-pointer -Wno-restrict)
-  # GCC 12 copies structs of wide registers by halves; reading them whole then waits until both are in the cache, some twenty cycles. Code for smaller registers stays as it is.
+  # What GCC 12 does for some average processor costs ours dearly. It copies structs of wide registers by halves: whoever reads them whole waits until both are in the cache, some twenty cycles.
+  # (Code for smaller registers stays as it is.) And it clears a hundred bytes by `rep stos`, which takes thirty cycles to begin.
   include(CheckCXXCompilerFlag)
-  check_cxx_compiler_flag("-mmove-max=256 -mstore-max=256" VERISIM_COPIES_BY_REGISTERS)
-  if(VERISIM_COPIES_BY_REGISTERS)
-    target_compile_options(verisim_flags INTERFACE -mmove-max=256 -mstore-max=256)
-  endif()
+  foreach(flags "-mmove-max=256;-mstore-max=256" "-mmemset-strategy=unrolled_loop:256:noalign,libcall:-1:noalign")
+    string(MAKE_C_IDENTIFIER "VERISIM_HAS_${flags}" has)
+    string(REPLACE ";" " " together "${flags}")
+    check_cxx_compiler_flag("${together}" ${has})
+    if(${has})
+      target_compile_options(verisim_flags INTERFACE ${flags})
+    endif()
+  endforeach()
 else()
   target_compile_options(verisim_flags INTERFACE -Wno-psabi)  # wide vectors are passed only between functions of one file
 endif()

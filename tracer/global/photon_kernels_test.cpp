@@ -70,8 +70,8 @@ TEST_F(PhotonKernelsTest, BoxesAreAsNearAsThePlainFormulasSay) {
 }
 
 TEST_F(PhotonKernelsTest, CollectFindsAllWithinALimitInTheOrderOfTheMap) {
-  // As many as make trees of one to four levels, with leaves that are full and others.
-  for (const std::size_t count : {1u, 15u, 16u, 17u, 255u, 256u, 257u, 4096u, 5000u}) {
+  // As many as make trees of one to four levels of nodes, with leaves that are full and others.
+  for (const std::size_t count : {1u, 15u, 16u, 17u, 255u, 256u, 257u, 4096u, 5000u, 70000u}) {
     const std::vector<Photon> photons = random_photons(count);
     PhotonTree tree;
     tree.build(photons);

@@ -114,7 +114,7 @@ TEST_F(DropIn, SignalsEndTheRenderAsPovRayDoes) {
 
 TEST_F(DropIn, AFolderThatVanishesMeanwhileIsAClearError) {
   fs::create_directories(folder_ / "gone");
-  const pid_t child = start({"render", "slow.pov", "+W200", "+H150", "+A0.0", "+R4", "+Ogone/out.png"});
+  const pid_t child = start({"render", "slow.pov", "+W320", "+H240", "+A0.0", "+R5", "+Ogone/out.png"});
   wait_for("gone/out.pov-state");
   fs::rename(folder_ / "gone", folder_ / "elsewhere");
   const Ended ended = wait(child);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/program.h"
+#include "cli/exit_status.h"
 
 namespace verisim::cli {
 

@@ -10,7 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/options.h"
 #include "cli/output_name.h"
-#include "cli/program.h"
+#include "cli/exit_status.h"
 #include "cli/region.h"
 #include "cli/scene_reuse.h"
 

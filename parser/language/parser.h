@@ -9,7 +9,7 @@
 
 #include "parser/language/value.h"
 #include "parser/lexer/token.h"
-#include "parser/parse.h"
+#include "parser/source/options.h"
 
 namespace verisim::parser {
 

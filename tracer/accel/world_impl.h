@@ -11,6 +11,7 @@
 #include "tracer/accel/world.h"
 #include "tracer/shapes/box_set.h"
 #include "tracer/shapes/hollow.h"
+#include "tracer/shapes/half_spaces.h"
 #include "tracer/shapes/plane.h"
 
 namespace verisim::accel {

@@ -9,7 +9,6 @@
 #include "tracer/functions/internal.h"
 #include "tracer/functions/narrowing.h"
 #include "tracer/functions/operations.h"
-#include "tracer/textures/many_points.h"
 #include "tracer/textures/noise_kernels.h"
 
 namespace verisim::functions {

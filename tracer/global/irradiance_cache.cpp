@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tracer/render/render.h"
+#include "tracer/film/errors.h"
 
 namespace verisim::global {
 

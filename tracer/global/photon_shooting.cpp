@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tracer/accel/frame_list.h"
-#include "tracer/render/render.h"
+#include "tracer/film/errors.h"
 #include "tracer/shading/random.h"
 
 namespace verisim::global {

@@ -1,8 +1,8 @@
 // OpenEXR files with named channels, as compositors expect them: R G B A, Z, N.X N.Y N.Z, albedo.R albedo.G albedo.B, id.
 #pragma once
 
+#include "tracer/film/layers.h"
 #include "tracer/image/output.h"
-#include "tracer/render/layers.h"
 
 namespace verisim::image {
 

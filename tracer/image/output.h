@@ -6,7 +6,8 @@
 #include <map>
 #include <string>
 
-#include "tracer/render/render.h"
+#include "tracer/film/framebuffer.h"
+#include "tracer/scene/scene.h"
 
 namespace verisim::image {
 

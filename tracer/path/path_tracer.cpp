@@ -1,6 +1,7 @@
 // The walk: from hit to hit, through media, until the path ends.
 #include "tracer/path/path_tracer.h"
 
+#include "tracer/film/errors.h"
 #include "tracer/path/volume.h"
 #include "tracer/shading/fog.h"
 

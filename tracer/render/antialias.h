@@ -10,7 +10,8 @@
 
 #include "tracer/accel/coherent_rays.h"
 #include "tracer/render/jitter.h"
-#include "tracer/render/render.h"
+#include "tracer/film/framebuffer.h"
+#include "tracer/film/options.h"
 
 namespace verisim::render {
 

@@ -1,87 +1,13 @@
 // Rendering a scene to a framebuffer (specs 02, 06).
 #pragma once
 
-#include <atomic>
-#include <cstdint>
-#include <functional>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
+#include "tracer/film/errors.h"
+#include "tracer/film/framebuffer.h"
+#include "tracer/film/options.h"
+#include "tracer/film/statistics.h"
 #include "tracer/scene/scene.h"
 
 namespace verisim::render {
-
-struct Layers;  // tracer/render/layers.h
-
-// How samples are placed: POV-Ray's ways, or low-discrepancy samples with error control (docs/sampling.md).
-enum class Sampler : std::uint8_t { povray, adaptive };
-
-struct Options {
-  int width = 160, height = 120;
-  int first_column = 0, last_column = -1, first_row = 0, last_row = -1;  // inclusive, zero-based; -1: the edge of the image
-  bool antialias = false;
-  int sampling_method = 1, antialias_depth = 3;
-  Sampler sampler = Sampler::povray;   // adaptive takes the place of the methods; threshold and depth keep their meaning
-  float antialias_threshold = 0.3f;
-  double antialias_gamma = 2.5;
-  bool jitter = true;
-  double jitter_amount = 1;
-  int quality = 9;
-  int block_size = 32;
-  int threads = 0;               // 0: all cores
-  bool output_alpha = false;     // POV-Ray's +UA: decides how backgrounds behave
-  bool split_unions = false, remove_bounds = true;
-  bool replay = false;           // serial, with POV-Ray's random streams in POV-Ray's order: equals `povray +WT1`
-  std::uint64_t seed = 0;
-  // Radiosity samples from and to a file in POV-Ray's format (+RFI, +RFO); empty: none. Only heeded by scenes with radiosity.
-  std::string radiosity_from, radiosity_to;
-  // Unbiased path tracing instead of POV-Ray's algorithms: the converged picture, not POV-Ray's look (docs/path-tracing.md). Off: 0 samples per pixel.
-  int path_samples = 0;
-  int path_bounces = 64;          // no path is longer; Russian roulette ends most earlier
-  // Null, or filled with what the camera's rays meet first (depth, normals ...), beside the picture.
-  Layers* layers = nullptr;
-  // Called from one thread at a time with the fraction done, 0..1.
-  std::function<void(double)> progress;
-  // The same for the passes before the picture: which one ("photons", "radiosity pretrace"), and the fraction of it that is done. Null: nobody asks.
-  std::function<void(const char*, double)> pass_progress;
-  // Photons and radiosity samples may take so many bytes; more ends the render with LimitExceeded.
-  std::uint64_t pass_memory = std::uint64_t{4} << 30;
-  // Set to true from anywhere (a signal handler) to stop; finished blocks stay in the framebuffer.
-  std::atomic<bool>* cancel = nullptr;
-  // Called when a block is finished (x, y, width, height), possibly from several threads; for continue-trace.
-  std::function<void(int, int, int, int)> block_done;
-  // Asked once for each block (x, y, width, height) before it is started, possibly from several threads; true: its pixels are already in the
-  // framebuffer (continue-trace) and stay as they are. Blocks are independent, so the picture is the same as without it.
-  std::function<bool(int, int, int, int)> block_known;
-};
-
-// Linear working-space radiance, premultiplied; t is the transmit of the pixel (alpha = 1 - t).
-struct Framebuffer {
-  int width = 0, height = 0;
-  std::vector<Color> pixels;           // row 0 is the top; f is unused
-  std::vector<std::uint8_t> done;      // per pixel: rendered in this run
-  Color& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
-  const Color& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
-};
-
-struct Statistics {
-  std::uint64_t pixels = 0, samples = 0, camera_rays = 0, reflected_rays = 0, refracted_rays = 0, shadow_rays = 0, transmitted_rays = 0;
-  double seconds_compile = 0, seconds_render = 0;
-  bool cancelled = false;
-  std::vector<std::pair<scene::Place, std::string>> findings;  // warnings about objects, and where those were written
-};
-
-// A feature the tracer cannot render; `what` names it. The caller reports exit status 4.
-struct Unsupported : std::runtime_error {
-  Unsupported(const std::string& what, scene::Place where) : std::runtime_error(what), place(std::move(where)) {}
-  scene::Place place;
-};
-
-// A limit of Options was reached; `what` names it and what may be done.
-struct LimitExceeded : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 // Throws Unsupported before any ray is shot; std::bad_alloc and friends pass through. A framebuffer that already has the size asked for keeps its
 // pixels where nothing is rendered; any other is made anew, opaque black.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tracer/shapes/factories.h"
+#include "tracer/scene/extents.h"
 
 namespace verisim::scene {
 

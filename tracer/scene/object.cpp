@@ -5,7 +5,7 @@
 
 #include "tracer/scene/bounds.h"
 #include "tracer/scene/moves.h"
-#include "tracer/shapes/factories.h"
+#include "tracer/scene/extents.h"
 
 namespace verisim::scene {
 namespace {

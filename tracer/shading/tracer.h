@@ -7,7 +7,7 @@
 #include <span>
 
 #include "tracer/accel/coherent_rays.h"
-#include "tracer/render/render.h"
+#include "tracer/film/statistics.h"
 #include "tracer/shading/explain.h"
 #include "tracer/shading/random.h"
 #include "tracer/shading/ray_state.h"

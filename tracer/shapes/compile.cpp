@@ -70,3 +70,9 @@ std::unique_ptr<Shape> compile(const scene::Object& object, const CompileOptions
 }
 
 }  // namespace verisim::shapes
+
+namespace verisim::scene {
+
+std::shared_ptr<const Solid> compile_solid(const Object& object) { return shapes::compile(object); }
+
+}  // namespace verisim::scene

@@ -8,7 +8,6 @@
 #include "tracer/shapes/csg_tree.h"
 #include "tracer/shapes/half_spaces.h"
 #include "tracer/shapes/hollow.h"
-#include "tracer/shapes/plane.h"
 #include "tracer/shapes/plane_set.h"
 #include "tracer/shapes/quadric_box.h"
 

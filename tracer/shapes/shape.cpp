@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "tracer/shapes/half_spaces.h"
-#include "tracer/shapes/plane.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {

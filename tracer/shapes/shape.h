@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tracer/math/ray_row.h"
-#include "tracer/scene/object.h"
+#include "tracer/scene/solid.h"
 #include "tracer/shapes/simple_solid.h"
 
 namespace verisim::accel {
@@ -54,10 +54,9 @@ struct SolidExtent {
 // A box that holds every point.
 Box3 everywhere();
 
-class Shape {
+class Shape : public scene::Solid {
  public:
   explicit Shape(const scene::Object& description) : object(&description) {}
-  virtual ~Shape() = default;
   Shape(const Shape&) = delete;
   Shape& operator=(const Shape&) = delete;
 
@@ -84,7 +83,7 @@ class Shape {
   virtual unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const;
   virtual unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const;
   // Formula (inverted where the object is), then clip objects.
-  virtual bool inside(const Vec3& p) const = 0;
+  bool inside(const Vec3& p) const override = 0;
   // The same without the object's own clips: cutaway_textures and the camera's containers ask this (spec 03 2.6, 5.3).
   virtual bool inside_unclipped(const Vec3& p) const { return inside(p); }
   // Raw unit normal, negated if the shape carries the "inverted" mark; not turned towards the ray. Only for hit.shape == this.

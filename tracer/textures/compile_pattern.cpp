@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "tracer/functions/function.h"
-#include "tracer/shapes/shape.h"
 
 namespace verisim::textures {
 namespace {
@@ -78,7 +77,7 @@ PatternData compile_parameters(const scene::Pattern& d, const PatternContext& co
     case object: {
       const auto& p = parameters<scene::ObjectParams>(d);
       if (!p.object) throw std::invalid_argument("an object pattern without object");
-      return ObjectData{p.object, shapes::compile(*p.object)};
+      return ObjectData{p.object, scene::compile_solid(*p.object)};
     }
     case pigment_pattern: {
       const auto& p = parameters<scene::PigmentPatternParams>(d);

@@ -21,6 +21,8 @@ struct Octaves {
 
 // Scalar noise in [0, 1]; generator 1 (original), 2 (range corrected) or 3 (gradient noise).
 double noise(const Vec3& p, int generator);
+// The values at any number of points, as `noise` gives them one by one. Coordinate i of point k is points[i * stride + k].
+void noise(int generator, const double* points, std::size_t stride, std::size_t count, double* values);
 // Vector noise D; the same for every generator, not clamped.
 Vec3 vector_noise(const Vec3& p);
 

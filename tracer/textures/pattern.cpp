@@ -1,7 +1,6 @@
 #include "tracer/textures/pattern.h"
 
 #include "tracer/functions/function.h"
-#include "tracer/shapes/shape.h"
 #include "tracer/textures/noise.h"
 #include "tracer/textures/patterns/formulas.h"
 
@@ -51,7 +50,7 @@ double formula(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surf
     case magnet_mandel:
     case mandel: return fractal(c.as<scene::FractalParams>(), c.kind, p);
     case leopard: return textures::leopard(p);
-    case object: return c.as<ObjectData>().shape->inside(p) ? 1 : 0;
+    case object: return c.as<ObjectData>().solid->inside(p) ? 1 : 0;
     case onion: return textures::onion(p);
     case pavement: return evaluate_pavement(c.as<PavementData>().pavement, p.x, p.z);
     case pigment_pattern: return pigment_grey(c.as<PigmentData>(), p, surface);

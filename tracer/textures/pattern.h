@@ -5,16 +5,13 @@
 #include <variant>
 #include <vector>
 
+#include "tracer/scene/solid.h"
 #include "tracer/textures/image_lookup.h"
 #include "tracer/textures/patterns/density_file.h"
 #include "tracer/textures/patterns/pavement.h"
 #include "tracer/textures/patterns/tiling.h"
 #include "tracer/textures/texture.h"
 #include "tracer/textures/warp.h"
-
-namespace verisim::shapes {
-class Shape;
-}
 
 namespace verisim::textures {
 
@@ -39,7 +36,7 @@ struct SlopeData {
 struct PigmentData { const CompiledPigment* pigment; };
 struct ObjectData {
   scene::ObjectPtr description;
-  std::shared_ptr<const shapes::Shape> shape;
+  std::shared_ptr<const scene::Solid> solid;
 };
 struct WaveData { std::shared_ptr<const std::vector<WaveSource>> sources; };
 struct TilingData { const Tiling* tiling; int number; };

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "tracer/textures/noise.h"
+#include "tracer/noise/noise.h"
 #include "tracer/textures/texture.h"
 
 namespace {

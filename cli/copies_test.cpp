@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/dump.h"
+#include "cli/describe/dump.h"
 #include "parser/parse.h"
 
 namespace verisim::cli {

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "cli/animation.h"
-#include "cli/ini.h"
-#include "cli/output_name.h"
-#include "cli/region.h"
+#include "cli/settings/animation.h"
+#include "cli/settings/ini.h"
+#include "cli/settings/output_name.h"
+#include "cli/settings/region.h"
 
 namespace verisim::cli {
 namespace {

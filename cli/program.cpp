@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "cli/commands.h"
-#include "cli/own_options.h"
-#include "cli/scene_words.h"
-#include "cli/text.h"
+#include "cli/commands/commands.h"
+#include "cli/settings/own_options.h"
+#include "cli/settings/scene_words.h"
+#include "cli/settings/text.h"
 
 namespace verisim::cli {
 namespace {

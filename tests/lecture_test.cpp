@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "parser/parse.h"
-#include "tracer/render/camera_rays.h"
+#include "tracer/render/cameras/camera_rays.h"
 #include "tracer/render/render.h"
 #include "tracer/shapes/shape.h"
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "tests/support/probe.h"
-#include "tracer/global/photon_map.h"
+#include "tracer/photons/photon_map.h"
 
 namespace verisim::test {
 namespace {

@@ -148,7 +148,7 @@ TEST_F(TextureOracle, FreshlyMeasuredNoiseTableIsTheOneCheckedIn) {
     std::ifstream in(file);
     return std::string(std::istreambuf_iterator<char>(in), {});
   };
-  EXPECT_EQ(text(measured), text(root / "tracer/textures/noise_value_table.inc"));
+  EXPECT_EQ(text(measured), text(root / "tracer/noise/noise_value_table.inc"));
 }
 
 }  // namespace

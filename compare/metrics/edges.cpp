@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tracer/parallel.h"
+#include "tracer/base/parallel.h"
 
 namespace verisim::compare {
 

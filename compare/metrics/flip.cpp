@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "compare/metrics/values.h"
-#include "tracer/parallel.h"
+#include "tracer/base/parallel.h"
 
 namespace verisim::compare {
 namespace {

@@ -12,7 +12,7 @@
 #include "compare/metrics/row_window.h"
 #include "compare/metrics/ssim.h"
 #include "compare/metrics/values.h"
-#include "tracer/parallel.h"
+#include "tracer/base/parallel.h"
 
 namespace verisim::compare {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include "tracer/parallel.h"
+#include "tracer/base/parallel.h"
 
 namespace verisim::compare {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "parser/language/impl.h"
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 #include "tracer/functions/expression.h"
 #include "tracer/textures/texture.h"
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "parser/language/impl.h"
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 
 #include "parser/language/impl.h"
 #include "tracer/image/image.h"
-#include "tracer/textures/noise.h"
+#include "tracer/noise/noise.h"
 
 namespace verisim::parser {
 namespace {

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "parser/scene/atmosphere.h"
-#include "parser/scene/common.h"
-#include "parser/scene/maps.h"
-#include "parser/scene/pattern.h"
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/maps.h"
+#include "parser/scene/textures/pattern.h"
 
 namespace verisim::parser {
 

@@ -1,6 +1,6 @@
 // bounded_by { ... } and clipped_by { ... } (spec 03 sections 6.2 and 6.3).
 #include "parser/scene/objects.h"
-#include "parser/scene/transform.h"
+#include "parser/scene/common/transform.h"
 
 namespace verisim::parser {
 

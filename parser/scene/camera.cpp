@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "parser/scene/camera.h"
-#include "parser/scene/common.h"
-#include "parser/scene/pattern.h"
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/pattern.h"
 
 namespace verisim::parser {
 

@@ -1,8 +1,8 @@
 // #default { ... } (spec 01 section 21).
 #include "parser/scene/camera.h"
-#include "parser/scene/common.h"
-#include "parser/scene/pattern.h"
-#include "parser/scene/texture.h"
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/pattern.h"
+#include "parser/scene/textures/texture.h"
 
 namespace verisim::parser {
 

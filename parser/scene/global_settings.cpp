@@ -1,5 +1,5 @@
 // global_settings { ... } (spec 02 section 7, 07 section 5.1).
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 #include "parser/scene/global_settings.h"
 
 namespace verisim::parser {

@@ -1,8 +1,8 @@
 // interior { ... } and material { ... } (spec 06 section 6, 03 section 6.4).
 #include "parser/scene/interior.h"
 
-#include "parser/scene/common.h"
-#include "parser/scene/texture.h"
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/texture.h"
 
 namespace verisim::parser {
 

@@ -1,10 +1,10 @@
 // light_source { ... } (spec 06 section 7.1, 8).
 #include <cmath>
 
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 #include "parser/scene/global_settings.h"
 #include "parser/scene/objects.h"
-#include "parser/scene/transform.h"
+#include "parser/scene/common/transform.h"
 
 namespace verisim::parser {
 

@@ -1,5 +1,5 @@
 // media { ... } (spec 07 section 4.1).
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 #include "parser/scene/interior.h"
 
 namespace verisim::parser {

@@ -2,8 +2,8 @@
 #include "parser/scene/global_settings.h"
 #include "parser/scene/interior.h"
 #include "parser/scene/objects.h"
-#include "parser/scene/texture.h"
-#include "parser/scene/transform.h"
+#include "parser/scene/textures/texture.h"
+#include "parser/scene/common/transform.h"
 
 namespace verisim::parser {
 

@@ -1,7 +1,7 @@
 // The frame that all object statements share, and their single readers.
 #pragma once
 
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 
 namespace verisim::parser {
 

@@ -1,5 +1,5 @@
 // photons { ... } of global_settings, objects and light sources (spec 07 section 3).
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 #include "parser/scene/global_settings.h"
 
 namespace verisim::parser {

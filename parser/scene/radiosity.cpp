@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string>
 
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 #include "parser/scene/global_settings.h"
 
 namespace verisim::parser {

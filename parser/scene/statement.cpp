@@ -1,11 +1,11 @@
 // Statements at the top level of a scene, and blocks as values of #declare.
 #include "parser/scene/atmosphere.h"
 #include "parser/scene/camera.h"
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 #include "parser/scene/global_settings.h"
 #include "parser/scene/interior.h"
-#include "parser/scene/maps.h"
-#include "parser/scene/texture.h"
+#include "parser/scene/textures/maps.h"
+#include "parser/scene/textures/texture.h"
 
 namespace verisim::parser {
 

@@ -9,7 +9,7 @@
 #include "tracer/functions/internal.h"
 #include "tracer/functions/narrowing.h"
 #include "tracer/functions/operations.h"
-#include "tracer/textures/noise_kernels.h"
+#include "tracer/noise/noise_kernels.h"
 
 namespace verisim::functions {
 

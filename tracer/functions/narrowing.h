@@ -10,7 +10,7 @@
 
 #include "tracer/functions/program.h"
 #include "tracer/math/vec.h"
-#include "tracer/textures/noise_kernels.h"
+#include "tracer/noise/noise_kernels.h"
 
 namespace verisim::functions {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tracer/functions/operations.h"
-#include "tracer/textures/instruction_sets.h"
+#include "tracer/simd/instruction_sets.h"
 
 namespace verisim::functions {
 namespace {

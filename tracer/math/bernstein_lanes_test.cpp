@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "tracer/textures/instruction_sets.h"
+#include "tracer/simd/instruction_sets.h"
 
 namespace verisim {
 namespace {

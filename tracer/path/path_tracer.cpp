@@ -3,7 +3,7 @@
 
 #include "tracer/film/errors.h"
 #include "tracer/path/volume.h"
-#include "tracer/shading/fog.h"
+#include "tracer/shading/atmosphere/fog.h"
 
 namespace verisim::path {
 namespace {

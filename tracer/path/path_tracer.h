@@ -4,7 +4,7 @@
 
 #include <boost/container/small_vector.hpp>
 
-#include "tracer/global/scene_effects.h"
+#include "tracer/effects/scene_effects.h"
 #include "tracer/path/emitters.h"
 #include "tracer/path/sequence.h"
 #include "tracer/shading/tracer.h"

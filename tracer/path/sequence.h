@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "tracer/math/bits.h"
+#include "tracer/base/bits.h"
 #include "tracer/math/vec.h"
 
 namespace verisim::path {

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "tracer/global/media.h"
+#include "tracer/media/media.h"
 #include "tracer/path/sequence.h"
 
 namespace verisim::path {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tracer/render/antialias.h"
+#include "tracer/render/sampling/antialias.h"
 
 namespace verisim::render {
 

@@ -1,6 +1,6 @@
 #include "tracer/render/explain.h"
 
-#include "tracer/render/pixel_sampler.h"
+#include "tracer/render/sampling/pixel_sampler.h"
 #include "tracer/render/prepasses.h"
 #include "tracer/render/requirements.h"
 

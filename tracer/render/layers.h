@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tracer/film/layers.h"
-#include "tracer/render/pixel_sampler.h"
+#include "tracer/render/sampling/pixel_sampler.h"
 
 namespace verisim::render {
 

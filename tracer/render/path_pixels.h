@@ -3,7 +3,7 @@
 
 #include "tracer/path/path_tracer.h"
 #include "tracer/render/blocks.h"
-#include "tracer/render/pixel_sampler.h"
+#include "tracer/render/sampling/pixel_sampler.h"
 
 namespace verisim::render {
 

@@ -1,8 +1,8 @@
 #include <tbb/enumerable_thread_specific.h>
 
-#include "tracer/global/photon_media.h"
-#include "tracer/global/photon_shooting.h"
-#include "tracer/parallel.h"
+#include "tracer/effects/photon_media.h"
+#include "tracer/photons/photon_shooting.h"
+#include "tracer/base/parallel.h"
 #include "tracer/render/prepasses.h"
 
 namespace verisim::render {

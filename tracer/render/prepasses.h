@@ -1,8 +1,9 @@
 // What happens before the picture: the radiosity pretrace and the photon maps (spec 07 sections 2.9 and 3).
 #pragma once
 
-#include "tracer/global/scene_effects.h"
-#include "tracer/render/pixel_sampler.h"
+#include "tracer/film/options.h"
+#include "tracer/effects/scene_effects.h"
+#include "tracer/render/sampling/pixel_sampler.h"
 
 namespace verisim::render {
 

@@ -2,10 +2,10 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include "tracer/global/effects_state.h"
-#include "tracer/global/irradiance_file.h"
-#include "tracer/global/pretrace.h"
-#include "tracer/parallel.h"
+#include "tracer/effects/effects_state.h"
+#include "tracer/radiosity/irradiance_file.h"
+#include "tracer/radiosity/pretrace.h"
+#include "tracer/base/parallel.h"
 #include "tracer/render/blocks.h"
 #include "tracer/render/prepasses.h"
 

@@ -7,13 +7,13 @@
 #include <chrono>
 #include <mutex>
 
-#include "tracer/parallel.h"
-#include "tracer/render/adaptive_sampling.h"
-#include "tracer/render/antialias.h"
+#include "tracer/base/parallel.h"
+#include "tracer/render/sampling/adaptive_sampling.h"
+#include "tracer/render/sampling/antialias.h"
 #include "tracer/render/blocks.h"
 #include "tracer/render/layers.h"
 #include "tracer/render/path_pixels.h"
-#include "tracer/render/pixel_sampler.h"
+#include "tracer/render/sampling/pixel_sampler.h"
 #include "tracer/render/prepasses.h"
 #include "tracer/render/requirements.h"
 

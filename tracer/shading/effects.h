@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 
-#include "tracer/shading/light.h"
+#include "tracer/lights/light.h"
 #include "tracer/shading/random.h"
 #include "tracer/textures/texture.h"
 

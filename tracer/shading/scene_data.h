@@ -3,10 +3,10 @@
 
 #include <unordered_map>
 
-#include "tracer/accel/world.h"
+#include "tracer/world/world.h"
 #include "tracer/shading/effects.h"
-#include "tracer/shading/rainbow.h"
-#include "tracer/shading/sky.h"
+#include "tracer/shading/atmosphere/rainbow.h"
+#include "tracer/shading/atmosphere/sky.h"
 
 namespace verisim::shading {
 

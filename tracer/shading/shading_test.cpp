@@ -3,9 +3,9 @@
 
 #include "tracer/shading/dispersion.h"
 #include "tracer/shading/finish.h"
-#include "tracer/shading/fog.h"
-#include "tracer/shading/light.h"
-#include "tracer/shading/rainbow.h"
+#include "tracer/shading/atmosphere/fog.h"
+#include "tracer/lights/light.h"
+#include "tracer/shading/atmosphere/rainbow.h"
 #include "tracer/shading/random.h"
 
 namespace verisim::shading {

@@ -1,6 +1,6 @@
 #include "tracer/shading/tracer.h"
 
-#include "tracer/shading/fog.h"
+#include "tracer/shading/atmosphere/fog.h"
 
 namespace verisim::shading {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "tracer/accel/coherent_rays.h"
+#include "tracer/world/coherent_rays.h"
 #include "tracer/film/statistics.h"
 #include "tracer/shading/explain.h"
 #include "tracer/shading/random.h"

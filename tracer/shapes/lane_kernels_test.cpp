@@ -5,14 +5,14 @@
 #include <limits>
 #include <memory>
 
-#include "tracer/shapes/blob_lanes.h"
-#include "tracer/shapes/lathe_lanes.h"
-#include "tracer/shapes/poly_lanes.h"
-#include "tracer/shapes/sor_lanes.h"
-#include "tracer/shapes/sphere_sweep_lanes.h"
-#include "tracer/shapes/superellipsoid_lanes.h"
+#include "tracer/shapes/blob/blob_lanes.h"
+#include "tracer/shapes/swept/lathe_lanes.h"
+#include "tracer/shapes/algebraic/poly_lanes.h"
+#include "tracer/shapes/swept/sor_lanes.h"
+#include "tracer/shapes/swept/sphere_sweep_lanes.h"
+#include "tracer/shapes/algebraic/superellipsoid_lanes.h"
 #include "tracer/shapes/test_support.h"
-#include "tracer/textures/instruction_sets.h"
+#include "tracer/simd/instruction_sets.h"
 
 namespace verisim::shapes::testing {
 namespace {

@@ -6,8 +6,8 @@
 // and, if its tree lives in another space than Primitive::local, turned() and to_tree().
 #pragma once
 
-#include "tracer/accel/box_tree.h"
-#include "tracer/accel/shaft.h"
+#include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/shaft.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "tracer/scene/texture.h"
-#include "tracer/textures/blend_map.h"
+#include "tracer/textures/lookup/blend_map.h"
 
 namespace verisim::textures {
 

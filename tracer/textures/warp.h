@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tracer/scene/pattern.h"
-#include "tracer/textures/noise.h"
+#include "tracer/noise/noise.h"
 
 namespace verisim::textures {
 

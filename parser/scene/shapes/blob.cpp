@@ -1,6 +1,6 @@
 // blob { [threshold T] components } (spec 03 4.13).
 #include "parser/scene/objects.h"
-#include "parser/scene/texture.h"
+#include "parser/scene/textures/texture.h"
 
 namespace verisim::parser {
 

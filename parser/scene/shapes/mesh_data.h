@@ -4,7 +4,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 

@@ -1,6 +1,6 @@
 #include "parser/scene/shapes/spline_points.h"
 
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 
 namespace verisim::parser {
 

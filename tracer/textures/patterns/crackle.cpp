@@ -3,7 +3,7 @@
 #include <bit>
 #include <limits>
 
-#include "tracer/textures/noise.h"
+#include "tracer/noise/noise.h"
 #include "tracer/textures/patterns/crackle_kernels.h"
 #include "tracer/textures/patterns/crackle_offsets.h"
 #include "tracer/textures/patterns/formulas.h"

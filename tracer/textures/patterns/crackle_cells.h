@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "tracer/textures/noise_tables.h"
+#include "tracer/noise/noise_tables.h"
 
 namespace verisim::textures {
 

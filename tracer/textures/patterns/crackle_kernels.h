@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tracer/math/vec.h"
-#include "tracer/textures/instruction_sets.h"
+#include "tracer/simd/instruction_sets.h"
 #include "tracer/textures/patterns/crackle_cells.h"
 
 namespace verisim::textures {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracer/textures/noise_tables.h"
-#include "tracer/textures/pattern.h"
+#include "tracer/noise/noise_tables.h"
+#include "tracer/textures/patterns/pattern.h"
 #include "tracer/textures/point_row.h"
 
 namespace verisim::textures {

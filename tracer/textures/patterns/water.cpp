@@ -1,5 +1,5 @@
 // Ripples and waves: circular waves around random centres.
-#include "tracer/textures/noise.h"
+#include "tracer/noise/noise.h"
 #include "tracer/textures/patterns/formulas.h"
 
 namespace verisim::textures {

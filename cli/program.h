@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/console/exit_status.h"
+
 namespace verisim::cli {
 
 // arguments[0] is the name the program was called by.

@@ -12,7 +12,9 @@
 namespace verisim::cli {
 
 int command_bench(const std::vector<std::string>& arguments) {
-  OwnOptions own("bench", "Measures verisim and POV-Ray on the same scenes: verisim bench SCENE... [switches]. The CPU-time ratio is the verdict.");
+  OwnOptions own("bench",
+                 "Measures verisim and POV-Ray on the same scenes: verisim bench SCENE... [switches]. The CPU-time "
+                 "ratio is the verdict.");
   compare::BenchOptions options;
   std::string json, oracle, native;
   double minimum = 0;
@@ -21,7 +23,8 @@ int command_bench(const std::vector<std::string>& arguments) {
   own.value("--threads", options.threads, "Threads of each program");
   own.value("--time-limit", options.time_limit, "Seconds for one run");
   own.value("--json", json, "Write the figures as JSON to this file");
-  own.value("--min-ratio", minimum, "Exit status 1 unless POV-Ray's CPU time is at least this many times ours, in every scene");
+  own.value("--min-ratio", minimum,
+            "Exit status 1 unless POV-Ray's CPU time is at least this many times ours, in every scene");
   own.value("--oracle", oracle, "The POV-Ray program; default: povray in PATH");
   own.value("--native", native, "Another verisim program; default: this one");
   own.flag("--color", color, "Colour the table also when it does not go to a terminal");
@@ -33,7 +36,10 @@ int command_bench(const std::vector<std::string>& arguments) {
   if (suite.scenes.empty()) throw OptionError("no scene to measure");
   options.oracle.program = oracle;
   options.native_program = native.empty() ? own_program() : std::filesystem::path(native);
-  if (!quiet) options.progress = [](const std::string& scene, int run) { std::fprintf(stderr, "%s, run %d\n", scene.c_str(), run); };
+  if (!quiet)
+    options.progress = [](const std::string& scene, int run) {
+      std::fprintf(stderr, "%s, run %d\n", scene.c_str(), run);
+    };
   try {
     const compare::Bench bench = compare::run_bench(suite, options);
     std::fputs(compare::bench_table(bench, color || isatty(STDOUT_FILENO) != 0).c_str(), stdout);

@@ -17,16 +17,21 @@ namespace {
 
 const char* name_of(parser::Severity severity) {
   switch (severity) {
-    case parser::Severity::warning: return "warning";
-    case parser::Severity::possible_error: return "possible error";
-    case parser::Severity::error: return "error";
-    case parser::Severity::unsupported: return "unsupported";
+    case parser::Severity::warning:
+      return "warning";
+    case parser::Severity::possible_error:
+      return "possible error";
+    case parser::Severity::error:
+      return "error";
+    case parser::Severity::unsupported:
+      return "unsupported";
   }
   return "";
 }
 
 nlohmann::json as_json(const parser::Diagnostic& d) {
-  return {{"file", d.file}, {"line", d.line}, {"column", d.column}, {"severity", name_of(d.severity)}, {"message", d.message}, {"advice", d.advice}, {"source", d.source_line}, {"trail", d.trail}};
+  return {{"file", d.file},       {"line", d.line},     {"column", d.column},      {"severity", name_of(d.severity)},
+          {"message", d.message}, {"advice", d.advice}, {"source", d.source_line}, {"trail", d.trail}};
 }
 
 }  // namespace
@@ -34,7 +39,9 @@ nlohmann::json as_json(const parser::Diagnostic& d) {
 int command_check(const std::vector<std::string>& arguments) {
   Options options;
   bool json = false, dump = false;
-  OwnOptions own("check", "Reads a scene without rendering it: verisim check SCENE [switches]. Exit status 0: no errors, 3: errors, 4: something is not supported.");
+  OwnOptions own("check",
+                 "Reads a scene without rendering it: verisim check SCENE [switches]. Exit status 0: no errors, 3: "
+                 "errors, 4: something is not supported.");
   own.flag("--json", json, "Print the diagnostics as JSON to standard output");
   own.flag("--dump", dump, "Print the evaluated scene as JSON to standard output (docs/dump.md)");
   add_render_options(own, options);
@@ -52,7 +59,8 @@ int command_check(const std::vector<std::string>& arguments) {
   parser::ParseOptions parse = parse_options(job, job.animation.frame(0));
   std::vector<parser::Diagnostic> messages;
   if (json) parse.message = [&](const parser::Diagnostic& d) { messages.push_back(d); };
-  // Taking a large scene apart takes as long as a good part of reading it, and the process ends anyway: it is kept until then.
+  // Taking a large scene apart takes as long as a good part of reading it, and the process ends anyway: it is kept
+  // until then.
   static std::unique_ptr<parser::ParseResult>& kept = *new std::unique_ptr<parser::ParseResult>;
   kept = std::make_unique<parser::ParseResult>(parser::parse_file(scene, parse));
   const parser::ParseResult& result = *kept;
@@ -81,13 +89,19 @@ int command_check(const std::vector<std::string>& arguments) {
     return status;
   }
   if (json) {
-    nlohmann::json report{{"scene", scene.string()}, {"errors", result.errors.size()}, {"warnings", result.warnings}, {"status", static_cast<int>(status)}};
+    nlohmann::json report{{"scene", scene.string()},
+                          {"errors", result.errors.size()},
+                          {"warnings", result.warnings},
+                          {"status", static_cast<int>(status)}};
     report["diagnostics"] = nlohmann::json::array();
     for (const parser::Diagnostic& d : messages) report["diagnostics"].push_back(as_json(d));
     std::puts(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   } else {
-    console.line(Stream::statistic, fmt::format("{}: {}, {} warning{}", scene.string(), status == kOk ? "no errors" : status == kUnsupported ? "not supported" : "errors", result.warnings,
-                                                result.warnings == 1 ? "" : "s"));
+    console.line(Stream::statistic, fmt::format("{}: {}, {} warning{}", scene.string(),
+                                                status == kOk            ? "no errors"
+                                                : status == kUnsupported ? "not supported"
+                                                                         : "errors",
+                                                result.warnings, result.warnings == 1 ? "" : "s"));
   }
   return status;
 }

@@ -21,14 +21,18 @@ compare::FitOptions fit_options(const std::string& crop, const std::vector<std::
   if (!crop.empty()) {
     compare::Crop c;
     int end = 0;
-    if (std::sscanf(crop.c_str(), "%d,%d,%d,%d%n", &c.x, &c.y, &c.width, &c.height, &end) != 4 || static_cast<std::size_t>(end) != crop.size())
+    if (std::sscanf(crop.c_str(), "%d,%d,%d,%d%n", &c.x, &c.y, &c.width, &c.height, &end) != 4 ||
+        static_cast<std::size_t>(end) != crop.size())
       throw OptionError(fmt::format("--crop {}: expected X,Y,WIDTH,HEIGHT", crop));
     out.crop = c;
   }
   for (const std::string& what : fits) {
-    if (what == "exposure") out.exposure = true;
-    else if (what == "white_balance") out.white_balance = true;
-    else throw OptionError(fmt::format("--fit {}: expected exposure or white_balance", what));
+    if (what == "exposure")
+      out.exposure = true;
+    else if (what == "white_balance")
+      out.white_balance = true;
+    else
+      throw OptionError(fmt::format("--fit {}: expected exposure or white_balance", what));
   }
   return out;
 }
@@ -57,7 +61,9 @@ class Progress {
 }  // namespace
 
 int command_diff(const std::vector<std::string>& arguments) {
-  OwnOptions own("diff", "Compares two pictures: verisim diff REFERENCE PICTURE. Exit status 0 when they match, 1 when they do not.");
+  OwnOptions own(
+      "diff",
+      "Compares two pictures: verisim diff REFERENCE PICTURE. Exit status 0 when they match, 1 when they do not.");
   std::string json, html, heat_map;
   std::vector<std::string> thresholds, fits;
   std::string crop;
@@ -68,11 +74,14 @@ int command_diff(const std::vector<std::string>& arguments) {
   own.value("--html", html, "Write a page with both pictures and their difference to this file");
   own.value("--heat-map", heat_map, "Write the difference as a picture (PNG) to this file");
   own.value("--gain", gain, "Factor for the differences of the heat map");
-  own.values("--threshold", thresholds, "In place of the usual rules: max_rmse=1.5, min_within_1_pct=99 ... (may be given again)");
+  own.values("--threshold", thresholds,
+             "In place of the usual rules: max_rmse=1.5, min_within_1_pct=99 ... (may be given again)");
   own.value("--pixels-per-degree", metric.flip_pixels_per_degree, "How large the pictures are seen, for FLIP");
-  own.value("--crop", crop, "X,Y,WIDTH,HEIGHT: the part of the reference, a photograph, that the picture shows; averaged to its size");
+  own.value("--crop", crop,
+            "X,Y,WIDTH,HEIGHT: the part of the reference, a photograph, that the picture shows; averaged to its size");
   own.values("--fit", fits, "Fit the picture's 'exposure' or 'white_balance' to the reference (may be given again)");
-  own.flag("--antialiased", antialiased, "The pictures are anti-aliased: differences of 2/255 are allowed where 1/255 would be");
+  own.flag("--antialiased", antialiased,
+           "The pictures are anti-aliased: differences of 2/255 are allowed where 1/255 would be");
   own.flag("--color", color, "Colour the table also when it does not go to a terminal");
   const std::vector<std::string> words = own.parse(arguments);
   if (words.size() != 2) throw OptionError("two pictures are needed: verisim diff REFERENCE PICTURE");
@@ -102,12 +111,14 @@ int command_diff(const std::vector<std::string>& arguments) {
     const std::size_t equals = text.find('=');
     char* end = nullptr;
     const double limit = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
-    if (!end || *end || end == text.c_str() + equals + 1) throw OptionError(fmt::format("--threshold {}: expected NAME=NUMBER", text));
+    if (!end || *end || end == text.c_str() + equals + 1)
+      throw OptionError(fmt::format("--threshold {}: expected NAME=NUMBER", text));
     limits[text.substr(0, equals)] = limit;
   }
   compare::Verdict verdict;
   try {
-    verdict = limits.empty() ? compare::judge_deterministic(metrics, antialiased) : compare::judge_thresholds(metrics, limits);
+    verdict = limits.empty() ? compare::judge_deterministic(metrics, antialiased)
+                             : compare::judge_thresholds(metrics, limits);
   } catch (const std::invalid_argument& error) {
     throw OptionError(error.what());
   }
@@ -115,12 +126,18 @@ int command_diff(const std::vector<std::string>& arguments) {
   if (!json_to_stdout) {
     std::fputs(compare::terminal_metrics(metrics, color || isatty(STDOUT_FILENO) != 0).c_str(), stdout);
     if (!fit.text().empty()) std::printf("%s\n", fit.text().c_str());
-    std::printf("%s%s%s\n", compare::to_string(verdict.status), verdict.reason.empty() ? "" : ": ", verdict.reason.c_str());
+    std::printf("%s%s%s\n", compare::to_string(verdict.status), verdict.reason.empty() ? "" : ": ",
+                verdict.reason.c_str());
   }
-  if (json_to_stdout) std::printf("%s\n", compare::metrics_json(metrics).c_str());
-  else if (!json.empty()) compare::write_report(compare::metrics_json(metrics), json);
-  if (!html.empty()) compare::write_report(compare::html_report(compare::run_of_pair(words[0], words[1], metrics)), html);
-  if (!heat_map.empty()) wanted.any() ? compare::write_heat_map(reference, test, heat_map, gain) : compare::write_heat_map(fs::path(words[0]), fs::path(words[1]), heat_map, gain);
+  if (json_to_stdout)
+    std::printf("%s\n", compare::metrics_json(metrics).c_str());
+  else if (!json.empty())
+    compare::write_report(compare::metrics_json(metrics), json);
+  if (!html.empty())
+    compare::write_report(compare::html_report(compare::run_of_pair(words[0], words[1], metrics)), html);
+  if (!heat_map.empty())
+    wanted.any() ? compare::write_heat_map(reference, test, heat_map, gain)
+                 : compare::write_heat_map(fs::path(words[0]), fs::path(words[1]), heat_map, gain);
   return verdict.status == compare::Status::exact || verdict.status == compare::Status::match ? kOk : kDifferent;
 }
 

@@ -29,41 +29,56 @@ class Tree : public shading::Observer {
   void scene(const shading::SceneData& data) override { data_ = &data; }
 
   void ray_started(const shading::RayState& ray, const shapes::Hit* hit) override {
-    const char* kind = ray.reflected ? "reflected ray" : ray.refracted || !ray.primary ? "transmitted ray" : ray.gather ? "gathering ray" : "camera ray";
-    line(fmt::format("{} from {} towards {}{}", rays_++ == 0 ? "camera ray" : kind, text(ray.ray.origin), text(ray.ray.direction),
-                     ray.weight == 1 ? "" : fmt::format(", weight {:.4g}", ray.weight)));
+    const char* kind = ray.reflected                   ? "reflected ray"
+                       : ray.refracted || !ray.primary ? "transmitted ray"
+                       : ray.gather                    ? "gathering ray"
+                                                       : "camera ray";
+    line(fmt::format("{} from {} towards {}{}", rays_++ == 0 ? "camera ray" : kind, text(ray.ray.origin),
+                     text(ray.ray.direction), ray.weight == 1 ? "" : fmt::format(", weight {:.4g}", ray.weight)));
     ++depth_;
     crossings(ray);
     if (!hit) line("hits nothing: sees the sky");
   }
   void ray_ended(const shading::RayState&, const Color& color) override {
-    line(fmt::format("colour {}{}", text(color.rgb()), color.t == 0 ? "" : fmt::format(", see-through {:.4g}", color.t)));
+    line(fmt::format("colour {}{}", text(color.rgb()),
+                     color.t == 0 ? "" : fmt::format(", see-through {:.4g}", color.t)));
     --depth_;
   }
   void ray_cut_off(const shading::RayState& ray) override {
-    line(ray.level >= ray.level_limit ? fmt::format("a ray is not traced: max_trace_level {} is reached", ray.level_limit)
-                                      : fmt::format("a ray is not traced: its weight {:.4g} is below adc_bailout", ray.weight));
+    line(ray.level >= ray.level_limit
+             ? fmt::format("a ray is not traced: max_trace_level {} is reached", ray.level_limit)
+             : fmt::format("a ray is not traced: its weight {:.4g} is below adc_bailout", ray.weight));
   }
   void layer(const shading::SurfaceHit& at, const shading::LayerContext& layer, const Rgb& reflectivity) override {
     const shapes::Surface& surface = at.surface;
     hit_point_ = at.hit.point;
     const std::string name = surface.object ? object_name(*surface.object) : "a surface";
     line(fmt::format("hits {} at {:.9g}{}", name, at.hit.t, at.inside_hit ? ", from inside" : ""));
-    line(fmt::format("  point {}, normal {}{}", text(at.hit.point), text(at.raw), layer.normal == at.raw ? "" : ", perturbed to " + text(layer.normal)));
+    line(fmt::format("  point {}, normal {}{}", text(at.hit.point), text(at.raw),
+                     layer.normal == at.raw ? "" : ", perturbed to " + text(layer.normal)));
     const Color& c = layer.pigment;
-    line(fmt::format("  pigment {}{}{}, layers above let {} through", text(c.rgb()), c.f == 0 ? "" : fmt::format(" filter {:.4g}", c.f),
+    line(fmt::format("  pigment {}{}{}, layers above let {} through", text(c.rgb()),
+                     c.f == 0 ? "" : fmt::format(" filter {:.4g}", c.f),
                      c.t == 0 ? "" : fmt::format(" transmit {:.4g}", c.t), text(layer.filter)));
     const scene::Finish& f = layer.layer.finish;
-    line(fmt::format("  ambient {}, emission {}, diffuse {:.4g}{}{}{}", text(f.ambient * data_->ambient_light), text(f.emission), f.diffuse,
+    line(fmt::format("  ambient {}, emission {}, diffuse {:.4g}{}{}{}", text(f.ambient * data_->ambient_light),
+                     text(f.emission), f.diffuse,
                      f.phong == 0 ? "" : fmt::format(", phong {:.4g} size {:.4g}", f.phong, f.phong_size),
                      f.specular == 0 ? "" : fmt::format(", specular {:.4g} roughness {:.4g}", f.specular, f.roughness),
                      reflectivity == Rgb() ? "" : ", reflects " + text(reflectivity)));
   }
-  void light(const shading::Light& light, const shading::LightDirection& direction, bool tested, const Rgb& arriving, const Rgb& added) override {
+  void light(const shading::Light& light, const shading::LightDirection& direction, bool tested, const Rgb& arriving,
+             const Rgb& added) override {
     const std::string where = text(light.source().position);
-    if (!tested) line(fmt::format("  light at {}: {}", where, arriving.max_abs() == 0 ? "out of its reach" : "behind the surface, adds nothing"));
-    else if (arriving.max_abs() == 0) line(fmt::format("  light at {}: {:.6g} away, in shadow{}", where, direction.distance, blocker(light, direction)));
-    else line(fmt::format("  light at {}: {:.6g} away towards {}, {} arrives, adds {}", where, direction.distance, text(direction.towards), text(arriving), text(added)));
+    if (!tested)
+      line(fmt::format("  light at {}: {}", where,
+                       arriving.max_abs() == 0 ? "out of its reach" : "behind the surface, adds nothing"));
+    else if (arriving.max_abs() == 0)
+      line(
+          fmt::format("  light at {}: {:.6g} away, in shadow{}", where, direction.distance, blocker(light, direction)));
+    else
+      line(fmt::format("  light at {}: {:.6g} away towards {}, {} arrives, adds {}", where, direction.distance,
+                       text(direction.towards), text(arriving), text(added)));
   }
 
  private:
@@ -80,7 +95,9 @@ class Tree : public shading::Observer {
         if (i == 0) line("  nothing");
         return;
       }
-      line(fmt::format("  {:.9g}  {}", hit.t, hit.shape->surface && hit.shape->surface->object ? object_name(*hit.shape->surface->object) : "a surface"));
+      line(fmt::format(
+          "  {:.9g}  {}", hit.t,
+          hit.shape->surface && hit.shape->surface->object ? object_name(*hit.shape->surface->object) : "a surface"));
       from = std::nextafter(hit.t, std::numeric_limits<double>::infinity());
     }
     line("  ...");
@@ -88,8 +105,13 @@ class Tree : public shading::Observer {
   std::string blocker(const shading::Light& light, const shading::LightDirection& direction) {
     if (light.area()) return " (all its samples)";
     shapes::Hit hit;
-    if (!data_->world.intersect({hit_point_, direction.towards}, shapes::RayKind::shadow, 1e-3, direction.distance - 1e-3, hit)) return "";
-    return fmt::format(" of {} at {:.6g}", hit.shape->surface && hit.shape->surface->object ? object_name(*hit.shape->surface->object) : "a surface", hit.t);
+    if (!data_->world.intersect({hit_point_, direction.towards}, shapes::RayKind::shadow, 1e-3,
+                                direction.distance - 1e-3, hit))
+      return "";
+    return fmt::format(
+        " of {} at {:.6g}",
+        hit.shape->surface && hit.shape->surface->object ? object_name(*hit.shape->surface->object) : "a surface",
+        hit.t);
   }
 
   const shading::SceneData* data_ = nullptr;
@@ -111,7 +133,8 @@ std::string stored(const Color& color, const scene::Scene& scene, const Options&
   return fmt::format("{} {} {}", q.samples[0], q.samples[1], q.samples[2]);
 }
 
-std::string oracle_pixel(const fs::path& scene, const Options& options, std::vector<std::string> switches, int x, int y, const std::vector<fs::path>& files) {
+std::string oracle_pixel(const fs::path& scene, const Options& options, std::vector<std::string> switches, int x, int y,
+                         const std::vector<fs::path>& files) {
   try {
     compare::OracleOptions oracle;
     const compare::OracleProgram program = compare::find_oracle(oracle);
@@ -121,13 +144,19 @@ std::string oracle_pixel(const fs::path& scene, const Options& options, std::vec
     request.width = options.width;
     request.height = options.height;
     // Only this pixel; a start or end of 1 would mean the whole width.
-    switches.insert(switches.end(), {"-A", fmt::format("+SC{}", x + 1), fmt::format("+SR{}", y + 1), x == 0 ? fmt::format("+EC{:.9f}", 1.5 / options.width) : fmt::format("+EC{}", x + 1),
-                                     y == 0 ? fmt::format("+ER{:.9f}", 1.5 / options.height) : fmt::format("+ER{}", y + 1)});
+    switches.insert(switches.end(),
+                    {"-A", fmt::format("+SC{}", x + 1), fmt::format("+SR{}", y + 1),
+                     x == 0 ? fmt::format("+EC{:.9f}", 1.5 / options.width) : fmt::format("+EC{}", x + 1),
+                     y == 0 ? fmt::format("+ER{:.9f}", 1.5 / options.height) : fmt::format("+ER{}", y + 1)});
     request.switches = switches;
     const compare::OracleRender render = compare::run_oracle(program, oracle, request, 0, files);
     if (!render.ok) return "POV-Ray failed: " + render.message;
-    const std::size_t at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(render.picture.width) + static_cast<std::size_t>(x)) * static_cast<std::size_t>(render.picture.channels);
-    const auto value = [&](std::size_t c) { return static_cast<int>(render.picture.samples[at + (render.picture.channels >= 3 ? c : 0)] * 255 + 0.5f); };
+    const std::size_t at =
+        (static_cast<std::size_t>(y) * static_cast<std::size_t>(render.picture.width) + static_cast<std::size_t>(x)) *
+        static_cast<std::size_t>(render.picture.channels);
+    const auto value = [&](std::size_t c) {
+      return static_cast<int>(render.picture.samples[at + (render.picture.channels >= 3 ? c : 0)] * 255 + 0.5f);
+    };
     return fmt::format("POV-Ray {}: {} {} {}", program.version, value(0), value(1), value(2));
   } catch (const compare::OracleMissing& missing) {
     return missing.what();
@@ -137,7 +166,8 @@ std::string oracle_pixel(const fs::path& scene, const Options& options, std::vec
 int coordinate(const std::string& word, int limit, const char* name) {
   char* end = nullptr;
   const long value = std::strtol(word.c_str(), &end, 10);
-  if (word.empty() || *end || value < 0 || value >= limit) throw OptionError(fmt::format("{} must be a whole number from 0 to {}, not '{}'", name, limit - 1, word));
+  if (word.empty() || *end || value < 0 || value >= limit)
+    throw OptionError(fmt::format("{} must be a whole number from 0 to {}, not '{}'", name, limit - 1, word));
   return static_cast<int>(value);
 }
 
@@ -167,7 +197,8 @@ int explain_scene(const std::vector<std::string>& words) {
 }
 
 // Every pixel's tags, and the trees of some: what `verisim compare` asks for.
-void write_tags(const std::string& file, int step, const std::vector<std::string>& trees, render::Explainer& explainer, const Options& options) {
+void write_tags(const std::string& file, int step, const std::vector<std::string>& trees, render::Explainer& explainer,
+                const Options& options) {
   TagWitness witness;
   compare::PixelTags& tags = witness.tags();
   tags.width = options.width, tags.height = options.height, tags.step = step;
@@ -178,7 +209,8 @@ void write_tags(const std::string& file, int step, const std::vector<std::string
     }
   for (const std::string& pixel : trees) {
     int x = 0, y = 0;
-    if (std::sscanf(pixel.c_str(), "%d,%d", &x, &y) != 2 || x < 0 || y < 0 || x >= options.width || y >= options.height) throw OptionError(fmt::format("--tree {}: expected X,Y inside the picture", pixel));
+    if (std::sscanf(pixel.c_str(), "%d,%d", &x, &y) != 2 || x < 0 || y < 0 || x >= options.width || y >= options.height)
+      throw OptionError(fmt::format("--tree {}: expected X,Y inside the picture", pixel));
     Tree tree;
     const Color color = explainer.pixel(x, y, tree);
     tags.trees.push_back({x, y, tree.lines + fmt::format("linear {}\n", text(color.rgb()))});
@@ -194,8 +226,11 @@ int command_explain(const std::vector<std::string>& arguments) {
   std::string tags;
   int step = 1;
   std::vector<std::string> trees;
-  OwnOptions own("explain", "Shows how one pixel came to be: verisim explain SCENE X Y [switches]. X and Y count from 0 at the top left; without anti-aliasing. "
-                            "Without a pixel it compares the scene with POV-Ray and says what the wrong pixels have in common: verisim explain SCENE [switches].");
+  OwnOptions own("explain",
+                 "Shows how one pixel came to be: verisim explain SCENE X Y [switches]. X and Y count from 0 at the "
+                 "top left; without anti-aliasing. "
+                 "Without a pixel it compares the scene with POV-Ray and says what the wrong pixels have in common: "
+                 "verisim explain SCENE [switches].");
   own.flag("--no-oracle", no_oracle, "Do not ask POV-Ray for its colour");
   own.value("--tags", tags, "Write what every pixel shows (objects, patterns, lights, features) as JSON to this file");
   own.value("--tags-step", step, "Only every so many pixels and rows, for --tags");
@@ -203,12 +238,14 @@ int command_explain(const std::vector<std::string>& arguments) {
   add_render_options(own, options);
   const std::vector<std::string> words = own.parse(arguments), files = apply_words(options, words);
   if (files.size() == 1 && tags.empty()) return explain_scene(words);
-  if (files.size() != (tags.empty() ? 3 : 1)) throw OptionError("a scene and a pixel are needed: verisim explain SCENE X Y [switches]");
+  if (files.size() != (tags.empty() ? 3 : 1))
+    throw OptionError("a scene and a pixel are needed: verisim explain SCENE X Y [switches]");
   if (step < 1) throw OptionError("--tags-step must be at least 1");
   options.input_file = files[0];
   options.antialias = false;
   validate(options);
-  const int x = tags.empty() ? coordinate(files[1], options.width, "X") : 0, y = tags.empty() ? coordinate(files[2], options.height, "Y") : 0;
+  const int x = tags.empty() ? coordinate(files[1], options.width, "X") : 0,
+            y = tags.empty() ? coordinate(files[2], options.height, "Y") : 0;
   const fs::path scene = find_scene(options);
   if (scene.empty()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", options.input_file));
 
@@ -235,8 +272,10 @@ int command_explain(const std::vector<std::string>& arguments) {
     std::fprintf(stderr, "verisim explain: %s\n", missing.what());
     return kUnsupported;
   }
-  std::printf("%s, pixel (%d, %d) of %d by %d\n%s", scene.string().c_str(), x, y, options.width, options.height, tree.lines.c_str());
-  std::printf("linear %s, in a file of 8 bits %s\n", text(color.rgb()).c_str(), stored(color, *parsed.scene, options).c_str());
+  std::printf("%s, pixel (%d, %d) of %d by %d\n%s", scene.string().c_str(), x, y, options.width, options.height,
+              tree.lines.c_str());
+  std::printf("linear %s, in a file of 8 bits %s\n", text(color.rgb()).c_str(),
+              stored(color, *parsed.scene, options).c_str());
   if (!no_oracle) {
     std::vector<std::string> switches;
     for (const std::string& word : words)

@@ -26,7 +26,8 @@ SuiteWords suite_words(const std::vector<std::string>& words) {
     const std::size_t before = size.given.size();
     apply_argument(size, word);
     bool only_size = size.given.size() > before;
-    for (std::size_t i = before; i < size.given.size(); ++i) only_size &= size.given[i].first == "Width" || size.given[i].first == "Height";
+    for (std::size_t i = before; i < size.given.size(); ++i)
+      only_size &= size.given[i].first == "Width" || size.given[i].first == "Height";
     if (!only_size) switches.push_back(word);
   }
   if (result.what.empty()) throw OptionError("name scenes, folders or manifests (verisim.toml)");

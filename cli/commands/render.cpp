@@ -1,4 +1,5 @@
-// `verisim render`, and the call in POV-Ray's style: all frames of one scene, with shell-outs and statistics around them.
+// `verisim render`, and the call in POV-Ray's style: all frames of one scene, with shell-outs and statistics around
+// them.
 #include <fstream>
 
 #include <fmt/format.h>
@@ -31,21 +32,33 @@ class Sequence {
   // Spec 02 section 11: what the letter of a return rule does depends on where it fires.
   Outcome run() {
     switch (shell(job_.options.pre_scene, job_.animation.frame(0))) {
-      case 'S': return end_scene();
-      case 'A': case 'Q': return std::move(outcome_);
-      case 'U': return user_abort();
-      case 'F': return fatal();
-      default: break;
+      case 'S':
+        return end_scene();
+      case 'A':
+      case 'Q':
+        return std::move(outcome_);
+      case 'U':
+        return user_abort();
+      case 'F':
+        return fatal();
+      default:
+        break;
     }
     for (std::size_t i = 0; i < job_.animation.count(); ++i) {
       const Frame frame = job_.animation.frame(i);
       switch (shell(job_.options.pre_frame, frame)) {
-        case 'S': continue;
-        case 'A': return end_scene();
-        case 'Q': return std::move(outcome_);
-        case 'U': return user_abort();
-        case 'F': return fatal();
-        default: break;
+        case 'S':
+          continue;
+        case 'A':
+          return end_scene();
+        case 'Q':
+          return std::move(outcome_);
+        case 'U':
+          return user_abort();
+        case 'F':
+          return fatal();
+        default:
+          break;
       }
       announce(frame, i);
       outcome_.frames.push_back(render_frame(job_, frame));
@@ -58,10 +71,16 @@ class Sequence {
       }
       if (report.skipped) continue;
       switch (shell(job_.options.post_frame, frame)) {
-        case 'S': case 'A': case 'Q': return std::move(outcome_);
-        case 'U': return user_abort();
-        case 'F': return fatal();
-        default: break;
+        case 'S':
+        case 'A':
+        case 'Q':
+          return std::move(outcome_);
+        case 'U':
+          return user_abort();
+        case 'F':
+          return fatal();
+        default:
+          break;
       }
     }
     return end_scene();
@@ -71,8 +90,10 @@ class Sequence {
   char shell(const ShellCommand& command, const Frame& frame) {
     if (command.command.empty()) return 'I';
     const OutputName name = output_name(job_.options, job_.scene, job_.animation, frame);
-    return shell_out(command, {name.path.string(), job_.scene.string(), frame.number, job_.options.width, job_.options.height, frame.clock}, job_.options.allow_shell,
-                     job_.console);
+    return shell_out(
+        command,
+        {name.path.string(), job_.scene.string(), frame.number, job_.options.width, job_.options.height, frame.clock},
+        job_.options.allow_shell, job_.console);
   }
   Outcome end_scene() {
     shell(job_.options.post_scene, last_frame());
@@ -94,18 +115,24 @@ class Sequence {
 
   void announce(const Frame& frame, std::size_t index) {
     if (job_.console.style() == Style::povray) {
-      if (job_.animation.on) job_.console.always(fmt::format("\nRendering frame {} of {}\n", index + 1, job_.animation.count()));
+      if (job_.animation.on)
+        job_.console.always(fmt::format("\nRendering frame {} of {}\n", index + 1, job_.animation.count()));
       job_.console.line(Stream::render, option_text(job_, frame));
     } else if (job_.animation.on && job_.options.verbose) {
-      job_.console.line(Stream::render, fmt::format("frame {} of {}, clock {:g}", index + 1, job_.animation.count(), frame.clock));
+      job_.console.line(Stream::render,
+                        fmt::format("frame {} of {}, clock {:g}", index + 1, job_.animation.count(), frame.clock));
     }
   }
 
   void summary(const FrameReport& report) {
-    if (job_.console.style() == Style::povray || report.status != kOk || report.skipped || !job_.options.verbose) return;
-    const std::string name = report.output.empty() ? job_.options.output_to_file ? "the picture to a stream" : "no file (-F)" : report.output.string();
-    job_.console.line(Stream::statistic, fmt::format("{} by {}: parsed in {:.2f} s, rendered in {:.2f} s, wrote {}", job_.options.width, job_.options.height,
-                                                     report.seconds_parse, report.seconds_render, name));
+    if (job_.console.style() == Style::povray || report.status != kOk || report.skipped || !job_.options.verbose)
+      return;
+    const std::string name = report.output.empty()
+                                 ? job_.options.output_to_file ? "the picture to a stream" : "no file (-F)"
+                                 : report.output.string();
+    job_.console.line(Stream::statistic,
+                      fmt::format("{} by {}: parsed in {:.2f} s, rendered in {:.2f} s, wrote {}", job_.options.width,
+                                  job_.options.height, report.seconds_parse, report.seconds_render, name));
   }
 
   const Job& job_;
@@ -122,7 +149,11 @@ void write_text_file(const std::string& path, const std::string& text) {
 void create_ini(const Options& options) {
   std::string text = "; Settings as given to verisim\n";
   for (const auto& [key, value] : options.given)
-    if (key != "Create_Ini") text += fmt::format("{}={}\n", key, value.find_first_of(" ;#,") != std::string::npos && value.find('"') == std::string::npos ? '"' + value + '"' : value);
+    if (key != "Create_Ini")
+      text += fmt::format("{}={}\n", key,
+                          value.find_first_of(" ;#,") != std::string::npos && value.find('"') == std::string::npos
+                              ? '"' + value + '"'
+                              : value);
   write_text_file(options.create_ini, text);
 }
 
@@ -147,7 +178,8 @@ Outcome render_all(const Options& options, Console& console, const fs::path& sce
 int command_render(const std::vector<std::string>& arguments) {
   Options options;
   OwnOptions own("render",
-                 "Renders a scene: verisim render SCENE [switches]. POV-Ray's switches and settings work here: +W320 +H240 +A0.3 +Oout.png, Width=320, quick.ini[section].");
+                 "Renders a scene: verisim render SCENE [switches]. POV-Ray's switches and settings work here: +W320 "
+                 "+H240 +A0.3 +Oout.png, Width=320, quick.ini[section].");
   own.refused("--dump", false, "verisim check --dump prints the scene");
   add_render_options(own, options);
   const std::vector<std::string> files = apply_words(options, own.parse(arguments));
@@ -160,7 +192,10 @@ int command_render(const std::vector<std::string>& arguments) {
   const fs::path scene = find_scene(options);
   Console console(options, Style::verisim);
   if (scene.empty()) {
-    console.line(Stream::fatal, fmt::format("verisim: error: {} '{}'", fs::is_directory(options.input_file, ignored) ? "the scene is a folder:" : "cannot find the scene", options.input_file));
+    console.line(Stream::fatal, fmt::format("verisim: error: {} '{}'",
+                                            fs::is_directory(options.input_file, ignored) ? "the scene is a folder:"
+                                                                                          : "cannot find the scene",
+                                            options.input_file));
     return kInputOutput;
   }
   const Outcome outcome = render_all(options, console, scene);
@@ -174,11 +209,14 @@ int povray_call(const std::vector<std::string>& arguments) {
   const auto refuse = [&](const std::string& why) {
     std::string call = "verisim";
     for (const std::string& argument : arguments) call += " " + argument;
-    std::fprintf(stderr, "\nProblem with option setting\n%s\nFailed to parse command-line option\n%s\n\n", call.c_str(), why.c_str());
+    std::fprintf(stderr, "\nProblem with option setting\n%s\nFailed to parse command-line option\n%s\n\n", call.c_str(),
+                 why.c_str());
     return 1;
   };
   try {
-    OwnOptions own("", "Called as povray is called: switches (+W320), settings (Width=320), INI files, a .pov file; and the options below.");
+    OwnOptions own("",
+                   "Called as povray is called: switches (+W320), settings (Width=320), INI files, a .pov file; and "
+                   "the options below.");
     add_render_options(own, options);
     const std::vector<std::string> words = own.parse(arguments);
     apply_configuration(options);
@@ -196,7 +234,8 @@ int povray_call(const std::vector<std::string>& arguments) {
   if (scene.empty()) {
     std::error_code ignored;
     const bool folder = fs::is_directory(options.input_file, ignored);
-    console.line(Stream::fatal, wrapped(fmt::format("{} file '{}' (even after trying to append file type extension).", folder ? "Is a folder:" : "Could not find", options.input_file)));
+    console.line(Stream::fatal, wrapped(fmt::format("{} file '{}' (even after trying to append file type extension).",
+                                                    folder ? "Is a folder:" : "Could not find", options.input_file)));
     console.line(Stream::fatal, "Parse Error: Cannot open input file.");
     console.always("Fatal error in parser: Cannot parse input.\nRender failed");
     return 1;

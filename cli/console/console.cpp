@@ -12,11 +12,16 @@ namespace {
 
 const TextStream& settings_of(const Options& options, Stream stream) {
   switch (stream) {
-    case Stream::debug: return options.debug;
-    case Stream::fatal: return options.fatal;
-    case Stream::render: return options.render;
-    case Stream::statistic: return options.statistic;
-    case Stream::warning: return options.warning;
+    case Stream::debug:
+      return options.debug;
+    case Stream::fatal:
+      return options.fatal;
+    case Stream::render:
+      return options.render;
+    case Stream::statistic:
+      return options.statistic;
+    case Stream::warning:
+      return options.warning;
   }
   return options.all;
 }
@@ -24,12 +29,21 @@ const TextStream& settings_of(const Options& options, Stream stream) {
 std::string as_povray(const parser::Diagnostic& d) {
   std::string kind;
   switch (d.severity) {
-    case parser::Severity::warning: kind = "Parse Warning"; break;
-    case parser::Severity::possible_error: kind = "Possible Parse Error"; break;
-    case parser::Severity::error: kind = "Parse Error"; break;
-    case parser::Severity::unsupported: kind = "Not supported"; break;
+    case parser::Severity::warning:
+      kind = "Parse Warning";
+      break;
+    case parser::Severity::possible_error:
+      kind = "Possible Parse Error";
+      break;
+    case parser::Severity::error:
+      kind = "Parse Error";
+      break;
+    case parser::Severity::unsupported:
+      kind = "Not supported";
+      break;
   }
-  std::string text = d.line > 0 ? fmt::format("File '{}' line {}: {}: {}", d.file, d.line, kind, d.message) : fmt::format("{}: {}", kind, d.message);
+  std::string text = d.line > 0 ? fmt::format("File '{}' line {}: {}: {}", d.file, d.line, kind, d.message)
+                                : fmt::format("{}: {}", kind, d.message);
   if (!d.advice.empty()) text += " (" + d.advice + ")";
   return wrapped(text);
 }
@@ -65,7 +79,8 @@ Console::Console(const Options& options, Style style) : options_(options), style
 Console::~Console() { end_of_debug(); }
 
 void Console::open_files(const std::filesystem::path& folder, bool append) {
-  for (const TextStream* stream : {&options_.all, &options_.debug, &options_.fatal, &options_.render, &options_.statistic, &options_.warning}) {
+  for (const TextStream* stream :
+       {&options_.all, &options_.debug, &options_.fatal, &options_.render, &options_.statistic, &options_.warning}) {
     if (stream->file.empty() || files_.contains(stream->file)) continue;
     const std::string path = (folder / stream->file).string();
     std::FILE* file = std::fopen(path.c_str(), append ? "a" : "w");
@@ -74,7 +89,9 @@ void Console::open_files(const std::filesystem::path& folder, bool append) {
   }
 }
 
-bool Console::shown(Stream stream) const { return options_.all_given ? options_.all.console : settings_of(options_, stream).console; }
+bool Console::shown(Stream stream) const {
+  return options_.all_given ? options_.all.console : settings_of(options_, stream).console;
+}
 
 void Console::put(Stream stream, std::string_view text) {
   const std::string whole = std::string(text) + "\n";
@@ -131,13 +148,15 @@ void Console::progress(double fraction, std::uint64_t pixels) {
   const int percent = static_cast<int>(fraction * 100);
   if (style_ == Style::povray) {
     if (!options_.verbose || percent == last_percent_) return;
-    std::fprintf(stderr, "Rendered %llu of %llu pixels (%d%%)\r", static_cast<unsigned long long>(fraction * static_cast<double>(pixels) + 0.5),
+    std::fprintf(stderr, "Rendered %llu of %llu pixels (%d%%)\r",
+                 static_cast<unsigned long long>(fraction * static_cast<double>(pixels) + 0.5),
                  static_cast<unsigned long long>(pixels), percent);
   } else {
     if (!bar_ || percent == last_percent_) return;
     constexpr int kWidth = 40;
     const int full = static_cast<int>(fraction * kWidth);
-    std::fprintf(stderr, "\r[%.*s%.*s] %3d%% ", full, "========================================", kWidth - full, "                                        ", percent);
+    std::fprintf(stderr, "\r[%.*s%.*s] %3d%% ", full, "========================================", kWidth - full,
+                 "                                        ", percent);
     std::fflush(stderr);
   }
   bar_visible_ = true;
@@ -153,7 +172,8 @@ void Console::pass_progress(const char* pass, double fraction) {
   if (percent == last_percent_) return;
   const double gone = std::chrono::duration<double>(now - pass_start_).count();
   std::string left;
-  if (fraction > 0 && fraction < 1 && gone > 1) left = fmt::format(", about {:.0f} s left", gone * (1 - fraction) / fraction);
+  if (fraction > 0 && fraction < 1 && gone > 1)
+    left = fmt::format(", about {:.0f} s left", gone * (1 - fraction) / fraction);
   if (style_ == Style::povray) {
     std::fprintf(stderr, "%s: %d%%%s\r", pass, percent, left.c_str());
   } else {
@@ -166,8 +186,10 @@ void Console::pass_progress(const char* pass, double fraction) {
 
 void Console::clear_bar() {
   if (!bar_visible_) return;
-  if (style_ == Style::povray) std::fputc('\n', stderr);
-  else std::fputs("\r\x1b[K", stderr);
+  if (style_ == Style::povray)
+    std::fputc('\n', stderr);
+  else
+    std::fputs("\r\x1b[K", stderr);
   bar_visible_ = false;
 }
 

@@ -1,4 +1,5 @@
-// What a command tells its user: POV-Ray's five text streams, on standard error and into files (spec 02 section 12). Standard output is for pictures.
+// What a command tells its user: POV-Ray's five text streams, on standard error and into files (spec 02 section 12).
+// Standard output is for pictures.
 #pragma once
 
 #include <cstdio>
@@ -33,11 +34,11 @@ class Console {
   // The text files of +GD and its like lie in the folder of the picture. Throws std::runtime_error.
   void open_files(const std::filesystem::path& folder, bool append);
 
-  void line(Stream stream, std::string_view text);        // whole lines; a line end is added
-  void always(std::string_view text);                     // cannot be switched off
-  void debug(std::string_view text);                      // of #debug: a line is shown when it is complete
+  void line(Stream stream, std::string_view text);  // whole lines; a line end is added
+  void always(std::string_view text);               // cannot be switched off
+  void debug(std::string_view text);                // of #debug: a line is shown when it is complete
   void diagnostic(const parser::Diagnostic& diagnostic);
-  void end_of_debug();                                    // shows an unfinished line
+  void end_of_debug();  // shows an unfinished line
 
   // "Rendered n of m pixels" or a bar, over itself on one line.
   void progress(double fraction, std::uint64_t pixels);
@@ -47,7 +48,7 @@ class Console {
 
  private:
   bool shown(Stream stream) const;
-  void put(Stream stream, std::string_view text);         // mutex held
+  void put(Stream stream, std::string_view text);  // mutex held
   void clear_bar();
 
   const Options& options_;

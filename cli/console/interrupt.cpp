@@ -49,7 +49,8 @@ Interrupt::Interrupt(double max_seconds) : impl_(std::make_unique<Impl>()) {
   if (max_seconds > 0)
     impl_->clock = std::thread([this, max_seconds] {
       std::unique_lock lock(impl_->mutex);
-      if (!impl_->wake.wait_for(lock, std::chrono::duration<double>(max_seconds), [this] { return impl_->done; })) impl_->late = stop = true;
+      if (!impl_->wake.wait_for(lock, std::chrono::duration<double>(max_seconds), [this] { return impl_->done; }))
+        impl_->late = stop = true;
     });
 }
 

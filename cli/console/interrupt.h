@@ -1,4 +1,5 @@
-// Ctrl-C and its like: the first one asks for an orderly end, the second one ends at once. Also the clock of --max-seconds.
+// Ctrl-C and its like: the first one asks for an orderly end, the second one ends at once. Also the clock of
+// --max-seconds.
 #pragma once
 
 #include <atomic>
@@ -14,8 +15,8 @@ class Interrupt {
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  std::atomic<bool>& flag();      // true: stop
-  int signal() const;             // the one that came; 0: none
+  std::atomic<bool>& flag();  // true: stop
+  int signal() const;         // the one that came; 0: none
   bool out_of_time() const;
 
  private:

@@ -11,7 +11,8 @@ using Json = SceneDump::Json;
 namespace {
 
 const char* spline(scene::SplineKind kind) {
-  static constexpr const char* kNames[] = {"linear_spline", "quadratic_spline", "cubic_spline", "bezier_spline", "b_spline"};
+  static constexpr const char* kNames[] = {"linear_spline", "quadratic_spline", "cubic_spline", "bezier_spline",
+                                           "b_spline"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -31,9 +32,13 @@ std::string to_utf8(const std::u16string& text) {
   std::string out;
   for (const char16_t unit : text) {
     const unsigned c = unit;
-    if (c < 0x80) out += static_cast<char>(c);
-    else if (c < 0x800) out += {static_cast<char>(0xc0 | c >> 6), static_cast<char>(0x80 | (c & 0x3f))};
-    else out += {static_cast<char>(0xe0 | c >> 12), static_cast<char>(0x80 | (c >> 6 & 0x3f)), static_cast<char>(0x80 | (c & 0x3f))};
+    if (c < 0x80)
+      out += static_cast<char>(c);
+    else if (c < 0x800)
+      out += {static_cast<char>(0xc0 | c >> 6), static_cast<char>(0x80 | (c & 0x3f))};
+    else
+      out += {static_cast<char>(0xe0 | c >> 12), static_cast<char>(0x80 | (c >> 6 & 0x3f)),
+              static_cast<char>(0x80 | (c & 0x3f))};
   }
   return out;
 }
@@ -53,16 +58,22 @@ struct ShapeDump {
   void operator()(const scene::Box& b) const { out["corners"] = {dump(b.low), dump(b.high)}; }
   void operator()(const scene::Plane& p) const { out["normal"] = dump(p.normal), out["distance"] = p.distance; }
   void operator()(const scene::Cone& c) const {
-    out["base"] = dump(c.base), out["cap"] = dump(c.cap), out["radii"] = {c.base_radius, c.cap_radius}, out["open"] = c.open;
+    out["base"] = dump(c.base), out["cap"] = dump(c.cap), out["radii"] = {c.base_radius, c.cap_radius},
+    out["open"] = c.open;
   }
   void operator()(const scene::Torus& t) const { out["radii"] = {t.major, t.minor}; }
-  void operator()(const scene::Disc& d) const { out["center"] = dump(d.center), out["normal"] = dump(d.normal), out["radii"] = {d.radius, d.hole}; }
+  void operator()(const scene::Disc& d) const {
+    out["center"] = dump(d.center), out["normal"] = dump(d.normal), out["radii"] = {d.radius, d.hole};
+  }
   void operator()(const scene::Triangle& t) const { out["corners"] = points(t.p); }
-  void operator()(const scene::Boxed<scene::SmoothTriangle>& t) const { out["corners"] = points(t->p), out["normals"] = points(t->n); }
+  void operator()(const scene::Boxed<scene::SmoothTriangle>& t) const {
+    out["corners"] = points(t->p), out["normals"] = points(t->n);
+  }
   void operator()(const scene::Polygon& p) const { out["points"] = points(p.points); }
   void operator()(const scene::Poly& p) const { out["order"] = p.order, out["coefficients"] = p.coefficients; }
   void operator()(const scene::Boxed<scene::Quadric>& q) const {
-    out["square"] = dump(q->square), out["mixed"] = dump(q->mixed), out["linear"] = dump(q->linear), out["constant"] = q->constant;
+    out["square"] = dump(q->square), out["mixed"] = dump(q->mixed), out["linear"] = dump(q->linear),
+    out["constant"] = q->constant;
   }
   void operator()(const scene::Superellipsoid& s) const { out["exponents"] = {s.east, s.north}; }
   void operator()(const scene::Ovus& o) const { out["radii"] = {o.bottom, o.top}; }
@@ -78,42 +89,56 @@ struct ShapeDump {
       out["components"].push_back(std::move(part));
     }
   }
-  void operator()(const std::shared_ptr<const scene::Lathe>& l) const { out["spline"] = spline(l->spline), out["points"] = points(l->points); }
-  void operator()(const std::shared_ptr<const scene::Sor>& s) const { out["points"] = points(s->points), out["open"] = s->open; }
+  void operator()(const std::shared_ptr<const scene::Lathe>& l) const {
+    out["spline"] = spline(l->spline), out["points"] = points(l->points);
+  }
+  void operator()(const std::shared_ptr<const scene::Sor>& s) const {
+    out["points"] = points(s->points), out["open"] = s->open;
+  }
   void operator()(const std::shared_ptr<const scene::Prism>& p) const {
     out["spline"] = spline(p->spline), out["sweep"] = p->conic ? "conic_sweep" : "linear_sweep", out["open"] = p->open;
     out["heights"] = {p->low, p->high}, out["points"] = points(p->points);
   }
   void operator()(const std::shared_ptr<const scene::SphereSweep>& s) const {
-    out["spline"] = spline(s->spline), out["centers"] = points(s->centers), out["radii"] = s->radii, out["tolerance"] = s->tolerance;
+    out["spline"] = spline(s->spline), out["centers"] = points(s->centers), out["radii"] = s->radii,
+    out["tolerance"] = s->tolerance;
   }
   void operator()(const std::shared_ptr<const scene::BicubicPatch>& p) const {
-    out["type"] = p->type, out["steps"] = {p->u_steps, p->v_steps}, out["flatness"] = p->flatness, out["points"] = points(p->points);
+    out["type"] = p->type, out["steps"] = {p->u_steps, p->v_steps}, out["flatness"] = p->flatness,
+    out["points"] = points(p->points);
     if (p->uv) out["uv_vectors"] = points(*p->uv);
   }
-  void operator()(const std::shared_ptr<const scene::HeightField>& h) const { out["water_level"] = h->water_level, out["smooth"] = h->smooth; }
+  void operator()(const std::shared_ptr<const scene::HeightField>& h) const {
+    out["water_level"] = h->water_level, out["smooth"] = h->smooth;
+  }
   void operator()(const std::shared_ptr<const scene::Isosurface>& i) const {
-    out["function"] = dump(i->function), out["contained_by"] = container(i->container), out["threshold"] = i->threshold, out["accuracy"] = i->accuracy;
-    out["max_gradient"] = i->max_gradient, out["evaluate"] = i->evaluate ? dump(*i->evaluate) : Json(nullptr), out["max_trace"] = i->max_trace, out["open"] = i->open;
+    out["function"] = dump(i->function), out["contained_by"] = container(i->container), out["threshold"] = i->threshold,
+    out["accuracy"] = i->accuracy;
+    out["max_gradient"] = i->max_gradient, out["evaluate"] = i->evaluate ? dump(*i->evaluate) : Json(nullptr),
+    out["max_trace"] = i->max_trace, out["open"] = i->open;
   }
   void operator()(const std::shared_ptr<const scene::Parametric>& p) const {
-    out["functions"] = {dump(p->function[0]), dump(p->function[1]), dump(p->function[2])}, out["low"] = dump(p->low), out["high"] = dump(p->high);
+    out["functions"] = {dump(p->function[0]), dump(p->function[1]), dump(p->function[2])}, out["low"] = dump(p->low),
+    out["high"] = dump(p->high);
     out["contained_by"] = container(p->container), out["accuracy"] = p->accuracy, out["max_gradient"] = p->max_gradient;
   }
   void operator()(const std::shared_ptr<const scene::JuliaFractal>& j) const {
-    out["parameter"] = j->parameter, out["slice"] = j->slice, out["slice_distance"] = j->slice_distance, out["exponent"] = dump(j->exponent);
+    out["parameter"] = j->parameter, out["slice"] = j->slice, out["slice_distance"] = j->slice_distance,
+    out["exponent"] = dump(j->exponent);
     out["algebra"] = j->hypercomplex ? "hypercomplex" : "quaternion", out["function"] = static_cast<int>(j->function);
     out["max_iteration"] = j->max_iteration, out["precision"] = j->precision;
   }
   void operator()(const std::shared_ptr<const scene::Text>& t) const {
-    out["font"] = t->font, out["builtin_font"] = t->builtin_font, out["text"] = to_utf8(t->text), out["thickness"] = t->thickness, out["offset"] = dump(t->offset);
+    out["font"] = t->font, out["builtin_font"] = t->builtin_font, out["text"] = to_utf8(t->text),
+    out["thickness"] = t->thickness, out["offset"] = dump(t->offset);
   }
   void operator()(const scene::Mesh& m) const {
     const scene::MeshData& d = *m.data;
     out["vertices"] = points(d.vertices), out["normals"] = points(d.normals), out["uv_vectors"] = points(d.uvs);
     out["inside_vector"] = d.inside_vector ? dump(*d.inside_vector) : Json(nullptr);
     out["textures"] = Json::array();
-    for (const scene::TexturePtr& t : m.textures.empty() ? d.textures : m.textures) out["textures"].push_back(dumper.texture(t));
+    for (const scene::TexturePtr& t : m.textures.empty() ? d.textures : m.textures)
+      out["textures"].push_back(dumper.texture(t));
     out["faces"] = Json::array();
     for (const scene::MeshTriangle& t : d.triangles) {
       Json face{{"vertices", t.vertex}};
@@ -135,15 +160,30 @@ struct ShapeDump {
 
 Json SceneDump::light(const scene::LightSource& l) {
   static constexpr const char* kKinds[] = {"point", "spotlight", "cylinder", "shadowless"};
-  Json out{{"kind", kKinds[static_cast<std::size_t>(l.kind)]}, {"location", dump(l.position)}, {"color", dump(l.color)}, {"parallel", l.parallel},
-           {"point_at", dump(l.point_at)}, {"direction", dump(l.direction)}, {"radius", l.radius}, {"falloff", l.falloff}, {"tightness", l.tightness},
-           {"fade_distance", l.fade_distance}, {"fade_power", l.fade_power}, {"media_interaction", l.media_interaction}, {"media_attenuation", l.media_attenuation}};
-  out["area_light"] = l.area ? Json{{"axis1", dump(l.axis1)}, {"axis2", dump(l.axis2)}, {"size", {l.size1, l.size2}}, {"adaptive", l.adaptive}, {"jitter", l.jitter},
-                                    {"circular", l.circular}, {"orient", l.orient}, {"area_illumination", l.area_illumination}}
+  Json out{{"kind", kKinds[static_cast<std::size_t>(l.kind)]},
+           {"location", dump(l.position)},
+           {"color", dump(l.color)},
+           {"parallel", l.parallel},
+           {"point_at", dump(l.point_at)},
+           {"direction", dump(l.direction)},
+           {"radius", l.radius},
+           {"falloff", l.falloff},
+           {"tightness", l.tightness},
+           {"fade_distance", l.fade_distance},
+           {"fade_power", l.fade_power},
+           {"media_interaction", l.media_interaction},
+           {"media_attenuation", l.media_attenuation}};
+  out["area_light"] = l.area ? Json{{"axis1", dump(l.axis1)},     {"axis2", dump(l.axis2)},
+                                    {"size", {l.size1, l.size2}}, {"adaptive", l.adaptive},
+                                    {"jitter", l.jitter},         {"circular", l.circular},
+                                    {"orient", l.orient},         {"area_illumination", l.area_illumination}}
                              : Json(nullptr);
   out["looks_like"] = l.looks_like ? object(*l.looks_like) : Json(nullptr);
   out["projected_through"] = l.projected_through ? object(*l.projected_through) : Json(nullptr);
-  if (l.photons_given) out["photons"] = {{"reflection", dump_flag(l.photon_reflection)}, {"refraction", dump_flag(l.photon_refraction)}, {"area_light", l.photon_area}};
+  if (l.photons_given)
+    out["photons"] = {{"reflection", dump_flag(l.photon_reflection)},
+                      {"refraction", dump_flag(l.photon_refraction)},
+                      {"area_light", l.photon_area}};
   return out;
 }
 
@@ -180,8 +220,11 @@ Json SceneDump::object(const scene::Object& o) {
   if (o.radiosity_importance >= 0) out["radiosity_importance"] = o.radiosity_importance;
   if (o.photons) {
     const scene::PhotonFlags& p = *o.photons;
-    out["photons"] = {{"target", p.target ? Json(p.target_spacing) : Json(nullptr)}, {"reflection", dump_flag(p.reflection)}, {"refraction", dump_flag(p.refraction)},
-                      {"pass_through", p.pass_through}, {"collect", p.collect}};
+    out["photons"] = {{"target", p.target ? Json(p.target_spacing) : Json(nullptr)},
+                      {"reflection", dump_flag(p.reflection)},
+                      {"refraction", dump_flag(p.refraction)},
+                      {"pass_through", p.pass_through},
+                      {"collect", p.collect}};
   }
   return out;
 }

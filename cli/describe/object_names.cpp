@@ -9,7 +9,9 @@ struct Keyword {
   const char* operator()(const scene::Sphere&) const { return "sphere"; }
   const char* operator()(const scene::Box&) const { return "box"; }
   const char* operator()(const scene::Plane&) const { return "plane"; }
-  const char* operator()(const scene::Cone& cone) const { return cone.base_radius == cone.cap_radius ? "cylinder" : "cone"; }
+  const char* operator()(const scene::Cone& cone) const {
+    return cone.base_radius == cone.cap_radius ? "cylinder" : "cone";
+  }
   const char* operator()(const scene::Torus&) const { return "torus"; }
   const char* operator()(const scene::Disc&) const { return "disc"; }
   const char* operator()(const scene::Triangle&) const { return "triangle"; }
@@ -32,7 +34,10 @@ struct Keyword {
   const char* operator()(const std::shared_ptr<const scene::Text>&) const { return "text"; }
   const char* operator()(const scene::Mesh&) const { return "mesh"; }
   const char* operator()(const scene::Csg& csg) const {
-    return csg.difference ? "difference" : csg.kind == scene::CsgKind::union_ ? "union" : csg.kind == scene::CsgKind::merge ? "merge" : "intersection";
+    return csg.difference                       ? "difference"
+           : csg.kind == scene::CsgKind::union_ ? "union"
+           : csg.kind == scene::CsgKind::merge  ? "merge"
+                                                : "intersection";
   }
   const char* operator()(const scene::LightGroup&) const { return "light_group"; }
   const char* operator()(const scene::Boxed<scene::LightSource>&) const { return "light_source"; }

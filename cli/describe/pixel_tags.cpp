@@ -14,19 +14,54 @@ using scene::PatternKind;
 using Words = std::vector<std::pair<std::string, std::string>>;
 
 const char* keyword(PatternKind kind) {
-  static const std::unordered_map<PatternKind, const char*> kWords = {
-      {PatternKind::agate, "agate"}, {PatternKind::aoi, "aoi"}, {PatternKind::average, "average"}, {PatternKind::boxed, "boxed"}, {PatternKind::bozo, "bozo"},
-      {PatternKind::brick, "brick"}, {PatternKind::bump_map, "bump_map"}, {PatternKind::bumps, "bumps"}, {PatternKind::cells, "cells"}, {PatternKind::checker, "checker"},
-      {PatternKind::crackle, "crackle"}, {PatternKind::cubic, "cubic"}, {PatternKind::cylindrical, "cylindrical"}, {PatternKind::density_file, "density_file"},
-      {PatternKind::dents, "dents"}, {PatternKind::facets, "facets"}, {PatternKind::function, "function"}, {PatternKind::gradient, "gradient"},
-      {PatternKind::granite, "granite"}, {PatternKind::hexagon, "hexagon"}, {PatternKind::image_map, "image_map"}, {PatternKind::image_pattern, "image_pattern"},
-      {PatternKind::julia, "julia"}, {PatternKind::leopard, "leopard"}, {PatternKind::magnet_julia, "magnet julia"}, {PatternKind::magnet_mandel, "magnet mandel"},
-      {PatternKind::mandel, "mandel"}, {PatternKind::marble, "marble"}, {PatternKind::object, "object"}, {PatternKind::onion, "onion"}, {PatternKind::pavement, "pavement"},
-      {PatternKind::pigment_pattern, "pigment_pattern"}, {PatternKind::planar, "planar"}, {PatternKind::quilted, "quilted"}, {PatternKind::radial, "radial"},
-      {PatternKind::ripples, "ripples"}, {PatternKind::slope, "slope"}, {PatternKind::spherical, "spherical"}, {PatternKind::spiral1, "spiral1"},
-      {PatternKind::spiral2, "spiral2"}, {PatternKind::spotted, "spotted"}, {PatternKind::square, "square"}, {PatternKind::tiling, "tiling"},
-      {PatternKind::triangular, "triangular"}, {PatternKind::uv_mapping, "uv_mapping"}, {PatternKind::waves, "waves"}, {PatternKind::wood, "wood"},
-      {PatternKind::wrinkles, "wrinkles"}};
+  static const std::unordered_map<PatternKind, const char*> kWords = {{PatternKind::agate, "agate"},
+                                                                      {PatternKind::aoi, "aoi"},
+                                                                      {PatternKind::average, "average"},
+                                                                      {PatternKind::boxed, "boxed"},
+                                                                      {PatternKind::bozo, "bozo"},
+                                                                      {PatternKind::brick, "brick"},
+                                                                      {PatternKind::bump_map, "bump_map"},
+                                                                      {PatternKind::bumps, "bumps"},
+                                                                      {PatternKind::cells, "cells"},
+                                                                      {PatternKind::checker, "checker"},
+                                                                      {PatternKind::crackle, "crackle"},
+                                                                      {PatternKind::cubic, "cubic"},
+                                                                      {PatternKind::cylindrical, "cylindrical"},
+                                                                      {PatternKind::density_file, "density_file"},
+                                                                      {PatternKind::dents, "dents"},
+                                                                      {PatternKind::facets, "facets"},
+                                                                      {PatternKind::function, "function"},
+                                                                      {PatternKind::gradient, "gradient"},
+                                                                      {PatternKind::granite, "granite"},
+                                                                      {PatternKind::hexagon, "hexagon"},
+                                                                      {PatternKind::image_map, "image_map"},
+                                                                      {PatternKind::image_pattern, "image_pattern"},
+                                                                      {PatternKind::julia, "julia"},
+                                                                      {PatternKind::leopard, "leopard"},
+                                                                      {PatternKind::magnet_julia, "magnet julia"},
+                                                                      {PatternKind::magnet_mandel, "magnet mandel"},
+                                                                      {PatternKind::mandel, "mandel"},
+                                                                      {PatternKind::marble, "marble"},
+                                                                      {PatternKind::object, "object"},
+                                                                      {PatternKind::onion, "onion"},
+                                                                      {PatternKind::pavement, "pavement"},
+                                                                      {PatternKind::pigment_pattern, "pigment_pattern"},
+                                                                      {PatternKind::planar, "planar"},
+                                                                      {PatternKind::quilted, "quilted"},
+                                                                      {PatternKind::radial, "radial"},
+                                                                      {PatternKind::ripples, "ripples"},
+                                                                      {PatternKind::slope, "slope"},
+                                                                      {PatternKind::spherical, "spherical"},
+                                                                      {PatternKind::spiral1, "spiral1"},
+                                                                      {PatternKind::spiral2, "spiral2"},
+                                                                      {PatternKind::spotted, "spotted"},
+                                                                      {PatternKind::square, "square"},
+                                                                      {PatternKind::tiling, "tiling"},
+                                                                      {PatternKind::triangular, "triangular"},
+                                                                      {PatternKind::uv_mapping, "uv_mapping"},
+                                                                      {PatternKind::waves, "waves"},
+                                                                      {PatternKind::wood, "wood"},
+                                                                      {PatternKind::wrinkles, "wrinkles"}};
   const auto it = kWords.find(kind);
   return it == kWords.end() ? nullptr : it->second;
 }
@@ -39,8 +74,10 @@ bool of_noise(const scene::Pattern& pattern) {
     case PatternKind::dents:
     case PatternKind::granite:
     case PatternKind::spotted:
-    case PatternKind::wrinkles: return true;
-    default: break;
+    case PatternKind::wrinkles:
+      return true;
+    default:
+      break;
   }
   if (pattern.turbulence && pattern.turbulence->amount != Vec3(0, 0, 0)) return true;
   for (const scene::Warp& warp : pattern.warps)
@@ -64,7 +101,8 @@ class Patterns {
       if (layer.finish->crand != 0) words_.emplace_back("feature", "crand");
       if (layer.finish->subsurface) words_.emplace_back("feature", "subsurface");
       if (layer.finish->irid > 0) words_.emplace_back("feature", "irid");
-      if (layer.finish->phong > 0 || layer.finish->specular > 0) words_.emplace_back("feature", "highlights (phong, specular)");
+      if (layer.finish->phong > 0 || layer.finish->specular > 0)
+        words_.emplace_back("feature", "highlights (phong, specular)");
     }
   }
 
@@ -133,10 +171,12 @@ void TagWitness::ray_started(const shading::RayState& ray, const shapes::Hit* hi
   if (gathering_) return;
   if (depth_ > 1) add("feature", ray.reflected ? "reflection" : "transparency and refraction");
   if (!hit) {
-    add(depth_ == 1 ? "object" : "secondary object", depth_ == 1 ? "sky, background or nothing" : "sky or background by a secondary ray");
+    add(depth_ == 1 ? "object" : "secondary object",
+        depth_ == 1 ? "sky, background or nothing" : "sky or background by a secondary ray");
     return;
   }
-  if (const shapes::Surface* surface = hit->shape->surface; surface && surface->object) describe(*surface->object, depth_ == 1, ray);
+  if (const shapes::Surface* surface = hit->shape->surface; surface && surface->object)
+    describe(*surface->object, depth_ == 1, ray);
 }
 
 void TagWitness::ray_ended(const shading::RayState&, const Color&) {
@@ -148,14 +188,22 @@ void TagWitness::layer(const shading::SurfaceHit& at, const shading::LayerContex
   if (!gathering_ && depth_ == 1 && at.inside_hit) add("feature", "a surface seen from inside");
 }
 
-void TagWitness::light(const shading::Light& light, const shading::LightDirection&, bool tested, const Rgb& arriving, const Rgb& added) {
+void TagWitness::light(const shading::Light& light, const shading::LightDirection&, bool tested, const Rgb& arriving,
+                       const Rgb& added) {
   if (gathering_ || depth_ != 1) return;
   const scene::LightSource& source = light.source();
-  const char* kind = source.area ? "area_light" : source.kind == scene::LightKind::spotlight ? "spotlight" : source.kind == scene::LightKind::cylinder ? "cylinder light"
-                   : source.parallel ? "parallel light" : source.kind == scene::LightKind::shadowless ? "shadowless light" : "light";
-  const std::string name = fmt::format("{} at <{:.4g}, {:.4g}, {:.4g}>", kind, source.position.x, source.position.y, source.position.z);
-  if (added.max_abs() > 0) add("light", "lit by the " + name);
-  else if (tested && arriving.max_abs() == 0) add("light", "in the shadow of the " + name);
+  const char* kind = source.area                                   ? "area_light"
+                     : source.kind == scene::LightKind::spotlight  ? "spotlight"
+                     : source.kind == scene::LightKind::cylinder   ? "cylinder light"
+                     : source.parallel                             ? "parallel light"
+                     : source.kind == scene::LightKind::shadowless ? "shadowless light"
+                                                                   : "light";
+  const std::string name =
+      fmt::format("{} at <{:.4g}, {:.4g}, {:.4g}>", kind, source.position.x, source.position.y, source.position.z);
+  if (added.max_abs() > 0)
+    add("light", "lit by the " + name);
+  else if (tested && arriving.max_abs() == 0)
+    add("light", "in the shadow of the " + name);
 }
 
 }  // namespace verisim::cli

@@ -63,22 +63,27 @@ parser::ParseResult parse(const Job& job, const Frame& frame, FrameReport& repor
   report.status = kSceneErrors;
   for (const parser::Diagnostic& error : result.errors) {
     if (error.severity == parser::Severity::unsupported) report.status = kUnsupported;
-    if (report.message.empty()) report.message = fmt::format("{}:{}:{}: {}", error.file, error.line, error.column, error.message);
+    if (report.message.empty())
+      report.message = fmt::format("{}:{}:{}: {}", error.file, error.line, error.column, error.message);
   }
   if (job.console.style() == Style::povray) job.console.always("Fatal error in parser: Cannot parse input.");
   return result;
 }
 
-// ------------------------------------------------------------------------------------------------ where the picture goes
+// ------------------------------------------------------------------------------------------------ where the picture
+// goes
 
 // All settings of the call as Key=Value, on one line; local paths stay out of what a picture tells to others.
 std::string given_settings(const Options& options) {
   std::string text;
   for (const auto& [key, value] : options.given) {
-    if (key == "Library_Path" || key == "Input_File_Name" || key == "Output_File_Name" || key == "Include_Header" || key.ends_with("_Command")) continue;
+    if (key == "Library_Path" || key == "Input_File_Name" || key == "Output_File_Name" || key == "Include_Header" ||
+        key.ends_with("_Command"))
+      continue;
     text += (text.empty() ? "" : " ") + key + "=" + value;
   }
-  std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
   return text;
 }
 
@@ -94,7 +99,10 @@ image::OutputOptions output_options(const Job& job, const scene::Scene& scene) {
   if (output.working == scene::Gamma::none && options.version >= 3.7) {  // spec 02 4.1, last row
     output.working = scene::Gamma::power;
     output.working_gamma = 1;
-    job.console.line(Stream::warning, wrapped("Warning: assumed_gamma is not specified, and Version is 3.7 or later: rendering in linear colour space."));
+    job.console.line(
+        Stream::warning,
+        wrapped(
+            "Warning: assumed_gamma is not specified, and Version is 3.7 or later: rendering in linear colour space."));
   }
   output.file_srgb = options.file_srgb;
   output.file_gamma = options.file_gamma;
@@ -111,8 +119,11 @@ image::OutputOptions output_options(const Job& job, const scene::Scene& scene) {
 void check_folder(const fs::path& path) {
   const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
   std::error_code ignored;
-  if (!fs::is_directory(folder, ignored)) throw Failure{kInputOutput, fmt::format("cannot write '{}': there is no folder '{}'", path.string(), folder.string())};
-  if (fs::is_directory(path, ignored)) throw Failure{kInputOutput, fmt::format("cannot write '{}': it is a folder", path.string())};
+  if (!fs::is_directory(folder, ignored))
+    throw Failure{kInputOutput,
+                  fmt::format("cannot write '{}': there is no folder '{}'", path.string(), folder.string())};
+  if (fs::is_directory(path, ignored))
+    throw Failure{kInputOutput, fmt::format("cannot write '{}': it is a folder", path.string())};
   // A file without a name, where the file system has such: a kill leaves nothing behind.
   if (const int nameless = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600); nameless >= 0) {
     ::close(nameless);
@@ -152,10 +163,30 @@ std::uint64_t picture_key(const Job& job, const Frame& frame, const Region& part
   const Options& o = job.options;
   Fingerprint key;
   key.add(VERISIM_VERSION);
-  for (const double value : {double(o.width), double(o.height), double(part.first_column), double(part.last_column), double(part.first_row), double(part.last_row),
-                             double(o.antialias), double(o.sampling_method), double(o.antialias_depth), o.antialias_threshold, o.antialias_gamma, double(o.jitter),
-                             o.jitter_amount, double(o.quality), double(o.block_size), double(o.output_alpha), double(o.split_unions), double(o.remove_bounds),
-                             double(o.seed), o.version, frame.clock, double(frame.number), double(job.animation.final_frame), double(job.animation.initial_frame)})
+  for (const double value : {double(o.width),
+                             double(o.height),
+                             double(part.first_column),
+                             double(part.last_column),
+                             double(part.first_row),
+                             double(part.last_row),
+                             double(o.antialias),
+                             double(o.sampling_method),
+                             double(o.antialias_depth),
+                             o.antialias_threshold,
+                             o.antialias_gamma,
+                             double(o.jitter),
+                             o.jitter_amount,
+                             double(o.quality),
+                             double(o.block_size),
+                             double(o.output_alpha),
+                             double(o.split_unions),
+                             double(o.remove_bounds),
+                             double(o.seed),
+                             o.version,
+                             frame.clock,
+                             double(frame.number),
+                             double(job.animation.final_frame),
+                             double(job.animation.initial_frame)})
     key.add(value);
   key.add(o.sampler);
   if (o.integrator == "path") key.add("path " + std::to_string(o.path_samples) + " " + std::to_string(o.path_bounces));
@@ -169,10 +200,12 @@ struct Canvas {
   std::uint64_t pixels = 0;  // of the region
 };
 
-// Asks for huge pages for memory that is about to be filled: thousands of page faults less. A hint; failure means ordinary pages.
+// Asks for huge pages for memory that is about to be filled: thousands of page faults less. A hint; failure means
+// ordinary pages.
 void fill_by_huge_pages(void* memory, std::size_t bytes) {
   constexpr std::uintptr_t kPage = 4096;
-  const std::uintptr_t from = (reinterpret_cast<std::uintptr_t>(memory) + kPage - 1) / kPage * kPage, to = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / kPage * kPage;
+  const std::uintptr_t from = (reinterpret_cast<std::uintptr_t>(memory) + kPage - 1) / kPage * kPage,
+                       to = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / kPage * kPage;
   if (to > from + (std::size_t{4} << 20)) ::madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);
 }
 
@@ -186,14 +219,17 @@ Canvas blank(const Options& options, const Region& part) {
   canvas.framebuffer.pixels.assign(pixels, Color());
   canvas.framebuffer.done.assign(pixels, 0);
   if (!part.empty())
-    canvas.pixels = static_cast<std::uint64_t>(part.last_column - part.first_column + 1) * static_cast<std::uint64_t>(part.last_row - part.first_row + 1);
+    canvas.pixels = static_cast<std::uint64_t>(part.last_column - part.first_column + 1) *
+                    static_cast<std::uint64_t>(part.last_row - part.first_row + 1);
   return canvas;
 }
 
 // Renders into the canvas, with the state file where there is one.
-void trace(const Job& job, const scene::Scene& scene, const Region& part, Canvas& canvas, StateFile* state, LayerChoice& choice, FrameReport& report) {
+void trace(const Job& job, const scene::Scene& scene, const Region& part, Canvas& canvas, StateFile* state,
+           LayerChoice& choice, FrameReport& report) {
   // +WT0 and an empty region trace nothing and still make a picture.
-  if (part.empty() || job.options.threads.value_or(1) <= 0) return render::resize_layers(choice.layers, job.options.width, job.options.height);
+  if (part.empty() || job.options.threads.value_or(1) <= 0)
+    return render::resize_layers(choice.layers, job.options.width, job.options.height);
   render::Options options = render_options(job, part);
   if (choice.any) options.layers = &choice.layers;
   options.progress = [&](double fraction) { job.console.progress(fraction, canvas.pixels); };
@@ -210,11 +246,13 @@ void trace(const Job& job, const scene::Scene& scene, const Region& part, Canvas
   job.console.end_progress();
 }
 
-void write(const Job& job, const Canvas& canvas, const LayerChoice& choice, const OutputName& name, const image::OutputOptions& output, FrameReport& report) {
+void write(const Job& job, const Canvas& canvas, const LayerChoice& choice, const OutputName& name,
+           const image::OutputOptions& output, FrameReport& report) {
   if (!job.options.output_to_file) return;
   const auto start = Clock::now();
   if (name.standard_output || name.standard_error) {
-    if (output.format == image::Format::jpeg || output.format == image::Format::exr || output.format == image::Format::tiff)
+    if (output.format == image::Format::jpeg || output.format == image::Format::exr ||
+        output.format == image::Format::tiff)
       throw Failure{kInputOutput, "JPEG, OpenEXR and TIFF pictures cannot be written to a stream; name a file"};
     write_to_stream(canvas.framebuffer, output, name.standard_error);
   } else {
@@ -232,11 +270,13 @@ void write(const Job& job, const Canvas& canvas, const LayerChoice& choice, cons
 void warn_of_object(const Job& job, const scene::Place& place, const std::string& text) {
   const std::string file = place.file ? *place.file : std::string();
   const bool povray = job.console.style() == Style::povray;
-  job.console.line(Stream::warning, povray ? wrapped(fmt::format("File: {}  Line: {}\nShutdown Warning: {}", file, place.line, text))
-                                           : wrapped(fmt::format("{}:{}: warning: {}", file, place.line, text)));
+  job.console.line(Stream::warning,
+                   povray ? wrapped(fmt::format("File: {}  Line: {}\nShutdown Warning: {}", file, place.line, text))
+                          : wrapped(fmt::format("{}:{}: warning: {}", file, place.line, text)));
 }
 
-void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene, const OutputName& name, FrameReport& report) {
+void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene, const OutputName& name,
+                   FrameReport& report) {
   const Options& options = job.options;
   const Region part = region(options);
   const bool to_file = options.output_to_file && !name.standard_output && !name.standard_error;
@@ -249,7 +289,11 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   if (to_file && !options.replay) {
     state = std::make_unique<StateFile>(name.state_path, picture_key(job, frame, part, report.files_read));
     if (options.continue_trace && state->resume(canvas.framebuffer) == StateFile::Found::other_render)
-      job.console.line(Stream::warning, wrapped(fmt::format("The state file '{}' belongs to another scene or other settings: starting from the beginning.", name.state_path.string())));
+      job.console.line(
+          Stream::warning,
+          wrapped(fmt::format(
+              "The state file '{}' belongs to another scene or other settings: starting from the beginning.",
+              name.state_path.string())));
   }
   if (to_file) {  // the picture of an earlier run would be taken for this one's by +C
     std::error_code ignored;
@@ -272,7 +316,8 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
     diagnostic.message = missing.what();
     job.console.diagnostic(diagnostic);
     report.status = kUnsupported;
-    report.message = fmt::format("{}:{}:{}: {}", diagnostic.file, diagnostic.line, diagnostic.column, diagnostic.message);
+    report.message =
+        fmt::format("{}:{}:{}: {}", diagnostic.file, diagnostic.line, diagnostic.column, diagnostic.message);
     return;
   }
   report.seconds_render = since(start);
@@ -284,7 +329,8 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   if (interrupted && state) state->flush(canvas.framebuffer);
   output.metadata["Render Time"] = fmt::format("{:.3f} s", report.seconds_render);
   write(job, canvas, choice, name, output, report);
-  if (interrupted) throw Failure{kInterrupted, job.interrupt.out_of_time() ? "out of time (--max-seconds)" : "interrupted"};
+  if (interrupted)
+    throw Failure{kInterrupted, job.interrupt.out_of_time() ? "out of time (--max-seconds)" : "interrupted"};
   if (state) state->remove();
 }
 
@@ -293,7 +339,9 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
 double cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -309,8 +357,10 @@ render::Options render_options(const Job& job, const Region& part) {
   result.antialias = options.antialias && options.sampling_method != 0;
   result.sampling_method = options.sampling_method;
   if (options.integrator == "path") {
-    if (options.path_samples < 1 || options.path_bounces < 1) throw OptionError("--path-samples and --path-bounces must be at least 1");
-    if (options.replay) throw OptionError("--replay follows POV-Ray's algorithms: it cannot be combined with --integrator path");
+    if (options.path_samples < 1 || options.path_bounces < 1)
+      throw OptionError("--path-samples and --path-bounces must be at least 1");
+    if (options.replay)
+      throw OptionError("--replay follows POV-Ray's algorithms: it cannot be combined with --integrator path");
     result.path_samples = options.path_samples;
     result.path_bounces = options.path_bounces;
   } else if (options.integrator != "povray") {
@@ -324,9 +374,13 @@ render::Options render_options(const Job& job, const Region& part) {
   result.jitter_amount = options.jitter_amount;
   result.quality = options.quality;
   result.block_size = options.block_size;
-  // Adaptive sampling looks at the pixels around a block, so larger blocks are cheaper; +BS still decides when it is given.
-  const auto given = [&](std::string_view key) { return std::any_of(options.given.begin(), options.given.end(), [&](const auto& g) { return g.first == key; }); };
-  if (result.antialias && result.sampler == render::Sampler::adaptive && !given("Render_Block_Size")) result.block_size = 64;
+  // Adaptive sampling looks at the pixels around a block, so larger blocks are cheaper; +BS still decides when it is
+  // given.
+  const auto given = [&](std::string_view key) {
+    return std::any_of(options.given.begin(), options.given.end(), [&](const auto& g) { return g.first == key; });
+  };
+  if (result.antialias && result.sampler == render::Sampler::adaptive && !given("Render_Block_Size"))
+    result.block_size = 64;
   constexpr int kMaxThreads = 1024;
   result.threads = std::min(options.threads.value_or(0), kMaxThreads);
   result.output_alpha = options.output_alpha;
@@ -370,8 +424,9 @@ FrameReport render_frame(const Job& job, const Frame& frame) {
   const OutputName name = output_name(job.options, job.scene, job.animation, frame);
   try {
     std::error_code ignored;
-    if (job.options.continue_trace && job.options.output_to_file && !name.path.empty() && fs::is_regular_file(name.path, ignored) &&
-        fs::file_size(name.path, ignored) > 0 && !is_state_file(name.state_path)) {
+    if (job.options.continue_trace && job.options.output_to_file && !name.path.empty() &&
+        fs::is_regular_file(name.path, ignored) && fs::file_size(name.path, ignored) > 0 &&
+        !is_state_file(name.state_path)) {
       job.console.always("File already rendered and continue requested; skipping.");
       report.skipped = true;
       return report;
@@ -381,14 +436,17 @@ FrameReport render_frame(const Job& job, const Frame& frame) {
     const bool reuse = job.shared && job.shared->result.scene.has_value();
     if (!reuse) own = parse(job, frame, report);
     if (!reuse && !own.scene) return report;
-    if (!reuse && job.shared && job.animation.count() > 1 && own.warnings == 0 && !depends_on_frame(own.files_read)) job.shared->result = std::move(own);
+    if (!reuse && job.shared && job.animation.count() > 1 && own.warnings == 0 && !depends_on_frame(own.files_read))
+      job.shared->result = std::move(own);
     const parser::ParseResult& parsed = job.shared && job.shared->result.scene ? job.shared->result : own;
     report.scene_reused = reuse;
     report.files_read = parsed.files_read;
     report.stochastic_features = stochastic_features(*parsed.scene, job.options.quality);
-    if (job.console.style() == Style::povray) job.console.line(Stream::statistic, parser_statistics(*parsed.scene, report));
+    if (job.console.style() == Style::povray)
+      job.console.line(Stream::statistic, parser_statistics(*parsed.scene, report));
     render_parsed(job, frame, *parsed.scene, name, report);
-    if (report.status == kOk && job.console.style() == Style::povray) job.console.line(Stream::statistic, render_statistics(job.options, *parsed.scene, report));
+    if (report.status == kOk && job.console.style() == Style::povray)
+      job.console.line(Stream::statistic, render_statistics(job.options, *parsed.scene, report));
   } catch (const Failure& failure) {
     job.console.end_progress();
     report.status = failure.status;

@@ -13,6 +13,7 @@
 #include "cli/console/exit_status.h"
 #include "cli/settings/region.h"
 #include "cli/frame/scene_reuse.h"
+#include "tracer/render/render.h"
 
 namespace verisim::cli {
 
@@ -28,10 +29,10 @@ struct Job {
 
 struct FrameReport {
   ExitStatus status = kOk;
-  bool scene_reused = false;       // from an earlier frame, not parsed again
-  bool skipped = false;            // +C and the picture is there
-  std::string message;             // the first error, as one line
-  std::filesystem::path output;    // empty: none was written
+  bool scene_reused = false;     // from an earlier frame, not parsed again
+  bool skipped = false;          // +C and the picture is there
+  std::string message;           // the first error, as one line
+  std::filesystem::path output;  // empty: none was written
   double seconds_parse = 0, cpu_parse = 0, seconds_render = 0, cpu_render = 0, seconds_write = 0;
   int warnings = 0;
   render::Statistics statistics;

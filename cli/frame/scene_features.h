@@ -8,7 +8,8 @@
 
 namespace verisim::cli {
 
-// In words, each once: "area_light jitter", "radiosity", ... Empty: the scene has no random element. `quality` switches features off (spec 02 section 8).
+// In words, each once: "area_light jitter", "radiosity", ... Empty: the scene has no random element. `quality` switches
+// features off (spec 02 section 8).
 std::vector<std::string> stochastic_features(const scene::Scene& scene, int quality);
 
 // How many objects are finite, infinite and light sources, for the statistics.

@@ -11,8 +11,10 @@
 namespace verisim::cli {
 namespace {
 
-constexpr auto kWords = std::to_array<std::string_view>({"clock", "clock_delta", "clock_on", "debug", "error", "file_exists", "final_clock", "final_frame", "fopen", "frame_number",
-                                                         "initial_clock", "initial_frame", "load_file", "now", "render", "save_file", "statistics", "warning"});
+constexpr auto kWords =
+    std::to_array<std::string_view>({"clock", "clock_delta", "clock_on", "debug", "error", "file_exists", "final_clock",
+                                     "final_frame", "fopen", "frame_number", "initial_clock", "initial_frame",
+                                     "load_file", "now", "render", "save_file", "statistics", "warning"});
 
 bool holds_word(const std::string& text) {
   const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };

@@ -16,8 +16,8 @@ namespace verisim::cli {
 namespace {
 
 constexpr std::array<char, 16> kMagic{'v', 'e', 'r', 'i', 's', 'i', 'm', '-', 's', 't', 'a', 't', 'e', '-', '1', '\n'};
-constexpr std::size_t kHeaderBytes = kMagic.size() + 16;      // key, checksum
-constexpr std::size_t kBytesPerPixel = 4 * sizeof(float);     // r g b transmit
+constexpr std::size_t kHeaderBytes = kMagic.size() + 16;   // key, checksum
+constexpr std::size_t kBytesPerPixel = 4 * sizeof(float);  // r g b transmit
 constexpr std::size_t kRecordHead = 4 * sizeof(std::int32_t);
 
 std::uint64_t mixed(std::uint64_t h) {  // the finaliser of SplitMix64
@@ -99,14 +99,17 @@ StateFile::Found StateFile::resume(render::Framebuffer& framebuffer) {
     record.resize(kRecordHead + pixels * kBytesPerPixel);
     std::uint64_t sum = 0;
     if (!stream.read(record.data() + kRecordHead, static_cast<std::streamsize>(pixels * kBytesPerPixel))) break;
-    if (!stream.read(reinterpret_cast<char*>(&sum), sizeof sum) || sum != checksum(record.data(), record.size(), key_)) break;
+    if (!stream.read(reinterpret_cast<char*>(&sum), sizeof sum) || sum != checksum(record.data(), record.size(), key_))
+      break;
     const char* source = record.data() + kRecordHead;
     for (int row = y; row < y + h; ++row)
       for (int column = x; column < x + w; ++column, source += kBytesPerPixel) {
         std::array<float, 4> values{};
         std::memcpy(values.data(), source, kBytesPerPixel);
         framebuffer.at(column, row) = Color(values[0], values[1], values[2], 0, values[3]);
-        if (!framebuffer.done.empty()) framebuffer.done[static_cast<std::size_t>(row) * static_cast<std::size_t>(framebuffer.width) + static_cast<std::size_t>(column)] = 1;
+        if (!framebuffer.done.empty())
+          framebuffer.done[static_cast<std::size_t>(row) * static_cast<std::size_t>(framebuffer.width) +
+                           static_cast<std::size_t>(column)] = 1;
       }
     known_.insert({x, y, w, h});
     good += record.size() + sizeof sum;
@@ -125,7 +128,8 @@ bool StateFile::open(bool append) {
 
 void StateFile::append(const Block& block, const render::Framebuffer& framebuffer) {
   std::string bytes;
-  bytes.reserve(kRecordHead + static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height) * kBytesPerPixel + 8);
+  bytes.reserve(kRecordHead +
+                static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height) * kBytesPerPixel + 8);
   for (const std::int32_t value : {block.x, block.y, block.width, block.height}) put(bytes, value);
   for (int y = block.y; y < block.y + block.height; ++y)
     for (int x = block.x; x < block.x + block.width; ++x) {
@@ -163,7 +167,8 @@ void StateFile::remove() {
 }
 
 void StateFile::fail(const std::string& what) {
-  failure_ = fmt::format("{} the state file '{}': {}; the render cannot be continued if it is broken off", what, path_.string(), std::strerror(errno));
+  failure_ = fmt::format("{} the state file '{}': {}; the render cannot be continued if it is broken off", what,
+                         path_.string(), std::strerror(errno));
   failed_ = true;
   // On a full disk the picture may need the room.
   std::error_code ignored;

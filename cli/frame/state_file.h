@@ -1,8 +1,9 @@
-// Continue-trace (+C): finished blocks of a render are kept in a file beside the picture, so that a render that was broken off at any time, even by
-// `kill -9`, goes on where it stood and ends in the identical picture.
+// Continue-trace (+C): finished blocks of a render are kept in a file beside the picture, so that a render that was
+// broken off at any time, even by `kill -9`, goes on where it stood and ends in the identical picture.
 //
-// The file is a header with a key (everything the pixels depend on), then one record a finished block, each with a checksum. Records are appended by
-// a single write; what follows the first damaged or incomplete record is dropped when the file is read.
+// The file is a header with a key (everything the pixels depend on), then one record a finished block, each with a
+// checksum. Records are appended by a single write; what follows the first damaged or incomplete record is dropped when
+// the file is read.
 #pragma once
 
 #include <chrono>
@@ -37,7 +38,8 @@ class Fingerprint {
 class StateFile {
  public:
   // Nothing is written before `delay` has passed: a picture that is done sooner needs no state.
-  StateFile(std::filesystem::path path, std::uint64_t key, std::chrono::milliseconds delay = std::chrono::milliseconds(1000));
+  StateFile(std::filesystem::path path, std::uint64_t key,
+            std::chrono::milliseconds delay = std::chrono::milliseconds(1000));
   ~StateFile();
   StateFile(const StateFile&) = delete;
   StateFile& operator=(const StateFile&) = delete;
@@ -48,7 +50,8 @@ class StateFile {
   bool known(const Block& block) const { return known_.contains(block); }
   std::size_t known_count() const { return known_.size(); }
 
-  // Keeps a finished block; safe from several threads. Never throws: without room for it the render goes on, see `failure`.
+  // Keeps a finished block; safe from several threads. Never throws: without room for it the render goes on, see
+  // `failure`.
   void finished(const Block& block, const render::Framebuffer& framebuffer);
   // Writes what is still held back: before a render is left unfinished.
   void flush(const render::Framebuffer& framebuffer);

@@ -25,13 +25,17 @@ render::Framebuffer blank() {
 
 render::Framebuffer painted() {
   render::Framebuffer result = blank();
-  for (int i = 0; i < kWidth * kHeight; ++i) result.pixels[static_cast<std::size_t>(i)] = Color(0.1f * static_cast<float>(i), 1.0f / static_cast<float>(i + 1), -2e-30f, 0, 0.25f);
+  for (int i = 0; i < kWidth * kHeight; ++i)
+    result.pixels[static_cast<std::size_t>(i)] =
+        Color(0.1f * static_cast<float>(i), 1.0f / static_cast<float>(i + 1), -2e-30f, 0, 0.25f);
   return result;
 }
 
 class StateFileTest : public testing::Test {
  protected:
-  void SetUp() override { path_ = fs::path(testing::TempDir()) / ("state_" + std::to_string(::getpid()) + ".pov-state"); }
+  void SetUp() override {
+    path_ = fs::path(testing::TempDir()) / ("state_" + std::to_string(::getpid()) + ".pov-state");
+  }
   void TearDown() override { fs::remove(path_); }
 
   void write(int blocks, std::uint64_t key = 7) {

@@ -9,8 +9,8 @@
 namespace verisim::cli {
 
 std::string banner();
-std::string section_bar(const std::string& title);                 // ==== [Parsing...] =====...
-std::string option_text(const Job& job, const Frame& frame);       // parser, animation, image and information options
+std::string section_bar(const std::string& title);            // ==== [Parsing...] =====...
+std::string option_text(const Job& job, const Frame& frame);  // parser, animation, image and information options
 std::string render_option_text(const Options& options);
 std::string parser_statistics(const scene::Scene& scene, const FrameReport& report);
 std::string render_statistics(const Options& options, const scene::Scene& scene, const FrameReport& report);

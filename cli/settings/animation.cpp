@@ -40,8 +40,11 @@ Animation animation(const Options& options) {
   result.initial_clock = options.initial_clock;
   result.final_clock = options.final_clock;
   result.clock_delta = (options.final_clock - options.initial_clock) / (result.final_frame - result.initial_frame);
-  result.first = std::max(options.subset_start ? subset(*options.subset_start, result.initial_frame, final) : result.initial_frame, result.initial_frame);
-  result.last = std::max(options.subset_end ? subset(*options.subset_end, result.initial_frame, final) : final, result.first);
+  result.first =
+      std::max(options.subset_start ? subset(*options.subset_start, result.initial_frame, final) : result.initial_frame,
+               result.initial_frame);
+  result.last =
+      std::max(options.subset_end ? subset(*options.subset_end, result.initial_frame, final) : final, result.first);
   result.step = options.frame_step;
   result.digits = digits(result.final_frame);
   return result;

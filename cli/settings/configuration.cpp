@@ -27,8 +27,10 @@ bool exists(const fs::path& path) {
 void apply_configuration(Options& options) {
   std::vector<fs::path> candidates;
   if (const std::string named = environment("POVINI"); !named.empty()) {
-    if (exists(named)) candidates.emplace_back(named);
-    else options.notes.push_back(fmt::format("POVINI environment: cannot open '{}'", named));
+    if (exists(named))
+      candidates.emplace_back(named);
+    else
+      options.notes.push_back(fmt::format("POVINI environment: cannot open '{}'", named));
   }
   const std::string home = environment("HOME");
   candidates.emplace_back("./povray.ini");
@@ -55,8 +57,9 @@ std::vector<fs::path> search_paths(const Options& options, const fs::path& scene
     add(extra.substr(start, end - start));
     start = end + 1;
   }
-  for (const char* known : {VERISIM_DEFAULT_INCLUDE_DIR, "/usr/share/povray-3.7/include", "/usr/local/share/povray-3.7/include", "/usr/share/povray/include",
-                            "/opt/homebrew/share/povray-3.7/include"}) {
+  for (const char* known :
+       {VERISIM_DEFAULT_INCLUDE_DIR, "/usr/share/povray-3.7/include", "/usr/local/share/povray-3.7/include",
+        "/usr/share/povray/include", "/opt/homebrew/share/povray-3.7/include"}) {
     std::error_code ignored;
     if (*known && fs::is_directory(known, ignored)) add(known);
   }

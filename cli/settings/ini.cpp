@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 namespace verisim::cli {
 namespace {
 
-constexpr int kMaxNesting = 20;                      // INI files that name INI files
-constexpr std::uintmax_t kMaxBytes = 16u << 20;      // of one INI file
+constexpr int kMaxNesting = 20;                  // INI files that name INI files
+constexpr std::uintmax_t kMaxBytes = 16u << 20;  // of one INI file
 thread_local int nesting = 0;
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
@@ -43,7 +43,10 @@ class Words {
     while (!text_.empty()) {
       const char c = text_.front();
       if (quote) {
-        if (c == quote) quote = 0; else result += c;
+        if (c == quote)
+          quote = 0;
+        else
+          result += c;
       } else if (c == '"' || c == '\'') {
         quote = c;
       } else if (is_space(c) || (commas && c == ',')) {
@@ -79,16 +82,21 @@ bool ends_with(std::string_view text, std::string_view ending) {
 }
 
 void set_or_include(Options& options, std::string_view key, std::string_view value) {
-  if (equal_ignoring_case(key, "Include_Ini")) apply_ini_file(options, value);
-  else set(options, key, value);
+  if (equal_ignoring_case(key, "Include_Ini"))
+    apply_ini_file(options, value);
+  else
+    set(options, key, value);
 }
 
 // A word that is neither switch nor Key=Value.
 void apply_bare_word(Options& options, const std::string& word) {
   if (word.empty()) return;
-  if (word.back() == '/') set(options, "Library_Path", word);
-  else if (ends_with(word, ".pov")) set(options, "Input_File_Name", word);
-  else apply_ini_file(options, word);
+  if (word.back() == '/')
+    set(options, "Library_Path", word);
+  else if (ends_with(word, ".pov"))
+    set(options, "Input_File_Name", word);
+  else
+    apply_ini_file(options, word);
 }
 
 // The inside of Declare='NAME="text"' keeps its double quotes: only the outer pair goes.
@@ -110,7 +118,8 @@ std::string declare_value(Words& words) {
   return value;
 }
 
-// One line of an INI file without its comment, or one argument. In an INI file everything after the first value is ignored.
+// One line of an INI file without its comment, or one argument. In an INI file everything after the first value is
+// ignored.
 void apply_words(Options& options, std::string_view line, bool from_file) {
   Words words(line);
   while (!words.at_end()) {
@@ -124,7 +133,8 @@ void apply_words(Options& options, std::string_view line, bool from_file) {
     if (key.empty()) {
       const std::string word = words.word();
       if (word.find('=') != std::string::npos) throw OptionError(fmt::format("'{}' is no Key=Value", word));
-      if (from_file && !ends_with(word, ".pov") && !ends_with(word, ".ini") && word.find('[') == std::string::npos && (word.empty() || word.back() != '/'))
+      if (from_file && !ends_with(word, ".pov") && !ends_with(word, ".ini") && word.find('[') == std::string::npos &&
+          (word.empty() || word.back() != '/'))
         throw OptionError(fmt::format("'{}' is no setting", word));
       apply_bare_word(options, word);
       continue;
@@ -150,7 +160,8 @@ void apply_words(Options& options, std::string_view line, bool from_file) {
         const std::string next = ahead.key();
         if (words.peek() != '+' && words.peek() != '-' && (next.empty() || !is_setting(next))) {
           values[0] = trim(raw);
-          options.notes.push_back(fmt::format("{}={}: the value has spaces and should be in quotation marks", key, values[0]));
+          options.notes.push_back(
+              fmt::format("{}={}: the value has spaces and should be in quotation marks", key, values[0]));
         }
       }
       for (const std::string& value : values) set_or_include(options, key, value);
@@ -163,9 +174,12 @@ std::string_view without_comment(std::string_view line) {
   char quote = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
-    if (quote) quote = c == quote ? '\0' : quote;
-    else if (c == '"' || c == '\'') quote = c;
-    else if (c == ';' || c == '#') return line.substr(0, i);
+    if (quote)
+      quote = c == quote ? '\0' : quote;
+    else if (c == '"' || c == '\'')
+      quote = c;
+    else if (c == ';' || c == '#')
+      return line.substr(0, i);
   }
   return line;
 }
@@ -198,7 +212,8 @@ fs::path find_ini(const Options& options, const std::string& name) {
 
 void apply_argument(Options& options, std::string_view argument) {
   // A name with spaces reaches us as one argument: an existing file is taken as it is.
-  if (argument.find(' ') != std::string_view::npos && argument.find('=') == std::string_view::npos && argument.front() != '+' && argument.front() != '-') {
+  if (argument.find(' ') != std::string_view::npos && argument.find('=') == std::string_view::npos &&
+      argument.front() != '+' && argument.front() != '-') {
     std::error_code ignored;
     if (fs::is_regular_file(fs::path(argument), ignored)) return apply_bare_word(options, std::string(argument));
   }
@@ -215,10 +230,13 @@ void apply_ini_file(Options& options, std::string_view name) {
   const fs::path path = find_ini(options, file);
   std::error_code error;
   if (fs::is_directory(path, error)) throw OptionError(fmt::format("'{}' is a folder, not an INI file", path.string()));
-  if (fs::is_regular_file(path, error) && fs::file_size(path, error) > kMaxBytes) throw OptionError(fmt::format("'{}' is too large for an INI file", path.string()));
+  if (fs::is_regular_file(path, error) && fs::file_size(path, error) > kMaxBytes)
+    throw OptionError(fmt::format("'{}' is too large for an INI file", path.string()));
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw OptionError(fmt::format("cannot read the INI file '{}'", path.string()));
-  if (nesting >= kMaxNesting) throw OptionError(fmt::format("INI files include each other more than {} deep at '{}'", kMaxNesting, path.string()));
+  if (nesting >= kMaxNesting)
+    throw OptionError(
+        fmt::format("INI files include each other more than {} deep at '{}'", kMaxNesting, path.string()));
   std::ostringstream text;
   text << stream.rdbuf();
   struct Nest {
@@ -238,7 +256,8 @@ void apply_ini_text(Options& options, std::string_view text, std::string_view se
     ++number;
     if (!line.empty() && line.front() == '[') {
       const std::size_t close = line.find(']');
-      if (close == std::string_view::npos) throw OptionError(fmt::format("{}:{}: a section name without its ]", source, number));
+      if (close == std::string_view::npos)
+        throw OptionError(fmt::format("{}:{}: a section name without its ]", source, number));
       active = !section.empty() && equal_ignoring_case(trim(line.substr(1, close - 1)), section);
       continue;
     }

@@ -8,12 +8,12 @@
 
 namespace verisim::cli {
 
-// One argument: switches, Key=Value, an INI file (name[section]), a .pov file or a folder ending in '/'; several may stand in it, parted by spaces.
-// Throws OptionError.
+// One argument: switches, Key=Value, an INI file (name[section]), a .pov file or a folder ending in '/'; several may
+// stand in it, parted by spaces. Throws OptionError.
 void apply_argument(Options& options, std::string_view argument);
 
-// Reads an INI file found as POV-Ray finds it (the current folder, then the library paths so far). `name` may end in [section].
-// Throws OptionError when it is missing or has a line that cannot be understood.
+// Reads an INI file found as POV-Ray finds it (the current folder, then the library paths so far). `name` may end in
+// [section]. Throws OptionError when it is missing or has a line that cannot be understood.
 void apply_ini_file(Options& options, std::string_view name);
 
 // The text of an INI file; `source` stands in messages.

@@ -36,7 +36,8 @@ class InFolder : public testing::Test {
 };
 
 TEST(Ini, ReadsKeysInAnyCaseWithSpacesAndComments) {
-  const Options o = from_text("; a comment\nWIDTH = 10 ; more\n  height=20 # more\n\nAntialias=on\nOutput_File_Name=\"a b.png\"\n");
+  const Options o =
+      from_text("; a comment\nWIDTH = 10 ; more\n  height=20 # more\n\nAntialias=on\nOutput_File_Name=\"a b.png\"\n");
   EXPECT_EQ(o.width, 10);
   EXPECT_EQ(o.height, 20);
   EXPECT_TRUE(o.antialias);
@@ -57,7 +58,9 @@ TEST(Ini, LinesMayHoldSwitches) {
   EXPECT_EQ(o.library_paths, std::vector<std::string>{"lib"});
 }
 
-TEST(Ini, CommasRepeatTheKey) { EXPECT_EQ(from_text("Library_Path=lib1,lib2\n").library_paths, (std::vector<std::string>{"lib1", "lib2"})); }
+TEST(Ini, CommasRepeatTheKey) {
+  EXPECT_EQ(from_text("Library_Path=lib1,lib2\n").library_paths, (std::vector<std::string>{"lib1", "lib2"}));
+}
 
 TEST(Ini, SectionsApplyByNameAfterTheHead) {
   const char* text = "Width=1\n[Small]\nWidth=2\nHeight=5\n[big]\nWidth=3\n[small]\nHeight=6\n";
@@ -68,7 +71,9 @@ TEST(Ini, SectionsApplyByNameAfterTheHead) {
   EXPECT_EQ(from_text(text, "none").width, 1);
 }
 
-TEST(Ini, CommandsAreTakenRaw) { EXPECT_EQ(from_text("Post_Frame_Command = convert %o 'x y' # ; z\n").post_frame.command, "convert %o 'x y' # ; z"); }
+TEST(Ini, CommandsAreTakenRaw) {
+  EXPECT_EQ(from_text("Post_Frame_Command = convert %o 'x y' # ; z\n").post_frame.command, "convert %o 'x y' # ; z");
+}
 
 TEST(Ini, ValuesWithSpacesGoToTheEndOfTheLine) {
   const Options o = from_text("Output_File_Name=my file\n");
@@ -81,10 +86,13 @@ TEST(Ini, StringDeclarationsKeepTheirQuotes) {
   EXPECT_EQ(from_text("Declare=x=1.5\n").declarations.at(0).second, "1.5");
 }
 
-TEST(Ini, RemovedKeysAreNotedAndIgnored) { EXPECT_EQ(from_text("Buffer_Output=on\nHistogram_Name=x\n").notes.size(), 2u); }
+TEST(Ini, RemovedKeysAreNotedAndIgnored) {
+  EXPECT_EQ(from_text("Buffer_Output=on\nHistogram_Name=x\n").notes.size(), 2u);
+}
 
 TEST(Ini, ErrorsNameFileAndLine) {
-  for (const char* text : {"Width=10\nFoo=1\n", "Width=10\nsome text\n", "Width=10\nWidth=x\n", "Width=10\n[open\n", "Width=10\nOutput_File_Name=\"x\n"}) {
+  for (const char* text : {"Width=10\nFoo=1\n", "Width=10\nsome text\n", "Width=10\nWidth=x\n", "Width=10\n[open\n",
+                           "Width=10\nOutput_File_Name=\"x\n"}) {
     try {
       from_text(text);
       ADD_FAILURE() << text;

@@ -29,8 +29,9 @@ LayerChoice layer_choice(const std::string& list) {
       choice.beauty = choice.layers.depth = choice.layers.normal = choice.layers.albedo = choice.layers.id = true;
     } else {
       const std::string advice = nearest(name, {"beauty", "depth", "normal", "albedo", "id", "all"});
-      throw OptionError(fmt::format("--layers takes beauty, depth, normal, albedo, id or all, separated by commas, not '{}'{}", name,
-                                    advice.empty() ? "" : "; did you mean " + advice + "?"));
+      throw OptionError(
+          fmt::format("--layers takes beauty, depth, normal, albedo, id or all, separated by commas, not '{}'{}", name,
+                      advice.empty() ? "" : "; did you mean " + advice + "?"));
     }
   }
   return choice;

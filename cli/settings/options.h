@@ -1,7 +1,8 @@
-// Every setting of a render as POV-Ray's switches and INI keywords (spec 02 section 9.6) and verisim's own `--` options give it.
+// Every setting of a render as POV-Ray's switches and INI keywords (spec 02 section 9.6) and verisim's own `--` options
+// give it.
 //
-// The values are as the user gave them, with POV-Ray's defaults; what they mean for a picture (region, frames, file names) is worked out in
-// region.h, animation.h and output_name.h.
+// The values are as the user gave them, with POV-Ray's defaults; what they mean for a picture (region, frames, file
+// names) is worked out in region.h, animation.h and output_name.h.
 #pragma once
 
 #include <cstdint>
@@ -87,10 +88,12 @@ struct Options {
   // verisim's own.
   bool replay = false, allow_shell = false, color = false, progress = true;
   std::uint64_t seed = 0;
-  std::string sampler = "povray";                     // or adaptive
-  std::string layers;                                 // of an EXR file, as the user listed them
+  std::string sampler = "povray";  // or adaptive
+  std::string layers;              // of an EXR file, as the user listed them
   std::vector<std::filesystem::path> allow_write, allow_read;
-  parser::Limits limits{.max_steps = std::uint64_t{100'000'000'000}};  // an endless loop ends after some ten minutes; POV-Ray takes hours for as much
+  parser::Limits limits{
+      .max_steps = std::uint64_t{
+          100'000'000'000}};  // an endless loop ends after some ten minutes; POV-Ray takes hours for as much
   std::uint64_t max_pixels = std::uint64_t{1} << 28;  // of one picture: 20 bytes each
   double max_seconds = 0;                             // of one command; 0: no limit
   std::string exact_output;                           // --output: the name as it is, the type by its extension

@@ -26,7 +26,8 @@ fs::path find_scene(const Options& options) {
   std::vector<std::string> variants{name + ".pov", name + ".POV", name};
   if (name.ends_with(".pov") || name.ends_with(".POV")) variants = {name};
   std::vector<fs::path> folders{fs::path()};
-  if (fs::path(name).is_relative()) folders.insert(folders.end(), options.library_paths.begin(), options.library_paths.end());
+  if (fs::path(name).is_relative())
+    folders.insert(folders.end(), options.library_paths.begin(), options.library_paths.end());
   for (const std::string& variant : variants)
     for (const fs::path& folder : folders) {
       std::error_code ignored;
@@ -63,8 +64,10 @@ OutputName output_name(const Options& options, const fs::path& scene, const Anim
   } else if (!name.empty()) {
     folder.clear();
   }
-  if (name.ends_with(ext)) name.resize(name.size() - ext.size());
-  else if (name.ends_with('.')) name.pop_back();
+  if (name.ends_with(ext))
+    name.resize(name.size() - ext.size());
+  else if (name.ends_with('.'))
+    name.pop_back();
   if (name.empty()) name = base_of(scene);
   result.path = folder + name + number + ext;
   result.state_path = folder + name + number + ".pov-state";

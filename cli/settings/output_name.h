@@ -9,7 +9,8 @@
 
 namespace verisim::cli {
 
-// The scene's file: in the current folder, then in the library paths, with .pov or .POV appended where needed. Empty if there is none.
+// The scene's file: in the current folder, then in the library paths, with .pov or .POV appended where needed. Empty if
+// there is none.
 std::filesystem::path find_scene(const Options& options);
 
 struct OutputName {
@@ -19,6 +20,7 @@ struct OutputName {
 };
 
 // `frame` counts only when the animation is on.
-OutputName output_name(const Options& options, const std::filesystem::path& scene, const Animation& animation, const Frame& frame);
+OutputName output_name(const Options& options, const std::filesystem::path& scene, const Animation& animation,
+                       const Frame& frame);
 
 }  // namespace verisim::cli

@@ -1,4 +1,5 @@
-// The `--` options of a subcommand (CLI11 behind a small seam), separated from the words in POV-Ray's style that stand among them.
+// The `--` options of a subcommand (CLI11 behind a small seam), separated from the words in POV-Ray's style that stand
+// among them.
 #pragma once
 
 #include <cstdint>

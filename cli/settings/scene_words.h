@@ -14,7 +14,8 @@ bool is_setting_word(const std::string& word);
 // Applies the configuration and then the words left to right; returns the words that name files.
 std::vector<std::string> apply_words(Options& options, const std::vector<std::string>& words);
 
-// The picture's type follows its name's extension unless a switch chose one. Throws OptionError for an extension that is no picture type.
+// The picture's type follows its name's extension unless a switch chose one. Throws OptionError for an extension that
+// is no picture type.
 void choose_format(Options& options);
 
 }  // namespace verisim::cli

@@ -20,7 +20,8 @@ std::optional<double> leading_number(std::string_view value) {
   while (*begin == ' ') ++begin;
   // strtod would also take inf, nan and hexadecimal numbers.
   const char* digits = begin + (*begin == '+' || *begin == '-');
-  if (!((*digits >= '0' && *digits <= '9') || (*digits == '.' && digits[1] >= '0' && digits[1] <= '9'))) return std::nullopt;
+  if (!((*digits >= '0' && *digits <= '9') || (*digits == '.' && digits[1] >= '0' && digits[1] <= '9')))
+    return std::nullopt;
   if (digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X')) return 0.0;
   return std::strtod(begin, nullptr);
 }
@@ -32,25 +33,47 @@ double to_number(std::string_view key, std::string_view value) {
 
 int to_int(std::string_view key, std::string_view value) {
   const double number = std::trunc(to_number(key, value));
-  if (!(std::fabs(number) <= std::numeric_limits<int>::max())) throw OptionError(fmt::format("{}={} is out of range", key, value));
+  if (!(std::fabs(number) <= std::numeric_limits<int>::max()))
+    throw OptionError(fmt::format("{}={} is out of range", key, value));
   return static_cast<int>(number);
 }
 
-// ------------------------------------------------------------------------------------------------ settings with a meaning of their own
+// ------------------------------------------------------------------------------------------------ settings with a
+// meaning of their own
 
 image::Format to_format(char letter) {
   switch (letter) {
-    case 'N': case 'n': return image::Format::png;
-    case 'T': case 't': return image::Format::tga;
-    case 'C': case 'c': return image::Format::tga_rle;
-    case 'P': case 'p': return image::Format::ppm;
-    case 'B': case 'b': return image::Format::bmp;
-    case 'J': case 'j': return image::Format::jpeg;
-    case 'E': case 'e': return image::Format::exr;
-    case 'H': case 'h': return image::Format::hdr;
-    default: break;
+    case 'N':
+    case 'n':
+      return image::Format::png;
+    case 'T':
+    case 't':
+      return image::Format::tga;
+    case 'C':
+    case 'c':
+      return image::Format::tga_rle;
+    case 'P':
+    case 'p':
+      return image::Format::ppm;
+    case 'B':
+    case 'b':
+      return image::Format::bmp;
+    case 'J':
+    case 'j':
+      return image::Format::jpeg;
+    case 'E':
+    case 'e':
+      return image::Format::exr;
+    case 'H':
+    case 'h':
+      return image::Format::hdr;
+    default:
+      break;
   }
-  throw OptionError(fmt::format("Unrecognized output file format '{}' (Output_File_Type, +F): N PNG, T and C Targa, P PPM, B BMP, J JPEG, E OpenEXR, H Radiance HDR", letter));
+  throw OptionError(
+      fmt::format("Unrecognized output file format '{}' (Output_File_Type, +F): N PNG, T and C Targa, P PPM, B BMP, J "
+                  "JPEG, E OpenEXR, H Radiance HDR",
+                  letter));
 }
 
 void output_file_type(Options& options, std::string_view value) {
@@ -58,7 +81,9 @@ void output_file_type(Options& options, std::string_view value) {
   options.format = to_format(value.front());
 }
 
-void bits_per_color(Options& options, std::string_view value) { options.bits = std::clamp(to_int("Bits_Per_Color", value), 5, 16); }
+void bits_per_color(Options& options, std::string_view value) {
+  options.bits = std::clamp(to_int("Bits_Per_Color", value), 5, 16);
+}
 
 // +FN16, +FPg: the letter, then g or the bits. Only the switch reads these; Output_File_Type takes the letter alone.
 void output_switch(Options& options, std::string_view value) {
@@ -77,8 +102,13 @@ void output_switch(Options& options, std::string_view value) {
 }
 
 void dither_method(Options& options, std::string_view value) {
-  constexpr std::array<std::pair<std::string_view, image::Dither>, 6> kMethods{{{"B2", image::Dither::bayer2}, {"B3", image::Dither::bayer3},
-      {"B4", image::Dither::bayer4}, {"D1", image::Dither::diffusion1d}, {"D2", image::Dither::diffusion2d}, {"FS", image::Dither::floyd_steinberg}}};
+  constexpr std::array<std::pair<std::string_view, image::Dither>, 6> kMethods{
+      {{"B2", image::Dither::bayer2},
+       {"B3", image::Dither::bayer3},
+       {"B4", image::Dither::bayer4},
+       {"D1", image::Dither::diffusion1d},
+       {"D2", image::Dither::diffusion2d},
+       {"FS", image::Dither::floyd_steinberg}}};
   for (const auto& [name, method] : kMethods)
     if (equal_ignoring_case(name, value)) {
       options.dither_method = method;
@@ -95,27 +125,31 @@ void file_gamma(Options& options, std::string_view value) {
   options.file_gamma = gamma;
 }
 
-// Names keep their first value; numbers pass through float and six digits, and what is no number is 0 (spec 02 section 9.4).
+// Names keep their first value; numbers pass through float and six digits, and what is no number is 0 (spec 02
+// section 9.4).
 void declare(Options& options, std::string_view value) {
   const std::size_t equals = value.find('=');
   const std::string name(trim(value.substr(0, equals)));
   const std::string_view text = equals == std::string_view::npos ? std::string_view() : trim(value.substr(equals + 1));
   const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-  if (name.empty() || !letter(name.front()) || !std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); }))
+  if (name.empty() || !letter(name.front()) ||
+      !std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || digit(c); }))
     throw OptionError(fmt::format("Declare={}: expected NAME=NUMBER or NAME=\"text\"", value));
   for (const auto& [known, unused] : options.declarations)
     if (known == name) return;
   if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
     options.declarations.emplace_back(name, std::string(text));
   else
-    options.declarations.emplace_back(name, fmt::format("{:.6g}", static_cast<float>(leading_number(text).value_or(0))));
+    options.declarations.emplace_back(name,
+                                      fmt::format("{:.6g}", static_cast<float>(leading_number(text).value_or(0))));
 }
 
 void library_path(Options& options, std::string_view value) {
   std::string path(value);
   while (path.size() > 1 && path.back() == '/') path.pop_back();
-  if (std::find(options.library_paths.begin(), options.library_paths.end(), path) == options.library_paths.end()) options.library_paths.push_back(path);
+  if (std::find(options.library_paths.begin(), options.library_paths.end(), path) == options.library_paths.end())
+    options.library_paths.push_back(path);
 }
 
 // Console switches: the flag and the file of one stream. A word that means "yes" stands for the usual name.
@@ -127,10 +161,17 @@ void console(Options& options, std::string_view value) {
 
 template <TextStream Options::*Stream>
 void stream_file(Options& options, std::string_view value) {
-  constexpr std::array<std::pair<TextStream Options::*, std::string_view>, 6> kNames{{{&Options::all, "alltext.out"}, {&Options::debug, "debug.out"},
-      {&Options::fatal, "fatal.out"}, {&Options::render, "render.out"}, {&Options::statistic, "stats.out"}, {&Options::warning, "warning.out"}}};
+  constexpr std::array<std::pair<TextStream Options::*, std::string_view>, 6> kNames{
+      {{&Options::all, "alltext.out"},
+       {&Options::debug, "debug.out"},
+       {&Options::fatal, "fatal.out"},
+       {&Options::render, "render.out"},
+       {&Options::statistic, "stats.out"},
+       {&Options::warning, "warning.out"}}};
   if (value.find('/') != std::string_view::npos)
-    throw OptionError(fmt::format("the name of a text stream's file must be without a path (it goes to the folder of the picture), not '{}'", value));
+    throw OptionError(fmt::format(
+        "the name of a text stream's file must be without a path (it goes to the folder of the picture), not '{}'",
+        value));
   const std::string text = lower(value);
   if (text == "on" || text == "true" || text == "yes" || text == "1") {
     for (const auto& [stream, name] : kNames)
@@ -152,7 +193,8 @@ void shell_return(Options& options, std::string_view value) {
   ShellCommand& command = options.*Command;
   command.negated = !value.empty() && (value.front() == '!' || value.front() == '-');
   if (command.negated) value.remove_prefix(1);
-  if (!value.empty() && std::string_view("ISAQUF").find(static_cast<char>(std::toupper(static_cast<unsigned char>(value.front())))) != std::string_view::npos)
+  if (!value.empty() && std::string_view("ISAQUF").find(static_cast<char>(
+                            std::toupper(static_cast<unsigned char>(value.front())))) != std::string_view::npos)
     command.action = static_cast<char>(std::toupper(static_cast<unsigned char>(value.front())));
   else
     command.action = 'I';
@@ -169,10 +211,14 @@ void clipped_fraction(Options& options, std::string_view value) {
 }
 
 void bsp_cost(Options& options, std::string_view value) {
-  if (leading_number(value).value_or(0) != 0) options.notes.push_back("BSP_* settings tune POV-Ray's BSP tree; verisim has its own and ignores them.");
+  if (leading_number(value).value_or(0) != 0)
+    options.notes.push_back("BSP_* settings tune POV-Ray's BSP tree; verisim has its own and ignores them.");
 }
 
-void removed(Options& options, std::string_view) { options.notes.push_back("Buffer_Output, Buffer_Size, Create_Histogram and Histogram_* no longer exist and are ignored."); }
+void removed(Options& options, std::string_view) {
+  options.notes.push_back(
+      "Buffer_Output, Buffer_Size, Create_Histogram and Histogram_* no longer exist and are ignored.");
+}
 
 constexpr NoEffect kWindow{"there is no preview window"};
 constexpr NoEffect kOldBuffers{"POV-Ray 3.7 ignores it, too"};
@@ -377,7 +423,8 @@ constexpr auto kSwitches = std::to_array<Switch>({
 });
 
 const Setting* find_setting(std::string_view key) {
-  const auto found = std::find_if(kSettings.begin(), kSettings.end(), [&](const Setting& s) { return equal_ignoring_case(s.key, key); });
+  const auto found = std::find_if(kSettings.begin(), kSettings.end(),
+                                  [&](const Setting& s) { return equal_ignoring_case(s.key, key); });
   return found == kSettings.end() ? nullptr : &*found;
 }
 
@@ -413,7 +460,8 @@ void set(Options& options, std::string_view key, std::string_view value) {
     std::vector<std::string_view> keys;
     for (const Setting& s : kSettings) keys.push_back(s.key);
     const std::string advice = nearest(key, keys);
-    throw OptionError(fmt::format("unknown setting '{}'{}", key, advice.empty() ? "" : "; did you mean " + advice + "?"));
+    throw OptionError(
+        fmt::format("unknown setting '{}'{}", key, advice.empty() ? "" : "; did you mean " + advice + "?"));
   }
   const std::string_view name = setting->key;
   try {
@@ -423,8 +471,7 @@ void set(Options& options, std::string_view key, std::string_view value) {
                           [&](std::string Options::*p) { options.*p = value; },
                           [&](std::optional<int> Options::*p) { options.*p = to_int(name, value); },
                           [&](std::optional<double> Options::*p) { options.*p = to_number(name, value); },
-                          [&](Handler handler) { handler(options, value); },
-                          [](const NoEffect&) {}},
+                          [&](Handler handler) { handler(options, value); }, [](const NoEffect&) {}},
                setting->target);
   } catch (const OptionError& error) {
     const std::string text = error.what();
@@ -449,7 +496,8 @@ void apply_switch(Options& options, std::string_view word) {
   for (const Switch& entry : kSwitches) names.push_back(entry.name);
   const std::string letters(body.substr(0, std::min(body.find_first_of("0123456789.="), body.size())));
   std::string advice;
-  if (starts_with_ignoring_case(body, "A") && body.size() > 1 && (std::isdigit(static_cast<unsigned char>(body[1])) || body[1] == '.'))
+  if (starts_with_ignoring_case(body, "A") && body.size() > 1 &&
+      (std::isdigit(static_cast<unsigned char>(body[1])) || body[1] == '.'))
     advice = "; a threshold is written with a leading zero, as in +A0.3";
   else if (const std::string name = letters.size() > 1 ? nearest(letters, names) : ""; !name.empty())
     advice = fmt::format("; did you mean {}{}?", word.front(), name);

@@ -1,4 +1,5 @@
-// POV-Ray's settings as data: every INI keyword with its type and place in Options, every switch with the keywords it sets (spec 02 section 9.6).
+// POV-Ray's settings as data: every INI keyword with its type and place in Options, every switch with the keywords it
+// sets (spec 02 section 9.6).
 #pragma once
 
 #include <span>
@@ -14,8 +15,8 @@ struct NoEffect {
   std::string_view reason;
 };
 using Handler = void (*)(Options&, std::string_view value);
-using Target = std::variant<bool Options::*, int Options::*, double Options::*, std::string Options::*, std::optional<int> Options::*,
-                            std::optional<double> Options::*, Handler, NoEffect>;
+using Target = std::variant<bool Options::*, int Options::*, double Options::*, std::string Options::*,
+                            std::optional<int> Options::*, std::optional<double> Options::*, Handler, NoEffect>;
 
 struct Setting {
   std::string_view key;  // the INI keyword

@@ -134,7 +134,9 @@ TEST(Switches, TheTableHasNoRowWithoutATest) {
       // The row that answers a word is the first that fits.
       const std::string body = test.word + 1;
       for (const Switch& row : switches()) {
-        const bool prefix = body.size() >= row.name.size() && std::equal(row.name.begin(), row.name.end(), body.begin(), [](char a, char b) { return std::toupper(a) == std::toupper(b); });
+        const bool prefix = body.size() >= row.name.size() &&
+                            std::equal(row.name.begin(), row.name.end(), body.begin(),
+                                       [](char a, char b) { return std::toupper(a) == std::toupper(b); });
         if (!prefix || (body.size() == row.name.size()) != row.value_key.empty()) continue;
         used |= &row == &entry;
         break;
@@ -152,7 +154,8 @@ TEST(Switches, KeysOfTheTableExist) {
 }
 
 TEST(Switches, WhatPovRayRefusesIsRefused) {
-  for (const char* word : {"+A.3", "+A1", "+A0", "+B1000", "+ZZ", "+W", "+Wx", "+FS", "+FZ", "+FTg", "+FBg", "+FN8x", "+THXX", "+V3", "+I", "+UX", "+AM"}) {
+  for (const char* word : {"+A.3", "+A1", "+A0", "+B1000", "+ZZ", "+W", "+Wx", "+FS", "+FZ", "+FTg", "+FBg", "+FN8x",
+                           "+THXX", "+V3", "+I", "+UX", "+AM"}) {
     Options options;
     EXPECT_THROW(apply_switch(options, word), OptionError) << word;
   }
@@ -172,7 +175,8 @@ TEST(Switches, ErrorsNameTheWordAndAdvise) {
   EXPECT_NE(error_of([](Options& o) { apply_switch(o, "+ZZ9"); }).find("'+ZZ9'"), std::string::npos);
   EXPECT_NE(error_of([](Options& o) { apply_switch(o, "+A.3"); }).find("+A0.3"), std::string::npos);
   EXPECT_NE(error_of([](Options& o) { set(o, "Widht", "3"); }).find("did you mean Width"), std::string::npos);
-  EXPECT_NE(error_of([](Options& o) { set(o, "Antialias_Treshold", "3"); }).find("did you mean Antialias_Threshold"), std::string::npos);
+  EXPECT_NE(error_of([](Options& o) { set(o, "Antialias_Treshold", "3"); }).find("did you mean Antialias_Threshold"),
+            std::string::npos);
   EXPECT_NE(error_of([](Options& o) { set(o, "Width", "many"); }).find("Width"), std::string::npos);
 }
 
@@ -191,7 +195,8 @@ TEST(Settings, EachKeywordTakesAValue) {
 }
 
 TEST(Settings, BooleansAgreeOverTheCommonLength) {
-  for (const char* yes : {"on", "ON", "true", "t", "yes", "y", "1", "", "o", "only", "12"}) EXPECT_TRUE(to_bool(yes)) << yes;
+  for (const char* yes : {"on", "ON", "true", "t", "yes", "y", "1", "", "o", "only", "12"})
+    EXPECT_TRUE(to_bool(yes)) << yes;
   for (const char* no : {"off", "false", "no", "0", "maybe"}) EXPECT_FALSE(to_bool(no)) << no;
 }
 

@@ -12,7 +12,8 @@ bool equal_ignoring_case(std::string_view a, std::string_view b);
 bool starts_with_ignoring_case(std::string_view text, std::string_view prefix);
 std::string_view trim(std::string_view text);
 
-// The candidate nearest to `word` by edit distance (letters case-blind), or empty if none is near enough to be a slip of the finger.
+// The candidate nearest to `word` by edit distance (letters case-blind), or empty if none is near enough to be a slip
+// of the finger.
 std::string nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
 }  // namespace verisim::cli

@@ -23,7 +23,8 @@ void parse_default(Parser& parser) {
       parser.expect('{');
       while (parser.accept(Word::importance)) {
         const double importance = parser.parse_float();
-        if (!(importance > 0 && importance <= 1)) parser.error("Radiosity importance must be greater than 0 and not larger than 1.");
+        if (!(importance > 0 && importance <= 1))
+          parser.error("Radiosity importance must be greater than 0 and not larger than 1.");
         parser.scene().settings.radiosity.default_importance = importance;
       }
       close_block(parser, "radiosity");

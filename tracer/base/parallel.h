@@ -1,7 +1,8 @@
 // One way to run a loop on all threads: oneTBB, or plain threads where ThreadSanitizer watches.
 //
-// libtbb comes as a package without instrumentation: the sanitizer cannot see that a task begins after it was handed over and ends before the loop
-// returns, and would report every access across that edge. With plain threads it sees all, and our loops' bodies are what is to be checked.
+// libtbb comes as a package without instrumentation: the sanitizer cannot see that a task begins after it was handed
+// over and ends before the loop returns, and would report every access across that edge. With plain threads it sees
+// all, and our loops' bodies are what is to be checked.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +23,9 @@
 
 namespace verisim {
 
-// Calls body(i) for 0 <= i < count, at most `grain` consecutive indices (at least 1) a task, on the threads of the calling arena. The first exception that a
-// body throws is thrown here once the running tasks have ended. The order is unspecified: a result must not depend on it.
+// Calls body(i) for 0 <= i < count, at most `grain` consecutive indices (at least 1) a task, on the threads of the
+// calling arena. The first exception that a body throws is thrown here once the running tasks have ended. The order is
+// unspecified: a result must not depend on it.
 template <class Body>
 void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
   if (count <= grain) {
@@ -45,7 +47,8 @@ void parallel_for(std::size_t count, std::size_t grain, const Body& body) {
     }
   };
   const std::size_t tasks = (count + grain - 1) / grain;
-  std::vector<std::thread> threads(std::min<std::size_t>(tasks, static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()))));
+  std::vector<std::thread> threads(
+      std::min<std::size_t>(tasks, static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()))));
   for (std::thread& thread : threads) thread = std::thread(run);
   for (std::thread& thread : threads) thread.join();
   if (failure) std::rethrow_exception(failure);

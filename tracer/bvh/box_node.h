@@ -14,7 +14,9 @@ struct alignas(64) BoxNode {
   // The child is a leaf: kLeaf, then three bits for the number of its boxes less one, then the first of them.
   static constexpr std::uint32_t kLeaf = 0x80000000u, kFirstMask = 0x0fffffffu, kMaxLeaf = 8;
   static constexpr int kCountShift = 28;
-  static std::uint32_t leaf(std::uint32_t first, std::uint32_t count) { return kLeaf | (count - 1) << kCountShift | first; }
+  static std::uint32_t leaf(std::uint32_t first, std::uint32_t count) {
+    return kLeaf | (count - 1) << kCountShift | first;
+  }
   static std::uint32_t leaf_first(std::uint32_t child) { return child & kFirstMask; }
   static std::uint32_t leaf_count(std::uint32_t child) { return ((child >> kCountShift) & 7) + 1; }
 

@@ -7,12 +7,15 @@
 namespace verisim::accel {
 namespace {
 
-// Of the diagonal of everything: what rounding a ray to binary32 and following it across the volume can amount to, several times over.
+// Of the diagonal of everything: what rounding a ray to binary32 and following it across the volume can amount to,
+// several times over.
 constexpr double kSlack = 2e-6;
 
 }  // namespace
 
-BoxTree::BoxTree(std::span<const Box3> boxes) : BoxTree(boxes.size(), [&](std::size_t i) { return boxes[i]; }, 1) {}
+BoxTree::BoxTree(std::span<const Box3> boxes)
+    : BoxTree(
+          boxes.size(), [&](std::size_t i) { return boxes[i]; }, 1) {}
 
 void BoxTree::set_bounds(const Box3& bounds) {
   bounds_ = bounds;

@@ -1,12 +1,13 @@
-// A bounding volume hierarchy over boxes, four to a node: finds the candidates of a ray in single precision, conservatively, so that double precision
-// can decide. Objects of a scene, triangles of a mesh, components of a blob are all found with it.
+// A bounding volume hierarchy over boxes, four to a node: finds the candidates of a ray in single precision,
+// conservatively, so that double precision can decide. Objects of a scene, triangles of a mesh, components of a blob
+// are all found with it.
 //
-// A walk must not lose a candidate: boxes are stored in binary32 relative to the centre of all of them and widened by more than the rounding of any
-// ray inside that volume, and rays are moved to where they enter it before they are rounded. Visitors (a shape's own intersection test) are inlined
-// into the walk.
+// A walk must not lose a candidate: boxes are stored in binary32 relative to the centre of all of them and widened by
+// more than the rounding of any ray inside that volume, and rays are moved to where they enter it before they are
+// rounded. Visitors (a shape's own intersection test) are inlined into the walk.
 //
-// Rays of a common shaft (shaft.h) may start at the few subtrees that the shaft meets instead of at the root: Reshetov, Soupikov and Hurley,
-// "Multi-level ray tracing algorithm", 2005.
+// Rays of a common shaft (shaft.h) may start at the few subtrees that the shaft meets instead of at the root: Reshetov,
+// Soupikov and Hurley, "Multi-level ray tracing algorithm", 2005.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,8 @@ namespace verisim::accel {
 
 class Shaft;
 
-// The distances at which a ray enters and leaves a box; false if it misses it within t_min .. t_max, which are narrowed.
+// The distances at which a ray enters and leaves a box; false if it misses it within t_min .. t_max, which are
+// narrowed.
 inline bool clip_to_box(const Ray& ray, const Box3& box, double& t_min, double& t_max) {
   for (int i = 0; i < 3; ++i) {
     if (ray.direction[i] == 0) {
@@ -40,22 +42,25 @@ inline bool clip_to_box(const Ray& ray, const Box3& box, double& t_min, double& 
 }
 
 inline bool contains(const Box3& box, const Vec3& p) {
-  return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y && p.z >= box.min.z && p.z <= box.max.z;
+  return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y && p.z >= box.min.z &&
+         p.z <= box.max.z;
 }
 inline bool is_finite(const Box3& box) {
   for (int i = 0; i < 3; ++i)
     if (!(std::fabs(box.min[i]) < 1e30 && std::fabs(box.max[i]) < 1e30)) return false;
   return true;
 }
-inline bool is_empty(const Box3& box) { return !(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z); }
+inline bool is_empty(const Box3& box) {
+  return !(box.min.x <= box.max.x && box.min.y <= box.max.y && box.min.z <= box.max.z);
+}
 
 class BoxTree {
  public:
   BoxTree() = default;
   // Empty and unbounded boxes are not allowed; index i of `boxes` is what the visitors get.
   explicit BoxTree(std::span<const Box3> boxes);
-  // box(i) gives the bounds of primitive i < count, the same at every call; those with an empty or unbounded box are left out. Leaves hold up to
-  // `leaf_size` primitives, as ranges of order(); leaf_size 1: leaves name their primitive.
+  // box(i) gives the bounds of primitive i < count, the same at every call; those with an empty or unbounded box are
+  // left out. Leaves hold up to `leaf_size` primitives, as ranges of order(); leaf_size 1: leaves name their primitive.
   template <class BoxOf>
   BoxTree(std::size_t count, BoxOf&& box, unsigned leaf_size);
 
@@ -69,23 +74,29 @@ class BoxTree {
   // What a node names a child by; node 0 is the root.
   const BoxNode& node(std::uint32_t i) const { return nodes_[i]; }
 
-  // Calls visit(index, t_max) for every box that the ray meets between t_min and t_max, roughly in order of distance; it returns the new t_max
-  // (the same, a smaller one, or minus infinity to stop). For trees of leaf size 1. `entry`: of a shaft that holds the ray; null: the root.
+  // Calls visit(index, t_max) for every box that the ray meets between t_min and t_max, roughly in order of distance;
+  // it returns the new t_max (the same, a smaller one, or minus infinity to stop). For trees of leaf size 1. `entry`:
+  // of a shaft that holds the ray; null: the root.
   template <class Visit>
   void traverse(const Ray& ray, double t_min, double t_max, Visit&& visit, const EntryPoints* entry = nullptr) const {
-    walk(ray, t_min, t_max, entry, [&](std::uint32_t leaf, double far) { return visit(BoxNode::leaf_first(leaf), far); });
+    walk(ray, t_min, t_max, entry,
+         [&](std::uint32_t leaf, double far) { return visit(BoxNode::leaf_first(leaf), far); });
   }
   // The same with visit(first, count, t_max) for ranges of order().
   template <class Visit>
-  void traverse_leaves(const Ray& ray, double t_min, double t_max, Visit&& visit, const EntryPoints* entry = nullptr) const {
-    walk(ray, t_min, t_max, entry, [&](std::uint32_t leaf, double far) { return visit(BoxNode::leaf_first(leaf), BoxNode::leaf_count(leaf), far); });
+  void traverse_leaves(const Ray& ray, double t_min, double t_max, Visit&& visit,
+                       const EntryPoints* entry = nullptr) const {
+    walk(ray, t_min, t_max, entry, [&](std::uint32_t leaf, double far) {
+      return visit(BoxNode::leaf_first(leaf), BoxNode::leaf_count(leaf), far);
+    });
   }
-  // Calls visit(index) for every box that contains p (and perhaps some that narrowly do not) until it returns true. Returns whether one did. For trees
-  // of leaf size 1.
+  // Calls visit(index) for every box that contains p (and perhaps some that narrowly do not) until it returns true.
+  // Returns whether one did. For trees of leaf size 1.
   template <class Visit>
   bool any_around(const Vec3& p, Visit&& visit) const;
 
-  // Calls visit(index) for every box, in the order in which any_around finds those that contain a point. For trees of leaf size 1.
+  // Calls visit(index) for every box, in the order in which any_around finds those that contain a point. For trees of
+  // leaf size 1.
   template <class Visit>
   void each(Visit&& visit) const;
 
@@ -104,14 +115,15 @@ class BoxTree {
 
   std::vector<BoxNode> nodes_;  // the first is the root
   std::vector<std::uint32_t> order_;
-  Box3 bounds_;                 // of all, widened
+  Box3 bounds_;  // of all, widened
   Vec3 center_{0, 0, 0};
   double slack_ = 0;
 };
 
 template <class BoxOf>
 BoxTree::BoxTree(std::size_t count, BoxOf&& box, unsigned leaf_size) {
-  constexpr std::size_t kRun = 65536;  // primitives that one task looks at; fixed, so that the tree is the same for any number of threads
+  constexpr std::size_t kRun =
+      65536;  // primitives that one task looks at; fixed, so that the tree is the same for any number of threads
   struct Run {
     Box3 bounds;
     std::size_t used = 0;
@@ -172,7 +184,8 @@ void BoxTree::walk(const Ray& ray, double t_min, double t_max, const EntryPoints
   }
   if (!(start <= end)) return;
   const Vec3 from = ray.origin - center_ + start * ray.direction;
-  if (!(dot(from, from) < std::numeric_limits<double>::infinity())) return;  // no ray at all: its numbers would defeat the comparisons
+  if (!(dot(from, from) < std::numeric_limits<double>::infinity()))
+    return;  // no ray at all: its numbers would defeat the comparisons
   const NodeRay node_ray(from, inverse);
   // Distances in the walk count from `start`.
   float far = round_up(end - start + slack_);
@@ -183,7 +196,8 @@ void BoxTree::walk(const Ray& ray, double t_min, double t_max, const EntryPoints
   };
   Waiting stack[kStackSize];
   int size = 0;
-  // The nearest of the children that are met becomes `next`; the others wait on the stack above `first`, the nearer ones on top. False: none is met.
+  // The nearest of the children that are met becomes `next`; the others wait on the stack above `first`, the nearer
+  // ones on top. False: none is met.
   Waiting next;
   const auto descend = [&](const BoxNode& node) {
     alignas(16) float near[4];
@@ -255,7 +269,8 @@ bool BoxTree::any_around(const Vec3& p, Visit&& visit) const {
       continue;
     }
     const BoxNode& node = nodes_[child];
-    for (unsigned hits = boxes_around(node, point); hits != 0; hits &= hits - 1) stack[size++] = node.child[__builtin_ctz(hits)];
+    for (unsigned hits = boxes_around(node, point); hits != 0; hits &= hits - 1)
+      stack[size++] = node.child[__builtin_ctz(hits)];
   }
   return false;
 }

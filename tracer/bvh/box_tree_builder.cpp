@@ -10,10 +10,11 @@ namespace verisim::accel {
 namespace {
 
 constexpr int kBins = 16;
-constexpr std::size_t kSwept = 8;          // ranges up to this many items are sorted and every split is tried
-constexpr std::size_t kSamples = 2048;     // of a large range, this many items at least choose the split
-constexpr std::size_t kParallel = 16384;   // ranges with fewer items are one task
-// What testing a node costs, in tests of one primitive. One more node for every two pairs of triangles would double the memory of a tree.
+constexpr std::size_t kSwept = 8;         // ranges up to this many items are sorted and every split is tried
+constexpr std::size_t kSamples = 2048;    // of a large range, this many items at least choose the split
+constexpr std::size_t kParallel = 16384;  // ranges with fewer items are one task
+// What testing a node costs, in tests of one primitive. One more node for every two pairs of triangles would double the
+// memory of a tree.
 constexpr float kNodeCost = 2;
 // Splits below this depth halve the number of items, whatever that costs: a walk's stack is finite.
 constexpr int kMaxSahDepth = 36;
@@ -57,7 +58,8 @@ struct Split {
 
 class Builder {
  public:
-  Builder(std::vector<BuildItem>& items, unsigned leaf_size) : items_(items), leaf_size_(leaf_size), spare_(items.size()) {}
+  Builder(std::vector<BuildItem>& items, unsigned leaf_size)
+      : items_(items), leaf_size_(leaf_size), spare_(items.size()) {}
 
   Range whole(std::size_t count) {
     Range range;
@@ -157,7 +159,8 @@ class Builder {
     std::uint32_t nodes = 0, boxes = 0;
     const auto place = [&](const auto& self, Subtree& part) -> void {
       part.first_node = nodes, part.first_box = boxes;
-      nodes += static_cast<std::uint32_t>(part.own.nodes.size()), boxes += static_cast<std::uint32_t>(part.own.order.size());
+      nodes += static_cast<std::uint32_t>(part.own.nodes.size()),
+          boxes += static_cast<std::uint32_t>(part.own.order.size());
       parts.push_back(&part);
       for (int i = 0; i < 4 && part.child[i]; ++i) {
         Subtree& child = *part.child[i];
@@ -249,7 +252,8 @@ class Builder {
       const BuildItem item = first[i];
       const float key = item.low[a] + item.high[a];
       std::size_t place = i;
-      for (; place > 0 && first[place - 1].low[a] + first[place - 1].high[a] > key; --place) first[place] = first[place - 1];
+      for (; place > 0 && first[place - 1].low[a] + first[place - 1].high[a] > key; --place)
+        first[place] = first[place - 1];
       first[place] = item;
     }
     float right_cost[kSwept];

@@ -1,4 +1,5 @@
-// Builds the nodes of a BoxTree by the binned surface area heuristic (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
+// Builds the nodes of a BoxTree by the binned surface area heuristic (Wald, "On fast construction of SAH-based bounding
+// volume hierarchies", 2007).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,8 @@ namespace verisim::accel {
 // A run of consecutive boxes that stay together: `count` from `first`, and the box around them.
 struct alignas(16) BuildItem {
   float low[3];
-  std::uint32_t first_bits;  // biased: corners are added up four lanes at a time, and small integers would be denormal floats, which are slow
+  std::uint32_t first_bits;  // biased: corners are added up four lanes at a time, and small integers would be denormal
+                             // floats, which are slow
   float high[3];
   std::uint32_t count_bits;
 
@@ -38,12 +40,13 @@ inline bool merge_if_close(BuildItem& a, const BuildItem& b) {
 }
 
 struct BuiltTree {
-  std::vector<BoxNode> nodes;        // the first is the root
-  std::vector<std::uint32_t> order;  // the boxes as leaves refer to them; empty if leaf_size is 1: leaves name their box then
+  std::vector<BoxNode> nodes;  // the first is the root
+  std::vector<std::uint32_t>
+      order;  // the boxes as leaves refer to them; empty if leaf_size is 1: leaves name their box then
 };
 
-// The items are used up. At least one; no item counts more than leaf_size, which is at most BoxNode::kMaxLeaf. The tree is the same for any
-// number of threads.
+// The items are used up. At least one; no item counts more than leaf_size, which is at most BoxNode::kMaxLeaf. The tree
+// is the same for any number of threads.
 BuiltTree build_box_tree(std::vector<BuildItem>& items, unsigned leaf_size);
 
 }  // namespace verisim::accel

@@ -60,24 +60,33 @@ std::set<std::uint32_t> met_by_test(const Ray& ray, const std::vector<Box3>& box
   return met;
 }
 
-std::set<std::uint32_t> met_by_tree(const Ray& ray, const BoxTree& tree, double t_min, double t_max, const EntryPoints* entry = nullptr) {
+std::set<std::uint32_t> met_by_tree(const Ray& ray, const BoxTree& tree, double t_min, double t_max,
+                                    const EntryPoints* entry = nullptr) {
   std::set<std::uint32_t> met;
   if (tree.order().empty()) {
-    tree.traverse(ray, t_min, t_max, [&](std::uint32_t i, double far) {
-      EXPECT_TRUE(met.insert(i).second) << "visited twice";
-      return far;
-    }, entry);
+    tree.traverse(
+        ray, t_min, t_max,
+        [&](std::uint32_t i, double far) {
+          EXPECT_TRUE(met.insert(i).second) << "visited twice";
+          return far;
+        },
+        entry);
   } else {
-    tree.traverse_leaves(ray, t_min, t_max, [&](std::uint32_t first, std::uint32_t count, double far) {
-      for (std::uint32_t i = first; i < first + count; ++i) EXPECT_TRUE(met.insert(tree.order()[i]).second) << "visited twice";
-      return far;
-    }, entry);
+    tree.traverse_leaves(
+        ray, t_min, t_max,
+        [&](std::uint32_t first, std::uint32_t count, double far) {
+          for (std::uint32_t i = first; i < first + count; ++i)
+            EXPECT_TRUE(met.insert(tree.order()[i]).second) << "visited twice";
+          return far;
+        },
+        entry);
   }
   return met;
 }
 
 BoxTree tree_of(const std::vector<Box3>& boxes, unsigned leaf_size) {
-  return BoxTree(boxes.size(), [&](std::size_t i) { return boxes[i]; }, leaf_size);
+  return BoxTree(
+      boxes.size(), [&](std::size_t i) { return boxes[i]; }, leaf_size);
 }
 
 TEST(BoxTree, FindsWhatATestOfEveryBoxFinds) {
@@ -91,9 +100,11 @@ TEST(BoxTree, FindsWhatATestOfEveryBoxFinds) {
         std::size_t found = 0;
         for (int i = 0; i < 400; ++i) {
           const Ray ray = ray_at(random, boxes, center);
-          const double t_min = random.below(2) ? 0 : random(0, 3), t_max = random.below(2) ? kInfinity : t_min + random(0, 50);
+          const double t_min = random.below(2) ? 0 : random(0, 3),
+                       t_max = random.below(2) ? kInfinity : t_min + random(0, 50);
           const auto expected = met_by_test(ray, boxes, t_min, t_max), actual = met_by_tree(ray, tree, t_min, t_max);
-          ASSERT_TRUE(std::includes(actual.begin(), actual.end(), expected.begin(), expected.end())) << offset << ' ' << count << ' ' << leaf_size;
+          ASSERT_TRUE(std::includes(actual.begin(), actual.end(), expected.begin(), expected.end()))
+              << offset << ' ' << count << ' ' << leaf_size;
           found += expected.size();
         }
         EXPECT_GT(found, 100u);
@@ -111,7 +122,8 @@ TEST(BoxTree, VisitsFewBoxesAndNoneBeyondTheLimit) {
     const Ray ray = ray_at(random, boxes, Vec3(0));
     met += met_by_test(ray, boxes, 0, kInfinity).size();
     visited += met_by_tree(ray, tree, 0, kInfinity).size();
-    // The limit shrinks to the first box met: what lies behind it is left out, and the nearest is among what is visited.
+    // The limit shrinks to the first box met: what lies behind it is left out, and the nearest is among what is
+    // visited.
     double nearest = kInfinity;
     for (const Box3& box : boxes) {
       double near = 0, far = kInfinity;
@@ -156,7 +168,8 @@ TEST(BoxTree, BoxesAroundAPoint) {
 }
 
 TEST(BoxTree, LeavesOutWhatIsEmptyOrUnbounded) {
-  const std::vector<Box3> boxes = {Box3(), Box3(Vec3(-1), Vec3(1)), Box3(Vec3(-kInfinity), Vec3(kInfinity)), Box3(Vec3(std::nan("")), Vec3(1))};
+  const std::vector<Box3> boxes = {Box3(), Box3(Vec3(-1), Vec3(1)), Box3(Vec3(-kInfinity), Vec3(kInfinity)),
+                                   Box3(Vec3(std::nan("")), Vec3(1))};
   const BoxTree tree = tree_of(boxes, 4);
   EXPECT_EQ(tree.order(), std::vector<std::uint32_t>{1});
   EXPECT_TRUE(tree_of({Box3()}, 4).empty());
@@ -176,7 +189,8 @@ TEST(BoxTree, HostileNumbersDoNoHarm) {
   const BoxTree tree = tree_of(boxes, 8);
   const double nan = std::nan("");
   for (const Vec3& origin : {Vec3(0), Vec3(nan, 0, 0), Vec3(kInfinity, 1, 1), Vec3(1e300, 0, 0)})
-    for (const Vec3& direction : {Vec3(0, 0, 1), Vec3(0, 0, 0), Vec3(nan, 1, 0), Vec3(1e-320, 0, 1), Vec3(kInfinity, 0, 0)})
+    for (const Vec3& direction :
+         {Vec3(0, 0, 1), Vec3(0, 0, 0), Vec3(nan, 1, 0), Vec3(1e-320, 0, 1), Vec3(kInfinity, 0, 0)})
       met_by_tree({origin, direction}, tree, 0, kInfinity);
 }
 
@@ -208,7 +222,8 @@ TEST(Shaft, LosesNothing) {
           return Box3(p - half, p + half);
         };
         Box3 from = box(12), to = box(random.below(3) == 0 ? 12 : random.below(2) ? 100 : 1e6);
-        if (random.below(4) == 0) to = Box3(from.min + Vec3(0, 30, 0), from.max + Vec3(0, 30, 0));  // parallel rays along an axis
+        if (random.below(4) == 0)
+          to = Box3(from.min + Vec3(0, 30, 0), from.max + Vec3(0, 30, 0));  // parallel rays along an axis
         const auto shaft = Shaft::between(from, to);
         if (!shaft) continue;
         ++shafts;
@@ -219,7 +234,8 @@ TEST(Shaft, LosesNothing) {
           const Vec3 a = k < 2 ? from.min : k < 4 ? from.max : random.in(from), b = k % 2 ? to.min : random.in(to);
           const double distance = length(b - a);
           const Ray ray{a, (b - a) / distance};
-          const auto expected = met_by_test(ray, boxes, 0, distance), actual = met_by_tree(ray, tree, 0, distance, &entry);
+          const auto expected = met_by_test(ray, boxes, 0, distance),
+                     actual = met_by_tree(ray, tree, 0, distance, &entry);
           ASSERT_TRUE(std::includes(actual.begin(), actual.end(), expected.begin(), expected.end())) << i << ' ' << k;
           found += expected.size();
         }
@@ -273,10 +289,11 @@ TEST(BoxTree, HasOneOrderOfBoxes) {
     ASSERT_EQ(seen, boxes.size());
     for (int i = 0; i < 200; ++i) {
       std::vector<std::size_t> around;
-      tree.any_around(random.in(boxes[static_cast<std::size_t>(random.below(static_cast<int>(boxes.size())))]), [&](std::uint32_t k) {
-        around.push_back(place[k]);
-        return false;
-      });
+      tree.any_around(random.in(boxes[static_cast<std::size_t>(random.below(static_cast<int>(boxes.size())))]),
+                      [&](std::uint32_t k) {
+                        around.push_back(place[k]);
+                        return false;
+                      });
       ASSERT_FALSE(around.empty());
       ASSERT_TRUE(std::is_sorted(around.begin(), around.end()));
     }

@@ -23,8 +23,8 @@ std::optional<Shaft> Shaft::between(const Box3& from, const Box3& to) {
   for (int other = 0; other < 3; ++other) {
     if (other == axis) continue;
     for (const bool upper : {false, true}) {
-      // The line through a corner of either box that has both boxes on one side: through the left corners if it leads away from the boxes, else through
-      // the right ones.
+      // The line through a corner of either box that has both boxes on one side: through the left corners if it leads
+      // away from the boxes, else through the right ones.
       const double y0 = upper ? left.max[other] : left.min[other], y1 = upper ? right.max[other] : right.min[other];
       const bool outwards = upper ? y1 > y0 : y1 < y0;
       const double x0 = outwards ? left.min[axis] : left.max[axis], x1 = outwards ? right.min[axis] : right.max[axis];
@@ -46,7 +46,8 @@ NodeShaft::NodeShaft(const Shaft& shaft, const Vec3& center, double slack) {
     const double sign = from.upper ? -1 : 1, slope = sign * from.slope;
     // Widened like the boxes once more, and by the rounding of far-away lines.
     double offset = sign * (from.slope * center[axis] + from.offset - center[from.other]);
-    offset -= (1 + std::fabs(slope)) * slack + 4e-7 * std::fabs(offset) + 1e-14 * (std::fabs(from.offset) + std::fabs(from.slope * center[axis]));
+    offset -= (1 + std::fabs(slope)) * slack + 4e-7 * std::fabs(offset) +
+              1e-14 * (std::fabs(from.offset) + std::fabs(from.slope * center[axis]));
     to.slope = Float4(static_cast<float>(slope));
     to.offset = Float4(static_cast<float>(offset));
     to.sign = Float4(static_cast<float>(sign));

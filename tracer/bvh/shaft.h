@@ -1,5 +1,6 @@
-// A shaft: all segments between two boxes (Haines and Wallace, "Shaft culling for efficient ray-traced radiosity", 1991). Camera rays of a few
-// neighbouring pixels lie in one, and so do shadow rays from neighbouring points to a light.
+// A shaft: all segments between two boxes (Haines and Wallace, "Shaft culling for efficient ray-traced radiosity",
+// 1991). Camera rays of a few neighbouring pixels lie in one, and so do shadow rays from neighbouring points to a
+// light.
 #pragma once
 
 #include <optional>
@@ -13,7 +14,8 @@ class Shaft {
   // Nothing if the boxes are so close together, for their size, that the shaft would say little.
   static std::optional<Shaft> between(const Box3& from, const Box3& to);
 
-  // The axis along which the boxes are apart, and lines below and above both in the two planes of that axis and another: other >= / <= slope * axis + offset.
+  // The axis along which the boxes are apart, and lines below and above both in the two planes of that axis and
+  // another: other >= / <= slope * axis + offset.
   struct Side {
     int other;
     bool upper;
@@ -23,7 +25,7 @@ class Shaft {
   const Side& side(int i) const { return sides_[i]; }
   const Box3& from() const { return from_; }
   const Box3& to() const { return to_; }
-  double low() const { return low_; }    // along axis()
+  double low() const { return low_; }  // along axis()
   double high() const { return high_; }
 
  private:
@@ -44,8 +46,8 @@ class NodeShaft {
     const float* planes = node.planes[0];
     Mask4 met = (Float4::load(planes + low_plane_) <= high_) & (low_ <= Float4::load(planes + high_plane_));
     for (const Side& s : sides_) {
-      // A lower side is met where its line, at the end of the box where it is lowest, lies below the upper face; an upper side is turned into a
-      // lower one by changing signs.
+      // A lower side is met where its line, at the end of the box where it is lowest, lies below the upper face; an
+      // upper side is turned into a lower one by changing signs.
       const Float4 line = Float4::load(planes + s.end) * s.slope + s.offset;
       met = met & (line <= Float4::load(planes + s.face) * s.sign);
     }

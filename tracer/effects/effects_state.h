@@ -1,4 +1,5 @@
-// What one thread's Tracer keeps for the global effects: scratch lists, the radiosity task, sequences of subsurface scattering.
+// What one thread's Tracer keeps for the global effects: scratch lists, the radiosity task, sequences of subsurface
+// scattering.
 #pragma once
 
 #include <array>
@@ -13,7 +14,8 @@ class EffectsStateOfScene : public shading::EffectsState {
  public:
   // Radiosity of the tile or phase being rendered; null: queries give nothing (photon shooting).
   std::optional<RadiosityTask> radiosity;
-  std::array<std::unique_ptr<shading::Wave>, kMaxRadiosityDepth + 1> gather_waves;  // by gather_depth; made when they are needed
+  std::array<std::unique_ptr<shading::Wave>, kMaxRadiosityDepth + 1>
+      gather_waves;                            // by gather_depth; made when they are needed
   std::optional<IrradianceCache> own_samples;  // of this tile, where the shared cache is read only
 
   // Photons around the hit that is being shaded, shared by its layers, and the hit they belong to.
@@ -27,7 +29,9 @@ class EffectsStateOfScene : public shading::EffectsState {
   std::array<SubsurfaceSequence, kMaxSubsurfaceLevel + 1> subsurface;
   int subsurface_level = 0;
 
-  static EffectsStateOfScene& of(shading::Tracer& tracer) { return static_cast<EffectsStateOfScene&>(*tracer.effects_state()); }
+  static EffectsStateOfScene& of(shading::Tracer& tracer) {
+    return static_cast<EffectsStateOfScene&>(*tracer.effects_state());
+  }
 };
 
 }  // namespace verisim::global

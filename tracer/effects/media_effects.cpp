@@ -12,7 +12,8 @@ constexpr double kPi = 3.14159265358979323846;
 
 class TracerEnvironment : public MediaEnvironment {
  public:
-  TracerEnvironment(const SceneEffects& effects, const PhotonMap* photons, shading::Tracer& tracer, const shading::RayState& ray, const shapes::Surface* end)
+  TracerEnvironment(const SceneEffects& effects, const PhotonMap* photons, shading::Tracer& tracer,
+                    const shading::RayState& ray, const shapes::Surface* end)
       : effects_(effects), photons_(photons), tracer_(tracer), ray_(ray), end_(end) {}
 
   double random() override { return tracer_.random().media(); }
@@ -34,7 +35,9 @@ class TracerEnvironment : public MediaEnvironment {
     return {sources_.data(), sources_.size()};
   }
 
-  Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light) override { return tracer_.light_at(*lights_[light], p, ray_, to_light); }
+  Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light) override {
+    return tracer_.light_at(*lights_[light], p, ray_, to_light);
+  }
 
   NearbyPhotons photons(const Vec3& p) override {
     if (!photons_ || photons_->empty()) return {};
@@ -64,22 +67,25 @@ void see_through(const MediaResult& media, Color& color) {
 }  // namespace
 
 // Gather rays that see media look photons up in the surface map (spec 07 2.11).
-const PhotonMap* SceneEffects::photons_in_media(const shading::RayState& ray) const { return photons ? (ray.gather ? &surface_photons_ : &media_photons_) : nullptr; }
+const PhotonMap* SceneEffects::photons_in_media(const shading::RayState& ray) const {
+  return photons ? (ray.gather ? &surface_photons_ : &media_photons_) : nullptr;
+}
 
-void SceneEffects::apply(shading::Tracer& tracer, const shading::RayState& ray, double length, const shapes::Surface* end,
-                         std::span<const CompiledMedia* const> media, Color& color) const {
+void SceneEffects::apply(shading::Tracer& tracer, const shading::RayState& ray, double length,
+                         const shapes::Surface* end, std::span<const CompiledMedia* const> media, Color& color) const {
   TracerEnvironment environment(*this, photons_in_media(ray), tracer, ray, end);
   see_through(integrate(media, ray.ray, length, false, environment), color);
 }
 
-void SceneEffects::container_media(shading::Tracer& tracer, const shading::RayState& ray, double length, const shapes::Surface& end,
-                                   Color& color) const {
+void SceneEffects::container_media(shading::Tracer& tracer, const shading::RayState& ray, double length,
+                                   const shapes::Surface& end, Color& color) const {
   MediaList media;
   collect(tracer.interiors(ray.interiors), media);
   if (!media.empty()) apply(tracer, ray, length, &end, {media.data(), media.size()}, color);
 }
 
-void SceneEffects::container_media(shading::Tracer& tracer, const shading::RayState& common, std::span<const shading::ContainerStretch> stretches) const {
+void SceneEffects::container_media(shading::Tracer& tracer, const shading::RayState& common,
+                                   std::span<const shading::ContainerStretch> stretches) const {
   MediaList list;
   collect(tracer.interiors(common.interiors), list);
   if (list.empty()) return;
@@ -104,17 +110,19 @@ void SceneEffects::container_media(shading::Tracer& tracer, const shading::RaySt
   }
 }
 
-void SceneEffects::atmosphere_media(shading::Tracer& tracer, const shading::RayState& ray, double length, const shapes::Surface* end,
-                                    Color& color) const {
+void SceneEffects::atmosphere_media(shading::Tracer& tracer, const shading::RayState& ray, double length,
+                                    const shapes::Surface* end, Color& color) const {
   apply(tracer, ray, length, end, atmosphere_list_, color);
 }
 
-void SceneEffects::shadow_media(shading::Tracer& tracer, const shading::RayState& ray, double length, bool container, bool air, Rgb& color) const {
+void SceneEffects::shadow_media(shading::Tracer& tracer, const shading::RayState& ray, double length, bool container,
+                                bool air, Rgb& color) const {
   TracerEnvironment environment(*this, nullptr, tracer, ray, nullptr);
   if (container) {
     MediaList media;
     collect(tracer.interiors(ray.interiors), media);
-    if (!media.empty()) color *= integrate({media.data(), media.size()}, ray.ray, length, true, environment).transmittance;
+    if (!media.empty())
+      color *= integrate({media.data(), media.size()}, ray.ray, length, true, environment).transmittance;
   }
   if (air) color *= integrate(atmosphere_list_, ray.ray, length, true, environment).transmittance;
 }

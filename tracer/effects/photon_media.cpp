@@ -26,8 +26,9 @@ int most_intervals(MediaSpan media) {
 
 }  // namespace
 
-void ScenePhotonMedia::segment(shading::Tracer& tracer, const shading::RayState& ray, double length, double path, bool deposit,
-                               const shading::PhotonShot& shot, Rgb& packet, std::vector<shading::StoredPhoton>& stored) const {
+void ScenePhotonMedia::segment(shading::Tracer& tracer, const shading::RayState& ray, double length, double path,
+                               bool deposit, const shading::PhotonShot& shot, Rgb& packet,
+                               std::vector<shading::StoredPhoton>& stored) const {
   MediaList media;
   effects_.collect(tracer.interiors(ray.interiors), media);
   const std::size_t in_containers = media.size();
@@ -37,8 +38,10 @@ void ScenePhotonMedia::segment(shading::Tracer& tracer, const shading::RayState&
 
   // Atmospheric media never receive photons, nor do media that only emit.
   const MediaSpan containers = attenuating.first(in_containers);
-  const bool scatters = std::any_of(containers.begin(), containers.end(), [](const CompiledMedia* m) { return m->scatters; });
-  const bool collects = std::any_of(containers.begin(), containers.end(), [](const CompiledMedia* m) { return m->description->collect; });
+  const bool scatters =
+      std::any_of(containers.begin(), containers.end(), [](const CompiledMedia* m) { return m->scatters; });
+  const bool collects =
+      std::any_of(containers.begin(), containers.end(), [](const CompiledMedia* m) { return m->description->collect; });
   Rgb passed(1.0f);
   if (deposit && effects_.scene().settings.photons.media_count > 0 && scatters && collects) {
     passed = deposit_along(tracer, containers, ray.ray, length, path, shot, packet, stored);
@@ -48,8 +51,9 @@ void ScenePhotonMedia::segment(shading::Tracer& tracer, const shading::RayState&
   packet *= passed * integrate(attenuating, ray.ray, length, true, environment).transmittance;
 }
 
-Rgb ScenePhotonMedia::deposit_along(shading::Tracer& tracer, MediaSpan media, const Ray& ray, double length, double path, const shading::PhotonShot& shot,
-                                    const Rgb& packet, std::vector<shading::StoredPhoton>& stored) const {
+Rgb ScenePhotonMedia::deposit_along(shading::Tracer& tracer, MediaSpan media, const Ray& ray, double length,
+                                    double path, const shading::PhotonShot& shot, const Rgb& packet,
+                                    std::vector<shading::StoredPhoton>& stored) const {
   const scene::Photons& settings = effects_.scene().settings.photons;
   const bool parallel = shot.light->parallel;
   const int intervals = most_intervals(media);
@@ -63,7 +67,8 @@ Rgb ScenePhotonMedia::deposit_along(shading::Tracer& tracer, MediaSpan media, co
   Rgb extinction;
   for (int i = 0; i < intervals; ++i) {
     for (long j = 0; j < count; ++j) {
-      const double at = (static_cast<double>(j) + 0.5 + (tracer.random().media() - 0.5) * settings.jitter) / static_cast<double>(count);
+      const double at = (static_cast<double>(j) + 0.5 + (tracer.random().media() - 0.5) * settings.jitter) /
+                        static_cast<double>(count);
       const double distance = (i + at) * interval, travelled = path + distance;
       const double share = factor * shot.sigma * (parallel ? 1.0 : travelled) * shot.area_factor(travelled);
       const Vec3 p = ray.at(distance);

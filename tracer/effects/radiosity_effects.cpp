@@ -1,4 +1,5 @@
-// Radiosity in the recursive trace: when a layer asks for irradiance, and what a gather ray sees (spec 07 sections 2.4, 2.6, 2.11).
+// Radiosity in the recursive trace: when a layer asks for irradiance, and what a gather ray sees (spec 07
+// sections 2.4, 2.6, 2.11).
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -21,7 +22,8 @@ using RayOrder = std::array<std::uint16_t, kGatheredTogether>;
 void sort_by_direction(std::span<const GatherRay> rays, RayOrder& order) {
   std::array<std::uint8_t, kGatheredTogether> parts;
   std::array<std::uint16_t, 25> places{};
-  for (std::size_t i = 0; i < rays.size(); ++i) ++places[1u + (parts[i] = static_cast<std::uint8_t>(part_of_sphere(rays[i].direction)))];
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    ++places[1u + (parts[i] = static_cast<std::uint8_t>(part_of_sphere(rays[i].direction)))];
   std::partial_sum(places.begin(), places.end(), places.begin());
   for (std::size_t i = 0; i < rays.size(); ++i) order[places[parts[i]]++] = static_cast<std::uint16_t>(i);
 }
@@ -36,8 +38,10 @@ class TracerGatherer : public Gatherer {
     shading::RayState state = gather_state(depth);
     shading::Wave* const wave = rays.size() < kFewest ? nullptr : wave_of(state);
     RayOrder order;
-    if (wave) sort_by_direction(rays, order);
-    else std::iota(order.begin(), order.end(), std::uint16_t{0});
+    if (wave)
+      sort_by_direction(rays, order);
+    else
+      std::iota(order.begin(), order.end(), std::uint16_t{0});
 
     constexpr std::size_t kMost = RayRow::kMost;
     const auto default_importance = static_cast<float>(effects_.scene().settings.radiosity.default_importance);
@@ -100,7 +104,9 @@ class TracerGatherer : public Gatherer {
   // Null: these rays are shaded one by one.
   shading::Wave* wave_of(const shading::RayState& state) {
     auto& wave = EffectsStateOfScene::of(tracer_).gather_waves[static_cast<std::size_t>(state.gather_depth)];
-    if (!wave) wave = std::make_unique<shading::Wave>(tracer_, state.gather_depth < effects_.scene().settings.radiosity.recursion_limit);
+    if (!wave)
+      wave = std::make_unique<shading::Wave>(tracer_,
+                                             state.gather_depth < effects_.scene().settings.radiosity.recursion_limit);
     return wave->can_gather() ? wave.get() : nullptr;
   }
 
@@ -115,7 +121,8 @@ Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayStat
   EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
   if (!state.radiosity || ray.gather_depth >= scene_.settings.radiosity.recursion_limit) return {};
   const scene::Finish& finish = layer.layer.finish;
-  if (finish.subsurface && subsurface && scene_.settings.subsurface_radiosity) return {};  // enters through the surface instead
+  if (finish.subsurface && subsurface && scene_.settings.subsurface_radiosity)
+    return {};  // enters through the surface instead
   const Rgb pigment = layer.pigment.rgb();
   const float bright = (layer.filter * pigment).grey() * layer.opacity;
   TracerGatherer gatherer(*this, tracer);
@@ -127,8 +134,8 @@ Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayStat
     if (coefficient <= 0) return Rgb();
     if (!memory.known && bright * coefficient > tracer.bailout(ray)) {
       memory.known = true;
-      const RadiosityQuery query{at.hit.point, at.raw * sign, layer.normal * sign, static_cast<double>(ray.weight) * bright * coefficient,
-                                 ray.gather_depth};
+      const RadiosityQuery query{at.hit.point, at.raw * sign, layer.normal * sign,
+                                 static_cast<double>(ray.weight) * bright * coefficient, ray.gather_depth};
       memory.light = state.radiosity->irradiance(query, gatherer, notes);
     }
     return pigment * memory.light * (layer.opacity * coefficient);
@@ -137,13 +144,15 @@ Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayStat
   return front + side(finish.raw_diffuse_back, at.indirect_back, -1.0);
 }
 
-bool SceneEffects::raw_irradiance(shading::Tracer& tracer, const shading::RayState& ray, const Vec3& point, const Vec3& normal, Rgb& light) const {
+bool SceneEffects::raw_irradiance(shading::Tracer& tracer, const shading::RayState& ray, const Vec3& point,
+                                  const Vec3& normal, Rgb& light) const {
   EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
   if (!state.radiosity || ray.gather_depth >= scene_.settings.radiosity.recursion_limit) return false;
   TracerGatherer gatherer(*this, tracer);
   shading::GatherNotes ignored;
   shading::GatherNotes& notes = ray.notes ? *ray.notes : ignored;
-  light = state.radiosity->irradiance({point, normal, normal, static_cast<double>(ray.weight), ray.gather_depth}, gatherer, notes);
+  light = state.radiosity->irradiance({point, normal, normal, static_cast<double>(ray.weight), ray.gather_depth},
+                                      gatherer, notes);
   return true;
 }
 

@@ -18,11 +18,13 @@ SceneEffects::SceneEffects(const scene::Scene& scene, textures::Compiler& compil
   }
   photons = scene.settings.photons.enabled && scene.settings.photons.gather_max > 0;
   subsurface = scene.settings.subsurface;
-  subsurface_settings_ = {scene.settings.subsurface_samples_diffuse, scene.settings.subsurface_samples_single, scene.settings.mm_per_unit,
-                          scene.settings.adc_bailout};
+  subsurface_settings_ = {scene.settings.subsurface_samples_diffuse, scene.settings.subsurface_samples_single,
+                          scene.settings.mm_per_unit, scene.settings.adc_bailout};
 }
 
-std::unique_ptr<shading::EffectsState> SceneEffects::make_state() const { return std::make_unique<EffectsStateOfScene>(); }
+std::unique_ptr<shading::EffectsState> SceneEffects::make_state() const {
+  return std::make_unique<EffectsStateOfScene>();
+}
 
 void SceneEffects::add_interior(const scene::Interior* interior, textures::Compiler& compiler) {
   if (!interior || interior->media.empty()) return;

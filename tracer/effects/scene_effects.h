@@ -25,17 +25,27 @@ class SceneEffects : public shading::Effects {
   bool any() const { return media_in_interiors || atmosphere || radiosity || photons || subsurface; }
 
   std::unique_ptr<shading::EffectsState> make_state() const override;
-  void container_media(shading::Tracer&, const shading::RayState&, double length, const shapes::Surface& end, Color&) const override;
-  void container_media(shading::Tracer&, const shading::RayState& common, std::span<const shading::ContainerStretch>) const override;
-  void atmosphere_media(shading::Tracer&, const shading::RayState&, double length, const shapes::Surface* end, Color&) const override;
-  void shadow_media(shading::Tracer&, const shading::RayState&, double length, bool container, bool atmosphere, Rgb&) const override;
-  Rgb indirect_light(shading::Tracer&, const shading::RayState&, shading::SurfaceHit&, const shading::LayerContext&) const override;
-  Rgb photon_light(shading::Tracer&, const shading::RayState&, shading::SurfaceHit&, const shading::LayerContext&) const override;
-  bool photons_block(const shapes::Surface* lit, const shapes::Surface& occluder, const shading::Light& light) const override;
-  Rgb subsurface_light(shading::Tracer&, const shading::RayState&, shading::SurfaceHit&, const shading::LayerContext&) const override;
+  void container_media(shading::Tracer&, const shading::RayState&, double length, const shapes::Surface& end,
+                       Color&) const override;
+  void container_media(shading::Tracer&, const shading::RayState& common,
+                       std::span<const shading::ContainerStretch>) const override;
+  void atmosphere_media(shading::Tracer&, const shading::RayState&, double length, const shapes::Surface* end,
+                        Color&) const override;
+  void shadow_media(shading::Tracer&, const shading::RayState&, double length, bool container, bool atmosphere,
+                    Rgb&) const override;
+  Rgb indirect_light(shading::Tracer&, const shading::RayState&, shading::SurfaceHit&,
+                     const shading::LayerContext&) const override;
+  Rgb photon_light(shading::Tracer&, const shading::RayState&, shading::SurfaceHit&,
+                   const shading::LayerContext&) const override;
+  bool photons_block(const shapes::Surface* lit, const shapes::Surface& occluder,
+                     const shading::Light& light) const override;
+  Rgb subsurface_light(shading::Tracer&, const shading::RayState&, shading::SurfaceHit&,
+                       const shading::LayerContext&) const override;
 
-  // Irradiance at any point, without a layer that asks for it (subsurface { radiosity on }); false: radiosity is not in use here.
-  bool raw_irradiance(shading::Tracer&, const shading::RayState&, const Vec3& point, const Vec3& normal, Rgb& light) const;
+  // Irradiance at any point, without a layer that asks for it (subsurface { radiosity on }); false: radiosity is not in
+  // use here.
+  bool raw_irradiance(shading::Tracer&, const shading::RayState&, const Vec3& point, const Vec3& normal,
+                      Rgb& light) const;
 
   // ---- The passes that come before the picture; driven by render().
   const RadiositySettings* radiosity_settings() const { return radiosity_settings_.get(); }

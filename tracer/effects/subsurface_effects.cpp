@@ -30,8 +30,13 @@ const std::vector<Vec3>& sphere_directions() {
 
 class TracerEnvironment : public SubsurfaceEnvironment {
  public:
-  TracerEnvironment(const SceneEffects& effects, shading::Tracer& tracer, const shading::RayState& ray, const shading::SurfaceHit& at, EffectsStateOfScene& state)
-      : effects_(effects), tracer_(tracer), ray_(ray), at_(at), sequence_(state.subsurface[static_cast<std::size_t>(state.subsurface_level)]) {
+  TracerEnvironment(const SceneEffects& effects, shading::Tracer& tracer, const shading::RayState& ray,
+                    const shading::SurfaceHit& at, EffectsStateOfScene& state)
+      : effects_(effects),
+        tracer_(tracer),
+        ray_(ray),
+        at_(at),
+        sequence_(state.subsurface[static_cast<std::size_t>(state.subsurface_level)]) {
     const shading::SceneData& scene = tracer.scene();
     if (!at.surface.ignore_global_lights) {
       for (std::size_t i = 0; i < scene.global_lights(); ++i) lights_.push_back(&scene.lights()[i]);
@@ -57,9 +62,11 @@ class TracerEnvironment : public SubsurfaceEnvironment {
         row.origin.set(static_cast<int>(i), origin);
         row.direction.set(static_cast<int>(i), directions[begin + std::min(i, size - 1)]);
       }
-      tracer_.scene().world.intersect_row(row, 0, static_cast<int>(size), ray_.kind(), std::numeric_limits<double>::min(), nullptr, met, found + begin);
+      tracer_.scene().world.intersect_row(row, 0, static_cast<int>(size), ray_.kind(),
+                                          std::numeric_limits<double>::min(), nullptr, met, found + begin);
       for (std::size_t i = 0; i < size; ++i) {
-        if (found[begin + i]) hits[begin + i] = {met[i].t, met[i].point, met[i].shape->normal(met[i]), met[i].shape->surface->interior};
+        if (found[begin + i])
+          hits[begin + i] = {met[i].t, met[i].point, met[i].shape->normal(met[i]), met[i].shape->surface->interior};
       }
     }
   }

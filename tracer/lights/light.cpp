@@ -44,7 +44,8 @@ Light::Light(const scene::LightSource& source, bool area_lights, std::unique_ptr
     const auto reach = [&](int size) { return size > 1 ? 0.51 + (source.jitter ? 0.5 / (size - 1) : 0) : 0.01; };
     const double r1 = reach(source.size1), r2 = reach(source.size2);
     for (int i = 0; i < 3; ++i) {
-      const double r = source.orient ? (r1 + r2) * length(source.axis1) : r1 * std::fabs(source.axis1[i]) + r2 * std::fabs(source.axis2[i]);
+      const double r = source.orient ? (r1 + r2) * length(source.axis1)
+                                     : r1 * std::fabs(source.axis1[i]) + r2 * std::fabs(source.axis2[i]);
       box_.min[i] = source.position[i] - r, box_.max[i] = source.position[i] + r;
     }
   }

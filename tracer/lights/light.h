@@ -1,4 +1,5 @@
-// Light sources ready for shading: direction, distance and intensity at a point, samples of area lights (spec 06 sections 7 and 8).
+// Light sources ready for shading: direction, distance and intensity at a point, samples of area lights (spec 06
+// sections 7 and 8).
 #pragma once
 
 #include <memory>
@@ -19,7 +20,8 @@ struct LightDirection {
 
 class Light {
  public:
-  // `area_lights`: quality 5 and above; below, area lights shine from their centre. `projector`: the compiled projected_through object, if any.
+  // `area_lights`: quality 5 and above; below, area lights shine from their centre. `projector`: the compiled
+  // projected_through object, if any.
   Light(const scene::LightSource& source, bool area_lights, std::unique_ptr<shapes::Shape> projector = nullptr);
 
   const scene::LightSource& source() const { return *source_; }
@@ -69,7 +71,8 @@ class Light {
   Vec3 offset(const Axes& axes, double u, double v) const;
   int size1() const { return source_->size1; }
   int size2() const { return source_->size2; }
-  // Every sample counts with a fixed weight: no jitter, no adaptive sampling. weight(u, v) = weights1()[u] * weights2()[v].
+  // Every sample counts with a fixed weight: no jitter, no adaptive sampling. weight(u, v) = weights1()[u] *
+  // weights2()[v].
   bool fixed_weights() const { return !weights1_.empty(); }
   const std::vector<float>& weights1() const { return weights1_; }
   const std::vector<float>& weights2() const { return weights2_; }

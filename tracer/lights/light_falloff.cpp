@@ -24,21 +24,26 @@ bool is_simple(double exponent) { return exponent == 0 || exponent == 1 || expon
 
 }  // namespace
 
-const LightFalloffKernels* light_falloff_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+const LightFalloffKernels* light_falloff_kernels(int set) {
+  return set <= textures::best_instruction_set() ? kAll[set] : nullptr;
+}
 
 std::optional<LightFalloff> LightFalloff::of(const Light& light) {
   const scene::LightSource& source = light.source();
   LightFalloff f;
   f.spot = source.kind == scene::LightKind::spotlight;
   f.fades = source.fade_power > 0 && std::fabs(source.fade_distance) > kEpsilon;
-  if (source.kind == scene::LightKind::cylinder || (f.spot && !is_simple(source.tightness)) || (f.fades && !is_simple(source.fade_power))) return std::nullopt;
+  if (source.kind == scene::LightKind::cylinder || (f.spot && !is_simple(source.tightness)) ||
+      (f.fades && !is_simple(source.fade_power)))
+    return std::nullopt;
   f.direction = source.direction, f.tightness = static_cast<int>(f.spot ? source.tightness : 0);
   f.cos_radius = light.cos_radius(), f.cos_falloff = light.cos_falloff(), f.soft = f.cos_radius > 0;
   f.power = static_cast<int>(f.fades ? source.fade_power : 0), f.fade_distance = source.fade_distance;
   return f;
 }
 
-void LightFalloff::attenuate(const RayRow::Vectors& towards, const double* distance, int count, float* attenuation) const {
+void LightFalloff::attenuate(const RayRow::Vectors& towards, const double* distance, int count,
+                             float* attenuation) const {
   best_kernels().attenuate(*this, towards, distance, count, attenuation);
 }
 
@@ -51,13 +56,19 @@ void aim_at(const Light& light, int count, RayRow& to_light, double* distance) {
 }
 
 LightGrid::LightGrid(const Light& light, const Light::Axes& axes)
-    : position(light.source().position), a1(axes.a1), a2(axes.a2), last1(light.size1() - 1), last2(light.size2() - 1), circular(light.source().circular) {
+    : position(light.source().position),
+      a1(axes.a1),
+      a2(axes.a2),
+      last1(light.size1() - 1),
+      last2(light.size2() - 1),
+      circular(light.source().circular) {
   if (circular) return;
   if (last1 == 0) a1 = Vec3(0, 0, 0), last1 = 1;
   if (last2 == 0) a2 = Vec3(0, 0, 0), last2 = 1;
 }
 
-void aim_at_grid(const Light& light, const Light::Axes& axes, const Vec3& p, const GridPlaces& places, int count, RayRow& to_light, double* distance) {
+void aim_at_grid(const Light& light, const Light::Axes& axes, const Vec3& p, const GridPlaces& places, int count,
+                 RayRow& to_light, double* distance) {
   if (light.radial()) return best_kernels().aim_at_grid(LightGrid(light, axes), p, places, count, to_light, distance);
   for (int k = 0; k < count; ++k) {
     const LightDirection direction = light.direction(p, light.offset(axes, places.u[k], places.v[k]));

@@ -1,5 +1,6 @@
-// Where a light is from a row of points, where the samples of an area light are from one, and how light fades with angle and distance (spec 06 sections 7.3 and 8). Compiled for several
-// instruction sets; every lane does the operations of Light::direction, Light::offset and Light::attenuation in the same order.
+// Where a light is from a row of points, where the samples of an area light are from one, and how light fades with
+// angle and distance (spec 06 sections 7.3 and 8). Compiled for several instruction sets; every lane does the
+// operations of Light::direction, Light::offset and Light::attenuation in the same order.
 #pragma once
 
 #include <optional>
@@ -29,7 +30,8 @@ struct GridPlaces {
   double u[RayRow::kSize], v[RayRow::kSize];
 };
 // Sets the unit directions from p to places on an area light, and their distances; `axes` are those at p.
-void aim_at_grid(const Light& light, const Light::Axes& axes, const Vec3& p, const GridPlaces& places, int count, RayRow& to_light, double* distance);
+void aim_at_grid(const Light& light, const Light::Axes& axes, const Vec3& p, const GridPlaces& places, int count,
+                 RayRow& to_light, double* distance);
 
 // An area light as the kernels see it.
 struct LightGrid {
@@ -42,8 +44,10 @@ struct LightGrid {
 
 struct LightFalloffKernels {
   void (*aim)(const Vec3& position, int count, RayRow& to_light, double* distance);
-  void (*aim_at_grid)(const LightGrid& grid, const Vec3& p, const GridPlaces& places, int count, RayRow& to_light, double* distance);
-  void (*attenuate)(const LightFalloff& falloff, const RayRow::Vectors& towards, const double* distance, int count, float* attenuation);
+  void (*aim_at_grid)(const LightGrid& grid, const Vec3& p, const GridPlaces& places, int count, RayRow& to_light,
+                      double* distance);
+  void (*attenuate)(const LightFalloff& falloff, const RayRow::Vectors& towards, const double* distance, int count,
+                    float* attenuation);
 };
 // Those of any instruction set, for tests; null: this machine cannot run it.
 const LightFalloffKernels* light_falloff_kernels(int instruction_set);

@@ -44,7 +44,9 @@ TEST_P(LightFalloffs, AreThoseOfEachPoint) {
     }
     *aimed = *rays;
     kernels->aim(source.position, count, *aimed, aimed_distance);
-    for (int i = 0; i < count; ++i) ASSERT_TRUE(aimed->direction.at(i) == rays->direction.at(i) && aimed_distance[i] == distance[i]) << round << ' ' << i;
+    for (int i = 0; i < count; ++i)
+      ASSERT_TRUE(aimed->direction.at(i) == rays->direction.at(i) && aimed_distance[i] == distance[i])
+          << round << ' ' << i;
     kernels->attenuate(*falloff, rays->direction, distance, count, found);
     for (int i = 0; i < count; ++i) {
       const double expected = light.attenuation(rays->origin.at(i), {rays->direction.at(i), distance[i]});
@@ -75,7 +77,8 @@ TEST_P(LightFalloffs, AimAtEachSampleOfAnAreaLight) {
     const Vec3 p = 5.0 * vector();
     const Light::Axes axes = light.axes(light.direction(p).towards);
     const int count = 1 + round % RayRow::kMost;
-    for (int i = 0; i < count; ++i) places->u[i] = i % source.size1 + 0.5 * unit(generator), places->v[i] = i % source.size2 + 0.5 * unit(generator);
+    for (int i = 0; i < count; ++i)
+      places->u[i] = i % source.size1 + 0.5 * unit(generator), places->v[i] = i % source.size2 + 0.5 * unit(generator);
     double distance[RayRow::kSize];
     kernels->aim_at_grid(LightGrid(light, axes), p, *places, count, *rays, distance);
     for (int i = 0; i < count; ++i) {
@@ -85,7 +88,8 @@ TEST_P(LightFalloffs, AimAtEachSampleOfAnAreaLight) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, LightFalloffs, testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+INSTANTIATE_TEST_SUITE_P(InstructionSets, LightFalloffs,
+                         testing::Range(0, static_cast<int>(textures::kInstructionSets)));
 
 TEST(LightFalloff, LeavesOtherLightsAlone) {
   scene::LightSource source;

@@ -16,7 +16,9 @@ const BernsteinKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_
 
 }  // namespace
 
-const BernsteinKernels* bernstein_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+const BernsteinKernels* bernstein_kernels(int set) {
+  return set <= textures::best_instruction_set() ? kAll[set] : nullptr;
+}
 
 const BernsteinKernels& bernstein_kernels() {
   static const BernsteinKernels& best = *kAll[textures::best_instruction_set()];

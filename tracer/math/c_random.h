@@ -1,4 +1,5 @@
-// The C library's rand() as POV-Ray on Linux finds it: never seeded, so seed 1. The additive feedback generator of degree 31 (glibc's manual, BSD random).
+// The C library's rand() as POV-Ray on Linux finds it: never seeded, so seed 1. The additive feedback generator of
+// degree 31 (glibc's manual, BSD random).
 #pragma once
 
 #include <array>

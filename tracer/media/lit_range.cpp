@@ -52,7 +52,8 @@ bool cylinder_range(const scene::LightSource& light, const Ray& ray, double& t1,
   const double k1 = dot(ray.direction, light.direction), k2 = dot(v, light.direction);
   const double a = 1.0 - k1 * k1;
   if (a < kEpsilon) return false;
-  if (roots(a, dot(v, ray.direction) - k1 * k2, dot(v, v) - k2 * k2 - light.falloff * light.falloff, t1, t2) == 0) return false;
+  if (roots(a, dot(v, ray.direction) - k1 * k2, dot(v, v) - k2 * k2 - light.falloff * light.falloff, t1, t2) == 0)
+    return false;
   // Only the part in front of the light, up to a far axial coordinate.
   const auto clip = [&](double low, double high) {
     if (std::fabs(k1) < kEpsilon) return k2 >= low && k2 <= high;

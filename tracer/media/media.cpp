@@ -14,8 +14,14 @@ namespace {
 
 class Integrator {
  public:
-  Integrator(std::span<const CompiledMedia* const> media, const Ray& ray, double length, bool shadow, MediaEnvironment& environment)
-      : mixture_(media), control_(mixture_.control), ray_(ray), length_(length), shadow_(shadow), environment_(environment) {
+  Integrator(std::span<const CompiledMedia* const> media, const Ray& ray, double length, bool shadow,
+             MediaEnvironment& environment)
+      : mixture_(media),
+        control_(mixture_.control),
+        ray_(ray),
+        length_(length),
+        shadow_(shadow),
+        environment_(environment) {
     if (!shadow_) intervals_.look_for_lights(environment_.lights(), ray_, length_);
   }
 
@@ -40,7 +46,8 @@ class Integrator {
   }
 
  private:
-  // Spec 07 4.6: one sample at fraction `at` of an interval; `inner_attenuation`: methods 1 and 2 attenuate inside the interval.
+  // Spec 07 4.6: one sample at fraction `at` of an interval; `inner_attenuation`: methods 1 and 2 attenuate inside the
+  // interval.
   MediaSample sample(const MediaInterval& span, double at, bool inner_attenuation) {
     const double distance = span.start + at * span.length;
     const Vec3 p = ray_.at(distance);
@@ -123,13 +130,18 @@ class Integrator {
     return samples.mean();
   }
 
-  double jittered(double at, double step) { return control_->jitter != 0.0 ? at + control_->jitter * step * (environment_.random() - 0.5) : at; }
+  double jittered(double at, double step) {
+    return control_->jitter != 0.0 ? at + control_->jitter * step * (environment_.random() - 0.5) : at;
+  }
 
   // d1 .. d3: places on the grid; only where samples are taken is jittered.
-  MediaSample refine(const MediaInterval& span, const MediaSample& s1, double d1, const MediaSample& s3, double d3, int level) {
+  MediaSample refine(const MediaInterval& span, const MediaSample& s1, double d1, const MediaSample& s3, double d3,
+                     int level) {
     const double d2 = middle_of(d1, d3);
     const MediaSample s2 = sample(span, jittered(d2, d3 - d1), false);
-    return mean_of_stretch(s1, s2, s3, level, mixture_.aa_threshold, [&] { return refine(span, s1, d1, s2, d2, level - 1); }, [&] { return refine(span, s2, d2, s3, d3, level - 1); });
+    return mean_of_stretch(
+        s1, s2, s3, level, mixture_.aa_threshold, [&] { return refine(span, s1, d1, s2, d2, level - 1); },
+        [&] { return refine(span, s2, d2, s3, d3, level - 1); });
   }
 
   MediaSample adaptive(const MediaInterval& span) {
@@ -141,7 +153,9 @@ class Integrator {
         const int place = k % kMostStretches;
         if (place == 0) refine_together(span, k, std::min(q - k, kMostStretches), step, level, row);
         return row.mean(static_cast<std::size_t>(place), level, mixture_.aa_threshold,
-                        [&](const auto&, const MediaSample& s1, double d1, const MediaSample& s3, double d3, int left) { return refine(span, s1, d1, s3, d3, left); });
+                        [&](const auto&, const MediaSample& s1, double d1, const MediaSample& s3, double d3, int left) {
+                          return refine(span, s1, d1, s3, d3, left);
+                        });
       });
     }
     MediaSample s1 = sample(span, jittered(0.0, step), false);
@@ -153,13 +167,15 @@ class Integrator {
     });
   }
 
-  // Whether samples neither draw numbers nor look at lights, so that they may be taken in any order; and densities gain from being asked for together.
+  // Whether samples neither draw numbers nor look at lights, so that they may be taken in any order; and densities gain
+  // from being asked for together.
   bool foreseeable() const { return mixture_.varies && control_->jitter == 0.0 && (shadow_ || !mixture_.scatters); }
 
   static constexpr int kMostStretches = (textures::PointRow::kMost - 1) / 2;
 
   // Stretches first + 1 .. first + count of the grid.
-  void refine_together(const MediaInterval& span, int first, int count, double step, int level, MediaRefinement& row) const {
+  void refine_together(const MediaInterval& span, int first, int count, double step, int level,
+                       MediaRefinement& row) const {
     std::array<double, textures::PointRow::kMost> at;
     std::array<MediaSample, textures::PointRow::kMost> samples;
     auto& all = row.stretches;
@@ -169,7 +185,8 @@ class Integrator {
     for (std::size_t i = 0; i < all.size(); ++i) at[2 * i] = all[i].d1, at[2 * i + 1] = all[i].middle();
     at[2 * all.size()] = all.back().d3;
     sample_row(span, 2 * count + 1, at.data(), samples.data());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i].s1 = samples[2 * i], all[i].s2 = samples[2 * i + 1], all[i].s3 = samples[2 * i + 2];
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i].s1 = samples[2 * i], all[i].s2 = samples[2 * i + 1], all[i].s3 = samples[2 * i + 2];
     std::size_t begin = 0;
     for (int depth = 0; depth < std::min(level, MediaRefinement::kMostLevels); ++depth) {
       begin = row.halve(begin, mixture_.aa_threshold);
@@ -197,13 +214,15 @@ class Integrator {
       if (shines) add(count, density, m->description->emission, source);
     }
     const float s = static_cast<float>(span.length);
-    for (int i = 0; i < count; ++i) samples[i] = {Rgb(source.r[i], source.g[i], source.b[i]) * s, Rgb(depth.r[i], depth.g[i], depth.b[i]) * s};
+    for (int i = 0; i < count; ++i)
+      samples[i] = {Rgb(source.r[i], source.g[i], source.b[i]) * s, Rgb(depth.r[i], depth.g[i], depth.b[i]) * s};
   }
   static void clear(int count, textures::RgbRow& row) {
     for (float* channel : {row.r, row.g, row.b}) std::fill_n(channel, count, 0.0f);
   }
   static void add(int count, const textures::RgbRow& density, const Rgb& color, textures::RgbRow& to) {
-    for (int i = 0; i < count; ++i) to.r[i] += density.r[i] * color.r, to.g[i] += density.g[i] * color.g, to.b[i] += density.b[i] * color.b;
+    for (int i = 0; i < count; ++i)
+      to.r[i] += density.r[i] * color.r, to.g[i] += density.g[i] * color.g, to.b[i] += density.b[i] * color.b;
   }
 
   MediaMixture mixture_;
@@ -217,10 +236,13 @@ class Integrator {
 
 }  // namespace
 
-MediaResult integrate(std::span<const CompiledMedia* const> media, const Ray& ray, double length, bool shadow, MediaEnvironment& environment) {
+MediaResult integrate(std::span<const CompiledMedia* const> media, const Ray& ray, double length, bool shadow,
+                      MediaEnvironment& environment) {
   if (media.empty() || !(length > 0.0)) return {};
   // Shadow rays pass what takes no light away without drawing a number.
-  if (shadow && std::none_of(media.begin(), media.end(), [](const CompiledMedia* m) { return m->scatters || m->extinction != Rgb(); })) return {};
+  if (shadow && std::none_of(media.begin(), media.end(),
+                             [](const CompiledMedia* m) { return m->scatters || m->extinction != Rgb(); }))
+    return {};
   return Integrator(media, ray, length, shadow, environment).run();
 }
 

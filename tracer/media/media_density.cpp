@@ -38,7 +38,7 @@ constexpr int kMost = textures::PointRow::kMost, kEight = 8;
 struct DensityRoom {
   textures::PointRow left;
   int place[kMost];
-  std::int32_t alive[kMost];            // 1 where no density so far is zero, otherwise 0
+  std::int32_t alive[kMost];             // 1 where no density so far is zero, otherwise 0
   std::vector<textures::RgbRow> values;  // of each density at the points that are left
 };
 
@@ -51,7 +51,8 @@ void multiply(int count, const float* __restrict by, float* __restrict to) {
 int mark_zeros(int count, const textures::RgbRow& values, std::int32_t* __restrict alive) {
   int still = 0;
   for (int i = 0; i < count; ++i) {
-    alive[i] &= static_cast<std::int32_t>(values.r[i] != 0) | static_cast<std::int32_t>(values.g[i] != 0) | static_cast<std::int32_t>(values.b[i] != 0);
+    alive[i] &= static_cast<std::int32_t>(values.r[i] != 0) | static_cast<std::int32_t>(values.g[i] != 0) |
+                static_cast<std::int32_t>(values.b[i] != 0);
     still += alive[i];
   }
   return still;
@@ -100,13 +101,16 @@ void media_densities(const CompiledMedia& m, int count, const textures::PointRow
   for (float* channel : {product.r, product.g, product.b}) std::fill_n(channel, in_eights(n), 1.0f);
   for (std::size_t density = 0; density < m.densities.size(); ++density) {
     const textures::RgbRow& values = room.values[density];
-    multiply(in_eights(n), values.r, product.r), multiply(in_eights(n), values.g, product.g), multiply(in_eights(n), values.b, product.b);
+    multiply(in_eights(n), values.r, product.r), multiply(in_eights(n), values.g, product.g),
+        multiply(in_eights(n), values.b, product.b);
   }
   // Whatever the other densities are there.
   for (float* channel : {product.r, product.g, product.b}) clear_dead(n, room.alive, channel);
   if (all) return;
   for (float* channel : {densities.r, densities.g, densities.b}) std::fill_n(channel, count, 0.0f);
-  for (int i = 0; i < n; ++i) densities.r[room.place[i]] = products.r[i], densities.g[room.place[i]] = products.g[i], densities.b[room.place[i]] = products.b[i];
+  for (int i = 0; i < n; ++i)
+    densities.r[room.place[i]] = products.r[i], densities.g[room.place[i]] = products.g[i],
+    densities.b[room.place[i]] = products.b[i];
 }
 
 namespace {
@@ -115,7 +119,8 @@ double bound_of(const scene::Density& density) {
   if (density.pattern.kind == scene::PatternKind::plain) return density.color.rgb().max_abs();
   double most = density.color_map || density.density_map ? 0.0 : 1.0;  // built-in maps stay within 0..1
   if (density.color_map) {
-    for (const auto& entry : *density.color_map) most = std::max(most, static_cast<double>(entry.value.rgb().max_abs()));
+    for (const auto& entry : *density.color_map)
+      most = std::max(most, static_cast<double>(entry.value.rgb().max_abs()));
   }
   if (density.density_map) {
     for (const auto& entry : *density.density_map) most = std::max(most, entry.value ? bound_of(*entry.value) : 1.0);
@@ -127,11 +132,25 @@ double bound_of(const scene::Density& density) {
 int cost_of(scene::PatternKind kind) {
   using enum scene::PatternKind;
   switch (kind) {
-    case plain: case none: return 0;
-    case granite: return 6;
-    case crackle: case facets: case function: case object: case pigment_pattern: return 8;
-    case wrinkles: case julia: case magnet_julia: case magnet_mandel: case mandel: return 10;
-    default: return 1;
+    case plain:
+    case none:
+      return 0;
+    case granite:
+      return 6;
+    case crackle:
+    case facets:
+    case function:
+    case object:
+    case pigment_pattern:
+      return 8;
+    case wrinkles:
+    case julia:
+    case magnet_julia:
+    case magnet_mandel:
+    case mandel:
+      return 10;
+    default:
+      return 1;
   }
 }
 
@@ -167,7 +186,8 @@ CompiledMedia compile_media(const scene::Media& description, textures::Compiler&
     m.last_density_plain = plain;
     m.density_bound *= bound_of(*density);
   }
-  std::stable_sort(m.by_cost.begin(), m.by_cost.end(), [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
+  std::stable_sort(m.by_cost.begin(), m.by_cost.end(),
+                   [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
   return m;
 }
 

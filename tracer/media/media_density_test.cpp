@@ -12,7 +12,8 @@ scene::DensityPtr density(scene::PatternKind kind, float end_of_zero, double siz
   scene::Density d;
   d.pattern.kind = kind;
   d.pattern.prepend(Transform::scaling(Vec3(size, size, size)));
-  d.color_map = std::make_shared<const scene::ColorMap>(scene::ColorMap{{0, Color(0, 0, 0)}, {end_of_zero, Color(0, 0, 0)}, {1, Color(0.9f, 0.7f, 0.3f)}});
+  d.color_map = std::make_shared<const scene::ColorMap>(
+      scene::ColorMap{{0, Color(0, 0, 0)}, {end_of_zero, Color(0, 0, 0)}, {1, Color(0.9f, 0.7f, 0.3f)}});
   return std::make_shared<const scene::Density>(d);
 }
 
@@ -30,7 +31,8 @@ Rgb product(const CompiledMedia& m, const Vec3& p) {
 TEST(MediaDensity, OfRowsIsTheProductOfAllDensities) {
   textures::Compiler compiler{textures::Settings{}};
   scene::Media description;
-  description.densities = {density(wrinkles, 0.45f, 2), density(spherical, 0.2f, 6), density(bozo, 0.4f, 0.7), density(granite, 0.3f, 3)};
+  description.densities = {density(wrinkles, 0.45f, 2), density(spherical, 0.2f, 6), density(bozo, 0.4f, 0.7),
+                           density(granite, 0.3f, 3)};
   const CompiledMedia media = compile_media(description, compiler);
   int none = 0, some = 0;
   for (int round = 0; round < 200; ++round) {
@@ -55,7 +57,8 @@ TEST(MediaDensity, OfRowsIsTheProductOfAllDensities) {
 TEST(MediaDensity, IsAskedForCheapestFirst) {
   textures::Compiler compiler{textures::Settings{}};
   scene::Media description;
-  description.densities = {density(wrinkles, 0.4f, 1), density(crackle, 0.4f, 1), density(granite, 0.4f, 1), density(spherical, 0.4f, 1)};
+  description.densities = {density(wrinkles, 0.4f, 1), density(crackle, 0.4f, 1), density(granite, 0.4f, 1),
+                           density(spherical, 0.4f, 1)};
   EXPECT_EQ(compile_media(description, compiler).by_cost, (std::vector<std::size_t>{3, 2, 1, 0}));
 }
 

@@ -1,5 +1,6 @@
-// The arithmetic of places in media that are asked for the light that is scattered there (spec 07 section 4.4), a row at a time. Compiled for several instruction sets;
-// every lane does the operations of the scalar code in the same order, so all give its bits.
+// The arithmetic of places in media that are asked for the light that is scattered there (spec 07 section 4.4), a row
+// at a time. Compiled for several instruction sets; every lane does the operations of the scalar code in the same
+// order, so all give its bits.
 #pragma once
 
 #include "tracer/math/ray_row.h"

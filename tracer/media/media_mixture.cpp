@@ -10,7 +10,8 @@
 
 namespace verisim::global {
 
-MediaMixture::MediaMixture(std::span<const CompiledMedia* const> list) : media(list), control(list[0]->description), aa_threshold(control->aa_threshold) {
+MediaMixture::MediaMixture(std::span<const CompiledMedia* const> list)
+    : media(list), control(list[0]->description), aa_threshold(control->aa_threshold) {
   for (const CompiledMedia* m : media) {
     if (m->description->intervals > control->intervals) control = m->description;
     aa_threshold = std::min(aa_threshold, m->description->aa_threshold);
@@ -46,7 +47,8 @@ Channels mantissas(const Photon& photon) {
   const __m128i bytes = _mm_cvtsi32_si128(std::bit_cast<std::int32_t>(photon.energy)), zero = _mm_setzero_si128();
   return (Channels)_mm_cvtepi32_ps(_mm_unpacklo_epi16(_mm_unpacklo_epi8(bytes, zero), zero));
 #else
-  return {static_cast<float>(photon.energy[0]), static_cast<float>(photon.energy[1]), static_cast<float>(photon.energy[2])};
+  return {static_cast<float>(photon.energy[0]), static_cast<float>(photon.energy[1]),
+          static_cast<float>(photon.energy[2])};
 #endif
 }
 
@@ -63,7 +65,8 @@ void add_colors(const SomePhotons& photons, float share, const Rgb& scattering, 
 
 }  // namespace
 
-void NearbyPhotons::add_scattered(const MediaMixture& mixture, const Rgb& scattering, const Vec3& view, Rgb& sum) const {
+void NearbyPhotons::add_scattered(const MediaMixture& mixture, const Rgb& scattering, const Vec3& view,
+                                  Rgb& sum) const {
   if (mixture.isotropic) {
     add_colors(photons, share, scattering, sum);
     return;
@@ -85,13 +88,14 @@ void MediaIntervals::look_for_lights(std::span<const scene::LightSource* const> 
   lit_count_ = 0;
   for (std::size_t i = 0; i < lights.size() && lit_count_ < kMostLights; ++i) {
     double first, last;
-    if (lit_range(*lights[i], ray, length, first, last)) lit_[static_cast<std::size_t>(lit_count_++)] = {i, first, last};
+    if (lit_range(*lights[i], ray, length, first, last))
+      lit_[static_cast<std::size_t>(lit_count_++)] = {i, first, last};
   }
 }
 
 void MediaIntervals::push(double start, double end, bool lit, int count) {
-  // Where the end of the last interval is rounded to below the piece's, another one of hardly any length follows. It draws numbers, in POV-Ray as well, but
-  // lights are not looked at in it.
+  // Where the end of the last interval is rounded to below the piece's, another one of hardly any length follows. It
+  // draws numbers, in POV-Ray as well, but lights are not looked at in it.
   const double step = (end - start) / count;
   int n = 0;
   for (double s = start; s < end && n <= count && count_ < kMost; s = start + ++n * step)
@@ -137,7 +141,8 @@ void MediaIntervals::divide(const MediaMixture& mixture, double length) {
   int remaining = wanted;
   for (int i = 0; i < piece_count; ++i) {
     const Piece& piece = pieces[static_cast<std::size_t>(i)];
-    const int n = std::max(1, std::min(static_cast<int>(weight(piece) / total * wanted) + 1, remaining - piece_count + i + 1));
+    const int n =
+        std::max(1, std::min(static_cast<int>(weight(piece) / total * wanted) + 1, remaining - piece_count + i + 1));
     push(piece.start, piece.end, piece.lit, n);
     remaining -= n;
   }

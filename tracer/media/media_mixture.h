@@ -1,4 +1,5 @@
-// What media of one stretch of a ray are together, and the intervals that they are sampled in (spec 07 sections 4.4 and 4.5).
+// What media of one stretch of a ray are together, and the intervals that they are sampled in (spec 07 sections 4.4
+// and 4.5).
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace verisim::global {
 // All media of a stretch. At least one.
 struct MediaMixture {
   explicit MediaMixture(std::span<const CompiledMedia* const> media);
-  // Mean phase for the cosine between the directions to the light and of the view ray, over all media, also those without scattering (isotropic).
+  // Mean phase for the cosine between the directions to the light and of the view ray, over all media, also those
+  // without scattering (isotropic).
   float mean_phase(double cosine) const;
   // Sets what is scattered of what arrives in the lanes.
   void scatter(int count, MediaLanes& lanes) const;

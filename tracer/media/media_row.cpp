@@ -23,7 +23,8 @@ void clear(std::size_t count, textures::RgbRow& row) {
   for (float* channel : {row.r, row.g, row.b}) std::fill_n(channel, count, 0.0f);
 }
 void add(std::size_t count, const textures::RgbRow& density, const Rgb& color, textures::RgbRow& to) {
-  for (std::size_t i = 0; i < count; ++i) to.r[i] += density.r[i] * color.r, to.g[i] += density.g[i] * color.g, to.b[i] += density.b[i] * color.b;
+  for (std::size_t i = 0; i < count; ++i)
+    to.r[i] += density.r[i] * color.r, to.g[i] += density.g[i] * color.g, to.b[i] += density.b[i] * color.b;
 }
 Rgb at(const textures::RgbRow& row, std::size_t i) { return {row.r[i], row.g[i], row.b[i]}; }
 
@@ -49,9 +50,9 @@ struct MediaRow::Room {
   std::vector<RayPart> rays;
   std::vector<Interval> intervals;
   std::vector<const shading::Light*> lights;
-  std::vector<LitRange> lit;        // of each light, of each ray
-  std::vector<MediaSample> first;   // of the grid and the middles of its stretches
-  MediaRefinement tree;             // first those of the grids
+  std::vector<LitRange> lit;       // of each light, of each ray
+  std::vector<MediaSample> first;  // of the grid and the middles of its stretches
+  MediaRefinement tree;            // first those of the grids
   std::vector<Question> questions;
   MediaIntervals dividing;
   // What is asked.
@@ -64,13 +65,17 @@ struct MediaRow::Room {
   const Ray& ray(std::uint32_t interval) const { return stretches[intervals[interval].ray].ray; }
 };
 
-MediaRow::MediaRow(shading::Tracer& tracer, const shading::RayState& common, std::span<const CompiledMedia* const> media, MediaEnvironment& environment)
+MediaRow::MediaRow(shading::Tracer& tracer, const shading::RayState& common,
+                   std::span<const CompiledMedia* const> media, MediaEnvironment& environment)
     : tracer_(tracer), common_(common), mixture_(media), environment_(environment), room_([]() -> Room& {
         thread_local Room room;
         return room;
       }()) {}
 
-bool MediaRow::possible() const { return mixture_.control->method == 3 && mixture_.control->jitter == 0.0 && (mixture_.scatters || mixture_.varies) && !environment_.replay(); }
+bool MediaRow::possible() const {
+  return mixture_.control->method == 3 && mixture_.control->jitter == 0.0 && (mixture_.scatters || mixture_.varies) &&
+         !environment_.replay();
+}
 
 void MediaRow::integrate(std::span<const ContainerStretch> rays, MediaResult* results, bool* done) {
   divide(rays);
@@ -90,7 +95,8 @@ void MediaRow::divide(std::span<const ContainerStretch> rays) {
   std::vector<const scene::LightSource*> sources;
   for (std::size_t i = 0; i < scene.global_lights(); ++i) {  // intervals hang on them even where nothing scatters
     const shading::Light& light = scene.lights()[i];
-    if (light.source().media_interaction && light.source().kind != scene::LightKind::shadowless) room_.lights.push_back(&light), sources.push_back(&light.source());
+    if (light.source().media_interaction && light.source().kind != scene::LightKind::shadowless)
+      room_.lights.push_back(&light), sources.push_back(&light.source());
   }
   room_.lit.assign(sources.size() * rays.size(), LitRange{0, 1.0, -1.0});
   const std::size_t each = 2 * static_cast<std::size_t>(mixture_.stretches()) + 1;
@@ -103,14 +109,16 @@ void MediaRow::divide(std::span<const ContainerStretch> rays) {
       room_.dividing.divide(mixture_, s.length);
       if (room_.dividing.all().size() * each <= kMostPlaces) {
         for (const LitRange& range : room_.dividing.lit()) room_.lit[range.light * rays.size() + i] = range;
-        for (const MediaInterval& span : room_.dividing.all()) room_.intervals.push_back({span, static_cast<std::uint32_t>(i)});
+        for (const MediaInterval& span : room_.dividing.all())
+          room_.intervals.push_back({span, static_cast<std::uint32_t>(i)});
       }
     }
     room_.rays.push_back({first, static_cast<std::uint32_t>(room_.intervals.size()), false});
   }
 }
 
-// The grids of all rays, place by place: shadow rays from the same place of neighbouring rays go side by side, those from one place of a ray to the next do not.
+// The grids of all rays, place by place: shadow rays from the same place of neighbouring rays go side by side, those
+// from one place of a ray to the next do not.
 void MediaRow::look_along() {
   const int q = mixture_.stretches();
   const std::size_t each = 2 * static_cast<std::size_t>(q) + 1;
@@ -127,7 +135,9 @@ void MediaRow::look_along() {
   };
   for (std::size_t place = 0, any = 1; any != 0; ++place) {
     const std::size_t number = place % each;
-    const double at = number % 2 == 0 ? static_cast<double>(number / 2) * step : middle_of(static_cast<double>(number / 2) * step, static_cast<double>(number / 2 + 1) * step);
+    const double at =
+        number % 2 == 0 ? static_cast<double>(number / 2) * step
+                        : middle_of(static_cast<double>(number / 2) * step, static_cast<double>(number / 2 + 1) * step);
     any = 0;
     for (const Room::RayPart& ray : room_.rays) {
       const std::size_t interval = ray.first + place / each;
@@ -147,7 +157,10 @@ void MediaRow::refine() {
   all.clear();
   const MediaSample* s = room_.first.data();
   for (std::uint32_t i = 0; i < room_.intervals.size(); ++i, ++s)
-    for (int k = 0; k < q; ++k, s += 2) all.push_back(room_.rays[room_.intervals[i].ray].lost ? MediaRefinement::Stretch{} : MediaRefinement::Stretch{k * step, (k + 1) * step, s[0], s[1], s[2], i});
+    for (int k = 0; k < q; ++k, s += 2)
+      all.push_back(room_.rays[room_.intervals[i].ray].lost
+                        ? MediaRefinement::Stretch{}
+                        : MediaRefinement::Stretch{k * step, (k + 1) * step, s[0], s[1], s[2], i});
   std::array<Question, kMost> questions;
   std::array<MediaSample, kMost> samples;
   std::size_t begin = 0;
@@ -162,13 +175,15 @@ void MediaRow::refine() {
   }
 }
 
-MediaSample MediaRow::refine_alone(std::uint32_t interval, const MediaSample& s1, double d1, const MediaSample& s3, double d3, int level) {
+MediaSample MediaRow::refine_alone(std::uint32_t interval, const MediaSample& s1, double d1, const MediaSample& s3,
+                                   double d3, int level) {
   const double d2 = middle_of(d1, d3);
   const Question question{interval, d2};
   MediaSample s2;
   ask({&question, 1}, &s2);
-  return mean_of_stretch(s1, s2, s3, level, mixture_.aa_threshold, [&] { return refine_alone(interval, s1, d1, s2, d2, level - 1); },
-                         [&] { return refine_alone(interval, s2, d2, s3, d3, level - 1); });
+  return mean_of_stretch(
+      s1, s2, s3, level, mixture_.aa_threshold, [&] { return refine_alone(interval, s1, d1, s2, d2, level - 1); },
+      [&] { return refine_alone(interval, s2, d2, s3, d3, level - 1); });
 }
 
 MediaResult MediaRow::result(std::uint32_t ray) {
@@ -177,8 +192,10 @@ MediaResult MediaRow::result(std::uint32_t ray) {
   Rgb emission, depth;
   for (std::uint32_t i = part.first; i < part.end; ++i) {
     const MediaSample s = mean_of_interval(q, [&](int k) {
-      return room_.tree.mean(i * static_cast<std::size_t>(q) + static_cast<std::size_t>(k), level, mixture_.aa_threshold,
-                             [&](const auto& stretch, const MediaSample& s1, double d1, const MediaSample& s3, double d3, int left) { return refine_alone(stretch.interval, s1, d1, s3, d3, left); });
+      return room_.tree.mean(i * static_cast<std::size_t>(q) + static_cast<std::size_t>(k), level,
+                             mixture_.aa_threshold,
+                             [&](const auto& stretch, const MediaSample& s1, double d1, const MediaSample& s3,
+                                 double d3, int left) { return refine_alone(stretch.interval, s1, d1, s3, d3, left); });
     });
     emission += s.source * transmitted(depth);
     depth += s.depth;
@@ -197,7 +214,8 @@ void MediaRow::ask(std::span<const Question> questions, MediaSample* samples) {
     if (mixture_.varies) points.set(static_cast<int>(i), room_.points[i]);
   }
   if (mixture_.varies) points.fill_up(static_cast<int>(count));
-  clear(count, room_.extinction), clear(count, room_.emission), clear(count, room_.scattering), clear(count, room_.source);
+  clear(count, room_.extinction), clear(count, room_.emission), clear(count, room_.scattering),
+      clear(count, room_.source);
   for (const CompiledMedia* m : mixture_.media) {
     textures::RgbRow density;
     if (m->varies) {
@@ -205,7 +223,8 @@ void MediaRow::ask(std::span<const Question> questions, MediaSample* samples) {
       media_densities(*m, static_cast<int>(count), points, density);
     } else {
       const Rgb constant = media_density(*m, room_.points[0]);
-      for (std::size_t i = 0; i < count; ++i) density.r[i] = constant.r, density.g[i] = constant.g, density.b[i] = constant.b;
+      for (std::size_t i = 0; i < count; ++i)
+        density.r[i] = constant.r, density.g[i] = constant.g, density.b[i] = constant.b;
     }
     add(count, density, m->extinction, room_.extinction);
     if (m->emits) add(count, density, m->description->emission, room_.emission);
@@ -238,7 +257,9 @@ void MediaRow::add_light(std::size_t number, std::span<const Question> questions
     const Room::Interval& interval = room_.intervals[questions[i].interval];
     const LitRange& range = lit[interval.ray];
     const Rgb scattering = at(room_.scattering, i);
-    if (!interval.span.lit || room_.distances[i] < range.first || room_.distances[i] > range.last || scattering.max_abs() <= 0.0f || room_.rays[interval.ray].lost) continue;
+    if (!interval.span.lit || room_.distances[i] < range.first || room_.distances[i] > range.last ||
+        scattering.max_abs() <= 0.0f || room_.rays[interval.ray].lost)
+      continue;
     lanes.to_light.origin.set(count, room_.points[i]);
     lanes.view.set(count, room_.ray(questions[i].interval).direction);
     lanes.scattering.set(count, scattering);
@@ -251,7 +272,9 @@ void MediaRow::add_light(std::size_t number, std::span<const Question> questions
   if (const auto falloff = light.attenuates() ? shading::LightFalloff::of(light) : std::nullopt) {
     falloff->attenuate(lanes.to_light.direction, lanes.distance, count, attenuation);
   } else {
-    for (int k = 0; k < count; ++k) attenuation[k] = static_cast<float>(light.attenuation(lanes.to_light.origin.at(k), {lanes.to_light.direction.at(k), lanes.distance[k]}));
+    for (int k = 0; k < count; ++k)
+      attenuation[k] = static_cast<float>(
+          light.attenuation(lanes.to_light.origin.at(k), {lanes.to_light.direction.at(k), lanes.distance[k]}));
   }
   int bright = 0;
   for (int k = 0; k < count; ++k) {
@@ -259,7 +282,8 @@ void MediaRow::add_light(std::size_t number, std::span<const Question> questions
     if (color.max_abs() < kDark) continue;
     lanes.arriving.set(bright, color);
     if (bright != k) {
-      lanes.to_light.origin.set(bright, lanes.to_light.origin.at(k)), lanes.to_light.direction.set(bright, lanes.to_light.direction.at(k));
+      lanes.to_light.origin.set(bright, lanes.to_light.origin.at(k)),
+          lanes.to_light.direction.set(bright, lanes.to_light.direction.at(k));
       lanes.view.set(bright, lanes.view.at(k)), lanes.scattering.set(bright, lanes.scattering.at(k));
       lanes.distance[bright] = lanes.distance[k], room_.question[bright] = room_.question[k];
     }
@@ -270,23 +294,29 @@ void MediaRow::add_light(std::size_t number, std::span<const Question> questions
   tracer_.look_for_light(light, common_, lanes.to_light, lanes.distance, bright, ways.data());
   for (int k = 0; k < bright; ++k) {
     if (ways[static_cast<std::size_t>(k)] == LightWay::blocked) lanes.arriving.set(k, Rgb());
-    if (ways[static_cast<std::size_t>(k)] == LightWay::unknown) lanes.arriving.set(k, light_alone(light, k, room_.intervals[questions[room_.question[k]].interval].ray, lanes.arriving.at(k)));
+    if (ways[static_cast<std::size_t>(k)] == LightWay::unknown)
+      lanes.arriving.set(
+          k, light_alone(light, k, room_.intervals[questions[room_.question[k]].interval].ray, lanes.arriving.at(k)));
   }
   mixture_.scatter(bright, lanes);
   for (int k = 0; k < bright; ++k) {
     if (!(lanes.arriving.at(k).max_abs() > 0.0f)) continue;
     const std::size_t i = room_.question[k];
-    room_.source.r[i] += lanes.scattered.r[k], room_.source.g[i] += lanes.scattered.g[k], room_.source.b[i] += lanes.scattered.b[k];
+    room_.source.r[i] += lanes.scattered.r[k], room_.source.g[i] += lanes.scattered.g[k],
+        room_.source.b[i] += lanes.scattered.b[k];
   }
 }
 
-// Where surfaces or volumes may filter the light. If that draws numbers, their order matters, and the ray has to go alone from its start to its end.
+// Where surfaces or volumes may filter the light. If that draws numbers, their order matters, and the ray has to go
+// alone from its start to its end.
 Rgb MediaRow::light_alone(const shading::Light& light, int lane, std::uint32_t ray, const Rgb& color) {
   if (room_.rays[ray].lost) return {};
   tracer_.random().begin(room_.stretches[ray].key);
   shading::RayState state = common_;
   state.ray = room_.stretches[ray].ray;
-  const Rgb arriving = tracer_.shadowed(light, room_.lanes.to_light.origin.at(lane), {room_.lanes.to_light.direction.at(lane), room_.lanes.distance[lane]}, state, nullptr, color);
+  const Rgb arriving =
+      tracer_.shadowed(light, room_.lanes.to_light.origin.at(lane),
+                       {room_.lanes.to_light.direction.at(lane), room_.lanes.distance[lane]}, state, nullptr, color);
   room_.rays[ray].lost = tracer_.random().drawn();
   return arriving;
 }

@@ -25,7 +25,8 @@ scene::Scene lit_scene(bool clear_balls) {
   scene::Scene scene;
   scene::LightSource fading = light_at({4, 7, -3}), spot = light_at({-5, 6, 0}), far = light_at({0, 40, 9});
   fading.fade_power = 2, fading.fade_distance = 5;
-  spot.kind = scene::LightKind::spotlight, spot.direction = normalize(Vec3(5, -6, 1)), spot.radius = 8, spot.falloff = 16, spot.tightness = 2;
+  spot.kind = scene::LightKind::spotlight, spot.direction = normalize(Vec3(5, -6, 1)), spot.radius = 8,
+  spot.falloff = 16, spot.tightness = 2;
   far.color = Rgb(0.3f, 0.4f, 0.5f);
   for (const auto& light : {fading, spot, far}) add(scene, make(scene::Boxed<scene::LightSource>(light)));
   for (int i = 0; i < 14; ++i) {
@@ -44,7 +45,8 @@ scene::Scene lit_scene(bool clear_balls) {
 
 scene::Media scattering(int type, double threshold) {
   scene::Media media;
-  media.has_scattering = true, media.scattering = Rgb(0.1f, 0.12f, 0.08f), media.scattering_type = type, media.eccentricity = 0.6;
+  media.has_scattering = true, media.scattering = Rgb(0.1f, 0.12f, 0.08f), media.scattering_type = type,
+  media.eccentricity = 0.6;
   media.absorption = Rgb(0.02f, 0.01f, 0.03f);
   media.aa_threshold = threshold;
   return media;
@@ -52,7 +54,8 @@ scene::Media scattering(int type, double threshold) {
 scene::DensityPtr clouds() {
   scene::Density d;
   d.pattern.kind = scene::PatternKind::bozo;
-  d.color_map = std::make_shared<const scene::ColorMap>(scene::ColorMap{{0, Color(0, 0, 0)}, {0.5f, Color(0, 0, 0)}, {1, Color(1.9f, 1.7f, 2.3f)}});
+  d.color_map = std::make_shared<const scene::ColorMap>(
+      scene::ColorMap{{0, Color(0, 0, 0)}, {0.5f, Color(0, 0, 0)}, {1, Color(1.9f, 1.7f, 2.3f)}});
   return std::make_shared<const scene::Density>(d);
 }
 
@@ -64,7 +67,9 @@ class Lights : public MediaEnvironment {
   }
   double random() override { return tracer_.random().media(); }
   std::span<const scene::LightSource* const> lights() override { return sources_; }
-  Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light) override { return tracer_.light_at(tracer_.scene().lights()[light], p, ray_, to_light); }
+  Rgb illumination(std::size_t light, const Vec3& p, Vec3& to_light) override {
+    return tracer_.light_at(tracer_.scene().lights()[light], p, ray_, to_light);
+  }
 
  private:
   shading::Tracer& tracer_;
@@ -97,7 +102,8 @@ Counts expect_the_same(const scene::Scene& scene, const std::vector<scene::Media
     for (int i = 0; i <= round % static_cast<int>(MediaRow::kMostRays); ++i) {
       const Vec3 end = round % 3 == 0 ? point() : to + 0.02 * i * Vec3(1, 0, 0.5);
       const double distance = i == 7 ? 0 : length(end - from);
-      rays.push_back({{from, normalize(end - from)}, distance, nullptr, static_cast<std::uint64_t>(round * 100 + i), &seen});
+      rays.push_back(
+          {{from, normalize(end - from)}, distance, nullptr, static_cast<std::uint64_t>(round * 100 + i), &seen});
     }
     shading::RayState state = together.camera_state(rays[0].ray, false);
     Lights environment(together, state);
@@ -163,7 +169,8 @@ TEST(MediaRow, DividesRaysAsSingleRaysDo) {
     return light && light->kind != scene::LightKind::spotlight;
   });
   scene::Media glowing;
-  glowing.emission = Rgb(0.3f, 0.1f, 0.2f), glowing.densities = {clouds()}, glowing.intervals = 5, glowing.samples_min = 1, glowing.aa_level = 1;
+  glowing.emission = Rgb(0.3f, 0.1f, 0.2f), glowing.densities = {clouds()}, glowing.intervals = 5,
+  glowing.samples_min = 1, glowing.aa_level = 1;
   expect_all_together(expect_the_same(scene, {glowing}));
   EXPECT_GT(expect_the_same(scene, {scattering(1, 0.1)}).together, 100);
 }

@@ -14,7 +14,8 @@ int valid(int generator) { return generator == 1 || generator == 3 ? generator :
 
 }  // namespace
 
-Octaves::Octaves(int octaves, double lambda, double omega) : count(std::clamp(octaves, 1, kMaxOctaves)), scale{}, weight{} {
+Octaves::Octaves(int octaves, double lambda, double omega)
+    : count(std::clamp(octaves, 1, kMaxOctaves)), scale{}, weight{} {
   double largest = 0, s = 1, w = 1;
   for (int i = 0; i < count; ++i, s *= lambda, w *= omega) {
     scale[i] = s;
@@ -25,9 +26,13 @@ Octaves::Octaves(int octaves, double lambda, double omega) : count(std::clamp(oc
 }
 
 double noise(const Vec3& p, int generator) { return kernels.noise[valid(generator)](p); }
-void noises(int generator, const EightPoints& points, unsigned wanted, double* noises) { kernels.noises[valid(generator)](points, wanted, noises); }
+void noises(int generator, const EightPoints& points, unsigned wanted, double* noises) {
+  kernels.noises[valid(generator)](points, wanted, noises);
+}
 Vec3 vector_noise(const Vec3& p) { return kernels.vector_noise(p); }
-double turbulence(const Vec3& p, const Octaves& octaves, int generator) { return kernels.turbulence[valid(generator)](p, octaves); }
+double turbulence(const Vec3& p, const Octaves& octaves, int generator) {
+  return kernels.turbulence[valid(generator)](p, octaves);
+}
 Vec3 vector_turbulence(const Vec3& p, const Octaves& octaves) { return kernels.vector_turbulence(p, octaves); }
 double granite_sum(const Vec3& p, int generator) { return kernels.granite[valid(generator)](p); }
 double wrinkles_sum(const Vec3& p, int generator) { return kernels.wrinkles[valid(generator)](p); }

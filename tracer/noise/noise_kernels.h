@@ -15,7 +15,8 @@ struct alignas(64) EightPoints {
 struct NoiseKernels {
   const char* name;
   double (*noise[4])(const Vec3& p);
-  // The noises at those of the points that are wanted, octaves of one point most of all: their cells are remembered. The eight noises are aligned as points are.
+  // The noises at those of the points that are wanted, octaves of one point most of all: their cells are remembered.
+  // The eight noises are aligned as points are.
   void (*noises[4])(const EightPoints& points, unsigned wanted, double* noises);
   double (*turbulence[4])(const Vec3& p, const Octaves& octaves);
   double (*granite[4])(const Vec3& p);
@@ -28,7 +29,8 @@ struct NoiseKernels {
 // `set` must not be beyond best_instruction_set().
 const NoiseKernels& noise_kernels(InstructionSet set);
 
-// At the points that are wanted (bit k: point k), bit by bit what noise() gives at each; the others are anything. `noises` is aligned as points are.
+// At the points that are wanted (bit k: point k), bit by bit what noise() gives at each; the others are anything.
+// `noises` is aligned as points are.
 void noises(int generator, const EightPoints& points, unsigned wanted, double* noises);
 // The first `count` of eight, as bits.
 constexpr unsigned first_of_eight(int count) { return (1u << count) - 1; }

@@ -20,11 +20,13 @@ std::int64_t lattice(double x) {
 double lattice_noise(const Vec3& p, int offset) {
   const NoiseTables& t = noise_tables();
   const std::int64_t i[3] = {lattice(p.x), lattice(p.y), lattice(p.z)};
-  const double f[3] = {p.x - static_cast<double>(i[0]), p.y - static_cast<double>(i[1]), p.z - static_cast<double>(i[2])};
+  const double f[3] = {p.x - static_cast<double>(i[0]), p.y - static_cast<double>(i[1]),
+                       p.z - static_cast<double>(i[2])};
   double sum = 0;
   for (int c = 0; c < 8; ++c) {
     const int corner[3] = {c & 1, c >> 1 & 1, c >> 2};
-    const int m = lattice_hash(t, i[0] + 10000 + corner[0], i[1] + 10000 + corner[1], i[2] + 10000 + corner[2]) % 256 + offset;
+    const int m =
+        lattice_hash(t, i[0] + 10000 + corner[0], i[1] + 10000 + corner[1], i[2] + 10000 + corner[2]) % 256 + offset;
     double weight = 1, value = t.values[m] / 2;
     for (int k = 0; k < 3; ++k) {
       weight *= corner[k] ? smooth(f[k]) : 1 - smooth(f[k]);
@@ -65,9 +67,15 @@ double gradient_noise(const Vec3& p) {
 double noise(const Vec3& p, int generator) {
   double n;
   switch (generator) {
-    case 1: n = lattice_noise(p, 0) + 0.5; break;
-    case 3: n = 0.5 * (1.59 * gradient_noise(p) + 0.985); break;
-    default: n = (lattice_noise(p, 0) + 1.05242) * 0.48985582; break;
+    case 1:
+      n = lattice_noise(p, 0) + 0.5;
+      break;
+    case 3:
+      n = 0.5 * (1.59 * gradient_noise(p) + 0.985);
+      break;
+    default:
+      n = (lattice_noise(p, 0) + 1.05242) * 0.48985582;
+      break;
   }
   return std::clamp(n, 0.0, 1.0);
 }

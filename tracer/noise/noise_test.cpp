@@ -28,7 +28,10 @@ TEST(NoiseTables, MatchTheChecksOfTheSpecification) {
 
 // Probe P2: f_noise_generator of functions.inc.
 TEST(Noise, EqualsPovRay) {
-  struct Probe { Vec3 p; double value[3]; };
+  struct Probe {
+    Vec3 p;
+    double value[3];
+  };
   const Probe probes[] = {
       {{0.5, 0.5, 0.5}, {0.41346047125, 0.473142170266155, 0.672103843552658}},
       {{1.25, -2.75, 3.6}, {0.339298602446094, 0.436813547210485, 0.445168696205204}},
@@ -37,7 +40,8 @@ TEST(Noise, EqualsPovRay) {
       {{-0.1, -0.2, -0.3}, {0.0243576697584844, 0.282537898377232, 0.34813195163302}},
   };
   for (const Probe& probe : probes)
-    for (int g = 1; g <= 3; ++g) EXPECT_NEAR(noise(probe.p, g), probe.value[g - 1], 2e-15) << "generator " << g << " at x = " << probe.p.x;
+    for (int g = 1; g <= 3; ++g)
+      EXPECT_NEAR(noise(probe.p, g), probe.value[g - 1], 2e-15) << "generator " << g << " at x = " << probe.p.x;
 }
 
 TEST(Noise, FastVersionAgreesWithTheReference) {
@@ -97,7 +101,9 @@ TEST(NoiseKernels, SeveralPointsGetWhatEachGets) {
     const int count = 1 + i % 8;
     EightPoints points;
     double size = std::pow(10.0, i % 5 - 2);
-    for (int k = 0; k < count; ++k, size *= 2.17) points.x[k] = size * coordinate(random), points.y[k] = size * coordinate(random), points.z[k] = size * coordinate(random);
+    for (int k = 0; k < count; ++k, size *= 2.17)
+      points.x[k] = size * coordinate(random), points.y[k] = size * coordinate(random),
+      points.z[k] = size * coordinate(random);
     if (i % 50 == 0) points.y[count / 2] = 1e11;
     for (int set = 0; set <= best_instruction_set(); ++set) {
       const NoiseKernels& kernels = noise_kernels(static_cast<InstructionSet>(set));
@@ -107,7 +113,8 @@ TEST(NoiseKernels, SeveralPointsGetWhatEachGets) {
         kernels.noises[g](points, wanted, together);
         for (int k = 0; k < count; ++k) {
           if (!(wanted >> k & 1)) continue;
-          ASSERT_EQ(together[k], kernels.noise[g](Vec3(points.x[k], points.y[k], points.z[k]))) << kernels.name << ' ' << g << ' ' << k;
+          ASSERT_EQ(together[k], kernels.noise[g](Vec3(points.x[k], points.y[k], points.z[k])))
+              << kernels.name << ' ' << g << ' ' << k;
         }
       }
     }
@@ -122,8 +129,11 @@ TEST(NoiseKernels, TellCellsApartThatShareAPlaceInTheMemory) {
   for (int i = 0; i < 6000; ++i) {
     EightPoints points;
     const double step = steps[i % 6];
-    const auto coordinate = [&](int most) { return step * static_cast<double>(random() % static_cast<unsigned>(most)) - 1000 + within(random); };
-    for (int k = 0; k < 8; ++k) points.x[k] = coordinate(1 + i % 5), points.y[k] = coordinate(1 + i % 3), points.z[k] = coordinate(2);
+    const auto coordinate = [&](int most) {
+      return step * static_cast<double>(random() % static_cast<unsigned>(most)) - 1000 + within(random);
+    };
+    for (int k = 0; k < 8; ++k)
+      points.x[k] = coordinate(1 + i % 5), points.y[k] = coordinate(1 + i % 3), points.z[k] = coordinate(2);
     for (int set = 0; set <= best_instruction_set(); ++set) {
       const NoiseKernels& kernels = noise_kernels(static_cast<InstructionSet>(set));
       for (int g = 1; g <= 3; ++g) {
@@ -140,7 +150,8 @@ TEST(NoiseKernels, TellCellsApartThatShareAPlaceInTheMemory) {
 }
 
 TEST(Noise, SurvivesFarAndInvalidCoordinates) {
-  for (const double x : {1e17, -1e17, 1e300, -1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double x : {1e17, -1e17, 1e300, -1e300, std::numeric_limits<double>::infinity(),
+                         std::numeric_limits<double>::quiet_NaN()}) {
     for (int g = 1; g <= 3; ++g) {  // must not crash
       noise({x, 0.5, x}, g);
       turbulence({x, 0.5, x}, 6, 1e40, 0.5, g);

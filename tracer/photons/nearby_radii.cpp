@@ -16,8 +16,11 @@ NearbyRadii::Known& NearbyRadii::cell(std::vector<Known>& cells, const Vec3& p, 
   const int level = std::ilogb(side);
   const double inverse = std::ldexp(1.0, -level);
   if (!(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) * inverse < 1e15)) return nowhere_ = {};
-  const auto index = [inverse](double v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v * inverse))); };
-  const std::uint64_t mixed = index(p.x) * 0x9E3779B97F4A7C15u + index(p.y) * 0xC2B2AE3D27D4EB4Fu + index(p.z) * 0x165667B19E3779F9u +
+  const auto index = [inverse](double v) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v * inverse)));
+  };
+  const std::uint64_t mixed = index(p.x) * 0x9E3779B97F4A7C15u + index(p.y) * 0xC2B2AE3D27D4EB4Fu +
+                              index(p.z) * 0x165667B19E3779F9u +
                               static_cast<std::uint64_t>(level) * 0xD6E8FEB86659FD93u;
   if (cells.empty()) cells.resize(kPlaces);
   return cells[((mixed ^ mixed >> 32) * 0x9E3779B97F4A7C15u >> 40) % kPlaces];

@@ -15,7 +15,9 @@ std::array<std::uint8_t, 4> Photon::encode(const Rgb& energy) {
   if (!(v >= 1e-32f)) return {0, 0, 0, 0};
   int exponent;
   const double scale = std::frexp(static_cast<double>(v), &exponent) * 256.0 / v;
-  const auto mantissa = [&](float c) { return static_cast<std::uint8_t>(std::clamp(static_cast<int>(c * scale), 0, 255)); };
+  const auto mantissa = [&](float c) {
+    return static_cast<std::uint8_t>(std::clamp(static_cast<int>(c * scale), 0, 255));
+  };
   return {mantissa(energy.r), mantissa(energy.g), mantissa(energy.b), static_cast<std::uint8_t>(exponent + 250)};
 }
 

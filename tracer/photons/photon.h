@@ -1,6 +1,7 @@
 // A stored photon (spec 07 section 3.7).
 //
-// It keeps what POV-Ray's keeps: binary32 position, a shared-exponent colour and a direction in two signed bytes; the rounding shows in pictures.
+// It keeps what POV-Ray's keeps: binary32 position, a shared-exponent colour and a direction in two signed bytes; the
+// rounding shows in pictures.
 #pragma once
 
 #include <array>
@@ -47,7 +48,8 @@ inline Rgb Photon::color() const {
 }
 
 inline Vec3 Photon::direction() const {
-  const Angle &up = kAngles[static_cast<std::uint8_t>(elevation)], &around = kAngles[static_cast<std::uint8_t>(azimuth)];
+  const Angle &up = kAngles[static_cast<std::uint8_t>(elevation)],
+              &around = kAngles[static_cast<std::uint8_t>(azimuth)];
   return {up.cosine * around.cosine, up.sine, up.cosine * around.sine};
 }
 

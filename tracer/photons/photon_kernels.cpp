@@ -25,7 +25,8 @@ namespace {
 constexpr float kInfiniteFloat = std::numeric_limits<float>::infinity();
 constexpr auto kAnyNumber = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kAtOnce = PhotonLeaf::kAtOnce;
-constexpr std::size_t kCrowd = 3;  // times the wanted number of photons is when the nearest are picked out, and the search narrowed
+constexpr std::size_t kCrowd =
+    3;  // times the wanted number of photons is when the nearest are picked out, and the search narrowed
 
 // Where distances are equal when rounded they are measured again: places in a list with squared distances.
 using Equals = std::vector<std::pair<double, std::size_t>>;
@@ -56,7 +57,8 @@ void drop_farther(PhotonDistances& list, const PhotonMeasure& measure, double li
   drop(list, equals);
 }
 
-// Of those that are as far as the last one when rounded, keeps the nearest, until there are `wanted` in all; returns the squared distance of the last one.
+// Of those that are as far as the last one when rounded, keeps the nearest, until there are `wanted` in all; returns
+// the squared distance of the last one.
 double drop_farthest(PhotonDistances& list, float last, const PhotonMeasure& measure, std::size_t wanted) {
   Equals equals;
   find_equals(list, last, measure, equals);

@@ -1,6 +1,8 @@
-// Which photons of a map are near a point, eight at a time. Compiled for several instruction sets; every lane does the operations of the scalar code in the same order.
+// Which photons of a map are near a point, eight at a time. Compiled for several instruction sets; every lane does the
+// operations of the scalar code in the same order.
 //
-// Floats say which may be near; those are measured in doubles. What is found is compared by distances rounded to floats, and measured again where these are equal.
+// Floats say which may be near; those are measured in doubles. What is found is compared by distances rounded to
+// floats, and measured again where these are equal.
 #pragma once
 
 #include <algorithm>
@@ -30,8 +32,8 @@ struct alignas(64) PhotonBoxes {
   std::array<float, PhotonLeaf::kAtOnce> low[3], high[3];
 };
 
-// Where a search is made: distances are flattened along the normal, unless it is zero. Squared distances off the plane through the point are larger by a factor
-// 1 + 16 |normal . delta|.
+// Where a search is made: distances are flattened along the normal, unless it is zero. Squared distances off the plane
+// through the point are larger by a factor 1 + 16 |normal . delta|.
 struct PhotonCenter {
   Vec3 point, normal;
   double squared_distance(const Photon& photon) const {
@@ -96,16 +98,19 @@ enum class Collected { all, nearest, too_many };
 struct PhotonKernels {
   // Bit i: box i is nearer to the point than the square root of `squared`, or as near.
   unsigned (*boxes)(const PhotonBoxes& boxes, const std::array<float, 3>& point, float squared);
-  // Finds the photons whose squared distance is below `limit`, in the order of the map. `nearest`: there are many more than the maximum, and only those below a lower `limit`, or at it,
-  // were found, at least the maximum. Gives up when it knows that there are `too_many` or more.
+  // Finds the photons whose squared distance is below `limit`, in the order of the map. `nearest`: there are many more
+  // than the maximum, and only those below a lower `limit`, or at it, were found, at least the maximum. Gives up when
+  // it knows that there are `too_many` or more.
   Collected (*collect)(const PhotonTree& tree, const PhotonQuery& query, double& limit, PhotonDistances& found);
-  // Copies the `maximum` nearest of more than that to `to` (which may be `from`), in their order; of equally far ones the first. `limit`: none is farther; then the squared distance of the
-  // last one kept.
-  void (*keep_nearest)(PhotonDistances& from, const PhotonMeasure& measure, std::size_t maximum, double& limit, PhotonDistances& to);
+  // Copies the `maximum` nearest of more than that to `to` (which may be `from`), in their order; of equally far ones
+  // the first. `limit`: none is farther; then the squared distance of the last one kept.
+  void (*keep_nearest)(PhotonDistances& from, const PhotonMeasure& measure, std::size_t maximum, double& limit,
+                       PhotonDistances& to);
   // Copies those with squared distances of at most `limit`.
   void (*keep_within)(PhotonDistances& from, const PhotonMeasure& measure, double limit, PhotonDistances& to);
-  // Writes the places in the list of those that are as far as `radius - overhang[index]`, and perhaps of some that are hardly nearer; returns how many there are. Behind
-  // the list stand sixteen numbers, of any size, and there is room for sixteen places more than it has.
+  // Writes the places in the list of those that are as far as `radius - overhang[index]`, and perhaps of some that are
+  // hardly nearer; returns how many there are. Behind the list stand sixteen numbers, of any size, and there is room
+  // for sixteen places more than it has.
   std::size_t (*reaching)(PhotonDistances& list, const float* overhang, double radius, std::uint32_t* places);
 };
 

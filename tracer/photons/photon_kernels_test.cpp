@@ -50,11 +50,13 @@ double flattened(const Photon& photon, const PhotonCenter& center) {
 TEST_F(PhotonKernelsTest, BoxesAreAsNearAsThePlainFormulasSay) {
   PhotonBoxes boxes;
   for (std::size_t a = 0; a < 3; ++a) {
-    for (std::size_t i = 0; i < kAtOnce; ++i) boxes.low[a][i] = static_cast<float>(random()), boxes.high[a][i] = boxes.low[a][i] + 0.3f;
+    for (std::size_t i = 0; i < kAtOnce; ++i)
+      boxes.low[a][i] = static_cast<float>(random()), boxes.high[a][i] = boxes.low[a][i] + 0.3f;
   }
   for_each_instruction_set([&](const PhotonKernels& kernels) {
     for (std::size_t run = 0; run < 500; ++run) {
-      const std::array<float, 3> at{static_cast<float>(random()), static_cast<float>(random()), static_cast<float>(random())};
+      const std::array<float, 3> at{static_cast<float>(random()), static_cast<float>(random()),
+                                    static_cast<float>(random())};
       const auto limit = static_cast<float>(1 + random());
       const unsigned met = kernels.boxes(boxes, at, limit);
       for (std::size_t i = 0; i < kAtOnce; ++i) {
@@ -81,14 +83,16 @@ TEST_F(PhotonKernelsTest, CollectFindsAllWithinALimitInTheOrderOfTheMap) {
         const PhotonCenter center{random_vector(), run % 2 == 0 ? Vec3(0.0) : normalize(random_vector())};
         double limit = 0.5 * (1.01 + random());
         const double asked = limit;
-        ASSERT_EQ(kernels.collect(tree, {{photons.data(), center}, kAny, kAny, nullptr, 0.0}, limit, found), Collected::all);
+        ASSERT_EQ(kernels.collect(tree, {{photons.data(), center}, kAny, kAny, nullptr, 0.0}, limit, found),
+                  Collected::all);
         EXPECT_EQ(limit, asked);
         std::vector<std::uint32_t> expected;
         for (std::uint32_t i = 0; i < count; ++i) {
           if (flattened(photons[i], center) < limit) expected.push_back(i);
         }
         ASSERT_TRUE(std::ranges::equal(found.index(), expected)) << count << ' ' << run;
-        for (std::size_t k = 0; k < found.size(); ++k) EXPECT_EQ(found.squared()[k], static_cast<float>(flattened(photons[found.index()[k]], center)));
+        for (std::size_t k = 0; k < found.size(); ++k)
+          EXPECT_EQ(found.squared()[k], static_cast<float>(flattened(photons[found.index()[k]], center)));
       }
     });
   }
@@ -103,14 +107,16 @@ TEST_F(PhotonKernelsTest, CollectNarrowsACrowdToItsNearest) {
     for (int run = 0; run < 30; ++run) {
       const PhotonCenter center{random_vector(), Vec3(0.0)};
       double limit = 1.0, any = 1.0;
-      ASSERT_EQ(kernels.collect(tree, {{photons.data(), center}, 40, kAny, nullptr, 0.0}, limit, found), Collected::nearest);
+      ASSERT_EQ(kernels.collect(tree, {{photons.data(), center}, 40, kAny, nullptr, 0.0}, limit, found),
+                Collected::nearest);
       EXPECT_LT(limit, 1.0);
       kernels.collect(tree, {{photons.data(), center}, kAny, kAny, nullptr, 0.0}, any, all);
       kernels.keep_within(all, {photons.data(), center}, limit, all);
       EXPECT_TRUE(std::ranges::includes(found.index(), all.index()));
       EXPECT_GE(found.size(), 40u);
       double too_far = 1.0;
-      EXPECT_EQ(kernels.collect(tree, {{photons.data(), center}, 40, 30, nullptr, 0.0}, too_far, found), Collected::too_many);
+      EXPECT_EQ(kernels.collect(tree, {{photons.data(), center}, 40, 30, nullptr, 0.0}, too_far, found),
+                Collected::too_many);
     }
   });
 }
@@ -119,7 +125,10 @@ TEST_F(PhotonKernelsTest, CollectNarrowsACrowdToItsNearest) {
 std::vector<Photon> photons_of(std::size_t size, int kind, const std::function<double()>& random) {
   std::vector<Photon> photons(size);
   for (Photon& p : photons) {
-    const double x = kind == 0 ? std::round(4 * random()) : kind == 1 ? 1.0 : random(), y = kind == 1 ? 2e-4 * random() : 0.0;
+    const double x = kind == 0   ? std::round(4 * random())
+                     : kind == 1 ? 1.0
+                                 : random(),
+                 y = kind == 1 ? 2e-4 * random() : 0.0;
     p.position = {static_cast<float>(x), static_cast<float>(y), 0.0f};
   }
   return photons;
@@ -134,7 +143,8 @@ TEST_F(PhotonKernelsTest, TheNearestAreKeptInTheirOrder) {
       const PhotonMeasure measure{photons.data(), {Vec3(0.0), Vec3(0.0)}};
       list.clear();
       std::vector<std::pair<double, std::uint32_t>> expected;
-      for (std::uint32_t i = 0; i < size; ++i) list.add(i, measure.squared(i)), expected.emplace_back(measure.squared(i), i);
+      for (std::uint32_t i = 0; i < size; ++i)
+        list.add(i, measure.squared(i)), expected.emplace_back(measure.squared(i), i);
       std::ranges::sort(expected);
       const std::size_t maximum = 1 + run * 7 % (size - 1);
       expected.resize(maximum);
@@ -198,7 +208,8 @@ TEST_F(PhotonKernelsTest, HugeDistancesAreCompared) {
 
 TEST_F(PhotonKernelsTest, ReachingFindsThoseThatComeNearToARadius) {
   std::vector<float> overhang(60);
-  for (std::size_t i = 0; i < overhang.size(); ++i) overhang[i] = i % 3 == 0 ? -std::numeric_limits<float>::infinity() : static_cast<float>(1 + random());
+  for (std::size_t i = 0; i < overhang.size(); ++i)
+    overhang[i] = i % 3 == 0 ? -std::numeric_limits<float>::infinity() : static_cast<float>(1 + random());
   for_each_instruction_set([&](const PhotonKernels& kernels) {
     PhotonDistances list;
     for (std::uint32_t i = 0; i < overhang.size(); i += 1 + i % 2) list.add(i, 1 + random());

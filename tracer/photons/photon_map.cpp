@@ -24,9 +24,7 @@ void PhotonMap::build() {
   build_sorted();
 }
 
-void PhotonMap::build_sorted() {
-  index_.build();
-}
+void PhotonMap::build_sorted() { index_.build(); }
 
 void PhotonMap::gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const {
   find({point, normal ? *normal : Vec3(0.0)}, settings, out);
@@ -36,13 +34,17 @@ void PhotonMap::gather(const Vec3& point, const Vec3* normal, const GatherSettin
 void PhotonMap::find(const PhotonCenter& center, const GatherSettings& settings, Gathered& out) const {
   const Vec3& point = center.point;
   const NearbyRadii::Places nearby = out.nearby.at(point, radius_);
-  out.radius = out.search.nearest(index_, center, radius_, settings.maximum, kAny, nearby.nearest(point).enough(point), out.numbers);
+  out.radius = out.search.nearest(index_, center, radius_, settings.maximum, kAny, nearby.nearest(point).enough(point),
+                                  out.numbers);
   nearby.remember({point, out.radius});
   if (static_cast<int>(out.numbers.size()) >= settings.minimum) return;
-  // The second try counts if it finds few, or photons that lie hardly denser. So many that they are neither make it vain, wherever the others are.
+  // The second try counts if it finds few, or photons that lie hardly denser. So many that they are neither make it
+  // vain, wherever the others are.
   const double reach = 3.0 * radius_;
-  const double first = out.numbers.empty() ? 1e-16 : static_cast<double>(out.numbers.size()) / (out.radius * out.radius);
-  const double vain = std::max(settings.expand_minimum + 1.0, first * (1.0 + settings.expand_increase) * reach * reach * (1.0 + 1e-9) + 1.0);
+  const double first =
+      out.numbers.empty() ? 1e-16 : static_cast<double>(out.numbers.size()) / (out.radius * out.radius);
+  const double vain = std::max(settings.expand_minimum + 1.0,
+                               first * (1.0 + settings.expand_increase) * reach * reach * (1.0 + 1e-9) + 1.0);
   const std::size_t too_many = vain < settings.maximum ? static_cast<std::size_t>(std::ceil(vain)) : kAny;
   const double guess = std::sqrt(1.2 * std::min(vain, static_cast<double>(settings.maximum)) / first);
   const double wider = out.search.nearest(index_, center, reach, settings.maximum, too_many, guess, out.wider_numbers);
@@ -78,11 +80,13 @@ void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max
   double enough = 0.0, density = 0.0;
   for (std::size_t i = 0; i < tries; ++i) {
     const Photon& p = photons()[random() % size()];
-    enough = search.nearest(index_, {position(p), Vec3(0.0)}, 1e7, gather_max, kAny, enough > 0.0 ? 1.06 * enough : typical, found);
+    enough = search.nearest(index_, {position(p), Vec3(0.0)}, 1e7, gather_max, kAny,
+                            enough > 0.0 ? 1.06 * enough : typical, found);
     density += static_cast<double>(found.size()) / volume(enough);
   }
   density /= static_cast<double>(tries);
-  const double ideal = media ? std::pow(3.0 * gather_max / (4.0 * kPi * density), 0.3333) : std::sqrt(gather_max / (kPi * density));
+  const double ideal =
+      media ? std::pow(3.0 * gather_max / (4.0 * kPi * density), 0.3333) : std::sqrt(gather_max / (kPi * density));
   std::size_t sparse = 0;
   for (std::size_t i = 0; i < tries; ++i) {
     const Photon& p = photons()[random() % size()];
@@ -104,7 +108,8 @@ void write_map(std::ofstream& file, const PhotonMap& map) {
     std::array<char, kRecord> record{};
     std::copy_n(reinterpret_cast<const char*>(p.position.data()), 12, record.begin());
     std::copy_n(reinterpret_cast<const char*>(p.energy.data()), 4, record.begin() + 12);
-    record[16] = static_cast<char>(p.axis), record[17] = static_cast<char>(p.elevation), record[18] = static_cast<char>(p.azimuth);
+    record[16] = static_cast<char>(p.axis), record[17] = static_cast<char>(p.elevation),
+    record[18] = static_cast<char>(p.azimuth);
     file.write(record.data(), record.size());
   }
 }
@@ -112,7 +117,8 @@ void write_map(std::ofstream& file, const PhotonMap& map) {
 void read_map(std::ifstream& file, std::uintmax_t bytes_left, PhotonMap& map) {
   std::int32_t count = 0;
   if (!file.read(reinterpret_cast<char*>(&count), sizeof count)) return;  // an absent second map is an empty one
-  if (count < 0 || static_cast<std::uintmax_t>(count) * kRecord > bytes_left) throw std::runtime_error("photon file is truncated or corrupt");
+  if (count < 0 || static_cast<std::uintmax_t>(count) * kRecord > bytes_left)
+    throw std::runtime_error("photon file is truncated or corrupt");
   map.photons().reserve(static_cast<std::size_t>(count));
   for (std::int32_t i = 0; i < count; ++i) {
     std::array<char, kRecord> record;
@@ -123,7 +129,8 @@ void read_map(std::ifstream& file, std::uintmax_t bytes_left, PhotonMap& map) {
     p.axis = static_cast<std::uint8_t>(record[16]);
     if (p.axis > 2) throw std::runtime_error("photon file is corrupt");
     p.elevation = static_cast<std::int8_t>(record[17]), p.azimuth = static_cast<std::int8_t>(record[18]);
-    if (!std::isfinite(p.position[0] + p.position[1] + p.position[2])) throw std::runtime_error("photon file is corrupt");
+    if (!std::isfinite(p.position[0] + p.position[1] + p.position[2]))
+      throw std::runtime_error("photon file is corrupt");
     map.add(p);
   }
 }

@@ -13,7 +13,9 @@ namespace verisim::global {
 class PhotonMap {
  public:
   void add(const Photon& photon) { index_.photons.push_back(photon); }
-  void append(const PhotonMap& other) { index_.photons.insert(index_.photons.end(), other.photons().begin(), other.photons().end()); }
+  void append(const PhotonMap& other) {
+    index_.photons.insert(index_.photons.end(), other.photons().begin(), other.photons().end());
+  }
   std::size_t size() const { return index_.photons.size(); }
   bool empty() const { return index_.photons.empty(); }
   const std::vector<Photon>& photons() const { return index_.photons; }
@@ -22,7 +24,8 @@ class PhotonMap {
   // Sorts the photons into a balanced tree (node of [a,b] at (a+b)/2). Call once, before any search.
   void build();
   void build_sorted();  // the same for photons that are in the order of a file
-  // The gather radius: `user` if positive, else estimated from the density around photons that `random` picks; times multiplier (and 2 for media).
+  // The gather radius: `user` if positive, else estimated from the density around photons that `random` picks; times
+  // multiplier (and 2 for media).
   void set_gather_radius(double user, double multiplier, int gather_max, bool media, CLibraryRandom& random);
   double gather_radius() const { return radius_; }
 
@@ -52,7 +55,8 @@ class PhotonMap {
   double radius_ = 0;
 };
 
-// POV-Ray's map file (spec 07 3.9): surface map first, media map second. Throw std::runtime_error; a map is used in the order of its file, which need not be a tree.
+// POV-Ray's map file (spec 07 3.9): surface map first, media map second. Throw std::runtime_error; a map is used in the
+// order of its file, which need not be a tree.
 void save_photons(const std::filesystem::path& path, const PhotonMap& surface, const PhotonMap& media);
 void load_photons(const std::filesystem::path& path, PhotonMap& surface, PhotonMap& media);
 

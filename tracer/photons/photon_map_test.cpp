@@ -75,7 +75,8 @@ struct PlainSearch {
   }
 };
 
-// Dense and sparse places, plane and solid, point after point as a picture asks for them: what is remembered of earlier searches must not show.
+// Dense and sparse places, plane and solid, point after point as a picture asks for them: what is remembered of earlier
+// searches must not show.
 TEST(PhotonMap, GathersWhatAPlainWalkFinds) {
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -110,7 +111,8 @@ TEST(PhotonMap, GathersWhatAPlainWalkFinds) {
   EXPECT_GT(overlooked, 100);  // else this would not show that the same ones are
 }
 
-// Hardly more within the radius than wanted: the first one too many takes the place of the last one kept, even if it is farther away, and stays if nothing nearer comes.
+// Hardly more within the radius than wanted: the first one too many takes the place of the last one kept, even if it is
+// farther away, and stays if nothing nearer comes.
 TEST(PhotonMap, FindsTheSameAsAPlainWalkWhereFewAreTooMany) {
   std::mt19937 generator(7);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -141,7 +143,8 @@ TEST(PhotonMap, FindsTheSameAsAPlainWalkWhereFewAreTooMany) {
   EXPECT_GT(farther_kept, 100);
 }
 
-// Map files of 3.7.0.10, photons on a line in the order of shooting: two stay as they are, three are sorted, of more some pairs are left the wrong way round.
+// Map files of 3.7.0.10, photons on a line in the order of shooting: two stay as they are, three are sorted, of more
+// some pairs are left the wrong way round.
 TEST(PhotonMap, KeepsPhotonsInPovRaysOrder) {
   const std::vector<std::pair<std::vector<int>, std::vector<int>>> cases = {
       {{1, 0}, {1, 0}},
@@ -159,7 +162,8 @@ TEST(PhotonMap, KeepsPhotonsInPovRaysOrder) {
     PhotonMap map;
     for (int x : shot) map.add(photon({1.0 * x, 0, 0}, Rgb(1.0f)));
     map.build();
-    for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(map.photons()[i].position[0], static_cast<float>(kept[i])) << shot.size() << ' ' << i;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      EXPECT_EQ(map.photons()[i].position[0], static_cast<float>(kept[i])) << shot.size() << ' ' << i;
   }
 }
 

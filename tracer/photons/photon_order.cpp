@@ -32,7 +32,8 @@ void for_each_range(std::size_t count, Visit&& visit) {
 std::uint8_t longest_axis(std::span<const Photon> photons) {
   std::array<float, 3> low = photons.front().position, high = low;
   for (const Photon& p : photons) {
-    for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], p.position[a]), high[a] = std::max(high[a], p.position[a]);
+    for (std::size_t a = 0; a < 3; ++a)
+      low[a] = std::min(low[a], p.position[a]), high[a] = std::max(high[a], p.position[a]);
   }
   std::uint8_t axis = 0;
   for (std::uint8_t a = 1; a < 3; ++a) {
@@ -41,8 +42,8 @@ std::uint8_t longest_axis(std::span<const Photon> photons) {
   return axis;
 }
 
-// Quickselect with the median of three as pivot (Press et al., Numerical Recipes, section 8.5). Where two photons are left it puts them in descending
-// order, which is as well as wrong. `photons`: three or more.
+// Quickselect with the median of three as pivot (Press et al., Numerical Recipes, section 8.5). Where two photons are
+// left it puts them in descending order, which is as well as wrong. `photons`: three or more.
 void select_middle(std::span<Photon> photons, std::size_t axis) {
   const auto at = [&](std::size_t i) { return photons[i].position[axis]; };
   const auto sort = [&](std::size_t i, std::size_t j) {
@@ -93,7 +94,8 @@ void WrongPlanes::build(std::span<const Photon> sorted) {
     const float at = sorted[middle].position[axis];
     for (std::size_t i = r.first; i <= r.last; ++i) {
       const float x = sorted[i].position[axis];
-      if (i < middle ? x > at : x < at) found.push_back({static_cast<std::uint32_t>(i), {at, static_cast<std::uint32_t>(middle), axis, i > middle}});
+      if (i < middle ? x > at : x < at)
+        found.push_back({static_cast<std::uint32_t>(i), {at, static_cast<std::uint32_t>(middle), axis, i > middle}});
     }
   });
   std::ranges::stable_sort(found, {}, [](const auto& f) { return f.first; });
@@ -104,7 +106,8 @@ void WrongPlanes::build(std::span<const Photon> sorted) {
   for (const auto& [i, plane] : found) {
     ++first_[i + 1], planes_.push_back(plane);
     const double overhang = std::fabs(static_cast<double>(sorted[i].position[plane.axis]) - plane.at);
-    overhang_[i] = std::max(overhang_[i], std::nextafter(static_cast<float>(overhang), std::numeric_limits<float>::infinity()));
+    overhang_[i] =
+        std::max(overhang_[i], std::nextafter(static_cast<float>(overhang), std::numeric_limits<float>::infinity()));
     largest_overhang_ = std::max(largest_overhang_, overhang);
   }
   for (std::size_t i = 0; i < sorted.size(); ++i) first_[i + 1] += first_[i];
@@ -120,7 +123,9 @@ void WrongPlanes::drop_hidden(const Vec3& p, double radius, std::size_t from, Ph
     kept += end - next, next = end;
   };
   for (const std::uint32_t place : std::span(doubtful.data(), count)) {
-    if (place < from || for_each_hiding(list.index()[place], p, radius * radius, [](std::uint32_t, double) { return false; })) continue;
+    if (place < from ||
+        for_each_hiding(list.index()[place], p, radius * radius, [](std::uint32_t, double) { return false; }))
+      continue;
     keep_until(place);
     ++next;
   }

@@ -1,8 +1,9 @@
 // The order of photons in POV-Ray's map, and what its searches overlook because of it.
 //
-// The photon in the middle of a range divides the others by one coordinate, and so on within. But ranges of two stay as they are, and selecting the middle
-// may leave two photons behind in the wrong order: some 2 % of the relations do not hold. A search that takes them for granted overlooks photons on the
-// wrong side of a plane. This shows in pictures, and the radius that is found automatically hangs on the order. Measured with the map files of 3.7.0.10.
+// The photon in the middle of a range divides the others by one coordinate, and so on within. But ranges of two stay as
+// they are, and selecting the middle may leave two photons behind in the wrong order: some 2 % of the relations do not
+// hold. A search that takes them for granted overlooks photons on the wrong side of a plane. This shows in pictures,
+// and the radius that is found automatically hangs on the order. Measured with the map files of 3.7.0.10.
 #pragma once
 
 #include <algorithm>
@@ -24,15 +25,21 @@ void sort_photons(std::vector<Photon>& photons);
 class WrongPlanes {
  public:
   void build(std::span<const Photon> sorted);
-  // Whether there are any that can hide photons within a distance from the point of a search that looks at all planes nearer than `radius`.
-  bool hide(double distance, double radius) const { return (distance + largest_overhang_) * (1.0 + kRounding) >= radius; }
-  // Removes photons from number `from` of the list on that a search around p for photons nearer than `radius` does not come upon.
+  // Whether there are any that can hide photons within a distance from the point of a search that looks at all planes
+  // nearer than `radius`.
+  bool hide(double distance, double radius) const {
+    return (distance + largest_overhang_) * (1.0 + kRounding) >= radius;
+  }
+  // Removes photons from number `from` of the list on that a search around p for photons nearer than `radius` does not
+  // come upon.
   void drop_hidden(const Vec3& p, double radius, std::size_t from, PhotonDistances& list) const;
-  // For each photon: planes that hide it are at most so much farther away than it is from the one who searches; -infinity: none does.
+  // For each photon: planes that hide it are at most so much farther away than it is from the one who searches;
+  // -infinity: none does.
   const float* overhang() const { return overhang_.data(); }
   static constexpr double kRounding = 1e-9;  // of distances
 
-  // Calls visit(node, squared distance of its plane) for the planes that hide photon i from such a search, as long as visit returns true; then returns that.
+  // Calls visit(node, squared distance of its plane) for the planes that hide photon i from such a search, as long as
+  // visit returns true; then returns that.
   template <class Visit>
   bool for_each_hiding(std::size_t i, const Vec3& p, double squared, Visit&& visit) const {
     for (std::uint32_t k = first_[i]; k < first_[i + 1]; ++k) {
@@ -56,7 +63,8 @@ class WrongPlanes {
   std::vector<Plane> planes_;  // those of photon i from first_[i] on
 };
 
-// The first of ascending numbers that is not smaller than `least`; `end` if there is none. Without branches that cannot be foretold, but for those that find all on one side, as in large ranges.
+// The first of ascending numbers that is not smaller than `least`; `end` if there is none. Without branches that cannot
+// be foretold, but for those that find all on one side, as in large ranges.
 inline const std::uint32_t* first_from(const std::uint32_t* begin, const std::uint32_t* end, std::uint32_t least) {
   if (begin == end || *begin >= least) return begin;
   if (end[-1] < least) return end;
@@ -74,7 +82,8 @@ struct VisitedBefore {
   bool after_another = false;  // a photon for which `is_other` comes before the last one counted; not all are looked at
 };
 template <class IsOther>
-VisitedBefore visited_before(std::span<const Photon> sorted, const Vec3& p, std::uint32_t node, std::span<const std::uint32_t> photons, IsOther&& is_other) {
+VisitedBefore visited_before(std::span<const Photon> sorted, const Vec3& p, std::uint32_t node,
+                             std::span<const std::uint32_t> photons, IsOther&& is_other) {
   // `inside`: those of the photons that are in the range of a node, which gets smaller.
   std::uint32_t first = 0, last = static_cast<std::uint32_t>(sorted.size()) - 1;
   const std::uint32_t *inside = photons.data(), *inside_end = inside + photons.size();
@@ -102,8 +111,8 @@ VisitedBefore visited_before(std::span<const Photon> sorted, const Vec3& p, std:
   return result;
 }
 
-// Calls visit(index) for photons in the order of POV-Ray's search: a node, then the side of its plane where p lies, then the other if it is nearer than the
-// square root of `limit`, which visit may lower.
+// Calls visit(index) for photons in the order of POV-Ray's search: a node, then the side of its plane where p lies,
+// then the other if it is nearer than the square root of `limit`, which visit may lower.
 template <class Visit>
 void visit_in_order(std::span<const Photon> sorted, const Vec3& p, const double& limit, Visit&& visit) {
   struct Part {

@@ -15,7 +15,9 @@ const PhotonRowKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_
 
 }  // namespace
 
-const PhotonRowKernels* photon_row_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+const PhotonRowKernels* photon_row_kernels(int set) {
+  return set <= textures::best_instruction_set() ? kAll[set] : nullptr;
+}
 
 const PhotonRowKernels& photon_row_kernels() {
   static const PhotonRowKernels& best = *kAll[textures::best_instruction_set()];

@@ -1,5 +1,5 @@
-// What photons around a point add to a plain diffuse layer (spec 07 section 3.10), a row of them at a time. Compiled for several instruction sets; every lane does the operations of the
-// scalar code in the same order.
+// What photons around a point add to a plain diffuse layer (spec 07 section 3.10), a row of them at a time. Compiled
+// for several instruction sets; every lane does the operations of the scalar code in the same order.
 #pragma once
 
 #include <span>
@@ -17,10 +17,11 @@ struct alignas(64) PhotonRow {
 
 // A layer whose brilliance is 1, and the disc that its photons are from.
 struct PhotonSurface {
-  Vec3 normal, raw;        // to shade with; geometric
+  Vec3 normal, raw;  // to shade with; geometric
   Rgb pigment;
-  double per_area;         // one by the disc's area
-  float front, behind;     // opacity * diffuse coefficient on the side that is turned to a photon's light, and on the other; 0: nothing is added
+  double per_area;      // one by the disc's area
+  float front, behind;  // opacity * diffuse coefficient on the side that is turned to a photon's light, and on the
+                        // other; 0: nothing is added
 };
 
 struct PhotonRowKernels {

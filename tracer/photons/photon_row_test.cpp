@@ -23,19 +23,28 @@ struct Case {
 Case random_case(std::mt19937& generator, std::size_t count, int kind) {
   std::uniform_real_distribution<double> u(-1, 1);
   const auto direction = [&] { return normalize(Vec3(u(generator), u(generator), u(generator))); };
-  const auto color = [&] { return Rgb(static_cast<float>(std::fabs(u(generator))), static_cast<float>(std::fabs(u(generator))), static_cast<float>(std::fabs(u(generator)))); };
+  const auto color = [&] {
+    return Rgb(static_cast<float>(std::fabs(u(generator))), static_cast<float>(std::fabs(u(generator))),
+               static_cast<float>(std::fabs(u(generator))));
+  };
   Case c;
-  const float opacity = kind % 5 == 0 ? -0.3f : 0.8f, diffuse = kind % 3 == 1 ? 0.0f : 0.7f, back = kind % 2 == 0 ? 0.0f : 0.4f;
-  c.surface = {direction(), direction(), color(), static_cast<float>(3.7 + u(generator)), opacity * diffuse, opacity * back};
+  const float opacity = kind % 5 == 0 ? -0.3f : 0.8f, diffuse = kind % 3 == 1 ? 0.0f : 0.7f,
+              back = kind % 2 == 0 ? 0.0f : 0.4f;
+  c.surface = {direction(),       direction(),   color(), static_cast<float>(3.7 + u(generator)),
+               opacity * diffuse, opacity * back};
   for (std::size_t i = 0; i < count; ++i) {
     Photon p;
     p.position = {0, 0, 0}, p.energy = Photon::encode(color());
     p.set_direction(direction());
     c.photons.push_back(p);
-    const double cosine = dot(c.surface.normal, p.direction()), slant = std::max(0.1, dot(c.surface.raw, p.direction()));
+    const double cosine = dot(c.surface.normal, p.direction()),
+                 slant = std::max(0.1, dot(c.surface.raw, p.direction()));
     const float coefficient = cosine < kEpsilon ? back : diffuse;
     const Rgb intensity = p.color() * static_cast<float>(c.surface.per_area / slant);
-    c.expected.push_back(coefficient > 0 ? static_cast<float>(shading::diffuse_share(opacity, coefficient, 1.0f, cosine)) * c.surface.pigment * intensity : Rgb());
+    c.expected.push_back(coefficient > 0
+                             ? static_cast<float>(shading::diffuse_share(opacity, coefficient, 1.0f, cosine)) *
+                                   c.surface.pigment * intensity
+                             : Rgb());
   }
   return c;
 }
@@ -57,7 +66,8 @@ TEST_P(PhotonRows, AddWhatEachPhotonAdds) {
       row->r[i] = energy.r, row->g[i] = energy.g, row->b[i] = energy.b;
     }
     kernels->shade(c.surface, count, *row);
-    for (std::size_t i = 0; i < count; ++i) ASSERT_EQ(Rgb(row->r[i], row->g[i], row->b[i]), c.expected[i]) << round << ' ' << i;
+    for (std::size_t i = 0; i < count; ++i)
+      ASSERT_EQ(Rgb(row->r[i], row->g[i], row->b[i]), c.expected[i]) << round << ' ' << i;
   }
 }
 

@@ -12,18 +12,21 @@ constexpr auto kAny = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
 
-double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& center, double radius, int maximum, std::size_t too_many, double guess,
-                             std::vector<std::uint32_t>& out) {
+double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& center, double radius, int maximum,
+                             std::size_t too_many, double guess, std::vector<std::uint32_t>& out) {
   out.clear();
   if (index.photons.empty() || maximum <= 0 || !(0.3 * radius > 0.0)) return radius;
-  index_ = &index, measure_ = {index.photons.data(), center}, radius_ = radius, maximum_ = static_cast<std::size_t>(maximum);
-  // If the guess holds more than `maximum`, the nearest are among them, whatever the radius. If not, how many it holds says how much more it takes.
+  index_ = &index, measure_ = {index.photons.data(), center}, radius_ = radius,
+  maximum_ = static_cast<std::size_t>(maximum);
+  // If the guess holds more than `maximum`, the nearest are among them, whatever the radius. If not, how many it holds
+  // says how much more it takes.
   Collected collected = Collected::all;
   for (double within = guess > 0.0 ? guess : 0.3 * radius;;) {
     collected = collect(std::min(within, radius), maximum_, too_many);
     if (collected == Collected::all && found_.size() > maximum_) collected = Collected::nearest;
     if (collected != Collected::all || within >= radius) break;
-    const double wanted = 1.2 * static_cast<double>(std::min(maximum_, too_many)), found = static_cast<double>(found_.size());
+    const double wanted = 1.2 * static_cast<double>(std::min(maximum_, too_many)),
+                 found = static_cast<double>(found_.size());
     within *= std::clamp(std::sqrt(wanted / std::max(found, 1.0)), 1.1, 3.0);
   }
   if (collected == Collected::too_many) return 0.0;
@@ -37,7 +40,8 @@ double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& cente
   return radius;
 }
 
-// Collects the photons with flattened distance below `within`, of those that a search within the radius can come upon; of many more than `most` the nearest.
+// Collects the photons with flattened distance below `within`, of those that a search within the radius can come upon;
+// of many more than `most` the nearest.
 Collected PhotonSearch::collect(double within, std::size_t most, std::size_t too_many) {
   limit_ = within * within;
   const WrongPlanes& planes = index_->planes;
@@ -50,8 +54,9 @@ void PhotonSearch::keep_nearest() {
   kernels_.keep_nearest(found_, measure_, maximum_, farthest_, kept_);
 }
 
-// POV-Ray's search narrows its radius once it knows more than the maximum, and then overlooks photons behind planes that are beyond. Replaces those that are kept by the next ones.
-// False: it cannot be told without following that search.
+// POV-Ray's search narrows its radius once it knows more than the maximum, and then overlooks photons behind planes
+// that are beyond. Replaces those that are kept by the next ones. False: it cannot be told without following that
+// search.
 bool PhotonSearch::drop_overlooked() {
   overlooked_.clear();
   for (double judged = -1.0;;) {
@@ -62,7 +67,8 @@ bool PhotonSearch::drop_overlooked() {
       if (verdict == Verdict::unknown) return false;
       if (verdict == Verdict::overlooked) forget(doubt.photon), overlooked_.push_back(doubt.photon);
     }
-    // The first one too many takes the place of the last one found, even if it is farther away. That shows if those found so far are the nearest of all.
+    // The first one too many takes the place of the last one found, even if it is farther away. That shows if those
+    // found so far are the nearest of all.
     if (overlooked_.size() == known) return another_was_early();
     judged = farthest_;
     keep_nearest();
@@ -88,7 +94,9 @@ bool PhotonSearch::another_was_early() {
   for (std::size_t k = 0; k < found_.size(); ++k) {
     const float squared = found_.squared()[k];
     if (squared < farthest || (squared == farthest && measure_.squared(found_.index()[k]) <= farthest_)) continue;
-    if (visited_before(index_->photons, measure_.center.point, found_.index()[k], kept_.index(), nobody).count < maximum_) return true;
+    if (visited_before(index_->photons, measure_.center.point, found_.index()[k], kept_.index(), nobody).count <
+        maximum_)
+      return true;
   }
   return false;
 }
@@ -97,7 +105,8 @@ bool PhotonSearch::another_was_early() {
 void PhotonSearch::find_doubts(double judged) {
   doubts_.clear();
   places_.resize(kept_.size() + PhotonLeaf::kAtOnce);
-  const std::size_t count = kernels_.reaching(kept_, index_->planes.overhang(), std::sqrt(farthest_) * (1.0 - WrongPlanes::kRounding), places_.data());
+  const std::size_t count = kernels_.reaching(kept_, index_->planes.overhang(),
+                                              std::sqrt(farthest_) * (1.0 - WrongPlanes::kRounding), places_.data());
   for (const std::uint32_t place : std::span(places_.data(), count)) {
     const std::uint32_t photon = kept_.index()[place];
     if (judged >= 0.0 && measure_.squared(photon) <= judged) continue;
@@ -108,8 +117,8 @@ void PhotonSearch::find_doubts(double judged) {
   }
 }
 
-// A photon behind a plane is overlooked if more than the maximum that are nearer than the plane were found before; or as many, and another one that was dropped for the last of them.
-// Those that may be overlooked themselves are no proof.
+// A photon behind a plane is overlooked if more than the maximum that are nearer than the plane were found before; or
+// as many, and another one that was dropped for the last of them. Those that may be overlooked themselves are no proof.
 PhotonSearch::Verdict PhotonSearch::judge(const Doubt& doubt) {
   const Verdict verdict = judge_by_found(doubt);
   // Photons nearer than the plane that are not found yet could only be more proof.
@@ -121,7 +130,9 @@ PhotonSearch::Verdict PhotonSearch::judge(const Doubt& doubt) {
 PhotonSearch::Verdict PhotonSearch::judge_by_found(const Doubt& doubt) {
   kernels_.keep_within(found_, measure_, doubt.squared, nearer_);
   if (nearer_.size() <= maximum_) return Verdict::found;  // with the doubtful one
-  const auto found_before = [&](auto&& is_other) { return visited_before(index_->photons, measure_.center.point, doubt.node, nearer_.index(), is_other); };
+  const auto found_before = [&](auto&& is_other) {
+    return visited_before(index_->photons, measure_.center.point, doubt.node, nearer_.index(), is_other);
+  };
   if (found_before([](std::uint32_t) { return false; }).count < maximum_) return Verdict::found;
   index_->planes.drop_hidden(measure_.center.point, std::sqrt(farthest_) * (1.0 - WrongPlanes::kRounding), 0, nearer_);
   const VisitedBefore certain = found_before([&](std::uint32_t photon) {

@@ -26,9 +26,10 @@ struct PhotonIndex {
 // Searches of one thread, one after the other.
 class PhotonSearch {
  public:
-  // Writes the numbers of the nearest photons within `radius` that are at most `maximum`; returns the radius of what holds them, or 0 if there are `too_many`.
-  // `guess`: a radius that may be enough; 0: none.
-  double nearest(const PhotonIndex& index, const PhotonCenter& center, double radius, int maximum, std::size_t too_many, double guess, std::vector<std::uint32_t>& out);
+  // Writes the numbers of the nearest photons within `radius` that are at most `maximum`; returns the radius of what
+  // holds them, or 0 if there are `too_many`. `guess`: a radius that may be enough; 0: none.
+  double nearest(const PhotonIndex& index, const PhotonCenter& center, double radius, int maximum, std::size_t too_many,
+                 double guess, std::vector<std::uint32_t>& out);
 
  private:
   struct Doubt {
@@ -58,7 +59,8 @@ class PhotonSearch {
   PhotonMeasure measure_{nullptr, {Vec3(0.0), Vec3(0.0)}};
   double radius_ = 0;
   std::size_t maximum_ = 0;
-  // All photons whose squared distance is below `limit_` are in `found_`, but for those that no search finds; the nearest of them are in `kept_`, none beyond `farthest_`.
+  // All photons whose squared distance is below `limit_` are in `found_`, but for those that no search finds; the
+  // nearest of them are in `kept_`, none beyond `farthest_`.
   PhotonDistances found_, kept_;
   double limit_ = 0, farthest_ = 0;
   // Photons that were found and may be overlooked, and why; those that are.

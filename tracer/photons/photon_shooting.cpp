@@ -39,7 +39,8 @@ void collect_targets(const scene::Object& object, std::vector<const scene::Objec
   }
 }
 
-// v turned about a unit axis, rounded as POV-Ray does, measured by its photon files: where photons of a plane lie in its map hangs on the last bit.
+// v turned about a unit axis, rounded as POV-Ray does, measured by its photon files: where photons of a plane lie in
+// its map hangs on the last bit.
 Vec3 rotate(const Vec3& v, const Vec3& axis, double angle) {
   const double c = std::cos(angle), s = std::sin(angle), x = axis.x, y = axis.y, z = axis.z;
   const Vec3 row[3] = {{x * x + c * (1 - x * x), x * y * (1 - c) + z * s, x * z * (1 - c) - y * s},
@@ -142,13 +143,16 @@ void shoot(const PhotonPair& pair, double spacing, const scene::Photons& setting
   const float share = 1.0f / static_cast<float>(frames.size());
 
   // Finer rings would not end in anybody's lifetime, and finest ones not at all.
-  if (limit / step > kMaxPerRing) throw render::LimitExceeded("photons { }: the spacing is too fine for this target: more than 1e9 rings of photons");
+  if (limit / step > kMaxPerRing)
+    throw render::LimitExceeded("photons { }: the spacing is too fine for this target: more than 1e9 rings of photons");
   std::vector<PhotonStart> batch;
   bool hit_before = false;
   for (double theta = 0.0; theta < limit; theta += step) {
     const double around = theta < kEpsilon ? 2.0 * kPi : step / (light.parallel ? theta : std::sin(theta));
     const double first = -kPi + around * random.next() * 0.5;
-    if (2.0 * kPi / around > kMaxPerRing) throw render::LimitExceeded("photons { }: the spacing is too fine for this target: more than 1e9 photons in a ring");
+    if (2.0 * kPi / around > kMaxPerRing)
+      throw render::LimitExceeded(
+          "photons { }: the spacing is too fine for this target: more than 1e9 photons in a ring");
     const double done = theta / limit * (theta / limit);  // rings grow with their radius
     bool hit = false;
     batch.clear();

@@ -64,7 +64,8 @@ std::uint32_t PhotonTree::add_node(std::span<const Photon> sorted, const Range& 
   for (std::size_t lane = 0; lane < n; ++lane) {
     const Range& part = parts[lane];
     set_bounds(nodes_[number].boxes, lane, sorted.subspan(part.first, part.size()));
-    const std::uint32_t child = height == 0 ? add_leaf(sorted, part) : add_node(sorted, part, height - 1, kLevelsOfNode);  // may move the nodes
+    const std::uint32_t child =
+        height == 0 ? add_leaf(sorted, part) : add_node(sorted, part, height - 1, kLevelsOfNode);  // may move the nodes
     nodes_[number].child[lane] = child;
   }
   return number;

@@ -1,5 +1,6 @@
-// Candidates for the photons nearest to a point: a tree of boxes, in floats with margins for their rounding; ranges of at most sixteen photons are left to the kernels.
-// All leaves are equally deep, so that a walk need not ask what a part is.
+// Candidates for the photons nearest to a point: a tree of boxes, in floats with margins for their rounding; ranges of
+// at most sixteen photons are left to the kernels. All leaves are equally deep, so that a walk need not ask what a part
+// is.
 #pragma once
 
 #include <array>

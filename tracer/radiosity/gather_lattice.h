@@ -1,7 +1,8 @@
-// Directions in which a radiosity sample looks in the default mode: cosine-weighted about +y like POV-Ray's (spec 07 2.7), but each sample has a lattice of its
-// own, shifted against those of the others, instead of the next stretch of one sequence. Noise hangs on samples of few rays and time on those of many: these
-// take fewer rays than in POV-Ray, those of few take more. Those of very few, at deep levels, are left as they are: how far they are used hangs on a harmonic
-// mean, and a better one would change the look.
+// Directions in which a radiosity sample looks in the default mode: cosine-weighted about +y like POV-Ray's (spec
+// 07 2.7), but each sample has a lattice of its own, shifted against those of the others, instead of the next stretch
+// of one sequence. Noise hangs on samples of few rays and time on those of many: these take fewer rays than in POV-Ray,
+// those of few take more. Those of very few, at deep levels, are left as they are: how far they are used hangs on a
+// harmonic mean, and a better one would change the look.
 #pragma once
 
 #include <algorithm>
@@ -18,9 +19,12 @@ class GatherLattice {
  public:
   static bool worthwhile(int rays) { return rays > kFew; }
   // Rays in place of `rays` of POV-Ray's.
-  static int enough(int rays) { return rays > kEven ? rays - (rays - kEven) * 2 / 7 : std::min(2 * rays, rays + (kEven - rays) * 9 / 20); }
+  static int enough(int rays) {
+    return rays > kEven ? rays - (rays - kEven) * 2 / 7 : std::min(2 * rays, rays + (kEven - rays) * 9 / 20);
+  }
 
-  // From one direction to the next, so that few of them are spread evenly, too: their places are much like those of the sequence of shifts.
+  // From one direction to the next, so that few of them are spread evenly, too: their places are much like those of the
+  // sequence of shifts.
   static int step(int count) {
     constexpr int kTried = 250;  // on either side of what suits one of the coordinates
     int best = 1;
@@ -29,7 +33,8 @@ class GatherLattice {
       const int center = static_cast<int>(ku * count);
       for (int s = std::max(1, center - kTried); s < std::min(count, center + kTried); ++s) {
         const double angle = s * kGolden;
-        const double off = std::max(apart(static_cast<double>(s) / count, ku), std::min(apart(angle, kv), apart(angle, -kv)));
+        const double off =
+            std::max(apart(static_cast<double>(s) / count, ku), std::min(apart(angle, kv), apart(angle, -kv)));
         if (off < least && std::gcd(s, count) == 1) least = off, best = s;
       }
     }
@@ -46,11 +51,17 @@ class GatherLattice {
     std::vector<Vec2> turns;  // cosines and sines of the angles that places are at
   };
 
-  // Lattices of successive numbers complement each other, and begin everywhere: what only their beginnings look at is seen by all directions alike.
+  // Lattices of successive numbers complement each other, and begin everywhere: what only their beginnings look at is
+  // seen by all directions alike.
   GatherLattice(const Plan& plan, std::size_t number)
-      : plan_(plan), first_(static_cast<int>(part(kFirst * static_cast<double>(number)) * plan.count)), u_(part(kU * static_cast<double>(number))), v_(part(kV * static_cast<double>(number))), turn_(turn(v_)) {}
+      : plan_(plan),
+        first_(static_cast<int>(part(kFirst * static_cast<double>(number)) * plan.count)),
+        u_(part(kU * static_cast<double>(number))),
+        v_(part(kV * static_cast<double>(number))),
+        turn_(turn(v_)) {}
 
-  // The first `count` are the lattice, in an order whose beginnings are spread evenly, too; then come others, shifted again.
+  // The first `count` are the lattice, in an order whose beginnings are spread evenly, too; then come others, shifted
+  // again.
   Vec3 next() {
     if (drawn_ == plan_.count) drawn_ = 0, u_ = part(u_ + kU), v_ = part(v_ + kV), turn_ = turn(v_);
     const auto place = static_cast<std::size_t>((static_cast<long long>(drawn_++) * plan_.step + first_) % plan_.count);
@@ -62,7 +73,9 @@ class GatherLattice {
  private:
   static constexpr int kFew = 16, kEven = 60;  // kEven: as many as in POV-Ray
   static constexpr double kGolden = 0.61803398874989485;
-  static constexpr double kU = 0.75487766624669276, kV = 0.56984029099805327;  // powers of the inverse plastic number: shifts that fill the square evenly
+  static constexpr double
+      kU = 0.75487766624669276,
+      kV = 0.56984029099805327;  // powers of the inverse plastic number: shifts that fill the square evenly
   static constexpr double kFirst = 0.81917251339616443;  // inverse of the root of x^4 = x + 1
   static double part(double x) { return x - std::floor(x); }
   static double apart(double a, double b) { return std::fabs(a - b - std::round(a - b)); }

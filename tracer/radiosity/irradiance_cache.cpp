@@ -27,7 +27,8 @@ void IrradianceCache::add(const IrradianceSample& sample) {
   const double shrink = sample.depth == 0 ? 1.0 : 8.0, scale = std::ldexp(1.0, sample.depth);
   const double reach = static_cast<double>(sample.mean_distance) * error_bound_ * scale / shrink;
   const Vec3& p = sample.point;
-  if (!(reach > 0.0) || !std::isfinite(reach) || !(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) < 1e9)) return;
+  if (!(reach > 0.0) || !std::isfinite(reach) || !(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) < 1e9))
+    return;
   // The largest power of two that is not above the diameter.
   int level = static_cast<int>(std::floor(std::log2(static_cast<float>(2.0 * reach))));
   const double farthest = std::max({std::fabs(p.x - reach), std::fabs(p.y - reach), std::fabs(p.z - reach)}) + kOrigin;
@@ -44,7 +45,8 @@ void IrradianceCache::add(const IrradianceSample& sample) {
       fits &= p[a] - reach > r.center[a] - side && p[a] + reach < r.center[a] + side;
     }
     r.half = side;
-    cell = {static_cast<std::int64_t>(index[0]), static_cast<std::int64_t>(index[1]), static_cast<std::int64_t>(index[2]), level};
+    cell = {static_cast<std::int64_t>(index[0]), static_cast<std::int64_t>(index[1]),
+            static_cast<std::int64_t>(index[2]), level};
     if (fits || level > 60) break;
   }
   const auto index = static_cast<std::uint32_t>(samples_.size());
@@ -62,7 +64,9 @@ void IrradianceCache::add(const IrradianceSample& sample) {
     within.min[a] = std::max(p[a] - radius, r.center[a] - r.half);
     within.max[a] = std::min(p[a] + radius, r.center[a] + r.half);
   }
-  depths_[static_cast<std::size_t>(sample.depth)].tree.add({index, p, sample.normal, sample.mean_distance, std::max(sample.mean_distance, sample.nearest_distance), radius, within});
+  depths_[static_cast<std::size_t>(sample.depth)].tree.add({index, p, sample.normal, sample.mean_distance,
+                                                            std::max(sample.mean_distance, sample.nearest_distance),
+                                                            radius, within});
   if (include_in_root(cell)) {
     for (Depth& d : depths_) d.in_root.clear();
   }

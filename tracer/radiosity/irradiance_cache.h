@@ -1,7 +1,8 @@
 // The store of radiosity samples and its spatial lookup (spec 07 sections 2.5 and 2.8).
 //
-// POV-Ray files a sample in one cell of a lattice of cubes whose sides are powers of two, and finds it again only from inside that cell doubled. At depths
-// above 0 this loses samples on purpose, which pictures show; so every sample keeps its doubled cell, and a query outside of it does not see the sample.
+// POV-Ray files a sample in one cell of a lattice of cubes whose sides are powers of two, and finds it again only from
+// inside that cell doubled. At depths above 0 this loses samples on purpose, which pictures show; so every sample keeps
+// its doubled cell, and a query outside of it does not see the sample.
 //
 // The lookup itself is ours: one IrradianceTree a depth.
 #pragma once
@@ -22,19 +23,20 @@ struct IrradianceSample {
   Vec3 point, normal;
   Vec3 nearest_direction{0, 0, 0};  // unit, towards the nearest surface; zero if nothing was hit
   Rgb irradiance;
-  float mean_distance = 0;          // harmonic, clamped by the reuse limits
+  float mean_distance = 0;  // harmonic, clamped by the reuse limits
   float nearest_distance = 0;
   float quality = 1;
   std::int16_t depth = 0;
-  std::int16_t pass = -1;           // in which it was taken; -1: loaded from a file
+  std::int16_t pass = -1;  // in which it was taken; -1: loaded from a file
   std::int32_t tile = -1;
 };
 
 class IrradianceCache {
  public:
-  // error_bound: of the scene, without low_error_factor; it decides POV-Ray's cells. widest_bound: the largest bound of any query at depth 0, as a factor
-  // of a sample's mean distance; queries beyond it may miss samples.
-  explicit IrradianceCache(double error_bound, double widest_bound) : error_bound_(error_bound), widest_bound_(std::max(error_bound, widest_bound)) {}
+  // error_bound: of the scene, without low_error_factor; it decides POV-Ray's cells. widest_bound: the largest bound of
+  // any query at depth 0, as a factor of a sample's mean distance; queries beyond it may miss samples.
+  explicit IrradianceCache(double error_bound, double widest_bound)
+      : error_bound_(error_bound), widest_bound_(std::max(error_bound, widest_bound)) {}
 
   // Throws render::LimitExceeded when the samples take more memory than allowed.
   void add(const IrradianceSample& sample);
@@ -42,9 +44,9 @@ class IrradianceCache {
   const std::vector<IrradianceSample>& samples() const { return samples_; }
   bool empty() const { return samples_.empty(); }
 
-  // Calls visit(sample, squared distance) for every sample of this depth that POV-Ray's lookup finds from x and that is nearer than
-  // bound * its mean distance, in the order they were added. Those may be left out of which the larger of their mean and nearest distances and their normal
-  // tell that their error (spec 07 2.5) is above the bound.
+  // Calls visit(sample, squared distance) for every sample of this depth that POV-Ray's lookup finds from x and that is
+  // nearer than bound * its mean distance, in the order they were added. Those may be left out of which the larger of
+  // their mean and nearest distances and their normal tell that their error (spec 07 2.5) is above the bound.
   template <class Visit>
   void visit(int depth, const Vec3& x, double bound, const Vec3& normal, Visit&& visit) const {
     if (depth >= static_cast<int>(depths_.size())) return;
@@ -54,7 +56,8 @@ class IrradianceCache {
       const Vec3 delta = x - s.point;
       const double squared = dot(delta, delta), reach = s.mean_distance * bound;
       if (squared >= reach * reach) return;
-      if (in_root == doubled_cells_[index].contains(x)) return;  // a sample of the root cell is also found from outside of its doubled cell
+      if (in_root == doubled_cells_[index].contains(x))
+        return;  // a sample of the root cell is also found from outside of its doubled cell
       visit(s, squared);
     };
     // Samples lie about in memory: the next ones are on their way while some are looked at.
@@ -80,7 +83,9 @@ class IrradianceCache {
   struct DoubledCell {
     Vec3 center;
     double half;  // of the side
-    bool contains(const Vec3& x) const { return std::fabs(x.x - center.x) < half && std::fabs(x.y - center.y) < half && std::fabs(x.z - center.z) < half; }
+    bool contains(const Vec3& x) const {
+      return std::fabs(x.x - center.x) < half && std::fabs(x.y - center.y) < half && std::fabs(x.z - center.z) < half;
+    }
   };
   struct LatticeCell {
     std::int64_t x = 0, y = 0, z = 0;

@@ -34,11 +34,14 @@ void save_samples(const std::filesystem::path& path, std::span<const IrradianceS
   const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), append ? "a" : "w"));
   if (!file) throw std::runtime_error("cannot write radiosity file " + path.string());
   for (const IrradianceSample& s : samples) {
-    std::fprintf(file.get(), "C%d\t%g\t%g\t%g\t%06x\t%.4f\t%.4f\t%.4f\t%g\t%g\t%06x\n", s.depth + 1, s.point.x, s.point.y, s.point.z, encode(s.normal),
-                 static_cast<double>(s.irradiance.r), static_cast<double>(s.irradiance.g), static_cast<double>(s.irradiance.b),
-                 static_cast<double>(s.mean_distance), static_cast<double>(s.nearest_distance), encode(s.nearest_direction));
+    std::fprintf(file.get(), "C%d\t%g\t%g\t%g\t%06x\t%.4f\t%.4f\t%.4f\t%g\t%g\t%06x\n", s.depth + 1, s.point.x,
+                 s.point.y, s.point.z, encode(s.normal), static_cast<double>(s.irradiance.r),
+                 static_cast<double>(s.irradiance.g), static_cast<double>(s.irradiance.b),
+                 static_cast<double>(s.mean_distance), static_cast<double>(s.nearest_distance),
+                 encode(s.nearest_direction));
   }
-  if (std::fflush(file.get()) != 0 || std::ferror(file.get())) throw std::runtime_error("cannot write radiosity file " + path.string());
+  if (std::fflush(file.get()) != 0 || std::ferror(file.get()))
+    throw std::runtime_error("cannot write radiosity file " + path.string());
 }
 
 std::vector<IrradianceSample> load_samples(const std::filesystem::path& path, std::size_t most) {
@@ -47,7 +50,8 @@ std::vector<IrradianceSample> load_samples(const std::filesystem::path& path, st
   std::vector<IrradianceSample> samples;
   std::string line;
   line.resize(1024);  // longer lines are none of ours
-  for (std::size_t number = 1; file.getline(line.data(), static_cast<std::streamsize>(line.size())) || file.gcount() > 0; ++number) {
+  for (std::size_t number = 1;
+       file.getline(line.data(), static_cast<std::streamsize>(line.size())) || file.gcount() > 0; ++number) {
     const auto fail = [&](const char* what) {
       return std::runtime_error("radiosity file " + path.string() + ", line " + std::to_string(number) + ": " + what);
     };
@@ -57,11 +61,11 @@ std::vector<IrradianceSample> load_samples(const std::filesystem::path& path, st
     unsigned normal = 0, direction = 0;
     IrradianceSample s;
     double mean = 0, nearest = 0, r = 0, g = 0, b = 0;
-    read = std::sscanf(line.c_str(), "C%d %lf %lf %lf %6x %lf %lf %lf %lf %lf %6x", &depth, &s.point.x, &s.point.y, &s.point.z, &normal, &r, &g, &b, &mean,
-                       &nearest, &direction);
+    read = std::sscanf(line.c_str(), "C%d %lf %lf %lf %6x %lf %lf %lf %lf %lf %6x", &depth, &s.point.x, &s.point.y,
+                       &s.point.z, &normal, &r, &g, &b, &mean, &nearest, &direction);
     if (read != 11) throw fail("not a sample");
-    const bool sane = depth >= 1 && depth <= kMostDepths && std::isfinite(s.point.x + s.point.y + s.point.z) && std::isfinite(r + g + b) && mean > 0 &&
-                      nearest >= 0 && std::isfinite(mean + nearest);
+    const bool sane = depth >= 1 && depth <= kMostDepths && std::isfinite(s.point.x + s.point.y + s.point.z) &&
+                      std::isfinite(r + g + b) && mean > 0 && nearest >= 0 && std::isfinite(mean + nearest);
     if (!sane) throw fail("impossible values");
     if (samples.size() >= most) throw fail("more samples than memory is allowed for");
     s.depth = static_cast<std::int16_t>(depth - 1);

@@ -19,7 +19,9 @@ const IrradianceLaneKernels* const kAll[textures::kInstructionSets] = VERISIM_KE
 
 }  // namespace
 
-const IrradianceLaneKernels* irradiance_lane_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+const IrradianceLaneKernels* irradiance_lane_kernels(int set) {
+  return set <= textures::best_instruction_set() ? kAll[set] : nullptr;
+}
 
 const IrradianceLaneKernels& irradiance_lane_kernels() {
   static const IrradianceLaneKernels& best = *kAll[textures::best_instruction_set()];

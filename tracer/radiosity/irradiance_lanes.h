@@ -1,4 +1,5 @@
-// Which of many irradiance samples may reach a query (spec 07 2.5), eight at a time. Floats sort out, with margins for their rounding. Compiled for several instruction sets.
+// Which of many irradiance samples may reach a query (spec 07 2.5), eight at a time. Floats sort out, with margins for
+// their rounding. Compiled for several instruction sets.
 #pragma once
 
 #include <cstddef>
@@ -23,9 +24,10 @@ struct IrradianceLanesQuery {
 };
 
 struct IrradianceLaneKernels {
-  // Writes the numbers of the samples whose distance r is below bound * mean_distance, and r / widest + 2 sqrt(1 - cosine of the normals) below bound, and of some more, in their order.
-  // Returns how many; there is room for all.
-  std::size_t (*near)(const IrradianceLanes* lanes, std::size_t count, const IrradianceLanesQuery& query, std::uint32_t* samples);
+  // Writes the numbers of the samples whose distance r is below bound * mean_distance, and r / widest + 2 sqrt(1 -
+  // cosine of the normals) below bound, and of some more, in their order. Returns how many; there is room for all.
+  std::size_t (*near)(const IrradianceLanes* lanes, std::size_t count, const IrradianceLanesQuery& query,
+                      std::uint32_t* samples);
 };
 
 const IrradianceLaneKernels& irradiance_lane_kernels();

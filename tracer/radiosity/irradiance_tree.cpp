@@ -39,9 +39,12 @@ void IrradianceTree::grow(const Entry& entry) {
   while (!contains(root_cube_, entry.within)) {
     const Vec3 center = root_cube_.center, to = entry.point - center;
     const double half = root_cube_.half;
-    const Cube wider{{center.x + (to.x >= 0 ? half : -half), center.y + (to.y >= 0 ? half : -half), center.z + (to.z >= 0 ? half : -half)}, 2.0 * half};
+    const Cube wider{{center.x + (to.x >= 0 ? half : -half), center.y + (to.y >= 0 ? half : -half),
+                      center.z + (to.z >= 0 ? half : -half)},
+                     2.0 * half};
     Branch branch;
-    for (std::uint32_t octant = 0; octant < 8; ++octant) branch[octant] = octant == wider.octant(center) ? root_ : add_leaf();
+    for (std::uint32_t octant = 0; octant < 8; ++octant)
+      branch[octant] = octant == wider.octant(center) ? root_ : add_leaf();
     branches_.push_back(branch);
     root_.number = static_cast<std::uint32_t>(branches_.size() - 1) & 0x7FFFFFFFu, root_.leaf = 0;
     root_cube_ = wider;
@@ -58,7 +61,8 @@ void IrradianceTree::append(Leaf& leaf, const Vec3& center, std::uint32_t entry)
   }
   IrradianceLanes& to = leaf.lanes.back();
   const Vec3 p = e.point - center;
-  for (int a = 0; a < 3; ++a) to.point[a][lane] = static_cast<float>(p[a]), to.normal[a][lane] = static_cast<float>(e.normal[a]);
+  for (int a = 0; a < 3; ++a)
+    to.point[a][lane] = static_cast<float>(p[a]), to.normal[a][lane] = static_cast<float>(e.normal[a]);
   to.mean_distance[lane] = e.mean_distance, to.widest[lane] = e.widest;
   to.entry[lane] = entry, to.sample[lane] = e.sample;
   leaf.farthest = std::max({leaf.farthest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
@@ -98,7 +102,8 @@ void IrradianceTree::insert(Node& node, const Cube& cube, std::uint32_t entry) {
   }
   Leaf& leaf = leaves_[node.number];
   append(leaf, cube.center, entry);
-  if (leaf.count > kSmall && cube.half * leaf.count > leaf.extents && cube.half > 1e-9 * cube.reach()) node = split(node, cube);
+  if (leaf.count > kSmall && cube.half * leaf.count > leaf.extents && cube.half > 1e-9 * cube.reach())
+    node = split(node, cube);
 }
 
 void IrradianceTree::add(const Entry& entry) {

@@ -1,7 +1,9 @@
-// Finds the irradiance samples that reach a point: an octree whose leaves list, side by side, all samples that may be found from somewhere within them.
+// Finds the irradiance samples that reach a point: an octree whose leaves list, side by side, all samples that may be
+// found from somewhere within them.
 //
-// Leaves are about as wide as the samples in them reach, so that most of what a query reads is near enough. Floats sort out eight samples at a time (irradiance_lanes.h); whoever asks decides
-// in double. Samples come in the order in which they were added.
+// Leaves are about as wide as the samples in them reach, so that most of what a query reads is near enough. Floats sort
+// out eight samples at a time (irradiance_lanes.h); whoever asks decides in double. Samples come in the order in which
+// they were added.
 #pragma once
 
 #include <algorithm>
@@ -20,19 +22,25 @@ class IrradianceTree {
     std::uint32_t sample;  // number, for whoever asks
     Vec3 point, normal;
     float mean_distance, widest;  // what distances are measured by, and what at most
-    double radius;         // of the ball that it reaches at most
-    Box3 within;           // it is not found from outside of this box
-    double extent() const { return 0.5 * std::max({within.max.x - within.min.x, within.max.y - within.min.y, within.max.z - within.min.z}); }
+    double radius;                // of the ball that it reaches at most
+    Box3 within;                  // it is not found from outside of this box
+    double extent() const {
+      return 0.5 * std::max({within.max.x - within.min.x, within.max.y - within.min.y, within.max.z - within.min.z});
+    }
   };
   void add(const Entry& entry);
-  // Calls visit(sample) for all whose distance r from x is below bound * mean_distance, and r / widest + 2 sqrt(1 - cosine of the normals) below bound, and
-  // for some more.
+  // Calls visit(sample) for all whose distance r from x is below bound * mean_distance, and r / widest + 2 sqrt(1 -
+  // cosine of the normals) below bound, and for some more.
   template <class Visit>
   void visit(const Vec3& x, double bound, const Vec3& normal, Visit&& visit) const;
-  std::size_t bytes() const { return entries_.size() * sizeof(Entry) + leaves_.size() * sizeof(Leaf) + branches_.size() * sizeof(Branch) + lanes_ * sizeof(IrradianceLanes); }
+  std::size_t bytes() const {
+    return entries_.size() * sizeof(Entry) + leaves_.size() * sizeof(Leaf) + branches_.size() * sizeof(Branch) +
+           lanes_ * sizeof(IrradianceLanes);
+  }
 
  private:
-  // A leaf or a branch. Branches are numbers and nothing else: a query's way down stays in the cache, and finds by itself which cube it is in.
+  // A leaf or a branch. Branches are numbers and nothing else: a query's way down stays in the cache, and finds by
+  // itself which cube it is in.
   struct Node {
     std::uint32_t number : 31 = 0, leaf : 1 = 0;
   };
@@ -41,7 +49,9 @@ class IrradianceTree {
     Vec3 center;
     double half;  // of the side
     double reach() const { return std::max({std::fabs(center.x), std::fabs(center.y), std::fabs(center.z)}) + half; }
-    std::uint32_t octant(const Vec3& p) const { return (p.x >= center.x ? 1u : 0u) | (p.y >= center.y ? 2u : 0u) | (p.z >= center.z ? 4u : 0u); }
+    std::uint32_t octant(const Vec3& p) const {
+      return (p.x >= center.x ? 1u : 0u) | (p.y >= center.y ? 2u : 0u) | (p.z >= center.z ? 4u : 0u);
+    }
     Cube child(std::uint32_t octant) const {
       const double h = 0.5 * half;
       return {center + Vec3(octant & 1 ? h : -h, octant & 2 ? h : -h, octant & 4 ? h : -h), h};
@@ -77,7 +87,8 @@ void IrradianceTree::visit(const Vec3& x, double bound, const Vec3& normal, Visi
   static const IrradianceLaneKernels& kernels = irradiance_lane_kernels();
   if (empty_) return;
   const Vec3 outside = x - root_cube_.center;
-  if (!(std::max({std::fabs(outside.x), std::fabs(outside.y), std::fabs(outside.z)}) <= root_cube_.half * (1.0 + 1e-9))) return;
+  if (!(std::max({std::fabs(outside.x), std::fabs(outside.y), std::fabs(outside.z)}) <= root_cube_.half * (1.0 + 1e-9)))
+    return;
   Node node = root_;
   Cube cube = root_cube_;
   while (!node.leaf) {
@@ -88,7 +99,8 @@ void IrradianceTree::visit(const Vec3& x, double bound, const Vec3& normal, Visi
   const IrradianceLanesQuery query{x - cube.center, normal, bound, leaf.farthest + cube.half};
   for (std::size_t first = 0; first < leaf.lanes.size(); first += kBlocks) {
     std::uint32_t samples[kBlocks * IrradianceLanes::kCount];
-    const std::size_t found = kernels.near(leaf.lanes.data() + first, std::min(kBlocks, leaf.lanes.size() - first), query, samples);
+    const std::size_t found =
+        kernels.near(leaf.lanes.data() + first, std::min(kBlocks, leaf.lanes.size() - first), query, samples);
     for (std::size_t i = 0; i < found; ++i) visit(samples[i]);
   }
 }

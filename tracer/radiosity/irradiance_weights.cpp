@@ -14,7 +14,9 @@ const IrradianceWeightKernels* const kAll[textures::kInstructionSets] = VERISIM_
 
 }  // namespace
 
-const IrradianceWeightKernels* irradiance_weight_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+const IrradianceWeightKernels* irradiance_weight_kernels(int set) {
+  return set <= textures::best_instruction_set() ? kAll[set] : nullptr;
+}
 
 const IrradianceWeightKernels& irradiance_weight_kernels() {
   static const IrradianceWeightKernels& best = *kAll[textures::best_instruction_set()];

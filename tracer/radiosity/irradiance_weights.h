@@ -1,4 +1,5 @@
-// How much radiosity samples count for a query (spec 07 2.5), a row of samples at a time. Compiled for several instruction sets; every lane does the same operations.
+// How much radiosity samples count for a query (spec 07 2.5), a row of samples at a time. Compiled for several
+// instruction sets; every lane does the same operations.
 #pragma once
 
 #include "tracer/math/vec.h"

@@ -12,7 +12,8 @@ namespace verisim::global {
 namespace {
 
 // Spec 07 2.5, a sample at a time.
-double expected_weight(const IrradianceWeightQuery& query, const Vec3& delta, const Vec3& normal, const Vec3& nearest_direction, double mean, double nearest) {
+double expected_weight(const IrradianceWeightQuery& query, const Vec3& delta, const Vec3& normal,
+                       const Vec3& nearest_direction, double mean, double nearest) {
   const double r = std::sqrt(dot(delta, delta)), turn = std::fabs(1.0 - dot(query.normal, normal));
   const bool apart = r > 1e-6;
   const Vec3 u = apart ? delta / r : delta;
@@ -51,7 +52,9 @@ TEST_P(IrradianceWeights, AreThoseOfEachSample) {
     for (int i = 0; i < count; ++i) {
       normal[i] = i % 5 == 0 ? query.normal : normalize(query.normal + 0.7 * u(generator) * direction());
       delta[i] = i % 9 == 4 ? Vec3(i % 2 == 0 ? 0 : 1e-8) : 1.5 * u(generator) * direction();
-      if (i % 4 == 1) delta[i] -= (dot(delta[i], query.normal) + 0.04 * u(generator) * length(delta[i])) * query.normal;  // a little behind
+      if (i % 4 == 1)
+        delta[i] -=
+            (dot(delta[i], query.normal) + 0.04 * u(generator) * length(delta[i])) * query.normal;  // a little behind
       nearest_direction[i] = i % 6 == 3 ? Vec3(0) : direction();
       row->delta.set(i, delta[i]), row->normal.set(i, normal[i]), row->nearest_direction.set(i, nearest_direction[i]);
       row->squared[i] = dot(delta[i], delta[i]);
@@ -59,7 +62,8 @@ TEST_P(IrradianceWeights, AreThoseOfEachSample) {
     }
     kernels->weigh(query, count, *row);
     for (int i = 0; i < count; ++i) {
-      const double expected = expected_weight(query, delta[i], normal[i], nearest_direction[i], row->mean_distance[i], row->nearest_distance[i]);
+      const double expected = expected_weight(query, delta[i], normal[i], nearest_direction[i], row->mean_distance[i],
+                                              row->nearest_distance[i]);
       ASSERT_EQ(row->weight[i], expected) << round << ' ' << i;
       counting += expected > IrradianceRow::kNone;
       damped += expected > 0 && i % 4 == 1;
@@ -69,7 +73,8 @@ TEST_P(IrradianceWeights, AreThoseOfEachSample) {
   EXPECT_GT(damped, 1000);
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, IrradianceWeights, testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+INSTANTIATE_TEST_SUITE_P(InstructionSets, IrradianceWeights,
+                         testing::Range(0, static_cast<int>(textures::kInstructionSets)));
 
 }  // namespace
 }  // namespace verisim::global

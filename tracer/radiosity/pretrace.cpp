@@ -24,8 +24,8 @@ double first_position(double edge, double spacing) {
   return start < edge ? start + spacing : start;
 }
 
-// Calls use(coordinate) for the positions from `from` to before `to`. Coordinates are summed up, as POV-Ray does: the rounding decides whether a position
-// on a border belongs to a block.
+// Calls use(coordinate) for the positions from `from` to before `to`. Coordinates are summed up, as POV-Ray does: the
+// rounding decides whether a position on a border belongs to a block.
 template <class Use>
 void each_position(double from, double to, double spacing, Use use) {
   for (double v = first_position(from, spacing); v < to; v += spacing) use(v);

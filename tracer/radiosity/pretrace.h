@@ -15,7 +15,8 @@ struct PretracePlan {
 };
 PretracePlan pretrace_plan(const scene::Radiosity& description, int width, int height);
 
-// Pixels with left <= x < right and top <= y < bottom, where the centre of pixel (i, j) is (i, j). Parts of a tile have real borders.
+// Pixels with left <= x < right and top <= y < bottom, where the centre of pixel (i, j) is (i, j). Parts of a tile have
+// real borders.
 struct PretraceBlock {
   double left, top, right, bottom;
 };
@@ -26,15 +27,17 @@ struct PretraceQueries {
   double weight = 0;
 };
 
-// One tile of the picture on its way through the passes. Blocks of it are done with early: those without any query (sky), and, if nearest_count has its
-// second value, those whose queries find that weight on average. For the latter a tile is cut into smaller blocks from pass to pass, as long as each has four
-// positions in a row. (Which positions are in which block, and that those of blocks that are done with take no jitter, measured with 3.7.0.10.)
+// One tile of the picture on its way through the passes. Blocks of it are done with early: those without any query
+// (sky), and, if nearest_count has its second value, those whose queries find that weight on average. For the latter a
+// tile is cut into smaller blocks from pass to pass, as long as each has four positions in a row. (Which positions are
+// in which block, and that those of blocks that are done with take no jitter, measured with 3.7.0.10.)
 class PretraceTile {
  public:
   PretraceTile(int number, const PretraceBlock& tile) : number_(number), tile_(tile), blocks_{tile} {}
 
   bool finished() const { return blocks_.empty(); }
-  // Calls look(x, y) for the positions of a pass in POV-Ray's order; queries() tells what was asked for until then. `adaptive`: the second value; 0: none.
+  // Calls look(x, y) for the positions of a pass in POV-Ray's order; queries() tells what was asked for until then.
+  // `adaptive`: the second value; 0: none.
   template <class Look, class Queries>
   void run(const PretracePlan& plan, int pass, int adaptive, Look&& look, Queries&& queries);
 
@@ -62,7 +65,8 @@ void PretraceTile::run(const PretracePlan& plan, int pass, int adaptive, Look&& 
     for (const Vec2& p : at) look(p.x, p.y);
     const PretraceQueries after = queries();
     const int asked = after.count - before.count;
-    const bool done = at.size() >= kFewest && (asked == 0 || (adaptive > 0 && (after.weight - before.weight) / asked >= adaptive));
+    const bool done =
+        at.size() >= kFewest && (asked == 0 || (adaptive > 0 && (after.weight - before.weight) / asked >= adaptive));
     if (!done) left.push_back(block);
   }
   blocks_ = std::move(left);

@@ -5,13 +5,17 @@
 namespace verisim::global {
 namespace {
 
-std::vector<Vec2> looked_at(PretraceTile& tile, const PretracePlan& plan, int pass, int adaptive, PretraceQueries each) {
+std::vector<Vec2> looked_at(PretraceTile& tile, const PretracePlan& plan, int pass, int adaptive,
+                            PretraceQueries each) {
   std::vector<Vec2> positions;
   PretraceQueries so_far;
-  tile.run(plan, pass, adaptive, [&](double x, double y) {
-    positions.emplace_back(x, y);
-    so_far.count += each.count, so_far.weight += each.weight;
-  }, [&] { return so_far; });
+  tile.run(
+      plan, pass, adaptive,
+      [&](double x, double y) {
+        positions.emplace_back(x, y);
+        so_far.count += each.count, so_far.weight += each.weight;
+      },
+      [&] { return so_far; });
   return positions;
 }
 
@@ -51,12 +55,13 @@ TEST(Pretrace, TilesWithoutQueriesAreDoneWith) {
   EXPECT_FALSE(few.finished());
 }
 
-// Probes of 3.7.0.10 by the places of its samples (error_bound 0.0001 nearest_count 5,1 pretrace_start 0.125 pretrace_end 0.01, 64x64, +BS28 and +BS25):
-// x of the first positions of a pass, in units of its spacing.
+// Probes of 3.7.0.10 by the places of its samples (error_bound 0.0001 nearest_count 5,1 pretrace_start 0.125
+// pretrace_end 0.01, 64x64, +BS28 and +BS25): x of the first positions of a pass, in units of its spacing.
 TEST(Pretrace, AdaptiveTilesAreCutIntoBlocks) {
   const auto columns = [](const std::vector<Vec2>& at, double spacing, std::size_t n) {
     std::vector<int> x;
-    for (std::size_t i = 0; i < n; ++i) x.push_back(static_cast<int>(std::lround((at[i].x - (spacing - 1) / 2) / spacing)));
+    for (std::size_t i = 0; i < n; ++i)
+      x.push_back(static_cast<int>(std::lround((at[i].x - (spacing - 1) / 2) / spacing)));
     return x;
   };
   const PretracePlan plan = plan_of(0.125, 0.01, 64, 64);
@@ -64,7 +69,8 @@ TEST(Pretrace, AdaptiveTilesAreCutIntoBlocks) {
   looked_at(tile, plan, 0, 1, {1, 0}), looked_at(tile, plan, 1, 1, {1, 0});
   const std::vector<Vec2> third = looked_at(tile, plan, 2, 1, {1, 0});
   EXPECT_EQ(third.size(), 196u);
-  EXPECT_EQ(columns(third, 2, 30), (std::vector<int>{0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ(columns(third, 2, 30), (std::vector<int>{0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 0, 1, 2, 3, 4,
+                                                     0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
   const std::vector<Vec2> fourth = looked_at(tile, plan, 3, 1, {1, 0});
   EXPECT_EQ(fourth.size(), 784u);
   EXPECT_EQ(columns({fourth.begin() + 100, fourth.end()}, 1, 8), (std::vector<int>{10, 11, 12, 13, 10, 11, 12, 13}));
@@ -81,7 +87,9 @@ TEST(Pretrace, BlocksThatFoundEnoughTakeNoJitter) {
   for (PretraceTile* t : {&tile, &other}) looked_at(*t, plan, 0, 4, {1, 0});
   const std::vector<Vec2> all = looked_at(other, plan, 1, 4, {1, 0});
   PretraceQueries so_far;
-  tile.run(plan, 1, 4, [&](double x, double y) { ++so_far.count, so_far.weight += x < 15.5 && y < 15.5 ? 5 : 0; }, [&] { return so_far; });
+  tile.run(
+      plan, 1, 4, [&](double x, double y) { ++so_far.count, so_far.weight += x < 15.5 && y < 15.5 ? 5 : 0; },
+      [&] { return so_far; });
   const std::vector<Vec2> left = looked_at(tile, plan, 2, 4, {1, 0}), rest = looked_at(other, plan, 2, 4, {1, 0});
   ASSERT_EQ(left.size(), 192u);
   ASSERT_EQ(rest.size(), 256u);

@@ -12,7 +12,8 @@ double radical_inverse(unsigned index, unsigned base) {
   return result;
 }
 
-// Takes entries of the pool (y up) to the frame of a normal (spec 07 2.7): within 2.56 degrees of the poles the axis is exactly +-y.
+// Takes entries of the pool (y up) to the frame of a normal (spec 07 2.7): within 2.56 degrees of the poles the axis is
+// exactly +-y.
 class NormalFrame {
  public:
   explicit NormalFrame(const Vec3& n) : y_(n), pole_(n.y > 0.999 ? 1 : n.y < -0.999 ? -1 : 0) {
@@ -34,8 +35,14 @@ class NormalFrame {
 class SampleRays {
  public:
   // `cursor`: into the pool of directions; `next_lattice`: empty for POV-Ray's own directions.
-  SampleRays(const RadiositySettings& settings, const RadiosityQuery& query, std::size_t& cursor, std::optional<std::size_t>& next_lattice)
-      : settings_(settings), query_(query), about_normal_(query.geometric_normal), about_layer_normal_(query.layer_normal), cursor_(cursor), count_(settings.rays(query.depth)) {
+  SampleRays(const RadiositySettings& settings, const RadiosityQuery& query, std::size_t& cursor,
+             std::optional<std::size_t>& next_lattice)
+      : settings_(settings),
+        query_(query),
+        about_normal_(query.geometric_normal),
+        about_layer_normal_(query.layer_normal),
+        cursor_(cursor),
+        count_(settings.rays(query.depth)) {
     if (next_lattice && GatherLattice::worthwhile(count_)) {
       count_ = GatherLattice::enough(count_);
       lattice_.emplace(settings.lattice_plan(query.depth), (*next_lattice)++);
@@ -90,18 +97,21 @@ RadiositySettings::RadiositySettings(const scene::Radiosity& description, const 
   const int size = std::max({count, description.count_directions, 1});
   pool_.reserve(size);
   for (int k = 1; k <= size; ++k) {
-    const double u = radical_inverse(k, 2), phi = 2.0 * 3.14159265358979323846 * radical_inverse(k, 3), r = std::sqrt(u);
+    const double u = radical_inverse(k, 2), phi = 2.0 * 3.14159265358979323846 * radical_inverse(k, 3),
+                 r = std::sqrt(u);
     pool_.emplace_back(r * std::cos(phi), std::sqrt(1.0 - u), r * std::sin(phi));
   }
   for (int d = 0; d < kMaxRadiosityDepth; ++d) {
-    rays_[d] = std::min(size, std::max(5, static_cast<int>(std::floor(std::ldexp(static_cast<double>(description.count), -d)))));
+    rays_[d] = std::min(
+        size, std::max(5, static_cast<int>(std::floor(std::ldexp(static_cast<double>(description.count), -d)))));
     if (GatherLattice::worthwhile(rays_[d])) lattice_plans_[d] = GatherLattice::Plan(GatherLattice::enough(rays_[d]));
   }
 }
 
 IrradianceCache RadiositySettings::empty_cache() const {
   // Queries of little weight are content with a quarter more (spec 07 2.5).
-  const double widest = description_->error_bound * std::max(1.0, static_cast<double>(description_->low_error_factor)) + 0.25;
+  const double widest =
+      description_->error_bound * std::max(1.0, static_cast<double>(description_->low_error_factor)) + 0.25;
   return IrradianceCache(description_->error_bound, widest);
 }
 
@@ -111,13 +121,16 @@ double RadiositySettings::required_weight(int depth) const {
 }
 
 float RadiositySettings::gather_weight(int depth) const {
-  return static_cast<float>(std::max(description_->adc_bailout + kEpsilon, std::pow(0.5 * description_->brightness, depth + 1)));
+  return static_cast<float>(
+      std::max(description_->adc_bailout + kEpsilon, std::pow(0.5 * description_->brightness, depth + 1)));
 }
 
-RadiosityTask::RadiosityTask(const RadiositySettings& settings, const IrradianceCache* base, IrradianceCache* own, bool pretrace, int pass, int tile)
+RadiosityTask::RadiosityTask(const RadiositySettings& settings, const IrradianceCache* base, IrradianceCache* own,
+                             bool pretrace, int pass, int tile)
     : settings_(settings), base_(base), own_(own), pretrace_(pretrace), pass_(pass), tile_(tile) {}
 
-void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound, Estimate& estimate) {
+void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal,
+                               double bound, Estimate& estimate) {
   static const IrradianceWeightKernels& kernels = irradiance_weight_kernels();
   const IrradianceWeightQuery weights{normal, bound, /*smooth=*/!pretrace_ && query.depth == 0};
   IrradianceRow& row = row_;
@@ -150,7 +163,8 @@ Rgb RadiosityTask::irradiance(const RadiosityQuery& query, Gatherer& gatherer, s
   const scene::Radiosity& d = settings_.description();
   const Vec3& normal = d.normal ? query.layer_normal : query.geometric_normal;
   const double bound =
-      (d.error_bound * (pretrace_ ? d.low_error_factor : 1.0) + std::max(0.0, 0.25 - query.contribution)) * std::ldexp(1.0, query.depth);
+      (d.error_bound * (pretrace_ ? d.low_error_factor : 1.0) + std::max(0.0, 0.25 - query.contribution)) *
+      std::ldexp(1.0, query.depth);
   Estimate estimate;
   if (base_) accumulate(*base_, query, normal, bound, estimate);
   if (own_ && own_ != base_) accumulate(*own_, query, normal, bound, estimate);
@@ -165,7 +179,9 @@ Rgb RadiosityTask::irradiance(const RadiosityQuery& query, Gatherer& gatherer, s
     shading::GatherNotes of_sample;
     const Rgb sample = take_sample(query, gatherer, of_sample);
     const double total = estimate.weight + of_sample.quality;
-    result = estimate.weight > 0.0 && total > 0.0 ? (estimate.sum + sample * of_sample.quality) * static_cast<float>(1.0 / total) : sample;
+    result = estimate.weight > 0.0 && total > 0.0
+                 ? (estimate.sum + sample * of_sample.quality) * static_cast<float>(1.0 / total)
+                 : sample;
     estimate.weight = total;
     notes.quality = std::max(notes.quality, of_sample.quality);
     notes.importance = of_sample.importance;

@@ -1,4 +1,5 @@
-// Diffuse interreflection by POV-Ray's irradiance cache (spec 07 section 2): query, gathering of new samples, sample directions.
+// Diffuse interreflection by POV-Ray's irradiance cache (spec 07 section 2): query, gathering of new samples, sample
+// directions.
 #pragma once
 
 #include <array>
@@ -30,7 +31,7 @@ class RadiositySettings {
   Vec3 camera_location() const { return camera_location_; }
   int rays(int depth) const { return rays_[depth]; }
   const GatherLattice::Plan& lattice_plan(int depth) const { return lattice_plans_[depth]; }
-  double required_weight(int depth) const;         // K_d; a query is satisfied by an accumulated weight of K_d / 4
+  double required_weight(int depth) const;  // K_d; a query is satisfied by an accumulated weight of K_d / 4
   // Trace level and weight a gather ray of this depth starts with (spec 07 2.6).
   static int start_level(int depth) { return static_cast<int>(1.5 * (depth + 1)); }
   float gather_weight(int depth) const;
@@ -79,15 +80,17 @@ struct RadiosityQuery {
 class RadiosityTask {
  public:
   // `base` is read only; new samples go to `own` (which may be the same cache when tasks run one after the other).
-  RadiosityTask(const RadiositySettings& settings, const IrradianceCache* base, IrradianceCache* own, bool pretrace, int pass, int tile);
+  RadiosityTask(const RadiositySettings& settings, const IrradianceCache* base, IrradianceCache* own, bool pretrace,
+                int pass, int tile);
 
-  // The default mode: where the direction cursors start (POV-Ray starts every phase at 0), and the number of the first lattice of directions.
+  // The default mode: where the direction cursors start (POV-Ray starts every phase at 0), and the number of the first
+  // lattice of directions.
   void spread(std::size_t first) {
     cursor_.fill(first % settings_.pool_size());
     next_lattice_ = first;
   }
-  // Irradiance at the point, and what the enclosing ray is to know of it. A sample taken for it may be of better quality than 1, if it has hit more of what is
-  // of little importance than most do, and then counts for as much.
+  // Irradiance at the point, and what the enclosing ray is to know of it. A sample taken for it may be of better
+  // quality than 1, if it has hit more of what is of little importance than most do, and then counts for as much.
   Rgb irradiance(const RadiosityQuery& query, Gatherer& gatherer, shading::GatherNotes& notes);
   // Those of depth 0 so far; the weights are 4 S before gathering.
   const PretraceQueries& primary_queries() const { return primary_queries_; }
@@ -97,7 +100,8 @@ class RadiosityTask {
     Rgb sum;
     double weight = 0;
   };
-  void accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound, Estimate& estimate);
+  void accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound,
+                  Estimate& estimate);
   Rgb take_sample(const RadiosityQuery& query, Gatherer& gatherer, shading::GatherNotes& notes);
 
   const RadiositySettings& settings_;
@@ -108,7 +112,8 @@ class RadiosityTask {
   std::array<std::size_t, kMaxRadiosityDepth> cursor_{};
   std::optional<std::size_t> next_lattice_;
   PretraceQueries primary_queries_;
-  // Of the samples that are being taken, one within another. What is drawn does not hang on what rays meet, so they are drawn before they are traced.
+  // Of the samples that are being taken, one within another. What is drawn does not hang on what rays meet, so they are
+  // drawn before they are traced.
   struct Gathering {
     GatherRay rays[kGatheredTogether];
     GatherResult results[kGatheredTogether];

@@ -21,8 +21,8 @@ TEST(RadiositySettings, FirstDirectionIsHaltons) {
   EXPECT_EQ(settings.rays(4), 5);
 }
 
-// The moments of a cosine-weighted hemisphere: the mean of cos^k is 2 / (k + 2), azimuths cancel. Beginnings, which importance uses, are spread, too; so are
-// the directions behind the lattice, for normals that turn many away.
+// The moments of a cosine-weighted hemisphere: the mean of cos^k is 2 / (k + 2), azimuths cancel. Beginnings, which
+// importance uses, are spread, too; so are the directions behind the lattice, for normals that turn many away.
 TEST(GatherLattice, IsCosineWeightedFromItsBeginning) {
   for (const int count : {5, 34, 46, 89, 160, 1600, 1000000}) {
     const GatherLattice::Plan plan(count);
@@ -109,7 +109,8 @@ TEST(IrradianceCache, LeavesOutOnlyWhatCannotCount) {
     const double bound = 1.5;
     std::vector<const IrradianceSample*> expected, visited;
     for (const IrradianceSample& s : cache.samples()) {
-      const double r = length(x - s.point), error = r / std::max(s.mean_distance, s.nearest_distance) + 2 * std::sqrt(1 - dot(normal, s.normal));
+      const double r = length(x - s.point),
+                   error = r / std::max(s.mean_distance, s.nearest_distance) + 2 * std::sqrt(1 - dot(normal, s.normal));
       if (r < s.mean_distance * bound && error < bound) expected.push_back(&s);
     }
     cache.visit(0, x, bound, normal, [&](const IrradianceSample& s, double) { visited.push_back(&s); });
@@ -126,21 +127,29 @@ class Furnace : public Gatherer {
  public:
   void gather(const Vec3&, std::span<const GatherRay> together, int, GatherResult* results) override {
     rays += static_cast<int>(together.size());
-    std::fill_n(results, together.size(), GatherResult{.distance = 1.0, .shaded = true, .importance = 1, .color = Rgb(0.25f), .notes = {}});
+    std::fill_n(results, together.size(),
+                GatherResult{.distance = 1.0, .shaded = true, .importance = 1, .color = Rgb(0.25f), .notes = {}});
   }
   int rays = 0;
 };
 
-// The first ray of a sample hits something of importance 0.2 and of radiance 1, the others what is black; a sample is taken while one of them is followed.
+// The first ray of a sample hits something of importance 0.2 and of radiance 1, the others what is black; a sample is
+// taken while one of them is followed.
 class Lamp : public Gatherer {
  public:
   void gather(const Vec3&, std::span<const GatherRay> rays, int depth, GatherResult* results) override {
     for (std::size_t i = 0; i < rays.size(); ++i) results[i] = gather(depth, rays[i].threshold);
   }
   GatherResult gather(int depth, float threshold) {
-    if (depth > 0) return {.distance = 1.0, .shaded = true, .importance = nested_importance, .color = Rgb(0.0f), .notes = {}};
-    GatherResult result{.distance = 1.0, .shaded = true, .importance = threshold == 0 ? 0.2f : 1.0f, .color = Rgb(threshold == 0 ? 1.0f : 0.0f), .notes = {}};
-    if (task && threshold == nested_threshold) task->irradiance({{0, 3, 0}, {0, -1, 0}, {0, -1, 0}, 1.0, 1}, *this, result.notes);
+    if (depth > 0)
+      return {.distance = 1.0, .shaded = true, .importance = nested_importance, .color = Rgb(0.0f), .notes = {}};
+    GatherResult result{.distance = 1.0,
+                        .shaded = true,
+                        .importance = threshold == 0 ? 0.2f : 1.0f,
+                        .color = Rgb(threshold == 0 ? 1.0f : 0.0f),
+                        .notes = {}};
+    if (task && threshold == nested_threshold)
+      task->irradiance({{0, 3, 0}, {0, -1, 0}, {0, -1, 0}, 1.0, 1}, *this, result.notes);
     return result;
   }
   RadiosityTask* task = nullptr;  // of samples within samples
@@ -162,7 +171,8 @@ TEST(RadiosityTask, RaysAreWeighedByTheImportanceOfWhatWasHitLast) {
   EXPECT_FLOAT_EQ(irradiance(lamp, false), 5.0f / 9.0f);  // one of five such rays may be followed: it counts for five
   EXPECT_FLOAT_EQ(irradiance(lamp, true), 1.0f / 5.0f);   // but the sample within it has hit what is important
   lamp.nested_threshold = 0.75f, lamp.nested_importance = 0.5f;
-  EXPECT_FLOAT_EQ(irradiance(lamp, true), 5.0f / 8.0f);  // of too little importance in the end for the fourth ray: it is left out
+  EXPECT_FLOAT_EQ(irradiance(lamp, true),
+                  5.0f / 8.0f);  // of too little importance in the end for the fourth ray: it is left out
 }
 
 TEST(RadiosityTask, ReusesSamplesNearbyAndTakesNewOnesElsewhere) {

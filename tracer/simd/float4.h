@@ -34,7 +34,9 @@ struct Mask4 {
 };
 inline Mask4 operator<=(Float4 a, Float4 b) { return {_mm_cmple_ps(a.v, b.v)}; }
 inline Mask4 operator&(Mask4 a, Mask4 b) { return {_mm_and_ps(a.v, b.v)}; }
-inline Float4 select(Mask4 where, Float4 yes, Float4 no) { return _mm_or_ps(_mm_and_ps(where.v, yes.v), _mm_andnot_ps(where.v, no.v)); }
+inline Float4 select(Mask4 where, Float4 yes, Float4 no) {
+  return _mm_or_ps(_mm_and_ps(where.v, yes.v), _mm_andnot_ps(where.v, no.v));
+}
 
 #else
 
@@ -56,13 +58,25 @@ Float4 lanewise(const Float4& a, const Float4& b, F f) {
   for (int i = 0; i < 4; ++i) r.v[i] = f(a.v[i], b.v[i]);
   return r;
 }
-inline Float4 operator+(Float4 a, Float4 b) { return lanewise(a, b, [](float x, float y) { return x + y; }); }
-inline Float4 operator-(Float4 a, Float4 b) { return lanewise(a, b, [](float x, float y) { return x - y; }); }
-inline Float4 operator*(Float4 a, Float4 b) { return lanewise(a, b, [](float x, float y) { return x * y; }); }
+inline Float4 operator+(Float4 a, Float4 b) {
+  return lanewise(a, b, [](float x, float y) { return x + y; });
+}
+inline Float4 operator-(Float4 a, Float4 b) {
+  return lanewise(a, b, [](float x, float y) { return x - y; });
+}
+inline Float4 operator*(Float4 a, Float4 b) {
+  return lanewise(a, b, [](float x, float y) { return x * y; });
+}
 // As the instructions do: the second operand where the comparison is false.
-inline Float4 min(Float4 a, Float4 b) { return lanewise(a, b, [](float x, float y) { return x < y ? x : y; }); }
-inline Float4 max(Float4 a, Float4 b) { return lanewise(a, b, [](float x, float y) { return x > y ? x : y; }); }
-inline Float4 sqrt(Float4 a) { return lanewise(a, a, [](float x, float) { return std::sqrt(x); }); }
+inline Float4 min(Float4 a, Float4 b) {
+  return lanewise(a, b, [](float x, float y) { return x < y ? x : y; });
+}
+inline Float4 max(Float4 a, Float4 b) {
+  return lanewise(a, b, [](float x, float y) { return x > y ? x : y; });
+}
+inline Float4 sqrt(Float4 a) {
+  return lanewise(a, a, [](float x, float) { return std::sqrt(x); });
+}
 struct Mask4 {
   unsigned lanes;
   unsigned bits() const { return lanes; }

@@ -94,7 +94,11 @@ double dipole(double d2, int c, const Medium& m, double a) {
 class Estimator {
  public:
   Estimator(const SubsurfacePoint& point, const SubsurfaceSettings& settings, SubsurfaceEnvironment& environment)
-      : point_(point), settings_(settings), environment_(environment), medium_(medium_of(point)), a_(boundary_term(point.interior->ior)),
+      : point_(point),
+        settings_(settings),
+        environment_(environment),
+        medium_(medium_of(point)),
+        a_(boundary_term(point.interior->ior)),
         eta_(point.relative_ior) {
     cos_out_ = std::fabs(dot(point.view, point.normal));
     out_transmittance_ = fresnel_transmittance(cos_out_, eta_);
@@ -107,7 +111,8 @@ class Estimator {
     if (dot(refracted, refracted) > 0.0) {
       // A ray that never leaves (a plane) scatters all the same.
       const bool leaves = environment_.nearest({point_.point, refracted}, exit);
-      single_scattering(refracted, leaves ? exit.t * settings_.mm_per_unit : std::numeric_limits<double>::infinity(), sum);
+      single_scattering(refracted, leaves ? exit.t * settings_.mm_per_unit : std::numeric_limits<double>::infinity(),
+                        sum);
       if (leaves) unscattered(refracted, exit, sum);
     }
     return rgb(sum);
@@ -126,7 +131,8 @@ class Estimator {
       depth = std::min(free_path, back.interior == point_.interior ? back.t / 2.0 : back.t - kEpsilon);
     }
     const Vec3 base = point_.point - point_.normal * depth;
-    return environment_.replay() ? everywhere(base) : where_it_counts(base, ends ? back.t : std::numeric_limits<double>::infinity());
+    return environment_.replay() ? everywhere(base)
+                                 : where_it_counts(base, ends ? back.t : std::numeric_limits<double>::infinity());
   }
 
   // A place where light enters that leaves at the point.
@@ -139,7 +145,11 @@ class Estimator {
   };
   Entrance entrance(const Vec3& direction, const SubsurfaceEnvironment::SurfaceHit& hit) const {
     const double mm = settings_.mm_per_unit, t = hit.t * mm;
-    Entrance e{hit.point, hit.normal, direction, 4.0 * kPi * t * t / std::max(0.01, std::fabs(dot(direction, hit.normal))), {}};
+    Entrance e{hit.point,
+               hit.normal,
+               direction,
+               4.0 * kPi * t * t / std::max(0.01, std::fabs(dot(direction, hit.normal))),
+               {}};
     const Vec3 offset = hit.point - point_.point;
     const double d2 = dot(offset, offset) * mm * mm;
     for (int c = 0; c < 3; ++c) e.reflected[c] = medium_.extinction[c] > 0.0 ? dipole(d2, c, medium_, a_) : 0.0;
@@ -207,7 +217,8 @@ class Estimator {
       const int size = std::min(kRow, n - begin);
       for (int i = 0; i < size; ++i) {
         const double u = (begin + i + shift) / n, angle = 2.0 * kPi * ((begin + i) * kGolden + turn);
-        const double cosine = u < below ? u / below - 1.0 : (u - below) / (1.0 - below), sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+        const double cosine = u < below ? u / below - 1.0 : (u - below) / (1.0 - below),
+                     sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
         directions[i] = sine * std::cos(angle) * x + sine * std::sin(angle) * y + cosine * up;
         shares[i] = 0.5 / (u < below ? below : 1.0 - below);
       }
@@ -229,7 +240,8 @@ class Estimator {
     return sum;
   }
 
-  // Far places hardly count: there light is looked for by chance, with what is found made up for (Russian roulette; the chances are spread evenly).
+  // Far places hardly count: there light is looked for by chance, with what is found made up for (Russian roulette; the
+  // chances are spread evenly).
   void add_some_of(std::span<Entrance> entrances, Channels& sum) {
     double worth = 0.0;
     for (const Entrance& e : entrances) worth += e.worth();
@@ -260,7 +272,8 @@ class Estimator {
     return normalize(r * point_.view + (r * cos_out_ - std::sqrt(q)) * point_.normal);
   }
 
-  // Light of source `l` that is scattered once at p, `depth` millimetres along the refracted ray, except for what depends on the channel.
+  // Light of source `l` that is scattered once at p, `depth` millimetres along the refracted ray, except for what
+  // depends on the channel.
   struct Scattered {
     Channels light;
     double cosine, inner, path;  // outside and inside of the surface; millimetres to p
@@ -281,14 +294,15 @@ class Estimator {
   }
   double once(const Scattered& s, int c, double depth, double cos_inner) const {
     const double extinction = medium_.extinction[c], g = std::fabs(cos_inner / s.inner);
-    return s.light[c] * s.cosine * medium_.scattering[c] * fresnel_transmittance(s.cosine, eta_) * out_transmittance_ * 0.25 /
-           (extinction + g * extinction) * std::exp(-s.path * extinction) * std::exp(-depth * extinction);
+    return s.light[c] * s.cosine * medium_.scattering[c] * fresnel_transmittance(s.cosine, eta_) * out_transmittance_ *
+           0.25 / (extinction + g * extinction) * std::exp(-s.path * extinction) * std::exp(-depth * extinction);
   }
 
   void single_scattering(const Vec3& refracted, double exit_distance, Channels& sum) {
     const double cos_inner = std::fabs(dot(refracted, point_.normal));
     if (settings_.single_samples <= 0) return;
-    const Channels mean = environment_.replay() ? separate_channels(refracted, exit_distance, cos_inner) : shared_depths(refracted, exit_distance, cos_inner);
+    const Channels mean = environment_.replay() ? separate_channels(refracted, exit_distance, cos_inner)
+                                                : shared_depths(refracted, exit_distance, cos_inner);
     for (int c = 0; c < 3; ++c) sum[c] += mean[c];
   }
 
@@ -312,8 +326,8 @@ class Estimator {
     return total;
   }
 
-  // The same integral: the channels take turns in choosing a depth, stratified, and all use it, weighted by the balance heuristic (Veach and Guibas 1995).
-  // A sixth of the rays for the same noise.
+  // The same integral: the channels take turns in choosing a depth, stratified, and all use it, weighted by the balance
+  // heuristic (Veach and Guibas 1995). A sixth of the rays for the same noise.
   Channels shared_depths(const Vec3& refracted, double exit_distance, double cos_inner) {
     Channels total{};
     std::array<int, 3> order{}, share{};
@@ -373,7 +387,8 @@ class Estimator {
 double fresnel_transmittance(double cosine, double eta) {
   const double q = eta * eta + cosine * cosine - 1.0;
   if (q <= 0.0) return 0.0;
-  const double g = std::sqrt(q), a = (g - cosine) / (g + cosine), b = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
+  const double g = std::sqrt(q), a = (g - cosine) / (g + cosine),
+               b = (cosine * (g + cosine) - 1.0) / (cosine * (g - cosine) + 1.0);
   return 1.0 - std::clamp(0.5 * a * a * (1.0 + b * b), 0.0, 1.0);
 }
 

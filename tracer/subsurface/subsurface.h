@@ -1,5 +1,5 @@
-// Subsurface light transport (spec 07 section 5): the dipole of Jensen, Marschner, Levoy and Hanrahan, "A Practical Model for Subsurface Light Transport"
-// (2001), with single scattering and an unscattered term, in POV-Ray's variant.
+// Subsurface light transport (spec 07 section 5): the dipole of Jensen, Marschner, Levoy and Hanrahan, "A Practical
+// Model for Subsurface Light Transport" (2001), with single scattering and an unscattered term, in POV-Ray's variant.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ class SubsurfaceEnvironment {
  public:
   struct SurfaceHit {
     double t = 0;
-    Vec3 point, normal;                          // raw unit normal
+    Vec3 point, normal;  // raw unit normal
     const scene::Interior* interior = nullptr;
   };
   virtual ~SubsurfaceEnvironment() = default;
@@ -31,11 +31,13 @@ class SubsurfaceEnvironment {
   virtual bool illumination(std::size_t light, const Vec3& p, Rgb& color, Vec3& to_light) = 0;
   // Unshadowed direction to the light, for the straight line of single scattering.
   virtual Vec3 direction_to(std::size_t light, const Vec3& p) = 0;
-  // Radiance along a ray that leaves the object into `exit` (the unscattered term); `share`: the largest part of it that is used.
+  // Radiance along a ray that leaves the object into `exit` (the unscattered term); `share`: the largest part of it
+  // that is used.
   virtual Rgb transmitted(const Ray& ray, const SurfaceHit& exit, double share) = 0;
   virtual Vec3 sphere_direction() = 0;  // next Halton direction on the unit sphere
   virtual double random() = 0;          // next number of the single-scattering stream, [0, 1)
-  // Whether random() must be drawn as POV-Ray draws it; otherwise the estimator may use better samples of the same integral.
+  // Whether random() must be drawn as POV-Ray draws it; otherwise the estimator may use better samples of the same
+  // integral.
   virtual bool replay() const { return true; }
   // Radiosity at a point of the surface, for subsurface { radiosity on }; false: none is wanted.
   virtual bool irradiance(const Vec3& /*point*/, const Vec3& /*normal*/, Rgb& /*light*/) { return false; }
@@ -48,18 +50,19 @@ struct SubsurfaceSettings {
 };
 
 struct SubsurfacePoint {
-  Vec3 point, normal;          // unit, turned towards the viewer
-  Vec3 view;                   // unit ray direction, towards the surface
+  Vec3 point, normal;  // unit, turned towards the viewer
+  Vec3 view;           // unit ray direction, towards the surface
   const scene::Interior* interior = nullptr;
-  double relative_ior = 1;     // interior over what surrounds it
-  Rgb reflectance;             // pigment * diffuse
-  Rgb translucency;            // mm
+  double relative_ior = 1;  // interior over what surrounds it
+  Rgb reflectance;          // pigment * diffuse
+  Rgb translucency;         // mm
 };
 
 // Replaces the diffuse part of direct light at the point.
 Rgb subsurface(const SubsurfacePoint& point, const SubsurfaceSettings& settings, SubsurfaceEnvironment& environment);
 
-// Reduced albedo whose diffuse reflectance is `reflectance`, for a medium of index `ior`; POV-Ray's table of 101 steps, interpolated.
+// Reduced albedo whose diffuse reflectance is `reflectance`, for a medium of index `ior`; POV-Ray's table of 101 steps,
+// interpolated.
 double reduced_albedo(double reflectance, double ior);
 // Unpolarised Fresnel transmittance into a medium of relative index eta.
 double fresnel_transmittance(double cosine, double eta);

@@ -60,7 +60,8 @@ Rgb mean_of_ball(bool replay, double mm_per_unit, int diffuse, int single, int r
   return sum * (1.0f / static_cast<float>(runs));
 }
 
-// The samples of the default mode have the mean of POV-Ray's: in a ball that light crosses and in one that it does not, few and many.
+// The samples of the default mode have the mean of POV-Ray's: in a ball that light crosses and in one that it does not,
+// few and many.
 TEST(Subsurface, BetterSamplesHaveTheSameMean) {
   for (const double mm : {5.0, 200.0}) {
     const Rgb expected = mean_of_ball(true, mm, 2000, 200, 200);

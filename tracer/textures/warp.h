@@ -1,4 +1,5 @@
-// The compiled chain of warps and transformations that a point walks through before a pattern is evaluated (spec 05 sections 3.1 and 6).
+// The compiled chain of warps and transformations that a point walks through before a pattern is evaluated (spec 05
+// sections 3.1 and 6).
 #pragma once
 
 #include <variant>

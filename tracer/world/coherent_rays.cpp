@@ -5,7 +5,8 @@
 namespace verisim::accel {
 namespace {
 
-// After this many shafts their worth is judged: each must have served so many rays on average, or there are none for a while.
+// After this many shafts their worth is judged: each must have served so many rays on average, or there are none for a
+// while.
 constexpr std::uint32_t kTrial = 64, kWorthwhile = 3, kPause = 20000;
 constexpr double kLargestIndex = 1e9;
 constexpr std::uint64_t kExponentBias = 1023;
@@ -18,7 +19,8 @@ std::int32_t cell_of(double x) {
 
 std::size_t mixed(std::int32_t a, std::int32_t b, std::int32_t c, std::uint32_t d) {
   const auto u = [](std::int32_t v) { return static_cast<std::uint32_t>(v); };
-  const std::uint64_t h = (u(a) * 0x9e3779b97f4a7c15ull) ^ (u(b) * 0xc2b2ae3d27d4eb4full) ^ (u(c) * 0x165667b19e3779f9ull) ^ (d * 0x27d4eb2f165667c5ull);
+  const std::uint64_t h = (u(a) * 0x9e3779b97f4a7c15ull) ^ (u(b) * 0xc2b2ae3d27d4eb4full) ^
+                          (u(c) * 0x165667b19e3779f9ull) ^ (d * 0x27d4eb2f165667c5ull);
   return static_cast<std::size_t>(h >> 40);
 }
 
@@ -33,7 +35,8 @@ void CoherentRays::Worth::count_built() {
 void CoherentRays::set_camera(const CameraCoherence& camera) {
   camera_ = camera;
   cell_point_ = Vec3(std::numeric_limits<double>::quiet_NaN());
-  if (!(camera_.spread > 0 && std::isfinite(camera_.spread)) || world_.tree().empty()) camera_.kind = CameraCoherence::Kind::none;
+  if (!(camera_.spread > 0 && std::isfinite(camera_.spread)) || world_.tree().empty())
+    camera_.kind = CameraCoherence::Kind::none;
 }
 
 WorldEntry* CoherentRays::remember(Slot& slot, const std::optional<Shaft>& shaft) {
@@ -48,7 +51,8 @@ WorldEntry* CoherentRays::remember(Slot& slot, const std::optional<Shaft>& shaft
 bool CoherentRays::find_cell(const Vec3& p) {
   cell_point_ = p;
   cell_found_ = false;
-  const double footprint = camera_.kind == CameraCoherence::Kind::parallel ? camera_.spread : camera_.spread * length(p - viewpoint_);
+  const double footprint =
+      camera_.kind == CameraCoherence::Kind::parallel ? camera_.spread : camera_.spread * length(p - viewpoint_);
   const std::uint64_t exponent = std::bit_cast<std::uint64_t>(footprint * kShadowCell) >> 52;
   if (!(exponent > kExponentBias - 60 && exponent < kExponentBias + 60)) return false;
   cell_.width = std::bit_cast<double>((exponent + 1) << 52);
@@ -90,7 +94,8 @@ WorldEntry* CoherentRays::parallel_shadow(const Vec3& p, std::uint32_t light, co
     // Far enough to leave everything behind, what is beside the tree as well.
     Box3 all = world_.tree().bounds();
     if (const Box3 finite = world_.bounds(); !is_empty(finite)) all.extendBy(finite);
-    const double reach = 2 * (length(all.max - all.min) + length(cell.max - all.center()) + length(cell.max - cell.min));
+    const double reach =
+        2 * (length(all.max - all.min) + length(cell.max - all.center()) + length(cell.max - cell.min));
     return Shaft::between(cell, Box3(cell.min + towards * reach, cell.max + towards * reach));
   });
 }

@@ -1,8 +1,10 @@
-// What one thread remembers of rays that go the same way: camera rays of neighbouring pixels, and shadow rays from neighbouring points to one light.
+// What one thread remembers of rays that go the same way: camera rays of neighbouring pixels, and shadow rays from
+// neighbouring points to one light.
 //
-// The picture is cut into tiles and space into cells a few pixels wide. All camera rays of a tile lie in one shaft, and so do all shadow rays from a cell
-// to one light; the subtrees of the world that the shaft meets are kept, and the rays start at those. What is found does not depend on what is
-// remembered: shafts are conservative, and the world decides ties by rules of its own.
+// The picture is cut into tiles and space into cells a few pixels wide. All camera rays of a tile lie in one shaft, and
+// so do all shadow rays from a cell to one light; the subtrees of the world that the shaft meets are kept, and the rays
+// start at those. What is found does not depend on what is remembered: shafts are conservative, and the world decides
+// ties by rules of its own.
 #pragma once
 
 #include <memory>
@@ -27,25 +29,29 @@ class CoherentRays {
   // The viewer stands here now: shadow rays start from points seen from there.
   void set_viewpoint(const Vec3& p) { viewpoint_ = p, viewer_known_ = true; }
 
-  // Where the camera rays of a pixel enter the world; null: at the root. shaft_of(left, top, right, bottom) gives the shaft of a rectangle of
-  // the picture in pixels, whose centres are at integers; it must always be that of the same camera.
+  // Where the camera rays of a pixel enter the world; null: at the root. shaft_of(left, top, right, bottom) gives the
+  // shaft of a rectangle of the picture in pixels, whose centres are at integers; it must always be that of the same
+  // camera.
   template <class ShaftOf>
   const WorldEntry* camera(double x, double y, ShaftOf&& shaft_of) {
     int count = 1;
     return camera_row(x, y, count, shaft_of);
   }
-  // The same for pixels (x, y), (x + 1, y) ..., `count` of them at most; sets it to the number of those that this entry serves.
+  // The same for pixels (x, y), (x + 1, y) ..., `count` of them at most; sets it to the number of those that this entry
+  // serves.
   template <class ShaftOf>
   const WorldEntry* camera_row(double x, double y, int& count, ShaftOf&& shaft_of);
 
   // Side of the squares of pixels that share an entry; the first of them begins at pixel 0.
   static constexpr int camera_tile() { return kTile; }
-  // Entries of pixels no further apart than this, in either direction, can be used together: none takes the place of another.
+  // Entries of pixels no further apart than this, in either direction, can be used together: none takes the place of
+  // another.
   static constexpr double camera_reach();
 
   // Who looks at the points that shadow rays start from: they are denser where the camera sees them.
   enum class Viewer : unsigned char { camera, other };
-  // Where shadow rays from p to points of `target` enter the world; null: at the root. `light`: any number that stands for the target.
+  // Where shadow rays from p to points of `target` enter the world; null: at the root. `light`: any number that stands
+  // for the target.
   WorldEntry* shadow(const Vec3& p, std::uint32_t light, const Box3& target, Viewer viewer);
   // The same for parallel light that comes from a unit direction.
   WorldEntry* parallel_shadow(const Vec3& p, std::uint32_t light, const Vec3& towards, Viewer viewer);
@@ -70,7 +76,8 @@ class CoherentRays {
     bool usable;  // the rays lie in a shaft
   };
 
-  // Cells that are not visited again cost more than they save: those of a kind of rays are given up for a while when they prove so.
+  // Cells that are not visited again cost more than they save: those of a kind of rays are given up for a while when
+  // they prove so.
   struct Worth {
     std::uint32_t built = 0, used = 0, pause = 0;
     bool paused() {
@@ -140,11 +147,13 @@ const WorldEntry* CoherentRays::camera_row(double x, double y, int& count, Shaft
   if (column == last_column_ && row == last_row_) return last_tile_;
   last_column_ = column, last_row_ = row;
   bool known;
-  Slot& slot = tiles_.find({{column, row, 0}, 0}, static_cast<std::size_t>(column % kTiles + row % kTiles * kTiles), known);
+  Slot& slot =
+      tiles_.find({{column, row, 0}, 0}, static_cast<std::size_t>(column % kTiles + row % kTiles * kTiles), known);
   if (known) return last_tile_ = slot.usable ? &slot.entry : nullptr;
   tile_worth_.count_built();
   const double left = (column - 1) * kTile - 0.5, top = (row - 1) * kTile - 0.5, margin = 1e-3;
-  return last_tile_ = remember(slot, shaft_of(left - margin, top - margin, left + kTile + margin, top + kTile + margin));
+  return last_tile_ =
+             remember(slot, shaft_of(left - margin, top - margin, left + kTile + margin, top + kTile + margin));
 }
 
 }  // namespace verisim::accel

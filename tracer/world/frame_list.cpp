@@ -15,7 +15,8 @@ bool is_dissolved(const Object& object, bool split_unions) {
   if (object.bounded_by.empty()) return true;
   if (!split_unions) return false;
   const std::vector<ObjectPtr>& children = scene::children_of(object);
-  return std::none_of(children.begin(), children.end(), [](const ObjectPtr& child) { return scene::is_infinite(*child); });
+  return std::none_of(children.begin(), children.end(),
+                      [](const ObjectPtr& child) { return scene::is_infinite(*child); });
 }
 
 // Lights that are direct children of a light_group belong to it alone (spec 06 10.1).
@@ -23,7 +24,8 @@ void collect_lights(const Object& object, bool in_group, std::vector<const scene
   if (const auto* light = object.as<scene::LightSource>()) {
     if (!in_group) lights.push_back(light);
   } else {
-    for (const ObjectPtr& child : scene::children_of(object)) collect_lights(*child, object.as<scene::LightGroup>() != nullptr, lights);
+    for (const ObjectPtr& child : scene::children_of(object))
+      collect_lights(*child, object.as<scene::LightGroup>() != nullptr, lights);
   }
 }
 

@@ -8,10 +8,10 @@
 namespace verisim::accel {
 
 struct FrameList {
-  std::vector<const scene::Object*> objects;            // unions dissolved where POV-Ray dissolves them; no light sources
-  std::vector<bool> copied;                             // each of the objects, or a union around it, is a copy of a declared one
-  std::vector<const scene::LightSource*> lights;        // that light the whole scene, in file order
-  std::size_t entries = 0;                              // as POV-Ray counts them: light sources included
+  std::vector<const scene::Object*> objects;  // unions dissolved where POV-Ray dissolves them; no light sources
+  std::vector<bool> copied;                   // each of the objects, or a union around it, is a copy of a declared one
+  std::vector<const scene::LightSource*> lights;  // that light the whole scene, in file order
+  std::size_t entries = 0;                        // as POV-Ray counts them: light sources included
 };
 
 FrameList frame_list(const scene::Scene& scene, bool split_unions);

@@ -1,5 +1,5 @@
-// What eight rays meet first, computed for all of them at once: boxes and planes. Compiled for several instruction sets; every lane does the operations of
-// the scalar code in the same order.
+// What eight rays meet first, computed for all of them at once: boxes and planes. Compiled for several instruction
+// sets; every lane does the operations of the scalar code in the same order.
 #pragma once
 
 #include "tracer/bvh/box_node.h"
@@ -10,7 +10,7 @@ namespace verisim::accel {
 // Eight rays as the nodes of a tree see them: in single precision, from where they enter the tree.
 struct alignas(64) NodeRays {
   using Lane = float[RayLanes::kCount];
-  Lane origin[3], inverse[3];  // origins relative to the tree's centre, inverse directions
+  Lane origin[3], inverse[3];      // origins relative to the tree's centre, inverse directions
   double start[RayLanes::kCount];  // where they enter the tree; infinite: they miss it
   double slack;
 };
@@ -23,7 +23,8 @@ struct alignas(64) ChildrenMet {
 
 struct RowKernels {
   // Eight rays from `first` in a tree with this centre, bounds and slack (box_tree.h), at distances above t_min.
-  void (*node_rays)(const Box3& bounds, const Vec3& center, double slack, const RayRow& rays, int first, double t_min, NodeRays& there);
+  void (*node_rays)(const Box3& bounds, const Vec3& center, double slack, const RayRow& rays, int first, double t_min,
+                    NodeRays& there);
   // The children of a node that they meet before their limits, and perhaps some that they narrowly miss.
   void (*children)(const BoxNode& node, const NodeRays& rays, const double* limit, ChildrenMet& met);
   // The lanes whose limits lie behind these places.

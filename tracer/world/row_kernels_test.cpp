@@ -39,7 +39,8 @@ TEST_P(RowKernel, PlanesAreMetAsByOneRay) {
     alignas(64) double t[RayLanes::kCount];
     kernels->plane(normal, 0.7, *rays, first, t);
     for (int k = 0; k < RayLanes::kCount; ++k) {
-      const double slope = dot(normal, rays->direction.at(first + k)), along = (0.7 - dot(normal, rays->origin.at(first + k))) / slope;
+      const double slope = dot(normal, rays->direction.at(first + k)),
+                   along = (0.7 - dot(normal, rays->origin.at(first + k))) / slope;
       EXPECT_EQ(t[k], shapes::meets_plane(slope, along) ? along : -1) << first + k;
       met += t[k] > 0;
     }
@@ -71,9 +72,11 @@ TEST_P(RowKernel, BoxesAreMetByThoseRaysThatMeetThem) {
     }
     for (int first = 0; first < RayRow::kMost; first += RayLanes::kCount) {
       NodeRays there;
-      kernels->node_rays({bounds.min - Vec3(slack), bounds.max + Vec3(slack)}, center, slack, *rays, first, 1e-4, there);
+      kernels->node_rays({bounds.min - Vec3(slack), bounds.max + Vec3(slack)}, center, slack, *rays, first, 1e-4,
+                         there);
       double limit[RayLanes::kCount];
-      for (int k = 0; k < RayLanes::kCount; ++k) limit[k] = k % 3 == 0 ? 5 : k % 3 == 1 ? 1e20 : std::numeric_limits<double>::infinity();
+      for (int k = 0; k < RayLanes::kCount; ++k)
+        limit[k] = k % 3 == 0 ? 5 : k % 3 == 1 ? 1e20 : std::numeric_limits<double>::infinity();
       for (int k = 0; k < RayLanes::kCount; ++k) outside += there.start[k] == std::numeric_limits<double>::infinity();
       for (int b = 0; b < 8; ++b) {
         ChildrenMet met;
@@ -87,7 +90,8 @@ TEST_P(RowKernel, BoxesAreMetByThoseRaysThatMeetThem) {
         beyond += std::popcount(met.lanes[b % 4] & ~kernels->before(met.near[b % 4], there, nothing));
         for (int k = 0; k < RayLanes::kCount; ++k) {
           double near = 1e-4, far = limit[k];
-          const bool expected = clip_to_box(rays->at(first + k), boxes[b], near, far), is_met = met.lanes[b % 4] >> k & 1;
+          const bool expected = clip_to_box(rays->at(first + k), boxes[b], near, far),
+                     is_met = met.lanes[b % 4] >> k & 1;
           if (expected) {
             ++count;
             EXPECT_TRUE(is_met) << first + k << ' ' << b;

@@ -12,7 +12,8 @@
 namespace verisim::accel {
 namespace {
 
-// With fewer frame-level entries than this POV-Ray tests objects one by one, without boxes for most kinds (spec 03 2.3; the shipped povray.ini).
+// With fewer frame-level entries than this POV-Ray tests objects one by one, without boxes for most kinds (spec 03 2.3;
+// the shipped povray.ini).
 constexpr std::size_t kBoundingThreshold = 3;
 
 std::optional<Plane> plain_plane(const scene::Object& o) {
@@ -21,7 +22,8 @@ std::optional<Plane> plain_plane(const scene::Object& o) {
 }
 
 bool has_tree(const scene::Object& o) {
-  return o.as<scene::Mesh>() || o.as<std::shared_ptr<const scene::BicubicPatch>>() || o.as<std::shared_ptr<const scene::Text>>();
+  return o.as<scene::Mesh>() || o.as<std::shared_ptr<const scene::BicubicPatch>>() ||
+         o.as<std::shared_ptr<const scene::Text>>();
 }
 
 unsigned hidden_from(const scene::Object& o) {
@@ -48,12 +50,13 @@ bool all_children_shadowless(const scene::Object& o) {
 
 // Kinds that POV-Ray tests without their box when there are too few objects for a hierarchy (spec 03 2.1).
 bool exempt_from_box_test(const scene::Object& o) {
-  return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() || o.as<scene::SmoothTriangle>() ||
-         o.as<scene::Poly>() || o.as<scene::LightSource>();
+  return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() ||
+         o.as<scene::SmoothTriangle>() || o.as<scene::Poly>() || o.as<scene::LightSource>();
 }
 // Kinds whose own intersection test is as cheap as that of their box.
 bool cheaper_than_box_test(const scene::Object& o) {
-  return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() || o.as<scene::SmoothTriangle>();
+  return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() ||
+         o.as<scene::SmoothTriangle>();
 }
 
 Box3 widened(const scene::Bounds& b) {
@@ -66,7 +69,8 @@ Box3 widened(const scene::Bounds& b) {
   return {low, high};
 }
 
-// What the tree keeps of an entry: the true bounds of its surface where POV-Ray's box encloses them. Where it does not, its box decides what is seen.
+// What the tree keeps of an entry: the true bounds of its surface where POV-Ray's box encloses them. Where it does not,
+// its box decides what is seen.
 Box3 tight_box(const Box3& pov, const Box3& surface) {
   const bool encloses = !is_empty(surface) && contains(pov, surface.min) && contains(pov, surface.max);
   return encloses ? surface : pov;
@@ -76,7 +80,8 @@ Box3 tight_box(const Box3& pov, const Box3& surface) {
 bool within_finite_box(const Shape& shape) {
   const Box3 surface = shape.bounds();
   const shapes::SolidExtent solid = shape.solid_extent();
-  return is_finite(surface) && !is_empty(surface) && !solid.outside && contains(surface, solid.box.min) && contains(surface, solid.box.max);
+  return is_finite(surface) && !is_empty(surface) && !solid.outside && contains(surface, solid.box.min) &&
+         contains(surface, solid.box.max);
 }
 
 // A shadow ray may meet something there that is not opaque.
@@ -126,7 +131,8 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
   shape.surface = &s;
 }
 
-World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split_unions, bool remove_bounds) : impl_(std::make_unique<Impl>()) {
+World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split_unions, bool remove_bounds)
+    : impl_(std::make_unique<Impl>()) {
   Impl& w = *impl_;
   FrameList list = frame_list(scene, split_unions);
   w.lights = std::move(list.lights);
@@ -146,10 +152,13 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     e.copied = list.copied[i];
     e.hidden = hidden_from(o);
     if (all_children_shadowless(o)) e.hidden |= bit(RayKind::shadow) | bit(RayKind::photon);
-    if (const auto* light = o.as<scene::LightSource>(); light && light->looks_like) e.hidden |= hidden_from(*light->looks_like);
+    if (const auto* light = o.as<scene::LightSource>(); light && light->looks_like)
+      e.hidden |= hidden_from(*light->looks_like);
     std::size_t opaque = 0;
     for (std::size_t s = first_surface; s < w.surfaces.size(); ++s) opaque += w.surfaces[s].opaque;
-    e.opacity = opaque == w.surfaces.size() - first_surface ? Opacity::opaque : opaque == 0 ? Opacity::transparent : Opacity::mixed;
+    e.opacity = opaque == w.surfaces.size() - first_surface ? Opacity::opaque
+                : opaque == 0                               ? Opacity::transparent
+                                                            : Opacity::mixed;
     if (lets_light_through(e)) w.transparent_shadows = true;
     e.infinite = scene::is_infinite(o);
     e.box = widened(o.bounds);
@@ -157,17 +166,22 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
     // Boxes with negative sides (spheres of negative radius and the like) hide what POV-Ray looks for by its box.
     const bool never = is_empty(e.box) && !(w.in_order && exempt_from_box_test(o));
     const bool boxless = e.infinite || is_empty(e.box) || (w.in_order && exempt_from_box_test(o));
-    e.test_box = !is_empty(e.box) && (boxless || w.in_order) && !cheaper_than_box_test(o) && !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
+    e.test_box = !is_empty(e.box) && (boxless || w.in_order) && !cheaper_than_box_test(o) &&
+                 !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
     if (!is_empty(e.box) && !exempt_from_box_test(o) && volume(o.bounds) < 7e30f) {
-      for (std::size_t k = 0; k < 3; ++k) e.slab.low[k] = o.bounds.low[k], e.slab.high[k] = o.bounds.low[k] + o.bounds.size[k];
+      for (std::size_t k = 0; k < 3; ++k)
+        e.slab.low[k] = o.bounds.low[k], e.slab.high[k] = o.bounds.low[k] + o.bounds.size[k];
       e.slab.used = true;
     }
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;
-    if (waits) finite_after_all.push_back(static_cast<std::uint32_t>(i));
-    else if (!never && (boxless || w.in_order)) beside.push_back(static_cast<std::uint32_t>(i));
-    else if (!never) finite.push_back(static_cast<std::uint32_t>(i));
+    if (waits)
+      finite_after_all.push_back(static_cast<std::uint32_t>(i));
+    else if (!never && (boxless || w.in_order))
+      beside.push_back(static_cast<std::uint32_t>(i));
+    else if (!never)
+      finite.push_back(static_cast<std::uint32_t>(i));
     if (!e.infinite && !is_empty(e.box)) w.bounds.extendBy(e.box);
     w.entries.push_back(e);
     w.shapes.push_back(std::move(shape));
@@ -175,12 +189,17 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split
   w.set_apart(finite, beside);
   for (const std::uint32_t i : beside) w.add_beside_tree(i, w.entries[i]);
   for (const std::uint32_t i : finite) boxes.push_back(w.add_bounded(i, w.entries[i]));
-  // The tree may keep those, too, for what it finds is put in order later; but the digits of its boxes are relative to the largest of them.
+  // The tree may keep those, too, for what it finds is put in order later; but the digits of its boxes are relative to
+  // the largest of them.
   constexpr double kOutsized = 4;
-  const auto longest = [](const Box3& box) { return is_empty(box) ? 0 : std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z}); };
+  const auto longest = [](const Box3& box) {
+    return is_empty(box) ? 0 : std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+  };
   for (const std::uint32_t i : finite_after_all) {
-    if (longest(w.shapes[i]->bounds()) <= kOutsized * longest(w.bounds)) boxes.push_back(w.add_bounded(i, w.entries[i]));
-    else w.add_beside_tree(i, w.entries[i]);
+    if (longest(w.shapes[i]->bounds()) <= kOutsized * longest(w.bounds))
+      boxes.push_back(w.add_bounded(i, w.entries[i]));
+    else
+      w.add_beside_tree(i, w.entries[i]);
   }
   w.find_rooms();
   w.tree = BoxTree(boxes);
@@ -197,11 +216,13 @@ void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std:
   constexpr std::size_t kMost = 4;
   constexpr double kFar = 3;  // times the size of all others
   std::vector<std::uint32_t> largest(finite);
-  std::copy_if(beside.begin(), beside.end(), std::back_inserter(largest), [&](std::uint32_t i) { return !entries[i].test_box && is_finite(entries[i].shape->bounds()); });
+  std::copy_if(beside.begin(), beside.end(), std::back_inserter(largest),
+               [&](std::uint32_t i) { return !entries[i].test_box && is_finite(entries[i].shape->bounds()); });
   if (largest.size() < 2) return;
   const std::size_t most = std::min(kMost, largest.size() - 1);
   const auto size = [&](std::uint32_t i) { return length(entries[i].box.max - entries[i].box.min); };
-  std::partial_sort(largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(most), largest.end(), [&](std::uint32_t a, std::uint32_t b) { return size(a) > size(b); });
+  std::partial_sort(largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(most), largest.end(),
+                    [&](std::uint32_t a, std::uint32_t b) { return size(a) > size(b); });
   for (std::size_t count = most; count > 0 && around.empty(); --count) {
     Box3 others;
     for (std::size_t k = count; k < largest.size(); ++k) others.extendBy(entries[largest[k]].box);
@@ -211,7 +232,8 @@ void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std:
       const Entry& e = entries[largest[k]];
       const Box3 surface = e.shape->bounds();
       const auto room = shapes::Hollow::of(*e.object);
-      if (room && room->holds(wide) && contains(e.box, surface.min) && contains(e.box, surface.max)) around.push_back({largest[k], *room});
+      if (room && room->holds(wide) && contains(e.box, surface.min) && contains(e.box, surface.max))
+        around.push_back({largest[k], *room});
     }
     if (around.size() < count) around.clear();
   }
@@ -229,7 +251,9 @@ void World::Impl::find_rooms() {
   for (std::uint32_t i = 0; i < entries.size(); ++i) {
     if (!lets_light_through(entries[i])) continue;
     const auto hollow = shapes::Hollow::of(*entries[i].object);
-    const bool is_room = hollow && rooms.size() < kMost && std::any_of(lights.begin(), lights.end(), [&](const scene::LightSource* light) { return hollow->holds(light->position); });
+    const bool is_room = hollow && rooms.size() < kMost &&
+                         std::any_of(lights.begin(), lights.end(),
+                                     [&](const scene::LightSource* light) { return hollow->holds(light->position); });
     if (is_room) rooms.push_back({i, *hollow});
     only_rooms = only_rooms && is_room;
   }
@@ -284,7 +308,8 @@ void World::enter(const Shaft& shaft, WorldEntry& entry) const {
     }
   }
   for (const std::uint32_t i : w.unbounded) opaque = opaque && w.seems_opaque(i, shaft);
-  for (const Surrounding& s : w.around) opaque = opaque && (w.seems_opaque(s.entry, shaft) || (s.room.holds(shaft.from()) && s.room.holds(shaft.to())));
+  for (const Surrounding& s : w.around)
+    opaque = opaque && (w.seems_opaque(s.entry, shaft) || (s.room.holds(shaft.from()) && s.room.holds(shaft.to())));
   entry.only_opaque = opaque || !w.transparent_shadows;
 }
 
@@ -293,14 +318,17 @@ const BoxTree& World::tree() const { return impl_->tree; }
 std::vector<std::pair<scene::Place, std::string>> World::findings() const {
   std::vector<std::pair<scene::Place, std::string>> result;
   for (const Entry& e : impl_->entries)
-    if (std::string text = e.copied ? std::string() : e.shape->finding(); !text.empty()) result.emplace_back(e.object->place, std::move(text));
+    if (std::string text = e.copied ? std::string() : e.shape->finding(); !text.empty())
+      result.emplace_back(e.object->place, std::move(text));
   return result;
 }
 
 bool World::has_transparent_shadows() const { return impl_->transparent_shadows; }
 
 bool World::only_opaque_between(const Vec3& from, const Vec3& to) const {
-  return impl_->only_rooms && std::all_of(impl_->rooms.begin(), impl_->rooms.end(), [&](const Room& room) { return room.hollow.holds(from) && room.hollow.holds(to); });
+  return impl_->only_rooms && std::all_of(impl_->rooms.begin(), impl_->rooms.end(), [&](const Room& room) {
+           return room.hollow.holds(from) && room.hollow.holds(to);
+         });
 }
 
 void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& interiors) const {
@@ -316,12 +344,14 @@ void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& int
   std::sort(around.begin(), around.end());
   for (const std::uint32_t index : around) {
     const Entry& e = w.entries[index];
-    if (e.object->interior && contains(e.box, p) && e.shape->inside_unclipped(p)) interiors.push_back(e.object->interior.get());
+    if (e.object->interior && contains(e.box, p) && e.shape->inside_unclipped(p))
+      interiors.push_back(e.object->interior.get());
   }
 }
 
 // A hit on an untextured primitive shows what the CSG object around it is made of at that point (spec 03 5.3).
-void World::Impl::mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const {
+void World::Impl::mix_cutaway(const Shape& shape, const Vec3& p, float weight,
+                              std::vector<textures::WeightedTexture>& out) const {
   const auto* csg = shape.object->as<scene::Csg>();
   if (!csg) {
     if (shape.surface && shape.surface->texture) out.push_back({shape.surface->texture, weight});
@@ -329,7 +359,9 @@ void World::Impl::mix_cutaway(const Shape& shape, const Vec3& p, float weight, s
   }
   const auto children = shape.children();
   if (csg->difference) {
-    if (!children.empty() && children[0]->object == scene::children_of(*shape.object)[0].get() && children[0]->inside_unclipped(p)) mix_cutaway(*children[0], p, weight, out);
+    if (!children.empty() && children[0]->object == scene::children_of(*shape.object)[0].get() &&
+        children[0]->inside_unclipped(p))
+      mix_cutaway(*children[0], p, weight, out);
     return;
   }
   std::size_t count = 0;
@@ -350,7 +382,8 @@ void World::weighted_textures(const Hit& hit, bool inside_hit, std::vector<textu
   shares.clear();
   hit.shape->texture_shares(hit, inside_hit, shares);
   for (const shapes::TextureShare& share : shares) {
-    const auto* texture = share.texture < 0 ? surface.texture : surface.extra_textures[static_cast<std::size_t>(share.texture)];
+    const auto* texture =
+        share.texture < 0 ? surface.texture : surface.extra_textures[static_cast<std::size_t>(share.texture)];
     if (texture) out.push_back({texture, share.weight});
   }
 }

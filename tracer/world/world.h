@@ -1,4 +1,5 @@
-// All objects of a scene ready for rays: frame-level list, box tree, infinite objects beside it (specs 03 section 2, 06 section 9).
+// All objects of a scene ready for rays: frame-level list, box tree, infinite objects beside it (specs 03 section 2, 06
+// section 9).
 #pragma once
 
 #include <memory>
@@ -19,14 +20,16 @@ struct Surface {
   const scene::Interior* interior = nullptr;                    // never null
   const scene::Object* object = nullptr;                        // description of the primitive
   int frame_object = 0;                                         // index of the frame-level object
-  bool opaque = false;            // texture and interior_texture are flagged opaque (spec 06 9.3)
+  bool opaque = false;  // texture and interior_texture are flagged opaque (spec 06 9.3)
   bool double_illuminate = false, ignore_global_lights = false, uv_mapping = false, no_radiosity = false;
   std::span<const scene::LightSource* const> group_lights;
   scene::PhotonFlags photons;
-  std::vector<const textures::CompiledTexture*> extra_textures;  // of Shape::extra_textures; entries may be null: the object's own
+  std::vector<const textures::CompiledTexture*>
+      extra_textures;  // of Shape::extra_textures; entries may be null: the object's own
   // More than its own texture may show at a hit (World::weighted_textures).
   bool shows_several() const { return !texture || !extra_textures.empty(); }
-  const Shape* cutaway = nullptr;  // the outermost intersection, difference, merge or clipped union around a primitive; null: none
+  const Shape* cutaway =
+      nullptr;  // the outermost intersection, difference, merge or clipped union around a primitive; null: none
 };
 
 }  // namespace verisim::shapes
@@ -42,7 +45,7 @@ class Shaft;
 // Where the rays of a shaft start in a world's tree, and what is known of them.
 struct WorldEntry {
   EntryPoints points;
-  bool only_opaque;             // no shadow ray of the shaft meets anything that is not opaque
+  bool only_opaque;  // no shadow ray of the shaft meets anything that is not opaque
   // Entries into the trees of shapes that have their own (meshes).
   struct Inner {
     std::uint32_t candidate;  // as the tree counts
@@ -54,7 +57,7 @@ struct WorldEntry {
       if (i.candidate == candidate) return &i.points;
     return nullptr;
   }
-  std::uint32_t last_blocker;   // what blocked the last shadow ray, as the tree counts
+  std::uint32_t last_blocker;  // what blocked the last shadow ray, as the tree counts
 
   static constexpr std::uint32_t kNoBlocker = 0xffffffffu;
 };
@@ -70,14 +73,16 @@ class World {
 
   // The nearest hit with t_min <= t < t_max among the objects this kind of ray sees. Exact ties: spec 03 2.3.
   // `entry`: of a shaft that holds the ray; null: none known.
-  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit, const WorldEntry* entry = nullptr) const;
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit,
+                 const WorldEntry* entry = nullptr) const;
   // True if any *opaque* surface lies in t_min < t < t_max (shadow rays; a cheap any-hit query).
   bool occluded(const Ray& ray, double t_min, double t_max, WorldEntry* entry = nullptr) const;
   // Both for rays first .. first + count - 1 of a row, all of the shaft of `entry` (null: none known).
   // Eight limits are read at a time: t_max is as long as a row; null: no limits. What is not blocked is not written.
-  void intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry, Hit* hits, bool* found,
-                     const double* t_max = nullptr) const;
-  void occluded_row(const RayRow& rays, int first, int count, double t_min, const double* t_max, WorldEntry* entry, bool* blocked) const;
+  void intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry,
+                     Hit* hits, bool* found, const double* t_max = nullptr) const;
+  void occluded_row(const RayRow& rays, int first, int count, double t_min, const double* t_max, WorldEntry* entry,
+                    bool* blocked) const;
   // The same for one frame-level object (Surface::frame_object) alone.
   bool occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const;
   bool has_transparent_shadows() const;  // false: `occluded` alone decides every shadow
@@ -86,8 +91,8 @@ class World {
 
   // Interiors of all objects that contain p, in order of declaration, for the start of a camera ray (spec 06 2.1).
   void interiors_at(const Vec3& p, std::vector<const scene::Interior*>& interiors) const;
-  // Textures and weights of a hit whose primitive has several (blob components, mesh vertices, cutaway_textures); empty: surface->texture alone.
-  // `out` is cleared first.
+  // Textures and weights of a hit whose primitive has several (blob components, mesh vertices, cutaway_textures);
+  // empty: surface->texture alone. `out` is cleared first.
   void weighted_textures(const Hit& hit, bool inside_hit, std::vector<textures::WeightedTexture>& out) const;
 
   std::span<const scene::LightSource* const> lights() const;  // global lights in file order

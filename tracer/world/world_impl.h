@@ -1,4 +1,5 @@
-// What a World is made of, for its own files: world.cpp makes it, world_search.cpp follows one ray, world_rows.cpp eight.
+// What a World is made of, for its own files: world.cpp makes it, world_search.cpp follows one ray, world_rows.cpp
+// eight.
 #pragma once
 
 #include <array>
@@ -21,9 +22,10 @@ using shapes::Surface;
 
 enum class Opacity : unsigned char { opaque, transparent, mixed };
 
-// POV-Ray's own test of an object's box, in single precision (spec 03 2.2; the order of comparisons is that of Williams, Barrus, Morley and Shirley, "An
-// efficient and robust ray-box intersection algorithm", 2005). Only a ray that grazes the box can fail it and meet the object nevertheless: one that runs
-// within a face across x does, because 0 times infinity is no number there; within other faces it passes.
+// POV-Ray's own test of an object's box, in single precision (spec 03 2.2; the order of comparisons is that of
+// Williams, Barrus, Morley and Shirley, "An efficient and robust ray-box intersection algorithm", 2005). Only a ray
+// that grazes the box can fail it and meet the object nevertheless: one that runs within a face across x does, because
+// 0 times infinity is no number there; within other faces it passes.
 struct SlabTest {
   std::array<float, 3> low, high;
   bool used = false;
@@ -50,18 +52,19 @@ struct SlabTest {
 struct Entry {
   const Shape* shape = nullptr;
   const scene::Object* object = nullptr;
-  unsigned hidden = 0;      // RayKinds that do not see it, as bits
+  unsigned hidden = 0;  // RayKinds that do not see it, as bits
   Opacity opacity = Opacity::opaque;
-  bool infinite = false;    // of the kind POV-Ray tests before all others
-  bool test_box = false;    // rays that miss `box` miss the object
-  bool copied = false;      // of a declared object, or part of such a copy
+  bool infinite = false;      // of the kind POV-Ray tests before all others
+  bool test_box = false;      // rays that miss `box` miss the object
+  bool copied = false;        // of a declared object, or part of such a copy
   bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
-  Box3 box;                 // POV-Ray's, right or wrong, widened by rounding
-  SlabTest slab;            // for hits
+  Box3 box;                   // POV-Ray's, right or wrong, widened by rounding
+  SlabTest slab;              // for hits
 
   bool may_meet(const Ray& ray, double t_min, double t_max) const {
     double near = t_min, far = t_max;
-    return (!test_box || clip_to_box(ray, box, near, far)) && (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
+    return (!test_box || clip_to_box(ray, box, near, far)) &&
+           (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
   }
 };
 
@@ -86,15 +89,19 @@ struct Plane {
 inline unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
 
 // The next number, for numbers above 0.
-inline double next_above(double x) { return x < std::numeric_limits<double>::infinity() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1) : x; }
+inline double next_above(double x) {
+  return x < std::numeric_limits<double>::infinity() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1) : x;
+}
 
-// A large object far around all others, as a sky is. Rays begin within it, so that a tree would ask it first, about what is last on their way.
+// A large object far around all others, as a sky is. Rays begin within it, so that a tree would ask it first, about
+// what is last on their way.
 struct Surrounding {
   std::uint32_t entry;
   shapes::Hollow room;
 };
 
-// Within a transparent object in which a light stands, as a container of media around a scene: most shadow rays towards that light stay there.
+// Within a transparent object in which a light stands, as a container of media around a scene: most shadow rays towards
+// that light stay there.
 struct Room {
   std::uint32_t entry;
   shapes::Hollow hollow;
@@ -103,26 +110,28 @@ struct Room {
 struct World::Impl {
   std::vector<Entry> entries;
   std::vector<std::unique_ptr<Shape>> shapes;
-  std::vector<std::uint32_t> unbounded;  // entries beside the tree
+  std::vector<std::uint32_t> unbounded;      // entries beside the tree
   std::vector<std::optional<Plane>> planes;  // of each of them that is one
-  std::vector<Surrounding> around;       // beside the tree, too
+  std::vector<Surrounding> around;           // beside the tree, too
   std::vector<Room> rooms;
-  bool only_rooms = false;               // whatever is not opaque has one
-  std::vector<Candidate> bounded;        // of each box of the tree
+  bool only_rooms = false;         // whatever is not opaque has one
+  std::vector<Candidate> bounded;  // of each box of the tree
   BoxTree tree;
-  shapes::BoxSet few;                    // its boxes, if they are so few that a single ray finds them sooner without it
+  shapes::BoxSet few;  // its boxes, if they are so few that a single ray finds them sooner without it
   std::deque<Surface> surfaces;
   std::deque<std::vector<const scene::LightSource*>> group_lights;
   std::vector<const scene::LightSource*> lights;
   Box3 bounds;
-  bool in_order = false;  // too few entries for a hierarchy
-  bool transparent_shadows = false;    // something that shadow rays see is not opaque
+  bool in_order = false;             // too few entries for a hierarchy
+  bool transparent_shadows = false;  // something that shadow rays see is not opaque
 
   // BoxTree::traverse, or what does the same.
   template <class Visit>
   void traverse(const Ray& ray, double t_min, double t_max, Visit&& visit, const WorldEntry* entry) const {
-    if (entry || few.empty()) tree.traverse(ray, t_min, t_max, visit, entry ? &entry->points : nullptr);
-    else few.traverse(ray, t_min, t_max, visit);
+    if (entry || few.empty())
+      tree.traverse(ray, t_min, t_max, visit, entry ? &entry->points : nullptr);
+    else
+      few.traverse(ray, t_min, t_max, visit);
   }
   void add_beside_tree(std::uint32_t index, const Entry& e);
   Box3 add_bounded(std::uint32_t index, const Entry& e);  // the box to keep in the tree

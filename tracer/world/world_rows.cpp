@@ -1,5 +1,6 @@
-// Rows of rays in the world, eight at a time: objects are asked in the order in which the eight meet their boxes, each for all rays that it may still
-// concern. What is found is what one ray finds alone, because the world decides ties by rules of its own.
+// Rows of rays in the world, eight at a time: objects are asked in the order in which the eight meet their boxes, each
+// for all rays that it may still concern. What is found is what one ray finds alone, because the world decides ties by
+// rules of its own.
 #include <algorithm>
 
 #include "tracer/world/world_impl.h"
@@ -21,7 +22,8 @@ NodeRays rays_in(const BoxTree& tree, const RayLanes& rays, double t_min) {
 // The boxes that eight rays meet before their limits, nearest first as far as one ray can tell.
 class Places {
  public:
-  Places(const BoxTree& tree, const EntryPoints& entry, const RayLanes& rays, double t_min, const double* limit) : entry_(entry), there_(rays_in(tree, rays, t_min)) {
+  Places(const BoxTree& tree, const EntryPoints& entry, const RayLanes& rays, double t_min, const double* limit)
+      : entry_(entry), there_(rays_in(tree, rays, t_min)) {
     for (int n = 0; n < entry.count; ++n) {
       row_kernels().children(entry.nodes[n], there_, limit, met_[n]);
       for (int k = 0; k < 4; ++k) {
@@ -54,10 +56,12 @@ class Places {
   int count_ = 0;
 };
 
-// Walks a tree with eight rays, from the subtrees of an entry or from the root. Calls visit(candidate, lanes) for the boxes that lanes of `open` meet
-// before their limits, which may shrink meanwhile, roughly from near to far. `ahead` tells of candidates before they are visited, if they are: first soon, then next.
+// Walks a tree with eight rays, from the subtrees of an entry or from the root. Calls visit(candidate, lanes) for the
+// boxes that lanes of `open` meet before their limits, which may shrink meanwhile, roughly from near to far. `ahead`
+// tells of candidates before they are visited, if they are: first soon, then next.
 template <class Ahead, class Visit>
-void walk(const BoxTree& tree, const EntryPoints* entry, const RayLanes& rays, double t_min, const double* limit, const unsigned& open, const Ahead& ahead, Visit&& visit) {
+void walk(const BoxTree& tree, const EntryPoints* entry, const RayLanes& rays, double t_min, const double* limit,
+          const unsigned& open, const Ahead& ahead, Visit&& visit) {
   struct Item {
     std::uint32_t child;
     unsigned lanes;
@@ -74,7 +78,8 @@ void walk(const BoxTree& tree, const EntryPoints* entry, const RayLanes& rays, d
       if (here == 0) continue;
       const float distance = met.near[k][std::countr_zero(here)];
       int at = size++ - first;  // the nearest on top
-      for (; at > 0 && near[at - 1] < distance; --at) near[at] = near[at - 1], stack[first + at] = stack[first + at - 1];
+      for (; at > 0 && near[at - 1] < distance; --at)
+        near[at] = near[at - 1], stack[first + at] = stack[first + at - 1];
       near[at] = distance, stack[first + at] = {node.child[k], here};
       if (node.child[k] & BoxNode::kLeaf) ahead.soon(BoxNode::leaf_first(node.child[k]));
     }
@@ -89,8 +94,10 @@ void walk(const BoxTree& tree, const EntryPoints* entry, const RayLanes& rays, d
     const unsigned lanes = item.lanes & open;
     if (lanes == 0) continue;
     if (size > 0 && stack[size - 1].child & BoxNode::kLeaf) ahead.next(BoxNode::leaf_first(stack[size - 1].child));
-    if (item.child & BoxNode::kLeaf) visit(BoxNode::leaf_first(item.child), lanes);
-    else expand(tree.node(item.child), lanes);
+    if (item.child & BoxNode::kLeaf)
+      visit(BoxNode::leaf_first(item.child), lanes);
+    else
+      expand(tree.node(item.child), lanes);
   }
 }
 
@@ -110,8 +117,10 @@ class World::RowSearch {
  public:
   RowSearch(const Impl& world, const RayLanes& rays, RayKind kind, double t_min, const double* t_max, Hit* hits)
       : w_(world), rays_(rays), kind_(kind), mask_(bit(kind)), t_min_(t_min), hits_(hits) {
-    if (t_max) std::copy_n(t_max, kLanes, limit_);
-    else std::fill_n(limit_, kLanes, std::numeric_limits<double>::infinity());
+    if (t_max)
+      std::copy_n(t_max, kLanes, limit_);
+    else
+      std::fill_n(limit_, kLanes, std::numeric_limits<double>::infinity());
   }
 
   unsigned found() const { return found_; }
@@ -138,7 +147,8 @@ class World::RowSearch {
     for (const Surrounding& s : w_.around) {
       const Entry& e = w_.entries[s.entry];
       unsigned lanes = 0;
-      if (!(e.hidden & mask_)) each_lane(rays_.asked, [&](int k) { lanes |= s.room.holds(rays_.at(k), t_min_, limit_[k]) ? 0 : 1u << k; });
+      if (!(e.hidden & mask_))
+        each_lane(rays_.asked, [&](int k) { lanes |= s.room.holds(rays_.at(k), t_min_, limit_[k]) ? 0 : 1u << k; });
       if (lanes != 0) test(*e.shape, s.entry, nullptr, lanes);
     }
   }
@@ -152,7 +162,8 @@ class World::RowSearch {
     }
   }
   void walk_tree(const WorldEntry* entry) {
-    walk(w_.tree, entry ? &entry->points : nullptr, rays_, t_min_, limit_, rays_.asked, Prefetch{w_.bounded.data()}, [&](std::uint32_t candidate, unsigned lanes) { test_candidate(candidate, entry, lanes); });
+    walk(w_.tree, entry ? &entry->points : nullptr, rays_, t_min_, limit_, rays_.asked, Prefetch{w_.bounded.data()},
+         [&](std::uint32_t candidate, unsigned lanes) { test_candidate(candidate, entry, lanes); });
   }
 
  private:
@@ -180,9 +191,11 @@ class World::RowSearch {
     });
   }
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
-    each_lane(shape.intersect_lanes({rays_.rays, rays_.first, lanes}, inner, kind_, t_min_, limit_, others_), [&](int k) {
-      if (accepts(k, others_[k].t, index) && w_.entries[index].slab.passes(rays_.at(k))) accept(k, others_[k], index);
-    });
+    each_lane(shape.intersect_lanes({rays_.rays, rays_.first, lanes}, inner, kind_, t_min_, limit_, others_),
+              [&](int k) {
+                if (accepts(k, others_[k].t, index) && w_.entries[index].slab.passes(rays_.at(k)))
+                  accept(k, others_[k], index);
+              });
   }
 
   const Impl& w_;
@@ -197,19 +210,24 @@ class World::RowSearch {
   Hit others_[kLanes];
 };
 
-void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry, Hit* hits, bool* found, const double* t_max) const {
+void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry,
+                          Hit* hits, bool* found, const double* t_max) const {
   const Impl& w = *impl_;
   const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
     const int rest = std::min(kLanes, first + count - start);
     if (rest < kFewest) {
-      for (int i = start; i < start + rest; ++i) found[i] = intersect(rays.at(i), kind, t_min, t_max ? t_max[i] : std::numeric_limits<double>::infinity(), hits[i], entry);
+      for (int i = start; i < start + rest; ++i)
+        found[i] = intersect(rays.at(i), kind, t_min, t_max ? t_max[i] : std::numeric_limits<double>::infinity(),
+                             hits[i], entry);
       return;
     }
     RowSearch search(w, {rays, start, lanes_below(rest)}, kind, t_min, t_max ? t_max + start : nullptr, hits + start);
     search.test_planes();
-    if (!all_known) search.walk_tree(entry);
-    else if (entry) search.test_boxes(*entry);
+    if (!all_known)
+      search.walk_tree(entry);
+    else if (entry)
+      search.test_boxes(*entry);
     search.test_unbounded();
     search.test_around();
     for (int k = 0; k < rest; ++k) found[start + k] = search.found() >> k & 1;
@@ -219,7 +237,8 @@ void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind
 // Whether something opaque lies on eight rays.
 class World::RowOcclusion {
  public:
-  RowOcclusion(const Impl& world, const RayLanes& rays, double t_min, const double* t_max) : w_(world), rays_(rays), open_(rays.asked), t_min_(t_min), above_(next_above(t_min)), t_max_(t_max) {}
+  RowOcclusion(const Impl& world, const RayLanes& rays, double t_min, const double* t_max)
+      : w_(world), rays_(rays), open_(rays.asked), t_min_(t_min), above_(next_above(t_min)), t_max_(t_max) {}
 
   unsigned open() const { return open_; }
 
@@ -257,15 +276,17 @@ class World::RowOcclusion {
   }
   void walk_tree(WorldEntry* entry) {
     const std::uint32_t last = entry ? entry->last_blocker : WorldEntry::kNoBlocker;
-    walk(w_.tree, entry ? &entry->points : nullptr, rays_, t_min_, t_max_, open_, Prefetch{w_.bounded.data()}, [&](std::uint32_t candidate, unsigned lanes) {
-      if (candidate != last) test_candidate(candidate, entry, lanes);
-    });
+    walk(w_.tree, entry ? &entry->points : nullptr, rays_, t_min_, t_max_, open_, Prefetch{w_.bounded.data()},
+         [&](std::uint32_t candidate, unsigned lanes) {
+           if (candidate != last) test_candidate(candidate, entry, lanes);
+         });
   }
   // True if any lane is blocked by it.
   void test_candidate(std::uint32_t i, WorldEntry* entry, unsigned lanes) {
     const Candidate& c = w_.bounded[i];
     if ((c.hidden & kMask) || c.opacity == Opacity::transparent) return;
-    if (test(*c.shape, w_.entries[c.entry], entry ? entry->inner_of(i) : nullptr, lanes) && entry) entry->last_blocker = i;
+    if (test(*c.shape, w_.entries[c.entry], entry ? entry->inner_of(i) : nullptr, lanes) && entry)
+      entry->last_blocker = i;
   }
 
  private:
@@ -306,21 +327,26 @@ class World::RowOcclusion {
   const double* const t_max_;
 };
 
-void World::occluded_row(const RayRow& rays, int first, int count, double t_min, const double* t_max, WorldEntry* entry, bool* blocked) const {
+void World::occluded_row(const RayRow& rays, int first, int count, double t_min, const double* t_max, WorldEntry* entry,
+                         bool* blocked) const {
   const Impl& w = *impl_;
   const bool all_known = w.tree.empty() || (entry && entry->points.complete);
   for (int start = first; start < first + count; start += kLanes) {
     const unsigned asked = lanes_below(first + count - start);
     if (std::popcount(asked) < kFewest) {
-      each_lane(asked, [&](int k) { blocked[start + k] = occluded(rays.at(start + k), t_min, t_max[start + k], entry); });
+      each_lane(asked,
+                [&](int k) { blocked[start + k] = occluded(rays.at(start + k), t_min, t_max[start + k], entry); });
       continue;
     }
     RowOcclusion occlusion(w, {rays, start, asked}, t_min, t_max + start);
-    if (entry && entry->last_blocker != WorldEntry::kNoBlocker) occlusion.test_candidate(entry->last_blocker, entry, asked);
+    if (entry && entry->last_blocker != WorldEntry::kNoBlocker)
+      occlusion.test_candidate(entry->last_blocker, entry, asked);
     occlusion.test_planes();
     if (occlusion.open() != 0) {
-      if (!all_known) occlusion.walk_tree(entry);
-      else if (entry) occlusion.test_boxes(*entry);
+      if (!all_known)
+        occlusion.walk_tree(entry);
+      else if (entry)
+        occlusion.test_boxes(*entry);
     }
     occlusion.test_unbounded();
     occlusion.test_around();

@@ -21,7 +21,9 @@ class World::Search {
       if (e.hidden & mask_) continue;
       if (const Plane* plane = w_.planes[i] ? &*w_.planes[i] : nullptr) {
         const double t = plane->distance_along(ray_);
-        if (!(t >= t_min_ && (found_ ? t <= limit_ : t < limit_)) || (found_ && t == hit_.t && !w_.precedes(index, owner_, ray_))) continue;
+        if (!(t >= t_min_ && (found_ ? t <= limit_ : t < limit_)) ||
+            (found_ && t == hit_.t && !w_.precedes(index, owner_, ray_)))
+          continue;
         hit_ = {t, ray_.origin + t * ray_.direction, e.shape, 0, 0, 0};
         accept(index);
         continue;
@@ -49,7 +51,8 @@ class World::Search {
   }
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner) {
     const auto intersect_shape = [&](double far, Hit& out) {
-      return inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, far, out) : shape.intersect(ray_, kind_, t_min_, far, out);
+      return inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, far, out)
+                   : shape.intersect(ray_, kind_, t_min_, far, out);
     };
     if (!found_) {
       if (!intersect_shape(limit_, hit_) || !w_.entries[index].slab.passes(ray_)) return;
@@ -73,14 +76,18 @@ class World::Search {
   std::uint32_t owner_ = 0;
 };
 
-bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit, const WorldEntry* entry) const {
+bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit,
+                      const WorldEntry* entry) const {
   const Impl& w = *impl_;
   Search search(w, ray, kind, t_min, t_max, hit);
   search.test_unbounded();
-  w.traverse(ray, t_min, search.limit(), [&](std::uint32_t i, double) {
-    search.test_candidate(i, entry);
-    return search.limit();
-  }, entry);
+  w.traverse(
+      ray, t_min, search.limit(),
+      [&](std::uint32_t i, double) {
+        search.test_candidate(i, entry);
+        return search.limit();
+      },
+      entry);
   search.test_around();
   return search.found();
 }
@@ -88,7 +95,8 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
 // Whether something opaque lies on one ray.
 class World::Occlusion {
  public:
-  Occlusion(const Impl& world, const Ray& ray, double t_min, double t_max) : w_(world), ray_(ray), above_(next_above(t_min)), t_max_(t_max) {}
+  Occlusion(const Impl& world, const Ray& ray, double t_min, double t_max)
+      : w_(world), ray_(ray), above_(next_above(t_min)), t_max_(t_max) {}
 
   bool by_unbounded() const {
     for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
@@ -114,15 +122,16 @@ class World::Occlusion {
   }
   bool by_candidate(std::uint32_t i, const WorldEntry* entry) const {
     const Candidate& c = w_.bounded[i];
-    return !(c.hidden & kMask) && c.opacity != Opacity::transparent && blocks(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr) &&
-           w_.entries[c.entry].slab.passes(ray_);
+    return !(c.hidden & kMask) && c.opacity != Opacity::transparent &&
+           blocks(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr) && w_.entries[c.entry].slab.passes(ray_);
   }
 
  private:
   static constexpr unsigned kMask = 1u << static_cast<unsigned>(RayKind::shadow);
 
   bool blocks(const Shape& shape, Opacity opacity, const EntryPoints* inner) const {
-    if (opacity == Opacity::opaque) return inner ? shape.occludes_from(*inner, ray_, above_, t_max_) : shape.occludes(ray_, above_, t_max_);
+    if (opacity == Opacity::opaque)
+      return inner ? shape.occludes_from(*inner, ray_, above_, t_max_) : shape.occludes(ray_, above_, t_max_);
     shapes::ScratchHits hits;
     shape.intersect_all(ray_, RayKind::shadow, hits.list());
     for (std::size_t i = hits.begin(); i < hits.end(); ++i)
@@ -138,16 +147,21 @@ class World::Occlusion {
 bool World::occluded(const Ray& ray, double t_min, double t_max, WorldEntry* entry) const {
   const Impl& w = *impl_;
   const Occlusion occlusion(w, ray, t_min, t_max);
-  if (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry)) return true;
+  if (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry))
+    return true;
   if (occlusion.by_unbounded() || occlusion.by_surrounding()) return true;
-  if (!entry && !w.few.empty()) return w.few.any_along(ray, t_min, t_max, [&](std::uint32_t i) { return occlusion.by_candidate(i, nullptr); });
+  if (!entry && !w.few.empty())
+    return w.few.any_along(ray, t_min, t_max, [&](std::uint32_t i) { return occlusion.by_candidate(i, nullptr); });
   bool found = false;
-  w.tree.traverse(ray, t_min, t_max, [&](std::uint32_t i, double far) {
-    if (!occlusion.by_candidate(i, entry)) return far;
-    found = true;
-    if (entry) entry->last_blocker = i;
-    return -HUGE_VAL;
-  }, entry ? &entry->points : nullptr);
+  w.tree.traverse(
+      ray, t_min, t_max,
+      [&](std::uint32_t i, double far) {
+        if (!occlusion.by_candidate(i, entry)) return far;
+        found = true;
+        if (entry) entry->last_blocker = i;
+        return -HUGE_VAL;
+      },
+      entry ? &entry->points : nullptr);
   return found;
 }
 

@@ -1,4 +1,5 @@
-// The world: frame-level list, ties, visibility, shadows, interiors, weighted textures (spec 03 2.3, 2.6, 5.3, 5.5, 6.2, 10.6, 10.7).
+// The world: frame-level list, ties, visibility, shadows, interiors, weighted textures (spec
+// 03 2.3, 2.6, 5.3, 5.5, 6.2, 10.6, 10.7).
 #include "tracer/world/world_impl.h"
 
 #include "tracer/bvh/shaft.h"
@@ -30,7 +31,9 @@ ObjectRef textured(const ObjectRef& object, const scene::TexturePtr& texture = k
 }
 ObjectRef sphere(const Vec3& c, double r, const Steps& m = {}) { return textured(make(scene::Sphere{c, r}, m)); }
 ObjectRef box(const Vec3& a, const Vec3& b, const Steps& m = {}) { return textured(make(scene::Box{a, b}, m)); }
-std::vector<ObjectRef> far_spheres() { return {sphere({50, 0, 0}, 1), sphere({-50, 0, 0}, 1), sphere({0, 50, 0}, 1), sphere({0, 60, 0}, 1)}; }
+std::vector<ObjectRef> far_spheres() {
+  return {sphere({50, 0, 0}, 1), sphere({-50, 0, 0}, 1), sphere({0, 50, 0}, 1), sphere({0, 60, 0}, 1)};
+}
 
 struct Stage {
   scene::Scene scene;
@@ -92,8 +95,10 @@ std::vector<ObjectRef> crowd() {
   std::vector<ObjectRef> objects;
   for (int i = 0; i < 9; ++i) {
     const Vec3 c(u(random), u(random), u(random));
-    if (i % 3 == 0) objects.push_back(box(c - Vec3(0.5), c + Vec3(0.5), [i](Object& o) { o.no_shadow = i == 3; }));
-    else objects.push_back(textured(make(scene::Sphere{c, 0.7}), i == 7 ? kGlass : kOpaque));
+    if (i % 3 == 0)
+      objects.push_back(box(c - Vec3(0.5), c + Vec3(0.5), [i](Object& o) { o.no_shadow = i == 3; }));
+    else
+      objects.push_back(textured(make(scene::Sphere{c, 0.7}), i == 7 ? kGlass : kOpaque));
     if (i == 6) objects.push_back(box(c - Vec3(0.5), c + Vec3(0.5)));  // a twin
   }
   objects.push_back(textured(make(scene::Plane{y, -1.5})));
@@ -103,7 +108,11 @@ std::vector<ObjectRef> crowd() {
 // Two skies and a room that stand far around them.
 std::vector<ObjectRef> crowd_under_skies() {
   auto objects = crowd();
-  objects.push_back(textured(make(scene::Sphere{Vec3(0), 30}, [](Object& o) { scene::transform(o, Transform::scaling({1, 0.8, 1})); }), kGlass));
+  objects.push_back(textured(make(scene::Sphere{Vec3(0), 30},
+                                  [](Object& o) {
+                                    scene::transform(o, Transform::scaling({1, 0.8, 1}));
+                                  }),
+                             kGlass));
   objects.insert(objects.begin(), sphere({1, 2, 3}, 25));
   objects.push_back(box(Vec3(-15), Vec3(18)));
   return objects;
@@ -117,7 +126,8 @@ TEST(World, SkiesAreFoundAsASearchOfAllFindsThem) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> u(-1, 1);
   for (int i = 0; i < 5000; ++i) {
-    const Vec3 from = (i % 2 ? 4.0 : 40.0) * Vec3(u(random), u(random), u(random)), to = (i % 5 ? 3.0 : 30.0) * Vec3(u(random), u(random), u(random));
+    const Vec3 from = (i % 2 ? 4.0 : 40.0) * Vec3(u(random), u(random), u(random)),
+               to = (i % 5 ? 3.0 : 30.0) * Vec3(u(random), u(random), u(random));
     const Ray ray{from, normalize(to - from)};
     double nearest = 2e10;
     for (const auto& shape : shapes)
@@ -130,7 +140,8 @@ TEST(World, SkiesAreFoundAsASearchOfAllFindsThem) {
     const double limit = 10 + 10 * u(random);
     bool blocked = false;
     for (const auto& shape : shapes)
-      if (!shape->object->no_shadow && shape->object->texture != kGlass) blocked = blocked || shape->occludes(ray, 1e-3, limit);
+      if (!shape->object->no_shadow && shape->object->texture != kGlass)
+        blocked = blocked || shape->occludes(ray, 1e-3, limit);
     ASSERT_EQ(stage.world->occluded(ray, 1e-3, limit), blocked);
   }
 }
@@ -182,7 +193,9 @@ TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
   std::mt19937 random(12);
   std::uniform_real_distribution<double> u(0, 1);
   auto many = all;  // more than what an entry can name
-  for (int i = 0; i < 90; ++i) many.push_back(textured(make(scene::Sphere{Vec3(u(random), u(random), u(random)) * 4.0 - Vec3(2), 0.3}), i % 20 == 0 ? kGlass : kOpaque));
+  for (int i = 0; i < 90; ++i)
+    many.push_back(textured(make(scene::Sphere{Vec3(u(random), u(random), u(random)) * 4.0 - Vec3(2), 0.3}),
+                            i % 20 == 0 ? kGlass : kOpaque));
   for (const auto& objects : {all, few, many, crowd_under_skies()}) {
     const Stage stage(objects);
     const auto rays = std::make_unique<RayRow>();
@@ -199,7 +212,8 @@ TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
       double limits[RayRow::kSize] = {};
       for (int i = first; i < first + count; ++i) {
         rays->origin.set(i, eye);
-        rays->direction.set(i, normalize(target + size * Vec3(2 * u(random) - 1, 2 * u(random) - 1, 2 * u(random) - 1) - eye));
+        rays->direction.set(
+            i, normalize(target + size * Vec3(2 * u(random) - 1, 2 * u(random) - 1, 2 * u(random) - 1) - eye));
         limits[i] = 3 + 10 * u(random);
       }
       WorldEntry* const known = round % 4 == 0 ? nullptr : &entry;
@@ -211,7 +225,8 @@ TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
       stage.world->occluded_row(*rays, first, count, 1e-3, limits, known, blocked);
       for (int i = first; i < first + count; ++i) {
         Hit alone;
-        ASSERT_EQ(found[i], stage.world->intersect(rays->at(i), RayKind::camera, 1e-4, std::numeric_limits<double>::infinity(), alone));
+        ASSERT_EQ(found[i], stage.world->intersect(rays->at(i), RayKind::camera, 1e-4,
+                                                   std::numeric_limits<double>::infinity(), alone));
         if (found[i]) {
           ASSERT_EQ(hits[i].t, alone.t);
           ASSERT_EQ(hits[i].shape, alone.shape);
@@ -231,12 +246,15 @@ TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
     EXPECT_GT(found_rays, 1000);
     EXPECT_GT(blocked_rays, 500);
     EXPECT_GT(beyond, 100);
-    if (objects.size() < many.size()) EXPECT_GT(complete, 100);
-    else EXPECT_LT(complete, 360);  // the walk is tested, too
+    if (objects.size() < many.size())
+      EXPECT_GT(complete, 100);
+    else
+      EXPECT_LT(complete, 360);  // the walk is tested, too
   }
 }
 
-// Measured with orthographic cameras: POV-Ray misses objects along the faces of their boxes that lie across x, and meets them along the others.
+// Measured with orthographic cameras: POV-Ray misses objects along the faces of their boxes that lie across x, and
+// meets them along the others.
 TEST(World, RaysWithinAFaceOfABox) {
   const SlabTest slab{{-1, -2, -3}, {1, 2, 3}, true};
   for (const double side : {-1.0, 1.0}) {
@@ -269,7 +287,8 @@ TEST(World, ExactTies) {
 }
 
 TEST(World, LaterChildOfAWholeUnionWinsTies) {
-  auto whole = make_union({make(scene::Box{Vec3(-1), Vec3(1)}), make(scene::Box{Vec3(-1), Vec3(1)})}, [](Object& o) { o.split_union = false; });
+  auto whole = make_union({make(scene::Box{Vec3(-1), Vec3(1)}), make(scene::Box{Vec3(-1), Vec3(1)})},
+                          [](Object& o) { o.split_union = false; });
   textured(whole);
   EXPECT_EQ(Stage({whole}).hit({0.1, 0.2, -5}, z), scene::children_of(*whole)[1].get());
 }
@@ -282,7 +301,8 @@ TEST(World, BoundsCutOnlyWithAHierarchy) {
   objects.push_back(cube());
   EXPECT_EQ(Stage(objects).hit({0.8, 0.03, -5}, z), nullptr);
   EXPECT_NE(Stage(objects).hit({0.3, 0.03, -5}, z), nullptr);
-  EXPECT_NE(Stage(objects).hit({0.48, 0.48, -5}, z), nullptr);  // beside the sphere but inside its box: the bound itself is removed
+  EXPECT_NE(Stage(objects).hit({0.48, 0.48, -5}, z),
+            nullptr);  // beside the sphere but inside its box: the bound itself is removed
   EXPECT_EQ(Stage(objects, false, false).hit({0.48, 0.48, -5}, z), nullptr);
 }
 
@@ -294,8 +314,10 @@ TEST(World, NegativeRadiusIsHiddenByItsBox) {
 }
 
 TEST(World, VisibilityOfFrameObjects) {
-  const auto seen_by = [](const Steps& flags, RayKind kind) { return Stage({sphere(Vec3(0), 1, flags)}).hit({0, 0, -5}, z, kind) != nullptr; };
-  const Steps no_image = [](Object& o) { o.no_image = true; }, no_reflection = [](Object& o) { o.no_reflection = true; };
+  const auto seen_by = [](const Steps& flags, RayKind kind) {
+    return Stage({sphere(Vec3(0), 1, flags)}).hit({0, 0, -5}, z, kind) != nullptr;
+  };
+  const Steps no_image = [](Object&o) { o.no_image = true; }, no_reflection = [](Object&o) { o.no_reflection = true; };
   EXPECT_FALSE(seen_by(no_image, RayKind::camera));
   EXPECT_FALSE(seen_by(no_image, RayKind::refracted));
   EXPECT_TRUE(seen_by(no_image, RayKind::reflected));
@@ -325,7 +347,8 @@ TEST(World, OnlyOpaqueSurfacesOcclude) {
   EXPECT_TRUE(stage.world->occluded({Vec3(0), z}, 1e-3, 20));
   EXPECT_FALSE(Stage({sphere({0, 0, 10}, 1)}).world->has_transparent_shadows());
   // A union that stays whole and has both kinds.
-  auto mixed = make_union({make(scene::Sphere{{0, 0, 5}, 1}), make(scene::Sphere{{0, 0, 10}, 1})}, [](Object& o) { o.split_union = false; });
+  auto mixed = make_union({make(scene::Sphere{{0, 0, 5}, 1}), make(scene::Sphere{{0, 0, 10}, 1})},
+                          [](Object& o) { o.split_union = false; });
   textured(std::const_pointer_cast<Object>(scene::own_children(*mixed)[0]), kGlass);
   textured(mixed);
   const Stage mixed_stage({mixed});

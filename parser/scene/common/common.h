@@ -30,7 +30,9 @@ std::size_t checked_count(Parser& parser, double count, std::string_view what, s
 
 // Guards a block against endless nesting and remembers where it was opened.
 struct Block {
-  Block(Parser& p, std::string_view block_name) : parser(p), depth(p), name(block_name), place(p.place()) { open_block(p); }
+  Block(Parser& p, std::string_view block_name) : parser(p), depth(p), name(block_name), place(p.place()) {
+    open_block(p);
+  }
   void close() { close_block(parser, name); }
   Parser& parser;
   Parser::Depth depth;

@@ -10,8 +10,8 @@ namespace verisim::parser {
 namespace {
 
 struct Measure {
-  int depth = 1;            // levels of maps
-  double evaluations = 1;   // of patterns at one point, at most
+  int depth = 1;           // levels of maps
+  double evaluations = 1;  // of patterns at one point, at most
 };
 
 // Visits each description once. Chains are short: the level before was checked when it was declared.
@@ -75,7 +75,8 @@ class Walk {
         largest = std::max(largest, m.evaluations);
       }
     const bool all = pattern.kind == scene::PatternKind::average;
-    return {std::max(own.depth, children.depth + 1), own.evaluations + (all ? children.evaluations : std::min(children.evaluations, 2 * largest))};
+    return {std::max(own.depth, children.depth + 1),
+            own.evaluations + (all ? children.evaluations : std::min(children.evaluations, 2 * largest))};
   }
 
   std::unordered_map<const void*, Measure> known_;
@@ -85,8 +86,11 @@ template <class Description>
 void check(Parser& parser, const Description& description) {
   const Measure m = Walk().of(description);
   if (m.depth > parser.options().limits.max_depth)
-    parser.fatal("Maps of pigments, normals, densities or textures are nested deeper than " + std::to_string(parser.options().limits.max_depth) + " levels.", "--max-depth raises this limit.");
-  if (m.evaluations > kMaxEvaluations) parser.fatal("Maps within maps: one point would need more than 10000000 evaluations.");
+    parser.fatal("Maps of pigments, normals, densities or textures are nested deeper than " +
+                     std::to_string(parser.options().limits.max_depth) + " levels.",
+                 "--max-depth raises this limit.");
+  if (m.evaluations > kMaxEvaluations)
+    parser.fatal("Maps within maps: one point would need more than 10000000 evaluations.");
 }
 
 bool is_nested(const scene::Pattern& pattern) { return pattern.kind == scene::PatternKind::pigment_pattern; }

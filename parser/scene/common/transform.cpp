@@ -32,7 +32,8 @@ Transform parse_matrix(Parser& parser) {
   }
   parser.expect('>');
   for (int column = 0; column < 3; ++column) {
-    if (std::fabs(m[0][column]) < kEpsilon && std::fabs(m[1][column]) < kEpsilon && std::fabs(m[2][column]) < kEpsilon) {
+    if (std::fabs(m[0][column]) < kEpsilon && std::fabs(m[1][column]) < kEpsilon &&
+        std::fabs(m[2][column]) < kEpsilon) {
       m[column][column] = 1;
       parser.warning("Illegal matrix column: Scale by 0.0. Changed to 1.0.");
     }

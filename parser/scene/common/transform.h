@@ -7,7 +7,8 @@ namespace verisim::parser {
 
 // The vector after `scale`; zeros become 1 with a warning.
 Vec3 parse_scale_vector(Parser& parser);
-// One transformation, applied to the object at once (shapes absorb elementary ones into their numbers). False: none here.
+// One transformation, applied to the object at once (shapes absorb elementary ones into their numbers). False: none
+// here.
 bool parse_object_transform(Parser& parser, scene::Object& object);
 
 }  // namespace verisim::parser

@@ -11,7 +11,9 @@ using scene::PatternKind;
 
 namespace {
 
-bool refuses_maps(PatternKind kind) { return kind == PatternKind::plain || kind == PatternKind::image_map || list_size(kind) > 0; }
+bool refuses_maps(PatternKind kind) {
+  return kind == PatternKind::plain || kind == PatternKind::image_map || list_size(kind) > 0;
+}
 
 scene::DensityPtr plain_white() {
   auto density = std::make_shared<Density>();
@@ -20,7 +22,8 @@ scene::DensityPtr plain_white() {
 }
 
 void read_list(Parser& parser, Density& density, int size) {
-  density.density_map = parse_block_list<scene::DensityPtr>(parser, size, Word::density, plain_white(), [&] { return parse_density(parser); });
+  density.density_map = parse_block_list<scene::DensityPtr>(parser, size, Word::density, plain_white(),
+                                                            [&] { return parse_density(parser); });
   density.color_map = density.density_map ? nullptr : parse_color_list(parser, size, density.pattern.kind);
 }
 
@@ -38,13 +41,15 @@ bool parse_type(Parser& parser, Density& density) {
     density.color = parser.parse_color();
     return true;
   }
-  return parse_pattern_type(parser, density.pattern, PatternOwner::density, [&](int size) { read_list(parser, density, size); });
+  return parse_pattern_type(parser, density.pattern, PatternOwner::density,
+                            [&](int size) { read_list(parser, density, size); });
 }
 
 bool parse_modifier(Parser& parser, Density& density) {
   switch (word_at(parser)) {
     case Word::color_map:
-      if (refuses_maps(density.pattern.kind) || density.pattern.kind == PatternKind::average) parser.error("Cannot use color_map with this pattern type.");
+      if (refuses_maps(density.pattern.kind) || density.pattern.kind == PatternKind::average)
+        parser.error("Cannot use color_map with this pattern type.");
       density.color_map = parse_color_map(parser);
       density.density_map = nullptr;
       return true;
@@ -56,11 +61,15 @@ bool parse_modifier(Parser& parser, Density& density) {
     case Word::slope_map:
     case Word::normal_map:
     case Word::bump_size:
-    case Word::accuracy: error_only_in(parser, word_at(parser), "a normal statement");
+    case Word::accuracy:
+      error_only_in(parser, word_at(parser), "a normal statement");
     case Word::pigment_map:
-    case Word::quick_color: error_only_in(parser, word_at(parser), "a pigment statement");
-    case Word::texture_map: error_only_in(parser, word_at(parser), "a texture statement");
-    default: return parse_pattern_modifier(parser, density.pattern, PatternOwner::density);
+    case Word::quick_color:
+      error_only_in(parser, word_at(parser), "a pigment statement");
+    case Word::texture_map:
+      error_only_in(parser, word_at(parser), "a texture statement");
+    default:
+      return parse_pattern_modifier(parser, density.pattern, PatternOwner::density);
   }
 }
 

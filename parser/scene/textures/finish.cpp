@@ -54,7 +54,8 @@ void parse_reflection(Parser& parser, scene::Reflection& reflection) {
         parser.next();
         reflection.metallic = to_float(parser.parse_optional_float(1));
         continue;
-      default: break;
+      default:
+        break;
     }
     break;
   }
@@ -106,7 +107,8 @@ void parse_diffuse(Parser& parser, Finish& finish, Albedo& albedo) {
 }
 
 void warn_compatibility(Parser& parser, const char* keyword) {
-  parser.warning(std::string("'") + keyword + "' belongs into the interior of an object; in a finish it is kept for compatibility only.");
+  parser.warning(std::string("'") + keyword +
+                 "' belongs into the interior of an object; in a finish it is kept for compatibility only.");
 }
 
 bool parse_item(Parser& parser, Finish& finish, Albedo& albedo) {
@@ -130,15 +132,20 @@ bool parse_item(Parser& parser, Finish& finish, Albedo& albedo) {
       parser.next();
       finish.emission = parser.parse_rgb();
       return true;
-    case Word::diffuse: parse_diffuse(parser, finish, albedo); return true;
-    case Word::brilliance: return number(finish.brilliance);
-    case Word::crand: return number(finish.crand);
+    case Word::diffuse:
+      parse_diffuse(parser, finish, albedo);
+      return true;
+    case Word::brilliance:
+      return number(finish.brilliance);
+    case Word::crand:
+      return number(finish.crand);
     case Word::phong:
       parser.next();
       albedo.phong = parser.accept(Word::albedo);
       finish.phong = to_float(parser.parse_float());
       return true;
-    case Word::phong_size: return number(finish.phong_size);
+    case Word::phong_size:
+      return number(finish.phong_size);
     case Word::specular:
       parser.next();
       albedo.specular = parser.accept(Word::albedo);
@@ -152,18 +159,29 @@ bool parse_item(Parser& parser, Finish& finish, Albedo& albedo) {
       parser.next();
       finish.metallic = to_float(parser.parse_optional_float(1));
       return true;
-    case Word::reflection: parse_reflection(parser, finish.reflection); return true;
-    case Word::reflection_exponent: return number(finish.reflection.exponent);
-    case Word::irid: parse_irid(parser, finish); return true;
+    case Word::reflection:
+      parse_reflection(parser, finish.reflection);
+      return true;
+    case Word::reflection_exponent:
+      return number(finish.reflection.exponent);
+    case Word::irid:
+      parse_irid(parser, finish);
+      return true;
     case Word::conserve_energy:
       parser.next();
       finish.conserve_energy = true;
       return true;
-    case Word::subsurface: parse_subsurface(parser, finish); return true;
-    case Word::ior: return optional_number(finish.ior, "ior");
-    case Word::caustics: return optional_number(finish.caustics, "caustics");
-    case Word::refraction: return optional_number(finish.refraction, "refraction");
-    default: return false;
+    case Word::subsurface:
+      parse_subsurface(parser, finish);
+      return true;
+    case Word::ior:
+      return optional_number(finish.ior, "ior");
+    case Word::caustics:
+      return optional_number(finish.caustics, "caustics");
+    case Word::refraction:
+      return optional_number(finish.refraction, "refraction");
+    default:
+      return false;
   }
 }
 
@@ -190,7 +208,8 @@ bool parse_finish_items(Parser& parser, Finish& finish) {
   for (;; any = true) {
     const Word word = word_at(parser);
     if (!parse_item(parser, finish, albedo)) break;
-    if (parser.version() < 150) parser.warning("Found '" + std::string(spelling(word)) + "' that should be in a finish statement.");
+    if (parser.version() < 150)
+      parser.warning("Found '" + std::string(spelling(word)) + "' that should be in a finish statement.");
   }
   if (any) scale_albedo(finish, albedo);
   return any;

@@ -1,4 +1,5 @@
-// Images in image_map, image_pattern, bump_map, material_map and height_field: files and function fields (spec 05 section 12, 04 section 5, 02 section 5).
+// Images in image_map, image_pattern, bump_map, material_map and height_field: files and function fields (spec 05
+// section 12, 04 section 5, 02 section 5).
 #include <cmath>
 #include <stdexcept>
 
@@ -17,10 +18,18 @@ struct FileType {
 };
 
 constexpr FileType kFileTypes[] = {
-    {Word::gif, ImageType::gif, ".gif .GIF"},   {Word::tga, ImageType::tga, ".tga .TGA"},    {Word::png, ImageType::png, ".png .PNG"},
-    {Word::jpeg, ImageType::jpeg, ".jpg .JPG .jpeg .JPEG"}, {Word::tiff, ImageType::tiff, ".tiff .TIFF .tif .TIF"},  {Word::bmp, ImageType::bmp, ".bmp .BMP"},
-    {Word::ppm, ImageType::ppm, ".ppm .PPM"},   {Word::pgm, ImageType::pgm, ".pgm .PGM"},    {Word::exr, ImageType::exr, ".exr .EXR"},
-    {Word::hdr, ImageType::hdr, ".hdr .HDR"},   {Word::iff, ImageType::iff, ".iff .IFF"},    {Word::pot, ImageType::pot, ".pot .POT"},
+    {Word::gif, ImageType::gif, ".gif .GIF"},
+    {Word::tga, ImageType::tga, ".tga .TGA"},
+    {Word::png, ImageType::png, ".png .PNG"},
+    {Word::jpeg, ImageType::jpeg, ".jpg .JPG .jpeg .JPEG"},
+    {Word::tiff, ImageType::tiff, ".tiff .TIFF .tif .TIF"},
+    {Word::bmp, ImageType::bmp, ".bmp .BMP"},
+    {Word::ppm, ImageType::ppm, ".ppm .PPM"},
+    {Word::pgm, ImageType::pgm, ".pgm .PGM"},
+    {Word::exr, ImageType::exr, ".exr .EXR"},
+    {Word::hdr, ImageType::hdr, ".hdr .HDR"},
+    {Word::iff, ImageType::iff, ".iff .IFF"},
+    {Word::pot, ImageType::pot, ".pot .POT"},
     {Word::sys, ImageType::sys, ".bmp .BMP"},
 };
 
@@ -134,13 +143,16 @@ void parse_transparency(Parser& parser, scene::ImageParams& params, bool filter)
   parser.optional_comma();
   const float amount = to_float(parser.parse_float());
   if (!params.image->indexed()) {
-    if (!all) parser.error(std::string("Keyword '") + (filter ? "filter" : "transmit") + "' cannot be used with non color-mapped image.");
+    if (!all)
+      parser.error(std::string("Keyword '") + (filter ? "filter" : "transmit") +
+                   "' cannot be used with non color-mapped image.");
     (filter ? params.filter_all : params.transmit_all) = amount;
     return;
   }
   auto image = std::make_shared<Image>(*params.image);
   const auto size = static_cast<int>(image->palette.size());
-  if (!all && (entry < 0 || entry >= size)) parser.error(std::string(filter ? "FILTER" : "TRANSMIT") + " color register value out of range.");
+  if (!all && (entry < 0 || entry >= size))
+    parser.error(std::string(filter ? "FILTER" : "TRANSMIT") + " color register value out of range.");
   for (int i = all ? 0 : entry; i < (all ? size : entry + 1); ++i) {
     Color& color = image->palette[static_cast<std::size_t>(i)];
     (filter ? color.f : color.t) = amount;
@@ -168,18 +180,21 @@ scene::ImageParams parse_image(Parser& parser, ImageUse use, float* bump_size) {
       case Word::map_type:
         parser.next();
         params.map_type = parser.parse_int();
-        if (use == ImageUse::image_map && params.map_type != 0 && params.map_type != 1 && params.map_type != 2 && params.map_type != 5)
+        if (use == ImageUse::image_map && params.map_type != 0 && params.map_type != 1 && params.map_type != 2 &&
+            params.map_type != 5)
           parser.error("Invalid map_type value: it is 0, 1, 2 or 5.");
         break;
       case Word::interpolate:
         parser.next();
         params.interpolate = parser.parse_int();
-        if (use == ImageUse::image_map && (params.interpolate < 0 || params.interpolate == 1 || params.interpolate > 4)) parser.error("Invalid interpolate value.");
+        if (use == ImageUse::image_map && (params.interpolate < 0 || params.interpolate == 1 || params.interpolate > 4))
+          parser.error("Invalid interpolate value.");
         break;
       case Word::repeat:
         parser.next();
         params.repeat = parser.parse_vec2();
-        if (!(params.repeat.x > 0) || !(params.repeat.y > 0)) parser.error("The repeat vector of an image must be positive.");
+        if (!(params.repeat.x > 0) || !(params.repeat.y > 0))
+          parser.error("The repeat vector of an image must be positive.");
         break;
       case Word::offset:
         parser.next();
@@ -209,7 +224,8 @@ scene::ImageParams parse_image(Parser& parser, ImageUse use, float* bump_size) {
         parser.next();
         *bump_size = to_float(parser.parse_float());
         break;
-      default: return params;
+      default:
+        return params;
     }
   }
 }

@@ -59,36 +59,46 @@ void read_color_entry(Parser& parser, scene::ColorMap& map, float position) {
   map.push_back({to_float(value.v[0]), parser.parse_color()});
 }
 
-constexpr Color kBlack{0, 0, 0}, kRed{1, 0, 0}, kGreen{0, 1, 0}, kBlue{0, 0, 1}, kYellow{1, 1, 0}, kCyan{0, 1, 1}, kMagenta{1, 0, 1};
+constexpr Color kBlack{0, 0, 0}, kRed{1, 0, 0}, kGreen{0, 1, 0}, kBlue{0, 0, 1}, kYellow{1, 1, 0}, kCyan{0, 1, 1},
+    kMagenta{1, 0, 1};
 
 // Built-in colours of the list patterns (spec 05 4.3).
 Color built_in_color(scene::PatternKind kind, int i) {
   using scene::PatternKind;
-  constexpr Color kBrick[] = {{0.5f, 0.5f, 0.5f}, {0.6f, 0.15f, 0.15f}}, kChecker[] = {kBlue, kGreen}, kHexagon[] = {kBlue, kGreen, kRed},
-                  kOthers[] = {kRed, kGreen, kBlue, kYellow, kCyan, kMagenta};
+  constexpr Color kBrick[] = {{0.5f, 0.5f, 0.5f}, {0.6f, 0.15f, 0.15f}}, kChecker[] = {kBlue, kGreen},
+                  kHexagon[] = {kBlue, kGreen, kRed}, kOthers[] = {kRed, kGreen, kBlue, kYellow, kCyan, kMagenta};
   switch (kind) {
-    case PatternKind::brick: return kBrick[i];
+    case PatternKind::brick:
+      return kBrick[i];
     case PatternKind::checker:
-    case PatternKind::object: return kChecker[i];
-    case PatternKind::hexagon: return kHexagon[i];
-    default: return i < 6 ? kOthers[i] : kBlack;
+    case PatternKind::object:
+      return kChecker[i];
+    case PatternKind::hexagon:
+      return kHexagon[i];
+    default:
+      return i < 6 ? kOthers[i] : kBlack;
   }
 }
 
 }  // namespace
 
 Shared<scene::ColorMap> parse_color_map(Parser& parser) {
-  return parse_map<ColorMapValue, scene::ColorMap>(parser, "color_map", false, [&](scene::ColorMap& map, float p) { read_color_entry(parser, map, p); });
+  return parse_map<ColorMapValue, scene::ColorMap>(
+      parser, "color_map", false, [&](scene::ColorMap& map, float p) { read_color_entry(parser, map, p); });
 }
 
 Shared<scene::BlendMap<scene::PigmentPtr>> parse_pigment_map(Parser& parser, bool weights) {
   return parse_map<PigmentMapValue, scene::BlendMap<scene::PigmentPtr>>(
-      parser, "pigment_map", weights, [&](auto& map, float p) { map.push_back({p, parse_pigment_body(parser, default_layer(parser).pigment)}); });
+      parser, "pigment_map", weights, [&](auto& map, float p) {
+        map.push_back({p, parse_pigment_body(parser, default_layer(parser).pigment)});
+      });
 }
 
 Shared<scene::BlendMap<scene::NormalPtr>> parse_normal_map(Parser& parser, bool weights) {
   return parse_map<NormalMapValue, scene::BlendMap<scene::NormalPtr>>(
-      parser, "normal_map", weights, [&](auto& map, float p) { map.push_back({p, parse_normal_body(parser, default_layer(parser).normal)}); });
+      parser, "normal_map", weights, [&](auto& map, float p) {
+        map.push_back({p, parse_normal_body(parser, default_layer(parser).normal)});
+      });
 }
 
 Shared<scene::BlendMap<scene::SlopeEntry>> parse_slope_map(Parser& parser) {
@@ -100,12 +110,16 @@ Shared<scene::BlendMap<scene::SlopeEntry>> parse_slope_map(Parser& parser) {
 
 Shared<scene::BlendMap<scene::TexturePtr>> parse_texture_map(Parser& parser, bool weights) {
   return parse_map<TextureMapValue, scene::BlendMap<scene::TexturePtr>>(
-      parser, "texture_map", weights, [&](auto& map, float p) { map.push_back({p, parse_texture_body(parser)}); });
+      parser, "texture_map", weights, [&](auto& map, float p) {
+        map.push_back({p, parse_texture_body(parser)});
+      });
 }
 
 Shared<scene::BlendMap<scene::DensityPtr>> parse_density_map(Parser& parser, bool weights) {
   return parse_map<DensityMapValue, scene::BlendMap<scene::DensityPtr>>(
-      parser, "density_map", weights, [&](auto& map, float p) { map.push_back({p, parse_density_body(parser)}); });
+      parser, "density_map", weights, [&](auto& map, float p) {
+        map.push_back({p, parse_density_body(parser)});
+      });
 }
 
 Shared<scene::ColorMap> parse_color_list(Parser& parser, int size, scene::PatternKind kind) {
@@ -115,7 +129,8 @@ Shared<scene::ColorMap> parse_color_list(Parser& parser, int size, scene::Patter
     parser.optional_comma();
   }
   if (map->empty()) return nullptr;
-  for (int i = static_cast<int>(map->size()); i < size; ++i) map->push_back({static_cast<float>(i), built_in_color(kind, i)});
+  for (int i = static_cast<int>(map->size()); i < size; ++i)
+    map->push_back({static_cast<float>(i), built_in_color(kind, i)});
   return map;
 }
 

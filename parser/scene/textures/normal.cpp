@@ -12,7 +12,8 @@ using scene::PatternKind;
 namespace {
 
 bool refuses_maps(PatternKind kind) {
-  return kind == PatternKind::none || kind == PatternKind::plain || kind == PatternKind::image_map || list_size(kind) > 0;
+  return kind == PatternKind::none || kind == PatternKind::plain || kind == PatternKind::image_map ||
+         list_size(kind) > 0;
 }
 
 void read_list(Parser& parser, Normal& normal, int size) {
@@ -20,7 +21,8 @@ void read_list(Parser& parser, Normal& normal, int size) {
     if (default_layer(parser).normal) return default_layer(parser).normal;
     return std::make_shared<Normal>();
   };
-  normal.normal_map = parse_block_list<scene::NormalPtr>(parser, size, Word::normal, absent(), [&] { return parse_normal(parser, default_layer(parser).normal); });
+  normal.normal_map = parse_block_list<scene::NormalPtr>(
+      parser, size, Word::normal, absent(), [&] { return parse_normal(parser, default_layer(parser).normal); });
   if (!normal.normal_map) normal.accuracy = 0.02f;  // a height pattern then (spec 05 10.3)
 }
 
@@ -42,7 +44,8 @@ bool parse_type(Parser& parser, Normal& normal) {
     close_block(parser, "bump_map");
     return true;
   }
-  return parse_pattern_type(parser, normal.pattern, PatternOwner::normal, [&](int size) { read_list(parser, normal, size); });
+  return parse_pattern_type(parser, normal.pattern, PatternOwner::normal,
+                            [&](int size) { read_list(parser, normal, size); });
 }
 
 bool parse_modifier(Parser& parser, Normal& normal) {
@@ -60,21 +63,27 @@ bool parse_modifier(Parser& parser, Normal& normal) {
       normal.no_bump_scale = true;
       return true;
     case Word::slope_map:
-      if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::average) parser.error("Cannot use slope_map with this pattern type.");
+      if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::average)
+        parser.error("Cannot use slope_map with this pattern type.");
       normal.slope_map = parse_slope_map(parser);
       normal.normal_map = nullptr;
       return true;
     case Word::normal_map:
-      if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::facets) parser.error("Cannot use normal_map with this pattern type.");
+      if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::facets)
+        parser.error("Cannot use normal_map with this pattern type.");
       normal.normal_map = parse_normal_map(parser, normal.pattern.kind == PatternKind::average);
       normal.slope_map = nullptr;
       return true;
     case Word::color_map:
     case Word::pigment_map:
-    case Word::quick_color: error_only_in(parser, word_at(parser), "a pigment statement");
-    case Word::density_map: error_only_in(parser, word_at(parser), "a density statement");
-    case Word::texture_map: error_only_in(parser, word_at(parser), "a texture statement");
-    default: return parse_pattern_modifier(parser, normal.pattern, PatternOwner::normal);
+    case Word::quick_color:
+      error_only_in(parser, word_at(parser), "a pigment statement");
+    case Word::density_map:
+      error_only_in(parser, word_at(parser), "a density statement");
+    case Word::texture_map:
+      error_only_in(parser, word_at(parser), "a texture statement");
+    default:
+      return parse_pattern_modifier(parser, normal.pattern, PatternOwner::normal);
   }
 }
 

@@ -21,16 +21,21 @@ struct Keyword {
 
 // Patterns without parameters of their own.
 constexpr Keyword kPlain[] = {
-    {Word::agate, PatternKind::agate},         {Word::aoi, PatternKind::aoi},           {Word::average, PatternKind::average},
-    {Word::boxed, PatternKind::boxed},         {Word::bozo, PatternKind::bozo},         {Word::brick, PatternKind::brick},
-    {Word::bumps, PatternKind::bumps},         {Word::cells, PatternKind::cells},       {Word::checker, PatternKind::checker},
-    {Word::crackle, PatternKind::crackle},     {Word::cubic, PatternKind::cubic},       {Word::cylindrical, PatternKind::cylindrical},
-    {Word::dents, PatternKind::dents},         {Word::facets, PatternKind::facets},     {Word::granite, PatternKind::granite},
-    {Word::hexagon, PatternKind::hexagon},     {Word::leopard, PatternKind::leopard},   {Word::marble, PatternKind::marble},
-    {Word::onion, PatternKind::onion},         {Word::pavement, PatternKind::pavement}, {Word::planar, PatternKind::planar},
-    {Word::quilted, PatternKind::quilted},     {Word::radial, PatternKind::radial},     {Word::ripples, PatternKind::ripples},
-    {Word::spherical, PatternKind::spherical}, {Word::spotted, PatternKind::spotted},   {Word::square, PatternKind::square},
-    {Word::triangular, PatternKind::triangular}, {Word::waves, PatternKind::waves},     {Word::wood, PatternKind::wood},
+    {Word::agate, PatternKind::agate},         {Word::aoi, PatternKind::aoi},
+    {Word::average, PatternKind::average},     {Word::boxed, PatternKind::boxed},
+    {Word::bozo, PatternKind::bozo},           {Word::brick, PatternKind::brick},
+    {Word::bumps, PatternKind::bumps},         {Word::cells, PatternKind::cells},
+    {Word::checker, PatternKind::checker},     {Word::crackle, PatternKind::crackle},
+    {Word::cubic, PatternKind::cubic},         {Word::cylindrical, PatternKind::cylindrical},
+    {Word::dents, PatternKind::dents},         {Word::facets, PatternKind::facets},
+    {Word::granite, PatternKind::granite},     {Word::hexagon, PatternKind::hexagon},
+    {Word::leopard, PatternKind::leopard},     {Word::marble, PatternKind::marble},
+    {Word::onion, PatternKind::onion},         {Word::pavement, PatternKind::pavement},
+    {Word::planar, PatternKind::planar},       {Word::quilted, PatternKind::quilted},
+    {Word::radial, PatternKind::radial},       {Word::ripples, PatternKind::ripples},
+    {Word::spherical, PatternKind::spherical}, {Word::spotted, PatternKind::spotted},
+    {Word::square, PatternKind::square},       {Word::triangular, PatternKind::triangular},
+    {Word::waves, PatternKind::waves},         {Word::wood, PatternKind::wood},
     {Word::wrinkles, PatternKind::wrinkles},
 };
 
@@ -63,8 +68,8 @@ bool allowed(Word word, PatternOwner owner) {
 
 // A pattern whose value is a number of steps has no wave by default.
 bool starts_without_frequency(PatternKind kind) {
-  return list_size(kind) > 0 || kind == PatternKind::quilted || kind == PatternKind::image_pattern || kind == PatternKind::image_map ||
-         kind == PatternKind::bump_map;
+  return list_size(kind) > 0 || kind == PatternKind::quilted || kind == PatternKind::image_pattern ||
+         kind == PatternKind::image_map || kind == PatternKind::bump_map;
 }
 
 void set_kind(Parser& parser, Pattern& pattern, PatternKind kind, PatternOwner owner) {
@@ -73,16 +78,31 @@ void set_kind(Parser& parser, Pattern& pattern, PatternKind kind, PatternOwner o
   if (starts_without_frequency(kind)) pattern.frequency = 0;
   // Before 3.0 `texture { marble }` meant the ramp of older versions (spec 05 section 13).
   const bool old_texture = owner == PatternOwner::texture && parser.version() < 300;
-  if ((kind == PatternKind::marble || kind == PatternKind::wood || kind == PatternKind::spiral1 || kind == PatternKind::spiral2) && !old_texture)
+  if ((kind == PatternKind::marble || kind == PatternKind::wood || kind == PatternKind::spiral1 ||
+       kind == PatternKind::spiral2) &&
+      !old_texture)
     pattern.wave = scene::Wave::triangle;
   switch (kind) {
-    case PatternKind::agate: pattern.params = scene::AgateParams{}; break;
-    case PatternKind::brick: pattern.params = scene::BrickParams{}; break;
-    case PatternKind::crackle: pattern.params = scene::CrackleParams{}; break;
-    case PatternKind::facets: pattern.params = scene::FacetsParams{}; break;
-    case PatternKind::quilted: pattern.params = scene::QuiltedParams{}; break;
-    case PatternKind::pavement: pattern.params = scene::PavementParams{}; break;
-    default: break;
+    case PatternKind::agate:
+      pattern.params = scene::AgateParams{};
+      break;
+    case PatternKind::brick:
+      pattern.params = scene::BrickParams{};
+      break;
+    case PatternKind::crackle:
+      pattern.params = scene::CrackleParams{};
+      break;
+    case PatternKind::facets:
+      pattern.params = scene::FacetsParams{};
+      break;
+    case PatternKind::quilted:
+      pattern.params = scene::QuiltedParams{};
+      break;
+    case PatternKind::pavement:
+      pattern.params = scene::PavementParams{};
+      break;
+    default:
+      break;
   }
 }
 
@@ -112,7 +132,8 @@ scene::SlopeParams parse_slope(Parser& parser) {
     }
     close_block(parser, "slope");
   }
-  if (!slope.point_at && length(slope.direction) == 0 && length(slope.altitude) == 0) parser.error("Zero length for both slope and gradient.");
+  if (!slope.point_at && length(slope.direction) == 0 && length(slope.altitude) == 0)
+    parser.error("Zero length for both slope and gradient.");
   return slope;
 }
 

@@ -1,4 +1,5 @@
-// Patterns: keywords with their parameters, and the modifiers that pigments, normals, textures and densities share (spec 05 sections 2 to 9).
+// Patterns: keywords with their parameters, and the modifiers that pigments, normals, textures and densities share
+// (spec 05 sections 2 to 9).
 #pragma once
 
 #include <functional>

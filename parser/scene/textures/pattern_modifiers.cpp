@@ -1,4 +1,5 @@
-// Modifiers that every pattern has, and the parameters that belong to one kind of pattern (spec 05 sections 2, 3, 8 and 9).
+// Modifiers that every pattern has, and the parameters that belong to one kind of pattern (spec 05 sections 2, 3, 8 and
+// 9).
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -34,16 +35,22 @@ bool parse_wave(Parser& parser, Pattern& pattern) {
     return true;
   };
   switch (word_at(parser)) {
-    case Word::ramp_wave: return set(scene::Wave::ramp);
-    case Word::sine_wave: return set(scene::Wave::sine);
-    case Word::triangle_wave: return set(scene::Wave::triangle);
-    case Word::scallop_wave: return set(scene::Wave::scallop);
-    case Word::cubic_wave: return set(scene::Wave::cubic);
+    case Word::ramp_wave:
+      return set(scene::Wave::ramp);
+    case Word::sine_wave:
+      return set(scene::Wave::sine);
+    case Word::triangle_wave:
+      return set(scene::Wave::triangle);
+    case Word::scallop_wave:
+      return set(scene::Wave::scallop);
+    case Word::cubic_wave:
+      return set(scene::Wave::cubic);
     case Word::poly_wave:
       set(scene::Wave::poly);
       pattern.exponent = to_float(parser.parse_optional_float(pattern.exponent));
       return true;
-    default: return false;
+    default:
+      return false;
   }
 }
 
@@ -57,7 +64,8 @@ void parse_exterior(Parser& parser, Pattern& pattern, PatternOwner owner) {
   scene::FractalParams& params = fractal(parser, pattern, Word::exterior);
   params.exterior_type = parser.parse_int();
   const int last = owner == PatternOwner::function ? 6 : 8;
-  if (params.exterior_type < 0 || params.exterior_type > last) parser.error("Invalid fractal pattern exterior type. Valid types are 0 to " + std::to_string(last) + ".");
+  if (params.exterior_type < 0 || params.exterior_type > last)
+    parser.error("Invalid fractal pattern exterior type. Valid types are 0 to " + std::to_string(last) + ".");
   parser.optional_comma();
   params.exterior_factor = parser.parse_float();
 }
@@ -70,7 +78,8 @@ void parse_interior_type(Parser& parser, Pattern& pattern) {
   }
   scene::FractalParams& params = fractal(parser, pattern, Word::interior);
   params.interior_type = parser.parse_int();
-  if (params.interior_type < 0 || params.interior_type > 6) parser.error("Invalid fractal pattern interior type. Valid types are 0 to 6.");
+  if (params.interior_type < 0 || params.interior_type > 6)
+    parser.error("Invalid fractal pattern interior type. Valid types are 0 to 6.");
   parser.optional_comma();
   params.interior_factor = parser.parse_float();
 }
@@ -92,7 +101,8 @@ void parse_form(Parser& parser, Pattern& pattern) {
     tiles->form = parser.parse_int();
     return;
   }
-  params_of<scene::CrackleParams>(parser, pattern, Word::form, "a crackle or pavement statement").form = parser.parse_vec3();
+  params_of<scene::CrackleParams>(parser, pattern, Word::form, "a crackle or pavement statement").form =
+      parser.parse_vec3();
 }
 
 void parse_metric(Parser& parser, Pattern& pattern) {
@@ -105,9 +115,7 @@ void parse_metric(Parser& parser, Pattern& pattern) {
   }
 }
 
-scene::Turbulence& turbulence(Pattern& pattern) {
-  return pattern.turbulence.edit();
-}
+scene::Turbulence& turbulence(Pattern& pattern) { return pattern.turbulence.edit(); }
 
 // Parameters of single kinds of pattern.
 bool parse_parameter(Parser& parser, Pattern& pattern, PatternOwner owner) {
@@ -138,8 +146,12 @@ bool parse_parameter(Parser& parser, Pattern& pattern, PatternOwner owner) {
       (word == Word::control0 ? params.control0 : params.control1) = to_float(parser.parse_float());
       return true;
     }
-    case Word::form: parse_form(parser, pattern); return true;
-    case Word::metric: parse_metric(parser, pattern); return true;
+    case Word::form:
+      parse_form(parser, pattern);
+      return true;
+    case Word::metric:
+      parse_metric(parser, pattern);
+      return true;
     case Word::offset: {
       auto& params = params_of<scene::CrackleParams>(parser, pattern, word, "a crackle statement");
       parser.next();
@@ -159,9 +171,15 @@ bool parse_parameter(Parser& parser, Pattern& pattern, PatternOwner owner) {
       (word == Word::size ? params.size : params.coords) = parser.parse_float();
       return true;
     }
-    case Word::exponent: parse_exponent(parser, pattern); return true;
-    case Word::exterior: parse_exterior(parser, pattern, owner); return true;
-    case Word::interior: parse_interior_type(parser, pattern); return true;
+    case Word::exponent:
+      parse_exponent(parser, pattern);
+      return true;
+    case Word::exterior:
+      parse_exterior(parser, pattern, owner);
+      return true;
+    case Word::interior:
+      parse_interior_type(parser, pattern);
+      return true;
     case Word::interpolate: {
       auto& params = params_of<scene::DensityFileParams>(parser, pattern, word, "a density_file statement");
       parser.next();
@@ -174,10 +192,13 @@ bool parse_parameter(Parser& parser, Pattern& pattern, PatternOwner owner) {
       auto& params = pavement(parser, pattern, word);
       parser.next();
       const int value = parser.parse_int();
-      (word == Word::number_of_sides ? params.sides : word == Word::number_of_tiles ? params.tiles : params.pattern) = value;
+      (word == Word::number_of_sides   ? params.sides
+       : word == Word::number_of_tiles ? params.tiles
+                                       : params.pattern) = value;
       return true;
     }
-    default: return false;
+    default:
+      return false;
   }
 }
 
@@ -201,7 +222,8 @@ bool parse_turbulence_item(Parser& parser, scene::Turbulence& turbulence) {
       parser.next();
       turbulence.lambda = to_float(parser.parse_float());
       return true;
-    default: return false;
+    default:
+      return false;
   }
 }
 
@@ -220,8 +242,11 @@ bool parse_pattern_modifier(Parser& parser, Pattern& pattern, PatternOwner owner
     case Word::turbulence:
     case Word::octaves:
     case Word::omega:
-    case Word::lambda: return parse_turbulence_item(parser, turbulence(pattern));
-    case Word::warp: pattern.prepend(parse_warp(parser)); return true;
+    case Word::lambda:
+      return parse_turbulence_item(parser, turbulence(pattern));
+    case Word::warp:
+      pattern.prepend(parse_warp(parser));
+      return true;
     case Word::frequency:
       parser.next();
       pattern.frequency = to_float(parser.parse_float());
@@ -237,7 +262,8 @@ bool parse_pattern_modifier(Parser& parser, Pattern& pattern, PatternOwner owner
       pattern.noise_generator |= generator;  // repeated ones are combined (spec 05 5.4)
       return true;
     }
-    default: return parse_wave(parser, pattern) || parse_parameter(parser, pattern, owner);
+    default:
+      return parse_wave(parser, pattern) || parse_parameter(parser, pattern, owner);
   }
 }
 
@@ -245,11 +271,14 @@ void check_pattern(Parser& parser, const Pattern& pattern) {
   const auto* tiles = std::get_if<scene::PavementParams>(&*pattern.params);
   if (!tiles) return;
   constexpr int kTriangles[] = {1, 1, 1, 3, 4, 12}, kSquares[] = {1, 1, 2, 5, 12, 35}, kHexagons[] = {1, 1, 3, 7, 22};
-  if (tiles->sides != 3 && tiles->sides != 4 && tiles->sides != 6) parser.error("Pavement: number_of_sides must be 3, 4 or 6.");
+  if (tiles->sides != 3 && tiles->sides != 4 && tiles->sides != 6)
+    parser.error("Pavement: number_of_sides must be 3, 4 or 6.");
   const int most = tiles->sides == 6 ? 5 : 6;
-  if (tiles->tiles < 1 || tiles->tiles > most) parser.error("Pavement: number_of_tiles must be between 1 and " + std::to_string(most) + ".");
+  if (tiles->tiles < 1 || tiles->tiles > most)
+    parser.error("Pavement: number_of_tiles must be between 1 and " + std::to_string(most) + ".");
   const int patterns = (tiles->sides == 3 ? kTriangles : tiles->sides == 4 ? kSquares : kHexagons)[tiles->tiles - 1];
-  if (tiles->pattern < 1 || tiles->pattern > patterns) parser.error("Pavement: pattern must be between 1 and " + std::to_string(patterns) + ".");
+  if (tiles->pattern < 1 || tiles->pattern > patterns)
+    parser.error("Pavement: pattern must be between 1 and " + std::to_string(patterns) + ".");
 }
 
 }  // namespace verisim::parser

@@ -11,11 +11,14 @@ using scene::Pigment;
 
 namespace {
 
-bool refuses_maps(PatternKind kind) { return kind == PatternKind::plain || kind == PatternKind::image_map || list_size(kind) > 0; }
+bool refuses_maps(PatternKind kind) {
+  return kind == PatternKind::plain || kind == PatternKind::image_map || list_size(kind) > 0;
+}
 
 void read_list(Parser& parser, Pigment& pigment, int size) {
-  pigment.pigment_map = parse_block_list<scene::PigmentPtr>(parser, size, Word::pigment, default_layer(parser).pigment,
-                                                            [&] { return parse_pigment(parser, default_layer(parser).pigment); });
+  pigment.pigment_map =
+      parse_block_list<scene::PigmentPtr>(parser, size, Word::pigment, default_layer(parser).pigment,
+                                          [&] { return parse_pigment(parser, default_layer(parser).pigment); });
   pigment.color_map = pigment.pigment_map ? nullptr : parse_color_list(parser, size, pigment.pattern.kind);
 }
 
@@ -35,13 +38,15 @@ bool parse_type(Parser& parser, Pigment& pigment) {
     pigment.color = parser.parse_color();
     return true;
   }
-  return parse_pattern_type(parser, pigment.pattern, PatternOwner::pigment, [&](int size) { read_list(parser, pigment, size); });
+  return parse_pattern_type(parser, pigment.pattern, PatternOwner::pigment,
+                            [&](int size) { read_list(parser, pigment, size); });
 }
 
 bool parse_modifier(Parser& parser, Pigment& pigment) {
   switch (word_at(parser)) {
     case Word::color_map:
-      if (refuses_maps(pigment.pattern.kind) || pigment.pattern.kind == PatternKind::average) parser.error("Cannot use color_map with this pattern type.");
+      if (refuses_maps(pigment.pattern.kind) || pigment.pattern.kind == PatternKind::average)
+        parser.error("Cannot use color_map with this pattern type.");
       pigment.color_map = parse_color_map(parser);
       pigment.pigment_map = nullptr;
       return true;
@@ -57,10 +62,14 @@ bool parse_modifier(Parser& parser, Pigment& pigment) {
     case Word::slope_map:
     case Word::normal_map:
     case Word::bump_size:
-    case Word::accuracy: error_only_in(parser, word_at(parser), "a normal statement");
-    case Word::density_map: error_only_in(parser, word_at(parser), "a density statement");
-    case Word::texture_map: error_only_in(parser, word_at(parser), "a texture statement");
-    default: return parse_pattern_modifier(parser, pigment.pattern, PatternOwner::pigment);
+    case Word::accuracy:
+      error_only_in(parser, word_at(parser), "a normal statement");
+    case Word::density_map:
+      error_only_in(parser, word_at(parser), "a density statement");
+    case Word::texture_map:
+      error_only_in(parser, word_at(parser), "a texture statement");
+    default:
+      return parse_pattern_modifier(parser, pigment.pattern, PatternOwner::pigment);
   }
 }
 
@@ -85,15 +94,19 @@ scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& st
   }
   // Before 1.5 the items of a pigment may stand in its texture, at the price of a warning.
   const bool stray = old_texture && parser.version() < 150;
-  const auto belongs_into_pigment = [&](std::string_view item) { parser.warning("Found '" + std::string(item) + "' that should be in a pigment statement."); };
+  const auto belongs_into_pigment = [&](std::string_view item) {
+    parser.warning("Found '" + std::string(item) + "' that should be in a pigment statement.");
+  };
   const Word first = at_color(parser) ? Word::color : word_at(parser);
   changed = parse_type(parser, *pigment);
   if (changed && stray) belongs_into_pigment(spelling(first));
-  if (!changed && !old_texture && pigment->pattern.kind == PatternKind::none) parser.warning("Pigment type unspecified or not 1st item.");
+  if (!changed && !old_texture && pigment->pattern.kind == PatternKind::none)
+    parser.warning("Pigment type unspecified or not 1st item.");
   while (!(old_texture && (parser.at(Word::frequency) || parser.at(Word::phase) || parser.at(Word::agate_turb)))) {
     const Word word = word_at(parser);
     if (!parse_modifier(parser, *pigment)) break;
-    if (stray && (word == Word::color_map || word == Word::pigment_map || word == Word::quick_color)) belongs_into_pigment(spelling(word));
+    if (stray && (word == Word::color_map || word == Word::pigment_map || word == Word::quick_color))
+      belongs_into_pigment(spelling(word));
     changed = true;
   }
   if (!changed) return original;  // shared, so that equal pigments are compiled once

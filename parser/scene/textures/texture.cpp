@@ -28,17 +28,25 @@ void transform_plain(Texture& texture, const Transform& t) {
 
 bool parse_part(Parser& parser, scene::TextureLayer& layer) {
   switch (word_at(parser)) {
-    case Word::pigment: layer.pigment = parse_pigment(parser, layer.pigment); return true;
-    case Word::normal: layer.normal = parse_normal(parser, layer.normal); return true;
-    case Word::finish: layer.finish = parse_finish(parser, layer.finish); return true;
-    default: return false;
+    case Word::pigment:
+      layer.pigment = parse_pigment(parser, layer.pigment);
+      return true;
+    case Word::normal:
+      layer.normal = parse_normal(parser, layer.normal);
+      return true;
+    case Word::finish:
+      layer.finish = parse_finish(parser, layer.finish);
+      return true;
+    default:
+      return false;
   }
 }
 
 // Scenes before 3.0 wrote pigment, normal and finish items directly into the texture.
 bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
   const auto belongs_into_normal = [&] {
-    if (parser.version() < 150) parser.warning("Found '" + std::string(spelling(word_at(parser))) + "' that should be in a normal statement.");
+    if (parser.version() < 150)
+      parser.warning("Found '" + std::string(spelling(word_at(parser))) + "' that should be in a normal statement.");
   };
   switch (word_at(parser)) {
     case Word::bumps:
@@ -46,7 +54,10 @@ bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
     case Word::ripples:
     case Word::waves:
     case Word::wrinkles:
-    case Word::bump_map: belongs_into_normal(); layer.normal = parse_normal_body(parser, layer.normal); return true;
+    case Word::bump_map:
+      belongs_into_normal();
+      layer.normal = parse_normal_body(parser, layer.normal);
+      return true;
     case Word::frequency:
     case Word::phase: {
       belongs_into_normal();
@@ -55,7 +66,8 @@ bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
       layer.normal = normal;
       return true;
     }
-    case Word::uv_mapping: return false;
+    case Word::uv_mapping:
+      return false;
     case Word::none:
       if (parser.peek().kind == TokenKind::number) {
         layer.finish.edit().crand = to_float(parser.parse_float());
@@ -63,7 +75,8 @@ bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
         return true;
       }
       break;
-    default: break;
+    default:
+      break;
   }
   scene::Finish finish = layer.finish;
   if (parse_finish_items(parser, finish)) {
@@ -154,13 +167,17 @@ void parse_patterned_items(Parser& parser, Texture& texture) {
     switch (word_at(parser)) {
       case Word::color_map:
       case Word::pigment_map:
-      case Word::quick_color: error_only_in(parser, word_at(parser), "a pigment statement");
+      case Word::quick_color:
+        error_only_in(parser, word_at(parser), "a pigment statement");
       case Word::normal_map:
       case Word::slope_map:
       case Word::bump_size:
-      case Word::accuracy: error_only_in(parser, word_at(parser), "a normal statement");
-      case Word::density_map: error_only_in(parser, word_at(parser), "a density statement");
-      default: break;
+      case Word::accuracy:
+        error_only_in(parser, word_at(parser), "a normal statement");
+      case Word::density_map:
+        error_only_in(parser, word_at(parser), "a density statement");
+      default:
+        break;
     }
     if (!parse_pattern_modifier(parser, texture.pattern, PatternOwner::texture)) break;
   }
@@ -178,7 +195,8 @@ scene::TexturePtr parse_patterned(Parser& parser) {
   } else {
     texture = std::make_shared<Texture>();
     const auto read_list = [&](int size) {
-      texture->texture_map = parse_block_list<scene::TexturePtr>(parser, size, Word::texture, parser.default_texture(), [&] { return parse_texture(parser); });
+      texture->texture_map = parse_block_list<scene::TexturePtr>(parser, size, Word::texture, parser.default_texture(),
+                                                                 [&] { return parse_texture(parser); });
       if (texture->texture_map) return;
       auto map = std::make_shared<scene::BlendMap<scene::TexturePtr>>();
       for (int i = 0; i < size; ++i) map->push_back({static_cast<float>(i), parser.default_texture()});
@@ -233,7 +251,8 @@ void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::Texture
   auto result = own ? std::const_pointer_cast<Texture>(texture) : std::make_shared<Texture>(*texture);
   result->layers.insert(result->layers.end(), added->layers.begin(), added->layers.end());
   if (parser.version() <= 310) {
-    for (std::size_t i = before; i < result->layers.size(); ++i) result->layers[i].pigment = filter_to_transmit(result->layers[i].pigment);
+    for (std::size_t i = before; i < result->layers.size(); ++i)
+      result->layers[i].pigment = filter_to_transmit(result->layers[i].pigment);
   }
   texture = result;
 }
@@ -279,7 +298,8 @@ scene::TexturePtr parse_texture_body(Parser& parser, bool is_default) {
   parse_plain_items(parser, *texture);
   // Between 1.5 and 3.0 a texture says what its pigment is, unless the default texture does.
   const bool lacks_pigment = texture->layers.back().pigment->pattern.kind == PatternKind::none;
-  if (lacks_pigment && !is_default && parser.version() >= 150 && parser.version() < 300) parser.error_expected("pigment identifier");
+  if (lacks_pigment && !is_default && parser.version() >= 150 && parser.version() < 300)
+    parser.error_expected("pigment identifier");
   return texture;
 }
 

@@ -7,7 +7,8 @@ namespace verisim::parser {
 
 // Puts the layers of `added` over those of `texture` (null: nothing yet); errors when one of them is patterned.
 void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::TexturePtr& added);
-// `pigment`, `normal` or `finish` at the cursor: changes the top layer of `texture` (null: a copy of the default texture). False: none of them.
+// `pigment`, `normal` or `finish` at the cursor: changes the top layer of `texture` (null: a copy of the default
+// texture). False: none of them.
 bool parse_texture_part(Parser& parser, scene::TexturePtr& texture);
 // interior_texture { ... }
 scene::TexturePtr parse_interior_texture(Parser& parser);

@@ -80,7 +80,8 @@ TEST(Pigments, ParametersOfPatterns) {
   EXPECT_EQ(std::get<scene::BrickParams>(params("brick brick_size 2 mortar .25")).mortar, .25f);
   EXPECT_EQ(std::get<scene::FractalParams>(params("magnet 2 julia <.1,.2>,30 exterior 3,.5")).exterior_factor, .5);
   EXPECT_EQ(std::get<scene::SpiralParams>(params("spiral1 3.7")).arms, 3);
-  EXPECT_EQ(std::get<scene::PavementParams>(params("pavement number_of_sides 6 number_of_tiles 5 pattern 22")).pattern, 22);
+  EXPECT_EQ(std::get<scene::PavementParams>(params("pavement number_of_sides 6 number_of_tiles 5 pattern 22")).pattern,
+            22);
   EXPECT_EQ(std::get<scene::SlopeParams>(params("slope{y,.1,.2 altitude x,3,4}")).altitude_high, 4);
   EXPECT_EQ(pigment_of("bozo noise_generator 1 noise_generator 2")->pattern.noise_generator, 3);
 }
@@ -105,8 +106,10 @@ TEST(Pigments, FunctionImagesWrapAround) {
 TEST(Pigments, QuickColorAndMessages) {
   EXPECT_EQ(*pigment_of("bozo quick_color rgb x")->quick_color, Rgb(1, 0, 0));
   EXPECT_NE(parse("sphere{0,1 pigment{}}").messages.find("Pigment type unspecified"), std::string::npos);
-  EXPECT_EQ(first_error("sphere{0,1 pigment{checker color_map{[0 rgb 1]}}}"), "Cannot use color_map with this pattern type.");
-  EXPECT_EQ(first_error("sphere{0,1 pigment{bozo mortar 1}}"), "Keyword 'mortar' can only be used in a brick statement.");
+  EXPECT_EQ(first_error("sphere{0,1 pigment{checker color_map{[0 rgb 1]}}}"),
+            "Cannot use color_map with this pattern type.");
+  EXPECT_EQ(first_error("sphere{0,1 pigment{bozo mortar 1}}"),
+            "Keyword 'mortar' can only be used in a brick statement.");
   EXPECT_EQ(first_error("sphere{0,1 pigment{tiling 28}}"), "Tiling number must be between 1 and 27.");
 }
 
@@ -130,7 +133,8 @@ TEST(Textures, PatternedOnes) {
 }
 
 TEST(Textures, DeclaredLayersStayTogether) {
-  const auto texture = sphere_with("texture{T pigment{rgb y}}", "#declare T=texture{pigment{rgb x}} texture{pigment{rgbt 1}};")->texture;
+  const auto texture =
+      sphere_with("texture{T pigment{rgb y}}", "#declare T=texture{pigment{rgb x}} texture{pigment{rgbt 1}};")->texture;
   ASSERT_EQ(texture->layers.size(), 2u);
   EXPECT_EQ(texture->layers[0].pigment->color, Color(1, 0, 0));
   EXPECT_EQ(texture->layers[1].pigment->color, Color(0, 1, 0));  // changes go to the top layer
@@ -153,13 +157,15 @@ TEST(Finishes, Defaults) {
 }
 
 TEST(Finishes, AlbedoIsScaledWhenTheBlockEnds) {
-  const auto finish = finish_of("diffuse albedo .5,.25 brilliance 3 phong albedo .5 phong_size 9 specular albedo .1 roughness .1");
+  const auto finish =
+      finish_of("diffuse albedo .5,.25 brilliance 3 phong albedo .5 phong_size 9 specular albedo .1 roughness .1");
   EXPECT_EQ(finish.diffuse, 1);
   EXPECT_EQ(finish.diffuse_back, .5f);
   EXPECT_EQ(finish.raw_diffuse, .5f);
   EXPECT_EQ(finish.phong, 2.5f);
   EXPECT_FLOAT_EQ(finish.specular, static_cast<float>(.1 * 12 / (4 * (2 - std::pow(2, -5)))));
-  EXPECT_EQ(finish_of("F brilliance 7", "#declare F=finish{diffuse albedo .5 brilliance 3};").diffuse, 1);  // keeps its scaling
+  EXPECT_EQ(finish_of("F brilliance 7", "#declare F=finish{diffuse albedo .5 brilliance 3};").diffuse,
+            1);  // keeps its scaling
 }
 
 TEST(Finishes, Reflection) {
@@ -179,7 +185,9 @@ TEST(Finishes, Reflection) {
 }
 
 TEST(Finishes, OtherItems) {
-  const auto finish = finish_of("irid{.3 thickness .2 turbulence <.1,5,5>} metallic crand .1 conserve_energy emission rgb x subsurface{translucency .2}");
+  const auto finish = finish_of(
+      "irid{.3 thickness .2 turbulence <.1,5,5>} metallic crand .1 conserve_energy emission rgb x "
+      "subsurface{translucency .2}");
   EXPECT_EQ(finish.irid_turbulence, .1f);
   EXPECT_EQ(finish.metallic, 1);
   EXPECT_TRUE(finish.conserve_energy && finish.subsurface);
@@ -210,7 +218,10 @@ TEST(Media, DefaultsFollowTheVersion) {
 }
 
 TEST(Media, ItemsAndTransforms) {
-  const scene::Media media = scene_of("media{samples 4,8 scattering{5,.5 eccentricity .3 extinction .7} density{spherical} scale 2 density{bozo} collect off}").atmosphere[0];
+  const scene::Media media = scene_of(
+                                 "media{samples 4,8 scattering{5,.5 eccentricity .3 extinction .7} density{spherical} "
+                                 "scale 2 density{bozo} collect off}")
+                                 .atmosphere[0];
   EXPECT_EQ(media.samples_max, 8);
   EXPECT_EQ(media.eccentricity, .3);
   EXPECT_FALSE(media.collect);

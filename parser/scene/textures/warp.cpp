@@ -39,7 +39,8 @@ void fit_black_hole(Parser& parser, scene::BlackHoleWarp& warp) {
     warp.center[i] = std::max(warp.center[i], warp.radius);
     const double least = warp.center[i] + warp.radius + warp.turbulence[i];
     if (warp.repeat[i] < least) {
-      parser.warning(std::string("Black Hole repeat vector ") + kAxis[i] + " too small ; increased to " + std::to_string(least));
+      parser.warning(std::string("Black Hole repeat vector ") + kAxis[i] + " too small ; increased to " +
+                     std::to_string(least));
       warp.repeat[i] = least;
     }
   }
@@ -80,7 +81,8 @@ scene::BlackHoleWarp parse_black_hole(Parser& parser) {
         warp.turbulent = true;
         if (warp.repeats) fit_black_hole(parser, warp);
         break;
-      default: return warp;
+      default:
+        return warp;
     }
   }
 }
@@ -153,7 +155,8 @@ scene::Warp parse_warp(Parser& parser) {
       parser.next();
       result = scene::CubicWarp{};
       break;
-    default: parser.error_expected("warp type");
+    default:
+      parser.error_expected("warp type");
   }
   block.close();
   return result;

@@ -13,7 +13,9 @@ Interval sine(const Interval& a) {
   constexpr double kTurn = 6.28318530717958647693, kQuarter = kTurn / 4, kManyTurns = 1e6;
   if (!(a.high - a.low < kTurn) || a.magnitude() > kManyTurns) return {-1, 1};
   constexpr double kNear = 1e-9;  // more than what rounding moves the places of the extremes
-  const auto holds = [&](double extreme) { return extreme + kTurn * std::ceil((a.low - kNear - extreme) / kTurn) <= a.high + kNear; };
+  const auto holds = [&](double extreme) {
+    return extreme + kTurn * std::ceil((a.low - kNear - extreme) / kTurn) <= a.high + kNear;
+  };
   const double p = std::sin(a.low), q = std::sin(a.high);
   const Interval inner = Interval::around(std::min(p, q), std::max(p, q));
   return {holds(-kQuarter) ? -1 : inner.low, holds(kQuarter) ? 1 : inner.high};
@@ -33,7 +35,8 @@ namespace {
 
 using Jet = CurvatureBounds::Jet;
 
-constexpr double kRounding = 0x1p-51;  // of an operation, or of a function of the C library, relative to the largest result
+constexpr double kRounding =
+    0x1p-51;  // of an operation, or of a function of the C library, relative to the largest result
 
 constexpr std::array<std::array<int, 2>, 6> kPairs{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
 
@@ -71,8 +74,9 @@ Jet sum(const Jet& a, const Jet& b, bool subtracted) {
   if (b.axes == 0) {
     result.slope = a.slope, result.bend = a.bend;
   } else {
-    each_derivative(result.axes, [&](std::size_t i) { result.slope[i] = both(a.slope[i], b.slope[i]); },
-                    [&](std::size_t i, std::size_t, std::size_t) { result.bend[i] = both(a.bend[i], b.bend[i]); });
+    each_derivative(
+        result.axes, [&](std::size_t i) { result.slope[i] = both(a.slope[i], b.slope[i]); },
+        [&](std::size_t i, std::size_t, std::size_t) { result.bend[i] = both(a.bend[i], b.bend[i]); });
   }
   result.error = a.error + b.error;
   return rounded(result);
@@ -84,12 +88,16 @@ Jet product(const Jet& a, const Jet& b) {
   result.value = a.value * b.value;
   result.axes = a.axes | b.axes, result.smooth = a.smooth && b.smooth;
   if (b.axes == 0) {
-    each_derivative(a.axes, [&](std::size_t i) { result.slope[i] = b.value * a.slope[i]; }, [&](std::size_t i, std::size_t, std::size_t) { result.bend[i] = b.value * a.bend[i]; });
+    each_derivative(
+        a.axes, [&](std::size_t i) { result.slope[i] = b.value * a.slope[i]; },
+        [&](std::size_t i, std::size_t, std::size_t) { result.bend[i] = b.value * a.bend[i]; });
   } else {
-    each_derivative(result.axes, [&](std::size_t i) { result.slope[i] = a.value * b.slope[i] + b.value * a.slope[i]; },
-                    [&](std::size_t i, std::size_t p, std::size_t q) {
-                      result.bend[i] = a.value * b.bend[i] + b.value * a.bend[i] + a.slope[p] * b.slope[q] + a.slope[q] * b.slope[p];
-                    });
+    each_derivative(
+        result.axes, [&](std::size_t i) { result.slope[i] = a.value * b.slope[i] + b.value * a.slope[i]; },
+        [&](std::size_t i, std::size_t p, std::size_t q) {
+          result.bend[i] =
+              a.value * b.bend[i] + b.value * a.bend[i] + a.slope[p] * b.slope[q] + a.slope[q] * b.slope[p];
+        });
   }
   result.error = a.value.magnitude() * b.error + b.value.magnitude() * a.error + a.error * b.error;
   return rounded(result);
@@ -100,10 +108,11 @@ Jet applied(const Jet& a, const Interval& f, const Interval& first, const Interv
   Jet result;
   result.value = f;
   result.axes = a.axes, result.smooth = a.smooth;
-  each_derivative(result.axes, [&](std::size_t i) { result.slope[i] = first * a.slope[i]; },
-                  [&](std::size_t i, std::size_t p, std::size_t q) {
-                    result.bend[i] = first * a.bend[i] + second * (p == q ? square(a.slope[p]) : a.slope[p] * a.slope[q]);
-                  });
+  each_derivative(
+      result.axes, [&](std::size_t i) { result.slope[i] = first * a.slope[i]; },
+      [&](std::size_t i, std::size_t p, std::size_t q) {
+        result.bend[i] = first * a.bend[i] + second * (p == q ? square(a.slope[p]) : a.slope[p] * a.slope[q]);
+      });
   result.error = first.magnitude() * a.error;
   return rounded(result);
 }
@@ -165,7 +174,8 @@ Jet power(const Jet& base, double exponent) {
     const double p = std::pow(v->low, e), q = std::pow(v->high, e);
     return Interval::around(std::min(p, q), std::max(p, q));
   };
-  return applied(base, monotone(exponent), exponent * monotone(exponent - 1), Interval::around(exponent * (exponent - 1), exponent * (exponent - 1)) * monotone(exponent - 2));
+  return applied(base, monotone(exponent), exponent * monotone(exponent - 1),
+                 Interval::around(exponent * (exponent - 1), exponent * (exponent - 1)) * monotone(exponent - 2));
 }
 
 // The angle of (x, y), which jumps where y is 0 and x negative: elsewhere it is an arctangent and a constant.
@@ -192,34 +202,57 @@ bool all_smooth(std::initializer_list<const Jet*> jets) {
 Jet unary(Code code, const Jet& a) {
   constexpr double kDegree = 180.0 / 3.14159265358979323846;
   switch (code) {
-    case Code::move: return a;
-    case Code::negate: return applied(a, -a.value, {-1, -1}, {});
-    case Code::degrees: return product(a, constant(kDegree));
-    case Code::radians: return product(a, constant(1 / kDegree));
-    case Code::abs: return magnitude(a);
-    case Code::sqrt: return root(a);
-    case Code::ln: return logarithm(a);
-    case Code::log: return product(logarithm(a), constant(1 / std::log(10.0)));
-    case Code::exp: return exponential(a);
-    case Code::sin: return sine_of(a);
-    case Code::cos: return cosine_of(a);
-    case Code::tan: return product(sine_of(a), reciprocal(cosine_of(a)));
-    case Code::atan: return arctangent(a);
-    default: return rough();
+    case Code::move:
+      return a;
+    case Code::negate:
+      return applied(a, -a.value, {-1, -1}, {});
+    case Code::degrees:
+      return product(a, constant(kDegree));
+    case Code::radians:
+      return product(a, constant(1 / kDegree));
+    case Code::abs:
+      return magnitude(a);
+    case Code::sqrt:
+      return root(a);
+    case Code::ln:
+      return logarithm(a);
+    case Code::log:
+      return product(logarithm(a), constant(1 / std::log(10.0)));
+    case Code::exp:
+      return exponential(a);
+    case Code::sin:
+      return sine_of(a);
+    case Code::cos:
+      return cosine_of(a);
+    case Code::tan:
+      return product(sine_of(a), reciprocal(cosine_of(a)));
+    case Code::atan:
+      return arctangent(a);
+    default:
+      return rough();
   }
 }
 
 Jet binary(Code code, const Jet& a, const Jet& b) {
   switch (code) {
-    case Code::add: return sum(a, b, false);
-    case Code::subtract: return sum(a, b, true);
-    case Code::multiply: return &a == &b ? squared(a) : product(a, b);
-    case Code::divide: return product(a, reciprocal(b));
-    case Code::minimum: return chosen(a, b, false);
-    case Code::maximum: return chosen(a, b, true);
-    case Code::atan2: return angle(a, b);
-    case Code::pow: return b.axes == 0 && b.value.low == b.value.high ? power(a, b.value.low) : rough();
-    default: return rough();
+    case Code::add:
+      return sum(a, b, false);
+    case Code::subtract:
+      return sum(a, b, true);
+    case Code::multiply:
+      return &a == &b ? squared(a) : product(a, b);
+    case Code::divide:
+      return product(a, reciprocal(b));
+    case Code::minimum:
+      return chosen(a, b, false);
+    case Code::maximum:
+      return chosen(a, b, true);
+    case Code::atan2:
+      return angle(a, b);
+    case Code::pow:
+      return b.axes == 0 && b.value.low == b.value.high ? power(a, b.value.low) : rough();
+    default:
+      return rough();
   }
 }
 
@@ -233,7 +266,8 @@ Jet result_of(const Instruction& i, const std::vector<Jet>& r) {
   return all_smooth({&a, &r[i.b]}) ? binary(i.code, a, r[i.b]) : rough();
 }
 
-// The largest stretching of a symmetric matrix whose elements are not larger than those of m: by Collatz and Wielandt, from any positive vector.
+// The largest stretching of a symmetric matrix whose elements are not larger than those of m: by Collatz and Wielandt,
+// from any positive vector.
 double norm(const std::array<std::array<double, 3>, 3>& m) {
   std::array<double, 3> x{1, 1, 1};
   double least = std::numeric_limits<double>::infinity();
@@ -254,7 +288,8 @@ double norm(const std::array<std::array<double, 3>, 3>& m) {
 
 }  // namespace
 
-CurvatureBounds::CurvatureBounds(const Program& program, double coordinate_error) : program_(program), coordinate_error_(coordinate_error) {
+CurvatureBounds::CurvatureBounds(const Program& program, double coordinate_error)
+    : program_(program), coordinate_error_(coordinate_error) {
   if (program.has_jumps() || !program.calls().empty() || program.parameters() != 3) return;
   std::vector<double> constants(program.registers());
   program.set_constants(constants.data(), 1);
@@ -268,7 +303,8 @@ Curvature CurvatureBounds::within(const Box3& box) {
   if (registers_.empty()) return kUnknown;
   for (unsigned k = 0; k < 3; ++k) {
     Jet& coordinate = registers_[k] = Jet{};
-    coordinate.value = {box.min[static_cast<int>(k)] - coordinate_error_, box.max[static_cast<int>(k)] + coordinate_error_};
+    coordinate.value = {box.min[static_cast<int>(k)] - coordinate_error_,
+                        box.max[static_cast<int>(k)] + coordinate_error_};
     coordinate.slope[k] = {1, 1}, coordinate.axes = 1u << k, coordinate.error = coordinate_error_;
   }
   for (const Instruction& i : program_.code()) registers_[i.to] = result_of(i, registers_);

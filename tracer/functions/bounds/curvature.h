@@ -1,4 +1,5 @@
-// How much a user function can bend within a box: by interval arithmetic for its value and its first and second derivatives.
+// How much a user function can bend within a box: by interval arithmetic for its value and its first and second
+// derivatives.
 #pragma once
 
 #include <array>
@@ -9,9 +10,11 @@
 namespace verisim::functions {
 
 struct Curvature {
-  double bend;                  // no second derivative along a unit vector is larger anywhere in the box; infinity: not known, or the function has an edge there
+  double bend;  // no second derivative along a unit vector is larger anywhere in the box; infinity: not known, or the
+                // function has an edge there
   std::array<double, 6> parts;  // no second derivative by x x, y y, z z, x y, x z or y z is larger
-  double error;                 // how far computed values, even those of LaneKernels::nearly, may be from the function's, where `bend` is finite
+  double error;  // how far computed values, even those of LaneKernels::nearly, may be from the function's, where `bend`
+                 // is finite
 };
 
 // For the boxes one after the other.

@@ -31,8 +31,11 @@ TEST(Curvature, IsThatOfSimpleFunctions) {
 
 TEST(Curvature, IsUnknownAtEdges) {
   const Box3 aside{Vec3(0.5), Vec3(0.7)};
-  for (const Node& f : {of(Builtin::abs_, {x()}), of(Builtin::sqrt_, {x()}), of(Builtin::ln_, {x()}), of(Builtin::max_, {x(), number(0)}), chain(y(), Op::divide, x()), of(Builtin::pow_, {x(), number(0.5)}),
-                        of(Builtin::tan_, {times(number(2), x())}), of(Builtin::select_, {x(), y(), z(), number(1)}), of(Builtin::atan2_, {x(), times(y(), z())})}) {
+  for (const Node& f :
+       {of(Builtin::abs_, {x()}), of(Builtin::sqrt_, {x()}), of(Builtin::ln_, {x()}),
+        of(Builtin::max_, {x(), number(0)}), chain(y(), Op::divide, x()), of(Builtin::pow_, {x(), number(0.5)}),
+        of(Builtin::tan_, {times(number(2), x())}), of(Builtin::select_, {x(), y(), z(), number(1)}),
+        of(Builtin::atan2_, {x(), times(y(), z())})}) {
     EXPECT_TRUE(std::isinf(bend(f, kUnit)));
     EXPECT_FALSE(std::isinf(bend(f, aside)));
   }
@@ -41,11 +44,20 @@ TEST(Curvature, IsUnknownAtEdges) {
 
 // Second differences of the function, along any direction, are never larger.
 TEST(Curvature, HoldsSecondDifferences) {
-  const Node angle = of(Builtin::atan2_, {x(), z()}), waves = times(of(Builtin::sin_, {times(number(6), x())}), of(Builtin::cos_, {times(number(4), y())}));
-  const std::vector<Node> expressions{
-      plus(distance(), times(number(0.2), waves)), plus(times(y(), y()), of(Builtin::cos_, {times(number(8), angle)})), chain(waves, Op::divide, plus(number(1.5), z())), of(Builtin::exp_, {times(waves, z())}),
-      of(Builtin::ln_, {plus(number(0.1), distance())}), of(Builtin::pow_, {distance(), number(-1.5)}), of(Builtin::abs_, {plus(waves, x())}), of(Builtin::min_, {distance(), plus(waves, number(0.9))}),
-      of(Builtin::atan_, {times(number(3), waves)}), of(Builtin::tan_, {times(x(), y())}), of(Builtin::select_, {plus(x(), times(y(), z())), waves, distance(), angle}), of(Builtin::log_, {plus(times(x(), x()), times(z(), z()))})};
+  const Node angle = of(Builtin::atan2_, {x(), z()}),
+             waves = times(of(Builtin::sin_, {times(number(6), x())}), of(Builtin::cos_, {times(number(4), y())}));
+  const std::vector<Node> expressions{plus(distance(), times(number(0.2), waves)),
+                                      plus(times(y(), y()), of(Builtin::cos_, {times(number(8), angle)})),
+                                      chain(waves, Op::divide, plus(number(1.5), z())),
+                                      of(Builtin::exp_, {times(waves, z())}),
+                                      of(Builtin::ln_, {plus(number(0.1), distance())}),
+                                      of(Builtin::pow_, {distance(), number(-1.5)}),
+                                      of(Builtin::abs_, {plus(waves, x())}),
+                                      of(Builtin::min_, {distance(), plus(waves, number(0.9))}),
+                                      of(Builtin::atan_, {times(number(3), waves)}),
+                                      of(Builtin::tan_, {times(x(), y())}),
+                                      of(Builtin::select_, {plus(x(), times(y(), z())), waves, distance(), angle}),
+                                      of(Builtin::log_, {plus(times(x(), x()), times(z(), z()))})};
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto point = [&] { return Vec3(unit(random), unit(random), unit(random)); };
@@ -67,7 +79,9 @@ TEST(Curvature, HoldsSecondDifferences) {
         for (int i = 0; i < 3; ++i) step = std::min({step, middle[i] - corner[i], corner[i] + size - middle[i]});
         if (step < 1e-4) continue;
         const Vec3 a = middle - step * toward, b = middle + step * toward;
-        const double difference = std::fabs((*f)(a.x, a.y, a.z) + (*f)(b.x, b.y, b.z) - 2 * (*f)(middle.x, middle.y, middle.z)) / (step * step);
+        const double difference =
+            std::fabs((*f)(a.x, a.y, a.z) + (*f)(b.x, b.y, b.z) - 2 * (*f)(middle.x, middle.y, middle.z)) /
+            (step * step);
         const double most = c.bend + 4 * c.error / (step * step);
         ASSERT_LE(difference, most) << (&expression - expressions.data());
         closest = std::max(closest, difference / most);
@@ -105,7 +119,8 @@ TEST(Interval, ProductsHoldAllProducts) {
     const auto inside = [](const Interval& i, double v) { return i.low <= v && v <= i.high; };
     for (const double s : {0.0, 0.3, 1.0})
       for (const double t : {0.0, 0.6, 1.0}) {
-        const double p = std::min(a.low + s * (a.high - a.low), a.high), q = std::min(b.low + t * (b.high - b.low), b.high);
+        const double p = std::min(a.low + s * (a.high - a.low), a.high),
+                     q = std::min(b.low + t * (b.high - b.low), b.high);
         ASSERT_TRUE(inside(product, p * q) && inside(sum, p + q) && inside(squared, p * p));
       }
   }

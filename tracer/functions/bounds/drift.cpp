@@ -32,35 +32,53 @@ Value unary(Code code, const Value& a) {
   const Interval& v = a.exact;
   const double unless_same = a.drift == 0 ? 0 : kUnknown;
   switch (code) {
-    case Code::move: return a;
-    case Code::negate: return {-v, a.drift};
-    case Code::abs: return {{v.least_magnitude(), v.magnitude()}, a.drift};
-    case Code::sin: return v.magnitude() + a.drift < LaneKernels::kMostNear ? near(sine(v), a.drift) : Value{{-1, 1}, kUnknown};
-    case Code::cos: return v.magnitude() + a.drift < LaneKernels::kMostNear ? near(cosine(v), a.drift) : Value{{-1, 1}, kUnknown};
+    case Code::move:
+      return a;
+    case Code::negate:
+      return {-v, a.drift};
+    case Code::abs:
+      return {{v.least_magnitude(), v.magnitude()}, a.drift};
+    case Code::sin:
+      return v.magnitude() + a.drift < LaneKernels::kMostNear ? near(sine(v), a.drift) : Value{{-1, 1}, kUnknown};
+    case Code::cos:
+      return v.magnitude() + a.drift < LaneKernels::kMostNear ? near(cosine(v), a.drift) : Value{{-1, 1}, kUnknown};
     case Code::sqrt: {
       const Interval root = Interval::around(std::sqrt(std::max(v.low, 0.0)), std::sqrt(std::max(v.high, 0.0)));
       if (a.drift == 0) return {root, 0};
       return {root, v.low > 2 * a.drift ? a.drift / std::sqrt(v.low) + root.magnitude() * kRounding : kUnknown};
     }
-    default: return {Interval::everything(), unless_same};
+    default:
+      return {Interval::everything(), unless_same};
   }
 }
 
 Value binary(Code code, const Value& a, const Value& b) {
   const bool same = a.drift == 0 && b.drift == 0;
-  const auto rounded = [&](const Interval& exact, double drift) { return Value{exact, same ? 0 : drift + (exact.magnitude() + drift) * kRounding}; };
+  const auto rounded = [&](const Interval& exact, double drift) {
+    return Value{exact, same ? 0 : drift + (exact.magnitude() + drift) * kRounding};
+  };
   switch (code) {
-    case Code::add: return rounded(a.exact + b.exact, a.drift + b.drift);
-    case Code::subtract: return rounded(a.exact - b.exact, a.drift + b.drift);
-    case Code::multiply: return rounded(a.exact * b.exact, a.exact.magnitude() * b.drift + b.exact.magnitude() * a.drift + a.drift * b.drift);
+    case Code::add:
+      return rounded(a.exact + b.exact, a.drift + b.drift);
+    case Code::subtract:
+      return rounded(a.exact - b.exact, a.drift + b.drift);
+    case Code::multiply:
+      return rounded(a.exact * b.exact,
+                     a.exact.magnitude() * b.drift + b.exact.magnitude() * a.drift + a.drift * b.drift);
     case Code::divide: {
       const double least = b.exact.least_magnitude() - b.drift;
-      return rounded(quotient(a.exact, b.exact), least > 0x1p-300 ? (a.drift + quotient(a.exact, b.exact).magnitude() * b.drift) / least : kUnknown);
+      return rounded(
+          quotient(a.exact, b.exact),
+          least > 0x1p-300 ? (a.drift + quotient(a.exact, b.exact).magnitude() * b.drift) / least : kUnknown);
     }
-    case Code::minimum: return {{std::min(a.exact.low, b.exact.low), std::min(a.exact.high, b.exact.high)}, std::max(a.drift, b.drift)};
-    case Code::maximum: return {{std::max(a.exact.low, b.exact.low), std::max(a.exact.high, b.exact.high)}, std::max(a.drift, b.drift)};
-    case Code::atan2: return near({-3.2, 3.2}, same ? 0 : kUnknown);
-    default: return {Interval::everything(), same ? 0 : kUnknown};
+    case Code::minimum:
+      return {{std::min(a.exact.low, b.exact.low), std::min(a.exact.high, b.exact.high)}, std::max(a.drift, b.drift)};
+    case Code::maximum:
+      return {{std::max(a.exact.low, b.exact.low), std::max(a.exact.high, b.exact.high)}, std::max(a.drift, b.drift)};
+    case Code::atan2:
+      return near({-3.2, 3.2}, same ? 0 : kUnknown);
+    default:
+      return {Interval::everything(), same ? 0 : kUnknown};
   }
 }
 
@@ -77,7 +95,9 @@ double drift(const Program& program, const Box3& box) {
     if (i.code == Code::select) {
       const Value &a = r[i.b], &b = r[i.c], &c = r[i.d];
       const double most = std::max({a.drift, b.drift, c.drift});
-      r[i.to] = {{std::min({a.exact.low, b.exact.low, c.exact.low}), std::max({a.exact.high, b.exact.high, c.exact.high})}, r[i.a].drift == 0 ? most : kUnknown};
+      r[i.to] = {
+          {std::min({a.exact.low, b.exact.low, c.exact.low}), std::max({a.exact.high, b.exact.high, c.exact.high})},
+          r[i.a].drift == 0 ? most : kUnknown};
     } else {
       r[i.to] = is_unary(i.code) ? unary(i.code, r[i.a]) : binary(i.code, r[i.a], r[i.b]);
     }

@@ -1,4 +1,5 @@
-// How far values of LaneKernels::nearly may be from those that LaneKernels::narrow computes, over a box. Infinity: not known.
+// How far values of LaneKernels::nearly may be from those that LaneKernels::narrow computes, over a box. Infinity: not
+// known.
 #pragma once
 
 #include "tracer/functions/program.h"

@@ -21,9 +21,16 @@ const Box3 kBox{Vec3(-1.5), Vec3(1)};
 double drift_of(const FunctionPtr& f) { return drift(dynamic_cast<const Program&>(*f), kBox); }
 
 TEST(Drift, HoldsWhatNearValuesAreOffBy) {
-  const std::vector<Node> expressions{waves(), plus(distance(), times(number(0.1), waves())), plus(times(y(), y()), of(Builtin::cos_, {times(number(8), angle())})), chain(waves(), Op::divide, plus(number(3), waves())),
-                                      of(Builtin::sqrt_, {plus(number(2), waves())}), of(Builtin::abs_, {chain(waves(), Op::subtract, x())}), of(Builtin::min_, {distance(), of(Builtin::max_, {waves(), angle()})}),
-                                      of(Builtin::select_, {x(), waves(), y(), angle()}), times(times(number(1000), waves()), waves()), of(Builtin::pow_, {distance(), x()})};
+  const std::vector<Node> expressions{waves(),
+                                      plus(distance(), times(number(0.1), waves())),
+                                      plus(times(y(), y()), of(Builtin::cos_, {times(number(8), angle())})),
+                                      chain(waves(), Op::divide, plus(number(3), waves())),
+                                      of(Builtin::sqrt_, {plus(number(2), waves())}),
+                                      of(Builtin::abs_, {chain(waves(), Op::subtract, x())}),
+                                      of(Builtin::min_, {distance(), of(Builtin::max_, {waves(), angle()})}),
+                                      of(Builtin::select_, {x(), waves(), y(), angle()}),
+                                      times(times(number(1000), waves()), waves()),
+                                      of(Builtin::pow_, {distance(), x()})};
   std::mt19937 random(21);
   std::uniform_real_distribution<double> unit(0, 1);
   double closest = 0;
@@ -43,8 +50,10 @@ TEST(Drift, HoldsWhatNearValuesAreOffBy) {
         for (std::size_t k = 0; k < 3 * kWidth; ++k) exact[k] = near[k] = -1.5 + 2.5 * unit(random);
         kernels->narrow(program.code(), {}, exact, 255), kernels->nearly(program.code(), {}, near, 255);
         for (std::size_t k = 0; k < kWidth; ++k) {
-          const double a = exact[program.result_register() * kWidth + k], b = near[program.result_register() * kWidth + k];
-          ASSERT_TRUE(a == b || std::fabs(a - b) <= most || (std::isnan(a) && std::isnan(b))) << (&expression - expressions.data()) << ": " << a << ' ' << b;
+          const double a = exact[program.result_register() * kWidth + k],
+                       b = near[program.result_register() * kWidth + k];
+          ASSERT_TRUE(a == b || std::fabs(a - b) <= most || (std::isnan(a) && std::isnan(b)))
+              << (&expression - expressions.data()) << ": " << a << ' ' << b;
           if (most > 0) closest = std::max(closest, std::fabs(a - b) / most);
         }
       }
@@ -54,8 +63,10 @@ TEST(Drift, HoldsWhatNearValuesAreOffBy) {
 }
 
 TEST(Drift, IsUnknownWhereItIsMagnified) {
-  for (const Node& f : {chain(number(1), Op::divide, waves()), of(Builtin::sqrt_, {waves()}), of(Builtin::floor_, {waves()}), of(Builtin::atan2_, {waves(), x()}), of(Builtin::select_, {waves(), x(), y(), z()}),
-                        of(Builtin::sin_, {times(number(1e6), x())}), of(Builtin::exp_, {waves()})})
+  for (const Node& f :
+       {chain(number(1), Op::divide, waves()), of(Builtin::sqrt_, {waves()}), of(Builtin::floor_, {waves()}),
+        of(Builtin::atan2_, {waves(), x()}), of(Builtin::select_, {waves(), x(), y(), z()}),
+        of(Builtin::sin_, {times(number(1e6), x())}), of(Builtin::exp_, {waves()})})
     EXPECT_TRUE(std::isinf(drift_of(compile(f, 3, 3))));
 }
 

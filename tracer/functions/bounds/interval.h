@@ -15,7 +15,9 @@ struct Interval {
   double least_magnitude() const { return low > 0 ? low : high < 0 ? -high : 0; }
   bool finite() const { return magnitude() <= std::numeric_limits<double>::max(); }
 
-  static Interval everything() { return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}; }
+  static Interval everything() {
+    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  }
   // By more than the rounding of a basic operation, or of a function of the C library.
   static Interval around(double low, double high) {
     constexpr double kRelative = 0x1p-51, kLeast = 0x1p-1000;
@@ -24,12 +26,15 @@ struct Interval {
 };
 
 inline Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
-inline Interval operator+(const Interval& a, const Interval& b) { return Interval::around(a.low + b.low, a.high + b.high); }
+inline Interval operator+(const Interval& a, const Interval& b) {
+  return Interval::around(a.low + b.low, a.high + b.high);
+}
 inline Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
 inline Interval operator*(const Interval& a, const Interval& b) {
   if ((a.low == 0 && a.high == 0) || (b.low == 0 && b.high == 0)) return {};  // derivatives that are zero stay so
   const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
-  if (!(std::fabs(p) + std::fabs(q) + std::fabs(r) + std::fabs(s) <= std::numeric_limits<double>::max())) return Interval::everything();
+  if (!(std::fabs(p) + std::fabs(q) + std::fabs(r) + std::fabs(s) <= std::numeric_limits<double>::max()))
+    return Interval::everything();
   return Interval::around(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
 }
 inline Interval operator*(double a, const Interval& b) { return Interval{a, a} * b; }

@@ -22,7 +22,8 @@ class CameraRays {
   CameraRays(const scene::Camera& camera, int width, int height);
   // Empty: no ray belongs to this position (outside a fisheye's disc ...).
   std::optional<PrimaryRay> at(double x, double y) const;
-  // The unit directions of the rays of a perspective camera through places of the picture; behind them is room up to a multiple of RayRow::kStep.
+  // The unit directions of the rays of a perspective camera through places of the picture; behind them is room up to a
+  // multiple of RayRow::kStep.
   void directions(const Vec2* places, int count, shading::WaveLanes& lanes) const {
     shading::wave_kernels().directions({width_, height_, direction_, right_, up_}, places, count, lanes);
   }

@@ -5,7 +5,9 @@ namespace {
 
 constexpr double kEdgeTolerance = 1e-9;
 
-const Vec3& vertex(const scene::MeshData& mesh, const scene::MeshTriangle& t, int i) { return mesh.vertices[t.vertex[i]]; }
+const Vec3& vertex(const scene::MeshData& mesh, const scene::MeshTriangle& t, int i) {
+  return mesh.vertices[t.vertex[i]];
+}
 
 // The mesh's own front side (spec 04 1.4): (0,0,0), (1,0,0), (0,1,0) faces -z.
 Vec3 face_normal(const scene::MeshData& mesh, const scene::MeshTriangle& t) {
@@ -25,10 +27,12 @@ bool barycentric(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c, dou
 
 }  // namespace
 
-MeshCamera::MeshCamera(const scene::Camera& camera, int width, int height) : camera_(camera), width_(width), height_(height) {}
+MeshCamera::MeshCamera(const scene::Camera& camera, int width, int height)
+    : camera_(camera), width_(width), height_(height) {}
 
 std::optional<Ray> MeshCamera::ray(double x, double y, int k) const {
-  const double px = std::clamp(x + 0.5, 0.0, static_cast<double>(width_ - 1)), py = std::clamp(y - 0.5, 0.0, static_cast<double>(height_ - 1));
+  const double px = std::clamp(x + 0.5, 0.0, static_cast<double>(width_ - 1)),
+               py = std::clamp(y - 0.5, 0.0, static_cast<double>(height_ - 1));
   if (camera_.distribution == 3) return by_uv((px - 0.5) / width_, 1 - (py + 0.5) / height_);
   const std::optional<Face> f = face(px, py, k);
   if (!f) return std::nullopt;
@@ -42,10 +46,13 @@ std::optional<MeshCamera::Face> MeshCamera::face(double x, double y, int k) cons
   const std::size_t meshes = camera_.meshes.size();
   std::size_t mesh = 0, index = row * width_ + column;
   switch (camera_.distribution) {
-    case 0: mesh = static_cast<std::size_t>(k); break;
+    case 0:
+      mesh = static_cast<std::size_t>(k);
+      break;
     case 1:  // meshes one after the other; all rays but the first fall off the end
       if (k > 0) return std::nullopt;
-      while (mesh < meshes && index >= camera_.meshes[mesh]->triangles.size()) index -= camera_.meshes[mesh++]->triangles.size();
+      while (mesh < meshes && index >= camera_.meshes[mesh]->triangles.size())
+        index -= camera_.meshes[mesh++]->triangles.size();
       break;
     default: {
       const double strip = static_cast<double>(width_) / static_cast<double>(meshes);
@@ -68,7 +75,8 @@ std::optional<Ray> MeshCamera::by_uv(double u, double v, double tolerance) const
   const scene::MeshData& mesh = *camera_.meshes.front();
   for (const scene::MeshTriangle& t : mesh.triangles) {
     double w[3];
-    if (!t.has_uv || !barycentric({u, v}, mesh.uvs[t.uv[0]], mesh.uvs[t.uv[1]], mesh.uvs[t.uv[2]], tolerance, w)) continue;
+    if (!t.has_uv || !barycentric({u, v}, mesh.uvs[t.uv[0]], mesh.uvs[t.uv[1]], mesh.uvs[t.uv[2]], tolerance, w))
+      continue;
     Vec3 origin(0, 0, 0), normal(0, 0, 0);
     for (int i = 0; i < 3; ++i) {
       origin += vertex(mesh, t, i) * w[i];

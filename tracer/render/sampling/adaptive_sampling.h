@@ -1,7 +1,8 @@
-// `--sampler adaptive`: few samples where the picture is smooth, an edge's place where there is one edge, low-discrepancy samples where there is more, until the
-// estimated error of a pixel is small enough (docs/sampling.md).
+// `--sampler adaptive`: few samples where the picture is smooth, an edge's place where there is one edge,
+// low-discrepancy samples where there is more, until the estimated error of a pixel is small enough (docs/sampling.md).
 //
-// A sampler is any callable Color(double x, double y); pixel centres have integer coordinates. Blocks are independent of each other.
+// A sampler is any callable Color(double x, double y); pixel centres have integer coordinates. Blocks are independent
+// of each other.
 #pragma once
 
 #include <array>
@@ -17,7 +18,11 @@ template <class Sampler>
 class AdaptiveSampling {
  public:
   AdaptiveSampling(const AdaptiveSettings& settings, int width, int height, Sampler& sample)
-      : settings_(settings), sample_(sample), centres_(settings, width, height), edges_(settings, centres_, sample), stratified_(settings, centres_, sample) {}
+      : settings_(settings),
+        sample_(sample),
+        centres_(settings, width, height),
+        edges_(settings, centres_, sample),
+        stratified_(settings, centres_, sample) {}
 
   void render(const Block& block, Framebuffer& out) {
     block_ = block;
@@ -25,12 +30,16 @@ class AdaptiveSampling {
     edges_.clear(), chosen_.clear();
     for_all([&](int x, int y) {
       const Float4 uneven = centres_.uneven(x, y);
-      if (exceeds(uneven, kSeen * settings_.tolerance)) edges_.add(x, y);
-      else if (exceeds(uneven, kFaint * settings_.tolerance)) smooth(x, y);
+      if (exceeds(uneven, kSeen * settings_.tolerance))
+        edges_.add(x, y);
+      else if (exceeds(uneven, kFaint * settings_.tolerance))
+        smooth(x, y);
     });
     edges_.work([&](int x, int y) {
-      if (exceeds(centres_.uneven(x, y), kUneven * settings_.tolerance)) choose(x, y);
-      else smooth(x, y);
+      if (exceeds(centres_.uneven(x, y), kUneven * settings_.tolerance))
+        choose(x, y);
+      else
+        smooth(x, y);
     });
     for (std::size_t first = 0; first < chosen_.size();) {  // grows while it is worked on
       const std::size_t end = std::min(first + StratifiedPixels<Sampler>::kTogether, chosen_.size());
@@ -54,7 +63,9 @@ class AdaptiveSampling {
   void for_all(F&& f) {
     by_tiles(block_.x, block_.y, block_.x + block_.width, block_.y + block_.height, f);
   }
-  bool inside_block(int x, int y) const { return x >= block_.x && y >= block_.y && x < block_.x + block_.width && y < block_.y + block_.height; }
+  bool inside_block(int x, int y) const {
+    return x >= block_.x && y >= block_.y && x < block_.x + block_.width && y < block_.y + block_.height;
+  }
 
   void choose(int x, int y) {
     if (!inside_block(x, y)) return;
@@ -80,7 +91,8 @@ class AdaptiveSampling {
   void smooth(int x, int y) {
     Float4 sum(0.0f);
     for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) sum = sum + centres_.near(x + dx, y + dy).color * Float4((dx ? 0.25f : 0.5f) * (dy ? 0.25f : 0.5f));
+      for (int dx = -1; dx <= 1; ++dx)
+        sum = sum + centres_.near(x + dx, y + dy).color * Float4((dx ? 0.25f : 0.5f) * (dy ? 0.25f : 0.5f));
     centres_.cell(x, y).mean = sum;
   }
 

@@ -1,4 +1,5 @@
-// What the parts of `--sampler adaptive` share: its settings, and colours as a file shows them, four channels at a time (docs/sampling.md).
+// What the parts of `--sampler adaptive` share: its settings, and colours as a file shows them, four channels at a time
+// (docs/sampling.md).
 #pragma once
 
 #include "tracer/simd/float4.h"

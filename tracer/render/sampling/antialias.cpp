@@ -23,7 +23,9 @@ AntialiasSettings antialias_settings(const Options& options, scene::Gamma workin
 
 Compared encode_for_comparison(const Color& c, const AntialiasSettings& s) {
   if (s.identity) return {c.r, c.g, c.b, c.t};
-  const auto encode = [&s](float v) { return std::pow(std::fmax(s.decode_srgb ? image::srgb_decode(v) : v, 0.0f), s.exponent); };
+  const auto encode = [&s](float v) {
+    return std::pow(std::fmax(s.decode_srgb ? image::srgb_decode(v) : v, 0.0f), s.exponent);
+  };
   const float r = encode(c.r);
   return {r, c.g == c.r ? r : encode(c.g), c.b == c.r ? r : encode(c.b), c.t};
 }
@@ -32,7 +34,8 @@ AdaptiveSettings adaptive_settings(const Options& options, scene::Gamma working,
   AdaptiveSettings s;
   s.tolerance = std::clamp(options.antialias_threshold, 0.0f, 1.0f) / 20;
   s.maximum = 1 << (2 * std::clamp(options.antialias_depth, 1, 6));
-  s.encoded = working == scene::Gamma::srgb || (working == scene::Gamma::power && working_gamma > 1.5) || working == scene::Gamma::none;
+  s.encoded = working == scene::Gamma::srgb || (working == scene::Gamma::power && working_gamma > 1.5) ||
+              working == scene::Gamma::none;
   s.seed = options.seed;
   return s;
 }

@@ -1,7 +1,7 @@
 // Turning samples into the pixels of one block: plain, and POV-Ray's anti-aliasing methods 1 and 2 (spec 02 section 3).
 //
-// A sampler is any callable Color(double x, double y); pixel centres have integer coordinates. Blocks are independent of each other, so the picture
-// does not depend on which thread renders which block.
+// A sampler is any callable Color(double x, double y); pixel centres have integer coordinates. Blocks are independent
+// of each other, so the picture does not depend on which thread renders which block.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Block {
 };
 
 struct AntialiasSettings {
-  int method = 1;   // 1 or 2
+  int method = 1;  // 1 or 2
   int depth = 3;
   float threshold = 0.3f;
   double jitter = 1;  // scale; 0: none
@@ -58,7 +58,8 @@ void sample_points(Sampler& sample, const std::vector<Vec2>& places, std::vector
     for (std::size_t i = 0; i < places.size(); ++i) colors[i] = sample(places[i].x, places[i].y);
   }
 }
-// Calls f(x, y) for all pixels of a rectangle, one tile of the camera's rays after another: those go together through the scene.
+// Calls f(x, y) for all pixels of a rectangle, one tile of the camera's rays after another: those go together through
+// the scene.
 template <class F>
 void by_tiles(int left, int top, int right, int bottom, F&& f) {
   constexpr int kTile = accel::CoherentRays::camera_tile();
@@ -76,13 +77,16 @@ void by_tiles(int left, int top, int right, int bottom, F&& f) {
 // Samples may be taken in any order; if not, random numbers would be drawn in another one.
 template <class Sampler>
 bool any_order(const Sampler& sample) {
-  if constexpr (requires { sample.any_order(); }) return sample.any_order();
-  else return true;
+  if constexpr (requires { sample.any_order(); })
+    return sample.any_order();
+  else
+    return true;
 }
 
 template <class Sampler>
 void render_plain(const Block& block, Sampler&& sample, Framebuffer& out) {
-  for (int y = block.y; y < block.y + block.height; ++y) sample_row(sample, block.x, y, block.width, &out.at(block.x, y));
+  for (int y = block.y; y < block.y + block.height; ++y)
+    sample_row(sample, block.x, y, block.width, &out.at(block.x, y));
 }
 
 // Method 1: pixels that differ from the one on the left or above are replaced by an average over a jittered grid.
@@ -98,8 +102,10 @@ class AdaptiveGrid {
     // The row above and the column on the left only serve as comparison.
     for (int x = block.x; x < block.x + block.width; ++x) cell(x, origin_y_).done = true;
     for (int y = block.y; y < block.y + block.height; ++y) cell(origin_x_, y).done = true;
-    if (any_order(sample_)) refine_together(block);
-    else refine_in_order(block);
+    if (any_order(sample_))
+      refine_together(block);
+    else
+      refine_in_order(block);
     for (int y = block.y; y < block.y + block.height; ++y)
       for (int x = block.x; x < block.x + block.width; ++x) out.at(x, y) = cell(x, y).color;
   }
@@ -131,14 +137,16 @@ class AdaptiveGrid {
       }
     }
   }
-  // The same with many samples at a time. What a pixel asks for hangs on the pixels on the left and above, and on those that these were asked for by: the
-  // one at (x, y) on those up to (x - 1, y) in its row and up to (x + 1, y - 1) in the row above. So those of all rows with the same x + 2y wait for the same ones.
+  // The same with many samples at a time. What a pixel asks for hangs on the pixels on the left and above, and on those
+  // that these were asked for by: the one at (x, y) on those up to (x - 1, y) in its row and up to (x + 1, y - 1) in
+  // the row above. So those of all rows with the same x + 2y wait for the same ones.
   void refine_together(const Block& block) {
     by_tiles(origin_x_, origin_y_, block.x + block.width, block.y + block.height, [&](int x, int y) {
       if (x != origin_x_ || y != origin_y_) places_.emplace_back(x, y);
     });
     sample_points(sample_, places_, row_);
-    for (std::size_t i = 0; i < places_.size(); ++i) set(cell(static_cast<int>(places_[i].x), static_cast<int>(places_[i].y)), row_[i]);
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      set(cell(static_cast<int>(places_[i].x), static_cast<int>(places_[i].y)), row_[i]);
     places_.clear();
     for (int front = 0; front < block.width + 2 * (block.height - 1); ++front) {
       for (int y = std::max(0, (front - block.width) / 2); y < block.height && 2 * y <= front; ++y)
@@ -201,7 +209,10 @@ template <class Sampler>
 class RecursiveQuads {
  public:
   RecursiveQuads(const AntialiasSettings& settings, Sampler& sample)
-      : settings_(settings), sample_(sample), side_((1 << (settings.depth - 1)) + 1), points_(static_cast<std::size_t>(side_) * side_) {}
+      : settings_(settings),
+        sample_(sample),
+        side_((1 << (settings.depth - 1)) + 1),
+        points_(static_cast<std::size_t>(side_) * side_) {}
 
   void render(const Block& block, Framebuffer& out) {
     const int stride = block.width + 1;
@@ -209,7 +220,8 @@ class RecursiveQuads {
     row_.resize(static_cast<std::size_t>(stride));
     for (int y = 0; y <= block.height; ++y) {
       sample_row(sample_, block.x - 0.5, block.y + y - 0.5, stride, row_.data());
-      for (int x = 0; x <= block.width; ++x) set(corners_[static_cast<std::size_t>(y) * stride + x], row_[static_cast<std::size_t>(x)]);
+      for (int x = 0; x <= block.width; ++x)
+        set(corners_[static_cast<std::size_t>(y) * stride + x], row_[static_cast<std::size_t>(x)]);
     }
     for (int y = 0; y < block.height; ++y) {
       for (int x = 0; x < block.width; ++x) {
@@ -259,7 +271,8 @@ class RecursiveQuads {
     const Point corner[4] = {at(i, j), at(i + size, j), at(i, j + size), at(i + size, j + size)};
     bool differ = false;
     for (int a = 0; levels > 0 && a < 3; ++a)
-      for (int b = a + 1; b < 4; ++b) differ = differ || corner[a].compared.differs(corner[b].compared, settings_.threshold);
+      for (int b = a + 1; b < 4; ++b)
+        differ = differ || corner[a].compared.differs(corner[b].compared, settings_.threshold);
     if (!differ) return (corner[0].color + corner[1].color + corner[2].color + corner[3].color) * 0.25f;
     const int half = size / 2;
     ask(i, j + half), ask(i + half, j), ask(i + size, j + half), ask(i + half, j + size), ask(i + half, j + half);

@@ -1,4 +1,5 @@
-// The first look of `--sampler adaptive` at a block: the centres of its pixels, of which smooth regions need only some (docs/sampling.md).
+// The first look of `--sampler adaptive` at a block: the centres of its pixels, of which smooth regions need only some
+// (docs/sampling.md).
 //
 // A sampler is any callable Color(double x, double y); pixel centres have integer coordinates.
 #pragma once
@@ -19,9 +20,11 @@ class BlockCentres {
     bool wanted = false, chosen = false;
   };
 
-  BlockCentres(const AdaptiveSettings& settings, int width, int height) : settings_(settings), width_(width), height_(height) {}
+  BlockCentres(const AdaptiveSettings& settings, int width, int height)
+      : settings_(settings), width_(width), height_(height) {}
 
-  // Traces a checkerboard of centres in the block and around it, and the others where these do not tell them; all of them for fine tolerances.
+  // Traces a checkerboard of centres in the block and around it, and the others where these do not tell them; all of
+  // them for fine tolerances.
   template <class Sampler>
   void trace(const Block& block, Sampler& sample) {
     left_ = std::max(block.x - 1, 0), right_ = std::min(block.x + block.width + 1, width_);
@@ -88,7 +91,8 @@ class BlockCentres {
   int row(int y) const { return std::clamp(y, top_, bottom_ - 1); }
   const Cell& near(int x, int y) const { return cell(column(x), row(y)); }
 
-  // How far the pixel lies off the lines between its neighbours on opposite sides: on a ramp its centre is the mean already.
+  // How far the pixel lies off the lines between its neighbours on opposite sides: on a ramp its centre is the mean
+  // already.
   Float4 uneven(int x, int y) const { return off_line(x, y, 1); }
 
  private:
@@ -111,7 +115,8 @@ class BlockCentres {
       return max(max(off(reach), off(reach * stride)), max(off(stride + 1), off(stride - 1)));
     }
     const auto off = [&](int dx, int dy) {
-      return distance(twice, (inside(x - dx, y - dy) ? here[-dy * stride - dx] : *here) + (inside(x + dx, y + dy) ? here[dy * stride + dx] : *here));
+      return distance(twice, (inside(x - dx, y - dy) ? here[-dy * stride - dx] : *here) +
+                                 (inside(x + dx, y + dy) ? here[dy * stride + dx] : *here));
     };
     return max(max(off(reach, 0), off(0, reach)), max(off(1, 1), off(1, -1)));
   }

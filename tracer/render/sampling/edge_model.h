@@ -1,4 +1,5 @@
-// A straight edge across a pixel, known from samples on both sides of it: how much of the pixel lies on either side, and how sure that is.
+// A straight edge across a pixel, known from samples on both sides of it: how much of the pixel lies on either side,
+// and how sure that is.
 //
 // Places are relative to the pixel's centre, the pixel is [-0.5, 0.5]^2.
 #pragma once
@@ -27,10 +28,12 @@ class HalfPlanes {
       slope_[k] = 1 / a, bend_[k] = 1 / (2 * a * std::max(b, 1e-12f));
     }
   }
-  // The part of the pixel that lies in them: the integral of a box's width, straight in the middle, a parabola where the edge cuts off a corner.
+  // The part of the pixel that lies in them: the integral of a box's width, straight in the middle, a parabola where
+  // the edge cuts off a corner.
   Float4 coverage(Float4 d) const {
     const Float4 zero(0.0f), t = max(d, zero - d), corner = max(Float4::load(to_) - t, zero);
-    const Float4 beyond = select(t <= Float4::load(from_), Float4(0.5f) - Float4::load(slope_) * t, Float4::load(bend_) * corner * corner);  // not on the centre's side
+    const Float4 beyond = select(t <= Float4::load(from_), Float4(0.5f) - Float4::load(slope_) * t,
+                                 Float4::load(bend_) * corner * corner);  // not on the centre's side
     return select(zero <= d, Float4(1.0f) - beyond, beyond);
   }
 
@@ -42,7 +45,8 @@ class HalfPlanes {
 class EdgeModel {
  public:
   static constexpr int kDirections = 24;  // over half a turn, a multiple of four; the others are their opposites
-  static constexpr float kSlack = 0.06f;  // pixels by which a point may lie on the wrong side: edges are curved, directions are few
+  static constexpr float kSlack =
+      0.06f;  // pixels by which a point may lie on the wrong side: edges are curved, directions are few
 
   struct Estimate {
     bool possible = false;
@@ -78,7 +82,8 @@ class EdgeModel {
       const Float4 up = low1 - high0, down = low0 - high1, gap = max(max(up, down) + slack, zero);
       if ((gap <= zero).bits() == 15) continue;
       const auto along = up <= down;  // the normal points from the second side to the first one
-      const Float4 offset = select(along, half * (low0 + high1), zero - half * (low1 + high0));  // of the second side's half-plane
+      const Float4 offset =
+          select(along, half * (low0 + high1), zero - half * (low1 + high0));  // of the second side's half-plane
       for (const Float4 at : {offset - third * gap, offset, offset + third * gap}) {
         const Float4 covered = n.half_planes[k / 4].coverage(at);
         first = first + gap * covered;
@@ -137,7 +142,8 @@ inline const EdgeModel::Centres& EdgeModel::of_centres(unsigned bits) {
     std::vector<Centres> result(512);
     for (unsigned i = 0; i < result.size(); ++i) {
       result[i].model.clear();
-      for (int k = 0; k < 9; ++k) result[i].model.add(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 - 1), i >> k & 1);
+      for (int k = 0; k < 9; ++k)
+        result[i].model.add(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 - 1), i >> k & 1);
       result[i].estimate = result[i].model.estimate();
     }
     return result;

@@ -28,7 +28,9 @@ TEST(EdgeModel, CoverageIsExact) {
     const double angle = turn * std::numbers::pi / 8;  // straight ones and diagonals among them
     const double nx = std::cos(angle), ny = std::sin(angle);
     for (double d = -0.8; d < 0.81; d += 0.0973)
-      EXPECT_NEAR(coverage(static_cast<float>(nx), static_cast<float>(ny), static_cast<float>(d)), brute_force_coverage(nx, ny, d), 0.004) << angle << ' ' << d;
+      EXPECT_NEAR(coverage(static_cast<float>(nx), static_cast<float>(ny), static_cast<float>(d)),
+                  brute_force_coverage(nx, ny, d), 0.004)
+          << angle << ' ' << d;
   }
 }
 
@@ -46,7 +48,8 @@ TEST(EdgeModel, SamplesInTheMiddleOfWhatIsPossibleFindTheEdge) {
     const float angle = 6.2832f * unit(random);
     const Truth truth{std::cos(angle), std::sin(angle), unit(random) - 0.5f};
     unsigned bits = 0;
-    for (int k = 0; k < 9; ++k) bits |= static_cast<unsigned>(truth.second(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 - 1))) << k;
+    for (int k = 0; k < 9; ++k)
+      bits |= static_cast<unsigned>(truth.second(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 - 1))) << k;
     EdgeModel model = EdgeModel::of_centres(bits).model;
     const float covered = 1 - coverage(truth.nx, truth.ny, truth.d);
     for (int taken = 0; taken < 5; ++taken) {
@@ -56,7 +59,8 @@ TEST(EdgeModel, SamplesInTheMiddleOfWhatIsPossibleFindTheEdge) {
       squares[taken] += error * error;
       beyond += std::fabs(error) > 3 * e.deviation + 0.02;
       const float along = unit(random) - 0.5f;
-      const float x = std::clamp(e.nx * e.d - e.ny * along, -0.5f, 0.5f), y = std::clamp(e.ny * e.d + e.nx * along, -0.5f, 0.5f);
+      const float x = std::clamp(e.nx * e.d - e.ny * along, -0.5f, 0.5f),
+                  y = std::clamp(e.ny * e.d + e.nx * along, -0.5f, 0.5f);
       model.add(x, y, truth.second(x, y));
     }
   }

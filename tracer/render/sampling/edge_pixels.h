@@ -1,5 +1,5 @@
-// Pixels that one edge goes through, between two regions whose colours the centres around show: a few samples find its place, and the mean follows from the
-// parts of the pixel on either side (docs/sampling.md).
+// Pixels that one edge goes through, between two regions whose colours the centres around show: a few samples find its
+// place, and the mean follows from the parts of the pixel on either side (docs/sampling.md).
 #pragma once
 
 #include "tracer/render/sampling/block_centres.h"
@@ -11,14 +11,16 @@ namespace verisim::render {
 template <class Sampler>
 class EdgePixels {
  public:
-  EdgePixels(const AdaptiveSettings& settings, BlockCentres& centres, Sampler& sample) : settings_(settings), centres_(centres), sample_(sample) {
+  EdgePixels(const AdaptiveSettings& settings, BlockCentres& centres, Sampler& sample)
+      : settings_(settings), centres_(centres), sample_(sample) {
     for (int k = 0; k < 9; ++k) seen_[k] = seen_at(static_cast<float>(k % 3 - 1), static_cast<float>(k / 3 - 1));
   }
 
   void clear() { pixels_.clear(), samples_.clear(); }
   void add(int x, int y) { pixels_.push_back({x, y, 0}); }
 
-  // Sets the means of those that an edge explains; calls otherwise(x, y) for the rest. Neighbours take turns, so that they share what they find.
+  // Sets the means of those that an edge explains; calls otherwise(x, y) for the rest. Neighbours take turns, so that
+  // they share what they find.
   template <class F>
   void work(F&& otherwise) {
     while (!pixels_.empty()) {
@@ -77,11 +79,13 @@ class EdgePixels {
       for (int row = y - 1; row <= y + 1; ++row) {
         const BlockCentres::Cell* const cells = &centres_.cell(x - 1, row);
         const Float4* const shown = &centres_.shown(x - 1, row);
-        for (int k = 0; k < 3; ++k, ++n) seen_[n].color = &cells[k].color, shown[k].store(shown_[n]), samples[n] = cells[k].samples;
+        for (int k = 0; k < 3; ++k, ++n)
+          seen_[n].color = &cells[k].color, shown[k].store(shown_[n]), samples[n] = cells[k].samples;
       }
     } else {
       for (; n < 9; ++n) {
-        const int there_x = x + n % 3 - 1, there_y = y + n / 3 - 1, column = centres_.column(there_x), row = centres_.row(there_y);
+        const int there_x = x + n % 3 - 1, there_y = y + n / 3 - 1, column = centres_.column(there_x),
+                  row = centres_.row(there_y);
         seen_[n].color = &centres_.cell(column, row).color;
         centres_.shown(column, row).store(shown_[n]);
         samples[n] = centres_.inside(there_x, there_y) ? centres_.cell(column, row).samples : -1;
@@ -98,7 +102,8 @@ class EdgePixels {
     return n;
   }
 
-  // Two groups of colours: by the channel that tells them best. False: there are others, or centres show that no edge parts them.
+  // Two groups of colours: by the channel that tells them best. False: there are others, or centres show that no edge
+  // parts them.
   bool part(int n) {
     Float4 low = Float4::load(shown_[0]), high = low;
     for (int i = 1; i < n; ++i) low = min(low, Float4::load(shown_[i])), high = max(high, Float4::load(shown_[i]));
@@ -117,7 +122,8 @@ class EdgePixels {
       const bool side = seen_[i].second;
       lowest[side] = min(lowest[side], v), highest[side] = max(highest[side], v);
     }
-    return !exceeds(max(highest[0] - lowest[0], highest[1] - lowest[1]), std::max(2 * settings_.tolerance, kSame * contrast));
+    return !exceeds(max(highest[0] - lowest[0], highest[1] - lowest[1]),
+                    std::max(2 * settings_.tolerance, kSame * contrast));
   }
 
   EdgeModel::Estimate estimate(int n) const {
@@ -149,18 +155,22 @@ class EdgePixels {
     for (int i = 0; i < 2; ++i) {
       const float part = i ? edge.coverage : 1 - edge.coverage;
       const Float4 one(1 / sides[i].weight), average = one * sides[i].shown;
-      variance = variance + Float4(kSide * kSide * part * part) * max(Float4(0.0f), one * sides[i].squares - average * average);
+      variance = variance +
+                 Float4(kSide * kSide * part * part) * max(Float4(0.0f), one * sides[i].squares - average * average);
       sides[i].color = one * sides[i].color;
     }
-    const Float4 jump = sides[1].color - sides[0].color, mean = sides[0].color + Float4(edge.coverage) * jump, off = Float4(kConfidence * edge.deviation) * jump;
-    const Float4 error = Float4(0.5f) * distance(as_shown(mean + off, settings_.encoded), as_shown(mean - off, settings_.encoded));
+    const Float4 jump = sides[1].color - sides[0].color, mean = sides[0].color + Float4(edge.coverage) * jump,
+                 off = Float4(kConfidence * edge.deviation) * jump;
+    const Float4 error =
+        Float4(0.5f) * distance(as_shown(mean + off, settings_.encoded), as_shown(mean - off, settings_.encoded));
     if (!exceeds(error * error + variance, settings_.tolerance * settings_.tolerance)) {
       centres_.cell(pixel.x, pixel.y).mean = mean;
       return Verdict::known;
     }
     if (pixel.taken >= kMost) return Verdict::other;
     // In the middle of what is possible, anywhere along the edge.
-    const float along = static_cast<float>(LowDiscrepancy(pixel.x, pixel.y, settings_.seed)(static_cast<std::uint32_t>(pixel.taken)).x - 0.5);
+    const float along = static_cast<float>(
+        LowDiscrepancy(pixel.x, pixel.y, settings_.seed)(static_cast<std::uint32_t>(pixel.taken)).x - 0.5);
     const float x = edge.nx * edge.d - edge.ny * along, y = edge.ny * edge.d + edge.nx * along;
     places_.emplace_back(pixel.x + std::clamp(x, -0.49f, 0.49f), pixel.y + std::clamp(y, -0.49f, 0.49f));
     ++pixel.taken;

@@ -21,17 +21,22 @@ struct BaseSet {
 using Pairs = std::pair<int, int>;
 constexpr Pairs kSeven[] = {{-2, 0}, {0, 0}, {2, 0}, {-1, 1}, {-1, -1}, {1, 1}, {1, -1}};
 constexpr int kSevenGroups[] = {7};
-constexpr Pairs kNineteen[] = {{-2, 2}, {-2, -2}, {2, 2}, {2, -2}, {4, 0},  {-4, 0}, {0, 0},   {0, 2}, {0, -2}, {-3, 1},
-                               {-3, -1}, {3, 1},  {3, -1}, {-1, 1}, {-1, -1}, {1, 1}, {1, -1}, {-2, 0}, {2, 0}};
+constexpr Pairs kNineteen[] = {{-2, 2},  {-2, -2}, {2, 2},  {2, -2},  {4, 0}, {-4, 0}, {0, 0},
+                               {0, 2},   {0, -2},  {-3, 1}, {-3, -1}, {3, 1}, {3, -1}, {-1, 1},
+                               {-1, -1}, {1, 1},   {1, -1}, {-2, 0},  {2, 0}};
 constexpr int kNineteenGroups[] = {7, 6, 6};
-constexpr Pairs kThirtySeven[] = {{0, 0},   {-3, 3},  {3, -3}, {-3, -3}, {3, 3},  {-6, 0}, {6, 0},  {-2, 2},  {2, -2}, {-2, -2}, {2, 2},  {-4, 0}, {4, 0},
-                                  {-1, 1},  {1, -1},  {-1, -1}, {1, 1},  {-2, 0}, {2, 0},  {-5, 1}, {-5, -1}, {5, 1},  {5, -1},  {-4, 2}, {-4, -2}, {4, 2},
-                                  {4, -2}, {-1, 3},  {-1, -3}, {1, 3},  {1, -3}, {-3, 1}, {-3, -1}, {3, 1},   {3, -1}, {0, 2},   {0, -2}};
+constexpr Pairs kThirtySeven[] = {{0, 0},   {-3, 3},  {3, -3}, {-3, -3}, {3, 3},   {-6, 0}, {6, 0},  {-2, 2},
+                                  {2, -2},  {-2, -2}, {2, 2},  {-4, 0},  {4, 0},   {-1, 1}, {1, -1}, {-1, -1},
+                                  {1, 1},   {-2, 0},  {2, 0},  {-5, 1},  {-5, -1}, {5, 1},  {5, -1}, {-4, 2},
+                                  {-4, -2}, {4, 2},   {4, -2}, {-1, 3},  {-1, -3}, {1, 3},  {1, -3}, {-3, 1},
+                                  {-3, -1}, {3, 1},   {3, -1}, {0, 2},   {0, -2}};
 constexpr int kThirtySevenGroups[] = {7, 6, 6, 4, 4, 4, 4, 2};
 
 double six_decimals(double v) { return std::round(v * 1e6) / 1e6; }
 
-Vec2 base_point(const BaseSet& set, std::size_t i) { return {six_decimals(set.points[i].first * set.h), six_decimals(set.points[i].second * set.k)}; }
+Vec2 base_point(const BaseSet& set, std::size_t i) {
+  return {six_decimals(set.points[i].first * set.h), six_decimals(set.points[i].second * set.k)};
+}
 
 BaseSet hexagonal(int count) {
   if (count >= 37) return {0.07216878364870322, 0.125, kThirtySeven, kThirtySevenGroups, 0.0721688};
@@ -49,7 +54,8 @@ Vec2 disc_point(std::uint32_t n) {
 class Occupancy {
  public:
   explicit Occupancy(int count)
-      : side_(2 * static_cast<int>(std::ceil(std::sqrt(count / kPi))) + 1), cells_(static_cast<std::size_t>(side_) * side_, false) {}
+      : side_(2 * static_cast<int>(std::ceil(std::sqrt(count / kPi))) + 1),
+        cells_(static_cast<std::size_t>(side_) * side_, false) {}
   void mark(const Vec2& p) { cells_[index(p)] = true; }
   bool marked(const Vec2& p) const { return cells_[index(p)]; }
 
@@ -84,7 +90,8 @@ FocalBlur::FocalBlur(const scene::Camera& camera, const Weight& bokeh)
     }
   }
   make_groups(camera, sizes);
-  for (const Vec2& p : positions_) lens_extent_ = Vec2(std::fmax(lens_extent_.x, std::fabs(p.x)), std::fmax(lens_extent_.y, std::fabs(p.y)));
+  for (const Vec2& p : positions_)
+    lens_extent_ = Vec2(std::fmax(lens_extent_.x, std::fabs(p.x)), std::fmax(lens_extent_.y, std::fabs(p.y)));
   lens_extent_ = (lens_extent_ + Vec2(lens_jitter_, lens_jitter_)) * std::fabs(aperture_ / 2);
 }
 
@@ -171,7 +178,8 @@ void FocalBlur::Average::test() {
   complete_ = true;
   for (int c = 0; c < 4; ++c) {
     const double mean = static_cast<double>(sums[c]) / n_;
-    complete_ = complete_ && static_cast<float>((static_cast<double>(squares_[c]) / n_ - mean * mean) / n_) < group.threshold;
+    complete_ =
+        complete_ && static_cast<float>((static_cast<double>(squares_[c]) / n_ - mean * mean) / n_) < group.threshold;
   }
 }
 
@@ -180,28 +188,34 @@ Color FocalBlur::Average::mean() const {
   return {sum_.r / count, sum_.g / count, sum_.b / count, sum_.f / count, sum_.t / count};
 }
 
-// A ray is at location + q + s (d - q) for s >= 0, where q lies on the lens and d leads to the point that is in focus. It is followed to the s at which all
-// rays are behind the world: a longer shaft would be wider than need be, because lens rays diverge on both sides of the focus.
-std::optional<accel::Shaft> FocalBlur::shaft(const CameraRays& camera, const Box3& world, double left, double top, double right, double bottom) const {
+// A ray is at location + q + s (d - q) for s >= 0, where q lies on the lens and d leads to the point that is in focus.
+// It is followed to the s at which all rays are behind the world: a longer shaft would be wider than need be, because
+// lens rays diverge on both sides of the focus.
+std::optional<accel::Shaft> FocalBlur::shaft(const CameraRays& camera, const Box3& world, double left, double top,
+                                             double right, double bottom) const {
   constexpr double kJitter = 0.54, kRounding = 1e-6;  // the pixel's area is jittered by less, see `ray`
   const Vec3 ahead = cross(lens_x_, lens_y_);
   Box3 focused;
   double depth = std::numeric_limits<double>::infinity(), furthest = 0;
-  for (const Vec2& at : {Vec2(left - kJitter, top - kJitter), Vec2(right + kJitter, top - kJitter), Vec2(left - kJitter, bottom + kJitter), Vec2(right + kJitter, bottom + kJitter)}) {
+  for (const Vec2& at : {Vec2(left - kJitter, top - kJitter), Vec2(right + kJitter, top - kJitter),
+                         Vec2(left - kJitter, bottom + kJitter), Vec2(right + kJitter, bottom + kJitter)}) {
     const Vec3 d = camera.at(at.x, at.y)->ray.direction * focal_scale_;
     focused.extendBy(d);
     depth = std::fmin(depth, dot(d, ahead));
   }
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p(corner & 1 ? world.max.x : world.min.x, corner & 2 ? world.max.y : world.min.y, corner & 4 ? world.max.z : world.min.z);
+    const Vec3 p(corner & 1 ? world.max.x : world.min.x, corner & 2 ? world.max.y : world.min.y,
+                 corner & 4 ? world.max.z : world.min.z);
     furthest = std::fmax(furthest, dot(p - location_, ahead));
   }
   if (!(depth > 0)) return std::nullopt;
   const double s = furthest / depth * (1 + kRounding);
   Vec3 lens;
-  for (int i = 0; i < 3; ++i) lens[i] = (lens_extent_.x * std::fabs(lens_x_[i]) + lens_extent_.y * std::fabs(lens_y_[i])) * (1 + kRounding);
+  for (int i = 0; i < 3; ++i)
+    lens[i] = (lens_extent_.x * std::fabs(lens_x_[i]) + lens_extent_.y * std::fabs(lens_y_[i])) * (1 + kRounding);
   const Vec3 spread = lens * std::fabs(1 - s);
-  return accel::Shaft::between({location_ - lens, location_ + lens}, {location_ + s * focused.min - spread, location_ + s * focused.max + spread});
+  return accel::Shaft::between({location_ - lens, location_ + lens},
+                               {location_ + s * focused.min - spread, location_ + s * focused.max + spread});
 }
 
 }  // namespace verisim::render

@@ -18,7 +18,8 @@ class FocalBlur {
   // The n-th lens ray of the pixel sample at (x, y); its direction is unit. Empty where the camera has no ray.
   std::optional<PrimaryRay> ray(const CameraRays& camera, double x, double y, int n) const;
 
-  // What is known of a pixel sample: its lens rays are added in order, group by group, until the statistical test is satisfied.
+  // What is known of a pixel sample: its lens rays are added in order, group by group, until the statistical test is
+  // satisfied.
   class Average {
    public:
     explicit Average(const FocalBlur& blur) : blur_(&blur) {}
@@ -41,8 +42,10 @@ class FocalBlur {
     std::size_t group_ = 0;
     bool complete_ = false;
   };
-  // Where the lens rays of all pixel samples in a rectangle are, for a camera whose rays are linear in the position, through a world with these bounds.
-  std::optional<accel::Shaft> shaft(const CameraRays& camera, const Box3& world, double left, double top, double right, double bottom) const;
+  // Where the lens rays of all pixel samples in a rectangle are, for a camera whose rays are linear in the position,
+  // through a world with these bounds.
+  std::optional<accel::Shaft> shaft(const CameraRays& camera, const Box3& world, double left, double top, double right,
+                                    double bottom) const;
 
   const std::vector<Vec2>& positions() const { return positions_; }
   double lens_jitter() const { return lens_jitter_; }

@@ -17,8 +17,9 @@ std::array<std::uint16_t, 4096> make_permutation() {
   return p;
 }
 
-// CRC-16 (reflected polynomial 0xA001) of one byte, its low 15 bits mapped to [-0.5, 0.5), rounded to six decimals and held in single precision:
-// measured through lens rays, whose hits on a far wall show the last bits of each of the 256 values.
+// CRC-16 (reflected polynomial 0xA001) of one byte, its low 15 bits mapped to [-0.5, 0.5), rounded to six decimals and
+// held in single precision: measured through lens rays, whose hits on a far wall show the last bits of each of the 256
+// values.
 std::array<double, 256> make_offsets() {
   std::array<double, 256> t{};
   for (std::uint32_t i = 0; i < 256; ++i) {

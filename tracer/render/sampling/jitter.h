@@ -1,4 +1,5 @@
-// POV-Ray's sample displacement: pure functions of position, built from a fixed permutation and a table of offsets (spec 02 section 3.2).
+// POV-Ray's sample displacement: pure functions of position, built from a fixed permutation and a table of offsets
+// (spec 02 section 3.2).
 #pragma once
 
 #include <array>

@@ -33,7 +33,8 @@ void PixelSampler::lens_points(int count, Color* colors) {
     }
     if (lens.rays.empty()) break;
     for (std::size_t done = 0; done < lens.rays.size(); done += shading::Wave::kMost)
-      lens_wave(std::span(lens.rays).subspan(done, std::min<std::size_t>(lens.rays.size() - done, shading::Wave::kMost)));
+      lens_wave(
+          std::span(lens.rays).subspan(done, std::min<std::size_t>(lens.rays.size() - done, shading::Wave::kMost)));
   }
   for (int i = 0; i < count; ++i) colors[i] = lens.averages[static_cast<std::size_t>(i)].mean();
 }
@@ -54,7 +55,8 @@ void PixelSampler::lens_wave(std::span<const LensRay> rays) {
   Color seen[shading::Wave::kMost];
   if (together) wave_.trace(static_cast<int>(rays.size()), entries, seen);
   for (std::size_t k = 0; k < rays.size(); ++k)
-    lens_.averages[static_cast<std::size_t>(rays[k].sample)].add(together ? std::optional(seen[k]) : lens_ray(lens_.places[rays[k].sample], rays[k].number));
+    lens_.averages[static_cast<std::size_t>(rays[k].sample)].add(
+        together ? std::optional(seen[k]) : lens_ray(lens_.places[rays[k].sample], rays[k].number));
 }
 
 }  // namespace verisim::render

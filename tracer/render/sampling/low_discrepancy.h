@@ -1,5 +1,6 @@
-// Owen-scrambled Sobol points of two dimensions (Sobol' 1967; Burley, "Practical Hash-based Owen Scrambling", JCGT 9(4), 2020): the first 2^k points of a pixel are
-// stratified over all 2^k elementary intervals, for every k, so a pixel can go on sampling without losing what it has.
+// Owen-scrambled Sobol points of two dimensions (Sobol' 1967; Burley, "Practical Hash-based Owen Scrambling", JCGT
+// 9(4), 2020): the first 2^k points of a pixel are stratified over all 2^k elementary intervals, for every k, so a
+// pixel can go on sampling without losing what it has.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,8 @@ class LowDiscrepancy {
  public:
   // Another scrambling for every pixel and seed.
   LowDiscrepancy(std::int32_t x, std::int32_t y, std::uint64_t seed) {
-    std::uint64_t z = seed + 0x9E3779B97F4A7C15u * (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32 | static_cast<std::uint32_t>(y));
+    std::uint64_t z = seed + 0x9E3779B97F4A7C15u * (static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32 |
+                                                    static_cast<std::uint32_t>(y));
     z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;  // SplitMix64's finaliser
     z = (z ^ z >> 27) * 0x94D049BB133111EBu;
     z ^= z >> 31;
@@ -35,7 +37,8 @@ class LowDiscrepancy {
     for (std::uint32_t bits = n; bits; bits >>= 1, direction ^= direction >> 1)
       if (bits & 1) second ^= direction;
     // The first dimension is the index with its bits reversed, so its reversal is the index.
-    return {reverse_bits(permute_nested(n, seed_x_)) * 0x1p-32, reverse_bits(permute_nested(reverse_bits(second), seed_y_)) * 0x1p-32};
+    return {reverse_bits(permute_nested(n, seed_x_)) * 0x1p-32,
+            reverse_bits(permute_nested(reverse_bits(second), seed_y_)) * 0x1p-32};
   }
 
  private:

@@ -34,7 +34,8 @@ void CameraModel::find_coherence(int width, int height) {
   const auto here = rays.at(x, y), right = rays.at(x + 1, y), below = rays.at(x, y + 1);
   if (!here || !right || !below) return;
   const auto apart = [&](const PrimaryRay& other) {
-    return rays.origin_varies() ? length(other.ray.origin - here->ray.origin) : length(normalize(other.ray.direction) - normalize(here->ray.direction));
+    return rays.origin_varies() ? length(other.ray.origin - here->ray.origin)
+                                : length(normalize(other.ray.direction) - normalize(here->ray.direction));
   };
   if (rays.origin_varies() && camera.kind != scene::CameraKind::orthographic) return;
   linear = !normal && (camera.kind == scene::CameraKind::perspective || camera.kind == scene::CameraKind::orthographic);
@@ -42,13 +43,16 @@ void CameraModel::find_coherence(int width, int height) {
 }
 
 // Rays of linear cameras are spanned by those of the corners.
-std::optional<accel::Shaft> CameraModel::shaft(const Box3& world, double left, double top, double right, double bottom) const {
+std::optional<accel::Shaft> CameraModel::shaft(const Box3& world, double left, double top, double right,
+                                               double bottom) const {
   if (blur) return blur->shaft(rays, world, left, top, right, bottom);
   Box3 from, to;
   for (const Vec2& at : {Vec2(left, top), Vec2(right, top), Vec2(left, bottom), Vec2(right, bottom)}) {
     const Ray ray = rays.at(at.x, at.y)->ray;
-    // To beyond the sphere around the world, whose distance from the corner's own origin this bounds; parallel rays count from behind it, too.
-    const double reach = 2 * (length(world.center() - ray.origin) + length(world.max - world.min)) / length(ray.direction);
+    // To beyond the sphere around the world, whose distance from the corner's own origin this bounds; parallel rays
+    // count from behind it, too.
+    const double reach =
+        2 * (length(world.center() - ray.origin) + length(world.max - world.min)) / length(ray.direction);
     from.extendBy(origin_varies ? ray.origin - reach * ray.direction : ray.origin);
     to.extendBy(ray.origin + reach * ray.direction);
   }
@@ -81,12 +85,15 @@ void PixelSampler::row(double x, double y, int count, Color* colors) {
   for (int done = 0; done < count; done += shading::Wave::kMost) {
     const int n = std::min(count - done, shading::Wave::kMost);
     for (int i = 0; i < n; ++i) wave_.places()[i] = Vec2(x + done + i, y);
-    if (camera_.blur) lens_points(n, colors + done);
-    else row_wave(n, colors + done);
+    if (camera_.blur)
+      lens_points(n, colors + done);
+    else
+      row_wave(n, colors + done);
   }
 }
 
-// How many of the places, from the first on, may share a wave: where their rays enter the world is remembered for all of them.
+// How many of the places, from the first on, may share a wave: where their rays enter the world is remembered for all
+// of them.
 int PixelSampler::near_each_other(const Vec2* places, int count) {
   Imath::Box2d around(places[0]);
   for (int i = 1; i < count; ++i) {
@@ -105,8 +112,10 @@ void PixelSampler::points(const Vec2* places, int count, Color* colors) {
   for (int done = 0, n = 0; done < count; done += n) {
     n = near_each_other(places + done, std::min(count - done, shading::Wave::kMost));
     std::copy_n(places + done, n, wave_.places());
-    if (camera_.blur) lens_points(n, colors + done);
-    else point_wave(n, colors + done);
+    if (camera_.blur)
+      lens_points(n, colors + done);
+    else
+      point_wave(n, colors + done);
   }
 }
 
@@ -167,7 +176,8 @@ Color PixelSampler::trace(Ray ray, const Vec2& image, const accel::WorldEntry* e
 }
 
 Color PixelSampler::mesh_sample(double x, double y) {
-  const double limit = camera_.camera.max_distance >= kEpsilon ? camera_.camera.max_distance : std::numeric_limits<double>::infinity();
+  const double limit =
+      camera_.camera.max_distance >= kEpsilon ? camera_.camera.max_distance : std::numeric_limits<double>::infinity();
   Color sum;
   int shot = 0;
   for (int k = 0; k < camera_.mesh->rays_per_pixel(); ++k) {

@@ -55,7 +55,8 @@ class PixelSampler {
   void row_wave(int count, Color* colors);
   void point_wave(int count, Color* colors);
   void one_by_one(int count, Color* colors);
-  // Where rays through (x, y), (x + 1, y) ... enter the world, `count` of them at most; sets it to the number of those that this holds for.
+  // Where rays through (x, y), (x + 1, y) ... enter the world, `count` of them at most; sets it to the number of those
+  // that this holds for.
   const accel::WorldEntry* entry(double x, double y, int& count);
 
   // ---- lens_samples.cpp

@@ -21,7 +21,8 @@ TEST(Jitter, PermutationStartsAsInTheSpecification) {
 TEST(Jitter, CheckValues) {
   const auto near = [](double x, double y, double a, double b) {
     const Vec2 j = jitter2(x, y);
-    EXPECT_EQ(j.x, static_cast<float>(a)) << x << ' ' << y;  // the table is of single precision: seen in the far checks of lens rays
+    EXPECT_EQ(j.x, static_cast<float>(a))
+        << x << ' ' << y;  // the table is of single precision: seen in the far checks of lens rays
     EXPECT_EQ(j.y, static_cast<float>(b)) << x << ' ' << y;
   };
   near(0, 0, 0.084015, 0.084015);
@@ -37,7 +38,12 @@ TEST(FocalBlur, LensPositionsLieOnTheLensAndDiffer) {
     const FocalBlur blur(camera, nullptr);
     ASSERT_EQ(blur.positions().size(), static_cast<std::size_t>(n));
     for (const Vec2& p : blur.positions()) EXPECT_LE(p.x * p.x + p.y * p.y, 0.2501);
-    EXPECT_NEAR(blur.lens_jitter(), n == 7 ? 0.144338 : n == 19 ? 0.096225 : n == 37 ? 0.0721688 : 0.5 / std::sqrt(n), 1e-12);
+    EXPECT_NEAR(blur.lens_jitter(),
+                n == 7    ? 0.144338
+                : n == 19 ? 0.096225
+                : n == 37 ? 0.0721688
+                          : 0.5 / std::sqrt(n),
+                1e-12);
   }
 }
 
@@ -81,18 +87,24 @@ scene::Camera narrow_spherical() {
 using K = scene::CameraKind;
 INSTANTIATE_TEST_SUITE_P(
     P1, CameraProbe,
-    testing::Values(CameraCase{"perspective", {}, {{{70, 170, 219}, {159, 159, 235}, {104, 132, 241}, {185, 85, 219}}}},
-                    CameraCase{"fisheye", of(K::fisheye), {{{0, 0, 0}, {177, 177, 220}, {90, 135, 237}, {0, 0, 0}}}},
-                    CameraCase{"small_fisheye", small_fisheye(), {{{56, 197, 187}, {165, 178, 225}, {99, 135, 240}, {199, 58, 187}}}},
-                    CameraCase{"ultra_wide", of(K::ultra_wide_angle), {{{54, 184, 197}, {166, 166, 230}, {99, 133, 240}, {201, 71, 197}}}},
-                    CameraCase{"omnimax", of(K::omnimax), {{{0, 0, 0}, {187, 217, 171}, {78, 171, 223}, {0, 0, 0}}}},
-                    CameraCase{"panoramic", of(K::panoramic), {{{108, 242, 129}, {184, 215, 179}, {61, 141, 221}, {147, 13, 129}}}},
-                    CameraCase{"cylinder1", of(K::cylinder1), {{{57, 176, 206}, {165, 160, 232}, {99, 132, 240}, {198, 79, 206}}}},
-                    CameraCase{"cylinder2", of(K::cylinder2), {{{66, 192, 201}, {160, 177, 227}, {104, 135, 241}, {189, 63, 201}}}},
-                    CameraCase{"cylinder3", of(K::cylinder3), {{{50, 128, 213}, {167, 128, 237}, {99, 128, 240}, {205, 128, 213}}}},
-                    CameraCase{"cylinder4", of(K::cylinder4), {{{128, 204, 215}, {128, 179, 231}, {128, 135, 243}, {128, 51, 215}}}},
-                    CameraCase{"spherical", of(K::spherical), {{{125, 242, 113}, {197, 219, 141}, {32, 143, 191}, {130, 13, 113}}}},
-                    CameraCase{"narrow_spherical", narrow_spherical(), {{{47, 211, 122}, {197, 184, 201}, {68, 136, 226}, {208, 44, 122}}}}),
+    testing::Values(
+        CameraCase{"perspective", {}, {{{70, 170, 219}, {159, 159, 235}, {104, 132, 241}, {185, 85, 219}}}},
+        CameraCase{"fisheye", of(K::fisheye), {{{0, 0, 0}, {177, 177, 220}, {90, 135, 237}, {0, 0, 0}}}},
+        CameraCase{
+            "small_fisheye", small_fisheye(), {{{56, 197, 187}, {165, 178, 225}, {99, 135, 240}, {199, 58, 187}}}},
+        CameraCase{
+            "ultra_wide", of(K::ultra_wide_angle), {{{54, 184, 197}, {166, 166, 230}, {99, 133, 240}, {201, 71, 197}}}},
+        CameraCase{"omnimax", of(K::omnimax), {{{0, 0, 0}, {187, 217, 171}, {78, 171, 223}, {0, 0, 0}}}},
+        CameraCase{"panoramic", of(K::panoramic), {{{108, 242, 129}, {184, 215, 179}, {61, 141, 221}, {147, 13, 129}}}},
+        CameraCase{"cylinder1", of(K::cylinder1), {{{57, 176, 206}, {165, 160, 232}, {99, 132, 240}, {198, 79, 206}}}},
+        CameraCase{"cylinder2", of(K::cylinder2), {{{66, 192, 201}, {160, 177, 227}, {104, 135, 241}, {189, 63, 201}}}},
+        CameraCase{"cylinder3", of(K::cylinder3), {{{50, 128, 213}, {167, 128, 237}, {99, 128, 240}, {205, 128, 213}}}},
+        CameraCase{
+            "cylinder4", of(K::cylinder4), {{{128, 204, 215}, {128, 179, 231}, {128, 135, 243}, {128, 51, 215}}}},
+        CameraCase{"spherical", of(K::spherical), {{{125, 242, 113}, {197, 219, 141}, {32, 143, 191}, {130, 13, 113}}}},
+        CameraCase{"narrow_spherical",
+                   narrow_spherical(),
+                   {{{47, 211, 122}, {197, 184, 201}, {68, 136, 226}, {208, 44, 122}}}}),
     [](const auto& i) { return std::string(i.param.name); });
 
 // Spec 02 probe P4: a sky whose colour is a function of the direction; 24x20, row 6, red, linear 8 bits.
@@ -114,11 +126,14 @@ TEST_P(AntialiasProbe, RowOfTheTable) {
   auto sample = [&](double x, double y) -> Color {
     const Vec3 d = normalize(rays.at(x, y)->ray.direction);
     const double s = d.x * d.x + d.y * d.y - 0.1 * d.z * d.z;
-    const auto v = static_cast<float>((s < 0 ? 0.9 : 0.0) + (s < 0 ? 0.0 : s == 0 ? 0.0 : 0.25 + 0.5 * (d.x / d.z) * (d.x / d.z)));
+    const auto v = static_cast<float>((s < 0 ? 0.9 : 0.0) + (s < 0    ? 0.0
+                                                             : s == 0 ? 0.0
+                                                                      : 0.25 + 0.5 * (d.x / d.z) * (d.x / d.z)));
     return {v, v * 0.8f, v * 0.6f};
   };
   Options options;
-  options.antialias = p.antialias, options.antialias_threshold = p.threshold, options.antialias_depth = p.depth, options.sampling_method = p.method;
+  options.antialias = p.antialias, options.antialias_threshold = p.threshold, options.antialias_depth = p.depth,
+  options.sampling_method = p.method;
   options.jitter = p.jitter;
   const AntialiasSettings settings = antialias_settings(options, scene::Gamma::power, 1);
   Framebuffer frame{24, 20, std::vector<Color>(24 * 20), {}};
@@ -142,29 +157,38 @@ TEST_P(AntialiasProbe, RowOfTheTable) {
   for (int x = 0; x < 24; ++x) EXPECT_EQ(q.samples[3 * (6 * 24 + x)], p.row[x]) << "column " << x;
 }
 using Row = std::vector<int>;
-INSTANTIATE_TEST_SUITE_P(
-    P4, AntialiasProbe,
-    testing::Values(AntialiasCase{"off", false, .3f, 3, 1, 24, true,
-                                  Row{130, 119, 109, 100, 92, 85, 79, 74, 230, 230, 230, 230, 230, 230, 230, 230, 74, 79, 85, 92, 100, 109, 119, 130}},
-                    AntialiasCase{"method1", true, .3f, 3, 1, 24, true,
-                                  Row{130, 119, 109, 100, 92, 85, 79, 90, 230, 230, 230, 230, 230, 230, 230, 230, 121, 79, 85, 92, 100, 109, 119, 130}},
-                    AntialiasCase{"no_jitter", true, .3f, 3, 1, 24, false,
-                                  Row{130, 119, 109, 100, 92, 85, 79, 105, 230, 230, 230, 230, 230, 230, 230, 230, 105, 79, 85, 92, 100, 109, 119, 130}},
-                    AntialiasCase{"depth4", true, .1f, 4, 1, 24, true,
-                                  Row{130, 119, 109, 100, 92, 85, 79, 111, 229, 230, 230, 230, 230, 230, 230, 229, 111, 79, 85, 92, 100, 109, 119, 130}},
-                    AntialiasCase{"blocks8", true, .05f, 3, 1, 8, true,
-                                  Row{130, 118, 109, 100, 92, 85, 79, 90, 230, 230, 230, 230, 230, 230, 230, 230, 121, 79, 85, 92, 100, 108, 119, 129}},
-                    AntialiasCase{"method2", true, .3f, 3, 2, 24, true,
-                                  Row{130, 119, 109, 100, 92, 85, 79, 106, 227, 230, 230, 230, 230, 230, 230, 227, 106, 79, 85, 92, 100, 109, 119, 130}},
-                    AntialiasCase{"method2_depth1", true, .1f, 1, 2, 24, true,
-                                  Row{130, 119, 109, 100, 92, 85, 79, 113, 190, 230, 230, 230, 230, 230, 230, 190, 113, 79, 85, 92, 100, 109, 119, 130}}),
-    [](const auto& i) { return std::string(i.param.name); });
+INSTANTIATE_TEST_SUITE_P(P4, AntialiasProbe,
+                         testing::Values(AntialiasCase{"off", false, .3f, 3, 1, 24, true,
+                                                       Row{130, 119, 109, 100, 92, 85, 79, 74, 230, 230, 230, 230,
+                                                           230, 230, 230, 230, 74, 79, 85, 92, 100, 109, 119, 130}},
+                                         AntialiasCase{"method1", true, .3f, 3, 1, 24, true,
+                                                       Row{130, 119, 109, 100, 92,  85, 79, 90, 230, 230, 230, 230,
+                                                           230, 230, 230, 230, 121, 79, 85, 92, 100, 109, 119, 130}},
+                                         AntialiasCase{"no_jitter", true, .3f, 3, 1, 24, false,
+                                                       Row{130, 119, 109, 100, 92,  85, 79, 105, 230, 230, 230, 230,
+                                                           230, 230, 230, 230, 105, 79, 85, 92,  100, 109, 119, 130}},
+                                         AntialiasCase{"depth4", true, .1f, 4, 1, 24, true,
+                                                       Row{130, 119, 109, 100, 92,  85, 79, 111, 229, 230, 230, 230,
+                                                           230, 230, 230, 229, 111, 79, 85, 92,  100, 109, 119, 130}},
+                                         AntialiasCase{"blocks8", true, .05f, 3, 1, 8, true,
+                                                       Row{130, 118, 109, 100, 92,  85, 79, 90, 230, 230, 230, 230,
+                                                           230, 230, 230, 230, 121, 79, 85, 92, 100, 108, 119, 129}},
+                                         AntialiasCase{"method2", true, .3f, 3, 2, 24, true,
+                                                       Row{130, 119, 109, 100, 92,  85, 79, 106, 227, 230, 230, 230,
+                                                           230, 230, 230, 227, 106, 79, 85, 92,  100, 109, 119, 130}},
+                                         AntialiasCase{"method2_depth1", true, .1f, 1, 2, 24, true,
+                                                       Row{130, 119, 109, 100, 92,  85, 79, 113, 190, 230, 230, 230,
+                                                           230, 230, 230, 190, 113, 79, 85, 92,  100, 109, 119, 130}}),
+                         [](const auto& i) { return std::string(i.param.name); });
 
 TEST(Antialias, ThresholdZeroSupersamplesEverything) {
   Options options;
   options.antialias_threshold = 0;
   int calls = 0;
-  auto sample = [&](double, double) -> Color { ++calls; return {1, 1, 1}; };
+  auto sample = [&](double, double) -> Color {
+    ++calls;
+    return {1, 1, 1};
+  };
   AdaptiveGrid grid(antialias_settings(options, scene::Gamma::power, 1), sample);
   Framebuffer frame{4, 4, std::vector<Color>(16), {}};
   grid.render({0, 0, 4, 4}, frame);
@@ -178,7 +202,8 @@ struct Speckled {
   bool any_order() const { return together; }
   Color operator()(double x, double y) {
     asked.emplace_back(x, y);
-    const double v = 0.5 + 0.2 * std::sin(0.3 * x) + 0.2 * std::sin(0.4 * y) + (std::sin(12.9898 * x + 78.233 * y) > 0.95 ? 0.3 : 0);
+    const double v =
+        0.5 + 0.2 * std::sin(0.3 * x) + 0.2 * std::sin(0.4 * y) + (std::sin(12.9898 * x + 78.233 * y) > 0.95 ? 0.3 : 0);
     return {static_cast<float>(v), static_cast<float>(v * v), 0.5f};
   }
 };
@@ -194,9 +219,11 @@ TEST(AdaptiveGrid, PixelsThatDoNotWaitForEachOtherAreSupersampledTogether) {
     AdaptiveGrid(settings, together).render(block, frame);
     for (int y = 0; y < 20; ++y)
       for (int x = 0; x < 24; ++x) ASSERT_EQ(frame.at(x, y), expected.at(x, y)) << x << ' ' << y;
-    std::sort(one_by_one.asked.begin(), one_by_one.asked.end()), std::sort(together.asked.begin(), together.asked.end());
+    std::sort(one_by_one.asked.begin(), one_by_one.asked.end()),
+        std::sort(together.asked.begin(), together.asked.end());
     EXPECT_EQ(together.asked, one_by_one.asked);
-    const auto plain = static_cast<std::size_t>((block.width + 1) * (block.height + 1) - 1), all = plain + static_cast<std::size_t>(9 * block.width * block.height);
+    const auto plain = static_cast<std::size_t>((block.width + 1) * (block.height + 1) - 1),
+               all = plain + static_cast<std::size_t>(9 * block.width * block.height);
     EXPECT_GT(together.asked.size(), plain);
     EXPECT_LT(together.asked.size(), all);
   }
@@ -212,7 +239,8 @@ TEST(LowDiscrepancy, EveryPowerOfTwoIsStratifiedInAllElementaryIntervals) {
         for (int i = 0; i < n; ++i) {
           const Vec2 p = points(static_cast<std::uint32_t>(i));
           ASSERT_TRUE(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1);
-          ++count[static_cast<std::size_t>(static_cast<int>(p.x * (1 << a)) + (static_cast<int>(p.y * (1 << (k - a))) << a))];
+          ++count[static_cast<std::size_t>(static_cast<int>(p.x * (1 << a)) +
+                                           (static_cast<int>(p.y * (1 << (k - a))) << a))];
         }
         for (const int c : count) ASSERT_EQ(c, 1) << "k " << k << " a " << a;
       }
@@ -269,7 +297,8 @@ Sampled adaptive_edge(float tolerance) {
     AdaptiveSettings settings;
     settings.tolerance = tolerance;
     settings.encoded = true;
-    AdaptiveSampling<HalfPlane>(settings, frame.width, frame.height, edge).render({0, 0, frame.width, frame.height}, frame);
+    AdaptiveSampling<HalfPlane>(settings, frame.width, frame.height, edge)
+        .render({0, 0, frame.width, frame.height}, frame);
   });
 }
 
@@ -325,7 +354,9 @@ TEST_P(AgainstQuads, HalfTheSamplesForLessError) {
   };
   AntialiasSettings settings;
   settings.method = 2, settings.depth = GetParam().depth, settings.threshold = GetParam().threshold;
-  const Sampled quads = error([&](Floor& floor, Framebuffer& frame) { RecursiveQuads<Floor>(settings, floor).render({0, 0, size, size}, frame); });
+  const Sampled quads = error([&](Floor& floor, Framebuffer& frame) {
+    RecursiveQuads<Floor>(settings, floor).render({0, 0, size, size}, frame);
+  });
   const Sampled adaptive = error([&](Floor& floor, Framebuffer& frame) {
     AdaptiveSettings how;
     how.encoded = true;
@@ -335,7 +366,8 @@ TEST_P(AgainstQuads, HalfTheSamplesForLessError) {
   EXPECT_LT(adaptive.rms, quads.rms) << adaptive.samples << " and " << quads.samples << " samples";
   EXPECT_LT(2 * adaptive.samples, quads.samples) << adaptive.rms << " and " << quads.rms;
 }
-INSTANTIATE_TEST_SUITE_P(AdaptiveSampling, AgainstQuads, testing::Values(AgainstMethodTwo{3, 0.3f, 0.05f, 128}, AgainstMethodTwo{4, 0.1f, 0.025f, 32}),
+INSTANTIATE_TEST_SUITE_P(AdaptiveSampling, AgainstQuads,
+                         testing::Values(AgainstMethodTwo{3, 0.3f, 0.05f, 128}, AgainstMethodTwo{4, 0.1f, 0.025f, 32}),
                          [](const auto& i) { return i.param.depth == 3 ? "defaults" : "fine"; });
 
 // A picture of `size` pixels a side in blocks, the last one first if `backwards`.
@@ -349,7 +381,8 @@ Framebuffer sampled(Picture& picture, int size, float tolerance, int block_size 
   settings.tolerance = tolerance;
   std::vector<Block> blocks;
   for (int y = 0; y < size; y += block_size)
-    for (int x = 0; x < size; x += block_size) blocks.push_back({x, y, std::min(block_size, size - x), std::min(block_size, size - y)});
+    for (int x = 0; x < size; x += block_size)
+      blocks.push_back({x, y, std::min(block_size, size - x), std::min(block_size, size - y)});
   if (backwards) std::reverse(blocks.begin(), blocks.end());
   AdaptiveSampling<Picture> sampling(settings, size, size, picture);
   for (const Block& block : blocks) sampling.render(block, frame);

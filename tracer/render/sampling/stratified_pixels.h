@@ -1,4 +1,5 @@
-// Pixels that take 4, 8, 16 ... points of a low-discrepancy sequence until the estimated error of the mean is small enough (docs/sampling.md).
+// Pixels that take 4, 8, 16 ... points of a low-discrepancy sequence until the estimated error of the mean is small
+// enough (docs/sampling.md).
 #pragma once
 
 #include <cmath>
@@ -11,7 +12,8 @@ namespace verisim::render {
 template <class Sampler>
 class StratifiedPixels {
  public:
-  StratifiedPixels(const AdaptiveSettings& settings, BlockCentres& centres, Sampler& sample) : settings_(settings), centres_(centres), sample_(sample) {}
+  StratifiedPixels(const AdaptiveSettings& settings, BlockCentres& centres, Sampler& sample)
+      : settings_(settings), centres_(centres), sample_(sample) {}
 
   static constexpr std::size_t kTogether = 64;  // pixels that take their samples in step
 
@@ -30,7 +32,7 @@ class StratifiedPixels {
       }
       sample_points(sample_, places_, colors_);
       all_settled = true;
-      for (std::size_t next = 0; Pixel& pixel : pixels_) {
+      for (std::size_t next = 0; Pixel & pixel : pixels_) {
         if (pixel.settled) continue;
         const int count = goal(pixel) - pixel.n;
         take(pixel, colors_.data() + next, places_.data() + next, count);
@@ -45,7 +47,8 @@ class StratifiedPixels {
     }
   }
 
-  // Calls neighbour(x, y) for those that the margin of a pixel shows something of that neither centre does, say a thin line.
+  // Calls neighbour(x, y) for those that the margin of a pixel shows something of that neither centre does, say a thin
+  // line.
   template <class F>
   void follow(F&& neighbour) const {
     static constexpr int kSides[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
@@ -56,7 +59,9 @@ class StratifiedPixels {
         if (!centres_.inside(x, y)) continue;
         const Float4 there = centres_.shown(x, y);
         const Range& margin = pixel.margins[side];
-        if (exceeds(max(min(here, there) - margin.low, margin.high - max(here, there)), kSurprise * settings_.tolerance)) neighbour(x, y);
+        if (exceeds(max(min(here, there) - margin.low, margin.high - max(here, there)),
+                    kSurprise * settings_.tolerance))
+          neighbour(x, y);
       }
     }
   }
@@ -80,9 +85,9 @@ class StratifiedPixels {
   struct Pixel {
     int x, y;
     LowDiscrepancy points;
-    Range around;      // what the centres here and next to it show
-    Range margins[4];  // left, right, top, bottom: what lies along the sides
-    Float4 smooth;     // the mean of the surface through the centres
+    Range around;           // what the centres here and next to it show
+    Range margins[4];       // left, right, top, bottom: what lies along the sides
+    Float4 smooth;          // the mean of the surface through the centres
     Moments plain, beyond;  // of the samples; of what is left of them beyond that surface
     int n = 0, half_n = 0;
     bool settled = false, from_smooth = false;
@@ -132,7 +137,8 @@ class StratifiedPixels {
     pixel.n += count;
     const float n = static_cast<float>(pixel.n);
     const Float4 mean = pixel.plain.sum * Float4(1 / n);
-    // Where the surface through the centres explains the samples, their mean is that of the surface and what little is left.
+    // Where the surface through the centres explains the samples, their mean is that of the surface and what little is
+    // left.
     pixel.from_smooth = sum(pixel.beyond.squares) < sum(pixel.plain.squares - mean * pixel.plain.sum);
     pixel.settled = pixel.n >= settings_.maximum || error(pixel, mean) <= settings_.tolerance;
   }
@@ -142,8 +148,9 @@ class StratifiedPixels {
     return lanes[0] + lanes[1] + lanes[2] + lanes[3];
   }
 
-  // Estimated error of the mean of n samples, as a file shows it. The variance is never taken for less than what Laplace's rule of succession leaves for a
-  // part of the pixel that no sample met, when it holds what the neighbours hold: four equal samples prove little beside an edge.
+  // Estimated error of the mean of n samples, as a file shows it. The variance is never taken for less than what
+  // Laplace's rule of succession leaves for a part of the pixel that no sample met, when it holds what the neighbours
+  // hold: four equal samples prove little beside an edge.
   float error(const Pixel& pixel, Float4 of_samples) const {
     const Moments& m = pixel.from_smooth ? pixel.beyond : pixel.plain;
     const float n = static_cast<float>(pixel.n), half_n = static_cast<float>(pixel.half_n);
@@ -156,7 +163,8 @@ class StratifiedPixels {
       squared = Float4(1 - kHalves) * squared + Float4(0.25f * kHalves) * difference * difference;
     }
     const Float4 e = sqrt(squared);
-    return 0.5f * largest(distance(as_shown(of_samples + e, settings_.encoded), as_shown(of_samples - e, settings_.encoded)));
+    return 0.5f *
+           largest(distance(as_shown(of_samples + e, settings_.encoded), as_shown(of_samples - e, settings_.encoded)));
   }
 
   const AdaptiveSettings settings_;

@@ -13,7 +13,8 @@ double ground_fog_density(double start_height, double end_height, double offset,
   return (std::atan(s) - std::atan(e)) / (s - e);
 }
 
-FogEffect fog_along(std::span<const scene::Fog> fogs, const Vec3& origin, const Vec3& direction, double length, int noise_generator) {
+FogEffect fog_along(std::span<const scene::Fog> fogs, const Vec3& origin, const Vec3& direction, double length,
+                    int noise_generator) {
   FogEffect total;
   for (const scene::Fog& fog : fogs) {
     if (std::fabs(fog.distance) < kEpsilon) continue;
@@ -24,8 +25,10 @@ FogEffect fog_along(std::span<const scene::Fog> fogs, const Vec3& origin, const 
     }
     if (fog.turbulence) {
       const Vec3 middle = origin + direction * (length / 2);
-      const Vec3 q(middle.x * fog.turbulence->amount.x, middle.y * fog.turbulence->amount.y, middle.z * fog.turbulence->amount.z);
-      const double t = textures::turbulence(q, fog.turbulence->octaves, fog.turbulence->lambda, fog.turbulence->omega, noise_generator);
+      const Vec3 q(middle.x * fog.turbulence->amount.x, middle.y * fog.turbulence->amount.y,
+                   middle.z * fog.turbulence->amount.z);
+      const double t = textures::turbulence(q, fog.turbulence->octaves, fog.turbulence->lambda, fog.turbulence->omega,
+                                            noise_generator);
       width = length * (1 - std::exp(-length / fog.distance) * std::min(1.0, t * fog.turbulence_depth));
     }
     const auto clear = std::max(static_cast<float>(std::exp(-width * density / fog.distance)), fog.color.t);

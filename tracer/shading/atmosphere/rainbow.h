@@ -15,8 +15,8 @@ class Rainbow {
   bool active() const { return active_; }
   // What the bow shows in direction d over a segment: false if nothing. `random` yields numbers in [0, 1) for jitter.
   struct Effect {
-    float keep;    // of the light behind
-    Rgb filter;    // per channel on what is kept
+    float keep;  // of the light behind
+    Rgb filter;  // per channel on what is kept
     Rgb added;
     float see_through;
   };

@@ -13,7 +13,8 @@ class Blend {
     filter_ *= c.transmission();
   }
   Color over(const Color& background, const Rgb& /*emission*/) const {
-    const Rgb whole = sum_ + background.rgb() * filter_ * background.opacity(), through = filter_ * background.transmission();
+    const Rgb whole = sum_ + background.rgb() * filter_ * background.opacity(),
+              through = filter_ * background.transmission();
     return {whole, 0, std::min(1.0f, std::fabs(through.grey()))};
   }
 
@@ -47,7 +48,8 @@ Sky::Sky(const scene::Scene& scene, textures::Compiler& compiler, bool output_al
   if (!output_alpha && version_ >= 370) background_ = Color(scene.background.rgb() * (1 - background_.t));
   if (version_ < 370) background_.f = background_.t = 0;
   if (scene.sky_sphere) {
-    for (auto p = scene.sky_sphere->pigments.rbegin(); p != scene.sky_sphere->pigments.rend(); ++p) pigments_.push_back(compiler.pigment(*p));
+    for (auto p = scene.sky_sphere->pigments.rbegin(); p != scene.sky_sphere->pigments.rend(); ++p)
+      pigments_.push_back(compiler.pigment(*p));
     emission_ = scene.sky_sphere->emission;
     transform_ = scene.sky_sphere->transform;
   }
@@ -94,8 +96,10 @@ void Sky::seen(int count, const textures::PointRow& directions, bool opaque, Col
     }
     for (int i = 0; i < count; ++i) colors[i] = blends[i].over(background(opaque), emission_);
   };
-  if (version_ < 370) through(std::array<LegacyBlend, textures::PointRow::kMost>());
-  else through(std::array<Blend, textures::PointRow::kMost>());
+  if (version_ < 370)
+    through(std::array<LegacyBlend, textures::PointRow::kMost>());
+  else
+    through(std::array<Blend, textures::PointRow::kMost>());
 }
 
 }  // namespace verisim::shading

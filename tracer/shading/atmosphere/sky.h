@@ -13,7 +13,8 @@ class Sky {
   Sky(const scene::Scene& scene, textures::Compiler& compiler, bool output_alpha);
   // False: the same in every direction.
   bool varies() const { return !pigments_.empty(); }
-  // Colour with t = see-through. `opaque`: this ray ignores alpha output (a reflection lies in its path, or radiosity asks).
+  // Colour with t = see-through. `opaque`: this ray ignores alpha output (a reflection lies in its path, or radiosity
+  // asks).
   Color seen(const Vec3& direction, bool opaque) const;
   // The same in many directions.
   void seen(int count, const textures::PointRow& directions, bool opaque, Color* colors) const;

@@ -1,4 +1,5 @@
-// Light sources on one layer: facing, shadows, diffuse reflection, highlights, iridescence (spec 06 sections 4.2 and 8.3).
+// Light sources on one layer: facing, shadows, diffuse reflection, highlights, iridescence (spec 06 sections 4.2
+// and 8.3).
 #include "tracer/math/ray_row.h"
 #include "tracer/shading/finish.h"
 #include "tracer/shading/direct/shadow_row.h"
@@ -24,7 +25,9 @@ Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext
       CachedLight cache;
       if (at.keeps_lights) cache = light_cache_[at.light_cache + i];
       const Rgb added = light_contribution(ray, at, layer, scene_.lights()[i], cache);
-      if (observer_) observer_->light(scene_.lights()[i], cache.direction, cache.stage == CachedLight::Stage::shadowed, cache.color, added);
+      if (observer_)
+        observer_->light(scene_.lights()[i], cache.direction, cache.stage == CachedLight::Stage::shadowed, cache.color,
+                         added);
       sum += added;
       if (at.keeps_lights) light_cache_[at.light_cache + i] = cache;
     }
@@ -32,7 +35,9 @@ Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext
   for (const scene::LightSource* source : at.surface.group_lights) {
     CachedLight cache;
     const Rgb added = light_contribution(ray, at, layer, scene_.light_of(source), cache);
-    if (observer_) observer_->light(scene_.light_of(source), cache.direction, cache.stage == CachedLight::Stage::shadowed, cache.color, added);
+    if (observer_)
+      observer_->light(scene_.light_of(source), cache.direction, cache.stage == CachedLight::Stage::shadowed,
+                       cache.color, added);
     sum += added;
   }
   return sum;
@@ -43,7 +48,8 @@ bool Tracer::lights_go_together(const RayState& ray) const {
   return lights_in_rows_ && scene_.global_lights() >= kFewest && (ray.gather || !area_lights_) && !observer_;
 }
 
-// light_contribution() of all global lights. Nothing on the ways of these shadow rays draws random numbers, so they may go at once.
+// light_contribution() of all global lights. Nothing on the ways of these shadow rays draws random numbers, so they may
+// go at once.
 Rgb Tracer::lights_together(const RayState& ray, SurfaceHit& at, const LayerContext& layer) {
   struct Asked {
     std::size_t light;
@@ -90,24 +96,28 @@ Rgb Tracer::lights_together(const RayState& ray, SurfaceHit& at, const LayerCont
       if (at.keeps_lights) light_cache_[at.light_cache + a.light] = a.cache;
       if (a.cache.color.max_abs() <= kDark) continue;
       const bool highlights = scene_.lights()[a.light].highlights() && !ray.gather && !a.back;
-      sum += layer_response(at, layer, ray.ray.direction, a.cache.direction.towards, a.cache.color, a.back ? finish.diffuse_back : finish.diffuse, highlights);
+      sum += layer_response(at, layer, ray.ray.direction, a.cache.direction.towards, a.cache.color,
+                            a.back ? finish.diffuse_back : finish.diffuse, highlights);
     }
   }
   return sum;
 }
 
-bool Tracer::locate(SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache, bool& back) const {
+bool Tracer::locate(SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache,
+                    bool& back) const {
   if (cache.stage == CachedLight::Stage::unknown) {
     cache.direction = light.direction(at.hit.point);
     cache.color = light.color() * static_cast<float>(light.attenuation(at.hit.point, cache.direction));
     cache.stage = CachedLight::Stage::located;
   }
   if (cache.color.max_abs() < kDark) return false;
-  back = !at.surface.double_illuminate && !light.area_illumination() && dot(layer.normal, cache.direction.towards) < kEpsilon;
+  back = !at.surface.double_illuminate && !light.area_illumination() &&
+         dot(layer.normal, cache.direction.towards) < kEpsilon;
   return !back || layer.layer.finish.diffuse_back != 0;
 }
 
-Rgb Tracer::light_contribution(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache) {
+Rgb Tracer::light_contribution(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
+                               CachedLight& cache) {
   if (light.area_illumination() && light.area() && !ray.gather) return area_illumination(ray, at, layer, light, cache);
   bool back = false;
   if (!locate(at, layer, light, cache, back)) return {};
@@ -118,12 +128,13 @@ Rgb Tracer::light_contribution(const RayState& ray, SurfaceHit& at, const LayerC
     cache.stage = CachedLight::Stage::shadowed;
   }
   if (cache.color.max_abs() <= kDark) return {};
-  return layer_response(at, layer, ray.ray.direction, cache.direction.towards, cache.color, back ? finish.diffuse_back : finish.diffuse,
-                        light.highlights() && !ray.gather && !back);
+  return layer_response(at, layer, ray.ray.direction, cache.direction.towards, cache.color,
+                        back ? finish.diffuse_back : finish.diffuse, light.highlights() && !ray.gather && !back);
 }
 
 // Illumination from every sample of the grid; the shadow is one for all (spec 06 8.3).
-Rgb Tracer::area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache) {
+Rgb Tracer::area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
+                              CachedLight& cache) {
   const scene::Finish& finish = layer.layer.finish;
   const Vec3& p = at.hit.point;
   if (cache.stage != CachedLight::Stage::shadowed) {
@@ -147,15 +158,15 @@ Rgb Tracer::area_illumination(const RayState& ray, SurfaceHit& at, const LayerCo
         if (finish.diffuse_back == 0) continue;
         back = true;
       }
-      sum += layer_response(at, layer, ray.ray.direction, direction.towards, color, back ? finish.diffuse_back : finish.diffuse,
-                            light.highlights() && !ray.gather && !back);
+      sum += layer_response(at, layer, ray.ray.direction, direction.towards, color,
+                            back ? finish.diffuse_back : finish.diffuse, light.highlights() && !ray.gather && !back);
     }
   }
   return sum;
 }
 
-Rgb Tracer::layer_response(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l, const Rgb& intensity, float diffuse,
-                           bool highlights) {
+Rgb Tracer::layer_response(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l,
+                           const Rgb& intensity, float diffuse, bool highlights) {
   const scene::Finish& finish = layer.layer.finish;
   const Rgb pigment = layer.pigment.rgb();
   const double cosine = dot(layer.normal, l);

@@ -22,7 +22,8 @@ scene::Scene lit_scene(int lights) {
     light.position = {4 * u(random), 5 + u(random), 4 * u(random)};
     light.color = Rgb(0.3f, 0.2f, 0.1f + 0.05f * static_cast<float>(i));
     if (i % 4 == 1) light.fade_power = 2, light.fade_distance = 6;
-    if (i % 5 == 2) light.kind = scene::LightKind::spotlight, light.direction = Vec3(0, -1, 0), light.radius = 20, light.falloff = 40;
+    if (i % 5 == 2)
+      light.kind = scene::LightKind::spotlight, light.direction = Vec3(0, -1, 0), light.radius = 20, light.falloff = 40;
     if (i % 5 == 3) light.kind = scene::LightKind::shadowless;
     if (i % 7 == 4) light.color = Rgb();
     scene.objects.push_back(make(scene::Boxed<scene::LightSource>(light)));
@@ -47,9 +48,12 @@ scene::Scene lit_scene(int lights) {
   for (int i = 0; i < 40; ++i) {
     const Vec3 p(4 * u(random), 2 + 2 * u(random), 4 * u(random));
     const auto beside = [&] { return p + Vec3(u(random), u(random), u(random)) * 0.8; };
-    if (i % 3 == 0) add(scene::Sphere{p, 0.5}, i % 2 == 0);
-    else if (i % 3 == 1) add(scene::Triangle{{beside(), beside(), beside()}}, i % 2 == 0);
-    else add(scene::Box{p - Vec3(0.3), p + Vec3(0.4)}, i % 2 == 0);
+    if (i % 3 == 0)
+      add(scene::Sphere{p, 0.5}, i % 2 == 0);
+    else if (i % 3 == 1)
+      add(scene::Triangle{{beside(), beside(), beside()}}, i % 2 == 0);
+    else
+      add(scene::Box{p - Vec3(0.3), p + Vec3(0.4)}, i % 2 == 0);
   }
   return scene;
 }

@@ -1,4 +1,5 @@
-// Shadow rays that start in the same cell of space go together (accel::CoherentRays). What arrives is what each finds alone.
+// Shadow rays that start in the same cell of space go together (accel::CoherentRays). What arrives is what each finds
+// alone.
 #include "tracer/shading/direct/shadow_row.h"
 
 #include <algorithm>
@@ -54,16 +55,19 @@ struct Travellers {
 
 }  // namespace
 
-// Shadow rays to this light go one by one: many to an area, or with things to meet or numbers to draw on their way that the rows do not know.
+// Shadow rays to this light go one by one: many to an area, or with things to meet or numbers to draw on their way that
+// the rows do not know.
 bool Tracer::rays_alone(const Light& light, const RayState& eye) const {
   const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
-  return (light.area() && !eye.gather) || light.projector() || random_.replay() || ((scene_.fog || media) && light.media_attenuation());
+  return (light.area() && !eye.gather) || light.projector() || random_.replay() ||
+         ((scene_.fog || media) && light.media_attenuation());
 }
 
 // Calls opaque(cell, entry) for rays that meet nothing but opaque objects, and mixed(cell, entry) for others.
 template <class Opaque, class Mixed>
 void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRays& row, Opaque&& opaque, Mixed&& mixed) {
-  const bool entries = !scene_.world.tree().empty() && !eye.gather;  // without a tree there is nothing to know of where rays start
+  const bool entries =
+      !scene_.world.tree().empty() && !eye.gather;  // without a tree there is nothing to know of where rays start
   Cells cells;
   int unknown = -1, last = -1;
   for (int i = 0; i < row.count; ++i) {
@@ -88,12 +92,18 @@ void Tracer::by_cells(const Light& light, const RayState& eye, const ShadowRays&
     Travellers cell;
     for (; k < row.count && cells.of[order[k]] == c; ++k) {
       const int i = order[k];
-      if (row.distance[i] > 2 * kShadowTolerance) cell.add(i, row.rays.at(i), row.distance[i]);  // otherwise nothing fits in between
+      if (row.distance[i] > 2 * kShadowTolerance)
+        cell.add(i, row.rays.at(i), row.distance[i]);  // otherwise nothing fits in between
     }
     accel::WorldEntry* const entry = cells[c].entry;
-    const auto stays_in_room = [&](int i) { return scene_.world.only_opaque_between(row.rays.origin.at(i), row.rays.origin.at(i) + row.distance[i] * row.rays.direction.at(i)); };
-    if (only_opaque(entry) || std::all_of(cell.index, cell.index + cell.count, stays_in_room)) opaque(cell, entry);
-    else mixed(cell, entry);
+    const auto stays_in_room = [&](int i) {
+      return scene_.world.only_opaque_between(row.rays.origin.at(i),
+                                              row.rays.origin.at(i) + row.distance[i] * row.rays.direction.at(i));
+    };
+    if (only_opaque(entry) || std::all_of(cell.index, cell.index + cell.count, stays_in_room))
+      opaque(cell, entry);
+    else
+      mixed(cell, entry);
   }
 }
 
@@ -102,7 +112,8 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& ro
   if (rays_alone(light, eye)) {
     for (int i = 0; i < row.count; ++i) {
       random_.begin(row.key[i]);
-      row.light[i] = shadowed(light, row.rays.origin.at(i), {row.rays.direction.at(i), row.distance[i]}, eye, row.lit[i], row.light[i]);
+      row.light[i] = shadowed(light, row.rays.origin.at(i), {row.rays.direction.at(i), row.distance[i]}, eye,
+                              row.lit[i], row.light[i]);
     }
     return;
   }
@@ -116,27 +127,38 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& ro
       if (blocked[i] && row.distance[i] > 2 * kShadowTolerance) row.light[i] = Rgb();
     return;
   }
-  by_cells(light, eye, {row.rays, row.distance, row.lit, row.count}, [&](const Travellers& cell, accel::WorldEntry* entry) {
-    bool blocked[ShadowRow::kMost] = {};
-    scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);
-    for (int k = 0; k < cell.count; ++k)
-      if (blocked[k]) row.light[cell.index[k]] = Rgb();
-  }, [&](const Travellers& cell, accel::WorldEntry* entry) { filter_row(light, eye, entry, cell.index, cell.count, row); });
+  by_cells(
+      light, eye, {row.rays, row.distance, row.lit, row.count},
+      [&](const Travellers& cell, accel::WorldEntry* entry) {
+        bool blocked[ShadowRow::kMost] = {};
+        scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);
+        for (int k = 0; k < cell.count; ++k)
+          if (blocked[k]) row.light[cell.index[k]] = Rgb();
+      },
+      [&](const Travellers& cell, accel::WorldEntry* entry) {
+        filter_row(light, eye, entry, cell.index, cell.count, row);
+      });
 }
 
-void Tracer::look_for_light(const Light& light, const RayState& eye, const RayRow& rays, const double* distance, int count, LightWay* ways) {
+void Tracer::look_for_light(const Light& light, const RayState& eye, const RayRow& rays, const double* distance,
+                            int count, LightWay* ways) {
   std::fill_n(ways, count, LightWay::unknown);
   if (scene_.quality < 4 || !light.shadows() || rays_alone(light, eye)) return;
-  by_cells(light, eye, {rays, distance, nullptr, count}, [&](const Travellers& cell, accel::WorldEntry* entry) {
-    bool blocked[ShadowRow::kMost] = {};
-    scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);
-    for (int k = 0; k < cell.count; ++k) ways[cell.index[k]] = blocked[k] ? LightWay::blocked : LightWay::open;
-    statistics_.shadow_rays += static_cast<std::uint64_t>(cell.count);
-  }, [](const Travellers&, accel::WorldEntry*) {});
+  by_cells(
+      light, eye, {rays, distance, nullptr, count},
+      [&](const Travellers& cell, accel::WorldEntry* entry) {
+        bool blocked[ShadowRow::kMost] = {};
+        scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);
+        for (int k = 0; k < cell.count; ++k) ways[cell.index[k]] = blocked[k] ? LightWay::blocked : LightWay::open;
+        statistics_.shadow_rays += static_cast<std::uint64_t>(cell.count);
+      },
+      [](const Travellers&, accel::WorldEntry*) {});
 }
 
-// filter_along() for the rays `index` of a row: where transparent surfaces may be met. Nothing but media of containers acts between them here.
-void Tracer::filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count, ShadowRow& row) {
+// filter_along() for the rays `index` of a row: where transparent surfaces may be met. Nothing but media of containers
+// acts between them here.
+void Tracer::filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index,
+                        int count, ShadowRow& row) {
   const InteriorScope scope(*this);
   // Those that have met a transparent surface.
   struct Way {
@@ -166,7 +188,8 @@ void Tracer::filter_row(const Light& light, const RayState& eye, const accel::Wo
   RowOf<shapes::Hit> room(static_cast<std::size_t>(count));
   shapes::Hit* const hits = room.data();
   bool found[ShadowRow::kMost];
-  scene_.world.intersect_row(open.rays, 0, open.count, shapes::RayKind::shadow, kAboveShadowTolerance, entry, hits, found, open.limit);
+  scene_.world.intersect_row(open.rays, 0, open.count, shapes::RayKind::shadow, kAboveShadowTolerance, entry, hits,
+                             found, open.limit);
   for (int k = 0; k < open.count; ++k) {
     if (!found[k]) continue;
     const int i = open.index[k];
@@ -185,7 +208,8 @@ void Tracer::filter_row(const Light& light, const RayState& eye, const accel::Wo
     onward.clear();
     open.count = 0;
     for (const Way& way : ways) open.add(way.index, way.ray.ray, way.distance);
-    scene_.world.intersect_row(open.rays, 0, open.count, shapes::RayKind::shadow, kAboveShadowTolerance, entry, hits, found, open.limit);
+    scene_.world.intersect_row(open.rays, 0, open.count, shapes::RayKind::shadow, kAboveShadowTolerance, entry, hits,
+                               found, open.limit);
     for (int k = 0; k < open.count; ++k)
       if (found[k]) meet(ways[static_cast<std::size_t>(k)], hits[k]);
   }

@@ -1,4 +1,5 @@
-// Shadow rays to one light that are traced together: from the surfaces of a wave, or from places along a ray through a medium.
+// Shadow rays to one light that are traced together: from the surfaces of a wave, or from places along a ray through a
+// medium.
 #pragma once
 
 #include <array>
@@ -13,11 +14,11 @@ struct ShadowRow {
   static constexpr int kMost = RayRow::kMost;
 
   int count = 0;
-  RayRow rays;                         // directions are unit vectors towards the light
-  double distance[RayRow::kSize];      // of the light
-  Rgb light[kMost];                    // what arrives if nothing is in the way; then what arrives
-  const shapes::Surface* lit[kMost];   // null: no surface
-  RandomSource::Key key[kMost];        // of what each draws on its way
+  RayRow rays;                        // directions are unit vectors towards the light
+  double distance[RayRow::kSize];     // of the light
+  Rgb light[kMost];                   // what arrives if nothing is in the way; then what arrives
+  const shapes::Surface* lit[kMost];  // null: no surface
+  RandomSource::Key key[kMost];       // of what each draws on its way
 
   void add(const Ray& ray, double d, const Rgb& color, const shapes::Surface* surface, RandomSource::Key k) {
     rays.origin.set(count, ray.origin), rays.direction.set(count, ray.direction);

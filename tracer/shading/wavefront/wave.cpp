@@ -9,7 +9,7 @@
 namespace verisim::shading {
 namespace {
 
-constexpr double kNearestHit = 1e-4;       // of camera rays
+constexpr double kNearestHit = 1e-4;  // of camera rays
 
 bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
 
@@ -18,7 +18,8 @@ bool is_simple(const Light& light) { return !light.area_illumination() && is_fin
 
 }  // namespace
 
-Wave::Wave(Tracer& tracer, bool asks_around) : tracer_(tracer), scene_(tracer.scene()), kernels_(wave_kernels()), lanes_{} {
+Wave::Wave(Tracer& tracer, bool asks_around)
+    : tracer_(tracer), scene_(tracer.scene()), kernels_(wave_kernels()), lanes_{} {
   usable_ = scene_.quality >= 9 && !tracer_.random_.replay() && scene_.adc_bailout >= 0 && scene_.adc_bailout < 1;
   indirect_ = asks_around && scene_.effects && scene_.effects->radiosity;
   photons_ = scene_.effects && scene_.effects->photons;
@@ -29,7 +30,8 @@ Wave::Wave(Tracer& tracer, bool asks_around) : tracer_(tracer), scene_(tracer.sc
     if (plain_sky_) sky_[opaque] = scene_.sky.seen({0, 0, 1}, opaque);
 }
 
-void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity, int texture, const Part* part) {
+void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity, int texture,
+                    const Part* part) {
   const int k = count_++;
   part_[k] = part;
   pixel_[k] = i;
@@ -47,9 +49,11 @@ void Wave::add_lane(int i, const Material& m, const Vec3& normal, const Color& c
     finish_[k] = &finish;
     lanes_.lit_behind[k] = finish.diffuse_back != 0;
     lanes_.dull[k] = !reflects_light(finish);
-    lanes_.exponent[k] = m.exponent, lanes_.amount[k] = m.amount, lanes_.base_limit[k] = m.base_limit, lanes_.phong[k] = m.phong;
+    lanes_.exponent[k] = m.exponent, lanes_.amount[k] = m.amount, lanes_.base_limit[k] = m.base_limit,
+    lanes_.phong[k] = m.phong;
   }
-  lanes_.front[k] = opacity * std::max(finish.diffuse, 0.0f), lanes_.behind[k] = opacity * std::max(finish.diffuse_back, 0.0f);
+  lanes_.front[k] = opacity * std::max(finish.diffuse, 0.0f),
+  lanes_.behind[k] = opacity * std::max(finish.diffuse_back, 0.0f);
   lanes_.pigment.r[k] = color.r, lanes_.pigment.g[k] = color.g, lanes_.pigment.b[k] = color.b;
   Rgb own = color.rgb() * m.glow * opacity;
   if (indirect_) {
@@ -88,7 +92,9 @@ bool Wave::reach(const Light& light) {
   if (const auto falloff = light.attenuates() ? LightFalloff::of(light) : std::nullopt) {
     falloff->attenuate(lanes_.to_light.direction, lanes_.distance, count_, lanes_.attenuation);
   } else if (light.attenuates()) {
-    for (int k = 0; k < count_; ++k) lanes_.attenuation[k] = static_cast<float>(light.attenuation(lanes_.to_light.origin.at(k), {lanes_.to_light.direction.at(k), lanes_.distance[k]}));
+    for (int k = 0; k < count_; ++k)
+      lanes_.attenuation[k] = static_cast<float>(
+          light.attenuation(lanes_.to_light.origin.at(k), {lanes_.to_light.direction.at(k), lanes_.distance[k]}));
   } else if (attenuated_) {
     std::fill_n(lanes_.attenuation, kMost, 1.0f);
   }
@@ -101,7 +107,8 @@ bool Wave::reach(const Light& light) {
     const int first = asks[k];
     if (first < 0 || first == k) continue;
     lanes_.asked[k] = lanes_.asked[first];
-    lanes_.intensity.r[k] = lanes_.intensity.r[first], lanes_.intensity.g[k] = lanes_.intensity.g[first], lanes_.intensity.b[k] = lanes_.intensity.b[first];
+    lanes_.intensity.r[k] = lanes_.intensity.r[first], lanes_.intensity.g[k] = lanes_.intensity.g[first],
+    lanes_.intensity.b[k] = lanes_.intensity.b[first];
   }
   return kernels_.illuminate(count_, lanes_);
 }
@@ -127,12 +134,15 @@ void Wave::cast_shadows(const Light& light) {
   for (int k = 0; k < count_; ++k) {
     if (lanes_.asked[k] == 0) continue;
     lane[row.count] = k;
-    row.add(lanes_.to_light.at(k), lanes_.distance[k], {lanes_.intensity.r[k], lanes_.intensity.g[k], lanes_.intensity.b[k]}, surface_[k], RandomSource::branch_key(keys_[pixel_[k]], number));
+    row.add(lanes_.to_light.at(k), lanes_.distance[k],
+            {lanes_.intensity.r[k], lanes_.intensity.g[k], lanes_.intensity.b[k]}, surface_[k],
+            RandomSource::branch_key(keys_[pixel_[k]], number));
   }
   tracer_.cast_shadows(light, state_, row);
   for (int i = 0; i < row.count; ++i) {
     const int k = lane[i];
-    lanes_.intensity.r[k] = row.light[i].r, lanes_.intensity.g[k] = row.light[i].g, lanes_.intensity.b[k] = row.light[i].b;
+    lanes_.intensity.r[k] = row.light[i].r, lanes_.intensity.g[k] = row.light[i].g,
+    lanes_.intensity.b[k] = row.light[i].b;
   }
 }
 
@@ -140,14 +150,16 @@ void Wave::respond() {
   if ((shine_ & kMetallic) || tinted_) {
     for (int k = 0; k < count_; ++k) {
       const Rgb pigment(lanes_.pigment.r[k], lanes_.pigment.g[k], lanes_.pigment.b[k]);
-      const Rgb tint = finish_[k]->metallic > 0 ? metallic_tint(pigment, finish_[k]->metallic, lanes_.cosine[k]) : Rgb(1);
+      const Rgb tint =
+          finish_[k]->metallic > 0 ? metallic_tint(pigment, finish_[k]->metallic, lanes_.cosine[k]) : Rgb(1);
       lanes_.tint.r[k] = tint.r, lanes_.tint.g[k] = tint.g, lanes_.tint.b[k] = tint.b;
     }
     tinted_ = true;
   }
   if (kernels_.respond(shine_ & kPhong, shine_ & kBlinn, count_, lanes_)) {
     for (int k = 0; k < count_; ++k)
-      if (lanes_.uncertain[k] && lanes_.lit[k] != 0 && lanes_.amount[k] * lanes_.shines[k] != 0) lanes_.strength[k] = static_cast<float>(highlight(k));
+      if (lanes_.uncertain[k] && lanes_.lit[k] != 0 && lanes_.amount[k] * lanes_.shines[k] != 0)
+        lanes_.strength[k] = static_cast<float>(highlight(k));
   }
   if (shine_ & (kBothHighlights | kBrilliance)) respond_specially();
 }
@@ -156,8 +168,11 @@ void Wave::respond() {
 void Wave::respond_specially() {
   for (int k = 0; k < count_; ++k) {
     if (lanes_.lit[k] == 0) continue;
-    if ((material_[k]->shine & kBrilliance) && lanes_.diffuse[k] != 0) lanes_.scattered[k] = static_cast<float>(lanes_.diffuse[k] * brilliance(finish_[k]->brilliance, lanes_.cosine[k]));
-    if ((material_[k]->shine & kBothHighlights) && lanes_.shines[k] != 0) lanes_.strength[k] = static_cast<float>(highlight(k));
+    if ((material_[k]->shine & kBrilliance) && lanes_.diffuse[k] != 0)
+      lanes_.scattered[k] =
+          static_cast<float>(lanes_.diffuse[k] * brilliance(finish_[k]->brilliance, lanes_.cosine[k]));
+    if ((material_[k]->shine & kBothHighlights) && lanes_.shines[k] != 0)
+      lanes_.strength[k] = static_cast<float>(highlight(k));
   }
 }
 
@@ -205,18 +220,23 @@ void Wave::sum_layers(Color* out) {
     for (int l = met.first; l < met.first + met.leaves; ++l) {
       const Leaf& leaf = leaves_[static_cast<std::size_t>(l)];
       const Color color = shown(leaf, k);
-      if (leaf.around) sum += color * leaf.weight;
-      else sum = color;
+      if (leaf.around)
+        sum += color * leaf.weight;
+      else
+        sum = color;
     }
     result = sum;
   }
 }
 
-LayerContext Wave::layer_context(const Part& part) { return {*part.material->layer, part.color, part.normal, part.opacity, part.filter}; }
+LayerContext Wave::layer_context(const Part& part) {
+  return {*part.material->layer, part.color, part.normal, part.opacity, part.filter};
+}
 
 void Wave::add_photons() {
   for (int k = 0; k < count_; ++k) {
-    const Rgb added = scene_.effects->photon_light(tracer_, ray_state(pixel_[k]), *met_[pixel_[k]].at, layer_context(*part_[k]));
+    const Rgb added =
+        scene_.effects->photon_light(tracer_, ray_state(pixel_[k]), *met_[pixel_[k]].at, layer_context(*part_[k]));
     lanes_.direct.r[k] += added.r, lanes_.direct.g[k] += added.g, lanes_.direct.b[k] += added.b;
   }
 }
@@ -229,7 +249,8 @@ void Wave::show(Color* out) {
   kernels_.add_own(count_, lanes_);
   if (photons_) add_photons();
   if (leaves_.empty()) {  // plain surfaces alone
-    for (int k = 0; k < count_; ++k) out[pixel_[k]] = Rgb() + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]);
+    for (int k = 0; k < count_; ++k)
+      out[pixel_[k]] = Rgb() + Rgb(lanes_.direct.r[k], lanes_.direct.g[k], lanes_.direct.b[k]);
   } else {
     sum_layers(out);
   }
@@ -270,7 +291,8 @@ void Wave::run(int count, const accel::WorldEntry* const* entries, Color* out) {
   if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
   for (int first = 0, end; first < count; first = end) {
     for (end = first + 1; end < count && entries[end] == entries[first];) ++end;
-    scene_.world.intersect_row(lanes_.rays, first, end - first, state_.kind(), kNearestHit, entries[first], hits_, found_);
+    scene_.world.intersect_row(lanes_.rays, first, end - first, state_.kind(), kNearestHit, entries[first], hits_,
+                               found_);
   }
   shade(count, out);
 }
@@ -310,13 +332,16 @@ void Wave::apply_volumes(int count, const bool* cut_off, Color* out) {
     ContainerStretch stretches[kMost];
     std::size_t n = 0;
     for (int i = 0; i < count; ++i)
-      if (found_[i] && !cut_off[i]) stretches[n++] = {lanes_.rays.at(i), hits_[i].t, hits_[i].shape->surface, RandomSource::branch_key(keys_[i], RandomBranch::kContainer), &out[i]};
+      if (found_[i] && !cut_off[i])
+        stretches[n++] = {lanes_.rays.at(i), hits_[i].t, hits_[i].shape->surface,
+                          RandomSource::branch_key(keys_[i], RandomBranch::kContainer), &out[i]};
     scene_.effects->container_media(tracer_, state_, std::span(stretches, n));
   }
   for (int i = 0; i < count && tracer_.has_volumes_; ++i) {
     if (cut_off[i]) continue;
     tracer_.random_.begin(keys_[i]);
-    tracer_.apply_volumes(ray_state(i), found_[i] ? hits_[i].t : kMissDistance, found_[i] ? hits_[i].shape->surface : nullptr, out[i]);
+    tracer_.apply_volumes(ray_state(i), found_[i] ? hits_[i].t : kMissDistance,
+                          found_[i] ? hits_[i].shape->surface : nullptr, out[i]);
   }
 }
 

@@ -1,4 +1,5 @@
-// What is seen in the mirrors of a wave and through its surfaces: the rays that they send out are waves, too (spec 06 sections 5 and 6).
+// What is seen in the mirrors of a wave and through its surfaces: the rays that they send out are waves, too (spec 06
+// sections 5 and 6).
 #include <algorithm>
 
 #include "tracer/shading/finish.h"
@@ -22,7 +23,9 @@ RayState Wave::ray_state(int i) const {
 
 int Wave::add_branch(const Leaf& leaf, const Tracer::ShadedLayer& layer, bool behind) {
   const int index = static_cast<int>(&leaf - leaves_.data()), texture = index - met_[leaf.ray].first;
-  const std::uint32_t number = behind ? RandomBranch::behind(texture) : RandomBranch::mirror(texture, parts_[static_cast<std::size_t>(leaf.last)].index);
+  const std::uint32_t number = behind
+                                   ? RandomBranch::behind(texture)
+                                   : RandomBranch::mirror(texture, parts_[static_cast<std::size_t>(leaf.last)].index);
   branches_.push_back({layer, leaf.ray, index, behind, RandomSource::branch_key(keys_[leaf.ray], number)});
   return static_cast<int>(branches_.size()) - 1;
 }
@@ -36,7 +39,9 @@ const Wave::Crossing& Wave::crossing(const scene::Interior& interior) {
   // Rays that are in the same interiors behind different surfaces are one wave.
   const auto inside = tracer_.interiors(c.refraction.interiors);
   for (const Crossing& other : crossings_) {
-    if (&other == &c || other.refraction.straight() != c.refraction.straight() || !std::ranges::equal(inside, tracer_.interiors(other.refraction.interiors))) continue;
+    if (&other == &c || other.refraction.straight() != c.refraction.straight() ||
+        !std::ranges::equal(inside, tracer_.interiors(other.refraction.interiors)))
+      continue;
     c.group = other.group;
     break;
   }
@@ -77,10 +82,13 @@ void Wave::trace_branches() {
   for (Branch& branch : branches_)
     if (branch.behind && met_[branch.ray].together) aim_behind(branch);
   for (Branch& branch : branches_) {
-    if (branch.behind || !met_[branch.ray].together || hidden(leaves_[static_cast<std::size_t>(branch.leaf)], branch)) continue;
+    if (branch.behind || !met_[branch.ray].together || hidden(leaves_[static_cast<std::size_t>(branch.leaf)], branch))
+      continue;
     branch.group = 0;
-    branch.weight = weights_[branch.ray] * branch.layer.translucency * Tracer::mirror_strength(branch.layer.layer->finish.reflection, branch.layer.reflectivity);
-    branch.direction = reflected_direction(lanes_.rays.direction.at(branch.ray), branch.layer.normal, met_[branch.ray].at->raw);
+    branch.weight = weights_[branch.ray] * branch.layer.translucency *
+                    Tracer::mirror_strength(branch.layer.layer->finish.reflection, branch.layer.reflectivity);
+    branch.direction =
+        reflected_direction(lanes_.rays.direction.at(branch.ray), branch.layer.normal, met_[branch.ray].at->raw);
   }
   trace_group(0, nullptr);
   for (std::size_t i = 0; i < crossings_.size(); ++i)
@@ -107,7 +115,9 @@ void Wave::trace_group(int group, const Tracer::Refraction* refraction) {
   } else {
     child.state_.reflected = true;
   }
-  std::uint64_t& counter = !refraction ? tracer_.statistics_.reflected_rays : refraction->straight() ? tracer_.statistics_.transmitted_rays : tracer_.statistics_.refracted_rays;
+  std::uint64_t& counter = !refraction              ? tracer_.statistics_.reflected_rays
+                           : refraction->straight() ? tracer_.statistics_.transmitted_rays
+                                                    : tracer_.statistics_.refracted_rays;
   counter += static_cast<std::uint64_t>(size);
   Branch* traced[kMost];
   int n = 0;
@@ -155,7 +165,8 @@ void Wave::add_branches(const Leaf& leaf, Color& color) {
     const Branch& branch = branches_[static_cast<std::size_t>(i)];
     if (branch.seen) {
       sum += tracer_.mirror_image(branch.layer, branch.color.rgb());
-    } else if (!(total && Tracer::hidden_by_total_reflection(parts_[static_cast<std::size_t>(leaf.first)].normal, branch.layer.normal))) {
+    } else if (!(total && Tracer::hidden_by_total_reflection(parts_[static_cast<std::size_t>(leaf.first)].normal,
+                                                             branch.layer.normal))) {
       tracer_.random_.begin(branch.key);
       sum += tracer_.mirrored(ray_state(branch.ray), *met_[branch.ray].at, branch.layer);
     }
@@ -168,7 +179,8 @@ Color Wave::seen_behind(const Branch& branch, bool& total) {
   if (!branch.seen) {
     tracer_.random_.begin(branch.key);
     const RayState ray = ray_state(branch.ray);
-    return tracer_.transmit(ray, at, branch.layer, ray.weight * leaves_[static_cast<std::size_t>(branch.leaf)].filter.max_abs(), total);
+    return tracer_.transmit(ray, at, branch.layer,
+                            ray.weight * leaves_[static_cast<std::size_t>(branch.leaf)].filter.max_abs(), total);
   }
   total = branch.total;
   return tracer_.attenuated(branch.color, state_.interiors, at, total);

@@ -1,5 +1,5 @@
-// The arithmetic of camera rays that are shaded together (wave.h), compiled for several instruction sets. Every lane does the operations of the scalar
-// code in the same order, so all give its bits.
+// The arithmetic of camera rays that are shaded together (wave.h), compiled for several instruction sets. Every lane
+// does the operations of the scalar code in the same order, so all give its bits.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,8 @@
 
 namespace verisim::shading {
 
-// One stretch of a row of the picture, as arrays. Kernels work on the first `count` lanes, rounded up to whole registers: what stands behind is any number.
+// One stretch of a row of the picture, as arrays. Kernels work on the first `count` lanes, rounded up to whole
+// registers: what stands behind is any number.
 struct alignas(64) WaveLanes {
   static constexpr int kMost = RayRow::kMost, kStep = RayRow::kStep;
   using Doubles = double[kMost];
@@ -24,23 +25,24 @@ struct alignas(64) WaveLanes {
   // The surfaces that are lit: a denser numbering than that of the rays.
   Vectors normal, view;
   Colors pigment, own, direct;  // the surface's own light; the sum of what lights add
-  Floats front, behind;         // opacity * diffuse coefficient on the side that is turned to the light, and on the other
-  std::int32_t lit_behind[kMost], two_sided[kMost], dull[kMost];  // flags: diffuse_back counts; both sides are front sides; nothing reflects light
-  Doubles base_limit;           // highlights are dark up to this cosine
-  Doubles exponent, amount;     // of the highlight; amount 0: none
-  Doubles phong;                // 1: the highlight is Phong's, 0: Blinn's
+  Floats front, behind;  // opacity * diffuse coefficient on the side that is turned to the light, and on the other
+  std::int32_t lit_behind[kMost], two_sided[kMost],
+      dull[kMost];           // flags: diffuse_back counts; both sides are front sides; nothing reflects light
+  Doubles base_limit;        // highlights are dark up to this cosine
+  Doubles exponent, amount;  // of the highlight; amount 0: none
+  Doubles phong;             // 1: the highlight is Phong's, 0: Blinn's
 
   // One light on these surfaces.
   RayRow to_light;  // from the point on the surface
   Doubles distance, cosine;
-  Floats attenuation;         // of the light on its way
-  std::int32_t asked[kMost];  // 1: the light counts where nothing is in its way
-  Colors intensity, tint;     // what arrives; how metals tint the highlight
-  Floats diffuse;             // opacity * coefficient; 0: none
-  Floats lit;                 // 1 or 0
-  Doubles shines;          // 1 or 0: with highlights
-  Floats scattered;        // diffuse factor
-  Floats strength;         // highlight
+  Floats attenuation;             // of the light on its way
+  std::int32_t asked[kMost];      // 1: the light counts where nothing is in its way
+  Colors intensity, tint;         // what arrives; how metals tint the highlight
+  Floats diffuse;                 // opacity * coefficient; 0: none
+  Floats lit;                     // 1 or 0
+  Doubles shines;                 // 1 or 0: with highlights
+  Floats scattered;               // diffuse factor
+  Floats strength;                // highlight
   std::int32_t uncertain[kMost];  // not 0: the last bit of `strength` is not known
 };
 
@@ -59,7 +61,8 @@ struct WaveKernels {
   bool (*receive)(const Rgb& light, bool highlights, int count, WaveLanes& lanes);
   // Sets lit where what was asked for is not dark. False: nowhere.
   bool (*illuminate)(int count, WaveLanes& lanes);
-  // Sets scattered, strength and uncertain. False: nothing is uncertain. `phong`, `blinn`: some lane has such a highlight.
+  // Sets scattered, strength and uncertain. False: nothing is uncertain. `phong`, `blinn`: some lane has such a
+  // highlight.
   bool (*respond)(bool phong, bool blinn, int count, WaveLanes& lanes);
   // Adds the light of lit lanes to direct.
   void (*add)(int count, WaveLanes& lanes);

@@ -1,4 +1,5 @@
-// What shows where the rays of a wave hit: textures, their layers, colours and normals, row by row (spec 06 sections 3.1 to 3.3).
+// What shows where the rays of a wave hit: textures, their layers, colours and normals, row by row (spec 06
+// sections 3.1 to 3.3).
 #include "tracer/shading/finish.h"
 #include "tracer/shading/wavefront/wave.h"
 #include "tracer/textures/evaluation/pigment.h"
@@ -45,17 +46,24 @@ Wave::Materials Wave::find_materials(const textures::CompiledTexture& texture) c
     m.amount = f.phong > 0 ? f.phong : f.specular > 0 ? f.specular : 0;
     m.exponent = f.phong > 0 ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
     m.base_limit = f.phong > 0 && f.phong_size >= 60 ? 0.0008 : 0;
-    m.shine = (m.amount == 0 ? 0 : m.phong != 0 ? kPhong : kBlinn) | (f.metallic > 0 ? kMetallic : 0) | (f.phong > 0 && f.specular > 0 ? kBothHighlights : 0) | (f.brilliance != 1 ? kBrilliance : 0);
+    m.shine = (m.amount == 0  ? 0
+               : m.phong != 0 ? kPhong
+                              : kBlinn) |
+              (f.metallic > 0 ? kMetallic : 0) | (f.phong > 0 && f.specular > 0 ? kBothHighlights : 0) |
+              (f.brilliance != 1 ? kBrilliance : 0);
     m.opacity = surface_opacity(m.color, scene_.version);
-    m.plain = m.only && m.constant && !m.mirror && !layer.normal && !layer.pigment->transparent && !indirect_ && !photons_ && is_finite(m.color.rgb());
-    const bool finite = is_finite(m.glow) && std::fabs(m.exponent) < 1e6 && m.amount < 1e30 && std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f;
+    m.plain = m.only && m.constant && !m.mirror && !layer.normal && !layer.pigment->transparent && !indirect_ &&
+              !photons_ && is_finite(m.color.rgb());
+    const bool finite = is_finite(m.glow) && std::fabs(m.exponent) < 1e6 && m.amount < 1e30 &&
+                        std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f;
     if (!finite) return {};
   }
   return all;
 }
 
 const Wave::Materials& Wave::materials(const textures::CompiledTexture& texture) {
-  auto& last = last_materials_[reinterpret_cast<std::uintptr_t>(&texture) / sizeof texture % std::size(last_materials_)];
+  auto& last =
+      last_materials_[reinterpret_cast<std::uintptr_t>(&texture) / sizeof texture % std::size(last_materials_)];
   if (last.first != &texture) {
     auto known = materials_.find(&texture);
     if (known == materials_.end()) known = materials_.emplace(&texture, find_materials(texture)).first;
@@ -84,7 +92,8 @@ void Wave::meet(int i) {
   }
   const shapes::Surface& surface = *hit.shape->surface;
   if (surface.shows_several() || surface.ignore_global_lights || !surface.group_lights.empty()) return;
-  const textures::CompiledTexture& texture = inside && surface.interior_texture ? *surface.interior_texture : *surface.texture;
+  const textures::CompiledTexture& texture =
+      inside && surface.interior_texture ? *surface.interior_texture : *surface.texture;
   const Materials& found = materials(texture);
   if (found.empty()) return;
   met.together = true;
@@ -101,7 +110,8 @@ void Wave::meet(int i) {
 }
 
 // Leaves and parts are written where they stay: copies of what was just written in pieces would wait for it.
-void Wave::add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point, float weight) {
+void Wave::add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point,
+                    float weight) {
   Leaf& leaf = leaves_.emplace_back();
   leaf.ray = i;
   leaf.materials = &found;
@@ -118,11 +128,14 @@ void Wave::add_leaves(int i, const textures::CompiledTexture& texture, const Mat
   } else {
     textures::WeightedTexture storage[kMostTextures];
     Vec3 warped;
-    for (const textures::WeightedTexture& entry : textures::select(texture, p, &met.at->texture_point, storage, warped)) {
+    for (const textures::WeightedTexture& entry :
+         textures::select(texture, p, &met.at->texture_point, storage, warped)) {
       if (entry.weight == 0) continue;
       const Materials& inner = materials(*entry.texture);
-      if (inner.empty()) met.together = false;
-      else add_leaf(i, inner, &texture, warped, entry.weight);
+      if (inner.empty())
+        met.together = false;
+      else
+        add_leaf(i, inner, &texture, warped, entry.weight);
     }
   }
   met.leaves = static_cast<int>(leaves_.size()) - met.first;
@@ -144,13 +157,15 @@ Rgb Wave::add_mirror(const Leaf& leaf, Part& part) {
   const textures::CompiledLayer& layer = *part.material->layer;
   const scene::Reflection& reflection = layer.finish.reflection;
   const double ratio = reflection.fresnel ? tracer_.fresnel_ratio(state_, *met_[leaf.ray].at->surface.interior) : 0;
-  const Rgb reflected = reflectivity(reflection, part.color.rgb(), -dot(lanes_.rays.direction.at(leaf.ray), part.normal), ratio);
+  const Rgb reflected =
+      reflectivity(reflection, part.color.rgb(), -dot(lanes_.rays.direction.at(leaf.ray), part.normal), ratio);
   if (reflected == Rgb()) return reflected;
   part.mirror = add_branch(leaf, {&layer, part.color, part.normal, reflected, leaf.translucency}, false);
   return reflected;
 }
 
-// The layers of all hits. The textures of one hit are looked at one after another: normals leave their trace in what patterns see.
+// The layers of all hits. The textures of one hit are looked at one after another: normals leave their trace in what
+// patterns see.
 void Wave::find_parts(int count) {
   int waiting[kMost], group[kMost];
   for (int round = 0;; ++round) {
@@ -163,7 +178,9 @@ void Wave::find_parts(int count) {
     while (n > 0) {
       const Materials* const all = leaves_[static_cast<std::size_t>(waiting[0])].materials;
       int same = 0, others = 0;
-      for (int k = 0; k < n; ++k) (leaves_[static_cast<std::size_t>(waiting[k])].materials == all ? group[same++] : waiting[others++]) = waiting[k];
+      for (int k = 0; k < n; ++k)
+        (leaves_[static_cast<std::size_t>(waiting[k])].materials == all ? group[same++] : waiting[others++]) =
+            waiting[k];
       n = others;
       find_layers(group, same);
     }
@@ -179,7 +196,8 @@ void Wave::find_layers(int* leaves, int n) {
     for (int k = 0; k < n; ++k) {
       Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
       const Color& c = colors_[k];
-      const bool finite = !material.layer->normal || std::fabs(dot(normals_[k], lanes_.rays.direction.at(leaf.ray))) < 1e30;  // otherwise known since `meet`
+      const bool finite = !material.layer->normal || std::fabs(dot(normals_[k], lanes_.rays.direction.at(leaf.ray))) <
+                                                         1e30;  // otherwise known since `meet`
       if (!colored_[k] || !finite || !is_finite(c.rgb()) || !is_finite({c.f, c.t, 0})) {
         met_[leaf.ray].together = false;
         continue;
@@ -193,7 +211,9 @@ void Wave::find_layers(int* leaves, int n) {
       const Rgb reflected = material.mirror ? add_mirror(leaf, part) : Rgb();
       if (material.only && c.f == 0 && c.t == 0) continue;
       leaf.filter *= c.transmission();
-      if (material.layer->finish.conserve_energy) leaf.filter *= {std::min(1.0f, 1 - reflected.r), std::min(1.0f, 1 - reflected.g), std::min(1.0f, 1 - reflected.b)};
+      if (material.layer->finish.conserve_energy)
+        leaf.filter *=
+            {std::min(1.0f, 1 - reflected.r), std::min(1.0f, 1 - reflected.g), std::min(1.0f, 1 - reflected.b)};
       leaf.translucency = std::min(1.0f, std::fabs(leaf.filter.grey()));
       if (leaf.translucency > tracer_.bailout(state_)) leaves[still++] = leaves[k];
     }
@@ -218,14 +238,17 @@ void Wave::find_colors_and_normals(const Material& material, const int* leaves, 
     SurfaceHit& at = *met_[leaf.ray].at;
     points.set(k, leaf.point);
     surfaces[k] = &at.texture_point;
-    if (perturbed) at.texture_point.normal = leaf.around ? textures::enter_frame(*leaf.around, at.raw) : at.raw;
-    else normals_[k] = at.raw;
+    if (perturbed)
+      at.texture_point.normal = leaf.around ? textures::enter_frame(*leaf.around, at.raw) : at.raw;
+    else
+      normals_[k] = at.raw;
   }
   points.fill_up(n);
   if (perturbed) {
     textures::perturb(*perturbed, n, points, surfaces, normals_);
     for (int k = 0; k < n; ++k)
-      if (const auto* around = leaves_[static_cast<std::size_t>(leaves[k])].around) normals_[k] = textures::leave_frame(*around, normals_[k]);
+      if (const auto* around = leaves_[static_cast<std::size_t>(leaves[k])].around)
+        normals_[k] = textures::leave_frame(*around, normals_[k]);
   }
   textures::evaluate(*material.layer->pigment, n, points, surfaces, colors_, colored_);
 }

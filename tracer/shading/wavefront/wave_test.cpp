@@ -69,12 +69,14 @@ TEST_P(WaveKernel, LightsAndHighlightsAreThoseOfTheFormulas) {
     kernels->face(WaveLanes::kMost, *lanes);
     kernels->respond(true, true, WaveLanes::kMost, *lanes);
     for (int i = 0; i < WaveLanes::kMost; ++i) {
-      const Vec3 n = lanes->normal.at(i), view = lanes->view.at(i), to = position - lanes->to_light.origin.at(i), l = to * (1 / length(to));
+      const Vec3 n = lanes->normal.at(i), view = lanes->view.at(i), to = position - lanes->to_light.origin.at(i),
+                 l = to * (1 / length(to));
       ASSERT_EQ(lanes->to_light.direction.at(i), l);
       ASSERT_EQ(lanes->distance[i], length(to));
       ASSERT_EQ(lanes->cosine[i], dot(n, l));
       ASSERT_EQ(lanes->scattered[i], static_cast<float>(0.7f * std::fabs(dot(n, l))));
-      const double strength = lanes->phong[i] != 0 ? phong_highlight(finish[i], n, view, l) : specular_highlight(finish[i], n, view, l);
+      const double strength =
+          lanes->phong[i] != 0 ? phong_highlight(finish[i], n, view, l) : specular_highlight(finish[i], n, view, l);
       uncertain += lanes->uncertain[i] != 0;
       if (lanes->uncertain[i]) continue;
       ++checked;
@@ -88,7 +90,8 @@ TEST_P(WaveKernel, WhatArrivesIsAskedForWhereItCounts) {
   std::uniform_real_distribution<double> number(-1, 1);
   int asked_for = 0, lit = 0;
   for (int round = 0; round < 500; ++round) {
-    const Rgb light(static_cast<float>(std::fabs(number(random))), 0.5f, round % 5 == 0 ? 0 : static_cast<float>(number(random)));
+    const Rgb light(static_cast<float>(std::fabs(number(random))), 0.5f,
+                    round % 5 == 0 ? 0 : static_cast<float>(number(random)));
     const bool highlights = round % 2 == 0;
     for (int i = 0; i < WaveLanes::kMost; ++i) {
       lanes->cosine[i] = i % 5 == 0 ? 0 : number(random);
@@ -102,7 +105,8 @@ TEST_P(WaveKernel, WhatArrivesIsAskedForWhereItCounts) {
     for (int i = 0; i < count; ++i) {
       const bool back = lanes->cosine[i] < kEpsilon && lanes->two_sided[i] == 0;
       const Rgb color = light * lanes->attenuation[i];
-      const bool expected = !(back && lanes->lit_behind[i] == 0) && lanes->dull[i] == 0 && !(color.max_abs() < static_cast<float>(kEpsilon));
+      const bool expected = !(back && lanes->lit_behind[i] == 0) && lanes->dull[i] == 0 &&
+                            !(color.max_abs() < static_cast<float>(kEpsilon));
       ASSERT_EQ(lanes->asked[i], expected) << i;
       any |= expected;
       asked_for += expected;
@@ -128,7 +132,8 @@ TEST_P(WaveKernel, WhatArrivesIsAskedForWhereItCounts) {
 
 TEST_P(WaveKernel, NumbersThatAreNoneAreLeftToTheFormulas) {
   for (int i = 0; i < WaveLanes::kMost; ++i) {
-    lanes->normal.set(i, Vec3(0, 1, 0)), lanes->view.set(i, Vec3(0, -1, 0)), lanes->to_light.direction.set(i, Vec3(std::nan("")));
+    lanes->normal.set(i, Vec3(0, 1, 0)), lanes->view.set(i, Vec3(0, -1, 0)),
+        lanes->to_light.direction.set(i, Vec3(std::nan("")));
     lanes->amount[i] = lanes->shines[i] = lanes->exponent[i] = 1;
   }
   EXPECT_TRUE(kernels->respond(false, true, WaveLanes::kMost, *lanes));
@@ -174,11 +179,14 @@ scene::Scene mixed_scene(bool foggy = false) {
     if (i == 4) finish.specular = 0.5f;  // both kinds of highlights
     if (i == 6) finish.reflection.maximum = Rgb(0.4f);
     if (i == 2) finish.reflection.maximum = Rgb(1), finish.reflection.fresnel = finish.conserve_energy = true;
-    if (i == 10) finish.reflection.minimum = Rgb(0.1f, 0.3f, 0.2f), finish.reflection.maximum = Rgb(0.6f), finish.reflection.exponent = 1.5f;
+    if (i == 10)
+      finish.reflection.minimum = Rgb(0.1f, 0.3f, 0.2f), finish.reflection.maximum = Rgb(0.6f),
+      finish.reflection.exponent = 1.5f;
     if (i == 11) finish.crand = 0.2f;  // random numbers in mirrors, too
     if (i == 7) finish.diffuse_back = 0.5f;
     if (i == 9 || i == 2) finish.brilliance = 3;
-    add(scene::Sphere{{i % 4 * 1.2 - 1.8, 0.4 + i / 4, 0.3 * (i % 3)}, 0.55}, Color(0.2f + 0.06f * static_cast<float>(i), 0.5f, 0.4f, 0, i == 8 ? 0.5f : 0.0f), finish);
+    add(scene::Sphere{{i % 4 * 1.2 - 1.8, 0.4 + i / 4, 0.3 * (i % 3)}, 0.55},
+        Color(0.2f + 0.06f * static_cast<float>(i), 0.5f, 0.4f, 0, i == 8 ? 0.5f : 0.0f), finish);
   }
   scene::Finish polished;
   polished.reflection.maximum = Rgb(0.3f);
@@ -189,7 +197,8 @@ scene::Scene mixed_scene(bool foggy = false) {
     auto pigment = std::make_shared<scene::Pigment>();
     pigment->pattern.kind = kind;
     pigment->pattern.prepend(Transform::scaling(Vec3(0.3)));
-    pigment->color_map = std::make_shared<const scene::ColorMap>(scene::ColorMap{{0.2f, Color(0.9f, 0.3f, 0.2f, 0.1f * lowest, lowest)}, {0.7f, Color(0.2f, 0.4f, 0.8f, 0, highest)}});
+    pigment->color_map = std::make_shared<const scene::ColorMap>(scene::ColorMap{
+        {0.2f, Color(0.9f, 0.3f, 0.2f, 0.1f * lowest, lowest)}, {0.7f, Color(0.2f, 0.4f, 0.8f, 0, highest)}});
     return pigment;
   };
   const auto texture_of = [](std::initializer_list<scene::PigmentPtr> layers, bool bumpy) {
@@ -204,13 +213,16 @@ scene::Scene mixed_scene(bool foggy = false) {
     return texture;
   };
   using enum scene::PatternKind;
-  const auto opaque = texture_of({patterned(granite, 0, 0)}, false), layered = texture_of({patterned(wrinkles, 0, 0), patterned(marble, 0, 0.8f), patterned(bozo, 0.9f, 0)}, true);
+  const auto opaque = texture_of({patterned(granite, 0, 0)}, false),
+             layered =
+                 texture_of({patterned(wrinkles, 0, 0), patterned(marble, 0, 0.8f), patterned(bozo, 0.9f, 0)}, true);
   const auto veiled = texture_of({patterned(bozo, 0.6f, 0.3f)}, false);
   for (int i = 0; i < 5; ++i) {
     auto texture = std::make_shared<scene::Texture>();
     texture->pattern.kind = i == 1 ? checker : i == 2 ? average : bozo;
     texture->pattern.prepend(Transform::scaling(Vec3(0.2)));
-    texture->texture_map = std::make_shared<const scene::BlendMap<scene::TexturePtr>>(scene::BlendMap<scene::TexturePtr>{{0.0f, opaque}, {1.0f, i == 4 ? veiled : layered}});
+    texture->texture_map = std::make_shared<const scene::BlendMap<scene::TexturePtr>>(
+        scene::BlendMap<scene::TexturePtr>{{0.0f, opaque}, {1.0f, i == 4 ? veiled : layered}});
     const auto object = make(scene::Sphere{{i * 0.9 - 1.8, 2.2, 0.4}, 0.5});
     object->texture = i == 0 ? layered : texture;
     object->interior = std::make_shared<scene::Interior>();
@@ -246,7 +258,8 @@ void expect_the_same_together(const scene::Scene& scene) {
     for (int i = 0; i < count; ++i) places.emplace_back(x + beside(random), y + beside(random));
     std::vector<Color> colors(places.size());
     together.points(places.data(), count, colors.data());
-    for (std::size_t i = 0; i < places.size(); ++i) ASSERT_TRUE(colors[i] == single(places[i].x, places[i].y)) << count << ' ' << i;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      ASSERT_TRUE(colors[i] == single(places[i].x, places[i].y)) << count << ' ' << i;
   }
   EXPECT_EQ(tracer.statistics().shadow_rays, other.statistics().shadow_rays);
   EXPECT_EQ(tracer.statistics().camera_rays, other.statistics().camera_rays);
@@ -257,8 +270,8 @@ void expect_the_same_together(const scene::Scene& scene) {
   EXPECT_EQ(tracer.statistics().samples, other.statistics().samples);
 }
 
-// Lenses in front of the mixed scene: one within another, one that reflects totally and has a mirror, a prism of colours, a pane without refraction, coloured
-// fading glass, and layers and maps of which some let light through.
+// Lenses in front of the mixed scene: one within another, one that reflects totally and has a mirror, a prism of
+// colours, a pane without refraction, coloured fading glass, and layers and maps of which some let light through.
 scene::Scene glass_scene() {
   using shapes::testing::make;
   scene::Scene scene = mixed_scene();
@@ -325,7 +338,9 @@ TEST(Wave, DrawsTheRandomNumbersOfSingleRays) {
 scene::Scene scene_in_container(double jitter) {
   scene::Scene scene = mixed_scene();
   std::erase_if(scene.objects, [](const scene::ObjectPtr& object) {
-    return object->texture && (object->texture->texture_map || object->texture->layers.size() != 1 || object->texture->layers[0].pigment->color.t > 0 || object->texture->layers[0].pigment->color_map);
+    return object->texture &&
+           (object->texture->texture_map || object->texture->layers.size() != 1 ||
+            object->texture->layers[0].pigment->color.t > 0 || object->texture->layers[0].pigment->color_map);
   });
   auto texture = std::make_shared<scene::Texture>();
   auto pigment = std::make_shared<scene::Pigment>();
@@ -434,7 +449,9 @@ TEST(Wave, GivesTheColoursOfSingleLensRays) {
       std::vector<Color> row(kWidth);
       for (int y = 0; y < kHeight; y += 3) {
         together.row(-0.5, y, kWidth, row.data());
-        for (int x = 0; x < kWidth; ++x) ASSERT_TRUE(row[static_cast<std::size_t>(x)] == single(x - 0.5, y)) << x << ' ' << y << " focus " << focus << " samples " << samples;
+        for (int x = 0; x < kWidth; ++x)
+          ASSERT_TRUE(row[static_cast<std::size_t>(x)] == single(x - 0.5, y))
+              << x << ' ' << y << " focus " << focus << " samples " << samples;
       }
       EXPECT_EQ(tracer.statistics().camera_rays, other.statistics().camera_rays);
       EXPECT_EQ(tracer.statistics().samples, other.statistics().samples);
@@ -446,7 +463,8 @@ TEST(Wave, GivesTheColoursOfSingleLensRays) {
 void expect_the_same_gathered(scene::Scene scene, bool volumes) {
   scene.settings.radiosity.adc_bailout = 0.01;
   for (const auto& object : scene.objects)  // which these rays see as a point
-    if (auto* light = const_cast<scene::LightSource*>(object->as<scene::LightSource>())) light->area = true, light->axis1 = {1, 0, 0}, light->axis2 = {0, 1, 0}, light->size1 = light->size2 = 3;
+    if (auto* light = const_cast<scene::LightSource*>(object->as<scene::LightSource>()))
+      light->area = true, light->axis1 = {1, 0, 0}, light->axis2 = {0, 1, 0}, light->size1 = light->size2 = 3;
   textures::Compiler compiler{textures::Settings{}};
   const accel::World world(scene, compiler);
   SceneData data(scene, world, compiler, 9, true);
@@ -456,7 +474,8 @@ void expect_the_same_gathered(scene::Scene scene, bool volumes) {
   const auto wave = std::make_unique<Wave>(tracer);
   ASSERT_TRUE(wave->can_gather());
   RayState state;
-  state.primary = false, state.gather = true, state.volumes = volumes, state.weight = 0.5f, state.level = 1, state.level_limit = 5, state.gather_depth = 1;
+  state.primary = false, state.gather = true, state.volumes = volumes, state.weight = 0.5f, state.level = 1,
+  state.level_limit = 5, state.gather_depth = 1;
   std::mt19937 random{9};
   std::normal_distribution<double> n;
   int hits = 0;

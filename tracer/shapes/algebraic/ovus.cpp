@@ -45,13 +45,16 @@ enum Part : std::int32_t { bottom_sphere, sheet, top_sphere };
 
 class Ovus final : public Primitive<Ovus> {
  public:
-  Ovus(const scene::Object& description, const Measures& m) : Primitive(description, {box_of(m)}), m_(m), sturm_(description.sturm) {}
+  Ovus(const scene::Object& description, const Measures& m)
+      : Primitive(description, {box_of(m)}), m_(m), sturm_(description.sturm) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
     const auto report = [&](double t, Part part) {
-      if (t > kNearest) sink.add(t / l.scale, [&] { return world(l.origin + t * l.direction); }, part);
+      if (t > kNearest)
+        sink.add(
+            t / l.scale, [&] { return world(l.origin + t * l.direction); }, part);
     };
     const auto height = [&](double t) { return l.origin.y + t * l.direction.y; };
     double near, far;
@@ -72,7 +75,8 @@ class Ovus final : public Primitive<Ovus> {
     const Vec3& d = l.direction;
     const double h2 = m_.h * m_.h, rho2 = m_.rho * m_.rho;
     const double k1 = dot(p, p) - h2 - rho2, k2 = dot(p, d);
-    const double c[5] = {1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + h2 * d.y * d.y)), 4 * (k1 * k2 + 2 * h2 * p.y * d.y), k1 * k1 + 4 * h2 * (p.y * p.y - rho2)};
+    const double c[5] = {1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + h2 * d.y * d.y)), 4 * (k1 * k2 + 2 * h2 * p.y * d.y),
+                         k1 * k1 + 4 * h2 * (p.y * p.y - rho2)};
     double roots[4];
     const int n = solve_polynomial(4, c, roots, sturm_, kElimination);
     for (int i = 0; i < n; ++i) {
@@ -143,6 +147,8 @@ class Ovus final : public Primitive<Ovus> {
 
 Box3 ovus_box(const scene::Ovus& ovus) { return box_of(Measures(ovus)); }
 
-std::unique_ptr<Shape> compile_ovus(const scene::Object& object) { return std::make_unique<Ovus>(object, Measures(*object.as<scene::Ovus>())); }
+std::unique_ptr<Shape> compile_ovus(const scene::Object& object) {
+  return std::make_unique<Ovus>(object, Measures(*object.as<scene::Ovus>()));
+}
 
 }  // namespace verisim::shapes

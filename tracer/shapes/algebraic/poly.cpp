@@ -1,4 +1,5 @@
-// cubic, quartic, poly and polynomial (spec 03 4.9): sum of c x^i y^j z^k = 0, coefficients in order of falling powers of x, then y, then z.
+// cubic, quartic, poly and polynomial (spec 03 4.9): sum of c x^i y^j z^k = 0, coefficients in order of falling powers
+// of x, then y, then z.
 #include <algorithm>
 
 #include "tracer/math/bernstein_lanes.h"
@@ -17,7 +18,10 @@ constexpr double kFarthestRoot = 1e7, kNearest = 1e-4, kElimination = 1e-4, kIns
 class Poly final : public Primitive<Poly> {
  public:
   Poly(const scene::Object& description, const scene::Poly& p)
-      : Primitive(description, {everywhere(), false}), order_(p.order), coefficients_(p.coefficients), sturm_(description.sturm) {
+      : Primitive(description, {everywhere(), false}),
+        order_(p.order),
+        coefficients_(p.coefficients),
+        sturm_(description.sturm) {
     const auto n = static_cast<std::size_t>(order_);
     coefficients_.resize((n + 1) * (n + 2) * (n + 3) / 6);
     const double* c = coefficients_.data();
@@ -38,12 +42,16 @@ class Poly final : public Primitive<Poly> {
     report_roots(l, p, sink);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max, Hit* hits) const override {
-    return nearest_of_lanes(rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max,
+                           Hit* hits) const override {
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min,
+                          const double* t_max) const override {
     Hit hit;
-    return nearest_of_lanes(rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
   bool contains(const Vec3& p) const { return value(local(p)) < kInsideThreshold; }
@@ -104,8 +112,10 @@ class Poly final : public Primitive<Poly> {
       each_lane(open, [&](int k) {
         const double t = bounded.root[k];
         NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
-        if (report(local(rays.at(k)), t, sink)) found |= 1u << k, open &= ~(1u << k);
-        else if (t / lanes.scale[k] >= t_max[k]) open &= ~(1u << k);
+        if (report(local(rays.at(k)), t, sink))
+          found |= 1u << k, open &= ~(1u << k);
+        else if (t / lanes.scale[k] >= t_max[k])
+          open &= ~(1u << k);
       });
     }
     return found;
@@ -124,7 +134,8 @@ class Poly final : public Primitive<Poly> {
     return solve_polynomial(degree, c, roots, sturm_, kElimination);
   }
 
-  // Degrees for which POV-Ray has Sturm sequences: all roots lie within Fujiwara's bound, and on that stretch they are isolated in Bernstein form.
+  // Degrees for which POV-Ray has Sturm sequences: all roots lie within Fujiwara's bound, and on that stretch they are
+  // isolated in Bernstein form.
   static bool isolates(int degree) { return degree >= 5 && degree <= kMaxBernsteinDegree; }
   static double root_bound(int degree, const double* power) {
     double exponent = -1e9;
@@ -199,6 +210,8 @@ class Poly final : public Primitive<Poly> {
 
 }  // namespace
 
-std::unique_ptr<Shape> compile_poly(const scene::Object& object) { return std::make_unique<Poly>(object, *object.as<scene::Poly>()); }
+std::unique_ptr<Shape> compile_poly(const scene::Object& object) {
+  return std::make_unique<Poly>(object, *object.as<scene::Poly>());
+}
 
 }  // namespace verisim::shapes

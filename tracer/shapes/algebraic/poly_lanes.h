@@ -11,7 +11,8 @@ struct alignas(64) PolyLanes {
   int size;                                              // how many, for all lanes; 0 is zero
 };
 
-using PolyAlong = void (*)(int order, const double* coefficients, const unsigned char* used, const LocalLanes& rays, PolyLanes& lanes);
+using PolyAlong = void (*)(int order, const double* coefficients, const unsigned char* used, const LocalLanes& rays,
+                           PolyLanes& lanes);
 
 // That of the best instruction set of this machine.
 PolyAlong poly_along();

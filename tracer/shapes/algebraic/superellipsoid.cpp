@@ -14,7 +14,8 @@ namespace {
 constexpr double kNearest = 1e-4, kFarthest = 1e7, kZero = 1e-10, kCube = 1.01;
 constexpr int kMaxSteps = 20;
 
-// x^p and x^(1/p), without the library's pow where p is a small integer or a power of two: as most exponents in scenes are.
+// x^p and x^(1/p), without the library's pow where p is a small integer or a power of two: as most exponents in scenes
+// are.
 class Power {
  public:
   explicit Power(double p) : p_(p), inverse_(1 / p) {
@@ -53,10 +54,18 @@ double norm(double a, double b, const Power& p) {
 class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
  public:
   Superellipsoid(const scene::Object& description, const scene::Superellipsoid& s)
-      : Primitive(description, {Box3(Vec3(-1.0001), Vec3(1.0001))}), p_(2 / s.east), q_(2 / s.north), p_less_(p_.exponent() - 1), q_less_(q_.exponent() - 1), guarded_(has_guards(description)) {
+      : Primitive(description, {Box3(Vec3(-1.0001), Vec3(1.0001))}),
+        p_(2 / s.east),
+        q_(2 / s.north),
+        p_less_(p_.exponent() - 1),
+        q_less_(q_.exponent() - 1),
+        guarded_(has_guards(description)) {
     constexpr double kDoubt = 1e-9;
     most_inside_ = (1 - kDoubt) * std::pow(2, -1 / p_.exponent() - 1 / q_.exponent()), least_outside_ = 1 + kDoubt;
-    if (has_matrix()) stretch_ = length(Vec3(length(matrix().inverse_direction({1, 0, 0})), length(matrix().inverse_direction({0, 1, 0})), length(matrix().inverse_direction({0, 0, 1}))));
+    if (has_matrix())
+      stretch_ =
+          length(Vec3(length(matrix().inverse_direction({1, 0, 0})), length(matrix().inverse_direction({0, 1, 0})),
+                      length(matrix().inverse_direction({0, 0, 1}))));
   }
 
   template <class Sink>
@@ -91,14 +100,16 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
     if (guarded_ || !convex()) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     return nearest_of_lanes(rays, t_min, t_max, [&](int k, double t) {
       const Ray ray = rays.at(k);
       hits[k] = {t, ray.origin + t * ray.direction, this, 0, 0, 0};
     });
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
     if (guarded_ || !convex()) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     return nearest_of_lanes(rays, t_min, t_max, [](int, double) {});
   }
@@ -121,13 +132,15 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     });
     const unsigned entered = approach(1, asked, entry), left = approach(-1, entered, exit);
     each_lane(entered, [&](int k) {
-      crossings[k] = found_from(near[k], scale[k], doubt_at(rays.rays.origin.at(rays.first + k)), entry, true, exit, left >> k & 1, k, k);
+      crossings[k] = found_from(near[k], scale[k], doubt_at(rays.rays.origin.at(rays.first + k)), entry, true, exit,
+                                left >> k & 1, k, k);
     });
   }
 
   bool contains(const Vec3& point) const {
     const Vec3 p = local(point);
-    // The norm of three numbers is at least the largest of them, and at most so many times as much as it is for equal ones.
+    // The norm of three numbers is at least the largest of them, and at most so many times as much as it is for equal
+    // ones.
     const double largest = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
     if (largest > least_outside_) return false;
     return largest < most_inside_ || value(p) < kZero;
@@ -139,8 +152,11 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     const double r = norm(x, y, p_), f = norm(r, z, q_);
     const auto raised = [](double ratio, const Power& power) { return ratio == 1 ? 1 : power.raise(ratio); };
     const double across = f > 0 && r > 0 ? raised(r / f, q_less_) : 0;
-    const auto part = [&](double a, double size, const Power& power) { return size > 0 && a > 0 ? raised(a / size, power) : power.exponent() == 0 ? 1.0 : 0.0; };
-    const Vec3 g(std::copysign(across * part(x, r, p_less_), v.x), std::copysign(across * part(y, r, p_less_), v.y), std::copysign(part(z, f, q_less_), v.z));
+    const auto part = [&](double a, double size, const Power& power) {
+      return size > 0 && a > 0 ? raised(a / size, power) : power.exponent() == 0 ? 1.0 : 0.0;
+    };
+    const Vec3 g(std::copysign(across * part(x, r, p_less_), v.x), std::copysign(across * part(y, r, p_less_), v.y),
+                 std::copysign(part(z, f, q_less_), v.z));
     const double largest = std::max({std::fabs(g.x), std::fabs(g.y), std::fabs(g.z)});
     if (!(largest > 0) || !std::isfinite(largest)) return {1, 0, 0};
     return world_normal(g / largest);
@@ -150,7 +166,8 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
   double value(const Vec3& p) const { return norm(norm(std::fabs(p.x), std::fabs(p.y), p_), std::fabs(p.z), q_) - 1; }
   double value(const LocalRay& l, double t) const { return value(l.origin + t * l.direction); }
 
-  // With exponents of at least 1 the nested norms are convex: a ray enters once and leaves once, and Newton's method from outside goes straight to each.
+  // With exponents of at least 1 the nested norms are convex: a ray enters once and leaves once, and Newton's method
+  // from outside goes straight to each.
   bool convex() const { return p_.exponent() >= 1 && q_.exponent() >= 1; }
   unsigned approach(double side, unsigned asked, ConvexLanes& lanes) const {
     if (asked == 0) return 0;
@@ -171,9 +188,11 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     return inside;
   }
 
-  // What is known of one ray: where it enters the cube, and lanes in which the entry and the exit were looked for from either end of the stretch within it.
-  // The exit would be found from behind the entry only; that the search for it may pass the entry, where it finds nothing, does not matter.
-  Crossings found_from(double begin, double scale, double doubt, const ConvexLanes& entry, bool entered, const ConvexLanes& exit, bool left, int i, int j) const {
+  // What is known of one ray: where it enters the cube, and lanes in which the entry and the exit were looked for from
+  // either end of the stretch within it. The exit would be found from behind the entry only; that the search for it may
+  // pass the entry, where it finds nothing, does not matter.
+  Crossings found_from(double begin, double scale, double doubt, const ConvexLanes& entry, bool entered,
+                       const ConvexLanes& exit, bool left, int i, int j) const {
     Crossings c;
     if (!entered) return c;
     const auto take = [&](double t) {
@@ -189,9 +208,11 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     if (leaves) c.far = (exit.t[j] + doubt / std::fabs(exit.slope[j])) / scale;
     return c;
   }
-  // How much the value changes, at most, where a point is off by PlaneSet::doubt_at; and what the inside test tolerates.
+  // How much the value changes, at most, where a point is off by PlaneSet::doubt_at; and what the inside test
+  // tolerates.
   double doubt_at(const Vec3& origin) const { return 2 * stretch_ * PlaneSet::doubt_at(origin) + 100 * kZero; }
-  // The entry and the exit are looked for at the same time: each step is a long chain of operations that wait for each other.
+  // The entry and the exit are looked for at the same time: each step is a long chain of operations that wait for each
+  // other.
   Crossings cross(const Ray& ray, const LocalRay& l) const {
     double near, far;
     if (!clip_to_cube(l, near, far)) return {};
@@ -287,13 +308,16 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
       t = step % 3 == 2 ? 0.5 * (a + b) : a - fa * (b - a) / (fb - fa);
       const double f = value(l, t);
       if (std::fabs(f) < kZero) return t;
-      if ((f < 0) == (fa < 0)) a = t, fa = f;
-      else b = t, fb = f;
+      if ((f < 0) == (fa < 0))
+        a = t, fa = f;
+      else
+        b = t, fb = f;
     }
     return t;
   }
 
-  // Outside at both ends of a stretch: a secant walk from the near end, which finds an entry if the ray dips below the surface.
+  // Outside at both ends of a stretch: a secant walk from the near end, which finds an entry if the ray dips below the
+  // surface.
   bool grazing_entry(const LocalRay& l, double a, double fa, double b, double& entry) const {
     double t0 = a, f0 = fa, t1 = a + 1e-4 * (b - a), f1 = value(l, t1);
     for (int step = 0; step < kMaxSteps; ++step) {
@@ -324,8 +348,8 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     return false;
   }
 
-  Power p_, q_, p_less_, q_less_;  // the exponents, and these less 1
-  double stretch_ = 2;  // nothing grows more than this much on the way to local coordinates
+  Power p_, q_, p_less_, q_less_;       // the exponents, and these less 1
+  double stretch_ = 2;                  // nothing grows more than this much on the way to local coordinates
   double most_inside_, least_outside_;  // of coordinates: where the formula need not be asked
   bool guarded_;
 };

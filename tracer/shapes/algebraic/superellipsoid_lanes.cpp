@@ -18,7 +18,9 @@ const SuperellipsoidKernels* const kAll[textures::kInstructionSets] = VERISIM_KE
 
 }  // namespace
 
-const SuperellipsoidKernels* superellipsoid_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+const SuperellipsoidKernels* superellipsoid_kernels(int set) {
+  return set <= textures::best_instruction_set() ? kAll[set] : nullptr;
+}
 
 const SuperellipsoidKernels& superellipsoid_kernels() {
   static const SuperellipsoidKernels& best = *kAll[textures::best_instruction_set()];

@@ -1,5 +1,5 @@
-// Newton's method from outside a convex superellipsoid, for eight rays at once. Compiled for several instruction sets; all give the same bits, and what
-// one lane finds does not depend on the others.
+// Newton's method from outside a convex superellipsoid, for eight rays at once. Compiled for several instruction sets;
+// all give the same bits, and what one lane finds does not depend on the others.
 #pragma once
 
 #include "tracer/math/ray_row.h"

@@ -19,8 +19,13 @@ Box3 box_of(const scene::Torus& t) {
 class Torus final : public Primitive<Torus> {
  public:
   Torus(const scene::Object& description, const scene::Torus& t)
-      : Primitive(description, {box_of(t)}), major_(t.major), minor_(t.minor), major2_(t.major * t.major), minor2_(t.minor * t.minor),
-        sturm_(description.sturm), guarded_(has_guards(description)) {}
+      : Primitive(description, {box_of(t)}),
+        major_(t.major),
+        minor_(t.minor),
+        major2_(t.major * t.major),
+        minor2_(t.minor * t.minor),
+        sturm_(description.sturm),
+        guarded_(has_guards(description)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -34,19 +39,23 @@ class Torus final : public Primitive<Torus> {
 
     const double pp = dot(p, p), y2 = p.y * p.y;
     const double k1 = pp - major2_ - minor2_, k2 = dot(p, d);
-    const double c[5] = {1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + major2_ * d.y * d.y)), 4 * (k1 * k2 + 2 * major2_ * p.y * d.y),
-                         k1 * k1 + 4 * major2_ * (y2 - minor2_)};
+    const double c[5] = {1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + major2_ * d.y * d.y)),
+                         4 * (k1 * k2 + 2 * major2_ * p.y * d.y), k1 * k1 + 4 * major2_ * (y2 - minor2_)};
     report(ray, c, advance, l.scale, sink);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
     if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
-    return nearest_of_lanes(rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
     if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     Hit hit;
-    return nearest_of_lanes(rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
   bool contains(const Vec3& point) const {
@@ -128,6 +137,8 @@ class Torus final : public Primitive<Torus> {
 
 }  // namespace
 
-std::unique_ptr<Shape> compile_torus(const scene::Object& object) { return std::make_unique<Torus>(object, *object.as<scene::Torus>()); }
+std::unique_ptr<Shape> compile_torus(const scene::Object& object) {
+  return std::make_unique<Torus>(object, *object.as<scene::Torus>());
+}
 
 }  // namespace verisim::shapes

@@ -1,7 +1,8 @@
-// blob (spec 03 4.13): the surface where the fields of spheres and capsules, strength (1 - d^2 / r^2)^2 each, add up to the threshold.
+// blob (spec 03 4.13): the surface where the fields of spheres and capsules, strength (1 - d^2 / r^2)^2 each, add up to
+// the threshold.
 //
-// A capsule is three parts: a cylinder and two half spheres. Along a ray every part has an interval and a quartic; between the ends of intervals the
-// sum is one quartic, whose roots are isolated by its Bernstein coefficients.
+// A capsule is three parts: a cylinder and two half spheres. Along a ray every part has an interval and a quartic;
+// between the ends of intervals the sum is one quartic, whose roots are isolated by its Bernstein coefficients.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -62,14 +63,18 @@ class Blob final : public Primitive<Blob> {
     }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
     if (spheres_.empty()) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
-    return nearest_of_lanes(rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
     if (spheres_.empty()) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     Hit hit;
-    return nearest_of_lanes(rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
   bool contains(const Vec3& point) const {
@@ -105,7 +110,9 @@ class Blob final : public Primitive<Blob> {
 
  private:
   Blob(const scene::Object& description, const scene::Blob& blob, std::vector<Part> parts)
-      : Primitive(description, {box_of(parts, blob.threshold <= 0), blob.threshold > kInsideMargin}), threshold_(blob.threshold), parts_(std::move(parts)) {
+      : Primitive(description, {box_of(parts, blob.threshold <= 0), blob.threshold > kInsideMargin}),
+        threshold_(blob.threshold),
+        parts_(std::move(parts)) {
     const auto textured = [](const scene::BlobComponent& c) { return c.texture != nullptr; };
     if (std::any_of(blob.components.begin(), blob.components.end(), textured))
       for (const scene::BlobComponent& c : blob.components) textures_.push_back(c.texture);
@@ -128,7 +135,8 @@ class Blob final : public Primitive<Blob> {
 
   static double field(const Part& part, double d2) { return (part.k0 * d2 + part.k1) * d2 + part.k2; }
 
-  // Squared distance of p from a part's centre or axis; false outside its reach. `to_point` points from there to p, in the component's own space.
+  // Squared distance of p from a part's centre or axis; false outside its reach. `to_point` points from there to p, in
+  // the component's own space.
   static bool reach(const Part& part, const Vec3& p, double& d2, Vec3& to_point) {
     const Vec3 q = part.moved ? part.transform.inverse_point(p) : p;
     to_point = q - part.center;
@@ -157,7 +165,8 @@ class Blob final : public Primitive<Blob> {
       return;
     }
     if (!order_.empty()) {
-      for (std::uint64_t around = blob_kernels().around(ordered_spheres_.data(), ordered_spheres_.size(), p); around != 0; around &= around - 1)
+      for (std::uint64_t around = blob_kernels().around(ordered_spheres_.data(), ordered_spheres_.size(), p);
+           around != 0; around &= around - 1)
         test(parts_[order_[static_cast<std::size_t>(std::countr_zero(around))]]);
       return;
     }
@@ -197,7 +206,8 @@ class Blob final : public Primitive<Blob> {
     }
     if (!(piece.t1 > piece.t0 && piece.t1 < HUGE_VAL)) return;
     // The field of a positive part is largest where the ray is closest.
-    if (part.k2 > 0) piece.peak = piece.a > kEpsilon ? field(part, std::max(piece.c - piece.b * piece.b / piece.a, 0.0)) : part.k2;
+    if (part.k2 > 0)
+      piece.peak = piece.a > kEpsilon ? field(part, std::max(piece.c - piece.b * piece.b / piece.a, 0.0)) : part.k2;
     pieces.add(piece);
   }
 
@@ -235,7 +245,8 @@ class Blob final : public Primitive<Blob> {
   template <class Sink>
   static bool report(const Ray& ray, double scale, const Stretches& stretches, double root, Sink& sink) {
     const double depth = (stretches.start + stretches.span * root) / scale;
-    // Searches from within (subsurface scattering) ask for everything in front, and POV-Ray's own leave nothing out there.
+    // Searches from within (subsurface scattering) ask for everything in front, and POV-Ray's own leave nothing out
+    // there.
     const double nearest = Sink::kNearest && sink.lower() == std::numeric_limits<double>::min() ? 1e-7 : kNearest;
     return depth > nearest && depth < kFarthest && sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
   }
@@ -253,7 +264,8 @@ class Blob final : public Primitive<Blob> {
       apart2 = std::max(apart2, a), bent2 = std::max(bent2, b), size2 = std::min(size2, c);
       strange = strange || !(a < HUGE_VAL && b < HUGE_VAL && c > 0);
     });
-    return blob_kernels().near(spheres_.data(), spheres_.size(), origin(one), direction(one), strange ? HUGE_VAL : std::sqrt(apart2), std::sqrt(bent2 / size2));
+    return blob_kernels().near(spheres_.data(), spheres_.size(), origin(one), direction(one),
+                               strange ? HUGE_VAL : std::sqrt(apart2), std::sqrt(bent2 / size2));
   }
 
   // Events at one place: their order, and with it the order of sums, is that in which the tree finds the parts.
@@ -353,7 +365,8 @@ class Blob final : public Primitive<Blob> {
 
   static void expand(Piece& piece, double start, double span) {
     const Part& part = *piece.part;
-    const double a = piece.a * span * span, b = 2 * (piece.b + piece.a * start) * span, c = piece.c + start * (2 * piece.b + start * piece.a);
+    const double a = piece.a * span * span, b = 2 * (piece.b + piece.a * start) * span,
+                 c = piece.c + start * (2 * piece.b + start * piece.a);
     piece.power[4] = part.k0 * a * a;
     piece.power[3] = part.k0 * 2 * a * b;
     piece.power[2] = part.k0 * (b * b + 2 * a * c) + part.k1 * a;
@@ -365,7 +378,8 @@ class Blob final : public Primitive<Blob> {
   double threshold_;
   std::vector<Part> parts_;
   std::vector<PartSpheres> spheres_;  // if the parts are not too many
-  // The parts in the order in which the tree finds those around a point, which decides the last digits of sums; empty: ask the tree.
+  // The parts in the order in which the tree finds those around a point, which decides the last digits of sums; empty:
+  // ask the tree.
   std::vector<std::uint32_t> order_;
   std::vector<PartSpheres> ordered_spheres_;
   accel::BoxTree tree_;

@@ -23,7 +23,8 @@ Box3 cube_around(const Vec3& center, double radius, const Transform& t) {
 Box3 box_of_sphere(const Vec3& center, double radius, const Transform& t) {
   const Vec3 moved = t.point(center);
   Vec3 half;
-  for (int i = 0; i < 3; ++i) half[i] = radius * (1 + 1e-9) * std::sqrt(t.m[0][i] * t.m[0][i] + t.m[1][i] * t.m[1][i] + t.m[2][i] * t.m[2][i]);
+  for (int i = 0; i < 3; ++i)
+    half[i] = radius * (1 + 1e-9) * std::sqrt(t.m[0][i] * t.m[0][i] + t.m[1][i] * t.m[1][i] + t.m[2][i] * t.m[2][i]);
   return {moved - half, moved + half};
 }
 

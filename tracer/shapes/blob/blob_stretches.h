@@ -17,7 +17,8 @@ struct Piece {
   const BlobPart* part;
   double peak = 0;  // no more than this does it add to the field, but for rounding
   bool expanded = false;
-  double power[5] = {};  // what it adds to the field, in powers of the parameter that all pieces of a ray share; if expanded
+  double power[5] =
+      {};  // what it adds to the field, in powers of the parameter that all pieces of a ray share; if expanded
 };
 
 struct Event {
@@ -27,11 +28,13 @@ struct Event {
   bool operator<(const Event& other) const { return t < other.t; }
 };
 
-// The stretches of a ray between the ends of pieces, from near to far, with the pieces that are valid there. The ray's parameter is rescaled to 0 .. 1.
+// The stretches of a ray between the ends of pieces, from near to far, with the pieces that are valid there. The ray's
+// parameter is rescaled to 0 .. 1.
 class Stretches {
  public:
   // `active`: room for as many as there are pieces.
-  Stretches(const Event* events, std::size_t count, std::int32_t* active) : events_(events), active_(active), count_(count), start(events[0].t), span(events[count - 1].t - start) {}
+  Stretches(const Event* events, std::size_t count, std::int32_t* active)
+      : events_(events), active_(active), count_(count), start(events[0].t), span(events[count - 1].t - start) {}
 
   bool valid() const { return span > 0 && std::isfinite(span); }
   // The next one with any piece.

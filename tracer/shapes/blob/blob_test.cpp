@@ -6,33 +6,47 @@ namespace {
 
 const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
 
-scene::BlobComponent ball(const Vec3& c, double r, double s, std::optional<Transform> t = {}) { return {c, c, r, s, false, t, nullptr}; }
-scene::BlobComponent capsule(const Vec3& a, const Vec3& b, double r, double s, std::optional<Transform> t = {}) { return {a, b, r, s, true, t, nullptr}; }
-ObjectRef blob(double threshold, std::vector<scene::BlobComponent> c, const Steps& m = {}) { return make_shared_shape(scene::Blob{threshold, std::move(c)}, m); }
+scene::BlobComponent ball(const Vec3& c, double r, double s, std::optional<Transform> t = {}) {
+  return {c, c, r, s, false, t, nullptr};
+}
+scene::BlobComponent capsule(const Vec3& a, const Vec3& b, double r, double s, std::optional<Transform> t = {}) {
+  return {a, b, r, s, true, t, nullptr};
+}
+ObjectRef blob(double threshold, std::vector<scene::BlobComponent> c, const Steps& m = {}) {
+  return make_shared_shape(scene::Blob{threshold, std::move(c)}, m);
+}
 
 TEST(Blob, Traces) {
-  expect_trace(blob(0.6, {ball({-0.5, 0, 0}, 1, 1), ball({0.6, 0.1, 0}, 1.2, 0.8)}), {0.1, 0.2, -5}, z, {0.1, 0.2, -0.396234117215307},
-               {0.188967389506592, 0.353491446154590, -0.916152347155538}, 1e-10);
+  expect_trace(blob(0.6, {ball({-0.5, 0, 0}, 1, 1), ball({0.6, 0.1, 0}, 1.2, 0.8)}), {0.1, 0.2, -5}, z,
+               {0.1, 0.2, -0.396234117215307}, {0.188967389506592, 0.353491446154590, -0.916152347155538}, 1e-10);
   const auto rod = blob(0.3, {capsule({-1, 0, 0}, {1, 0.5, 0}, 0.5, 1)});
-  expect_trace(rod, {0.1, 0.1, -5}, z, {0.1, 0.1, -0.290251324221565}, {0.122455036038557, -0.489820144154229, -0.863180740360631}, 1e-10);
-  expect_extent(rod, {-1.709503173828125, -1.375675916671753, -1.625675916671753}, {1.709503173828125, 1.875675916671753, 1.625675916671753});
-  expect_trace(blob(0.5, {ball(Vec3(0), 2, 1.5), ball({0, 0, -0.5}, 1, -1.2)}), {0.1, 0.2, -5}, z, {0.1, 0.2, -0.230443071676742},
-               {-0.172386001415982, -0.344772002831964, -0.922721698335443}, 1e-9);
-  const Transform t = Transform::scaling({1, 0.5, 2}).then(Transform::rotation({0, 0, 30})).then(Transform::translation(x));
+  expect_trace(rod, {0.1, 0.1, -5}, z, {0.1, 0.1, -0.290251324221565},
+               {0.122455036038557, -0.489820144154229, -0.863180740360631}, 1e-10);
+  expect_extent(rod, {-1.709503173828125, -1.375675916671753, -1.625675916671753},
+                {1.709503173828125, 1.875675916671753, 1.625675916671753});
+  expect_trace(blob(0.5, {ball(Vec3(0), 2, 1.5), ball({0, 0, -0.5}, 1, -1.2)}), {0.1, 0.2, -5}, z,
+               {0.1, 0.2, -0.230443071676742}, {-0.172386001415982, -0.344772002831964, -0.922721698335443}, 1e-9);
+  const Transform t =
+      Transform::scaling({1, 0.5, 2}).then(Transform::rotation({0, 0, 30})).then(Transform::translation(x));
   expect_trace(blob(0.4, {ball(Vec3(0), 1, 1, t)}), {1.1, 0.1, -5}, z, {1.1, 0.1, -1.172220508402506},
                {0.127055467517343, 0.549670335148190, -0.825663024987813}, 1e-9);
 }
 
 TEST(Blob, Distances) {
-  expect_march(blob(0.6, {ball(Vec3(0), 1, 1), ball({1.5, 0, 0}, 1, 1)}), {-5, 0.1, 0.1}, x, {4.5467855576, 5.4532144424, 6.0467855576, 6.9532144424}, 1e-9);
+  expect_march(blob(0.6, {ball(Vec3(0), 1, 1), ball({1.5, 0, 0}, 1, 1)}), {-5, 0.1, 0.1}, x,
+               {4.5467855576, 5.4532144424, 6.0467855576, 6.9532144424}, 1e-9);
 }
 
 TEST(Blob, Boxes) {
   const Transform t = Transform::scaling({1, 2, 3}).then(Transform::rotation({0, 0, 30}));
-  expect_extent(blob(0.5, {ball(Vec3(0), 1, 1, t)}, [](Object& o) { scene::rotate(o, {0, 20, 0}), scene::rotate(o, {20, 0, 0}); }),
+  expect_extent(blob(0.5, {ball(Vec3(0), 1, 1, t)},
+                     [](Object& o) {
+                       scene::rotate(o, {0, 20, 0}), scene::rotate(o, {20, 0, 0});
+                     }),
                 {-3.845138311386, -4.134192466736, -4.639308452606}, {3.845138311386, 4.134192466736, 4.639308452606});
-  expect_extent(blob(0.5, {ball(Vec3(0), 1, 1), capsule(Vec3(0), x, 0.5, 1, Transform::scaling(Vec3(2))), ball(Vec3(4), 1, -1)}),
-                {-1, -1.414213538170, -1.414213538170}, {3, 1.414213538170, 1.414213538170});
+  expect_extent(
+      blob(0.5, {ball(Vec3(0), 1, 1), capsule(Vec3(0), x, 0.5, 1, Transform::scaling(Vec3(2))), ball(Vec3(4), 1, -1)}),
+      {-1, -1.414213538170, -1.414213538170}, {3, 1.414213538170, 1.414213538170});
 }
 
 double field(const scene::BlobComponent& c, const Vec3& p) {
@@ -46,13 +60,14 @@ double field(const scene::BlobComponent& c, const Vec3& p) {
 }
 
 TEST(Blob, HitsLieOnTheSurface) {
-  const std::vector<scene::BlobComponent> c{ball({-0.5, 0, 0}, 1, 1), ball({0.6, 0.1, 0}, 1.2, 0.8), capsule({0, -1, 0}, {0.3, 1, 0.2}, 0.6, 0.9),
-                                            ball({0, 0, 0.3}, 0.5, -0.5)};
+  const std::vector<scene::BlobComponent> c{ball({-0.5, 0, 0}, 1, 1), ball({0.6, 0.1, 0}, 1.2, 0.8),
+                                            capsule({0, -1, 0}, {0.3, 1, 0.2}, 0.6, 0.9), ball({0, 0, 0.3}, 0.5, -0.5)};
   check_solid(blob(0.5, c), {[&](const Vec3& p) {
-                double sum = -0.5;
-                for (const auto& component : c) sum += field(component, p);
-                return sum;
-              }, 1e-8});
+                               double sum = -0.5;
+                               for (const auto& component : c) sum += field(component, p);
+                               return sum;
+                             },
+                             1e-8});
 }
 
 TEST(Blob, ManyComponentsEqualFewSearchedOneByOne) {
@@ -61,10 +76,11 @@ TEST(Blob, ManyComponentsEqualFewSearchedOneByOne) {
   std::uniform_real_distribution<double> u(-1.5, 1.5);
   for (int i = 0; i < 200; ++i) c.push_back(ball({u(random), u(random), u(random)}, 0.4, 1));
   check_solid(blob(0.6, c), {[&](const Vec3& p) {
-                double sum = -0.6;
-                for (const auto& component : c) sum += field(component, p);
-                return sum;
-              }, 1e-7, true, 300});
+                               double sum = -0.6;
+                               for (const auto& component : c) sum += field(component, p);
+                               return sum;
+                             },
+                             1e-7, true, 300});
 }
 
 TEST(Blob, SharesOfTexturesFollowTheFields) {
@@ -84,8 +100,9 @@ TEST(Blob, SharesOfTexturesFollowTheFields) {
 
 TEST(Blob, SurvivesDegenerateNumbers) {
   for (const double bad : {0.0, -1.0, 1e30, HUGE_VAL, std::nan("")}) {
-    for (const auto& object : {blob(0.5, {ball(Vec3(bad), 1, 1)}), blob(0.5, {ball(Vec3(0), bad, 1)}), blob(bad, {ball(Vec3(0), 1, 1)}),
-                               blob(0.5, {ball(Vec3(0), 1, bad), capsule(Vec3(0), x, bad, 1)}), blob(0.5, {})}) {
+    for (const auto& object :
+         {blob(0.5, {ball(Vec3(bad), 1, 1)}), blob(0.5, {ball(Vec3(0), bad, 1)}), blob(bad, {ball(Vec3(0), 1, 1)}),
+          blob(0.5, {ball(Vec3(0), 1, bad), capsule(Vec3(0), x, bad, 1)}), blob(0.5, {})}) {
       HitList hits;
       const auto shape = compile(*object);
       shape->intersect_all({{0.1, 0.2, -5}, z}, RayKind::camera, hits);

@@ -25,17 +25,22 @@ class ChildIndex {
   void build() {
     leave_out_outsized();
     few_ = boxes_.size() + unbounded_.size() <= BoxSet::kMost;
-    if (few_) take_few();
-    else tree_ = accel::BoxTree(boxes_);
+    if (few_)
+      take_few();
+    else
+      tree_ = accel::BoxTree(boxes_);
     boxes_ = {};
   }
   // Calls visit(child, t_max) -> t_max for every child whose box the ray meets.
   template <class Visit>
   void along(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
     for (const std::uint32_t child : unbounded_) t_max = visit(child, t_max);
-    if (!few_) return tree_.traverse(ray, t_min, t_max, [&](std::uint32_t i, double limit) { return visit(children_[i], limit); });
+    if (!few_)
+      return tree_.traverse(ray, t_min, t_max,
+                            [&](std::uint32_t i, double limit) { return visit(children_[i], limit); });
     for (std::uint32_t places = always_; places != 0; places &= places - 1) t_max = visit(first_of(places), t_max);
-    set_.traverse(ray, t_min, t_max, [&](std::uint32_t i, double limit) { return visit(children_[places_[i]], limit); });
+    set_.traverse(ray, t_min, t_max,
+                  [&](std::uint32_t i, double limit) { return visit(children_[places_[i]], limit); });
   }
   // Calls visit(child) for every child whose box the ray meets, in order of declaration.
   template <class Visit>
@@ -71,7 +76,9 @@ class ChildIndex {
     std::vector<std::uint32_t> all(children_);
     all.insert(all.end(), unbounded_.begin(), unbounded_.end());
     std::sort(all.begin(), all.end());
-    const auto place = [&](std::uint32_t child) { return static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), child) - all.begin()); };
+    const auto place = [&](std::uint32_t child) {
+      return static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), child) - all.begin());
+    };
     for (const std::uint32_t child : children_) places_.push_back(place(child));
     for (const std::uint32_t child : unbounded_) always_ |= std::uint32_t{1} << place(child);
     children_ = std::move(all);
@@ -81,13 +88,19 @@ class ChildIndex {
   std::uint32_t placed(std::uint32_t found) const {
     if (always_ == 0) return found;  // places_[i] is i
     std::uint32_t places = always_;
-    for (; found != 0; found &= found - 1) places |= std::uint32_t{1} << places_[static_cast<std::size_t>(std::countr_zero(found))];
+    for (; found != 0; found &= found - 1)
+      places |= std::uint32_t{1} << places_[static_cast<std::size_t>(std::countr_zero(found))];
     return places;
   }
-  std::uint32_t met_by(const Ray& ray, double t_min, double t_max) const { return placed(set_.empty() ? 0 : set_.meet(ray, t_min, t_max)); }
-  std::uint32_t first_of(std::uint32_t places) const { return children_[static_cast<std::size_t>(std::countr_zero(places))]; }
+  std::uint32_t met_by(const Ray& ray, double t_min, double t_max) const {
+    return placed(set_.empty() ? 0 : set_.meet(ray, t_min, t_max));
+  }
+  std::uint32_t first_of(std::uint32_t places) const {
+    return children_[static_cast<std::size_t>(std::countr_zero(places))];
+  }
 
-  // The digits of a tree's boxes are relative to the largest of them: a few that are huge beside the others would spoil all.
+  // The digits of a tree's boxes are relative to the largest of them: a few that are huge beside the others would spoil
+  // all.
   void leave_out_outsized() {
     constexpr double kOutsized = 1e4;
     constexpr std::size_t kFew = 4;

@@ -69,8 +69,11 @@ class Union final : public Sum {
     if (guards_ && !guards_->clips.empty()) filter(hits, begin, [](const Vec3&) { return true; });
   }
 
-  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override { return nearest(ray, kind, t_min, t_max, nullptr, hit); }
-  bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips, Hit& hit) const override {
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
+    return nearest(ray, kind, t_min, t_max, nullptr, hit);
+  }
+  bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips,
+                         Hit& hit) const override {
     return nearest(ray, kind, t_min, t_max, &clips, hit);
   }
   bool occludes(const Ray& ray, double t_min, double t_max) const override {
@@ -79,7 +82,8 @@ class Union final : public Sum {
     bool found = false;
     surfaces_.along(ray, t_min, t_max, [&](std::uint32_t i, double limit) {
       Hit hit;
-      found = found || (clipped ? child(i).intersect_clipped(ray, RayKind::shadow, t_min, t_max, {*guards_}, hit) : child(i).occludes(ray, t_min, t_max));
+      found = found || (clipped ? child(i).intersect_clipped(ray, RayKind::shadow, t_min, t_max, {*guards_}, hit)
+                                : child(i).occludes(ray, t_min, t_max));
       return found ? -HUGE_VAL : limit;
     });
     return found;
@@ -95,14 +99,17 @@ class Union final : public Sum {
     return nearest_of_children(ray, kind, t_min, t_max, near, far, guards_->clips.empty() ? clips : &all, hit);
   }
   // Of the children whose boxes are met between `near` and `far`.
-  bool nearest_of_children(const Ray& ray, RayKind kind, double t_min, double t_max, double near, double far, const Clips* clips, Hit& hit) const {
+  bool nearest_of_children(const Ray& ray, RayKind kind, double t_min, double t_max, double near, double far,
+                           const Clips* clips, Hit& hit) const {
     bool found = false;
     std::uint32_t owner = 0;
     surfaces_.along(ray, near, far, [&](std::uint32_t i, double limit) {
       if (hidden(i, kind)) return limit;
       // At equal distance the later child wins.
       const double bound = !found ? t_max : i > owner ? std::nextafter(hit.t, HUGE_VAL) : hit.t;
-      if (clips ? !child(i).intersect_clipped(ray, kind, t_min, bound, *clips, hit) : !child(i).intersect(ray, kind, t_min, bound, hit)) return limit;
+      if (clips ? !child(i).intersect_clipped(ray, kind, t_min, bound, *clips, hit)
+                : !child(i).intersect(ray, kind, t_min, bound, hit))
+        return limit;
       found = true;
       owner = i;
       return std::min(hit.t, limit);
@@ -114,7 +121,8 @@ class Union final : public Sum {
 class Merge final : public Sum {
  public:
   Merge(const scene::Object& description, Children children)
-      : Sum(description, std::move(children), true), tree_(CsgTree::of(*this, children_, accel::is_empty(bounds_) ? everywhere() : bounds_, {})) {}
+      : Sum(description, std::move(children), true),
+        tree_(CsgTree::of(*this, children_, accel::is_empty(bounds_) ? everywhere() : bounds_, {})) {}
 
   void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
     if (guards_ && !guards_->admit(ray)) return;
@@ -126,18 +134,25 @@ class Merge final : public Sum {
     });
   }
 
-  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override { return nearest(ray, kind, t_min, t_max, nullptr, hit); }
-  bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips, Hit& hit) const override {
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
+    return nearest(ray, kind, t_min, t_max, nullptr, hit);
+  }
+  bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips,
+                         Hit& hit) const override {
     return nearest(ray, kind, t_min, t_max, &clips, hit);
   }
   bool occludes(const Ray& ray, double t_min, double t_max) const override {
-    return tree_ ? tree_->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr}) : Shape::occludes(ray, t_min, t_max);
+    return tree_ ? tree_->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr})
+                 : Shape::occludes(ray, t_min, t_max);
   }
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
-    if (!tree_ || std::popcount(rays.asked) < CsgTree::kFewest) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
+    if (!tree_ || std::popcount(rays.asked) < CsgTree::kFewest)
+      return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     return tree_->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
     if (!tree_ || std::popcount(rays.asked) < CsgTree::kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     return tree_->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});
   }
@@ -154,7 +169,9 @@ class Merge final : public Sum {
       child(i).intersect_all(ray, kind, hits.list());
       for (std::size_t n = before; n < hits.end(); ++n) owners.add(i);
     });
-    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) { return !inside_another(p, self, kind) && within_clips(p, clips); });
+    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) {
+      return !inside_another(p, self, kind) && within_clips(p, clips);
+    });
   }
 
   const std::unique_ptr<const CsgTree> tree_;  // of few and mostly simple parts: finds the same in less time
@@ -170,9 +187,12 @@ std::unique_ptr<Shape> compile_csg(const scene::Object& object) {
     children.push_back(compile(*child));
   }
   switch (object.as<scene::Csg>()->kind) {
-    case scene::CsgKind::union_: return std::make_unique<Union>(object, std::move(children));
-    case scene::CsgKind::merge: return std::make_unique<Merge>(object, std::move(children));
-    default: return make_intersection(object, std::move(children));
+    case scene::CsgKind::union_:
+      return std::make_unique<Union>(object, std::move(children));
+    case scene::CsgKind::merge:
+      return std::make_unique<Merge>(object, std::move(children));
+    default:
+      return make_intersection(object, std::move(children));
   }
 }
 

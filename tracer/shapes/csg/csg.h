@@ -1,8 +1,9 @@
-// What union, merge, intersection and difference share (spec 03 section 5). A difference is an intersection whose later children are inverted; an inverted
-// union arrives here as an intersection of inverted children.
+// What union, merge, intersection and difference share (spec 03 section 5). A difference is an intersection whose later
+// children are inverted; an inverted union arrives here as an intersection of inverted children.
 //
-// POV-Ray collects the hits of all children and keeps those that pass an inside test against the others. We do the same but look only at children
-// whose boxes the ray meets, test candidates in increasing distance, and stop at the first that survives.
+// POV-Ray collects the hits of all children and keeps those that pass an inside test against the others. We do the same
+// but look only at children whose boxes the ray meets, test candidates in increasing distance, and stop at the first
+// that survives.
 #pragma once
 
 #include "tracer/shapes/csg/child_index.h"
@@ -52,10 +53,14 @@ class CsgShape : public Shape {
     hits.resize(end);
   }
   // p is inside the clip objects of this object and of those around it.
-  bool within_clips(const Vec3& p, const Clips* outer) const { return (!guards_ || guards_->contain(p)) && (!outer || outer->contain(p)); }
-  // Of candidates whose `owner` says which child they came from: the nearest in range that keep(point, owner) accepts; at equal t the last collected.
+  bool within_clips(const Vec3& p, const Clips* outer) const {
+    return (!guards_ || guards_->contain(p)) && (!outer || outer->contain(p));
+  }
+  // Of candidates whose `owner` says which child they came from: the nearest in range that keep(point, owner) accepts;
+  // at equal t the last collected.
   template <class Keep>
-  bool nearest_surviving(ScratchHits& hits, const ScratchOwners& owners, double t_min, double t_max, Hit& hit, Keep&& keep) const {
+  bool nearest_surviving(ScratchHits& hits, const ScratchOwners& owners, double t_min, double t_max, Hit& hit,
+                         Keep&& keep) const {
     std::size_t count = 0;
     for (std::size_t i = hits.begin(); i < hits.end(); ++i) count += hits[i].t >= t_min && hits[i].t < t_max;
     if (count == 0) return false;

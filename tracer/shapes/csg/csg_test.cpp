@@ -22,12 +22,17 @@ TEST(Csg, Distances) {
 TEST(Csg, Boxes) {
   expect_extent(make_intersection({A, B}), {-0.300000011920929, -0.800000011920929, -0.800000011920929},
                 {0.999999940395355, 0.800000011920929, 0.800000011920929});
-  expect_extent(make_union({A}, [](Object& o) { scene::rotate(o, {0, 45, 0}), scene::rotate(o, {0, -45, 0}); }), {-2, -1, -2}, {2, 1, 2});
+  expect_extent(make_union({A},
+                           [](Object& o) {
+                             scene::rotate(o, {0, 45, 0}), scene::rotate(o, {0, -45, 0});
+                           }),
+                {-2, -1, -2}, {2, 1, 2});
   expect_extent(make_intersection({A, make(scene::Box{Vec3(2), Vec3(3)})}), Vec3(-1e10), Vec3(1e10));
   const auto light = make(scene::LightSource{});
   expect_extent(make_union({make(scene::Sphere{Vec3(0), 1}), light}), Vec3(-1e10), Vec3(1e10));
   const auto clip = make(scene::Box{{-0.5, -1, -2}, {0.7, 1, 0}});
-  expect_extent(make(scene::Sphere{Vec3(0), 1}, [&](Object& o) { o.clipped_by.push_back(clip); }), {-0.5, -1, -2}, {0.700000047683716, 1, 0});
+  expect_extent(make(scene::Sphere{Vec3(0), 1}, [&](Object& o) { o.clipped_by.push_back(clip); }), {-0.5, -1, -2},
+                {0.700000047683716, 1, 0});
 }
 
 TEST(Csg, WrongBoxOfAScaledPlane) {
@@ -41,7 +46,8 @@ TEST(Csg, WrongBoxOfAScaledPlane) {
 
 TEST(Csg, WrongBoxesOfQuadrics) {
   const auto clip = make(scene::Box{{-9, -1, -9}, {9, 2, 9}});
-  const auto hyperboloid = make(scene::Quadric{{1, -1, 1}, Vec3(0), Vec3(0), -4}, [&](Object& o) { o.clipped_by.push_back(clip); });
+  const auto hyperboloid =
+      make(scene::Quadric{{1, -1, 1}, Vec3(0), Vec3(0), -4}, [&](Object& o) { o.clipped_by.push_back(clip); });
   expect_extent(hyperboloid, {-2.236068010330200, -1, -2.236068010330200}, {2.236068010330200, 2, 2.236068010330200});
 
   const auto paraboloid = make(scene::Quadric{{1, 0, 1}, Vec3(0), {0, -2, 0}, -3});
@@ -65,7 +71,9 @@ TEST(Csg, SubtractingADiscRemovesItsHalfSpace) {
 }
 
 TEST(Csg, ClippedCutterRemovesWhatItsClipExcludes) {
-  const auto cutter = make(scene::Sphere{{0, 0, -1}, 0.8}, [&](Object& o) { o.clipped_by.push_back(make(scene::Plane{x, 0})); });
+  const auto cutter = make(scene::Sphere{{0, 0, -1}, 0.8}, [&](Object& o) {
+    o.clipped_by.push_back(make(scene::Plane{x, 0}));
+  });
   const auto object = make_difference({A, cutter});
   EXPECT_TRUE(march(object, {0.5, 0.03, -5}, z).empty());
   EXPECT_FALSE(march(object, {-0.5, 0.03, -5}, z).empty());

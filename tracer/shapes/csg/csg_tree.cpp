@@ -35,7 +35,8 @@ bool takes_apart(const Shape& shape) {
 // Nodes of these shapes; no further than to more than kMostNodes.
 std::size_t count_nodes(std::span<const std::unique_ptr<Shape>> shapes) {
   std::size_t count = 0;
-  for (auto shape = shapes.begin(); shape != shapes.end() && count <= kMostNodes; ++shape) count += 1 + (takes_apart(**shape) ? count_nodes((*shape)->children()) : 0);
+  for (auto shape = shapes.begin(); shape != shapes.end() && count <= kMostNodes; ++shape)
+    count += 1 + (takes_apart(**shape) ? count_nodes((*shape)->children()) : 0);
   return count;
 }
 
@@ -59,7 +60,8 @@ struct CsgTree::Builder {
     n.boxed_solid = !(extent.box == everywhere());
     double test_cost = 40;
     if (takes_apart(shape)) {
-      n.kind = shape.object->as<scene::Csg>()->kind == scene::CsgKind::intersection ? CsgNode::Kind::intersection : CsgNode::Kind::sum;
+      n.kind = shape.object->as<scene::Csg>()->kind == scene::CsgKind::intersection ? CsgNode::Kind::intersection
+                                                                                    : CsgNode::Kind::sum;
       n.boxed = accel::is_finite(n.box);
       test_cost = add_children(n, shape.children(), false);
     } else if (n.simple = shape.simple(); n.simple.form != SimpleSolid::Form::other) {
@@ -67,9 +69,11 @@ struct CsgTree::Builder {
       n.boxed_solid = false;
       computes = true;
       const bool cone = n.simple.form == SimpleSolid::Form::cone, plane = n.simple.form == SimpleSolid::Form::plane;
-      n.boxed = (cone || n.simple.form == SimpleSolid::Form::quadric || n.simple.matrix != nullptr) && accel::is_finite(n.box);
+      n.boxed = (cone || n.simple.form == SimpleSolid::Form::quadric || n.simple.matrix != nullptr) &&
+                accel::is_finite(n.box);
       test_cost = (plane ? 1 : cone || n.simple.quadric ? 3 : 2) + (n.simple.matrix ? 2 : 0);
-    } else if (const auto* convex = dynamic_cast<const Convex*>(&shape); convex && top_child && tree.core == 0 && convex->crossed_once()) {
+    } else if (const auto* convex = dynamic_cast<const Convex*>(&shape);
+               convex && top_child && tree.core == 0 && convex->crossed_once()) {
       n.kind = CsgNode::Kind::core;
       n.convex = convex;
       tree.core = index;
@@ -83,12 +87,15 @@ struct CsgTree::Builder {
     cost[index] = test_cost;
     return index;
   }
-  // Returns what an inside test of all of them costs. `top`: they are those of the object itself, and all of it is within each.
+  // Returns what an inside test of all of them costs. `top`: they are those of the object itself, and all of it is
+  // within each.
   double add_children(CsgNode& n, std::span<const std::unique_ptr<Shape>> children, bool top) {
     std::vector<std::uint32_t> indices;
     for (const auto& child : children) indices.push_back(add(*child, top));
-    std::stable_sort(indices.begin(), indices.end(), [&](std::uint32_t a, std::uint32_t b) { return cost[a] < cost[b]; });
-    n.children = static_cast<std::uint32_t>(tree.children.size()), n.child_count = static_cast<std::uint32_t>(indices.size());
+    std::stable_sort(indices.begin(), indices.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return cost[a] < cost[b]; });
+    n.children = static_cast<std::uint32_t>(tree.children.size()),
+    n.child_count = static_cast<std::uint32_t>(indices.size());
     tree.children.insert(tree.children.end(), indices.begin(), indices.end());
     double sum = 0;
     for (const std::uint32_t i : indices) sum += cost[i];
@@ -99,13 +106,17 @@ struct CsgTree::Builder {
     CsgNode& n = tree.nodes[index];
     if (n.kind != CsgNode::Kind::intersection && n.kind != CsgNode::Kind::sum) {
       std::vector<CsgTest> sorted = above;
-      std::stable_sort(sorted.begin(), sorted.end(), [&](const CsgTest& a, const CsgTest& b) { return cost[a.node] < cost[b.node]; });
+      std::stable_sort(sorted.begin(), sorted.end(),
+                       [&](const CsgTest& a, const CsgTest& b) { return cost[a.node] < cost[b.node]; });
       n.tests = static_cast<std::uint32_t>(tree.tests.size()), n.test_count = static_cast<std::uint32_t>(sorted.size());
       tree.tests.insert(tree.tests.end(), sorted.begin(), sorted.end());
       return;
     }
-    const bool merge = n.shape->object->as<scene::Csg>()->kind == scene::CsgKind::merge, all = n.kind == CsgNode::Kind::intersection;
-    const auto hidden = [&](std::uint32_t child) { return all ? 0 : hidden_from(*tree.nodes[child].shape->object, merge); };
+    const bool merge = n.shape->object->as<scene::Csg>()->kind == scene::CsgKind::merge,
+               all = n.kind == CsgNode::Kind::intersection;
+    const auto hidden = [&](std::uint32_t child) {
+      return all ? 0 : hidden_from(*tree.nodes[child].shape->object, merge);
+    };
     for (std::uint32_t i = 0; i < n.child_count; ++i) {
       tree.nodes[tree.children[n.children + i]].hidden = hidden(tree.children[n.children + i]);
       std::vector<CsgTest> below = above;
@@ -118,7 +129,8 @@ struct CsgTree::Builder {
   static Box3 enlarged(Box3 box) {
     if (!accel::is_finite(box)) return box;
     for (int axis = 0; axis < 3; ++axis) {
-      const double slack = 2e-6 * length(box.max - box.min) + 1e-9 * std::max(std::fabs(box.min[axis]), std::fabs(box.max[axis]));
+      const double slack =
+          2e-6 * length(box.max - box.min) + 1e-9 * std::max(std::fabs(box.min[axis]), std::fabs(box.max[axis]));
       box.min[axis] -= slack, box.max[axis] += slack;
     }
     return box;
@@ -138,11 +150,14 @@ unsigned hidden_from(const scene::Object& child, bool merge) {
 
 bool reports_true_distances(const Shape& shape) {
   const scene::Object& o = *shape.object;
-  if (o.as<std::shared_ptr<const scene::JuliaFractal>>() || o.as<std::shared_ptr<const scene::Parametric>>()) return false;
-  return std::all_of(shape.children().begin(), shape.children().end(), [](const auto& c) { return reports_true_distances(*c); });
+  if (o.as<std::shared_ptr<const scene::JuliaFractal>>() || o.as<std::shared_ptr<const scene::Parametric>>())
+    return false;
+  return std::all_of(shape.children().begin(), shape.children().end(),
+                     [](const auto& c) { return reports_true_distances(*c); });
 }
 
-std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std::unique_ptr<Shape>> children, const Box3& limit, std::span<const Hollow> hollows, int set) {
+std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std::unique_ptr<Shape>> children,
+                                           const Box3& limit, std::span<const Hollow> hollows, int set) {
   const int best = textures::best_instruction_set();
   if (set > best) return nullptr;
   if (children.empty() || count_nodes(children) > kMostNodes) return nullptr;
@@ -158,16 +173,23 @@ std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std
   top.end = static_cast<std::uint32_t>(tree->nodes.size());
   tree->nodes[0] = top;
   builder.add_tests(0, {});
-  tree->true_distances = std::all_of(children.begin(), children.end(), [](const auto& c) { return reports_true_distances(*c); });
+  tree->true_distances =
+      std::all_of(children.begin(), children.end(), [](const auto& c) { return reports_true_distances(*c); });
   if (!builder.computes) return nullptr;
   tree->limit = Builder::enlarged(limit), tree->bounded = !(limit == everywhere());
   tree->hollows.assign(hollows.begin(), hollows.end());
   return tree;
 }
 
-unsigned CsgTree::nearest(const RayLanes& rays, const CsgQuery& query, Hit* hits) const { return kernels_.eight(*this, rays, query, hits); }
-bool CsgTree::nearest(const Ray& ray, const CsgQuery& query, Hit& hit) const { return kernels_.one(*this, ray, query, &hit); }
-unsigned CsgTree::occluded(const RayLanes& rays, const CsgQuery& query) const { return kernels_.eight(*this, rays, query, nullptr); }
+unsigned CsgTree::nearest(const RayLanes& rays, const CsgQuery& query, Hit* hits) const {
+  return kernels_.eight(*this, rays, query, hits);
+}
+bool CsgTree::nearest(const Ray& ray, const CsgQuery& query, Hit& hit) const {
+  return kernels_.one(*this, ray, query, &hit);
+}
+unsigned CsgTree::occluded(const RayLanes& rays, const CsgQuery& query) const {
+  return kernels_.eight(*this, rays, query, nullptr);
+}
 bool CsgTree::occluded(const Ray& ray, const CsgQuery& query) const { return kernels_.one(*this, ray, query, nullptr); }
 
 }  // namespace verisim::shapes

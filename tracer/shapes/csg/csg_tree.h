@@ -1,7 +1,9 @@
-// A CSG object with all that it is made of as one flat tree: eight rays, or one, go through its solids together, and hits are tested against the others in
-// place. Finds what spec 03 section 5 says: the nearest of the children's hits that pass the inside tests, of those at equal distance the last.
+// A CSG object with all that it is made of as one flat tree: eight rays, or one, go through its solids together, and
+// hits are tested against the others in place. Finds what spec 03 section 5 says: the nearest of the children's hits
+// that pass the inside tests, of those at equal distance the last.
 //
-// Simple solids are computed here, with the operations of the shapes themselves in the same order; what else the object is made of is asked.
+// Simple solids are computed here, with the operations of the shapes themselves in the same order; what else the object
+// is made of is asked.
 #pragma once
 
 #include <memory>
@@ -15,18 +17,24 @@ namespace verisim::shapes {
 
 // In preorder. Spans of other lists are first index and count.
 struct CsgNode {
-  enum class Kind : std::uint8_t { intersection, sum, simple, core, other };  // core: a solid that rays cross once, and of which only what is within it shows
+  enum class Kind : std::uint8_t {
+    intersection,
+    sum,
+    simple,
+    core,
+    other
+  };  // core: a solid that rays cross once, and of which only what is within it shows
   Kind kind = Kind::other;
-  bool boxed = false;            // worth a look at its box first
-  bool boxed_solid = false;      // of everything outside `solid` it is known whether it is inside:
+  bool boxed = false;        // worth a look at its box first
+  bool boxed_solid = false;  // of everything outside `solid` it is known whether it is inside:
   bool far_is_inside = false;
-  unsigned hidden = 0;           // from kinds of rays, as bits
-  std::uint32_t end = 0;         // the node behind it and what is below it
+  unsigned hidden = 0;                          // from kinds of rays, as bits
+  std::uint32_t end = 0;                        // the node behind it and what is below it
   std::uint32_t children = 0, child_count = 0;  // CsgTree::children: those of CSG objects, cheap ones first
   std::uint32_t tests = 0, test_count = 0;      // CsgTree::tests: what hits have to pass
   SimpleSolid simple;
-  Box3 box;                      // where its surface is, a little larger
-  Box3 solid;                    // not of simple solids
+  Box3 box;    // where its surface is, a little larger
+  Box3 solid;  // not of simple solids
   const Shape* shape = nullptr;
   const Convex* convex = nullptr;  // of the core
 };
@@ -57,8 +65,11 @@ class CsgTree {
   static constexpr int kFewest = 2;  // rays that are worth being asked together
 
   // Of an object whose children are compiled; null if it has too many parts or none that is computed here.
-  // `limit`: outside of it nothing shows; may be infinite. `hollows`: rooms that are cut out of it. `instruction_set`: the best, or any for tests (null: not on this machine).
-  static std::unique_ptr<const CsgTree> of(const Shape& csg, std::span<const std::unique_ptr<Shape>> children, const Box3& limit, std::span<const Hollow> hollows, int instruction_set = kBest);
+  // `limit`: outside of it nothing shows; may be infinite. `hollows`: rooms that are cut out of it. `instruction_set`:
+  // the best, or any for tests (null: not on this machine).
+  static std::unique_ptr<const CsgTree> of(const Shape& csg, std::span<const std::unique_ptr<Shape>> children,
+                                           const Box3& limit, std::span<const Hollow> hollows,
+                                           int instruction_set = kBest);
 
   // Lanes that are hit, and where.
   unsigned nearest(const RayLanes& rays, const CsgQuery& query, Hit* hits) const;
@@ -73,7 +84,7 @@ class CsgTree {
   std::vector<CsgTest> tests;
   std::vector<Hollow> hollows;
   Box3 limit;
-  bool bounded = false;        // by `limit`
+  bool bounded = false;  // by `limit`
   bool any_boxed = false, any_other = false;
   bool true_distances = true;  // hits are where their distances say
   std::uint32_t core = 0;      // its node, 0: none

@@ -41,7 +41,9 @@ std::optional<Hollow> Hollow::of(const scene::Object& object) {
 
 bool Hollow::holds(const Box3& box) const {
   for (int corner = 0; corner < 8; ++corner)
-    if (!holds(Vec3(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z))) return false;
+    if (!holds(Vec3(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                    corner & 4 ? box.max.z : box.min.z)))
+      return false;
   return true;
 }
 

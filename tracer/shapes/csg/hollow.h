@@ -1,5 +1,5 @@
-// The room well within a convex shape: a ray that begins and ends there does not meet the shape in between. Solids with such holes, and skies around a
-// scene, need not be asked what such a ray meets.
+// The room well within a convex shape: a ray that begins and ends there does not meet the shape in between. Solids with
+// such holes, and skies around a scene, need not be asked what such a ray meets.
 #pragma once
 
 #include <optional>
@@ -25,14 +25,18 @@ class Hollow {
  private:
   enum class Form { ball, box, cone };
 
-  Hollow(const scene::Object& object, Form form) : form_(form), has_matrix_(object.transform), to_local_(object.transform.value_or(Transform{})) {}
+  Hollow(const scene::Object& object, Form form)
+      : form_(form), has_matrix_(object.transform), to_local_(object.transform.value_or(Transform{})) {}
   // Of numbers that are none: false.
   bool contains(const Vec3& p) const {
     const Vec3 q = p - center_;
     switch (form_) {
-      case Form::ball: return dot(q, q) < radius2_;
-      case Form::box: return std::fabs(q.x) < half_.x && std::fabs(q.y) < half_.y && std::fabs(q.z) < half_.z;
-      default: return q.z > low_ && q.z < high_ && q.x * q.x + q.y * q.y < radius2_ + widening_ * (q.z * q.z);
+      case Form::ball:
+        return dot(q, q) < radius2_;
+      case Form::box:
+        return std::fabs(q.x) < half_.x && std::fabs(q.y) < half_.y && std::fabs(q.z) < half_.z;
+      default:
+        return q.z > low_ && q.z < high_ && q.x * q.x + q.y * q.y < radius2_ + widening_ * (q.z * q.z);
     }
   }
 

@@ -19,8 +19,10 @@ std::vector<HollowCase> cases() {
   const scene::Sphere sphere{{0.1, 0.2, -0.1}, 1.1};
   const scene::Box box{{-1, -0.7, -1.1}, {0.8, 0.9, 1}};
   const scene::Cone cone{{0, -1, 0}, {0.2, 1, 0.1}, 1.2, 0.3}, cylinder{{-1, 0, 0}, {1, 0.1, 0}, 0.8, 0.8, true};
-  return {{"ball", make(sphere)}, {"ellipsoid", make(sphere, turn)}, {"box", make(box)}, {"turned box", make(box, turn)},
-          {"cone", make(cone)}, {"turned cone", make(cone, turn)}, {"cylinder", make(cylinder)}};
+  return {{"ball", make(sphere)},      {"ellipsoid", make(sphere, turn)},
+          {"box", make(box)},          {"turned box", make(box, turn)},
+          {"cone", make(cone)},        {"turned cone", make(cone, turn)},
+          {"cylinder", make(cylinder)}};
 }
 
 TEST(Hollow, HoldsOnlyRaysThatDoNotMeetTheShape) {
@@ -51,11 +53,14 @@ TEST(Hollow, HoldsOnlyRaysThatDoNotMeetTheShape) {
 }
 
 TEST(Hollow, NumbersThatAreNoneAreHeldByNothing) {
-  for (const HollowCase& c : cases()) EXPECT_FALSE(Hollow::of(*c.object)->holds(Ray{{0, 0, 0}, {0, 0, 1}}, 0, HUGE_VAL)) << c.name;
+  for (const HollowCase& c : cases())
+    EXPECT_FALSE(Hollow::of(*c.object)->holds(Ray{{0, 0, 0}, {0, 0, 1}}, 0, HUGE_VAL)) << c.name;
 }
 
 TEST(Hollow, ClippedShapesHaveNoRoom) {
-  const auto clipped = make(scene::Sphere{Vec3(0), 1}, [](Object& o) { o.clipped_by.push_back(make(scene::Plane{{0, 1, 0}, 0})); });
+  const auto clipped = make(scene::Sphere{Vec3(0), 1}, [](Object& o) {
+    o.clipped_by.push_back(make(scene::Plane{{0, 1, 0}, 0}));
+  });
   EXPECT_FALSE(Hollow::of(*clipped));
 }
 

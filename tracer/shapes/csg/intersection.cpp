@@ -29,8 +29,11 @@ class Intersection final : public CsgShape {
           continue;
         }
       }
-      if (const auto* convex = dynamic_cast<const Convex*>(children_[i].get()); convex && !core_ && convex->crossed_once()) core_ = convex, core_child_ = i;
-      else surfaces_.add(i, children_[i]->bounds());
+      if (const auto* convex = dynamic_cast<const Convex*>(children_[i].get());
+          convex && !core_ && convex->crossed_once())
+        core_ = convex, core_child_ = i;
+      else
+        surfaces_.add(i, children_[i]->bounds());
       const SolidExtent extent = children_[i]->solid_extent();
       if (extent.outside) {
         complement = united(complement, extent.box);
@@ -50,8 +53,10 @@ class Intersection final : public CsgShape {
     set_extent(sheet, bounded_ ? SolidExtent{solid, false} : SolidExtent{complement, true});
     limit_ = bounded_ ? solid : everywhere();
     for (const auto& child : children_) nested_.push_back(!child->children().empty());
-    true_distances_ = std::all_of(children_.begin(), children_.end(), [](const auto& c) { return reports_true_distances(*c); });
-    // Between planes, and mostly within a convex child; what else cuts off a first hit makes all of them be asked for again.
+    true_distances_ =
+        std::all_of(children_.begin(), children_.end(), [](const auto& c) { return reports_true_distances(*c); });
+    // Between planes, and mostly within a convex child; what else cuts off a first hit makes all of them be asked for
+    // again.
     firsts_survive_ = true_distances_ && (core_ || static_cast<std::size_t>(planes_.size()) + 1 == children_.size());
     find_hollows();
     tree_ = CsgTree::of(*this, children_, limit_, hollows_);
@@ -62,8 +67,10 @@ class Intersection final : public CsgShape {
     if (!find_way(ray, 0, 2e10, way)) return;
     each_child_met(ray, way, [&](std::uint32_t i, const double* t) {
       const std::size_t begin = hits.size();
-      if (t) add_plane_hit(ray, i, *t, hits);
-      else child(i).intersect_all(ray, kind, hits);
+      if (t)
+        add_plane_hit(ray, i, *t, hits);
+      else
+        child(i).intersect_all(ray, kind, hits);
       filter(hits, begin, [&](const Vec3& p) { return inside_others(p, i); });
     });
   }
@@ -73,7 +80,8 @@ class Intersection final : public CsgShape {
     Way way;
     return find_way(ray, t_min, t_max, way) && nearest(ray, kind, t_min, t_max, way, hit);
   }
-  bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips, Hit& hit) const override {
+  bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips,
+                         Hit& hit) const override {
     if (tree_) return tree_->nearest(ray, {kind, t_min, &t_max, guards_.get(), &clips}, hit);
     Way way;
     return find_way(ray, t_min, t_max, way) && nearest(ray, kind, t_min, t_max, way, hit, &clips);
@@ -85,18 +93,24 @@ class Intersection final : public CsgShape {
   }
 
   // The box and the planes decide for all rays at once which of them need be looked at.
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
-    if (std::popcount(rays.asked) < CsgTree::kFewest) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
+    if (std::popcount(rays.asked) < CsgTree::kFewest)
+      return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     if (tree_) return tree_->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
     unsigned found = 0;
-    each_way(rays, t_min, t_max, [&](int k, const Ray& ray, Way& way) { found |= nearest(ray, kind, t_min, t_max[k], way, hits[k]) ? 1u << k : 0; });
+    each_way(rays, t_min, t_max, [&](int k, const Ray& ray, Way& way) {
+      found |= nearest(ray, kind, t_min, t_max[k], way, hits[k]) ? 1u << k : 0;
+    });
     return found;
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
     if (std::popcount(rays.asked) < CsgTree::kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     if (tree_) return tree_->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});
     unsigned found = 0;
-    each_way(rays, t_min, t_max, [&](int k, const Ray& ray, Way& way) { found |= blocks(ray, t_min, t_max[k], way) ? 1u << k : 0; });
+    each_way(rays, t_min, t_max,
+             [&](int k, const Ray& ray, Way& way) { found |= blocks(ray, t_min, t_max[k], way) ? 1u << k : 0; });
     return found;
   }
 
@@ -110,10 +124,10 @@ class Intersection final : public CsgShape {
 
   // Where a ray may meet the surface.
   struct Way {
-    double enter, leave;           // where it may be inside all planes
-    double near, far;              // and inside the box
-    Crossings core;                // of the convex child
-    std::uint64_t met = 0;         // the planes that it meets, at t
+    double enter, leave;    // where it may be inside all planes
+    double near, far;       // and inside the box
+    Crossings core;         // of the convex child
+    std::uint64_t met = 0;  // the planes that it meets, at t
     alignas(64) double t[PlaneSet::kMost];
   };
   bool find_way(const Ray& ray, double t_min, double t_max, Way& way) const {
@@ -122,7 +136,8 @@ class Intersection final : public CsgShape {
     way.enter = t_min, way.leave = t_max;
     way.met = planes_.meet(ray, way.t, way.enter, way.leave);
     way.near = std::max(way.near, way.enter), way.far = std::min(way.far, way.leave);
-    if (!(way.near <= way.far) || (guards_ && !guards_->admit(ray)) || within_hollow(ray, way.near, way.far)) return false;
+    if (!(way.near <= way.far) || (guards_ && !guards_->admit(ray)) || within_hollow(ray, way.near, way.far))
+      return false;
     if (!core_) return true;
     way.core = core_->cross(ray);
     return narrow(way);
@@ -143,10 +158,12 @@ class Intersection final : public CsgShape {
     if (open == 0) return;
     PlaneSet::Lanes planes;
     planes_.meet(rays, planes, enter, leave);
-    for (int k = 0; k < RayLanes::kCount; ++k) near[k] = std::max(near[k], enter[k]), far[k] = std::min(far[k], leave[k]);
+    for (int k = 0; k < RayLanes::kCount; ++k)
+      near[k] = std::max(near[k], enter[k]), far[k] = std::min(far[k], leave[k]);
     open = within(near, far, open);
     if (guards_ && open != 0) open = guards_->admit({rays.rays, rays.first, open});
-    if (!hollows_.empty()) each_lane(open, [&](int k) { open &= within_hollow(rays.at(k), near[k], far[k]) ? ~(1u << k) : ~0u; });
+    if (!hollows_.empty())
+      each_lane(open, [&](int k) { open &= within_hollow(rays.at(k), near[k], far[k]) ? ~(1u << k) : ~0u; });
     Crossings core[RayLanes::kCount];
     if (core_ && open != 0) core_->cross_lanes({rays.rays, rays.first, open}, core);
     each_lane(open, [&](int k) {
@@ -157,7 +174,8 @@ class Intersection final : public CsgShape {
         way.core = core[k];
         if (!narrow(way)) return;
       }
-      for (int i = 0; i < planes_.size(); ++i) way.t[i] = planes.t[i][k], way.met |= std::uint64_t{planes.met[i] >> k & 1u} << i;
+      for (int i = 0; i < planes_.size(); ++i)
+        way.t[i] = planes.t[i][k], way.met |= std::uint64_t{planes.met[i] >> k & 1u} << i;
       visit(k, ray, way);
     });
   }
@@ -177,20 +195,27 @@ class Intersection final : public CsgShape {
       if (const auto hollow = Hollow::of(*child->object)) hollows_.push_back(*hollow);
     }
   }
-  static double volume(const Box3& box) { return (box.max.x - box.min.x) * (box.max.y - box.min.y) * (box.max.z - box.min.z); }
+  static double volume(const Box3& box) {
+    return (box.max.x - box.min.x) * (box.max.y - box.min.y) * (box.max.z - box.min.z);
+  }
   bool within_hollow(const Ray& ray, double near, double far) const {
-    return std::any_of(hollows_.begin(), hollows_.end(), [&](const Hollow& hollow) { return hollow.holds(ray, near, far); });
+    return std::any_of(hollows_.begin(), hollows_.end(),
+                       [&](const Hollow& hollow) { return hollow.holds(ray, near, far); });
   }
 
-  // A hit that a plane cuts away for sure. Some shapes report hits as nearer than their points are: those are left to the inside test.
+  // A hit that a plane cuts away for sure. Some shapes report hits as nearer than their points are: those are left to
+  // the inside test.
   static bool outside_planes(const Ray& ray, const Way& way, const Hit& hit) {
     if (hit.t >= way.enter && hit.t <= way.leave) return false;
     const Vec3 off = hit.point - (ray.origin + hit.t * ray.direction);
     return std::fabs(off.x) + std::fabs(off.y) + std::fabs(off.z) < 0.5 * PlaneSet::doubt_at(ray.origin);
   }
 
-  bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, Way& way, Hit& hit, const Clips* clips = nullptr) const {
-    const auto survives = [&](const Vec3& p, std::uint32_t self) { return inside_others(p, self) && within_clips(p, clips); };
+  bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, Way& way, Hit& hit,
+               const Clips* clips = nullptr) const {
+    const auto survives = [&](const Vec3& p, std::uint32_t self) {
+      return inside_others(p, self) && within_clips(p, clips);
+    };
     const bool core_known = true_distances_ && way.core.count > 0;
     if (core_known) keep_first(ray, t_min, t_max, way, survives);
     ScratchOwners owners;
@@ -204,7 +229,9 @@ class Intersection final : public CsgShape {
         } else if (is_core(i)) {
           for (int n = 0; n < way.core.count; ++n) add_plane_hit(ray, i, way.core.t[n], hits.list());
         } else if (firsts && nested_[i]) {
-          if (Hit first; child(i).intersect(ray, kind, std::max(t_min, way.enter), std::min(t_max, std::nextafter(way.leave, HUGE_VAL)), first)) hits.list().push_back(first);
+          if (Hit first; child(i).intersect(ray, kind, std::max(t_min, way.enter),
+                                            std::min(t_max, std::nextafter(way.leave, HUGE_VAL)), first))
+            hits.list().push_back(first);
         } else {
           child(i).intersect_all(ray, kind, hits.list());
           for (std::size_t n = kept; n < hits.end(); ++n)
@@ -231,13 +258,16 @@ class Intersection final : public CsgShape {
     Crossings& core = way.core;
     const int count = std::exchange(core.count, 0);
     for (int n = 0; n < count && core.count == 0; ++n)
-      if (core.t[n] >= t_min && core.t[n] < t_max && survives(ray.origin + core.t[n] * ray.direction, core_child_)) core.add(core.t[n]);
+      if (core.t[n] >= t_min && core.t[n] < t_max && survives(ray.origin + core.t[n] * ray.direction, core_child_))
+        core.add(core.t[n]);
     if (core.count > 0) way.far = std::min(way.far, core.t[0]), way.leave = std::min(way.leave, core.t[0]);
   }
   // Any hit survives.
   bool blocks(const Ray& ray, double t_min, double t_max, const Way& way) const {
     bool found = false;
-    const auto survives = [&](double t, const Vec3& p, std::uint32_t self) { return t >= t_min && t < t_max && inside_others(p, self) && within_clips(p, nullptr); };
+    const auto survives = [&](double t, const Vec3& p, std::uint32_t self) {
+      return t >= t_min && t < t_max && inside_others(p, self) && within_clips(p, nullptr);
+    };
     each_child_met(ray, way, [&](std::uint32_t i, const double* t) {
       if (found) return;
       if (t) {
@@ -254,7 +284,8 @@ class Intersection final : public CsgShape {
     return found;
   }
 
-  // Calls visit(child, t) for the children that the ray may meet, in their order; t is null for those that must be asked, and the distance of a plane.
+  // Calls visit(child, t) for the children that the ray may meet, in their order; t is null for those that must be
+  // asked, and the distance of a plane.
   template <class Visit>
   void each_child_met(const Ray& ray, const Way& way, Visit&& visit) const {
     std::uint64_t met = way.met;
@@ -281,7 +312,9 @@ class Intersection final : public CsgShape {
     all_before(~0u);
   }
   bool is_core(std::uint32_t i) const { return core_ && i == core_child_; }
-  void add_plane_hit(const Ray& ray, std::uint32_t i, double t, HitList& hits) const { hits.push_back({t, ray.origin + t * ray.direction, &child(i), 0, 0, 0}); }
+  void add_plane_hit(const Ray& ray, std::uint32_t i, double t, HitList& hits) const {
+    hits.push_back({t, ray.origin + t * ray.direction, &child(i), 0, 0, 0});
+  }
 
   bool inside_others(const Vec3& p, std::uint32_t self) const {
     for (std::uint64_t outside = planes_.outside(p); outside != 0; outside &= outside - 1)
@@ -293,13 +326,14 @@ class Intersection final : public CsgShape {
 
   PlaneSet planes_;                            // of the children that are plain planes
   std::vector<std::uint32_t> plane_children_;  // which those are
-  std::vector<Solid> solids_;  // nothing outside their boxes is inside them
-  ChildIndex holes_;           // everything outside their boxes is
+  std::vector<Solid> solids_;                  // nothing outside their boxes is inside them
+  ChildIndex holes_;                           // everything outside their boxes is
   Box3 limit_;
   bool bounded_ = false;
   const Convex* core_ = nullptr;  // a child that rays cross once: asked first
   std::uint32_t core_child_ = 0;
-  std::vector<bool> nested_;      // the children that are CSG objects: their first hit is the only one that matters, if it survives
+  std::vector<bool>
+      nested_;  // the children that are CSG objects: their first hit is the only one that matters, if it survives
   bool true_distances_ = false, firsts_survive_ = false;
   std::vector<Hollow> hollows_;
   std::unique_ptr<const CsgTree> tree_;  // of few and mostly simple parts: finds the same in less time

@@ -40,11 +40,13 @@ class HeightField final : public Primitive<HeightField> {
     descend(ray, o, d, enter, leave, sink);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
     if (guards() || grid_->empty()) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     return nearest_of_lanes(rays, t_min, t_max, hits);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
     if (guards() || grid_->empty()) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     return nearest_of_lanes(rays, t_min, t_max, nullptr);
   }
@@ -60,7 +62,7 @@ class HeightField final : public Primitive<HeightField> {
     const double a = x - i, b = z - k;
     const auto h = [&](int di, int dk) { return std::max<double>(grid_->at(i + di, k + dk), grid_->water()); };
     const double ground = a + b < 1 ? h(0, 0) + a * (h(1, 0) - h(0, 0)) + b * (h(0, 1) - h(0, 0))
-                                     : h(1, 1) + (1 - a) * (h(0, 1) - h(1, 1)) + (1 - b) * (h(1, 0) - h(1, 1));
+                                    : h(1, 1) + (1 - a) * (h(0, 1) - h(1, 1)) + (1 - b) * (h(1, 0) - h(1, 1));
     return y < ground;
   }
 
@@ -68,15 +70,19 @@ class HeightField final : public Primitive<HeightField> {
     if (!grid_->smooth()) return object_normal(facet(static_cast<int>(hit.u), static_cast<int>(hit.v), hit.part));
     const Vec3 p = local(hit.point);
     const double x = p.x * scale_.x, z = p.z * scale_.z;
-    const int i = std::clamp(static_cast<int>(x), 0, grid_->width() - 2), k = std::clamp(static_cast<int>(z), 0, grid_->depth() - 2);
+    const int i = std::clamp(static_cast<int>(x), 0, grid_->width() - 2),
+              k = std::clamp(static_cast<int>(z), 0, grid_->depth() - 2);
     const double a = x - i, b = z - k;
     const auto corner = [&](int di, int dk) { return object_normal(grid_->smooth_normal(i + di, k + dk)); };
-    return normalize((1 - b) * ((1 - a) * corner(0, 0) + a * corner(1, 0)) + b * ((1 - a) * corner(0, 1) + a * corner(1, 1)));
+    return normalize((1 - b) * ((1 - a) * corner(0, 0) + a * corner(1, 0)) +
+                     b * ((1 - a) * corner(0, 1) + a * corner(1, 1)));
   }
 
  private:
   HeightField(const scene::Object& description, std::shared_ptr<const HeightGrid> grid)
-      : Primitive(description, {box_of(*grid), false}), grid_(std::move(grid)), scale_(grid_->width() - 1, 65536, grid_->depth() - 1) {}
+      : Primitive(description, {box_of(*grid), false}),
+        grid_(std::move(grid)),
+        scale_(grid_->width() - 1, 65536, grid_->depth() - 1) {}
 
  public:
   static Box3 box_of(const HeightGrid& grid) { return Box3({0, grid.bottom() / 65536, 0}, {1, grid.top() / 65536, 1}); }
@@ -109,7 +115,8 @@ class HeightField final : public Primitive<HeightField> {
         each_lane(group, [&](int k) {
           Hit hit;
           NearestHit sink(*this, nullptr, t_min, t_max[k], hits ? hits[k] : hit, !hits);
-          descend(rays.at(k), {packet.ox[k], packet.oy[k], packet.oz[k]}, {packet.dx[k], packet.dy[k], packet.dz[k]}, packet.enter[k], packet.leave[k], sink);
+          descend(rays.at(k), {packet.ox[k], packet.oy[k], packet.oz[k]}, {packet.dx[k], packet.dy[k], packet.dz[k]},
+                  packet.enter[k], packet.leave[k], sink);
           found |= sink.found() ? 1u << k : 0;
         });
         continue;
@@ -117,7 +124,10 @@ class HeightField final : public Primitive<HeightField> {
       each_lane(group, [&](int k) {
         if (packet.triangle[k] < 0) return;
         found |= 1u << k;
-        if (hits) hits[k] = {packet.t[k], rays.at(k).at(packet.t[k]), this, static_cast<std::int32_t>(packet.triangle[k]), double(packet.i[k]), double(packet.k[k])};
+        if (hits)
+          hits[k] = {
+              packet.t[k],         rays.at(k).at(packet.t[k]), this, static_cast<std::int32_t>(packet.triangle[k]),
+              double(packet.i[k]), double(packet.k[k])};
       });
     }
     return found;
@@ -132,7 +142,8 @@ class HeightField final : public Primitive<HeightField> {
     HeightCell cells[HeightWalk::kCells];
     while (const int count = walk.next(end, cells)) {
       for (int n = 0; n < count; ++n) {
-        if (cells[n].near <= end && cell(cells[n].i, cells[n].k, ray, o, d, enter, leave, sink)) end = above_of(std::min(leave, sink.upper()));
+        if (cells[n].near <= end && cell(cells[n].i, cells[n].k, ray, o, d, enter, leave, sink))
+          end = above_of(std::min(leave, sink.upper()));
       }
     }
   }
@@ -140,7 +151,8 @@ class HeightField final : public Primitive<HeightField> {
   // True: a hit was accepted.
   template <class Sink>
   bool cell(int i, int k, const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave, Sink& sink) const {
-    const double h00 = grid_->at(i, k), h10 = grid_->at(i + 1, k), h01 = grid_->at(i, k + 1), h11 = grid_->at(i + 1, k + 1);
+    const double h00 = grid_->at(i, k), h10 = grid_->at(i + 1, k), h01 = grid_->at(i, k + 1),
+                 h11 = grid_->at(i + 1, k + 1);
     bool any = false;
     for (int triangle = 0; triangle < 2; ++triangle) {
       const Vec3 n = triangle == 0 ? Vec3(h00 - h10, 1, h00 - h01) : Vec3(h01 - h11, 1, h10 - h11);
@@ -150,8 +162,11 @@ class HeightField final : public Primitive<HeightField> {
       const double t = dot(n, corner - o) / nd;
       if (!(t >= enter && t <= leave)) continue;
       const double a = o.x + t * d.x - i, b = o.z + t * d.z - k;
-      const bool in = triangle == 0 ? a >= -kEdge && b >= -kEdge && a + b <= 1 + kEdge : a <= 1 + kEdge && b <= 1 + kEdge && a + b >= 1 - kEdge;
-      if (in) any |= sink.add(t, [&] { return ray.at(t); }, triangle, i, k);
+      const bool in = triangle == 0 ? a >= -kEdge && b >= -kEdge && a + b <= 1 + kEdge
+                                    : a <= 1 + kEdge && b <= 1 + kEdge && a + b >= 1 - kEdge;
+      if (in)
+        any |= sink.add(
+            t, [&] { return ray.at(t); }, triangle, i, k);
     }
     return any;
   }

@@ -32,7 +32,8 @@ scene::HeightField field(ImagePtr image) {
   return f;
 }
 
-Image row(ImageType type, bool grey, bool sixteen, bool alpha, const std::vector<std::array<float, 3>>& values, float scale) {
+Image row(ImageType type, bool grey, bool sixteen, bool alpha, const std::vector<std::array<float, 3>>& values,
+          float scale) {
   Image image;
   image.width = static_cast<int>(values.size()), image.height = 1;
   image.type = type, image.grey = grey, image.sixteen_bit = sixteen, image.has_alpha = alpha;
@@ -56,13 +57,17 @@ std::vector<std::array<float, 3>> greys(std::initializer_list<float> values) {
 TEST(HeightField, HeightsOfFileFormats) {
   using V = std::vector<int>;
   const auto levels = greys({0, 1, 2, 3, 7, 100, 127, 128, 200, 254});
-  EXPECT_EQ(heights(row(ImageType::png, true, false, false, levels, 255)), (V{0, 257, 514, 514, 1799, 25443, 32382, 32896, 51143, 65021}));
-  EXPECT_EQ(heights(row(ImageType::png, true, false, true, levels, 255)), (V{0, 257, 514, 771, 1799, 25700, 32639, 32896, 51400, 65278}));
+  EXPECT_EQ(heights(row(ImageType::png, true, false, false, levels, 255)),
+            (V{0, 257, 514, 514, 1799, 25443, 32382, 32896, 51143, 65021}));
+  EXPECT_EQ(heights(row(ImageType::png, true, false, true, levels, 255)),
+            (V{0, 257, 514, 771, 1799, 25700, 32639, 32896, 51400, 65278}));
   EXPECT_EQ(heights(row(ImageType::png, true, false, false, greys({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}), 15)),
             (V{0, 4369, 8738, 12850, 17476, 21588, 25957, 30583, 34952, 39321, 43433}));
-  EXPECT_EQ(heights(row(ImageType::png, false, false, false, {{0, 1, 0}, {1, 0, 0}, {1, 2, 3}, {10, 200, 30}, {127, 255, 9}}, 255)),
+  EXPECT_EQ(heights(row(ImageType::png, false, false, false,
+                        {{0, 1, 0}, {1, 0, 0}, {1, 2, 3}, {10, 200, 30}, {127, 255, 9}}, 255)),
             (V{1, 256, 258, 2760, 32767}));
-  EXPECT_EQ(heights(row(ImageType::png, false, true, false, {{1000, 2000, 3000}, {65535, 0, 0}, {0, 65535, 0}, {0, 0, 65535}}, 65535)),
+  EXPECT_EQ(heights(row(ImageType::png, false, true, false,
+                        {{1000, 2000, 3000}, {65535, 0, 0}, {0, 65535, 0}, {0, 0, 65535}}, 65535)),
             (V{1817, 19463, 38600, 7470}));
   EXPECT_EQ(heights(row(ImageType::png, false, true, false, greys({32400, 31759, 30243, 18022, 24575}), 65535)),
             (V{32399, 31758, 30242, 18022, 24575}));
@@ -123,10 +128,12 @@ TEST(HeightField, ThePyramidFindsTheNearestHit) {
         for (int t = 0; t < 2; ++t) {
           const double h10 = grid.at(i + 1, k), h01 = grid.at(i, k + 1), hc = grid.at(i + t, k + t);
           const Vec3 N = t == 0 ? Vec3(hc - h10, 1, hc - h01) : Vec3(h01 - hc, 1, h10 - hc);
-          const Vec3 oo(from.x * cells.x, from.y * cells.y, from.z * cells.z), d(ray.direction.x * cells.x, ray.direction.y * cells.y, ray.direction.z * cells.z);
+          const Vec3 oo(from.x * cells.x, from.y * cells.y, from.z * cells.z),
+              d(ray.direction.x * cells.x, ray.direction.y * cells.y, ray.direction.z * cells.z);
           const double depth = dot(N, Vec3(i + t, hc, k + t) - oo) / dot(N, d);
           const double a = oo.x + depth * d.x - i, b = oo.z + depth * d.z - k;
-          const bool in = t == 0 ? a >= -1e-4 && b >= -1e-4 && a + b <= 1.0001 : a <= 1.0001 && b <= 1.0001 && a + b >= 0.9999;
+          const bool in =
+              t == 0 ? a >= -1e-4 && b >= -1e-4 && a + b <= 1.0001 : a <= 1.0001 && b <= 1.0001 && a + b >= 0.9999;
           const Vec3 g = oo + depth * d;
           if (in && depth >= 1e-4 && g.x >= 0 && g.x <= 36 && g.z >= 0 && g.z <= 20) nearest = std::min(nearest, depth);
         }
@@ -146,7 +153,8 @@ TEST(HeightField, ThePyramidFindsTheNearestHit) {
 TEST(HeightField, WalksAreTheSameWithAllInstructionSets) {
   std::mt19937 rng(5);
   std::uniform_real_distribution<double> unit(0, 1);
-  const HeightGrid grid(field(function_image(150, 90, [&](double x, double y) { return 0.5 + 0.3 * std::sin(9 * x) * std::cos(7 * y) + 0.1 * unit(rng); })));
+  const HeightGrid grid(field(function_image(
+      150, 90, [&](double x, double y) { return 0.5 + 0.3 * std::sin(9 * x) * std::cos(7 * y) + 0.1 * unit(rng); })));
   const auto cells_of = [&](int set, const Vec3& o, const Vec3& d, double enter, double leave) {
     std::vector<std::array<int, 2>> all;
     HeightWalk walk(grid, o, d, enter, leave);
@@ -158,16 +166,19 @@ TEST(HeightField, WalksAreTheSameWithAllInstructionSets) {
     return all;
   };
   for (int n = 0; n < 10000; ++n) {
-    Vec3 o(unit(rng) * 149, unit(rng) * 65536, unit(rng) * 89), d((unit(rng) - .5) * 149, (unit(rng) - .5) * 65536, (unit(rng) - .5) * 89);
+    Vec3 o(unit(rng) * 149, unit(rng) * 65536, unit(rng) * 89),
+        d((unit(rng) - .5) * 149, (unit(rng) - .5) * 65536, (unit(rng) - .5) * 89);
     if (n % 5 == 0) d.x = 0;
     if (n % 7 == 0) d.z = 0;
     const auto expected = cells_of(textures::kBaseline, o, d, 0, 1);
-    for (int set = 1; set <= textures::best_instruction_set(); ++set) ASSERT_EQ(cells_of(set, o, d, 0, 1), expected) << n;
+    for (int set = 1; set <= textures::best_instruction_set(); ++set)
+      ASSERT_EQ(cells_of(set, o, d, 0, 1), expected) << n;
     for (int step = 0; step < 20; ++step) {
       const Vec3 p = o + unit(rng) * d;
       if (!(p.x >= 0 && p.x < 149 && p.z >= 0 && p.z < 89)) continue;
       const int i = static_cast<int>(p.x), k = static_cast<int>(p.z);
-      const auto [low, high] = std::minmax({grid.at(i, k), grid.at(i + 1, k), grid.at(i, k + 1), grid.at(i + 1, k + 1)});
+      const auto [low, high] =
+          std::minmax({grid.at(i, k), grid.at(i + 1, k), grid.at(i, k + 1), grid.at(i + 1, k + 1)});
       if (p.y < low || p.y > high) continue;
       ASSERT_NE(std::ranges::find(expected, std::array{i, k}), expected.end()) << n << ": " << i << ' ' << k;
     }
@@ -178,13 +189,17 @@ TEST(HeightField, WalksAreTheSameWithAllInstructionSets) {
 void fill_rays(std::mt19937& rng, int round, RayRow& rays) {
   std::uniform_real_distribution<double> unit(0, 1);
   const auto anywhere = [&](double size) { return Vec3(unit(rng) - 0.5, unit(rng) - 0.5, unit(rng) - 0.5) * size; };
-  const Vec3 middle(0.5, 0.4, 0.5), eye = middle + anywhere(round % 3 == 0 ? 40 : 3), aim = middle + anywhere(1), step = anywhere(round % 4 == 0 ? 0.3 : 0.02);
+  const Vec3 middle(0.5, 0.4, 0.5), eye = middle + anywhere(round % 3 == 0 ? 40 : 3), aim = middle + anywhere(1),
+                                    step = anywhere(round % 4 == 0 ? 0.3 : 0.02);
   for (int i = 0; i < RayLanes::kCount; ++i) {
     const Vec3 beside = step * double(i);
     rays.origin.set(i, round % 5 == 1 ? eye + beside : eye);
     rays.direction.set(i, normalize(aim + beside - eye));
     if (round % 11 == 0) rays.origin.set(i, middle + anywhere(3)), rays.direction.set(i, normalize(anywhere(1)));
-    if (round % 7 == 0) rays.origin.set(i, {i / 36.0, 2, round % 20 / 20.0}), rays.direction.set(i, round % 2 ? Vec3(0, -1, 0) : normalize(Vec3(1 / 36.0, -0.1, 0)));  // where triangles meet
+    if (round % 7 == 0)
+      rays.origin.set(i, {i / 36.0, 2, round % 20 / 20.0}),
+          rays.direction.set(i,
+                             round % 2 ? Vec3(0, -1, 0) : normalize(Vec3(1 / 36.0, -0.1, 0)));  // where triangles meet
   }
 }
 
@@ -196,7 +211,9 @@ TEST(HeightField, EightRaysFindWhatEachFinds) {
   int met = 0, together = 0;
   for (int kind = 0; kind < 3; ++kind) {
     auto f = field(function_image(kind == 2 ? 300 : 37, kind == 2 ? 200 : 21, [&](double x, double y) {
-      return kind == 0 ? unit(rng) : kind == 1 ? std::floor(unit(rng) * 4) / 4 : 0.5 + 0.3 * std::sin(30 * x) * std::cos(20 * y);  // rough, terraces, hills
+      return kind == 0   ? unit(rng)
+             : kind == 1 ? std::floor(unit(rng) * 4) / 4
+                         : 0.5 + 0.3 * std::sin(30 * x) * std::cos(20 * y);  // rough, terraces, hills
     }));
     f.water_level = kind == 1 ? 0.3 : 0;
     auto o = object(f);
@@ -208,7 +225,8 @@ TEST(HeightField, EightRaysFindWhatEachFinds) {
     for (int round = 0; round < 3000; ++round) {
       fill_rays(rng, round, *rays);
       const double across = unit(rng), tilt = std::exp(-40 * unit(rng));
-      for (int k = 0; round % 10 == 3 && k < RayLanes::kCount; ++k) {  // straight down, but for the rounding of a rotation
+      for (int k = 0; round % 10 == 3 && k < RayLanes::kCount;
+           ++k) {  // straight down, but for the rounding of a rotation
         rays->origin.set(k, {0.1 * k + 0.03, 2, across});
         rays->direction.set(k, {round % 20 == 3 ? 0 : 0.5 * tilt, -1, tilt});
       }
@@ -222,11 +240,13 @@ TEST(HeightField, EightRaysFindWhatEachFinds) {
         ASSERT_EQ(found, shape->occludes_lanes(lanes, nullptr, t_min, t_max)) << round;
         each_lane(lanes.asked, [&](int k) {
           Hit alone;
-          ASSERT_EQ(shape->intersect(lanes.at(k), RayKind::camera, t_min, t_max[k], alone), (found >> k & 1) != 0) << kind << ' ' << round << ' ' << k;
+          ASSERT_EQ(shape->intersect(lanes.at(k), RayKind::camera, t_min, t_max[k], alone), (found >> k & 1) != 0)
+              << kind << ' ' << round << ' ' << k;
           if (!(found >> k & 1)) return;
           ASSERT_EQ(hits[k].t, alone.t);
           ASSERT_EQ(hits[k].point, alone.point);
-          ASSERT_TRUE(hits[k].part == alone.part && hits[k].u == alone.u && hits[k].v == alone.v) << kind << ' ' << round << ' ' << k;
+          ASSERT_TRUE(hits[k].part == alone.part && hits[k].u == alone.u && hits[k].v == alone.v)
+              << kind << ' ' << round << ' ' << k;
           ++met;
         });
       }
@@ -240,7 +260,9 @@ TEST(HeightField, EightRaysFindWhatEachFinds) {
           Hit alone;
           ASSERT_EQ(plain->intersect(lanes.at(k), RayKind::camera, t_min, t_max[k], alone), packet.triangle[k] >= 0);
           if (packet.triangle[k] < 0) return;
-          ASSERT_TRUE(packet.t[k] == alone.t && packet.triangle[k] == alone.part && double(packet.i[k]) == alone.u && double(packet.k[k]) == alone.v) << set << ' ' << round;
+          ASSERT_TRUE(packet.t[k] == alone.t && packet.triangle[k] == alone.part && double(packet.i[k]) == alone.u &&
+                      double(packet.k[k]) == alone.v)
+              << set << ' ' << round;
           ++together;
         });
       }
@@ -251,7 +273,8 @@ TEST(HeightField, EightRaysFindWhatEachFinds) {
 }
 
 TEST(HeightField, SmoothNormalsAreUnitLength) {
-  auto f = field(function_image(9, 9, [](double x, double y) { return 0.5 + 0.3 * std::sin(5 * x) * std::cos(4 * y); }));
+  auto f =
+      field(function_image(9, 9, [](double x, double y) { return 0.5 + 0.3 * std::sin(5 * x) * std::cos(4 * y); }));
   f.smooth = true;
   auto o = object(f);
   o.transform = Transform::scaling({3, 0.8, 3}).then(Transform::rotation({10, 20, 30}));

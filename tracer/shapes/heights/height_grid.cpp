@@ -12,16 +12,20 @@ std::uint16_t height_of_pixel(const Image& image, int x, int y) {
   const auto offset = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
   if (image.indexed()) return static_cast<std::uint16_t>(image.indices[offset] * 256);
   const float* p = &image.pixels[4 * offset];
-  const auto wrapped = [](double v) { return std::isfinite(v) ? static_cast<std::uint16_t>(static_cast<std::int64_t>(v) & 0xffff) : std::uint16_t{0}; };
+  const auto wrapped = [](double v) {
+    return std::isfinite(v) ? static_cast<std::uint16_t>(static_cast<std::int64_t>(v) & 0xffff) : std::uint16_t{0};
+  };
   if (image.grey) {
     if (image.type == ImageType::png && !image.sixteen_bit && !image.has_alpha) {
-      // Such files go through a luma of three equal channels in binary32, which is often one unit in the last place too small.
+      // Such files go through a luma of three equal channels in binary32, which is often one unit in the last place too
+      // small.
       const float g = p[0];
       const float red = g * 0.297f, green = g * 0.589f, blue = g * 0.114f;
       const float luma = red + green + blue;
       return static_cast<std::uint16_t>(static_cast<int>(luma * 255.0f) * 257);
     }
-    return wrapped(std::clamp(static_cast<double>(p[0]), 0.0, 1.0) * 65535 + 0.01);  // 0.01: the float nearest to n / 65535 must give n
+    return wrapped(std::clamp(static_cast<double>(p[0]), 0.0, 1.0) * 65535 +
+                   0.01);  // 0.01: the float nearest to n / 65535 must give n
   }
   // Double weights of binary32 channels: of a grey n the sum is often a little less than n, and the height n - 1.
   if (image.sixteen_bit) return wrapped((0.297 * p[0] + 0.589 * p[1] + 0.114 * p[2]) * 65535);
@@ -59,7 +63,8 @@ void HeightGrid::build_pyramid() {
   };
   const auto extremes = [&](int level, int i, int k) {
     const Block& b = block(level, i, k);
-    return std::pair<int, int>(*std::min_element(b.low, b.low + kChildren), *std::max_element(b.high, b.high + kChildren));
+    return std::pair<int, int>(*std::min_element(b.low, b.low + kChildren),
+                               *std::max_element(b.high, b.high + kChildren));
   };
   for (int level = 1; level == 1 || w > 1 || d > 1; ++level) {
     Level next{(w - 1) / 4 + 1, (d - 1) / 4 + 1, {}};
@@ -70,7 +75,9 @@ void HeightGrid::build_pyramid() {
         Block& b = next.blocks[n++];
         for (int c = 0; c < kChildren; ++c) {
           const int x = 4 * i + column(c), z = 4 * k + row(c);
-          const auto [low, high] = x >= w || z >= d ? std::pair(65535, 0) : level == 1 ? cell(x, z) : extremes(level - 1, x, z);
+          const auto [low, high] = x >= w || z >= d ? std::pair(65535, 0)
+                                   : level == 1     ? cell(x, z)
+                                                    : extremes(level - 1, x, z);
           b.low[c] = static_cast<std::uint16_t>(low), b.high[c] = static_cast<std::uint16_t>(high);
         }
       }
@@ -80,8 +87,8 @@ void HeightGrid::build_pyramid() {
   }
 }
 
-// The sum of the unit normals of the up to four triangles around each sample, cut to multiples of 1/32767. Heights count 65536 to a unit, so the vertical
-// part is small and coarse, as it is in POV-Ray.
+// The sum of the unit normals of the up to four triangles around each sample, cut to multiples of 1/32767. Heights
+// count 65536 to a unit, so the vertical part is small and coarse, as it is in POV-Ray.
 void HeightGrid::build_normals() {
   normals_.resize(heights_.size());
   constexpr int kQuadrants[4][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
@@ -95,7 +102,8 @@ void HeightGrid::build_normals() {
       }
       const double size = length(sum);
       const Vec3 n = size < kEpsilon ? Vec3(0, 1, 0) : sum / size;
-      auto& stored = normals_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)];
+      auto& stored =
+          normals_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)];
       for (int c = 0; c < 3; ++c) stored[static_cast<std::size_t>(c)] = static_cast<std::int16_t>(32767 * n[c]);
     }
   }

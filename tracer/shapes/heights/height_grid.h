@@ -1,4 +1,5 @@
-// The heights of a height_field, shared by copies: samples, a pyramid of their extremes for fast traversal, and quantised normals (spec 04 section 5).
+// The heights of a height_field, shared by copies: samples, a pyramid of their extremes for fast traversal, and
+// quantised normals (spec 04 section 5).
 #pragma once
 
 #include <array>
@@ -20,7 +21,9 @@ class HeightGrid {
   int depth() const { return depth_; }
   bool empty() const { return width_ < 2 || depth_ < 2; }
   // k counts from the bottom row of the image.
-  int at(int i, int k) const { return heights_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)]; }
+  int at(int i, int k) const {
+    return heights_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)];
+  }
   int lowest() const { return lowest_; }
   int highest() const { return highest_; }
   double water() const { return water_; }
@@ -28,7 +31,8 @@ class HeightGrid {
   double bottom() const { return std::max<double>(lowest_, water_) - 0.001; }
   double top() const { return highest_ + 0.001; }
 
-  // A block of 4^level cells a side has sixteen children, in Morton's order; those beyond the edge of the field have low > high.
+  // A block of 4^level cells a side has sixteen children, in Morton's order; those beyond the edge of the field have
+  // low > high.
   static constexpr int kChildren = 16, kMostLevels = 18;
   static constexpr int column(int child) { return (child & 1) | (child >> 1 & 2); }
   static constexpr int row(int child) { return (child >> 1 & 1) | (child >> 2 & 2); }
@@ -43,7 +47,8 @@ class HeightGrid {
 
   bool smooth() const { return !normals_.empty(); }
   Vec3 smooth_normal(int i, int k) const {
-    const auto& n = normals_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)];
+    const auto& n =
+        normals_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)];
     return {double(n[0]), double(n[1]), double(n[2])};
   }
 

@@ -1,5 +1,6 @@
-// Eight rays over a height field together. Those that go the same way walk the pyramid of extremes as one thick ray, whose cells are tested against all of
-// them. What they find is what HeightWalk and one test after another find alone. Compiled for several instruction sets.
+// Eight rays over a height field together. Those that go the same way walk the pyramid of extremes as one thick ray,
+// whose cells are tested against all of them. What they find is what HeightWalk and one test after another find alone.
+// Compiled for several instruction sets.
 #pragma once
 
 #include "tracer/math/ray_row.h"
@@ -23,9 +24,10 @@ struct alignas(64) HeightPacket {
 struct HeightPacketKernels {
   // Sets the rays; the lanes that meet the box. `matrix`: from the field's own space, null: none.
   unsigned (*enter)(const HeightGrid& grid, const Transform* matrix, const RayLanes& rays, HeightPacket& packet);
-  // Sets the hits of `lanes`, which agree in the signs of dx and dz, with t_min <= t < t_max; `any`: not the nearest, but any. False: they do not make a
-  // thick ray, nothing is done.
-  bool (*walk)(const HeightGrid& grid, unsigned lanes, double t_min, const double* t_max, bool any, HeightPacket& packet);
+  // Sets the hits of `lanes`, which agree in the signs of dx and dz, with t_min <= t < t_max; `any`: not the nearest,
+  // but any. False: they do not make a thick ray, nothing is done.
+  bool (*walk)(const HeightGrid& grid, unsigned lanes, double t_min, const double* t_max, bool any,
+               HeightPacket& packet);
 };
 
 // Those of the best instruction set of this machine.

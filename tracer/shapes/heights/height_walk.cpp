@@ -12,7 +12,7 @@
 #include "tracer/simd/instruction_sets.h"
 
 #define VERISIM_INLINE inline __attribute__((always_inline))
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
+#pragma GCC diagnostic ignored "-Wpsabi"          // vectors are only passed between functions that are inlined
 #pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 reports its own intrinsics
 
 namespace verisim::shapes {
@@ -30,12 +30,16 @@ VERISIM_INLINE Register load(const std::uint16_t* p) {
 VERISIM_INLINE void store(float* p, Register v) { _mm_store_ps(p, v); }
 VERISIM_INLINE Register smaller(Register a, Register b) { return _mm_min_ps(a, b); }
 VERISIM_INLINE Register larger(Register a, Register b) { return _mm_max_ps(a, b); }
-VERISIM_INLINE unsigned at_most(Register a, Register b) { return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(a, b))); }
+VERISIM_INLINE unsigned at_most(Register a, Register b) {
+  return static_cast<unsigned>(_mm_movemask_ps(_mm_cmple_ps(a, b)));
+}
 #else
 using Register = float __attribute__((vector_size(16)));
 VERISIM_INLINE Register broadcast(float v) { return Register{v, v, v, v}; }
 VERISIM_INLINE Register load(const float* p) { return Register{p[0], p[1], p[2], p[3]}; }
-VERISIM_INLINE Register load(const std::uint16_t* p) { return Register{float(p[0]), float(p[1]), float(p[2]), float(p[3])}; }
+VERISIM_INLINE Register load(const std::uint16_t* p) {
+  return Register{float(p[0]), float(p[1]), float(p[2]), float(p[3])};
+}
 VERISIM_INLINE void store(float* p, Register v) { std::copy_n(&v[0], 4, p); }
 VERISIM_INLINE Register smaller(Register a, Register b) { return a < b ? a : b; }
 VERISIM_INLINE Register larger(Register a, Register b) { return a > b ? a : b; }
@@ -58,11 +62,15 @@ namespace avx2 {
 using Register = __m256;
 VERISIM_INLINE Register broadcast(float v) { return _mm256_set1_ps(v); }
 VERISIM_INLINE Register load(const float* p) { return _mm256_load_ps(p); }
-VERISIM_INLINE Register load(const std::uint16_t* p) { return _mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_load_si128(reinterpret_cast<const __m128i*>(p)))); }
+VERISIM_INLINE Register load(const std::uint16_t* p) {
+  return _mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_load_si128(reinterpret_cast<const __m128i*>(p))));
+}
 VERISIM_INLINE void store(float* p, Register v) { _mm256_store_ps(p, v); }
 VERISIM_INLINE Register smaller(Register a, Register b) { return _mm256_min_ps(a, b); }
 VERISIM_INLINE Register larger(Register a, Register b) { return _mm256_max_ps(a, b); }
-VERISIM_INLINE unsigned at_most(Register a, Register b) { return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OS))); }
+VERISIM_INLINE unsigned at_most(Register a, Register b) {
+  return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OS)));
+}
 #include "tracer/shapes/heights/height_walk.inc"
 #include "tracer/shapes/heights/height_packet.inc"
 }  // namespace avx2
@@ -73,7 +81,9 @@ namespace avx512 {
 using Register = __m512;
 VERISIM_INLINE Register broadcast(float v) { return _mm512_set1_ps(v); }
 VERISIM_INLINE Register load(const float* p) { return _mm512_load_ps(p); }
-VERISIM_INLINE Register load(const std::uint16_t* p) { return _mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(p)))); }
+VERISIM_INLINE Register load(const std::uint16_t* p) {
+  return _mm512_cvtepi32_ps(_mm512_cvtepu16_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(p))));
+}
 VERISIM_INLINE void store(float* p, Register v) { _mm512_store_ps(p, v); }
 VERISIM_INLINE Register smaller(Register a, Register b) { return _mm512_min_ps(a, b); }
 VERISIM_INLINE Register larger(Register a, Register b) { return _mm512_max_ps(a, b); }
@@ -85,14 +95,17 @@ VERISIM_INLINE unsigned at_most(Register a, Register b) { return _mm512_cmp_ps_m
 #pragma GCC pop_options
 
 constexpr auto kNext = std::to_array({&baseline::next, &avx2::next, &avx512::next});
-constexpr const HeightPacketKernels* kPacketKernels[] = {&baseline::kPacketKernels, &avx2::kPacketKernels, &avx512::kPacketKernels};
+constexpr const HeightPacketKernels* kPacketKernels[] = {&baseline::kPacketKernels, &avx2::kPacketKernels,
+                                                         &avx512::kPacketKernels};
 #else
 constexpr decltype(&baseline::next) kNext[textures::kInstructionSets] = {&baseline::next, nullptr, nullptr};
-constexpr const HeightPacketKernels* kPacketKernels[textures::kInstructionSets] = {&baseline::kPacketKernels, nullptr, nullptr};
+constexpr const HeightPacketKernels* kPacketKernels[textures::kInstructionSets] = {&baseline::kPacketKernels, nullptr,
+                                                                                   nullptr};
 #endif
 
 // The smallest block that holds the cells of the ray between `enter` and `leave`.
-HeightWalk::Block smallest_block(const HeightGrid& grid, const Vec3& o, const Vec3& d, double enter, double leave, double margin) {
+HeightWalk::Block smallest_block(const HeightGrid& grid, const Vec3& o, const Vec3& d, double enter, double leave,
+                                 double margin) {
   const auto first_and_last = [&](double from, double along, int cells) {
     const double a = from + enter * along, b = from + leave * along;
     const auto cell = [&](double at) { return static_cast<unsigned>(at > 0 ? std::min(at, cells - 1.0) : 0); };
@@ -112,7 +125,9 @@ HeightWalk::HeightWalk(const HeightGrid& grid, const Vec3& o, const Vec3& d, dou
   State& s = state_;
   s.grid = &grid, s.origin = o;
   s.enter = static_cast<float>(enter - std::fabs(enter) * 1e-6);
-  const auto reciprocal = [](double v) { return static_cast<float>(std::clamp(1 / (v == 0 ? 1e-30 : v), -1e30, 1e30)); };
+  const auto reciprocal = [](double v) {
+    return static_cast<float>(std::clamp(1 / (v == 0 ? 1e-30 : v), -1e30, 1e30));
+  };
   s.inverse_x = reciprocal(d.x), s.inverse_z = reciprocal(d.z);
   for (int c = 0; c < HeightGrid::kChildren; ++c) {
     s.x_steps[c] = static_cast<float>(HeightGrid::column(c)) * s.inverse_x;
@@ -121,7 +136,8 @@ HeightWalk::HeightWalk(const HeightGrid& grid, const Vec3& o, const Vec3& d, dou
   s.backward_x = d.x < 0, s.backward_z = d.z < 0;
   s.flip = (s.backward_x ? 5u : 0u) | (s.backward_z ? 10u : 0u);
   s.height = static_cast<float>(o.y), s.slope = static_cast<float>(d.y);
-  // Triangles are accepted slightly beyond their edges, and their planes reach beyond the heights at the corners by as much.
+  // Triangles are accepted slightly beyond their edges, and their planes reach beyond the heights at the corners by as
+  // much.
   s.side_margin = static_cast<float>(1e-3 + 1e-6 * (std::fabs(o.x) + std::fabs(o.z) + grid.width() + grid.depth()));
   s.height_margin = static_cast<float>(1 + 1e-6 * (65536 + 2 * std::fabs(o.y)));
   s.waiting = 1;
@@ -134,7 +150,9 @@ int HeightWalk::next(int set, float end, HeightCell cells[kCells]) {
   return set <= textures::best_instruction_set() ? kNext[static_cast<std::size_t>(set)](state_, end, cells) : -1;
 }
 
-const HeightPacketKernels* height_packet_kernels(int set) { return set <= textures::best_instruction_set() ? kPacketKernels[set] : nullptr; }
+const HeightPacketKernels* height_packet_kernels(int set) {
+  return set <= textures::best_instruction_set() ? kPacketKernels[set] : nullptr;
+}
 
 const HeightPacketKernels& height_packet_kernels() {
   static const HeightPacketKernels& best = *kPacketKernels[textures::best_instruction_set()];

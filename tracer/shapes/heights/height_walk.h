@@ -1,5 +1,6 @@
-// The way of a ray over a height field: finds the cells that it may meet, from near to far, in the pyramid of extremes. Sixteen children of a block are
-// tested at once. It only narrows: single precision with margins for its rounding. Compiled for several instruction sets.
+// The way of a ray over a height field: finds the cells that it may meet, from near to far, in the pyramid of extremes.
+// Sixteen children of a block are tested at once. It only narrows: single precision with margins for its rounding.
+// Compiled for several instruction sets.
 #pragma once
 
 #include "tracer/shapes/heights/height_grid.h"
@@ -30,7 +31,8 @@ class HeightWalk {
   };
   // All that the kernels need.
   struct State {
-    alignas(64) float x_steps[HeightGrid::kChildren], z_steps[HeightGrid::kChildren];  // what it takes to get to a child, for children of one cell
+    alignas(64) float x_steps[HeightGrid::kChildren],
+        z_steps[HeightGrid::kChildren];  // what it takes to get to a child, for children of one cell
     const HeightGrid* grid;
     Vec3 origin;
     float inverse_x, inverse_z, height, slope, side_margin, height_margin, enter;

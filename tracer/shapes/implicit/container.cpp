@@ -20,7 +20,8 @@ bool intersect_box(const Vec3& low, const Vec3& high, const Vec3& o, const Vec3&
       continue;
     }
     const bool forward = d[k] > 0;
-    const double near_t = ((forward ? low[k] : high[k]) - o[k]) / d[k], far_t = ((forward ? high[k] : low[k]) - o[k]) / d[k];
+    const double near_t = ((forward ? low[k] : high[k]) - o[k]) / d[k],
+                 far_t = ((forward ? high[k] : low[k]) - o[k]) / d[k];
     if (far_t < kBoxNearest) return false;
     if (far_t < span.leave - kTie || (far_t < span.leave + kTie && slope > leave_slope)) {
       span.leave = std::min(span.leave, far_t);
@@ -53,7 +54,8 @@ bool intersect_sphere(const Vec3& center, double radius, const Vec3& o, const Ve
 
 }  // namespace
 
-bool intersect_container(const scene::Contained& container, const Vec3& origin, const Vec3& direction, ContainerSpan& span) {
+bool intersect_container(const scene::Contained& container, const Vec3& origin, const Vec3& direction,
+                         ContainerSpan& span) {
   if (container.sphere) return intersect_sphere(container.center, container.radius, origin, direction, span);
   return intersect_box(container.low, container.high, origin, direction, span);
 }

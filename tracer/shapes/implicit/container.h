@@ -11,9 +11,10 @@ struct ContainerSpan {
   int enter_face = 0, leave_face = 0;
 };
 
-// False: the ray misses. The direction need not have unit length; distances are in its units. A box clamps `enter` to 0, a sphere gives it negative
-// when the ray starts inside.
-bool intersect_container(const scene::Contained& container, const Vec3& origin, const Vec3& direction, ContainerSpan& span);
+// False: the ray misses. The direction need not have unit length; distances are in its units. A box clamps `enter` to
+// 0, a sphere gives it negative when the ray starts inside.
+bool intersect_container(const scene::Contained& container, const Vec3& origin, const Vec3& direction,
+                         ContainerSpan& span);
 // Points on the surface belong to the container.
 bool in_container(const scene::Contained& container, const Vec3& p);
 // Outward unit normal of a face at p.

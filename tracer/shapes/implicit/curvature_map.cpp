@@ -10,7 +10,8 @@ namespace verisim::shapes {
 
 namespace {
 
-constexpr double kFewCells = 150, kManyCells = 1500;  // about: where all is smooth, and to keep what is not to little space
+constexpr double kFewCells = 150,
+                 kManyCells = 1500;        // about: where all is smooth, and to keep what is not to little space
 constexpr std::size_t kLongProgram = 200;  // instructions: not worth the time
 constexpr int kMostAlongAnAxis = 64;
 
@@ -19,7 +20,8 @@ constexpr int kMostAlongAnAxis = 64;
 CurvatureMap::CurvatureMap(const functions::Program& program, const Box3& container) : low_(container.min) {
   const Vec3 size = container.max - container.min;
   double largest = 0;
-  for (int axis = 0; axis < 3; ++axis) largest = std::max({largest, std::fabs(container.min[axis]), std::fabs(container.max[axis])});
+  for (int axis = 0; axis < 3; ++axis)
+    largest = std::max({largest, std::fabs(container.min[axis]), std::fabs(container.max[axis])});
   const double longest = std::max({size.x, size.y, size.z});
   if (!(longest > 0 && largest < 1e9) || program.size() > kLongProgram) return;
   farthest_ = 256 * largest;
@@ -49,8 +51,10 @@ bool CurvatureMap::fill(functions::CurvatureBounds& bounds, const Vec3& size, do
         const functions::Curvature c = bounds.within({corner - Vec3(margin), corner + Vec3(edge_ + margin)});
         bends_[at(i, j, k)] = c.bend;
         for (std::size_t n = 0; n < 6; ++n) parts_[n] = std::max(parts_[n], c.parts[n]);
-        if (std::isfinite(c.bend)) useful_ = true, error_ = std::max(error_, c.error);
-        else complete = false;
+        if (std::isfinite(c.bend))
+          useful_ = true, error_ = std::max(error_, c.error);
+        else
+          complete = false;
       }
   return complete;
 }
@@ -59,9 +63,11 @@ void CurvatureMap::join_neighbours() {
   for (int i = 0; i < count_[0]; ++i)
     for (int j = 0; j < count_[1]; ++j)
       for (int k = 0; k < count_[2]; ++k) {
-        const int i1 = std::min(i + 1, count_[0] - 1), j1 = std::min(j + 1, count_[1] - 1), k1 = std::min(k + 1, count_[2] - 1);
+        const int i1 = std::min(i + 1, count_[0] - 1), j1 = std::min(j + 1, count_[1] - 1),
+                  k1 = std::min(k + 1, count_[2] - 1);
         double& here = bends_[at(i, j, k)];  // entries behind it are still those of single cells
-        here = std::max({here, bends_[at(i1, j, k)], bends_[at(i, j1, k)], bends_[at(i, j, k1)], bends_[at(i1, j1, k)], bends_[at(i1, j, k1)], bends_[at(i, j1, k1)], bends_[at(i1, j1, k1)]});
+        here = std::max({here, bends_[at(i1, j, k)], bends_[at(i, j1, k)], bends_[at(i, j, k1)], bends_[at(i1, j1, k)],
+                         bends_[at(i1, j, k1)], bends_[at(i, j1, k1)], bends_[at(i1, j1, k1)]});
       }
 }
 

@@ -1,4 +1,5 @@
-// How much the function of an isosurface bends, place by place: with two values of it, that tells much of what is between them (isosurface_row.inc).
+// How much the function of an isosurface bends, place by place: with two values of it, that tells much of what is
+// between them (isosurface_row.inc).
 #pragma once
 
 #include <array>
@@ -17,7 +18,8 @@ class CurvatureMap {
   bool useful() const { return useful_; }
   // How far values of LaneKernels::nearly may be from exact ones; infinity: not known.
   double drift() const { return drift_; }
-  // Of computed values, even those of LaneKernels::nearly, for points whose coordinates are sums of numbers up to `farthest`.
+  // Of computed values, even those of LaneKernels::nearly, for points whose coordinates are sums of numbers up to
+  // `farthest`.
   double error() const { return error_; }
   double farthest() const { return farthest_; }
 

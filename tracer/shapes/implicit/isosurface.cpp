@@ -22,7 +22,8 @@ namespace {
 
 constexpr double kFarthest = 2e10;
 
-// Normals that a thread computed for eight hits together, until they are asked for. An entry is found by the place in Hit::u, and then compared.
+// Normals that a thread computed for eight hits together, until they are asked for. An entry is found by the place in
+// Hit::u, and then compared.
 struct NormalMemory {
   struct Entry {
     std::uint64_t shape = 0;
@@ -32,7 +33,9 @@ struct NormalMemory {
 
   const Entry* find(const Hit& hit, std::uint64_t shape) const {
     const Entry& entry = entries[static_cast<int>(hit.u)];
-    return hit.part == 0 && entry.shape == shape && std::memcmp(entry.point, &hit.point, sizeof entry.point) == 0 ? &entry : nullptr;
+    return hit.part == 0 && entry.shape == shape && std::memcmp(entry.point, &hit.point, sizeof entry.point) == 0
+               ? &entry
+               : nullptr;
   }
   int add(const Entry& entry) {
     next = (next + 1) % kCount;
@@ -57,15 +60,20 @@ class Isosurface final : public Primitive<Isosurface> {
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
-    if (field_.narrowing) crossings_by<BoundedValue>(ray, sink);
-    else crossings_by<ExactValue>(ray, sink);
+    if (field_.narrowing)
+      crossings_by<BoundedValue>(ray, sink);
+    else
+      crossings_by<ExactValue>(ray, sink);
   }
   template <class Value, class Sink>
   void crossings_by(const Ray& ray, Sink& sink) const {
-    IsosurfaceSearch<Value> search{field_, ray.origin, ray.direction, 0, 1, 0, steepest_.load(std::memory_order_relaxed)};
-    if (has_matrix()) search.origin = matrix().inverse_point(ray.origin), search.direction = matrix().inverse_direction(ray.direction);
+    IsosurfaceSearch<Value> search{
+        field_, ray.origin, ray.direction, 0, 1, 0, steepest_.load(std::memory_order_relaxed)};
+    if (has_matrix())
+      search.origin = matrix().inverse_point(ray.origin), search.direction = matrix().inverse_direction(ray.direction);
     search.speed = length(search.direction);
-    const double before = search.gradient = surface_.evaluate ? adapted_gradient_.load(std::memory_order_relaxed) : max_gradient_;
+    const double before = search.gradient =
+        surface_.evaluate ? adapted_gradient_.load(std::memory_order_relaxed) : max_gradient_;
     if (!trace(ray, search, sink)) return;
     raise(steepest_, search.steepest);
     if (!surface_.evaluate) return;
@@ -77,16 +85,20 @@ class Isosurface final : public Primitive<Isosurface> {
     }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const final {
-    if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const final {
+    if (!in_rows_ || std::popcount(rays.asked) < kFewest)
+      return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     RowHits row(t_min, t_max, false);
     FieldLanes field(*in_rows_);
     trace_row(rays, row, field);
-    each_lane(row.found, [&](int k) { hits[k] = {row.t_max[k], rays.at(k).at(row.t_max[k]), this, row.face[k], 0, 0}; });
+    each_lane(row.found,
+              [&](int k) { hits[k] = {row.t_max[k], rays.at(k).at(row.t_max[k]), this, row.face[k], 0, 0}; });
     remember_normals(row.found, hits);
     return row.found | Shape::intersect_lanes({rays.rays, rays.first, row.alone}, entry, kind, t_min, t_max, hits);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const final {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const final {
     if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     RowHits row(t_min, t_max, true);
     FieldLanes field(*in_rows_);
@@ -102,7 +114,8 @@ class Isosurface final : public Primitive<Isosurface> {
   }
 
   Vec3 raw_normal(const Hit& hit) const {
-    if (const NormalMemory::Entry* known = normals_of_thread.find(hit, number_)) return {known->normal[0], known->normal[1], known->normal[2]};
+    if (const NormalMemory::Entry* known = normals_of_thread.find(hit, number_))
+      return {known->normal[0], known->normal[1], known->normal[2]};
     const Vec3 p = local(hit.point);
     if (hit.part > 0) return world_normal(container_normal(surface_.container, hit.part, p));
     const auto& container = surface_.container;
@@ -131,7 +144,9 @@ class Isosurface final : public Primitive<Isosurface> {
 
   // The nearest hits of eight rays, or any, as NearestHit keeps them for one.
   struct RowHits {
-    RowHits(double min, const double* max, bool any_will_do) : t_min(min), limit(max), any(any_will_do) { std::copy_n(max, RayLanes::kCount, t_max); }
+    RowHits(double min, const double* max, bool any_will_do) : t_min(min), limit(max), any(any_will_do) {
+      std::copy_n(max, RayLanes::kCount, t_max);
+    }
     double t_min;
     const double* limit;
     bool any;
@@ -176,7 +191,7 @@ class Isosurface final : public Primitive<Isosurface> {
   IsosurfaceField field_{surface_, nullptr};
   double max_gradient_;
   int max_trace_;
-  static constexpr int kFewest = 3;  // rays that are searched in step
+  static constexpr int kFewest = 3;              // rays that are searched in step
   const functions::Program* in_rows_ = nullptr;  // null: rays are searched one by one
   // Made for those that have many rays to search.
   const CurvatureMap* map() const {
@@ -203,18 +218,23 @@ std::string Isosurface::gradient_finding() const {
   const double found = steepest_, set = max_gradient_;
   if (!(found > kEpsilon && set > kEpsilon)) return {};
   const double too_much = set - found, ratio = set / found;
-  const std::string start = fmt::format("The maximum gradient found was {:.3f}, but max_gradient of the isosurface was set to {:.3f}. ", found, set);
+  const std::string start = fmt::format(
+      "The maximum gradient found was {:.3f}, but max_gradient of the isosurface was set to {:.3f}. ", found, set);
   if ((ratio <= 0.9 && too_much <= -0.5) || ((ratio <= 0.95 || too_much <= -0.1) && set < 10))
     return start + "The isosurface may contain holes! Adjust max_gradient to get a proper rendering of the isosurface.";
-  if (too_much >= 10 || (ratio >= 1.1 && too_much >= 0.5)) return start + "Adjust max_gradient to get a faster rendering of the isosurface.";
+  if (too_much >= 10 || (ratio >= 1.1 && too_much >= 0.5))
+    return start + "Adjust max_gradient to get a faster rendering of the isosurface.";
   return {};
 }
 
 std::string Isosurface::evaluate_finding() const {
   const double largest = adapted_gradient_, variation = largest_raise_;
-  if (rays_ == 0 || !(surface_.evaluate->x > largest || surface_.evaluate->y > largest / (largest - variation))) return {};
-  return fmt::format("Evaluate found a maximum gradient of {:.3f} and an average gradient of {:.3f}. The maximum gradient variation was {:.3f}.", largest,
-                     sum_of_gradients_ / static_cast<double>(rays_), variation);
+  if (rays_ == 0 || !(surface_.evaluate->x > largest || surface_.evaluate->y > largest / (largest - variation)))
+    return {};
+  return fmt::format(
+      "Evaluate found a maximum gradient of {:.3f} and an average gradient of {:.3f}. The maximum gradient variation "
+      "was {:.3f}.",
+      largest, sum_of_gradients_ / static_cast<double>(rays_), variation);
 }
 
 template <class Value, class Sink>
@@ -229,7 +249,10 @@ template <class Value, class Sink>
 void Isosurface::trace(const Ray& ray, IsosurfaceSearch<Value>& search, const ContainerSpan& span, Sink& sink) const {
   const double a = surface_.accuracy, gap = 5 * a, near_zero = 4 * search.gradient * a;
   double begin = std::max(span.enter, 0.0), end = span.leave;
-  const auto report = [&](double t, int face) { return sink.add(t, [&] { return ray.at(t); }, face); };
+  const auto report = [&](double t, int face) {
+    return sink.add(
+        t, [&] { return ray.at(t); }, face);
+  };
   const auto start_behind_surface = [&] {
     begin = gap;
     if (search.below(gap, 0)) search.sign = -1;
@@ -269,11 +292,13 @@ void Isosurface::trace(const Ray& ray, IsosurfaceSearch<Value>& search, const Co
 class Isosurface::RowTrace {
  public:
   // Nearly: values need not be exact where the map says how wrong they are.
-  RowTrace(const Isosurface& shape, const RayLanes& rays, RowHits& hits, FieldLanes& field, const CurvatureMap* map, bool nearly)
+  RowTrace(const Isosurface& shape, const RayLanes& rays, RowHits& hits, FieldLanes& field, const CurvatureMap* map,
+           bool nearly)
       : shape_(shape), s_(shape.surface_), rays_(rays), hits_(hits), field_(field) {
     lanes_.accuracy = s_.accuracy, lanes_.threshold = s_.threshold;
     lanes_.map = map;
-    if (nearly) lanes_.doubt = 2 * map->drift() + std::fabs(s_.threshold) * 0x1p-50 + std::numeric_limits<double>::min();
+    if (nearly)
+      lanes_.doubt = 2 * map->drift() + std::fabs(s_.threshold) * 0x1p-50 + std::numeric_limits<double>::min();
   }
 
   // The rays of which it is not known what they meet.
@@ -295,7 +320,8 @@ class Isosurface::RowTrace {
   }
 
  private:
-  // f - threshold at distances t, of the rays that are asked for; loses those for which it is not known what it is like.
+  // f - threshold at distances t, of the rays that are asked for; loses those for which it is not known what it is
+  // like.
   Judged field(unsigned asked, const double* t, double* values) {
     kernels_.place(lanes_, t, field_.points());
     const Judged judged = kernels_.judge(lanes_, field_.evaluate(asked, lanes_.doubt > 0), near_zero_, asked, values);
@@ -306,7 +332,8 @@ class Isosurface::RowTrace {
   // The rays that meet the container.
   unsigned enter() {
     const double steepest = shape_.steepest_.load(std::memory_order_relaxed);
-    const unsigned met = kernels_.enter(lanes_, entry_, rays_, s_.container, shape_.to_object(), shape_.max_gradient_, steepest);
+    const unsigned met =
+        kernels_.enter(lanes_, entry_, rays_, s_.container, shape_.to_object(), shape_.max_gradient_, steepest);
     const unsigned usual = kernels_.stretches(lanes_, entry_).usual;
     entered_ = met & usual;
     hits_.alone |= met & ~usual;
@@ -321,7 +348,8 @@ class Isosurface::RowTrace {
     Stretches stretches = kernels_.stretches(lanes_, entry_);
     const unsigned within = active & stretches.within;
     if (s_.open) active &= stretches.enough;
-    if (const unsigned at_surface = active & within & (s_.open ? stretches.before & begin.close : begin.below); at_surface != 0) {
+    if (const unsigned at_surface = active & within & (s_.open ? stretches.before & begin.close : begin.below);
+        at_surface != 0) {
       each_lane(at_surface, [&](int k) { entry_.begin[k] = 5 * s_.accuracy; });
       field(at_surface, entry_.begin, entry_.at_begin);
       each_lane(at_surface, [&](int k) {
@@ -334,8 +362,12 @@ class Isosurface::RowTrace {
     each_lane(at_wall, [&](int k) { --remaining_[k], lanes_.sign[k] = -1; });
     active &= stretches.enough;
     unsigned over = 0;
-    each_lane(active & at_wall, [&](int k) { over |= hits_.add(k, entry_.begin[k], static_cast<int>(entry_.enter_face[k])) ? 1u << k : 0; });
-    each_lane(active & within & end.negative, [&](int k) { over |= hits_.add(k, entry_.end[k], static_cast<int>(entry_.leave_face[k])) && hits_.any ? 1u << k : 0; });
+    each_lane(active & at_wall, [&](int k) {
+      over |= hits_.add(k, entry_.begin[k], static_cast<int>(entry_.enter_face[k])) ? 1u << k : 0;
+    });
+    each_lane(active & within & end.negative, [&](int k) {
+      over |= hits_.add(k, entry_.end[k], static_cast<int>(entry_.leave_face[k])) && hits_.any ? 1u << k : 0;
+    });
     return active & ~over;
   }
 
@@ -401,7 +433,11 @@ void Isosurface::remember_normals(unsigned found, Hit* hits) const {
   alignas(64) double values[4 * kLanes], normals[3 * kLanes];
   evaluate_around(*in_rows_, points, surface_.accuracy, lanes, values);
   isosurface_kernels().normals(values, to_object(), normals);
-  each_lane(lanes, [&](int k) { hits[k].u = normals_of_thread.add({number_, {hits[k].point.x, hits[k].point.y, hits[k].point.z}, {normals[k], normals[kLanes + k], normals[2 * kLanes + k]}}); });
+  each_lane(lanes, [&](int k) {
+    hits[k].u = normals_of_thread.add({number_,
+                                       {hits[k].point.x, hits[k].point.y, hits[k].point.z},
+                                       {normals[k], normals[kLanes + k], normals[2 * kLanes + k]}});
+  });
 }
 
 }  // namespace

@@ -22,7 +22,9 @@ const IsosurfaceKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL
 
 }  // namespace
 
-const IsosurfaceKernels* isosurface_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+const IsosurfaceKernels* isosurface_kernels(int set) {
+  return set <= textures::best_instruction_set() ? kAll[set] : nullptr;
+}
 
 const IsosurfaceKernels& isosurface_kernels() {
   static const IsosurfaceKernels& best = *kAll[textures::best_instruction_set()];
@@ -31,17 +33,22 @@ const IsosurfaceKernels& isosurface_kernels() {
 
 const functions::Program* FieldLanes::suitable(const Function* function) {
   const auto* program = dynamic_cast<const functions::Program*>(function);
-  return program && !program->has_jumps() && program->parameters() == 3 && program->registers() <= kMostRegisters ? program : nullptr;
+  return program && !program->has_jumps() && program->parameters() == 3 && program->registers() <= kMostRegisters
+             ? program
+             : nullptr;
 }
 
 // Lanes that are not asked for are computed with the others, and must not be slow.
 static void prepare(const functions::Program& program, double* registers, std::size_t width) {
   std::fill_n(registers, 3 * width, 0.0);
-  for (const functions::Call& call : program.calls()) std::fill_n(registers + call.results * width, static_cast<std::size_t>(call.function->components()) * width, 0.0);
+  for (const functions::Call& call : program.calls())
+    std::fill_n(registers + call.results * width, static_cast<std::size_t>(call.function->components()) * width, 0.0);
   program.set_constants(registers, width);
 }
 
-FieldLanes::FieldLanes(const functions::Program& program) : program_(program) { prepare(program, registers_, SearchLanes::kCount); }
+FieldLanes::FieldLanes(const functions::Program& program) : program_(program) {
+  prepare(program, registers_, SearchLanes::kCount);
+}
 
 const double* FieldLanes::evaluate(unsigned asked, bool nearly) {
   const functions::LaneKernels& kernels = functions::lane_kernels();
@@ -49,11 +56,14 @@ const double* FieldLanes::evaluate(unsigned asked, bool nearly) {
   return registers_ + program_.result_register() * SearchLanes::kCount;
 }
 
-void evaluate_around(const functions::Program& program, const double (&points)[3][SearchLanes::kCount], double step, unsigned asked, double* values) {
+void evaluate_around(const functions::Program& program, const double (&points)[3][SearchLanes::kCount], double step,
+                     unsigned asked, double* values) {
   constexpr int kLanes = SearchLanes::kCount, kBroad = functions::LaneKernels::kBroad;
   static_assert(kBroad == 4 * kLanes);
   constexpr std::size_t kFew = 64;  // registers
-  const auto coordinate = [&](int axis, int n, int k) { return n == axis + 1 ? points[axis][k] + step : points[axis][k]; };
+  const auto coordinate = [&](int axis, int n, int k) {
+    return n == axis + 1 ? points[axis][k] + step : points[axis][k];
+  };
   if (program.registers() > kFew) {
     FieldLanes field(program);
     for (int n = 0; n < 4; ++n) {

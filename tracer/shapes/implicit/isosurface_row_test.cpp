@@ -21,12 +21,16 @@ Node chain(std::vector<Node> operands, functions::Op op) {
 }
 Node sum(std::vector<Node> operands) { return chain(std::move(operands), functions::Op::add); }
 Node product(std::vector<Node> operands) { return chain(std::move(operands), functions::Op::multiply); }
-Node sine(int i, double frequency) { return {functions::BuiltinCall{functions::Builtin::sin_, {product({axis(i), number(frequency)})}}}; }
+Node sine(int i, double frequency) {
+  return {functions::BuiltinCall{functions::Builtin::sin_, {product({axis(i), number(frequency)})}}};
+}
 
 // x^2 + y^2 + z^2 - 0.8 + size sin 6x sin 6y sin 6z
 FunctionPtr wavy_ball(double size) {
   const Node waves = product({number(size), sine(0, 6), sine(1, 6), sine(2, 6)});
-  return functions::compile(sum({product({axis(0), axis(0)}), product({axis(1), axis(1)}), product({axis(2), axis(2)}), number(-0.8), waves}), 3, 3);
+  return functions::compile(
+      sum({product({axis(0), axis(0)}), product({axis(1), axis(1)}), product({axis(2), axis(2)}), number(-0.8), waves}),
+      3, 3);
 }
 
 TEST(IsosurfaceRow, FindsWhatSingleRaysFind) {
@@ -49,10 +53,15 @@ TEST(IsosurfaceRow, FindsWhatSingleRaysFind) {
   EXPECT_GT(found, 2000);
 }
 
-// Lanes that begin behind the surface leave the others alone, also where a function is computed only for the lanes that are asked for.
+// Lanes that begin behind the surface leave the others alone, also where a function is computed only for the lanes that
+// are asked for.
 TEST(IsosurfaceRow, SomeRaysBeginAtTheSurface) {
   scene::Isosurface s;
-  s.function = functions::compile(sum({product({axis(0), axis(0)}), product({axis(1), axis(1)}), {functions::BuiltinCall{functions::Builtin::tanh_, {axis(2)}}}, number(-0.5)}), 3, 3);
+  s.function = functions::compile(sum({product({axis(0), axis(0)}),
+                                       product({axis(1), axis(1)}),
+                                       {functions::BuiltinCall{functions::Builtin::tanh_, {axis(2)}}},
+                                       number(-0.5)}),
+                                  3, 3);
   s.max_gradient = 3, s.accuracy = 0.05;  // what is near the surface: 4 x 3 x 0.05
   std::mt19937 random(9);
   int found = 0;
@@ -108,17 +117,20 @@ TEST(IsosurfaceRow, AMapChangesOnlyTheSteps) {
     SearchLanes lanes{};
     lanes.accuracy = n % 3 == 0 ? 0.05 : 0.001, lanes.threshold = n % 2 ? 0.05 : 0;
     for (int k = 0; k < SearchLanes::kCount; ++k) {
-      const Vec3 from = Vec3(unit(random), unit(random), unit(random)) * 1.3, to = Vec3(unit(random), unit(random), unit(random)) * 1.3;
+      const Vec3 from = Vec3(unit(random), unit(random), unit(random)) * 1.3,
+                 to = Vec3(unit(random), unit(random), unit(random)) * 1.3;
       const double speed = length(to - from);
       for (int i = 0; i < 3; ++i) {
         lanes.origin[i][k] = from[i], lanes.direction[i][k] = to[i] - from[i];
-        lanes.cell_origin[i][k] = (from[i] - map.low()[i]) / map.edge(), lanes.cell_step[i][k] = (to[i] - from[i]) / map.edge();
+        lanes.cell_origin[i][k] = (from[i] - map.low()[i]) / map.edge(),
+        lanes.cell_step[i][k] = (to[i] - from[i]) / map.edge();
         lanes.reach[k] = std::max(lanes.reach[k], std::fabs(lanes.cell_step[i][k]));
       }
       lanes.bend_anywhere[k] = std::numeric_limits<double>::infinity();
       lanes.speed2[k] = speed * speed * (1 + 1e-12);
       lanes.width[k] = 1;
-      lanes.value0[k] = (*function)(from.x, from.y, from.z) - lanes.threshold, lanes.value1[k] = (*function)(to.x, to.y, to.z) - lanes.threshold;
+      lanes.value0[k] = (*function)(from.x, from.y, from.z) - lanes.threshold,
+      lanes.value1[k] = (*function)(to.x, to.y, to.z) - lanes.threshold;
       lanes.slope[k] = (n % 5 == 0 ? 2.0 : 5.0) * speed;  // too small, or large enough
       lanes.steepest[k] = (n % 4) * 1.5 * speed, lanes.sign[k] = lanes.value0[k] < 0 ? -1 : 1;
       lanes.value0[k] *= lanes.sign[k], lanes.value1[k] *= lanes.sign[k];
@@ -129,7 +141,9 @@ TEST(IsosurfaceRow, AMapChangesOnlyTheSteps) {
     if (nearly) with.doubt = 2 * map.drift() + 1e-16;
     const auto search_in = [&](SearchLanes& s, int& count) {
       const IsosurfaceKernels& kernels = isosurface_kernels();
-      for (unsigned active = kernels.start(s, 255); active != 0; active = kernels.advance(s, field.evaluate(active, s.doubt > 0))) kernels.middles(s, field.points()), count += std::popcount(active);
+      for (unsigned active = kernels.start(s, 255); active != 0;
+           active = kernels.advance(s, field.evaluate(active, s.doubt > 0)))
+        kernels.middles(s, field.points()), count += std::popcount(active);
     };
     search_in(lanes, steps[0]);
     search_in(with, steps[1]);

@@ -1,5 +1,6 @@
-// The search of one ray for the crossings of an isosurface. It bisects dyadically and prunes by max_gradient exactly as POV-Ray's: where max_gradient is too
-// small, which is common, the picture depends on every step. But steps need not know values better than they ask for them.
+// The search of one ray for the crossings of an isosurface. It bisects dyadically and prunes by max_gradient exactly as
+// POV-Ray's: where max_gradient is too small, which is common, the picture depends on every step. But steps need not
+// know values better than they ask for them.
 #pragma once
 
 #include <algorithm>
@@ -38,11 +39,17 @@ struct ExactValue {
   static double least_slope(double /*steepest_known*/) { return 0; }
 
   template <class Search>
-  bool below(const Search&, double limit) const { return v < limit; }
+  bool below(const Search&, double limit) const {
+    return v < limit;
+  }
   template <class Search>
-  bool near_zero(const Search&, double limit) const { return std::fabs(v) < limit; }
+  bool near_zero(const Search&, double limit) const {
+    return std::fabs(v) < limit;
+  }
   template <class Search>
-  static bool sum_below(const Search&, const ExactValue& a, const ExactValue& b, double limit) { return a.v + b.v < limit; }
+  static bool sum_below(const Search&, const ExactValue& a, const ExactValue& b, double limit) {
+    return a.v + b.v < limit;
+  }
   template <class Search>
   static void find_rise(const Search&, const ExactValue& a, const ExactValue& b, double width, double& largest) {
     if (const double rise = std::fabs(b.v - a.v); rise > largest * width) largest = rise / width;
@@ -83,7 +90,9 @@ struct BoundedValue {
     return true;
   }
   template <class Search>
-  bool near_zero(const Search& search, double limit) { return below(search, limit) && times(-1).below(search, limit); }
+  bool near_zero(const Search& search, double limit) {
+    return below(search, limit) && times(-1).below(search, limit);
+  }
   template <class Search>
   static bool sum_below(const Search& search, BoundedValue& a, BoundedValue& b, double limit) {
     while (!(a.high + b.high < limit)) {
@@ -104,7 +113,8 @@ struct BoundedValue {
  private:
   template <class Search>
   void set(const Search& search) {
-    const double threshold = search.field.surface.threshold, a = value.bounds.low - threshold, b = value.bounds.high - threshold;
+    const double threshold = search.field.surface.threshold, a = value.bounds.low - threshold,
+                 b = value.bounds.high - threshold;
     low = sign < 0 ? -b : a, high = sign < 0 ? -a : b;
   }
   template <class Search>
@@ -116,7 +126,8 @@ struct BoundedValue {
   // The one that is known less well.
   template <class Search>
   static bool narrow(const Search& search, BoundedValue& a, BoundedValue& b) {
-    return a.high - a.low >= b.high - b.low ? a.narrow(search) || b.narrow(search) : b.narrow(search) || a.narrow(search);
+    return a.high - a.low >= b.high - b.low ? a.narrow(search) || b.narrow(search)
+                                            : b.narrow(search) || a.narrow(search);
   }
 };
 
@@ -125,9 +136,9 @@ template <class Value>
 struct IsosurfaceSearch {
   const IsosurfaceField& field;
   Vec3 origin, direction;
-  double speed;     // length of the direction
-  double sign;      // of the crossing that is looked for
-  double gradient;  // the max_gradient in force
+  double speed;           // length of the direction
+  double sign;            // of the crossing that is looked for
+  double gradient;        // the max_gradient in force
   double steepest_known;  // of any ray
   double steepest = 0;    // slope between the ends of any node
 
@@ -155,7 +166,8 @@ struct IsosurfaceSearch {
 
 // The slope bound for a node, raised by `evaluate` where the function proves steeper.
 template <class Value>
-double IsosurfaceSearch<Value>::adapted(double slope, [[maybe_unused]] const Value& value0, [[maybe_unused]] const Value& value1, [[maybe_unused]] double width) {
+double IsosurfaceSearch<Value>::adapted(double slope, [[maybe_unused]] const Value& value0,
+                                        [[maybe_unused]] const Value& value1, [[maybe_unused]] double width) {
   if constexpr (std::is_same_v<Value, ExactValue>) {
     if (!field.surface.evaluate) return slope;
     const double factor = field.surface.evaluate->y;

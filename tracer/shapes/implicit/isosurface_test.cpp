@@ -17,8 +17,12 @@ scene::Isosurface iso(FunctionPtr f) {
   s.function = std::move(f);
   return s;
 }
-FunctionPtr ball() { return xyz([](double x, double y, double z) { return x * x + y * y + z * z - 0.7; }); }
-FunctionPtr height() { return xyz([](double, double y, double) { return y; }); }
+FunctionPtr ball() {
+  return xyz([](double x, double y, double z) { return x * x + y * y + z * z - 0.7; });
+}
+FunctionPtr height() {
+  return xyz([](double, double y, double) { return y; });
+}
 
 TEST(Isosurface, HitsAreGridPointsBehindTheSurface) {
   auto s = iso(ball());
@@ -118,7 +122,10 @@ TEST(Isosurface, BoundsOfValuesFindWhatValuesFind) {
   std::vector<Node> arguments{functions::test::x(), functions::test::y(), functions::test::z()};
   for (const double parameter : {0.1, 3.1, 8.0, 0.7, 0.8, 2.0}) arguments.push_back({Constant{parameter}});
   const Node fractal{UserCall{internal_function(59, 2), arguments}};
-  const FunctionPtr known = functions::compile(functions::test::chain(functions::test::z(), Op::subtract, functions::test::times(fractal, functions::test::number(0.2))), 3, 3);
+  const FunctionPtr known =
+      functions::compile(functions::test::chain(functions::test::z(), Op::subtract,
+                                                functions::test::times(fractal, functions::test::number(0.2))),
+                         3, 3);
   ASSERT_TRUE(Narrowing::of(known.get()));
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -131,7 +138,8 @@ TEST(Isosurface, BoundsOfValuesFindWhatValuesFind) {
       s.threshold = plain.threshold = 0.01;
       const auto shape = compile(object(s)), other = compile(object(plain));
       for (int i = 0; i < 3000; ++i) {
-        const Vec3 from(1.5 * unit(random), 1.5 * unit(random), unit(random)), to(unit(random), unit(random), 0.3 * unit(random));
+        const Vec3 from(1.5 * unit(random), 1.5 * unit(random), unit(random)),
+            to(unit(random), unit(random), 0.3 * unit(random));
         const auto a = trace(*shape, from, to - from), b = trace(*other, from, to - from);
         ASSERT_EQ(a.has_value(), b.has_value());
         if (!a) continue;

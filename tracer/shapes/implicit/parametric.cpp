@@ -1,5 +1,6 @@
-// parametric (spec 04 section 7): the ranges of u and v are halved, cells whose box the ray misses are dropped. The boxes do not depend on the ray; each
-// thread remembers those it has computed, so that neighbouring rays evaluate few functions.
+// parametric (spec 04 section 7): the ranges of u and v are halved, cells whose box the ray misses are dropped. The
+// boxes do not depend on the ray; each thread remembers those it has computed, so that neighbouring rays evaluate few
+// functions.
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -14,8 +15,8 @@ namespace verisim::shapes {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kMaxDepth = 100;   // halvings after which doubles have no finer cells
-constexpr int kMaxTable = 20;    // of precompute
+constexpr int kMaxDepth = 100;  // halvings after which doubles have no finer cells
+constexpr int kMaxTable = 20;   // of precompute
 
 struct Interval {
   double low, high;
@@ -61,7 +62,9 @@ class Parametric final : public Primitive<Parametric> {
     if (!(begin <= end)) return;
     double best = kInfinity, u = 0, v = 0;
     search(o, d, begin, end, best, u, v);
-    if (best < end) sink.add(best, [&] { return ray.at(best); }, 0, u, v);
+    if (best < end)
+      sink.add(
+          best, [&] { return ray.at(best); }, 0, u, v);
   }
 
   bool contains(const Vec3&) const { return false; }
@@ -81,7 +84,8 @@ class Parametric final : public Primitive<Parametric> {
   }
 
   double value(int axis, double u, double v) const {
-    return (*p_.function[static_cast<std::size_t>(axis)])(u, v, 0);  // functions without a parameter list have three: x or u, y or v, z
+    return (*p_.function[static_cast<std::size_t>(axis)])(
+        u, v, 0);  // functions without a parameter list have three: x or u, y or v, z
   }
   Vec3 surface(double u, double v) const { return {value(0, u, v), value(1, u, v), value(2, u, v)}; }
 
@@ -104,8 +108,10 @@ class Parametric final : public Primitive<Parametric> {
   static bool split_v(const Cell& c) { return c.v1 - c.v0 > c.u1 - c.u0; }
   static Cell half(const Cell& c, bool upper) {
     Cell r = c;
-    if (split_v(c)) (upper ? r.v0 : r.v1) = (c.v0 + c.v1) / 2;
-    else (upper ? r.u0 : r.u1) = (c.u0 + c.u1) / 2;
+    if (split_v(c))
+      (upper ? r.v0 : r.v1) = (c.v0 + c.v1) / 2;
+    else
+      (upper ? r.u0 : r.u1) = (c.u0 + c.u1) / 2;
     return r;
   }
 
@@ -124,7 +130,8 @@ class Parametric final : public Primitive<Parametric> {
     return result;
   }
 
-  // The last level of the table holds the intervals, the others the union of their children: node n has the children 2n and 2n + 1.
+  // The last level of the table holds the intervals, the others the union of their children: node n has the children 2n
+  // and 2n + 1.
   void precompute() {
     const int depth = std::min(p_.precompute_depth, kMaxTable);
     const std::uint64_t first_leaf = std::uint64_t{1} << (depth - 1);
@@ -138,7 +145,8 @@ class Parametric final : public Primitive<Parametric> {
         table[n] = interval(axis, c);
       }
       for (std::uint64_t n = first_leaf - 1; n >= 1; --n) {
-        table[n] = {std::min(table[2 * n].low, table[2 * n + 1].low), std::max(table[2 * n].high, table[2 * n + 1].high)};
+        table[n] = {std::min(table[2 * n].low, table[2 * n + 1].low),
+                    std::max(table[2 * n].high, table[2 * n + 1].high)};
       }
     }
   }

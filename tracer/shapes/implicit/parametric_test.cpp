@@ -16,14 +16,16 @@ FunctionPtr uv(F f) {
 
 scene::Parametric plane() {
   scene::Parametric p;
-  p.function = {uv([](double u, double) { return u; }), uv([](double, double v) { return v; }), uv([](double, double) { return 0.0; })};
+  p.function = {uv([](double u, double) { return u; }), uv([](double, double v) { return v; }),
+                uv([](double, double) { return 0.0; })};
   p.low = {-1, -1}, p.high = {1, 1};
   return p;
 }
 scene::Parametric sphere(double r) {
   scene::Parametric p;
   p.function = {uv([r](double u, double v) { return r * std::sin(u) * std::cos(v); }),
-                uv([r](double u, double v) { return r * std::sin(u) * std::sin(v); }), uv([r](double u, double) { return r * std::cos(u); })};
+                uv([r](double u, double v) { return r * std::sin(u) * std::sin(v); }),
+                uv([r](double u, double) { return r * std::cos(u); })};
   p.low = {0, 0}, p.high = {pi, 2 * pi};
   p.container = {true, Vec3(0), Vec3(0), {0, 0, 0}, 1.1};
   p.accuracy = 0.001, p.max_gradient = 1;
@@ -36,7 +38,8 @@ TEST(Parametric, Plane) {
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->point.z, -0.0019765625, 1e-14);
   EXPECT_VEC_NEAR(hit->normal, Vec3(0, 0, 1), 1e-12);
-  EXPECT_VEC_NEAR(trace(object(p), {.3, .4, -5}, {.1, .05, 1})->point, Vec3(0.79980234375, 0.649901171875, -0.0019765625), 1e-13);
+  EXPECT_VEC_NEAR(trace(object(p), {.3, .4, -5}, {.1, .05, 1})->point,
+                  Vec3(0.79980234375, 0.649901171875, -0.0019765625), 1e-13);
   p.accuracy = 0.01;
   EXPECT_NEAR(trace(object(p), {.3, .4, -5}, {0, 0, 1})->point.z, -0.0178125, 1e-14);
   p = plane();

@@ -1,5 +1,5 @@
-// Complex functions with POV-Ray's formulas. Signed zeros decide on which side of a branch cut a number lies and the fractal depends on it, so every product
-// and difference is formed component by component as written.
+// Complex functions with POV-Ray's formulas. Signed zeros decide on which side of a branch cut a number lies and the
+// fractal depends on it, so every product and difference is formed component by component as written.
 #include "tracer/shapes/julia/julia_algebra.h"
 
 #include <cmath>
@@ -82,22 +82,40 @@ Complex power(const Complex& z, const Complex& c) {
 Complex evaluate(scene::JuliaFunction f, const Vec2& exponent, const Complex& z) {
   using enum scene::JuliaFunction;
   switch (f) {
-    case exp: return julia::exp(z);
-    case sin: return julia::sin(z);
-    case asin: return julia::asin(z);
-    case sinh: return julia::sinh(z);
-    case asinh: return julia::asinh(z);
-    case cos: return julia::cos(z);
-    case acos: return julia::acos(z);
-    case cosh: return julia::cosh(z);
-    case acosh: return julia::acosh(z);
-    case tan: return julia::tan(z);
-    case atan: return julia::atan(z);
-    case tanh: return julia::tanh(z);
-    case atanh: return julia::atanh(z);
-    case ln: return julia::ln(z);
-    case pwr: return power(z, {exponent.x, exponent.y});
-    case sqr: case cube: case reciprocal: break;
+    case exp:
+      return julia::exp(z);
+    case sin:
+      return julia::sin(z);
+    case asin:
+      return julia::asin(z);
+    case sinh:
+      return julia::sinh(z);
+    case asinh:
+      return julia::asinh(z);
+    case cos:
+      return julia::cos(z);
+    case acos:
+      return julia::acos(z);
+    case cosh:
+      return julia::cosh(z);
+    case acosh:
+      return julia::acosh(z);
+    case tan:
+      return julia::tan(z);
+    case atan:
+      return julia::atan(z);
+    case tanh:
+      return julia::tanh(z);
+    case atanh:
+      return julia::atanh(z);
+    case ln:
+      return julia::ln(z);
+    case pwr:
+      return power(z, {exponent.x, exponent.y});
+    case sqr:
+    case cube:
+    case reciprocal:
+      break;
   }
   return z;
 }

@@ -1,5 +1,5 @@
-// julia_fractal (spec 04 section 8): marching with distance estimates, then bisection. The hit depends on the whole sequence of steps, so it is followed
-// exactly.
+// julia_fractal (spec 04 section 8): marching with distance estimates, then bisection. The hit depends on the whole
+// sequence of steps, so it is followed exactly.
 #include <cmath>
 
 #include "tracer/shapes/factories.h"
@@ -53,8 +53,10 @@ julia::Field field_of(const scene::JuliaFractal& f) {
   const double radius = bounding_radius(f);
   field.escape = f.hypercomplex ? 16 : radius * radius + 1e-7;
   const JuliaFunction g = f.function;
-  if (f.hypercomplex) field.kind = g == JuliaFunction::sqr || g == JuliaFunction::cube ? Kind::hypercomplex_square : Kind::other;
-  else field.kind = g == JuliaFunction::cube ? Kind::quaternion_cube : Kind::quaternion_square;
+  if (f.hypercomplex)
+    field.kind = g == JuliaFunction::sqr || g == JuliaFunction::cube ? Kind::hypercomplex_square : Kind::other;
+  else
+    field.kind = g == JuliaFunction::cube ? Kind::quaternion_cube : Kind::quaternion_square;
   field.doubled = g == JuliaFunction::sqr;
   return field;
 }
@@ -76,7 +78,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
       if (t > end) return;
       in = march(orbit, r, t, estimate);
     }
-    // After a crossing POV-Ray's march goes on behind the coarse step, but counts distances from the crossing: those of later hits, not their points, fall short.
+    // After a crossing POV-Ray's march goes on behind the coarse step, but counts distances from the crossing: those of
+    // later hits, not their points, fall short.
     double uncounted = 0;
     // True: this hit ends the search.
     const auto crossed = [&](double base, double step, bool now) {
@@ -84,7 +87,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
       in = now;
       sink.add((depth - uncounted) / r.scale, [&] { return ray.at(world_t); });
       uncounted += t - depth;
-      // Outside CSG the march ends with the first hit, even one too near to be seen: refracted rays often do not meet the far side.
+      // Outside CSG the march ends with the first hit, even one too near to be seen: refracted rays often do not meet
+      // the far side.
       return Sink::kNearest && !sink.clipped(ray.at(world_t));
     };
     while (t <= last) {
@@ -112,14 +116,17 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const final {
-    if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const final {
+    if (!in_rows_ || std::popcount(rays.asked) < kFewest)
+      return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     double t[julia::kLanes];
     const unsigned found = within(t, t_min, t_max, row_crossings(rays, t_max, t));
     each_lane(found, [&](int k) { hits[k] = {t[k], rays.at(k).at(t[k]), this, 0, 0, 0}; });
     return found;
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const final {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const final {
     if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     double t[julia::kLanes];
     return within(t, t_min, t_max, row_crossings(rays, t_max, t));
@@ -139,10 +146,12 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
  private:
   static constexpr int kFewest = 3;  // rays that march in step; fewer look ahead instead
 
-  // Where the ray is in the bounding sphere, and where behind it stays outside; false: nothing can be hit. In just these operations: whether the first point
-  // escapes at once is a matter of the last bit, and the whole sequence of steps hangs on it.
+  // Where the ray is in the bounding sphere, and where behind it stays outside; false: nothing can be hit. In just
+  // these operations: whether the first point escapes at once is a matter of the last bit, and the whole sequence of
+  // steps hangs on it.
   bool enters(const LocalRay& r, double& begin, double& end, double& last) const {
-    const double closest = -dot(r.origin, r.direction), half2 = radius_ * radius_ - dot(r.origin, r.origin) + closest * closest;
+    const double closest = -dot(r.origin, r.direction),
+                 half2 = radius_ * radius_ - dot(r.origin, r.origin) + closest * closest;
     if (!(half2 > kEpsilon) || (closest < kEpsilon && dot(r.origin, r.origin) >= radius_ * radius_)) return false;
     const double half = std::sqrt(half2);
     end = closest + half;
@@ -171,9 +180,14 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   using MapPtr = std::shared_ptr<const julia::Map>;
 
   JuliaFractal(const scene::Object& description, const scene::JuliaFractal& f, MapPtr map)
-      : Primitive(description, {map ? map->grid().box : julia_fractal_box(f), true}), f_(f), field_(field_of(f)), radius_(bounding_radius(f)), map_(std::move(map)) {
+      : Primitive(description, {map ? map->grid().box : julia_fractal_box(f), true}),
+        f_(f),
+        field_(field_of(f)),
+        radius_(bounding_radius(f)),
+        map_(std::move(map)) {
     in_rows_ = field_.kind != Kind::other && description.clipped_by.empty() && description.bounded_by.empty();
-    plain_ = f.function == JuliaFunction::sqr || f.function == JuliaFunction::cube || f.function == JuliaFunction::reciprocal;
+    plain_ = f.function == JuliaFunction::sqr || f.function == JuliaFunction::cube ||
+             f.function == JuliaFunction::reciprocal;
   }
   static MapPtr map_of(const std::shared_ptr<const scene::JuliaFractal>& fractal) {
     const julia::Field field = field_of(*fractal);
@@ -181,26 +195,36 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return shared_payload<julia::Map>(fractal, [&] { return std::make_shared<julia::Map>(field); });
   }
 
-  // The point in four dimensions. With `quirk` z is replaced by y before w is computed, as POV-Ray's plain inside test does for most functions.
+  // The point in four dimensions. With `quirk` z is replaced by y before w is computed, as POV-Ray's plain inside test
+  // does for most functions.
   Number start(const Vec3& p, bool quirk) const {
     const double z = quirk ? p.y : p.z;
-    return {p.x, p.y, z, (f_.slice_distance - field_.slice.x * p.x - field_.slice.y * p.y - field_.slice.z * z) / field_.slice_w};
+    return {p.x, p.y, z,
+            (f_.slice_distance - field_.slice.x * p.x - field_.slice.y * p.y - field_.slice.z * z) / field_.slice_w};
   }
   template <Kind K>
   Number next(const Number& h) const {
-    if constexpr (K == Kind::quaternion_square) return julia::quaternion_square(h) + field_.parameter;
-    else if constexpr (K == Kind::quaternion_cube) return julia::quaternion_cube(h) + field_.parameter;
-    else if constexpr (K == Kind::hypercomplex_square) return product(h, h) + field_.parameter;
-    else return julia::apply(f_.function, f_.exponent, h) + field_.parameter;
+    if constexpr (K == Kind::quaternion_square)
+      return julia::quaternion_square(h) + field_.parameter;
+    else if constexpr (K == Kind::quaternion_cube)
+      return julia::quaternion_cube(h) + field_.parameter;
+    else if constexpr (K == Kind::hypercomplex_square)
+      return product(h, h) + field_.parameter;
+    else
+      return julia::apply(f_.function, f_.exponent, h) + field_.parameter;
   }
   // Calls work with the kind of this fractal as a constant.
   template <class F>
   auto with_kind(F&& work) const {
     switch (field_.kind) {
-      case Kind::quaternion_square: return work.template operator()<Kind::quaternion_square>();
-      case Kind::quaternion_cube: return work.template operator()<Kind::quaternion_cube>();
-      case Kind::hypercomplex_square: return work.template operator()<Kind::hypercomplex_square>();
-      default: return work.template operator()<Kind::other>();
+      case Kind::quaternion_square:
+        return work.template operator()<Kind::quaternion_square>();
+      case Kind::quaternion_cube:
+        return work.template operator()<Kind::quaternion_cube>();
+      case Kind::hypercomplex_square:
+        return work.template operator()<Kind::hypercomplex_square>();
+      default:
+        return work.template operator()<Kind::other>();
     }
   }
   // Fills the orbit; the step i >= 1 at which it escaped, or 0.
@@ -236,10 +260,12 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
       }
       return in ? low : low + width;
     }
-    // The seven points that the next three halvings may ask for, as a heap: after point n comes 2n + 1, or 2n + 2 if it has the state of the base.
+    // The seven points that the next three halvings may ask for, as a heap: after point n comes 2n + 1, or 2n + 2 if it
+    // has the state of the base.
     while (width > kFine) {
       const double w1 = width / 2, w2 = w1 / 2, w3 = w2 / 2, middle = low + w1, quarter = low + w2, last = middle + w2;
-      const double points[julia::kLanes] = {middle, quarter, last, low + w3, quarter + w3, middle + w3, last + w3, last + w3};
+      const double points[julia::kLanes] = {middle,       quarter,     last,      low + w3,
+                                            quarter + w3, middle + w3, last + w3, last + w3};
       const unsigned inside = julia::kernels().inside(field_, r.origin, r.direction, points);
       for (unsigned n = 0; n < 7 && width > kFine;) {
         width /= 2;
@@ -296,7 +322,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
       for (Number* d : {&dx, &dy, &dz}) {
         const double inner = h.y * d->y + h.z * d->z + h.w * d->w;
         if (cube) {
-          const double q = h.y * h.y + h.z * h.z + h.w * h.w, x2 = h.x * h.x, t = 3 * x2 - q, dt = 6 * h.x * d->x - 2 * inner;
+          const double q = h.y * h.y + h.z * h.z + h.w * h.w, x2 = h.x * h.x, t = 3 * x2 - q,
+                       dt = 6 * h.x * d->x - 2 * inner;
           *d = {3 * (x2 - q) * d->x - 6 * h.x * inner, dt * h.y + t * d->y, dt * h.z + t * d->z, dt * h.w + t * d->w};
         } else {
           *d = {h.x * d->x - inner, d->x * h.y + h.x * d->y, d->x * h.z + h.x * d->z, d->x * h.w + h.x * d->w};
@@ -331,7 +358,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
           m = product(m, Number{-r2.x, -r2.y, -r2.z, -r2.w});
           break;
         }
-        default: m = product(julia::apply(f_.function, f_.exponent, orbit[j]), m);
+        default:
+          m = product(julia::apply(f_.function, f_.exponent, orbit[j]), m);
       }
     }
     return m;
@@ -341,8 +369,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   julia::Field field_;
   double radius_;
   std::shared_ptr<const julia::Map> map_;  // null: none for this function
-  bool in_rows_;       // rays may march in step: the first crossing of each decides
-  bool plain_ = true;  // without the quirk of `start`
+  bool in_rows_;                           // rays may march in step: the first crossing of each decides
+  bool plain_ = true;                      // without the quirk of `start`
 };
 
 }  // namespace

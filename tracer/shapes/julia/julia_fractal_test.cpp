@@ -62,14 +62,17 @@ TEST(JuliaFractal, TheFirstStepIsPovRays) {
     int x, y;
     bool hit;
   };
-  for (const auto& [x, y, expected] : {Probe{43, 33, false}, {12, 35, true}, {21, 35, false}, {25, 39, false}, {21, 48, false}}) {
+  for (const auto& [x, y, expected] :
+       {Probe{43, 33, false}, {12, 35, true}, {21, 35, false}, {25, 39, false}, {21, 48, false}}) {
     const Vec3 d(-0.6 + x * 0.02, -0.45 + y * 0.015, 2.2);
     Hit hit;
-    EXPECT_EQ(shape->intersect({{0, 0, -6}, d * (1 / length(d))}, RayKind::query, 1e-4, 1e7, hit), expected) << x << ", " << y;
+    EXPECT_EQ(shape->intersect({{0, 0, -6}, d * (1 / length(d))}, RayKind::query, 1e-4, 1e7, hit), expected)
+        << x << ", " << y;
   }
 }
 
-// Distances measured with a plane moved along the ray until POV-Ray's trace() of the union with the fractal found the other one.
+// Distances measured with a plane moved along the ray until POV-Ray's trace() of the union with the fractal found the
+// other one.
 TEST(JuliaFractal, LaterHitsAreCountedAsNearerThanTheirPoints) {
   const Vec3 d = normalize(Vec3(-0.00226914, -0.173517, 0.984828)), o = Vec3(0, 1.5, -6) + 4.0 * d;
   HitList hits;
@@ -83,7 +86,10 @@ TEST(JuliaFractal, LaterHitsAreCountedAsNearerThanTheirPoints) {
 TEST(JuliaFractal, RowsOfRaysMarchAsSingleRays) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);
-  for (const auto& [hypercomplex, function] : {std::pair{false, scene::JuliaFunction::sqr}, {false, scene::JuliaFunction::cube}, {true, scene::JuliaFunction::sqr}, {true, scene::JuliaFunction::cube}}) {
+  for (const auto& [hypercomplex, function] : {std::pair{false, scene::JuliaFunction::sqr},
+                                               {false, scene::JuliaFunction::cube},
+                                               {true, scene::JuliaFunction::sqr},
+                                               {true, scene::JuliaFunction::cube}}) {
     int found = 0;
     for (int n = 0; n < 20; ++n) {
       scene::JuliaFractal f = quaternion();

@@ -1,5 +1,6 @@
-// The iteration of a Julia fractal at several points of a ray, or of a row of rays, at once. Every lane does what the plain code of julia_fractal.cpp does, operation by
-// operation, so the results are the same to the last bit whatever the machine's vectors.
+// The iteration of a Julia fractal at several points of a ray, or of a row of rays, at once. Every lane does what the
+// plain code of julia_fractal.cpp does, operation by operation, so the results are the same to the last bit whatever
+// the machine's vectors.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@ struct Field {
   Number parameter;
   Vec3 slice;
   double slice_w = 1, slice_distance = 0;
-  double escape = 4;     // |h|^2 beyond which a point is outside
+  double escape = 4;        // |h|^2 beyond which a point is outside
   double precision = 0.05;  // the smallest step
   int iterations = 20;
   bool doubled = false;  // hypercomplex: the estimates of `sqr` have a factor 2^M
@@ -42,9 +43,9 @@ struct alignas(64) Stretch {
 // Where the set can be: cells of a cube.
 struct Grid {
   static constexpr int kSide = 32;
-  double low = 0, cell = 0;  // the cube's lower corner (in each coordinate) and the side of a cell
+  double low = 0, cell = 0;                // the cube's lower corner (in each coordinate) and the side of a cell
   std::uint64_t rows[kSide * kSide] = {};  // bit i of row k kSide + j: cell (i, j, k) may hold points of the set
-  Box3 box;  // encloses all such cells
+  Box3 box;                                // encloses all such cells
 
   void add(int i, int j, int k) { rows[k * kSide + j] |= std::uint64_t{1} << i; }
   bool has(int i, int j, int k) const { return rows[k * kSide + j] >> i & 1; }
@@ -60,12 +61,16 @@ struct alignas(64) Row {
 struct Kernels {
   // Points origin + t * direction. Bit k: t[k] survives all iterations.
   unsigned (*inside)(const Field& field, const Vec3& origin, const Vec3& direction, const double* t);
-  // The same, and how far the ray may go from each point (spec 04 section 8, step estimates): exact where above the precision, else anything not above it.
+  // The same, and how far the ray may go from each point (spec 04 section 8, step estimates): exact where above the
+  // precision, else anything not above it.
   unsigned (*march)(const Field& field, const Vec3& origin, const Vec3& direction, const double* t, double* estimate);
   // The lanes of `asked` that meet cells of the grid within the bounding sphere, each as far as t_max.
-  unsigned (*enter)(const Grid& grid, double radius, const LocalLanes& rays, unsigned asked, const double* t_max, Row& row);
-  // Rays of a row that march in step, each with the steps it takes alone: the lanes of `asked` whose rays cross the surface, and the depths of their first crossings.
-  unsigned (*first_crossings)(const Field& field, const Rays& rays, const Stretch& stretch, unsigned asked, double* depth);
+  unsigned (*enter)(const Grid& grid, double radius, const LocalLanes& rays, unsigned asked, const double* t_max,
+                    Row& row);
+  // Rays of a row that march in step, each with the steps it takes alone: the lanes of `asked` whose rays cross the
+  // surface, and the depths of their first crossings.
+  unsigned (*first_crossings)(const Field& field, const Rays& rays, const Stretch& stretch, unsigned asked,
+                              double* depth);
 };
 
 // Those of the best instruction set of this machine.

@@ -32,7 +32,10 @@ bool survives(const Field& f, const Vec3& p) {
   Number h{p.x, p.y, p.z, (f.slice_distance - f.slice.x * p.x - f.slice.y * p.y - f.slice.z * p.z) / f.slice_w};
   for (int i = 1; i <= f.iterations; ++i) {
     if (h.norm2() > f.escape) return false;
-    h = (f.kind == Kind::quaternion_square ? quaternion_square(h) : f.kind == Kind::quaternion_cube ? quaternion_cube(h) : product(h, h)) + f.parameter;
+    h = (f.kind == Kind::quaternion_square ? quaternion_square(h)
+         : f.kind == Kind::quaternion_cube ? quaternion_cube(h)
+                                           : product(h, h)) +
+        f.parameter;
   }
   return true;
 }
@@ -43,7 +46,8 @@ TEST(JuliaLanes, AgreeWithSinglePoints) {
   for (const Field& f : fields()) {
     int inside_seen = 0;
     for (int n = 0; n < 2000; ++n) {
-      const Vec3 o(coordinate(random), coordinate(random), coordinate(random)), d(coordinate(random), coordinate(random), coordinate(random));
+      const Vec3 o(coordinate(random), coordinate(random), coordinate(random)),
+          d(coordinate(random), coordinate(random), coordinate(random));
       double t[kLanes], estimate[kLanes];
       for (int k = 0; k < kLanes; ++k) t[k] = 0.05 * k;
       const unsigned inside = kernels().inside(f, o, d, t);
@@ -63,7 +67,8 @@ struct Crossings {
   unsigned entered = 0, crossed = 0;
   double depth[kLanes] = {};
 };
-Crossings crossings(const Kernels& kernels, const Field& f, const Map& map, const Transform* matrix, const RayRow& row) {
+Crossings crossings(const Kernels& kernels, const Field& f, const Map& map, const Transform* matrix,
+                    const RayRow& row) {
   const double t_max[kLanes] = {9, 9, 9, 9, 9, 9, 2, 3};
   const RayLanes rays{row, 0, 0xf7};
   LocalLanes local;
@@ -86,7 +91,8 @@ TEST(JuliaLanes, InstructionSetsGiveTheSameBits) {
       for (int k = 0; k < kLanes; ++k) {
         const Vec3 d = normalize(Vec3(coordinate(random), coordinate(random), n % 5 == 0 ? 0 : coordinate(random)));
         rays.direction.set(k, d);
-        rays.origin.set(k, Vec3(coordinate(random), coordinate(random), coordinate(random)) - static_cast<double>(n % 3) * d);
+        rays.origin.set(
+            k, Vec3(coordinate(random), coordinate(random), coordinate(random)) - static_cast<double>(n % 3) * d);
       }
       const Transform* const matrix = n % 2 ? &turned : nullptr;
       const Crossings plain = crossings(*kernels(textures::kBaseline), f, map, matrix, rays);

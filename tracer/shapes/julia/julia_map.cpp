@@ -47,7 +47,8 @@ bool Map::may_hold(const Field& f, const Vec3& p, double half) const {
   // In four dimensions.
   double stray = half * std::sqrt(3.0) * std::sqrt(1 + dot(f.slice, f.slice) / (f.slice_w * f.slice_w)) * (1 + kMargin);
   const auto image = [&](double size, double by) {
-    return (f.kind == Kind::quaternion_cube ? (3 * size * (size + by) + by * by) * by : (2 * size + by) * by) * (1 + kMargin);
+    return (f.kind == Kind::quaternion_cube ? (3 * size * (size + by) + by * by) * by : (2 * size + by) * by) *
+           (1 + kMargin);
   };
   if (f.kind != Kind::hypercomplex_square) {
     for (int i = 1; i <= f.iterations; ++i) {
@@ -59,7 +60,8 @@ bool Map::may_hold(const Field& f, const Vec3& p, double half) const {
     }
     return true;
   }
-  // A hypercomplex number is a pair of complex numbers a, b with |h|^2 = (|a|^2 + |b|^2) / 2, and each is squared by itself.
+  // A hypercomplex number is a pair of complex numbers a, b with |h|^2 = (|a|^2 + |b|^2) / 2, and each is squared by
+  // itself.
   double stray_a = stray * std::sqrt(2.0), stray_b = stray_a;
   for (int i = 1; i <= f.iterations; ++i) {
     const double a = size(h.x - h.w, h.y + h.z), b = size(h.x + h.w, h.y - h.z);

@@ -1,6 +1,6 @@
-// Where a Julia fractal can be: the cells of a cube that may hold points of the set. A ray's march is followed exactly (spec 04 section 8), but need not be
-// begun where it meets none of them, nor continued behind the last. Cells are discarded by following their centre and a bound of how far the images of
-// their other points stray from it.
+// Where a Julia fractal can be: the cells of a cube that may hold points of the set. A ray's march is followed exactly
+// (spec 04 section 8), but need not be begun where it meets none of them, nor continued behind the last. Cells are
+// discarded by following their centre and a bound of how far the images of their other points stray from it.
 #pragma once
 
 #include "tracer/shapes/julia/julia_lanes.h"
@@ -12,7 +12,8 @@ class Map {
   // Not for Kind::other.
   explicit Map(const Field& field);
 
-  // The last distance in begin .. end at which the ray is in a cell that may hold points of the set; negative if there is none.
+  // The last distance in begin .. end at which the ray is in a cell that may hold points of the set; negative if there
+  // is none.
   double last(const Vec3& origin, const Vec3& direction, double begin, double end) const;
   const Grid& grid() const { return grid_; }
 

@@ -1,5 +1,5 @@
-// bicubic_patch (spec 04 section 4): the patch is halved until flat or deep enough; its leaves are two triangles each, kept in a box tree. Types 0 and 1
-// differ in POV-Ray only by what they store.
+// bicubic_patch (spec 04 section 4): the patch is halved until flat or deep enough; its leaves are two triangles each,
+// kept in a box tree. Types 0 and 1 differ in POV-Ray only by what they store.
 #include <stdexcept>
 
 #include "tracer/shapes/factories.h"
@@ -17,7 +17,8 @@ using Points = std::array<Vec3, 16>;  // row major: index 4 * row + column
 
 // Halves one curve of four points: `first` and `second` are its parts.
 void halve(const Vec3 (&p)[4], Vec3 (&first)[4], Vec3 (&second)[4]) {
-  const Vec3 a = (p[0] + p[1]) / 2, b = (p[1] + p[2]) / 2, c = (p[2] + p[3]) / 2, d = (a + b) / 2, e = (b + c) / 2, m = (d + e) / 2;
+  const Vec3 a = (p[0] + p[1]) / 2, b = (p[1] + p[2]) / 2, c = (p[2] + p[3]) / 2, d = (a + b) / 2, e = (b + c) / 2,
+             m = (d + e) / 2;
   first[0] = p[0], first[1] = a, first[2] = d, first[3] = m;
   second[0] = m, second[1] = e, second[2] = c, second[3] = p[3];
 }
@@ -61,17 +62,20 @@ struct Leaf {
   Range range;
 };
 
-// Halves a patch until its pieces are flat or deep enough; visit(points, range) -> bool for each of those, false ends it all. False: it ended early.
+// Halves a patch until its pieces are flat or deep enough; visit(points, range) -> bool for each of those, false ends
+// it all. False: it ended early.
 template <class Visit>
 bool subdivide(const scene::BicubicPatch& patch, const Points& p, const Range& range, int depth, Visit&& visit) {
-  const bool deep_s = depth >= patch.u_steps || depth >= kMaxDepth, deep_r = depth >= patch.v_steps || depth >= kMaxDepth;
+  const bool deep_s = depth >= patch.u_steps || depth >= kMaxDepth,
+             deep_r = depth >= patch.v_steps || depth >= kMaxDepth;
   if ((deep_s && deep_r) || flat_enough(p, patch.flatness)) return visit(p, range);
   const double s = (range.s0 + range.s1) / 2, r = (range.r0 + range.r1) / 2;
   const auto columns = [&](const Points& q, double s0, double s1) {
     if (deep_r) return subdivide(patch, q, {s0, s1, range.r0, range.r1}, depth + 1, visit);
     Points left, right;
     halve(q, false, left, right);
-    return subdivide(patch, left, {s0, s1, range.r0, r}, depth + 1, visit) && subdivide(patch, right, {s0, s1, r, range.r1}, depth + 1, visit);
+    return subdivide(patch, left, {s0, s1, range.r0, r}, depth + 1, visit) &&
+           subdivide(patch, right, {s0, s1, r, range.r1}, depth + 1, visit);
   };
   if (deep_s) return columns(p, range.s0, range.s1);
   Points first, second;
@@ -85,15 +89,20 @@ class BicubicPatch final : public TreePrimitive<BicubicPatch> {
       : TreePrimitive(description, {bicubic_patch_box(patch), true}), points_(patch.points), uv_(patch.uv) {
     const bool fits = subdivide(patch, points_, {0, 1, 0, 1}, 0, [&](const Points& p, const Range& range) {
       const auto& [s0, s1, r0, r1] = range;
-      leaves_.push_back({{p[0], p[3], p[15], p[12]}, {exact_normal(s0, r0), exact_normal(s0, r1), exact_normal(s1, r1), exact_normal(s1, r0)}, range});
+      leaves_.push_back({{p[0], p[3], p[15], p[12]},
+                         {exact_normal(s0, r0), exact_normal(s0, r1), exact_normal(s1, r1), exact_normal(s1, r0)},
+                         range});
       return leaves_.size() <= kMaxLeaves;
     });
     if (!fits) throw std::runtime_error("bicubic_patch: too many pieces");
-    tree_ = accel::BoxTree(leaves_.size(), [&](std::size_t i) {
-      Box3 box;
-      for (const Vec3& c : leaves_[i].corner) box.extendBy(c);
-      return box;
-    }, 2);
+    tree_ = accel::BoxTree(
+        leaves_.size(),
+        [&](std::size_t i) {
+          Box3 box;
+          for (const Vec3& c : leaves_[i].corner) box.extendBy(c);
+          return box;
+        },
+        2);
     std::vector<Leaf> sorted;
     sorted.reserve(tree_.order().size());
     for (const std::uint32_t i : tree_.order()) sorted.push_back(leaves_[i]);
@@ -106,12 +115,15 @@ class BicubicPatch final : public TreePrimitive<BicubicPatch> {
   void crossings(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
     const LocalRay r = local(ray);
     const auto limit = [&] { return sink.upper() * r.scale * (1 + 1e-12); };
-    tree_.traverse_leaves({r.origin, r.direction}, 0, limit(), [&](std::uint32_t first, std::uint32_t count, double) {
-      for (std::uint32_t i = first; i < first + count; ++i) {
-        for (int half = 0; half < 2; ++half) triangle(i, half, ray, r, sink);
-      }
-      return limit();
-    }, entry);
+    tree_.traverse_leaves(
+        {r.origin, r.direction}, 0, limit(),
+        [&](std::uint32_t first, std::uint32_t count, double) {
+          for (std::uint32_t i = first; i < first + count; ++i) {
+            for (int half = 0; half < 2; ++half) triangle(i, half, ray, r, sink);
+          }
+          return limit();
+        },
+        entry);
   }
 
   bool contains(const Vec3&) const { return false; }
@@ -120,7 +132,8 @@ class BicubicPatch final : public TreePrimitive<BicubicPatch> {
   Vec3 raw_normal(const Hit& hit) const {
     const Leaf& leaf = leaves_[static_cast<std::size_t>(hit.part) / 2];
     const bool second = hit.part % 2 != 0;
-    const Vec3 n = (1 - hit.u - hit.v) * leaf.normal[0] + hit.u * leaf.normal[second ? 2 : 1] + hit.v * leaf.normal[second ? 3 : 2];
+    const Vec3 n = (1 - hit.u - hit.v) * leaf.normal[0] + hit.u * leaf.normal[second ? 2 : 1] +
+                   hit.v * leaf.normal[second ? 3 : 2];
     if (dot(n, n) <= kEpsilon) return world_normal({1, 0, 0});
     return world_normal(n);
   }
@@ -141,7 +154,8 @@ class BicubicPatch final : public TreePrimitive<BicubicPatch> {
   template <class Sink>
   void triangle(std::uint32_t i, int half, const Ray& ray, const LocalRay& r, Sink& sink) const {
     const Leaf& leaf = leaves_[i];
-    const Vec3 &p = leaf.corner[0], &q = half ? leaf.corner[2] : leaf.corner[1], &s = half ? leaf.corner[3] : leaf.corner[2];
+    const Vec3 &p = leaf.corner[0], &q = half ? leaf.corner[2] : leaf.corner[1],
+               &s = half ? leaf.corner[3] : leaf.corner[2];
     const Vec3 e1 = q - p, e2 = s - p, n = cross(e1, e2);
     const double n2 = dot(n, n);
     if (!(n2 > 1e-10 * dot(e1, e1) * dot(e2, e2))) return;
@@ -152,12 +166,13 @@ class BicubicPatch final : public TreePrimitive<BicubicPatch> {
     if (!(an >= 0 && bn >= 0)) return;
     const double a = an / n2, b = bn / n2;
     if (!(a + b <= 1) || std::fabs(slope / std::sqrt(n2)) < kEpsilon) return;
-    sink.add(world_t, [&] { return ray.at(world_t); }, static_cast<std::int32_t>(2 * i) + half, a, b);
+    sink.add(
+        world_t, [&] { return ray.at(world_t); }, static_cast<std::int32_t>(2 * i) + half, a, b);
   }
 
   // dP/ds x dP/dr of the whole patch.
   Vec3 exact_normal(double s, double r) const {
-    const auto basis = [](double t, double (&value)[4], double (&slope)[4]) {
+    const auto basis = [](double t, double(&value)[4], double(&slope)[4]) {
       const double u = 1 - t;
       value[0] = u * u * u, value[1] = 3 * t * u * u, value[2] = 3 * t * t * u, value[3] = t * t * t;
       slope[0] = -3 * u * u, slope[1] = 3 * u * u - 6 * t * u, slope[2] = 6 * t * u - 3 * t * t, slope[3] = 3 * t * t;
@@ -200,7 +215,8 @@ std::unique_ptr<Shape> compile_bicubic_patch(const scene::Object& object) {
 bool bicubic_patch_fits(const scene::BicubicPatch& patch) {
   if (patch.u_steps <= 10 && patch.v_steps <= 10) return true;
   std::size_t leaves = 0;
-  return subdivide(patch, patch.points, {0, 1, 0, 1}, 0, [&](const Points&, const Range&) { return ++leaves <= kMaxLeaves; });
+  return subdivide(patch, patch.points, {0, 1, 0, 1}, 0,
+                   [&](const Points&, const Range&) { return ++leaves <= kMaxLeaves; });
 }
 
 Box3 bicubic_patch_box(const scene::BicubicPatch& patch) {

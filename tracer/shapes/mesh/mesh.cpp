@@ -1,5 +1,5 @@
-// mesh and mesh2 (spec 04 section 1). All hits are reported; POV-Ray's early stop for meshes without inside_vector, which loses surfaces in CSG, is not
-// reproduced.
+// mesh and mesh2 (spec 04 section 1). All hits are reported; POV-Ray's early stop for meshes without inside_vector,
+// which loses surfaces in CSG, is not reproduced.
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/mesh/mesh_geometry.h"
 #include "tracer/shapes/tree_primitive.h"
@@ -11,7 +11,8 @@ namespace {
 class Mesh final : public TreePrimitive<Mesh> {
  public:
   Mesh(const scene::Object& description, const scene::Mesh& mesh)
-      : TreePrimitive(description, {mesh_vertex_box(*mesh.data), !has_inside(*mesh.data)}), geometry_(MeshGeometry::of(mesh.data)) {
+      : TreePrimitive(description, {mesh_vertex_box(*mesh.data), !has_inside(*mesh.data)}),
+        geometry_(MeshGeometry::of(mesh.data)) {
     solid_ = has_inside(*mesh.data);
     if (solid_) {
       const Vec3 v = *mesh.data->inside_vector;
@@ -30,18 +31,23 @@ class Mesh final : public TreePrimitive<Mesh> {
     const auto limit = [&] { return std::min(MeshGeometry::kFarthest, sink.upper() * r.scale * (1 + 1e-12)); };
     double nearest = -1;
     std::uint32_t nearest_id = 0;
-    geometry_->tree().traverse_leaves({r.origin, r.direction}, lower, limit(), [&](std::uint32_t first, std::uint32_t count, double) {
-      for (std::uint32_t i = first; i < first + count; ++i) {
-        const double t = geometry_->hit(i, r.origin, r.direction);
-        if (t < 0 || t > MeshGeometry::kFarthest) continue;
-        const double world_t = t / r.scale;
-        // Of triangles hit at the same distance (a ray through a shared edge) the last written is seen, whatever the order of the walk.
-        if (Sink::kNearest && world_t == nearest && geometry_->triangle(i).id() < nearest_id) continue;
-        const bool accepted = sink.add(world_t, [&] { return ray.at(world_t); }, static_cast<std::int32_t>(i));
-        if (Sink::kNearest && accepted) nearest = world_t, nearest_id = geometry_->triangle(i).id();
-      }
-      return limit();
-    }, entry);
+    geometry_->tree().traverse_leaves(
+        {r.origin, r.direction}, lower, limit(),
+        [&](std::uint32_t first, std::uint32_t count, double) {
+          for (std::uint32_t i = first; i < first + count; ++i) {
+            const double t = geometry_->hit(i, r.origin, r.direction);
+            if (t < 0 || t > MeshGeometry::kFarthest) continue;
+            const double world_t = t / r.scale;
+            // Of triangles hit at the same distance (a ray through a shared edge) the last written is seen, whatever
+            // the order of the walk.
+            if (Sink::kNearest && world_t == nearest && geometry_->triangle(i).id() < nearest_id) continue;
+            const bool accepted = sink.add(
+                world_t, [&] { return ray.at(world_t); }, static_cast<std::int32_t>(i));
+            if (Sink::kNearest && accepted) nearest = world_t, nearest_id = geometry_->triangle(i).id();
+          }
+          return limit();
+        },
+        entry);
   }
 
   bool contains(const Vec3& p) const { return solid_ && geometry_->crossings(local(p), inside_direction_) % 2 != 0; }
@@ -50,10 +56,13 @@ class Mesh final : public TreePrimitive<Mesh> {
   Vec3 raw_normal(const Hit& hit) const {
     const auto i = static_cast<std::uint32_t>(hit.part);
     // The stored flat normal is used as it is, without making its length exactly 1.
-    if (!geometry_->smooth(i)) return has_matrix() ? world_normal(geometry_->flat_normal(i)) : geometry_->flat_normal(i);
+    if (!geometry_->smooth(i))
+      return has_matrix() ? world_normal(geometry_->flat_normal(i)) : geometry_->flat_normal(i);
     return world_normal(geometry_->smooth_normal(i, local(hit.point)));
   }
-  Vec2 uv(const Hit& hit) const override { return geometry_->uv(static_cast<std::uint32_t>(hit.part), local(hit.point)); }
+  Vec2 uv(const Hit& hit) const override {
+    return geometry_->uv(static_cast<std::uint32_t>(hit.part), local(hit.point));
+  }
 
   std::span<const scene::TexturePtr> extra_textures() const override { return textures_; }
   void texture_shares(const Hit& hit, bool inside_hit, std::vector<TextureShare>& shares) const override {
@@ -84,7 +93,9 @@ class Mesh final : public TreePrimitive<Mesh> {
 
 }  // namespace
 
-std::unique_ptr<Shape> compile_mesh(const scene::Object& object) { return std::make_unique<Mesh>(object, *object.as<scene::Mesh>()); }
+std::unique_ptr<Shape> compile_mesh(const scene::Object& object) {
+  return std::make_unique<Mesh>(object, *object.as<scene::Mesh>());
+}
 Box3 mesh_box(const scene::Mesh& mesh) { return mesh_vertex_box(*mesh.data); }
 
 }  // namespace verisim::shapes

@@ -42,7 +42,8 @@ bool is_smooth(const scene::MeshData& data, const scene::MeshTriangle& t) {
   for (const std::uint32_t n : t.normal) {
     if (n >= data.normals.size()) return false;
   }
-  const Vec3 n1 = normalize(data.normals[t.normal[0]]), n2 = normalize(data.normals[t.normal[1]]), n3 = normalize(data.normals[t.normal[2]]);
+  const Vec3 n1 = normalize(data.normals[t.normal[0]]), n2 = normalize(data.normals[t.normal[1]]),
+             n3 = normalize(data.normals[t.normal[2]]);
   const Vec3 d2 = n1 - n2, d3 = n1 - n3;
   return dot(d2, d2) > 1e-10 || dot(d3, d3) > 1e-10;
 }
@@ -56,8 +57,10 @@ std::shared_ptr<const MeshGeometry> MeshGeometry::of(const std::shared_ptr<const
   static std::unordered_map<const scene::MeshData*, std::weak_ptr<const MeshGeometry>> known;
   const std::lock_guard lock(mutex);
   auto& slot = known[data.get()];
-  if (auto geometry = slot.lock()) return geometry;  // it keeps its data alive, so the address is still that of the same mesh
-  if (known.size() > 64) std::erase_if(known, [&](const auto& entry) { return entry.first != data.get() && entry.second.expired(); });
+  if (auto geometry = slot.lock())
+    return geometry;  // it keeps its data alive, so the address is still that of the same mesh
+  if (known.size() > 64)
+    std::erase_if(known, [&](const auto& entry) { return entry.first != data.get() && entry.second.expired(); });
   auto geometry = std::make_shared<const MeshGeometry>(data);
   known[data.get()] = geometry;
   return geometry;
@@ -115,8 +118,12 @@ bool MeshGeometry::smooth(std::uint32_t i) const { return is_smooth(*data_, sour
 Vec3 MeshGeometry::smooth_normal(std::uint32_t i, const Vec3& p) const {
   const scene::MeshTriangle& t = source(i);
   const auto c = corners(i);
-  const auto vertex_normal = [&](int k) { return f32(normalize(data_->normals[t.normal[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]])); };
-  const auto as_written = [&](int k) { return data_->vertices[t.vertex[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]]; };
+  const auto vertex_normal = [&](int k) {
+    return f32(normalize(data_->normals[t.normal[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]]));
+  };
+  const auto as_written = [&](int k) {
+    return data_->vertices[t.vertex[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]];
+  };
   const Vec3 w1 = as_written(0), w2 = as_written(1), w3 = as_written(2);
   // In the plane, 0 at P1 and 1 on the edge P2 P3; every step rounded, as probe 2 shows.
   Vec3 rise = f32(normalize(cross(plane_normal(w1, w2, w3), w3 - w2)));

@@ -10,7 +10,8 @@ namespace verisim::shapes {
 
 class MeshGeometry {
  public:
-  // What the hit test needs of one triangle, in binary32 as POV-Ray stores it. Corners are given in the two axes beside the dominant one.
+  // What the hit test needs of one triangle, in binary32 as POV-Ray stores it. Corners are given in the two axes beside
+  // the dominant one.
   struct Triangle {
     float normal[3], constant;
     float corner[3][2];
@@ -29,11 +30,13 @@ class MeshGeometry {
     const Triangle& tri = triangles_[i];
     const double nd = tri.normal[0] * direction.x + tri.normal[1] * direction.y + tri.normal[2] * direction.z;
     if (std::fabs(nd) < 1e-10) return -1;
-    const double t = -(tri.constant + (tri.normal[0] * origin.x + tri.normal[1] * origin.y + tri.normal[2] * origin.z)) / nd;
+    const double t =
+        -(tri.constant + (tri.normal[0] * origin.x + tri.normal[1] * origin.y + tri.normal[2] * origin.z)) / nd;
     if (!(t >= kNearest)) return -1;
     const int k = tri.axis(), first = k == 0 ? 1 : 0, second = k == 2 ? 1 : 2;
     const double s = origin[first] + t * direction[first], q = origin[second] + t * direction[second];
-    const double ax = tri.corner[0][0], ay = tri.corner[0][1], bx = tri.corner[1][0], by = tri.corner[1][1], cx = tri.corner[2][0], cy = tri.corner[2][1];
+    const double ax = tri.corner[0][0], ay = tri.corner[0][1], bx = tri.corner[1][0], by = tri.corner[1][1],
+                 cx = tri.corner[2][0], cy = tri.corner[2][1];
     if ((bx - s) * (by - ay) < (by - q) * (bx - ax)) return -1;
     if ((cx - s) * (cy - by) < (cy - q) * (cx - bx)) return -1;
     if ((ax - s) * (ay - cy) < (ay - q) * (ax - cx)) return -1;
@@ -50,7 +53,9 @@ class MeshGeometry {
   std::array<int, 3> corners(std::uint32_t i) const;
   Vec3 vertex(std::uint32_t i, int corner) const;  // rounded to binary32
   bool smooth(std::uint32_t i) const;
-  Vec3 flat_normal(std::uint32_t i) const { return {triangles_[i].normal[0], triangles_[i].normal[1], triangles_[i].normal[2]}; }
+  Vec3 flat_normal(std::uint32_t i) const {
+    return {triangles_[i].normal[0], triangles_[i].normal[1], triangles_[i].normal[2]};
+  }
   // Interpolated normal at a point of mesh space, not normalised.
   Vec3 smooth_normal(std::uint32_t i, const Vec3& p) const;
   Vec2 uv(std::uint32_t i, const Vec3& p) const;

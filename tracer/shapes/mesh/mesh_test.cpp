@@ -31,7 +31,9 @@ scene::MeshData single(const Vec3& a, const Vec3& b, const Vec3& c) {
   return d;
 }
 void expect_near(const Vec3& a, const Vec3& b, double tolerance = 2e-15) {
-  EXPECT_NEAR(a.x, b.x, tolerance); EXPECT_NEAR(a.y, b.y, tolerance); EXPECT_NEAR(a.z, b.z, tolerance);
+  EXPECT_NEAR(a.x, b.x, tolerance);
+  EXPECT_NEAR(a.y, b.y, tolerance);
+  EXPECT_NEAR(a.z, b.z, tolerance);
 }
 std::optional<Hit> trace(const Shape& s, const Vec3& o, const Vec3& d) {
   Hit hit;
@@ -71,7 +73,8 @@ TEST(Mesh, SmoothTriangle) {
 
 TEST(Mesh, SmoothTriangleTransformed) {
   auto m = mesh(smooth_corner());
-  m.transform = Transform::scaling({2, 1, 1}).then(Transform::rotation({0, 30, 0})).then(Transform::translation({1, 2, 3}));
+  m.transform =
+      Transform::scaling({2, 1, 1}).then(Transform::rotation({0, 30, 0})).then(Transform::translation({1, 2, 3}));
   const auto s = compile(m);
   const auto hit = trace(*s, {1.5, 2.3, -5}, {0, 0, 1});
   ASSERT_TRUE(hit);
@@ -138,7 +141,8 @@ TEST(Mesh, ACrossingThroughASharedEdgeCountsTwice) {
 
 TEST(Mesh, WeightsAreBarycentricUnlessTheTriangleIsTiny) {
   for (const double size : {1.0, 0.01, 0.003, 0.001, 0.0001}) {
-    const MeshGeometry g(std::make_shared<const scene::MeshData>(single({0, 0, 0}, {3 * size, 0, 0}, {0, 3 * size, 0})));
+    const MeshGeometry g(
+        std::make_shared<const scene::MeshData>(single({0, 0, 0}, {3 * size, 0, 0}, {0, 3 * size, 0})));
     const auto w = g.weights(0, {0.5625 * size, 0.75 * size, 0});
     const float sum = w[0] + w[1] + w[2];
     if (size >= 0.003) {
@@ -176,7 +180,8 @@ TEST(Mesh, TreeLosesNothing) {
     for (std::uint32_t i = 0; i < n; ++i) {
       for (std::uint32_t j = 0; j < n; ++j) {
         const std::uint32_t a = i * (n + 1) + j;
-        d.triangles.push_back(triangle(a, a + 1, a + n + 1)), d.triangles.push_back(triangle(a + 1, a + n + 2, a + n + 1));
+        d.triangles.push_back(triangle(a, a + 1, a + n + 1)),
+            d.triangles.push_back(triangle(a + 1, a + n + 2, a + n + 1));
       }
     }
     const MeshGeometry g(std::make_shared<const scene::MeshData>(d));
@@ -191,13 +196,14 @@ TEST(Mesh, TreeLosesNothing) {
       const Vec3 origin = target - distance * direction;
       int by_tree = 0, by_test = 0;
       double nearest_tree = 1e9, nearest_test = 1e9;
-      g.tree().traverse_leaves({origin, direction}, 0, 1e7, [&](std::uint32_t first, std::uint32_t count, double limit) {
-        for (std::uint32_t i = first; i < first + count; ++i) {
-          const double t = g.hit(i, origin, direction);
-          if (t >= 0) ++by_tree, nearest_tree = std::min(nearest_tree, t);
-        }
-        return limit;
-      });
+      g.tree().traverse_leaves({origin, direction}, 0, 1e7,
+                               [&](std::uint32_t first, std::uint32_t count, double limit) {
+                                 for (std::uint32_t i = first; i < first + count; ++i) {
+                                   const double t = g.hit(i, origin, direction);
+                                   if (t >= 0) ++by_tree, nearest_tree = std::min(nearest_tree, t);
+                                 }
+                                 return limit;
+                               });
       for (std::uint32_t i = 0; i < d.triangles.size(); ++i) {
         const double t = g.hit(i, origin, direction);
         if (t >= 0) ++by_test, nearest_test = std::min(nearest_test, t);

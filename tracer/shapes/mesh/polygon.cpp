@@ -1,4 +1,5 @@
-// polygon (spec 03 4.8): lies in z = 0 of a frame made from its first points. A polygon that is not flat to 1e-10, or too small, is never hit.
+// polygon (spec 03 4.8): lies in z = 0 of a frame made from its first points. A polygon that is not flat to 1e-10, or
+// too small, is never hit.
 #include <optional>
 
 #include "tracer/shapes/factories.h"

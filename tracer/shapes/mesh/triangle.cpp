@@ -25,7 +25,8 @@ Box3 box_of(const std::array<Vec3, 3>& p) {
 class Triangle final : public Primitive<Triangle> {
  public:
   // `n`: vertex normals, null for a flat triangle.
-  Triangle(const scene::Object& description, const std::array<Vec3, 3>& p, const std::array<Vec3, 3>* n) : Primitive(description, {box_of(p)}), p_(p) {
+  Triangle(const scene::Object& description, const std::array<Vec3, 3>& p, const std::array<Vec3, 3>* n)
+      : Primitive(description, {box_of(p)}), p_(p) {
     const Vec3 plane = cross(p[0] - p[1], p[2] - p[1]);
     degenerate_ = !(length(plane) > 0);
     if (degenerate_) return;
@@ -52,14 +53,17 @@ class Triangle final : public Primitive<Triangle> {
     guarded_ = has_guards(description);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
     if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     if (degenerate_) return 0;
     LaneHits met;
     lane_kernels().triangle(lanes_shape(), rays, t_min, t_max, met);
-    return take_hits(met, rays, *this, hits, [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
+    return take_hits(met, rays, *this, hits,
+                     [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
     if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     if (degenerate_) return 0;
     LaneHits met;

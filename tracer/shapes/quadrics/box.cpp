@@ -14,7 +14,8 @@ enum Face : std::int32_t { x_low, x_high, y_low, y_high, z_low, z_high };
 
 class Box final : public Primitive<Box> {
  public:
-  Box(const scene::Object& description, const Vec3& low, const Vec3& high) : Primitive(description, {Box3(low, high)}), low_(low), high_(high), guarded_(has_guards(description)) {}
+  Box(const scene::Object& description, const Vec3& low, const Vec3& high)
+      : Primitive(description, {Box3(low, high)}), low_(low), high_(high), guarded_(has_guards(description)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -27,19 +28,25 @@ class Box final : public Primitive<Box> {
       return;
     if (far < kNearest) return;
     if (near_face >= 0 && near > kNearest) {
-      const bool accepted = sink.add(near, [&] { return ray.origin + near * ray.direction; }, near_face);
+      const bool accepted = sink.add(
+          near, [&] { return ray.origin + near * ray.direction; }, near_face);
       if (Sink::kNearest && accepted) return;
     }
-    if (far_face >= 0) sink.add(far, [&] { return ray.origin + far * ray.direction; }, far_face);
+    if (far_face >= 0)
+      sink.add(
+          far, [&] { return ray.origin + far * ray.direction; }, far_face);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
     if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     LaneHits met;
     meet(rays, t_min, t_max, met);
-    return take_hits(met, rays, *this, hits, [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
+    return take_hits(met, rays, *this, hits,
+                     [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
     if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     LaneHits met;
     meet(rays, t_min, t_max, met);
@@ -48,7 +55,11 @@ class Box final : public Primitive<Box> {
 
   SimpleSolid simple() const override {
     if (guarded_) return {};
-    return {.form = SimpleSolid::Form::box, .inverted = inverted(), .matrix = has_matrix() ? &matrix() : nullptr, .a = low_, .b = high_};
+    return {.form = SimpleSolid::Form::box,
+            .inverted = inverted(),
+            .matrix = has_matrix() ? &matrix() : nullptr,
+            .a = low_,
+            .b = high_};
   }
 
   bool contains(const Vec3& point) const {
@@ -67,12 +78,18 @@ class Box final : public Primitive<Box> {
     const auto fraction = [&](int i) { return (p[i] - low_[i]) / (high_[i] - low_[i]); };
     const double a = fraction(0), b = fraction(1), c = fraction(2), third = 1.0 / 3;
     switch (hit.part) {
-      case x_low: return {c / 4, third + b / 3};
-      case x_high: return {0.75 - c / 4, third + b / 3};
-      case y_low: return {0.25 + a / 4, c / 3};
-      case y_high: return {0.25 + a / 4, 1 - c / 3};
-      case z_low: return {1 - a / 4, third + b / 3};
-      default: return {0.25 + a / 4, third + b / 3};
+      case x_low:
+        return {c / 4, third + b / 3};
+      case x_high:
+        return {0.75 - c / 4, third + b / 3};
+      case y_low:
+        return {0.25 + a / 4, c / 3};
+      case y_high:
+        return {0.25 + a / 4, 1 - c / 3};
+      case z_low:
+        return {1 - a / 4, third + b / 3};
+      default:
+        return {0.25 + a / 4, third + b / 3};
     }
   }
 
@@ -81,9 +98,11 @@ class Box final : public Primitive<Box> {
     lane_kernels().box(low_, high_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
   }
 
-  // Narrows near .. far by one axis. A later axis takes a face over when it wins clearly, or nearly ties and faces the ray more.
+  // Narrows near .. far by one axis. A later axis takes a face over when it wins clearly, or nearly ties and faces the
+  // ray more.
   template <int kAxis>
-  bool slab(const Vec3& o, const Vec3& d, double& near, double& far, std::int32_t& near_face, std::int32_t& far_face) const {
+  bool slab(const Vec3& o, const Vec3& d, double& near, double& far, std::int32_t& near_face,
+            std::int32_t& far_face) const {
     constexpr int i = kAxis;
     if (std::fabs(d[i]) <= kEpsilon) return o[i] >= low_[i] && o[i] <= high_[i];
     double enter = (low_[i] - o[i]) / d[i], leave = (high_[i] - o[i]) / d[i];

@@ -1,4 +1,5 @@
-// A few boxes, eight at a time against one ray or one point: what a tree would find, sooner. Compiled for several instruction sets; all find the same.
+// A few boxes, eight at a time against one ray or one point: what a tree would find, sooner. Compiled for several
+// instruction sets; all find the same.
 #pragma once
 
 #include <bit>
@@ -20,7 +21,8 @@ struct BoxKernels {
   // Bit i: the ray, whose direction has these reciprocals, meets box i between t_min and t_max.
   unsigned (*meet)(const EightBoxes& boxes, const Vec3& origin, const Vec3& reciprocal, double t_min, double t_max);
   // The same; near[i]: where it enters those.
-  unsigned (*meet_at)(const EightBoxes& boxes, const Vec3& origin, const Vec3& reciprocal, double t_min, double t_max, double* near);
+  unsigned (*meet_at)(const EightBoxes& boxes, const Vec3& origin, const Vec3& reciprocal, double t_min, double t_max,
+                      double* near);
   // Bit i: box i contains p.
   unsigned (*around)(const EightBoxes& boxes, const Vec3& p);
 };
@@ -33,7 +35,8 @@ class BoxSet {
   static constexpr std::size_t kMost = 32;
 
   BoxSet();
-  // Not empty and not unbounded ones, kMost of them at most. Like the boxes of a tree, they are taken a little larger than they are.
+  // Not empty and not unbounded ones, kMost of them at most. Like the boxes of a tree, they are taken a little larger
+  // than they are.
   explicit BoxSet(std::span<const Box3> boxes);
   bool empty() const { return blocks_.empty(); }
 
@@ -41,17 +44,20 @@ class BoxSet {
   std::uint32_t meet(const Ray& ray, double t_min, double t_max) const {
     const Vec3 inverse = reciprocal(ray.direction);
     std::uint32_t met = 0;
-    for (std::size_t n = 0; n < blocks_.size(); ++n) met |= std::uint32_t{kernels_->meet(blocks_[n], ray.origin, inverse, t_min, t_max)} << 8 * n;
+    for (std::size_t n = 0; n < blocks_.size(); ++n)
+      met |= std::uint32_t{kernels_->meet(blocks_[n], ray.origin, inverse, t_min, t_max)} << 8 * n;
     return met & all_;
   }
-  // Calls visit(box, t_max) -> t_max for the boxes that a ray meets between t_min and t_max, from near to far, as a tree does.
+  // Calls visit(box, t_max) -> t_max for the boxes that a ray meets between t_min and t_max, from near to far, as a
+  // tree does.
   template <class Visit>
   void traverse(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
     if (!is_ray(ray)) return;
     const Vec3 inverse = reciprocal(ray.direction);
     alignas(64) double near[kMost];
     std::uint32_t met = 0;
-    for (std::size_t n = 0; n < blocks_.size(); ++n) met |= std::uint32_t{kernels_->meet_at(blocks_[n], ray.origin, inverse, t_min, t_max, near + 8 * n)} << 8 * n;
+    for (std::size_t n = 0; n < blocks_.size(); ++n)
+      met |= std::uint32_t{kernels_->meet_at(blocks_[n], ray.origin, inverse, t_min, t_max, near + 8 * n)} << 8 * n;
     met &= all_;
     while (met != 0) {
       int next = std::countr_zero(met);
@@ -79,7 +85,9 @@ class BoxSet {
 
  private:
   // Other numbers would defeat the comparisons.
-  static bool is_ray(const Ray& ray) { return dot(ray.origin, ray.origin) + dot(ray.direction, ray.direction) < std::numeric_limits<double>::infinity(); }
+  static bool is_ray(const Ray& ray) {
+    return dot(ray.origin, ray.origin) + dot(ray.direction, ray.direction) < std::numeric_limits<double>::infinity();
+  }
   static Vec3 reciprocal(const Vec3& direction) {
     constexpr double kHuge = 1e300;  // in the place of infinity, which times 0 would be no number
     const auto of = [](double d) { return d > 1 / kHuge || d < -1 / kHuge ? 1 / d : kHuge; };

@@ -21,7 +21,8 @@ TEST(BoxSet, FindsTheBoxesOfARayAndOfAPoint) {
   for (int round = 0; round < 2000; ++round) {
     std::vector<Box3> boxes(1 + static_cast<std::size_t>(round) % BoxSet::kMost);
     for (Box3& box : boxes) {
-      const Vec3 middle = anywhere(), half = Vec3(std::fabs(unit(random)), std::fabs(unit(random)), std::fabs(unit(random))) * 0.3;
+      const Vec3 middle = anywhere(),
+                 half = Vec3(std::fabs(unit(random)), std::fabs(unit(random)), std::fabs(unit(random))) * 0.3;
       box = {middle - half, middle + (round % 7 == 0 ? -half : half)};  // some are flat points
     }
     const BoxSet set(boxes);
@@ -86,11 +87,14 @@ TEST(BoxSet, IsTheSameWithAllInstructionSets) {
   for (int round = 0; round < 3000; ++round) {
     EightBoxes boxes;
     for (int axis = 0; axis < 3; ++axis)
-      for (int i = 0; i < 8; ++i) boxes.low[axis][i] = unit(random), boxes.high[axis][i] = boxes.low[axis][i] + std::fabs(unit(random));
-    Vec3 origin(unit(random), unit(random), unit(random)), reciprocal(1 / unit(random), 1 / unit(random), 1 / unit(random));
+      for (int i = 0; i < 8; ++i)
+        boxes.low[axis][i] = unit(random), boxes.high[axis][i] = boxes.low[axis][i] + std::fabs(unit(random));
+    Vec3 origin(unit(random), unit(random), unit(random)),
+        reciprocal(1 / unit(random), 1 / unit(random), 1 / unit(random));
     if (round % 3 == 0) (round % 2 ? origin : reciprocal)[round / 3 % 3] = kStrange[random() % std::size(kStrange)];
     for (int set = 1; set <= textures::best_instruction_set(); ++set) {
-      ASSERT_EQ(box_kernels(set)->meet(boxes, origin, reciprocal, 0, 2e10), box_kernels(0)->meet(boxes, origin, reciprocal, 0, 2e10));
+      ASSERT_EQ(box_kernels(set)->meet(boxes, origin, reciprocal, 0, 2e10),
+                box_kernels(0)->meet(boxes, origin, reciprocal, 0, 2e10));
       alignas(64) double near[8], plain[8];
       const unsigned met = box_kernels(set)->meet_at(boxes, origin, reciprocal, 0, 2e10, near);
       ASSERT_EQ(met, box_kernels(0)->meet_at(boxes, origin, reciprocal, 0, 2e10, plain));

@@ -1,5 +1,6 @@
-// cone and cylinder (spec 03 4.3). Both are kept in a standard frame: a cylinder has radius 1 and z from 0 to 1; a cone has its tip at the origin and
-// its wide end, of radius 1, at z = 1; the narrow end is at z = `narrow` (negative for a double cone).
+// cone and cylinder (spec 03 4.3). Both are kept in a standard frame: a cylinder has radius 1 and z from 0 to 1; a cone
+// has its tip at the origin and its wide end, of radius 1, at z = 1; the narrow end is at z = `narrow` (negative for a
+// double cone).
 #include "tracer/shapes/quadrics/cone.h"
 
 #include <algorithm>
@@ -24,7 +25,11 @@ enum Part : std::int32_t { wall, narrow_cap, wide_cap };
 class Cone final : public Primitive<Cone> {
  public:
   Cone(const scene::Object& description, const scene::Cone& c)
-      : Primitive(description, {cone_box(c)}), cylinder_(cone_is_cylinder(c)), open_(c.open), guarded_(has_guards(description)), narrow_(narrow_end(c)) {}
+      : Primitive(description, {cone_box(c)}),
+        cylinder_(cone_is_cylinder(c)),
+        open_(c.open),
+        guarded_(has_guards(description)),
+        narrow_(narrow_end(c)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -33,7 +38,8 @@ class Cone final : public Primitive<Cone> {
     const auto report = [&](double t, Part part) {
       if (!(t > kNearest && t < kFarthest)) return;
       const double depth = t / l.scale;
-      sink.add(depth, [&] { return ray.origin + depth * ray.direction; }, part);
+      sink.add(
+          depth, [&] { return ray.origin + depth * ray.direction; }, part);
     };
     const auto report_wall = [&](double t) {
       const double z = o.z + t * d.z;
@@ -53,7 +59,8 @@ class Cone final : public Primitive<Cone> {
         }
       }
     } else {
-      const double a = d.x * d.x + d.y * d.y - d.z * d.z, b = o.x * d.x + o.y * d.y - o.z * d.z, c = o.x * o.x + o.y * o.y - o.z * o.z;
+      const double a = d.x * d.x + d.y * d.y - d.z * d.z, b = o.x * d.x + o.y * d.y - o.z * d.z,
+                   c = o.x * o.x + o.y * o.y - o.z * o.z;
       if (std::fabs(a) < kEpsilon) {
         if (std::fabs(b) > kEpsilon) report_wall(-0.5 * c / b);
       } else {
@@ -75,13 +82,16 @@ class Cone final : public Primitive<Cone> {
     report_cap(narrow_, cylinder_ ? 1 : narrow_ * narrow_, narrow_cap);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
     if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     LaneHits met;
     meet(rays, t_min, t_max, met);
-    return take_hits(met, rays, *this, hits, [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
+    return take_hits(met, rays, *this, hits,
+                     [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
     if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     LaneHits met;
     meet(rays, t_min, t_max, met);
@@ -90,7 +100,12 @@ class Cone final : public Primitive<Cone> {
 
   SimpleSolid simple() const override {
     if (guarded_) return {};
-    return {.form = SimpleSolid::Form::cone, .inverted = inverted(), .cylinder = cylinder_, .open = open_, .matrix = has_matrix() ? &matrix() : nullptr, .c = narrow_};
+    return {.form = SimpleSolid::Form::cone,
+            .inverted = inverted(),
+            .cylinder = cylinder_,
+            .open = open_,
+            .matrix = has_matrix() ? &matrix() : nullptr,
+            .c = narrow_};
   }
 
   bool contains(const Vec3& point) const {
@@ -132,7 +147,8 @@ Transform cone_frame(const scene::Cone& c) {
     return frame_along(c.cap, axis * (1.0 / len), std::max(c.base_radius, c.cap_radius), len);
   }
   const Vec3 wide = cap_is_wide ? c.cap : c.base, narrow = cap_is_wide ? c.base : c.cap;
-  const double wide_radius = std::max(c.base_radius, c.cap_radius), narrow_radius = std::min(c.base_radius, c.cap_radius);
+  const double wide_radius = std::max(c.base_radius, c.cap_radius),
+               narrow_radius = std::min(c.base_radius, c.cap_radius);
   const double len = length(wide - narrow);
   const Vec3 axis = (wide - narrow) * (1.0 / len);
   const double beyond = narrow_radius * len / (wide_radius - narrow_radius);  // from the tip to the narrow end

@@ -12,7 +12,8 @@ class Disc final : public Primitive<Disc> {
  public:
   Disc(const scene::Object& description, const scene::Disc& d)
       : Primitive(description, {Box3(Vec3(-d.radius, -d.radius, -1e-9), Vec3(d.radius, d.radius, 1e-9)), false}),
-        hole2_(d.hole * d.hole), radius2_(d.radius * d.radius) {}
+        hole2_(d.hole * d.hole),
+        radius2_(d.radius * d.radius) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {

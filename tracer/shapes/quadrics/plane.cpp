@@ -9,7 +9,8 @@ namespace {
 
 class Plane final : public Primitive<Plane> {
  public:
-  Plane(const scene::Object& description, const scene::Plane& p) : Primitive(description, {everywhere(), false}), normal_(p.normal), distance_(p.distance) {}
+  Plane(const scene::Object& description, const scene::Plane& p)
+      : Primitive(description, {everywhere(), false}), normal_(p.normal), distance_(p.distance) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -22,7 +23,11 @@ class Plane final : public Primitive<Plane> {
 
   SimpleSolid simple() const override {
     if (guards()) return {};
-    return {.form = SimpleSolid::Form::plane, .inverted = inverted(), .matrix = has_matrix() ? &matrix() : nullptr, .a = normal_, .c = distance_};
+    return {.form = SimpleSolid::Form::plane,
+            .inverted = inverted(),
+            .matrix = has_matrix() ? &matrix() : nullptr,
+            .a = normal_,
+            .c = distance_};
   }
 
   bool contains(const Vec3& p) const { return dot(local(p), normal_) - distance_ < kEpsilon; }
@@ -35,6 +40,8 @@ class Plane final : public Primitive<Plane> {
 
 }  // namespace
 
-std::unique_ptr<Shape> compile_plane(const scene::Object& object) { return std::make_unique<Plane>(object, *object.as<scene::Plane>()); }
+std::unique_ptr<Shape> compile_plane(const scene::Object& object) {
+  return std::make_unique<Plane>(object, *object.as<scene::Plane>());
+}
 
 }  // namespace verisim::shapes

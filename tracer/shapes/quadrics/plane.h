@@ -10,6 +10,8 @@ namespace verisim::shapes {
 inline constexpr double kNearestPlane = 1e-6, kFarthestPlane = 1e7;
 
 // `slope`: normal . direction; `t`: (distance - normal . origin) / slope.
-inline bool meets_plane(double slope, double t) { return !(std::fabs(slope) < kEpsilon) && t >= kNearestPlane && t <= kFarthestPlane; }
+inline bool meets_plane(double slope, double t) {
+  return !(std::fabs(slope) < kEpsilon) && t >= kNearestPlane && t <= kFarthestPlane;
+}
 
 }  // namespace verisim::shapes

@@ -80,13 +80,16 @@ TEST_P(PlaneKernel, MeetsAPlaneWithEightRaysAsWithEach) {
     EightPlanes planes;  // but for one they are met by nothing
     const int i = round % 8, first = round % 9;
     const Vec3 n = round % 5 ? normalize(random_vector(1)) : Vec3(0, 1, 0);
-    planes.x[i] = n.x, planes.y[i] = n.y, planes.z[i] = n.z, planes.distance[i] = random_vector(2).x, planes.side[i] = round % 3 ? 1 : -1;
+    planes.x[i] = n.x, planes.y[i] = n.y, planes.z[i] = n.z, planes.distance[i] = random_vector(2).x,
+    planes.side[i] = round % 3 ? 1 : -1;
     const Vec3 corner = random_vector(2);
-    const Box3 box(corner - Vec3(1, 2, 1), corner + Vec3(1, 1, round % 4 ? 1 : std::numeric_limits<double>::infinity()));
+    const Box3 box(corner - Vec3(1, 2, 1),
+                   corner + Vec3(1, 1, round % 4 ? 1 : std::numeric_limits<double>::infinity()));
     RayRow rays{};
     alignas(64) double doubt[8], t[8], enter[8], leave[8], near[8], far[8];
     for (int k = 0; k < 8; ++k) {
-      rays.origin.set(first + k, random_vector(3)), rays.direction.set(first + k, (round + k) % 7 ? normalize(random_vector(1)) : Vec3(0, 0, 1));
+      rays.origin.set(first + k, random_vector(3)),
+          rays.direction.set(first + k, (round + k) % 7 ? normalize(random_vector(1)) : Vec3(0, 0, 1));
       doubt[k] = 1e-6 * (k + 1), enter[k] = near[k] = 1e-4, leave[k] = far[k] = k == 3 ? 1 : 1e7;
     }
     const unsigned met = kernels->meet_row(planes, i, rays, first, doubt, t, enter, leave);
@@ -132,7 +135,9 @@ TEST(PlaneSet, KnowsOutsideOfManyPlanesBothWaysRound) {
     const Vec3 p = random_vector(2);
     const std::uint64_t outside = set.outside(p);
     for (std::size_t k = 0; k < planes.size(); ++k)
-      ASSERT_EQ(outside >> k & 1, (dot(p, planes[k].first.normal) - planes[k].first.distance < kEpsilon) == planes[k].second) << k;
+      ASSERT_EQ(outside >> k & 1,
+                (dot(p, planes[k].first.normal) - planes[k].first.distance < kEpsilon) == planes[k].second)
+          << k;
   }
 }
 
@@ -185,7 +190,8 @@ TEST(HalfSpaces, RandomPolytopesLieInTheirBoxes) {
   int inside = 0, finite = 0;
   for (int round = 0; round < 300; ++round) {
     std::vector<HalfSpace> planes;
-    for (int k = 0; k < 3 + round % 7; ++k) planes.push_back({normalize(random_vector(1)), 0.3 + std::fabs(random_vector(1).x)});
+    for (int k = 0; k < 3 + round % 7; ++k)
+      planes.push_back({normalize(random_vector(1)), 0.3 + std::fabs(random_vector(1).x)});
     Box3 known = everywhere();
     if (round % 2) known.max.y = 1.5;
     const Box3 box = narrowed(known, planes);

@@ -28,7 +28,8 @@ void solve(double a, double b, double most, double& low, double& high) {
   double from = -kInfinity, to = kInfinity;
   if (a > 0) {
     const double middle = -b / (2 * a), half2 = most / a + middle * middle;
-    const double doubt = 1e-12 * (std::fabs(most / a) + middle * middle);  // the root of a small difference is not small
+    const double doubt =
+        1e-12 * (std::fabs(most / a) + middle * middle);  // the root of a small difference is not small
     const double half = std::sqrt(std::max(half2, 0.0) + doubt);
     from = middle - half, to = middle + half;
   } else if (a == 0 && b != 0) {
@@ -48,7 +49,8 @@ Box3 narrowed(const Box3& known, const scene::Quadric& q) {
   for (int round = 0; round < 3; ++round) {
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
-      const double others = least(q.square[j], q.linear[j], box.min[j], box.max[j]) + least(q.square[k], q.linear[k], box.min[k], box.max[k]);
+      const double others = least(q.square[j], q.linear[j], box.min[j], box.max[j]) +
+                            least(q.square[k], q.linear[k], box.min[k], box.max[k]);
       solve(q.square[i], q.linear[i], -q.constant - others, box.min[i], box.max[i]);
     }
   }

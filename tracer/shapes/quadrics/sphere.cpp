@@ -19,8 +19,13 @@ Box3 box_of(const scene::Sphere& s) {
 class Sphere final : public Primitive<Sphere> {
  public:
   Sphere(const scene::Object& description, const scene::Sphere& s)
-      : Primitive(description, {box_of(s)}), center_(s.center), radius_(s.radius), inverse_radius_(1 / s.radius), radius2_(s.radius * s.radius),
-        uv_transform_(std::make_unique<Transform>(description.uv_transform.value_or(Transform{}))), guarded_(has_guards(description)) {}
+      : Primitive(description, {box_of(s)}),
+        center_(s.center),
+        radius_(s.radius),
+        inverse_radius_(1 / s.radius),
+        radius2_(s.radius * s.radius),
+        uv_transform_(std::make_unique<Transform>(description.uv_transform.value_or(Transform{}))),
+        guarded_(has_guards(description)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -43,7 +48,8 @@ class Sphere final : public Primitive<Sphere> {
     }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const override {
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
     if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     LaneHits met;
     meet(rays, t_min, t_max, met);
@@ -53,7 +59,8 @@ class Sphere final : public Primitive<Sphere> {
       return world(l.origin + met.local[k] * l.direction);
     });
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
     if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
     LaneHits met;
     meet(rays, t_min, t_max, met);
@@ -62,7 +69,11 @@ class Sphere final : public Primitive<Sphere> {
 
   SimpleSolid simple() const override {
     if (guarded_) return {};
-    return {.form = SimpleSolid::Form::sphere, .inverted = inverted(), .matrix = has_matrix() ? &matrix() : nullptr, .a = center_, .c = radius2_};
+    return {.form = SimpleSolid::Form::sphere,
+            .inverted = inverted(),
+            .matrix = has_matrix() ? &matrix() : nullptr,
+            .a = center_,
+            .c = radius2_};
   }
 
   bool contains(const Vec3& p) const { return distance2(p) < radius2_; }
@@ -75,7 +86,8 @@ class Sphere final : public Primitive<Sphere> {
   }
 
   Vec2 uv(const Hit& hit) const override {
-    return spherical_uv(normalize(uv_transform_->inverse_point(hit.point) - uv_transform_->inverse_point(world(center_))));
+    return spherical_uv(
+        normalize(uv_transform_->inverse_point(hit.point) - uv_transform_->inverse_point(world(center_))));
   }
 
  private:
@@ -108,6 +120,8 @@ class Sphere final : public Primitive<Sphere> {
 
 }  // namespace
 
-std::unique_ptr<Shape> compile_sphere(const scene::Object& object) { return std::make_unique<Sphere>(object, *object.as<scene::Sphere>()); }
+std::unique_ptr<Shape> compile_sphere(const scene::Object& object) {
+  return std::make_unique<Sphere>(object, *object.as<scene::Sphere>());
+}
 
 }  // namespace verisim::shapes

@@ -1,8 +1,9 @@
 // lathe (spec 03 4.15): a profile (radius X(w), height Y(w)) turned about the y axis.
 //
-// With r = dx^2 + dz^2, m = dx px + dz pz, c = px^2 + pz^2 a ray meets a segment where r (Y - py)^2 + 2 dy m (Y - py) + dy^2 (c - X^2) = 0. The roots
-// are found in Bernstein form and polished on the two original equations, Y = py + dy t and r t^2 + 2 m t + c = X^2, which stay well-conditioned
-// for nearly horizontal rays (where POV-Ray's roots are noisy or lost: section 8).
+// With r = dx^2 + dz^2, m = dx px + dz pz, c = px^2 + pz^2 a ray meets a segment where r (Y - py)^2 + 2 dy m (Y - py) +
+// dy^2 (c - X^2) = 0. The roots are found in Bernstein form and polished on the two original equations, Y = py + dy t
+// and r t^2 + 2 m t + c = X^2, which stay well-conditioned for nearly horizontal rays (where POV-Ray's roots are noisy
+// or lost: section 8).
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -33,10 +34,12 @@ std::vector<CurveSegment> segments_of(const scene::Lathe& lathe) {
       for (std::size_t i = 0; i + 2 < n; ++i) segments.push_back(CurveSegment::quadratic(p[i], p[i + 1], p[i + 2]));
       break;
     case scene::SplineKind::bezier:
-      for (std::size_t i = 0; i + 3 < n; i += 4) segments.push_back(CurveSegment::bezier(p[i], p[i + 1], p[i + 2], p[i + 3]));
+      for (std::size_t i = 0; i + 3 < n; i += 4)
+        segments.push_back(CurveSegment::bezier(p[i], p[i + 1], p[i + 2], p[i + 3]));
       break;
     default:
-      for (std::size_t i = 0; i + 3 < n; ++i) segments.push_back(CurveSegment::cubic(p[i], p[i + 1], p[i + 2], p[i + 3]));
+      for (std::size_t i = 0; i + 3 < n; ++i)
+        segments.push_back(CurveSegment::cubic(p[i], p[i + 1], p[i + 2], p[i + 3]));
   }
   return segments;
 }
@@ -65,20 +68,23 @@ struct Range {
 
 class Lathe final : public Primitive<Lathe> {
  public:
-  Lathe(const scene::Object& description, const scene::Lathe& lathe) : Primitive(description, {lathe_box(lathe)}), range_(lathe) {
+  Lathe(const scene::Object& description, const scene::Lathe& lathe)
+      : Primitive(description, {lathe_box(lathe)}), range_(lathe) {
     for (const CurveSegment& s : segments_of(lathe)) {
       Segment segment{s, 0, 0};
       s.extremes(height, segment.y_low, segment.y_high);
       double x0, x1;
       s.extremes(radius, x0, x1);
-      const double least = x0 <= 0 && x1 >= 0 ? 0 : std::min(std::fabs(x0), std::fabs(x1)), most = std::max(std::fabs(x0), std::fabs(x1));
+      const double least = x0 <= 0 && x1 >= 0 ? 0 : std::min(std::fabs(x0), std::fabs(x1)),
+                   most = std::max(std::fabs(x0), std::fabs(x1));
       const std::size_t lane = segments_.size() % 8;
       if (lane == 0) {
         blocks_.emplace_back();
         std::fill_n(blocks_.back().y_low, 8, HUGE_VAL), std::fill_n(blocks_.back().y_high, 8, -HUGE_VAL);
       }
       EightSegments& block = blocks_.back();
-      block.y_low[lane] = segment.y_low, block.y_high[lane] = segment.y_high, block.low2[lane] = least * least, block.high2[lane] = most * most;
+      block.y_low[lane] = segment.y_low, block.y_high[lane] = segment.y_high, block.low2[lane] = least * least,
+      block.high2[lane] = most * most;
       segments_.push_back(segment);
     }
   }
@@ -113,12 +119,16 @@ class Lathe final : public Primitive<Lathe> {
       }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max, Hit* hits) const override {
-    return nearest_of_lanes(rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max,
+                           Hit* hits) const override {
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min,
+                          const double* t_max) const override {
     Hit hit;
-    return nearest_of_lanes(rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
   bool contains(const Vec3& point) const {
@@ -162,7 +172,8 @@ class Lathe final : public Primitive<Lathe> {
     if (!(std::fabs(l.direction.y) > 0)) y0 = y1 = l.origin.y;
     if (y0 > y1) std::swap(y0, y1);
     LathePassage p{y0, y1, slack(), r, m, c, l.origin.y, near, far};
-    if (std::fabs(l.direction.y) > kSteep) p.inverse = 1 / l.direction.y, p.turn = r > 1e-20 ? -m / r : 0, p.doubt = 1e-5 * outer2() + 1e-9 * (c + m * m);
+    if (std::fabs(l.direction.y) > kSteep)
+      p.inverse = 1 / l.direction.y, p.turn = r > 1e-20 ? -m / r : 0, p.doubt = 1e-5 * outer2() + 1e-9 * (c + m * m);
     return p;
   }
 
@@ -170,7 +181,9 @@ class Lathe final : public Primitive<Lathe> {
   double slack() const { return 1e-9 * (range_.y_high - range_.y_low); }
   template <class Sink>
   static void add(const Ray& ray, double depth, std::size_t segment, double w, Sink& sink) {
-    if (depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; }, static_cast<std::int32_t>(segment), w);
+    if (depth > kNearest && depth < kFarthest)
+      sink.add(
+          depth, [&] { return ray.origin + depth * ray.direction; }, static_cast<std::int32_t>(segment), w);
   }
 
   template <class HitOf>
@@ -198,7 +211,8 @@ class Lathe final : public Primitive<Lathe> {
         if (any && sinks[k]->found()) open &= ~(1u << k);
       };
       each_lane(beside & horizontal, [&](int k) {
-        Solver{locals[k], lanes.r[k], lanes.m[k], lanes.c[k]}.segment(s.curve, [&](double w, double t) { report(k, w, t); });
+        Solver{locals[k], lanes.r[k], lanes.m[k], lanes.c[k]}.segment(s.curve,
+                                                                      [&](double w, double t) { report(k, w, t); });
       });
       if ((beside & ~horizontal) != 0) follow(s.curve, beside & ~horizontal, lanes, locals, report, open);
     }
@@ -207,7 +221,8 @@ class Lathe final : public Primitive<Lathe> {
   }
   // The roots of a segment for several rays; those that are no longer open are left alone.
   template <class Report>
-  static void follow(const CurveSegment& curve, unsigned rays, const LatheLanes& lanes, const LocalRay* locals, Report&& report, const unsigned& open) {
+  static void follow(const CurveSegment& curve, unsigned rays, const LatheLanes& lanes, const LocalRay* locals,
+                     Report&& report, const unsigned& open) {
     RootLanes roots;
     lathe_kernels().follow(curve, lanes, roots);
     unsigned more = bernstein_kernels().begin(2 * curve.degree, rays, roots);
@@ -232,7 +247,8 @@ class Lathe final : public Primitive<Lathe> {
       const double py = l.origin.y, dy = l.direction.y;
       double roots[kMaxBernsteinDegree];
       if (std::fabs(dy) < kNearlyHorizontal) {
-        // The height hardly changes within the body: start from where the profile has the height of the middle of the chord.
+        // The height hardly changes within the body: start from where the profile has the height of the middle of the
+        // chord.
         const double middle = r > 0 ? -m / r : 0;
         const int n = s.solve(height, py + dy * middle, roots);
         for (int i = 0; i < n; ++i) {
@@ -253,10 +269,13 @@ class Lathe final : public Primitive<Lathe> {
       for (int i = 0; i <= k; ++i) {
         power[i] += 2 * dy * m * y[i];
         for (int j = 0; j <= k; ++j)
-          power[i + j] += r * y[i] * y[j] - dy * dy * s.c[static_cast<std::size_t>(i)].x * s.c[static_cast<std::size_t>(j)].x;
+          power[i + j] +=
+              r * y[i] * y[j] - dy * dy * s.c[static_cast<std::size_t>(i)].x * s.c[static_cast<std::size_t>(j)].x;
       }
       power[0] += dy * dy * c;
-      const int n = k == 1 ? bernstein_roots<2>(power, 0, 1, roots) : k == 2 ? bernstein_roots<4>(power, 0, 1, roots) : bernstein_roots<6>(power, 0, 1, roots);
+      const int n = k == 1   ? bernstein_roots<2>(power, 0, 1, roots)
+                    : k == 2 ? bernstein_roots<4>(power, 0, 1, roots)
+                             : bernstein_roots<6>(power, 0, 1, roots);
       for (int i = 0; i < n; ++i) {
         double w = roots[i], t = (s.value(height, w) - py) / dy;
         polish(s, w, t);
@@ -284,7 +303,8 @@ class Lathe final : public Primitive<Lathe> {
         residual(w1, t1, f, g);
         if (std::fabs(dw) < 1e-15) break;
       }
-      if (std::fabs(w1 - w) < 0.1 && std::isfinite(t1) && w1 > -1e-6 && w1 < 1 + 1e-6) w = std::clamp(w1, 0.0, 1.0), t = t1;
+      if (std::fabs(w1 - w) < 0.1 && std::isfinite(t1) && w1 > -1e-6 && w1 < 1 + 1e-6)
+        w = std::clamp(w1, 0.0, 1.0), t = t1;
     }
   };
 

@@ -14,7 +14,8 @@ struct alignas(64) LatheLanes {
   Lane y0, y1;   // the heights that a ray passes within the largest radius
 };
 
-// Eight segments of a profile: their heights and squared radii. Behind the last one of a profile stand segments that nothing meets.
+// Eight segments of a profile: their heights and squared radii. Behind the last one of a profile stand segments that
+// nothing meets.
 struct alignas(64) EightSegments {
   using Lane = double[8];
   Lane y_low, y_high, low2, high2;
@@ -22,12 +23,14 @@ struct alignas(64) EightSegments {
 // One ray within the largest radius, between the distances near and far.
 struct LathePassage {
   double y0, y1, slack;  // the heights that it passes
-  // Its squared distance from the axis is (r t + 2 m) t + c, at t = (y - height) inverse: lowest at `turn`, known to `doubt`. inverse 0: it is too level for that.
+  // Its squared distance from the axis is (r t + 2 m) t + c, at t = (y - height) inverse: lowest at `turn`, known to
+  // `doubt`. inverse 0: it is too level for that.
   double r, m, c, height, near, far, inverse = 0, turn = 0, doubt = 0;
 };
 
 struct LatheKernels {
-  // The segments that a ray may meet; of the others it is known that it passes them within or around or at other heights.
+  // The segments that a ray may meet; of the others it is known that it passes them within or around or at other
+  // heights.
   unsigned (*along)(const EightSegments& segments, const LathePassage& ray);
   // The lanes of `asked` that come within the squared distance `outer2` of the axis.
   unsigned (*begin)(double outer2, unsigned asked, LatheLanes& lanes);

@@ -1,5 +1,6 @@
-// Finds the pieces of a plane outline that may lie in a rectangle, for prisms and glyphs: their bounds are sorted into bands of both axes, as sets of bits.
-// A piece may meet the rectangle if along each axis it begins before the rectangle ends and ends after it begins, so four sets decide.
+// Finds the pieces of a plane outline that may lie in a rectangle, for prisms and glyphs: their bounds are sorted into
+// bands of both axes, as sets of bits. A piece may meet the rectangle if along each axis it begins before the rectangle
+// ends and ends after it begins, so four sets decide.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +21,8 @@ class OutlineIndex {
   OutlineIndex() = default;
   explicit OutlineIndex(std::span<const Rectangle> pieces);
 
-  // Calls visit(i) for every piece whose bounds overlap the rectangle (and for some that narrowly do not), i increasing. Numbers that are none: everywhere.
+  // Calls visit(i) for every piece whose bounds overlap the rectangle (and for some that narrowly do not), i
+  // increasing. Numbers that are none: everywhere.
   template <class Visit>
   void overlapping(const Rectangle& r, Visit&& visit) const {
     if (words_ == 0) return;
@@ -36,7 +38,8 @@ class OutlineIndex {
  private:
   static constexpr std::size_t kBands = 32;
 
-  // The band of a coordinate never falls as the coordinate grows, so bands of overlapping intervals overlap, however they are rounded.
+  // The band of a coordinate never falls as the coordinate grows, so bands of overlapping intervals overlap, however
+  // they are rounded.
   struct Axis {
     double low = 0, bands_per_unit = 0;
     std::size_t first(double v) const {

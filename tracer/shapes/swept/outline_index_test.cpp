@@ -9,7 +9,9 @@
 namespace verisim::shapes {
 namespace {
 
-bool overlap(const Rectangle& a, const Rectangle& b) { return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y; }
+bool overlap(const Rectangle& a, const Rectangle& b) {
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
+}
 
 std::vector<std::size_t> found(const OutlineIndex& index, const Rectangle& r) {
   std::vector<std::size_t> result;
@@ -61,7 +63,8 @@ TEST(OutlineIndex, NumbersThatAreNoneMeanEverything) {
 }
 
 TEST(OutlineIndex, OutlinesWithoutSizeOrWithoutEndAreFound) {
-  const std::vector<Rectangle> point{Rectangle(Vec2(2), Vec2(2))}, endless{Rectangle(Vec2(-HUGE_VAL), Vec2(HUGE_VAL)), Rectangle(Vec2(0), Vec2(1))};
+  const std::vector<Rectangle> point{Rectangle(Vec2(2), Vec2(2))},
+      endless{Rectangle(Vec2(-HUGE_VAL), Vec2(HUGE_VAL)), Rectangle(Vec2(0), Vec2(1))};
   EXPECT_EQ(found(OutlineIndex(point), Rectangle(Vec2(1), Vec2(3))).size(), 1u);
   EXPECT_EQ(found(OutlineIndex(endless), Rectangle(Vec2(0.5), Vec2(0.5))).size(), 2u);
   EXPECT_TRUE(found(OutlineIndex(), Rectangle(Vec2(1), Vec2(3))).empty());

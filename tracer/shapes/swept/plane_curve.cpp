@@ -59,7 +59,8 @@ Rectangle CurveSegment::bounds(double from, double to) const {
   // The four Bezier points of this stretch.
   const double h = to - from;
   const Vec2 q0 = ((c[3] * from + c[2]) * from + c[1]) * from + c[0];
-  const Vec2 q1 = h * ((3.0 * c[3] * from + 2.0 * c[2]) * from + c[1]), q2 = h * h * (3.0 * c[3] * from + c[2]), q3 = h * h * h * c[3];
+  const Vec2 q1 = h * ((3.0 * c[3] * from + 2.0 * c[2]) * from + c[1]), q2 = h * h * (3.0 * c[3] * from + c[2]),
+             q3 = h * h * h * c[3];
   Rectangle r(q0);
   r.extendBy(q0 + q1 / 3.0);
   r.extendBy(q0 + (2.0 * q1 + q2) / 3.0);

@@ -24,9 +24,10 @@ struct CurveSegment {
   Rectangle bounds(double from, double to) const;
 
   static CurveSegment linear(const Vec2& p0, const Vec2& p1);
-  static CurveSegment quadratic(const Vec2& p0, const Vec2& p1, const Vec2& p2);                  // from p1 to p2
-  static CurveSegment cubic(const Vec2& p0, const Vec2& p1, const Vec2& p2, const Vec2& p3);      // Catmull-Rom, from p1 to p2
-  static CurveSegment bezier(const Vec2& p0, const Vec2& p1, const Vec2& p2, const Vec2& p3);     // from p0 to p3
+  static CurveSegment quadratic(const Vec2& p0, const Vec2& p1, const Vec2& p2);  // from p1 to p2
+  static CurveSegment cubic(const Vec2& p0, const Vec2& p1, const Vec2& p2,
+                            const Vec2& p3);  // Catmull-Rom, from p1 to p2
+  static CurveSegment bezier(const Vec2& p0, const Vec2& p1, const Vec2& p2, const Vec2& p3);  // from p0 to p3
 };
 
 }  // namespace verisim::shapes

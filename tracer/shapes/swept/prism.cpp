@@ -78,8 +78,12 @@ std::vector<CurveSegment> segments_of(const scene::Prism& prism) {
 class Prism final : public Primitive<Prism> {
  public:
   Prism(const scene::Object& description, const scene::Prism& prism)
-      : Primitive(description, {prism_box(prism)}), conic_(prism.conic), open_(prism.open), low_(std::min(prism.low, prism.high)),
-        high_(std::max(prism.low, prism.high)), box_(prism_box(prism)) {
+      : Primitive(description, {prism_box(prism)}),
+        conic_(prism.conic),
+        open_(prism.open),
+        low_(std::min(prism.low, prism.high)),
+        high_(std::max(prism.low, prism.high)),
+        box_(prism_box(prism)) {
     const Vec3 pad = 1e-9 * (box_.max - box_.min) + Vec3(1e-12);
     box_.min -= pad, box_.max += pad;
     const std::vector<CurveSegment> curves = segments_of(prism);
@@ -94,7 +98,8 @@ class Prism final : public Primitive<Prism> {
       const std::size_t count = s.degree == 1 ? 1 : parts;
       for (std::size_t k = 0; k < count; ++k) {
         const auto w = [&](std::size_t at) { return static_cast<double>(at) / static_cast<double>(count); };
-        pieces_.push_back({segments_.size(), s.bounds(w(k), w(k + 1)), s.value(along_z, w(k)), s.value(along_z, w(k + 1))});
+        pieces_.push_back(
+            {segments_.size(), s.bounds(w(k), w(k + 1)), s.value(along_z, w(k)), s.value(along_z, w(k + 1))});
         bounds.push_back(pieces_.back().bounds);
       }
       segment.end_piece = pieces_.size();
@@ -109,7 +114,9 @@ class Prism final : public Primitive<Prism> {
     const Vec3 &o = l.origin, &d = l.direction;
     const auto report = [&](double t, std::int32_t part, double w) {
       const double depth = t / l.scale;
-      if (depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; }, part, w);
+      if (depth > kNearest && depth < kFarthest)
+        sink.add(
+            depth, [&] { return ray.origin + depth * ray.direction; }, part, w);
     };
     double enter = 0, leave = HUGE_VAL;
     if (!accel::clip_to_box({o, d}, box_, enter, leave)) return;
@@ -195,7 +202,8 @@ class Prism final : public Primitive<Prism> {
     Rectangle bounds;
     double z_begin, z_end;
   };
-  static constexpr std::size_t kPieces = 64, kMostParts = 16;  // of all curved segments together, if they are few; of one
+  static constexpr std::size_t kPieces = 64,
+                               kMostParts = 16;  // of all curved segments together, if they are few; of one
 
   // Whether the line nx x + nz z + n0 = 0 may pass through a piece's rectangle.
   static bool straddles(const Rectangle& r, double nx, double nz, double n0) {
@@ -214,7 +222,8 @@ class Prism final : public Primitive<Prism> {
     return Rectangle(r.min - Vec2(slack), r.max + Vec2(slack));
   }
 
-  // Even-odd count along +x. As in POV-Ray every segment owns both its ends, so a line exactly through a vertex counts it twice (spec 03 section 8).
+  // Even-odd count along +x. As in POV-Ray every segment owns both its ends, so a line exactly through a vertex counts
+  // it twice (spec 03 section 8).
   bool covers(double x, double z) const {
     if (x > outline_.max.x || x < outline_.min.x || z < outline_.min.y || z > outline_.max.y) return false;
     int count = 0;
@@ -228,8 +237,8 @@ class Prism final : public Primitive<Prism> {
     return count & 1;
   }
 
-  // How often a segment with z in its range is met by the line from a point along +x, up to even numbers. Only a piece whose bounds hold the point asks for roots: one to the right
-  // is met if its ends lie on different sides.
+  // How often a segment with z in its range is met by the line from a point along +x, up to even numbers. Only a piece
+  // whose bounds hold the point asks for roots: one to the right is met if its ends lie on different sides.
   int times_met(const Segment& s, double x, double z) const {
     if (s.curve.degree == 1) {
       const Piece& p = pieces_[s.first_piece];

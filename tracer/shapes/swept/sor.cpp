@@ -41,7 +41,8 @@ void measure(Segment& s) {
     roots[n++] = -c / b;
   }
   for (int i = 0; i < n; ++i)
-    if (roots[i] > s.low && roots[i] < s.high) s.least2 = std::min(s.least2, s.radius2(roots[i])), s.most2 = std::max(s.most2, s.radius2(roots[i]));
+    if (roots[i] > s.low && roots[i] < s.high)
+      s.least2 = std::min(s.least2, s.radius2(roots[i])), s.most2 = std::max(s.most2, s.radius2(roots[i]));
 }
 
 std::vector<Segment> segments_of(const scene::Sor& sor) {
@@ -116,8 +117,8 @@ class Sor final : public Primitive<Sor> {
       // radius^2(py + dy t) - (r t^2 + 2 m t + c), in powers of t - from.
       const Vec3 q = p + from * d;
       const double y = q.y, dy = d.y;
-      const double power[4] = {s.radius2(y) - (q.x * q.x + q.z * q.z), s.slope(y) * dy - 2 * (d.x * q.x + d.z * q.z), (3 * s.c[3] * y + s.c[2]) * dy * dy - r,
-                               s.c[3] * dy * dy * dy};
+      const double power[4] = {s.radius2(y) - (q.x * q.x + q.z * q.z), s.slope(y) * dy - 2 * (d.x * q.x + d.z * q.z),
+                               (3 * s.c[3] * y + s.c[2]) * dy * dy - r, s.c[3] * dy * dy * dy};
       double roots[3];
       const int n = bernstein_roots<3>(power, 0, to - from, roots);
       bool accepted = false;
@@ -126,12 +127,16 @@ class Sor final : public Primitive<Sor> {
     }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max, Hit* hits) const override {
-    return nearest_of_lanes(rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max,
+                           Hit* hits) const override {
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min,
+                          const double* t_max) const override {
     Hit hit;
-    return nearest_of_lanes(rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
   bool contains(const Vec3& point) const {
@@ -164,7 +169,9 @@ class Sor final : public Primitive<Sor> {
 
   template <class Sink>
   static bool add(const Ray& ray, double depth, std::int32_t part, Sink& sink) {
-    return depth > kNearest && depth < kFarthest && sink.add(depth, [&] { return ray.origin + depth * ray.direction; }, part);
+    return depth > kNearest && depth < kFarthest &&
+           sink.add(
+               depth, [&] { return ray.origin + depth * ray.direction; }, part);
   }
   template <class Report>
   void each_end(const LocalRay& l, Report&& report) const {
@@ -204,7 +211,8 @@ class Sor final : public Primitive<Sor> {
     return found;
   }
   // Segments from near to far, for each lane until it is hit.
-  void follow(const RayLanes& rays, unsigned open, bool downwards, SorLanes& lanes, std::optional<NearestHit>* sinks) const {
+  void follow(const RayLanes& rays, unsigned open, bool downwards, SorLanes& lanes,
+              std::optional<NearestHit>* sinks) const {
     RootLanes roots;
     for (std::size_t step = 0; step < segments_.size() && open != 0; ++step) {
       const std::size_t i = downwards ? segments_.size() - 1 - step : step;
@@ -214,7 +222,8 @@ class Sor final : public Primitive<Sor> {
         curved &= bernstein_kernels().next(3, curved, roots);
         each_lane(curved, [&](int k) {
           const double t = lanes.from[k] + roots.root[k];
-          if (add(rays.at(k), t / lanes.rays.scale[k], static_cast<std::int32_t>(i), *sinks[k])) curved &= ~(1u << k), open &= ~(1u << k);
+          if (add(rays.at(k), t / lanes.rays.scale[k], static_cast<std::int32_t>(i), *sinks[k]))
+            curved &= ~(1u << k), open &= ~(1u << k);
         });
       }
     }

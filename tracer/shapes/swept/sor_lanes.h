@@ -1,4 +1,5 @@
-// A surface of revolution along eight rays at once. Compiled for several instruction sets; every lane does what Sor::crossings does.
+// A surface of revolution along eight rays at once. Compiled for several instruction sets; every lane does what
+// Sor::crossings does.
 #pragma once
 
 #include <array>
@@ -19,16 +20,17 @@ struct SorSegment {
 struct alignas(64) SorLanes {
   using Lane = double[RayLanes::kCount];
   LocalLanes rays;
-  Lane r, m, c;     // the squared distance from the axis is r t^2 + 2 m t + c
-  Lane near, far;   // within the largest radius
-  Lane upper;       // how far each ray may still go
-  Lane from;        // where a ray enters a segment
+  Lane r, m, c;    // the squared distance from the axis is r t^2 + 2 m t + c
+  Lane near, far;  // within the largest radius
+  Lane upper;      // how far each ray may still go
+  Lane from;       // where a ray enters a segment
 };
 
 struct SorKernels {
   // The lanes of `asked` that come within the squared distance `around2` of the axis.
   unsigned (*begin)(double around2, double farthest, unsigned asked, SorLanes& lanes);
-  // The lanes of `asked` that may meet a segment, with their polynomials in powers of t - from; those for which it is too far are taken from `asked`.
+  // The lanes of `asked` that may meet a segment, with their polynomials in powers of t - from; those for which it is
+  // too far are taken from `asked`.
   unsigned (*enter)(const SorSegment& segment, unsigned& asked, SorLanes& lanes, RootLanes& roots);
 };
 

@@ -1,8 +1,9 @@
 // sphere_sweep (spec 03 4.18): a sphere whose centre and radius follow a spline.
 //
-// The body is the union of the spheres at the joints and, per segment, of the envelope of the moving sphere closed by two planes. A ray crosses the
-// envelope where |O + tD - C(u)|^2 = R(u)^2 and the derivative of that by u vanishes; eliminating t leaves a polynomial of degree 2 or 10 in u.
-// All crossings are sorted, and a nesting counter keeps those that enter or leave the union.
+// The body is the union of the spheres at the joints and, per segment, of the envelope of the moving sphere closed by
+// two planes. A ray crosses the envelope where |O + tD - C(u)|^2 = R(u)^2 and the derivative of that by u vanishes;
+// eliminating t leaves a polynomial of degree 2 or 10 in u. All crossings are sorted, and a nesting counter keeps those
+// that enter or leave the union.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,7 +58,8 @@ std::vector<Segment> segments_of(const scene::SphereSweep& sweep) {
   for (std::size_t i = 0; i + 3 < n; ++i) {
     const Vec4 &a = p[i], &b = p[i + 1], &c = p[i + 2], &d = p[i + 3];
     if (sweep.spline == scene::SplineKind::b_spline)
-      segments.push_back({{(a + b * 4.0 + c) / 6.0, (c - a) * 0.5, (a - b * 2.0 + c) * 0.5, (d - a + (b - c) * 3.0) / 6.0}, 3});
+      segments.push_back(
+          {{(a + b * 4.0 + c) / 6.0, (c - a) * 0.5, (a - b * 2.0 + c) * 0.5, (d - a + (b - c) * 3.0) / 6.0}, 3});
     else
       segments.push_back({{b, (c - a) * 0.5, a - b * 2.5 + c * 2.0 - d * 0.5, (d - a + (b - c) * 3.0) * 0.5}, 3});
   }
@@ -96,7 +98,8 @@ struct Crossing {
   bool enters;
 };
 
-// Where a ray may touch the side of a curved segment: at u, and at t unless the curve lies across the ray: then on both ends of the sphere's chord.
+// Where a ray may touch the side of a curved segment: at u, and at t unless the curve lies across the ray: then on both
+// ends of the sphere's chord.
 struct Touch {
   double u, t;
 };
@@ -137,7 +140,9 @@ struct Visit {
 class SphereSweep final : public Primitive<SphereSweep> {
  public:
   SphereSweep(const scene::Object& description, const scene::SphereSweep& sweep)
-      : Primitive(description, {box_of(segments_of(sweep))}), segments_(segments_of(sweep)), tolerance_(sweep.tolerance) {
+      : Primitive(description, {box_of(segments_of(sweep))}),
+        segments_(segments_of(sweep)),
+        tolerance_(sweep.tolerance) {
     std::vector<Box3> boxes;
     bool finite = true;
     for (const Segment& s : segments_) {
@@ -155,15 +160,20 @@ class SphereSweep final : public Primitive<SphereSweep> {
     report(l, all, sink);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max, Hit* hits) const override {
-    return nearest_of_lanes(rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max,
+                           Hit* hits) const override {
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min, const double* t_max) const override {
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min,
+                          const double* t_max) const override {
     Hit hit;
-    return nearest_of_lanes(rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
-  // As in POV-Ray: on the wall of some sphere of a segment, so a point inside all spheres of a short segment is missed (spec 03 4.18).
+  // As in POV-Ray: on the wall of some sphere of a segment, so a point inside all spheres of a short segment is missed
+  // (spec 03 4.18).
   bool contains(const Vec3& point) const {
     const Vec3 p = local(point);
     const auto covers = [&](std::size_t i) {
@@ -190,9 +200,12 @@ class SphereSweep final : public Primitive<SphereSweep> {
     const Segment& s = segments_[static_cast<std::size_t>(hit.part / 4)];
     const auto part = static_cast<Part>(hit.part % 4);
     Vec3 n;
-    if (part == start_plane) n = -center_of(s.slope(0));
-    else if (part == end_plane) n = center_of(s.slope(1));
-    else n = local(hit.point) - center_of(s.at(hit.u));
+    if (part == start_plane)
+      n = -center_of(s.slope(0));
+    else if (part == end_plane)
+      n = center_of(s.slope(1));
+    else
+      n = local(hit.point) - center_of(s.at(hit.u));
     return n == Vec3(0) ? Vec3(1, 0, 0) : world_normal(n);
   }
 
@@ -215,7 +228,8 @@ class SphereSweep final : public Primitive<SphereSweep> {
     all.sort([](const Crossing& a, const Crossing& b) { return a.t < b.t; });
     const auto add = [&](const Crossing& c) {
       if (!(c.t > tolerance_)) return;
-      sink.add(c.t / l.scale, [&] { return world(l.origin + c.t * l.direction); }, c.segment * 4 + c.part, c.u);
+      sink.add(
+          c.t / l.scale, [&] { return world(l.origin + c.t * l.direction); }, c.segment * 4 + c.part, c.u);
     };
     add(all[0]);
     int depth = 1;
@@ -306,8 +320,10 @@ class SphereSweep final : public Primitive<SphereSweep> {
     if (i > 0 && !tree_.empty()) joint_sphere(s.at(0), 0, index, l, all);
     plane(s, 0, index, l, all);
     plane(s, 1, index, l, all);
-    if (s.degree == 1) linear_side(s, index, l, all);
-    else curved_side(s, index, l, touches ? *touches : touches_of(s, l), all);
+    if (s.degree == 1)
+      linear_side(s, index, l, all);
+    else
+      curved_side(s, index, l, touches ? *touches : touches_of(s, l), all);
   }
 
   static bool sphere_chord(const Vec4& sphere, const LocalRay& l, double& near, double& far) {
@@ -319,7 +335,8 @@ class SphereSweep final : public Primitive<SphereSweep> {
     return std::fabs(near) < kFarthest && std::fabs(far) < kFarthest;
   }
 
-  static void joint_sphere(const Vec4& sphere, double u, std::int32_t index, const LocalRay& l, Scratch<Crossing>& all) {
+  static void joint_sphere(const Vec4& sphere, double u, std::int32_t index, const LocalRay& l,
+                           Scratch<Crossing>& all) {
     double near, far;
     if (!sphere_chord(sphere, l, near, far) || far < 0) return;
     all.add({near, u, index, joint, true});
@@ -338,7 +355,8 @@ class SphereSweep final : public Primitive<SphereSweep> {
     all.add({t, u, index, u == 0 ? start_plane : end_plane, (u == 0) == (along > 0)});
   }
 
-  static void add_side(const Segment& s, double u, double t, std::int32_t index, const LocalRay& l, Scratch<Crossing>& all) {
+  static void add_side(const Segment& s, double u, double t, std::int32_t index, const LocalRay& l,
+                       Scratch<Crossing>& all) {
     if (!(std::fabs(t) < kFarthest)) return;
     const Vec3 n = l.origin + t * l.direction - center_of(s.at(u));
     all.add({t, u, index, side, dot(n, l.direction) < 0});
@@ -372,7 +390,8 @@ class SphereSweep final : public Primitive<SphereSweep> {
   }
 
   static Touches touches_of(const Segment& s, const LocalRay& l) {
-    const double origin[3] = {l.origin.x, l.origin.y, l.origin.z}, direction[3] = {l.direction.x, l.direction.y, l.direction.z};
+    const double origin[3] = {l.origin.x, l.origin.y, l.origin.z},
+                 direction[3] = {l.direction.x, l.direction.y, l.direction.z};
     SweepSide<double> side;
     follow(cubic_of(s), origin, direction, side);
     Touches touches;
@@ -382,16 +401,19 @@ class SphereSweep final : public Primitive<SphereSweep> {
     }
     double roots[10];
     touches.count = bernstein_roots<10>(side.power, 0, 1, roots);
-    for (int i = 0; i < touches.count; ++i) touches.at[i] = {roots[i], touch_distance(roots[i], side.n, side.m, side.moved)};
+    for (int i = 0; i < touches.count; ++i)
+      touches.at[i] = {roots[i], touch_distance(roots[i], side.n, side.m, side.moved)};
     return touches;
   }
 
-  static void curved_side(const Segment& s, std::int32_t index, const LocalRay& l, const Touches& touches, Scratch<Crossing>& all) {
+  static void curved_side(const Segment& s, std::int32_t index, const LocalRay& l, const Touches& touches,
+                          Scratch<Crossing>& all) {
     for (int i = 0; i < touches.count; ++i) {
       const auto [u, t] = touches.at[i];
       double enter, leave;
       if (!sphere_chord(s.at(u), l, enter, leave)) continue;
-      // Only one end of the chord lies on the envelope. (POV-Ray reports both, which unbalances the counter behind the first surface.)
+      // Only one end of the chord lies on the envelope. (POV-Ray reports both, which unbalances the counter behind the
+      // first surface.)
       if (touches.across || std::fabs(t - enter) < std::fabs(t - leave)) all.add({enter, u, index, side, true});
       if (touches.across || !(std::fabs(t - enter) < std::fabs(t - leave))) all.add({leave, u, index, side, false});
     }

@@ -23,7 +23,8 @@ std::string font_path(const scene::Text& text) {
   if (!text.font.empty()) return text.font;
   constexpr const char* kFiles[] = {"timrom.ttf", "cyrvetic.ttf", "crystal.ttf", "povlogo.ttf"};
   const std::string file = kFiles[text.builtin_font >= 1 && text.builtin_font <= 3 ? text.builtin_font - 1 : 3];
-  for (const char* folder : {"/usr/share/povray-3.7/include", "/usr/local/share/povray-3.7/include", "/usr/share/povray/include"}) {
+  for (const char* folder :
+       {"/usr/share/povray-3.7/include", "/usr/local/share/povray-3.7/include", "/usr/share/povray/include"}) {
     const auto path = std::filesystem::path(folder) / file;
     std::error_code ignored;
     if (std::filesystem::exists(path, ignored)) return path.string();
@@ -60,7 +61,8 @@ Transform small_rotation() { return Transform::rotation({0.001, 0.001, 0.001}); 
 Box3 box_of(const PlacedGlyph& g, double thickness) {
   // A negative thickness leaves the caps, but no sides between them.
   const double near = std::min(-1e-6, thickness + 1e-6), far = std::max(-1e-6, thickness + 1e-6);
-  return Box3({g.origin.x + g.glyph->x_min, g.origin.y + g.glyph->y_min, near}, {g.origin.x + g.glyph->x_max, g.origin.y + g.glyph->y_max, far});
+  return Box3({g.origin.x + g.glyph->x_min, g.origin.y + g.glyph->y_min, near},
+              {g.origin.x + g.glyph->x_max, g.origin.y + g.glyph->y_max, far});
 }
 
 // Roots of a s^2 + b s + c within [0, 1].
@@ -86,8 +88,13 @@ int unit_roots(double a, double b, double c, double (&roots)[2]) {
 class Text final : public TreePrimitive<Text> {
  public:
   Text(const scene::Object& description, const scene::Text& text)
-      : TreePrimitive(description, {text_box(text), true}), thickness_(text.thickness), glyphs_(layout(text)), to_object_(small_rotation()) {
-    tree_ = accel::BoxTree(glyphs_.size(), [&](std::size_t i) { return glyphs_[i].glyph->segments.empty() ? Box3() : box_of(glyphs_[i], thickness_); }, 1);
+      : TreePrimitive(description, {text_box(text), true}),
+        thickness_(text.thickness),
+        glyphs_(layout(text)),
+        to_object_(small_rotation()) {
+    tree_ = accel::BoxTree(
+        glyphs_.size(),
+        [&](std::size_t i) { return glyphs_[i].glyph->segments.empty() ? Box3() : box_of(glyphs_[i], thickness_); }, 1);
     const Transform total = has_matrix() ? to_object_.then(matrix()) : to_object_;
     total_ = total;
   }
@@ -100,12 +107,15 @@ class Text final : public TreePrimitive<Text> {
   void crossings(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
     const Vec3 o = total_.inverse_point(ray.origin), d = total_.inverse_direction(ray.direction);
     // The direction is not normalised: depths are world distances.
-    tree_.traverse({o, d}, 0, sink.upper(), [&](std::uint32_t g, double) {
-      const Vec3 local_origin(o.x - glyphs_[g].origin.x, o.y - glyphs_[g].origin.y, o.z);
-      caps(g, ray, local_origin, d, sink);
-      sides(g, ray, local_origin, d, sink);
-      return sink.upper();
-    }, entry);
+    tree_.traverse(
+        {o, d}, 0, sink.upper(),
+        [&](std::uint32_t g, double) {
+          const Vec3 local_origin(o.x - glyphs_[g].origin.x, o.y - glyphs_[g].origin.y, o.z);
+          caps(g, ray, local_origin, d, sink);
+          sides(g, ray, local_origin, d, sink);
+          return sink.upper();
+        },
+        entry);
   }
 
   bool contains(const Vec3& p) const {
@@ -120,8 +130,10 @@ class Text final : public TreePrimitive<Text> {
   Vec3 raw_normal(const Hit& hit) const {
     Vec3 n(0, 0, hit.part == kFront ? -1 : 1);
     if (hit.part > kBack) {
-      const OutlineSegment& s = glyphs_[static_cast<std::size_t>(hit.v)].glyph->segments[static_cast<std::size_t>(hit.part - 2)];
-      const Vec2 way = s.straight ? s.end - s.begin : 2 * hit.u * (s.begin - 2.0 * s.middle + s.end) + 2.0 * (s.middle - s.begin);
+      const OutlineSegment& s =
+          glyphs_[static_cast<std::size_t>(hit.v)].glyph->segments[static_cast<std::size_t>(hit.part - 2)];
+      const Vec2 way =
+          s.straight ? s.end - s.begin : 2 * hit.u * (s.begin - 2.0 * s.middle + s.end) + 2.0 * (s.middle - s.begin);
       n = Vec3(way.y, -way.x, 0);
     }
     return normalize(total_.normal(n));
@@ -132,8 +144,11 @@ class Text final : public TreePrimitive<Text> {
   void caps(std::uint32_t g, const Ray& ray, const Vec3& o, const Vec3& d, Sink& sink) const {
     if (std::fabs(d.z) < kEpsilon) return;
     const auto cap = [&](int part, double t) {
-      if (!(t > kNearest && t >= sink.lower() && t <= sink.upper()) || !in_outline(*glyphs_[g].glyph, o.x + t * d.x, o.y + t * d.y)) return;
-      sink.add(t, [&] { return ray.at(t); }, part, 0, g);
+      if (!(t > kNearest && t >= sink.lower() && t <= sink.upper()) ||
+          !in_outline(*glyphs_[g].glyph, o.x + t * d.x, o.y + t * d.y))
+        return;
+      sink.add(
+          t, [&] { return ray.at(t); }, part, 0, g);
     };
     const double front = (0 - o.z) / d.z, back = (thickness_ - o.z) / d.z;
     // Where only the nearest hit is wanted, the nearer cap may spare the other one.
@@ -152,7 +167,9 @@ class Text final : public TreePrimitive<Text> {
     const auto report = [&](double t, std::size_t i, double s) {
       if (!(t > kNearest)) return;
       const double z = o.z + t * d.z;
-      if (z >= 0 && z <= thickness_) sink.add(t, [&] { return ray.at(t); }, static_cast<std::int32_t>(i) + 2, s, g);
+      if (z >= 0 && z <= thickness_)
+        sink.add(
+            t, [&] { return ray.at(t); }, static_cast<std::int32_t>(i) + 2, s, g);
     };
     glyph.index.overlapping(seen_from_front(o, d, glyph.size, sink), [&](std::size_t i) {
       const OutlineSegment& p = glyph.segments[i];
@@ -177,8 +194,8 @@ class Text final : public TreePrimitive<Text> {
     });
   }
 
-  // What the stretch of a ray that lies between the caps and may still matter covers, seen along z. Widened by more than rounding moves a crossing with a
-  // piece of an outline, even with one that the ray nearly runs along.
+  // What the stretch of a ray that lies between the caps and may still matter covers, seen along z. Widened by more
+  // than rounding moves a crossing with a piece of an outline, even with one that the ray nearly runs along.
   template <class Sink>
   Rectangle seen_from_front(const Vec3& o, const Vec3& d, double size, const Sink& sink) const {
     const double across = std::fabs(d.x) + std::fabs(d.y);
@@ -241,7 +258,8 @@ Box3 text_box(const scene::Text& text) {
   if (b.isEmpty()) return everywhere();
   const Transform turn = small_rotation();
   for (int corner = 0; corner < 8; ++corner) {
-    result.extendBy(turn.point({corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z}));
+    result.extendBy(
+        turn.point({corner & 1 ? b.max.x : b.min.x, corner & 2 ? b.max.y : b.min.y, corner & 4 ? b.max.z : b.min.z}));
   }
   return result;
 }

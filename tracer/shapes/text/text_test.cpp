@@ -91,9 +91,7 @@ TEST_F(Text, LargeTextLosesItsCurvedSides) {
   }
 }
 
-TEST_F(Text, NegativeDepthHasNoSurface) {
-  EXPECT_FALSE(trace(object(text(u"A", -0.3)), {.35, .3, -5}, {0, 0, 1}));
-}
+TEST_F(Text, NegativeDepthHasNoSurface) { EXPECT_FALSE(trace(object(text(u"A", -0.3)), {.35, .3, -5}, {0, 0, 1})); }
 
 TEST_F(Text, CrossingsSeparateInsideFromOutside) {
   const auto o = object(text(u"AB&g8"));
@@ -130,8 +128,10 @@ TEST_F(Text, BrokenFonts) {
   int survived = 0;
   for (int i = 0; i < 300; ++i) {
     auto bytes = good;
-    if (i % 3 == 0) bytes.resize(rng() % bytes.size());
-    else for (int k = 0; k < 40; ++k) bytes[rng() % (i % 3 == 1 ? 1000 : bytes.size())] = static_cast<std::uint8_t>(rng());
+    if (i % 3 == 0)
+      bytes.resize(rng() % bytes.size());
+    else
+      for (int k = 0; k < 40; ++k) bytes[rng() % (i % 3 == 1 ? 1000 : bytes.size())] = static_cast<std::uint8_t>(rng());
     try {
       const TrueTypeFont font(bytes);
       for (char16_t c = 30; c < 130; ++c) {

@@ -24,21 +24,25 @@ std::shared_ptr<const TrueTypeFont> TrueTypeFont::open(const std::string& path) 
   if (const auto at = known.find(path); at != known.end()) return at->second;
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   const auto size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
-  if (size <= 0 || static_cast<std::size_t>(size) > kMaxFile) throw std::runtime_error("Cannot open font file. (" + path + ")");
+  if (size <= 0 || static_cast<std::size_t>(size) > kMaxFile)
+    throw std::runtime_error("Cannot open font file. (" + path + ")");
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
   file.seekg(0);
-  if (!file.read(reinterpret_cast<char*>(bytes.data()), size)) throw std::runtime_error("Cannot open font file. (" + path + ")");
+  if (!file.read(reinterpret_cast<char*>(bytes.data()), size))
+    throw std::runtime_error("Cannot open font file. (" + path + ")");
   auto font = std::make_shared<const TrueTypeFont>(std::move(bytes));
   if (known.size() >= 16) known.clear();
   return known[path] = font;
 }
 
 TrueTypeFont::TrueTypeFont(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {
-  if (bytes_.size() >= 16 && std::memcmp(bytes_.data(), "ttcf", 4) == 0) directory_ = u32(12);  // the first font of a collection
+  if (bytes_.size() >= 16 && std::memcmp(bytes_.data(), "ttcf", 4) == 0)
+    directory_ = u32(12);  // the first font of a collection
   const Table head = table("head"), maxp = table("maxp"), hhea = table("hhea");
   cmap_ = table("cmap"), glyf_ = table("glyf"), loca_ = table("loca"), hmtx_ = table("hmtx"), kern_ = table("kern");
   units_ = u16(head.begin + 18);
-  if (head.size < 54 || maxp.size < 6 || hhea.size < 36 || cmap_.size == 0 || loca_.size == 0 || hmtx_.size < 4 || units_ == 0) {
+  if (head.size < 54 || maxp.size < 6 || hhea.size < 36 || cmap_.size == 0 || loca_.size == 0 || hmtx_.size < 4 ||
+      units_ == 0) {
     throw std::runtime_error("Invalid TrueType font headers.");
   }
   long_offsets_ = u16(head.begin + 50) != 0;
@@ -81,7 +85,8 @@ std::uint16_t TrueTypeFont::glyph_index(char16_t character, bool unicode) const 
     for (int i = 0; i < count; ++i) {
       const std::size_t entry = cmap_.begin + 4 + 8 * static_cast<std::size_t>(i);
       if (u16(entry) != platform) continue;
-      if (const int index = look_up(cmap_.begin + u32(entry + 4), character); index >= 0) return static_cast<std::uint16_t>(index);
+      if (const int index = look_up(cmap_.begin + u32(entry + 4), character); index >= 0)
+        return static_cast<std::uint16_t>(index);
     }
   }
   return 0;
@@ -89,7 +94,8 @@ std::uint16_t TrueTypeFont::glyph_index(char16_t character, bool unicode) const 
 
 int TrueTypeFont::look_up(std::size_t at, char16_t character) const {
   switch (u16(at)) {
-    case 0: return character < 256 ? u8(at + 6 + character) : 0;
+    case 0:
+      return character < 256 ? u8(at + 6 + character) : 0;
     case 4: {
       const int index = look_up_segments(at, character);
       return index == 0 && character < 0x100 ? look_up_segments(at, 0xf000u + character) : index;
@@ -98,13 +104,15 @@ int TrueTypeFont::look_up(std::size_t at, char16_t character) const {
       const unsigned first = u16(at + 6), count = u16(at + 8);
       return character >= first && character < first + count ? u16(at + 10 + 2 * (character - first)) : 0;
     }
-    default: return -1;
+    default:
+      return -1;
   }
 }
 
 int TrueTypeFont::look_up_segments(std::size_t at, unsigned character) const {
   const std::size_t segments = u16(at + 6) / 2;
-  const std::size_t ends = at + 14, starts = ends + 2 * segments + 2, deltas = starts + 2 * segments, ranges = deltas + 2 * segments;
+  const std::size_t ends = at + 14, starts = ends + 2 * segments + 2, deltas = starts + 2 * segments,
+                    ranges = deltas + 2 * segments;
   for (std::size_t i = 0; i < segments; ++i) {
     if (character > u16(ends + 2 * i)) continue;
     const unsigned start = u16(starts + 2 * i);
@@ -129,12 +137,15 @@ TrueTypeFont::Outline TrueTypeFont::outline(std::uint16_t index, int depth, std:
   const std::size_t at = glyf_.begin + begin, limit = glyf_.begin + end;
   const int contours = i16(at);
   result.x_min = i16(at + 2), result.y_min = i16(at + 4), result.x_max = i16(at + 6), result.y_max = i16(at + 8);
-  if (contours >= 0) simple_outline(at + 10, limit, contours, result, budget);
-  else if (depth < kMaxDepth) composite_outline(at + 10, limit, depth, result, budget);
+  if (contours >= 0)
+    simple_outline(at + 10, limit, contours, result, budget);
+  else if (depth < kMaxDepth)
+    composite_outline(at + 10, limit, depth, result, budget);
   return result;
 }
 
-void TrueTypeFont::simple_outline(std::size_t at, std::size_t end, int contours, Outline& result, std::size_t& budget) const {
+void TrueTypeFont::simple_outline(std::size_t at, std::size_t end, int contours, Outline& result,
+                                  std::size_t& budget) const {
   std::vector<std::size_t> ends;
   for (int i = 0; i < contours && at + 2 <= end; ++i, at += 2) ends.push_back(u16(at));
   if (ends.empty() || !std::is_sorted(ends.begin(), ends.end())) return;
@@ -155,8 +166,10 @@ void TrueTypeFont::simple_outline(std::size_t at, std::size_t end, int contours,
     std::vector<int> values(count);
     int value = 0;
     for (std::size_t i = 0; i < count; ++i) {
-      if (flags[i] & short_bit) value += flags[i] & same_bit ? u8(at) : -static_cast<int>(u8(at)), ++at;
-      else if (!(flags[i] & same_bit)) value += i16(at), at += 2;
+      if (flags[i] & short_bit)
+        value += flags[i] & same_bit ? u8(at) : -static_cast<int>(u8(at)), ++at;
+      else if (!(flags[i] & same_bit))
+        value += i16(at), at += 2;
       values[i] = value;
     }
     return values;
@@ -175,7 +188,8 @@ void TrueTypeFont::simple_outline(std::size_t at, std::size_t end, int contours,
   }
 }
 
-void TrueTypeFont::composite_outline(std::size_t at, std::size_t end, int depth, Outline& result, std::size_t& budget) const {
+void TrueTypeFont::composite_outline(std::size_t at, std::size_t end, int depth, Outline& result,
+                                     std::size_t& budget) const {
   constexpr unsigned kWords = 1, kOffsets = 2, kScale = 8, kMore = 32, kTwoScales = 64, kMatrix = 128, kMetrics = 512;
   result.composite = true;
   // Points in em units are compared with extents in font units: a positive lower limit becomes (almost) 0.
@@ -186,16 +200,21 @@ void TrueTypeFont::composite_outline(std::size_t at, std::size_t end, int depth,
     const std::uint16_t part = u16(at + 2);
     at += 4;
     double dx, dy, sx = 1, s01 = 0, s10 = 0, sy = 1;
-    if (flags & kWords) dx = i16(at), dy = i16(at + 2), at += 4;
-    else dx = u8(at), dy = u8(at + 1), at += 2;  // read unsigned
+    if (flags & kWords)
+      dx = i16(at), dy = i16(at + 2), at += 4;
+    else
+      dx = u8(at), dy = u8(at + 1), at += 2;  // read unsigned
     const auto fraction = [&] {
       const double v = i16(at) / 16384.0;
       at += 2;
       return v;
     };
-    if (flags & kScale) sx = sy = fraction();
-    else if (flags & kTwoScales) sx = fraction(), sy = fraction();
-    else if (flags & kMatrix) sx = fraction(), s01 = fraction(), s10 = fraction(), sy = fraction();
+    if (flags & kScale)
+      sx = sy = fraction();
+    else if (flags & kTwoScales)
+      sx = fraction(), sy = fraction();
+    else if (flags & kMatrix)
+      sx = fraction(), s01 = fraction(), s10 = fraction(), sy = fraction();
     if (budget == 0) return;
     --budget;
     const Outline component = outline(part, depth + 1, budget);
@@ -203,7 +222,8 @@ void TrueTypeFont::composite_outline(std::size_t at, std::size_t end, int depth,
     if (!(flags & kOffsets)) continue;  // placed by matching points: left out
     for (const auto& contour : component.contours) {
       auto& moved = result.contours.emplace_back();
-      for (const Point& p : contour) moved.push_back({sx * p.x + s01 * p.y + dx, s10 * p.x + sy * p.y + dy, p.on_curve});
+      for (const Point& p : contour)
+        moved.push_back({sx * p.x + s01 * p.y + dx, s10 * p.x + sy * p.y + dy, p.on_curve});
     }
   }
 }
@@ -231,7 +251,9 @@ Glyph TrueTypeFont::glyph(std::uint16_t index) const {
   if (metrics_ > 0) {
     const std::size_t i = o.metrics_glyph, last = metrics_ - 1u;
     g.advance = u16(hmtx_.begin + 4 * std::min(i, last)) * e;
-    g.left_bearing = (i <= last ? i16(hmtx_.begin + 4 * i + 2) : i16(hmtx_.begin + 4 * std::size_t{metrics_} + 2 * (i - metrics_))) * e;
+    g.left_bearing =
+        (i <= last ? i16(hmtx_.begin + 4 * i + 2) : i16(hmtx_.begin + 4 * std::size_t{metrics_} + 2 * (i - metrics_))) *
+        e;
   }
   for (const auto& contour : o.contours) {
     const auto at = [&](std::size_t i) { return Vec2(contour[i].x * e, contour[i].y * e); };
@@ -250,9 +272,12 @@ Glyph TrueTypeFont::glyph(std::uint16_t index) const {
       const Vec2 control = at(i);
       Vec2 end = at(0);
       bool closed = false;
-      if (i + 1 == n) closed = true;
-      else if (contour[i + 1].on_curve) end = at(i + 1), ++i;
-      else end = (control + at(i + 1)) / 2.0;
+      if (i + 1 == n)
+        closed = true;
+      else if (contour[i + 1].on_curve)
+        end = at(i + 1), ++i;
+      else
+        end = (control + at(i + 1)) / 2.0;
       g.segments.push_back({pen, control, end, false});
       pen = end;
       if (closed) break;
@@ -276,9 +301,12 @@ double TrueTypeFont::kerning(std::uint16_t left, std::uint16_t right) const {
     for (std::size_t i = 0; i < pairs && pair + 6 <= end; ++i, pair += 6) {
       if (u16(pair) != left || u16(pair + 2) != right) continue;
       const int value = i16(pair + 4);
-      if (coverage & kMinimum) total = std::max(total, value);
-      else if (coverage & kOverride) total = value;
-      else total += value;
+      if (coverage & kMinimum)
+        total = std::max(total, value);
+      else if (coverage & kOverride)
+        total = value;
+      else
+        total += value;
       break;
     }
     at += std::max<std::size_t>(u16(at + 2), 14);

@@ -1,5 +1,6 @@
-// TrueType outlines as POV-Ray's text reads them (spec 04 section 9). Not a general font library: the selection of character tables, the extents of
-// composite glyphs and unsigned offsets are POV-Ray's own, so a library that does better would move glyphs.
+// TrueType outlines as POV-Ray's text reads them (spec 04 section 9). Not a general font library: the selection of
+// character tables, the extents of composite glyphs and unsigned offsets are POV-Ray's own, so a library that does
+// better would move glyphs.
 #pragma once
 
 #include <array>

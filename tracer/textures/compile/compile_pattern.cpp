@@ -44,34 +44,43 @@ SlopeData slope(const scene::SlopeParams& p) {
 PatternData compile_parameters(const scene::Pattern& d, const PatternContext& context) {
   using enum scene::PatternKind;
   switch (d.kind) {
-    case agate: return parameters<scene::AgateParams>(d);
-    case brick: return textures::brick(parameters<scene::BrickParams>(d));
+    case agate:
+      return parameters<scene::AgateParams>(d);
+    case brick:
+      return textures::brick(parameters<scene::BrickParams>(d));
     case crackle: {
       const auto& p = parameters<scene::CrackleParams>(d);
       return CrackleData{p, p.offset == 0 ? 0 : std::pow(p.offset, p.metric)};
     }
-    case facets: return parameters<scene::FacetsParams>(d);
+    case facets:
+      return parameters<scene::FacetsParams>(d);
     case julia:
     case magnet_julia:
     case magnet_mandel:
-    case mandel: return parameters<scene::FractalParams>(d);
-    case gradient: return textures::gradient(parameters<scene::GradientParams>(d));
+    case mandel:
+      return parameters<scene::FractalParams>(d);
+    case gradient:
+      return textures::gradient(parameters<scene::GradientParams>(d));
     case quilted: {
       const auto& p = parameters<scene::QuiltedParams>(d);
       return QuiltedData{p.control0, p.control1};
     }
-    case slope: return textures::slope(parameters<scene::SlopeParams>(d));
+    case slope:
+      return textures::slope(parameters<scene::SlopeParams>(d));
     case spiral1:
-    case spiral2: return parameters<scene::SpiralParams>(d);
+    case spiral2:
+      return parameters<scene::SpiralParams>(d);
     case tiling: {
       const int number = parameters<scene::TilingParams>(d).number;
       if (number < 1 || number > 27) throw std::invalid_argument("tiling number out of range");
       return TilingData{periodic_tiling(number), number};
     }
-    case pavement: return PavementData{compile_pavement(parameters<scene::PavementParams>(d))};
+    case pavement:
+      return PavementData{compile_pavement(parameters<scene::PavementParams>(d))};
     case function: {
       const auto& p = parameters<scene::FunctionParams>(d);
-      if (!p.function || p.function->parameters() != 3) throw std::invalid_argument("a function pattern needs a function of x, y, z");
+      if (!p.function || p.function->parameters() != 3)
+        throw std::invalid_argument("a function pattern needs a function of x, y, z");
       return FunctionData{p.function};
     }
     case object: {
@@ -84,13 +93,17 @@ PatternData compile_parameters(const scene::Pattern& d, const PatternContext& co
       if (!p.pigment) throw std::invalid_argument("a pigment pattern without pigment");
       return PigmentData{context.pigment(p.pigment)};
     }
-    case density_file: return parameters<scene::DensityFileParams>(d);
+    case density_file:
+      return parameters<scene::DensityFileParams>(d);
     case bump_map:
     case image_map:
-    case image_pattern: return compile_image(parameters<scene::ImageParams>(d));
+    case image_pattern:
+      return compile_image(parameters<scene::ImageParams>(d));
     case ripples:
-    case waves: return WaveData{context.wave_sources()};
-    default: return std::monostate{};
+    case waves:
+      return WaveData{context.wave_sources()};
+    default:
+      return std::monostate{};
   }
 }
 

@@ -10,8 +10,8 @@ namespace verisim::textures {
 // What the compilation of a pattern needs from its surroundings.
 struct PatternContext {
   const Settings& settings;
-  std::function<const CompiledPigment*(const scene::PigmentPtr&)> pigment;              // for pigment_pattern
-  std::function<std::shared_ptr<const std::vector<WaveSource>>()> wave_sources;         // for ripples and waves
+  std::function<const CompiledPigment*(const scene::PigmentPtr&)> pigment;       // for pigment_pattern
+  std::function<std::shared_ptr<const std::vector<WaveSource>>()> wave_sources;  // for ripples and waves
 };
 
 // Throws std::invalid_argument when the description lacks what its kind needs (a fault of the caller).

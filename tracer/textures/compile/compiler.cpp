@@ -116,7 +116,7 @@ const CompiledPigment* Compiler::Impl::pigment(const scene::PigmentPtr& d) {
 }
 
 const CompiledPigment* Compiler::Impl::density(const scene::DensityPtr& d) {
-  return densities.get(d, false, [&] { 
+  return densities.get(d, false, [&] {
     if (d) return make_density(*d);
     CompiledPigment one;
     one.color = Color(1, 1, 1);
@@ -149,7 +149,8 @@ void Compiler::Impl::use_colors(CompiledPigment& c, const scene::Pattern& d, con
 }
 
 template <class Entries, class CompileChild>
-void Compiler::Impl::use_children(CompiledPigment& c, const scene::Pattern& d, const Entries& entries, CompileChild compile_child) {
+void Compiler::Impl::use_children(CompiledPigment& c, const scene::Pattern& d, const Entries& entries,
+                                  CompileChild compile_child) {
   if (entries.empty()) throw std::invalid_argument("an empty map");
   using enum CompiledPigment::Source;
   c.positions = MapPositions(entries);
@@ -183,7 +184,8 @@ CompiledPigment Compiler::Impl::make_pigment(const scene::Pigment& d) {
     return c;
   }
   switch (d.pattern.kind) {
-    case scene::PatternKind::none: return c;
+    case scene::PatternKind::none:
+      return c;
     case scene::PatternKind::plain:
       c.color = d.color;
       c.transparent = lets_light_through(c.color);
@@ -195,10 +197,13 @@ CompiledPigment Compiler::Impl::make_pigment(const scene::Pigment& d) {
       c.transparent = lookup.transparent || lookup.once;
       return c;
     }
-    default: break;
+    default:
+      break;
   }
-  if (d.pigment_map && !d.pigment_map->empty()) use_children(c, d.pattern, *d.pigment_map, [this](const scene::PigmentPtr& p) { return pigment(p); });
-  else use_colors(c, d.pattern, d.color_map && !d.color_map->empty() ? *d.color_map : built_in_map(d.pattern));
+  if (d.pigment_map && !d.pigment_map->empty())
+    use_children(c, d.pattern, *d.pigment_map, [this](const scene::PigmentPtr& p) { return pigment(p); });
+  else
+    use_colors(c, d.pattern, d.color_map && !d.color_map->empty() ? *d.color_map : built_in_map(d.pattern));
   return c;
 }
 
@@ -209,8 +214,10 @@ CompiledPigment Compiler::Impl::make_density(const scene::Density& d) {
     c.color = d.color;
     return c;
   }
-  if (d.density_map && !d.density_map->empty()) use_children(c, d.pattern, *d.density_map, [this](const scene::DensityPtr& p) { return density(p); });
-  else use_colors(c, d.pattern, d.color_map && !d.color_map->empty() ? *d.color_map : built_in_map(d.pattern));
+  if (d.density_map && !d.density_map->empty())
+    use_children(c, d.pattern, *d.density_map, [this](const scene::DensityPtr& p) { return density(p); });
+  else
+    use_colors(c, d.pattern, d.color_map && !d.color_map->empty() ? *d.color_map : built_in_map(d.pattern));
   return c;
 }
 
@@ -228,7 +235,8 @@ CompiledNormal Compiler::Impl::make_normal(const scene::Normal& d, bool no_bump_
       c.method = CompiledNormal::Method::uv_mapping;
       return c;
     }
-    c.method = d.pattern.kind == scene::PatternKind::average ? CompiledNormal::Method::average : CompiledNormal::Method::map;
+    c.method =
+        d.pattern.kind == scene::PatternKind::average ? CompiledNormal::Method::average : CompiledNormal::Method::map;
     c.pattern = pattern(d.pattern);
     return c;
   }
@@ -241,8 +249,11 @@ CompiledNormal Compiler::Impl::make_normal(const scene::Normal& d, bool no_bump_
     case waves:
     case quilted:
     case facets:
-    case bump_map: c.method = CompiledNormal::Method::displacement; return c;
-    default: break;
+    case bump_map:
+      c.method = CompiledNormal::Method::displacement;
+      return c;
+    default:
+      break;
   }
   if (d.slope_map && !d.slope_map->empty()) {
     c.positions = MapPositions(*d.slope_map);
@@ -279,9 +290,13 @@ CompiledTexture Compiler::Impl::make_texture(const scene::Texture& d, bool no_bu
 Compiler::Compiler(const Settings& settings) : impl_(std::make_unique<Impl>(settings)) {}
 Compiler::~Compiler() = default;
 
-const CompiledTexture* Compiler::texture(const scene::TexturePtr& description) { return impl_->texture(description, false); }
+const CompiledTexture* Compiler::texture(const scene::TexturePtr& description) {
+  return impl_->texture(description, false);
+}
 const CompiledPigment* Compiler::pigment(const scene::PigmentPtr& description) { return impl_->pigment(description); }
-const CompiledNormal* Compiler::normal(const scene::NormalPtr& description) { return impl_->normal(description, false); }
+const CompiledNormal* Compiler::normal(const scene::NormalPtr& description) {
+  return impl_->normal(description, false);
+}
 const CompiledPattern* Compiler::pattern(const scene::Pattern& description) { return impl_->pattern(description); }
 const CompiledPigment* Compiler::density(const scene::DensityPtr& description) { return impl_->density(description); }
 

@@ -10,7 +10,7 @@ struct Signature {
   std::string bytes;
 
   template <class T>
-    requires std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_pointer_v<T>
+  requires std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_pointer_v<T>
   void add(const T& v) { bytes.append(reinterpret_cast<const char*>(&v), sizeof v); }
   void add(const Vec2& v) { add(v.x, v.y); }
   void add(const Vec3& v) { add(v.x, v.y, v.z); }
@@ -19,7 +19,9 @@ struct Signature {
       for (int j = 0; j < 4; ++j) add(m[i][j]);
   }
   template <class T>
-  void add(const std::shared_ptr<T>& p) { add(p.get()); }
+  void add(const std::shared_ptr<T>& p) {
+    add(p.get());
+  }
   template <class T, std::size_t n>
   void add(const T (&array)[n]) {
     for (const T& v : array) add(v);
@@ -38,7 +40,9 @@ struct Signature {
     add(w.center, w.radius, w.strength, w.falloff, w.inverse, w.type);
     add(w.repeats, w.repeat, w.turbulent, w.turbulence);
   }
-  void add(const scene::ProjectionWarp& w) { add(w.kind, w.orientation, w.distance_exponent, w.major_radius, w.offset); }
+  void add(const scene::ProjectionWarp& w) {
+    add(w.kind, w.orientation, w.distance_exponent, w.major_radius, w.offset);
+  }
   void add(const scene::CubicWarp&) {}
 
   void add(const std::monostate&) {}
@@ -46,10 +50,15 @@ struct Signature {
   void add(const scene::BrickParams& p) { add(p.size, p.mortar); }
   void add(const scene::CrackleParams& p) { add(p.form, p.metric, p.offset, p.solid); }
   void add(const scene::FacetsParams& p) { add(p.size, p.coords, p.metric); }
-  void add(const scene::FractalParams& p) { add(p.julia, p.iterations, p.exponent, p.magnet, p.exterior_type, p.interior_type, p.exterior_factor, p.interior_factor); }
+  void add(const scene::FractalParams& p) {
+    add(p.julia, p.iterations, p.exponent, p.magnet, p.exterior_type, p.interior_type, p.exterior_factor,
+        p.interior_factor);
+  }
   void add(const scene::GradientParams& p) { add(p.direction); }
   void add(const scene::QuiltedParams& p) { add(p.control0, p.control1); }
-  void add(const scene::SlopeParams& p) { add(p.direction, p.altitude, p.point_at, p.slope_low, p.slope_high, p.altitude_low, p.altitude_high); }
+  void add(const scene::SlopeParams& p) {
+    add(p.direction, p.altitude, p.point_at, p.slope_low, p.slope_high, p.altitude_low, p.altitude_high);
+  }
   void add(const scene::SpiralParams& p) { add(p.arms); }
   void add(const scene::TilingParams& p) { add(p.number); }
   void add(const scene::PavementParams& p) { add(p.sides, p.tiles, p.pattern, p.exterior, p.interior, p.form); }
@@ -57,7 +66,10 @@ struct Signature {
   void add(const scene::ObjectParams& p) { add(p.object); }
   void add(const scene::PigmentPatternParams& p) { add(p.pigment); }
   void add(const scene::DensityFileParams& p) { add(p.samples, p.size, p.bytes, p.interpolate); }
-  void add(const scene::ImageParams& p) { add(p.image, p.map_type, p.interpolate, p.once, p.use_alpha, p.use_index, p.repeat, p.offset, p.filter_all, p.transmit_all); }
+  void add(const scene::ImageParams& p) {
+    add(p.image, p.map_type, p.interpolate, p.once, p.use_alpha, p.use_index, p.repeat, p.offset, p.filter_all,
+        p.transmit_all);
+  }
 };
 
 }  // namespace

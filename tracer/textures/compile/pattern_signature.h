@@ -7,7 +7,8 @@
 
 namespace verisim::textures {
 
-// Equal for patterns that have the same value everywhere; what they refer to (images, functions, objects) is compared by address.
+// Equal for patterns that have the same value everywhere; what they refer to (images, functions, objects) is compared
+// by address.
 std::string pattern_signature(const scene::Pattern& pattern);
 
 }  // namespace verisim::textures

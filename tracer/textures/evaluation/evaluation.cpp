@@ -1,4 +1,5 @@
-// The evaluation of patterns and pigments as the rest of the program sees it: calls into the kernels that fit this machine.
+// The evaluation of patterns and pigments as the rest of the program sees it: calls into the kernels that fit this
+// machine.
 #include "tracer/textures/evaluation/evaluation.h"
 
 #include <algorithm>
@@ -23,7 +24,8 @@ inline __attribute__((always_inline)) void copy_few(const double* from, std::siz
 
 // Calls values(count, row, result) for rows of points and copies the result, or single(p) for each point.
 template <class Values, class Single>
-void in_rows(const double* points, std::size_t stride, std::size_t count, double* result, Values&& values, Single&& single) {
+void in_rows(const double* points, std::size_t stride, std::size_t count, double* result, Values&& values,
+             Single&& single) {
   const double *x = points, *y = x + stride, *z = y + stride;
   if (count < kFewPoints) {
     for (std::size_t k = 0; k < count; ++k) result[k] = single(Vec3(x[k], y[k], z[k]));
@@ -43,28 +45,45 @@ void in_rows(const double* points, std::size_t stride, std::size_t count, double
 }  // namespace
 
 Vec3 warped(const CompiledPattern& c, const Vec3& p) { return kernels.warped(c, p); }
-double value_at(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) { return kernels.value_at(c, p, surface); }
-void values_at(const CompiledPattern& c, int count, const PointRow& points, const SurfacePoint* const* surfaces, double* values) {
+double value_at(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
+  return kernels.value_at(c, p, surface);
+}
+void values_at(const CompiledPattern& c, int count, const PointRow& points, const SurfacePoint* const* surfaces,
+               double* values) {
   kernels.values_row(c, count, points, surfaces, values);
 }
-PatternValue value_of(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) { return kernels.value_of(c, p, surface); }
-bool evaluate(const CompiledPigment& c, const Vec3& p, const SurfacePoint* surface, Color& color) { return kernels.evaluate(c, p, surface, color); }
-void evaluate(const CompiledPigment& c, int count, const PointRow& points, const SurfacePoint* const* surfaces, Color* colors, bool* colored) {
+PatternValue value_of(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
+  return kernels.value_of(c, p, surface);
+}
+bool evaluate(const CompiledPigment& c, const Vec3& p, const SurfacePoint* surface, Color& color) {
+  return kernels.evaluate(c, p, surface, color);
+}
+void evaluate(const CompiledPigment& c, int count, const PointRow& points, const SurfacePoint* const* surfaces,
+              Color* colors, bool* colored) {
   kernels.evaluate_row(c, count, points, surfaces, colors, colored);
 }
-void evaluate(const CompiledPigment& c, int count, const PointRow& points, RgbRow& colors) { kernels.rgb_row(c, count, points, colors); }
-double evaluate(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) { return kernels.value_of(c, p, surface).value; }
+void evaluate(const CompiledPigment& c, int count, const PointRow& points, RgbRow& colors) {
+  kernels.rgb_row(c, count, points, colors);
+}
+double evaluate(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
+  return kernels.value_of(c, p, surface).value;
+}
 
 void evaluate(const CompiledPattern& c, const double* points, std::size_t stride, std::size_t count, double* result) {
-  in_rows(points, stride, count, result, [&](int n, const PointRow& row, double* values) {
-    PointRow warped;
-    kernels.warp_row(c.chain, n, row, warped);
-    kernels.values_row(c, n, warped, nullptr, values);
-  }, [&](const Vec3& p) { return evaluate(c, p, nullptr); });
+  in_rows(
+      points, stride, count, result,
+      [&](int n, const PointRow& row, double* values) {
+        PointRow warped;
+        kernels.warp_row(c.chain, n, row, warped);
+        kernels.values_row(c, n, warped, nullptr, values);
+      },
+      [&](const Vec3& p) { return evaluate(c, p, nullptr); });
 }
 void noise(int generator, const double* points, std::size_t stride, std::size_t count, double* result) {
-  in_rows(points, stride, count, result, [&](int n, const PointRow& row, double* values) { kernels.noise_row(generator, n, row, values); },
-          [&](const Vec3& p) { return noise(p, generator); });
+  in_rows(
+      points, stride, count, result,
+      [&](int n, const PointRow& row, double* values) { kernels.noise_row(generator, n, row, values); },
+      [&](const Vec3& p) { return noise(p, generator); });
 }
 
 }  // namespace verisim::textures

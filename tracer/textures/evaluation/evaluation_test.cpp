@@ -10,21 +10,27 @@ namespace {
 
 using enum scene::PatternKind;
 
-// Patterns of all kinds that evaluation.inc knows and some that it does not, with all waves, transformations, turbulence and maps of several lengths.
+// Patterns of all kinds that evaluation.inc knows and some that it does not, with all waves, transformations,
+// turbulence and maps of several lengths.
 std::vector<scene::PigmentPtr> pigments() {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0, 1);
   std::vector<scene::PigmentPtr> all;
-  for (const scene::PatternKind kind : {bozo, bumps, spotted, agate, granite, marble, wood, wrinkles, dents, onion, radial, leopard, crackle, spherical}) {
+  for (const scene::PatternKind kind : {bozo, bumps, spotted, agate, granite, marble, wood, wrinkles, dents, onion,
+                                        radial, leopard, crackle, spherical}) {
     for (int variant = 0; variant < 12; ++variant) {
       scene::Pigment d;
       d.pattern.kind = kind;
       if (kind == agate) d.pattern.params = scene::AgateParams{};
-      if (kind == crackle) d.pattern.params = scene::CrackleParams{.form = Vec3(-1, 1, 0.3 * (variant % 2)), .metric = 1.0f + static_cast<float>(variant % 3), .solid = variant == 5};
+      if (kind == crackle)
+        d.pattern.params = scene::CrackleParams{.form = Vec3(-1, 1, 0.3 * (variant % 2)),
+                                                .metric = 1.0f + static_cast<float>(variant % 3),
+                                                .solid = variant == 5};
       d.pattern.noise_generator = variant % 4;
       d.pattern.wave = static_cast<scene::Wave>(variant % 6);
       if (variant % 3 == 1) d.pattern.frequency = 2.5f, d.pattern.phase = 0.3f;
-      if (variant % 2 == 1) d.pattern.prepend(Transform::translation(Vec3(3 * unit(random), unit(random), -unit(random))));
+      if (variant % 2 == 1)
+        d.pattern.prepend(Transform::translation(Vec3(3 * unit(random), unit(random), -unit(random))));
       if (variant % 4 >= 2) {
         scene::Turbulence turbulence;
         turbulence.amount = Vec3(0.5, 0.3, 0.7);
@@ -34,7 +40,9 @@ std::vector<scene::PigmentPtr> pigments() {
       scene::ColorMap map;
       const int entries = 2 + 3 * (variant % 5);
       for (int i = 0; i < entries; ++i)
-        map.push_back({static_cast<float>(i) / static_cast<float>(entries), Color(static_cast<float>(unit(random)), 0.2f, static_cast<float>(unit(random)), 0, static_cast<float>(unit(random)))});
+        map.push_back({static_cast<float>(i) / static_cast<float>(entries),
+                       Color(static_cast<float>(unit(random)), 0.2f, static_cast<float>(unit(random)), 0,
+                             static_cast<float>(unit(random)))});
       d.color_map = std::make_shared<const scene::ColorMap>(map);
       all.push_back(std::make_shared<const scene::Pigment>(d));
     }
@@ -58,7 +66,8 @@ TEST(Evaluation, GivesTheSameBitsOnEveryInstructionSet) {
         const EvaluationKernels& kernels = evaluation_kernels(static_cast<InstructionSet>(set));
         const PatternValue other = kernels.value_of(*pigment.pattern, p, nullptr);
         ASSERT_EQ(other.point, value.point) << "instruction set " << set;
-        ASSERT_EQ(other.value, value.value) << "instruction set " << set << ", pattern " << static_cast<int>(pigment.pattern->kind);
+        ASSERT_EQ(other.value, value.value)
+            << "instruction set " << set << ", pattern " << static_cast<int>(pigment.pattern->kind);
         Color color;
         kernels.evaluate(pigment, p, nullptr, color);
         ASSERT_EQ(color, first) << "instruction set " << set;
@@ -95,7 +104,8 @@ std::vector<scene::PigmentPtr> nested_pigments() {
   return all;
 }
 
-// Maps that begin with several entries of one colour, and patterns that hang on some coordinates only: rows need not know everything about them.
+// Maps that begin with several entries of one colour, and patterns that hang on some coordinates only: rows need not
+// know everything about them.
 std::vector<scene::PigmentPtr> pigments_of_few_colors() {
   std::vector<scene::PigmentPtr> all;
   for (const scene::PatternKind kind : {granite, wrinkles, marble, gradient, planar, bozo, spherical, crackle}) {
@@ -116,7 +126,8 @@ std::vector<scene::PigmentPtr> pigments_of_few_colors() {
       const Color dark(0.1f, 0.2f, 0.3f), light(1, 0.5f, 0.25f);
       const float end = 0.2f + 0.1f * static_cast<float>(variant % 7);
       const bool all_dark = variant == 23;
-      d.color_map = std::make_shared<const scene::ColorMap>(scene::ColorMap{{0, dark}, {end / 2, dark}, {end, dark}, {0.9f, all_dark ? dark : light}, {1, dark}});
+      d.color_map = std::make_shared<const scene::ColorMap>(
+          scene::ColorMap{{0, dark}, {end / 2, dark}, {end, dark}, {0.9f, all_dark ? dark : light}, {1, dark}});
       all.push_back(std::make_shared<const scene::Pigment>(d));
     }
   }
@@ -143,11 +154,14 @@ TEST(Evaluation, GivesRowsTheBitsOfPoints) {
         for (int i = 0; i < count; ++i) {
           Color single;
           ASSERT_EQ(colored[i], kernels.evaluate(pigment, points.at(i), nullptr, single));
-          ASSERT_EQ(colors[i], single) << "instruction set " << set << ", pattern " << static_cast<int>(pigment.pattern->kind) << ", point " << i << " of " << count;
+          ASSERT_EQ(colors[i], single) << "instruction set " << set << ", pattern "
+                                       << static_cast<int>(pigment.pattern->kind) << ", point " << i << " of " << count;
         }
         RgbRow rgb;
         kernels.rgb_row(pigment, count, points, rgb);
-        for (int i = 0; i < count; ++i) ASSERT_EQ(Rgb(rgb.r[i], rgb.g[i], rgb.b[i]), colors[i].rgb()) << "instruction set " << set << ", pattern " << static_cast<int>(pigment.pattern->kind);
+        for (int i = 0; i < count; ++i)
+          ASSERT_EQ(Rgb(rgb.r[i], rgb.g[i], rgb.b[i]), colors[i].rgb())
+              << "instruction set " << set << ", pattern " << static_cast<int>(pigment.pattern->kind);
       }
     }
   }

@@ -5,7 +5,9 @@
 
 namespace verisim::textures {
 
-// The values at any number of points, as `evaluate` gives them one by one. Coordinate i of point k is points[i * stride + k].
-void evaluate(const CompiledPattern& pattern, const double* points, std::size_t stride, std::size_t count, double* values);
+// The values at any number of points, as `evaluate` gives them one by one. Coordinate i of point k is points[i * stride
+// + k].
+void evaluate(const CompiledPattern& pattern, const double* points, std::size_t stride, std::size_t count,
+              double* values);
 
 }  // namespace verisim::textures

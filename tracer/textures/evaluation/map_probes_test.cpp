@@ -17,7 +17,9 @@ class Linear final : public Function {
   Linear(double factor, double offset, int axis = 0) : factor_(factor), offset_(offset), axis_(axis) {}
   int parameters() const override { return 3; }
   int components() const override { return 1; }
-  void evaluate(std::span<const double> p, double* result) const override { *result = factor_ * p[static_cast<std::size_t>(axis_)] + offset_; }
+  void evaluate(std::span<const double> p, double* result) const override {
+    *result = factor_ * p[static_cast<std::size_t>(axis_)] + offset_;
+  }
 
  private:
   double factor_, offset_;
@@ -55,8 +57,8 @@ void expect_color(const Color& c, const Color& expected, const char* what) {
 
 TEST(ColorMap, InterpolatesInSinglePrecisionAsPovRay) {  // P9
   auto p = gradient({1, 0, 0});
-  p->color_map = std::make_shared<ColorMap>(
-      ColorMap{{0.2f, {1, 0, 0, 0.1f, 0.2f}}, {0.5f, {0, 1, 0, 0.3f, 0.4f}}, {0.5f, {0, 0, 1}}, {0.9f, {1, 1, 0, 0.5f, 0}}});
+  p->color_map = std::make_shared<ColorMap>(ColorMap{
+      {0.2f, {1, 0, 0, 0.1f, 0.2f}}, {0.5f, {0, 1, 0, 0.3f, 0.4f}}, {0.5f, {0, 0, 1}}, {0.9f, {1, 1, 0, 0.5f, 0}}});
   expect_color(color_at(p, {0.1, 0, 0}), {1, 0, 0, 0.1f, 0.2f}, "0.1");
   expect_color(color_at(p, {0.35, 0, 0}), {0.5f, 0.49999997f, 0, 0.2f, 0.3f}, "0.35");
   expect_color(color_at(p, {0.5, 0, 0}), {0, 1, 0, 0.3f, 0.4f}, "0.5");
@@ -96,12 +98,14 @@ TEST(ColorMap, LongMapsAreSearchedLikeShortOnes) {
 TEST(PigmentMap, Average) {  // P10
   auto p = std::make_shared<Pigment>();
   p->pattern.kind = PatternKind::average;
-  p->pigment_map = std::make_shared<BlendMap<PigmentPtr>>(BlendMap<PigmentPtr>{{3, colored({0, 1, 0})}, {1, gradient({1, 0, 0})}});
+  p->pigment_map =
+      std::make_shared<BlendMap<PigmentPtr>>(BlendMap<PigmentPtr>{{3, colored({0, 1, 0})}, {1, gradient({1, 0, 0})}});
   const Color c = color_at(p, {0.3, 0, 0});
   EXPECT_NEAR(c.r, 0.075, 1e-7);
   EXPECT_NEAR(c.g, 0.825, 1e-7);
   EXPECT_NEAR(c.b, 0.075, 1e-7);
-  p->pigment_map = std::make_shared<BlendMap<PigmentPtr>>(BlendMap<PigmentPtr>{{1, colored({1, 0, 0})}, {3, colored({0, 1, 0, 0, 0.5f})}});
+  p->pigment_map = std::make_shared<BlendMap<PigmentPtr>>(
+      BlendMap<PigmentPtr>{{1, colored({1, 0, 0})}, {3, colored({0, 1, 0, 0, 0.5f})}});
   expect_color(color_at(p, {0.3, 0, 0}), {0.25f, 0.75f, 0, 0, 0.375f}, "plain children");
 }
 
@@ -215,7 +219,8 @@ TEST(Compiler, RefusesBottomlessNesting) {
   EXPECT_THROW(compiler.pigment(p), std::runtime_error);
 }
 
-// Layers, maps and pigments that look at the same pattern in the same way share it, and see the values that they would see alone.
+// Layers, maps and pigments that look at the same pattern in the same way share it, and see the values that they would
+// see alone.
 TEST(SharedPatterns, AreCompiledAndEvaluatedOnce) {
   const auto marbled = [](Color second, double scale) {
     auto pigment = std::make_shared<scene::Pigment>();
@@ -225,7 +230,8 @@ TEST(SharedPatterns, AreCompiledAndEvaluatedOnce) {
     pigment->color_map = std::make_shared<scene::ColorMap>(scene::ColorMap{{0, Color(1, 1, 1)}, {1, second}});
     return pigment;
   };
-  const auto red = marbled(Color(1, 0, 0), 0.5), blue = marbled(Color(0, 0, 1), 0.5), larger = marbled(Color(0, 0, 1), 0.6);
+  const auto red = marbled(Color(1, 0, 0), 0.5), blue = marbled(Color(0, 0, 1), 0.5),
+             larger = marbled(Color(0, 0, 1), 0.6);
   Compiler together{Settings{}};
   const CompiledPigment *a = together.pigment(red), *b = together.pigment(blue), *c = together.pigment(larger);
   EXPECT_EQ(a->pattern, b->pattern);

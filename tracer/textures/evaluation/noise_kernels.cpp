@@ -1,5 +1,5 @@
-// The fast noise and what is built upon it, compiled for several instruction sets. All versions do the same operations in the same order, and none may fuse products and sums, so
-// all give the same bits.
+// The fast noise and what is built upon it, compiled for several instruction sets. All versions do the same operations
+// in the same order, and none may fuse products and sums, so all give the same bits.
 #include "tracer/noise/noise_kernels.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 #define VERISIM_INLINE inline __attribute__((always_inline))
 #define VERISIM_INLINE_LAMBDA __attribute__((always_inline))
 #define VERISIM_RARE __attribute__((noinline))
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
+#pragma GCC diagnostic ignored "-Wpsabi"          // vectors are only passed between functions that are inlined
 #pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 reports its own intrinsics
 
 namespace verisim::textures {
@@ -86,7 +86,8 @@ namespace avx512 {
 #pragma GCC pop_options
 
 const NoiseKernels* const kAll[kInstructionSets] = {&baseline::kKernels, &avx2::kKernels, &avx512::kKernels};
-const EvaluationKernels* const kAllEvaluations[kInstructionSets] = {&baseline::kEvaluation, &avx2::kEvaluation, &avx512::kEvaluation};
+const EvaluationKernels* const kAllEvaluations[kInstructionSets] = {&baseline::kEvaluation, &avx2::kEvaluation,
+                                                                    &avx512::kEvaluation};
 #else
 const NoiseKernels* const kAll[kInstructionSets] = {&baseline::kKernels};
 const EvaluationKernels* const kAllEvaluations[kInstructionSets] = {&baseline::kEvaluation};

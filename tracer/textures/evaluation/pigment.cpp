@@ -12,7 +12,8 @@ namespace {
 // The last of the positions that rise from the first one and have its colour, if it is below all that follow.
 double end_of_first_color(const CompiledPigment& c) {
   double end = 0;
-  for (std::size_t i = 0; i + 1 < c.colors.size() && c.colors[i] == c.colors[0] && c.positions.position(i) >= end; ++i) end = c.positions.position(i);
+  for (std::size_t i = 0; i + 1 < c.colors.size() && c.colors[i] == c.colors[0] && c.positions.position(i) >= end; ++i)
+    end = c.positions.position(i);
   return end < c.positions.position(c.colors.size() - 1) ? end : 0;
 }
 
@@ -54,7 +55,8 @@ bool image_color(const CompiledPigment& c, const Vec3& p, Color& color) {
 
 scene::ColorMap built_in_map(const scene::Pattern& pattern) {
   using enum scene::PatternKind;
-  const Color black(0, 0, 0), white(1, 1, 1), red(1, 0, 0), green(0, 1, 0), blue(0, 0, 1), yellow(1, 1, 0), cyan(0, 1, 1), magenta(1, 0, 1);
+  const Color black(0, 0, 0), white(1, 1, 1), red(1, 0, 0), green(0, 1, 0), blue(0, 0, 1), yellow(1, 1, 0),
+      cyan(0, 1, 1), magenta(1, 0, 1);
   const auto list = [](std::initializer_list<Color> colors) {
     scene::ColorMap map;
     for (const Color& c : colors) map.push_back({static_cast<float>(map.size()), c});
@@ -62,23 +64,38 @@ scene::ColorMap built_in_map(const scene::Pattern& pattern) {
   };
   switch (pattern.kind) {
     case agate:
-      return {{0, white}, {0.5f, {0.95f, 0.75f, 0.5f}}, {0.5f, {0.9f, 0.7f, 0.5f}}, {0.6f, {0.9f, 0.7f, 0.4f}}, {0.6f, {1, 0.7f, 0.4f}}, {1, {0.6f, 0.3f, 0}}};
-    case bozo: return {{0.4f, white}, {0.4f, green}, {0.6f, green}, {0.6f, blue}, {0.8f, blue}, {0.8f, red}};
-    case marble: return {{0, {0.9f, 0.8f, 0.8f}}, {0.9f, {0.9f, 0.08f, 0.08f}}, {0.9f, black}};
-    case wood: return {{0.6f, {0.666f, 0.312f, 0.2f}}, {0.6f, {0.4f, 0.1333f, 0.066f}}};
-    case radial: return {{0, cyan}, {0.333f, yellow}, {0.666f, magenta}, {1, cyan}};
+      return {{0, white},
+              {0.5f, {0.95f, 0.75f, 0.5f}},
+              {0.5f, {0.9f, 0.7f, 0.5f}},
+              {0.6f, {0.9f, 0.7f, 0.4f}},
+              {0.6f, {1, 0.7f, 0.4f}},
+              {1, {0.6f, 0.3f, 0}}};
+    case bozo:
+      return {{0.4f, white}, {0.4f, green}, {0.6f, green}, {0.6f, blue}, {0.8f, blue}, {0.8f, red}};
+    case marble:
+      return {{0, {0.9f, 0.8f, 0.8f}}, {0.9f, {0.9f, 0.08f, 0.08f}}, {0.9f, black}};
+    case wood:
+      return {{0.6f, {0.666f, 0.312f, 0.2f}}, {0.6f, {0.4f, 0.1333f, 0.066f}}};
+    case radial:
+      return {{0, cyan}, {0.333f, yellow}, {0.666f, magenta}, {1, cyan}};
     case mandel:
       if (const auto* f = std::get_if<scene::FractalParams>(&*pattern.params); f && f->exponent == 2)
         return {{0.001f, black}, {0.001f, cyan}, {0.012f, yellow}, {0.015f, magenta}, {0.1f, cyan}};
       break;
-    case brick: return list({{0.5f, 0.5f, 0.5f}, {0.6f, 0.15f, 0.15f}});
+    case brick:
+      return list({{0.5f, 0.5f, 0.5f}, {0.6f, 0.15f, 0.15f}});
     case checker:
-    case object: return list({blue, green});
-    case hexagon: return list({blue, green, red});
-    case square: return list({red, green, blue, yellow});
+    case object:
+      return list({blue, green});
+    case hexagon:
+      return list({blue, green, red});
+    case square:
+      return list({red, green, blue, yellow});
     case triangular:
-    case cubic: return list({red, green, blue, yellow, cyan, magenta});
-    default: break;
+    case cubic:
+      return list({red, green, blue, yellow, cyan, magenta});
+    default:
+      break;
   }
   return {{0, black}, {1, white}};
 }

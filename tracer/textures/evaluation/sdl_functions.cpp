@@ -1,4 +1,5 @@
-// Patterns and pigments as functions of SDL (spec 05 section 2, 01 section 24): there is no surface, so slope and aoi are 0.
+// Patterns and pigments as functions of SDL (spec 05 section 2, 01 section 24): there is no surface, so slope and aoi
+// are 0.
 #include "tracer/functions/function.h"
 #include "tracer/textures/evaluation/many_points.h"
 #include "tracer/textures/texture.h"
@@ -8,7 +9,8 @@ namespace {
 
 class PatternFunction final : public Function {
  public:
-  PatternFunction(const scene::Pattern& description, const Settings& settings) : compiler_(settings), pattern_(compiler_.pattern(description)) {}
+  PatternFunction(const scene::Pattern& description, const Settings& settings)
+      : compiler_(settings), pattern_(compiler_.pattern(description)) {}
   int parameters() const override { return 3; }
   int components() const override { return 1; }
   void evaluate(std::span<const double> p, double* result) const override {
@@ -25,7 +27,8 @@ class PatternFunction final : public Function {
 
 class PigmentFunction final : public Function {
  public:
-  PigmentFunction(const scene::PigmentPtr& description, const Settings& settings) : compiler_(settings), pigment_(compiler_.pigment(description)) {}
+  PigmentFunction(const scene::PigmentPtr& description, const Settings& settings)
+      : compiler_(settings), pigment_(compiler_.pigment(description)) {}
   int parameters() const override { return 3; }
   int components() const override { return 5; }
   void evaluate(std::span<const double> p, double* result) const override {

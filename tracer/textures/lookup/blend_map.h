@@ -14,8 +14,9 @@ struct MapPlace {
   bool single() const { return lower == upper; }
 };
 
-// The positions of a map in the order written; they are never sorted. The first entry with v <= position is found by counting (long maps: searching) the
-// smaller ones among the running maxima of the positions, which has the same answer for any order.
+// The positions of a map in the order written; they are never sorted. The first entry with v <= position is found by
+// counting (long maps: searching) the smaller ones among the running maxima of the positions, which has the same answer
+// for any order.
 class MapPositions {
  public:
   MapPositions() = default;
@@ -23,8 +24,11 @@ class MapPositions {
   explicit MapPositions(const Entries& entries) {
     for (const auto& e : entries) {
       const float position = e.position;
-      if (entries_.empty()) entries_.push_back({position, position, position, 0});
-      else entries_.push_back({std::max<double>(entries_.back().running_maximum, position), position, entries_.back().position, position - entries_.back().position});
+      if (entries_.empty())
+        entries_.push_back({position, position, position, 0});
+      else
+        entries_.push_back({std::max<double>(entries_.back().running_maximum, position), position,
+                            entries_.back().position, position - entries_.back().position});
     }
   }
 
@@ -40,7 +44,9 @@ class MapPositions {
     if (last <= 8) {
       for (int i = 0; i < last; ++i) j += v > entries[i].running_maximum;
     } else {
-      j = static_cast<int>(std::lower_bound(entries, entries + last, v, [](const Entry& e, double value) { return e.running_maximum < value; }) - entries);
+      j = static_cast<int>(std::lower_bound(entries, entries + last, v,
+                                            [](const Entry& e, double value) { return e.running_maximum < value; }) -
+                           entries);
     }
     const Entry& e = entries[j];
     if (j == 0 || v == e.position) return {j, j, 1};

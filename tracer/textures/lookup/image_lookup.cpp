@@ -128,27 +128,31 @@ Samples samples_at(const ImageLookup& l, double u, double v) {
 Color raw_color(const ImageLookup& l, double u, double v) {
   const Samples s = samples_at(l, u, v);
   if (s.count == 1) return l.image->at(s.x[0], s.y[0]);
-  // Summed in double precision: equal neighbours give their own value exactly after rounding, which material_map and steps of maps show.
+  // Summed in double precision: equal neighbours give their own value exactly after rounding, which material_map and
+  // steps of maps show.
   double sum[5] = {};
   for (int k = 0; k < s.count; ++k) {
     const Color c = l.image->at(s.x[k], s.y[k]);
     const float components[5] = {c.r, c.g, c.b, c.f, c.t};
     for (int i = 0; i < 5; ++i) sum[i] += s.weight[k] * components[i];
   }
-  return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]), static_cast<float>(sum[3]), static_cast<float>(sum[4])};
+  return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]),
+          static_cast<float>(sum[3]), static_cast<float>(sum[4])};
 }
 
 double raw_index(const ImageLookup& l, double u, double v) {
   const Samples s = samples_at(l, u, v);
   double sum = 0;
-  for (int k = 0; k < s.count; ++k) sum += s.weight[k] * l.image->indices[static_cast<std::size_t>(s.y[k]) * l.image->width + s.x[k]];
+  for (int k = 0; k < s.count; ++k)
+    sum += s.weight[k] * l.image->indices[static_cast<std::size_t>(s.y[k]) * l.image->width + s.x[k]];
   return std::floor(std::max(static_cast<float>(sum), 0.0f));
 }
 
 }  // namespace
 
 ImageLookup compile_image(const scene::ImageParams& params) {
-  if (!params.image || params.image->width <= 0 || params.image->height <= 0) throw std::invalid_argument("an image pattern without image");
+  if (!params.image || params.image->width <= 0 || params.image->height <= 0)
+    throw std::invalid_argument("an image pattern without image");
   ImageLookup l;
   l.image = params.image;
   const Image& image = *l.image;
@@ -175,10 +179,18 @@ ImageLookup compile_image(const scene::ImageParams& params) {
 bool locate(const ImageLookup& l, const Vec3& p, double& u, double& v) {
   bool hit;
   switch (l.map_type) {
-    case 1: hit = spherical(l, p, u, v); break;
-    case 2: hit = cylindrical(l, p, u, v); break;
-    case 5: hit = torus(l, p, u, v); break;
-    default: hit = planar(l, p, u, v); break;
+    case 1:
+      hit = spherical(l, p, u, v);
+      break;
+    case 2:
+      hit = cylindrical(l, p, u, v);
+      break;
+    case 5:
+      hit = torus(l, p, u, v);
+      break;
+    default:
+      hit = planar(l, p, u, v);
+      break;
   }
   if (!hit) return false;
   const double w = l.image->width, h = l.image->height;

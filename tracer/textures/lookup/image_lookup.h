@@ -11,10 +11,10 @@ struct ImageLookup {
   ImagePtr image;
   int map_type = 0, interpolate = 0;
   bool once = false, use_alpha = false, use_index = false;
-  double width = 1, height = 1;                    // in pixels, repeated
-  double offset_u = 0, offset_v = 0;               // in pixels
-  float filter_all = 0, transmit_all = 0;          // of an image that is not indexed
-  bool transparent = false;                        // some pixel may let light through
+  double width = 1, height = 1;            // in pixels, repeated
+  double offset_u = 0, offset_v = 0;       // in pixels
+  float filter_all = 0, transmit_all = 0;  // of an image that is not indexed
+  bool transparent = false;                // some pixel may let light through
 };
 
 ImageLookup compile_image(const scene::ImageParams& params);

@@ -14,7 +14,8 @@ ImagePtr probe_image() {
   auto image = std::make_shared<Image>();
   image->width = 4;
   image->height = 2;
-  const int values[8][3] = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 0}, {0, 255, 255}, {255, 0, 255}, {64, 128, 192}, {32, 16, 8}};
+  const int values[8][3] = {{255, 0, 0},   {0, 255, 0},   {0, 0, 255},    {255, 255, 0},
+                            {0, 255, 255}, {255, 0, 255}, {64, 128, 192}, {32, 16, 8}};
   for (const auto& v : values) {
     for (const int component : v) image->pixels.push_back(static_cast<float>(component) / 255.0f);
     image->pixels.push_back(0);
@@ -31,16 +32,93 @@ TEST(ImageMap, EqualsPovRay) {
     Color value[4];
   };
   const Probe probes[] = {
-      {"(none)", [](ImageParams& p) { (void)p; }, {{0.000000f, 1.000000f, 1.000000f, 0, 0}, {0.000000f, 1.000000f, 0.000000f, 0, 0}, {0.000000f, 0.000000f, 1.000000f, 0, 0}, {0.250980f, 0.501961f, 0.752941f, 0, 0}}},
-      {"interpolate 2", [](ImageParams& p) { p.interpolate = 2; (void)p; }, {{0.308784f, 0.664392f, 0.632196f, 0, 0}, {0.340000f, 0.660000f, 0.100000f, 0, 0}, {0.097765f, 0.205529f, 0.863294f, 0, 0}, {0.222000f, 0.363176f, 0.552824f, 0, 0}}},
-      {"interpolate 3", [](ImageParams& p) { p.interpolate = 3; (void)p; }, {{0.199822f, 0.773223f, 0.731880f, 0, 0}, {0.272983f, 0.769066f, -0.042079f, 0, 0}, {0.031356f, 0.126307f, 0.937939f, 0, 0}, {0.170038f, 0.390973f, 0.526433f, 0, 0}}},
-      {"interpolate 4", [](ImageParams& p) { p.interpolate = 4; (void)p; }, {{0.209553f, 0.780885f, 0.722955f, 0, 0}, {0.224138f, 0.775862f, 0.135468f, 0, 0}, {0.091582f, 0.152376f, 0.884352f, 0, 0}, {0.254318f, 0.426094f, 0.627021f, 0, 0}}},
-      {"once", [](ImageParams& p) { p.once = true; (void)p; }, {{0.000000f, 1.000000f, 1.000000f, 0, 0}, {0.000000f, 1.000000f, 0.000000f, 0, 0}, {1.000000f, 1.000000f, 1.000000f, 0, 1}, {1.000000f, 1.000000f, 1.000000f, 0, 1}}},
-      {"map_type 1", [](ImageParams& p) { p.map_type = 1; (void)p; }, {{1.000000f, 0.000000f, 0.000000f, 0, 0}, {1.000000f, 0.000000f, 0.000000f, 0, 0}, {0.000000f, 1.000000f, 1.000000f, 0, 0}, {0.000000f, 0.000000f, 1.000000f, 0, 0}}},
-      {"map_type 2", [](ImageParams& p) { p.map_type = 2; (void)p; }, {{0.000000f, 1.000000f, 1.000000f, 0, 0}, {1.000000f, 0.000000f, 0.000000f, 0, 0}, {1.000000f, 0.000000f, 0.000000f, 0, 0}, {0.250980f, 0.501961f, 0.752941f, 0, 0}}},
-      {"map_type 5", [](ImageParams& p) { p.map_type = 5; (void)p; }, {{1.000000f, 0.000000f, 0.000000f, 0, 0}, {1.000000f, 0.000000f, 0.000000f, 0, 0}, {0.000000f, 1.000000f, 1.000000f, 0, 0}, {0.000000f, 0.000000f, 1.000000f, 0, 0}}},
-      {"repeat <3,2>", [](ImageParams& p) { p.repeat = {3, 2}; (void)p; }, {{1.000000f, 0.000000f, 1.000000f, 0, 0}, {1.000000f, 1.000000f, 0.000000f, 0, 0}, {0.125490f, 0.062745f, 0.031373f, 0, 0}, {1.000000f, 0.000000f, 0.000000f, 0, 0}}},
-      {"offset <.3,.6>", [](ImageParams& p) { p.offset = {0.3, 0.6}; (void)p; }, {{1.000000f, 1.000000f, 0.000000f, 0, 0}, {0.000000f, 1.000000f, 1.000000f, 0, 0}, {1.000000f, 0.000000f, 1.000000f, 0, 0}, {0.000000f, 1.000000f, 0.000000f, 0, 0}}},
+      {"(none)",
+       [](ImageParams& p) { (void)p; },
+       {{0.000000f, 1.000000f, 1.000000f, 0, 0},
+        {0.000000f, 1.000000f, 0.000000f, 0, 0},
+        {0.000000f, 0.000000f, 1.000000f, 0, 0},
+        {0.250980f, 0.501961f, 0.752941f, 0, 0}}},
+      {"interpolate 2",
+       [](ImageParams& p) {
+         p.interpolate = 2;
+         (void)p;
+       },
+       {{0.308784f, 0.664392f, 0.632196f, 0, 0},
+        {0.340000f, 0.660000f, 0.100000f, 0, 0},
+        {0.097765f, 0.205529f, 0.863294f, 0, 0},
+        {0.222000f, 0.363176f, 0.552824f, 0, 0}}},
+      {"interpolate 3",
+       [](ImageParams& p) {
+         p.interpolate = 3;
+         (void)p;
+       },
+       {{0.199822f, 0.773223f, 0.731880f, 0, 0},
+        {0.272983f, 0.769066f, -0.042079f, 0, 0},
+        {0.031356f, 0.126307f, 0.937939f, 0, 0},
+        {0.170038f, 0.390973f, 0.526433f, 0, 0}}},
+      {"interpolate 4",
+       [](ImageParams& p) {
+         p.interpolate = 4;
+         (void)p;
+       },
+       {{0.209553f, 0.780885f, 0.722955f, 0, 0},
+        {0.224138f, 0.775862f, 0.135468f, 0, 0},
+        {0.091582f, 0.152376f, 0.884352f, 0, 0},
+        {0.254318f, 0.426094f, 0.627021f, 0, 0}}},
+      {"once",
+       [](ImageParams& p) {
+         p.once = true;
+         (void)p;
+       },
+       {{0.000000f, 1.000000f, 1.000000f, 0, 0},
+        {0.000000f, 1.000000f, 0.000000f, 0, 0},
+        {1.000000f, 1.000000f, 1.000000f, 0, 1},
+        {1.000000f, 1.000000f, 1.000000f, 0, 1}}},
+      {"map_type 1",
+       [](ImageParams& p) {
+         p.map_type = 1;
+         (void)p;
+       },
+       {{1.000000f, 0.000000f, 0.000000f, 0, 0},
+        {1.000000f, 0.000000f, 0.000000f, 0, 0},
+        {0.000000f, 1.000000f, 1.000000f, 0, 0},
+        {0.000000f, 0.000000f, 1.000000f, 0, 0}}},
+      {"map_type 2",
+       [](ImageParams& p) {
+         p.map_type = 2;
+         (void)p;
+       },
+       {{0.000000f, 1.000000f, 1.000000f, 0, 0},
+        {1.000000f, 0.000000f, 0.000000f, 0, 0},
+        {1.000000f, 0.000000f, 0.000000f, 0, 0},
+        {0.250980f, 0.501961f, 0.752941f, 0, 0}}},
+      {"map_type 5",
+       [](ImageParams& p) {
+         p.map_type = 5;
+         (void)p;
+       },
+       {{1.000000f, 0.000000f, 0.000000f, 0, 0},
+        {1.000000f, 0.000000f, 0.000000f, 0, 0},
+        {0.000000f, 1.000000f, 1.000000f, 0, 0},
+        {0.000000f, 0.000000f, 1.000000f, 0, 0}}},
+      {"repeat <3,2>",
+       [](ImageParams& p) {
+         p.repeat = {3, 2};
+         (void)p;
+       },
+       {{1.000000f, 0.000000f, 1.000000f, 0, 0},
+        {1.000000f, 1.000000f, 0.000000f, 0, 0},
+        {0.125490f, 0.062745f, 0.031373f, 0, 0},
+        {1.000000f, 0.000000f, 0.000000f, 0, 0}}},
+      {"offset <.3,.6>",
+       [](ImageParams& p) {
+         p.offset = {0.3, 0.6};
+         (void)p;
+       },
+       {{1.000000f, 1.000000f, 0.000000f, 0, 0},
+        {0.000000f, 1.000000f, 1.000000f, 0, 0},
+        {1.000000f, 0.000000f, 1.000000f, 0, 0},
+        {0.000000f, 1.000000f, 0.000000f, 0, 0}}},
   };
   for (const Probe& probe : probes) {
     ImageParams params;
@@ -84,7 +162,8 @@ TEST(ImageLookup, SurvivesFarAndInvalidPoints) {
         params.interpolate = interpolate;
         params.once = once;
         const ImageLookup lookup = compile_image(params);
-        for (const double x : {0.0, 1.0, -1e17, 1e17, 1e300, std::numeric_limits<double>::quiet_NaN()}) image_pattern(lookup, {x, 1, x});
+        for (const double x : {0.0, 1.0, -1e17, 1e17, 1e300, std::numeric_limits<double>::quiet_NaN()})
+          image_pattern(lookup, {x, 1, x});
       }
 }
 
@@ -134,7 +213,8 @@ TEST(DensityFile, EqualsPovRay) {
   for (int mode = 0; mode < 3; ++mode)
     for (int k = 0; k < 6; ++k) {
       d.interpolate = mode;
-      EXPECT_NEAR(density_file(d, {x[k], 0.5, 0.5}), expected[mode][k], mode == 2 ? 3e-7 : 1e-8) << "interpolate " << mode << " at " << x[k];
+      EXPECT_NEAR(density_file(d, {x[k], 0.5, 0.5}), expected[mode][k], mode == 2 ? 3e-7 : 1e-8)
+          << "interpolate " << mode << " at " << x[k];
     }
   EXPECT_EQ(density_file(d, {1, 0.5, 0.5}), 0);
   EXPECT_EQ(density_file(d, {-1e-9, 0.5, 0.5}), 0);

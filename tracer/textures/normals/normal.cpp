@@ -30,8 +30,10 @@ Vec3 bump_map(const ImageLookup& lookup, double amount, const Vec3& p, const Vec
   double u, v;
   if (!locate(lookup, p, u, v)) return n;
   const double w = lookup.image->width, h = lookup.image->height;
-  const double left = u - 1 < 0 ? u - 1 + w : u - 1, right = u + 1 >= w ? u + 1 - w : u + 1, below = v + 1 >= h ? v + 1 - h : v + 1;
-  const double g1 = amount * bump_height(lookup, u, v), g2 = amount * bump_height(lookup, left, below), g3 = amount * bump_height(lookup, right, below);
+  const double left = u - 1 < 0 ? u - 1 + w : u - 1, right = u + 1 >= w ? u + 1 - w : u + 1,
+               below = v + 1 >= h ? v + 1 - h : v + 1;
+  const double g1 = amount * bump_height(lookup, u, v), g2 = amount * bump_height(lookup, left, below),
+               g3 = amount * bump_height(lookup, right, below);
   const Vec3 b = normalize(Vec3(g2 - g3, 2, 2 * g1 - g2 - g3));
   Vec3 x = cross(n, Vec3(0, 1, 0)), y = n;
   if (length(x) < kEpsilon) {
@@ -47,17 +49,24 @@ Vec3 bump_map(const ImageLookup& lookup, double amount, const Vec3& p, const Vec
 Vec3 displaced(const CompiledNormal& c, const Vec3& p, const Vec3& n) {
   const CompiledPattern& pattern = *c.pattern;
   switch (pattern.kind) {
-    case scene::PatternKind::bumps: return n + c.amount * vector_noise(p);
-    case scene::PatternKind::dents: return n + c.amount * dents_bump(p, pattern.noise_generator);
-    case scene::PatternKind::wrinkles: return n + c.amount * wrinkles_vector_sum(p);
-    case scene::PatternKind::ripples: return n + ripples_bump(pattern, c.amount, p);
-    case scene::PatternKind::waves: return n + waves_bump(pattern, c.amount, p);
+    case scene::PatternKind::bumps:
+      return n + c.amount * vector_noise(p);
+    case scene::PatternKind::dents:
+      return n + c.amount * dents_bump(p, pattern.noise_generator);
+    case scene::PatternKind::wrinkles:
+      return n + c.amount * wrinkles_vector_sum(p);
+    case scene::PatternKind::ripples:
+      return n + ripples_bump(pattern, c.amount, p);
+    case scene::PatternKind::waves:
+      return n + waves_bump(pattern, c.amount, p);
     case scene::PatternKind::quilted: {
       const Quilt q = quilt(pattern.as<QuiltedData>(), p);
       return n + c.amount * q.q * q.u;
     }
-    case scene::PatternKind::facets: return facets(pattern.as<scene::FacetsParams>(), p, n);
-    default: return bump_map(pattern.as<ImageLookup>(), c.amount, p, n);
+    case scene::PatternKind::facets:
+      return facets(pattern.as<scene::FacetsParams>(), p, n);
+    default:
+      return bump_map(pattern.as<ImageLookup>(), c.amount, p, n);
   }
 }
 
@@ -133,7 +142,8 @@ double height_of(const CompiledNormal& c, double v) {
   const scene::SlopeEntry &a = c.slopes[place.lower], &b = c.slopes[place.upper];
   const double low = c.positions.position(place.lower), t = (v - low) / (c.positions.position(place.upper) - low);
   const double rise = a.height - b.height;
-  return t * t * t * (a.slope + b.slope + 2 * rise) - t * t * (2 * a.slope + b.slope + 3 * rise) + t * a.slope + a.height;
+  return t * t * t * (a.slope + b.slope + 2 * rise) - t * t * (2 * a.slope + b.slope + 3 * rise) + t * a.slope +
+         a.height;
 }
 
 Vec3 perturb(const CompiledNormal& normal, const Vec3& p, SurfacePoint& surface) {

@@ -1,4 +1,5 @@
-// Probe P7 of spec 05 section 15: normals on the plane z = 0.3 seen along z. POV-Ray showed sin(pi/2 (2 V / 65535 - 1)) of each component as a 16-bit grey V.
+// Probe P7 of spec 05 section 15: normals on the plane z = 0.3 seen along z. POV-Ray showed sin(pi/2 (2 V / 65535 - 1))
+// of each component as a 16-bit grey V.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -26,7 +27,8 @@ Vec3 greys(const NormalPtr& description, const Vec3& p) {
   surface.ray_direction = Vec3(0, 0, 1);
   perturb(*compiler.normal(description), p, surface);
   Vec3 result;
-  for (int k = 0; k < 3; ++k) result[k] = (0.5 + std::asin(std::clamp(surface.normal[k], -1.0, 1.0)) / std::numbers::pi) * 65535;
+  for (int k = 0; k < 3; ++k)
+    result[k] = (0.5 + std::asin(std::clamp(surface.normal[k], -1.0, 1.0)) / std::numbers::pi) * 65535;
   return result;
 }
 
@@ -81,7 +83,8 @@ TEST(NormalProbes, HeightFields) {
   leopard->pattern.prepend(Transform::scaling({0.3, 0.3, 0.3}));
   expect_normal(leopard, {33177, 33179, 580}, {33179, 33173, 578}, "leopard 1 scale 0.3");
   auto onion = normal(PatternKind::onion, 0.6f);
-  onion->slope_map = std::make_shared<BlendMap<SlopeEntry>>(BlendMap<SlopeEntry>{{0, {0, 1}}, {0.4f, {1, -1}}, {0.4f, {0.2, 0}}, {1, {0.8, 2}}});
+  onion->slope_map = std::make_shared<BlendMap<SlopeEntry>>(
+      BlendMap<SlopeEntry>{{0, {0, 1}}, {0.4f, {1, -1}}, {0.4f, {0.2, 0}}, {1, {0.8, 2}}});
   expect_normal(onion, {36855, 28658, 5835}, {28649, 36868, 5851}, "onion with slope_map");
   auto checker = normal(PatternKind::checker);
   checker->pattern.frequency = 0;
@@ -93,11 +96,13 @@ TEST(NormalProbes, Maps) {
   wrinkles->pattern.prepend(Transform::scaling({0.5, 0.5, 0.5}));
   auto map = normal(PatternKind::gradient);
   map->pattern.params = GradientParams{{1, 0, 0}};
-  map->normal_map = std::make_shared<BlendMap<NormalPtr>>(BlendMap<NormalPtr>{{0.2f, normal(PatternKind::bumps, 0.8f)}, {0.7f, wrinkles}});
+  map->normal_map = std::make_shared<BlendMap<NormalPtr>>(
+      BlendMap<NormalPtr>{{0.2f, normal(PatternKind::bumps, 0.8f)}, {0.7f, wrinkles}});
   map->pattern.prepend(Transform::scaling({2, 1, 1}));
   expect_normal(map, {34393, 37693, 5197}, {34428, 32309, 1723}, "normal_map");
   auto average = normal(PatternKind::average);
-  average->normal_map = std::make_shared<BlendMap<NormalPtr>>(BlendMap<NormalPtr>{{1, normal(PatternKind::bumps, 0.8f)}, {2, normal(PatternKind::ripples)}});
+  average->normal_map = std::make_shared<BlendMap<NormalPtr>>(
+      BlendMap<NormalPtr>{{1, normal(PatternKind::bumps, 0.8f)}, {2, normal(PatternKind::ripples)}});
   expect_normal(average, {30612, 33252, 2209}, {31090, 33578, 1864}, "average");
 }
 

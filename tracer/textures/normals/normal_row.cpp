@@ -1,4 +1,5 @@
-// Normals at the points of a row: the same, bit by bit, as normal.cpp finds one by one. Kinds that have no wide form are asked point by point.
+// Normals at the points of a row: the same, bit by bit, as normal.cpp finds one by one. Kinds that have no wide form
+// are asked point by point.
 #include "tracer/textures/evaluation/evaluation.h"
 #include "tracer/textures/normals/normal.h"
 #include "tracer/textures/normals/normal_kernels.h"
@@ -65,8 +66,10 @@ void perturb(const CompiledNormal& c, int count, const PointRow& points, Surface
   for (int i = 0; i < count; ++i) n.set(i, surfaces[i]->normal);
   n.fill_up(count);
   normals_of().into_frame(*c.pattern, c.no_bump_scale, count, n);
-  if (c.method == CompiledNormal::Method::height) raise(c, count, p, surfaces, n);
-  else displace(c, count, p, n);
+  if (c.method == CompiledNormal::Method::height)
+    raise(c, count, p, surfaces, n);
+  else
+    displace(c, count, p, n);
   normals_of().out_of_frame(*c.pattern, c.no_bump_scale, count, n);
   for (int i = 0; i < count; ++i) {
     surfaces[i]->normal = n.at(i);

@@ -15,7 +15,8 @@ std::vector<scene::NormalPtr> descriptions() {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0.2, 2);
   std::vector<scene::NormalPtr> all;
-  for (const scene::PatternKind kind : {bumps, dents, wrinkles, granite, bozo, crackle, leopard, ripples, quilted, slope}) {
+  for (const scene::PatternKind kind :
+       {bumps, dents, wrinkles, granite, bozo, crackle, leopard, ripples, quilted, slope}) {
     for (int variant = 0; variant < 8; ++variant) {
       scene::Normal d;
       d.pattern.kind = kind;
@@ -24,8 +25,12 @@ std::vector<scene::NormalPtr> descriptions() {
       if (kind == slope) d.pattern.params = scene::SlopeParams{.direction = Vec3(0, 1, 0)};
       d.amount = 0.7f;
       d.no_bump_scale = variant % 2 == 1;
-      if (variant % 4 >= 2) d.pattern.prepend(Transform::scaling(Vec3(unit(random), unit(random), unit(random))).then(Transform::rotation(Vec3(20, -30, 40))));
-      if (variant >= 4) d.slope_map = std::make_shared<const scene::BlendMap<scene::SlopeEntry>>(scene::BlendMap<scene::SlopeEntry>{{0.1f, {0, 1}}, {0.5f, {1, 0}}, {0.8f, {0.3f, -1}}});
+      if (variant % 4 >= 2)
+        d.pattern.prepend(Transform::scaling(Vec3(unit(random), unit(random), unit(random)))
+                              .then(Transform::rotation(Vec3(20, -30, 40))));
+      if (variant >= 4)
+        d.slope_map = std::make_shared<const scene::BlendMap<scene::SlopeEntry>>(
+            scene::BlendMap<scene::SlopeEntry>{{0.1f, {0, 1}}, {0.5f, {1, 0}}, {0.8f, {0.3f, -1}}});
       if (variant == 3) d.pattern.turbulence = scene::Turbulence{.amount = Vec3(0.4, 0.5, 0.6)};
       all.push_back(std::make_shared<const scene::Normal>(d));
     }
@@ -58,7 +63,8 @@ TEST(NormalRow, GivesTheBitsOfPoints) {
       Vec3 normals[PointRow::kMost];
       perturb(normal, count, points, surfaces, normals);
       for (int i = 0; i < count; ++i) {
-        ASSERT_EQ(normals[i], perturb(normal, points.at(i), single[i])) << "pattern " << static_cast<int>(description->pattern.kind) << ", point " << i << " of " << count;
+        ASSERT_EQ(normals[i], perturb(normal, points.at(i), single[i]))
+            << "pattern " << static_cast<int>(description->pattern.kind) << ", point " << i << " of " << count;
         ASSERT_EQ(together[i].normal, single[i].normal);
       }
     }

@@ -7,7 +7,7 @@
 #endif
 
 #define VERISIM_INLINE inline __attribute__((always_inline))
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
+#pragma GCC diagnostic ignored "-Wpsabi"          // vectors are only passed between functions that are inlined
 #pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 reports its own intrinsics
 #pragma GCC diagnostic ignored "-Wunused-function"
 

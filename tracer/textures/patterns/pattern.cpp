@@ -26,46 +26,77 @@ double tiling_value(const TilingData& data, const Vec3& p) {
 double formula(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
   using enum scene::PatternKind;
   switch (c.kind) {
-    case aoi: return surface ? angle_of_incidence(*surface) : 0;
-    case boxed: return textures::boxed(p);
-    case brick: return textures::brick(c.as<BrickData>(), p);
+    case aoi:
+      return surface ? angle_of_incidence(*surface) : 0;
+    case boxed:
+      return textures::boxed(p);
+    case brick:
+      return textures::brick(c.as<BrickData>(), p);
     case bump_map:
     case image_map:
-    case image_pattern: return textures::image_pattern(c.as<ImageLookup>(), p);
-    case cells: return textures::cells(p);
-    case checker: return textures::checker(p);
-    case crackle: return textures::crackle(c.as<CrackleData>(), c.noise_generator, p);
-    case cubic: return textures::cubic(p);
-    case cylindrical: return textures::cylindrical(p);
-    case density_file: return textures::density_file(c.as<scene::DensityFileParams>(), p);
+    case image_pattern:
+      return textures::image_pattern(c.as<ImageLookup>(), p);
+    case cells:
+      return textures::cells(p);
+    case checker:
+      return textures::checker(p);
+    case crackle:
+      return textures::crackle(c.as<CrackleData>(), c.noise_generator, p);
+    case cubic:
+      return textures::cubic(p);
+    case cylindrical:
+      return textures::cylindrical(p);
+    case density_file:
+      return textures::density_file(c.as<scene::DensityFileParams>(), p);
     case dents: {
       const double n = noise(p, c.noise_generator);
       return n * n * n;
     }
-    case function: return function_value(c.as<FunctionData>(), p);
-    case gradient: return textures::gradient(c.as<GradientData>(), p);
-    case hexagon: return textures::hexagon(p);
+    case function:
+      return function_value(c.as<FunctionData>(), p);
+    case gradient:
+      return textures::gradient(c.as<GradientData>(), p);
+    case hexagon:
+      return textures::hexagon(p);
     case julia:
     case magnet_julia:
     case magnet_mandel:
-    case mandel: return fractal(c.as<scene::FractalParams>(), c.kind, p);
-    case leopard: return textures::leopard(p);
-    case object: return c.as<ObjectData>().solid->inside(p) ? 1 : 0;
-    case onion: return textures::onion(p);
-    case pavement: return evaluate_pavement(c.as<PavementData>().pavement, p.x, p.z);
-    case pigment_pattern: return pigment_grey(c.as<PigmentData>(), p, surface);
-    case planar: return textures::planar(p);
-    case quilted: return textures::quilted(c.as<QuiltedData>(), p);
-    case radial: return textures::radial(p);
-    case ripples: return textures::ripples(c, p);
-    case slope: return surface ? textures::slope(c.as<SlopeData>(), p, *surface) : 0;
-    case spherical: return textures::spherical(p);
-    case spiral1: return textures::spiral1(c, p);
-    case spiral2: return textures::spiral2(c, p);
-    case square: return textures::square(p);
-    case tiling: return tiling_value(c.as<TilingData>(), p);
-    case triangular: return textures::triangular(p);
-    case waves: return textures::waves(c, p);
+    case mandel:
+      return fractal(c.as<scene::FractalParams>(), c.kind, p);
+    case leopard:
+      return textures::leopard(p);
+    case object:
+      return c.as<ObjectData>().solid->inside(p) ? 1 : 0;
+    case onion:
+      return textures::onion(p);
+    case pavement:
+      return evaluate_pavement(c.as<PavementData>().pavement, p.x, p.z);
+    case pigment_pattern:
+      return pigment_grey(c.as<PigmentData>(), p, surface);
+    case planar:
+      return textures::planar(p);
+    case quilted:
+      return textures::quilted(c.as<QuiltedData>(), p);
+    case radial:
+      return textures::radial(p);
+    case ripples:
+      return textures::ripples(c, p);
+    case slope:
+      return surface ? textures::slope(c.as<SlopeData>(), p, *surface) : 0;
+    case spherical:
+      return textures::spherical(p);
+    case spiral1:
+      return textures::spiral1(c, p);
+    case spiral2:
+      return textures::spiral2(c, p);
+    case square:
+      return textures::square(p);
+    case tiling:
+      return tiling_value(c.as<TilingData>(), p);
+    case triangular:
+      return textures::triangular(p);
+    case waves:
+      return textures::waves(c, p);
     case agate:
     case bozo:
     case bumps:
@@ -73,12 +104,14 @@ double formula(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surf
     case marble:
     case spotted:
     case wood:
-    case wrinkles: break;  // evaluation.inc
+    case wrinkles:
+      break;  // evaluation.inc
     case average:
     case facets:
     case none:
     case plain:
-    case uv_mapping: break;  // never asked for a value
+    case uv_mapping:
+      break;  // never asked for a value
   }
   return 0;
 }
@@ -94,7 +127,8 @@ bool worth_remembering(const CompiledPattern& c) {
     case image_map:
     case none:
     case plain:
-    case uv_mapping: return false;
+    case uv_mapping:
+      return false;
     case agate:
     case bozo:
     case bumps:
@@ -113,8 +147,10 @@ bool worth_remembering(const CompiledPattern& c) {
     case spotted:
     case tiling:
     case waves:
-    case wrinkles: return true;
-    default: return c.turbulent || !c.chain.rest.empty();
+    case wrinkles:
+      return true;
+    default:
+      return c.turbulent || !c.chain.rest.empty();
   }
 }
 

@@ -22,10 +22,20 @@ struct WaveSource {
 };
 
 // Parameters in the form the formulas want; see patterns/*.cpp.
-struct BrickData { Vec3 size; double mortar; };
-struct CrackleData { scene::CrackleParams p; double offset_power; };
-struct GradientData { Vec3 unit; };
-struct QuiltedData { double control0, control1; };
+struct BrickData {
+  Vec3 size;
+  double mortar;
+};
+struct CrackleData {
+  scene::CrackleParams p;
+  double offset_power;
+};
+struct GradientData {
+  Vec3 unit;
+};
+struct QuiltedData {
+  double control0, control1;
+};
 struct SlopeData {
   Vec3 direction;  // unit, or the point to look at
   Vec3 altitude;   // unit
@@ -33,18 +43,30 @@ struct SlopeData {
   double slope_weight = 1;
   double slope_low = 0, slope_width = 0, altitude_low = 0, altitude_width = 0;  // width 0: no range
 };
-struct PigmentData { const CompiledPigment* pigment; };
+struct PigmentData {
+  const CompiledPigment* pigment;
+};
 struct ObjectData {
   scene::ObjectPtr description;
   std::shared_ptr<const scene::Solid> solid;
 };
-struct WaveData { std::shared_ptr<const std::vector<WaveSource>> sources; };
-struct TilingData { const Tiling* tiling; int number; };
-struct PavementData { Pavement pavement; };
-struct FunctionData { FunctionPtr function; };
-using PatternData = std::variant<std::monostate, scene::AgateParams, BrickData, CrackleData, scene::FacetsParams, scene::FractalParams, GradientData, QuiltedData, SlopeData,
-                                 scene::SpiralParams, TilingData, PavementData, FunctionData, ObjectData, PigmentData, scene::DensityFileParams,
-                                 ImageLookup, WaveData>;
+struct WaveData {
+  std::shared_ptr<const std::vector<WaveSource>> sources;
+};
+struct TilingData {
+  const Tiling* tiling;
+  int number;
+};
+struct PavementData {
+  Pavement pavement;
+};
+struct FunctionData {
+  FunctionPtr function;
+};
+using PatternData =
+    std::variant<std::monostate, scene::AgateParams, BrickData, CrackleData, scene::FacetsParams, scene::FractalParams,
+                 GradientData, QuiltedData, SlopeData, scene::SpiralParams, TilingData, PavementData, FunctionData,
+                 ObjectData, PigmentData, scene::DensityFileParams, ImageLookup, WaveData>;
 
 struct CompiledPattern {
   scene::PatternKind kind = scene::PatternKind::none;
@@ -52,16 +74,20 @@ struct CompiledPattern {
   int noise_generator = 2;
   double frequency = 1, phase = 0, exponent = 1;
   bool plain_wave = false;  // ramp wave, frequency 1, phase 0: values in [0, 1] stay what they are
-  TurbulenceStep turbulence{{0, 0, 0}, Octaves(6, 2, 0.5)};  // the classic record, as the formulas of agate, marble, wood and spirals use it
-  bool turbulent = false;                           // it was written
+  TurbulenceStep turbulence{
+      {0, 0, 0}, Octaves(6, 2, 0.5)};  // the classic record, as the formulas of agate, marble, wood and spirals use it
+  bool turbulent = false;              // it was written
   WarpChain chain;
   std::vector<Transform> frame;  // the transformations alone, in order of evaluation: what happens to normals
   PatternData data;
-  // Not 0: several pigments or textures use this pattern, and its last value at a point is worth remembering. Unique in the program.
+  // Not 0: several pigments or textures use this pattern, and its last value at a point is worth remembering. Unique in
+  // the program.
   std::uint64_t shared_id = 0;
 
   template <class T>
-  const T& as() const { return *std::get_if<T>(&data); }
+  const T& as() const {
+    return *std::get_if<T>(&data);
+  }
 };
 
 // The point that the formula, and the children of a map, see.

@@ -1,5 +1,6 @@
-// Embree's bare rate on the Cornell box's triangles: single rays in robust mode, nearest hit and any hit, between random points of the walls. What path
-// tracing's rays per second (`verisim render --integrator path --stats`) are measured against.
+// Embree's bare rate on the Cornell box's triangles: single rays in robust mode, nearest hit and any hit, between
+// random points of the walls. What path tracing's rays per second (`verisim render --integrator path --stats`) are
+// measured against.
 #include <benchmark/benchmark.h>
 #include <embree3/rtcore.h>
 
@@ -28,8 +29,10 @@ struct Box {
                                {265, 0, 296, 265, 330, 296, 423, 330, 247, 423, 0, 247}};
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     constexpr std::size_t kQuads = sizeof quads / sizeof *quads;
-    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, kQuads * 4));
-    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, kQuads * 2));
+    auto* points = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, kQuads * 4));
+    auto* indices = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, kQuads * 2));
     for (unsigned q = 0; q < kQuads; ++q) {
       for (int i = 0; i < 12; ++i) points[q * 12 + static_cast<unsigned>(i)] = quads[q][i];
       const unsigned corners[6] = {0, 1, 2, 0, 2, 3};

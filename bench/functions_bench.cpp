@@ -8,17 +8,21 @@ namespace {
 
 Node number(double v) { return {Constant{v}}; }
 Node parameter(int i) { return {Parameter{i}}; }
-Node chain(std::vector<Node> operands, std::vector<Op> operators) { return {Chain{std::move(operands), std::move(operators)}}; }
+Node chain(std::vector<Node> operands, std::vector<Op> operators) {
+  return {Chain{std::move(operands), std::move(operators)}};
+}
 Node square(int i) { return chain({parameter(i), parameter(i)}, {Op::multiply}); }
 
 // x*x + y*y + z*z - 1
 Node sphere() { return chain({square(0), square(1), square(2), number(1)}, {Op::add, Op::add, Op::subtract}); }
 // About twenty operations.
 Node longer() {
-  const Node cubic = chain({parameter(0), parameter(1), parameter(2), number(.5)}, {Op::multiply, Op::multiply, Op::multiply});
+  const Node cubic =
+      chain({parameter(0), parameter(1), parameter(2), number(.5)}, {Op::multiply, Op::multiply, Op::multiply});
   const Node product = chain({sphere(), parameter(0), number(3)}, {Op::multiply, Op::multiply});
   const Node quartic = chain({square(1), square(1), number(.1)}, {Op::multiply, Op::multiply});
-  return chain({sphere(), product, cubic, chain({parameter(0), number(2)}, {Op::multiply}), quartic}, {Op::add, Op::subtract, Op::add, Op::subtract});
+  return chain({sphere(), product, cubic, chain({parameter(0), number(2)}, {Op::multiply}), quartic},
+               {Op::add, Op::subtract, Op::add, Op::subtract});
 }
 
 void one_point(benchmark::State& state, const Node& expression) {

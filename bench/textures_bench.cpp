@@ -1,12 +1,12 @@
 // Nanoseconds per evaluation of noise and of the patterns that are made of it.
 //
-// Beside POV-Ray: bench/textures, by differences of whole pictures; tools/measure_noise/speed.sh, which times `function { pattern { ... } }` in an SDL loop
-// minus the cheapest pattern.
+// Beside POV-Ray: bench/textures, by differences of whole pictures; tools/measure_noise/speed.sh, which times `function
+// { pattern { ... } }` in an SDL loop minus the cheapest pattern.
 #include <benchmark/benchmark.h>
 
 #include <vector>
 
-#include "tracer/textures/noise.h"
+#include "tracer/noise/noise.h"
 #include "tracer/textures/texture.h"
 
 namespace {
@@ -50,13 +50,19 @@ void noise_reference(benchmark::State& state) {
 }
 BENCHMARK(noise_reference)->Arg(2)->Arg(3);
 
-void vector_noise_three_components(benchmark::State& state) { run(state, [](const Vec3& p) { return vector_noise(p); }); }
+void vector_noise_three_components(benchmark::State& state) {
+  run(state, [](const Vec3& p) { return vector_noise(p); });
+}
 BENCHMARK(vector_noise_three_components);
 
-void turbulence_six_octaves(benchmark::State& state) { run(state, [](const Vec3& p) { return turbulence(p, 6, 2, 0.5, 2); }); }
+void turbulence_six_octaves(benchmark::State& state) {
+  run(state, [](const Vec3& p) { return turbulence(p, 6, 2, 0.5, 2); });
+}
 BENCHMARK(turbulence_six_octaves);
 
-void vector_turbulence_six_octaves(benchmark::State& state) { run(state, [](const Vec3& p) { return vector_turbulence(p, 6, 2, 0.5); }); }
+void vector_turbulence_six_octaves(benchmark::State& state) {
+  run(state, [](const Vec3& p) { return vector_turbulence(p, 6, 2, 0.5); });
+}
 BENCHMARK(vector_turbulence_six_octaves);
 
 void pattern(benchmark::State& state, scene::PatternKind kind) {

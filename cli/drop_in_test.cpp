@@ -1,5 +1,6 @@
-// Programs that call POV-Ray find everything in its place when `povray` is a link to verisim: calls as vapory and molecule viewers make them, environment
-// variables, animations, and what happens when the world around a render changes.
+// Programs that call POV-Ray find everything in its place when `povray` is a link to verisim: calls as vapory and
+// molecule viewers make them, environment variables, animations, and what happens when the world around a render
+// changes.
 #include "cli/process_fixture.h"
 
 #include <nlohmann/json.hpp>
@@ -16,7 +17,8 @@ class DropIn : public Process {
   // Through the shell, as most callers do; `input` goes to standard input.
   Ended shell(const std::string& command, const std::string& input = "") const {
     file("input.txt", input);
-    const std::string whole = "cd '" + folder_.string() + "' && export HOME=$PWD/home && " + command + " <input.txt >stdout.txt 2>stderr.txt";
+    const std::string whole =
+        "cd '" + folder_.string() + "' && export HOME=$PWD/home && " + command + " <input.txt >stdout.txt 2>stderr.txt";
     Ended ended;
     const int status = std::system(whole.c_str());
     if (WIFEXITED(status)) ended.status = WEXITSTATUS(status);
@@ -54,7 +56,10 @@ TEST_F(DropIn, MoleculeViewersGetTheirFile) {
   EXPECT_EQ(shell("./povray +Iscene.pov +Otmp_pymol.png +W40 +H30 +A0.3 -D -GA").status, 0);
   EXPECT_TRUE(exists("tmp_pymol.png"));
   // An INI file made by a program, with a section.
-  file("job.ini", "; made by a program\nAntialias=On\nInput_File_Name=scene.pov\n[small]\nWidth=20\nHeight=10\n[large]\nWidth=60\nHeight=40\nOutput_File_Name=large.png\n");
+  file("job.ini",
+       "; made by a "
+       "program\nAntialias=On\nInput_File_Name=scene.pov\n[small]\nWidth=20\nHeight=10\n[large]\nWidth=60\nHeight="
+       "40\nOutput_File_Name=large.png\n");
   EXPECT_EQ(shell("./povray job.ini[large] -D").status, 0);
   EXPECT_EQ(image::read_picture(folder_ / "large.png").width, 60);
 }
@@ -86,7 +91,8 @@ TEST_F(DropIn, EnvironmentVariablesAreHeeded) {
 
 TEST_F(DropIn, StatisticsComeAsTextAndAsJson) {
   const Ended ended = shell("./povray scene.pov +W16 +H12 -D --stats stats.json");
-  for (const char* part : {"Render Statistics", "Pixels:", "Parser Time", "Trace Time"}) EXPECT_NE(ended.errors.find(part), std::string::npos) << part << "\n" << ended.errors;
+  for (const char* part : {"Render Statistics", "Pixels:", "Parser Time", "Trace Time"})
+    EXPECT_NE(ended.errors.find(part), std::string::npos) << part << "\n" << ended.errors;
   const auto json = nlohmann::json::parse(text_of(folder_ / "stats.json"));
   EXPECT_EQ(json["frames"][0]["pixels"], 16 * 12);
   EXPECT_GT(json["rays"]["shadow"], 0);
@@ -95,7 +101,8 @@ TEST_F(DropIn, StatisticsComeAsTextAndAsJson) {
 TEST_F(DropIn, MetadataSayWhereThePictureComesFrom) {
   ASSERT_EQ(shell("./povray scene.pov +W16 +H12 +A0.2 -D").status, 0);
   const std::string png = text_of(folder_ / "scene.png");
-  for (const char* part : {"verisim ", "Rendered from scene.pov", "Antialias_Threshold=", "Render Time"}) EXPECT_NE(png.find(part), std::string::npos) << part;
+  for (const char* part : {"verisim ", "Rendered from scene.pov", "Antialias_Threshold=", "Render Time"})
+    EXPECT_NE(png.find(part), std::string::npos) << part;
   EXPECT_EQ(png.find(folder_.string()), std::string::npos) << "paths of this machine do not belong into a picture";
 }
 
@@ -126,7 +133,8 @@ TEST_F(DropIn, AFolderThatVanishesMeanwhileIsAClearError) {
 TEST_F(DropIn, AnIncludeFileThatVanishesBetweenFramesEndsTheAnimation) {
   file("part.inc", "#declare Size = 1;\n");
   file("frames.pov", std::string("#include \"part.inc\" #declare C = clock;\n") + kQuickScene);
-  file("frames.ini", "Input_File_Name=frames.pov\nWidth=8\nHeight=8\nFinal_Frame=3\nPost_Frame_Command=rm -f part.inc\n");
+  file("frames.ini",
+       "Input_File_Name=frames.pov\nWidth=8\nHeight=8\nFinal_Frame=3\nPost_Frame_Command=rm -f part.inc\n");
   const Ended ended = run({"frames.ini", "-D", "--allow-shell"});
   EXPECT_EQ(ended.status, 1);
   EXPECT_NE(ended.errors.find("part.inc"), std::string::npos);
@@ -160,7 +168,8 @@ class Animations : public DropIn {
     DropIn::SetUp();
     if (std::system("command -v povray >/dev/null 2>&1") != 0) GTEST_SKIP() << "POV-Ray is not installed";
     file("film.pov",
-         "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,1.13,-5> look_at 0 rotate 40*clock*y }\n"
+         "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,1.13,-5> look_at 0 rotate 40*clock*y "
+         "}\n"
          "light_source { <3,4,-9> rgb 1 } plane { y,-1 pigment { checker rgb 1, rgb <.2,.3,.4> } }\n"
          "box { -0.7, 0.7 rotate 90*clock*<1,1,0> pigment { rgb <1, frame_number/max(1,final_frame), 0.3> } }\n"
          "sphere { <2*clock - 1, 0.9, 0>, 0.3 + clock_delta pigment { rgb <.3,.8,.4> } finish { reflection 0.2 } }\n");
@@ -169,7 +178,8 @@ class Animations : public DropIn {
   void same(const std::string& switches, int expected) {
     for (const char* name : {"ours", "theirs"}) fs::create_directories(folder_ / name);
     const std::string call = " +Ifilm.pov +W32 +H24 -A -D -GA " + switches;
-    const Ended ours = shell("POVINI=empty.ini ./povray" + call + " +Oours/", ""), theirs = shell("POVINI=empty.ini povray" + call + " +Otheirs/", "");
+    const Ended ours = shell("POVINI=empty.ini ./povray" + call + " +Oours/", ""),
+                theirs = shell("POVINI=empty.ini povray" + call + " +Otheirs/", "");
     ASSERT_EQ(ours.status, 0) << ours.errors;
     ASSERT_EQ(theirs.status, 0) << theirs.errors;
     int frames = 0;

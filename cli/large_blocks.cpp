@@ -1,5 +1,6 @@
-// Large blocks of memory in huge pages: a mesh of millions of triangles fills hundreds of MiB once, and a third of the time until its first pixel went into
-// page faults of 4 KiB each. Part of the program, not of the libraries: whoever embeds those chooses an allocator.
+// Large blocks of memory in huge pages: a mesh of millions of triangles fills hundreds of MiB once, and a third of the
+// time until its first pixel went into page faults of 4 KiB each. Part of the program, not of the libraries: whoever
+// embeds those chooses an allocator.
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #include <sys/mman.h>
 
@@ -35,7 +36,9 @@ void* allocate(std::size_t size, std::size_t alignment) {
 }  // namespace
 
 void* operator new(std::size_t size) { return allocate(size, 1); }
-void* operator new(std::size_t size, std::align_val_t alignment) { return allocate(size, static_cast<std::size_t>(alignment)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return allocate(size, static_cast<std::size_t>(alignment));
+}
 void operator delete(void* block) noexcept { std::free(block); }
 void operator delete(void* block, std::size_t) noexcept { std::free(block); }
 void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }

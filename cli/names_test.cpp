@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "cli/animation.h"
-#include "cli/ini.h"
-#include "cli/output_name.h"
-#include "cli/region.h"
+#include "cli/settings/animation.h"
+#include "cli/settings/ini.h"
+#include "cli/settings/output_name.h"
+#include "cli/settings/region.h"
 
 namespace verisim::cli {
 namespace {
@@ -21,7 +21,8 @@ std::string names(std::initializer_list<const char*> words, const char* scene = 
   const Options given = options(words);
   const Animation plan = animation(given);
   std::string result;
-  for (std::size_t i = 0; i < plan.count(); ++i) result += (i ? " " : "") + output_name(given, scene, plan, plan.frame(i)).path.string();
+  for (std::size_t i = 0; i < plan.count(); ++i)
+    result += (i ? " " : "") + output_name(given, scene, plan, plan.frame(i)).path.string();
   return result;
 }
 
@@ -103,8 +104,11 @@ struct RegionCase {
 };
 
 TEST(Region, FollowsTheProbesOfP13) {
-  const std::vector<RegionCase> cases{{{"+SC0.25", "+EC0.75"}, 2, 6, 0, 7}, {{"+SC3.7", "+EC6.7"}, 2, 5, 0, 7}, {{"+SC1", "+EC1"}, 0, 9, 0, 7},
-                                      {{"+SC2", "+EC2"}, 1, 1, 0, 7},       {{"+SR0.99"}, 0, 9, 7, 7}};
+  const std::vector<RegionCase> cases{{{"+SC0.25", "+EC0.75"}, 2, 6, 0, 7},
+                                      {{"+SC3.7", "+EC6.7"}, 2, 5, 0, 7},
+                                      {{"+SC1", "+EC1"}, 0, 9, 0, 7},
+                                      {{"+SC2", "+EC2"}, 1, 1, 0, 7},
+                                      {{"+SR0.99"}, 0, 9, 7, 7}};
   for (const RegionCase& test : cases) {
     Options given = options({"+W10", "+H8"});
     for (const char* word : test.words) apply_argument(given, word);
@@ -114,7 +118,8 @@ TEST(Region, FollowsTheProbesOfP13) {
     EXPECT_EQ(got.first_row, test.first_row) << test.words[0];
     EXPECT_EQ(got.last_row, test.last_row) << test.words[0];
   }
-  for (const char* bad : {"+EC0.05", "+EC0", "+EC11", "+SC11", "+SC-2"}) EXPECT_THROW(region(options({"+W10", "+H8", bad})), OptionError) << bad;
+  for (const char* bad : {"+EC0.05", "+EC0", "+EC11", "+SC11", "+SC-2"})
+    EXPECT_THROW(region(options({"+W10", "+H8", bad})), OptionError) << bad;
   EXPECT_TRUE(region(options({"+W10", "+H8", "+SC6", "+EC3"})).empty());
 }
 

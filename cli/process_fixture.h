@@ -29,11 +29,12 @@ inline constexpr const char* kQuickScene =
 // Some seconds of work at 320x240 +A0.0 +R5, and more than the one after which the state file appears.
 inline constexpr const char* kSlowScene =
     "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
-    "light_source { <3,4,-9> rgb 1 area_light x*3, y*3, 12, 12 } sphere { 0, 1 pigment { rgb .5 } } plane { y,-1 pigment { checker rgb 1 rgb .2 } }\n";
+    "light_source { <3,4,-9> rgb 1 area_light x*3, y*3, 12, 12 } sphere { 0, 1 pigment { rgb .5 } } plane { y,-1 "
+    "pigment { checker rgb 1 rgb .2 } }\n";
 
 struct Ended {
-  int status = -1;    // exit status
-  int signal = 0;     // or the signal that ended it
+  int status = -1;  // exit status
+  int signal = 0;   // or the signal that ended it
   std::string output, errors;
 };
 
@@ -56,12 +57,16 @@ class Process : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  void file(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
+  void file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
   bool exists(const std::string& name) const { return fs::exists(folder_ / name); }
-  // Until the file is there and something is in it: how long a render takes depends on the machine. Gives up after half a minute.
+  // Until the file is there and something is in it: how long a render takes depends on the machine. Gives up after half
+  // a minute.
   void wait_for(const std::string& name) const {
     std::error_code none;
-    for (int i = 0; i < 3000 && (!exists(name) || fs::file_size(folder_ / name, none) == 0); ++i) std::this_thread::sleep_for(milliseconds(10));
+    for (int i = 0; i < 3000 && (!exists(name) || fs::file_size(folder_ / name, none) == 0); ++i)
+      std::this_thread::sleep_for(milliseconds(10));
   }
 
   // Starts the program in the test's folder, with a home of its own and no configuration.
@@ -72,7 +77,8 @@ class Process : public testing::Test {
     ::setenv("HOME", (folder_ / "home").c_str(), 1);
     ::setenv("POVINI", "empty.ini", 1);
     std::ofstream(folder_ / "empty.ini") << "; nothing\n";
-    const int out = ::open("stdout.txt", O_WRONLY | O_CREAT | O_TRUNC, 0666), err = ::open("stderr.txt", O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    const int out = ::open("stdout.txt", O_WRONLY | O_CREAT | O_TRUNC, 0666),
+              err = ::open("stderr.txt", O_WRONLY | O_CREAT | O_TRUNC, 0666);
     ::dup2(out, 1);
     ::dup2(err, 2);
     std::vector<char*> argv{const_cast<char*>(called.c_str())};
@@ -91,14 +97,18 @@ class Process : public testing::Test {
     ended.errors = text_of(folder_ / "stderr.txt");
     return ended;
   }
-  Ended run(const std::vector<std::string>& arguments, const std::string& called = "verisim") const { return wait(start(arguments, called)); }
+  Ended run(const std::vector<std::string>& arguments, const std::string& called = "verisim") const {
+    return wait(start(arguments, called));
+  }
 
   // Files that should not be there after a run: temporary names.
   std::vector<std::string> leftovers(const fs::path& where) const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(where)) {
       const std::string name = entry.path().filename().string();
-      if (name.starts_with(".verisim") || name.find(".tmp") != std::string::npos || name.find(".part") != std::string::npos) names.push_back(name);
+      if (name.starts_with(".verisim") || name.find(".tmp") != std::string::npos ||
+          name.find(".part") != std::string::npos)
+        names.push_back(name);
     }
     return names;
   }

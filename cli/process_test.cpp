@@ -50,8 +50,10 @@ TEST_F(Process, DiagnosticsShowPlaceAndCaret) {
 }
 
 TEST_F(Process, RadiosityFilesAreWrittenAndRead) {
-  EXPECT_EQ(run({"render", "scene.pov", "+W8", "+H8", "+RFI"}).status, 0);  // no radiosity in the scene: nothing to read
-  file("radiosity.pov", std::string(kQuickScene) + "global_settings { radiosity { count 20 } } plane { y, -1 pigment { rgb 1 } }\n");
+  EXPECT_EQ(run({"render", "scene.pov", "+W8", "+H8", "+RFI"}).status,
+            0);  // no radiosity in the scene: nothing to read
+  file("radiosity.pov",
+       std::string(kQuickScene) + "global_settings { radiosity { count 20 } } plane { y, -1 pigment { rgb 1 } }\n");
   const Ended written = run({"render", "radiosity.pov", "+W40", "+H30", "+RFO", "+RFsamples.rca", "+Oone"});
   ASSERT_EQ(written.status, 0) << written.errors;
   EXPECT_GT(fs::file_size(folder_ / "samples.rca"), 0u);
@@ -70,7 +72,8 @@ TEST_F(Process, BadScenesEndWithAnErrorAndNoPicture) {
   file("deep.pov", "#declare A = " + std::string(10000, '(') + "1" + std::string(10000, ')') + ";\n");
   file("nested.pov", "#macro M(N) M(N + 1) #end M(0)\n");
   file("bytes.pov", "\xff\xfe\x80\x01 sphere");
-  for (const char* name : {"include.pov", "string.pov", "comment.pov", "block.pov", "deep.pov", "nested.pov", "bytes.pov"}) {
+  for (const char* name :
+       {"include.pov", "string.pov", "comment.pov", "block.pov", "deep.pov", "nested.pov", "bytes.pov"}) {
     const Ended ended = run({"render", name, "+W8", "+H8", "+Oout.png"});
     EXPECT_EQ(ended.status, 3) << name << ": " << ended.errors << " signal " << ended.signal;
     EXPECT_FALSE(exists("out.png")) << name;
@@ -113,7 +116,8 @@ TEST_F(Process, AFullDiskIsAnErrorAndLeavesNothing) {
       ::setrlimit(RLIMIT_FSIZE, &limit);
       ::signal(SIGXFSZ, SIG_IGN);
       if (::chdir(folder_.c_str()) != 0) ::_exit(127);
-      ::execl(VERISIM_BINARY_DIR "/bin/verisim", "verisim", "render", "slow.pov", "+W300", "+H200", "+Odisk/out.png", nullptr);
+      ::execl(VERISIM_BINARY_DIR "/bin/verisim", "verisim", "render", "slow.pov", "+W300", "+H200", "+Odisk/out.png",
+              nullptr);
       ::_exit(127);
     }
     EXPECT_EQ(wait(child).status, 5);
@@ -132,7 +136,8 @@ TEST_F(Process, AReadOnlyFolderIsAnError) {
   const fs::path locked = folder_ / "locked";
   fs::create_directories(locked);
   if (::geteuid() == 0) {
-    if (::mount("tmpfs", locked.c_str(), "tmpfs", MS_RDONLY, "size=16k") != 0) GTEST_SKIP() << "cannot make a folder that root cannot write to";
+    if (::mount("tmpfs", locked.c_str(), "tmpfs", MS_RDONLY, "size=16k") != 0)
+      GTEST_SKIP() << "cannot make a folder that root cannot write to";
   } else {
     fs::permissions(locked, fs::perms::owner_read | fs::perms::owner_exec);
   }
@@ -248,7 +253,9 @@ TEST_F(Process, ThreadsDoNotChangeThePicture) {
 }
 
 TEST_F(Process, AnimationsRenderEveryFrame) {
-  file("move.pov", std::string(kQuickScene) + "sphere { clock*x, .5 pigment { rgb frame_number/final_frame } }\n#debug concat(\"clock \", str(clock,0,6), \"\\n\")\n");
+  file("move.pov", std::string(kQuickScene) +
+                       "sphere { clock*x, .5 pigment { rgb frame_number/final_frame } }\n#debug concat(\"clock \", "
+                       "str(clock,0,6), \"\\n\")\n");
   const Ended ended = run({"+Imove.pov", "+W16", "+H12", "+KFF3", "-D", "--stats", "stats.json"});
   ASSERT_EQ(ended.status, 0) << ended.errors;
   for (const char* name : {"move1.png", "move2.png", "move3.png"}) EXPECT_TRUE(exists(name)) << name;
@@ -270,10 +277,13 @@ TEST_F(Process, ReturnRulesOfCommandsAlwaysFire) {
     int status;
     bool picture;
   };
-  for (const Case& test : {Case{"Pre_Frame_Return=I", 0, true}, Case{"Pre_Frame_Return=S", 0, false}, Case{"Pre_Frame_Return=!S", 0, true}, Case{"Pre_Frame_Return=Q", 0, false},
-                           Case{"Pre_Frame_Return=U", 1, false}, Case{"Pre_Frame_Return=F", 1, false}, Case{"Pre_Frame_Return=-F", 0, true}}) {
+  for (const Case& test :
+       {Case{"Pre_Frame_Return=I", 0, true}, Case{"Pre_Frame_Return=S", 0, false}, Case{"Pre_Frame_Return=!S", 0, true},
+        Case{"Pre_Frame_Return=Q", 0, false}, Case{"Pre_Frame_Return=U", 1, false},
+        Case{"Pre_Frame_Return=F", 1, false}, Case{"Pre_Frame_Return=-F", 0, true}}) {
     fs::remove(folder_ / "scene.png");
-    file("shell.ini", std::string("Input_File_Name=scene.pov\nWidth=8\nHeight=8\nPre_Frame_Command=true\n") + test.rule + "\n");
+    file("shell.ini",
+         std::string("Input_File_Name=scene.pov\nWidth=8\nHeight=8\nPre_Frame_Command=true\n") + test.rule + "\n");
     EXPECT_EQ(run({"shell.ini", "-D"}).status, test.status) << test.rule;
     EXPECT_EQ(exists("scene.png"), test.picture) << test.rule;
   }
@@ -291,23 +301,37 @@ TEST_F(Process, TextStreamsGoToTheirFiles) {
 
 // The figures are POV-Ray's for these scenes.
 TEST_F(Process, IsosurfacesTellWhetherMaxGradientFits) {
-  const std::string camera = "#version 3.7; global_settings{assumed_gamma 1} camera{location <0,0,-5> angle 30} light_source{<3,5,-8> rgb 1}\n";
-  const auto ball = [](const std::string& items) { return "isosurface{function{x*x+y*y+z*z-0.7} " + items + " pigment{rgb 1}}"; };
+  const std::string camera =
+      "#version 3.7; global_settings{assumed_gamma 1} camera{location <0,0,-5> angle 30} light_source{<3,5,-8> rgb "
+      "1}\n";
+  const auto ball = [](const std::string& items) {
+    return "isosurface{function{x*x+y*y+z*z-0.7} " + items + " pigment{rgb 1}}";
+  };
   const auto warning = [&](const std::string& scene, const std::string& size = "+W160 +H120") {
     file("iso.pov", camera + scene);
-    std::string text = run({"+Iiso.pov", size.substr(0, size.find(' ')), size.substr(size.find(' ') + 1), "-D", "-A"}).errors;
+    std::string text =
+        run({"+Iiso.pov", size.substr(0, size.find(' ')), size.substr(size.find(' ') + 1), "-D", "-A"}).errors;
     std::erase(text, '\n');
     const std::size_t at = text.find("Shutdown Warning: ");
     return at == std::string::npos ? std::string() : text.substr(at + 18, text.find("----", at) - at - 18);
   };
-  EXPECT_NE(warning(ball("max_gradient 3.6")).find("gradient found was 2.604, but max_gradient of the isosurface was set to 3.600. Adjust max_gradient to get a faster"), std::string::npos);
-  EXPECT_NE(warning(ball("max_gradient 1.1 scale 0.5")).find("found was 2.239, but max_gradient of the isosurface was set to 1.100. The isosurface may contain holes!"), std::string::npos);
+  EXPECT_NE(warning(ball("max_gradient 3.6"))
+                .find("gradient found was 2.604, but max_gradient of the isosurface was set to 3.600. Adjust "
+                      "max_gradient to get a faster"),
+            std::string::npos);
+  EXPECT_NE(warning(ball("max_gradient 1.1 scale 0.5"))
+                .find("found was 2.239, but max_gradient of the isosurface was set to 1.100. The isosurface may "
+                      "contain holes!"),
+            std::string::npos);
   EXPECT_EQ(warning(ball("max_gradient 2.6")), "");
   EXPECT_EQ(warning("#declare I = " + ball("max_gradient 9") + " object{I}"), "");
   EXPECT_EQ(warning("#declare I = union{" + ball("max_gradient 9") + "} object{I}"), "");
   EXPECT_EQ(warning("intersection{" + ball("max_gradient 9") + " plane{x,0}}"), "");
-  EXPECT_NE(warning("camera{orthographic location <0.1,0.05,-5> direction z right 0.8*x up 0.0001*y} " + ball("max_gradient 3.1 evaluate 1,1.5,0.9"), "+W2 +H1")
-                .find("Evaluate found a maximum gradient of 4.219 and an average gradient of 4.008. The maximum gradient variation was 1.119."),
+  EXPECT_NE(warning("camera{orthographic location <0.1,0.05,-5> direction z right 0.8*x up 0.0001*y} " +
+                        ball("max_gradient 3.1 evaluate 1,1.5,0.9"),
+                    "+W2 +H1")
+                .find("Evaluate found a maximum gradient of 4.219 and an average gradient of 4.008. The maximum "
+                      "gradient variation was 1.119."),
             std::string::npos);
 }
 
@@ -327,9 +351,11 @@ TEST_F(Process, ExplainTellsTheStoryOfAPixel) {
        "plane { z, -20 pigment { rgb 1 } finish { ambient 1 diffuse 0 } }\n");
   const Ended ended = run({"explain", "story.pov", "4", "4", "+W9", "+H9", "--no-oracle"});
   ASSERT_EQ(ended.status, 0) << ended.errors;
-  for (const char* part : {"camera ray from <0, 0, -5> towards <0, 0, 1>", "4  sphere (story.pov:3)", "6  sphere (story.pov:3)", "normal <0, 0, -1>",
-                           "light at <0, 0, -9>: 8 away towards <0, 0, -1>, <1, 1, 1> arrives, adds <1, 0.5, 0.25>", "light at <0, 20, 2>: behind the surface",
-                           "reflected ray from <0, 0, -1> towards <0, 0, -1>, weight 0.25", "hits plane (story.pov:4) at 19", "linear <1.25, 0.75, 0.5>"})
+  for (const char* part :
+       {"camera ray from <0, 0, -5> towards <0, 0, 1>", "4  sphere (story.pov:3)", "6  sphere (story.pov:3)",
+        "normal <0, 0, -1>", "light at <0, 0, -9>: 8 away towards <0, 0, -1>, <1, 1, 1> arrives, adds <1, 0.5, 0.25>",
+        "light at <0, 20, 2>: behind the surface", "reflected ray from <0, 0, -1> towards <0, 0, -1>, weight 0.25",
+        "hits plane (story.pov:4) at 19", "linear <1.25, 0.75, 0.5>"})
     EXPECT_NE(ended.output.find(part), std::string::npos) << part << "\n" << ended.output;
   EXPECT_EQ(run({"explain", "story.pov", "9", "4", "+W9", "+H9"}).status, 2);
   EXPECT_EQ(run({"explain", "story.pov", "4", "+W9", "+H9"}).status, 2);

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "cli/commands.h"
-#include "cli/own_options.h"
-#include "cli/scene_words.h"
-#include "cli/text.h"
+#include "cli/commands/commands.h"
+#include "cli/settings/own_options.h"
+#include "cli/settings/scene_words.h"
+#include "cli/settings/text.h"
 
 namespace verisim::cli {
 namespace {
@@ -29,12 +29,18 @@ constexpr Command kCommands[] = {
 };
 
 void print_usage(std::FILE* where) {
-  std::fputs("verisim " VERISIM_VERSION ": a native ray tracer for POV-Ray 3.7 scenes that proves itself against POV-Ray\n\n", where);
-  for (const Command& command : kCommands) std::fprintf(where, "  verisim %.*s %.*s\n", static_cast<int>(command.name.size()), command.name.data(), static_cast<int>(command.summary.size()), command.summary.data());
-  std::fputs("\n  verisim +Iscene.pov +Oout.png +W320 +H240 +A0.3     called as povray is called\n\n"
-             "`verisim COMMAND --help` tells more. Exit status: 0 done, 1 a comparison failed, 2 bad usage, 3 errors in the scene, 4 not supported, 5 files;\n"
-             "called as povray: 0, 1, or 2 after an interrupt.\n",
+  std::fputs("verisim " VERISIM_VERSION
+             ": a native ray tracer for POV-Ray 3.7 scenes that proves itself against POV-Ray\n\n",
              where);
+  for (const Command& command : kCommands)
+    std::fprintf(where, "  verisim %.*s %.*s\n", static_cast<int>(command.name.size()), command.name.data(),
+                 static_cast<int>(command.summary.size()), command.summary.data());
+  std::fputs(
+      "\n  verisim +Iscene.pov +Oout.png +W320 +H240 +A0.3     called as povray is called\n\n"
+      "`verisim COMMAND --help` tells more. Exit status: 0 done, 1 a comparison failed, 2 bad usage, 3 errors in the "
+      "scene, 4 not supported, 5 files;\n"
+      "called as povray: 0, 1, or 2 after an interrupt.\n",
+      where);
 }
 
 // --version and its like count only as exact words (spec 02 section 9.1).
@@ -71,7 +77,8 @@ int run(const std::vector<std::string>& arguments) {
       return kOk;
     }
     if (is_one_of(word, {"--benchmark", "-benchmark"})) {
-      std::fputs("verisim has no built-in benchmark scene; `verisim bench SCENE...` measures scenes of yours\n", stderr);
+      std::fputs("verisim has no built-in benchmark scene; `verisim bench SCENE...` measures scenes of yours\n",
+                 stderr);
       return as_povray ? 1 : kUsage;
     }
   }
@@ -94,7 +101,8 @@ int run(const std::vector<std::string>& arguments) {
       std::vector<std::string_view> names;
       for (const Command& command : kCommands) names.push_back(command.name);
       const std::string advice = nearest(rest[0], names);
-      std::fprintf(stderr, "verisim: unknown command '%s'%s\n", rest[0].c_str(), advice.empty() ? "" : ("; did you mean " + advice + "?").c_str());
+      std::fprintf(stderr, "verisim: unknown command '%s'%s\n", rest[0].c_str(),
+                   advice.empty() ? "" : ("; did you mean " + advice + "?").c_str());
       return kUsage;
     }
   }

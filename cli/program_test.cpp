@@ -23,7 +23,8 @@ TEST(Program, HelpAndVersionAreFine) {
   EXPECT_EQ(run({"verisim", "--help"}), kOk);
   EXPECT_EQ(run({"verisim", "--version"}), kOk);
   EXPECT_EQ(run({"povray", "--version"}), kOk);
-  for (const char* command : {"render", "check", "compare", "diff", "explain", "bench"}) EXPECT_EQ(run({"verisim", command, "--help"}), kOk) << command;
+  for (const char* command : {"render", "check", "compare", "diff", "explain", "bench"})
+    EXPECT_EQ(run({"verisim", command, "--help"}), kOk) << command;
 }
 
 TEST(Program, CalledAsPovrayItHasPovraysStatus) {

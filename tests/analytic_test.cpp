@@ -18,16 +18,20 @@ using Point = std::array<double, 3>;
 Color3 grey(double v) { return {v, v, v}; }
 Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point cross(const Point& a, const Point& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
 // Mean of h / r over the rectangle seen from a point below it.
 double mean_cosine(double x, double z, double h, double half) {
   const auto antiderivative = [h](double a, double b) {
-    return h * (a * std::asinh(b / std::hypot(h, a)) + b * std::asinh(a / std::hypot(h, b)) - h * std::atan(a * b / (h * std::sqrt(h * h + a * a + b * b))));
+    return h * (a * std::asinh(b / std::hypot(h, a)) + b * std::asinh(a / std::hypot(h, b)) -
+                h * std::atan(a * b / (h * std::sqrt(h * h + a * a + b * b))));
   };
   const double a = -half - x, b = half - x, c = -half - z, d = half - z;
-  return (antiderivative(b, d) - antiderivative(a, d) - antiderivative(b, c) + antiderivative(a, c)) / (4 * half * half);
+  return (antiderivative(b, d) - antiderivative(a, d) - antiderivative(b, c) + antiderivative(a, c)) /
+         (4 * half * half);
 }
 
 // Lambert's formula (1760): a point with normal y and a polygon above its horizon.
@@ -57,14 +61,21 @@ const std::map<std::string, std::function<Color3(double, double)>>& formulas() {
       {"spotlight.pov", [](double x, double z) { return grey(0.9 * std::pow(3 / std::sqrt(9 + x * x + z * z), 8)); }},
       {"area_light.pov", [](double x, double z) { return grey(0.9 * mean_cosine(x, z, 2, 1)); }},
       {"furnace.pov", [](double x, double z) { return grey(std::hypot(x, z) < 1 ? 0.8 * 0.5 : 0.5); }},
-      {"form_factor_parallel.pov", [](double x, double z) { return grey(form_factor({x, 0, z}, {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}})); }},
-      {"form_factor_perpendicular.pov", [](double x, double z) { return grey(form_factor({x, 0, z}, {{-2, 0, -1}, {-2, 2, -1}, {-2, 2, 1}, {-2, 0, 1}})); }},
+      {"form_factor_parallel.pov",
+       [](double x, double z) {
+         return grey(form_factor({x, 0, z}, {{-1, 1, -1}, {1, 1, -1}, {1, 1, 1}, {-1, 1, 1}}));
+       }},
+      {"form_factor_perpendicular.pov",
+       [](double x, double z) {
+         return grey(form_factor({x, 0, z}, {{-2, 0, -1}, {-2, 2, -1}, {-2, 2, 1}, {-2, 0, 1}}));
+       }},
       {"refraction.pov",
        [](double x, double) {
          const double a = std::numbers::pi / 6, s = std::sin(a);
          return grey((x + s * (1 - std::cos(a) / std::sqrt(1.5 * 1.5 - s * s)) + 2) / 8);
        }},
-      {"fresnel.pov", [](double x, double z) { return grey(fresnel(std::sqrt(1 - (x * x + z * z) / (1.4 * 1.4)), 1.5)); }},
+      {"fresnel.pov",
+       [](double x, double z) { return grey(fresnel(std::sqrt(1 - (x * x + z * z) / (1.4 * 1.4)), 1.5)); }},
       {"beer_lambert.pov",
        [](double x, double) {
          const double d = (x + 2) / 2;
@@ -84,7 +95,9 @@ const std::map<std::string, std::function<Color3(double, double)>>& formulas() {
   return all;
 }
 
-compare::Suite analytic_suite() { return compare::load_suite({std::filesystem::path(VERISIM_SOURCE_DIR) / "scenes/analytic"}); }
+compare::Suite analytic_suite() {
+  return compare::load_suite({std::filesystem::path(VERISIM_SOURCE_DIR) / "scenes/analytic"});
+}
 
 TEST(Analytic, TheManifestHoldsWhatTheFormulasSay) {
   const compare::Suite suite = analytic_suite();
@@ -94,8 +107,10 @@ TEST(Analytic, TheManifestHoldsWhatTheFormulasSay) {
     ASSERT_TRUE(formulas().contains(scene.name)) << scene.name;
     EXPECT_GE(scene.truth->points.size(), 5u);
     for (const compare::TruthPoint& p : scene.truth->points) {
-      const Color3 expected = formulas().at(scene.name)(4 * ((p.x + 0.5) / scene.width - 0.5), 3 * (0.5 - (p.y + 0.5) / scene.height));
-      for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(p.value[c], expected[c], 1e-6) << scene.name << " at " << p.x << ", " << p.y;
+      const Color3 expected =
+          formulas().at(scene.name)(4 * ((p.x + 0.5) / scene.width - 0.5), 3 * (0.5 - (p.y + 0.5) / scene.height));
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(p.value[c], expected[c], 1e-6) << scene.name << " at " << p.x << ", " << p.y;
     }
   }
 }
@@ -103,11 +118,13 @@ TEST(Analytic, TheManifestHoldsWhatTheFormulasSay) {
 TEST(Analytic, VerisimKeepsTheKnownAnswers) {
   const compare::Suite suite = analytic_suite();
   const compare::TemporaryFolder folder;
-  const compare::NativeRenderer render = compare::native_program(std::filesystem::path(VERISIM_BINARY_DIR) / "bin/verisim");
+  const compare::NativeRenderer render =
+      compare::native_program(std::filesystem::path(VERISIM_BINARY_DIR) / "bin/verisim");
   for (const compare::SceneRequest& scene : suite.scenes) {
     compare::NativeRequest request;
     request.folder = folder.path(), request.scene = scene.scene, request.output = folder.path() / (scene.name + ".png");
-    request.width = scene.width, request.height = scene.height, request.switches = scene.switches, request.time_limit = 900;
+    request.width = scene.width, request.height = scene.height, request.switches = scene.switches,
+    request.time_limit = 900;
     const compare::NativeResult result = render(request);
     ASSERT_EQ(result.outcome, compare::NativeResult::Outcome::rendered) << scene.name << ": " << result.message;
     const compare::TruthError error = compare::truth_error(image::read_picture(request.output), *scene.truth);

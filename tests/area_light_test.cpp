@@ -15,7 +15,8 @@ void PrintTo(const Grid& grid, std::ostream* out) { *out << grid.sizes << ' ' <<
 
 class AreaLight : public testing::TestWithParam<Grid> {};
 
-// A clear ball around the light, which nobody sees, changes nothing but that rays must be asked one by one what they meet.
+// A clear ball around the light, which nobody sees, changes nothing but that rays must be asked one by one what they
+// meet.
 TEST_P(AreaLight, CastsTheSameShadowsThroughAClearBall) {
   const auto picture = [](const char* ball, render::Statistics& counted) {
     return test::render_text(fmt::format(R"(
@@ -28,10 +29,15 @@ TEST_P(AreaLight, CastsTheSameShadowsThroughAClearBall) {
         box {{ <-1, 0, -1>, <0, 1, 0> }} cylinder {{ <1, 0, 1>, <1, 2, 1>, 0.3 }} sphere {{ <0.5, 0.5, -1>, 0.4 }} torus {{ 0.8, 0.15 translate <-1, 1.5, 1> }}
         difference {{ sphere {{ <1.8, 1, -0.5>, 0.6 }} box {{ <1.5, 0.8, -2>, <2, 1.2, 2> }} }}
         pigment {{ rgb 0.7 }}
-      }})", GetParam().sizes, GetParam().options, ball), 64, 48, {}, &counted);
+      }})",
+                                         GetParam().sizes, GetParam().options, ball),
+                             64, 48, {}, &counted);
   };
   render::Statistics rays_together, rays_alone;
-  const render::Framebuffer together = picture("", rays_together), alone = picture("sphere { <2, 6, -1>, 3.5 pigment { rgbt 1 } hollow no_image no_reflection }", rays_alone);
+  const render::Framebuffer together = picture("", rays_together),
+                            alone =
+                                picture("sphere { <2, 6, -1>, 3.5 pigment { rgbt 1 } hollow no_image no_reflection }",
+                                        rays_alone);
   int half_lit = 0;
   for (int y = 0; y < 48; ++y) {
     for (int x = 0; x < 64; ++x) {
@@ -44,9 +50,13 @@ TEST_P(AreaLight, CastsTheSameShadowsThroughAClearBall) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Grids, AreaLight,
-                         testing::Values(Grid{"5, 5", "adaptive 1"}, Grid{"5, 5", "adaptive 1 jitter"}, Grid{"4, 7", "adaptive 0 jitter"}, Grid{"4, 7", ""}, Grid{"17, 9", "adaptive 2"},
-                                         Grid{"1, 9", "adaptive 1 jitter"}, Grid{"3, 3", "adaptive 40"}, Grid{"9, 6", "adaptive 40"}, Grid{"9, 6", "adaptive 40 jitter"},
-                                         Grid{"6, 6", "circular orient adaptive 1 jitter"}, Grid{"5, 5", "adaptive 1 fade_distance 4 fade_power 2"},
+                         testing::Values(Grid{"5, 5", "adaptive 1"}, Grid{"5, 5", "adaptive 1 jitter"},
+                                         Grid{"4, 7", "adaptive 0 jitter"}, Grid{"4, 7", ""},
+                                         Grid{"17, 9", "adaptive 2"}, Grid{"1, 9", "adaptive 1 jitter"},
+                                         Grid{"3, 3", "adaptive 40"}, Grid{"9, 6", "adaptive 40"},
+                                         Grid{"9, 6", "adaptive 40 jitter"},
+                                         Grid{"6, 6", "circular orient adaptive 1 jitter"},
+                                         Grid{"5, 5", "adaptive 1 fade_distance 4 fade_power 2"},
                                          Grid{"4, 4", "adaptive 1 spotlight radius 20 falloff 50 point_at <0, 0, 0>"}));
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Radiosity, photons, media and subsurface scattering in default mode: the same picture for any number of threads; extremes and damaged files end with a
-// name, soon, and without unbounded memory.
+// Radiosity, photons, media and subsurface scattering in default mode: the same picture for any number of threads;
+// extremes and damaged files end with a name, soon, and without unbounded memory.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -16,9 +16,12 @@ namespace verisim::test {
 namespace {
 
 const std::string kRoom =
-    "camera { location <0,2,-4> look_at <0,0.5,0> } light_source { <3,5,-2> rgb 1 photons { refraction on reflection on } } background { rgb <0.3,0.4,0.6> }"
-    "plane { y,0 pigment { rgb 0.7 } finish { ambient 0 } } sphere { <0.8,0.6,0>,0.6 pigment { rgbt 1 } interior { ior 1.5 } photons { target refraction on collect off } }"
-    "box { <-1.5,0,-0.5>,<-0.5,1,0.5> pigment { rgb <0.9,0.6,0.4> } interior { ior 1.4 } finish { ambient 0 diffuse 1 subsurface { translucency 1 } } }";
+    "camera { location <0,2,-4> look_at <0,0.5,0> } light_source { <3,5,-2> rgb 1 photons { refraction on reflection "
+    "on } } background { rgb <0.3,0.4,0.6> }"
+    "plane { y,0 pigment { rgb 0.7 } finish { ambient 0 } } sphere { <0.8,0.6,0>,0.6 pigment { rgbt 1 } interior { ior "
+    "1.5 } photons { target refraction on collect off } }"
+    "box { <-1.5,0,-0.5>,<-0.5,1,0.5> pigment { rgb <0.9,0.6,0.4> } interior { ior 1.4 } finish { ambient 0 diffuse 1 "
+    "subsurface { translucency 1 } } }";
 
 std::string scene(const std::string& settings, const std::string& more = "") {
   return "#version 3.7; global_settings { assumed_gamma 1 " + settings + " }\n" + kRoom + more;
@@ -48,13 +51,17 @@ TEST_P(AnyThreads, GiveTheSamePicture) {
 
 INSTANTIATE_TEST_SUITE_P(
     Global, AnyThreads,
-    testing::Values(Feature{"radiosity", scene("radiosity { pretrace_end 0.02 count 20 }")},
-                    Feature{"radiosity_always_sample", scene("radiosity { always_sample on count 20 recursion_limit 3 error_bound 0.7 }")},
-                    Feature{"photons", scene("photons { spacing 0.03 }")},
-                    Feature{"photons_and_media", scene("photons { spacing 0.05 media 20 }", "media { scattering { 1,0.02 } method 1 samples 2,6 }")},
-                    Feature{"media_jitter", scene("", "media { scattering { 1,0.05 } jitter 0.5 intervals 3 }")},
-                    Feature{"subsurface", scene("subsurface { samples 10,10 }")},
-                    Feature{"all", scene("radiosity { count 20 } photons { spacing 0.05 } subsurface { samples 5,5 radiosity on }")}),
+    testing::Values(
+        Feature{"radiosity", scene("radiosity { pretrace_end 0.02 count 20 }")},
+        Feature{"radiosity_always_sample",
+                scene("radiosity { always_sample on count 20 recursion_limit 3 error_bound 0.7 }")},
+        Feature{"photons", scene("photons { spacing 0.03 }")},
+        Feature{"photons_and_media",
+                scene("photons { spacing 0.05 media 20 }", "media { scattering { 1,0.02 } method 1 samples 2,6 }")},
+        Feature{"media_jitter", scene("", "media { scattering { 1,0.05 } jitter 0.5 intervals 3 }")},
+        Feature{"subsurface", scene("subsurface { samples 10,10 }")},
+        Feature{"all",
+                scene("radiosity { count 20 } photons { spacing 0.05 } subsurface { samples 5,5 radiosity on }")}),
     [](const auto& p) { return p.param.name; });
 
 // What a render says when it gives up; empty if it does not.
@@ -76,8 +83,12 @@ TEST(GlobalLimits, ExtremeSettingsEndWithTheirName) {
   EXPECT_TRUE(says(failure(scene("", "media { absorption 0.1 intervals 1000000 }")), "intervals"));
   // No spacing at all, and targets that no light reaches: nothing is shot, or nothing is stored.
   EXPECT_EQ(failure(scene("photons { spacing 0 }")), "");
-  EXPECT_EQ(failure(scene("photons { spacing 0.1 }", "sphere { <1e30,0,0>,1 pigment { rgbt 1 } photons { target refraction on } }")), "");
-  EXPECT_EQ(failure(scene("photons { spacing 0.1 autostop 1 }", "sphere { <0,-50,0>,1 pigment { rgbt 1 } photons { target refraction on reflection on } }")), "");
+  EXPECT_EQ(failure(scene("photons { spacing 0.1 }",
+                          "sphere { <1e30,0,0>,1 pigment { rgbt 1 } photons { target refraction on } }")),
+            "");
+  EXPECT_EQ(failure(scene("photons { spacing 0.1 autostop 1 }",
+                          "sphere { <0,-50,0>,1 pigment { rgbt 1 } photons { target refraction on reflection on } }")),
+            "");
 }
 
 TEST(GlobalLimits, MemoryOfThePassesIsBounded) {
@@ -85,12 +96,16 @@ TEST(GlobalLimits, MemoryOfThePassesIsBounded) {
   options.pass_memory = 200000;
   EXPECT_TRUE(says(failure(scene("photons { spacing 0.005 }"), options), "photons"));
   options.pass_memory = 50000;  // samples take a few hundred bytes each
-  EXPECT_TRUE(says(failure(scene("radiosity { error_bound 0.01 minimum_reuse 0.0001 maximum_reuse 0.001 pretrace_start 1 pretrace_end 0.05 count 5 }"), options), "radiosity"));
+  EXPECT_TRUE(says(failure(scene("radiosity { error_bound 0.01 minimum_reuse 0.0001 maximum_reuse 0.001 pretrace_start "
+                                 "1 pretrace_end 0.05 count 5 }"),
+                           options),
+                   "radiosity"));
 }
 
 TEST(GlobalLimits, EndlessWorkCanBeCancelled) {
-  for (const std::string& text : {scene("", "media { scattering { 1,0.1 } samples 1000000 }"), scene("photons { spacing 0.00001 }"),
-                                  scene("radiosity { count 16000000 recursion_limit 5 }"), scene("subsurface { samples 100000000,100000000 }")}) {
+  for (const std::string& text :
+       {scene("", "media { scattering { 1,0.1 } samples 1000000 }"), scene("photons { spacing 0.00001 }"),
+        scene("radiosity { count 16000000 recursion_limit 5 }"), scene("subsurface { samples 100000000,100000000 }")}) {
     std::atomic<bool> cancel{false};
     render::Options options;
     options.cancel = &cancel;
@@ -100,7 +115,8 @@ TEST(GlobalLimits, EndlessWorkCanBeCancelled) {
     const std::clock_t begin = std::clock();
     // The progress of passes and the flag itself are looked at while rays are traced; a thread of our own sets it.
     std::thread stopper([&] {
-      while (!over && std::chrono::steady_clock::now() - start < std::chrono::milliseconds(300)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      while (!over && std::chrono::steady_clock::now() - start < std::chrono::milliseconds(300))
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
       cancel = true;
     });
     failure(text, options);
@@ -126,8 +142,12 @@ TEST(GlobalProgress, PassesTellHowFarTheyAre) {
 
 class Files : public testing::Test {
  protected:
-  std::filesystem::path path(const std::string& name) const { return std::filesystem::path(testing::TempDir()) / ("verisim_global_" + name); }
-  void write(const std::string& name, const std::string& bytes) const { std::ofstream(path(name), std::ios::binary) << bytes; }
+  std::filesystem::path path(const std::string& name) const {
+    return std::filesystem::path(testing::TempDir()) / ("verisim_global_" + name);
+  }
+  void write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path(name), std::ios::binary) << bytes;
+  }
 };
 
 TEST_F(Files, RadiositySamplesComeBack) {
@@ -139,7 +159,8 @@ TEST_F(Files, RadiositySamplesComeBack) {
   // From the file, with hardly a pretrace of its own, the picture is the same but for the rounding of what was written.
   render::Options again;
   again.radiosity_from = options.radiosity_to;
-  const auto second = render_text(scene("radiosity { pretrace_start 1 pretrace_end 1 count 50 error_bound 0.5 }"), 40, 30, again);
+  const auto second =
+      render_text(scene("radiosity { pretrace_start 1 pretrace_end 1 count 50 error_bound 0.5 }"), 40, 30, again);
   double sum = 0;
   for (std::size_t i = 0; i < first.pixels.size(); ++i) sum += std::fabs(first.pixels[i].g - second.pixels[i].g);
   EXPECT_LT(sum / static_cast<double>(first.pixels.size()), 0.002);
@@ -164,7 +185,9 @@ TEST_F(Files, DamagedRadiosityFilesAreErrors) {
 }
 
 TEST_F(Files, DamagedPhotonFilesAreErrors) {
-  const auto text = [&](const std::string& name) { return scene("photons { spacing 0.1 load_file \"" + path(name).string() + "\" }"); };
+  const auto text = [&](const std::string& name) {
+    return scene("photons { spacing 0.1 load_file \"" + path(name).string() + "\" }");
+  };
   write("short.ph", std::string("\x10\0\0\0", 4));
   EXPECT_TRUE(says(failure(text("short.ph")), "photon file"));
   write("huge.ph", std::string("\xff\xff\xff\x7f", 4));

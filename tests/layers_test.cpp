@@ -11,7 +11,10 @@ namespace {
 constexpr int kSize = 9;  // odd: the middle pixel's ray is the axis
 
 render::Layers layers_of(const std::string& objects, bool antialias = false, int threads = 1) {
-  const std::string text = "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> direction z right x up y }\nlight_source { <3,4,-9> rgb 1 }\n" + objects;
+  const std::string text =
+      "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> direction z right x up y "
+      "}\nlight_source { <3,4,-9> rgb 1 }\n" +
+      objects;
   const parser::ParseResult parsed = parser::parse_text(text, "layers.pov", {});
   render::Layers layers;
   layers.depth = layers.normal = layers.albedo = layers.id = true;
@@ -32,7 +35,8 @@ render::Layers layers_of(const std::string& objects, bool antialias = false, int
 constexpr std::size_t kMiddle = (kSize / 2) * kSize + kSize / 2, kCorner = 0;
 
 TEST(Layers, TellDepthNormalColourAndNumber) {
-  const render::Layers layers = layers_of("plane { y, -9 pigment { rgb 1 } } sphere { 0, 1 pigment { rgb <.8,.4,.2> } }");
+  const render::Layers layers =
+      layers_of("plane { y, -9 pigment { rgb 1 } } sphere { 0, 1 pigment { rgb <.8,.4,.2> } }");
   EXPECT_FLOAT_EQ(layers.depths[kMiddle], 4);
   EXPECT_NEAR(layers.normals[kMiddle].z, -1, 1e-9);
   EXPECT_FLOAT_EQ(layers.albedos[kMiddle].g, 0.4f);
@@ -43,16 +47,20 @@ TEST(Layers, TellDepthNormalColourAndNumber) {
 }
 
 TEST(Layers, ColoursOfSeeThroughLayersAndMapsAreMixedAsTheyAreSeen) {
-  const render::Layers layered = layers_of("sphere { 0, 1 texture { pigment { rgb <1,0,0> } } texture { pigment { rgbt <0,0,1,.75> } } }");
+  const render::Layers layered =
+      layers_of("sphere { 0, 1 texture { pigment { rgb <1,0,0> } } texture { pigment { rgbt <0,0,1,.75> } } }");
   EXPECT_NEAR(layered.albedos[kMiddle].b, 0.25, 1e-6);
   EXPECT_NEAR(layered.albedos[kMiddle].r, 0.75, 1e-6);
-  const render::Layers mixed = layers_of("sphere { 0, 1 texture { gradient x texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } translate .25*x } }");
+  const render::Layers mixed = layers_of(
+      "sphere { 0, 1 texture { gradient x texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } translate .25*x "
+      "} }");
   EXPECT_NEAR(mixed.albedos[kMiddle].r, 0.25, 1e-6);
 }
 
 TEST(Layers, NormalsArePerturbedAndTurnedTowardsTheViewer) {
   const std::string bumps = "normal { gradient x 1 slope_map { [0 <0,1>] [1 <1,1>] } }";
-  const render::Layers bumped = layers_of("plane { -z, 0 pigment { rgb 1 } " + bumps + " }"), inside = layers_of("sphere { 0, 20 pigment { rgb 1 } }");
+  const render::Layers bumped = layers_of("plane { -z, 0 pigment { rgb 1 } " + bumps + " }"),
+                       inside = layers_of("sphere { 0, 20 pigment { rgb 1 } }");
   EXPECT_GT(std::fabs(bumped.normals[kMiddle].x), 0.1);
   EXPECT_NEAR(length(bumped.normals[kMiddle]), 1, 1e-9);
   EXPECT_NEAR(inside.normals[kMiddle].z, -1, 1e-9);
@@ -68,7 +76,9 @@ TEST(Layers, AntialiasingAveragesColoursButNeverDepthsOrNumbers) {
 }
 
 TEST(Layers, ThreadsDoNotChangeThem) {
-  const std::string scene = "sphere { <.3,0,0>, 1 pigment { bozo scale .1 } normal { bumps } } plane { y, -1 pigment { checker rgb 1, rgb 0 } }";
+  const std::string scene =
+      "sphere { <.3,0,0>, 1 pigment { bozo scale .1 } normal { bumps } } plane { y, -1 pigment { checker rgb 1, rgb 0 "
+      "} }";
   const render::Layers one = layers_of(scene, true, 1), many = layers_of(scene, true, 3);
   EXPECT_EQ(one.depths, many.depths);
   EXPECT_EQ(one.ids, many.ids);

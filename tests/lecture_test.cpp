@@ -1,8 +1,9 @@
-// The worked examples of scenes/lecture, computed by the code of the renderer. They take pixel corners: half a pixel up and left of the centre.
+// The worked examples of scenes/lecture, computed by the code of the renderer. They take pixel corners: half a pixel up
+// and left of the centre.
 #include <gtest/gtest.h>
 
 #include "parser/parse.h"
-#include "tracer/render/camera_rays.h"
+#include "tracer/render/cameras/camera_rays.h"
 #include "tracer/render/render.h"
 #include "tracer/shapes/shape.h"
 
@@ -57,7 +58,9 @@ TEST(Lecture, OrthographicCastingFindsTheNearestObject) {
     const auto primary = camera.at(0, i);
     ASSERT_TRUE(primary);
     EXPECT_NEAR(primary->ray.origin.y, 2 - i, 1e-12);
-    EXPECT_EQ(entries(*parsed.scene, {primary->ray.origin, normalize(primary->ray.direction)}), expected[static_cast<std::size_t>(i)]) << "ray #" << i + 1;
+    EXPECT_EQ(entries(*parsed.scene, {primary->ray.origin, normalize(primary->ray.direction)}),
+              expected[static_cast<std::size_t>(i)])
+        << "ray #" << i + 1;
     EXPECT_EQ(picture.at(0, i).rgb(), colors[static_cast<std::size_t>(i)]) << "ray #" << i + 1;
   }
 }
@@ -128,7 +131,8 @@ TEST(Lecture, APointInShadowGetsAmbientAndEmissionOnly) {
 }
 
 TEST(Lecture, LightArrivesWithinThreeLevels) {
-  const render::Framebuffer three = rendered("three_levels.pov", 8, 4, "3"), two = rendered("three_levels.pov", 8, 4, "2");
+  const render::Framebuffer three = rendered("three_levels.pov", 8, 4, "3"),
+                            two = rendered("three_levels.pov", 8, 4, "2");
   // Through glass: half of the light at either side of the pane. Over mirrors: half at each.
   for (const int x : {1, 2, 5, 6}) {
     EXPECT_NEAR(three.at(x, 1).r, 0.25 * 0.2, 1e-6) << x;

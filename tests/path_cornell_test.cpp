@@ -1,5 +1,6 @@
-// The Cornell box (measured geometry and reflectances, scenes/cornell_box) as an independent radiosity solution: patches, form factors by stratified rays,
-// Jacobi iteration, final gathering from the patches. The path integrator must agree with it on the averages of parts of the walls.
+// The Cornell box (measured geometry and reflectances, scenes/cornell_box) as an independent radiosity solution:
+// patches, form factors by stratified rays, Jacobi iteration, final gathering from the patches. The path integrator
+// must agree with it on the averages of parts of the walls.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,7 +22,8 @@ struct Quad {
   bool light = false;
 };
 
-const Rgb kWhite(0.738f, 0.736f, 0.738f), kGreen(0.069f, 0.398f, 0.087f), kRed(0.494f, 0.049f, 0.051f), kLight(50.4f, 26.3f, 6.71f);
+const Rgb kWhite(0.738f, 0.736f, 0.738f), kGreen(0.069f, 0.398f, 0.087f), kRed(0.494f, 0.049f, 0.051f),
+    kLight(50.4f, 26.3f, 6.71f);
 
 const std::vector<Quad>& box() {
   static const std::vector<Quad> quads = {
@@ -95,7 +97,9 @@ class Radiosity {
 
   std::size_t patch(std::size_t face, double s, double t) const {
     const int n = box()[face].patches;
-    const auto index = [n](double x) { return static_cast<std::size_t>(std::clamp(static_cast<int>(x * n), 0, n - 1)); };
+    const auto index = [n](double x) {
+      return static_cast<std::size_t>(std::clamp(static_cast<int>(x * n), 0, n - 1));
+    };
     return first_[face] + index(t) * static_cast<std::size_t>(n) + index(s);
   }
 
@@ -108,9 +112,11 @@ class Radiosity {
     double sum = 0;
     for (int i = 0; i < kSide; ++i) {
       for (int j = 0; j < kSide; ++j) {
-        const Vec3 target = lamp.a + lamp.u * ((i + uniform(random)) / kSide) + lamp.v * ((j + uniform(random)) / kSide);
+        const Vec3 target =
+            lamp.a + lamp.u * ((i + uniform(random)) / kSide) + lamp.v * ((j + uniform(random)) / kSide);
         const Vec3 to = target - p;
-        const double distance = length(to), cosine = dot(to, n) / distance, lamp_cosine = std::fabs(dot(to, lamp.n)) / distance;
+        const double distance = length(to), cosine = dot(to, n) / distance,
+                     lamp_cosine = std::fabs(dot(to, lamp.n)) / distance;
         if (cosine <= 0) continue;
         std::size_t face;
         double s, t;
@@ -122,7 +128,8 @@ class Radiosity {
   }
 
   static Vec3 cosine_direction(const Vec3& n, double u, double v) {
-    const Vec3 side = std::fabs(n.x) > 0.5 ? Vec3(0, 1, 0) : Vec3(1, 0, 0), x = normalize(cross(n, side)), y = cross(n, x);
+    const Vec3 side = std::fabs(n.x) > 0.5 ? Vec3(0, 1, 0) : Vec3(1, 0, 0), x = normalize(cross(n, side)),
+               y = cross(n, x);
     const double r = std::sqrt(u), phi = 2 * kPi * v;
     return x * (r * std::cos(phi)) + y * (r * std::sin(phi)) + n * std::sqrt(1 - u);
   }
@@ -168,20 +175,24 @@ class Radiosity {
           std::vector<float> counts(patches_, 0.0f);
           Rgb light;
           for (int k = 0; k < kPoints * kPoints; ++k) {
-            const double s = (ps + (k % kPoints + uniform(random)) / kPoints) / quad.patches, t = (pt + (k / kPoints + uniform(random)) / kPoints) / quad.patches;
+            const double s = (ps + (k % kPoints + uniform(random)) / kPoints) / quad.patches,
+                         t = (pt + (k / kPoints + uniform(random)) / kPoints) / quad.patches;
             const Vec3 p = f.a + f.u * s + f.v * t + n * 0.01;
             light += direct(p, n, random);
             for (int r = 0; r < kRays * kRays; ++r) {
               std::size_t face;
               double hs, ht;
-              const Vec3 d = cosine_direction(n, (r % kRays + uniform(random)) / kRays, (r / kRays + uniform(random)) / kRays);
+              const Vec3 d =
+                  cosine_direction(n, (r % kRays + uniform(random)) / kRays, (r / kRays + uniform(random)) / kRays);
               if (hit(p, d, 1e9, face, hs, ht)) counts[patch(face, hs, ht)] += 1;
             }
           }
           reflectance[i] = quad.reflectance;
           emitted[i] = quad.reflectance * light * (1.0f / (kPoints * kPoints));
           for (std::size_t j = 0; j < patches_; ++j)
-            if (counts[j] > 0) links[i].push_back({static_cast<std::uint32_t>(j), counts[j] / static_cast<float>(kPoints * kPoints * kRays * kRays)});
+            if (counts[j] > 0)
+              links[i].push_back(
+                  {static_cast<std::uint32_t>(j), counts[j] / static_cast<float>(kPoints * kPoints * kRays * kRays)});
         }
       }
     }
@@ -203,8 +214,12 @@ class Radiosity {
   std::vector<Rgb> radiances_;  // reflected, without the lamp's own
 };
 
-std::string vec(const Vec3& v) { return "<" + std::to_string(v.x) + "," + std::to_string(v.y) + "," + std::to_string(v.z) + ">"; }
-std::string rgb(const Rgb& c) { return "rgb <" + std::to_string(c.r) + "," + std::to_string(c.g) + "," + std::to_string(c.b) + ">"; }
+std::string vec(const Vec3& v) {
+  return "<" + std::to_string(v.x) + "," + std::to_string(v.y) + "," + std::to_string(v.z) + ">";
+}
+std::string rgb(const Rgb& c) {
+  return "rgb <" + std::to_string(c.r) + "," + std::to_string(c.g) + "," + std::to_string(c.b) + ">";
+}
 
 std::string scene() {
   std::string text = "#version 3.7; global_settings { assumed_gamma 1 }\n";
@@ -242,8 +257,9 @@ TEST(PathIntegratorInTheCornellBox, AgreesWithARadiositySolution) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-0.5, 0.5);
   for (const Part& part : parts) {
-    const std::string camera = "camera { orthographic location " + vec(part.center + part.normal * 0.5) + " direction " + vec(-part.normal) + " right " +
-                               vec(part.right) + " up " + vec(part.up) + " }\n";
+    const std::string camera = "camera { orthographic location " + vec(part.center + part.normal * 0.5) +
+                               " direction " + vec(-part.normal) + " right " + vec(part.right) + " up " + vec(part.up) +
+                               " }\n";
     render::Options options;
     options.path_samples = 12288;
     options.block_size = 4;
@@ -256,7 +272,8 @@ TEST(PathIntegratorInTheCornellBox, AgreesWithARadiositySolution) {
       const Vec3 p = part.center + part.right * uniform(random) + part.up * uniform(random) + part.normal * 0.01;
       solved += radiosity.radiance(part.quad, p, part.normal, random) * (1.0f / kGathers);
     }
-    RecordProperty(part.name, std::to_string(traced.r / solved.r) + " " + std::to_string(traced.g / solved.g) + " " + std::to_string(traced.b / solved.b));
+    RecordProperty(part.name, std::to_string(traced.r / solved.r) + " " + std::to_string(traced.g / solved.g) + " " +
+                                  std::to_string(traced.b / solved.b));
     EXPECT_NEAR(traced.r, solved.r, 0.01 * solved.r) << part.name;
     EXPECT_NEAR(traced.g, solved.g, 0.01 * solved.g) << part.name;
     EXPECT_NEAR(traced.b, solved.b, 0.01 * solved.b) << part.name;

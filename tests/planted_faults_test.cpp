@@ -1,5 +1,6 @@
-// Faults are planted in a renderer, and the comparison has to find each one, say which figure broke and name the culprit. A fault is planted by changing the
-// scene on its way to the program, as the fault in the program would change what the scene means, or by changing the picture that it wrote.
+// Faults are planted in a renderer, and the comparison has to find each one, say which figure broke and name the
+// culprit. A fault is planted by changing the scene on its way to the program, as the fault in the program would change
+// what the scene means, or by changing the picture that it wrote.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -87,7 +88,9 @@ class PlantedFaults : public testing::Test {
     if (!result.blame || result.blame->common.empty()) return "none: " + result.blame_failed;
     return result.blame->common[0].kind + " " + result.blame->common[0].name;
   }
-  static std::string suspect(const SceneResult& result) { return result.suspicions.empty() ? "none" : result.suspicions[0].what + ": " + result.suspicions[0].detail; }
+  static std::string suspect(const SceneResult& result) {
+    return result.suspicions.empty() ? "none" : result.suspicions[0].what + ": " + result.suspicions[0].detail;
+  }
 
   compare::TemporaryFolder folder_;
   compare::Suite suite_;
@@ -109,7 +112,9 @@ TEST_F(PlantedFaults, WrongTorusRoot) {
   // The first object named is the torus; that its inside is seen is the better clue, and stands before it.
   EXPECT_EQ(culprit(result), "feature a surface seen from inside") << compare::terminal_blame(result);
   const auto& common = result.blame->common;
-  EXPECT_EQ(std::find_if(common.begin(), common.end(), [](const auto& tag) { return tag.kind == "object"; })->name, "torus (room.pov:8)") << compare::terminal_blame(result);
+  EXPECT_EQ(std::find_if(common.begin(), common.end(), [](const auto& tag) { return tag.kind == "object"; })->name,
+            "torus (room.pov:8)")
+      << compare::terminal_blame(result);
   EXPECT_THAT(result.blame->objects.at(0).name, HasSubstr("torus")) << compare::terminal_blame(result);
   EXPECT_FALSE(result.trees.empty());
 }
@@ -129,7 +134,8 @@ TEST_F(PlantedFaults, GammaSlip) {
 }
 
 TEST_F(PlantedFaults, HalfPixelShift) {
-  const SceneResult result = with_fault("Shift = 0", "Shift = 4/3 * 0.5/160");  // half a pixel to the right: the picture moves to the left
+  const SceneResult result =
+      with_fault("Shift = 0", "Shift = 4/3 * 0.5/160");  // half a pixel to the right: the picture moves to the left
   EXPECT_EQ(result.status, compare::Status::differ);
   EXPECT_THAT(result.reason, HasSubstr("within_1_pct"));
   EXPECT_THAT(suspect(result), HasSubstr("shift: the picture is moved by -0.")) << compare::terminal_blame(result);
@@ -142,7 +148,9 @@ TEST_F(PlantedFaults, DarkerFinish) {
   EXPECT_LT(result.metrics->max_abs, 2);
   EXPECT_THAT(result.reason, HasSubstr("mae"));
   EXPECT_EQ(culprit(result), "object box (room.pov:11)") << compare::terminal_blame(result);
-  EXPECT_THAT(compare::terminal_blame(result), HasSubstr("suspect brightness: box (room.pov:11): 1.0 % darker in linear light")) << compare::terminal_blame(result);
+  EXPECT_THAT(compare::terminal_blame(result),
+              HasSubstr("suspect brightness: box (room.pov:11): 1.0 % darker in linear light"))
+      << compare::terminal_blame(result);
 }
 
 TEST_F(PlantedFaults, WrongNoiseTable) {

@@ -1,4 +1,5 @@
-// The media probes of spec 07 section 11: scene fragments with the values POV-Ray 3.7.0.10 gave (+WT1, 16 bits, linear).
+// The media probes of spec 07 section 11: scene fragments with the values POV-Ray 3.7.0.10 gave (+WT1, 16 bits,
+// linear).
 #include <gtest/gtest.h>
 
 #include "tests/support/probe.h"
@@ -18,7 +19,8 @@ struct MediaProbe {
 void PrintTo(const MediaProbe& p, std::ostream* out) { *out << p.name; }
 
 std::string box(const std::string& media) {
-  return "box { <-1,-1,-1>,<1,1,1> hollow pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { media { " + media + " } } }\n";
+  return "box { <-1,-1,-1>,<1,1,1> hollow pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { media { " +
+         media + " } } }\n";
 }
 
 const std::string kLight = "light_source { <0,0,-100> rgb 1 }\n";
@@ -51,26 +53,33 @@ std::vector<MediaProbe> constant_media() {
       {"poly", box("emission 0.4 absorption 0.3" + kRamp3), {0.122621}},
       {"poly_samples_2", box("emission 0.4 absorption 0.3 samples 2" + kRamp3), {0.060700}},
       {"poly_fine", box("emission 0.4 absorption 0.3 samples 2 aa_level 6 aa_threshold 0.01" + kRamp3), {0.059220}},
-      {"poly_colours", box("emission <0.4,0.1,0.2> absorption 0.3 samples 5 aa_level 2 aa_threshold 0.02 intervals 2" + kRamp3),
+      {"poly_colours",
+       box("emission <0.4,0.1,0.2> absorption 0.3 samples 5 aa_level 2 aa_threshold 0.02 intervals 2" + kRamp3),
        {0.140551, 0.035142, 0.070283}},
   };
 }
 
 std::vector<MediaProbe> scattering_media() {
   std::vector<MediaProbe> probes;
-  const auto phase = [&](const std::string& name, const std::string& scattering, const std::string& light, double value) {
-    probes.push_back({name, box("scattering { " + scattering + " extinction 0 } method 2 intervals 1 samples 1") + light_at(light), {value}});
+  const auto phase = [&](const std::string& name, const std::string& scattering, const std::string& light,
+                         double value) {
+    probes.push_back(
+        {name,
+         box("scattering { " + scattering + " extinction 0 } method 2 intervals 1 samples 1") + light_at(light),
+         {value}});
   };
   const std::string behind = "<0.003,0.002,-3>", side = "<3,0.002,0>";
   phase("isotropic_behind", "1, 0.1", behind, 0.200000), phase("isotropic_side", "1, 0.1", side, 0.200000);
   phase("hazy_behind", "2, 0.1", behind, 0.115328), phase("hazy_side", "2, 0.1", side, 0.119387);
   phase("murky_behind", "3, 0.02", behind, 0.019821), phase("murky_side", "3, 0.02", side, 0.019821);
   phase("rayleigh_behind", "4, 0.1", behind, 0.319753), phase("rayleigh_side", "4, 0.1", side, 0.159869);
-  phase("henyey_behind", "5, 0.1 eccentricity 0.5", behind, 0.044450), phase("henyey_side", "5, 0.1 eccentricity 0.5", side, 0.107332);
+  phase("henyey_behind", "5, 0.1 eccentricity 0.5", behind, 0.044450),
+      phase("henyey_side", "5, 0.1 eccentricity 0.5", side, 0.107332);
   phase("henyey_back", "5, 0.1 eccentricity -0.5", "<0.003,0.002,3>", 0.044450);
   probes.push_back({"mixture",
                     "box { <-1,-1,-1>,<1,1,1> hollow" + kClear +
-                        "interior { media { scattering { 4, 0.1 extinction 0 } method 2 intervals 1 samples 1 } media { emission 0.05 method 2 intervals 1 "
+                        "interior { media { scattering { 4, 0.1 extinction 0 } method 2 intervals 1 samples 1 } media "
+                        "{ emission 0.05 method 2 intervals 1 "
                         "samples 1 } } }" +
                         light_at(side),
                     {0.279942}});
@@ -78,25 +87,35 @@ std::vector<MediaProbe> scattering_media() {
   probes.push_back({"attenuated_light", box(one) + light_at(side), {0.163790}});
   probes.push_back({"no_interaction", box(one) + "light_source { <3,0.002,0> rgb 1 media_interaction off }", {0}});
   probes.push_back({"shadowless", box(one) + "light_source { <3,0.002,0> rgb 1 shadowless }", {0}});
-  probes.push_back({"half_extinction", box("scattering { 1, 0.1 extinction 0.5 } method 2 intervals 1 samples 1") + light_at(side), {0.180987}});
+  probes.push_back({"half_extinction",
+                    box("scattering { 1, 0.1 extinction 0.5 } method 2 intervals 1 samples 1") + light_at(side),
+                    {0.180987}});
   probes.push_back({"light_inside", box(one) + light_at("<0.5,0.002,0>"), {0.180972}});
-  probes.push_back({"container_no_shadow",
-                    "box { <-1,-1,-1>,<1,1,1> hollow no_shadow" + kClear + "interior { media { " + one + " } } }" + light_at(side), {0.180972}});
+  probes.push_back(
+      {"container_no_shadow",
+       "box { <-1,-1,-1>,<1,1,1> hollow no_shadow" + kClear + "interior { media { " + one + " } } }" + light_at(side),
+       {0.180972}});
   probes.push_back({"filtering_container",
-                    "box { <-1,-1,-1>,<1,1,1> hollow pigment { rgbf <1,0.5,0.25,0.8> } finish { ambient 0 diffuse 0 } interior { media { " + one + " } } }" +
-                        light_at(side),
+                    "box { <-1,-1,-1>,<1,1,1> hollow pigment { rgbf <1,0.5,0.25,0.8> } finish { ambient 0 diffuse 0 } "
+                    "interior { media { " +
+                        one + " } } }" + light_at(side),
                     {0.104829, 0.026200, 0.006546}});
   return probes;
 }
 
 std::vector<MediaProbe> containers() {
   const auto clear_box = [&](const std::string& corners, const std::string& media, bool hollow) {
-    return "box { " + corners + (hollow ? " hollow" : "") + kClear + (media.empty() ? "" : "interior { media { " + media + " } } ") + "}\n";
+    return "box { " + corners + (hollow ? " hollow" : "") + kClear +
+           (media.empty() ? "" : "interior { media { " + media + " } } ") + "}\n";
   };
   const std::string outer = "<-1,-1,-1>,<1,1,1>", inner = "<-.5,-.5,-.5>,<.5,.5,.5>";
   return {
-      {"nested", clear_box(outer, "emission 0.1", true) + clear_box(inner, "emission <0,0.2,0>", true), {0.2, 0.4, 0.2}},
-      {"inner_not_hollow", clear_box(outer, "emission 0.1", true) + clear_box(inner, "emission <0,0.2,0>", false), {0.100008}},
+      {"nested",
+       clear_box(outer, "emission 0.1", true) + clear_box(inner, "emission <0,0.2,0>", true),
+       {0.2, 0.4, 0.2}},
+      {"inner_not_hollow",
+       clear_box(outer, "emission 0.1", true) + clear_box(inner, "emission <0,0.2,0>", false),
+       {0.100008}},
       {"outer_not_hollow", clear_box(outer, "emission 0.1", false) + clear_box(inner, "emission <0,0.2,0>", true), {0}},
       {"camera_inside", clear_box("<-9,-9,-9>,<9,9,9>", "emission 0.01", true), {0.140002}},
       {"camera_inside_not_hollow", clear_box("<-9,-9,-9>,<9,9,9>", "emission 0.01", false), {0}},
@@ -112,21 +131,29 @@ std::vector<MediaProbe> containers() {
 
 std::vector<MediaProbe> shadows() {
   const std::string white = "plane { -z,-3 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }\n";
-  const auto lit = [&](const std::string& switches) { return "light_source { <0.003,0.002,-3> rgb 1 " + switches + " }\n"; };
+  const auto lit = [&](const std::string& switches) {
+    return "light_source { <0.003,0.002,-3> rgb 1 " + switches + " }\n";
+  };
   return {
       {"atmosphere_off", "media { absorption 0.1 }" + white + lit("media_attenuation off"), {0.449332}},
       {"atmosphere_on", "media { absorption 0.1 }" + white + lit("media_attenuation on"), {0.246601}},
-      {"atmosphere_no_interaction", "media { absorption 0.1 }" + white + lit("media_attenuation on media_interaction off"), {0.449332}},
+      {"atmosphere_no_interaction",
+       "media { absorption 0.1 }" + white + lit("media_attenuation on media_interaction off"),
+       {0.449332}},
       {"fog_on", "fog { distance 20 rgb 0.5 }" + white + lit("media_attenuation on"), {0.661433}},
       {"fog_off", "fog { distance 20 rgb 0.5 }" + white + lit("media_attenuation off"), {0.835157}},
-      {"fog_over_media", "media { absorption 0.1 } fog { distance 20 rgb <0,0,1> } plane { -z,-3 pigment { rgb 1 } finish { ambient 1 diffuse 0 } }",
+      {"fog_over_media",
+       "media { absorption 0.1 } fog { distance 20 rgb <0,0,1> } plane { -z,-3 pigment { rgb 1 } finish { ambient 1 "
+       "diffuse 0 } }",
        {0.301198, 0.301198, 0.630869}},
   };
 }
 
 std::vector<MediaProbe> spotlights() {
-  const std::string spot = "light_source { <0.003,3.002,0.1> rgb 1 spotlight point_at <0.003,0,0.1> radius 10 falloff 10 tightness 0 }\n";
-  const std::string spot2 = "light_source { <0.003,3.002,0.8> rgb 1 spotlight point_at <0.003,0,0.8> radius 3 falloff 3 tightness 0 }\n";
+  const std::string spot =
+      "light_source { <0.003,3.002,0.1> rgb 1 spotlight point_at <0.003,0,0.1> radius 10 falloff 10 tightness 0 }\n";
+  const std::string spot2 =
+      "light_source { <0.003,3.002,0.8> rgb 1 spotlight point_at <0.003,0,0.8> radius 3 falloff 3 tightness 0 }\n";
   const std::string m = "scattering { 1, 1 extinction 0 } ", two = "method 2 samples 1 ";
   return {
       {"intervals_10", box(m + two + "intervals 10" + kRamp2) + spot, {0.344320}},
@@ -135,9 +162,11 @@ std::vector<MediaProbe> spotlights() {
       {"ratio", box(m + two + "intervals 10 ratio 0.5" + kRamp2) + spot, {0.343160}},
       {"two_spotlights", box(m + two + "intervals 10" + kRamp2) + spot + spot2, {0.598901}},
       // Soft edges (measured, 34093/65535): at a hard edge the first sample of a piece is lit or not by the last bit.
-      {"method_3", box(m + kRamp2) +
-                       "light_source { <0.003,3.002,0.1> rgb 1 spotlight point_at <0.003,0,0.1> radius 10 falloff 10.5 tightness 0 }\n"
-                       "light_source { <0.003,3.002,0.8> rgb 1 spotlight point_at <0.003,0,0.8> radius 3 falloff 3.2 tightness 0 }\n",
+      {"method_3",
+       box(m + kRamp2) + "light_source { <0.003,3.002,0.1> rgb 1 spotlight point_at <0.003,0,0.1> radius 10 falloff "
+                         "10.5 tightness 0 }\n"
+                         "light_source { <0.003,3.002,0.8> rgb 1 spotlight point_at <0.003,0,0.8> radius 3 falloff 3.2 "
+                         "tightness 0 }\n",
        {0.520226}},
   };
 }
@@ -188,7 +217,8 @@ TEST_P(MediaReplayProbes, EqualPovRay) {
 
 INSTANTIATE_TEST_SUITE_P(Random, MediaReplayProbes, testing::ValuesIn(random_media()), kName);
 
-// Six intervals of a segment that grows from pixel to pixel: now and then the rounding of the last start adds one, and all later pixels draw other numbers.
+// Six intervals of a segment that grows from pixel to pixel: now and then the rounding of the last start adds one, and
+// all later pixels draw other numbers.
 TEST(MediaReplay, DividesSegmentsAsPovRayDoes) {
   constexpr int kWidth = 20;
   const std::vector<double> expected = {22810, 21889, 24011, 23443, 22519, 23775, 23247, 23673, 23670, 23027,
@@ -196,11 +226,15 @@ TEST(MediaReplay, DividesSegmentsAsPovRayDoes) {
   render::Options options;
   options.replay = true;
   const auto picture = render_text(
-      "#version 3.7; global_settings { assumed_gamma 1 } camera { orthographic location <-0.25,0.002,-5> right x*0.5 up y*0.005 direction z }"
-      "intersection { plane { -z,1 } plane { <-0.3,0,1>,0.9 } box { -3,3 } hollow pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { media {"
-      "emission 0.4 method 1 intervals 6 samples 1 density { gradient z color_map { [0 rgb 0][1 rgb 1] } scale 4 translate -2*z } } } }",
+      "#version 3.7; global_settings { assumed_gamma 1 } camera { orthographic location <-0.25,0.002,-5> right x*0.5 "
+      "up y*0.005 direction z }"
+      "intersection { plane { -z,1 } plane { <-0.3,0,1>,0.9 } box { -3,3 } hollow pigment { rgbt 1 } finish { ambient "
+      "0 diffuse 0 } interior { media {"
+      "emission 0.4 method 1 intervals 6 samples 1 density { gradient z color_map { [0 rgb 0][1 rgb 1] } scale 4 "
+      "translate -2*z } } } }",
       kWidth, 1, options);
-  for (int x = 0; x < kWidth; ++x) EXPECT_NEAR(lin16(picture, x, 0)[0], expected[static_cast<std::size_t>(x)], 2.0) << x;
+  for (int x = 0; x < kWidth; ++x)
+    EXPECT_NEAR(lin16(picture, x, 0)[0], expected[static_cast<std::size_t>(x)], 2.0) << x;
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 namespace verisim::test {
 namespace {
 
-// Twelve small triangles centred on (i, j, 0), i = 0..3, j = 0..2 in row order, facing +z; a wall beyond shows the place as a colour.
+// Twelve small triangles centred on (i, j, 0), i = 0..3, j = 0..2 in row order, facing +z; a wall beyond shows the
+// place as a colour.
 const char* const kScene = R"(#version 3.7; global_settings { assumed_gamma 1 }
 #declare E = 0.03;
 camera { mesh_camera { 1 0 mesh {

@@ -1,4 +1,5 @@
-// The picture depends on the scene alone: every scene of scenes/ has the same pixels, bit for bit, on 1, 2, 3 and 8 threads (issue 6).
+// The picture depends on the scene alone: every scene of scenes/ has the same pixels, bit for bit, on 1, 2, 3 and 8
+// threads (issue 6).
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -50,7 +51,8 @@ TEST_P(ThreadIdentity, TheSamePixelsOnAnyNumberOfThreads) {
     for (const int threads : {2, 3, 8}) {
       const auto pixels = pixels_of(*parsed.scene, threads);
       ASSERT_EQ(pixels.size(), expected.size());
-      EXPECT_EQ(std::memcmp(pixels.data(), expected.data(), expected.size() * sizeof(Color)), 0) << path << " on " << threads << " threads";
+      EXPECT_EQ(std::memcmp(pixels.data(), expected.data(), expected.size() * sizeof(Color)), 0)
+          << path << " on " << threads << " threads";
     }
   }
   EXPECT_GT(rendered, 0);
@@ -59,7 +61,9 @@ TEST_P(ThreadIdentity, TheSamePixelsOnAnyNumberOfThreads) {
 std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ThreadIdentity,
-                         testing::Values("analytic", "camera", "cornell_box", "global", "lecture", "light", "output", "shapes", "textures"), name_of);
+                         testing::Values("analytic", "camera", "cornell_box", "global", "lecture", "light", "output",
+                                         "shapes", "textures"),
+                         name_of);
 
 }  // namespace
 }  // namespace verisim

@@ -12,14 +12,16 @@ constexpr double kSmallestDistance = 1e-4, kLargestDistance = 2e10;
 
 // Kinds whose box POV-Ray never asks: spec 03 2.1.
 bool has_no_box_test(const scene::Object& o) {
-  return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() || o.as<scene::SmoothTriangle>() || o.as<scene::Poly>();
+  return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() ||
+         o.as<scene::SmoothTriangle>() || o.as<scene::Poly>();
 }
 
 // POV-Ray's slab test, in binary32.
 bool meets_box(const Ray& ray, const scene::Bounds& b) {
   float near = 0, far = static_cast<float>(kLargestDistance);
   for (std::size_t i = 0; i < 3; ++i) {
-    const float o = static_cast<float>(ray.origin[static_cast<int>(i)]), inverse = static_cast<float>(1.0 / ray.direction[static_cast<int>(i)]);
+    const float o = static_cast<float>(ray.origin[static_cast<int>(i)]),
+                inverse = static_cast<float>(1.0 / ray.direction[static_cast<int>(i)]);
     float enter = (b.low[i] - o) * inverse, leave = (b.low[i] + b.size[i] - o) * inverse;
     if (inverse < 0) std::swap(enter, leave);
     if (enter > near) near = enter;
@@ -51,7 +53,8 @@ std::optional<TraceHit> Target::trace(const Vec3& origin, const Vec3& direction)
   const scene::Object& object = *impl_->object;
   if (!has_no_box_test(object) && !meets_box(ray, object.bounds)) return std::nullopt;
   shapes::Hit hit;
-  if (!impl_->ready().intersect(ray, shapes::RayKind::query, kSmallestDistance, kLargestDistance, hit)) return std::nullopt;
+  if (!impl_->ready().intersect(ray, shapes::RayKind::query, kSmallestDistance, kLargestDistance, hit))
+    return std::nullopt;
   return TraceHit{hit.point, hit.shape->normal(hit)};
 }
 

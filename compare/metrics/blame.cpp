@@ -1,5 +1,6 @@
-// Every tag divides the pixels in two, and so does "is wrong": the phi coefficient (Pearson's correlation of two yes-or-no variables) says how well the two divisions agree.
-// It is 1 when exactly the bad pixels have the tag, and 0 when the tag is as frequent among the good ones.
+// Every tag divides the pixels in two, and so does "is wrong": the phi coefficient (Pearson's correlation of two
+// yes-or-no variables) says how well the two divisions agree. It is 1 when exactly the bad pixels have the tag, and 0
+// when the tag is as frequent among the good ones.
 #include "compare/metrics/blame.h"
 
 #include <fmt/format.h>
@@ -43,9 +44,11 @@ Blame blame(const Picture& reference, const Picture& test, const PixelTags& tags
   require_same_size(reference, test);
   const Values a(reference), b(test);
   if (tags.width != a.width() || tags.height != a.height() || tags.step < 1)
-    throw PictureMismatch(fmt::format("the tags are those of a picture of {}x{}, not {}x{}", tags.width, tags.height, a.width(), a.height()));
+    throw PictureMismatch(fmt::format("the tags are those of a picture of {}x{}, not {}x{}", tags.width, tags.height,
+                                      a.width(), a.height()));
   const int columns = (tags.width + tags.step - 1) / tags.step, rows = (tags.height + tags.step - 1) / tags.step;
-  if (tags.set_of.size() != static_cast<std::size_t>(columns) * rows) throw PictureMismatch("the tags do not fit their size");
+  if (tags.set_of.size() != static_cast<std::size_t>(columns) * rows)
+    throw PictureMismatch("the tags do not fit their size");
 
   std::vector<PixelError> errors;
   errors.reserve(tags.set_of.size());
@@ -77,17 +80,21 @@ Blame blame(const Picture& reference, const Picture& test, const PixelTags& tags
       ++sums.pixels, sums.bad += bad, sums.squares += e.squares, sums.difference += e.difference;
       if (e.largest >= sums.worst) {
         sums.worst = e.largest;
-        sums.x = static_cast<int>(i % static_cast<std::size_t>(columns)) * tags.step, sums.y = static_cast<int>(i / static_cast<std::size_t>(columns)) * tags.step;
+        sums.x = static_cast<int>(i % static_cast<std::size_t>(columns)) * tags.step,
+        sums.y = static_cast<int>(i / static_cast<std::size_t>(columns)) * tags.step;
       }
     }
   }
 
   for (const auto& [tag, sums] : objects) {
     const double n = static_cast<double>(sums.pixels);
-    out.objects.push_back({tags.tags[static_cast<std::size_t>(tag)].name, 100 * n / static_cast<double>(errors.size()), 100 * static_cast<double>(sums.bad) / n,
-                           std::sqrt(sums.squares / (3 * n)), sums.difference / (3 * n), sums.worst, squares > 0 ? sums.squares / squares : 0, sums.x, sums.y});
+    out.objects.push_back({tags.tags[static_cast<std::size_t>(tag)].name, 100 * n / static_cast<double>(errors.size()),
+                           100 * static_cast<double>(sums.bad) / n, std::sqrt(sums.squares / (3 * n)),
+                           sums.difference / (3 * n), sums.worst, squares > 0 ? sums.squares / squares : 0, sums.x,
+                           sums.y});
   }
-  std::stable_sort(out.objects.begin(), out.objects.end(), [](const ObjectError& x, const ObjectError& y) { return x.share > y.share; });
+  std::stable_sort(out.objects.begin(), out.objects.end(),
+                   [](const ObjectError& x, const ObjectError& y) { return x.share > y.share; });
 
   if (out.bad == 0 || out.good == 0) return out;
   const double bad = static_cast<double>(out.bad), good = static_cast<double>(out.good);
@@ -96,9 +103,11 @@ Blame blame(const Picture& reference, const Picture& test, const PixelTags& tags
     if (with == 0 || without == 0) continue;
     const double wb = static_cast<double>(bad_with[tag]), wg = static_cast<double>(good_with[tag]);
     const double phi = (wb * (good - wg) - wg * (bad - wb)) / std::sqrt(bad * good * with * without);
-    if (phi >= kWorthNaming) out.common.push_back({tags.tags[tag].kind, tags.tags[tag].name, 100 * wb / bad, 100 * wg / good, phi});
+    if (phi >= kWorthNaming)
+      out.common.push_back({tags.tags[tag].kind, tags.tags[tag].name, 100 * wb / bad, 100 * wg / good, phi});
   }
-  std::stable_sort(out.common.begin(), out.common.end(), [](const CommonTag& x, const CommonTag& y) { return x.correlation > y.correlation; });
+  std::stable_sort(out.common.begin(), out.common.end(),
+                   [](const CommonTag& x, const CommonTag& y) { return x.correlation > y.correlation; });
   return out;
 }
 

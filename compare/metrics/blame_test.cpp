@@ -23,7 +23,8 @@ Picture with_error(const Picture& p, int from, int to, double error) {
   Picture out = p;
   for (int y = 0; y < p.height; ++y)
     for (int x = from; x < to; ++x)
-      for (int c = 0; c < 3; ++c) out.samples[static_cast<std::size_t>((y * p.width + x) * 3 + c)] += static_cast<float>(error / 255);
+      for (int c = 0; c < 3; ++c)
+        out.samples[static_cast<std::size_t>((y * p.width + x) * 3 + c)] += static_cast<float>(error / 255);
   return out;
 }
 
@@ -105,7 +106,8 @@ TEST(PixelTags, GoThroughJson) {
   EXPECT_EQ(read.sets, t.sets);
   EXPECT_EQ(read.tags[2].name, "lamp");
   EXPECT_EQ(read.trees[0].x, 3);
-  for (const char* bad : {"", "{", "[]", "{\"width\": \"x\"}", "{\"width\":1,\"height\":1,\"step\":1,\"tags\":[{}],\"sets\":[],\"pixels\":[],\"trees\":[]}"})
+  for (const char* bad : {"", "{", "[]", "{\"width\": \"x\"}",
+                          "{\"width\":1,\"height\":1,\"step\":1,\"tags\":[{}],\"sets\":[],\"pixels\":[],\"trees\":[]}"})
     EXPECT_THROW(tags_from_json(bad), std::runtime_error) << bad;
 }
 

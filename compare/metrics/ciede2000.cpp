@@ -19,7 +19,8 @@ double pow7(double v) { return v * v * v * v * v * v * v; }
 Lab srgb_to_lab(const Rgb& value) {
   Rgb c;
   for (int i = 0; i < 3; ++i) c[i] = srgb_to_linear(value[i] / 255);
-  const double xyz[3] = {(0.4124564 * c[0] + 0.3575761 * c[1] + 0.1804375 * c[2]) / 0.95047, 0.2126729 * c[0] + 0.7151522 * c[1] + 0.0721750 * c[2],
+  const double xyz[3] = {(0.4124564 * c[0] + 0.3575761 * c[1] + 0.1804375 * c[2]) / 0.95047,
+                         0.2126729 * c[0] + 0.7151522 * c[1] + 0.0721750 * c[2],
                          (0.0193339 * c[0] + 0.1191920 * c[1] + 0.9503041 * c[2]) / 1.08883};
   constexpr double kEpsilon = 216.0 / 24389.0, kKappa = 24389.0 / 27.0;
   double f[3];
@@ -40,14 +41,17 @@ double ciede2000(const Lab& first, const Lab& second) {
     dh = h2 - h1;
     if (dh > 180) dh -= 360;
     if (dh < -180) dh += 360;
-    if (std::fabs(h1 - h2) <= 180) h_mean = 0.5 * (h1 + h2);
-    else h_mean = 0.5 * (h1 + h2 + (h1 + h2 < 360 ? 360 : -360));
+    if (std::fabs(h1 - h2) <= 180)
+      h_mean = 0.5 * (h1 + h2);
+    else
+      h_mean = 0.5 * (h1 + h2 + (h1 + h2 < 360 ? 360 : -360));
   }
-  const double delta_l = second[0] - first[0], delta_c = c2 - c1, delta_h = 2 * std::sqrt(c1 * c2) * std::sin(0.5 * dh * kDegree);
+  const double delta_l = second[0] - first[0], delta_c = c2 - c1,
+               delta_h = 2 * std::sqrt(c1 * c2) * std::sin(0.5 * dh * kDegree);
 
   const double l_mean = 0.5 * (first[0] + second[0]), cp_mean = 0.5 * (c1 + c2);
-  const double t = 1 - 0.17 * std::cos((h_mean - 30) * kDegree) + 0.24 * std::cos(2 * h_mean * kDegree) + 0.32 * std::cos((3 * h_mean + 6) * kDegree) -
-                   0.20 * std::cos((4 * h_mean - 63) * kDegree);
+  const double t = 1 - 0.17 * std::cos((h_mean - 30) * kDegree) + 0.24 * std::cos(2 * h_mean * kDegree) +
+                   0.32 * std::cos((3 * h_mean + 6) * kDegree) - 0.20 * std::cos((4 * h_mean - 63) * kDegree);
   const double delta_theta = 30 * std::exp(-((h_mean - 275) / 25) * ((h_mean - 275) / 25));
   const double r_c = 2 * std::sqrt(pow7(cp_mean) / (pow7(cp_mean) + pow7(25)));
   const double l50 = (l_mean - 50) * (l_mean - 50);

@@ -1,5 +1,5 @@
-// The CIEDE2000 colour difference (Sharma, Wu, Dalal: "The CIEDE2000 Color-Difference Formula: Implementation Notes, Supplementary Test Data, and Mathematical
-// Observations", 2005).
+// The CIEDE2000 colour difference (Sharma, Wu, Dalal: "The CIEDE2000 Color-Difference Formula: Implementation Notes,
+// Supplementary Test Data, and Mathematical Observations", 2005).
 #pragma once
 
 #include "compare/metrics/values.h"

@@ -1,4 +1,5 @@
-// What kind of fault makes two pictures differ: hypotheses are fitted to the pair, and the one that explains most of the difference is named.
+// What kind of fault makes two pictures differ: hypotheses are fitted to the pair, and the one that explains most of
+// the difference is named.
 #pragma once
 
 #include <string>
@@ -9,15 +10,18 @@
 namespace verisim::compare {
 
 struct Suspicion {
-  std::string what;        // "gamma", "brightness", "color balance", "shift", "swapped channels", "mirrored", "edges", "few pixels"
-  std::string detail;      // for people: "the picture is moved by 0.50, 0.00 pixels"
-  double explained = 0;    // 0..1: part of the squared difference that is gone when the fault is undone
+  std::string
+      what;  // "gamma", "brightness", "color balance", "shift", "swapped channels", "mirrored", "edges", "few pixels"
+  std::string detail;    // for people: "the picture is moved by 0.50, 0.00 pixels"
+  double explained = 0;  // 0..1: part of the squared difference that is gone when the fault is undone
 };
 
-// Most convincing first; empty when the pictures are equal or nothing explains at least half of the difference. Throws PictureMismatch.
+// Most convincing first; empty when the pictures are equal or nothing explains at least half of the difference. Throws
+// PictureMismatch.
 std::vector<Suspicion> diagnose(const Picture& reference, const Picture& test);
 
 // The same for a part of the picture (mask: one byte a pixel): only hypotheses about values, not about places.
-std::vector<Suspicion> diagnose_part(const Picture& reference, const Picture& test, const std::vector<unsigned char>& mask);
+std::vector<Suspicion> diagnose_part(const Picture& reference, const Picture& test,
+                                     const std::vector<unsigned char>& mask);
 
 }  // namespace verisim::compare

@@ -73,7 +73,8 @@ TEST(Diagnose, LightOfAnotherColour) {
   Picture test = scene();
   const double gain[3] = {1.1, 1, 0.8};
   for (std::size_t i = 0; i < test.samples.size(); ++i)
-    test.samples[i] = static_cast<float>(std::round(255 * linear_to_srgb(std::min(1.0, gain[i % 3] * srgb_to_linear(test.samples[i])))) / 255);
+    test.samples[i] = static_cast<float>(
+        std::round(255 * linear_to_srgb(std::min(1.0, gain[i % 3] * srgb_to_linear(test.samples[i])))) / 255);
   EXPECT_EQ(first(test).what, "color balance") << first(test).detail;
 }
 
@@ -82,13 +83,15 @@ TEST(Diagnose, Mirrored) {
   for (int y = 0; y < test.height; ++y)
     for (int x = 0; x < test.width / 2; ++x)
       for (int c = 0; c < 3; ++c)
-        std::swap(test.samples[static_cast<std::size_t>(3 * (y * test.width + x) + c)], test.samples[static_cast<std::size_t>(3 * (y * test.width + test.width - 1 - x) + c)]);
+        std::swap(test.samples[static_cast<std::size_t>(3 * (y * test.width + x) + c)],
+                  test.samples[static_cast<std::size_t>(3 * (y * test.width + test.width - 1 - x) + c)]);
   EXPECT_EQ(first(test).what, "mirrored");
 }
 
 TEST(Diagnose, FewPixels) {
   Picture test = scene();
-  for (int i = 0; i < 20; ++i) test.samples[static_cast<std::size_t>(997 * i)] = 1 - test.samples[static_cast<std::size_t>(997 * i)];
+  for (int i = 0; i < 20; ++i)
+    test.samples[static_cast<std::size_t>(997 * i)] = 1 - test.samples[static_cast<std::size_t>(997 * i)];
   EXPECT_EQ(first(test).what, "few pixels");
 }
 

@@ -10,21 +10,30 @@ namespace verisim::compare {
 namespace {
 
 Picture cut(const Picture& picture, const Crop& crop) {
-  if (crop.x < 0 || crop.y < 0 || crop.width < 1 || crop.height < 1 || crop.x > picture.width - crop.width || crop.y > picture.height - crop.height)
-    throw PictureMismatch(fmt::format("the crop {}, {}, {}, {} is not inside the reference of {}x{}", crop.x, crop.y, crop.width, crop.height, picture.width, picture.height));
+  if (crop.x < 0 || crop.y < 0 || crop.width < 1 || crop.height < 1 || crop.x > picture.width - crop.width ||
+      crop.y > picture.height - crop.height)
+    throw PictureMismatch(fmt::format("the crop {}, {}, {}, {} is not inside the reference of {}x{}", crop.x, crop.y,
+                                      crop.width, crop.height, picture.width, picture.height));
   Picture out = picture;
   out.width = crop.width, out.height = crop.height;
   out.samples.clear();
   for (int y = crop.y; y < crop.y + crop.height; ++y) {
-    const auto row = picture.samples.begin() + (static_cast<std::ptrdiff_t>(y) * picture.width + crop.x) * picture.channels;
+    const auto row =
+        picture.samples.begin() + (static_cast<std::ptrdiff_t>(y) * picture.width + crop.x) * picture.channels;
     out.samples.insert(out.samples.end(), row, row + static_cast<std::ptrdiff_t>(crop.width) * picture.channels);
   }
   return out;
 }
 
-double decoded(float v, bool is_float) { return is_float ? v : srgb_to_linear(std::clamp(static_cast<double>(v), 0.0, 1.0)); }
-float encoded(double v, bool is_float) { return static_cast<float>(is_float ? v : linear_to_srgb(std::clamp(v, 0.0, 1.0))); }
-bool is_alpha(const Picture& p, int channel) { return (p.channels == 2 || p.channels == 4) && channel == p.channels - 1; }
+double decoded(float v, bool is_float) {
+  return is_float ? v : srgb_to_linear(std::clamp(static_cast<double>(v), 0.0, 1.0));
+}
+float encoded(double v, bool is_float) {
+  return static_cast<float>(is_float ? v : linear_to_srgb(std::clamp(v, 0.0, 1.0)));
+}
+bool is_alpha(const Picture& p, int channel) {
+  return (p.channels == 2 || p.channels == 4) && channel == p.channels - 1;
+}
 
 // The share of every source pixel in [from, to) along one axis.
 struct Span {
@@ -38,7 +47,8 @@ std::vector<Span> spans(int from, int to) {
     const double low = i * scale, high = (i + 1) * scale;
     Span& span = out[static_cast<std::size_t>(i)];
     span.first = static_cast<int>(low);
-    for (int k = span.first; k < from && k < high; ++k) span.weights.push_back((std::min<double>(k + 1, high) - std::max<double>(k, low)) / scale);
+    for (int k = span.first; k < from && k < high; ++k)
+      span.weights.push_back((std::min<double>(k + 1, high) - std::max<double>(k, low)) / scale);
   }
   return out;
 }
@@ -58,11 +68,17 @@ Picture resampled(const Picture& picture, int width, int height) {
         double sum = 0;
         for (std::size_t j = 0; j < down.weights.size(); ++j)
           for (std::size_t i = 0; i < across.weights.size(); ++i) {
-            const std::size_t at = (static_cast<std::size_t>(down.first) + j) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(across.first) + i;
-            sum += down.weights[j] * across.weights[i] * decoded(picture.samples[at * static_cast<std::size_t>(picture.channels) + static_cast<std::size_t>(c)], plain);
+            const std::size_t at =
+                (static_cast<std::size_t>(down.first) + j) * static_cast<std::size_t>(picture.width) +
+                static_cast<std::size_t>(across.first) + i;
+            sum +=
+                down.weights[j] * across.weights[i] *
+                decoded(picture.samples[at * static_cast<std::size_t>(picture.channels) + static_cast<std::size_t>(c)],
+                        plain);
           }
-        out.samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * static_cast<std::size_t>(picture.channels) + static_cast<std::size_t>(c)] =
-            encoded(sum, plain);
+        out.samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+                        static_cast<std::size_t>(picture.channels) +
+                    static_cast<std::size_t>(c)] = encoded(sum, plain);
       }
   return out;
 }
@@ -100,9 +116,11 @@ Rgb gains(const Picture& reference, const Picture& test, bool each_channel) {
 std::string Fit::text() const {
   std::string out;
   if (crop) out += fmt::format("reference cut to {}x{} at {}, {}; ", crop->width, crop->height, crop->x, crop->y);
-  if (resampled) out += fmt::format("reference of {}x{} averaged to the render's size; ", reference_width, reference_height);
+  if (resampled)
+    out += fmt::format("reference of {}x{} averaged to the render's size; ", reference_width, reference_height);
   if (stops != 0) out += fmt::format("exposure {:+.3f} stops; ", stops);
-  if (balance != std::array<double, 3>{1, 1, 1}) out += fmt::format("white balance {:.4f}, {:.4f}, {:.4f}; ", balance[0], balance[1], balance[2]);
+  if (balance != std::array<double, 3>{1, 1, 1})
+    out += fmt::format("white balance {:.4f}, {:.4f}, {:.4f}; ", balance[0], balance[1], balance[2]);
   if (!out.empty()) out.resize(out.size() - 2);
   return out;
 }

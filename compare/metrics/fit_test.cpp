@@ -21,7 +21,14 @@ struct Photograph {
         for (std::size_t c = 0; c < 3; ++c) {
           const int u = (x - frame) / scale, v = (y - frame) / scale;
           const bool inside = x >= frame && y >= frame && u < 48 && v < 36;
-          const double value = inside ? linear_to_srgb(kGain[c] * srgb_to_linear(std::round(255 * static_cast<double>(render.samples[static_cast<std::size_t>(v * 48 + u) * 3 + c])) / 255)) : 1;
+          const double value =
+              inside ? linear_to_srgb(
+                           kGain[c] *
+                           srgb_to_linear(
+                               std::round(255 * static_cast<double>(
+                                                    render.samples[static_cast<std::size_t>(v * 48 + u) * 3 + c])) /
+                               255))
+                     : 1;
           photo.samples.push_back(static_cast<float>(value));
         }
     photo.bits = 16;
@@ -35,11 +42,15 @@ TEST(Fit, FindsExposureAndWhiteBalance) {
   EXPECT_NEAR(pair.fit.stops, std::log2(mean), 0.01);
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(pair.fit.balance[c], Photograph::kGain[c] / mean, 0.01);
   EXPECT_LT(measure(pair.reference, pair.test).rmse, 0.5);
-  EXPECT_THAT(pair.fit.text(), testing::AllOf(testing::HasSubstr("exposure -1.0"), testing::HasSubstr("white balance 1.3")));
+  EXPECT_THAT(pair.fit.text(),
+              testing::AllOf(testing::HasSubstr("exposure -1.0"), testing::HasSubstr("white balance 1.3")));
 }
 
 TEST(Fit, ExposureAloneIsOneFactor) {
-  const Picture a = scene_like_picture(30, 20), b = changed(a, [](double v) { return 255 * linear_to_srgb(2 * srgb_to_linear(v / 255) < 1 ? 2 * srgb_to_linear(v / 255) : 1); });
+  const Picture a = scene_like_picture(30, 20),
+                b = changed(a, [](double v) {
+                  return 255 * linear_to_srgb(2 * srgb_to_linear(v / 255) < 1 ? 2 * srgb_to_linear(v / 255) : 1);
+                });
   const FittedPair pair = fit_to_reference(a, b, {.crop = {}, .exposure = true, .white_balance = false});
   EXPECT_NEAR(pair.fit.stops, -1, 0.01);
   EXPECT_EQ(pair.fit.balance, (std::array<double, 3>{1, 1, 1}));
@@ -47,7 +58,8 @@ TEST(Fit, ExposureAloneIsOneFactor) {
 
 TEST(Fit, CropsAndAverages) {
   const Photograph p(3, 5);
-  const FittedPair pair = fit_to_reference(p.photo, p.render, {.crop = Crop{5, 5, 144, 108}, .exposure = true, .white_balance = true});
+  const FittedPair pair =
+      fit_to_reference(p.photo, p.render, {.crop = Crop{5, 5, 144, 108}, .exposure = true, .white_balance = true});
   EXPECT_TRUE(pair.fit.resampled);
   EXPECT_EQ(pair.reference.width, 48);
   EXPECT_EQ(pair.fit.reference_width, 144);
@@ -64,14 +76,16 @@ TEST(Fit, AveragesPartsOfPixels) {
 
 TEST(Fit, RefusesCropsOutside) {
   const Picture a = scene_like_picture(30, 20);
-  for (const Crop crop : {Crop{-1, 0, 5, 5}, Crop{0, 0, 31, 5}, Crop{28, 0, 5, 5}, Crop{0, 0, 0, 5}, Crop{2147483647, 0, 2147483647, 1}})
+  for (const Crop crop :
+       {Crop{-1, 0, 5, 5}, Crop{0, 0, 31, 5}, Crop{28, 0, 5, 5}, Crop{0, 0, 0, 5}, Crop{2147483647, 0, 2147483647, 1}})
     EXPECT_THROW(fit_to_reference(a, a, {.crop = crop}), PictureMismatch);
 }
 
 TEST(Fit, BlackPicturesAreLeftAlone) {
   const Picture a = scene_like_picture(30, 20), black = constant_picture(30, 20, 0, 0, 0);
   EXPECT_EQ(fit_to_reference(a, black, {.crop = {}, .exposure = true, .white_balance = true}).fit.stops, 0);
-  EXPECT_TRUE(std::isfinite(fit_to_reference(black, a, {.crop = {}, .exposure = true, .white_balance = false}).fit.stops));
+  EXPECT_TRUE(
+      std::isfinite(fit_to_reference(black, a, {.crop = {}, .exposure = true, .white_balance = false}).fit.stops));
 }
 
 TEST(Truth, LargestAndMeanError) {

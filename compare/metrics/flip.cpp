@@ -1,7 +1,8 @@
 // FLIP imitates a person who flips between two pictures. Two pipelines meet in every pixel:
-//   colour:  YCxCz -> contrast sensitivity filters -> L*a*b* with Hunt's adjustment -> HyAB distance, redistributed to 0..1
-//   feature: luminance -> edge and point detectors -> difference of their magnitudes
-// and the error is colour^(1 - feature). All filters are separable, and a picture is worked on in tiles with a margin of the filters' radius: the values do not depend on how it is cut.
+//   colour:  YCxCz -> contrast sensitivity filters -> L*a*b* with Hunt's adjustment -> HyAB distance, redistributed to
+//   0..1 feature: luminance -> edge and point detectors -> difference of their magnitudes
+// and the error is colour^(1 - feature). All filters are separable, and a picture is worked on in tiles with a margin
+// of the filters' radius: the values do not depend on how it is cut.
 #include "compare/metrics/flip.h"
 
 #include <algorithm>
@@ -11,13 +12,13 @@
 #include <numeric>
 
 #include "compare/metrics/values.h"
-#include "tracer/parallel.h"
+#include "tracer/base/parallel.h"
 
 namespace verisim::compare {
 namespace {
 
-constexpr double kQc = 0.7, kPc = 0.4, kPt = 0.95;         // colour: exponent and redistribution (section 4.1.3)
-constexpr double kQf = 0.5, kFeatureWidth = 0.082;         // feature: exponent, width of the detector in degrees (section 4.2)
+constexpr double kQc = 0.7, kPc = 0.4, kPt = 0.95;  // colour: exponent and redistribution (section 4.1.3)
+constexpr double kQf = 0.5, kFeatureWidth = 0.082;  // feature: exponent, width of the detector in degrees (section 4.2)
 constexpr int kTileWidth = 256, kTileRows = 64;
 
 // Linear sRGB to CIE XYZ with D65; the rationals are those that follow from the primaries.
@@ -30,7 +31,8 @@ struct Colorimetry {
   Colorimetry() {
     for (int i = 0; i < 3; ++i) white[i] = kXyz[i][0] + kXyz[i][1] + kXyz[i][2];
     const auto& m = kXyz;
-    const double det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    const double det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                       m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
                        m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
@@ -57,7 +59,8 @@ Rgb ycxcz_to_linear(const Rgb& c) {
   const double y = (c[0] + 16) / 116;
   const double xyz[3] = {(y + c[1] / 500) * kColor.white[0], y * kColor.white[1], (y - c[2] / 200) * kColor.white[2]};
   Rgb out;
-  for (int i = 0; i < 3; ++i) out[i] = kColor.inverse[i][0] * xyz[0] + kColor.inverse[i][1] * xyz[1] + kColor.inverse[i][2] * xyz[2];
+  for (int i = 0; i < 3; ++i)
+    out[i] = kColor.inverse[i][0] * xyz[0] + kColor.inverse[i][1] * xyz[1] + kColor.inverse[i][2] * xyz[2];
   return out;
 }
 
@@ -72,7 +75,8 @@ Rgb linear_to_hunt_lab(const Rgb& c) {
 
 double hyab(const Rgb& a, const Rgb& b) { return std::fabs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]); }
 
-// A sum of Gaussians a sqrt(pi / b) exp(-pi^2 d^2 / b), d in degrees: the contrast sensitivity of one opponent channel, in space (table 1 of the paper).
+// A sum of Gaussians a sqrt(pi / b) exp(-pi^2 d^2 / b), d in degrees: the contrast sensitivity of one opponent channel,
+// in space (table 1 of the paper).
 struct Gaussian {
   double a, b;
 };
@@ -82,7 +86,7 @@ using Kernel = std::vector<double>;  // 2 radius + 1 weights
 
 struct Kernels {
   int csf_radius, feature_radius;
-  Kernel y, cx, cz1, cz2;   // the second Gaussian of Cz is added to the first
+  Kernel y, cx, cz1, cz2;  // the second Gaussian of Cz is added to the first
   double cz1_weight, cz2_weight;
   Kernel smooth, edge, point;
 
@@ -121,13 +125,16 @@ struct Kernels {
     balance(point);
   }
 
-  // Positive weights sum to 1, negative ones to -1. The factor across is positive, so the square kernel is balanced, too.
+  // Positive weights sum to 1, negative ones to -1. The factor across is positive, so the square kernel is balanced,
+  // too.
   static void balance(Kernel& k) {
     double positive = 0, negative = 0;
     for (double v : k) (v > 0 ? positive : negative) += std::fabs(v);
     for (double& v : k) {
-      if (v > 0) v /= positive;
-      else if (v < 0) v /= negative;
+      if (v > 0)
+        v /= positive;
+      else if (v < 0)
+        v /= negative;
     }
   }
   int radius() const { return std::max(csf_radius, feature_radius); }
@@ -170,7 +177,9 @@ Plane filter_columns(const Plane& in, const Kernel& k, int margin) {
   return out;
 }
 
-Plane filter(const Plane& in, const Kernel& across, const Kernel& down, int margin) { return filter_columns(filter_rows(in, across, margin), down, margin); }
+Plane filter(const Plane& in, const Kernel& across, const Kernel& down, int margin) {
+  return filter_columns(filter_rows(in, across, margin), down, margin);
+}
 
 using PixelSource = std::function<Rgb(int x, int y)>;  // linear light, 0..1
 
@@ -183,14 +192,15 @@ std::vector<Rgb> colors(const PixelSource& source, int width, int height, const 
   std::vector<Rgb> out;
   out.reserve(static_cast<std::size_t>(tile.width + 2 * margin) * static_cast<std::size_t>(tile.rows + 2 * margin));
   for (int y = tile.y - margin; y < tile.y + tile.rows + margin; ++y)
-    for (int x = tile.x - margin; x < tile.x + tile.width + margin; ++x) out.push_back(source(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1)));
+    for (int x = tile.x - margin; x < tile.x + tile.width + margin; ++x)
+      out.push_back(source(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1)));
   return out;
 }
 
 // What one picture contributes to a tile.
 struct Seen {
-  Plane lightness, a, b;            // after the contrast filters, L*a*b* with Hunt's adjustment
-  Plane edges, points;              // magnitudes of the feature vectors
+  Plane lightness, a, b;  // after the contrast filters, L*a*b* with Hunt's adjustment
+  Plane edges, points;    // magnitudes of the feature vectors
 };
 
 Seen look(const std::vector<Rgb>& pixels, const Tile& tile, const Kernels& k) {
@@ -204,7 +214,8 @@ Seen look(const std::vector<Rgb>& pixels, const Tile& tile, const Kernels& k) {
   Seen out{filter(y, k.y, k.y, margin), filter(cx, k.cx, k.cx, margin), filter(cz, k.cz1, k.cz1, margin),
            filter(luminance, k.edge, k.smooth, margin), filter(luminance, k.point, k.smooth, margin)};
   const Plane cz2 = filter(cz, k.cz2, k.cz2, margin), smooth = filter_rows(luminance, k.smooth, margin);
-  const Plane edges_down = filter_columns(smooth, k.edge, margin), points_down = filter_columns(smooth, k.point, margin);
+  const Plane edges_down = filter_columns(smooth, k.edge, margin),
+              points_down = filter_columns(smooth, k.point, margin);
   for (std::size_t i = 0; i < out.a.v.size(); ++i) {
     Rgb linear = ycxcz_to_linear({out.lightness.v[i], out.a.v[i], k.cz1_weight * out.b.v[i] + k.cz2_weight * cz2.v[i]});
     for (double& v : linear) v = std::clamp(v, 0.0, 1.0);
@@ -217,7 +228,9 @@ Seen look(const std::vector<Rgb>& pixels, const Tile& tile, const Kernels& k) {
 }
 
 // The largest possible colour difference, between green and blue.
-double largest_difference() { return std::pow(hyab(linear_to_hunt_lab({0, 1, 0}), linear_to_hunt_lab({0, 0, 1})), kQc); }
+double largest_difference() {
+  return std::pow(hyab(linear_to_hunt_lab({0, 1, 0}), linear_to_hunt_lab({0, 0, 1})), kQc);
+}
 
 double redistribute(double error, double largest) {
   const double knee = kPc * largest;
@@ -229,24 +242,31 @@ void flip_tile(const Seen& reference, const Seen& test, float* out, int stride) 
   const double largest = largest_difference();
   for (int y = 0; y < reference.a.rows; ++y)
     for (int x = 0; x < reference.a.width; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(reference.a.width) + static_cast<std::size_t>(x);
-      const double distance = hyab({reference.lightness.v[i], reference.a.v[i], reference.b.v[i]}, {test.lightness.v[i], test.a.v[i], test.b.v[i]});
+      const std::size_t i =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(reference.a.width) + static_cast<std::size_t>(x);
+      const double distance = hyab({reference.lightness.v[i], reference.a.v[i], reference.b.v[i]},
+                                   {test.lightness.v[i], test.a.v[i], test.b.v[i]});
       const double color = redistribute(std::pow(distance, kQc), largest);
-      const double feature = std::max(std::fabs(reference.edges.v[i] - test.edges.v[i]), std::fabs(reference.points.v[i] - test.points.v[i]));
-      out[static_cast<std::ptrdiff_t>(y) * stride + x] = static_cast<float>(std::pow(color, 1 - std::pow(feature / std::numbers::sqrt2, kQf)));
+      const double feature = std::max(std::fabs(reference.edges.v[i] - test.edges.v[i]),
+                                      std::fabs(reference.points.v[i] - test.points.v[i]));
+      out[static_cast<std::ptrdiff_t>(y) * stride + x] =
+          static_cast<float>(std::pow(color, 1 - std::pow(feature / std::numbers::sqrt2, kQf)));
     }
 }
 
 // The rows from begin to end, one after the other in `out`.
-void flip(const PixelSource& reference, const PixelSource& test, int width, int height, int begin, int end, const Kernels& kernels, float* out) {
+void flip(const PixelSource& reference, const PixelSource& test, int width, int height, int begin, int end,
+          const Kernels& kernels, float* out) {
   const int across = (width + kTileWidth - 1) / kTileWidth, down = (end - begin + kTileRows - 1) / kTileRows;
   parallel_for(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), 1, [&](std::size_t i) {
     Tile tile{static_cast<int>(i) % across * kTileWidth, begin + static_cast<int>(i) / across * kTileRows, 0, 0};
     tile.width = std::min(kTileWidth, width - tile.x), tile.rows = std::min(kTileRows, end - tile.y);
-    const std::vector<Rgb> a = colors(reference, width, height, tile, kernels.radius()), b = colors(test, width, height, tile, kernels.radius());
+    const std::vector<Rgb> a = colors(reference, width, height, tile, kernels.radius()),
+                           b = colors(test, width, height, tile, kernels.radius());
     float* to = out + static_cast<std::ptrdiff_t>(tile.y - begin) * width + tile.x;
     if (a != b) return flip_tile(look(a, tile, kernels), look(b, tile, kernels), to, width);
-    for (int y = 0; y < tile.rows; ++y) std::fill_n(to + static_cast<std::ptrdiff_t>(y) * width, tile.width, 0.0f);  // what is equal looks equal
+    for (int y = 0; y < tile.rows; ++y)
+      std::fill_n(to + static_cast<std::ptrdiff_t>(y) * width, tile.width, 0.0f);  // what is equal looks equal
   });
 }
 
@@ -294,15 +314,18 @@ Flip::~Flip() = default;
 int Flip::margin() const { return state_->kernels.radius(); }
 
 void Flip::ldr(const Values& reference, const Values& test, int begin, int end, float* out) const {
-  flip(srgb_source(reference), srgb_source(test), reference.width(), reference.height(), begin, end, state_->kernels, out);
+  flip(srgb_source(reference), srgb_source(test), reference.width(), reference.height(), begin, end, state_->kernels,
+       out);
 }
 
-void Flip::hdr(const Values& reference, const Values& test, const Exposures& exposures, int begin, int end, float* out) const {
+void Flip::hdr(const Values& reference, const Values& test, const Exposures& exposures, int begin, int end,
+               float* out) const {
   const std::size_t pixels = static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(reference.width());
   std::vector<float> error(pixels);
   std::fill_n(out, pixels, 0.0f);
   for (int i = 0; i < exposures.count; ++i) {
-    const double stops = exposures.start + i * (exposures.stop - exposures.start) / std::max(1, exposures.count - 1), gain = std::exp2(stops);
+    const double stops = exposures.start + i * (exposures.stop - exposures.start) / std::max(1, exposures.count - 1),
+                 gain = std::exp2(stops);
     const auto exposed = [gain](const Values& values) {
       return [&values, gain](int x, int y) {
         Rgb c = values.linear_float(x, y);
@@ -310,7 +333,8 @@ void Flip::hdr(const Values& reference, const Values& test, const Exposures& exp
         return c;
       };
     };
-    flip(exposed(reference), exposed(test), reference.width(), reference.height(), begin, end, state_->kernels, error.data());
+    flip(exposed(reference), exposed(test), reference.width(), reference.height(), begin, end, state_->kernels,
+         error.data());
     for (std::size_t p = 0; p < pixels; ++p) out[p] = std::max(out[p], error[p]);
   }
 }
@@ -324,21 +348,25 @@ std::vector<float> ldr_flip(const Picture& reference, const Picture& test, doubl
 }
 
 Exposures hdr_flip_exposures(const Picture& reference) {
-  // The exposure that brings a luminance to the fraction kTarget of the curve's range: the positive root of aces(x) = kTarget.
+  // The exposure that brings a luminance to the fraction kTarget of the curve's range: the positive root of aces(x) =
+  // kTarget.
   constexpr double kTarget = 0.85, kSmallest = 1.1920929e-07;  // single-precision epsilon
   const double a = kAces[0] - kTarget * kAces[3], b = kAces[1] - kTarget * kAces[4], c = kAces[2] - kTarget * kAces[5];
   const double x = -0.5 * b / a + std::sqrt(0.25 * b * b / (a * a) - c / a);
   const Values values(reference);
-  std::vector<float> luminance;  // single precision, as the published program has it: the number of exposures is rounded up
+  std::vector<float>
+      luminance;  // single precision, as the published program has it: the number of exposures is rounded up
   luminance.reserve(static_cast<std::size_t>(reference.width) * reference.height);
   for (int j = 0; j < reference.height; ++j)
     for (int i = 0; i < reference.width; ++i) {
       const Rgb v = values.linear_float(i, j);
-      luminance.push_back(static_cast<float>(0.2126 * std::max(v[0], 0.0) + 0.7152 * std::max(v[1], 0.0) + 0.0722 * std::max(v[2], 0.0)));
+      luminance.push_back(static_cast<float>(0.2126 * std::max(v[0], 0.0) + 0.7152 * std::max(v[1], 0.0) +
+                                             0.0722 * std::max(v[2], 0.0)));
     }
   const std::size_t middle = (luminance.size() - 1) / 2;  // of an even number the lower one, as torch.median takes it
   std::nth_element(luminance.begin(), luminance.begin() + static_cast<std::ptrdiff_t>(middle), luminance.end());
-  const double median = luminance[middle], brightest = *std::max_element(luminance.begin() + static_cast<std::ptrdiff_t>(middle), luminance.end());
+  const double median = luminance[middle],
+               brightest = *std::max_element(luminance.begin() + static_cast<std::ptrdiff_t>(middle), luminance.end());
   Exposures out;
   out.start = std::log2(static_cast<float>(x / std::max(brightest, kSmallest)));
   out.stop = std::log2(static_cast<float>(x / std::max(median, kSmallest)));
@@ -346,7 +374,9 @@ Exposures hdr_flip_exposures(const Picture& reference) {
   return out;
 }
 
-std::vector<float> hdr_flip(const Picture& reference, const Picture& test, double ppd) { return hdr_flip(reference, test, ppd, hdr_flip_exposures(reference)); }
+std::vector<float> hdr_flip(const Picture& reference, const Picture& test, double ppd) {
+  return hdr_flip(reference, test, ppd, hdr_flip_exposures(reference));
+}
 
 std::vector<float> hdr_flip(const Picture& reference, const Picture& test, double ppd, const Exposures& exposures) {
   require_same_size(reference, test);

@@ -1,4 +1,5 @@
-// The comparison of noisy pictures: a Gaussian blur averages the noise of neighbouring pixels and leaves what is systematically different.
+// The comparison of noisy pictures: a Gaussian blur averages the noise of neighbouring pixels and leaves what is
+// systematically different.
 #include <algorithm>
 
 #include "compare/metrics/values.h"
@@ -20,7 +21,8 @@ std::vector<double> gaussian(double sigma) {
 }
 
 // The blur is linear: the difference is blurred, once for each channel, with the border pixels repeated.
-std::vector<double> blurred_difference(const Values& a, const Values& b, int channel, const std::vector<double>& kernel) {
+std::vector<double> blurred_difference(const Values& a, const Values& b, int channel,
+                                       const std::vector<double>& kernel) {
   const int w = a.width(), h = a.height(), r = static_cast<int>(kernel.size() / 2);
   std::vector<double> rows(static_cast<std::size_t>(w) * h), out(rows.size()), line(static_cast<std::size_t>(w));
   for (int y = 0; y < h; ++y) {
@@ -72,7 +74,8 @@ Picture mean_of(std::span<const Picture> renders) {
     if (p.samples.size() != sums.size()) throw PictureMismatch("renders of one scene differ in their channels");
     for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += p.samples[i];
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) mean.samples[i] = static_cast<float>(sums[i] / static_cast<double>(renders.size()));
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    mean.samples[i] = static_cast<float>(sums[i] / static_cast<double>(renders.size()));
   return mean;
 }
 

@@ -12,12 +12,13 @@
 #include "compare/metrics/row_window.h"
 #include "compare/metrics/ssim.h"
 #include "compare/metrics/values.h"
-#include "tracer/parallel.h"
+#include "tracer/base/parallel.h"
 
 namespace verisim::compare {
 namespace {
 
-// 16-bit and float values are not whole numbers in 8-bit units: a difference of one code value may come out a rounding error above 1.
+// 16-bit and float values are not whole numbers in 8-bit units: a difference of one code value may come out a rounding
+// error above 1.
 constexpr double kRounding = 1e-3;
 
 struct Sum {
@@ -25,7 +26,9 @@ struct Sum {
   std::uint64_t count = 0;
   void add(double d) { squares += d * d, ++count; }
   void add(const Sum& other) { squares += other.squares, count += other.count; }
-  std::optional<double> rms() const { return count ? std::optional(std::sqrt(squares / static_cast<double>(count))) : std::nullopt; }
+  std::optional<double> rms() const {
+    return count ? std::optional(std::sqrt(squares / static_cast<double>(count))) : std::nullopt;
+  }
 };
 
 // CIEDE2000 of every pixel as a histogram of fine bins: mean and percentile without keeping the values.
@@ -69,7 +72,9 @@ class WorstPixels {
     std::vector<WorstPixel> out;
     for (const WorstPixel& p : candidates_) {
       if (out.size() == wanted_) break;
-      if (std::none_of(out.begin(), out.end(), [&](const WorstPixel& q) { return std::abs(p.x - q.x) < 3 && std::abs(p.y - q.y) < 3; })) out.push_back(p);
+      if (std::none_of(out.begin(), out.end(),
+                       [&](const WorstPixel& q) { return std::abs(p.x - q.x) < 3 && std::abs(p.y - q.y) < 3; }))
+        out.push_back(p);
     }
     return out;
   }
@@ -77,7 +82,8 @@ class WorstPixels {
  private:
   static constexpr std::size_t kMany = 4096;
   void trim() {
-    std::stable_sort(candidates_.begin(), candidates_.end(), [](const WorstPixel& a, const WorstPixel& b) { return a.error > b.error; });
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const WorstPixel& a, const WorstPixel& b) { return a.error > b.error; });
     if (candidates_.size() > kMany) candidates_.resize(kMany);
     if (!candidates_.empty()) floor_ = candidates_.back().error;
   }
@@ -86,7 +92,8 @@ class WorstPixels {
   std::vector<WorstPixel> candidates_;
 };
 
-// What one row adds; rows are worked on by several threads and added in their order, so that sums do not depend on threads.
+// What one row adds; rows are worked on by several threads and added in their order, so that sums do not depend on
+// threads.
 struct RowFigures {
   double absolute = 0, signed_sum = 0, max_abs = 0, alpha_max = 0;
   std::uint64_t edge_count = 0, nan_pixels = 0, within_1 = 0, within_2 = 0;
@@ -133,8 +140,13 @@ RowFigures row_figures(const Values& a, const Values& b, int y, const unsigned c
 // The figures of two pictures of which only some rows are seen at a time.
 class Measurement {
  public:
-  Measurement(int width, int height, bool alpha, const std::optional<Exposures>& exposures, const MetricOptions& options)
-      : options_(options), alpha_(alpha), exposures_(exposures), flip_(options.flip_pixels_per_degree), worst_(options.worst_pixels) {
+  Measurement(int width, int height, bool alpha, const std::optional<Exposures>& exposures,
+              const MetricOptions& options)
+      : options_(options),
+        alpha_(alpha),
+        exposures_(exposures),
+        flip_(options.flip_pixels_per_degree),
+        worst_(options.worst_pixels) {
     m_.width = width, m_.height = height, m_.ssim_block_min = 1;
   }
 
@@ -180,7 +192,10 @@ class Measurement {
   void add_differences(const Values& a, const Values& b, int begin, int end) {
     const std::vector<unsigned char> edges = edge_mask(a, begin, end);
     std::vector<RowFigures> rows(static_cast<std::size_t>(end - begin));
-    parallel_for(rows.size(), 1, [&](std::size_t row) { rows[row] = row_figures(a, b, begin + static_cast<int>(row), &edges[row * static_cast<std::size_t>(m_.width)], alpha_); });
+    parallel_for(rows.size(), 1, [&](std::size_t row) {
+      rows[row] =
+          row_figures(a, b, begin + static_cast<int>(row), &edges[row * static_cast<std::size_t>(m_.width)], alpha_);
+    });
     for (std::size_t row = 0; row < rows.size(); ++row) {
       const RowFigures& r = rows[row];
       absolute_ += r.absolute, signed_sum_ += r.signed_sum;
@@ -212,7 +227,8 @@ class Measurement {
 
 std::uint64_t measure_bytes(std::uint64_t pixels, int channels) {
   constexpr std::uint64_t kFloat = 4, kMasksAndErrors = 16;
-  return pixels * (3 * kFloat * static_cast<std::uint64_t>(channels) + kMasksAndErrors);  // both pictures, a copy for the report
+  return pixels *
+         (3 * kFloat * static_cast<std::uint64_t>(channels) + kMasksAndErrors);  // both pictures, a copy for the report
 }
 
 std::uint64_t available_bytes() {
@@ -225,8 +241,10 @@ std::uint64_t available_bytes() {
 void require_memory(std::uint64_t pixels, int channels, std::uint64_t limit) {
   const std::uint64_t available = limit ? limit : available_bytes(), needed = measure_bytes(pixels, channels);
   if (available && needed > available)
-    throw PictureMismatch(fmt::format("two pictures of {:.1f} million pixels take about {:.1f} GiB to compare, and {:.1f} GiB are available", 1e-6 * static_cast<double>(pixels),
-                                      static_cast<double>(needed) / (1 << 30), static_cast<double>(available) / (1 << 30)));
+    throw PictureMismatch(fmt::format(
+        "two pictures of {:.1f} million pixels take about {:.1f} GiB to compare, and {:.1f} GiB are available",
+        1e-6 * static_cast<double>(pixels), static_cast<double>(needed) / (1 << 30),
+        static_cast<double>(available) / (1 << 30)));
 }
 
 Metrics measure(const Picture& reference, const Picture& test, const MetricOptions& options) {
@@ -235,11 +253,13 @@ Metrics measure(const Picture& reference, const Picture& test, const MetricOptio
   std::optional<Exposures> exposures;
   if (reference.is_float && test.is_float) exposures = hdr_flip_exposures(reference);
   Measurement out(a.width(), a.height(), options.alpha && (a.has_alpha() || b.has_alpha()), exposures, options);
-  for (int begin = 0; begin < a.height(); begin += out.band_rows()) out.add_band(a, b, begin, std::min(a.height(), begin + out.band_rows()));
+  for (int begin = 0; begin < a.height(); begin += out.band_rows())
+    out.add_band(a, b, begin, std::min(a.height(), begin + out.band_rows()));
   return out.result();
 }
 
-Metrics measure_files(const std::filesystem::path& reference, const std::filesystem::path& test, const MetricOptions& options) {
+Metrics measure_files(const std::filesystem::path& reference, const std::filesystem::path& test,
+                      const MetricOptions& options) {
   RowWindow a(reference), b(test);
   require_same_size(a.shape(), b.shape());
   if (a.whole() && b.whole()) return measure(*a.whole(), *b.whole(), options);
@@ -247,7 +267,8 @@ Metrics measure_files(const std::filesystem::path& reference, const std::filesys
   const auto has_alpha = [](const RowWindow& window) { return window.shape().channels % 2 == 0; };
   Measurement out(a.shape().width, height, options.alpha && (has_alpha(a) || has_alpha(b)), std::nullopt, options);
   for (int begin = 0; begin < height; begin += out.band_rows()) {
-    const int end = std::min(height, begin + out.band_rows()), first = std::max(0, begin - out.margin()), last = std::min(height, end + out.margin());
+    const int end = std::min(height, begin + out.band_rows()), first = std::max(0, begin - out.margin()),
+              last = std::min(height, end + out.margin());
     const Values p = a.show(first, last), q = b.show(first, last);
     out.add_band(p, q, begin, end);
   }

@@ -63,14 +63,16 @@ TEST(Measure, SixteenBitPicturesKeepTheirFractions) {
 }
 
 TEST(Measure, GreyAgainstColour) {
-  const Picture grey = picture_of(4, 4, [](int, int, int) { return 77; }, 1);
+  const Picture grey = picture_of(
+      4, 4, [](int, int, int) { return 77; }, 1);
   EXPECT_EQ(measure(grey, constant_picture(4, 4, 77, 77, 77)).max_abs, 0);
   EXPECT_EQ(measure(grey, constant_picture(4, 4, 77, 80, 77)).max_abs, 3);
 }
 
 TEST(Measure, AlphaIsComparedWhenPresent) {
   const Picture opaque = constant_picture(4, 4, 9, 9, 9);
-  const Picture glass = picture_of(4, 4, [](int, int, int c) { return c == 3 ? 200 : 9; }, 4);
+  const Picture glass = picture_of(
+      4, 4, [](int, int, int c) { return c == 3 ? 200 : 9; }, 4);
   const Metrics m = measure(opaque, glass);
   EXPECT_EQ(m.max_abs, 0);
   EXPECT_DOUBLE_EQ(*m.alpha_max_abs, 55);
@@ -109,12 +111,15 @@ TEST(Measure, FloatPicturesAreSrgbEncoded) {
   EXPECT_TRUE(m.hdr_flip_mean);
 }
 
-// Larger than a band and a tile of any metric, with differences on the seams, and equal parts that are passed over quickly.
+// Larger than a band and a tile of any metric, with differences on the seams, and equal parts that are passed over
+// quickly.
 class Bands : public testing::Test {
  protected:
   Bands() {
     const int w = 531, h = 333;
-    reference_ = picture_of(w, h, [](int x, int y, int c) { return 127.5 + 60 * std::sin(0.07 * x * (c + 1)) + 50 * std::cos(0.05 * y) + ((x / 37 + y / 23) % 2 ? 15 : 0); });
+    reference_ = picture_of(w, h, [](int x, int y, int c) {
+      return 127.5 + 60 * std::sin(0.07 * x * (c + 1)) + 50 * std::cos(0.05 * y) + ((x / 37 + y / 23) % 2 ? 15 : 0);
+    });
     test_ = reference_;
     std::mt19937 random(4);
     std::uniform_int_distribution<int> change(-9, 9);
@@ -142,7 +147,8 @@ class Bands : public testing::Test {
     EXPECT_EQ(a.edge_pct, b.edge_pct);
     EXPECT_EQ(a.histogram, b.histogram);
     ASSERT_EQ(a.worst.size(), b.worst.size());
-    for (std::size_t i = 0; i < a.worst.size(); ++i) EXPECT_TRUE(a.worst[i].x == b.worst[i].x && a.worst[i].y == b.worst[i].y && a.worst[i].test == b.worst[i].test);
+    for (std::size_t i = 0; i < a.worst.size(); ++i)
+      EXPECT_TRUE(a.worst[i].x == b.worst[i].x && a.worst[i].y == b.worst[i].y && a.worst[i].test == b.worst[i].test);
   }
   TemporaryFolder folder_;
   Picture reference_, test_;
@@ -180,7 +186,8 @@ TEST_F(Bands, DamagedFilesAreNamed) {
     return "no error";
   };
   std::filesystem::copy_file(folder_.path() / "b.png", folder_.path() / "short.png");
-  std::filesystem::resize_file(folder_.path() / "short.png", std::filesystem::file_size(folder_.path() / "b.png") * 2 / 3);
+  std::filesystem::resize_file(folder_.path() / "short.png",
+                               std::filesystem::file_size(folder_.path() / "b.png") * 2 / 3);
   EXPECT_THAT(message("short.png"), testing::HasSubstr("short.png"));
   image::write_picture(random_picture(531, 334, 1), folder_.path() / "taller.png");
   EXPECT_THAT(message("taller.png"), testing::HasSubstr("531x333 and 531x334"));
@@ -206,7 +213,9 @@ TEST(Measure, OnePixelPictures) {
 
 TEST(Measure, WorstPixelsLieApartAndAreSorted) {
   Picture a = constant_picture(60, 40, 100, 100, 100), b = a;
-  const auto set = [&](int x, int y, double v) { b.samples[static_cast<std::size_t>(3 * (60 * y + x))] = static_cast<float>(v / 255); };
+  const auto set = [&](int x, int y, double v) {
+    b.samples[static_cast<std::size_t>(3 * (60 * y + x))] = static_cast<float>(v / 255);
+  };
   set(10, 10, 200), set(11, 10, 190), set(40, 30, 150), set(0, 39, 120);
   const Metrics m = measure(a, b);
   ASSERT_EQ(m.worst.size(), 3u);
@@ -234,7 +243,8 @@ TEST(Ssim, OfTwoConstantsIsTheLuminanceTerm) {
 
 // One 8x8 block, half 0, half 100, against its mirror image: means 50, variances 2500, covariance -2500.
 TEST(Ssim, BlockByHand) {
-  const Picture a = picture_of(8, 8, [](int x, int, int) { return x < 4 ? 0 : 100; }), b = picture_of(8, 8, [](int x, int, int) { return x < 4 ? 100 : 0; });
+  const Picture a = picture_of(8, 8, [](int x, int, int) { return x < 4 ? 0 : 100; }),
+                b = picture_of(8, 8, [](int x, int, int) { return x < 4 ? 100 : 0; });
   const double c2 = 7.65 * 7.65;
   EXPECT_NEAR(ssim_block_min(Values(a), Values(b)), (-2 * 2500 + c2) / (2 * 2500 + c2), 1e-9);
 }
@@ -243,7 +253,8 @@ TEST(Ssim, TheWorstBlockIsFoundWhereverItIs) {
   const Picture a = random_picture(30, 27, 8);
   for (const auto& [x, y] : {std::pair(0, 0), std::pair(29, 0), std::pair(13, 14), std::pair(29, 26)}) {
     Picture b = a;
-    b.samples[static_cast<std::size_t>(3 * (30 * y + x) + 1)] = 1 - b.samples[static_cast<std::size_t>(3 * (30 * y + x) + 1)];
+    b.samples[static_cast<std::size_t>(3 * (30 * y + x) + 1)] =
+        1 - b.samples[static_cast<std::size_t>(3 * (30 * y + x) + 1)];
     EXPECT_LT(ssim_block_min(Values(a), Values(b)), 1 - 1e-6);
   }
 }

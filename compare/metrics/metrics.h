@@ -1,7 +1,8 @@
 // How far one picture is from another: plain functions over image::Picture.
 //
-// Unless said otherwise figures are in 8-bit units (0..255) and taken over the colour channels; grey pictures are widened to three channels. Pictures of floats are
-// brought to 8-bit units by the sRGB curve after clipping to 0..1. The first picture is always the reference (the oracle), the second the one under test.
+// Unless said otherwise figures are in 8-bit units (0..255) and taken over the colour channels; grey pictures are
+// widened to three channels. Pictures of floats are brought to 8-bit units by the sRGB curve after clipping to 0..1.
+// The first picture is always the reference (the oracle), the second the one under test.
 #pragma once
 
 #include <array>
@@ -26,44 +27,48 @@ struct PictureMismatch : std::runtime_error {
 
 struct WorstPixel {
   int x = 0, y = 0;
-  double error = 0;                                  // largest difference over the channels
-  std::array<double, 4> reference{}, test{};         // r g b a, 8-bit units
+  double error = 0;                           // largest difference over the channels
+  std::array<double, 4> reference{}, test{};  // r g b a, 8-bit units
 };
 
 struct Metrics {
   int width = 0, height = 0;
   double max_abs = 0, mae = 0, rmse = 0;
-  double psnr = 0;                                   // dB; infinity for equal pictures
-  double within_1_pct = 0, within_2_pct = 0;         // pixels whose every channel (alpha, too, when compared) is at most 1 (2) away
-  double bias = 0;                                   // mean of test - reference
-  double ssim_mean = 0;                              // 11x11 Gaussian window, sigma 1.5, on luma (Wang et al. 2004)
-  double ssim_block_min = 0;                         // the worst 8x8 block
-  double flip_mean = 0;                              // LDR-FLIP
-  std::optional<double> hdr_flip_mean;               // when both are float pictures
+  double psnr = 0;  // dB; infinity for equal pictures
+  double within_1_pct = 0,
+         within_2_pct = 0;              // pixels whose every channel (alpha, too, when compared) is at most 1 (2) away
+  double bias = 0;                      // mean of test - reference
+  double ssim_mean = 0;                 // 11x11 Gaussian window, sigma 1.5, on luma (Wang et al. 2004)
+  double ssim_block_min = 0;            // the worst 8x8 block
+  double flip_mean = 0;                 // LDR-FLIP
+  std::optional<double> hdr_flip_mean;  // when both are float pictures
   double ciede2000_mean = 0, ciede2000_p95 = 0;
-  std::optional<double> edge_rmse, interior_rmse;    // empty when there is no edge (no interior) pixel
-  double edge_pct = 0;                               // pixels that count as edge
-  std::optional<double> alpha_max_abs, alpha_rmse;   // when either picture has alpha
-  std::uint64_t nan_pixels = 0;                      // NaN or infinite in either picture: never within anything, left out of the means
-  std::array<std::uint64_t, 256> histogram{};        // pixels by their largest channel difference, rounded
-  std::vector<WorstPixel> worst;                     // the largest differences, at least 3 pixels apart from each other
+  std::optional<double> edge_rmse, interior_rmse;   // empty when there is no edge (no interior) pixel
+  double edge_pct = 0;                              // pixels that count as edge
+  std::optional<double> alpha_max_abs, alpha_rmse;  // when either picture has alpha
+  std::uint64_t nan_pixels = 0;  // NaN or infinite in either picture: never within anything, left out of the means
+  std::array<std::uint64_t, 256> histogram{};  // pixels by their largest channel difference, rounded
+  std::vector<WorstPixel> worst;               // the largest differences, at least 3 pixels apart from each other
 };
 
 struct MetricOptions {
-  double flip_pixels_per_degree = 67.0206;           // 0.7 m in front of a 0.7 m wide screen with 3840 pixels
+  double flip_pixels_per_degree = 67.0206;  // 0.7 m in front of a 0.7 m wide screen with 3840 pixels
   bool alpha = true;
   int worst_pixels = 20;
-  int band_rows = 0;                                 // rows that are worked on at a time, a multiple of 64; 0: by the width. The figures do not depend on it
-  std::function<void(double done)> progress;         // 0 to 1, now and then
+  int band_rows =
+      0;  // rows that are worked on at a time, a multiple of 64; 0: by the width. The figures do not depend on it
+  std::function<void(double done)> progress;  // 0 to 1, now and then
 };
 
 // Throws PictureMismatch.
 Metrics measure(const Picture& reference, const Picture& test, const MetricOptions& options = {});
-// Two files; PNG files are read by bands of rows, so that they may be larger than the memory. Also throws std::runtime_error when a file cannot be read. The sizes are
-// compared before any pixel is read.
-Metrics measure_files(const std::filesystem::path& reference, const std::filesystem::path& test, const MetricOptions& options = {});
+// Two files; PNG files are read by bands of rows, so that they may be larger than the memory. Also throws
+// std::runtime_error when a file cannot be read. The sizes are compared before any pixel is read.
+Metrics measure_files(const std::filesystem::path& reference, const std::filesystem::path& test,
+                      const MetricOptions& options = {});
 
-// Memory that two pictures of this size take while they are compared, about; and what the machine has to give (0: unknown).
+// Memory that two pictures of this size take while they are compared, about; and what the machine has to give (0:
+// unknown).
 std::uint64_t measure_bytes(std::uint64_t pixels, int channels);
 std::uint64_t available_bytes();
 // Throws PictureMismatch when it is not enough (limit 0: what is available): better than to be killed by the system.

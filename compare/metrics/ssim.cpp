@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include "tracer/parallel.h"
+#include "tracer/base/parallel.h"
 
 namespace verisim::compare {
 namespace {
@@ -83,13 +83,17 @@ double ssim_sum(const Values& reference, const Values& test, int begin, int end)
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
-double ssim_windows(int width, int height) { return static_cast<double>(std::max(1, width - 10)) * std::max(1, height - 10); }
+double ssim_windows(int width, int height) {
+  return static_cast<double>(std::max(1, width - 10)) * std::max(1, height - 10);
+}
 
 double ssim_mean(const Values& reference, const Values& test) {
   return ssim_sum(reference, test, 0, reference.height()) / ssim_windows(reference.width(), reference.height());
 }
 
-double ssim_block_min(const Values& reference, const Values& test) { return ssim_block_min(reference, test, 0, reference.height()); }
+double ssim_block_min(const Values& reference, const Values& test) {
+  return ssim_block_min(reference, test, 0, reference.height());
+}
 
 double ssim_block_min(const Values& reference, const Values& test, int begin, int end) {
   std::vector<double> worst(static_cast<std::size_t>((end - begin + 7) / 8), 1);

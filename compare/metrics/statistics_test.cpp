@@ -19,7 +19,8 @@ TEST(LowPass, ConstantDifference) {
 TEST(LowPass, AveragesNoiseAway) {
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0, 5);
-  const Picture a = constant_picture(200, 200, 128, 128, 128), b = picture_of(200, 200, [&](int, int, int) { return 128 + noise(random); });
+  const Picture a = constant_picture(200, 200, 128, 128, 128),
+                b = picture_of(200, 200, [&](int, int, int) { return 128 + noise(random); });
   Picture c = b;
   c.bits = 16;
   EXPECT_NEAR(low_pass(a, c).rmse, 5 / (2 * 2 * std::sqrt(3.14159265)), 0.05);
@@ -37,14 +38,16 @@ TEST(Student, TwoSidedProbabilities) {
   EXPECT_NEAR(student_two_sided(2.2281389, 10), 0.05, 1e-7);
   EXPECT_NEAR(student_two_sided(1.9599640, 1e9), 0.05, 1e-6);
   EXPECT_NEAR(student_two_sided(0, 5), 1, 1e-12);
-  EXPECT_NEAR(student_two_sided(1, 1), 0.5, 1e-12);         // Cauchy
+  EXPECT_NEAR(student_two_sided(1, 1), 0.5, 1e-12);  // Cauchy
   EXPECT_GT(student_two_sided(200, 6), 0);
 }
 
-// A noisy render: the noise of a pixel is correlated with its neighbours' (radiosity, media), differs over the picture, and part of the picture is without any.
+// A noisy render: the noise of a pixel is correlated with its neighbours' (radiosity, media), differs over the picture,
+// and part of the picture is without any.
 class NoisyRenderer {
  public:
-  NoisyRenderer(unsigned seed, double sigma, int width = 64, int height = 48) : random_(seed), scene_(scene_like_picture(width, height)), sigma_(sigma) {}
+  NoisyRenderer(unsigned seed, double sigma, int width = 64, int height = 48)
+      : random_(seed), scene_(scene_like_picture(width, height)), sigma_(sigma) {}
   Picture render(double gain = 1) {
     const int w = scene_.width, h = scene_.height;
     std::vector<double> white(static_cast<std::size_t>(w + 2) * (h + 2));
@@ -71,7 +74,8 @@ class NoisyRenderer {
   double sigma_;
 };
 
-// The rule of docs/comparison.md. 400 scenes of all noise levels, the oracle against itself: at most 2.5 % may fail (none is expected to).
+// The rule of docs/comparison.md. 400 scenes of all noise levels, the oracle against itself: at most 2.5 % may fail
+// (none is expected to).
 TEST(LowPass, FalseAlarmRateOfTheOracleAgainstItself) {
   int alarms = 0;
   for (unsigned i = 0; i < 400; ++i) {
@@ -82,7 +86,8 @@ TEST(LowPass, FalseAlarmRateOfTheOracleAgainstItself) {
   EXPECT_LE(alarms, 10);
 }
 
-// Pictures 2 % brighter than their mean (119 here, so 2.4 code values), noise up to 10 code values: at least 95 % must be found.
+// Pictures 2 % brighter than their mean (119 here, so 2.4 code values), noise up to 10 code values: at least 95 % must
+// be found.
 TEST(LowPass, PowerAgainstTwoPercent) {
   int found = 0;
   for (unsigned i = 0; i < 100; ++i) {
@@ -118,17 +123,23 @@ TEST(Welch, PowerAgainstTwoPercent) {
 }
 
 bool refused_by_low_pass(const std::vector<Picture>& references, const std::vector<Picture>& tests) {
-  const auto refused = [&](const LowPass& ours, const LowPass& noise) { return judge_stochastic(measure(references[0], tests[0]), false, ours, noise).status == Status::differ; };
+  const auto refused = [&](const LowPass& ours, const LowPass& noise) {
+    return judge_stochastic(measure(references[0], tests[0]), false, ours, noise).status == Status::differ;
+  };
   const std::span<const Picture> all(references);
   const std::size_t half = all.size() / 2;
   return refused(low_pass(references[0], tests[0]), low_pass(references[0], references[1])) &&
-         refused(low_pass(mean_of(all), mean_of(tests)), low_pass(mean_of(all.first(half)), mean_of(all.subspan(half))));
+         refused(low_pass(mean_of(all), mean_of(tests)),
+                 low_pass(mean_of(all.first(half)), mean_of(all.subspan(half))));
 }
 
 // Both rules together, as `verisim compare` asks them by default: four runs on each side.
-bool refused(const std::vector<Picture>& references, const std::vector<Picture>& tests) { return refused_by_low_pass(references, tests) || welch_test(references, tests).rejected; }
+bool refused(const std::vector<Picture>& references, const std::vector<Picture>& tests) {
+  return refused_by_low_pass(references, tests) || welch_test(references, tests).rejected;
+}
 
-// Pictures whose brightness as a whole is noisy, as radiosity's is: one pair of them often says that it is not, and the means of four do not.
+// Pictures whose brightness as a whole is noisy, as radiosity's is: one pair of them often says that it is not, and the
+// means of four do not.
 TEST(LowPass, MeansOfSeveralAcquitNoiseOfTheWholePicture) {
   int once = 0, again = 0, found = 0;
   for (unsigned i = 0; i < 100; ++i) {
@@ -141,7 +152,9 @@ TEST(LowPass, MeansOfSeveralAcquitNoiseOfTheWholePicture) {
       return out;
     };
     const std::vector<Picture> references = renders(1), tests = renders(1), bright = renders(1.03);
-    once += judge_stochastic(measure(references[0], tests[0]), false, low_pass(references[0], tests[0]), low_pass(references[0], references[1])).status == Status::differ;
+    once += judge_stochastic(measure(references[0], tests[0]), false, low_pass(references[0], tests[0]),
+                             low_pass(references[0], references[1]))
+                .status == Status::differ;
     again += refused_by_low_pass(references, tests);
     found += refused(references, bright);
   }

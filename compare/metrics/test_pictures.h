@@ -26,7 +26,8 @@ inline Picture constant_picture(int width, int height, double r, double g, doubl
 
 inline Picture random_picture(int width, int height, unsigned seed, int channels = 3) {
   std::mt19937 random(seed);
-  return picture_of(width, height, [&](int, int, int) { return static_cast<double>(random() % 256); }, channels);
+  return picture_of(
+      width, height, [&](int, int, int) { return static_cast<double>(random() % 256); }, channels);
 }
 
 // Smooth shading with a few sharp edges: what renders look like.

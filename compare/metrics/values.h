@@ -48,7 +48,9 @@ class Values {
   Rgb linear_float(int x, int y) const;
 
  private:
-  std::size_t index(int x, int y) const { return (static_cast<std::size_t>(y - first_row_) * picture_.width + x) * picture_.channels; }
+  std::size_t index(int x, int y) const {
+    return (static_cast<std::size_t>(y - first_row_) * picture_.width + x) * picture_.channels;
+  }
   double value(std::size_t i) const {
     if (!encoded_.empty()) return encoded_[i];
     const double v = 255.0 * picture_.samples[i];

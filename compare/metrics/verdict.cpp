@@ -10,8 +10,10 @@ namespace verisim::compare {
 namespace {
 
 constexpr double kExactPct = 99.99, kMatchPct = 99.5, kMatchRmse = 2, kBaselineMae = 0.02, kDrift = 0.1;
-constexpr std::pair<Status, const char*> kStatusNames[] = {{Status::exact, "exact"},           {Status::match, "match"}, {Status::differ, "differ"},
-                                                           {Status::unsupported, "unsupported"}, {Status::error, "error"}, {Status::oracle_failed, "oracle_failed"}};
+constexpr std::pair<Status, const char*> kStatusNames[] = {
+    {Status::exact, "exact"},   {Status::match, "match"},
+    {Status::differ, "differ"}, {Status::unsupported, "unsupported"},
+    {Status::error, "error"},   {Status::oracle_failed, "oracle_failed"}};
 
 std::optional<Verdict> not_finite(const Metrics& m) {
   if (m.nan_pixels == 0) return std::nullopt;
@@ -41,7 +43,9 @@ std::optional<double> figure(const Metrics& m, const std::string& name) {
 
 }  // namespace
 
-const char* to_string(SceneClass scene_class) { return scene_class == SceneClass::deterministic ? "deterministic" : "stochastic"; }
+const char* to_string(SceneClass scene_class) {
+  return scene_class == SceneClass::deterministic ? "deterministic" : "stochastic";
+}
 
 const char* to_string(Status status) {
   for (const auto& [value, name] : kStatusNames)
@@ -78,15 +82,20 @@ std::string systematic_drift(const Metrics& m) {
   return fmt::format("{:.2f} code values {} on average", std::fabs(m.bias), m.bias < 0 ? "darker" : "brighter");
 }
 
-NoiseLimits noise_limits(const LowPass& noise) { return {1.6 * noise.mad + 0.5, 1.5 * noise.bias + 1, 1.5 * noise.rmse + 1}; }
+NoiseLimits noise_limits(const LowPass& noise) {
+  return {1.6 * noise.mad + 0.5, 1.5 * noise.bias + 1, 1.5 * noise.rmse + 1};
+}
 
 Verdict judge_stochastic(const Metrics& m, bool antialiased, const LowPass& native, const LowPass& noise) {
   if (auto bad = not_finite(m)) return *bad;
   if (const Verdict plain = judge_deterministic(m, antialiased); plain.status == Status::exact) return plain;
   const NoiseLimits limit = noise_limits(noise);
-  if (native.mad > limit.mad) return {Status::differ, fmt::format("blurred mad {:.3f} > {:.3f}", native.mad, limit.mad)};
-  if (native.bias > limit.bias) return {Status::differ, fmt::format("blurred bias {:.3f} > {:.3f}", native.bias, limit.bias)};
-  if (native.rmse > limit.rmse) return {Status::differ, fmt::format("blurred rmse {:.3f} > {:.3f}", native.rmse, limit.rmse)};
+  if (native.mad > limit.mad)
+    return {Status::differ, fmt::format("blurred mad {:.3f} > {:.3f}", native.mad, limit.mad)};
+  if (native.bias > limit.bias)
+    return {Status::differ, fmt::format("blurred bias {:.3f} > {:.3f}", native.bias, limit.bias)};
+  if (native.rmse > limit.rmse)
+    return {Status::differ, fmt::format("blurred rmse {:.3f} > {:.3f}", native.rmse, limit.rmse)};
   return {Status::match, "within the oracle's own noise"};
 }
 
@@ -94,7 +103,10 @@ Verdict judge_thresholds(const Metrics& m, const Thresholds& thresholds) {
   for (const auto& [key, limit] : thresholds) {
     const bool upper = key.starts_with("max_"), lower = key.starts_with("min_");
     const auto value = upper || lower ? figure(m, key.substr(4)) : std::nullopt;
-    if (!value) throw std::invalid_argument(fmt::format("unknown threshold '{}': it is max_ or min_ and the name of a metric, like max_rmse or min_within_1_pct", key));
+    if (!value)
+      throw std::invalid_argument(fmt::format(
+          "unknown threshold '{}': it is max_ or min_ and the name of a metric, like max_rmse or min_within_1_pct",
+          key));
   }
   if (auto bad = not_finite(m)) return *bad;
   for (const auto& [key, limit] : thresholds) {

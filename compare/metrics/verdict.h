@@ -18,7 +18,8 @@ std::optional<Status> status_from_string(const std::string& text);
 
 // Two pictures after a Gaussian blur of 2 pixels, in 8-bit units: what is left when the noise has been averaged.
 struct LowPass {
-  double mad = 0, bias = 0, rmse = 0;  // mean absolute difference, |mean difference| (worst channel), root mean square difference
+  double mad = 0, bias = 0,
+         rmse = 0;  // mean absolute difference, |mean difference| (worst channel), root mean square difference
 };
 LowPass low_pass(const Picture& a, const Picture& b, double sigma = 2);
 // The mean of renders of one scene, all of one size. Throws PictureMismatch.
@@ -30,7 +31,8 @@ struct NoiseLimits {
 };
 NoiseLimits noise_limits(const LowPass& oracle_against_itself);
 
-// Thresholds of one scene beyond (in place of) the rules: metric name as in the JSON report -> limit. `max_` and `min_` say which side is bad: {"max_rmse", 1.5}.
+// Thresholds of one scene beyond (in place of) the rules: metric name as in the JSON report -> limit. `max_` and `min_`
+// say which side is bad: {"max_rmse", 1.5}.
 using Thresholds = std::map<std::string, double>;
 
 struct Verdict {
@@ -38,12 +40,15 @@ struct Verdict {
   std::string reason;  // which figure broke which limit; empty when none did
 };
 Verdict judge_deterministic(const Metrics& metrics, bool antialiased);
-// Against an earlier picture of verisim's own, which another machine may change by 1/255 here and there, but not by even a little everywhere.
+// Against an earlier picture of verisim's own, which another machine may change by 1/255 here and there, but not by
+// even a little everywhere.
 Verdict judge_baseline(const Metrics& metrics, bool antialiased);
-// What the rules let pass as exact but is on average to one side: "0.31 code values darker on average"; empty when there is nothing to say.
+// What the rules let pass as exact but is on average to one side: "0.31 code values darker on average"; empty when
+// there is nothing to say.
 std::string systematic_drift(const Metrics& metrics);
 Verdict judge_stochastic(const Metrics& metrics, bool antialiased, const LowPass& native, const LowPass& noise);
-// A scene with thresholds of its own is `match` when it keeps them all. Throws std::invalid_argument naming an unknown threshold.
+// A scene with thresholds of its own is `match` when it keeps them all. Throws std::invalid_argument naming an unknown
+// threshold.
 Verdict judge_thresholds(const Metrics& metrics, const Thresholds& thresholds);
 
 }  // namespace verisim::compare

@@ -28,7 +28,8 @@ double beta_fraction(double a, double b, double x) {
 double incomplete_beta(double a, double b, double x) {
   if (x <= 0) return 0;
   if (x >= 1) return 1;
-  const double front = std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) + b * std::log1p(-x));
+  const double front =
+      std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) + b * std::log1p(-x));
   return x < (a + 1) / (a + b + 2) ? front * beta_fraction(a, b, x) / a : 1 - front * beta_fraction(b, a, 1 - x) / b;
 }
 
@@ -44,7 +45,8 @@ Sample describe(const std::vector<double>& v) {
   return s;
 }
 
-// Welch (1947); degrees of freedom by Satterthwaite. The floor is a known part of the variance: it does not lower the degrees of freedom below n - 1.
+// Welch (1947); degrees of freedom by Satterthwaite. The floor is a known part of the variance: it does not lower the
+// degrees of freedom below n - 1.
 struct Statistic {
   double t = 0, degrees_of_freedom = 1;
   double p() const { return student_two_sided(t, degrees_of_freedom); }
@@ -74,7 +76,8 @@ struct Runs {
   }
 };
 
-// The smallest p over the pixels, and that of the means, when the runs marked `test` are one side and the others the other.
+// The smallest p over the pixels, and that of the means, when the runs marked `test` are one side and the others the
+// other.
 struct Outcome {
   double pixel_p = 1, mean_p = 1, mean_difference = 0;
   std::size_t worst = 0;
@@ -109,8 +112,9 @@ Outcome divided(const Runs& runs, const std::vector<bool>& test) {
   return out;
 }
 
-// Are the two sides more unlike than any other way to divide the same runs into two? Noise is not normal (a pixel that is black in one run of eight), and Student's distribution
-// then promises too much; but runs of one renderer can be exchanged, so each division is as probable as the other.
+// Are the two sides more unlike than any other way to divide the same runs into two? Noise is not normal (a pixel that
+// is black in one run of eight), and Student's distribution then promises too much; but runs of one renderer can be
+// exchanged, so each division is as probable as the other.
 struct Extreme {
   bool pixel = true, mean = true;
 };
@@ -132,20 +136,23 @@ Extreme most_extreme(const Runs& runs, std::size_t references, const Outcome& ob
     const Outcome other = divided(runs, division);
     out.pixel = out.pixel && other.pixel_p > observed.pixel_p;
     out.mean = out.mean && other.mean_p > observed.mean_p;
-  } while ((out.pixel || out.mean) && ++seen < kMostDivisions && std::next_permutation(division.begin(), division.end()));
+  } while ((out.pixel || out.mean) && ++seen < kMostDivisions &&
+           std::next_permutation(division.begin(), division.end()));
   return out;
 }
 
 }  // namespace
 
 std::string WelchResult::text() const {
-  return mean_p < pixel_p ? fmt::format("the means differ by {:+.3f} (p = {:.2g})", mean_difference, mean_p) : fmt::format("pixel {}, {} differs (p = {:.2g})", worst_x, worst_y, pixel_p);
+  return mean_p < pixel_p ? fmt::format("the means differ by {:+.3f} (p = {:.2g})", mean_difference, mean_p)
+                          : fmt::format("pixel {}, {} differs (p = {:.2g})", worst_x, worst_y, pixel_p);
 }
 
 double student_two_sided(double t, double nu) { return incomplete_beta(0.5 * nu, 0.5, nu / (nu + t * t)); }
 
 WelchResult welch_test(const std::vector<Picture>& reference, const std::vector<Picture>& test, double significance) {
-  if (reference.size() < 2 || test.size() < 2) throw PictureMismatch("Welch's test needs at least two pictures on each side");
+  if (reference.size() < 2 || test.size() < 2)
+    throw PictureMismatch("Welch's test needs at least two pictures on each side");
   Runs runs;
   std::vector<bool> sides;
   for (const auto* side : {&reference, &test})
@@ -155,7 +162,8 @@ WelchResult welch_test(const std::vector<Picture>& reference, const std::vector<
     }
   const Outcome observed = divided(runs, sides);
   WelchResult out;
-  out.worst_x = static_cast<int>(observed.worst % static_cast<std::size_t>(runs.width)), out.worst_y = static_cast<int>(observed.worst / static_cast<std::size_t>(runs.width));
+  out.worst_x = static_cast<int>(observed.worst % static_cast<std::size_t>(runs.width)),
+  out.worst_y = static_cast<int>(observed.worst / static_cast<std::size_t>(runs.width));
   out.pixel_p = -std::expm1(static_cast<double>(runs.pixels) * std::log1p(-std::min(observed.pixel_p, 1 - 1e-16)));
   out.mean_p = observed.mean_p, out.mean_difference = observed.mean_difference;
   const double each = 1 - std::sqrt(1 - significance);

@@ -10,19 +10,23 @@
 namespace verisim::compare {
 namespace fs = std::filesystem;
 
-FolderWatch::FolderWatch(const fs::path& folder, bool subfolders) : fd_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) { watch(folder, {}, subfolders); }
+FolderWatch::FolderWatch(const fs::path& folder, bool subfolders) : fd_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
+  watch(folder, {}, subfolders);
+}
 
 FolderWatch::~FolderWatch() {
   if (fd_ >= 0) close(fd_);
 }
-FolderWatch::FolderWatch(FolderWatch&& other) noexcept : fd_(std::exchange(other.fd_, -1)), folders_(std::move(other.folders_)) {}
+FolderWatch::FolderWatch(FolderWatch&& other) noexcept
+    : fd_(std::exchange(other.fd_, -1)), folders_(std::move(other.folders_)) {}
 FolderWatch& FolderWatch::operator=(FolderWatch&& other) noexcept {
   std::swap(fd_, other.fd_), std::swap(folders_, other.folders_);
   return *this;
 }
 
 void FolderWatch::watch(const fs::path& folder, const fs::path& below, bool subfolders) {
-  constexpr std::uint32_t kWhat = IN_MODIFY | IN_CLOSE_WRITE | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR | IN_DONT_FOLLOW;
+  constexpr std::uint32_t kWhat = IN_MODIFY | IN_CLOSE_WRITE | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO |
+                                  IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR | IN_DONT_FOLLOW;
   if (fd_ < 0) return;
   const int descriptor = inotify_add_watch(fd_, folder.c_str(), kWhat);
   if (descriptor < 0) {
@@ -32,9 +36,11 @@ void FolderWatch::watch(const fs::path& folder, const fs::path& below, bool subf
   folders_[descriptor] = below;
   if (!subfolders) return;
   std::error_code failed;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, failed)) {
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, failed)) {
     const fs::path name = entry.path().filename();
-    if (entry.is_directory(failed) && !entry.is_symlink(failed) && !name.string().starts_with(".")) watch(entry.path(), below / name, true);
+    if (entry.is_directory(failed) && !entry.is_symlink(failed) && !name.string().starts_with("."))
+      watch(entry.path(), below / name, true);
   }
 }
 
@@ -51,7 +57,8 @@ std::optional<std::set<fs::path>> FolderWatch::changes() {
       std::memcpy(&event, buffer + at, sizeof event);
       const char* name = buffer + at + sizeof event;
       const auto folder = folders_.find(event.wd);
-      known = folder != folders_.end() && !(event.mask & (IN_Q_OVERFLOW | IN_IGNORED | IN_ISDIR | IN_DELETE_SELF | IN_MOVE_SELF | IN_UNMOUNT));
+      known = folder != folders_.end() &&
+              !(event.mask & (IN_Q_OVERFLOW | IN_IGNORED | IN_ISDIR | IN_DELETE_SELF | IN_MOVE_SELF | IN_UNMOUNT));
       if (known && event.len) out.insert(folder->second / name);
       at += static_cast<ssize_t>(sizeof event + event.len);
     }

@@ -8,7 +8,8 @@
 
 namespace verisim::compare {
 
-// Linux's inotify on a folder and its subfolders (hidden ones and links to folders are passed over). Writing through a memory map is not seen.
+// Linux's inotify on a folder and its subfolders (hidden ones and links to folders are passed over). Writing through a
+// memory map is not seen.
 class FolderWatch {
  public:
   FolderWatch() = default;
@@ -17,8 +18,9 @@ class FolderWatch {
   FolderWatch(FolderWatch&& other) noexcept;
   FolderWatch& operator=(FolderWatch&& other) noexcept;
 
-  // Files that were made, written or removed since the last call, as paths below the folder. Empty when that is not known: the system watches no more folders, too much
-  // happened, or subfolders came and went. From then on it stays unknown.
+  // Files that were made, written or removed since the last call, as paths below the folder. Empty when that is not
+  // known: the system watches no more folders, too much happened, or subfolders came and went. From then on it stays
+  // unknown.
   std::optional<std::set<std::filesystem::path>> changes();
 
  private:

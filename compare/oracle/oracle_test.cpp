@@ -1,4 +1,5 @@
-// The oracle's process, its isolation and its cache, with a shell script in the place of POV-Ray; one test asks the real one.
+// The oracle's process, its isolation and its cache, with a shell script in the place of POV-Ray; one test asks the
+// real one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -31,7 +32,9 @@ std::string read(const fs::path& path) {
 
 class Process : public testing::Test {
  protected:
-  ProcessResult shell(const std::string& script, double limit = 20) { return run_process({{"/bin/sh", "-c", script}, folder_.path(), {{"PATH", "/usr/bin:/bin"}}, limit, nullptr}); }
+  ProcessResult shell(const std::string& script, double limit = 20) {
+    return run_process({{"/bin/sh", "-c", script}, folder_.path(), {{"PATH", "/usr/bin:/bin"}}, limit, nullptr});
+  }
   TemporaryFolder folder_;
 };
 
@@ -51,8 +54,11 @@ TEST_F(Process, TimeLimitKillsTheWholeGroup) {
   EXPECT_FALSE(r.succeeded());
   EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 10);
   const int child = std::stoi(read(folder_.path() / "child"));
-  for (int i = 0; i < 100 && fs::exists("/proc/" + std::to_string(child)) && !read("/proc/" + std::to_string(child) + "/stat").empty(); ++i) {
-    if (read("/proc/" + std::to_string(child) + "/stat").find(") Z ") != std::string::npos) break;  // dead, not yet collected by init
+  for (int i = 0; i < 100 && fs::exists("/proc/" + std::to_string(child)) &&
+                  !read("/proc/" + std::to_string(child) + "/stat").empty();
+       ++i) {
+    if (read("/proc/" + std::to_string(child) + "/stat").find(") Z ") != std::string::npos)
+      break;  // dead, not yet collected by init
     usleep(20000);
   }
   const std::string stat = read("/proc/" + std::to_string(child) + "/stat");
@@ -85,7 +91,8 @@ TEST_F(Process, MissingProgram) {
 
 TEST_F(Process, CancelEndsIt) {
   std::atomic<bool> cancel = true;
-  EXPECT_TRUE(run_process({{"/bin/sh", "-c", "sleep 60"}, folder_.path(), {{"PATH", "/usr/bin:/bin"}}, 0, &cancel}).cancelled);
+  EXPECT_TRUE(
+      run_process({{"/bin/sh", "-c", "sleep 60"}, folder_.path(), {{"PATH", "/usr/bin:/bin"}}, 0, &cancel}).cancelled);
 }
 
 TEST(ContentHash, IsSha256WithLengths) {
@@ -107,7 +114,8 @@ TEST(Switches, WhatTheComparisonHasToKnow) {
   EXPECT_FALSE(alpha_on({"+UA", "Output_Alpha=off"}));
   EXPECT_EQ(output_extension({"+FN16"}), ".png");
   EXPECT_EQ(output_extension({"+FE"}), ".exr");
-  EXPECT_THAT(split_switches("+A0.3  'Declare=s=\"a b\"' \"Input File=x y\""), ElementsAre("+A0.3", "Declare=s=\"a b\"", "Input File=x y"));
+  EXPECT_THAT(split_switches("+A0.3  'Declare=s=\"a b\"' \"Input File=x y\""),
+              ElementsAre("+A0.3", "Declare=s=\"a b\"", "Input File=x y"));
   EXPECT_THROW(split_switches("\"open"), std::invalid_argument);
 }
 
@@ -115,7 +123,8 @@ TEST(WorkingCopy, CopiesTheFolderAndLinksItsNeighbours) {
   const TemporaryFolder root;
   fs::create_directories(root.path() / "a/scenes/maps");
   fs::create_directories(root.path() / "a/include");
-  for (const char* f : {"a/scenes/s.pov", "a/scenes/maps/m.png", "a/include/x.inc"}) std::ofstream(root.path() / f) << f;
+  for (const char* f : {"a/scenes/s.pov", "a/scenes/maps/m.png", "a/include/x.inc"})
+    std::ofstream(root.path() / f) << f;
   fs::create_directory_symlink("..", root.path() / "a/scenes/loop");
   {
     const WorkingCopy copy(root.path() / "a/scenes/s.pov");
@@ -171,12 +180,14 @@ TEST(WorkingCopy, IsUsedAgain) {
   EXPECT_TRUE(fs::is_empty(copy.home()));
 }
 
-// A script that answers --version, and otherwise does `body` with $out being the picture's name; it logs its arguments and environment.
+// A script that answers --version, and otherwise does `body` with $out being the picture's name; it logs its arguments
+// and environment.
 class Oracle : public testing::Test {
  protected:
   Oracle() {
     fs::create_directories(root_.path() / "scenes");
-    scene_.name = "s.pov", scene_.scene = root_.path() / "scenes/s.pov", scene_.width = 8, scene_.height = 6, scene_.switches = {"-A"};
+    scene_.name = "s.pov", scene_.scene = root_.path() / "scenes/s.pov", scene_.width = 8, scene_.height = 6,
+    scene_.switches = {"-A"};
     std::ofstream(scene_.scene) << "sphere{0,1}";
     image::write_picture(random_picture(8, 6, 1), root_.path() / "answer.png");
     options_.program = root_.path() / "fakepov";
@@ -185,15 +196,20 @@ class Oracle : public testing::Test {
     body("cp " + (root_.path() / "answer.png").string() + " \"$out\"");
   }
   void body(const std::string& text, const std::string& version = "POV-Ray 3.7.0.10.fake") {
-    std::ofstream(options_.program) << "#!/bin/sh\nif [ \"$1\" = --version ]; then echo noise >&2; echo '" << version << "' >&2; exit 0; fi\n"
+    std::ofstream(options_.program) << "#!/bin/sh\nif [ \"$1\" = --version ]; then echo noise >&2; echo '" << version
+                                    << "' >&2; exit 0; fi\n"
                                     << "echo run >> " << (root_.path() / "runs").string() << "\n"
-                                    << "for a in \"$@\"; do echo \"$a\" >> " << (root_.path() / "arguments").string() << "; case \"$a\" in +O*) out=\"${a#+O}\";; esac; done\n"
-                                    << "env > " << (root_.path() / "environment").string() << "; pwd > " << (root_.path() / "folder").string() << "; ls -A \"$HOME\" > "
+                                    << "for a in \"$@\"; do echo \"$a\" >> " << (root_.path() / "arguments").string()
+                                    << "; case \"$a\" in +O*) out=\"${a#+O}\";; esac; done\n"
+                                    << "env > " << (root_.path() / "environment").string() << "; pwd > "
+                                    << (root_.path() / "folder").string() << "; ls -A \"$HOME\" > "
                                     << (root_.path() / "home").string() << "\n"
                                     << text << "\n";
     chmod(options_.program.c_str(), 0755);
   }
-  OracleRender render(int variant = 0, const std::vector<fs::path>& files = {}) { return run_oracle(find_oracle(options_), options_, scene_, variant, files); }
+  OracleRender render(int variant = 0, const std::vector<fs::path>& files = {}) {
+    return run_oracle(find_oracle(options_), options_, scene_, variant, files);
+  }
   int runs() {
     const std::string log = read(root_.path() / "runs");
     return static_cast<int>(std::count(log.begin(), log.end(), '\n'));
@@ -318,9 +334,11 @@ TEST(PovRay, RendersASphere) {
   if (find_program("povray").empty()) GTEST_SKIP() << "POV-Ray is not installed";
   const TemporaryFolder root;
   SceneRequest scene;
-  scene.name = "s.pov", scene.scene = root.path() / "s.pov", scene.width = 32, scene.height = 24, scene.switches = {"-A"};
-  std::ofstream(scene.scene) << "#include \"colors.inc\"\n#fopen F \"written.txt\" write\n#write(F, \"1\")\n#fclose F\n"
-                                "global_settings{assumed_gamma 1} sphere{<0,0,3>,1 pigment{Red} finish{ambient 1 diffuse 0}}";
+  scene.name = "s.pov", scene.scene = root.path() / "s.pov", scene.width = 32, scene.height = 24,
+  scene.switches = {"-A"};
+  std::ofstream(scene.scene)
+      << "#include \"colors.inc\"\n#fopen F \"written.txt\" write\n#write(F, \"1\")\n#fclose F\n"
+         "global_settings{assumed_gamma 1} sphere{<0,0,3>,1 pigment{Red} finish{ambient 1 diffuse 0}}";
   OracleOptions options;
   options.cache = root.path() / "cache";
   const OracleProgram program = find_oracle(options);

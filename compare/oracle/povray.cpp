@@ -19,7 +19,8 @@ namespace {
 
 // What its messages are made with, and nothing of the user's.
 std::vector<std::pair<std::string, std::string>> clean_environment(const fs::path& home, const fs::path& ini) {
-  std::vector<std::pair<std::string, std::string>> out = {{"HOME", home.string()}, {"PATH", "/usr/local/bin:/usr/bin:/bin"}, {"LC_ALL", "C"}};
+  std::vector<std::pair<std::string, std::string>> out = {
+      {"HOME", home.string()}, {"PATH", "/usr/local/bin:/usr/bin:/bin"}, {"LC_ALL", "C"}};
   if (!ini.empty()) out.emplace_back("POVINI", ini.string());
   return out;
 }
@@ -47,11 +48,13 @@ void add_library_paths(const fs::path& ini, std::vector<fs::path>& out) {
 std::vector<fs::path> discover_library_paths(const fs::path& program) {
   const fs::path prefix = program.parent_path().parent_path();
   std::vector<fs::path> out;
-  for (const fs::path& folder : {prefix / "etc/povray/3.7", fs::path("/etc/povray/3.7"), fs::path("/usr/local/etc/povray/3.7")}) {
+  for (const fs::path& folder :
+       {prefix / "etc/povray/3.7", fs::path("/etc/povray/3.7"), fs::path("/usr/local/etc/povray/3.7")}) {
     add_library_paths(folder / "povray.ini", out);
     if (!out.empty()) return out;
   }
-  for (const fs::path& share : {prefix / "share/povray-3.7", fs::path("/usr/share/povray-3.7"), fs::path("/usr/local/share/povray-3.7")}) {
+  for (const fs::path& share :
+       {prefix / "share/povray-3.7", fs::path("/usr/share/povray-3.7"), fs::path("/usr/local/share/povray-3.7")}) {
     std::error_code ignored;
     if (!fs::is_directory(share / "include", ignored)) continue;
     return {share, share / "ini", share / "include"};
@@ -61,7 +64,8 @@ std::vector<fs::path> discover_library_paths(const fs::path& program) {
 
 fs::path cache_folder(const OracleOptions& options) {
   if (!options.cache.empty()) return options.cache;
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/') return fs::path(cache) / "verisim/oracle";
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/')
+    return fs::path(cache) / "verisim/oracle";
   if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache/verisim/oracle";
   return fs::temp_directory_path() / "verisim-oracle-cache";
 }
@@ -73,37 +77,43 @@ std::string ini_text(const std::vector<fs::path>& library_paths) {
   return out;
 }
 
-// Where random numbers fall depends on which thread gets which block. With these orders no block of the even variants, or of the odd ones, comes at the same place of a
-// thread's work in more than two of four. There are never more than eight threads: with many, most blocks of a small picture come first and repeat.
+// Where random numbers fall depends on which thread gets which block. With these orders no block of the even variants,
+// or of the odd ones, comes at the same place of a thread's work in more than two of four. There are never more than
+// eight threads: with many, most blocks of a small picture come first and repeat.
 struct BlockOrder {
   int pattern, step;
 };
 constexpr BlockOrder kBlockOrders[] = {{0, 0}, {3, 0}, {5, 0}, {2, 0}, {3, 5}, {5, 5}, {2, 5}, {0, 5}};
 
-std::vector<std::string> command_line(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, const std::string& input, const std::string& output,
+std::vector<std::string> command_line(const OracleProgram& program, const OracleOptions& options,
+                                      const SceneRequest& scene, const std::string& input, const std::string& output,
                                       int variant) {
   constexpr int kOrders = static_cast<int>(std::size(kBlockOrders));
   std::vector<std::string> out = {program.path.string(), "+I" + input};
   out.insert(out.end(), scene.switches.begin(), scene.switches.end());
   if (!output_type(scene.switches)) out.push_back("+FN8");
-  for (const std::string& s : {"+O" + output, fmt::format("+W{}", scene.width), fmt::format("+H{}", scene.height), fmt::format("+WT{}", std::max(1, options.threads) + variant % kOrders)})
+  for (const std::string& s : {"+O" + output, fmt::format("+W{}", scene.width), fmt::format("+H{}", scene.height),
+                               fmt::format("+WT{}", std::max(1, options.threads) + variant % kOrders)})
     out.push_back(s);
   if (variant > 0) {
     const auto [pattern, step] = kBlockOrders[variant % kOrders];
     out.push_back(fmt::format("+RP{}", pattern)), out.push_back(fmt::format("+RS{}", step + 6 * (variant / kOrders)));
-    if (program.name == "verisim") out.push_back(fmt::format("--seed={}", variant));  // its pictures do not depend on threads
+    if (program.name == "verisim")
+      out.push_back(fmt::format("--seed={}", variant));  // its pictures do not depend on threads
   }
   for (const char* s : {"-D", "-P", "-V"}) out.emplace_back(s);
   return out;
 }
 
 // Everything that decides how the picture will look.
-std::string cache_key(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, int variant, const std::vector<fs::path>& files_read) {
+std::string cache_key(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene,
+                      int variant, const std::vector<fs::path>& files_read) {
   ContentHash hash;
   hash.add("verisim oracle 1");
   hash.add(program.version_text);
   hash.add(ini_text(program.library_paths));
-  for (const std::string& s : command_line(program, options, scene, scene.scene.filename().string(), "", variant)) hash.add(s == program.path ? "" : s);
+  for (const std::string& s : command_line(program, options, scene, scene.scene.filename().string(), "", variant))
+    hash.add(s == program.path ? "" : s);
   const fs::path folder = scene.scene.parent_path();
   std::vector<fs::path> files = files_read;
   std::error_code failed;
@@ -112,7 +122,8 @@ std::string cache_key(const OracleProgram& program, const OracleOptions& options
          !failed && it != fs::recursive_directory_iterator() && files.size() < 20000; it.increment(failed))
       if (it->is_regular_file(failed)) files.push_back(it->path());
     for (const fs::path& library : program.library_paths)
-      for (auto it = fs::directory_iterator(library, failed); !failed && it != fs::directory_iterator(); it.increment(failed))
+      for (auto it = fs::directory_iterator(library, failed); !failed && it != fs::directory_iterator();
+           it.increment(failed))
         if (it->is_regular_file(failed)) files.push_back(it->path());
   }
   files.push_back(scene.scene);
@@ -139,11 +150,13 @@ struct CacheEntry {
     try {
       const auto json = nlohmann::json::parse(in);
       if (json.contains("no_end_after")) {
-        out.message = json.at("message").get<std::string>() + " (known from an earlier run; --no-cache tries again)", out.from_cache = true;
+        out.message = json.at("message").get<std::string>() + " (known from an earlier run; --no-cache tries again)",
+        out.from_cache = true;
         return time_limit > 0 && time_limit <= json.at("no_end_after").get<double>();
       }
       out.picture = image::read_picture(picture);
-      out.seconds = json.at("seconds"), out.cpu_seconds = json.at("cpu_seconds"), out.peak_bytes = json.at("peak_bytes");
+      out.seconds = json.at("seconds"), out.cpu_seconds = json.at("cpu_seconds"),
+      out.peak_bytes = json.at("peak_bytes");
       out.ok = out.from_cache = true;
     } catch (const std::exception&) {
       return false;  // damaged: rendered again
@@ -151,13 +164,22 @@ struct CacheEntry {
     return true;
   }
 
-  void store(const OracleRender& render, const fs::path& from, const OracleProgram& program, const SceneRequest& scene) const {
-    store({{"scene", scene.name}, {"version", program.version}, {"switches", scene.switches}, {"width", scene.width}, {"height", scene.height}, {"seconds", render.seconds},
-           {"cpu_seconds", render.cpu_seconds}, {"peak_bytes", render.peak_bytes}},
+  void store(const OracleRender& render, const fs::path& from, const OracleProgram& program,
+             const SceneRequest& scene) const {
+    store({{"scene", scene.name},
+           {"version", program.version},
+           {"switches", scene.switches},
+           {"width", scene.width},
+           {"height", scene.height},
+           {"seconds", render.seconds},
+           {"cpu_seconds", render.cpu_seconds},
+           {"peak_bytes", render.peak_bytes}},
           from);
   }
   // Waiting once is enough.
-  void store_no_end(const std::string& message, double time_limit) const { store({{"no_end_after", time_limit}, {"message", message}}, {}); }
+  void store_no_end(const std::string& message, double time_limit) const {
+    store({{"no_end_after", time_limit}, {"message", message}}, {});
+  }
 
  private:
   // The folder appears complete or not at all; a cache that cannot be written is no reason to fail.
@@ -167,21 +189,25 @@ struct CacheEntry {
     std::string temporary = (folder.parent_path() / "new-XXXXXX").string();
     if (failed || !mkdtemp(temporary.data())) return;
     if (!from.empty()) fs::copy_file(from, fs::path(temporary) / picture.filename(), failed);
-    std::ofstream(fs::path(temporary) / "meta.json") << about.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+    std::ofstream(fs::path(temporary) / "meta.json")
+        << about.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
     if (!failed) fs::remove_all(folder, failed);
     if (!failed) fs::rename(temporary, folder, failed);
     if (failed) fs::remove_all(temporary, failed);
   }
 };
 
-// POV-Ray's messages without progress; what was wrapped at 80 columns (continuation lines start with a blank) is one line again.
+// POV-Ray's messages without progress; what was wrapped at 80 columns (continuation lines start with a blank) is one
+// line again.
 std::vector<std::string> message_lines(const std::string& err) {
   std::istringstream in(err);
   std::vector<std::string> out;
   for (std::string line; std::getline(in, line);) {
     if (const auto cr = line.find_last_of('\r'); cr != std::string::npos) line.erase(0, cr + 1);
-    if (line.starts_with(" ") && !out.empty()) out.back() += line;
-    else out.push_back(line);
+    if (line.starts_with(" ") && !out.empty())
+      out.back() += line;
+    else
+      out.push_back(line);
   }
   return out;
 }
@@ -190,8 +216,8 @@ std::vector<std::string> message_lines(const std::string& err) {
 std::string pov_messages(const std::string& err) {
   std::string out, last;
   for (const std::string& line : message_lines(err)) {
-    const bool worth = line.find("Error") != std::string::npos || line.find("error") != std::string::npos || line.starts_with("Problem with") ||
-                       line.starts_with("Failed to") || line.starts_with("Cannot");
+    const bool worth = line.find("Error") != std::string::npos || line.find("error") != std::string::npos ||
+                       line.starts_with("Problem with") || line.starts_with("Failed to") || line.starts_with("Cannot");
     if (worth && out.size() < 2000) out += (out.empty() ? "" : "; ") + trimmed(line);
     if (!trimmed(line).empty()) last = trimmed(line);
   }
@@ -211,31 +237,40 @@ OracleProgram find_oracle(const OracleOptions& options) {
   OracleProgram out;
   out.path = find_program(options.program.empty() ? "povray" : options.program.string());
   if (out.path.empty())
-    throw OracleMissing(options.program.empty()
-                            ? "POV-Ray is not installed: install the Debian package povray (and povray-includes for the standard include files)"
-                            : fmt::format("{} is not a program; POV-Ray is in the Debian package povray", options.program.string()));
+    throw OracleMissing(
+        options.program.empty()
+            ? "POV-Ray is not installed: install the Debian package povray (and povray-includes for the standard "
+              "include files)"
+            : fmt::format("{} is not a program; POV-Ray is in the Debian package povray", options.program.string()));
   const TemporaryFolder home;
-  const ProcessResult run = run_process({{out.path.string(), "--version"}, home.path(), clean_environment(home.path(), {}), 30, nullptr});
+  const ProcessResult run =
+      run_process({{out.path.string(), "--version"}, home.path(), clean_environment(home.path(), {}), 30, nullptr});
   const std::string text = run.err + run.out;
   if (run.succeeded() && text.starts_with("verisim ")) {  // its version does not change with every build
     ContentHash hash;
     hash.add_file(out.path);
-    out.name = "verisim", out.version = trimmed(text.substr(8, text.find_first_of(" \n", 8) - 8)), out.version_text = text + hash.hex();
+    out.name = "verisim", out.version = trimmed(text.substr(8, text.find_first_of(" \n", 8) - 8)),
+    out.version_text = text + hash.hex();
     const fs::path povray = find_program("povray");
-    out.library_paths = options.library_paths.empty() ? discover_library_paths(povray.empty() ? "/usr/bin/povray" : fs::canonical(povray)) : options.library_paths;
+    out.library_paths = options.library_paths.empty()
+                            ? discover_library_paths(povray.empty() ? "/usr/bin/povray" : fs::canonical(povray))
+                            : options.library_paths;
     return out;
   }
   const auto at = text.find("POV-Ray ");
   if (!run.succeeded() || at == std::string::npos)
-    throw OracleMissing(fmt::format("{} --version does not answer as POV-Ray does ({}); POV-Ray is in the Debian package povray", out.path.string(), run.how_it_ended(30)));
+    throw OracleMissing(
+        fmt::format("{} --version does not answer as POV-Ray does ({}); POV-Ray is in the Debian package povray",
+                    out.path.string(), run.how_it_ended(30)));
   out.version_text = text.substr(at);
   out.version = trimmed(out.version_text.substr(8, out.version_text.find('\n') - 8));
-  out.library_paths = options.library_paths.empty() ? discover_library_paths(fs::canonical(out.path)) : options.library_paths;
+  out.library_paths =
+      options.library_paths.empty() ? discover_library_paths(fs::canonical(out.path)) : options.library_paths;
   return out;
 }
 
-OracleRender run_oracle(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene, int variant, const std::vector<fs::path>& files_read,
-                        std::atomic<bool>* cancel) {
+OracleRender run_oracle(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene,
+                        int variant, const std::vector<fs::path>& files_read, std::atomic<bool>* cancel) {
   OracleRender out;
   try {
     const std::string extension = output_extension(scene.switches);
@@ -246,8 +281,9 @@ OracleRender run_oracle(const OracleProgram& program, const OracleOptions& optio
     const WorkingCopy copy(scene.scene);
     const fs::path ini = copy.home() / "oracle.ini", picture = copy.out() / ("picture" + extension);
     std::ofstream(ini) << ini_text(program.library_paths);
-    const ProcessResult run = run_process({command_line(program, options, scene, copy.scene().filename().string(), picture.string(), variant), copy.folder(),
-                                           clean_environment(copy.home(), ini), options.time_limit, cancel});
+    const ProcessResult run =
+        run_process({command_line(program, options, scene, copy.scene().filename().string(), picture.string(), variant),
+                     copy.folder(), clean_environment(copy.home(), ini), options.time_limit, cancel});
     out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
     if (!run.succeeded()) {
       out.message = failure(program, run, options.time_limit);
@@ -261,7 +297,8 @@ OracleRender run_oracle(const OracleProgram& program, const OracleOptions& optio
     }
     out.picture = image::read_picture(picture);
     if (out.picture.width != scene.width || out.picture.height != scene.height) {
-      out.message = fmt::format("{}: wrote a picture of {}x{} in the place of {}x{}", program.name, out.picture.width, out.picture.height, scene.width, scene.height);
+      out.message = fmt::format("{}: wrote a picture of {}x{} in the place of {}x{}", program.name, out.picture.width,
+                                out.picture.height, scene.width, scene.height);
       return out;
     }
     out.ok = true;
@@ -281,11 +318,15 @@ NativeRenderer povray_renderer(const OracleProgram& program, const OracleOptions
     const TemporaryFolder home;
     const fs::path ini = home.path() / "oracle.ini";
     std::ofstream(ini) << ini_text(program.library_paths);
-    const ProcessResult run = run_process({command_line(program, options, scene, request.scene.filename().string(), request.output.string(), 2 * request.run + 1), request.folder,
-                                           clean_environment(home.path(), ini), options.time_limit, request.cancel});
+    const ProcessResult run =
+        run_process({command_line(program, options, scene, request.scene.filename().string(), request.output.string(),
+                                  2 * request.run + 1),
+                     request.folder, clean_environment(home.path(), ini), options.time_limit, request.cancel});
     out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
-    if (run.succeeded()) out.outcome = NativeResult::Outcome::rendered;
-    else out.message = failure(program, run, options.time_limit);
+    if (run.succeeded())
+      out.outcome = NativeResult::Outcome::rendered;
+    else
+      out.message = failure(program, run, options.time_limit);
     return out;
   };
 }

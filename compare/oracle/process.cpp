@@ -127,7 +127,8 @@ ProcessResult run_process(const ProcessRequest& request) {
   }
   result.started = true;
   out_write.close(), err_write.close();
-  const Descriptor process(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));  // readable at the end; kernels without it are polled
+  const Descriptor process(
+      static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));  // readable at the end; kernels without it are polled
 
   Tail out, err;
   bool out_open = true, err_open = true;
@@ -135,7 +136,9 @@ ProcessResult run_process(const ProcessRequest& request) {
   int status = 0;
   std::uint64_t sampled_peak = 0;
   for (;;) {
-    pollfd fds[3] = {{out_open ? out_read.get() : -1, POLLIN, 0}, {err_open ? err_read.get() : -1, POLLIN, 0}, {process.get(), POLLIN, 0}};
+    pollfd fds[3] = {{out_open ? out_read.get() : -1, POLLIN, 0},
+                     {err_open ? err_read.get() : -1, POLLIN, 0},
+                     {process.get(), POLLIN, 0}};
     poll(fds, 3, 10);
     if (fds[0].revents) out_open = out.read_from(out_read.get());
     if (fds[1].revents) err_open = err.read_from(err_read.get());
@@ -143,7 +146,8 @@ ProcessResult run_process(const ProcessRequest& request) {
     if (ended == pid || (ended < 0 && errno != EINTR)) break;
     sampled_peak = std::max(sampled_peak, resident_peak(pid));
     const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
-    if (!result.timed_out && request.time_limit > 0 && elapsed > request.time_limit) result.timed_out = true, kill(-pid, SIGKILL);
+    if (!result.timed_out && request.time_limit > 0 && elapsed > request.time_limit)
+      result.timed_out = true, kill(-pid, SIGKILL);
     if (!result.cancelled && request.cancel && *request.cancel) result.cancelled = true, kill(-pid, SIGKILL);
   }
   result.wall = std::chrono::duration<double>(Clock::now() - start).count();
@@ -152,10 +156,13 @@ ProcessResult run_process(const ProcessRequest& request) {
   if (err_open) err.read_from(err_read.get());
   result.out = out.take(), result.err = err.take();
   result.cpu = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  // Linux counts the parent's pages between vfork and exec to the child: ru_maxrss says nothing unless it is larger than ours.
+  // Linux counts the parent's pages between vfork and exec to the child: ru_maxrss says nothing unless it is larger
+  // than ours.
   rusage own{};
   getrusage(RUSAGE_SELF, &own);
-  result.peak_bytes = usage.ru_maxrss > own.ru_maxrss || sampled_peak == 0 ? static_cast<std::uint64_t>(usage.ru_maxrss) * 1024 : sampled_peak;
+  result.peak_bytes = usage.ru_maxrss > own.ru_maxrss || sampled_peak == 0
+                          ? static_cast<std::uint64_t>(usage.ru_maxrss) * 1024
+                          : sampled_peak;
   if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
   return result;
@@ -174,11 +181,13 @@ std::filesystem::path find_program(const std::string& name) {
     std::error_code ignored;
     return std::filesystem::is_regular_file(p, ignored) && access(p.c_str(), X_OK) == 0;
   };
-  if (name.find('/') != std::string::npos) return executable(name) ? std::filesystem::absolute(name) : std::filesystem::path();
+  if (name.find('/') != std::string::npos)
+    return executable(name) ? std::filesystem::absolute(name) : std::filesystem::path();
   const char* path = std::getenv("PATH");
   std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (const auto candidate = std::filesystem::path(folder.empty() ? "." : folder) / name; executable(candidate)) return std::filesystem::absolute(candidate);
+    if (const auto candidate = std::filesystem::path(folder.empty() ? "." : folder) / name; executable(candidate))
+      return std::filesystem::absolute(candidate);
   return {};
 }
 

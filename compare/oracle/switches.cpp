@@ -21,7 +21,9 @@ std::optional<std::string> ini_value(const std::string& option, const std::strin
   return lower(option.substr(equals + 1));
 }
 
-bool is_switch(const std::string& s) { return s.size() > 1 && (s[0] == '+' || s[0] == '-') && s.find('=') == std::string::npos; }
+bool is_switch(const std::string& s) {
+  return s.size() > 1 && (s[0] == '+' || s[0] == '-') && s.find('=') == std::string::npos;
+}
 
 // True when the value and one of on, true, yes, 1 agree over their common length (spec 02 section 9.4).
 bool truth(const std::string& value) {
@@ -37,7 +39,9 @@ bool switch_on(const std::vector<std::string>& switches, char letter, const std:
   for (const std::string& s : switches) {
     if (const auto value = ini_value(s, ini_key)) on = truth(*value);
     // The letter alone or with a number: +A and +A0.3, not +AM2.
-    if (is_switch(s) && std::toupper(static_cast<unsigned char>(s[1])) == letter && (s.size() == 2 || std::isdigit(static_cast<unsigned char>(s[2])))) on = s[0] == '+';
+    if (is_switch(s) && std::toupper(static_cast<unsigned char>(s[1])) == letter &&
+        (s.size() == 2 || std::isdigit(static_cast<unsigned char>(s[2]))))
+      on = s[0] == '+';
   }
   return on;
 }
@@ -54,8 +58,10 @@ bool alpha_on(const std::vector<std::string>& switches) {
 std::optional<char> output_type(const std::vector<std::string>& switches) {
   std::optional<char> type;
   for (const std::string& s : switches) {
-    if (const auto value = ini_value(s, "output_file_type"); value && !value->empty()) type = static_cast<char>(std::toupper((*value)[0]));
-    if (is_switch(s) && std::toupper(static_cast<unsigned char>(s[1])) == 'F' && s.size() > 2) type = static_cast<char>(std::toupper(static_cast<unsigned char>(s[2])));
+    if (const auto value = ini_value(s, "output_file_type"); value && !value->empty())
+      type = static_cast<char>(std::toupper((*value)[0]));
+    if (is_switch(s) && std::toupper(static_cast<unsigned char>(s[1])) == 'F' && s.size() > 2)
+      type = static_cast<char>(std::toupper(static_cast<unsigned char>(s[2])));
   }
   return type;
 }
@@ -63,13 +69,20 @@ std::optional<char> output_type(const std::vector<std::string>& switches) {
 std::string output_extension(const std::vector<std::string>& switches) {
   switch (output_type(switches).value_or('N')) {
     case 'T':
-    case 'C': return ".tga";
-    case 'P': return ".ppm";
-    case 'B': return ".bmp";
-    case 'J': return ".jpg";
-    case 'E': return ".exr";
-    case 'H': return ".hdr";
-    default: return ".png";
+    case 'C':
+      return ".tga";
+    case 'P':
+      return ".ppm";
+    case 'B':
+      return ".bmp";
+    case 'J':
+      return ".jpg";
+    case 'E':
+      return ".exr";
+    case 'H':
+      return ".hdr";
+    default:
+      return ".png";
   }
 }
 
@@ -80,8 +93,10 @@ std::vector<std::string> split_switches(const std::string& line) {
   bool in_word = false;
   for (char c : line) {
     if (quote) {
-      if (c == quote) quote = 0;
-      else word += c;
+      if (c == quote)
+        quote = 0;
+      else
+        word += c;
     } else if (c == '"' || c == '\'') {
       quote = c, in_word = true;
     } else if (std::isspace(static_cast<unsigned char>(c))) {

@@ -15,7 +15,8 @@ bool alpha_on(const std::vector<std::string>& switches);  // +UA, Output_Alpha
 std::optional<char> output_type(const std::vector<std::string>& switches);
 std::string output_extension(const std::vector<std::string>& switches);  // ".png" by default
 
-// One line of switches as a shell would split it: blanks outside of quotes divide. Throws std::invalid_argument for an open quote.
+// One line of switches as a shell would split it: blanks outside of quotes divide. Throws std::invalid_argument for an
+// open quote.
 std::vector<std::string> split_switches(const std::string& line);
 
 }  // namespace verisim::compare

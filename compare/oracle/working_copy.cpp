@@ -18,13 +18,14 @@ namespace {
 
 constexpr std::uintmax_t kCopyBytes = std::uintmax_t{256} << 20;
 constexpr int kMaxFiles = 20000, kMaxNeighbours = 2000;
-constexpr std::size_t kMaxWaiting = 16;  // copies kept for the next scene; each takes two of the few hundred watches that a user has
+constexpr std::size_t kMaxWaiting =
+    16;  // copies kept for the next scene; each takes two of the few hundred watches that a user has
 
 bool many_files(const fs::path& folder) {
   int count = 0;
   std::error_code failed;
-  for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, failed); !failed && it != fs::recursive_directory_iterator();
-       it.increment(failed))
+  for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, failed);
+       !failed && it != fs::recursive_directory_iterator(); it.increment(failed))
     if (++count > kMaxFiles) return true;
   return false;
 }
@@ -38,7 +39,8 @@ void empty_folder(const fs::path& folder) {
 
 TemporaryFolder::TemporaryFolder() {
   std::string name = (fs::temp_directory_path() / "verisim-XXXXXX").string();
-  if (!mkdtemp(name.data())) throw fs::filesystem_error("cannot make a temporary folder", name, std::error_code(errno, std::generic_category()));
+  if (!mkdtemp(name.data()))
+    throw fs::filesystem_error("cannot make a temporary folder", name, std::error_code(errno, std::generic_category()));
   path_ = name;
 }
 
@@ -56,8 +58,8 @@ class FolderCopy {
     link_neighbours(base);
   }
 
-  // Makes the copy equal to the original; what earlier scenes wrote goes. Only what changed on either side is looked at, where that is known: a folder of thousands of
-  // scenes is not gone through for each of them.
+  // Makes the copy equal to the original; what earlier scenes wrote goes. Only what changed on either side is looked
+  // at, where that is known: a folder of thousands of scenes is not gone through for each of them.
   void synchronise() {
     empty_folder(home()), empty_folder(out());
     if (!refresh()) start_anew();
@@ -96,12 +98,15 @@ class FolderCopy {
     const std::uintmax_t copied_bytes = copied_bytes_;
     for (const auto* side : {&*theirs, &*ours})
       for (const fs::path& name : *side) {
-        const fs::file_status status = fs::symlink_status(original_ / name), copied = fs::symlink_status(folder_ / name);
+        const fs::file_status status = fs::symlink_status(original_ / name),
+                              copied = fs::symlink_status(folder_ / name);
         if (fs::is_directory(copied) || (fs::exists(status) && !fs::is_regular_file(status))) return false;
         made_.erase(folder_ / name);
         std::error_code failed;
-        if (fs::is_regular_file(status)) copy_file(fs::directory_entry(original_ / name), folder_ / name, {});
-        else fs::remove(folder_ / name, failed);
+        if (fs::is_regular_file(status))
+          copy_file(fs::directory_entry(original_ / name), folder_ / name, {});
+        else
+          fs::remove(folder_ / name, failed);
       }
     copied_bytes_ = copied_bytes;  // what is copied again was counted before
     return true;
@@ -109,7 +114,8 @@ class FolderCopy {
 
   void copy_folder(const fs::path& from, const fs::path& to, bool deep, const std::map<fs::path, Stamp>& kept) {
     std::set<fs::path> wanted;
-    for (const fs::directory_entry& entry : fs::directory_iterator(from, fs::directory_options::skip_permission_denied)) {
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(from, fs::directory_options::skip_permission_denied)) {
       const fs::path name = entry.path().filename(), target = to / name;
       std::error_code failed;
       if (entry.is_directory(failed)) {
@@ -150,12 +156,14 @@ class FolderCopy {
     // A file written just now may be written once more without a change of its time.
     const bool settled = fs::file_time_type::clock::now() - now.time > std::chrono::milliseconds(100);
     const auto it = kept.find(target);
-    if (settled && it != kept.end() && it->second == now && fs::is_regular_file(fs::symlink_status(target)) && stamp(target) == now) {
+    if (settled && it != kept.end() && it->second == now && fs::is_regular_file(fs::symlink_status(target)) &&
+        stamp(target) == now) {
       made_[target] = now;
       return;
     }
     fs::remove_all(target, failed);
-    if (!fs::copy_file(entry.path(), target, failed)) return;  // an unreadable neighbour is not the scene's problem unless the scene asks for it
+    if (!fs::copy_file(entry.path(), target, failed))
+      return;  // an unreadable neighbour is not the scene's problem unless the scene asks for it
     fs::permissions(target, fs::perms::owner_write, fs::perm_options::add, failed);
     fs::last_write_time(target, now.time, failed);
     if (settled && !failed) made_[target] = now;
@@ -166,7 +174,8 @@ class FolderCopy {
     if (parent == original_ || parent == parent.root_path()) return;
     int count = 0;
     std::error_code failed;
-    for (auto it = fs::directory_iterator(parent, failed); !failed && it != fs::directory_iterator() && ++count <= kMaxNeighbours; it.increment(failed)) {
+    for (auto it = fs::directory_iterator(parent, failed);
+         !failed && it != fs::directory_iterator() && ++count <= kMaxNeighbours; it.increment(failed)) {
       std::error_code ignored;
       if (it->path() != original_) fs::create_symlink(it->path(), base / it->path().filename(), ignored);
     }
@@ -218,7 +227,8 @@ WorkingCopy::WorkingCopy(const fs::path& scene) : name_(scene.filename()) {
   copy_ = waiting().take(original);
   if (!copy_) copy_ = std::make_unique<FolderCopy>(original);
   copy_->synchronise();
-  if (!fs::exists(copy_->folder() / name_)) fs::copy_file(scene, copy_->folder() / name_);  // the scene itself was reached through a link
+  if (!fs::exists(copy_->folder() / name_))
+    fs::copy_file(scene, copy_->folder() / name_);  // the scene itself was reached through a link
 }
 
 WorkingCopy::~WorkingCopy() {

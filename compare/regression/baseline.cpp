@@ -18,17 +18,23 @@ std::vector<std::string> update_baseline(const Run& run, const fs::path& folder,
   if (!dry_run) {
     std::error_code failed;
     fs::create_directories(folder, failed);
-    if (failed) throw std::runtime_error(fmt::format("{}: cannot make the folder: {}", folder.string(), failed.message()));
+    if (failed)
+      throw std::runtime_error(fmt::format("{}: cannot make the folder: {}", folder.string(), failed.message()));
   }
   for (const SceneResult& scene : run.scenes) {
     if (scene.native_picture.empty()) {
-      changes.push_back(fmt::format("{}: kept as it is: {}: {}", scene.request.name, to_string(scene.status), scene.reason));
+      changes.push_back(
+          fmt::format("{}: kept as it is: {}: {}", scene.request.name, to_string(scene.status), scene.reason));
       continue;
     }
-    if (scene.metrics && scene.metrics->max_abs == 0 && scene.metrics->nan_pixels == 0 && scene.metrics->alpha_max_abs.value_or(0) == 0) continue;
-    changes.push_back(scene.metrics ? fmt::format("{}: changed: rmse {:.3f}, max {:.1f}, {:.3f} % within 1", scene.request.name, scene.metrics->rmse,
-                                                  scene.metrics->max_abs, scene.metrics->within_1_pct)
-                                    : fmt::format("{}: {}", scene.request.name, scene.status == Status::oracle_failed ? "new" : scene.reason));
+    if (scene.metrics && scene.metrics->max_abs == 0 && scene.metrics->nan_pixels == 0 &&
+        scene.metrics->alpha_max_abs.value_or(0) == 0)
+      continue;
+    changes.push_back(
+        scene.metrics
+            ? fmt::format("{}: changed: rmse {:.3f}, max {:.1f}, {:.3f} % within 1", scene.request.name,
+                          scene.metrics->rmse, scene.metrics->max_abs, scene.metrics->within_1_pct)
+            : fmt::format("{}: {}", scene.request.name, scene.status == Status::oracle_failed ? "new" : scene.reason));
     if (dry_run) continue;
     // work/STEM.native.EXT -> DIR/STEM.EXT
     const fs::path extension = scene.native_picture.extension();
@@ -36,8 +42,11 @@ std::vector<std::string> update_baseline(const Run& run, const fs::path& folder,
     const fs::path temporary = target.string() + ".new";
     fs::copy_file(scene.native_picture, temporary, fs::copy_options::overwrite_existing);
     fs::rename(temporary, target);
-    json["scenes"][scene.request.name] = {{"picture", target.filename().string()}, {"width", scene.request.width}, {"height", scene.request.height},
-                                          {"switches", scene.request.switches},   {"version", run.native_version}};
+    json["scenes"][scene.request.name] = {{"picture", target.filename().string()},
+                                          {"width", scene.request.width},
+                                          {"height", scene.request.height},
+                                          {"switches", scene.request.switches},
+                                          {"version", run.native_version}};
   }
   if (!dry_run && !changes.empty()) {
     json["version"] = run.native_version;

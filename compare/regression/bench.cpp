@@ -21,17 +21,19 @@ double median(std::vector<double> v) {
 // Of each figure on its own.
 BenchSample median(const std::vector<BenchSample>& samples) {
   std::vector<double> wall, cpu, memory;
-  for (const BenchSample& s : samples) wall.push_back(s.wall), cpu.push_back(s.cpu), memory.push_back(static_cast<double>(s.peak_bytes));
+  for (const BenchSample& s : samples)
+    wall.push_back(s.wall), cpu.push_back(s.cpu), memory.push_back(static_cast<double>(s.peak_bytes));
   return {median(wall), median(cpu), static_cast<std::uint64_t>(median(memory))};
 }
 
 double ratio(double oracle, double native) { return native > 0 ? oracle / native : 0; }
 
-BenchSample run_native(const NativeRenderer& native, const SceneRequest& scene, const BenchOptions& options, const std::vector<std::filesystem::path>& library_paths,
-                       std::string& error) {
+BenchSample run_native(const NativeRenderer& native, const SceneRequest& scene, const BenchOptions& options,
+                       const std::vector<std::filesystem::path>& library_paths, std::string& error) {
   const WorkingCopy copy(scene.scene);
   NativeRequest request;
-  request.folder = copy.folder(), request.scene = copy.scene(), request.output = copy.out() / ("picture" + output_extension(scene.switches));
+  request.folder = copy.folder(), request.scene = copy.scene(),
+  request.output = copy.out() / ("picture" + output_extension(scene.switches));
   request.width = scene.width, request.height = scene.height, request.switches = scene.switches;
   request.threads = options.threads, request.time_limit = options.time_limit, request.library_paths = library_paths;
   if (!output_type(scene.switches)) request.switches.push_back("+FN8");
@@ -40,7 +42,8 @@ BenchSample run_native(const NativeRenderer& native, const SceneRequest& scene, 
   return {result.seconds, result.cpu_seconds, result.peak_bytes};
 }
 
-BenchScene bench_scene(const SceneRequest& scene, const BenchOptions& options, const OracleProgram& program, const OracleOptions& oracle_options, const NativeRenderer& native) {
+BenchScene bench_scene(const SceneRequest& scene, const BenchOptions& options, const OracleProgram& program,
+                       const OracleOptions& oracle_options, const NativeRenderer& native) {
   BenchScene out;
   out.name = scene.name;
   for (int run = 0; run < options.runs && out.error.empty(); ++run) {
@@ -57,7 +60,8 @@ BenchScene bench_scene(const SceneRequest& scene, const BenchOptions& options, c
   out.oracle_median = median(out.oracle), out.native_median = median(out.native);
   out.wall_ratio = ratio(out.oracle_median.wall, out.native_median.wall);
   out.cpu_ratio = ratio(out.oracle_median.cpu, out.native_median.cpu);
-  out.memory_ratio = ratio(static_cast<double>(out.oracle_median.peak_bytes), static_cast<double>(out.native_median.peak_bytes));
+  out.memory_ratio =
+      ratio(static_cast<double>(out.oracle_median.peak_bytes), static_cast<double>(out.native_median.peak_bytes));
   return out;
 }
 
@@ -95,8 +99,9 @@ Bench run_bench(const Suite& suite, const BenchOptions& options) {
 
 std::string bench_table(const Bench& bench, bool color) {
   const char *bold = color ? "\033[1m" : "", *red = color ? "\033[31m" : "", *reset = color ? "\033[0m" : "";
-  std::string out = fmt::format("{}{:<40} {:>9} {:>9} {:>7} {:>9} {:>9} {:>7} {:>8} {:>8} {:>7}{}\n", bold, "scene", "POV CPU", "ours CPU", "ratio", "POV wall", "ours wall", "ratio",
-                                "POV MiB", "ours MiB", "ratio", reset);
+  std::string out =
+      fmt::format("{}{:<40} {:>9} {:>9} {:>7} {:>9} {:>9} {:>7} {:>8} {:>8} {:>7}{}\n", bold, "scene", "POV CPU",
+                  "ours CPU", "ratio", "POV wall", "ours wall", "ratio", "POV MiB", "ours MiB", "ratio", reset);
   constexpr double kMiB = 1 << 20;
   for (const BenchScene& s : bench.scenes) {
     std::string name = s.name;
@@ -106,17 +111,24 @@ std::string bench_table(const Bench& bench, bool color) {
       continue;
     }
     const BenchSample &o = s.oracle_median, &n = s.native_median;
-    out += fmt::format("{:<40} {:>8.3f}s {:>8.3f}s {:>6.2f}x {:>8.3f}s {:>8.3f}s {:>6.2f}x {:>8.1f} {:>8.1f} {:>6.2f}x\n", name, o.cpu, n.cpu, s.cpu_ratio, o.wall, n.wall, s.wall_ratio,
-                       static_cast<double>(o.peak_bytes) / kMiB, static_cast<double>(n.peak_bytes) / kMiB, s.memory_ratio);
+    out +=
+        fmt::format("{:<40} {:>8.3f}s {:>8.3f}s {:>6.2f}x {:>8.3f}s {:>8.3f}s {:>6.2f}x {:>8.1f} {:>8.1f} {:>6.2f}x\n",
+                    name, o.cpu, n.cpu, s.cpu_ratio, o.wall, n.wall, s.wall_ratio,
+                    static_cast<double>(o.peak_bytes) / kMiB, static_cast<double>(n.peak_bytes) / kMiB, s.memory_ratio);
   }
-  return out + fmt::format("{}{:<40} {:>9} {:>9} {:>6.2f}x {:>9} {:>9} {:>6.2f}x {:>8} {:>8} {:>6.2f}x{}\n", bold, "geometric mean", "", "", bench.cpu_ratio, "", "", bench.wall_ratio, "", "",
+  return out + fmt::format("{}{:<40} {:>9} {:>9} {:>6.2f}x {:>9} {:>9} {:>6.2f}x {:>8} {:>8} {:>6.2f}x{}\n", bold,
+                           "geometric mean", "", "", bench.cpu_ratio, "", "", bench.wall_ratio, "", "",
                            bench.memory_ratio, reset);
 }
 
 std::string bench_json(const Bench& bench) {
   using Json = nlohmann::ordered_json;
-  const auto sample = [](const BenchSample& s) { return Json{{"wall", s.wall}, {"cpu", s.cpu}, {"peak_bytes", s.peak_bytes}}; };
-  const auto ratios = [](const auto& b) { return Json{{"cpu", b.cpu_ratio}, {"wall", b.wall_ratio}, {"memory", b.memory_ratio}}; };
+  const auto sample = [](const BenchSample& s) {
+    return Json{{"wall", s.wall}, {"cpu", s.cpu}, {"peak_bytes", s.peak_bytes}};
+  };
+  const auto ratios = [](const auto& b) {
+    return Json{{"cpu", b.cpu_ratio}, {"wall", b.wall_ratio}, {"memory", b.memory_ratio}};
+  };
   Json json;
   json["scenes"] = Json::array();
   for (const BenchScene& s : bench.scenes) {

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 // What a program of one's own looks like: pictures, then a whole suite against stored pictures.
 bool example(const fs::path& folder) {
-  compare::Metrics metrics = compare::measure(image::read_picture(folder / "povray.png"), image::read_picture(folder / "verisim.png"));
+  compare::Metrics metrics =
+      compare::measure(image::read_picture(folder / "povray.png"), image::read_picture(folder / "verisim.png"));
   compare::Verdict verdict = compare::judge_deterministic(metrics, /*antialiased=*/false);
   if (verdict.status != compare::Status::exact) return false;
 
@@ -36,9 +37,11 @@ TEST(LibraryExample, Runs) {
   const compare::TemporaryFolder folder;
   const image::Picture picture = compare::scene_like_picture(32, 24);
   fs::create_directories(folder.path() / "scenes");
-  for (const char* name : {"povray.png", "verisim.png", "scenes/stored.png"}) image::write_picture(picture, folder.path() / name);
+  for (const char* name : {"povray.png", "verisim.png", "scenes/stored.png"})
+    image::write_picture(picture, folder.path() / name);
   std::ofstream(folder.path() / "scenes/a.pov") << "camera {}";
-  std::ofstream(folder.path() / "scenes/verisim.toml") << "width = 32\nheight = 24\n[[scene]]\nfile = \"a.pov\"\nreference = \"stored.png\"\n";
+  std::ofstream(folder.path() / "scenes/verisim.toml")
+      << "width = 32\nheight = 24\n[[scene]]\nfile = \"a.pov\"\nreference = \"stored.png\"\n";
   EXPECT_TRUE(example(folder.path()));
   EXPECT_GT(fs::file_size(folder.path() / "report.html"), 10000u);
 }

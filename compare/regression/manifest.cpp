@@ -37,15 +37,18 @@ std::vector<fs::directory_entry> entries(const fs::path& folder) {
 void scenes_below(const fs::path& folder, std::vector<fs::path>& out) {
   for (const fs::directory_entry& entry : entries(folder)) {
     std::error_code failed;
-    if (entry.is_directory(failed) && !entry.is_symlink(failed)) scenes_below(entry.path(), out);
-    else if (entry.is_regular_file(failed) && is_scene(entry.path())) out.push_back(entry.path());
+    if (entry.is_directory(failed) && !entry.is_symlink(failed))
+      scenes_below(entry.path(), out);
+    else if (entry.is_regular_file(failed) && is_scene(entry.path()))
+      out.push_back(entry.path());
   }
 }
 
 // Reads the keys that a manifest's head (defaults of its scenes) and its [[scene]] tables have in common.
 class Manifest {
  public:
-  Manifest(const fs::path& file, const SuiteDefaults& defaults) : file_(file), folder_(fs::absolute(file).parent_path()) {
+  Manifest(const fs::path& file, const SuiteDefaults& defaults)
+      : file_(file), folder_(fs::absolute(file).parent_path()) {
     default_.width = defaults.width, default_.height = defaults.height, default_.switches = defaults.switches;
   }
 
@@ -58,8 +61,10 @@ class Manifest {
     }
     const toml::node* scenes = nullptr;
     for (auto&& [key, node] : table) {
-      if (key == "scene") scenes = &node;
-      else common(std::string(key.str()), node, default_);
+      if (key == "scene")
+        scenes = &node;
+      else
+        common(std::string(key.str()), node, default_);
     }
     if (!scenes) return whole_folder();
     const toml::array* array = scenes->as_array();
@@ -74,7 +79,8 @@ class Manifest {
 
  private:
   [[noreturn]] void fail(const toml::source_region& where, const std::string& what) const {
-    throw std::runtime_error(fmt::format("{}:{}:{}: error: {}", file_.string(), where.begin.line, where.begin.column, what));
+    throw std::runtime_error(
+        fmt::format("{}:{}:{}: error: {}", file_.string(), where.begin.line, where.begin.column, what));
   }
 
   template <typename T>
@@ -83,7 +89,9 @@ class Manifest {
     if (!value) fail(node.source(), fmt::format("'{}' must be {}", key, type));
     return *value;
   }
-  std::string text(const toml::node& node, const std::string& key) const { return get<std::string>(node, key, "a string"); }
+  std::string text(const toml::node& node, const std::string& key) const {
+    return get<std::string>(node, key, "a string");
+  }
   double number(const toml::node& node, const std::string& key) const {
     const auto value = node.value<double>();
     if (!value || !node.is_number()) fail(node.source(), fmt::format("'{}' must be a number", key));
@@ -112,9 +120,12 @@ class Manifest {
       Pass pass;
       bool has_matrix = false;
       for (auto&& [key, value] : *table) {
-        if (key == "switches") switches(value, switched);
-        else if (key == "matrix") pass.matrix = matrix(value), has_matrix = true;
-        else fail(value.source(), fmt::format("unknown key '{}' of a pass", std::string(key.str())));
+        if (key == "switches")
+          switches(value, switched);
+        else if (key == "matrix")
+          pass.matrix = matrix(value), has_matrix = true;
+        else
+          fail(value.source(), fmt::format("unknown key '{}' of a pass", std::string(key.str())));
       }
       if (!has_matrix) fail(item.source(), "a pass needs a 'matrix'");
       pass.switches = switched.switches;
@@ -133,16 +144,26 @@ class Manifest {
   }
 
   void common(const std::string& key, const toml::node& node, SceneRequest& out) const {
-    if (key == "width") out.width = side(node, key);
-    else if (key == "height") out.height = side(node, key);
-    else if (key == "switches") switches(node, out);
-    else if (key == "tags") out.tags = texts(node, key);
-    else if (key == "class") scene_class(node, out);
-    else if (key == "thresholds") thresholds(node, out);
-    else if (key == "crop") crop(node, out);
-    else if (key == "fit") fit(node, out);
-    else if (key == "pixels_per_degree") out.flip_pixels_per_degree = number(node, key);
-    else fail(node.source(), fmt::format("unknown key '{}'", key));
+    if (key == "width")
+      out.width = side(node, key);
+    else if (key == "height")
+      out.height = side(node, key);
+    else if (key == "switches")
+      switches(node, out);
+    else if (key == "tags")
+      out.tags = texts(node, key);
+    else if (key == "class")
+      scene_class(node, out);
+    else if (key == "thresholds")
+      thresholds(node, out);
+    else if (key == "crop")
+      crop(node, out);
+    else if (key == "fit")
+      fit(node, out);
+    else if (key == "pixels_per_degree")
+      out.flip_pixels_per_degree = number(node, key);
+    else
+      fail(node.source(), fmt::format("unknown key '{}'", key));
   }
   void switches(const toml::node& node, SceneRequest& out) const {
     if (node.is_array()) {
@@ -157,10 +178,14 @@ class Manifest {
   }
   void scene_class(const toml::node& node, SceneRequest& out) const {
     const std::string value = text(node, "class");
-    if (value == "auto") out.scene_class.reset();
-    else if (value == "deterministic") out.scene_class = SceneClass::deterministic;
-    else if (value == "stochastic") out.scene_class = SceneClass::stochastic;
-    else fail(node.source(), "'class' must be \"auto\", \"deterministic\" or \"stochastic\"");
+    if (value == "auto")
+      out.scene_class.reset();
+    else if (value == "deterministic")
+      out.scene_class = SceneClass::deterministic;
+    else if (value == "stochastic")
+      out.scene_class = SceneClass::stochastic;
+    else
+      fail(node.source(), "'class' must be \"auto\", \"deterministic\" or \"stochastic\"");
   }
   void thresholds(const toml::node& node, SceneRequest& out) const {
     const toml::table* table = node.as_table();
@@ -177,9 +202,11 @@ class Manifest {
     }
   }
 
-  std::vector<double> numbers(const toml::node& node, const std::string& key, std::size_t least, std::size_t most) const {
+  std::vector<double> numbers(const toml::node& node, const std::string& key, std::size_t least,
+                              std::size_t most) const {
     const toml::array* array = node.as_array();
-    if (!array || array->size() < least || array->size() > most) fail(node.source(), fmt::format("'{}' must be an array of {} numbers", key, most));
+    if (!array || array->size() < least || array->size() > most)
+      fail(node.source(), fmt::format("'{}' must be an array of {} numbers", key, most));
     std::vector<double> out;
     for (const toml::node& item : *array) out.push_back(number(item, key));
     return out;
@@ -187,28 +214,38 @@ class Manifest {
   void crop(const toml::node& node, SceneRequest& out) const {
     const std::vector<double> v = numbers(node, "crop", 4, 4);
     for (double x : v)
-      if (x != std::floor(x) || x < 0 || x > kMaxSide) fail(node.source(), "'crop' must be four whole numbers: x, y, width and height in the reference");
+      if (x != std::floor(x) || x < 0 || x > kMaxSide)
+        fail(node.source(), "'crop' must be four whole numbers: x, y, width and height in the reference");
     if (v[2] < 1 || v[3] < 1) fail(node.source(), "'crop' must have a width and a height of at least 1");
     out.fit.crop = Crop{static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2]), static_cast<int>(v[3])};
   }
   void fit(const toml::node& node, SceneRequest& out) const {
     out.fit.exposure = out.fit.white_balance = false;
     for (const std::string& what : texts(node, "fit")) {
-      if (what == "exposure") out.fit.exposure = true;
-      else if (what == "white_balance") out.fit.white_balance = true;
-      else fail(node.source(), "'fit' may hold \"exposure\" and \"white_balance\"");
+      if (what == "exposure")
+        out.fit.exposure = true;
+      else if (what == "white_balance")
+        out.fit.white_balance = true;
+      else
+        fail(node.source(), "'fit' may hold \"exposure\" and \"white_balance\"");
     }
   }
   void truth(const toml::node& node, SceneRequest& out) const {
     const toml::table* table = node.as_table();
-    if (!table) fail(node.source(), "'truth' must be a table: {formula = \"...\", tolerance = 0.001, points = [[x, y, value], ...]}");
+    if (!table)
+      fail(node.source(),
+           "'truth' must be a table: {formula = \"...\", tolerance = 0.001, points = [[x, y, value], ...]}");
     Truth& truth = out.truth.emplace();
     for (auto&& [k, value] : *table) {
       const std::string key(k.str());
-      if (key == "formula") truth.formula = text(value, key);
-      else if (key == "tolerance") truth.tolerance = number(value, key);
-      else if (key == "points") truth_points(value, truth);
-      else fail(value.source(), fmt::format("unknown key '{}' of 'truth'", key));
+      if (key == "formula")
+        truth.formula = text(value, key);
+      else if (key == "tolerance")
+        truth.tolerance = number(value, key);
+      else if (key == "points")
+        truth_points(value, truth);
+      else
+        fail(value.source(), fmt::format("unknown key '{}' of 'truth'", key));
     }
     if (truth.points.empty()) fail(node.source(), "'truth' needs 'points'");
   }
@@ -217,10 +254,14 @@ class Manifest {
     if (!array) fail(node.source(), "'points' must be an array of [x, y, value] or [x, y, red, green, blue]");
     for (const toml::node& item : *array) {
       const std::vector<double> v = numbers(item, "points", 3, 5);
-      if (v.size() == 4 || v[0] != std::floor(v[0]) || v[1] != std::floor(v[1]) || v[0] < 0 || v[1] < 0 || v[0] >= kMaxSide || v[1] >= kMaxSide)
-        fail(item.source(), "a point is [x, y, value] or [x, y, red, green, blue], with x and y whole numbers from the upper left corner");
+      if (v.size() == 4 || v[0] != std::floor(v[0]) || v[1] != std::floor(v[1]) || v[0] < 0 || v[1] < 0 ||
+          v[0] >= kMaxSide || v[1] >= kMaxSide)
+        fail(item.source(),
+             "a point is [x, y, value] or [x, y, red, green, blue], with x and y whole numbers from the upper left "
+             "corner");
       const bool grey = v.size() == 3;
-      out.points.push_back({static_cast<int>(v[0]), static_cast<int>(v[1]), {v[2], grey ? v[2] : v[3], grey ? v[2] : v[4]}});
+      out.points.push_back(
+          {static_cast<int>(v[0]), static_cast<int>(v[1]), {v[2], grey ? v[2] : v[3], grey ? v[2] : v[4]}});
     }
   }
 
@@ -242,18 +283,25 @@ class Manifest {
     std::string pattern;
     for (auto&& [k, node] : table) {
       const std::string key(k.str());
-      if (key == "file") pattern = text(node, key);
-      else if (key == "name") scene.name = text(node, key);
-      else if (key == "reference") scene.reference = folder_ / text(node, key);
-      else if (key == "truth") truth(node, scene);
-      else if (key == "passes") passes(node, scene);
-      else common(key, node, scene);
+      if (key == "file")
+        pattern = text(node, key);
+      else if (key == "name")
+        scene.name = text(node, key);
+      else if (key == "reference")
+        scene.reference = folder_ / text(node, key);
+      else if (key == "truth")
+        truth(node, scene);
+      else if (key == "passes")
+        passes(node, scene);
+      else
+        common(key, node, scene);
     }
     if (pattern.empty()) fail(table.source(), "a [[scene]] needs 'file'");
     if (scene.fit.any() && !scene.reference) fail(table.source(), "'crop' and 'fit' need a 'reference'");
     if (pattern.find_first_of("*?[") == std::string::npos) {
       scene.scene = (folder_ / pattern).lexically_normal();
-      if (!fs::is_regular_file(scene.scene)) fail(table.source(), fmt::format("there is no scene {}", scene.scene.string()));
+      if (!fs::is_regular_file(scene.scene))
+        fail(table.source(), fmt::format("there is no scene {}", scene.scene.string()));
       if (scene.name.empty()) scene.name = name_of(scene.scene);
       out.push_back(scene);
       return;
@@ -345,10 +393,11 @@ Suite filter(const Suite& suite, const Filter& f) {
   out.warnings = suite.warnings;
   const std::set<std::string> failed = f.failed_last_time ? failed_in(f.last_report) : std::set<std::string>();
   for (const SceneRequest& scene : suite.scenes) {
-    const bool name = f.names.empty() || std::any_of(f.names.begin(), f.names.end(), [&](const std::string& n) { return matches(scene.name, n); });
+    const bool name = f.names.empty() || std::any_of(f.names.begin(), f.names.end(),
+                                                     [&](const std::string& n) { return matches(scene.name, n); });
     const bool tag = f.tags.empty() || std::any_of(f.tags.begin(), f.tags.end(), [&](const std::string& t) {
-      return std::find(scene.tags.begin(), scene.tags.end(), t) != scene.tags.end();
-    });
+                       return std::find(scene.tags.begin(), scene.tags.end(), t) != scene.tags.end();
+                     });
     if (name && tag && (!f.failed_last_time || failed.contains(scene.name))) out.scenes.push_back(scene);
   }
   return out;

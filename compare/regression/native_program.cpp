@@ -19,7 +19,8 @@ namespace {
 std::vector<std::pair<std::string, std::string>> current_environment() {
   std::vector<std::pair<std::string, std::string>> out;
   for (char** entry = environ; *entry; ++entry)
-    if (const std::string text = *entry; text.find('=') != std::string::npos) out.emplace_back(text.substr(0, text.find('=')), text.substr(text.find('=') + 1));
+    if (const std::string text = *entry; text.find('=') != std::string::npos)
+      out.emplace_back(text.substr(0, text.find('=')), text.substr(text.find('=') + 1));
   return out;
 }
 
@@ -42,7 +43,8 @@ void read_statistics(const std::filesystem::path& file, NativeResult& out) {
   try {
     out.rays = json.value("rays", out.rays);
     out.stochastic_features = json.value("stochastic_features", out.stochastic_features);
-    for (const std::string& path : json.value("files_read", std::vector<std::string>())) out.files_read.emplace_back(path);
+    for (const std::string& path : json.value("files_read", std::vector<std::string>()))
+      out.files_read.emplace_back(path);
   } catch (const nlohmann::json::exception&) {
     // Statistics of another shape: the picture is compared all the same.
   }
@@ -50,16 +52,20 @@ void read_statistics(const std::filesystem::path& file, NativeResult& out) {
 
 }  // namespace
 
-ProcessRequest program_call(const std::filesystem::path& program, const std::string& command, const NativeRequest& request) {
+ProcessRequest program_call(const std::filesystem::path& program, const std::string& command,
+                            const NativeRequest& request) {
   ProcessRequest process;
-  process.arguments = {program.string(), command, request.scene.string(), fmt::format("+W{}", request.width), fmt::format("+H{}", request.height)};
+  process.arguments = {program.string(), command, request.scene.string(), fmt::format("+W{}", request.width),
+                       fmt::format("+H{}", request.height)};
   auto& arguments = process.arguments;
   arguments.insert(arguments.end(), request.switches.begin(), request.switches.end());
   if (request.threads > 0) arguments.push_back(fmt::format("+WT{}", request.threads));
   for (const auto& path : request.library_paths) arguments.push_back("+L" + path.string());
   if (request.replay) arguments.push_back("--replay");
-  if (request.seed) arguments.insert(arguments.end(), {"--seed", std::to_string(*request.seed)});
-  else if (request.run > 0) arguments.insert(arguments.end(), {"--seed", std::to_string(request.run)});
+  if (request.seed)
+    arguments.insert(arguments.end(), {"--seed", std::to_string(*request.seed)});
+  else if (request.run > 0)
+    arguments.insert(arguments.end(), {"--seed", std::to_string(request.run)});
   arguments.insert(arguments.end(), {"--allow-write", request.folder.string()});
   process.folder = request.folder;
   process.environment = current_environment();
@@ -89,7 +95,8 @@ NativeRenderer native_program(const std::filesystem::path& program, const std::v
     if (ended && run.exit_code == 4) {
       out.outcome = NativeResult::Outcome::unsupported;
     } else if (!ended || out.message.empty()) {
-      const bool says_why = !out.message.empty() && !run.timed_out && !run.cancelled;  // killed in the middle of whatever it was saying
+      const bool says_why =
+          !out.message.empty() && !run.timed_out && !run.cancelled;  // killed in the middle of whatever it was saying
       out.message = run.how_it_ended(request.time_limit) + (says_why ? ": " + out.message : "");
     }
     return out;

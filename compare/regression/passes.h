@@ -5,7 +5,8 @@
 
 namespace verisim::compare {
 
-// The scene as one of its passes: with the pass's switches, linear values without loss of range (OpenEXR), and no passes.
+// The scene as one of its passes: with the pass's switches, linear values without loss of range (OpenEXR), and no
+// passes.
 SceneRequest request_of_pass(const SceneRequest& scene, const Pass& pass);
 
 // Sums passes: out of linear values comes a picture of 16 bits, clipped to 0..1 and sRGB encoded. Alpha is left out.

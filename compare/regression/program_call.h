@@ -6,7 +6,9 @@
 
 namespace verisim::compare {
 
-// `program COMMAND SCENE +W +H [switches] [+WT] [+L...] [--replay] [--seed] --allow-write FOLDER` in the request's folder.
-ProcessRequest program_call(const std::filesystem::path& program, const std::string& command, const NativeRequest& request);
+// `program COMMAND SCENE +W +H [switches] [+WT] [+L...] [--replay] [--seed] --allow-write FOLDER` in the request's
+// folder.
+ProcessRequest program_call(const std::filesystem::path& program, const std::string& command,
+                            const NativeRequest& request);
 
 }  // namespace verisim::compare

@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 namespace {
 
 // A private copy's path as the original's. The neighbours of the scene's folder are links in the copy.
-std::vector<fs::path> original_paths(const std::vector<fs::path>& files, const WorkingCopy& copy, const fs::path& scene) {
+std::vector<fs::path> original_paths(const std::vector<fs::path>& files, const WorkingCopy& copy,
+                                     const fs::path& scene) {
   std::vector<fs::path> out;
   const fs::path original = fs::canonical(scene).parent_path();
   for (const fs::path& file : files) {
@@ -27,14 +28,17 @@ std::vector<fs::path> original_paths(const std::vector<fs::path>& files, const W
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
   return text;
 }
 // Messages name the original, not the copy that goes away.
 std::string original_names(std::string message, const WorkingCopy& copy, const fs::path& scene) {
   return replaced(std::move(message), copy.folder().string(), scene.parent_path().string());
 }
-std::string picture_extension(const SceneRequest& request) { return request.passes.empty() ? output_extension(request.switches) : ".png"; }
+std::string picture_extension(const SceneRequest& request) {
+  return request.passes.empty() ? output_extension(request.switches) : ".png";
+}
 
 }  // namespace
 
@@ -56,7 +60,8 @@ std::string file_stem(const std::string& name) {
 
 std::string short_names(std::string text, const WorkingCopy& copy, const std::vector<fs::path>& library) {
   text = replaced(std::move(text), copy.folder().string() + "/", "");
-  for (auto path = library.rbegin(); path != library.rend(); ++path) text = replaced(std::move(text), path->string() + "/", "");  // the longest is last
+  for (auto path = library.rbegin(); path != library.rend(); ++path)
+    text = replaced(std::move(text), path->string() + "/", "");  // the longest is last
   return text;
 }
 
@@ -77,7 +82,8 @@ NativeRequest Renders::native_request(const SceneRequest& request, const Working
   return ask;
 }
 
-NativeResult Renders::native(const SceneRequest& request, const fs::path& output, int run, std::vector<fs::path>& files_read) const {
+NativeResult Renders::native(const SceneRequest& request, const fs::path& output, int run,
+                             std::vector<fs::path>& files_read) const {
   if (!request.passes.empty()) return native_passes(request, output, run, files_read);
   const WorkingCopy copy(request.scene);
   NativeRequest ask = native_request(request, copy);
@@ -91,19 +97,22 @@ NativeResult Renders::native(const SceneRequest& request, const fs::path& output
     out.message = error.what();
   }
   out.message = original_names(out.message, copy, request.scene);
-  if (out.outcome == NativeResult::Outcome::rendered && !fs::exists(ask.output)) out.outcome = NativeResult::Outcome::error, out.message = "no picture was written";
+  if (out.outcome == NativeResult::Outcome::rendered && !fs::exists(ask.output))
+    out.outcome = NativeResult::Outcome::error, out.message = "no picture was written";
   files_read = original_paths(out.files_read, copy, request.scene);
   return out;
 }
 
-NativeResult Renders::native_passes(const SceneRequest& request, const fs::path& output, int run, std::vector<fs::path>& files_read) const {
+NativeResult Renders::native_passes(const SceneRequest& request, const fs::path& output, int run,
+                                    std::vector<fs::path>& files_read) const {
   NativeResult out;
   PassSum sum;
   const TemporaryFolder folder;
   const fs::path picture = folder.path() / "pass.exr";
   for (const Pass& pass : request.passes) {
     NativeResult one = native(request_of_pass(request, pass), picture, run, files_read);
-    one.seconds += out.seconds, one.cpu_seconds += out.cpu_seconds, one.peak_bytes = std::max(one.peak_bytes, out.peak_bytes);
+    one.seconds += out.seconds, one.cpu_seconds += out.cpu_seconds,
+        one.peak_bytes = std::max(one.peak_bytes, out.peak_bytes);
     for (const auto& [kind, count] : out.rays) one.rays[kind] += count;
     out = std::move(one);
     if (out.outcome != NativeResult::Outcome::rendered) return out;
@@ -113,15 +122,18 @@ NativeResult Renders::native_passes(const SceneRequest& request, const fs::path&
   return out;
 }
 
-OracleRender Renders::oracle_picture(const SceneRequest& request, const OracleOptions& options, int variant, const std::vector<fs::path>& files_read) const {
+OracleRender Renders::oracle_picture(const SceneRequest& request, const OracleOptions& options, int variant,
+                                     const std::vector<fs::path>& files_read) const {
   if (request.passes.empty()) return run_oracle(*oracle_, options, request, variant, files_read, options_.cancel);
   OracleRender out;
   PassSum sum;
   bool from_cache = true;
   for (const Pass& pass : request.passes) {
-    OracleRender one = run_oracle(*oracle_, options, request_of_pass(request, pass), variant, files_read, options_.cancel);
+    OracleRender one =
+        run_oracle(*oracle_, options, request_of_pass(request, pass), variant, files_read, options_.cancel);
     if (!one.ok) return one;
-    out.seconds += one.seconds, out.cpu_seconds += one.cpu_seconds, out.peak_bytes = std::max(out.peak_bytes, one.peak_bytes), from_cache = from_cache && one.from_cache;
+    out.seconds += one.seconds, out.cpu_seconds += one.cpu_seconds,
+        out.peak_bytes = std::max(out.peak_bytes, one.peak_bytes), from_cache = from_cache && one.from_cache;
     sum.add(one.picture, pass);
   }
   out.picture = sum.picture(), out.ok = true, out.from_cache = from_cache;
@@ -130,10 +142,12 @@ OracleRender Renders::oracle_picture(const SceneRequest& request, const OracleOp
 
 fs::path Renders::stored_picture(const SceneRequest& request) const {
   if (request.reference) return *request.reference;
-  return options_.baseline.empty() ? fs::path() : options_.baseline / (file_stem(request.name) + picture_extension(request));
+  return options_.baseline.empty() ? fs::path()
+                                   : options_.baseline / (file_stem(request.name) + picture_extension(request));
 }
 
-OracleRender Renders::reference(const SceneRequest& request, const std::vector<fs::path>& files_read, int variant) const {
+OracleRender Renders::reference(const SceneRequest& request, const std::vector<fs::path>& files_read,
+                                int variant) const {
   const fs::path stored = stored_picture(request);
   if (stored.empty()) {
     OracleOptions options = options_.oracle;

@@ -1,4 +1,5 @@
-// The two pictures of a scene in a run: verisim's, and what it is compared with. Scenes of several passes are summed here; runs of a noisy scene are told apart by numbers.
+// The two pictures of a scene in a run: verisim's, and what it is compared with. Scenes of several passes are summed
+// here; runs of a noisy scene are told apart by numbers.
 #pragma once
 
 #include <optional>
@@ -20,21 +21,27 @@ class Renders {
       : options_(options), work_(std::move(work)), oracle_(std::move(oracle)), threads_each_(threads_each) {}
 
   // verisim's picture, in the file `output`. `files_read` gets the scene's own files by their original names.
-  NativeResult native(const SceneRequest& request, const std::filesystem::path& output, int run, std::vector<std::filesystem::path>& files_read) const;
+  NativeResult native(const SceneRequest& request, const std::filesystem::path& output, int run,
+                      std::vector<std::filesystem::path>& files_read) const;
   // The oracle's, or what takes its place.
-  OracleRender reference(const SceneRequest& request, const std::vector<std::filesystem::path>& files_read, int variant) const;
+  OracleRender reference(const SceneRequest& request, const std::vector<std::filesystem::path>& files_read,
+                         int variant) const;
 
   std::filesystem::path native_output(const SceneRequest& request, const std::string& stem, int run) const;
   // What takes the oracle's place; empty: nothing.
   std::filesystem::path stored_picture(const SceneRequest& request) const;
   NativeRequest native_request(const SceneRequest& request, const WorkingCopy& copy) const;
-  std::vector<std::filesystem::path> library_paths() const { return oracle_ ? oracle_->library_paths : std::vector<std::filesystem::path>(); }
+  std::vector<std::filesystem::path> library_paths() const {
+    return oracle_ ? oracle_->library_paths : std::vector<std::filesystem::path>();
+  }
   const std::optional<OracleProgram>& oracle() const { return oracle_; }
   const std::filesystem::path& work() const { return work_; }
 
  private:
-  NativeResult native_passes(const SceneRequest& request, const std::filesystem::path& output, int run, std::vector<std::filesystem::path>& files_read) const;
-  OracleRender oracle_picture(const SceneRequest& request, const OracleOptions& options, int variant, const std::vector<std::filesystem::path>& files_read) const;
+  NativeResult native_passes(const SceneRequest& request, const std::filesystem::path& output, int run,
+                             std::vector<std::filesystem::path>& files_read) const;
+  OracleRender oracle_picture(const SceneRequest& request, const OracleOptions& options, int variant,
+                              const std::vector<std::filesystem::path>& files_read) const;
 
   const RunOptions& options_;
   std::filesystem::path work_;

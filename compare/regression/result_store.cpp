@@ -17,8 +17,10 @@ namespace {
 Metrics measured_again(const Metrics& kept, Metrics m) {
   m.max_abs = kept.max_abs, m.mae = kept.mae, m.rmse = kept.rmse, m.psnr = kept.psnr, m.bias = kept.bias;
   m.within_1_pct = kept.within_1_pct, m.within_2_pct = kept.within_2_pct;
-  m.ssim_mean = kept.ssim_mean, m.ssim_block_min = kept.ssim_block_min, m.flip_mean = kept.flip_mean, m.hdr_flip_mean = kept.hdr_flip_mean;
-  m.ciede2000_mean = kept.ciede2000_mean, m.ciede2000_p95 = kept.ciede2000_p95, m.edge_rmse = kept.edge_rmse, m.interior_rmse = kept.interior_rmse;
+  m.ssim_mean = kept.ssim_mean, m.ssim_block_min = kept.ssim_block_min, m.flip_mean = kept.flip_mean,
+  m.hdr_flip_mean = kept.hdr_flip_mean;
+  m.ciede2000_mean = kept.ciede2000_mean, m.ciede2000_p95 = kept.ciede2000_p95, m.edge_rmse = kept.edge_rmse,
+  m.interior_rmse = kept.interior_rmse;
   m.alpha_max_abs = kept.alpha_max_abs, m.alpha_rmse = kept.alpha_rmse, m.nan_pixels = kept.nan_pixels;
   return m;
 }
@@ -35,8 +37,10 @@ MetricOptions metric_options(const SceneRequest& request) {
 std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path> files_read) const {
   ContentHash hash;
   hash.add("verisim result 3");
-  hash.add(options_.native_version), hash.add(options_.native_identity), hash.add(renders_.oracle() ? renders_.oracle()->version_text : "");
-  hash.add(fmt::format("{}x{} {} {} {} {} {}", r.width, r.height, options_.replay, options_.runs, options_.baseline.string(), options_.always_blame, static_cast<bool>(options_.tags)));
+  hash.add(options_.native_version), hash.add(options_.native_identity),
+      hash.add(renders_.oracle() ? renders_.oracle()->version_text : "");
+  hash.add(fmt::format("{}x{} {} {} {} {} {}", r.width, r.height, options_.replay, options_.runs,
+                       options_.baseline.string(), options_.always_blame, static_cast<bool>(options_.tags)));
   for (const std::string& s : r.switches) hash.add(s);
   for (const Pass& pass : r.passes) {
     for (const std::string& s : pass.switches) hash.add(s);
@@ -44,10 +48,14 @@ std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path>
   }
   hash.add(r.scene_class ? to_string(*r.scene_class) : "auto");
   for (const auto& [name, limit] : r.thresholds) hash.add(fmt::format("{} {}", name, limit));
-  hash.add(fmt::format("{} {} {} {}", r.fit.exposure, r.fit.white_balance, r.fit.crop ? fmt::format("{} {} {} {}", r.fit.crop->x, r.fit.crop->y, r.fit.crop->width, r.fit.crop->height) : "",
-                       r.flip_pixels_per_degree));
+  hash.add(fmt::format(
+      "{} {} {} {}", r.fit.exposure, r.fit.white_balance,
+      r.fit.crop ? fmt::format("{} {} {} {}", r.fit.crop->x, r.fit.crop->y, r.fit.crop->width, r.fit.crop->height) : "",
+      r.flip_pixels_per_degree));
   if (r.truth)
-    for (const TruthPoint& point : r.truth->points) hash.add(fmt::format("{} {} {} {} {} {}", point.x, point.y, point.value[0], point.value[1], point.value[2], r.truth->tolerance));
+    for (const TruthPoint& point : r.truth->points)
+      hash.add(fmt::format("{} {} {} {} {} {}", point.x, point.y, point.value[0], point.value[1], point.value[2],
+                           r.truth->tolerance));
   files_read.push_back(r.scene);
   if (const fs::path stored = renders_.stored_picture(r); !stored.empty()) files_read.push_back(stored);
   std::sort(files_read.begin(), files_read.end());
@@ -66,11 +74,15 @@ bool ResultStore::resumed(const std::string& stem, SceneResult& result) const {
     if (json.at("key") != resume_key(result.request, files)) return false;
     SceneResult read = scene_result_from_json(json.at("result"));
     read.request = result.request;
-    for (auto [path, name] : {std::pair(&read.oracle_picture, "oracle_picture"), std::pair(&read.native_picture, "native_picture")})
+    for (auto [path, name] :
+         {std::pair(&read.oracle_picture, "oracle_picture"), std::pair(&read.native_picture, "native_picture")})
       if (const std::string file = json.value(name, ""); !file.empty()) *path = renders_.work() / file;
-    for (const auto& tree : json.value("trees", nlohmann::json::array())) read.trees.push_back({tree.at("x"), tree.at("y"), tree.at("text")});
+    for (const auto& tree : json.value("trees", nlohmann::json::array()))
+      read.trees.push_back({tree.at("x"), tree.at("y"), tree.at("text")});
     if (!read.oracle_picture.empty() && !read.native_picture.empty() && read.metrics)
-      read.metrics = measured_again(*read.metrics, measure(image::read_picture(read.oracle_picture), image::read_picture(read.native_picture), metric_options(result.request)));
+      read.metrics = measured_again(
+          *read.metrics, measure(image::read_picture(read.oracle_picture), image::read_picture(read.native_picture),
+                                 metric_options(result.request)));
     result = std::move(read);
     return true;
   } catch (const std::exception&) {
@@ -78,16 +90,19 @@ bool ResultStore::resumed(const std::string& stem, SceneResult& result) const {
   }
 }
 
-void ResultStore::remember(const std::string& stem, const std::vector<fs::path>& files_read, const SceneResult& result) const {
+void ResultStore::remember(const std::string& stem, const std::vector<fs::path>& files_read,
+                           const SceneResult& result) const {
   nlohmann::json json;
   json["key"] = resume_key(result.request, files_read);
   json["files_read"] = nlohmann::json::array();
   for (const fs::path& file : files_read) json["files_read"].push_back(file.string());
-  for (const PixelTags::Tree& tree : result.trees) json["trees"].push_back({{"x", tree.x}, {"y", tree.y}, {"text", tree.text}});
+  for (const PixelTags::Tree& tree : result.trees)
+    json["trees"].push_back({{"x", tree.x}, {"y", tree.y}, {"text", tree.text}});
   json["result"] = to_json(result);
   json["oracle_picture"] = result.oracle_picture.filename().string();
   json["native_picture"] = result.native_picture.filename().string();
-  write_report(json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace), renders_.work() / (stem + ".result.json"));
+  write_report(json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace),
+               renders_.work() / (stem + ".result.json"));
 }
 
 }  // namespace verisim::compare

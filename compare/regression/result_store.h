@@ -14,10 +14,12 @@ class ResultStore {
 
   // Replaces `result` and returns true if the scene was judged before and nothing has changed since.
   bool resumed(const std::string& stem, SceneResult& result) const;
-  void remember(const std::string& stem, const std::vector<std::filesystem::path>& files_read, const SceneResult& result) const;
+  void remember(const std::string& stem, const std::vector<std::filesystem::path>& files_read,
+                const SceneResult& result) const;
 
  private:
-  // A result is kept only while nothing has changed that decides it: the content of every file the scene reads, the settings, and both programs.
+  // A result is kept only while nothing has changed that decides it: the content of every file the scene reads, the
+  // settings, and both programs.
   std::string resume_key(const SceneRequest& request, std::vector<std::filesystem::path> files_read) const;
 
   const RunOptions& options_;

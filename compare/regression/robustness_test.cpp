@@ -1,4 +1,5 @@
-// What goes wrong in one scene is a line of the report, and the rest goes on: hostile pictures, sizes, folders and programs.
+// What goes wrong in one scene is a line of the report, and the rest goes on: hostile pictures, sizes, folders and
+// programs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +33,9 @@ class Robustness : public testing::Test {
     image::write_picture(scene_like_picture(32, 24), picture_);
   }
   const fs::path& root() const { return folder_.path(); }
-  void write(const std::string& name, const std::string& text) { std::ofstream(root() / "scenes" / name, std::ios::binary) << text; }
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(root() / "scenes" / name, std::ios::binary) << text;
+  }
   // A scene with its stored reference.
   void scene(const std::string& name, const std::string& reference, const std::string& more = "") {
     write(name, "//");
@@ -68,7 +71,8 @@ TEST_F(Robustness, BrokenReferencesAreErrorsOfTheirScenesOnly) {
   write("huge.png", huge);
   write("text.png", "not a picture");
   image::write_picture(scene_like_picture(1, 1), root() / "scenes/tiny.png");
-  for (const char* name : {"good", "empty", "truncated", "corrupt", "huge", "text", "tiny"}) scene(std::string(name) + ".pov", std::string(name) + ".png");
+  for (const char* name : {"good", "empty", "truncated", "corrupt", "huge", "text", "tiny"})
+    scene(std::string(name) + ".pov", std::string(name) + ".png");
   auto r = run();
   EXPECT_EQ(r["good.pov"].status, Status::exact) << r["good.pov"].reason;
   for (const char* name : {"empty.pov", "truncated.pov", "corrupt.pov", "huge.pov", "text.pov"}) {
@@ -100,7 +104,8 @@ TEST_F(Robustness, PicturesThatDoNotFitInMemory) {
   options_.memory_limit = std::uint64_t{4} << 30;
   auto r = run();
   EXPECT_EQ(r["large.pov"].status, Status::error);
-  EXPECT_THAT(r["large.pov"].reason, HasSubstr("400.0 million pixels take about 19.4 GiB to compare, and 4.0 GiB are available"));
+  EXPECT_THAT(r["large.pov"].reason,
+              HasSubstr("400.0 million pixels take about 19.4 GiB to compare, and 4.0 GiB are available"));
   EXPECT_EQ(r["good.pov"].status, Status::exact);
   EXPECT_EQ(renders_.load(), 1);
   EXPECT_GT(available_bytes(), 0u);
@@ -151,7 +156,8 @@ TEST_F(Robustness, AChangedIncludeFileIsNotResumed) {
   write("common.inc", "#declare A = 2;");
   run();
   EXPECT_EQ(renders_.load(), 2);
-  image::write_picture(changed(scene_like_picture(32, 24), [](double v) { return v / 2; }), root() / "scenes/good.png");  // the reference, too
+  image::write_picture(changed(scene_like_picture(32, 24), [](double v) { return v / 2; }),
+                       root() / "scenes/good.png");  // the reference, too
   EXPECT_EQ(run()["a.pov"].status, Status::differ);
   EXPECT_EQ(renders_.load(), 3);
   options_.native_identity = "another build";
@@ -160,7 +166,8 @@ TEST_F(Robustness, AChangedIncludeFileIsNotResumed) {
   run();
   EXPECT_EQ(renders_.load(), 4);
   EXPECT_EQ(last_.scenes[0].status, Status::differ);
-  std::ofstream(root() / "work/a.pov.result.json") << "{\"key\": 3, \"files_read\": [";  // broken off while it was written
+  std::ofstream(root() / "work/a.pov.result.json")
+      << "{\"key\": 3, \"files_read\": [";  // broken off while it was written
   run();
   EXPECT_EQ(renders_.load(), 5);
 }
@@ -168,7 +175,8 @@ TEST_F(Robustness, AChangedIncludeFileIsNotResumed) {
 TEST_F(Robustness, PhotographsAreFittedAndTheFitIsReported) {
   Picture photo = changed(scene_like_picture(64, 48), [](double v) { return 255 * std::pow(v / 255, 1.0) * 0.7; });
   image::write_picture(photo, root() / "scenes/photo.png");
-  scene("a.pov", "photo.png", "crop = [0, 0, 64, 48]\nfit = [\"exposure\", \"white_balance\"]\nthresholds = { max_rmse = 255 }\n");
+  scene("a.pov", "photo.png",
+        "crop = [0, 0, 64, 48]\nfit = [\"exposure\", \"white_balance\"]\nthresholds = { max_rmse = 255 }\n");
   auto r = run();
   ASSERT_TRUE(r["a.pov"].fit) << r["a.pov"].reason;
   EXPECT_TRUE(r["a.pov"].fit->resampled);
@@ -179,11 +187,13 @@ TEST_F(Robustness, PhotographsAreFittedAndTheFitIsReported) {
 }
 
 TEST_F(Robustness, AKnownAnswerDecides) {
-  const Picture right = constant_picture(32, 24, 51, 51, 51), wrong = constant_picture(32, 24, 60, 60, 60);  // 0.2 is true
+  const Picture right = constant_picture(32, 24, 51, 51, 51),
+                wrong = constant_picture(32, 24, 60, 60, 60);  // 0.2 is true
   image::write_picture(right, root() / "right.png");
   image::write_picture(wrong, root() / "scenes/wrong.png");
   image::write_picture(right, root() / "scenes/right.png");
-  const std::string truth = "truth = { formula = \"one fifth\", tolerance = 0.001, points = [[3, 4, 0.2], [10, 10, 0.2, 0.2, 0.2]] }\n";
+  const std::string truth =
+      "truth = { formula = \"one fifth\", tolerance = 0.001, points = [[3, 4, 0.2], [10, 10, 0.2, 0.2, 0.2]] }\n";
   scene("ours_is_right.pov", "wrong.png", truth);
   scene("both.pov", "right.png", truth);
   picture_ = root() / "right.png";
@@ -192,7 +202,8 @@ TEST_F(Robustness, AKnownAnswerDecides) {
   EXPECT_THAT(r["ours_is_right.pov"].reason, HasSubstr("the reference misses by 0.035"));
   EXPECT_EQ(r["both.pov"].status, Status::exact);
   EXPECT_THAT(html_report(last_), HasSubstr("one fifth"));
-  fs::copy_file(root() / "scenes/wrong.png", root() / "right.png", fs::copy_options::overwrite_existing);  // now we are wrong
+  fs::copy_file(root() / "scenes/wrong.png", root() / "right.png",
+                fs::copy_options::overwrite_existing);  // now we are wrong
   r = run();
   EXPECT_EQ(r["ours_is_right.pov"].status, Status::differ) << "although both agree";
   EXPECT_THAT(r["both.pov"].reason, HasSubstr("known answer is missed by 0.035"));

@@ -1,4 +1,5 @@
-// Whole runs with a script in the place of POV-Ray and a function in the place of our renderer; manifests, filters, baselines, bench.
+// Whole runs with a script in the place of POV-Ray and a function in the place of our renderer; manifests, filters,
+// baselines, bench.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +34,8 @@ void script(const fs::path& path, const std::string& text) {
 void write_linear(const Picture& picture, const fs::path& path) {
   render::Framebuffer frame;
   frame.width = picture.width, frame.height = picture.height;
-  for (std::size_t i = 0; i < picture.samples.size(); i += 3) frame.pixels.push_back(Color{picture.samples[i], picture.samples[i + 1], picture.samples[i + 2], 0, 0});
+  for (std::size_t i = 0; i < picture.samples.size(); i += 3)
+    frame.pixels.push_back(Color{picture.samples[i], picture.samples[i + 1], picture.samples[i + 2], 0, 0});
   image::OutputOptions options;
   options.format = image::Format::exr;
   image::write(frame, path, options);
@@ -55,17 +57,24 @@ class RunTest : public testing::Test {
  protected:
   RunTest() {
     image::write_picture(scene_like_picture(32, 24), pictures() / "plain.png");
-    image::write_picture(changed(scene_like_picture(32, 24), [](double v) { return std::min(255.0, v + 30); }), pictures() / "bright.png");
+    image::write_picture(changed(scene_like_picture(32, 24), [](double v) { return std::min(255.0, v + 30); }),
+                         pictures() / "bright.png");
     std::mt19937 random(5);
     for (int i = 1; i <= 8; ++i) {
       std::normal_distribution<double> noise(0, 8);
-      image::write_picture(changed(scene_like_picture(32, 24), [&](double v) { return std::clamp(std::round(v + noise(random)), 0.0, 255.0); }), pictures() / fmt::format("noisy{}.png", i));
+      image::write_picture(changed(scene_like_picture(32, 24),
+                                   [&](double v) { return std::clamp(std::round(v + noise(random)), 0.0, 255.0); }),
+                           pictures() / fmt::format("noisy{}.png", i));
     }
-    script(root() / "pov", "if [ \"$1\" = --version ]; then echo 'POV-Ray 3.7.test'; exit 0; fi\n"
-                           "for a in \"$@\"; do case \"$a\" in +I*) in=\"${a#+I}\";; +O*) out=\"${a#+O}\";; +WT*) t=\"${a#+WT}\";; esac; done\n"
-                           "echo \"$in\" >> " + (root() / "oracle.log").string() + "\n"
-                           "case $(cat $in) in crash) kill -SEGV $$;; hang) sleep 60;; noisy) cp " + pictures().string() + "/noisy$t.png $out;; *) cp " + pictures().string() +
-                           "/plain.png $out;; esac\n");
+    script(root() / "pov",
+           "if [ \"$1\" = --version ]; then echo 'POV-Ray 3.7.test'; exit 0; fi\n"
+           "for a in \"$@\"; do case \"$a\" in +I*) in=\"${a#+I}\";; +O*) out=\"${a#+O}\";; +WT*) t=\"${a#+WT}\";; "
+           "esac; done\n"
+           "echo \"$in\" >> " +
+               (root() / "oracle.log").string() +
+               "\n"
+               "case $(cat $in) in crash) kill -SEGV $$;; hang) sleep 60;; noisy) cp " +
+               pictures().string() + "/noisy$t.png $out;; *) cp " + pictures().string() + "/plain.png $out;; esac\n");
     options_.oracle.program = root() / "pov";
     options_.oracle.cache = root() / "cache";
     options_.oracle.time_limit = 20;
@@ -107,7 +116,10 @@ class RunTest : public testing::Test {
     out.outcome = NativeResult::Outcome::rendered;
     if (text == "noisy") out.stochastic_features = {"radiosity"};
     if (text == "forgets") return out;
-    fs::copy_file(pictures() / (text == "noisy" ? fmt::format("noisy{}.png", 2 + 2 * request.run) : text == "bright" || all_bright_ ? "bright.png" : "plain.png"), request.output);
+    fs::copy_file(pictures() / (text == "noisy"                   ? fmt::format("noisy{}.png", 2 + 2 * request.run)
+                                : text == "bright" || all_bright_ ? "bright.png"
+                                                                  : "plain.png"),
+                  request.output);
     out.seconds = 0.5, out.rays = {{"camera", 768}};
     return out;
   }
@@ -169,8 +181,10 @@ TEST_F(RunTest, SeveralRunsAskWelch) {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, 6);
   for (int i = 1; i <= 12; ++i)
-    image::write_picture(changed(scene_like_picture(32, 24), [&](double v) { return std::clamp(std::round(v + noise(random) + (i > 8 ? 1 : 0)), 0.0, 255.0); }),
-                         pictures() / ("noisy" + std::to_string(i) + ".png"));
+    image::write_picture(
+        changed(scene_like_picture(32, 24),
+                [&](double v) { return std::clamp(std::round(v + noise(random) + (i > 8 ? 1 : 0)), 0.0, 255.0); }),
+        pictures() / ("noisy" + std::to_string(i) + ".png"));
   scene("noisy.pov", "noisy");
   options_.runs = 4;
   int first = 2, step = 2;
@@ -203,7 +217,8 @@ TEST_F(RunTest, SeveralRunsAskWelch) {
 TEST_F(RunTest, ARefusalIsTriedAgainWithTwiceAsManyRuns) {
   const auto spot = [&](int value, const std::string& name) {
     Picture p = scene_like_picture(32, 24);
-    for (int c = 0; c < 3; ++c) p.samples[static_cast<std::size_t>(3 * (12 * 32 + 16) + c)] = static_cast<float>(value) / 255;
+    for (int c = 0; c < 3; ++c)
+      p.samples[static_cast<std::size_t>(3 * (12 * 32 + 16) + c)] = static_cast<float>(value) / 255;
     image::write_picture(p, pictures() / name);
   };
   for (int i = 1; i <= 7; i += 2) spot(118, "noisy" + std::to_string(i) + ".png");
@@ -328,7 +343,8 @@ TEST_F(RunTest, UnwritableWorkFolder) {
 TEST_F(RunTest, StoredReferenceOfAnotherSizeIsAnError) {
   scene("a.pov", "plain");
   image::write_picture(random_picture(5, 5, 1), root() / "scenes/photo.png");
-  write(root() / "scenes/verisim.toml", "width = 32\nheight = 24\n[[scene]]\nfile = \"a.pov\"\nreference = \"photo.png\"\n");
+  write(root() / "scenes/verisim.toml",
+        "width = 32\nheight = 24\n[[scene]]\nfile = \"a.pov\"\nreference = \"photo.png\"\n");
   options_.oracle.program = root() / "missing";  // not needed
   auto r = run();
   EXPECT_EQ(r["a.pov"].status, Status::error);
@@ -405,17 +421,20 @@ TEST_F(RunTest, ManifestErrorsHaveTheirPlace) {
   EXPECT_THAT(message("[[scene]]\nfile = \"none.pov\"\n"), HasSubstr("none.pov"));
   EXPECT_THAT(message("[[scene]]\nfile = \"none*.pov\"\n"), HasSubstr("no scene is named"));
   EXPECT_THAT(message("scene = 3\n"), HasSubstr("[[scene]]"));
-  EXPECT_THAT(message("[[scene]]\nfile = \"one.pov\"\npasses = [{ switches = \"-A\" }]\n"), HasSubstr("needs a 'matrix'"));
-  EXPECT_THAT(message("[[scene]]\nfile = \"one.pov\"\npasses = [{ matrix = [[1, 2], [3, 4]] }]\n"), HasSubstr("three rows of three numbers"));
+  EXPECT_THAT(message("[[scene]]\nfile = \"one.pov\"\npasses = [{ switches = \"-A\" }]\n"),
+              HasSubstr("needs a 'matrix'"));
+  EXPECT_THAT(message("[[scene]]\nfile = \"one.pov\"\npasses = [{ matrix = [[1, 2], [3, 4]] }]\n"),
+              HasSubstr("three rows of three numbers"));
   EXPECT_EQ(message("width = 40\n"), "no error");
 }
 
 // Two renders that add up: red from the first one's blue, green from the second.
 TEST_F(RunTest, PassesAddUpToOnePicture) {
   scene("bands.pov", "plain");
-  write(root() / "scenes/verisim.toml", "width = 4\nheight = 3\n[[scene]]\nfile = \"bands.pov\"\npasses = [\n"
-                                        "  { switches = \"Declare=Bands=0\", matrix = [[0, 0, 0.5], [0, 0, 0], [0, 0, 0]] },\n"
-                                        "  { switches = \"Declare=Bands=1\", matrix = [[0, 0, 0], [0, 2, 0], [-1, 0, 0]] },\n]\n");
+  write(root() / "scenes/verisim.toml",
+        "width = 4\nheight = 3\n[[scene]]\nfile = \"bands.pov\"\npasses = [\n"
+        "  { switches = \"Declare=Bands=0\", matrix = [[0, 0, 0.5], [0, 0, 0], [0, 0, 0]] },\n"
+        "  { switches = \"Declare=Bands=1\", matrix = [[0, 0, 0], [0, 2, 0], [-1, 0, 0]] },\n]\n");
   options_.baseline = root() / "baseline";
   std::vector<std::vector<std::string>> asked;
   options_.native = [&](const NativeRequest& request) {
@@ -428,7 +447,8 @@ TEST_F(RunTest, PassesAddUpToOnePicture) {
     return out;
   };
   run();
-  EXPECT_THAT(asked, ElementsAre(ElementsAre("-A", "Declare=Bands=0", "+FE"), ElementsAre("-A", "Declare=Bands=1", "+FE")));
+  EXPECT_THAT(asked,
+              ElementsAre(ElementsAre("-A", "Declare=Bands=0", "+FE"), ElementsAre("-A", "Declare=Bands=1", "+FE")));
   ASSERT_EQ(last_.scenes.size(), 1u);
   EXPECT_EQ(last_.scenes[0].native_seconds, 4);
   update_baseline(last_, options_.baseline, false);
@@ -464,13 +484,18 @@ TEST_F(RunTest, HundredsOfScenesAndHostileNames) {
 TEST_F(RunTest, NativeProgramReadsStatusMessageAndStatistics) {
   scene("a.pov", "plain");
   const auto result = [&](const std::string& body) {
-    script(root() / "verisim", "for a in \"$@\"; do case \"$a\" in +O*) out=\"${a#+O}\";; esac; [ \"$last\" = --stats ] && stats=\"$a\"; last=\"$a\"; done\n"
-                               "echo \"$@\" > " + (root() / "arguments").string() + "\n" + body + "\n");
+    script(root() / "verisim",
+           "for a in \"$@\"; do case \"$a\" in +O*) out=\"${a#+O}\";; esac; [ \"$last\" = --stats ] && stats=\"$a\"; "
+           "last=\"$a\"; done\n"
+           "echo \"$@\" > " +
+               (root() / "arguments").string() + "\n" + body + "\n");
     NativeRequest request;
-    request.folder = root() / "scenes", request.scene = root() / "scenes/a.pov", request.output = root() / "out.png", request.switches = {"-A"}, request.time_limit = 1;
+    request.folder = root() / "scenes", request.scene = root() / "scenes/a.pov", request.output = root() / "out.png",
+    request.switches = {"-A"}, request.time_limit = 1;
     return native_program(root() / "verisim")(request);
   };
-  NativeResult r = result("echo '{\"rays\":{\"camera\":7},\"stochastic_features\":[\"crand\"],\"files_read\":[\"a.pov\"]}' > \"$stats\"");
+  NativeResult r = result(
+      "echo '{\"rays\":{\"camera\":7},\"stochastic_features\":[\"crand\"],\"files_read\":[\"a.pov\"]}' > \"$stats\"");
   EXPECT_EQ(r.outcome, NativeResult::Outcome::rendered);
   EXPECT_EQ(r.rays["camera"], 7u);
   EXPECT_THAT(r.stochastic_features, ElementsAre("crand"));

@@ -1,4 +1,5 @@
-// A run: every scene through our renderer and the oracle, several at a time, each on its own: what goes wrong in one scene is a line in the report.
+// A run: every scene through our renderer and the oracle, several at a time, each on its own: what goes wrong in one
+// scene is a line in the report.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -51,7 +52,8 @@ class Runner {
   bool cancelled() const { return options_.cancel && *options_.cancel; }
 
   void prepare(int jobs) {
-    run_.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+    run_.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                               fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
     run_.native_version = options_.native_version;
     fs::path work;
     if (options_.work.empty()) {
@@ -61,18 +63,24 @@ class Runner {
     } else {
       std::error_code failed;
       fs::create_directories(options_.work, failed);
-      if (failed) throw std::runtime_error(fmt::format("{}: cannot make the folder: {}", options_.work.string(), failed.message()));
+      if (failed)
+        throw std::runtime_error(
+            fmt::format("{}: cannot make the folder: {}", options_.work.string(), failed.message()));
       work = fs::canonical(options_.work);
     }
     if (!options_.baseline.empty()) run_.reference_name = "baseline";
-    const bool needs_oracle = options_.baseline.empty() && std::any_of(suite_.scenes.begin(), suite_.scenes.end(), [](const SceneRequest& s) { return !s.reference; });
+    const bool needs_oracle =
+        options_.baseline.empty() &&
+        std::any_of(suite_.scenes.begin(), suite_.scenes.end(), [](const SceneRequest& s) { return !s.reference; });
     std::optional<OracleProgram> oracle;
     if (needs_oracle) {
       oracle = find_oracle(options_.oracle);
       run_.oracle_version = oracle->version;
       run_.reference_name = oracle->name;
     }
-    const int threads_each = options_.native_threads > 0 ? options_.native_threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / jobs);
+    const int threads_each = options_.native_threads > 0
+                                 ? options_.native_threads
+                                 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / jobs);
     renders_.emplace(options_, work, std::move(oracle), threads_each);
     store_.emplace(options_, *renders_);
     read_previous();
@@ -83,7 +91,8 @@ class Runner {
     std::ifstream in(options_.previous_report);
     if (!in) return;
     const auto json = nlohmann::json::parse(in, nullptr, false);
-    if (!json.is_object() || !json.contains("scenes") || !json["scenes"].is_array()) throw std::runtime_error(options_.previous_report.string() + ": not a report of verisim compare");
+    if (!json.is_object() || !json.contains("scenes") || !json["scenes"].is_array())
+      throw std::runtime_error(options_.previous_report.string() + ": not a report of verisim compare");
     for (const auto& scene : json["scenes"]) {
       try {
         SceneResult result = scene_result_from_json(scene);
@@ -144,12 +153,14 @@ class Runner {
     return result;
   }
 
-  void compare_one(const SceneRequest& request, const std::string& stem, SceneResult& result, std::vector<fs::path>& files_read) {
+  void compare_one(const SceneRequest& request, const std::string& stem, SceneResult& result,
+                   std::vector<fs::path>& files_read) {
     if (!fs::is_regular_file(request.scene)) {
       result.reason = request.scene.string() + ": no such scene file";
       return;
     }
-    require_memory(static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height), request.alpha() ? 4 : 3, options_.memory_limit);
+    require_memory(static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height),
+                   request.alpha() ? 4 : 3, options_.memory_limit);
     const NativeResult native = renders_->native(request, renders_->native_output(request, stem, 0), 0, files_read);
     result.native_seconds = native.seconds, result.native_cpu_seconds = native.cpu_seconds, result.rays = native.rays;
     result.stochastic_features = native.stochastic_features;
@@ -162,10 +173,12 @@ class Runner {
     const bool rendered = native.outcome == NativeResult::Outcome::rendered;
     if (rendered) result.native_picture = renders_->native_output(request, stem, 0);
     const OracleRender oracle = renders_->reference(request, rendered ? files_read : std::vector<fs::path>(), 0);
-    result.oracle_seconds = oracle.seconds, result.oracle_cpu_seconds = oracle.cpu_seconds, result.oracle_cached = oracle.from_cache;
+    result.oracle_seconds = oracle.seconds, result.oracle_cpu_seconds = oracle.cpu_seconds,
+    result.oracle_cached = oracle.from_cache;
     if (!oracle.ok) {
       result.status = Status::oracle_failed;
-      result.reason = rendered ? oracle.message : fmt::format("{} (verisim refuses the scene, too: {})", oracle.message, native.message);
+      result.reason = rendered ? oracle.message
+                               : fmt::format("{} (verisim refuses the scene, too: {})", oracle.message, native.message);
       return;
     }
     if (!rendered) {
@@ -182,7 +195,8 @@ class Runner {
     kept = path;
   }
 
-  void judge(const SceneRequest& request, const std::string& stem, const Picture& reference, const std::vector<fs::path>& files_read, SceneResult& result) {
+  void judge(const SceneRequest& request, const std::string& stem, const Picture& reference,
+             const std::vector<fs::path>& files_read, SceneResult& result) {
     Picture native = image::read_picture(result.native_picture), fitted;
     const Picture* oracle = &reference;
     if (request.reference && request.fit.any()) {
@@ -195,8 +209,9 @@ class Runner {
     result.metrics = measure(*oracle, native, metric_options(request));
     const bool rules = request.thresholds.empty();
     Verdict verdict = !rules ? judge_thresholds(*result.metrics, request.thresholds)
-                      : options_.baseline.empty() || request.reference ? judge_deterministic(*result.metrics, request.antialiased())
-                                                                       : judge_baseline(*result.metrics, request.antialiased());
+                      : options_.baseline.empty() || request.reference
+                          ? judge_deterministic(*result.metrics, request.antialiased())
+                          : judge_baseline(*result.metrics, request.antialiased());
     if (result.scene_class == SceneClass::stochastic && rules && verdict.status != Status::exact) {
       if (request.reference) {
         verdict.reason += "; a stored picture says nothing about noise";
@@ -208,16 +223,18 @@ class Runner {
     result.status = verdict.status, result.reason = verdict.reason;
     if (result.status == Status::differ) {
       result.suspicions = diagnose(*oracle, native);
-    } else if (const std::string drift = systematic_drift(*result.metrics); !drift.empty() && result.scene_class == SceneClass::deterministic) {
+    } else if (const std::string drift = systematic_drift(*result.metrics);
+               !drift.empty() && result.scene_class == SceneClass::deterministic) {
       result.suspicions = diagnose(*oracle, native);
       result.reason += (result.reason.empty() ? "" : "; ") + drift;
     }
-    if (options_.tags && (result.status == Status::differ || options_.always_blame)) find_blame(request, *oracle, native, result);
+    if (options_.tags && (result.status == Status::differ || options_.always_blame))
+      find_blame(request, *oracle, native, result);
   }
 
   // False when the oracle failed.
-  bool judge_noise(const SceneRequest& request, const std::string& stem, const Picture& oracle, const Picture& native, const std::vector<fs::path>& files_read, SceneResult& result,
-                   Verdict& verdict) {
+  bool judge_noise(const SceneRequest& request, const std::string& stem, const Picture& oracle, const Picture& native,
+                   const std::vector<fs::path>& files_read, SceneResult& result, Verdict& verdict) {
     std::vector<Picture> references{oracle}, tests{native};
     if (!more_references(request, files_read, 2, references, result)) return false;
     const auto judge_low_pass = [&](const LowPass& ours, const LowPass& noise) {
@@ -226,28 +243,33 @@ class Runner {
     };
     judge_low_pass(low_pass(oracle, native), low_pass(oracle, references[1]));
     if (options_.runs < 2) return true;
-    // One pair of pictures tells little of the noise that whole pictures have: what is refused must be refused again by means of several.
+    // One pair of pictures tells little of the noise that whole pictures have: what is refused must be refused again by
+    // means of several.
     if (verdict.status == Status::differ && result.metrics->nan_pixels == 0) {
       if (!more_references(request, files_read, options_.runs, references, result)) return false;
       if (!more_tests(request, stem, options_.runs, tests, result, verdict)) return true;
       const std::span<const Picture> all(references);
       const std::size_t half = all.size() / 2;
-      judge_low_pass(low_pass(mean_of(all), mean_of(tests)), low_pass(mean_of(all.first(half)), mean_of(all.subspan(half))));
+      judge_low_pass(low_pass(mean_of(all), mean_of(tests)),
+                     low_pass(mean_of(all.first(half)), mean_of(all.subspan(half))));
       if (verdict.status == Status::differ) verdict.reason += fmt::format(" in the means of {} runs", tests.size());
     }
     if (verdict.status == Status::differ) return true;
-    // What the first runs refuse must be refused again with twice as many: a renderer whose runs repeat each other here and there passes for one without noise.
+    // What the first runs refuse must be refused again with twice as many: a renderer whose runs repeat each other here
+    // and there passes for one without noise.
     for (const int runs : {options_.runs, 2 * options_.runs}) {
       if (!more_references(request, files_read, runs, references, result)) return false;
       if (!more_tests(request, stem, runs, tests, result, verdict)) return true;
       result.welch = welch_test(references, tests);
       if (!result.welch->rejected) return true;
     }
-    verdict = {Status::differ, fmt::format("Welch's test over {} runs on each side: {}", tests.size(), result.welch->text())};
+    verdict = {Status::differ,
+               fmt::format("Welch's test over {} runs on each side: {}", tests.size(), result.welch->text())};
     return true;
   }
 
-  bool more_references(const SceneRequest& request, const std::vector<fs::path>& files_read, int runs, std::vector<Picture>& references, SceneResult& result) {
+  bool more_references(const SceneRequest& request, const std::vector<fs::path>& files_read, int runs,
+                       std::vector<Picture>& references, SceneResult& result) {
     while (static_cast<int>(references.size()) < runs) {
       OracleRender again = renders_->reference(request, files_read, 2 * static_cast<int>(references.size()));
       result.oracle_seconds += again.seconds, result.oracle_cpu_seconds += again.cpu_seconds;
@@ -260,7 +282,8 @@ class Runner {
     return true;
   }
 
-  bool more_tests(const SceneRequest& request, const std::string& stem, int runs, std::vector<Picture>& tests, SceneResult& result, Verdict& verdict) {
+  bool more_tests(const SceneRequest& request, const std::string& stem, int runs, std::vector<Picture>& tests,
+                  SceneResult& result, Verdict& verdict) {
     while (static_cast<int>(tests.size()) < runs) {
       const int run = static_cast<int>(tests.size());
       std::vector<fs::path> ignored;
@@ -277,14 +300,18 @@ class Runner {
   }
 
   // A known answer has the last word: who keeps it is right, whatever the other one says.
-  static Verdict judge_truth(const Truth& truth, const Picture& oracle, const Picture& native, const Verdict& verdict, SceneResult& result) {
+  static Verdict judge_truth(const Truth& truth, const Picture& oracle, const Picture& native, const Verdict& verdict,
+                             SceneResult& result) {
     result.oracle_truth = truth_error(oracle, truth), result.native_truth = truth_error(native, truth);
     const TruthError& error = *result.native_truth;
     if (error.max > truth.tolerance)
-      return {Status::differ, fmt::format("the known answer is missed by {:.5f} > {} at pixel {}, {} (the reference misses it by {:.5f})", error.max, truth.tolerance, error.worst_x, error.worst_y,
-                                          result.oracle_truth->max)};
+      return {
+          Status::differ,
+          fmt::format("the known answer is missed by {:.5f} > {} at pixel {}, {} (the reference misses it by {:.5f})",
+                      error.max, truth.tolerance, error.worst_x, error.worst_y, result.oracle_truth->max)};
     if (verdict.status == Status::differ && result.oracle_truth->max > truth.tolerance)
-      return {Status::match, fmt::format("keeps the known answer, which the reference misses by {:.5f} ({})", result.oracle_truth->max, verdict.reason)};
+      return {Status::match, fmt::format("keeps the known answer, which the reference misses by {:.5f} ({})",
+                                         result.oracle_truth->max, verdict.reason)};
     return verdict;
   }
 
@@ -297,7 +324,10 @@ class Runner {
       for (const WorstPixel& pixel : result.metrics->worst)
         if (trees.size() < kTrees) trees.emplace_back(pixel.x, pixel.y);
       const double pixels = static_cast<double>(request.width) * request.height;
-      PixelTags tags = options_.tags(renders_->native_request(request.passes.empty() ? request : request_of_pass(request, request.passes[0]), copy), std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels)))), trees);
+      PixelTags tags =
+          options_.tags(renders_->native_request(
+                            request.passes.empty() ? request : request_of_pass(request, request.passes[0]), copy),
+                        std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels)))), trees);
       const std::vector<fs::path> library = renders_->library_paths();
       for (PixelTags::Tag& tag : tags.tags) tag.name = short_names(std::move(tag.name), copy, library);
       for (PixelTags::Tree& tree : tags.trees) tree.text = short_names(std::move(tree.text), copy, library);
@@ -310,12 +340,18 @@ class Runner {
   }
 
   // What is wrong with the object that wrong pixels have in common, if there is one.
-  static void diagnose_worst_object(const Picture& oracle, const Picture& native, const PixelTags& tags, SceneResult& result) {
+  static void diagnose_worst_object(const Picture& oracle, const Picture& native, const PixelTags& tags,
+                                    SceneResult& result) {
     constexpr double kClear = 0.4;
     const auto& common = result.blame->common;
-    const auto object = std::find_if(common.begin(), common.end(), [](const CommonTag& tag) { return tag.kind == "object" && tag.correlation > kClear; });
+    const auto object = std::find_if(common.begin(), common.end(), [](const CommonTag& tag) {
+      return tag.kind == "object" && tag.correlation > kClear;
+    });
     if (object == common.end() || tags.step != 1) return;
-    const auto tag = std::find_if(tags.tags.begin(), tags.tags.end(), [&](const PixelTags::Tag& t) { return t.kind == "object" && t.name == object->name; }) - tags.tags.begin();
+    const auto tag =
+        std::find_if(tags.tags.begin(), tags.tags.end(),
+                     [&](const PixelTags::Tag& t) { return t.kind == "object" && t.name == object->name; }) -
+        tags.tags.begin();
     std::vector<unsigned char> mask;
     for (int set : tags.set_of) {
       const auto& members = tags.sets.at(static_cast<std::size_t>(set));

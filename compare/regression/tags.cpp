@@ -19,7 +19,8 @@ std::string tags_json(const PixelTags& tags) {
   json["sets"] = tags.sets;
   json["pixels"] = tags.set_of;
   json["trees"] = nlohmann::json::array();
-  for (const PixelTags::Tree& tree : tags.trees) json["trees"].push_back({{"x", tree.x}, {"y", tree.y}, {"text", tree.text}});
+  for (const PixelTags::Tree& tree : tags.trees)
+    json["trees"].push_back({{"x", tree.x}, {"y", tree.y}, {"text", tree.text}});
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";  // file names may hold any bytes
 }
 
@@ -44,10 +45,13 @@ TagSource tags_of_program(const std::filesystem::path& program) {
     const std::filesystem::path file = scratch.path() / "tags.json";
     ProcessRequest process = program_call(program, "explain", request);
     process.arguments.insert(process.arguments.end(), {"--tags", file.string(), "--tags-step", std::to_string(step)});
-    for (const auto& [x, y] : trees) process.arguments.insert(process.arguments.end(), {"--tree", fmt::format("{},{}", x, y)});
+    for (const auto& [x, y] : trees)
+      process.arguments.insert(process.arguments.end(), {"--tree", fmt::format("{},{}", x, y)});
     const ProcessResult run = run_process(process);
     std::ifstream in(file);
-    if (!run.succeeded() || !in) throw std::runtime_error(fmt::format("the pixels could not be explained: {}", run.how_it_ended(request.time_limit)));
+    if (!run.succeeded() || !in)
+      throw std::runtime_error(
+          fmt::format("the pixels could not be explained: {}", run.how_it_ended(request.time_limit)));
     return tags_from_json({std::istreambuf_iterator<char>(in), {}});
   };
 }

@@ -12,8 +12,10 @@
 namespace verisim::compare {
 namespace {
 
-// Anchors of a scale whose lightness rises steadily (after matplotlib's "inferno", CC0), so that it reads in print and with colour-blind eyes.
-constexpr Rgb kScale[] = {{0, 0, 4}, {51, 10, 95}, {120, 28, 109}, {187, 55, 84}, {237, 105, 37}, {251, 181, 26}, {252, 255, 164}};
+// Anchors of a scale whose lightness rises steadily (after matplotlib's "inferno", CC0), so that it reads in print and
+// with colour-blind eyes.
+constexpr Rgb kScale[] = {{0, 0, 4},      {51, 10, 95},   {120, 28, 109}, {187, 55, 84},
+                          {237, 105, 37}, {251, 181, 26}, {252, 255, 164}};
 
 Rgb scale_color(double t) {
   constexpr int kLast = static_cast<int>(std::size(kScale)) - 1;
@@ -58,11 +60,14 @@ Picture heat_map(const Picture& reference, const Picture& test, double gain) {
   require_same_size(reference, test);
   const Values a(reference), b(test);
   Picture out = blank(a.width(), a.height(), 3);
-  for (int y = 0; y < out.height; ++y) heat_row(a, b, y, gain, &out.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) * 3]);
+  for (int y = 0; y < out.height; ++y)
+    heat_row(a, b, y, gain, &out.samples[static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) * 3]);
   return out;
 }
 
-int reduction(int width, int height) { return std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(width) * height / kMostShown)))); }
+int reduction(int width, int height) {
+  return std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(width) * height / kMostShown))));
+}
 
 Picture shown(const std::filesystem::path& path) {
   RowWindow rows(path);
@@ -79,7 +84,9 @@ Picture shown(const std::filesystem::path& path) {
         for (int i = left; i < right; ++i)
           for (std::size_t c = 0; c < 3; ++c) sum[c] += values.rgb(i, j)[c];
       for (std::size_t c = 0; c < 3; ++c)
-        out.samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) + static_cast<std::size_t>(x)) * 3 + c] = static_cast<float>(sum[c] / (255.0 * (last - first) * (right - left)));
+        out.samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(out.width) + static_cast<std::size_t>(x)) *
+                        3 +
+                    c] = static_cast<float>(sum[c] / (255.0 * (last - first) * (right - left)));
     }
   }
   return out;
@@ -87,8 +94,10 @@ Picture shown(const std::filesystem::path& path) {
 
 Picture thumbnail(const Picture& picture, int max_width, int max_height) {
   const Values values(picture);
-  const double shrink = std::max({1.0, static_cast<double>(picture.width) / max_width, static_cast<double>(picture.height) / max_height});
-  Picture out = blank(std::max(1, static_cast<int>(picture.width / shrink)), std::max(1, static_cast<int>(picture.height / shrink)), 3);
+  const double shrink =
+      std::max({1.0, static_cast<double>(picture.width) / max_width, static_cast<double>(picture.height) / max_height});
+  Picture out = blank(std::max(1, static_cast<int>(picture.width / shrink)),
+                      std::max(1, static_cast<int>(picture.height / shrink)), 3);
   for (int y = 0; y < out.height; ++y)
     for (int x = 0; x < out.width; ++x) {
       const int x0 = x * picture.width / out.width, x1 = std::max(x0 + 1, (x + 1) * picture.width / out.width);
@@ -99,7 +108,9 @@ Picture thumbnail(const Picture& picture, int max_width, int max_height) {
           const Rgb v = values.rgb(i, j);
           for (int c = 0; c < 3; ++c) sum[c] += v[c];
         }
-      for (int c = 0; c < 3; ++c) out.samples[(static_cast<std::size_t>(y) * out.width + x) * 3 + c] = static_cast<float>(sum[c] / (255.0 * (x1 - x0) * (y1 - y0)));
+      for (int c = 0; c < 3; ++c)
+        out.samples[(static_cast<std::size_t>(y) * out.width + x) * 3 + c] =
+            static_cast<float>(sum[c] / (255.0 * (x1 - x0) * (y1 - y0)));
     }
   return out;
 }
@@ -107,7 +118,8 @@ Picture thumbnail(const Picture& picture, int max_width, int max_height) {
 std::string png_bytes(const Picture& picture) {
   image::Quantised q;
   q.width = picture.width, q.height = picture.height, q.channels = picture.channels, q.bits = 8;
-  for (float v : picture.samples) q.samples.push_back(static_cast<std::uint16_t>(std::lround(255 * std::clamp(v, 0.0f, 1.0f))));
+  for (float v : picture.samples)
+    q.samples.push_back(static_cast<std::uint16_t>(std::lround(255 * std::clamp(v, 0.0f, 1.0f))));
   char* data = nullptr;
   std::size_t size = 0;
   std::FILE* memory = open_memstream(&data, &size);
@@ -131,7 +143,9 @@ std::string base64(const std::string& bytes) {
   std::string out;
   out.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) { return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u; };
+    const auto byte = [&](std::size_t k) {
+      return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u;
+    };
     const unsigned bits = byte(0) << 16 | byte(1) << 8 | byte(2);
     out += kDigits[bits >> 18], out += kDigits[bits >> 12 & 63];
     out += i + 1 < bytes.size() ? kDigits[bits >> 6 & 63] : '=';
@@ -144,10 +158,13 @@ void write_heat_map(const Picture& reference, const Picture& test, const std::fi
   image::write_picture(heat_map(reference, test, gain), path);
 }
 
-void write_heat_map(const std::filesystem::path& reference, const std::filesystem::path& test, const std::filesystem::path& path, double gain) {
+void write_heat_map(const std::filesystem::path& reference, const std::filesystem::path& test,
+                    const std::filesystem::path& path, double gain) {
   RowWindow a(reference), b(test);
   require_same_size(a.shape(), b.shape());
-  image::write_rows(a.shape().width, a.shape().height, 3, [&](int y, float* row) { heat_row(a.show(y, y + 1), b.show(y, y + 1), y, gain, row); }, path);
+  image::write_rows(
+      a.shape().width, a.shape().height, 3,
+      [&](int y, float* row) { heat_row(a.show(y, y + 1), b.show(y, y + 1), y, gain, row); }, path);
 }
 
 }  // namespace verisim::compare

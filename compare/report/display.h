@@ -11,7 +11,8 @@ namespace verisim::compare {
 // 8-bit values: floats are clipped and sRGB encoded, grey is widened. Alpha is kept.
 Picture displayable(const Picture& picture);
 
-// The largest channel difference of each pixel as a colour: black for none, then a scale of increasing lightness that ends in white at 255 / gain code values.
+// The largest channel difference of each pixel as a colour: black for none, then a scale of increasing lightness that
+// ends in white at 255 / gain code values.
 Picture heat_map(const Picture& reference, const Picture& test, double gain);
 
 // No larger than the given size, by averaging.

@@ -1,4 +1,5 @@
-// The HTML report: one self-contained file. Figures go in as JSON, pictures as base64 text in inert script elements that the page decodes when it shows them.
+// The HTML report: one self-contained file. Figures go in as JSON, pictures as base64 text in inert script elements
+// that the page decodes when it shows them.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -45,9 +46,11 @@ Json scene_data(const SceneResult& s) {
   if (s.fit) json["fit"] = s.fit->text();
   if (s.request.truth && s.native_truth) {
     json["formula"] = s.request.truth->formula, json["tolerance"] = s.request.truth->tolerance;
-    for (const TruthPoint& point : s.request.truth->points) json["points"].push_back({{"x", point.x}, {"y", point.y}, {"value", point.value}});
+    for (const TruthPoint& point : s.request.truth->points)
+      json["points"].push_back({{"x", point.x}, {"y", point.y}, {"value", point.value}});
   }
-  for (const PixelTags::Tree& tree : s.trees) json["trees"].push_back({{"x", tree.x}, {"y", tree.y}, {"text", tree.text}});
+  for (const PixelTags::Tree& tree : s.trees)
+    json["trees"].push_back({{"x", tree.x}, {"y", tree.y}, {"text", tree.text}});
   if (s.metrics) {
     json["histogram"] = s.metrics->histogram;
     json["worst"] = Json::array();
@@ -62,8 +65,10 @@ std::string script_safe(const Json& json) {
   std::string out;
   out.reserve(text.size());
   for (char c : text) {
-    if (c == '<') out += "\\u003c";
-    else out += c;
+    if (c == '<')
+      out += "\\u003c";
+    else
+      out += c;
   }
   return out;
 }
@@ -78,8 +83,10 @@ Picture channels_of(const Picture& picture, bool alpha) {
   out.width = picture.width, out.height = picture.height, out.channels = alpha ? 1 : 3;
   const int step = picture.channels;
   for (std::size_t i = 0; i < picture.samples.size(); i += step) {
-    if (alpha) out.samples.push_back(picture.samples[i + step - 1]);
-    else out.samples.insert(out.samples.end(), picture.samples.begin() + i, picture.samples.begin() + i + 3);
+    if (alpha)
+      out.samples.push_back(picture.samples[i + step - 1]);
+    else
+      out.samples.insert(out.samples.end(), picture.samples.begin() + i, picture.samples.begin() + i + 3);
   }
   return out;
 }
@@ -91,7 +98,8 @@ void add_picture(std::string& out, const std::string& number, char side, const s
     if (picture.channels == 4) add_png(out, "p" + number + side + "a", channels_of(picture, true));
     const Picture colors = picture.channels == 4 ? channels_of(picture, false) : picture;
     add_png(out, "p" + number + side, colors);
-    if (picture.width > kThumbnailWidth || picture.height > kThumbnailHeight) add_png(out, "t" + number + side, thumbnail(colors, kThumbnailWidth, kThumbnailHeight));
+    if (picture.width > kThumbnailWidth || picture.height > kThumbnailHeight)
+      add_png(out, "t" + number + side, thumbnail(colors, kThumbnailWidth, kThumbnailHeight));
   } catch (const std::exception&) {
     // The picture went away: the report says "no picture" in its place.
   }
@@ -142,7 +150,8 @@ Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::p
   s.metrics = metrics;
   const Verdict verdict = judge_deterministic(metrics, false);
   s.status = verdict.status, s.reason = verdict.reason;
-  if (s.status == Status::differ && reduction(metrics.width, metrics.height) == 1) s.suspicions = diagnose(image::read_picture(reference), image::read_picture(test));
+  if (s.status == Status::differ && reduction(metrics.width, metrics.height) == 1)
+    s.suspicions = diagnose(image::read_picture(reference), image::read_picture(test));
   s.request.name = run.reference_name + " – " + run.test_name;
   s.request.width = metrics.width, s.request.height = metrics.height;
   s.oracle_picture = reference, s.native_picture = test;
@@ -150,7 +159,8 @@ Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::p
   return run;
 }
 
-Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test, const MetricOptions& options) {
+Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test,
+                const MetricOptions& options) {
   return run_of_pair(reference, test, measure_files(reference, test, options));
 }
 

@@ -30,10 +30,15 @@ Run make_run(const fs::path& folder, int scenes) {
   const Metrics equal = measure(image::read_picture(folder / "c.png"), image::read_picture(folder / "c.png"));
   for (int i = 0; i < scenes; ++i) {
     SceneResult s;
-    s.request.width = 160, s.request.height = 120, s.request.scene = "/scenes/it's one.pov", s.request.switches = {"-A"};
+    s.request.width = 160, s.request.height = 120, s.request.scene = "/scenes/it's one.pov",
+    s.request.switches = {"-A"};
     s.oracle_seconds = 1.5, s.native_seconds = 0.1;
     const bool shift = i % 8 == 1;
-    s.request.name = i == 0 ? "</script><b>name" : (i % 8 == 2 ? "unsupported " : shift ? "shift " : "equal ") + std::to_string(i);
+    s.request.name = i == 0 ? "</script><b>name"
+                            : (i % 8 == 2 ? "unsupported "
+                               : shift    ? "shift "
+                                          : "equal ") +
+                                  std::to_string(i);
     if (i % 8 == 2) {
       s.status = Status::unsupported, s.reason = "isosurface";
     } else {
@@ -42,8 +47,13 @@ Run make_run(const fs::path& folder, int scenes) {
       const Verdict v = judge_deterministic(*s.metrics, false);
       s.status = v.status, s.reason = v.reason;
       if (shift) {
-        s.blame = Blame{19200, 0, 1, {{"box (a.pov:7)", 100, 100, 80, 0, 100, 1, 20, 30}}, {{"texture", "pigment granite", 97, 2, 0.95}}};
-        for (const WorstPixel& p : s.metrics->worst) s.trees.push_back({p.x, p.y, "camera ray from <0, 0, 0>\n  hits <b>box</b>"});
+        s.blame = Blame{19200,
+                        0,
+                        1,
+                        {{"box (a.pov:7)", 100, 100, 80, 0, 100, 1, 20, 30}},
+                        {{"texture", "pigment granite", 97, 2, 0.95}}};
+        for (const WorstPixel& p : s.metrics->worst)
+          s.trees.push_back({p.x, p.y, "camera ray from <0, 0, 0>\n  hits <b>box</b>"});
         s.request.truth = Truth{"E cos a / pi.", {{0, 0, {0.5, 0.5, 0.5}}}, 0.001};
         s.oracle_truth = s.native_truth = TruthError{0.1, 0.1, 0, 0, {{0.4, 0.4, 0.4}}};
       }
@@ -55,7 +65,13 @@ Run make_run(const fs::path& folder, int scenes) {
 }
 
 TEST(Base64, Rfc4648) {
-  const std::pair<const char*, const char*> pairs[] = {{"", ""}, {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"}, {"foob", "Zm9vYg=="}, {"fooba", "Zm9vYmE="}, {"foobar", "Zm9vYmFy"}};
+  const std::pair<const char*, const char*> pairs[] = {{"", ""},
+                                                       {"f", "Zg=="},
+                                                       {"fo", "Zm8="},
+                                                       {"foo", "Zm9v"},
+                                                       {"foob", "Zm9vYg=="},
+                                                       {"fooba", "Zm9vYmE="},
+                                                       {"foobar", "Zm9vYmFy"}};
   for (const auto& [plain, coded] : pairs) EXPECT_EQ(base64(plain), coded);
 }
 
@@ -106,9 +122,19 @@ std::string chromium() {
 
 // The document after the self-test has run, at the given window size.
 std::string use(const fs::path& folder, const std::string& size, const std::string& screenshot) {
-  std::vector<std::string> arguments = {chromium(), "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
-                                        "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--user-data-dir=" + (folder / ("profile" + size)).string(),
-                                        "--window-size=" + size, "--virtual-time-budget=30000"};
+  std::vector<std::string> arguments = {chromium(),
+                                        "--headless",
+                                        "--no-sandbox",
+                                        "--disable-gpu",
+                                        "--disable-quic",
+                                        "--no-first-run",
+                                        "--disable-background-networking",
+                                        "--disable-component-update",
+                                        "--disable-sync",
+                                        "--disable-dev-shm-usage",
+                                        "--user-data-dir=" + (folder / ("profile" + size)).string(),
+                                        "--window-size=" + size,
+                                        "--virtual-time-budget=30000"};
   arguments.push_back(screenshot.empty() ? "--dump-dom" : "--screenshot=" + screenshot);
   arguments.push_back("file://" + (folder / (screenshot.empty() ? "test.html" : "report.html")).string());
   return run_process({arguments, folder, {{"HOME", folder.string()}, {"PATH", "/usr/bin:/bin"}}, 120, nullptr}).out;

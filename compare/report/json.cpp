@@ -55,14 +55,16 @@ J blame_as(const Blame& b) {
   json["objects"] = J::array();
   for (const ObjectError& o : b.objects) {
     J object;
-    object["name"] = o.name, object["pixels_pct"] = o.pixels_pct, object["bad_pct"] = o.bad_pct, object["rmse"] = o.rmse, object["bias"] = o.bias, object["max_abs"] = o.max_abs;
+    object["name"] = o.name, object["pixels_pct"] = o.pixels_pct, object["bad_pct"] = o.bad_pct,
+    object["rmse"] = o.rmse, object["bias"] = o.bias, object["max_abs"] = o.max_abs;
     object["share"] = o.share, object["worst"] = {o.worst_x, o.worst_y};
     json["objects"].push_back(object);
   }
   json["common"] = J::array();
   for (const CommonTag& c : b.common) {
     J tag;
-    tag["kind"] = c.kind, tag["name"] = c.name, tag["bad_pct"] = c.bad_pct, tag["good_pct"] = c.good_pct, tag["correlation"] = c.correlation;
+    tag["kind"] = c.kind, tag["name"] = c.name, tag["bad_pct"] = c.bad_pct, tag["good_pct"] = c.good_pct,
+    tag["correlation"] = c.correlation;
     json["common"].push_back(tag);
   }
   return json;
@@ -72,8 +74,10 @@ Blame blame_from(const nlohmann::json& json) {
   Blame b;
   b.bad = json.at("bad_pixels"), b.good = json.at("good_pixels"), b.limit = json.at("limit");
   for (const auto& o : json.at("objects"))
-    b.objects.push_back({o.at("name"), o.at("pixels_pct"), o.at("bad_pct"), o.at("rmse"), o.at("bias"), o.at("max_abs"), o.at("share"), o.at("worst").at(0), o.at("worst").at(1)});
-  for (const auto& c : json.at("common")) b.common.push_back({c.at("kind"), c.at("name"), c.at("bad_pct"), c.at("good_pct"), c.at("correlation")});
+    b.objects.push_back({o.at("name"), o.at("pixels_pct"), o.at("bad_pct"), o.at("rmse"), o.at("bias"), o.at("max_abs"),
+                         o.at("share"), o.at("worst").at(0), o.at("worst").at(1)});
+  for (const auto& c : json.at("common"))
+    b.common.push_back({c.at("kind"), c.at("name"), c.at("bad_pct"), c.at("good_pct"), c.at("correlation")});
   return b;
 }
 
@@ -84,7 +88,8 @@ J truth_as(const TruthError& t) {
   return json;
 }
 TruthError truth_from(const nlohmann::json& json) {
-  return {json.at("max"), json.at("rms"), json.at("worst").at(0), json.at("worst").at(1), json.at("values").get<std::vector<std::array<double, 3>>>()};
+  return {json.at("max"), json.at("rms"), json.at("worst").at(0), json.at("worst").at(1),
+          json.at("values").get<std::vector<std::array<double, 3>>>()};
 }
 
 template <typename J>
@@ -115,14 +120,16 @@ J scene_as(const SceneResult& s) {
   if (s.noise_low_pass) json["low_pass"]["noise"] = low_pass_as<J>(*s.noise_low_pass);
   if (s.welch) {
     J& welch = json["welch"];
-    welch["rejected"] = s.welch->rejected, welch["pixel_p"] = s.welch->pixel_p, welch["worst"] = {s.welch->worst_x, s.welch->worst_y};
+    welch["rejected"] = s.welch->rejected, welch["pixel_p"] = s.welch->pixel_p,
+    welch["worst"] = {s.welch->worst_x, s.welch->worst_y};
     welch["mean_p"] = s.welch->mean_p, welch["mean_difference"] = s.welch->mean_difference;
   }
   if (s.blame) json["blame"] = blame_as<J>(*s.blame);
   if (!s.blame_failed.empty()) json["blame_failed"] = s.blame_failed;
   if (s.fit) {
     J& fit = json["fit"];
-    fit["text"] = s.fit->text(), fit["stops"] = s.fit->stops, fit["white_balance"] = s.fit->balance, fit["resampled"] = s.fit->resampled;
+    fit["text"] = s.fit->text(), fit["stops"] = s.fit->stops, fit["white_balance"] = s.fit->balance,
+    fit["resampled"] = s.fit->resampled;
     fit["reference_size"] = {s.fit->reference_width, s.fit->reference_height};
     if (s.fit->crop) fit["crop"] = {s.fit->crop->x, s.fit->crop->y, s.fit->crop->width, s.fit->crop->height};
   }
@@ -135,7 +142,8 @@ template <typename J>
 J summary_as(const Summary& s) {
   J json;
   json["scenes"] = s.scenes;
-  for (Status status : {Status::exact, Status::match, Status::differ, Status::unsupported, Status::error, Status::oracle_failed}) {
+  for (Status status :
+       {Status::exact, Status::match, Status::differ, Status::unsupported, Status::error, Status::oracle_failed}) {
     const auto it = s.count.find(status);
     json[to_string(status)] = it == s.count.end() ? 0 : it->second;
   }
@@ -162,19 +170,24 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
   s.status = status_from_string(json.at("status")).value_or(Status::error);
   s.reason = json.value("reason", "");
   s.oracle_seconds = json.at("seconds").at("oracle"), s.native_seconds = json.at("seconds").at("native");
-  if (json.contains("cpu_seconds")) s.oracle_cpu_seconds = json["cpu_seconds"].at("oracle"), s.native_cpu_seconds = json["cpu_seconds"].at("native");
+  if (json.contains("cpu_seconds"))
+    s.oracle_cpu_seconds = json["cpu_seconds"].at("oracle"), s.native_cpu_seconds = json["cpu_seconds"].at("native");
   s.rays = json.value("rays", std::map<std::string, std::uint64_t>());
   s.stochastic_features = json.value("stochastic_features", std::vector<std::string>());
-  for (const auto& suspect : json.value("suspects", nlohmann::json::array())) s.suspicions.push_back({suspect.at("what"), suspect.at("detail"), suspect.at("explained")});
+  for (const auto& suspect : json.value("suspects", nlohmann::json::array()))
+    s.suspicions.push_back({suspect.at("what"), suspect.at("detail"), suspect.at("explained")});
   if (const auto& m = json.at("metrics"); m.is_object()) {
     Metrics& out = s.metrics.emplace();
     out.width = s.request.width, out.height = s.request.height;
     out.max_abs = m.at("max_abs"), out.mae = m.at("mae"), out.rmse = m.at("rmse"), out.psnr = m.at("psnr");
     out.within_1_pct = m.at("within_1_pct"), out.within_2_pct = m.at("within_2_pct"), out.bias = m.at("bias");
     out.ssim_mean = m.at("ssim_mean"), out.ssim_block_min = m.at("ssim_block_min"), out.flip_mean = m.at("flip_mean");
-    out.ciede2000_mean = m.value("ciede2000_mean", 0.0), out.ciede2000_p95 = m.value("ciede2000_p95", 0.0), out.nan_pixels = m.value("nan_pixels", std::uint64_t{0});
-    for (auto [name, value] : {std::pair("hdr_flip_mean", &out.hdr_flip_mean), std::pair("edge_rmse", &out.edge_rmse), std::pair("interior_rmse", &out.interior_rmse),
-                               std::pair("alpha_max_abs", &out.alpha_max_abs), std::pair("alpha_rmse", &out.alpha_rmse)})
+    out.ciede2000_mean = m.value("ciede2000_mean", 0.0), out.ciede2000_p95 = m.value("ciede2000_p95", 0.0),
+    out.nan_pixels = m.value("nan_pixels", std::uint64_t{0});
+    for (auto [name, value] :
+         {std::pair("hdr_flip_mean", &out.hdr_flip_mean), std::pair("edge_rmse", &out.edge_rmse),
+          std::pair("interior_rmse", &out.interior_rmse), std::pair("alpha_max_abs", &out.alpha_max_abs),
+          std::pair("alpha_rmse", &out.alpha_rmse)})
       if (m.contains(name)) *value = m[name].get<double>();
   }
   if (json.contains("low_pass")) {
@@ -183,14 +196,16 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
   }
   if (json.contains("welch")) {
     const auto& w = json["welch"];
-    s.welch = {w.at("rejected"), w.at("pixel_p"), w.at("worst").at(0), w.at("worst").at(1), w.at("mean_p"), w.at("mean_difference")};
+    s.welch = {w.at("rejected"),    w.at("pixel_p"), w.at("worst").at(0),
+               w.at("worst").at(1), w.at("mean_p"),  w.at("mean_difference")};
   }
   if (json.contains("blame")) s.blame = blame_from(json["blame"]);
   s.blame_failed = json.value("blame_failed", "");
   if (json.contains("fit")) {
     const auto& f = json["fit"];
     s.fit.emplace();
-    s.fit->stops = f.at("stops"), s.fit->balance = f.at("white_balance").get<std::array<double, 3>>(), s.fit->resampled = f.at("resampled");
+    s.fit->stops = f.at("stops"), s.fit->balance = f.at("white_balance").get<std::array<double, 3>>(),
+    s.fit->resampled = f.at("resampled");
     s.fit->reference_width = f.at("reference_size").at(0), s.fit->reference_height = f.at("reference_size").at(1);
     if (f.contains("crop")) s.fit->crop = Crop{f["crop"].at(0), f["crop"].at(1), f["crop"].at(2), f["crop"].at(3)};
   }
@@ -212,7 +227,9 @@ Summary summarise(const std::vector<SceneResult>& scenes) {
 }
 
 bool Summary::failed() const {
-  return std::any_of(count.begin(), count.end(), [](const auto& entry) { return entry.second > 0 && entry.first != Status::exact && entry.first != Status::match; });
+  return std::any_of(count.begin(), count.end(), [](const auto& entry) {
+    return entry.second > 0 && entry.first != Status::exact && entry.first != Status::match;
+  });
 }
 
 std::string metrics_json(const Metrics& metrics) { return metrics_as<Json>(metrics).dump(2) + "\n"; }

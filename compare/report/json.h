@@ -11,7 +11,8 @@ nlohmann::json to_json(const Metrics& metrics);
 nlohmann::json to_json(const SceneResult& scene);
 nlohmann::json to_json(const Summary& summary);
 
-// What a report kept of a scene: name, size, class, status, reason, metrics, seconds and rays. Throws nlohmann::json::exception on anything else.
+// What a report kept of a scene: name, size, class, status, reason, metrics, seconds and rays. Throws
+// nlohmann::json::exception on anything else.
 SceneResult scene_result_from_json(const nlohmann::json& json);
 
 Summary summarise(const std::vector<SceneResult>& scenes);

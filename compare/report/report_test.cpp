@@ -1,4 +1,5 @@
-// The reports that are text: JSON against its schema, JUnit, Markdown, GitHub annotations, the terminal's table; atomic writing.
+// The reports that are text: JSON against its schema, JUnit, Markdown, GitHub annotations, the terminal's table; atomic
+// writing.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -23,15 +24,19 @@ SceneResult scene(const std::string& name, Status status, const std::string& rea
   SceneResult s;
   s.request.name = name, s.request.scene = "/s/" + name, s.status = status, s.reason = reason;
   s.oracle_seconds = 2, s.native_seconds = 0.25, s.rays = {{"camera", 19200}};
-  if (metrics) s.metrics = measure(scene_like_picture(16, 12), status == Status::exact ? scene_like_picture(16, 12) : random_picture(16, 12, 2));
+  if (metrics)
+    s.metrics = measure(scene_like_picture(16, 12),
+                        status == Status::exact ? scene_like_picture(16, 12) : random_picture(16, 12, 2));
   return s;
 }
 
 compare::Run sample() {
   compare::Run run;
   run.started = "2026-01-02T03:04:05Z", run.oracle_version = "3.7";
-  run.scenes = {scene("a/equal.pov", Status::exact), scene("b|<x>&\"q\".pov", Status::differ, "rmse 80 > 2, 100% bad\nline two"),
-                scene("c\x1b[31m\xff.pov", Status::unsupported, "c.pov:3:4: isosurface", false), scene("d.pov", Status::oracle_failed, "no end after 600 s", false),
+  run.scenes = {scene("a/equal.pov", Status::exact),
+                scene("b|<x>&\"q\".pov", Status::differ, "rmse 80 > 2, 100% bad\nline two"),
+                scene("c\x1b[31m\xff.pov", Status::unsupported, "c.pov:3:4: isosurface", false),
+                scene("d.pov", Status::oracle_failed, "no end after 600 s", false),
                 scene("e.pov", Status::error, "e.pov:1:1: error: oops", false)};
   run.scenes[1].scene_class = SceneClass::stochastic;
   run.scenes[1].native_low_pass = LowPass{1, 2, 3}, run.scenes[1].noise_low_pass = LowPass{0.1, 0.2, 0.3};
@@ -44,11 +49,14 @@ compare::Run sample() {
 std::string violation(const json& schema, const json& value, const json& root, const std::string& where) {
   for (const auto& [key, rule] : schema.items()) {
     if (key == "$ref") {
-      if (auto v = violation(root.at(json::json_pointer(rule.get<std::string>().substr(1))), value, root, where); !v.empty()) return v;
+      if (auto v = violation(root.at(json::json_pointer(rule.get<std::string>().substr(1))), value, root, where);
+          !v.empty())
+        return v;
     } else if (key == "type") {
       const std::string type = rule;
-      const bool ok = (type == "object" && value.is_object()) || (type == "array" && value.is_array()) || (type == "string" && value.is_string()) ||
-                      (type == "integer" && value.is_number_integer()) || (type == "number" && value.is_number()) || (type == "boolean" && value.is_boolean()) ||
+      const bool ok = (type == "object" && value.is_object()) || (type == "array" && value.is_array()) ||
+                      (type == "string" && value.is_string()) || (type == "integer" && value.is_number_integer()) ||
+                      (type == "number" && value.is_number()) || (type == "boolean" && value.is_boolean()) ||
                       (type == "null" && value.is_null());
       if (!ok) return where + " is no " + type;
     } else if (key == "required") {
@@ -71,7 +79,9 @@ std::string violation(const json& schema, const json& value, const json& root, c
     } else if (key == "maximum") {
       if (value.is_number() && value.get<double>() > rule.get<double>()) return where + " is too large";
     } else if (key == "anyOf") {
-      if (std::none_of(rule.begin(), rule.end(), [&](const json& sub) { return violation(sub, value, root, where).empty(); })) return where + " fits none";
+      if (std::none_of(rule.begin(), rule.end(),
+                       [&](const json& sub) { return violation(sub, value, root, where).empty(); }))
+        return where + " fits none";
     } else if (key != "$schema" && key != "$defs" && key != "title" && key != "description") {
       return "unknown rule " + key;
     }
@@ -120,8 +130,9 @@ TEST(JsonReport, IsReadBack) {
 }
 
 TEST(Summary, FailsForAnythingButExactAndMatch) {
-  for (const auto& [status, failed] : {std::pair(Status::exact, false), std::pair(Status::match, false), std::pair(Status::differ, true), std::pair(Status::unsupported, true),
-                                       std::pair(Status::error, true), std::pair(Status::oracle_failed, true)}) {
+  for (const auto& [status, failed] :
+       {std::pair(Status::exact, false), std::pair(Status::match, false), std::pair(Status::differ, true),
+        std::pair(Status::unsupported, true), std::pair(Status::error, true), std::pair(Status::oracle_failed, true)}) {
     EXPECT_EQ(summarise({scene("x", status, "", false)}).failed(), failed) << to_string(status);
     EXPECT_EQ(status_from_string(to_string(status)), status);
   }
@@ -168,7 +179,9 @@ TEST(TerminalTable, OneLineForEachScene) {
 
 TEST(TerminalMetrics, NamesEveryFigure) {
   const std::string text = terminal_metrics(measure(scene_like_picture(16, 12), random_picture(16, 12, 2)));
-  for (const char* name : {"max_abs", "mae", "rmse", "psnr", "within_1", "within_2", "bias", "ssim_mean", "ssim_block_min", "flip_mean", "ciede2000_p95"}) EXPECT_THAT(text, HasSubstr(name));
+  for (const char* name : {"max_abs", "mae", "rmse", "psnr", "within_1", "within_2", "bias", "ssim_mean",
+                           "ssim_block_min", "flip_mean", "ciede2000_p95"})
+    EXPECT_THAT(text, HasSubstr(name));
 }
 
 TEST(WriteReport, ReplacesWholeFilesAndLeavesNothingBehind) {

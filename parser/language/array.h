@@ -9,7 +9,8 @@ namespace verisim::parser {
 
 inline constexpr int kMaxDimensions = 5;
 
-// Two values have the same type exactly when their keys are equal; 0 is "no value". Floats, 2-, 3-, 4-vectors and colours differ.
+// Two values have the same type exactly when their keys are equal; 0 is "no value". Floats, 2-, 3-, 4-vectors and
+// colours differ.
 int type_key(const Value& value);
 
 struct Array {

@@ -5,8 +5,8 @@
 
 namespace verisim::parser {
 
-// Blanks, but no comment, may stand between the name and '['. Only the token as written counts: to look further could end the macro whose local the
-// name is.
+// Blanks, but no comment, may stand between the name and '['. Only the token as written counts: to look further could
+// end the macro whose local the name is.
 bool Parser::Impl::at_subscript() { return position->punctuation == '[' && position->id() == 0; }
 
 std::shared_ptr<Array> Parser::Impl::array() {
@@ -47,8 +47,11 @@ void Parser::Impl::initialise(Array& array, std::size_t dimension, std::size_t& 
       if (token.kind == TokenKind::directive) error("A directive cannot stand here.", "Put the value in parentheses.");
       if (token.kind == TokenKind::identifier)
         if (const Symbol* symbol = names[token.id()].symbol; symbol && symbol->is_macro)
-          error(fmt::format("Macro '{}' cannot be called here.", names[token.id()].text), "Put the call in parentheses.");
-      if (token.punctuation == '}') error(fmt::format("Too few values in the array initialiser: {} expected, {} found.", array.sizes[dimension], i));
+          error(fmt::format("Macro '{}' cannot be called here.", names[token.id()].text),
+                "Put the call in parentheses.");
+      if (token.punctuation == '}')
+        error(
+            fmt::format("Too few values in the array initialiser: {} expected, {} found.", array.sizes[dimension], i));
       Value value;
       right_hand_side(value);
       store_element(array, element++, std::move(value));
@@ -65,7 +68,8 @@ void Parser::Impl::store_element(Array& array, std::size_t element, Value&& valu
   array.type = type;
   if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&value)) {
     array.nesting = std::max(array.nesting, (*inner)->nesting + 1);
-    if (array.nesting >= options.limits.max_depth) error("Arrays of arrays are nested too deeply.", "--max-depth raises this limit.");
+    if (array.nesting >= options.limits.max_depth)
+      error("Arrays of arrays are nested too deeply.", "--max-depth raises this limit.");
   }
   array.elements[element] = std::move(value);
 }
@@ -112,7 +116,8 @@ Parser::Impl::Resolved Parser::Impl::resolve() {
     std::shared_ptr<Array> array = std::get<std::shared_ptr<Array>>(resolved.value());
     resolved.element = subscripts(*array);
     resolved.array = std::move(array);
-    if (resolved.value().index() == 0) error(fmt::format("This element of array '{}' has no value yet.", names[name].text));
+    if (resolved.value().index() == 0)
+      error(fmt::format("This element of array '{}' has no value yet.", names[name].text));
   }
   return resolved;
 }

@@ -8,20 +8,35 @@ namespace {
 
 bool is_base(Word word) {
   switch (word) {
-    case Word::rgb: case Word::rgbf: case Word::rgbt: case Word::rgbft: case Word::srgb: case Word::srgbf: case Word::srgbt: case Word::srgbft:
+    case Word::rgb:
+    case Word::rgbf:
+    case Word::rgbt:
+    case Word::rgbft:
+    case Word::srgb:
+    case Word::srgbf:
+    case Word::srgbt:
+    case Word::srgbft:
       return true;
-    default: return false;
+    default:
+      return false;
   }
 }
 
 int component_of(Word word) {
   switch (word) {
-    case Word::red: return 0;
-    case Word::green: return 1;
-    case Word::blue: return 2;
-    case Word::filter: case Word::alpha: return 3;
-    case Word::transmit: return 4;
-    default: return -1;
+    case Word::red:
+      return 0;
+    case Word::green:
+      return 1;
+    case Word::blue:
+      return 2;
+    case Word::filter:
+    case Word::alpha:
+      return 3;
+    case Word::transmit:
+      return 4;
+    default:
+      return -1;
   }
 }
 
@@ -32,7 +47,9 @@ float decode_srgb(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0
 
 void Parser::Impl::to_working_space(Numeric& value) {
   const scene::Settings& settings = scene.settings;
-  if (!settings.gamma_given) error("srgb needs assumed_gamma to be set before.", "Put global_settings { assumed_gamma 1.0 } at the beginning of the scene.");
+  if (!settings.gamma_given)
+    error("srgb needs assumed_gamma to be set before.",
+          "Put global_settings { assumed_gamma 1.0 } at the beginning of the scene.");
   if (settings.gamma == scene::Gamma::srgb) return;
   for (std::size_t i = 0; i < 3; ++i) {
     float c = decode_srgb(static_cast<float>(value.v[i]));
@@ -54,7 +71,9 @@ Numeric Parser::Impl::color_base() {
     for (int i = 1; i < width; ++i) value.v[static_cast<std::size_t>(i)] = value.v[0];
   const int used = found == 1 ? width : found;
   for (int i = used; i < 5; ++i) value.v[static_cast<std::size_t>(i)] = 0;
-  if (found > width) message(Severity::warning, "The colour has more terms than its keyword names; they are kept as filter and transmit.");
+  if (found > width)
+    message(Severity::warning,
+            "The colour has more terms than its keyword names; they are kept as filter and transmit.");
   if (width == 4 && (word == Word::rgbt || word == Word::srgbt)) {
     value.v[4] = value.v[3];
     value.v[3] = 0;
@@ -70,7 +89,8 @@ void Parser::Impl::color_items(Numeric& out) {
     if (token.kind != TokenKind::word) return;
     const int component = component_of(token.word);
     if (component < 0) return;
-    if (token.word == Word::alpha && language_version > 155) message(Severity::warning, "Keyword 'alpha' is discontinued: use 'filter' or 'transmit'.");
+    if (token.word == Word::alpha && language_version > 155)
+      message(Severity::warning, "Keyword 'alpha' is discontinued: use 'filter' or 'transmit'.");
     skip_token();
     out.v[static_cast<std::size_t>(component)] = scalar();
   }
@@ -86,7 +106,8 @@ Numeric Parser::Impl::color(ColorTerms terms) {
     value = color_base();
   } else if (token.kind == TokenKind::word && token.word == Word::gray) {
     skip_token();  // accepted, and black (measured)
-  } else if (token.kind == TokenKind::identifier || (starts_numeric(token) && !(token.kind == TokenKind::word && component_of(token.word) >= 0))) {
+  } else if (token.kind == TokenKind::identifier ||
+             (starts_numeric(token) && !(token.kind == TokenKind::word && component_of(token.word) >= 0))) {
     full(value);
     // A number on its own fills what the place has: all five terms, or red, green and blue only.
     if (terms == ColorTerms::rgb && value.terms == 1) value = {{value.v[0], value.v[0], value.v[0], 0, 0}, 5};

@@ -1,11 +1,11 @@
-// The cursor: from the token arrays of files to the one stream that blocks and expressions see. Directives and macro calls that stand in the way are
-// executed when the next token is about to be read (spec 01 section 4).
+// The cursor: from the token arrays of files to the one stream that blocks and expressions see. Directives and macro
+// calls that stand in the way are executed when the next token is about to be read (spec 01 section 4).
 #include <fmt/format.h>
 
 #include <cstdio>
 
 #include "parser/language/impl.h"
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 
@@ -43,7 +43,8 @@ const Token& Parser::Impl::fetch_blocked() {
     if (token.kind == TokenKind::error) lex_error(token);
     if (token.kind == TokenKind::end && end_of_file()) continue;
     // The end of a macro is always honoured.
-    if (token.kind == TokenKind::directive && token.word == Word::end && !conditions.empty() && conditions.back().kind == Condition::Kind::macro) {
+    if (token.kind == TokenKind::directive && token.word == Word::end && !conditions.empty() &&
+        conditions.back().kind == Condition::Kind::macro) {
       directive();
       continue;
     }
@@ -70,7 +71,8 @@ void Parser::Impl::go_to(const TokenFile* target, std::uint32_t token) {
 
 bool Parser::Impl::end_of_file() {
   if (frames.empty()) return false;
-  if (frames.back().macro) error(fmt::format("The file ends inside macro '{}'.", names[frames.back().macro->name].text));
+  if (frames.back().macro)
+    error(fmt::format("The file ends inside macro '{}'.", names[frames.back().macro->name].text));
   leave_frame();
   return true;
 }
@@ -101,14 +103,16 @@ void Parser::Impl::check_limits() {
   next_check = steps + (1 << 16);
   heap.look();
   const Limits& limits = options.limits;
-  if (limits.max_steps && steps > limits.max_steps) fatal("The scene executes more steps than --max-steps allows: an endless loop?");
+  if (limits.max_steps && steps > limits.max_steps)
+    fatal("The scene executes more steps than --max-steps allows: an endless loop?");
   if (options.cancelled && options.cancelled()) fatal("Interrupted, or longer than --max-seconds allows.");
   // Resident memory of the whole process, in pages: cheap to ask for, and it counts everything.
   if (std::FILE* statm = std::fopen("/proc/self/statm", "re")) {
     unsigned long total = 0, resident = 0;
     const int got = std::fscanf(statm, "%lu %lu", &total, &resident);
     std::fclose(statm);
-    if (got == 2 && resident > limits.max_memory_bytes / 4096) fatal("The scene needs more memory than --max-memory allows.");
+    if (got == 2 && resident > limits.max_memory_bytes / 4096)
+      fatal("The scene needs more memory than --max-memory allows.");
   }
 }
 

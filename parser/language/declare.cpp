@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "parser/language/impl.h"
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 namespace {
@@ -51,9 +51,12 @@ void Parser::Impl::declare(bool local) {
     if (ending == Ending::free) return;
   } else if (ending == Ending::semicolon) {
     if (language_version >= 350)
-      error("Float, vector and colour declarations and identifiers of functions and splines need a semicolon ';' at the end.",
-            "Put ';' behind the value.");
-    if (language_version >= 310) message(Severity::possible_error, "A semicolon ';' is missing at the end of a #declare or #local.");
+      error(
+          "Float, vector and colour declarations and identifiers of functions and splines need a semicolon ';' at the "
+          "end.",
+          "Put ';' behind the value.");
+    if (language_version >= 310)
+      message(Severity::possible_error, "A semicolon ';' is missing at the end of a #declare or #local.");
     return;
   }
   if (peek_blocked().punctuation == ';') skip_token();
@@ -62,12 +65,14 @@ void Parser::Impl::declare(bool local) {
 void Parser::Impl::declare_target(bool local, std::optional<Target>& target, Symbol*& created) {
   const Token name = take_raw();
   if (name.kind != TokenKind::identifier) {
-    if (name.kind == TokenKind::word) error(fmt::format("'{}' is a reserved word: it cannot be declared.", spelling(name.word)));
+    if (name.kind == TokenKind::word)
+      error(fmt::format("'{}' is a reserved word: it cannot be declared.", spelling(name.word)));
     if (name.kind != TokenKind::end) --position;
     expected("identifier");
   }
   Symbol* symbol = names[name.id()].symbol;
-  if (symbol && symbol->is_macro) error(fmt::format("'{}' is a macro: it cannot be declared as something else.", names[name.id()].text));
+  if (symbol && symbol->is_macro)
+    error(fmt::format("'{}' is a macro: it cannot be declared as something else.", names[name.id()].text));
   if (at_subscript()) {
     if (!symbol) undeclared(name.id());
     const auto* held = std::get_if<std::shared_ptr<Array>>(&symbol->value());
@@ -85,8 +90,10 @@ void Parser::Impl::declare_target(bool local, std::optional<Target>& target, Sym
   }
   if (symbol && (!local || symbol->level == symbols.level())) {
     check_deprecated(*symbol);
-    if (symbol->element_of) target.emplace(symbol->element_of, symbol->element);
-    else target.emplace(symbols, symbol->variable);
+    if (symbol->element_of)
+      target.emplace(symbol->element_of, symbol->element);
+    else
+      target.emplace(symbols, symbol->variable);
     return;
   }
   created = &symbols.create(name.id(), local ? symbols.level() : 0);
@@ -96,12 +103,15 @@ void Parser::Impl::declare_target(bool local, std::optional<Target>& target, Sym
 bool Parser::Impl::starts_numeric(const Token& token) {
   switch (token.kind) {
     case TokenKind::number:
-    case TokenKind::vector: return true;
+    case TokenKind::vector:
+      return true;
     case TokenKind::punctuation:
-      return token.punctuation == '(' || token.punctuation == '<' || token.punctuation == '+' || token.punctuation == '-' || token.punctuation == '!';
+      return token.punctuation == '(' || token.punctuation == '<' || token.punctuation == '+' ||
+             token.punctuation == '-' || token.punctuation == '!';
     case TokenKind::word: {
       const WordClass c = word_class(token.word);
-      return c == WordClass::float_function || c == WordClass::vector_function || (c == WordClass::color && token.word != Word::filter);
+      return c == WordClass::float_function || c == WordClass::vector_function ||
+             (c == WordClass::color && token.word != Word::filter);
     }
     case TokenKind::identifier: {
       const Symbol* symbol = names[token.id()].symbol;
@@ -116,7 +126,8 @@ bool Parser::Impl::starts_numeric(const Token& token) {
       return value && (std::holds_alternative<Numeric>(*value) || std::holds_alternative<FunctionPtr>(*value) ||
                        std::holds_alternative<Shared<Spline>>(*value));
     }
-    default: return false;
+    default:
+      return false;
   }
 }
 
@@ -134,7 +145,8 @@ Parser::Impl::Ending Parser::Impl::right_hand_side(Value& value) {
     case TokenKind::number:
     case TokenKind::vector:
     case TokenKind::punctuation:
-      if (token.kind == TokenKind::punctuation && !starts_numeric(token)) expected("float, vector, colour, string or a block");
+      if (token.kind == TokenKind::punctuation && !starts_numeric(token))
+        expected("float, vector, colour, string or a block");
       return numeric();
     case TokenKind::string:
       value = string(false);
@@ -200,7 +212,8 @@ Parser::Impl::Ending Parser::Impl::right_hand_side(Value& value) {
       value = std::move(*block);
       return Ending::free;
     }
-    default: expected("a value for the identifier");
+    default:
+      expected("a value for the identifier");
   }
 }
 
@@ -211,20 +224,25 @@ void Parser::Impl::copy_identifier(Value& value) {
   const Value& held = source.value();
   if (held.index() == 0) error(fmt::format("'{}' has no value.", names[token.id()].text));
   if (std::holds_alternative<std::shared_ptr<FileHandle>>(held)) error("A file identifier cannot be used as a value.");
-  if (const auto* array = std::get_if<std::shared_ptr<Array>>(&held)) value = deep_copy(**array);
-  else value = held;
+  if (const auto* array = std::get_if<std::shared_ptr<Array>>(&held))
+    value = deep_copy(**array);
+  else
+    value = held;
 }
 
 void Parser::Impl::check_type(const Target& target, const Value& value) {
   if (target.is_element()) {
     const Array& array = *target.array();
-    if (array.type && array.type != type_key(value)) error("All elements of an array have the same type; this value has another.");
-    if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&value); inner && (*inner)->nesting >= options.limits.max_depth)
+    if (array.type && array.type != type_key(value))
+      error("All elements of an array have the same type; this value has another.");
+    if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&value);
+        inner && (*inner)->nesting >= options.limits.max_depth)
       error("Arrays of arrays are nested too deeply.", "--max-depth raises this limit.");
   }
   const Value& old = const_cast<Target&>(target).value();
   if (std::holds_alternative<FunctionPtr>(old)) error("A function cannot be declared again.", "#undef it first.");
-  if (std::holds_alternative<FunctionPtr>(value) && old.index() != 0) error("An identifier that has a value cannot become a function.", "#undef it first.");
+  if (std::holds_alternative<FunctionPtr>(value) && old.index() != 0)
+    error("An identifier that has a value cannot become a function.", "#undef it first.");
 }
 
 void Parser::Impl::assign(Target& target, Value&& value) {
@@ -232,7 +250,8 @@ void Parser::Impl::assign(Target& target, Value&& value) {
   if (target.is_element()) {
     Array& array = *target.array();
     array.type = type_key(value);
-    if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&value)) array.nesting = std::max(array.nesting, (*inner)->nesting + 1);
+    if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&value))
+      array.nesting = std::max(array.nesting, (*inner)->nesting + 1);
   }
   Value& place = target.value();
   if (auto* from = std::get_if<Numeric>(&value)) {

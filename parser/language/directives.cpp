@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "parser/language/impl.h"
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 
@@ -14,7 +14,9 @@ void Parser::Impl::directive() {
   skip_token();
   // Nearly all of what loops and macros execute.
   if ((token.word == Word::declare || token.word == Word::local) && declare_fast(token.word == Word::local)) return;
-  if (token.word == Word::end && !conditions.empty() && conditions.back().kind == Kind::macro && conditions.back().frames == frames.size()) return end_macro();
+  if (token.word == Word::end && !conditions.empty() && conditions.back().kind == Kind::macro &&
+      conditions.back().frames == frames.size())
+    return end_macro();
   const Nesting nesting(*this);
   const Live live(*this);
   execute(token);
@@ -37,34 +39,71 @@ void Parser::Impl::execute(const Token& token) {
       break;
     }
     case Word::else_:
-    case Word::elseif: else_branch(token); break;
-    case Word::end: end_directive(token); break;
-    case Word::switch_: switch_directive(token); break;
+    case Word::elseif:
+      else_branch(token);
+      break;
+    case Word::end:
+      end_directive(token);
+      break;
+    case Word::switch_:
+      switch_directive(token);
+      break;
     case Word::case_:
     case Word::range:
       if (conditions.empty() || conditions.back().kind != Kind::switch_) error("#case or #range without #switch.");
       case_matches(token.word, 0);  // evaluated, but a case that ran goes on (spec 01 section 16)
       break;
-    case Word::while_: while_directive(token); break;
-    case Word::for_: for_directive(token); break;
-    case Word::break_: break_directive(); break;
-    case Word::macro: define_macro(token); break;
-    case Word::declare: declare(false); break;
-    case Word::local: declare(true); break;
-    case Word::undef: undef(); break;
-    case Word::include: include(); break;
-    case Word::default_: parse_default(parser); break;
-    case Word::version: version_directive(); break;
+    case Word::while_:
+      while_directive(token);
+      break;
+    case Word::for_:
+      for_directive(token);
+      break;
+    case Word::break_:
+      break_directive();
+      break;
+    case Word::macro:
+      define_macro(token);
+      break;
+    case Word::declare:
+      declare(false);
+      break;
+    case Word::local:
+      declare(true);
+      break;
+    case Word::undef:
+      undef();
+      break;
+    case Word::include:
+      include();
+      break;
+    case Word::default_:
+      parse_default(parser);
+      break;
+    case Word::version:
+      version_directive();
+      break;
     case Word::debug:
     case Word::warning:
     case Word::error:
     case Word::render:
-    case Word::statistics: text_directive(token.word); break;
-    case Word::fopen: fopen(); break;
-    case Word::fclose: fclose(); break;
-    case Word::read: read(); break;
-    case Word::write: write(); break;
-    default: error("Unknown directive.");
+    case Word::statistics:
+      text_directive(token.word);
+      break;
+    case Word::fopen:
+      fopen();
+      break;
+    case Word::fclose:
+      fclose();
+      break;
+    case Word::read:
+      read();
+      break;
+    case Word::write:
+      write();
+      break;
+    default:
+      error("Unknown directive.");
   }
 }
 
@@ -79,8 +118,8 @@ void Parser::Impl::open_condition(Kind kind, std::uint32_t opener) {
   conditions.push_back(condition);
 }
 
-// Finds the next #else, #elseif, #case, #range or #end of the construct that is open here. A link found while the file was tokenised is a jump;
-// otherwise the pair spans files and the text is searched, leaving include files at their end.
+// Finds the next #else, #elseif, #case, #range or #end of the construct that is open here. A link found while the file
+// was tokenised is a jump; otherwise the pair spans files and the text is searched, leaving include files at their end.
 Token Parser::Impl::skip(const TokenFile* in, std::uint32_t link) {
   if (link && file == in) {
     go_to(in, link);
@@ -96,10 +135,19 @@ Token Parser::Impl::skip(const TokenFile* in, std::uint32_t link) {
     if (position->kind == TokenKind::error) lex_error(*position);
     if (position->kind != TokenKind::directive) continue;
     switch (position->word) {
-      case Word::if_: case Word::ifdef: case Word::ifndef: case Word::while_: case Word::for_: case Word::switch_: case Word::macro:
+      case Word::if_:
+      case Word::ifdef:
+      case Word::ifndef:
+      case Word::while_:
+      case Word::for_:
+      case Word::switch_:
+      case Word::macro:
         ++nested;
         break;
-      case Word::else_: case Word::elseif: case Word::case_: case Word::range:
+      case Word::else_:
+      case Word::elseif:
+      case Word::case_:
+      case Word::range:
         if (!nested) return *position++;
         break;
       case Word::end:
@@ -172,10 +220,13 @@ void Parser::Impl::end_directive(const Token&) {
   switch (condition.kind) {
     case Kind::while_:
     case Kind::for_:
-      if (condition.file != file || condition.frames != frames.size()) error("#end of a loop is not in the file of its beginning.");
+      if (condition.file != file || condition.frames != frames.size())
+        error("#end of a loop is not in the file of its beginning.");
       count_steps(index(position) - condition.test);
-      if (condition.kind == Kind::while_) test_while();
-      else end_for();
+      if (condition.kind == Kind::while_)
+        test_while();
+      else
+        end_for();
       break;
     case Kind::macro:
       if (frames.size() != condition.frames) error("#end of a macro is not in the file of its beginning.");
@@ -201,7 +252,8 @@ void Parser::Impl::switch_directive(const Token&) {
     expect_operator(')');
   }
   const Token& first = peek_blocked();
-  if (first.kind != TokenKind::directive || (first.word != Word::case_ && first.word != Word::range)) expected("#case or #range");
+  if (first.kind != TokenKind::directive || (first.word != Word::case_ && first.word != Word::range))
+    expected("#case or #range");
   Token branch = first;
   skip_token();
   for (;;) {

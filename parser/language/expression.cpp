@@ -1,4 +1,5 @@
-// Operators (spec 01 section 8): additive terms everywhere, the full grammar inside brackets and in the few places that allow it.
+// Operators (spec 01 section 8): additive terms everywhere, the full grammar inside brackets and in the few places that
+// allow it.
 #include <cmath>
 #include <limits>
 
@@ -17,8 +18,10 @@ void widen(Numeric& a, int terms) {
 }
 
 void promote(Numeric& a, Numeric& b) {
-  if (a.terms < b.terms) widen(a, b.terms);
-  else if (b.terms < a.terms) widen(b, a.terms);
+  if (a.terms < b.terms)
+    widen(a, b.terms);
+  else if (b.terms < a.terms)
+    widen(b, a.terms);
 }
 
 bool truth(double v) { return std::fabs(v) > kEps; }
@@ -29,12 +32,18 @@ bool is_relation(char c) {
 
 bool compare(char operation, double a, double b) {
   switch (operation) {
-    case '<': return a < b;
-    case '>': return a > b;
-    case kLessEqual: return a <= b || !truth(a - b);
-    case kGreaterEqual: return a >= b || !truth(a - b);
-    case '=': return !truth(a - b);
-    default: return truth(a - b);
+    case '<':
+      return a < b;
+    case '>':
+      return a > b;
+    case kLessEqual:
+      return a <= b || !truth(a - b);
+    case kGreaterEqual:
+      return a >= b || !truth(a - b);
+    case '=':
+      return !truth(a - b);
+    default:
+      return truth(a - b);
   }
 }
 
@@ -60,7 +69,8 @@ void Parser::Impl::unary(int width, Numeric& out) {
   skip_token();
   unary(width, out);
   if (sign == '+') return;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(out.terms); ++i) out.v[i] = sign == '-' ? -out.v[i] : truth(out.v[i]) ? 0.0 : 1.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(out.terms); ++i)
+    out.v[i] = sign == '-' ? -out.v[i] : truth(out.v[i]) ? 0.0 : 1.0;
 }
 
 void Parser::Impl::multiplicative(int width, Numeric& out) {
@@ -71,8 +81,10 @@ void Parser::Impl::multiplicative(int width, Numeric& out) {
     skip_token();
     Numeric right;
     unary(width, right);
-    if (operation == '*') each(out, right, [](double a, double b) { return a * b; });
-    else each(out, right, [this](double a, double b) { return divide(a, b); });
+    if (operation == '*')
+      each(out, right, [](double a, double b) { return a * b; });
+    else
+      each(out, right, [this](double a, double b) { return divide(a, b); });
   }
 }
 
@@ -91,8 +103,10 @@ void Parser::Impl::additive(int width, Numeric& out) {
     skip_token();
     Numeric right;
     multiplicative(width, right);
-    if (operation == '+') each(out, right, [](double a, double b) { return a + b; });
-    else each(out, right, [](double a, double b) { return a - b; });
+    if (operation == '+')
+      each(out, right, [](double a, double b) { return a + b; });
+    else
+      each(out, right, [](double a, double b) { return a - b; });
   }
 }
 
@@ -106,12 +120,23 @@ void Parser::Impl::string_relation(Numeric& out) {
   const int order = left.compare(string(false));
   bool result = false;
   switch (operation) {
-    case '<': result = order < 0; break;
-    case '>': result = order > 0; break;
-    case kLessEqual: result = order <= 0; break;
-    case kGreaterEqual: result = order >= 0; break;
-    case '=': result = order == 0; break;
-    default: result = order != 0;
+    case '<':
+      result = order < 0;
+      break;
+    case '>':
+      result = order > 0;
+      break;
+    case kLessEqual:
+      result = order <= 0;
+      break;
+    case kGreaterEqual:
+      result = order >= 0;
+      break;
+    case '=':
+      result = order == 0;
+      break;
+    default:
+      result = order != 0;
   }
   out = Numeric{{result ? 1.0 : 0.0}, 1};
 }
@@ -137,8 +162,10 @@ void Parser::Impl::logical(Numeric& out) {
     skip_token();
     Numeric right;
     relation(right);
-    if (operation == '&') each(out, right, [](double a, double b) { return truth(a) && truth(b) ? 1.0 : 0.0; });
-    else each(out, right, [](double a, double b) { return truth(a) || truth(b) ? 1.0 : 0.0; });
+    if (operation == '&')
+      each(out, right, [](double a, double b) { return truth(a) && truth(b) ? 1.0 : 0.0; });
+    else
+      each(out, right, [](double a, double b) { return truth(a) || truth(b) ? 1.0 : 0.0; });
   }
 }
 
@@ -162,7 +189,8 @@ void Parser::Impl::full(Numeric& out) {
 void Parser::Impl::fit(Numeric& value, int width) {
   if (value.terms > width) {
     const char* found = value.terms == 5 ? "a colour" : "a vector with more terms";
-    if (width == 1) error(std::string("Float expected but ") + (value.terms == 5 ? "colour" : "vector") + " expression found.");
+    if (width == 1)
+      error(std::string("Float expected but ") + (value.terms == 5 ? "colour" : "vector") + " expression found.");
     error(std::string("Expected a vector of ") + std::to_string(width) + " terms, " + found + " found.");
   }
   widen(value, width);

@@ -20,15 +20,24 @@ struct BinaryType {
 
 std::optional<BinaryType> binary_type(Word word) {
   switch (word) {
-    case Word::uint8: return BinaryType{0, 255, 1, false};
-    case Word::sint8: return BinaryType{-128, 127, 1, false};
-    case Word::uint16le: return BinaryType{0, 65535, 2, false};
-    case Word::uint16be: return BinaryType{0, 65535, 2, true};
-    case Word::sint16le: return BinaryType{-32768, 32767, 2, false};
-    case Word::sint16be: return BinaryType{-32768, 32767, 2, true};
-    case Word::sint32le: return BinaryType{-2147483648.0, 2147483647.0, 4, false};
-    case Word::sint32be: return BinaryType{-2147483648.0, 2147483647.0, 4, true};
-    default: return std::nullopt;
+    case Word::uint8:
+      return BinaryType{0, 255, 1, false};
+    case Word::sint8:
+      return BinaryType{-128, 127, 1, false};
+    case Word::uint16le:
+      return BinaryType{0, 65535, 2, false};
+    case Word::uint16be:
+      return BinaryType{0, 65535, 2, true};
+    case Word::sint16le:
+      return BinaryType{-32768, 32767, 2, false};
+    case Word::sint16be:
+      return BinaryType{-32768, 32767, 2, true};
+    case Word::sint32le:
+      return BinaryType{-2147483648.0, 2147483647.0, 4, false};
+    case Word::sint32be:
+      return BinaryType{-2147483648.0, 2147483647.0, 4, true};
+    default:
+      return std::nullopt;
   }
 }
 
@@ -46,7 +55,8 @@ void Parser::Impl::fopen() {
     if (name.kind != TokenKind::end) --position;
     expected("undeclared identifier");
   }
-  if (names[name.id()].symbol) error(fmt::format("'{}' is declared already: it cannot become a file.", names[name.id()].text));
+  if (names[name.id()].symbol)
+    error(fmt::format("'{}' is declared already: it cannot become a file.", names[name.id()].text));
   const std::string file_name = utf8(string(true));
   auto handle = std::make_shared<FileHandle>();
   const Token& mode = peek();
@@ -94,13 +104,17 @@ bool Parser::Impl::read_value(FileHandle& handle, Value& value) {
   };
   const auto signed_number = [&] {
     double sign = 1;
-    if (at().punctuation == '-' || at().punctuation == '+') sign = tokens[handle.position++].punctuation == '-' ? -1 : 1;
+    if (at().punctuation == '-' || at().punctuation == '+')
+      sign = tokens[handle.position++].punctuation == '-' ? -1 : 1;
     if (at().kind != TokenKind::number) fail("number expected.");
     return sign * tokens[handle.position++].number();
   };
   switch (at().kind) {
-    case TokenKind::end: return false;
-    case TokenKind::error: fail(parser::describe(static_cast<LexError>(at().id()))); break;
+    case TokenKind::end:
+      return false;
+    case TokenKind::error:
+      fail(parser::describe(static_cast<LexError>(at().id())));
+      break;
     case TokenKind::string: {
       const TokenFile* const parsed = std::exchange(file, handle.input.get());  // the bytes are in that file
       const Token token = at();
@@ -116,7 +130,8 @@ bool Parser::Impl::read_value(FileHandle& handle, Value& value) {
       value = std::move(text);
       return true;
     }
-    default: break;
+    default:
+      break;
   }
   Numeric numeric;
   if (at().kind == TokenKind::vector) {
@@ -175,7 +190,8 @@ void Parser::Impl::read() {
       array = std::move(next);
     }
     const auto* old = std::get_if<Numeric>(place);
-    const bool fits = (place->index() == 0 && !array) || (old && (old->terms == 1 || old->terms == 3)) || std::holds_alternative<std::u16string>(*place);
+    const bool fits = (place->index() == 0 && !array) || (old && (old->terms == 1 || old->terms == 3)) ||
+                      std::holds_alternative<std::u16string>(*place);
     if (!fits) error("#read needs an undeclared identifier, or one that holds a float, a vector or a string.");
     if (open) {
       Value value;
@@ -186,8 +202,10 @@ void Parser::Impl::read() {
         *place = std::move(value);
         // One comma is consumed; anything else in its place is thrown away.
         const Token& behind = handle->input->tokens[handle->position];
-        if (behind.kind == TokenKind::end) close();
-        else if (behind.kind != TokenKind::error) ++handle->position;
+        if (behind.kind == TokenKind::end)
+          close();
+        else if (behind.kind != TokenKind::error)
+          ++handle->position;
       }
     }
     if (peek_blocked().punctuation == ',') skip_token();
@@ -221,7 +239,8 @@ void Parser::Impl::write() {
         for (std::size_t i = 0; i < static_cast<std::size_t>(n.terms); ++i) {
           const double v = std::isnan(n.v[i]) ? type->low : std::clamp(std::floor(n.v[i] + 0.5), type->low, type->high);
           const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(v));
-          for (int b = 0; b < type->bytes; ++b) out.put(static_cast<char>(bits >> 8 * (type->big_endian ? type->bytes - 1 - b : b) & 0xff));
+          for (int b = 0; b < type->bytes; ++b)
+            out.put(static_cast<char>(bits >> 8 * (type->big_endian ? type->bytes - 1 - b : b) & 0xff));
         }
       }
     } else {
@@ -230,7 +249,8 @@ void Parser::Impl::write() {
         const Numeric* n = value ? std::get_if<Numeric>(value) : nullptr;
         if (n && n->terms == 5) error("A colour identifier cannot be written as it is.", "Put it in parentheses.");
       }
-      if (token.kind == TokenKind::word && word_class(token.word) == WordClass::color) expected("string or numeric expression");
+      if (token.kind == TokenKind::word && word_class(token.word) == WordClass::color)
+        expected("string or numeric expression");
       Numeric n;
       additive(1, n);
       std::string text = n.terms == 1 ? general(n.v[0]) : "<";

@@ -95,7 +95,8 @@ double select(Parser::Impl& p) {
 // 32-bit linear congruential streams, one for each seed() (spec 01 section 10).
 double random_number(Parser::Impl& p) {
   const int stream = to_int(p.argument());
-  if (stream < 0 || static_cast<std::size_t>(stream) >= p.random_streams.size()) p.error("rand() of a stream that seed() never made.");
+  if (stream < 0 || static_cast<std::size_t>(stream) >= p.random_streams.size())
+    p.error("rand() of a stream that seed() never made.");
   std::uint32_t& state = p.random_streams[static_cast<std::size_t>(stream)];
   state = 1812433253u * state + 12345u;
   return state / 4294967295.0;
@@ -118,7 +119,9 @@ double dimension(Parser::Impl& p, bool size) {
   if (size) {
     if (p.peek().punctuation == ',') p.skip_token();
     const int n = to_int(p.scalar());
-    result = n >= 1 && static_cast<std::size_t>(n) <= array->sizes.size() ? array->sizes[static_cast<std::size_t>(n) - 1] : 0;
+    result = n >= 1 && static_cast<std::size_t>(n) <= array->sizes.size()
+                 ? array->sizes[static_cast<std::size_t>(n) - 1]
+                 : 0;
   }
   p.close_arguments();
   return result;
@@ -132,25 +135,63 @@ bool Parser::Impl::float_function(Word word, double& out) {
   const Nesting nesting(*this);
   skip_token();
   switch (word) {
-    case Word::abs: out = std::fabs(argument()); break;
-    case Word::sin: out = std::sin(argument()); break;
-    case Word::cos: out = std::cos(argument()); break;
-    case Word::tan: out = std::tan(argument()); break;
-    case Word::asin: out = std::asin(clamped(*this, argument())); break;
-    case Word::acos: out = std::acos(clamped(*this, argument())); break;
-    case Word::atan: out = std::atan(argument()); break;
-    case Word::sinh: out = std::sinh(argument()); break;
-    case Word::cosh: out = std::cosh(argument()); break;
-    case Word::tanh: out = std::tanh(argument()); break;
-    case Word::asinh: out = std::asinh(argument()); break;
-    case Word::acosh: out = std::acosh(argument()); break;
-    case Word::atanh: out = std::atanh(argument()); break;
-    case Word::exp: out = std::exp(argument()); break;
-    case Word::ceil: out = std::ceil(argument()); break;
-    case Word::floor: out = std::floor(argument()); break;
-    case Word::int_: out = to_int(argument()); break;
-    case Word::degrees: out = argument() / (std::numbers::pi / 180); break;
-    case Word::radians: out = argument() * (std::numbers::pi / 180); break;
+    case Word::abs:
+      out = std::fabs(argument());
+      break;
+    case Word::sin:
+      out = std::sin(argument());
+      break;
+    case Word::cos:
+      out = std::cos(argument());
+      break;
+    case Word::tan:
+      out = std::tan(argument());
+      break;
+    case Word::asin:
+      out = std::asin(clamped(*this, argument()));
+      break;
+    case Word::acos:
+      out = std::acos(clamped(*this, argument()));
+      break;
+    case Word::atan:
+      out = std::atan(argument());
+      break;
+    case Word::sinh:
+      out = std::sinh(argument());
+      break;
+    case Word::cosh:
+      out = std::cosh(argument());
+      break;
+    case Word::tanh:
+      out = std::tanh(argument());
+      break;
+    case Word::asinh:
+      out = std::asinh(argument());
+      break;
+    case Word::acosh:
+      out = std::acosh(argument());
+      break;
+    case Word::atanh:
+      out = std::atanh(argument());
+      break;
+    case Word::exp:
+      out = std::exp(argument());
+      break;
+    case Word::ceil:
+      out = std::ceil(argument());
+      break;
+    case Word::floor:
+      out = std::floor(argument());
+      break;
+    case Word::int_:
+      out = to_int(argument());
+      break;
+    case Word::degrees:
+      out = argument() / (std::numbers::pi / 180);
+      break;
+    case Word::radians:
+      out = argument() * (std::numbers::pi / 180);
+      break;
     case Word::sqrt: {
       const double v = argument();
       if (v < 0) error("Domain error in sqrt: the argument is negative.");
@@ -192,19 +233,30 @@ bool Parser::Impl::float_function(Word word, double& out) {
     case Word::max:
       each_argument(*this, [&](double v, bool first) { out = first || v > out ? v : out; });
       break;
-    case Word::bitwise_and: out = bitwise(*this, [](int a, int b) { return a & b; }); break;
-    case Word::bitwise_or: out = bitwise(*this, [](int a, int b) { return a | b; }); break;
-    case Word::bitwise_xor: out = bitwise(*this, [](int a, int b) { return a ^ b; }); break;
-    case Word::select: out = select(*this); break;
+    case Word::bitwise_and:
+      out = bitwise(*this, [](int a, int b) { return a & b; });
+      break;
+    case Word::bitwise_or:
+      out = bitwise(*this, [](int a, int b) { return a | b; });
+      break;
+    case Word::bitwise_xor:
+      out = bitwise(*this, [](int a, int b) { return a ^ b; });
+      break;
+    case Word::select:
+      out = select(*this);
+      break;
     case Word::seed: {
       const double v = argument();
       const auto state = static_cast<std::uint32_t>(to_int(v));
-      if (random_streams.size() * sizeof(state) > options.limits.max_memory_bytes / 16) error("Too many random streams.");
+      if (random_streams.size() * sizeof(state) > options.limits.max_memory_bytes / 16)
+        error("Too many random streams.");
       random_streams.push_back(state);
       out = static_cast<double>(random_streams.size() - 1);
       break;
     }
-    case Word::rand: out = random_number(*this); break;
+    case Word::rand:
+      out = random_number(*this);
+      break;
     case Word::vdot: {
       open_arguments();
       const Live live(*this);
@@ -271,9 +323,15 @@ bool Parser::Impl::float_function(Word word, double& out) {
       close_arguments();
       break;
     }
-    case Word::dimensions: out = dimension(*this, false); break;
-    case Word::dimension_size: out = dimension(*this, true); break;
-    case Word::defined: out = defined_argument(); break;
+    case Word::dimensions:
+      out = dimension(*this, false);
+      break;
+    case Word::dimension_size:
+      out = dimension(*this, true);
+      break;
+    case Word::defined:
+      out = defined_argument();
+      break;
     case Word::inside: {
       open_arguments();
       const Live live(*this);
@@ -285,13 +343,31 @@ bool Parser::Impl::float_function(Word word, double& out) {
       out = query_target(object).inside(at);
       break;
     }
-    case Word::now: out = days_since_2000(); break;
-    case Word::pi: out = std::numbers::pi; break;
-    case Word::clock: out = static_cast<double>(static_cast<float>(options.clock)); break;
-    case Word::clock_on: out = options.clock_on; break;
-    case Word::version: out = language_version / 100.0; break;
-    case Word::true_: case Word::yes: case Word::on: out = 1; break;
-    case Word::false_: case Word::no: case Word::off: out = 0; break;
+    case Word::now:
+      out = days_since_2000();
+      break;
+    case Word::pi:
+      out = std::numbers::pi;
+      break;
+    case Word::clock:
+      out = static_cast<double>(static_cast<float>(options.clock));
+      break;
+    case Word::clock_on:
+      out = options.clock_on;
+      break;
+    case Word::version:
+      out = language_version / 100.0;
+      break;
+    case Word::true_:
+    case Word::yes:
+    case Word::on:
+      out = 1;
+      break;
+    case Word::false_:
+    case Word::no:
+    case Word::off:
+      out = 0;
+      break;
     default:
       --position;
       error(fmt::format("'{}' can only be used inside user functions.", spelling(word)));

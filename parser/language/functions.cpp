@@ -1,6 +1,8 @@
-// User functions: from tokens to the tree of tracer/functions/expression.h, and the special function bodies (spec 01 section 23).
+// User functions: from tokens to the tree of tracer/functions/expression.h, and the special function bodies (spec 01
+// section 23).
 //
-// The expression language differs from that of scene code: no vectors, no '?:', '&' binds tighter than '|', and comparisons need no parentheses.
+// The expression language differs from that of scene code: no vectors, no '?:', '&' binds tighter than '|', and
+// comparisons need no parentheses.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +12,7 @@
 #include <utility>
 
 #include "parser/language/impl.h"
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 #include "tracer/functions/expression.h"
 #include "tracer/textures/texture.h"
 
@@ -23,7 +25,8 @@ using namespace functions;
 std::uint32_t key(Word word) { return static_cast<std::uint32_t>(word); }
 std::uint32_t key(std::uint32_t identifier) { return 0x10000u + identifier; }
 
-// A function that calls itself. POV-Ray calls that unsupported and lets it be; it crashes when the calls do not end, here the value is then NaN.
+// A function that calls itself. POV-Ray calls that unsupported and lets it be; it crashes when the calls do not end,
+// here the value is then NaN.
 class Recursive : public Function {
  public:
   explicit Recursive(int parameters) : parameters_(parameters) {}
@@ -54,7 +57,9 @@ class SelfCall : public Function {
   explicit SelfCall(const Recursive& target) : target_(target) {}
   int parameters() const override { return target_.parameters(); }
   int components() const override { return 1; }
-  void evaluate(std::span<const double> arguments, double* result) const override { target_.evaluate(arguments, result); }
+  void evaluate(std::span<const double> arguments, double* result) const override {
+    target_.evaluate(arguments, result);
+  }
 
  private:
   const Recursive& target_;
@@ -80,8 +85,12 @@ class FunctionParser {
   Node logic_or() { return chain<&FunctionParser::logic_and>({{'|', Op::logic_or}}); }
   Node logic_and() { return chain<&FunctionParser::comparison>({{'&', Op::logic_and}}); }
   Node comparison() {
-    return chain<&FunctionParser::sum>({{'<', Op::less}, {kLessEqual, Op::less_equal}, {'=', Op::equal}, {kNotEqual, Op::not_equal},
-                                        {kGreaterEqual, Op::greater_equal}, {'>', Op::greater}});
+    return chain<&FunctionParser::sum>({{'<', Op::less},
+                                        {kLessEqual, Op::less_equal},
+                                        {'=', Op::equal},
+                                        {kNotEqual, Op::not_equal},
+                                        {kGreaterEqual, Op::greater_equal},
+                                        {'>', Op::greater}});
   }
   Node sum() { return chain<&FunctionParser::product>({{'+', Op::add}, {'-', Op::subtract}}); }
   Node product() { return chain<&FunctionParser::sign>({{'*', Op::multiply}, {'/', Op::divide}}); }
@@ -135,13 +144,16 @@ void FunctionParser::parameters() {
     p_.skip_token();
     while (p_.peek().punctuation != ')') {
       const Token token = p_.peek();
-      if (count_ == kMaxFunctionParameters) p_.error(fmt::format("A function has at most {} parameters.", kMaxFunctionParameters));
+      if (count_ == kMaxFunctionParameters)
+        p_.error(fmt::format("A function has at most {} parameters.", kMaxFunctionParameters));
       if (token.kind == TokenKind::identifier) {
         if (p_.names[token.id()].symbol)
-          p_.error(fmt::format("'{}' is declared: it cannot be the name of a function's parameter.", p_.names[token.id()].text));
+          p_.error(fmt::format("'{}' is declared: it cannot be the name of a function's parameter.",
+                               p_.names[token.id()].text));
         add(key(token.id()));
-      } else if (token.kind == TokenKind::word && (token.word == Word::x || token.word == Word::y || token.word == Word::z || token.word == Word::u ||
-                                                   token.word == Word::v)) {
+      } else if (token.kind == TokenKind::word &&
+                 (token.word == Word::x || token.word == Word::y || token.word == Word::z || token.word == Word::u ||
+                  token.word == Word::v)) {
         add_word(token.word);
       } else {
         p_.expected("parameter name");
@@ -179,7 +191,8 @@ Node FunctionParser::chain(std::initializer_list<std::pair<char, Op>> operators)
   Node first = (this->*next)();
   const auto find = [&] {
     const char c = p_.peek().punctuation;
-    return c ? std::find_if(operators.begin(), operators.end(), [c](const auto& o) { return o.first == c; }) : operators.end();
+    return c ? std::find_if(operators.begin(), operators.end(), [c](const auto& o) { return o.first == c; })
+             : operators.end();
   };
   auto operation = find();
   if (operation == operators.end()) return first;
@@ -206,7 +219,8 @@ Node FunctionParser::sign() {
 }
 
 Node FunctionParser::variable(std::uint32_t name) const {
-  const auto found = std::find_if(variables_.rbegin(), variables_.rend(), [name](const Variable& v) { return v.name == name; });
+  const auto found =
+      std::find_if(variables_.rbegin(), variables_.rend(), [name](const Variable& v) { return v.name == name; });
   if (found == variables_.rend()) return {Zero{}, false};
   return {Parameter{found->slot}, false};
 }
@@ -217,8 +231,10 @@ Node FunctionParser::primary() {
     case TokenKind::number:
       p_.skip_token();
       return {Constant{token.number()}, false};
-    case TokenKind::identifier: return identifier_primary();
-    case TokenKind::word: return word_primary(token.word);
+    case TokenKind::identifier:
+      return identifier_primary();
+    case TokenKind::word:
+      return word_primary(token.word);
     case TokenKind::punctuation:
       if (token.punctuation == '(') {
         const Nesting nesting(p_);
@@ -229,7 +245,8 @@ Node FunctionParser::primary() {
         return inner;
       }
       [[fallthrough]];
-    default: p_.expected("function expression");
+    default:
+      p_.expected("function expression");
   }
 }
 
@@ -238,7 +255,8 @@ std::vector<Node> FunctionParser::arguments(int expected, std::string_view name)
   std::vector<Node> result;
   open();
   while (p_.peek().punctuation != ')') {
-    if (static_cast<int>(result.size()) == expected) p_.error(fmt::format("Too many arguments: '{}' has {}.", name, expected));
+    if (static_cast<int>(result.size()) == expected)
+      p_.error(fmt::format("Too many arguments: '{}' has {}.", name, expected));
     result.push_back(logic_or());
     if (p_.peek().punctuation == ')') break;
     separator();
@@ -257,19 +275,25 @@ struct BuiltinEntry {
 };
 
 constexpr BuiltinEntry kBuiltins[] = {
-    {Word::abs, Builtin::abs_, 1},       {Word::acos, Builtin::acos_, 1},       {Word::acosh, Builtin::acosh_, 1}, {Word::asin, Builtin::asin_, 1},
-    {Word::asinh, Builtin::asinh_, 1},   {Word::atan, Builtin::atan_, 1},       {Word::atan2, Builtin::atan2_, 2}, {Word::atanh, Builtin::atanh_, 1},
-    {Word::ceil, Builtin::ceil_, 1},     {Word::cos, Builtin::cos_, 1},         {Word::cosh, Builtin::cosh_, 1},   {Word::degrees, Builtin::degrees_, 1},
-    {Word::div, Builtin::div_, 2},       {Word::exp, Builtin::exp_, 1},         {Word::floor, Builtin::floor_, 1}, {Word::int_, Builtin::int_, 1},
-    {Word::ln, Builtin::ln_, 1},         {Word::log, Builtin::log_, 1},         {Word::max, Builtin::max_, -1},    {Word::min, Builtin::min_, -1},
-    {Word::mod, Builtin::mod_, 2},       {Word::pow, Builtin::pow_, 2},         {Word::radians, Builtin::radians_, 1},
-    {Word::select, Builtin::select_, -2}, {Word::sin, Builtin::sin_, 1},        {Word::sinh, Builtin::sinh_, 1},   {Word::sqrt, Builtin::sqrt_, 1},
-    {Word::tan, Builtin::tan_, 1},       {Word::tanh, Builtin::tanh_, 1},
+    {Word::abs, Builtin::abs_, 1},     {Word::acos, Builtin::acos_, 1},       {Word::acosh, Builtin::acosh_, 1},
+    {Word::asin, Builtin::asin_, 1},   {Word::asinh, Builtin::asinh_, 1},     {Word::atan, Builtin::atan_, 1},
+    {Word::atan2, Builtin::atan2_, 2}, {Word::atanh, Builtin::atanh_, 1},     {Word::ceil, Builtin::ceil_, 1},
+    {Word::cos, Builtin::cos_, 1},     {Word::cosh, Builtin::cosh_, 1},       {Word::degrees, Builtin::degrees_, 1},
+    {Word::div, Builtin::div_, 2},     {Word::exp, Builtin::exp_, 1},         {Word::floor, Builtin::floor_, 1},
+    {Word::int_, Builtin::int_, 1},    {Word::ln, Builtin::ln_, 1},           {Word::log, Builtin::log_, 1},
+    {Word::max, Builtin::max_, -1},    {Word::min, Builtin::min_, -1},        {Word::mod, Builtin::mod_, 2},
+    {Word::pow, Builtin::pow_, 2},     {Word::radians, Builtin::radians_, 1}, {Word::select, Builtin::select_, -2},
+    {Word::sin, Builtin::sin_, 1},     {Word::sinh, Builtin::sinh_, 1},       {Word::sqrt, Builtin::sqrt_, 1},
+    {Word::tan, Builtin::tan_, 1},     {Word::tanh, Builtin::tanh_, 1},
 };
 
 Node FunctionParser::word_primary(Word word) {
   switch (word) {
-    case Word::x: case Word::y: case Word::z: case Word::u: case Word::v:
+    case Word::x:
+    case Word::y:
+    case Word::z:
+    case Word::u:
+    case Word::v:
       p_.skip_token();
       return variable(key(word));
     case Word::pi:
@@ -282,17 +306,21 @@ Node FunctionParser::word_primary(Word word) {
     case Word::prod:
       p_.skip_token();
       return loop(word == Word::prod);
-    default: break;
+    default:
+      break;
   }
-  const auto* entry = std::find_if(std::begin(kBuiltins), std::end(kBuiltins), [word](const BuiltinEntry& b) { return b.word == word; });
+  const auto* entry = std::find_if(std::begin(kBuiltins), std::end(kBuiltins),
+                                   [word](const BuiltinEntry& b) { return b.word == word; });
   if (entry == std::end(kBuiltins)) p_.expected("function expression");
   p_.skip_token();
   BuiltinCall call{entry->builtin, arguments(entry->arguments, spelling(word))};
   const std::size_t count = call.arguments.size();
-  if (entry->arguments == -1 && count < 2) p_.error(fmt::format("'{}' needs at least 2 arguments in a function.", spelling(word)));
+  if (entry->arguments == -1 && count < 2)
+    p_.error(fmt::format("'{}' needs at least 2 arguments in a function.", spelling(word)));
   if (entry->builtin == Builtin::pow_) {
     const auto* power = std::get_if<Constant>(&call.arguments[1].value);
-    if (power && !call.arguments[1].parenthesised && power->value == 0) p_.message(Severity::warning, "Zero power optimised to constant 1.0!");
+    if (power && !call.arguments[1].parenthesised && power->value == 0)
+      p_.message(Severity::warning, "Zero power optimised to constant 1.0!");
   }
   if (entry->arguments == -2 && count != 3 && count != 4) p_.error("'select' needs 3 or 4 arguments.");
   return {std::move(call), false};
@@ -303,9 +331,11 @@ Node FunctionParser::loop(bool product) {
   const Nesting nesting(p_);
   open();
   const Token name = p_.peek();
-  const bool letter = name.kind == TokenKind::word && (name.word == Word::x || name.word == Word::y || name.word == Word::z || name.word == Word::u ||
-                                                       name.word == Word::v);
-  if (!letter && (name.kind != TokenKind::identifier || p_.names[name.id()].symbol)) p_.expected("a new name for the loop variable");
+  const bool letter =
+      name.kind == TokenKind::word && (name.word == Word::x || name.word == Word::y || name.word == Word::z ||
+                                       name.word == Word::u || name.word == Word::v);
+  if (!letter && (name.kind != TokenKind::identifier || p_.names[name.id()].symbol))
+    p_.expected("a new name for the loop variable");
   p_.skip_token();
   separator();
   Loop result;
@@ -334,7 +364,8 @@ Node FunctionParser::identifier_primary() {
   if (value->index() == 0 && token.id() == self_) {
     if (!recursive_) {
       recursive_ = std::make_shared<Recursive>(count_);
-      p_.message(Severity::possible_error, "Recursive function calls are not supported by POV-Ray, which does not check them.");
+      p_.message(Severity::possible_error,
+                 "Recursive function calls are not supported by POV-Ray, which does not check them.");
     }
     p_.resolve();
     return user_call(std::make_shared<SelfCall>(*recursive_));
@@ -361,16 +392,37 @@ Node FunctionParser::user_call(const FunctionPtr& function) {
     const Token token = p_.peek();
     const std::string_view text = token.kind == TokenKind::identifier ? p_.names[token.id()].text : std::string_view{};
     switch (token.word) {
-      case Word::x: case Word::u: case Word::red: call.component = 0; break;
-      case Word::y: case Word::v: case Word::green: call.component = 1; break;
-      case Word::z: case Word::blue: call.component = 2; break;
-      case Word::t: case Word::filter: call.component = 3; break;
-      case Word::transmit: call.component = 4; break;
-      case Word::gray: call.grey = true; break;
+      case Word::x:
+      case Word::u:
+      case Word::red:
+        call.component = 0;
+        break;
+      case Word::y:
+      case Word::v:
+      case Word::green:
+        call.component = 1;
+        break;
+      case Word::z:
+      case Word::blue:
+        call.component = 2;
+        break;
+      case Word::t:
+      case Word::filter:
+        call.component = 3;
+        break;
+      case Word::transmit:
+        call.component = 4;
+        break;
+      case Word::gray:
+        call.grey = true;
+        break;
       default:
-        if (text == "grey") call.grey = true;
-        else if (text == "hf") call.hf = true;
-        else p_.expected("a component: x, y, z, t, u, v, red, green, blue, filter, transmit, gray or hf");
+        if (text == "grey")
+          call.grey = true;
+        else if (text == "hf")
+          call.hf = true;
+        else
+          p_.expected("a component: x, y, z, t, u, v, red, green, blue, filter, transmit, gray or hf");
     }
     p_.skip_token();
   }
@@ -418,7 +470,8 @@ FunctionPtr Parser::Impl::function() {
   skip_token();
   const Word word = peek().kind == TokenKind::word ? peek().word : Word::none;
   const bool fixed = word == Word::pattern || word == Word::pigment || word == Word::transform || word == Word::spline;
-  if (fixed && !expression.default_parameters()) error(fmt::format("A function of a {} has no parameter list.", spelling(word)));
+  if (fixed && !expression.default_parameters())
+    error(fmt::format("A function of a {} has no parameter list.", spelling(word)));
   textures::Settings settings;
   settings.noise_generator = scene.settings.noise_generator;
   settings.number_of_waves = scene.settings.number_of_waves;
@@ -448,12 +501,15 @@ FunctionPtr Parser::Impl::function() {
       result = textures::pigment_function(pigment, settings);
       break;
     }
-    case Word::transform: result = std::make_shared<TransformFunction>(parse_transform(parser)); break;
+    case Word::transform:
+      result = std::make_shared<TransformFunction>(parse_transform(parser));
+      break;
     case Word::spline:
       skip_token();
       result = std::make_shared<SplineFunction>(spline());
       break;
-    default: result = expression.body();
+    default:
+      result = expression.body();
   }
   if (peek().punctuation != '}') expected("}");
   skip_token();
@@ -468,14 +524,24 @@ Shared<Spline> Parser::Impl::spline() {
   if (peek().punctuation != '{') expected("{");
   skip_token();
   auto result = std::make_shared<Spline>();
-  if (const Value* value = peek_value(); value && std::holds_alternative<Shared<Spline>>(*value) && (&peek())[1].punctuation != '(')
+  if (const Value* value = peek_value();
+      value && std::holds_alternative<Shared<Spline>>(*value) && (&peek())[1].punctuation != '(')
     *result = *std::get<Shared<Spline>>(resolve().value());
   switch (peek().word) {
-    case Word::linear_spline: result->set_kind(Spline::Kind::linear), skip_token(); break;
-    case Word::quadratic_spline: result->set_kind(Spline::Kind::quadratic), skip_token(); break;
-    case Word::cubic_spline: result->set_kind(Spline::Kind::cubic), skip_token(); break;
-    case Word::natural_spline: result->set_kind(Spline::Kind::natural), skip_token(); break;
-    default: break;
+    case Word::linear_spline:
+      result->set_kind(Spline::Kind::linear), skip_token();
+      break;
+    case Word::quadratic_spline:
+      result->set_kind(Spline::Kind::quadratic), skip_token();
+      break;
+    case Word::cubic_spline:
+      result->set_kind(Spline::Kind::cubic), skip_token();
+      break;
+    case Word::natural_spline:
+      result->set_kind(Spline::Kind::natural), skip_token();
+      break;
+    default:
+      break;
   }
   while (peek().punctuation != '}') {
     const double t = scalar();

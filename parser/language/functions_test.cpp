@@ -51,13 +51,15 @@ TEST(UserFunctions, SpecialBodies) {
 TEST(UserFunctions, Rules) {
   EXPECT_TRUE(accepts("#declare f = function(a b){a} #declare A = f(1 2); #declare g = function{sum(x,1,3,x)}"));
   EXPECT_TRUE(accepts("#declare f = function(x){x} #declare g = f; #declare A = g(1);"));
-  for (const char* bad : {"#declare f = function(x){x} #declare f = function(x){x}", "#declare a = 1; #declare f = function(a){a}", "#declare f = function(t){t}",
-                          "#declare f = function{--x}", "#declare f = function{!x}", "#declare f = function{x?1:2}", "#declare f = function(){1}",
-                          "#declare f = function(a){a} #declare A = f(1,2);", "#declare f = function(a,b){a} #declare A = f(1);",
-                          "#declare f = function{internal(79)}", "#declare f = function{sqr(x)}", "#declare f = function{x/0}",
-                          "#declare f = function(a) { pigment { rgb 1 } }", "#declare f = function{unknown}",
-                          "#declare f = function{max(x y)}", "#declare f = function{max(x,y,)}", "#declare f = function{sum(i 1 3 i)}",
-                          "#declare i = 5; #declare f = function{sum(i,1,3,i)}", "#declare f = function(a,b){a} #declare A = f(1,2,);"})
+  for (const char* bad :
+       {"#declare f = function(x){x} #declare f = function(x){x}", "#declare a = 1; #declare f = function(a){a}",
+        "#declare f = function(t){t}", "#declare f = function{--x}", "#declare f = function{!x}",
+        "#declare f = function{x?1:2}", "#declare f = function(){1}",
+        "#declare f = function(a){a} #declare A = f(1,2);", "#declare f = function(a,b){a} #declare A = f(1);",
+        "#declare f = function{internal(79)}", "#declare f = function{sqr(x)}", "#declare f = function{x/0}",
+        "#declare f = function(a) { pigment { rgb 1 } }", "#declare f = function{unknown}",
+        "#declare f = function{max(x y)}", "#declare f = function{max(x,y,)}", "#declare f = function{sum(i 1 3 i)}",
+        "#declare i = 5; #declare f = function{sum(i,1,3,i)}", "#declare f = function(a,b){a} #declare A = f(1,2,);"})
     EXPECT_FALSE(accepts(bad)) << bad;
 }
 

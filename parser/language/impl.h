@@ -1,4 +1,5 @@
-// The parser's inside, shared by the files of parser/language: the cursor's state, symbols, and one group of member functions a file.
+// The parser's inside, shared by the files of parser/language: the cursor's state, symbols, and one group of member
+// functions a file.
 #pragma once
 
 #include <memory>
@@ -65,11 +66,13 @@ struct Parser::Impl {
   const Token& peek_blocked() { return ready || is_plain(*position) ? *position : fetch_blocked(); }
   // Nothing has to be done before such a token can be used.
   static bool is_plain(const Token& token) {
-    return token.kind == TokenKind::punctuation || token.kind == TokenKind::number || token.kind == TokenKind::word || token.kind == TokenKind::string || token.kind == TokenKind::vector;
+    return token.kind == TokenKind::punctuation || token.kind == TokenKind::number || token.kind == TokenKind::word ||
+           token.kind == TokenKind::string || token.kind == TokenKind::vector;
   }
   const Token& fetch();
   const Token& fetch_blocked();
-  // Where an operator, a comma or a terminator is expected: blocked at the top level of a right-hand side (spec 01 section 4, B2 and B3).
+  // Where an operator, a comma or a terminator is expected: blocked at the top level of a right-hand side (spec 01
+  // section 4, B2 and B3).
   const Token& peek_operator() { return blocked ? peek_blocked() : peek(); }
   void skip_token() {
     ready = false;
@@ -85,7 +88,7 @@ struct Parser::Impl {
   void expect_operator(char punctuation);
   std::uint32_t index(const Token* token) const { return static_cast<std::uint32_t>(token - file->tokens.data()); }
   void go_to(const TokenFile* target, std::uint32_t token);
-  bool end_of_file();           // leaves an include file; false: the main file ends here
+  bool end_of_file();  // leaves an include file; false: the main file ends here
   void enter_file(std::shared_ptr<const TokenFile> entered, std::uint32_t call);
   void leave_frame();
   void count_steps(std::size_t tokens) {
@@ -94,9 +97,9 @@ struct Parser::Impl {
   }
   void check_limits();
   void start(std::shared_ptr<const TokenFile> main);
-  void top_level();             // statements up to the end of the main file
-  bool legacy_directive();      // declare, include, default ... without '#'
-  void finish();                // checks and messages at the end of parsing
+  void top_level();         // statements up to the end of the main file
+  bool legacy_directive();  // declare, include, default ... without '#'
+  void finish();            // checks and messages at the end of parsing
 
   // ---- recovery.cpp ----
   void mark_statement();
@@ -107,9 +110,10 @@ struct Parser::Impl {
   // ---- directives.cpp, loops.cpp ----
   void directive();
   void execute(const Token& token);
-  Token skip(const TokenFile* in, std::uint32_t link);  // to the next branch or #end of the same construct; consumes and returns it
+  Token skip(const TokenFile* in,
+             std::uint32_t link);  // to the next branch or #end of the same construct; consumes and returns it
   void skip_to_end(const TokenFile* in, std::uint32_t link);
-  bool condition_value();       // ( full expression ), true or false
+  bool condition_value();  // ( full expression ), true or false
   void if_chain(bool taken, const TokenFile* in, std::uint32_t link);
   void else_branch(const Token& token);
   void end_directive(const Token& token);
@@ -122,7 +126,7 @@ struct Parser::Impl {
   void end_for();
   void break_directive();
   void open_condition(Condition::Kind kind, std::uint32_t opener);
-  bool defined_argument();      // the X of #ifdef(X) and defined(X), with its parentheses
+  bool defined_argument();  // the X of #ifdef(X) and defined(X), with its parentheses
 
   // ---- declare.cpp ----
   void declare(bool local);
@@ -139,7 +143,7 @@ struct Parser::Impl {
   // ---- macros.cpp ----
   void define_macro(const Token& token);
   void call_macro(Symbol& symbol);
-  void macro_argument();        // pushes one on `arguments`
+  void macro_argument();  // pushes one on `arguments`
 
   // ---- include.cpp, file_io.cpp ----
   void include();
@@ -158,7 +162,8 @@ struct Parser::Impl {
   void message(Severity severity, const std::string& text, const std::string& advice = {});  // once for each place
   void give(Severity severity, const std::string& text, const std::string& advice);
   [[noreturn]] void error(const std::string& text, const std::string& advice = {});
-  [[noreturn]] void fatal(const std::string& text, const std::string& advice = {});  // an error after which parsing does not go on
+  [[noreturn]] void fatal(const std::string& text,
+                          const std::string& advice = {});  // an error after which parsing does not go on
   [[noreturn]] void expected(std::string_view what);
   [[noreturn]] void undeclared(std::uint32_t name);
   [[noreturn]] void lex_error(const Token& token);
@@ -181,7 +186,7 @@ struct Parser::Impl {
   void call_function(const Function& function, Numeric& out);
   void call_spline(const Spline& spline, Numeric& out);
   void component(int width, Numeric& out);
-  double scalar();              // additive, one term
+  double scalar();  // additive, one term
   double full_scalar();
   void fit(Numeric& value, int width);
   double divide(double a, double b);
@@ -190,7 +195,7 @@ struct Parser::Impl {
   bool vector_fast(Vec3& out);
   bool additive_fast(int width, Numeric& out);
   bool full_fast(Numeric& out);
-  bool condition_fast(double& out);     // with its parentheses
+  bool condition_fast(double& out);  // with its parentheses
   void move_behind(const Token* token) {
     position = token;
     ready = false;
@@ -200,10 +205,10 @@ struct Parser::Impl {
   bool literal(bool in_full_expression, Numeric& out);  // a number or vector on its own; false: nothing consumed
 
   // ---- float_functions.cpp, vector_functions.cpp ----
-  bool word_operand(Word word, Numeric& out);   // word not yet consumed
+  bool word_operand(Word word, Numeric& out);  // word not yet consumed
   bool float_function(Word word, double& out);
   bool vector_function(Word word, Numeric& out);
-  double argument();            // ( full scalar )
+  double argument();  // ( full scalar )
   Vec3 vector_argument();
   void open_arguments();
   void close_arguments();
@@ -221,7 +226,7 @@ struct Parser::Impl {
   // ---- color.cpp ----
   enum class ColorTerms : unsigned char { five, rgb };
   Numeric color(ColorTerms terms = ColorTerms::five);
-  Numeric color_base();         // at rgb..., srgb...
+  Numeric color_base();  // at rgb..., srgb...
   void color_items(Numeric& out);
   void to_working_space(Numeric& value);
 
@@ -240,10 +245,10 @@ struct Parser::Impl {
     Value& value() const { return array ? array->elements[element] : variable->value; }
   };
   Resolved resolve();
-  const Value* peek_value();    // resolves without consuming; subscripts are evaluated once only
+  const Value* peek_value();  // resolves without consuming; subscripts are evaluated once only
 
   // ---- functions.cpp ----
-  FunctionPtr function();       // the keyword is consumed
+  FunctionPtr function();  // the keyword is consumed
   Shared<Spline> spline();
 
   // ---- version.cpp ----
@@ -260,8 +265,8 @@ struct Parser::Impl {
   const TokenFile* file = nullptr;
   const Token* position = nullptr;
   const Token* not_fast = nullptr;  // where the fast paths have just given up
-  bool ready = false;    // *position is a token for the parser: directives before it are done
-  bool blocked = false;  // operator positions do not execute directives (spec 01 section 4)
+  bool ready = false;               // *position is a token for the parser: directives before it are done
+  bool blocked = false;             // operator positions do not execute directives (spec 01 section 4)
   std::shared_ptr<const TokenFile> main_file;
   std::vector<Frame> frames;
   std::vector<Condition> conditions;
@@ -319,7 +324,8 @@ struct Parser::Impl {
   };
   std::unordered_map<const scene::Object*, QueryTarget> query_targets;
   std::vector<FunctionPtr> internal_functions;
-  std::uint32_t declaring = 0;  // the name that a #declare or #local under way gives a value: a function may call itself
+  std::uint32_t declaring =
+      0;  // the name that a #declare or #local under way gives a value: a function may call itself
 
   scene::Scene scene;
   scene::TexturePtr default_texture;
@@ -331,7 +337,9 @@ struct Parser::Impl {
 // Inside brackets everything is live again (spec 01 section 4).
 class Live {
  public:
-  explicit Live(Parser::Impl& impl, bool blocked = false) : impl_(impl), saved_(impl.blocked) { impl.blocked = blocked; }
+  explicit Live(Parser::Impl& impl, bool blocked = false) : impl_(impl), saved_(impl.blocked) {
+    impl.blocked = blocked;
+  }
   ~Live() { impl_.blocked = saved_; }
   Live(const Live&) = delete;
   Live& operator=(const Live&) = delete;
@@ -347,7 +355,8 @@ class Nesting {
   explicit Nesting(Parser::Impl& impl) : impl_(impl) {
     if (++impl.depth > impl.options.limits.max_depth) {
       --impl.depth;
-      impl.fatal("Nested deeper than " + std::to_string(impl.options.limits.max_depth) + " levels.", "--max-depth raises this limit.");
+      impl.fatal("Nested deeper than " + std::to_string(impl.options.limits.max_depth) + " levels.",
+                 "--max-depth raises this limit.");
     }
   }
   ~Nesting() { --impl_.depth; }

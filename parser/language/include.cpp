@@ -11,7 +11,8 @@ namespace verisim::parser {
 namespace fs = std::filesystem;
 
 void Parser::Impl::allow_read(const fs::path& path) {
-  if (!search->may_read(path)) error(fmt::format("The scene may not read '{}'.", path.string()), "--allow-read PATH permits it.");
+  if (!search->may_read(path))
+    error(fmt::format("The scene may not read '{}'.", path.string()), "--allow-read PATH permits it.");
   if (files_seen.insert(path.string()).second) report.files_read.push_back(path);
 }
 
@@ -55,18 +56,27 @@ void Parser::Impl::include() {
 
 void Parser::Impl::missing_include(const std::string& name) {
   std::string advice;
-  if (is_standard_include(name)) advice = "It is one of POV-Ray's standard include files: install the package povray-includes, or give its folder with +L.";
-  else if (!search->library_paths().empty()) advice = fmt::format("Searched in the current folder and in {}.", fmt::join([this] {
-    std::vector<std::string> folders;
-    for (const fs::path& p : search->library_paths()) folders.push_back(p.string());
-    return folders;
-  }(), ", "));
+  if (is_standard_include(name))
+    advice =
+        "It is one of POV-Ray's standard include files: install the package povray-includes, or give its folder with "
+        "+L.";
+  else if (!search->library_paths().empty())
+    advice =
+        fmt::format("Searched in the current folder and in {}.", fmt::join(
+                                                                     [this] {
+                                                                       std::vector<std::string> folders;
+                                                                       for (const fs::path& p : search->library_paths())
+                                                                         folders.push_back(p.string());
+                                                                       return folders;
+                                                                     }(),
+                                                                     ", "));
   error(fmt::format("Cannot find include file '{}'.", name), advice);
 }
 
 fs::path Parser::writable_file(const std::string& name) {
   if (name.empty() || name.find('\0') != std::string::npos || !impl_->search->may_write(name))
-    error(fmt::format("The scene may not write '{}'.", name), "Scenes write below the current folder and their own; --allow-write PATH permits more.");
+    error(fmt::format("The scene may not write '{}'.", name),
+          "Scenes write below the current folder and their own; --allow-write PATH permits more.");
   impl_->fonts.clear();
   return name;
 }
@@ -81,14 +91,17 @@ fs::path Parser::find_file(const std::string& name, std::string_view extensions)
     }
   }
   if (!found) found = impl_->search->find_exact(name);
-  if (!found) error(fmt::format("Cannot find file '{}'.", name), extensions.empty() ? "" : "File name extensions were tried, too.");
+  if (!found)
+    error(fmt::format("Cannot find file '{}'.", name),
+          extensions.empty() ? "" : "File name extensions were tried, too.");
   impl_->allow_read(*found);
   return *found;
 }
 
 const std::string& Parser::find_font(const std::string& name) {
   const auto known = impl_->fonts.find(name);
-  return known != impl_->fonts.end() ? known->second : impl_->fonts.emplace(name, find_file(name, ".ttf .TTF").string()).first->second;
+  return known != impl_->fonts.end() ? known->second
+                                     : impl_->fonts.emplace(name, find_file(name, ".ttf .TTF").string()).first->second;
 }
 
 }  // namespace verisim::parser

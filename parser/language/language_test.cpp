@@ -31,7 +31,8 @@ TEST(Strings, Functions) {
   EXPECT_EQ(number("val(\"1.5e3x\")"), "1500");
   EXPECT_EQ(number("strlen(\"\\u0041b\")"), "2");
   EXPECT_EQ(number("(\"a\"=\"a\" & 1<2)"), "1");
-  for (const char* bad : {"concat(\"a\",)", "\"\\0\"", "\"\\q\"", "chr(65536)", "substr(\"abc\",2,3)", "(\"a\")"}) EXPECT_FALSE(accepts(std::string("#debug ") + bad)) << bad;
+  for (const char* bad : {"concat(\"a\",)", "\"\\0\"", "\"\\q\"", "chr(65536)", "substr(\"abc\",2,3)", "(\"a\")"})
+    EXPECT_FALSE(accepts(std::string("#debug ") + bad)) << bad;
 }
 
 TEST(Strings, Charsets) {
@@ -41,10 +42,14 @@ TEST(Strings, Charsets) {
 }
 
 TEST(Scope, DeclareAndLocal) {
-  EXPECT_EQ(printed("#declare A=1; #macro T() #declare A=A+1; #local A=50; #declare A=A+1; #debug str(A,0,0) #end T() #debug concat(\" \",str(A,0,0))"), "51 2");
+  EXPECT_EQ(printed("#declare A=1; #macro T() #declare A=A+1; #local A=50; #declare A=A+1; #debug str(A,0,0) #end T() "
+                    "#debug concat(\" \",str(A,0,0))"),
+            "51 2");
   EXPECT_FALSE(accepts("#declare A=1; #macro T() #local A=A+1; #end T()"));
   EXPECT_TRUE(accepts("#declare A=1; #declare A=A+1;"));
-  EXPECT_EQ(printed("#macro N() #declare a=a+1; #end #macro M() #local a=1; N() #debug str(a,0,0) #end M() #ifdef(a) #debug \"!\" #end"), "2");
+  EXPECT_EQ(printed("#macro N() #declare a=a+1; #end #macro M() #local a=1; N() #debug str(a,0,0) #end M() #ifdef(a) "
+                    "#debug \"!\" #end"),
+            "2");
   EXPECT_EQ(printed("#declare A=1; #macro T() #local A=2; #undef A #debug str(A,0,0) #end T()"), "1");
 }
 
@@ -53,12 +58,18 @@ TEST(Scope, ArraysAndLocal) {
   EXPECT_EQ(printed(array + "#macro T() #local A[0]=50;" + show + " #end T()" + show), "11");
   EXPECT_EQ(printed(array + "#macro T() #declare A[0]=50; #end T()" + show), "50");
   EXPECT_EQ(printed(array + "#macro M(P) #local P[0]=50; #end M(A)" + show), "50");
-  EXPECT_EQ(printed("#declare A=array[3]; #macro T() #local A[0]=50; #local A[1]=60; #end T()" + show + " #ifdef(A[1]) #debug \"!\" #end"), "50");
+  EXPECT_EQ(printed("#declare A=array[3]; #macro T() #local A[0]=50; #local A[1]=60; #end T()" + show +
+                    " #ifdef(A[1]) #debug \"!\" #end"),
+            "50");
 }
 
 TEST(Scope, LocalsDieButValuesLive) {
-  EXPECT_EQ(printed("#macro M() #local b=7; b #end #declare Q = (M()); #debug str(Q,0,0) #ifdef(b) #debug \"!\" #end"), "7");
-  EXPECT_EQ(printed("#macro M() #local A=array[2]{5,6}; A #end #declare Q=M() #debug str(Q[1],0,0) #ifdef(A) #debug \"!\" #end"), "6");
+  EXPECT_EQ(printed("#macro M() #local b=7; b #end #declare Q = (M()); #debug str(Q,0,0) #ifdef(b) #debug \"!\" #end"),
+            "7");
+  EXPECT_EQ(
+      printed(
+          "#macro M() #local A=array[2]{5,6}; A #end #declare Q=M() #debug str(Q[1],0,0) #ifdef(A) #debug \"!\" #end"),
+      "6");
   EXPECT_EQ(printed("#macro M() #local S=\"text\"; S #end #declare Q=M() #debug Q #debug M()"), "texttext");
   EXPECT_TRUE(accepts("#macro M() #local b=sphere{0,1} b #end object{M()} #declare Q=M() object{Q}"));
 }
@@ -88,7 +99,8 @@ TEST(Macros, AreText) {
 
 TEST(Loops, For) {
   const auto visits = [](const std::string& head, const std::string& body = {}) {
-    return printed("#for(i," + head + ") #debug concat(str(i,0,1),\" \") " + body + " #end #debug concat(\"| \",str(i,0,16))");
+    return printed("#for(i," + head + ") #debug concat(str(i,0,1),\" \") " + body +
+                   " #end #debug concat(\"| \",str(i,0,16))");
   };
   EXPECT_EQ(printed("#for(i,0,1,0.1) #end #debug str(i,0,16)"), "1.0999999999999999");
   EXPECT_EQ(visits("3,0,-1"), "3.0 2.0 1.0 0.0 | -1.0000000000000000");
@@ -113,7 +125,9 @@ TEST(Switch, FallsThrough) {
   EXPECT_EQ(printed("#switch(2) " + body), "abcd");
   EXPECT_EQ(printed("#switch(4) " + body), "cd");
   EXPECT_EQ(printed("#switch(9) " + body), "d");
-  EXPECT_EQ(printed("#switch(3) #range(1,2) #debug \"a\" #break #range(3,4) #debug \"b\" #break #else #debug \"c\" #end #debug \"e\""), "be");
+  EXPECT_EQ(printed("#switch(3) #range(1,2) #debug \"a\" #break #range(3,4) #debug \"b\" #break #else #debug \"c\" "
+                    "#end #debug \"e\""),
+            "be");
   EXPECT_EQ(printed("#switch(1) #case(1+1e-11) #debug \"y\" #end"), "y");
   EXPECT_EQ(printed("#switch(1) #range(1+1e-11,2) #debug \"y\" #end"), "");
   EXPECT_FALSE(accepts("#switch(1) #else #end"));
@@ -121,7 +135,9 @@ TEST(Switch, FallsThrough) {
 }
 
 TEST(Arrays, Subscripts) {
-  const std::string a = "#declare A=array[3]{1,2,3}; #declare B=array[2][3]{{1,2,3},{4,5,6}}; #declare C=array[2]{array[1]{7},array[2]{8,9}};";
+  const std::string a =
+      "#declare A=array[3]{1,2,3}; #declare B=array[2][3]{{1,2,3},{4,5,6}}; #declare "
+      "C=array[2]{array[1]{7},array[2]{8,9}};";
   EXPECT_EQ(number("A[0.9999999]", a), "1");
   EXPECT_EQ(number("A[0.99999999999]", a), "2");
   EXPECT_EQ(number("A[-1e-11]", a), "1");
@@ -133,7 +149,8 @@ TEST(Arrays, Subscripts) {
   EXPECT_EQ(number("dimensions(B)", a), "2");
   EXPECT_EQ(number("dimension_size(D,1)", "#declare D=array[2.9];"), "2");
   EXPECT_EQ(number("A[1]", a + "#declare E=A; #declare E[1]=70;"), "2");
-  for (const char* bad : {"A[3]", "A[-1]", "B[1]", "A/*c*/[0]"}) EXPECT_FALSE(accepts(a + "#declare X=" + bad + ";")) << bad;
+  for (const char* bad : {"A[3]", "A[-1]", "B[1]", "A/*c*/[0]"})
+    EXPECT_FALSE(accepts(a + "#declare X=" + bad + ";")) << bad;
   EXPECT_FALSE(accepts("#declare A=array[2]{1,x};"));
   EXPECT_FALSE(accepts("#declare A=array[2]{1};"));
   EXPECT_FALSE(accepts("#declare A=array[2]{1,2,3};"));
@@ -143,7 +160,8 @@ TEST(Arrays, Subscripts) {
 
 TEST(Splines, Values) {
   const auto at = [](const std::string& kind, const std::string& t) {
-    return components(3, 9, "S(" + t + ")", "#declare S = spline { " + kind + " 0,<0,0,1> 1,<1,2,3> 2,<3,1,0> 4,<0,5,2> }");
+    return components(3, 9, "S(" + t + ")",
+                      "#declare S = spline { " + kind + " 0,<0,0,1> 1,<1,2,3> 2,<3,1,0> 4,<0,5,2> }");
   };
   EXPECT_EQ(at("linear_spline", ".5"), "0.5 1 2");
   EXPECT_EQ(at("quadratic_spline", "1.7"), "2.295 1.615 1.425");
@@ -151,18 +169,22 @@ TEST(Splines, Values) {
   EXPECT_EQ(at("natural_spline", ".5"), "0.345108696 1.342391304 2.554347826");
   EXPECT_EQ(components(2, 6, "S(.5)", "#declare S = spline { 0, 1 1, 3 }"), "2 2");
   EXPECT_EQ(components(5, 6, "S(.5)", "#declare S = spline { 0,<1,2,3,4,5> 1,<1,2> }"), "1 2 3 4 5");
-  EXPECT_EQ(components(3, 6, "T(2)", "#declare S = spline { 0,<0,0,0> 1,<1,1,1> } #declare T = spline { S 2,<5,5,5> }"), "5 5 5");
+  EXPECT_EQ(components(3, 6, "T(2)", "#declare S = spline { 0,<0,0,0> 1,<1,1,1> } #declare T = spline { S 2,<5,5,5> }"),
+            "5 5 5");
   EXPECT_EQ(components(3, 6, "S(.5,natural_spline)", "#declare S = spline { 0,<0,0,0> 1,<1,1,1> }"), "0.5 0.5 0.5");
 }
 
 TEST(Conditionals, Branches) {
-  EXPECT_EQ(printed("#if(0) #debug \"a\" #elseif(1) #debug \"b\" #elseif(1) #debug \"c\" #else #debug \"d\" #end"), "b");
+  EXPECT_EQ(printed("#if(0) #debug \"a\" #elseif(1) #debug \"b\" #elseif(1) #debug \"c\" #else #debug \"d\" #end"),
+            "b");
   EXPECT_EQ(printed("#if(0) #if(1) #debug \"a\" #else #debug \"b\" #end #else #debug \"c\" #end"), "c");
   EXPECT_EQ(printed("#if(1e-11) #debug \"a\" #else #debug \"b\" #end"), "b");
   EXPECT_EQ(printed("#declare A=<#if(1) 5, #else 6, #end 2,3>; #debug vstr(3,A,\",\",0,0)"), "5,2,3");
   EXPECT_EQ(printed("#declare V=<1,#declare A=3; A,4>; #debug vstr(3,V,\",\",0,0)"), "1,3,4");
   EXPECT_EQ(printed("#declare A = #if(1) 5; #else 6; #end #debug str(A,0,0)"), "5");
-  EXPECT_EQ(printed("#ifdef(sphere) #debug \"a\" #end #ifndef(Foo) #debug \"b\" #end #declare Foo=1; #if(defined(Foo)) #debug \"c\" #end"), "bc");
+  EXPECT_EQ(printed("#ifdef(sphere) #debug \"a\" #end #ifndef(Foo) #debug \"b\" #end #declare Foo=1; #if(defined(Foo)) "
+                    "#debug \"c\" #end"),
+            "bc");
   EXPECT_FALSE(accepts("#if(1)"));
   EXPECT_FALSE(accepts("#end"));
   EXPECT_FALSE(accepts("#if(\"a\") #end"));
@@ -176,7 +198,8 @@ TEST(Versions, Rules) {
   EXPECT_EQ(testing::run("#debug str(version,0,2)").text, "3.70");
   EXPECT_EQ(testing::run("sphere { 0, 1 }").result.scene->version, 362);
   EXPECT_EQ(testing::run("#version 3.1; sphere { 0, 1 }").result.scene->version, 350);
-  EXPECT_EQ(testing::run("#version 3.7; #declare A = 1; version 3.5; sphere").error, "");  // `version` without '#' ends parsing
+  EXPECT_EQ(testing::run("#version 3.7; #declare A = 1; version 3.5; sphere").error,
+            "");  // `version` without '#' ends parsing
 }
 
 TEST(Predeclared, Values) {
@@ -184,7 +207,10 @@ TEST(Predeclared, Values) {
   options.clock = 0.1;
   options.clock_delta = 1.0 / 7;
   options.declarations = {{"Foo", "0.123456789012"}, {"Bar", "\"text\""}, {"Nil", "abc"}};
-  EXPECT_EQ(testing::run("#debug concat(str(clock,0,16),\" \",str(clock_delta,0,9),\" \",str(Foo,0,9),Bar,str(Nil,0,0),\" \",str(image_width,0,0))", options).text,
+  EXPECT_EQ(testing::run("#debug concat(str(clock,0,16),\" \",str(clock_delta,0,9),\" "
+                         "\",str(Foo,0,9),Bar,str(Nil,0,0),\" \",str(image_width,0,0))",
+                         options)
+                .text,
             "0.1000000014901161 0.142857000 0.123457000text0 160");
 }
 

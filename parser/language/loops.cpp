@@ -69,7 +69,8 @@ void Parser::Impl::end_for() {
   const Condition condition = conditions.back();
   Symbol* symbol = names[condition.variable].symbol;
   Numeric* value = nullptr;
-  if (symbol && symbol->level == symbols.level() && !symbol->is_reference) value = std::get_if<Numeric>(&symbol->value());
+  if (symbol && symbol->level == symbols.level() && !symbol->is_reference)
+    value = std::get_if<Numeric>(&symbol->value());
   if (!value || value->terms != 1) error("The variable of #for is no longer a float at #end.");
   value->v[0] += condition.step;
   const double now = value->v[0];

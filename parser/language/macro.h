@@ -15,7 +15,8 @@ struct Macro {
   std::uint32_t definition = 0;  // the #macro token
   std::uint32_t body = 0;        // first token of the body
   std::uint32_t end = 0;         // its #end
-  bool is_expression = false;    // short, without directives, braces and strings: it can only be read as part of an expression
+  bool is_expression =
+      false;  // short, without directives, braces and strings: it can only be read as part of an expression
 };
 
 }  // namespace verisim::parser

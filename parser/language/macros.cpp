@@ -1,4 +1,5 @@
-// #macro and calls (spec 01 section 15). A call binds its arguments and moves the cursor to the body's tokens; #end brings it back.
+// #macro and calls (spec 01 section 15). A call binds its arguments and moves the cursor to the body's tokens; #end
+// brings it back.
 #include <fmt/format.h>
 
 #include "parser/language/impl.h"
@@ -12,9 +13,11 @@ bool looks_like_expression(const TokenFile& file, std::uint32_t begin, std::uint
   if (begin == end || end - begin > kLongest) return false;
   for (std::uint32_t i = begin; i < end; ++i) {
     const Token& token = file.tokens[i];
-    const bool plain = token.kind == TokenKind::number || token.kind == TokenKind::identifier || token.kind == TokenKind::vector ||
+    const bool plain = token.kind == TokenKind::number || token.kind == TokenKind::identifier ||
+                       token.kind == TokenKind::vector ||
                        (token.kind == TokenKind::word && word_class(token.word) != WordClass::keyword) ||
-                       (token.kind == TokenKind::punctuation && token.punctuation != '{' && token.punctuation != '}' && token.punctuation != ';');
+                       (token.kind == TokenKind::punctuation && token.punctuation != '{' && token.punctuation != '}' &&
+                        token.punctuation != ';');
     if (!plain) return false;
   }
   return true;
@@ -29,7 +32,8 @@ void Parser::Impl::define_macro(const Token& token) {
   macro->definition = index(position) - 1;
   const Token name = take_raw();
   if (name.kind != TokenKind::identifier) {
-    if (name.kind == TokenKind::word) error(fmt::format("'{}' is a reserved word: it cannot be the name of a macro.", spelling(name.word)));
+    if (name.kind == TokenKind::word)
+      error(fmt::format("'{}' is a reserved word: it cannot be the name of a macro.", spelling(name.word)));
     if (name.kind != TokenKind::end) --position;
     expected("identifier");
   }
@@ -43,7 +47,8 @@ void Parser::Impl::define_macro(const Token& token) {
   while (peek_blocked().punctuation != ')') {
     const Token parameter = take_raw();
     if (parameter.kind != TokenKind::identifier) {
-      if (parameter.kind == TokenKind::word) error(fmt::format("'{}' is a reserved word: it cannot be a parameter.", spelling(parameter.word)));
+      if (parameter.kind == TokenKind::word)
+        error(fmt::format("'{}' is a reserved word: it cannot be a parameter.", spelling(parameter.word)));
       if (parameter.kind != TokenKind::end) --position;
       expected("identifier");
     }
@@ -71,10 +76,12 @@ void Parser::Impl::define_macro(const Token& token) {
 void Parser::Impl::macro_argument() {
   const Token& token = peek();
   Argument argument;
-  if (token.kind == TokenKind::identifier && (position[1].punctuation == ',' || position[1].punctuation == ')') && pending.at != position) {
+  if (token.kind == TokenKind::identifier && (position[1].punctuation == ',' || position[1].punctuation == ')') &&
+      pending.at != position) {
     // A plain variable.
     Symbol* symbol = names[token.id()].symbol;
-    if (symbol && !symbol->element_of && !symbol->deprecation && std::holds_alternative<Numeric>(symbol->variable->value)) {
+    if (symbol && !symbol->element_of && !symbol->deprecation &&
+        std::holds_alternative<Numeric>(symbol->variable->value)) {
       argument.variable = symbol->variable;
       ++argument.variable->uses;
       skip_token();
@@ -87,8 +94,8 @@ void Parser::Impl::macro_argument() {
     if (!held) undeclared(token.id());
     const Token* behind = pending.at == position ? pending.behind : position + 1;
     const char c = behind->punctuation;
-    const bool lone = behind->kind != TokenKind::end && behind->kind != TokenKind::directive && c != '+' && c != '-' && c != '*' && c != '/' && c != '.' &&
-                      c != '(' && !std::holds_alternative<FunctionPtr>(*held);
+    const bool lone = behind->kind != TokenKind::end && behind->kind != TokenKind::directive && c != '+' && c != '-' &&
+                      c != '*' && c != '/' && c != '.' && c != '(' && !std::holds_alternative<FunctionPtr>(*held);
     if (lone) {
       if (held->index() == 0) error(fmt::format("'{}' has no value.", names[token.id()].text));
       Resolved resolved = resolve();
@@ -108,7 +115,8 @@ void Parser::Impl::macro_argument() {
 
 void Parser::Impl::call_macro(Symbol& symbol) {
   const Nesting nesting(*this);
-  if (static_cast<int>(frames.size()) >= options.limits.max_depth) fatal("Too many nested macro calls.", "--max-depth raises this limit.");
+  if (static_cast<int>(frames.size()) >= options.limits.max_depth)
+    fatal("Too many nested macro calls.", "--max-depth raises this limit.");
   const Shared<Macro> macro = std::get<Shared<Macro>>(symbol.value());
   const TokenFile* in = file;
   const std::uint32_t call = index(position);
@@ -121,13 +129,14 @@ void Parser::Impl::call_macro(Symbol& symbol) {
     skip_token();
     for (std::size_t i = 0; i < macro->parameters.size(); ++i) {
       if (peek().punctuation == ')')
-        error(fmt::format("Macro '{}' needs {} arguments, {} found.", names[macro->name].text, macro->parameters.size(), i));
+        error(fmt::format("Macro '{}' needs {} arguments, {} found.", names[macro->name].text, macro->parameters.size(),
+                          i));
       macro_argument();
       if (peek().punctuation == ',') skip_token();
     }
     if (peek().punctuation != ')')
-      error(fmt::format("Expected ')' behind the {} arguments of macro '{}', {} found instead.", macro->parameters.size(), names[macro->name].text,
-                        describe(*position)));
+      error(fmt::format("Expected ')' behind the {} arguments of macro '{}', {} found instead.",
+                        macro->parameters.size(), names[macro->name].text, describe(*position)));
     skip_token();
   }
   Frame frame;

@@ -14,10 +14,14 @@ constexpr std::size_t kTrail = 8;      // steps at each end of a long trail
 
 std::string punctuation_text(char c) {
   switch (c) {
-    case kLessEqual: return "<=";
-    case kGreaterEqual: return ">=";
-    case kNotEqual: return "!=";
-    default: return std::string(1, c);
+    case kLessEqual:
+      return "<=";
+    case kGreaterEqual:
+      return ">=";
+    case kNotEqual:
+      return "!=";
+    default:
+      return std::string(1, c);
   }
 }
 
@@ -26,21 +30,36 @@ std::string punctuation_text(char c) {
 // "undeclared identifier 'foo'", "float function 'sin'", "pigment", "')'" ...
 std::string Parser::Impl::describe(const Token& token) {
   switch (token.kind) {
-    case TokenKind::end: return "end of file";
-    case TokenKind::error: return "an unreadable token";
-    case TokenKind::number: return fmt::format("number {}", token.number());
-    case TokenKind::string: return "string literal";
-    case TokenKind::directive: return fmt::format("'#{}'", spelling(token.word));
+    case TokenKind::end:
+      return "end of file";
+    case TokenKind::error:
+      return "an unreadable token";
+    case TokenKind::number:
+      return fmt::format("number {}", token.number());
+    case TokenKind::string:
+      return "string literal";
+    case TokenKind::directive:
+      return fmt::format("'#{}'", spelling(token.word));
     case TokenKind::vector:
-    case TokenKind::punctuation: return fmt::format("'{}'", punctuation_text(token.punctuation));
+    case TokenKind::punctuation:
+      return fmt::format("'{}'", punctuation_text(token.punctuation));
     case TokenKind::word: {
       const char* kind = nullptr;  // keywords stand for themselves
       switch (word_class(token.word)) {
-        case WordClass::float_function: kind = "float function"; break;
-        case WordClass::vector_function: kind = "vector function"; break;
-        case WordClass::string_function: kind = "string function"; break;
-        case WordClass::color: kind = "color keyword"; break;
-        case WordClass::keyword: break;
+        case WordClass::float_function:
+          kind = "float function";
+          break;
+        case WordClass::vector_function:
+          kind = "vector function";
+          break;
+        case WordClass::string_function:
+          kind = "string function";
+          break;
+        case WordClass::color:
+          kind = "color keyword";
+          break;
+        case WordClass::keyword:
+          break;
       }
       return kind ? fmt::format("{} '{}'", kind, spelling(token.word)) : std::string(spelling(token.word));
     }
@@ -48,9 +67,11 @@ std::string Parser::Impl::describe(const Token& token) {
       const std::string_view name = names[token.id()].text;
       Symbol* symbol = names[token.id()].symbol;
       if (!symbol) return fmt::format("undeclared identifier '{}'", name);
-      static constexpr const char* kKinds[] = {"empty", "float", "string", "array", "function", "spline", "pigment", "normal", "finish", "texture", "density",
-                                               "interior", "media", "material", "color_map", "pigment_map", "normal_map", "slope_map", "texture_map",
-                                               "density_map", "transform", "camera", "fog", "rainbow", "sky_sphere", "object", "macro", "file"};
+      static constexpr const char* kKinds[] = {
+          "empty",     "float",       "string",     "array",      "function",    "spline",      "pigment",
+          "normal",    "finish",      "texture",    "density",    "interior",    "media",       "material",
+          "color_map", "pigment_map", "normal_map", "slope_map",  "texture_map", "density_map", "transform",
+          "camera",    "fog",         "rainbow",    "sky_sphere", "object",      "macro",       "file"};
       static_assert(std::size(kKinds) == std::variant_size_v<Value>);
       const Value& value = symbol->value();
       const char* kind = kKinds[value.index()];
@@ -93,8 +114,11 @@ Diagnostic Parser::Impl::diagnostic(Severity severity, const std::string& text, 
     const Frame& frame = frames[i];
     Diagnostic place;
     locate(place, *frame.file, frame.call);
-    if (frame.macro) d.trail.push_back(fmt::format("in macro '{}' called at {}:{}", names[frame.macro->name].text, place.file, place.line));
-    else d.trail.push_back(fmt::format("included from {}:{}", place.file, place.line));
+    if (frame.macro)
+      d.trail.push_back(
+          fmt::format("in macro '{}' called at {}:{}", names[frame.macro->name].text, place.file, place.line));
+    else
+      d.trail.push_back(fmt::format("included from {}:{}", place.file, place.line));
   }
   return d;
 }
@@ -103,7 +127,9 @@ void Parser::Impl::message(Severity severity, const std::string& text, const std
   // A message from inside a loop is given once for each place, the name of an experimental feature once a scene.
   const bool once = text.ends_with("an experimental feature of POV-Ray.");
   const std::size_t what = std::hash<std::string>{}(text);
-  if (file && !(once ? messages_given.emplace(nullptr, 0, what) : messages_given.emplace(file, index(position), what)).second) return;
+  if (file &&
+      !(once ? messages_given.emplace(nullptr, 0, what) : messages_given.emplace(file, index(position), what)).second)
+    return;
   if (messages_given.size() > 10000) messages_given.clear();
   give(severity, text, advice);
 }
@@ -113,9 +139,13 @@ void Parser::Impl::give(Severity severity, const std::string& text, const std::s
   if (options.message) options.message(diagnostic(severity, text, advice));
 }
 
-void Parser::Impl::error(const std::string& text, const std::string& advice) { throw ParseError{diagnostic(Severity::error, text, advice)}; }
+void Parser::Impl::error(const std::string& text, const std::string& advice) {
+  throw ParseError{diagnostic(Severity::error, text, advice)};
+}
 
-void Parser::Impl::fatal(const std::string& text, const std::string& advice) { throw ParseError{diagnostic(Severity::error, text, advice), true}; }
+void Parser::Impl::fatal(const std::string& text, const std::string& advice) {
+  throw ParseError{diagnostic(Severity::error, text, advice), true};
+}
 
 void Parser::Impl::expected(std::string_view what) {
   const Token& token = position->kind == TokenKind::error ? *position : peek_blocked();
@@ -137,7 +167,8 @@ void Parser::Impl::expected(std::string_view what) {
 void Parser::Impl::undeclared(std::uint32_t name) {
   const std::string_view text = names[name].text;
   const std::string message = fmt::format("Undeclared identifier '{}'.", text);
-  // Looking for what was meant takes a while: not for errors that will not be shown, as those of later passes of a loop.
+  // Looking for what was meant takes a while: not for errors that will not be shown, as those of later passes of a
+  // loop.
   if (touches_failed_name()) error(message);
   const Diagnostic here = diagnostic(Severity::error, message, {});
   if (recovery.reported.contains({here.file, here.line, message})) throw ParseError{here};
@@ -149,7 +180,8 @@ void Parser::Impl::undeclared(std::uint32_t name) {
   std::vector<std::string> includes;
   if (search) includes = includes_that_declare(text, search->library_paths());
   if (!includes.empty()) {
-    advice = fmt::format("It is declared in {}: is #include \"{}\" missing?", fmt::join(includes, ", "), includes.front());
+    advice =
+        fmt::format("It is declared in {}: is #include \"{}\" missing?", fmt::join(includes, ", "), includes.front());
   } else if (!likely.empty()) {
     advice = fmt::format("Did you mean '{}'?", likely);
   }
@@ -178,13 +210,17 @@ void Parser::Impl::check_deprecated(Symbol& symbol) {
 void Parser::Impl::text_directive(Word word) {
   const std::string text = utf8(string(false));
   switch (word) {
-    case Word::error: fatal("Parse halted by #error directive: " + text);
-    case Word::warning: give(Severity::warning, text, {}); return;
+    case Word::error:
+      fatal("Parse halted by #error directive: " + text);
+    case Word::warning:
+      give(Severity::warning, text, {});
+      return;
     case Word::render:
     case Word::statistics:
       message(Severity::warning, fmt::format("#{} writes to the debug stream.", spelling(word)));
       break;
-    default: break;
+    default:
+      break;
   }
   if (options.debug) options.debug(text);
 }
@@ -194,7 +230,9 @@ void Parser::Impl::text_directive(Word word) {
 void Parser::error(const std::string& text, const std::string& advice) { impl_->error(text, advice); }
 void Parser::fatal(const std::string& text, const std::string& advice) { impl_->fatal(text, advice); }
 void Parser::error_expected(std::string_view what) { impl_->expected(what); }
-void Parser::unsupported(const std::string& what) { throw ParseError{impl_->diagnostic(Severity::unsupported, what + " is not supported.", {}), true}; }
+void Parser::unsupported(const std::string& what) {
+  throw ParseError{impl_->diagnostic(Severity::unsupported, what + " is not supported.", {}), true};
+}
 void Parser::warning(const std::string& text) { impl_->message(Severity::warning, text); }
 void Parser::possible_error(const std::string& text) { impl_->message(Severity::possible_error, text); }
 

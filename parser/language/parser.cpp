@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "parser/language/impl.h"
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 namespace fs = std::filesystem;
@@ -50,7 +50,8 @@ void predeclare(Parser::Impl& p) {
     Value& value = old ? old->value() : p.symbols.create(id, 0).value();
     if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
       std::u16string content;
-      for (const char c : text.substr(1, text.size() - 2)) content += static_cast<char16_t>(static_cast<unsigned char>(c));
+      for (const char c : text.substr(1, text.size() - 2))
+        content += static_cast<char16_t>(static_cast<unsigned char>(c));
       value = std::move(content);
     } else {
       value = Numeric{{six_digits(std::strtod(text.c_str(), nullptr))}, 1};
@@ -111,7 +112,8 @@ void Parser::Impl::top_level() {
     count_steps(1);
     const Nesting statement(*this);
     if (parse_statement(parser)) continue;
-    if (token.kind == TokenKind::word && token.word == Word::version) return;  // the rest is ignored (spec 01 section 25)
+    if (token.kind == TokenKind::word && token.word == Word::version)
+      return;  // the rest is ignored (spec 01 section 25)
     if (!legacy_directive()) expected("object or directive");
   }
 }
@@ -121,7 +123,8 @@ bool Parser::Impl::legacy_directive() {
   const Token token = peek();
   if (token.kind != TokenKind::word) return false;
   if (token.word != Word::declare && token.word != Word::include && token.word != Word::default_) return false;
-  if (language_version > 295 && token.word != Word::default_) message(Severity::warning, fmt::format("Directive '{}' should have '#' in front of it.", spelling(token.word)));
+  if (language_version > 295 && token.word != Word::default_)
+    message(Severity::warning, fmt::format("Directive '{}' should have '#' in front of it.", spelling(token.word)));
   skip_token();
   const Nesting nesting(*this);
   execute(token);
@@ -131,17 +134,21 @@ bool Parser::Impl::legacy_directive() {
 void Parser::Impl::finish() {
   scene.version = parser.effective_version();
   if (!scene.settings.gamma_given && scene.version >= 370) {
-    message(Severity::possible_error, "assumed_gamma is not set: 1.0 is taken.", "Put global_settings { assumed_gamma 1.0 } into the scene.");
+    message(Severity::possible_error, "assumed_gamma is not set: 1.0 is taken.",
+            "Put global_settings { assumed_gamma 1.0 } into the scene.");
     scene.settings.gamma = scene::Gamma::power;
     scene.settings.assumed_gamma = 1;
   } else if (!scene.settings.gamma_given) {
     message(Severity::warning, "assumed_gamma is not set: colours are not corrected, as before version 3.7.");
   }
   if (!version_seen && !options.version)
-    message(Severity::warning, "This scene has no #version directive: it is rendered as version 3.62.", "Begin it with #version 3.7;");
+    message(Severity::warning, "This scene has no #version directive: it is rendered as version 3.62.",
+            "Begin it with #version 3.7;");
   else if (version_seen && !version_is_first)
     message(Severity::warning, "The #version directive is not the first statement of the scene.");
-  if (scene.version <= 310) message(Severity::warning, "The scene ends with language version 3.1 or earlier: not every oddity of those versions is imitated.");
+  if (scene.version <= 310)
+    message(Severity::warning,
+            "The scene ends with language version 3.1 or earlier: not every oddity of those versions is imitated.");
   if (scene.version < 350) scene.version = 350;
   finish_scene(parser);
   if (spline_used) message(Severity::warning, "Splines are an experimental feature of POV-Ray.");
@@ -149,7 +156,8 @@ void Parser::Impl::finish() {
 
 // ---- The public face ----
 
-Parser::Parser(const ParseOptions& options, ParseResult& result) : impl_(std::make_unique<Impl>(*this, options, result)) {}
+Parser::Parser(const ParseOptions& options, ParseResult& result)
+    : impl_(std::make_unique<Impl>(*this, options, result)) {}
 Parser::~Parser() = default;
 
 const ParseOptions& Parser::options() const { return impl_->options; }
@@ -161,7 +169,8 @@ Parser::Depth::Depth(Parser& p) : parser(p) {
   Impl& impl = *p.impl_;
   if (++impl.depth > impl.options.limits.max_depth) {
     --impl.depth;
-    impl.fatal(fmt::format("Nested deeper than {} levels.", impl.options.limits.max_depth), "--max-depth raises this limit.");
+    impl.fatal(fmt::format("Nested deeper than {} levels.", impl.options.limits.max_depth),
+               "--max-depth raises this limit.");
   }
 }
 Parser::Depth::~Depth() { --parser.impl_->depth; }
@@ -170,7 +179,8 @@ void Parser::run(const fs::path& main_file) {
   Impl& impl = *impl_;
   fs::path folder = main_file.parent_path();
   if (folder.empty()) folder = ".";
-  impl.search = std::make_unique<FileSearch>(impl.options.library_paths, folder, impl.options.allow_read, impl.options.allow_write);
+  impl.search = std::make_unique<FileSearch>(impl.options.library_paths, folder, impl.options.allow_read,
+                                             impl.options.allow_write);
   fs::path path = main_file;
   if (std::error_code error; !fs::exists(path, error))
     if (const auto found = impl.search->find_exact(main_file.string())) path = *found;
@@ -179,8 +189,10 @@ void Parser::run(const fs::path& main_file) {
 
 void Parser::run_text(std::string_view text, const std::string& name) {
   Impl& impl = *impl_;
-  impl.search = std::make_unique<FileSearch>(impl.options.library_paths, fs::path{}, impl.options.allow_read, impl.options.allow_write);
-  if (text.size() > impl.options.limits.max_file_bytes) impl.error("The scene has more bytes than --max-file-bytes allows.");
+  impl.search = std::make_unique<FileSearch>(impl.options.library_paths, fs::path{}, impl.options.allow_read,
+                                             impl.options.allow_write);
+  if (text.size() > impl.options.limits.max_file_bytes)
+    impl.error("The scene has more bytes than --max-file-bytes allows.");
   impl.start(tokenise(std::make_shared<Source>(name, text), impl.names, impl.options.limits.max_tokens, true));
 }
 

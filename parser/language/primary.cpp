@@ -14,13 +14,26 @@ constexpr int kGray = 5;
 
 std::optional<int> component_index(Word word) {
   switch (word) {
-    case Word::x: case Word::u: case Word::red: return 0;
-    case Word::y: case Word::v: case Word::green: return 1;
-    case Word::z: case Word::blue: return 2;
-    case Word::t: case Word::filter: return 3;
-    case Word::transmit: return 4;
-    case Word::gray: return kGray;
-    default: return std::nullopt;
+    case Word::x:
+    case Word::u:
+    case Word::red:
+      return 0;
+    case Word::y:
+    case Word::v:
+    case Word::green:
+      return 1;
+    case Word::z:
+    case Word::blue:
+      return 2;
+    case Word::t:
+    case Word::filter:
+      return 3;
+    case Word::transmit:
+      return 4;
+    case Word::gray:
+      return kGray;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -34,7 +47,9 @@ void Parser::Impl::primary(int width, Numeric& out) {
       out.terms = 1;
       skip_token();
       break;
-    case TokenKind::identifier: identifier_operand(out); break;
+    case TokenKind::identifier:
+      identifier_operand(out);
+      break;
     case TokenKind::word:
       if (!word_operand(token.word, out)) expected("numeric expression");
       break;
@@ -46,11 +61,15 @@ void Parser::Impl::primary(int width, Numeric& out) {
       break;
     }
     case TokenKind::punctuation:
-      if (token.punctuation == '(') parenthesis(out);
-      else if (token.punctuation == '<') vector_literal(out);
-      else expected("numeric expression");
+      if (token.punctuation == '(')
+        parenthesis(out);
+      else if (token.punctuation == '<')
+        vector_literal(out);
+      else
+        expected("numeric expression");
       break;
-    default: expected("numeric expression");
+    default:
+      expected("numeric expression");
   }
   if (out.terms == 1) {
     for (std::size_t i = 1; i < static_cast<std::size_t>(width); ++i) out.v[i] = out.v[0];
@@ -72,7 +91,8 @@ void Parser::Impl::component(int width, Numeric& out) {
   if (*index == kGray) {
     value = 0.297 * out.v[0] + (out.terms > 1 ? 0.589 * out.v[1] : 0) + (out.terms > 2 ? 0.114 * out.v[2] : 0);
   } else {
-    if (*index >= out.terms) error(fmt::format("Component '{}' of a value with {} terms.", spelling(token.word), out.terms));
+    if (*index >= out.terms)
+      error(fmt::format("Component '{}' of a value with {} terms.", spelling(token.word), out.terms));
     value = out.v[static_cast<std::size_t>(*index)];
   }
   skip_token();
@@ -120,7 +140,8 @@ void Parser::Impl::identifier_operand(Numeric& out) {
   if (const auto* function = std::get_if<FunctionPtr>(&value)) return call_function(*FunctionPtr(*function), out);
   if (const auto* curve = std::get_if<Shared<Spline>>(&value)) return call_spline(*Shared<Spline>(*curve), out);
   --position;  // the message names this identifier
-  if (value.index() == 0) error(fmt::format("'{}' has no value yet: it cannot be used in its own declaration.", names[name].text));
+  if (value.index() == 0)
+    error(fmt::format("'{}' has no value yet: it cannot be used in its own declaration.", names[name].text));
   error(fmt::format("Expected 'numeric expression', {} found instead.", describe(*position)));
 }
 
@@ -135,11 +156,14 @@ void Parser::Impl::call_function(const Function& function, Numeric& out) {
     arguments_of_call[static_cast<std::size_t>(i)] = scalar();
     if (i + 1 < count && peek().punctuation == ',') skip_token();
   }
-  if (peek().punctuation != ')') error(fmt::format("Expected ')' behind the {} arguments of the function, {} found instead.", count, describe(*position)));
+  if (peek().punctuation != ')')
+    error(fmt::format("Expected ')' behind the {} arguments of the function, {} found instead.", count,
+                      describe(*position)));
   skip_token();
   double values[kMaxFunctionComponents]{};
   function.evaluate({arguments_of_call.data(), static_cast<std::size_t>(count)}, values);
-  if (functions::take_loop_overrun()) error("A sum or prod of the function runs over more values than can be added in any reasonable time.");
+  if (functions::take_loop_overrun())
+    error("A sum or prod of the function runs over more values than can be added in any reasonable time.");
   out.terms = function.components();
   std::copy(std::begin(values), std::end(values), out.v.begin());
 }
@@ -154,10 +178,18 @@ void Parser::Impl::call_spline(const Spline& curve, Numeric& out) {
   if (typed) skip_token();
   Spline::Kind kind = curve.kind();
   switch (peek().word) {
-    case Word::linear_spline: kind = Spline::Kind::linear, skip_token(); break;
-    case Word::quadratic_spline: kind = Spline::Kind::quadratic, skip_token(); break;
-    case Word::cubic_spline: kind = Spline::Kind::cubic, skip_token(); break;
-    case Word::natural_spline: kind = Spline::Kind::natural, skip_token(); break;
+    case Word::linear_spline:
+      kind = Spline::Kind::linear, skip_token();
+      break;
+    case Word::quadratic_spline:
+      kind = Spline::Kind::quadratic, skip_token();
+      break;
+    case Word::cubic_spline:
+      kind = Spline::Kind::cubic, skip_token();
+      break;
+    case Word::natural_spline:
+      kind = Spline::Kind::natural, skip_token();
+      break;
     default:
       if (typed) expected("linear_spline, quadratic_spline, cubic_spline or natural_spline");
   }

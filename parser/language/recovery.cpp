@@ -1,23 +1,26 @@
-// Going on after an error, so that one run names several mistakes: the failing statement or directive is skipped as text, and what it would have declared
-// is remembered, so that its uses are not reported as further errors. The first error is the same as if parsing had stopped there.
+// Going on after an error, so that one run names several mistakes: the failing statement or directive is skipped as
+// text, and what it would have declared is remembered, so that its uses are not reported as further errors. The first
+// error is the same as if parsing had stopped there.
 #include "parser/language/impl.h"
 
 namespace verisim::parser {
 namespace {
 
-constexpr std::size_t kMostErrors = 20;               // reported in one run
-constexpr int kMostFailures = 60;                     // including those that are not reported: repeated in loops, or consequences
-constexpr std::uint64_t kMostStepsAfterError = 20'000'000;  // executed tokens: the rest of the scene is only read for more errors
+constexpr std::size_t kMostErrors = 20;  // reported in one run
+constexpr int kMostFailures = 60;        // including those that are not reported: repeated in loops, or consequences
+constexpr std::uint64_t kMostStepsAfterError =
+    20'000'000;  // executed tokens: the rest of the scene is only read for more errors
 
 // Directives that declare nothing and have an end that can be found.
 bool is_message(Word word) {
-  return word == Word::debug || word == Word::warning || word == Word::render || word == Word::statistics || word == Word::undef || word == Word::fclose ||
-         word == Word::write || word == Word::read;
+  return word == Word::debug || word == Word::warning || word == Word::render || word == Word::statistics ||
+         word == Word::undef || word == Word::fclose || word == Word::write || word == Word::read;
 }
 
 }  // namespace
 
-// Called where nothing is open but loops, branches, macros and include files: an error until the next call belongs to this token.
+// Called where nothing is open but loops, branches, macros and include files: an error until the next call belongs to
+// this token.
 void Parser::Impl::mark_statement() {
   recovery.file = file;
   recovery.token = index(position);
@@ -28,12 +31,15 @@ void Parser::Impl::mark_statement() {
 // False: parsing ends here.
 bool Parser::Impl::recover(ParseError& failure) {
   const bool consequence = touches_failed_name();
-  if (!consequence && !failure.diagnostic.message.empty() && recovery.reported.emplace(failure.diagnostic.file, failure.diagnostic.line, failure.diagnostic.message).second) {
+  if (!consequence && !failure.diagnostic.message.empty() &&
+      recovery.reported.emplace(failure.diagnostic.file, failure.diagnostic.line, failure.diagnostic.message).second) {
     if (options.message) options.message(failure.diagnostic);
     report.errors.push_back(failure.diagnostic);
   }
   if (report.errors.size() == 1 && recovery.steps_left == 0) recovery.steps_left = steps + kMostStepsAfterError;
-  if (failure.last || report.errors.size() >= kMostErrors || ++recovery.failures > kMostFailures || steps > recovery.steps_left) return false;
+  if (failure.last || report.errors.size() >= kMostErrors || ++recovery.failures > kMostFailures ||
+      steps > recovery.steps_left)
+    return false;
   if (!recovery.file || frames.size() < recovery.frames || conditions.size() < recovery.conditions) return false;
 
   while (frames.size() > recovery.frames) leave_frame();
@@ -68,7 +74,8 @@ bool Parser::Impl::skip_statement() {
       if (at[1].kind != TokenKind::identifier) return false;
       recovery.failed_names.insert(at[1].id());
     }
-    if (word == Word::if_ || word == Word::while_ || word == Word::for_ || word == Word::switch_ || word == Word::macro) {
+    if (word == Word::if_ || word == Word::while_ || word == Word::for_ || word == Word::switch_ ||
+        word == Word::macro) {
       std::uint32_t link = first->link();
       while (link && file->tokens[link].word != Word::end) link = file->tokens[link].link();
       if (!link) return false;

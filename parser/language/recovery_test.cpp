@@ -17,14 +17,22 @@ std::vector<int> lines_of_errors(const std::string& text) {
 using Lines = std::vector<int>;
 
 TEST(Recovery, GoesOnBehindTheFailingStatement) {
-  EXPECT_EQ(lines_of_errors("sphere { 0, one }\nbox { 0, 1 pigment { two } finish { ambient 1 } }\nsphere { 0, 1 }\ncone { three }"), (Lines{2, 3, 5}));
+  EXPECT_EQ(
+      lines_of_errors(
+          "sphere { 0, one }\nbox { 0, 1 pigment { two } finish { ambient 1 } }\nsphere { 0, 1 }\ncone { three }"),
+      (Lines{2, 3, 5}));
   EXPECT_EQ(lines_of_errors("#declare A = 1\n#declare B = 2;\n#declare C = sin;\nsphere { 0, B }"), (Lines{2, 4}));
   EXPECT_EQ(lines_of_errors("union { sphere { 0, oops }\nbox { 0, 1 } }\nsphere { 0, again }"), (Lines{2, 4}));
 }
 
 TEST(Recovery, DoesNotReportConsequences) {
-  EXPECT_EQ(lines_of_errors("#declare T = texture { pigment { nothing } }\nsphere { 0, 1 texture { T } }\nbox { 0, 1 texture { T } }"), (Lines{2}));
-  EXPECT_EQ(lines_of_errors("#declare T = texture { pigment { a } }\n#declare U = texture { T }\nsphere { 0, 1 texture { U } }\nsphere { 0, b }"), (Lines{2, 5}));
+  EXPECT_EQ(
+      lines_of_errors(
+          "#declare T = texture { pigment { nothing } }\nsphere { 0, 1 texture { T } }\nbox { 0, 1 texture { T } }"),
+      (Lines{2}));
+  EXPECT_EQ(lines_of_errors("#declare T = texture { pigment { a } }\n#declare U = texture { T }\nsphere { 0, 1 texture "
+                            "{ U } }\nsphere { 0, b }"),
+            (Lines{2, 5}));
   EXPECT_EQ(lines_of_errors("#macro M(sin) #end\nM(1)\nsphere { 0, oops }"), (Lines{2, 4}));
 }
 
@@ -49,7 +57,8 @@ TEST(Recovery, SkipsConstructsWithABadCondition) {
 }
 
 TEST(Recovery, NothingIsWrittenAfterAnError) {
-  const ParseResult result = parse_text("sphere { 0, oops }\n#fopen F \"written.txt\" write\n#write (F, 1)", "scene.pov", {});
+  const ParseResult result =
+      parse_text("sphere { 0, oops }\n#fopen F \"written.txt\" write\n#write (F, 1)", "scene.pov", {});
   EXPECT_EQ(result.errors.size(), 1u);
   EXPECT_FALSE(std::filesystem::exists("written.txt"));
 }
@@ -59,15 +68,20 @@ TEST(RecursiveFunctions, CallThemselves) {
   ParseOptions options;
   options.debug = [&](const std::string& text) { printed += text; };
   const ParseResult result = parse_text(
-      "#version 3.7; global_settings { assumed_gamma 1 }\n#declare F = function(n) { select(n-1, 1, 1, n*F(n-1)) }\n#declare G = function(n) { F(n)+1 }\n#undef F\n"
-      "#debug concat(str(G(7),0,0), \" \", str(G(0.5),0,0))\n#declare E = function(n) { E(n+1) }\n#debug str(E(1),0,0)", "scene.pov", options);
+      "#version 3.7; global_settings { assumed_gamma 1 }\n#declare F = function(n) { select(n-1, 1, 1, n*F(n-1)) "
+      "}\n#declare G = function(n) { F(n)+1 }\n#undef F\n"
+      "#debug concat(str(G(7),0,0), \" \", str(G(0.5),0,0))\n#declare E = function(n) { E(n+1) }\n#debug str(E(1),0,0)",
+      "scene.pov", options);
   EXPECT_TRUE(result.errors.empty());
   EXPECT_EQ(printed.substr(0, 6), "5041 2");
   EXPECT_NE(printed.find("nan"), std::string::npos);  // endless: POV-Ray crashes
 }
 
 TEST(Limits, EndlessSumsEnd) {
-  const ParseResult result = parse_text("#version 3.7; global_settings { assumed_gamma 1 }\n#declare F = function(n) { sum(i, 1, n, prod(j, 1, n, 1)) }\n#declare A = F(1000);\n#declare B = F(1e15);", "scene.pov", {});
+  const ParseResult result = parse_text(
+      "#version 3.7; global_settings { assumed_gamma 1 }\n#declare F = function(n) { sum(i, 1, n, prod(j, 1, n, 1)) "
+      "}\n#declare A = F(1000);\n#declare B = F(1e15);",
+      "scene.pov", {});
   ASSERT_EQ(result.errors.size(), 1u);
   EXPECT_EQ(result.errors[0].line, 4);
   EXPECT_NE(result.errors[0].message.find("sum or prod"), std::string::npos);
@@ -78,15 +92,19 @@ TEST(Limits, ErrorsNameTheOption) {
     ParseOptions options;
     limit(options.limits);
     const ParseResult result = parse_text("#version 3.7;\n" + text, "scene.pov", options);
-    return result.errors.empty() ? std::string("none") : result.errors.back().message + " " + result.errors.back().advice;
+    return result.errors.empty() ? std::string("none")
+                                 : result.errors.back().message + " " + result.errors.back().advice;
   };
-  const auto names = [](const std::string& error, const std::string& option) { return error.find(option) != std::string::npos; };
+  const auto names = [](const std::string& error, const std::string& option) {
+    return error.find(option) != std::string::npos;
+  };
   EXPECT_TRUE(names(error_with("#while (1) #end", [](Limits& l) { l.max_steps = 100000; }), "--max-steps"));
   EXPECT_TRUE(names(error_with("#macro M() M() #end M()", [](Limits&) {}), "--max-depth"));
   EXPECT_TRUE(names(error_with("#declare A = " + std::string(2000, '(') + "1", [](Limits&) {}), "--max-depth"));
   EXPECT_TRUE(names(error_with("sphere { 0, 1 }", [](Limits& l) { l.max_tokens = 5; }), "--max-tokens"));
   EXPECT_TRUE(names(error_with("sphere { 0, 1 }", [](Limits& l) { l.max_file_bytes = 5; }), "--max-file-bytes"));
-  EXPECT_TRUE(names(error_with("#declare S = \"a\" #while (1) #declare S = concat(S, S) #end", [](Limits&) {}), "--max-memory"));
+  EXPECT_TRUE(names(error_with("#declare S = \"a\" #while (1) #declare S = concat(S, S) #end", [](Limits&) {}),
+                    "--max-memory"));
   EXPECT_TRUE(names(error_with("#declare A = array[1000][1000][1000][100];", [](Limits&) {}), "--max-memory"));
 }
 

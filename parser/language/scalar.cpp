@@ -75,7 +75,8 @@ bool Parser::Impl::condition_fast(double& out) {
   return true;
 }
 
-// The form nearly all loops and macros consist of: an existing float or vector, or an element of an array of such, a value without side effects, a semicolon.
+// The form nearly all loops and macros consist of: an existing float or vector, or an element of an array of such, a
+// value without side effects, a semicolon.
 bool Parser::Impl::declare_fast(bool local) {
   const Token* const start = position;
   if (start->kind != TokenKind::identifier || language_version < 150) return false;
@@ -112,21 +113,33 @@ bool Parser::Impl::declare_fast(bool local) {
   return true;
 }
 
-// The expression ends before this token: no operator, component, directive or macro can continue it. A '>' closes a vector unless comparisons are allowed.
+// The expression ends before this token: no operator, component, directive or macro can continue it. A '>' closes a
+// vector unless comparisons are allowed.
 bool Parser::Impl::ends_expression(const Token& token, bool in_full_expression) const {
   switch (token.kind) {
     case TokenKind::punctuation:
       switch (token.punctuation) {
-        case ',': case ';': case ')': case '}': case ']': case '{': return true;
-        case '>': return !in_full_expression;
-        default: return false;
+        case ',':
+        case ';':
+        case ')':
+        case '}':
+        case ']':
+        case '{':
+          return true;
+        case '>':
+          return !in_full_expression;
+        default:
+          return false;
       }
-    case TokenKind::identifier: return blocked || !names[token.id()].symbol || !names[token.id()].symbol->is_macro;
+    case TokenKind::identifier:
+      return blocked || !names[token.id()].symbol || !names[token.id()].symbol->is_macro;
     case TokenKind::word:
     case TokenKind::number:
     case TokenKind::vector:
-    case TokenKind::string: return true;
-    default: return false;
+    case TokenKind::string:
+      return true;
+    default:
+      return false;
   }
 }
 

@@ -21,9 +21,12 @@ bool Scanner::identifier(Term& out, int depth) {
     const auto* n = std::get_if<Numeric>(&(*array)->elements[element]);
     if (!n || (n->terms == 5 && p_.language_version < 350)) return false;
     if (at_->punctuation == '.') return n->terms > 1 && component(n->v.data(), n->terms, out);
-    if (n->terms == 1) out.set(n->v[0]);
-    else if (n->terms == 3) out.set(Vec3(n->v[0], n->v[1], n->v[2]));
-    else return false;
+    if (n->terms == 1)
+      out.set(n->v[0]);
+    else if (n->terms == 3)
+      out.set(Vec3(n->v[0], n->v[1], n->v[2]));
+    else
+      return false;
     return true;
   }
   if (const auto* function = std::get_if<FunctionPtr>(value)) {
@@ -50,12 +53,14 @@ bool Scanner::user_call(const Function& function, Term& out, int depth) {
   return at_->punctuation != '.';
 }
 
-// The tokens of its body stand in the place of the call (spec 01 section 15): the expression around the call goes on with them, and behind their end.
+// The tokens of its body stand in the place of the call (spec 01 section 15): the expression around the call goes on
+// with them, and behind their end.
 bool Scanner::macro(const Symbol& symbol, Term& out, int depth) {
   const Macro& macro = *std::get<Shared<Macro>>(symbol.variable->value);
   const std::size_t count = macro.parameters.size();
   constexpr std::size_t kMostParameters = 8;
-  if (!macro.is_expression || count > kMostParameters || macros_ == kMostMacros || at_[1].punctuation != '(') return false;
+  if (!macro.is_expression || count > kMostParameters || macros_ == kMostMacros || at_[1].punctuation != '(')
+    return false;
   advance();
   advance();
   struct {
@@ -66,7 +71,9 @@ bool Scanner::macro(const Symbol& symbol, Term& out, int depth) {
   for (std::size_t i = 0; i < count; ++i) {
     if (at_->kind == TokenKind::identifier && (at_[1].punctuation == ',' || at_[1].punctuation == ')')) {
       const Symbol* argument = p_.names[at_->id()].symbol;
-      if (!argument || argument->element_of || argument->deprecation || !std::holds_alternative<Numeric>(argument->variable->value)) return false;
+      if (!argument || argument->element_of || argument->deprecation ||
+          !std::holds_alternative<Numeric>(argument->variable->value))
+        return false;
       given[i].variable = argument->variable;
       advance();
     } else if (!sum(given[i].value, depth + 1)) {
@@ -112,52 +119,98 @@ bool Scanner::call(Term& out, int depth) {
   double v[2];
   Vec3 a[2];
   switch (at_->word) {
-    case Word::x: advance(); return vector({1, 0, 0}, out);
-    case Word::y: advance(); return vector({0, 1, 0}, out);
-    case Word::z: advance(); return vector({0, 0, 1}, out);
-    case Word::pi: return constant(std::numbers::pi, out);
-    case Word::clock: return constant(static_cast<double>(static_cast<float>(p_.options.clock)), out);
-    case Word::true_: case Word::yes: case Word::on: return constant(1, out);
-    case Word::false_: case Word::no: case Word::off: return constant(0, out);
-    case Word::sin: return arguments(v, 1, depth) && (r = std::sin(v[0]), true);
-    case Word::cos: return arguments(v, 1, depth) && (r = std::cos(v[0]), true);
-    case Word::tan: return arguments(v, 1, depth) && (r = std::tan(v[0]), true);
-    case Word::atan: return arguments(v, 1, depth) && (r = std::atan(v[0]), true);
-    case Word::abs: return arguments(v, 1, depth) && (r = std::fabs(v[0]), true);
-    case Word::exp: return arguments(v, 1, depth) && (r = std::exp(v[0]), true);
-    case Word::floor: return arguments(v, 1, depth) && (r = std::floor(v[0]), true);
-    case Word::ceil: return arguments(v, 1, depth) && (r = std::ceil(v[0]), true);
-    case Word::int_: return arguments(v, 1, depth) && (r = to_int(v[0]), true);
-    case Word::radians: return arguments(v, 1, depth) && (r = v[0] * (std::numbers::pi / 180), true);
-    case Word::degrees: return arguments(v, 1, depth) && (r = v[0] / (std::numbers::pi / 180), true);
-    case Word::sqrt: return arguments(v, 1, depth) && v[0] >= 0 && (r = std::sqrt(v[0]), true);
-    case Word::ln: return arguments(v, 1, depth) && v[0] > 0 && (r = std::log(v[0]), true);
-    case Word::log: return arguments(v, 1, depth) && v[0] > 0 && (r = std::log10(v[0]), true);
-    case Word::asin: return arguments(v, 1, depth) && v[0] >= -1 && v[0] <= 1 && (r = std::asin(v[0]), true);
-    case Word::acos: return arguments(v, 1, depth) && v[0] >= -1 && v[0] <= 1 && (r = std::acos(v[0]), true);
-    case Word::atan2: return arguments(v, 2, depth) && (std::fabs(v[0]) > kEps || std::fabs(v[1]) > kEps) && (r = std::atan2(v[0], v[1]), true);
-    case Word::mod: return arguments(v, 2, depth) && (r = std::fmod(v[0], v[1]), true);
-    case Word::div: return arguments(v, 2, depth) && (r = to_int(v[0] / v[1]), true);
-    case Word::pow: return arguments(v, 2, depth) && (v[0] != 0 || v[1] != 0) && (r = std::pow(v[0], v[1]), true);
-    case Word::min: return arguments(v, 2, depth) && (r = v[1] < v[0] ? v[1] : v[0], true);
-    case Word::max: return arguments(v, 2, depth) && (r = v[1] > v[0] ? v[1] : v[0], true);
-    case Word::vlength: return arguments(a, 1, depth) && (r = length(a[0]), at_->punctuation != '.');
-    case Word::vdot: return arguments(a, 2, depth) && (r = dot(a[0], a[1]), at_->punctuation != '.');
-    case Word::vcross: return arguments(a, 2, depth) && vector(cross(a[0], a[1]), out);
-    case Word::vnormalize: return arguments(a, 1, depth) && a[0] != Vec3(0, 0, 0) && vector(normalize(a[0]), out);
-    case Word::vrotate: return arguments(a, 2, depth) && vector(Transform::rotation(a[1]).point(a[0]), out);
-    case Word::vaxis_rotate: return arguments(a, 2, depth, v) && vector(Transform::axis_rotation(a[1], v[0] * (std::numbers::pi / 180)).point(a[0]), out);
+    case Word::x:
+      advance();
+      return vector({1, 0, 0}, out);
+    case Word::y:
+      advance();
+      return vector({0, 1, 0}, out);
+    case Word::z:
+      advance();
+      return vector({0, 0, 1}, out);
+    case Word::pi:
+      return constant(std::numbers::pi, out);
+    case Word::clock:
+      return constant(static_cast<double>(static_cast<float>(p_.options.clock)), out);
+    case Word::true_:
+    case Word::yes:
+    case Word::on:
+      return constant(1, out);
+    case Word::false_:
+    case Word::no:
+    case Word::off:
+      return constant(0, out);
+    case Word::sin:
+      return arguments(v, 1, depth) && (r = std::sin(v[0]), true);
+    case Word::cos:
+      return arguments(v, 1, depth) && (r = std::cos(v[0]), true);
+    case Word::tan:
+      return arguments(v, 1, depth) && (r = std::tan(v[0]), true);
+    case Word::atan:
+      return arguments(v, 1, depth) && (r = std::atan(v[0]), true);
+    case Word::abs:
+      return arguments(v, 1, depth) && (r = std::fabs(v[0]), true);
+    case Word::exp:
+      return arguments(v, 1, depth) && (r = std::exp(v[0]), true);
+    case Word::floor:
+      return arguments(v, 1, depth) && (r = std::floor(v[0]), true);
+    case Word::ceil:
+      return arguments(v, 1, depth) && (r = std::ceil(v[0]), true);
+    case Word::int_:
+      return arguments(v, 1, depth) && (r = to_int(v[0]), true);
+    case Word::radians:
+      return arguments(v, 1, depth) && (r = v[0] * (std::numbers::pi / 180), true);
+    case Word::degrees:
+      return arguments(v, 1, depth) && (r = v[0] / (std::numbers::pi / 180), true);
+    case Word::sqrt:
+      return arguments(v, 1, depth) && v[0] >= 0 && (r = std::sqrt(v[0]), true);
+    case Word::ln:
+      return arguments(v, 1, depth) && v[0] > 0 && (r = std::log(v[0]), true);
+    case Word::log:
+      return arguments(v, 1, depth) && v[0] > 0 && (r = std::log10(v[0]), true);
+    case Word::asin:
+      return arguments(v, 1, depth) && v[0] >= -1 && v[0] <= 1 && (r = std::asin(v[0]), true);
+    case Word::acos:
+      return arguments(v, 1, depth) && v[0] >= -1 && v[0] <= 1 && (r = std::acos(v[0]), true);
+    case Word::atan2:
+      return arguments(v, 2, depth) && (std::fabs(v[0]) > kEps || std::fabs(v[1]) > kEps) &&
+             (r = std::atan2(v[0], v[1]), true);
+    case Word::mod:
+      return arguments(v, 2, depth) && (r = std::fmod(v[0], v[1]), true);
+    case Word::div:
+      return arguments(v, 2, depth) && (r = to_int(v[0] / v[1]), true);
+    case Word::pow:
+      return arguments(v, 2, depth) && (v[0] != 0 || v[1] != 0) && (r = std::pow(v[0], v[1]), true);
+    case Word::min:
+      return arguments(v, 2, depth) && (r = v[1] < v[0] ? v[1] : v[0], true);
+    case Word::max:
+      return arguments(v, 2, depth) && (r = v[1] > v[0] ? v[1] : v[0], true);
+    case Word::vlength:
+      return arguments(a, 1, depth) && (r = length(a[0]), at_->punctuation != '.');
+    case Word::vdot:
+      return arguments(a, 2, depth) && (r = dot(a[0], a[1]), at_->punctuation != '.');
+    case Word::vcross:
+      return arguments(a, 2, depth) && vector(cross(a[0], a[1]), out);
+    case Word::vnormalize:
+      return arguments(a, 1, depth) && a[0] != Vec3(0, 0, 0) && vector(normalize(a[0]), out);
+    case Word::vrotate:
+      return arguments(a, 2, depth) && vector(Transform::rotation(a[1]).point(a[0]), out);
+    case Word::vaxis_rotate:
+      return arguments(a, 2, depth, v) &&
+             vector(Transform::axis_rotation(a[1], v[0] * (std::numbers::pi / 180)).point(a[0]), out);
     case Word::rand: {
       if (!arguments(v, 1, depth)) return false;
       const int stream = to_int(v[0]);
-      if (stream < 0 || static_cast<std::size_t>(stream) >= p_.random_streams.size() || drawn_ == std::size(draws_)) return false;
+      if (stream < 0 || static_cast<std::size_t>(stream) >= p_.random_streams.size() || drawn_ == std::size(draws_))
+        return false;
       std::uint32_t& state = p_.random_streams[static_cast<std::size_t>(stream)];
       draws_[drawn_++] = {static_cast<std::uint32_t>(stream), state};
       state = 1812433253u * state + 12345u;
       r = state / 4294967295.0;
       return true;
     }
-    default: return false;
+    default:
+      return false;
   }
 }
 

@@ -1,8 +1,9 @@
-// Reads runs of plain tokens: scalars and 3-vectors made of numbers, variables, arithmetic, calls of functions and of macros that are expressions.
+// Reads runs of plain tokens: scalars and 3-vectors made of numbers, variables, arithmetic, calls of functions and of
+// macros that are expressions.
 //
-// A scanner has no side effect before its caller moves the cursor (draws from random streams are undone) and gives up at the first thing it does not know, so that
-// the general path can start again from the same token, and gives all messages. Values of 2, 4 and 5 terms are left to that, because how they are widened
-// depends on the context.
+// A scanner has no side effect before its caller moves the cursor (draws from random streams are undone) and gives up
+// at the first thing it does not know, so that the general path can start again from the same token, and gives all
+// messages. Values of 2, 4 and 5 terms are left to that, because how they are widened depends on the context.
 #pragma once
 
 #include <cmath>
@@ -63,17 +64,22 @@ class Scanner {
   }
 
  private:
-  // The expression ends before this token: not when a directive, a macro or the end of the file could still continue it, or a component follows.
+  // The expression ends before this token: not when a directive, a macro or the end of the file could still continue
+  // it, or a component follows.
   bool ends() const {
     if (macros_) return false;
     switch (at_->kind) {
-      case TokenKind::punctuation: return at_->punctuation != '.' && at_->punctuation != '[';
-      case TokenKind::identifier: return blocked_ || !p_.names[at_->id()].symbol || !p_.names[at_->id()].symbol->is_macro;
+      case TokenKind::punctuation:
+        return at_->punctuation != '.' && at_->punctuation != '[';
+      case TokenKind::identifier:
+        return blocked_ || !p_.names[at_->id()].symbol || !p_.names[at_->id()].symbol->is_macro;
       case TokenKind::word:
       case TokenKind::number:
       case TokenKind::vector:
-      case TokenKind::string: return true;
-      default: return false;
+      case TokenKind::string:
+        return true;
+      default:
+        return false;
     }
   }
 
@@ -122,7 +128,9 @@ class Scanner {
     if (!sum(out, depth)) return false;
     for (;;) {
       const char operation = at_->punctuation;
-      if (operation != '<' && operation != '>' && operation != '=' && operation != kLessEqual && operation != kGreaterEqual && operation != kNotEqual) return true;
+      if (operation != '<' && operation != '>' && operation != '=' && operation != kLessEqual &&
+          operation != kGreaterEqual && operation != kNotEqual)
+        return true;
       if (at_->kind == TokenKind::vector) return false;
       advance();
       Term right;
@@ -130,12 +138,23 @@ class Scanner {
       const double a = out.v[0], b = right.v[0];
       const bool equal = !truth(a - b);
       switch (operation) {
-        case '<': out.v[0] = a < b; break;
-        case '>': out.v[0] = a > b; break;
-        case '=': out.v[0] = equal; break;
-        case kLessEqual: out.v[0] = a <= b || equal; break;
-        case kGreaterEqual: out.v[0] = a >= b || equal; break;
-        default: out.v[0] = !equal;
+        case '<':
+          out.v[0] = a < b;
+          break;
+        case '>':
+          out.v[0] = a > b;
+          break;
+        case '=':
+          out.v[0] = equal;
+          break;
+        case kLessEqual:
+          out.v[0] = a <= b || equal;
+          break;
+        case kGreaterEqual:
+          out.v[0] = a >= b || equal;
+          break;
+        default:
+          out.v[0] = !equal;
       }
     }
   }
@@ -216,8 +235,10 @@ class Scanner {
         out.set(at_->number());
         advance();
         return at_->punctuation != '.';
-      case TokenKind::identifier: return identifier(out, depth);
-      case TokenKind::word: return depth < kMaxDepth && call(out, depth);
+      case TokenKind::identifier:
+        return identifier(out, depth);
+      case TokenKind::word:
+        return depth < kMaxDepth && call(out, depth);
       case TokenKind::vector: {
         if (at_->terms() != 3) return false;
         const double* numbers = file_->vector(*at_);
@@ -233,7 +254,8 @@ class Scanner {
             if (!conditional(out, depth + 1) || at_->punctuation != ')') return false;
             advance();
             return component(out);
-          case '<': return literal(out, depth + 1) && component(out);
+          case '<':
+            return literal(out, depth + 1) && component(out);
           case '-':
             advance();
             if (!factor(out, depth + 1)) return false;
@@ -247,9 +269,11 @@ class Scanner {
             if (!factor(out, depth + 1)) return false;
             for (int i = 0; i < out.terms; ++i) out.v[i] = !truth(out.v[i]);
             return true;
-          default: return false;
+          default:
+            return false;
         }
-      default: return false;
+      default:
+        return false;
     }
   }
 
@@ -279,7 +303,8 @@ class Scanner {
     return true;
   }
 
-  // A float or vector, an element of an array of such, a component of a vector, a call of a float function or of a macro that is an expression.
+  // A float or vector, an element of an array of such, a component of a vector, a call of a float function or of a
+  // macro that is an expression.
   bool identifier(Term& out, int depth);
   bool variable(const Numeric& n, Term& out) {
     if (n.terms == 1) {
@@ -308,10 +333,22 @@ class Scanner {
     if (at_[1].kind != TokenKind::word) return false;
     int index;
     switch (at_[1].word) {
-      case Word::x: case Word::u: case Word::red: index = 0; break;
-      case Word::y: case Word::v: case Word::green: index = 1; break;
-      case Word::z: case Word::blue: index = 2; break;
-      default: return false;
+      case Word::x:
+      case Word::u:
+      case Word::red:
+        index = 0;
+        break;
+      case Word::y:
+      case Word::v:
+      case Word::green:
+        index = 1;
+        break;
+      case Word::z:
+      case Word::blue:
+        index = 2;
+        break;
+      default:
+        return false;
     }
     if (index >= terms) return false;
     out.set(v[index]);

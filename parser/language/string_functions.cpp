@@ -30,7 +30,7 @@ std::string format_number(Parser::Impl& p, double value, int length, int precisi
   if (precision < 0) precision = 6;
   if (limited) {
     length = std::clamp(length, -kMaxNumberText - 1, kMaxNumberText + 1);  // wider is too long in any case
-    precision = std::min(precision, 2000);                                // a double has no more digits than that
+    precision = std::min(precision, 2000);                                 // a double has no more digits than that
   } else if (length < -kMaxWidth || length > kMaxWidth || precision > kMaxWidth) {
     p.error("vstr() is asked for a longer text than 1048576 characters a number.");
   }
@@ -115,14 +115,16 @@ std::u16string Parser::Impl::string_function(Word word, bool path) {
       const int length = to_int(scalar());
       if (start < 0 || length < 0 || static_cast<double>(start) + length - 1 > static_cast<double>(text.size()))
         error("substr() is asked for more than the string has.");
-      if (length > 0) out = text.substr(static_cast<std::size_t>(std::max(start - 1, 0)), static_cast<std::size_t>(length));
+      if (length > 0)
+        out = text.substr(static_cast<std::size_t>(std::max(start - 1, 0)), static_cast<std::size_t>(length));
       break;
     }
     case Word::strupr:
     case Word::strlwr:
       out = string(false);
       for (char16_t& c : out) {
-        if (c > 127) message(Severity::warning, "Non-ASCII character in string: strupr() and strlwr() leave it as it is.");
+        if (c > 127)
+          message(Severity::warning, "Non-ASCII character in string: strupr() and strlwr() leave it as it is.");
         if (word == Word::strupr && c >= u'a' && c <= u'z') c = static_cast<char16_t>(c - u'a' + u'A');
         if (word == Word::strlwr && c >= u'A' && c <= u'Z') c = static_cast<char16_t>(c - u'A' + u'a');
       }
@@ -135,7 +137,8 @@ std::u16string Parser::Impl::string_function(Word word, bool path) {
       out = date_text(*this, days, format);
       break;
     }
-    default: error("Unknown string function.");
+    default:
+      error("Unknown string function.");
   }
   close_arguments();
   return out;

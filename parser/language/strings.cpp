@@ -1,4 +1,5 @@
-// Strings: literals with escapes and charsets, and where a string is accepted (spec 01 sections 1.1 and 12). Code units are 16 bits.
+// Strings: literals with escapes and charsets, and where a string is accepted (spec 01 sections 1.1 and 12). Code units
+// are 16 bits.
 #include <fmt/format.h>
 
 #include "parser/language/impl.h"
@@ -54,18 +55,35 @@ std::u16string Parser::Impl::decode(const Token& token, bool path) {
       const char escape = bytes[i + 1];
       i += 2;
       switch (escape) {
-        case 'a': text += u'\a'; break;
-        case 'b': text += u'\b'; break;
-        case 'f': text += u'\f'; break;
-        case 'n': text += u'\n'; break;
-        case 'r': text += u'\r'; break;
-        case 't': text += u'\t'; break;
-        case 'v': text += u'\v'; break;
+        case 'a':
+          text += u'\a';
+          break;
+        case 'b':
+          text += u'\b';
+          break;
+        case 'f':
+          text += u'\f';
+          break;
+        case 'n':
+          text += u'\n';
+          break;
+        case 'r':
+          text += u'\r';
+          break;
+        case 't':
+          text += u'\t';
+          break;
+        case 'v':
+          text += u'\v';
+          break;
         case '\'':
         case '"':
-        case '\\': text += static_cast<char16_t>(escape); break;
+        case '\\':
+          text += static_cast<char16_t>(escape);
+          break;
         case 'u': {
-          if (i + 4 > bytes.size()) error("Unexpected end of escape sequence in string: \\u needs four hexadecimal digits.");
+          if (i + 4 > bytes.size())
+            error("Unexpected end of escape sequence in string: \\u needs four hexadecimal digits.");
           int code = 0;
           for (std::size_t k = 0; k < 4 && code >= 0; ++k) {
             const int digit = hex_digit(bytes[i + k]);
@@ -75,7 +93,8 @@ std::u16string Parser::Impl::decode(const Token& token, bool path) {
           i += 4;
           break;
         }
-        default: error(fmt::format("Illegal escape sequence '\\{}' in string.", escape));
+        default:
+          error(fmt::format("Illegal escape sequence '\\{}' in string.", escape));
       }
       continue;
     }
@@ -88,7 +107,8 @@ std::u16string Parser::Impl::decode(const Token& token, bool path) {
       text += static_cast<char16_t>(static_cast<unsigned char>(c));
       ++i;
     } else {
-      message(Severity::possible_error, "Non-ASCII character in string: it becomes a blank.", "Set charset utf8 in global_settings.");
+      message(Severity::possible_error, "Non-ASCII character in string: it becomes a blank.",
+              "Set charset utf8 in global_settings.");
       text += u' ';
       ++i;
     }
@@ -121,8 +141,10 @@ void Parser::Impl::check_length(std::size_t characters) {
 bool Parser::Impl::at_string() {
   const Token& token = peek();
   switch (token.kind) {
-    case TokenKind::string: return true;
-    case TokenKind::word: return word_class(token.word) == WordClass::string_function;
+    case TokenKind::string:
+      return true;
+    case TokenKind::word:
+      return word_class(token.word) == WordClass::string_function;
     case TokenKind::identifier: {
       Symbol* symbol = names[token.id()].symbol;
       if (!symbol) return false;
@@ -133,7 +155,8 @@ bool Parser::Impl::at_string() {
       }
       return value && std::holds_alternative<std::u16string>(*value);
     }
-    default: return false;
+    default:
+      return false;
   }
 }
 

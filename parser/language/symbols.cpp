@@ -33,8 +33,10 @@ Variable* SymbolTables::new_variable() {
 
 void SymbolTables::release(Variable* variable) {
   if (--variable->uses) return;
-  if (variable->value.index() > 1) variable->value = std::monostate{};
-  else variable->value.emplace<std::monostate>();
+  if (variable->value.index() > 1)
+    variable->value = std::monostate{};
+  else
+    variable->value.emplace<std::monostate>();
   free_variables_.push_back(variable);
 }
 

@@ -1,6 +1,8 @@
-// Symbols of SDL: a dynamic stack of tables, one for the main file, one more for every active include and macro call (spec 01 section 5).
+// Symbols of SDL: a dynamic stack of tables, one for the main file, one more for every active include and macro call
+// (spec 01 section 5).
 //
-// Each name keeps the list of its symbols, newest first, so a look-up is one array access; a table is only the list of what must be removed at its end.
+// Each name keeps the list of its symbols, newest first, so a look-up is one array access; a table is only the list of
+// what must be removed at its end.
 #pragma once
 
 #include <deque>
@@ -47,7 +49,8 @@ class SymbolTables {
   void pop();
 
   Symbol* find(std::uint32_t name) { return names_[name].symbol; }
-  // Adds an empty symbol to the table of `level` (0 or the current one), hiding or hidden by others of its name by level.
+  // Adds an empty symbol to the table of `level` (0 or the current one), hiding or hidden by others of its name by
+  // level.
   Symbol& create(std::uint32_t name, int level) { return bind(name, level, new_variable()); }
   Symbol& bind(std::uint32_t name, int level, Variable* variable);
   // Removes the newest symbol of this name.
@@ -65,8 +68,8 @@ class SymbolTables {
   std::deque<Variable> variables_;
   std::vector<Symbol*> free_symbols_;
   std::vector<Variable*> free_variables_;
-  std::vector<Symbol*> open_;         // symbols of all tables above the main one, oldest first
-  std::vector<std::size_t> marks_;    // where each of them starts
+  std::vector<Symbol*> open_;       // symbols of all tables above the main one, oldest first
+  std::vector<std::size_t> marks_;  // where each of them starts
 };
 
 // Where #declare writes: a variable or an array element, kept alive while the value is read.

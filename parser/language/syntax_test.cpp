@@ -1,4 +1,5 @@
-// Probes P20, P21, P30 and P31 of spec 01 section 30, and hostile input: every file must end in a scene or in a clear error.
+// Probes P20, P21, P30 and P31 of spec 01 section 30, and hostile input: every file must end in a scene or in a clear
+// error.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -44,18 +45,37 @@ class Files : public ::testing::Test {
 
 TEST(Syntax, Accepted) {
   for (const char* good :
-       {"sphere{0 1}", "#declare A=<1,2,3,>;", "/* a /* b */ c */", "/*/ */", "# sphere{0,1}", "#\n declare A=1;", "#declare A=1;;", "#declare O=sphere{0,1};",
-        "#declare O=sphere{0,1} union{sphere{0,1} O}", "#declare O=sphere{0,1} sphere{O translate x}", "#declare A=array[1]{1} #declare B=A\n[0];",
+       {"sphere{0 1}", "#declare A=<1,2,3,>;", "/* a /* b */ c */", "/*/ */", "# sphere{0,1}", "#\n declare A=1;",
+        "#declare A=1;;", "#declare O=sphere{0,1};", "#declare O=sphere{0,1} union{sphere{0,1} O}",
+        "#declare O=sphere{0,1} sphere{O translate x}", "#declare A=array[1]{1} #declare B=A\n[0];",
         "#declare A = 1 /* c */ ; // d", "#local A = 2;"})
     EXPECT_EQ(run(std::string("#version 3.7; ") + good).error, "") << good;
 }
 
 TEST(Syntax, Rejected) {
-  for (const char* bad :
-       {"sphere{0,1};", "#declare O=sphere{0,1};;", "sphere{0,,1}", "#declare A=<1,,2,3>;", "#declare A=(1==1);", "#declare A=(<1,2,3>=<1,2,3>", "#declare A=t;", "#declare A=max(1<2,3);",
-        "#declare O=sphere{0,1} union{O sphere{0,1}}", "#declare C=rgb 1; #declare D=color C+red .5;", "#declare X=1<2;", "#if(\"a\")#end",
-        "#debug concat(\"a\",)", "#declare sphere=1;", "#macro M(x) #end", "#debug \"x\";", "#declare A=1; #macro A() #end", "#macro A() #end #declare A=1;",
-        "#declare A=<1>;", "#declare A=<1,2,3,4,5,6>;", "#declare A=V;", "(>=1)", "#local"})
+  for (const char* bad : {"sphere{0,1};",
+                          "#declare O=sphere{0,1};;",
+                          "sphere{0,,1}",
+                          "#declare A=<1,,2,3>;",
+                          "#declare A=(1==1);",
+                          "#declare A=(<1,2,3>=<1,2,3>",
+                          "#declare A=t;",
+                          "#declare A=max(1<2,3);",
+                          "#declare O=sphere{0,1} union{O sphere{0,1}}",
+                          "#declare C=rgb 1; #declare D=color C+red .5;",
+                          "#declare X=1<2;",
+                          "#if(\"a\")#end",
+                          "#debug concat(\"a\",)",
+                          "#declare sphere=1;",
+                          "#macro M(x) #end",
+                          "#debug \"x\";",
+                          "#declare A=1; #macro A() #end",
+                          "#macro A() #end #declare A=1;",
+                          "#declare A=<1>;",
+                          "#declare A=<1,2,3,4,5,6>;",
+                          "#declare A=V;",
+                          "(>=1)",
+                          "#local"})
     EXPECT_FALSE(accepts(bad)) << bad;
 }
 
@@ -81,11 +101,15 @@ TEST(Hostile, EndsInAnError) {
   EXPECT_NE(run("#declare F = function { " + deep + "x }").error.find("ested"), std::string::npos);
   EXPECT_NE(run("#declare A = " + std::string(10000, '-') + "1;").error.find("ested"), std::string::npos);
   EXPECT_NE(run("#macro M() M() #end M()").error, "");
-  EXPECT_NE(run("#macro M(a) a #end #declare A = (" + [] {
-    std::string text;
-    for (int i = 0; i < 10000; ++i) text += "M(";
-    return text;
-  }() + "1").error, "");
+  EXPECT_NE(run("#macro M(a) a #end #declare A = (" +
+                [] {
+                  std::string text;
+                  for (int i = 0; i < 10000; ++i) text += "M(";
+                  return text;
+                }() +
+                "1")
+                .error,
+            "");
   std::string unions;
   for (int i = 0; i < 10000; ++i) unions += "union {";
   EXPECT_NE(run(unions).error, "");
@@ -148,28 +172,37 @@ TEST_F(Files, Include) {
 }
 
 TEST_F(Files, IncludeSeesARewrittenFile) {
-  EXPECT_EQ(printed("#macro P(S) #fopen F \"t.tmp\" write #write(F,S) #fclose F #include \"t.tmp\" #end P(\"#declare A=1;\") #debug str(A,0,0) "
+  EXPECT_EQ(printed("#macro P(S) #fopen F \"t.tmp\" write #write(F,S) #fclose F #include \"t.tmp\" #end P(\"#declare "
+                    "A=1;\") #debug str(A,0,0) "
                     "P(\"#declare A=2;\") #debug str(A,0,0)"),
             "12");
 }
 
 TEST_F(Files, Read) {
-  const std::string loop = "#fopen F \"d.txt\" read #declare n=0; #while(defined(F)) #read(F,a,b,c) #declare n=n+1; #debug concat(str(c,0,0),\" \") #end";
+  const std::string loop =
+      "#fopen F \"d.txt\" read #declare n=0; #while(defined(F)) #read(F,a,b,c) #declare n=n+1; #debug "
+      "concat(str(c,0,0),\" \") #end";
   put("d.txt", "1,2,3,\n4,5,6");
   EXPECT_EQ(printed(loop), "3 6 ");
   put("d.txt", "1,2,3,\n4,5,6,\n");
   EXPECT_EQ(printed(loop), "3 6 6 ");
   put("d.txt", "1 2 3 4");
-  EXPECT_EQ(printed("#fopen F \"d.txt\" read #while(defined(F)) #read(F,a) #debug concat(str(a,0,0),\" \") #end"), "1 3 3 ");
+  EXPECT_EQ(printed("#fopen F \"d.txt\" read #while(defined(F)) #read(F,a) #debug concat(str(a,0,0),\" \") #end"),
+            "1 3 3 ");
   put("d.txt", "<1,-2,3>,\"a\\tb\",-.5");
-  EXPECT_EQ(printed("#fopen F \"d.txt\" read #read(F,V,S,N) #debug concat(vstr(3,V,\" \",0,0),S,str(N,0,1))"), "1 -2 3a\tb-0.5");
+  EXPECT_EQ(printed("#fopen F \"d.txt\" read #read(F,V,S,N) #debug concat(vstr(3,V,\" \",0,0),S,str(N,0,1))"),
+            "1 -2 3a\tb-0.5");
   EXPECT_FALSE(accepts("#fopen F \"none.txt\" read"));
 }
 
 TEST_F(Files, Write) {
-  EXPECT_EQ(printed("#declare C=rgb 1; #fopen F \"o.txt\" write #write(F,1/3,\" \",1e10,\" \",1e-10,\" \",123456789,\"|\",<1,2,3>,1000000,\"|\",(C)) #fclose F"), "");
+  EXPECT_EQ(printed("#declare C=rgb 1; #fopen F \"o.txt\" write #write(F,1/3,\" \",1e10,\" \",1e-10,\" "
+                    "\",123456789,\"|\",<1,2,3>,1000000,\"|\",(C)) #fclose F"),
+            "");
   EXPECT_EQ(get("o.txt"), "0.333333 1e+10 1e-10 1.23457e+08|<1,2,3> 1e+06|<1,1,1,0,0> ");
-  EXPECT_EQ(printed("#fopen F \"b.bin\" write #write(F, uint8 1 2 300 (-5) 2.5 3.49, uint16be 258, sint16le -2, sint32le 16909060.4) #fclose F"), "");
+  EXPECT_EQ(printed("#fopen F \"b.bin\" write #write(F, uint8 1 2 300 (-5) 2.5 3.49, uint16be 258, sint16le -2, "
+                    "sint32le 16909060.4) #fclose F"),
+            "");
   EXPECT_EQ(get("b.bin"), std::string("\x01\x02\xff\x00\x03\x03\x01\x02\xfe\xff\x04\x03\x02\x01", 14));
   EXPECT_FALSE(accepts("#declare C=rgb 1; #fopen F \"o.txt\" write #write(F,C)"));
   const auto outside = run("#fopen F \"/verisim_must_not_exist\" write");

@@ -33,7 +33,9 @@ inline std::string printed(const std::string& sdl) {
   return outcome.error.empty() ? outcome.text : "error: " + outcome.error;
 }
 
-inline bool accepts(const std::string& sdl) { return run("#version 3.7; global_settings { assumed_gamma 1 }\n" + sdl).error.empty(); }
+inline bool accepts(const std::string& sdl) {
+  return run("#version 3.7; global_settings { assumed_gamma 1 }\n" + sdl).error.empty();
+}
 
 // Zeros at the end of decimals cut: "0.5000" is "0.5", "7.000" is "7".
 inline std::string cut(std::string number) {
@@ -51,8 +53,8 @@ inline std::string number(const std::string& expression, const std::string& befo
 
 // The first `terms` components with `digits` decimals, zeros cut.
 inline std::string components(int terms, int digits, const std::string& expression, const std::string& before = {}) {
-  const std::string text = printed(before + "#declare Value_ = " + expression + "; #debug vstr(" + std::to_string(terms) + ",Value_,\" \",0," +
-                                   std::to_string(digits) + ")");
+  const std::string text = printed(before + "#declare Value_ = " + expression + "; #debug vstr(" +
+                                   std::to_string(terms) + ",Value_,\" \",0," + std::to_string(digits) + ")");
   if (text.starts_with("error")) return text;
   std::string out, part;
   for (const char c : text + ' ') {

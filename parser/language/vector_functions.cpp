@@ -4,7 +4,7 @@
 
 #include "parser/language/impl.h"
 #include "tracer/image/image.h"
-#include "tracer/textures/noise.h"
+#include "tracer/noise/noise.h"
 
 namespace verisim::parser {
 namespace {
@@ -101,12 +101,24 @@ bool Parser::Impl::vector_function(Word word, Numeric& out) {
     if (peek().punctuation == ',') skip_token();
   };
   switch (word) {
-    case Word::x: out = vector({1, 0, 0}); break;
-    case Word::y: out = vector({0, 1, 0}); break;
-    case Word::z: out = vector({0, 0, 1}); break;
-    case Word::u: out = {{1, 0}, 2}; break;
-    case Word::v: out = {{0, 1}, 2}; break;
-    case Word::t: out = {{0, 0, 0, 1}, 4}; break;
+    case Word::x:
+      out = vector({1, 0, 0});
+      break;
+    case Word::y:
+      out = vector({0, 1, 0});
+      break;
+    case Word::z:
+      out = vector({0, 0, 1});
+      break;
+    case Word::u:
+      out = {{1, 0}, 2};
+      break;
+    case Word::v:
+      out = {{0, 1}, 2};
+      break;
+    case Word::t:
+      out = {{0, 0, 0, 1}, 4};
+      break;
     case Word::vcross: {
       open_arguments();
       const Live live(*this);
@@ -166,10 +178,17 @@ bool Parser::Impl::vector_function(Word word, Numeric& out) {
       out = vector(textures::vector_turbulence(at, octaves, lambda, omega));
       break;
     }
-    case Word::trace: out = vector(trace(*this)); break;
-    case Word::min_extent: out = vector(extent(*this, false)); break;
-    case Word::max_extent: out = vector(extent(*this, true)); break;
-    default: return false;
+    case Word::trace:
+      out = vector(trace(*this));
+      break;
+    case Word::min_extent:
+      out = vector(extent(*this, false));
+      break;
+    case Word::max_extent:
+      out = vector(extent(*this, true));
+      break;
+    default:
+      return false;
   }
   return true;
 }

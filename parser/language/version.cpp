@@ -17,8 +17,10 @@ void Parser::Impl::version_directive() {
   }
   const double stored = std::floor(value * 100 + 0.5);
   if (!(stored <= 370)) error("This scene needs a later version of POV-Ray than 3.7.");
-  if (peek_blocked().punctuation == ';') skip_token();
-  else if (stored >= 310) message(Severity::possible_error, "A semicolon ';' is missing behind #version.");
+  if (peek_blocked().punctuation == ';')
+    skip_token();
+  else if (stored >= 310)
+    message(Severity::possible_error, "A semicolon ';' is missing behind #version.");
   version_seen = true;
   set_version(static_cast<int>(std::max(stored, -1e6)));
 }
@@ -31,7 +33,9 @@ void Parser::Impl::set_version(int value) {
 // ---- The public face ----
 
 int Parser::version() const { return impl_->language_version; }
-int Parser::effective_version() const { return impl_->version_seen || impl_->options.version ? impl_->language_version : 362; }
+int Parser::effective_version() const {
+  return impl_->version_seen || impl_->options.version ? impl_->language_version : 362;
+}
 void Parser::set_charset(Charset charset) { impl_->charset = charset; }
 Parser::Charset Parser::charset() const { return impl_->charset; }
 

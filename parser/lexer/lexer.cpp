@@ -1,5 +1,5 @@
-// The grammar of tokens in Boost.Spirit X3. Blanks, names, numbers and comments are scanned by parsers of our own: they are nearly all of a file's bytes,
-// and comments nest without limit, which a recursive rule would turn into stack.
+// The grammar of tokens in Boost.Spirit X3. Blanks, names, numbers and comments are scanned by parsers of our own: they
+// are nearly all of a file's bytes, and comments nest without limit, which a recursive rule would turn into stack.
 #include "parser/lexer/lexer.h"
 
 #include <sys/mman.h>
@@ -21,13 +21,14 @@ enum CharClass : std::uint8_t { other_class, blank_class, letter_class, digit_cl
 
 constexpr auto kClass = [] {
   std::array<CharClass, 256> table{};
-  for (const char c : {' ', '\t', '\v', '\f', '\r', '\n', '\0', '\x1a'}) table[static_cast<unsigned char>(c)] = blank_class;
+  for (const char c : {' ', '\t', '\v', '\f', '\r', '\n', '\0', '\x1a'})
+    table[static_cast<unsigned char>(c)] = blank_class;
   for (int c = 'a'; c <= 'z'; ++c) table[static_cast<std::size_t>(c)] = letter_class;
   for (int c = 'A'; c <= 'Z'; ++c) table[static_cast<std::size_t>(c)] = letter_class;
   table['_'] = letter_class;
   for (int c = '0'; c <= '9'; ++c) table[static_cast<std::size_t>(c)] = digit_class;
-  for (const char c : {'{', '}', '(', ')', '[', ']', '<', '>', ',', ';', ':', '?', '=', '+', '-', '*', '/', '&', '|', '!', '#', '@', '`', '\\', '$', '^',
-                       '%', '\'', '~', '.'})
+  for (const char c : {'{', '}', '(', ')', '[', ']', '<', '>', ',',  ';', ':', '?', '=',  '+', '-',
+                       '*', '/', '&', '|', '!', '#', '@', '`', '\\', '$', '^', '%', '\'', '~', '.'})
     table[static_cast<unsigned char>(c)] = punctuation_class;
   return table;
 }();
@@ -37,10 +38,34 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_directive(Word word) {
   switch (word) {
-    case Word::break_: case Word::case_: case Word::debug: case Word::declare: case Word::default_: case Word::else_: case Word::elseif: case Word::end:
-    case Word::error: case Word::fclose: case Word::fopen: case Word::for_: case Word::if_: case Word::ifdef: case Word::ifndef: case Word::include:
-    case Word::local: case Word::macro: case Word::range: case Word::read: case Word::render: case Word::statistics: case Word::switch_:
-    case Word::undef: case Word::version: case Word::warning: case Word::while_: case Word::write:
+    case Word::break_:
+    case Word::case_:
+    case Word::debug:
+    case Word::declare:
+    case Word::default_:
+    case Word::else_:
+    case Word::elseif:
+    case Word::end:
+    case Word::error:
+    case Word::fclose:
+    case Word::fopen:
+    case Word::for_:
+    case Word::if_:
+    case Word::ifdef:
+    case Word::ifndef:
+    case Word::include:
+    case Word::local:
+    case Word::macro:
+    case Word::range:
+    case Word::read:
+    case Word::render:
+    case Word::statistics:
+    case Word::switch_:
+    case Word::undef:
+    case Word::version:
+    case Word::warning:
+    case Word::while_:
+    case Word::write:
       return true;
     default:
       return false;
@@ -69,13 +94,18 @@ struct Sink {
     if (token.punctuation == '>') pack_vector();
     return true;
   }
-  // Large scenes are mostly literal vectors: one token for each saves memory and time. Not behind what may be an operand, where '<' may be "less than".
+  // Large scenes are mostly literal vectors: one token for each saves memory and time. Not behind what may be an
+  // operand, where '<' may be "less than".
   static bool may_precede_vector(const Token& previous) {
     switch (previous.kind) {
-      case TokenKind::punctuation: return previous.punctuation != ')' && previous.punctuation != ']' && previous.punctuation != '>';
-      case TokenKind::word: return word_class(previous.word) == WordClass::keyword || word_class(previous.word) == WordClass::color;
-      case TokenKind::vector: return true;
-      default: return false;
+      case TokenKind::punctuation:
+        return previous.punctuation != ')' && previous.punctuation != ']' && previous.punctuation != '>';
+      case TokenKind::word:
+        return word_class(previous.word) == WordClass::keyword || word_class(previous.word) == WordClass::color;
+      case TokenKind::vector:
+        return true;
+      default:
+        return false;
     }
   }
   // One with comments inside: those without never were tokens apart (Vector).
@@ -153,9 +183,12 @@ struct BlockComment : Scanner<BlockComment> {
     const char* p = first + 2;
     for (std::size_t depth = 1; depth;) {
       if (last - p < 2) return sink->fail(LexError::unterminated_comment, first);
-      if (p[0] == '*' && p[1] == '/') --depth, p += 2;
-      else if (p[0] == '/' && p[1] == '*') ++depth, p += 2;
-      else ++p;
+      if (p[0] == '*' && p[1] == '/')
+        --depth, p += 2;
+      else if (p[0] == '/' && p[1] == '*')
+        ++depth, p += 2;
+      else
+        ++p;
     }
     first = p;
     sink->comment = true;
@@ -273,7 +306,9 @@ struct Number : Scanner<Number> {
 struct Vector : Scanner<Vector> {
   using Scanner::Scanner;
   bool scan(const char*& first, const char* last) const {
-    if (*first != '<' || sink->tokens.empty() || !Sink::may_precede_vector(sink->tokens.back()) || sink->numbers.size() + 5 > 0xffffffffu) return false;
+    if (*first != '<' || sink->tokens.empty() || !Sink::may_precede_vector(sink->tokens.back()) ||
+        sink->numbers.size() + 5 > 0xffffffffu)
+      return false;
     const char* p = first + 1;
     const auto skip_blanks = [&] {
       while (p != last && class_of(*p) == blank_class) ++p;
@@ -356,17 +391,26 @@ struct Punctuation : Scanner<Punctuation> {
 
 bool opens(Word word) {
   switch (word) {
-    case Word::if_: case Word::ifdef: case Word::ifndef: case Word::while_: case Word::for_: case Word::switch_: case Word::macro:
+    case Word::if_:
+    case Word::ifdef:
+    case Word::ifndef:
+    case Word::while_:
+    case Word::for_:
+    case Word::switch_:
+    case Word::macro:
       return true;
     default:
       return false;
   }
 }
 
-bool alternative(Word word) { return word == Word::else_ || word == Word::elseif || word == Word::case_ || word == Word::range; }
+bool alternative(Word word) {
+  return word == Word::else_ || word == Word::elseif || word == Word::case_ || word == Word::range;
+}
 
-// Links each opener and alternative to the next alternative or #end of the same construct, so that skipping is a jump. What has no partner in this file
-// keeps 0 and is found by scanning. Loops and macros have no alternatives: one inside them at their own level means nothing to a skip.
+// Links each opener and alternative to the next alternative or #end of the same construct, so that skipping is a jump.
+// What has no partner in this file keeps 0 and is found by scanning. Loops and macros have no alternatives: one inside
+// them at their own level means nothing to a skip.
 void link_directives(Tokens& tokens) {
   struct Open {
     std::uint32_t last;  // the token that waits for its link
@@ -410,17 +454,24 @@ void* allocate_huge(std::size_t bytes) {
 
 const char* describe(LexError error) {
   switch (error) {
-    case LexError::illegal_character: return "Illegal character in input file.";
-    case LexError::unterminated_string: return "String has no closing quote: end of file reached.";
-    case LexError::newline_after_backslash: return "Illegal escape sequence in string: a backslash at the end of a line.";
-    case LexError::unterminated_comment: return "Comment has no closing '*/': end of file reached.";
-    case LexError::second_point: return "Invalid number: a second decimal point.";
-    case LexError::too_many_tokens: return "The scene has more tokens than --max-tokens allows.";
+    case LexError::illegal_character:
+      return "Illegal character in input file.";
+    case LexError::unterminated_string:
+      return "String has no closing quote: end of file reached.";
+    case LexError::newline_after_backslash:
+      return "Illegal escape sequence in string: a backslash at the end of a line.";
+    case LexError::unterminated_comment:
+      return "Comment has no closing '*/': end of file reached.";
+    case LexError::second_point:
+      return "Invalid number: a second decimal point.";
+    case LexError::too_many_tokens:
+      return "The scene has more tokens than --max-tokens allows.";
   }
   return "";
 }
 
-std::shared_ptr<const TokenFile> tokenise(std::shared_ptr<const Source> source, Names& names, std::size_t max_tokens, bool main_file) {
+std::shared_ptr<const TokenFile> tokenise(std::shared_ptr<const Source> source, Names& names, std::size_t max_tokens,
+                                          bool main_file) {
   auto file = std::make_shared<TokenFile>();
   const std::string_view text = source->text();
   const char* first = text.data();

@@ -1,4 +1,5 @@
-// Turns a file into tokens, once (spec 01 section 1). Loops, macros and repeated includes replay ranges of the token array.
+// Turns a file into tokens, once (spec 01 section 1). Loops, macros and repeated includes replay ranges of the token
+// array.
 #pragma once
 
 #include <cstdlib>
@@ -14,13 +15,19 @@ namespace verisim::parser {
 
 // Why the lexer stopped; kept in the error token and reported only when the cursor gets there.
 enum class LexError : std::uint32_t {
-  illegal_character, unterminated_string, newline_after_backslash, unterminated_comment, second_point, too_many_tokens
+  illegal_character,
+  unterminated_string,
+  newline_after_backslash,
+  unterminated_comment,
+  second_point,
+  too_many_tokens
 };
 const char* describe(LexError error);
 
 void* allocate_huge(std::size_t bytes);  // from malloc's family; throws std::bad_alloc
 
-// Large arrays of tokens lie in huge pages where the system has them: page faults are a good part of the time a large file takes.
+// Large arrays of tokens lie in huge pages where the system has them: page faults are a good part of the time a large
+// file takes.
 template <class T>
 struct HugePageAllocator {
   using value_type = T;
@@ -36,7 +43,7 @@ using Numbers = std::vector<double, HugePageAllocator<double>>;
 
 struct TokenFile : std::enable_shared_from_this<TokenFile> {
   std::shared_ptr<const Source> source;
-  Tokens tokens;  // the last one has kind end or error
+  Tokens tokens;    // the last one has kind end or error
   Numbers numbers;  // of literal vectors
   bool starts_with_high_bytes = false;
 
@@ -46,6 +53,7 @@ struct TokenFile : std::enable_shared_from_this<TokenFile> {
 };
 
 // `main_file`: leading bytes >= 0x80 are dropped (spec 01 1.1). Never throws for bad input; stops with an error token.
-std::shared_ptr<const TokenFile> tokenise(std::shared_ptr<const Source> source, Names& names, std::size_t max_tokens, bool main_file = false);
+std::shared_ptr<const TokenFile> tokenise(std::shared_ptr<const Source> source, Names& names, std::size_t max_tokens,
+                                          bool main_file = false);
 
 }  // namespace verisim::parser

@@ -1,4 +1,5 @@
-// Interned spellings: every identifier and reserved word gets a number once, so that tokens compare as integers and symbols are found by index.
+// Interned spellings: every identifier and reserved word gets a number once, so that tokens compare as integers and
+// symbols are found by index.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// Tokens: what a file becomes, once. 16 bytes each; numbers are converted, words and identifiers interned, directives linked.
+// Tokens: what a file becomes, once. 16 bytes each; numbers are converted, words and identifiers interned, directives
+// linked.
 #pragma once
 
 #include <bit>
@@ -19,8 +20,9 @@ enum class TokenKind : std::uint8_t {
   identifier,
   number,
   string,
-  vector,       // < > around 2 to 5 literal numbers with commas, as one token; `punctuation` is '<', the numbers are in TokenFile::numbers
-  directive,    // '#' and its word; the cursor executes these, blocks never see them
+  vector,     // < > around 2 to 5 literal numbers with commas, as one token; `punctuation` is '<', the numbers are in
+              // TokenFile::numbers
+  directive,  // '#' and its word; the cursor executes these, blocks never see them
 };
 
 struct Token {
@@ -31,7 +33,8 @@ struct Token {
   std::uint64_t payload = 0;
 
   double number() const { return std::bit_cast<double>(payload); }
-  // identifier: interned name; string: bytes between the quotes; error: LexError; '[' punctuation: 1 when a comment precedes it.
+  // identifier: interned name; string: bytes between the quotes; error: LexError; '[' punctuation: 1 when a comment
+  // precedes it.
   std::uint32_t id() const { return static_cast<std::uint32_t>(payload); }
   // vector: how many numbers, and where they start in TokenFile::numbers (id()).
   std::uint32_t terms() const { return static_cast<std::uint32_t>(payload >> 32); }

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "parser/scene/atmosphere.h"
-#include "parser/scene/common.h"
-#include "parser/scene/maps.h"
-#include "parser/scene/pattern.h"
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/maps.h"
+#include "parser/scene/textures/pattern.h"
 
 namespace verisim::parser {
 
@@ -33,7 +33,9 @@ scene::Fog parse_fog(Parser& parser) {
       continue;
     }
     switch (word_at(parser)) {
-      case Word::distance: number(fog.distance); continue;
+      case Word::distance:
+        number(fog.distance);
+        continue;
       case Word::fog_type:
         parser.next();
         fog.type = parser.parse_int();
@@ -42,13 +44,21 @@ scene::Fog parse_fog(Parser& parser) {
           fog.type = 1;
         }
         continue;
-      case Word::fog_alt: number(fog.altitude); continue;
-      case Word::fog_offset: number(fog.offset); continue;
-      case Word::turb_depth: number(fog.turbulence_depth); continue;
+      case Word::fog_alt:
+        number(fog.altitude);
+        continue;
+      case Word::fog_offset:
+        number(fog.offset);
+        continue;
+      case Word::turb_depth:
+        number(fog.turbulence_depth);
+        continue;
       case Word::turbulence:
       case Word::octaves:
       case Word::omega:
-      case Word::lambda: parse_turbulence_item(parser, turbulence()); continue;
+      case Word::lambda:
+        parse_turbulence_item(parser, turbulence());
+        continue;
       case Word::up:
         parser.next();
         fog.up = parser.parse_vec3();
@@ -60,7 +70,8 @@ scene::Fog parse_fog(Parser& parser) {
         parser.parse_vec3();
         parser.warning("A fog's up-vector can't be translated.");
         continue;
-      default: break;
+      default:
+        break;
     }
     Transform item;
     if (parse_transform_item(parser, item)) {
@@ -89,7 +100,8 @@ scene::Rainbow parse_rainbow(Parser& parser) {
   const auto angle = [&](std::optional<double>& target, const char* name) {
     parser.next();
     target = parser.parse_float();
-    if (!(*target >= 0 && *target <= 360)) parser.error(std::string("The ") + name + " of a rainbow must be between 0 and 360 degrees.");
+    if (!(*target >= 0 && *target <= 360))
+      parser.error(std::string("The ") + name + " of a rainbow must be between 0 and 360 degrees.");
   };
   for (;;) {
     switch (word_at(parser)) {
@@ -101,12 +113,24 @@ scene::Rainbow parse_rainbow(Parser& parser) {
         parser.next();
         rainbow.up = parser.parse_vec3();
         continue;
-      case Word::angle: number(rainbow.angle); continue;
-      case Word::width: number(rainbow.width); continue;
-      case Word::distance: number(rainbow.distance); continue;
-      case Word::jitter: number(rainbow.jitter); continue;
-      case Word::arc_angle: angle(rainbow.arc_angle, "arc_angle"); continue;
-      case Word::falloff_angle: angle(rainbow.falloff_angle, "falloff_angle"); continue;
+      case Word::angle:
+        number(rainbow.angle);
+        continue;
+      case Word::width:
+        number(rainbow.width);
+        continue;
+      case Word::distance:
+        number(rainbow.distance);
+        continue;
+      case Word::jitter:
+        number(rainbow.jitter);
+        continue;
+      case Word::arc_angle:
+        angle(rainbow.arc_angle, "arc_angle");
+        continue;
+      case Word::falloff_angle:
+        angle(rainbow.falloff_angle, "falloff_angle");
+        continue;
       case Word::color_map: {
         auto pigment = std::make_shared<scene::Pigment>();
         pigment->pattern.kind = scene::PatternKind::gradient;
@@ -115,14 +139,16 @@ scene::Rainbow parse_rainbow(Parser& parser) {
         rainbow.colors = pigment;
         continue;
       }
-      default: break;
+      default:
+        break;
     }
     break;
   }
   block.close();
   if (length(rainbow.direction) < kEpsilon) parser.error("Rainbow's direction vector is zero.");
   if (length(rainbow.up) < kEpsilon) parser.error("Rainbow's up vector is zero.");
-  if (length(cross(normalize(rainbow.up), normalize(rainbow.direction))) < kEpsilon) parser.error("Rainbow's direction and up vectors are co-linear.");
+  if (length(cross(normalize(rainbow.up), normalize(rainbow.direction))) < kEpsilon)
+    parser.error("Rainbow's direction and up vectors are co-linear.");
   if (rainbow.arc_angle && rainbow.falloff_angle && *rainbow.arc_angle < *rainbow.falloff_angle)
     parser.error("Rainbow's arc angle is smaller than its falloff angle.");
   return rainbow;

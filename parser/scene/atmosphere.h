@@ -1,7 +1,7 @@
 // background { ... }; fog, rainbow and sky_sphere are in blocks.h.
 #pragma once
 
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 

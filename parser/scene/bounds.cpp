@@ -1,6 +1,6 @@
 // bounded_by { ... } and clipped_by { ... } (spec 03 sections 6.2 and 6.3).
 #include "parser/scene/objects.h"
-#include "parser/scene/transform.h"
+#include "parser/scene/common/transform.h"
 
 namespace verisim::parser {
 
@@ -22,14 +22,16 @@ bool has_texture(const Object& object) {
 std::vector<ObjectPtr> parse_objects(Parser& parser, std::string_view name) {
   std::vector<ObjectPtr> objects;
   while (ObjectRef object = parse_object(parser)) {
-    if (has_texture(*object) || scene::is_patch(*object)) parser.error("Illegal texture or patch in clip, bound or object pattern.");
+    if (has_texture(*object) || scene::is_patch(*object))
+      parser.error("Illegal texture or patch in clip, bound or object pattern.");
     objects.push_back(object);
   }
   if (objects.empty()) parser.error_expected("object");
   for (;;) {
     Transform item;
     const Word word = word_at(parser);
-    if (word == Word::translate || word == Word::rotate || word == Word::scale || word == Word::matrix || word == Word::transform) {
+    if (word == Word::translate || word == Word::rotate || word == Word::scale || word == Word::matrix ||
+        word == Word::transform) {
       // Elementary steps are absorbed by each object on its own.
       Vec3 v;
       if (word == Word::translate || word == Word::rotate) {
@@ -43,10 +45,14 @@ std::vector<ObjectPtr> parse_objects(Parser& parser, std::string_view name) {
       }
       for (const ObjectPtr& pointer : objects) {
         auto& object = const_cast<Object&>(*pointer);
-        if (word == Word::translate) scene::translate(object, v);
-        else if (word == Word::rotate) scene::rotate(object, v);
-        else if (word == Word::scale) scene::scale(object, v);
-        else scene::transform(object, item);
+        if (word == Word::translate)
+          scene::translate(object, v);
+        else if (word == Word::rotate)
+          scene::rotate(object, v);
+        else if (word == Word::scale)
+          scene::scale(object, v);
+        else
+          scene::transform(object, item);
       }
       continue;
     }

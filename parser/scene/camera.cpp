@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "parser/scene/camera.h"
-#include "parser/scene/common.h"
-#include "parser/scene/pattern.h"
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/pattern.h"
 
 namespace verisim::parser {
 
@@ -24,14 +24,17 @@ void apply_angle(Camera& camera) {
 // Step 3 of spec 02 1.3.
 void apply_look_at(Parser& parser, Camera& camera, const Vec3& target) {
   camera.look_at = target;
-  const double direction_length = length(camera.direction), up_length = length(camera.up), right_length = length(camera.right);
+  const double direction_length = length(camera.direction), up_length = length(camera.up),
+               right_length = length(camera.right);
   const double handedness = dot(cross(camera.up, camera.direction), camera.right);
   const Vec3 towards = target - camera.location;
   if (dot(towards, towards) < kEpsilon) parser.error("Camera location and look_at point must be different.");
   const Vec3 d = normalize(towards);
   Vec3 r = cross(camera.sky, d);
   if (std::fabs(r.x) < kEpsilon && std::fabs(r.y) < kEpsilon && std::fabs(r.z) < kEpsilon) {
-    parser.warning("Camera location to look_at direction and sky direction should be different. Using default/supplied right vector instead.");
+    parser.warning(
+        "Camera location to look_at direction and sky direction should be different. Using default/supplied right "
+        "vector instead.");
     r = camera.right;
   }
   r = normalize(r);
@@ -85,30 +88,40 @@ class CameraReader {
       return true;
     };
     switch (word_at(parser)) {
-      case Word::perspective: return set(CameraKind::perspective);
+      case Word::perspective:
+        return set(CameraKind::perspective);
       case Word::orthographic:
         set(CameraKind::orthographic);
         if (immediate) scale_orthographic(camera);
         return true;
-      case Word::fisheye: return set(CameraKind::fisheye);
-      case Word::ultra_wide_angle: return set(CameraKind::ultra_wide_angle);
-      case Word::omnimax: return set(CameraKind::omnimax);
-      case Word::panoramic: return set(CameraKind::panoramic);
-      case Word::spherical: return immediate ? false : set(CameraKind::spherical);
-      case Word::cylinder: parse_cylinder(); return true;
+      case Word::fisheye:
+        return set(CameraKind::fisheye);
+      case Word::ultra_wide_angle:
+        return set(CameraKind::ultra_wide_angle);
+      case Word::omnimax:
+        return set(CameraKind::omnimax);
+      case Word::panoramic:
+        return set(CameraKind::panoramic);
+      case Word::spherical:
+        return immediate ? false : set(CameraKind::spherical);
+      case Word::cylinder:
+        parse_cylinder();
+        return true;
       case Word::mesh_camera:
         if (immediate) return false;
         camera.kind = CameraKind::mesh_camera;
         parse_mesh_camera();
         return true;
-      default: return false;
+      default:
+        return false;
     }
   }
 
   void parse_cylinder() {
     parser.next();
     const int type = parser.parse_int();
-    constexpr CameraKind kKinds[] = {CameraKind::cylinder1, CameraKind::cylinder2, CameraKind::cylinder3, CameraKind::cylinder4};
+    constexpr CameraKind kKinds[] = {CameraKind::cylinder1, CameraKind::cylinder2, CameraKind::cylinder3,
+                                     CameraKind::cylinder4};
     if (type >= 1 && type <= 4) {
       camera.kind = kKinds[type - 1];
     } else if (!immediate) {
@@ -124,8 +137,10 @@ class CameraReader {
     if (camera.rays_per_pixel <= 0) parser.error("Rays per pixel may not be 0 or negative.");
     parser.optional_comma();
     camera.distribution = parser.parse_int();
-    if (camera.distribution < 0 || camera.distribution > 3) parser.error("Unrecognized distribution method: it is 0, 1, 2 or 3.");
-    if (camera.distribution >= 2 && camera.rays_per_pixel != 1) parser.error("Distributions 2 and 3 need exactly one ray per pixel.");
+    if (camera.distribution < 0 || camera.distribution > 3)
+      parser.error("Unrecognized distribution method: it is 0, 1, 2 or 3.");
+    if (camera.distribution >= 2 && camera.rays_per_pixel != 1)
+      parser.error("Distributions 2 and 3 need exactly one ray per pixel.");
     parser.optional_comma();
     camera.max_distance = parser.parse_optional_float(0);
     parser.optional_comma();
@@ -140,7 +155,8 @@ class CameraReader {
     if (camera.meshes.empty()) parser.error_expected("mesh or mesh2");
     if (camera.distribution == 0 && static_cast<std::size_t>(camera.rays_per_pixel) > camera.meshes.size())
       parser.error("Distribution 0 needs as many meshes as rays per pixel.");
-    if (camera.distribution == 3 && camera.meshes.size() > 1) parser.warning("Distribution 3 uses the first mesh only.");
+    if (camera.distribution == 3 && camera.meshes.size() > 1)
+      parser.warning("Distribution 3 uses the first mesh only.");
     camera.smooth = false;
     if (parser.accept(Word::smooth)) {
       if (camera.distribution != 3) parser.error("'smooth' can only be used with distribution 3.");
@@ -161,7 +177,8 @@ class CameraReader {
     }
     camera.angle = camera.kind == CameraKind::orthographic ? parser.parse_optional_float(0) : parser.parse_float();
     if (camera.angle < 0) parser.error("Negative viewing angle.");
-    if (uses_view_angle(camera.kind) && camera.angle >= 180) parser.error("Viewing angle has to be smaller than 180 degrees.");
+    if (uses_view_angle(camera.kind) && camera.angle >= 180)
+      parser.error("Viewing angle has to be smaller than 180 degrees.");
     if (immediate && camera.kind == CameraKind::perspective) apply_angle(camera);
   }
 
@@ -177,7 +194,8 @@ class CameraReader {
       }
     }
     if (camera.blur_samples <= 0 || camera.blur_samples_min < 0) parser.error("Illegal number of focal blur samples.");
-    if (camera.blur_samples_min > camera.blur_samples) parser.error("The minimum number of focal blur samples is larger than the maximum.");
+    if (camera.blur_samples_min > camera.blur_samples)
+      parser.error("The minimum number of focal blur samples is larger than the maximum.");
   }
 
   bool parse_item() {
@@ -187,17 +205,26 @@ class CameraReader {
       return true;
     };
     switch (word_at(parser)) {
-      case Word::location: return vector(camera.location);
-      case Word::right: right_given = true; return vector(camera.right);
-      case Word::up: up_given = true; return vector(camera.up);
-      case Word::direction: return vector(camera.direction);
-      case Word::sky: return vector(camera.sky);
+      case Word::location:
+        return vector(camera.location);
+      case Word::right:
+        right_given = true;
+        return vector(camera.right);
+      case Word::up:
+        up_given = true;
+        return vector(camera.up);
+      case Word::direction:
+        return vector(camera.direction);
+      case Word::sky:
+        return vector(camera.sky);
       case Word::look_at:
         vector(look_at);
         look_at_given = true;
         if (immediate) apply_look_at(parser, camera, look_at);
         return true;
-      case Word::angle: parse_angle(); return true;
+      case Word::angle:
+        parse_angle();
+        return true;
       case Word::focal_point:
         vector(focal_point);
         focal_point_given = true;
@@ -207,35 +234,45 @@ class CameraReader {
         parser.next();
         camera.aperture = parser.parse_float();
         return true;
-      case Word::blur_samples: parse_blur_samples(); return true;
+      case Word::blur_samples:
+        parse_blur_samples();
+        return true;
       case Word::confidence: {
         parser.next();
         const double confidence = parser.parse_float();
-        if (confidence > 0 && confidence < 1) camera.confidence = confidence;
-        else parser.warning("Illegal confidence value. Default is used.");
+        if (confidence > 0 && confidence < 1)
+          camera.confidence = confidence;
+        else
+          parser.warning("Illegal confidence value. Default is used.");
         return true;
       }
       case Word::variance: {
         parser.next();
         const double variance = parser.parse_float();
-        if (variance >= 0 && variance <= 1) camera.variance = variance;
-        else parser.warning("Illegal variance value. Default is used.");
+        if (variance >= 0 && variance <= 1)
+          camera.variance = variance;
+        else
+          parser.warning("Illegal variance value. Default is used.");
         return true;
       }
       case Word::bokeh: {
         if (immediate) return false;
         parser.next();
         parser.expect('{');
-        if (parser.at(Word::pigment)) camera.bokeh = parse_pigment(parser);
-        else if (!parser.at('}')) parser.error_expected("pigment");
+        if (parser.at(Word::pigment))
+          camera.bokeh = parse_pigment(parser);
+        else if (!parser.at('}'))
+          parser.error_expected("pigment");
         close_block(parser, "bokeh");
         return true;
       }
       case Word::normal:
         camera.normal = parse_normal(parser, camera.normal);
-        if (camera.normal && camera.normal->pattern.kind == scene::PatternKind::none) parser.error("No normal type given.");
+        if (camera.normal && camera.normal->pattern.kind == scene::PatternKind::none)
+          parser.error("No normal type given.");
         return true;
-      default: break;
+      default:
+        break;
     }
     Transform item;
     if (!parse_transform_item(parser, item)) return false;
@@ -252,15 +289,19 @@ class CameraReader {
     if (angle_given) apply_angle(camera);
     if (look_at_given) apply_look_at(parser, camera, look_at);
     const double direction_length = length(camera.direction);
-    if (camera.kind == CameraKind::orthographic && ((!up_given && !right_given) || angle_given)) scale_orthographic(camera);
-    if (focal_point_given) camera.focal_distance = length(focal_point - camera.location);
-    else camera.focal_distance = angle_given || look_at_given ? direction_length : 1;
+    if (camera.kind == CameraKind::orthographic && ((!up_given && !right_given) || angle_given))
+      scale_orthographic(camera);
+    if (focal_point_given)
+      camera.focal_distance = length(focal_point - camera.location);
+    else
+      camera.focal_distance = angle_given || look_at_given ? direction_length : 1;
     if (camera.focal_distance == 0) camera.focal_distance = 1;
     if (transform) apply_transform(camera, *transform);
   }
 
   void check_perpendicular() {
-    if (std::fabs(dot(camera.right, camera.up)) > kEpsilon || std::fabs(dot(camera.right, camera.direction)) > kEpsilon ||
+    if (std::fabs(dot(camera.right, camera.up)) > kEpsilon ||
+        std::fabs(dot(camera.right, camera.direction)) > kEpsilon ||
         std::fabs(dot(camera.up, camera.direction)) > kEpsilon)
       parser.warning("Camera vectors are not perpendicular. Making look_at the last statement may help.");
   }

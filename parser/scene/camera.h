@@ -1,7 +1,7 @@
 // A camera statement that modifies an earlier camera.
 #pragma once
 
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 

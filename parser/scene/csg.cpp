@@ -7,12 +7,13 @@ namespace {
 
 void read_children(Parser& parser, scene::Object& object, Word word) {
   scene::Csg csg;
-  csg.kind = word == Word::merge ? scene::CsgKind::merge
+  csg.kind = word == Word::merge                                      ? scene::CsgKind::merge
              : word == Word::intersection || word == Word::difference ? scene::CsgKind::intersection
                                                                       : scene::CsgKind::union_;
   csg.difference = word == Word::difference;
   while (ObjectRef child = parse_object(parser)) {
-    if (csg.kind == scene::CsgKind::intersection && scene::is_patch(*child)) parser.warning("Patch objects not allowed in intersection.");
+    if (csg.kind == scene::CsgKind::intersection && scene::is_patch(*child))
+      parser.warning("Patch objects not allowed in intersection.");
     if (csg.difference && !csg.children.declared().empty()) scene::invert(*child);
     csg.children.push_back(child);
   }

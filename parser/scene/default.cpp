@@ -1,8 +1,8 @@
 // #default { ... } (spec 01 section 21).
 #include "parser/scene/camera.h"
-#include "parser/scene/common.h"
-#include "parser/scene/pattern.h"
-#include "parser/scene/texture.h"
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/pattern.h"
+#include "parser/scene/textures/texture.h"
 
 namespace verisim::parser {
 
@@ -23,7 +23,8 @@ void parse_default(Parser& parser) {
       parser.expect('{');
       while (parser.accept(Word::importance)) {
         const double importance = parser.parse_float();
-        if (!(importance > 0 && importance <= 1)) parser.error("Radiosity importance must be greater than 0 and not larger than 1.");
+        if (!(importance > 0 && importance <= 1))
+          parser.error("Radiosity importance must be greater than 0 and not larger than 1.");
         parser.scene().settings.radiosity.default_importance = importance;
       }
       close_block(parser, "radiosity");

@@ -1,4 +1,5 @@
-// The scenes of the package povray-examples and the include files of povray-includes: accepted and refused as POV-Ray 3.7.0.10 does.
+// The scenes of the package povray-examples and the include files of povray-includes: accepted and refused as
+// POV-Ray 3.7.0.10 does.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -17,29 +18,16 @@ const fs::path kLibrary = "/usr/share/povray-3.7";
 
 // POV-Ray ends with an error on these: they need switches of an INI file, a missing font or another version.
 const std::set<std::string> kRefused = {
-    "advanced/cliche/cliche.pov",
-    "incdemo/sort.pov",
-    "portfolio/__empty.pov",
-    "portfolio/allnormals.pov",
-    "portfolio/allpatterns.pov",
-    "portfolio/c_colors.pov",
-    "portfolio/f_finish.pov",
-    "portfolio/m_textures.pov",
-    "portfolio/o_2shapes.pov",
-    "portfolio/o_shapes_old.pov",
-    "portfolio/p_skies.pov",
-    "portfolio/p_textures.pov",
-    "portfolio/p_woods.pov",
-    "portfolio/t_1stones.pov",
-    "portfolio/t_2stones.pov",
-    "portfolio/t_metals.pov",
-    "portfolio/t_stars.pov",
-    "portfolio/t_textures.pov",
-    "portfolio/t_woods.pov",
+    "advanced/cliche/cliche.pov", "incdemo/sort.pov",           "portfolio/__empty.pov",   "portfolio/allnormals.pov",
+    "portfolio/allpatterns.pov",  "portfolio/c_colors.pov",     "portfolio/f_finish.pov",  "portfolio/m_textures.pov",
+    "portfolio/o_2shapes.pov",    "portfolio/o_shapes_old.pov", "portfolio/p_skies.pov",   "portfolio/p_textures.pov",
+    "portfolio/p_woods.pov",      "portfolio/t_1stones.pov",    "portfolio/t_2stones.pov", "portfolio/t_metals.pov",
+    "portfolio/t_stars.pov",      "portfolio/t_textures.pov",   "portfolio/t_woods.pov",
 };
 
 // These need definitions of others first.
-const std::set<std::string> kRefusedIncludes = {"shapes2.inc", "shapesq.inc", "skies.inc", "stdcam.inc", "stoneold.inc", "stones.inc", "stones1.inc", "stones2.inc"};
+const std::set<std::string> kRefusedIncludes = {"shapes2.inc",  "shapesq.inc", "skies.inc",   "stdcam.inc",
+                                                "stoneold.inc", "stones.inc",  "stones1.inc", "stones2.inc"};
 
 ParseOptions options() {
   ParseOptions result;
@@ -61,13 +49,15 @@ class InFolder {
 };
 
 TEST(ExampleScenes, AreAcceptedAndRefusedAsPovRayDoes) {
-  if (!fs::exists(kExamples / "advanced") || !fs::exists(kLibrary / "include")) GTEST_SKIP() << "povray-examples or povray-includes is not installed";
+  if (!fs::exists(kExamples / "advanced") || !fs::exists(kLibrary / "include"))
+    GTEST_SKIP() << "povray-examples or povray-includes is not installed";
   // Some scenes write files beside themselves: work on a copy.
   const fs::path copy = fs::temp_directory_path() / ("verisim_examples_" + std::to_string(getpid()));
   for (const auto& entry : fs::directory_iterator(kExamples)) {
     if (entry.is_directory() && entry.path().filename() != "previews") {
       fs::create_directories(copy / entry.path().filename());
-      fs::copy(entry.path(), copy / entry.path().filename(), fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+      fs::copy(entry.path(), copy / entry.path().filename(),
+               fs::copy_options::recursive | fs::copy_options::overwrite_existing);
     }
   }
   int accepted = 0;
@@ -83,8 +73,10 @@ TEST(ExampleScenes, AreAcceptedAndRefusedAsPovRayDoes) {
     ++accepted;
     if (result.errors.empty()) continue;
     const Diagnostic& first = result.errors.front();
-    if (first.message.find("image module") != std::string::npos) continue;  // JPEG; the module stands beside the program, not beside this test
-    ADD_FAILURE() << name << ": " << first.file << ":" << first.line << ": " << first.message << "\n" << first.source_line;
+    if (first.message.find("image module") != std::string::npos)
+      continue;  // JPEG; the module stands beside the program, not beside this test
+    ADD_FAILURE() << name << ": " << first.file << ":" << first.line << ": " << first.message << "\n"
+                  << first.source_line;
   }
   EXPECT_GE(accepted, 370);
   fs::remove_all(copy);
@@ -95,7 +87,8 @@ TEST(StandardIncludes, AreAccepted) {
   for (const auto& entry : fs::directory_iterator(kLibrary / "include")) {
     if (entry.path().extension() != ".inc") continue;
     const std::string name = entry.path().filename().string();
-    const ParseResult result = parse_text("#version 3.7; global_settings{assumed_gamma 1}\n#include \"" + name + "\"", "test.pov", options());
+    const ParseResult result =
+        parse_text("#version 3.7; global_settings{assumed_gamma 1}\n#include \"" + name + "\"", "test.pov", options());
     if (kRefusedIncludes.count(name)) {
       EXPECT_FALSE(result.errors.empty()) << name;
     } else if (!result.errors.empty()) {

@@ -1,5 +1,5 @@
 // global_settings { ... } (spec 02 section 7, 07 section 5.1).
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 #include "parser/scene/global_settings.h"
 
 namespace verisim::parser {
@@ -32,10 +32,14 @@ void parse_assumed_gamma(Parser& parser, Settings& settings) {
 
 void parse_charset(Parser& parser) {
   parser.next();
-  if (parser.accept(Word::ascii)) parser.set_charset(Parser::Charset::ascii);
-  else if (parser.accept(Word::utf8)) parser.set_charset(Parser::Charset::utf8);
-  else if (parser.accept(Word::sys)) parser.set_charset(Parser::Charset::sys);
-  else parser.error_expected("charset type");
+  if (parser.accept(Word::ascii))
+    parser.set_charset(Parser::Charset::ascii);
+  else if (parser.accept(Word::utf8))
+    parser.set_charset(Parser::Charset::utf8);
+  else if (parser.accept(Word::sys))
+    parser.set_charset(Parser::Charset::sys);
+  else
+    parser.error_expected("charset type");
 }
 
 void parse_noise_generator(Parser& parser, Settings& settings) {
@@ -108,29 +112,49 @@ void parse_global_settings(Parser& parser) {
         parser.next();
         settings.ambient_light = parser.parse_rgb();
         continue;
-      case Word::assumed_gamma: parse_assumed_gamma(parser, settings); continue;
-      case Word::charset: parse_charset(parser); continue;
+      case Word::assumed_gamma:
+        parse_assumed_gamma(parser, settings);
+        continue;
+      case Word::charset:
+        parse_charset(parser);
+        continue;
       case Word::hf_gray_16:
         parser.next();
         parser.parse_flag();
-        parser.possible_error("In POV-Ray v3.7 and later, hf_gray_16 has no effect; use the grayscale output option (+FNg) instead.");
+        parser.possible_error(
+            "In POV-Ray v3.7 and later, hf_gray_16 has no effect; use the grayscale output option (+FNg) instead.");
         continue;
       case Word::irid_wavelength:
         parser.next();
         settings.irid_wavelength = parser.parse_rgb();
         continue;
-      case Word::max_intersections: parse_max_intersections(parser); continue;
-      case Word::max_trace_level: parse_max_trace_level(parser); continue;
+      case Word::max_intersections:
+        parse_max_intersections(parser);
+        continue;
+      case Word::max_trace_level:
+        parse_max_trace_level(parser);
+        continue;
       case Word::mm_per_unit:
         parser.next();
         settings.mm_per_unit = parser.parse_float();
         continue;
-      case Word::noise_generator: parse_noise_generator(parser, settings); continue;
-      case Word::number_of_waves: parse_number_of_waves(parser, settings); continue;
-      case Word::photons: parse_photon_settings(parser, settings.photons); continue;
-      case Word::radiosity: parse_radiosity_settings(parser, settings.radiosity); continue;
-      case Word::subsurface: parse_subsurface_settings(parser, settings); continue;
-      default: break;
+      case Word::noise_generator:
+        parse_noise_generator(parser, settings);
+        continue;
+      case Word::number_of_waves:
+        parse_number_of_waves(parser, settings);
+        continue;
+      case Word::photons:
+        parse_photon_settings(parser, settings.photons);
+        continue;
+      case Word::radiosity:
+        parse_radiosity_settings(parser, settings.radiosity);
+        continue;
+      case Word::subsurface:
+        parse_subsurface_settings(parser, settings);
+        continue;
+      default:
+        break;
     }
     break;
   }

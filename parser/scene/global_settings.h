@@ -1,7 +1,7 @@
 // Parts of global_settings, and the two of its words that may stand outside of it.
 #pragma once
 
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 

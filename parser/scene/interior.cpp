@@ -1,8 +1,8 @@
 // interior { ... } and material { ... } (spec 06 section 6, 03 section 6.4).
 #include "parser/scene/interior.h"
 
-#include "parser/scene/common.h"
-#include "parser/scene/texture.h"
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/texture.h"
 
 namespace verisim::parser {
 
@@ -24,7 +24,9 @@ scene::InteriorPtr parse_interior(Parser& parser) {
         ior_given = interior->ior != 0;
         if (!ior_given) interior->ior = 1;
         continue;
-      case Word::dispersion: number(interior->dispersion); continue;
+      case Word::dispersion:
+        number(interior->dispersion);
+        continue;
       case Word::dispersion_samples:
         parser.next();
         interior->dispersion_samples = parser.parse_int();
@@ -34,18 +36,27 @@ scene::InteriorPtr parse_interior(Parser& parser) {
         number(interior->caustics);
         interior->caustics *= 45;
         continue;
-      case Word::fade_distance: number(interior->fade_distance); continue;
-      case Word::fade_power: number(interior->fade_power); continue;
+      case Word::fade_distance:
+        number(interior->fade_distance);
+        continue;
+      case Word::fade_power:
+        number(interior->fade_power);
+        continue;
       case Word::fade_color:
         parser.next();
         interior->fade_color = parser.parse_rgb();
         continue;
       case Word::refraction:
         number(interior->refraction);
-        parser.warning("Refraction value unnecessary to turn on refraction. To attenuate, use fade_power and fade_distance in 'interior'.");
+        parser.warning(
+            "Refraction value unnecessary to turn on refraction. To attenuate, use fade_power and fade_distance in "
+            "'interior'.");
         continue;
-      case Word::media: interior->media.push_back(parse_media(parser)); continue;
-      default: break;
+      case Word::media:
+        interior->media.push_back(parse_media(parser));
+        continue;
+      default:
+        break;
     }
     break;
   }

@@ -1,7 +1,7 @@
 // Materials and transformations of media.
 #pragma once
 
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 

@@ -1,10 +1,10 @@
 // light_source { ... } (spec 06 section 7.1, 8).
 #include <cmath>
 
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 #include "parser/scene/global_settings.h"
 #include "parser/scene/objects.h"
-#include "parser/scene/transform.h"
+#include "parser/scene/common/transform.h"
 
 namespace verisim::parser {
 
@@ -107,7 +107,9 @@ class LightReader {
       return true;
     };
     switch (word_at(parser)) {
-      case Word::spotlight: set_kind(LightKind::spotlight, 30, 45); return true;
+      case Word::spotlight:
+        set_kind(LightKind::spotlight, 30, 45);
+        return true;
       case Word::cylinder:
         set_kind(LightKind::cylinder, 0.75, 1);
         light().parallel = true;
@@ -116,15 +118,22 @@ class LightReader {
         parser.next();
         light().kind = LightKind::shadowless;
         return true;
-      case Word::parallel: return flag(light().parallel);
+      case Word::parallel:
+        return flag(light().parallel);
       case Word::point_at:
         if (!has_cone() && !light().parallel) error_standard("point_at");
         parser.next();
         light().point_at = parser.parse_vec3();
         return true;
-      case Word::radius: cone_number(&LightSource::radius, "radius"); return true;
-      case Word::falloff: cone_number(&LightSource::falloff, "falloff"); return true;
-      case Word::tightness: cone_number(&LightSource::tightness, "tightness"); return true;
+      case Word::radius:
+        cone_number(&LightSource::radius, "radius");
+        return true;
+      case Word::falloff:
+        cone_number(&LightSource::falloff, "falloff");
+        return true;
+      case Word::tightness:
+        cone_number(&LightSource::tightness, "tightness");
+        return true;
       case Word::fade_distance:
         parser.next();
         light().fade_distance = parser.parse_float();
@@ -133,14 +142,21 @@ class LightReader {
         parser.next();
         light().fade_power = parser.parse_float();
         return true;
-      case Word::area_light: parse_area(); return true;
+      case Word::area_light:
+        parse_area();
+        return true;
       case Word::adaptive:
         parser.next();
         light().adaptive = parser.parse_int();
         return true;
-      case Word::jitter: return flag(light().jitter);
-      case Word::circular: circular = true; return flag(light().circular);
-      case Word::orient: orient = true; return flag(light().orient);
+      case Word::jitter:
+        return flag(light().jitter);
+      case Word::circular:
+        circular = true;
+        return flag(light().circular);
+      case Word::orient:
+        orient = true;
+        return flag(light().orient);
       case Word::area_illumination:
         parser.next();
         light().area_illumination = parser.parse_flag();
@@ -154,10 +170,17 @@ class LightReader {
         parser.next();
         light().media_attenuation = parser.parse_flag();
         return true;
-      case Word::looks_like: parse_looks_like(); return true;
-      case Word::projected_through: parse_projected_through(); return true;
-      case Word::photons: parse_light_photons(parser, light()); return true;
-      default: return false;
+      case Word::looks_like:
+        parse_looks_like();
+        return true;
+      case Word::projected_through:
+        parse_projected_through();
+        return true;
+      case Word::photons:
+        parse_light_photons(parser, light());
+        return true;
+      default:
+        return false;
     }
   }
 
@@ -174,7 +197,8 @@ class LightReader {
         parser.warning("When using orient, the two axes should have the same length; the length of the first is used.");
       }
     }
-    if (circular && (l.size1 <= 1 || l.size2 <= 1)) parser.error("Circular area lights must have more than one point per axis.");
+    if (circular && (l.size1 <= 1 || l.size2 <= 1))
+      parser.error("Circular area lights must have more than one point per axis.");
     const Vec3 axis = l.point_at - l.position;
     l.direction = length(axis) > kEpsilon ? normalize(axis) : Vec3(0, 0, 0);
   }

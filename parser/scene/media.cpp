@@ -1,5 +1,5 @@
 // media { ... } (spec 07 section 4.1).
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 #include "parser/scene/interior.h"
 
 namespace verisim::parser {
@@ -37,7 +37,8 @@ void parse_samples(Parser& parser, Media& media) {
   media.samples_min = media.samples_max = parser.parse_int();
   if (accept_comma_or_number(parser)) media.samples_max = parser.parse_int();
   if (media.samples_min < 1) parser.error("At least one sample is needed in media.");
-  if (media.samples_max < media.samples_min) parser.error("The maximum number of samples in media is smaller than the minimum.");
+  if (media.samples_max < media.samples_min)
+    parser.error("The maximum number of samples in media is smaller than the minimum.");
 }
 
 }  // namespace
@@ -74,7 +75,9 @@ scene::Media parse_media(Parser& parser) {
         media.intervals = parser.parse_int();
         if (media.intervals < 1) parser.error("At least one interval is needed in media.");
         continue;
-      case Word::samples: parse_samples(parser, media); continue;
+      case Word::samples:
+        parse_samples(parser, media);
+        continue;
       case Word::aa_level:
         parser.next();
         media.aa_level = parser.parse_int();
@@ -110,13 +113,18 @@ scene::Media parse_media(Parser& parser) {
         parser.next();
         media.emission = parser.parse_rgb();
         continue;
-      case Word::scattering: parse_scattering(parser, media); continue;
-      case Word::density: media.densities.push_back(parse_density(parser)); continue;
+      case Word::scattering:
+        parse_scattering(parser, media);
+        continue;
+      case Word::density:
+        media.densities.push_back(parse_density(parser));
+        continue;
       case Word::collect:
         parser.next();
         media.collect = parser.parse_flag();
         continue;
-      default: break;
+      default:
+        break;
     }
     if (!parse_transform_item(parser, item)) break;
     transform_media(media, item);

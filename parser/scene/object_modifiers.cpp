@@ -2,8 +2,8 @@
 #include "parser/scene/global_settings.h"
 #include "parser/scene/interior.h"
 #include "parser/scene/objects.h"
-#include "parser/scene/texture.h"
-#include "parser/scene/transform.h"
+#include "parser/scene/textures/texture.h"
+#include "parser/scene/common/transform.h"
 
 namespace verisim::parser {
 
@@ -24,17 +24,22 @@ void inherit_hollow(Object& object, bool hollow) {
 
 void set_double_illuminate(Object& object, bool on) {
   object.double_illuminate = on;
-  for (const scene::ObjectPtr& child : scene::own_children(object)) set_double_illuminate(const_cast<Object&>(*child), on);
+  for (const scene::ObjectPtr& child : scene::own_children(object))
+    set_double_illuminate(const_cast<Object&>(*child), on);
 }
 
 bool may_be_sturm(const scene::Shape& shape) {
-  return std::holds_alternative<scene::Poly>(shape) || std::holds_alternative<scene::Torus>(shape) || std::holds_alternative<scene::Ovus>(shape) ||
-         std::holds_alternative<std::shared_ptr<const scene::Blob>>(shape) || std::holds_alternative<std::shared_ptr<const scene::Lathe>>(shape) ||
-         std::holds_alternative<std::shared_ptr<const scene::Sor>>(shape) || std::holds_alternative<std::shared_ptr<const scene::Prism>>(shape);
+  return std::holds_alternative<scene::Poly>(shape) || std::holds_alternative<scene::Torus>(shape) ||
+         std::holds_alternative<scene::Ovus>(shape) ||
+         std::holds_alternative<std::shared_ptr<const scene::Blob>>(shape) ||
+         std::holds_alternative<std::shared_ptr<const scene::Lathe>>(shape) ||
+         std::holds_alternative<std::shared_ptr<const scene::Sor>>(shape) ||
+         std::holds_alternative<std::shared_ptr<const scene::Prism>>(shape);
 }
 
 bool has_hierarchy(const scene::Shape& shape) {
-  return std::holds_alternative<std::shared_ptr<const scene::Blob>>(shape) || std::holds_alternative<std::shared_ptr<const scene::HeightField>>(shape) ||
+  return std::holds_alternative<std::shared_ptr<const scene::Blob>>(shape) ||
+         std::holds_alternative<std::shared_ptr<const scene::HeightField>>(shape) ||
          std::holds_alternative<scene::Mesh>(shape);
 }
 
@@ -83,31 +88,52 @@ bool parse_modifier(Parser& parser, Object& object) {
     case Word::rotate:
     case Word::scale:
     case Word::matrix:
-    case Word::transform: return parse_object_transform(parser, object);
-    case Word::texture: add_layers(parser, object.texture, parse_texture(parser)); return true;
+    case Word::transform:
+      return parse_object_transform(parser, object);
+    case Word::texture:
+      add_layers(parser, object.texture, parse_texture(parser));
+      return true;
     case Word::pigment:
     case Word::normal:
-    case Word::finish: return parse_texture_part(parser, object.texture);
-    case Word::interior_texture: add_layers(parser, object.interior_texture, parse_interior_texture(parser)); return true;
-    case Word::interior: object.interior = parse_interior(parser); return true;
-    case Word::material: apply_material(parser, object, parse_material(parser)); return true;
+    case Word::finish:
+      return parse_texture_part(parser, object.texture);
+    case Word::interior_texture:
+      add_layers(parser, object.interior_texture, parse_interior_texture(parser));
+      return true;
+    case Word::interior:
+      object.interior = parse_interior(parser);
+      return true;
+    case Word::material:
+      apply_material(parser, object, parse_material(parser));
+      return true;
     case Word::uv_mapping:
       parser.next();
       if (object.texture) parser.error("uv_mapping must be specified before texture.");
       object.uv_mapping = true;
       return true;
-    case Word::photons: parse_object_photons(parser, object.photons.edit()); return true;
-    case Word::radiosity: parse_radiosity(parser, object); return true;
+    case Word::photons:
+      parse_object_photons(parser, object.photons.edit());
+      return true;
+    case Word::radiosity:
+      parse_radiosity(parser, object);
+      return true;
     case Word::cutaway_textures: {
       const auto* csg = object.as<scene::Csg>();
-      if (!csg || csg->kind != scene::CsgKind::intersection) parser.error("cutaway_textures can only be used with intersection and difference.");
+      if (!csg || csg->kind != scene::CsgKind::intersection)
+        parser.error("cutaway_textures can only be used with intersection and difference.");
       parser.next();
       object.cutaway_textures = true;
       return true;
     }
-    case Word::split_union: parse_split_union(parser, object); return true;
-    case Word::bounded_by: parse_bounded_by(parser, object); return true;
-    case Word::clipped_by: parse_clipped_by(parser, object); return true;
+    case Word::split_union:
+      parse_split_union(parser, object);
+      return true;
+    case Word::bounded_by:
+      parse_bounded_by(parser, object);
+      return true;
+    case Word::clipped_by:
+      parse_clipped_by(parser, object);
+      return true;
     case Word::inverse:
       parser.next();
       if (scene::is_patch(object)) parser.warning("Cannot invert a patch object.");
@@ -134,14 +160,18 @@ bool parse_modifier(Parser& parser, Object& object) {
       parser.next();
       object.no_shadow = true;
       return true;
-    case Word::no_image: return flag(object.no_image);
-    case Word::no_reflection: return flag(object.no_reflection);
-    case Word::no_radiosity: return flag(object.no_radiosity);
+    case Word::no_image:
+      return flag(object.no_image);
+    case Word::no_reflection:
+      return flag(object.no_reflection);
+    case Word::no_radiosity:
+      return flag(object.no_radiosity);
     case Word::dtag:
       parser.next();
       parser.parse_string();
       return true;
-    default: break;
+    default:
+      break;
   }
   if (at_color(parser)) {
     parser.parse_color();
@@ -151,9 +181,13 @@ bool parse_modifier(Parser& parser, Object& object) {
   return false;
 }
 
-constexpr std::string_view kNames[] = {"sphere", "box", "plane", "cone", "torus", "disc", "triangle", "smooth_triangle", "polygon", "poly", "quadric",
-                                       "superellipsoid", "ovus", "blob", "lathe", "sor", "prism", "sphere_sweep", "bicubic_patch", "height_field",
-                                       "isosurface", "parametric", "julia_fractal", "text", "mesh", "csg", "light_group", "light_source"};
+constexpr std::string_view kNames[] = {"sphere",     "box",          "plane",         "cone",
+                                       "torus",      "disc",         "triangle",      "smooth_triangle",
+                                       "polygon",    "poly",         "quadric",       "superellipsoid",
+                                       "ovus",       "blob",         "lathe",         "sor",
+                                       "prism",      "sphere_sweep", "bicubic_patch", "height_field",
+                                       "isosurface", "parametric",   "julia_fractal", "text",
+                                       "mesh",       "csg",          "light_group",   "light_source"};
 static_assert(std::size(kNames) == std::variant_size_v<scene::Shape>);
 
 }  // namespace
@@ -162,7 +196,8 @@ void parse_object_modifiers(Parser& parser, Object& object) {
   while (parse_modifier(parser, object)) {
   }
   close_block(parser, kNames[object.shape.index()]);
-  if (object.interior_texture && !object.texture && !has_own_textures(object)) parser.error("Interior texture requires an exterior texture.");
+  if (object.interior_texture && !object.texture && !has_own_textures(object))
+    parser.error("Interior texture requires an exterior texture.");
   scene::finish_modifiers(object);
 }
 

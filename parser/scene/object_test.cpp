@@ -40,8 +40,11 @@ TEST(Shapes, SimpleOnesKeepTheirNumbers) {
 
 TEST(Shapes, PolynomialTermsGoToTheirPlaces) {
   // x^2, xy, xz, x, y^2, yz, y, z^2, z, 1
-  const auto poly = *object_of("polynomial{2, xyz(2,0,0):1, xyz(1,1,0):2, xyz(1,0,1):3, xyz(1,0,0):4, xyz(0,2,0):5, xyz(0,1,1):6, xyz(0,1,0):7,"
-                               " xyz(0,0,2):8, xyz(0,0,1):9, xyz(0,0,0):10}")->as<scene::Poly>();
+  const auto poly = *object_of(
+                         "polynomial{2, xyz(2,0,0):1, xyz(1,1,0):2, xyz(1,0,1):3, xyz(1,0,0):4, xyz(0,2,0):5, "
+                         "xyz(0,1,1):6, xyz(0,1,0):7,"
+                         " xyz(0,0,2):8, xyz(0,0,1):9, xyz(0,0,0):10}")
+                         ->as<scene::Poly>();
   EXPECT_EQ(poly.coefficients, (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
   const auto sextic = *object_of("polynomial{6, xyz(0,6,0):3, xyz(0,0,0):7, xyz(6,0,0):5}")->as<scene::Poly>();
   ASSERT_EQ(sextic.coefficients.size(), 84u);
@@ -51,7 +54,8 @@ TEST(Shapes, PolynomialTermsGoToTheirPlaces) {
 }
 
 TEST(Shapes, BlobComponentsHaveTheirOwnTexturesAndTransforms) {
-  const auto object = object_of("blob{threshold .6 sphere{x,1,2} cylinder{0,y,.5,strength -1 pigment{rgb 1} scale 2} component 3 4 <5,6,7>}");
+  const auto object = object_of(
+      "blob{threshold .6 sphere{x,1,2} cylinder{0,y,.5,strength -1 pigment{rgb 1} scale 2} component 3 4 <5,6,7>}");
   const auto& blob = payload<scene::Blob>(object);
   ASSERT_EQ(blob.components.size(), 3u);
   EXPECT_EQ(blob.threshold, .6);
@@ -85,7 +89,8 @@ TEST(Shapes, DefaultsOfImplicitSurfaces) {
 }
 
 TEST(Meshes, VerticesAreRoundedAndSmoothnessFollowsTheNormals) {
-  const auto object = object_of("mesh2{vertex_vectors{4,<.1,0,0>,x,y,z} normal_vectors{4,z,z,z,<0,1,1>} face_indices{2,<0,1,2>,<1,2,3>}}");
+  const auto object = object_of(
+      "mesh2{vertex_vectors{4,<.1,0,0>,x,y,z} normal_vectors{4,z,z,z,<0,1,1>} face_indices{2,<0,1,2>,<1,2,3>}}");
   const scene::MeshData& mesh = *object->as<scene::Mesh>()->data;
   EXPECT_EQ(mesh.vertices[0].x, static_cast<double>(.1f));
   EXPECT_FALSE(mesh.triangles[0].smooth);  // three equal normals
@@ -95,7 +100,9 @@ TEST(Meshes, VerticesAreRoundedAndSmoothnessFollowsTheNormals) {
 }
 
 TEST(Meshes, TexturesOfFaces) {
-  const auto object = object_of("mesh2{vertex_vectors{3,0,x,y} texture_list{2 texture{pigment{rgb 1}} texture{pigment{rgb 0}}} face_indices{3,<0,1,2>,1,<0,1,2>,0,1,0,<0,1,2>}}");
+  const auto object = object_of(
+      "mesh2{vertex_vectors{3,0,x,y} texture_list{2 texture{pigment{rgb 1}} texture{pigment{rgb 0}}} "
+      "face_indices{3,<0,1,2>,1,<0,1,2>,0,1,0,<0,1,2>}}");
   const scene::MeshData& mesh = *object->as<scene::Mesh>()->data;
   EXPECT_EQ(mesh.triangles[0].texture, (std::array<std::int32_t, 3>{1, 1, 1}));
   EXPECT_EQ(mesh.triangles[1].texture, (std::array<std::int32_t, 3>{0, 1, 0}));
@@ -103,7 +110,8 @@ TEST(Meshes, TexturesOfFaces) {
 }
 
 TEST(Meshes, DegenerateTrianglesOfMeshVanish) {
-  const auto object = object_of("mesh{triangle{0,x,x} triangle{0,x,y uv_vectors <0,0>,<.5,0>,<0,1>} inside_vector 2*z}");
+  const auto object =
+      object_of("mesh{triangle{0,x,x} triangle{0,x,y uv_vectors <0,0>,<.5,0>,<0,1>} inside_vector 2*z}");
   const scene::MeshData& mesh = *object->as<scene::Mesh>()->data;
   ASSERT_EQ(mesh.triangles.size(), 1u);
   EXPECT_EQ(mesh.uvs[mesh.triangles[0].uv[1]], Vec2(.5, 0));
@@ -113,7 +121,8 @@ TEST(Meshes, DegenerateTrianglesOfMeshVanish) {
 TEST(Meshes, ErrorsNameTheProblem) {
   EXPECT_EQ(first_error("mesh2{vertex_vectors{3,0,x,y} face_indices{1,<0,1,3>}}"), "Mesh face index out of range.");
   EXPECT_EQ(first_error("mesh2{vertex_vectors{0}}"), "No vertices in triangle mesh.");
-  EXPECT_EQ(first_error("mesh2{vertex_vectors{3,0,x,y} normal_vectors{1,z} face_indices{1,<0,1,2>}}"), "Missing normal_indicies section in mesh2.");
+  EXPECT_EQ(first_error("mesh2{vertex_vectors{3,0,x,y} normal_vectors{1,z} face_indices{1,<0,1,2>}}"),
+            "Missing normal_indicies section in mesh2.");
   EXPECT_EQ(first_error("mesh{triangle{0,x,x}}"), "No triangles in triangle mesh.");
 }
 
@@ -123,9 +132,11 @@ TEST(Meshes, HugeCountsTakeNoMemory) {
   EXPECT_NE(first_error("height_field{function 1e5,1e5{x}}"), "");
 }
 
-// POV-Ray's heights at <1557, 1957> / 2000: the value is rounded to binary32 and multiplied there before it is cut off. In double they would be 51018 and 64125.
+// POV-Ray's heights at <1557, 1957> / 2000: the value is rounded to binary32 and multiplied there before it is cut off.
+// In double they would be 51018 and 64125.
 TEST(HeightFields, FunctionsAreSampledInSinglePrecision) {
-  for (const char* text : {"height_field{function 2001,2{x}}", "height_field{function 2001,2{pigment{gradient x color_map{[0 rgb 0][1 rgb 1]}}}}"}) {
+  for (const char* text : {"height_field{function 2001,2{x}}",
+                           "height_field{function 2001,2{pigment{gradient x color_map{[0 rgb 0][1 rgb 1]}}}}"}) {
     const auto object = object_of(text);
     const auto& pixels = (*object->as<std::shared_ptr<const scene::HeightField>>())->image.image->pixels;
     EXPECT_EQ(pixels[4 * 1557], 51019 / 65535.0f) << text;
@@ -182,7 +193,9 @@ TEST(Csg, CopiesHaveInteriorsOfTheirOwn) {
 }
 
 TEST(Csg, FlagsRunDownTheTree) {
-  const auto object = object_of("union{sphere{0,1} box{0,1} no_shadow no_image radiosity{importance .5} photons{target .5 refraction on collect off}}");
+  const auto object = object_of(
+      "union{sphere{0,1} box{0,1} no_shadow no_image radiosity{importance .5} photons{target .5 refraction on collect "
+      "off}}");
   for (const auto& child : scene::children_of(*object)) {
     EXPECT_TRUE(child->no_shadow && child->no_image && !child->no_reflection);
     EXPECT_EQ(child->radiosity_importance, .5f);
@@ -201,7 +214,8 @@ TEST(Modifiers, TextureLayersAndParts) {
 }
 
 TEST(Modifiers, FilterBecomesTransmitInUpperLayersUpTo310) {
-  const scene::Scene scene = scene_of("#version 3.1; sphere{0,1 texture{pigment{rgbf <1,1,1,.5>}} texture{pigment{rgbf <1,1,1,.25>}}}");
+  const scene::Scene scene =
+      scene_of("#version 3.1; sphere{0,1 texture{pigment{rgbf <1,1,1,.5>}} texture{pigment{rgbf <1,1,1,.25>}}}");
   const auto& layers = scene.objects[0]->texture->layers;
   EXPECT_EQ(layers[0].pigment->color.f, .5f);
   EXPECT_EQ(layers[1].pigment->color.f, 0);
@@ -212,17 +226,21 @@ TEST(Modifiers, LinkedBoundsAndClips) {
   const auto object = object_of("intersection{sphere{0,1} box{0,1} clipped_by{box{-1,1}} bounded_by{clipped_by}}");
   EXPECT_EQ(object->clipped_by.size(), 1u);
   EXPECT_EQ(object->bounded_by, object->clipped_by);
-  EXPECT_EQ(first_error("sphere{0,1 bounded_by{box{0,1}} bounded_by{clipped_by}}"), "Cannot link clips with previous bounds.");
-  EXPECT_EQ(first_error("sphere{0,1 clipped_by{box{0,1}} bounded_by{clipped_by} clipped_by{box{0,1}}}"), "Cannot add clips after linking bounds and clips.");
+  EXPECT_EQ(first_error("sphere{0,1 bounded_by{box{0,1}} bounded_by{clipped_by}}"),
+            "Cannot link clips with previous bounds.");
+  EXPECT_EQ(first_error("sphere{0,1 clipped_by{box{0,1}} bounded_by{clipped_by} clipped_by{box{0,1}}}"),
+            "Cannot add clips after linking bounds and clips.");
 }
 
 TEST(Modifiers, ErrorsHavePovRaysMeaning) {
   EXPECT_EQ(first_error("sphere{0,1 pigment{rgb 1} uv_mapping}"), "uv_mapping must be specified before texture.");
-  EXPECT_EQ(first_error("sphere{0,1 interior_texture{pigment{rgb 1}}}"), "Interior texture requires an exterior texture.");
+  EXPECT_EQ(first_error("sphere{0,1 interior_texture{pigment{rgb 1}}}"),
+            "Interior texture requires an exterior texture.");
   EXPECT_EQ(first_error("box{0,1 sturm}"), "Keyword 'sturm' cannot be used with this object.");
   EXPECT_EQ(first_error("sphere{0,1 foo}"), "Undeclared identifier 'foo'.");
   EXPECT_EQ(first_error("sphere{0,1 mortar}"), "Expected '}' to end 'sphere', mortar found instead.");
-  EXPECT_EQ(first_error("sphere{0,1 texture{checker texture{} texture{}} pigment{rgb 1}}"), "Cannot layer over a patterned texture.");
+  EXPECT_EQ(first_error("sphere{0,1 texture{checker texture{} texture{}} pigment{rgb 1}}"),
+            "Cannot layer over a patterned texture.");
 }
 
 TEST(Modifiers, ColorsOutsideOfTexturesWarn) {
@@ -230,7 +248,8 @@ TEST(Modifiers, ColorsOutsideOfTexturesWarn) {
 }
 
 TEST(LightGroups, LightsReachTheGroupsObjectsOnly) {
-  const auto object = object_of("light_group{light_source{y rgb 1} sphere{0,1} union{box{0,1} sphere{0,2}} global_lights off}");
+  const auto object =
+      object_of("light_group{light_source{y rgb 1} sphere{0,1} union{box{0,1} sphere{0,2}} global_lights off}");
   const auto& children = scene::children_of(*object);
   EXPECT_EQ(children[1]->group_lights.size(), 1u);
   EXPECT_EQ(scene::children_of(*children[2])[0]->group_lights.size(), 1u);
@@ -246,7 +265,9 @@ TEST(LightGroups, InnerGroupsWithLightsInheritOnlyAsCopies) {
   };
   EXPECT_EQ(lights_inside("light_group{light_source{y rgb 1} light_group{light_source{x rgb 1} sphere{0,1}}}"), 1u);
   EXPECT_EQ(lights_inside("light_group{light_source{y rgb 1} light_group{sphere{0,1}}}"), 1u);
-  EXPECT_EQ(lights_inside("#declare G=light_group{light_source{x rgb 1} sphere{0,1}} light_group{light_source{y rgb 1} light_group{G}}"), 2u);
+  EXPECT_EQ(lights_inside("#declare G=light_group{light_source{x rgb 1} sphere{0,1}} light_group{light_source{y rgb 1} "
+                          "light_group{G}}"),
+            2u);
 }
 
 TEST(LightSource, DefaultsAndTypes) {
@@ -263,19 +284,22 @@ TEST(LightSource, DefaultsAndTypes) {
   const auto cylinder = *object_of("light_source{0 rgb 1 cylinder}")->as<scene::LightSource>();
   EXPECT_TRUE(cylinder.parallel);
   EXPECT_EQ(cylinder.radius, .75);
-  EXPECT_EQ(object_of("light_source{0 rgb 1 spotlight shadowless}")->as<scene::LightSource>()->kind, scene::LightKind::shadowless);
+  EXPECT_EQ(object_of("light_source{0 rgb 1 spotlight shadowless}")->as<scene::LightSource>()->kind,
+            scene::LightKind::shadowless);
 }
 
 TEST(LightSource, Errors) {
   EXPECT_NE(first_error("light_source{0 rgb 1 radius 5}").find("standard light source"), std::string::npos);
-  EXPECT_NE(first_error("light_source{0 rgb 1 spotlight shadowless falloff 5}").find("standard light source"), std::string::npos);
+  EXPECT_NE(first_error("light_source{0 rgb 1 spotlight shadowless falloff 5}").find("standard light source"),
+            std::string::npos);
   EXPECT_NE(first_error("light_source{0 rgb 1 area_light x,y,0,1}"), "");
   EXPECT_NE(first_error("light_source{0 rgb 1 area_light x,y,1,5 circular}"), "");
   EXPECT_NE(first_error("light_source{0 rgb 1 looks_like{sphere{0,1}} looks_like{sphere{0,1}}}"), "");
 }
 
 TEST(LightSource, LooksLikeMovesToTheLight) {
-  const auto light = *object_of("light_source{<1,2,3> rgb 1 looks_like{sphere{0,1}} translate x}")->as<scene::LightSource>();
+  const auto light =
+      *object_of("light_source{<1,2,3> rgb 1 looks_like{sphere{0,1}} translate x}")->as<scene::LightSource>();
   EXPECT_EQ(light.looks_like->as<scene::Sphere>()->center, Vec3(2, 2, 3));
   EXPECT_TRUE(light.looks_like->no_shadow);
   EXPECT_TRUE(light.looks_like->texture);

@@ -1,7 +1,7 @@
 // The frame that all object statements share, and their single readers.
 #pragma once
 
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 
 namespace verisim::parser {
 
@@ -13,11 +13,12 @@ ObjectRef accept_object_copy(Parser& parser);
 // Items after the shape's own parameters, up to and including the closing brace (spec 03 section 6).
 void parse_object_modifiers(Parser& parser, scene::Object& object);
 
-// `KEYWORD { parameters modifiers }` or `KEYWORD { IDENTIFIER modifiers }`: an identifier as the first item makes the statement a copy of that object,
-// whatever its shape (spec 01 section 6), and takes the ordinary modifiers (a light_group its own). `read_modifiers` stops before
-// the closing brace.
+// `KEYWORD { parameters modifiers }` or `KEYWORD { IDENTIFIER modifiers }`: an identifier as the first item makes the
+// statement a copy of that object, whatever its shape (spec 01 section 6), and takes the ordinary modifiers (a
+// light_group its own). `read_modifiers` stops before the closing brace.
 template <class ReadShape, class ReadModifiers>
-ObjectRef object_block(Parser& parser, std::string_view name, const ReadShape& read_shape, const ReadModifiers& read_modifiers) {
+ObjectRef object_block(Parser& parser, std::string_view name, const ReadShape& read_shape,
+                       const ReadModifiers& read_modifiers) {
   Block block(parser, name);
   if (ObjectRef copied = accept_object_copy(parser)) {
     if (name == "light_group" && std::holds_alternative<scene::LightGroup>(copied->shape)) {

@@ -1,5 +1,5 @@
-// Object statements: what POV-Ray 3.7.0.10 accepts and refuses. Each line was tried with the program, behind `#version 3.7; global_settings{assumed_gamma 1}`
-// (lines that begin with # version stand alone).
+// Object statements: what POV-Ray 3.7.0.10 accepts and refuses. Each line was tried with the program, behind
+// `#version 3.7; global_settings{assumed_gamma 1}` (lines that begin with # version stand alone).
 #include "parser/scene/test_support.h"
 
 namespace verisim::parser {

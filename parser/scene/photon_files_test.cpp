@@ -16,7 +16,9 @@ TEST(PhotonFiles, AreWrittenOnlyWhereTheSceneMayWrite) {
   EXPECT_NE(first_error("save_file \"../../../../../../../../map.ph\"").find("may not write"), std::string::npos);
 }
 
-TEST(PhotonFiles, AreReadOnlyWhenTheyAreThere) { EXPECT_NE(first_error("load_file \"none.ph\"").find("Cannot find"), std::string::npos); }
+TEST(PhotonFiles, AreReadOnlyWhenTheyAreThere) {
+  EXPECT_NE(first_error("load_file \"none.ph\"").find("Cannot find"), std::string::npos);
+}
 
 }  // namespace
 }  // namespace verisim::parser

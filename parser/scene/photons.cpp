@@ -1,5 +1,5 @@
 // photons { ... } of global_settings, objects and light sources (spec 07 section 3).
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 #include "parser/scene/global_settings.h"
 
 namespace verisim::parser {
@@ -24,7 +24,8 @@ void parse_gather(Parser& parser, Photons& photons) {
 
 void parse_radius(Parser& parser, Photons& photons) {
   parser.next();
-  double* const values[] = {&photons.radius, &photons.radius_gather_multiplier, &photons.media_radius, &photons.media_radius_gather_multiplier};
+  double* const values[] = {&photons.radius, &photons.radius_gather_multiplier, &photons.media_radius,
+                            &photons.media_radius_gather_multiplier};
   for (double* value : values) {
     if (parser.at_number_start()) *value = parser.parse_float();
     parser.optional_comma();
@@ -76,22 +77,38 @@ void parse_photon_settings(Parser& parser, Photons& photons) {
   };
   for (;;) {
     switch (word_at(parser)) {
-      case Word::spacing: number(photons.spacing); continue;
+      case Word::spacing:
+        number(photons.spacing);
+        continue;
       case Word::count:
         parser.next();
         photons.count = parser.parse_int();
         continue;
-      case Word::gather: parse_gather(parser, photons); continue;
-      case Word::radius: parse_radius(parser, photons); continue;
-      case Word::media: parse_photon_media(parser, photons); continue;
-      case Word::jitter: number(photons.jitter); continue;
+      case Word::gather:
+        parse_gather(parser, photons);
+        continue;
+      case Word::radius:
+        parse_radius(parser, photons);
+        continue;
+      case Word::media:
+        parse_photon_media(parser, photons);
+        continue;
+      case Word::jitter:
+        number(photons.jitter);
+        continue;
       case Word::max_trace_level:
         parser.next();
         photons.max_trace_level = parser.parse_int();
         continue;
-      case Word::adc_bailout: number(photons.adc_bailout); continue;
-      case Word::autostop: number(photons.autostop); continue;
-      case Word::expand_thresholds: parse_expand_thresholds(parser, photons); continue;
+      case Word::adc_bailout:
+        number(photons.adc_bailout);
+        continue;
+      case Word::autostop:
+        number(photons.autostop);
+        continue;
+      case Word::expand_thresholds:
+        parse_expand_thresholds(parser, photons);
+        continue;
       case Word::save_file:
         parse_file(parser, true, photons.save_file, photons.load_file);
         photons.load_file.clear();
@@ -100,7 +117,8 @@ void parse_photon_settings(Parser& parser, Photons& photons) {
         parse_file(parser, false, photons.load_file, photons.save_file);
         photons.save_file.clear();
         continue;
-      default: break;
+      default:
+        break;
     }
     break;
   }
@@ -122,8 +140,10 @@ void parse_object_photons(Parser& parser, scene::PhotonFlags& photons) {
         photons.target = density > 0;
         if (photons.target) photons.target_spacing = density;
         if (photons.target && photons.pass_through) {
-          if (photons.refraction == Flag::on) photons.pass_through = false;
-          else refract_off();
+          if (photons.refraction == Flag::on)
+            photons.pass_through = false;
+          else
+            refract_off();
         }
         continue;
       }
@@ -148,7 +168,8 @@ void parse_object_photons(Parser& parser, scene::PhotonFlags& photons) {
         photons.pass_through = parser.parse_flag();
         if (photons.pass_through && photons.target) refract_off();
         continue;
-      default: break;
+      default:
+        break;
     }
     break;
   }
@@ -172,7 +193,8 @@ void parse_light_photons(Parser& parser, scene::LightSource& light) {
         parser.next();
         light.photon_area = true;
         continue;
-      default: break;
+      default:
+        break;
     }
     break;
   }

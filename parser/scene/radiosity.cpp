@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <string>
 
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 #include "parser/scene/global_settings.h"
 
 namespace verisim::parser {
@@ -31,14 +31,16 @@ void parse_count(Parser& parser, Radiosity& radiosity) {
   radiosity.count_directions = std::max(1600, radiosity.count);
   if (accept_comma_or_number(parser)) {
     radiosity.count_directions = parser.parse_int();
-    if (radiosity.count_directions < radiosity.count) parser.error("Radiosity direction count must not be smaller than the sample count.");
+    if (radiosity.count_directions < radiosity.count)
+      parser.error("Radiosity direction count must not be smaller than the sample count.");
   }
 }
 
 void parse_nearest_count(Parser& parser, Radiosity& radiosity) {
   parser.next();
   radiosity.nearest_count = parser.parse_int();
-  if (radiosity.nearest_count < 1 || radiosity.nearest_count > 20) parser.error("Radiosity nearest_count must be a value from 1 to 20.");
+  if (radiosity.nearest_count < 1 || radiosity.nearest_count > 20)
+    parser.error("Radiosity nearest_count must be a value from 1 to 20.");
   radiosity.adaptive_nearest_count = 0;
   if (accept_comma_or_number(parser)) {
     radiosity.adaptive_nearest_count = parser.parse_int();
@@ -50,7 +52,8 @@ void parse_nearest_count(Parser& parser, Radiosity& radiosity) {
 void ignored_file(Parser& parser, const char* keyword, const char* option) {
   parser.next();
   parser.parse_string();
-  parser.possible_error(std::string("Keyword '") + keyword + "' has no effect: use the command line or INI option " + option + ".");
+  parser.possible_error(std::string("Keyword '") + keyword + "' has no effect: use the command line or INI option " +
+                        option + ".");
 }
 
 }  // namespace
@@ -67,17 +70,30 @@ void parse_radiosity_settings(Parser& parser, Radiosity& radiosity) {
   };
   for (;;) {
     switch (word_at(parser)) {
-      case Word::adc_bailout: radiosity.adc_bailout = positive(parser, "adc_bailout"); continue;
-      case Word::always_sample: flag(radiosity.always_sample); continue;
-      case Word::brightness: radiosity.brightness = positive(parser, "brightness"); continue;
-      case Word::count: parse_count(parser, radiosity); continue;
-      case Word::error_bound: radiosity.error_bound = positive(parser, "error_bound"); continue;
+      case Word::adc_bailout:
+        radiosity.adc_bailout = positive(parser, "adc_bailout");
+        continue;
+      case Word::always_sample:
+        flag(radiosity.always_sample);
+        continue;
+      case Word::brightness:
+        radiosity.brightness = positive(parser, "brightness");
+        continue;
+      case Word::count:
+        parse_count(parser, radiosity);
+        continue;
+      case Word::error_bound:
+        radiosity.error_bound = positive(parser, "error_bound");
+        continue;
       case Word::gray_threshold:
         parser.next();
         radiosity.gray_threshold = parser.parse_float();
-        if (!(radiosity.gray_threshold >= 0 && radiosity.gray_threshold <= 1)) parser.error("Radiosity gray_threshold must be from 0 to 1.");
+        if (!(radiosity.gray_threshold >= 0 && radiosity.gray_threshold <= 1))
+          parser.error("Radiosity gray_threshold must be from 0 to 1.");
         continue;
-      case Word::low_error_factor: radiosity.low_error_factor = positive(parser, "low_error_factor"); continue;
+      case Word::low_error_factor:
+        radiosity.low_error_factor = positive(parser, "low_error_factor");
+        continue;
       case Word::max_sample:
         parser.next();
         radiosity.max_sample = parser.parse_float();
@@ -92,20 +108,38 @@ void parse_radiosity_settings(Parser& parser, Radiosity& radiosity) {
         if (!(radiosity.minimum_reuse >= 0)) parser.error("Radiosity minimum_reuse must not be negative.");
         radiosity.minimum_reuse_given = true;
         continue;
-      case Word::media: flag(radiosity.media); continue;
-      case Word::nearest_count: parse_nearest_count(parser, radiosity); continue;
-      case Word::normal: flag(radiosity.normal); continue;
-      case Word::pretrace_start: radiosity.pretrace_start = fraction(parser, "pretrace_start"); continue;
-      case Word::pretrace_end: radiosity.pretrace_end = fraction(parser, "pretrace_end"); continue;
+      case Word::media:
+        flag(radiosity.media);
+        continue;
+      case Word::nearest_count:
+        parse_nearest_count(parser, radiosity);
+        continue;
+      case Word::normal:
+        flag(radiosity.normal);
+        continue;
+      case Word::pretrace_start:
+        radiosity.pretrace_start = fraction(parser, "pretrace_start");
+        continue;
+      case Word::pretrace_end:
+        radiosity.pretrace_end = fraction(parser, "pretrace_end");
+        continue;
       case Word::recursion_limit:
         parser.next();
         radiosity.recursion_limit = parser.parse_int();
-        if (radiosity.recursion_limit < 1 || radiosity.recursion_limit > 20) parser.error("Radiosity recursion_limit must be in the range 1 to 20.");
+        if (radiosity.recursion_limit < 1 || radiosity.recursion_limit > 20)
+          parser.error("Radiosity recursion_limit must be in the range 1 to 20.");
         continue;
-      case Word::subsurface: flag(radiosity.subsurface); continue;
-      case Word::save_file: ignored_file(parser, "save_file", "+RFO"); continue;
-      case Word::load_file: ignored_file(parser, "load_file", "+RFI"); continue;
-      default: break;
+      case Word::subsurface:
+        flag(radiosity.subsurface);
+        continue;
+      case Word::save_file:
+        ignored_file(parser, "save_file", "+RFO");
+        continue;
+      case Word::load_file:
+        ignored_file(parser, "load_file", "+RFI");
+        continue;
+      default:
+        break;
     }
     break;
   }
@@ -114,7 +148,8 @@ void parse_radiosity_settings(Parser& parser, Radiosity& radiosity) {
 
 void finish_radiosity_settings(Parser& parser, Radiosity& radiosity) {
   if (!radiosity.enabled) return;
-  if (radiosity.pretrace_end > radiosity.pretrace_start) parser.error("Radiosity pretrace_end must be smaller than or equal to pretrace_start.");
+  if (radiosity.pretrace_end > radiosity.pretrace_start)
+    parser.error("Radiosity pretrace_end must be smaller than or equal to pretrace_start.");
   if (!(radiosity.minimum_reuse > radiosity.maximum_reuse / 2)) return;
   if (radiosity.maximum_reuse_given && !radiosity.minimum_reuse_given) {
     radiosity.minimum_reuse = radiosity.maximum_reuse / 2;

@@ -101,13 +101,15 @@ TEST(Settings, Ranges) {
   EXPECT_EQ(scene_of("max_trace_level 9").settings.max_trace_level, 9);
   EXPECT_EQ(scene_of("global_settings{number_of_waves -3}").settings.number_of_waves, 1);
   EXPECT_EQ(scene_of("global_settings{assumed_gamma 2}").settings.assumed_gamma, 1);  // the first one counts
-  EXPECT_EQ(first_error("global_settings{noise_generator 4}"), "Value for noise_generator in global_settings must be 1, 2, or 3.");
+  EXPECT_EQ(first_error("global_settings{noise_generator 4}"),
+            "Value for noise_generator in global_settings must be 1, 2, or 3.");
   EXPECT_EQ(first_error("#version 3.7; global_settings{assumed_gamma 0}"), "gamma value must be positive.");
   EXPECT_TRUE(scene_of("global_settings{subsurface{samples 10,20}}").settings.subsurface);
 }
 
 TEST(Settings, Radiosity) {
-  const scene::Radiosity radiosity = scene_of("global_settings{radiosity{count 2000 nearest_count 7,3 maximum_reuse .02}}").settings.radiosity;
+  const scene::Radiosity radiosity =
+      scene_of("global_settings{radiosity{count 2000 nearest_count 7,3 maximum_reuse .02}}").settings.radiosity;
   EXPECT_TRUE(radiosity.enabled);
   EXPECT_EQ(radiosity.count_directions, 2000);
   EXPECT_EQ(radiosity.adaptive_nearest_count, 3);
@@ -115,13 +117,16 @@ TEST(Settings, Radiosity) {
   EXPECT_EQ(scene_of("global_settings{radiosity{}}").settings.radiosity.maximum_reuse, .2);
   EXPECT_EQ(scene_of("global_settings{radiosity{count 10,500}}").settings.radiosity.count_directions, 500);
   EXPECT_EQ(scene_of("#default{radiosity{importance .25}}").settings.radiosity.default_importance, .25);
-  for (const char* bad : {"count 0", "count 10,5", "nearest_count 21", "nearest_count 5,5", "recursion_limit 0", "gray_threshold 2", "error_bound 0",
-                          "pretrace_start .01 pretrace_end .02", "distance_maximum 1", "minimum_reuse .3 maximum_reuse .2"})
+  for (const char* bad : {"count 0", "count 10,5", "nearest_count 21", "nearest_count 5,5", "recursion_limit 0",
+                          "gray_threshold 2", "error_bound 0", "pretrace_start .01 pretrace_end .02",
+                          "distance_maximum 1", "minimum_reuse .3 maximum_reuse .2"})
     EXPECT_NE(first_error(std::string("global_settings{radiosity{") + bad + "}}"), "") << bad;
 }
 
 TEST(Settings, PhotonsStartAfresh) {
-  const scene::Photons photons = scene_of("global_settings{photons{spacing .5 gather 5,6}} global_settings{photons{count 10 radius .1,2,,3}}").settings.photons;
+  const scene::Photons photons =
+      scene_of("global_settings{photons{spacing .5 gather 5,6}} global_settings{photons{count 10 radius .1,2,,3}}")
+          .settings.photons;
   EXPECT_EQ(photons.spacing, 1);
   EXPECT_EQ(photons.gather_max, 100);
   EXPECT_EQ(photons.count, 10);

@@ -1,11 +1,11 @@
 // Statements at the top level of a scene, and blocks as values of #declare.
 #include "parser/scene/atmosphere.h"
 #include "parser/scene/camera.h"
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 #include "parser/scene/global_settings.h"
 #include "parser/scene/interior.h"
-#include "parser/scene/maps.h"
-#include "parser/scene/texture.h"
+#include "parser/scene/textures/maps.h"
+#include "parser/scene/textures/texture.h"
 
 namespace verisim::parser {
 
@@ -21,7 +21,8 @@ void add_camera(Parser& parser) {
   scene.camera_given = true;
 }
 
-// What only matters in objects that are rendered: a normal may be declared without a pattern, but not used so; bounds may be of no use.
+// What only matters in objects that are rendered: a normal may be declared without a pattern, but not used so; bounds
+// may be of no use.
 class ObjectCheck {
  public:
   explicit ObjectCheck(Parser& p) : parser(p) {}
@@ -30,7 +31,8 @@ class ObjectCheck {
     if (!o.bounded_by.empty()) bounds(o);
     textures(o);
     const auto* csg = o.as<scene::Csg>();
-    if (csg && csg->children.postponed()) postponed(o, o.texture != nullptr);
+    if (csg && csg->children.postponed())
+      postponed(o, o.texture != nullptr);
     else
       for (const scene::ObjectPtr& child : scene::children_of(o)) object(*child);
   }
@@ -46,7 +48,8 @@ class ObjectCheck {
     }
   }
 
-  // What the children of a copy will be: they have no bounds, and what has no texture will have its parent's or the default one.
+  // What the children of a copy will be: they have no bounds, and what has no texture will have its parent's or the
+  // default one.
   void postponed(const scene::Object& parent, bool textured) {
     for (const scene::ObjectPtr& child : scene::declared_children(parent)) {
       textures(*child);
@@ -95,25 +98,38 @@ void add_object(Parser& parser, const std::shared_ptr<scene::Object>& object) {
 bool parse_statement(Parser& parser) {
   scene::Scene& scene = parser.scene();
   switch (word_at(parser)) {
-    case Word::camera: add_camera(parser); return true;
-    case Word::global_settings: parse_global_settings(parser); return true;
+    case Word::camera:
+      add_camera(parser);
+      return true;
+    case Word::global_settings:
+      parse_global_settings(parser);
+      return true;
     case Word::background:
       scene.background = parse_background(parser);
       scene.background_given = true;
       return true;
-    case Word::fog: scene.fogs.push_back(parse_fog(parser)); return true;
-    case Word::rainbow: scene.rainbows.push_back(parse_rainbow(parser)); return true;
+    case Word::fog:
+      scene.fogs.push_back(parse_fog(parser));
+      return true;
+    case Word::rainbow:
+      scene.rainbows.push_back(parse_rainbow(parser));
+      return true;
     case Word::sky_sphere:
       if (scene.sky_sphere) parser.warning("Only one sky-sphere allowed (last one will be used).");
       scene.sky_sphere = parse_sky_sphere(parser);
       return true;
-    case Word::media: scene.atmosphere.push_back(parse_media(parser)); return true;
+    case Word::media:
+      scene.atmosphere.push_back(parse_media(parser));
+      return true;
     case Word::max_trace_level:
       if (parser.version() >= 350) parser.possible_error("'max_trace_level' should be in global_settings block.");
       parse_max_trace_level(parser);
       return true;
-    case Word::max_intersections: parse_max_intersections(parser); return true;
-    default: break;
+    case Word::max_intersections:
+      parse_max_intersections(parser);
+      return true;
+    default:
+      break;
   }
   if (const std::shared_ptr<scene::Object> object = parse_object(parser)) {
     add_object(parser, object);
@@ -124,7 +140,8 @@ bool parse_statement(Parser& parser) {
 
 namespace {
 
-// Further texture{} blocks are layers of the same value; here a directive or macro ends the list (spec 01 section 4, B6).
+// Further texture{} blocks are layers of the same value; here a directive or macro ends the list (spec 01 section 4,
+// B6).
 Value parse_layered_texture(Parser& parser) {
   scene::TexturePtr texture;
   do {
@@ -142,27 +159,48 @@ Shared<T> shared(T value) {
 
 std::optional<Value> parse_block_value(Parser& parser) {
   switch (word_at(parser)) {
-    case Word::none: return std::nullopt;  // identifiers are copied by #declare itself
-    case Word::pigment: return parse_pigment(parser);
-    case Word::normal: return parse_normal(parser);
-    case Word::finish: return shared(parse_finish(parser, parser.default_texture()->layers.front().finish));
-    case Word::texture: return parse_layered_texture(parser);
-    case Word::density: return parse_density(parser);
-    case Word::media: return shared(parse_media(parser));
-    case Word::interior: return Shared<scene::Interior>(parse_interior(parser));
-    case Word::material: return shared(parse_material(parser));
-    case Word::color_map: return ColorMapValue{parse_color_map(parser)};
-    case Word::pigment_map: return PigmentMapValue{parse_pigment_map(parser, false)};
-    case Word::normal_map: return NormalMapValue{parse_normal_map(parser, false)};
-    case Word::slope_map: return SlopeMap{parse_slope_map(parser)};
-    case Word::texture_map: return TextureMapValue{parse_texture_map(parser, false)};
-    case Word::density_map: return DensityMapValue{parse_density_map(parser, false)};
-    case Word::transform: return shared(parse_transform(parser));
-    case Word::camera: return shared(parse_camera(parser));
-    case Word::fog: return shared(parse_fog(parser));
-    case Word::rainbow: return shared(parse_rainbow(parser));
-    case Word::sky_sphere: return shared(parse_sky_sphere(parser));
-    default: break;
+    case Word::none:
+      return std::nullopt;  // identifiers are copied by #declare itself
+    case Word::pigment:
+      return parse_pigment(parser);
+    case Word::normal:
+      return parse_normal(parser);
+    case Word::finish:
+      return shared(parse_finish(parser, parser.default_texture()->layers.front().finish));
+    case Word::texture:
+      return parse_layered_texture(parser);
+    case Word::density:
+      return parse_density(parser);
+    case Word::media:
+      return shared(parse_media(parser));
+    case Word::interior:
+      return Shared<scene::Interior>(parse_interior(parser));
+    case Word::material:
+      return shared(parse_material(parser));
+    case Word::color_map:
+      return ColorMapValue{parse_color_map(parser)};
+    case Word::pigment_map:
+      return PigmentMapValue{parse_pigment_map(parser, false)};
+    case Word::normal_map:
+      return NormalMapValue{parse_normal_map(parser, false)};
+    case Word::slope_map:
+      return SlopeMap{parse_slope_map(parser)};
+    case Word::texture_map:
+      return TextureMapValue{parse_texture_map(parser, false)};
+    case Word::density_map:
+      return DensityMapValue{parse_density_map(parser, false)};
+    case Word::transform:
+      return shared(parse_transform(parser));
+    case Word::camera:
+      return shared(parse_camera(parser));
+    case Word::fog:
+      return shared(parse_fog(parser));
+    case Word::rainbow:
+      return shared(parse_rainbow(parser));
+    case Word::sky_sphere:
+      return shared(parse_sky_sphere(parser));
+    default:
+      break;
   }
   if (std::shared_ptr<scene::Object> object = parse_object(parser)) return scene::ObjectPtr(object);
   return std::nullopt;

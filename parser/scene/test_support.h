@@ -23,7 +23,8 @@ inline Parsed parse(const std::string& text) {
     if (d.severity == Severity::warning || d.severity == Severity::possible_error) parsed.messages += d.message + "\n";
   };
   const bool complete = text.starts_with("#version");
-  ParseResult result = parse_text(complete ? text : "#version 3.7; global_settings{assumed_gamma 1}\n" + text, "test.pov", options);
+  ParseResult result =
+      parse_text(complete ? text : "#version 3.7; global_settings{assumed_gamma 1}\n" + text, "test.pov", options);
   parsed.scene = std::move(result.scene);
   if (!result.errors.empty()) parsed.error = result.errors.front().message;
   if (!parsed.scene && parsed.error.empty()) parsed.error = "no scene and no error";
@@ -47,7 +48,9 @@ inline scene::ObjectPtr object_of(const std::string& text) {
 }
 
 // `items` inside the braces of a sphere.
-inline scene::ObjectPtr sphere_with(const std::string& items, const std::string& before = {}) { return object_of(before + " sphere{0,1 " + items + "}"); }
+inline scene::ObjectPtr sphere_with(const std::string& items, const std::string& before = {}) {
+  return object_of(before + " sphere{0,1 " + items + "}");
+}
 
 inline scene::Finish finish_of(const std::string& items, const std::string& before = {}) {
   return sphere_with("finish{" + items + "}", before)->texture->layers.back().finish;
@@ -57,6 +60,8 @@ inline scene::PigmentPtr pigment_of(const std::string& items, const std::string&
   return sphere_with("pigment{" + items + "}", before)->texture->layers.back().pigment;
 }
 
-inline scene::NormalPtr normal_of(const std::string& items) { return sphere_with("normal{" + items + "}")->texture->layers.back().normal; }
+inline scene::NormalPtr normal_of(const std::string& items) {
+  return sphere_with("normal{" + items + "}")->texture->layers.back().normal;
+}
 
 }  // namespace verisim::parser::testing

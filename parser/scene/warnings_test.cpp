@@ -31,18 +31,23 @@ TEST(Warnings, UselessBounds) {
   EXPECT_EQ(of_statement("merge { " + parts + bound + "}"), Texts{});
   EXPECT_EQ(of_statement("#declare U = union { " + parts + bound + "}"), Texts{});
   EXPECT_EQ(of_statement("torus { 1, .2 " + bound + "}"), Texts{"Unnecessary bounding object removed."});
-  EXPECT_EQ(of_statement("intersection { sphere { 0, 1 } torus { 1, .2 " + bound + "} }"), Texts{"Unnecessary bounding object removed."});
+  EXPECT_EQ(of_statement("intersection { sphere { 0, 1 } torus { 1, .2 " + bound + "} }"),
+            Texts{"Unnecessary bounding object removed."});
 }
 
 // Once a scene each.
 TEST(Warnings, ExperimentalFeatures) {
-  EXPECT_EQ(of_statement("#for (I, 1, 3) sphere { 0, 1 finish { diffuse .5, .2 } } #end sphere { 0, 1 finish { diffuse .5, .2 } }"),
-            Texts{"Diffuse reflection on the back is an experimental feature of POV-Ray."});
+  EXPECT_EQ(
+      of_statement(
+          "#for (I, 1, 3) sphere { 0, 1 finish { diffuse .5, .2 } } #end sphere { 0, 1 finish { diffuse .5, .2 } }"),
+      Texts{"Diffuse reflection on the back is an experimental feature of POV-Ray."});
   EXPECT_EQ(of_statement("sphere { 0, 1 pigment { slope { y altitude y } } normal { slope { y altitude y } } }"),
             Texts{"A slope pattern with altitude is an experimental feature of POV-Ray."});
-  EXPECT_EQ(of_statement("#declare F = finish { subsurface { translucency 1 } } #declare G = finish { subsurface { translucency 2 } }"),
+  EXPECT_EQ(of_statement("#declare F = finish { subsurface { translucency 1 } } #declare G = finish { subsurface { "
+                         "translucency 2 } }"),
             Texts{"subsurface is an experimental feature of POV-Ray."});
-  EXPECT_EQ(of_statement("#declare S = spline { 0, x 1, y } #declare T = spline { S 2, z }"), Texts{"Splines are an experimental feature of POV-Ray."});
+  EXPECT_EQ(of_statement("#declare S = spline { 0, x 1, y } #declare T = spline { S 2, z }"),
+            Texts{"Splines are an experimental feature of POV-Ray."});
   EXPECT_EQ(of_statement("sphere { 0, 1 pigment { slope y } finish { diffuse .5, 0 } }"), Texts{});
 }
 
@@ -52,21 +57,28 @@ TEST(Warnings, StrayItemsOfOldTextures) {
     Texts found = warnings("#version 1.0;\nsphere { 0, 1 texture { " + items + " } }\n");
     return Texts(found.begin(), found.end() - 2);  // about the gamma and the version
   };
-  const auto belongs = [](const std::string& item, const std::string& block) { return "Found '" + item + "' that should be in a " + block + " statement."; };
-  EXPECT_EQ(of_old_texture("marble turbulence .5 color_map { [0 1 color red 1 color blue 1] } phong 1 bumps .3 scale 3"),
-            (Texts{belongs("marble", "pigment"), belongs("color_map", "pigment"), belongs("phong", "finish"), belongs("bumps", "normal")}));
-  EXPECT_EQ(of_old_texture("color red 1 frequency 3 waves .2"), (Texts{belongs("color", "pigment"), belongs("frequency", "normal"), belongs("waves", "normal")}));
+  const auto belongs = [](const std::string& item, const std::string& block) {
+    return "Found '" + item + "' that should be in a " + block + " statement.";
+  };
+  EXPECT_EQ(
+      of_old_texture("marble turbulence .5 color_map { [0 1 color red 1 color blue 1] } phong 1 bumps .3 scale 3"),
+      (Texts{belongs("marble", "pigment"), belongs("color_map", "pigment"), belongs("phong", "finish"),
+             belongs("bumps", "normal")}));
+  EXPECT_EQ(of_old_texture("color red 1 frequency 3 waves .2"),
+            (Texts{belongs("color", "pigment"), belongs("frequency", "normal"), belongs("waves", "normal")}));
   EXPECT_EQ(of_old_texture("pigment { marble } normal { bumps } finish { phong 1 }"), Texts{});
 }
 
 TEST(Warnings, OpenPrisms) {
   EXPECT_EQ(of_statement("prism { 0, 1, 3, <0, 0>, <1, 0>, <0, 1> }"), Texts{"Linear prism not closed. Closing it."});
   EXPECT_EQ(of_statement("prism { 0, 1, 8, <0,0>, <1,0>, <0,1>, <0,0>, <.1,.1>, <.2,.1>, <.1,.2>, <.1,.1> }"), Texts{});
-  EXPECT_EQ(of_statement("prism { bezier_spline 0, 1, 4, <0,0>, <1,0>, <0,1>, <.2,.2> }"), Texts{"Prism not closed. Ignoring it."});
+  EXPECT_EQ(of_statement("prism { bezier_spline 0, 1, 4, <0,0>, <1,0>, <0,1>, <.2,.2> }"),
+            Texts{"Prism not closed. Ignoring it."});
 }
 
 TEST(Warnings, ZeroPower) {
-  EXPECT_EQ(of_statement("#declare F = function(a) { a*pow(a - 1, 0) + 1 };"), Texts{"Zero power optimised to constant 1.0!"});
+  EXPECT_EQ(of_statement("#declare F = function(a) { a*pow(a - 1, 0) + 1 };"),
+            Texts{"Zero power optimised to constant 1.0!"});
   EXPECT_EQ(of_statement("#declare F = function(a) { pow(a, (0)) };"), Texts{});
 }
 

@@ -13,10 +13,14 @@ struct Style {
 
 Style style(Severity severity) {
   switch (severity) {
-    case Severity::warning: return {"warning", "\033[1;35m"};
-    case Severity::possible_error: return {"possible error", "\033[1;33m"};
-    case Severity::error: return {"error", "\033[1;31m"};
-    case Severity::unsupported: return {"not supported", "\033[1;31m"};
+    case Severity::warning:
+      return {"warning", "\033[1;35m"};
+    case Severity::possible_error:
+      return {"possible error", "\033[1;33m"};
+    case Severity::error:
+      return {"error", "\033[1;31m"};
+    case Severity::unsupported:
+      return {"not supported", "\033[1;31m"};
   }
   return {"error", ""};
 }
@@ -47,7 +51,8 @@ std::string format(const Diagnostic& d, bool color) {
     if (caret > 0 && static_cast<std::size_t>(caret) <= d.source_line.size() + 1) {
       // Columns count bytes; continuation bytes of UTF-8 take no place on the screen.
       std::size_t blanks = 0;
-      for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(caret); ++i) blanks += (static_cast<unsigned char>(d.source_line[i]) & 0xc0) != 0x80;
+      for (std::size_t i = 0; i + 1 < static_cast<std::size_t>(caret); ++i)
+        blanks += (static_cast<unsigned char>(d.source_line[i]) & 0xc0) != 0x80;
       out += fmt::format("       | {}{}^{}\n", std::string(blanks, ' '), tint, reset);
     }
   }

@@ -24,7 +24,8 @@ void HugeHeap::look() {
   if (end - start_ < kWorthIt) return;
   if (!advised_) {
     ::mallopt(M_TOP_PAD, kAhead);
-    ::mallopt(M_MMAP_THRESHOLD, 32 << 20);  // what the library's own adaptation, which the line above ends, would arrive at
+    ::mallopt(M_MMAP_THRESHOLD,
+              32 << 20);  // what the library's own adaptation, which the line above ends, would arrive at
     advised_ = start_;
   }
   const std::uintptr_t from = (reinterpret_cast<std::uintptr_t>(advised_) + kHugePage - 1) / kHugePage * kHugePage;

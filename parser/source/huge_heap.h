@@ -1,4 +1,5 @@
-// Asks for huge pages where a scene of many objects grows: page faults are a good part of the time such a scene takes to read.
+// Asks for huge pages where a scene of many objects grows: page faults are a good part of the time such a scene takes
+// to read.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,8 @@ namespace verisim::parser {
 class HugeHeap {
  public:
   HugeHeap();
-  // Called now and then; once the heap has grown by some megabytes, what grows further lies in huge pages where the system has them.
+  // Called now and then; once the heap has grown by some megabytes, what grows further lies in huge pages where the
+  // system has them.
   void look();
 
  private:

@@ -28,7 +28,8 @@ bool has_include_extension(const std::string& name) { return name.ends_with(".in
 
 }  // namespace
 
-FileSearch::FileSearch(std::vector<fs::path> library_paths, fs::path scene_folder, std::vector<fs::path> allow_read, std::vector<fs::path> allow_write)
+FileSearch::FileSearch(std::vector<fs::path> library_paths, fs::path scene_folder, std::vector<fs::path> allow_read,
+                       std::vector<fs::path> allow_write)
     : library_paths_(std::move(library_paths)), scene_folder_(std::move(scene_folder)) {
   for (const fs::path& p : allow_read) readable_.push_back(real_path(p));
   std::error_code error;

@@ -11,10 +11,11 @@ namespace verisim::parser {
 class FileSearch {
  public:
   // `scene_folder` may be empty (a scene from memory). allow_read empty: everything may be read.
-  FileSearch(std::vector<std::filesystem::path> library_paths, std::filesystem::path scene_folder, std::vector<std::filesystem::path> allow_read,
-             std::vector<std::filesystem::path> allow_write);
+  FileSearch(std::vector<std::filesystem::path> library_paths, std::filesystem::path scene_folder,
+             std::vector<std::filesystem::path> allow_read, std::vector<std::filesystem::path> allow_write);
 
-  // As #include looks (spec 01 section 17): each of the candidate names in the current folder, then in every library path, then beside the scene.
+  // As #include looks (spec 01 section 17): each of the candidate names in the current folder, then in every library
+  // path, then beside the scene.
   std::optional<std::filesystem::path> find_include(const std::string& name) const;
   // The exact name only: #fopen read, file_exists, images and fonts.
   std::optional<std::filesystem::path> find_exact(const std::string& name) const;

@@ -1,6 +1,7 @@
 // The bytes of one file and the way from a byte offset to line and column.
 //
-// Files are read, not mapped: a scene may rewrite a file it has included (spec 01 section 17), and a mapping would change or vanish under the tokens.
+// Files are read, not mapped: a scene may rewrite a file it has included (spec 01 section 17), and a mapping would
+// change or vanish under the tokens.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,8 @@ class Source {
  public:
   // Takes a copy of `text`; the bytes are followed by a NUL, so scanners need no bounds check at every step.
   Source(std::string name, std::string_view text);
-  // Reads a file. Throws std::runtime_error with a reason for people (missing, a directory, larger than max_bytes, not readable).
+  // Reads a file. Throws std::runtime_error with a reason for people (missing, a directory, larger than max_bytes, not
+  // readable).
   static std::shared_ptr<Source> read(const std::filesystem::path& path, std::string name, std::size_t max_bytes);
 
   const std::string& name() const { return *name_; }

@@ -44,7 +44,10 @@ int edit_distance(std::string_view a, std::string_view b, int limit) {
     next[0] = static_cast<int>(2 * i);
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const char p = a[i - 1], q = b[j - 1];
-      const int change = p == q ? 0 : std::tolower(static_cast<unsigned char>(p)) == std::tolower(static_cast<unsigned char>(q)) ? 1 : 2;
+      const int change = p == q ? 0
+                         : std::tolower(static_cast<unsigned char>(p)) == std::tolower(static_cast<unsigned char>(q))
+                             ? 1
+                             : 2;
       next[j] = std::min({row[j] + 2, next[j - 1] + 2, row[j - 1] + change});
       if (i > 1 && j > 1 && p == b[j - 2] && a[i - 2] == q) next[j] = std::min(next[j], before[j - 2] + 2);
     }
@@ -92,10 +95,11 @@ std::vector<std::string> includes_that_declare(std::string_view name, std::span<
 
 bool is_standard_include(std::string_view name) {
   static constexpr std::string_view kNames[] = {
-      "arrays",    "chars",     "colors",    "consts",    "crystal",   "debug",     "finish",   "functions", "glass",     "glass_old", "golds",
-      "ior",       "logo",      "makegrass", "math",      "meshmaker", "metals",    "povlogo",  "rad_def",   "rand",      "screen",    "shapes",
-      "shapes2",   "shapesq",   "shapes_old", "skies",    "skysphere", "spectral",  "stage1",   "stars",     "stdcam",    "stdinc",    "stones",
-      "stones1",   "stones2",   "stoneold",   "strings",   "sunpos",    "textures",  "transforms", "woodmaps", "woods",    "mrp"};
+      "arrays",    "chars",  "colors",   "consts",     "crystal",   "debug",   "finish",     "functions", "glass",
+      "glass_old", "golds",  "ior",      "logo",       "makegrass", "math",    "meshmaker",  "metals",    "povlogo",
+      "rad_def",   "rand",   "screen",   "shapes",     "shapes2",   "shapesq", "shapes_old", "skies",     "skysphere",
+      "spectral",  "stage1", "stars",    "stdcam",     "stdinc",    "stones",  "stones1",    "stones2",   "stoneold",
+      "strings",   "sunpos", "textures", "transforms", "woodmaps",  "woods",   "mrp"};
   if (name.ends_with(".inc")) name.remove_suffix(4);
   return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }

@@ -9,11 +9,13 @@
 
 namespace verisim::parser {
 
-// Restricted Damerau-Levenshtein distance (swapped neighbours count 1), stopped at `limit` + 1. Letter case counts half.
+// Restricted Damerau-Levenshtein distance (swapped neighbours count 1), stopped at `limit` + 1. Letter case counts
+// half.
 int edit_distance(std::string_view a, std::string_view b, int limit);
 // The candidate nearest to `name`, if it is near enough to be likely; else empty.
 std::string_view nearest(std::string_view name, std::span<const std::string_view> candidates);
-// The names of the *.inc files below `folders` that declare `name` at the start of a #declare or #macro. Reads at most 64 MB.
+// The names of the *.inc files below `folders` that declare `name` at the start of a #declare or #macro. Reads at most
+// 64 MB.
 std::vector<std::string> includes_that_declare(std::string_view name, std::span<const std::filesystem::path> folders);
 // True for the names of POV-Ray's standard includes, which come with the package povray-includes.
 bool is_standard_include(std::string_view name);

@@ -1,5 +1,6 @@
-// How other programs and old scenes write SDL: versions 1 to 3.6, line ends of DOS and Mac, Latin-1, and in the manner of Jmol, PyMOL, VMD, RasMol, L3P, Moray, vapory ...
-// The files are our own; their names say what povray 3.7.0.10 does with them, and NAME.txt what it prints with #debug.
+// How other programs and old scenes write SDL: versions 1 to 3.6, line ends of DOS and Mac, Latin-1, and in the manner
+// of Jmol, PyMOL, VMD, RasMol, L3P, Moray, vapory ... The files are our own; their names say what povray 3.7.0.10 does
+// with them, and NAME.txt what it prints with #debug.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -31,7 +32,8 @@ TEST(Differential, Idioms) {
     debug.clear();
     const parser::ParseResult result = parser::parse_file(entry.path(), options);
     const bool accepted = entry.path().filename().string().starts_with("accepted");
-    EXPECT_EQ(result.errors.empty(), accepted) << entry.path() << (result.errors.empty() ? "" : "\n" + parser::format(result.errors.front()));
+    EXPECT_EQ(result.errors.empty(), accepted)
+        << entry.path() << (result.errors.empty() ? "" : "\n" + parser::format(result.errors.front()));
     if (std::ifstream expected(fs::path(entry.path()).replace_extension(".txt")); expected) {
       EXPECT_EQ(debug, std::string(std::istreambuf_iterator<char>(expected), {})) << entry.path();
     }

@@ -1,5 +1,6 @@
-// Random programs of SDL - loops, branches, switches, macros, arrays, strings, scopes - run by POV-Ray and by verisim; what they write is compared character by
-// character. Skips when POV-Ray is not installed. VERISIM_PROGRAM_STATEMENTS sets how long they are (400), VERISIM_SEED where the generator starts (1).
+// Random programs of SDL - loops, branches, switches, macros, arrays, strings, scopes - run by POV-Ray and by verisim;
+// what they write is compared character by character. Skips when POV-Ray is not installed. VERISIM_PROGRAM_STATEMENTS
+// sets how long they are (400), VERISIM_SEED where the generator starts (1).
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -42,37 +43,60 @@ class ProgramGenerator {
   std::string scalar(int depth) {
     if (depth <= 0) return pick(2) ? f() : number();
     switch (pick(11)) {
-      case 0: return scalar(depth - 1) + "+" + scalar(depth - 1);
-      case 1: return scalar(depth - 1) + "-" + scalar(depth - 1);
-      case 2: return scalar(depth - 1) + "*" + number();
-      case 3: return "(" + scalar(depth - 1) + ")/3";
-      case 4: return element();
-      case 5: return v() + ".y";
-      case 6: return "strlen(" + s() + ")";
-      case 7: return "(" + condition(depth - 1) + "?" + scalar(depth - 1) + ":" + scalar(depth - 1) + ")";
-      case 8: return "(Add(" + scalar(depth - 1) + "," + scalar(depth - 1) + "))";
-      case 9: return "vdot(" + vector(depth - 1) + "," + vector(depth - 1) + ")";
-      default: return "min(" + scalar(depth - 1) + "," + scalar(depth - 1) + ")";
+      case 0:
+        return scalar(depth - 1) + "+" + scalar(depth - 1);
+      case 1:
+        return scalar(depth - 1) + "-" + scalar(depth - 1);
+      case 2:
+        return scalar(depth - 1) + "*" + number();
+      case 3:
+        return "(" + scalar(depth - 1) + ")/3";
+      case 4:
+        return element();
+      case 5:
+        return v() + ".y";
+      case 6:
+        return "strlen(" + s() + ")";
+      case 7:
+        return "(" + condition(depth - 1) + "?" + scalar(depth - 1) + ":" + scalar(depth - 1) + ")";
+      case 8:
+        return "(Add(" + scalar(depth - 1) + "," + scalar(depth - 1) + "))";
+      case 9:
+        return "vdot(" + vector(depth - 1) + "," + vector(depth - 1) + ")";
+      default:
+        return "min(" + scalar(depth - 1) + "," + scalar(depth - 1) + ")";
     }
   }
   std::string vector(int depth) {
     switch (pick(depth > 0 ? 6 : 2)) {
-      case 0: return v();
-      case 1: return "<" + scalar(0) + "," + scalar(0) + "," + scalar(0) + ">";
-      case 2: return vector(depth - 1) + "+" + vector(depth - 1);
-      case 3: return vector(depth - 1) + "*" + number();
-      case 4: return "vcross(" + vector(depth - 1) + "," + vector(depth - 1) + ")";
-      default: return "<#if (" + condition(0) + ") " + number() + " #else " + number() + " #end," + scalar(depth - 1) + ",2>";
+      case 0:
+        return v();
+      case 1:
+        return "<" + scalar(0) + "," + scalar(0) + "," + scalar(0) + ">";
+      case 2:
+        return vector(depth - 1) + "+" + vector(depth - 1);
+      case 3:
+        return vector(depth - 1) + "*" + number();
+      case 4:
+        return "vcross(" + vector(depth - 1) + "," + vector(depth - 1) + ")";
+      default:
+        return "<#if (" + condition(0) + ") " + number() + " #else " + number() + " #end," + scalar(depth - 1) + ",2>";
     }
   }
   std::string string(int depth) {
     switch (pick(depth > 0 ? 6 : 2)) {
-      case 0: return s();
-      case 1: return pick(2) ? "\"ab\"" : "\"Xyz\"";
-      case 2: return "substr(concat(" + string(depth - 1) + ",\"..\"),1,2)";
-      case 3: return "str(" + scalar(depth - 1) + ",0," + std::to_string(pick(4)) + ")";
-      case 4: return "strupr(" + string(depth - 1) + ")";
-      default: return "chr(65+mod(abs(int(" + f() + ")),20))";
+      case 0:
+        return s();
+      case 1:
+        return pick(2) ? "\"ab\"" : "\"Xyz\"";
+      case 2:
+        return "substr(concat(" + string(depth - 1) + ",\"..\"),1,2)";
+      case 3:
+        return "str(" + scalar(depth - 1) + ",0," + std::to_string(pick(4)) + ")";
+      case 4:
+        return "strupr(" + string(depth - 1) + ")";
+      default:
+        return "chr(65+mod(abs(int(" + f() + ")),20))";
     }
   }
   std::string condition(int depth) {
@@ -94,36 +118,65 @@ class ProgramGenerator {
     const std::string counter = "n" + std::to_string(depth);
     switch (pick(depth > 0 ? 16 : 6)) {
       case 0:
-      case 1: return "#declare " + f() + " = " + bounded(scalar(2)) + ";\n";
+      case 1:
+        return "#declare " + f() + " = " + bounded(scalar(2)) + ";\n";
       case 2: {
         const std::string target = v();
-        return "#declare " + target + " = " + vector(1) + ";\n#declare " + target + " = <mod(" + target + ".x,31),mod(" + target + ".y,31),mod(" + target + ".z,31)>;\n";
+        return "#declare " + target + " = " + vector(1) + ";\n#declare " + target + " = <mod(" + target +
+               ".x,31),mod(" + target + ".y,31),mod(" + target + ".z,31)>;\n";
       }
-      case 3: return "#declare " + s() + " = " + string(2) + "\n";
-      case 4: return "#declare " + element() + " = " + bounded(scalar(1)) + ";\n";
-      case 5: return "#write (O, " + string(1) + ", \" \", " + scalar(1) + ", \" \", " + vector(0) + ", \"\\n\")\n";
+      case 3:
+        return "#declare " + s() + " = " + string(2) + "\n";
+      case 4:
+        return "#declare " + element() + " = " + bounded(scalar(1)) + ";\n";
+      case 5:
+        return "#write (O, " + string(1) + ", \" \", " + scalar(1) + ", \" \", " + vector(0) + ", \"\\n\")\n";
       case 6:
-      case 7: return "#if (" + condition(1) + ")\n" + block(depth) + (pick(2) ? "#else\n" + block(depth) : pick(2) ? "#elseif (" + condition(0) + ")\n" + block(depth) : "") + "#end\n";
-      case 8: return "#for (" + counter + ", " + std::to_string(pick(3)) + ", " + std::to_string(pick(5)) + (pick(2) ? ", .5" : "") + ")\n" + block(depth) + (pick(4) ? "" : "#if (" + condition(0) + ") #break #end\n") + "#end\n";
-      case 9: return "#declare " + counter + " = 0;\n#while (" + counter + " < " + std::to_string(pick(4)) + ")\n#declare " + counter + " = " + counter + "+1;\n" + block(depth) + "#end\n";
-      case 10: return "#switch (mod(int(" + f() + "),4))\n#case (0)\n" + block(depth) + (pick(2) ? "#break\n" : "") + "#case (1)\n" + block(depth) + "#break\n#range (2,3)\n" + block(depth) + "#break\n#else\n" + block(depth) + "#end\n";
-      case 11: return "Swap(" + f() + ", " + f() + ")\n";
-      case 12: return "Scoped(" + scalar(1) + ")\n";
-      case 13: return "#ifdef (Sometimes) #undef Sometimes #else #declare Sometimes = " + number() + "; #end\n";
-      case 14: return "#declare " + f() + " = Sum(" + std::to_string(pick(6)) + ");\n";
-      default: return "Set(" + element() + ", " + scalar(1) + ")\n";
+      case 7:
+        return "#if (" + condition(1) + ")\n" + block(depth) +
+               (pick(2)   ? "#else\n" + block(depth)
+                : pick(2) ? "#elseif (" + condition(0) + ")\n" + block(depth)
+                          : "") +
+               "#end\n";
+      case 8:
+        return "#for (" + counter + ", " + std::to_string(pick(3)) + ", " + std::to_string(pick(5)) +
+               (pick(2) ? ", .5" : "") + ")\n" + block(depth) +
+               (pick(4) ? "" : "#if (" + condition(0) + ") #break #end\n") + "#end\n";
+      case 9:
+        return "#declare " + counter + " = 0;\n#while (" + counter + " < " + std::to_string(pick(4)) + ")\n#declare " +
+               counter + " = " + counter + "+1;\n" + block(depth) + "#end\n";
+      case 10:
+        return "#switch (mod(int(" + f() + "),4))\n#case (0)\n" + block(depth) + (pick(2) ? "#break\n" : "") +
+               "#case (1)\n" + block(depth) + "#break\n#range (2,3)\n" + block(depth) + "#break\n#else\n" +
+               block(depth) + "#end\n";
+      case 11:
+        return "Swap(" + f() + ", " + f() + ")\n";
+      case 12:
+        return "Scoped(" + scalar(1) + ")\n";
+      case 13:
+        return "#ifdef (Sometimes) #undef Sometimes #else #declare Sometimes = " + number() + "; #end\n";
+      case 14:
+        return "#declare " + f() + " = Sum(" + std::to_string(pick(6)) + ");\n";
+      default:
+        return "Set(" + element() + ", " + scalar(1) + ")\n";
     }
   }
 
-  std::string print() { return "#write (O, str(f0,0,9),\" \",str(f1,0,9),\" \",f2,\" \",f3,\" \",w0,w1,vstr(3,w2,\",\",0,9),\" \",s0,\"|\",s1,\"|\",s2,\" \",g[0],\" \",g[1],\" \",g[2],\" \",g[3],\"\\n\")\n"; }
+  std::string print() {
+    return "#write (O, str(f0,0,9),\" \",str(f1,0,9),\" \",f2,\" \",f3,\" \",w0,w1,vstr(3,w2,\",\",0,9),\" "
+           "\",s0,\"|\",s1,\"|\",s2,\" \",g[0],\" \",g[1],\" \",g[2],\" \",g[3],\"\\n\")\n";
+  }
 
   static std::string preamble() {
     return "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#fopen O \"out.txt\" write\n"
-           "#declare f0 = 1; #declare f1 = -2.5; #declare f2 = 7; #declare f3 = .1;\n#declare w0 = <1,2,3>; #declare w1 = -y; #declare w2 = <.5,0,-9>;\n"
+           "#declare f0 = 1; #declare f1 = -2.5; #declare f2 = 7; #declare f3 = .1;\n#declare w0 = <1,2,3>; #declare "
+           "w1 = -y; #declare w2 = <.5,0,-9>;\n"
            "#declare s0 = \"\" #declare s1 = \"abc\" #declare s2 = \"Q\"\n#declare g = array[4]{1,-2,3.5,0}\n"
-           "#macro Add(a, b) #local r = a+b; r #end\n#macro Swap(a, b) #local kept = a; #declare a = b; #declare b = kept; #end\n"
+           "#macro Add(a, b) #local r = a+b; r #end\n#macro Swap(a, b) #local kept = a; #declare a = b; #declare b = "
+           "kept; #end\n"
            "#macro Scoped(a) #local f0 = a; #declare f0 = f0+1; #declare f1 = mod(f0,50); #end\n"
-           "#macro Sum(n) #local total = 0; #for (i, 1, n) #local total = total+i; #end total #end\n#macro Set(a, b) #declare a = mod(b,89); #end\n";
+           "#macro Sum(n) #local total = 0; #for (i, 1, n) #local total = total+i; #end total #end\n#macro Set(a, b) "
+           "#declare a = mod(b,89); #end\n";
   }
 
   std::mt19937 random_;
@@ -140,12 +193,15 @@ int setting(const char* name, int absent) {
 }
 
 TEST(Differential, Programs) {
-  if (std::system("command -v povray > /dev/null 2>&1") != 0) GTEST_SKIP() << "POV-Ray is not installed (package povray)";
+  if (std::system("command -v povray > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "POV-Ray is not installed (package povray)";
   const fs::path folder = fs::temp_directory_path() / ("verisim_programs_" + std::to_string(::getpid()));
   fs::create_directories(folder / "povray");
   fs::create_directories(folder / "verisim");
-  std::ofstream(folder / "scene.pov") << ProgramGenerator(static_cast<unsigned>(setting("VERISIM_SEED", 1))).program(setting("VERISIM_PROGRAM_STATEMENTS", 400));
-  const std::string command = "cd '" + (folder / "povray").string() + "' && HOME='" + folder.string() + "' timeout 120 povray +I../scene.pov -D -F +W1 +H1 > log.txt 2>&1";
+  std::ofstream(folder / "scene.pov") << ProgramGenerator(static_cast<unsigned>(setting("VERISIM_SEED", 1)))
+                                             .program(setting("VERISIM_PROGRAM_STATEMENTS", 400));
+  const std::string command = "cd '" + (folder / "povray").string() + "' && HOME='" + folder.string() +
+                              "' timeout 120 povray +I../scene.pov -D -F +W1 +H1 > log.txt 2>&1";
   ASSERT_EQ(std::system(command.c_str()), 0) << "POV-Ray rejects the scene: see " << folder;
   const fs::path before = fs::current_path();
   fs::current_path(folder / "verisim");
@@ -155,7 +211,8 @@ TEST(Differential, Programs) {
   const std::string expected = text_of(folder / "povray" / "out.txt"), actual = text_of(folder / "verisim" / "out.txt");
   ASSERT_GT(expected.size(), 1000u);
   const auto at = std::mismatch(expected.begin(), expected.end(), actual.begin(), actual.end()).first;
-  EXPECT_EQ(expected, actual) << "first difference behind: " << std::string(at - std::min<std::ptrdiff_t>(at - expected.begin(), 300), at);
+  EXPECT_EQ(expected, actual) << "first difference behind: "
+                              << std::string(at - std::min<std::ptrdiff_t>(at - expected.begin(), 300), at);
   fs::remove_all(folder);
 }
 

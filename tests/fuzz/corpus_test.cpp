@@ -37,7 +37,8 @@ TEST(FuzzCorpus, Lexer) {
 }
 
 TEST(FuzzCorpus, Scene) {
-  for (const fs::path& folder : {kCorpus / "scene", fs::path(VERISIM_SOURCE_DIR) / "scenes/shapes", fs::path(VERISIM_SOURCE_DIR) / "scenes/global"})
+  for (const fs::path& folder : {kCorpus / "scene", fs::path(VERISIM_SOURCE_DIR) / "scenes/shapes",
+                                 fs::path(VERISIM_SOURCE_DIR) / "scenes/global"})
     for (const std::string& text : texts_below(folder)) fuzz::scene(text);
 }
 
@@ -57,8 +58,10 @@ TEST(FuzzCorpus, ScenesWithMistakes) {
     for (const char c : text) {
       const bool letter = std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.';
       if (!letter && !word.empty()) words.push_back(std::exchange(word, {}));
-      if (letter) word += c;
-      else words.emplace_back(1, c);
+      if (letter)
+        word += c;
+      else
+        words.emplace_back(1, c);
     }
     if (words.size() < 4 || words.size() > 5000) continue;
     for (int round = 0; round < 40; ++round) {
@@ -66,10 +69,17 @@ TEST(FuzzCorpus, ScenesWithMistakes) {
       for (std::size_t mistakes = 1 + below(4); mistakes > 0; --mistakes) {
         const std::size_t at = below(changed.size());
         switch (below(4)) {
-          case 0: changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(at)); break;
-          case 1: changed.insert(changed.begin() + static_cast<std::ptrdiff_t>(at), words[below(words.size())]); break;
-          case 2: changed[at] = words[below(words.size())]; break;
-          default: std::swap(changed[at], changed[below(changed.size())]);
+          case 0:
+            changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(at));
+            break;
+          case 1:
+            changed.insert(changed.begin() + static_cast<std::ptrdiff_t>(at), words[below(words.size())]);
+            break;
+          case 2:
+            changed[at] = words[below(words.size())];
+            break;
+          default:
+            std::swap(changed[at], changed[below(changed.size())]);
         }
         if (changed.size() < 4) break;
       }

@@ -42,7 +42,9 @@ ParseResult parse(const std::string& text) {
   return result;
 }
 
-bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b)); }
+bool same(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
+}
 
 FunctionPtr function_of(const scene::Object& object) {
   if (!object.texture || object.texture->layers.empty()) return nullptr;
@@ -64,15 +66,26 @@ void lexer(std::string_view bytes) {
     const Token& t = tokens[i];
     require(t.offset <= bytes.size() && t.offset >= before, "tokens follow each other in the text");
     before = t.kind == TokenKind::error ? before : t.offset;
-    require(i + 1 == tokens.size() || (t.kind != TokenKind::end && t.kind != TokenKind::error), "the end is at the end");
+    require(i + 1 == tokens.size() || (t.kind != TokenKind::end && t.kind != TokenKind::error),
+            "the end is at the end");
     switch (t.kind) {
-      case TokenKind::string: require(t.offset + 1 + t.id() <= bytes.size(), "a string lies in the text"); break;
-      case TokenKind::vector: require(t.terms() >= 2 && t.terms() <= 5 && t.id() + t.terms() <= file->numbers.size(), "a vector has its numbers"); break;
-      case TokenKind::identifier: require(t.id() > 0 && t.id() < names.size() && !names[t.id()].text.empty(), "an identifier has a name"); break;
-      case TokenKind::directive:
-        require(t.link() == 0 || (t.link() > i && t.link() < tokens.size() && tokens[t.link()].kind == TokenKind::directive), "links lead forward to directives");
+      case TokenKind::string:
+        require(t.offset + 1 + t.id() <= bytes.size(), "a string lies in the text");
         break;
-      default: break;
+      case TokenKind::vector:
+        require(t.terms() >= 2 && t.terms() <= 5 && t.id() + t.terms() <= file->numbers.size(),
+                "a vector has its numbers");
+        break;
+      case TokenKind::identifier:
+        require(t.id() > 0 && t.id() < names.size() && !names[t.id()].text.empty(), "an identifier has a name");
+        break;
+      case TokenKind::directive:
+        require(t.link() == 0 ||
+                    (t.link() > i && t.link() < tokens.size() && tokens[t.link()].kind == TokenKind::directive),
+                "links lead forward to directives");
+        break;
+      default:
+        break;
     }
   }
 }
@@ -82,12 +95,15 @@ void scene(std::string_view bytes) { parse(std::string(bytes)); }
 void function(std::string_view bytes) {
   const std::string body(bytes);
   // Once as a pattern's function, once called by another function, which may inline it.
-  const std::string declared = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare F = function(x, y, z) {" + body +
-                               "}\nsphere { 0, 1 pigment { function { F(x, y, z) } } }\nsphere { 0, 1 pigment { function {" + body + "} } }\n";
+  const std::string declared =
+      "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare F = function(x, y, z) {" + body +
+      "}\nsphere { 0, 1 pigment { function { F(x, y, z) } } }\nsphere { 0, 1 pigment { function {" + body + "} } }\n";
   const ParseResult result = parse(declared);
   if (!result.scene || result.scene->objects.size() != 2) return;
   const FunctionPtr caller = function_of(*result.scene->objects[0]), direct = function_of(*result.scene->objects[1]);
-  if (!caller || !direct || caller->components() != 1 || direct->components() != 1 || direct->parameters() != 3 || caller->parameters() != 3) return;
+  if (!caller || !direct || caller->components() != 1 || direct->components() != 1 || direct->parameters() != 3 ||
+      caller->parameters() != 3)
+    return;
   // Loops over huge ranges are legal and endless: they are not run.
   if (body.find("sum") != std::string::npos || body.find("prod") != std::string::npos) return;
   constexpr std::size_t kPoints = 37;

@@ -29,6 +29,7 @@ int main() {
   render::Framebuffer picture;
   render::render(scene, options, picture);
   const Color middle = picture.at(7, 7), corner = picture.at(0, 0);
-  std::printf("middle %g %g %g, corner %g %g %g\n", double(middle.r), double(middle.g), double(middle.b), double(corner.r), double(corner.g), double(corner.b));
+  std::printf("middle %g %g %g, corner %g %g %g\n", double(middle.r), double(middle.g), double(middle.b),
+              double(corner.r), double(corner.g), double(corner.b));
   return middle.r == 1 && middle.g == 0.5f && corner.r == 0 ? 0 : 1;
 }

@@ -7,7 +7,8 @@
 
 namespace verisim::test {
 
-render::Framebuffer render_text(const std::string& text, int width, int height, const render::Options& options, render::Statistics* statistics) {
+render::Framebuffer render_text(const std::string& text, int width, int height, const render::Options& options,
+                                render::Statistics* statistics) {
   parser::ParseOptions parse;
   parse.width = width, parse.height = height;
   const parser::ParseResult result = parser::parse_text(text, "probe.pov", parse);

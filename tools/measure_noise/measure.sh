@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Prints the value table of POV-Ray's noise as the C++ fragment tracer/textures/noise_value_table.inc (see README.md).
-# usage: tools/measure_noise/measure.sh > tracer/textures/noise_value_table.inc
+# Prints the value table of POV-Ray's noise as the C++ fragment tracer/noise/noise_value_table.inc (see README.md).
+# usage: tools/measure_noise/measure.sh > tracer/noise/noise_value_table.inc
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)

@@ -19,7 +19,9 @@ Spectrum spectrum(const json& samples) {
   return result;
 }
 
-Triple triple(const json& values) { return {values.at(0).get<double>(), values.at(1).get<double>(), values.at(2).get<double>()}; }
+Triple triple(const json& values) {
+  return {values.at(0).get<double>(), values.at(1).get<double>(), values.at(2).get<double>()};
+}
 
 double triangle_area(const Triple& a, const Triple& b, const Triple& c) {
   const Triple u{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
@@ -43,7 +45,8 @@ CornellBox read_cornell_box(const std::filesystem::path& path, Illuminant illumi
   try {
     const json data = json::parse(stream);
     CornellBox box;
-    for (const auto& [material, samples] : data.at("reflectance_nm").items()) box.reflectance[material] = reflectance_to_rgb(spectrum(samples), illuminant);
+    for (const auto& [material, samples] : data.at("reflectance_nm").items())
+      box.reflectance[material] = reflectance_to_rgb(spectrum(samples), illuminant);
     box.light_color = emission_to_rgb(spectrum(data.at("emission_nm")));
     box.light_reflectance = data.at("light_reflectance").get<double>();
     const json& surfaces = data.at("surfaces");
@@ -102,8 +105,11 @@ std::string as_passes(const std::array<BandMatrix, 4>& matrices) {
   char line[300];
   for (std::size_t pass = 0; pass < matrices.size(); ++pass) {
     const BandMatrix& m = matrices[pass];
-    std::snprintf(line, sizeof line, "  { switches = \"Declare=Bands=%d\", matrix = [[%.6f, %.6f, %.6f], [%.6f, %.6f, %.6f], [%.6f, %.6f, %.6f]] },\n", static_cast<int>(pass), m[0][0], m[0][1], m[0][2],
-                  m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]);
+    std::snprintf(line, sizeof line,
+                  "  { switches = \"Declare=Bands=%d\", matrix = [[%.6f, %.6f, %.6f], [%.6f, %.6f, %.6f], [%.6f, %.6f, "
+                  "%.6f]] },\n",
+                  static_cast<int>(pass), m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1],
+                  m[2][2]);
     text += line;
   }
   return text;

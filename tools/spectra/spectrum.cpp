@@ -14,10 +14,12 @@ Triple operator*(const Matrix& m, const Triple& v) {
 }
 
 // IEC 61966-2-1, amendment 1.
-constexpr Matrix kXyzToRgb{{{3.2406255, -1.5372080, -0.4986286}, {-0.9689307, 1.8757561, 0.0415175}, {0.0557101, -0.2040211, 1.0569959}}};
+constexpr Matrix kXyzToRgb{
+    {{3.2406255, -1.5372080, -0.4986286}, {-0.9689307, 1.8757561, 0.0415175}, {0.0557101, -0.2040211, 1.0569959}}};
 // Lam, "Metamerism and Colour Constancy", 1985.
 constexpr Matrix kBradford{{{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
-constexpr Matrix kBradfordInverse{{{0.9869929, -0.1470543, 0.1599627}, {0.4323053, 0.5183603, 0.0492912}, {-0.0085287, 0.0400428, 0.9684867}}};
+constexpr Matrix kBradfordInverse{
+    {{0.9869929, -0.1470543, 0.1599627}, {0.4323053, 0.5183603, 0.0492912}, {-0.0085287, 0.0400428, 0.9684867}}};
 
 constexpr double kFirst = 380, kLast = 780, kObserverStep = 5;
 
@@ -34,7 +36,8 @@ Triple observer_at(double nanometres) {
 
 double value_at(const Spectrum& spectrum, double nanometres) {
   if (spectrum.empty()) return 1;
-  const auto above = std::lower_bound(spectrum.begin(), spectrum.end(), nanometres, [](const auto& sample, double x) { return sample.first < x; });
+  const auto above = std::lower_bound(spectrum.begin(), spectrum.end(), nanometres,
+                                      [](const auto& sample, double x) { return sample.first < x; });
   if (above == spectrum.begin()) return spectrum.front().second;
   if (above == spectrum.end()) return spectrum.back().second;
   const auto below = above - 1;

@@ -1,8 +1,10 @@
-// Measured spectra to colour: the CIE 1931 observer, and what linear sRGB values a renderer with three channels should use.
+// Measured spectra to colour: the CIE 1931 observer, and what linear sRGB values a renderer with three channels should
+// use.
 //
-// A reflectance becomes the colour that it has under an illuminant, relative to a perfect white under the same illuminant; a perfect white is
-// therefore (1, 1, 1). Under D65 (the white of sRGB) nothing more is needed; under the equal-energy illuminant E the white is adapted to D65
-// (Bradford). An emission becomes the colour that the light itself has, with the white of sRGB as reference.
+// A reflectance becomes the colour that it has under an illuminant, relative to a perfect white under the same
+// illuminant; a perfect white is therefore (1, 1, 1). Under D65 (the white of sRGB) nothing more is needed; under the
+// equal-energy illuminant E the white is adapted to D65 (Bradford). An emission becomes the colour that the light
+// itself has, with the white of sRGB as reference.
 #pragma once
 
 #include <array>
@@ -20,8 +22,9 @@ enum class Illuminant { d65, e };
 
 double value_at(const Spectrum& spectrum, double nanometres);
 
-// Sum over the visible range (380 to 780 nm, steps of 1 nm) of emission times reflectance times the observer's functions. Emission and reflectance
-// are given as spectra; an empty one counts as 1. Not normalised: the Y of emission 1 is 106.86.
+// Sum over the visible range (380 to 780 nm, steps of 1 nm) of emission times reflectance times the observer's
+// functions. Emission and reflectance are given as spectra; an empty one counts as 1. Not normalised: the Y of emission
+// 1 is 106.86.
 Triple integrate(const Spectrum& emission, const Spectrum& reflectance);
 
 // Relative spectral power of the illuminant.

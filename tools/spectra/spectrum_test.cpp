@@ -74,27 +74,32 @@ TEST(CornellBoxTest, TheSceneHasTheComputedNumbers) {
   const std::string scene = text.str();
   std::istringstream lines(as_sdl(box));
   int count = 0;
-  for (std::string line; std::getline(lines, line); ++count) EXPECT_NE(scene.find(line + "\n"), std::string::npos) << "the scene lacks: " << line;
+  for (std::string line; std::getline(lines, line); ++count)
+    EXPECT_NE(scene.find(line + "\n"), std::string::npos) << "the scene lacks: " << line;
   EXPECT_EQ(count, 8);
 }
 
 TEST(CornellBoxTest, TheSceneHasTheMeasuredGeometry) {
   // Every corner of the data stands in the scene as <x, y, z>.
-  std::ifstream data(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json"), source(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.pov");
+  std::ifstream data(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json"),
+      source(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.pov");
   std::stringstream json, scene;
   json << data.rdbuf();
   scene << source.rdbuf();
   const auto corners = [](const std::string& text, const std::regex& pattern) {
     std::set<Triple> found;
-    for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i) found.insert({std::stod((*i)[1]), std::stod((*i)[2]), std::stod((*i)[3])});
+    for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i)
+      found.insert({std::stod((*i)[1]), std::stod((*i)[2]), std::stod((*i)[3])});
     return found;
   };
   const std::string number = R"(\s*(-?[0-9.]+)\s*)";
   const std::string whole = json.str();
-  const auto measured = corners(whole.substr(whole.find("\"surfaces\"")), std::regex(R"(\[)" + number + "," + number + "," + number + R"(\])"));
+  const auto measured = corners(whole.substr(whole.find("\"surfaces\"")),
+                                std::regex(R"(\[)" + number + "," + number + "," + number + R"(\])"));
   const auto modelled = corners(scene.str(), std::regex("<" + number + "," + number + "," + number + ">"));
   EXPECT_GE(measured.size(), 28u);
-  for (const Triple& corner : measured) EXPECT_TRUE(modelled.contains(corner)) << corner[0] << ", " << corner[1] << ", " << corner[2];
+  for (const Triple& corner : measured)
+    EXPECT_TRUE(modelled.contains(corner)) << corner[0] << ", " << corner[1] << ", " << corner[2];
 }
 
 TEST(CornellBoxTest, WallsAreRedAndGreen) {
@@ -110,7 +115,8 @@ TEST(CornellBoxTest, WrongFilesAreNamed) {
   EXPECT_THROW(read_cornell_box(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.pov"), std::runtime_error);
 }
 
-// What the bands add up to is what the spectra give when they are integrated: the light, and the light on a white and a red wall, but for the ends of the spectrum.
+// What the bands add up to is what the spectra give when they are integrated: the light, and the light on a white and a
+// red wall, but for the ends of the spectrum.
 TEST(CornellBox, BandsAddUpToTheColoursOfTheSpectra) {
   std::ifstream data(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json");
   const auto json = nlohmann::json::parse(data);
@@ -126,13 +132,15 @@ TEST(CornellBox, BandsAddUpToTheColoursOfTheSpectra) {
   const auto composed = [&](const Spectrum& wall) {
     Triple out{};
     for (std::size_t band = 0; band < kBands; ++band) {
-      const double value = band_mean(light, static_cast<int>(band)) / mean * (wall.empty() ? 1 : band_mean(wall, static_cast<int>(band)));
+      const double value = band_mean(light, static_cast<int>(band)) / mean *
+                           (wall.empty() ? 1 : band_mean(wall, static_cast<int>(band)));
       for (std::size_t row = 0; row < 3; ++row) out[row] += matrices[band / 3][row][band % 3] * value;
     }
     return out;
   };
   const double y = integrate(light, {})[1];
-  for (const Spectrum& wall : {Spectrum{}, spectrum(json["reflectance_nm"]["white"]), spectrum(json["reflectance_nm"]["red"]), spectrum(json["reflectance_nm"]["green"])}) {
+  for (const Spectrum& wall : {Spectrum{}, spectrum(json["reflectance_nm"]["white"]),
+                               spectrum(json["reflectance_nm"]["red"]), spectrum(json["reflectance_nm"]["green"])}) {
     Triple xyz = integrate(light, wall);
     for (double& v : xyz) v /= y;
     expect_near(composed(wall), xyz_to_rgb(xyz), 0.02);
@@ -142,12 +150,14 @@ TEST(CornellBox, BandsAddUpToTheColoursOfTheSpectra) {
 TEST(CornellBox, TheManifestHasTheComputedPasses) {
   std::ifstream source(VERISIM_SOURCE_DIR "/scenes/cornell_box/verisim.toml");
   const std::string manifest{std::istreambuf_iterator<char>(source), {}};
-  EXPECT_NE(manifest.find(as_passes(band_matrices(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json"))), std::string::npos);
+  EXPECT_NE(manifest.find(as_passes(band_matrices(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json"))),
+            std::string::npos);
 }
 
 // bands.inc: means over 25 nm, the light relative to its mean over all twelve.
 TEST(CornellBox, BandsAreTheMeansOfTheSpectra) {
-  std::ifstream data(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json"), source(VERISIM_SOURCE_DIR "/scenes/cornell_box/bands.inc");
+  std::ifstream data(VERISIM_SOURCE_DIR "/scenes/cornell_box/cornell_box.json"),
+      source(VERISIM_SOURCE_DIR "/scenes/cornell_box/bands.inc");
   const auto json = nlohmann::json::parse(data);
   std::string text{std::istreambuf_iterator<char>(source), {}};
   const auto means = [](const nlohmann::json& samples) {
@@ -155,7 +165,8 @@ TEST(CornellBox, BandsAreTheMeansOfTheSpectra) {
     for (const auto& s : samples) spectrum.emplace_back(s[0], s[1]);
     std::array<double, 12> out{};
     for (int band = 0; band < 12; ++band)
-      for (int nm = 0; nm < 25; ++nm) out[static_cast<std::size_t>(band)] += value_at(spectrum, 400 + 25 * band + nm + 0.5) / 25;
+      for (int nm = 0; nm < 25; ++nm)
+        out[static_cast<std::size_t>(band)] += value_at(spectrum, 400 + 25 * band + nm + 0.5) / 25;
     return out;
   };
   const auto expect_line = [&](const std::string& name, const std::array<double, 12>& values, double scale) {

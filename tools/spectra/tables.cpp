@@ -1,5 +1,6 @@
-// Tabulated standards. CIE 1931 2-degree colour-matching functions in steps of 5 nm and the relative spectral power of illuminant D65 in steps of
-// 10 nm: CIE 15:2004 "Colorimetry", tables T.1 and T.4 (four decimals; also in Wyszecki and Stiles, "Color Science", 2nd edition, tables I(3.3.1), I(3.3.4)).
+// Tabulated standards. CIE 1931 2-degree colour-matching functions in steps of 5 nm and the relative spectral power of
+// illuminant D65 in steps of 10 nm: CIE 15:2004 "Colorimetry", tables T.1 and T.4 (four decimals; also in Wyszecki and
+// Stiles, "Color Science", 2nd edition, tables I(3.3.1), I(3.3.4)).
 #include "tools/spectra/spectrum.h"
 
 namespace verisim::spectra {
@@ -33,11 +34,12 @@ const std::array<Triple, 81>& observer() {
 
 const Spectrum& power(Illuminant illuminant) {
   static const Spectrum kD65{
-      {380, 49.9755}, {390, 54.6482}, {400, 82.7549}, {410, 91.4860}, {420, 93.4318}, {430, 86.6823}, {440, 104.865}, {450, 117.008}, {460, 117.812},
-      {470, 114.861}, {480, 115.923}, {490, 108.811}, {500, 109.354}, {510, 107.802}, {520, 104.790}, {530, 107.689}, {540, 104.405}, {550, 104.046},
-      {560, 100.000}, {570, 96.3342}, {580, 95.7880}, {590, 88.6856}, {600, 90.0062}, {610, 89.5991}, {620, 87.6987}, {630, 83.2886}, {640, 83.6992},
-      {650, 80.0268}, {660, 80.2146}, {670, 82.2778}, {680, 78.2842}, {690, 69.7213}, {700, 71.6091}, {710, 74.3490}, {720, 61.6040}, {730, 69.8856},
-      {740, 75.0870}, {750, 63.5927}, {760, 46.4182}, {770, 66.8054}, {780, 63.3828}};
+      {380, 49.9755}, {390, 54.6482}, {400, 82.7549}, {410, 91.4860}, {420, 93.4318}, {430, 86.6823}, {440, 104.865},
+      {450, 117.008}, {460, 117.812}, {470, 114.861}, {480, 115.923}, {490, 108.811}, {500, 109.354}, {510, 107.802},
+      {520, 104.790}, {530, 107.689}, {540, 104.405}, {550, 104.046}, {560, 100.000}, {570, 96.3342}, {580, 95.7880},
+      {590, 88.6856}, {600, 90.0062}, {610, 89.5991}, {620, 87.6987}, {630, 83.2886}, {640, 83.6992}, {650, 80.0268},
+      {660, 80.2146}, {670, 82.2778}, {680, 78.2842}, {690, 69.7213}, {700, 71.6091}, {710, 74.3490}, {720, 61.6040},
+      {730, 69.8856}, {740, 75.0870}, {750, 63.5927}, {760, 46.4182}, {770, 66.8054}, {780, 63.3828}};
   static const Spectrum kE{{380, 1}, {780, 1}};
   return illuminant == Illuminant::d65 ? kD65 : kE;
 }

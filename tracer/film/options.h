@@ -15,31 +15,35 @@ enum class Sampler : std::uint8_t { povray, adaptive };
 
 struct Options {
   int width = 160, height = 120;
-  int first_column = 0, last_column = -1, first_row = 0, last_row = -1;  // inclusive, zero-based; -1: the edge of the image
+  int first_column = 0, last_column = -1, first_row = 0,
+      last_row = -1;  // inclusive, zero-based; -1: the edge of the image
   bool antialias = false;
   int sampling_method = 1, antialias_depth = 3;
-  Sampler sampler = Sampler::povray;   // adaptive takes the place of the methods; threshold and depth keep their meaning
+  Sampler sampler = Sampler::povray;  // adaptive takes the place of the methods; threshold and depth keep their meaning
   float antialias_threshold = 0.3f;
   double antialias_gamma = 2.5;
   bool jitter = true;
   double jitter_amount = 1;
   int quality = 9;
   int block_size = 32;
-  int threads = 0;               // 0: all cores
-  bool output_alpha = false;     // POV-Ray's +UA: decides how backgrounds behave
+  int threads = 0;            // 0: all cores
+  bool output_alpha = false;  // POV-Ray's +UA: decides how backgrounds behave
   bool split_unions = false, remove_bounds = true;
-  bool replay = false;           // serial, with POV-Ray's random streams in POV-Ray's order: equals `povray +WT1`
+  bool replay = false;  // serial, with POV-Ray's random streams in POV-Ray's order: equals `povray +WT1`
   std::uint64_t seed = 0;
-  // Radiosity samples from and to a file in POV-Ray's format (+RFI, +RFO); empty: none. Only heeded by scenes with radiosity.
+  // Radiosity samples from and to a file in POV-Ray's format (+RFI, +RFO); empty: none. Only heeded by scenes with
+  // radiosity.
   std::string radiosity_from, radiosity_to;
-  // Unbiased path tracing instead of POV-Ray's algorithms: the converged picture, not POV-Ray's look (docs/path-tracing.md). Off: 0 samples per pixel.
+  // Unbiased path tracing instead of POV-Ray's algorithms: the converged picture, not POV-Ray's look
+  // (docs/path-tracing.md). Off: 0 samples per pixel.
   int path_samples = 0;
-  int path_bounces = 64;          // no path is longer; Russian roulette ends most earlier
+  int path_bounces = 64;  // no path is longer; Russian roulette ends most earlier
   // Null, or filled with what the camera's rays meet first (depth, normals ...), beside the picture.
   Layers* layers = nullptr;
   // Called from one thread at a time with the fraction done, 0..1.
   std::function<void(double)> progress;
-  // The same for the passes before the picture: which one ("photons", "radiosity pretrace"), and the fraction of it that is done. Null: nobody asks.
+  // The same for the passes before the picture: which one ("photons", "radiosity pretrace"), and the fraction of it
+  // that is done. Null: nobody asks.
   std::function<void(const char*, double)> pass_progress;
   // Photons and radiosity samples may take so many bytes; more ends the render with LimitExceeded.
   std::uint64_t pass_memory = std::uint64_t{4} << 30;
@@ -47,8 +51,9 @@ struct Options {
   std::atomic<bool>* cancel = nullptr;
   // Called when a block is finished (x, y, width, height), possibly from several threads; for continue-trace.
   std::function<void(int, int, int, int)> block_done;
-  // Asked once for each block (x, y, width, height) before it is started, possibly from several threads; true: its pixels are already in the
-  // framebuffer (continue-trace) and stay as they are. Blocks are independent, so the picture is the same as without it.
+  // Asked once for each block (x, y, width, height) before it is started, possibly from several threads; true: its
+  // pixels are already in the framebuffer (continue-trace) and stay as they are. Blocks are independent, so the picture
+  // is the same as without it.
   std::function<bool(int, int, int, int)> block_known;
 };
 

@@ -1,4 +1,5 @@
-// From the folded expression to a program: values are numbered (equal ones once), constants evaluated, small functions inlined, registers shared.
+// From the folded expression to a program: values are numbered (equal ones once), constants evaluated, small functions
+// inlined, registers shared.
 #include <array>
 #include <bit>
 #include <map>
@@ -12,7 +13,8 @@ namespace verisim::functions {
 
 namespace {
 
-constexpr std::size_t kInlineLimit = 400;     // expression nodes (nested inlining included) of a function that is copied into its caller
+constexpr std::size_t kInlineLimit =
+    400;  // expression nodes (nested inlining included) of a function that is copied into its caller
 constexpr std::size_t kInlineTotal = 4096;    // instructions after which nothing more is inlined
 constexpr std::size_t kEagerSelectCost = 24;  // in simple operations: cheaper branches are evaluated both
 constexpr std::size_t kMaxInstructions = 1u << 22;
@@ -22,35 +24,64 @@ static_assert(static_cast<int>(Op::logic_or) == static_cast<int>(Code::logic_or)
 
 Code code_of(Builtin builtin) {
   switch (builtin) {
-    case Builtin::abs_: return Code::abs;
-    case Builtin::acos_: return Code::acos;
-    case Builtin::acosh_: return Code::acosh;
-    case Builtin::asin_: return Code::asin;
-    case Builtin::asinh_: return Code::asinh;
-    case Builtin::atan_: return Code::atan;
-    case Builtin::atan2_: return Code::atan2;
-    case Builtin::atanh_: return Code::atanh;
-    case Builtin::ceil_: return Code::ceil;
-    case Builtin::cos_: return Code::cos;
-    case Builtin::cosh_: return Code::cosh;
-    case Builtin::degrees_: return Code::degrees;
-    case Builtin::div_: return Code::div;
-    case Builtin::exp_: return Code::exp;
-    case Builtin::floor_: return Code::floor;
-    case Builtin::int_: return Code::integer;
-    case Builtin::ln_: return Code::ln;
-    case Builtin::log_: return Code::log;
-    case Builtin::max_: return Code::maximum;
-    case Builtin::min_: return Code::minimum;
-    case Builtin::mod_: return Code::mod;
-    case Builtin::pow_: return Code::pow;
-    case Builtin::radians_: return Code::radians;
-    case Builtin::select_: return Code::select;
-    case Builtin::sin_: return Code::sin;
-    case Builtin::sinh_: return Code::sinh;
-    case Builtin::sqrt_: return Code::sqrt;
-    case Builtin::tan_: return Code::tan;
-    case Builtin::tanh_: return Code::tanh;
+    case Builtin::abs_:
+      return Code::abs;
+    case Builtin::acos_:
+      return Code::acos;
+    case Builtin::acosh_:
+      return Code::acosh;
+    case Builtin::asin_:
+      return Code::asin;
+    case Builtin::asinh_:
+      return Code::asinh;
+    case Builtin::atan_:
+      return Code::atan;
+    case Builtin::atan2_:
+      return Code::atan2;
+    case Builtin::atanh_:
+      return Code::atanh;
+    case Builtin::ceil_:
+      return Code::ceil;
+    case Builtin::cos_:
+      return Code::cos;
+    case Builtin::cosh_:
+      return Code::cosh;
+    case Builtin::degrees_:
+      return Code::degrees;
+    case Builtin::div_:
+      return Code::div;
+    case Builtin::exp_:
+      return Code::exp;
+    case Builtin::floor_:
+      return Code::floor;
+    case Builtin::int_:
+      return Code::integer;
+    case Builtin::ln_:
+      return Code::ln;
+    case Builtin::log_:
+      return Code::log;
+    case Builtin::max_:
+      return Code::maximum;
+    case Builtin::min_:
+      return Code::minimum;
+    case Builtin::mod_:
+      return Code::mod;
+    case Builtin::pow_:
+      return Code::pow;
+    case Builtin::radians_:
+      return Code::radians;
+    case Builtin::select_:
+      return Code::select;
+    case Builtin::sin_:
+      return Code::sin;
+    case Builtin::sinh_:
+      return Code::sinh;
+    case Builtin::sqrt_:
+      return Code::sqrt;
+    case Builtin::tan_:
+      return Code::tan;
+    case Builtin::tanh_:
+      return Code::tanh;
   }
   return Code::move;
 }
@@ -105,9 +136,10 @@ class Builder {
   void pack(Register& result);
 
   std::shared_ptr<Program> program_;
-  std::vector<Register> environment_;              // value of each parameter and loop variable
-  std::vector<std::map<Key, Register>> scopes_;    // values known where the code stands; inner scopes are conditional code
-  std::map<std::uint64_t, Register> constants_;    // by bit pattern
+  std::vector<Register> environment_;  // value of each parameter and loop variable
+  std::vector<std::map<Key, Register>>
+      scopes_;  // values known where the code stands; inner scopes are conditional code
+  std::map<std::uint64_t, Register> constants_;  // by bit pattern
   std::map<Register, double> constant_values_;
   std::vector<std::pair<std::size_t, std::size_t>> loops_;  // instruction ranges
   Register next_ = 0;
@@ -148,7 +180,8 @@ Builder::Register Builder::emit(Code code, Register a, Register b, Register c, R
 Builder::Register Builder::lower(const Node& node) {
   ++program_->lowered_nodes_;
   if (const auto* value = std::get_if<Constant>(&node.value)) return constant(value->value);
-  if (const auto* parameter = std::get_if<Parameter>(&node.value)) return environment_.at(static_cast<std::size_t>(parameter->index));
+  if (const auto* parameter = std::get_if<Parameter>(&node.value))
+    return environment_.at(static_cast<std::size_t>(parameter->index));
   if (const auto* chain = std::get_if<Chain>(&node.value)) return lower_chain(*chain);
   if (const auto* negate = std::get_if<Negate>(&node.value)) return emit(Code::negate, lower(negate->operand[0]));
   if (const auto* builtin = std::get_if<BuiltinCall>(&node.value)) {
@@ -192,7 +225,8 @@ Builder::Register Builder::lower_builtin(const BuiltinCall& call) {
   if (code == Code::pow && is_literal(call.arguments[1])) {
     const double exponent = std::get<Constant>(call.arguments[1].value).value;
     if (exponent == 0) return constant(1);
-    if (exponent >= 2 && exponent <= 8 && exponent == std::floor(exponent)) return power(lower(call.arguments[0]), static_cast<int>(exponent));
+    if (exponent >= 2 && exponent <= 8 && exponent == std::floor(exponent))
+      return power(lower(call.arguments[0]), static_cast<int>(exponent));
   }
   Register left = lower(call.arguments[0]);
   if (is_unary(code)) return emit(code, left);
@@ -275,7 +309,8 @@ Builder::Register Builder::lower_call(const UserCall& call) {
   }
   const auto component = [&](int k) { return k < components ? results + static_cast<Register>(k) : constant(0); };
   if (call.grey) {
-    const Register red = emit(Code::multiply, constant(0.297), component(0)), green = emit(Code::multiply, constant(0.589), component(1)),
+    const Register red = emit(Code::multiply, constant(0.297), component(0)),
+                   green = emit(Code::multiply, constant(0.589), component(1)),
                    blue = emit(Code::multiply, constant(0.114), component(2));
     return emit(Code::add, emit(Code::add, red, green), blue);
   }
@@ -312,7 +347,8 @@ Builder::Register Builder::lower_loop(const Loop& loop) {
   return sum;
 }
 
-// Gives virtual registers that do not live at the same time the same place. Parameters and constants keep theirs, as do results of calls.
+// Gives virtual registers that do not live at the same time the same place. Parameters and constants keep theirs, as do
+// results of calls.
 void Builder::pack(Register& result) {
   auto& code = program_->code_;
   constexpr std::size_t kNever = static_cast<std::size_t>(-1);
@@ -378,8 +414,10 @@ void Builder::pack(Register& result) {
     }
     if (defines && !life[to].fixed && !placed[to]) {
       placed[to] = true;
-      if (free.empty()) place[to] = used++;
-      else place[to] = free.back(), free.pop_back();
+      if (free.empty())
+        place[to] = used++;
+      else
+        place[to] = free.back(), free.pop_back();
     }
   }
   for (Instruction& i : code) {

@@ -1,5 +1,6 @@
-// Each chain e0 op1 e1 op2 e2 ... is simplified from left to right, and two neighbouring constants are merged with the operator between them although
-// the operator in front of the left one should have come first: `a-2*3+4` becomes a-(6+4). Scenes are tuned by eye, so the picture depends on it.
+// Each chain e0 op1 e1 op2 e2 ... is simplified from left to right, and two neighbouring constants are merged with the
+// operator between them although the operator in front of the left one should have come first: `a-2*3+4` becomes
+// a-(6+4). Scenes are tuned by eye, so the picture depends on it.
 #include "tracer/functions/fold.h"
 
 #include <stdexcept>
@@ -21,12 +22,18 @@ bool mentions_parameter(const Node& node) {
   return std::visit(
       [&](const auto& v) -> bool {
         using T = std::decay_t<decltype(v)>;
-        if constexpr (std::is_same_v<T, Parameter> || std::is_same_v<T, Zero>) return true;
-        else if constexpr (std::is_same_v<T, Constant>) return false;
-        else if constexpr (std::is_same_v<T, Chain>) return any(v.operands);
-        else if constexpr (std::is_same_v<T, Negate>) return any(v.operand);
-        else if constexpr (std::is_same_v<T, Loop>) return any(v.parts);
-        else return any(v.arguments);
+        if constexpr (std::is_same_v<T, Parameter> || std::is_same_v<T, Zero>)
+          return true;
+        else if constexpr (std::is_same_v<T, Constant>)
+          return false;
+        else if constexpr (std::is_same_v<T, Chain>)
+          return any(v.operands);
+        else if constexpr (std::is_same_v<T, Negate>)
+          return any(v.operand);
+        else if constexpr (std::is_same_v<T, Loop>)
+          return any(v.parts);
+        else
+          return any(v.arguments);
       },
       node.value);
 }
@@ -35,20 +42,31 @@ double literal(const Node& node) { return std::get<Constant>(node.value).value; 
 
 double combine(Op op, double a, double b) {
   switch (op) {
-    case Op::add: return a + b;
-    case Op::subtract: return a - b;
-    case Op::multiply: return a * b;
+    case Op::add:
+      return a + b;
+    case Op::subtract:
+      return a - b;
+    case Op::multiply:
+      return a * b;
     case Op::divide:
       if (b == 0) throw std::invalid_argument("Division by zero.");
       return a / b;
-    case Op::less: return apply<Code::less>(a, b);
-    case Op::less_equal: return apply<Code::less_equal>(a, b);
-    case Op::equal: return apply<Code::equal>(a, b);
-    case Op::not_equal: return apply<Code::not_equal>(a, b);
-    case Op::greater_equal: return apply<Code::greater_equal>(a, b);
-    case Op::greater: return apply<Code::greater>(a, b);
-    case Op::logic_and: return apply<Code::logic_and>(a, b);
-    case Op::logic_or: return apply<Code::logic_or>(a, b);
+    case Op::less:
+      return apply<Code::less>(a, b);
+    case Op::less_equal:
+      return apply<Code::less_equal>(a, b);
+    case Op::equal:
+      return apply<Code::equal>(a, b);
+    case Op::not_equal:
+      return apply<Code::not_equal>(a, b);
+    case Op::greater_equal:
+      return apply<Code::greater_equal>(a, b);
+    case Op::greater:
+      return apply<Code::greater>(a, b);
+    case Op::logic_and:
+      return apply<Code::logic_and>(a, b);
+    case Op::logic_or:
+      return apply<Code::logic_or>(a, b);
   }
   return 0;
 }
@@ -61,8 +79,9 @@ void fold_chain(Chain& chain) {
   for (std::size_t i = 0; i < chain.operands.size(); ++i) {
     Node& node = chain.operands[i];
     Op op = i == 0 ? Op::add : chain.operators[i - 1];
-    const bool product = op == Op::multiply || op == Op::divide || (i == 0 && !chain.operators.empty() &&
-                         (chain.operators[0] == Op::multiply || chain.operators[0] == Op::divide));
+    const bool product = op == Op::multiply || op == Op::divide ||
+                         (i == 0 && !chain.operators.empty() &&
+                          (chain.operators[0] == Op::multiply || chain.operators[0] == Op::divide));
     if (i > 0 && op == Op::subtract && is_literal(node)) {
       op = Op::add;
       node.value = Constant{-literal(node)};

@@ -5,7 +5,8 @@
 
 namespace verisim::functions {
 
-// Simplifies every chain below `node` as POV-Ray does when a function is declared. Afterwards chains are to be evaluated left to right.
+// Simplifies every chain below `node` as POV-Ray does when a function is declared. Afterwards chains are to be
+// evaluated left to right.
 void fold(Node& node);
 
 // A number that POV-Ray regards as a literal: a constant that is not in parentheses.

@@ -1,6 +1,8 @@
-// Functions of SDL: user functions, internal(n), pattern, pigment, transform and spline functions (spec 01 sections 23 and 24).
+// Functions of SDL: user functions, internal(n), pattern, pigment, transform and spline functions (spec 01 sections 23
+// and 24).
 //
-// The parser builds the expression tree of expression.h; `compile` turns it into a program for a register machine (program.h).
+// The parser builds the expression tree of expression.h; `compile` turns it into a program for a register machine
+// (program.h).
 #pragma once
 
 #include <array>
@@ -20,7 +22,8 @@ class Function {
   virtual int components() const = 0;  // 1: a float function; 3 transform; 5 pigment; 2..5 spline
   // arguments.size() == parameters(); writes components() values to result.
   virtual void evaluate(std::span<const double> arguments, double* result) const = 0;
-  // Batch form: argument i of point k is arguments[i * stride + k]; component c of point k goes to result[c * stride + k].
+  // Batch form: argument i of point k is arguments[i * stride + k]; component c of point k goes to result[c * stride +
+  // k].
   virtual void evaluate_batch(const double* arguments, std::size_t stride, std::size_t count, double* result) const;
 
   double operator()(double x, double y, double z) const {

@@ -14,8 +14,13 @@ namespace {
 Node num(double v) { return {Constant{v}}; }
 Node arg(int i) { return {Parameter{i}}; }
 Node neg(Node n) { return {Negate{{std::move(n)}}}; }
-Node paren(Node n) { n.parenthesised = true; return n; }
-Node chain(std::vector<Node> operands, std::vector<Op> operators) { return {Chain{std::move(operands), std::move(operators)}}; }
+Node paren(Node n) {
+  n.parenthesised = true;
+  return n;
+}
+Node chain(std::vector<Node> operands, std::vector<Op> operators) {
+  return {Chain{std::move(operands), std::move(operators)}};
+}
 Node call(Builtin b, std::vector<Node> arguments) { return {BuiltinCall{b, std::move(arguments)}}; }
 Node call(FunctionPtr f, std::vector<Node> arguments) { return {UserCall{std::move(f), std::move(arguments)}}; }
 
@@ -77,9 +82,11 @@ TEST(Functions, FoldsChainsAsProbed) {
   EXPECT_EQ(value(chain({num(1), product(2, 3), arg(0)}, {kSub, kAdd}), {0}), -5);
   EXPECT_EQ(value(chain({arg(0), product(2, 3), arg(0), num(4)}, {kSub, kAdd, kAdd}), {0}), -2);
   EXPECT_EQ(value(chain({arg(0), neg(num(2)), num(4)}, {kSub, kAdd}), {0}), -2);
-  EXPECT_EQ(value(chain({chain({call(f1, {num(1)}), num(2), num(3)}, {kDiv, kMul}), arg(0)}, {kAdd}), {0}), 1.8333333333333333);
+  EXPECT_EQ(value(chain({chain({call(f1, {num(1)}), num(2), num(3)}, {kDiv, kMul}), arg(0)}, {kAdd}), {0}),
+            1.8333333333333333);
   EXPECT_EQ(value(chain({call(f1, {arg(0)}), num(2), num(3)}, {kDiv, kMul}), {1}), 16.5);
-  EXPECT_EQ(value(chain({chain({call(Builtin::sin_, {num(1)}), num(2), num(3)}, {kDiv, kMul}), arg(0)}, {kAdd}), {0}), 0.1402451641346494);
+  EXPECT_EQ(value(chain({chain({call(Builtin::sin_, {num(1)}), num(2), num(3)}, {kDiv, kMul}), arg(0)}, {kAdd}), {0}),
+            0.1402451641346494);
   EXPECT_EQ(value(chain({arg(0), num(2), num(3)}, {Op::less, Op::less}), {5}), 0);
   EXPECT_EQ(value(chain({arg(0), num(2), num(4)}, {kMul, kDiv}), {3}), 1.5);
 }
@@ -93,7 +100,10 @@ TEST(Functions, RejectsDivisionByLiteralZero) {
 struct Model {
   std::vector<double> x;
   // A chain element as the rules see it: a known literal or an opaque value.
-  struct Item { double v; bool literal, parameter; };
+  struct Item {
+    double v;
+    bool literal, parameter;
+  };
   Item item(const Node& n) const {
     Item r = bare(n);
     if (n.parenthesised) r.literal = false;
@@ -114,11 +124,14 @@ struct Model {
     for (std::size_t k = 0; k < c.operators.size(); ++k) {
       Op op = c.operators[k];
       Item i = item(c.operands[k + 1]);
-      if (op == kSub && std::holds_alternative<Constant>(c.operands[k + 1].value) && !c.operands[k + 1].parenthesised) op = kAdd, i.v = -i.v;
+      if (op == kSub && std::holds_alternative<Constant>(c.operands[k + 1].value) && !c.operands[k + 1].parenthesised)
+        op = kAdd, i.v = -i.v;
       parameter = parameter || i.parameter;
       const bool product_level = op == kMul || op == kDiv;
-      if (items.back().literal && i.literal && !(product_level && parameter)) items.back().v = plain(op, items.back().v, i.v);
-      else items.push_back(i), ops.push_back(op);
+      if (items.back().literal && i.literal && !(product_level && parameter))
+        items.back().v = plain(op, items.back().v, i.v);
+      else
+        items.push_back(i), ops.push_back(op);
     }
     Item result = items[0];
     for (std::size_t k = 0; k < ops.size(); ++k) {
@@ -129,15 +142,19 @@ struct Model {
     result.parameter = parameter;
     return result;
   }
-  static double plain(Op op, double a, double b) { return op == kAdd ? a + b : op == kSub ? a - b : op == kMul ? a * b : a / b; }
+  static double plain(Op op, double a, double b) {
+    return op == kAdd ? a + b : op == kSub ? a - b : op == kMul ? a * b : a / b;
+  }
 };
 
 Node random_node(std::mt19937& rng, int depth) {
   std::uniform_int_distribution<int> pick(0, 9), digit(1, 9), length(2, 5);
   const int k = pick(rng);
   Node n;
-  if (depth == 0 || k < 3) n = k % 2 == 0 ? num(digit(rng)) : arg(k % 3);
-  else if (k == 3) n = neg(random_node(rng, 0));
+  if (depth == 0 || k < 3)
+    n = k % 2 == 0 ? num(digit(rng)) : arg(k % 3);
+  else if (k == 3)
+    n = neg(random_node(rng, 0));
   else {
     const bool sum = k % 2 == 0;
     std::vector<Node> operands;
@@ -205,15 +222,85 @@ TEST(Functions, RepeatedInliningStaysSmall) {
 }
 
 TEST(InternalFunctions, TableAtOnePoint) {
-  const double expected[] = {
-      0.1657749528424, -0.3518815233621, -0.1671916679978, -0.08884547308266, -0.27148, -0.36476, -0.0657371118125, -0.5187280173509, -10, -0.07367715054362,
-      -0.08383109941525, 0.46475, 0.4499, 0.01925, -0.10736, -0.1680361898762, -5.043266459, 0.5714017850865, 0.005907789163237, -1.242771145764,
-      0.41272, -1.397082134842, -0.4452085, 0.0990506, -0.5169048105155, 0.2830951894845, -0.171673560951, 0.4964101615138, 0.05980762113533, 1.189759086954,
-      10, -0.33968, -0.07825313791474, -0.4681072, -0.1771692649122, -3.5233, -0.57123, 0.629508, -0.36091, -0.2374895405282,
-      0.1236937115126, -0.09416, -1.3871, 0.01925, -0.04224, -0.814, -0.55671, 2.172060543474, -0.44418, 0.43021,
-      -0.2713413551291, -0.4061848105155, 0.3606439041492, 1.199750699463, -0.51766, -0.38016, -0.04576, 0.7071067811865, 0.1772653409032, 0.1539400313681,
-      0.4297048540778, -0.3928932188135, 0.9328183313702, -1.240963447905, -0.09289321881345, -0.01859, -0.203225, -0.24707563618, 0.3739538616482, 0.5404195002706,
-      0.05359818170955, 0.48532, -9.16531, -0.209, 1.0736, 1.27120322107, 0.541900080635, 0, 0.5538240385724};
+  const double expected[] = {0.1657749528424,
+                             -0.3518815233621,
+                             -0.1671916679978,
+                             -0.08884547308266,
+                             -0.27148,
+                             -0.36476,
+                             -0.0657371118125,
+                             -0.5187280173509,
+                             -10,
+                             -0.07367715054362,
+                             -0.08383109941525,
+                             0.46475,
+                             0.4499,
+                             0.01925,
+                             -0.10736,
+                             -0.1680361898762,
+                             -5.043266459,
+                             0.5714017850865,
+                             0.005907789163237,
+                             -1.242771145764,
+                             0.41272,
+                             -1.397082134842,
+                             -0.4452085,
+                             0.0990506,
+                             -0.5169048105155,
+                             0.2830951894845,
+                             -0.171673560951,
+                             0.4964101615138,
+                             0.05980762113533,
+                             1.189759086954,
+                             10,
+                             -0.33968,
+                             -0.07825313791474,
+                             -0.4681072,
+                             -0.1771692649122,
+                             -3.5233,
+                             -0.57123,
+                             0.629508,
+                             -0.36091,
+                             -0.2374895405282,
+                             0.1236937115126,
+                             -0.09416,
+                             -1.3871,
+                             0.01925,
+                             -0.04224,
+                             -0.814,
+                             -0.55671,
+                             2.172060543474,
+                             -0.44418,
+                             0.43021,
+                             -0.2713413551291,
+                             -0.4061848105155,
+                             0.3606439041492,
+                             1.199750699463,
+                             -0.51766,
+                             -0.38016,
+                             -0.04576,
+                             0.7071067811865,
+                             0.1772653409032,
+                             0.1539400313681,
+                             0.4297048540778,
+                             -0.3928932188135,
+                             0.9328183313702,
+                             -1.240963447905,
+                             -0.09289321881345,
+                             -0.01859,
+                             -0.203225,
+                             -0.24707563618,
+                             0.3739538616482,
+                             0.5404195002706,
+                             0.05359818170955,
+                             0.48532,
+                             -9.16531,
+                             -0.209,
+                             1.0736,
+                             1.27120322107,
+                             0.541900080635,
+                             0,
+                             0.5538240385724};
   const double a[] = {0.3, -0.4, 0.5, 1.1, .6, .8, .5, 1.3, .9, 25, 2.2, .4, .35};
   for (int n = 0; n <= 78; ++n) {
     const FunctionPtr f = internal_function(n, 2);

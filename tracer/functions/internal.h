@@ -25,7 +25,7 @@ inline double hyp(double a, double b) { return std::sqrt(a * a + b * b); }
 inline double limit(double v, double bound = 10) { return std::min(bound, std::max(v, -bound)); }
 
 // The first half: polynomials; the second: everything with angles, roots, exponentials.
-Entry polynomial_function(int n);   // {nullptr, 0}: not one of these
+Entry polynomial_function(int n);  // {nullptr, 0}: not one of these
 Entry transcendental_function(int n);
 
 }  // namespace verisim::functions

@@ -1,4 +1,5 @@
-// Internal functions made of noise: noise3d, noise_generator and the multifractals (spec 01 section 24: 29, 58, 59, 76, 78).
+// Internal functions made of noise: noise3d, noise_generator and the multifractals (spec 01 section 24: 29, 58, 59, 76,
+// 78).
 #include "tracer/functions/internal_noise.h"
 
 #include <array>
@@ -9,7 +10,7 @@
 #include "tracer/functions/internal.h"
 #include "tracer/functions/narrowing.h"
 #include "tracer/functions/operations.h"
-#include "tracer/textures/noise_kernels.h"
+#include "tracer/noise/noise_kernels.h"
 
 namespace verisim::functions {
 
@@ -51,9 +52,12 @@ double hetero_mf(Vec3 p, const double* a) {
   double s = 0;
   each_octave(p, lacunarity, whole + (fraction != 0 && whole < kMaxOctaves), generator(a[5]), [&](int i, double noise) {
     const double n = 2 * noise - 1 + offset;
-    if (i == 0) s = n;
-    else if (i < whole) s += n * std::pow(lacunarity, -i * H) * repeated_product(s, a[4]);
-    else s += fraction * s * n * std::pow(lacunarity, -i * H);
+    if (i == 0)
+      s = n;
+    else if (i < whole)
+      s += n * std::pow(lacunarity, -i * H) * repeated_product(s, a[4]);
+    else
+      s += fraction * s * n * std::pow(lacunarity, -i * H);
   });
   return s;
 }
@@ -63,7 +67,9 @@ double ridge(Vec3 p, const double* a) {
   const double octaves = std::min(to_int(a[1]), static_cast<double>(kMaxOctaves));
   const int g = generator(a[5]);
   const double scale = std::max(level, 1 - level);
-  const auto term = [&](double frequency) { return std::fabs(textures::noise(p * frequency, g) - level) / scale - offset; };
+  const auto term = [&](double frequency) {
+    return std::fabs(textures::noise(p * frequency, g) - level) / scale - offset;
+  };
   double sum = term(1), weights = 1, weight = 1, frequency = 1;
   for (int i = 2; i <= octaves; ++i) {
     weight *= omega, frequency *= lambda;
@@ -82,7 +88,9 @@ class Noise final : public Function {
   explicit Noise(int fixed_generator) : generator_(fixed_generator) {}
   int parameters() const override { return 3; }
   int components() const override { return 1; }
-  void evaluate(std::span<const double> a, double* result) const override { *result = textures::noise({a[0], a[1], a[2]}, generator_); }
+  void evaluate(std::span<const double> a, double* result) const override {
+    *result = textures::noise({a[0], a[1], a[2]}, generator_);
+  }
   void evaluate_batch(const double* points, std::size_t stride, std::size_t count, double* result) const override {
     textures::noise(generator_, points, stride, count, result);
   }
@@ -105,7 +113,9 @@ class Fractal final : public Function {
  public:
   int parameters() const override { return 9; }
   int components() const override { return 1; }
-  void evaluate(std::span<const double> a, double* result) const override { *result = Formula({a[0], a[1], a[2]}, a.data() + 3); }
+  void evaluate(std::span<const double> a, double* result) const override {
+    *result = Formula({a[0], a[1], a[2]}, a.data() + 3);
+  }
 };
 
 // The weights of the octaves are those of the first call ever made; later calls with other parameters use them, too.
@@ -116,7 +126,8 @@ class RidgedMultifractal final : public Function, public OctaveSum {
   void evaluate(std::span<const double> a, double* result) const override {
     const Ridges ridges = known_ridges(a);
     double last = 0, sum = 0;
-    each_octave({a[0], a[1], a[2]}, a[4], ridges.count, generator(a[8]), [&](int i, double noise) { add(ridges, i, noise, last, sum); });
+    each_octave({a[0], a[1], a[2]}, a[4], ridges.count, generator(a[8]),
+                [&](int i, double noise) { add(ridges, i, noise, last, sum); });
     *result = sum;
   }
 
@@ -132,7 +143,9 @@ class RidgedMultifractal final : public Function, public OctaveSum {
     return add_some(a, kFirst, p, room);
   }
 
-  Bounds narrow(std::span<const double> a, Partial& p, Room& room) const override { return add_some(a, p.done == kFirst ? kNext : room.count, p, room); }
+  Bounds narrow(std::span<const double> a, Partial& p, Room& room) const override {
+    return add_some(a, p.done == kFirst ? kNext : room.count, p, room);
+  }
 
  private:
   static constexpr int kFirst = 3, kNext = 2;  // octaves
@@ -143,7 +156,8 @@ class RidgedMultifractal final : public Function, public OctaveSum {
   };
   Ridges known_ridges(std::span<const double> a) const {
     if (!known_.load(std::memory_order_acquire)) find_weights(a);
-    return {a[5] > 1 ? static_cast<int>(std::min(std::ceil(a[5]), static_cast<double>(weights_.size()))) : 1, a[6], a[7]};
+    return {a[5] > 1 ? static_cast<int>(std::min(std::ceil(a[5]), static_cast<double>(weights_.size()))) : 1, a[6],
+            a[7]};
   }
   // `last`: what the octave before is.
   void add(const Ridges& ridges, int i, double noise, double& last, double& sum) const {
@@ -163,9 +177,11 @@ class RidgedMultifractal final : public Function, public OctaveSum {
     const Ridges ridges{room.count, a[6], a[7]};
     const int first = p.done, done = std::min(first + octaves, room.count);
     Vec3 next = p.next;
-    for (int i = first; i < done; ++i, next *= a[4]) room.points.x[i] = next.x, room.points.y[i] = next.y, room.points.z[i] = next.z;
+    for (int i = first; i < done; ++i, next *= a[4])
+      room.points.x[i] = next.x, room.points.y[i] = next.y, room.points.z[i] = next.z;
     alignas(64) double noises[8];
-    textures::noises(room.generator, room.points, textures::first_of_eight(done) & ~textures::first_of_eight(first), noises);
+    textures::noises(room.generator, room.points, textures::first_of_eight(done) & ~textures::first_of_eight(first),
+                     noises);
     double last = p.last, sum = p.sum;
     for (int i = first; i < done; ++i) add(ridges, i, noises[i], last, sum);
     p = {done, next, last, sum};
@@ -176,12 +192,14 @@ class RidgedMultifractal final : public Function, public OctaveSum {
     const Ridges ridges = known_ridges(a);
     room.known = true;
     room.count = ridges.count, room.generator = generator(a[8]);
-    room.gradual = room.count <= 8 && plain_ && std::fabs(ridges.offset) < kLargest && ridges.gain >= 0 && ridges.gain < kLargest;
+    room.gradual =
+        room.count <= 8 && plain_ && std::fabs(ridges.offset) < kLargest && ridges.gain >= 0 && ridges.gain < kLargest;
     if (!room.gradual) return;
     room.growth = std::pow(std::max(1.0, std::fabs(a[4])), room.count);
     const double most = std::max(sq(ridges.offset), sq(ridges.offset - 1));  // of a ridge: noise is between 0 and 1
     double rest = 0;
-    for (auto i = static_cast<std::size_t>(room.count); i-- > 1;) room.rest[i] = rest = most * ridges.gain * (weights_[i] + rest);
+    for (auto i = static_cast<std::size_t>(room.count); i-- > 1;)
+      room.rest[i] = rest = most * ridges.gain * (weights_[i] + rest);
   }
 
   void find_weights(std::span<const double> a) const {
@@ -203,12 +221,18 @@ class RidgedMultifractal final : public Function, public OctaveSum {
 
 FunctionPtr noise_function(int n, int noise_generator) {
   switch (n) {
-    case 29: return std::make_shared<Fractal<hetero_mf>>();
-    case 58: return std::make_shared<Fractal<ridge>>();
-    case 59: return std::make_shared<RidgedMultifractal>();
-    case 76: return std::make_shared<Noise>(noise_generator);
-    case 78: return std::make_shared<NoiseOfGenerator>();
-    default: return nullptr;
+    case 29:
+      return std::make_shared<Fractal<hetero_mf>>();
+    case 58:
+      return std::make_shared<Fractal<ridge>>();
+    case 59:
+      return std::make_shared<RidgedMultifractal>();
+    case 76:
+      return std::make_shared<Noise>(noise_generator);
+    case 78:
+      return std::make_shared<NoiseOfGenerator>();
+    default:
+      return nullptr;
   }
 }
 

@@ -1,11 +1,13 @@
-// Algebraic surfaces among the internal functions. X, Y, Z are the squares of the coordinates, as in the specification's table.
+// Algebraic surfaces among the internal functions. X, Y, Z are the squares of the coordinates, as in the
+// specification's table.
 #include "tracer/functions/internal.h"
 
 namespace verisim::functions {
 
 namespace {
 
-// "SOR": a 2D curve turned about y: x becomes the distance from the axis less `offset`, then (x, y) turns by `angle` degrees.
+// "SOR": a 2D curve turned about y: x becomes the distance from the axis less `offset`, then (x, y) turns by `angle`
+// degrees.
 Call3 revolve(const Call3& c, double on, double offset, double angle) {
   if (!(on > 0)) return c;
   const double r = hyp(c.x, c.z) - offset;
@@ -20,10 +22,10 @@ struct Squares {
 };
 
 #define FORMULA(NAME) double NAME([[maybe_unused]] const Call3& c)
-#define WITH_SQUARES                                                                                          \
-  [[maybe_unused]] const double x = c.x, y = c.y, z = c.z;                                                    \
-  [[maybe_unused]] const double* const P = c.p;                                                               \
-  const Squares squares(c);                                                                                   \
+#define WITH_SQUARES                                       \
+  [[maybe_unused]] const double x = c.x, y = c.y, z = c.z; \
+  [[maybe_unused]] const double* const P = c.p;            \
+  const Squares squares(c);                                \
   [[maybe_unused]] const double X = squares.X, Y = squares.Y, Z = squares.Z, Q = squares.Q
 
 double algebraic_cylinder1(const Call3& at) {
@@ -52,7 +54,10 @@ FORMULA(bicorn) {
   const double q = X + Z, a = P[1] * P[1];
   return limit(P[0] * (Y * (a - q) - sq(q + 2 * P[1] * y - a)));
 }
-FORMULA(bifolia) { WITH_SQUARES; return limit(-P[0] * (Q * Q - P[1] * (X + Z) * y)); }
+FORMULA(bifolia) {
+  WITH_SQUARES;
+  return limit(-P[0] * (Q * Q - P[1] * (X + Z) * y));
+}
 FORMULA(boy_surface) {
   WITH_SQUARES;
   const double w = 1 - z, q = X + Y, s = std::sqrt(2.0);
@@ -61,13 +66,23 @@ FORMULA(boy_surface) {
                 12 * w * z * (27 * sq(q) - 24 * Z * q + 36 * s * y * z * (Y - 3 * X) + 4 * sq(Z)) +
                 (9 * q - 2 * Z) * (-81 * sq(q) - 72 * Z * q + 108 * s * x * z * (X - 3 * Y) + 4 * sq(Z))));
 }
-FORMULA(crossed_trough) { WITH_SQUARES; return limit(P[0] * (X * Z - y)); }
-FORMULA(cubic_saddle) { WITH_SQUARES; return limit(-P[0] * (X * x - Y * y - z)); }
+FORMULA(crossed_trough) {
+  WITH_SQUARES;
+  return limit(P[0] * (X * Z - y));
+}
+FORMULA(cubic_saddle) {
+  WITH_SQUARES;
+  return limit(-P[0] * (X * x - Y * y - z));
+}
 FORMULA(cushion) {
   WITH_SQUARES;
-  return limit(P[0] * (Z * X - Z * Z - 2 * z * X + 2 * Z * z + X - Z - sq(X - z) - Y * Y - 2 * X * Y - Y * Z + 2 * Y * z + Y));
+  return limit(P[0] *
+               (Z * X - Z * Z - 2 * z * X + 2 * Z * z + X - Z - sq(X - z) - Y * Y - 2 * X * Y - Y * Z + 2 * Y * z + Y));
 }
-FORMULA(devils_curve) { WITH_SQUARES; return limit(-P[0] * (X * X + 2 * X * Z - 0.36 * X - Y * Y + 0.25 * Y + Z * Z)); }
+FORMULA(devils_curve) {
+  WITH_SQUARES;
+  return limit(-P[0] * (X * X + 2 * X * Z - 0.36 * X - Y * Y + 0.25 * Y + Z * Z));
+}
 double devils_curve_2d(const Call3& at) {
   const Call3 c = revolve(at, at.p[3], at.p[4], at.p[5]);
   WITH_SQUARES;
@@ -86,15 +101,27 @@ FORMULA(enneper) {
   const double a = (Y - X) / (2 * m) + 2 * Z / 9, b = (Y - X) / (4 * m);
   return limit(-P[0] * (cube(a) - 6 * sq(b)));
 }
-FORMULA(folium_surface) { WITH_SQUARES; return limit(P[0] * ((Y + Z) * (1 + (P[2] - 4 * P[1]) * x) + X * (1 + P[2]))); }
+FORMULA(folium_surface) {
+  WITH_SQUARES;
+  return limit(P[0] * ((Y + Z) * (1 + (P[2] - 4 * P[1]) * x) + X * (1 + P[2])));
+}
 double folium_surface_2d(const Call3& at) {
   const Call3 c = revolve(at, at.p[3], at.p[4], at.p[5]);
   WITH_SQUARES;
   return limit(-P[0] * (Y * (1 + (P[2] - 4 * P[1]) * x) + X * (1 + P[2])));
 }
-FORMULA(glob) { WITH_SQUARES; return limit(P[0] * (0.5 * X * X * x + 0.5 * X * X - Y - Z)); }
-FORMULA(heart) { WITH_SQUARES; return limit(-P[0] * (cube(2 * X + Y + Z - 1) - 0.1 * X * Z * z - Y * Z * z)); }
-FORMULA(hunt_surface) { WITH_SQUARES; return limit(-P[0] * (4 * cube(Q - 13) + 27 * sq(3 * X + Y - 4 * Z - 12))); }
+FORMULA(glob) {
+  WITH_SQUARES;
+  return limit(P[0] * (0.5 * X * X * x + 0.5 * X * X - Y - Z));
+}
+FORMULA(heart) {
+  WITH_SQUARES;
+  return limit(-P[0] * (cube(2 * X + Y + Z - 1) - 0.1 * X * Z * z - Y * Z * z));
+}
+FORMULA(hunt_surface) {
+  WITH_SQUARES;
+  return limit(-P[0] * (4 * cube(Q - 13) + 27 * sq(3 * X + Y - 4 * Z - 12)));
+}
 FORMULA(hyperbolic_torus) {
   WITH_SQUARES;
   const double a = sq(P[1]), b = sq(P[2]);
@@ -117,47 +144,78 @@ FORMULA(klein_bottle) {
   const double m = Q - 2 * y - 1;
   return limit(-P[0] * ((Q + 2 * y - 1) * (m * m - 8 * Z) + 16 * x * z * m));
 }
-FORMULA(kummer_surface_v1) { WITH_SQUARES; return limit(-P[0] * (X * X + Y * Y + Z * Z - X - Y - Z - X * Y - X * Z - Y * Z + 1)); }
+FORMULA(kummer_surface_v1) {
+  WITH_SQUARES;
+  return limit(-P[0] * (X * X + Y * Y + Z * Z - X - Y - Z - X * Y - X * Z - Y * Z + 1));
+}
 FORMULA(kummer_surface_v2) {
   WITH_SQUARES;
   return limit(-P[0] * (X * X + Y * Y + Z * Z + P[1] * Q + P[2] * (X * Y + X * Z + Y * Z) + P[3] * x * y * z - 1));
 }
-FORMULA(lemniscate_of_gerono) { WITH_SQUARES; return limit(-P[0] * (X * X - X + Y + Z)); }
+FORMULA(lemniscate_of_gerono) {
+  WITH_SQUARES;
+  return limit(-P[0] * (X * X - X + Y + Z));
+}
 double lemniscate_of_gerono_2d(const Call3& at) {
   const Call3 c = revolve(at, at.p[3], at.p[4], at.p[5]);
   WITH_SQUARES;
   const double b = sq(P[2]);
   return limit(-P[0] * (Y - sq(P[1]) * b * X + b * X * X));
 }
-FORMULA(mitre) { WITH_SQUARES; return limit(-P[0] * (4 * X * Q - Y * (1 - Y - Z))); }
-FORMULA(nodal_cubic) { WITH_SQUARES; return limit(-P[0] * (Y * y + Z * z - 6 * y * z)); }
+FORMULA(mitre) {
+  WITH_SQUARES;
+  return limit(-P[0] * (4 * X * Q - Y * (1 - Y - Z)));
+}
+FORMULA(nodal_cubic) {
+  WITH_SQUARES;
+  return limit(-P[0] * (Y * y + Z * z - 6 * y * z));
+}
 FORMULA(ovals_of_cassini) {
   WITH_SQUARES;
   const double a = sq(P[1]);
   return limit(-P[0] * (sq(Q + a) - P[3] * a * (X + Z) - sq(P[2])));
 }
-FORMULA(paraboloid) { WITH_SQUARES; return limit(-P[0] * (X - y + Z)); }
+FORMULA(paraboloid) {
+  WITH_SQUARES;
+  return limit(-P[0] * (X - y + Z));
+}
 FORMULA(parabolic_torus) {
   WITH_SQUARES;
   const double a = sq(P[1]), b = sq(P[2]);
-  return limit(-P[0] * (X * X + 2 * X * Y - 2 * X * z - (a + b) * X + Y * Y - 2 * Y * z + (a - b) * Y + Z + (a + b) * z + sq(a - b)));
+  return limit(-P[0] * (X * X + 2 * X * Y - 2 * X * z - (a + b) * X + Y * Y - 2 * Y * z + (a - b) * Y + Z +
+                        (a + b) * z + sq(a - b)));
 }
-FORMULA(pillow) { WITH_SQUARES; return limit(P[0] * (X * X + Y * Y + Z * Z - X - Y - Z)); }
-FORMULA(piriform) { WITH_SQUARES; return limit(P[0] * (X * X - X * x + Y + Z)); }
+FORMULA(pillow) {
+  WITH_SQUARES;
+  return limit(P[0] * (X * X + Y * Y + Z * Z - X - Y - Z));
+}
+FORMULA(piriform) {
+  WITH_SQUARES;
+  return limit(P[0] * (X * X - X * x + Y + Z));
+}
 double piriform_2d(const Call3& at) {
   const Call3 c = revolve(at, at.p[4], at.p[5], at.p[6]);
   WITH_SQUARES;
   const double b = sq(P[3]);
   return limit(-P[0] * (Y - P[1] * b * X * x - P[2] * b * X * X));
 }
-FORMULA(quartic_paraboloid) { WITH_SQUARES; return limit(-P[0] * (X * X + Z * Z - y)); }
-FORMULA(quartic_saddle) { WITH_SQUARES; return limit(-P[0] * (X * X - Z * Z - y)); }
+FORMULA(quartic_paraboloid) {
+  WITH_SQUARES;
+  return limit(-P[0] * (X * X + Z * Z - y));
+}
+FORMULA(quartic_saddle) {
+  WITH_SQUARES;
+  return limit(-P[0] * (X * X - Z * Z - y));
+}
 FORMULA(quartic_cylinder) {
   WITH_SQUARES;
   const double h = X + Z, b = sq(P[2]);
   return limit(-P[0] * (h * Y + b * h - b * sq(P[1])));
 }
-FORMULA(steiners_roman) { WITH_SQUARES; return limit(-P[0] * (X * Y + X * Z + Y * Z + x * y * z)); }
+FORMULA(steiners_roman) {
+  WITH_SQUARES;
+  return limit(-P[0] * (X * Y + X * Z + Y * Z + x * y * z));
+}
 FORMULA(strophoid) {
   WITH_SQUARES;
   const double b = sq(P[3]);
@@ -179,8 +237,14 @@ FORMULA(torus_gumdrop) {
   const double h = Y + Z;
   return limit(-P[0] * (4 * (X * X + h * h) + 17 * X * h - 20 * Q + 17));
 }
-FORMULA(umbrella) { WITH_SQUARES; return limit(-P[0] * (X - y * Z)); }
-FORMULA(witch_of_agnesi) { WITH_SQUARES; return limit(-P[0] * (P[1] * (y - 1) + (X + Z) * y)); }
+FORMULA(umbrella) {
+  WITH_SQUARES;
+  return limit(-P[0] * (X - y * Z));
+}
+FORMULA(witch_of_agnesi) {
+  WITH_SQUARES;
+  return limit(-P[0] * (P[1] * (y - 1) + (X + Z) * y));
+}
 double witch_of_agnesi_2d(const Call3& at) {
   const Call3 c = revolve(at, at.p[3], at.p[4], at.p[5]);
   WITH_SQUARES;
@@ -194,53 +258,101 @@ double witch_of_agnesi_2d(const Call3& at) {
 
 Entry polynomial_function(int n) {
   switch (n) {
-    case 0: return {algebraic_cylinder1, 5};
-    case 1: return {algebraic_cylinder2, 5};
-    case 2: return {algebraic_cylinder3, 5};
-    case 3: return {algebraic_cylinder4, 5};
-    case 4: return {bicorn, 2};
-    case 5: return {bifolia, 2};
-    case 8: return {boy_surface, 2};
-    case 11: return {crossed_trough, 1};
-    case 12: return {cubic_saddle, 1};
-    case 13: case 43: return {cushion, 1};
-    case 14: return {devils_curve, 1};
-    case 15: return {devils_curve_2d, 6};
-    case 16: return {dupin_cyclid, 6};
-    case 18: return {enneper, 1};
-    case 20: return {folium_surface, 3};
-    case 21: return {folium_surface_2d, 6};
-    case 22: return {glob, 1};
-    case 23: return {heart, 1};
-    case 30: return {hunt_surface, 1};
-    case 31: return {hyperbolic_torus, 3};
-    case 33: return {kampyle_of_eudoxus, 3};
-    case 34: return {kampyle_of_eudoxus_2d, 6};
-    case 35: return {klein_bottle, 1};
-    case 36: return {kummer_surface_v1, 1};
-    case 37: return {kummer_surface_v2, 4};
-    case 38: return {lemniscate_of_gerono, 1};
-    case 39: return {lemniscate_of_gerono_2d, 6};
-    case 41: return {mitre, 1};
-    case 42: return {nodal_cubic, 1};
-    case 44: return {ovals_of_cassini, 4};
-    case 45: return {paraboloid, 1};
-    case 46: return {parabolic_torus, 3};
-    case 48: return {pillow, 1};
-    case 49: return {piriform, 1};
-    case 50: return {piriform_2d, 7};
-    case 54: return {quartic_paraboloid, 1};
-    case 55: return {quartic_saddle, 1};
-    case 56: return {quartic_cylinder, 3};
-    case 65: return {steiners_roman, 1};
-    case 66: return {strophoid, 4};
-    case 67: return {strophoid_2d, 7};
-    case 71: return {torus2, 3};
-    case 72: return {torus_gumdrop, 1};
-    case 73: return {umbrella, 1};
-    case 74: return {witch_of_agnesi, 2};
-    case 75: return {witch_of_agnesi_2d, 6};
-    default: return {nullptr, 0};
+    case 0:
+      return {algebraic_cylinder1, 5};
+    case 1:
+      return {algebraic_cylinder2, 5};
+    case 2:
+      return {algebraic_cylinder3, 5};
+    case 3:
+      return {algebraic_cylinder4, 5};
+    case 4:
+      return {bicorn, 2};
+    case 5:
+      return {bifolia, 2};
+    case 8:
+      return {boy_surface, 2};
+    case 11:
+      return {crossed_trough, 1};
+    case 12:
+      return {cubic_saddle, 1};
+    case 13:
+    case 43:
+      return {cushion, 1};
+    case 14:
+      return {devils_curve, 1};
+    case 15:
+      return {devils_curve_2d, 6};
+    case 16:
+      return {dupin_cyclid, 6};
+    case 18:
+      return {enneper, 1};
+    case 20:
+      return {folium_surface, 3};
+    case 21:
+      return {folium_surface_2d, 6};
+    case 22:
+      return {glob, 1};
+    case 23:
+      return {heart, 1};
+    case 30:
+      return {hunt_surface, 1};
+    case 31:
+      return {hyperbolic_torus, 3};
+    case 33:
+      return {kampyle_of_eudoxus, 3};
+    case 34:
+      return {kampyle_of_eudoxus_2d, 6};
+    case 35:
+      return {klein_bottle, 1};
+    case 36:
+      return {kummer_surface_v1, 1};
+    case 37:
+      return {kummer_surface_v2, 4};
+    case 38:
+      return {lemniscate_of_gerono, 1};
+    case 39:
+      return {lemniscate_of_gerono_2d, 6};
+    case 41:
+      return {mitre, 1};
+    case 42:
+      return {nodal_cubic, 1};
+    case 44:
+      return {ovals_of_cassini, 4};
+    case 45:
+      return {paraboloid, 1};
+    case 46:
+      return {parabolic_torus, 3};
+    case 48:
+      return {pillow, 1};
+    case 49:
+      return {piriform, 1};
+    case 50:
+      return {piriform_2d, 7};
+    case 54:
+      return {quartic_paraboloid, 1};
+    case 55:
+      return {quartic_saddle, 1};
+    case 56:
+      return {quartic_cylinder, 3};
+    case 65:
+      return {steiners_roman, 1};
+    case 66:
+      return {strophoid, 4};
+    case 67:
+      return {strophoid_2d, 7};
+    case 71:
+      return {torus2, 3};
+    case 72:
+      return {torus_gumdrop, 1};
+    case 73:
+      return {umbrella, 1};
+    case 74:
+      return {witch_of_agnesi, 2};
+    case 75:
+      return {witch_of_agnesi_2d, 6};
+    default:
+      return {nullptr, 0};
   }
 }
 

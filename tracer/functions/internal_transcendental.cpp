@@ -38,7 +38,8 @@ struct Ellipsoids {
   double e1, e2, e3;
   explicit Ellipsoids(const Call3& c) {
     const double X = c.x * c.x, Y = c.y * c.y, Z = c.z * c.z, a = c.p[0], b = c.p[1];
-    e1 = std::exp(-b * (a * X + a * Y + Z)), e2 = std::exp(-b * (a * X + Y + a * Z)), e3 = std::exp(-b * (X + a * Y + a * Z));
+    e1 = std::exp(-b * (a * X + a * Y + Z)), e2 = std::exp(-b * (a * X + Y + a * Z)),
+    e3 = std::exp(-b * (X + a * Y + a * Z));
   }
 };
 double cross_ellipsoids(const Call3& c) {
@@ -117,7 +118,8 @@ double polytubes(const Call3& c) {
   const double *p = c.p, y = c.y, y2 = y * y;
   const double rho = p[1] + p[2] * y + p[3] * y2 + p[4] * y2 * y + p[5] * y2 * y2;
   double nearest = 10000;
-  const double count = std::min(std::trunc(p[0]), 100000.0);  // a limit against endless loops; one tube is 10^-5 of a turn
+  const double count =
+      std::min(std::trunc(p[0]), 100000.0);  // a limit against endless loops; one tube is 10^-5 of a turn
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * kPi * i / p[0];
     nearest = std::min(nearest, hyp(c.x - rho * std::sin(angle), c.z - rho * std::cos(angle)));
@@ -159,34 +161,62 @@ double nothing(const Call3&) { return 0; }
 
 Entry transcendental_function(int n) {
   switch (n) {
-    case 6: return {blob, 5};
-    case 7: return {blob2, 4};
-    case 9: return {comma, 1};
-    case 10: return {cross_ellipsoids, 4};
-    case 17: return {ellipsoid, 3};
-    case 19: return {flange_cover, 4};
-    case 24: return {helical_torus, 10};
-    case 25: return {helix1, 7};
-    case 26: return {helix2, 7};
-    case 27: return {hex_x, 1};
-    case 28: return {hex_y, 1};
-    case 32: return {isect_ellipsoids, 4};
-    case 40: return {mesh1, 5};
-    case 47: return {ph, 0};
-    case 51: return {poly4, 5};
-    case 52: return {polytubes, 6};
-    case 53: return {quantum, 1};
-    case 57: return {distance, 0};
-    case 60: return {rounded_box, 4};
-    case 61: return {sphere, 1};
-    case 62: return {spikes, 5};
-    case 63: return {spikes_2d, 4};
-    case 64: return {spiral, 6};
-    case 68: return {superellipsoid, 2};
-    case 69: return {th, 0};
-    case 70: return {torus, 2};
-    case 77: return {nothing, 0};  // the place of pattern functions
-    default: return {nullptr, 0};
+    case 6:
+      return {blob, 5};
+    case 7:
+      return {blob2, 4};
+    case 9:
+      return {comma, 1};
+    case 10:
+      return {cross_ellipsoids, 4};
+    case 17:
+      return {ellipsoid, 3};
+    case 19:
+      return {flange_cover, 4};
+    case 24:
+      return {helical_torus, 10};
+    case 25:
+      return {helix1, 7};
+    case 26:
+      return {helix2, 7};
+    case 27:
+      return {hex_x, 1};
+    case 28:
+      return {hex_y, 1};
+    case 32:
+      return {isect_ellipsoids, 4};
+    case 40:
+      return {mesh1, 5};
+    case 47:
+      return {ph, 0};
+    case 51:
+      return {poly4, 5};
+    case 52:
+      return {polytubes, 6};
+    case 53:
+      return {quantum, 1};
+    case 57:
+      return {distance, 0};
+    case 60:
+      return {rounded_box, 4};
+    case 61:
+      return {sphere, 1};
+    case 62:
+      return {spikes, 5};
+    case 63:
+      return {spikes_2d, 4};
+    case 64:
+      return {spiral, 6};
+    case 68:
+      return {superellipsoid, 2};
+    case 69:
+      return {th, 0};
+    case 70:
+      return {torus, 2};
+    case 77:
+      return {nothing, 0};  // the place of pattern functions
+    default:
+      return {nullptr, 0};
   }
 }
 

@@ -1,5 +1,6 @@
-// Code generation. Every value has a home in the register array (rbx points to it) and is written through to it; besides, the translator remembers which
-// xmm register holds which value, so that a value is read from memory only after a call or a jump target. xmm14 and xmm15 are scratch.
+// Code generation. Every value has a home in the register array (rbx points to it) and is written through to it;
+// besides, the translator remembers which xmm register holds which value, so that a value is read from memory only
+// after a call or a jump target. xmm14 and xmm15 are scratch.
 #include "tracer/functions/machine_code.h"
 
 #if defined(__x86_64__) && defined(__linux__)
@@ -43,11 +44,13 @@ Binary library(Code code) {
 
 class Translator {
  public:
-  Translator(std::uint32_t first_constant, std::span<const double> constants) : first_constant_(first_constant), constants_(constants) {
+  Translator(std::uint32_t first_constant, std::span<const double> constants)
+      : first_constant_(first_constant), constants_(constants) {
     for (std::uint32_t& c : cached_) c = kNothing;
   }
 
-  std::vector<std::uint8_t> translate(const std::vector<Instruction>& code, const std::vector<Call>& calls, std::uint32_t result);
+  std::vector<std::uint8_t> translate(const std::vector<Instruction>& code, const std::vector<Call>& calls,
+                                      std::uint32_t result);
 
  private:
   void bytes(std::initializer_list<int> values) {
@@ -78,7 +81,9 @@ class Translator {
       imm32(slot * 8);
     }
   }
-  bool is_constant(std::uint32_t slot) const { return slot >= first_constant_ && slot - first_constant_ < constants_.size(); }
+  bool is_constant(std::uint32_t slot) const {
+    return slot >= first_constant_ && slot - first_constant_ < constants_.size();
+  }
   int cached(std::uint32_t slot) const {
     for (int r = 0; r < kCached; ++r) {
       if (cached_[r] == slot) return r;
@@ -91,14 +96,18 @@ class Translator {
   // op reg, value
   void with_value(int prefix, int op, int reg, std::uint32_t slot) {
     const int r = cached(slot);
-    if (r >= 0) xmm(prefix, op, reg, r);
-    else xmm_home(prefix, op, reg, slot);
+    if (r >= 0)
+      xmm(prefix, op, reg, r);
+    else
+      xmm_home(prefix, op, reg, slot);
   }
   void load(int reg, std::uint32_t slot) {
     const int r = cached(slot);
     if (r == reg) return;
-    if (r >= 0) xmm(0x66, 0x28, reg, r);  // movapd
-    else xmm_home(0xf2, 0x10, reg, slot);  // movsd
+    if (r >= 0)
+      xmm(0x66, 0x28, reg, r);  // movapd
+    else
+      xmm_home(0xf2, 0x10, reg, slot);  // movsd
   }
   // A register for a new value; the oldest is reused. It must not be one that the current instruction reads.
   int fresh(std::initializer_list<std::uint32_t> reads) {
@@ -181,18 +190,30 @@ void Translator::instruction(const Instruction& i, const std::vector<Call>& call
     define(i.to, r);
   };
   switch (i.code) {
-    case Code::add: return arithmetic(0x58);
-    case Code::multiply: return arithmetic(0x59);
-    case Code::subtract: return arithmetic(0x5c);
-    case Code::divide: return arithmetic(0x5e);
-    case Code::less: return comparison(1);
-    case Code::less_equal: return comparison(2);
-    case Code::equal: return comparison(0);
-    case Code::not_equal: return comparison(4);
-    case Code::greater_equal: return comparison(5);  // not less
-    case Code::greater: return comparison(6);        // not less or equal
-    case Code::minimum: return extreme(6);           // not a <= b: b
-    case Code::maximum: return extreme(1);           // a < b: b
+    case Code::add:
+      return arithmetic(0x58);
+    case Code::multiply:
+      return arithmetic(0x59);
+    case Code::subtract:
+      return arithmetic(0x5c);
+    case Code::divide:
+      return arithmetic(0x5e);
+    case Code::less:
+      return comparison(1);
+    case Code::less_equal:
+      return comparison(2);
+    case Code::equal:
+      return comparison(0);
+    case Code::not_equal:
+      return comparison(4);
+    case Code::greater_equal:
+      return comparison(5);  // not less
+    case Code::greater:
+      return comparison(6);  // not less or equal
+    case Code::minimum:
+      return extreme(6);  // not a <= b: b
+    case Code::maximum:
+      return extreme(1);  // a < b: b
     case Code::move: {
       const int r = fresh({i.a});
       load(r, i.a);
@@ -232,7 +253,8 @@ void Translator::instruction(const Instruction& i, const std::vector<Call>& call
       const Call& call = calls[i.a];
       for (const std::uint32_t slot : call.arguments) {
         if (!is_constant(slot)) continue;
-        xmm_home(0xf2, 0x10, kScratch, slot);  // constants live in the code; the callee's arguments are read from their homes
+        xmm_home(0xf2, 0x10, kScratch,
+                 slot);  // constants live in the code; the callee's arguments are read from their homes
         bytes({0xf2, 0x44, 0x0f, 0x11, 0x83 | (kScratch & 7) << 3});
         imm32(slot * 8);
       }
@@ -276,11 +298,14 @@ void Translator::jump(const Instruction& i) {
       with_value(0x66, 0x2e, kScratch, i.a);
       bytes({0x0f, 0x82}), to();  // jb
       break;
-    default: bytes({0xe9}), to(); break;
+    default:
+      bytes({0xe9}), to();
+      break;
   }
 }
 
-std::vector<std::uint8_t> Translator::translate(const std::vector<Instruction>& code, const std::vector<Call>& calls, std::uint32_t result) {
+std::vector<std::uint8_t> Translator::translate(const std::vector<Instruction>& code, const std::vector<Call>& calls,
+                                                std::uint32_t result) {
   std::vector<bool> is_target(code.size() + 1, false);
   for (const Instruction& i : code) {
     if (is_jump(i.code)) is_target[i.to] = true;
@@ -293,13 +318,16 @@ std::vector<std::uint8_t> Translator::translate(const std::vector<Instruction>& 
     if (is_target[k]) forget();
     starts.push_back(out_.size());
     if (k == code.size()) break;
-    if (is_jump(code[k].code)) jump(code[k]);
-    else instruction(code[k], calls);
+    if (is_jump(code[k].code))
+      jump(code[k]);
+    else
+      instruction(code[k], calls);
   }
   load(0, result);
   bytes({0x5b, 0xc3});  // pop rbx; ret
   const auto patch = [&](std::size_t at, std::size_t target) {
-    const auto distance = static_cast<std::uint32_t>(static_cast<std::int64_t>(target) - static_cast<std::int64_t>(at) - 4);
+    const auto distance =
+        static_cast<std::uint32_t>(static_cast<std::int64_t>(target) - static_cast<std::int64_t>(at) - 4);
     std::memcpy(&out_[at], &distance, 4);
   };
   for (const Fixup& f : fixups_) patch(f.at, std::size_t{f.target} * 8);
@@ -309,8 +337,9 @@ std::vector<std::uint8_t> Translator::translate(const std::vector<Instruction>& 
 
 }  // namespace
 
-std::shared_ptr<const MachineCode> MachineCode::translate(const std::vector<Instruction>& code, const std::vector<Call>& calls,
-                                                          std::uint32_t first_constant, std::span<const double> constants, std::uint32_t result) {
+std::shared_ptr<const MachineCode> MachineCode::translate(const std::vector<Instruction>& code,
+                                                          const std::vector<Call>& calls, std::uint32_t first_constant,
+                                                          std::span<const double> constants, std::uint32_t result) {
   if (code.size() > kMaxInstructions) return nullptr;
   const std::vector<std::uint8_t> bytes = Translator(first_constant, constants).translate(code, calls, result);
   void* memory = mmap(nullptr, bytes.size(), PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -326,8 +355,8 @@ std::shared_ptr<const MachineCode> MachineCode::translate(const std::vector<Inst
 
 #else
 
-std::shared_ptr<const MachineCode> MachineCode::translate(const std::vector<Instruction>&, const std::vector<Call>&, std::uint32_t,
-                                                          std::span<const double>, std::uint32_t) {
+std::shared_ptr<const MachineCode> MachineCode::translate(const std::vector<Instruction>&, const std::vector<Call>&,
+                                                          std::uint32_t, std::span<const double>, std::uint32_t) {
   return nullptr;
 }
 

@@ -1,5 +1,5 @@
-// Native code for a function's program (x86-64, System V). The same IEEE operations and the same C library functions as the interpreter of program.cpp,
-// so the results are the same bits; only the dispatch is gone.
+// Native code for a function's program (x86-64, System V). The same IEEE operations and the same C library functions as
+// the interpreter of program.cpp, so the results are the same bits; only the dispatch is gone.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,9 @@ namespace verisim::functions {
 class MachineCode {
  public:
   // Null where native code cannot be made: another processor, executable memory refused, a very long program.
-  static std::shared_ptr<const MachineCode> translate(const std::vector<Instruction>& code, const std::vector<Call>& calls,
-                                                      std::uint32_t first_constant, std::span<const double> constants, std::uint32_t result);
+  static std::shared_ptr<const MachineCode> translate(const std::vector<Instruction>& code,
+                                                      const std::vector<Call>& calls, std::uint32_t first_constant,
+                                                      std::span<const double> constants, std::uint32_t result);
   ~MachineCode();
   MachineCode(const MachineCode&) = delete;
   MachineCode& operator=(const MachineCode&) = delete;

@@ -10,10 +10,19 @@ namespace {
 bool one_direction(Code code, bool a, bool b) {
   if (!a && !b) return true;
   switch (code) {
-    case Code::move: case Code::negate: return true;
-    case Code::add: case Code::subtract: case Code::multiply: case Code::minimum: case Code::maximum: return !(a && b);
-    case Code::divide: return !b;
-    default: return false;
+    case Code::move:
+    case Code::negate:
+      return true;
+    case Code::add:
+    case Code::subtract:
+    case Code::multiply:
+    case Code::minimum:
+    case Code::maximum:
+      return !(a && b);
+    case Code::divide:
+      return !b;
+    default:
+      return false;
   }
 }
 
@@ -32,7 +41,8 @@ std::unique_ptr<const Narrowing> Narrowing::of(const Function* function) {
   program->set_constants(constants, 1);
   std::uint8_t place[kMostRegisters];  // of what the program's registers hold
   bool hangs[kMostRegisters] = {};     // on the sum
-  for (std::uint8_t r = 0; r < kMostRegisters; ++r) place[r] = r, narrowing->registers_[r] = {constants[r], constants[r]};
+  for (std::uint8_t r = 0; r < kMostRegisters; ++r)
+    place[r] = r, narrowing->registers_[r] = {constants[r], constants[r]};
   auto next = static_cast<std::uint8_t>(program->registers());
   bool asked = false;
   for (const Instruction& i : program->code()) {
@@ -61,7 +71,9 @@ std::unique_ptr<const Narrowing> Narrowing::of(const Function* function) {
 
 void Narrowing::run(std::span<const Step> steps, Bounds* r) {
   for (const Step& s : steps) {
-    r[s.to] = with_code(s.code, [a = r[s.a], b = r[s.b]]<Code C>() { return Bounds{apply<C>(a.low, b.low), apply<C>(a.high, b.high)}; });
+    r[s.to] = with_code(s.code, [a = r[s.a], b = r[s.b]]<Code C>() {
+      return Bounds{apply<C>(a.low, b.low), apply<C>(a.high, b.high)};
+    });
   }
 }
 
@@ -80,12 +92,14 @@ Bounds Narrowing::evaluate(const Vec3& p, Room& room, Sum sum) const {
 
 void Narrowing::begin(const Vec3& p, Value& value, Room& room) const {
   value.p = p;
-  value.bounds = evaluate(p, room, [&](std::span<const double> arguments) { return sum_->begin(arguments, value.sum, room.sums); });
+  value.bounds = evaluate(
+      p, room, [&](std::span<const double> arguments) { return sum_->begin(arguments, value.sum, room.sums); });
 }
 
 bool Narrowing::narrow(Value& value, Room& room) const {
   if (value.exact() || value.sum.done == room.sums.count) return false;
-  value.bounds = evaluate(value.p, room, [&](std::span<const double> arguments) { return sum_->narrow(arguments, value.sum, room.sums); });
+  value.bounds = evaluate(
+      value.p, room, [&](std::span<const double> arguments) { return sum_->narrow(arguments, value.sum, room.sums); });
   return true;
 }
 

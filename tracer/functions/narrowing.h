@@ -1,6 +1,8 @@
-// Bounds of a function's value that come closer octave by octave. Whether a value is below a limit is mostly known long before the value is.
+// Bounds of a function's value that come closer octave by octave. Whether a value is below a limit is mostly known long
+// before the value is.
 //
-// Rounding never turns the order of two numbers around: bounds stay bounds, exactly, through operations that only ever rise or only ever fall.
+// Rounding never turns the order of two numbers around: bounds stay bounds, exactly, through operations that only ever
+// rise or only ever fall.
 #pragma once
 
 #include <array>
@@ -10,7 +12,7 @@
 
 #include "tracer/functions/program.h"
 #include "tracer/math/vec.h"
-#include "tracer/textures/noise_kernels.h"
+#include "tracer/noise/noise_kernels.h"
 
 namespace verisim::functions {
 
@@ -24,22 +26,23 @@ class OctaveSum {
  public:
   // One sum: how far it is.
   struct Partial {
-    int done = 0;  // octaves
-    Vec3 next;     // the place of the next one
+    int done = 0;      // octaves
+    Vec3 next;         // the place of the next one
     double last, sum;  // what the last one is, and all so far
   };
   // Room for sums one after the other, of the same arguments but for the place.
   struct Room {
     textures::EightPoints points;
-    // Whether sums can be broken off, how many octaves there are, how much larger the coordinates become, and what the octaves from each one add at
-    // most, for what the octave before it is.
+    // Whether sums can be broken off, how many octaves there are, how much larger the coordinates become, and what the
+    // octaves from each one add at most, for what the octave before it is.
     bool known = false, gradual = false;
     int count = 0, generator = 0;
     double growth = 0;
     std::array<double, 9> rest{};
   };
   virtual ~OctaveSum() = default;
-  // Bounds of the computed value with a few octaves, and with some more of them. The arguments are a place and parameters.
+  // Bounds of the computed value with a few octaves, and with some more of them. The arguments are a place and
+  // parameters.
   virtual Bounds begin(std::span<const double> arguments, Partial& sum, Room& room) const = 0;
   virtual Bounds narrow(std::span<const double> arguments, Partial& sum, Room& room) const = 0;
 };
@@ -79,7 +82,7 @@ class Narrowing {
   const OctaveSum* sum_ = nullptr;
   std::vector<std::uint8_t> arguments_;
   std::uint8_t of_sum_ = 0, result_ = 0;
-  std::vector<Step> before_, behind_;  // each sets a register of its own
+  std::vector<Step> before_, behind_;               // each sets a register of its own
   std::array<Bounds, kMostRegisters> registers_{};  // where it begins
 };
 

@@ -17,7 +17,9 @@ struct Ridged {
 };
 // A function of its own each time: the first call sets the weights of the octaves.
 Node ridged(const Ridged& r, Node at_x = x()) {
-  return {UserCall{internal_function(59, 2), {std::move(at_x), y(), z(), number(r.H), number(r.lacunarity), number(r.octaves), number(r.offset), number(r.gain), number(r.generator)}}};
+  return {UserCall{internal_function(59, 2),
+                   {std::move(at_x), y(), z(), number(r.H), number(r.lacunarity), number(r.octaves), number(r.offset),
+                    number(r.gain), number(r.generator)}}};
 }
 Node minus(Node a, Node b) { return chain(std::move(a), Op::subtract, std::move(b)); }
 
@@ -31,15 +33,27 @@ Bounds closer(const Narrowing& narrowing, const Vec3& p, double tolerance, Narro
 }
 
 const Ridged kUsual{0.1, 3.1, 8, 0.7, 0.8, 2};
-const Ridged kAll[] = {kUsual, {0.07, 2.2, 7, 0.6, 0.9, 1}, {1, 2, 3.5, 1, 2, 3}, {0.5, 0.4, 8, -0.5, 6, 2}, {0.1, 2, 1, 0.7, 0.8, 2}, {0.1, 2, 12, 0.7, 0.8, 2}, {0.1, 2, 6, 0.7, -0.8, 2}, {2, -2, 6, 0.7, 3, 2}, {-0.4, 2, 6, 1e3, 1e3, 1}};
+const Ridged kAll[] = {kUsual,
+                       {0.07, 2.2, 7, 0.6, 0.9, 1},
+                       {1, 2, 3.5, 1, 2, 3},
+                       {0.5, 0.4, 8, -0.5, 6, 2},
+                       {0.1, 2, 1, 0.7, 0.8, 2},
+                       {0.1, 2, 12, 0.7, 0.8, 2},
+                       {0.1, 2, 6, 0.7, -0.8, 2},
+                       {2, -2, 6, 0.7, 3, 2},
+                       {-0.4, 2, 6, 1e3, 1e3, 1}};
 
 TEST(Narrowing, BoundsHoldTheValueAndComeAsCloseAsIsAsked) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
   int before_all_octaves = 0;
   for (const Ridged& r : kAll) {
-    const std::vector<Node> expressions{ridged(r), minus(z(), times(ridged(r), number(0.07))), minus(ridged(r), y()), of(Builtin::max_, {minus(z(), ridged(r)), times(x(), y())}),
-                                        of(Builtin::min_, {times(y(), ridged(r)), z()}), chain(ridged(r, times(number(3), of(Builtin::sin_, {x()}))), Op::divide, y())};
+    const std::vector<Node> expressions{ridged(r),
+                                        minus(z(), times(ridged(r), number(0.07))),
+                                        minus(ridged(r), y()),
+                                        of(Builtin::max_, {minus(z(), ridged(r)), times(x(), y())}),
+                                        of(Builtin::min_, {times(y(), ridged(r)), z()}),
+                                        chain(ridged(r, times(number(3), of(Builtin::sin_, {x()}))), Op::divide, y())};
     for (const Node& expression : expressions) {
       const FunctionPtr f = compile(expression, 3, 3);
       const auto narrowing = Narrowing::of(f.get());

@@ -8,16 +8,20 @@
 namespace verisim::functions {
 
 enum class Code : std::uint8_t {
+  // clang-format off
   // binary, a and b
-  add, subtract, multiply, divide, less, less_equal, equal, not_equal, greater_equal, greater, logic_and, logic_or, minimum, maximum, atan2, mod, div, pow,
+  add, subtract, multiply, divide, less, less_equal, equal, not_equal, greater_equal, greater, logic_and, logic_or,
+  minimum, maximum, atan2, mod, div, pow,
   // unary, a
-  negate, abs, acos, acosh, asin, asinh, atan, atanh, ceil, cos, cosh, degrees, exp, floor, integer, ln, log, radians, sin, sinh, sqrt, tan, tanh, move,
+  negate, abs, acos, acosh, asin, asinh, atan, atanh, ceil, cos, cosh, degrees, exp, floor, integer, ln, log, radians,
+  sin, sinh, sqrt, tan, tanh, move,
   // a < 0 ? b : a == 0 ? c : d
   select,
   // call table entry a
   call,
   // control flow: the target instruction is in `to`
   jump, jump_unless_negative /* a */, jump_unless_zero /* a */, jump_unless_less_equal /* a <= b */
+  // clang-format on
 };
 
 // Conversion to a 32 bit integer as x86 does it: anything out of range, and NaN, gives the smallest one.
@@ -28,51 +32,95 @@ inline double to_int(double a) {
 
 template <Code C>
 inline double apply(double a, [[maybe_unused]] double b = 0) {
-  if constexpr (C == Code::add) return a + b;
-  else if constexpr (C == Code::subtract) return a - b;
-  else if constexpr (C == Code::multiply) return a * b;
-  else if constexpr (C == Code::divide) return a / b;
-  else if constexpr (C == Code::less) return a < b;
-  else if constexpr (C == Code::less_equal) return a <= b;
-  else if constexpr (C == Code::equal) return a == b;
-  else if constexpr (C == Code::not_equal) return !(a == b);
-  else if constexpr (C == Code::greater_equal) return !(a < b);
-  else if constexpr (C == Code::greater) return !(a <= b);
-  else if constexpr (C == Code::logic_and) return a != 0 && b != 0;
-  else if constexpr (C == Code::logic_or) return a != 0 || b != 0;
-  else if constexpr (C == Code::minimum) return !(b >= a) ? b : a;  // a NaN on either side: the next value
-  else if constexpr (C == Code::maximum) return b > a ? b : a;
-  else if constexpr (C == Code::atan2) return std::atan2(a, b);
-  else if constexpr (C == Code::mod) return std::fmod(a, b);
-  else if constexpr (C == Code::div) return to_int(a / b);
-  else if constexpr (C == Code::pow) return std::pow(a, b);
-  else if constexpr (C == Code::negate) return -a;
-  else if constexpr (C == Code::abs) return std::fabs(a);
-  else if constexpr (C == Code::acos) return std::acos(a);
-  else if constexpr (C == Code::acosh) return std::acosh(a);
-  else if constexpr (C == Code::asin) return std::asin(a);
-  else if constexpr (C == Code::asinh) return std::asinh(a);
-  else if constexpr (C == Code::atan) return std::atan(a);
-  else if constexpr (C == Code::atanh) return std::atanh(a);
-  else if constexpr (C == Code::ceil) return std::ceil(a);
-  else if constexpr (C == Code::cos) return std::cos(a);
-  else if constexpr (C == Code::cosh) return std::cosh(a);
-  else if constexpr (C == Code::degrees) return a * (180.0 / 3.14159265358979323846);
-  else if constexpr (C == Code::exp) return std::exp(a);
-  else if constexpr (C == Code::floor) return std::floor(a);
-  else if constexpr (C == Code::integer) return to_int(a);
-  else if constexpr (C == Code::ln) return std::log(a);
-  else if constexpr (C == Code::log) return std::log10(a);
-  else if constexpr (C == Code::radians) return a * (3.14159265358979323846 / 180.0);
-  else if constexpr (C == Code::sin) return std::sin(a);
-  else if constexpr (C == Code::sinh) return std::sinh(a);
-  else if constexpr (C == Code::sqrt) return std::sqrt(a);
-  else if constexpr (C == Code::tan) return std::tan(a);
-  else if constexpr (C == Code::tanh) return std::tanh(a);
-  else return a;
+  if constexpr (C == Code::add)
+    return a + b;
+  else if constexpr (C == Code::subtract)
+    return a - b;
+  else if constexpr (C == Code::multiply)
+    return a * b;
+  else if constexpr (C == Code::divide)
+    return a / b;
+  else if constexpr (C == Code::less)
+    return a < b;
+  else if constexpr (C == Code::less_equal)
+    return a <= b;
+  else if constexpr (C == Code::equal)
+    return a == b;
+  else if constexpr (C == Code::not_equal)
+    return !(a == b);
+  else if constexpr (C == Code::greater_equal)
+    return !(a < b);
+  else if constexpr (C == Code::greater)
+    return !(a <= b);
+  else if constexpr (C == Code::logic_and)
+    return a != 0 && b != 0;
+  else if constexpr (C == Code::logic_or)
+    return a != 0 || b != 0;
+  else if constexpr (C == Code::minimum)
+    return !(b >= a) ? b : a;  // a NaN on either side: the next value
+  else if constexpr (C == Code::maximum)
+    return b > a ? b : a;
+  else if constexpr (C == Code::atan2)
+    return std::atan2(a, b);
+  else if constexpr (C == Code::mod)
+    return std::fmod(a, b);
+  else if constexpr (C == Code::div)
+    return to_int(a / b);
+  else if constexpr (C == Code::pow)
+    return std::pow(a, b);
+  else if constexpr (C == Code::negate)
+    return -a;
+  else if constexpr (C == Code::abs)
+    return std::fabs(a);
+  else if constexpr (C == Code::acos)
+    return std::acos(a);
+  else if constexpr (C == Code::acosh)
+    return std::acosh(a);
+  else if constexpr (C == Code::asin)
+    return std::asin(a);
+  else if constexpr (C == Code::asinh)
+    return std::asinh(a);
+  else if constexpr (C == Code::atan)
+    return std::atan(a);
+  else if constexpr (C == Code::atanh)
+    return std::atanh(a);
+  else if constexpr (C == Code::ceil)
+    return std::ceil(a);
+  else if constexpr (C == Code::cos)
+    return std::cos(a);
+  else if constexpr (C == Code::cosh)
+    return std::cosh(a);
+  else if constexpr (C == Code::degrees)
+    return a * (180.0 / 3.14159265358979323846);
+  else if constexpr (C == Code::exp)
+    return std::exp(a);
+  else if constexpr (C == Code::floor)
+    return std::floor(a);
+  else if constexpr (C == Code::integer)
+    return to_int(a);
+  else if constexpr (C == Code::ln)
+    return std::log(a);
+  else if constexpr (C == Code::log)
+    return std::log10(a);
+  else if constexpr (C == Code::radians)
+    return a * (3.14159265358979323846 / 180.0);
+  else if constexpr (C == Code::sin)
+    return std::sin(a);
+  else if constexpr (C == Code::sinh)
+    return std::sinh(a);
+  else if constexpr (C == Code::sqrt)
+    return std::sqrt(a);
+  else if constexpr (C == Code::tan)
+    return std::tan(a);
+  else if constexpr (C == Code::tanh)
+    return std::tanh(a);
+  else
+    return a;
 }
 
-inline double select(double a, double negative, double zero, double positive) { return a < 0 ? negative : a == 0 ? zero : positive; }
+inline double select(double a, double negative, double zero, double positive) {
+  return a < 0 ? negative : a == 0 ? zero : positive;
+}
 
 constexpr bool is_binary(Code code) { return code <= Code::pow; }
 constexpr bool is_unary(Code code) { return code >= Code::negate && code <= Code::move; }
@@ -81,16 +129,21 @@ constexpr bool is_jump(Code code) { return code >= Code::jump; }
 // Calls f.template operator()<Code>() for one of the unary or binary codes.
 template <class F>
 inline auto with_code(Code code, F&& f) {
-#define VERISIM_CASE(NAME) case Code::NAME: return f.template operator()<Code::NAME>();
+#define VERISIM_CASE(NAME) \
+  case Code::NAME:         \
+    return f.template operator()<Code::NAME>();
   switch (code) {
-    VERISIM_CASE(add) VERISIM_CASE(subtract) VERISIM_CASE(multiply) VERISIM_CASE(divide) VERISIM_CASE(less) VERISIM_CASE(less_equal)
-    VERISIM_CASE(equal) VERISIM_CASE(not_equal) VERISIM_CASE(greater_equal) VERISIM_CASE(greater) VERISIM_CASE(logic_and)
-    VERISIM_CASE(logic_or) VERISIM_CASE(minimum) VERISIM_CASE(maximum) VERISIM_CASE(atan2) VERISIM_CASE(mod) VERISIM_CASE(div)
-    VERISIM_CASE(pow) VERISIM_CASE(negate) VERISIM_CASE(abs) VERISIM_CASE(acos) VERISIM_CASE(acosh) VERISIM_CASE(asin) VERISIM_CASE(asinh)
-    VERISIM_CASE(atan) VERISIM_CASE(atanh) VERISIM_CASE(ceil) VERISIM_CASE(cos) VERISIM_CASE(cosh) VERISIM_CASE(degrees) VERISIM_CASE(exp)
-    VERISIM_CASE(floor) VERISIM_CASE(integer) VERISIM_CASE(ln) VERISIM_CASE(log) VERISIM_CASE(radians) VERISIM_CASE(sin) VERISIM_CASE(sinh)
-    VERISIM_CASE(sqrt) VERISIM_CASE(tan) VERISIM_CASE(tanh)
-    default: return f.template operator()<Code::move>();
+    // clang-format off
+    VERISIM_CASE(add) VERISIM_CASE(subtract) VERISIM_CASE(multiply) VERISIM_CASE(divide) VERISIM_CASE(less)
+    VERISIM_CASE(less_equal) VERISIM_CASE(equal) VERISIM_CASE(not_equal) VERISIM_CASE(greater_equal)
+    VERISIM_CASE(greater) VERISIM_CASE(logic_and) VERISIM_CASE(logic_or) VERISIM_CASE(minimum) VERISIM_CASE(maximum)
+    VERISIM_CASE(atan2) VERISIM_CASE(mod) VERISIM_CASE(div) VERISIM_CASE(pow) VERISIM_CASE(negate) VERISIM_CASE(abs)
+    VERISIM_CASE(acos) VERISIM_CASE(acosh) VERISIM_CASE(asin) VERISIM_CASE(asinh) VERISIM_CASE(atan)
+    VERISIM_CASE(atanh) VERISIM_CASE(ceil) VERISIM_CASE(cos) VERISIM_CASE(cosh) VERISIM_CASE(degrees)
+    VERISIM_CASE(exp) VERISIM_CASE(floor) VERISIM_CASE(integer) VERISIM_CASE(ln) VERISIM_CASE(log)
+    VERISIM_CASE(radians) VERISIM_CASE(sin) VERISIM_CASE(sinh) VERISIM_CASE(sqrt) VERISIM_CASE(tan) VERISIM_CASE(tanh)
+        // clang-format on
+        default : return f.template operator()<Code::move>();
   }
 #undef VERISIM_CASE
 }

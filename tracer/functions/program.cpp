@@ -26,8 +26,8 @@ struct FreeRegisters {
 
 namespace {
 
-// sum and prod may run over any range: a scene must not be able to hang. All loops of one evaluation, with those of the functions it calls, share
-// this many passes; then the value is NaN, and the parser makes an error of it.
+// sum and prod may run over any range: a scene must not be able to hang. All loops of one evaluation, with those of the
+// functions it calls, share this many passes; then the value is NaN, and the parser makes an error of it.
 constexpr std::uint64_t kMostPasses = 100'000'000;
 thread_local int loops_open = 0;
 thread_local std::uint64_t passes_left = 0;
@@ -65,21 +65,30 @@ double Program::run(double* r) const {
   const Instruction* const end = begin + code_.size();
   for (const Instruction* i = begin; i != end; ++i) {
     switch (i->code) {
-#define VERISIM_BINARY(NAME) \
-  case Code::NAME: r[i->to] = apply<Code::NAME>(r[i->a], r[i->b]); break;
-#define VERISIM_UNARY(NAME) \
-  case Code::NAME: r[i->to] = apply<Code::NAME>(r[i->a]); break;
+#define VERISIM_BINARY(NAME)                        \
+  case Code::NAME:                                  \
+    r[i->to] = apply<Code::NAME>(r[i->a], r[i->b]); \
+    break;
+#define VERISIM_UNARY(NAME)                \
+  case Code::NAME:                         \
+    r[i->to] = apply<Code::NAME>(r[i->a]); \
+    break;
+      // clang-format off
       VERISIM_BINARY(add) VERISIM_BINARY(subtract) VERISIM_BINARY(multiply) VERISIM_BINARY(divide)
       VERISIM_BINARY(less) VERISIM_BINARY(less_equal) VERISIM_BINARY(equal) VERISIM_BINARY(not_equal)
       VERISIM_BINARY(greater_equal) VERISIM_BINARY(greater) VERISIM_BINARY(logic_and) VERISIM_BINARY(logic_or)
-      VERISIM_BINARY(minimum) VERISIM_BINARY(maximum) VERISIM_BINARY(atan2) VERISIM_BINARY(mod) VERISIM_BINARY(div) VERISIM_BINARY(pow)
-      VERISIM_UNARY(negate) VERISIM_UNARY(abs) VERISIM_UNARY(acos) VERISIM_UNARY(acosh) VERISIM_UNARY(asin) VERISIM_UNARY(asinh)
-      VERISIM_UNARY(atan) VERISIM_UNARY(atanh) VERISIM_UNARY(ceil) VERISIM_UNARY(cos) VERISIM_UNARY(cosh) VERISIM_UNARY(degrees)
-      VERISIM_UNARY(exp) VERISIM_UNARY(floor) VERISIM_UNARY(integer) VERISIM_UNARY(ln) VERISIM_UNARY(log) VERISIM_UNARY(radians)
-      VERISIM_UNARY(sin) VERISIM_UNARY(sinh) VERISIM_UNARY(sqrt) VERISIM_UNARY(tan) VERISIM_UNARY(tanh) VERISIM_UNARY(move)
+      VERISIM_BINARY(minimum) VERISIM_BINARY(maximum) VERISIM_BINARY(atan2) VERISIM_BINARY(mod) VERISIM_BINARY(div)
+      VERISIM_BINARY(pow) VERISIM_UNARY(negate) VERISIM_UNARY(abs) VERISIM_UNARY(acos) VERISIM_UNARY(acosh)
+      VERISIM_UNARY(asin) VERISIM_UNARY(asinh) VERISIM_UNARY(atan) VERISIM_UNARY(atanh) VERISIM_UNARY(ceil)
+      VERISIM_UNARY(cos) VERISIM_UNARY(cosh) VERISIM_UNARY(degrees) VERISIM_UNARY(exp) VERISIM_UNARY(floor)
+      VERISIM_UNARY(integer) VERISIM_UNARY(ln) VERISIM_UNARY(log) VERISIM_UNARY(radians) VERISIM_UNARY(sin)
+      VERISIM_UNARY(sinh) VERISIM_UNARY(sqrt) VERISIM_UNARY(tan) VERISIM_UNARY(tanh) VERISIM_UNARY(move)
+      // clang-format on
 #undef VERISIM_BINARY
 #undef VERISIM_UNARY
-      case Code::select: r[i->to] = select(r[i->a], r[i->b], r[i->c], r[i->d]); break;
+                                                  case Code::select : r[i->to] =
+                                                                          select(r[i->a], r[i->b], r[i->c], r[i->d]);
+      break;
       case Code::call: {
         const Call& call = calls_[i->a];
         double arguments[kMaxFunctionParameters];
@@ -94,9 +103,15 @@ double Program::run(double* r) const {
         i = to - 1;
         break;
       }
-      case Code::jump_unless_negative: if (!(r[i->a] < 0)) i = begin + i->to - 1; break;
-      case Code::jump_unless_zero: if (!(r[i->a] == 0)) i = begin + i->to - 1; break;
-      case Code::jump_unless_less_equal: if (!(r[i->a] <= r[i->b])) i = begin + i->to - 1; break;
+      case Code::jump_unless_negative:
+        if (!(r[i->a] < 0)) i = begin + i->to - 1;
+        break;
+      case Code::jump_unless_zero:
+        if (!(r[i->a] == 0)) i = begin + i->to - 1;
+        break;
+      case Code::jump_unless_less_equal:
+        if (!(r[i->a] <= r[i->b])) i = begin + i->to - 1;
+        break;
     }
   }
   return r[result_];
@@ -113,7 +128,8 @@ void Program::evaluate(std::span<const double> arguments, double* result) const 
   const auto n = static_cast<std::size_t>(parameters_);
   if (registers_ > kStackRegisters) return evaluate_long(arguments, result);
   double r[kStackRegisters];
-  r[0] = n > 0 ? arguments[0] : 0, r[1] = n > 1 ? arguments[1] : 0, r[2] = n > 2 ? arguments[2] : 0;  // a loop would become a call of memcpy
+  r[0] = n > 0 ? arguments[0] : 0, r[1] = n > 1 ? arguments[1] : 0,
+  r[2] = n > 2 ? arguments[2] : 0;  // a loop would become a call of memcpy
   for (std::size_t k = 3; k < n; ++k) r[k] = arguments[k];
   if (native_) {
     *result = native_->run(r);
@@ -141,13 +157,14 @@ void Program::evaluate_batch(const double* arguments, std::size_t stride, std::s
   constexpr std::size_t kNarrow = LaneKernels::kNarrow, kWide = LaneKernels::kWide;
   constexpr std::size_t kWorthABatch = 4;  // fewer points are faster one by one in native code
   if (count == 0) return;
-  if (has_jumps_ || (native_ && count < kWorthABatch)) return Function::evaluate_batch(arguments, stride, count, result);
+  if (has_jumps_ || (native_ && count < kWorthABatch))
+    return Function::evaluate_batch(arguments, stride, count, result);
   const std::size_t width = count <= kNarrow ? kNarrow : kWide;
   alignas(64) double stack[kStackRegisters * kNarrow * 2];
   std::unique_ptr<double[], FreeRegisters> heap;
   double* r = stack;
   if (registers_ * width > std::size(stack)) {
-    heap.reset(static_cast<double*>(::operator new[](registers_ * width * sizeof(double), kRegisterAlignment)));
+    heap.reset(static_cast<double*>(::operator new[](registers_* width * sizeof(double), kRegisterAlignment)));
     r = heap.get();
   }
   set_constants(r, width);

@@ -1,8 +1,8 @@
 // A user function as straight code for a register machine.
 //
-// Registers are doubles: first the parameters, then the constants, then intermediate values. One point is evaluated with the registers on the
-// stack; a batch keeps a block of points per register and runs over whole SIMD vectors (program_lanes.h). Programs with jumps (loops, `select`
-// with costly branches) are evaluated point by point.
+// Registers are doubles: first the parameters, then the constants, then intermediate values. One point is evaluated
+// with the registers on the stack; a batch keeps a block of points per register and runs over whole SIMD vectors
+// (program_lanes.h). Programs with jumps (loops, `select` with costly branches) are evaluated point by point.
 #pragma once
 
 #include <vector>

@@ -7,7 +7,7 @@
 
 #include "tracer/functions/library_tables.h"
 #include "tracer/math/ray_row.h"
-#include "tracer/textures/instruction_sets.h"
+#include "tracer/simd/instruction_sets.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -18,7 +18,7 @@ namespace verisim::functions {
 namespace {
 
 #define VERISIM_KERNELS "tracer/functions/program_lanes.inc"
-#include "tracer/textures/each_instruction_set.inc"
+#include "tracer/simd/each_instruction_set.inc"
 
 const LaneKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
 

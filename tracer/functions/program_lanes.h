@@ -1,4 +1,5 @@
-// Programs run for several points at once. Compiled for several instruction sets; all give the bits that the interpreter gives for one point.
+// Programs run for several points at once. Compiled for several instruction sets; all give the bits that the
+// interpreter gives for one point.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +11,15 @@ namespace verisim::functions {
 
 struct LaneKernels {
   static constexpr int kNarrow = 8, kBroad = 32, kWide = 64;
-  // Runs a program without jumps. Register k of point i is registers[k * width + i]; aligned to 64 bytes. Only what is asked for has a meaning afterwards.
-  void (*narrow)(std::span<const Instruction> code, std::span<const Call> calls, double* registers, std::uint64_t asked);
-  // The same, but for sines and cosines, which are within kNearError of the library's for numbers up to kMostNear, and for angles, which always are.
+  // Runs a program without jumps. Register k of point i is registers[k * width + i]; aligned to 64 bytes. Only what is
+  // asked for has a meaning afterwards.
+  void (*narrow)(std::span<const Instruction> code, std::span<const Call> calls, double* registers,
+                 std::uint64_t asked);
+  // The same, but for sines and cosines, which are within kNearError of the library's for numbers up to kMostNear, and
+  // for angles, which always are.
   static constexpr double kNearError = 0x1p-49, kMostNear = 1e5;
-  void (*nearly)(std::span<const Instruction> code, std::span<const Call> calls, double* registers, std::uint64_t asked);
+  void (*nearly)(std::span<const Instruction> code, std::span<const Call> calls, double* registers,
+                 std::uint64_t asked);
   void (*broad)(std::span<const Instruction> code, std::span<const Call> calls, double* registers, std::uint64_t asked);
   void (*wide)(std::span<const Instruction> code, std::span<const Call> calls, double* registers, std::uint64_t asked);
 };

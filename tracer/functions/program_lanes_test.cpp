@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tracer/functions/operations.h"
-#include "tracer/textures/instruction_sets.h"
+#include "tracer/simd/instruction_sets.h"
 
 namespace verisim::functions {
 namespace {
@@ -19,7 +19,8 @@ constexpr std::size_t kWidth = LaneKernels::kNarrow;
 // What the library's functions are asked for: all sizes, near multiples of pi / 2, and what is not a number.
 std::vector<double> arguments(std::mt19937_64& random) {
   constexpr double kPi = 3.14159265358979323846, kInfinity = std::numeric_limits<double>::infinity();
-  std::vector<double> all{0.0, -0.0, 1, -1, 0.5, -0.5, kInfinity, -kInfinity, std::nan(""), 5e-324, -1e-310, 1e-300, 1e300, -1.7e308, 0x1p17, 0x1p20, 1e22};
+  std::vector<double> all{0.0,    -0.0,    1,      -1,    0.5,      -0.5,   kInfinity, -kInfinity, std::nan(""),
+                          5e-324, -1e-310, 1e-300, 1e300, -1.7e308, 0x1p17, 0x1p20,    1e22};
   std::uniform_real_distribution<double> unit(-1, 1);
   for (const double size : {1e-9, 1e-3, 0.1, 1.0, 3.0, 10.0, 1e3, 1e5, 1e6})
     for (int n = 0; n < 4000; ++n) all.push_back(size * unit(random));
@@ -50,7 +51,8 @@ TEST(ProgramLanes, OperationsGiveTheSameBitsInLanes) {
         for (std::size_t k = 0; k < kWidth; ++k) {
           const double x = a[begin + k], y = b[begin + k], got = registers[kWidth + k];
           const double expected = with_code(instruction.code, [&]<Code C>() { return apply<C>(x, y); });
-          ASSERT_TRUE(std::bit_cast<std::uint64_t>(got) == std::bit_cast<std::uint64_t>(expected) || (std::isnan(got) && std::isnan(expected)))
+          ASSERT_TRUE(std::bit_cast<std::uint64_t>(got) == std::bit_cast<std::uint64_t>(expected) ||
+                      (std::isnan(got) && std::isnan(expected)))
               << "code " << code << ", set " << set << ": " << x << ", " << y << ": " << got << " != " << expected;
         }
       }
@@ -77,7 +79,8 @@ TEST(ProgramLanes, NearValuesAreNear) {
         kernels->nearly({&instruction, 1}, {}, registers, 255);
         for (std::size_t k = 0; k < kWidth; ++k) {
           const double expected = with_code(code, [&]<Code C>() { return apply<C>(a[begin + k], b[begin + k]); });
-          ASSERT_LE(std::fabs(registers[kWidth + k] - expected), LaneKernels::kNearError) << a[begin + k] << ", set " << set;
+          ASSERT_LE(std::fabs(registers[kWidth + k] - expected), LaneKernels::kNearError)
+              << a[begin + k] << ", set " << set;
         }
       }
     }

@@ -77,7 +77,8 @@ Spline::Value Spline::evaluate(double t, Kind kind) const {
                       (p[j + 1].value[k] - p[j].value[k]) / (p[j + 1].t - p[j].t));
       };
       for (std::size_t k = 0; k < r.size(); ++k) {
-        r[k] = a.value[k] * at_a + b.value[k] * at_b + h * slope(e - 1, k) * (w3 - 2 * w2 + w) + h * slope(e, k) * (w3 - w2);
+        r[k] = a.value[k] * at_a + b.value[k] * at_b + h * slope(e - 1, k) * (w3 - 2 * w2 + w) +
+               h * slope(e, k) * (w3 - w2);
       }
       return r;
     }
@@ -98,7 +99,8 @@ Spline::Value Spline::evaluate(double t, Kind kind) const {
 std::shared_ptr<const std::vector<Spline::Value>> Spline::natural_curvature() const {
   if (auto known = std::atomic_load(&curvature_)) return known;
   const auto& p = points_;
-  // Thomas algorithm for h_i M_{i-1} + 2 (h_i + h_{i+1}) M_i + h_{i+1} M_{i+1} = 6 (slope difference), M = 0 at both ends.
+  // Thomas algorithm for h_i M_{i-1} + 2 (h_i + h_{i+1}) M_i + h_{i+1} M_{i+1} = 6 (slope difference), M = 0 at both
+  // ends.
   const std::size_t n = p.size();
   auto result = std::make_shared<std::vector<Value>>(n, Value{});
   auto& m = *result;

@@ -30,7 +30,8 @@ class Spline {
   int terms_ = 2;
   Value last_{};
   std::vector<Point> points_;  // sorted by t
-  // Second derivatives of the natural spline at the points, made by the first natural evaluation after an insertion (any thread may do it).
+  // Second derivatives of the natural spline at the points, made by the first natural evaluation after an insertion
+  // (any thread may do it).
   mutable std::shared_ptr<const std::vector<Value>> curvature_;
   std::shared_ptr<const std::vector<Value>> natural_curvature() const;
 };

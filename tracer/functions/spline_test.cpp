@@ -21,7 +21,8 @@ TEST(Splines, FourPoints) {
   using enum Spline::Kind;
   const Spline s = four_points();
   expect(s, linear, .5, {.5, 1, 2}), expect(s, linear, 1.7, {2.4, 1.3, .9}), expect(s, linear, 2.5, {2.25, 2, .5});
-  expect(s, quadratic, .5, {.375, 1.375, 2.625}), expect(s, quadratic, 1.7, {2.295, 1.615, 1.425}), expect(s, quadratic, 2.5, {3.125, 1.25, -.5});
+  expect(s, quadratic, .5, {.375, 1.375, 2.625}), expect(s, quadratic, 1.7, {2.295, 1.615, 1.425}),
+      expect(s, quadratic, 2.5, {3.125, 1.25, -.5});
   expect(s, cubic, .5, {1, 2, 3}), expect(s, cubic, 1.7, {2.62575, 1.174, .7635}), expect(s, cubic, 2.5, {3, 1, 0});
   expect(s, cubic, 1.5, {2.15625, 1.5, 1.5625});
   expect(s, natural, .5, {0.345108695652174, 1.342391304347826, 2.554347826086957});
@@ -51,7 +52,8 @@ TEST(Splines, RepeatedParameters) {
   last.insert(0, {0, 0, 0}, 3), last.insert(1, {1, 1, 1}, 3), last.insert(1, {5, 5, 5}, 3);
   expect(last, Spline::Kind::linear, 2, {1, 1, 1});
   Spline middle;
-  middle.insert(2, {3, 1, 0}, 3), middle.insert(0, {0, 0, 1}, 3), middle.insert(1, {1, 2, 3}, 3), middle.insert(1, {9, 9, 9}, 3);
+  middle.insert(2, {3, 1, 0}, 3), middle.insert(0, {0, 0, 1}, 3), middle.insert(1, {1, 2, 3}, 3),
+      middle.insert(1, {9, 9, 9}, 3);
   expect(middle, Spline::Kind::linear, 1.5, {6, 5, 4.5});
 }
 
@@ -69,7 +71,8 @@ TEST(Splines, FewPoints) {
   s.insert(1, {1, 2}, 2);
   EXPECT_EQ(s.evaluate(7)[1], 2);
   s.insert(3, {3, 4}, 2);
-  for (const auto kind : {Spline::Kind::linear, Spline::Kind::quadratic, Spline::Kind::natural}) EXPECT_EQ(s.evaluate(2, kind)[0], 2);
+  for (const auto kind : {Spline::Kind::linear, Spline::Kind::quadratic, Spline::Kind::natural})
+    EXPECT_EQ(s.evaluate(2, kind)[0], 2);
   EXPECT_EQ(s.evaluate(0, Spline::Kind::cubic)[0], 2);  // the mean, everywhere
 }
 

@@ -13,7 +13,8 @@ scene::DensityFileParams read_density_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) throw std::runtime_error("Cannot open density file '" + path.string() + "'.");
   unsigned char header[6];
-  if (!in.read(reinterpret_cast<char*>(header), sizeof header)) throw std::runtime_error("Density file '" + path.string() + "' ends in its header.");
+  if (!in.read(reinterpret_cast<char*>(header), sizeof header))
+    throw std::runtime_error("Density file '" + path.string() + "' ends in its header.");
   scene::DensityFileParams result;
   std::uint64_t count = 1;
   for (int i = 0; i < 3; ++i) {
@@ -22,7 +23,8 @@ scene::DensityFileParams read_density_file(const std::filesystem::path& path) {
   }
   const std::uint64_t bytes = std::filesystem::file_size(path) - sizeof header;
   if (count == 0 || (bytes != count && bytes != 2 * count && bytes != 4 * count))
-    throw std::runtime_error("Invalid density file size: '" + path.string() + "' does not hold 1, 2 or 4 bytes a sample.");
+    throw std::runtime_error("Invalid density file size: '" + path.string() +
+                             "' does not hold 1, 2 or 4 bytes a sample.");
   result.bytes = static_cast<int>(bytes / count);
   // The samples cannot outnumber the bytes of the file, so a hostile header takes no memory.
   std::vector<unsigned char> raw(bytes);
@@ -42,9 +44,11 @@ scene::DensityFileParams read_density_file(const std::filesystem::path& path) {
 
 scene::DensityFileParams load_density_file(const std::filesystem::path& path) {
   static image::SharedFiles<scene::DensityFileParams> files;
-  const auto shared = files.get(path, "df3", [&] { return std::make_shared<scene::DensityFileParams>(read_density_file(path)); });
+  const auto shared =
+      files.get(path, "df3", [&] { return std::make_shared<scene::DensityFileParams>(read_density_file(path)); });
   scene::DensityFileParams result = *shared;
-  result.samples = std::shared_ptr<const std::vector<std::uint32_t>>(shared, shared->samples.get());  // whoever has the samples keeps the file known
+  result.samples = std::shared_ptr<const std::vector<std::uint32_t>>(
+      shared, shared->samples.get());  // whoever has the samples keeps the file known
   return result;
 }
 

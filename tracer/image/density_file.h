@@ -7,7 +7,8 @@
 
 namespace verisim {
 
-// Three big-endian 16-bit sizes, then samples of 1, 2 or 4 bytes (from the file's length). Throws std::runtime_error with a message for users.
+// Three big-endian 16-bit sizes, then samples of 1, 2 or 4 bytes (from the file's length). Throws std::runtime_error
+// with a message for users.
 scene::DensityFileParams load_density_file(const std::filesystem::path& path);
 
 }  // namespace verisim

@@ -17,18 +17,27 @@ inline constexpr int kBayer4[4][4] = {{1, 9, 3, 11}, {13, 5, 15, 7}, {4, 12, 2, 
 // What is added to a value in units of one code.
 inline float bayer_offset(Dither dither, int x, int y) {
   switch (dither) {
-    case Dither::bayer2: return static_cast<float>(kBayer2[x % 2][y % 2]) / 4 - 0.5f;
-    case Dither::bayer3: return static_cast<float>(kBayer3[x % 3][y % 3]) / 9 - 0.5f;
-    case Dither::bayer4: return static_cast<float>(kBayer4[x % 4][y % 4]) / 16 - 0.5f;
-    default: return 0;
+    case Dither::bayer2:
+      return static_cast<float>(kBayer2[x % 2][y % 2]) / 4 - 0.5f;
+    case Dither::bayer3:
+      return static_cast<float>(kBayer3[x % 3][y % 3]) / 9 - 0.5f;
+    case Dither::bayer4:
+      return static_cast<float>(kBayer4[x % 4][y % 4]) / 16 - 0.5f;
+    default:
+      return 0;
   }
 }
 
-// Error diffusion with POV-Ray's quirk: a row's first pixel takes its accumulated error from the buffer of the row before (spec 02 section 4.4).
+// Error diffusion with POV-Ray's quirk: a row's first pixel takes its accumulated error from the buffer of the row
+// before (spec 02 section 4.4).
 class Diffusion {
  public:
   Diffusion(Dither dither, int width, int channels)
-      : dither_(dither), channels_(channels), here_(static_cast<std::size_t>(width + 2) * channels), below_(here_.size()), carried_(channels) {}
+      : dither_(dither),
+        channels_(channels),
+        here_(static_cast<std::size_t>(width + 2) * channels),
+        below_(here_.size()),
+        carried_(channels) {}
 
   float take(int x, int channel) {
     if (dither_ == Dither::diffusion1d) return carried_[channel];
@@ -62,6 +71,8 @@ class Diffusion {
   std::vector<float> here_, below_, carried_;
 };
 
-inline bool diffuses(Dither d) { return d == Dither::diffusion1d || d == Dither::diffusion2d || d == Dither::floyd_steinberg; }
+inline bool diffuses(Dither d) {
+  return d == Dither::diffusion1d || d == Dither::diffusion2d || d == Dither::floyd_steinberg;
+}
 
 }  // namespace verisim::image

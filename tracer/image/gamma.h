@@ -1,4 +1,5 @@
-// Transfer curves between the working space, which scenes compute in, and what a file stores (spec 02 section 4.2). Single precision.
+// Transfer curves between the working space, which scenes compute in, and what a file stores (spec 02 section 4.2).
+// Single precision.
 #pragma once
 
 #include <cmath>

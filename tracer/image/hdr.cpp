@@ -9,7 +9,8 @@
 namespace verisim::image {
 namespace {
 
-// Shared exponent and three mantissas. The dither's offset counts in units of a mantissa (probed with constant backgrounds).
+// Shared exponent and three mantissas. The dither's offset counts in units of a mantissa (probed with constant
+// backgrounds).
 std::array<std::uint8_t, 4> encode(const float (&color)[3], float offset) {
   const float largest = std::max({color[0], color[1], color[2]});
   if (!(largest > 1e-32f)) return {};
@@ -17,7 +18,8 @@ std::array<std::uint8_t, 4> encode(const float (&color)[3], float offset) {
   std::frexp(largest, &exponent);
   const float scale = std::ldexp(1.0f, 8 - exponent);
   std::array<std::uint8_t, 4> out{0, 0, 0, static_cast<std::uint8_t>(std::clamp(exponent + 128, 0, 255))};
-  for (int c = 0; c < 3; ++c) out[c] = static_cast<std::uint8_t>(std::clamp(std::floor(color[c] * scale + offset), 0.0f, 255.0f));
+  for (int c = 0; c < 3; ++c)
+    out[c] = static_cast<std::uint8_t>(std::clamp(std::floor(color[c] * scale + offset), 0.0f, 255.0f));
   return out;
 }
 
@@ -54,7 +56,8 @@ void write_hdr(std::FILE* file, const render::Framebuffer& framebuffer, const Ou
   const OutputCurve to_linear(options.working, options.working_gamma, Curve::identity());
   const int width = framebuffer.width, height = framebuffer.height;
   std::fputs("#?RADIANCE\n", file);
-  for (const auto& [key, value] : options.metadata) std::fprintf(file, "%s=%s\n", key == "Software" ? "SOFTWARE" : key.c_str(), value.c_str());
+  for (const auto& [key, value] : options.metadata)
+    std::fprintf(file, "%s=%s\n", key == "Software" ? "SOFTWARE" : key.c_str(), value.c_str());
   std::fprintf(file, "FORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n", height, width);
   Diffusion diffusion(options.dither, width, 3);
   std::vector<std::array<std::uint8_t, 4>> row(static_cast<std::size_t>(width));
@@ -68,7 +71,8 @@ void write_hdr(std::FILE* file, const render::Framebuffer& framebuffer, const Ou
         for (int c = 0; c < 3; ++c) color[c] += diffusion.take(x, c);
       row[static_cast<std::size_t>(x)] = encode(color, bayer_offset(options.dither, x, y));
       if (diffuses(options.dither))
-        for (int c = 0; c < 3; ++c) diffusion.give(x, c, std::max(color[c], 0.0f) - decode(row[static_cast<std::size_t>(x)], c));
+        for (int c = 0; c < 3; ++c)
+          diffusion.give(x, c, std::max(color[c], 0.0f) - decode(row[static_cast<std::size_t>(x)], c));
     }
     bytes.clear();
     if (width >= 8 && width < 32768) {

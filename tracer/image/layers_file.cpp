@@ -21,9 +21,12 @@ class Channels {
 
   void write(const std::filesystem::path& path, int width, int height, const OutputOptions& options) {
     std::vector<const char*> metadata;
-    for (const auto& [key, value] : options.metadata) metadata.push_back(key.c_str()), metadata.push_back(value.c_str());
+    for (const auto& [key, value] : options.metadata)
+      metadata.push_back(key.c_str()), metadata.push_back(value.c_str());
     const VerisimImage image{width, height, static_cast<std::int32_t>(count()), kVerisimFloat, values_.data(), 1};
-    const VerisimWriteOptions how{&image, "zip", 0, 0, static_cast<std::int32_t>(options.metadata.size()), metadata.data(), names_.data(), samples_.data()};
+    const VerisimWriteOptions how{
+        &image,        "zip",          0, 0, static_cast<std::int32_t>(options.metadata.size()), metadata.data(),
+        names_.data(), samples_.data()};
     char error[512] = {};
     if (image_module().write(path.c_str(), &how, error, sizeof error) != 0) throw std::runtime_error(error);
   }
@@ -37,7 +40,8 @@ class Channels {
 
 }  // namespace
 
-void write_layers(const render::Framebuffer& frame, const render::Layers& layers, bool beauty, const std::filesystem::path& path, const OutputOptions& options) {
+void write_layers(const render::Framebuffer& frame, const render::Layers& layers, bool beauty,
+                  const std::filesystem::path& path, const OutputOptions& options) {
   const OutputCurve to_linear(options.working, options.working_gamma, Curve::identity());
   const std::size_t pixels = frame.pixels.size();
   Channels out(pixels);
@@ -62,7 +66,8 @@ void write_layers(const render::Framebuffer& frame, const render::Layers& layers
     if (layers.normal)
       for (int k = 0; k < 3; ++k) out.at(i, c++) = static_cast<float>(layers.normals[i][k]);
     if (layers.albedo)
-      for (const float v : {layers.albedos[i].r, layers.albedos[i].g, layers.albedos[i].b}) out.at(i, c++) = to_linear.encode(v);
+      for (const float v : {layers.albedos[i].r, layers.albedos[i].g, layers.albedos[i].b})
+        out.at(i, c++) = to_linear.encode(v);
     if (layers.id) out.at(i, c++) = static_cast<float>(layers.ids[i]);
   }
   std::filesystem::path temporary = path;

@@ -1,4 +1,5 @@
-// Image files become images in the working space: decoding by format, gamma, alpha (spec 05 section 12.1, 02 section 5).
+// Image files become images in the working space: decoding by format, gamma, alpha (spec 05 section 12.1, 02 section
+// 5).
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -30,13 +31,15 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path) {
   if (size > kMaxFile) throw std::runtime_error("the file is too large");
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
   file.seekg(0);
-  if (size > 0 && !file.read(reinterpret_cast<char*>(bytes.data()), size)) throw std::runtime_error("cannot read the file");
+  if (size > 0 && !file.read(reinterpret_cast<char*>(bytes.data()), size))
+    throw std::runtime_error("cannot read the file");
   return bytes;
 }
 
 namespace {
 
-// Fractint's continuous potential: a GIF whose left half holds the high bytes, the right half the low bytes (04 section 5.1).
+// Fractint's continuous potential: a GIF whose left half holds the high bytes, the right half the low bytes (04
+// section 5.1).
 RawImage decode_pot(const std::vector<std::uint8_t>& file) {
   const RawImage gif = decode_gif(file);
   if (gif.width % 2 != 0) throw std::runtime_error("the width of a POT file must be even");
@@ -54,21 +57,30 @@ RawImage decode_pot(const std::vector<std::uint8_t>& file) {
 
 RawImage decode(const std::filesystem::path& path, ImageType type) {
   switch (type) {
-    case ImageType::png: return decode_png(read_file(path));
+    case ImageType::png:
+      return decode_png(read_file(path));
     case ImageType::ppm:
-    case ImageType::pgm: return decode_netpbm(read_file(path));
-    case ImageType::gif: return decode_gif(read_file(path));
-    case ImageType::pot: return decode_pot(read_file(path));
-    case ImageType::tga: return decode_tga(read_file(path));
-    case ImageType::bmp: return decode_bmp(read_file(path));
-    case ImageType::hdr: return decode_hdr(read_file(path));
+    case ImageType::pgm:
+      return decode_netpbm(read_file(path));
+    case ImageType::gif:
+      return decode_gif(read_file(path));
+    case ImageType::pot:
+      return decode_pot(read_file(path));
+    case ImageType::tga:
+      return decode_tga(read_file(path));
+    case ImageType::bmp:
+      return decode_bmp(read_file(path));
+    case ImageType::hdr:
+      return decode_hdr(read_file(path));
     case ImageType::jpeg:
     case ImageType::tiff:
     case ImageType::exr:
       if (!std::filesystem::exists(path)) throw std::runtime_error("cannot open the file");
       return decode_with_module(path);
-    case ImageType::iff: throw std::runtime_error("Unexpected EOF (POV-Ray cannot read IFF files either)");
-    default: throw std::runtime_error("this image format is not supported here");
+    case ImageType::iff:
+      throw std::runtime_error("Unexpected EOF (POV-Ray cannot read IFF files either)");
+    default:
+      throw std::runtime_error("this image format is not supported here");
   }
 }
 
@@ -117,8 +129,8 @@ Conversion conversion_for(const RawImage& raw, ImageType type, const ImageDecodi
   return c;
 }
 
-// POV-Ray keeps greyscale PNGs of up to 8 bits in 8 bits: the value is truncated after decoding, by way of a grey sum in single precision
-// that loses a step at 84 of 256 levels (04 section 5.1).
+// POV-Ray keeps greyscale PNGs of up to 8 bits in 8 bits: the value is truncated after decoding, by way of a grey sum
+// in single precision that loses a step at 84 of 256 levels (04 section 5.1).
 float requantised(float v) {
   const float sum = (v * 0.297f + v * 0.589f) + v * 0.114f;
   return std::floor(std::clamp(sum, 0.0f, 1.0f) * 255.0f) / 255.0f;
@@ -136,7 +148,8 @@ void multiply_alpha(RawImage& raw) {
   const std::size_t n = static_cast<std::size_t>(raw.channels);
   const float steps = raw.bits == 8 ? 255.0f : 65535.0f;
   for (std::size_t i = 0; i + n <= raw.samples.size(); i += n)
-    for (std::size_t k = 0; k + 1 < n; ++k) raw.samples[i + k] = std::floor(raw.samples[i + k] * raw.samples[i + n - 1] * steps + 0.5f) / steps;
+    for (std::size_t k = 0; k + 1 < n; ++k)
+      raw.samples[i + k] = std::floor(raw.samples[i + k] * raw.samples[i + n - 1] * steps + 0.5f) / steps;
 }
 
 std::shared_ptr<const Image> finish(RawImage raw, ImageType type, const ImageDecoding& d) {
@@ -146,7 +159,8 @@ std::shared_ptr<const Image> finish(RawImage raw, ImageType type, const ImageDec
   image->grey = raw.channels <= 2 && raw.palette.empty();
   image->sixteen_bit = raw.bits == 16;
   image->has_alpha = raw.channels == 2 || raw.channels == 4;
-  image->premultiplied = image->has_alpha && (d.premultiplied >= 0 ? d.premultiplied != 0 : type == ImageType::exr || type == ImageType::tiff);
+  image->premultiplied = image->has_alpha && (d.premultiplied >= 0 ? d.premultiplied != 0
+                                                                   : type == ImageType::exr || type == ImageType::tiff);
   const Conversion convert = conversion_for(raw, type, d);
   if (!raw.palette.empty()) {
     for (std::size_t i = 0; i < raw.palette.size() / 4; ++i) {
@@ -160,25 +174,29 @@ std::shared_ptr<const Image> finish(RawImage raw, ImageType type, const ImageDec
     if (image->palette.size() <= highest) image->palette.resize(std::size_t{highest} + 1);
     return image;
   }
-  const std::size_t count = static_cast<std::size_t>(raw.width) * raw.height, n = static_cast<std::size_t>(raw.channels);
+  const std::size_t count = static_cast<std::size_t>(raw.width) * raw.height,
+                    n = static_cast<std::size_t>(raw.channels);
   image->pixels.resize(4 * count);
   if (type == ImageType::tiff && image->premultiplied && !raw.premultiplied && d.premultiplied < 0) multiply_alpha(raw);
   for (std::size_t i = 0; i < count; ++i) put_color(&raw.samples[i * n], raw.channels, convert, &image->pixels[4 * i]);
   if (raw.grey8)
-    for (std::size_t i = 0; i < count; ++i) image->pixels[4 * i] = image->pixels[4 * i + 1] = image->pixels[4 * i + 2] = requantised(image->pixels[4 * i]);
+    for (std::size_t i = 0; i < count; ++i)
+      image->pixels[4 * i] = image->pixels[4 * i + 1] = image->pixels[4 * i + 2] = requantised(image->pixels[4 * i]);
   return image;
 }
 
 }  // namespace
 }  // namespace image
 
-std::shared_ptr<const Image> load_image(const std::filesystem::path& path, ImageType type, const ImageDecoding& decoding) {
+std::shared_ptr<const Image> load_image(const std::filesystem::path& path, ImageType type,
+                                        const ImageDecoding& decoding) {
   if (type == ImageType::unknown) type = image_type_from_extension(path.string());
   static image::SharedFiles<Image> files;
   const ImageDecoding& d = decoding;
   std::ostringstream how;
-  how << std::hexfloat << static_cast<int>(type) << ' ' << static_cast<int>(d.gamma) << ' ' << d.gamma_value << ' ' << d.premultiplied << ' ' << d.data << ' ' << d.version << ' '
-      << d.working_is_srgb << ' ' << d.working_none << ' ' << d.working_gamma;
+  how << std::hexfloat << static_cast<int>(type) << ' ' << static_cast<int>(d.gamma) << ' ' << d.gamma_value << ' '
+      << d.premultiplied << ' ' << d.data << ' ' << d.version << ' ' << d.working_is_srgb << ' ' << d.working_none
+      << ' ' << d.working_gamma;
   try {
     return files.get(path, how.str(), [&] { return image::finish(image::decode(path, type), type, decoding); });
   } catch (const std::bad_alloc&) {
@@ -190,11 +208,13 @@ std::shared_ptr<const Image> load_image(const std::filesystem::path& path, Image
 
 ImageType image_type_from_extension(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   static constexpr std::pair<const char*, ImageType> kKnown[] = {
-      {".gif", ImageType::gif}, {".tga", ImageType::tga},   {".png", ImageType::png},  {".jpg", ImageType::jpeg}, {".jpeg", ImageType::jpeg},
-      {".tif", ImageType::tiff}, {".tiff", ImageType::tiff}, {".bmp", ImageType::bmp},  {".ppm", ImageType::ppm},  {".pgm", ImageType::pgm},
-      {".exr", ImageType::exr}, {".hdr", ImageType::hdr},   {".iff", ImageType::iff},  {".pot", ImageType::pot},  {".sys", ImageType::sys},
+      {".gif", ImageType::gif},   {".tga", ImageType::tga},  {".png", ImageType::png},   {".jpg", ImageType::jpeg},
+      {".jpeg", ImageType::jpeg}, {".tif", ImageType::tiff}, {".tiff", ImageType::tiff}, {".bmp", ImageType::bmp},
+      {".ppm", ImageType::ppm},   {".pgm", ImageType::pgm},  {".exr", ImageType::exr},   {".hdr", ImageType::hdr},
+      {".iff", ImageType::iff},   {".pot", ImageType::pot},  {".sys", ImageType::sys},
   };
   for (const auto& [name, type] : kKnown)
     if (extension == name) return type;

@@ -12,7 +12,8 @@ namespace {
 void unpack_runs(ByteReader& in, bool four_bits, RawImage& raw) {
   int x = 0, y = 0;
   const auto put = [&](int v) {
-    if (x < raw.width && y < raw.height) raw.indices[static_cast<std::size_t>(raw.height - 1 - y) * raw.width + x] = static_cast<std::uint8_t>(v);
+    if (x < raw.width && y < raw.height)
+      raw.indices[static_cast<std::size_t>(raw.height - 1 - y) * raw.width + x] = static_cast<std::uint8_t>(v);
     ++x;
   };
   while (y < raw.height) {
@@ -59,7 +60,8 @@ RawImage decode_bmp(const std::vector<std::uint8_t>& file) {
   const bool runs = (compression == 1 && bits == 8) || (compression == 2 && bits == 4);
   if (compression != 0 && !runs) throw std::runtime_error("this compression of BMP files is not supported");
   const bool indexed = bits == 1 || bits == 4 || bits == 8;
-  if (!indexed && bits != 24 && bits != 32) throw std::runtime_error("this number of bits in a BMP file is not supported");
+  if (!indexed && bits != 24 && bits != 32)
+    throw std::runtime_error("this number of bits in a BMP file is not supported");
   const auto w = static_cast<std::size_t>(raw.width), h = static_cast<std::size_t>(raw.height);
   if (indexed) {
     in.seek(14 + static_cast<std::size_t>(header));
@@ -79,8 +81,10 @@ RawImage decode_bmp(const std::vector<std::uint8_t>& file) {
   }
   const std::size_t row_bytes = (w * static_cast<std::size_t>(bits) + 31) / 32 * 4;
   if (in.left() + 3 < row_bytes * h) throw std::runtime_error("unexpected end of file");
-  if (indexed) raw.indices.resize(w * h);
-  else raw.samples.resize(w * h * static_cast<std::size_t>(raw.channels));
+  if (indexed)
+    raw.indices.resize(w * h);
+  else
+    raw.samples.resize(w * h * static_cast<std::size_t>(raw.channels));
   for (std::size_t row = 0; row < h; ++row) {
     const auto data = in.take(std::min(row_bytes, in.left()));
     const std::size_t y = signed_height < 0 ? row : h - 1 - row;
@@ -88,7 +92,8 @@ RawImage decode_bmp(const std::vector<std::uint8_t>& file) {
     for (std::size_t x = 0; x < w; ++x) {
       if (indexed) {
         const std::size_t bit = x * static_cast<std::size_t>(bits);
-        raw.indices[y * w + x] = static_cast<std::uint8_t>(data[bit / 8] >> (8 - bits - static_cast<int>(bit % 8)) & ((1 << bits) - 1));
+        raw.indices[y * w + x] =
+            static_cast<std::uint8_t>(data[bit / 8] >> (8 - bits - static_cast<int>(bit % 8)) & ((1 << bits) - 1));
         continue;
       }
       const auto n = static_cast<std::size_t>(raw.channels);

@@ -27,7 +27,8 @@ void read_palette(ByteReader& in, int count, std::vector<float>& palette) {
 }
 
 // Lempel-Ziv-Welch with growing codes; each code is a suffix byte and a link to its prefix.
-void unpack_lzw(const std::vector<std::uint8_t>& data, int root_bits, std::vector<std::uint8_t>& out, std::size_t wanted) {
+void unpack_lzw(const std::vector<std::uint8_t>& data, int root_bits, std::vector<std::uint8_t>& out,
+                std::size_t wanted) {
   if (root_bits < 1 || root_bits > 8) throw std::runtime_error("bad code size");
   const int clear = 1 << root_bits, end = clear + 1;
   std::array<std::uint16_t, 4096> prefix{};
@@ -106,7 +107,8 @@ RawImage decode_gif(const std::vector<std::uint8_t>& file) {
   const int root_bits = in.u8();
   const std::vector<std::uint8_t> data = sub_blocks(in);
   const std::size_t count = static_cast<std::size_t>(width) * height;
-  if (count > data.size() * 4096) throw std::runtime_error("unexpected end of the picture");  // a code is at least 2 bits and at most 4096 pixels
+  if (count > data.size() * 4096)
+    throw std::runtime_error("unexpected end of the picture");  // a code is at least 2 bits and at most 4096 pixels
   raw.indices.reserve(count);
   unpack_lzw(data, root_bits, raw.indices, count);
   if (transparent >= 0 && 4 * static_cast<std::size_t>(transparent) < raw.palette.size()) {

@@ -44,7 +44,8 @@ void read_row(ByteReader& in, int width, std::vector<std::uint8_t>& row) {
     const auto p = in.take(4);
     if (p[0] == 1 && p[1] == 1 && p[2] == 1 && x > 0) {
       if (shift > 16) throw std::runtime_error("bad run");
-      for (int count = p[3] << shift; count > 0 && x < width; --count, ++x) std::copy_n(&row[static_cast<std::size_t>(x - 1) * 4], 4, &row[static_cast<std::size_t>(x) * 4]);
+      for (int count = p[3] << shift; count > 0 && x < width; --count, ++x)
+        std::copy_n(&row[static_cast<std::size_t>(x - 1) * 4], 4, &row[static_cast<std::size_t>(x) * 4]);
       shift += 8;
     } else {
       std::copy(p.begin(), p.end(), &row[static_cast<std::size_t>(x++) * 4]);
@@ -61,11 +62,13 @@ RawImage decode_hdr(const std::vector<std::uint8_t>& file) {
   while (!line(in).empty()) continue;
   const std::string size = line(in);
   int width = 0, height = 0;
-  if (std::sscanf(size.c_str(), "-Y %9d +X %9d", &height, &width) != 2) throw std::runtime_error("only the usual orientation (-Y +X) is supported");
+  if (std::sscanf(size.c_str(), "-Y %9d +X %9d", &height, &width) != 2)
+    throw std::runtime_error("only the usual orientation (-Y +X) is supported");
   RawImage raw;
   raw.set_size(width, height);
   // A run of 127 pixels takes two bytes for each of four components.
-  if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > in.left() * 65536) throw std::runtime_error("unexpected end of file");
+  if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > in.left() * 65536)
+    throw std::runtime_error("unexpected end of file");
   raw.bits = 32;
   raw.channels = 3;
   std::vector<std::uint8_t> row(static_cast<std::size_t>(width) * 4);
@@ -73,7 +76,8 @@ RawImage decode_hdr(const std::vector<std::uint8_t>& file) {
     read_row(in, width, row);
     for (int x = 0; x < width; ++x) {
       const std::uint8_t* p = &row[static_cast<std::size_t>(x) * 4];
-      for (int k = 0; k < 3; ++k) raw.samples.push_back(p[3] == 0 ? 0.0f : std::ldexp(static_cast<float>(p[k]) + 0.5f, p[3] - 136));
+      for (int k = 0; k < 3; ++k)
+        raw.samples.push_back(p[3] == 0 ? 0.0f : std::ldexp(static_cast<float>(p[k]) + 0.5f, p[3] - 136));
     }
   }
   return raw;

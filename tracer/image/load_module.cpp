@@ -66,10 +66,13 @@ Module load() {
       dlclose(library);
       continue;
     }
-    return {symbol<VerisimReadImage>(library, "verisim_read_image"), symbol<VerisimWriteImage>(library, "verisim_write_image"),
+    return {symbol<VerisimReadImage>(library, "verisim_read_image"),
+            symbol<VerisimWriteImage>(library, "verisim_write_image"),
             symbol<VerisimFreeImage>(library, "verisim_free_image")};
   }
-  if (problem.empty()) problem = std::string(kLibrary) + " was not found beside the program, in ../lib or ../lib/verisim, nor in $VERISIM_MODULE_PATH";
+  if (problem.empty())
+    problem = std::string(kLibrary) +
+              " was not found beside the program, in ../lib or ../lib/verisim, nor in $VERISIM_MODULE_PATH";
   throw std::runtime_error("this image format needs verisim's image module: " + problem);
 }
 

@@ -35,7 +35,8 @@ RawImage decode_netpbm(const std::vector<std::uint8_t>& file) {
   ByteReader in(file);
   if (in.u8() != 'P') throw std::runtime_error("this is not a PPM or PGM file");
   const int kind = in.u8() - '0';
-  if (kind != 2 && kind != 3 && kind != 5 && kind != 6) throw std::runtime_error("only PGM (P2, P5) and PPM (P3, P6) are supported");
+  if (kind != 2 && kind != 3 && kind != 5 && kind != 6)
+    throw std::runtime_error("only PGM (P2, P5) and PPM (P3, P6) are supported");
   const int width = number(in), height = number(in), maxval = number(in);
   if (maxval < 1 || maxval > 65535) throw std::runtime_error("the largest value must be 1 to 65535");
   RawImage raw;
@@ -45,7 +46,8 @@ RawImage decode_netpbm(const std::vector<std::uint8_t>& file) {
   const std::size_t count = static_cast<std::size_t>(width) * height * raw.channels;
   const bool binary = kind >= 5;
   // Every sample takes at least a byte (binary) or two (text): refuse before allocating.
-  if (in.left() + 1 < count * (binary ? static_cast<std::size_t>(raw.bits / 8) : 2)) throw std::runtime_error("unexpected end of file");
+  if (in.left() + 1 < count * (binary ? static_cast<std::size_t>(raw.bits / 8) : 2))
+    throw std::runtime_error("unexpected end of file");
   raw.samples.resize(count);
   for (float& sample : raw.samples) {
     int v;

@@ -19,16 +19,19 @@ RawImage decode_with_module(const std::filesystem::path& path) {
   raw.set_size(read.width, read.height);
   raw.channels = read.channels;
   raw.premultiplied = read.premultiplied != 0;
-  const std::size_t count = static_cast<std::size_t>(read.width) * static_cast<std::size_t>(read.height) * static_cast<std::size_t>(read.channels);
+  const std::size_t count = static_cast<std::size_t>(read.width) * static_cast<std::size_t>(read.height) *
+                            static_cast<std::size_t>(read.channels);
   raw.samples.resize(count);
   switch (read.sample) {
     case kVerisimUint8:
       raw.bits = 8;
-      for (std::size_t i = 0; i < count; ++i) raw.samples[i] = static_cast<float>(static_cast<const std::uint8_t*>(read.pixels)[i]) / 255.0f;
+      for (std::size_t i = 0; i < count; ++i)
+        raw.samples[i] = static_cast<float>(static_cast<const std::uint8_t*>(read.pixels)[i]) / 255.0f;
       break;
     case kVerisimUint16:
       raw.bits = 16;
-      for (std::size_t i = 0; i < count; ++i) raw.samples[i] = static_cast<float>(static_cast<const std::uint16_t*>(read.pixels)[i]) / 65535.0f;
+      for (std::size_t i = 0; i < count; ++i)
+        raw.samples[i] = static_cast<float>(static_cast<const std::uint16_t*>(read.pixels)[i]) / 65535.0f;
       break;
     default:
       raw.bits = 32;

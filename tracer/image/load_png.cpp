@@ -1,4 +1,5 @@
-// PNG with everything that POV-Ray's rules look at: palette, tRNS, gAMA and sRGB chunks, original bit depth (spec 05 section 12.1).
+// PNG with everything that POV-Ray's rules look at: palette, tRNS, gAMA and sRGB chunks, original bit depth (spec 05
+// section 12.1).
 #include <png.h>
 
 #include <csetjmp>
@@ -112,8 +113,10 @@ RawImage decode_png(const std::vector<std::uint8_t>& file) {
   if (h.type == PNG_COLOR_TYPE_PALETTE) {
     for (int i = 0; i < h.palette_size; ++i) {
       const png_color c = h.palette[i];
-      const float alpha = h.has_transparency && i < h.palette_alpha_size ? static_cast<float>(h.palette_alpha[i]) / 255.0f : 1.0f;
-      raw.palette.insert(raw.palette.end(), {static_cast<float>(c.red) / 255.0f, static_cast<float>(c.green) / 255.0f, static_cast<float>(c.blue) / 255.0f, alpha});
+      const float alpha =
+          h.has_transparency && i < h.palette_alpha_size ? static_cast<float>(h.palette_alpha[i]) / 255.0f : 1.0f;
+      raw.palette.insert(raw.palette.end(), {static_cast<float>(c.red) / 255.0f, static_cast<float>(c.green) / 255.0f,
+                                             static_cast<float>(c.blue) / 255.0f, alpha});
     }
     raw.channels = h.has_transparency ? 4 : 3;
     raw.indices = std::move(bytes);

@@ -36,7 +36,8 @@ class LoadImage : public ::testing::Test {
 
   fs::path put(const std::string& name, const Bytes& bytes) {
     const fs::path path = folder_ / name;
-    std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     return path;
   }
   fs::path put(const std::string& name, const std::string& text) { return put(name, Bytes(text.begin(), text.end())); }
@@ -48,10 +49,11 @@ class LoadImage : public ::testing::Test {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
     png_infop info = png_create_info_struct(png);
     png_init_io(png, file);
-    png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(rows.size()), o.bits, o.type, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(rows.size()), o.bits, o.type,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     if (!o.palette.empty()) png_set_PLTE(png, info, o.palette.data(), static_cast<int>(o.palette.size()));
-    if (!o.palette_alpha.empty()) png_set_tRNS(png, info, o.palette_alpha.data(), static_cast<int>(o.palette_alpha.size()), nullptr);
+    if (!o.palette_alpha.empty())
+      png_set_tRNS(png, info, o.palette_alpha.data(), static_cast<int>(o.palette_alpha.size()), nullptr);
     if (o.gamma != 0) png_set_gAMA(png, info, o.gamma);
     if (o.srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png, info);
@@ -168,15 +170,16 @@ TEST_F(LoadImage, TargaAndBitmap) {
   expect_pixel(put("a.tga", tga), version(370), 0.215860531f, 0.051269468f, 0.577580512f);
   Bytes packed = {0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 24, 0, 0x81, 200, 64, 128};
   expect_pixel(put("b.tga", packed), version(360), 0.501960814f, 0.250980407f, 0.784313738f);
-  Bytes bmp = {'B', 'M', 58, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 24, 0, 0, 0, 0, 0, 4, 0, 0, 0,
-               0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 200, 64, 128, 0};
+  Bytes bmp = {'B', 'M', 58, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0,   1,  0,   24,
+               0,   0,   0,  0, 0, 4, 0, 0, 0, 0, 0,  0, 0, 0, 0,  0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 200, 64, 128, 0};
   expect_pixel(put("a.bmp", bmp), version(370), 0.215860531f, 0.051269468f, 0.577580512f);
 }
 
 TEST_F(LoadImage, GifKeepsItsPalette) {
   // 2 x 1, four colours, the second transparent; LZW: clear, 1, 3, end.
-  const Bytes gif = {'G', 'I', 'F', '8', '9', 'a', 2, 0, 1, 0, 0x81, 0, 0, 0, 0, 0, 255, 128, 64, 9, 9, 9, 10, 20, 30, 0x21, 0xf9, 4, 1, 0, 0, 1, 0,
-                     0x2c, 0, 0, 0, 0, 2, 0, 1, 0, 0, 2, 2, 0xcc, 0x0a, 0, 0x3b};
+  const Bytes gif = {'G', 'I', 'F', '8', '9', 'a', 2,  0,  1,    0,    0x81, 0,    0,    0, 0,   0, 255,
+                     128, 64,  9,   9,   9,   10,  20, 30, 0x21, 0xf9, 4,    1,    0,    0, 1,   0, 0x2c,
+                     0,   0,   0,   0,   2,   0,   1,  0,  0,    2,    2,    0xcc, 0x0a, 0, 0x3b};
   const auto image = load_image(put("a.gif", gif), ImageType::gif, version(360));
   ASSERT_TRUE(image->indexed());
   EXPECT_EQ(image->indices, (Bytes{1, 3}));
@@ -187,7 +190,8 @@ TEST_F(LoadImage, GifKeepsItsPalette) {
 
 TEST_F(LoadImage, RadianceAddsHalfAStep) {
   Bytes hdr;
-  for (const char c : std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n")) hdr.push_back(static_cast<std::uint8_t>(c));
+  for (const char c : std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n"))
+    hdr.push_back(static_cast<std::uint8_t>(c));
   hdr.insert(hdr.end(), {128, 64, 32, 128});
   expect_pixel(put("a.hdr", hdr), version(370), 0.501953125f, 0.251953125f, 0.126953125f);
 }
@@ -225,7 +229,8 @@ TEST_F(LoadImage, DamagedFilesAreErrors) {
       {"x.png", png},
       {"x.gif", {'G', 'I', 'F', '8', '9', 'a', 2, 0, 1, 0, 0x81, 0, 0}},
       {"x.tga", {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 24, 0, 1, 2, 3}},
-      {"x.bmp", {'B', 'M', 58, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 255, 255, 255, 127, 255, 255, 255, 127, 1, 0, 24, 0}},
+      {"x.bmp", {'B', 'M', 58, 0,   0,   0,   0,   0,   0,   0,   54,  0, 0, 0,  40,
+                 0,   0,   0,  255, 255, 255, 127, 255, 255, 255, 127, 1, 0, 24, 0}},
       {"x.ppm", {'P', '6', '\n', '9', '9', '9', '9', '9', ' ', '9', '9', '9', '9', '9', ' ', '2', '5', '5', '\n'}},
       {"x.hdr", {'#', '?', '\n', '\n', '-', 'Y', ' ', '9', '9', '9', ' ', '+', 'X', ' ', '9', '9', '9', '\n', 1}},
       {"x.jpg", {0xff, 0xd8, 0xff, 0xe0}},
@@ -233,9 +238,10 @@ TEST_F(LoadImage, DamagedFilesAreErrors) {
   for (const auto& [name, bytes] : starts)
     for (std::size_t n = 0; n < bytes.size(); ++n) {
       const fs::path path = put(name, Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(n)));
-      if (std::string(name) == "x.jpg" && n > 0) continue;  // one call of the module is enough
+      if (std::string(name) == "x.jpg" && n > 0) continue;                   // one call of the module is enough
       if (std::string(name) == "x.png" && n + 12 >= bytes.size()) continue;  // only the end mark is missing
-      EXPECT_THROW(load_image(path, ImageType::unknown, version(370)), std::runtime_error) << name << " cut to " << n << " bytes";
+      EXPECT_THROW(load_image(path, ImageType::unknown, version(370)), std::runtime_error)
+          << name << " cut to " << n << " bytes";
     }
   EXPECT_THROW(load_image(folder_ / "missing.png", ImageType::unknown, version(370)), std::runtime_error);
   EXPECT_THROW(load_image(folder_ / "missing.jpg", ImageType::unknown, version(370)), std::runtime_error);

@@ -63,7 +63,8 @@ RawImage decode_tga(const std::vector<std::uint8_t>& file) {
     raw.palette.assign(std::min<std::size_t>(static_cast<std::size_t>(palette_first) + palette_count, 256) * 4, 0);
     for (int i = 0; i < palette_count; ++i) {
       const auto entry = in.take(static_cast<std::size_t>(bytes));
-      if (palette_first + i < 256) put_color(entry.data(), bytes, &raw.palette[4 * static_cast<std::size_t>(palette_first + i)]);
+      if (palette_first + i < 256)
+        put_color(entry.data(), bytes, &raw.palette[4 * static_cast<std::size_t>(palette_first + i)]);
     }
     raw.channels = bytes == 4 ? 4 : 3;
     if (!indexed) raw.palette.clear();
@@ -73,12 +74,15 @@ RawImage decode_tga(const std::vector<std::uint8_t>& file) {
   const std::vector<std::uint8_t> data = unpack(in, count, static_cast<std::size_t>(bytes), type >= 9);
   const bool from_top = descriptor & 0x20, from_right = descriptor & 0x10;
   if (!indexed) raw.channels = grey ? 1 : depth == 32 ? 4 : 3;
-  if (indexed) raw.indices.resize(count);
-  else raw.samples.resize(count * static_cast<std::size_t>(raw.channels));
+  if (indexed)
+    raw.indices.resize(count);
+  else
+    raw.samples.resize(count * static_cast<std::size_t>(raw.channels));
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const std::uint8_t* p = &data[(static_cast<std::size_t>(y) * width + x) * bytes];
-      const std::size_t to = static_cast<std::size_t>(from_top ? y : height - 1 - y) * width + (from_right ? width - 1 - x : x);
+      const std::size_t to =
+          static_cast<std::size_t>(from_top ? y : height - 1 - y) * width + (from_right ? width - 1 - x : x);
       if (indexed) {
         raw.indices[to] = *p;
       } else if (grey) {

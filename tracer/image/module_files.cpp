@@ -10,14 +10,17 @@ namespace {
 
 constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 29;
 
-void save(const std::filesystem::path& path, const VerisimImage& image, const OutputOptions& options, const char* compression, int quality) {
+void save(const std::filesystem::path& path, const VerisimImage& image, const OutputOptions& options,
+          const char* compression, int quality) {
   std::map<std::string, std::string> described = options.metadata;
   // What the extension area of TGA and the headers of the others call it (OpenImageIO's names).
   if (const auto title = described.find("Title"); title != described.end()) described["DocumentName"] = title->second;
-  if (const auto comment = described.find("Comment"); comment != described.end()) described["ImageDescription"] = comment->second;
+  if (const auto comment = described.find("Comment"); comment != described.end())
+    described["ImageDescription"] = comment->second;
   std::vector<const char*> metadata;
   for (const auto& [key, value] : described) metadata.push_back(key.c_str()), metadata.push_back(value.c_str());
-  const VerisimWriteOptions how{&image, compression, quality, 0, static_cast<std::int32_t>(described.size()), metadata.data(), nullptr, nullptr};
+  const VerisimWriteOptions how{&image,          compression, quality, 0, static_cast<std::int32_t>(described.size()),
+                                metadata.data(), nullptr,     nullptr};
   char error[512] = {};
   if (image_module().write(path.c_str(), &how, error, sizeof error) != 0) throw std::runtime_error(error);
 }
@@ -36,16 +39,24 @@ void save_float(const render::Framebuffer& frame, const std::filesystem::path& p
     }
     if (alpha) values.push_back(1.0f - c.t);
   }
-  const VerisimImage image{frame.width, frame.height, (options.greyscale ? 1 : 3) + (alpha ? 1 : 0), exr ? kVerisimHalf : kVerisimFloat,
-                           values.data(), 1};
+  const VerisimImage image{frame.width,
+                           frame.height,
+                           (options.greyscale ? 1 : 3) + (alpha ? 1 : 0),
+                           exr ? kVerisimHalf : kVerisimFloat,
+                           values.data(),
+                           1};
   save(path, image, options, exr ? "zip" : nullptr, 0);
 }
 
 void save_integers(const Quantised& q, const std::filesystem::path& path, const OutputOptions& options) {
   std::vector<std::uint8_t> bytes(q.samples.begin(), q.samples.end());
   const VerisimImage image{q.width, q.height, q.channels, kVerisimUint8, bytes.data(), 0};
-  const char* compression = options.format == Format::tga ? "none" : options.format == Format::tga_rle ? "rle" : nullptr;
-  const int quality = options.format != Format::jpeg ? 0 : options.compression < 2 ? 85 : std::min(options.compression, 100);
+  const char* compression = options.format == Format::tga       ? "none"
+                            : options.format == Format::tga_rle ? "rle"
+                                                                : nullptr;
+  const int quality = options.format != Format::jpeg ? 0
+                      : options.compression < 2      ? 85
+                                                     : std::min(options.compression, 100);
   save(path, image, options, compression, quality);
 }
 
@@ -53,20 +64,29 @@ void save_integers(const Quantised& q, const std::filesystem::path& path, const 
 
 const char* extension_of(Format format) {
   switch (format) {
-    case Format::png: return ".png";
+    case Format::png:
+      return ".png";
     case Format::tga:
-    case Format::tga_rle: return ".tga";
-    case Format::ppm: return ".ppm";
-    case Format::bmp: return ".bmp";
-    case Format::jpeg: return ".jpg";
-    case Format::exr: return ".exr";
-    case Format::hdr: return ".hdr";
-    case Format::tiff: return ".tif";
+    case Format::tga_rle:
+      return ".tga";
+    case Format::ppm:
+      return ".ppm";
+    case Format::bmp:
+      return ".bmp";
+    case Format::jpeg:
+      return ".jpg";
+    case Format::exr:
+      return ".exr";
+    case Format::hdr:
+      return ".hdr";
+    case Format::tiff:
+      return ".tif";
   }
   return "";
 }
 
-void write_through_module(const render::Framebuffer& framebuffer, const std::filesystem::path& path, const OutputOptions& options) {
+void write_through_module(const render::Framebuffer& framebuffer, const std::filesystem::path& path,
+                          const OutputOptions& options) {
   if (options.format == Format::exr || options.format == Format::hdr) {
     save_float(framebuffer, path, options);
   } else {
@@ -79,8 +99,12 @@ Picture read_through_module(const std::filesystem::path& path) {
   char error[512] = {};
   const Module& module = image_module();
   if (module.read(path.c_str(), kMaxPixels, &image, error, sizeof error) != 0) throw std::runtime_error(error);
-  Picture picture{image.width, image.height, image.channels, image.sample == kVerisimFloat || image.sample == kVerisimHalf,
-                  image.sample == kVerisimUint8 ? 8 : 16, {}};
+  Picture picture{image.width,
+                  image.height,
+                  image.channels,
+                  image.sample == kVerisimFloat || image.sample == kVerisimHalf,
+                  image.sample == kVerisimUint8 ? 8 : 16,
+                  {}};
   const std::size_t count = static_cast<std::size_t>(image.width) * image.height * image.channels;
   try {
     picture.samples.resize(count);
@@ -90,9 +114,15 @@ Picture read_through_module(const std::filesystem::path& path) {
   }
   for (std::size_t i = 0; i < count; ++i) {
     switch (image.sample) {
-      case kVerisimUint8: picture.samples[i] = static_cast<float>(static_cast<const std::uint8_t*>(image.pixels)[i]) / 255.0f; break;
-      case kVerisimUint16: picture.samples[i] = static_cast<float>(static_cast<const std::uint16_t*>(image.pixels)[i]) / 65535.0f; break;
-      default: picture.samples[i] = static_cast<const float*>(image.pixels)[i]; break;
+      case kVerisimUint8:
+        picture.samples[i] = static_cast<float>(static_cast<const std::uint8_t*>(image.pixels)[i]) / 255.0f;
+        break;
+      case kVerisimUint16:
+        picture.samples[i] = static_cast<float>(static_cast<const std::uint16_t*>(image.pixels)[i]) / 65535.0f;
+        break;
+      default:
+        picture.samples[i] = static_cast<const float*>(image.pixels)[i];
+        break;
     }
   }
   module.free(&image);

@@ -55,7 +55,8 @@ void write_ppm(std::FILE* file, const Quantised& picture, const OutputOptions& o
 
 Picture read_netpbm(std::FILE* file) {
   const int p = std::fgetc(file), kind = std::fgetc(file);
-  if (p != 'P' || (kind != '2' && kind != '3' && kind != '5' && kind != '6')) throw std::runtime_error("not a PPM or PGM file");
+  if (p != 'P' || (kind != '2' && kind != '3' && kind != '5' && kind != '6'))
+    throw std::runtime_error("not a PPM or PGM file");
   Picture picture;
   picture.channels = kind == '2' || kind == '5' ? 1 : 3;
   picture.width = static_cast<int>(read_number(file, kMaxSide));

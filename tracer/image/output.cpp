@@ -29,7 +29,8 @@ using File = std::unique_ptr<std::FILE, FileCloser>;
 
 [[noreturn]] void throw_errno() { throw std::runtime_error(std::strerror(errno)); }
 
-// What is written has no name until it is whole, where the file system can do that (O_TMPFILE): not even a kill leaves anything behind. Elsewhere it has a temporary one.
+// What is written has no name until it is whole, where the file system can do that (O_TMPFILE): not even a kill leaves
+// anything behind. Elsewhere it has a temporary one.
 class NewFile {
  public:
   NewFile(const std::filesystem::path& path, bool in_place) : path_(path), temporary_(path), in_place_(in_place) {
@@ -57,7 +58,8 @@ class NewFile {
     if (!named_) {
       const std::string self = "/proc/self/fd/" + std::to_string(::fileno(file_.get()));
       if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, path_.c_str(), AT_SYMLINK_FOLLOW) == 0) return;
-      if (errno != EEXIST || ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0) throw_errno();
+      if (errno != EEXIST || ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0)
+        throw_errno();
       named_ = true;
     }
     file_.reset();
@@ -68,7 +70,8 @@ class NewFile {
  private:
   void open_new() {
     const std::filesystem::path folder = path_.has_parent_path() ? path_.parent_path() : ".";
-    const int fd = ::access("/proc/self/fd", X_OK) == 0 ? ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666) : -1;
+    const int fd =
+        ::access("/proc/self/fd", X_OK) == 0 ? ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666) : -1;
     named_ = fd < 0;
     file_.reset(named_ ? std::fopen(temporary_.c_str(), "wb") : ::fdopen(fd, "wb"));
   }
@@ -88,7 +91,8 @@ void write_atomically(const std::filesystem::path& path, Body body) {
     return;
   }
   std::error_code ignored;
-  const bool in_place = std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);  // devices and pipes
+  const bool in_place =
+      std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);  // devices and pipes
   NewFile file(path, in_place);
   try {
     body(file.get());
@@ -99,7 +103,8 @@ void write_atomically(const std::filesystem::path& path, Body body) {
 }
 
 // The module writes by name, so it gets a temporary file of the right type; standard output receives a copy of it.
-void write_module_file(const render::Framebuffer& framebuffer, const std::filesystem::path& path, const OutputOptions& options) {
+void write_module_file(const render::Framebuffer& framebuffer, const std::filesystem::path& path,
+                       const OutputOptions& options) {
   const bool to_stdout = path == "-";
   std::filesystem::path temporary = to_stdout ? std::filesystem::temp_directory_path() / "verisim" : path;
   temporary += "." + std::to_string(::getpid()) + ".tmp" + extension_of(options.format);
@@ -141,7 +146,8 @@ bool is_png(std::FILE* file) {
 
 class PngFileRows : public PictureRows {
  public:
-  PngFileRows(std::filesystem::path path, File file) : path_(std::move(path)), file_(std::move(file)), png_(file_.get()) {
+  PngFileRows(std::filesystem::path path, File file)
+      : path_(std::move(path)), file_(std::move(file)), png_(file_.get()) {
     width = png_.width, height = png_.height, channels = png_.channels, bits = png_.bits;
     row_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels));
   }
@@ -166,7 +172,8 @@ class PngFileRows : public PictureRows {
 class WholePictureRows : public PictureRows {
  public:
   explicit WholePictureRows(Picture picture) : picture_(std::move(picture)) {
-    width = picture_.width, height = picture_.height, channels = picture_.channels, bits = picture_.bits, is_float = picture_.is_float;
+    width = picture_.width, height = picture_.height, channels = picture_.channels, bits = picture_.bits,
+    is_float = picture_.is_float;
   }
   void next(float* row) override {
     const std::size_t n = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
@@ -182,11 +189,17 @@ class WholePictureRows : public PictureRows {
 }  // namespace
 
 void write(const render::Framebuffer& framebuffer, const std::filesystem::path& path, const OutputOptions& options) {
-  if (options.format == Format::hdr) return write_atomically(path, [&](std::FILE* file) { write_hdr(file, framebuffer, options); });
-  if (options.format != Format::png && options.format != Format::ppm) return write_module_file(framebuffer, path, options);
-  if (options.format == Format::ppm) return write_atomically(path, [&, picture = quantise(framebuffer, options)](std::FILE* file) { write_ppm(file, picture, options); });
+  if (options.format == Format::hdr)
+    return write_atomically(path, [&](std::FILE* file) { write_hdr(file, framebuffer, options); });
+  if (options.format != Format::png && options.format != Format::ppm)
+    return write_module_file(framebuffer, path, options);
+  if (options.format == Format::ppm)
+    return write_atomically(
+        path, [&, picture = quantise(framebuffer, options)](std::FILE* file) { write_ppm(file, picture, options); });
   Quantiser rows(framebuffer, options);
-  write_atomically(path, [&](std::FILE* file) { write_png(file, rows.shape(), options, [&](int y, std::uint16_t* row) { rows.row(y, row); }); });
+  write_atomically(path, [&](std::FILE* file) {
+    write_png(file, rows.shape(), options, [&](int y, std::uint16_t* row) { rows.row(y, row); });
+  });
 }
 
 Picture read_picture(const std::filesystem::path& path) {
@@ -207,7 +220,9 @@ Picture read_picture(const std::filesystem::path& path) {
 
 void write_picture(const Picture& picture, const std::filesystem::path& path) {
   const std::size_t n = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels);
-  write_rows(picture.width, picture.height, picture.channels, [&](int y, float* row) { std::copy_n(picture.samples.data() + n * static_cast<std::size_t>(y), n, row); }, path);
+  write_rows(
+      picture.width, picture.height, picture.channels,
+      [&](int y, float* row) { std::copy_n(picture.samples.data() + n * static_cast<std::size_t>(y), n, row); }, path);
 }
 
 std::unique_ptr<PictureRows> open_rows(const std::filesystem::path& path) {
@@ -225,13 +240,15 @@ std::unique_ptr<PictureRows> open_rows(const std::filesystem::path& path) {
   return std::make_unique<WholePictureRows>(read_picture(path));
 }
 
-void write_rows(int width, int height, int channels, const std::function<void(int y, float* row)>& rows, const std::filesystem::path& path, int bits) {
+void write_rows(int width, int height, int channels, const std::function<void(int y, float* row)>& rows,
+                const std::filesystem::path& path, int bits) {
   const Quantised shape{width, height, channels, bits, {}};
   const float most = static_cast<float>((1 << bits) - 1);
   std::vector<float> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(channels));
   const auto quantised = [&](int y, std::uint16_t* row) {
     rows(y, values.data());
-    for (std::size_t i = 0; i < values.size(); ++i) row[i] = static_cast<std::uint16_t>(values[i] > 0 ? std::floor(std::min(values[i], 1.0f) * most + 0.5f) : 0.0f);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      row[i] = static_cast<std::uint16_t>(values[i] > 0 ? std::floor(std::min(values[i], 1.0f) * most + 0.5f) : 0.0f);
   };
   OutputOptions options;
   options.bits = bits;

@@ -1,4 +1,5 @@
-// From framebuffer to file: gamma, quantisation, dithering, alpha and formats (spec 02 section 4). Files are written to a temporary name and renamed.
+// From framebuffer to file: gamma, quantisation, dithering, alpha and formats (spec 02 section 4). Files are written to
+// a temporary name and renamed.
 #pragma once
 
 #include <filesystem>
@@ -16,14 +17,14 @@ enum class Dither : std::uint8_t { none, bayer2, bayer3, bayer4, diffusion1d, di
 
 struct OutputOptions {
   Format format = Format::png;
-  int bits = 8;                  // per channel, 5..16
+  int bits = 8;  // per channel, 5..16
   bool alpha = false, greyscale = false;
   scene::Gamma working = scene::Gamma::power;  // of the scene (spec 02 4.1)
   double working_gamma = 1;
   bool file_srgb = true;
-  double file_gamma = 1;         // when not sRGB
+  double file_gamma = 1;  // when not sRGB
   Dither dither = Dither::none;
-  int compression = 0;           // JPEG quality
+  int compression = 0;  // JPEG quality
   std::map<std::string, std::string> metadata;
 };
 
@@ -34,14 +35,15 @@ struct Quantised {
 };
 Quantised quantise(const render::Framebuffer& framebuffer, const OutputOptions& options);
 
-// The same row by row: a second picture in memory would be as large as the first. The framebuffer and the options must outlive it.
+// The same row by row: a second picture in memory would be as large as the first. The framebuffer and the options must
+// outlive it.
 class Quantiser {
  public:
   Quantiser(const render::Framebuffer& framebuffer, const OutputOptions& options);
   ~Quantiser();
   Quantiser(const Quantiser&) = delete;
   Quantiser& operator=(const Quantiser&) = delete;
-  Quantised shape() const;                 // without samples
+  Quantised shape() const;                  // without samples
   void row(int y, std::uint16_t* samples);  // in order, from 0: errors are diffused to rows below
 
  private:
@@ -52,7 +54,8 @@ class Quantiser {
 // Throws std::runtime_error naming the file and the reason. path "-" is standard output.
 void write(const render::Framebuffer& framebuffer, const std::filesystem::path& path, const OutputOptions& options);
 
-// A picture read back for comparison: values 0..1 as stored in the file (no gamma applied) for integer formats, floats as they are for EXR and HDR.
+// A picture read back for comparison: values 0..1 as stored in the file (no gamma applied) for integer formats, floats
+// as they are for EXR and HDR.
 struct Picture {
   int width = 0, height = 0, channels = 3;
   bool is_float = false;

@@ -47,21 +47,24 @@ class GammaProbe : public testing::TestWithParam<GammaCase> {};
 TEST_P(GammaProbe, GivesPovRaysCodes) {
   const GammaCase& c = GetParam();
   OutputOptions options;
-  options.working = c.working, options.working_gamma = c.working_gamma, options.file_srgb = c.file_srgb, options.file_gamma = c.file_gamma;
+  options.working = c.working, options.working_gamma = c.working_gamma, options.file_srgb = c.file_srgb,
+  options.file_gamma = c.file_gamma;
   EXPECT_EQ(codes({.5f, .25f, .003f}, options), c.eight);
   options.bits = 16;
   const Codes sixteen = codes({.5f, .25f, .003f}, options);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(sixteen[i], c.sixteen[i], 1) << i;
 }
-INSTANTIATE_TEST_SUITE_P(Output, GammaProbe,
-                         testing::Values(GammaCase{"linear", scene::Gamma::power, 1, true, 1, {188, 137, 10}, {48192, 35199, 2540}},
-                                         GammaCase{"linear_file1", scene::Gamma::power, 1, false, 1, {128, 64, 1}, {32768, 16384, 197}},
-                                         GammaCase{"linear_file22", scene::Gamma::power, 1, false, 2.2, {186, 136, 18}, {47824, 34899, 4674}},
-                                         GammaCase{"g22", scene::Gamma::power, 2.2, true, 1, {128, 61, 0}, {33021, 15797, 2}},
-                                         GammaCase{"g22_file1", scene::Gamma::power, 2.2, false, 1, {55, 12, 0}, {14263, 3104, 0}},
-                                         GammaCase{"srgb", scene::Gamma::srgb, 1, true, 1, {128, 64, 1}, {32768, 16384, 197}},
-                                         GammaCase{"none", scene::Gamma::none, 1, true, 1, {128, 64, 1}, {32768, 16384, 197}}),
-                         [](const auto& i) { return std::string(i.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Output, GammaProbe,
+    testing::Values(GammaCase{"linear", scene::Gamma::power, 1, true, 1, {188, 137, 10}, {48192, 35199, 2540}},
+                    GammaCase{"linear_file1", scene::Gamma::power, 1, false, 1, {128, 64, 1}, {32768, 16384, 197}},
+                    GammaCase{
+                        "linear_file22", scene::Gamma::power, 1, false, 2.2, {186, 136, 18}, {47824, 34899, 4674}},
+                    GammaCase{"g22", scene::Gamma::power, 2.2, true, 1, {128, 61, 0}, {33021, 15797, 2}},
+                    GammaCase{"g22_file1", scene::Gamma::power, 2.2, false, 1, {55, 12, 0}, {14263, 3104, 0}},
+                    GammaCase{"srgb", scene::Gamma::srgb, 1, true, 1, {128, 64, 1}, {32768, 16384, 197}},
+                    GammaCase{"none", scene::Gamma::none, 1, true, 1, {128, 64, 1}, {32768, 16384, 197}}),
+    [](const auto& i) { return std::string(i.param.name); });
 
 TEST(Quantise, ClampsAndTreatsNanAsZero) {
   EXPECT_EQ(codes({-1, 2, std::nanf("")}, linear_file()), (Codes{0, 255, 0}));
@@ -85,13 +88,17 @@ TEST(Quantise, FineCodesAgreeWithTheFormula) {
   std::uniform_real_distribution<float> linear(-0.1f, 1.1f), exponent(-20, 0);
   for (int i = 0; i < kCount; ++i) {
     const float x = i % 2 ? linear(random) : std::exp2(exponent(random));
-    picture.at(i, 0) = {x, i == 4 ? std::nanf("") : 1 - x, i == 4 ? 1 : 0.003f + 0.0003f * x};  // with the knee of sRGB's curve
+    picture.at(i, 0) = {x, i == 4 ? std::nanf("") : 1 - x,
+                        i == 4 ? 1 : 0.003f + 0.0003f * x};  // with the knee of sRGB's curve
   }
-  for (const GammaCase& c : {GammaCase{"", scene::Gamma::power, 1, true, 1, {}, {}}, GammaCase{"", scene::Gamma::power, 1, false, 2.2, {}, {}},
-                             GammaCase{"", scene::Gamma::power, 2.2, true, 1, {}, {}}, GammaCase{"", scene::Gamma::srgb, 1, false, 1.8, {}, {}},
+  for (const GammaCase& c : {GammaCase{"", scene::Gamma::power, 1, true, 1, {}, {}},
+                             GammaCase{"", scene::Gamma::power, 1, false, 2.2, {}, {}},
+                             GammaCase{"", scene::Gamma::power, 2.2, true, 1, {}, {}},
+                             GammaCase{"", scene::Gamma::srgb, 1, false, 1.8, {}, {}},
                              GammaCase{"", scene::Gamma::none, 1, true, 1, {}, {}}}) {
     OutputOptions options;
-    options.working = c.working, options.working_gamma = c.working_gamma, options.file_srgb = c.file_srgb, options.file_gamma = c.file_gamma;
+    options.working = c.working, options.working_gamma = c.working_gamma, options.file_srgb = c.file_srgb,
+    options.file_gamma = c.file_gamma;
     const OutputCurve curve(c.working, c.working_gamma, c.file_srgb ? Curve::srgb() : Curve::power(c.file_gamma));
     for (const int bits : {9, 12, 16}) {
       options.bits = bits;
@@ -103,7 +110,8 @@ TEST(Quantise, FineCodesAgreeWithTheFormula) {
         for (int k = 0; k < 3; ++k) {
           const float encoded = curve.encode(values[k]), clipped = encoded > 0 ? std::min(encoded, 1.0f) : 0.0f;
           const int code = static_cast<int>(std::floor(clipped * static_cast<float>(max_value) + 0.5f));
-          ASSERT_EQ(q.samples[static_cast<std::size_t>(3 * i + k)] >> (16 - bits), code) << values[k] << " with " << bits << " bits";
+          ASSERT_EQ(q.samples[static_cast<std::size_t>(3 * i + k)] >> (16 - bits), code)
+              << values[k] << " with " << bits << " bits";
         }
       }
     }
@@ -204,8 +212,9 @@ TEST(Files, PpmRoundTrip) {
 
 // With File_Gamma linear, what comes back is what was quantised; EXR and HDR keep linear light.
 TEST(Files, OtherFormatsRoundTrip) {
-  const std::pair<Format, const char*> formats[] = {{Format::tga, "r.tga"},  {Format::tga_rle, "rle.tga"}, {Format::bmp, "r.bmp"}, {Format::jpeg, "r.jpg"},
-                                                    {Format::exr, "r.exr"}, {Format::hdr, "r.hdr"},     {Format::tiff, "r.tif"}};
+  const std::pair<Format, const char*> formats[] = {
+      {Format::tga, "r.tga"}, {Format::tga_rle, "rle.tga"}, {Format::bmp, "r.bmp"}, {Format::jpeg, "r.jpg"},
+      {Format::exr, "r.exr"}, {Format::hdr, "r.hdr"},       {Format::tiff, "r.tif"}};
   for (const auto& [format, name] : formats) {
     OutputOptions options = linear_file();
     options.format = format;
@@ -235,15 +244,18 @@ TEST(Files, FailuresNameTheFileAndLeaveNothingBehind) {
 
 TEST(Files, CorruptPicturesAreErrors) {
   const auto path = scratch("bad.png");
-  for (const std::string& bytes : {std::string(), std::string("P6 1000000 1000000 255\n"), std::string("P5 3 3 0\n"), std::string("garbage"), std::string("P6\n99999999999 1 1"),
-                                   std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\xff\xff", 18), std::string("\x89PNG\r\n\x1a\n")}) {
+  for (const std::string& bytes :
+       {std::string(), std::string("P6 1000000 1000000 255\n"), std::string("P5 3 3 0\n"), std::string("garbage"),
+        std::string("P6\n99999999999 1 1"), std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\xff\xff", 18),
+        std::string("\x89PNG\r\n\x1a\n")}) {
     std::ofstream(path, std::ios::binary) << bytes;
     EXPECT_THROW(read_picture(path), std::runtime_error);
   }
   std::filesystem::remove(path);
 }
 
-// Measured from POV-Ray 3.7.0.10 with constant backgrounds: mantissas are truncated, a Bayer offset counts in mantissas.
+// Measured from POV-Ray 3.7.0.10 with constant backgrounds: mantissas are truncated, a Bayer offset counts in
+// mantissas.
 TEST(Hdr, MantissasAreTruncatedAndDithered) {
   const auto mantissas = [](float value, Dither dither) {
     render::Framebuffer frame;
@@ -252,7 +264,8 @@ TEST(Hdr, MantissasAreTruncatedAndDithered) {
     OutputOptions options;
     options.format = Format::hdr;
     options.dither = dither;
-    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / ("dither_" + std::to_string(::getpid()) + ".hdr");
+    const std::filesystem::path path =
+        std::filesystem::path(testing::TempDir()) / ("dither_" + std::to_string(::getpid()) + ".hdr");
     write(frame, path, options);
     const Picture picture = read_picture(path);
     std::filesystem::remove(path);

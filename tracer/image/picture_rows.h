@@ -14,7 +14,8 @@ class PictureRows {
   virtual ~PictureRows() = default;
   int width = 0, height = 0, channels = 3, bits = 8;
   bool is_float = false;
-  // The next row from the top, width * channels values as in Picture. Throws std::runtime_error when the file is damaged or ends too early.
+  // The next row from the top, width * channels values as in Picture. Throws std::runtime_error when the file is
+  // damaged or ends too early.
   virtual void next(float* row) = 0;
   // All of it, when it had to be read as a whole (before the first call of next); else nothing.
   virtual const Picture* whole() const { return nullptr; }
@@ -24,6 +25,7 @@ class PictureRows {
 std::unique_ptr<PictureRows> open_rows(const std::filesystem::path& path);
 
 // A PNG of 8 or 16 bits whose rows (values 0..1) are asked for from the top.
-void write_rows(int width, int height, int channels, const std::function<void(int y, float* row)>& rows, const std::filesystem::path& path, int bits = 8);
+void write_rows(int width, int height, int channels, const std::function<void(int y, float* row)>& rows,
+                const std::filesystem::path& path, int bits = 8);
 
 }  // namespace verisim::image

@@ -51,28 +51,38 @@ struct Reader {
 
 int color_type(int channels) {
   switch (channels) {
-    case 1: return PNG_COLOR_TYPE_GRAY;
-    case 2: return PNG_COLOR_TYPE_GRAY_ALPHA;
-    case 3: return PNG_COLOR_TYPE_RGB;
-    default: return PNG_COLOR_TYPE_RGB_ALPHA;
+    case 1:
+      return PNG_COLOR_TYPE_GRAY;
+    case 2:
+      return PNG_COLOR_TYPE_GRAY_ALPHA;
+    case 3:
+      return PNG_COLOR_TYPE_RGB;
+    default:
+      return PNG_COLOR_TYPE_RGB_ALPHA;
   }
 }
 
-// Writing time counts more than size here: one filter for all rows, the differences between neighbours, and the fastest deflate there is.
+// Writing time counts more than size here: one filter for all rows, the differences between neighbours, and the fastest
+// deflate there is.
 class RowPacker {
  public:
   explicit RowPacker(const Quantised& picture)
-      : samples_(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels)), wide_(picture.bits == 16), pixel_(static_cast<std::size_t>(picture.channels) * (wide_ ? 2 : 1)),
-        plain_(samples_ * (wide_ ? 2 : 1)), filtered_(plain_.size() + 1) {
+      : samples_(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels)),
+        wide_(picture.bits == 16),
+        pixel_(static_cast<std::size_t>(picture.channels) * (wide_ ? 2 : 1)),
+        plain_(samples_ * (wide_ ? 2 : 1)),
+        filtered_(plain_.size() + 1) {
     filtered_[0] = PNG_FILTER_VALUE_SUB;
   }
   // The row as the file has it, before compression.
   const std::vector<png_byte>& pack(const std::uint16_t* in) {
     png_byte* const row = plain_.data();
     png_byte* const out = filtered_.data() + 1;
-    const std::size_t samples = samples_, pixel = pixel_, size = plain_.size();  // bytes that are written might be the members, for all the compiler knows
+    const std::size_t samples = samples_, pixel = pixel_,
+                      size = plain_.size();  // bytes that are written might be the members, for all the compiler knows
     if (wide_) {
-      for (std::size_t i = 0; i < samples; ++i) row[2 * i] = static_cast<png_byte>(in[i] >> 8), row[2 * i + 1] = static_cast<png_byte>(in[i] & 255);
+      for (std::size_t i = 0; i < samples; ++i)
+        row[2 * i] = static_cast<png_byte>(in[i] >> 8), row[2 * i + 1] = static_cast<png_byte>(in[i] & 255);
     } else {
       for (std::size_t i = 0; i < samples; ++i) row[i] = static_cast<png_byte>(in[i]);
     }
@@ -116,23 +126,27 @@ class Deflater {
  private:
   static constexpr std::uint32_t kChunk = 1 << 16;
   void write_chunk(png_structp png) {
-    if (stream_.avail_out < kChunk) png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), out_.data(), kChunk - stream_.avail_out);
+    if (stream_.avail_out < kChunk)
+      png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), out_.data(), kChunk - stream_.avail_out);
     stream_.next_out = out_.data();
     stream_.avail_out = kChunk;
   }
   isal_zstream stream_;
-  std::vector<png_byte> level_buffer_ = std::vector<png_byte>(ISAL_DEF_LVL1_DEFAULT), out_ = std::vector<png_byte>(kChunk);
+  std::vector<png_byte> level_buffer_ = std::vector<png_byte>(ISAL_DEF_LVL1_DEFAULT),
+                        out_ = std::vector<png_byte>(kChunk);
 };
 
 using RowSource = std::function<void(int y, std::uint16_t* row)>;
 
 // Everything between here and the caller may be left by longjmp: no objects with destructors.
-bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const OutputOptions& options, const RowSource& rows, std::uint16_t* samples, RowPacker& packer,
-               Deflater& deflater, png_text* texts, int text_count) {
+bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const OutputOptions& options,
+               const RowSource& rows, std::uint16_t* samples, RowPacker& packer, Deflater& deflater, png_text* texts,
+               int text_count) {
   if (setjmp(png_jmpbuf(w.png))) return false;
   png_init_io(w.png, file);
-  png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height), picture.bits,
-               color_type(picture.channels), PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(w.png, w.info, static_cast<png_uint_32>(picture.width), static_cast<png_uint_32>(picture.height),
+               picture.bits, color_type(picture.channels), PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
   // Without gamma handling the tags name what the values will be shown as, sRGB (spec 02 section 4.1).
   if (options.file_srgb || options.working == scene::Gamma::none) {
     png_set_sRGB_gAMA_and_cHRM(w.png, w.info, PNG_sRGB_INTENT_PERCEPTUAL);
@@ -189,7 +203,9 @@ bool read_rows(Reader& r, png_byte** rows) {
 
 void write_png(std::FILE* file, const Quantised& picture, const OutputOptions& options) {
   const std::size_t n = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels);
-  write_png(file, picture, options, [&](int y, std::uint16_t* row) { std::copy_n(picture.samples.data() + n * static_cast<std::size_t>(y), n, row); });
+  write_png(file, picture, options, [&](int y, std::uint16_t* row) {
+    std::copy_n(picture.samples.data() + n * static_cast<std::size_t>(y), n, row);
+  });
 }
 
 void write_png(std::FILE* file, const Quantised& picture, const OutputOptions& options, const RowSource& rows) {
@@ -203,11 +219,14 @@ void write_png(std::FILE* file, const Quantised& picture, const OutputOptions& o
     text.text = const_cast<char*>(value.c_str());
     texts.push_back(text);
   }
-  std::vector<std::uint16_t> samples(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.channels));
+  std::vector<std::uint16_t> samples(static_cast<std::size_t>(picture.width) *
+                                     static_cast<std::size_t>(picture.channels));
   RowPacker packer(picture);
   const auto deflater = std::make_unique<Deflater>();  // its state takes some 100 kB
   Writer w;
-  if (!write_all(w, file, picture, options, rows, samples.data(), packer, *deflater, texts.data(), static_cast<int>(texts.size()))) throw std::runtime_error(w.failure.message);
+  if (!write_all(w, file, picture, options, rows, samples.data(), packer, *deflater, texts.data(),
+                 static_cast<int>(texts.size())))
+    throw std::runtime_error(w.failure.message);
 }
 
 Quantised read_png(std::FILE* file) {
@@ -227,7 +246,8 @@ Quantised read_png(std::FILE* file) {
   if (!read_rows(r, rows.data())) throw std::runtime_error(r.failure.message);
   picture.samples.resize(count);
   for (std::size_t i = 0; i < count; ++i)
-    picture.samples[i] = picture.bits == 16 ? static_cast<std::uint16_t>(bytes[2 * i] << 8 | bytes[2 * i + 1]) : bytes[i];
+    picture.samples[i] =
+        picture.bits == 16 ? static_cast<std::uint16_t>(bytes[2 * i] << 8 | bytes[2 * i + 1]) : bytes[i];
   return picture;
 }
 
@@ -252,9 +272,11 @@ PngRows::~PngRows() = default;
 
 void PngRows::next(std::uint16_t* row) {
   std::vector<png_byte>& bytes = state_->bytes;
-  if (!read_row(state_->reader, bytes.data(), ++state_->row == height)) throw std::runtime_error(state_->reader.failure.message);
+  if (!read_row(state_->reader, bytes.data(), ++state_->row == height))
+    throw std::runtime_error(state_->reader.failure.message);
   const std::size_t n = static_cast<std::size_t>(width) * static_cast<std::size_t>(channels);
-  for (std::size_t i = 0; i < n; ++i) row[i] = bits == 16 ? static_cast<std::uint16_t>(bytes[2 * i] << 8 | bytes[2 * i + 1]) : bytes[i];
+  for (std::size_t i = 0; i < n; ++i)
+    row[i] = bits == 16 ? static_cast<std::uint16_t>(bytes[2 * i] << 8 | bytes[2 * i + 1]) : bytes[i];
 }
 
 }  // namespace verisim::image

@@ -18,10 +18,12 @@ int round_to(float encoded, int max_value) {
   return static_cast<int>(std::floor(clamp01(encoded) * static_cast<float>(max_value) + 0.5f));
 }
 
-// The smallest float that rounds to each code: exact and faster than a power per sample. For at most 8 bits and no dithering.
+// The smallest float that rounds to each code: exact and faster than a power per sample. For at most 8 bits and no
+// dithering.
 class CodeTable {
  public:
-  CodeTable(const OutputCurve& curve, int max_value) : first_(static_cast<std::size_t>(max_value) + 1, std::numeric_limits<float>::infinity()) {
+  CodeTable(const OutputCurve& curve, int max_value)
+      : first_(static_cast<std::size_t>(max_value) + 1, std::numeric_limits<float>::infinity()) {
     for (int code = 1; code <= max_value; ++code) {
       float low = 0, high = 1;
       if (round_to(curve.encode(high), max_value) < code) break;
@@ -40,7 +42,8 @@ class CodeTable {
   // 0 <= x <= 1.
   int operator()(float x) const {
     const Cell& cell = cells_[static_cast<std::size_t>(static_cast<int>(x * kCells))];
-    int code = cell.code + (x >= cell.next);  // most cells have one border at most: no branch that depends on the picture
+    int code =
+        cell.code + (x >= cell.next);  // most cells have one border at most: no branch that depends on the picture
     while (first_[static_cast<std::size_t>(code)] <= x) ++code;
     return code;
   }
@@ -55,13 +58,16 @@ class CodeTable {
   std::array<Cell, kCells + 1> cells_{};
 };
 
-// Codes of more than 8 bits, without dithering: parabolas between 128 places of each octave, and the curve itself where those come near to a border.
+// Codes of more than 8 bits, without dithering: parabolas between 128 places of each octave, and the curve itself where
+// those come near to a border.
 class FineCodes {
  public:
   FineCodes(const OutputCurve& curve, int max_value) : curve_(curve), max_value_(max_value) {
     for (std::uint32_t i = 0; i < kCells; ++i) {
       const float from = std::bit_cast<float>((kFirst + i) << 16), to = std::bit_cast<float>((kFirst + i + 1) << 16);
-      const auto value = [&](float u) { return curve.encode(from + u * (to - from)) * static_cast<float>(max_value) + 0.5f; };
+      const auto value = [&](float u) {
+        return curve.encode(from + u * (to - from)) * static_cast<float>(max_value) + 0.5f;
+      };
       const float start = value(0), middle = value(0.5f), end = value(1);
       Cell& cell = cells_[i] = {start, 4 * middle - 3 * start - end, 2 * start + 2 * end - 4 * middle};
       for (const float u : {0.13f, 0.25f, 0.7f, 0.9f})
@@ -82,7 +88,7 @@ class FineCodes {
 
  private:
   static constexpr std::uint32_t kFirst = 0x3780, kCells = 0x3f80 - kFirst;  // the upper half of floats from 2^-16 to 1
-  static constexpr float kSure = 0.04f;                                      // several times what rounding of the curve and the parabolas amounts to
+  static constexpr float kSure = 0.04f;  // several times what rounding of the curve and the parabolas amounts to
   struct Cell {
     float start, slope, bend;
     float at(float u) const { return start + u * (slope + u * bend); }
@@ -117,14 +123,19 @@ struct Depth {
 Depth depth_of(const OutputOptions& options) {
   const int bits = std::clamp(options.bits, 5, 16);
   switch (options.format) {
-    case Format::png: return options.greyscale ? Depth{16, 16} : Depth{bits, bits <= 8 ? 8 : 16};
-    case Format::ppm: return {std::max(bits, 8), std::max(bits, 8)};
-    default: return {8, 8};
+    case Format::png:
+      return options.greyscale ? Depth{16, 16} : Depth{bits, bits <= 8 ? 8 : 16};
+    case Format::ppm:
+      return {std::max(bits, 8), std::max(bits, 8)};
+    default:
+      return {8, 8};
   }
 }
 
 // Whether colours are told apart from how much they cover; `alpha`: the file has a channel for it.
-bool uses_alpha(const OutputOptions& options, bool alpha) { return alpha || options.format == Format::tga || options.format == Format::tga_rle; }
+bool uses_alpha(const OutputOptions& options, bool alpha) {
+  return alpha || options.format == Format::tga || options.format == Format::tga_rle;
+}
 
 // The samples of one pixel before encoding; alpha, if any, is the last and not gamma encoded.
 int samples_of(const Color& pixel, const OutputOptions& options, bool alpha, float* out) {
@@ -143,20 +154,28 @@ int samples_of(const Color& pixel, const OutputOptions& options, bool alpha, flo
 
 bool has_alpha_channel(const OutputOptions& options) {
   const Format f = options.format;
-  return options.alpha && (f == Format::png || f == Format::tga || f == Format::tga_rle || f == Format::bmp || f == Format::tiff);
+  return options.alpha &&
+         (f == Format::png || f == Format::tga || f == Format::tga_rle || f == Format::bmp || f == Format::tiff);
 }
 
 OutputCurve curve_of(const OutputOptions& options) {
   if (options.format == Format::ppm && options.greyscale) return OutputCurve(scene::Gamma::none, 1, Curve::identity());
-  return OutputCurve(options.working, options.working_gamma, options.file_srgb ? Curve::srgb() : Curve::power(options.file_gamma));
+  return OutputCurve(options.working, options.working_gamma,
+                     options.file_srgb ? Curve::srgb() : Curve::power(options.file_gamma));
 }
 
 }  // namespace
 
 struct Quantiser::State {
   State(const render::Framebuffer& from, const OutputOptions& settings)
-      : framebuffer(from), options(settings), depth(depth_of(settings)), max_value((1 << depth.bits) - 1), alpha(has_alpha_channel(settings)),
-        color_channels(settings.greyscale ? 1 : 3), curve(curve_of(settings)), dither(settings.format == Format::jpeg ? Dither::none : settings.dither),
+      : framebuffer(from),
+        options(settings),
+        depth(depth_of(settings)),
+        max_value((1 << depth.bits) - 1),
+        alpha(has_alpha_channel(settings)),
+        color_channels(settings.greyscale ? 1 : 3),
+        curve(curve_of(settings)),
+        dither(settings.format == Format::jpeg ? Dither::none : settings.dither),
         diffusion(dither, from.width, color_channels + alpha) {
     if (dither != Dither::none) return;
     if (depth.bits > 8) {
@@ -170,7 +189,8 @@ struct Quantiser::State {
   template <class Codes>
   void colors_alone(const Codes& codes, const Color* pixels, std::uint16_t* out) const {
     for (int x = 0; x < framebuffer.width; ++x)
-      for (const float v : {pixels[x].r, pixels[x].g, pixels[x].b}) *out++ = static_cast<std::uint16_t>(codes(clamp01(v)));
+      for (const float v : {pixels[x].r, pixels[x].g, pixels[x].b})
+        *out++ = static_cast<std::uint16_t>(codes(clamp01(v)));
   }
   void by_table(const Color* pixels, std::uint16_t* out) const {
     float samples[4];
@@ -194,9 +214,11 @@ struct Quantiser::State {
         if (diffuses(dither)) {
           const float value = samples[c] + diffusion.take(x, c);
           codes[c] = round_to(channel_curve.encode(value), max_value);
-          errors[c] = clamp01(value) - channel_curve.decode(static_cast<float>(codes[c]) / static_cast<float>(max_value));
+          errors[c] =
+              clamp01(value) - channel_curve.decode(static_cast<float>(codes[c]) / static_cast<float>(max_value));
         } else {
-          codes[c] = fine_codes && c < color_channels ? (*fine_codes)(clamp01(samples[c])) : round_to(channel_curve.encode(samples[c]) + offset, max_value);
+          codes[c] = fine_codes && c < color_channels ? (*fine_codes)(clamp01(samples[c]))
+                                                      : round_to(channel_curve.encode(samples[c]) + offset, max_value);
         }
       }
       if (diffuses(dither))
@@ -218,7 +240,8 @@ struct Quantiser::State {
   std::optional<FineCodes> fine_codes;
 };
 
-Quantiser::Quantiser(const render::Framebuffer& framebuffer, const OutputOptions& options) : state_(std::make_unique<State>(framebuffer, options)) {}
+Quantiser::Quantiser(const render::Framebuffer& framebuffer, const OutputOptions& options)
+    : state_(std::make_unique<State>(framebuffer, options)) {}
 Quantiser::~Quantiser() = default;
 
 Quantised Quantiser::shape() const {
@@ -228,12 +251,18 @@ Quantised Quantiser::shape() const {
 
 void Quantiser::row(int y, std::uint16_t* out) {
   State& s = *state_;
-  const Color* const pixels = s.framebuffer.pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(s.framebuffer.width);
-  const bool alone = !s.options.greyscale && !uses_alpha(s.options, s.alpha) && s.depth.bits == s.depth.file_bits;  // most pictures
-  if (alone && s.color_codes) s.colors_alone(*s.color_codes, pixels, out);
-  else if (alone && s.fine_codes) s.colors_alone(*s.fine_codes, pixels, out);
-  else if (s.color_codes) s.by_table(pixels, out);
-  else s.one_by_one(pixels, y, out);
+  const Color* const pixels =
+      s.framebuffer.pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(s.framebuffer.width);
+  const bool alone =
+      !s.options.greyscale && !uses_alpha(s.options, s.alpha) && s.depth.bits == s.depth.file_bits;  // most pictures
+  if (alone && s.color_codes)
+    s.colors_alone(*s.color_codes, pixels, out);
+  else if (alone && s.fine_codes)
+    s.colors_alone(*s.fine_codes, pixels, out);
+  else if (s.color_codes)
+    s.by_table(pixels, out);
+  else
+    s.one_by_one(pixels, y, out);
 }
 
 Quantised quantise(const render::Framebuffer& framebuffer, const OutputOptions& options) {

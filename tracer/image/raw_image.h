@@ -17,14 +17,14 @@ inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 27;
 struct RawImage {
   enum class Curve : std::uint8_t { unspecified, srgb, power };  // what the file itself says of its values
   int width = 0, height = 0;
-  int channels = 3;             // 1 grey, 2 grey + alpha, 3 rgb, 4 rgb + alpha; of an indexed image: of its palette
-  int bits = 8;                 // 8, 16 or 32 (float) per sample as stored
-  bool grey8 = false;           // greyscale PNG without alpha of at most 8 bits: kept in 8 bits by POV-Ray
+  int channels = 3;    // 1 grey, 2 grey + alpha, 3 rgb, 4 rgb + alpha; of an indexed image: of its palette
+  int bits = 8;        // 8, 16 or 32 (float) per sample as stored
+  bool grey8 = false;  // greyscale PNG without alpha of at most 8 bits: kept in 8 bits by POV-Ray
   bool premultiplied = false;
   Curve curve = Curve::unspecified;
-  double gamma = 1;             // of a power curve: linear = value ^ gamma
-  std::vector<float> samples;   // channels values per pixel, 1 = white; row 0 is the top
-  std::vector<float> palette;   // 4 floats each: r g b alpha
+  double gamma = 1;            // of a power curve: linear = value ^ gamma
+  std::vector<float> samples;  // channels values per pixel, 1 = white; row 0 is the top
+  std::vector<float> palette;  // 4 floats each: r g b alpha
   std::vector<std::uint8_t> indices;
 
   // Throws std::runtime_error when the size is nothing or too much.

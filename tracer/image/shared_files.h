@@ -9,7 +9,8 @@
 
 namespace verisim::image {
 
-// What names a state of a file: its path, size and time of change. Empty when it cannot be asked for: then nothing is shared.
+// What names a state of a file: its path, size and time of change. Empty when it cannot be asked for: then nothing is
+// shared.
 inline std::string file_state(const std::filesystem::path& path) {
   std::error_code failed;
   const std::filesystem::path whole = std::filesystem::weakly_canonical(path, failed);

@@ -1,6 +1,7 @@
-// Roots of a polynomial on an interval by its Bernstein (Bezier) coefficients: Descartes' rule of signs bounds their number, subdivision isolates them,
-// and a bracketed Newton iteration finds each one. Finds close pairs that closed forms lose, needs no trigonometry, and returns roots in increasing
-// order. Templates over the degree: shapes solve these for every ray.
+// Roots of a polynomial on an interval by its Bernstein (Bezier) coefficients: Descartes' rule of signs bounds their
+// number, subdivision isolates them, and a bracketed Newton iteration finds each one. Finds close pairs that closed
+// forms lose, needs no trigonometry, and returns roots in increasing order. Templates over the degree: shapes solve
+// these for every ray.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,8 @@ inline constexpr int kMaxBernsteinDegree = 12;
 namespace bernstein {
 
 struct Binomials {
-  double c[kMaxBernsteinDegree + 1][kMaxBernsteinDegree + 1]{}, inverse[kMaxBernsteinDegree + 1][kMaxBernsteinDegree + 1]{};
+  double c[kMaxBernsteinDegree + 1][kMaxBernsteinDegree + 1]{},
+      inverse[kMaxBernsteinDegree + 1][kMaxBernsteinDegree + 1]{};
   constexpr Binomials() {
     for (int n = 0; n <= kMaxBernsteinDegree; ++n) {
       c[n][0] = inverse[n][0] = 1;
@@ -31,7 +33,8 @@ inline constexpr int kMaxDepth = 45;
 template <int N>
 class Solver {
  public:
-  Solver(const double* power, double a, double b, double* roots, int limit) : power_(power), roots_(roots), limit_(limit) {
+  Solver(const double* power, double a, double b, double* roots, int limit)
+      : power_(power), roots_(roots), limit_(limit) {
     // Powers of u with x = a + (b - a) u.
     double c[N + 1];
     for (int i = 0; i <= N; ++i) c[i] = power[i];
@@ -91,7 +94,8 @@ class Solver {
     run(right, middle, to, depth + 1);
   }
 
-  // The one root between `low` and `high`, where the values f_low and f_high have opposite signs: Newton's method, kept in the bracket by bisection.
+  // The one root between `low` and `high`, where the values f_low and f_high have opposite signs: Newton's method, kept
+  // in the bracket by bisection.
   double bracketed_root(double low, double high, double f_low, double f_high) const {
     const double end_precision = 1e-15 * std::max(std::fabs(low), std::fabs(high));
     double x = low - f_low * (high - low) / (f_high - f_low);
@@ -101,8 +105,10 @@ class Solver {
       double f = power_[N], slope = 0;
       for (int i = N - 1; i >= 0; --i) slope = slope * x + f, f = f * x + power_[i];
       if (f == 0) return x;
-      if ((f < 0) == (f_low < 0)) low = x;
-      else high = x;
+      if ((f < 0) == (f_low < 0))
+        low = x;
+      else
+        high = x;
       double next = x - f / slope;
       double move = std::fabs(next - x);
       // Bisect where Newton leaves the bracket or does not at least halve its step.
@@ -124,7 +130,8 @@ class Solver {
 
 }  // namespace bernstein
 
-// Roots in [a, b] of power[0] + power[1] x + ... + power[N] x^N, increasing; a double root is reported once or not at all. At most `limit` of them.
+// Roots in [a, b] of power[0] + power[1] x + ... + power[N] x^N, increasing; a double root is reported once or not at
+// all. At most `limit` of them.
 template <int N>
 int bernstein_roots(const double* power, double a, double b, double* roots, int limit = N) {
   static_assert(N >= 1 && N <= kMaxBernsteinDegree);
@@ -132,6 +139,7 @@ int bernstein_roots(const double* power, double a, double b, double* roots, int 
 }
 
 // The same for a degree known only at run time, 1 .. kMaxBernsteinDegree.
-int bernstein_roots(int degree, const double* power, double a, double b, double* roots, int limit = kMaxBernsteinDegree);
+int bernstein_roots(int degree, const double* power, double a, double b, double* roots,
+                    int limit = kMaxBernsteinDegree);
 
 }  // namespace verisim

@@ -1,4 +1,5 @@
-// Roots of eight polynomials of one degree at once, as bernstein_roots finds them, to the last bit. Compiled for several instruction sets.
+// Roots of eight polynomials of one degree at once, as bernstein_roots finds them, to the last bit. Compiled for
+// several instruction sets.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,8 @@
 
 namespace verisim {
 
-// Fill `power`, `from` and `to`, call begin, then next as often as roots are wanted: most only want a lane's first. Sets of lanes are bits.
+// Fill `power`, `from` and `to`, call begin, then next as often as roots are wanted: most only want a lane's first.
+// Sets of lanes are bits.
 struct alignas(64) RootLanes {
   static constexpr int kCount = 8, kMostTerms = kMaxBernsteinDegree + 1;
   using Lane = double[kCount];

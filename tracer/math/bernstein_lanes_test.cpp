@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "tracer/textures/instruction_sets.h"
+#include "tracer/simd/instruction_sets.h"
 
 namespace verisim {
 namespace {
@@ -43,7 +43,8 @@ class Polynomials {
 
  private:
   static constexpr int kStrangeCount = 7;
-  static constexpr double kStrange[kStrangeCount] = {0, 0, -0.0, 1e300, 5e-324, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()};
+  static constexpr double kStrange[kStrangeCount] = {
+      0, 0, -0.0, 1e300, 5e-324, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()};
   std::mt19937 random_{5};
   std::normal_distribution<double> real_{0.4, 0.8};
 };
@@ -80,9 +81,12 @@ TEST(BernsteinLanes, FindWhatEachPolynomialHasAlone) {
           const unsigned found = kernels->next(degree, open, *lanes);
           for (int k = 0; k < kLanes; ++k) {
             if (!(open >> k & 1)) continue;
-            ASSERT_EQ(found >> k & 1, seen[k] < count[k]) << "degree " << degree << " set " << set << " round " << round << " lane " << k;
+            ASSERT_EQ(found >> k & 1, seen[k] < count[k])
+                << "degree " << degree << " set " << set << " round " << round << " lane " << k;
             if (!(found >> k & 1)) continue;
-            ASSERT_EQ(std::memcmp(&lanes->root[k], &expected[k][seen[k]], sizeof(double)), 0) << lanes->root[k] << " and " << expected[k][seen[k]] << " degree " << degree << " set " << set << " round " << round << " lane " << k;
+            ASSERT_EQ(std::memcmp(&lanes->root[k], &expected[k][seen[k]], sizeof(double)), 0)
+                << lanes->root[k] << " and " << expected[k][seen[k]] << " degree " << degree << " set " << set
+                << " round " << round << " lane " << k;
             ++seen[k], ++all_roots;
           }
           open &= found;

@@ -58,7 +58,8 @@ TEST(Bernstein, ClosePairsAreKeptApart) {
 
 TEST(Bernstein, AnEndThatIsNearlyARootDoesNotHideTheOther) {
   // 1.1e-16, 0.507, 0.761, -0.6, -0.6 in Bernstein form.
-  const auto found = roots_of({1.1102230246251565e-16, 2.0265392748282255, -1.5154310158189, -6.7096, 5.5984917410}, 0, 1);
+  const auto found =
+      roots_of({1.1102230246251565e-16, 2.0265392748282255, -1.5154310158189, -6.7096, 5.5984917410}, 0, 1);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_GT(found[0], 0.4);
 }

@@ -3,8 +3,9 @@
 
 namespace verisim {
 
-// The value that a chi-square variable of `freedom` >= 1 degrees exceeds with probability `confidence`, 0 <= confidence < 1.
-// For odd degrees up to 25 POV-Ray's incomplete gamma function is off by a constant factor; pictures show it, so it is reproduced.
+// The value that a chi-square variable of `freedom` >= 1 degrees exceeds with probability `confidence`, 0 <= confidence
+// < 1. For odd degrees up to 25 POV-Ray's incomplete gamma function is off by a constant factor; pictures show it, so
+// it is reproduced.
 double chi_square_quantile(int freedom, double confidence);
 
 }  // namespace verisim

@@ -11,17 +11,32 @@ struct Rgb {
 
   Rgb() = default;
   constexpr Rgb(float red, float green, float blue) : r(red), g(green), b(blue) {}
-  // Not trivial on purpose: the calling convention would return three floats in two registers, packed by way of the stack, where each call waits for its
-  // own stores.
+  // Not trivial on purpose: the calling convention would return three floats in two registers, packed by way of the
+  // stack, where each call waits for its own stores.
   constexpr Rgb(const Rgb& o) : r(o.r), g(o.g), b(o.b) {}
-  constexpr Rgb& operator=(const Rgb& o) { r = o.r, g = o.g, b = o.b; return *this; }
+  constexpr Rgb& operator=(const Rgb& o) {
+    r = o.r, g = o.g, b = o.b;
+    return *this;
+  }
   explicit constexpr Rgb(float grey_value) : r(grey_value), g(grey_value), b(grey_value) {}
 
   friend bool operator==(const Rgb&, const Rgb&) = default;
-  Rgb& operator+=(const Rgb& o) { r += o.r, g += o.g, b += o.b; return *this; }
-  Rgb& operator-=(const Rgb& o) { r -= o.r, g -= o.g, b -= o.b; return *this; }
-  Rgb& operator*=(const Rgb& o) { r *= o.r, g *= o.g, b *= o.b; return *this; }
-  Rgb& operator*=(float s) { r *= s, g *= s, b *= s; return *this; }
+  Rgb& operator+=(const Rgb& o) {
+    r += o.r, g += o.g, b += o.b;
+    return *this;
+  }
+  Rgb& operator-=(const Rgb& o) {
+    r -= o.r, g -= o.g, b -= o.b;
+    return *this;
+  }
+  Rgb& operator*=(const Rgb& o) {
+    r *= o.r, g *= o.g, b *= o.b;
+    return *this;
+  }
+  Rgb& operator*=(float s) {
+    r *= s, g *= s, b *= s;
+    return *this;
+  }
   friend Rgb operator+(Rgb a, const Rgb& b) { return a += b; }
   friend Rgb operator-(Rgb a, const Rgb& b) { return a -= b; }
   friend Rgb operator*(Rgb a, const Rgb& b) { return a *= b; }
@@ -41,7 +56,8 @@ struct Color {
   Color() = default;
   constexpr Color(float red, float green, float blue, float filter = 0, float transmit = 0)
       : r(red), g(green), b(blue), f(filter), t(transmit) {}
-  constexpr Color(const Rgb& c, float filter = 0, float transmit = 0) : r(c.r), g(c.g), b(c.b), f(filter), t(transmit) {}
+  constexpr Color(const Rgb& c, float filter = 0, float transmit = 0)
+      : r(c.r), g(c.g), b(c.b), f(filter), t(transmit) {}
 
   friend bool operator==(const Color&, const Color&) = default;
   Rgb rgb() const { return {r, g, b}; }
@@ -51,9 +67,18 @@ struct Color {
   // 1 - f - t; may be negative.
   float opacity() const { return 1.0f - f - t; }
 
-  Color& operator+=(const Color& o) { r += o.r, g += o.g, b += o.b, f += o.f, t += o.t; return *this; }
-  Color& operator-=(const Color& o) { r -= o.r, g -= o.g, b -= o.b, f -= o.f, t -= o.t; return *this; }
-  Color& operator*=(float s) { r *= s, g *= s, b *= s, f *= s, t *= s; return *this; }
+  Color& operator+=(const Color& o) {
+    r += o.r, g += o.g, b += o.b, f += o.f, t += o.t;
+    return *this;
+  }
+  Color& operator-=(const Color& o) {
+    r -= o.r, g -= o.g, b -= o.b, f -= o.f, t -= o.t;
+    return *this;
+  }
+  Color& operator*=(float s) {
+    r *= s, g *= s, b *= s, f *= s, t *= s;
+    return *this;
+  }
   friend Color operator+(Color a, const Color& b) { return a += b; }
   friend Color operator-(Color a, const Color& b) { return a -= b; }
   friend Color operator*(Color a, float s) { return a *= s; }

@@ -9,8 +9,10 @@
 namespace verisim {
 namespace {
 
-constexpr double kForceSturm = 1e12;  // ratio of coefficients beyond which POV-Ray does not trust the closed form of degree 4
-constexpr double kVanishing = 1e-7;   // of the leading coefficient beside the third: the closed form has lost most of its digits, and POV-Ray shows speckle
+constexpr double kForceSturm =
+    1e12;  // ratio of coefficients beyond which POV-Ray does not trust the closed form of degree 4
+constexpr double kVanishing = 1e-7;  // of the leading coefficient beside the third: the closed form has lost most of
+                                     // its digits, and POV-Ray shows speckle
 
 bool closed_form_is_difficult(const double* c) {
   // POV-Ray compares with the signed reference, so a negative one is replaced by any successor.
@@ -126,17 +128,27 @@ int solve_cubic(const double* c, double* roots) {
 
 int solve_polynomial(int degree, const double* c, double* roots, bool sturm, double elimination) {
   while (degree > 0 && std::fabs(c[0]) < kEpsilon) ++c, --degree;
-  const auto near_zero_root = [&](int n) { return elimination > 0 && c[n - 1] != 0 && std::fabs(c[n] / c[n - 1]) < elimination; };
-  const auto cubic = [&] { return sturm || std::fabs(c[0]) < kVanishing * std::fabs(c[1]) ? solve_sturm(3, c, roots) : solve_cubic(c, roots); };
+  const auto near_zero_root = [&](int n) {
+    return elimination > 0 && c[n - 1] != 0 && std::fabs(c[n] / c[n - 1]) < elimination;
+  };
+  const auto cubic = [&] {
+    return sturm || std::fabs(c[0]) < kVanishing * std::fabs(c[1]) ? solve_sturm(3, c, roots) : solve_cubic(c, roots);
+  };
   switch (degree) {
-    case 0: return 0;
-    case 1: roots[0] = -c[1] / c[0]; return 1;
-    case 2: return solve_quadratic(c, roots);
-    case 3: return near_zero_root(3) ? solve_quadratic(c, roots) : cubic();
+    case 0:
+      return 0;
+    case 1:
+      roots[0] = -c[1] / c[0];
+      return 1;
+    case 2:
+      return solve_quadratic(c, roots);
+    case 3:
+      return near_zero_root(3) ? solve_quadratic(c, roots) : cubic();
     case 4:
       if (near_zero_root(4)) return cubic();
       return sturm || closed_form_is_difficult(c) ? solve_sturm(4, c, roots) : solve_quartic_closed(c, roots);
-    default: return solve_sturm(degree, c, roots);
+    default:
+      return solve_sturm(degree, c, roots);
   }
 }
 

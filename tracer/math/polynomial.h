@@ -1,13 +1,15 @@
-// Real roots of polynomials, with the thresholds and the habits of POV-Ray's solver (spec 03 section 3): pictures depend on which roots it finds.
+// Real roots of polynomials, with the thresholds and the habits of POV-Ray's solver (spec 03 section 3): pictures
+// depend on which roots it finds.
 #pragma once
 
 namespace verisim {
 
 inline constexpr int kMaxPolynomialDegree = 35;
 
-// Roots of c[0] x^degree + ... + c[degree]; returns their number (at most `degree`), unsorted. Degrees up to 4 are solved in closed form unless `sturm`;
-// higher degrees, and all with `sturm`, by Sturm sequences, which only find roots in [0, 1e7] and report multiple roots once.
-// `elimination`: if positive, a root whose relative size is below it (a ray's own starting point) is divided out of cubics and quartics first.
+// Roots of c[0] x^degree + ... + c[degree]; returns their number (at most `degree`), unsorted. Degrees up to 4 are
+// solved in closed form unless `sturm`; higher degrees, and all with `sturm`, by Sturm sequences, which only find roots
+// in [0, 1e7] and report multiple roots once. `elimination`: if positive, a root whose relative size is below it (a
+// ray's own starting point) is divided out of cubics and quartics first.
 int solve_polynomial(int degree, const double* c, double* roots, bool sturm = false, double elimination = 0);
 
 // c[0] x^2 + c[1] x + c[2], the larger root first; nearly equal roots are reported once (step 3).

@@ -34,7 +34,8 @@ TEST(Polynomial, FindsKnownRoots) {
       std::vector<double> roots;
       while (static_cast<int>(roots.size()) < degree) {
         const double r = position(random);
-        if (std::all_of(roots.begin(), roots.end(), [&](double other) { return std::fabs(other - r) > 0.5; })) roots.push_back(r);
+        if (std::all_of(roots.begin(), roots.end(), [&](double other) { return std::fabs(other - r) > 0.5; }))
+          roots.push_back(r);
       }
       std::sort(roots.begin(), roots.end());
       const auto c = from_roots(roots);
@@ -85,8 +86,9 @@ TEST(Polynomial, SurvivesAnything) {
   }
 }
 
-// Polynomials with known roots, their coefficients formed in extended precision: every root is found, close to what the rounding of the coefficients allows.
-// The closed form of quartics is POV-Ray's and, as there, not polished (spec 03 section 3, step 5): it has fewer digits where roots are near each other.
+// Polynomials with known roots, their coefficients formed in extended precision: every root is found, close to what the
+// rounding of the coefficients allows. The closed form of quartics is POV-Ray's and, as there, not polished (spec 03
+// section 3, step 5): it has fewer digits where roots are near each other.
 TEST(Polynomial, FindsTheRootsOfRandomPolynomials) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> place(0.01, 10), gap(0.05, 3);
@@ -98,7 +100,8 @@ TEST(Polynomial, FindsTheRootsOfRandomPolynomials) {
       std::vector<long double> product{1};
       for (const double root : known) {
         product.push_back(0);
-        for (std::size_t k = product.size() - 1; k > 0; --k) product[k] -= product[k - 1] * static_cast<long double>(root);
+        for (std::size_t k = product.size() - 1; k > 0; --k)
+          product[k] -= product[k - 1] * static_cast<long double>(root);
       }
       std::vector<double> c(product.begin(), product.end()), roots(static_cast<std::size_t>(degree));
       const int count = solve_polynomial(degree, c.data(), roots.data());
@@ -111,7 +114,8 @@ TEST(Polynomial, FindsTheRootsOfRandomPolynomials) {
         for (const double v : c) size = size * r + std::fabs(v);
         for (int j = 0; j < degree; ++j)
           if (j != k) slope *= std::fabs(r - known[static_cast<std::size_t>(j)]);
-        ASSERT_NEAR(roots[static_cast<std::size_t>(k)], r, (degree == 4 ? 1e-5 : 1e-9) + 1e-14 * size / slope) << "degree " << degree << " case " << n;
+        ASSERT_NEAR(roots[static_cast<std::size_t>(k)], r, (degree == 4 ? 1e-5 : 1e-9) + 1e-14 * size / slope)
+            << "degree " << degree << " case " << n;
       }
     }
   }
@@ -124,7 +128,8 @@ TEST(Polynomial, HoldsWhereTheLeadingCoefficientNearlyVanishes) {
     const int n = solve_polynomial(degree, c, roots);
     for (const double wanted : {1.0, 2.0}) {
       const auto is_it = [&](double r) { return std::fabs(r - wanted) < 1e-9; };
-      EXPECT_TRUE(std::any_of(roots, roots + n, is_it)) << "degree " << degree << ", root " << wanted << ", leading coefficient " << c[0];
+      EXPECT_TRUE(std::any_of(roots, roots + n, is_it))
+          << "degree " << degree << ", root " << wanted << ", leading coefficient " << c[0];
     }
   };
   for (const double far : {1e4, 1e5}) {  // (x - 1) (x - 2) (1 - x^2 / far^2)

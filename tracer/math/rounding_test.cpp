@@ -1,5 +1,5 @@
-// Values that POV-Ray stores in binary32 must lose their low bits here, too. GCC 12 at -O2 optimises neighbouring roundings away unless its SLP
-// vectoriser is off (cmake/Targets.cmake).
+// Values that POV-Ray stores in binary32 must lose their low bits here, too. GCC 12 at -O2 optimises neighbouring
+// roundings away unless its SLP vectoriser is off (cmake/Targets.cmake).
 #include <gtest/gtest.h>
 
 #include "tracer/math/vec.h"

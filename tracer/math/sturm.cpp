@@ -1,5 +1,5 @@
-// Roots by Sturm sequences (Hook and McAree, "Using Sturm Sequences to Bracket Real Roots of Polynomial Equations", Graphics Gems, 1990), with
-// POV-Ray's limits (spec 03 section 3, step 6).
+// Roots by Sturm sequences (Hook and McAree, "Using Sturm Sequences to Bracket Real Roots of Polynomial Equations",
+// Graphics Gems, 1990), with POV-Ray's limits (spec 03 section 3, step 6).
 #include <algorithm>
 #include <cmath>
 
@@ -112,8 +112,10 @@ int isolate(const Chain& chain, double low, double high, int changes_low, int ch
       const int found = isolate(chain, low, middle, changes_low, changes, roots);
       return found + isolate(chain, middle, high, changes, changes_high, roots + found);
     }
-    if (left > 0) high = middle, changes_high = changes;
-    else low = middle, changes_low = changes;
+    if (left > 0)
+      high = middle, changes_high = changes;
+    else
+      low = middle, changes_low = changes;
     if (count == 1 && regula_falsi(chain, low, high, roots[0])) return 1;
   }
   roots[0] = 0.5 * (low + high);  // a multiple root

@@ -1,4 +1,5 @@
-// An affine transformation with its inverse, both built from elementary steps as POV-Ray builds them (spec 03 section 1).
+// An affine transformation with its inverse, both built from elementary steps as POV-Ray builds them (spec 03 section
+// 1).
 #pragma once
 
 #include "tracer/math/vec.h"
@@ -10,10 +11,11 @@ struct Transform {
   Mat4 inv;  // the product of the elementary inverses, not a numerical inversion of m
 
   static Transform translation(const Vec3& v);
-  static Transform scaling(const Vec3& s);               // components must be non-zero (the parser replaces zeros by 1 and warns)
-  static Transform rotation(const Vec3& degrees);        // about x, then y, then z
+  static Transform scaling(const Vec3& s);  // components must be non-zero (the parser replaces zeros by 1 and warns)
+  static Transform rotation(const Vec3& degrees);                    // about x, then y, then z
   static Transform axis_rotation(const Vec3& axis, double radians);  // Rodrigues; axis need not be unit
-  static Transform from_matrix(const Mat4& matrix);      // inverts numerically (cofactors); throws std::domain_error when singular
+  static Transform from_matrix(
+      const Mat4& matrix);  // inverts numerically (cofactors); throws std::domain_error when singular
 
   bool is_identity() const;
   Transform inverse() const { return {inv, m}; }
@@ -30,7 +32,8 @@ struct Transform {
 
  private:
   static Vec3 apply_point(const Mat4& a, const Vec3& p) {
-    return {p.x * a[0][0] + p.y * a[1][0] + p.z * a[2][0] + a[3][0], p.x * a[0][1] + p.y * a[1][1] + p.z * a[2][1] + a[3][1],
+    return {p.x * a[0][0] + p.y * a[1][0] + p.z * a[2][0] + a[3][0],
+            p.x * a[0][1] + p.y * a[1][1] + p.z * a[2][1] + a[3][1],
             p.x * a[0][2] + p.y * a[1][2] + p.z * a[2][2] + a[3][2]};
   }
   static Vec3 apply_direction(const Mat4& a, const Vec3& d) {

@@ -18,9 +18,12 @@ using Box3 = Imath::Box3d;
 using Box3f = Imath::Box3f;
 
 inline double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-inline Vec3 cross(const Vec3& a, const Vec3& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
-// a / |a|, rounded as POV-Ray does it: chaotic walks of trace() end where its own do. A zero vector gives NaN, there, too.
+// a / |a|, rounded as POV-Ray does it: chaotic walks of trace() end where its own do. A zero vector gives NaN, there,
+// too.
 inline Vec3 normalize(const Vec3& a) { return a * (1 / length(a)); }
 
 // POV-Ray's generic "is zero" threshold (spec 03 section 0).

@@ -17,7 +17,8 @@ void count_objects(const scene::Object& object, std::unordered_map<const scene::
 // The strongest emission of any layer; it only steers which emitters are chosen how often.
 double strength_of(const scene::Texture& texture) {
   double most = 0;
-  for (const scene::TextureLayer& layer : texture.layers) most = std::max(most, static_cast<double>(layer.finish->emission.max()));
+  for (const scene::TextureLayer& layer : texture.layers)
+    most = std::max(most, static_cast<double>(layer.finish->emission.max()));
   if (texture.texture_map) {
     for (const auto& entry : *texture.texture_map)
       if (entry.value) most = std::max(most, strength_of(*entry.value));
@@ -25,9 +26,7 @@ double strength_of(const scene::Texture& texture) {
   return most;
 }
 
-Vec3 at(const std::optional<Transform>& t, const Vec3& p) {
-  return t ? t->point(p) : p;
-}
+Vec3 at(const std::optional<Transform>& t, const Vec3& p) { return t ? t->point(p) : p; }
 
 }  // namespace
 
@@ -56,12 +55,14 @@ void Emitters::add(const scene::Object& object) {
     for (const auto& child : scene::children_of(object)) add(*child);
     return;
   }
-  if (!object.texture || !object.clipped_by.empty() || !object.bounded_by.empty() || per_area_.contains(&object)) return;
+  if (!object.texture || !object.clipped_by.empty() || !object.bounded_by.empty() || per_area_.contains(&object))
+    return;
   const double strength = strength_of(*object.texture);
   if (!(strength > 0)) return;
   if (const auto* sphere = object.as<scene::Sphere>()) {
     if (object.transform) return;
-    add_part(object, {.kind = Part::Kind::sphere, .a = sphere->center, .b = {}, .c = {}, .radius = sphere->radius}, strength);
+    add_part(object, {.kind = Part::Kind::sphere, .a = sphere->center, .b = {}, .c = {}, .radius = sphere->radius},
+             strength);
   } else if (const auto* box = object.as<scene::Box>()) {
     const Vec3 size = box->high - box->low;
     for (int axis = 0; axis < 3; ++axis) {
@@ -69,27 +70,47 @@ void Emitters::add(const scene::Object& object) {
       u[(axis + 1) % 3] = size[(axis + 1) % 3], v[(axis + 2) % 3] = size[(axis + 2) % 3], out[axis] = size[axis];
       for (const Vec3& corner : {box->low, box->low + out}) {
         const Vec3 a = at(object.transform, corner);
-        add_part(object, {.kind = Part::Kind::parallelogram, .a = a, .b = at(object.transform, corner + u) - a, .c = at(object.transform, corner + v) - a}, strength);
+        add_part(object,
+                 {.kind = Part::Kind::parallelogram,
+                  .a = a,
+                  .b = at(object.transform, corner + u) - a,
+                  .c = at(object.transform, corner + v) - a},
+                 strength);
       }
     }
   } else if (const auto* triangle = object.as<scene::Triangle>()) {
     const Vec3 a = at(object.transform, triangle->p[0]);
-    add_part(object, {.kind = Part::Kind::triangle, .a = a, .b = at(object.transform, triangle->p[1]) - a, .c = at(object.transform, triangle->p[2]) - a}, strength);
+    add_part(object,
+             {.kind = Part::Kind::triangle,
+              .a = a,
+              .b = at(object.transform, triangle->p[1]) - a,
+              .c = at(object.transform, triangle->p[2]) - a},
+             strength);
   } else if (const auto* disc = object.as<scene::Disc>()) {
     if (object.transform) return;
     const Vec3 n = normalize(disc->normal), side = std::fabs(n.x) > 0.5 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
     const Vec3 u = normalize(cross(n, side)), v = cross(n, u);
-    add_part(object, {.kind = Part::Kind::disc, .a = disc->center, .b = u, .c = v, .radius = disc->radius, .hole = disc->hole}, strength);
+    add_part(object,
+             {.kind = Part::Kind::disc, .a = disc->center, .b = u, .c = v, .radius = disc->radius, .hole = disc->hole},
+             strength);
   }
 }
 
 void Emitters::add_part(const scene::Object& object, Part part, double strength) {
   using enum Part::Kind;
   switch (part.kind) {
-    case sphere: part.area = 4 * kPi * part.radius * part.radius; break;
-    case disc: part.area = kPi * (part.radius * part.radius - part.hole * part.hole); break;
-    case triangle: part.area = 0.5 * length(cross(part.b, part.c)); break;
-    case parallelogram: part.area = length(cross(part.b, part.c)); break;
+    case sphere:
+      part.area = 4 * kPi * part.radius * part.radius;
+      break;
+    case disc:
+      part.area = kPi * (part.radius * part.radius - part.hole * part.hole);
+      break;
+    case triangle:
+      part.area = 0.5 * length(cross(part.b, part.c));
+      break;
+    case parallelogram:
+      part.area = length(cross(part.b, part.c));
+      break;
   }
   if (!(part.area > 0) || !std::isfinite(part.area)) return;
   part.object = &object;
@@ -98,7 +119,8 @@ void Emitters::add_part(const scene::Object& object, Part part, double strength)
 }
 
 Emitters::Point Emitters::sample(double which, const Vec2& uv) const {
-  const auto i = static_cast<std::size_t>(std::upper_bound(cumulative_.begin(), cumulative_.end(), which) - cumulative_.begin());
+  const auto i =
+      static_cast<std::size_t>(std::upper_bound(cumulative_.begin(), cumulative_.end(), which) - cumulative_.begin());
   const Part& p = parts_[std::min(i, parts_.size() - 1)];
   Vec3 point;
   switch (p.kind) {
@@ -108,7 +130,8 @@ Emitters::Point Emitters::sample(double which, const Vec2& uv) const {
       break;
     }
     case Part::Kind::disc: {
-      const double r = std::sqrt(p.hole * p.hole + uv.x * (p.radius * p.radius - p.hole * p.hole)), phi = 2 * kPi * uv.y;
+      const double r = std::sqrt(p.hole * p.hole + uv.x * (p.radius * p.radius - p.hole * p.hole)),
+                   phi = 2 * kPi * uv.y;
       point = p.a + r * (std::cos(phi) * p.b + std::sin(phi) * p.c);
       break;
     }
@@ -117,7 +140,9 @@ Emitters::Point Emitters::sample(double which, const Vec2& uv) const {
       point = p.a + s * (1 - uv.y) * p.b + s * uv.y * p.c;
       break;
     }
-    case Part::Kind::parallelogram: point = p.a + uv.x * p.b + uv.y * p.c; break;
+    case Part::Kind::parallelogram:
+      point = p.a + uv.x * p.b + uv.y * p.c;
+      break;
   }
   return {point, p.object};
 }

@@ -1,4 +1,5 @@
-// Emitting surfaces that paths aim at: spheres, boxes, discs and triangles whose finish has emission (docs/path-tracing.md).
+// Emitting surfaces that paths aim at: spheres, boxes, discs and triangles whose finish has emission
+// (docs/path-tracing.md).
 //
 // Whatever else emits is found by paths that happen to meet it: the result is the same, with more noise.
 #pragma once

@@ -3,7 +3,7 @@
 
 #include "tracer/film/errors.h"
 #include "tracer/path/volume.h"
-#include "tracer/shading/fog.h"
+#include "tracer/shading/atmosphere/fog.h"
 
 namespace verisim::path {
 namespace {
@@ -40,8 +40,11 @@ PhaseSample sample_phase(const scene::Media& media, const Vec3& view, const Vec2
 }
 
 void check_finish(const scene::Finish& finish, bool subsurface) {
-  if (finish.subsurface && subsurface) throw render::Unsupported("subsurface scattering with --integrator path", finish.place);
-  if (finish.reflection.exponent != 1) throw render::Unsupported("a reflection exponent with --integrator path: it has no meaning as light transport", finish.place);
+  if (finish.subsurface && subsurface)
+    throw render::Unsupported("subsurface scattering with --integrator path", finish.place);
+  if (finish.reflection.exponent != 1)
+    throw render::Unsupported("a reflection exponent with --integrator path: it has no meaning as light transport",
+                              finish.place);
 }
 
 void check_texture(const scene::Texture& texture, bool subsurface) {
@@ -108,7 +111,9 @@ Color PathTracer::radiance(const Ray& ray, Sequence& sequence) {
       double share = 1;  // by the balance heuristic against having aimed at it
       if (!walk.origin.direct) {
         const double cosine = std::fabs(dot(at.raw, walk.ray.ray.direction));
-        const double aimed = cosine > 0 ? scene_.emitters.density(at.surface.object) * walk.origin.distance * walk.origin.distance / cosine : 0.0;
+        const double aimed = cosine > 0 ? scene_.emitters.density(at.surface.object) * walk.origin.distance *
+                                              walk.origin.distance / cosine
+                                        : 0.0;
         share = walk.origin.density / (walk.origin.density + aimed);
       }
       sum += walk.weight * emitted * static_cast<float>(share);
@@ -126,13 +131,17 @@ void PathTracer::atmosphere(const Walk& walk, double length, Rgb& factor, Rgb& a
     float count = 0;
     for (const shading::Rainbow& rainbow : scene_.data.rainbows) {
       shading::Rainbow::Effect e;
-      if (!rainbow.effect(walk.ray.ray.direction, length, [this] { return tracer_.random_.shading(); }, e)) continue;
+      if (!rainbow.effect(
+              walk.ray.ray.direction, length, [this] { return tracer_.random_.shading(); }, e))
+        continue;
       keep += e.keep * e.filter, bow += e.added, count += 1;
     }
     if (count > 0) factor = keep * (1 / count), added = bow * (1 / count);
   }
   if (scene_.data.fog) {
-    const shading::FogEffect fog = shading::fog_along(scene_.data.scene.fogs, walk.ray.ray.origin, walk.ray.ray.direction, length, scene_.data.scene.settings.noise_generator);
+    const shading::FogEffect fog =
+        shading::fog_along(scene_.data.scene.fogs, walk.ray.ray.origin, walk.ray.ray.direction, length,
+                           scene_.data.scene.settings.noise_generator);
     factor *= fog.passed;
     added = fog.added + fog.passed * added;
   }
@@ -140,7 +149,8 @@ void PathTracer::atmosphere(const Walk& walk, double length, Rgb& factor, Rgb& a
 
 bool PathTracer::through_media(Walk& walk, double length, Sequence& sequence, Rgb& sum) {
   global::MediaList media;
-  if (length < kLongestMedium) scene_.effects.collect(tracer_.interiors(walk.ray.interiors), media);  // containers act on what ends at a surface
+  if (length < kLongestMedium)
+    scene_.effects.collect(tracer_.interiors(walk.ray.interiors), media);  // containers act on what ends at a surface
   for (const global::CompiledMedia* m : scene_.effects.atmosphere_list()) media.push_back(m);
   if (media.empty()) return true;
   const std::span<const global::CompiledMedia* const> list(media.data(), media.size());
@@ -156,19 +166,24 @@ bool PathTracer::through_media(Walk& walk, double length, Sequence& sequence, Rg
     const shading::Light& light = scene_.data.lights()[i];
     if (!light.source().media_interaction || light.source().kind == scene::LightKind::shadowless) continue;
     const Vec2 u = sequence.next2();
-    const Vec3 offset = light.area() ? light.offset(light.axes(light.direction(p).towards), u.x * (light.size1() - 1), u.y * (light.size2() - 1)) : Vec3(0, 0, 0);
+    const Vec3 offset = light.area() ? light.offset(light.axes(light.direction(p).towards), u.x * (light.size1() - 1),
+                                                    u.y * (light.size2() - 1))
+                                     : Vec3(0, 0, 0);
     const shading::LightDirection to = light.direction(p, offset);
-    const Rgb color = light.color() * static_cast<float>(light.attenuation(p, to, offset) * global::phase(medium, dot(to.towards, view)));
-    if (color.max_abs() > 0) sum += walk.weight * visible(walk.ray, nullptr, light, p, to.towards, to.distance, color, sequence);
+    const Rgb color = light.color() * static_cast<float>(light.attenuation(p, to, offset) *
+                                                         global::phase(medium, dot(to.towards, view)));
+    if (color.max_abs() > 0)
+      sum += walk.weight * visible(walk.ray, nullptr, light, p, to.towards, to.distance, color, sequence);
   }
-  // More light scattered than taken away (extinction below 1) is a trick for a single bounce: further light is not multiplied.
+  // More light scattered than taken away (extinction below 1) is a trick for a single bounce: further light is not
+  // multiplied.
   walk.weight *= static_cast<float>(std::clamp(medium.extinction, 0.0, 1.0));
   if (walk.weight == Rgb()) return true;
   sum += walk.weight * from_emitter(walk.ray, p, sequence, [&](const Vec3& direction, double& continued) {
-    const double cosine = dot(direction, view);
-    continued = phase_density(medium, cosine);
-    return Rgb(static_cast<float>(normalised_phase(medium, cosine)));
-  });
+           const double cosine = dot(direction, view);
+           continued = phase_density(medium, cosine);
+           return Rgb(static_cast<float>(normalised_phase(medium, cosine)));
+         });
   const PhaseSample next = sample_phase(medium, view, sequence.next2());
   walk.weight *= static_cast<float>(normalised_phase(medium, dot(next.direction, view)) / next.density);
   walk.ray.ray.direction = next.direction;
@@ -179,7 +194,8 @@ bool PathTracer::through_media(Walk& walk, double length, Sequence& sequence, Rg
 
 // Light from a chosen point of an emitting surface, weighed by the balance heuristic against meeting it by chance.
 template <class Scattered>
-Rgb PathTracer::from_emitter(const shading::RayState& state, const Vec3& from, Sequence& sequence, Scattered&& scattered) {
+Rgb PathTracer::from_emitter(const shading::RayState& state, const Vec3& from, Sequence& sequence,
+                             Scattered&& scattered) {
   if (scene_.emitters.empty()) return {};
   const double which = sequence.next();
   const Emitters::Point target = scene_.emitters.sample(which, sequence.next2());

@@ -1,10 +1,11 @@
-// Low-discrepancy sample values: Owen-scrambled Sobol points, padded pair by pair (Burley, "Practical Hash-based Owen Scrambling", JCGT 2020).
+// Low-discrepancy sample values: Owen-scrambled Sobol points, padded pair by pair (Burley, "Practical Hash-based Owen
+// Scrambling", JCGT 2020).
 #pragma once
 
 #include <cstdint>
 #include <cstring>
 
-#include "tracer/math/bits.h"
+#include "tracer/base/bits.h"
 #include "tracer/math/vec.h"
 
 namespace verisim::path {
@@ -24,7 +25,9 @@ inline std::uint32_t laine_karras(std::uint32_t x, std::uint32_t seed) {
   x ^= x * 0x53a22864u;
   return x;
 }
-inline std::uint32_t owen(std::uint32_t x, std::uint32_t seed) { return reverse_bits(laine_karras(reverse_bits(x), seed)); }
+inline std::uint32_t owen(std::uint32_t x, std::uint32_t seed) {
+  return reverse_bits(laine_karras(reverse_bits(x), seed));
+}
 // The second dimension of Sobol's sequence: Pascal's triangle modulo 2.
 inline std::uint32_t sobol2(std::uint32_t index) {
   std::uint32_t result = 0;
@@ -45,11 +48,14 @@ class Sequence {
   void begin(std::uint32_t sample) { sample_ = sample, dimension_ = 0; }
   // Uniform in the unit square; neighbouring samples spread evenly over it.
   Vec2 next2() {
-    const std::uint32_t seed = detail::mixed(key_ + 0x9E3779B97F4A7C15u * ++dimension_), index = detail::owen(sample_, seed);
-    return {to_unit(detail::owen(reverse_bits(index), detail::mixed(seed + 1u))), to_unit(detail::owen(detail::sobol2(index), detail::mixed(seed + 2u)))};
+    const std::uint32_t seed = detail::mixed(key_ + 0x9E3779B97F4A7C15u * ++dimension_),
+                        index = detail::owen(sample_, seed);
+    return {to_unit(detail::owen(reverse_bits(index), detail::mixed(seed + 1u))),
+            to_unit(detail::owen(detail::sobol2(index), detail::mixed(seed + 2u)))};
   }
   double next() {
-    const std::uint32_t seed = detail::mixed(key_ + 0x9E3779B97F4A7C15u * ++dimension_), index = detail::owen(sample_, seed);
+    const std::uint32_t seed = detail::mixed(key_ + 0x9E3779B97F4A7C15u * ++dimension_),
+                        index = detail::owen(sample_, seed);
     return to_unit(detail::owen(reverse_bits(index), detail::mixed(seed + 1u)));
   }
 

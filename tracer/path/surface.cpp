@@ -1,4 +1,5 @@
-// Surfaces on a path: what a POV-Ray finish means as a scattering function (docs/path-tracing.md), light sources, and how the path goes on.
+// Surfaces on a path: what a POV-Ray finish means as a scattering function (docs/path-tracing.md), light sources, and
+// how the path goes on.
 #include "tracer/path/path_tracer.h"
 #include "tracer/path/volume.h"
 #include "tracer/shading/dispersion.h"
@@ -13,21 +14,26 @@ double specular_exponent(const scene::Finish& f) { return f.roughness == 0 ? 0.0
 
 // Cosine-power lobe about an axis: density (e + 1) / 2 pi cos^e.
 Vec3 power_lobe(const Vec3& axis, double exponent, const Vec2& u) {
-  const double cosine = std::pow(1 - u.x, 1 / (exponent + 1)), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine)), phi = 2 * kPi * u.y;
+  const double cosine = std::pow(1 - u.x, 1 / (exponent + 1)), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine)),
+               phi = 2 * kPi * u.y;
   const Vec3 side = std::fabs(axis.x) > 0.5 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
   const Vec3 x = normalize(cross(axis, side)), y = cross(axis, x);
   return normalize(axis * cosine + x * (sine * std::cos(phi)) + y * (sine * std::sin(phi)));
 }
-double power_density(double cosine, double exponent) { return cosine > 0 ? (exponent + 1) / (2 * kPi) * std::pow(cosine, exponent) : 0.0; }
+double power_density(double cosine, double exponent) {
+  return cosine > 0 ? (exponent + 1) / (2 * kPi) * std::pow(cosine, exponent) : 0.0;
+}
 
 }  // namespace
 
-Rgb PathTracer::layers_of(const shading::RayState& ray, shading::SurfaceHit& at, double choice, Layers& layers, Rgb& through) {
+Rgb PathTracer::layers_of(const shading::RayState& ray, shading::SurfaceHit& at, double choice, Layers& layers,
+                          Rgb& through) {
   const shapes::Surface& surface = at.surface;
   const Vec3 p = at.pattern_point();
   Rgb emitted;
   scene_.data.world.weighted_textures(at.hit, at.inside_hit, tracer_.weighted_);
-  const textures::CompiledTexture* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+  const textures::CompiledTexture* texture =
+      at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
   if (!tracer_.weighted_.empty()) {  // one of them, as often as it weighs
     double total = 0;
     for (const auto& entry : tracer_.weighted_) total += entry.weight;
@@ -45,8 +51,10 @@ Rgb PathTracer::layers_of(const shading::RayState& ray, shading::SurfaceHit& at,
   return emitted;
 }
 
-void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                               const shading::Tracer::Frame* frame, double choice, Layers& layers, Rgb& emitted, Rgb& through) {
+void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit& at,
+                               const textures::CompiledTexture& texture, const Vec3& p,
+                               const shading::Tracer::Frame* frame, double choice, Layers& layers, Rgb& emitted,
+                               Rgb& through) {
   if (texture.patterned()) {
     std::vector<textures::WeightedTexture> storage(std::max<std::size_t>(texture.map.size(), 2));
     Vec3 warped;
@@ -63,7 +71,8 @@ void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit
     }
     if (!one) return;
     const shading::Tracer::Frame inner{&texture, frame};
-    gather_layers(ray, at, *one->texture, warped, &inner, std::clamp(left / one->weight, 0.0, 1.0), layers, emitted, through);
+    gather_layers(ray, at, *one->texture, warped, &inner, std::clamp(left / one->weight, 0.0, 1.0), layers, emitted,
+                  through);
     return;
   }
   const shading::SceneData& data = scene_.data;
@@ -79,7 +88,8 @@ void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit
       const double eta = finish.reflection.fresnel ? tracer_.fresnel_ratio(ray, *at.surface.interior) : 1.0;
       l.reflectivity = shading::reflectivity(finish.reflection, l.pigment.rgb(), -dot(d, l.normal), eta);
     }
-    // The ambient term stands for interreflection and would count it twice; scenes before 3.7 use it for light sources as well (spec 07 2.4).
+    // The ambient term stands for interreflection and would count it twice; scenes before 3.7 use it for light sources
+    // as well (spec 07 2.4).
     const Rgb ambient = data.version < 370 ? finish.ambient * data.scene.settings.ambient_light : Rgb();
     emitted += l.filter * l.pigment.rgb() * (ambient + finish.emission) * l.opacity;
     const double pigment = (l.filter * l.pigment.rgb()).max_abs() * std::fabs(l.opacity), filter = l.filter.max_abs();
@@ -91,7 +101,8 @@ void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit
     if (colored) {
       through *= l.pigment.transmission();
       if (finish.conserve_energy)
-        through *= {std::min(1.0f, 1 - l.reflectivity.r), std::min(1.0f, 1 - l.reflectivity.g), std::min(1.0f, 1 - l.reflectivity.b)};
+        through *= {std::min(1.0f, 1 - l.reflectivity.r), std::min(1.0f, 1 - l.reflectivity.g),
+                    std::min(1.0f, 1 - l.reflectivity.b)};
     }
   }
 }
@@ -105,14 +116,17 @@ double PathTracer::broad_share(const Layers& layers) {
 Rgb PathTracer::direct_light(const Walk& walk, shading::SurfaceHit& at, const Layers& layers, Sequence& sequence) {
   Rgb sum;
   if (!at.surface.ignore_global_lights) {
-    for (std::size_t i = 0; i < scene_.data.global_lights(); ++i) sum += light_source(walk, at, layers, scene_.data.lights()[i], sequence);
+    for (std::size_t i = 0; i < scene_.data.global_lights(); ++i)
+      sum += light_source(walk, at, layers, scene_.data.lights()[i], sequence);
   }
-  for (const scene::LightSource* source : at.surface.group_lights) sum += light_source(walk, at, layers, scene_.data.light_of(source), sequence);
+  for (const scene::LightSource* source : at.surface.group_lights)
+    sum += light_source(walk, at, layers, scene_.data.light_of(source), sequence);
   return sum + emitter(walk, at, layers, sequence);
 }
 
 // A light source shines as POV-Ray's does; an area light from a point chosen on its area.
-Rgb PathTracer::light_source(const Walk& walk, shading::SurfaceHit& at, const Layers& layers, const shading::Light& light, Sequence& sequence) {
+Rgb PathTracer::light_source(const Walk& walk, shading::SurfaceHit& at, const Layers& layers,
+                             const shading::Light& light, Sequence& sequence) {
   const Vec3& p = at.hit.point;
   Vec3 offset(0, 0, 0);
   if (light.area()) {
@@ -131,15 +145,16 @@ Rgb PathTracer::light_source(const Walk& walk, shading::SurfaceHit& at, const La
       back = true;
     }
     const shading::LayerContext context{*l.layer, l.pigment, l.normal, l.opacity, l.filter};
-    reflected += l.filter * tracer_.layer_response(at, context, walk.ray.ray.direction, to.towards, Rgb(1), back ? finish.diffuse_back : finish.diffuse,
-                                                   light.highlights() && !back);
+    reflected +=
+        l.filter * tracer_.layer_response(at, context, walk.ray.ray.direction, to.towards, Rgb(1),
+                                          back ? finish.diffuse_back : finish.diffuse, light.highlights() && !back);
   }
   if (reflected == Rgb()) return {};
   return reflected * visible(walk.ray, &at.surface, light, p, to.towards, to.distance, color, sequence);
 }
 
-Rgb PathTracer::visible(const shading::RayState& eye, const shapes::Surface* lit, const shading::Light& light, const Vec3& p, const Vec3& towards,
-                        double distance, Rgb color, Sequence& sequence) {
+Rgb PathTracer::visible(const shading::RayState& eye, const shapes::Surface* lit, const shading::Light& light,
+                        const Vec3& p, const Vec3& towards, double distance, Rgb color, Sequence& sequence) {
   constexpr double kTolerance = 1e-3;  // of shadow rays (spec 06 9.2)
   if (scene_.data.quality < 4 || !light.shadows()) return color;
   ++tracer_.statistics().shadow_rays;
@@ -163,7 +178,9 @@ Rgb PathTracer::visible(const shading::RayState& eye, const shapes::Surface* lit
   };
   while (distance > 2 * kTolerance) {
     shapes::Hit hit;
-    if (!scene_.data.world.intersect(ray.ray, shapes::RayKind::shadow, std::nextafter(kTolerance, 1.0), distance - kTolerance, hit)) break;
+    if (!scene_.data.world.intersect(ray.ray, shapes::RayKind::shadow, std::nextafter(kTolerance, 1.0),
+                                     distance - kTolerance, hit))
+      break;
     if (tracer_.filter_through(query, ray, hit, color)) return {};
     media(hit.t, true);
     ray.interiors = tracer_.crossed(ray.interiors, hit.shape->surface->interior);
@@ -175,8 +192,10 @@ Rgb PathTracer::visible(const shading::RayState& eye, const shapes::Surface* lit
   return color;
 }
 
-// A light source of intensity I gives diffuse * I * cosine, so it is an irradiance of pi I, and everything else is over pi.
-Rgb PathTracer::response(const shading::RayState& ray, const shading::SurfaceHit& at, const Layers& layers, const Vec3& direction) {
+// A light source of intensity I gives diffuse * I * cosine, so it is an irradiance of pi I, and everything else is over
+// pi.
+Rgb PathTracer::response(const shading::RayState& ray, const shading::SurfaceHit& at, const Layers& layers,
+                         const Vec3& direction) {
   const Vec3& view = ray.ray.direction;
   const bool outside = dot(direction, at.raw) > 0;
   Rgb sum;
@@ -187,7 +206,8 @@ Rgb PathTracer::response(const shading::RayState& ray, const shading::SurfaceHit
     if (front != outside) continue;  // a perturbed normal must not look through the surface
     Rgb own;
     const float k = front ? finish.diffuse : finish.diffuse_back;
-    if (k > 0) own += l.pigment.rgb() * static_cast<float>(l.opacity * k * shading::brilliance(finish.brilliance, cosine));
+    if (k > 0)
+      own += l.pigment.rgb() * static_cast<float>(l.opacity * k * shading::brilliance(finish.brilliance, cosine));
     if (front && (finish.phong > 0 || finish.specular > 0)) {
       double strength = 0;
       if (finish.phong > 0) strength += shading::phong_highlight(finish, l.normal, view, direction);
@@ -212,18 +232,21 @@ double PathTracer::density(const Vec3& view, const Layers& layers, const Vec3& d
     const double cosine = dot(l.normal, direction);
     if (l.share[0] > 0) sum += l.share[0] * power_density(cosine, finish.brilliance);
     if (l.share[1] > 0) sum += l.share[1] * power_density(-cosine, finish.brilliance);
-    if (l.share[2] > 0) sum += l.share[2] * power_density(dot(shading::mirrored(view, l.normal), direction), finish.phong_size);
+    if (l.share[2] > 0)
+      sum += l.share[2] * power_density(dot(shading::mirrored(view, l.normal), direction), finish.phong_size);
     if (l.share[3] > 0) {
       const Vec3 h = direction - view;
       const double size = length(h), toward = -dot(view, h) / size;
-      if (size > 0 && toward > 0) sum += l.share[3] * power_density(dot(h, l.normal) / size, specular_exponent(finish)) / (4 * toward);
+      if (size > 0 && toward > 0)
+        sum += l.share[3] * power_density(dot(h, l.normal) / size, specular_exponent(finish)) / (4 * toward);
     }
     for (const double s : l.share) total += s;
   }
   return total > 0 ? sum / total : 0.0;
 }
 
-bool PathTracer::scatter(Walk& walk, shading::SurfaceHit& at, const Layers& layers, const Rgb& through, Sequence& sequence) {
+bool PathTracer::scatter(Walk& walk, shading::SurfaceHit& at, const Layers& layers, const Rgb& through,
+                         Sequence& sequence) {
   if (layers.empty()) return false;
   const double broad = broad_share(layers), clear = through.max_abs();
   double mirrors = 0;
@@ -293,7 +316,8 @@ void PathTracer::mirror(Walk& walk, const shading::SurfaceHit& at, const Layer& 
   walk.ray.ray = {at.hit.point, shading::reflected_direction(d, layer.normal, at.raw)};
   if (layer.layer->finish.irid > 0) {
     const shading::LayerContext context{*layer.layer, layer.pigment, layer.normal, 1, Rgb(1)};
-    walk.weight *= tracer_.iridescence_of(at, context, std::fabs(dot(layer.normal, walk.ray.ray.direction)) + std::fabs(dot(layer.normal, d)));
+    walk.weight *= tracer_.iridescence_of(
+        at, context, std::fabs(dot(layer.normal, walk.ray.ray.direction)) + std::fabs(dot(layer.normal, d)));
   }
   walk.ray.primary = false, walk.ray.reflected = true, walk.ray.continuation = false;
   walk.origin = {};
@@ -304,7 +328,8 @@ bool PathTracer::pass_through(Walk& walk, shading::SurfaceHit& at, const Layer& 
   const scene::Interior& x = *at.surface.interior;
   const shading::Tracer::Refraction refraction = tracer_.cross_surface(walk.ray, x);
   walk.weight *= tracer_.fade_factor(walk.ray.interiors, x, at.hit.t) * x.refraction;
-  const bool straight = std::fabs(refraction.ratio - 1) < kEpsilon, dispersive = std::fabs(refraction.dispersion - 1) >= kEpsilon;
+  const bool straight = std::fabs(refraction.ratio - 1) < kEpsilon,
+             dispersive = std::fabs(refraction.dispersion - 1) >= kEpsilon;
   if (straight && !dispersive) {
     walk.ray.ray.origin = at.hit.point;  // the vertex before stays the origin
     ++tracer_.statistics().transmitted_rays;

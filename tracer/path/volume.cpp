@@ -35,7 +35,8 @@ float largest(const Rgb& c) { return c.max_abs(); }
 
 }  // namespace
 
-VolumeWalk delta_track(std::span<const global::CompiledMedia* const> media, const Ray& ray, double length, Sequence& sequence, Rgb& weight, Rgb& sum) {
+VolumeWalk delta_track(std::span<const global::CompiledMedia* const> media, const Ray& ray, double length,
+                       Sequence& sequence, Rgb& weight, Rgb& sum) {
   const double majorant = majorant_of(media, length);
   const auto inverse = static_cast<float>(1.0 / majorant);
   double t = 0;
@@ -45,7 +46,8 @@ VolumeWalk delta_track(std::span<const global::CompiledMedia* const> media, cons
     if (!(t < length)) return {};
     const Coefficients c = at(media, ray.at(t));
     sum += weight * c.emission * inverse;
-    // Scattered, or nothing happened; absorption is in the weight. Where the bound was too low the null part is negative, which is as unbiased.
+    // Scattered, or nothing happened; absorption is in the weight. Where the bound was too low the null part is
+    // negative, which is as unbiased.
     const Rgb scattered = weight * c.scattering, null = weight * (Rgb(static_cast<float>(majorant)) - c.extinction);
     const float s = largest(scattered), n = largest(null);
     if (!(s + n > 0)) {
@@ -61,7 +63,8 @@ VolumeWalk delta_track(std::span<const global::CompiledMedia* const> media, cons
     VolumeWalk result{true, t, nullptr};
     double left = 0;
     const auto strength = [&](const global::CompiledMedia& m) {
-      return m.scatters ? static_cast<double>(largest(global::media_density(m, ray.at(t)) * m.description->scattering)) : 0.0;
+      return m.scatters ? static_cast<double>(largest(global::media_density(m, ray.at(t)) * m.description->scattering))
+                        : 0.0;
     };
     for (const global::CompiledMedia* m : media) left += strength(*m);
     left *= sequence.next();
@@ -76,7 +79,8 @@ VolumeWalk delta_track(std::span<const global::CompiledMedia* const> media, cons
   return {};
 }
 
-Rgb transmittance(std::span<const global::CompiledMedia* const> media, const Ray& ray, double length, Sequence& sequence) {
+Rgb transmittance(std::span<const global::CompiledMedia* const> media, const Ray& ray, double length,
+                  Sequence& sequence) {
   double majorant = 0;
   for (const global::CompiledMedia* m : media) majorant += m->extinction.max() * m->density_bound;
   Rgb passed(1);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tracer/render/antialias.h"
+#include "tracer/render/sampling/antialias.h"
 
 namespace verisim::render {
 
@@ -14,7 +14,8 @@ struct Area {
 
 // The part of the image that is to be rendered; clipped to the image.
 Area render_area(const Options& options);
-// Squares of options.block_size from the area's top left corner, row by row; those at the right and bottom edge are clipped.
+// Squares of options.block_size from the area's top left corner, row by row; those at the right and bottom edge are
+// clipped.
 std::vector<Block> blocks_of(const Area& area, int block_size);
 
 }  // namespace verisim::render

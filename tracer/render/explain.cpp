@@ -1,6 +1,6 @@
 #include "tracer/render/explain.h"
 
-#include "tracer/render/pixel_sampler.h"
+#include "tracer/render/sampling/pixel_sampler.h"
 #include "tracer/render/prepasses.h"
 #include "tracer/render/requirements.h"
 
@@ -16,7 +16,8 @@ const scene::Scene& supported(const scene::Scene& scene, const Options& options)
 
 struct Explainer::Prepared {
   Prepared(const scene::Scene& scene, const Options& options)
-      : compiler({supported(scene, options).settings.noise_generator, scene.settings.number_of_waves, scene.version, options.quality <= 5}),
+      : compiler({supported(scene, options).settings.noise_generator, scene.settings.number_of_waves, scene.version,
+                  options.quality <= 5}),
         world(scene, compiler, options.split_unions, options.remove_bounds),
         data(scene, world, compiler, options.quality, options.output_alpha),
         effects(scene, compiler, options.quality),
@@ -24,7 +25,8 @@ struct Explainer::Prepared {
     if (effects.any()) data.effects = &effects;
     if (effects.photons) photon_pass(effects, data, options, 1);
     if (effects.radiosity) radiosity_pretrace(effects, data, camera, options, 1);
-    tracer = std::make_unique<shading::Tracer>(data, shading::RandomSource(options.replay, options.seed), options.cancel);
+    tracer =
+        std::make_unique<shading::Tracer>(data, shading::RandomSource(options.replay, options.seed), options.cancel);
     begin_block(effects, *tracer, options, 0);
   }
 
@@ -36,7 +38,8 @@ struct Explainer::Prepared {
   std::unique_ptr<shading::Tracer> tracer;
 };
 
-Explainer::Explainer(const scene::Scene& scene, const Options& options) : prepared_(std::make_unique<Prepared>(scene, options)) {}
+Explainer::Explainer(const scene::Scene& scene, const Options& options)
+    : prepared_(std::make_unique<Prepared>(scene, options)) {}
 Explainer::~Explainer() = default;
 
 Color Explainer::pixel(int x, int y, shading::Observer& observer) {
@@ -46,6 +49,8 @@ Color Explainer::pixel(int x, int y, shading::Observer& observer) {
   return sampler(x, y);
 }
 
-Color explain(const scene::Scene& scene, const Options& options, int x, int y, shading::Observer& observer) { return Explainer(scene, options).pixel(x, y, observer); }
+Color explain(const scene::Scene& scene, const Options& options, int x, int y, shading::Observer& observer) {
+  return Explainer(scene, options).pixel(x, y, observer);
+}
 
 }  // namespace verisim::render

@@ -8,8 +8,9 @@
 
 namespace verisim::render {
 
-// A scene made ready once, to be asked for pixels in any order. The colours are those of a render without anti-aliasing. Serial; the passes before the picture
-// (photons, radiosity) are made as for one. The scene must outlive it. Throws Unsupported.
+// A scene made ready once, to be asked for pixels in any order. The colours are those of a render without
+// anti-aliasing. Serial; the passes before the picture (photons, radiosity) are made as for one. The scene must outlive
+// it. Throws Unsupported.
 class Explainer {
  public:
   Explainer(const scene::Scene& scene, const Options& options);

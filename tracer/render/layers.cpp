@@ -24,7 +24,9 @@ class FirstSurface {
   explicit FirstSurface(const shading::SceneData& scene) : scene_(scene) {}
 
   // False: nothing is hit.
-  bool hit(const Ray& ray, double t_max, shapes::Hit& hit) const { return scene_.world.intersect(ray, shapes::RayKind::camera, 1e-4, t_max, hit); }
+  bool hit(const Ray& ray, double t_max, shapes::Hit& hit) const {
+    return scene_.world.intersect(ray, shapes::RayKind::camera, 1e-4, t_max, hit);
+  }
 
   Look look(const Ray& ray, const shapes::Hit& hit) {
     shading::SurfaceHit at(hit, ray.direction, 0, 0);
@@ -32,7 +34,8 @@ class FirstSurface {
     Look result;
     scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
     if (weighted_.empty()) {
-      const auto* texture = at.inside_hit && at.surface.interior_texture ? at.surface.interior_texture : at.surface.texture;
+      const auto* texture =
+          at.inside_hit && at.surface.interior_texture ? at.surface.interior_texture : at.surface.texture;
       if (texture) add(at, *texture, p, nullptr, 1, result);
     } else {
       for (const WeightedTexture& entry : weighted_) add(at, *entry.texture, p, nullptr, entry.weight, result);
@@ -43,7 +46,8 @@ class FirstSurface {
   }
 
  private:
-  void add(shading::SurfaceHit& at, const CompiledTexture& texture, const Vec3& p, const Frame* frame, float weight, Look& out) {
+  void add(shading::SurfaceHit& at, const CompiledTexture& texture, const Vec3& p, const Frame* frame, float weight,
+           Look& out) {
     if (texture.patterned()) {
       std::vector<WeightedTexture> storage(std::max<std::size_t>(texture.map.size(), 2));
       Vec3 warped;
@@ -65,9 +69,12 @@ class FirstSurface {
     }
   }
 
-  Vec3 perturbed(shading::SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, const Frame* frame) const {
+  Vec3 perturbed(shading::SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p,
+                 const Frame* frame) const {
     if (!layer.normal) return at.raw;
-    const auto enter = [&](const auto& self, const Frame* f) -> Vec3 { return f ? textures::enter_frame(*f->texture, self(self, f->outer)) : at.raw; };
+    const auto enter = [&](const auto& self, const Frame* f) -> Vec3 {
+      return f ? textures::enter_frame(*f->texture, self(self, f->outer)) : at.raw;
+    };
     at.texture_point.normal = enter(enter, frame);
     Vec3 n = textures::perturb(*layer.normal, p, at.texture_point);
     for (const Frame* f = frame; f; f = f->outer) n = textures::leave_frame(*f->texture, n);
@@ -98,11 +105,13 @@ void resize_layers(Layers& layers, int width, int height) {
   if (layers.id) layers.ids.assign(pixels, 0);
 }
 
-void fill_layers(Layers& layers, const shading::SceneData& scene, const CameraModel& camera, int width, int first, int last, bool antialias) {
+void fill_layers(Layers& layers, const shading::SceneData& scene, const CameraModel& camera, int width, int first,
+                 int last, bool antialias) {
   constexpr int kGrid = 4;
   FirstSurface surface(scene);
   shapes::Hit hit;
-  const double limit = camera.mesh && camera.camera.max_distance >= kEpsilon ? camera.camera.max_distance : std::numeric_limits<double>::infinity();
+  const double limit = camera.mesh && camera.camera.max_distance >= kEpsilon ? camera.camera.max_distance
+                                                                             : std::numeric_limits<double>::infinity();
   for (int y = first; y < last; ++y) {
     for (int x = 0; x < width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);

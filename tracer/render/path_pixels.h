@@ -3,12 +3,12 @@
 
 #include "tracer/path/path_tracer.h"
 #include "tracer/render/blocks.h"
-#include "tracer/render/pixel_sampler.h"
+#include "tracer/render/sampling/pixel_sampler.h"
 
 namespace verisim::render {
 
 // Renders a block with options.path_samples paths a pixel. The result depends on pixel and seed alone.
-void render_paths(const Block& block, const CameraModel& camera, const path::PathScene& scene, shading::Tracer& tracer, const Options& options,
-                  Framebuffer& frame);
+void render_paths(const Block& block, const CameraModel& camera, const path::PathScene& scene, shading::Tracer& tracer,
+                  const Options& options, Framebuffer& frame);
 
 }  // namespace verisim::render

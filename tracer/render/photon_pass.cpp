@@ -1,8 +1,8 @@
 #include <tbb/enumerable_thread_specific.h>
 
-#include "tracer/global/photon_media.h"
-#include "tracer/global/photon_shooting.h"
-#include "tracer/parallel.h"
+#include "tracer/effects/photon_media.h"
+#include "tracer/photons/photon_shooting.h"
+#include "tracer/base/parallel.h"
 #include "tracer/render/prepasses.h"
 
 namespace verisim::render {
@@ -40,9 +40,15 @@ struct Gun {
 class Shooter {
  public:
   Shooter(global::SceneEffects& effects, const shading::SceneData& data, const Options& options, int threads)
-      : effects_(effects), data_(data), options_(options), media_(effects),
-        use_media_(effects.media_in_interiors || effects.atmosphere), threads_(threads),
-        guns_([this] { return Gun{shading::Tracer(data_, shading::RandomSource(options_.replay, options_.seed), options_.cancel)}; }) {}
+      : effects_(effects),
+        data_(data),
+        options_(options),
+        media_(effects),
+        use_media_(effects.media_in_interiors || effects.atmosphere),
+        threads_(threads),
+        guns_([this] {
+          return Gun{shading::Tracer(data_, shading::RandomSource(options_.replay, options_.seed), options_.cancel)};
+        }) {}
 
   // `first` and `share`: the part of the whole pass that this pair is.
   void shoot(const global::PhotonPair& pair, double spacing, global::RandomTable& random, double first, double share) {
@@ -54,11 +60,12 @@ class Shooter {
     shot.light = pair.light, shot.target = &target;
     shot.max_trace_level = settings.max_trace_level > 0 ? settings.max_trace_level : data_.max_trace_level;
     shot.adc_bailout = settings.adc_bailout >= 0 ? static_cast<float>(settings.adc_bailout) : data_.adc_bailout;
-    global::shoot(pair, spacing, settings, random, [&](std::span<const global::PhotonStart> ring, double sigma, double done) {
-      shot.sigma = sigma;
-      if (options_.pass_progress) options_.pass_progress("photons", first + done * share);
-      return trace_ring(ring, shot, light);
-    });
+    global::shoot(pair, spacing, settings, random,
+                  [&](std::span<const global::PhotonStart> ring, double sigma, double done) {
+                    shot.sigma = sigma;
+                    if (options_.pass_progress) options_.pass_progress("photons", first + done * share);
+                    return trace_ring(ring, shot, light);
+                  });
   }
 
  private:
@@ -97,14 +104,16 @@ class Shooter {
       if (hits.empty()) return false;
       ray.origin = ray.at(farthest);
     }
-    return shading::PhotonWalk(gun.tracer, shot, use_media_ ? &media_ : nullptr).run(ray, gun.around(data_, ray.origin), color, stored);
+    return shading::PhotonWalk(gun.tracer, shot, use_media_ ? &media_ : nullptr)
+        .run(ray, gun.around(data_, ray.origin), color, stored);
   }
 
   void store(const StoredPhoton& s) {
     global::PhotonMap& map = s.media ? effects_.media_photons() : effects_.surface_photons();
     const std::uint64_t most = options_.pass_memory / sizeof(global::Photon);
     if (effects_.surface_photons().size() + effects_.media_photons().size() >= most)
-      throw LimitExceeded("more than " + std::to_string(most) + " photons: raise the spacing or lower the count in photons { }, or allow more memory");
+      throw LimitExceeded("more than " + std::to_string(most) +
+                          " photons: raise the spacing or lower the count in photons { }, or allow more memory");
     global::Photon photon;
     photon.position = {static_cast<float>(s.point.x), static_cast<float>(s.point.y), static_cast<float>(s.point.z)};
     photon.energy = global::Photon::encode(s.energy);
@@ -119,7 +128,8 @@ class Shooter {
   bool use_media_;
   int threads_;
   tbb::enumerable_thread_specific<Gun> guns_;
-  std::vector<std::vector<StoredPhoton>> results_;  // per photon of a ring, so that the map's order does not depend on threads
+  std::vector<std::vector<StoredPhoton>>
+      results_;  // per photon of a ring, so that the map's order does not depend on threads
   std::size_t shot_count_ = 0;
 };
 
@@ -149,7 +159,8 @@ void photon_pass(global::SceneEffects& effects, const shading::SceneData& data, 
   }
   global::CLibraryRandom random;
   surface.set_gather_radius(settings.radius, settings.radius_gather_multiplier, settings.gather_max, false, random);
-  media.set_gather_radius(settings.media_radius, settings.media_radius_gather_multiplier, settings.gather_max, true, random);
+  media.set_gather_radius(settings.media_radius, settings.media_radius_gather_multiplier, settings.gather_max, true,
+                          random);
 }
 
 }  // namespace verisim::render

@@ -1,19 +1,22 @@
 // What happens before the picture: the radiosity pretrace and the photon maps (spec 07 sections 2.9 and 3).
 #pragma once
 
-#include "tracer/global/scene_effects.h"
-#include "tracer/render/pixel_sampler.h"
+#include "tracer/effects/scene_effects.h"
+#include "tracer/render/sampling/pixel_sampler.h"
 
 namespace verisim::render {
 
-// Fills effects.irradiance(). In replay mode one task works through all tiles and passes as `povray +WT1` does; otherwise the tiles of a pass run in
-// parallel, each seeing the samples of earlier passes and its own, so that the cache does not depend on the number of threads.
-void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData& data, const CameraModel& camera, const Options& options, int threads);
+// Fills effects.irradiance(). In replay mode one task works through all tiles and passes as `povray +WT1` does;
+// otherwise the tiles of a pass run in parallel, each seeing the samples of earlier passes and its own, so that the
+// cache does not depend on the number of threads.
+void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData& data, const CameraModel& camera,
+                        const Options& options, int threads);
 
 // Shoots photons and builds the maps, or loads them from the scene's load_file.
 void photon_pass(global::SceneEffects& effects, const shading::SceneData& data, const Options& options, int threads);
 
-// Prepares a thread's tracer for the final trace of a block (radiosity samples taken there stay in the block, unless in replay).
+// Prepares a thread's tracer for the final trace of a block (radiosity samples taken there stay in the block, unless in
+// replay).
 void begin_block(global::SceneEffects& effects, shading::Tracer& tracer, const Options& options, int block);
 
 // After the block: keeps its radiosity samples if they are to be saved.

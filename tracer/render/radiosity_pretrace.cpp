@@ -2,10 +2,10 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include "tracer/global/effects_state.h"
-#include "tracer/global/irradiance_file.h"
-#include "tracer/global/pretrace.h"
-#include "tracer/parallel.h"
+#include "tracer/effects/effects_state.h"
+#include "tracer/radiosity/irradiance_file.h"
+#include "tracer/radiosity/pretrace.h"
+#include "tracer/base/parallel.h"
 #include "tracer/render/blocks.h"
 #include "tracer/render/prepasses.h"
 
@@ -18,9 +18,11 @@ using global::PretracePlan;
 using global::PretraceTile;
 using global::RadiosityTask;
 
-// A pool of directions is walked through from a different place in every tile; any number coprime to the pool spreads the starts.
+// A pool of directions is walked through from a different place in every tile; any number coprime to the pool spreads
+// the starts.
 std::size_t first_direction(const Options& options, int pass, int tile, bool final_trace) {
-  return options.seed % 1000003u * 379u + static_cast<std::size_t>(tile) * 613u + static_cast<std::size_t>(pass) * 101u + (final_trace ? 307u : 0u);
+  return options.seed % 1000003u * 379u + static_cast<std::size_t>(tile) * 613u +
+         static_cast<std::size_t>(pass) * 101u + (final_trace ? 307u : 0u);
 }
 
 struct Worker {
@@ -32,7 +34,9 @@ struct Worker {
   PixelSampler sampler;
 
   void trace_tile(const PretracePlan& plan, int pass, int adaptive, const RadiosityTask& task, PretraceTile& tile) {
-    tile.run(plan, pass, adaptive, [this](double x, double y) { sampler(x, y); }, [&task] { return task.primary_queries(); });
+    tile.run(
+        plan, pass, adaptive, [this](double x, double y) { sampler(x, y); },
+        [&task] { return task.primary_queries(); });
   }
 };
 
@@ -45,9 +49,9 @@ std::vector<PretraceTile> tiles_of(const Options& options) {
   return tiles;
 }
 
-// Tiles of a pass in groups that are worked on at the same time; a group sees the samples of all groups before it. What tiles of one group take twice is
-// wasted, most of all while the cache is empty: the first pass begins with one tile. Neighbours are put in different groups. Depends on the picture's
-// size alone, never on the number of threads.
+// Tiles of a pass in groups that are worked on at the same time; a group sees the samples of all groups before it. What
+// tiles of one group take twice is wasted, most of all while the cache is empty: the first pass begins with one tile.
+// Neighbours are put in different groups. Depends on the picture's size alone, never on the number of threads.
 std::vector<std::vector<std::size_t>> waves_of(std::size_t tiles, int pass) {
   constexpr std::size_t kFewest = 8, kMostWaves = 16;
   const std::size_t full = std::max(kFewest, (tiles + kMostWaves - 1) / kMostWaves);
@@ -63,7 +67,8 @@ std::vector<std::vector<std::size_t>> waves_of(std::size_t tiles, int pass) {
 // Tells how far the pretrace is; a pass counts by its number of positions.
 class PretraceProgress {
  public:
-  PretraceProgress(const PretracePlan& plan, std::size_t tiles, const Options& options) : plan_(plan), tiles_(static_cast<double>(tiles)), options_(options) {
+  PretraceProgress(const PretracePlan& plan, std::size_t tiles, const Options& options)
+      : plan_(plan), tiles_(static_cast<double>(tiles)), options_(options) {
     for (int pass = 0; pass < plan.passes; ++pass) total_ += positions(pass);
   }
   void tile_done(int pass) {
@@ -86,7 +91,8 @@ class PretraceProgress {
 
 }  // namespace
 
-void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData& data, const CameraModel& camera, const Options& options, int threads) {
+void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData& data, const CameraModel& camera,
+                        const Options& options, int threads) {
   const scene::Radiosity& settings = effects.scene().settings.radiosity;
   const PretracePlan plan = global::pretrace_plan(settings, options.width, options.height);
   const int adaptive = settings.adaptive_nearest_count;
@@ -95,7 +101,9 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
   cache.set_memory_limit(options.pass_memory);
   if (!options.radiosity_from.empty()) {
     constexpr std::uint64_t kSampleBytes = 512;  // with its share of the lookup
-    for (const global::IrradianceSample& s : global::load_samples(options.radiosity_from, options.pass_memory / kSampleBytes)) cache.add(s);
+    for (const global::IrradianceSample& s :
+         global::load_samples(options.radiosity_from, options.pass_memory / kSampleBytes))
+      cache.add(s);
   }
   if (!options.radiosity_to.empty() && !options.replay) effects.block_samples().resize(tiles.size());
   PretraceProgress progress(plan, tiles.size(), options);
@@ -150,7 +158,9 @@ void begin_block(global::SceneEffects& effects, shading::Tracer& tracer, const O
   if (!effects.radiosity) return;
   EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
   if (options.replay) {
-    if (!state.radiosity) state.radiosity.emplace(*effects.radiosity_settings(), &effects.irradiance(), &effects.irradiance(), false, -2, 0);
+    if (!state.radiosity)
+      state.radiosity.emplace(*effects.radiosity_settings(), &effects.irradiance(), &effects.irradiance(), false, -2,
+                              0);
     return;
   }
   state.own_samples.emplace(effects.radiosity_settings()->empty_cache());

@@ -7,13 +7,13 @@
 #include <chrono>
 #include <mutex>
 
-#include "tracer/parallel.h"
-#include "tracer/render/adaptive_sampling.h"
-#include "tracer/render/antialias.h"
+#include "tracer/base/parallel.h"
+#include "tracer/render/sampling/adaptive_sampling.h"
+#include "tracer/render/sampling/antialias.h"
 #include "tracer/render/blocks.h"
 #include "tracer/render/layers.h"
 #include "tracer/render/path_pixels.h"
-#include "tracer/render/pixel_sampler.h"
+#include "tracer/render/sampling/pixel_sampler.h"
 #include "tracer/render/prepasses.h"
 #include "tracer/render/requirements.h"
 
@@ -41,7 +41,10 @@ textures::Settings texture_settings(const scene::Scene& scene, int quality) {
 class Queue {
  public:
   Queue(const Options& options, Framebuffer& frame, Statistics& statistics)
-      : options_(options), frame_(frame), statistics_(statistics), blocks_(blocks_of(render_area(options), options.block_size)) {
+      : options_(options),
+        frame_(frame),
+        statistics_(statistics),
+        blocks_(blocks_of(render_area(options), options.block_size)) {
     for (const Block& b : blocks_) pixels_ += static_cast<std::uint64_t>(b.width) * b.height;
   }
 
@@ -62,7 +65,8 @@ class Queue {
   void finished(const Block& b, bool rendered = true) {
     if (rendered) {
       for (int y = b.y; y < b.y + b.height; ++y)
-        std::fill_n(frame_.done.begin() + static_cast<std::ptrdiff_t>(y) * frame_.width + b.x, b.width, std::uint8_t{1});
+        std::fill_n(frame_.done.begin() + static_cast<std::ptrdiff_t>(y) * frame_.width + b.x, b.width,
+                    std::uint8_t{1});
       if (options_.block_done) options_.block_done(b.x, b.y, b.width, b.height);
     }
     const std::lock_guard lock(mutex_);
@@ -86,19 +90,21 @@ class Queue {
 };
 
 // One thread's work: blocks until there are none left.
-void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& effects, const CameraModel& camera, const Options& options,
-          const path::PathScene* paths, Framebuffer& frame) {
+void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& effects, const CameraModel& camera,
+          const Options& options, const path::PathScene* paths, Framebuffer& frame) {
   shading::Tracer tracer(scene, shading::RandomSource(options.replay, options.seed), options.cancel);
   tracer.coherent().set_camera(camera.coherence);
   PixelSampler sampler(camera, tracer);
-  const AntialiasSettings settings = antialias_settings(options, scene.scene.settings.gamma, scene.scene.settings.assumed_gamma);
+  const AntialiasSettings settings =
+      antialias_settings(options, scene.scene.settings.gamma, scene.scene.settings.assumed_gamma);
   const bool adaptive = options.antialias && options.sampler == Sampler::adaptive;
   const int method = options.antialias && !adaptive ? settings.method : 0;
   std::optional<AdaptiveGrid<PixelSampler>> grid;
   std::optional<RecursiveQuads<PixelSampler>> quads;
   std::optional<AdaptiveSampling<PixelSampler>> sampling;
   if (adaptive)
-    sampling.emplace(adaptive_settings(options, scene.scene.settings.gamma, scene.scene.settings.assumed_gamma), options.width, options.height, sampler);
+    sampling.emplace(adaptive_settings(options, scene.scene.settings.gamma, scene.scene.settings.assumed_gamma),
+                     options.width, options.height, sampler);
   if (method == 1) grid.emplace(settings, sampler);
   if (method == 2) quads.emplace(settings, sampler);
   try {
@@ -161,7 +167,8 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
   };
   if (options.layers) resize_layers(*options.layers, options.width, options.height);
   const auto layer_rows = [&](int first, int last) {
-    if (options.layers && !queue.cancelled()) fill_layers(*options.layers, data, camera, options.width, first, last, options.antialias);
+    if (options.layers && !queue.cancelled())
+      fill_layers(*options.layers, data, camera, options.width, first, last, options.antialias);
   };
   if (threads == 1) {
     run_prepasses(1);
@@ -173,8 +180,11 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
     tbb::task_arena arena(threads);
     arena.execute([&] {
       run_prepasses(threads);
-      parallel_for(static_cast<std::size_t>(threads), 1, [&](std::size_t) { work(queue, data, effects, camera, options, paths ? &*paths : nullptr, frame); });
-      if (options.layers) parallel_for(static_cast<std::size_t>(options.height), 1, [&](std::size_t y) { layer_rows(static_cast<int>(y), static_cast<int>(y) + 1); });
+      parallel_for(static_cast<std::size_t>(threads), 1,
+                   [&](std::size_t) { work(queue, data, effects, camera, options, paths ? &*paths : nullptr, frame); });
+      if (options.layers)
+        parallel_for(static_cast<std::size_t>(options.height), 1,
+                     [&](std::size_t y) { layer_rows(static_cast<int>(y), static_cast<int>(y) + 1); });
     });
   }
   statistics.cancelled = queue.cancelled();

@@ -9,8 +9,8 @@
 
 namespace verisim::render {
 
-// Throws Unsupported before any ray is shot; std::bad_alloc and friends pass through. A framebuffer that already has the size asked for keeps its
-// pixels where nothing is rendered; any other is made anew, opaque black.
+// Throws Unsupported before any ray is shot; std::bad_alloc and friends pass through. A framebuffer that already has
+// the size asked for keeps its pixels where nothing is rendered; any other is made anew, opaque black.
 Statistics render(const scene::Scene& scene, const Options& options, Framebuffer& framebuffer);
 
 }  // namespace verisim::render

@@ -29,7 +29,8 @@ void check_object(const scene::Object& object) {
 }
 
 void check_geometry(const scene::Object& object) {
-  if (const auto* patch = object.as<std::shared_ptr<const scene::BicubicPatch>>(); patch && !shapes::bicubic_patch_fits(**patch))
+  if (const auto* patch = object.as<std::shared_ptr<const scene::BicubicPatch>>();
+      patch && !shapes::bicubic_patch_fits(**patch))
     throw Unsupported("bicubic_patch with more than 2097152 pieces", object.place);
   for (const auto& child : scene::declared_children(object)) check_geometry(*child);
 }

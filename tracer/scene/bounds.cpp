@@ -22,13 +22,15 @@ Vec3 high_corner(const Bounds& b) { return {b.low[0] + b.size[0], b.low[1] + b.s
 float volume(const Bounds& b) { return b.size[0] * b.size[1] * b.size[2]; }
 
 Bounds transformed(const Bounds& b, const Transform& t) {
-  // The least and greatest coordinates among the 8 transformed corners: rounding is monotonic, so the sums of the least (greatest) terms are exactly those.
+  // The least and greatest coordinates among the 8 transformed corners: rounding is monotonic, so the sums of the least
+  // (greatest) terms are exactly those.
   const Vec3 a = low_corner(b);
   Vec3 c = a;
   for (int k = 0; k < 3; ++k) c[k] += static_cast<double>(b.size[k]);
   Vec3 low, high;
   for (int k = 0; k < 3; ++k) {
-    const double x0 = a.x * t.m[0][k], x1 = c.x * t.m[0][k], y0 = a.y * t.m[1][k], y1 = c.y * t.m[1][k], z0 = a.z * t.m[2][k], z1 = c.z * t.m[2][k];
+    const double x0 = a.x * t.m[0][k], x1 = c.x * t.m[0][k], y0 = a.y * t.m[1][k], y1 = c.y * t.m[1][k],
+                 z0 = a.z * t.m[2][k], z1 = c.z * t.m[2][k];
     low[k] = std::max(std::min(x0, x1) + std::min(y0, y1) + std::min(z0, z1) + t.m[3][k], -kBoxLimit);
     high[k] = std::min(std::max(x0, x1) + std::max(y0, y1) + std::max(z0, z1) + t.m[3][k], kBoxLimit);
   }
@@ -46,9 +48,11 @@ void clip_by_plane(const Object& object, BoxRange& range) {
   double d = plane.distance;
   if (object.transform) {
     const Mat4& m = object.transform->m;
-    // POV-Ray multiplies by the transpose of the linear part, which is wrong for anything but rigid motions (spec 03 5.6).
+    // POV-Ray multiplies by the transpose of the linear part, which is wrong for anything but rigid motions (spec
+    // 03 5.6).
     const Vec3 k = plane.normal;
-    n = {k.x * m[0][0] + k.y * m[0][1] + k.z * m[0][2], k.x * m[1][0] + k.y * m[1][1] + k.z * m[1][2], k.x * m[2][0] + k.y * m[2][1] + k.z * m[2][2]};
+    n = {k.x * m[0][0] + k.y * m[0][1] + k.z * m[0][2], k.x * m[1][0] + k.y * m[1][1] + k.z * m[1][2],
+         k.x * m[2][0] + k.y * m[2][1] + k.z * m[2][2]};
     const Vec3 p = object.transform->inverse_point(n);
     d = plane.distance - dot(p, n) + 1.0;
   }
@@ -73,8 +77,10 @@ Bounds csg_bounds(Object& object) {
     std::vector<ObjectPtr>& children = own_children(object);
     if (object.as<Csg>()->kind == CsgKind::intersection) {
       for (const ObjectPtr& child : children) {
-        if (child->as<Plane>()) clip_by_plane(*child, box);
-        else if (!child->inverted && !child->as<Quadric>() && !child->as<std::shared_ptr<const HeightField>>()) box.clip(child->bounds);
+        if (child->as<Plane>())
+          clip_by_plane(*child, box);
+        else if (!child->inverted && !child->as<Quadric>() && !child->as<std::shared_ptr<const HeightField>>())
+          box.clip(child->bounds);
       }
       for (ObjectPtr& child : children) {
         if (!child->as<Quadric>() || child->inverted) continue;

@@ -5,9 +5,9 @@
 
 namespace verisim::scene {
 
-inline constexpr double kBoxLimit = 1e10;          // half extent of an unbounded box
-inline constexpr double kCriticalLength = 1e6;     // a CSG or quadric box with a longer side becomes unbounded
-inline constexpr float kInfiniteVolume = 2e10f;    // boxes above this are "infinite" for scheduling
+inline constexpr double kBoxLimit = 1e10;        // half extent of an unbounded box
+inline constexpr double kCriticalLength = 1e6;   // a CSG or quadric box with a longer side becomes unbounded
+inline constexpr float kInfiniteVolume = 2e10f;  // boxes above this are "infinite" for scheduling
 
 Bounds make_bounds(const Vec3& low, const Vec3& high);
 Vec3 low_corner(const Bounds& bounds);
@@ -19,7 +19,8 @@ Bounds unbounded();
 
 // The box of a shape in its own space, before its matrix. Not for Csg, LightSource and LightGroup.
 Bounds local_bounds(const Object& object);
-// Of a CSG object or light_group from its children; refits the automatic boxes of quadrics that are direct children of an intersection.
+// Of a CSG object or light_group from its children; refits the automatic boxes of quadrics that are direct children of
+// an intersection.
 Bounds csg_bounds(Object& object);
 
 // A box that is being cut down, in double.

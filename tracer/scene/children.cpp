@@ -15,10 +15,18 @@ Postponed::Motion note(const Move& move) {
 
 void add(Moves& moves, const Postponed::Motion& motion) {
   switch (motion.step) {
-    case Move::Step::translate: moves.translate(motion.v); break;
-    case Move::Step::scale: moves.scale(motion.v); break;
-    case Move::Step::rotate: moves.rotate(motion.v); break;
-    case Move::Step::matrix: moves.transform(motion.matrix); break;
+    case Move::Step::translate:
+      moves.translate(motion.v);
+      break;
+    case Move::Step::scale:
+      moves.scale(motion.v);
+      break;
+    case Move::Step::rotate:
+      moves.rotate(motion.v);
+      break;
+    case Move::Step::matrix:
+      moves.transform(motion.matrix);
+      break;
   }
 }
 

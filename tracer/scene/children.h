@@ -1,5 +1,6 @@
-// The objects below a CSG object or a light_group. A copy of a declared object shares them with the original, and what is done to the copy is noted only: they are
-// made when somebody asks for them (children_of in object.h). Scenes have tens of thousands of copies, and nobody looks below their roots before rendering.
+// The objects below a CSG object or a light_group. A copy of a declared object shares them with the original, and what
+// is done to the copy is noted only: they are made when somebody asks for them (children_of in object.h). Scenes have
+// tens of thousands of copies, and nobody looks below their roots before rendering.
 #pragma once
 
 #include <vector>
@@ -30,7 +31,8 @@ class Children {
   const std::vector<ObjectPtr>& declared() const;
   bool postponed() const { return static_cast<bool>(postponed_); }
   bool shared() const { return objects_.use_count() > 1; }
-  // Either all that follows is postponed or nothing; the first form belongs to children that are shared or postponed already.
+  // Either all that follows is postponed or nothing; the first form belongs to children that are shared or postponed
+  // already.
   void postpone(const Moves& moves);
   void postpone_end(const TexturePtr& default_texture);
   // The objects, theirs alone, with everything done that was postponed. `parent`: the object whose children these are.

@@ -1,4 +1,5 @@
-// What a description asks its shape: boxes whose finding takes work, and standard positions. Each is defined in the file of the shape, tracer/shapes/.
+// What a description asks its shape: boxes whose finding takes work, and standard positions. Each is defined in the
+// file of the shape, tracer/shapes/.
 #pragma once
 
 #include "tracer/scene/object.h"
@@ -21,7 +22,8 @@ Box3 julia_fractal_box(const scene::JuliaFractal& fractal);
 Box3 text_box(const scene::Text& text);
 Box3 mesh_box(const scene::Mesh& mesh);
 
-// Shapes that are modelled in a standard position: the matrix that puts them where the scene wants them, before any transformation.
+// Shapes that are modelled in a standard position: the matrix that puts them where the scene wants them, before any
+// transformation.
 Transform cone_frame(const scene::Cone& cone);
 Transform disc_frame(const scene::Disc& disc);
 Transform polygon_frame(const scene::Polygon& polygon);

@@ -1,5 +1,6 @@
-// What POV-Ray does with an object when its top-level statement ends: textures, interiors and flags run down the tree of children, every object gets
-// its own interior or shares its parent's, light groups hand their lights to their objects (spec 03 5.3 and 5.4; 06 6.1, 6.6 and 10.1).
+// What POV-Ray does with an object when its top-level statement ends: textures, interiors and flags run down the tree
+// of children, every object gets its own interior or shares its parent's, light groups hand their lights to their
+// objects (spec 03 5.3 and 5.4; 06 6.1, 6.6 and 10.1).
 #include "tracer/scene/finish_statement.h"
 
 #include <utility>
@@ -10,7 +11,8 @@ namespace {
 
 bool has_children(const Object& object) { return object.as<Csg>() || object.as<LightGroup>(); }
 
-// Children are built by the parser as ordinary objects; one that is shared with a declared identifier is copied before it is changed.
+// Children are built by the parser as ordinary objects; one that is shared with a declared identifier is copied before
+// it is changed.
 Object& writable(ObjectPtr& child) {
   if (child.use_count() > 1) child = copy(*child);
   return const_cast<Object&>(*child);
@@ -57,7 +59,8 @@ void inherit_photons(Rare<PhotonFlags>& flags, const PhotonFlags& parent) {
   child.given = true;
 }
 
-// Legacy finish keywords of the top layer act on the interior; `refraction` always does, with 1 when it was not written (spec 06 6.6).
+// Legacy finish keywords of the top layer act on the interior; `refraction` always does, with 1 when it was not written
+// (spec 06 6.6).
 void apply_legacy_finish(Object& object) {
   if (!object.texture || object.texture->patterned() || !object.interior) return;
   const Finish& finish = object.texture->layers.back().finish;
@@ -94,7 +97,8 @@ class Walk {
   }
 
   void children(Object& parent) {
-    // The flags of a cutaway intersection reach all descendants; only its direct children stay without a texture (spec 03 5.3).
+    // The flags of a cutaway intersection reach all descendants; only its direct children stay without a texture (spec
+    // 03 5.3).
     auto* csg = std::get_if<Csg>(&parent.shape);
     const bool keeps_untextured = parent.cutaway_textures && csg && csg->kind == CsgKind::intersection;
     for (ObjectPtr& pointer : own_children(parent)) {
@@ -190,7 +194,8 @@ void finish_children(Object& parent, const TexturePtr& default_texture) { Walk(d
 
 void finish_statement(Object& object, const TexturePtr& default_texture) {
   Walk walk(default_texture);
-  // What is below a copy may wait only here: deeper in the tree later siblings may share its interior, and the last one written wins.
+  // What is below a copy may wait only here: deeper in the tree later siblings may share its interior, and the last one
+  // written wins.
   if (auto* csg = object.as<Csg>(); csg && csg->postponable && (csg->children.shared() || csg->children.postponed())) {
     walk.itself(object, false);
     object.no_shadow = object.no_shadow || is_shadowless_union(object);

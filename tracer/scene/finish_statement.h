@@ -1,4 +1,5 @@
-// The part of finish_statement that concerns what is below an object whose own part is done: for children that were postponed (children.h).
+// The part of finish_statement that concerns what is below an object whose own part is done: for children that were
+// postponed (children.h).
 #pragma once
 
 #include "tracer/scene/object.h"

@@ -16,7 +16,8 @@ struct LightSource {
   LightKind kind = LightKind::point;
   bool parallel = false;
   Vec3 point_at{0, 0, 1};
-  Vec3 direction{0, 0, 0};  // unit, towards point_at; fixed at the end of the statement, then transformed as a direction
+  Vec3 direction{0, 0,
+                 0};  // unit, towards point_at; fixed at the end of the statement, then transformed as a direction
   double radius = 0, falloff = 0, tightness = 0;  // degrees for a spotlight, lengths for a cylinder
   double fade_distance = 0, fade_power = 0;
   bool area = false;

@@ -1,4 +1,5 @@
-// Transformations in the order in which an object's modifiers name them, applied in one walk over its tree: most objects have two or three in a row.
+// Transformations in the order in which an object's modifiers name them, applied in one walk over its tree: most
+// objects have two or three in a row.
 #pragma once
 
 #include <array>
@@ -28,7 +29,9 @@ class Moves {
 
   void translate(const Vec3& v) { moves_[size_++] = Move{Move::Step::translate, v, Transform::translation(v)}; }
   void scale(const Vec3& s) { moves_[size_++] = Move{Move::Step::scale, s, Transform::scaling(s)}; }
-  void rotate(const Vec3& degrees) { moves_[size_++] = Move{Move::Step::rotate, degrees, Transform::rotation(degrees)}; }
+  void rotate(const Vec3& degrees) {
+    moves_[size_++] = Move{Move::Step::rotate, degrees, Transform::rotation(degrees)};
+  }
   void transform(const Transform& t) { moves_[size_++] = Move{Move::Step::matrix, Vec3(0), t}; }
 
   // Appends the moves from `first` on to what an object was moved by so far.
@@ -39,14 +42,15 @@ class Moves {
 
   std::array<std::optional<Move>, kMost> moves_;
   std::size_t size_ = 0;
-  // The objects of a tree that came the same way so far share one matrix: the last one seen and what became of it are kept.
+  // The objects of a tree that came the same way so far share one matrix: the last one seen and what became of it are
+  // kept.
   mutable std::array<Rare<Transform>, kMost> alone_;
   mutable Rare<Transform> before_, after_;
   mutable std::size_t after_first_ = 0;
 };
 
-// As POV-Ray does: absorbed into the shape's numbers where it can, else into the matrix; also moves clips, bounds, textures (unless uv-mapped), the interior's
-// media and CSG children.
+// As POV-Ray does: absorbed into the shape's numbers where it can, else into the matrix; also moves clips, bounds,
+// textures (unless uv-mapped), the interior's media and CSG children.
 void apply(Object& object, const Moves& moves);
 
 }  // namespace verisim::scene

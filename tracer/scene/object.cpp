@@ -1,4 +1,5 @@
-// What the parser does to an object while it reads it: boxes, transformations with POV-Ray's absorption rules, inversion, copies (spec 03 1, 5.1, 6).
+// What the parser does to an object while it reads it: boxes, transformations with POV-Ray's absorption rules,
+// inversion, copies (spec 03 1, 5.1, 6).
 #include "tracer/scene/object.h"
 
 #include <algorithm>
@@ -10,7 +11,8 @@
 namespace verisim::scene {
 namespace {
 
-// Children, clips and bounds belong to one tree only (see copy), so they may be changed in place; a node that is shared after all is copied first.
+// Children, clips and bounds belong to one tree only (see copy), so they may be changed in place; a node that is shared
+// after all is copied first.
 Object& writable(ObjectPtr& node) {
   if (node.use_count() > 1) node = copy(*node);
   return const_cast<Object&>(*node);
@@ -29,10 +31,14 @@ Transform then_translated(const Transform& a, const Vec3& v) {
 }
 
 bool absorb(Sphere& s, const Move& move) {
-  if (move.step == Step::translate) s.center += move.v;
-  else if (move.step == Step::rotate) s.center = move.t.point(s.center);
-  else if (move.uniform_scale()) s.center *= move.v.x, s.radius *= std::fabs(move.v.x);
-  else return false;
+  if (move.step == Step::translate)
+    s.center += move.v;
+  else if (move.step == Step::rotate)
+    s.center = move.t.point(s.center);
+  else if (move.uniform_scale())
+    s.center *= move.v.x, s.radius *= std::fabs(move.v.x);
+  else
+    return false;
   return true;
 }
 
@@ -65,15 +71,17 @@ bool absorb(Plane& p, const Move& move) {
   return true;
 }
 
-// The order in which a triangle is kept: its first two corners are exchanged when it runs clockwise in the projection of its containment test
-// (spec 03 4.7). The plane's normal is computed anew from that order at every transformation.
+// The order in which a triangle is kept: its first two corners are exchanged when it runs clockwise in the projection
+// of its containment test (spec 03 4.7). The plane's normal is computed anew from that order at every transformation.
 template <class Corner>
 void exchange_if_clockwise(std::array<Vec3, 3>& p, const Corner& exchange) {
   const Vec3 n = cross(p[0] - p[1], p[2] - p[1]);
   const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
   int i = 0, j = 1;  // the two axes other than the dominant one
-  if (x > y && x > z) i = 1, j = 2;
-  else if (!(x > y) && y > z) i = 0, j = 2;
+  if (x > y && x > z)
+    i = 1, j = 2;
+  else if (!(x > y) && y > z)
+    i = 0, j = 2;
   if ((p[1][i] - p[2][i]) * (p[1][j] - p[0][j]) < (p[1][j] - p[2][j]) * (p[1][i] - p[0][i])) {
     std::swap(p[0], p[1]);
     exchange();
@@ -163,9 +171,11 @@ InteriorPtr transformed(const InteriorPtr& interior, const Transform& t) {
   return moved;
 }
 
-// The present box of shapes whose box POV-Ray transforms step by step; all others get it anew from their numbers and the total matrix (spec 03 2.2).
+// The present box of shapes whose box POV-Ray transforms step by step; all others get it anew from their numbers and
+// the total matrix (spec 03 2.2).
 bool box_moves_stepwise(const Object& object) {
-  return object.as<Csg>() || object.as<LightGroup>() || object.as<Quadric>() || object.as<std::shared_ptr<const Blob>>() || object.as<Mesh>();
+  return object.as<Csg>() || object.as<LightGroup>() || object.as<Quadric>() ||
+         object.as<std::shared_ptr<const Blob>>() || object.as<Mesh>();
 }
 
 Bounds polygon_padded(const Bounds& b) {
@@ -285,7 +295,8 @@ void compute_bounds(Object& object) {
 
 Transform Moves::product(const Transform& before, std::size_t first) const {
   Transform result = before;
-  for (std::size_t i = first; i < size_; ++i) result = moves_[i]->step == Step::translate ? then_translated(result, moves_[i]->v) : result.then(moves_[i]->t);
+  for (std::size_t i = first; i < size_; ++i)
+    result = moves_[i]->step == Step::translate ? then_translated(result, moves_[i]->v) : result.then(moves_[i]->t);
   return result;
 }
 
@@ -370,7 +381,8 @@ bool is_patch(const Object& object) {
 bool is_infinite(const Object& object) { return volume(object.bounds) > kInfiniteVolume; }
 
 std::shared_ptr<Object> copy(const Object& object) {
-  if (const auto* csg = object.as<Csg>(); csg && csg->children.postponed()) children_of(object);  // copies of copies must not grow chains of moves
+  if (const auto* csg = object.as<Csg>(); csg && csg->children.postponed())
+    children_of(object);  // copies of copies must not grow chains of moves
   auto result = std::make_shared<Object>(object);
   result->copied = true;
   const auto own = [](auto& objects) {
@@ -383,8 +395,10 @@ std::shared_ptr<Object> copy(const Object& object) {
   own(result->bounded_by);
   own(result->clipped_by);
   if (object.clip_is_bound) {
-    if (result->clipped_by.empty()) result->clipped_by = result->bounded_by;
-    else result->bounded_by = result->clipped_by;
+    if (result->clipped_by.empty())
+      result->clipped_by = result->bounded_by;
+    else
+      result->bounded_by = result->clipped_by;
   }
   return result;
 }

@@ -14,40 +14,101 @@ class Spline;
 
 namespace verisim::scene {
 
-struct Sphere { Vec3 center; double radius; };
-struct Box { Vec3 low, high; };
-struct Plane { Vec3 normal; double distance; };
-struct Cone { Vec3 base, cap; double base_radius, cap_radius; bool open = false; };  // cylinder: equal radii
-struct Torus { double major, minor; };
-struct Disc { Vec3 center, normal; double radius, hole = 0; };
-struct Triangle { std::array<Vec3, 3> p; };
-struct SmoothTriangle { std::array<Vec3, 3> p, n; };
-struct Polygon { std::vector<Vec3> points; };
-struct Poly { int order; std::vector<double> coefficients; };  // cubic, quartic, poly, polynomial
-struct Quadric { Vec3 square, mixed, linear; double constant; };
-struct Superellipsoid { double east, north; };
-struct Ovus { double bottom, top; };
+struct Sphere {
+  Vec3 center;
+  double radius;
+};
+struct Box {
+  Vec3 low, high;
+};
+struct Plane {
+  Vec3 normal;
+  double distance;
+};
+struct Cone {
+  Vec3 base, cap;
+  double base_radius, cap_radius;
+  bool open = false;
+};  // cylinder: equal radii
+struct Torus {
+  double major, minor;
+};
+struct Disc {
+  Vec3 center, normal;
+  double radius, hole = 0;
+};
+struct Triangle {
+  std::array<Vec3, 3> p;
+};
+struct SmoothTriangle {
+  std::array<Vec3, 3> p, n;
+};
+struct Polygon {
+  std::vector<Vec3> points;
+};
+struct Poly {
+  int order;
+  std::vector<double> coefficients;
+};  // cubic, quartic, poly, polynomial
+struct Quadric {
+  Vec3 square, mixed, linear;
+  double constant;
+};
+struct Superellipsoid {
+  double east, north;
+};
+struct Ovus {
+  double bottom, top;
+};
 struct BlobComponent {
-  Vec3 a, b;             // centre, or the axis of a cylinder
+  Vec3 a, b;  // centre, or the axis of a cylinder
   double radius, strength;
   bool cylinder = false;
   std::optional<Transform> transform;
   TexturePtr texture;
 };
-struct Blob { double threshold = 1; std::vector<BlobComponent> components; };
+struct Blob {
+  double threshold = 1;
+  std::vector<BlobComponent> components;
+};
 enum class SplineKind : std::uint8_t { linear, quadratic, cubic, bezier, b_spline };
-struct Lathe { SplineKind spline = SplineKind::linear; std::vector<Vec2> points; };
-struct Sor { std::vector<Vec2> points; bool open = false; };
+struct Lathe {
+  SplineKind spline = SplineKind::linear;
+  std::vector<Vec2> points;
+};
+struct Sor {
+  std::vector<Vec2> points;
+  bool open = false;
+};
 struct Prism {
   SplineKind spline = SplineKind::linear;
   bool conic = false, open = false;
   double low = 0, high = 0;
   std::vector<Vec2> points;
 };
-struct SphereSweep { SplineKind spline = SplineKind::linear; std::vector<Vec3> centers; std::vector<double> radii; double tolerance = 1e-6; };
-struct BicubicPatch { int type = 0, u_steps = 0, v_steps = 0; double flatness = 0; std::array<Vec3, 16> points; std::optional<std::array<Vec2, 4>> uv; };
-struct HeightField { ImageParams image; double water_level = 0; bool smooth = false; };
-struct Contained { bool sphere = false; Vec3 low{-1, -1, -1}, high{1, 1, 1}; Vec3 center{0, 0, 0}; double radius = 1; };
+struct SphereSweep {
+  SplineKind spline = SplineKind::linear;
+  std::vector<Vec3> centers;
+  std::vector<double> radii;
+  double tolerance = 1e-6;
+};
+struct BicubicPatch {
+  int type = 0, u_steps = 0, v_steps = 0;
+  double flatness = 0;
+  std::array<Vec3, 16> points;
+  std::optional<std::array<Vec2, 4>> uv;
+};
+struct HeightField {
+  ImageParams image;
+  double water_level = 0;
+  bool smooth = false;
+};
+struct Contained {
+  bool sphere = false;
+  Vec3 low{-1, -1, -1}, high{1, 1, 1};
+  Vec3 center{0, 0, 0};
+  double radius = 1;
+};
 struct Isosurface {
   FunctionPtr function;
   Contained container;
@@ -64,7 +125,26 @@ struct Parametric {
   int precompute_depth = 0;
   std::array<bool, 3> precompute{false, false, false};
 };
-enum class JuliaFunction : std::uint8_t { sqr, cube, exp, reciprocal, sin, asin, sinh, asinh, cos, acos, cosh, acosh, tan, atan, tanh, atanh, ln, pwr };
+enum class JuliaFunction : std::uint8_t {
+  sqr,
+  cube,
+  exp,
+  reciprocal,
+  sin,
+  asin,
+  sinh,
+  asinh,
+  cos,
+  acos,
+  cosh,
+  acosh,
+  tan,
+  atan,
+  tanh,
+  atanh,
+  ln,
+  pwr
+};
 struct JuliaFractal {
   std::array<double, 4> parameter{1, 0, 0, 0}, slice{0, 0, 0, 1};
   Vec2 exponent{0, 0};  // of pwr
@@ -85,7 +165,7 @@ struct Text {
 
 struct MeshTriangle {
   std::array<std::uint32_t, 3> vertex;
-  std::array<std::uint32_t, 3> normal;   // into normals; only when smooth
+  std::array<std::uint32_t, 3> normal;  // into normals; only when smooth
   std::array<std::uint32_t, 3> uv;
   std::array<std::int32_t, 3> texture{-1, -1, -1};  // into textures; -1: the mesh's
   bool smooth = false, has_uv = false;
@@ -102,26 +182,34 @@ struct Mesh {
   std::vector<TexturePtr> textures;  // data->textures moved along with this copy of the mesh; empty: as they are
 };
 
-enum class CsgKind : std::uint8_t { union_, merge, intersection };  // a difference is an intersection whose later children are inverted
+enum class CsgKind : std::uint8_t {
+  union_,
+  merge,
+  intersection
+};  // a difference is an intersection whose later children are inverted
 struct Csg {
   CsgKind kind = CsgKind::union_;
   bool difference = false;  // written as difference (cutaway_textures treats its first child apart)
-  bool postponable = false;  // copies need not see what is below: no light_group, no bounds to warn of (set by compute_bounds)
+  bool postponable =
+      false;  // copies need not see what is below: no light_group, no bounds to warn of (set by compute_bounds)
   Children children;
 };
 struct LightGroup {
   Children children;
   bool global_lights = false;
-  bool from_identifier = false;  // a copy of a declared group: lights of an outer group reach its objects (spec 06 10.1)
+  bool from_identifier =
+      false;  // a copy of a declared group: lights of an outer group reach its objects (spec 06 10.1)
 };
 
-using Shape = std::variant<Sphere, Box, Plane, Cone, Torus, Disc, Triangle, Boxed<SmoothTriangle>, Polygon, Poly, Boxed<Quadric>, Superellipsoid, Ovus,
-                           std::shared_ptr<const Blob>, std::shared_ptr<const Lathe>, std::shared_ptr<const Sor>,
-                           std::shared_ptr<const Prism>, std::shared_ptr<const SphereSweep>, std::shared_ptr<const BicubicPatch>,
-                           std::shared_ptr<const HeightField>, std::shared_ptr<const Isosurface>, std::shared_ptr<const Parametric>,
-                           std::shared_ptr<const JuliaFractal>, std::shared_ptr<const Text>, Mesh, Csg, LightGroup, Boxed<LightSource>>;
+using Shape = std::variant<
+    Sphere, Box, Plane, Cone, Torus, Disc, Triangle, Boxed<SmoothTriangle>, Polygon, Poly, Boxed<Quadric>,
+    Superellipsoid, Ovus, std::shared_ptr<const Blob>, std::shared_ptr<const Lathe>, std::shared_ptr<const Sor>,
+    std::shared_ptr<const Prism>, std::shared_ptr<const SphereSweep>, std::shared_ptr<const BicubicPatch>,
+    std::shared_ptr<const HeightField>, std::shared_ptr<const Isosurface>, std::shared_ptr<const Parametric>,
+    std::shared_ptr<const JuliaFractal>, std::shared_ptr<const Text>, Mesh, Csg, LightGroup, Boxed<LightSource>>;
 template <class T>
-inline constexpr bool kIsBoxed = std::is_same_v<T, SmoothTriangle> || std::is_same_v<T, Quadric> || std::is_same_v<T, LightSource>;
+inline constexpr bool kIsBoxed =
+    std::is_same_v<T, SmoothTriangle> || std::is_same_v<T, Quadric> || std::is_same_v<T, LightSource>;
 
 // Axis-aligned bounds as POV-Ray stores them: binary32 lower corner and edge lengths (spec 03 2.2).
 struct Bounds {
@@ -144,13 +232,13 @@ struct Object {
   Bounds bounds;
   List<ObjectPtr> bounded_by, clipped_by;
   std::uint32_t clips_in_bounds = 0;  // how many of the clips the automatic box of a quadric already knows
-  bool clip_is_bound = false;  // clipped_by{bounded_by} or bounded_by{clipped_by}: transform once
+  bool clip_is_bound = false;         // clipped_by{bounded_by} or bounded_by{clipped_by}: transform once
   TexturePtr texture, interior_texture;
   InteriorPtr interior;
   bool inverted = false;
-  bool copied = false;               // made from another object, not written in place
-  Flag hollow = Flag::unset;         // as written for this object
-  bool hollow_inherited = false;     // as written for a CSG object around it
+  bool copied = false;            // made from another object, not written in place
+  Flag hollow = Flag::unset;      // as written for this object
+  bool hollow_inherited = false;  // as written for a CSG object around it
   bool no_shadow = false, no_image = false, no_reflection = false, no_radiosity = false, double_illuminate = false;
   bool uv_mapping = false, sturm = false, hierarchy = true, split_union = true, cutaway_textures = false;
   float radiosity_importance = -1;  // < 0: the scene's default
@@ -170,7 +258,9 @@ struct Object {
     }
   }
   template <class T>
-  T* as() { return const_cast<T*>(std::as_const(*this).as<T>()); }
+  T* as() {
+    return const_cast<T*>(std::as_const(*this).as<T>());
+  }
   bool is_hollow() const { return hollow == Flag::unset ? hollow_inherited : hollow == Flag::on; }
 };
 
@@ -178,20 +268,23 @@ struct Object {
 
 // Computes `bounds` from the shape's own numbers; call once the parameters (or all CSG children) are read.
 void compute_bounds(Object& object);
-// One elementary transformation, applied as POV-Ray does: absorbed into the numbers where the shape can, else into the matrix; also moves clips,
-// bounds, textures (unless uv-mapped), the interior's media and CSG children.
+// One elementary transformation, applied as POV-Ray does: absorbed into the numbers where the shape can, else into the
+// matrix; also moves clips, bounds, textures (unless uv-mapped), the interior's media and CSG children.
 void translate(Object& object, const Vec3& v);
 void scale(Object& object, const Vec3& s);
 void rotate(Object& object, const Vec3& degrees);
 void transform(Object& object, const Transform& t);
-// Toggles inversion (spec 03 5.1: unions become intersections of inverted children and so on). Patches are unchanged: see is_patch.
+// Toggles inversion (spec 03 5.1: unions become intersections of inverted children and so on). Patches are unchanged:
+// see is_patch.
 void invert(Object& object);
-// At the end of an object's modifier list: bounds from bounded_by and clipped_by, automatic quadric boxes (spec 03 2.2, 4.11).
+// At the end of an object's modifier list: bounds from bounded_by and clipped_by, automatic quadric boxes (spec
+// 03 2.2, 4.11).
 void finish_modifiers(Object& object);
 // True for shapes without an inside (triangle, mesh without inside_vector, bicubic_patch, parametric ...).
 bool is_patch(const Object& object);
 bool is_infinite(const Object& object);  // box volume > 2e10
-// The objects below a CSG object or light_group; other shapes have none. The children of a copy are made by the first call.
+// The objects below a CSG object or light_group; other shapes have none. The children of a copy are made by the first
+// call.
 const std::vector<ObjectPtr>& children_of(const Object& object);
 // For writing.
 std::vector<ObjectPtr>& own_children(Object& object);
@@ -199,11 +292,11 @@ std::vector<ObjectPtr>& own_children(Object& object);
 const std::vector<ObjectPtr>& declared_children(const Object& object);
 // Makes all children of copies below, so that threads may look at the tree.
 void complete(const Object& object);
-// A copy of the tree; heavy payloads (mesh, blob, lathe ...) and textures stay shared, children until one of the two is written. Interiors are shared until
-// finish_statement.
+// A copy of the tree; heavy payloads (mesh, blob, lathe ...) and textures stay shared, children until one of the two is
+// written. Interiors are shared until finish_statement.
 std::shared_ptr<Object> copy(const Object& object);
-// At the end of a top-level statement: pushes textures, interiors and flags to the children, gives every object its own interior and the default
-// texture where it has none, collects light groups (spec 03 5.3, 5.4; 06 6.1, 10.1).
+// At the end of a top-level statement: pushes textures, interiors and flags to the children, gives every object its own
+// interior and the default texture where it has none, collects light groups (spec 03 5.3, 5.4; 06 6.1, 10.1).
 void finish_statement(Object& object, const TexturePtr& default_texture);
 
 }  // namespace verisim::scene

@@ -9,7 +9,8 @@ namespace {
 double clean(double v) { return std::fabs(v) < kEpsilon ? 0.0 : v; }
 Vec3 clean(const Vec3& v) { return {clean(v.x), clean(v.y), clean(v.z)}; }
 
-// The box of a quadric without mixed terms whose centre (or vertex) was moved to the origin, within `range`. False: unknown form.
+// The box of a quadric without mixed terms whose centre (or vertex) was moved to the origin, within `range`. False:
+// unknown form.
 bool fit_centered(Vec3 sq, Vec3 lin, double j, const BoxRange& range, Vec3& low, Vec3& high) {
   low = range.low, high = range.high;
   const auto set = [&](int k, double half) { low[k] = -half, high[k] = half; };
@@ -51,8 +52,10 @@ bool fit_centered(Vec3 sq, Vec3 lin, double j, const BoxRange& range, Vec3& low,
     const int axis = sq.x == 0 ? 0 : sq.y == 0 ? 1 : 2;
     const int a = (axis + 1) % 3, b = (axis + 2) % 3;
     if (lin[axis] == 0 || sq[a] * sq[b] <= 0) return false;
-    if (sq[a] / lin[axis] < 0) low[axis] = std::max(low[axis], 0.0);
-    else high[axis] = std::min(high[axis], 0.0);
+    if (sq[a] / lin[axis] < 0)
+      low[axis] = std::max(low[axis], 0.0);
+    else
+      high[axis] = std::min(high[axis], 0.0);
     for (const int k : {a, b}) {
       double half = 0;
       for (const double q : {low[axis], high[axis]}) half = std::max(half, std::sqrt(std::fabs(lin[axis] * q / sq[k])));
@@ -68,8 +71,10 @@ bool fit_centered(Vec3 sq, Vec3 lin, double j, const BoxRange& range, Vec3& low,
 void fit_quadric(Object& object, BoxRange range) {
   const Quadric& q = *object.as<Quadric>();
   for (const ObjectPtr& clip : object.clipped_by) {
-    if (clip->as<Plane>()) clip_by_plane(*clip, range);
-    else if (!clip->inverted) range.clip(clip->bounds);
+    if (clip->as<Plane>())
+      clip_by_plane(*clip, range);
+    else if (!clip->inverted)
+      range.clip(clip->bounds);
   }
   Vec3 sq = clean(q.square), lin = clean(q.linear);
   const Vec3 mixed = clean(q.mixed);
@@ -93,7 +98,8 @@ void fit_quadric(Object& object, BoxRange range) {
     if (sq.x < 0) sq = -sq, lin = -lin, j = -j;
     BoxRange moved{range.low - shift, range.high - shift};
     if (!fit_centered(sq, lin, j, moved, low, high)) return;
-    for (int k = 0; k < 3; ++k) low[k] = std::max(low[k], moved.low[k]) + shift[k], high[k] = std::min(high[k], moved.high[k]) + shift[k];
+    for (int k = 0; k < 3; ++k)
+      low[k] = std::max(low[k], moved.low[k]) + shift[k], high[k] = std::min(high[k], moved.high[k]) + shift[k];
   }
   // A long side would make the box unbounded, which is never smaller than the present one.
   for (int k = 0; k < 3; ++k)

@@ -33,8 +33,9 @@ struct SkySphere {
 struct Radiosity {  // spec 07 section 2
   bool enabled = false;
   Place place;
-  double pretrace_start = 0.08, pretrace_end = 0.04, error_bound = 1.8, low_error_factor = 0.5, gray_threshold = 0, minimum_reuse = 0.015,
-         maximum_reuse = 0.2, max_sample = -1, brightness = 1, adc_bailout = 0.01, default_importance = 1;
+  double pretrace_start = 0.08, pretrace_end = 0.04, error_bound = 1.8, low_error_factor = 0.5, gray_threshold = 0,
+         minimum_reuse = 0.015, maximum_reuse = 0.2, max_sample = -1, brightness = 1, adc_bailout = 0.01,
+         default_importance = 1;
   int count = 35, count_directions = 1600, nearest_count = 5, adaptive_nearest_count = 0, recursion_limit = 2;
   bool always_sample = false, media = false, normal = false, subsurface = false;
   bool minimum_reuse_given = false, maximum_reuse_given = false;  // the other one is then adjusted (spec 07 2.1)

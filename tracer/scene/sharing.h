@@ -1,4 +1,5 @@
-// Small holders for what most objects of a scene do not have: one pointer wide instead of the value, because a scene has hundreds of thousands of objects.
+// Small holders for what most objects of a scene do not have: one pointer wide instead of the value, because a scene
+// has hundreds of thousands of objects.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +12,14 @@
 
 namespace verisim::scene {
 
-// A value that may be absent and that copies share until one of them is written. An absent value reads as a default one.
+// A value that may be absent and that copies share until one of them is written. An absent value reads as a default
+// one.
 template <class T>
 class Rare {
  public:
   Rare() = default;
-  Rare(T value) : block_(new Block(std::move(value))) {}  // NOLINT(google-explicit-constructor): assigned like the value itself
+  Rare(T value)
+      : block_(new Block(std::move(value))) {}  // NOLINT(google-explicit-constructor): assigned like the value itself
   Rare(const Rare& other) : block_(other.block_) {
     if (block_) block_->uses.fetch_add(1, std::memory_order_relaxed);
   }
@@ -32,8 +35,7 @@ class Rare {
   }
   // Whatever the value can be assigned from.
   template <class U>
-    requires(!std::is_same_v<std::remove_cvref_t<U>, Rare> && std::is_constructible_v<T, U>)
-  Rare& operator=(U&& value) {
+  requires(!std::is_same_v<std::remove_cvref_t<U>, Rare> && std::is_constructible_v<T, U>) Rare& operator=(U&& value) {
     return *this = Rare(T(std::forward<U>(value)));
   }
   ~Rare() { reset(); }
@@ -60,7 +62,9 @@ class Rare {
     if (block_ && block_->uses.fetch_sub(1, std::memory_order_acq_rel) == 1) delete block_;
     block_ = nullptr;
   }
-  friend bool operator==(const Rare& a, const Rare& b) { return a.has_value() == b.has_value() && (a.block_ == b.block_ || *a == *b); }
+  friend bool operator==(const Rare& a, const Rare& b) {
+    return a.has_value() == b.has_value() && (a.block_ == b.block_ || *a == *b);
+  }
 
  private:
   struct Block {
@@ -79,7 +83,9 @@ class Rare {
 template <class T>
 class Boxed {
  public:
-  Boxed(T value = {}) : value_(std::make_unique<T>(std::move(value))) {}  // NOLINT(google-explicit-constructor): assigned like the value itself
+  Boxed(T value = {})
+      : value_(std::make_unique<T>(std::move(value))) {
+  }  // NOLINT(google-explicit-constructor): assigned like the value itself
   Boxed(const Boxed& other) : Boxed(*other) {}
   Boxed(Boxed&& other) noexcept = default;  // leaves nothing behind: only to be assigned or destroyed
   Boxed& operator=(const Boxed& other) { return *this = Boxed(other); }
@@ -103,7 +109,9 @@ class List {
   using const_iterator = const T*;
   using iterator = T*;
   List() = default;
-  List(std::vector<T> items) : items_(items.empty() ? nullptr : std::make_unique<std::vector<T>>(std::move(items))) {}  // NOLINT: like a vector
+  List(std::vector<T> items)
+      : items_(items.empty() ? nullptr : std::make_unique<std::vector<T>>(std::move(items))) {
+  }  // NOLINT: like a vector
   List(std::initializer_list<T> items) {
     for (const T& item : items) push_back(item);
   }

@@ -1,4 +1,5 @@
-// What object patterns ask of an object. Textures are compiled before shapes are known to them: the shape answers behind this.
+// What object patterns ask of an object. Textures are compiled before shapes are known to them: the shape answers
+// behind this.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,5 @@
-// Transformations of an object reach its texture: copies of what a transformation changes, everything else stays shared (spec 05 section 2).
+// Transformations of an object reach its texture: copies of what a transformation changes, everything else stays shared
+// (spec 05 section 2).
 #include "tracer/scene/texture.h"
 
 namespace verisim::scene {
@@ -13,7 +14,9 @@ std::shared_ptr<const T> with_transform(const std::shared_ptr<const T>& descript
 }
 
 // A solid colour looks the same everywhere.
-bool is_solid(const Pattern& pattern) { return pattern.kind == PatternKind::plain || pattern.kind == PatternKind::none; }
+bool is_solid(const Pattern& pattern) {
+  return pattern.kind == PatternKind::plain || pattern.kind == PatternKind::none;
+}
 
 }  // namespace
 
@@ -31,7 +34,8 @@ TexturePtr transformed(const TexturePtr& texture, const Transform& t) {
   if (!texture) return texture;
   if (texture->patterned()) return with_transform(texture, t);
   bool changes = false;
-  for (const TextureLayer& layer : texture->layers) changes = changes || layer.normal || !is_solid(layer.pigment->pattern);
+  for (const TextureLayer& layer : texture->layers)
+    changes = changes || layer.normal || !is_solid(layer.pigment->pattern);
   if (!changes) return texture;
   auto result = std::make_shared<Texture>(*texture);
   for (TextureLayer& layer : result->layers) {

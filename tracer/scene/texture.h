@@ -15,13 +15,16 @@ using ColorMap = BlendMap<Color>;
 struct Pigment {
   Pattern pattern;
   Color color;  // of a plain pigment
-  // At most one of the maps is not empty; both empty: the pattern's built-in map (spec 05 4.3). Lists (checker ...) have position i at entry i.
+  // At most one of the maps is not empty; both empty: the pattern's built-in map (spec 05 4.3). Lists (checker ...)
+  // have position i at entry i.
   std::shared_ptr<const ColorMap> color_map;
   std::shared_ptr<const BlendMap<PigmentPtr>> pigment_map;  // also average, and the single child of uv_mapping
-  Rare<Color> quick_color;  // with filter and transmit
+  Rare<Color> quick_color;                                  // with filter and transmit
 };
 
-struct SlopeEntry { double height = 0, slope = 0; };
+struct SlopeEntry {
+  double height = 0, slope = 0;
+};
 
 struct Normal {
   Pattern pattern;
@@ -41,7 +44,7 @@ struct Reflection {
 struct Finish {  // spec 06 section 4.1; albedo forms are already scaled
   Rgb ambient{0.1f}, emission;
   float diffuse = 0.6f, diffuse_back = 0, brilliance = 1, crand = 0;
-  float raw_diffuse = 0.6f, raw_diffuse_back = 0;  // before the albedo scaling; radiosity uses these
+  float raw_diffuse = 0.6f, raw_diffuse_back = 0;                     // before the albedo scaling; radiosity uses these
   float phong = 0, phong_size = 40, specular = 0, roughness = 0.05f;  // roughness 0: exponent 0
   float metallic = 0;
   Reflection reflection;
@@ -55,8 +58,8 @@ struct Finish {  // spec 06 section 4.1; albedo forms are already scaled
 };
 
 struct TextureLayer {
-  PigmentPtr pigment;  // never null
-  NormalPtr normal;    // null: none
+  PigmentPtr pigment;   // never null
+  NormalPtr normal;     // null: none
   Rare<Finish> finish;  // mostly shared with other textures
 };
 
@@ -64,7 +67,8 @@ struct TextureLayer {
 struct Texture {
   std::vector<TextureLayer> layers;  // empty: patterned
   Pattern pattern;                   // of a patterned texture; kind image_map stands for material_map
-  std::shared_ptr<const BlendMap<TexturePtr>> texture_map;  // also lists, average, material_map's textures, the child of uv_mapping
+  std::shared_ptr<const BlendMap<TexturePtr>>
+      texture_map;  // also lists, average, material_map's textures, the child of uv_mapping
   bool no_bump_scale = false;
 
   bool patterned() const { return layers.empty(); }
@@ -80,7 +84,8 @@ using DensityPtr = std::shared_ptr<const Density>;
 
 struct Media {  // spec 07
   Place place;
-  int method = 3, intervals = 1, samples_min = 10, samples_max = 10, aa_level = 3;  // of #version 3.5 and later (spec 07 4.1)
+  int method = 3, intervals = 1, samples_min = 10, samples_max = 10,
+      aa_level = 3;  // of #version 3.5 and later (spec 07 4.1)
   double aa_threshold = 0.1, ratio = 0.9, confidence = 0.9, variance = 1.0 / 128, jitter = 0;
   Rgb absorption, emission;
   int scattering_type = 1;  // 1 .. 5
@@ -92,12 +97,13 @@ struct Media {  // spec 07
 };
 
 struct Interior {
-  float ior = 1, dispersion = 1, caustics = 0, fade_distance = 0, fade_power = 0, refraction = 1;  // caustics: 45 * the number written
+  float ior = 1, dispersion = 1, caustics = 0, fade_distance = 0, fade_power = 0,
+        refraction = 1;  // caustics: 45 * the number written
   int dispersion_samples = 7;
   Rgb fade_color;
   std::vector<Media> media;
   bool ior_given = false;  // without an ior there is no dispersion, either (spec 06 6.1)
-  bool hollow = false;  // of the objects that share this interior; the last one written wins (spec 06 6.1)
+  bool hollow = false;     // of the objects that share this interior; the last one written wins (spec 06 6.1)
 };
 // Identity matters: entering and leaving is decided by which Interior an object has, not by its values.
 using InteriorPtr = std::shared_ptr<Interior>;

@@ -21,7 +21,9 @@ std::array<Rgb, kNodes> make_nodes() {
     const double h = 0.03 + 0.934 * k / 73;
     sums[k] = {sums[k - 1][0] + red(h), sums[k - 1][1] + green(h), sums[k - 1][2] + blue(h)};
   }
-  const auto rounded = [&](int k, int c) { return static_cast<float>(std::round(sums[k][c] / sums[kNodes - 1][c] * 1e4) / 1e4); };
+  const auto rounded = [&](int k, int c) {
+    return static_cast<float>(std::round(sums[k][c] / sums[kNodes - 1][c] * 1e4) / 1e4);
+  };
   std::array<Rgb, kNodes> nodes;
   for (int k = 0; k < kNodes; ++k) nodes[k] = {rounded(k, 0), rounded(k, 1), rounded(k, 2)};
   return nodes;
@@ -44,6 +46,8 @@ Rgb spectral_weight(int i, int n) {
   return static_cast<float>(n) * (cumulative_hue(wavelength + width / 2) - cumulative_hue(wavelength - width / 2));
 }
 
-double ratio_at(double ratio, double dispersion, double wavelength) { return ratio * std::pow(dispersion, -(wavelength - 555) / 350); }
+double ratio_at(double ratio, double dispersion, double wavelength) {
+  return ratio * std::pow(dispersion, -(wavelength - 555) / 350);
+}
 
 }  // namespace verisim::shading

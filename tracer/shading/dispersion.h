@@ -12,7 +12,8 @@ Rgb cumulative_hue(double wavelength);
 // Weight of sub-ray i of n: n * (H(lambda + w/2) - H(lambda - w/2)), w = 350/n.
 Rgb spectral_weight(int i, int n);
 inline double spectral_wavelength(int i, int n) { return kVioletWavelength + 350 * (i + 0.5) / n; }
-// Ratio of the indices (from over to) at a wavelength; `ratio` holds at 555 nm, `dispersion` is the relative dispersion.
+// Ratio of the indices (from over to) at a wavelength; `ratio` holds at 555 nm, `dispersion` is the relative
+// dispersion.
 double ratio_at(double ratio, double dispersion, double wavelength);
 
 }  // namespace verisim::shading

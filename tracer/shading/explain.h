@@ -1,5 +1,5 @@
-// A witness of how a pixel comes to be: a Tracer that has one tells it about every ray, layer and light, in the order of the work.
-// Without one (always but in `verisim explain`) it costs a comparison with null.
+// A witness of how a pixel comes to be: a Tracer that has one tells it about every ray, layer and light, in the order
+// of the work. Without one (always but in `verisim explain`) it costs a comparison with null.
 #pragma once
 
 #include "tracer/shading/effects.h"
@@ -21,8 +21,10 @@ class Observer {
   virtual void ray_cut_off(const RayState&) {}
   // The hit in front of the eye as it is shaded, and each of its layers from the top.
   virtual void layer(const SurfaceHit&, const LayerContext&, const Rgb& /*reflectivity*/) {}
-  // A light on the latest layer: what is left of it after attenuation and, if `tested`, shadows; and what the layer makes of it.
-  virtual void light(const Light&, const LightDirection&, bool /*tested*/, const Rgb& /*arriving*/, const Rgb& /*added*/) {}
+  // A light on the latest layer: what is left of it after attenuation and, if `tested`, shadows; and what the layer
+  // makes of it.
+  virtual void light(const Light&, const LightDirection&, bool /*tested*/, const Rgb& /*arriving*/,
+                     const Rgb& /*added*/) {}
 };
 
 }  // namespace verisim::shading

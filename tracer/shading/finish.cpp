@@ -43,7 +43,9 @@ double specular_highlight(const scene::Finish& finish, const Vec3& n, const Vec3
 }
 
 Rgb iridescence(float amount, double thickness, double cosines, const Rgb& wavelength) {
-  const auto factor = [&](float wl) { return static_cast<float>(1 + amount * std::cos(2 * kPi * thickness * cosines / wl)); };
+  const auto factor = [&](float wl) {
+    return static_cast<float>(1 + amount * std::cos(2 * kPi * thickness * cosines / wl));
+  };
   return {factor(wavelength.r), factor(wavelength.g), factor(wavelength.b)};
 }
 
@@ -62,7 +64,8 @@ Rgb reflectivity(const scene::Reflection& reflection, const Rgb& pigment, double
     rho = f * reflection.maximum + (1 - f) * reflection.minimum;
   } else {
     double x = 1 - cosine;
-    // A view that is perpendicular up to rounding makes POV-Ray's power of a negative base NaN; here it is 0 (spec 06 5.1).
+    // A view that is perpendicular up to rounding makes POV-Ray's power of a negative base NaN; here it is 0 (spec
+    // 06 5.1).
     if (reflection.falloff != 1) x = std::pow(std::max(x, 0.0), static_cast<double>(reflection.falloff));
     if (std::fabs(x) < kEpsilon) {
       rho = reflection.minimum;

@@ -8,7 +8,8 @@ namespace verisim::shading {
 
 inline Vec3 mirrored(const Vec3& d, const Vec3& n) { return d - n * (2 * dot(d, n)); }
 
-// The mirror direction about the layer's normal, corrected where it would point below the raw surface; unit (spec 06 5.3).
+// The mirror direction about the layer's normal, corrected where it would point below the raw surface; unit (spec
+// 06 5.3).
 Vec3 reflected_direction(const Vec3& d, const Vec3& normal, const Vec3& raw);
 
 // POV-Ray's approximation of Fresnel's term for metals, as a function of the angle's cosine (spec 06 4.2.5).
@@ -20,16 +21,20 @@ Rgb metallic_tint(const Rgb& pigment, float metallic, double cosine);
 double phong_highlight(const scene::Finish& finish, const Vec3& n, const Vec3& d, const Vec3& l);
 double specular_highlight(const scene::Finish& finish, const Vec3& n, const Vec3& d, const Vec3& l);
 
-// Thin-film interference factor per channel; `thickness` includes turbulence, cosines is abs(N.L) + abs(N.D) (spec 06 4.2.6).
+// Thin-film interference factor per channel; `thickness` includes turbulence, cosines is abs(N.L) + abs(N.D) (spec
+// 06 4.2.6).
 Rgb iridescence(float amount, double thickness, double cosines, const Rgb& wavelength);
 
-// Unpolarised dielectric reflectance for relative index eta and cosine of the viewing angle; 1 on total reflection (spec 06 5.1).
+// Unpolarised dielectric reflectance for relative index eta and cosine of the viewing angle; 1 on total reflection
+// (spec 06 5.1).
 double fresnel_reflectance(double eta, double cosine);
 // Mirror reflectivity; cosine = -D.N, may be negative; eta is only used by `fresnel`.
 Rgb reflectivity(const scene::Reflection& reflection, const Rgb& pigment, double cosine, double eta);
 
 // Whether lights are asked about at all.
-inline bool reflects_light(const scene::Finish& f) { return f.diffuse != 0 || f.diffuse_back != 0 || f.specular != 0 || f.phong != 0; }
+inline bool reflects_light(const scene::Finish& f) {
+  return f.diffuse != 0 || f.diffuse_back != 0 || f.specular != 0 || f.phong != 0;
+}
 
 // Opacity of a pigment colour for the surface's own light (spec 06 3.3).
 inline float surface_opacity(const Color& c, int version) {
@@ -37,8 +42,12 @@ inline float surface_opacity(const Color& c, int version) {
 }
 
 // How diffuse light falls off: abs(cosine)^brilliance.
-inline double brilliance(float exponent, double cosine) { return exponent == 1.0f ? std::fabs(cosine) : std::pow(std::fabs(cosine), exponent); }
+inline double brilliance(float exponent, double cosine) {
+  return exponent == 1.0f ? std::fabs(cosine) : std::pow(std::fabs(cosine), exponent);
+}
 // How much of a light at this angle a layer reflects diffusely, but for crand.
-inline double diffuse_share(float opacity, float diffuse, float exponent, double cosine) { return opacity * diffuse * brilliance(exponent, cosine); }
+inline double diffuse_share(float opacity, float diffuse, float exponent, double cosine) {
+  return opacity * diffuse * brilliance(exponent, cosine);
+}
 
 }  // namespace verisim::shading

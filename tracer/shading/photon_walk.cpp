@@ -24,7 +24,8 @@ double PhotonShot::area_factor(double path) const {
   return factor;
 }
 
-bool PhotonWalk::run(const Ray& start, std::span<const scene::Interior* const> around, const Rgb& color, std::vector<StoredPhoton>& stored) {
+bool PhotonWalk::run(const Ray& start, std::span<const scene::Interior* const> around, const Rgb& color,
+                     std::vector<StoredPhoton>& stored) {
   stored_ = &stored;
   hit_target_ = false;
   const Tracer::InteriorScope scope(tracer_);
@@ -38,14 +39,16 @@ bool PhotonWalk::run(const Ray& start, std::span<const scene::Interior* const> a
 }
 
 void PhotonWalk::follow(Packet packet) {
-  if (packet.ray.level >= shot_.max_trace_level || packet.ray.weight < shot_.adc_bailout || nesting_ >= kMaxNesting) return;
+  if (packet.ray.level >= shot_.max_trace_level || packet.ray.weight < shot_.adc_bailout || nesting_ >= kMaxNesting)
+    return;
   if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
   shapes::Hit hit;
   const auto kind = packet.ray.reflected ? shapes::RayKind::reflected : shapes::RayKind::photon;
   if (!tracer_.scene_.world.intersect(packet.ray.ray, kind, 1e-4, std::numeric_limits<double>::infinity(), hit)) return;
   const shapes::Surface& surface = *hit.shape->surface;
   const bool first_segment = packet.path == 0;
-  if (media_ && packet.ray.hollow) media_->segment(tracer_, packet.ray, hit.t, packet.path, packet.reached, shot_, packet.color, *stored_);
+  if (media_ && packet.ray.hollow)
+    media_->segment(tracer_, packet.ray, hit.t, packet.path, packet.reached, shot_, packet.color, *stored_);
   packet.path += hit.t;
 
   const bool is_target = shot_.target->contains(surface.object);
@@ -54,7 +57,8 @@ void PhotonWalk::follow(Packet packet) {
   if (passes && !surface.photons.pass_through) return;
   // Beyond the first segment every hit on an object that collects is stored, before the surface filters the packet.
   if (!first_segment && packet.reached && !packet.passed && surface.photons.collect)
-    stored_->push_back({hit.point, -packet.ray.ray.direction, packet.color * static_cast<float>(shot_.area_factor(packet.path)), false});
+    stored_->push_back({hit.point, -packet.ray.ray.direction,
+                        packet.color * static_cast<float>(shot_.area_factor(packet.path)), false});
 
   const scene::LightSource& light = *shot_.light;
   const bool refracts = passes || allowed(surface.photons.refraction, light.photon_refraction);
@@ -62,19 +66,21 @@ void PhotonWalk::follow(Packet packet) {
   packet.passed = passes;
   if (!refracts && !reflects) return;
   ++nesting_;
-  SurfaceHit at(hit, packet.ray.ray.direction, 0, packet.ray.level + 1);  // unlike other rays, also when it goes straight on
+  SurfaceHit at(hit, packet.ray.ray.direction, 0,
+                packet.ray.level + 1);  // unlike other rays, also when it goes straight on
   std::vector<textures::WeightedTexture> weighted;
   tracer_.scene_.world.weighted_textures(hit, at.inside_hit, weighted);
   const auto scatter_at = [&](const textures::CompiledTexture* texture, float weight) {
     if (texture) scatter(packet, at, *texture, at.pattern_point(), nullptr, weight, refracts, reflects);
   };
-  if (weighted.empty()) scatter_at(at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture, 1.0f);
+  if (weighted.empty())
+    scatter_at(at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture, 1.0f);
   for (const auto& entry : weighted) scatter_at(entry.texture, entry.weight);
   --nesting_;
 }
 
-void PhotonWalk::scatter(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Tracer::Frame* frame,
-                         float share, bool refracts, bool reflects) {
+void PhotonWalk::scatter(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
+                         const Tracer::Frame* frame, float share, bool refracts, bool reflects) {
   if (!texture.patterned()) {
     scatter_layers(packet, at, texture, p, frame, share, refracts, reflects);
     return;
@@ -92,8 +98,8 @@ void PhotonWalk::scatter(const Packet& packet, SurfaceHit& at, const textures::C
   }
 }
 
-void PhotonWalk::scatter_layers(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
-                                const Tracer::Frame* frame, float share, bool refracts, bool reflects) {
+void PhotonWalk::scatter_layers(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture,
+                                const Vec3& p, const Tracer::Frame* frame, float share, bool refracts, bool reflects) {
   const Vec3& d = packet.ray.ray.direction;
   std::vector<Layer> layers;
   Rgb filter(1);
@@ -116,17 +122,20 @@ void PhotonWalk::scatter_layers(const Packet& packet, SurfaceHit& at, const text
     if (colored) {
       filter *= filter * c.transmission();  // what came through the layers above counts twice, too
       const Rgb& rho = here.reflectivity;
-      if (finish.conserve_energy) filter *= {std::min(1.0f, 1 - rho.r), std::min(1.0f, 1 - rho.g), std::min(1.0f, 1 - rho.b)};
+      if (finish.conserve_energy)
+        filter *= {std::min(1.0f, 1 - rho.r), std::min(1.0f, 1 - rho.g), std::min(1.0f, 1 - rho.b)};
     }
     translucency = std::min(1.0f, std::fabs(filter.grey()));
   }
   if (layers.empty()) return;
   const Vec3 top_normal = layers.front().normal;
   const Rgb fade = tracer_.fade_factor(packet.ray.interiors, *at.surface.interior, at.hit.t);
-  const bool total = refracts && translucency > shot_.adc_bailout && refract(packet, at, top_normal, {filter * share, fade, share, filter.max_abs()});
+  const bool total = refracts && translucency > shot_.adc_bailout &&
+                     refract(packet, at, top_normal, {filter * share, fade, share, filter.max_abs()});
   if (!reflects) return;
   for (const Layer& layer : layers) {
-    if (layer.reflectivity == Rgb() || (total && Tracer::hidden_by_total_reflection(top_normal, layer.normal))) continue;
+    if (layer.reflectivity == Rgb() || (total && Tracer::hidden_by_total_reflection(top_normal, layer.normal)))
+      continue;
     Packet mirrored = packet;
     if (layer.exponent != 1) {  // of what arrives, not of the mirror
       const float e = 1 / layer.exponent;
@@ -136,7 +145,8 @@ void PhotonWalk::scatter_layers(const Packet& packet, SurfaceHit& at, const text
   }
 }
 
-PhotonWalk::Packet PhotonWalk::child_of(const Packet& packet, const SurfaceHit& at, const Vec3& direction, const Rgb& color, float weight) {
+PhotonWalk::Packet PhotonWalk::child_of(const Packet& packet, const SurfaceHit& at, const Vec3& direction,
+                                        const Rgb& color, float weight) {
   Packet child = packet;
   child.ray.ray = {at.hit.point, direction};
   child.ray.primary = false;
@@ -159,9 +169,11 @@ bool PhotonWalk::refract(const Packet& packet, SurfaceHit& at, const Vec3& norma
     follow(child);
     return false;
   }
-  if (!refraction.disperses()) return bend(packet, at, normal, through, refraction, refraction.ratio, packet.ray.wavelength);
+  if (!refraction.disperses())
+    return bend(packet, at, normal, through, refraction, refraction.ratio, packet.ray.wavelength);
   if (packet.ray.monochromatic)
-    return bend(packet, at, normal, through, refraction, ratio_at(refraction.ratio, refraction.dispersion, packet.ray.wavelength), packet.ray.wavelength);
+    return bend(packet, at, normal, through, refraction,
+                ratio_at(refraction.ratio, refraction.dispersion, packet.ray.wavelength), packet.ray.wavelength);
   const int n = refraction.samples;
   Packet part = packet;
   part.ray.monochromatic = true;
@@ -169,13 +181,14 @@ bool PhotonWalk::refract(const Packet& packet, SurfaceHit& at, const Vec3& norma
   for (int i = 0; i < n; ++i) {
     const double wavelength = spectral_wavelength(i, n);
     part.color = packet.color * (spectral_weight(i, n) * (1.0f / static_cast<float>(n)));  // the weight remains
-    total |= bend(part, at, normal, through, refraction, ratio_at(refraction.ratio, refraction.dispersion, wavelength), static_cast<float>(wavelength));
+    total |= bend(part, at, normal, through, refraction, ratio_at(refraction.ratio, refraction.dispersion, wavelength),
+                  static_cast<float>(wavelength));
   }
   return total;
 }
 
-bool PhotonWalk::bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through, const Tracer::Refraction& refraction, double ratio,
-                      float wavelength) {
+bool PhotonWalk::bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through,
+                      const Tracer::Refraction& refraction, double ratio, float wavelength) {
   const Vec3& d = packet.ray.ray.direction;
   const double signed_cosine = dot(d, normal), k = std::fabs(signed_cosine);
   const Vec3 n = signed_cosine <= 0 ? normal : -normal;
@@ -184,7 +197,8 @@ bool PhotonWalk::bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, 
     reflect(packet, at, normal, through.fade * through.share, through.weight);
     return true;
   }
-  Packet child = child_of(packet, at, d * ratio + n * (ratio * k - std::sqrt(q)), through.filter * through.fade, through.weight);
+  Packet child =
+      child_of(packet, at, d * ratio + n * (ratio * k - std::sqrt(q)), through.filter * through.fade, through.weight);
   child.ray.interiors = refraction.interiors;
   child.ray.hollow = refraction.hollow;
   child.ray.refracted = true;

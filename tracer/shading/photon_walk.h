@@ -21,7 +21,8 @@ struct PhotonShot {
   double sigma = 0;  // spacing per unit of path length (parallel lights: absolute)
   int max_trace_level = 5;
   float adc_bailout = 0;
-  // Flux through the area a photon stands for, at this path length from the light, as a factor of its colour (spec 07 3.7).
+  // Flux through the area a photon stands for, at this path length from the light, as a factor of its colour (spec
+  // 07 3.7).
   double area_factor(double path) const;
 };
 
@@ -29,16 +30,20 @@ struct PhotonShot {
 class PhotonMedia {
  public:
   virtual ~PhotonMedia() = default;
-  // Multiplies the packet by the segment's transmittance and, if it has reached its target, deposits photons along it. `path`: length before the segment.
-  virtual void segment(Tracer& tracer, const RayState& ray, double length, double path, bool deposit, const PhotonShot& shot, Rgb& packet,
-                       std::vector<StoredPhoton>& stored) const = 0;
+  // Multiplies the packet by the segment's transmittance and, if it has reached its target, deposits photons along it.
+  // `path`: length before the segment.
+  virtual void segment(Tracer& tracer, const RayState& ray, double length, double path, bool deposit,
+                       const PhotonShot& shot, Rgb& packet, std::vector<StoredPhoton>& stored) const = 0;
 };
 
 class PhotonWalk {
  public:
-  PhotonWalk(Tracer& tracer, const PhotonShot& shot, const PhotonMedia* media) : tracer_(tracer), shot_(shot), media_(media) {}
-  // Follows a packet of this colour; `around`: the interiors where it starts. Appends to `stored`. Returns whether it hit the target.
-  bool run(const Ray& start, std::span<const scene::Interior* const> around, const Rgb& color, std::vector<StoredPhoton>& stored);
+  PhotonWalk(Tracer& tracer, const PhotonShot& shot, const PhotonMedia* media)
+      : tracer_(tracer), shot_(shot), media_(media) {}
+  // Follows a packet of this colour; `around`: the interiors where it starts. Appends to `stored`. Returns whether it
+  // hit the target.
+  bool run(const Ray& start, std::span<const scene::Interior* const> around, const Rgb& color,
+           std::vector<StoredPhoton>& stored);
 
  private:
   struct Packet {
@@ -60,17 +65,18 @@ class PhotonWalk {
   };
 
   void follow(Packet packet);
-  void scatter(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Tracer::Frame* frame, float share,
-               bool refracts, bool reflects);
-  void scatter_layers(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Tracer::Frame* frame,
-                      float share, bool refracts, bool reflects);
+  void scatter(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
+               const Tracer::Frame* frame, float share, bool refracts, bool reflects);
+  void scatter_layers(const Packet& packet, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
+                      const Tracer::Frame* frame, float share, bool refracts, bool reflects);
   // These two return whether all or some of it was reflected totally.
   bool refract(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through);
-  bool bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through, const Tracer::Refraction& refraction, double ratio,
-            float wavelength);
+  bool bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through,
+            const Tracer::Refraction& refraction, double ratio, float wavelength);
   void reflect(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Rgb& color, float weight);
   // A copy of the packet that starts at the hit in this direction, with its colour and weight reduced.
-  static Packet child_of(const Packet& packet, const SurfaceHit& at, const Vec3& direction, const Rgb& color, float weight);
+  static Packet child_of(const Packet& packet, const SurfaceHit& at, const Vec3& direction, const Rgb& color,
+                         float weight);
 
   Tracer& tracer_;
   const PhotonShot& shot_;

@@ -1,7 +1,8 @@
 // Random numbers of shading: one interface, two sources (spec 06 section 14, 07 section 1).
 //
-// By default numbers are a hash of (seed, camera sample, way of the ray from there, purpose, count): the picture is the same for any number of threads, and
-// whatever is traced before or together. In replay mode they are POV-Ray's own streams, read on from sample to sample, which is only meaningful with one thread.
+// By default numbers are a hash of (seed, camera sample, way of the ray from there, purpose, count): the picture is the
+// same for any number of threads, and whatever is traced before or together. In replay mode they are POV-Ray's own
+// streams, read on from sample to sample, which is only meaningful with one thread.
 #pragma once
 
 #include <algorithm>
@@ -84,10 +85,13 @@ class RandomBranch {
   RandomBranch(const RandomBranch&) = delete;
   RandomBranch& operator=(const RandomBranch&) = delete;
 
-  // The branches of a hit: of the texture-th texture that shows there, the ray behind the surface and the mirror of a layer; the light that a layer gets from
-  // other surfaces, and a ray that gathers it; a light; the media of the ray's interiors and what fills the air.
+  // The branches of a hit: of the texture-th texture that shows there, the ray behind the surface and the mirror of a
+  // layer; the light that a layer gets from other surfaces, and a ray that gathers it; a light; the media of the ray's
+  // interiors and what fills the air.
   static std::uint32_t behind(int texture) { return static_cast<std::uint32_t>(texture) << 8; }
-  static std::uint32_t mirror(int texture, int layer) { return behind(texture) + 1 + static_cast<std::uint32_t>(layer); }
+  static std::uint32_t mirror(int texture, int layer) {
+    return behind(texture) + 1 + static_cast<std::uint32_t>(layer);
+  }
   static std::uint32_t indirect(int texture, int layer) { return mirror(texture, layer) + (1u << 29); }
   static std::uint32_t gather(std::size_t ray) { return indirect(0, 0) + (1u << 28) + static_cast<std::uint32_t>(ray); }
   static std::uint32_t light(std::size_t index) { return (1u << 30) + static_cast<std::uint32_t>(index); }

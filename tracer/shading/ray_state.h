@@ -13,26 +13,27 @@ struct InteriorRange {
 
 // What a radiosity ray learns on its way of the samples that are asked for along it.
 struct GatherNotes {
-  float quality = 1;      // the worst of the answers
-  // Of what the last ray of the last sample that was taken on the way hit first; below 0: none was taken. POV-Ray weighs a ray by it (measured with 3.7.0.10).
+  float quality = 1;  // the worst of the answers
+  // Of what the last ray of the last sample that was taken on the way hit first; below 0: none was taken. POV-Ray
+  // weighs a ray by it (measured with 3.7.0.10).
   float importance = -1;
 };
 
 struct RayState {
   Ray ray;
   InteriorRange interiors;
-  bool hollow = true;          // every interior in the list belongs to hollow objects
+  bool hollow = true;  // every interior in the list belongs to hollow objects
   bool primary = true;
   bool reflected = false, refracted = false;  // sticky
-  bool continuation = false;   // goes straight on through a surface: does not raise the level
+  bool continuation = false;                  // goes straight on through a surface: does not raise the level
   bool monochromatic = false;
-  bool volumes = true;         // sees media, fog and rainbows (radiosity gather rays may not)
-  bool gather = false;         // radiosity: area lights as points, no highlights, background without alpha
-  bool direct_light = true;    // false: only what emits (radiosity pretrace without vain direct lighting)
-  float wavelength = 0;        // nm, when monochromatic
-  float weight = 1;            // importance for adc_bailout
+  bool volumes = true;       // sees media, fog and rainbows (radiosity gather rays may not)
+  bool gather = false;       // radiosity: area lights as points, no highlights, background without alpha
+  bool direct_light = true;  // false: only what emits (radiosity pretrace without vain direct lighting)
+  float wavelength = 0;      // nm, when monochromatic
+  float weight = 1;          // importance for adc_bailout
   int level = 0;
-  int level_limit = 5;         // max_trace_level, or what a gather ray is allowed
+  int level_limit = 5;  // max_trace_level, or what a gather ray is allowed
   // Radiosity bookkeeping of whoever started this ray; inherited by all descendants.
   int gather_depth = 0;
   GatherNotes* notes = nullptr;

@@ -12,7 +12,8 @@ void visit_group_lights(const scene::Object& object, const Visit& visit) {
 
 }  // namespace
 
-SceneData::SceneData(const scene::Scene& description, const accel::World& geometry, textures::Compiler& compiler, int quality_level, bool output_alpha)
+SceneData::SceneData(const scene::Scene& description, const accel::World& geometry, textures::Compiler& compiler,
+                     int quality_level, bool output_alpha)
     : scene(description),
       world(geometry),
       quality(std::clamp(quality_level, 0, 9)),
@@ -22,7 +23,8 @@ SceneData::SceneData(const scene::Scene& description, const accel::World& geomet
       ambient_light(description.settings.ambient_light),
       sky(description, compiler, output_alpha) {
   if (quality >= 9) {
-    // The last one written is worked on first, which shows in the numbers that jitter draws (measured with two overlapping bows).
+    // The last one written is worked on first, which shows in the numbers that jitter draws (measured with two
+    // overlapping bows).
     for (auto r = description.rainbows.rbegin(); r != description.rainbows.rend(); ++r)
       if (Rainbow bow(*r); bow.active()) rainbows.push_back(bow);
     for (const scene::Fog& f : description.fogs) fog = fog || std::fabs(f.distance) >= kEpsilon;
@@ -30,7 +32,8 @@ SceneData::SceneData(const scene::Scene& description, const accel::World& geomet
   }
   for (const scene::LightSource* source : geometry.lights()) add_light(source);
   global_lights_ = lights_.size();
-  for (const auto& object : description.objects) visit_group_lights(*object, [this](const scene::LightSource* source) { add_light(source); });
+  for (const auto& object : description.objects)
+    visit_group_lights(*object, [this](const scene::LightSource* source) { add_light(source); });
 }
 
 void SceneData::add_light(const scene::LightSource* source) {

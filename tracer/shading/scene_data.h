@@ -3,21 +3,22 @@
 
 #include <unordered_map>
 
-#include "tracer/accel/world.h"
+#include "tracer/world/world.h"
 #include "tracer/shading/effects.h"
-#include "tracer/shading/rainbow.h"
-#include "tracer/shading/sky.h"
+#include "tracer/shading/atmosphere/rainbow.h"
+#include "tracer/shading/atmosphere/sky.h"
 
 namespace verisim::shading {
 
 class SceneData {
  public:
-  SceneData(const scene::Scene& description, const accel::World& geometry, textures::Compiler& compiler, int quality_level, bool output_alpha);
+  SceneData(const scene::Scene& description, const accel::World& geometry, textures::Compiler& compiler,
+            int quality_level, bool output_alpha);
 
   const scene::Scene& scene;
   const accel::World& world;
-  int quality;        // 0..9
-  int version;        // decides opacity and ambient rules (spec 06 section 13)
+  int quality;  // 0..9
+  int version;  // decides opacity and ambient rules (spec 06 section 13)
   float adc_bailout;
   int max_trace_level;
   Rgb ambient_light;  // zero when radiosity replaces it

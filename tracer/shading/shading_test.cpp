@@ -3,9 +3,9 @@
 
 #include "tracer/shading/dispersion.h"
 #include "tracer/shading/finish.h"
-#include "tracer/shading/fog.h"
-#include "tracer/shading/light.h"
-#include "tracer/shading/rainbow.h"
+#include "tracer/shading/atmosphere/fog.h"
+#include "tracer/lights/light.h"
+#include "tracer/shading/atmosphere/rainbow.h"
 #include "tracer/shading/random.h"
 
 namespace verisim::shading {
@@ -14,21 +14,23 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 
 TEST(AreaLight, WeightsOfRecursiveHalving) {
-  const std::pair<int, std::vector<float>> expected[] = {{1, {1}},
-                                                         {2, {.5f, .5f}},
-                                                         {3, {.25f, .5f, .25f}},
-                                                         {4, {.25f, .25f, .25f, .25f}},
-                                                         {5, {.125f, .25f, .25f, .25f, .125f}},
-                                                         {6, {.125f, .25f, .125f, .125f, .25f, .125f}},
-                                                         {7, {.125f, .125f, .125f, .25f, .125f, .125f, .125f}},
-                                                         {9, {.0625f, .125f, .125f, .125f, .125f, .125f, .125f, .125f, .0625f}}};
+  const std::pair<int, std::vector<float>> expected[] = {
+      {1, {1}},
+      {2, {.5f, .5f}},
+      {3, {.25f, .5f, .25f}},
+      {4, {.25f, .25f, .25f, .25f}},
+      {5, {.125f, .25f, .25f, .25f, .125f}},
+      {6, {.125f, .25f, .125f, .125f, .25f, .125f}},
+      {7, {.125f, .125f, .125f, .25f, .125f, .125f, .125f}},
+      {9, {.0625f, .125f, .125f, .125f, .125f, .125f, .125f, .125f, .0625f}}};
   for (const auto& [n, weights] : expected) EXPECT_EQ(area_light_weights(n), weights) << n;
   EXPECT_EQ(area_light_weights(16), std::vector<float>(16, 1.0f / 16));
 }
 
 TEST(Dispersion, HueWeightsOfSevenSamples) {
-  const float expected[7][3] = {{.2555f, 0, 1.4329f},       {.0210f, 0, 2.5655f},       {0, .7665f, 2.2890f}, {.0686f, 2.5284f, .6860f},
-                                {1.8956f, 2.6509f, 0}, {2.9169f, 1.0542f, 0}, {1.7990f, 0, 0}};
+  const float expected[7][3] = {
+      {.2555f, 0, 1.4329f},  {.0210f, 0, 2.5655f},  {0, .7665f, 2.2890f}, {.0686f, 2.5284f, .6860f},
+      {1.8956f, 2.6509f, 0}, {2.9169f, 1.0542f, 0}, {1.7990f, 0, 0}};
   for (int i = 0; i < 7; ++i) {
     const Rgb h = spectral_weight(i, 7);
     EXPECT_NEAR(h.r, expected[i][0], 1e-4) << i;
@@ -49,7 +51,8 @@ TEST(Dispersion, WhiteLosesItsEndsForAnyNumberOfSamples) {
 
 TEST(Dispersion, RedIsBentLessThanViolet) {
   // Entering glass of ior 1.5 and dispersion 1.1: relative dispersion 1/1.1.
-  const double red = 1 / ratio_at(1 / 1.5, 1 / 1.1, kRedWavelength), violet = 1 / ratio_at(1 / 1.5, 1 / 1.1, kVioletWavelength);
+  const double red = 1 / ratio_at(1 / 1.5, 1 / 1.1, kRedWavelength),
+               violet = 1 / ratio_at(1 / 1.5, 1 / 1.1, kVioletWavelength);
   EXPECT_LT(red, 1.5);
   EXPECT_GT(violet, 1.5);
   EXPECT_NEAR(violet / red, 1.1, 1e-12);
@@ -57,7 +60,8 @@ TEST(Dispersion, RedIsBentLessThanViolet) {
 
 TEST(Random, ReplayIsPovRaysStream) {
   RandomSource random(true, 0);
-  for (double u : {0.1354770, 0.9057919, 0.8350086, 0.1269868, 0.9688678, 0.9133759}) EXPECT_NEAR(random.shading(), u, 5e-8);
+  for (double u : {0.1354770, 0.9057919, 0.8350086, 0.1269868, 0.9688678, 0.9133759})
+    EXPECT_NEAR(random.shading(), u, 5e-8);
   EXPECT_NEAR(random.media(), 0.1354770, 5e-8);
   // Element 0 comes after element 32767.
   RandomSource round(true, 0);

@@ -25,7 +25,8 @@ class Shuffle {
   std::uint32_t place(std::uint32_t i) {
     if (places_[i] == kUnknown) {
       std::uint32_t before = 0;
-      for (std::uint32_t j = 0; j < keys_.size(); ++j) before += static_cast<std::uint32_t>((keys_[j] < keys_[i]) | ((keys_[j] == keys_[i]) & (j < i)));
+      for (std::uint32_t j = 0; j < keys_.size(); ++j)
+        before += static_cast<std::uint32_t>((keys_[j] < keys_[i]) | ((keys_[j] == keys_[i]) & (j < i)));
       places_[i] = before;
     }
     return places_[i];

@@ -1,4 +1,5 @@
-// Shading a hit: choice of textures, layers, own light, then what is seen through and in the surface (spec 06 section 3).
+// Shading a hit: choice of textures, layers, own light, then what is seen through and in the surface (spec 06 section
+// 3).
 #include "tracer/shading/finish.h"
 #include "tracer/shading/tracer.h"
 
@@ -22,13 +23,21 @@ class StackScope {
 
 }  // namespace
 
-SurfaceHit::SurfaceHit(const shapes::Hit& h, const Vec3& normal, const Vec3& direction, std::size_t cache, int child_level)
-    : hit(h), surface(*h.shape->surface), raw(normal), inside_hit(dot(raw, direction) > 0), light_cache(cache), level(child_level) {
+SurfaceHit::SurfaceHit(const shapes::Hit& h, const Vec3& normal, const Vec3& direction, std::size_t cache,
+                       int child_level)
+    : hit(h),
+      surface(*h.shape->surface),
+      raw(normal),
+      inside_hit(dot(raw, direction) > 0),
+      light_cache(cache),
+      level(child_level) {
   if (inside_hit) raw = -raw;
-  texture_point = {h.point, raw, direction, [](const void* context) {
+  texture_point = {h.point, raw, direction,
+                   [](const void* context) {
                      const auto& seen = *static_cast<const shapes::Hit*>(context);
                      return seen.shape->uv(seen);
-                   }, &h};
+                   },
+                   &h};
 }
 
 Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
@@ -54,7 +63,9 @@ Color Tracer::shade_surface(const RayState& ray, const shapes::Hit& hit) {
 
   Color result;
   if (weighted_.empty()) {
-    if (texture) result = shade_texture(ray, at, *texture, p, nullptr);  // none: a cutaway surface in no textured child shows black
+    if (texture)
+      result =
+          shade_texture(ray, at, *texture, p, nullptr);  // none: a cutaway surface in no textured child shows black
   } else {
     const StackScope<textures::WeightedTexture> scope(selection_);
     selection_.insert(selection_.end(), weighted_.begin(), weighted_.end());
@@ -68,12 +79,15 @@ Color Tracer::shade_surface(const RayState& ray, const shapes::Hit& hit) {
   return result;
 }
 
-Color Tracer::shade_texture(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Frame* frame) {
-  if (!texture.patterned()) return scene_.quality <= 1 ? shade_unlit(at, texture, p) : shade_layers(ray, at, texture, p, frame);
+Color Tracer::shade_texture(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture,
+                            const Vec3& p, const Frame* frame) {
+  if (!texture.patterned())
+    return scene_.quality <= 1 ? shade_unlit(at, texture, p) : shade_layers(ray, at, texture, p, frame);
   const StackScope<textures::WeightedTexture> scope(selection_);
   selection_.resize(scope.begin() + std::max<std::size_t>(texture.map.size(), 2));
   Vec3 warped;
-  const auto chosen = textures::select(texture, p, &at.texture_point, std::span(selection_).subspan(scope.begin()), warped);
+  const auto chosen =
+      textures::select(texture, p, &at.texture_point, std::span(selection_).subspan(scope.begin()), warped);
   const std::size_t count = chosen.size(), first = static_cast<std::size_t>(chosen.data() - selection_.data());
   const Frame inner{&texture, frame};
   Color sum;
@@ -112,7 +126,8 @@ Color Tracer::shade_unlit(SurfaceHit& at, const textures::CompiledTexture& textu
 }
 
 // The compositing equation of spec 06 3.3.
-Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Frame* frame) {
+Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
+                           const Frame* frame) {
   const StackScope<ShadedLayer> layers(layers_);
   const Vec3& d = ray.ray.direction;
   const double adc = bailout(ray);
@@ -140,9 +155,11 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
     if (observer_) observer_->layer(at, context, rho);
     Rgb own = c.rgb() * (finish.ambient * scene_.ambient_light + finish.emission) * context.opacity;
     // Subsurface first: the order in which radiosity is asked for decides where its samples are (replay).
-    if (scene_.effects && scene_.effects->subsurface && finish.subsurface) own += scene_.effects->subsurface_light(*this, ray, at, context);
+    if (scene_.effects && scene_.effects->subsurface && finish.subsurface)
+      own += scene_.effects->subsurface_light(*this, ray, at, context);
     if (scene_.effects && scene_.effects->radiosity) {
-      const RandomBranch branch(random_, RandomBranch::indirect(index, static_cast<int>(&layer - texture.layers.data())));
+      const RandomBranch branch(random_,
+                                RandomBranch::indirect(index, static_cast<int>(&layer - texture.layers.data())));
       own += scene_.effects->indirect_light(*this, ray, at, context);
     }
     own += direct_light(ray, at, context);
@@ -151,7 +168,8 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
 
     if (colored) {
       filter *= c.transmission();
-      if (finish.conserve_energy) filter *= {std::min(1.0f, 1 - rho.r), std::min(1.0f, 1 - rho.g), std::min(1.0f, 1 - rho.b)};
+      if (finish.conserve_energy)
+        filter *= {std::min(1.0f, 1 - rho.r), std::min(1.0f, 1 - rho.g), std::min(1.0f, 1 - rho.b)};
     }
     translucency = std::min(1.0f, std::fabs(filter.grey()));
   }

@@ -1,12 +1,13 @@
 #include "tracer/shading/tracer.h"
 
-#include "tracer/shading/fog.h"
+#include "tracer/shading/atmosphere/fog.h"
 
 namespace verisim::shading {
 namespace {
 
-constexpr double kNearestHit = 1e-4;   // of camera, reflected and transmitted rays
-// Straight continuations do not count as levels, so their number is only limited here, by the stack; POV-Ray itself fails at about 300.
+constexpr double kNearestHit = 1e-4;  // of camera, reflected and transmitted rays
+// Straight continuations do not count as levels, so their number is only limited here, by the stack; POV-Ray itself
+// fails at about 300.
 constexpr int kMaxNesting = 1000;
 
 struct Nested {
@@ -18,7 +19,11 @@ struct Nested {
 }  // namespace
 
 Tracer::Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel)
-    : scene_(scene), random_(random), cancel_(cancel), coherent_(scene.world), effects_state_(scene.effects ? scene.effects->make_state() : nullptr) {
+    : scene_(scene),
+      random_(random),
+      cancel_(cancel),
+      coherent_(scene.world),
+      effects_state_(scene.effects ? scene.effects->make_state() : nullptr) {
   const bool media = scene.effects && (scene.effects->media_in_interiors || scene.effects->atmosphere);
   lights_in_rows_ = scene.quality >= 4 && !random.replay() && !scene.world.has_transparent_shadows();
   for (std::size_t i = 0; i < scene.global_lights(); ++i) {
@@ -26,7 +31,8 @@ Tracer::Tracer(const SceneData& scene, const RandomSource& random, const std::at
     lights_in_rows_ = lights_in_rows_ && !light.projector() && !((scene.fog || media) && light.media_attenuation());
     area_lights_ = area_lights_ || light.area() || light.area_illumination();
   }
-  has_volumes_ = scene.quality >= 9 && (!scene.rainbows.empty() || scene.fog || (scene.effects && scene.effects->atmosphere));
+  has_volumes_ =
+      scene.quality >= 9 && (!scene.rainbows.empty() || scene.fog || (scene.effects && scene.effects->atmosphere));
 }
 
 RayState Tracer::camera_state(const Ray& ray, bool origin_varies) {
@@ -56,7 +62,8 @@ bool Tracer::cut_off(const RayState& ray) const {
   return ray.level >= ray.level_limit || ray.weight < bailout(ray) || nesting_ >= kMaxNesting;
 }
 
-bool Tracer::nearest(const RayState& ray, shapes::Hit& hit, double t_min, double t_max, const accel::WorldEntry* entry) const {
+bool Tracer::nearest(const RayState& ray, shapes::Hit& hit, double t_min, double t_max,
+                     const accel::WorldEntry* entry) const {
   return scene_.world.intersect(ray.ray, ray.kind(), t_min, t_max, hit, entry);
 }
 
@@ -100,7 +107,9 @@ void Tracer::apply_volumes(const RayState& ray, double length, const shapes::Sur
     float count = 0, see_through = 1;
     for (const Rainbow& rainbow : scene_.rainbows) {
       Rainbow::Effect e;
-      if (!rainbow.effect(ray.ray.direction, length, [this] { return random_.shading(); }, e)) continue;
+      if (!rainbow.effect(
+              ray.ray.direction, length, [this] { return random_.shading(); }, e))
+        continue;
       sum += e.keep * color.rgb() * e.filter + e.added;
       see_through *= e.see_through;
       count += 1;
@@ -109,7 +118,8 @@ void Tracer::apply_volumes(const RayState& ray, double length, const shapes::Sur
   }
   if (scene_.effects && scene_.effects->atmosphere) scene_.effects->atmosphere_media(*this, ray, length, end, color);
   if (scene_.fog) {
-    const FogEffect fog = fog_along(scene_.scene.fogs, ray.ray.origin, ray.ray.direction, length, scene_.scene.settings.noise_generator);
+    const FogEffect fog =
+        fog_along(scene_.scene.fogs, ray.ray.origin, ray.ray.direction, length, scene_.scene.settings.noise_generator);
     color = Color(fog.added + fog.passed * color.rgb(), 0, color.t * fog.passed.grey());
   }
 }

@@ -1,4 +1,5 @@
-// The recursive trace: what a ray sees (spec 06 sections 2 and 3). One Tracer per thread; it owns the thread's scratch memory, random streams and counts.
+// The recursive trace: what a ray sees (spec 06 sections 2 and 3). One Tracer per thread; it owns the thread's scratch
+// memory, random streams and counts.
 #pragma once
 
 #include <array>
@@ -6,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "tracer/accel/coherent_rays.h"
+#include "tracer/world/coherent_rays.h"
 #include "tracer/film/statistics.h"
 #include "tracer/shading/explain.h"
 #include "tracer/shading/random.h"
@@ -29,23 +30,24 @@ enum class LightWay : unsigned char;
 
 // One hit while it is being shaded.
 struct SurfaceHit {
-  SurfaceHit(const shapes::Hit& h, const Vec3& direction, std::size_t cache, int child_level) : SurfaceHit(h, h.shape->normal(h), direction, cache, child_level) {}
+  SurfaceHit(const shapes::Hit& h, const Vec3& direction, std::size_t cache, int child_level)
+      : SurfaceHit(h, h.shape->normal(h), direction, cache, child_level) {}
   SurfaceHit(const shapes::Hit& h, const Vec3& normal, const Vec3& direction, std::size_t cache, int child_level);
   // Where textures are evaluated: the point, or its surface coordinates (spec 06 3.1).
   Vec3 pattern_point() const { return surface.uv_mapping ? textures::uv_point(texture_point) : hit.point; }
 
   const shapes::Hit& hit;
   const shapes::Surface& surface;
-  Vec3 raw;            // geometric normal towards the viewer
-  bool inside_hit;     // the surface was hit from within
+  Vec3 raw;         // geometric normal towards the viewer
+  bool inside_hit;  // the surface was hit from within
   textures::SurfacePoint texture_point;
-  std::size_t light_cache;  // where this hit's results per global light start
-  bool keeps_lights = true; // several layers may ask for them
-  int level;                // of the rays it sends out
-  int textures = 0;         // that were shaded here so far
+  std::size_t light_cache;   // where this hit's results per global light start
+  bool keeps_lights = true;  // several layers may ask for them
+  int level;                 // of the rays it sends out
+  int textures = 0;          // that were shaded here so far
 
-  // Answers that the layers of this hit share: irradiance on either side; whether photons were gathered, and along which
-  // normal: the first layer's.
+  // Answers that the layers of this hit share: irradiance on either side; whether photons were gathered, and along
+  // which normal: the first layer's.
   struct Indirect {
     bool known = false;
     Rgb light;
@@ -60,10 +62,12 @@ class Tracer {
   Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel = nullptr);
 
   // Traces a ray; colour with t = see-through. t_max limits the search for the first surface (mesh_camera).
-  Color trace(const RayState& ray, double t_max = std::numeric_limits<double>::infinity(), const accel::WorldEntry* entry = nullptr);
-  // The two halves of trace, for callers that need to know what was hit: the nearest surface this ray sees, and what it looks like (null: nothing hit).
-  bool nearest(const RayState& ray, shapes::Hit& hit, double t_min = 1e-4, double t_max = std::numeric_limits<double>::infinity(),
-               const accel::WorldEntry* entry = nullptr) const;
+  Color trace(const RayState& ray, double t_max = std::numeric_limits<double>::infinity(),
+              const accel::WorldEntry* entry = nullptr);
+  // The two halves of trace, for callers that need to know what was hit: the nearest surface this ray sees, and what it
+  // looks like (null: nothing hit).
+  bool nearest(const RayState& ray, shapes::Hit& hit, double t_min = 1e-4,
+               double t_max = std::numeric_limits<double>::infinity(), const accel::WorldEntry* entry = nullptr) const;
   Color resolve(const RayState& ray, const shapes::Hit* hit);
   // The same of a ray that is not cut_off(), but for the media and volumes on its way to the surface.
   Color resolve_surface(const RayState& ray, const shapes::Hit& hit);
@@ -75,33 +79,42 @@ class Tracer {
   void set_observer(Observer* observer) { observer_ = observer; }
   // A camera ray, with the interiors around its origin; `origin_varies`: they must be looked up again.
   // `entry`: where it enters the world, if known.
-  Color trace_camera(const Ray& ray, bool origin_varies, double t_max = std::numeric_limits<double>::infinity(), const accel::WorldEntry* entry = nullptr);
+  Color trace_camera(const Ray& ray, bool origin_varies, double t_max = std::numeric_limits<double>::infinity(),
+                     const accel::WorldEntry* entry = nullptr);
 
   // The state of such a ray, before it is traced.
   RayState camera_state(const Ray& ray, bool origin_varies);
 
-  // Light of `light` that arrives at p after attenuation and shadows, for things that are not surfaces (media); sets the unit direction towards it.
+  // Light of `light` that arrives at p after attenuation and shadows, for things that are not surfaces (media); sets
+  // the unit direction towards it.
   Rgb light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light);
   // The same for a point of a surface, with area sampling; `lit` may be null.
-  Rgb shadowed(const Light& light, const Vec3& p, const LightDirection& centre, const RayState& ray, const shapes::Surface* lit, Rgb color);
-  // Diffuse reflection, highlights and iridescence of one layer for light of colour `intensity` from unit direction l (spec 06 4.2.4 to 4.2.6).
-  // `diffuse`: coefficient to use; <= 0: none.
-  Rgb layer_response(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l, const Rgb& intensity, float diffuse,
-                     bool highlights);
+  Rgb shadowed(const Light& light, const Vec3& p, const LightDirection& centre, const RayState& ray,
+               const shapes::Surface* lit, Rgb color);
+  // Diffuse reflection, highlights and iridescence of one layer for light of colour `intensity` from unit direction l
+  // (spec 06 4.2.4 to 4.2.6). `diffuse`: coefficient to use; <= 0: none.
+  Rgb layer_response(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l,
+                     const Rgb& intensity, float diffuse, bool highlights);
 
   // Filters the light of all rays of a row; `eye`: the ray that asks, but for its own way and weight.
   void cast_shadows(const Light& light, const RayState& eye, ShadowRow& row);
-  // Whether anything is in the way of shadow rays, `rays` with the distances of the light, as far as that may be known without filtering any light and drawing any number: where nothing but
-  // opaque objects can be met. The others stay unknown.
-  void look_for_light(const Light& light, const RayState& eye, const RayRow& rays, const double* distance, int count, LightWay* ways);
+  // Whether anything is in the way of shadow rays, `rays` with the distances of the light, as far as that may be known
+  // without filtering any light and drawing any number: where nothing but opaque objects can be met. The others stay
+  // unknown.
+  void look_for_light(const Light& light, const RayState& eye, const RayRow& rays, const double* distance, int count,
+                      LightWay* ways);
 
   const SceneData& scene() const { return scene_; }
   RandomSource& random() { return random_; }
   render::Statistics& statistics() { return statistics_; }
   EffectsState* effects_state() { return effects_state_.get(); }
   // Radiosity's own value is a double in POV-Ray: weights rounded to single precision may fall below it (spec 07 2.6).
-  double bailout(const RayState& ray) const { return ray.gather ? scene_.scene.settings.radiosity.adc_bailout : scene_.adc_bailout; }
-  std::span<const scene::Interior* const> interiors(const InteriorRange& range) const { return {interiors_.data() + range.begin, range.count}; }
+  double bailout(const RayState& ray) const {
+    return ray.gather ? scene_.scene.settings.radiosity.adc_bailout : scene_.adc_bailout;
+  }
+  std::span<const scene::Interior* const> interiors(const InteriorRange& range) const {
+    return {interiors_.data() + range.begin, range.count};
+  }
 
   // Restores the interior stack when a child ray is finished.
   class InteriorScope {
@@ -121,10 +134,10 @@ class Tracer {
   bool all_hollow(const InteriorRange& range) const;
 
  private:
-  friend class Wave;        // camera rays shaded together
-  friend class PhotonWalk;  // photons cross surfaces by the same rules
+  friend class Wave;              // camera rays shaded together
+  friend class PhotonWalk;        // photons cross surfaces by the same rules
   friend class path::PathTracer;  // and so do paths
-  struct Frame {  // enclosing patterned textures, innermost first
+  struct Frame {                  // enclosing patterned textures, innermost first
     const textures::CompiledTexture* texture;
     const Frame* outer;
   };
@@ -156,8 +169,10 @@ class Tracer {
   // ---- surface.cpp
   Color shade(const RayState& ray, const shapes::Hit& hit);
   Color shade_surface(const RayState& ray, const shapes::Hit& hit);  // without the media on the way to it
-  Color shade_texture(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Frame* frame);
-  Color shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Frame* frame);
+  Color shade_texture(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
+                      const Frame* frame);
+  Color shade_layers(const RayState& ray, SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p,
+                     const Frame* frame);
   Vec3 layer_normal(SurfaceHit& at, const textures::CompiledLayer& layer, const Vec3& p, const Frame* frame);
   Color shade_unlit(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p);
 
@@ -168,18 +183,22 @@ class Tracer {
   Rgb lights_together(const RayState& ray, SurfaceHit& at, const LayerContext& layer);
   // What arrives before shadows are known; false: nothing that counts. `back`: on the side that faces away.
   bool locate(SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache, bool& back) const;
-  Rgb light_contribution(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache);
-  Rgb area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache);
+  Rgb light_contribution(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
+                         CachedLight& cache);
+  Rgb area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
+                        CachedLight& cache);
   Rgb iridescence_of(const SurfaceHit& at, const LayerContext& layer, double cosines);
 
   // ---- transmission.cpp
   Color transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, float weight, bool& total_reflection);
   Refraction cross_surface(const RayState& ray, const scene::Interior& x);
-  Color attenuated(const Color& seen, const InteriorRange& interiors, const SurfaceHit& at, bool total_reflection) const;
+  Color attenuated(const Color& seen, const InteriorRange& interiors, const SurfaceHit& at,
+                   bool total_reflection) const;
   static std::optional<Vec3> refracted_direction(const Vec3& d, const Vec3& normal, double ratio);
-  Color refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, double ratio, float wavelength,
-                      float weight, bool& total_reflection);
-  Color split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, float weight);
+  Color refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction,
+                      double ratio, float wavelength, float weight, bool& total_reflection);
+  Color split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction,
+                       float weight);
   Rgb reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer, float weight);
   // Of a total reflection this layer's mirror would show the same once more.
   static bool hidden_by_total_reflection(const Vec3& top_normal, const Vec3& normal);
@@ -195,18 +214,21 @@ class Tracer {
     const shapes::Surface* lit;
     const Light& light;
   };
-  // Replay only: POV-Ray tries a light's last opaque blocker first, with wider limits, which shows at contacts (spec 06 9.2).
+  // Replay only: POV-Ray tries a light's last opaque blocker first, with wider limits, which shows at contacts (spec
+  // 06 9.2).
   int* last_blocker(const ShadowQuery& query);
   void cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color);
   // Fog or media may take from this light on its way.
   bool light_on_way_changes(const Light& light) const;
   // Shadow rays that start there meet nothing but opaque objects; null: from anywhere.
-  bool only_opaque(const accel::WorldEntry* entry) const { return entry ? entry->only_opaque : !scene_.world.has_transparent_shadows(); }
+  bool only_opaque(const accel::WorldEntry* entry) const {
+    return entry ? entry->only_opaque : !scene_.world.has_transparent_shadows();
+  }
   // No transparent object is on the way, so that any one decides.
   bool any_object_decides(const accel::WorldEntry* entry, const Vec3& p, const Vec3& towards, double distance) const;
   // `first`: the nearest hit, if it is known that there is one.
-  void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, const accel::WorldEntry* entry, Rgb& color,
-                    const shapes::Hit* first = nullptr);
+  void filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance,
+                    const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first = nullptr);
   // Where shadow rays from p to this light start in the world; null: nothing is known.
   accel::WorldEntry* shadow_entry(const ShadowQuery& query, const Vec3& p);
   static accel::CoherentRays::Viewer viewer(const ShadowQuery& query);
@@ -214,9 +236,11 @@ class Tracer {
   bool rays_alone(const Light& light, const RayState& eye) const;
   template <class Opaque, class Mixed>
   void by_cells(const Light& light, const RayState& eye, const ShadowRays& row, Opaque&& opaque, Mixed&& mixed);
-  void filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count, ShadowRow& row);
+  void filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count,
+                  ShadowRow& row);
   bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);
-  Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards, const Frame* frame);
+  Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,
+                     const Frame* frame);
   void shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool container, Rgb& color);
 
   // ---- area_light.cpp
@@ -249,10 +273,12 @@ class Tracer {
     Rgb color;
     std::uint64_t stamp = 0;
   };
-  std::vector<std::array<int, 2>> last_blockers_;  // per global light: frame-level object or -1, for camera hits and for deeper ones
+  std::vector<std::array<int, 2>>
+      last_blockers_;  // per global light: frame-level object or -1, for camera hits and for deeper ones
   std::vector<CornerResult> corners_;
   Shuffle area_rows_, area_columns_;
-  std::vector<int> area_lines_[2];      // the columns and rows that the quartering of a grid of these sizes and levels asks for first
+  std::vector<int>
+      area_lines_[2];  // the columns and rows that the quartering of a grid of these sizes and levels asks for first
   std::array<int, 3> area_lines_of_{};
   std::uint64_t corner_stamp_ = 0;
 };

@@ -1,11 +1,13 @@
-// What is seen through a surface and in it: entering and leaving interiors, refraction, dispersion, attenuation, mirror rays (spec 06 sections 5 and 6).
+// What is seen through a surface and in it: entering and leaving interiors, refraction, dispersion, attenuation, mirror
+// rays (spec 06 sections 5 and 6).
 #include "tracer/shading/dispersion.h"
 #include "tracer/shading/finish.h"
 #include "tracer/shading/tracer.h"
 
 namespace verisim::shading {
 
-Color Tracer::transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, float weight, bool& total_reflection) {
+Color Tracer::transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, float weight,
+                       bool& total_reflection) {
   const scene::Interior& x = *at.surface.interior;
   const InteriorScope scope(*this);
   const Refraction refraction = cross_surface(ray, x);
@@ -34,7 +36,8 @@ Color Tracer::transmit(const RayState& ray, SurfaceHit& at, const ShadedLayer& t
 }
 
 // Of what is seen through a surface.
-Color Tracer::attenuated(const Color& seen, const InteriorRange& interiors, const SurfaceHit& at, bool total_reflection) const {
+Color Tracer::attenuated(const Color& seen, const InteriorRange& interiors, const SurfaceHit& at,
+                         bool total_reflection) const {
   const scene::Interior& x = *at.surface.interior;
   Rgb attenuation(x.refraction);
   attenuation *= fade_factor(interiors, x, at.hit.t);
@@ -75,8 +78,8 @@ std::optional<Vec3> Tracer::refracted_direction(const Vec3& d, const Vec3& norma
   return d * ratio + n * (ratio * k - std::sqrt(q));
 }
 
-Color Tracer::refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, double ratio, float wavelength,
-                            float weight, bool& total_reflection) {
+Color Tracer::refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction,
+                            double ratio, float wavelength, float weight, bool& total_reflection) {
   const auto direction = refracted_direction(ray.ray.direction, top.normal, ratio);
   if (!direction) {
     total_reflection = true;
@@ -96,7 +99,8 @@ Color Tracer::refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLay
   return trace(child);
 }
 
-Color Tracer::split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction, float weight) {
+Color Tracer::split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction,
+                             float weight) {
   const int n = refraction.samples;
   RayState colored = ray;
   colored.monochromatic = true;
@@ -106,7 +110,8 @@ Color Tracer::split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLa
     colored.wavelength = static_cast<float>(wavelength);
     bool ignored = false;  // a sub-ray that is totally reflected does not make the hit so
     const double ratio = ratio_at(refraction.ratio, refraction.dispersion, wavelength);
-    sum += spectral_weight(i, n) * refracted_ray(colored, at, top, refraction, ratio, colored.wavelength, weight, ignored).rgb();
+    sum += spectral_weight(i, n) *
+           refracted_ray(colored, at, top, refraction, ratio, colored.wavelength, weight, ignored).rgb();
   }
   return {sum * (1.0f / static_cast<float>(n)), 0, 0};
 }
@@ -124,14 +129,16 @@ Rgb Tracer::reflect(const RayState& ray, SurfaceHit& at, const ShadedLayer& laye
   Rgb seen = trace(child).rgb();
   if (layer.layer->finish.irid > 0) {
     const LayerContext context{*layer.layer, layer.pigment, layer.normal, 1, Rgb(1)};
-    seen *= iridescence_of(at, context, std::fabs(dot(layer.normal, child.ray.direction)) + std::fabs(dot(layer.normal, d)));
+    seen *= iridescence_of(at, context,
+                           std::fabs(dot(layer.normal, child.ray.direction)) + std::fabs(dot(layer.normal, d)));
   }
   return seen;
 }
 
 bool Tracer::hidden_by_total_reflection(const Vec3& top_normal, const Vec3& normal) {
   const Vec3 difference = normal - top_normal;
-  return std::fabs(difference.x) <= kEpsilon && std::fabs(difference.y) <= kEpsilon && std::fabs(difference.z) <= kEpsilon;
+  return std::fabs(difference.x) <= kEpsilon && std::fabs(difference.y) <= kEpsilon &&
+         std::fabs(difference.z) <= kEpsilon;
 }
 
 // By which the weight of reflected rays goes down.
@@ -141,7 +148,9 @@ float Tracer::mirror_strength(const scene::Reflection& mirror, const Rgb& reflec
 
 // What a layer's mirror adds.
 Rgb Tracer::mirrored(const RayState& ray, SurfaceHit& at, const ShadedLayer& layer) {
-  return mirror_image(layer, reflect(ray, at, layer, ray.weight * layer.translucency * mirror_strength(layer.layer->finish.reflection, layer.reflectivity)));
+  return mirror_image(layer, reflect(ray, at, layer,
+                                     ray.weight * layer.translucency *
+                                         mirror_strength(layer.layer->finish.reflection, layer.reflectivity)));
 }
 
 Rgb Tracer::mirror_image(const ShadedLayer& layer, Rgb seen) {
@@ -161,7 +170,8 @@ Rgb Tracer::fade_factor(const InteriorRange& range, const scene::Interior& inter
   const double s = distance / interior.fade_distance;
   const Rgb& c = interior.fade_color;
   if (interior.fade_power >= 1000)
-    return {static_cast<float>(std::exp(-(1.0 - c.r) * s)), static_cast<float>(std::exp(-(1.0 - c.g) * s)), static_cast<float>(std::exp(-(1.0 - c.b) * s))};
+    return {static_cast<float>(std::exp(-(1.0 - c.r) * s)), static_cast<float>(std::exp(-(1.0 - c.g) * s)),
+            static_cast<float>(std::exp(-(1.0 - c.b) * s))};
   const auto f = static_cast<float>(1 / (1 + std::pow(s, static_cast<double>(interior.fade_power))));
   return {c.r + (1 - c.r) * f, c.g + (1 - c.g) * f, c.b + (1 - c.b) * f};
 }

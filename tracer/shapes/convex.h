@@ -1,4 +1,5 @@
-// Solids that a ray crosses in one stretch, for the objects that are cut out of them: outside that stretch nothing of what else the object is made of shows.
+// Solids that a ray crosses in one stretch, for the objects that are cut out of them: outside that stretch nothing of
+// what else the object is made of shows.
 #pragma once
 
 #include <limits>
@@ -8,7 +9,8 @@
 namespace verisim::shapes {
 
 struct Crossings {
-  // Where points of the ray may be inside; what lies at other distances, the solid's inside test refuses, even where points are off the ray by PlaneSet::doubt_at.
+  // Where points of the ray may be inside; what lies at other distances, the solid's inside test refuses, even where
+  // points are off the ray by PlaneSet::doubt_at.
   double near = -std::numeric_limits<double>::infinity(), far = std::numeric_limits<double>::infinity();
   // What intersect_all adds, in its order: hits without parts at points of the ray.
   double t[2];

@@ -19,15 +19,18 @@ struct Side {
   double bound(const Box3& box) const { return sign > 0 ? box.max[axis] : -box.min[axis]; }
   void lower(Box3& box, double to) const {
     if (!(to < bound(box))) return;
-    if (sign > 0) box.max[axis] = to;
-    else box.min[axis] = -to;
+    if (sign > 0)
+      box.max[axis] = to;
+    else
+      box.min[axis] = -to;
   }
 };
 constexpr Side kSides[] = {{0, 1}, {0, -1}, {1, 1}, {1, -1}, {2, 1}, {2, -1}};
 
 bool along_axis(const Vec3& n) { return (n.x != 0) + (n.y != 0) + (n.z != 0) == 1; }
 
-// If e is the sum of weight[i] * half_spaces[i].normal with weights above 0, e . p is at most the same sum of the distances: duality of linear programs.
+// If e is the sum of weight[i] * half_spaces[i].normal with weights above 0, e . p is at most the same sum of the
+// distances: duality of linear programs.
 void lower_by(Box3& box, const Side& side, std::span<const HalfSpace* const> planes, const double* weights) {
   Vec3 rest(0);
   rest[side.axis] = side.sign;

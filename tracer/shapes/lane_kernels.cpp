@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "tracer/textures/instruction_sets.h"
+#include "tracer/simd/instruction_sets.h"
 
 namespace verisim::shapes {
 namespace {
 
 #define VERISIM_KERNELS "tracer/shapes/lane_kernels.inc"
-#include "tracer/textures/each_instruction_set.inc"
+#include "tracer/simd/each_instruction_set.inc"
 
 const LaneKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
 

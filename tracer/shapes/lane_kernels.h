@@ -1,5 +1,5 @@
-// Eight rays against one simple shape. Compiled for several instruction sets; every lane does the operations of the shape's own `crossings` in the same
-// order, and finds what NearestHit would keep.
+// Eight rays against one simple shape. Compiled for several instruction sets; every lane does the operations of the
+// shape's own `crossings` in the same order, and finds what NearestHit would keep.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,8 @@ struct alignas(64) LaneHits {
 
 // Primitive::local of eight rays.
 struct alignas(64) LocalLanes {
-  double ox[RayLanes::kCount], oy[RayLanes::kCount], oz[RayLanes::kCount], dx[RayLanes::kCount], dy[RayLanes::kCount], dz[RayLanes::kCount];
+  double ox[RayLanes::kCount], oy[RayLanes::kCount], oz[RayLanes::kCount], dx[RayLanes::kCount], dy[RayLanes::kCount],
+      dz[RayLanes::kCount];
   double scale[RayLanes::kCount];
 };
 
@@ -40,12 +41,17 @@ struct TriangleShape {
 // `matrix`: from the shape's own space, null: none. Eight limits stand at t_max.
 struct LaneKernels {
   void (*local)(const Transform* matrix, const RayLanes& rays, LocalLanes& lanes);
-  void (*sphere)(const Vec3& center, double radius2, const Transform* matrix, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
-  void (*box)(const Vec3& low, const Vec3& high, const Transform* matrix, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
-  void (*cone)(bool cylinder, bool open, double narrow, const Transform* matrix, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
+  void (*sphere)(const Vec3& center, double radius2, const Transform* matrix, const RayLanes& rays, double t_min,
+                 const double* t_max, LaneHits& met);
+  void (*box)(const Vec3& low, const Vec3& high, const Transform* matrix, const RayLanes& rays, double t_min,
+              const double* t_max, LaneHits& met);
+  void (*cone)(bool cylinder, bool open, double narrow, const Transform* matrix, const RayLanes& rays, double t_min,
+               const double* t_max, LaneHits& met);
   void (*torus)(double major, double minor, const Transform* matrix, const RayLanes& rays, TorusLanes& lanes);
-  void (*quadric)(const scene::Quadric& quadric, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
-  void (*triangle)(const TriangleShape& triangle, const RayLanes& rays, double t_min, const double* t_max, LaneHits& met);
+  void (*quadric)(const scene::Quadric& quadric, const RayLanes& rays, double t_min, const double* t_max,
+                  LaneHits& met);
+  void (*triangle)(const TriangleShape& triangle, const RayLanes& rays, double t_min, const double* t_max,
+                   LaneHits& met);
 };
 
 // Those of the best instruction set of this machine.

@@ -1,18 +1,19 @@
-// Eight rays at once find what each finds alone, to the last bit, whatever their numbers are, and with every instruction set.
+// Eight rays at once find what each finds alone, to the last bit, whatever their numbers are, and with every
+// instruction set.
 #include "tracer/shapes/lane_kernels.h"
 
 #include <cstring>
 #include <limits>
 #include <memory>
 
-#include "tracer/shapes/blob_lanes.h"
-#include "tracer/shapes/lathe_lanes.h"
-#include "tracer/shapes/poly_lanes.h"
-#include "tracer/shapes/sor_lanes.h"
-#include "tracer/shapes/sphere_sweep_lanes.h"
-#include "tracer/shapes/superellipsoid_lanes.h"
+#include "tracer/shapes/blob/blob_lanes.h"
+#include "tracer/shapes/swept/lathe_lanes.h"
+#include "tracer/shapes/algebraic/poly_lanes.h"
+#include "tracer/shapes/swept/sor_lanes.h"
+#include "tracer/shapes/swept/sphere_sweep_lanes.h"
+#include "tracer/shapes/algebraic/superellipsoid_lanes.h"
 #include "tracer/shapes/test_support.h"
-#include "tracer/textures/instruction_sets.h"
+#include "tracer/simd/instruction_sets.h"
 
 namespace verisim::shapes::testing {
 namespace {
@@ -22,22 +23,27 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
 bool same(const Hit& a, const Hit& b) {
-  return same(a.t, b.t) && same(a.point.x, b.point.x) && same(a.point.y, b.point.y) && same(a.point.z, b.point.z) && a.shape == b.shape && a.part == b.part && same(a.u, b.u) && same(a.v, b.v);
+  return same(a.t, b.t) && same(a.point.x, b.point.x) && same(a.point.y, b.point.y) && same(a.point.z, b.point.z) &&
+         a.shape == b.shape && a.part == b.part && same(a.u, b.u) && same(a.v, b.v);
 }
 
 // Rays towards and beside the origin; every third round some of their numbers are strange.
 class Rays {
  public:
   void fill(int round, int first) {
-    static const double kStrange[] = {0.0, -0.0, 5e-324, -1e-310, 1e-11, -1e-9, 1, -1, 1e8, 1e200, -1e300, kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN()};
+    static const double kStrange[] = {
+        0.0, -0.0, 5e-324, -1e-310, 1e-11,     -1e-9,      1,
+        -1,  1e8,  1e200,  -1e300,  kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN()};
     std::normal_distribution<double> d;
     std::uniform_int_distribution<std::size_t> any(0, std::size(kStrange) - 1);
     for (int i = first; i < first + kLanes; ++i) {
-      const Vec3 origin = Vec3(d(random), d(random), d(random)) * (round % 2 ? 3.0 : 0.5), target = Vec3(d(random), d(random), d(random)) * 0.7;
+      const Vec3 origin = Vec3(d(random), d(random), d(random)) * (round % 2 ? 3.0 : 0.5),
+                 target = Vec3(d(random), d(random), d(random)) * 0.7;
       rows->origin.set(i, origin);
       rows->direction.set(i, normalize(target - origin));
       if (round % 3 == 0) {
-        double* const numbers[] = {rows->origin.x, rows->origin.y, rows->origin.z, rows->direction.x, rows->direction.y, rows->direction.z};
+        double* const numbers[] = {rows->origin.x,    rows->origin.y,    rows->origin.z,
+                                   rows->direction.x, rows->direction.y, rows->direction.z};
         for (std::size_t n = 0; n < 1 + any(random) % 2; ++n) numbers[any(random) % 6][i] = kStrange[any(random)];
       }
       limit[i - first] = round % 5 == 0 ? 2 + std::fabs(d(random)) : kInfinity;
@@ -51,7 +57,9 @@ class Rays {
 };
 
 const Steps kMoved[] = {{}, [](Object& o) {
-                          scene::transform(o, Transform::scaling({0.7, -1.2, 0.9}).then(Transform::rotation({20, 70, -40})).then(Transform::translation({0.2, 0.1, -0.3})));
+                          scene::transform(o, Transform::scaling({0.7, -1.2, 0.9})
+                                                  .then(Transform::rotation({20, 70, -40}))
+                                                  .then(Transform::translation({0.2, 0.1, -0.3})));
                         }};
 
 struct Term {
@@ -74,8 +82,11 @@ scene::Poly poly(int order, const std::vector<Term>& terms) {
 void add_curved(const Steps& steps, std::vector<ObjectRef>& objects) {
   objects.push_back(make(poly(2, {{2, 0, 0, 1}, {0, 2, 0, 2}, {0, 0, 1, 1}, {0, 0, 0, -0.5}}), steps));
   objects.push_back(make(poly(3, {{3, 0, 0, 1}, {0, 3, 0, 1}, {0, 0, 2, 1}, {0, 1, 1, 0.5}, {0, 0, 0, -0.3}}), steps));
-  objects.push_back(make(poly(4, {{4, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 4, 1}, {2, 0, 0, -1}, {0, 2, 0, -1}, {0, 0, 2, -1}, {0, 0, 0, 0.4}}), steps));
-  objects.push_back(make(poly(5, {{5, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 2, 1}, {0, 0, 0, -0.2}}), steps));  // of lower degree along some rays
+  objects.push_back(make(
+      poly(4, {{4, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 4, 1}, {2, 0, 0, -1}, {0, 2, 0, -1}, {0, 0, 2, -1}, {0, 0, 0, 0.4}}),
+      steps));
+  objects.push_back(make(poly(5, {{5, 0, 0, 1}, {0, 4, 0, 1}, {0, 0, 2, 1}, {0, 0, 0, -0.2}}),
+                         steps));  // of lower degree along some rays
   const std::vector<Term> cushion{{6, 0, 0, 1}, {0, 6, 0, 1}, {0, 0, 6, 1}, {1, 1, 0, 0.3}, {0, 0, 0, -0.7}};
   objects.push_back(make(poly(6, cushion), steps));
   objects.push_back(make(poly(6, cushion), [&](Object& o) {
@@ -88,41 +99,58 @@ void add_curved(const Steps& steps, std::vector<ObjectRef>& objects) {
   const auto blob = [&](double threshold, std::vector<scene::BlobComponent> components) {
     objects.push_back(make(std::make_shared<const scene::Blob>(scene::Blob{threshold, std::move(components)}), steps));
   };
-  blob(0.5, {{{-0.4, 0, 0}, {}, 0.9, 1, false, {}, {}}, {{0.5, 0.2, 0}, {}, 0.8, 1, false, {}, {}}, {{0, 0.4, 0}, {}, 0.4, -1.5, false, {}, {}}, {{-0.5, -0.6, 0.2}, {0.6, 0.5, 0}, 0.5, 1, true, {}, {}}});
+  blob(0.5, {{{-0.4, 0, 0}, {}, 0.9, 1, false, {}, {}},
+             {{0.5, 0.2, 0}, {}, 0.8, 1, false, {}, {}},
+             {{0, 0.4, 0}, {}, 0.4, -1.5, false, {}, {}},
+             {{-0.5, -0.6, 0.2}, {0.6, 0.5, 0}, 0.5, 1, true, {}, {}}});
   blob(0.3, {{{0, 0, 0}, {0, 0.6, 0}, 0.7, 1, true, turned, {}}, {{0.3, 0, 0}, {}, 0.8, 0.6, false, turned, {}}});
   const std::vector<Vec2> vase{{0.2, -1.2}, {0.4, -0.8}, {0.8, -0.2}, {0.3, 0.3}, {0.5, 0.8}, {0.6, 1}};
-  for (const bool open : {false, true}) objects.push_back(make(std::make_shared<const scene::Sor>(scene::Sor{vase, open}), steps));
+  for (const bool open : {false, true})
+    objects.push_back(make(std::make_shared<const scene::Sor>(scene::Sor{vase, open}), steps));
   const auto lathe = [&](scene::SplineKind spline, std::vector<Vec2> points) {
     objects.push_back(make(std::make_shared<const scene::Lathe>(scene::Lathe{spline, std::move(points)}), steps));
   };
   lathe(scene::SplineKind::linear, {{0, -1}, {0.8, -0.5}, {0.3, 0.4}, {0.9, 1}});
   lathe(scene::SplineKind::quadratic, {{0, -1.2}, {0.5, -1}, {0.9, 0}, {0.4, 0.5}, {0, 0.9}});
   lathe(scene::SplineKind::cubic, {{0.3, -1}, {0.7, -0.8}, {0.4, -0.2}, {0.9, 0.5}, {0, 0.9}, {-0.4, 1}});
-  lathe(scene::SplineKind::bezier, {{0.4, -1}, {1.2, -0.6}, {0.1, -0.2}, {0.3, 0.3}, {0.3, 0.3}, {0.5, 0.5}, {0.2, 0.7}, {0.7, 0.9}});
+  lathe(scene::SplineKind::bezier,
+        {{0.4, -1}, {1.2, -0.6}, {0.1, -0.2}, {0.3, 0.3}, {0.3, 0.3}, {0.5, 0.5}, {0.2, 0.7}, {0.7, 0.9}});
   const auto sweep = [&](scene::SplineKind spline, std::vector<Vec3> centers, std::vector<double> radii) {
-    objects.push_back(make(std::make_shared<const scene::SphereSweep>(scene::SphereSweep{spline, std::move(centers), std::move(radii), 1e-6}), steps));
+    objects.push_back(make(std::make_shared<const scene::SphereSweep>(
+                               scene::SphereSweep{spline, std::move(centers), std::move(radii), 1e-6}),
+                           steps));
   };
   sweep(scene::SplineKind::linear, {{-1, 0, 0}, {0.3, 0.8, 0.2}, {0.8, -0.3, 0.2}}, {0.3, 0.2, 0.5});
-  sweep(scene::SplineKind::b_spline, {{-1, 0, 0}, {-0.3, 0.8, 0.2}, {0.6, -0.7, 0.2}, {1, 0.8, 0}}, {0.6, 0.8, 0.9, 0.4});
-  sweep(scene::SplineKind::cubic, {{-1, -1, 0}, {-0.7, 0.4, 0.1}, {0, -0.3, 0.4}, {0.5, 0.6, -0.3}, {0.9, -0.2, 0}, {1, -1, 0.5}}, {0.2, 0.3, 0.4, 0.2, 0.3, 0.2});
+  sweep(scene::SplineKind::b_spline, {{-1, 0, 0}, {-0.3, 0.8, 0.2}, {0.6, -0.7, 0.2}, {1, 0.8, 0}},
+        {0.6, 0.8, 0.9, 0.4});
+  sweep(scene::SplineKind::cubic,
+        {{-1, -1, 0}, {-0.7, 0.4, 0.1}, {0, -0.3, 0.4}, {0.5, 0.6, -0.3}, {0.9, -0.2, 0}, {1, -1, 0.5}},
+        {0.2, 0.3, 0.4, 0.2, 0.3, 0.2});
 }
 
 // Intersections of planes and others: finite, infinite, with holes, with clips and bounds.
 void add_intersections(const Steps& steps, std::vector<ObjectRef>& objects) {
   const auto plane = [](const Vec3& n, double d) { return make(scene::Plane{n, d}); };
-  const ObjectRef ball = make(scene::Sphere{{0.1, 0.1, 0}, 0.8}), waist = make(scene::Quadric{{1, -1, 1}, Vec3(0), Vec3(0), -0.2});
-  const ObjectRef lower = plane({0, 1, 0}, 0.6), upper = plane({0, -1, 0}, 0.7), slope = plane(normalize(Vec3(1, 1, 0.3)), 0.4);
+  const ObjectRef ball = make(scene::Sphere{{0.1, 0.1, 0}, 0.8}),
+                  waist = make(scene::Quadric{{1, -1, 1}, Vec3(0), Vec3(0), -0.2});
+  const ObjectRef lower = plane({0, 1, 0}, 0.6), upper = plane({0, -1, 0}, 0.7),
+                  slope = plane(normalize(Vec3(1, 1, 0.3)), 0.4);
   objects.push_back(make_intersection({lower, waist, upper}, steps));
   objects.push_back(make_intersection({ball, slope, upper}, steps));
   objects.push_back(make_intersection({lower, slope}, steps));
   objects.push_back(make_intersection({waist, plane({0, 1, 0}, -0.2)}, steps));
-  objects.push_back(make_intersection({lower, upper, plane({1, 0, 0}, 0.5), plane({-1, 0, 0}, 0.5), plane({0, 0, 1}, 0.5), plane({0, 0, -1}, 0.3)}, steps));
-  objects.push_back(make_difference({make_intersection({lower, upper, ball}), slope, make(scene::Box{{-0.2, -1, -0.2}, {0.3, 1, 0.1}})}, steps));
-  objects.push_back(make_intersection({make_union({plane({1, 0, 0}, -0.2), plane({0, 0, 1}, 0.1)}), ball, upper}, steps));
+  objects.push_back(make_intersection(
+      {lower, upper, plane({1, 0, 0}, 0.5), plane({-1, 0, 0}, 0.5), plane({0, 0, 1}, 0.5), plane({0, 0, -1}, 0.3)},
+      steps));
+  objects.push_back(make_difference(
+      {make_intersection({lower, upper, ball}), slope, make(scene::Box{{-0.2, -1, -0.2}, {0.3, 1, 0.1}})}, steps));
+  objects.push_back(
+      make_intersection({make_union({plane({1, 0, 0}, -0.2), plane({0, 0, 1}, 0.1)}), ball, upper}, steps));
   const ObjectRef body = make(scene::Superellipsoid{0.1, 0.3}), ring = make(scene::Torus{0.8, 0.3});
   objects.push_back(make_difference({body, ring}, steps));
   objects.push_back(make_difference({body, slope, make_union({ball, ring})}, steps));
-  objects.push_back(make_difference({body, make_difference({ball, make(scene::Box{{-0.2, -1, -0.2}, {0.3, 1, 0.1}})})}, steps));
+  objects.push_back(
+      make_difference({body, make_difference({ball, make(scene::Box{{-0.2, -1, -0.2}, {0.3, 1, 0.1}})})}, steps));
   objects.push_back(make_intersection({ball, slope, upper}, [&](Object& o) {
     if (steps) steps(o);
     o.clipped_by.push_back(make(scene::Plane{{0, 1, 0}, 0.2}));
@@ -144,11 +172,15 @@ std::vector<ObjectRef> solids() {
     }
     objects.push_back(make(scene::Quadric{{1, 0.5, 1.5}, {0.2, -0.1, 0.3}, {0.1, -0.2, 0}, -1}, steps));
     objects.push_back(make(scene::Quadric{{1, -1, 0}, {0, 0, 0}, {0, 0, 1}, 0}, steps));  // some rays meet it once
-    objects.push_back(make(scene::Triangle{{Vec3(-1.3, -0.8, 0.4), Vec3(1.2, -0.9, -0.3), Vec3(0.2, 1.4, 0.1)}}, steps));
-    objects.push_back(make(scene::SmoothTriangle{{Vec3(0.3, -1.2, -1), Vec3(0.2, 1.3, -0.8), Vec3(-0.3, 0.2, 1.5)}, {Vec3(1, 0, 0), Vec3(1, 0.2, 0), Vec3(1, 0.1, -0.3)}}, steps));
+    objects.push_back(
+        make(scene::Triangle{{Vec3(-1.3, -0.8, 0.4), Vec3(1.2, -0.9, -0.3), Vec3(0.2, 1.4, 0.1)}}, steps));
+    objects.push_back(make(scene::SmoothTriangle{{Vec3(0.3, -1.2, -1), Vec3(0.2, 1.3, -0.8), Vec3(-0.3, 0.2, 1.5)},
+                                                 {Vec3(1, 0, 0), Vec3(1, 0.2, 0), Vec3(1, 0.1, -0.3)}},
+                           steps));
     objects.push_back(make(scene::Torus{0.9, 0.35}, steps));
     objects.push_back(make(scene::Torus{0.3, 0.6}, steps));
-    for (const auto& [east, north] : {std::pair{0.4, 0.8}, {1.0, 1.0}, {2.0, 0.15}, {1.3, 2.0}, {2.5, 1.0}}) objects.push_back(make(scene::Superellipsoid{east, north}, steps));
+    for (const auto& [east, north] : {std::pair{0.4, 0.8}, {1.0, 1.0}, {2.0, 0.15}, {1.3, 2.0}, {2.5, 1.0}})
+      objects.push_back(make(scene::Superellipsoid{east, north}, steps));
     add_curved(steps, objects);
     add_intersections(steps, objects);
     objects.push_back(make(scene::Sphere{Vec3(0), 0.8}, [&](Object& o) {
@@ -214,11 +246,19 @@ TEST_P(LaneKernel, GivesTheSameBitsAsEveryOther) {
         met += a.part[k] >= 0;
       }
     };
-    compare([&](const LaneKernels& set, LaneHits& hits) { set.sphere({0.1, -0.2, 0.3}, 0.8, matrix, lanes, 1e-4, rays.limit, hits); });
-    compare([&](const LaneKernels& set, LaneHits& hits) { set.box(Vec3(-0.9), Vec3(0.8), matrix, lanes, 1e-4, rays.limit, hits); });
+    compare([&](const LaneKernels& set, LaneHits& hits) {
+      set.sphere({0.1, -0.2, 0.3}, 0.8, matrix, lanes, 1e-4, rays.limit, hits);
+    });
+    compare([&](const LaneKernels& set, LaneHits& hits) {
+      set.box(Vec3(-0.9), Vec3(0.8), matrix, lanes, 1e-4, rays.limit, hits);
+    });
     for (const bool open : {false, true}) {
-      compare([&](const LaneKernels& set, LaneHits& hits) { set.cone(true, open, 0, matrix, lanes, 1e-4, rays.limit, hits); });
-      compare([&](const LaneKernels& set, LaneHits& hits) { set.cone(false, open, -0.4, matrix, lanes, 1e-4, rays.limit, hits); });
+      compare([&](const LaneKernels& set, LaneHits& hits) {
+        set.cone(true, open, 0, matrix, lanes, 1e-4, rays.limit, hits);
+      });
+      compare([&](const LaneKernels& set, LaneHits& hits) {
+        set.cone(false, open, -0.4, matrix, lanes, 1e-4, rays.limit, hits);
+      });
     }
     const scene::Quadric saddle{{1, -0.5, 0}, {0.2, 0, 0.3}, {0, 0.1, 1}, round % 3 - 1.0};
     compare([&](const LaneKernels& set, LaneHits& hits) { set.quadric(saddle, lanes, 1e-4, rays.limit, hits); });
@@ -232,7 +272,9 @@ TEST_P(LaneKernel, GivesTheSameBitsAsEveryOther) {
       if (a.met[k] == 0) continue;
       ++met;
       ASSERT_TRUE(same(a.advance[k], b.advance[k]) && same(a.scale[k], b.scale[k]));
-      for (const auto& [x, y] : {std::pair{a.c[0][k], b.c[0][k]}, {a.c[1][k], b.c[1][k]}, {a.c[2][k], b.c[2][k]}, {a.c[3][k], b.c[3][k]}}) ASSERT_TRUE(same(x, y));
+      for (const auto& [x, y] :
+           {std::pair{a.c[0][k], b.c[0][k]}, {a.c[1][k], b.c[1][k]}, {a.c[2][k], b.c[2][k]}, {a.c[3][k], b.c[3][k]}})
+        ASSERT_TRUE(same(x, y));
     }
   }
   EXPECT_GT(met, 10000);
@@ -242,9 +284,11 @@ TEST_P(LaneKernel, MakesTheSamePolynomialsAlongRays) {
   const LaneKernels* kernels = lane_kernels(GetParam());
   if (!kernels) GTEST_SKIP() << "this machine cannot run it";
   const Transform moved = Transform::scaling({0.7, -1.2, 0.9}).then(Transform::rotation({20, 70, -40}));
-  const scene::Poly surface = poly(6, {{6, 0, 0, 1}, {1, 2, 3, -0.7}, {0, 4, 1, 2}, {0, 0, 5, 0.3}, {2, 1, 0, 1}, {0, 0, 0, -1}});
+  const scene::Poly surface =
+      poly(6, {{6, 0, 0, 1}, {1, 2, 3, -0.7}, {0, 4, 1, 2}, {0, 0, 5, 0.3}, {2, 1, 0, 1}, {0, 0, 0, -1}});
   std::vector<unsigned char> used(28, 1);
-  const SweepCubic cubic{{{0.1, -0.3, 0.2, 0.4}, {1, 0.5, -0.2, 0.1}, {-0.3, 0.8, 0.5, -0.2}, {0.2, -0.7, 0.3, 0.1}}, {0.55, 0.06, 0.26}};
+  const SweepCubic cubic{{{0.1, -0.3, 0.2, 0.4}, {1, 0.5, -0.2, 0.1}, {-0.3, 0.8, 0.5, -0.2}, {0.2, -0.7, 0.3, 0.1}},
+                         {0.55, 0.06, 0.26}};
   Rays rays;
   for (int round = 0; round < kRounds; ++round) {
     rays.fill(round, round % 9);
@@ -288,7 +332,8 @@ TEST_P(LaneKernel, MeetsThePartsOfABlobAlike) {
     LocalLanes local;
     lane_kernels(textures::kBaseline)->local(nullptr, {*rays.rows, 0, 255}, local);
     const Ray ray = rays.rows->at(3);
-    ASSERT_EQ(kernels->near(&spheres, 1, ray.origin, ray.direction, 0.1, 0.2), plain.near(&spheres, 1, ray.origin, ray.direction, 0.1, 0.2));
+    ASSERT_EQ(kernels->near(&spheres, 1, ray.origin, ray.direction, 0.1, 0.2),
+              plain.near(&spheres, 1, ray.origin, ray.direction, 0.1, 0.2));
     const std::uint64_t around = plain.around(&spheres, 1, ray.origin);
     ASSERT_EQ(kernels->around(&spheres, 1, ray.origin), around);
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -308,7 +353,8 @@ TEST_P(LaneKernel, MeetsThePartsOfABlobAlike) {
         ASSERT_TRUE(near >> index & 1);
       }
       each_lane(a[i].met, [&](int k) {
-        ASSERT_TRUE(same(a[i].t0[k], b[i].t0[k]) && same(a[i].t1[k], b[i].t1[k]) && same(a[i].a[k], b[i].a[k]) && same(a[i].b[k], b[i].b[k]) && same(a[i].c[k], b[i].c[k]) && same(a[i].peak[k], b[i].peak[k]));
+        ASSERT_TRUE(same(a[i].t0[k], b[i].t0[k]) && same(a[i].t1[k], b[i].t1[k]) && same(a[i].a[k], b[i].a[k]) &&
+                    same(a[i].b[k], b[i].b[k]) && same(a[i].c[k], b[i].c[k]) && same(a[i].peak[k], b[i].peak[k]));
         ++met;
       });
     }
@@ -386,7 +432,8 @@ TEST_P(LaneKernel, MeetsALatheAlike) {
 }
 
 TEST_P(LaneKernel, ApproachesASuperellipsoidInTheSameSteps) {
-  const SuperellipsoidKernels *kernels = superellipsoid_kernels(GetParam()), &plain = *superellipsoid_kernels(textures::kBaseline);
+  const SuperellipsoidKernels *kernels = superellipsoid_kernels(GetParam()),
+                              &plain = *superellipsoid_kernels(textures::kBaseline);
   if (!kernels) GTEST_SKIP() << "this machine cannot run it";
   Rays rays;
   int met = 0;
@@ -396,7 +443,8 @@ TEST_P(LaneKernel, ApproachesASuperellipsoidInTheSameSteps) {
     ConvexLanes a{};
     for (int k = 0; k < kLanes; ++k) {
       const Ray ray = rays.rows->at(k);
-      a.ox[k] = ray.origin.x, a.oy[k] = ray.origin.y, a.oz[k] = ray.origin.z, a.dx[k] = ray.direction.x, a.dy[k] = ray.direction.y, a.dz[k] = ray.direction.z;
+      a.ox[k] = ray.origin.x, a.oy[k] = ray.origin.y, a.oz[k] = ray.origin.z, a.dx[k] = ray.direction.x,
+      a.dy[k] = ray.direction.y, a.dz[k] = ray.direction.z;
       a.t[k] = 0, a.end[k] = 20, a.side[k] = 1;
     }
     ConvexLanes b = a, alone = a, pair = a;
@@ -412,10 +460,12 @@ TEST_P(LaneKernel, ApproachesASuperellipsoidInTheSameSteps) {
       ASSERT_TRUE(same(values[k], arrived.value[k]));
       ++met;
       // The value is that of the plain formula, and zero at the root of rays that begin outside.
-      const Vec3 at(std::fabs(a.ox[k] + a.t[k] * a.dx[k]), std::fabs(a.oy[k] + a.t[k] * a.dy[k]), std::fabs(a.oz[k] + a.t[k] * a.dz[k]));
+      const Vec3 at(std::fabs(a.ox[k] + a.t[k] * a.dx[k]), std::fabs(a.oy[k] + a.t[k] * a.dy[k]),
+                    std::fabs(a.oz[k] + a.t[k] * a.dz[k]));
       const double largest = std::max(at.x, at.y);
       if (round % 3 == 0 || !(largest > 0)) return;
-      const double across = largest * std::pow(std::pow(at.x / largest, p) + std::pow(at.y / largest, p), 1 / p), most = std::max(across, at.z);
+      const double across = largest * std::pow(std::pow(at.x / largest, p) + std::pow(at.y / largest, p), 1 / p),
+                   most = std::max(across, at.z);
       const double expected = most * std::pow(std::pow(across / most, q) + std::pow(at.z / most, q), 1 / q) - 1;
       ASSERT_NEAR(values[k], expected, 1e-13 * (1 + std::fabs(expected))) << p << ' ' << q;
       if (a.t[k] > 0) {
@@ -433,12 +483,14 @@ TEST_P(LaneKernel, ApproachesASuperellipsoidInTheSameSteps) {
     }
     const unsigned found_pair = kernels->approach_pair(p, q, rays.asked & 3, pair);
     ASSERT_EQ(found_pair, found & 3);
-    each_lane(found_pair, [&](int lane) { ASSERT_TRUE(same(pair.t[lane], a.t[lane]) && same(pair.value[lane], a.value[lane])); });
+    each_lane(found_pair,
+              [&](int lane) { ASSERT_TRUE(same(pair.t[lane], a.t[lane]) && same(pair.value[lane], a.value[lane])); });
   }
   EXPECT_GT(met, 5000);
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, LaneKernel, ::testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+INSTANTIATE_TEST_SUITE_P(InstructionSets, LaneKernel,
+                         ::testing::Range(0, static_cast<int>(textures::kInstructionSets)));
 
 }  // namespace
 }  // namespace verisim::shapes::testing

@@ -1,4 +1,5 @@
-// light_source and light_group among the objects: a light has no surface of its own, only that of its looks_like; a group is the sum of its children.
+// light_source and light_group among the objects: a light has no surface of its own, only that of its looks_like; a
+// group is the sum of its children.
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/shape.h"
 
@@ -33,7 +34,8 @@ class LightHolder final : public Shape {
 
 std::unique_ptr<Shape> compile_light(const scene::Object& object) {
   if (object.as<scene::LightGroup>()) return std::make_unique<LightHolder>(object, scene::children_of(object));
-  return std::make_unique<LightHolder>(object, std::vector<scene::ObjectPtr>{object.as<scene::LightSource>()->looks_like});
+  return std::make_unique<LightHolder>(object,
+                                       std::vector<scene::ObjectPtr>{object.as<scene::LightSource>()->looks_like});
 }
 
 }  // namespace verisim::shapes

@@ -1,11 +1,13 @@
-// The base class of every primitive: inverted mark, clips, bounds and matrix are handled here, so that a shape is one small file.
+// The base class of every primitive: inverted mark, clips, bounds and matrix are handled here, so that a shape is one
+// small file.
 //
 // A shape `class Torus final : public Primitive<Torus>` writes
-//   template <class Sink> void crossings(const Ray& ray, Sink& sink) const;   // calls sink.add for every hit within its limits
-//   bool contains(const Vec3& p) const;                                       // the formula of its inside, not inverted
-//   Vec3 raw_normal(const Hit& hit) const;                                    // unit length, not inverted
-// and passes its own box to the constructor. `crossings` is a template, so "all hits" and "the nearest hit" are compiled from the same code; where
-// all hits are expensive it may ask `Sink::kNearest` and stop after an accepted hit when it finds hits in increasing distance.
+//   template <class Sink> void crossings(const Ray& ray, Sink& sink) const;   // calls sink.add for every hit within
+//   its limits bool contains(const Vec3& p) const;                                       // the formula of its inside,
+//   not inverted Vec3 raw_normal(const Hit& hit) const;                                    // unit length, not inverted
+// and passes its own box to the constructor. `crossings` is a template, so "all hits" and "the nearest hit" are
+// compiled from the same code; where all hits are expensive it may ask `Sink::kNearest` and stop after an accepted hit
+// when it finds hits in increasing distance.
 #pragma once
 
 #include <limits>
@@ -50,7 +52,8 @@ class AllHits {
  public:
   static constexpr bool kNearest = false;
   // Those beyond from .. to may be left out.
-  AllHits(const Shape& shape, const Guards* guards, HitList& hits, double from = -std::numeric_limits<double>::infinity(), double to = std::numeric_limits<double>::infinity())
+  AllHits(const Shape& shape, const Guards* guards, HitList& hits,
+          double from = -std::numeric_limits<double>::infinity(), double to = std::numeric_limits<double>::infinity())
       : shape_(shape), guards_(guards), hits_(hits), from_(from), to_(to) {}
 
   // `point` is a callable that yields the hit point; it is only called when needed. True: the hit was accepted.
@@ -74,11 +77,13 @@ class AllHits {
   const double from_, to_;
 };
 
-// Keeps the nearest hit in [t_min, t_max); of hits at equal t the last one. `any`: the first one found will do, further ones are not looked for.
+// Keeps the nearest hit in [t_min, t_max); of hits at equal t the last one. `any`: the first one found will do, further
+// ones are not looked for.
 class NearestHit {
  public:
   static constexpr bool kNearest = true;
-  NearestHit(const Shape& shape, const Guards* guards, double t_min, double t_max, Hit& hit, bool any = false, const Clips* clips = nullptr)
+  NearestHit(const Shape& shape, const Guards* guards, double t_min, double t_max, Hit& hit, bool any = false,
+             const Clips* clips = nullptr)
       : shape_(shape), guards_(guards), clips_(clips), t_min_(t_min), t_max_(t_max), hit_(hit), any_(any) {}
 
   template <class PointAt>
@@ -140,7 +145,8 @@ class Primitive : public Shape {
     derived().crossings(ray, sink);
     return sink.found();
   }
-  bool intersect_clipped(const Ray& ray, RayKind, double t_min, double t_max, const Clips& clips, Hit& hit) const final {
+  bool intersect_clipped(const Ray& ray, RayKind, double t_min, double t_max, const Clips& clips,
+                         Hit& hit) const final {
     if (guards_ && !guards_->admit(ray)) return false;
     NearestHit sink(*this, guards_.get(), t_min, t_max, hit, false, &clips);
     derived().crossings(ray, sink);
@@ -218,7 +224,8 @@ template <class Derived>
 Primitive<Derived>::Primitive(const scene::Object& description, const LocalBox& local)
     : Shape(description),
       guards_(Guards::of(description)),
-      cold_(std::make_unique<Cold>(Cold{description.transform.value_or(Transform{}), surface_bounds(description, local.box, guards_.get()),
+      cold_(std::make_unique<Cold>(Cold{description.transform.value_or(Transform{}),
+                                        surface_bounds(description, local.box, guards_.get()),
                                         surface_solid(description, local, guards_.get())})),
       inverted_(description.inverted),
       has_matrix_(description.transform.has_value()) {}

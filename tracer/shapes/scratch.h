@@ -1,4 +1,5 @@
-// A stretch of a list that this thread keeps: queries nest, and each takes the end of one growing list, so nothing is allocated per ray once it has grown.
+// A stretch of a list that this thread keeps: queries nest, and each takes the end of one growing list, so nothing is
+// allocated per ray once it has grown.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +8,8 @@
 
 namespace verisim::shapes {
 
-// `Tag` keeps lists of the same type apart. Elements may only be added while no later stretch of the same list is in use.
+// `Tag` keeps lists of the same type apart. Elements may only be added while no later stretch of the same list is in
+// use.
 template <class T, class Tag = T>
 class Scratch {
  public:

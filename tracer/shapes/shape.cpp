@@ -26,7 +26,8 @@ Box3 transformed(const Box3& box, const std::optional<Transform>& transform) {
   if (!transform) return padded(box);
   Box3 result;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p = transform->point({corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z});
+    const Vec3 p = transform->point(
+        {corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z});
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return everywhere();
     result.extendBy(p);
   }
@@ -45,7 +46,8 @@ HitList& thread_hits() {
 namespace {
 
 template <class Keep>
-bool nearest_of_all(const Shape& shape, const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit, Keep&& keep) {
+bool nearest_of_all(const Shape& shape, const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit,
+                    Keep&& keep) {
   ScratchHits hits;
   shape.intersect_all(ray, kind, hits.list());
   bool found = false;
@@ -65,7 +67,8 @@ bool Shape::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
   return nearest_of_all(*this, ray, kind, t_min, t_max, hit, [](const Vec3&) { return true; });
 }
 
-bool Shape::intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips, Hit& hit) const {
+bool Shape::intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips,
+                              Hit& hit) const {
   return nearest_of_all(*this, ray, kind, t_min, t_max, hit, [&](const Vec3& p) { return clips.contain(p); });
 }
 
@@ -74,16 +77,20 @@ bool Shape::occludes(const Ray& ray, double t_min, double t_max) const {
   return intersect(ray, RayKind::shadow, t_min, t_max, hit);
 }
 
-unsigned Shape::intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const {
+unsigned Shape::intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                                const double* t_max, Hit* hits) const {
   unsigned found = 0;
   each_lane(rays.asked, [&](int k) {
     const Ray ray = rays.at(k);
-    if (entry ? intersect_from(*entry, ray, kind, t_min, t_max[k], hits[k]) : intersect(ray, kind, t_min, t_max[k], hits[k])) found |= 1u << k;
+    if (entry ? intersect_from(*entry, ray, kind, t_min, t_max[k], hits[k])
+              : intersect(ray, kind, t_min, t_max[k], hits[k]))
+      found |= 1u << k;
   });
   return found;
 }
 
-unsigned Shape::occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const {
+unsigned Shape::occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                               const double* t_max) const {
   unsigned found = 0;
   each_lane(rays.asked, [&](int k) {
     const Ray ray = rays.at(k);
@@ -105,7 +112,8 @@ constexpr double kSmallestDistance = 1e-4, kLargestDistance = 2e10;  // of a bou
 bool Guards::admit(const Ray& ray) const {
   for (const auto& bound : bounds) {
     Hit hit;
-    if (!bound->inside(ray.origin) && !bound->intersect(ray, RayKind::query, kSmallestDistance, kLargestDistance, hit)) return false;
+    if (!bound->inside(ray.origin) && !bound->intersect(ray, RayKind::query, kSmallestDistance, kLargestDistance, hit))
+      return false;
   }
   return true;
 }
@@ -118,7 +126,9 @@ unsigned Guards::admit(const RayLanes& rays) const {
     unsigned within = 0;
     each_lane(admitted, [&](int k) { within |= bound->inside(rays.rays.origin.at(rays.first + k)) ? 1u << k : 0; });
     Hit hits[RayLanes::kCount];
-    if (const unsigned asked = admitted & ~within; asked != 0) within |= bound->intersect_lanes({rays.rays, rays.first, asked}, nullptr, RayKind::query, kSmallestDistance, limits, hits);
+    if (const unsigned asked = admitted & ~within; asked != 0)
+      within |= bound->intersect_lanes({rays.rays, rays.first, asked}, nullptr, RayKind::query, kSmallestDistance,
+                                       limits, hits);
     admitted &= within;
   }
   return admitted;

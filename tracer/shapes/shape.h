@@ -23,8 +23,8 @@ struct Clips;
 // One crossing of a ray with a surface.
 struct Hit {
   double t = 0;
-  Vec3 point;                   // POV-Ray's own hit point: O + tD, or the local point mapped back (spec 03 2.1)
-  const Shape* shape = nullptr; // the primitive (never a CSG node) that was hit
+  Vec3 point;                    // POV-Ray's own hit point: O + tD, or the local point mapped back (spec 03 2.1)
+  const Shape* shape = nullptr;  // the primitive (never a CSG node) that was hit
   // The shape's own memory between intersect and normal: face, segment, root ... and two parameters.
   std::int32_t part = 0;
   double u = 0, v = 0;
@@ -36,16 +36,19 @@ using HitList = std::vector<Hit>;
 // Which rays see an object (spec 03 5.5, 06 10.3).
 enum class RayKind : unsigned char { camera, refracted, reflected, radiosity, shadow, photon, query };
 
-// Everything shading needs to know of the object a primitive belongs to; filled by accel::World when it compiles (null in bare queries).
+// Everything shading needs to know of the object a primitive belongs to; filled by accel::World when it compiles (null
+// in bare queries).
 struct Surface;
 
-// One of several textures that show at a hit: an index into Shape::extra_textures(), or -1 for the object's own texture.
+// One of several textures that show at a hit: an index into Shape::extra_textures(), or -1 for the object's own
+// texture.
 struct TextureShare {
   std::int32_t texture = -1;
   float weight = 1;
 };
 
-// Where a shape is solid: outside `box` every point is inside the shape if `outside` is true, and none is if it is false.
+// Where a shape is solid: outside `box` every point is inside the shape if `outside` is true, and none is if it is
+// false.
 struct SolidExtent {
   Box3 box;
   bool outside = false;
@@ -60,33 +63,43 @@ class Shape : public scene::Solid {
   Shape(const Shape&) = delete;
   Shape& operator=(const Shape&) = delete;
 
-  // Appends every hit within the shape's own limits (spec 03 2.1 and 2.2), in POV-Ray's order of collection, clips and bounds of this object applied.
-  // `kind` lets unions and merges leave out children that this ray does not see.
+  // Appends every hit within the shape's own limits (spec 03 2.1 and 2.2), in POV-Ray's order of collection, clips and
+  // bounds of this object applied. `kind` lets unions and merges leave out children that this ray does not see.
   virtual void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const = 0;
   // The same, where hits nearer than `from` or farther than `to` may be left out.
-  virtual void intersect_between(const Ray& ray, RayKind kind, double /*from*/, double /*to*/, HitList& hits) const { intersect_all(ray, kind, hits); }
-  // The nearest hit with t_min <= t < t_max; on equal t the one collected last (spec 03 2.1). The default scans intersect_all.
+  virtual void intersect_between(const Ray& ray, RayKind kind, double /*from*/, double /*to*/, HitList& hits) const {
+    intersect_all(ray, kind, hits);
+  }
+  // The nearest hit with t_min <= t < t_max; on equal t the one collected last (spec 03 2.1). The default scans
+  // intersect_all.
   virtual bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const;
   // The same among the hits inside all of `clips`: what a union that carries clip objects asks its children.
-  virtual bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips, Hit& hit) const;
+  virtual bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips,
+                                 Hit& hit) const;
   // True if any hit has t_min <= t < t_max, for shadow rays.
   virtual bool occludes(const Ray& ray, double t_min, double t_max) const;
   // Shapes with a tree of their own: where the rays of a shaft enter it. False: nothing is gained by asking.
   virtual bool enter(const accel::Shaft& /*shaft*/, accel::EntryPoints& /*entry*/) const { return false; }
   // intersect and occludes for rays of such a shaft.
-  virtual bool intersect_from(const accel::EntryPoints& /*entry*/, const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const {
+  virtual bool intersect_from(const accel::EntryPoints& /*entry*/, const Ray& ray, RayKind kind, double t_min,
+                              double t_max, Hit& hit) const {
     return intersect(ray, kind, t_min, t_max, hit);
   }
-  virtual bool occludes_from(const accel::EntryPoints& /*entry*/, const Ray& ray, double t_min, double t_max) const { return occludes(ray, t_min, t_max); }
-  // intersect and occludes for several rays: of lane k as far as t_max[k], all of which may be read; the lanes that are hit. `entry`: of a shaft that holds them, or null.
-  // The defaults ask one ray after another.
-  virtual unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min, const double* t_max, Hit* hits) const;
-  virtual unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min, const double* t_max) const;
+  virtual bool occludes_from(const accel::EntryPoints& /*entry*/, const Ray& ray, double t_min, double t_max) const {
+    return occludes(ray, t_min, t_max);
+  }
+  // intersect and occludes for several rays: of lane k as far as t_max[k], all of which may be read; the lanes that are
+  // hit. `entry`: of a shaft that holds them, or null. The defaults ask one ray after another.
+  virtual unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                                   const double* t_max, Hit* hits) const;
+  virtual unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                                  const double* t_max) const;
   // Formula (inverted where the object is), then clip objects.
   bool inside(const Vec3& p) const override = 0;
   // The same without the object's own clips: cutaway_textures and the camera's containers ask this (spec 03 2.6, 5.3).
   virtual bool inside_unclipped(const Vec3& p) const { return inside(p); }
-  // Raw unit normal, negated if the shape carries the "inverted" mark; not turned towards the ray. Only for hit.shape == this.
+  // Raw unit normal, negated if the shape carries the "inverted" mark; not turned towards the ray. Only for hit.shape
+  // == this.
   virtual Vec3 normal(const Hit& hit) const = 0;
   virtual Vec2 uv(const Hit& hit) const { return {hit.point.x, hit.point.y}; }
   // Conservative world bounds of the surface; infinite shapes return an infinite box.
@@ -115,11 +128,12 @@ class Shape : public scene::Solid {
 using ShapePtr = std::unique_ptr<const Shape>;
 
 struct CompileOptions {
-  bool remove_bounds = false;  // drop the bounded_by of this object (not of children) where POV-Ray does so at frame level (spec 03 6.2)
+  bool remove_bounds =
+      false;  // drop the bounded_by of this object (not of children) where POV-Ray does so at frame level (spec 03 6.2)
 };
 
-// Compiles one object with its children, clips and bounds. Heavy payloads are shared between copies. The description must outlive the shape only
-// for those who follow Shape::object.
+// Compiles one object with its children, clips and bounds. Heavy payloads are shared between copies. The description
+// must outlive the shape only for those who follow Shape::object.
 std::unique_ptr<Shape> compile(const scene::Object& object, const CompileOptions& options = {});
 
 }  // namespace verisim::shapes

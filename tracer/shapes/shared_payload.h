@@ -1,4 +1,5 @@
-// What is made from a description and shared by all copies of an object: found again by the description while anything uses it.
+// What is made from a description and shared by all copies of an object: found again by the description while anything
+// uses it.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// What every surface promises under any transformation: 100 random ones with 100 random rays each. Every hit satisfies the surface's equation, its normal is the
-// gradient, and crossings of a solid separate inside from outside.
+// What every surface promises under any transformation: 100 random ones with 100 random rays each. Every hit satisfies
+// the surface's equation, its normal is the gradient, and crossings of a solid separate inside from outside.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@ namespace verisim::shapes::testing {
 struct Solid {
   const char* name;
   std::function<ObjectRef(const Steps&)> build;
-  std::function<double(const Vec3&)> value;  // in the shape's own space: zero on the surface, about the distance near it; may be empty
+  std::function<double(const Vec3&)>
+      value;  // in the shape's own space: zero on the surface, about the distance near it; may be empty
   double tolerance = 1e-6;
   bool parity = true;
 };
@@ -81,7 +82,8 @@ inline void check(const Solid& solid, std::mt19937& random, int& hits_seen, int&
     depths.push_back(depths.back() + 1);
     for (std::size_t k = 0; k + 1 < depths.size(); ++k) {
       if (depths[k + 1] - depths[k] < 1e-3) continue;
-      ASSERT_EQ(shape->inside(ray.at((depths[k] + depths[k + 1]) / 2)), k % 2 == 1) << "ray " << i << " interval " << k << " of " << depths.size();
+      ASSERT_EQ(shape->inside(ray.at((depths[k] + depths[k + 1]) / 2)), k % 2 == 1)
+          << "ray " << i << " interval " << k << " of " << depths.size();
     }
   }
 }

@@ -1,4 +1,5 @@
-// Builders and questions for the tests of shapes: what the parser does to an object, and what SDL's trace() and inside() ask of it.
+// Builders and questions for the tests of shapes: what the parser does to an object, and what SDL's trace() and
+// inside() ask of it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -34,16 +35,23 @@ ObjectRef make_shared_shape(T shape, const Steps& modify = {}) {
   return make(std::shared_ptr<const T>(std::make_shared<T>(std::move(shape))), modify);
 }
 
-inline ObjectRef csg(scene::CsgKind kind, const std::vector<ObjectRef>& children, const Steps& modify = {}, bool difference = false) {
+inline ObjectRef csg(scene::CsgKind kind, const std::vector<ObjectRef>& children, const Steps& modify = {},
+                     bool difference = false) {
   scene::Csg shape;
   shape.kind = kind;
   shape.difference = difference;
   for (const ObjectRef& child : children) shape.children.push_back(scene::copy(*child));
   return make(std::move(shape), modify);
 }
-inline ObjectRef make_union(const std::vector<ObjectRef>& c, const Steps& m = {}) { return csg(scene::CsgKind::union_, c, m); }
-inline ObjectRef make_merge(const std::vector<ObjectRef>& c, const Steps& m = {}) { return csg(scene::CsgKind::merge, c, m); }
-inline ObjectRef make_intersection(const std::vector<ObjectRef>& c, const Steps& m = {}) { return csg(scene::CsgKind::intersection, c, m); }
+inline ObjectRef make_union(const std::vector<ObjectRef>& c, const Steps& m = {}) {
+  return csg(scene::CsgKind::union_, c, m);
+}
+inline ObjectRef make_merge(const std::vector<ObjectRef>& c, const Steps& m = {}) {
+  return csg(scene::CsgKind::merge, c, m);
+}
+inline ObjectRef make_intersection(const std::vector<ObjectRef>& c, const Steps& m = {}) {
+  return csg(scene::CsgKind::intersection, c, m);
+}
 inline ObjectRef make_difference(std::vector<ObjectRef> c, const Steps& m = {}) {
   for (std::size_t i = 1; i < c.size(); ++i) {
     c[i] = scene::copy(*c[i]);
@@ -72,15 +80,16 @@ inline void expect_near(const Vec3& actual, const Vec3& expected, double toleran
   EXPECT_NEAR(actual.z, expected.z, tolerance);
 }
 
-inline void expect_trace(const ObjectRef& object, const Vec3& origin, const Vec3& direction, const Vec3& point, const Vec3& normal,
-                         double tolerance = 2e-12) {
+inline void expect_trace(const ObjectRef& object, const Vec3& origin, const Vec3& direction, const Vec3& point,
+                         const Vec3& normal, double tolerance = 2e-12) {
   const auto hit = query::Target(object).trace(origin, direction);
   ASSERT_TRUE(hit.has_value());
   expect_near(hit->point, point, tolerance);
   expect_near(hit->normal, normal, tolerance);
 }
 
-inline void expect_march(const ObjectRef& object, const Vec3& origin, const Vec3& direction, const std::vector<double>& expected, double tolerance = 2e-10) {
+inline void expect_march(const ObjectRef& object, const Vec3& origin, const Vec3& direction,
+                         const std::vector<double>& expected, double tolerance = 2e-10) {
   const std::vector<double> actual = march(object, origin, direction);
   ASSERT_EQ(actual.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << "hit " << i;
@@ -96,8 +105,8 @@ inline void expect_extent(const ObjectRef& object, const Vec3& low, const Vec3& 
   }
 }
 
-// What every solid promises, on random rays: nearest and all-hits queries agree, every hit is where `distance` says the surface is, the normal is unit
-// length, and crossings come in pairs that separate inside from outside.
+// What every solid promises, on random rays: nearest and all-hits queries agree, every hit is where `distance` says the
+// surface is, the normal is unit length, and crossings come in pairs that separate inside from outside.
 struct SolidChecks {
   std::function<double(const Vec3&)> residual;  // zero on the surface, about the distance near it
   double tolerance = 1e-6;
@@ -150,7 +159,8 @@ inline void check_solid(const ObjectRef& object, const SolidChecks& checks) {
     t.push_back(t.back() + 1);
     for (std::size_t k = 0; k + 1 < t.size(); ++k) {
       if (t[k + 1] - t[k] < 1e-4) continue;
-      ASSERT_EQ(shape->inside(ray.at((t[k] + t[k + 1]) / 2)), k % 2 == 1) << "ray " << i << " interval " << k << " of " << t.size();
+      ASSERT_EQ(shape->inside(ray.at((t[k] + t[k + 1]) / 2)), k % 2 == 1)
+          << "ray " << i << " interval " << k << " of " << t.size();
     }
   }
   EXPECT_GT(hits_seen, 0);

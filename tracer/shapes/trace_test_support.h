@@ -56,14 +56,16 @@ inline std::optional<Traced> trace(const Shape& s, const Vec3& o, const Vec3& d)
   if (!s.intersect({o, normalize(d)}, RayKind::query, 1e-4, 1e20, hit)) return std::nullopt;
   return Traced{hit.point, hit.shape->normal(hit), hit};
 }
-inline std::optional<Traced> trace(const scene::Object& o, const Vec3& from, const Vec3& d) { return trace(*compile(o), from, d); }
+inline std::optional<Traced> trace(const scene::Object& o, const Vec3& from, const Vec3& d) {
+  return trace(*compile(o), from, d);
+}
 
-#define EXPECT_VEC_NEAR(A, B, TOLERANCE)        \
-  do {                                          \
-    const Vec3 a_ = (A), b_ = (B);              \
-    EXPECT_NEAR(a_.x, b_.x, TOLERANCE) << #A;   \
-    EXPECT_NEAR(a_.y, b_.y, TOLERANCE) << #A;   \
-    EXPECT_NEAR(a_.z, b_.z, TOLERANCE) << #A;   \
+#define EXPECT_VEC_NEAR(A, B, TOLERANCE)      \
+  do {                                        \
+    const Vec3 a_ = (A), b_ = (B);            \
+    EXPECT_NEAR(a_.x, b_.x, TOLERANCE) << #A; \
+    EXPECT_NEAR(a_.y, b_.y, TOLERANCE) << #A; \
+    EXPECT_NEAR(a_.z, b_.z, TOLERANCE) << #A; \
   } while (false)
 
 // Rays from outside, from within and along the surface, some of them not asked and some with a limit before the hit.
@@ -82,7 +84,8 @@ inline void expect_rows_as_single_rays(const Shape& shape, std::mt19937& random,
   double t_max[RayLanes::kCount];
   for (double& t : t_max) t = random() % 3 == 0 ? 3 * (1 + unit(random)) : 1e7;
   Hit hits[RayLanes::kCount];
-  const unsigned hit = shape.intersect_lanes(rays, nullptr, RayKind::camera, 1e-4, t_max, hits), blocked = shape.occludes_lanes(rays, nullptr, 1e-4, t_max);
+  const unsigned hit = shape.intersect_lanes(rays, nullptr, RayKind::camera, 1e-4, t_max, hits),
+                 blocked = shape.occludes_lanes(rays, nullptr, 1e-4, t_max);
   for (int k = 0; k < RayLanes::kCount; ++k) {
     if (!(rays.asked >> k & 1)) continue;
     Hit single;

@@ -6,8 +6,8 @@
 // and, if its tree lives in another space than Primitive::local, turned() and to_tree().
 #pragma once
 
-#include "tracer/accel/box_tree.h"
-#include "tracer/accel/shaft.h"
+#include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/shaft.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -24,12 +24,15 @@ class TreePrimitive : public Primitive<Derived> {
     if (own) derived().tree().enter(*own, entry);
     return own.has_value();
   }
-  bool intersect_from(const accel::EntryPoints& entry, const Ray& ray, RayKind, double t_min, double t_max, Hit& hit) const final {
-    return this->nearest_of(ray, t_min, t_max, hit, false, [&](NearestHit& sink) { derived().crossings(ray, sink, &entry); });
+  bool intersect_from(const accel::EntryPoints& entry, const Ray& ray, RayKind, double t_min, double t_max,
+                      Hit& hit) const final {
+    return this->nearest_of(ray, t_min, t_max, hit, false,
+                            [&](NearestHit& sink) { derived().crossings(ray, sink, &entry); });
   }
   bool occludes_from(const accel::EntryPoints& entry, const Ray& ray, double t_min, double t_max) const final {
     Hit hit;
-    return this->nearest_of(ray, t_min, t_max, hit, true, [&](NearestHit& sink) { derived().crossings(ray, sink, &entry); });
+    return this->nearest_of(ray, t_min, t_max, hit, true,
+                            [&](NearestHit& sink) { derived().crossings(ray, sink, &entry); });
   }
 
   // Whether the tree's space is not the world, and where a point of the world lies in it.
@@ -44,7 +47,8 @@ class TreePrimitive : public Primitive<Derived> {
   Box3 tree_box(const Box3& box) const {
     Box3 result;
     for (int corner = 0; corner < 8; ++corner)
-      result.extendBy(derived().to_tree(Vec3(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z)));
+      result.extendBy(derived().to_tree(Vec3(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                                             corner & 4 ? box.max.z : box.min.z)));
     return result;
   }
 };

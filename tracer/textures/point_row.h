@@ -22,11 +22,14 @@ struct RgbRow {
   alignas(64) float r[PointRow::kMost], g[PointRow::kMost], b[PointRow::kMost];
 };
 
-// The colours at the first `count` points, as `evaluate` gives them one by one, but faster. Filled up; `surfaces`: what is known of each hit, or null.
-void evaluate(const CompiledPigment& pigment, int count, const PointRow& points, const SurfacePoint* const* surfaces, Color* colors, bool* colored);
+// The colours at the first `count` points, as `evaluate` gives them one by one, but faster. Filled up; `surfaces`: what
+// is known of each hit, or null.
+void evaluate(const CompiledPigment& pigment, int count, const PointRow& points, const SurfacePoint* const* surfaces,
+              Color* colors, bool* colored);
 // The same for what needs no surface, without filter and transmittance.
 void evaluate(const CompiledPigment& pigment, int count, const PointRow& points, RgbRow& colors);
 // The normals to shade with at the first `count` points, as `perturb` gives them one by one.
-void perturb(const CompiledNormal& normal, int count, const PointRow& points, SurfacePoint* const* surfaces, Vec3* normals);
+void perturb(const CompiledNormal& normal, int count, const PointRow& points, SurfacePoint* const* surfaces,
+             Vec3* normals);
 
 }  // namespace verisim::textures

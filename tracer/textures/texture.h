@@ -7,22 +7,24 @@
 #include <span>
 
 #include "tracer/scene/texture.h"
-#include "tracer/textures/blend_map.h"
+#include "tracer/textures/lookup/blend_map.h"
 
 namespace verisim::textures {
 
-struct CompiledPattern;   // pattern.h
-struct CompiledPigment;   // pigment.h
-struct CompiledNormal;    // normal.h
+struct CompiledPattern;  // pattern.h
+struct CompiledPigment;  // pigment.h
+struct CompiledNormal;   // normal.h
 struct CompiledTexture;
 
-// What slope, aoi, uv_mapping and object patterns need to know of the hit. `normal` is POV-Ray's "perturbed normal" of the intersection: it starts as
-// the raw normal turned towards the ray and every normal evaluation overwrites it (spec 05 3.4).
+// What slope, aoi, uv_mapping and object patterns need to know of the hit. `normal` is POV-Ray's "perturbed normal" of
+// the intersection: it starts as the raw normal turned towards the ray and every normal evaluation overwrites it (spec
+// 05 3.4).
 struct SurfacePoint {
-  Vec3 point;          // the hit, unwarped
-  Vec3 normal;         // in and out
+  Vec3 point;   // the hit, unwarped
+  Vec3 normal;  // in and out
   Vec3 ray_direction;
-  // Surface coordinates are computed when they are asked for: few textures do, and some shapes need inverse trigonometry for them.
+  // Surface coordinates are computed when they are asked for: few textures do, and some shapes need inverse
+  // trigonometry for them.
   Vec2 (*uv_function)(const void* context) = nullptr;
   const void* uv_context = nullptr;
 
@@ -53,16 +55,17 @@ struct WeightedTexture {
 };
 
 struct CompiledTexture {
-  std::vector<CompiledLayer> layers;               // top first; empty: patterned
-  const CompiledPattern* pattern = nullptr;        // of a patterned texture
+  std::vector<CompiledLayer> layers;         // top first; empty: patterned
+  const CompiledPattern* pattern = nullptr;  // of a patterned texture
   bool average = false, uv_mapping = false, material_map = false, no_bump_scale = false;
   std::vector<scene::MapEntry<const CompiledTexture*>> map;
   MapPositions positions;  // of map, ready for lookup
-  bool opaque = false;  // blocks shadow rays without evaluation (spec 05 11.4)
+  bool opaque = false;     // blocks shadow rays without evaluation (spec 05 11.4)
   bool patterned() const { return layers.empty(); }
 };
 
-// Owns everything it compiles; pointers stay valid as long as it lives. Equal descriptions (by address) are compiled once.
+// Owns everything it compiles; pointers stay valid as long as it lives. Equal descriptions (by address) are compiled
+// once.
 class Compiler {
  public:
   explicit Compiler(const Settings& settings);
@@ -86,19 +89,21 @@ class Compiler {
 bool evaluate(const CompiledPigment& pigment, const Vec3& p, const SurfacePoint* surface, Color& color);
 // The scalar value after wave form (spec 05 3.2).
 double evaluate(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface);
-// Perturbs surface.normal at p and returns the normal to shade with: the same, but with `no_bump_scale` only the returned one has unit length
-// (what slope and aoi see later is not normalised, spec 05 10.1).
+// Perturbs surface.normal at p and returns the normal to shade with: the same, but with `no_bump_scale` only the
+// returned one has unit length (what slope and aoi see later is not normalised, spec 05 10.1).
 Vec3 perturb(const CompiledNormal& normal, const Vec3& p, SurfacePoint& surface);
-// Which textures of a patterned texture show at p, in POV-Ray's order of work (upper map entry first), and the warped point for them.
-// Returns at most 2 entries for a map, all of them for an average; `storage` must hold texture.map.size() entries (and at least 2).
-// Before the children are shaded the normal must be taken into the pattern's frame, afterwards back (spec 05 10.1): enter_frame / leave_frame.
+// Which textures of a patterned texture show at p, in POV-Ray's order of work (upper map entry first), and the warped
+// point for them. Returns at most 2 entries for a map, all of them for an average; `storage` must hold
+// texture.map.size() entries (and at least 2). Before the children are shaded the normal must be taken into the
+// pattern's frame, afterwards back (spec 05 10.1): enter_frame / leave_frame.
 std::span<const WeightedTexture> select(const CompiledTexture& texture, const Vec3& p, const SurfacePoint* surface,
                                         std::span<WeightedTexture> storage, Vec3& warped);
 Vec3 enter_frame(const CompiledTexture& texture, const Vec3& normal);
 Vec3 leave_frame(const CompiledTexture& texture, const Vec3& normal);
 
 // For SDL: `function { pattern {...} }`, `function { pigment {...} }`, eval_pigment. Each owns its compiled form.
-FunctionPtr pattern_function(const scene::Pattern& description, const scene::ColorMap* unused, const Settings& settings);
+FunctionPtr pattern_function(const scene::Pattern& description, const scene::ColorMap* unused,
+                             const Settings& settings);
 FunctionPtr pigment_function(const scene::PigmentPtr& description, const Settings& settings);
 
 }  // namespace verisim::textures

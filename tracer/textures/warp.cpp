@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "tracer/textures/noise_tables.h"
+#include "tracer/noise/noise_tables.h"
 
 namespace verisim::textures {
 namespace {
@@ -43,7 +43,8 @@ Vec3 black_hole(const BlackHoleStep& w, const Vec3& p) {
   return p + (w.inverse ? -strength : strength) * d;
 }
 
-// Turns the unrolled coordinates so that `o` is the axis of depth; a linear mixture when o is not a coordinate axis, as in POV-Ray.
+// Turns the unrolled coordinates so that `o` is the axis of depth; a linear mixture when o is not a coordinate axis, as
+// in POV-Ray.
 Vec3 orient(const Vec3& o, double a, double b, double c) {
   if (o.x == 0 && o.y == 0 && o.z == 1) return {a, b, c};
   return {o.x * c + o.y * a + o.z * a, o.x * b - o.y * c + o.z * b, -o.x * a + o.y * b + o.z * c};

@@ -1,11 +1,12 @@
-// The compiled chain of warps and transformations that a point walks through before a pattern is evaluated (spec 05 sections 3.1 and 6).
+// The compiled chain of warps and transformations that a point walks through before a pattern is evaluated (spec 05
+// sections 3.1 and 6).
 #pragma once
 
 #include <variant>
 #include <vector>
 
 #include "tracer/scene/pattern.h"
-#include "tracer/textures/noise.h"
+#include "tracer/noise/noise.h"
 
 namespace verisim::textures {
 

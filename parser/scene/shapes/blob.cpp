@@ -1,6 +1,6 @@
 // blob { [threshold T] components } (spec 03 4.13).
 #include "parser/scene/objects.h"
-#include "parser/scene/texture.h"
+#include "parser/scene/textures/texture.h"
 
 namespace verisim::parser {
 
@@ -78,7 +78,8 @@ ObjectRef parse_blob(Parser& parser) {
       } else {
         break;
       }
-      if (entries > kMaxComponents) parser.error("There are more than the maximum supported number of components in a blob.");
+      if (entries > kMaxComponents)
+        parser.error("There are more than the maximum supported number of components in a blob.");
     }
     if (blob->components.empty()) parser.error("Need at least one component in a blob.");
     object.shape = std::shared_ptr<const scene::Blob>(blob);

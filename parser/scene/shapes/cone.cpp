@@ -28,7 +28,8 @@ ObjectRef parse_cylinder(Parser& parser) {
     parser.optional_comma();
     cylinder.base_radius = cylinder.cap_radius = parser.parse_float();
     cylinder.open = parser.accept(Word::open);
-    if (!(length(cylinder.base - cylinder.cap) >= kEpsilon)) parser.error("Degenerate cylinder, base point = apex point.");
+    if (!(length(cylinder.base - cylinder.cap) >= kEpsilon))
+      parser.error("Degenerate cylinder, base point = apex point.");
     object.shape = cylinder;
   });
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 
 namespace verisim::parser {
 

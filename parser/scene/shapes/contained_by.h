@@ -1,7 +1,7 @@
 // contained_by { box { ... } | sphere { ... } } of isosurface and parametric.
 #pragma once
 
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 

@@ -1,6 +1,6 @@
 // height_field { image [water_level L] [smooth] } (spec 04 section 5).
 #include "parser/scene/objects.h"
-#include "parser/scene/pattern.h"
+#include "parser/scene/textures/pattern.h"
 
 namespace verisim::parser {
 

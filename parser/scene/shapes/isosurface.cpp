@@ -36,10 +36,13 @@ ObjectRef parse_isosurface(Parser& parser) {
     parser.expect(Word::function);
     if (!parser.at('{')) parser.error_expected("{");  // always in x, y, z
     surface->function = parser.parse_function_body();
-    if (surface->function->components() != 1 || surface->function->parameters() != 3) parser.error("An isosurface needs a float function of x, y, z.");
+    if (surface->function->components() != 1 || surface->function->parameters() != 3)
+      parser.error("An isosurface needs a float function of x, y, z.");
     for (;;) {
       switch (word_at(parser)) {
-        case Word::contained_by: parse_contained_by(parser, surface->container); continue;
+        case Word::contained_by:
+          parse_contained_by(parser, surface->container);
+          continue;
         case Word::threshold:
           parser.next();
           surface->threshold = parser.parse_float();
@@ -60,17 +63,22 @@ ObjectRef parse_isosurface(Parser& parser) {
             surface->max_gradient = 1.1;
           }
           continue;
-        case Word::evaluate: parse_evaluate(parser, *surface); continue;
+        case Word::evaluate:
+          parse_evaluate(parser, *surface);
+          continue;
         case Word::open:
           parser.next();
           surface->open = true;
           continue;
-        case Word::max_trace: parse_max_trace(parser, *surface); continue;
+        case Word::max_trace:
+          parse_max_trace(parser, *surface);
+          continue;
         case Word::all_intersections:
           parser.next();
           surface->max_trace = 10;
           continue;
-        default: break;
+        default:
+          break;
       }
       break;
     }

@@ -16,10 +16,14 @@ struct FunctionWord {
 };
 
 constexpr FunctionWord kFunctions[] = {
-    {Word::sqr, JuliaFunction::sqr},   {Word::cube, JuliaFunction::cube},   {Word::exp, JuliaFunction::exp},     {Word::reciprocal, JuliaFunction::reciprocal},
-    {Word::sin, JuliaFunction::sin},   {Word::asin, JuliaFunction::asin},   {Word::sinh, JuliaFunction::sinh},   {Word::asinh, JuliaFunction::asinh},
-    {Word::cos, JuliaFunction::cos},   {Word::acos, JuliaFunction::acos},   {Word::cosh, JuliaFunction::cosh},   {Word::acosh, JuliaFunction::acosh},
-    {Word::tan, JuliaFunction::tan},   {Word::atan, JuliaFunction::atan},   {Word::tanh, JuliaFunction::tanh},   {Word::atanh, JuliaFunction::atanh},
+    {Word::sqr, JuliaFunction::sqr},   {Word::cube, JuliaFunction::cube},
+    {Word::exp, JuliaFunction::exp},   {Word::reciprocal, JuliaFunction::reciprocal},
+    {Word::sin, JuliaFunction::sin},   {Word::asin, JuliaFunction::asin},
+    {Word::sinh, JuliaFunction::sinh}, {Word::asinh, JuliaFunction::asinh},
+    {Word::cos, JuliaFunction::cos},   {Word::acos, JuliaFunction::acos},
+    {Word::cosh, JuliaFunction::cosh}, {Word::acosh, JuliaFunction::acosh},
+    {Word::tan, JuliaFunction::tan},   {Word::atan, JuliaFunction::atan},
+    {Word::tanh, JuliaFunction::tanh}, {Word::atanh, JuliaFunction::atanh},
     {Word::ln, JuliaFunction::ln},     {Word::pwr, JuliaFunction::pwr},
 };
 
@@ -83,8 +87,11 @@ ObjectRef parse_julia_fractal(Parser& parser) {
           parser.next();
           fractal->precision = std::max(1.0, parser.parse_float());
           continue;
-        case Word::slice: parse_slice(parser, *fractal); continue;
-        default: break;
+        case Word::slice:
+          parse_slice(parser, *fractal);
+          continue;
+        default:
+          break;
       }
       if (!parse_function(parser, *fractal)) break;
     }

@@ -110,7 +110,9 @@ class MeshReader {
 }  // namespace
 
 ObjectRef parse_mesh(Parser& parser) {
-  return shape_block(parser, "mesh", [&](scene::Object& object) { object.shape = scene::Mesh{MeshReader(parser).read(), {}}; });
+  return shape_block(parser, "mesh", [&](scene::Object& object) {
+    object.shape = scene::Mesh{MeshReader(parser).read(), {}};
+  });
 }
 
 }  // namespace verisim::parser

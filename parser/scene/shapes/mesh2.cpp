@@ -1,9 +1,10 @@
-// mesh2 { vertex_vectors ... face_indices ... } (spec 04 section 1.2). Lists can be long: one pass, no work per item but reading and storing.
+// mesh2 { vertex_vectors ... face_indices ... } (spec 04 section 1.2). Lists can be long: one pass, no work per item
+// but reading and storing.
 #include <cmath>
 
 #include "parser/scene/objects.h"
 #include "parser/scene/shapes/mesh_data.h"
-#include "parser/scene/texture.h"
+#include "parser/scene/textures/texture.h"
 
 namespace verisim::parser {
 
@@ -38,7 +39,8 @@ class Mesh2Reader {
     if (!uv_indices_given) default_uv_indices();
     if (!normal_indices_given) default_normal_indices();
     for (MeshTriangle& t : data->triangles) {
-      if (t.smooth) t.smooth = is_smooth(data->normals[t.normal[0]], data->normals[t.normal[1]], data->normals[t.normal[2]]);
+      if (t.smooth)
+        t.smooth = is_smooth(data->normals[t.normal[0]], data->normals[t.normal[1]], data->normals[t.normal[2]]);
     }
     if (parser.accept(Word::inside_vector)) data->inside_vector = inside_vector(parser.parse_vec3());
     return data;
@@ -69,7 +71,8 @@ class Mesh2Reader {
         warn_duplicate(have_vertices, "vertex_vectors");
         const double count = open_list();
         if (count <= 0) parser.error("No vertices in triangle mesh.");
-        read_list(data->vertices, checked_count(parser, count, "vertices", sizeof(Vec3)), [&] { return round_to_float(parser.parse_vec3()); });
+        read_list(data->vertices, checked_count(parser, count, "vertices", sizeof(Vec3)),
+                  [&] { return round_to_float(parser.parse_vec3()); });
         close_block(parser, "vertex_vectors");
         return true;
       }
@@ -79,7 +82,8 @@ class Mesh2Reader {
         NormalFixer normals(parser, "mesh2");
         data->normals.clear();
         if (count > 0)
-          read_list(data->normals, checked_count(parser, count, "normals", sizeof(Vec3)), [&] { return normals.fix(parser.parse_vec3()); });
+          read_list(data->normals, checked_count(parser, count, "normals", sizeof(Vec3)),
+                    [&] { return normals.fix(parser.parse_vec3()); });
         close_block(parser, "normal_vectors");
         return true;
       }
@@ -87,11 +91,14 @@ class Mesh2Reader {
         warn_duplicate(have_uvs, "uv_vectors");
         const double count = open_list();
         data->uvs.clear();
-        if (count > 0) read_list(data->uvs, checked_count(parser, count, "uv vectors", sizeof(Vec2)), [&] { return parser.parse_vec2(); });
+        if (count > 0)
+          read_list(data->uvs, checked_count(parser, count, "uv vectors", sizeof(Vec2)),
+                    [&] { return parser.parse_vec2(); });
         close_block(parser, "uv_vectors");
         return true;
       }
-      default: return false;
+      default:
+        return false;
     }
   }
 
@@ -131,7 +138,8 @@ class Mesh2Reader {
 
   std::int32_t texture_index() {
     const int index = parser.parse_int();
-    if (index < 0 || static_cast<std::size_t>(index) >= data->textures.size()) parser.error("Texture index out of range in mesh2.");
+    if (index < 0 || static_cast<std::size_t>(index) >= data->textures.size())
+      parser.error("Texture index out of range in mesh2.");
     parser.optional_comma();
     return index;
   }
@@ -166,7 +174,8 @@ class Mesh2Reader {
 
   void uv_indices() {
     const double count = open_list();
-    if (count != static_cast<double>(data->triangles.size())) parser.error("Number of uv indices must equal number of faces.");
+    if (count != static_cast<double>(data->triangles.size()))
+      parser.error("Number of uv indices must equal number of faces.");
     if (data->uvs.empty()) data->uvs.push_back({0, 0});
     for (MeshTriangle& t : data->triangles) {
       t.uv = indices(data->uvs.size(), "Mesh UV index out of range.");
@@ -177,7 +186,8 @@ class Mesh2Reader {
 
   void normal_indices() {
     const double count = open_list();
-    if (count > static_cast<double>(data->triangles.size())) parser.error("Number of normal indices cannot be more than the number of faces.");
+    if (count > static_cast<double>(data->triangles.size()))
+      parser.error("Number of normal indices cannot be more than the number of faces.");
     for (std::size_t i = 0; i < static_cast<std::size_t>(std::max(0.0, count)); ++i) {
       MeshTriangle& t = data->triangles[i];
       t.normal = indices(data->normals.size(), "Mesh normal index out of range.");
@@ -209,7 +219,9 @@ class Mesh2Reader {
 }  // namespace
 
 ObjectRef parse_mesh2(Parser& parser) {
-  return shape_block(parser, "mesh2", [&](scene::Object& object) { object.shape = scene::Mesh{Mesh2Reader(parser).read(), {}}; });
+  return shape_block(parser, "mesh2", [&](scene::Object& object) {
+    object.shape = scene::Mesh{Mesh2Reader(parser).read(), {}};
+  });
 }
 
 }  // namespace verisim::parser

@@ -6,7 +6,9 @@ namespace verisim::parser {
 
 namespace {
 
-bool is_zero(const Vec3& v) { return std::fabs(v.x) < kEpsilon && std::fabs(v.y) < kEpsilon && std::fabs(v.z) < kEpsilon; }
+bool is_zero(const Vec3& v) {
+  return std::fabs(v.x) < kEpsilon && std::fabs(v.y) < kEpsilon && std::fabs(v.z) < kEpsilon;
+}
 
 }  // namespace
 

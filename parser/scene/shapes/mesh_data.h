@@ -4,13 +4,14 @@
 #include <optional>
 #include <unordered_map>
 
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 
 // Coordinates are kept in single precision.
 inline Vec3 round_to_float(const Vec3& v) {
-  return {static_cast<double>(static_cast<float>(v.x)), static_cast<double>(static_cast<float>(v.y)), static_cast<double>(static_cast<float>(v.z))};
+  return {static_cast<double>(static_cast<float>(v.x)), static_cast<double>(static_cast<float>(v.y)),
+          static_cast<double>(static_cast<float>(v.z))};
 }
 
 // Unit normals in single precision; zero ones become <1,0,0>, with one warning.

@@ -18,7 +18,8 @@ void parse_precompute(Parser& parser, scene::Parametric& surface) {
     parser.optional_comma();
   }
   const bool any = surface.precompute[0] || surface.precompute[1] || surface.precompute[2];
-  if (any && (surface.precompute_depth < 1 || surface.precompute_depth > 20)) parser.error("Precompute: invalid depth.");
+  if (any && (surface.precompute_depth < 1 || surface.precompute_depth > 20))
+    parser.error("Precompute: invalid depth.");
 }
 
 }  // namespace
@@ -32,7 +33,8 @@ ObjectRef parse_parametric(Parser& parser) {
       } else {
         function = parser.parse_function_or_identifier();
       }
-      if (function->components() != 1 || function->parameters() != 3) parser.error("A parametric surface needs float functions of u and v.");
+      if (function->components() != 1 || function->parameters() != 3)
+        parser.error("A parametric surface needs float functions of u and v.");
       parser.optional_comma();
     }
     const Vec2 first = parser.parse_vec2();
@@ -42,7 +44,9 @@ ObjectRef parse_parametric(Parser& parser) {
     surface->high = {std::max(first.x, second.x), std::max(first.y, second.y)};
     for (;;) {
       switch (word_at(parser)) {
-        case Word::contained_by: parse_contained_by(parser, surface->container); continue;
+        case Word::contained_by:
+          parse_contained_by(parser, surface->container);
+          continue;
         case Word::accuracy:
           parser.next();
           surface->accuracy = parser.parse_float();
@@ -51,8 +55,11 @@ ObjectRef parse_parametric(Parser& parser) {
           parser.next();
           surface->max_gradient = parser.parse_float();
           continue;
-        case Word::precompute: parse_precompute(parser, *surface); continue;
-        default: break;
+        case Word::precompute:
+          parse_precompute(parser, *surface);
+          continue;
+        default:
+          break;
       }
       break;
     }

@@ -30,8 +30,9 @@ void check_count(Parser& parser, SplineKind spline, std::size_t count) {
 
 bool same(const Vec2& a, const Vec2& b) { return std::fabs(a.x - b.x) < kEpsilon && std::fabs(a.y - b.y) < kEpsilon; }
 
-// How many outlines there are before one that does not close, and whether that is all of them. A segment is made of `reach` + 1 points: it leads from the one at
-// `begin` to the one at `end`; an outline ends with the segment that comes back to its first point.
+// How many outlines there are before one that does not close, and whether that is all of them. A segment is made of
+// `reach` + 1 points: it leads from the one at `begin` to the one at `end`; an outline ends with the segment that comes
+// back to its first point.
 struct Outlines {
   int closed = 0;
   bool all = true;
@@ -57,9 +58,15 @@ void check_closed(Parser& parser, const scene::Prism& prism) {
     case SplineKind::linear:
       if (!outlines(prism.points, 0, 1, 1, true).all) parser.warning("Linear prism not closed. Closing it.");
       return;
-    case SplineKind::quadratic: found = outlines(prism.points, 1, 2, 2, true); break;
-    case SplineKind::bezier: found = outlines(prism.points, 0, 3, 3, false); break;
-    default: found = outlines(prism.points, 1, 2, 3, true); break;
+    case SplineKind::quadratic:
+      found = outlines(prism.points, 1, 2, 2, true);
+      break;
+    case SplineKind::bezier:
+      found = outlines(prism.points, 0, 3, 3, false);
+      break;
+    default:
+      found = outlines(prism.points, 1, 2, 3, true);
+      break;
   }
   if (found.all) return;
   parser.warning("Prism not closed. Ignoring it.");

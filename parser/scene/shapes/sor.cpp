@@ -16,7 +16,8 @@ ObjectRef parse_sor(Parser& parser) {
     for (std::size_t i = 0; i < count; ++i) {
       const bool inner = i > 1 && i + 1 < count;  // heights rise from the second to the last but one
       if (p[i].x < 0 || (inner && p[i].y <= p[i - 1].y)) parser.error("Incorrect point in surface of revolution.");
-      if (i + 2 < count && std::fabs(p[i + 2].y - p[i].y) < kEpsilon) parser.error("Incorrect point in surface of revolution.");
+      if (i + 2 < count && std::fabs(p[i + 2].y - p[i].y) < kEpsilon)
+        parser.error("Incorrect point in surface of revolution.");
     }
     sor->open = parser.accept(Word::open);
     object.shape = std::shared_ptr<const scene::Sor>(sor);

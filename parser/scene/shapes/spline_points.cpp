@@ -1,18 +1,22 @@
 #include "parser/scene/shapes/spline_points.h"
 
-#include "parser/scene/common.h"
+#include "parser/scene/common/common.h"
 
 namespace verisim::parser {
 
 bool accept_spline_kind(Parser& parser, scene::SplineKind& kind, bool sweep) {
   using scene::SplineKind;
   switch (word_at(parser)) {
-    case Word::linear_spline: kind = SplineKind::linear; break;
+    case Word::linear_spline:
+      kind = SplineKind::linear;
+      break;
     case Word::quadratic_spline:
       if (sweep) return false;
       kind = SplineKind::quadratic;
       break;
-    case Word::cubic_spline: kind = SplineKind::cubic; break;
+    case Word::cubic_spline:
+      kind = SplineKind::cubic;
+      break;
     case Word::bezier_spline:
       if (sweep) return false;
       kind = SplineKind::bezier;
@@ -21,14 +25,16 @@ bool accept_spline_kind(Parser& parser, scene::SplineKind& kind, bool sweep) {
       if (!sweep) return false;
       kind = SplineKind::b_spline;
       break;
-    default: return false;
+    default:
+      return false;
   }
   parser.next();
   return true;
 }
 
 std::vector<Vec2> parse_points(Parser& parser, std::string_view name) {
-  const std::size_t count = checked_count(parser, parser.parse_float(), "points of a " + std::string(name), sizeof(Vec2));
+  const std::size_t count =
+      checked_count(parser, parser.parse_float(), "points of a " + std::string(name), sizeof(Vec2));
   std::vector<Vec2> points;
   for (std::size_t i = 0; i < count; ++i) {
     parser.optional_comma();

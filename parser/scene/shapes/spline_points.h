@@ -1,7 +1,7 @@
 // What lathe, prism, sor and sphere_sweep have in common: the kind of spline and the list of points.
 #pragma once
 
-#include "parser/scene/blocks.h"
+#include "parser/language/blocks.h"
 
 namespace verisim::parser {
 

@@ -33,8 +33,10 @@ ObjectRef parse_smooth_triangle(Parser& parser) {
       triangle.n[i] = parser.parse_vec3();
       parser.optional_comma();
       const double size = length(triangle.n[i]);
-      if (size == 0) zero_normal = true;
-      else triangle.n[i] = triangle.n[i] / size;
+      if (size == 0)
+        zero_normal = true;
+      else
+        triangle.n[i] = triangle.n[i] / size;
     }
     const Vec3 plane = cross(triangle.p[0] - triangle.p[1], triangle.p[2] - triangle.p[1]);
     int sides = 0;

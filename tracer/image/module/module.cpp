@@ -44,7 +44,8 @@ int read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, 
   auto input = ImageInput::open(path, &config);
   if (!input) return fail(error, error_size, OIIO::geterror());
   const ImageSpec& spec = input->spec();
-  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0) return fail(error, error_size, "the image has no pixels");
+  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0)
+    return fail(error, error_size, "the image has no pixels");
   const std::uint64_t pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
   if (pixels > max_pixels || spec.depth > 1) return fail(error, error_size, "the image is too large");
   const int channels = spec.nchannels > 4 ? (spec.alpha_channel == 3 ? 4 : 3) : spec.nchannels;
@@ -73,16 +74,24 @@ int read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, 
 int write_image(const char* path, const VerisimWriteOptions* options, char* error, std::size_t error_size) {
   configure_once();
   const VerisimImage& image = *options->image;
-  if (image.width <= 0 || image.height <= 0 || image.channels < 1 || image.channels > (options->channel_names ? 64 : 4) || !image.pixels)
+  if (image.width <= 0 || image.height <= 0 || image.channels < 1 ||
+      image.channels > (options->channel_names ? 64 : 4) || !image.pixels)
     return fail(error, error_size, "nothing to write");
   auto output = ImageOutput::create(path);
   if (!output) return fail(error, error_size, OIIO::geterror());
   TypeDesc file = TypeDesc::UINT8, memory = TypeDesc::UINT8;
   switch (image.sample) {
-    case kVerisimUint16: file = memory = TypeDesc::UINT16; break;
-    case kVerisimHalf: file = TypeDesc::HALF, memory = TypeDesc::FLOAT; break;
-    case kVerisimFloat: file = memory = TypeDesc::FLOAT; break;
-    default: break;
+    case kVerisimUint16:
+      file = memory = TypeDesc::UINT16;
+      break;
+    case kVerisimHalf:
+      file = TypeDesc::HALF, memory = TypeDesc::FLOAT;
+      break;
+    case kVerisimFloat:
+      file = memory = TypeDesc::FLOAT;
+      break;
+    default:
+      break;
   }
   ImageSpec spec(image.width, image.height, image.channels, file);
   if (options->channel_names) {
@@ -90,7 +99,8 @@ int write_image(const char* path, const VerisimWriteOptions* options, char* erro
     for (int c = 0; c < image.channels; ++c) {
       spec.channelnames[static_cast<std::size_t>(c)] = options->channel_names[c];
       if (spec.channelnames[static_cast<std::size_t>(c)] == "A") spec.alpha_channel = c;
-      if (options->channel_samples) spec.channelformats.push_back(options->channel_samples[c] == kVerisimHalf ? TypeDesc::HALF : TypeDesc::FLOAT);
+      if (options->channel_samples)
+        spec.channelformats.push_back(options->channel_samples[c] == kVerisimHalf ? TypeDesc::HALF : TypeDesc::FLOAT);
     }
   } else if (image.channels == 2 || image.channels == 4) {
     spec.alpha_channel = image.channels - 1;
@@ -102,9 +112,11 @@ int write_image(const char* path, const VerisimWriteOptions* options, char* erro
     spec.attribute("jpeg:subsampling", "4:4:4");  // as POV-Ray writes them (spec 02 section 4.7)
   }
   if (options->bits > 0) spec.attribute("oiio:BitsPerSample", options->bits);
-  for (std::int32_t i = 0; i < options->metadata_count; ++i) spec.attribute(options->metadata[2 * i], options->metadata[2 * i + 1]);
+  for (std::int32_t i = 0; i < options->metadata_count; ++i)
+    spec.attribute(options->metadata[2 * i], options->metadata[2 * i + 1]);
   if (!output->open(path, spec)) return fail(error, error_size, output->geterror());
-  if (!output->write_image(memory, image.pixels) || !output->close()) return fail(error, error_size, output->geterror());
+  if (!output->write_image(memory, image.pixels) || !output->close())
+    return fail(error, error_size, output->geterror());
   return 0;
 }
 
@@ -126,11 +138,13 @@ int guarded(char* error, std::size_t error_size, F f) {
 
 VERISIM_EXPORT int verisim_module_version() { return verisim::image::kModuleVersion; }
 
-VERISIM_EXPORT int verisim_read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, char* error, std::size_t error_size) {
+VERISIM_EXPORT int verisim_read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, char* error,
+                                      std::size_t error_size) {
   return guarded(error, error_size, [&] { return read_image(path, max_pixels, image, error, error_size); });
 }
 
-VERISIM_EXPORT int verisim_write_image(const char* path, const VerisimWriteOptions* options, char* error, std::size_t error_size) {
+VERISIM_EXPORT int verisim_write_image(const char* path, const VerisimWriteOptions* options, char* error,
+                                       std::size_t error_size) {
   return guarded(error, error_size, [&] { return write_image(path, options, error, error_size); });
 }
 

@@ -1,7 +1,8 @@
 // The seam between the tracer and OpenImageIO: a C interface implemented by the plug-in library verisim_image_module.
 //
-// OpenImageIO and what it needs are some 260 shared libraries, 0.2 s of start-up, so the program does not link it: `image_module()` loads the plug-in when
-// the first image wants a format that we do not read or write ourselves. Only plain data cross the seam; errors are returned as text, never thrown.
+// OpenImageIO and what it needs are some 260 shared libraries, 0.2 s of start-up, so the program does not link it:
+// `image_module()` loads the plug-in when the first image wants a format that we do not read or write ourselves. Only
+// plain data cross the seam; errors are returned as text, never thrown.
 #pragma once
 
 #include <cstddef>
@@ -19,19 +20,24 @@ struct VerisimImage {
 };
 
 struct VerisimWriteOptions {
-  const VerisimImage* image;       // sample is the type stored in the file; pixels are uint8, uint16 or, for half and float, float
-  const char* compression;         // OpenImageIO's name ("rle", "zip", "none" ...) or null
-  std::int32_t quality;            // JPEG quality 1..100, 0: the default
-  std::int32_t bits;               // significant bits per channel, 0: all
+  const VerisimImage*
+      image;  // sample is the type stored in the file; pixels are uint8, uint16 or, for half and float, float
+  const char* compression;  // OpenImageIO's name ("rle", "zip", "none" ...) or null
+  std::int32_t quality;     // JPEG quality 1..100, 0: the default
+  std::int32_t bits;        // significant bits per channel, 0: all
   std::int32_t metadata_count;
-  const char* const* metadata;     // key, value, key, value ...
-  const char* const* channel_names;      // one a channel, or null: the usual ones; only then may there be more than four channels
-  const std::int32_t* channel_samples;   // VerisimSample each channel is stored as (OpenEXR), or null: image->sample
+  const char* const* metadata;  // key, value, key, value ...
+  const char* const*
+      channel_names;  // one a channel, or null: the usual ones; only then may there be more than four channels
+  const std::int32_t* channel_samples;  // VerisimSample each channel is stored as (OpenEXR), or null: image->sample
 };
 
-// All return 0 on success; otherwise a message is put into `error` (at most error_size bytes with the terminating zero).
-using VerisimReadImage = int (*)(const char* path, std::uint64_t max_pixels, VerisimImage* image, char* error, std::size_t error_size);
-using VerisimWriteImage = int (*)(const char* path, const VerisimWriteOptions* options, char* error, std::size_t error_size);
+// All return 0 on success; otherwise a message is put into `error` (at most error_size bytes with the terminating
+// zero).
+using VerisimReadImage = int (*)(const char* path, std::uint64_t max_pixels, VerisimImage* image, char* error,
+                                 std::size_t error_size);
+using VerisimWriteImage = int (*)(const char* path, const VerisimWriteOptions* options, char* error,
+                                  std::size_t error_size);
 using VerisimFreeImage = void (*)(VerisimImage* image);
 
 }  // extern "C"
@@ -43,13 +49,15 @@ inline constexpr int kModuleVersion = 2;
 
 // The loaded plug-in.
 struct Module {
-  VerisimReadImage read;    // the file's values, untouched: no gamma conversion, alpha as stored (see VerisimImage::premultiplied)
+  VerisimReadImage
+      read;  // the file's values, untouched: no gamma conversion, alpha as stored (see VerisimImage::premultiplied)
   VerisimWriteImage write;  // the format follows from the extension of the path
   VerisimFreeImage free;
 };
 
-// Loads the plug-in on first use (thread-safe). It is looked for in $VERISIM_MODULE_PATH, beside the program, and in ../lib and ../lib/verisim
-// (the build's and the installed layout). Throws std::runtime_error when it cannot be found or loaded.
+// Loads the plug-in on first use (thread-safe). It is looked for in $VERISIM_MODULE_PATH, beside the program, and in
+// ../lib and ../lib/verisim (the build's and the installed layout). Throws std::runtime_error when it cannot be found
+// or loaded.
 const Module& image_module();
 
 }  // namespace verisim::image

@@ -11,7 +11,8 @@ double fraction(double v) { return v - std::floor(v); }
 
 double brick(const BrickData& data, const Vec3& p) {
   const double m = data.mortar;
-  const Vec3 q((p.x + m + kEpsilon) / data.size.x, (p.y + m + kEpsilon) / data.size.y, (p.z + m + kEpsilon) / data.size.z);
+  const Vec3 q((p.x + m + kEpsilon) / data.size.x, (p.y + m + kEpsilon) / data.size.y,
+               (p.z + m + kEpsilon) / data.size.z);
   const Vec3 joint(m / data.size.x, m / data.size.y, m / data.size.z);
   if (fraction(q.y) <= joint.y) return 0;
   const bool even_row = fraction(q.y / 2) <= 0.5;
@@ -22,7 +23,8 @@ double brick(const BrickData& data, const Vec3& p) {
 
 double cells(const Vec3& p) {
   const NoiseTables& t = noise_tables();
-  return random_value(t, lattice_hash(t, floor_to_int(p.x + kEpsilon), floor_to_int(p.y + kEpsilon), floor_to_int(p.z + kEpsilon)));
+  return random_value(
+      t, lattice_hash(t, floor_to_int(p.x + kEpsilon), floor_to_int(p.y + kEpsilon), floor_to_int(p.z + kEpsilon)));
 }
 
 double checker(const Vec3& p) {
@@ -69,9 +71,12 @@ double triangular(const Vec3& p) {
   const bool upper = z >= root3 / 2;
   if (upper) z = root3 - z;
   int c;
-  if (u != 0 && z < root3 * u && z < root3 * (1 - u)) c = 0;
-  else if (z >= root3 * u || u == 0) c = 1;
-  else c = 3;
+  if (u != 0 && z < root3 * u && z < root3 * (1 - u))
+    c = 0;
+  else if (z >= root3 * u || u == 0)
+    c = 1;
+  else
+    c = 3;
   const int v = c == 0 ? (6 - 2 * a) % 6 : (c + 2 * a) % 6;
   return upper ? 5 - v : v;
 }

@@ -3,7 +3,7 @@
 #include <bit>
 #include <limits>
 
-#include "tracer/textures/noise.h"
+#include "tracer/noise/noise.h"
 #include "tracer/textures/patterns/crackle_kernels.h"
 #include "tracer/textures/patterns/crackle_offsets.h"
 #include "tracer/textures/patterns/formulas.h"
@@ -21,12 +21,15 @@ struct Nearest {
   Vec3 point;  // the nearest one
 };
 
-// The three smallest sums over the axes of metric(difference), for metrics that are seldom used. `bounded`: the metric grows with the distance, so cells can be skipped.
+// The three smallest sums over the axes of metric(difference), for metrics that are seldom used. `bounded`: the metric
+// grows with the distance, so cells can be skipped.
 template <class Metric>
 Nearest nearest_three(const Vec3& p, Metric metric, bool bounded) {
   const NoiseTables& t = noise_tables();
-  const std::int64_t cell[3] = {floor_to_int(p.x - kEpsilon), floor_to_int(p.y - kEpsilon), floor_to_int(p.z - kEpsilon)};
-  const Vec3 f(p.x - static_cast<double>(cell[0]), p.y - static_cast<double>(cell[1]), p.z - static_cast<double>(cell[2]));
+  const std::int64_t cell[3] = {floor_to_int(p.x - kEpsilon), floor_to_int(p.y - kEpsilon),
+                                floor_to_int(p.z - kEpsilon)};
+  const Vec3 f(p.x - static_cast<double>(cell[0]), p.y - static_cast<double>(cell[1]),
+               p.z - static_cast<double>(cell[2]));
   // What the gap to the cells at offset -2 .. 2 alone contributes, and the first step of the hash.
   double gap[3][5];
   for (int k = 0; k < 3; ++k) {
@@ -70,7 +73,8 @@ struct CellPlace {
   Vec3 place;
 };
 CellPlace locate(const Vec3& p) {
-  const std::int64_t a = floor_to_int(p.x - kEpsilon), b = floor_to_int(p.y - kEpsilon), c = floor_to_int(p.z - kEpsilon);
+  const std::int64_t a = floor_to_int(p.x - kEpsilon), b = floor_to_int(p.y - kEpsilon),
+                     c = floor_to_int(p.z - kEpsilon);
   return {a, b, c, Vec3(p.x - static_cast<double>(a), p.y - static_cast<double>(b), p.z - static_cast<double>(c))};
 }
 
@@ -81,10 +85,12 @@ Vec3 nearest_point(const Vec3& p) {
   double least = std::numeric_limits<double>::infinity();
   int nearest = 0;
   for (int i = 0; i < cell.count; ++i) {
-    const double x = cell.x[i] - at.place.x, y = cell.y[i] - at.place.y, z = cell.z[i] - at.place.z, s = x * x + y * y + z * z;
+    const double x = cell.x[i] - at.place.x, y = cell.y[i] - at.place.y, z = cell.z[i] - at.place.z,
+                 s = x * x + y * y + z * z;
     if (s < least) least = s, nearest = i;
   }
-  return Vec3(cell.x[nearest], cell.y[nearest], cell.z[nearest]) + Vec3(static_cast<double>(at.a), static_cast<double>(at.b), static_cast<double>(at.c));
+  return Vec3(cell.x[nearest], cell.y[nearest], cell.z[nearest]) +
+         Vec3(static_cast<double>(at.a), static_cast<double>(at.b), static_cast<double>(at.c));
 }
 
 // The pattern's value from the three smallest distances.
@@ -103,16 +109,23 @@ double in_form(const CrackleData& data, double s0, double s1, double s2) {
 // The cells of a row's points, and their places there.
 struct CrackleRow {
   alignas(64) double cell[3][PointRow::kMost], place[3][PointRow::kMost];
-  bool together(int i, int k) const { return cell[0][i] == cell[0][k] && cell[1][i] == cell[1][k] && cell[2][i] == cell[2][k]; }
+  bool together(int i, int k) const {
+    return cell[0][i] == cell[0][k] && cell[1][i] == cell[1][k] && cell[2][i] == cell[2][k];
+  }
 };
 
 class CrackleValues {
  public:
-  CrackleValues(const CrackleData& data, double* values) : data_(data), squares_(data.p.metric == 2), form_{data.p.form[0], data.p.form[1], data.p.form[2]}, values_(values) {}
+  CrackleValues(const CrackleData& data, double* values)
+      : data_(data),
+        squares_(data.p.metric == 2),
+        form_{data.p.form[0], data.p.form[1], data.p.form[2]},
+        values_(values) {}
 
   // Eight neighbours in one cell.
   void of_eight(CrackleEight& at, double* values) const {
-    (squares_ ? kernels.squares_of_eight : kernels.sums_of_eight)(cell_at(at.cell[0][0], at.cell[1][0], at.cell[2][0]), at);
+    (squares_ ? kernels.squares_of_eight : kernels.sums_of_eight)(cell_at(at.cell[0][0], at.cell[1][0], at.cell[2][0]),
+                                                                  at);
     kernels.in_form(at, form_, data_.offset_power, squares_, values);
   }
   // Points of a row wherever they are, cell by cell.
@@ -121,7 +134,8 @@ class CrackleValues {
       const int first = std::countr_zero(open);
       int found[8], n = 0;
       for (std::uint64_t rest = open; rest != 0 && n < 8; rest &= rest - 1)
-        if (const int i = std::countr_zero(rest); row.together(i, first)) found[n++] = i, open &= ~(std::uint64_t{1} << i);
+        if (const int i = std::countr_zero(rest); row.together(i, first))
+          found[n++] = i, open &= ~(std::uint64_t{1} << i);
       of_some(row, found, n);
     }
   }
@@ -130,13 +144,15 @@ class CrackleValues {
   static constexpr int kAlone = 3;  // points of a cell that are found one by one: then its random points are the lanes
 
   const CrackleCell& cell_at(double a, double b, double c) const {
-    return crackle_cell(squares_ ? CrackleMetric::squares : CrackleMetric::sums, static_cast<std::int64_t>(a), static_cast<std::int64_t>(b), static_cast<std::int64_t>(c));
+    return crackle_cell(squares_ ? CrackleMetric::squares : CrackleMetric::sums, static_cast<std::int64_t>(a),
+                        static_cast<std::int64_t>(b), static_cast<std::int64_t>(c));
   }
   void of_some(const CrackleRow& row, const int* found, int n) const {
     const CrackleCell& cell = cell_at(row.cell[0][found[0]], row.cell[1][found[0]], row.cell[2][found[0]]);
     if (n <= kAlone) {
       for (int k = 0; k < n; ++k) {
-        const NearestThree nearest = (squares_ ? kernels.squares : kernels.sums)(cell, {row.place[0][found[k]], row.place[1][found[k]], row.place[2][found[k]]});
+        const NearestThree nearest = (squares_ ? kernels.squares : kernels.sums)(
+            cell, {row.place[0][found[k]], row.place[1][found[k]], row.place[2][found[k]]});
         values_[found[k]] = in_form(data_, nearest.s[0], nearest.s[1], nearest.s[2]);
       }
       return;
@@ -156,12 +172,14 @@ class CrackleValues {
   double* const values_;
 };
 
-// Whether the cells of points can be found in lanes: the form needs no more than distances, and coordinates are not too large.
+// Whether the cells of points can be found in lanes: the form needs no more than distances, and coordinates are not too
+// large.
 bool in_lanes(const CrackleData& data, int count, const PointRow& p) {
   if (data.p.solid || (data.p.metric != 2 && data.p.metric != 1)) return false;
   constexpr double kFar = 1e9;
   bool near = true;
-  for (int i = 0; i < count; ++i) near = near && std::fabs(p.x[i]) < kFar && std::fabs(p.y[i]) < kFar && std::fabs(p.z[i]) < kFar;
+  for (int i = 0; i < count; ++i)
+    near = near && std::fabs(p.x[i]) < kFar && std::fabs(p.y[i]) < kFar && std::fabs(p.z[i]) < kFar;
   return near;
 }
 
@@ -199,7 +217,8 @@ double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {
   NearestThree n;
   if (c.metric == 2 || c.metric == 1) {
     const CellPlace at = locate(p);
-    const CrackleCell& cell = crackle_cell(c.metric == 2 ? CrackleMetric::squares : CrackleMetric::sums, at.a, at.b, at.c);
+    const CrackleCell& cell =
+        crackle_cell(c.metric == 2 ? CrackleMetric::squares : CrackleMetric::sums, at.a, at.b, at.c);
     n = c.metric == 2 ? kernels.squares(cell, at.place) : kernels.sums(cell, at.place);
   } else {
     const Nearest nearest = nearest_three(p, MetricAny{c.metric}, c.metric > 0);
@@ -210,7 +229,10 @@ double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {
 
 Vec3 nearest_facet_point(const Vec3& p, double metric) {
   if (metric == 2) return nearest_point(p);
-  if (metric == 1) return nearest_three(p, [](double d) { return d; }, false).point;
+  if (metric == 1)
+    return nearest_three(
+               p, [](double d) { return d; }, false)
+        .point;
   return nearest_three(p, MetricAny{metric}, metric > 0).point;
 }
 

@@ -22,11 +22,13 @@ void fill(CrackleCell& cell, CrackleMetric metric, std::int64_t a, std::int64_t 
   for (int i = 81; i < CrackleCell::kMost; ++i) all.x[i] = all.y[i] = all.z[i] = kFar;
   all.count = CrackleCell::kMost;
 
-  // A point that is farther from the whole cell than three others are from any place in it is never among the nearest three. Places may lie beyond the
-  // cell's faces by the epsilon of POV-Ray's floor.
+  // A point that is farther from the whole cell than three others are from any place in it is never among the nearest
+  // three. Places may lie beyond the cell's faces by the epsilon of POV-Ray's floor.
   const CrackleKernels& kernels = crackle_kernels(best_instruction_set());
   alignas(64) double at_least[CrackleCell::kMost];
-  const double limit = (metric == CrackleMetric::squares ? kernels.bound_squares : kernels.bound_sums)(all, at_least) * (1 + 1e-8) + 1e-8;
+  const double limit =
+      (metric == CrackleMetric::squares ? kernels.bound_squares : kernels.bound_sums)(all, at_least) * (1 + 1e-8) +
+      1e-8;
   int n = 0;
   for (int i = 0; i < 81; ++i) {
     cell.x[n] = all.x[i];

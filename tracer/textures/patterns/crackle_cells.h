@@ -3,12 +3,12 @@
 
 #include <cstdint>
 
-#include "tracer/textures/noise_tables.h"
+#include "tracer/noise/noise_tables.h"
 
 namespace verisim::textures {
 
-// Points relative to the cell's corner, in the order in which POV-Ray's 81 cells are looked at here; those that cannot be among the three nearest of any
-// place in the cell are left out. Filled up to a multiple of 8 with points far away.
+// Points relative to the cell's corner, in the order in which POV-Ray's 81 cells are looked at here; those that cannot
+// be among the three nearest of any place in the cell are left out. Filled up to a multiple of 8 with points far away.
 struct alignas(64) CrackleCell {
   static constexpr int kMost = 88;
   double x[kMost], y[kMost], z[kMost];

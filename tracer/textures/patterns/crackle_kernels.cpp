@@ -7,7 +7,7 @@
 #endif
 
 #define VERISIM_INLINE inline __attribute__((always_inline))
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
+#pragma GCC diagnostic ignored "-Wpsabi"          // vectors are only passed between functions that are inlined
 #pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 reports its own intrinsics
 #pragma GCC diagnostic ignored "-Wunused-function"
 
@@ -16,7 +16,7 @@ namespace {
 
 namespace baseline {
 #define VERISIM_REGISTER_DOUBLES 2
-#include "tracer/textures/noise_lanes.inc"
+#include "tracer/noise/noise_lanes.inc"
 #include "tracer/textures/patterns/crackle_kernels.inc"
 #undef VERISIM_REGISTER_DOUBLES
 }  // namespace baseline
@@ -26,14 +26,14 @@ namespace baseline {
 #pragma GCC target("avx2,bmi2")
 namespace avx2 {
 #define VERISIM_REGISTER_DOUBLES 4
-#include "tracer/textures/noise_lanes.inc"
+#include "tracer/noise/noise_lanes.inc"
 #include "tracer/textures/patterns/crackle_kernels.inc"
 #undef VERISIM_REGISTER_DOUBLES
 }  // namespace avx2
 #pragma GCC target("avx2,bmi2,avx512f,avx512dq,avx512vl,avx512bw")
 namespace avx512 {
 #define VERISIM_REGISTER_DOUBLES 8
-#include "tracer/textures/noise_lanes.inc"
+#include "tracer/noise/noise_lanes.inc"
 #include "tracer/textures/patterns/crackle_kernels.inc"
 #undef VERISIM_REGISTER_DOUBLES
 }  // namespace avx512

@@ -1,5 +1,5 @@
-// The 81 cells that POV-Ray looks at around a point's own, nearest rings first: all of {-2..2}^3 with at most one component of magnitude 2
-// (spec 05 section 7).
+// The 81 cells that POV-Ray looks at around a point's own, nearest rings first: all of {-2..2}^3 with at most one
+// component of magnitude 2 (spec 05 section 7).
 #pragma once
 
 #include <array>
@@ -7,7 +7,9 @@
 
 namespace verisim::textures {
 
-struct CellOffset { std::int8_t x, y, z; };
+struct CellOffset {
+  std::int8_t x, y, z;
+};
 
 constexpr std::array<CellOffset, 81> make_crackle_offsets() {
   std::array<CellOffset, 81> result{};
@@ -23,6 +25,7 @@ constexpr std::array<CellOffset, 81> make_crackle_offsets() {
   return result;
 }
 constexpr std::array<CellOffset, 81> kCrackleOffsets = make_crackle_offsets();
-static_assert(kCrackleOffsets[0].x == 0 && kCrackleOffsets[0].y == 0 && kCrackleOffsets[0].z == 0 && (kCrackleOffsets[80].x != 0 || kCrackleOffsets[80].y != 0));
+static_assert(kCrackleOffsets[0].x == 0 && kCrackleOffsets[0].y == 0 && kCrackleOffsets[0].z == 0 &&
+              (kCrackleOffsets[80].x != 0 || kCrackleOffsets[80].y != 0));
 
 }  // namespace verisim::textures

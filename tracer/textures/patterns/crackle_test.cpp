@@ -26,13 +26,15 @@ TEST(Crackle, RemembersEveryPointThatCanBeAmongTheNearestThree) {
       std::vector<double> all;
       for (const CellOffset& o : kCrackleOffsets) {
         const Vec3 d = Vec3(o.x, o.y, o.z) + cell_point(t, a + o.x, b + o.y, c + o.z) - place;
-        all.push_back(metric == CrackleMetric::squares ? d.x * d.x + d.y * d.y + d.z * d.z : std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z));
+        all.push_back(metric == CrackleMetric::squares ? d.x * d.x + d.y * d.y + d.z * d.z
+                                                       : std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z));
       }
       std::partial_sort(all.begin(), all.begin() + 3, all.end());
       const CrackleCell& cell = crackle_cell(metric, a, b, c);
       for (int set = 0; set <= best_instruction_set(); ++set) {
         const CrackleKernels& kernels = crackle_kernels(static_cast<InstructionSet>(set));
-        const NearestThree nearest = metric == CrackleMetric::squares ? kernels.squares(cell, place) : kernels.sums(cell, place);
+        const NearestThree nearest =
+            metric == CrackleMetric::squares ? kernels.squares(cell, place) : kernels.sums(cell, place);
         for (int k = 0; k < 3; ++k) ASSERT_EQ(nearest.s[k], all[k]) << "instruction set " << set;
       }
     }

@@ -9,7 +9,11 @@ namespace {
 
 class Grid {
  public:
-  explicit Grid(const scene::DensityFileParams& d) : d_(d), scale_(d.bytes == 1 ? 255.0 : d.bytes == 2 ? 65535.0 : 4294967295.0) {}
+  explicit Grid(const scene::DensityFileParams& d)
+      : d_(d),
+        scale_(d.bytes == 1   ? 255.0
+               : d.bytes == 2 ? 65535.0
+                              : 4294967295.0) {}
   double operator()(std::uint64_t x, std::uint64_t y, std::uint64_t z) const {
     const auto nx = static_cast<std::uint64_t>(d_.size[0]), ny = static_cast<std::uint64_t>(d_.size[1]);
     return (*d_.samples)[(z * ny + y) * nx + x] / scale_;
@@ -51,7 +55,8 @@ double density_file(const scene::DensityFileParams& d, const Vec3& p) {
     double sum = 0;
     for (int c = 0; c < 8; ++c) {
       const int x = c & 1, y = c >> 1 & 1, z = c >> 2;
-      sum += (x ? f[0] : 1 - f[0]) * (y ? f[1] : 1 - f[1]) * (z ? f[2] : 1 - f[2]) * grid(near[0][1 + x], near[1][1 + y], near[2][1 + z]);
+      sum += (x ? f[0] : 1 - f[0]) * (y ? f[1] : 1 - f[1]) * (z ? f[2] : 1 - f[2]) *
+             grid(near[0][1 + x], near[1][1 + y], near[2][1 + z]);
     }
     return sum;
   }

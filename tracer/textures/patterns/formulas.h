@@ -1,11 +1,12 @@
-// The formulas of the scalar patterns (spec 05 section 8), one function each; `p` is the warped point. Grouped into files by kinship.
+// The formulas of the scalar patterns (spec 05 section 8), one function each; `p` is the warped point. Grouped into
+// files by kinship.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
-#include "tracer/textures/noise_tables.h"
-#include "tracer/textures/pattern.h"
+#include "tracer/noise/noise_tables.h"
+#include "tracer/textures/patterns/pattern.h"
 #include "tracer/textures/point_row.h"
 
 namespace verisim::textures {
@@ -23,12 +24,16 @@ inline double wrap_period(double v) {
   const double magnitude = std::fabs(v);
   if (magnitude < kPeriod) return v;
   if (!(magnitude < 0x1p25)) return std::fmod(v, kPeriod);
-  // The period in two parts of 26 bits, so that products with the whole number of periods, and the differences, are exact.
-  constexpr double kHigh = static_cast<double>(static_cast<long long>(kPeriod * 0x1p26)) * 0x1p-26, kLow = kPeriod - kHigh;
+  // The period in two parts of 26 bits, so that products with the whole number of periods, and the differences, are
+  // exact.
+  constexpr double kHigh = static_cast<double>(static_cast<long long>(kPeriod * 0x1p26)) * 0x1p-26,
+                   kLow = kPeriod - kHigh;
   const double n = static_cast<double>(static_cast<int>(magnitude * (1 / kPeriod)));
   double r = (magnitude - n * kHigh) - n * kLow;
-  if (r < 0) r += kPeriod;
-  else if (r >= kPeriod) r -= kPeriod;
+  if (r < 0)
+    r += kPeriod;
+  else if (r >= kPeriod)
+    r -= kPeriod;
   return v < 0 ? -r : r;
 }
 // The remainder in [0, modulus).
@@ -60,7 +65,10 @@ double triangular(const Vec3& p);
 
 // quilted.cpp
 // The displacement of a quilted normal and |q| (spec 05 section 8).
-struct Quilt { Vec3 u; double q; };
+struct Quilt {
+  Vec3 u;
+  double q;
+};
 Quilt quilt(const QuiltedData& data, const Vec3& p);
 double quilted(const QuiltedData& data, const Vec3& p);
 
@@ -68,7 +76,8 @@ double quilted(const QuiltedData& data, const Vec3& p);
 double crackle(const CrackleData& data, int noise_generator, const Vec3& p);
 // The same at the points of a row, which is filled up.
 void crackle_row(const CrackleData& data, int noise_generator, int count, const PointRow& points, double* v);
-// The nearest random cell point by the metric of facets: metric 1 takes the signed sum of the differences (spec 05 10.6).
+// The nearest random cell point by the metric of facets: metric 1 takes the signed sum of the differences (spec
+// 05 10.6).
 Vec3 nearest_facet_point(const Vec3& p, double metric);
 
 // water.cpp: ripples and waves

@@ -35,37 +35,57 @@ double exterior(const scene::FractalParams& f, const Complex& z, int k) {
     return m == 0 ? 0.0 : (k % m) / factor;
   };
   switch (f.exterior_type) {
-    case 0: return factor;
-    case 1: return static_cast<double>(k) / f.iterations;
-    case 2: return a * factor;
-    case 3: return b * factor;
-    case 4: return a * a * factor;
-    case 5: return b * b * factor;
-    case 6: return std::sqrt(squared(z)) * factor;
-    case 7: return modulo(std::floor(factor));
-    case 8: return modulo(std::floor(1 + factor));
-    default: return 0;
+    case 0:
+      return factor;
+    case 1:
+      return static_cast<double>(k) / f.iterations;
+    case 2:
+      return a * factor;
+    case 3:
+      return b * factor;
+    case 4:
+      return a * a * factor;
+    case 5:
+      return b * b * factor;
+    case 6:
+      return std::sqrt(squared(z)) * factor;
+    case 7:
+      return modulo(std::floor(factor));
+    case 8:
+      return modulo(std::floor(1 + factor));
+    default:
+      return 0;
   }
 }
 
 double interior(const scene::FractalParams& f, const Complex& z, double smallest) {
   const double a = z.real(), b = z.imag(), factor = f.interior_factor;
   switch (f.interior_type) {
-    case 0: return factor;
-    case 1: return std::sqrt(smallest) * factor;
-    case 2: return a * factor;
-    case 3: return b * factor;
-    case 4: return a * a * factor;
-    case 5: return b * b * factor;
-    case 6: return a * a + b * b * factor;  // not (a^2 + b^2) times the factor
-    default: return 0;
+    case 0:
+      return factor;
+    case 1:
+      return std::sqrt(smallest) * factor;
+    case 2:
+      return a * factor;
+    case 3:
+      return b * factor;
+    case 4:
+      return a * a * factor;
+    case 5:
+      return b * b * factor;
+    case 6:
+      return a * a + b * b * factor;  // not (a^2 + b^2) times the factor
+    default:
+      return 0;
   }
 }
 
 double polynomial(const scene::FractalParams& f, Complex z, const Complex& c) {
   double smallest = squared(z);
   for (int k = 0; k < f.iterations; ++k) {
-    z = (f.exponent == 2 ? Complex(z.real() * z.real() - z.imag() * z.imag(), 2 * z.real() * z.imag()) : power(z, f.exponent)) + c;
+    z = (f.exponent == 2 ? Complex(z.real() * z.real() - z.imag() * z.imag(), 2 * z.real() * z.imag())
+                         : power(z, f.exponent)) +
+        c;
     const double size = squared(z);
     if (size > 4) return exterior(f, z, k);
     smallest = std::min(smallest, size);
@@ -99,10 +119,14 @@ double magnet(const scene::FractalParams& f, Complex z, const Complex& c, double
 double fractal(const scene::FractalParams& f, scene::PatternKind kind, const Vec3& p) {
   const Complex point(p.x, p.y), julia(f.julia.x, f.julia.y);
   switch (kind) {
-    case scene::PatternKind::mandel: return polynomial(f, point, point);
-    case scene::PatternKind::julia: return polynomial(f, point, julia);
-    case scene::PatternKind::magnet_mandel: return magnet(f, {0, 0}, point, 10000);
-    default: return magnet(f, point, julia, squared(point));
+    case scene::PatternKind::mandel:
+      return polynomial(f, point, point);
+    case scene::PatternKind::julia:
+      return polynomial(f, point, julia);
+    case scene::PatternKind::magnet_mandel:
+      return magnet(f, {0, 0}, point, 10000);
+    default:
+      return magnet(f, point, julia, squared(point));
   }
 }
 

@@ -1,4 +1,5 @@
-// Pavements: what each lattice cell shows is data (pavement_flags.inc, measured by tools/measure_pavements), the value is a formula (spec 05 9.2).
+// Pavements: what each lattice cell shows is data (pavement_flags.inc, measured by tools/measure_pavements), the value
+// is a formula (spec 05 9.2).
 #include "tracer/textures/patterns/pavement.h"
 
 #include <algorithm>
@@ -65,7 +66,8 @@ int remainder(double v, int n) {
 
 double clamp01(double v) { return std::clamp(v, 0.0, 1.0); }
 
-// Bits of a square cell: borders left, right, lower, upper; marks in the corners lower left, lower right, upper left, upper right.
+// Bits of a square cell: borders left, right, lower, upper; marks in the corners lower left, lower right, upper left,
+// upper right.
 double square_pavement(const Pavement& pv, double x, double z) {
   const double i = std::floor(x), j = std::floor(z);
   const unsigned flags = pv.flags[remainder(j, pv.rows) * pv.columns + remainder(i, pv.columns)];
@@ -84,18 +86,23 @@ double square_pavement(const Pavement& pv, double x, double z) {
         if (pv.form == 1) return std::min(1.0, std::fabs(s + q - 1));
         return std::max({s - 1, q - 1, std::min(1 - s, 1 - q)});
       }
-      const double mark = pv.interior == 0 ? std::min(1 - s, 1 - q) : pv.interior == 1 ? 1 - (s + q) : 1 - std::sqrt(s * s + q * q);
+      const double mark = pv.interior == 0   ? std::min(1 - s, 1 - q)
+                          : pv.interior == 1 ? 1 - (s + q)
+                                             : 1 - std::sqrt(s * s + q * q);
       v = std::max(v, mark);
     }
     if (border[right ? 1 : 0] && border[up ? 3 : 2]) {
-      if (pv.exterior == 1) v = std::max(v, std::min(1.0, 2 - s - q));
-      else if (pv.exterior == 2 && s <= 1 && q <= 1) v = std::max(v, std::min(1.0, std::sqrt((1 - s) * (1 - s) + (1 - q) * (1 - q))));
+      if (pv.exterior == 1)
+        v = std::max(v, std::min(1.0, 2 - s - q));
+      else if (pv.exterior == 2 && s <= 1 && q <= 1)
+        v = std::max(v, std::min(1.0, std::sqrt((1 - s) * (1 - s) + (1 - q) * (1 - q))));
     }
   }
   return v;
 }
 
-// A position in a unit triangle by its barycentric coordinates; vertices 0 left, 1 right, 2 top, edge k opposite to vertex k.
+// A position in a unit triangle by its barycentric coordinates; vertices 0 left, 1 right, 2 top, edge k opposite to
+// vertex k.
 struct InTriangle {
   std::array<double, 3> b;
   // Projection from vertex k along the edge to vertex `to`, 0 .. 1.
@@ -111,15 +118,17 @@ struct InTriangle {
   }
 };
 
-// Bits of a triangular cell: 0..2 borders (edge k opposite to vertex k), 3..5 marks at the vertices, then two bits per vertex: the sweep in its sector,
-// 0 none, 1 towards vertex k+1, 2 towards vertex k+2.
+// Bits of a triangular cell: 0..2 borders (edge k opposite to vertex k), 3..5 marks at the vertices, then two bits per
+// vertex: the sweep in its sector, 0 none, 1 towards vertex k+1, 2 towards vertex k+2.
 double triangle_pavement(const Pavement& pv, double x, double z) {
   const double height = std::sqrt(3.0) / 2, root3 = std::sqrt(3.0);
   const double row = std::floor(z / height), up = z / height - row;
   const double skewed = x - z / (2 * height), column = std::floor(skewed), right = skewed - column;
   const bool inverted = right + up >= 1;
-  const unsigned flags = pv.flags[remainder(row, pv.rows) * pv.columns + remainder(2 * column + row + (inverted ? 1 : 0), pv.columns)];
-  const InTriangle p{inverted ? std::array<double, 3>{right + up - 1, 1 - right, 1 - up} : std::array<double, 3>{1 - right - up, right, up}};
+  const unsigned flags =
+      pv.flags[remainder(row, pv.rows) * pv.columns + remainder(2 * column + row + (inverted ? 1 : 0), pv.columns)];
+  const InTriangle p{inverted ? std::array<double, 3>{right + up - 1, 1 - right, 1 - up}
+                              : std::array<double, 3>{1 - right - up, right, up}};
 
   if (pv.form != 0)
     for (int k = 0; k < 3; ++k) {
@@ -135,9 +144,12 @@ double triangle_pavement(const Pavement& pv, double x, double z) {
   for (int k = 0; k < 3; ++k) {
     if (border[k]) v = std::max(v, 1 - 3 * p.b[k]);
     if (!(flags >> (3 + k) & 1)) continue;
-    if (pv.interior == 0) v = std::max(v, 1 - 3 * (1 - p.b[k]));
-    else if (pv.interior == 2) v = std::max(v, 1 - 3 * p.distance_to_vertex(k));
-    else if (p.in_sector(k)) v = std::max(v, 1 - 3 * std::max(p.along(k, (k + 1) % 3), p.along(k, (k + 2) % 3)));
+    if (pv.interior == 0)
+      v = std::max(v, 1 - 3 * (1 - p.b[k]));
+    else if (pv.interior == 2)
+      v = std::max(v, 1 - 3 * p.distance_to_vertex(k));
+    else if (p.in_sector(k))
+      v = std::max(v, 1 - 3 * std::max(p.along(k, (k + 1) % 3), p.along(k, (k + 2) % 3)));
   }
   if (pv.sides != 3 || pv.exterior == 0) return v;
   for (const int k : {2, 1, 0}) {
@@ -154,7 +166,8 @@ double triangle_pavement(const Pavement& pv, double x, double z) {
 Pavement compile_pavement(const scene::PavementParams& d) {
   const Flags& flags = flags_of(d.sides, d.tiles, d.pattern);
   const auto byte = [](int v) { return v & 255; };
-  return {d.sides, byte(d.exterior) % 3, byte(d.interior) % 3, byte(d.form) % (d.sides == 4 ? 4 : 3), flags.columns, flags.rows, flags.cells.data()};
+  return {d.sides,       byte(d.exterior) % 3, byte(d.interior) % 3, byte(d.form) % (d.sides == 4 ? 4 : 3),
+          flags.columns, flags.rows,           flags.cells.data()};
 }
 
 double evaluate_pavement(const Pavement& pavement, double x, double z) {

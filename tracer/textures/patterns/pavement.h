@@ -7,7 +7,8 @@
 
 namespace verisim::textures {
 
-// A pavement with its cell flags (pavement_flags.h); null flags: every number was checked by the parser, so this does not happen.
+// A pavement with its cell flags (pavement_flags.h); null flags: every number was checked by the parser, so this does
+// not happen.
 struct Pavement {
   int sides = 3, exterior = 0, interior = 0, form = 0;
   int columns = 1, rows = 1;

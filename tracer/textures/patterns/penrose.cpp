@@ -1,7 +1,8 @@
 // Tilings 25 .. 27: Penrose's pentagons, kites and darts, and rhombs, by recursive subdivision (spec 05 section 9.1).
 //
-// A state machine: each state is a kind of tile (or half of one); a step decides in which smaller tile of the subdivision the point lies, moves the
-// point into that tile's own position and enlarges it by the golden ratio. After the last step the leaf's formula gives the value.
+// A state machine: each state is a kind of tile (or half of one); a step decides in which smaller tile of the
+// subdivision the point lies, moves the point into that tile's own position and enlarges it by the golden ratio. After
+// the last step the leaf's formula gives the value.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -20,21 +21,27 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 double cosine(double degrees) { return std::cos(radians(degrees)); }
 double sine(double degrees) { return std::sin(radians(degrees)); }
 
-struct P { double x, z; };
+struct P {
+  double x, z;
+};
 P operator+(const P& a, const P& b) { return {a.x + b.x, a.z + b.z}; }
 P operator-(const P& a, const P& b) { return {a.x - b.x, a.z - b.z}; }
 P operator*(double s, const P& a) { return {s * a.x, s * a.z}; }
 
 // Rotations by the multiples of 36 degrees that occur.
 P rotate(double degrees, const P& p) {
-  static const double c[10] = {1, cosine(36), cosine(72), cosine(108), cosine(144), -1, cosine(216), cosine(252), cosine(288), cosine(324)};
-  static const double s[10] = {0, sine(36), sine(72), sine(108), sine(144), 0, sine(216), sine(252), sine(288), sine(324)};
+  static const double c[10] = {1,  cosine(36),  cosine(72),  cosine(108), cosine(144),
+                               -1, cosine(216), cosine(252), cosine(288), cosine(324)};
+  static const double s[10] = {0, sine(36),  sine(72),  sine(108), sine(144),
+                               0, sine(216), sine(252), sine(288), sine(324)};
   const int k = (static_cast<int>(degrees) / 36 + 10) % 10;
   return {p.x * c[k] - p.z * s[k], p.z * c[k] + p.x * s[k]};
 }
 
 // Distance from the line through (x0, 0) with direction `degrees`.
-double line_distance(const P& p, double x0, double degrees) { return std::fabs(sine(degrees) * (p.x - x0) - cosine(degrees) * p.z); }
+double line_distance(const P& p, double x0, double degrees) {
+  return std::fabs(sine(degrees) * (p.x - x0) - cosine(degrees) * p.z);
+}
 bool below(const P& p, double x0, double degrees) { return p.z < (p.x - x0) * std::tan(radians(degrees)); }
 
 // Folds the plane into the wedge of 36 degrees above the x axis.
@@ -65,8 +72,10 @@ double kite_and_dart(bool rhombs, P p) {
   for (int m = std::min(2 * n, kMaxSteps); m > 0; --m) {
     p.z = std::fabs(p.z);
     if (kite) {
-      if (below(p, g, 144)) kite = false;
-      else p = rotate(108, p - P{c36, s36});
+      if (below(p, g, 144))
+        kite = false;
+      else
+        p = rotate(108, p - P{c36, s36});
     } else if (below(p, g, 108)) {
       kite = true;
       p = rotate(-36, p);
@@ -85,7 +94,18 @@ double kite_and_dart(bool rhombs, P p) {
   return falling(5.55 * p.z, 5.55 * line_distance(p, g, 72));
 }
 
-enum class Piece { pentagon1, pentagon2a, pentagon2b, pentagon3a, pentagon3b, star, boat_a, boat_b, diamond_a, diamond_b };  // a: "+", b: "-" in the specification
+enum class Piece {
+  pentagon1,
+  pentagon2a,
+  pentagon2b,
+  pentagon3a,
+  pentagon3b,
+  star,
+  boat_a,
+  boat_b,
+  diamond_a,
+  diamond_b
+};  // a: "+", b: "-" in the specification
 
 const double kA = 0.5 / sine(36), kI = 0.5 / std::tan(radians(36)), kF = 5.55 * g;
 const double kC72 = cosine(72), kS72 = sine(72);
@@ -152,8 +172,10 @@ Piece subdivide(Piece piece, P& p) {
     case boat_b:
       p = rotate(72, p) + P{kA, 0};
       return pentagon3a;
-    case diamond_a: return pentagon1;
-    case diamond_b: return pentagon3a;
+    case diamond_a:
+      return pentagon1;
+    case diamond_b:
+      return pentagon3a;
   }
   return piece;
 }
@@ -161,12 +183,19 @@ Piece subdivide(Piece piece, P& p) {
 double leaf(Piece piece, P p) {
   using enum Piece;
   switch (piece) {
-    case pentagon1: p = fold(p); return std::clamp((1 - kF * std::fabs(p.x - kI)) / 6, 0.0, 1.0 / 6 - eta);
+    case pentagon1:
+      p = fold(p);
+      return std::clamp((1 - kF * std::fabs(p.x - kI)) / 6, 0.0, 1.0 / 6 - eta);
     case pentagon2a:
-    case pentagon2b: p = fold(p); return std::clamp((2 - kF * std::fabs(p.x - kI)) / 6, 1.0 / 6 + eta, 2.0 / 6 - eta);
+    case pentagon2b:
+      p = fold(p);
+      return std::clamp((2 - kF * std::fabs(p.x - kI)) / 6, 1.0 / 6 + eta, 2.0 / 6 - eta);
     case pentagon3a:
-    case pentagon3b: p = fold(p); return std::clamp((3 - kF * std::fabs(p.x - kI)) / 6, 2.0 / 6 + eta, 3.0 / 6 - eta);
-    case star: return std::clamp((4 - kF * line_distance(p, phi * kA, 162)) / 6, 3.0 / 6 + eta, 4.0 / 6 - eta);
+    case pentagon3b:
+      p = fold(p);
+      return std::clamp((3 - kF * std::fabs(p.x - kI)) / 6, 2.0 / 6 + eta, 3.0 / 6 - eta);
+    case star:
+      return std::clamp((4 - kF * line_distance(p, phi * kA, 162)) / 6, 3.0 / 6 + eta, 4.0 / 6 - eta);
     case boat_a:
     case boat_b: {
       const double a = kF * std::fabs(p.x - g * kA * kC72);
@@ -174,7 +203,8 @@ double leaf(Piece piece, P p) {
       const double b = kF * line_distance(p, phi * kA, 162);
       return std::min(std::max({(5 - a) / 6, (5 - b) / 6, 4.0 / 6 + eta}), 5.0 / 6 - eta);
     }
-    default: return std::clamp(1 - kF * line_distance(p, -g * kA, 18) / 6, 5.0 / 6 + eta, 1 - eta);
+    default:
+      return std::clamp(1 - kF * line_distance(p, -g * kA, 18) / 6, 5.0 / 6 + eta, 1 - eta);
   }
 }
 

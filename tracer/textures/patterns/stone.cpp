@@ -1,7 +1,7 @@
 // Spirals, and what patterns made of turbulence share; agate, marble and wood themselves are in evaluation.inc.
 #include <numbers>
 
-#include "tracer/textures/noise.h"
+#include "tracer/noise/noise.h"
 #include "tracer/textures/patterns/formulas.h"
 
 namespace verisim::textures {

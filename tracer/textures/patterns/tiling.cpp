@@ -1,7 +1,9 @@
-// Tilings 1 .. 24: the value falls from the edges of a tile inwards until it is flat; classes of tiles get different ranges (spec 05 section 9.1).
+// Tilings 1 .. 24: the value falls from the edges of a tile inwards until it is flat; classes of tiles get different
+// ranges (spec 05 section 9.1).
 //
-// The tiles are given as polygons that repeat by two lattice vectors. Once, each tiling is turned into the list of all tiles, shifted copies included,
-// that touch one lattice cell; a point is moved into that cell and the tile that holds it is found by its edges.
+// The tiles are given as polygons that repeat by two lattice vectors. Once, each tiling is turned into the list of all
+// tiles, shifted copies included, that touch one lattice cell; a point is moved into that cell and the tile that holds
+// it is found by its edges.
 #include "tracer/textures/patterns/tiling.h"
 
 #include <algorithm>
@@ -42,13 +44,18 @@ Polygon on_edge(const Vec2& center, double radius, double normal, int n) {
 
 class Builder {
  public:
-  Builder(int classes, double flat_distance, const Vec2& a, const Vec2& b) : classes_(classes), flat_(flat_distance), a_(a), b_(b) {
+  Builder(int classes, double flat_distance, const Vec2& a, const Vec2& b)
+      : classes_(classes), flat_(flat_distance), a_(a), b_(b) {
     const double determinant = a.x * b.y - a.y * b.x;
-    tiling_ = {{{a.x, a.y}, {b.x, b.y}}, {{b.y / determinant, -b.x / determinant}, {-a.y / determinant, a.x / determinant}}, {}, false};
+    tiling_ = {{{a.x, a.y}, {b.x, b.y}},
+               {{b.y / determinant, -b.x / determinant}, {-a.y / determinant, a.x / determinant}},
+               {},
+               false};
   }
 
   // `radii`: distance at which the tile is flat, per edge; empty: the tiling's.
-  void add(int tile_class, const Polygon& polygon, double offset = 0, double flat_minimum = 0, const std::vector<double>& radii = {}) {
+  void add(int tile_class, const Polygon& polygon, double offset = 0, double flat_minimum = 0,
+           const std::vector<double>& radii = {}) {
     constexpr int kReach = 4;
     for (int i = -kReach; i <= kReach; ++i)
       for (int j = -kReach; j <= kReach; ++j) {
@@ -65,13 +72,15 @@ class Builder {
 
   Tiling finish() {
     // Large tiles first: most points lie in them.
-    std::stable_sort(tiling_.tiles.begin(), tiling_.tiles.end(), [](const Tile& x, const Tile& y) { return x.edges.size() > y.edges.size(); });
+    std::stable_sort(tiling_.tiles.begin(), tiling_.tiles.end(),
+                     [](const Tile& x, const Tile& y) { return x.edges.size() > y.edges.size(); });
     return std::move(tiling_);
   }
 
  private:
   Vec2 cell_coordinates(const Vec2& p) const {
-    return {p.x * tiling_.inverse[0][0] + p.y * tiling_.inverse[0][1], p.x * tiling_.inverse[1][0] + p.y * tiling_.inverse[1][1]};
+    return {p.x * tiling_.inverse[0][0] + p.y * tiling_.inverse[0][1],
+            p.x * tiling_.inverse[1][0] + p.y * tiling_.inverse[1][1]};
   }
 
   static std::vector<Tile::Edge> edges_of(const Polygon& polygon) {
@@ -94,13 +103,15 @@ class Builder {
     const Polygon cell = {{0, 0}, a_, a_ + b_, b_};
     const auto separated = [](const Polygon& p, const Polygon& q) {
       for (const Tile::Edge& e : edges_of(p))
-        if (std::all_of(q.begin(), q.end(), [&](const Vec2& v) { return e.nx * v.x + e.nz * v.y - e.c < -1e-9; })) return true;
+        if (std::all_of(q.begin(), q.end(), [&](const Vec2& v) { return e.nx * v.x + e.nz * v.y - e.c < -1e-9; }))
+          return true;
       return false;
     };
     return !separated(cell, polygon) && !separated(polygon, cell);
   }
 
-  Tile make_tile(int tile_class, const Polygon& polygon, double offset, double flat_minimum, const std::vector<double>& radii) const {
+  Tile make_tile(int tile_class, const Polygon& polygon, double offset, double flat_minimum,
+                 const std::vector<double>& radii) const {
     Tile tile;
     tile.edges = edges_of(polygon);
     for (std::size_t k = 0; k < tile.edges.size(); ++k) {
@@ -146,8 +157,10 @@ Tiling trapezoids(int number) {  // 13 and 14
   const Vec2 c(2 * q, 2 * q);
   b.add(five ? 4 : 0, rectangle(q, q, 2 * q, 2 * q), five ? 2e-7 : 0);
   for (const double s : {1.0, -1.0}) {
-    const Polygon beside = {c + Vec2(s * q, -q), c + Vec2(2 * s * q, -2 * q), c + Vec2(2 * s * q, 2 * q), c + Vec2(s * q, q)};
-    const Polygon above = {c + Vec2(-q, s * q), c + Vec2(-2 * q, 2 * s * q), c + Vec2(2 * q, 2 * s * q), c + Vec2(q, s * q)};
+    const Polygon beside = {c + Vec2(s * q, -q), c + Vec2(2 * s * q, -2 * q), c + Vec2(2 * s * q, 2 * q),
+                            c + Vec2(s * q, q)};
+    const Polygon above = {c + Vec2(-q, s * q), c + Vec2(-2 * q, 2 * s * q), c + Vec2(2 * q, 2 * s * q),
+                           c + Vec2(q, s * q)};
     b.add(five ? (s > 0 ? 0 : 1) : 2, beside);
     b.add(five ? (s > 0 ? 3 : 2) : 1, above);
   }
@@ -204,7 +217,8 @@ Tiling snub_square() {  // 21
   for (const double sx : {1.0, -1.0})
     for (const double sz : {1.0, -1.0}) {
       const int tile_class = sx == sz ? 4 : 5;
-      b.add(tile_class, {{0, sz * 0.5}, {sx * h, 0}, {sx * (h + 0.5), sz * h}, {sx * 0.5, sz * (h + 0.5)}}, 0, (tile_class + 1e-6) / 6);
+      b.add(tile_class, {{0, sz * 0.5}, {sx * h, 0}, {sx * (h + 0.5), sz * h}, {sx * 0.5, sz * (h + 0.5)}}, 0,
+            (tile_class + 1e-6) / 6);
     }
   return b.finish();
 }
@@ -232,7 +246,8 @@ Tiling dodecagons_hexagons_squares(int number) {  // 23 and 24
 }
 
 Tiling triangles_and_more(int number) {  // 2 to 5
-  const Polygon up = {{0, 0}, {1, 0}, {0.5, h}}, down = {{1, 0}, {1.5, h}, {0.5, h}}, rhombus = {{0, 0}, {1, 0}, {1.5, h}, {0.5, h}};
+  const Polygon up = {{0, 0}, {1, 0}, {0.5, h}}, down = {{1, 0}, {1.5, h}, {0.5, h}},
+                rhombus = {{0, 0}, {1, 0}, {1.5, h}, {0.5, h}};
   switch (number) {
     case 2: {
       Builder b(1, h, {1.5, h}, {0, 2 * h});
@@ -299,27 +314,44 @@ Tiling plain_squares(double shift) {  // 1 and 10
 
 Tiling build(int number) {
   switch (number) {
-    case 1: return plain_squares(0);
-    case 6: return oblongs({{0, 0}, {3, -1}, {1, 1}, {2, 2}}, {{1, 0}, {2, 1}, {-1, 2}, {0, 3}});
-    case 7: return octagons_squares();
-    case 8: return squares_triangles();
-    case 9: return hexagons_triangles();
-    case 10: return plain_squares(0.5);
+    case 1:
+      return plain_squares(0);
+    case 6:
+      return oblongs({{0, 0}, {3, -1}, {1, 1}, {2, 2}}, {{1, 0}, {2, 1}, {-1, 2}, {0, 3}});
+    case 7:
+      return octagons_squares();
+    case 8:
+      return squares_triangles();
+    case 9:
+      return hexagons_triangles();
+    case 10:
+      return plain_squares(0.5);
     case 11:
-    case 12: return squares_and_oblongs(number);
+    case 12:
+      return squares_and_oblongs(number);
     case 13:
-    case 14: return trapezoids(number);
-    case 15: return two_squares();
+    case 14:
+      return trapezoids(number);
+    case 15:
+      return two_squares();
     case 16:
-    case 17: return hexagons_squares_triangles(number);
-    case 18: return oblongs({{0, 0}, {1, 0}, {2, 2}, {3, 2}}, {{2, 0}, {2, 1}, {0, 2}, {0, 3}});
-    case 19: return hexagons_in_triangles({4.5, h}, {2.5, -h});
-    case 20: return hexagons_in_triangles({4.5, -h}, {2.5, h});
-    case 21: return snub_square();
-    case 22: return dodecagons_triangles();
+    case 17:
+      return hexagons_squares_triangles(number);
+    case 18:
+      return oblongs({{0, 0}, {1, 0}, {2, 2}, {3, 2}}, {{2, 0}, {2, 1}, {0, 2}, {0, 3}});
+    case 19:
+      return hexagons_in_triangles({4.5, h}, {2.5, -h});
+    case 20:
+      return hexagons_in_triangles({4.5, -h}, {2.5, h});
+    case 21:
+      return snub_square();
+    case 22:
+      return dodecagons_triangles();
     case 23:
-    case 24: return dodecagons_hexagons_squares(number);
-    default: return triangles_and_more(number);
+    case 24:
+      return dodecagons_hexagons_squares(number);
+    default:
+      return triangles_and_more(number);
   }
 }
 

@@ -11,7 +11,9 @@ namespace verisim::textures {
 // One convex tile of a periodic tiling.
 struct Tile {
   // Signed distance to an edge, positive inside, in units of the distance at which the tile is flat: n . p - c.
-  struct Edge { double nx, nz, c; };
+  struct Edge {
+    double nx, nz, c;
+  };
   std::vector<Edge> edges;
   double top = 1;      // value where min(1, distance) is 0: (class + 1) / number of classes
   double step = 1;     // 1 / number of classes

@@ -43,11 +43,14 @@ TEST(Tiling, EqualsPovRay) {
       {0.3816533, 0.23149, 0.3233466, 0.777987, 0.8089973},
   };
   for (int n = 1; n <= 27; ++n)
-    for (int k = 0; k < 5; ++k) EXPECT_NEAR(tiling(n, points[k][0], points[k][1]), expected[n - 1][k], 3e-7) << "tiling " << n << " at point " << k;
+    for (int k = 0; k < 5; ++k)
+      EXPECT_NEAR(tiling(n, points[k][0], points[k][1]), expected[n - 1][k], 3e-7)
+          << "tiling " << n << " at point " << k;
 }
 
 TEST(Tiling, TilesCoverThePlane) {
-  // In every tiling a fine walk meets values from the edge (top of a class) down to the flat part, and never leaves (0, 1].
+  // In every tiling a fine walk meets values from the edge (top of a class) down to the flat part, and never leaves (0,
+  // 1].
   for (int n = 1; n <= 27; ++n) {
     double lowest = 2, highest = -1;
     for (int i = 0; i < 4000; ++i) {
@@ -63,7 +66,9 @@ TEST(Tiling, TilesCoverThePlane) {
 
 TEST(Tiling, SurvivesFarAndInvalidPoints) {
   for (int n = 1; n <= 27; ++n)
-    for (const double x : {1e17, -1e17, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) tiling(n, x, 1);
+    for (const double x :
+         {1e17, -1e17, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+      tiling(n, x, 1);
 }
 
 }  // namespace

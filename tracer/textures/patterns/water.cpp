@@ -1,5 +1,5 @@
 // Ripples and waves: circular waves around random centres.
-#include "tracer/textures/noise.h"
+#include "tracer/noise/noise.h"
 #include "tracer/textures/patterns/formulas.h"
 
 namespace verisim::textures {
@@ -34,7 +34,8 @@ double ripples(const CompiledPattern& c, const Vec3& p) {
 double waves(const CompiledPattern& c, const Vec3& p) {
   const auto& sources = *c.as<WaveData>().sources;
   double sum = 0;
-  for (const WaveSource& w : sources) sum += sine_cycle(distance_from(w, p) * c.frequency * w.frequency + c.phase) / w.frequency;
+  for (const WaveSource& w : sources)
+    sum += sine_cycle(distance_from(w, p) * c.frequency * w.frequency + c.phase) / w.frequency;
   return 0.2 * (2.5 + sum / static_cast<double>(sources.size()));
 }
 

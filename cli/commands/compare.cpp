@@ -1,0 +1,197 @@
+// `verisim compare`: scenes rendered by verisim and by POV-Ray, every pixel compared.
+#include "compare/compare.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "cli/commands/commands.h"
+#include "cli/console/interrupt.h"
+#include "cli/settings/own_options.h"
+#include "cli/commands/own_program.h"
+#include "cli/settings/scene_words.h"
+#include "compare/oracle/content_hash.h"
+
+namespace fs = std::filesystem;
+
+namespace verisim::cli {
+namespace {
+
+void show_progress(const compare::Progress& progress) {
+  static const bool terminal = isatty(STDERR_FILENO) != 0;
+  if (progress.finished) {
+    const compare::SceneResult& scene = *progress.finished;
+    if (terminal) std::fputs("\r\x1b[K", stderr);
+    std::fprintf(stderr, "%4d/%d  %-13s %s%s%s\n", progress.done, progress.total, compare::to_string(scene.status),
+                 scene.request.name.c_str(), scene.reason.empty() ? "" : ": ", scene.reason.c_str());
+  } else if (terminal) {
+    std::fprintf(stderr, "\r%d of %d, %d running", progress.done, progress.total, progress.running);
+    if (progress.seconds_left >= 0) std::fprintf(stderr, ", about %.0f s left", progress.seconds_left);
+    std::fputs("\x1b[K", stderr);
+  }
+}
+
+// The program that is judged: this one, another verisim, or a POV-Ray. Returns its name.
+std::string choose_renderer(const std::string& program, std::uint64_t seed, compare::RunOptions& run, bool explain) {
+  std::vector<std::string> extra;
+  if (seed != 0) extra.push_back(fmt::format("--seed={}", seed));
+  compare::OracleProgram judged;
+  if (program.empty()) {
+    judged.path = own_program(), judged.name = "verisim", judged.version = VERISIM_VERSION;
+    compare::ContentHash hash;
+    hash.add_file(judged.path);
+    judged.version_text = hash.hex();
+  } else {
+    compare::OracleOptions options = run.oracle;
+    options.program = program;
+    judged = compare::find_oracle(options);
+  }
+  run.native_version = judged.version, run.native_identity = judged.version_text;
+  if (judged.name == "verisim") {
+    run.native = compare::native_program(judged.path, extra);
+    if (explain) run.tags = compare::tags_of_program(judged.path);
+    return program.empty() ? "verisim" : fmt::format("verisim ({})", program);
+  }
+  compare::OracleOptions limits = run.oracle;
+  limits.time_limit = run.native_time_limit;
+  run.native = compare::povray_renderer(judged, limits);
+  if (explain) run.tags = compare::tags_of_program(own_program());
+  return "POV-Ray " + judged.version;
+}
+
+// Each report by itself: one that cannot be written does not cost the others.
+bool write_reports(const compare::Run& run,
+                   const std::vector<std::pair<std::string, std::string (*)(const compare::Run&)>>& reports) {
+  bool written = true;
+  for (const auto& [file, text] : reports) {
+    if (file.empty()) continue;
+    try {
+      compare::write_report(text(run), file);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "verisim compare: %s\n", error.what());
+      written = false;
+    }
+  }
+  return written;
+}
+
+// Said before a long run, not only after it.
+void warn_of_unwritable_reports(const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    if (file.empty()) continue;
+    const fs::path folder = fs::absolute(file).parent_path();
+    if (access(folder.c_str(), W_OK) != 0)
+      std::fprintf(stderr,
+                   "verisim compare: warning: %s: the folder cannot be written, the run goes on without this report\n",
+                   file.c_str());
+  }
+}
+
+}  // namespace
+
+int command_compare(const std::vector<std::string>& arguments) {
+  OwnOptions own("compare",
+                 "Renders scenes with verisim and POV-Ray and compares every pixel: verisim compare "
+                 "SCENE|FOLDER|MANIFEST... [switches]. Switches in POV-Ray's style (+W320 +A0.3) go to both.");
+  compare::RunOptions run;
+  compare::Filter filter;
+  std::string json, junit, html, markdown, oracle, oracle_cache, work, baseline, previous, native, scene_class;
+  bool github = false, no_cache = false, failed_only = false, quiet = false, color = false, update = false,
+       no_explain = false;
+  run.native_time_limit = 600;
+  std::uint64_t seed = 0;
+  own.value("--json", json, "Write the report as JSON to this file");
+  own.value("--junit", junit, "Write the report as JUnit XML to this file");
+  own.value("--html", html, "Write the report as one HTML page to this file");
+  own.value("--markdown", markdown, "Write the report as Markdown to this file");
+  own.flag("--github", github, "Print annotations for GitHub Actions");
+  own.values("--name", filter.names, "Only scenes whose name matches this pattern or contains it (may be given again)");
+  own.values("--tag", filter.tags, "Only scenes with this tag (may be given again)");
+  own.flag("--failed", failed_only, "Only scenes that failed in the report of --previous");
+  own.value("--previous", previous, "JSON report of an earlier run, for the trend");
+  own.value("--jobs", run.jobs, "Scenes at a time");
+  own.value("--threads", run.native_threads, "Threads of verisim for one scene; 0: all cores");
+  own.flag("--replay", run.replay, "Both serial, with POV-Ray's random streams");
+  own.value("--seed", seed, "Another sequence of random numbers for verisim");
+  own.value("--work", work, "Keep pictures and results in this folder");
+  own.flag("--resume", run.resume, "Go on with the run in --work that was broken off");
+  own.value("--baseline", baseline, "Compare with the stored pictures in this folder instead of POV-Ray");
+  own.flag("--update", update,
+           "Say what changed against --baseline, then store verisim's pictures there; needs no POV-Ray");
+  own.value("--oracle", oracle, "The program to compare with: a POV-Ray, or another verisim; default: povray in PATH");
+  own.value("--oracle-cache", oracle_cache, "Folder of POV-Ray's cached renders");
+  own.flag("--no-cache", no_cache, "Render with POV-Ray anew");
+  own.value("--time-limit", run.oracle.time_limit, "Seconds for one render by POV-Ray");
+  own.value("--native-time-limit", run.native_time_limit, "Seconds for one render by verisim");
+  own.value("--native", native, "Another program to be judged, a verisim or a POV-Ray; default: this one");
+  own.value("--class", scene_class,
+            "Judge all scenes as 'deterministic' or 'stochastic' in the place of what verisim finds in them");
+  own.value("--runs", run.runs,
+            "Renders of a stochastic scene on each side for Welch's test, 4 if not told otherwise; 1: no such test");
+  own.flag("--no-explain", no_explain, "Do not look for what the wrong pixels of a scene that differs have in common");
+  own.flag("--explain-all", run.always_blame, "Look for it in scenes that do not differ, too");
+  own.flag("--color", color, "Colour the table also when it does not go to a terminal");
+  own.flag("--quiet", quiet, "No progress, only the table");
+  const std::vector<std::string> words = own.parse(arguments);
+  if (words.empty()) throw OptionError("name scenes, folders or manifests (verisim.toml)");
+  if (update && baseline.empty()) throw OptionError("--update needs --baseline FOLDER");
+  if (run.runs < 1 || run.runs > 64) throw OptionError("--runs must be 1 to 64");
+  if (!scene_class.empty() && scene_class != "deterministic" && scene_class != "stochastic")
+    throw OptionError("--class must be deterministic or stochastic");
+  if (run.resume && work.empty()) throw OptionError("--resume needs --work FOLDER");
+  if (failed_only && previous.empty()) throw OptionError("--failed needs --previous FILE");
+  if (run.jobs < 1) throw OptionError("--jobs must be at least 1");
+
+  const SuiteWords given = suite_words(words);
+  compare::Suite suite = compare::load_suite(given.what, given.defaults);
+  for (const std::string& warning : suite.warnings) std::fprintf(stderr, "verisim compare: %s\n", warning.c_str());
+  filter.failed_last_time = failed_only;
+  filter.last_report = previous;
+  suite = compare::filter(suite, filter);
+  if (suite.scenes.empty()) throw OptionError("no scene is left to compare");
+
+  if (!scene_class.empty())
+    for (compare::SceneRequest& scene : suite.scenes)
+      scene.scene_class =
+          scene_class == "stochastic" ? compare::SceneClass::stochastic : compare::SceneClass::deterministic;
+
+  run.oracle.program = oracle;
+  run.oracle.cache = oracle_cache;
+  run.oracle.use_cache = !no_cache;
+  run.work = work;
+  run.baseline = baseline;
+  run.previous_report = previous;
+  if (!quiet) run.progress = show_progress;
+  Interrupt interrupt;
+  run.cancel = &interrupt.flag();
+
+  warn_of_unwritable_reports({json, junit, html, markdown});
+  try {
+    const std::string test_name = choose_renderer(native, seed, run, !no_explain);
+    compare::Run result = compare::run_suite(suite, run);
+    result.test_name = test_name;
+    std::fputs(compare::terminal_table(result, color || isatty(STDOUT_FILENO) != 0).c_str(), stdout);
+    if (github) std::fputs(compare::github_annotations(result).c_str(), stdout);
+    const bool written = write_reports(result, {{json, compare::json_report},
+                                                {junit, compare::junit_report},
+                                                {html, compare::html_report},
+                                                {markdown, compare::markdown_report}});
+    if (result.cancelled) return kInterrupted;
+    if (update) {
+      for (const std::string& line : compare::update_baseline(result, baseline, true))
+        std::printf("%s\n", line.c_str());
+      std::fflush(stdout);
+      compare::update_baseline(result, baseline, false);
+      return written ? kOk : kInputOutput;
+    }
+    return !written ? kInputOutput : result.summary.failed() ? kDifferent : kOk;
+  } catch (const compare::OracleMissing& missing) {
+    std::fprintf(stderr, "verisim compare: %s\n", missing.what());
+    return kInputOutput;
+  }
+}
+
+}  // namespace verisim::cli

@@ -1,0 +1,144 @@
+// `verisim diff`: how far one picture is from another.
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "cli/commands/commands.h"
+#include "cli/settings/own_options.h"
+#include "compare/compare.h"
+
+namespace fs = std::filesystem;
+
+namespace verisim::cli {
+namespace {
+
+compare::FitOptions fit_options(const std::string& crop, const std::vector<std::string>& fits) {
+  compare::FitOptions out;
+  if (!crop.empty()) {
+    compare::Crop c;
+    int end = 0;
+    if (std::sscanf(crop.c_str(), "%d,%d,%d,%d%n", &c.x, &c.y, &c.width, &c.height, &end) != 4 ||
+        static_cast<std::size_t>(end) != crop.size())
+      throw OptionError(fmt::format("--crop {}: expected X,Y,WIDTH,HEIGHT", crop));
+    out.crop = c;
+  }
+  for (const std::string& what : fits) {
+    if (what == "exposure")
+      out.exposure = true;
+    else if (what == "white_balance")
+      out.white_balance = true;
+    else
+      throw OptionError(fmt::format("--fit {}: expected exposure or white_balance", what));
+  }
+  return out;
+}
+
+// A line on the terminal when it takes longer than a moment.
+class Progress {
+ public:
+  void show(double done) {
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    if (!terminal_ || elapsed < 2 || elapsed < shown_ + 0.2) return;
+    shown_ = elapsed;
+    std::fprintf(stderr, "\r%.0f %%, about %.0f s left\x1b[K", 100 * done, elapsed / done - elapsed);
+  }
+  void end() {
+    if (shown_ > 0) std::fputs("\r\x1b[K", stderr);
+    shown_ = 0;
+  }
+  ~Progress() { end(); }
+
+ private:
+  const bool terminal_ = isatty(STDERR_FILENO) != 0;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double shown_ = 0;
+};
+
+}  // namespace
+
+int command_diff(const std::vector<std::string>& arguments) {
+  OwnOptions own(
+      "diff",
+      "Compares two pictures: verisim diff REFERENCE PICTURE. Exit status 0 when they match, 1 when they do not.");
+  std::string json, html, heat_map;
+  std::vector<std::string> thresholds, fits;
+  std::string crop;
+  compare::MetricOptions metric;
+  double gain = 16;
+  bool color = false, antialiased = false;
+  own.value("--json", json, "Write the figures as JSON to this file (- for standard output)");
+  own.value("--html", html, "Write a page with both pictures and their difference to this file");
+  own.value("--heat-map", heat_map, "Write the difference as a picture (PNG) to this file");
+  own.value("--gain", gain, "Factor for the differences of the heat map");
+  own.values("--threshold", thresholds,
+             "In place of the usual rules: max_rmse=1.5, min_within_1_pct=99 ... (may be given again)");
+  own.value("--pixels-per-degree", metric.flip_pixels_per_degree, "How large the pictures are seen, for FLIP");
+  own.value("--crop", crop,
+            "X,Y,WIDTH,HEIGHT: the part of the reference, a photograph, that the picture shows; averaged to its size");
+  own.values("--fit", fits, "Fit the picture's 'exposure' or 'white_balance' to the reference (may be given again)");
+  own.flag("--antialiased", antialiased,
+           "The pictures are anti-aliased: differences of 2/255 are allowed where 1/255 would be");
+  own.flag("--color", color, "Colour the table also when it does not go to a terminal");
+  const std::vector<std::string> words = own.parse(arguments);
+  if (words.size() != 2) throw OptionError("two pictures are needed: verisim diff REFERENCE PICTURE");
+
+  const compare::FitOptions wanted = fit_options(crop, fits);
+  compare::Picture reference, test;  // only when they are fitted: two files are measured without being held in memory
+  compare::Metrics metrics;
+  compare::Fit fit;
+  Progress progress;
+  metric.progress = [&](double done) { progress.show(done); };
+  try {
+    if (wanted.any()) {
+      reference = image::read_picture(words[0]), test = image::read_picture(words[1]);
+      compare::FittedPair pair = compare::fit_to_reference(reference, test, wanted);
+      reference = std::move(pair.reference), test = std::move(pair.test), fit = pair.fit;
+      metrics = compare::measure(reference, test, metric);
+    } else {
+      metrics = compare::measure_files(words[0], words[1], metric);
+    }
+  } catch (const compare::PictureMismatch& mismatch) {
+    std::fprintf(stderr, "verisim diff: %s\n", mismatch.what());
+    return kDifferent;
+  }
+  progress.end();
+  compare::Thresholds limits;
+  for (const std::string& text : thresholds) {
+    const std::size_t equals = text.find('=');
+    char* end = nullptr;
+    const double limit = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
+    if (!end || *end || end == text.c_str() + equals + 1)
+      throw OptionError(fmt::format("--threshold {}: expected NAME=NUMBER", text));
+    limits[text.substr(0, equals)] = limit;
+  }
+  compare::Verdict verdict;
+  try {
+    verdict = limits.empty() ? compare::judge_deterministic(metrics, antialiased)
+                             : compare::judge_thresholds(metrics, limits);
+  } catch (const std::invalid_argument& error) {
+    throw OptionError(error.what());
+  }
+  const bool json_to_stdout = json == "-";
+  if (!json_to_stdout) {
+    std::fputs(compare::terminal_metrics(metrics, color || isatty(STDOUT_FILENO) != 0).c_str(), stdout);
+    if (!fit.text().empty()) std::printf("%s\n", fit.text().c_str());
+    std::printf("%s%s%s\n", compare::to_string(verdict.status), verdict.reason.empty() ? "" : ": ",
+                verdict.reason.c_str());
+  }
+  if (json_to_stdout)
+    std::printf("%s\n", compare::metrics_json(metrics).c_str());
+  else if (!json.empty())
+    compare::write_report(compare::metrics_json(metrics), json);
+  if (!html.empty())
+    compare::write_report(compare::html_report(compare::run_of_pair(words[0], words[1], metrics)), html);
+  if (!heat_map.empty())
+    wanted.any() ? compare::write_heat_map(reference, test, heat_map, gain)
+                 : compare::write_heat_map(fs::path(words[0]), fs::path(words[1]), heat_map, gain);
+  return verdict.status == compare::Status::exact || verdict.status == compare::Status::match ? kOk : kDifferent;
+}
+
+}  // namespace verisim::cli

@@ -1,0 +1,209 @@
+#include "cli/describe/pixel_tags.h"
+
+#include <unordered_set>
+
+#include <fmt/format.h>
+
+#include "cli/describe/object_names.h"
+#include "tracer/shading/tracer.h"
+
+namespace verisim::cli {
+namespace {
+
+using scene::PatternKind;
+using Words = std::vector<std::pair<std::string, std::string>>;
+
+const char* keyword(PatternKind kind) {
+  static const std::unordered_map<PatternKind, const char*> kWords = {{PatternKind::agate, "agate"},
+                                                                      {PatternKind::aoi, "aoi"},
+                                                                      {PatternKind::average, "average"},
+                                                                      {PatternKind::boxed, "boxed"},
+                                                                      {PatternKind::bozo, "bozo"},
+                                                                      {PatternKind::brick, "brick"},
+                                                                      {PatternKind::bump_map, "bump_map"},
+                                                                      {PatternKind::bumps, "bumps"},
+                                                                      {PatternKind::cells, "cells"},
+                                                                      {PatternKind::checker, "checker"},
+                                                                      {PatternKind::crackle, "crackle"},
+                                                                      {PatternKind::cubic, "cubic"},
+                                                                      {PatternKind::cylindrical, "cylindrical"},
+                                                                      {PatternKind::density_file, "density_file"},
+                                                                      {PatternKind::dents, "dents"},
+                                                                      {PatternKind::facets, "facets"},
+                                                                      {PatternKind::function, "function"},
+                                                                      {PatternKind::gradient, "gradient"},
+                                                                      {PatternKind::granite, "granite"},
+                                                                      {PatternKind::hexagon, "hexagon"},
+                                                                      {PatternKind::image_map, "image_map"},
+                                                                      {PatternKind::image_pattern, "image_pattern"},
+                                                                      {PatternKind::julia, "julia"},
+                                                                      {PatternKind::leopard, "leopard"},
+                                                                      {PatternKind::magnet_julia, "magnet julia"},
+                                                                      {PatternKind::magnet_mandel, "magnet mandel"},
+                                                                      {PatternKind::mandel, "mandel"},
+                                                                      {PatternKind::marble, "marble"},
+                                                                      {PatternKind::object, "object"},
+                                                                      {PatternKind::onion, "onion"},
+                                                                      {PatternKind::pavement, "pavement"},
+                                                                      {PatternKind::pigment_pattern, "pigment_pattern"},
+                                                                      {PatternKind::planar, "planar"},
+                                                                      {PatternKind::quilted, "quilted"},
+                                                                      {PatternKind::radial, "radial"},
+                                                                      {PatternKind::ripples, "ripples"},
+                                                                      {PatternKind::slope, "slope"},
+                                                                      {PatternKind::spherical, "spherical"},
+                                                                      {PatternKind::spiral1, "spiral1"},
+                                                                      {PatternKind::spiral2, "spiral2"},
+                                                                      {PatternKind::spotted, "spotted"},
+                                                                      {PatternKind::square, "square"},
+                                                                      {PatternKind::tiling, "tiling"},
+                                                                      {PatternKind::triangular, "triangular"},
+                                                                      {PatternKind::uv_mapping, "uv_mapping"},
+                                                                      {PatternKind::waves, "waves"},
+                                                                      {PatternKind::wood, "wood"},
+                                                                      {PatternKind::wrinkles, "wrinkles"}};
+  const auto it = kWords.find(kind);
+  return it == kWords.end() ? nullptr : it->second;
+}
+
+bool of_noise(const scene::Pattern& pattern) {
+  switch (pattern.kind) {
+    case PatternKind::agate:
+    case PatternKind::bozo:
+    case PatternKind::bumps:
+    case PatternKind::dents:
+    case PatternKind::granite:
+    case PatternKind::spotted:
+    case PatternKind::wrinkles:
+      return true;
+    default:
+      break;
+  }
+  if (pattern.turbulence && pattern.turbulence->amount != Vec3(0, 0, 0)) return true;
+  for (const scene::Warp& warp : pattern.warps)
+    if (std::holds_alternative<scene::TurbulenceWarp>(warp)) return true;
+  return false;
+}
+
+// The patterns of a texture, however deep in maps.
+class Patterns {
+ public:
+  explicit Patterns(Words& words) : words_(words) {}
+
+  void texture(const scene::TexturePtr& pointer) {
+    if (!fresh(pointer.get())) return;
+    if (pointer->patterned()) pattern("texture", pointer->pattern);
+    if (pointer->texture_map)
+      for (const auto& entry : *pointer->texture_map) texture(entry.value);
+    for (const scene::TextureLayer& layer : pointer->layers) {
+      pigment(layer.pigment);
+      normal(layer.normal);
+      if (layer.finish->crand != 0) words_.emplace_back("feature", "crand");
+      if (layer.finish->subsurface) words_.emplace_back("feature", "subsurface");
+      if (layer.finish->irid > 0) words_.emplace_back("feature", "irid");
+      if (layer.finish->phong > 0 || layer.finish->specular > 0)
+        words_.emplace_back("feature", "highlights (phong, specular)");
+    }
+  }
+
+ private:
+  bool fresh(const void* pointer) { return pointer && seen_.insert(pointer).second; }
+  void pigment(const scene::PigmentPtr& pointer) {
+    if (!fresh(pointer.get())) return;
+    pattern("pigment", pointer->pattern);
+    if (pointer->pigment_map)
+      for (const auto& entry : *pointer->pigment_map) pigment(entry.value);
+  }
+  void normal(const scene::NormalPtr& pointer) {
+    if (!fresh(pointer.get())) return;
+    pattern("normal", pointer->pattern);
+    if (pointer->normal_map)
+      for (const auto& entry : *pointer->normal_map) normal(entry.value);
+  }
+  void pattern(const char* what, const scene::Pattern& pattern) {
+    if (const char* word = keyword(pattern.kind)) words_.emplace_back("texture", fmt::format("{} {}", what, word));
+    if (of_noise(pattern)) words_.emplace_back("feature", "noise (turbulence and patterns made of it)");
+  }
+
+  Words& words_;
+  std::unordered_set<const void*> seen_;
+};
+
+}  // namespace
+
+int TagWitness::take() {
+  const auto [it, added] = set_index_.try_emplace(now_, static_cast<int>(tags_.sets.size()));
+  if (added) tags_.sets.emplace_back(now_.begin(), now_.end());
+  now_.clear();
+  depth_ = gathering_ = 0;
+  return it->second;
+}
+
+void TagWitness::add(const std::string& kind, const std::string& name) {
+  const auto [it, added] = index_.try_emplace({kind, name}, static_cast<int>(tags_.tags.size()));
+  if (added) tags_.tags.push_back({kind, name});
+  now_.insert(it->second);
+}
+
+void TagWitness::describe(const scene::Object& object, bool seen_directly, const shading::RayState& ray) {
+  const std::string name = object_name(object);
+  if (!seen_directly) {
+    add("secondary object", name + (ray.reflected ? ", in a reflection" : ", through something transparent"));
+    return;
+  }
+  auto [it, added] = words_.try_emplace(&object);
+  if (added) {
+    Words& words = it->second;
+    words.emplace_back("object", name);
+    words.emplace_back("shape", name.substr(0, name.find(' ')));
+    Patterns(words).texture(object.texture);
+    if (object.interior && !object.interior->media.empty()) words.emplace_back("feature", "media in the object");
+    if (object.double_illuminate) words.emplace_back("feature", "double_illuminate");
+    if (object.uv_mapping) words.emplace_back("feature", "uv_mapping");
+    if (!object.clipped_by.empty()) words.emplace_back("feature", "clipped_by");
+  }
+  for (const auto& [kind, word] : it->second) add(kind, word);
+}
+
+void TagWitness::ray_started(const shading::RayState& ray, const shapes::Hit* hit) {
+  ++depth_;
+  if (ray.gather && gathering_ == 0) gathering_ = depth_;
+  if (gathering_) return;
+  if (depth_ > 1) add("feature", ray.reflected ? "reflection" : "transparency and refraction");
+  if (!hit) {
+    add(depth_ == 1 ? "object" : "secondary object",
+        depth_ == 1 ? "sky, background or nothing" : "sky or background by a secondary ray");
+    return;
+  }
+  if (const shapes::Surface* surface = hit->shape->surface; surface && surface->object)
+    describe(*surface->object, depth_ == 1, ray);
+}
+
+void TagWitness::ray_ended(const shading::RayState&, const Color&) {
+  if (gathering_ == depth_) gathering_ = 0;
+  --depth_;
+}
+
+void TagWitness::layer(const shading::SurfaceHit& at, const shading::LayerContext&, const Rgb&) {
+  if (!gathering_ && depth_ == 1 && at.inside_hit) add("feature", "a surface seen from inside");
+}
+
+void TagWitness::light(const shading::Light& light, const shading::LightDirection&, bool tested, const Rgb& arriving,
+                       const Rgb& added) {
+  if (gathering_ || depth_ != 1) return;
+  const scene::LightSource& source = light.source();
+  const char* kind = source.area                                   ? "area_light"
+                     : source.kind == scene::LightKind::spotlight  ? "spotlight"
+                     : source.kind == scene::LightKind::cylinder   ? "cylinder light"
+                     : source.parallel                             ? "parallel light"
+                     : source.kind == scene::LightKind::shadowless ? "shadowless light"
+                                                                   : "light";
+  const std::string name =
+      fmt::format("{} at <{:.4g}, {:.4g}, {:.4g}>", kind, source.position.x, source.position.y, source.position.z);
+  if (added.max_abs() > 0)
+    add("light", "lit by the " + name);
+  else if (tested && arriving.max_abs() == 0)
+    add("light", "in the shadow of the " + name);
+}
+
+}  // namespace verisim::cli

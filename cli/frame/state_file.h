@@ -1,0 +1,82 @@
+// Continue-trace (+C): finished blocks of a render are kept in a file beside the picture, so that a render that was
+// broken off at any time, even by `kill -9`, goes on where it stood and ends in the identical picture.
+//
+// The file is a header with a key (everything the pixels depend on), then one record a finished block, each with a
+// checksum. Records are appended by a single write; what follows the first damaged or incomplete record is dropped when
+// the file is read.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tracer/render/render.h"
+
+namespace verisim::cli {
+
+struct Block {
+  int x = 0, y = 0, width = 0, height = 0;
+  friend auto operator<=>(const Block&, const Block&) = default;
+};
+
+// Collects what a picture depends on into one number.
+class Fingerprint {
+ public:
+  void add(std::string_view bytes);
+  void add(double value);
+  void add_file(const std::filesystem::path& path);  // its content; a file that cannot be read counts as empty
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0x9e3779b97f4a7c15ull;
+};
+
+class StateFile {
+ public:
+  // Nothing is written before `delay` has passed: a picture that is done sooner needs no state.
+  StateFile(std::filesystem::path path, std::uint64_t key,
+            std::chrono::milliseconds delay = std::chrono::milliseconds(1000));
+  ~StateFile();
+  StateFile(const StateFile&) = delete;
+  StateFile& operator=(const StateFile&) = delete;
+
+  enum class Found { nothing, other_render, blocks };
+  // Reads the finished blocks of an earlier run into the framebuffer (which has its size) and goes on with its file.
+  Found resume(render::Framebuffer& framebuffer);
+  bool known(const Block& block) const { return known_.contains(block); }
+  std::size_t known_count() const { return known_.size(); }
+
+  // Keeps a finished block; safe from several threads. Never throws: without room for it the render goes on, see
+  // `failure`.
+  void finished(const Block& block, const render::Framebuffer& framebuffer);
+  // Writes what is still held back: before a render is left unfinished.
+  void flush(const render::Framebuffer& framebuffer);
+  // The render is complete: the file goes.
+  void remove();
+  std::string failure() const;
+
+ private:
+  bool open(bool append);
+  void append(const Block& block, const render::Framebuffer& framebuffer);
+  void fail(const std::string& what);
+
+  std::filesystem::path path_;
+  std::uint64_t key_;
+  std::chrono::steady_clock::time_point start_;
+  std::chrono::milliseconds delay_;
+  std::set<Block> known_;
+  std::vector<Block> waiting_;
+  int file_ = -1;
+  bool failed_ = false;
+  std::string failure_;
+  mutable std::mutex mutex_;
+};
+
+// True if `path` holds the beginning of a state file.
+bool is_state_file(const std::filesystem::path& path);
+
+}  // namespace verisim::cli

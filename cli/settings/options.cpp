@@ -1,0 +1,69 @@
+#include "cli/settings/options.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include <fmt/format.h>
+
+#include "cli/settings/layers_option.h"
+
+namespace verisim::cli {
+
+void validate(const Options& options) {
+  if (options.width < 1 || options.height < 1)
+    throw OptionError(fmt::format("the picture needs a width and a height of at least 1, not {} by {} (Width, Height)",
+                                  options.width, options.height));
+  const std::uint64_t pixels = std::uint64_t(options.width) * std::uint64_t(options.height);
+  if (pixels > options.max_pixels)
+    throw OptionError(fmt::format("{} by {} are {} pixels, more than the limit of {} (--max-pixels)", options.width,
+                                  options.height, pixels, options.max_pixels));
+  if (options.block_size < 4)
+    throw OptionError("Specified block size is too small (Render_Block_Size, +BS: at least 4)");
+  if (options.greyscale && options.format != image::Format::png && options.format != image::Format::ppm)
+    throw OptionError("Unsupported combination of options: Grayscale_Output is for PNG and PPM");
+  if (options.sampler != "povray" && options.sampler != "adaptive")
+    throw OptionError(fmt::format("--sampler is povray or adaptive, not '{}'", options.sampler));
+  if (options.sampler == "adaptive" && options.replay)
+    throw OptionError("--sampler adaptive is not how POV-Ray samples: it cannot be combined with --replay");
+  if (layer_choice(options.layers).any && options.format != image::Format::exr)
+    throw OptionError("--layers is for OpenEXR files: name the picture with .exr, or give +FE");
+  if (options.real_time)
+    throw OptionError("Real_Time_Raytracing (+RTR) draws into a window and writes no file; verisim has no window");
+}
+
+const char* extension(image::Format format) {
+  switch (format) {
+    case image::Format::png:
+      return ".png";
+    case image::Format::tga:
+    case image::Format::tga_rle:
+      return ".tga";
+    case image::Format::ppm:
+      return ".ppm";
+    case image::Format::bmp:
+      return ".bmp";
+    case image::Format::jpeg:
+      return ".jpg";
+    case image::Format::exr:
+      return ".exr";
+    case image::Format::hdr:
+      return ".hdr";
+    case image::Format::tiff:
+      return ".tif";
+  }
+  return "";
+}
+
+std::optional<image::Format> format_of_extension(const std::string& text) {
+  std::string lower = text;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (lower == ".jpeg") return image::Format::jpeg;
+  if (lower == ".tiff") return image::Format::tiff;
+  for (image::Format format : {image::Format::png, image::Format::tga, image::Format::ppm, image::Format::bmp,
+                               image::Format::jpeg, image::Format::exr, image::Format::hdr, image::Format::tiff})
+    if (lower == extension(format)) return format;
+  return std::nullopt;
+}
+
+}  // namespace verisim::cli

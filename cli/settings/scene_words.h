@@ -1,0 +1,21 @@
+// The words of `render`, `check`, `explain`: one scene, and switches, settings and INI files in POV-Ray's style.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/settings/options.h"
+
+namespace verisim::cli {
+
+// True for a word that is a setting rather than a file to work on: +W320, Width=320, quick.ini[small], lib/.
+bool is_setting_word(const std::string& word);
+
+// Applies the configuration and then the words left to right; returns the words that name files.
+std::vector<std::string> apply_words(Options& options, const std::vector<std::string>& words);
+
+// The picture's type follows its name's extension unless a switch chose one. Throws OptionError for an extension that
+// is no picture type.
+void choose_format(Options& options);
+
+}  // namespace verisim::cli

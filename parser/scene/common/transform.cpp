@@ -1,0 +1,140 @@
+// translate, rotate, scale, matrix, transform (spec 03 section 1).
+#include <cmath>
+#include <stdexcept>
+
+#include "parser/scene/common/common.h"
+#include "parser/scene/common/transform.h"
+#include "tracer/scene/moves.h"
+
+namespace verisim::parser {
+
+Vec3 parse_scale_vector(Parser& parser) {
+  Vec3 s = parser.parse_vec3();
+  constexpr char kAxis[] = {'X', 'Y', 'Z'};
+  for (unsigned i = 0; i < 3; ++i) {
+    if (s[i] != 0) continue;
+    s[i] = 1;
+    parser.warning(std::string("Illegal Value: Scale ") + kAxis[i] + " by 0.0. Changed to 1.0.");
+  }
+  return s;
+}
+
+namespace {
+
+Transform parse_matrix(Parser& parser) {
+  parser.expect('<');
+  Mat4 m;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      m[row][column] = parser.parse_float();
+      parser.optional_comma();
+    }
+  }
+  parser.expect('>');
+  for (int column = 0; column < 3; ++column) {
+    if (std::fabs(m[0][column]) < kEpsilon && std::fabs(m[1][column]) < kEpsilon &&
+        std::fabs(m[2][column]) < kEpsilon) {
+      m[column][column] = 1;
+      parser.warning("Illegal matrix column: Scale by 0.0. Changed to 1.0.");
+    }
+  }
+  try {
+    return Transform::from_matrix(m);
+  } catch (const std::domain_error&) {
+    parser.error("Singular matrix: it cannot be inverted.");
+  }
+}
+
+}  // namespace
+
+bool parse_transform_item(Parser& parser, Transform& item) {
+  switch (word_at(parser)) {
+    case Word::translate:
+      parser.next();
+      item = Transform::translation(parser.parse_vec3());
+      return true;
+    case Word::rotate:
+      parser.next();
+      item = Transform::rotation(parser.parse_vec3());
+      return true;
+    case Word::scale:
+      parser.next();
+      item = Transform::scaling(parse_scale_vector(parser));
+      return true;
+    case Word::matrix:
+      parser.next();
+      item = parse_matrix(parser);
+      return true;
+    case Word::transform:
+      item = parse_transform(parser);
+      return true;
+    default:
+      return false;
+  }
+}
+
+Transform parse_transform(Parser& parser) {
+  const Parser::Depth depth(parser);
+  parser.expect(Word::transform);
+  if (const auto* value = parser.accept_value<Shared<Transform>>()) return **value;
+  if (!parser.accept('{')) parser.error_expected("transform identifier or {");
+  Transform result;
+  bool inverted = false;
+  for (;;) {
+    Transform item;
+    if (const auto* value = parser.accept_value<Shared<Transform>>()) {
+      result = result.then(**value);
+    } else if (parse_transform_item(parser, item)) {
+      result = result.then(item);
+    } else if (parser.accept(Word::inverse)) {
+      inverted = true;  // the whole block, wherever the word stands
+    } else {
+      break;
+    }
+  }
+  close_block(parser, "transform");
+  if (!inverted) return result;
+  // POV-Ray inverts numerically here: the last digits differ from the product of the elementary inverses.
+  try {
+    const Transform numeric = Transform::from_matrix(result.m);
+    return {numeric.inv, result.m};
+  } catch (const std::domain_error&) {
+    parser.error("Singular matrix: it cannot be inverted.");
+  }
+}
+
+bool parse_object_transform(Parser& parser, scene::Object& object) {
+  const auto parse_into = [&](scene::Moves& moves) {
+    switch (word_at(parser)) {
+      case Word::translate:
+        parser.next();
+        moves.translate(parser.parse_vec3());
+        return true;
+      case Word::rotate:
+        parser.next();
+        moves.rotate(parser.parse_vec3());
+        return true;
+      case Word::scale:
+        parser.next();
+        moves.scale(parse_scale_vector(parser));
+        return true;
+      case Word::matrix:
+      case Word::transform: {
+        Transform item;
+        parse_transform_item(parser, item);
+        moves.transform(item);
+        return true;
+      }
+      default:
+        return false;
+    }
+  };
+  scene::Moves moves;
+  while (!moves.full() && parse_into(moves)) {
+  }
+  if (!moves.size()) return false;
+  scene::apply(object, moves);
+  return true;
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,14 @@
+// Transformations of blocks and objects.
+#pragma once
+
+#include "parser/language/blocks.h"
+
+namespace verisim::parser {
+
+// The vector after `scale`; zeros become 1 with a warning.
+Vec3 parse_scale_vector(Parser& parser);
+// One transformation, applied to the object at once (shapes absorb elementary ones into their numbers). False: none
+// here.
+bool parse_object_transform(Parser& parser, scene::Object& object);
+
+}  // namespace verisim::parser

@@ -1,0 +1,104 @@
+// density { ... } of media (spec 05 section 4, 07 section 4).
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/maps.h"
+#include "parser/scene/common/nesting.h"
+#include "parser/scene/textures/pattern.h"
+
+namespace verisim::parser {
+
+using scene::Density;
+using scene::PatternKind;
+
+namespace {
+
+bool refuses_maps(PatternKind kind) {
+  return kind == PatternKind::plain || kind == PatternKind::image_map || list_size(kind) > 0;
+}
+
+scene::DensityPtr plain_white() {
+  auto density = std::make_shared<Density>();
+  density->pattern.kind = PatternKind::plain;
+  return density;
+}
+
+void read_list(Parser& parser, Density& density, int size) {
+  density.density_map = parse_block_list<scene::DensityPtr>(parser, size, Word::density, plain_white(),
+                                                            [&] { return parse_density(parser); });
+  density.color_map = density.density_map ? nullptr : parse_color_list(parser, size, density.pattern.kind);
+}
+
+void read_uv_mapped(Parser& parser, Density& density) {
+  parser.next();
+  density.pattern.kind = PatternKind::uv_mapping;
+  auto map = std::make_shared<scene::BlendMap<scene::DensityPtr>>();
+  map->push_back({0, parse_density_body(parser)});
+  density.density_map = map;
+}
+
+bool parse_type(Parser& parser, Density& density) {
+  if (at_color(parser)) {
+    density.pattern.kind = PatternKind::plain;
+    density.color = parser.parse_color();
+    return true;
+  }
+  return parse_pattern_type(parser, density.pattern, PatternOwner::density,
+                            [&](int size) { read_list(parser, density, size); });
+}
+
+bool parse_modifier(Parser& parser, Density& density) {
+  switch (word_at(parser)) {
+    case Word::color_map:
+      if (refuses_maps(density.pattern.kind) || density.pattern.kind == PatternKind::average)
+        parser.error("Cannot use color_map with this pattern type.");
+      density.color_map = parse_color_map(parser);
+      density.density_map = nullptr;
+      return true;
+    case Word::density_map:
+      if (refuses_maps(density.pattern.kind)) parser.error("Cannot use density_map with this pattern type.");
+      density.density_map = parse_density_map(parser, density.pattern.kind == PatternKind::average);
+      density.color_map = nullptr;
+      return true;
+    case Word::slope_map:
+    case Word::normal_map:
+    case Word::bump_size:
+    case Word::accuracy:
+      error_only_in(parser, word_at(parser), "a normal statement");
+    case Word::pigment_map:
+    case Word::quick_color:
+      error_only_in(parser, word_at(parser), "a pigment statement");
+    case Word::texture_map:
+      error_only_in(parser, word_at(parser), "a texture statement");
+    default:
+      return parse_pattern_modifier(parser, density.pattern, PatternOwner::density);
+  }
+}
+
+}  // namespace
+
+scene::DensityPtr parse_density_body(Parser& parser) {
+  const Parser::Depth depth(parser);
+  scene::DensityPtr original = plain_white();
+  if (const auto* value = parser.accept_value<scene::DensityPtr>()) original = *value;
+  auto density = std::make_shared<Density>(*original);
+  if (parser.at(Word::uv_mapping)) {
+    read_uv_mapped(parser, *density);
+    check_nesting(parser, *density);
+    return density;
+  }
+  bool changed = parse_type(parser, *density);
+  while (parse_modifier(parser, *density)) changed = true;
+  if (!changed) return original;
+  if (density->pattern.kind == PatternKind::average && !density->density_map) parser.error("Average must have map.");
+  check_pattern(parser, density->pattern);
+  check_nesting(parser, *density);
+  return density;
+}
+
+scene::DensityPtr parse_density(Parser& parser) {
+  Block block(parser, "density");
+  scene::DensityPtr result = parse_density_body(parser);
+  block.close();
+  return result;
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,137 @@
+#include "parser/scene/textures/maps.h"
+
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/pattern.h"
+
+namespace verisim::parser {
+
+namespace {
+
+constexpr std::size_t kMaxEntries = 256;
+
+// `MAP { IDENTIFIER }` or `MAP { [position body] ... }`; read_entry reads the body and appends to the map.
+template <class Holder, class Map, class ReadEntry>
+std::shared_ptr<const Map> parse_map(Parser& parser, std::string_view name, bool weights, const ReadEntry& read_entry) {
+  Block block(parser, name);
+  if (const auto* value = parser.accept_value<Holder>()) {
+    auto shared = value->map;
+    block.close();
+    return shared;
+  }
+  auto map = std::make_shared<Map>();
+  while (parser.accept('[')) {
+    float position = 1;
+    if (!weights || parser.at_number_start()) {
+      position = to_float(parser.parse_float());
+      parser.optional_comma();
+    }
+    read_entry(*map, position);
+    if (!parser.accept(']')) parser.error_expected("]");
+    if (map->size() > kMaxEntries) parser.error("Too many entries in map. The maximum is 256 entries per map.");
+  }
+  if (map->empty()) parser.error("Must have at least one entry in " + std::string(name) + ".");
+  block.close();
+  return map;
+}
+
+Color to_color(const Numeric& n) {
+  return {to_float(n.v[0]), to_float(n.v[1]), to_float(n.v[2]), to_float(n.v[3]), to_float(n.v[4])};
+}
+
+// `[p color]`, or the old `[a, b color C1 color C2]`.
+void read_color_entry(Parser& parser, scene::ColorMap& map, float position) {
+  if (at_color(parser)) {
+    map.push_back({position, parser.parse_color()});
+    return;
+  }
+  if (parser.at('<')) parser.error_expected("color");
+  const Numeric value = parser.parse_full_numeric(1);
+  if (value.terms > 1) {
+    if (value.terms != 5) parser.error_expected("color");
+    map.push_back({position, to_color(value)});
+    return;
+  }
+  parser.optional_comma();
+  if (!at_color(parser) && !parser.at_number_start()) parser.error_expected("color");
+  const Color first = parser.parse_color();
+  if (!parser.at(Word::color)) parser.error_expected("color");
+  map.push_back({position, first});
+  map.push_back({to_float(value.v[0]), parser.parse_color()});
+}
+
+constexpr Color kBlack{0, 0, 0}, kRed{1, 0, 0}, kGreen{0, 1, 0}, kBlue{0, 0, 1}, kYellow{1, 1, 0}, kCyan{0, 1, 1},
+    kMagenta{1, 0, 1};
+
+// Built-in colours of the list patterns (spec 05 4.3).
+Color built_in_color(scene::PatternKind kind, int i) {
+  using scene::PatternKind;
+  constexpr Color kBrick[] = {{0.5f, 0.5f, 0.5f}, {0.6f, 0.15f, 0.15f}}, kChecker[] = {kBlue, kGreen},
+                  kHexagon[] = {kBlue, kGreen, kRed}, kOthers[] = {kRed, kGreen, kBlue, kYellow, kCyan, kMagenta};
+  switch (kind) {
+    case PatternKind::brick:
+      return kBrick[i];
+    case PatternKind::checker:
+    case PatternKind::object:
+      return kChecker[i];
+    case PatternKind::hexagon:
+      return kHexagon[i];
+    default:
+      return i < 6 ? kOthers[i] : kBlack;
+  }
+}
+
+}  // namespace
+
+Shared<scene::ColorMap> parse_color_map(Parser& parser) {
+  return parse_map<ColorMapValue, scene::ColorMap>(
+      parser, "color_map", false, [&](scene::ColorMap& map, float p) { read_color_entry(parser, map, p); });
+}
+
+Shared<scene::BlendMap<scene::PigmentPtr>> parse_pigment_map(Parser& parser, bool weights) {
+  return parse_map<PigmentMapValue, scene::BlendMap<scene::PigmentPtr>>(
+      parser, "pigment_map", weights, [&](auto& map, float p) {
+        map.push_back({p, parse_pigment_body(parser, default_layer(parser).pigment)});
+      });
+}
+
+Shared<scene::BlendMap<scene::NormalPtr>> parse_normal_map(Parser& parser, bool weights) {
+  return parse_map<NormalMapValue, scene::BlendMap<scene::NormalPtr>>(
+      parser, "normal_map", weights, [&](auto& map, float p) {
+        map.push_back({p, parse_normal_body(parser, default_layer(parser).normal)});
+      });
+}
+
+Shared<scene::BlendMap<scene::SlopeEntry>> parse_slope_map(Parser& parser) {
+  return parse_map<SlopeMap, scene::BlendMap<scene::SlopeEntry>>(parser, "slope_map", false, [&](auto& map, float p) {
+    const Vec2 v = parser.parse_vec2();
+    map.push_back({p, {v.x, v.y}});
+  });
+}
+
+Shared<scene::BlendMap<scene::TexturePtr>> parse_texture_map(Parser& parser, bool weights) {
+  return parse_map<TextureMapValue, scene::BlendMap<scene::TexturePtr>>(
+      parser, "texture_map", weights, [&](auto& map, float p) {
+        map.push_back({p, parse_texture_body(parser)});
+      });
+}
+
+Shared<scene::BlendMap<scene::DensityPtr>> parse_density_map(Parser& parser, bool weights) {
+  return parse_map<DensityMapValue, scene::BlendMap<scene::DensityPtr>>(
+      parser, "density_map", weights, [&](auto& map, float p) {
+        map.push_back({p, parse_density_body(parser)});
+      });
+}
+
+Shared<scene::ColorMap> parse_color_list(Parser& parser, int size, scene::PatternKind kind) {
+  auto map = std::make_shared<scene::ColorMap>();
+  for (int i = 0; i < size && (at_color(parser) || parser.at_number_start()); ++i) {
+    map->push_back({static_cast<float>(i), parser.parse_color()});
+    parser.optional_comma();
+  }
+  if (map->empty()) return nullptr;
+  for (int i = static_cast<int>(map->size()); i < size; ++i)
+    map->push_back({static_cast<float>(i), built_in_color(kind, i)});
+  return map;
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,32 @@
+// color_map, pigment_map, normal_map, slope_map, texture_map, density_map (spec 05 section 4).
+#pragma once
+
+#include "parser/language/blocks.h"
+
+namespace verisim::parser {
+
+// Each with its keyword at the cursor; `weights` for the maps of an `average` pattern, whose numbers may be left out.
+Shared<scene::ColorMap> parse_color_map(Parser& parser);
+Shared<scene::BlendMap<scene::PigmentPtr>> parse_pigment_map(Parser& parser, bool weights);
+Shared<scene::BlendMap<scene::NormalPtr>> parse_normal_map(Parser& parser, bool weights);
+Shared<scene::BlendMap<scene::SlopeEntry>> parse_slope_map(Parser& parser);
+Shared<scene::BlendMap<scene::TexturePtr>> parse_texture_map(Parser& parser, bool weights);
+Shared<scene::BlendMap<scene::DensityPtr>> parse_density_map(Parser& parser, bool weights);
+
+// Lists of checker, brick ...: up to `size` colours; missing ones come from the built-in list. Null: none was written.
+Shared<scene::ColorMap> parse_color_list(Parser& parser, int size, scene::PatternKind kind);
+
+// Up to `size` blocks that start with `word`; missing ones are copies of `absent`. Null: none was written.
+template <class T, class Read>
+Shared<scene::BlendMap<T>> parse_block_list(Parser& parser, int size, Word word, const T& absent, const Read& read) {
+  if (!parser.at(word)) return nullptr;
+  auto map = std::make_shared<scene::BlendMap<T>>();
+  for (int i = 0; i < size && parser.at(word); ++i) {
+    map->push_back({static_cast<float>(i), read()});
+    parser.optional_comma();
+  }
+  while (map->size() < static_cast<std::size_t>(size)) map->push_back({static_cast<float>(map->size()), absent});
+  return map;
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,124 @@
+// normal { ... } (spec 05 section 10).
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/maps.h"
+#include "parser/scene/common/nesting.h"
+#include "parser/scene/textures/pattern.h"
+
+namespace verisim::parser {
+
+using scene::Normal;
+using scene::PatternKind;
+
+namespace {
+
+bool refuses_maps(PatternKind kind) {
+  return kind == PatternKind::none || kind == PatternKind::plain || kind == PatternKind::image_map ||
+         list_size(kind) > 0;
+}
+
+void read_list(Parser& parser, Normal& normal, int size) {
+  const auto absent = [&]() -> scene::NormalPtr {
+    if (default_layer(parser).normal) return default_layer(parser).normal;
+    return std::make_shared<Normal>();
+  };
+  normal.normal_map = parse_block_list<scene::NormalPtr>(
+      parser, size, Word::normal, absent(), [&] { return parse_normal(parser, default_layer(parser).normal); });
+  if (!normal.normal_map) normal.accuracy = 0.02f;  // a height pattern then (spec 05 10.3)
+}
+
+void read_uv_mapped(Parser& parser, Normal& normal) {
+  parser.next();
+  normal.pattern.kind = PatternKind::uv_mapping;
+  auto map = std::make_shared<scene::BlendMap<scene::NormalPtr>>();
+  map->push_back({0, parse_normal_body(parser, default_layer(parser).normal)});
+  normal.normal_map = map;
+}
+
+bool parse_type(Parser& parser, Normal& normal) {
+  if (parser.at(Word::bump_map)) {
+    parser.next();
+    parser.expect('{');
+    normal.pattern.kind = PatternKind::bump_map;
+    normal.pattern.frequency = 0;
+    normal.pattern.params = parse_image(parser, ImageUse::bump_map, &normal.amount);
+    close_block(parser, "bump_map");
+    return true;
+  }
+  return parse_pattern_type(parser, normal.pattern, PatternOwner::normal,
+                            [&](int size) { read_list(parser, normal, size); });
+}
+
+bool parse_modifier(Parser& parser, Normal& normal) {
+  switch (word_at(parser)) {
+    case Word::bump_size:
+      parser.next();
+      normal.amount = to_float(parser.parse_float());
+      return true;
+    case Word::accuracy:
+      parser.next();
+      normal.accuracy = to_float(parser.parse_float());
+      return true;
+    case Word::no_bump_scale:
+      parser.next();
+      normal.no_bump_scale = true;
+      return true;
+    case Word::slope_map:
+      if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::average)
+        parser.error("Cannot use slope_map with this pattern type.");
+      normal.slope_map = parse_slope_map(parser);
+      normal.normal_map = nullptr;
+      return true;
+    case Word::normal_map:
+      if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::facets)
+        parser.error("Cannot use normal_map with this pattern type.");
+      normal.normal_map = parse_normal_map(parser, normal.pattern.kind == PatternKind::average);
+      normal.slope_map = nullptr;
+      return true;
+    case Word::color_map:
+    case Word::pigment_map:
+    case Word::quick_color:
+      error_only_in(parser, word_at(parser), "a pigment statement");
+    case Word::density_map:
+      error_only_in(parser, word_at(parser), "a density statement");
+    case Word::texture_map:
+      error_only_in(parser, word_at(parser), "a texture statement");
+    default:
+      return parse_pattern_modifier(parser, normal.pattern, PatternOwner::normal);
+  }
+}
+
+}  // namespace
+
+scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start) {
+  const Parser::Depth depth(parser);
+  scene::NormalPtr original = start;
+  if (const auto* value = parser.accept_value<scene::NormalPtr>()) original = *value;
+  auto normal = original ? std::make_shared<Normal>(*original) : std::make_shared<Normal>();
+  if (parser.at(Word::uv_mapping)) {
+    read_uv_mapped(parser, *normal);
+    check_nesting(parser, *normal);
+    return normal;
+  }
+  bool changed = parse_type(parser, *normal);
+  if (((changed || original != start) && parser.accept(',')) || parser.at_number_start()) {
+    normal->amount = to_float(parser.parse_float());
+    changed = true;
+  }
+  while (parse_modifier(parser, *normal)) changed = true;
+  if (!changed) return original ? original : normal;
+  if (normal->pattern.kind == PatternKind::average && !normal->normal_map) parser.error("Average must have map.");
+  check_pattern(parser, normal->pattern);
+  check_nesting(parser, *normal);
+  return normal;
+}
+
+scene::NormalPtr parse_normal(Parser& parser, const scene::NormalPtr& start) {
+  Block block(parser, "normal");
+  scene::NormalPtr result = parse_normal_body(parser, start);
+  block.close();
+  return result;
+}
+
+scene::NormalPtr parse_normal(Parser& parser) { return parse_normal(parser, default_layer(parser).normal); }
+
+}  // namespace verisim::parser

@@ -1,0 +1,287 @@
+// Pattern keywords and their parameters (spec 05 sections 2, 8 and 9).
+#include "parser/scene/textures/pattern.h"
+
+#include <array>
+#include <cmath>
+
+#include "parser/scene/common/common.h"
+#include "tracer/image/density_file.h"
+
+namespace verisim::parser {
+
+using scene::Pattern;
+using scene::PatternKind;
+
+namespace {
+
+struct Keyword {
+  Word word;
+  PatternKind kind;
+};
+
+// Patterns without parameters of their own.
+constexpr Keyword kPlain[] = {
+    {Word::agate, PatternKind::agate},         {Word::aoi, PatternKind::aoi},
+    {Word::average, PatternKind::average},     {Word::boxed, PatternKind::boxed},
+    {Word::bozo, PatternKind::bozo},           {Word::brick, PatternKind::brick},
+    {Word::bumps, PatternKind::bumps},         {Word::cells, PatternKind::cells},
+    {Word::checker, PatternKind::checker},     {Word::crackle, PatternKind::crackle},
+    {Word::cubic, PatternKind::cubic},         {Word::cylindrical, PatternKind::cylindrical},
+    {Word::dents, PatternKind::dents},         {Word::facets, PatternKind::facets},
+    {Word::granite, PatternKind::granite},     {Word::hexagon, PatternKind::hexagon},
+    {Word::leopard, PatternKind::leopard},     {Word::marble, PatternKind::marble},
+    {Word::onion, PatternKind::onion},         {Word::pavement, PatternKind::pavement},
+    {Word::planar, PatternKind::planar},       {Word::quilted, PatternKind::quilted},
+    {Word::radial, PatternKind::radial},       {Word::ripples, PatternKind::ripples},
+    {Word::spherical, PatternKind::spherical}, {Word::spotted, PatternKind::spotted},
+    {Word::square, PatternKind::square},       {Word::triangular, PatternKind::triangular},
+    {Word::waves, PatternKind::waves},         {Word::wood, PatternKind::wood},
+    {Word::wrinkles, PatternKind::wrinkles},
+};
+
+PatternKind plain_kind(Word word) {
+  for (const Keyword& keyword : kPlain) {
+    if (keyword.word == word) return keyword.kind;
+  }
+  return PatternKind::none;
+}
+
+bool allowed(Word word, PatternOwner owner) {
+  switch (word) {
+    case Word::facets:
+    case Word::bump_map:
+      return owner == PatternOwner::normal;
+    case Word::image_map:
+      return owner == PatternOwner::pigment;
+    case Word::aoi:
+    case Word::average:
+    case Word::pavement:
+    case Word::slope:
+    case Word::square:
+    case Word::tiling:
+    case Word::triangular:
+      return owner != PatternOwner::function;  // spec 05 section 2
+    default:
+      return true;
+  }
+}
+
+// A pattern whose value is a number of steps has no wave by default.
+bool starts_without_frequency(PatternKind kind) {
+  return list_size(kind) > 0 || kind == PatternKind::quilted || kind == PatternKind::image_pattern ||
+         kind == PatternKind::image_map || kind == PatternKind::bump_map;
+}
+
+void set_kind(Parser& parser, Pattern& pattern, PatternKind kind, PatternOwner owner) {
+  pattern.kind = kind;
+  pattern.params.reset();
+  if (starts_without_frequency(kind)) pattern.frequency = 0;
+  // Before 3.0 `texture { marble }` meant the ramp of older versions (spec 05 section 13).
+  const bool old_texture = owner == PatternOwner::texture && parser.version() < 300;
+  if ((kind == PatternKind::marble || kind == PatternKind::wood || kind == PatternKind::spiral1 ||
+       kind == PatternKind::spiral2) &&
+      !old_texture)
+    pattern.wave = scene::Wave::triangle;
+  switch (kind) {
+    case PatternKind::agate:
+      pattern.params = scene::AgateParams{};
+      break;
+    case PatternKind::brick:
+      pattern.params = scene::BrickParams{};
+      break;
+    case PatternKind::crackle:
+      pattern.params = scene::CrackleParams{};
+      break;
+    case PatternKind::facets:
+      pattern.params = scene::FacetsParams{};
+      break;
+    case PatternKind::quilted:
+      pattern.params = scene::QuiltedParams{};
+      break;
+    case PatternKind::pavement:
+      pattern.params = scene::PavementParams{};
+      break;
+    default:
+      break;
+  }
+}
+
+scene::SlopeParams parse_slope(Parser& parser) {
+  scene::SlopeParams slope;
+  if (!parser.accept('{')) {
+    slope.direction = parser.parse_vec3();
+  } else {
+    slope.point_at = parser.accept(Word::point_at);
+    slope.direction = parser.parse_vec3();
+    const auto range = [&parser](double& low, double& high) {
+      if (!accept_comma_or_number(parser)) return;
+      low = parser.parse_float();
+      parser.optional_comma();
+      high = parser.parse_float();
+      if (low == high && low != 0) {
+        parser.warning("Zero slope range, ignoring.");
+        low = high = 0;
+      }
+    };
+    range(slope.slope_low, slope.slope_high);
+    if (parser.accept(Word::altitude)) {
+      if (slope.point_at) parser.error("'altitude' cannot be used together with 'point_at'.");
+      slope.altitude = parser.parse_vec3();
+      parser.warning("A slope pattern with altitude is an experimental feature of POV-Ray.");
+      range(slope.altitude_low, slope.altitude_high);
+    }
+    close_block(parser, "slope");
+  }
+  if (!slope.point_at && length(slope.direction) == 0 && length(slope.altitude) == 0)
+    parser.error("Zero length for both slope and gradient.");
+  return slope;
+}
+
+Vec2 parse_complex(Parser& parser) {
+  const Vec2 result = parser.parse_vec2();
+  parser.optional_comma();
+  return result;
+}
+
+// mandel N, julia <a,b>, N, magnet 1|2 followed by one of them.
+void parse_fractal(Parser& parser, Pattern& pattern, PatternOwner owner) {
+  scene::FractalParams fractal;
+  const bool magnet = parser.accept(Word::magnet);
+  if (magnet) {
+    fractal.magnet = parser.parse_int();
+    if (fractal.magnet != 1 && fractal.magnet != 2) parser.error("Invalid magnet type: it must be 1 or 2.");
+  }
+  PatternKind kind = PatternKind::none;
+  if (parser.accept(Word::mandel)) {
+    kind = magnet ? PatternKind::magnet_mandel : PatternKind::mandel;
+  } else if (parser.accept(Word::julia)) {
+    kind = magnet ? PatternKind::magnet_julia : PatternKind::julia;
+    fractal.julia = parse_complex(parser);
+  } else {
+    parser.error_expected("mandel or julia");
+  }
+  fractal.iterations = parser.parse_int();
+  set_kind(parser, pattern, kind, owner);
+  pattern.params = fractal;
+}
+
+void parse_density_file(Parser& parser, Pattern& pattern) {
+  parser.expect(Word::df3);
+  const std::string name = parser.parse_path();
+  const std::filesystem::path path = parser.find_file(name);
+  scene::DensityFileParams density;
+  try {
+    density = load_density_file(path);
+  } catch (const std::runtime_error& failure) {
+    parser.error(failure.what());
+  }
+  pattern.params = density;
+}
+
+}  // namespace
+
+int list_size(PatternKind kind) {
+  switch (kind) {
+    case PatternKind::checker:
+    case PatternKind::object:
+    case PatternKind::brick:
+      return 2;
+    case PatternKind::hexagon:
+      return 3;
+    case PatternKind::square:
+      return 4;
+    case PatternKind::triangular:
+    case PatternKind::cubic:
+      return 6;
+    default:
+      return 0;
+  }
+}
+
+bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, const ListReader& read_list) {
+  const Word word = word_at(parser);
+  if (word == Word::none || !allowed(word, owner)) return false;
+  const Parser::Depth depth(parser);
+  if (const PatternKind kind = plain_kind(word); kind != PatternKind::none) {
+    parser.next();
+    set_kind(parser, pattern, kind, owner);
+    if (const int size = list_size(kind)) read_list(size);
+    return true;
+  }
+  const auto take = [&](PatternKind kind) {
+    parser.next();
+    set_kind(parser, pattern, kind, owner);
+  };
+  switch (word) {
+    case Word::gradient: {
+      take(PatternKind::gradient);
+      pattern.params = scene::GradientParams{parser.parse_vec3()};
+      return true;
+    }
+    case Word::spiral1:
+    case Word::spiral2:
+      take(word == Word::spiral1 ? PatternKind::spiral1 : PatternKind::spiral2);
+      pattern.params = scene::SpiralParams{static_cast<std::int16_t>(parser.parse_int())};
+      return true;
+    case Word::slope:
+      take(PatternKind::slope);
+      pattern.params = parse_slope(parser);
+      return true;
+    case Word::tiling: {
+      take(PatternKind::tiling);
+      const int number = parser.parse_int();
+      if (number < 1 || number > 27) parser.error("Tiling number must be between 1 and 27.");
+      pattern.params = scene::TilingParams{number};
+      return true;
+    }
+    case Word::mandel:
+    case Word::julia:
+    case Word::magnet:
+      parse_fractal(parser, pattern, owner);
+      return true;
+    case Word::function:
+      take(PatternKind::function);
+      if (!parser.at('{')) parser.error_expected("{");  // always in x, y, z
+      pattern.params = scene::FunctionParams{parser.parse_function_body()};
+      return true;
+    case Word::density_file:
+      take(PatternKind::density_file);
+      parse_density_file(parser, pattern);
+      return true;
+    case Word::pigment_pattern: {
+      take(PatternKind::pigment_pattern);
+      parser.expect('{');
+      scene::PigmentPatternParams params{parse_pigment_body(parser, default_layer(parser).pigment)};
+      close_block(parser, "pigment_pattern");
+      pattern.params = params;
+      return true;
+    }
+    case Word::object: {
+      take(PatternKind::object);
+      parser.expect('{');
+      std::shared_ptr<scene::Object> object = parse_object(parser);
+      if (!object) parser.error_expected("object");
+      scene::complete(*object);
+      pattern.params = scene::ObjectParams{object};
+      read_list(2);
+      close_block(parser, "object");
+      return true;
+    }
+    case Word::image_pattern:
+      take(PatternKind::image_pattern);
+      parser.expect('{');
+      pattern.params = parse_image(parser, ImageUse::image_pattern);
+      close_block(parser, "image_pattern");
+      return true;
+    case Word::image_map:
+      take(PatternKind::image_map);
+      parser.expect('{');
+      pattern.params = parse_image(parser, ImageUse::image_map);
+      close_block(parser, "image_map");
+      return true;
+    default:
+      return false;  // bump_map, material_map and uv_mapping: their owners read them
+  }
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,50 @@
+// Patterns: keywords with their parameters, and the modifiers that pigments, normals, textures and densities share
+// (spec 05 sections 2 to 9).
+#pragma once
+
+#include <functional>
+
+#include "parser/language/blocks.h"
+
+namespace verisim::parser {
+
+enum class PatternOwner : unsigned char { pigment, normal, texture, density, function };
+
+// Reads the entries of checker, brick, object ...; the argument is how many there can be.
+using ListReader = std::function<void(int)>;
+
+// A pattern keyword with its parameters. False: the next token is none that `owner` can have; nothing is consumed.
+bool parse_pattern_type(Parser& parser, scene::Pattern& pattern, PatternOwner owner, const ListReader& read_list);
+// One modifier that every owner has: transformation, warp, turbulence, wave ... False: none here.
+bool parse_pattern_modifier(Parser& parser, scene::Pattern& pattern, PatternOwner owner);
+// At the end of the statement: ranges that depend on several modifiers.
+void check_pattern(Parser& parser, const scene::Pattern& pattern);
+// checker, brick ...: patterns whose entries are a list. 0: none of them.
+int list_size(scene::PatternKind kind);
+
+scene::Warp parse_warp(Parser& parser);  // warp { ... }
+// turbulence, octaves, omega or lambda. False: none of them.
+bool parse_turbulence_item(Parser& parser, scene::Turbulence& turbulence);
+
+enum class ImageUse : unsigned char { image_map, image_pattern, bump_map, material_map, height_field };
+// Inside the braces of image_map and the like (spec 05 section 12); stops at the first token that is no image item.
+// `bump_size`, if not null, receives the number of that keyword.
+scene::ImageParams parse_image(Parser& parser, ImageUse use, float* bump_size = nullptr);
+
+// Body of a pigment, normal, texture or density: items up to the first token that is none. `start` is what is modified.
+// (`old_texture`: written directly into the texture, before 3.0; frequency and phase belong to the normal then.)
+scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& start, bool old_texture = false);
+scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start);
+scene::TexturePtr parse_texture_body(Parser& parser, bool is_default = false);
+scene::DensityPtr parse_density_body(Parser& parser);
+// Whole blocks that modify something.
+scene::PigmentPtr parse_pigment(Parser& parser, const scene::PigmentPtr& start);
+scene::NormalPtr parse_normal(Parser& parser, const scene::NormalPtr& start);
+
+// Items of a finish up to the first token that is none; albedo forms are scaled at the end. False: there was none.
+bool parse_finish_items(Parser& parser, scene::Finish& finish);
+
+// What map entries and new statements start from: the parts of the default texture.
+const scene::TextureLayer& default_layer(Parser& parser);
+
+}  // namespace verisim::parser

@@ -1,0 +1,284 @@
+// Modifiers that every pattern has, and the parameters that belong to one kind of pattern (spec 05 sections 2, 3, 8 and
+// 9).
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/pattern.h"
+
+namespace verisim::parser {
+
+using scene::Pattern;
+using scene::PatternKind;
+
+namespace {
+
+template <class Params>
+Params& params_of(Parser& parser, Pattern& pattern, Word word, std::string_view where) {
+  if (auto* params = std::get_if<Params>(&pattern.params.edit())) return *params;
+  error_only_in(parser, word, where);
+}
+
+scene::PavementParams& pavement(Parser& parser, Pattern& pattern, Word word) {
+  return params_of<scene::PavementParams>(parser, pattern, word, "a pavement statement");
+}
+
+scene::FractalParams& fractal(Parser& parser, Pattern& pattern, Word word) {
+  return params_of<scene::FractalParams>(parser, pattern, word, "a fractal pattern");
+}
+
+bool parse_wave(Parser& parser, Pattern& pattern) {
+  const auto set = [&](scene::Wave wave) {
+    parser.next();
+    pattern.wave = wave;
+    return true;
+  };
+  switch (word_at(parser)) {
+    case Word::ramp_wave:
+      return set(scene::Wave::ramp);
+    case Word::sine_wave:
+      return set(scene::Wave::sine);
+    case Word::triangle_wave:
+      return set(scene::Wave::triangle);
+    case Word::scallop_wave:
+      return set(scene::Wave::scallop);
+    case Word::cubic_wave:
+      return set(scene::Wave::cubic);
+    case Word::poly_wave:
+      set(scene::Wave::poly);
+      pattern.exponent = to_float(parser.parse_optional_float(pattern.exponent));
+      return true;
+    default:
+      return false;
+  }
+}
+
+// exterior and interior: of fractals with a type and a factor, of pavements with one number.
+void parse_exterior(Parser& parser, Pattern& pattern, PatternOwner owner) {
+  parser.next();
+  if (auto* tiles = std::get_if<scene::PavementParams>(&pattern.params.edit())) {
+    tiles->exterior = parser.parse_int();
+    return;
+  }
+  scene::FractalParams& params = fractal(parser, pattern, Word::exterior);
+  params.exterior_type = parser.parse_int();
+  const int last = owner == PatternOwner::function ? 6 : 8;
+  if (params.exterior_type < 0 || params.exterior_type > last)
+    parser.error("Invalid fractal pattern exterior type. Valid types are 0 to " + std::to_string(last) + ".");
+  parser.optional_comma();
+  params.exterior_factor = parser.parse_float();
+}
+
+void parse_interior_type(Parser& parser, Pattern& pattern) {
+  parser.next();
+  if (auto* tiles = std::get_if<scene::PavementParams>(&pattern.params.edit())) {
+    tiles->interior = parser.parse_int();
+    return;
+  }
+  scene::FractalParams& params = fractal(parser, pattern, Word::interior);
+  params.interior_type = parser.parse_int();
+  if (params.interior_type < 0 || params.interior_type > 6)
+    parser.error("Invalid fractal pattern interior type. Valid types are 0 to 6.");
+  parser.optional_comma();
+  params.interior_factor = parser.parse_float();
+}
+
+void parse_exponent(Parser& parser, Pattern& pattern) {
+  auto* params = std::get_if<scene::FractalParams>(&pattern.params.edit());
+  if (!params || params->magnet) error_only_in(parser, Word::exponent, "a mandel or julia statement");
+  parser.next();
+  params->exponent = parser.parse_int();
+  if (params->exponent < 2 || params->exponent > 33) {
+    parser.warning("Invalid fractal exponent: it must be 2 to 33. Using 2.");
+    params->exponent = 2;
+  }
+}
+
+void parse_form(Parser& parser, Pattern& pattern) {
+  parser.next();
+  if (auto* tiles = std::get_if<scene::PavementParams>(&pattern.params.edit())) {
+    tiles->form = parser.parse_int();
+    return;
+  }
+  params_of<scene::CrackleParams>(parser, pattern, Word::form, "a crackle or pavement statement").form =
+      parser.parse_vec3();
+}
+
+void parse_metric(Parser& parser, Pattern& pattern) {
+  parser.next();
+  const double metric = parser.parse_vec3().x;
+  if (auto* crackle = std::get_if<scene::CrackleParams>(&pattern.params.edit())) {
+    crackle->metric = metric;
+  } else {
+    params_of<scene::FacetsParams>(parser, pattern, Word::metric, "a facets or crackle statement").metric = metric;
+  }
+}
+
+scene::Turbulence& turbulence(Pattern& pattern) { return pattern.turbulence.edit(); }
+
+// Parameters of single kinds of pattern.
+bool parse_parameter(Parser& parser, Pattern& pattern, PatternOwner owner) {
+  const Word word = word_at(parser);
+  switch (word) {
+    case Word::agate_turb: {
+      auto& params = params_of<scene::AgateParams>(parser, pattern, word, "an agate statement");
+      parser.next();
+      params.turbulence = to_float(parser.parse_float());
+      return true;
+    }
+    case Word::brick_size: {
+      auto& params = params_of<scene::BrickParams>(parser, pattern, word, "a brick statement");
+      parser.next();
+      params.size = parser.parse_vec3();
+      return true;
+    }
+    case Word::mortar: {
+      auto& params = params_of<scene::BrickParams>(parser, pattern, word, "a brick statement");
+      parser.next();
+      params.mortar = to_float(parser.parse_float());
+      return true;
+    }
+    case Word::control0:
+    case Word::control1: {
+      auto& params = params_of<scene::QuiltedParams>(parser, pattern, word, "a quilted statement");
+      parser.next();
+      (word == Word::control0 ? params.control0 : params.control1) = to_float(parser.parse_float());
+      return true;
+    }
+    case Word::form:
+      parse_form(parser, pattern);
+      return true;
+    case Word::metric:
+      parse_metric(parser, pattern);
+      return true;
+    case Word::offset: {
+      auto& params = params_of<scene::CrackleParams>(parser, pattern, word, "a crackle statement");
+      parser.next();
+      params.offset = parser.parse_float();
+      return true;
+    }
+    case Word::solid: {
+      auto& params = params_of<scene::CrackleParams>(parser, pattern, word, "a crackle statement");
+      parser.next();
+      params.solid = true;
+      return true;
+    }
+    case Word::size:
+    case Word::coords: {
+      auto& params = params_of<scene::FacetsParams>(parser, pattern, word, "a facets statement");
+      parser.next();
+      (word == Word::size ? params.size : params.coords) = parser.parse_float();
+      return true;
+    }
+    case Word::exponent:
+      parse_exponent(parser, pattern);
+      return true;
+    case Word::exterior:
+      parse_exterior(parser, pattern, owner);
+      return true;
+    case Word::interior:
+      parse_interior_type(parser, pattern);
+      return true;
+    case Word::interpolate: {
+      auto& params = params_of<scene::DensityFileParams>(parser, pattern, word, "a density_file statement");
+      parser.next();
+      params.interpolate = parser.parse_int();
+      return true;
+    }
+    case Word::number_of_sides:
+    case Word::number_of_tiles:
+    case Word::pattern: {
+      auto& params = pavement(parser, pattern, word);
+      parser.next();
+      const int value = parser.parse_int();
+      (word == Word::number_of_sides   ? params.sides
+       : word == Word::number_of_tiles ? params.tiles
+                                       : params.pattern) = value;
+      return true;
+    }
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+bool parse_turbulence_item(Parser& parser, scene::Turbulence& turbulence) {
+  switch (word_at(parser)) {
+    case Word::turbulence:
+      parser.next();
+      turbulence.amount = parser.parse_vec3();
+      return true;
+    case Word::octaves:
+      parser.next();
+      turbulence.octaves = std::clamp(parser.parse_int(), 1, 10);
+      return true;
+    case Word::omega:
+      parser.next();
+      turbulence.omega = to_float(parser.parse_float());
+      return true;
+    case Word::lambda:
+      parser.next();
+      turbulence.lambda = to_float(parser.parse_float());
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool parse_pattern_modifier(Parser& parser, Pattern& pattern, PatternOwner owner) {
+  switch (word_at(parser)) {
+    case Word::translate:
+    case Word::rotate:
+    case Word::scale:
+    case Word::matrix:
+    case Word::transform: {
+      Transform item;
+      parse_transform_item(parser, item);
+      pattern.prepend(item);
+      return true;
+    }
+    case Word::turbulence:
+    case Word::octaves:
+    case Word::omega:
+    case Word::lambda:
+      return parse_turbulence_item(parser, turbulence(pattern));
+    case Word::warp:
+      pattern.prepend(parse_warp(parser));
+      return true;
+    case Word::frequency:
+      parser.next();
+      pattern.frequency = to_float(parser.parse_float());
+      return true;
+    case Word::phase:
+      parser.next();
+      pattern.phase = to_float(parser.parse_float());
+      return true;
+    case Word::noise_generator: {
+      parser.next();
+      const int generator = parser.parse_int();
+      if (generator < 0 || generator > 3) parser.error("Noise generator is 0 (the scene's), 1, 2 or 3.");
+      pattern.noise_generator |= generator;  // repeated ones are combined (spec 05 5.4)
+      return true;
+    }
+    default:
+      return parse_wave(parser, pattern) || parse_parameter(parser, pattern, owner);
+  }
+}
+
+void check_pattern(Parser& parser, const Pattern& pattern) {
+  const auto* tiles = std::get_if<scene::PavementParams>(&*pattern.params);
+  if (!tiles) return;
+  constexpr int kTriangles[] = {1, 1, 1, 3, 4, 12}, kSquares[] = {1, 1, 2, 5, 12, 35}, kHexagons[] = {1, 1, 3, 7, 22};
+  if (tiles->sides != 3 && tiles->sides != 4 && tiles->sides != 6)
+    parser.error("Pavement: number_of_sides must be 3, 4 or 6.");
+  const int most = tiles->sides == 6 ? 5 : 6;
+  if (tiles->tiles < 1 || tiles->tiles > most)
+    parser.error("Pavement: number_of_tiles must be between 1 and " + std::to_string(most) + ".");
+  const int patterns = (tiles->sides == 3 ? kTriangles : tiles->sides == 4 ? kSquares : kHexagons)[tiles->tiles - 1];
+  if (tiles->pattern < 1 || tiles->pattern > patterns)
+    parser.error("Pavement: pattern must be between 1 and " + std::to_string(patterns) + ".");
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,138 @@
+// pigment { ... } (spec 05 sections 2 and 4).
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/maps.h"
+#include "parser/scene/common/nesting.h"
+#include "parser/scene/textures/pattern.h"
+
+namespace verisim::parser {
+
+using scene::PatternKind;
+using scene::Pigment;
+
+namespace {
+
+bool refuses_maps(PatternKind kind) {
+  return kind == PatternKind::plain || kind == PatternKind::image_map || list_size(kind) > 0;
+}
+
+void read_list(Parser& parser, Pigment& pigment, int size) {
+  pigment.pigment_map =
+      parse_block_list<scene::PigmentPtr>(parser, size, Word::pigment, default_layer(parser).pigment,
+                                          [&] { return parse_pigment(parser, default_layer(parser).pigment); });
+  pigment.color_map = pigment.pigment_map ? nullptr : parse_color_list(parser, size, pigment.pattern.kind);
+}
+
+// The rest of the statement becomes a pigment of its own, evaluated at (u, v, 0) (spec 05 11.3).
+void read_uv_mapped(Parser& parser, Pigment& pigment) {
+  parser.next();
+  pigment.pattern.kind = PatternKind::uv_mapping;
+  auto map = std::make_shared<scene::BlendMap<scene::PigmentPtr>>();
+  map->push_back({0, parse_pigment_body(parser, default_layer(parser).pigment)});
+  pigment.pigment_map = map;
+  pigment.color_map = nullptr;
+}
+
+bool parse_type(Parser& parser, Pigment& pigment) {
+  if (at_color(parser)) {
+    pigment.pattern.kind = PatternKind::plain;
+    pigment.color = parser.parse_color();
+    return true;
+  }
+  return parse_pattern_type(parser, pigment.pattern, PatternOwner::pigment,
+                            [&](int size) { read_list(parser, pigment, size); });
+}
+
+bool parse_modifier(Parser& parser, Pigment& pigment) {
+  switch (word_at(parser)) {
+    case Word::color_map:
+      if (refuses_maps(pigment.pattern.kind) || pigment.pattern.kind == PatternKind::average)
+        parser.error("Cannot use color_map with this pattern type.");
+      pigment.color_map = parse_color_map(parser);
+      pigment.pigment_map = nullptr;
+      return true;
+    case Word::pigment_map:
+      if (refuses_maps(pigment.pattern.kind)) parser.error("Cannot use pigment_map with this pattern type.");
+      pigment.pigment_map = parse_pigment_map(parser, pigment.pattern.kind == PatternKind::average);
+      pigment.color_map = nullptr;
+      return true;
+    case Word::quick_color:
+      parser.next();
+      pigment.quick_color = parser.parse_color();
+      return true;
+    case Word::slope_map:
+    case Word::normal_map:
+    case Word::bump_size:
+    case Word::accuracy:
+      error_only_in(parser, word_at(parser), "a normal statement");
+    case Word::density_map:
+      error_only_in(parser, word_at(parser), "a density statement");
+    case Word::texture_map:
+      error_only_in(parser, word_at(parser), "a texture statement");
+    default:
+      return parse_pattern_modifier(parser, pigment.pattern, PatternOwner::pigment);
+  }
+}
+
+}  // namespace
+
+const scene::TextureLayer& default_layer(Parser& parser) {
+  const scene::TexturePtr& texture = parser.default_texture();
+  return texture->layers.front();
+}
+
+scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& start, bool old_texture) {
+  const Parser::Depth depth(parser);
+  std::shared_ptr<Pigment> pigment;
+  bool changed = false;
+  scene::PigmentPtr original = start;
+  if (const auto* value = parser.accept_value<scene::PigmentPtr>()) original = *value;
+  pigment = std::make_shared<Pigment>(*original);
+  if (parser.at(Word::uv_mapping)) {
+    read_uv_mapped(parser, *pigment);
+    check_nesting(parser, *pigment);
+    return pigment;
+  }
+  // Before 1.5 the items of a pigment may stand in its texture, at the price of a warning.
+  const bool stray = old_texture && parser.version() < 150;
+  const auto belongs_into_pigment = [&](std::string_view item) {
+    parser.warning("Found '" + std::string(item) + "' that should be in a pigment statement.");
+  };
+  const Word first = at_color(parser) ? Word::color : word_at(parser);
+  changed = parse_type(parser, *pigment);
+  if (changed && stray) belongs_into_pigment(spelling(first));
+  if (!changed && !old_texture && pigment->pattern.kind == PatternKind::none)
+    parser.warning("Pigment type unspecified or not 1st item.");
+  while (!(old_texture && (parser.at(Word::frequency) || parser.at(Word::phase) || parser.at(Word::agate_turb)))) {
+    const Word word = word_at(parser);
+    if (!parse_modifier(parser, *pigment)) break;
+    if (stray && (word == Word::color_map || word == Word::pigment_map || word == Word::quick_color))
+      belongs_into_pigment(spelling(word));
+    changed = true;
+  }
+  if (!changed) return original;  // shared, so that equal pigments are compiled once
+  if (pigment->pattern.kind == PatternKind::average && !pigment->pigment_map) parser.error("Average must have map.");
+  check_pattern(parser, pigment->pattern);
+  check_nesting(parser, *pigment);
+  return pigment;
+}
+
+scene::PigmentPtr parse_pigment(Parser& parser, const scene::PigmentPtr& start) {
+  Block block(parser, "pigment");
+  scene::PigmentPtr result = parse_pigment_body(parser, start);
+  block.close();
+  return result;
+}
+
+scene::PigmentPtr parse_pigment(Parser& parser) { return parse_pigment(parser, default_layer(parser).pigment); }
+
+scene::Pattern parse_pattern_body(Parser& parser) {
+  scene::Pattern pattern;
+  if (!parse_pattern_type(parser, pattern, PatternOwner::function, [](int) {})) parser.error_expected("pattern type");
+  while (parse_pattern_modifier(parser, pattern, PatternOwner::function)) {
+  }
+  check_pattern(parser, pattern);
+  close_block(parser, "pattern");
+  return pattern;
+}
+
+}  // namespace verisim::parser

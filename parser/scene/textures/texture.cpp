@@ -1,0 +1,320 @@
+#include "parser/scene/textures/texture.h"
+
+#include "parser/scene/common/common.h"
+#include "parser/scene/textures/maps.h"
+#include "parser/scene/common/nesting.h"
+#include "parser/scene/textures/pattern.h"
+
+namespace verisim::parser {
+
+using scene::PatternKind;
+using scene::Texture;
+
+namespace {
+
+void require_plain(Parser& parser, const scene::TexturePtr& texture) {
+  if (texture->patterned()) parser.error("Cannot layer over a patterned texture.");
+}
+
+// A plain texture's transformation goes to the pigment and the normal of every layer.
+void transform_plain(Texture& texture, const Transform& t) {
+  for (scene::TextureLayer& layer : texture.layers) {
+    auto pigment = std::make_shared<scene::Pigment>(*layer.pigment);
+    pigment->pattern.prepend(t);
+    layer.pigment = pigment;
+    layer.normal = scene::transformed(layer.normal, t);
+  }
+}
+
+bool parse_part(Parser& parser, scene::TextureLayer& layer) {
+  switch (word_at(parser)) {
+    case Word::pigment:
+      layer.pigment = parse_pigment(parser, layer.pigment);
+      return true;
+    case Word::normal:
+      layer.normal = parse_normal(parser, layer.normal);
+      return true;
+    case Word::finish:
+      layer.finish = parse_finish(parser, layer.finish);
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Scenes before 3.0 wrote pigment, normal and finish items directly into the texture.
+bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
+  const auto belongs_into_normal = [&] {
+    if (parser.version() < 150)
+      parser.warning("Found '" + std::string(spelling(word_at(parser))) + "' that should be in a normal statement.");
+  };
+  switch (word_at(parser)) {
+    case Word::bumps:
+    case Word::dents:
+    case Word::ripples:
+    case Word::waves:
+    case Word::wrinkles:
+    case Word::bump_map:
+      belongs_into_normal();
+      layer.normal = parse_normal_body(parser, layer.normal);
+      return true;
+    case Word::frequency:
+    case Word::phase: {
+      belongs_into_normal();
+      auto normal = layer.normal ? std::make_shared<scene::Normal>(*layer.normal) : std::make_shared<scene::Normal>();
+      parse_pattern_modifier(parser, normal->pattern, PatternOwner::normal);
+      layer.normal = normal;
+      return true;
+    }
+    case Word::uv_mapping:
+      return false;
+    case Word::none:
+      if (parser.peek().kind == TokenKind::number) {
+        layer.finish.edit().crand = to_float(parser.parse_float());
+        parser.warning("Should use crand keyword in finish statement.");
+        return true;
+      }
+      break;
+    default:
+      break;
+  }
+  scene::Finish finish = layer.finish;
+  if (parse_finish_items(parser, finish)) {
+    layer.finish = finish;
+    return true;
+  }
+  if (word_at(parser) == Word::none && !at_color(parser)) return false;
+  scene::PigmentPtr pigment = parse_pigment_body(parser, layer.pigment, true);
+  const bool changed = pigment != layer.pigment;
+  layer.pigment = pigment;
+  return changed;
+}
+
+void parse_plain_items(Parser& parser, Texture& texture) {
+  for (;;) {
+    Transform item;
+    if (parse_part(parser, texture.layers.back())) continue;
+    if (parser.at(Word::no_bump_scale) && parser.version() >= 300) {
+      parser.next();
+      for (scene::TextureLayer& layer : texture.layers) {
+        if (!layer.normal) continue;
+        auto normal = std::make_shared<scene::Normal>(*layer.normal);
+        normal->no_bump_scale = true;
+        layer.normal = normal;
+      }
+      texture.no_bump_scale = true;
+      continue;
+    }
+    if (parse_transform_item(parser, item)) {
+      transform_plain(texture, item);
+      continue;
+    }
+    if (parser.version() < 300 && parse_old_item(parser, texture.layers.back())) continue;
+    return;
+  }
+}
+
+// tiles { texture A tile2 texture B }: a checker with B first (spec 05 11.1).
+std::shared_ptr<Texture> parse_tiles(Parser& parser) {
+  Block block(parser, "tiles");
+  scene::TexturePtr first, second;
+  while (parser.at(Word::texture)) add_layers(parser, first, parse_texture(parser));
+  parser.expect(Word::tile2);
+  while (parser.at(Word::texture)) add_layers(parser, second, parse_texture(parser));
+  block.close();
+  auto texture = std::make_shared<Texture>();
+  texture->pattern.kind = PatternKind::checker;
+  texture->pattern.frequency = 0;
+  auto map = std::make_shared<scene::BlendMap<scene::TexturePtr>>();
+  map->push_back({0, second ? second : parser.default_texture()});
+  map->push_back({1, first ? first : parser.default_texture()});
+  texture->texture_map = map;
+  return texture;
+}
+
+std::shared_ptr<Texture> parse_material_map(Parser& parser) {
+  Block block(parser, "material_map");
+  auto texture = std::make_shared<Texture>();
+  texture->pattern.kind = PatternKind::image_map;  // stands for material_map in a texture
+  texture->pattern.frequency = 0;
+  texture->pattern.params = parse_image(parser, ImageUse::material_map);
+  auto map = std::make_shared<scene::BlendMap<scene::TexturePtr>>();
+  while (parser.at(Word::texture)) {
+    scene::TexturePtr entry;
+    add_layers(parser, entry, parse_texture(parser));
+    map->push_back({static_cast<float>(map->size()), entry});
+  }
+  if (map->empty()) parser.error_expected("texture");
+  texture->texture_map = map;
+  block.close();
+  return texture;
+}
+
+void parse_patterned_items(Parser& parser, Texture& texture) {
+  const PatternKind kind = texture.pattern.kind;
+  const bool fixed = list_size(kind) > 0 || kind == PatternKind::image_map;
+  for (;;) {
+    if (parser.at(Word::texture_map)) {
+      if (fixed) parser.error("Cannot use texture_map with this pattern type.");
+      texture.texture_map = parse_texture_map(parser, kind == PatternKind::average);
+      continue;
+    }
+    if (parser.at(Word::no_bump_scale)) {
+      parser.next();
+      texture.no_bump_scale = true;
+      continue;
+    }
+    switch (word_at(parser)) {
+      case Word::color_map:
+      case Word::pigment_map:
+      case Word::quick_color:
+        error_only_in(parser, word_at(parser), "a pigment statement");
+      case Word::normal_map:
+      case Word::slope_map:
+      case Word::bump_size:
+      case Word::accuracy:
+        error_only_in(parser, word_at(parser), "a normal statement");
+      case Word::density_map:
+        error_only_in(parser, word_at(parser), "a density statement");
+      default:
+        break;
+    }
+    if (!parse_pattern_modifier(parser, texture.pattern, PatternOwner::texture)) break;
+  }
+  if (kind == PatternKind::average && !texture.texture_map) parser.error("Average must have map.");
+  if (!texture.texture_map) parser.error("Patterned texture must have texture_map.");
+  check_pattern(parser, texture.pattern);
+}
+
+scene::TexturePtr parse_patterned(Parser& parser) {
+  std::shared_ptr<Texture> texture;
+  if (parser.at(Word::tiles)) {
+    texture = parse_tiles(parser);
+  } else if (parser.at(Word::material_map)) {
+    texture = parse_material_map(parser);
+  } else {
+    texture = std::make_shared<Texture>();
+    const auto read_list = [&](int size) {
+      texture->texture_map = parse_block_list<scene::TexturePtr>(parser, size, Word::texture, parser.default_texture(),
+                                                                 [&] { return parse_texture(parser); });
+      if (texture->texture_map) return;
+      auto map = std::make_shared<scene::BlendMap<scene::TexturePtr>>();
+      for (int i = 0; i < size; ++i) map->push_back({static_cast<float>(i), parser.default_texture()});
+      texture->texture_map = map;
+    };
+    if (!parse_pattern_type(parser, texture->pattern, PatternOwner::texture, read_list)) return nullptr;
+  }
+  parse_patterned_items(parser, *texture);
+  check_nesting(parser, *texture);
+  return texture;
+}
+
+scene::TexturePtr parse_uv_mapped(Parser& parser) {
+  parser.next();
+  auto texture = std::make_shared<Texture>();
+  texture->pattern.kind = PatternKind::uv_mapping;
+  auto map = std::make_shared<scene::BlendMap<scene::TexturePtr>>();
+  map->push_back({0, parse_texture_body(parser)});
+  texture->texture_map = map;
+  check_nesting(parser, *texture);
+  return texture;
+}
+
+// Before and in 3.1 only the bottom layer filters; the others transmit (spec 05 11.2).
+scene::PigmentPtr filter_to_transmit(const scene::PigmentPtr& pigment) {
+  auto result = std::make_shared<scene::Pigment>(*pigment);
+  const auto move = [](Color& color) {
+    color.t += color.f;
+    color.f = 0;
+  };
+  move(result->color);
+  if (result->color_map) {
+    auto map = std::make_shared<scene::ColorMap>(*result->color_map);
+    for (auto& entry : *map) move(entry.value);
+    result->color_map = map;
+  }
+  return result;
+}
+
+}  // namespace
+
+void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::TexturePtr& added) {
+  if (!texture) {
+    texture = added;
+    return;
+  }
+  require_plain(parser, texture);
+  if (added->patterned()) parser.error("Cannot layer a patterned texture over another.");
+  // A texture that nobody else holds grows in place: thousands of layers would otherwise be copied thousands of times.
+  const bool own = texture.use_count() == 1;
+  const std::size_t before = texture->layers.size();
+  auto result = own ? std::const_pointer_cast<Texture>(texture) : std::make_shared<Texture>(*texture);
+  result->layers.insert(result->layers.end(), added->layers.begin(), added->layers.end());
+  if (parser.version() <= 310) {
+    for (std::size_t i = before; i < result->layers.size(); ++i)
+      result->layers[i].pigment = filter_to_transmit(result->layers[i].pigment);
+  }
+  texture = result;
+}
+
+bool parse_texture_part(Parser& parser, scene::TexturePtr& texture) {
+  const Word word = word_at(parser);
+  if (word != Word::pigment && word != Word::normal && word != Word::finish) return false;
+  const scene::TexturePtr start = texture ? texture : parser.default_texture();
+  require_plain(parser, start);
+  auto result = std::make_shared<Texture>(*start);
+  parse_part(parser, result->layers.back());
+  texture = result;
+  return true;
+}
+
+scene::TexturePtr parse_texture_body(Parser& parser, bool is_default) {
+  const Parser::Depth depth(parser);
+  if (parser.at(Word::uv_mapping) && parser.version() >= 300) return parse_uv_mapped(parser);
+  if (const auto* value = parser.accept_value<scene::TexturePtr>()) {
+    const scene::TexturePtr original = *value;
+    if (parser.at('}') || parser.at(']')) return original;  // shared, so that it is compiled once
+    auto texture = std::make_shared<Texture>(*original);
+    if (!texture->patterned()) {
+      parse_plain_items(parser, *texture);
+      return texture;
+    }
+    Transform item;
+    while (parse_transform_item(parser, item)) texture->pattern.prepend(item);
+    return texture;
+  }
+  auto texture = std::make_shared<Texture>(*parser.default_texture());
+  if (const auto* pigment = parser.accept_value<scene::PigmentPtr>()) {
+    texture->layers.back().pigment = *pigment;
+  } else if (const auto* normal = parser.accept_value<scene::NormalPtr>()) {
+    texture->layers.back().normal = *normal;
+  } else if (const auto* finish = parser.accept_value<Shared<scene::Finish>>()) {
+    texture->layers.back().finish = **finish;
+  } else if (parser.version() >= 300) {
+    if (scene::TexturePtr patterned = parse_patterned(parser)) return patterned;
+  } else if (parser.at(Word::tiles) || parser.at(Word::material_map)) {
+    return parse_patterned(parser);
+  }
+  parse_plain_items(parser, *texture);
+  // Between 1.5 and 3.0 a texture says what its pigment is, unless the default texture does.
+  const bool lacks_pigment = texture->layers.back().pigment->pattern.kind == PatternKind::none;
+  if (lacks_pigment && !is_default && parser.version() >= 150 && parser.version() < 300)
+    parser.error_expected("pigment identifier");
+  return texture;
+}
+
+scene::TexturePtr parse_texture(Parser& parser) {
+  Block block(parser, "texture");
+  scene::TexturePtr result = parse_texture_body(parser);
+  block.close();
+  return result;
+}
+
+scene::TexturePtr parse_interior_texture(Parser& parser) {
+  Block block(parser, "interior_texture");
+  scene::TexturePtr result = parse_texture_body(parser);
+  block.close();
+  return result;
+}
+
+}  // namespace verisim::parser

@@ -1,0 +1,16 @@
+// Textures of objects and materials (spec 03 5.3, 05 sections 2 and 11).
+#pragma once
+
+#include "parser/language/blocks.h"
+
+namespace verisim::parser {
+
+// Puts the layers of `added` over those of `texture` (null: nothing yet); errors when one of them is patterned.
+void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::TexturePtr& added);
+// `pigment`, `normal` or `finish` at the cursor: changes the top layer of `texture` (null: a copy of the default
+// texture). False: none of them.
+bool parse_texture_part(Parser& parser, scene::TexturePtr& texture);
+// interior_texture { ... }
+scene::TexturePtr parse_interior_texture(Parser& parser);
+
+}  // namespace verisim::parser

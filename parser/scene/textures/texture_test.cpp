@@ -1,0 +1,235 @@
+// Pigments, normals, finishes, interiors and media in the description (spec 05, 06, 07).
+#include <cmath>
+
+#include "parser/scene/test_support.h"
+#include "tracer/image/image.h"
+
+namespace verisim::parser {
+namespace {
+
+using scene::PatternKind;
+using testing::finish_of;
+using testing::first_error;
+using testing::normal_of;
+using testing::parse;
+using testing::pigment_of;
+using testing::scene_of;
+using testing::sphere_with;
+
+TEST(Pigments, WarpsAreOrderedLastFirst) {
+  const auto pigment = pigment_of("bozo turbulence .5 scale 2 translate x warp{repeat x} rotate y");
+  ASSERT_EQ(pigment->pattern.warps.size(), 3u);
+  EXPECT_TRUE(std::holds_alternative<Transform>(pigment->pattern.warps[0]));
+  EXPECT_TRUE(std::holds_alternative<scene::RepeatWarp>(pigment->pattern.warps[1]));
+  const auto& first_written = std::get<Transform>(pigment->pattern.warps[2]);
+  EXPECT_EQ(first_written.point(Vec3(1, 0, 0)), Vec3(3, 0, 0));  // scale, then translate, in one matrix
+  ASSERT_TRUE(pigment->pattern.turbulence.has_value());
+  EXPECT_EQ(pigment->pattern.turbulence->amount, Vec3(.5, .5, .5));
+}
+
+TEST(Pigments, KeywordsSetTheirDefaultsAndKeepTheRest) {
+  EXPECT_EQ(pigment_of("marble")->pattern.wave, scene::Wave::triangle);
+  EXPECT_EQ(pigment_of("checker")->pattern.frequency, 0);
+  EXPECT_EQ(pigment_of("checker frequency 2")->pattern.frequency, 2);
+  const auto copied = pigment_of("P onion", "#declare P=pigment{marble frequency 3 color_map{[0 rgb 0][1 rgb 1]}}");
+  EXPECT_EQ(copied->pattern.kind, PatternKind::onion);
+  EXPECT_EQ(copied->pattern.wave, scene::Wave::triangle);
+  EXPECT_EQ(copied->pattern.frequency, 3);
+  EXPECT_TRUE(copied->color_map);
+}
+
+TEST(Pigments, UnchangedIdentifiersAreShared) {
+  const scene::Scene scene = scene_of("#declare P=pigment{bozo}; sphere{0,1 pigment{P}} sphere{x,1 pigment{P}}");
+  EXPECT_EQ(scene.objects[0]->texture->layers[0].pigment, scene.objects[1]->texture->layers[0].pigment);
+}
+
+TEST(Pigments, ListsAreFilledFromTheBuiltInColors) {
+  const auto checker = pigment_of("checker rgb <1,0,0>");
+  ASSERT_EQ(checker->color_map->size(), 2u);
+  EXPECT_EQ((*checker->color_map)[1].value, Color(0, 1, 0));
+  EXPECT_FALSE(pigment_of("hexagon")->color_map);
+  EXPECT_EQ(pigment_of("brick pigment{rgb 1} pigment{bozo}")->pigment_map->size(), 2u);
+}
+
+TEST(Pigments, ColorMapEntries) {
+  const auto map = pigment_of("bozo color_map{[.5 rgb x][0, 1 color rgb y color rgbt <0,0,1,.5>]}")->color_map;
+  ASSERT_EQ(map->size(), 3u);
+  EXPECT_EQ((*map)[0].position, .5f);
+  EXPECT_EQ((*map)[2].position, 1);
+  EXPECT_EQ((*map)[2].value, Color(0, 0, 1, 0, .5f));
+}
+
+TEST(Pigments, AverageWeights) {
+  const auto map = pigment_of("average pigment_map{[3 rgb 1][bozo][P]}", "#declare P=pigment{rgb 0};")->pigment_map;
+  ASSERT_EQ(map->size(), 3u);
+  EXPECT_EQ((*map)[0].position, 3);
+  EXPECT_EQ((*map)[1].position, 1);
+  EXPECT_EQ((*map)[2].value->pattern.kind, PatternKind::plain);
+}
+
+TEST(Pigments, UvMappingWrapsTheRest) {
+  const auto pigment = pigment_of("uv_mapping checker rgb 1 rgb 0 scale 2");
+  EXPECT_EQ(pigment->pattern.kind, PatternKind::uv_mapping);
+  EXPECT_TRUE(pigment->pattern.warps.empty());
+  EXPECT_EQ((*pigment->pigment_map)[0].value->pattern.warps.size(), 1u);
+}
+
+TEST(Pigments, ParametersOfPatterns) {
+  const auto params = [](const char* text) { return pigment_of(text)->pattern.params.value_or({}); };
+  EXPECT_EQ(std::get<scene::CrackleParams>(params("crackle form <1,2,3> metric <4,5,6> offset 7 solid")).metric, 4);
+  EXPECT_EQ(std::get<scene::BrickParams>(params("brick brick_size 2 mortar .25")).mortar, .25f);
+  EXPECT_EQ(std::get<scene::FractalParams>(params("magnet 2 julia <.1,.2>,30 exterior 3,.5")).exterior_factor, .5);
+  EXPECT_EQ(std::get<scene::SpiralParams>(params("spiral1 3.7")).arms, 3);
+  EXPECT_EQ(std::get<scene::PavementParams>(params("pavement number_of_sides 6 number_of_tiles 5 pattern 22")).pattern,
+            22);
+  EXPECT_EQ(std::get<scene::SlopeParams>(params("slope{y,.1,.2 altitude x,3,4}")).altitude_high, 4);
+  EXPECT_EQ(pigment_of("bozo noise_generator 1 noise_generator 2")->pattern.noise_generator, 3);
+}
+
+TEST(Pigments, BlackHolesAreFittedIntoTheirBlocks) {
+  const auto pigment = pigment_of("bozo warp{black_hole <.1,.6,.6>,.5 repeat <.8,2,0>}");
+  const auto& warp = std::get<scene::BlackHoleWarp>(pigment->pattern.warps[0]);
+  EXPECT_EQ(warp.center.x, .5);
+  EXPECT_EQ(warp.repeat.x, 1);
+  EXPECT_EQ(warp.repeat.y, 2);
+}
+
+TEST(Pigments, FunctionImagesWrapAround) {
+  const auto pigment = pigment_of("image_map{function 3,2{x*2-.3} interpolate 2 once}");
+  const auto& params = std::get<scene::ImageParams>(*pigment->pattern.params);
+  ASSERT_EQ(params.image->width, 3);
+  EXPECT_EQ(params.image->pixels[0], 45876 / 65535.0f);  // -0.3 in 16 bits without a sign
+  EXPECT_TRUE(params.once);
+  EXPECT_EQ(params.interpolate, 2);
+}
+
+TEST(Pigments, QuickColorAndMessages) {
+  EXPECT_EQ(*pigment_of("bozo quick_color rgb x")->quick_color, Rgb(1, 0, 0));
+  EXPECT_NE(parse("sphere{0,1 pigment{}}").messages.find("Pigment type unspecified"), std::string::npos);
+  EXPECT_EQ(first_error("sphere{0,1 pigment{checker color_map{[0 rgb 1]}}}"),
+            "Cannot use color_map with this pattern type.");
+  EXPECT_EQ(first_error("sphere{0,1 pigment{bozo mortar 1}}"),
+            "Keyword 'mortar' can only be used in a brick statement.");
+  EXPECT_EQ(first_error("sphere{0,1 pigment{tiling 28}}"), "Tiling number must be between 1 and 27.");
+}
+
+TEST(Normals, AmountAndMaps) {
+  EXPECT_EQ(normal_of("bumps")->amount, .5f);
+  EXPECT_EQ(normal_of("bumps, .25 scale 2")->amount, .25f);
+  EXPECT_EQ(normal_of("bumps bump_size 3 accuracy .1 no_bump_scale")->amount, 3);
+  EXPECT_EQ((*normal_of("gradient x slope_map{[0 <0,1>][1 <1,2>]}")->slope_map)[1].value.slope, 2);
+  EXPECT_EQ(normal_of("checker normal{bumps} normal{dents}")->normal_map->size(), 2u);
+  EXPECT_FALSE(normal_of("checker 1")->normal_map);
+  EXPECT_EQ(first_error("sphere{0,1 normal{}}"), "No normal type given.");
+  EXPECT_EQ(first_error("#declare N=normal{bump_size 2};"), "");
+}
+
+TEST(Textures, PatternedOnes) {
+  const auto texture = sphere_with("texture{tiles{texture{pigment{rgb x}} tile2 texture{pigment{rgb y}}}}")->texture;
+  ASSERT_TRUE(texture->patterned());
+  EXPECT_EQ((*texture->texture_map)[0].value->layers[0].pigment->color, Color(0, 1, 0));  // a checker in reverse
+  EXPECT_EQ(first_error("sphere{0,1 texture{bozo}}"), "Patterned texture must have texture_map.");
+  EXPECT_EQ(first_error("sphere{0,1 texture{average}}"), "Average must have map.");
+}
+
+TEST(Textures, DeclaredLayersStayTogether) {
+  const auto texture =
+      sphere_with("texture{T pigment{rgb y}}", "#declare T=texture{pigment{rgb x}} texture{pigment{rgbt 1}};")->texture;
+  ASSERT_EQ(texture->layers.size(), 2u);
+  EXPECT_EQ(texture->layers[0].pigment->color, Color(1, 0, 0));
+  EXPECT_EQ(texture->layers[1].pigment->color, Color(0, 1, 0));  // changes go to the top layer
+}
+
+TEST(Textures, ObjectTransformsMoveThem) {
+  const auto object = sphere_with("pigment{bozo} translate x");
+  EXPECT_EQ(object->texture->layers[0].pigment->pattern.warps.size(), 1u);
+  EXPECT_EQ(sphere_with("translate x pigment{bozo}")->texture->layers[0].pigment->pattern.warps.size(), 0u);
+  EXPECT_EQ(sphere_with("uv_mapping pigment{bozo} translate x")->texture->layers[0].pigment->pattern.warps.size(), 0u);
+}
+
+TEST(Finishes, Defaults) {
+  const auto finish = finish_of("");
+  EXPECT_EQ(finish.ambient, Rgb(.1f));
+  EXPECT_EQ(finish.diffuse, .6f);
+  EXPECT_EQ(finish.phong_size, 40);
+  EXPECT_EQ(finish.roughness, .05f);
+  EXPECT_EQ(finish.brilliance, 1);
+}
+
+TEST(Finishes, AlbedoIsScaledWhenTheBlockEnds) {
+  const auto finish =
+      finish_of("diffuse albedo .5,.25 brilliance 3 phong albedo .5 phong_size 9 specular albedo .1 roughness .1");
+  EXPECT_EQ(finish.diffuse, 1);
+  EXPECT_EQ(finish.diffuse_back, .5f);
+  EXPECT_EQ(finish.raw_diffuse, .5f);
+  EXPECT_EQ(finish.phong, 2.5f);
+  EXPECT_FLOAT_EQ(finish.specular, static_cast<float>(.1 * 12 / (4 * (2 - std::pow(2, -5)))));
+  EXPECT_EQ(finish_of("F brilliance 7", "#declare F=finish{diffuse albedo .5 brilliance 3};").diffuse,
+            1);  // keeps its scaling
+}
+
+TEST(Finishes, Reflection) {
+  const auto old_form = finish_of("reflection .5").reflection;
+  EXPECT_EQ(old_form.minimum, Rgb(.5f));
+  EXPECT_EQ(old_form.maximum, Rgb(.5f));
+  const auto two = finish_of("reflection{.1 .9 falloff 2 exponent 3 metallic}").reflection;
+  EXPECT_EQ(two.minimum, Rgb(.1f));
+  EXPECT_EQ(two.maximum, Rgb(.9f));
+  EXPECT_EQ(two.metallic, 1);
+  const auto fresnel = finish_of("reflection{.8 fresnel}").reflection;
+  EXPECT_EQ(fresnel.minimum, Rgb());
+  EXPECT_EQ(fresnel.maximum, Rgb(.8f));
+  const auto kept = finish_of("reflection{.5}", "#default{finish{reflection{.1 falloff 4 metallic .3}}}").reflection;
+  EXPECT_EQ(kept.falloff, 4);
+  EXPECT_EQ(kept.metallic, .3f);
+}
+
+TEST(Finishes, OtherItems) {
+  const auto finish = finish_of(
+      "irid{.3 thickness .2 turbulence <.1,5,5>} metallic crand .1 conserve_energy emission rgb x "
+      "subsurface{translucency .2}");
+  EXPECT_EQ(finish.irid_turbulence, .1f);
+  EXPECT_EQ(finish.metallic, 1);
+  EXPECT_TRUE(finish.conserve_energy && finish.subsurface);
+  EXPECT_EQ(finish.emission, Rgb(1, 0, 0));
+  EXPECT_NE(parse("sphere{0,1 finish{roughness 0}}").messages.find("Zero roughness"), std::string::npos);
+}
+
+TEST(Interiors, LegacyFinishKeywordsOverride) {
+  const auto object = sphere_with("finish{ior 1.3 caustics 2} interior{ior 2 dispersion 1.2 caustics 1 refraction .5}");
+  EXPECT_EQ(object->interior->ior, 1.3f);
+  EXPECT_EQ(object->interior->dispersion, 1);
+  EXPECT_EQ(object->interior->caustics, 2);
+  EXPECT_EQ(object->interior->refraction, 1);
+  EXPECT_EQ(sphere_with("interior{caustics 1}")->interior->caustics, 45);
+  EXPECT_EQ(sphere_with("interior{dispersion 1.2}")->interior->dispersion, 1);  // needs an ior
+  EXPECT_EQ(sphere_with("interior{ior 1 dispersion 1.2}")->interior->dispersion, 1.2f);
+}
+
+TEST(Media, DefaultsFollowTheVersion) {
+  const scene::Media now = scene_of("media{}").atmosphere[0], then = scene_of("#version 3.1; media{}").atmosphere[0];
+  EXPECT_EQ(now.method, 3);
+  EXPECT_EQ(now.intervals, 1);
+  EXPECT_EQ(now.samples_min, 10);
+  EXPECT_EQ(now.aa_level, 3);
+  EXPECT_EQ(then.method, 1);
+  EXPECT_EQ(then.intervals, 10);
+  EXPECT_EQ(then.samples_max, 1);
+}
+
+TEST(Media, ItemsAndTransforms) {
+  const scene::Media media = scene_of(
+                                 "media{samples 4,8 scattering{5,.5 eccentricity .3 extinction .7} density{spherical} "
+                                 "scale 2 density{bozo} collect off}")
+                                 .atmosphere[0];
+  EXPECT_EQ(media.samples_max, 8);
+  EXPECT_EQ(media.eccentricity, .3);
+  EXPECT_FALSE(media.collect);
+  ASSERT_EQ(media.densities.size(), 2u);
+  EXPECT_EQ(media.densities[0]->pattern.warps.size(), 1u);
+  EXPECT_EQ(media.densities[1]->pattern.warps.size(), 0u);
+  EXPECT_EQ(scene_of("media{samples 7}").atmosphere[0].samples_max, 7);
+}
+
+}  // namespace
+}  // namespace verisim::parser

@@ -1,0 +1,159 @@
+// Radiosity in the recursive trace: when a layer asks for irradiance, and what a gather ray sees (spec 07
+// sections 2.4, 2.6, 2.11).
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <numeric>
+
+#include "tracer/effects/effects_state.h"
+
+namespace verisim::global {
+namespace {
+
+// Which of 24 parts of the sphere a direction points to; rays that are near each other meet much the same.
+int part_of_sphere(const Vec3& d) {
+  const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
+  const int axis = x > y ? (x > z ? 0 : 2) : y > z ? 1 : 2;
+  return ((d.x < 0) * 4 + (d.y < 0) * 2 + (d.z < 0)) * 3 + axis;
+}
+
+// The rays of a sample, those in the same part of the sphere one after another.
+using RayOrder = std::array<std::uint16_t, kGatheredTogether>;
+void sort_by_direction(std::span<const GatherRay> rays, RayOrder& order) {
+  std::array<std::uint8_t, kGatheredTogether> parts;
+  std::array<std::uint16_t, 25> places{};
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    ++places[1u + (parts[i] = static_cast<std::uint8_t>(part_of_sphere(rays[i].direction)))];
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  for (std::size_t i = 0; i < rays.size(); ++i) order[places[parts[i]]++] = static_cast<std::uint16_t>(i);
+}
+
+class TracerGatherer : public Gatherer {
+ public:
+  TracerGatherer(const SceneEffects& effects, shading::Tracer& tracer) : effects_(effects), tracer_(tracer) {}
+
+  void gather(const Vec3& from, std::span<const GatherRay> rays, int depth, GatherResult* results) override {
+    const shading::RandomBranch branch(tracer_.random(), shading::RandomBranch::gather(0));
+    const auto key = tracer_.random().key();
+    shading::RayState state = gather_state(depth);
+    shading::Wave* const wave = rays.size() < kFewest ? nullptr : wave_of(state);
+    RayOrder order;
+    if (wave)
+      sort_by_direction(rays, order);
+    else
+      std::iota(order.begin(), order.end(), std::uint16_t{0});
+
+    constexpr std::size_t kMost = RayRow::kMost;
+    const auto default_importance = static_cast<float>(effects_.scene().settings.radiosity.default_importance);
+    GatherResult* waiting[kMost];
+    int n = 0;
+    const auto shade_waiting = [&] {
+      Color colors[kMost];
+      wave->shade_gathering(state, colors);
+      for (int k = 0; k < n; ++k) waiting[k]->color = colors[k].rgb();
+      n = 0;
+    };
+    for (std::size_t done = 0; done < rays.size(); done += kMost) {
+      const auto count = static_cast<int>(std::min(kMost, rays.size() - done));
+      RayRow row;
+      for (int k = 0; k < count; ++k) row.origin.set(k, from), row.direction.set(k, rays[order[done + k]].direction);
+      shapes::Hit hits[kMost];
+      bool found[kMost];
+      tracer_.scene().world.intersect_row(row, 0, count, state.kind(), kNearestHit, nullptr, hits, found);
+      for (int k = 0; k < count; ++k) {
+        const std::size_t i = order[done + k];
+        GatherResult& result = results[i];
+        const shapes::Hit* const hit = found[k] ? &hits[k] : nullptr;
+        if (hit) result.distance = hit->t;
+        result.importance = hit ? hit->shape->surface->object->radiosity_importance : -1;
+        if (result.importance < 0) result.importance = default_importance;
+        if (result.importance < rays[i].threshold) continue;
+        result.shaded = true;
+        const auto key_of_ray = shading::RandomSource::branch_key(key, shading::RandomBranch::gather(i));
+        if (wave) {
+          wave->add_gathering(row.at(k), key_of_ray, hit, result.notes);
+          waiting[n++] = &result;
+          if (wave->full()) shade_waiting();
+        } else {
+          state.ray = row.at(k);
+          state.notes = &result.notes;
+          tracer_.random().begin(key_of_ray);
+          result.color = tracer_.resolve(state, hit).rgb();
+        }
+      }
+    }
+    if (n > 0) shade_waiting();
+  }
+
+ private:
+  static constexpr double kNearestHit = 1e-4;
+  static constexpr std::size_t kFewest = 8;  // rays that are worth a wave
+
+  shading::RayState gather_state(int depth) const {
+    shading::RayState state;
+    state.primary = false;
+    state.gather = true;
+    state.volumes = effects_.scene().settings.radiosity.media;
+    state.weight = effects_.radiosity_settings()->gather_weight(depth);
+    state.level = RadiositySettings::start_level(depth);
+    state.level_limit = std::max(tracer_.scene().max_trace_level, state.level + 1);
+    state.gather_depth = depth + 1;
+    return state;
+  }
+
+  // Null: these rays are shaded one by one.
+  shading::Wave* wave_of(const shading::RayState& state) {
+    auto& wave = EffectsStateOfScene::of(tracer_).gather_waves[static_cast<std::size_t>(state.gather_depth)];
+    if (!wave)
+      wave = std::make_unique<shading::Wave>(tracer_,
+                                             state.gather_depth < effects_.scene().settings.radiosity.recursion_limit);
+    return wave->can_gather() ? wave.get() : nullptr;
+  }
+
+  const SceneEffects& effects_;
+  shading::Tracer& tracer_;
+};
+
+}  // namespace
+
+Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayState& ray, shading::SurfaceHit& at,
+                                 const shading::LayerContext& layer) const {
+  EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
+  if (!state.radiosity || ray.gather_depth >= scene_.settings.radiosity.recursion_limit) return {};
+  const scene::Finish& finish = layer.layer.finish;
+  if (finish.subsurface && subsurface && scene_.settings.subsurface_radiosity)
+    return {};  // enters through the surface instead
+  const Rgb pigment = layer.pigment.rgb();
+  const float bright = (layer.filter * pigment).grey() * layer.opacity;
+  TracerGatherer gatherer(*this, tracer);
+  shading::GatherNotes ignored;
+  shading::GatherNotes& notes = ray.notes ? *ray.notes : ignored;
+
+  // Asked once per hit, by the first layer that is bright enough; the layers below share the answer.
+  const auto side = [&](float coefficient, shading::SurfaceHit::Indirect& memory, double sign) {
+    if (coefficient <= 0) return Rgb();
+    if (!memory.known && bright * coefficient > tracer.bailout(ray)) {
+      memory.known = true;
+      const RadiosityQuery query{at.hit.point, at.raw * sign, layer.normal * sign,
+                                 static_cast<double>(ray.weight) * bright * coefficient, ray.gather_depth};
+      memory.light = state.radiosity->irradiance(query, gatherer, notes);
+    }
+    return pigment * memory.light * (layer.opacity * coefficient);
+  };
+  const Rgb front = side(finish.raw_diffuse, at.indirect, 1.0);
+  return front + side(finish.raw_diffuse_back, at.indirect_back, -1.0);
+}
+
+bool SceneEffects::raw_irradiance(shading::Tracer& tracer, const shading::RayState& ray, const Vec3& point,
+                                  const Vec3& normal, Rgb& light) const {
+  EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
+  if (!state.radiosity || ray.gather_depth >= scene_.settings.radiosity.recursion_limit) return false;
+  TracerGatherer gatherer(*this, tracer);
+  shading::GatherNotes ignored;
+  shading::GatherNotes& notes = ray.notes ? *ray.notes : ignored;
+  light = state.radiosity->irradiance({point, normal, normal, static_cast<double>(ray.weight), ray.gather_depth},
+                                      gatherer, notes);
+  return true;
+}
+
+}  // namespace verisim::global

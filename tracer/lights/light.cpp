@@ -1,0 +1,134 @@
+#include "tracer/lights/light.h"
+
+namespace verisim::shading {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// 0 below low, 1 above high, a cubic between.
+double smooth_step(double low, double high, double x) {
+  if (x < low) return 0;
+  if (x >= high) return 1;
+  const double u = (x - low) / (high - low);
+  return u * u * (3 - 2 * u);
+}
+
+void add_weights(std::vector<float>& weights, int a, int b, double weight) {
+  if (b - a <= 1) {
+    weights[a] += static_cast<float>(weight / 2);
+    weights[b] += static_cast<float>(weight / 2);
+    return;
+  }
+  add_weights(weights, a, (a + b) / 2, weight / 2);
+  add_weights(weights, (a + b + 1) / 2, b, weight / 2);
+}
+
+}  // namespace
+
+std::vector<float> area_light_weights(int n) {
+  std::vector<float> weights(static_cast<std::size_t>(n));
+  add_weights(weights, 0, n - 1, 1);
+  return weights;
+}
+
+Light::Light(const scene::LightSource& source, bool area_lights, std::unique_ptr<shapes::Shape> projector)
+    : source_(&source), area_(source.area && area_lights), projector_(std::move(projector)) {
+  radial_ = !source.parallel && source.kind != scene::LightKind::cylinder;
+  attenuates_ = source.kind == scene::LightKind::spotlight || source.kind == scene::LightKind::cylinder ||
+                (source.fade_power > 0 && std::fabs(source.fade_distance) > kEpsilon);
+  parallel_ = (source.parallel || source.kind == scene::LightKind::cylinder) && !area_;
+  if (!area_) {
+    box_ = Box3(source.position);
+  } else if (!source.parallel && source.kind != scene::LightKind::cylinder) {
+    // Samples stand within half an axis of the centre, and half a step beyond with jitter.
+    const auto reach = [&](int size) { return size > 1 ? 0.51 + (source.jitter ? 0.5 / (size - 1) : 0) : 0.01; };
+    const double r1 = reach(source.size1), r2 = reach(source.size2);
+    for (int i = 0; i < 3; ++i) {
+      const double r = source.orient ? (r1 + r2) * length(source.axis1)
+                                     : r1 * std::fabs(source.axis1[i]) + r2 * std::fabs(source.axis2[i]);
+      box_.min[i] = source.position[i] - r, box_.max[i] = source.position[i] + r;
+    }
+  }
+  cos_radius_ = std::cos(source.radius * kPi / 180);
+  cos_falloff_ = std::cos(source.falloff * kPi / 180);
+  // Quartering goes on for `adaptive` levels at least; 31 levels halve any grid to the end.
+  if (area_ && !source.jitter && source.adaptive > 31) {
+    weights1_ = area_light_weights(source.size1);
+    weights2_ = area_light_weights(source.size2);
+  }
+}
+
+LightDirection Light::fixed_direction(const Vec3& p, const Vec3& centre) const {
+  const bool along_axis = source_->kind == scene::LightKind::cylinder || area_;
+  const Vec3 l = along_axis ? normalize(centre - source_->point_at) : -source_->direction;
+  return {l, dot(centre - p, l)};
+}
+
+namespace {
+
+// pow, without its cost for the common exponents.
+double raised(double base, double exponent) {
+  if (exponent == 0) return 1;
+  if (exponent == 2) return base * base;
+  return exponent == 1 ? base : std::pow(base, exponent);
+}
+
+}  // namespace
+
+double Light::angle_and_distance(const Vec3& p, const LightDirection& l, const Vec3& offset) const {
+  double a = 1;
+  if (source_->kind == scene::LightKind::spotlight) a = spot(l);
+  if (source_->kind == scene::LightKind::cylinder) a = cylinder(p, source_->position + offset);
+  if (a == 0) return 0;
+  if (source_->fade_power > 0 && std::fabs(source_->fade_distance) > kEpsilon)
+    a *= 2 / (1 + raised(l.distance / source_->fade_distance, source_->fade_power));
+  return a;
+}
+
+double Light::spot(const LightDirection& l) const {
+  const double along = dot(l.towards, source_->direction), m = l.distance > 0 ? -along : along;
+  if (m <= 0) return 0;
+  double a = raised(m, source_->tightness);
+  if (cos_radius_ > 0 && m < cos_radius_) a *= smooth_step(cos_falloff_, cos_radius_, m);
+  return a;
+}
+
+double Light::cylinder(const Vec3& p, const Vec3& centre) const {
+  const Vec3 from = p - centre;
+  const double k = dot(from, source_->direction);
+  if (k <= 0) return 0;
+  const double l = length(from - source_->direction * k);
+  if (l >= source_->falloff) return 0;
+  const double e = 1 - l / source_->falloff;
+  double a = raised(e, source_->tightness);
+  if (source_->radius > 0 && l > source_->radius) a *= smooth_step(0, 1 - source_->radius / source_->falloff, e);
+  return a;
+}
+
+double Light::emission(const Vec3& origin, const Vec3& direction) const {
+  if (source_->kind == scene::LightKind::spotlight) return spot({-direction, 1.0});
+  if (source_->kind == scene::LightKind::cylinder) return cylinder(origin + direction, source_->position);
+  return 1;
+}
+
+Light::Axes Light::axes(const Vec3& l) const {
+  if (!source_->orient) return {source_->axis1, source_->axis2};
+  const Vec3 e = std::fabs(std::fabs(l.z) - 1) < 0.01 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+  const double size = length(source_->axis1);
+  const Vec3 a1 = size * normalize(cross(l, e));
+  return {a1, size * normalize(cross(l, a1))};
+}
+
+Vec3 Light::offset(const Axes& axes, double u, double v) const {
+  if (source_->circular) {
+    const double a = u / (size1() - 1) - 0.499, b = v / (size2() - 1) - 0.499;
+    const double s = std::max(std::fabs(a), std::fabs(b)) / std::sqrt(a * a + b * b);
+    return axes.a1 * (a * s) + axes.a2 * (b * s);
+  }
+  Vec3 result(0, 0, 0);
+  if (size1() > 1) result += axes.a1 * (u / (size1() - 1) - 0.5);
+  if (size2() > 1) result += axes.a2 * (v / (size2() - 1) - 0.5);
+  return result;
+}
+
+}  // namespace verisim::shading

@@ -1,0 +1,194 @@
+// Densities of media, one by one and many together.
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include <boost/container/small_vector.hpp>
+
+#include "tracer/media/media.h"
+
+namespace verisim::global {
+namespace {
+
+Rgb density_at(const textures::CompiledPigment& density, const Vec3& p) {
+  Color c;
+  textures::evaluate(density, p, nullptr, c);
+  return c.rgb();
+}
+
+}  // namespace
+
+Rgb media_density(const CompiledMedia& m, const Vec3& p) {
+  if (m.densities.empty()) return Rgb(1.0f);
+  boost::container::small_vector<Rgb, 8> values(m.densities.size());
+  for (const std::size_t i : m.by_cost) {
+    values[i] = density_at(*m.densities[i], p);
+    if (values[i] == Rgb()) return {};
+  }
+  Rgb product(1.0f);
+  for (const Rgb& value : values) product *= value;
+  return product;
+}
+
+namespace {
+
+constexpr int kMost = textures::PointRow::kMost, kEight = 8;
+
+// Room of a thread: what is asked for are often few points, and clearing a row would cost more than they do.
+struct DensityRoom {
+  textures::PointRow left;
+  int place[kMost];
+  std::int32_t alive[kMost];             // 1 where no density so far is zero, otherwise 0
+  std::vector<textures::RgbRow> values;  // of each density at the points that are left
+};
+
+int in_eights(int count) { return (count + kEight - 1) / kEight * kEight; }
+
+void multiply(int count, const float* __restrict by, float* __restrict to) {
+  for (int i = 0; i < count; ++i) to[i] *= by[i];
+}
+// Returns how many are left.
+int mark_zeros(int count, const textures::RgbRow& values, std::int32_t* __restrict alive) {
+  int still = 0;
+  for (int i = 0; i < count; ++i) {
+    alive[i] &= static_cast<std::int32_t>(values.r[i] != 0) | static_cast<std::int32_t>(values.g[i] != 0) |
+                static_cast<std::int32_t>(values.b[i] != 0);
+    still += alive[i];
+  }
+  return still;
+}
+void clear_dead(int count, const std::int32_t* __restrict alive, float* __restrict values) {
+  for (int i = 0; i < count; ++i) values[i] = alive[i] != 0 ? values[i] : 0.0f;
+}
+void keep(int count, const int* kept, float* values) {
+  for (int k = 0; k < count; ++k) values[k] = values[kept[k]];
+}
+
+}  // namespace
+
+void media_densities(const CompiledMedia& m, int count, const textures::PointRow& points, textures::RgbRow& densities) {
+  thread_local DensityRoom room;
+  if (room.values.size() < m.densities.size()) room.values.resize(m.densities.size());
+  const textures::PointRow* left = &points;  // the points where a density may not be zero, and few others
+  int n = count;
+  bool all = true;
+  std::fill_n(room.alive, in_eights(n), 1);
+  for (std::size_t known = 0; n > 0 && known < m.by_cost.size(); ++known) {
+    textures::RgbRow& values = room.values[m.by_cost[known]];
+    textures::evaluate(*m.densities[m.by_cost[known]], n, *left, values);
+    const int still = mark_zeros(n, values, room.alive);
+    if (known + 1 == m.by_cost.size() || in_eights(still) == in_eights(n)) continue;  // eights are asked together
+    if (all) std::iota(room.place, room.place + n, 0);
+    all = false;
+    int kept[kMost], k = 0;
+    for (int i = 0; i < n; ++i)
+      if (room.alive[i] != 0) kept[k++] = i;
+    for (std::size_t i = 0; i <= known; ++i) {
+      textures::RgbRow& row = room.values[m.by_cost[i]];
+      keep(k, kept, row.r), keep(k, kept, row.g), keep(k, kept, row.b);
+    }
+    for (int i = 0; i < k; ++i) {
+      room.left.set(i, points.at(room.place[kept[i]]));
+      room.place[i] = room.place[kept[i]];
+    }
+    left = &room.left;
+    n = k;
+    if (n > 0) room.left.fill_up(n);
+    std::fill_n(room.alive, in_eights(n), 1);
+  }
+  textures::RgbRow products;
+  textures::RgbRow& product = all ? densities : products;
+  for (float* channel : {product.r, product.g, product.b}) std::fill_n(channel, in_eights(n), 1.0f);
+  for (std::size_t density = 0; density < m.densities.size(); ++density) {
+    const textures::RgbRow& values = room.values[density];
+    multiply(in_eights(n), values.r, product.r), multiply(in_eights(n), values.g, product.g),
+        multiply(in_eights(n), values.b, product.b);
+  }
+  // Whatever the other densities are there.
+  for (float* channel : {product.r, product.g, product.b}) clear_dead(n, room.alive, channel);
+  if (all) return;
+  for (float* channel : {densities.r, densities.g, densities.b}) std::fill_n(channel, count, 0.0f);
+  for (int i = 0; i < n; ++i)
+    densities.r[room.place[i]] = products.r[i], densities.g[room.place[i]] = products.g[i],
+    densities.b[room.place[i]] = products.b[i];
+}
+
+namespace {
+
+double bound_of(const scene::Density& density) {
+  if (density.pattern.kind == scene::PatternKind::plain) return density.color.rgb().max_abs();
+  double most = density.color_map || density.density_map ? 0.0 : 1.0;  // built-in maps stay within 0..1
+  if (density.color_map) {
+    for (const auto& entry : *density.color_map)
+      most = std::max(most, static_cast<double>(entry.value.rgb().max_abs()));
+  }
+  if (density.density_map) {
+    for (const auto& entry : *density.density_map) most = std::max(most, entry.value ? bound_of(*entry.value) : 1.0);
+  }
+  return most;
+}
+
+// What a pattern costs, very roughly: one for a formula or the noise of an octave.
+int cost_of(scene::PatternKind kind) {
+  using enum scene::PatternKind;
+  switch (kind) {
+    case plain:
+    case none:
+      return 0;
+    case granite:
+      return 6;
+    case crackle:
+    case facets:
+    case function:
+    case object:
+    case pigment_pattern:
+      return 8;
+    case wrinkles:
+    case julia:
+    case magnet_julia:
+    case magnet_mandel:
+    case mandel:
+      return 10;
+    default:
+      return 1;
+  }
+}
+
+int cost_of(const scene::Density& density) {
+  const scene::Pattern& pattern = density.pattern;
+  int cost = cost_of(pattern.kind);
+  if (cost == 0) return 0;
+  if (pattern.turbulence) cost += pattern.turbulence->octaves;
+  for (const scene::Warp& warp : pattern.warps) {
+    if (const auto* turbulence = std::get_if<scene::TurbulenceWarp>(&warp)) cost += turbulence->octaves;
+  }
+  if (density.density_map) {
+    for (const auto& entry : *density.density_map) cost += entry.value ? cost_of(*entry.value) : 0;
+  }
+  return cost;
+}
+
+}  // namespace
+
+CompiledMedia compile_media(const scene::Media& description, textures::Compiler& compiler) {
+  CompiledMedia m;
+  m.description = &description;
+  m.extinction = description.absorption + description.scattering * static_cast<float>(description.extinction);
+  m.emits = description.emission.max_abs() > 0.0f;
+  m.scatters = description.scattering.max_abs() > 0.0f;
+  std::vector<int> costs;
+  for (const scene::DensityPtr& density : description.densities) {
+    m.by_cost.push_back(m.densities.size());
+    costs.push_back(cost_of(*density));
+    m.densities.push_back(compiler.density(density));
+    const bool plain = density->pattern.kind == scene::PatternKind::plain;
+    m.varies |= !plain;
+    m.last_density_plain = plain;
+    m.density_bound *= bound_of(*density);
+  }
+  std::stable_sort(m.by_cost.begin(), m.by_cost.end(),
+                   [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
+  return m;
+}
+
+}  // namespace verisim::global

@@ -1,0 +1,64 @@
+// What media of one stretch of a ray are together, and the intervals that they are sampled in (spec 07 sections 4.4
+// and 4.5).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "tracer/media/media.h"
+#include "tracer/media/media_kernels.h"
+
+namespace verisim::global {
+
+// All media of a stretch. At least one.
+struct MediaMixture {
+  explicit MediaMixture(std::span<const CompiledMedia* const> media);
+  // Mean phase for the cosine between the directions to the light and of the view ray, over all media, also those
+  // without scattering (isotropic).
+  float mean_phase(double cosine) const;
+  // Sets what is scattered of what arrives in the lanes.
+  void scatter(int count, MediaLanes& lanes) const;
+
+  std::span<const CompiledMedia* const> media;
+  const scene::Media* control;  // that asks for most intervals
+  double aa_threshold;
+  bool scatters = false, isotropic = true, has_density = false, varies = false;
+  bool constant_shadow = true;  // POV-Ray believes so of every medium (spec 07 4.6)
+  // Method 3 looks at q sub-intervals on a grid of step 1 / (q + 1).
+  int stretches() const { return std::max(2, control->samples_min / 2 + 1); }
+};
+
+struct MediaInterval {
+  double start, length;
+  bool lit;  // lights are looked at only in lit pieces
+};
+
+// Where a light shines on a ray.
+struct LitRange {
+  std::size_t light;
+  double first, last;
+};
+
+class MediaIntervals {
+ public:
+  // Keeps the lights that shine on ray.at(0) .. ray.at(length).
+  void look_for_lights(std::span<const scene::LightSource* const> lights, const Ray& ray, double length);
+  void divide(const MediaMixture& mixture, double length);
+
+  std::span<const LitRange> lit() const { return {lit_.data(), static_cast<std::size_t>(lit_count_)}; }
+  std::span<const MediaInterval> all() const { return {intervals_.data(), static_cast<std::size_t>(count_)}; }
+
+ private:
+  static constexpr int kMostIntervals = 256;  // POV-Ray stops the render beyond
+  static constexpr int kMostLights = 256;
+  static constexpr int kMost = kMostIntervals + 2 * kMostLights + 1;  // one more by rounding for every piece
+
+  void push(double start, double end, bool lit, int count);
+
+  int lit_count_ = 0, count_ = 0;
+  std::array<LitRange, kMostLights> lit_;
+  std::array<MediaInterval, kMost> intervals_;
+};
+
+}  // namespace verisim::global

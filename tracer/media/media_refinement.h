@@ -1,0 +1,111 @@
+// Method 3 of media, level by level (spec 07 4.6): where POV-Ray halves one stretch of a ray after the other, all
+// stretches that are halved as often are halved together, so that what is asked of densities and lights may be asked in
+// rows.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "tracer/math/color.h"
+
+namespace verisim::global {
+
+// The result of one sample: source radiance and optical depth, both times the interval's length.
+struct MediaSample {
+  Rgb source, depth;
+};
+inline MediaSample operator+(const MediaSample& a, const MediaSample& b) {
+  return {a.source + b.source, a.depth + b.depth};
+}
+inline MediaSample operator*(const MediaSample& a, float s) { return {a.source * s, a.depth * s}; }
+
+// exp(-optical depth)
+inline Rgb transmitted(const Rgb& optical_depth) {
+  if (optical_depth == Rgb()) return Rgb(1.0f);
+  return {std::exp(-optical_depth.r), std::exp(-optical_depth.g), std::exp(-optical_depth.b)};
+}
+
+inline bool needs_refinement(const MediaSample& a, const MediaSample& b, double threshold) {
+  return std::fabs(a.source.r - b.source.r) + std::fabs(a.source.g - b.source.g) + std::fabs(a.source.b - b.source.b) >
+         threshold;
+}
+
+inline double middle_of(double d1, double d3) { return 0.5 * (d1 + d3); }
+
+// The mean over a stretch with a sample at either end and in the middle; left() and right(): those over its halves,
+// where the brightness changes.
+template <class Left, class Right>
+MediaSample mean_of_stretch(const MediaSample& s1, const MediaSample& s2, const MediaSample& s3, int level,
+                            double threshold, Left&& left, Right&& right) {
+  if (level <= 0) return (s1 + s2 + s3) * (1.0f / 3.0f);
+  const MediaSample before =
+      needs_refinement(s1, s2, threshold) ? left() * 0.5f : s1 * (1.0f / 3.0f) + s2 * (1.0f / 6.0f);
+  const MediaSample behind =
+      needs_refinement(s2, s3, threshold) ? right() * 0.5f : s2 * (1.0f / 6.0f) + s3 * (1.0f / 3.0f);
+  return before + behind;
+}
+
+// The mean over an interval: stretch(k) is that over stretch k of its grid. A left Riemann rule for attenuation.
+template <class Stretch>
+MediaSample mean_of_interval(int stretches, Stretch&& stretch) {
+  const float share = 1.0f / static_cast<float>(stretches);
+  MediaSample result;
+  Rgb before;
+  for (int k = 0; k < stretches; ++k) {
+    const MediaSample part = stretch(k);
+    result.source += part.source * transmitted(before * share) * share;
+    before += part.depth;
+  }
+  result.depth = before * share;
+  return result;
+}
+
+class MediaRefinement {
+ public:
+  // d1, d3: places in an interval, 0 to 1, with samples s1 and s3; s2 is the one between.
+  struct Stretch {
+    double d1 = 0, d3 = 0;
+    MediaSample s1, s2, s3;
+    std::uint32_t interval = 0;  // as the caller numbers them
+    int left = -1, right = -1;   // its halves that are refined
+    double middle() const { return middle_of(d1, d3); }
+  };
+  static constexpr int kMostLevels = 5;  // a caller goes on alone: there might be any number of stretches behind
+
+  std::vector<Stretch> stretches;
+
+  // Halves those from `begin` on where the brightness changes: returns the first of the halves, whose s2 is to be
+  // found.
+  std::size_t halve(std::size_t begin, double threshold) {
+    const std::size_t end = stretches.size();
+    for (std::size_t i = begin; i < end; ++i) {
+      const Stretch s = stretches[i];
+      if (needs_refinement(s.s1, s.s2, threshold)) {
+        stretches[i].left = static_cast<int>(stretches.size());
+        stretches.push_back({s.d1, s.middle(), s.s1, {}, s.s2, s.interval});
+      }
+      if (needs_refinement(s.s2, s.s3, threshold)) {
+        stretches[i].right = static_cast<int>(stretches.size());
+        stretches.push_back({s.middle(), s.d3, s.s2, {}, s.s3, s.interval});
+      }
+    }
+    return end;
+  }
+
+  // The mean over a stretch that may be halved `level` times; alone(stretch, s1, d1, s3, d3, level): over one that was
+  // not halved here.
+  template <class Alone>
+  MediaSample mean(std::size_t number, int level, double threshold, Alone&& alone) const {
+    const Stretch& s = stretches[number];
+    const auto half = [&](int child, const MediaSample& s1, double d1, const MediaSample& s3, double d3) {
+      return child >= 0 ? mean(static_cast<std::size_t>(child), level - 1, threshold, alone)
+                        : alone(s, s1, d1, s3, d3, level - 1);
+    };
+    return mean_of_stretch(
+        s.s1, s.s2, s.s3, level, threshold, [&] { return half(s.left, s.s1, s.d1, s.s2, s.middle()); },
+        [&] { return half(s.right, s.s2, s.middle(), s.s3, s.d3); });
+  }
+};
+
+}  // namespace verisim::global

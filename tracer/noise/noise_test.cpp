@@ -1,0 +1,180 @@
+#include "tracer/noise/noise.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tracer/noise/noise_kernels.h"
+#include "tracer/noise/noise_tables.h"
+
+namespace verisim::textures {
+namespace {
+
+TEST(NoiseTables, MatchTheChecksOfTheSpecification) {
+  const NoiseTables& t = noise_tables();
+  const int hash[8] = {2291, 2574, 3654, 1557, 1196, 3388, 2637, 1820};
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(t.hash[i], hash[i]) << i;
+  const double random[3] = {0.814723691903055, 0.135477004107088, 0.905791934113949};
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(random_value(t, i), random[i], 1e-15) << i;
+  EXPECT_EQ(t.values[0], -1);
+  EXPECT_EQ(t.values[1], 0.604974);
+  EXPECT_EQ(t.values[266], 0.566186);
+  EXPECT_NEAR(t.gradient_row[0][1], 0.604425069426, 1e-12);
+  EXPECT_NEAR(t.gradient_row[0][2], 0.705260289544, 1e-12);
+  EXPECT_NEAR(t.gradient_row[0][3], 0.370510808805, 1e-12);
+  const int permutation[6] = {0, 1, 386, 3, 649, 1576};
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(t.permutation[i], permutation[i]) << i;
+}
+
+// Probe P2: f_noise_generator of functions.inc.
+TEST(Noise, EqualsPovRay) {
+  struct Probe {
+    Vec3 p;
+    double value[3];
+  };
+  const Probe probes[] = {
+      {{0.5, 0.5, 0.5}, {0.41346047125, 0.473142170266155, 0.672103843552658}},
+      {{1.25, -2.75, 3.6}, {0.339298602446094, 0.436813547210485, 0.445168696205204}},
+      {{-7.3, 0.2, 12.9}, {0.0171818543569405, 0.27902278343954, 0.612870118066848}},
+      {{100.125, -55.5, 2.25}, {0.659942089523315, 0.593882625500357, 0.367861124864211}},
+      {{-0.1, -0.2, -0.3}, {0.0243576697584844, 0.282537898377232, 0.34813195163302}},
+  };
+  for (const Probe& probe : probes)
+    for (int g = 1; g <= 3; ++g)
+      EXPECT_NEAR(noise(probe.p, g), probe.value[g - 1], 2e-15) << "generator " << g << " at x = " << probe.p.x;
+}
+
+TEST(Noise, FastVersionAgreesWithTheReference) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    const double size = std::pow(10.0, i % 7 - 2);
+    const Vec3 p(size * coordinate(random), size * coordinate(random), size * coordinate(random));
+    for (int g = 1; g <= 3; ++g) ASSERT_NEAR(noise(p, g), reference::noise(p, g), 1e-15) << "generator " << g;
+    const Vec3 fast = vector_noise(p), plain = reference::vector_noise(p);
+    for (int k = 0; k < 3; ++k) ASSERT_NEAR(fast[k], plain[k], 2e-15) << "component " << k;
+  }
+}
+
+// Every instruction set against the first one, bit by bit, and against the reference.
+TEST(NoiseKernels, GiveTheSameBitsOnEveryInstructionSet) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const Octaves octaves[] = {Octaves(6, 2, 0.5), Octaves(10, 2.17, 0.63), Octaves(1, 3, 0.1)};
+  const NoiseKernels& first = noise_kernels(kBaseline);
+  for (int i = 0; i < 20000; ++i) {
+    const double size = std::pow(10.0, i % 7 - 2);
+    Vec3 p(size * coordinate(random), size * coordinate(random), size * coordinate(random));
+    if (i % 16 == 0) p = Vec3(std::round(p.x), std::round(p.y), p.z);  // lattice points
+    const Octaves& o = octaves[i % 3];
+    const Vec3 vector = first.vector_noise(p), sum = first.vector_turbulence(p, o), wrinkles = first.wrinkles_vector(p);
+    const Vec3 plain_sum = reference::vector_turbulence(p, o), plain_wrinkles = reference::wrinkles_vector_sum(p);
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_NEAR(sum[k], plain_sum[k], 1e-14) << k;
+      ASSERT_NEAR(wrinkles[k], plain_wrinkles[k], 1e-14) << k;
+    }
+    for (int g = 1; g <= 3; ++g) {
+      ASSERT_NEAR(first.noise[g](p), reference::noise(p, g), 2e-15) << g;
+      ASSERT_NEAR(first.turbulence[g](p, o), reference::turbulence(p, o, g), 1e-14) << g;
+      ASSERT_NEAR(first.granite[g](p), reference::granite_sum(p, g), 1e-14) << g;
+      ASSERT_NEAR(first.wrinkles[g](p), reference::wrinkles_sum(p, g), 1e-14) << g;
+    }
+    for (int set = 1; set <= best_instruction_set(); ++set) {
+      const NoiseKernels& other = noise_kernels(static_cast<InstructionSet>(set));
+      ASSERT_EQ(other.vector_noise(p), vector) << other.name;
+      ASSERT_EQ(other.vector_turbulence(p, o), sum) << other.name;
+      ASSERT_EQ(other.wrinkles_vector(p), wrinkles) << other.name;
+      for (int g = 1; g <= 3; ++g) {
+        ASSERT_EQ(other.noise[g](p), first.noise[g](p)) << other.name << ' ' << g;
+        ASSERT_EQ(other.turbulence[g](p, o), first.turbulence[g](p, o)) << other.name << ' ' << g;
+        ASSERT_EQ(other.granite[g](p), first.granite[g](p)) << other.name << ' ' << g;
+        ASSERT_EQ(other.wrinkles[g](p), first.wrinkles[g](p)) << other.name << ' ' << g;
+      }
+    }
+  }
+}
+
+TEST(NoiseKernels, SeveralPointsGetWhatEachGets) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (int i = 0; i < 5000; ++i) {
+    const int count = 1 + i % 8;
+    EightPoints points;
+    double size = std::pow(10.0, i % 5 - 2);
+    for (int k = 0; k < count; ++k, size *= 2.17)
+      points.x[k] = size * coordinate(random), points.y[k] = size * coordinate(random),
+      points.z[k] = size * coordinate(random);
+    if (i % 50 == 0) points.y[count / 2] = 1e11;
+    for (int set = 0; set <= best_instruction_set(); ++set) {
+      const NoiseKernels& kernels = noise_kernels(static_cast<InstructionSet>(set));
+      for (int g = 1; g <= 3; ++g) {
+        alignas(64) double together[8];
+        const unsigned wanted = first_of_eight(count) & ~(i % 3 == 0 ? 5u : 0u);
+        kernels.noises[g](points, wanted, together);
+        for (int k = 0; k < count; ++k) {
+          if (!(wanted >> k & 1)) continue;
+          ASSERT_EQ(together[k], kernels.noise[g](Vec3(points.x[k], points.y[k], points.z[k])))
+              << kernels.name << ' ' << g << ' ' << k;
+        }
+      }
+    }
+  }
+}
+
+// Neighbours, and cells whose places in the memory are the same.
+TEST(NoiseKernels, TellCellsApartThatShareAPlaceInTheMemory) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> within(0, 1);
+  const double steps[] = {1, 128, 256, 512, 1024, 2048};
+  for (int i = 0; i < 6000; ++i) {
+    EightPoints points;
+    const double step = steps[i % 6];
+    const auto coordinate = [&](int most) {
+      return step * static_cast<double>(random() % static_cast<unsigned>(most)) - 1000 + within(random);
+    };
+    for (int k = 0; k < 8; ++k)
+      points.x[k] = coordinate(1 + i % 5), points.y[k] = coordinate(1 + i % 3), points.z[k] = coordinate(2);
+    for (int set = 0; set <= best_instruction_set(); ++set) {
+      const NoiseKernels& kernels = noise_kernels(static_cast<InstructionSet>(set));
+      for (int g = 1; g <= 3; ++g) {
+        alignas(64) double together[8];
+        kernels.noises[g](points, 255, together);
+        for (int k = 0; k < 8; ++k) {
+          const Vec3 p(points.x[k], points.y[k], points.z[k]);
+          ASSERT_NEAR(together[k], reference::noise(p, g), 2e-15) << kernels.name << ' ' << g << ' ' << step;
+          ASSERT_EQ(together[k], kernels.noise[g](p)) << kernels.name << ' ' << g << ' ' << step;
+        }
+      }
+    }
+  }
+}
+
+TEST(Noise, SurvivesFarAndInvalidCoordinates) {
+  for (const double x : {1e17, -1e17, 1e300, -1e300, std::numeric_limits<double>::infinity(),
+                         std::numeric_limits<double>::quiet_NaN()}) {
+    for (int g = 1; g <= 3; ++g) {  // must not crash
+      noise({x, 0.5, x}, g);
+      turbulence({x, 0.5, x}, 6, 1e40, 0.5, g);
+      granite_sum({x, 0.5, x}, g);
+      wrinkles_sum({x, 0.5, x}, g);
+    }
+    wrinkles_vector_sum({x, x, x});
+    vector_turbulence({x, x, 1}, 10, 3, 0.5);
+  }
+}
+
+TEST(Turbulence, IsTheSumOfItsOctaves) {
+  const Vec3 p(1.25, -2.75, 3.6);
+  double first = 0;
+  for (int i = 0; i < 4; ++i) first += std::pow(0.6, i) * reference::noise(p * std::pow(2.5, i), 1);
+  EXPECT_NEAR(turbulence(p, 4, 2.5, 0.6, 1), first, 1e-14);
+  double second = std::clamp(2 * reference::noise(p, 2) - 0.5, 0.0, 1.0);
+  for (int i = 1; i < 4; ++i) second += std::pow(0.6, i) * (2 * reference::noise(p * std::pow(2.5, i), 2) - 0.5);
+  EXPECT_NEAR(turbulence(p, 4, 2.5, 0.6, 2), second, 1e-14);
+  Vec3 vector(0, 0, 0);
+  for (int i = 0; i < 4; ++i) vector += std::pow(0.6, i) * reference::vector_noise(p * std::pow(2.5, i));
+  EXPECT_NEAR(length(vector_turbulence(p, 4, 2.5, 0.6) - vector), 0, 1e-14);
+}
+
+}  // namespace
+}  // namespace verisim::textures

@@ -1,0 +1,103 @@
+#include "tracer/photons/photon_kernels.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#include "tracer/photons/photon_order.h"
+#include "tracer/photons/photon_tree.h"
+#include "tracer/simd/instruction_sets.h"
+
+#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
+
+namespace verisim::global {
+namespace {
+
+constexpr float kInfiniteFloat = std::numeric_limits<float>::infinity();
+constexpr auto kAnyNumber = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kAtOnce = PhotonLeaf::kAtOnce;
+constexpr std::size_t kCrowd =
+    3;  // times the wanted number of photons is when the nearest are picked out, and the search narrowed
+
+// Where distances are equal when rounded they are measured again: places in a list with squared distances.
+using Equals = std::vector<std::pair<double, std::size_t>>;
+void find_equals(const PhotonDistances& list, float rounded, const PhotonMeasure& measure, Equals& equals) {
+  equals.clear();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list.squared()[i] == rounded) equals.emplace_back(measure.squared(list.index()[i]), i);
+  }
+}
+
+// `places`: in ascending order.
+void drop(PhotonDistances& list, std::span<const std::pair<double, std::size_t>> places) {
+  if (places.empty()) return;
+  std::size_t kept = places.front().second;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::size_t from = places[k].second + 1, end = k + 1 < places.size() ? places[k + 1].second : list.size();
+    list.move(from, end, kept);
+    kept += end - from;
+  }
+  list.set_size(kept);
+}
+
+// Of those that are as far as `limit` when rounded, removes those that are farther.
+void drop_farther(PhotonDistances& list, const PhotonMeasure& measure, double limit) {
+  Equals equals;
+  find_equals(list, PhotonDistances::rounded(limit), measure, equals);
+  std::erase_if(equals, [limit](const auto& e) { return e.first <= limit; });
+  drop(list, equals);
+}
+
+// Of those that are as far as the last one when rounded, keeps the nearest, until there are `wanted` in all; returns
+// the squared distance of the last one.
+double drop_farthest(PhotonDistances& list, float last, const PhotonMeasure& measure, std::size_t wanted) {
+  Equals equals;
+  find_equals(list, last, measure, equals);
+  std::ranges::sort(equals);
+  const std::size_t kept = equals.size() - (list.size() - wanted);
+  const double limit = equals[kept - 1].first;
+  equals.erase(equals.begin(), equals.begin() + static_cast<std::ptrdiff_t>(kept));
+  std::ranges::sort(equals, {}, &Equals::value_type::second);
+  drop(list, equals);
+  return limit;
+}
+
+#define VERISIM_KERNELS "tracer/photons/photon_kernels.inc"
+#include "tracer/simd/each_instruction_set.inc"
+
+const PhotonKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+
+}  // namespace
+
+void PhotonDistances::grow(std::size_t size) {
+  const std::size_t room = 2 * size + 4 * PhotonLeaf::kAtOnce;
+  squared_.resize(room), index_.resize(room);
+}
+
+void PhotonDistances::erase(std::size_t i) {
+  move(i + 1, size_, i);
+  --size_;
+}
+
+void PhotonDistances::move(std::size_t from, std::size_t end, std::size_t to) {
+  std::copy(squared_.data() + from, squared_.data() + end, squared_.data() + to);
+  std::copy(index_.data() + from, index_.data() + end, index_.data() + to);
+}
+
+const PhotonKernels* photon_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+
+const PhotonKernels& photon_kernels() {
+  static const PhotonKernels& best = *kAll[textures::best_instruction_set()];
+  return best;
+}
+
+}  // namespace verisim::global

@@ -1,0 +1,159 @@
+#include "tracer/photons/photon_map.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+namespace verisim::global {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr auto kAny = std::numeric_limits<std::size_t>::max();  // too many for every search
+
+Vec3 position(const Photon& p) { return {p.position[0], p.position[1], p.position[2]}; }
+
+}  // namespace
+
+void PhotonMap::build() {
+  sort_photons(index_.photons);
+  build_sorted();
+}
+
+void PhotonMap::build_sorted() { index_.build(); }
+
+void PhotonMap::gather(const Vec3& point, const Vec3* normal, const GatherSettings& settings, Gathered& out) const {
+  find({point, normal ? *normal : Vec3(0.0)}, settings, out);
+  out.photons = {index_.photons, out.numbers};
+}
+
+void PhotonMap::find(const PhotonCenter& center, const GatherSettings& settings, Gathered& out) const {
+  const Vec3& point = center.point;
+  const NearbyRadii::Places nearby = out.nearby.at(point, radius_);
+  out.radius = out.search.nearest(index_, center, radius_, settings.maximum, kAny, nearby.nearest(point).enough(point),
+                                  out.numbers);
+  nearby.remember({point, out.radius});
+  if (static_cast<int>(out.numbers.size()) >= settings.minimum) return;
+  // The second try counts if it finds few, or photons that lie hardly denser. So many that they are neither make it
+  // vain, wherever the others are.
+  const double reach = 3.0 * radius_;
+  const double first =
+      out.numbers.empty() ? 1e-16 : static_cast<double>(out.numbers.size()) / (out.radius * out.radius);
+  const double vain = std::max(settings.expand_minimum + 1.0,
+                               first * (1.0 + settings.expand_increase) * reach * reach * (1.0 + 1e-9) + 1.0);
+  const std::size_t too_many = vain < settings.maximum ? static_cast<std::size_t>(std::ceil(vain)) : kAny;
+  const double guess = std::sqrt(1.2 * std::min(vain, static_cast<double>(settings.maximum)) / first);
+  const double wider = out.search.nearest(index_, center, reach, settings.maximum, too_many, guess, out.wider_numbers);
+  if (wider == 0.0) return;
+  const double second = static_cast<double>(out.wider_numbers.size()) / (wider * wider);
+  const int found = static_cast<int>(out.wider_numbers.size());
+  if ((second - first) / first < settings.expand_increase || (found >= 1 && found < settings.expand_minimum)) {
+    out.numbers.swap(out.wider_numbers);
+    out.radius = wider;
+  }
+}
+
+// Of a disc with so many photons, if they lay evenly in a square around all of them.
+double PhotonMap::typical_radius(int count) const {
+  double extent = 0.0;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto less = [a](const Photon& l, const Photon& r) { return l.position[a] < r.position[a]; };
+    const auto [low, high] = std::minmax_element(photons().begin(), photons().end(), less);
+    extent = std::max(extent, static_cast<double>(high->position[a]) - low->position[a]);
+  }
+  return extent * std::sqrt(count / static_cast<double>(photons().size()));
+}
+
+void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max, bool media, CLibraryRandom& random) {
+  const double scale = multiplier * (media ? 2.0 : 1.0);
+  radius_ = user * scale;
+  if (user > 0.0 || photons().empty()) return;
+  const auto volume = [&](double r) { return media ? 4.0 / 3.0 * kPi * r * r * r : kPi * r * r; };
+  const std::size_t tries = std::clamp<std::size_t>(photons().size() / 20, 100, 1000);
+  PhotonSearch search;
+  std::vector<std::uint32_t> found;
+  const double typical = typical_radius(gather_max);
+  double enough = 0.0, density = 0.0;
+  for (std::size_t i = 0; i < tries; ++i) {
+    const Photon& p = photons()[random() % size()];
+    enough = search.nearest(index_, {position(p), Vec3(0.0)}, 1e7, gather_max, kAny,
+                            enough > 0.0 ? 1.06 * enough : typical, found);
+    density += static_cast<double>(found.size()) / volume(enough);
+  }
+  density /= static_cast<double>(tries);
+  const double ideal =
+      media ? std::pow(3.0 * gather_max / (4.0 * kPi * density), 0.3333) : std::sqrt(gather_max / (kPi * density));
+  std::size_t sparse = 0;
+  for (std::size_t i = 0; i < tries; ++i) {
+    const Photon& p = photons()[random() % size()];
+    enough = search.nearest(index_, {position(p), Vec3(0.0)}, ideal, gather_max, kAny, 1.06 * enough, found);
+    const double d = static_cast<double>(found.size()) / volume(enough);
+    if (d > 0.05 * density && d < 0.70 * density) ++sparse;
+  }
+  radius_ = ideal * (1.0 + 20.0 * static_cast<double>(sparse) / static_cast<double>(tries)) * scale;
+}
+
+namespace {
+
+constexpr std::size_t kRecord = 20;
+
+void write_map(std::ofstream& file, const PhotonMap& map) {
+  const auto count = static_cast<std::int32_t>(map.size());
+  file.write(reinterpret_cast<const char*>(&count), sizeof count);
+  for (const Photon& p : map.photons()) {
+    std::array<char, kRecord> record{};
+    std::copy_n(reinterpret_cast<const char*>(p.position.data()), 12, record.begin());
+    std::copy_n(reinterpret_cast<const char*>(p.energy.data()), 4, record.begin() + 12);
+    record[16] = static_cast<char>(p.axis), record[17] = static_cast<char>(p.elevation),
+    record[18] = static_cast<char>(p.azimuth);
+    file.write(record.data(), record.size());
+  }
+}
+
+void read_map(std::ifstream& file, std::uintmax_t bytes_left, PhotonMap& map) {
+  std::int32_t count = 0;
+  if (!file.read(reinterpret_cast<char*>(&count), sizeof count)) return;  // an absent second map is an empty one
+  if (count < 0 || static_cast<std::uintmax_t>(count) * kRecord > bytes_left)
+    throw std::runtime_error("photon file is truncated or corrupt");
+  map.photons().reserve(static_cast<std::size_t>(count));
+  for (std::int32_t i = 0; i < count; ++i) {
+    std::array<char, kRecord> record;
+    if (!file.read(record.data(), record.size())) throw std::runtime_error("photon file is truncated");
+    Photon p;
+    std::copy_n(record.begin(), 12, reinterpret_cast<char*>(p.position.data()));
+    std::copy_n(record.begin() + 12, 4, reinterpret_cast<char*>(p.energy.data()));
+    p.axis = static_cast<std::uint8_t>(record[16]);
+    if (p.axis > 2) throw std::runtime_error("photon file is corrupt");
+    p.elevation = static_cast<std::int8_t>(record[17]), p.azimuth = static_cast<std::int8_t>(record[18]);
+    if (!std::isfinite(p.position[0] + p.position[1] + p.position[2]))
+      throw std::runtime_error("photon file is corrupt");
+    map.add(p);
+  }
+}
+
+}  // namespace
+
+void save_photons(const std::filesystem::path& path, const PhotonMap& surface, const PhotonMap& media) {
+  const std::filesystem::path temporary = path.string() + ".part";
+  {
+    std::ofstream file(temporary, std::ios::binary);
+    write_map(file, surface), write_map(file, media);
+    if (!file.flush()) throw std::runtime_error("cannot write photon file " + path.string());
+  }
+  std::filesystem::rename(temporary, path);
+}
+
+void load_photons(const std::filesystem::path& path, PhotonMap& surface, PhotonMap& media) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  std::ifstream file(path, std::ios::binary);
+  if (error || !file) throw std::runtime_error("cannot read photon file " + path.string());
+  read_map(file, size, surface), read_map(file, size, media);
+  surface.build_sorted(), media.build_sorted();
+}
+
+}  // namespace verisim::global

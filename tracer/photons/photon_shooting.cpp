@@ -1,0 +1,183 @@
+#include "tracer/photons/photon_shooting.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/world/frame_list.h"
+#include "tracer/film/errors.h"
+#include "tracer/shading/random.h"
+
+namespace verisim::global {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kMaxPerRing = 1e9;
+constexpr std::size_t kMaxBatch = std::size_t{1} << 16;  // starts in memory at a time
+
+bool active(scene::Flag object, scene::Flag light) {
+  const bool on = object == scene::Flag::on || light == scene::Flag::on;
+  const bool off = object == scene::Flag::off || light == scene::Flag::off;
+  return on && !off;
+}
+
+void collect_lights(const std::vector<scene::ObjectPtr>& objects, std::vector<const scene::LightSource*>& lights) {
+  for (const scene::ObjectPtr& o : objects) {
+    if (const auto* light = o->as<scene::LightSource>()) {
+      if (light->kind != scene::LightKind::shadowless) lights.push_back(light);
+    } else if (o->as<scene::Csg>()) {
+      collect_lights(scene::children_of(*o), lights);
+    }
+  }
+}
+
+// Unions that are dissolved into frame-level objects are targets piece by piece.
+void collect_targets(const scene::Object& object, std::vector<const scene::Object*>& targets) {
+  if (object.photons->target) {
+    if (!object.ignore_global_lights) targets.push_back(&object);
+  } else if (object.as<scene::Csg>()) {
+    for (const scene::ObjectPtr& child : scene::children_of(object)) collect_targets(*child, targets);
+  }
+}
+
+// v turned about a unit axis, rounded as POV-Ray does, measured by its photon files: where photons of a plane lie in
+// its map hangs on the last bit.
+Vec3 rotate(const Vec3& v, const Vec3& axis, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle), x = axis.x, y = axis.y, z = axis.z;
+  const Vec3 row[3] = {{x * x + c * (1 - x * x), x * y * (1 - c) + z * s, x * z * (1 - c) - y * s},
+                       {x * y * (1 - c) - z * s, y * y + c * (1 - y * y), y * z * (1 - c) + x * s},
+                       {x * z * (1 - c) + y * s, y * z * (1 - c) - x * s, z * z + c * (1 - z * z)}};
+  return v.x * row[0] + v.y * row[1] + v.z * row[2];
+}
+
+// The frame of one light point: unit vector towards the target, and one to its left.
+struct Frame {
+  Vec3 origin, towards, left;
+};
+
+Frame frame(const PhotonPair& pair, const Vec3& origin) {
+  Frame f;
+  f.origin = origin;
+  f.towards = pair.light->parallel ? pair.light->direction : normalize(pair.center - origin);
+  const Vec3 up = std::fabs(std::fabs(f.towards.z) - 1.0) < 0.1 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+  f.left = normalize(cross(f.towards, up));
+  return f;
+}
+
+}  // namespace
+
+double RandomTable::next() {
+  index_ = (index_ + 1) % shading::mersenne_table().size();
+  return shading::mersenne_table()[index_];
+}
+
+std::vector<PhotonPair> photon_pairs(const scene::Scene& scene, bool split_unions) {
+  std::vector<const scene::LightSource*> lights;
+  std::vector<const scene::Object*> targets;
+  collect_lights(scene.objects, lights);
+  for (const scene::Object* object : accel::frame_list(scene, split_unions).objects) collect_targets(*object, targets);
+  std::vector<PhotonPair> pairs;
+  for (const scene::LightSource* light : lights) {
+    for (const scene::Object* target : targets) {
+      PhotonPair pair;
+      pair.light = light, pair.target = target;
+      pair.reflection = active(target->photons->reflection, light->photon_reflection);
+      pair.refraction = active(target->photons->refraction, light->photon_refraction);
+      if (!pair.reflection && !pair.refraction) continue;
+      const auto& b = target->bounds;
+      const Vec3 half(0.5 * b.size[0], 0.5 * b.size[1], 0.5 * b.size[2]);
+      pair.center = Vec3(b.low[0], b.low[1], b.low[2]) + half;
+      pair.radius = length(half);
+      pair.density = target->photons->target_spacing;
+      pairs.push_back(pair);
+    }
+  }
+  return pairs;
+}
+
+double photon_spacing(const scene::Photons& settings, std::span<const PhotonPair> pairs) {
+  if (settings.count <= 0) return settings.spacing > 0.0 ? settings.spacing : 1.0;
+  double sum = 0.0;
+  for (const PhotonPair& p : pairs) {
+    const double r = p.radius / p.density;
+    double x = kPi * r * r;
+    if (p.reflection && p.refraction) x *= 1.5;
+    if (p.target->photons->collect) {
+      if (p.reflection && p.refraction) {
+        x *= 3.0;
+      } else if (p.refraction) {
+        x *= 2.0;
+      }
+    }
+    sum += 0.5 * x;
+  }
+  return std::sqrt(sum / settings.count);
+}
+
+void shoot(const PhotonPair& pair, double spacing, const scene::Photons& settings, RandomTable& random,
+           const std::function<bool(std::span<const PhotonStart>, double, double)>& trace) {
+  const scene::LightSource& light = *pair.light;
+  const bool grid = light.area && light.photon_area;
+  const int columns = grid ? light.size1 : 1, rows = grid ? light.size2 : 1;
+  double distance = length(pair.center - light.position);
+  double limit = pair.radius;
+  if (!light.parallel) {
+    limit = distance >= pair.radius ? std::asin(pair.radius / distance) : kPi;
+    if (distance < pair.radius) distance = pair.radius;
+  }
+  double sigma = pair.density * spacing / (light.parallel ? 1.0 : distance);
+  if (grid) sigma *= std::sqrt(static_cast<double>(columns) * rows);
+  const double step = light.parallel ? sigma : std::atan(sigma);
+  if (!(step > 0.0) || !std::isfinite(limit)) return;
+
+  std::vector<Frame> frames;
+  for (int i = 0; i < columns; ++i) {
+    for (int j = 0; j < rows; ++j) {
+      Vec3 origin = light.position;
+      if (grid) {
+        if (columns > 1) origin += light.axis1 * (i / (columns - 1.0) - 0.5);
+        if (rows > 1) origin += light.axis2 * (j / (rows - 1.0) - 0.5);
+      }
+      frames.push_back(frame(pair, origin));
+    }
+  }
+  const float share = 1.0f / static_cast<float>(frames.size());
+
+  // Finer rings would not end in anybody's lifetime, and finest ones not at all.
+  if (limit / step > kMaxPerRing)
+    throw render::LimitExceeded("photons { }: the spacing is too fine for this target: more than 1e9 rings of photons");
+  std::vector<PhotonStart> batch;
+  bool hit_before = false;
+  for (double theta = 0.0; theta < limit; theta += step) {
+    const double around = theta < kEpsilon ? 2.0 * kPi : step / (light.parallel ? theta : std::sin(theta));
+    const double first = -kPi + around * random.next() * 0.5;
+    if (2.0 * kPi / around > kMaxPerRing)
+      throw render::LimitExceeded(
+          "photons { }: the spacing is too fine for this target: more than 1e9 photons in a ring");
+    const double done = theta / limit * (theta / limit);  // rings grow with their radius
+    bool hit = false;
+    batch.clear();
+    for (double phi = first; phi < first + 2.0 * kPi - around / 2.0; phi += around) {
+      const double phi2 = phi + around * (random.next() - 0.5) * settings.jitter;
+      const double theta2 = theta + step * (random.next() - 0.5) * settings.jitter;
+      for (const Frame& f : frames) {
+        PhotonStart start;
+        start.energy = share;
+        if (light.parallel) {
+          const double back = dot(pair.center - f.origin, f.towards);
+          start.ray.origin = pair.center - back * f.towards + rotate(f.left * theta2, f.towards, phi2);
+          start.ray.direction = f.towards;
+        } else {
+          start.ray.origin = f.origin;
+          start.ray.direction = rotate(f.towards * std::cos(theta2) - f.left * std::sin(theta2), f.towards, phi2);
+        }
+        batch.push_back(start);
+      }
+      if (batch.size() >= kMaxBatch) hit |= trace(batch, sigma, done), batch.clear();
+    }
+    hit |= trace(batch, sigma, done);
+    if (hit_before && !hit && theta > settings.autostop * limit) break;
+    hit_before |= hit;
+  }
+}
+
+}  // namespace verisim::global

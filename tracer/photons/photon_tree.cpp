@@ -1,0 +1,74 @@
+#include "tracer/photons/photon_tree.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace verisim::global {
+namespace {
+
+constexpr int kLevelsOfNode = std::bit_width(PhotonTree::kParts) - 1;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+void set_bounds(PhotonBoxes& boxes, std::size_t lane, std::span<const Photon> photons) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto [low, high] = std::ranges::minmax(photons, {}, [a](const Photon& p) { return p.position[a]; });
+    boxes.low[a][lane] = low.position[a], boxes.high[a][lane] = high.position[a];
+  }
+}
+
+}  // namespace
+
+void PhotonTree::build(std::span<const Photon> sorted) {
+  nodes_.clear(), leaves_.clear(), firsts_.clear();
+  if (sorted.empty()) return;
+  // Only the root may have few parts: nodes above the leaves are the many ones.
+  const auto count = static_cast<std::uint32_t>(sorted.size());
+  int levels = 0;
+  while ((count >> levels) + 1 > kLeaf) ++levels;
+  height_ = levels > 0 ? (levels - 1) / kLevelsOfNode : 0;
+  add_node(sorted, {0, count, 0}, height_, levels - height_ * kLevelsOfNode);
+}
+
+std::uint32_t PhotonTree::add_leaf(std::span<const Photon> sorted, const Range& range) {
+  const std::span<const Photon> photons = sorted.subspan(range.first, range.size());
+  firsts_.push_back(range.first);
+  PhotonLeaf& leaf = leaves_.emplace_back();
+  for (auto* coordinate : {&leaf.x, &leaf.y, &leaf.z}) coordinate->fill(kInfinity);
+  for (std::size_t i = 0; i < photons.size(); ++i) {
+    const std::array<float, 3>& p = photons[i].position;
+    leaf.x[i] = p[0], leaf.y[i] = p[1], leaf.z[i] = p[2];
+  }
+  return static_cast<std::uint32_t>(leaves_.size() - 1);
+}
+
+// Halves the range and its parts `levels` times: none gets smaller than half a leaf.
+std::uint32_t PhotonTree::add_node(std::span<const Photon> sorted, const Range& range, int height, int levels) {
+  const auto number = static_cast<std::uint32_t>(nodes_.size());
+  Node& fresh = nodes_.emplace_back();
+  for (std::size_t a = 0; a < 3; ++a) {
+    fresh.boxes.low[a].fill(kInfinity);
+    fresh.boxes.high[a].fill(-kInfinity);
+  }
+  std::array<Range, kParts> parts{range};
+  std::size_t n = 1;
+  for (int level = 0; level < levels; ++level) {
+    std::array<Range, kParts> halves;
+    std::size_t m = 0;
+    for (const Range& r : std::span(parts.data(), n)) {
+      const std::uint32_t last = r.end - 1 - r.extra, middle = (r.first + last) / 2;
+      halves[m++] = {r.first, middle + 1, 1}, halves[m++] = {middle + 1, r.end, r.extra};
+    }
+    parts = halves, n = m;
+  }
+  for (std::size_t lane = 0; lane < n; ++lane) {
+    const Range& part = parts[lane];
+    set_bounds(nodes_[number].boxes, lane, sorted.subspan(part.first, part.size()));
+    const std::uint32_t child =
+        height == 0 ? add_leaf(sorted, part) : add_node(sorted, part, height - 1, kLevelsOfNode);  // may move the nodes
+    nodes_[number].child[lane] = child;
+  }
+  return number;
+}
+
+}  // namespace verisim::global

@@ -1,0 +1,76 @@
+#include "tracer/radiosity/irradiance_cache.h"
+
+#include <string>
+
+#include "tracer/film/errors.h"
+
+namespace verisim::global {
+
+// Returns whether the root has changed.
+bool IrradianceCache::include_in_root(const LatticeCell& cell) {
+  if (!has_root_) {
+    root_ = cell, has_root_ = true;
+    return true;
+  }
+  LatticeCell a = root_, b = cell;
+  // Indices are never negative: the lattice starts at -1e7.
+  const auto parent = [](const LatticeCell& c) { return LatticeCell{c.x >> 1, c.y >> 1, c.z >> 1, c.level + 1}; };
+  while (a.level < b.level) a = parent(a);
+  while (b.level < a.level) b = parent(b);
+  while (a.x != b.x || a.y != b.y || a.z != b.z) a = parent(a), b = parent(b);
+  const bool changed = !(a == root_);
+  root_ = a;
+  return changed;
+}
+
+void IrradianceCache::add(const IrradianceSample& sample) {
+  const double shrink = sample.depth == 0 ? 1.0 : 8.0, scale = std::ldexp(1.0, sample.depth);
+  const double reach = static_cast<double>(sample.mean_distance) * error_bound_ * scale / shrink;
+  const Vec3& p = sample.point;
+  if (!(reach > 0.0) || !std::isfinite(reach) || !(std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) < 1e9))
+    return;
+  // The largest power of two that is not above the diameter.
+  int level = static_cast<int>(std::floor(std::log2(static_cast<float>(2.0 * reach))));
+  const double farthest = std::max({std::fabs(p.x - reach), std::fabs(p.y - reach), std::fabs(p.z - reach)}) + kOrigin;
+  while (farthest / std::ldexp(1.0, level) > 1e9) ++level;
+  LatticeCell cell;
+  DoubledCell r{{}, 0};
+  for (;; ++level) {
+    const double side = std::ldexp(1.0, level);
+    bool fits = true;
+    double index[3];
+    for (int a = 0; a < 3; ++a) {
+      index[a] = std::floor((p[a] + kOrigin) / side);
+      r.center[a] = (index[a] + 0.5) * side - kOrigin;
+      fits &= p[a] - reach > r.center[a] - side && p[a] + reach < r.center[a] + side;
+    }
+    r.half = side;
+    cell = {static_cast<std::int64_t>(index[0]), static_cast<std::int64_t>(index[1]),
+            static_cast<std::int64_t>(index[2]), level};
+    if (fits || level > 60) break;
+  }
+  const auto index = static_cast<std::uint32_t>(samples_.size());
+  std::size_t bytes = samples_.size() * (sizeof(IrradianceSample) + sizeof(DoubledCell));
+  for (const Depth& d : depths_) bytes += d.tree.bytes();
+  if (bytes > memory_limit_)
+    throw render::LimitExceeded("radiosity samples take more than " + std::to_string(memory_limit_ >> 20) +
+                                " MiB: raise error_bound or minimum_reuse, or allow more memory");
+  samples_.push_back(sample);
+  doubled_cells_.push_back(r);
+  if (static_cast<int>(depths_.size()) <= sample.depth) depths_.resize(static_cast<std::size_t>(sample.depth) + 1);
+  const double radius = sample.mean_distance * widest_bound_ * scale * (1.0 + 1e-9);
+  Box3 within;
+  for (int a = 0; a < 3; ++a) {
+    within.min[a] = std::max(p[a] - radius, r.center[a] - r.half);
+    within.max[a] = std::min(p[a] + radius, r.center[a] + r.half);
+  }
+  depths_[static_cast<std::size_t>(sample.depth)].tree.add({index, p, sample.normal, sample.mean_distance,
+                                                            std::max(sample.mean_distance, sample.nearest_distance),
+                                                            radius, within});
+  if (include_in_root(cell)) {
+    for (Depth& d : depths_) d.in_root.clear();
+  }
+  if (cell == root_) depths_[static_cast<std::size_t>(sample.depth)].in_root.push_back(index);
+}
+
+}  // namespace verisim::global

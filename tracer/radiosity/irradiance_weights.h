@@ -1,0 +1,37 @@
+// How much radiosity samples count for a query (spec 07 2.5), a row of samples at a time. Compiled for several
+// instruction sets; every lane does the same operations.
+#pragma once
+
+#include "tracer/math/vec.h"
+
+namespace verisim::global {
+
+struct IrradianceWeightQuery {
+  Vec3 normal;
+  double bound;  // of the error
+  bool smooth;   // weights fall off smoothly, as in the final render at depth 0
+};
+
+// Samples side by side. Some behind the last one are weighed with them, whatever they are.
+struct alignas(64) IrradianceRow {
+  static constexpr int kMost = 32, kStep = 4;
+  struct Vectors {
+    double x[kMost] = {}, y[kMost] = {}, z[kMost] = {};
+    void set(int i, const Vec3& v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  };
+  Vectors delta, normal, nearest_direction;  // delta: from the sample to the query
+  double squared[kMost] = {}, mean_distance[kMost] = {}, nearest_distance[kMost] = {};
+  double weight[kMost];  // what comes out: not above kNone: the sample does not count
+  static constexpr double kNone = 0.001;
+};
+
+struct IrradianceWeightKernels {
+  // Weights of `count` samples, without their quality.
+  void (*weigh)(const IrradianceWeightQuery& query, int count, IrradianceRow& row);
+};
+
+const IrradianceWeightKernels& irradiance_weight_kernels();
+// Those of any instruction set, for tests; null: this machine cannot run it.
+const IrradianceWeightKernels* irradiance_weight_kernels(int instruction_set);
+
+}  // namespace verisim::global

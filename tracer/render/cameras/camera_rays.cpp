@@ -1,0 +1,132 @@
+#include "tracer/render/cameras/camera_rays.h"
+
+namespace verisim::render {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// v about the unit axis k (spec 02 section 1.5, spherical).
+Vec3 rotate_about(const Vec3& v, const Vec3& k, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return v * c + cross(k, v) * s + k * (dot(k, v) * (1 - c));
+}
+
+}  // namespace
+
+CameraRays::CameraRays(const scene::Camera& camera, int width, int height)
+    : kind_(camera.kind),
+      width_(width),
+      height_(height),
+      location_(camera.location),
+      direction_(camera.direction),
+      right_(camera.right),
+      up_(camera.up),
+      unit_direction_(normalize(camera.direction)),
+      unit_right_(normalize(camera.right)),
+      unit_up_(normalize(camera.up)),
+      right_length_(length(camera.right)),
+      up_length_(length(camera.up)),
+      angle_(camera.angle * kPi / 180),
+      horizontal_(camera.horizontal_angle * kPi / 180),
+      vertical_(camera.vertical_angle * kPi / 180),
+      origin_varies_(kind_ == scene::CameraKind::orthographic || kind_ == scene::CameraKind::cylinder3 ||
+                     kind_ == scene::CameraKind::cylinder4) {}
+
+std::optional<PrimaryRay> CameraRays::at(double x, double y) const {
+  using Kind = scene::CameraKind;
+  // In this form: the last bits decide where a pattern's seam lies in a surface (measured: the sign of y on a plane y =
+  // 0 agrees in every pixel).
+  const double u = (x + 0.5) / width_, w = (height_ - (y + 0.5)) / height_;
+  const double uc = u - 0.5, wc = w - 0.5, u2 = 2 * u - 1, w2 = 2 * w - 1;
+  switch (kind_) {
+    case Kind::perspective:
+      return PrimaryRay{{location_, direction_ + uc * right_ + wc * up_}, {uc, wc}};
+    case Kind::orthographic:
+      return PrimaryRay{{location_ + uc * right_ + wc * up_, direction_}, {uc, wc}};
+    case Kind::fisheye:
+      return fisheye(u2 * right_length_, w2 * up_length_, angle_ / 2);
+    case Kind::ultra_wide_angle: {
+      const double a = uc * angle_, b = wc * angle_ * up_length_ / right_length_;
+      return PrimaryRay{
+          {location_, std::sin(a) * unit_right_ + std::sin(b) * unit_up_ + std::cos(a) * std::cos(b) * unit_direction_},
+          {a, b}};
+    }
+    case Kind::omnimax:
+      return omnimax(u2, w2);
+    case Kind::panoramic: {
+      const double phi = (1 - u) * kPi, psi = w2 * kPi / 2;
+      const double tangent = std::fabs(kPi / 2 - std::fabs(psi)) < kEpsilon ? std::copysign(2e10, psi) : std::tan(psi);
+      return PrimaryRay{{location_, std::cos(phi) * right_ + tangent * up_ + std::sin(phi) * direction_}, {phi, psi}};
+    }
+    case Kind::cylinder1: {
+      const double phi = uc * angle_;
+      return PrimaryRay{
+          {location_, std::sin(phi) * unit_right_ + wc * up_length_ * unit_up_ + std::cos(phi) * unit_direction_},
+          {phi, wc * up_length_}};
+    }
+    case Kind::cylinder2: {
+      const double phi = wc * angle_;
+      return PrimaryRay{
+          {location_, uc * right_length_ * unit_right_ + std::sin(phi) * unit_up_ + std::cos(phi) * unit_direction_},
+          {uc * right_length_, phi}};
+    }
+    case Kind::cylinder3: {
+      const double phi = uc * angle_;
+      return PrimaryRay{
+          {location_ + wc * up_length_ * unit_up_, std::sin(phi) * unit_right_ + std::cos(phi) * unit_direction_},
+          {phi, wc * up_length_}};
+    }
+    case Kind::cylinder4: {
+      const double phi = wc * angle_;
+      return PrimaryRay{
+          {location_ + uc * right_length_ * unit_right_, std::sin(phi) * unit_up_ + std::cos(phi) * unit_direction_},
+          {uc * right_length_, phi}};
+    }
+    case Kind::spherical: {
+      const double horizontal = uc * horizontal_, vertical = wc * vertical_;
+      return PrimaryRay{
+          {location_, rotate_about(rotate_about(direction_, unit_right_, -vertical), unit_up_, horizontal)},
+          {horizontal, vertical}};
+    }
+    case Kind::mesh_camera:
+      break;
+  }
+  return std::nullopt;
+}
+
+std::optional<PrimaryRay> CameraRays::fisheye(double p, double q, double half_angle) const {
+  const double rho = std::sqrt(p * p + q * q);
+  if (rho > 1) return std::nullopt;
+  if (rho == 0) return PrimaryRay{{location_, unit_direction_}, {0, 0}};
+  const double theta = rho * half_angle;
+  double phi = std::asin(q / rho);
+  if (p < 0) phi = kPi - phi;
+  return PrimaryRay{{location_, std::sin(theta) * (p / rho) * unit_right_ + std::sin(theta) * (q / rho) * unit_up_ +
+                                    std::cos(theta) * unit_direction_},
+                    {phi, theta}};
+}
+
+std::optional<PrimaryRay> CameraRays::omnimax(double u2, double w2) const {
+  constexpr double kAspect = 1.283458;
+  const double s = right_length_ / up_length_;
+  double p = u2, q;
+  if (s > kAspect) {
+    p = u2 * s / kAspect, q = (w2 - 1) / kAspect + 1;
+  } else if (s > 1) {
+    q = (w2 - 1) / s + 1;
+  } else {
+    q = w2 / s;
+  }
+  const double rho = std::sqrt(p * p + q * q);
+  if (rho > 1) return std::nullopt;
+  if (rho == 0) return PrimaryRay{{location_, unit_direction_}, {0, 0}};
+  const double theta = 1.411269 * rho - 0.09439 * rho * rho * rho + 0.25674 * rho * rho * rho * rho * rho;
+  if (q / rho * std::sin(theta) < -std::cos(theta)) return std::nullopt;  // more than 45 degrees below the axis
+  double phi = std::asin(q / rho);
+  if (p < 0) phi = kPi - phi;
+  return PrimaryRay{{location_, std::sin(theta) * (p / rho) * unit_right_ + std::sin(theta) * (q / rho) * unit_up_ +
+                                    std::cos(theta) * unit_direction_},
+                    {phi, theta}};
+}
+
+}  // namespace verisim::render

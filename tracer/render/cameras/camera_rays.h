@@ -1,0 +1,49 @@
+// Primary rays of every camera type (spec 02 sections 1.5 to 1.7).
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "tracer/scene/camera.h"
+#include "tracer/shading/wavefront/wave_kernels.h"
+#include "tracer/textures/texture.h"
+
+namespace verisim::render {
+
+// A primary ray before normalisation, with the camera's own image coordinates (what camera normals are evaluated at).
+struct PrimaryRay {
+  Ray ray;
+  Vec2 image;
+};
+
+// All cameras but mesh_camera. (x, y) is a fractional pixel position; a pixel's centre has integer coordinates.
+class CameraRays {
+ public:
+  CameraRays(const scene::Camera& camera, int width, int height);
+  // Empty: no ray belongs to this position (outside a fisheye's disc ...).
+  std::optional<PrimaryRay> at(double x, double y) const;
+  // The unit directions of the rays of a perspective camera through places of the picture; behind them is room up to a
+  // multiple of RayRow::kStep.
+  void directions(const Vec2* places, int count, shading::WaveLanes& lanes) const {
+    shading::wave_kernels().directions({width_, height_, direction_, right_, up_}, places, count, lanes);
+  }
+  // Rays start at different points, so the objects around the origin must be looked up for each (spec 02 section 1.8).
+  bool origin_varies() const { return origin_varies_; }
+
+ private:
+  std::optional<PrimaryRay> fisheye(double p, double q, double half_angle) const;
+  std::optional<PrimaryRay> omnimax(double u2, double w2) const;
+
+  scene::CameraKind kind_;
+  double width_, height_;
+  Vec3 location_, direction_, right_, up_;
+  Vec3 unit_direction_, unit_right_, unit_up_;
+  double right_length_, up_length_;
+  double angle_, horizontal_, vertical_;  // radians
+  bool origin_varies_;
+};
+
+// Perturbs a unit primary direction by the camera's normal (spec 02 section 1.6).
+Vec3 perturb_direction(const textures::CompiledNormal& normal, const Vec3& unit_direction, const Vec2& image);
+
+}  // namespace verisim::render

@@ -1,0 +1,195 @@
+#include "tracer/render/sampling/pixel_sampler.h"
+
+#include <algorithm>
+
+namespace verisim::render {
+
+CameraModel::CameraModel(const scene::Camera& description, int width, int height, textures::Compiler& compiler)
+    : camera(description), rays(description, width, height) {
+  origin_varies = rays.origin_varies();
+  if (description.kind == scene::CameraKind::mesh_camera) {
+    mesh.emplace(description, width, height);
+    origin_varies = true;
+  } else if (description.aperture != 0 && description.blur_samples > 0) {
+    FocalBlur::Weight weight;
+    if (description.bokeh) {
+      weight = [pigment = compiler.pigment(description.bokeh)](const Vec3& p) {
+        Color c;
+        textures::evaluate(*pigment, p, nullptr, c);
+        return static_cast<double>(c.grey());
+      };
+    }
+    blur.emplace(description, weight);
+    origin_varies = true;
+  }
+  if (description.normal) normal = compiler.normal(description.normal);
+  if (!mesh) find_coherence(width, height);
+}
+
+// From the rays of three pixels in the middle.
+void CameraModel::find_coherence(int width, int height) {
+  using Kind = accel::CameraCoherence::Kind;
+  if (blur && camera.kind != scene::CameraKind::perspective) return;
+  const double x = width / 2, y = height / 2;
+  const auto here = rays.at(x, y), right = rays.at(x + 1, y), below = rays.at(x, y + 1);
+  if (!here || !right || !below) return;
+  const auto apart = [&](const PrimaryRay& other) {
+    return rays.origin_varies() ? length(other.ray.origin - here->ray.origin)
+                                : length(normalize(other.ray.direction) - normalize(here->ray.direction));
+  };
+  if (rays.origin_varies() && camera.kind != scene::CameraKind::orthographic) return;
+  linear = !normal && (camera.kind == scene::CameraKind::perspective || camera.kind == scene::CameraKind::orthographic);
+  coherence = {rays.origin_varies() ? Kind::parallel : Kind::common_origin, std::max(apart(*right), apart(*below))};
+}
+
+// Rays of linear cameras are spanned by those of the corners.
+std::optional<accel::Shaft> CameraModel::shaft(const Box3& world, double left, double top, double right,
+                                               double bottom) const {
+  if (blur) return blur->shaft(rays, world, left, top, right, bottom);
+  Box3 from, to;
+  for (const Vec2& at : {Vec2(left, top), Vec2(right, top), Vec2(left, bottom), Vec2(right, bottom)}) {
+    const Ray ray = rays.at(at.x, at.y)->ray;
+    // To beyond the sphere around the world, whose distance from the corner's own origin this bounds; parallel rays
+    // count from behind it, too.
+    const double reach =
+        2 * (length(world.center() - ray.origin) + length(world.max - world.min)) / length(ray.direction);
+    from.extendBy(origin_varies ? ray.origin - reach * ray.direction : ray.origin);
+    to.extendBy(ray.origin + reach * ray.direction);
+  }
+  return accel::Shaft::between(from, to);
+}
+
+Color PixelSampler::operator()(double x, double y) {
+  ++tracer_.statistics().samples;
+  if (camera_.mesh) return mesh_sample(x, y);
+  if (camera_.blur) return lens_sample({x, y});
+  tracer_.random().begin_sample(x, y, 0);
+  const std::optional<PrimaryRay> primary = camera_.rays.at(x, y);
+  if (!primary) return {0, 0, 0, 0, 1};
+  int one = 1;
+  const accel::WorldEntry* const known = camera_.linear ? entry(x, y, one) : nullptr;
+  return trace({primary->ray.origin, normalize(primary->ray.direction)}, primary->image, known);
+}
+
+const accel::WorldEntry* PixelSampler::entry(double x, double y, int& count) {
+  return tracer_.coherent().camera_row(x, y, count, [this](double left, double top, double right, double bottom) {
+    return camera_.shaft(tracer_.scene().world.tree().bounds(), left, top, right, bottom);
+  });
+}
+
+void PixelSampler::row(double x, double y, int count, Color* colors) {
+  if (!together()) {
+    for (int i = 0; i < count; ++i) colors[i] = (*this)(x + i, y);
+    return;
+  }
+  for (int done = 0; done < count; done += shading::Wave::kMost) {
+    const int n = std::min(count - done, shading::Wave::kMost);
+    for (int i = 0; i < n; ++i) wave_.places()[i] = Vec2(x + done + i, y);
+    if (camera_.blur)
+      lens_points(n, colors + done);
+    else
+      row_wave(n, colors + done);
+  }
+}
+
+// How many of the places, from the first on, may share a wave: where their rays enter the world is remembered for all
+// of them.
+int PixelSampler::near_each_other(const Vec2* places, int count) {
+  Imath::Box2d around(places[0]);
+  for (int i = 1; i < count; ++i) {
+    around.extendBy(places[i]);
+    const Vec2 size = around.size();
+    if (std::max(size.x, size.y) > accel::CoherentRays::camera_reach()) return i;
+  }
+  return count;
+}
+
+void PixelSampler::points(const Vec2* places, int count, Color* colors) {
+  if (!together()) {
+    for (int i = 0; i < count; ++i) colors[i] = (*this)(places[i].x, places[i].y);
+    return;
+  }
+  for (int done = 0, n = 0; done < count; done += n) {
+    n = near_each_other(places + done, std::min(count - done, shading::Wave::kMost));
+    std::copy_n(places + done, n, wave_.places());
+    if (camera_.blur)
+      lens_points(n, colors + done);
+    else
+      point_wave(n, colors + done);
+  }
+}
+
+// The rays through the wave's places, from one point or parallel. False: they do not all start within the same objects.
+bool PixelSampler::aim(int count) {
+  RayRow& rays = wave_.lanes().rays;
+  const Vec2* const places = wave_.places();
+  if (!camera_.origin_varies) {
+    for (int i = 0; i < count; ++i) rays.origin.set(i, camera_.camera.location);
+    camera_.rays.directions(places, count, wave_.lanes());
+    return true;
+  }
+  for (int i = 0; i < count; ++i) {
+    const Ray ray = camera_.rays.at(places[i].x, places[i].y)->ray;
+    rays.origin.set(i, ray.origin);
+    rays.direction.set(i, normalize(ray.direction));
+    if (!starts_like_the_first(i)) return false;
+  }
+  return true;
+}
+
+bool PixelSampler::starts_like_the_first(int i) {
+  const auto around = tracer_.interiors(tracer_.camera_state(wave_.lanes().rays.at(i), true).interiors);
+  if (i == 0) around_.assign(around.begin(), around.end());
+  return std::ranges::equal(around, around_);
+}
+
+void PixelSampler::one_by_one(int count, Color* colors) {
+  Vec2 places[shading::Wave::kMost];
+  std::copy_n(wave_.places(), count, places);
+  for (int i = 0; i < count; ++i) colors[i] = (*this)(places[i].x, places[i].y);
+}
+
+void PixelSampler::row_wave(int count, Color* colors) {
+  if (!aim(count)) return one_by_one(count, colors);
+  const double x = wave_.places()[0].x, y = wave_.places()[0].y;
+  tracer_.statistics().samples += static_cast<std::uint64_t>(count);
+  const accel::WorldEntry* entries[shading::Wave::kMost];
+  for (int i = 0; i < count;) {
+    int served = count - i;
+    const accel::WorldEntry* const here = entry(x + i, y, served);
+    for (; served > 0; --served) entries[i++] = here;
+  }
+  wave_.trace(count, entries, colors);
+}
+
+void PixelSampler::point_wave(int count, Color* colors) {
+  if (!aim(count)) return one_by_one(count, colors);
+  tracer_.statistics().samples += static_cast<std::uint64_t>(count);
+  const accel::WorldEntry* entries[shading::Wave::kMost];
+  for (int i = 0, one = 1; i < count; ++i) entries[i] = entry(wave_.places()[i].x, wave_.places()[i].y, one);
+  wave_.trace(count, entries, colors);
+}
+
+Color PixelSampler::trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry) {
+  if (camera_.normal) ray.direction = perturb_direction(*camera_.normal, ray.direction, image);
+  return tracer_.trace_camera(ray, camera_.origin_varies, std::numeric_limits<double>::infinity(), entry);
+}
+
+Color PixelSampler::mesh_sample(double x, double y) {
+  const double limit =
+      camera_.camera.max_distance >= kEpsilon ? camera_.camera.max_distance : std::numeric_limits<double>::infinity();
+  Color sum;
+  int shot = 0;
+  for (int k = 0; k < camera_.mesh->rays_per_pixel(); ++k) {
+    std::optional<Ray> ray = camera_.mesh->ray(x, y, k);
+    if (!ray) continue;
+    tracer_.random().begin_sample(x, y, static_cast<std::uint32_t>(k));
+    if (camera_.normal) ray->direction = perturb_direction(*camera_.normal, ray->direction, {0, 0});
+    sum += tracer_.trace_camera(*ray, true, limit);
+    ++shot;
+  }
+  if (shot == 0) return {0, 0, 0, 0, 1};
+  return sum * (1.0f / static_cast<float>(shot));
+}
+
+}  // namespace verisim::render

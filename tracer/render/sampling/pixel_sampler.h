@@ -1,0 +1,84 @@
+// The colour of one pixel sample: camera ray or lens rays, traced.
+#pragma once
+
+#include <span>
+
+#include "tracer/render/cameras/camera_rays.h"
+#include "tracer/render/sampling/focal_blur.h"
+#include "tracer/render/cameras/mesh_camera.h"
+#include "tracer/shading/wavefront/wave.h"
+
+namespace verisim::render {
+
+// What all threads share.
+struct CameraModel {
+  CameraModel(const scene::Camera& description, int width, int height, textures::Compiler& compiler);
+
+  const scene::Camera& camera;
+  CameraRays rays;
+  std::optional<MeshCamera> mesh;
+  std::optional<FocalBlur> blur;
+  const textures::CompiledNormal* normal = nullptr;
+  bool origin_varies = false;
+  accel::CameraCoherence coherence;
+  bool linear = false;  // rays are linear in the position: perspective and orthographic cameras without a normal
+  // The shaft of all rays of a rectangle of the picture, for linear cameras, through a world with these bounds.
+  std::optional<accel::Shaft> shaft(const Box3& world, double left, double top, double right, double bottom) const;
+
+ private:
+  void find_coherence(int width, int height);
+};
+
+// One per thread.
+class PixelSampler {
+ public:
+  PixelSampler(const CameraModel& camera, shading::Tracer& tracer) : camera_(camera), tracer_(tracer), wave_(tracer) {}
+  // (x, y): pixel position, centres at integers. A position without a ray is black with transmit 1.
+  Color operator()(double x, double y);
+  // The colours at (x, y), (x + 1, y) ...: the same as one by one, but faster.
+  void row(double x, double y, int count, Color* colors);
+  // The colours at any places, best near each other: the same as one by one, but faster.
+  void points(const Vec2* places, int count, Color* colors);
+  // Samples may be asked for in any order; if not, random numbers would be drawn in another one.
+  bool any_order() const { return !tracer_.random().replay(); }
+
+ private:
+  Color mesh_sample(double x, double y);
+  Color trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry = nullptr);
+
+  bool together() const { return camera_.linear && wave_.usable(); }
+  static int near_each_other(const Vec2* places, int count);
+  bool aim(int count);
+  // Ray i of the wave starts within the same objects as ray 0, which is to be asked for first.
+  bool starts_like_the_first(int i);
+  // The colours at the wave's places; of a row, each is one pixel from the other.
+  void row_wave(int count, Color* colors);
+  void point_wave(int count, Color* colors);
+  void one_by_one(int count, Color* colors);
+  // Where rays through (x, y), (x + 1, y) ... enter the world, `count` of them at most; sets it to the number of those
+  // that this holds for.
+  const accel::WorldEntry* entry(double x, double y, int& count);
+
+  // ---- lens_samples.cpp
+  struct LensRay {
+    int sample, number;
+  };
+  std::optional<Color> lens_ray(const Vec2& place, int number);
+  Color lens_sample(const Vec2& place);
+  void lens_points(int count, Color* colors);
+  void lens_wave(std::span<const LensRay> rays);
+
+  const CameraModel& camera_;
+  shading::Tracer& tracer_;
+  shading::Wave wave_;
+  std::vector<const scene::Interior*> around_;  // the wave's first ray, where rays start at different points
+  // The samples that are taken together, and the rays that they wait for.
+  struct Lens {
+    Vec2 places[shading::Wave::kMost];
+    const accel::WorldEntry* entries[shading::Wave::kMost];
+    std::vector<FocalBlur::Average> averages;
+    std::vector<LensRay> rays;
+  } lens_;
+};
+
+}  // namespace verisim::render

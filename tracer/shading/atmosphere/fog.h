@@ -1,0 +1,23 @@
+// Fog and ground fog (spec 06 section 11.4).
+#pragma once
+
+#include <span>
+
+#include "tracer/math/vec.h"
+#include "tracer/scene/scene.h"
+
+namespace verisim::shading {
+
+constexpr double kMissDistance = 2e10;  // what fog and rainbows take for the length of a ray that hits nothing
+
+// What fog does to light that comes along a segment: colour = added + passed * colour.
+struct FogEffect {
+  Rgb added, passed{1};
+};
+FogEffect fog_along(std::span<const scene::Fog> fogs, const Vec3& origin, const Vec3& direction, double length,
+                    int noise_generator);
+
+// Mean density of ground fog between two heights, relative to its maximum.
+double ground_fog_density(double start_height, double end_height, double offset, double altitude);
+
+}  // namespace verisim::shading

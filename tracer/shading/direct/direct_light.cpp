@@ -1,0 +1,211 @@
+// Light sources on one layer: facing, shadows, diffuse reflection, highlights, iridescence (spec 06 sections 4.2
+// and 8.3).
+#include "tracer/math/ray_row.h"
+#include "tracer/shading/finish.h"
+#include "tracer/shading/direct/shadow_row.h"
+#include "tracer/shading/tracer.h"
+#include "tracer/noise/noise.h"
+
+namespace verisim::shading {
+namespace {
+
+constexpr float kDark = static_cast<float>(kEpsilon);
+
+}  // namespace
+
+Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer) {
+  const scene::Finish& finish = layer.layer.finish;
+  Rgb sum;
+  if (!reflects_light(finish) || !ray.direct_light) return sum;
+  if (!at.surface.ignore_global_lights && lights_go_together(ray)) {
+    sum = lights_together(ray, at, layer);
+  } else if (!at.surface.ignore_global_lights) {
+    for (std::size_t i = 0; i < scene_.global_lights(); ++i) {
+      // Shadow rays may push onto the cache of nested hits: copy in, copy back.
+      CachedLight cache;
+      if (at.keeps_lights) cache = light_cache_[at.light_cache + i];
+      const Rgb added = light_contribution(ray, at, layer, scene_.lights()[i], cache);
+      if (observer_)
+        observer_->light(scene_.lights()[i], cache.direction, cache.stage == CachedLight::Stage::shadowed, cache.color,
+                         added);
+      sum += added;
+      if (at.keeps_lights) light_cache_[at.light_cache + i] = cache;
+    }
+  }
+  for (const scene::LightSource* source : at.surface.group_lights) {
+    CachedLight cache;
+    const Rgb added = light_contribution(ray, at, layer, scene_.light_of(source), cache);
+    if (observer_)
+      observer_->light(scene_.light_of(source), cache.direction, cache.stage == CachedLight::Stage::shadowed,
+                       cache.color, added);
+    sum += added;
+  }
+  return sum;
+}
+
+bool Tracer::lights_go_together(const RayState& ray) const {
+  constexpr std::size_t kFewest = 3;  // lights for which a row costs less than one ray for each
+  return lights_in_rows_ && scene_.global_lights() >= kFewest && (ray.gather || !area_lights_) && !observer_;
+}
+
+// light_contribution() of all global lights. Nothing on the ways of these shadow rays draws random numbers, so they may
+// go at once.
+Rgb Tracer::lights_together(const RayState& ray, SurfaceHit& at, const LayerContext& layer) {
+  struct Asked {
+    std::size_t light;
+    CachedLight cache;
+    bool back, shadow;
+  };
+  constexpr std::size_t kMost = RayRow::kMost;
+  const scene::Finish& finish = layer.layer.finish;
+  Rgb sum;
+  Asked asked[kMost];
+  RayRow rays;
+  double limit[RayRow::kSize];
+  for (std::size_t next = 0; next < scene_.global_lights();) {
+    std::size_t count = 0;
+    int row = 0;
+    for (; next < scene_.global_lights() && count < kMost; ++next) {
+      const Light& light = scene_.lights()[next];
+      Asked& a = asked[count];
+      a = {next, {}, false, false};
+      if (at.keeps_lights) a.cache = light_cache_[at.light_cache + next];
+      const bool counts = locate(at, layer, light, a.cache, a.back);
+      if (counts) {
+        ++count;
+        a.shadow = a.cache.stage == CachedLight::Stage::located && light.shadows();
+        a.cache.stage = CachedLight::Stage::shadowed;
+        if (a.shadow) {
+          ++statistics_.shadow_rays;
+          a.shadow = a.cache.direction.distance > 2 * kShadowTolerance;
+        }
+        if (a.shadow) {
+          rays.origin.set(row, at.hit.point), rays.direction.set(row, a.cache.direction.towards);
+          limit[row++] = a.cache.direction.distance - kShadowTolerance;
+        }
+      } else if (at.keeps_lights) {
+        light_cache_[at.light_cache + next] = a.cache;
+      }
+    }
+    bool blocked[kMost] = {};
+    if (row > 0) scene_.world.occluded_row(rays, 0, row, kShadowTolerance, limit, nullptr, blocked);
+    row = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      Asked& a = asked[k];
+      if (a.shadow && blocked[row++]) a.cache.color = {};
+      if (at.keeps_lights) light_cache_[at.light_cache + a.light] = a.cache;
+      if (a.cache.color.max_abs() <= kDark) continue;
+      const bool highlights = scene_.lights()[a.light].highlights() && !ray.gather && !a.back;
+      sum += layer_response(at, layer, ray.ray.direction, a.cache.direction.towards, a.cache.color,
+                            a.back ? finish.diffuse_back : finish.diffuse, highlights);
+    }
+  }
+  return sum;
+}
+
+bool Tracer::locate(SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache,
+                    bool& back) const {
+  if (cache.stage == CachedLight::Stage::unknown) {
+    cache.direction = light.direction(at.hit.point);
+    cache.color = light.color() * static_cast<float>(light.attenuation(at.hit.point, cache.direction));
+    cache.stage = CachedLight::Stage::located;
+  }
+  if (cache.color.max_abs() < kDark) return false;
+  back = !at.surface.double_illuminate && !light.area_illumination() &&
+         dot(layer.normal, cache.direction.towards) < kEpsilon;
+  return !back || layer.layer.finish.diffuse_back != 0;
+}
+
+Rgb Tracer::light_contribution(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
+                               CachedLight& cache) {
+  if (light.area_illumination() && light.area() && !ray.gather) return area_illumination(ray, at, layer, light, cache);
+  bool back = false;
+  if (!locate(at, layer, light, cache, back)) return {};
+  const scene::Finish& finish = layer.layer.finish;
+  if (cache.stage == CachedLight::Stage::located) {
+    const RandomBranch branch(random_, RandomBranch::light(static_cast<std::size_t>(&light - scene_.lights().data())));
+    cache.color = shadowed(light, at.hit.point, cache.direction, ray, &at.surface, cache.color);
+    cache.stage = CachedLight::Stage::shadowed;
+  }
+  if (cache.color.max_abs() <= kDark) return {};
+  return layer_response(at, layer, ray.ray.direction, cache.direction.towards, cache.color,
+                        back ? finish.diffuse_back : finish.diffuse, light.highlights() && !ray.gather && !back);
+}
+
+// Illumination from every sample of the grid; the shadow is one for all (spec 06 8.3).
+Rgb Tracer::area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
+                              CachedLight& cache) {
+  const scene::Finish& finish = layer.layer.finish;
+  const Vec3& p = at.hit.point;
+  if (cache.stage != CachedLight::Stage::shadowed) {
+    cache.direction = light.direction(p);
+    cache.color = shadowed(light, p, cache.direction, ray, &at.surface, light.color());
+    cache.stage = CachedLight::Stage::shadowed;
+  }
+  if (cache.color.max_abs() <= kDark) return {};
+  const Light::Axes axes = light.axes(cache.direction.towards);
+  const double share = 1.0 / (static_cast<double>(light.size1()) * light.size2());
+  Rgb sum;
+  for (int v = 0; v < light.size2(); ++v) {
+    for (int u = 0; u < light.size1(); ++u) {
+      double du = u, dv = v;
+      if (light.source().jitter) du += random_.shading() - 0.5, dv += random_.shading() - 0.5;
+      const Vec3 offset = light.offset(axes, du, dv);
+      const LightDirection direction = light.direction(p, offset);
+      const Rgb color = cache.color * static_cast<float>(light.attenuation(p, direction, offset) * share);
+      bool back = false;
+      if (!at.surface.double_illuminate && dot(layer.normal, direction.towards) < kEpsilon) {
+        if (finish.diffuse_back == 0) continue;
+        back = true;
+      }
+      sum += layer_response(at, layer, ray.ray.direction, direction.towards, color,
+                            back ? finish.diffuse_back : finish.diffuse, light.highlights() && !ray.gather && !back);
+    }
+  }
+  return sum;
+}
+
+Rgb Tracer::layer_response(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l,
+                           const Rgb& intensity, float diffuse, bool highlights) {
+  const scene::Finish& finish = layer.layer.finish;
+  const Rgb pigment = layer.pigment.rgb();
+  const double cosine = dot(layer.normal, l);
+  Rgb sum;
+  const bool replaced = finish.subsurface && scene_.effects && scene_.effects->subsurface;
+  if (diffuse > 0 && !replaced) {
+    double s = diffuse_share(layer.opacity, diffuse, finish.brilliance, cosine);
+    if (finish.crand > 0) s -= finish.crand * random_.crand();
+    sum += static_cast<float>(s) * pigment * intensity;
+  }
+  if (highlights && (finish.phong > 0 || finish.specular > 0)) {
+    double strength = 0;
+    if (finish.phong > 0) strength += phong_highlight(finish, layer.normal, view, l);
+    if (finish.specular > 0) strength += specular_highlight(finish, layer.normal, view, l);
+    if (strength != 0) {
+      Rgb color = intensity * static_cast<float>(strength);
+      if (finish.metallic > 0) color *= metallic_tint(pigment, finish.metallic, cosine);
+      sum += color;
+    }
+  }
+  if (finish.irid > 0) sum *= iridescence_of(at, layer, std::fabs(cosine) + std::fabs(dot(layer.normal, view)));
+  return sum;
+}
+
+Rgb Tracer::iridescence_of(const SurfaceHit& at, const LayerContext& layer, double cosines) {
+  const scene::Finish& finish = layer.layer.finish;
+  double thickness = finish.irid_thickness;
+  if (finish.irid_turbulence != 0) {
+    const double t = textures::turbulence(at.hit.point, 5, 2, 0.5, scene_.scene.settings.noise_generator);
+    thickness *= 1 + (2 * t - 1) * finish.irid_turbulence;
+  }
+  return iridescence(finish.irid, thickness, cosines, scene_.scene.settings.irid_wavelength);
+}
+
+Rgb Tracer::light_at(const Light& light, const Vec3& p, const RayState& ray, Vec3& to_light) {
+  const LightDirection direction = light.direction(p);
+  to_light = direction.towards;
+  const Rgb color = light.color() * static_cast<float>(light.attenuation(p, direction));
+  return color.max_abs() < kDark ? Rgb() : shadowed(light, p, direction, ray, nullptr, color);
+}
+
+}  // namespace verisim::shading

@@ -1,0 +1,191 @@
+// How much of a light arrives: occlusion, filters of transparent surfaces, fading and volumes along a shadow ray (spec
+// 06 section 9).
+#include "tracer/shading/finish.h"
+#include "tracer/shading/atmosphere/fog.h"
+#include "tracer/shading/tracer.h"
+
+namespace verisim::shading {
+namespace {
+
+constexpr double kCachedTolerance = 1e-4;  // to the shaded point, for the last blocker in replay
+constexpr float kDark = static_cast<float>(kEpsilon);
+
+}  // namespace
+
+Rgb Tracer::shadowed(const Light& light, const Vec3& p, const LightDirection& centre, const RayState& ray,
+                     const shapes::Surface* lit, Rgb color) {
+  if (scene_.quality < 4 || !light.shadows()) return color;
+  const ShadowQuery query{ray, lit, light};
+  // Radiosity's gather rays see area lights as points (spec 07 2.11).
+  if (light.area() && !ray.gather) return area_shadow(query, p, centre, color);
+  cast_shadow(query, p, centre.towards, centre.distance, color);
+  return color;
+}
+
+int* Tracer::last_blocker(const ShadowQuery& query) {
+  const auto light = static_cast<std::size_t>(&query.light - scene_.lights().data());
+  if (!random_.replay() || light >= scene_.global_lights()) return nullptr;
+  if (last_blockers_.empty()) last_blockers_.assign(scene_.global_lights(), {-1, -1});
+  return &last_blockers_[light][query.eye.level > 0];
+}
+
+accel::WorldEntry* Tracer::shadow_entry(const ShadowQuery& query, const Vec3& p) {
+  const auto light = static_cast<std::uint32_t>(&query.light - scene_.lights().data());
+  if (query.light.parallel())
+    return coherent_.parallel_shadow(p, light, query.light.direction(p).towards, viewer(query));
+  return query.light.box().isEmpty() ? nullptr : coherent_.shadow(p, light, query.light.box(), viewer(query));
+}
+
+accel::CoherentRays::Viewer Tracer::viewer(const ShadowQuery& query) {
+  return query.lit && query.eye.level == 0 && query.eye.primary ? accel::CoherentRays::Viewer::camera
+                                                                : accel::CoherentRays::Viewer::other;
+}
+
+bool Tracer::light_on_way_changes(const Light& light) const {
+  const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
+  return scene_.quality >= 9 && light.media_attenuation() && (scene_.fog || media);
+}
+
+bool Tracer::any_object_decides(const accel::WorldEntry* entry, const Vec3& p, const Vec3& towards,
+                                double distance) const {
+  return only_opaque(entry) || scene_.world.only_opaque_between(p, p + distance * towards);
+}
+
+void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color) {
+  ++statistics_.shadow_rays;
+  const Ray ray{p, towards};
+  if (const shapes::Shape* projector = query.light.projector()) {
+    shapes::Hit hit;
+    if (!projector->intersect(ray, shapes::RayKind::shadow, kShadowTolerance, distance, hit)) {
+      color = {};
+      return;
+    }
+    if (!query.light.highlights()) return;  // shadowless: the projector is all it heeds
+    distance = hit.t;
+  }
+  if (const int* blocker = last_blocker(query);
+      blocker && *blocker >= 0 && scene_.world.occluded_by(*blocker, ray, kCachedTolerance, distance)) {
+    color = {};
+    return;
+  }
+  // Without transparent objects any opaque hit decides. With them surfaces are met in order: one closer than the
+  // tolerance to the transparent surface before it does not count, opaque or not, and media draw their random numbers
+  // where POV-Ray's do.
+  accel::WorldEntry* const entry = shadow_entry(query, p);
+  if (light_on_way_changes(query.light) || random_.replay() || !any_object_decides(entry, p, towards, distance)) {
+    filter_along(query, p, towards, distance, entry, color);
+  } else if (distance > 2 * kShadowTolerance &&
+             scene_.world.occluded(ray, kShadowTolerance, distance - kShadowTolerance, entry)) {
+    color = {};
+  }
+}
+
+void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance,
+                          const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first) {
+  const InteriorScope scope(*this);
+  RayState ray = query.eye;
+  ray.ray = {p, towards};
+  for (;;) {
+    if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
+    shapes::Hit hit;
+    if (distance <= 2 * kShadowTolerance) break;
+    if (first)
+      hit = *first;
+    else if (!scene_.world.intersect(ray.ray, shapes::RayKind::shadow, kAboveShadowTolerance,
+                                     distance - kShadowTolerance, hit, entry))
+      break;
+    first = nullptr;
+    if (filter_through(query, ray, hit, color)) return;
+    shadow_volumes(query, ray, hit.t, true, color);
+    ray.interiors = crossed(ray.interiors, hit.shape->surface->interior);
+    ray.hollow = all_hollow(ray.interiors);
+    ray.ray.origin = hit.point;
+    distance -= hit.t;
+  }
+  if (distance > kShadowTolerance) shadow_volumes(query, ray, distance, false, color);
+}
+
+// Atmosphere and fog act only for lights that ask for it; media of containers always, over segments that end at a
+// surface (spec 06 9.4, 07 4.7).
+void Tracer::shadow_volumes(const ShadowQuery& query, const RayState& ray, double length, bool container, Rgb& color) {
+  if (scene_.quality < 9 || !ray.hollow) return;
+  const bool attenuates = query.light.media_attenuation();
+  if (const Effects* effects = scene_.effects) {
+    const bool inside = container && effects->media_in_interiors && ray.interiors.count > 0,
+               air = attenuates && effects->atmosphere;
+    if (inside || air) effects->shadow_media(*this, ray, length, inside, air, color);
+  }
+  if (attenuates && scene_.fog)
+    color *=
+        fog_along(scene_.scene.fogs, ray.ray.origin, ray.ray.direction, length, scene_.scene.settings.noise_generator)
+            .passed;
+}
+
+// Multiplies by the filter of one surface; true when nothing passes.
+bool Tracer::filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color) {
+  const shapes::Surface& surface = *hit.shape->surface;
+  if (surface.opaque) {
+    if (int* blocker = last_blocker(query)) *blocker = surface.frame_object;
+    color = {};
+    return true;
+  }
+  if (scene_.effects && scene_.effects->photons && scene_.effects->photons_block(query.lit, surface, query.light)) {
+    color = {};
+    return true;
+  }
+  SurfaceHit at(hit, ray.ray.direction, 0, 0);
+  const Vec3 p = at.pattern_point();
+  Rgb filter;
+  scene_.world.weighted_textures(hit, at.inside_hit, weighted_);
+  if (weighted_.empty()) {
+    const auto* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;
+    if (texture) filter = texture_filter(at, *texture, p, ray.ray.direction, nullptr);
+  } else {
+    const std::size_t first = selection_.size();
+    selection_.insert(selection_.end(), weighted_.begin(), weighted_.end());
+    const std::size_t end = selection_.size();
+    for (std::size_t i = first; i < end; ++i) {
+      const textures::WeightedTexture entry = selection_[i];
+      if (entry.weight >= scene_.adc_bailout)
+        filter += texture_filter(at, *entry.texture, p, ray.ray.direction, nullptr) * entry.weight;
+    }
+    selection_.resize(first);
+  }
+  if (surface.interior->fade_power > 0) filter *= fade_factor(ray.interiors, *surface.interior, hit.t);
+  color *= filter;
+  return color.max_abs() < kDark;
+}
+
+Rgb Tracer::texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,
+                           const Frame* frame) {
+  if (texture.opaque) return {};
+  if (texture.patterned()) {
+    const std::size_t first = selection_.size();
+    selection_.resize(first + std::max<std::size_t>(texture.map.size(), 2));
+    Vec3 warped;
+    const auto chosen = textures::select(texture, p, &at.texture_point, std::span(selection_).subspan(first), warped);
+    const std::size_t count = chosen.size(), offset = static_cast<std::size_t>(chosen.data() - selection_.data());
+    const Frame inner{&texture, frame};
+    Rgb sum;
+    for (std::size_t i = 0; i < count; ++i) {
+      const textures::WeightedTexture entry = selection_[offset + i];
+      if (entry.weight != 0) sum += texture_filter(at, *entry.texture, warped, towards, &inner) * entry.weight;
+    }
+    selection_.resize(first);
+    return sum;
+  }
+  const float caustics = at.surface.interior->caustics;
+  Rgb filter(1);
+  for (const textures::CompiledLayer& layer : texture.layers) {
+    Color c;
+    // Fake caustics: once per layer, so a surface may brighten the light.
+    Vec3 normal = at.raw;
+    if (caustics != 0) normal = layer_normal(at, layer, p, frame);
+    if (textures::evaluate(*layer.pigment, p, &at.texture_point, c)) filter *= c.transmission();
+    if (caustics != 0)
+      filter *= static_cast<float>(1 + std::pow(std::fabs(dot(normal, towards)), static_cast<double>(caustics)));
+  }
+  return filter;
+}
+
+}  // namespace verisim::shading

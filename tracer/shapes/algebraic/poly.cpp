@@ -1,0 +1,217 @@
+// cubic, quartic, poly and polynomial (spec 03 4.9): sum of c x^i y^j z^k = 0, coefficients in order of falling powers
+// of x, then y, then z.
+#include <algorithm>
+
+#include "tracer/math/bernstein_lanes.h"
+#include "tracer/math/polynomial.h"
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/algebraic/poly_lanes.h"
+#include "tracer/shapes/primitive.h"
+
+namespace verisim::shapes {
+namespace {
+
+constexpr double kFarthestRoot = 1e7, kNearest = 1e-4, kElimination = 1e-4, kInsideThreshold = 1e-4;
+
+#include "tracer/shapes/algebraic/poly_along.inc"
+
+class Poly final : public Primitive<Poly> {
+ public:
+  Poly(const scene::Object& description, const scene::Poly& p)
+      : Primitive(description, {everywhere(), false}),
+        order_(p.order),
+        coefficients_(p.coefficients),
+        sturm_(description.sturm) {
+    const auto n = static_cast<std::size_t>(order_);
+    coefficients_.resize((n + 1) * (n + 2) * (n + 3) / 6);
+    const double* c = coefficients_.data();
+    for (int i = order_; i >= 0; --i)
+      for (int j = order_ - i; j >= 0; --j) {
+        const int count = order_ - i - j + 1;
+        used_.push_back(std::any_of(c, c + count, [](double v) { return v != 0; }));
+        c += count;
+      }
+  }
+
+  template <class Sink>
+  void crossings(const Ray& ray, Sink& sink) const {
+    const LocalRay l = local(ray);
+    const double o[3] = {l.origin.x, l.origin.y, l.origin.z}, d[3] = {l.direction.x, l.direction.y, l.direction.z};
+    Univariate<double> p;
+    along(order_, coefficients_.data(), used_.data(), o, d, p);
+    report_roots(l, p, sink);
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max,
+                           Hit* hits) const override {
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min,
+                          const double* t_max) const override {
+    Hit hit;
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+  }
+
+  bool contains(const Vec3& p) const { return value(local(p)) < kInsideThreshold; }
+
+  Vec3 raw_normal(const Hit& hit) const {
+    const Vec3 g = gradient(local(hit.point));
+    if (g == Vec3(0)) return {1, 0, 0};
+    return world_normal(g / std::max({std::fabs(g.x), std::fabs(g.y), std::fabs(g.z)}));
+  }
+
+ private:
+  template <class Sink>
+  void report_roots(const LocalRay& l, Univariate<double>& p, Sink& sink) const {
+    double roots[kMaxPolynomialDegree];
+    const int n = order_ == 2 ? solve_order2(p, roots) : solve(p, roots);
+    for (int i = 0; i < n; ++i) {
+      const double t = roots[i];
+      bool duplicate = false;
+      for (int k = 0; k < i; ++k) duplicate = duplicate || roots[k] == t;
+      if (!duplicate) report(l, t, sink);
+    }
+  }
+  template <class Sink>
+  bool report(const LocalRay& l, double t, Sink& sink) const {
+    return t > kNearest && sink.add(t / l.scale, [&] { return world(l.origin + t * l.direction); });
+  }
+
+  template <class HitOf>
+  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
+    if (admitted == 0) return 0;
+    LocalLanes lanes;
+    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes);
+    PolyLanes along;
+    poly_along()(order_, coefficients_.data(), used_.data(), lanes, along);
+    const int degree = along.size - 1;
+    RootLanes bounded;
+    unsigned found = 0, wanted = 0;
+    each_lane(admitted, [&](int k) {
+      if (isolates(degree) && along.c[degree][k] != 0) {
+        double c[kMaxBernsteinDegree + 1];
+        for (int i = 0; i <= degree; ++i) c[i] = along.c[i][k];
+        bounded.from[k] = 0, bounded.to[k] = root_bound(degree, c);
+        wanted |= bounded.to[k] > 0 ? 1u << k : 0;
+        return;
+      }
+      Univariate<double> p;
+      for (; p.size < along.size; ++p.size) p.c[p.size] = along.c[p.size][k];
+      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      report_roots(local(rays.at(k)), p, sink);
+      found |= sink.found() ? 1u << k : 0;
+    });
+    if (wanted == 0) return found;
+    for (int i = 0; i <= degree; ++i) std::copy_n(along.c[i], RayLanes::kCount, bounded.power[i]);
+    unsigned open = bernstein_kernels().begin(degree, wanted, bounded);
+    while (open != 0) {
+      open &= bernstein_kernels().next(degree, open, bounded);
+      each_lane(open, [&](int k) {
+        const double t = bounded.root[k];
+        NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+        if (report(local(rays.at(k)), t, sink))
+          found |= 1u << k, open &= ~(1u << k);
+        else if (t / lanes.scale[k] >= t_max[k])
+          open &= ~(1u << k);
+      });
+    }
+    return found;
+  }
+
+  int solve(const Univariate<double>& p, double* roots) const {
+    double c[kMaxPolynomialDegree + 1];
+    int degree = p.size - 1;
+    while (degree >= 0 && p.c[degree] == 0) --degree;
+    if (degree < 2) return 0;
+    if (isolates(degree)) {
+      const double bound = root_bound(degree, p.c);
+      return bound > 0 ? bernstein_roots(degree, p.c, 0, bound, roots) : 0;
+    }
+    for (int i = 0; i <= degree; ++i) c[i] = p.c[degree - i];
+    return solve_polynomial(degree, c, roots, sturm_, kElimination);
+  }
+
+  // Degrees for which POV-Ray has Sturm sequences: all roots lie within Fujiwara's bound, and on that stretch they are
+  // isolated in Bernstein form.
+  static bool isolates(int degree) { return degree >= 5 && degree <= kMaxBernsteinDegree; }
+  static double root_bound(int degree, const double* power) {
+    double exponent = -1e9;
+    for (int k = 1; k <= degree; ++k) {
+      const double ratio = std::fabs(power[degree - k] / power[degree]) * (k == degree ? 0.5 : 1);
+      // ratio^(1/k), in powers of two rounded up.
+      if (ratio > 0 && std::isfinite(ratio)) exponent = std::max(exponent, (std::ilogb(ratio) + 1.0) / k);
+    }
+    return std::min(2 * std::exp2(exponent) * (1 + 1e-9), kFarthestRoot);
+  }
+
+  int solve_order2(Univariate<double>& p, double* roots) const {
+    while (p.size < 3) p.c[p.size++] = 0;
+    const double a = p.c[2], b = 0.5 * p.c[1], c = p.c[0];
+    if (std::fabs(a) < 1e-20) {
+      if (b == 0) return 0;
+      roots[0] = -0.5 * c / b;
+      return 1;
+    }
+    const double discriminant = b * b - a * c;
+    if (!(discriminant >= 0)) return 0;
+    const double root = std::sqrt(discriminant);
+    roots[0] = (-b + root) / a;
+    roots[1] = (-b - root) / a;
+    return 2;
+  }
+
+  double value(const Vec3& p) const {
+    const double* c = coefficients_.data();
+    double result = 0;
+    for (int i = order_; i >= 0; --i) {
+      double in_y = 0;
+      for (int j = order_ - i; j >= 0; --j) {
+        double in_z = 0;
+        for (int k = order_ - i - j; k >= 0; --k) in_z = in_z * p.z + *c++;
+        in_y = in_y * p.y + in_z;
+      }
+      result = result * p.x + in_y;
+    }
+    return result;
+  }
+
+  // Horner's rule with derivatives carried along.
+  Vec3 gradient(const Vec3& p) const {
+    const double* c = coefficients_.data();
+    double v = 0, dx = 0, dy = 0, dz = 0;
+    for (int i = order_; i >= 0; --i) {
+      double v1 = 0, dy1 = 0, dz1 = 0;
+      for (int j = order_ - i; j >= 0; --j) {
+        double v2 = 0, dz2 = 0;
+        for (int k = order_ - i - j; k >= 0; --k) {
+          dz2 = dz2 * p.z + v2;
+          v2 = v2 * p.z + *c++;
+        }
+        dy1 = dy1 * p.y + v1;
+        v1 = v1 * p.y + v2;
+        dz1 = dz1 * p.y + dz2;
+      }
+      dx = dx * p.x + v;
+      v = v * p.x + v1;
+      dy = dy * p.x + dy1;
+      dz = dz * p.x + dz1;
+    }
+    return {dx, dy, dz};
+  }
+
+  int order_;
+  std::vector<double> coefficients_;
+  std::vector<unsigned char> used_;  // per power of x and y: whether any coefficient is not zero
+  bool sturm_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_poly(const scene::Object& object) {
+  return std::make_unique<Poly>(object, *object.as<scene::Poly>());
+}
+
+}  // namespace verisim::shapes

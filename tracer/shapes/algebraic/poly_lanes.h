@@ -1,0 +1,22 @@
+// A polynomial surface along eight rays at once. Compiled for several instruction sets.
+#pragma once
+
+#include "tracer/math/polynomial.h"
+#include "tracer/shapes/lane_kernels.h"
+
+namespace verisim::shapes {
+
+struct alignas(64) PolyLanes {
+  double c[kMaxPolynomialDegree + 1][RayLanes::kCount];  // constant terms first
+  int size;                                              // how many, for all lanes; 0 is zero
+};
+
+using PolyAlong = void (*)(int order, const double* coefficients, const unsigned char* used, const LocalLanes& rays,
+                           PolyLanes& lanes);
+
+// That of the best instruction set of this machine.
+PolyAlong poly_along();
+// That of any set, for tests; null: this machine cannot run it.
+PolyAlong poly_along(int instruction_set);
+
+}  // namespace verisim::shapes

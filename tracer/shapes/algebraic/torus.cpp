@@ -1,0 +1,144 @@
+// torus (spec 03 4.4): about the y axis.
+#include <numbers>
+
+#include "tracer/math/polynomial.h"
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/lane_kernels.h"
+#include "tracer/shapes/primitive.h"
+
+namespace verisim::shapes {
+namespace {
+
+constexpr double kNearest = 1e-4, kFarthest = 1e7, kElimination = 1e-4;
+
+Box3 box_of(const scene::Torus& t) {
+  const double outer = t.major + t.minor;
+  return {Vec3(-outer, -t.minor, -outer), Vec3(outer, t.minor, outer)};
+}
+
+class Torus final : public Primitive<Torus> {
+ public:
+  Torus(const scene::Object& description, const scene::Torus& t)
+      : Primitive(description, {box_of(t)}),
+        major_(t.major),
+        minor_(t.minor),
+        major2_(t.major * t.major),
+        minor2_(t.minor * t.minor),
+        sturm_(description.sturm),
+        guarded_(has_guards(description)) {}
+
+  template <class Sink>
+  void crossings(const Ray& ray, Sink& sink) const {
+    const LocalRay l = local(ray);
+    if (!meets_thick_cylinder(l)) return;
+    // Start near the torus: the quartic loses its digits far away from it.
+    const Vec3& d = l.direction;
+    const double around = major_ + 2 * minor_, distance = length(l.origin);
+    const double advance = distance > around ? distance - around : 0;
+    const Vec3 p = l.origin + advance * d;
+
+    const double pp = dot(p, p), y2 = p.y * p.y;
+    const double k1 = pp - major2_ - minor2_, k2 = dot(p, d);
+    const double c[5] = {1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + major2_ * d.y * d.y)),
+                         4 * (k1 * k2 + 2 * major2_ * p.y * d.y), k1 * k1 + 4 * major2_ * (y2 - minor2_)};
+    report(ray, c, advance, l.scale, sink);
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
+    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    Hit hit;
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+  }
+
+  bool contains(const Vec3& point) const {
+    const Vec3 p = local(point);
+    const double rho = std::sqrt(p.x * p.x + p.z * p.z) - major_;
+    return rho * rho + p.y * p.y <= minor2_;
+  }
+
+  Vec3 raw_normal(const Hit& hit) const {
+    const Vec3 p = local(hit.point);
+    const double rho = std::sqrt(p.x * p.x + p.z * p.z);
+    if (!(rho > kEpsilon)) return world_normal(p);
+    return world_normal({p.x - major_ * p.x / rho, p.y, p.z - major_ * p.z / rho});
+  }
+
+  Vec2 uv(const Hit& hit) const override {
+    const Vec3 p = local(hit.point);
+    constexpr double pi = std::numbers::pi;
+    const double u = 1 - (std::atan2(p.z, p.x) + pi) / (2 * pi);
+    const double v = (std::atan2(p.y, std::sqrt(p.x * p.x + p.z * p.z) - major_) + pi) / (2 * pi);
+    return {u, v};
+  }
+
+ private:
+  // The hits of a ray whose quartic counts from `advance`.
+  template <class Sink>
+  void report(const Ray& ray, const double* c, double advance, double scale, Sink& sink) const {
+    double roots[4];
+    const int n = solve_polynomial(4, c, roots, sturm_, kElimination);
+    for (int i = n - 1; i >= 0; --i) {
+      const double depth = (roots[i] + advance) / scale;
+      if (depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
+    }
+  }
+  template <class HitOf>
+  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    TorusLanes lanes;
+    lane_kernels().torus(major_, minor_, has_matrix() ? &matrix() : nullptr, rays, lanes);
+    unsigned found = 0;
+    each_lane(rays.asked, [&](int k) {
+      if (lanes.met[k] == 0) return;
+      const double c[5] = {1, lanes.c[0][k], lanes.c[1][k], lanes.c[2][k], lanes.c[3][k]};
+      NearestHit sink(*this, nullptr, t_min, t_max[k], hit_of(k), any);
+      report(rays.at(k), c, lanes.advance[k], lanes.scale[k], sink);
+      found |= sink.found() ? 1u << k : 0;
+    });
+    return found;
+  }
+
+  // |y| <= r, distance from the axis between R - r and R + r.
+  bool meets_thick_cylinder(const LocalRay& l) const {
+    const Vec3 &o = l.origin, &d = l.direction;
+    const double outer = major_ + minor_, inner = major_ > minor_ ? major_ - minor_ : 0;
+    const double outer2 = outer * outer, inner2 = inner * inner;
+    double near = 0, far = HUGE_VAL;
+    if (std::fabs(d.y) < kEpsilon) {
+      if (std::fabs(o.y) > minor_) return false;
+    } else {
+      double a = (-minor_ - o.y) / d.y, b = (minor_ - o.y) / d.y;
+      if (a > b) std::swap(a, b);
+      near = std::max(near, a), far = std::min(far, b);
+      if (near > far) return false;
+    }
+    const double a = d.x * d.x + d.z * d.z, b = o.x * d.x + o.z * d.z, c = o.x * o.x + o.z * o.z;
+    if (a < kEpsilon) return c >= inner2 * (1 - 1e-9) && c <= outer2 * (1 + 1e-9);
+    const double discriminant = b * b - a * (c - outer2);
+    if (discriminant < 0) return false;
+    const double root = std::sqrt(discriminant);
+    near = std::max(near, (-b - root) / a), far = std::min(far, (-b + root) / a);
+    if (near > far) return false;
+    // Inside the hole all the way from near to far?
+    const auto rho2 = [&](double t) { return c + t * (2 * b + a * t); };
+    return !(inner2 > 0 && rho2(near) < inner2 * (1 - 1e-9) && rho2(far) < inner2 * (1 - 1e-9));
+  }
+
+  double major_, minor_, major2_, minor2_;
+  bool sturm_, guarded_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_torus(const scene::Object& object) {
+  return std::make_unique<Torus>(object, *object.as<scene::Torus>());
+}
+
+}  // namespace verisim::shapes

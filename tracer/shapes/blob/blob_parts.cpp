@@ -1,0 +1,101 @@
+#include "tracer/shapes/blob/blob_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/shapes/frame.h"
+
+namespace verisim::shapes::blob {
+namespace {
+
+// A sphere that POV-Ray draws around a part, as a cube; generous for transformed ones.
+Box3 cube_around(const Vec3& center, double radius, const Transform& t) {
+  Box3 box;
+  for (int corner = 0; corner < 8; ++corner)
+    box.extendBy(t.point(center + radius * Vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1)));
+  const Vec3 size = box.max - box.min;
+  const Vec3 half(0.5 * std::max({size.x, size.y, size.z}));
+  const Vec3 moved = t.point(center);
+  return {moved - half, moved + half};
+}
+
+// The box of a moved sphere.
+Box3 box_of_sphere(const Vec3& center, double radius, const Transform& t) {
+  const Vec3 moved = t.point(center);
+  Vec3 half;
+  for (int i = 0; i < 3; ++i)
+    half[i] = radius * (1 + 1e-9) * std::sqrt(t.m[0][i] * t.m[0][i] + t.m[1][i] * t.m[1][i] + t.m[2][i] * t.m[2][i]);
+  return {moved - half, moved + half};
+}
+
+}  // namespace
+
+std::vector<BlobPart> parts_of(const scene::Blob& blob) {
+  std::vector<BlobPart> parts;
+  for (std::size_t i = 0; i < blob.components.size(); ++i) {
+    const scene::BlobComponent& c = blob.components[i];
+    BlobPart part;
+    part.component = static_cast<std::int32_t>(i);
+    part.radius2 = c.radius * c.radius;
+    part.k0 = c.strength / (part.radius2 * part.radius2);
+    part.k1 = -2 * c.strength / part.radius2;
+    part.k2 = c.strength;
+    part.moved = c.transform.has_value();
+    part.transform = c.transform.value_or(Transform{});
+    part.center = c.a;
+    const double radius = std::fabs(c.radius);
+    if (!c.cylinder) {
+      part.kind = BlobPartKind::sphere;
+      part.pov_box = cube_around(c.a, radius, part.transform);
+      part.box = box_of_sphere(c.a, radius, part.transform);
+      parts.push_back(part);
+      continue;
+    }
+    const double len = length(c.b - c.a);
+    part.axis = (c.b - c.a) / len;
+    part.length = len;
+    const Transform frame = frame_along(c.a, part.axis, 1, 1).then(part.transform);
+    part.kind = BlobPartKind::cylinder;
+    const Box3 base = box_of_sphere(c.a, radius, part.transform), apex = box_of_sphere(c.b, radius, part.transform);
+    part.pov_box = cube_around({0, 0, 0.5 * len}, std::sqrt(part.radius2 + 0.25 * len * len), frame);
+    part.box = base;
+    part.box.extendBy(apex);
+    parts.push_back(part);
+    part.kind = BlobPartKind::base;
+    part.pov_box = cube_around(Vec3(0), radius, frame);
+    part.box = base;
+    parts.push_back(part);
+    part.kind = BlobPartKind::apex;
+    part.center = c.b;
+    part.pov_box = cube_around({0, 0, len}, radius, frame);
+    part.box = apex;
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+std::vector<PartSpheres> spheres_around(const std::vector<BlobPart>& parts) {
+  std::vector<PartSpheres> spheres((parts.size() + 7) / 8);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const BlobPart& part = parts[i];
+    Vec3 center = part.center;
+    double radius = std::sqrt(part.radius2);
+    if (part.moved) {
+      center = part.box.center(), radius = 0.5 * length(part.box.max - part.box.min);
+    } else if (part.kind == BlobPartKind::cylinder) {
+      center += 0.5 * part.length * part.axis, radius = std::sqrt(part.radius2 + 0.25 * part.length * part.length);
+    }
+    PartSpheres& s = spheres[i / 8];
+    s.x[i % 8] = center.x, s.y[i % 8] = center.y, s.z[i % 8] = center.z, s.radius[i % 8] = radius;
+  }
+  return spheres;
+}
+
+Box3 box_of(const std::vector<BlobPart>& parts, bool all) {
+  Box3 box;
+  for (const BlobPart& part : parts)
+    if (all || part.k2 > 0) box.extendBy(part.box);
+  return box;
+}
+
+}  // namespace verisim::shapes::blob

@@ -1,0 +1,199 @@
+// union and merge (spec 03 section 5), and which class a CSG object gets.
+#include "tracer/shapes/csg/csg.h"
+
+#include <algorithm>
+
+#include "tracer/shapes/csg/csg_tree.h"
+#include "tracer/shapes/factories.h"
+
+namespace verisim::shapes {
+namespace {
+
+// What union and merge share: a point is inside if any child contains it.
+class Sum : public CsgShape {
+ public:
+  Sum(const scene::Object& description, Children children, bool merge) : CsgShape(description, std::move(children)) {
+    Box3 sheet, solid;
+    Box3 complement = everywhere();
+    bool any_outside = false;
+    for (std::uint32_t i = 0; i < children_.size(); ++i) {
+      surfaces_.add(i, children_[i]->bounds());
+      hidden_.push_back(hidden_from(*children_[i]->object, merge));
+      sheet = united(sheet, children_[i]->bounds());
+      const SolidExtent extent = children_[i]->solid_extent();
+      if (extent.outside) {
+        any_outside = true;
+        complement = common(complement, extent.box);
+        outside_in_.push_back(i);
+      } else {
+        solid = united(solid, extent.box);
+        solids_.add(i, extent.box);
+      }
+    }
+    surfaces_.build();
+    solids_.build();
+    set_extent(sheet, any_outside ? SolidExtent{complement, true} : SolidExtent{solid, false});
+  }
+
+  bool inside_unclipped(const Vec3& p) const final {
+    for (const std::uint32_t i : outside_in_)
+      if (child(i).inside(p)) return true;
+    return solids_.any_around(p, [&](std::uint32_t i) { return child(i).inside(p); });
+  }
+
+ protected:
+  bool hidden(std::uint32_t i, RayKind kind) const { return hidden_[i] >> static_cast<unsigned>(kind) & 1; }
+  // p is inside another child that this kind of ray sees.
+  bool inside_another(const Vec3& p, std::uint32_t self, RayKind kind) const {
+    for (const std::uint32_t i : outside_in_)
+      if (i != self && !hidden(i, kind) && child(i).inside(p)) return true;
+    return solids_.any_around(p, [&](std::uint32_t i) { return i != self && !hidden(i, kind) && child(i).inside(p); });
+  }
+
+ private:
+  std::vector<unsigned> hidden_;
+  std::vector<std::uint32_t> outside_in_;  // children that contain everything outside a box
+  ChildIndex solids_;                      // the others
+};
+
+class Union final : public Sum {
+ public:
+  Union(const scene::Object& description, Children children) : Sum(description, std::move(children), false) {}
+
+  void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
+    if (guards_ && !guards_->admit(ray)) return;
+    const std::size_t begin = hits.size();
+    surfaces_.in_order(ray, 0, 2e10, [&](std::uint32_t i) {
+      if (!hidden(i, kind)) child(i).intersect_all(ray, kind, hits);
+    });
+    if (guards_ && !guards_->clips.empty()) filter(hits, begin, [](const Vec3&) { return true; });
+  }
+
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
+    return nearest(ray, kind, t_min, t_max, nullptr, hit);
+  }
+  bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips,
+                         Hit& hit) const override {
+    return nearest(ray, kind, t_min, t_max, &clips, hit);
+  }
+  bool occludes(const Ray& ray, double t_min, double t_max) const override {
+    if (guards_ && !guards_->admit(ray)) return false;
+    const bool clipped = guards_ && !guards_->clips.empty();
+    bool found = false;
+    surfaces_.along(ray, t_min, t_max, [&](std::uint32_t i, double limit) {
+      Hit hit;
+      found = found || (clipped ? child(i).intersect_clipped(ray, RayKind::shadow, t_min, t_max, {*guards_}, hit)
+                                : child(i).occludes(ray, t_min, t_max));
+      return found ? -HUGE_VAL : limit;
+    });
+    return found;
+  }
+
+ private:
+  // `clips`: those of the unions around this one, or null.
+  bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips* clips, Hit& hit) const {
+    if (!guards_) return nearest_of_children(ray, kind, t_min, t_max, t_min, t_max, clips, hit);
+    double near = t_min, far = t_max;
+    if (!accel::clip_to_box(ray, bounds_, near, far) || !guards_->admit(ray)) return false;
+    const Clips all{*guards_, clips};
+    return nearest_of_children(ray, kind, t_min, t_max, near, far, guards_->clips.empty() ? clips : &all, hit);
+  }
+  // Of the children whose boxes are met between `near` and `far`.
+  bool nearest_of_children(const Ray& ray, RayKind kind, double t_min, double t_max, double near, double far,
+                           const Clips* clips, Hit& hit) const {
+    bool found = false;
+    std::uint32_t owner = 0;
+    surfaces_.along(ray, near, far, [&](std::uint32_t i, double limit) {
+      if (hidden(i, kind)) return limit;
+      // At equal distance the later child wins.
+      const double bound = !found ? t_max : i > owner ? std::nextafter(hit.t, HUGE_VAL) : hit.t;
+      if (clips ? !child(i).intersect_clipped(ray, kind, t_min, bound, *clips, hit)
+                : !child(i).intersect(ray, kind, t_min, bound, hit))
+        return limit;
+      found = true;
+      owner = i;
+      return std::min(hit.t, limit);
+    });
+    return found;
+  }
+};
+
+class Merge final : public Sum {
+ public:
+  Merge(const scene::Object& description, Children children)
+      : Sum(description, std::move(children), true),
+        tree_(CsgTree::of(*this, children_, accel::is_empty(bounds_) ? everywhere() : bounds_, {})) {}
+
+  void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
+    if (guards_ && !guards_->admit(ray)) return;
+    surfaces_.in_order(ray, 0, 2e10, [&](std::uint32_t i) {
+      if (hidden(i, kind)) return;
+      const std::size_t begin = hits.size();
+      child(i).intersect_all(ray, kind, hits);
+      filter(hits, begin, [&](const Vec3& p) { return !inside_another(p, i, kind); });
+    });
+  }
+
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
+    return nearest(ray, kind, t_min, t_max, nullptr, hit);
+  }
+  bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips,
+                         Hit& hit) const override {
+    return nearest(ray, kind, t_min, t_max, &clips, hit);
+  }
+  bool occludes(const Ray& ray, double t_min, double t_max) const override {
+    return tree_ ? tree_->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr})
+                 : Shape::occludes(ray, t_min, t_max);
+  }
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
+    if (!tree_ || std::popcount(rays.asked) < CsgTree::kFewest)
+      return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    return tree_->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
+    if (!tree_ || std::popcount(rays.asked) < CsgTree::kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    return tree_->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});
+  }
+
+ private:
+  bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips* clips, Hit& hit) const {
+    if (tree_) return tree_->nearest(ray, {kind, t_min, &t_max, guards_.get(), clips}, hit);
+    if (guards_ && !guards_->admit(ray)) return false;
+    ScratchOwners owners;
+    ScratchHits hits;
+    surfaces_.in_order(ray, t_min, t_max, [&](std::uint32_t i) {
+      if (hidden(i, kind)) return;
+      const std::size_t before = hits.end();
+      child(i).intersect_all(ray, kind, hits.list());
+      for (std::size_t n = before; n < hits.end(); ++n) owners.add(i);
+    });
+    return nearest_surviving(hits, owners, t_min, t_max, hit, [&](const Vec3& p, std::uint32_t self) {
+      return !inside_another(p, self, kind) && within_clips(p, clips);
+    });
+  }
+
+  const std::unique_ptr<const CsgTree> tree_;  // of few and mostly simple parts: finds the same in less time
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_csg(const scene::Object& object) {
+  Children children;
+  for (const scene::ObjectPtr& child : scene::children_of(object)) {
+    const auto* light = child->as<scene::LightSource>();
+    if (light && !light->looks_like) continue;  // not part of any solid (spec 03 5.1)
+    children.push_back(compile(*child));
+  }
+  switch (object.as<scene::Csg>()->kind) {
+    case scene::CsgKind::union_:
+      return std::make_unique<Union>(object, std::move(children));
+    case scene::CsgKind::merge:
+      return std::make_unique<Merge>(object, std::move(children));
+    default:
+      return make_intersection(object, std::move(children));
+  }
+}
+
+}  // namespace verisim::shapes

@@ -1,0 +1,106 @@
+// What union, merge, intersection and difference share (spec 03 section 5). A difference is an intersection whose later
+// children are inverted; an inverted union arrives here as an intersection of inverted children.
+//
+// POV-Ray collects the hits of all children and keeps those that pass an inside test against the others. We do the same
+// but look only at children whose boxes the ray meets, test candidates in increasing distance, and stop at the first
+// that survives.
+#pragma once
+
+#include "tracer/shapes/csg/child_index.h"
+#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/scratch.h"
+
+namespace verisim::shapes {
+
+using Children = std::vector<std::unique_ptr<Shape>>;
+
+struct OwnerTag;
+using ScratchOwners = Scratch<std::uint32_t, OwnerTag>;  // the child of each candidate hit
+
+inline Box3 united(const Box3& a, const Box3& b) {
+  Box3 box = a;
+  if (!accel::is_empty(b)) box.extendBy(b);
+  return box;
+}
+inline Box3 common(const Box3& a, const Box3& b) {
+  Box3 box;
+  for (int i = 0; i < 3; ++i) box.min[i] = std::max(a.min[i], b.min[i]), box.max[i] = std::min(a.max[i], b.max[i]);
+  return box;
+}
+
+class CsgShape : public Shape {
+ public:
+  CsgShape(const scene::Object& description, Children children)
+      : Shape(description), children_(std::move(children)), guards_(Guards::of(description)) {}
+
+  bool inside(const Vec3& p) const final { return (!guards_ || guards_->contain(p)) && inside_unclipped(p); }
+  Vec3 normal(const Hit&) const final { return Vec3(0); }  // hits belong to primitives
+  Box3 bounds() const final { return bounds_; }
+  SolidExtent solid_extent() const final { return solid_; }
+  std::span<const std::unique_ptr<Shape>> children() const final { return children_; }
+
+ protected:
+  const Shape& child(std::uint32_t i) const { return *children_[i]; }
+
+  // Drops hits from `begin` on that lie outside the clip objects or fail `keep`.
+  template <class Keep>
+  void filter(HitList& hits, std::size_t begin, Keep&& keep) const {
+    std::size_t end = begin;
+    for (std::size_t i = begin; i < hits.size(); ++i) {
+      const Hit hit = hits[i];  // inside tests may grow the list
+      if (keep(hit.point) && (!guards_ || guards_->contain(hit.point))) hits[end++] = hit;
+    }
+    hits.resize(end);
+  }
+  // p is inside the clip objects of this object and of those around it.
+  bool within_clips(const Vec3& p, const Clips* outer) const {
+    return (!guards_ || guards_->contain(p)) && (!outer || outer->contain(p));
+  }
+  // Of candidates whose `owner` says which child they came from: the nearest in range that keep(point, owner) accepts;
+  // at equal t the last collected.
+  template <class Keep>
+  bool nearest_surviving(ScratchHits& hits, const ScratchOwners& owners, double t_min, double t_max, Hit& hit,
+                         Keep&& keep) const {
+    std::size_t count = 0;
+    for (std::size_t i = hits.begin(); i < hits.end(); ++i) count += hits[i].t >= t_min && hits[i].t < t_max;
+    if (count == 0) return false;
+    double after = t_min;
+    std::size_t after_index = hits.end();  // at t == after only candidates before this one remain
+    while (count-- > 0) {
+      std::size_t best = hits.end();
+      for (std::size_t i = hits.begin(); i < hits.end(); ++i) {
+        const double t = hits[i].t;
+        if (!(t < t_max) || !(t > after || (t == after && i < after_index))) continue;
+        if (best == hits.end() || t <= hits[best].t) best = i;
+      }
+      if (best == hits.end()) return false;
+      const Hit candidate = hits[best];
+      if (keep(candidate.point, owners[best - hits.begin()])) {
+        hit = candidate;
+        return true;
+      }
+      after = candidate.t;
+      after_index = best;
+    }
+    return false;
+  }
+  void set_extent(const Box3& bounds, SolidExtent solid) {
+    bounds_ = bounds;
+    solid_ = solid;
+    if (!guards_) return;
+    if (solid_.outside && !guards_->clips.empty()) solid_ = {everywhere(), false};
+    narrow(bounds_, *guards_);
+    if (!solid_.outside) narrow(solid_.box, *guards_);
+  }
+
+  const Children children_;
+  const std::unique_ptr<const Guards> guards_;
+  ChildIndex surfaces_;
+  Box3 bounds_;
+  SolidExtent solid_;
+};
+
+// intersection.cpp; the others are in csg.cpp.
+std::unique_ptr<Shape> make_intersection(const scene::Object& description, Children children);
+
+}  // namespace verisim::shapes

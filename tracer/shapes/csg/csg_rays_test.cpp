@@ -1,0 +1,305 @@
+// What rays meet of CSG objects, beside the plain rule of spec 03 section 5: all hits of the children that pass the
+// inside tests, and of those the nearest.
+#include "tracer/shapes/csg/csg_tree.h"
+#include "tracer/shapes/test_support.h"
+#include "tracer/simd/instruction_sets.h"
+
+namespace verisim::shapes::testing {
+namespace {
+
+bool within_clips(const Object& object, const Vec3& p) {
+  return std::all_of(object.clipped_by.begin(), object.clipped_by.end(),
+                     [&](const auto& clip) { return compile(*clip)->inside(p); });
+}
+
+// The plain rule, for objects without bounds.
+HitList hits_by_rule(const Shape& shape, const Ray& ray) {
+  HitList hits;
+  const auto* csg = shape.object->as<scene::Csg>();
+  if (!csg) {
+    shape.intersect_all(ray, RayKind::query, hits);
+    return hits;
+  }
+  for (const auto& child : shape.children())
+    for (const Hit& hit : hits_by_rule(*child, ray)) {
+      bool kept = within_clips(*shape.object, hit.point);
+      for (const auto& other : shape.children())
+        if (csg->kind == scene::CsgKind::intersection && other != child)
+          kept = kept && other->inside(hit.point);
+        else if (csg->kind == scene::CsgKind::merge && other != child)
+          kept = kept && !other->inside(hit.point);
+      if (kept) hits.push_back(hit);
+    }
+  return hits;
+}
+
+// Rays that are asked together find what each finds alone.
+void expect_the_same_in_lanes(const Shape& shape) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> place(-3, 3);
+  const auto rays = std::make_unique<RayRow>();
+  int met = 0;
+  for (int round = 0; round < 500; ++round) {
+    const Vec3 from(place(random), place(random), place(random)),
+        to(0.5 * place(random), 0.5 * place(random), 0.5 * place(random));
+    const int first = round % 3 * RayLanes::kCount;
+    const RayLanes lanes{*rays, first, round % 4 == 0 ? static_cast<unsigned>(random()) & 255u : 255u};
+    const double t_min = round % 5 == 0 ? 1.0 : 0.0, spread = round % 2 == 0 ? 0.05 : 0.4;
+    double t_max[RayLanes::kCount];
+    for (int k = 0; k < RayLanes::kCount; ++k) {
+      rays->origin.set(first + k, from),
+          rays->direction.set(first + k,
+                              normalize(to + spread * Vec3(place(random), place(random), place(random)) - from));
+      t_max[k] = k % 3 == 0 ? 2.5 : 1e9;
+    }
+    Hit hits[RayLanes::kCount];
+    const unsigned found = shape.intersect_lanes(lanes, nullptr, RayKind::query, t_min, t_max, hits);
+    const unsigned blocked = shape.occludes_lanes(lanes, nullptr, t_min, t_max);
+    each_lane(lanes.asked, [&](int k) {
+      Hit alone;
+      ASSERT_EQ(shape.intersect(lanes.at(k), RayKind::query, t_min, t_max[k], alone), (found >> k & 1) != 0)
+          << round << ' ' << k;
+      ASSERT_EQ(found >> k & 1, blocked >> k & 1) << round << ' ' << k;
+      if (!(found >> k & 1)) return;
+      ASSERT_TRUE(hits[k].t == alone.t && hits[k].shape == alone.shape && hits[k].point == alone.point &&
+                  hits[k].part == alone.part)
+          << round << ' ' << k;
+      ++met;
+    });
+    if (::testing::Test::HasFatalFailure()) return;
+  }
+  EXPECT_GT(met, 300);
+}
+
+void expect_rule(const ObjectRef& object) {
+  const auto shape = compile(*object);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-3, 3);
+  int met = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3 from(place(random), place(random), place(random)),
+        to(0.5 * place(random), 0.5 * place(random), 0.5 * place(random));
+    const Ray ray{from, normalize(to - from)};
+    HitList expected = hits_by_rule(*shape, ray), all;
+    shape->intersect_all(ray, RayKind::query, all);
+    ASSERT_EQ(all.size(), expected.size());
+    for (std::size_t k = 0; k < all.size(); ++k)
+      ASSERT_TRUE(all[k].t == expected[k].t && all[k].shape == expected[k].shape);
+    const double t_min = i % 3 == 0 ? 1.0 : 0.0, t_max = i % 2 == 0 ? 1e9 : 2.5;
+    const Hit* nearest = nullptr;
+    for (const Hit& h : expected)
+      if (h.t >= t_min && h.t < t_max && (!nearest || h.t <= nearest->t)) nearest = &h;
+    Hit hit;
+    ASSERT_EQ(shape->intersect(ray, RayKind::query, t_min, t_max, hit), nearest != nullptr);
+    ASSERT_EQ(shape->occludes(ray, t_min, t_max), nearest != nullptr);
+    if (!nearest) continue;
+    ASSERT_TRUE(hit.t == nearest->t && hit.shape == nearest->shape && hit.point == nearest->point);
+    ++met;
+  }
+  EXPECT_GT(met, 300);
+  expect_the_same_in_lanes(*shape);
+}
+
+const ObjectRef block = make(scene::Box{{-1.5, -1, -1.2}, {1.5, 1, 1.2}});
+const ObjectRef tube = make(scene::Cone{{-2, 0, 0}, {2, 0, 0}, 0.8, 0.8}, [](Object& o) {
+  scene::rotate(o, {0, 10, 5});
+});
+const ObjectRef ball = make(scene::Sphere{{0.3, 0.2, 0.1}, 1});
+const ObjectRef ring = make(scene::Torus{0.9, 0.2});
+const Steps below = [](Object& o) { o.clipped_by.push_back(make(scene::Plane{{0.2, 1, 0}, 0.1})); };
+const Steps above = [](Object& o) {
+  o.clipped_by.push_back(make(scene::Plane{{0, 1, 0.1}, -0.2}, [](Object& p) { scene::invert(p); }));
+};
+
+TEST(CsgRays, SolidsWithRoomyHoles) {
+  expect_rule(make_difference({block, tube}));
+  expect_rule(make_difference({block, tube, make(scene::Cone{{0, 0, -2}, {0, 0, 2}, 0.9, 0.7})}));
+  expect_rule(make_difference({block, make(scene::Box{{-1.4, -0.9, -1.1}, {1.4, 1.1, 1.1}})}));
+  expect_rule(make_difference({make(scene::Sphere{Vec3(0), 1.2}), ball}));
+}
+
+// What is cut out of a solid that rays cross once is only looked for where they are within it.
+TEST(CsgRays, SolidsOfASuperellipsoid) {
+  for (const auto& [east, north] : {std::pair(0.05, 0.05), std::pair(0.4, 1.3)}) {
+    const ObjectRef body = make(scene::Superellipsoid{east, north}, [](Object& o) {
+      scene::scale(o, {1.5, 1, 1.2});
+      scene::rotate(o, {5, 20, 0});
+    });
+    expect_rule(make_difference({body, tube}));
+    expect_rule(make_difference({body, ring, make_difference({tube, block}), ball}));
+    expect_rule(
+        make_difference({body, make_union({ring, make(scene::Sphere{{0.9, 0.7, 0}, 0.6})}), make_merge({ball, tube})}));
+    expect_rule(make_intersection({ball, body, make(scene::Plane{{0.2, 1, 0}, 0.1})}));
+    expect_rule(make_difference({body, make_intersection({block, ball}), ring}, below));
+  }
+}
+
+TEST(CsgRays, UnionsWithClips) {
+  expect_rule(make_union({ball, ring, tube}, below));
+  expect_rule(make_union({make_difference({block, tube}), ring}, above));
+  expect_rule(make_union({make_union({ball, ring}, below), make_merge({tube, block}, below), ring}, above));
+}
+
+// Not dissolved, with bounds, more children than boxes of a set, some of them infinite.
+TEST(CsgRays, UnionsInLanes) {
+  const Steps bounded = [](Object& o) { o.bounded_by.push_back(make(scene::Sphere{Vec3(0), 1.6})); };
+  expect_the_same_in_lanes(*compile(*make_union({ball, ring, tube})));
+  expect_the_same_in_lanes(*compile(*make_union({ball, ring, tube}, bounded)));
+  expect_the_same_in_lanes(
+      *compile(*make_union({make_difference({block, tube}), ring, make(scene::Plane{{0.2, 1, 0}, -0.9})}, bounded)));
+  std::vector<ObjectRef> many;
+  for (int i = 0; i < 40; ++i)
+    many.push_back(make(scene::Sphere{{0.1 * i - 2, 0.5 * std::sin(i), 0.5 * std::cos(2 * i)}, 0.2}));
+  expect_the_same_in_lanes(*compile(*make_union(many, below)));
+  // Of two that are met at the same distance the later one shows.
+  expect_the_same_in_lanes(
+      *compile(*make_union({ball, make(scene::Sphere{{0.3, 0.2, 0.1}, 1}), make_union({ball, ring}, below)})));
+}
+
+// Trees of random solids, with all instruction sets: alone and eight at a time they find what the plain rule finds.
+class RandomObjects {
+ public:
+  explicit RandomObjects(unsigned seed) : random_(seed) {}
+  Vec3 vector(double most) { return {number(-most, most), number(-most, most), number(-most, most)}; }
+  double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+
+  ObjectRef solid(int depth) {
+    if (depth == 0 || below(6) == 0) return leaf();
+    std::vector<ObjectRef> parts;
+    for (int n = 2 + below(3); n > 0; --n) parts.push_back(solid(depth - 1));
+    switch (below(4)) {
+      case 0:
+        return make_union(parts, steps());
+      case 1:
+        return make_merge(parts, steps());
+      case 2:
+        return make_intersection(parts, steps());
+      default:
+        return make_difference(parts, steps());
+    }
+  }
+
+ private:
+  Steps steps() {
+    const bool turned = below(2) == 0, moved = below(2) == 0, inverted = below(6) == 0, clipped = below(12) == 0,
+               grown = below(4) == 0;
+    const Vec3 angles = vector(180), way = vector(0.6);
+    const double size = number(0.6, 1.5);
+    return [=](Object& o) {
+      if (grown) scene::scale(o, {size, 1, 1 / size});
+      if (turned) scene::rotate(o, angles);
+      if (moved) scene::translate(o, way);
+      if (clipped) o.clipped_by.push_back(make(scene::Sphere{way, 1.2}));
+      if (inverted) scene::invert(o);
+    };
+  }
+  ObjectRef leaf() {
+    switch (below(9)) {
+      case 0:
+      case 1:
+        return make(scene::Sphere{vector(0.6), number(0.3, 1.2)}, steps());
+      case 2:
+        return make(scene::Box{{number(-1, -0.1), number(-1, -0.1), number(-1, -0.1)},
+                               {number(0.1, 1), number(0.1, 1), number(0.1, 1)}},
+                    steps());
+      case 3:
+        return make(scene::Box{{-1, -1, -0.5}, {1, 0.5, 1}}, steps());  // faces that several have
+      case 4:
+        return make(scene::Plane{normalize(vector(1)), number(-0.3, 0.8)}, steps());
+      case 5:
+        return make(scene::Cone{{0, -0.8, 0}, {0, 0.9, 0}, 0.5, 0.5, below(3) == 0}, steps());
+      case 6:
+        return make(scene::Cone{vector(0.8), {0, 0.9, 0}, number(0.2, 0.9), number(0, 0.9), below(3) == 0}, steps());
+      case 7:
+        return make(scene::Quadric{{number(-0.5, 1.5), number(-0.5, 1.5), number(-0.5, 1.5)},
+                                   vector(0.4),
+                                   vector(0.3),
+                                   number(-0.8, -0.1)},
+                    steps());
+      default:
+        return make(
+            below(2) == 0 ? scene::Shape(scene::Torus{0.8, 0.3}) : scene::Shape(scene::Superellipsoid{0.3, 0.6}),
+            steps());
+    }
+  }
+  std::mt19937 random_;
+};
+TEST(CsgRays, RandomTrees) {
+  RandomObjects random(17);
+  int met = 0, trees = 0;
+  for (int round = 0; round < 150; ++round) {
+    const ObjectRef object = random.solid(1 + round % 3);
+    const auto shape = compile(*object);
+    if (shape->children().empty() || !object->clipped_by.empty()) continue;
+    std::unique_ptr<const CsgTree> kinds[textures::kInstructionSets];
+    for (int set = 0; set < textures::kInstructionSets; ++set)
+      kinds[set] = CsgTree::of(*shape, shape->children(), everywhere(), {}, set);
+    trees += kinds[0] != nullptr;
+    const auto rays = std::make_unique<RayRow>();
+    for (int k = 0; k < RayRow::kMost; ++k) {
+      const Vec3 from = random.vector(round % 2 == 0 ? 3 : 0.8);
+      rays->origin.set(k, from),
+          rays->direction.set(k, k % 7 == 0 ? Vec3(0, k % 2 == 0 ? 1 : -1, 0) : normalize(random.vector(0.7) - from));
+    }
+    for (int first = 0; first < RayRow::kMost; first += RayLanes::kCount) {
+      const double t_min = first == 0 ? 0.5 : 0;
+      double t_max[RayLanes::kCount];
+      for (int k = 0; k < RayLanes::kCount; ++k) t_max[k] = k % 3 == 0 ? 2.5 : HUGE_VAL;
+      const RayLanes lanes{*rays, first, 255};
+      Hit hits[RayLanes::kCount];
+      const unsigned found = shape->intersect_lanes(lanes, nullptr, RayKind::query, t_min, t_max, hits);
+      for (int k = 0; k < RayLanes::kCount; ++k) {
+        const HitList all = hits_by_rule(*shape, lanes.at(k));
+        const Hit* nearest = nullptr;
+        for (const Hit& h : all)
+          if (h.t >= t_min && h.t < t_max[k] && (!nearest || h.t <= nearest->t)) nearest = &h;
+        ASSERT_EQ(found >> k & 1, nearest ? 1u : 0u) << round << ' ' << first + k;
+        const auto same = [&](const Hit& hit) {
+          return hit.t == nearest->t && hit.shape == nearest->shape && hit.point == nearest->point &&
+                 hit.part == nearest->part;
+        };
+        ASSERT_TRUE(!nearest || same(hits[k])) << round << ' ' << first + k;
+        met += nearest != nullptr;
+        for (const auto& tree : kinds) {
+          if (!tree) continue;
+          Hit hit;
+          const CsgQuery query{RayKind::query, t_min, t_max + k, nullptr, nullptr};
+          ASSERT_EQ(tree->nearest(lanes.at(k), query, hit), nearest != nullptr) << round << ' ' << first + k;
+          ASSERT_EQ(tree->occluded(lanes.at(k), query), nearest != nullptr) << round << ' ' << first + k;
+          ASSERT_TRUE(!nearest || same(hit)) << round << ' ' << first + k;
+        }
+      }
+      for (const auto& tree : kinds) {
+        if (!tree) continue;
+        Hit others[RayLanes::kCount];
+        const CsgQuery query{RayKind::query, t_min, t_max, nullptr, nullptr};
+        ASSERT_EQ(tree->nearest(lanes, query, others), found);
+        ASSERT_EQ(tree->occluded(lanes, query), found);
+        each_lane(found, [&](int k) {
+          ASSERT_TRUE(others[k].t == hits[k].t && others[k].shape == hits[k].shape &&
+                      others[k].point == hits[k].point && others[k].part == hits[k].part);
+        });
+      }
+    }
+  }
+  EXPECT_GT(trees, 80);
+  EXPECT_GT(met, 1000);
+}
+
+// Of hits at the same distance the last one shows.
+TEST(CsgRays, SolidsInTheSamePlace) {
+  const auto copy = [](const ObjectRef& object) { return make(object->shape); };
+  expect_rule(make_intersection({make_union({block, copy(block)}), make(scene::Plane{{0.2, 1, 0}, 0.5})}));
+  expect_rule(make_intersection(
+      {make(scene::Plane{{0.2, 1, 0}, 0.5}), make_union({make_union({ball, ring}), copy(ball), copy(ring)})}));
+  expect_rule(make_intersection({block, copy(block)}));
+}
+
+TEST(CsgRays, ClippedSolids) {
+  expect_rule(make_difference({block, tube}, below));
+  expect_rule(make_merge({ball, ring, tube}, above));
+}
+
+}  // namespace
+}  // namespace verisim::shapes::testing

@@ -1,0 +1,195 @@
+#include "tracer/shapes/csg/csg_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/bvh/box_tree.h"
+#include "tracer/shapes/quadrics/plane.h"
+#include "tracer/simd/instruction_sets.h"
+
+#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
+
+#define VERISIM_INLINE_LAMBDA __attribute__((always_inline))
+
+namespace verisim::shapes {
+
+struct CsgKernels {
+  unsigned (*eight)(const CsgTree& tree, const RayLanes& rays, const CsgQuery& query, Hit* hits);
+  bool (*one)(const CsgTree& tree, const Ray& ray, const CsgQuery& query, Hit* hit);
+};
+
+namespace {
+
+#define VERISIM_KERNELS "tracer/shapes/csg/csg_tree.inc"
+#include "tracer/simd/each_instruction_set.inc"
+
+const CsgKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+
+constexpr std::size_t kMostNodes = 40;
+
+// CSG objects without clips and bounds.
+bool takes_apart(const Shape& shape) {
+  const scene::Object& o = *shape.object;
+  return o.as<scene::Csg>() && o.bounded_by.empty() && o.clipped_by.empty();
+}
+// Nodes of these shapes; no further than to more than kMostNodes.
+std::size_t count_nodes(std::span<const std::unique_ptr<Shape>> shapes) {
+  std::size_t count = 0;
+  for (auto shape = shapes.begin(); shape != shapes.end() && count <= kMostNodes; ++shape)
+    count += 1 + (takes_apart(**shape) ? count_nodes((*shape)->children()) : 0);
+  return count;
+}
+
+}  // namespace
+
+struct CsgTree::Builder {
+  CsgTree& tree;
+  std::vector<double> cost{};  // of an inside test, by node
+  bool computes = false;       // there is a simple solid
+
+  // With what is below it. `top_child`: of the object itself.
+  std::uint32_t add(const Shape& shape, bool top_child) {
+    const auto index = static_cast<std::uint32_t>(tree.nodes.size());
+    tree.nodes.emplace_back();
+    cost.push_back(0);
+    CsgNode n;
+    n.shape = &shape;
+    n.box = enlarged(shape.bounds());
+    const SolidExtent extent = shape.solid_extent();
+    n.solid = extent.box, n.far_is_inside = extent.outside;
+    n.boxed_solid = !(extent.box == everywhere());
+    double test_cost = 40;
+    if (takes_apart(shape)) {
+      n.kind = shape.object->as<scene::Csg>()->kind == scene::CsgKind::intersection ? CsgNode::Kind::intersection
+                                                                                    : CsgNode::Kind::sum;
+      n.boxed = accel::is_finite(n.box);
+      test_cost = add_children(n, shape.children(), false);
+    } else if (n.simple = shape.simple(); n.simple.form != SimpleSolid::Form::other) {
+      n.kind = CsgNode::Kind::simple;
+      n.boxed_solid = false;
+      computes = true;
+      const bool cone = n.simple.form == SimpleSolid::Form::cone, plane = n.simple.form == SimpleSolid::Form::plane;
+      n.boxed = (cone || n.simple.form == SimpleSolid::Form::quadric || n.simple.matrix != nullptr) &&
+                accel::is_finite(n.box);
+      test_cost = (plane ? 1 : cone || n.simple.quadric ? 3 : 2) + (n.simple.matrix ? 2 : 0);
+    } else if (const auto* convex = dynamic_cast<const Convex*>(&shape);
+               convex && top_child && tree.core == 0 && convex->crossed_once()) {
+      n.kind = CsgNode::Kind::core;
+      n.convex = convex;
+      tree.core = index;
+    } else {
+      n.boxed = accel::is_finite(n.box);
+      tree.any_other = true;
+    }
+    n.end = static_cast<std::uint32_t>(tree.nodes.size());
+    if (n.boxed) tree.any_boxed = true;
+    tree.nodes[index] = n;
+    cost[index] = test_cost;
+    return index;
+  }
+  // Returns what an inside test of all of them costs. `top`: they are those of the object itself, and all of it is
+  // within each.
+  double add_children(CsgNode& n, std::span<const std::unique_ptr<Shape>> children, bool top) {
+    std::vector<std::uint32_t> indices;
+    for (const auto& child : children) indices.push_back(add(*child, top));
+    std::stable_sort(indices.begin(), indices.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return cost[a] < cost[b]; });
+    n.children = static_cast<std::uint32_t>(tree.children.size()),
+    n.child_count = static_cast<std::uint32_t>(indices.size());
+    tree.children.insert(tree.children.end(), indices.begin(), indices.end());
+    double sum = 0;
+    for (const std::uint32_t i : indices) sum += cost[i];
+    return sum;
+  }
+  // `above`: what hits on this node have to pass on the way up.
+  void add_tests(std::uint32_t index, const std::vector<CsgTest>& above) {
+    CsgNode& n = tree.nodes[index];
+    if (n.kind != CsgNode::Kind::intersection && n.kind != CsgNode::Kind::sum) {
+      std::vector<CsgTest> sorted = above;
+      std::stable_sort(sorted.begin(), sorted.end(),
+                       [&](const CsgTest& a, const CsgTest& b) { return cost[a.node] < cost[b.node]; });
+      n.tests = static_cast<std::uint32_t>(tree.tests.size()), n.test_count = static_cast<std::uint32_t>(sorted.size());
+      tree.tests.insert(tree.tests.end(), sorted.begin(), sorted.end());
+      return;
+    }
+    const bool merge = n.shape->object->as<scene::Csg>()->kind == scene::CsgKind::merge,
+               all = n.kind == CsgNode::Kind::intersection;
+    const auto hidden = [&](std::uint32_t child) {
+      return all ? 0 : hidden_from(*tree.nodes[child].shape->object, merge);
+    };
+    for (std::uint32_t i = 0; i < n.child_count; ++i) {
+      tree.nodes[tree.children[n.children + i]].hidden = hidden(tree.children[n.children + i]);
+      std::vector<CsgTest> below = above;
+      for (std::uint32_t k = 0; (all || merge) && k < n.child_count; ++k)
+        if (k != i) below.push_back({tree.children[n.children + k], all, hidden(tree.children[n.children + k])});
+      add_tests(tree.children[n.children + i], below);
+    }
+  }
+  // As BoxSet takes boxes.
+  static Box3 enlarged(Box3 box) {
+    if (!accel::is_finite(box)) return box;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double slack =
+          2e-6 * length(box.max - box.min) + 1e-9 * std::max(std::fabs(box.min[axis]), std::fabs(box.max[axis]));
+      box.min[axis] -= slack, box.max[axis] += slack;
+    }
+    return box;
+  }
+};
+
+unsigned hidden_from(const scene::Object& child, bool merge) {
+  const auto bit = [](RayKind kind) { return 1u << static_cast<unsigned>(kind); };
+  unsigned bits = 0;
+  if (child.no_image) bits |= bit(RayKind::refracted);
+  if (child.no_image && merge) bits |= bit(RayKind::camera) | bit(RayKind::query);
+  if (child.no_reflection) bits |= bit(RayKind::reflected);
+  if (child.no_radiosity) bits |= bit(RayKind::radiosity);
+  if (child.no_shadow) bits |= bit(RayKind::photon);
+  return bits;
+}
+
+bool reports_true_distances(const Shape& shape) {
+  const scene::Object& o = *shape.object;
+  if (o.as<std::shared_ptr<const scene::JuliaFractal>>() || o.as<std::shared_ptr<const scene::Parametric>>())
+    return false;
+  return std::all_of(shape.children().begin(), shape.children().end(),
+                     [](const auto& c) { return reports_true_distances(*c); });
+}
+
+std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std::unique_ptr<Shape>> children,
+                                           const Box3& limit, std::span<const Hollow> hollows, int set) {
+  const int best = textures::best_instruction_set();
+  if (set > best) return nullptr;
+  if (children.empty() || count_nodes(children) > kMostNodes) return nullptr;
+  std::unique_ptr<CsgTree> tree(new CsgTree(*kAll[set == kBest ? best : set]));
+  Builder builder{*tree};
+  tree->nodes.emplace_back();
+  builder.cost.push_back(0);
+  CsgNode top;
+  top.shape = &csg;
+  const bool all = csg.object->as<scene::Csg>()->kind == scene::CsgKind::intersection;
+  top.kind = all ? CsgNode::Kind::intersection : CsgNode::Kind::sum;
+  builder.add_children(top, children, all);
+  top.end = static_cast<std::uint32_t>(tree->nodes.size());
+  tree->nodes[0] = top;
+  builder.add_tests(0, {});
+  tree->true_distances =
+      std::all_of(children.begin(), children.end(), [](const auto& c) { return reports_true_distances(*c); });
+  if (!builder.computes) return nullptr;
+  tree->limit = Builder::enlarged(limit), tree->bounded = !(limit == everywhere());
+  tree->hollows.assign(hollows.begin(), hollows.end());
+  return tree;
+}
+
+unsigned CsgTree::nearest(const RayLanes& rays, const CsgQuery& query, Hit* hits) const {
+  return kernels_.eight(*this, rays, query, hits);
+}
+bool CsgTree::nearest(const Ray& ray, const CsgQuery& query, Hit& hit) const {
+  return kernels_.one(*this, ray, query, &hit);
+}
+unsigned CsgTree::occluded(const RayLanes& rays, const CsgQuery& query) const {
+  return kernels_.eight(*this, rays, query, nullptr);
+}
+bool CsgTree::occluded(const Ray& ray, const CsgQuery& query) const { return kernels_.one(*this, ray, query, nullptr); }
+
+}  // namespace verisim::shapes

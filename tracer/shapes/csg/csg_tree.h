@@ -1,0 +1,104 @@
+// A CSG object with all that it is made of as one flat tree: eight rays, or one, go through its solids together, and
+// hits are tested against the others in place. Finds what spec 03 section 5 says: the nearest of the children's hits
+// that pass the inside tests, of those at equal distance the last.
+//
+// Simple solids are computed here, with the operations of the shapes themselves in the same order; what else the object
+// is made of is asked.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "tracer/shapes/convex.h"
+#include "tracer/shapes/csg/hollow.h"
+#include "tracer/shapes/primitive.h"
+
+namespace verisim::shapes {
+
+// In preorder. Spans of other lists are first index and count.
+struct CsgNode {
+  enum class Kind : std::uint8_t {
+    intersection,
+    sum,
+    simple,
+    core,
+    other
+  };  // core: a solid that rays cross once, and of which only what is within it shows
+  Kind kind = Kind::other;
+  bool boxed = false;        // worth a look at its box first
+  bool boxed_solid = false;  // of everything outside `solid` it is known whether it is inside:
+  bool far_is_inside = false;
+  unsigned hidden = 0;                          // from kinds of rays, as bits
+  std::uint32_t end = 0;                        // the node behind it and what is below it
+  std::uint32_t children = 0, child_count = 0;  // CsgTree::children: those of CSG objects, cheap ones first
+  std::uint32_t tests = 0, test_count = 0;      // CsgTree::tests: what hits have to pass
+  SimpleSolid simple;
+  Box3 box;    // where its surface is, a little larger
+  Box3 solid;  // not of simple solids
+  const Shape* shape = nullptr;
+  const Convex* convex = nullptr;  // of the core
+};
+
+// A hit survives if it is inside (or outside) of another node.
+struct CsgTest {
+  std::uint32_t node;
+  bool inside;
+  unsigned hidden = 0;  // from kinds of rays that need not pass
+};
+
+struct CsgQuery {
+  RayKind kind;
+  double t_min;
+  const double* t_max;   // of each lane
+  const Guards* guards;  // of the object, or null
+  const Clips* outer;    // of the unions around it, or null
+
+  bool clipped() const { return (guards && !guards->clips.empty()) || outer; }
+  bool within_clips(const Vec3& p) const { return (!guards || guards->contain(p)) && (!outer || outer->contain(p)); }
+};
+
+struct CsgKernels;
+
+class CsgTree {
+ public:
+  static constexpr int kBest = -1;
+  static constexpr int kFewest = 2;  // rays that are worth being asked together
+
+  // Of an object whose children are compiled; null if it has too many parts or none that is computed here.
+  // `limit`: outside of it nothing shows; may be infinite. `hollows`: rooms that are cut out of it. `instruction_set`:
+  // the best, or any for tests (null: not on this machine).
+  static std::unique_ptr<const CsgTree> of(const Shape& csg, std::span<const std::unique_ptr<Shape>> children,
+                                           const Box3& limit, std::span<const Hollow> hollows,
+                                           int instruction_set = kBest);
+
+  // Lanes that are hit, and where.
+  unsigned nearest(const RayLanes& rays, const CsgQuery& query, Hit* hits) const;
+  bool nearest(const Ray& ray, const CsgQuery& query, Hit& hit) const;
+  // Lanes with any hit.
+  unsigned occluded(const RayLanes& rays, const CsgQuery& query) const;
+  bool occluded(const Ray& ray, const CsgQuery& query) const;
+
+  // For the kernels.
+  std::vector<CsgNode> nodes;
+  std::vector<std::uint32_t> children;
+  std::vector<CsgTest> tests;
+  std::vector<Hollow> hollows;
+  Box3 limit;
+  bool bounded = false;  // by `limit`
+  bool any_boxed = false, any_other = false;
+  bool true_distances = true;  // hits are where their distances say
+  std::uint32_t core = 0;      // its node, 0: none
+
+ private:
+  struct Builder;
+  explicit CsgTree(const CsgKernels& kernels) : kernels_(kernels) {}
+  const CsgKernels& kernels_;
+};
+
+// Which kinds of rays do not see a child of an undissolved union or of a merge (spec 03 5.5), as bits.
+unsigned hidden_from(const scene::Object& child, bool merge);
+
+// The points of a shape's hits are where their distances say.
+bool reports_true_distances(const Shape& shape);
+
+}  // namespace verisim::shapes

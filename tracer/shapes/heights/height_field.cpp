@@ -1,0 +1,185 @@
+// height_field (spec 04 section 5): two triangles per cell, found by descending a pyramid of extremes from near to far.
+#include <bit>
+
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/heights/height_packet.h"
+#include "tracer/shapes/heights/height_walk.h"
+#include "tracer/shapes/primitive.h"
+
+namespace verisim::shapes {
+
+namespace {
+
+constexpr double kNearest = kHeightFieldNearest, kEdge = kHeightFieldEdge;
+
+class HeightField final : public Primitive<HeightField> {
+ public:
+  HeightField(const scene::Object& description, const std::shared_ptr<const scene::HeightField>& field)
+      : HeightField(description, HeightGrid::of(field)) {}
+
+  template <class Sink>
+  void crossings(const Ray& ray, Sink& sink) const {
+    if (grid_->empty()) return;
+    // The ray in grid units; distances stay world distances.
+    Vec3 o = ray.origin, d = ray.direction;
+    if (has_matrix()) o = matrix().inverse_point(o), d = matrix().inverse_direction(d);
+    const Vec3 cells(scale_.x, scale_.y, scale_.z);
+    o = Vec3(o.x * cells.x, o.y * cells.y, o.z * cells.z), d = Vec3(d.x * cells.x, d.y * cells.y, d.z * cells.z);
+    const double low[3] = {0, grid_->bottom(), 0}, high[3] = {cells.x, grid_->top(), cells.z};
+    double enter = kNearest, leave = 1e300;
+    for (int k = 0; k < 3; ++k) {
+      if (d[k] == 0) {
+        if (!(o[k] >= low[k] && o[k] <= high[k])) return;
+        continue;
+      }
+      const double a = (low[k] - o[k]) / d[k], b = (high[k] - o[k]) / d[k];
+      enter = std::max(enter, std::min(a, b)), leave = std::min(leave, std::max(a, b));
+    }
+    if (!(enter <= leave)) return;
+
+    descend(ray, o, d, enter, leave, sink);
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
+    if (guards() || grid_->empty()) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    return nearest_of_lanes(rays, t_min, t_max, hits);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
+    if (guards() || grid_->empty()) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    return nearest_of_lanes(rays, t_min, t_max, nullptr);
+  }
+
+  // Below the surface, down to minus infinity.
+  bool contains(const Vec3& world_point) const {
+    if (grid_->empty()) return false;
+    const Vec3 p = local(world_point);
+    const double x = p.x * scale_.x, y = p.y * scale_.y, z = p.z * scale_.z;
+    if (!(x >= 0 && x < scale_.x && z >= 0 && z < scale_.z && y < grid_->top())) return false;
+    if (y < grid_->bottom()) return true;
+    const int i = static_cast<int>(x), k = static_cast<int>(z);
+    const double a = x - i, b = z - k;
+    const auto h = [&](int di, int dk) { return std::max<double>(grid_->at(i + di, k + dk), grid_->water()); };
+    const double ground = a + b < 1 ? h(0, 0) + a * (h(1, 0) - h(0, 0)) + b * (h(0, 1) - h(0, 0))
+                                    : h(1, 1) + (1 - a) * (h(0, 1) - h(1, 1)) + (1 - b) * (h(1, 0) - h(1, 1));
+    return y < ground;
+  }
+
+  Vec3 raw_normal(const Hit& hit) const {
+    if (!grid_->smooth()) return object_normal(facet(static_cast<int>(hit.u), static_cast<int>(hit.v), hit.part));
+    const Vec3 p = local(hit.point);
+    const double x = p.x * scale_.x, z = p.z * scale_.z;
+    const int i = std::clamp(static_cast<int>(x), 0, grid_->width() - 2),
+              k = std::clamp(static_cast<int>(z), 0, grid_->depth() - 2);
+    const double a = x - i, b = z - k;
+    const auto corner = [&](int di, int dk) { return object_normal(grid_->smooth_normal(i + di, k + dk)); };
+    return normalize((1 - b) * ((1 - a) * corner(0, 0) + a * corner(1, 0)) +
+                     b * ((1 - a) * corner(0, 1) + a * corner(1, 1)));
+  }
+
+ private:
+  HeightField(const scene::Object& description, std::shared_ptr<const HeightGrid> grid)
+      : Primitive(description, {box_of(*grid), false}),
+        grid_(std::move(grid)),
+        scale_(grid_->width() - 1, 65536, grid_->depth() - 1) {}
+
+ public:
+  static Box3 box_of(const HeightGrid& grid) { return Box3({0, grid.bottom() / 65536, 0}, {1, grid.top() / 65536, 1}); }
+
+ private:
+  // Normal of a cell's triangle (0: at the near corner, 1: at the far one) in grid units.
+  Vec3 facet(int i, int k, int triangle) const {
+    const double h10 = grid_->at(i + 1, k), h01 = grid_->at(i, k + 1);
+    if (triangle == 0) {
+      const double h00 = grid_->at(i, k);
+      return {h00 - h10, 1, h00 - h01};
+    }
+    const double h11 = grid_->at(i + 1, k + 1);
+    return {h01 - h11, 1, h10 - h11};
+  }
+  Vec3 object_normal(const Vec3& n) const { return world_normal({n.x * scale_.x, n.y * scale_.y, n.z * scale_.z}); }
+
+  // The hits of several rays; null: whether there are any.
+  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, Hit* hits) const {
+    const HeightPacketKernels& kernels = height_packet_kernels();
+    HeightPacket packet;
+    unsigned found = 0, rest = kernels.enter(*grid_, has_matrix() ? &matrix() : nullptr, rays, packet);
+    const auto quadrant = [&](int k) { return (packet.dx[k] < 0 ? 1 : 0) | (packet.dz[k] < 0 ? 2 : 0); };
+    while (rest != 0) {
+      const int one = std::countr_zero(rest);
+      unsigned group = 0;
+      each_lane(rest, [&](int k) { group |= quadrant(k) == quadrant(one) ? 1u << k : 0; });
+      rest &= ~group;
+      if (std::has_single_bit(group) || !kernels.walk(*grid_, group, t_min, t_max, !hits, packet)) {
+        each_lane(group, [&](int k) {
+          Hit hit;
+          NearestHit sink(*this, nullptr, t_min, t_max[k], hits ? hits[k] : hit, !hits);
+          descend(rays.at(k), {packet.ox[k], packet.oy[k], packet.oz[k]}, {packet.dx[k], packet.dy[k], packet.dz[k]},
+                  packet.enter[k], packet.leave[k], sink);
+          found |= sink.found() ? 1u << k : 0;
+        });
+        continue;
+      }
+      each_lane(group, [&](int k) {
+        if (packet.triangle[k] < 0) return;
+        found |= 1u << k;
+        if (hits)
+          hits[k] = {
+              packet.t[k],         rays.at(k).at(packet.t[k]), this, static_cast<std::int32_t>(packet.triangle[k]),
+              double(packet.i[k]), double(packet.k[k])};
+      });
+    }
+    return found;
+  }
+
+  // Tests the cells between `enter` and `leave` whose heights the ray may meet, roughly from near to far.
+  template <class Sink>
+  void descend(const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave, Sink& sink) const {
+    const auto above_of = [](double v) { return static_cast<float>(v + std::fabs(v) * 1e-6); };
+    float end = above_of(std::min(leave, sink.upper()));
+    HeightWalk walk(*grid_, o, d, enter, std::min(leave, sink.upper()));
+    HeightCell cells[HeightWalk::kCells];
+    while (const int count = walk.next(end, cells)) {
+      for (int n = 0; n < count; ++n) {
+        if (cells[n].near <= end && cell(cells[n].i, cells[n].k, ray, o, d, enter, leave, sink))
+          end = above_of(std::min(leave, sink.upper()));
+      }
+    }
+  }
+
+  // True: a hit was accepted.
+  template <class Sink>
+  bool cell(int i, int k, const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave, Sink& sink) const {
+    const double h00 = grid_->at(i, k), h10 = grid_->at(i + 1, k), h01 = grid_->at(i, k + 1),
+                 h11 = grid_->at(i + 1, k + 1);
+    bool any = false;
+    for (int triangle = 0; triangle < 2; ++triangle) {
+      const Vec3 n = triangle == 0 ? Vec3(h00 - h10, 1, h00 - h01) : Vec3(h01 - h11, 1, h10 - h11);
+      const double nd = dot(n, d);
+      if (!(std::fabs(nd) > kEpsilon)) continue;
+      const Vec3 corner(i + triangle, triangle == 0 ? h00 : h11, k + triangle);
+      const double t = dot(n, corner - o) / nd;
+      if (!(t >= enter && t <= leave)) continue;
+      const double a = o.x + t * d.x - i, b = o.z + t * d.z - k;
+      const bool in = triangle == 0 ? a >= -kEdge && b >= -kEdge && a + b <= 1 + kEdge
+                                    : a <= 1 + kEdge && b <= 1 + kEdge && a + b >= 1 - kEdge;
+      if (in)
+        any |= sink.add(
+            t, [&] { return ray.at(t); }, triangle, i, k);
+    }
+    return any;
+  }
+
+  std::shared_ptr<const HeightGrid> grid_;
+  Vec3 scale_;  // object units to grid units
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_height_field(const scene::Object& object) {
+  return std::make_unique<HeightField>(object, *object.as<std::shared_ptr<const scene::HeightField>>());
+}
+Box3 height_field_box(const scene::HeightField& field) { return HeightField::box_of(HeightGrid(field)); }
+
+}  // namespace verisim::shapes

@@ -1,0 +1,299 @@
+// Probes 11 to 13 of spec 04, and the pyramid against testing every cell.
+#include <random>
+
+#include "tracer/image/image.h"
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/heights/height_packet.h"
+#include "tracer/shapes/heights/height_walk.h"
+#include "tracer/shapes/trace_test_support.h"
+#include "tracer/simd/instruction_sets.h"
+
+namespace verisim::shapes {
+namespace {
+
+using namespace test;
+
+// What the parser makes of `function W, H { f }`.
+ImagePtr function_image(int w, int h, const std::function<double(double, double)>& f) {
+  auto image = std::make_shared<Image>();
+  image->width = w, image->height = h;
+  image->grey = image->sixteen_bit = true;
+  for (int j = 0; j < h; ++j) {
+    for (int i = 0; i < w; ++i) {
+      const auto v = static_cast<std::uint16_t>(static_cast<int>(f(i / (w - 1.0), j / (h - 1.0)) * 65535));
+      for (int c = 0; c < 4; ++c) image->pixels.push_back(c < 3 ? float(v) / 65535 : 0);
+    }
+  }
+  return image;
+}
+scene::HeightField field(ImagePtr image) {
+  scene::HeightField f;
+  f.image.image = std::move(image);
+  return f;
+}
+
+Image row(ImageType type, bool grey, bool sixteen, bool alpha, const std::vector<std::array<float, 3>>& values,
+          float scale) {
+  Image image;
+  image.width = static_cast<int>(values.size()), image.height = 1;
+  image.type = type, image.grey = grey, image.sixteen_bit = sixteen, image.has_alpha = alpha;
+  for (const auto& v : values) {
+    for (const float c : v) image.pixels.push_back(c / scale);
+    image.pixels.push_back(0);
+  }
+  return image;
+}
+std::vector<int> heights(const Image& image) {
+  std::vector<int> result;
+  for (int i = 0; i < image.width; ++i) result.push_back(height_of_pixel(image, i, 0));
+  return result;
+}
+std::vector<std::array<float, 3>> greys(std::initializer_list<float> values) {
+  std::vector<std::array<float, 3>> result;
+  for (const float v : values) result.push_back({v, v, v});
+  return result;
+}
+
+TEST(HeightField, HeightsOfFileFormats) {
+  using V = std::vector<int>;
+  const auto levels = greys({0, 1, 2, 3, 7, 100, 127, 128, 200, 254});
+  EXPECT_EQ(heights(row(ImageType::png, true, false, false, levels, 255)),
+            (V{0, 257, 514, 514, 1799, 25443, 32382, 32896, 51143, 65021}));
+  EXPECT_EQ(heights(row(ImageType::png, true, false, true, levels, 255)),
+            (V{0, 257, 514, 771, 1799, 25700, 32639, 32896, 51400, 65278}));
+  EXPECT_EQ(heights(row(ImageType::png, true, false, false, greys({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}), 15)),
+            (V{0, 4369, 8738, 12850, 17476, 21588, 25957, 30583, 34952, 39321, 43433}));
+  EXPECT_EQ(heights(row(ImageType::png, false, false, false,
+                        {{0, 1, 0}, {1, 0, 0}, {1, 2, 3}, {10, 200, 30}, {127, 255, 9}}, 255)),
+            (V{1, 256, 258, 2760, 32767}));
+  EXPECT_EQ(heights(row(ImageType::png, false, true, false,
+                        {{1000, 2000, 3000}, {65535, 0, 0}, {0, 65535, 0}, {0, 0, 65535}}, 65535)),
+            (V{1817, 19463, 38600, 7470}));
+  EXPECT_EQ(heights(row(ImageType::png, false, true, false, greys({32400, 31759, 30243, 18022, 24575}), 65535)),
+            (V{32399, 31758, 30242, 18022, 24575}));
+  EXPECT_EQ(heights(row(ImageType::pgm, true, false, false, greys({1, 3, 100}), 100)), (V{655, 1966, 65535}));
+  for (int v = 0; v < 65536; ++v) {
+    ASSERT_EQ(heights(row(ImageType::png, true, true, false, greys({float(v)}), 65535)), V{v});
+  }
+}
+
+TEST(HeightField, FunctionsCountFromTheTopAndWrap) {
+  const auto o = object(field(function_image(5, 5, [](double, double y) { return y * 0.5; })));
+  const auto at = [](const scene::Object& f, double x, double z) { return trace(f, {x, 5, z}, {0, -1, 0})->point.y; };
+  EXPECT_NEAR(at(o, .3, .25), 24575 / 65536.0, 1e-14);
+  EXPECT_NEAR(at(o, .3, .5), 16383 / 65536.0, 1e-14);
+  EXPECT_NEAR(at(o, .3, .75), 8191 / 65536.0, 1e-14);
+  const auto wrapped = object(field(function_image(11, 2, [](double x, double) { return x * 2 - 0.5; })));
+  EXPECT_NEAR(at(wrapped, .1, .5), 45876 / 65536.0, 1e-9);
+  EXPECT_NEAR(at(wrapped, .2, .5), 58983 / 65536.0, 1e-9);
+  EXPECT_NEAR(at(wrapped, .8, .5), 6552 / 65536.0, 1e-9);
+}
+
+TEST(HeightField, WaterLevel) {
+  auto f = field(function_image(5, 5, [](double x, double) { return x * 0.5; }));
+  f.water_level = 0.2;
+  const auto o = object(f);
+  EXPECT_FALSE(trace(o, {.3, 5, .3}, {0, -1, 0}));
+  const auto hit = trace(o, {.7, 5, .3}, {0, -1, 0});
+  EXPECT_NEAR(hit->point.y, 0.349984741210937, 1e-14);
+  EXPECT_VEC_NEAR(hit->normal, Vec3(-0.447213595499958, 0.894427190999916, 0), 1e-14);
+  EXPECT_NEAR(trace(o, {5, .25, .3}, {-1, 0, 0})->point.x, 0.500030517578125, 1e-14);
+  EXPECT_FALSE(trace(o, {5, .1, .3}, {-1, 0, 0}));
+  const auto s = compile(o);
+  EXPECT_TRUE(s->inside({.2, .01, .3}));
+  EXPECT_TRUE(s->inside({.7, .3, .3}));
+  EXPECT_FALSE(s->inside({.7, .4, .3}));
+  EXPECT_TRUE(s->inside({.7, -40, .3}));
+  const Box3 b = height_field_box(f);
+  EXPECT_NEAR(b.min.y, 0.2, 2e-8);
+  EXPECT_NEAR(b.max.y, 0.499984771013260, 2e-8);
+}
+
+TEST(HeightField, ThePyramidFindsTheNearestHit) {
+  std::mt19937 rng(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto f = field(function_image(37, 21, [&](double, double) { return unit(rng); }));
+  const HeightGrid grid(f);
+  auto o = object(f);
+  const auto s = compile(o);
+  int hits = 0;
+  for (int n = 0; n < 3000; ++n) {
+    const Vec3 from(unit(rng) * 3 - 1, unit(rng) * 3 - 1, unit(rng) * 3 - 1), to(unit(rng), unit(rng), unit(rng));
+    const Ray ray{from, normalize(to - from)};
+    // All triangles.
+    const Vec3 cells(36, 65536, 20);
+    double nearest = 1e30;
+    for (int i = 0; i < 36; ++i) {
+      for (int k = 0; k < 20; ++k) {
+        for (int t = 0; t < 2; ++t) {
+          const double h10 = grid.at(i + 1, k), h01 = grid.at(i, k + 1), hc = grid.at(i + t, k + t);
+          const Vec3 N = t == 0 ? Vec3(hc - h10, 1, hc - h01) : Vec3(h01 - hc, 1, h10 - hc);
+          const Vec3 oo(from.x * cells.x, from.y * cells.y, from.z * cells.z),
+              d(ray.direction.x * cells.x, ray.direction.y * cells.y, ray.direction.z * cells.z);
+          const double depth = dot(N, Vec3(i + t, hc, k + t) - oo) / dot(N, d);
+          const double a = oo.x + depth * d.x - i, b = oo.z + depth * d.z - k;
+          const bool in =
+              t == 0 ? a >= -1e-4 && b >= -1e-4 && a + b <= 1.0001 : a <= 1.0001 && b <= 1.0001 && a + b >= 0.9999;
+          const Vec3 g = oo + depth * d;
+          if (in && depth >= 1e-4 && g.x >= 0 && g.x <= 36 && g.z >= 0 && g.z <= 20) nearest = std::min(nearest, depth);
+        }
+      }
+    }
+    const auto hit = trace(*s, from, ray.direction);
+    ASSERT_EQ(hit.has_value(), nearest < 1e30) << n;
+    if (hit) {
+      ASSERT_NEAR(hit->hit.t, nearest, 1e-9) << n;
+      ++hits;
+    }
+  }
+  EXPECT_GT(hits, 500);
+}
+
+// All instruction sets find the same cells, in the same order; and cells at the ray's own heights are never left out.
+TEST(HeightField, WalksAreTheSameWithAllInstructionSets) {
+  std::mt19937 rng(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const HeightGrid grid(field(function_image(
+      150, 90, [&](double x, double y) { return 0.5 + 0.3 * std::sin(9 * x) * std::cos(7 * y) + 0.1 * unit(rng); })));
+  const auto cells_of = [&](int set, const Vec3& o, const Vec3& d, double enter, double leave) {
+    std::vector<std::array<int, 2>> all;
+    HeightWalk walk(grid, o, d, enter, leave);
+    HeightCell cells[HeightWalk::kCells];
+    while (const int count = walk.next(set, static_cast<float>(leave), cells)) {
+      if (count < 0) return all;
+      for (int n = 0; n < count; ++n) all.push_back({cells[n].i, cells[n].k});
+    }
+    return all;
+  };
+  for (int n = 0; n < 10000; ++n) {
+    Vec3 o(unit(rng) * 149, unit(rng) * 65536, unit(rng) * 89),
+        d((unit(rng) - .5) * 149, (unit(rng) - .5) * 65536, (unit(rng) - .5) * 89);
+    if (n % 5 == 0) d.x = 0;
+    if (n % 7 == 0) d.z = 0;
+    const auto expected = cells_of(textures::kBaseline, o, d, 0, 1);
+    for (int set = 1; set <= textures::best_instruction_set(); ++set)
+      ASSERT_EQ(cells_of(set, o, d, 0, 1), expected) << n;
+    for (int step = 0; step < 20; ++step) {
+      const Vec3 p = o + unit(rng) * d;
+      if (!(p.x >= 0 && p.x < 149 && p.z >= 0 && p.z < 89)) continue;
+      const int i = static_cast<int>(p.x), k = static_cast<int>(p.z);
+      const auto [low, high] =
+          std::minmax({grid.at(i, k), grid.at(i + 1, k), grid.at(i, k + 1), grid.at(i + 1, k + 1)});
+      if (p.y < low || p.y > high) continue;
+      ASSERT_NE(std::ranges::find(expected, std::array{i, k}), expected.end()) << n << ": " << i << ' ' << k;
+    }
+  }
+}
+
+// Eight rays that go the same way, from close together or from far, along the grid, in parallel, or anywhere.
+void fill_rays(std::mt19937& rng, int round, RayRow& rays) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto anywhere = [&](double size) { return Vec3(unit(rng) - 0.5, unit(rng) - 0.5, unit(rng) - 0.5) * size; };
+  const Vec3 middle(0.5, 0.4, 0.5), eye = middle + anywhere(round % 3 == 0 ? 40 : 3), aim = middle + anywhere(1),
+                                    step = anywhere(round % 4 == 0 ? 0.3 : 0.02);
+  for (int i = 0; i < RayLanes::kCount; ++i) {
+    const Vec3 beside = step * double(i);
+    rays.origin.set(i, round % 5 == 1 ? eye + beside : eye);
+    rays.direction.set(i, normalize(aim + beside - eye));
+    if (round % 11 == 0) rays.origin.set(i, middle + anywhere(3)), rays.direction.set(i, normalize(anywhere(1)));
+    if (round % 7 == 0)
+      rays.origin.set(i, {i / 36.0, 2, round % 20 / 20.0}),
+          rays.direction.set(i,
+                             round % 2 ? Vec3(0, -1, 0) : normalize(Vec3(1 / 36.0, -0.1, 0)));  // where triangles meet
+  }
+}
+
+// Rays that walk together find what each finds alone, with every instruction set.
+TEST(HeightField, EightRaysFindWhatEachFinds) {
+  std::mt19937 rng(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto rays = std::make_unique<RayRow>();
+  int met = 0, together = 0;
+  for (int kind = 0; kind < 3; ++kind) {
+    auto f = field(function_image(kind == 2 ? 300 : 37, kind == 2 ? 200 : 21, [&](double x, double y) {
+      return kind == 0   ? unit(rng)
+             : kind == 1 ? std::floor(unit(rng) * 4) / 4
+                         : 0.5 + 0.3 * std::sin(30 * x) * std::cos(20 * y);  // rough, terraces, hills
+    }));
+    f.water_level = kind == 1 ? 0.3 : 0;
+    auto o = object(f);
+    const auto plain = compile(o);
+    auto turned = o;
+    turned.transform = Transform::scaling({1.2, -0.8, 0.9}).then(Transform::rotation({10, 50, 30}));
+    const auto moved = compile(turned);
+    const HeightGrid grid(f);
+    for (int round = 0; round < 3000; ++round) {
+      fill_rays(rng, round, *rays);
+      const double across = unit(rng), tilt = std::exp(-40 * unit(rng));
+      for (int k = 0; round % 10 == 3 && k < RayLanes::kCount;
+           ++k) {  // straight down, but for the rounding of a rotation
+        rays->origin.set(k, {0.1 * k + 0.03, 2, across});
+        rays->direction.set(k, {round % 20 == 3 ? 0 : 0.5 * tilt, -1, tilt});
+      }
+      const double t_min = round % 9 == 0 ? 0.8 : 1e-4;
+      alignas(64) double t_max[RayLanes::kCount];
+      for (double& limit : t_max) limit = round % 6 == 0 ? unit(rng) * 3 : 1e30;
+      const RayLanes lanes{*rays, 0, round % 8 == 0 ? static_cast<unsigned>(rng() & 255) : 255};
+      for (const auto* shape : {plain.get(), moved.get()}) {
+        Hit hits[RayLanes::kCount];
+        const unsigned found = shape->intersect_lanes(lanes, nullptr, RayKind::camera, t_min, t_max, hits);
+        ASSERT_EQ(found, shape->occludes_lanes(lanes, nullptr, t_min, t_max)) << round;
+        each_lane(lanes.asked, [&](int k) {
+          Hit alone;
+          ASSERT_EQ(shape->intersect(lanes.at(k), RayKind::camera, t_min, t_max[k], alone), (found >> k & 1) != 0)
+              << kind << ' ' << round << ' ' << k;
+          if (!(found >> k & 1)) return;
+          ASSERT_EQ(hits[k].t, alone.t);
+          ASSERT_EQ(hits[k].point, alone.point);
+          ASSERT_TRUE(hits[k].part == alone.part && hits[k].u == alone.u && hits[k].v == alone.v)
+              << kind << ' ' << round << ' ' << k;
+          ++met;
+        });
+      }
+      for (int set = 0; set <= textures::best_instruction_set(); ++set) {
+        const HeightPacketKernels& kernels = *height_packet_kernels(set);
+        HeightPacket packet;
+        unsigned inside = kernels.enter(grid, nullptr, lanes, packet), group = 0;
+        each_lane(inside, [&](int k) { group |= packet.dx[k] < 0 && packet.dz[k] >= 0 ? 1u << k : 0; });
+        if (group == 0 || !kernels.walk(grid, group, t_min, t_max, false, packet)) continue;
+        each_lane(group, [&](int k) {
+          Hit alone;
+          ASSERT_EQ(plain->intersect(lanes.at(k), RayKind::camera, t_min, t_max[k], alone), packet.triangle[k] >= 0);
+          if (packet.triangle[k] < 0) return;
+          ASSERT_TRUE(packet.t[k] == alone.t && packet.triangle[k] == alone.part && double(packet.i[k]) == alone.u &&
+                      double(packet.k[k]) == alone.v)
+              << set << ' ' << round;
+          ++together;
+        });
+      }
+    }
+  }
+  EXPECT_GT(met, 10000);
+  EXPECT_GT(together, 3000);
+}
+
+TEST(HeightField, SmoothNormalsAreUnitLength) {
+  auto f =
+      field(function_image(9, 9, [](double x, double y) { return 0.5 + 0.3 * std::sin(5 * x) * std::cos(4 * y); }));
+  f.smooth = true;
+  auto o = object(f);
+  o.transform = Transform::scaling({3, 0.8, 3}).then(Transform::rotation({10, 20, 30}));
+  const auto hit = trace(o, Vec3(3, 9, 1), Vec3(-0.2, -1, 0.05));
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(length(hit->normal), 1, 1e-12);
+}
+
+TEST(HeightField, TinyImages) {
+  for (const auto& [w, h] : {std::pair{1, 1}, {1, 5}, {5, 1}}) {
+    auto image = std::make_shared<Image>();
+    image->width = w, image->height = h;
+    image->pixels.assign(static_cast<std::size_t>(4 * w * h), 0.5f);
+    const auto o = object(field(image));
+    EXPECT_FALSE(trace(o, {.5, 5, .5}, {0, -1, 0}));
+    EXPECT_FALSE(compile(o)->inside({.5, .1, .5}));
+  }
+  EXPECT_FALSE(trace(object(field(nullptr)), {.5, 5, .5}, {0, -1, 0}));
+}
+
+}  // namespace
+}  // namespace verisim::shapes

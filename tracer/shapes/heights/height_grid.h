@@ -1,0 +1,73 @@
+// The heights of a height_field, shared by copies: samples, a pyramid of their extremes for fast traversal, and
+// quantised normals (spec 04 section 5).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tracer/scene/object.h"
+
+namespace verisim::shapes {
+
+class HeightGrid {
+ public:
+  static std::shared_ptr<const HeightGrid> of(const std::shared_ptr<const scene::HeightField>& field);
+  explicit HeightGrid(const scene::HeightField& field);
+
+  // Samples along x and z; fewer than two of either: there is no surface.
+  int width() const { return width_; }
+  int depth() const { return depth_; }
+  bool empty() const { return width_ < 2 || depth_ < 2; }
+  // k counts from the bottom row of the image.
+  int at(int i, int k) const {
+    return heights_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)];
+  }
+  int lowest() const { return lowest_; }
+  int highest() const { return highest_; }
+  double water() const { return water_; }
+  // Vertical limits of what is visible, in grid units.
+  double bottom() const { return std::max<double>(lowest_, water_) - 0.001; }
+  double top() const { return highest_ + 0.001; }
+
+  // A block of 4^level cells a side has sixteen children, in Morton's order; those beyond the edge of the field have
+  // low > high.
+  static constexpr int kChildren = 16, kMostLevels = 18;
+  static constexpr int column(int child) { return (child & 1) | (child >> 1 & 2); }
+  static constexpr int row(int child) { return (child >> 1 & 1) | (child >> 2 & 2); }
+  struct alignas(64) Block {
+    std::uint16_t low[kChildren], high[kChildren];
+  };
+  int levels() const { return static_cast<int>(levels_.size()); }  // level 0 is one cell
+  const Block& block(int level, int i, int k) const {
+    const Level& l = levels_[static_cast<std::size_t>(level)];
+    return l.blocks[static_cast<std::size_t>(k) * static_cast<std::size_t>(l.width) + static_cast<std::size_t>(i)];
+  }
+
+  bool smooth() const { return !normals_.empty(); }
+  Vec3 smooth_normal(int i, int k) const {
+    const auto& n =
+        normals_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)];
+    return {double(n[0]), double(n[1]), double(n[2])};
+  }
+
+ private:
+  struct Level {
+    int width = 0, depth = 0;
+    std::vector<Block> blocks;
+  };
+  void build_pyramid();
+  void build_normals();
+
+  int width_ = 0, depth_ = 0, lowest_ = 65535, highest_ = 0;
+  double water_ = 0;
+  std::vector<std::uint16_t> heights_;
+  std::vector<Level> levels_;
+  std::vector<std::array<std::int16_t, 3>> normals_;
+};
+
+// Height 0 .. 65535 of pixel (x, y).
+std::uint16_t height_of_pixel(const Image& image, int x, int y);
+
+}  // namespace verisim::shapes

@@ -1,0 +1,209 @@
+// parametric (spec 04 section 7): the ranges of u and v are halved, cells whose box the ray misses are dropped. The
+// boxes do not depend on the ray; each thread remembers those it has computed, so that neighbouring rays evaluate few
+// functions.
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+#include "tracer/functions/function.h"
+#include "tracer/shapes/implicit/container.h"
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/primitive.h"
+
+namespace verisim::shapes {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kMaxDepth = 100;  // halvings after which doubles have no finer cells
+constexpr int kMaxTable = 20;   // of precompute
+
+struct Interval {
+  double low, high;
+};
+struct Cell {
+  double u0, u1, v0, v1;
+};
+using CellBox = std::array<Interval, 3>;
+
+// Direct-mapped cache of cell boxes, one per thread.
+struct BoxCache {
+  struct Entry {
+    std::uint64_t shape = 0, node = 0;
+    CellBox box;
+  };
+  static constexpr std::size_t kSize = 1u << 15;
+  std::vector<Entry> entries{kSize};
+};
+BoxCache& box_cache() {
+  thread_local BoxCache cache;
+  return cache;
+}
+
+class Parametric final : public Primitive<Parametric> {
+ public:
+  Parametric(const scene::Object& description, const scene::Parametric& s)
+      : Primitive(description, {container_box(s.container), true}), p_(s), id_(next_id()) {
+    if (p_.low.x > p_.high.x) std::swap(p_.low.x, p_.high.x);
+    if (p_.low.y > p_.high.y) std::swap(p_.low.y, p_.high.y);
+    if (p_.precompute_depth > 0) precompute();
+  }
+
+  template <class Sink>
+  void crossings(const Ray& ray, Sink& sink) const {
+    Vec3 o = ray.origin, d = ray.direction;
+    if (has_matrix()) o = matrix().inverse_point(o), d = matrix().inverse_direction(d);
+    ContainerSpan span;
+    if (!intersect_container(p_.container, o, d, span)) return;
+    double begin = span.enter;
+    const double end = span.leave;
+    if (begin == end) begin = 0;
+    begin += 4 * p_.accuracy;
+    if (!(begin <= end)) return;
+    double best = kInfinity, u = 0, v = 0;
+    search(o, d, begin, end, best, u, v);
+    if (best < end)
+      sink.add(
+          best, [&] { return ray.at(best); }, 0, u, v);
+  }
+
+  bool contains(const Vec3&) const { return false; }
+  bool formula(const Vec3&) const { return false; }
+
+  Vec3 raw_normal(const Hit& hit) const {
+    const double a = p_.accuracy;
+    const Vec3 at = surface(hit.u, hit.v);
+    return world_normal(cross(surface(hit.u + a, hit.v) - at, surface(hit.u, hit.v + a) - at));
+  }
+  Vec2 uv(const Hit& hit) const override { return {hit.u, hit.v}; }
+
+ private:
+  static std::uint64_t next_id() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+  }
+
+  double value(int axis, double u, double v) const {
+    return (*p_.function[static_cast<std::size_t>(axis)])(
+        u, v, 0);  // functions without a parameter list have three: x or u, y or v, z
+  }
+  Vec3 surface(double u, double v) const { return {value(0, u, v), value(1, u, v), value(2, u, v)}; }
+
+  // Values between two ends a distance apart, if the slope is at most max_gradient.
+  Interval between(double p, double q, double distance) const {
+    const double margin = std::max(0.0, (p_.max_gradient * distance - std::fabs(p - q)) / 2);
+    return {std::min(p, q) - margin, std::max(p, q) + margin};
+  }
+  Interval interval(int axis, const Cell& c) const {
+    const double us[4] = {c.u0, c.u0, c.u1, c.u1}, vs[4] = {c.v0, c.v1, c.v0, c.v1};
+    double arguments[12] = {}, f[4];
+    for (int k = 0; k < 4; ++k) arguments[k] = us[k], arguments[4 + k] = vs[k];
+    p_.function[static_cast<std::size_t>(axis)]->evaluate_batch(arguments, 4, 4, f);
+    // POV-Ray subtracts the accuracy from the value: the whole surface is displaced.
+    const double a = p_.accuracy;
+    const Interval left = between(f[0] - a, f[1] - a, c.v1 - c.v0), right = between(f[2] - a, f[3] - a, c.v1 - c.v0);
+    return {between(left.low, right.low, c.u1 - c.u0).low, between(left.high, right.high, c.u1 - c.u0).high};
+  }
+
+  static bool split_v(const Cell& c) { return c.v1 - c.v0 > c.u1 - c.u0; }
+  static Cell half(const Cell& c, bool upper) {
+    Cell r = c;
+    if (split_v(c))
+      (upper ? r.v0 : r.v1) = (c.v0 + c.v1) / 2;
+    else
+      (upper ? r.u0 : r.u1) = (c.u0 + c.u1) / 2;
+    return r;
+  }
+
+  CellBox box(const Cell& c, std::uint64_t node) const {
+    BoxCache::Entry* entry = nullptr;
+    if (node != 0) {
+      entry = &box_cache().entries[(node * 0x9e3779b97f4a7c15u ^ id_ * 0xff51afd7ed558ccdu) >> 49];
+      if (entry->shape == id_ && entry->node == node) return entry->box;
+    }
+    CellBox result;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      result[k] = node != 0 && node < table_[k].size() ? table_[k][node] : interval(axis, c);
+    }
+    if (entry) *entry = {id_, node, result};
+    return result;
+  }
+
+  // The last level of the table holds the intervals, the others the union of their children: node n has the children 2n
+  // and 2n + 1.
+  void precompute() {
+    const int depth = std::min(p_.precompute_depth, kMaxTable);
+    const std::uint64_t first_leaf = std::uint64_t{1} << (depth - 1);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!p_.precompute[static_cast<std::size_t>(axis)]) continue;
+      auto& table = table_[static_cast<std::size_t>(axis)];
+      table.resize(2 * first_leaf);
+      for (std::uint64_t n = first_leaf; n < 2 * first_leaf; ++n) {
+        Cell c = whole();
+        for (int bit = depth - 2; bit >= 0; --bit) c = half(c, n >> bit & 1);
+        table[n] = interval(axis, c);
+      }
+      for (std::uint64_t n = first_leaf - 1; n >= 1; --n) {
+        table[n] = {std::min(table[2 * n].low, table[2 * n + 1].low),
+                    std::max(table[2 * n].high, table[2 * n + 1].high)};
+      }
+    }
+  }
+  Cell whole() const { return {p_.low.x, p_.high.x, p_.low.y, p_.high.y}; }
+
+  void search(const Vec3& o, const Vec3& d, double begin, double end, double& best, double& u, double& v) const {
+    struct Waiting {
+      Cell cell;
+      std::uint64_t node;
+      int depth;
+    };
+    Waiting stack[kMaxDepth + 2];
+    int count = 0;
+    stack[count++] = {whole(), 1, 0};
+    const Vec3 inverse(1 / d.x, 1 / d.y, 1 / d.z);
+    while (count > 0) {
+      const auto [cell, node, depth] = stack[--count];
+      const CellBox bounds = box(cell, node);
+      // The ray parameters of the three slabs must overlap; the depth of a hit is where the last one begins.
+      double low = -kInfinity, high = kInfinity, entry = 0, widest = 0;
+      bool missed = false;
+      for (int k = 0; k < 3 && !missed; ++k) {
+        const auto [from, to] = bounds[static_cast<std::size_t>(k)];
+        if (std::fabs(d[k]) < kEpsilon) {
+          missed = !(o[k] >= from && o[k] <= to);
+          continue;
+        }
+        double r0 = (from - o[k]) * inverse[k], r1 = (to - o[k]) * inverse[k];
+        if (r0 > r1) std::swap(r0, r1);
+        missed = r0 > end || r1 < begin || r0 > best || r0 > high || r1 < low || std::isnan(r0) || std::isnan(r1);
+        low = std::max(low, r0), high = std::min(high, r1);
+        entry = r0;
+        widest = std::max(widest, r1 - r0);
+      }
+      if (missed) continue;
+      const double size = std::min(std::max(cell.u1 - cell.u0, cell.v1 - cell.v0), widest);
+      if (size < p_.accuracy || depth >= kMaxDepth) {
+        if (entry < best && entry > begin) best = entry, u = cell.u0, v = cell.v0;
+        continue;
+      }
+      // Node numbers beyond 64 bits are not cached.
+      const std::uint64_t child = node != 0 && node < std::uint64_t{1} << 62 ? 2 * node : 0;
+      stack[count++] = {half(cell, true), child ? child + 1 : 0, depth + 1};
+      stack[count++] = {half(cell, false), child, depth + 1};
+    }
+  }
+
+  scene::Parametric p_;
+  std::uint64_t id_;
+  std::array<std::vector<Interval>, 3> table_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_parametric(const scene::Object& object) {
+  return std::make_unique<Parametric>(object, **object.as<std::shared_ptr<const scene::Parametric>>());
+}
+Box3 parametric_box(const scene::Parametric& parametric) { return container_box(parametric.container); }
+
+}  // namespace verisim::shapes

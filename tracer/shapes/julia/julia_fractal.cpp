@@ -1,0 +1,386 @@
+// julia_fractal (spec 04 section 8): marching with distance estimates, then bisection. The hit depends on the whole
+// sequence of steps, so it is followed exactly.
+#include <cmath>
+
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/julia/julia_map.h"
+#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/shared_payload.h"
+
+namespace verisim::shapes {
+
+namespace {
+
+using julia::kFine;
+using julia::Kind;
+using julia::Number;
+using scene::JuliaFunction;
+
+constexpr int kMaxIterations = 1 << 20;
+
+// The iterates h0 .. hN of one point. Short ones live on the stack.
+class Orbit {
+ public:
+  explicit Orbit(int length) {
+    if (length > kShort) heap_ = std::make_unique<Number[]>(static_cast<std::size_t>(length)), at_ = heap_.get();
+  }
+  Number& operator[](int i) { return at_[i]; }
+  const Number& operator[](int i) const { return at_[i]; }
+
+ private:
+  static constexpr int kShort = 64;
+  alignas(Number) std::byte stack_[kShort * sizeof(Number)];  // not initialised: only what was computed is read
+  std::unique_ptr<Number[]> heap_;
+  Number* at_ = reinterpret_cast<Number*>(stack_);
+};
+
+double bounding_radius(const scene::JuliaFractal& f) {
+  if (f.hypercomplex) return 4;
+  const auto& p = f.parameter;
+  return std::min(2.0, 1 + std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + p[3] * p[3]) + 1e-7);
+}
+
+julia::Field field_of(const scene::JuliaFractal& f) {
+  julia::Field field;
+  field.parameter = {f.parameter[0], f.parameter[1], f.parameter[2], f.parameter[3]};
+  const auto& s = f.slice;
+  const double norm = std::sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + s[3] * s[3]);
+  for (int k = 0; k < 3; ++k) field.slice[k] = s[static_cast<std::size_t>(k)] / norm;
+  field.slice_w = s[3] / norm;
+  field.slice_distance = f.slice_distance;
+  field.iterations = std::clamp(f.max_iteration, 1, kMaxIterations);
+  field.precision = 1 / std::max(f.precision, 1.0);
+  const double radius = bounding_radius(f);
+  field.escape = f.hypercomplex ? 16 : radius * radius + 1e-7;
+  const JuliaFunction g = f.function;
+  if (f.hypercomplex)
+    field.kind = g == JuliaFunction::sqr || g == JuliaFunction::cube ? Kind::hypercomplex_square : Kind::other;
+  else
+    field.kind = g == JuliaFunction::cube ? Kind::quaternion_cube : Kind::quaternion_square;
+  field.doubled = g == JuliaFunction::sqr;
+  return field;
+}
+
+class JuliaFractal final : public Primitive<JuliaFractal> {
+ public:
+  JuliaFractal(const scene::Object& description, const std::shared_ptr<const scene::JuliaFractal>& fractal)
+      : JuliaFractal(description, *fractal, map_of(fractal)) {}
+
+  template <class Sink>
+  void crossings(const Ray& ray, Sink& sink) const {
+    const LocalRay r = local(ray);
+    double t, end, last, estimate;
+    if (!enters(r, t, end, last)) return;
+    Orbit orbit(field_.iterations + 1);
+    bool in = march(orbit, r, t, estimate);
+    if (in) {
+      t += 2 * kFine;
+      if (t > end) return;
+      in = march(orbit, r, t, estimate);
+    }
+    // After a crossing POV-Ray's march goes on behind the coarse step, but counts distances from the crossing: those of
+    // later hits, not their points, fall short.
+    double uncounted = 0;
+    // True: this hit ends the search.
+    const auto crossed = [&](double base, double step, bool now) {
+      const double depth = bisect(r, base, step, in), world_t = depth / r.scale;
+      in = now;
+      sink.add((depth - uncounted) / r.scale, [&] { return ray.at(world_t); });
+      uncounted += t - depth;
+      // Outside CSG the march ends with the first hit, even one too near to be seen: refracted rays often do not meet
+      // the far side.
+      return Sink::kNearest && !sink.clipped(ray.at(world_t));
+    };
+    while (t <= last) {
+      if (estimate <= field_.precision && field_.kind != Kind::other) {
+        // Where the smallest step is due it mostly is so for many steps: look ahead.
+        double ahead[julia::kLanes], estimates[julia::kLanes], at = t;
+        for (double& a : ahead) a = at += field_.precision;
+        if (!(ahead[0] <= end)) return;
+        const unsigned inside = julia::kernels().march(field_, r.origin, r.direction, ahead, estimates);
+        for (int k = 0; k < julia::kLanes; ++k) {
+          if (!(ahead[k] <= end)) return;
+          const double base = t;
+          t = ahead[k], estimate = estimates[k];
+          const bool now = inside >> k & 1;
+          if (now != in && crossed(base, field_.precision, now)) return;
+          if (estimate > field_.precision) break;
+        }
+        continue;
+      }
+      const double step = std::max(estimate, field_.precision), base = t;
+      t += step;
+      if (!(t <= end)) return;
+      const bool now = march(orbit, r, t, estimate);
+      if (now != in && crossed(base, step, now)) return;
+    }
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const final {
+    if (!in_rows_ || std::popcount(rays.asked) < kFewest)
+      return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    double t[julia::kLanes];
+    const unsigned found = within(t, t_min, t_max, row_crossings(rays, t_max, t));
+    each_lane(found, [&](int k) { hits[k] = {t[k], rays.at(k).at(t[k]), this, 0, 0, 0}; });
+    return found;
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const final {
+    if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    double t[julia::kLanes];
+    return within(t, t_min, t_max, row_crossings(rays, t_max, t));
+  }
+
+  bool contains(const Vec3& p) const { return plain_inside(local(p)); }
+
+  Vec3 raw_normal(const Hit& hit) const {
+    Orbit orbit(field_.iterations + 1);
+    const int escaped = iterate(orbit, start(local(hit.point), !plain_));
+    // Iterates beyond an early escape do not exist; the last one stands for them.
+    const int last = escaped > 0 ? escaped - 1 : field_.iterations;
+    const Vec3 n = f_.hypercomplex ? hypercomplex_normal(orbit, last) : quaternion_normal(orbit, last);
+    return world_normal(n);
+  }
+
+ private:
+  static constexpr int kFewest = 3;  // rays that march in step; fewer look ahead instead
+
+  // Where the ray is in the bounding sphere, and where behind it stays outside; false: nothing can be hit. In just
+  // these operations: whether the first point escapes at once is a matter of the last bit, and the whole sequence of
+  // steps hangs on it.
+  bool enters(const LocalRay& r, double& begin, double& end, double& last) const {
+    const double closest = -dot(r.origin, r.direction),
+                 half2 = radius_ * radius_ - dot(r.origin, r.origin) + closest * closest;
+    if (!(half2 > kEpsilon) || (closest < kEpsilon && dot(r.origin, r.origin) >= radius_ * radius_)) return false;
+    const double half = std::sqrt(half2);
+    end = closest + half;
+    if (!(end >= kFine)) return false;
+    begin = std::max(closest - half, kFine);
+    last = map_ ? map_->last(r.origin, r.direction, begin, end) : end;
+    return !(last < 0);
+  }
+
+  // World distances of the first crossings of rays; the lanes that have one, unless it lies behind t_max.
+  unsigned row_crossings(const RayLanes& rays, const double* t_max, double* t) const {
+    LocalLanes local_rays;
+    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, local_rays);
+    julia::Row row;
+    const unsigned entered = julia::kernels().enter(map_->grid(), radius_, local_rays, rays.asked, t_max, row);
+    const unsigned crossed = julia::kernels().first_crossings(field_, row.rays, row.stretch, entered, t);
+    each_lane(crossed, [&](int k) { t[k] /= local_rays.scale[k]; });
+    return crossed;
+  }
+  static unsigned within(const double* t, double t_min, const double* t_max, unsigned lanes) {
+    unsigned result = 0;
+    each_lane(lanes, [&](int k) { result |= t[k] >= t_min && t[k] < t_max[k] ? 1u << k : 0; });
+    return result;
+  }
+
+  using MapPtr = std::shared_ptr<const julia::Map>;
+
+  JuliaFractal(const scene::Object& description, const scene::JuliaFractal& f, MapPtr map)
+      : Primitive(description, {map ? map->grid().box : julia_fractal_box(f), true}),
+        f_(f),
+        field_(field_of(f)),
+        radius_(bounding_radius(f)),
+        map_(std::move(map)) {
+    in_rows_ = field_.kind != Kind::other && description.clipped_by.empty() && description.bounded_by.empty();
+    plain_ = f.function == JuliaFunction::sqr || f.function == JuliaFunction::cube ||
+             f.function == JuliaFunction::reciprocal;
+  }
+  static MapPtr map_of(const std::shared_ptr<const scene::JuliaFractal>& fractal) {
+    const julia::Field field = field_of(*fractal);
+    if (field.kind == Kind::other) return nullptr;
+    return shared_payload<julia::Map>(fractal, [&] { return std::make_shared<julia::Map>(field); });
+  }
+
+  // The point in four dimensions. With `quirk` z is replaced by y before w is computed, as POV-Ray's plain inside test
+  // does for most functions.
+  Number start(const Vec3& p, bool quirk) const {
+    const double z = quirk ? p.y : p.z;
+    return {p.x, p.y, z,
+            (f_.slice_distance - field_.slice.x * p.x - field_.slice.y * p.y - field_.slice.z * z) / field_.slice_w};
+  }
+  template <Kind K>
+  Number next(const Number& h) const {
+    if constexpr (K == Kind::quaternion_square)
+      return julia::quaternion_square(h) + field_.parameter;
+    else if constexpr (K == Kind::quaternion_cube)
+      return julia::quaternion_cube(h) + field_.parameter;
+    else if constexpr (K == Kind::hypercomplex_square)
+      return product(h, h) + field_.parameter;
+    else
+      return julia::apply(f_.function, f_.exponent, h) + field_.parameter;
+  }
+  // Calls work with the kind of this fractal as a constant.
+  template <class F>
+  auto with_kind(F&& work) const {
+    switch (field_.kind) {
+      case Kind::quaternion_square:
+        return work.template operator()<Kind::quaternion_square>();
+      case Kind::quaternion_cube:
+        return work.template operator()<Kind::quaternion_cube>();
+      case Kind::hypercomplex_square:
+        return work.template operator()<Kind::hypercomplex_square>();
+      default:
+        return work.template operator()<Kind::other>();
+    }
+  }
+  // Fills the orbit; the step i >= 1 at which it escaped, or 0.
+  int iterate(Orbit& orbit, const Number& h0) const {
+    return with_kind([&]<Kind K>() {
+      Number h = h0;
+      orbit[0] = h;
+      for (int i = 1; i <= field_.iterations; ++i) {
+        if (h.norm2() > field_.escape) return i;
+        orbit[i] = h = next<K>(h);
+      }
+      return 0;
+    });
+  }
+  bool plain_inside(const Vec3& p) const {
+    return with_kind([&]<Kind K>() {
+      Number h = start(p, !plain_);
+      for (int i = 1; i <= field_.iterations; ++i) {
+        if (h.norm2() > field_.escape) return false;
+        h = next<K>(h);
+      }
+      return true;
+    });
+  }
+
+  // The depth reported for a change of state between base and base + step; `in` is the state at base.
+  double bisect(const LocalRay& r, double base, double step, bool in) const {
+    double low = base, width = step;
+    if (field_.kind == Kind::other) {
+      while (width > kFine) {
+        width /= 2;
+        if (plain_inside(r.origin + (low + width) * r.direction) == in) low += width;
+      }
+      return in ? low : low + width;
+    }
+    // The seven points that the next three halvings may ask for, as a heap: after point n comes 2n + 1, or 2n + 2 if it
+    // has the state of the base.
+    while (width > kFine) {
+      const double w1 = width / 2, w2 = w1 / 2, w3 = w2 / 2, middle = low + w1, quarter = low + w2, last = middle + w2;
+      const double points[julia::kLanes] = {middle,       quarter,     last,      low + w3,
+                                            quarter + w3, middle + w3, last + w3, last + w3};
+      const unsigned inside = julia::kernels().inside(field_, r.origin, r.direction, points);
+      for (unsigned n = 0; n < 7 && width > kFine;) {
+        width /= 2;
+        const bool same = (inside >> n & 1) == static_cast<unsigned>(in);
+        if (same) low = points[n];
+        n = 2 * n + (same ? 2 : 1);
+      }
+    }
+    return in ? low : low + width;
+  }
+
+  // Inside at depth t, and how far the ray may go from there.
+  bool march(Orbit& orbit, const LocalRay& ray, double t, double& estimate) const {
+    const Number h0 = start(ray.origin + t * ray.direction, false);
+    if (field_.kind == Kind::quaternion_square) return march_quaternion<Kind::quaternion_square>(h0, estimate);
+    if (field_.kind == Kind::quaternion_cube) return march_quaternion<Kind::quaternion_cube>(h0, estimate);
+    const int escaped = iterate(orbit, h0);
+    estimate = field_.precision;
+    if (escaped == 0) return true;
+    const double q = orbit[escaped - 1].norm2();
+    const double slope = dot(hypercomplex_normal(orbit, escaped - 1), ray.direction);
+    if (slope < -1e-8) {
+      const double decrease = -2 * slope;
+      if (field_.precision * decrease < q && q < 30 * field_.precision * decrease) estimate = q / decrease;
+    }
+    return false;
+  }
+
+  template <Kind K>
+  bool march_quaternion(Number h, double& estimate) const {
+    double product2 = 1, power = 1;
+    for (int i = 1; i <= field_.iterations; ++i) {
+      const double q = h.norm2();
+      product2 *= q;
+      power *= K == Kind::quaternion_cube ? 1.0 / 3 : 1.0 / 2;
+      if (q > field_.escape) {
+        estimate = power * std::sqrt(q / product2);
+        // ln q <= q - 1: most of the smallest steps need no logarithm.
+        estimate = estimate * (q - 1) > field_.precision ? estimate * std::log(q) : field_.precision;
+        return false;
+      }
+      h = next<K>(h);
+    }
+    estimate = field_.precision;
+    return true;
+  }
+
+  // Gradient of |hM|^2 / 2 by x, y, z with w constant, constant factors dropped.
+  Vec3 quaternion_normal(const Orbit& orbit, int last) const {
+    Number dx{1, 0, 0, 0}, dy{0, 1, 0, 0}, dz{0, 0, 1, 0};
+    const bool cube = f_.function == JuliaFunction::cube;
+    for (int i = 0; i < last; ++i) {
+      const Number& h = orbit[i];
+      for (Number* d : {&dx, &dy, &dz}) {
+        const double inner = h.y * d->y + h.z * d->z + h.w * d->w;
+        if (cube) {
+          const double q = h.y * h.y + h.z * h.z + h.w * h.w, x2 = h.x * h.x, t = 3 * x2 - q,
+                       dt = 6 * h.x * d->x - 2 * inner;
+          *d = {3 * (x2 - q) * d->x - 6 * h.x * inner, dt * h.y + t * d->y, dt * h.z + t * d->z, dt * h.w + t * d->w};
+        } else {
+          *d = {h.x * d->x - inner, d->x * h.y + h.x * d->y, d->x * h.z + h.x * d->z, d->x * h.w + h.x * d->w};
+        }
+      }
+    }
+    const Number& h = orbit[last];
+    const auto along = [&](const Number& d) { return h.x * d.x + h.y * d.y + h.z * d.z + h.w * d.w; };
+    return {along(dx), along(dy), along(dz)};
+  }
+
+  Vec3 hypercomplex_normal(const Orbit& orbit, int last) const {
+    Number m = orbit[0], n = orbit[last];
+    if (field_.kind == Kind::hypercomplex_square) {
+      for (int j = 1; j < last; ++j) m = product(orbit[j], m);
+    } else {
+      m = other_product(orbit, last);
+    }
+    if (f_.function == JuliaFunction::sqr) {
+      const double scale = std::ldexp(1.0, std::max(last, 1));
+      n = {n.x * scale, n.y * scale, n.z * scale, n.w * scale};
+    }
+    return {m.x * n.x + m.y * n.y + m.z * n.z + m.w * n.w, -m.y * n.x + m.x * n.y - m.w * n.z + m.z * n.w,
+            -m.z * n.x - m.w * n.y + m.x * n.z + m.y * n.w};
+  }
+  Number other_product(const Orbit& orbit, int last) const {
+    Number m = orbit[0];
+    for (int j = 1; j < last; ++j) {
+      switch (f_.function) {
+        case JuliaFunction::reciprocal: {
+          const Number r = julia::reciprocal(orbit[j]), r2 = product(r, r);
+          m = product(m, Number{-r2.x, -r2.y, -r2.z, -r2.w});
+          break;
+        }
+        default:
+          m = product(julia::apply(f_.function, f_.exponent, orbit[j]), m);
+      }
+    }
+    return m;
+  }
+
+  scene::JuliaFractal f_;
+  julia::Field field_;
+  double radius_;
+  std::shared_ptr<const julia::Map> map_;  // null: none for this function
+  bool in_rows_;                           // rays may march in step: the first crossing of each decides
+  bool plain_ = true;                      // without the quirk of `start`
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_julia_fractal(const scene::Object& object) {
+  return std::make_unique<JuliaFractal>(object, *object.as<std::shared_ptr<const scene::JuliaFractal>>());
+}
+Box3 julia_fractal_box(const scene::JuliaFractal& fractal) {
+  const double r = bounding_radius(fractal);
+  return Box3(Vec3(-r), Vec3(r));
+}
+
+}  // namespace verisim::shapes

@@ -1,0 +1,124 @@
+// Probes 22 to 24 of spec 04.
+#include <random>
+
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/trace_test_support.h"
+
+namespace verisim::shapes {
+namespace {
+
+using namespace test;
+
+scene::JuliaFractal quaternion() {
+  scene::JuliaFractal f;
+  f.parameter = {-0.083, 0.0, -0.83, -0.025};
+  f.max_iteration = 8;
+  f.precision = 15;
+  return f;
+}
+
+TEST(JuliaFractal, Quaternion) {
+  const auto o = object(quaternion());
+  const auto hit = trace(o, {.1, .2, -5}, {0, 0, 1});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->point.z, -0.341339583216304, 1e-14);
+  EXPECT_VEC_NEAR(hit->normal, Vec3(0.854707628308641, 0.141787631672129, -0.499370741649755), 1e-12);
+  EXPECT_NEAR(trace(o, {.1, -5, .2}, {0, 1, 0})->point.y, -0.962490144506840, 1e-14);
+  EXPECT_TRUE(compile(o)->inside({.1, .1, .1}));
+}
+
+TEST(JuliaFractal, QuaternionCube) {
+  scene::JuliaFractal f = quaternion();
+  f.parameter = {-0.162, 0.163, 0.560, -0.599};
+  f.function = scene::JuliaFunction::cube;
+  const auto hit = trace(object(f), {.1, .2, -5}, {0, 0, 1});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->point.z, -0.650016255093803, 1e-14);
+  EXPECT_VEC_NEAR(hit->normal, Vec3(0.914885225406269, 0.087255735589366, -0.394171867261070), 1e-12);
+  EXPECT_NEAR(julia_fractal_box(f).max.x, 1.851595044136047, 1e-7);
+}
+
+TEST(JuliaFractal, Hypercomplex) {
+  scene::JuliaFractal f = quaternion();
+  f.hypercomplex = true;
+  const auto hit = trace(object(f), {.1, .2, -5}, {0, 0, 1});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->point.z, -0.235598197106588, 1e-14);
+  EXPECT_VEC_NEAR(hit->normal, Vec3(0.622886037469728, 0.553172035354207, -0.553185035614075), 1e-12);
+  f.function = scene::JuliaFunction::cube;
+  EXPECT_NEAR(trace(object(f), {.1, .2, -5}, {0, 0, 1})->point.z, -0.235598178554970, 1e-14);
+}
+
+// Rays whose first step hangs on the last bit of |h|^2 on the bounding sphere; hit or missed as POV-Ray's trace() says.
+TEST(JuliaFractal, TheFirstStepIsPovRays) {
+  scene::JuliaFractal f;
+  f.parameter = {0.2, 0.1, 0.59, -0.2};
+  f.max_iteration = 7;
+  f.precision = 20;
+  f.hypercomplex = true;
+  const auto o = object(f);
+  const auto shape = compile(o);
+  struct Probe {
+    int x, y;
+    bool hit;
+  };
+  for (const auto& [x, y, expected] :
+       {Probe{43, 33, false}, {12, 35, true}, {21, 35, false}, {25, 39, false}, {21, 48, false}}) {
+    const Vec3 d(-0.6 + x * 0.02, -0.45 + y * 0.015, 2.2);
+    Hit hit;
+    EXPECT_EQ(shape->intersect({{0, 0, -6}, d * (1 / length(d))}, RayKind::query, 1e-4, 1e7, hit), expected)
+        << x << ", " << y;
+  }
+}
+
+// Distances measured with a plane moved along the ray until POV-Ray's trace() of the union with the fractal found the
+// other one.
+TEST(JuliaFractal, LaterHitsAreCountedAsNearerThanTheirPoints) {
+  const Vec3 d = normalize(Vec3(-0.00226914, -0.173517, 0.984828)), o = Vec3(0, 1.5, -6) + 4.0 * d;
+  HitList hits;
+  compile(object(quaternion()))->intersect_all({o, d}, RayKind::query, hits);
+  ASSERT_GE(hits.size(), 3u);
+  EXPECT_NEAR(length(hits[0].point - o), hits[0].t, 1e-14);
+  EXPECT_NEAR(length(hits[2].point - o), 1.913650444594353, 1e-12);
+  EXPECT_NEAR(hits[2].t, 1.823674960382106, 1e-12);
+}
+
+TEST(JuliaFractal, RowsOfRaysMarchAsSingleRays) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (const auto& [hypercomplex, function] : {std::pair{false, scene::JuliaFunction::sqr},
+                                               {false, scene::JuliaFunction::cube},
+                                               {true, scene::JuliaFunction::sqr},
+                                               {true, scene::JuliaFunction::cube}}) {
+    int found = 0;
+    for (int n = 0; n < 20; ++n) {
+      scene::JuliaFractal f = quaternion();
+      for (double& p : f.parameter) p += 0.2 * unit(random);
+      f.hypercomplex = hypercomplex, f.function = function;
+      if (n % 2) f.slice = {0.2, -0.1, 0.3, 1}, f.slice_distance = 0.1;
+      f.max_iteration = 3 + static_cast<int>(random() % 10);
+      scene::Object o = object(f);
+      if (n % 3) o.transform = Transform::rotation({30, 40, 50}).then(Transform::scaling({0.9, 1.2, 0.8}));
+      const auto shape = compile(o);
+      for (int i = 0; i < 30 && !HasFatalFailure(); ++i) expect_rows_as_single_rays(*shape, random, found);
+    }
+    EXPECT_GT(found, 500);
+  }
+}
+
+TEST(JuliaFractal, HostileParametersEnd) {
+  scene::JuliaFractal f = quaternion();
+  f.parameter = {std::nan(""), 0, 0, 0};
+  trace(object(f), {.1, .2, -5}, {0, 0, 1});
+  for (int k = 0; k < 18; ++k) {
+    scene::JuliaFractal g = quaternion();
+    g.hypercomplex = true;
+    g.function = static_cast<scene::JuliaFunction>(k);
+    g.exponent = {-3, 1e300};
+    trace(object(g), {.1, .2, -5}, {0, 0, 1});
+    trace(object(g), {0, 0, 0}, {1, 0, 0});
+  }
+}
+
+}  // namespace
+}  // namespace verisim::shapes

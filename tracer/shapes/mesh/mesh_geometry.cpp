@@ -1,0 +1,217 @@
+#include "tracer/shapes/mesh/mesh_geometry.h"
+
+#include <algorithm>
+#include <mutex>
+#include <unordered_map>
+
+#include "tracer/base/parallel.h"
+
+namespace verisim::shapes {
+
+namespace {
+
+constexpr unsigned kLeafSize = 4;
+constexpr std::size_t kTask = 16384;  // triangles
+
+double f32(double v) { return static_cast<float>(v); }
+Vec3 f32(const Vec3& v) { return {f32(v.x), f32(v.y), f32(v.z)}; }
+
+// The axis of the largest component with POV-Ray's tie rule.
+int dominant_axis(const Vec3& n) {
+  const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
+  if (x > y) return x > z ? 0 : 2;
+  return y > z ? 1 : 2;
+}
+
+bool valid(const scene::MeshData& data, const scene::MeshTriangle& t) {
+  for (const std::uint32_t v : t.vertex) {
+    if (v >= data.vertices.size()) return false;
+  }
+  return true;
+}
+
+// POV-Ray exchanges the first two corners so that every triangle turns the same way in its projection.
+bool exchanged(const Vec3& p1, const Vec3& p2, const Vec3& p3, int axis) {
+  const int i = axis == 0 ? 1 : 0, j = axis == 2 ? 1 : 2;
+  return (p2[i] - p3[i]) * (p2[j] - p1[j]) < (p2[j] - p3[j]) * (p2[i] - p1[i]);
+}
+
+// A triangle whose three normals are (almost) equal is flat and uses its geometric normal (spec 04 1.3).
+bool is_smooth(const scene::MeshData& data, const scene::MeshTriangle& t) {
+  if (!t.smooth) return false;
+  for (const std::uint32_t n : t.normal) {
+    if (n >= data.normals.size()) return false;
+  }
+  const Vec3 n1 = normalize(data.normals[t.normal[0]]), n2 = normalize(data.normals[t.normal[1]]),
+             n3 = normalize(data.normals[t.normal[2]]);
+  const Vec3 d2 = n1 - n2, d3 = n1 - n3;
+  return dot(d2, d2) > 1e-10 || dot(d3, d3) > 1e-10;
+}
+
+Vec3 plane_normal(const Vec3& p1, const Vec3& p2, const Vec3& p3) { return normalize(cross(p3 - p1, p2 - p1)); }
+
+}  // namespace
+
+std::shared_ptr<const MeshGeometry> MeshGeometry::of(const std::shared_ptr<const scene::MeshData>& data) {
+  static std::mutex mutex;
+  static std::unordered_map<const scene::MeshData*, std::weak_ptr<const MeshGeometry>> known;
+  const std::lock_guard lock(mutex);
+  auto& slot = known[data.get()];
+  if (auto geometry = slot.lock())
+    return geometry;  // it keeps its data alive, so the address is still that of the same mesh
+  if (known.size() > 64)
+    std::erase_if(known, [&](const auto& entry) { return entry.first != data.get() && entry.second.expired(); });
+  auto geometry = std::make_shared<const MeshGeometry>(data);
+  known[data.get()] = geometry;
+  return geometry;
+}
+
+MeshGeometry::MeshGeometry(std::shared_ptr<const scene::MeshData> data) : data_(std::move(data)) {
+  const auto& d = *data_;
+  const auto box_of = [&](std::size_t i) {
+    Box3 box;
+    const scene::MeshTriangle& t = d.triangles[i];
+    if (!valid(d, t)) return box;
+    const Vec3 &p1 = d.vertices[t.vertex[0]], n = cross(d.vertices[t.vertex[2]] - p1, d.vertices[t.vertex[1]] - p1);
+    const double square = dot(n, n);
+    if (!(square > 0 && square < std::numeric_limits<double>::infinity())) return box;  // without a normal: never hit
+    for (const std::uint32_t v : t.vertex) box.extendBy(f32(d.vertices[v]));
+    return box;
+  };
+  tree_ = accel::BoxTree(d.triangles.size(), box_of, kLeafSize);
+  const std::vector<std::uint32_t>& order = tree_.order();
+  triangles_ = std::make_unique_for_overwrite<Triangle[]>(order.size());
+  parallel_for(order.size(), kTask, [&](std::size_t i) { triangles_[i] = prepared(order[i]); });
+}
+
+MeshGeometry::Triangle MeshGeometry::prepared(std::uint32_t id) const {
+  const scene::MeshTriangle& t = data_->triangles[id];
+  const Vec3 &v1 = data_->vertices[t.vertex[0]], &v2 = data_->vertices[t.vertex[1]], &v3 = data_->vertices[t.vertex[2]];
+  const Vec3 n = plane_normal(v1, v2, v3);
+  const int axis = dominant_axis(n), i = axis == 0 ? 1 : 0, j = axis == 2 ? 1 : 2;
+  Triangle triangle;
+  for (int k = 0; k < 3; ++k) triangle.normal[k] = static_cast<float>(n[k]);
+  triangle.constant = static_cast<float>(-dot(n, v1));
+  triangle.id_and_axis = id | static_cast<std::uint32_t>(axis) << 30;
+  Vec3 p1 = f32(v1), p2 = f32(v2);
+  const Vec3 p3 = f32(v3);
+  if (exchanged(p1, p2, p3, axis)) std::swap(p1, p2);
+  const Vec3* const corner[3] = {&p1, &p2, &p3};
+  for (int k = 0; k < 3; ++k) {
+    triangle.corner[k][0] = static_cast<float>((*corner[k])[i]);
+    triangle.corner[k][1] = static_cast<float>((*corner[k])[j]);
+  }
+  return triangle;
+}
+
+std::array<int, 3> MeshGeometry::corners(std::uint32_t i) const {
+  const bool swap = exchanged(vertex(i, 0), vertex(i, 1), vertex(i, 2), triangles_[i].axis());
+  return swap ? std::array<int, 3>{1, 0, 2} : std::array<int, 3>{0, 1, 2};
+}
+
+Vec3 MeshGeometry::vertex(std::uint32_t i, int corner) const {
+  return f32(data_->vertices[source(i).vertex[static_cast<std::size_t>(corner)]]);
+}
+
+bool MeshGeometry::smooth(std::uint32_t i) const { return is_smooth(*data_, source(i)); }
+
+Vec3 MeshGeometry::smooth_normal(std::uint32_t i, const Vec3& p) const {
+  const scene::MeshTriangle& t = source(i);
+  const auto c = corners(i);
+  const auto vertex_normal = [&](int k) {
+    return f32(normalize(data_->normals[t.normal[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]]));
+  };
+  const auto as_written = [&](int k) {
+    return data_->vertices[t.vertex[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]];
+  };
+  const Vec3 w1 = as_written(0), w2 = as_written(1), w3 = as_written(2);
+  // In the plane, 0 at P1 and 1 on the edge P2 P3; every step rounded, as probe 2 shows.
+  Vec3 rise = f32(normalize(cross(plane_normal(w1, w2, w3), w3 - w2)));
+  rise = f32(rise * f32(1 / f32(dot(rise, w2 - w1))));
+  const Vec3 n1 = vertex_normal(0), n2 = vertex_normal(1), n3 = vertex_normal(2);
+  const Vec3 p1 = f32(w1), p2 = f32(w2), p3 = f32(w3);
+  const Vec3 from = p - p1;
+  const double u = dot(rise, from);
+  if (u < 1e-10) return n1;
+  const int m = dominant_axis(p3 - p2);
+  const double v = (from[m] / u + p1[m] - p2[m]) / (p3[m] - p2[m]);
+  return n1 + u * ((n2 - n1) + v * (n3 - n2));
+}
+
+Vec2 MeshGeometry::uv(std::uint32_t i, const Vec3& p) const {
+  const scene::MeshTriangle& t = source(i);
+  if (!t.has_uv) return {0, 0};
+  // Barycentric weights in the projection.
+  const int axis = triangles_[i].axis(), a = axis == 0 ? 1 : 0, b = axis == 2 ? 1 : 2;
+  const Vec3 p0 = vertex(i, 0), p1 = vertex(i, 1), p2 = vertex(i, 2);
+  const double area = (p1[a] - p0[a]) * (p2[b] - p0[b]) - (p2[a] - p0[a]) * (p1[b] - p0[b]);
+  const double w1 = ((p[a] - p0[a]) * (p2[b] - p0[b]) - (p2[a] - p0[a]) * (p[b] - p0[b])) / area;
+  const double w2 = ((p1[a] - p0[a]) * (p[b] - p0[b]) - (p[a] - p0[a]) * (p1[b] - p0[b])) / area;
+  Vec2 result(0, 0);
+  const double w[3] = {1 - w1 - w2, w1, w2};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (t.uv[k] < data_->uvs.size()) result += w[k] * data_->uvs[t.uv[k]];
+  }
+  return result;
+}
+
+std::array<float, 3> MeshGeometry::weights(std::uint32_t i, const Vec3& p) const {
+  // All thresholds are absolute, in mesh space: very small triangles get equal weights.
+  std::array<float, 3> result{};
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 corner = vertex(i, k), b = vertex(i, (k + 1) % 3), c = vertex(i, (k + 2) % 3);
+    const Vec3 a = p - corner, e = c - b, from = b - corner;
+    // corner + s a = b + r e, solved in the first pair of axes that is not degenerate.
+    constexpr int kPairs[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+    double weight = 1;
+    for (const auto& [x, y] : kPairs) {
+      const double det = a[x] * e[y] - a[y] * e[x];
+      if (det * det < 1e-10) continue;
+      const double s = (from[x] * e[y] - from[y] * e[x]) / det;
+      const Vec3 q = s * a;  // Q - corner
+      double ratio = 0;
+      for (int m = 0; m < 3; ++m) {
+        if (q[m] * q[m] >= 1e-10) {
+          ratio = a[m] / q[m];
+          break;
+        }
+      }
+      weight = 1 - ratio;
+      break;
+    }
+    result[static_cast<std::size_t>(k)] = static_cast<float>(weight);
+  }
+  return result;
+}
+
+int MeshGeometry::crossings(const Vec3& origin, const Vec3& direction) const {
+  int count = 0;
+  tree_.traverse_leaves({origin, direction}, 0, kFarthest, [&](std::uint32_t first, std::uint32_t n, double limit) {
+    for (std::uint32_t i = first; i < first + n; ++i) {
+      const double t = hit(i, origin, direction);
+      if (t >= 0 && t <= kFarthest) ++count;
+    }
+    return limit;
+  });
+  return count;
+}
+
+Box3 mesh_vertex_box(const scene::MeshData& data) {
+  std::vector<Box3> parts((data.triangles.size() + kTask - 1) / kTask);
+  parallel_for(parts.size(), 1, [&](std::size_t part) {
+    Box3 box;
+    for (std::size_t i = part * kTask; i < std::min(data.triangles.size(), (part + 1) * kTask); ++i) {
+      const scene::MeshTriangle& t = data.triangles[i];
+      if (!valid(data, t)) continue;
+      for (const std::uint32_t v : t.vertex) box.extendBy(f32(data.vertices[v]));
+    }
+    parts[part] = box;
+  });
+  Box3 box;
+  for (const Box3& part : parts)
+    if (!part.isEmpty()) box.extendBy(part);
+  if (box.isEmpty()) box = Box3(Vec3(0), Vec3(0));
+  return box;
+}
+
+}  // namespace verisim::shapes

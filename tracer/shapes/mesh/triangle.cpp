@@ -1,0 +1,133 @@
+// triangle and smooth_triangle (spec 03 4.7, 04 section 2).
+#include <utility>
+
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/lane_kernels.h"
+#include "tracer/shapes/primitive.h"
+
+namespace verisim::shapes {
+namespace {
+
+constexpr double kNearest = 1e-6, kFarthest = 1e7;
+
+int dominant_axis(const Vec3& v) {
+  const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
+  if (x > y) return x > z ? 0 : 2;
+  return y > z ? 1 : 2;
+}
+
+Box3 box_of(const std::array<Vec3, 3>& p) {
+  Box3 box;
+  for (const Vec3& v : p) box.extendBy(v);
+  return box;
+}
+
+class Triangle final : public Primitive<Triangle> {
+ public:
+  // `n`: vertex normals, null for a flat triangle.
+  Triangle(const scene::Object& description, const std::array<Vec3, 3>& p, const std::array<Vec3, 3>* n)
+      : Primitive(description, {box_of(p)}), p_(p) {
+    const Vec3 plane = cross(p[0] - p[1], p[2] - p[1]);
+    degenerate_ = !(length(plane) > 0);
+    if (degenerate_) return;
+    normal_ = normalize(plane);
+    distance_ = dot(normal_, p[0]);
+    const int axis = dominant_axis(normal_);
+    i_ = axis == 0 ? 1 : 0;
+    j_ = axis == 2 ? 1 : 2;
+    if (n) {
+      smooth_ = true;
+      n_ = *n;
+      int positive = 0, negative = 0;
+      for (const Vec3& v : n_) {
+        positive += dot(v, normal_) > 0;
+        negative += dot(v, normal_) < 0;
+      }
+      if (positive != 3 && negative != 3) degenerate_ = true;
+    }
+    if ((p_[1][i_] - p_[2][i_]) * (p_[1][j_] - p_[0][j_]) < (p_[1][j_] - p_[2][j_]) * (p_[1][i_] - p_[0][i_])) {
+      std::swap(p_[0], p_[1]);
+      std::swap(n_[0], n_[1]);
+    }
+    if (smooth_) prepare_interpolation();
+    guarded_ = has_guards(description);
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    if (degenerate_) return 0;
+    LaneHits met;
+    lane_kernels().triangle(lanes_shape(), rays, t_min, t_max, met);
+    return take_hits(met, rays, *this, hits,
+                     [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
+    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    if (degenerate_) return 0;
+    LaneHits met;
+    lane_kernels().triangle(lanes_shape(), rays, t_min, t_max, met);
+    return lanes_hit(met, rays);
+  }
+
+  template <class Sink>
+  void crossings(const Ray& ray, Sink& sink) const {
+    if (degenerate_) return;
+    const double slope = dot(normal_, ray.direction);
+    if (std::fabs(slope) < kEpsilon) return;
+    const double t = (distance_ - dot(normal_, ray.origin)) / slope;
+    if (!(t >= kNearest && t <= kFarthest) || t < sink.lower() || t > sink.upper()) return;
+    const double s = ray.origin[i_] + t * ray.direction[i_], q = ray.origin[j_] + t * ray.direction[j_];
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 &a = p_[k], &b = p_[k == 2 ? 0 : k + 1];
+      if ((b[i_] - s) * (b[j_] - a[j_]) < (b[j_] - q) * (b[i_] - a[i_])) return;
+    }
+    sink.add(t, [&] { return ray.origin + t * ray.direction; });
+  }
+
+  bool contains(const Vec3&) const { return false; }
+  bool formula(const Vec3&) const { return false; }  // never inside, inverted or not
+
+  Vec3 raw_normal(const Hit& hit) const {
+    if (!smooth_) return normal_;
+    const Vec3 from_first = hit.point - p_[0];
+    const double q = dot(perpendicular_, from_first);  // 0 at the first corner, 1 on the opposite edge
+    if (q < kEpsilon) return n_[0];
+    const int m = edge_axis_;
+    const double w = (from_first[m] / q + p_[0][m] - p_[1][m]) / (p_[2][m] - p_[1][m]);
+    return normalize(n_[0] + q * (n_[1] - n_[0] + w * (n_[2] - n_[1])));
+  }
+
+ private:
+  TriangleShape lanes_shape() const {
+    return {normal_, distance_, i_, j_, {p_[0][i_], p_[1][i_], p_[2][i_]}, {p_[0][j_], p_[1][j_], p_[2][j_]}};
+  }
+  void prepare_interpolation() {
+    const Vec3 edge = p_[2] - p_[1];
+    perpendicular_ = normalize(cross(edge, normal_));
+    const double height = dot(perpendicular_, p_[1] - p_[0]);
+    perpendicular_ = perpendicular_ / height;
+    edge_axis_ = dominant_axis(edge);
+  }
+
+  std::array<Vec3, 3> p_, n_{Vec3(0), Vec3(0), Vec3(0)};
+  Vec3 normal_{0, 0, 0}, perpendicular_{0, 0, 0};
+  double distance_ = 0;
+  int i_ = 0, j_ = 1, edge_axis_ = 0;
+  bool degenerate_ = false, smooth_ = false, guarded_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_triangle(const scene::Object& object) {
+  return std::make_unique<Triangle>(object, object.as<scene::Triangle>()->p, nullptr);
+}
+
+std::unique_ptr<Shape> compile_smooth_triangle(const scene::Object& object) {
+  const auto& triangle = *object.as<scene::SmoothTriangle>();
+  std::array<Vec3, 3> normals = triangle.n;
+  return std::make_unique<Triangle>(object, triangle.p, &normals);
+}
+
+}  // namespace verisim::shapes

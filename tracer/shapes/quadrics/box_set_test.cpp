@@ -1,0 +1,109 @@
+// Boxes tested eight at a time are found with every instruction set, and none that one test finds is left out.
+#include "tracer/shapes/quadrics/box_set.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "tracer/bvh/box_tree.h"
+#include "tracer/simd/instruction_sets.h"
+
+namespace verisim::shapes {
+namespace {
+
+TEST(BoxSet, FindsTheBoxesOfARayAndOfAPoint) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto anywhere = [&] { return Vec3(unit(random), unit(random), unit(random)); };
+  int met = 0, missed = 0, around = 0;
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<Box3> boxes(1 + static_cast<std::size_t>(round) % BoxSet::kMost);
+    for (Box3& box : boxes) {
+      const Vec3 middle = anywhere(),
+                 half = Vec3(std::fabs(unit(random)), std::fabs(unit(random)), std::fabs(unit(random))) * 0.3;
+      box = {middle - half, middle + (round % 7 == 0 ? -half : half)};  // some are flat points
+    }
+    const BoxSet set(boxes);
+    Ray ray;
+    ray.origin = anywhere(), ray.direction = normalize(boxes[0].min + anywhere() * 0.2 - ray.origin);
+    if (round % 3 == 0) ray.direction[round / 3 % 3] = 0;
+    if (round % 5 == 0) ray.origin = boxes[0].min, ray.direction = {0, 0, 1};  // along a face
+    const double t_min = round % 4 == 0 ? 0.5 : 0, t_max = round % 6 == 0 ? 1.5 : 2e10;
+    const std::uint32_t found = set.meet(ray, t_min, t_max), here = set.around(ray.origin);
+    std::uint32_t visited = 0;
+    double last = -1;
+    set.traverse(ray, t_min, t_max, [&](std::uint32_t i, double limit) {
+      EXPECT_EQ(limit, t_max);
+      double near = t_min, far = t_max;
+      if (accel::clip_to_box(ray, boxes[i], near, far)) {
+        EXPECT_GE(near, last - 1e-4);  // boxes are a little larger than they are
+        last = near;
+      }
+      visited |= std::uint32_t{1} << i;
+      return limit;
+    });
+    ASSERT_EQ(visited, found);
+    // Nothing behind a limit that was found, and nothing at all behind the last.
+    int more = 0;
+    set.traverse(ray, t_min, t_max, [&](std::uint32_t, double) { return ++more, -HUGE_VAL; });
+    ASSERT_EQ(more, found != 0);
+    std::uint32_t seen = 0;
+    ASSERT_FALSE(set.any_along(ray, t_min, t_max, [&](std::uint32_t i) {
+      seen |= std::uint32_t{1} << i;
+      return false;
+    }));
+    ASSERT_EQ(seen, found);
+    ASSERT_EQ(set.any_along(ray, t_min, t_max, [](std::uint32_t) { return true; }), found != 0);
+    if (boxes.size() < 32) {
+      ASSERT_EQ(found >> boxes.size(), 0u);
+      ASSERT_EQ(here >> boxes.size(), 0u);
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      double near = t_min, far = t_max;
+      if (accel::clip_to_box(ray, boxes[i], near, far)) {
+        ASSERT_TRUE(found >> i & 1) << round << ' ' << i;
+        ++met;
+      } else {
+        missed += !(found >> i & 1);
+      }
+      if (accel::contains(boxes[i], ray.origin)) {
+        ASSERT_TRUE(here >> i & 1);
+        ++around;
+      }
+    }
+  }
+  EXPECT_GT(met, 1000);
+  EXPECT_GT(missed, 10000);
+  EXPECT_GT(around, 100);
+}
+
+TEST(BoxSet, IsTheSameWithAllInstructionSets) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kStrange[] = {0, -0.0, 1e300, -1e300, kInfinity, std::numeric_limits<double>::quiet_NaN()};
+  for (int round = 0; round < 3000; ++round) {
+    EightBoxes boxes;
+    for (int axis = 0; axis < 3; ++axis)
+      for (int i = 0; i < 8; ++i)
+        boxes.low[axis][i] = unit(random), boxes.high[axis][i] = boxes.low[axis][i] + std::fabs(unit(random));
+    Vec3 origin(unit(random), unit(random), unit(random)),
+        reciprocal(1 / unit(random), 1 / unit(random), 1 / unit(random));
+    if (round % 3 == 0) (round % 2 ? origin : reciprocal)[round / 3 % 3] = kStrange[random() % std::size(kStrange)];
+    for (int set = 1; set <= textures::best_instruction_set(); ++set) {
+      ASSERT_EQ(box_kernels(set)->meet(boxes, origin, reciprocal, 0, 2e10),
+                box_kernels(0)->meet(boxes, origin, reciprocal, 0, 2e10));
+      alignas(64) double near[8], plain[8];
+      const unsigned met = box_kernels(set)->meet_at(boxes, origin, reciprocal, 0, 2e10, near);
+      ASSERT_EQ(met, box_kernels(0)->meet_at(boxes, origin, reciprocal, 0, 2e10, plain));
+      ASSERT_EQ(met, box_kernels(0)->meet(boxes, origin, reciprocal, 0, 2e10));
+      for (int i = 0; i < 8; ++i) ASSERT_TRUE(!(met >> i & 1) || near[i] == plain[i]);
+      ASSERT_EQ(box_kernels(set)->around(boxes, origin), box_kernels(0)->around(boxes, origin));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace verisim::shapes

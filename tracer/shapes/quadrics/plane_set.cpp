@@ -1,0 +1,43 @@
+#include "tracer/shapes/quadrics/plane_set.h"
+
+#include "tracer/shapes/quadrics/plane.h"
+#include "tracer/simd/instruction_sets.h"
+
+#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
+
+namespace verisim::shapes {
+namespace {
+
+constexpr double kFar = 1e300;
+
+#define VERISIM_KERNELS "tracer/shapes/quadrics/plane_set.inc"
+#include "tracer/simd/each_instruction_set.inc"
+
+const PlaneKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+
+}  // namespace
+
+const PlaneKernels* plane_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+
+PlaneSet::PlaneSet() : kernels_(*plane_kernels(textures::best_instruction_set())) {}
+
+void PlaneSet::add(const Vec3& normal, double distance, bool inverted) {
+  const int lane = count_ % 8;
+  if (lane == 0) blocks_.emplace_back();
+  EightPlanes& block = blocks_.back();
+  block.x[lane] = normal.x, block.y[lane] = normal.y, block.z[lane] = normal.z, block.distance[lane] = distance;
+  block.side[lane] = inverted ? -1 : 1;
+  all_ |= std::uint64_t{1} << count_;
+  if (!inverted) inside_ |= std::uint64_t{1} << count_;
+  ++count_;
+}
+
+void PlaneSet::meet(const RayLanes& rays, Lanes& lanes, double* enter, double* leave) const {
+  alignas(64) double doubt[RayLanes::kCount];
+  for (int k = 0; k < RayLanes::kCount; ++k) doubt[k] = doubt_at(rays.rays.origin.at(rays.first + k));
+  for (int i = 0; i < count_; ++i)
+    lanes.met[i] = kernels_.meet_row(blocks_[static_cast<std::size_t>(i / 8)], i % 8, rays.rays, rays.first, doubt,
+                                     lanes.t[i], enter, leave);
+}
+
+}  // namespace verisim::shapes

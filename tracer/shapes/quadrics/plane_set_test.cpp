@@ -1,0 +1,250 @@
+// Planes eight at a time, and the boxes of what planes and quadrics enclose.
+#include "tracer/shapes/quadrics/plane_set.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "tracer/bvh/box_tree.h"
+#include "tracer/shapes/half_spaces.h"
+#include "tracer/shapes/quadrics/plane.h"
+#include "tracer/shapes/quadrics/quadric_box.h"
+#include "tracer/shapes/shape.h"
+#include "tracer/simd/instruction_sets.h"
+
+namespace verisim::shapes {
+namespace {
+
+std::mt19937 random_numbers(11);
+
+Vec3 random_vector(double size) {
+  std::normal_distribution<double> d(0, size);
+  return {d(random_numbers), d(random_numbers), d(random_numbers)};
+}
+
+scene::Quadric quadric(const Vec3& square, const Vec3& linear, double constant) {
+  scene::Quadric q;
+  q.square = square, q.mixed = Vec3(0), q.linear = linear, q.constant = constant;
+  return q;
+}
+
+class PlaneKernel : public testing::TestWithParam<int> {};
+
+TEST_P(PlaneKernel, MeetsEachPlaneAsItIsMetAlone) {
+  const PlaneKernels* kernels = plane_kernels(GetParam());
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  int met = 0, behind = 0;
+  for (int round = 0; round < 2000; ++round) {
+    EightPlanes planes;
+    Ray ray{random_vector(3), normalize(random_vector(1))};
+    if (round % 7 == 0) ray.direction = Vec3(0, 0, 1);
+    if (round % 97 == 0) ray.origin.x = std::numeric_limits<double>::quiet_NaN();
+    for (int i = 0; i < 8; ++i) {
+      Vec3 n = normalize(random_vector(1));
+      if (round % 5 == i) n = Vec3(0), n[i % 3] = 1;
+      planes.x[i] = n.x, planes.y[i] = n.y, planes.z[i] = n.z;
+      planes.distance[i] = round % 11 == i ? 1e12 : random_vector(2).x;
+      planes.side[i] = i % 2 ? 1 : -1;
+    }
+    alignas(64) double t[8];
+    double enter = -1e9, leave = 1e9;
+    const unsigned bits = kernels->meet(planes, ray, 1e-6, t, enter, leave);
+    const unsigned back = kernels->behind(planes, ray.origin);
+    double first = -1e9, last = 1e9;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 n(planes.x[i], planes.y[i], planes.z[i]);
+      const double slope = dot(n, ray.direction), along = (planes.distance[i] - dot(n, ray.origin)) / slope;
+      ASSERT_EQ(bits >> i & 1, meets_plane(slope, along)) << round << " " << i;
+      if (bits >> i & 1) {
+        ASSERT_EQ(t[i], along);
+      }
+      ASSERT_EQ(back >> i & 1, dot(n, ray.origin) - planes.distance[i] < kEpsilon);
+      met += bits >> i & 1, behind += back >> i & 1;
+      const double margin = 1e-6 / std::fabs(slope), out = slope * planes.side[i];
+      if (out > kEpsilon && along + margin < last) last = along + margin;
+      if (out < -kEpsilon && along - margin > first) first = along - margin;
+    }
+    ASSERT_EQ(enter, first);
+    ASSERT_EQ(leave, last);
+  }
+  EXPECT_GT(met, 4000);
+  EXPECT_GT(behind, 4000);
+}
+
+TEST_P(PlaneKernel, MeetsAPlaneWithEightRaysAsWithEach) {
+  const PlaneKernels* kernels = plane_kernels(GetParam());
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  int within_box = 0, missed_box = 0;
+  for (int round = 0; round < 1000; ++round) {
+    EightPlanes planes;  // but for one they are met by nothing
+    const int i = round % 8, first = round % 9;
+    const Vec3 n = round % 5 ? normalize(random_vector(1)) : Vec3(0, 1, 0);
+    planes.x[i] = n.x, planes.y[i] = n.y, planes.z[i] = n.z, planes.distance[i] = random_vector(2).x,
+    planes.side[i] = round % 3 ? 1 : -1;
+    const Vec3 corner = random_vector(2);
+    const Box3 box(corner - Vec3(1, 2, 1),
+                   corner + Vec3(1, 1, round % 4 ? 1 : std::numeric_limits<double>::infinity()));
+    RayRow rays{};
+    alignas(64) double doubt[8], t[8], enter[8], leave[8], near[8], far[8];
+    for (int k = 0; k < 8; ++k) {
+      rays.origin.set(first + k, random_vector(3)),
+          rays.direction.set(first + k, (round + k) % 7 ? normalize(random_vector(1)) : Vec3(0, 0, 1));
+      doubt[k] = 1e-6 * (k + 1), enter[k] = near[k] = 1e-4, leave[k] = far[k] = k == 3 ? 1 : 1e7;
+    }
+    const unsigned met = kernels->meet_row(planes, i, rays, first, doubt, t, enter, leave);
+    kernels->clip_row(box, rays, first, near, far);
+    for (int k = 0; k < 8; ++k) {
+      const Ray ray = rays.at(first + k);
+      alignas(64) double alone[8];
+      double from = 1e-4, to = k == 3 ? 1 : 1e7;
+      const unsigned bits = kernels->meet(planes, ray, doubt[k], alone, from, to);
+      ASSERT_EQ(met >> k & 1, bits >> i & 1);
+      if (met >> k & 1) {
+        ASSERT_EQ(t[k], alone[i]);
+      }
+      ASSERT_EQ(enter[k], from);
+      ASSERT_EQ(leave[k], to);
+      from = 1e-4, to = k == 3 ? 1 : 1e7;
+      const bool inside = accel::clip_to_box(ray, box, from, to);
+      ASSERT_EQ(near[k] <= far[k], inside);
+      if (!inside) {
+        ++missed_box;
+        continue;
+      }
+      ++within_box;
+      ASSERT_EQ(near[k], from);
+      ASSERT_EQ(far[k], to);
+    }
+  }
+  EXPECT_GT(within_box, 300);
+  EXPECT_GT(missed_box, 300);
+}
+
+INSTANTIATE_TEST_SUITE_P(InstructionSets, PlaneKernel, testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+
+TEST(PlaneSet, KnowsOutsideOfManyPlanesBothWaysRound) {
+  PlaneSet set;
+  std::vector<std::pair<scene::Plane, bool>> planes;
+  while (!set.full()) {
+    planes.push_back({{normalize(random_vector(1)), random_vector(1).x}, planes.size() % 3 == 0});
+    set.add(planes.back().first.normal, planes.back().first.distance, planes.back().second);
+  }
+  ASSERT_EQ(planes.size(), static_cast<std::size_t>(PlaneSet::kMost));
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 p = random_vector(2);
+    const std::uint64_t outside = set.outside(p);
+    for (std::size_t k = 0; k < planes.size(); ++k)
+      ASSERT_EQ(outside >> k & 1,
+                (dot(p, planes[k].first.normal) - planes[k].first.distance < kEpsilon) == planes[k].second)
+          << k;
+  }
+}
+
+TEST(PlaneSet, PointsInsideAllPlanesLieWhereTheRayMayBeInside) {
+  int inside = 0;
+  for (int round = 0; round < 300; ++round) {
+    PlaneSet set;
+    for (int k = 0; k < 11; ++k) set.add(normalize(random_vector(1)), std::fabs(random_vector(1).x), false);
+    const Ray ray{random_vector(1), normalize(random_vector(1))};
+    alignas(64) double t[PlaneSet::kMost];
+    double enter = -10, leave = 10;
+    set.meet(ray, t, enter, leave);
+    for (double s = -10; s < 10; s += 0.05) {
+      const bool in = set.outside(ray.at(s)) == 0;
+      inside += in;
+      if (in) {
+        ASSERT_TRUE(enter <= s && s <= leave);
+      } else {
+        ASSERT_FALSE(enter + 1e-3 < s && s < leave - 1e-3) << "as tight as the planes are";
+      }
+    }
+  }
+  EXPECT_GT(inside, 1000);
+}
+
+TEST(HalfSpaces, BoxHoldsThePolytopeAndIsTight) {
+  // A prism with a triangle of 45 degrees as its section: no plane but two is along an axis, and the box is finite.
+  const double s = std::sqrt(0.5);
+  const HalfSpace prism[] = {{{0, 1, 0}, -0.25}, {{0, -1, 0}, 3}, {{0, 0, -1}, 35}, {{-s, 0, s}, 0}, {{s, 0, s}, 0}};
+  const Box3 box = narrowed(everywhere(), prism);
+  const Vec3 low(-35, -3, -35), high(35, -0.25, 0);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(box.min[i], low[i], 1e-5);
+    EXPECT_NEAR(box.max[i], high[i], 1e-5);
+    EXPECT_LE(box.min[i], low[i]);
+    EXPECT_GE(box.max[i], high[i]);
+  }
+}
+
+TEST(HalfSpaces, OpenSidesStayInfinite) {
+  const HalfSpace wedge[] = {{{0, 1, 0}, 2}, {normalize(Vec3(1, -1, 0)), 1}, {normalize(Vec3(-1, -1, 0)), 1}};
+  const Box3 box = narrowed(everywhere(), wedge);
+  EXPECT_TRUE(std::isinf(box.min.z) && std::isinf(box.max.z));
+  EXPECT_NEAR(box.min.y, -std::sqrt(2.0), 1e-5);
+  EXPECT_NEAR(box.max.x, 2 + std::sqrt(2.0), 1e-5);
+  EXPECT_NEAR(box.min.x, -2 - std::sqrt(2.0), 1e-5);
+}
+
+TEST(HalfSpaces, RandomPolytopesLieInTheirBoxes) {
+  int inside = 0, finite = 0;
+  for (int round = 0; round < 300; ++round) {
+    std::vector<HalfSpace> planes;
+    for (int k = 0; k < 3 + round % 7; ++k)
+      planes.push_back({normalize(random_vector(1)), 0.3 + std::fabs(random_vector(1).x)});
+    Box3 known = everywhere();
+    if (round % 2) known.max.y = 1.5;
+    const Box3 box = narrowed(known, planes);
+    finite += std::isfinite(box.min.x) && std::isfinite(box.max.z);
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 p = random_vector(2);
+      bool in = p.y <= known.max.y;
+      for (const HalfSpace& h : planes) in = in && dot(h.normal, p) <= h.distance;
+      inside += in;
+      if (in) {
+        ASSERT_TRUE(box.intersects(p)) << round;
+      }
+    }
+  }
+  EXPECT_GT(inside, 3000);
+  EXPECT_GT(finite, 50);
+}
+
+TEST(QuadricBox, HoldsWhatIsSolidAndIsTightWherePlanesCutIt) {
+  Box3 known = everywhere();
+  known.max.y = 4;
+  const Box3 cup = narrowed(known, quadric({1, 0, 1}, {0, -1, 0}, 0));
+  EXPECT_NEAR(cup.max.x, 2, 1e-4);
+  EXPECT_NEAR(cup.min.z, -2, 1e-4);
+  EXPECT_NEAR(cup.min.y, 0, 1e-4);
+  const Box3 tube = narrowed(everywhere(), quadric({4, 0, 1}, {-8, 0, 0}, 3));
+  EXPECT_TRUE(std::isinf(tube.max.y));
+  EXPECT_NEAR(tube.max.x, 1.5, 1e-4);
+  EXPECT_NEAR(tube.min.z, -1, 1e-4);
+}
+
+TEST(QuadricBox, RandomQuadricsLieInTheirBoxes) {
+  int inside = 0, narrower = 0;
+  for (int round = 0; round < 400; ++round) {
+    scene::Quadric q = quadric(random_vector(1), random_vector(1), random_vector(1).x);
+    if (round % 3 == 0) q.square[round % 2] = 0;
+    if (round % 5 == 0) q.linear = Vec3(0);
+    Box3 known = everywhere();
+    if (round % 2) known.min.y = -1, known.max.y = 1.2;
+    const Box3 box = narrowed(known, q);
+    narrower += box.max.x < known.max.x;
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 p = random_vector(1.5);
+      double value = q.constant;
+      for (int k = 0; k < 3; ++k) value += p[k] * (q.square[k] * p[k] + q.linear[k]);
+      if (value > 0 || !known.intersects(p)) continue;
+      ++inside;
+      ASSERT_TRUE(box.intersects(p)) << round;
+    }
+  }
+  EXPECT_GT(inside, 10000);
+  EXPECT_GT(narrower, 40);
+}
+
+}  // namespace
+}  // namespace verisim::shapes

@@ -1,0 +1,107 @@
+// quadric (spec 03 4.10): coefficients are kept in world space.
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/lane_kernels.h"
+#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/quadrics/quadric_box.h"
+
+namespace verisim::shapes {
+namespace {
+
+constexpr double kNearest = 1e-6, kFarthest = 1e7;
+
+// Of {value <= 0} or, for a quadric written with negative coefficients, of {value >= 0}. POV-Ray's boxes depend on
+// clips and are partly wrong (4.11).
+bool negative(const scene::Quadric& q) {
+  for (int i = 0; i < 3; ++i)
+    if (q.square[i] != 0) return q.square[i] < 0;
+  return false;
+}
+Box3 box_of(scene::Quadric q) {
+  if (negative(q)) q.square = -q.square, q.mixed = -q.mixed, q.linear = -q.linear, q.constant = -q.constant;
+  return narrowed(everywhere(), q);
+}
+
+// Whether the side a box can describe is the one the inverted mark says.
+bool box_tells_solid(const scene::Object& object, const scene::Quadric& q) { return negative(q) == object.inverted; }
+
+class Quadric final : public Primitive<Quadric> {
+ public:
+  Quadric(const scene::Object& description, const scene::Quadric& q)
+      : Primitive(description, {box_of(q), box_tells_solid(description, q)}),
+        q_(q),
+        guarded_(has_guards(description)) {}
+
+  template <class Sink>
+  void crossings(const Ray& ray, Sink& sink) const {
+    const Vec3 &o = ray.origin, &d = ray.direction;
+    const Vec3 &s = q_.square, &m = q_.mixed, &l = q_.linear;
+    const double a = d.x * (s.x * d.x + m.x * d.y + m.y * d.z) + d.y * (s.y * d.y + m.z * d.z) + d.z * s.z * d.z;
+    const double b = d.x * (s.x * o.x + 0.5 * (m.x * o.y + m.y * o.z + l.x)) +
+                     d.y * (s.y * o.y + 0.5 * (m.x * o.x + m.z * o.z + l.y)) +
+                     d.z * (s.z * o.z + 0.5 * (m.y * o.x + m.z * o.y + l.z));
+    const double c = value(o);
+    const auto report = [&](double t) {
+      if (t > kNearest && t < kFarthest) sink.add(t, [&] { return ray.origin + t * ray.direction; });
+    };
+    if (a != 0) {
+      const double discriminant = b * b - a * c;
+      if (!(discriminant > 0)) return;
+      const double root = std::sqrt(discriminant);
+      report((-b + root) / a);
+      report((-b - root) / a);
+    } else if (b != 0) {
+      report(-0.5 * c / b);
+    }
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                           const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+    LaneHits met;
+    lane_kernels().quadric(q_, rays, t_min, t_max, met);
+    return take_hits(met, rays, *this, hits,
+                     [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
+                          const double* t_max) const override {
+    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    LaneHits met;
+    lane_kernels().quadric(q_, rays, t_min, t_max, met);
+    return lanes_hit(met, rays);
+  }
+
+  SimpleSolid simple() const override {
+    if (guarded_) return {};
+    return {.form = SimpleSolid::Form::quadric, .quadric = &q_};
+  }
+
+  // Inversion has negated the coefficients already.
+  bool contains(const Vec3& p) const { return value(p) <= 0; }
+  bool formula(const Vec3& p) const { return contains(p); }
+
+  Vec3 raw_normal(const Hit& hit) const {
+    const Vec3 &p = hit.point, &s = q_.square, &m = q_.mixed, &l = q_.linear;
+    const Vec3 gradient(2 * s.x * p.x + m.x * p.y + m.y * p.z + l.x, m.x * p.x + 2 * s.y * p.y + m.z * p.z + l.y,
+                        m.y * p.x + m.z * p.y + 2 * s.z * p.z + l.z);
+    const double len = length(gradient);
+    return len == 0 ? Vec3(1, 0, 0) : gradient / len;
+  }
+
+ private:
+  double value(const Vec3& p) const {
+    const Vec3 &s = q_.square, &m = q_.mixed, &l = q_.linear;
+    return p.x * (s.x * p.x + m.x * p.y + m.y * p.z + l.x) + p.y * (s.y * p.y + m.z * p.z + l.y) +
+           p.z * (s.z * p.z + l.z) + q_.constant;
+  }
+
+  scene::Quadric q_;
+  bool guarded_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_quadric(const scene::Object& object) {
+  return std::make_unique<Quadric>(object, *object.as<scene::Quadric>());
+}
+
+}  // namespace verisim::shapes

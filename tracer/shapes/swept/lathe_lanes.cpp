@@ -1,0 +1,26 @@
+#include "tracer/shapes/swept/lathe_lanes.h"
+
+#include <cmath>
+
+#include "tracer/simd/instruction_sets.h"
+
+#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
+
+namespace verisim::shapes {
+namespace {
+
+#define VERISIM_KERNELS "tracer/shapes/swept/lathe_lanes.inc"
+#include "tracer/simd/each_instruction_set.inc"
+
+const LatheKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+
+}  // namespace
+
+const LatheKernels* lathe_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+
+const LatheKernels& lathe_kernels() {
+  static const LatheKernels& best = *kAll[textures::best_instruction_set()];
+  return best;
+}
+
+}  // namespace verisim::shapes

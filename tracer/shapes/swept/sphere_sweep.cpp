@@ -1,0 +1,433 @@
+// sphere_sweep (spec 03 4.18): a sphere whose centre and radius follow a spline.
+//
+// The body is the union of the spheres at the joints and, per segment, of the envelope of the moving sphere closed by
+// two planes. A ray crosses the envelope where |O + tD - C(u)|^2 = R(u)^2 and the derivative of that by u vanishes;
+// eliminating t leaves a polynomial of degree 2 or 10 in u. All crossings are sorted, and a nesting counter keeps those
+// that enter or leave the union.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "tracer/bvh/box_tree.h"
+#include "tracer/math/bernstein_lanes.h"
+#include "tracer/shapes/factories.h"
+#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/scratch.h"
+#include "tracer/shapes/swept/sphere_sweep_lanes.h"
+
+namespace verisim::shapes {
+namespace {
+
+constexpr double kFarthest = 1e7;
+constexpr std::size_t kFewParts = 1;
+
+using Vec4 = Imath::V4d;  // centre and radius
+
+struct Segment {
+  std::array<Vec4, 4> c{Vec4(0), Vec4(0), Vec4(0), Vec4(0)};  // powers of u
+  int degree = 1;
+
+  Vec4 at(double u) const { return ((c[3] * u + c[2]) * u + c[1]) * u + c[0]; }
+  Vec4 slope(double u) const { return (c[3] * (3 * u) + c[2] * 2.0) * u + c[1]; }
+};
+
+Vec3 center_of(const Vec4& v) { return {v.x, v.y, v.z}; }
+
+#include "tracer/shapes/swept/sphere_sweep_side.inc"
+
+SweepCubic cubic_of(const Segment& s) {
+  SweepCubic cubic;
+  for (int i = 0; i < 4; ++i)
+    for (int x = 0; x < 4; ++x) cubic.power[i][x] = s.c[static_cast<std::size_t>(i)][x];
+  for (int x = 0; x < 3; ++x) cubic.middle[x] = s.at(0.5)[x];
+  return cubic;
+}
+
+std::vector<Segment> segments_of(const scene::SphereSweep& sweep) {
+  std::vector<Vec4> p;
+  for (std::size_t i = 0; i < sweep.centers.size() && i < sweep.radii.size(); ++i) {
+    const Vec3& c = sweep.centers[i];
+    p.emplace_back(c.x, c.y, c.z, sweep.radii[i]);
+  }
+  std::vector<Segment> segments;
+  const std::size_t n = p.size();
+  if (sweep.spline == scene::SplineKind::linear) {
+    for (std::size_t i = 0; i + 1 < n; ++i) segments.push_back({{p[i], p[i + 1] - p[i], Vec4(0), Vec4(0)}, 1});
+    return segments;
+  }
+  for (std::size_t i = 0; i + 3 < n; ++i) {
+    const Vec4 &a = p[i], &b = p[i + 1], &c = p[i + 2], &d = p[i + 3];
+    if (sweep.spline == scene::SplineKind::b_spline)
+      segments.push_back(
+          {{(a + b * 4.0 + c) / 6.0, (c - a) * 0.5, (a - b * 2.0 + c) * 0.5, (d - a + (b - c) * 3.0) / 6.0}, 3});
+    else
+      segments.push_back({{b, (c - a) * 0.5, a - b * 2.5 + c * 2.0 - d * 0.5, (d - a + (b - c) * 3.0) * 0.5}, 3});
+  }
+  return segments;
+}
+
+// Of the spheres of a segment: of its control points in Bezier form.
+Box3 box_of(const Segment& s) {
+  std::array<Vec4, 4> b;
+  b[0] = s.c[0];
+  b[1] = s.c[0] + s.c[1] / 3.0;
+  b[2] = s.c[0] + s.c[1] * (2.0 / 3.0) + s.c[2] / 3.0;
+  b[3] = s.c[0] + s.c[1] + s.c[2] + s.c[3];
+  double radius = 0;
+  for (const Vec4& v : b) radius = std::max(radius, std::fabs(v.w));
+  Box3 box;
+  for (const Vec4& v : b) {
+    box.extendBy(center_of(v) - Vec3(radius));
+    box.extendBy(center_of(v) + Vec3(radius));
+  }
+  return box;
+}
+
+Box3 box_of(const std::vector<Segment>& segments) {
+  Box3 box;
+  for (const Segment& s : segments) box.extendBy(box_of(s));
+  return box;
+}
+
+enum Part : std::int32_t { joint, side, start_plane, end_plane };
+
+struct Crossing {
+  double t, u;
+  std::int32_t segment;
+  Part part;
+  bool enters;
+};
+
+// Where a ray may touch the side of a curved segment: at u, and at t unless the curve lies across the ray: then on both
+// ends of the sphere's chord.
+struct Touch {
+  double u, t;
+};
+struct Touches {
+  bool across = false;
+  int count = 0;
+  Touch at[10];
+};
+
+// The curve lies across the ray: both sides of the tube share their u, and the polynomial is nearly N^2.
+bool is_across(const double* n, const double* m, double radius) {
+  double n_size = 0, m_size = 0;
+  for (int i = 0; i < 6; ++i) n_size = std::max(n_size, std::fabs(n[i]));
+  for (int i = 0; i < 3; ++i) m_size = std::max(m_size, std::fabs(m[i]));
+  return m_size * radius < 1e-6 * n_size;
+}
+void find_across(const double* n, Touches& touches) {
+  double roots[5];
+  touches.across = true;
+  touches.count = bernstein_roots<5>(n, 0, 1, roots);
+  for (int i = 0; i < touches.count; ++i) touches.at[i].u = roots[i];
+}
+double touch_distance(double u, const double* n, const double* m, double moved) {
+  const double across = (m[2] * u + m[1]) * u + m[0];
+  double along = n[5];
+  for (int k = 4; k >= 0; --k) along = along * u + n[k];
+  return moved - along / across;
+}
+
+// A segment that a ray of several may meet.
+struct Visit {
+  std::uint32_t segment;
+  int lane;
+  bool solved;
+  Touches touches;
+};
+
+class SphereSweep final : public Primitive<SphereSweep> {
+ public:
+  SphereSweep(const scene::Object& description, const scene::SphereSweep& sweep)
+      : Primitive(description, {box_of(segments_of(sweep))}),
+        segments_(segments_of(sweep)),
+        tolerance_(sweep.tolerance) {
+    std::vector<Box3> boxes;
+    bool finite = true;
+    for (const Segment& s : segments_) {
+      boxes.push_back(box_of(s));
+      finite = finite && accel::is_finite(boxes.back()) && !accel::is_empty(boxes.back());
+    }
+    if (segments_.size() > kFewParts && finite) tree_ = accel::BoxTree(boxes);
+  }
+
+  template <class Sink>
+  void crossings(const Ray& ray, Sink& sink) const {
+    const LocalRay l = local(ray);
+    Scratch<Crossing> all;
+    each_segment_met(l, [&](std::uint32_t i) { segment(i, l, nullptr, all); });
+    report(l, all, sink);
+  }
+
+  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max,
+                           Hit* hits) const override {
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
+  }
+  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min,
+                          const double* t_max) const override {
+    Hit hit;
+    return nearest_of_lanes(
+        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+  }
+
+  // As in POV-Ray: on the wall of some sphere of a segment, so a point inside all spheres of a short segment is missed
+  // (spec 03 4.18).
+  bool contains(const Vec3& point) const {
+    const Vec3 p = local(point);
+    const auto covers = [&](std::size_t i) {
+      const Segment& s = segments_[i];
+      const int k = s.degree;
+      double power[7] = {}, roots[1];
+      for (int a = 0; a <= k; ++a)
+        for (int b = 0; b <= k; ++b) {
+          const Vec4 v = s.c[static_cast<std::size_t>(a)], w = s.c[static_cast<std::size_t>(b)];
+          Vec3 x = center_of(v), y = center_of(w);
+          if (a == 0) x -= p;
+          if (b == 0) y -= p;
+          power[a + b] += dot(x, y) - v.w * w.w;
+        }
+      return (k == 1 ? bernstein_roots<2>(power, 0, 1, roots, 1) : bernstein_roots<6>(power, 0, 1, roots, 1)) > 0;
+    };
+    if (!tree_.empty()) return tree_.any_around(p, covers);
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      if (covers(i)) return true;
+    return false;
+  }
+
+  Vec3 raw_normal(const Hit& hit) const {
+    const Segment& s = segments_[static_cast<std::size_t>(hit.part / 4)];
+    const auto part = static_cast<Part>(hit.part % 4);
+    Vec3 n;
+    if (part == start_plane)
+      n = -center_of(s.slope(0));
+    else if (part == end_plane)
+      n = center_of(s.slope(1));
+    else
+      n = local(hit.point) - center_of(s.at(hit.u));
+    return n == Vec3(0) ? Vec3(1, 0, 0) : world_normal(n);
+  }
+
+ private:
+  template <class Meet>
+  void each_segment_met(const LocalRay& l, Meet&& meet) const {
+    if (tree_.empty()) {
+      for (std::uint32_t i = 0; i < segments_.size(); ++i) meet(i);
+      return;
+    }
+    tree_.traverse({l.origin, l.direction}, 0, HUGE_VAL, [&](std::uint32_t i, double limit) {
+      meet(i);
+      return limit;
+    });
+  }
+
+  template <class Sink>
+  void report(const LocalRay& l, Scratch<Crossing>& all, Sink& sink) const {
+    if (all.size() == 0) return;
+    all.sort([](const Crossing& a, const Crossing& b) { return a.t < b.t; });
+    const auto add = [&](const Crossing& c) {
+      if (!(c.t > tolerance_)) return;
+      sink.add(
+          c.t / l.scale, [&] { return world(l.origin + c.t * l.direction); }, c.segment * 4 + c.part, c.u);
+    };
+    add(all[0]);
+    int depth = 1;
+    for (std::size_t i = 1; i + 1 < all.size(); ++i) {
+      const bool boundary = all[i].enters ? depth == 0 : depth == 1;
+      depth += all[i].enters ? 1 : -1;
+      if (boundary) add(all[i]);
+    }
+    if (all.size() > 1) add(all[all.size() - 1]);
+  }
+
+  // Each ray has its own list of segments; those of the same segment are solved together.
+  template <class HitOf>
+  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
+    Scratch<Visit> visits;
+    std::size_t first[RayLanes::kCount], end[RayLanes::kCount];
+    unsigned met = 0;
+    each_lane(admitted, [&](int k) {
+      first[k] = visits.size();
+      each_segment_met(local(rays.at(k)), [&](std::uint32_t i) { visits.add({i, k, segments_[i].degree == 1, {}}); });
+      end[k] = visits.size();
+      met |= end[k] > first[k] ? 1u << k : 0;
+    });
+    if (met == 0) return 0;
+    LocalLanes lanes;
+    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes);
+    for (std::size_t v = 0; v < visits.size(); ++v)
+      if (!visits[v].solved) solve_together(lanes, visits, v);
+    unsigned found = 0;
+    each_lane(met, [&](int k) {
+      const LocalRay l = local(rays.at(k));
+      Scratch<Crossing> all;
+      for (std::size_t v = first[k]; v < end[k]; ++v) segment(visits[v].segment, l, &visits[v].touches, all);
+      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      report(l, all, sink);
+      found |= sink.found() ? 1u << k : 0;
+    });
+    return found;
+  }
+  // The touches of a visit and of those behind it of the same segment.
+  void solve_together(const LocalLanes& rays, Scratch<Visit>& visits, std::size_t begin) const {
+    const std::uint32_t index = visits[begin].segment;
+    const Segment& s = segments_[index];
+    const double radius = s.at(0.5).w;
+    SweepSideLanes side;
+    sweep_follow()(cubic_of(s), rays, side);
+    RootLanes roots;
+    Visit* of_lane[RayLanes::kCount];
+    unsigned wanted = 0;
+    for (std::size_t v = begin; v < visits.size(); ++v) {
+      Visit& visit = visits[v];
+      if (visit.segment != index) continue;
+      const int k = visit.lane;
+      visit.solved = true;
+      double n[6], m[3];
+      for (int i = 0; i < 6; ++i) n[i] = side.n[i][k];
+      for (int i = 0; i < 3; ++i) m[i] = side.m[i][k];
+      if (is_across(n, m, radius)) {
+        find_across(n, visit.touches);
+        continue;
+      }
+      of_lane[k] = &visit;
+      roots.from[k] = 0, roots.to[k] = 1;
+      wanted |= 1u << k;
+    }
+    for (int i = 0; i <= 10; ++i) std::copy_n(side.power[i], RayLanes::kCount, roots.power[i]);
+    unsigned open = bernstein_kernels().begin(10, wanted, roots);
+    while (open != 0) {
+      open = bernstein_kernels().next(10, open, roots);
+      each_lane(open, [&](int k) {
+        double n[6], m[3];
+        for (int i = 0; i < 6; ++i) n[i] = side.n[i][k];
+        for (int i = 0; i < 3; ++i) m[i] = side.m[i][k];
+        Touches& touches = of_lane[k]->touches;
+        touches.at[touches.count++] = {roots.root[k], touch_distance(roots.root[k], n, m, side.moved[k])};
+      });
+    }
+  }
+
+  // `touches`: of the side, if they are known.
+  void segment(std::size_t i, const LocalRay& l, const Touches* touches, Scratch<Crossing>& all) const {
+    const Segment& s = segments_[i];
+    const auto index = static_cast<std::int32_t>(i);
+    if (i == 0) joint_sphere(s.at(0), 0, index, l, all);
+    joint_sphere(s.at(1), 1, index, l, all);
+    // With a tree a neighbour may not be visited; its joint is also ours.
+    if (i > 0 && !tree_.empty()) joint_sphere(s.at(0), 0, index, l, all);
+    plane(s, 0, index, l, all);
+    plane(s, 1, index, l, all);
+    if (s.degree == 1)
+      linear_side(s, index, l, all);
+    else
+      curved_side(s, index, l, touches ? *touches : touches_of(s, l), all);
+  }
+
+  static bool sphere_chord(const Vec4& sphere, const LocalRay& l, double& near, double& far) {
+    const Vec3 to = center_of(sphere) - l.origin;
+    const double closest = dot(to, l.direction), half2 = sphere.w * sphere.w - (dot(to, to) - closest * closest);
+    if (!(sphere.w > 0) || !(half2 > 0)) return false;
+    const double half = std::sqrt(half2);
+    near = closest - half, far = closest + half;
+    return std::fabs(near) < kFarthest && std::fabs(far) < kFarthest;
+  }
+
+  static void joint_sphere(const Vec4& sphere, double u, std::int32_t index, const LocalRay& l,
+                           Scratch<Crossing>& all) {
+    double near, far;
+    if (!sphere_chord(sphere, l, near, far) || far < 0) return;
+    all.add({near, u, index, joint, true});
+    all.add({far, u, index, joint, false});
+  }
+
+  // C'(u).(P - C(u)) + R R' = 0 within the sphere at that end of a segment.
+  static void plane(const Segment& s, double u, std::int32_t index, const LocalRay& l, Scratch<Crossing>& all) {
+    const Vec4 sphere = s.at(u), slope = s.slope(u);
+    const Vec3 n = center_of(slope), c = center_of(sphere);
+    const double along = dot(n, l.direction);
+    if (std::fabs(along) < kEpsilon) return;
+    const double t = -(dot(n, l.origin - c) + sphere.w * slope.w) / along;
+    const Vec3 from = l.origin + t * l.direction - c;
+    if (!(dot(from, from) <= sphere.w * sphere.w) || !(std::fabs(t) < kFarthest)) return;
+    all.add({t, u, index, u == 0 ? start_plane : end_plane, (u == 0) == (along > 0)});
+  }
+
+  static void add_side(const Segment& s, double u, double t, std::int32_t index, const LocalRay& l,
+                       Scratch<Crossing>& all) {
+    if (!(std::fabs(t) < kFarthest)) return;
+    const Vec3 n = l.origin + t * l.direction - center_of(s.at(u));
+    all.add({t, u, index, side, dot(n, l.direction) < 0});
+  }
+
+  void linear_side(const Segment& s, std::int32_t index, const LocalRay& l, Scratch<Crossing>& all) const {
+    const Vec3 dc = center_of(s.c[1]), o = l.origin - center_of(s.c[0]);
+    const double r0 = s.c[0].w, dr = s.c[1].w;
+    const double g = dot(dc, dc) - dr * dr;  // d/du: dot(o, dc) + r0 dr + t dot(D, dc) = u g
+    if (!(g > 0)) return;                    // one end sphere contains the other: no side
+    const double e = dot(o, dc) + r0 * dr, f = dot(l.direction, dc);
+    // |o + tD - u dc|^2 = (r0 + u dr)^2 with u = (e + t f) / g: (1 - f^2/g) t^2 + 2 (b - e f/g) t + c - e^2/g = 0.
+    const double b = dot(o, l.direction), c = dot(o, o) - r0 * r0;
+    quadratic_side(1 - f * f / g, b - e * f / g, c - e * e / g, [&](double t) {
+      const double u = (e + t * f) / g;
+      if (u >= 0 && u <= 1) add_side(s, u, t, index, l, all);
+    });
+  }
+
+  template <class Report>
+  static void quadratic_side(double a, double b, double c, Report&& report) {
+    if (std::fabs(a) < 1e-14) {
+      if (b != 0) report(-0.5 * c / b);
+      return;
+    }
+    const double discriminant = b * b - a * c;
+    if (!(discriminant > 0)) return;
+    const double root = std::sqrt(discriminant);
+    report((-b - root) / a);
+    report((-b + root) / a);
+  }
+
+  static Touches touches_of(const Segment& s, const LocalRay& l) {
+    const double origin[3] = {l.origin.x, l.origin.y, l.origin.z},
+                 direction[3] = {l.direction.x, l.direction.y, l.direction.z};
+    SweepSide<double> side;
+    follow(cubic_of(s), origin, direction, side);
+    Touches touches;
+    if (is_across(side.n, side.m, s.at(0.5).w)) {
+      find_across(side.n, touches);
+      return touches;
+    }
+    double roots[10];
+    touches.count = bernstein_roots<10>(side.power, 0, 1, roots);
+    for (int i = 0; i < touches.count; ++i)
+      touches.at[i] = {roots[i], touch_distance(roots[i], side.n, side.m, side.moved)};
+    return touches;
+  }
+
+  static void curved_side(const Segment& s, std::int32_t index, const LocalRay& l, const Touches& touches,
+                          Scratch<Crossing>& all) {
+    for (int i = 0; i < touches.count; ++i) {
+      const auto [u, t] = touches.at[i];
+      double enter, leave;
+      if (!sphere_chord(s.at(u), l, enter, leave)) continue;
+      // Only one end of the chord lies on the envelope. (POV-Ray reports both, which unbalances the counter behind the
+      // first surface.)
+      if (touches.across || std::fabs(t - enter) < std::fabs(t - leave)) all.add({enter, u, index, side, true});
+      if (touches.across || !(std::fabs(t - enter) < std::fabs(t - leave))) all.add({leave, u, index, side, false});
+    }
+  }
+
+  std::vector<Segment> segments_;
+  double tolerance_;
+  accel::BoxTree tree_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_sphere_sweep(const scene::Object& object) {
+  return std::make_unique<SphereSweep>(object, **object.as<std::shared_ptr<const scene::SphereSweep>>());
+}
+
+}  // namespace verisim::shapes

@@ -1,0 +1,26 @@
+#include "tracer/simd/instruction_sets.h"
+
+namespace verisim::textures {
+namespace {
+
+InstructionSet find_best() {
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+  __builtin_cpu_init();
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("bmi2") || !__builtin_cpu_supports("fma"))
+    return kBaseline;
+  const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                    __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
+  return wide ? kAvx512 : kAvx2;
+#else
+  return kBaseline;
+#endif
+}
+
+}  // namespace
+
+InstructionSet best_instruction_set() {
+  static const InstructionSet best = find_best();
+  return best;
+}
+
+}  // namespace verisim::textures

@@ -1,0 +1,20 @@
+// From the description of a pattern to its compiled form.
+#pragma once
+
+#include <functional>
+
+#include "tracer/textures/patterns/pattern.h"
+
+namespace verisim::textures {
+
+// What the compilation of a pattern needs from its surroundings.
+struct PatternContext {
+  const Settings& settings;
+  std::function<const CompiledPigment*(const scene::PigmentPtr&)> pigment;       // for pigment_pattern
+  std::function<std::shared_ptr<const std::vector<WaveSource>>()> wave_sources;  // for ripples and waves
+};
+
+// Throws std::invalid_argument when the description lacks what its kind needs (a fault of the caller).
+CompiledPattern compile_pattern(const scene::Pattern& description, const PatternContext& context);
+
+}  // namespace verisim::textures

@@ -1,0 +1,303 @@
+// Turns descriptions into compiled textures, each one once.
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "tracer/functions/function.h"
+#include "tracer/textures/compile/compile_pattern.h"
+#include "tracer/textures/normals/normal.h"
+#include "tracer/textures/patterns/formulas.h"
+#include "tracer/textures/compile/pattern_signature.h"
+#include "tracer/textures/evaluation/pigment.h"
+#include "tracer/textures/texture.h"
+
+namespace verisim::textures {
+namespace {
+
+// Deeper nesting (pigment in pigment_map in pigment_map ...) would overflow the stack when it is evaluated.
+constexpr int kMaxDepth = 1000;
+
+bool lets_light_through(const Color& c) { return std::fabs(c.f) > kEpsilon || std::fabs(c.t) > kEpsilon; }
+
+bool usable_quick_color(const scene::Pigment& d) {
+  return d.quick_color && d.quick_color->r != -1 && d.quick_color->g != -1 && d.quick_color->b != -1;
+}
+
+// Keeps the descriptions alive, so that an address stands for one description only.
+template <class Description, class Compiled>
+class Cache {
+ public:
+  using Ptr = std::shared_ptr<const Description>;
+  template <class Make>
+  const Compiled* get(const Ptr& description, bool no_bump_scale, Make make) {
+    const auto key = std::make_pair(description.get(), no_bump_scale);
+    if (const auto found = known_.find(key); found != known_.end()) return found->second;
+    kept_.push_back(description);
+    Compiled made = make();
+    store_.push_back(std::move(made));
+    return known_[key] = &store_.back();
+  }
+
+ private:
+  std::map<std::pair<const Description*, bool>, const Compiled*> known_;
+  std::vector<Ptr> kept_;
+  std::deque<Compiled> store_;
+};
+
+}  // namespace
+
+struct Compiler::Impl {
+  explicit Impl(const Settings& s) : settings(s) {}
+
+  Settings settings;
+  Cache<scene::Texture, CompiledTexture> textures;
+  Cache<scene::Pigment, CompiledPigment> pigments;
+  Cache<scene::Density, CompiledPigment> densities;
+  Cache<scene::Normal, CompiledNormal> normals;
+  std::deque<CompiledPattern> patterns;
+  std::unordered_map<std::string, CompiledPattern*> known_patterns;
+  std::deque<CompiledPigment> loose_pigments;
+  std::shared_ptr<const std::vector<WaveSource>> sources;
+  int depth = 0;
+
+  struct Deeper {
+    explicit Deeper(int& d) : depth(d) {
+      if (++depth > kMaxDepth) {
+        --depth;
+        throw std::runtime_error("textures are nested too deeply");
+      }
+    }
+    ~Deeper() { --depth; }
+    int& depth;
+  };
+
+  const CompiledPattern* pattern(const scene::Pattern& d);
+  const CompiledPigment* pigment(const scene::PigmentPtr& d);
+  const CompiledPigment* density(const scene::DensityPtr& d);
+  const CompiledNormal* normal(const scene::NormalPtr& d, bool no_bump_scale);
+  const CompiledTexture* texture(const scene::TexturePtr& d, bool no_bump_scale);
+
+  CompiledPigment make_pigment(const scene::Pigment& d);
+  CompiledPigment make_density(const scene::Density& d);
+  CompiledNormal make_normal(const scene::Normal& d, bool no_bump_scale);
+  CompiledTexture make_texture(const scene::Texture& d, bool no_bump_scale);
+
+  template <class Entries, class CompileChild>
+  void use_children(CompiledPigment& c, const scene::Pattern& d, const Entries& entries, CompileChild compile_child);
+  void use_colors(CompiledPigment& c, const scene::Pattern& d, const scene::ColorMap& map);
+};
+
+const CompiledPattern* Compiler::Impl::pattern(const scene::Pattern& d) {
+  const PatternContext context{settings, [this](const scene::PigmentPtr& p) { return pigment(p); },
+                               [this] {
+                                 if (!sources) sources = wave_sources(settings.number_of_waves);
+                                 return sources;
+                               }};
+  const std::string signature = pattern_signature(d);
+  if (const auto found = known_patterns.find(signature); found != known_patterns.end()) {
+    CompiledPattern* known = found->second;
+    static std::atomic<std::uint64_t> next_id{1};
+    if (known->shared_id == 0 && worth_remembering(*known)) known->shared_id = next_id++;
+    return known;
+  }
+  CompiledPattern compiled = compile_pattern(d, context);
+  patterns.push_back(std::move(compiled));
+  return known_patterns[signature] = &patterns.back();
+}
+
+const CompiledPigment* Compiler::Impl::pigment(const scene::PigmentPtr& d) {
+  return pigments.get(d, false, [&] { return make_pigment(*d); });
+}
+
+const CompiledPigment* Compiler::Impl::density(const scene::DensityPtr& d) {
+  return densities.get(d, false, [&] {
+    if (d) return make_density(*d);
+    CompiledPigment one;
+    one.color = Color(1, 1, 1);
+    return one;
+  });
+}
+
+const CompiledNormal* Compiler::Impl::normal(const scene::NormalPtr& d, bool no_bump_scale) {
+  return normals.get(d, no_bump_scale, [&] { return make_normal(*d, no_bump_scale); });
+}
+
+const CompiledTexture* Compiler::Impl::texture(const scene::TexturePtr& d, bool no_bump_scale) {
+  return textures.get(d, no_bump_scale, [&] { return make_texture(*d, no_bump_scale); });
+}
+
+void Compiler::Impl::use_colors(CompiledPigment& c, const scene::Pattern& d, const scene::ColorMap& map) {
+  c.source = CompiledPigment::Source::color_map;
+  c.pattern = pattern(d);
+  c.positions = MapPositions(map);
+  for (const auto& entry : map) {
+    c.colors.push_back(entry.value);
+    c.transparent |= lets_light_through(entry.value);
+  }
+  if (std::all_of(c.colors.begin(), c.colors.end(), [&](const Color& color) { return color == c.colors[0]; })) {
+    c.source = CompiledPigment::Source::plain;
+    c.color = c.colors[0];
+    return;
+  }
+  find_segments(c);
+}
+
+template <class Entries, class CompileChild>
+void Compiler::Impl::use_children(CompiledPigment& c, const scene::Pattern& d, const Entries& entries,
+                                  CompileChild compile_child) {
+  if (entries.empty()) throw std::invalid_argument("an empty map");
+  using enum CompiledPigment::Source;
+  c.positions = MapPositions(entries);
+  bool all_plain = true;
+  for (const auto& entry : entries) {
+    c.children.push_back(compile_child(entry.value));
+    c.transparent |= c.children.back()->transparent;
+    all_plain &= c.children.back()->source == plain;
+    c.total_weight += entry.position;
+  }
+  if (d.kind == scene::PatternKind::uv_mapping) {
+    c.source = uv_mapping;
+    return;
+  }
+  c.pattern = pattern(d);
+  c.source = d.kind == scene::PatternKind::average ? average : pigment_map;
+  if (c.source == pigment_map && all_plain) {  // the same blend without visiting children
+    c.source = color_map;
+    for (const CompiledPigment* child : c.children) c.colors.push_back(child->color);
+    c.children.clear();
+    find_segments(c);
+  }
+}
+
+CompiledPigment Compiler::Impl::make_pigment(const scene::Pigment& d) {
+  const Deeper deeper(depth);
+  CompiledPigment c;
+  if (settings.use_quick_color && usable_quick_color(d)) {
+    c.color = *d.quick_color;
+    c.transparent = lets_light_through(c.color);
+    return c;
+  }
+  switch (d.pattern.kind) {
+    case scene::PatternKind::none:
+      return c;
+    case scene::PatternKind::plain:
+      c.color = d.color;
+      c.transparent = lets_light_through(c.color);
+      return c;
+    case scene::PatternKind::image_map: {
+      c.source = CompiledPigment::Source::image;
+      c.pattern = pattern(d.pattern);
+      const ImageLookup& lookup = c.pattern->as<ImageLookup>();
+      c.transparent = lookup.transparent || lookup.once;
+      return c;
+    }
+    default:
+      break;
+  }
+  if (d.pigment_map && !d.pigment_map->empty())
+    use_children(c, d.pattern, *d.pigment_map, [this](const scene::PigmentPtr& p) { return pigment(p); });
+  else
+    use_colors(c, d.pattern, d.color_map && !d.color_map->empty() ? *d.color_map : built_in_map(d.pattern));
+  return c;
+}
+
+CompiledPigment Compiler::Impl::make_density(const scene::Density& d) {
+  const Deeper deeper(depth);
+  CompiledPigment c;
+  if (d.pattern.kind == scene::PatternKind::plain || d.pattern.kind == scene::PatternKind::none) {
+    c.color = d.color;
+    return c;
+  }
+  if (d.density_map && !d.density_map->empty())
+    use_children(c, d.pattern, *d.density_map, [this](const scene::DensityPtr& p) { return density(p); });
+  else
+    use_colors(c, d.pattern, d.color_map && !d.color_map->empty() ? *d.color_map : built_in_map(d.pattern));
+  return c;
+}
+
+CompiledNormal Compiler::Impl::make_normal(const scene::Normal& d, bool no_bump_scale) {
+  using enum scene::PatternKind;
+  const Deeper deeper(depth);
+  CompiledNormal c;
+  c.amount = d.amount;
+  c.accuracy = d.accuracy;
+  c.no_bump_scale = no_bump_scale || d.no_bump_scale;
+  if (d.normal_map && !d.normal_map->empty()) {
+    c.positions = MapPositions(*d.normal_map);
+    for (const auto& entry : *d.normal_map) c.children.push_back(normal(entry.value, c.no_bump_scale));
+    if (d.pattern.kind == scene::PatternKind::uv_mapping) {
+      c.method = CompiledNormal::Method::uv_mapping;
+      return c;
+    }
+    c.method =
+        d.pattern.kind == scene::PatternKind::average ? CompiledNormal::Method::average : CompiledNormal::Method::map;
+    c.pattern = pattern(d.pattern);
+    return c;
+  }
+  c.pattern = pattern(d.pattern);
+  switch (d.pattern.kind) {
+    case bumps:
+    case dents:
+    case wrinkles:
+    case ripples:
+    case waves:
+    case quilted:
+    case facets:
+    case bump_map:
+      c.method = CompiledNormal::Method::displacement;
+      return c;
+    default:
+      break;
+  }
+  if (d.slope_map && !d.slope_map->empty()) {
+    c.positions = MapPositions(*d.slope_map);
+    for (const auto& entry : *d.slope_map) c.slopes.push_back(entry.value);
+  }
+  return c;
+}
+
+CompiledTexture Compiler::Impl::make_texture(const scene::Texture& d, bool no_bump_scale) {
+  const Deeper deeper(depth);
+  no_bump_scale |= d.no_bump_scale;
+  CompiledTexture c;
+  c.no_bump_scale = no_bump_scale;
+  for (auto layer = d.layers.rbegin(); layer != d.layers.rend(); ++layer) {
+    const CompiledPigment* compiled = pigment(layer->pigment);
+    c.layers.push_back({compiled, layer->normal ? normal(layer->normal, no_bump_scale) : nullptr, layer->finish});
+    c.opaque |= !compiled->transparent;
+  }
+  if (!d.patterned()) return c;
+  if (!d.texture_map || d.texture_map->empty()) throw std::invalid_argument("a patterned texture without map");
+  c.uv_mapping = d.pattern.kind == scene::PatternKind::uv_mapping;
+  c.average = d.pattern.kind == scene::PatternKind::average;
+  c.material_map = d.pattern.kind == scene::PatternKind::image_map;
+  c.pattern = pattern(d.pattern);
+  c.opaque = true;  // POV-Ray never flags these, but their filter is zero all the same
+  for (const auto& entry : *d.texture_map) {
+    c.map.push_back({entry.position, texture(entry.value, no_bump_scale)});
+    c.opaque = c.opaque && c.map.back().value->opaque;
+  }
+  c.positions = MapPositions(c.map);
+  return c;
+}
+
+Compiler::Compiler(const Settings& settings) : impl_(std::make_unique<Impl>(settings)) {}
+Compiler::~Compiler() = default;
+
+const CompiledTexture* Compiler::texture(const scene::TexturePtr& description) {
+  return impl_->texture(description, false);
+}
+const CompiledPigment* Compiler::pigment(const scene::PigmentPtr& description) { return impl_->pigment(description); }
+const CompiledNormal* Compiler::normal(const scene::NormalPtr& description) {
+  return impl_->normal(description, false);
+}
+const CompiledPattern* Compiler::pattern(const scene::Pattern& description) { return impl_->pattern(description); }
+const CompiledPigment* Compiler::density(const scene::DensityPtr& description) { return impl_->density(description); }
+
+}  // namespace verisim::textures

@@ -1,0 +1,35 @@
+// The evaluation of patterns and pigments for one instruction set.
+#pragma once
+
+#include "tracer/simd/instruction_sets.h"
+#include "tracer/textures/evaluation/pigment.h"
+#include "tracer/textures/point_row.h"
+
+namespace verisim::textures {
+
+struct EvaluationKernels {
+  Vec3 (*warped)(const CompiledPattern& pattern, const Vec3& p);
+  double (*value_at)(const CompiledPattern& pattern, const Vec3& warped_point, const SurfacePoint* surface);
+  PatternValue (*value_of)(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface);
+  bool (*evaluate)(const CompiledPigment& pigment, const Vec3& p, const SurfacePoint* surface, Color& color);
+  // Rows are filled up.
+  void (*evaluate_row)(const CompiledPigment& pigment, int count, const PointRow& points,
+                       const SurfacePoint* const* surfaces, Color* colors, bool* colored);
+  // Red, green and blue alone, of points without surfaces.
+  void (*rgb_row)(const CompiledPigment& pigment, int count, const PointRow& points, RgbRow& colors);
+  void (*warp_row)(const WarpChain& chain, int count, const PointRow& from, PointRow& to);
+  void (*values_row)(const CompiledPattern& pattern, int count, const PointRow& warped_points,
+                     const SurfacePoint* const* surfaces, double* values);
+  void (*noise_row)(int generator, int count, const PointRow& points, double* noises);
+  void (*vector_noise_row)(int count, const PointRow& points, PointRow& vectors);
+  void (*wrinkles_row)(int count, const PointRow& points, PointRow& vectors);
+};
+
+// `set` must not be beyond best_instruction_set().
+const EvaluationKernels& evaluation_kernels(InstructionSet set);
+
+// `value_at` of several points, filled up.
+void values_at(const CompiledPattern& pattern, int count, const PointRow& warped_points,
+               const SurfacePoint* const* surfaces, double* values);
+
+}  // namespace verisim::textures

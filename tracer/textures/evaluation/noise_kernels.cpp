@@ -1,0 +1,101 @@
+// The fast noise and what is built upon it, compiled for several instruction sets. All versions do the same operations
+// in the same order, and none may fuse products and sums, so all give the same bits.
+#include "tracer/noise/noise_kernels.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <span>
+#include <type_traits>
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#include "tracer/functions/program_lanes.h"
+#include "tracer/textures/evaluation/evaluation.h"
+#include "tracer/noise/noise_cells.h"
+#include "tracer/textures/patterns/formulas.h"
+
+#define VERISIM_INLINE inline __attribute__((always_inline))
+#define VERISIM_INLINE_LAMBDA __attribute__((always_inline))
+#define VERISIM_RARE __attribute__((noinline))
+#pragma GCC diagnostic ignored "-Wpsabi"          // vectors are only passed between functions that are inlined
+#pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 reports its own intrinsics
+
+namespace verisim::textures {
+namespace {
+
+Octaves make_granite_octaves() {
+  Octaves o(6, 2, 0.5);
+  for (double& s : o.scale) s *= 4;
+  o.farthest /= 4;
+  return o;
+}
+const Octaves& granite_octaves() {
+  static const Octaves octaves = make_granite_octaves();
+  return octaves;
+}
+const Octaves& wrinkles_octaves() {
+  static const Octaves octaves(10, 2, 0.5);
+  return octaves;
+}
+
+namespace baseline {
+#define VERISIM_INSTRUCTION_SET "baseline"
+#define VERISIM_REGISTER_DOUBLES 2
+#include "tracer/noise/noise_lanes.inc"
+#include "tracer/noise/noise_kernels.inc"
+#include "tracer/noise/noise_rows.inc"
+#include "tracer/noise/vector_rows.inc"
+#include "tracer/textures/evaluation/evaluation.inc"
+#include "tracer/textures/evaluation/evaluation_rows.inc"
+#undef VERISIM_REGISTER_DOUBLES
+#undef VERISIM_INSTRUCTION_SET
+}  // namespace baseline
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#pragma GCC push_options
+#pragma GCC target("avx2,bmi2")
+namespace avx2 {
+#define VERISIM_INSTRUCTION_SET "avx2"
+#define VERISIM_REGISTER_DOUBLES 4
+#include "tracer/noise/noise_lanes.inc"
+#include "tracer/noise/noise_kernels.inc"
+#include "tracer/noise/noise_rows.inc"
+#include "tracer/noise/vector_rows.inc"
+#include "tracer/textures/evaluation/evaluation.inc"
+#include "tracer/textures/evaluation/evaluation_rows.inc"
+#undef VERISIM_REGISTER_DOUBLES
+#undef VERISIM_INSTRUCTION_SET
+}  // namespace avx2
+#pragma GCC target("avx2,bmi2,avx512f,avx512dq,avx512vl,avx512bw")
+namespace avx512 {
+#define VERISIM_INSTRUCTION_SET "avx512"
+#define VERISIM_REGISTER_DOUBLES 8
+#include "tracer/noise/noise_lanes.inc"
+#include "tracer/noise/noise_kernels.inc"
+#include "tracer/noise/noise_rows.inc"
+#include "tracer/noise/vector_rows.inc"
+#include "tracer/textures/evaluation/evaluation.inc"
+#include "tracer/textures/evaluation/evaluation_rows.inc"
+#undef VERISIM_REGISTER_DOUBLES
+#undef VERISIM_INSTRUCTION_SET
+}  // namespace avx512
+#pragma GCC pop_options
+
+const NoiseKernels* const kAll[kInstructionSets] = {&baseline::kKernels, &avx2::kKernels, &avx512::kKernels};
+const EvaluationKernels* const kAllEvaluations[kInstructionSets] = {&baseline::kEvaluation, &avx2::kEvaluation,
+                                                                    &avx512::kEvaluation};
+#else
+const NoiseKernels* const kAll[kInstructionSets] = {&baseline::kKernels};
+const EvaluationKernels* const kAllEvaluations[kInstructionSets] = {&baseline::kEvaluation};
+#endif
+
+}  // namespace
+
+const NoiseKernels& noise_kernels(InstructionSet set) { return *kAll[set]; }
+const EvaluationKernels& evaluation_kernels(InstructionSet set) { return *kAllEvaluations[set]; }
+
+}  // namespace verisim::textures

@@ -1,0 +1,103 @@
+#include "tracer/textures/evaluation/pigment.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+#include "tracer/textures/lookup/image_lookup.h"
+
+namespace verisim::textures {
+namespace {
+
+// The last of the positions that rise from the first one and have its colour, if it is below all that follow.
+double end_of_first_color(const CompiledPigment& c) {
+  double end = 0;
+  for (std::size_t i = 0; i + 1 < c.colors.size() && c.colors[i] == c.colors[0] && c.positions.position(i) >= end; ++i)
+    end = c.positions.position(i);
+  return end < c.positions.position(c.colors.size() - 1) ? end : 0;
+}
+
+}  // namespace
+
+void find_segments(CompiledPigment& c) {
+  c.flat = end_of_first_color(c);
+  if (c.colors.size() > CompiledPigment::kFew + 1) return;
+  c.segments.assign(c.colors.size(), {});
+  std::fill(std::begin(c.first_maxima), std::end(c.first_maxima), std::numeric_limits<double>::infinity());
+  double maximum = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < c.colors.size(); ++i) {
+    ColorSegment& s = c.segments[i];
+    const float position = c.positions.position(i);
+    s.position = position;
+    maximum = i == 0 ? position : std::max<double>(maximum, position);
+    if (i + 1 < c.colors.size()) c.first_maxima[i] = maximum;
+    if (i == 0) continue;
+    const float low = c.positions.position(i - 1), width = position - low;
+    s.low = low;
+    s.width = width;
+    const Color lower = c.colors[i - 1], rise = c.colors[i] - lower;
+    std::memcpy(s.lower, &lower, sizeof lower);
+    std::memcpy(s.rise, &rise, sizeof rise);
+    s.constant = rise == Color(0, 0, 0);
+  }
+}
+
+bool image_color(const CompiledPigment& c, const Vec3& p, Color& color) {
+  const ImageLookup& lookup = c.pattern->as<ImageLookup>();
+  double u, v;
+  if (!locate(lookup, p, u, v)) {
+    color = Color(1, 1, 1, 0, 1);
+    return false;
+  }
+  color = map_color(lookup, u, v);
+  return true;
+}
+
+scene::ColorMap built_in_map(const scene::Pattern& pattern) {
+  using enum scene::PatternKind;
+  const Color black(0, 0, 0), white(1, 1, 1), red(1, 0, 0), green(0, 1, 0), blue(0, 0, 1), yellow(1, 1, 0),
+      cyan(0, 1, 1), magenta(1, 0, 1);
+  const auto list = [](std::initializer_list<Color> colors) {
+    scene::ColorMap map;
+    for (const Color& c : colors) map.push_back({static_cast<float>(map.size()), c});
+    return map;
+  };
+  switch (pattern.kind) {
+    case agate:
+      return {{0, white},
+              {0.5f, {0.95f, 0.75f, 0.5f}},
+              {0.5f, {0.9f, 0.7f, 0.5f}},
+              {0.6f, {0.9f, 0.7f, 0.4f}},
+              {0.6f, {1, 0.7f, 0.4f}},
+              {1, {0.6f, 0.3f, 0}}};
+    case bozo:
+      return {{0.4f, white}, {0.4f, green}, {0.6f, green}, {0.6f, blue}, {0.8f, blue}, {0.8f, red}};
+    case marble:
+      return {{0, {0.9f, 0.8f, 0.8f}}, {0.9f, {0.9f, 0.08f, 0.08f}}, {0.9f, black}};
+    case wood:
+      return {{0.6f, {0.666f, 0.312f, 0.2f}}, {0.6f, {0.4f, 0.1333f, 0.066f}}};
+    case radial:
+      return {{0, cyan}, {0.333f, yellow}, {0.666f, magenta}, {1, cyan}};
+    case mandel:
+      if (const auto* f = std::get_if<scene::FractalParams>(&*pattern.params); f && f->exponent == 2)
+        return {{0.001f, black}, {0.001f, cyan}, {0.012f, yellow}, {0.015f, magenta}, {0.1f, cyan}};
+      break;
+    case brick:
+      return list({{0.5f, 0.5f, 0.5f}, {0.6f, 0.15f, 0.15f}});
+    case checker:
+    case object:
+      return list({blue, green});
+    case hexagon:
+      return list({blue, green, red});
+    case square:
+      return list({red, green, blue, yellow});
+    case triangular:
+    case cubic:
+      return list({red, green, blue, yellow, cyan, magenta});
+    default:
+      break;
+  }
+  return {{0, black}, {1, white}};
+}
+
+}  // namespace verisim::textures

@@ -1,0 +1,42 @@
+// A compiled pigment or density: where its colour comes from.
+#pragma once
+
+#include "tracer/textures/lookup/blend_map.h"
+#include "tracer/textures/patterns/pattern.h"
+
+namespace verisim::textures {
+
+// What lies between an entry of a colour map and the one before: lower + rise * t in five components and three of
+// nothing, t = (v - low) / width.
+struct ColorSegment {
+  alignas(32) float lower[8] = {}, rise[8] = {};
+  double position = 0, low = 0, width = 0;  // singles, widened
+  bool constant = false;                    // it rises nowhere
+};
+
+struct CompiledPigment {
+  enum class Source : std::uint8_t { plain, color_map, pigment_map, average, uv_mapping, image };
+  Source source = Source::plain;
+  Color color;                               // plain
+  const CompiledPattern* pattern = nullptr;  // all but plain
+  MapPositions positions;                    // of the maps; the weights of average
+  std::vector<Color> colors;                 // color_map
+  std::vector<ColorSegment> segments;        // color_map of few entries: from the entry before to this one
+  static constexpr int kFew = 32;            // one more than these are few
+  alignas(64) double first_maxima[kFew];  // with segments: the largest position up to each entry but the last; infinite
+                                          // beyond
+  double flat = 0;                        // color_map: for values from 0 up to here the colour is the same
+  std::vector<const CompiledPigment*> children;  // pigment_map, average, uv_mapping
+  float total_weight = 0;                        // average
+  bool transparent = false;  // some entry filters or transmits, or may have no colour (spec 05 11.4)
+};
+
+// Fills `segments` and `first_maxima` of a map with few entries, and `flat`, from `positions` and `colors`.
+void find_segments(CompiledPigment& pigment);
+// The colour of an image_map at a warped point; false: outside.
+bool image_color(const CompiledPigment& pigment, const Vec3& warped_point, Color& color);
+
+// The map that a pattern brings when none is written (spec 05 4.3).
+scene::ColorMap built_in_map(const scene::Pattern& pattern);
+
+}  // namespace verisim::textures

@@ -1,0 +1,55 @@
+// Patterns and pigments as functions of SDL (spec 05 section 2, 01 section 24): there is no surface, so slope and aoi
+// are 0.
+#include "tracer/functions/function.h"
+#include "tracer/textures/evaluation/many_points.h"
+#include "tracer/textures/texture.h"
+
+namespace verisim::textures {
+namespace {
+
+class PatternFunction final : public Function {
+ public:
+  PatternFunction(const scene::Pattern& description, const Settings& settings)
+      : compiler_(settings), pattern_(compiler_.pattern(description)) {}
+  int parameters() const override { return 3; }
+  int components() const override { return 1; }
+  void evaluate(std::span<const double> p, double* result) const override {
+    result[0] = textures::evaluate(*pattern_, Vec3(p[0], p[1], p[2]), nullptr);
+  }
+  void evaluate_batch(const double* points, std::size_t stride, std::size_t count, double* result) const override {
+    textures::evaluate(*pattern_, points, stride, count, result);
+  }
+
+ private:
+  Compiler compiler_;
+  const CompiledPattern* pattern_;
+};
+
+class PigmentFunction final : public Function {
+ public:
+  PigmentFunction(const scene::PigmentPtr& description, const Settings& settings)
+      : compiler_(settings), pigment_(compiler_.pigment(description)) {}
+  int parameters() const override { return 3; }
+  int components() const override { return 5; }
+  void evaluate(std::span<const double> p, double* result) const override {
+    Color c;
+    textures::evaluate(*pigment_, Vec3(p[0], p[1], p[2]), nullptr, c);
+    result[0] = c.r, result[1] = c.g, result[2] = c.b, result[3] = c.f, result[4] = c.t;
+  }
+
+ private:
+  Compiler compiler_;
+  const CompiledPigment* pigment_;
+};
+
+}  // namespace
+
+FunctionPtr pattern_function(const scene::Pattern& description, const scene::ColorMap*, const Settings& settings) {
+  return std::make_shared<PatternFunction>(description, settings);
+}
+
+FunctionPtr pigment_function(const scene::PigmentPtr& description, const Settings& settings) {
+  return std::make_shared<PigmentFunction>(description, settings);
+}
+
+}  // namespace verisim::textures

@@ -1,0 +1,19 @@
+#include "tracer/textures/normals/normal_kernels.h"
+
+#include <cmath>
+
+namespace verisim::textures {
+namespace {
+
+constexpr int rounded(int count) { return (count + 7) / 8 * 8; }
+
+#define VERISIM_KERNELS "tracer/textures/normals/normal_kernels.inc"
+#include "tracer/simd/each_instruction_set.inc"
+
+const NormalKernels* const kAll[kInstructionSets] = VERISIM_KERNEL_TABLES;
+
+}  // namespace
+
+const NormalKernels& normal_kernels(InstructionSet set) { return *kAll[set]; }
+
+}  // namespace verisim::textures

@@ -1,0 +1,29 @@
+// The arithmetic of normals that are found for a row of points (normal_row.cpp), compiled for several instruction sets.
+// Every lane does the operations of the scalar code in the same order, so all give its bits. Rows are filled up; what
+// stands behind is any number.
+#pragma once
+
+#include "tracer/simd/instruction_sets.h"
+#include "tracer/textures/patterns/pattern.h"
+#include "tracer/textures/point_row.h"
+
+namespace verisim::textures {
+
+struct NormalKernels {
+  // Like normal_into_frame and normal_out_of_frame, in place.
+  void (*into_frame)(const CompiledPattern& pattern, bool no_bump_scale, int count, PointRow& normals);
+  void (*out_of_frame)(const CompiledPattern& pattern, bool no_bump_scale, int count, PointRow& normals);
+  // Adds amount * vectors.
+  void (*displace)(double amount, int count, const PointRow& vectors, PointRow& normals);
+  // Multiplies vectors by cubes.
+  void (*scale_by_cubes)(int count, const double* factors, PointRow& vectors);
+  // Adds height * strength * direction.
+  void (*raise)(const double* heights, double strength, const Vec3& direction, int count, PointRow& normals);
+  // Adds factor * direction to points.
+  void (*move)(const PointRow& points, double factor, const Vec3& direction, int count, PointRow& moved);
+};
+
+// `set` must not be beyond best_instruction_set().
+const NormalKernels& normal_kernels(InstructionSet set);
+
+}  // namespace verisim::textures

@@ -1,0 +1,394 @@
+#include "tracer/world/world.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "tracer/world/frame_list.h"
+#include "tracer/bvh/shaft.h"
+#include "tracer/world/world_impl.h"
+#include "tracer/scene/bounds.h"
+#include "tracer/shapes/scratch_hits.h"
+
+namespace verisim::accel {
+namespace {
+
+// With fewer frame-level entries than this POV-Ray tests objects one by one, without boxes for most kinds (spec 03 2.3;
+// the shipped povray.ini).
+constexpr std::size_t kBoundingThreshold = 3;
+
+std::optional<Plane> plain_plane(const scene::Object& o) {
+  const auto plane = shapes::plain_plane(o);
+  return plane ? std::optional(Plane{plane->normal, plane->distance}) : std::nullopt;
+}
+
+bool has_tree(const scene::Object& o) {
+  return o.as<scene::Mesh>() || o.as<std::shared_ptr<const scene::BicubicPatch>>() ||
+         o.as<std::shared_ptr<const scene::Text>>();
+}
+
+unsigned hidden_from(const scene::Object& o) {
+  unsigned bits = 0;
+  if (o.no_image) bits |= bit(RayKind::camera) | bit(RayKind::refracted);
+  if (o.no_reflection) bits |= bit(RayKind::reflected);
+  if (o.no_radiosity) bits |= bit(RayKind::radiosity);
+  if (o.no_shadow) bits |= bit(RayKind::shadow) | bit(RayKind::photon);
+  return bits;
+}
+
+// A union whose children other than lights are all no_shadow counts as no_shadow (spec 03 5.5).
+bool all_children_shadowless(const scene::Object& o) {
+  const auto* csg = o.as<scene::Csg>();
+  if (!csg || csg->kind != scene::CsgKind::union_) return false;
+  bool any = false;
+  for (const auto& child : scene::children_of(o)) {
+    if (child->as<scene::LightSource>()) continue;
+    if (!child->no_shadow) return false;
+    any = true;
+  }
+  return any;
+}
+
+// Kinds that POV-Ray tests without their box when there are too few objects for a hierarchy (spec 03 2.1).
+bool exempt_from_box_test(const scene::Object& o) {
+  return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() ||
+         o.as<scene::SmoothTriangle>() || o.as<scene::Poly>() || o.as<scene::LightSource>();
+}
+// Kinds whose own intersection test is as cheap as that of their box.
+bool cheaper_than_box_test(const scene::Object& o) {
+  return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() ||
+         o.as<scene::SmoothTriangle>();
+}
+
+Box3 widened(const scene::Bounds& b) {
+  Vec3 low = scene::low_corner(b), high;
+  for (int i = 0; i < 3; ++i) {
+    high[i] = low[i] + b.size[i];
+    const double pad = 1e-6 * std::max(std::fabs(low[i]), std::fabs(high[i])) + 1e-9;
+    low[i] -= pad, high[i] += pad;
+  }
+  return {low, high};
+}
+
+// What the tree keeps of an entry: the true bounds of its surface where POV-Ray's box encloses them. Where it does not,
+// its box decides what is seen.
+Box3 tight_box(const Box3& pov, const Box3& surface) {
+  const bool encloses = !is_empty(surface) && contains(pov, surface.min) && contains(pov, surface.max);
+  return encloses ? surface : pov;
+}
+
+// The surface and all that it encloses lie in a finite box.
+bool within_finite_box(const Shape& shape) {
+  const Box3 surface = shape.bounds();
+  const shapes::SolidExtent solid = shape.solid_extent();
+  return is_finite(surface) && !is_empty(surface) && !solid.outside && contains(surface, solid.box.min) &&
+         contains(surface, solid.box.max);
+}
+
+// A shadow ray may meet something there that is not opaque.
+bool lets_light_through(const Entry& e) { return e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow)); }
+
+// POV-Ray's sort key: the distance at which a ray enters the box, in binary32.
+float entry_distance(const Ray& ray, const Box3& box) {
+  double near = 0, far = std::numeric_limits<double>::infinity();
+  clip_to_box(ray, box, near, far);
+  return static_cast<float>(near);
+}
+
+}  // namespace
+
+void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler) {
+  const scene::Object& o = *shape.object;
+  const bool container = o.as<scene::Csg>() || o.as<scene::LightSource>() || o.as<scene::LightGroup>();
+  if (container) {
+    const auto* csg = o.as<scene::Csg>();
+    if (!cutaway && csg && (csg->kind != scene::CsgKind::union_ || !o.clipped_by.empty())) cutaway = &shape;
+    for (const auto& child : shape.children()) add_surfaces(*child, frame_object, cutaway, compiler);
+    return;
+  }
+  static const scene::Interior kNoInterior;
+  Surface& s = surfaces.emplace_back();
+  s.object = &o;
+  s.texture = o.texture ? compiler.texture(o.texture) : nullptr;
+  s.interior_texture = o.interior_texture ? compiler.texture(o.interior_texture) : nullptr;
+  s.interior = o.interior ? o.interior.get() : &kNoInterior;
+  s.frame_object = frame_object;
+  s.double_illuminate = o.double_illuminate;
+  s.ignore_global_lights = o.ignore_global_lights;
+  s.uv_mapping = o.uv_mapping;
+  s.no_radiosity = o.no_radiosity;
+  s.photons = o.photons;
+  s.cutaway = cutaway;
+  s.opaque = s.texture && s.texture->opaque && (!s.interior_texture || s.interior_texture->opaque);
+  for (const scene::TexturePtr& texture : shape.extra_textures()) {
+    s.extra_textures.push_back(texture ? compiler.texture(texture) : s.texture);
+    s.opaque = s.opaque && s.extra_textures.back() && s.extra_textures.back()->opaque;
+  }
+  if (!o.group_lights.empty()) {
+    auto& list = group_lights.emplace_back();
+    for (const auto& light : o.group_lights) list.push_back(light.get());
+    s.group_lights = list;
+  }
+  shape.surface = &s;
+}
+
+World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split_unions, bool remove_bounds)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& w = *impl_;
+  FrameList list = frame_list(scene, split_unions);
+  w.lights = std::move(list.lights);
+  w.in_order = list.entries < kBoundingThreshold;
+
+  std::vector<Box3> boxes;
+  std::vector<std::uint32_t> finite, beside, finite_after_all;
+  for (std::size_t i = 0; i < list.objects.size(); ++i) {
+    const scene::Object& o = *list.objects[i];
+    std::unique_ptr<Shape> shape = shapes::compile(o, {remove_bounds});
+    const std::size_t first_surface = w.surfaces.size();
+    w.add_surfaces(*shape, static_cast<int>(i), nullptr, compiler);
+
+    Entry e;
+    e.shape = shape.get();
+    e.object = &o;
+    e.copied = list.copied[i];
+    e.hidden = hidden_from(o);
+    if (all_children_shadowless(o)) e.hidden |= bit(RayKind::shadow) | bit(RayKind::photon);
+    if (const auto* light = o.as<scene::LightSource>(); light && light->looks_like)
+      e.hidden |= hidden_from(*light->looks_like);
+    std::size_t opaque = 0;
+    for (std::size_t s = first_surface; s < w.surfaces.size(); ++s) opaque += w.surfaces[s].opaque;
+    e.opacity = opaque == w.surfaces.size() - first_surface ? Opacity::opaque
+                : opaque == 0                               ? Opacity::transparent
+                                                            : Opacity::mixed;
+    if (lets_light_through(e)) w.transparent_shadows = true;
+    e.infinite = scene::is_infinite(o);
+    e.box = widened(o.bounds);
+
+    // Boxes with negative sides (spheres of negative radius and the like) hide what POV-Ray looks for by its box.
+    const bool never = is_empty(e.box) && !(w.in_order && exempt_from_box_test(o));
+    const bool boxless = e.infinite || is_empty(e.box) || (w.in_order && exempt_from_box_test(o));
+    e.test_box = !is_empty(e.box) && (boxless || w.in_order) && !cheaper_than_box_test(o) &&
+                 !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
+    if (!is_empty(e.box) && !exempt_from_box_test(o) && volume(o.bounds) < 7e30f) {
+      for (std::size_t k = 0; k < 3; ++k)
+        e.slab.low[k] = o.bounds.low[k], e.slab.high[k] = o.bounds.low[k] + o.bounds.size[k];
+      e.slab.used = true;
+    }
+    // Some of those have a surface of finite size all the same, as solids cut out by planes do.
+    e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
+    const bool waits = e.test_surface && !w.in_order;
+    if (waits)
+      finite_after_all.push_back(static_cast<std::uint32_t>(i));
+    else if (!never && (boxless || w.in_order))
+      beside.push_back(static_cast<std::uint32_t>(i));
+    else if (!never)
+      finite.push_back(static_cast<std::uint32_t>(i));
+    if (!e.infinite && !is_empty(e.box)) w.bounds.extendBy(e.box);
+    w.entries.push_back(e);
+    w.shapes.push_back(std::move(shape));
+  }
+  w.set_apart(finite, beside);
+  for (const std::uint32_t i : beside) w.add_beside_tree(i, w.entries[i]);
+  for (const std::uint32_t i : finite) boxes.push_back(w.add_bounded(i, w.entries[i]));
+  // The tree may keep those, too, for what it finds is put in order later; but the digits of its boxes are relative to
+  // the largest of them.
+  constexpr double kOutsized = 4;
+  const auto longest = [](const Box3& box) {
+    return is_empty(box) ? 0 : std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z});
+  };
+  for (const std::uint32_t i : finite_after_all) {
+    if (longest(w.shapes[i]->bounds()) <= kOutsized * longest(w.bounds))
+      boxes.push_back(w.add_bounded(i, w.entries[i]));
+    else
+      w.add_beside_tree(i, w.entries[i]);
+  }
+  w.find_rooms();
+  w.tree = BoxTree(boxes);
+  std::erase_if(boxes, [](const Box3& box) { return is_empty(box) || !is_finite(box); });
+  if (boxes.size() == w.bounded.size() && boxes.size() <= shapes::BoxSet::kMost) w.few = shapes::BoxSet(boxes);
+}
+
+void World::Impl::add_beside_tree(std::uint32_t index, const Entry& e) {
+  unbounded.push_back(index);
+  planes.push_back(e.test_box ? std::nullopt : plain_plane(*e.object));
+}
+
+void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std::uint32_t>& beside) {
+  constexpr std::size_t kMost = 4;
+  constexpr double kFar = 3;  // times the size of all others
+  std::vector<std::uint32_t> largest(finite);
+  std::copy_if(beside.begin(), beside.end(), std::back_inserter(largest),
+               [&](std::uint32_t i) { return !entries[i].test_box && is_finite(entries[i].shape->bounds()); });
+  if (largest.size() < 2) return;
+  const std::size_t most = std::min(kMost, largest.size() - 1);
+  const auto size = [&](std::uint32_t i) { return length(entries[i].box.max - entries[i].box.min); };
+  std::partial_sort(largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(most), largest.end(),
+                    [&](std::uint32_t a, std::uint32_t b) { return size(a) > size(b); });
+  for (std::size_t count = most; count > 0 && around.empty(); --count) {
+    Box3 others;
+    for (std::size_t k = count; k < largest.size(); ++k) others.extendBy(entries[largest[k]].box);
+    const Vec3 center = 0.5 * (others.min + others.max), reach = 0.5 * kFar * (others.max - others.min);
+    const Box3 wide(center - reach, center + reach);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Entry& e = entries[largest[k]];
+      const Box3 surface = e.shape->bounds();
+      const auto room = shapes::Hollow::of(*e.object);
+      if (room && room->holds(wide) && contains(e.box, surface.min) && contains(e.box, surface.max))
+        around.push_back({largest[k], *room});
+    }
+    if (around.size() < count) around.clear();
+  }
+  for (const Surrounding& s : around) std::erase(finite, s.entry), std::erase(beside, s.entry);
+}
+
+Box3 World::Impl::add_bounded(std::uint32_t index, const Entry& e) {
+  bounded.push_back({e.shape, index, static_cast<unsigned short>(e.hidden), e.opacity, has_tree(*e.object)});
+  return e.test_surface && !e.test_box ? e.shape->bounds() : tight_box(e.box, e.shape->bounds());
+}
+
+void World::Impl::find_rooms() {
+  constexpr std::size_t kMost = 8;  // each may be looked at for every shaft
+  only_rooms = true;
+  for (std::uint32_t i = 0; i < entries.size(); ++i) {
+    if (!lets_light_through(entries[i])) continue;
+    const auto hollow = shapes::Hollow::of(*entries[i].object);
+    const bool is_room = hollow && rooms.size() < kMost &&
+                         std::any_of(lights.begin(), lights.end(),
+                                     [&](const scene::LightSource* light) { return hollow->holds(light->position); });
+    if (is_room) rooms.push_back({i, *hollow});
+    only_rooms = only_rooms && is_room;
+  }
+}
+
+bool World::Impl::seems_opaque(std::uint32_t entry, const Shaft& shaft) const {
+  if (!lets_light_through(entries[entry])) return true;
+  const auto room = std::find_if(rooms.begin(), rooms.end(), [&](const Room& r) { return r.entry == entry; });
+  return room != rooms.end() && room->hollow.holds(shaft.from()) && room->hollow.holds(shaft.to());
+}
+
+World::~World() = default;
+
+bool World::Impl::precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const {
+  const Entry &x = entries[a], &y = entries[b];
+  if (!in_order) {
+    if (x.infinite != y.infinite) return x.infinite;
+    if (!x.infinite) {
+      const float dx = entry_distance(ray, x.box), dy = entry_distance(ray, y.box);
+      if (dx != dy) return dx < dy;
+    }
+  }
+  return a < b;
+}
+
+bool World::occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const {
+  const Entry& e = impl_->entries[static_cast<std::size_t>(frame_object)];
+  shapes::ScratchHits hits;
+  e.shape->intersect_all(ray, RayKind::shadow, hits.list());
+  for (std::size_t i = hits.begin(); i < hits.end(); ++i)
+    if (hits[i].t > t_min && hits[i].t < t_max && hits[i].shape->surface->opaque) return true;
+  return false;
+}
+
+void World::enter(const Shaft& shaft, WorldEntry& entry) const {
+  const Impl& w = *impl_;
+  entry.last_blocker = WorldEntry::kNoBlocker;
+  w.tree.enter(shaft, entry.points);
+  entry.inner.clear();
+  bool opaque = entry.points.complete;
+  for (int n = 0; n < entry.points.count; ++n) {
+    const BoxNode& node = entry.points.nodes[n];
+    for (int k = 0; k < 4; ++k) {
+      if (!(node.child[k] & BoxNode::kLeaf)) continue;  // a subtree; or none, the last node may not be full
+      const std::uint32_t index = BoxNode::leaf_first(node.child[k]);
+      const Candidate& c = w.bounded[index];
+      opaque = opaque && w.seems_opaque(c.entry, shaft);
+      if (!c.has_tree) continue;
+      WorldEntry::Inner& inner = entry.inner.emplace_back();
+      inner.candidate = index;
+      if (!c.shape->enter(shaft, inner.points)) entry.inner.pop_back();
+    }
+  }
+  for (const std::uint32_t i : w.unbounded) opaque = opaque && w.seems_opaque(i, shaft);
+  for (const Surrounding& s : w.around)
+    opaque = opaque && (w.seems_opaque(s.entry, shaft) || (s.room.holds(shaft.from()) && s.room.holds(shaft.to())));
+  entry.only_opaque = opaque || !w.transparent_shadows;
+}
+
+const BoxTree& World::tree() const { return impl_->tree; }
+
+std::vector<std::pair<scene::Place, std::string>> World::findings() const {
+  std::vector<std::pair<scene::Place, std::string>> result;
+  for (const Entry& e : impl_->entries)
+    if (std::string text = e.copied ? std::string() : e.shape->finding(); !text.empty())
+      result.emplace_back(e.object->place, std::move(text));
+  return result;
+}
+
+bool World::has_transparent_shadows() const { return impl_->transparent_shadows; }
+
+bool World::only_opaque_between(const Vec3& from, const Vec3& to) const {
+  return impl_->only_rooms && std::all_of(impl_->rooms.begin(), impl_->rooms.end(), [&](const Room& room) {
+           return room.hollow.holds(from) && room.hollow.holds(to);
+         });
+}
+
+void World::interiors_at(const Vec3& p, std::vector<const scene::Interior*>& interiors) const {
+  const Impl& w = *impl_;
+  interiors.clear();
+  thread_local std::vector<std::uint32_t> around;
+  around.assign(w.unbounded.begin(), w.unbounded.end());
+  for (const Surrounding& s : w.around) around.push_back(s.entry);
+  w.tree.any_around(p, [&](std::uint32_t i) {
+    around.push_back(w.bounded[i].entry);
+    return false;
+  });
+  std::sort(around.begin(), around.end());
+  for (const std::uint32_t index : around) {
+    const Entry& e = w.entries[index];
+    if (e.object->interior && contains(e.box, p) && e.shape->inside_unclipped(p))
+      interiors.push_back(e.object->interior.get());
+  }
+}
+
+// A hit on an untextured primitive shows what the CSG object around it is made of at that point (spec 03 5.3).
+void World::Impl::mix_cutaway(const Shape& shape, const Vec3& p, float weight,
+                              std::vector<textures::WeightedTexture>& out) const {
+  const auto* csg = shape.object->as<scene::Csg>();
+  if (!csg) {
+    if (shape.surface && shape.surface->texture) out.push_back({shape.surface->texture, weight});
+    return;
+  }
+  const auto children = shape.children();
+  if (csg->difference) {
+    if (!children.empty() && children[0]->object == scene::children_of(*shape.object)[0].get() &&
+        children[0]->inside_unclipped(p))
+      mix_cutaway(*children[0], p, weight, out);
+    return;
+  }
+  std::size_t count = 0;
+  for (const auto& child : children) count += child->inside_unclipped(p);
+  for (const auto& child : children)
+    if (child->inside_unclipped(p)) mix_cutaway(*child, p, weight / static_cast<float>(count), out);
+}
+
+void World::weighted_textures(const Hit& hit, bool inside_hit, std::vector<textures::WeightedTexture>& out) const {
+  out.clear();
+  const Surface& surface = *hit.shape->surface;
+  if (!surface.texture && surface.cutaway && surface.extra_textures.empty()) {
+    impl_->mix_cutaway(*surface.cutaway, hit.point, 1, out);
+    return;
+  }
+  if (surface.extra_textures.empty()) return;
+  thread_local std::vector<shapes::TextureShare> shares;
+  shares.clear();
+  hit.shape->texture_shares(hit, inside_hit, shares);
+  for (const shapes::TextureShare& share : shares) {
+    const auto* texture =
+        share.texture < 0 ? surface.texture : surface.extra_textures[static_cast<std::size_t>(share.texture)];
+    if (texture) out.push_back({texture, share.weight});
+  }
+}
+
+std::span<const scene::LightSource* const> World::lights() const { return impl_->lights; }
+Box3 World::bounds() const { return impl_->bounds; }
+
+}  // namespace verisim::accel

@@ -1,0 +1,117 @@
+// All objects of a scene ready for rays: frame-level list, box tree, infinite objects beside it (specs 03 section 2, 06
+// section 9).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tracer/world/row_kernels.h"
+#include "tracer/scene/scene.h"
+#include "tracer/shapes/shape.h"
+#include "tracer/textures/texture.h"
+
+namespace verisim::shapes {
+
+// What one primitive looks like and belongs to.
+struct Surface {
+  const textures::CompiledTexture* texture = nullptr;           // null: cutaway, see World::cutaway_textures
+  const textures::CompiledTexture* interior_texture = nullptr;  // may be null
+  const scene::Interior* interior = nullptr;                    // never null
+  const scene::Object* object = nullptr;                        // description of the primitive
+  int frame_object = 0;                                         // index of the frame-level object
+  bool opaque = false;  // texture and interior_texture are flagged opaque (spec 06 9.3)
+  bool double_illuminate = false, ignore_global_lights = false, uv_mapping = false, no_radiosity = false;
+  std::span<const scene::LightSource* const> group_lights;
+  scene::PhotonFlags photons;
+  std::vector<const textures::CompiledTexture*>
+      extra_textures;  // of Shape::extra_textures; entries may be null: the object's own
+  // More than its own texture may show at a hit (World::weighted_textures).
+  bool shows_several() const { return !texture || !extra_textures.empty(); }
+  const Shape* cutaway =
+      nullptr;  // the outermost intersection, difference, merge or clipped union around a primitive; null: none
+};
+
+}  // namespace verisim::shapes
+
+namespace verisim::accel {
+
+using shapes::Hit;
+using shapes::RayKind;
+
+class BoxTree;
+class Shaft;
+
+// Where the rays of a shaft start in a world's tree, and what is known of them.
+struct WorldEntry {
+  EntryPoints points;
+  bool only_opaque;  // no shadow ray of the shaft meets anything that is not opaque
+  // Entries into the trees of shapes that have their own (meshes).
+  struct Inner {
+    std::uint32_t candidate;  // as the tree counts
+    EntryPoints points;
+  };
+  std::vector<Inner> inner;
+  const EntryPoints* inner_of(std::uint32_t candidate) const {
+    for (const Inner& i : inner)
+      if (i.candidate == candidate) return &i.points;
+    return nullptr;
+  }
+  std::uint32_t last_blocker;  // what blocked the last shadow ray, as the tree counts
+
+  static constexpr std::uint32_t kNoBlocker = 0xffffffffu;
+};
+
+class World {
+ public:
+  // The scene must outlive the world. Textures are compiled with `compiler`, which must outlive it, too.
+  // `split_unions` dissolves bounded unions, too; `remove_bounds` drops bounded_by where POV-Ray finds it unnecessary.
+  World(const scene::Scene& scene, textures::Compiler& compiler, bool split_unions = false, bool remove_bounds = true);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  // The nearest hit with t_min <= t < t_max among the objects this kind of ray sees. Exact ties: spec 03 2.3.
+  // `entry`: of a shaft that holds the ray; null: none known.
+  bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit,
+                 const WorldEntry* entry = nullptr) const;
+  // True if any *opaque* surface lies in t_min < t < t_max (shadow rays; a cheap any-hit query).
+  bool occluded(const Ray& ray, double t_min, double t_max, WorldEntry* entry = nullptr) const;
+  // Both for rays first .. first + count - 1 of a row, all of the shaft of `entry` (null: none known).
+  // Eight limits are read at a time: t_max is as long as a row; null: no limits. What is not blocked is not written.
+  void intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry,
+                     Hit* hits, bool* found, const double* t_max = nullptr) const;
+  void occluded_row(const RayRow& rays, int first, int count, double t_min, const double* t_max, WorldEntry* entry,
+                    bool* blocked) const;
+  // The same for one frame-level object (Surface::frame_object) alone.
+  bool occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const;
+  bool has_transparent_shadows() const;  // false: `occluded` alone decides every shadow
+  // It is known that no shadow ray between these two points meets anything that is not opaque.
+  bool only_opaque_between(const Vec3& from, const Vec3& to) const;
+
+  // Interiors of all objects that contain p, in order of declaration, for the start of a camera ray (spec 06 2.1).
+  void interiors_at(const Vec3& p, std::vector<const scene::Interior*>& interiors) const;
+  // Textures and weights of a hit whose primitive has several (blob components, mesh vertices, cutaway_textures);
+  // empty: surface->texture alone. `out` is cleared first.
+  void weighted_textures(const Hit& hit, bool inside_hit, std::vector<textures::WeightedTexture>& out) const;
+
+  std::span<const scene::LightSource* const> lights() const;  // global lights in file order
+  Box3 bounds() const;                                        // of all finite objects
+  // What shapes at frame level have to say after a render; copies of declared objects say nothing.
+  std::vector<std::pair<scene::Place, std::string>> findings() const;
+
+  // Of the objects with bounds.
+  const BoxTree& tree() const;
+  // What the rays of a shaft may meet.
+  void enter(const Shaft& shaft, WorldEntry& entry) const;
+
+ private:
+  struct Impl;
+  class RowSearch;
+  class Search;
+  class Occlusion;
+  class RowOcclusion;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace verisim::accel

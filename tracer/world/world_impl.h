@@ -1,0 +1,149 @@
+// What a World is made of, for its own files: world.cpp makes it, world_search.cpp follows one ray, world_rows.cpp
+// eight.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <deque>
+#include <limits>
+#include <optional>
+
+#include "tracer/bvh/box_tree.h"
+#include "tracer/world/world.h"
+#include "tracer/shapes/quadrics/box_set.h"
+#include "tracer/shapes/csg/hollow.h"
+#include "tracer/shapes/half_spaces.h"
+#include "tracer/shapes/quadrics/plane.h"
+
+namespace verisim::accel {
+
+using shapes::Shape;
+using shapes::Surface;
+
+enum class Opacity : unsigned char { opaque, transparent, mixed };
+
+// POV-Ray's own test of an object's box, in single precision (spec 03 2.2; the order of comparisons is that of
+// Williams, Barrus, Morley and Shirley, "An efficient and robust ray-box intersection algorithm", 2005). Only a ray
+// that grazes the box can fail it and meet the object nevertheless: one that runs within a face across x does, because
+// 0 times infinity is no number there; within other faces it passes.
+struct SlabTest {
+  std::array<float, 3> low, high;
+  bool used = false;
+
+  bool passes(const Ray& ray) const {
+    if (!used) return true;
+    float near[3], far[3];
+    for (int i = 0; i < 3; ++i) {
+      const auto inverse = static_cast<float>(1 / ray.direction[i]), origin = static_cast<float>(ray.origin[i]);
+      const bool backward = inverse < 0;
+      near[i] = ((backward ? high[i] : low[i]) - origin) * inverse;
+      far[i] = ((backward ? low[i] : high[i]) - origin) * inverse;
+    }
+    for (int i = 1; i < 3; ++i) {
+      if (near[0] > far[i] || near[i] > far[0]) return false;
+      if (near[i] > near[0]) near[0] = near[i];
+      if (far[i] < far[0]) far[0] = far[i];
+    }
+    return near[0] < std::numeric_limits<float>::infinity() && far[0] > 1e-4f;
+  }
+};
+
+// One frame-level object.
+struct Entry {
+  const Shape* shape = nullptr;
+  const scene::Object* object = nullptr;
+  unsigned hidden = 0;  // RayKinds that do not see it, as bits
+  Opacity opacity = Opacity::opaque;
+  bool infinite = false;      // of the kind POV-Ray tests before all others
+  bool test_box = false;      // rays that miss `box` miss the object
+  bool copied = false;        // of a declared object, or part of such a copy
+  bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
+  Box3 box;                   // POV-Ray's, right or wrong, widened by rounding
+  SlabTest slab;              // for hits
+
+  bool may_meet(const Ray& ray, double t_min, double t_max) const {
+    double near = t_min, far = t_max;
+    return (!test_box || clip_to_box(ray, box, near, far)) &&
+           (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
+  }
+};
+
+// What the tree's walk needs of an entry, densely packed.
+struct Candidate {
+  const Shape* shape;
+  std::uint32_t entry;
+  unsigned short hidden;
+  Opacity opacity;
+  bool has_tree;  // rays may be told where to enter it
+};
+
+struct Plane {
+  Vec3 normal;
+  double distance;
+  double distance_along(const Ray& ray) const {
+    const double slope = dot(normal, ray.direction), t = (distance - dot(normal, ray.origin)) / slope;
+    return shapes::meets_plane(slope, t) ? t : -1;
+  }
+};
+
+inline unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
+
+// The next number, for numbers above 0.
+inline double next_above(double x) {
+  return x < std::numeric_limits<double>::infinity() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1) : x;
+}
+
+// A large object far around all others, as a sky is. Rays begin within it, so that a tree would ask it first, about
+// what is last on their way.
+struct Surrounding {
+  std::uint32_t entry;
+  shapes::Hollow room;
+};
+
+// Within a transparent object in which a light stands, as a container of media around a scene: most shadow rays towards
+// that light stay there.
+struct Room {
+  std::uint32_t entry;
+  shapes::Hollow hollow;
+};
+
+struct World::Impl {
+  std::vector<Entry> entries;
+  std::vector<std::unique_ptr<Shape>> shapes;
+  std::vector<std::uint32_t> unbounded;      // entries beside the tree
+  std::vector<std::optional<Plane>> planes;  // of each of them that is one
+  std::vector<Surrounding> around;           // beside the tree, too
+  std::vector<Room> rooms;
+  bool only_rooms = false;         // whatever is not opaque has one
+  std::vector<Candidate> bounded;  // of each box of the tree
+  BoxTree tree;
+  shapes::BoxSet few;  // its boxes, if they are so few that a single ray finds them sooner without it
+  std::deque<Surface> surfaces;
+  std::deque<std::vector<const scene::LightSource*>> group_lights;
+  std::vector<const scene::LightSource*> lights;
+  Box3 bounds;
+  bool in_order = false;             // too few entries for a hierarchy
+  bool transparent_shadows = false;  // something that shadow rays see is not opaque
+
+  // BoxTree::traverse, or what does the same.
+  template <class Visit>
+  void traverse(const Ray& ray, double t_min, double t_max, Visit&& visit, const WorldEntry* entry) const {
+    if (entry || few.empty())
+      tree.traverse(ray, t_min, t_max, visit, entry ? &entry->points : nullptr);
+    else
+      few.traverse(ray, t_min, t_max, visit);
+  }
+  void add_beside_tree(std::uint32_t index, const Entry& e);
+  Box3 add_bounded(std::uint32_t index, const Entry& e);  // the box to keep in the tree
+  // Moves what surrounds all others to `around`: from the entries of the tree and those beside it.
+  void set_apart(std::vector<std::uint32_t>& finite, std::vector<std::uint32_t>& beside);
+  void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
+  void find_rooms();
+  // No shadow ray of the shaft meets what is not opaque of this entry: it is, or the whole shaft lies in its room.
+  bool seems_opaque(std::uint32_t entry, const Shaft& shaft) const;
+  // Which of two entries hit at the same distance POV-Ray tested first and therefore shows (spec 03 2.3).
+  bool precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const;
+  void mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const;
+};
+
+}  // namespace verisim::accel

@@ -1,0 +1,168 @@
+// One ray in the world.
+#include "tracer/world/world_impl.h"
+#include "tracer/shapes/scratch_hits.h"
+
+namespace verisim::accel {
+
+// The search for the nearest hit of one ray.
+class World::Search {
+ public:
+  Search(const Impl& world, const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit)
+      : w_(world), ray_(ray), kind_(kind), mask_(bit(kind)), t_min_(t_min), limit_(t_max), hit_(hit) {}
+
+  bool found() const { return found_; }
+  double limit() const { return limit_; }
+
+  // Entries beside the tree.
+  void test_unbounded() {
+    for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
+      const std::uint32_t index = w_.unbounded[i];
+      const Entry& e = w_.entries[index];
+      if (e.hidden & mask_) continue;
+      if (const Plane* plane = w_.planes[i] ? &*w_.planes[i] : nullptr) {
+        const double t = plane->distance_along(ray_);
+        if (!(t >= t_min_ && (found_ ? t <= limit_ : t < limit_)) ||
+            (found_ && t == hit_.t && !w_.precedes(index, owner_, ray_)))
+          continue;
+        hit_ = {t, ray_.origin + t * ray_.direction, e.shape, 0, 0, 0};
+        accept(index);
+        continue;
+      }
+      if (!e.may_meet(ray_, t_min_, limit_)) continue;
+      test(*e.shape, index, nullptr);
+    }
+  }
+  void test_around() {
+    for (const Surrounding& s : w_.around) {
+      const Entry& e = w_.entries[s.entry];
+      if (!(e.hidden & mask_) && !s.room.holds(ray_, t_min_, limit_)) test(*e.shape, s.entry, nullptr);
+    }
+  }
+  void test_candidate(std::uint32_t i, const WorldEntry* entry) {
+    const Candidate& c = w_.bounded[i];
+    if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry ? entry->inner_of(i) : nullptr);
+  }
+
+ private:
+  void accept(std::uint32_t index) {
+    found_ = true;
+    owner_ = index;
+    limit_ = hit_.t;
+  }
+  void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner) {
+    const auto intersect_shape = [&](double far, Hit& out) {
+      return inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, far, out)
+                   : shape.intersect(ray_, kind_, t_min_, far, out);
+    };
+    if (!found_) {
+      if (!intersect_shape(limit_, hit_) || !w_.entries[index].slab.passes(ray_)) return;
+    } else {
+      Hit other;
+      if (!intersect_shape(next_above(limit_), other) || !w_.entries[index].slab.passes(ray_)) return;
+      if (other.t == hit_.t && !w_.precedes(index, owner_, ray_)) return;
+      hit_ = other;
+    }
+    accept(index);
+  }
+
+  const Impl& w_;
+  const Ray& ray_;
+  const RayKind kind_;
+  const unsigned mask_;
+  const double t_min_;
+  double limit_;
+  Hit& hit_;
+  bool found_ = false;
+  std::uint32_t owner_ = 0;
+};
+
+bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit,
+                      const WorldEntry* entry) const {
+  const Impl& w = *impl_;
+  Search search(w, ray, kind, t_min, t_max, hit);
+  search.test_unbounded();
+  w.traverse(
+      ray, t_min, search.limit(),
+      [&](std::uint32_t i, double) {
+        search.test_candidate(i, entry);
+        return search.limit();
+      },
+      entry);
+  search.test_around();
+  return search.found();
+}
+
+// Whether something opaque lies on one ray.
+class World::Occlusion {
+ public:
+  Occlusion(const Impl& world, const Ray& ray, double t_min, double t_max)
+      : w_(world), ray_(ray), above_(next_above(t_min)), t_max_(t_max) {}
+
+  bool by_unbounded() const {
+    for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
+      const Entry& e = w_.entries[w_.unbounded[i]];
+      if ((e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
+      if (w_.planes[i]) {
+        const double t = w_.planes[i]->distance_along(ray_);
+        if (t >= above_ && t < t_max_) return true;
+        continue;
+      }
+      if (!e.may_meet(ray_, above_, t_max_)) continue;
+      if (blocks(*e.shape, e.opacity, nullptr) && e.slab.passes(ray_)) return true;
+    }
+    return false;
+  }
+  bool by_surrounding() const {
+    for (const Surrounding& s : w_.around) {
+      const Entry& e = w_.entries[s.entry];
+      if ((e.hidden & kMask) || e.opacity == Opacity::transparent || s.room.holds(ray_, above_, t_max_)) continue;
+      if (blocks(*e.shape, e.opacity, nullptr) && e.slab.passes(ray_)) return true;
+    }
+    return false;
+  }
+  bool by_candidate(std::uint32_t i, const WorldEntry* entry) const {
+    const Candidate& c = w_.bounded[i];
+    return !(c.hidden & kMask) && c.opacity != Opacity::transparent &&
+           blocks(*c.shape, c.opacity, entry ? entry->inner_of(i) : nullptr) && w_.entries[c.entry].slab.passes(ray_);
+  }
+
+ private:
+  static constexpr unsigned kMask = 1u << static_cast<unsigned>(RayKind::shadow);
+
+  bool blocks(const Shape& shape, Opacity opacity, const EntryPoints* inner) const {
+    if (opacity == Opacity::opaque)
+      return inner ? shape.occludes_from(*inner, ray_, above_, t_max_) : shape.occludes(ray_, above_, t_max_);
+    shapes::ScratchHits hits;
+    shape.intersect_all(ray_, RayKind::shadow, hits.list());
+    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
+      if (hits[i].t >= above_ && hits[i].t < t_max_ && hits[i].shape->surface->opaque) return true;
+    return false;
+  }
+
+  const Impl& w_;
+  const Ray& ray_;
+  const double above_, t_max_;
+};
+
+bool World::occluded(const Ray& ray, double t_min, double t_max, WorldEntry* entry) const {
+  const Impl& w = *impl_;
+  const Occlusion occlusion(w, ray, t_min, t_max);
+  if (entry && entry->last_blocker != WorldEntry::kNoBlocker && occlusion.by_candidate(entry->last_blocker, entry))
+    return true;
+  if (occlusion.by_unbounded() || occlusion.by_surrounding()) return true;
+  if (!entry && !w.few.empty())
+    return w.few.any_along(ray, t_min, t_max, [&](std::uint32_t i) { return occlusion.by_candidate(i, nullptr); });
+  bool found = false;
+  w.tree.traverse(
+      ray, t_min, t_max,
+      [&](std::uint32_t i, double far) {
+        if (!occlusion.by_candidate(i, entry)) return far;
+        found = true;
+        if (entry) entry->last_blocker = i;
+        return -HUGE_VAL;
+      },
+      entry ? &entry->points : nullptr);
+  return found;
+}
+
+}  // namespace verisim::accel

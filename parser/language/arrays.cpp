@@ -104,14 +104,7 @@ Parser::Impl::Resolved Parser::Impl::resolve() {
   if (!symbol) undeclared(name);
   check_deprecated(*symbol);
   skip_token();
-  Resolved resolved;
-  resolved.symbol = symbol;
-  if (symbol->element_of) {
-    resolved.array = symbol->element_of;
-    resolved.element = symbol->element;
-  } else {
-    resolved.variable = symbol->variable;
-  }
+  Resolved resolved = Resolved::named(*symbol);
   while (std::holds_alternative<std::shared_ptr<Array>>(resolved.value()) && at_subscript()) {
     std::shared_ptr<Array> array = std::get<std::shared_ptr<Array>>(resolved.value());
     resolved.element = subscripts(*array);

@@ -20,8 +20,9 @@ scene::Finish parse_finish(Parser& parser, const scene::Finish& start);
 scene::TexturePtr parse_texture(Parser& parser);  // one texture { ... }
 scene::DensityPtr parse_density(Parser& parser);
 scene::Media parse_media(Parser& parser);
-scene::InteriorPtr parse_interior(Parser& parser);
-Transform parse_transform(Parser& parser);  // transform { ... } or transform ID
+scene::InteriorPtr parse_interior(Parser& parser,
+                                  const scene::InteriorPtr& earlier = nullptr);  // goes on from an earlier one
+Transform parse_transform(Parser& parser);                                       // transform { ... } or transform ID
 bool parse_transform_item(Parser& parser,
                           Transform& item);  // translate, rotate, scale, matrix, transform: one item; false: none here
 scene::Camera parse_camera(Parser& parser);

@@ -243,7 +243,13 @@ struct Parser::Impl {
     std::shared_ptr<Array> array;
     std::size_t element = 0;
     Value& value() const { return array ? array->elements[element] : variable->value; }
+    // A name without subscripts: a variable, or the element that a parameter stands for.
+    static Resolved named(Symbol& symbol) {
+      if (symbol.element_of) return {&symbol, nullptr, symbol.element_of, symbol.element};
+      return {&symbol, symbol.variable, nullptr, 0};
+    }
   };
+  void refer_to_follower(Resolved& resolved) const;  // macros.cpp
   Resolved resolve();
   const Value* peek_value();  // resolves without consuming; subscripts are evaluated once only
 

@@ -22,6 +22,8 @@ TEST(Strings, Functions) {
   EXPECT_EQ(text("vstr(1,1,\", \",0,1)"), "1.0, 0.0");
   EXPECT_EQ(text("vstr(3,<1,2,3,4>,\",\",0,1)"), "1.0,2.0,3.0");
   EXPECT_EQ(text("concat(\"a\" \"b\", substr(\"xyz\",2,2))"), "abyz");
+  EXPECT_EQ(text("substr(\"abc\",0,1)"), "");
+  EXPECT_EQ(text("substr(\"abc\",0,4)"), "");
   EXPECT_EQ(text("strupr(\"aBc\")"), "ABC");
   EXPECT_EQ(text("datetime(1.5,\"%Y/%m/%d %H:%M:%S\")"), "2000/01/02 12:00:00");
   EXPECT_EQ(text("\"a\\tb\\\"c\\\\ \\u00e4\""), "a\tb\"c\\ \u00e4");
@@ -82,6 +84,28 @@ TEST(Macros, ByReference) {
   EXPECT_EQ(printed(inc + "I((X)) I(+X) #debug str(X,0,0)"), "3");
   EXPECT_EQ(printed(inc + "I(Q[1]) #debug str(Q[1],0,0)"), "7");
   EXPECT_FALSE(accepts(inc + "I(Unknown)"));
+}
+
+// Where the comma is missing, POV-Ray takes the reference from the token behind a lone number (spec 08 H).
+TEST(Macros, WithoutACommaTheNextIdentifierIsMeant) {
+  const std::string head =
+      "#macro F(A,B) concat(str(A,0,0),\" \",str(B,0,0)) #end #macro G(A,B,C,D) concat(F(A,B),\" \",F(C,D)) #end "
+      "#declare p=1; #declare q=2; #declare r=3; #declare A=array[2]{5,6} #declare c=rgb 7; ";
+  const auto call = [&](const std::string& arguments) { return printed(head + "#debug " + arguments); };
+  EXPECT_EQ(call("F(p q)"), "2 2");
+  EXPECT_EQ(call("F(A[0] q)"), "2 2");
+  EXPECT_EQ(call("G(p q p q)"), "2 1 2 2");
+  EXPECT_EQ(call("F(p q+r)"), "2 5");
+  EXPECT_EQ(call("F(p A[1])"), "1 6");
+  EXPECT_EQ(call("F(p 4)"), "1 4");
+  EXPECT_EQ(call("F(p (q))"), "1 2");
+  EXPECT_EQ(call("F((p) q)"), "1 2");
+  EXPECT_EQ(call("F(-p q)"), "-1 2");
+  EXPECT_EQ(call("F(p, q)"), "1 2");
+  // It is a reference: what the macro does to its first parameter happens to q.
+  EXPECT_EQ(printed("#macro S(A,B) #declare A=9; #end #declare p=1; #declare q=2; S(p q) "
+                    "#debug concat(str(p,0,0),str(q,0,0))"),
+            "19");
 }
 
 TEST(Macros, AreText) {

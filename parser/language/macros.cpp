@@ -72,6 +72,14 @@ void Parser::Impl::define_macro(const Token& token) {
   symbol->value() = Shared<Macro>(std::move(macro));
 }
 
+// POV-Ray takes the reference from the token behind a lone number: where the comma is missing, as in M(p q), both
+// arguments become q.
+void Parser::Impl::refer_to_follower(Resolved& resolved) const {
+  if (position->kind != TokenKind::identifier || position[1].punctuation == '[') return;
+  Symbol* symbol = names[position->id()].symbol;
+  if (symbol && !symbol->is_macro) resolved = Resolved::named(*symbol);
+}
+
 // By reference: a lone identifier, with subscripts or without, that is no function. By value: everything else.
 void Parser::Impl::macro_argument() {
   const Token& token = peek();
@@ -98,7 +106,9 @@ void Parser::Impl::macro_argument() {
                       c != '*' && c != '/' && c != '.' && c != '(' && !std::holds_alternative<FunctionPtr>(*held);
     if (lone) {
       if (held->index() == 0) error(fmt::format("'{}' has no value.", names[token.id()].text));
+      const bool number = std::holds_alternative<Numeric>(*held);
       Resolved resolved = resolve();
+      if (number) refer_to_follower(resolved);
       argument.array = std::move(resolved.array);
       argument.element = resolved.element;
       if (!argument.array) {

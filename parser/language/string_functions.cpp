@@ -115,8 +115,8 @@ std::u16string Parser::Impl::string_function(Word word, bool path) {
       const int length = to_int(scalar());
       if (start < 0 || length < 0 || static_cast<double>(start) + length - 1 > static_cast<double>(text.size()))
         error("substr() is asked for more than the string has.");
-      if (length > 0)
-        out = text.substr(static_cast<std::size_t>(std::max(start - 1, 0)), static_cast<std::size_t>(length));
+      // Positions count from 1; from 0 on there is nothing, however long.
+      if (start > 0) out = text.substr(static_cast<std::size_t>(start - 1), static_cast<std::size_t>(length));
       break;
     }
     case Word::strupr:

@@ -27,6 +27,7 @@ struct Numeric {
 struct Material {
   scene::TexturePtr texture, interior_texture;
   scene::InteriorPtr interior;
+  scene::Rare<Transform> solid_moves;  // as scene::Object::solid_moves
 };
 
 template <class T>

@@ -15,6 +15,7 @@ void read_children(Parser& parser, scene::Object& object, Word word) {
     if (csg.kind == scene::CsgKind::intersection && scene::is_patch(*child))
       parser.warning("Patch objects not allowed in intersection.");
     if (csg.difference && !csg.children.declared().empty()) scene::invert(*child);
+    child->solid_moves = {};  // nobody writes to its texture any more
     csg.children.push_back(child);
   }
   if (csg.children.declared().size() < 2) parser.warning("Should have at least 2 objects in csg.");

@@ -8,9 +8,10 @@ namespace verisim::parser {
 
 using scene::Interior;
 
-scene::InteriorPtr parse_interior(Parser& parser) {
+scene::InteriorPtr parse_interior(Parser& parser, const scene::InteriorPtr& earlier) {
   Block block(parser, "interior");
-  auto interior = std::make_shared<Interior>();
+  // A second statement goes on from the first; an identifier replaces all of it.
+  auto interior = earlier ? std::make_shared<Interior>(*earlier) : std::make_shared<Interior>();
   if (const auto* value = parser.accept_value<Shared<Interior>>()) *interior = **value;
   bool ior_given = interior->ior_given;
   const auto number = [&](float& target) {
@@ -65,19 +66,30 @@ scene::InteriorPtr parse_interior(Parser& parser) {
   return interior;
 }
 
-Material parse_material(Parser& parser) {
+Material parse_material(Parser& parser, const Material& earlier) {
   Block block(parser, "material");
-  Material material;
-  if (const auto* value = parser.accept_value<Shared<Material>>()) material = **value;
+  Material material = earlier;
+  // An identifier adds its layers to what is there, but replaces the interior, by none if it has none.
+  if (const auto* value = parser.accept_value<Shared<Material>>()) {
+    if ((*value)->texture) {
+      add_layers(parser, material.texture, (*value)->texture);
+      material.solid_moves = (*value)->solid_moves;
+    }
+    if ((*value)->interior_texture) add_layers(parser, material.interior_texture, (*value)->interior_texture);
+    material.interior = (*value)->interior;
+  }
   for (;;) {
     Transform item;
     if (parser.at(Word::texture)) {
       add_layers(parser, material.texture, parse_texture(parser));
+      material.solid_moves = {};
     } else if (parser.at(Word::interior_texture)) {
       add_layers(parser, material.interior_texture, parse_interior_texture(parser));
     } else if (parser.at(Word::interior)) {
-      material.interior = parse_interior(parser);
+      material.interior = parse_interior(parser, material.interior);
     } else if (parse_transform_item(parser, item)) {
+      if (material.texture && scene::ends_in_solid_color(*material.texture))
+        material.solid_moves = material.solid_moves ? material.solid_moves->then(item) : item;
       material.texture = scene::transformed(material.texture, item);
       material.interior_texture = scene::transformed(material.interior_texture, item);
       if (material.interior) {

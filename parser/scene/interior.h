@@ -5,7 +5,8 @@
 
 namespace verisim::parser {
 
-Material parse_material(Parser& parser);
+// Goes on from what the object has so far.
+Material parse_material(Parser& parser, const Material& earlier = {});
 // Transforms the densities that a medium has so far (spec 07 4.1).
 void transform_media(scene::Media& media, const Transform& t);
 

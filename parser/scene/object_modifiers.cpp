@@ -65,10 +65,13 @@ void parse_radiosity(Parser& parser, Object& object) {
   close_block(parser, "radiosity");
 }
 
-void apply_material(Parser& parser, Object& object, const Material& material) {
-  if (material.texture) add_layers(parser, object.texture, material.texture);
-  if (material.interior_texture) add_layers(parser, object.interior_texture, material.interior_texture);
-  if (material.interior) object.interior = std::make_shared<scene::Interior>(*material.interior);
+void parse_object_material(Parser& parser, Object& object) {
+  Material material =
+      parse_material(parser, {object.texture, object.interior_texture, object.interior, object.solid_moves});
+  object.solid_moves = std::move(material.solid_moves);
+  object.texture = std::move(material.texture);
+  object.interior_texture = std::move(material.interior_texture);
+  object.interior = material.interior ? std::make_shared<scene::Interior>(*material.interior) : nullptr;
 }
 
 bool has_own_textures(const Object& object) {
@@ -92,19 +95,20 @@ bool parse_modifier(Parser& parser, Object& object) {
       return parse_object_transform(parser, object);
     case Word::texture:
       add_layers(parser, object.texture, parse_texture(parser));
+      object.solid_moves = {};
       return true;
     case Word::pigment:
     case Word::normal:
     case Word::finish:
-      return parse_texture_part(parser, object.texture);
+      return parse_texture_part(parser, object.texture, &object.solid_moves);
     case Word::interior_texture:
       add_layers(parser, object.interior_texture, parse_interior_texture(parser));
       return true;
     case Word::interior:
-      object.interior = parse_interior(parser);
+      object.interior = parse_interior(parser, object.interior);
       return true;
     case Word::material:
-      apply_material(parser, object, parse_material(parser));
+      parse_object_material(parser, object);
       return true;
     case Word::uv_mapping:
       parser.next();

@@ -234,6 +234,9 @@ struct Object {
   std::uint32_t clips_in_bounds = 0;  // how many of the clips the automatic box of a quadric already knows
   bool clip_is_bound = false;         // clipped_by{bounded_by} or bounded_by{clipped_by}: transform once
   TexturePtr texture, interior_texture;
+  // What moved the top layer since it is of a solid colour: a pattern that takes its place while the object is read has
+  // gone that way, too (spec 08 E).
+  Rare<Transform> solid_moves;
   InteriorPtr interior;
   bool inverted = false;
   bool copied = false;            // made from another object, not written in place

@@ -20,6 +20,12 @@ bool is_solid(const Pattern& pattern) {
 
 }  // namespace
 
+PigmentPtr moved(const PigmentPtr& pigment, const Transform& t) { return with_transform(pigment, t); }
+
+bool ends_in_solid_color(const Texture& texture) {
+  return !texture.patterned() && is_solid(texture.layers.back().pigment->pattern);
+}
+
 PigmentPtr transformed(const PigmentPtr& pigment, const Transform& t) {
   if (!pigment || is_solid(pigment->pattern)) return pigment;
   return with_transform(pigment, t);

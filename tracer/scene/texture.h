@@ -111,6 +111,9 @@ using InteriorPtr = std::shared_ptr<Interior>;
 // Appends an object's transformation to a texture (copy on write; a solid colour without normal is returned unchanged).
 TexturePtr transformed(const TexturePtr& texture, const Transform& t);
 PigmentPtr transformed(const PigmentPtr& pigment, const Transform& t);
+// The same for solid colours, too: for a pattern that goes on from one.
+PigmentPtr moved(const PigmentPtr& pigment, const Transform& t);
+bool ends_in_solid_color(const Texture& texture);  // the pigment of its top layer
 NormalPtr transformed(const NormalPtr& normal, const Transform& t);
 
 }  // namespace verisim::scene

@@ -134,6 +134,8 @@ bool parse_object_transform(Parser& parser, scene::Object& object) {
   }
   if (!moves.size()) return false;
   scene::apply(object, moves);
+  if (object.texture && !object.uv_mapping && scene::ends_in_solid_color(*object.texture))
+    moves.add_to(object.solid_moves, 0);
   return true;
 }
 

@@ -45,7 +45,8 @@ void read_color_entry(Parser& parser, scene::ColorMap& map, float position) {
     return;
   }
   if (parser.at('<')) parser.error_expected("color");
-  const Numeric value = parser.parse_full_numeric(1);
+  if (parser.at('+') || parser.at('-')) parser.error_expected("color");
+  const Numeric value = parser.parse_full_numeric(5);  // 0.3*White is a colour, too
   if (value.terms > 1) {
     if (value.terms != 5) parser.error_expected("color");
     map.push_back({position, to_color(value)});

@@ -73,8 +73,10 @@ bool starts_without_frequency(PatternKind kind) {
 }
 
 void set_kind(Parser& parser, Pattern& pattern, PatternKind kind, PatternOwner owner) {
+  // A brick that follows a brick keeps its sizes (spec 08 E); any other pattern starts from its own defaults.
+  const bool keep = kind == PatternKind::brick && pattern.kind == PatternKind::brick;
   pattern.kind = kind;
-  pattern.params.reset();
+  if (!keep) pattern.params.reset();
   if (starts_without_frequency(kind)) pattern.frequency = 0;
   // Before 3.0 `texture { marble }` meant the ramp of older versions (spec 05 section 13).
   const bool old_texture = owner == PatternOwner::texture && parser.version() < 300;
@@ -87,7 +89,7 @@ void set_kind(Parser& parser, Pattern& pattern, PatternKind kind, PatternOwner o
       pattern.params = scene::AgateParams{};
       break;
     case PatternKind::brick:
-      pattern.params = scene::BrickParams{};
+      if (!keep) pattern.params = scene::BrickParams{};
       break;
     case PatternKind::crackle:
       pattern.params = scene::CrackleParams{};

@@ -257,12 +257,17 @@ void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::Texture
   texture = result;
 }
 
-bool parse_texture_part(Parser& parser, scene::TexturePtr& texture) {
+bool parse_texture_part(Parser& parser, scene::TexturePtr& texture, scene::Rare<Transform>* moves) {
   const Word word = word_at(parser);
   if (word != Word::pigment && word != Word::normal && word != Word::finish) return false;
   const scene::TexturePtr start = texture ? texture : parser.default_texture();
   require_plain(parser, start);
   auto result = std::make_shared<Texture>(*start);
+  if (word == Word::pigment && moves && *moves) {
+    scene::PigmentPtr& pigment = result->layers.back().pigment;
+    pigment = scene::moved(pigment, *moves);
+    *moves = {};
+  }
   parse_part(parser, result->layers.back());
   texture = result;
   return true;

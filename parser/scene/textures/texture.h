@@ -8,8 +8,9 @@ namespace verisim::parser {
 // Puts the layers of `added` over those of `texture` (null: nothing yet); errors when one of them is patterned.
 void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::TexturePtr& added);
 // `pigment`, `normal` or `finish` at the cursor: changes the top layer of `texture` (null: a copy of the default
-// texture). False: none of them.
-bool parse_texture_part(Parser& parser, scene::TexturePtr& texture);
+// texture). False: none of them. `moves`: what has moved that layer while its pigment was a solid colour; a new pigment
+// goes on from there.
+bool parse_texture_part(Parser& parser, scene::TexturePtr& texture, scene::Rare<Transform>* moves = nullptr);
 // interior_texture { ... }
 scene::TexturePtr parse_interior_texture(Parser& parser);
 

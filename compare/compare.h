@@ -49,6 +49,7 @@ struct SceneRequest {
   bool alpha() const;                 // +UA
   std::optional<SceneClass> scene_class;  // empty: by the features the native side reports
   Thresholds thresholds;                  // empty: the rules of docs/comparison.md
+  Allowance allowed;                      // of errors that lie together
   std::vector<Pass> passes;  // empty: one render is the picture. Else they are rendered with linear values (OpenEXR)
                              // and summed to a picture of 16 bits
   std::vector<std::string> tags;
@@ -261,8 +262,8 @@ Run run_suite(const Suite& suite, const RunOptions& options);
 // place. `dry_run` only says what would change: one line a scene.
 std::vector<std::string> update_baseline(const Run& run, const std::filesystem::path& folder, bool dry_run);
 
-// ---- reports: every file is written to a temporary name and renamed; std::runtime_error names the file and the reason
-// ------------------------------------------------
+// ---- reports: files are written as by tracer/output_file.h; std::runtime_error names the file and the reason
+// ---------------------------------------------------------
 
 std::string terminal_table(const Run& run, bool color = false, int columns = 120);
 std::string terminal_metrics(const Metrics& metrics, bool color = false);  // for `verisim diff`

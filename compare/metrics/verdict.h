@@ -35,18 +35,25 @@ NoiseLimits noise_limits(const LowPass& oracle_against_itself);
 // say which side is bad: {"max_rmse", 1.5}.
 using Thresholds = std::map<std::string, double>;
 
+// Errors that lie together (patches.h), and how much of them one scene may have.
+struct Allowance {
+  double solid_pixels = 2;          // in solid patches: two of POV-Ray's wrong pixels may meet by chance
+  std::optional<double> drift_max;  // code values; empty: by how finely the pictures tell differences
+};
+
 struct Verdict {
   Status status = Status::differ;
   std::string reason;  // which figure broke which limit; empty when none did
 };
-Verdict judge_deterministic(const Metrics& metrics, bool antialiased);
+Verdict judge_deterministic(const Metrics& metrics, bool antialiased, const Allowance& allowed = {});
 // Against an earlier picture of verisim's own, which another machine may change by 1/255 here and there, but not by
 // even a little everywhere.
-Verdict judge_baseline(const Metrics& metrics, bool antialiased);
+Verdict judge_baseline(const Metrics& metrics, bool antialiased, const Allowance& allowed = {});
 // What the rules let pass as exact but is on average to one side: "0.31 code values darker on average"; empty when
 // there is nothing to say.
 std::string systematic_drift(const Metrics& metrics);
-Verdict judge_stochastic(const Metrics& metrics, bool antialiased, const LowPass& native, const LowPass& noise);
+Verdict judge_stochastic(const Metrics& metrics, bool antialiased, const LowPass& native, const LowPass& noise,
+                         const Allowance& allowed = {});
 // A scene with thresholds of its own is `match` when it keeps them all. Throws std::invalid_argument naming an unknown
 // threshold.
 Verdict judge_thresholds(const Metrics& metrics, const Thresholds& thresholds);

@@ -91,7 +91,7 @@ std::vector<std::string> command_line(const OracleProgram& program, const Oracle
   constexpr int kOrders = static_cast<int>(std::size(kBlockOrders));
   std::vector<std::string> out = {program.path.string(), "+I" + input};
   out.insert(out.end(), scene.switches.begin(), scene.switches.end());
-  if (!output_type(scene.switches)) out.push_back("+FN8");
+  if (!output_type(scene.switches)) out.push_back(kFinePicture);
   for (const std::string& s : {"+O" + output, fmt::format("+W{}", scene.width), fmt::format("+H{}", scene.height),
                                fmt::format("+WT{}", std::max(1, options.threads) + variant % kOrders)})
     out.push_back(s);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.h"
+#include "tracer/output_file.h"
 
 namespace verisim::compare {
 namespace fs = std::filesystem;
@@ -38,10 +39,10 @@ std::vector<std::string> update_baseline(const Run& run, const fs::path& folder,
     if (dry_run) continue;
     // work/STEM.native.EXT -> DIR/STEM.EXT
     const fs::path extension = scene.native_picture.extension();
-    fs::path target = folder / (scene.native_picture.stem().stem().string() + extension.string());
-    const fs::path temporary = target.string() + ".new";
-    fs::copy_file(scene.native_picture, temporary, fs::copy_options::overwrite_existing);
-    fs::rename(temporary, target);
+    const fs::path target = folder / (scene.native_picture.stem().stem().string() + extension.string());
+    OutputFile file(target);
+    copy_into(scene.native_picture, file.get());
+    file.publish();
     json["scenes"][scene.request.name] = {{"picture", target.filename().string()},
                                           {"width", scene.request.width},
                                           {"height", scene.request.height},

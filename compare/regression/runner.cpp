@@ -210,8 +210,8 @@ class Runner {
     const bool rules = request.thresholds.empty();
     Verdict verdict = !rules ? judge_thresholds(*result.metrics, request.thresholds)
                       : options_.baseline.empty() || request.reference
-                          ? judge_deterministic(*result.metrics, request.antialiased())
-                          : judge_baseline(*result.metrics, request.antialiased());
+                          ? judge_deterministic(*result.metrics, request.antialiased(), request.allowed)
+                          : judge_baseline(*result.metrics, request.antialiased(), request.allowed);
     if (result.scene_class == SceneClass::stochastic && rules && verdict.status != Status::exact) {
       if (request.reference) {
         verdict.reason += "; a stored picture says nothing about noise";
@@ -239,7 +239,7 @@ class Runner {
     if (!more_references(request, files_read, 2, references, result)) return false;
     const auto judge_low_pass = [&](const LowPass& ours, const LowPass& noise) {
       result.native_low_pass = ours, result.noise_low_pass = noise;
-      verdict = judge_stochastic(*result.metrics, request.antialiased(), ours, noise);
+      verdict = judge_stochastic(*result.metrics, request.antialiased(), ours, noise, request.allowed);
     };
     judge_low_pass(low_pass(oracle, native), low_pass(oracle, references[1]));
     if (options_.runs < 2) return true;

@@ -29,6 +29,9 @@ J metrics_as(const Metrics& m) {
   json["bias"] = m.bias;
   json["ssim_mean"] = m.ssim_mean;
   json["ssim_block_min"] = m.ssim_block_min;
+  json["solid_2_pixels"] = m.solid_2_pixels, json["solid_4_pixels"] = m.solid_4_pixels,
+  json["solid_at"] = {m.solid_x, m.solid_y};
+  json["drift_max"] = m.drift_max, json["drift_at"] = {m.drift_x, m.drift_y};
   json["flip_mean"] = m.flip_mean;
   put(json, "hdr_flip_mean", m.hdr_flip_mean);
   json["ciede2000_mean"] = m.ciede2000_mean;
@@ -184,6 +187,10 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
     out.ssim_mean = m.at("ssim_mean"), out.ssim_block_min = m.at("ssim_block_min"), out.flip_mean = m.at("flip_mean");
     out.ciede2000_mean = m.value("ciede2000_mean", 0.0), out.ciede2000_p95 = m.value("ciede2000_p95", 0.0),
     out.nan_pixels = m.value("nan_pixels", std::uint64_t{0});
+    out.solid_2_pixels = m.value("solid_2_pixels", std::uint64_t{0}),
+    out.solid_4_pixels = m.value("solid_4_pixels", std::uint64_t{0}), out.drift_max = m.value("drift_max", 0.0);
+    if (m.contains("solid_at")) out.solid_x = m["solid_at"].at(0), out.solid_y = m["solid_at"].at(1);
+    if (m.contains("drift_at")) out.drift_x = m["drift_at"].at(0), out.drift_y = m["drift_at"].at(1);
     for (auto [name, value] :
          {std::pair("hdr_flip_mean", &out.hdr_flip_mean), std::pair("edge_rmse", &out.edge_rmse),
           std::pair("interior_rmse", &out.interior_rmse), std::pair("alpha_max_abs", &out.alpha_max_abs),

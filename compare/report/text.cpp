@@ -214,6 +214,12 @@ std::string terminal_metrics(const Metrics& m, bool color) {
   out += line("within_2", fmt::format("{:.4f}", m.within_2_pct), "% of pixels");
   out += line("ssim_mean", fmt::format("{:.6f}", m.ssim_mean), "");
   out += line("ssim_block_min", fmt::format("{:.6f}", m.ssim_block_min), "worst 8x8 block");
+  out += line("solid_2_pixels", fmt::format("{}", m.solid_2_pixels),
+              m.solid_2_pixels ? fmt::format("in patches, the worst around {}, {}", m.solid_x, m.solid_y).c_str()
+                               : "in patches");
+  out += line("drift_max", fmt::format("{:.4f}", m.drift_max),
+              m.drift_max > 0 ? fmt::format("/255, mean of 16x16 pixels around {}, {}", m.drift_x, m.drift_y).c_str()
+                              : "/255, mean of 16x16 pixels");
   out += line("flip_mean", fmt::format("{:.6f}", m.flip_mean), "LDR-FLIP");
   if (m.hdr_flip_mean) out += line("hdr_flip_mean", fmt::format("{:.6f}", *m.hdr_flip_mean), "HDR-FLIP");
   out += line("ciede2000_mean", fmt::format("{:.4f}", m.ciede2000_mean), "");

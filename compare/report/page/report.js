@@ -293,7 +293,7 @@ function goTo(x, y, zoom) {
 }
 
 const FIGURES = [['rmse', 'RMSE', 4], ['mae', 'Mean absolute error', 4], ['bias', 'Bias', 4], ['max_abs', 'Largest difference', 1], ['psnr', 'PSNR [dB]', 2], ['within_1_pct', 'Within 1 [%]', 4],
-  ['within_2_pct', 'Within 2 [%]', 4], ['ssim_mean', 'SSIM', 5], ['ssim_block_min', 'SSIM, worst 8×8 block', 5], ['flip_mean', 'LDR-FLIP', 5], ['hdr_flip_mean', 'HDR-FLIP', 5], ['ciede2000_mean', 'CIEDE2000, mean', 3],
+  ['within_2_pct', 'Within 2 [%]', 4], ['ssim_mean', 'SSIM', 5], ['ssim_block_min', 'SSIM, worst 8×8 block', 5], ['solid_2_pixels', 'Wrong pixels in patches', 0], ['drift_max', 'Largest mean of 16×16', 4], ['flip_mean', 'LDR-FLIP', 5], ['hdr_flip_mean', 'HDR-FLIP', 5], ['ciede2000_mean', 'CIEDE2000, mean', 3],
   ['ciede2000_p95', 'CIEDE2000, 95 %', 3], ['edge_rmse', 'RMSE at edges', 4], ['interior_rmse', 'RMSE elsewhere', 4], ['alpha_max_abs', 'Alpha, largest difference', 1], ['nan_pixels', 'NaN or infinite pixels', 0]];
 function figures(s) {
   const out = [], row = (k, v) => out.push(node('tr', {}, node('th', { scope: 'row' }, k), node('td', {}, v)));

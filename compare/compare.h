@@ -262,7 +262,7 @@ Run run_suite(const Suite& suite, const RunOptions& options);
 // place. `dry_run` only says what would change: one line a scene.
 std::vector<std::string> update_baseline(const Run& run, const std::filesystem::path& folder, bool dry_run);
 
-// ---- reports: files are written as by tracer/output_file.h; std::runtime_error names the file and the reason
+// ---- reports: files are written as by tracer/base/output_file.h; std::runtime_error names the file and the reason
 // ---------------------------------------------------------
 
 std::string terminal_table(const Run& run, bool color = false, int columns = 120);

@@ -11,7 +11,7 @@
 #include "cli/settings/scene_words.h"
 #include "cli/console/shellout.h"
 #include "cli/frame/statistics.h"
-#include "tracer/output_file.h"
+#include "tracer/base/output_file.h"
 
 namespace fs = std::filesystem;
 

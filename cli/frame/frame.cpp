@@ -21,7 +21,7 @@
 #include "cli/frame/statistics.h"
 #include "tracer/image/layers_file.h"
 #include "tracer/image/output.h"
-#include "tracer/output_file.h"
+#include "tracer/base/output_file.h"
 #include "tracer/render/render.h"
 
 namespace fs = std::filesystem;

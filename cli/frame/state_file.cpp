@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "tracer/output_file.h"
+#include "tracer/base/output_file.h"
 
 namespace verisim::cli {
 namespace {

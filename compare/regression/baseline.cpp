@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.h"
-#include "tracer/output_file.h"
+#include "tracer/base/output_file.h"
 
 namespace verisim::compare {
 namespace fs = std::filesystem;

@@ -2,7 +2,7 @@
 #include <cstring>
 
 #include "compare/compare.h"
-#include "tracer/output_file.h"
+#include "tracer/base/output_file.h"
 
 namespace verisim::compare {
 

@@ -4,7 +4,7 @@
 
 #include "tracer/image/gamma.h"
 #include "tracer/image/module/module.h"
-#include "tracer/output_file.h"
+#include "tracer/base/output_file.h"
 
 namespace verisim::image {
 namespace {

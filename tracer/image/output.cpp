@@ -11,7 +11,7 @@
 #include "tracer/image/netpbm.h"
 #include "tracer/image/picture_rows.h"
 #include "tracer/image/png.h"
-#include "tracer/output_file.h"
+#include "tracer/base/output_file.h"
 
 namespace verisim::image {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tracer/output_file.h"
+#include "tracer/base/output_file.h"
 
 namespace verisim::global {
 namespace {

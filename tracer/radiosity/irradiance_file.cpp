@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "tracer/output_file.h"
+#include "tracer/base/output_file.h"
 
 namespace verisim::global {
 namespace {

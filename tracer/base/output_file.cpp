@@ -1,4 +1,4 @@
-#include "tracer/output_file.h"
+#include "tracer/base/output_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

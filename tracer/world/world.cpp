@@ -87,13 +87,6 @@ bool within_finite_box(const Shape& shape) {
 // A shadow ray may meet something there that is not opaque.
 bool lets_light_through(const Entry& e) { return e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow)); }
 
-// POV-Ray's sort key: the distance at which a ray enters the box, in binary32.
-float entry_distance(const Ray& ray, const Box3& box) {
-  double near = 0, far = std::numeric_limits<double>::infinity();
-  clip_to_box(ray, box, near, far);
-  return static_cast<float>(near);
-}
-
 }  // namespace
 
 void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler) {
@@ -267,16 +260,29 @@ bool World::Impl::seems_opaque(std::uint32_t entry, const Shaft& shaft) const {
 
 World::~World() = default;
 
-bool World::Impl::precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const {
-  const Entry &x = entries[a], &y = entries[b];
-  if (!in_order) {
-    if (x.infinite != y.infinite) return x.infinite;
-    if (!x.infinite) {
-      const float dx = entry_distance(ray, x.box), dy = entry_distance(ray, y.box);
-      if (dx != dy) return dx < dy;
+void World::Impl::search_as_pov(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const {
+  std::call_once(hierarchy_made, [this] {
+    std::vector<Hierarchy::Item> items;
+    for (std::uint32_t i = 0; i < entries.size(); ++i)
+      items.push_back({i, entries[i].object->bounds, entries[i].infinite});
+    hierarchy = Hierarchy(items);
+  });
+  double best = t_max;
+  const auto ask = [&](std::uint32_t index) {
+    const Entry& e = entries[index];
+    Hit other;
+    if (!(e.hidden & bit(kind)) && e.shape->intersect(ray, kind, t_min, best, other)) {
+      hit = other;
+      best = other.t;
     }
+    return best;
+  };
+  if (in_order) {
+    for (std::uint32_t i = 0; i < entries.size(); ++i)
+      if (entries[i].slab.passes(ray)) ask(i);
+  } else {
+    hierarchy.search(ray, best, ask);
   }
-  return a < b;
 }
 
 bool World::occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const {

@@ -6,9 +6,11 @@
 #include <bit>
 #include <deque>
 #include <limits>
+#include <mutex>
 #include <optional>
 
 #include "tracer/bvh/box_tree.h"
+#include "tracer/world/hierarchy.h"
 #include "tracer/world/world.h"
 #include "tracer/shapes/quadrics/box_set.h"
 #include "tracer/shapes/csg/hollow.h"
@@ -88,6 +90,9 @@ struct Plane {
 
 inline unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
 
+// What a search has to look at when the best hit lies at t: what is in the same place, too.
+inline double with_coincident(double t) { return t + kCoincident * t; }
+
 // The next number, for numbers above 0.
 inline double next_above(double x) {
   return x < std::numeric_limits<double>::infinity() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1) : x;
@@ -122,7 +127,9 @@ struct World::Impl {
   std::deque<std::vector<const scene::LightSource*>> group_lights;
   std::vector<const scene::LightSource*> lights;
   Box3 bounds;
-  bool in_order = false;             // too few entries for a hierarchy
+  bool in_order = false;                  // too few entries for a hierarchy
+  mutable std::once_flag hierarchy_made;  // at the first ray that needs it: most scenes do not
+  mutable Hierarchy hierarchy;
   bool transparent_shadows = false;  // something that shadow rays see is not opaque
 
   // BoxTree::traverse, or what does the same.
@@ -141,8 +148,8 @@ struct World::Impl {
   void find_rooms();
   // No shadow ray of the shaft meets what is not opaque of this entry: it is, or the whole shaft lies in its room.
   bool seems_opaque(std::uint32_t entry, const Shaft& shaft) const;
-  // Which of two entries hit at the same distance POV-Ray tested first and therefore shows (spec 03 2.3).
-  bool precedes(std::uint32_t a, std::uint32_t b, const Ray& ray) const;
+  // The hit that POV-Ray shows where several entries have surfaces in the same place: its search, repeated (spec 08 A).
+  void search_as_pov(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const;
   void mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const;
 };
 

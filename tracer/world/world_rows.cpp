@@ -124,12 +124,13 @@ class World::RowSearch {
   }
 
   unsigned found() const { return found_; }
+  unsigned coincident() const { return coincident_; }
 
   void test_planes() {
     for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
       const std::uint32_t index = w_.unbounded[i];
       const Entry& e = w_.entries[index];
-      if (w_.planes[i] && !(e.hidden & mask_)) test_plane(*w_.planes[i], e.shape, index);
+      if (w_.planes[i] && !(e.hidden & mask_)) test_plane(*w_.planes[i], e.shape);
     }
   }
   // What else is beside the tree costs more, so it is asked when most rays have hit something.
@@ -167,34 +168,36 @@ class World::RowSearch {
   }
 
  private:
-  // Lane k is hit at t < limit_[k]: by this entry, or by another at the same distance that comes first.
-  bool accepts(int k, double t, std::uint32_t index) const {
-    return !(found_ >> k & 1) || t != hits_[k].t || w_.precedes(index, owner_[k], rays_.at(k));
-  }
-  void accept(int k, const Hit& hit, std::uint32_t index) {
+  // Lane k is hit before limit_[k].
+  void take(int k, const Hit& hit) {
+    const unsigned lane = 1u << k;
+    const bool before = found_ & lane, nearer = !before || hit.t < hits_[k].t;
+    if (before && (!nearer || hits_[k].t <= with_coincident(hit.t)))
+      coincident_ |= lane;
+    else
+      coincident_ &= ~lane;
+    if (!nearer) return;
     hits_[k] = hit;
-    found_ |= 1u << k;
-    owner_[k] = index;
-    limit_[k] = next_above(hit.t);  // of a tie both are asked
+    found_ |= lane;
+    limit_[k] = std::min(limit_[k], with_coincident(hit.t));
   }
   void test_candidate(std::uint32_t i, const WorldEntry* entry, unsigned lanes) {
     const Candidate& c = w_.bounded[i];
     if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry ? entry->inner_of(i) : nullptr, lanes);
   }
-  void test_plane(const Plane& plane, const Shape* shape, std::uint32_t index) {
+  void test_plane(const Plane& plane, const Shape* shape) {
     alignas(64) double t[kLanes];
     row_kernels().plane(plane.normal, plane.distance, rays_.rays, rays_.first, t);
     each_lane(rays_.asked, [&](int k) {
-      if (!(t[k] >= t_min_ && t[k] < limit_[k]) || !accepts(k, t[k], index)) return;
+      if (!(t[k] >= t_min_ && t[k] < limit_[k])) return;
       const Ray ray = rays_.at(k);
-      accept(k, {t[k], ray.origin + t[k] * ray.direction, shape, 0, 0, 0}, index);
+      take(k, {t[k], ray.origin + t[k] * ray.direction, shape, 0, 0, 0});
     });
   }
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
     each_lane(shape.intersect_lanes({rays_.rays, rays_.first, lanes}, inner, kind_, t_min_, limit_, others_),
               [&](int k) {
-                if (accepts(k, others_[k].t, index) && w_.entries[index].slab.passes(rays_.at(k)))
-                  accept(k, others_[k], index);
+                if (w_.entries[index].slab.passes(rays_.at(k))) take(k, others_[k]);
               });
   }
 
@@ -205,8 +208,8 @@ class World::RowSearch {
   const double t_min_;
   Hit* const hits_;
   alignas(64) double limit_[kLanes];
-  std::uint32_t owner_[kLanes];
   unsigned found_ = 0;
+  unsigned coincident_ = 0;  // lanes in which another entry was hit in the same place
   Hit others_[kLanes];
 };
 
@@ -230,6 +233,10 @@ void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind
       search.test_boxes(*entry);
     search.test_unbounded();
     search.test_around();
+    each_lane(search.coincident(), [&](int k) {
+      const double far = t_max ? t_max[start + k] : std::numeric_limits<double>::infinity();
+      w.search_as_pov(rays.at(start + k), kind, t_min, far, hits[start + k]);
+    });
     for (int k = 0; k < rest; ++k) found[start + k] = search.found() >> k & 1;
   }
 }

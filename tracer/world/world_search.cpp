@@ -12,6 +12,7 @@ class World::Search {
 
   bool found() const { return found_; }
   double limit() const { return limit_; }
+  bool coincident() const { return coincident_; }
 
   // Entries beside the tree.
   void test_unbounded() {
@@ -19,13 +20,9 @@ class World::Search {
       const std::uint32_t index = w_.unbounded[i];
       const Entry& e = w_.entries[index];
       if (e.hidden & mask_) continue;
-      if (const Plane* plane = w_.planes[i] ? &*w_.planes[i] : nullptr) {
-        const double t = plane->distance_along(ray_);
-        if (!(t >= t_min_ && (found_ ? t <= limit_ : t < limit_)) ||
-            (found_ && t == hit_.t && !w_.precedes(index, owner_, ray_)))
-          continue;
-        hit_ = {t, ray_.origin + t * ray_.direction, e.shape, 0, 0, 0};
-        accept(index);
+      if (w_.planes[i]) {
+        const double t = w_.planes[i]->distance_along(ray_);
+        if (t >= t_min_ && t < limit_) take({t, ray_.origin + t * ray_.direction, e.shape, 0, 0, 0});
         continue;
       }
       if (!e.may_meet(ray_, t_min_, limit_)) continue;
@@ -44,25 +41,18 @@ class World::Search {
   }
 
  private:
-  void accept(std::uint32_t index) {
+  void take(const Hit& hit) {
+    coincident_ = found_ && (hit.t < hit_.t ? hit_.t <= with_coincident(hit.t) : true);
+    if (found_ && hit.t >= hit_.t) return;
     found_ = true;
-    owner_ = index;
-    limit_ = hit_.t;
+    hit_ = hit;
+    limit_ = std::min(limit_, with_coincident(hit.t));
   }
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner) {
-    const auto intersect_shape = [&](double far, Hit& out) {
-      return inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, far, out)
-                   : shape.intersect(ray_, kind_, t_min_, far, out);
-    };
-    if (!found_) {
-      if (!intersect_shape(limit_, hit_) || !w_.entries[index].slab.passes(ray_)) return;
-    } else {
-      Hit other;
-      if (!intersect_shape(next_above(limit_), other) || !w_.entries[index].slab.passes(ray_)) return;
-      if (other.t == hit_.t && !w_.precedes(index, owner_, ray_)) return;
-      hit_ = other;
-    }
-    accept(index);
+    Hit other;
+    const bool met = inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, limit_, other)
+                           : shape.intersect(ray_, kind_, t_min_, limit_, other);
+    if (met && w_.entries[index].slab.passes(ray_)) take(other);
   }
 
   const Impl& w_;
@@ -73,7 +63,7 @@ class World::Search {
   double limit_;
   Hit& hit_;
   bool found_ = false;
-  std::uint32_t owner_ = 0;
+  bool coincident_ = false;  // another entry was hit in the same place
 };
 
 bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit,
@@ -89,6 +79,7 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
       },
       entry);
   search.test_around();
+  if (search.coincident()) w.search_as_pov(ray, kind, t_min, t_max, hit);
   return search.found();
 }
 

@@ -120,14 +120,18 @@ class Torus final : public Primitive<Torus> {
       if (near > far) return false;
     }
     const double a = d.x * d.x + d.z * d.z, b = o.x * d.x + o.z * d.z, c = o.x * o.x + o.z * o.z;
-    if (a < kEpsilon) return c >= inner2 * (1 - 1e-9) && c <= outer2 * (1 + 1e-9);
+    const auto rho2 = [&](double t) { return c + t * (2 * b + a * t); };
+    // Along the axis the side is not asked: the ray has to cross an end within the ring, however far away that is.
+    if (a < kEpsilon) {
+      const auto in_ring = [&](double t) { return rho2(t) >= inner2 * (1 - 1e-9) && rho2(t) <= outer2 * (1 + 1e-9); };
+      return in_ring(near) || in_ring(far);
+    }
     const double discriminant = b * b - a * (c - outer2);
     if (discriminant < 0) return false;
     const double root = std::sqrt(discriminant);
     near = std::max(near, (-b - root) / a), far = std::min(far, (-b + root) / a);
     if (near > far) return false;
     // Inside the hole all the way from near to far?
-    const auto rho2 = [&](double t) { return c + t * (2 * b + a * t); };
     return !(inner2 > 0 && rho2(near) < inner2 * (1 - 1e-9) && rho2(far) < inner2 * (1 - 1e-9));
   }
 

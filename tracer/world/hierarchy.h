@@ -1,0 +1,99 @@
+// POV-Ray's bounding hierarchy, for one purpose: which of several surfaces in the same place is seen (spec 08 A).
+//
+// POV-Ray keeps objects in a tree of boxes in single precision, takes boxes out of a queue by the distance at which the
+// ray enters them, and stops when that distance exceeds the best hit so far. A surface that lies in the face of its own
+// box is therefore often never asked, although it is nearer by a rounding error. Rays that meet two surfaces so near to
+// each other that this matters repeat that search; all others never come here.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tracer/math/vec.h"
+#include "tracer/scene/object.h"
+
+namespace verisim::accel {
+
+// Surfaces nearer to each other than this part of their distance from the ray's origin are in the same place.
+inline constexpr double kCoincident = 1e-5;
+
+class Hierarchy {
+ public:
+  struct Item {
+    std::uint32_t entry;
+    scene::Bounds bounds;
+    bool infinite;
+  };
+  Hierarchy() = default;
+  explicit Hierarchy(std::span<const Item> items);
+
+  // Calls visit(entry) for entries in POV-Ray's order; it returns the distance of the best hit so far, initially
+  // `best`.
+  template <class Visit>
+  void search(const Ray& ray, double best, Visit&& visit) const {
+    Queue& queue = scratch();
+    queue.clear();
+    if (!nodes_.empty()) queue.push({kFirst, root_});
+    const Slabs slabs(ray);
+    while (!queue.empty()) {
+      const Waiting next = queue.pop();
+      if (next.key > best) return;
+      const Node& node = nodes_[next.node];
+      if (node.count == 0) {
+        best = visit(node.entry);
+        continue;
+      }
+      for (std::uint32_t i = 0; i < node.count; ++i) {
+        const std::uint32_t child = children_[node.first + i];
+        double key = kFirst;
+        if (nodes_[child].infinite || slabs.enters(nodes_[child].bounds, key)) queue.push({key, child});
+      }
+    }
+  }
+
+ private:
+  static constexpr double kFirst = -1e7;  // the key of the root and of what has no box
+
+  struct Node {
+    scene::Bounds bounds;
+    std::uint32_t first = 0, count = 0;  // of children_; none: a leaf
+    std::uint32_t entry = 0;             // of a leaf
+    bool infinite = false;
+  };
+  struct Waiting {
+    double key;
+    std::uint32_t node;
+  };
+  // A binary heap that exchanges equal keys as POV-Ray's does.
+  class Queue {
+   public:
+    void clear() { heap_.clear(); }
+    bool empty() const { return heap_.empty(); }
+    void push(const Waiting& item);
+    Waiting pop();
+
+   private:
+    std::vector<Waiting> heap_;
+  };
+  // POV-Ray's test of a box, in single precision.
+  class Slabs {
+   public:
+    explicit Slabs(const Ray& ray);
+    bool enters(const scene::Bounds& bounds, double& key) const;
+
+   private:
+    float origin_[3], inverse_[3];
+    int sign_[3];
+  };
+
+  std::uint32_t add_node(std::span<const std::uint32_t> children);
+  void split(std::span<std::uint32_t> range, std::vector<std::uint32_t>& nodes);
+  static Queue& scratch();
+
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> children_;
+  std::uint32_t root_ = 0;
+};
+
+}  // namespace verisim::accel

@@ -106,6 +106,8 @@ Numeric Parser::Impl::color(ColorTerms terms) {
     value = color_base();
   } else if (token.kind == TokenKind::word && token.word == Word::gray) {
     skip_token();  // accepted, and black (measured)
+  } else if (token.kind == TokenKind::word && token.word == Word::color) {
+    // `color color C`: the first is black (measured), the second the next item of the place, if it can have one.
   } else if (token.kind == TokenKind::identifier ||
              (starts_numeric(token) && !(token.kind == TokenKind::word && component_of(token.word) >= 0))) {
     full(value);

@@ -226,10 +226,9 @@ Numeric Parser::parse_numeric(int width) {
   return value;
 }
 
-Numeric Parser::parse_full_numeric(int width) {
+Numeric Parser::parse_full_numeric() {
   Numeric value;
   impl_->full(value);
-  impl_->fit(value, width);
   return value;
 }
 

@@ -50,7 +50,7 @@ class Parser {
   Vec2 parse_vec2();
   Vec3 parse_vec3();
   Numeric parse_numeric(int width);  // context width 1..5
-  Numeric parse_full_numeric(int width);
+  Numeric parse_full_numeric();
   Color parse_color();  // spec 01 section 9; five terms
   Rgb parse_rgb();      // where only rgb counts: warns about filter and transmit
   std::u16string parse_string();

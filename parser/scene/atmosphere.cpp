@@ -28,11 +28,6 @@ scene::Fog parse_fog(Parser& parser) {
     target = parser.parse_float();
   };
   for (;;) {
-    // Any number of `color` may stand before a colour, or before none.
-    if (parser.accept(Word::color)) {
-      if (!at_color(parser) && parser.at_number_start()) fog.color = parser.parse_color();
-      continue;
-    }
     if (at_color(parser)) {
       fog.color = parser.parse_color();
       continue;

@@ -24,11 +24,9 @@ void parse_reflection(Parser& parser, scene::Reflection& reflection) {
     return;
   }
   bool two_colors = false;
-  // POV-Ray takes one `color` too many here, and then no second colour.
-  const bool doubled = parser.accept(Word::color) && parser.at(Word::color);
   if (parser.at_number_start() || parser.at_color_keyword()) {
     reflection.minimum = reflection.maximum = parser.parse_rgb();
-    if (!doubled && (parser.accept(',') || parser.at_number_start() || parser.at_color_keyword())) {
+    if (parser.accept(',') || parser.at_number_start() || parser.at_color_keyword()) {
       reflection.maximum = parser.parse_rgb();
       two_colors = true;
     }

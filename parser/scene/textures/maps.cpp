@@ -46,7 +46,7 @@ void read_color_entry(Parser& parser, scene::ColorMap& map, float position) {
   }
   if (parser.at('<')) parser.error_expected("color");
   if (parser.at('+') || parser.at('-')) parser.error_expected("color");
-  const Numeric value = parser.parse_full_numeric(5);  // 0.3*White is a colour, too
+  const Numeric value = parser.parse_full_numeric();  // 0.3*White is a colour, too
   if (value.terms > 1) {
     if (value.terms != 5) parser.error_expected("color");
     map.push_back({position, to_color(value)});

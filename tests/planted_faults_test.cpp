@@ -146,7 +146,7 @@ TEST_F(PlantedFaults, DarkerFinish) {
   const SceneResult result = with_fault("diffuse 0.80", "diffuse 0.792");
   EXPECT_EQ(result.status, compare::Status::differ);
   EXPECT_LT(result.metrics->max_abs, 2);
-  EXPECT_THAT(result.reason, HasSubstr("mae"));
+  EXPECT_THAT(result.reason, HasSubstr("drift_max"));
   EXPECT_EQ(culprit(result), "object box (room.pov:11)") << compare::terminal_blame(result);
   EXPECT_THAT(compare::terminal_blame(result),
               HasSubstr("suspect brightness: box (room.pov:11): 1.0 % darker in linear light"))

@@ -1,6 +1,5 @@
 // `verisim render`, and the call in POV-Ray's style: all frames of one scene, with shell-outs and statistics around
 // them.
-#include <fstream>
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include "cli/settings/scene_words.h"
 #include "cli/console/shellout.h"
 #include "cli/frame/statistics.h"
+#include "tracer/base/output_file.h"
 
 namespace fs = std::filesystem;
 
@@ -138,13 +138,6 @@ class Sequence {
   const Job& job_;
   Outcome outcome_;
 };
-
-void write_text_file(const std::string& path, const std::string& text) {
-  std::ofstream stream(path, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(fmt::format("cannot write '{}'", path));
-}
 
 void create_ini(const Options& options) {
   std::string text = "; Settings as given to verisim\n";

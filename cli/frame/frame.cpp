@@ -21,6 +21,7 @@
 #include "cli/frame/statistics.h"
 #include "tracer/image/layers_file.h"
 #include "tracer/image/output.h"
+#include "tracer/base/output_file.h"
 #include "tracer/render/render.h"
 
 namespace fs = std::filesystem;
@@ -113,27 +114,6 @@ image::OutputOptions output_options(const Job& job, const scene::Scene& scene) {
   output.metadata["Title"] = job.scene.filename().string();
   output.metadata["Switches"] = given_settings(options);
   return output;
-}
-
-// Fails before the long work rather than after it: is the folder there, may we write into it?
-void check_folder(const fs::path& path) {
-  const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
-  std::error_code ignored;
-  if (!fs::is_directory(folder, ignored))
-    throw Failure{kInputOutput,
-                  fmt::format("cannot write '{}': there is no folder '{}'", path.string(), folder.string())};
-  if (fs::is_directory(path, ignored))
-    throw Failure{kInputOutput, fmt::format("cannot write '{}': it is a folder", path.string())};
-  // A file without a name, where the file system has such: a kill leaves nothing behind.
-  if (const int nameless = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600); nameless >= 0) {
-    ::close(nameless);
-    return;
-  }
-  std::string probe = (folder / ".verisim-XXXXXX").string();
-  const int file = mkstemp(probe.data());
-  if (file < 0) throw Failure{kInputOutput, fmt::format("cannot write '{}': {}", path.string(), std::strerror(errno))};
-  ::close(file);
-  ::unlink(probe.c_str());
 }
 
 void write_to_stream(const render::Framebuffer& framebuffer, const image::OutputOptions& options, bool to_stderr) {
@@ -282,7 +262,7 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   const bool to_file = options.output_to_file && !name.standard_output && !name.standard_error;
   image::OutputOptions output = output_options(job, scene);
   LayerChoice choice = layer_choice(options.layers);
-  if (to_file) check_folder(name.path);
+  if (to_file) require_writable(name.path);
 
   Canvas canvas = blank(options, part);
   std::unique_ptr<StateFile> state;
@@ -297,7 +277,7 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   }
   if (to_file) {  // the picture of an earlier run would be taken for this one's by +C
     std::error_code ignored;
-    if (fs::is_regular_file(fs::symlink_status(name.path, ignored))) fs::remove(name.path, ignored);
+    if (fs::is_regular_file(name.path, ignored)) fs::remove(behind_links(name.path), ignored);
   }
 
   if (job.console.style() == Style::povray) job.console.line(Stream::render, render_option_text(options));

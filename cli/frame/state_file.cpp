@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include "tracer/base/output_file.h"
+
 namespace verisim::cli {
 namespace {
 
@@ -60,6 +62,12 @@ bool write_all(int file, const std::string& bytes) {
   return true;
 }
 
+bool regular_or_absent(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto type = std::filesystem::status(path, ignored).type();
+  return type == std::filesystem::file_type::regular || type == std::filesystem::file_type::not_found;
+}
+
 }  // namespace
 
 void Fingerprint::add(std::string_view bytes) { hash_ = checksum(bytes.data(), bytes.size(), hash_); }
@@ -74,14 +82,15 @@ void Fingerprint::add_file(const std::filesystem::path& path) {
   }
 }
 
-StateFile::StateFile(std::filesystem::path path, std::uint64_t key, std::chrono::milliseconds delay)
-    : path_(std::move(path)), key_(key), start_(std::chrono::steady_clock::now()), delay_(delay) {}
+StateFile::StateFile(const std::filesystem::path& path, std::uint64_t key, std::chrono::milliseconds delay)
+    : path_(behind_links(path)), key_(key), start_(std::chrono::steady_clock::now()), delay_(delay) {}
 
 StateFile::~StateFile() {
   if (file_ >= 0) ::close(file_);
 }
 
 StateFile::Found StateFile::resume(render::Framebuffer& framebuffer) {
+  if (!regular_or_absent(path_)) return Found::nothing;
   std::ifstream stream(path_, std::ios::binary);
   std::array<char, kHeaderBytes> head{};
   if (!stream.read(head.data(), head.size())) return Found::nothing;
@@ -120,6 +129,8 @@ StateFile::Found StateFile::resume(render::Framebuffer& framebuffer) {
 }
 
 bool StateFile::open(bool append) {
+  // What is kept in a device or a pipe cannot be read again, and a pipe that nobody reads would stop the render.
+  if (errno = ESPIPE; !regular_or_absent(path_)) return fail("cannot use"), false;
   file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | (append ? 0 : O_TRUNC), 0666);
   if (file_ < 0) return fail("cannot open"), false;
   if (!append && !write_all(file_, header(key_))) return fail("cannot write"), false;
@@ -181,6 +192,7 @@ std::string StateFile::failure() const {
 }
 
 bool is_state_file(const std::filesystem::path& path) {
+  if (!regular_or_absent(path)) return false;
   std::ifstream stream(path, std::ios::binary);
   std::array<char, kMagic.size()> head{};
   return stream.read(head.data(), head.size()) && head == kMagic;

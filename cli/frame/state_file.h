@@ -38,7 +38,7 @@ class Fingerprint {
 class StateFile {
  public:
   // Nothing is written before `delay` has passed: a picture that is done sooner needs no state.
-  StateFile(std::filesystem::path path, std::uint64_t key,
+  StateFile(const std::filesystem::path& path, std::uint64_t key,
             std::chrono::milliseconds delay = std::chrono::milliseconds(1000));
   ~StateFile();
   StateFile(const StateFile&) = delete;

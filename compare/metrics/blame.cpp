@@ -30,9 +30,7 @@ PixelError error_at(const Values& a, const Values& b, int x, int y) {
   const bool known = a.finite(x, y), finite = known && b.finite(x, y);
   PixelError e;
   if (!finite) return {255, 3 * 255.0 * 255.0, 0};
-  const Rgb p = a.rgb(x, y), q = b.rgb(x, y);
-  for (int c = 0; c < 3; ++c) {
-    const double d = q[c] - p[c];
+  for (const double d : difference(a, b, x, y)) {
     e.largest = std::max(e.largest, std::fabs(d)), e.squares += d * d, e.difference += d;
   }
   return e;

@@ -221,7 +221,7 @@ void places(const Values& a, const Values& b, std::vector<Suspicion>& out) {
   double total = 0, on_edges = 0, edge_pixels = 0;
   for (std::size_t i = 0; i < mask.size(); ++i) {
     const int x = static_cast<int>(i % a.width()), y = static_cast<int>(i / a.width());
-    errors[i] = squared(a.rgb(x, y), b.rgb(x, y));
+    errors[i] = squared(judged(a, b, x, y), judged(b, a, x, y));
     total += errors[i], on_edges += mask[i] ? errors[i] : 0, edge_pixels += mask[i];
   }
   if (total <= 0) return;

@@ -26,7 +26,7 @@ std::vector<double> blurred_difference(const Values& a, const Values& b, int cha
   const int w = a.width(), h = a.height(), r = static_cast<int>(kernel.size() / 2);
   std::vector<double> rows(static_cast<std::size_t>(w) * h), out(rows.size()), line(static_cast<std::size_t>(w));
   for (int y = 0; y < h; ++y) {
-    for (int x = 0; x < w; ++x) line[x] = b.rgb(x, y)[channel] - a.rgb(x, y)[channel];
+    for (int x = 0; x < w; ++x) line[x] = difference(a, b, x, y)[channel];
     for (int x = 0; x < w; ++x) {
       double sum = 0;
       for (int i = -r; i <= r; ++i) sum += kernel[i + r] * line[std::clamp(x + i, 0, w - 1)];

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <limits>
 
 #include "compare/metrics/ciede2000.h"
 #include "compare/metrics/edges.h"
 #include "compare/metrics/flip.h"
 #include "compare/metrics/metrics.h"
+#include "compare/metrics/patches.h"
 #include "compare/metrics/row_window.h"
 #include "compare/metrics/ssim.h"
 #include "compare/metrics/values.h"
@@ -53,8 +53,8 @@ class ColorDifferences {
   std::uint64_t count_ = 0;
 };
 
-std::array<double, 4> rgba(const Values& v, int x, int y) {
-  const Rgb c = v.rgb(x, y);
+std::array<double, 4> rgba(const Values& v, const Values& other, int x, int y) {
+  const Rgb c = judged(v, other, x, y);
   return {c[0], c[1], c[2], v.alpha(x, y)};
 }
 
@@ -64,7 +64,7 @@ class WorstPixels {
   explicit WorstPixels(int wanted) : wanted_(static_cast<std::size_t>(std::max(0, wanted))) {}
   void add(const Values& a, const Values& b, int x, int y, double error) {
     if (wanted_ == 0 || error <= 0.5 || (candidates_.size() >= kMany && error <= floor_)) return;
-    candidates_.push_back({x, y, error, rgba(a, x, y), rgba(b, x, y)});
+    candidates_.push_back({x, y, error, rgba(a, b, x, y), rgba(b, a, x, y)});
     if (candidates_.size() >= 2 * kMany) trim();
   }
   std::vector<WorstPixel> take() {
@@ -113,17 +113,15 @@ RowFigures row_figures(const Values& a, const Values& b, int y, const unsigned c
       ++out.nan_pixels;
       continue;
     }
-    const Rgb p = a.rgb(x, y), q = b.rgb(x, y);
     double largest = 0;
-    for (int c = 0; c < 3; ++c) {
-      const double d = q[c] - p[c];
+    for (const double d : difference(a, b, x, y)) {
       largest = std::max(largest, std::fabs(d));
       out.absolute += std::fabs(d), out.signed_sum += d;
       out.all.add(d);
       (edges[i] ? out.edge : out.interior).add(d);
     }
     out.max_abs = std::max(out.max_abs, largest);
-    out.color[i] = largest > 0 ? ciede2000(srgb_to_lab(p), srgb_to_lab(q)) : 0;
+    out.color[i] = largest > 0 ? ciede2000(srgb_to_lab(a.rgb(x, y)), srgb_to_lab(b.rgb(x, y))) : 0;
     if (alpha) {
       const double d = std::fabs(b.alpha(x, y) - a.alpha(x, y));
       out.alpha_max = std::max(out.alpha_max, d);
@@ -150,8 +148,8 @@ class Measurement {
     m_.width = width, m_.height = height, m_.ssim_block_min = 1;
   }
 
-  // Rows above and below a band that its figures depend on: FLIP's filters, SSIM's window, the edges.
-  int margin() const { return std::max(flip_.margin(), 10); }
+  // Rows above and below a band that its figures depend on: FLIP's filters, SSIM's window, the edges, patches.
+  int margin() const { return std::max(flip_.margin(), kPatchMargin); }
   int band_rows() const {
     constexpr int kStep = 64, kPixels = 1 << 22;
     return options_.band_rows > 0 ? options_.band_rows : std::clamp(kPixels / m_.width / kStep, 1, 16) * kStep;
@@ -159,6 +157,8 @@ class Measurement {
 
   void add_band(const Values& a, const Values& b, int begin, int end) {
     add_differences(a, b, begin, end);
+    patches_.add(patches(a, b, begin, end));
+    m_.fine = a.bits() > 8 && b.bits() > 8;
     ssim_ += ssim_sum(a, b, begin, end);
     m_.ssim_block_min = std::min(m_.ssim_block_min, ssim_block_min(a, b, begin, end));
     std::vector<float> errors(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(m_.width));
@@ -174,7 +174,7 @@ class Measurement {
   Metrics result() {
     const double pixels = static_cast<double>(m_.width) * m_.height, values = static_cast<double>(all_.count);
     if (values > 0) m_.mae = absolute_ / values, m_.bias = signed_sum_ / values, m_.rmse = *all_.rms();
-    m_.psnr = m_.rmse > 0 ? 20 * std::log10(255 / m_.rmse) : std::numeric_limits<double>::infinity();
+    m_.psnr = m_.rmse > 0 ? 20 * std::log10(255 / m_.rmse) : kPsnrOfEqualPictures;
     m_.within_1_pct = 100 * static_cast<double>(within_1_) / pixels;
     m_.within_2_pct = 100 * static_cast<double>(within_2_) / pixels;
     m_.edge_pct = 100 * static_cast<double>(edge_count_) / pixels;
@@ -182,6 +182,9 @@ class Measurement {
     if (alpha_sum_.count) m_.alpha_max_abs = alpha_max_;
     m_.ciede2000_mean = colors_.mean(), m_.ciede2000_p95 = colors_.percentile(0.95);
     m_.worst = worst_.take();
+    m_.solid_2_pixels = patches_.solid_2_pixels, m_.solid_4_pixels = patches_.solid_4_pixels,
+    m_.solid_x = patches_.solid_x, m_.solid_y = patches_.solid_y;
+    m_.drift_max = patches_.drift_max, m_.drift_x = patches_.drift_x, m_.drift_y = patches_.drift_y;
     m_.ssim_mean = ssim_ / ssim_windows(m_.width, m_.height);
     m_.flip_mean = flip_sum_ / pixels;
     if (exposures_) m_.hdr_flip_mean = hdr_flip_sum_ / pixels;
@@ -220,6 +223,7 @@ class Measurement {
   std::uint64_t within_1_ = 0, within_2_ = 0, edge_count_ = 0;
   Sum all_, edge_, interior_, alpha_sum_;
   ColorDifferences colors_;
+  Patches patches_;
   WorstPixels worst_;
 };
 

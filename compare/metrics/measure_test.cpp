@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "compare/metrics/blame.h"
 #include "compare/metrics/edges.h"
 #include "compare/metrics/flip.h"
 #include "compare/metrics/metrics.h"
@@ -16,7 +17,7 @@ TEST(Measure, EqualPictures) {
   const Metrics m = measure(random_picture(33, 21, 1), random_picture(33, 21, 1));
   EXPECT_EQ(m.max_abs, 0);
   EXPECT_EQ(m.rmse, 0);
-  EXPECT_TRUE(std::isinf(m.psnr));
+  EXPECT_EQ(m.psnr, kPsnrOfEqualPictures);
   EXPECT_EQ(m.within_1_pct, 100);
   EXPECT_NEAR(m.ssim_mean, 1, 1e-12);
   EXPECT_NEAR(m.ssim_block_min, 1, 1e-12);
@@ -109,6 +110,31 @@ TEST(Measure, FloatPicturesAreSrgbEncoded) {
   const Metrics m = measure(a, b);
   EXPECT_NEAR(m.max_abs, 255 - 187.516, 1e-2);  // sRGB of 0.5
   EXPECT_TRUE(m.hdr_flip_mean);
+}
+
+// Nothing is clipped when both pictures hold floats: a light of 50 is not one of 2, and -7 is not 0.
+TEST(Measure, FloatsBeyondBlackAndWhiteAreJudged) {
+  const auto floats = [](float value) {
+    Picture p = constant_picture(16, 16, 0, 0, 0);
+    p.is_float = true;
+    for (float& v : p.samples) v = value;
+    return p;
+  };
+  for (const auto& [reference, test] :
+       {std::pair(2.0f, 50.0f), {50.0f, 2.0f}, {0.0f, -7.0f}, {-7.0f, 0.0f}, {1.0f, 1.05f}, {1000.0f, 1050.0f}}) {
+    const Metrics m = measure(floats(reference), floats(test));
+    EXPECT_EQ(judge_deterministic(m, false).status, Status::differ) << reference << " " << test;
+    EXPECT_EQ(m.bias > 0, test > reference);
+    EXPECT_DOUBLE_EQ(m.worst.at(0).error, m.max_abs);
+    EXPECT_EQ(blame(floats(reference), floats(test), {16, 16, 1, {}, {{}}, std::vector<int>(256, 0), {}}).bad, 256u);
+    EXPECT_GT(low_pass(floats(reference), floats(test)).mad, 1);
+  }
+  // Half floats round by less than 0.05 % whatever the size.
+  EXPECT_EQ(judge_deterministic(measure(floats(30000), floats(30008)), false).status, Status::exact);
+  EXPECT_NEAR(measure(floats(1), floats(std::exp(1.0f))).max_abs, 255 * 1.055 / 2.4, 1e-3);
+  EXPECT_NEAR(measure(floats(-0.5f), floats(0.5f)).max_abs, 2 * 187.516, 1e-2);
+  // A picture of whole numbers cannot hold more than white.
+  EXPECT_EQ(measure(constant_picture(16, 16, 255, 255, 255), floats(7)).max_abs, 0);
 }
 
 // Larger than a band and a tile of any metric, with differences on the seams, and equal parts that are passed over
@@ -271,6 +297,75 @@ TEST(Verdict, Boundaries) {
   EXPECT_THAT(judge_deterministic(m, false).reason, testing::HasSubstr("rmse"));
   m.rmse = 0.1, m.within_1_pct = 99.49;
   EXPECT_THAT(judge_deterministic(m, false).reason, testing::HasSubstr("within_1_pct"));
+}
+
+Picture with_patch(Picture p, int x0, int y0, int width, int height, double value) {
+  for (int y = y0; y < y0 + height; ++y)
+    for (int x = x0; x < x0 + width; ++x)
+      for (int c = 0; c < 3; ++c)
+        p.samples[static_cast<std::size_t>(3 * (y * p.width + x) + c)] = static_cast<float>(value / 255);
+  return p;
+}
+
+TEST(Verdict, ASmallPatchThatIsWrongIsAFault) {
+  const Picture a = constant_picture(320, 240, 90, 90, 90);
+  const auto verdict = [&](const Picture& b, bool antialiased = false) {
+    return judge_deterministic(measure(a, b), antialiased);
+  };
+  EXPECT_EQ(verdict(with_patch(a, 100, 50, 4, 2, 200)).status, Status::differ);
+  EXPECT_EQ(verdict(with_patch(a, 100, 50, 4, 2, 200), true).status, Status::differ);
+  EXPECT_EQ(verdict(with_patch(a, 0, 237, 3, 3, 200)).status, Status::differ);
+  Picture disc = a;  // an object of 53 pixels that is not there
+  for (int y = 0; y < 9; ++y)
+    for (int x = 0; x < 9; ++x)
+      if (std::hypot(x - 4, y - 4) < 4.2) disc = with_patch(disc, 60 + x, 70 + y, 1, 1, 140);
+  EXPECT_THAT(verdict(disc).reason, testing::HasSubstr("solid_2_pixels"));
+  const Metrics m = measure(a, disc);
+  EXPECT_NEAR(m.solid_x, 64, 4);
+  EXPECT_NEAR(m.solid_y, 74, 4);
+  EXPECT_EQ(judge_deterministic(m, false, {.solid_pixels = 60, .drift_max = {}}).status, Status::match);
+}
+
+// What coincident surfaces and last bits do: lone pixels, pairs and lines.
+TEST(Verdict, SpeckleIsNoPatch) {
+  const Picture a = constant_picture(320, 240, 90, 90, 90);
+  Picture speckle = a;
+  for (int i = 0; i < 40; ++i) speckle = with_patch(speckle, 5 + 7 * i, 10 + 5 * i, 1 + i % 2, 1, i % 3 ? 115 : 65);
+  speckle = with_patch(with_patch(speckle, 200, 20, 1, 40, 115), 20, 200, 60, 1, 65);
+  EXPECT_EQ(judge_deterministic(measure(a, speckle), false).status, Status::match);
+}
+
+// One per cent of an object's brightness changes few code values of eight bits; sixteen bits show it everywhere.
+TEST(Verdict, SystematicDifferencesBelowACodeValueAreFaults) {
+  Picture a = scene_like_picture(160, 120);
+  EXPECT_EQ(judge_deterministic(measure(a, changed(a, [](double v) { return v - 1; })), false).status, Status::differ)
+      << "the whole picture one code value down";
+  a.bits = 16;
+  const auto darker = [&](double by, int x0, int y0, int width, int height) {
+    Picture b = a;
+    for (int y = y0; y < y0 + height; ++y)
+      for (int x = x0; x < x0 + width; ++x)
+        for (int c = 0; c < 3; ++c)
+          b.samples[static_cast<std::size_t>(3 * (y * 160 + x) + c)] -= static_cast<float>(by / 255);
+    return judge_deterministic(measure(a, b), false);
+  };
+  EXPECT_EQ(darker(0.1, 0, 0, 160, 120).status, Status::differ);
+  EXPECT_EQ(darker(0.4, 90, 60, 8, 8).status, Status::differ) << "a small object";
+  EXPECT_THAT(darker(0.4, 90, 60, 8, 8).reason, testing::HasSubstr("drift_max"));
+  EXPECT_EQ(darker(0.02, 0, 0, 160, 120).status, Status::exact) << "rounding of another machine";
+  EXPECT_EQ(judge_deterministic(measure(a, changed(a, [](double v) { return v - 0.3; })), false,
+                                {.solid_pixels = 2, .drift_max = 0.5})
+                .status,
+            Status::exact)
+      << "the manifest allows it";
+  // To both sides it is no drift; and of a picture of whole code values what was rounded away is none.
+  Picture noisy = a;
+  for (std::size_t i = 0; i < noisy.samples.size(); ++i) noisy.samples[i] += (i / 3 % 2 ? 0.4f : -0.4f) / 255;
+  EXPECT_EQ(judge_deterministic(measure(a, noisy), false).status, Status::exact);
+  Picture whole = a;
+  whole.bits = 8;
+  EXPECT_EQ(judge_deterministic(measure(whole, changed(a, [](double v) { return v + 0.4; })), false).status,
+            Status::exact);
 }
 
 TEST(Verdict, OwnThresholds) {

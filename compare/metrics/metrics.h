@@ -1,8 +1,8 @@
 // How far one picture is from another: plain functions over image::Picture.
 //
 // Unless said otherwise figures are in 8-bit units (0..255) and taken over the colour channels; grey pictures are
-// widened to three channels. Pictures of floats are brought to 8-bit units by the sRGB curve after clipping to 0..1.
-// The first picture is always the reference (the oracle), the second the one under test.
+// widened to three channels. Pictures of floats are brought to 8-bit units by the sRGB curve, two of them without
+// clipping (values.h). The first picture is always the reference (the oracle), the second the one under test.
 #pragma once
 
 #include <array>
@@ -31,10 +31,13 @@ struct WorstPixel {
   std::array<double, 4> reference{}, test{};  // r g b a, 8-bit units
 };
 
+// JSON has no infinity, and one figure should be the same in every report.
+inline constexpr double kPsnrOfEqualPictures = 999;
+
 struct Metrics {
   int width = 0, height = 0;
   double max_abs = 0, mae = 0, rmse = 0;
-  double psnr = 0;  // dB; infinity for equal pictures
+  double psnr = 0;  // dB
   double within_1_pct = 0,
          within_2_pct = 0;              // pixels whose every channel (alpha, too, when compared) is at most 1 (2) away
   double bias = 0;                      // mean of test - reference
@@ -46,6 +49,12 @@ struct Metrics {
   std::optional<double> edge_rmse, interior_rmse;   // empty when there is no edge (no interior) pixel
   double edge_pct = 0;                              // pixels that count as edge
   std::optional<double> alpha_max_abs, alpha_rmse;  // when either picture has alpha
+  std::uint64_t solid_2_pixels = 0,
+                solid_4_pixels = 0;  // pixels in solid patches of errors above 2 (4) code values (patches.h)
+  int solid_x = 0, solid_y = 0;      // the middle of the worst one
+  double drift_max = 0;              // largest mean difference of 16x16 pixels, each clipped to one code value
+  int drift_x = 0, drift_y = 0;      // where
+  bool fine = false;  // both pictures hold more than 8 bits: differences below a code value can be told from rounding
   std::uint64_t nan_pixels = 0;  // NaN or infinite in either picture: never within anything, left out of the means
   std::array<std::uint64_t, 256> histogram{};  // pixels by their largest channel difference, rounded
   std::vector<WorstPixel> worst;               // the largest differences, at least 3 pixels apart from each other

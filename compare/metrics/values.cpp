@@ -14,8 +14,7 @@ Values::Values(const Picture& picture, int first_row, int height)
                                       picture.height, picture.channels, picture.samples.size()));
   if (!picture.is_float) return;
   encoded_.reserve(picture.samples.size());
-  for (float v : picture.samples)
-    encoded_.push_back(std::isfinite(v) ? static_cast<float>(255 * linear_to_srgb(std::clamp<double>(v, 0, 1))) : 0.0f);
+  for (float v : picture.samples) encoded_.push_back(std::isfinite(v) ? static_cast<float>(code_value(v)) : 0.0f);
 }
 
 Rgb Values::linear_float(int x, int y) const {

@@ -1,6 +1,7 @@
 // A picture seen in 8-bit units: what every metric reads.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -22,8 +23,18 @@ class Values {
   int height() const { return height_; }
   bool has_alpha() const { return picture_.channels == 2 || picture_.channels == 4; }
 
-  // 0..255 for integer pictures; floats are clipped and sRGB encoded. A pixel that is not finite reads as black.
+  bool is_float() const { return picture_.is_float; }
+  int bits() const { return picture_.is_float ? 32 : picture_.bits; }
+
+  // As a screen shows it, 0..255: floats are clipped and sRGB encoded. A pixel that is not finite reads as black.
   Rgb rgb(int x, int y) const {
+    Rgb out = code(x, y);
+    if (is_float())
+      for (double& v : out) v = std::clamp(v, 0.0, 255.0);
+    return out;
+  }
+  // The same, but floats go on above white and below black (code_value).
+  Rgb code(int x, int y) const {
     const std::size_t i = index(x, y);
     const int step = picture_.channels > 2 ? 1 : 0;
     return {value(i), value(i + step), value(i + 2 * step)};
@@ -59,8 +70,17 @@ class Values {
 
   const Picture& picture_;
   int first_row_, height_;
-  std::vector<float> encoded_;  // of a float picture
+  std::vector<float> encoded_;  // code values of a float picture
 };
+
+// Code values to judge two pictures by: floats are clipped only where the other picture cannot hold them.
+inline Rgb judged(const Values& picture, const Values& other, int x, int y) {
+  return picture.is_float() && other.is_float() ? picture.code(x, y) : picture.rgb(x, y);
+}
+inline Rgb difference(const Values& reference, const Values& test, int x, int y) {
+  const Rgb p = judged(reference, test, x, y), q = judged(test, reference, x, y);
+  return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+}
 
 // Throws PictureMismatch naming both sizes.
 void require_same_size(const Picture& a, const Picture& b);
@@ -68,5 +88,14 @@ void require_same_size(const Picture& a, const Picture& b);
 // sRGB transfer function, 0..1 (IEC 61966-2-1).
 inline double srgb_to_linear(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 inline double linear_to_srgb(double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055; }
+
+// A linear value of any size in 8-bit units: the sRGB curve from black to white; above white its logarithm, with the
+// slope that the curve has at white, so that a unit is 0.9 % of the value there and everywhere above; below black the
+// mirror image.
+inline double code_value(double v) {
+  constexpr double kSlopeAtWhite = 1.055 / 2.4;
+  const double size = std::fabs(v);
+  return std::copysign(255 * (size <= 1 ? linear_to_srgb(size) : 1 + kSlopeAtWhite * std::log(size)), v);
+}
 
 }  // namespace verisim::compare

@@ -10,10 +10,13 @@ namespace verisim::compare {
 namespace {
 
 constexpr double kExactPct = 99.99, kMatchPct = 99.5, kMatchRmse = 2, kBaselineMae = 0.02, kDrift = 0.1;
+// Largest mean difference of 16x16 pixels: of whole code values, and of finer ones.
+constexpr double kCoarseDrift = 0.25, kFineDrift = 0.04;
 constexpr std::pair<Status, const char*> kStatusNames[] = {
     {Status::exact, "exact"},   {Status::match, "match"},
     {Status::differ, "differ"}, {Status::unsupported, "unsupported"},
-    {Status::error, "error"},   {Status::oracle_failed, "oracle_failed"}};
+    {Status::error, "error"},   {Status::oracle_failed, "oracle_failed"},
+    {Status::added, "new"},     {Status::removed, "removed"}};
 
 std::optional<Verdict> not_finite(const Metrics& m) {
   if (m.nan_pixels == 0) return std::nullopt;
@@ -38,6 +41,22 @@ std::optional<double> figure(const Metrics& m, const std::string& name) {
   if (name == "interior_rmse") return m.interior_rmse.value_or(0);
   if (name == "alpha_max_abs") return m.alpha_max_abs.value_or(0);
   if (name == "alpha_rmse") return m.alpha_rmse.value_or(0);
+  if (name == "solid_2_pixels") return static_cast<double>(m.solid_2_pixels);
+  if (name == "solid_4_pixels") return static_cast<double>(m.solid_4_pixels);
+  if (name == "drift_max") return m.drift_max;
+  return std::nullopt;
+}
+
+std::optional<Verdict> together(const Metrics& m, bool antialiased, const Allowance& allowed) {
+  const auto solid = static_cast<double>(antialiased ? m.solid_4_pixels : m.solid_2_pixels);
+  if (solid > allowed.solid_pixels)
+    return Verdict{Status::differ, fmt::format("wrong pixels lie together around {}, {}: solid_{}_pixels {} > {}",
+                                               m.solid_x, m.solid_y, antialiased ? 4 : 2, solid, allowed.solid_pixels)};
+  const double drift = allowed.drift_max.value_or(m.fine ? kFineDrift : kCoarseDrift);
+  if (m.drift_max > drift)
+    return Verdict{Status::differ,
+                   fmt::format("a small difference to one side everywhere around {}, {}: drift_max {:.3f} > {}",
+                               m.drift_x, m.drift_y, m.drift_max, drift)};
   return std::nullopt;
 }
 
@@ -59,18 +78,20 @@ std::optional<Status> status_from_string(const std::string& text) {
   return std::nullopt;
 }
 
-Verdict judge_deterministic(const Metrics& m, bool antialiased) {
+Verdict judge_deterministic(const Metrics& m, bool antialiased, const Allowance& allowed) {
   if (auto bad = not_finite(m)) return *bad;
   const int step = antialiased ? 2 : 1;
   const double within = antialiased ? m.within_2_pct : m.within_1_pct;
+  if (within >= kMatchPct)
+    if (auto bad = together(m, antialiased, allowed)) return *bad;
   if (within >= kExactPct) return {Status::exact, ""};
   if (within < kMatchPct) return {Status::differ, fmt::format("within_{}_pct {:.3f} < {}", step, within, kMatchPct)};
   if (m.rmse > kMatchRmse) return {Status::differ, fmt::format("rmse {:.3f} > {}", m.rmse, kMatchRmse)};
   return {Status::match, fmt::format("within_{}_pct {:.3f} < {}", step, within, kExactPct)};
 }
 
-Verdict judge_baseline(const Metrics& m, bool antialiased) {
-  const Verdict plain = judge_deterministic(m, antialiased);
+Verdict judge_baseline(const Metrics& m, bool antialiased, const Allowance& allowed) {
+  const Verdict plain = judge_deterministic(m, antialiased, allowed);
   if (plain.status == Status::differ) return plain;
   if (m.mae > kBaselineMae) return {Status::differ, fmt::format("mae {:.4f} > {}", m.mae, kBaselineMae)};
   return plain;
@@ -86,9 +107,10 @@ NoiseLimits noise_limits(const LowPass& noise) {
   return {1.6 * noise.mad + 0.5, 1.5 * noise.bias + 1, 1.5 * noise.rmse + 1};
 }
 
-Verdict judge_stochastic(const Metrics& m, bool antialiased, const LowPass& native, const LowPass& noise) {
+Verdict judge_stochastic(const Metrics& m, bool antialiased, const LowPass& native, const LowPass& noise,
+                         const Allowance& allowed) {
   if (auto bad = not_finite(m)) return *bad;
-  if (const Verdict plain = judge_deterministic(m, antialiased); plain.status == Status::exact) return plain;
+  if (const Verdict plain = judge_deterministic(m, antialiased, allowed); plain.status == Status::exact) return plain;
   const NoiseLimits limit = noise_limits(noise);
   if (native.mad > limit.mad)
     return {Status::differ, fmt::format("blurred mad {:.3f} > {:.3f}", native.mad, limit.mad)};

@@ -11,7 +11,10 @@
 namespace verisim::compare {
 
 enum class SceneClass : std::uint8_t { deterministic, stochastic };
-enum class Status : std::uint8_t { exact, match, differ, unsupported, error, oracle_failed };
+// added, removed: a scene without a stored picture, and a stored picture without a scene.
+enum class Status : std::uint8_t { exact, match, differ, unsupported, error, oracle_failed, added, removed };
+inline constexpr Status kStatuses[] = {Status::exact, Status::match,         Status::differ, Status::unsupported,
+                                       Status::error, Status::oracle_failed, Status::added,  Status::removed};
 const char* to_string(SceneClass scene_class);
 const char* to_string(Status status);
 std::optional<Status> status_from_string(const std::string& text);
@@ -35,18 +38,25 @@ NoiseLimits noise_limits(const LowPass& oracle_against_itself);
 // say which side is bad: {"max_rmse", 1.5}.
 using Thresholds = std::map<std::string, double>;
 
+// Errors that lie together (patches.h), and how much of them one scene may have.
+struct Allowance {
+  double solid_pixels = 2;          // in solid patches: two of POV-Ray's wrong pixels may meet by chance
+  std::optional<double> drift_max;  // code values; empty: by how finely the pictures tell differences
+};
+
 struct Verdict {
   Status status = Status::differ;
   std::string reason;  // which figure broke which limit; empty when none did
 };
-Verdict judge_deterministic(const Metrics& metrics, bool antialiased);
+Verdict judge_deterministic(const Metrics& metrics, bool antialiased, const Allowance& allowed = {});
 // Against an earlier picture of verisim's own, which another machine may change by 1/255 here and there, but not by
 // even a little everywhere.
-Verdict judge_baseline(const Metrics& metrics, bool antialiased);
+Verdict judge_baseline(const Metrics& metrics, bool antialiased, const Allowance& allowed = {});
 // What the rules let pass as exact but is on average to one side: "0.31 code values darker on average"; empty when
 // there is nothing to say.
 std::string systematic_drift(const Metrics& metrics);
-Verdict judge_stochastic(const Metrics& metrics, bool antialiased, const LowPass& native, const LowPass& noise);
+Verdict judge_stochastic(const Metrics& metrics, bool antialiased, const LowPass& native, const LowPass& noise,
+                         const Allowance& allowed = {});
 // A scene with thresholds of its own is `match` when it keeps them all. Throws std::invalid_argument naming an unknown
 // threshold.
 Verdict judge_thresholds(const Metrics& metrics, const Thresholds& thresholds);

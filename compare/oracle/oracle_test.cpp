@@ -232,7 +232,7 @@ TEST_F(Oracle, RendersInIsolation) {
   ASSERT_TRUE(r.ok) << r.message;
   EXPECT_EQ(r.picture.width, 8);
   EXPECT_FALSE(r.from_cache);
-  EXPECT_THAT(lines("arguments"), testing::IsSupersetOf({"+Is.pov", "-A", "+W8", "+H6", "+WT2", "-D", "-P", "+FN8"}));
+  EXPECT_THAT(lines("arguments"), testing::IsSupersetOf({"+Is.pov", "-A", "+W8", "+H6", "+WT2", "-D", "-P", "+FN16"}));
   EXPECT_THAT(lines("home"), ElementsAre("oracle.ini"));  // nothing of the user's
   EXPECT_THAT(read(root_.path() / "environment"), HasSubstr("POVINI="));
   EXPECT_THAT(lines("folder"), testing::Not(Contains((root_.path() / "scenes").string())));

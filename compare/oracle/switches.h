@@ -19,4 +19,8 @@ std::string output_extension(const std::vector<std::string>& switches);  // ".pn
 // open quote.
 std::vector<std::string> split_switches(const std::string& line);
 
+// The picture type of a scene that names none: PNG of 16 bits, in which a difference below one code value of 8 bits can
+// be told from rounding.
+inline constexpr const char* kFinePicture = "+FN16";
+
 }  // namespace verisim::compare

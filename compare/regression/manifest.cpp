@@ -156,6 +156,10 @@ class Manifest {
       scene_class(node, out);
     else if (key == "thresholds")
       thresholds(node, out);
+    else if (key == "allow")
+      allow(node, out);
+    else if (key == "known_failure")
+      out.known_failure = text(node, key);
     else if (key == "crop")
       crop(node, out);
     else if (key == "fit")
@@ -199,6 +203,21 @@ class Manifest {
         fail(value.source(), error.what());
       }
       out.thresholds[name] = number(value, name);
+    }
+  }
+
+  void allow(const toml::node& node, SceneRequest& out) const {
+    const toml::table* table = node.as_table();
+    if (!table) fail(node.source(), "'allow' must be a table like {solid_pixels = 10, drift_max = 0.5}");
+    out.allowed = {};
+    for (auto&& [key, value] : *table) {
+      if (key == "solid_pixels")
+        out.allowed.solid_pixels = number(value, "solid_pixels");
+      else if (key == "drift_max")
+        out.allowed.drift_max = number(value, "drift_max");
+      else
+        fail(value.source(), fmt::format("unknown key '{}' of 'allow': it may hold solid_pixels and drift_max",
+                                         std::string(key.str())));
     }
   }
 

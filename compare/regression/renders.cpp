@@ -73,7 +73,7 @@ NativeRequest Renders::native_request(const SceneRequest& request, const Working
   NativeRequest ask;
   ask.folder = copy.folder(), ask.scene = copy.scene();
   ask.width = request.width, ask.height = request.height, ask.switches = request.switches;
-  if (!output_type(request.switches)) ask.switches.push_back(options_.baseline.empty() ? "+FN8" : "+FN16");
+  if (!output_type(request.switches)) ask.switches.push_back(request.reference ? "+FN8" : kFinePicture);
   ask.threads = options_.replay ? 1 : threads_each_;
   ask.replay = options_.replay;
   ask.time_limit = options_.native_time_limit;

@@ -19,6 +19,9 @@ Metrics measured_again(const Metrics& kept, Metrics m) {
   m.within_1_pct = kept.within_1_pct, m.within_2_pct = kept.within_2_pct;
   m.ssim_mean = kept.ssim_mean, m.ssim_block_min = kept.ssim_block_min, m.flip_mean = kept.flip_mean,
   m.hdr_flip_mean = kept.hdr_flip_mean;
+  m.solid_2_pixels = kept.solid_2_pixels, m.solid_4_pixels = kept.solid_4_pixels, m.solid_x = kept.solid_x,
+  m.solid_y = kept.solid_y;
+  m.drift_max = kept.drift_max, m.drift_x = kept.drift_x, m.drift_y = kept.drift_y;
   m.ciede2000_mean = kept.ciede2000_mean, m.ciede2000_p95 = kept.ciede2000_p95, m.edge_rmse = kept.edge_rmse,
   m.interior_rmse = kept.interior_rmse;
   m.alpha_max_abs = kept.alpha_max_abs, m.alpha_rmse = kept.alpha_rmse, m.nan_pixels = kept.nan_pixels;
@@ -36,7 +39,7 @@ MetricOptions metric_options(const SceneRequest& request) {
 
 std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path> files_read) const {
   ContentHash hash;
-  hash.add("verisim result 3");
+  hash.add("verisim result 4");
   hash.add(options_.native_version), hash.add(options_.native_identity),
       hash.add(renders_.oracle() ? renders_.oracle()->version_text : "");
   hash.add(fmt::format("{}x{} {} {} {} {} {}", r.width, r.height, options_.replay, options_.runs,
@@ -48,6 +51,7 @@ std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path>
   }
   hash.add(r.scene_class ? to_string(*r.scene_class) : "auto");
   for (const auto& [name, limit] : r.thresholds) hash.add(fmt::format("{} {}", name, limit));
+  hash.add(fmt::format("{} {}", r.allowed.solid_pixels, r.allowed.drift_max.value_or(-1)));
   hash.add(fmt::format(
       "{} {} {} {}", r.fit.exposure, r.fit.white_balance,
       r.fit.crop ? fmt::format("{} {} {} {}", r.fit.crop->x, r.fit.crop->y, r.fit.crop->width, r.fit.crop->height) : "",

@@ -35,9 +35,8 @@ Picture blank(int width, int height, int channels) {
 
 void heat_row(const Values& a, const Values& b, int y, double gain, float* to) {
   for (int x = 0; x < a.width(); ++x) {
-    const Rgb p = a.rgb(x, y), q = b.rgb(x, y);
     double largest = a.finite(x, y) && b.finite(x, y) ? 0 : 255;
-    for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, std::fabs(p[c] - q[c]));
+    for (const double d : difference(a, b, x, y)) largest = std::max(largest, std::fabs(d));
     for (double v : scale_color(largest * gain / 255)) *to++ = static_cast<float>(v / 255);
   }
 }

@@ -10,7 +10,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // JSON has no infinity; nothing that is measured comes near.
-constexpr double kInfinitePsnr = 999;
 
 template <typename J>
 void put(J& json, const char* key, const std::optional<double>& value) {
@@ -23,12 +22,15 @@ J metrics_as(const Metrics& m) {
   json["max_abs"] = m.max_abs;
   json["mae"] = m.mae;
   json["rmse"] = m.rmse;
-  json["psnr"] = std::isfinite(m.psnr) ? m.psnr : kInfinitePsnr;
+  json["psnr"] = m.psnr;
   json["within_1_pct"] = m.within_1_pct;
   json["within_2_pct"] = m.within_2_pct;
   json["bias"] = m.bias;
   json["ssim_mean"] = m.ssim_mean;
   json["ssim_block_min"] = m.ssim_block_min;
+  json["solid_2_pixels"] = m.solid_2_pixels, json["solid_4_pixels"] = m.solid_4_pixels,
+  json["solid_at"] = {m.solid_x, m.solid_y};
+  json["drift_max"] = m.drift_max, json["drift_at"] = {m.drift_x, m.drift_y};
   json["flip_mean"] = m.flip_mean;
   put(json, "hdr_flip_mean", m.hdr_flip_mean);
   json["ciede2000_mean"] = m.ciede2000_mean;
@@ -109,6 +111,7 @@ J scene_as(const SceneResult& s) {
   json["rays"] = J::object();
   for (const auto& [kind, count] : s.rays) json["rays"][kind] = count;
   json["tags"] = s.request.tags;
+  if (!s.request.known_failure.empty()) json["known_failure"] = s.request.known_failure;
   json["stochastic_features"] = s.stochastic_features;
   json["suspects"] = J::array();
   for (const Suspicion& v : s.suspicions) {
@@ -142,11 +145,11 @@ template <typename J>
 J summary_as(const Summary& s) {
   J json;
   json["scenes"] = s.scenes;
-  for (Status status :
-       {Status::exact, Status::match, Status::differ, Status::unsupported, Status::error, Status::oracle_failed}) {
+  for (Status status : kStatuses) {
     const auto it = s.count.find(status);
     json[to_string(status)] = it == s.count.end() ? 0 : it->second;
   }
+  json["known_failures"] = s.known_failures;
   json["seconds"]["oracle"] = s.oracle_seconds;
   json["seconds"]["native"] = s.native_seconds;
   json["cpu_seconds"]["oracle"] = s.oracle_cpu_seconds;
@@ -184,6 +187,10 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
     out.ssim_mean = m.at("ssim_mean"), out.ssim_block_min = m.at("ssim_block_min"), out.flip_mean = m.at("flip_mean");
     out.ciede2000_mean = m.value("ciede2000_mean", 0.0), out.ciede2000_p95 = m.value("ciede2000_p95", 0.0),
     out.nan_pixels = m.value("nan_pixels", std::uint64_t{0});
+    out.solid_2_pixels = m.value("solid_2_pixels", std::uint64_t{0}),
+    out.solid_4_pixels = m.value("solid_4_pixels", std::uint64_t{0}), out.drift_max = m.value("drift_max", 0.0);
+    if (m.contains("solid_at")) out.solid_x = m["solid_at"].at(0), out.solid_y = m["solid_at"].at(1);
+    if (m.contains("drift_at")) out.drift_x = m["drift_at"].at(0), out.drift_y = m["drift_at"].at(1);
     for (auto [name, value] :
          {std::pair("hdr_flip_mean", &out.hdr_flip_mean), std::pair("edge_rmse", &out.edge_rmse),
           std::pair("interior_rmse", &out.interior_rmse), std::pair("alpha_max_abs", &out.alpha_max_abs),
@@ -219,7 +226,7 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
 Summary summarise(const std::vector<SceneResult>& scenes) {
   Summary out;
   for (const SceneResult& s : scenes) {
-    ++out.scenes, ++out.count[s.status];
+    ++out.scenes, ++out.count[s.status], out.known_failures += !s.passed() && !s.failed();
     out.oracle_seconds += s.oracle_seconds, out.native_seconds += s.native_seconds;
     out.oracle_cpu_seconds += s.oracle_cpu_seconds, out.native_cpu_seconds += s.native_cpu_seconds;
   }
@@ -227,9 +234,9 @@ Summary summarise(const std::vector<SceneResult>& scenes) {
 }
 
 bool Summary::failed() const {
-  return std::any_of(count.begin(), count.end(), [](const auto& entry) {
-    return entry.second > 0 && entry.first != Status::exact && entry.first != Status::match;
-  });
+  int bad = 0;
+  for (const auto& [status, number] : count) bad += status != Status::exact && status != Status::match ? number : 0;
+  return bad > known_failures;
 }
 
 std::string metrics_json(const Metrics& metrics) { return metrics_as<Json>(metrics).dump(2) + "\n"; }

@@ -72,6 +72,10 @@ std::string violation(const json& schema, const json& value, const json& root, c
     } else if (key == "items") {
       for (std::size_t i = 0; i < value.size(); ++i)
         if (auto v = violation(rule, value[i], root, where + "[" + std::to_string(i) + "]"); !v.empty()) return v;
+    } else if (key == "minItems") {
+      if (value.size() < rule.get<std::size_t>()) return where + " has too few items";
+    } else if (key == "maxItems") {
+      if (value.size() > rule.get<std::size_t>()) return where + " has too many items";
     } else if (key == "enum") {
       if (std::find(rule.begin(), rule.end(), value) == rule.end()) return where + " is none of the values";
     } else if (key == "minimum") {

@@ -1,11 +1,10 @@
 #include "tracer/image/layers_file.h"
 
-#include <unistd.h>
-
 #include <stdexcept>
 
 #include "tracer/image/gamma.h"
 #include "tracer/image/module/module.h"
+#include "tracer/base/output_file.h"
 
 namespace verisim::image {
 namespace {
@@ -70,16 +69,9 @@ void write_layers(const render::Framebuffer& frame, const render::Layers& layers
         out.at(i, c++) = to_linear.encode(v);
     if (layers.id) out.at(i, c++) = static_cast<float>(layers.ids[i]);
   }
-  std::filesystem::path temporary = path;
-  temporary += "." + std::to_string(::getpid()) + ".tmp.exr";
-  std::error_code ignored;
-  try {
+  write_by_name(path, ".exr", [&](const std::filesystem::path& temporary) {
     out.write(temporary, frame.width, frame.height, options);
-    std::filesystem::rename(temporary, path);
-  } catch (const std::exception& error) {
-    std::filesystem::remove(temporary, ignored);
-    throw std::runtime_error("cannot write '" + path.string() + "': " + error.what());
-  }
+  });
 }
 
 }  // namespace verisim::image

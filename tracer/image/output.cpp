@@ -1,8 +1,5 @@
 #include "tracer/image/output.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -10,10 +7,12 @@
 #include <stdexcept>
 
 #include "tracer/image/hdr.h"
+#include "tracer/image/jpeg_end.h"
 #include "tracer/image/module_files.h"
 #include "tracer/image/netpbm.h"
 #include "tracer/image/picture_rows.h"
 #include "tracer/image/png.h"
+#include "tracer/base/output_file.h"
 
 namespace verisim::image {
 namespace {
@@ -27,61 +26,6 @@ using File = std::unique_ptr<std::FILE, FileCloser>;
   throw std::runtime_error("cannot " + action + " '" + path.string() + "': " + reason);
 }
 
-[[noreturn]] void throw_errno() { throw std::runtime_error(std::strerror(errno)); }
-
-// What is written has no name until it is whole, where the file system can do that (O_TMPFILE): not even a kill leaves
-// anything behind. Elsewhere it has a temporary one.
-class NewFile {
- public:
-  NewFile(const std::filesystem::path& path, bool in_place) : path_(path), temporary_(path), in_place_(in_place) {
-    temporary_ += "." + std::to_string(::getpid()) + ".tmp";
-    if (in_place) {
-      file_.reset(std::fopen(path.c_str(), "wb"));
-    } else {
-      open_new();
-    }
-    if (!file_) fail(path, "create", std::strerror(errno));
-  }
-  ~NewFile() {
-    std::error_code ignored;
-    if (named_) std::filesystem::remove(temporary_, ignored);
-  }
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
-
-  std::FILE* get() { return file_.get(); }
-
-  // Gives the written file its name, in the place of what had it.
-  void publish() {
-    if (std::fflush(file_.get()) != 0 || std::ferror(file_.get())) throw_errno();
-    if (in_place_) return;
-    if (!named_) {
-      const std::string self = "/proc/self/fd/" + std::to_string(::fileno(file_.get()));
-      if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, path_.c_str(), AT_SYMLINK_FOLLOW) == 0) return;
-      if (errno != EEXIST || ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, temporary_.c_str(), AT_SYMLINK_FOLLOW) != 0)
-        throw_errno();
-      named_ = true;
-    }
-    file_.reset();
-    std::filesystem::rename(temporary_, path_);
-    named_ = false;
-  }
-
- private:
-  void open_new() {
-    const std::filesystem::path folder = path_.has_parent_path() ? path_.parent_path() : ".";
-    const int fd =
-        ::access("/proc/self/fd", X_OK) == 0 ? ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666) : -1;
-    named_ = fd < 0;
-    file_.reset(named_ ? std::fopen(temporary_.c_str(), "wb") : ::fdopen(fd, "wb"));
-  }
-
-  std::filesystem::path path_, temporary_;
-  bool in_place_;
-  File file_;
-  bool named_ = false;  // under the temporary name
-};
-
 // Runs `body` on a new file that takes the place of `path` when all went well: readers never see half a picture.
 template <class Body>
 void write_atomically(const std::filesystem::path& path, Body body) {
@@ -90,41 +34,20 @@ void write_atomically(const std::filesystem::path& path, Body body) {
     if (std::fflush(stdout) != 0) fail("standard output", "write", std::strerror(errno));
     return;
   }
-  std::error_code ignored;
-  const bool in_place =
-      std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);  // devices and pipes
-  NewFile file(path, in_place);
+  OutputFile file(path);
   try {
     body(file.get());
-    file.publish();
   } catch (const std::exception& error) {
     fail(path, "write", error.what());
   }
+  file.publish();
 }
 
-// The module writes by name, so it gets a temporary file of the right type; standard output receives a copy of it.
+// The module writes by name; standard output receives a copy of what it wrote.
 void write_module_file(const render::Framebuffer& framebuffer, const std::filesystem::path& path,
                        const OutputOptions& options) {
-  const bool to_stdout = path == "-";
-  std::filesystem::path temporary = to_stdout ? std::filesystem::temp_directory_path() / "verisim" : path;
-  temporary += "." + std::to_string(::getpid()) + ".tmp" + extension_of(options.format);
-  std::error_code ignored;
-  try {
-    write_through_module(framebuffer, temporary, options);
-    if (to_stdout) {
-      File file(std::fopen(temporary.c_str(), "rb"));
-      if (!file) throw std::runtime_error(std::strerror(errno));
-      char buffer[65536];
-      for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;)
-        if (std::fwrite(buffer, 1, n, stdout) != n) throw std::runtime_error(std::strerror(errno));
-      std::filesystem::remove(temporary, ignored);
-    } else {
-      std::filesystem::rename(temporary, path);
-    }
-  } catch (const std::exception& error) {
-    std::filesystem::remove(temporary, ignored);
-    fail(path, "write", error.what());
-  }
+  write_by_name(path == "-" ? "/proc/self/fd/1" : path, extension_of(options.format),
+                [&](const std::filesystem::path& temporary) { write_through_module(framebuffer, temporary, options); });
 }
 
 float sample_scale(int bits) { return 1.0f / static_cast<float>((1 << bits) - 1); }
@@ -135,6 +58,17 @@ Picture normalised(const Quantised& in) {
   out.samples.resize(in.samples.size());
   for (std::size_t i = 0; i < in.samples.size(); ++i) out.samples[i] = static_cast<float>(in.samples[i]) * scale;
   return out;
+}
+
+// What cannot hold a picture is told in these words, before a reader of some format says that it is none of its files.
+void require_picture_file(const std::filesystem::path& path) {
+  std::error_code failed;
+  const auto type = std::filesystem::status(path, failed).type();
+  if (type == std::filesystem::file_type::directory) fail(path, "read", "it is a folder");
+  if (type == std::filesystem::file_type::not_found || failed) return;  // opening it says why
+  if (type != std::filesystem::file_type::regular)
+    fail(path, "read", "it is a pipe or a device; pictures are read from files");
+  if (std::filesystem::file_size(path, failed) == 0) fail(path, "read", "the file is empty");
 }
 
 bool is_png(std::FILE* file) {
@@ -203,6 +137,7 @@ void write(const render::Framebuffer& framebuffer, const std::filesystem::path& 
 }
 
 Picture read_picture(const std::filesystem::path& path) {
+  require_picture_file(path);
   File file(std::fopen(path.c_str(), "rb"));
   if (!file) fail(path, "open", std::strerror(errno));
   unsigned char magic[8] = {};
@@ -210,6 +145,7 @@ Picture read_picture(const std::filesystem::path& path) {
   std::rewind(file.get());
   try {
     if (got == 8 && std::memcmp(magic, "\x89PNG\r\n\x1a\n", 8) == 0) return normalised(read_png(file.get()));
+    if (got >= 2 && magic[0] == 0xff && magic[1] == 0xd8) require_whole_jpeg(file.get());
     if (got >= 2 && magic[0] == 'P' && magic[1] >= '1' && magic[1] <= '7') return read_netpbm(file.get());
     file.reset();
     return read_through_module(path);
@@ -226,6 +162,7 @@ void write_picture(const Picture& picture, const std::filesystem::path& path) {
 }
 
 std::unique_ptr<PictureRows> open_rows(const std::filesystem::path& path) {
+  require_picture_file(path);
   File file(std::fopen(path.c_str(), "rb"));
   if (!file) fail(path, "open", std::strerror(errno));
   if (is_png(file.get())) {

@@ -8,6 +8,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tracer/base/output_file.h"
+
 namespace verisim::global {
 namespace {
 
@@ -101,16 +103,16 @@ namespace {
 
 constexpr std::size_t kRecord = 20;
 
-void write_map(std::ofstream& file, const PhotonMap& map) {
+void write_map(std::FILE* file, const PhotonMap& map) {
   const auto count = static_cast<std::int32_t>(map.size());
-  file.write(reinterpret_cast<const char*>(&count), sizeof count);
+  std::fwrite(&count, sizeof count, 1, file);
   for (const Photon& p : map.photons()) {
     std::array<char, kRecord> record{};
     std::copy_n(reinterpret_cast<const char*>(p.position.data()), 12, record.begin());
     std::copy_n(reinterpret_cast<const char*>(p.energy.data()), 4, record.begin() + 12);
     record[16] = static_cast<char>(p.axis), record[17] = static_cast<char>(p.elevation),
     record[18] = static_cast<char>(p.azimuth);
-    file.write(record.data(), record.size());
+    std::fwrite(record.data(), 1, record.size(), file);
   }
 }
 
@@ -138,13 +140,9 @@ void read_map(std::ifstream& file, std::uintmax_t bytes_left, PhotonMap& map) {
 }  // namespace
 
 void save_photons(const std::filesystem::path& path, const PhotonMap& surface, const PhotonMap& media) {
-  const std::filesystem::path temporary = path.string() + ".part";
-  {
-    std::ofstream file(temporary, std::ios::binary);
-    write_map(file, surface), write_map(file, media);
-    if (!file.flush()) throw std::runtime_error("cannot write photon file " + path.string());
-  }
-  std::filesystem::rename(temporary, path);
+  OutputFile file(path);
+  write_map(file.get(), surface), write_map(file.get(), media);
+  file.publish();
 }
 
 void load_photons(const std::filesystem::path& path, PhotonMap& surface, PhotonMap& media) {

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tracer/base/output_file.h"
+
 namespace verisim::global {
 namespace {
 
@@ -28,19 +30,26 @@ struct Closer {
   void operator()(std::FILE* f) const { std::fclose(f); }
 };
 
+void print(std::span<const IrradianceSample> samples, std::FILE* file) {
+  for (const IrradianceSample& s : samples) {
+    std::fprintf(file, "C%d\t%g\t%g\t%g\t%06x\t%.4f\t%.4f\t%.4f\t%g\t%g\t%06x\n", s.depth + 1, s.point.x, s.point.y,
+                 s.point.z, encode(s.normal), static_cast<double>(s.irradiance.r), static_cast<double>(s.irradiance.g),
+                 static_cast<double>(s.irradiance.b), static_cast<double>(s.mean_distance),
+                 static_cast<double>(s.nearest_distance), encode(s.nearest_direction));
+  }
+}
+
 }  // namespace
 
 void save_samples(const std::filesystem::path& path, std::span<const IrradianceSample> samples, bool append) {
-  const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), append ? "a" : "w"));
-  if (!file) throw std::runtime_error("cannot write radiosity file " + path.string());
-  for (const IrradianceSample& s : samples) {
-    std::fprintf(file.get(), "C%d\t%g\t%g\t%g\t%06x\t%.4f\t%.4f\t%.4f\t%g\t%g\t%06x\n", s.depth + 1, s.point.x,
-                 s.point.y, s.point.z, encode(s.normal), static_cast<double>(s.irradiance.r),
-                 static_cast<double>(s.irradiance.g), static_cast<double>(s.irradiance.b),
-                 static_cast<double>(s.mean_distance), static_cast<double>(s.nearest_distance),
-                 encode(s.nearest_direction));
+  if (!append) {
+    OutputFile file(path);
+    print(samples, file.get());
+    return file.publish();
   }
-  if (std::fflush(file.get()) != 0 || std::ferror(file.get()))
+  const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "a"));
+  if (file) print(samples, file.get());
+  if (!file || std::fflush(file.get()) != 0 || std::ferror(file.get()))
     throw std::runtime_error("cannot write radiosity file " + path.string());
 }
 

@@ -31,7 +31,7 @@
 namespace verisim::compare {
 
 // ---- what to compare
-// ---------------------------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------------------------------------------------------
 
 // One of several renders of a scene whose weighted sum is the picture: a band of wavelengths, say.
 struct Pass {
@@ -49,13 +49,15 @@ struct SceneRequest {
   bool alpha() const;                 // +UA
   std::optional<SceneClass> scene_class;  // empty: by the features the native side reports
   Thresholds thresholds;                  // empty: the rules of docs/comparison.md
+  std::string known_failure;              // why it is known to fail: reported, and no failure of the run
   Allowance allowed;                      // of errors that lie together
   std::vector<Pass> passes;  // empty: one render is the picture. Else they are rendered with linear values (OpenEXR)
                              // and summed to a picture of 16 bits
   std::vector<std::string> tags;
   std::optional<std::filesystem::path> reference;  // a stored picture in the place of the oracle
   FitOptions fit;                                  // of a stored picture: a photograph
-  std::optional<Truth> truth;                      // values that mathematics gives
+  const char* reference_name() const { return fit.any() ? "photograph" : "stored picture"; }
+  std::optional<Truth> truth;  // values that mathematics gives
   double flip_pixels_per_degree = 67.0206;
 };
 
@@ -82,7 +84,7 @@ struct Filter {
 Suite filter(const Suite& suite, const Filter& filter);
 
 // ---- our renderer
-// ---------------------------------------------------------------------------------------------------------------------
+// ----------------------------------------------------------------------------------------------------------------------------------------------------
 
 struct NativeRequest {
   std::filesystem::path folder;  // a private working copy of the scene's folder; the scene may write here and only here
@@ -132,7 +134,7 @@ std::string tags_json(const PixelTags& tags);
 PixelTags tags_from_json(const std::string& text);  // throws std::runtime_error
 
 // ---- the oracle
-// ---------------------------------------------------------------------------------------------------------------------
+// ------------------------------------------------------------------------------------------------------------------------------------------------------
 
 struct OracleOptions {
   std::filesystem::path program;  // empty: `povray` in PATH
@@ -179,7 +181,7 @@ OracleRender run_oracle(const OracleProgram& program, const OracleOptions& optio
                         std::atomic<bool>* cancel = nullptr);
 
 // ---- a run
-// ---------------------------------------------------------------------------------------------------------------------
+// -----------------------------------------------------------------------------------------------------------------------------------------------------------
 
 struct SceneResult {
   SceneRequest request;
@@ -202,16 +204,17 @@ struct SceneResult {
   std::filesystem::path oracle_picture, native_picture;  // PNG files of this run; empty when there is none
   std::optional<Status> previous;                        // of the earlier run, for the trend
   std::optional<double> previous_rmse;
-  bool failed() const { return status != Status::exact && status != Status::match; }
+  bool passed() const { return status == Status::exact || status == Status::match; }
+  bool failed() const { return !passed() && request.known_failure.empty(); }
 };
 
 struct Summary {
   std::map<Status, int> count;
-  int scenes = 0;
+  int scenes = 0, known_failures = 0;
   double oracle_seconds = 0, native_seconds = 0;  // wall time
   double oracle_cpu_seconds = 0,
          native_cpu_seconds = 0;  // user and system time: about 0.6 s of POV-Ray's wall time is sleeping
-  bool failed() const;            // any scene that is neither exact nor a match
+  bool failed() const;            // any scene that is neither exact nor a match, nor known to fail
 };
 
 struct Run {
@@ -243,6 +246,8 @@ struct RunOptions {
   std::filesystem::path work;  // results and pictures, kept: a run that was broken off goes on here. Empty: a temporary
                                // folder, removed with the Run
   bool resume = false;
+  bool whole_suite =
+      false;  // nothing was left out of the suite: a stored picture without a scene is one that was removed
   std::filesystem::path baseline;         // stored pictures in the place of the oracle
   std::filesystem::path previous_report;  // JSON of an earlier run, for the trend
   std::string native_version;
@@ -265,8 +270,8 @@ std::vector<std::string> update_baseline(const Run& run, const std::filesystem::
 // ---- reports: files are written as by tracer/base/output_file.h; std::runtime_error names the file and the reason
 // ---------------------------------------------------------
 
-std::string terminal_table(const Run& run, bool color = false, int columns = 120);
-std::string terminal_metrics(const Metrics& metrics, bool color = false);  // for `verisim diff`
+std::string terminal_table(const Run& run, bool color = false, int columns = 120);  // columns 0: names are never cut
+std::string terminal_metrics(const Metrics& metrics, bool color = false);           // for `verisim diff`
 std::string terminal_blame(
     const SceneResult& scene);  // for `verisim explain`: objects, and what bad pixels have in common
 std::string metrics_json(const Metrics& metrics);
@@ -275,12 +280,19 @@ std::string markdown_report(const Run& run);
 std::string github_annotations(const Run& run);
 std::string junit_report(const Run& run);
 std::string html_report(const Run& run);
-// One pair of pictures, which have been measured, as a run, for `verisim diff A B --html`. Of more than 16 million
-// pixels no suspects are looked for, and the report shows them reduced. Throws std::runtime_error when a picture cannot
-// be read.
-Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test, const Metrics& metrics);
+// A pair of pictures that has been measured and judged, for `verisim diff`.
+struct Pair {
+  std::filesystem::path reference, test;
+  Metrics metrics;
+  Verdict verdict;
+  std::optional<FittedPair> fitted;  // what was measured, when it is not the files as they are
+};
+// As a run of one scene. Of more than 16 million pixels no suspects are looked for, and the report shows them reduced.
+// Throws std::runtime_error when a picture cannot be read.
+Run run_of_pair(const Pair& pair);
 Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test,
                 const MetricOptions& options = {});  // measures them. Throws PictureMismatch, too
+std::string pair_json(const Run& run_of_pair);       // the figures, status, reason, suspects and fit
 void write_report(const std::string& text, const std::filesystem::path& path);
 // 8-bit PNG: absolute differences times `gain` as a heat map.
 void write_heat_map(const Picture& reference, const Picture& test, const std::filesystem::path& path, double gain = 16);
@@ -288,7 +300,7 @@ void write_heat_map(const std::filesystem::path& reference, const std::filesyste
                     const std::filesystem::path& path, double gain = 16);  // row by row
 
 // ---- bench: both programs as whole processes, in turn
-// ---------------------------------------------------------------------------------------------------------------------
+// ----------------------------------------------------------------------------------------------------------------
 
 struct BenchSample {
   double wall = 0, cpu = 0;  // seconds; cpu: user + system

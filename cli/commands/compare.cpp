@@ -1,6 +1,7 @@
 // `verisim compare`: scenes rendered by verisim and by POV-Ray, every pixel compared.
 #include "compare/compare.h"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -14,6 +15,7 @@
 #include "cli/commands/own_program.h"
 #include "cli/settings/scene_words.h"
 #include "compare/oracle/content_hash.h"
+#include "compare/regression/command_renderer.h"
 
 namespace fs = std::filesystem;
 
@@ -62,6 +64,24 @@ std::string choose_renderer(const std::string& program, std::uint64_t seed, comp
   return "POV-Ray " + judged.version;
 }
 
+// The same for a command line. Nothing is known of what its pixels show.
+std::string choose_command(const std::string& command, compare::RunOptions& run) {
+  try {
+    run.native = compare::command_renderer(command);
+  } catch (const std::invalid_argument& error) {
+    throw OptionError(fmt::format("--test: {}", error.what()));
+  }
+  run.native_version = run.native_identity = command;
+  return command.substr(0, command.find(' '));
+}
+
+// 0: what is written to is no terminal, and lines may be as long as they are.
+int terminal_columns(std::FILE* file) {
+  winsize size{};
+  if (!isatty(fileno(file))) return 0;
+  return ioctl(fileno(file), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 120;
+}
+
 // Each report by itself: one that cannot be written does not cost the others.
 bool write_reports(const compare::Run& run,
                    const std::vector<std::pair<std::string, std::string (*)(const compare::Run&)>>& reports) {
@@ -98,7 +118,7 @@ int command_compare(const std::vector<std::string>& arguments) {
                  "SCENE|FOLDER|MANIFEST... [switches]. Switches in POV-Ray's style (+W320 +A0.3) go to both.");
   compare::RunOptions run;
   compare::Filter filter;
-  std::string json, junit, html, markdown, oracle, oracle_cache, work, baseline, previous, native, scene_class;
+  std::string json, junit, html, markdown, oracle, oracle_cache, work, baseline, previous, native, test, scene_class;
   bool github = false, no_cache = false, failed_only = false, quiet = false, color = false, update = false,
        no_explain = false;
   run.native_time_limit = 600;
@@ -127,6 +147,9 @@ int command_compare(const std::vector<std::string>& arguments) {
   own.value("--time-limit", run.oracle.time_limit, "Seconds for one render by POV-Ray");
   own.value("--native-time-limit", run.native_time_limit, "Seconds for one render by verisim");
   own.value("--native", native, "Another program to be judged, a verisim or a POV-Ray; default: this one");
+  own.value("--test", test,
+            "Any renderer to be judged, as a command: \"render {scene} {out} {width} {height}\"; also {threads}, "
+            "{seed}, {switches}");
   own.value("--class", scene_class,
             "Judge all scenes as 'deterministic' or 'stochastic' in the place of what verisim finds in them");
   own.value("--runs", run.runs,
@@ -143,6 +166,7 @@ int command_compare(const std::vector<std::string>& arguments) {
     throw OptionError("--class must be deterministic or stochastic");
   if (run.resume && work.empty()) throw OptionError("--resume needs --work FOLDER");
   if (failed_only && previous.empty()) throw OptionError("--failed needs --previous FILE");
+  if (!test.empty() && !native.empty()) throw OptionError("--native and --test name the same side; give one of them");
   if (run.jobs < 1) throw OptionError("--jobs must be at least 1");
 
   const SuiteWords given = suite_words(words);
@@ -163,6 +187,7 @@ int command_compare(const std::vector<std::string>& arguments) {
   run.oracle.use_cache = !no_cache;
   run.work = work;
   run.baseline = baseline;
+  run.whole_suite = filter.names.empty() && filter.tags.empty() && !failed_only;
   run.previous_report = previous;
   if (!quiet) run.progress = show_progress;
   Interrupt interrupt;
@@ -170,10 +195,15 @@ int command_compare(const std::vector<std::string>& arguments) {
 
   warn_of_unwritable_reports({json, junit, html, markdown});
   try {
-    const std::string test_name = choose_renderer(native, seed, run, !no_explain);
+    const std::string test_name =
+        test.empty() ? choose_renderer(native, seed, run, !no_explain) : choose_command(test, run);
     compare::Run result = compare::run_suite(suite, run);
     result.test_name = test_name;
-    std::fputs(compare::terminal_table(result, color || isatty(STDOUT_FILENO) != 0).c_str(), stdout);
+    const bool report_to_stdout =
+        json == "-" || junit == "-" || html == "-" || markdown == "-";  // which is then the report's alone
+    std::FILE* const people = report_to_stdout ? stderr : stdout;
+    std::fputs(compare::terminal_table(result, color || isatty(fileno(people)) != 0, terminal_columns(people)).c_str(),
+               people);
     if (github) std::fputs(compare::github_annotations(result).c_str(), stdout);
     const bool written = write_reports(result, {{json, compare::json_report},
                                                 {junit, compare::junit_report},

@@ -10,8 +10,7 @@
 #include "cli/commands/commands.h"
 #include "cli/settings/own_options.h"
 #include "compare/compare.h"
-
-namespace fs = std::filesystem;
+#include "compare/regression/folders.h"
 
 namespace verisim::cli {
 namespace {
@@ -37,6 +36,19 @@ compare::FitOptions fit_options(const std::string& crop, const std::vector<std::
   return out;
 }
 
+compare::Thresholds threshold_options(const std::vector<std::string>& thresholds) {
+  compare::Thresholds limits;
+  for (const std::string& text : thresholds) {
+    const std::size_t equals = text.find('=');
+    char* end = nullptr;
+    const double limit = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
+    if (!end || *end || end == text.c_str() + equals + 1)
+      throw OptionError(fmt::format("--threshold {}: expected NAME=NUMBER", text));
+    limits[text.substr(0, equals)] = limit;
+  }
+  return limits;
+}
+
 // A line on the terminal when it takes longer than a moment.
 class Progress {
  public:
@@ -58,12 +70,29 @@ class Progress {
   double shown_ = 0;
 };
 
+int diff_folders(const std::string& reference, const std::string& test, const compare::FolderOptions& options,
+                 const std::string& json, const std::string& html, bool color) {
+  compare::Run run;
+  try {
+    run = compare::run_of_folders(reference, test, options);
+  } catch (const std::invalid_argument& error) {
+    throw OptionError(error.what());
+  }
+  std::FILE* const people = json == "-" || html == "-" ? stderr : stdout;
+  std::fputs(
+      compare::terminal_table(run, color || isatty(fileno(people)) != 0, isatty(fileno(people)) ? 120 : 0).c_str(),
+      people);
+  if (!json.empty()) compare::write_report(compare::json_report(run), json);
+  if (!html.empty()) compare::write_report(compare::html_report(run), html);
+  return run.summary.failed() ? kDifferent : kOk;
+}
+
 }  // namespace
 
 int command_diff(const std::vector<std::string>& arguments) {
-  OwnOptions own(
-      "diff",
-      "Compares two pictures: verisim diff REFERENCE PICTURE. Exit status 0 when they match, 1 when they do not.");
+  OwnOptions own("diff",
+                 "Compares two pictures, or all pictures of two folders by their names: verisim diff REFERENCE "
+                 "PICTURE. Exit status 0 when they match, 1 when they do not.");
   std::string json, html, heat_map;
   std::vector<std::string> thresholds, fits;
   std::string crop;
@@ -87,57 +116,50 @@ int command_diff(const std::vector<std::string>& arguments) {
   if (words.size() != 2) throw OptionError("two pictures are needed: verisim diff REFERENCE PICTURE");
 
   const compare::FitOptions wanted = fit_options(crop, fits);
-  compare::Picture reference, test;  // only when they are fitted: two files are measured without being held in memory
-  compare::Metrics metrics;
-  compare::Fit fit;
+  const compare::Thresholds limits = threshold_options(thresholds);
+  if (std::filesystem::is_directory(words[0]) && std::filesystem::is_directory(words[1])) {
+    if (wanted.any() || !heat_map.empty())
+      throw OptionError("--crop, --fit and --heat-map are for one pair of pictures, not for folders");
+    return diff_folders(words[0], words[1], {metric, limits, antialiased}, json, html, color);
+  }
+  compare::Pair pair{words[0], words[1], {}, {}, {}};
   Progress progress;
   metric.progress = [&](double done) { progress.show(done); };
   try {
     if (wanted.any()) {
-      reference = image::read_picture(words[0]), test = image::read_picture(words[1]);
-      compare::FittedPair pair = compare::fit_to_reference(reference, test, wanted);
-      reference = std::move(pair.reference), test = std::move(pair.test), fit = pair.fit;
-      metrics = compare::measure(reference, test, metric);
+      pair.fitted = compare::fit_to_reference(image::read_picture(words[0]), image::read_picture(words[1]), wanted);
+      pair.metrics = compare::measure(pair.fitted->reference, pair.fitted->test, metric);
     } else {
-      metrics = compare::measure_files(words[0], words[1], metric);
+      pair.metrics = compare::measure_files(words[0], words[1], metric);  // row by row, without holding them in memory
     }
   } catch (const compare::PictureMismatch& mismatch) {
     std::fprintf(stderr, "verisim diff: %s\n", mismatch.what());
     return kDifferent;
   }
   progress.end();
-  compare::Thresholds limits;
-  for (const std::string& text : thresholds) {
-    const std::size_t equals = text.find('=');
-    char* end = nullptr;
-    const double limit = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
-    if (!end || *end || end == text.c_str() + equals + 1)
-      throw OptionError(fmt::format("--threshold {}: expected NAME=NUMBER", text));
-    limits[text.substr(0, equals)] = limit;
-  }
-  compare::Verdict verdict;
   try {
-    verdict = limits.empty() ? compare::judge_deterministic(metrics, antialiased)
-                             : compare::judge_thresholds(metrics, limits);
+    pair.verdict = limits.empty() ? compare::judge_deterministic(pair.metrics, antialiased)
+                                  : compare::judge_thresholds(pair.metrics, limits);
   } catch (const std::invalid_argument& error) {
     throw OptionError(error.what());
   }
-  const bool json_to_stdout = json == "-";
-  if (!json_to_stdout) {
-    std::fputs(compare::terminal_metrics(metrics, color || isatty(STDOUT_FILENO) != 0).c_str(), stdout);
-    if (!fit.text().empty()) std::printf("%s\n", fit.text().c_str());
-    std::printf("%s%s%s\n", compare::to_string(verdict.status), verdict.reason.empty() ? "" : ": ",
-                verdict.reason.c_str());
+  const compare::Verdict& verdict = pair.verdict;
+  std::FILE* const people = json == "-" || html == "-" ? stderr : stdout;  // standard output is the report's alone
+  std::fputs(compare::terminal_metrics(pair.metrics, color || isatty(fileno(people)) != 0).c_str(), people);
+  if (pair.fitted && !pair.fitted->fit.text().empty()) std::fprintf(people, "%s\n", pair.fitted->fit.text().c_str());
+  std::fprintf(people, "%s%s%s\n", compare::to_string(verdict.status), verdict.reason.empty() ? "" : ": ",
+               verdict.reason.c_str());
+  if (!json.empty() || !html.empty()) {
+    const compare::Run run = compare::run_of_pair(pair);
+    if (!json.empty()) compare::write_report(compare::pair_json(run), json);
+    if (!html.empty()) compare::write_report(compare::html_report(run), html);
   }
-  if (json_to_stdout)
-    std::printf("%s\n", compare::metrics_json(metrics).c_str());
-  else if (!json.empty())
-    compare::write_report(compare::metrics_json(metrics), json);
-  if (!html.empty())
-    compare::write_report(compare::html_report(compare::run_of_pair(words[0], words[1], metrics)), html);
-  if (!heat_map.empty())
-    wanted.any() ? compare::write_heat_map(reference, test, heat_map, gain)
-                 : compare::write_heat_map(fs::path(words[0]), fs::path(words[1]), heat_map, gain);
+  if (!heat_map.empty()) {
+    if (pair.fitted)
+      compare::write_heat_map(pair.fitted->reference, pair.fitted->test, heat_map, gain);
+    else
+      compare::write_heat_map(pair.reference, pair.test, heat_map, gain);
+  }
   return verdict.status == compare::Status::exact || verdict.status == compare::Status::match ? kOk : kDifferent;
 }
 

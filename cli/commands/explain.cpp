@@ -172,12 +172,13 @@ int coordinate(const std::string& word, int limit, const char* name) {
 }
 
 // The suspects of one scene: it is compared with POV-Ray, and its pixels are looked at.
-int explain_scene(const std::vector<std::string>& words) {
+int explain_scene(const std::vector<std::string>& words, bool replay) {
   const SuiteWords given = suite_words(words);
   compare::RunOptions run;
   run.native = compare::native_program(own_program(), {});
   run.tags = compare::tags_of_program(own_program());
   run.native_version = VERISIM_VERSION;
+  run.replay = replay;
   run.always_blame = true;
   run.native_time_limit = 600;
   Interrupt interrupt;
@@ -237,10 +238,14 @@ int command_explain(const std::vector<std::string>& arguments) {
   own.values("--tree", trees, "X,Y: put the ray tree of this pixel into the file of --tags, too (may be given again)");
   add_render_options(own, options);
   const std::vector<std::string> words = own.parse(arguments), files = apply_words(options, words);
-  if (files.size() == 1 && tags.empty()) return explain_scene(words);
+  if (files.size() == 1 && tags.empty()) return explain_scene(words, options.replay);
   if (files.size() != (tags.empty() ? 3 : 1))
     throw OptionError("a scene and a pixel are needed: verisim explain SCENE X Y [switches]");
   if (step < 1) throw OptionError("--tags-step must be at least 1");
+  if (options.replay && tags.empty())
+    throw OptionError(
+        "--replay: a pixel's random numbers hang on all pixels before it; `verisim explain SCENE --replay` compares "
+        "the whole picture");
   options.input_file = files[0];
   options.antialias = false;
   validate(options);

@@ -83,6 +83,17 @@ Picture resampled(const Picture& picture, int width, int height) {
   return out;
 }
 
+// Pixels are square: another shape would squeeze everything. A cut-out is chosen in whole pixels, one more or less in
+// either direction is no other shape.
+void require_same_shape(const Picture& reference, const Picture& test, bool cut) {
+  const double wanted = static_cast<double>(test.width) / test.height;
+  if (std::fabs(reference.width - wanted * reference.height) <= 1 + wanted) return;
+  throw PictureMismatch(
+      fmt::format("the {} of {}x{} has another shape than the picture of {}x{}: to fit, {} would be {}x{}",
+                  cut ? "crop" : "reference", reference.width, reference.height, test.width, test.height,
+                  cut ? "it" : "a crop", reference.width, std::lround(reference.width / wanted)));
+}
+
 // Linear colour of a pixel; empty when it is clipped or not finite.
 std::optional<Rgb> usable(const Picture& p, std::size_t pixel) {
   Rgb out;
@@ -131,6 +142,7 @@ FittedPair fit_to_reference(const Picture& reference, const Picture& test, const
   out.fit.crop = options.crop;
   out.fit.reference_width = out.reference.width, out.fit.reference_height = out.reference.height;
   if (out.reference.width != test.width || out.reference.height != test.height) {
+    require_same_shape(out.reference, test, options.crop.has_value());
     out.reference = resampled(out.reference, test.width, test.height);
     out.fit.resampled = true;
   }

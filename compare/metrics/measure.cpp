@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <limits>
 
 #include "compare/metrics/ciede2000.h"
 #include "compare/metrics/edges.h"
@@ -175,7 +174,7 @@ class Measurement {
   Metrics result() {
     const double pixels = static_cast<double>(m_.width) * m_.height, values = static_cast<double>(all_.count);
     if (values > 0) m_.mae = absolute_ / values, m_.bias = signed_sum_ / values, m_.rmse = *all_.rms();
-    m_.psnr = m_.rmse > 0 ? 20 * std::log10(255 / m_.rmse) : std::numeric_limits<double>::infinity();
+    m_.psnr = m_.rmse > 0 ? 20 * std::log10(255 / m_.rmse) : kPsnrOfEqualPictures;
     m_.within_1_pct = 100 * static_cast<double>(within_1_) / pixels;
     m_.within_2_pct = 100 * static_cast<double>(within_2_) / pixels;
     m_.edge_pct = 100 * static_cast<double>(edge_count_) / pixels;

@@ -31,10 +31,13 @@ struct WorstPixel {
   std::array<double, 4> reference{}, test{};  // r g b a, 8-bit units
 };
 
+// JSON has no infinity, and one figure should be the same in every report.
+inline constexpr double kPsnrOfEqualPictures = 999;
+
 struct Metrics {
   int width = 0, height = 0;
   double max_abs = 0, mae = 0, rmse = 0;
-  double psnr = 0;  // dB; infinity for equal pictures
+  double psnr = 0;  // dB
   double within_1_pct = 0,
          within_2_pct = 0;              // pixels whose every channel (alpha, too, when compared) is at most 1 (2) away
   double bias = 0;                      // mean of test - reference

@@ -11,11 +11,12 @@ namespace {
 
 constexpr double kExactPct = 99.99, kMatchPct = 99.5, kMatchRmse = 2, kBaselineMae = 0.02, kDrift = 0.1;
 // Largest mean difference of 16x16 pixels: of whole code values, and of finer ones.
-constexpr double kCoarseDrift = 0.25, kFineDrift = 0.05;
+constexpr double kCoarseDrift = 0.25, kFineDrift = 0.04;
 constexpr std::pair<Status, const char*> kStatusNames[] = {
     {Status::exact, "exact"},   {Status::match, "match"},
     {Status::differ, "differ"}, {Status::unsupported, "unsupported"},
-    {Status::error, "error"},   {Status::oracle_failed, "oracle_failed"}};
+    {Status::error, "error"},   {Status::oracle_failed, "oracle_failed"},
+    {Status::added, "new"},     {Status::removed, "removed"}};
 
 std::optional<Verdict> not_finite(const Metrics& m) {
   if (m.nan_pixels == 0) return std::nullopt;

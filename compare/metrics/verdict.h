@@ -11,7 +11,10 @@
 namespace verisim::compare {
 
 enum class SceneClass : std::uint8_t { deterministic, stochastic };
-enum class Status : std::uint8_t { exact, match, differ, unsupported, error, oracle_failed };
+// added, removed: a scene without a stored picture, and a stored picture without a scene.
+enum class Status : std::uint8_t { exact, match, differ, unsupported, error, oracle_failed, added, removed };
+inline constexpr Status kStatuses[] = {Status::exact, Status::match,         Status::differ, Status::unsupported,
+                                       Status::error, Status::oracle_failed, Status::added,  Status::removed};
 const char* to_string(SceneClass scene_class);
 const char* to_string(Status status);
 std::optional<Status> status_from_string(const std::string& text);

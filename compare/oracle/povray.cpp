@@ -71,6 +71,19 @@ fs::path cache_folder(const OracleOptions& options) {
 }
 
 // Our own INI stands for the system's: the same search paths, and no other setting of this machine.
+// POV-Ray's command line and INI syntax lose quotes and what is not ASCII: such a scene is read by another name, beside
+// its own.
+fs::path plainly_named(const fs::path& scene) {
+  const std::string name = scene.filename().string();
+  const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '.' || c == '_' || c == '-' || c == '+'; };
+  if (std::all_of(name.begin(), name.end(), plain)) return scene;
+  ContentHash hash;
+  hash.add(name);
+  const fs::path alias = scene.parent_path() / ("verisim-" + hash.hex().substr(0, 12) + ".pov");
+  fs::copy_file(scene, alias, fs::copy_options::overwrite_existing);
+  return alias;
+}
+
 std::string ini_text(const std::vector<fs::path>& library_paths) {
   std::string out = "Bounding_Threshold=3\n";
   for (const fs::path& path : library_paths) out += fmt::format("Library_Path=\"{}\"\n", path.string());
@@ -282,7 +295,8 @@ OracleRender run_oracle(const OracleProgram& program, const OracleOptions& optio
     const fs::path ini = copy.home() / "oracle.ini", picture = copy.out() / ("picture" + extension);
     std::ofstream(ini) << ini_text(program.library_paths);
     const ProcessResult run =
-        run_process({command_line(program, options, scene, copy.scene().filename().string(), picture.string(), variant),
+        run_process({command_line(program, options, scene, plainly_named(copy.scene()).filename().string(),
+                                  picture.string(), variant),
                      copy.folder(), clean_environment(copy.home(), ini), options.time_limit, cancel});
     out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
     if (!run.succeeded()) {
@@ -319,8 +333,8 @@ NativeRenderer povray_renderer(const OracleProgram& program, const OracleOptions
     const fs::path ini = home.path() / "oracle.ini";
     std::ofstream(ini) << ini_text(program.library_paths);
     const ProcessResult run =
-        run_process({command_line(program, options, scene, request.scene.filename().string(), request.output.string(),
-                                  2 * request.run + 1),
+        run_process({command_line(program, options, scene, plainly_named(request.scene).filename().string(),
+                                  request.output.string(), 2 * request.run + 1),
                      request.folder, clean_environment(home.path(), ini), options.time_limit, request.cancel});
     out.seconds = run.wall, out.cpu_seconds = run.cpu, out.peak_bytes = run.peak_bytes;
     if (run.succeeded())

@@ -3,7 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -73,34 +73,63 @@ std::uint64_t resident_peak(pid_t pid) {
   return 0;
 }
 
-struct SpawnSetup {
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  SpawnSetup() { posix_spawn_file_actions_init(&actions), posix_spawnattr_init(&attributes); }
-  ~SpawnSetup() { posix_spawn_file_actions_destroy(&actions), posix_spawnattr_destroy(&attributes); }
-  SpawnSetup(const SpawnSetup&) = delete;
-  SpawnSetup& operator=(const SpawnSetup&) = delete;
+struct Child {
+  const char* folder;  // null: ours
+  int out, err;
+  pid_t parent;
+  char* const* argv;
+  char* const* envp;
 };
 
+// In the new process, which shares our memory until it has become the other program: nothing but system calls. It dies
+// with the thread that waits for it, so that a kill of this program leaves nothing running (posix_spawn cannot ask for
+// that). Returns only with the error of what failed.
+int become(const Child& child) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != child.parent) _exit(127);
+  setpgid(0, 0);
+  const int nothing = ::open("/dev/null", O_RDONLY);
+  if (nothing < 0 || dup2(nothing, 0) < 0 || dup2(child.out, 1) < 0 || dup2(child.err, 2) < 0 ||
+      (child.folder && chdir(child.folder) != 0))
+    return errno;
+  if (nothing > 2) ::close(nothing);
+  struct sigaction usual {};
+  usual.sa_handler = SIG_DFL;
+  for (int signal = 1; signal < NSIG; ++signal) sigaction(signal, &usual, nullptr);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  execve(child.argv[0], child.argv, child.envp);
+  return errno;
+}
+
+// Signals wait meanwhile: our handlers must not run in the child. `error` is written by the child.
+[[gnu::noinline]] pid_t start(const Child& child, volatile int& error) {
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  const pid_t pid = vfork();
+  if (pid == 0) {
+    error = become(child);
+    _exit(127);
+  }
+  if (pid < 0) error = errno;
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return pid;
+}
+
 int spawn(const ProcessRequest& request, int out, int err, pid_t& pid) {
-  SpawnSetup setup;
-  posix_spawn_file_actions_addopen(&setup.actions, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&setup.actions, out, 1);
-  posix_spawn_file_actions_adddup2(&setup.actions, err, 2);
-  if (!request.folder.empty()) posix_spawn_file_actions_addchdir_np(&setup.actions, request.folder.c_str());
-  sigset_t defaults, none;
-  sigfillset(&defaults), sigemptyset(&none);
-  posix_spawnattr_setsigdefault(&setup.attributes, &defaults);
-  posix_spawnattr_setsigmask(&setup.attributes, &none);
-  posix_spawnattr_setpgroup(&setup.attributes, 0);
-  posix_spawnattr_setflags(&setup.attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
   std::vector<std::string> environment;
   for (const auto& [key, value] : request.environment) environment.push_back(key + "=" + value);
   std::vector<char*> argv, envp;
   for (const std::string& s : request.arguments) argv.push_back(const_cast<char*>(s.c_str()));
   for (const std::string& s : environment) envp.push_back(const_cast<char*>(s.c_str()));
   argv.push_back(nullptr), envp.push_back(nullptr);
-  return posix_spawn(&pid, argv[0], &setup.actions, &setup.attributes, argv.data(), envp.data());
+  volatile int error = 0;
+  pid = start({request.folder.empty() ? nullptr : request.folder.c_str(), out, err, getpid(), argv.data(), envp.data()},
+              error);
+  if (error && pid > 0) waitpid(pid, nullptr, 0);
+  return error;
 }
 
 bool make_pipe(Descriptor& read_end, Descriptor& write_end) {

@@ -1,5 +1,10 @@
 #include "compare/oracle/working_copy.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -35,18 +40,51 @@ void empty_folder(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) fs::remove_all(entry.path());
 }
 
+constexpr std::string_view kTemporaryName = "verisim-run-";
+
+int locked(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (file < 0 || ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
+  ::close(file);
+  return -1;
+}
+
+// Folders of ours that nobody holds. Between making and locking one a moment passes, so young ones are left alone.
+void remove_abandoned() {
+  constexpr auto kYoung = std::chrono::seconds(20);
+  std::error_code failed;
+  for (auto it = fs::directory_iterator(fs::temp_directory_path(), failed); !failed && it != fs::directory_iterator();
+       it.increment(failed)) {
+    struct stat about {};
+    const fs::path folder = it->path();
+    if (!folder.filename().string().starts_with(kTemporaryName) || ::lstat(folder.c_str(), &about) != 0 ||
+        !S_ISDIR(about.st_mode) || about.st_uid != ::geteuid())
+      continue;
+    if (std::chrono::system_clock::from_time_t(about.st_mtime) + kYoung > std::chrono::system_clock::now()) continue;
+    const int lock = locked(folder);
+    if (lock < 0) continue;
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+    ::close(lock);
+  }
+}
+
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "verisim-XXXXXX").string();
+  static std::once_flag cleaned;
+  std::call_once(cleaned, remove_abandoned);
+  std::string name = (fs::temp_directory_path() / (std::string(kTemporaryName) + "XXXXXX")).string();
   if (!mkdtemp(name.data()))
     throw fs::filesystem_error("cannot make a temporary folder", name, std::error_code(errno, std::generic_category()));
   path_ = name;
+  lock_ = locked(path_);
 }
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
+  if (lock_ >= 0) ::close(lock_);
 }
 
 class FolderCopy {

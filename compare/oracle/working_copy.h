@@ -7,7 +7,8 @@
 
 namespace verisim::compare {
 
-// A temporary folder, removed with everything in it at the end.
+// A temporary folder, removed with everything in it at the end. What a killed process left behind is removed by the
+// next one that makes such a folder: a folder in use is locked.
 class TemporaryFolder {
  public:
   TemporaryFolder();  // throws std::filesystem::filesystem_error
@@ -18,6 +19,7 @@ class TemporaryFolder {
 
  private:
   std::filesystem::path path_;
+  int lock_ = -1;
 };
 
 class FolderCopy;  // working_copy.cpp

@@ -5,17 +5,55 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.h"
+#include "compare/regression/baseline.h"
 #include "tracer/base/output_file.h"
 
 namespace verisim::compare {
 namespace fs = std::filesystem;
+namespace {
+
+nlohmann::ordered_json read_list(const fs::path& folder) {
+  nlohmann::ordered_json json;
+  if (std::ifstream in(folder / "baseline.json"); in) json = nlohmann::ordered_json::parse(in, nullptr, false);
+  if (!json.is_object()) json = nlohmann::ordered_json::object();
+  if (!json.contains("scenes") || !json["scenes"].is_object()) json["scenes"] = nlohmann::ordered_json::object();
+  return json;
+}
+
+void forget(nlohmann::ordered_json& scenes, const std::string& name, const fs::path& folder) {
+  const fs::path picture = fs::path(scenes[name].value("picture", "")).filename();  // nothing outside of the folder
+  std::error_code ignored;
+  if (!picture.empty()) fs::remove(folder / picture, ignored);
+  scenes.erase(name);
+}
+
+}  // namespace
+
+std::vector<std::string> stored_scenes(const fs::path& baseline) {
+  const nlohmann::ordered_json list = read_list(baseline);
+  std::vector<std::string> names;
+  for (const auto& [name, about] : list["scenes"].items()) names.push_back(name);
+  return names;
+}
+
+std::string stored_call(const fs::path& baseline, const std::string& scene) {
+  const nlohmann::ordered_json list = read_list(baseline);
+  if (!list["scenes"].contains(scene)) return "";
+  try {
+    const auto& about = list["scenes"][scene];
+    std::string switches;
+    for (const std::string s : about.at("switches")) switches += " " + s;
+    return fmt::format("; it was stored by {} with +W{} +H{}{}", about.at("version").get<std::string>(),
+                       about.at("width").get<int>(), about.at("height").get<int>(), switches);
+  } catch (const nlohmann::json::exception&) {
+    return "";  // written by hand, or by another version
+  }
+}
 
 std::vector<std::string> update_baseline(const Run& run, const fs::path& folder, bool dry_run) {
   std::vector<std::string> changes;
   const fs::path list = folder / "baseline.json";
-  nlohmann::ordered_json json;
-  if (std::ifstream in(list); in) json = nlohmann::ordered_json::parse(in, nullptr, false);
-  if (!json.is_object()) json = nlohmann::ordered_json::object();
+  nlohmann::ordered_json json = read_list(folder);
   if (!dry_run) {
     std::error_code failed;
     fs::create_directories(folder, failed);
@@ -23,6 +61,11 @@ std::vector<std::string> update_baseline(const Run& run, const fs::path& folder,
       throw std::runtime_error(fmt::format("{}: cannot make the folder: {}", folder.string(), failed.message()));
   }
   for (const SceneResult& scene : run.scenes) {
+    if (scene.status == Status::removed) {
+      changes.push_back(fmt::format("{}: removed", scene.request.name));
+      if (!dry_run) forget(json["scenes"], scene.request.name, folder);
+      continue;
+    }
     if (scene.native_picture.empty()) {
       changes.push_back(
           fmt::format("{}: kept as it is: {}: {}", scene.request.name, to_string(scene.status), scene.reason));
@@ -35,7 +78,7 @@ std::vector<std::string> update_baseline(const Run& run, const fs::path& folder,
         scene.metrics
             ? fmt::format("{}: changed: rmse {:.3f}, max {:.1f}, {:.3f} % within 1", scene.request.name,
                           scene.metrics->rmse, scene.metrics->max_abs, scene.metrics->within_1_pct)
-            : fmt::format("{}: {}", scene.request.name, scene.status == Status::oracle_failed ? "new" : scene.reason));
+            : fmt::format("{}: {}", scene.request.name, scene.status == Status::added ? "new" : scene.reason));
     if (dry_run) continue;
     // work/STEM.native.EXT -> DIR/STEM.EXT
     const fs::path extension = scene.native_picture.extension();

@@ -158,6 +158,8 @@ class Manifest {
       thresholds(node, out);
     else if (key == "allow")
       allow(node, out);
+    else if (key == "known_failure")
+      out.known_failure = text(node, key);
     else if (key == "crop")
       crop(node, out);
     else if (key == "fit")

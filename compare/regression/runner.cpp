@@ -12,6 +12,7 @@
 
 #include "compare/compare.h"
 #include "compare/oracle/working_copy.h"
+#include "compare/regression/baseline.h"
 #include "compare/regression/passes.h"
 #include "compare/regression/renders.h"
 #include "compare/regression/result_store.h"
@@ -44,6 +45,7 @@ class Runner {
         if (started_[i]) done.push_back(std::move(run_.scenes[i]));
       run_.scenes = std::move(done);
     }
+    if (!run_.cancelled) add_removed();
     run_.summary = summarise(run_.scenes);
     return std::move(run_);
   }
@@ -69,6 +71,9 @@ class Runner {
       work = fs::canonical(options_.work);
     }
     if (!options_.baseline.empty()) run_.reference_name = "baseline";
+    if (!suite_.scenes.empty() && std::all_of(suite_.scenes.begin(), suite_.scenes.end(),
+                                              [](const SceneRequest& s) { return s.reference.has_value(); }))
+      run_.reference_name = suite_.scenes[0].reference_name();
     const bool needs_oracle =
         options_.baseline.empty() &&
         std::any_of(suite_.scenes.begin(), suite_.scenes.end(), [](const SceneRequest& s) { return !s.reference; });
@@ -115,7 +120,7 @@ class Runner {
       SceneResult result = one(suite_.scenes[i]);
       const std::lock_guard lock(mutex_);
       --running_;
-      if (cancelled() && result.failed()) return;  // broken off, not failed
+      if (cancelled() && !result.passed()) return;  // broken off, not failed
       started_[i] = true;
       ++done_, failed_ += result.failed();
       run_.scenes[i] = std::move(result);
@@ -175,6 +180,11 @@ class Runner {
     const OracleRender oracle = renders_->reference(request, rendered ? files_read : std::vector<fs::path>(), 0);
     result.oracle_seconds = oracle.seconds, result.oracle_cpu_seconds = oracle.cpu_seconds,
     result.oracle_cached = oracle.from_cache;
+    if (!oracle.ok && rendered && !options_.baseline.empty() && !fs::exists(renders_->stored_picture(request))) {
+      result.status = Status::added,
+      result.reason = fmt::format("there is no stored picture yet ({}); --update stores this one", oracle.message);
+      return;
+    }
     if (!oracle.ok) {
       result.status = Status::oracle_failed;
       result.reason = rendered ? oracle.message
@@ -186,7 +196,30 @@ class Runner {
       keep_picture(oracle.picture, stem, "oracle", result.oracle_picture);
       return;
     }
+    if (!options_.baseline.empty() && !request.reference &&
+        (oracle.picture.width != request.width || oracle.picture.height != request.height)) {
+      result.status = Status::differ;
+      result.reason = fmt::format("the stored picture has {}x{} pixels, this one {}x{}{}", oracle.picture.width,
+                                  oracle.picture.height, request.width, request.height,
+                                  stored_call(options_.baseline, request.name));
+      keep_picture(oracle.picture, stem, "oracle", result.oracle_picture);
+      return;
+    }
     judge(request, stem, oracle.picture, files_read, result);
+  }
+
+  // Stored pictures whose scene is gone; of a suite from which nothing was left out.
+  void add_removed() {
+    if (options_.baseline.empty() || !options_.whole_suite) return;
+    for (const std::string& name : stored_scenes(options_.baseline)) {
+      if (std::any_of(suite_.scenes.begin(), suite_.scenes.end(),
+                      [&](const SceneRequest& s) { return s.name == name; }))
+        continue;
+      SceneResult& gone = run_.scenes.emplace_back();
+      gone.request.name = name;
+      gone.status = Status::removed,
+      gone.reason = "there is a stored picture, but no such scene any more; --update removes it";
+    }
   }
 
   void keep_picture(const Picture& picture, const std::string& stem, const char* side, fs::path& kept) const {

@@ -26,6 +26,7 @@ Json scene_data(const SceneResult& s) {
   json["class"] = to_string(s.scene_class);
   json["status"] = to_string(s.status);
   json["reason"] = s.reason;
+  if (s.request.reference) json["reference"] = s.request.reference_name();
   json["features"] = s.stochastic_features;
   json["rays"] = s.rays;
   // CPU time where it is known: about 0.6 s of POV-Ray's wall time is sleeping.
@@ -140,28 +141,6 @@ std::string html_report(const Run& run) {
   append_until(out, page, at, "@JS@");
   out += kReportJs;
   return out.append(page, at);
-}
-
-Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test, const Metrics& metrics) {
-  Run run;
-  run.reference_name = reference.filename().string(), run.test_name = test.filename().string();
-  if (run.reference_name == run.test_name) run.reference_name = reference.string(), run.test_name = test.string();
-  SceneResult& s = run.scenes.emplace_back();
-  s.metrics = metrics;
-  const Verdict verdict = judge_deterministic(metrics, false);
-  s.status = verdict.status, s.reason = verdict.reason;
-  if (s.status == Status::differ && reduction(metrics.width, metrics.height) == 1)
-    s.suspicions = diagnose(image::read_picture(reference), image::read_picture(test));
-  s.request.name = run.reference_name + " – " + run.test_name;
-  s.request.width = metrics.width, s.request.height = metrics.height;
-  s.oracle_picture = reference, s.native_picture = test;
-  run.summary = summarise(run.scenes);
-  return run;
-}
-
-Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test,
-                const MetricOptions& options) {
-  return run_of_pair(reference, test, measure_files(reference, test, options));
 }
 
 }  // namespace verisim::compare

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "compare/compare.h"
 
@@ -74,7 +75,9 @@ std::string fitted(std::string s, std::size_t width) {
   return s + std::string(width - std::min(width, glyphs(s)), ' ');
 }
 
-std::string decibels(double psnr) { return std::isfinite(psnr) && psnr < 999 ? fmt::format("{:.2f}", psnr) : "inf"; }
+std::string decibels(double psnr) {
+  return psnr < kPsnrOfEqualPictures ? fmt::format("{:.2f}", psnr) : fmt::format("{:.0f}", kPsnrOfEqualPictures);
+}
 std::string ratio(double oracle, double native) {
   return native > 0 && oracle > 0 ? fmt::format("{:.1f}x", oracle / native) : "-";
 }
@@ -118,6 +121,9 @@ std::string reason(const SceneResult& s) {
   std::string out = s.reason;
   if (!s.suspicions.empty()) out += fmt::format("; suspect {}: {}", s.suspicions[0].what, s.suspicions[0].detail);
   if (s.blame && !s.blame->common.empty()) out += "; " + common_tag(s.blame->common[0]);
+  if (!s.request.known_failure.empty())
+    out += fmt::format("{}{}: {}", out.empty() ? "" : "; ",
+                       s.passed() ? "passes, though it was known to fail" : "known to fail", s.request.known_failure);
   if (s.fit && !s.fit->text().empty()) out += fmt::format(" ({})", s.fit->text());
   return out;
 }
@@ -178,11 +184,12 @@ std::string terminal_table(const Run& run, bool color, int columns) {
   std::size_t name_width = 12;
   for (const SceneResult& s : run.scenes) name_width = std::max(name_width, glyphs(s.request.name));
   constexpr int kFigures = 101;  // everything after the name
-  name_width = std::min<std::size_t>(name_width, static_cast<std::size_t>(std::max(16, columns - kFigures)));
-  std::string out =
-      fmt::format("{}{} {:<13} {:>7} {:>7} {:>7} {:>7} {:>8} {:>7} {:>7} {:>8} {:>8} {:>7}{}\n", color ? kBold : "",
-                  fitted("scene", name_width), "status", "RMSE", "PSNR", "SSIM", "FLIP", "<=1 [%]", "<=2 [%]", "max",
-                  "POV [s]", "ours [s]", "ratio", color ? kReset : "");  // CPU seconds
+  if (columns > 0)
+    name_width = std::min<std::size_t>(name_width, static_cast<std::size_t>(std::max(16, columns - kFigures)));
+  std::string out = fmt::format("{}{} {:<13} {:>7} {:>7} {:>7} {:>7} {:>8} {:>7} {:>7} {:>8} {:>8} {:>7}{}\n",
+                                color ? kBold : "", fitted("scene", name_width), "status", "RMSE", "PSNR", "SSIM",
+                                "FLIP", "<=1 [%]", "<=2 [%]", "max", run.oracle_version.empty() ? "ref [s]" : "POV [s]",
+                                "ours [s]", "ratio", color ? kReset : "");  // CPU seconds
   for (const SceneResult& s : run.scenes) {
     out += fitted(printable(s.request.name), name_width) + ' ';
     out += fmt::format("{}{:<13}{}", color ? color_of(s.status) : "", to_string(s.status), color ? kReset : "");
@@ -193,7 +200,8 @@ std::string terminal_table(const Run& run, bool color, int columns) {
                          decibels(m.psnr), m.ssim_mean, m.flip_mean, m.within_1_pct, m.within_2_pct, m.max_abs, oracle,
                          native, ratio(oracle, native));
     }
-    const bool explain = (s.failed() && !s.reason.empty()) || !s.suspicions.empty() || s.fit;
+    const bool explain =
+        (!s.passed() && !s.reason.empty()) || !s.request.known_failure.empty() || !s.suspicions.empty() || s.fit;
     if (explain) out += ' ' + shortened(printable(reason(s)), 300);
     out += trend(s) + '\n';
   }
@@ -289,13 +297,37 @@ std::string markdown_report(const Run& run) {
   return out;
 }
 
+namespace {
+
+// The line of the scene file that a text names as "room.pov:11"; empty when it names none.
+std::optional<int> line_in(const std::string& text, const std::string& file) {
+  for (std::size_t at = text.find(file + ":"); at != std::string::npos; at = text.find(file + ":", at + 1)) {
+    const char* digits = text.c_str() + at + file.size() + 1;
+    if (const int line = std::atoi(digits); line > 0) return line;
+  }
+  return std::nullopt;
+}
+
+// Where the error is, or the object that wrong pixels show.
+std::optional<int> line_of(const SceneResult& s) {
+  const std::string file = s.request.scene.filename().string();
+  if (const auto line = line_in(s.reason, file)) return line;
+  if (!s.blame) return std::nullopt;
+  for (const CommonTag& tag : s.blame->common)
+    if (const auto line = line_in(tag.name, file)) return line;
+  return s.blame->objects.empty() ? std::nullopt : line_in(s.blame->objects[0].name, file);
+}
+
+}  // namespace
+
 std::string github_annotations(const Run& run) {
   std::string out;
   for (const SceneResult& s : run.scenes) {
     if (!s.failed()) continue;
     const char* level = s.status == Status::unsupported ? "warning" : "error";
-    out += fmt::format("::{} file={},title={}::{}\n", level, github_escape(s.request.scene.string(), true),
-                       github_escape("verisim: " + s.request.name, true),
+    const auto line = line_of(s);
+    out += fmt::format("::{} file={}{},title={}::{}\n", level, github_escape(s.request.scene.string(), true),
+                       line ? fmt::format(",line={}", *line) : "", github_escape("verisim: " + s.request.name, true),
                        github_escape(fmt::format("{}: {}", to_string(s.status), reason(s)), false));
   }
   out += fmt::format("::notice title=verisim compare::{}\n", github_escape(summary_line(run), false));
@@ -309,7 +341,7 @@ std::string junit_report(const Run& run) {
   for (const SceneResult& s : run.scenes) {
     std::string body;
     const std::string message = xml(shortened(reason(s), 2000));
-    switch (s.status) {
+    switch (s.passed() || s.failed() ? s.status : Status::unsupported) {
       case Status::exact:
       case Status::match:
         break;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "tracer/image/hdr.h"
+#include "tracer/image/jpeg_end.h"
 #include "tracer/image/module_files.h"
 #include "tracer/image/netpbm.h"
 #include "tracer/image/picture_rows.h"
@@ -57,6 +58,17 @@ Picture normalised(const Quantised& in) {
   out.samples.resize(in.samples.size());
   for (std::size_t i = 0; i < in.samples.size(); ++i) out.samples[i] = static_cast<float>(in.samples[i]) * scale;
   return out;
+}
+
+// What cannot hold a picture is told in these words, before a reader of some format says that it is none of its files.
+void require_picture_file(const std::filesystem::path& path) {
+  std::error_code failed;
+  const auto type = std::filesystem::status(path, failed).type();
+  if (type == std::filesystem::file_type::directory) fail(path, "read", "it is a folder");
+  if (type == std::filesystem::file_type::not_found || failed) return;  // opening it says why
+  if (type != std::filesystem::file_type::regular)
+    fail(path, "read", "it is a pipe or a device; pictures are read from files");
+  if (std::filesystem::file_size(path, failed) == 0) fail(path, "read", "the file is empty");
 }
 
 bool is_png(std::FILE* file) {
@@ -125,6 +137,7 @@ void write(const render::Framebuffer& framebuffer, const std::filesystem::path& 
 }
 
 Picture read_picture(const std::filesystem::path& path) {
+  require_picture_file(path);
   File file(std::fopen(path.c_str(), "rb"));
   if (!file) fail(path, "open", std::strerror(errno));
   unsigned char magic[8] = {};
@@ -132,6 +145,7 @@ Picture read_picture(const std::filesystem::path& path) {
   std::rewind(file.get());
   try {
     if (got == 8 && std::memcmp(magic, "\x89PNG\r\n\x1a\n", 8) == 0) return normalised(read_png(file.get()));
+    if (got >= 2 && magic[0] == 0xff && magic[1] == 0xd8) require_whole_jpeg(file.get());
     if (got >= 2 && magic[0] == 'P' && magic[1] >= '1' && magic[1] <= '7') return read_netpbm(file.get());
     file.reset();
     return read_through_module(path);
@@ -148,6 +162,7 @@ void write_picture(const Picture& picture, const std::filesystem::path& path) {
 }
 
 std::unique_ptr<PictureRows> open_rows(const std::filesystem::path& path) {
+  require_picture_file(path);
   File file(std::fopen(path.c_str(), "rb"));
   if (!file) fail(path, "open", std::strerror(errno));
   if (is_png(file.get())) {

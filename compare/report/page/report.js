@@ -3,11 +3,11 @@
 (() => {
 const $ = id => document.getElementById(id);
 const data = JSON.parse($('data').textContent);
-const scenes = data.scenes, WHO = data.names;  // who made the two pictures: { o, n }
+const scenes = data.scenes, WHO = { ...data.names };  // who made the two pictures: { o, n }
 const node = (tag, props = {}, ...children) => { const e = Object.assign(document.createElement(tag), props); e.append(...children); return e; };
 const store = { get(k) { try { return localStorage.getItem(k); } catch { return null; } }, set(k, v) { try { localStorage.setItem(k, v); } catch { /* a file may have no storage */ } } };
-const ICON = { exact: '✓', match: '≈', differ: '✗', unsupported: '∅', error: '!', oracle_failed: '?' };
-const NAME = { exact: 'exact', match: 'match', differ: 'differ', unsupported: 'unsupported', error: 'error', oracle_failed: 'oracle failed' };
+const ICON = { exact: '✓', match: '≈', differ: '✗', unsupported: '∅', error: '!', oracle_failed: '?', new: '+', removed: '−' };
+const NAME = { exact: 'exact', match: 'match', differ: 'differ', unsupported: 'unsupported', error: 'error', oracle_failed: 'oracle failed', new: 'new', removed: 'removed' };
 const fixed = (v, n) => v === null || v === undefined || !isFinite(v) ? '–' : v.toFixed(n);
 const UNIT = scenes.some(s => s.cpu) ? 'CPU s' : 's';
 const ratio = s => s.oracle_seconds > 0 && s.native_seconds > 0 ? s.oracle_seconds / s.native_seconds : null;
@@ -26,7 +26,7 @@ $('theme').onclick = () => {
 
 // ---- overview ----
 const metric = k => s => s.metrics ? s.metrics[k] : null;
-const ORDER = ['error', 'differ', 'oracle_failed', 'unsupported', 'match', 'exact'];
+const ORDER = ['error', 'differ', 'oracle_failed', 'removed', 'new', 'unsupported', 'match', 'exact'];
 const COLUMNS = [
   { key: 'name', label: 'Scene', get: s => s.name.toLowerCase(), left: true },
   { key: 'status', label: 'Status', get: s => ORDER.indexOf(s.status), left: true },
@@ -297,7 +297,7 @@ const FIGURES = [['rmse', 'RMSE', 4], ['mae', 'Mean absolute error', 4], ['bias'
   ['ciede2000_p95', 'CIEDE2000, 95 %', 3], ['edge_rmse', 'RMSE at edges', 4], ['interior_rmse', 'RMSE elsewhere', 4], ['alpha_max_abs', 'Alpha, largest difference', 1], ['nan_pixels', 'NaN or infinite pixels', 0]];
 function figures(s) {
   const out = [], row = (k, v) => out.push(node('tr', {}, node('th', { scope: 'row' }, k), node('td', {}, v)));
-  if (s.metrics) for (const [key, label, digits] of FIGURES) if (s.metrics[key] !== undefined) row(label, key === 'psnr' && s.metrics.psnr >= 999 ? '∞' : fixed(s.metrics[key], digits));
+  if (s.metrics) for (const [key, label, digits] of FIGURES) if (s.metrics[key] !== undefined) row(label, key === 'psnr' && s.metrics.psnr >= 999 ? '999' : fixed(s.metrics[key], digits));
   if (s.low_pass) for (const key of ['mad', 'bias', 'rmse']) row(`Blurred ${key}: ours, noise`, `${fixed(s.low_pass.native[key], 3)}, ${fixed(s.low_pass.noise[key], 3)}`);
   if (s.welch) row("Welch's test", `${s.welch.rejected ? 'rejected' : 'passed'}: p ${s.welch.pixel_p.toExponential(1)} (pixels), ${s.welch.mean_p.toExponential(1)} (mean ${fixed(s.welch.mean_difference, 3)})`);
   if (s.fit) row('Fitted', s.fit);
@@ -358,6 +358,7 @@ async function open(i) {
   $('overview').hidden = true; $('detail').hidden = false;
   $('name').textContent = s.name; $('status').className = 'st ' + s.status; $('status').textContent = `${ICON[s.status]} ${NAME[s.status]}`; $('reason').textContent = s.reason;
   $('suspects').replaceChildren(...s.suspects.map(v => node('li', {}, node('b', {}, v.what), `: ${v.detail} (explains ${(100 * v.explained).toFixed(0)} %)`)));
+  WHO.o = s.reference || data.names.o;  // a photograph is not POV-Ray's
   document.title = `${s.name} – verisim report`;
   figures(s); histogram(s); worst(s); makeLegend(); blame(s); truth(s); $('explain').hidden = $('tree').hidden = true;
   if (!fresh) return;

@@ -15,6 +15,8 @@ std::optional<Value> parse_block_value(Parser& parser);
 
 std::shared_ptr<scene::Object> parse_object(Parser& parser);  // null: no object starts here
 scene::PigmentPtr parse_pigment(Parser& parser);              // pigment { ... }
+scene::PigmentPtr parse_independent_pigment(
+    Parser& parser);  // pigment { ... } of a sky or a function: #default does not reach it
 scene::NormalPtr parse_normal(Parser& parser);
 scene::Finish parse_finish(Parser& parser, const scene::Finish& start);
 scene::TexturePtr parse_texture(Parser& parser);  // one texture { ... }

@@ -497,7 +497,7 @@ FunctionPtr Parser::Impl::function() {
       break;
     }
     case Word::pigment: {
-      const scene::PigmentPtr pigment = parse_pigment(parser);
+      const scene::PigmentPtr pigment = parse_independent_pigment(parser);
       result = textures::pigment_function(pigment, settings);
       break;
     }

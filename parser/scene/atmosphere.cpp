@@ -161,7 +161,7 @@ scene::SkySphere parse_sky_sphere(Parser& parser) {
   for (;;) {
     Transform item;
     if (parser.at(Word::pigment)) {
-      sky.pigments.push_back(parse_pigment(parser));
+      sky.pigments.push_back(parse_independent_pigment(parser));
     } else if (parser.accept(Word::emission)) {
       sky.emission = parser.parse_rgb();
     } else if (parse_transform_item(parser, item)) {

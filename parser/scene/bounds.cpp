@@ -64,13 +64,14 @@ std::vector<ObjectPtr> parse_objects(Parser& parser, std::string_view name) {
 
 }  // namespace
 
+// A link to a list that is still empty is none: both lists can be written later.
 void parse_bounded_by(Parser& parser, Object& object) {
   const Parser::Depth depth(parser);
   open_block(parser);
   if (parser.accept(Word::clipped_by)) {
     if (!object.bounded_by.empty()) parser.error("Cannot link clips with previous bounds.");
     object.bounded_by = object.clipped_by;
-    object.clip_is_bound = true;
+    object.clip_is_bound = !object.clipped_by.empty();
     close_block(parser, "bounded_by");
     return;
   }
@@ -84,7 +85,7 @@ void parse_clipped_by(Parser& parser, Object& object) {
   if (parser.accept(Word::bounded_by)) {
     if (!object.clipped_by.empty()) parser.error("Cannot link bounds with previous clips.");
     object.clipped_by = object.bounded_by;
-    object.clip_is_bound = true;
+    object.clip_is_bound = !object.bounded_by.empty();
     close_block(parser, "clipped_by");
     return;
   }

@@ -267,7 +267,7 @@ class CameraReader {
         return true;
       }
       case Word::normal:
-        camera.normal = parse_normal(parser, camera.normal);
+        camera.normal = parse_normal(parser, camera.normal ? camera.normal : default_layer(parser).normal);
         if (camera.normal && camera.normal->pattern.kind == scene::PatternKind::none)
           parser.error("No normal type given.");
         return true;

@@ -186,19 +186,21 @@ class LightReader {
 
   void finish() {
     LightSource& l = light();
+    // Only where `circular` itself is written: what `orient` makes circular may have one point on an axis.
+    if (circular && (l.size1 <= 1 || l.size2 <= 1)) {
+      parser.error("Circular area lights must have more than one point per axis.");
+    }
     if (orient) {
       if (!l.area) parser.warning("'orient' only affects area lights.");
       if (l.area && !l.circular) {
         parser.warning("Orient only affects circular area_lights; circular is switched on.");
-        l.circular = circular = true;
+        l.circular = l.size1 > 1 && l.size2 > 1;
       }
       if (l.area && l.size1 != l.size2) parser.warning("When using orient, the two axes should have the same size.");
       if (l.area && std::fabs(length(l.axis1) - length(l.axis2)) > kEpsilon) {
         parser.warning("When using orient, the two axes should have the same length; the length of the first is used.");
       }
     }
-    if (circular && (l.size1 <= 1 || l.size2 <= 1))
-      parser.error("Circular area lights must have more than one point per axis.");
     const Vec3 axis = l.point_at - l.position;
     l.direction = length(axis) > kEpsilon ? normalize(axis) : Vec3(0, 0, 0);
   }

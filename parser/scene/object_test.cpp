@@ -230,6 +230,18 @@ TEST(Modifiers, LinkedBoundsAndClips) {
             "Cannot link clips with previous bounds.");
   EXPECT_EQ(first_error("sphere{0,1 clipped_by{box{0,1}} bounded_by{clipped_by} clipped_by{box{0,1}}}"),
             "Cannot add clips after linking bounds and clips.");
+  EXPECT_EQ(first_error("sphere{0,1 bounded_by{clipped_by} bounded_by{box{0,1}} clipped_by{box{0,1}}}"), "");
+  EXPECT_EQ(first_error("sphere{0,1 clipped_by{bounded_by} clipped_by{box{0,1}} clipped_by{box{0,1}}}"), "");
+}
+
+TEST(Modifiers, OnePatchDeniesASolidItsInside) {
+  const auto asked = [](const std::string& object) {
+    return first_error("#declare O=" + object + " #declare V=inside(O,0);");
+  };
+  EXPECT_EQ(asked("union{disc{0,y,1} sphere{0,1}}"), "");
+  EXPECT_EQ(asked("union{sphere{0,1} union{triangle{0,x,y} box{0,1}}}"),
+            "inside() needs an object that has an inside.");
+  EXPECT_EQ(asked("union{sphere{0,1} light_source{0,1}}"), "inside() needs an object that has an inside.");
 }
 
 TEST(Modifiers, ErrorsHavePovRaysMeaning) {

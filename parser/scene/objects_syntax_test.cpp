@@ -126,6 +126,7 @@ constexpr const char* kAccepted[] = {
     R"(light_source{0 rgb 1 area_light <1,0,0>,<0,1,0>,3,3 area_illumination on})",
     R"(light_source{0 rgb 1 area_illumination})",
     R"(light_source{0 rgb 1 orient})",
+    R"(light_source{0 rgb 1 area_light x y 1 3 orient})",
     R"(light_source{0 rgb 1 fade_distance 5 fade_power 2 shadowless})",
     R"(light_source{0 rgbt 1})",
     R"(disc{0,y,1,})",

@@ -89,6 +89,11 @@ TEST(Atmosphere, FogRainbowSky) {
   EXPECT_EQ(*scene.rainbows[0].arc_angle, 120);
   EXPECT_FALSE(scene.rainbows[0].falloff_angle.has_value());
   EXPECT_EQ(scene.sky_sphere->pigments.size(), 2u);
+  // Its pigments do not start from the default one, a camera's normal does.
+  EXPECT_FALSE(scene_of("#default{pigment{turbulence 1}} sky_sphere{pigment{gradient y}}")
+                   .sky_sphere->pigments[0]
+                   ->pattern.turbulence);
+  EXPECT_TRUE(scene_of("#default{normal{turbulence 1}} camera{normal{ripples}}").camera.normal->pattern.turbulence);
   EXPECT_EQ(scene.sky_sphere->emission, Rgb(2.f));
   EXPECT_EQ(scene.background, Color(.5f, .5f, .5f));
   EXPECT_EQ(first_error("rainbow{angle 42 width 5}"), "Rainbow's direction vector is zero.");

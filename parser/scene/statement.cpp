@@ -27,17 +27,23 @@ class ObjectCheck {
  public:
   explicit ObjectCheck(Parser& p) : parser(p) {}
 
-  void object(const scene::Object& o) {
-    if (!o.bounded_by.empty()) bounds(o);
+  // `in_frame`: a part of the scene itself, as members of plain unions are, not of a solid.
+  void object(const scene::Object& o, bool in_frame = true) {
+    if (in_frame && !o.bounded_by.empty()) bounds(o);
     textures(o);
     const auto* csg = o.as<scene::Csg>();
     if (csg && csg->children.postponed())
       postponed(o, o.texture != nullptr);
     else
-      for (const scene::ObjectPtr& child : scene::children_of(o)) object(*child);
+      for (const scene::ObjectPtr& child : scene::children_of(o))
+        object(*child, in_frame && (!csg || dissolved(o, *csg)));
   }
 
  private:
+  static bool dissolved(const scene::Object& o, const scene::Csg& csg) {
+    return csg.kind == scene::CsgKind::union_ && o.split_union && o.clipped_by.empty();
+  }
+
   Parser& parser;
   scene::TexturePtr last;  // children often share one texture
 
@@ -64,7 +70,7 @@ class ObjectCheck {
     const auto* csg = o.as<scene::Csg>();
     if (!csg) return parser.warning("Unnecessary bounding object removed.");
     // The parts of a union are bounded one by one.
-    if (csg->kind != scene::CsgKind::union_ || !o.split_union || !o.clipped_by.empty()) return;
+    if (!dissolved(o, *csg)) return;
     for (const scene::ObjectPtr& child : scene::children_of(o))
       if (scene::is_infinite(*child)) return;
     parser.warning("CSG union unnecessarily bounded.");

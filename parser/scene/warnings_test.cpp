@@ -31,8 +31,12 @@ TEST(Warnings, UselessBounds) {
   EXPECT_EQ(of_statement("merge { " + parts + bound + "}"), Texts{});
   EXPECT_EQ(of_statement("#declare U = union { " + parts + bound + "}"), Texts{});
   EXPECT_EQ(of_statement("torus { 1, .2 " + bound + "}"), Texts{"Unnecessary bounding object removed."});
-  EXPECT_EQ(of_statement("intersection { sphere { 0, 1 } torus { 1, .2 " + bound + "} }"),
+  EXPECT_EQ(of_statement("union { sphere { 0, 1 } torus { 1, .2 " + bound + "} }"),
             Texts{"Unnecessary bounding object removed."});
+  EXPECT_EQ(of_statement("intersection { sphere { 0, 1 } torus { 1, .2 " + bound + "} }"), Texts{});
+  EXPECT_EQ(of_statement("union { sphere { 0, 1 } torus { 1, .2 " + bound + "} inverse }"), Texts{});
+  EXPECT_EQ(of_statement("union { sphere { 0, 1 } torus { 1, .2 " + bound + "} clipped_by { plane { y, 0 } } }"),
+            Texts{});
 }
 
 // Once a scene each.

@@ -187,8 +187,9 @@ scene::ImageParams parse_image(Parser& parser, ImageUse use, float* bump_size) {
       case Word::interpolate:
         parser.next();
         params.interpolate = parser.parse_int();
-        if (use == ImageUse::image_map && (params.interpolate < 0 || params.interpolate == 1 || params.interpolate > 4))
+        if (use == ImageUse::image_map && (params.interpolate < 2 || params.interpolate > 4)) {
           parser.error("Invalid interpolate value.");
+        }
         break;
       case Word::repeat:
         parser.next();

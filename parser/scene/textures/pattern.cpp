@@ -253,7 +253,7 @@ bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, co
     case Word::pigment_pattern: {
       take(PatternKind::pigment_pattern);
       parser.expect('{');
-      scene::PigmentPatternParams params{parse_pigment_body(parser, default_layer(parser).pigment)};
+      scene::PigmentPatternParams params{parse_pigment_body(parser, blank_pigment())};
       close_block(parser, "pigment_pattern");
       pattern.params = params;
       return true;

@@ -37,6 +37,8 @@ scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& st
 scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start);
 scene::TexturePtr parse_texture_body(Parser& parser, bool is_default = false);
 scene::DensityPtr parse_density_body(Parser& parser);
+// What the pigments of skies, pigment functions and pigment patterns start from: #default does not reach them.
+const scene::PigmentPtr& blank_pigment();
 // Whole blocks that modify something.
 scene::PigmentPtr parse_pigment(Parser& parser, const scene::PigmentPtr& start);
 scene::NormalPtr parse_normal(Parser& parser, const scene::NormalPtr& start);

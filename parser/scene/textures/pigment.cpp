@@ -80,6 +80,11 @@ const scene::TextureLayer& default_layer(Parser& parser) {
   return texture->layers.front();
 }
 
+const scene::PigmentPtr& blank_pigment() {
+  static const scene::PigmentPtr blank = std::make_shared<const Pigment>();
+  return blank;
+}
+
 scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& start, bool old_texture) {
   const Parser::Depth depth(parser);
   std::shared_ptr<Pigment> pigment;
@@ -124,6 +129,7 @@ scene::PigmentPtr parse_pigment(Parser& parser, const scene::PigmentPtr& start) 
 }
 
 scene::PigmentPtr parse_pigment(Parser& parser) { return parse_pigment(parser, default_layer(parser).pigment); }
+scene::PigmentPtr parse_independent_pigment(Parser& parser) { return parse_pigment(parser, blank_pigment()); }
 
 scene::Pattern parse_pattern_body(Parser& parser) {
   scene::Pattern pattern;

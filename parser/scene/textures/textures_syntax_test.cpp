@@ -263,6 +263,7 @@ constexpr const char* kRefused[] = {
     R"(sphere{0,1 normal{gradient x 1, accuracy .1 no_bump_scale bump_size 2}})",
     R"(sphere{0,1 normal{gradient x, 1 accuracy .1 no_bump_scale on}})",
     R"(sphere{0,1 pigment{image_map{function 5,5{x} map_type 3}}})",
+    R"(sphere{0,1 pigment{image_map{function 5,5{pigment{bozo}} interpolate 0}}})",
     R"(sphere{0,1 pigment{image_map{function 5,5{pigment{bozo}} interpolate 5}}})",
     R"(sphere{0,1 pigment{image_map{function 5,5{x} filter 3 .5}}})",
     R"(sphere{0,1 pigment{image_map{function 5,5{x} use_alpha}}})",

@@ -110,8 +110,7 @@ void fill_layers(Layers& layers, const shading::SceneData& scene, const CameraMo
   constexpr int kGrid = 4;
   FirstSurface surface(scene);
   shapes::Hit hit;
-  const double limit = camera.mesh && camera.camera.max_distance >= kEpsilon ? camera.camera.max_distance
-                                                                             : std::numeric_limits<double>::infinity();
+  const double limit = camera.limit();
   for (int y = first; y < last; ++y) {
     for (int x = 0; x < width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);

@@ -42,6 +42,10 @@ void CameraModel::find_coherence(int width, int height) {
   coherence = {rays.origin_varies() ? Kind::parallel : Kind::common_origin, std::max(apart(*right), apart(*below))};
 }
 
+double CameraModel::limit() const {
+  return mesh && camera.max_distance >= kEpsilon ? camera.max_distance : std::numeric_limits<double>::infinity();
+}
+
 // Rays of linear cameras are spanned by those of the corners.
 std::optional<accel::Shaft> CameraModel::shaft(const Box3& world, double left, double top, double right,
                                                double bottom) const {
@@ -61,14 +65,12 @@ std::optional<accel::Shaft> CameraModel::shaft(const Box3& world, double left, d
 
 Color PixelSampler::operator()(double x, double y) {
   ++tracer_.statistics().samples;
-  if (camera_.mesh) return mesh_sample(x, y);
+  if (camera_.free()) return free_sample({x, y});
   if (camera_.blur) return lens_sample({x, y});
   tracer_.random().begin_sample(x, y, 0);
-  const std::optional<PrimaryRay> primary = camera_.rays.at(x, y);
-  if (!primary) return {0, 0, 0, 0, 1};
+  const PrimaryRay primary = *camera_.rays.at(x, y);
   int one = 1;
-  const accel::WorldEntry* const known = camera_.linear ? entry(x, y, one) : nullptr;
-  return trace({primary->ray.origin, normalize(primary->ray.direction)}, primary->image, known);
+  return trace({primary.ray.origin, normalize(primary.ray.direction)}, primary.image, entry(x, y, one));
 }
 
 const accel::WorldEntry* PixelSampler::entry(double x, double y, int& count) {
@@ -85,8 +87,8 @@ void PixelSampler::row(double x, double y, int count, Color* colors) {
   for (int done = 0; done < count; done += shading::Wave::kMost) {
     const int n = std::min(count - done, shading::Wave::kMost);
     for (int i = 0; i < n; ++i) wave_.places()[i] = Vec2(x + done + i, y);
-    if (camera_.blur)
-      lens_points(n, colors + done);
+    if (camera_.blur || camera_.free())
+      other_points(n, colors + done);
     else
       row_wave(n, colors + done);
   }
@@ -112,8 +114,8 @@ void PixelSampler::points(const Vec2* places, int count, Color* colors) {
   for (int done = 0, n = 0; done < count; done += n) {
     n = near_each_other(places + done, std::min(count - done, shading::Wave::kMost));
     std::copy_n(places + done, n, wave_.places());
-    if (camera_.blur)
-      lens_points(n, colors + done);
+    if (camera_.blur || camera_.free())
+      other_points(n, colors + done);
     else
       point_wave(n, colors + done);
   }
@@ -138,7 +140,8 @@ bool PixelSampler::aim(int count) {
 }
 
 bool PixelSampler::starts_like_the_first(int i) {
-  const auto around = tracer_.interiors(tracer_.camera_state(wave_.lanes().rays.at(i), true).interiors);
+  const auto around =
+      tracer_.interiors(tracer_.camera_state(wave_.lanes().rays.at(i), camera_.origin_varies).interiors);
   if (i == 0) around_.assign(around.begin(), around.end());
   return std::ranges::equal(around, around_);
 }
@@ -175,21 +178,11 @@ Color PixelSampler::trace(Ray ray, const Vec2& image, const accel::WorldEntry* e
   return tracer_.trace_camera(ray, camera_.origin_varies, std::numeric_limits<double>::infinity(), entry);
 }
 
-Color PixelSampler::mesh_sample(double x, double y) {
-  const double limit =
-      camera_.camera.max_distance >= kEpsilon ? camera_.camera.max_distance : std::numeric_limits<double>::infinity();
-  Color sum;
-  int shot = 0;
-  for (int k = 0; k < camera_.mesh->rays_per_pixel(); ++k) {
-    std::optional<Ray> ray = camera_.mesh->ray(x, y, k);
-    if (!ray) continue;
-    tracer_.random().begin_sample(x, y, static_cast<std::uint32_t>(k));
-    if (camera_.normal) ray->direction = perturb_direction(*camera_.normal, ray->direction, {0, 0});
-    sum += tracer_.trace_camera(*ray, true, limit);
-    ++shot;
-  }
-  if (shot == 0) return {0, 0, 0, 0, 1};
-  return sum * (1.0f / static_cast<float>(shot));
+void PixelSampler::other_points(int count, Color* colors) {
+  if (camera_.blur)
+    lens_points(count, colors);
+  else
+    free_points(count, colors);
 }
 
 }  // namespace verisim::render

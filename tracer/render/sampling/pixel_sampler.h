@@ -22,6 +22,12 @@ struct CameraModel {
   bool origin_varies = false;
   accel::CameraCoherence coherence;
   bool linear = false;  // rays are linear in the position: perspective and orthographic cameras without a normal
+  // Neither neighbours nor places say where a ray goes (fisheye ..., mesh_camera, cameras with a normal): each is asked
+  // for.
+  bool free() const { return !linear && !blur; }
+  int rays_per_sample() const { return mesh ? mesh->rays_per_pixel() : 1; }
+  // How far camera rays go.
+  double limit() const;
   // The shaft of all rays of a rectangle of the picture, for linear cameras, through a world with these bounds.
   std::optional<accel::Shaft> shaft(const Box3& world, double left, double top, double right, double bottom) const;
 
@@ -43,10 +49,11 @@ class PixelSampler {
   bool any_order() const { return !tracer_.random().replay(); }
 
  private:
-  Color mesh_sample(double x, double y);
   Color trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry = nullptr);
 
-  bool together() const { return camera_.linear && wave_.usable(); }
+  bool together() const { return (camera_.linear || camera_.free()) && wave_.usable(); }
+  // The colours at the wave's places: linear cameras with a lens, cameras that are not linear.
+  void other_points(int count, Color* colors);
   static int near_each_other(const Vec2* places, int count);
   bool aim(int count);
   // Ray i of the wave starts within the same objects as ray 0, which is to be asked for first.
@@ -67,6 +74,16 @@ class PixelSampler {
   Color lens_sample(const Vec2& place);
   void lens_points(int count, Color* colors);
   void lens_wave(std::span<const LensRay> rays);
+
+  // ---- free_samples.cpp
+  struct FreeRay {
+    Ray ray;
+    int sample, number;
+  };
+  std::optional<Ray> free_ray(const Vec2& place, int number) const;
+  Color free_sample(const Vec2& place);
+  void free_points(int count, Color* colors);
+  void free_wave(std::span<const FreeRay> rays, const Vec2* places, Color* sums);
 
   const CameraModel& camera_;
   shading::Tracer& tracer_;

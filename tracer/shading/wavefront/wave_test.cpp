@@ -410,6 +410,42 @@ TEST(Wave, LooksForLightInSpace) {
 TEST(Wave, GivesTheColoursOfSingleRays) { expect_the_same_together(mixed_scene()); }
 TEST(Wave, SeesThroughFogAsSingleRaysDo) { expect_the_same_together(mixed_scene(true)); }
 
+// Cameras whose rays are not linear in the position.
+TEST(Wave, GivesTheColoursOfSingleRaysOfCurvedCameras) {
+  using enum scene::CameraKind;
+  for (const scene::CameraKind kind : {fisheye, panoramic, ultra_wide_angle}) {
+    scene::Scene scene = mixed_scene();
+    scene.camera.kind = kind;
+    scene.camera.angle = 80;
+    SCOPED_TRACE(static_cast<int>(kind));
+    expect_the_same_together(scene);
+  }
+}
+
+// Two rays for each pixel, from the faces of two meshes that look at the scene; the last row has no faces in the
+// second.
+TEST(Wave, GivesTheColoursOfSingleRaysOfFaces) {
+  constexpr int kWidth = 83, kHeight = 61;
+  scene::Scene scene = mixed_scene();
+  scene.camera.kind = scene::CameraKind::mesh_camera;
+  scene.camera.rays_per_pixel = 2;
+  scene.camera.location = Vec3(0, 0, 0), scene.camera.direction = Vec3(0, 0, 1);
+  for (int m = 0; m < 2; ++m) {
+    auto mesh = std::make_shared<scene::MeshData>();
+    for (int y = 0; y < kHeight - m; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const Vec3 p(5.0 * x / kWidth - 2.5, 2.0 - 2.5 * y / kHeight, -6 - m), tilt(0, 0, 0.00002 * x);
+        scene::MeshTriangle t{};
+        for (unsigned i = 0; i < 3; ++i) t.vertex[i] = static_cast<std::uint32_t>(mesh->vertices.size()) + i;
+        mesh->vertices.insert(mesh->vertices.end(), {p, p + Vec3(0, 0.01, 0), p + Vec3(0.01, 0, 0) + tilt});
+        mesh->triangles.push_back(t);
+      }
+    }
+    scene.camera.meshes.push_back(mesh);
+  }
+  expect_the_same_together(scene);
+}
+
 // Places all over the picture: where rays of one wave enter the world is remembered for all of them at once.
 TEST(Wave, GivesTheColoursOfSinglePointsFarApart) {
   const scene::Scene scene = mixed_scene();

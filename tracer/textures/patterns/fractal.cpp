@@ -1,5 +1,6 @@
 // Mandelbrot, Julia and magnet fractals over the x-y plane.
 #include <complex>
+#include <limits>
 
 #include "tracer/textures/patterns/formulas.h"
 
@@ -80,21 +81,44 @@ double interior(const scene::FractalParams& f, const Complex& z, double smallest
   }
 }
 
+// An orbit of floating-point numbers that comes to a place for the second time goes round for ever: what is left of it
+// are whole rounds, and a part of one. Brent, "An improved Monte Carlo factorization algorithm" (1980): the place of
+// every iteration that is a power of two is compared with those that follow.
+class Rounds {
+ public:
+  // How many of `left` iterations change where the orbit ends and what its smallest value is; it is at z after
+  // iteration k = 0, 1 ...
+  int needed(const Complex& z, int k, int left) {
+    if (z == place_) return left % (k - at_);
+    if (k == next_) place_ = z, at_ = k, next_ = k < (1 << 29) ? 2 * k : 0;
+    return left;
+  }
+
+ private:
+  Complex place_{std::numeric_limits<double>::infinity(), 0};
+  int at_ = 0, next_ = 1;
+};
+
 double polynomial(const scene::FractalParams& f, Complex z, const Complex& c) {
   double smallest = squared(z);
-  for (int k = 0; k < f.iterations; ++k) {
+  Rounds rounds;
+  int end = f.iterations;
+  for (int k = 0; k < end; ++k) {
     z = (f.exponent == 2 ? Complex(z.real() * z.real() - z.imag() * z.imag(), 2 * z.real() * z.imag())
                          : power(z, f.exponent)) +
         c;
     const double size = squared(z);
     if (size > 4) return exterior(f, z, k);
     smallest = std::min(smallest, size);
+    end = k + 1 + rounds.needed(z, k, end - k - 1);
   }
   return interior(f, z, smallest);
 }
 
 double magnet(const scene::FractalParams& f, Complex z, const Complex& c, double smallest) {
-  for (int k = 0; k < f.iterations; ++k) {
+  Rounds rounds;
+  int end = f.iterations;
+  for (int k = 0; k < end; ++k) {
     Complex numerator, denominator;
     const Complex z2 = multiply(z, z);
     if (f.magnet == 1) {
@@ -110,6 +134,7 @@ double magnet(const scene::FractalParams& f, Complex z, const Complex& c, double
     const double size = squared(z);
     if (size > 10000 || squared(z - 1.0) < 1e-4) return exterior(f, z, k);
     smallest = std::min(smallest, size);
+    end = k + 1 + rounds.needed(z, k, end - k - 1);
   }
   return interior(f, z, smallest);
 }

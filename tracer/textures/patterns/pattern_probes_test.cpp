@@ -683,5 +683,30 @@ TEST(PatternProbes, Fractals) {
   check(probes, points, 2e-12);
 }
 
+// Orbits that go round for ever end where step by step iteration ends, with the same bits.
+TEST(PatternProbes, LongOrbitsOfFractals) {
+  std::mt19937 random{11};
+  std::uniform_real_distribution<double> real(-1.4, 0.4), imaginary(-0.8, 0.8);
+  int stay = 0;
+  for (int n = 0; n < 300; ++n) {
+    FractalParams f;
+    f.iterations = 1500 + n % 7, f.interior_type = 1 + n % 6, f.interior_factor = 0.7;
+    const Vec3 p(real(random), imaginary(random), 0);
+    double a = p.x, b = p.y, size = a * a + b * b, smallest = size;
+    for (int k = 0; k < f.iterations && size <= 4; ++k) {
+      const double square = a * a - b * b + p.x;
+      b = 2 * a * b + p.y, a = square;
+      size = a * a + b * b;
+      smallest = std::min(smallest, size);
+    }
+    if (size > 4) continue;
+    ++stay;
+    const double expected[] = {std::sqrt(smallest) * 0.7, a * 0.7, b * 0.7, a * a * 0.7, b * b * 0.7,
+                               a * a + b * b * 0.7};
+    EXPECT_EQ(fractal(f, PatternKind::mandel, p), expected[f.interior_type - 1]) << n;
+  }
+  EXPECT_GT(stay, 100);
+}
+
 }  // namespace
 }  // namespace verisim::textures

@@ -1,0 +1,94 @@
+// Samples of a camera whose rays are not linear in the position: several rays, one or none for each, which are traced
+// together however they lie.
+#include <algorithm>
+#include <cmath>
+
+#include "tracer/render/sampling/pixel_sampler.h"
+
+namespace verisim::render {
+namespace {
+
+constexpr Color kNoRay{0, 0, 0, 0, 1};
+
+}  // namespace
+
+std::optional<Ray> PixelSampler::free_ray(const Vec2& place, int number) const {
+  Ray ray;
+  Vec2 image(0, 0);
+  if (camera_.mesh) {
+    const std::optional<Ray> from_face = camera_.mesh->ray(place.x, place.y, number);
+    if (!from_face) return std::nullopt;
+    ray = *from_face;
+  } else {
+    const std::optional<PrimaryRay> primary = camera_.rays.at(place.x, place.y);
+    if (!primary) return std::nullopt;
+    ray = {primary->ray.origin, normalize(primary->ray.direction)};
+    image = primary->image;
+  }
+  if (camera_.normal) ray.direction = perturb_direction(*camera_.normal, ray.direction, image);
+  return ray;
+}
+
+Color PixelSampler::free_sample(const Vec2& place) {
+  Color sum;
+  int shot = 0;
+  for (int k = 0; k < camera_.rays_per_sample(); ++k) {
+    const std::optional<Ray> ray = free_ray(place, k);
+    if (!ray) continue;
+    tracer_.random().begin_sample(place.x, place.y, static_cast<std::uint32_t>(k));
+    sum += tracer_.trace_camera(*ray, camera_.origin_varies, camera_.limit());
+    ++shot;
+  }
+  return shot > 0 ? sum * (1.0f / static_cast<float>(shot)) : kNoRay;
+}
+
+// Those at the wave's places.
+void PixelSampler::free_points(int count, Color* colors) {
+  if (std::isfinite(camera_.limit())) return one_by_one(count, colors);
+  tracer_.statistics().samples += static_cast<std::uint64_t>(count);
+  Vec2 places[shading::Wave::kMost];
+  std::copy_n(wave_.places(), count, places);
+  int shot[shading::Wave::kMost] = {};
+  FreeRay rays[shading::Wave::kMost];
+  std::size_t waiting = 0;
+  for (int i = 0; i < count; ++i) {
+    colors[i] = {};
+    for (int k = 0; k < camera_.rays_per_sample(); ++k) {
+      const std::optional<Ray> ray = free_ray(places[i], k);
+      if (!ray) continue;
+      rays[waiting++] = {*ray, i, k};
+      ++shot[i];
+      if (waiting < std::size(rays)) continue;
+      free_wave(rays, places, colors);
+      waiting = 0;
+    }
+  }
+  free_wave(std::span(rays).first(waiting), places, colors);
+  for (int i = 0; i < count; ++i) colors[i] = shot[i] > 0 ? colors[i] * (1.0f / static_cast<float>(shot[i])) : kNoRay;
+}
+
+// Adds the rays' colours to the sums of their samples.
+void PixelSampler::free_wave(std::span<const FreeRay> rays, const Vec2* places, Color* sums) {
+  if (rays.empty()) return;
+  RayRow& row = wave_.lanes().rays;
+  bool together = true;
+  for (std::size_t k = 0; k < rays.size() && together; ++k) {
+    const int lane = static_cast<int>(k);
+    row.origin.set(lane, rays[k].ray.origin), row.direction.set(lane, rays[k].ray.direction);
+    wave_.places()[k] = places[rays[k].sample], wave_.numbers()[k] = static_cast<std::uint32_t>(rays[k].number);
+    together = starts_like_the_first(lane);
+  }
+  Color seen[shading::Wave::kMost];
+  const accel::WorldEntry* const unknown[shading::Wave::kMost] = {};
+  if (together) wave_.trace(static_cast<int>(rays.size()), unknown, seen);
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const auto& [ray, sample, number] = rays[k];
+    if (!together) {
+      tracer_.random().begin_sample(places[sample].x, places[sample].y, static_cast<std::uint32_t>(number));
+      seen[k] = tracer_.trace_camera(ray, camera_.origin_varies);
+    }
+    sums[sample] += seen[k];
+  }
+}
+
+}  // namespace verisim::render

@@ -19,7 +19,7 @@ class Layers(unittest.TestCase):
             return check(root)
 
     def test_downward_includes_pass(self):
-        self.assertEqual(self.faults({'tracer/math/vec.h': '', 'tracer/shapes/quadrics/sphere.cpp': '#include "tracer/math/vec.h"\n#include <vector>\n'}), [])
+        self.assertEqual(self.faults({'tracer/math/vec.h': '', 'tracer/shapes/sphere.cpp': '#include "tracer/math/vec.h"\n#include <vector>\n'}), [])
 
     def test_an_upward_include_is_named_with_its_line(self):
         faults = self.faults({'tracer/math/vec.cpp': '\n#include "tracer/shapes/shape.h"\n', 'tracer/shapes/shape.h': ''})

@@ -22,6 +22,7 @@ find_path(VERISIM_TOML_INCLUDE_DIR toml++/toml.h REQUIRED DOC "Folder of toml++,
 set(shared_suffixes ${CMAKE_FIND_LIBRARY_SUFFIXES})
 list(PREPEND CMAKE_FIND_LIBRARY_SUFFIXES .a)
 find_package(PNG REQUIRED)
+find_package(GIF 5 REQUIRED)
 set(OPENSSL_USE_STATIC_LIBS ON)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)  # SHA-256, the key of the oracle's cache
 set(CMAKE_FIND_LIBRARY_SUFFIXES ${shared_suffixes})

@@ -59,18 +59,6 @@ int find_picture(const std::unique_ptr<GifFileType, Close>& gif) {
   return transparent;
 }
 
-void read_rows(const std::unique_ptr<GifFileType, Close>& gif, RawImage& raw) {
-  const auto rows = [&](int first, int step) {
-    for (int y = first; y < raw.height; y += step)
-      check(gif, DGifGetLine(gif.get(), raw.indices.data() + static_cast<std::size_t>(y) * raw.width, raw.width));
-  };
-  if (!gif->Image.Interlace) return rows(0, 1);
-  rows(0, 8);
-  rows(4, 8);
-  rows(2, 4);
-  rows(1, 2);
-}
-
 }  // namespace
 
 RawImage decode_gif(const std::vector<std::uint8_t>& file) {
@@ -96,7 +84,9 @@ RawImage decode_gif(const std::vector<std::uint8_t>& file) {
     raw.palette.push_back(1);
   }
   raw.indices.resize(count);
-  read_rows(gif, raw);
+  // Rows stay as the file has them: POV-Ray does not put those of interlaced pictures in order (measured).
+  for (int y = 0; y < raw.height; ++y)
+    check(gif, DGifGetLine(gif.get(), raw.indices.data() + static_cast<std::size_t>(y) * raw.width, raw.width));
   if (transparent >= 0 && 4 * static_cast<std::size_t>(transparent) < raw.palette.size()) {
     raw.channels = 4;
     raw.palette[4 * static_cast<std::size_t>(transparent) + 3] = 0;

@@ -1,0 +1,57 @@
+// The order in which POV-Ray asks objects (spec 08 A).
+#include "tracer/world/hierarchy.h"
+
+#include <gtest/gtest.h>
+
+namespace verisim::accel {
+namespace {
+
+scene::Bounds box(float x, float y, float z, float size) { return {{x, y, z}, {size, size, size}}; }
+
+// Entries in the order in which a ray along +z asks them; `depth` of each is what it finds.
+std::vector<std::uint32_t> asked(const std::vector<Hierarchy::Item>& items, const std::vector<double>& depth) {
+  const Hierarchy hierarchy(items);
+  std::vector<std::uint32_t> order;
+  double best = 1e7;
+  hierarchy.search({{0.5, 0.5, -10}, {0, 0, 1}}, best, [&](std::uint32_t entry) {
+    order.push_back(entry);
+    return best = std::min(best, depth[entry]);
+  });
+  return order;
+}
+
+using Order = std::vector<std::uint32_t>;
+
+TEST(Hierarchy, InfiniteEntriesComeFirstThenTheNearestBox) {
+  EXPECT_EQ(asked({{0, box(0, 0, 5, 1), false}, {1, box(0, 0, 0, 1), false}, {2, {}, true}}, {1e7, 1e7, 1e7}),
+            (Order{2, 1, 0}));
+}
+
+TEST(Hierarchy, TheSearchEndsAtAKeyBeyondTheBestDepth) {
+  EXPECT_EQ(
+      asked({{0, box(0, 0, 5, 1), false}, {1, box(0, 0, 0, 1), false}, {2, box(0, 0, 9, 1), false}}, {15, 10, 19}),
+      (Order{1}));
+}
+
+TEST(Hierarchy, AnEqualKeyIsStillAsked) {
+  const Order order =
+      asked({{0, box(0, 0, 0, 1), false}, {1, box(0, 0, 0, 2), false}, {2, box(0, 0, 5, 1), false}}, {10, 10, 15});
+  EXPECT_EQ(order.size(), 2u);
+}
+
+TEST(Hierarchy, BoxesBesideOrBehindTheRayAreNotAsked) {
+  EXPECT_EQ(
+      asked({{0, box(3, 0, 0, 1), false}, {1, box(0, 0, -20, 1), false}, {2, box(0, 0, 0, 1), false}}, {1e7, 1e7, 1e7}),
+      (Order{2}));
+}
+
+TEST(Hierarchy, EveryBoxOnTheWayIsAskedFromNearToFar) {
+  std::vector<Hierarchy::Item> items;
+  for (std::uint32_t i = 0; i < 40; ++i) items.push_back({i, box(0, 0, static_cast<float>(i * 7 % 40), 1), false});
+  const Order order = asked(items, std::vector<double>(40, 1e7));
+  ASSERT_EQ(order.size(), 40u);
+  for (std::size_t k = 0; k < 40; ++k) EXPECT_EQ(items[order[k]].bounds.low[2], static_cast<float>(k));
+}
+
+}  // namespace
+}  // namespace verisim::accel

@@ -3,7 +3,8 @@
 # Files ending in .inc below scenes/ and tests/differential/idioms are SDL; those of tables are written by the programs that measure them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-command -v clang-format >/dev/null || { echo "clang-format is not installed: apt-get install clang-format"; exit 77; }
+clang-format --version 2>/dev/null | grep -q 'version 14\.' ||
+  { echo "clang-format 14 is not installed (other versions format otherwise): apt-get install clang-format-14"; exit 77; }
 mapfile -t files < <(find tracer parser compare cli tests bench tools -name '*.cpp' -o -name '*.h' -o -name '*.inc' |
   grep -v -e '^tests/differential/idioms/' -e '^bench/scenes/' -e 'noise_value_table.inc$' -e 'pavement_flags.inc$')
 if [ "${1:-}" = --check ]; then

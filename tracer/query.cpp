@@ -1,5 +1,6 @@
 #include "tracer/query.h"
 
+#include <algorithm>
 #include <mutex>
 
 #include "tracer/scene/bounds.h"
@@ -14,6 +15,12 @@ constexpr double kSmallestDistance = 1e-4, kLargestDistance = 2e10;
 bool has_no_box_test(const scene::Object& o) {
   return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() ||
          o.as<scene::SmoothTriangle>() || o.as<scene::Poly>();
+}
+
+bool is_solid(const scene::Object& object) {
+  if (scene::is_patch(object) || object.as<scene::LightSource>()) return false;
+  if (!object.as<scene::Csg>()) return true;
+  return std::ranges::all_of(scene::children_of(object), [](const scene::ObjectPtr& part) { return is_solid(*part); });
 }
 
 // POV-Ray's slab test, in binary32.
@@ -43,7 +50,9 @@ struct Target::Impl {
   }
 };
 
-Target::Target(scene::ObjectPtr object) : impl_(std::make_unique<Impl>()) { impl_->object = std::move(object); }
+Target::Target(scene::ObjectPtr object) : impl_(std::make_unique<Impl>()), has_inside_(is_solid(*object)) {
+  impl_->object = std::move(object);
+}
 Target::~Target() = default;
 
 std::optional<TraceHit> Target::trace(const Vec3& origin, const Vec3& direction) const {

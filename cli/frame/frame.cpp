@@ -161,6 +161,7 @@ std::uint64_t picture_key(const Job& job, const Frame& frame, const Region& part
                              double(o.output_alpha),
                              double(o.split_unions),
                              double(o.remove_bounds),
+                             double(o.objects_for_hierarchy()),
                              double(o.seed),
                              o.version,
                              frame.clock,
@@ -366,6 +367,7 @@ render::Options render_options(const Job& job, const Region& part) {
   result.output_alpha = options.output_alpha;
   result.split_unions = options.split_unions;
   result.remove_bounds = options.remove_bounds;
+  result.bounding_threshold = options.objects_for_hierarchy();
   result.replay = options.replay;
   result.seed = options.seed;
   result.cancel = &job.interrupt.flag();

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -44,6 +45,8 @@ struct Options {
   double version = 0;                                             // 3.7; 0: not given
   bool split_unions = false, remove_bounds = true, bounding = true;
   int bounding_method = 1, bounding_threshold = 3;
+  // -MB: no hierarchy, however many objects there are.
+  int objects_for_hierarchy() const { return bounding ? bounding_threshold : std::numeric_limits<int>::max(); }
 
   // The picture and its file.
   int width = 160, height = 120;

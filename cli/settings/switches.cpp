@@ -385,6 +385,7 @@ constexpr auto kSwitches = std::to_array<Switch>({
     {"K", "Clock", ""},
     {"L", "Library_Path", ""},
     {"MB", "Bounding_Threshold", "Bounding"},
+    {"MB", "", "Bounding"},
     {"MI", "Max_Image_Buffer_Memory", ""},
     {"MV", "Version", ""},
     {"O", "Output_File_Name", ""},

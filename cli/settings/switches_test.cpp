@@ -83,6 +83,8 @@ const std::vector<SwitchCase> kAccepted{
     {"+KLA", [](const Options& o) { return o.clockless; }},
     {"+K0.7", [](const Options& o) { return o.clock == 0.7; }},
     {"+Llib", [](const Options& o) { return o.library_paths == std::vector<std::string>{"lib"}; }},
+    {"-MB", [](const Options& o) { return !o.bounding; }},
+    {"+MB", [](const Options& o) { return o.bounding && o.bounding_threshold == 3; }},
     {"+MB10", [](const Options& o) { return o.bounding && o.bounding_threshold == 10; }},
     {"+MI64", [](const Options&) { return true; }},
     {"+MV3.5", [](const Options& o) { return o.version == 3.5; }},

@@ -15,16 +15,16 @@ std::optional<Value> parse_block_value(Parser& parser);
 
 std::shared_ptr<scene::Object> parse_object(Parser& parser);  // null: no object starts here
 scene::PigmentPtr parse_pigment(Parser& parser);              // pigment { ... }
-scene::PigmentPtr parse_independent_pigment(
-    Parser& parser);  // pigment { ... } of a sky or a function: #default does not reach it
+// pigment { ... } of a sky or a function: #default does not reach it.
+scene::PigmentPtr parse_independent_pigment(Parser& parser);
 scene::NormalPtr parse_normal(Parser& parser);
 scene::Finish parse_finish(Parser& parser, const scene::Finish& start);
 scene::TexturePtr parse_texture(Parser& parser);  // one texture { ... }
 scene::DensityPtr parse_density(Parser& parser);
 scene::Media parse_media(Parser& parser);
-scene::InteriorPtr parse_interior(Parser& parser,
-                                  const scene::InteriorPtr& earlier = nullptr);  // goes on from an earlier one
-Transform parse_transform(Parser& parser);                                       // transform { ... } or transform ID
+// interior { ... }; a second one goes on from the earlier.
+scene::InteriorPtr parse_interior(Parser& parser, const scene::InteriorPtr& earlier = nullptr);
+Transform parse_transform(Parser& parser);  // transform { ... } or transform ID
 bool parse_transform_item(Parser& parser,
                           Transform& item);  // translate, rotate, scale, matrix, transform: one item; false: none here
 scene::Camera parse_camera(Parser& parser);

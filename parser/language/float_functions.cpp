@@ -1,7 +1,6 @@
 // Float functions and constants (spec 01 section 10).
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -29,13 +28,6 @@ double Parser::Impl::argument() {
 }
 
 namespace {
-
-// One patch or light source among the parts of a CSG object is enough to deny it an inside.
-bool is_solid(const scene::Object& object) {
-  if (scene::is_patch(object) || object.as<scene::LightSource>()) return false;
-  if (!object.as<scene::Csg>()) return true;
-  return std::ranges::all_of(scene::children_of(object), [](const scene::ObjectPtr& part) { return is_solid(*part); });
-}
 
 double clamped(Parser::Impl& p, double value) {
   if (value >= -1 && value <= 1) return value;
@@ -344,11 +336,12 @@ bool Parser::Impl::float_function(Word word, double& out) {
       open_arguments();
       const Live live(*this);
       const scene::ObjectPtr object = object_argument();
-      if (!is_solid(*object)) error("inside() needs an object that has an inside.");
+      const query::Target& target = query_target(object);
+      if (!target.has_inside()) error("inside() needs an object that has an inside.");
       if (peek().punctuation == ',') skip_token();
       const Vec3 at = vector_argument();
       close_arguments();
-      out = query_target(object).inside(at);
+      out = target.inside(at);
       break;
     }
     case Word::now:

@@ -20,9 +20,9 @@ namespace verisim {
 
 class OutputFile {
  public:
-  explicit OutputFile(
-      const std::filesystem::path& path);  // throws std::runtime_error naming the file and the reason, as all here
-  ~OutputFile();                           // unpublished: nothing is left behind
+  // Throws std::runtime_error naming the file and the reason, as all here.
+  explicit OutputFile(const std::filesystem::path& path);
+  ~OutputFile();  // unpublished: nothing is left behind
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 

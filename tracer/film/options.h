@@ -29,7 +29,8 @@ struct Options {
   int threads = 0;            // 0: all cores
   bool output_alpha = false;  // POV-Ray's +UA: decides how backgrounds behave
   bool split_unions = false, remove_bounds = true;
-  bool replay = false;  // serial, with POV-Ray's random streams in POV-Ray's order: equals `povray +WT1`
+  int bounding_threshold = 3;  // see accel::Arrangement
+  bool replay = false;         // serial, with POV-Ray's random streams in POV-Ray's order: equals `povray +WT1`
   std::uint64_t seed = 0;
   // Radiosity samples from and to a file in POV-Ray's format (+RFI, +RFO); empty: none. Only heeded by scenes with
   // radiosity.

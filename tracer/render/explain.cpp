@@ -18,7 +18,7 @@ struct Explainer::Prepared {
   Prepared(const scene::Scene& scene, const Options& options)
       : compiler({supported(scene, options).settings.noise_generator, scene.settings.number_of_waves, scene.version,
                   options.quality <= 5}),
-        world(scene, compiler, options.split_unions, options.remove_bounds),
+        world(scene, compiler, {options.split_unions, options.remove_bounds, options.bounding_threshold}),
         data(scene, world, compiler, options.quality, options.output_alpha),
         effects(scene, compiler, options.quality),
         camera(scene.camera, options.width, options.height, compiler) {

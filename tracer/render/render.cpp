@@ -145,7 +145,7 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
 
   Statistics statistics;
   textures::Compiler compiler(texture_settings(scene, options.quality));
-  const accel::World world(scene, compiler, options.split_unions, options.remove_bounds);
+  const accel::World world(scene, compiler, {options.split_unions, options.remove_bounds, options.bounding_threshold});
   shading::SceneData data(scene, world, compiler, options.quality, options.output_alpha);
   global::SceneEffects effects(scene, compiler, options.quality);
   std::optional<path::PathScene> paths;

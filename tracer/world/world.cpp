@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "tracer/world/frame_list.h"
 #include "tracer/bvh/shaft.h"
@@ -11,10 +12,6 @@
 
 namespace verisim::accel {
 namespace {
-
-// With fewer frame-level entries than this POV-Ray tests objects one by one, without boxes for most kinds (spec 03 2.3;
-// the shipped povray.ini).
-constexpr std::size_t kBoundingThreshold = 3;
 
 std::optional<Plane> plain_plane(const scene::Object& o) {
   const auto plane = shapes::plain_plane(o);
@@ -124,18 +121,18 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
   shape.surface = &s;
 }
 
-World::World(const scene::Scene& scene, textures::Compiler& compiler, bool split_unions, bool remove_bounds)
+World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arrangement& arrangement)
     : impl_(std::make_unique<Impl>()) {
   Impl& w = *impl_;
-  FrameList list = frame_list(scene, split_unions);
+  FrameList list = frame_list(scene, arrangement.split_unions);
   w.lights = std::move(list.lights);
-  w.in_order = list.entries < kBoundingThreshold;
+  w.in_order = std::cmp_less(list.entries, arrangement.bounding_threshold);
 
   std::vector<Box3> boxes;
   std::vector<std::uint32_t> finite, beside, finite_after_all;
   for (std::size_t i = 0; i < list.objects.size(); ++i) {
     const scene::Object& o = *list.objects[i];
-    std::unique_ptr<Shape> shape = shapes::compile(o, {remove_bounds});
+    std::unique_ptr<Shape> shape = shapes::compile(o, {arrangement.remove_bounds});
     const std::size_t first_surface = w.surfaces.size();
     w.add_surfaces(*shape, static_cast<int>(i), nullptr, compiler);
 

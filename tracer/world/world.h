@@ -62,11 +62,17 @@ struct WorldEntry {
   static constexpr std::uint32_t kNoBlocker = 0xffffffffu;
 };
 
+// How POV-Ray arranges the objects of a scene; it shows where surfaces coincide and where bounds cut.
+struct Arrangement {
+  bool split_unions = false;   // dissolves bounded unions, too
+  bool remove_bounds = true;   // drops bounded_by where POV-Ray finds it unnecessary
+  int bounding_threshold = 3;  // fewer frame-level entries are asked in file order, most kinds without their boxes
+};
+
 class World {
  public:
   // The scene must outlive the world. Textures are compiled with `compiler`, which must outlive it, too.
-  // `split_unions` dissolves bounded unions, too; `remove_bounds` drops bounded_by where POV-Ray finds it unnecessary.
-  World(const scene::Scene& scene, textures::Compiler& compiler, bool split_unions = false, bool remove_bounds = true);
+  World(const scene::Scene& scene, textures::Compiler& compiler, const Arrangement& arrangement = {});
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;

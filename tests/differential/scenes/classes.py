@@ -12,13 +12,37 @@ import sdl_text
 
 KNOWN = json.loads(pathlib.Path(__file__).with_name("known.json").read_text())
 EXPLAINED = (pathlib.Path(__file__).parents[3] / "docs" / "differential.md").read_text()
-DULL = {"camera", "location", "look_at", "light_source", "rgb", "color", "colour", "global_settings", "assumed_gamma", "translate", "rotate", "x", "y", "z", "pigment"}
+DULL = {
+    "camera",
+    "location",
+    "look_at",
+    "light_source",
+    "rgb",
+    "color",
+    "colour",
+    "global_settings",
+    "assumed_gamma",
+    "translate",
+    "rotate",
+    "x",
+    "y",
+    "z",
+    "pigment",
+}
 
 
 def signature(difference, reduced):
     words = [w for w in sdl_text.keywords(reduced) if w not in DULL]
     note = re.sub(r"[\d.]+", "N", difference.note)[:60] if difference.kind != "picture" else ""
-    size = "" if difference.kind != "picture" else " few" if difference.pixels < 8 else " small" if difference.largest < 6 else ""
+    size = (
+        ""
+        if difference.kind != "picture"
+        else " few"
+        if difference.pixels < 8
+        else " small"
+        if difference.largest < 6
+        else ""
+    )
     if difference.kind == "warnings":
         words = []
     return f"{difference.kind}{size}: {' '.join(sorted(words))} {note}".strip()

@@ -55,8 +55,25 @@ class Draw:
             return f"{self.random.uniform(-2, 2):.3f}"
         if r < 0.9 and self.name("float"):
             return self.name("float")
-        return self.one("(1/2)", "pi/4", "sqrt(2)", "-(0.5)", "sin(1)", "(1+1)*.5", "min(1,2)", "abs(-1.5)", "1e0", "(3>2)",
-                        "(1 ? 0.5 : 2)", "vlength(x)", "<1,2,3>.x", "radians(60)", "int(1.7)", "mod(5,3)", "val(\"0.5\")")
+        return self.one(
+            "(1/2)",
+            "pi/4",
+            "sqrt(2)",
+            "-(0.5)",
+            "sin(1)",
+            "(1+1)*.5",
+            "min(1,2)",
+            "abs(-1.5)",
+            "1e0",
+            "(3>2)",
+            "(1 ? 0.5 : 2)",
+            "vlength(x)",
+            "<1,2,3>.x",
+            "radians(60)",
+            "int(1.7)",
+            "mod(5,3)",
+            'val("0.5")',
+        )
 
     def positive(self):
         r = self.random.random()
@@ -85,8 +102,24 @@ class Draw:
             return self.triple()
         if r < 0.78 and self.name("vector"):
             return self.name("vector")
-        return self.one("x", "y", "z", "-y", "2*x", "x+y", "-z*0.5", "<1,1,1>/2", "vnormalize(<1,1,0>)", "0", "1", "x-y", "vcross(x,y)",
-                        "vrotate(x,<0,0,90>)", "<0,1>+z", "-<1,0,1>")
+        return self.one(
+            "x",
+            "y",
+            "z",
+            "-y",
+            "2*x",
+            "x+y",
+            "-z*0.5",
+            "<1,1,1>/2",
+            "vnormalize(<1,1,0>)",
+            "0",
+            "1",
+            "x-y",
+            "vcross(x,y)",
+            "vrotate(x,<0,0,90>)",
+            "<0,1>+z",
+            "-<1,0,1>",
+        )
 
     def direction(self):
         return self.one("x", "y", "z", "-y", "<1,1,0>", "<1,1,1>", "<0,1,-1>", "-z", "<1,0,2>", "-x")
@@ -100,14 +133,29 @@ class Draw:
         if r < 0.62:
             return f"{word}rgb {self.unit()}"
         if r < 0.62 + transparent:
-            return word + self.one(f"rgbf <1,{self.unit()},1,{self.unit()}>", f"rgbt <1,1,{self.unit()},{self.unit()}>",
-                                   f"rgbft <{self.unit()},1,0.5,0.2,{self.unit()}>", f"rgb <1,{self.unit()},0> transmit {self.unit()}",
-                                   f"rgb <1,{self.unit()},0> filter {self.unit()}")
+            return word + self.one(
+                f"rgbf <1,{self.unit()},1,{self.unit()}>",
+                f"rgbt <1,1,{self.unit()},{self.unit()}>",
+                f"rgbft <{self.unit()},1,0.5,0.2,{self.unit()}>",
+                f"rgb <1,{self.unit()},0> transmit {self.unit()}",
+                f"rgb <1,{self.unit()},0> filter {self.unit()}",
+            )
         if r < 0.8 and self.name("colour"):
             return word + self.name("colour")
-        return self.one(f"color red {self.unit()}", f"color red 1 green {self.unit()} blue {self.unit()}", "rgb x", "rgb x+y*0.5",
-                        f"{word}rgb <1,0.5,0>*{self.unit()}", f"color green 1 red {self.unit()}", "rgb 1", "rgb <1,1,1>",
-                        "color rgb <0.2,0.4,0.9>", "srgb <0.5,0.6,0.7>" if self.srgb else "rgb 0.7", f"color <{self.unit()},0.5,1>", "color rgb z")
+        return self.one(
+            f"color red {self.unit()}",
+            f"color red 1 green {self.unit()} blue {self.unit()}",
+            "rgb x",
+            "rgb x+y*0.5",
+            f"{word}rgb <1,0.5,0>*{self.unit()}",
+            f"color green 1 red {self.unit()}",
+            "rgb 1",
+            "rgb <1,1,1>",
+            "color rgb <0.2,0.4,0.9>",
+            "srgb <0.5,0.6,0.7>" if self.srgb else "rgb 0.7",
+            f"color <{self.unit()},0.5,1>",
+            "color rgb z",
+        )
 
     def transform(self):
         r = self.random.random()
@@ -116,11 +164,17 @@ class Draw:
         if r < 0.3:
             return f"translate {self.vector()}"
         if r < 0.55:
-            return f"rotate {self.one('90*y', '<0,45,0>', '<30,0,0>', 'z*180', '<0,0,90>', '-90*x', '<10,20,30>', 'y*45')}"
+            return (
+                f"rotate {self.one('90*y', '<0,45,0>', '<30,0,0>', 'z*180', '<0,0,90>', '-90*x', '<10,20,30>', 'y*45')}"
+            )
         if r < 0.8:
             return f"scale {self.one('0.5', '2', '<1,2,1>', '<0.5,1,1>', '<1,1,-1>', '1.5', '<2,.5,1>', '1', self.positive())}"
         if r < 0.86:
-            return self.one("matrix <1,0,0,0,1,0,0,0,1,0,0.5,0>", "matrix <1,0.5,0,0,1,0,0,0,1,0,0,0>", "matrix <0,1,0,1,0,0,0,0,1,0,0,0>")
+            return self.one(
+                "matrix <1,0,0,0,1,0,0,0,1,0,0.5,0>",
+                "matrix <1,0.5,0,0,1,0,0,0,1,0,0,0>",
+                "matrix <0,1,0,1,0,0,0,0,1,0,0,0>",
+            )
         if r < 0.93 and self.name("transform"):
             name = self.name("transform")
             return self.one(f"transform {name}", f"transform {{ {name} }}", f"transform {{ {name} inverse }}")

@@ -46,7 +46,11 @@ def batches(options, first):
     sources = mutate.sources(options.mutate) if options.mutate else None
     for number in range(first, options.count):
         seed = options.seed * 1_000_003 + number
-        folder, (version, text) = mutate.scene(seed, sources, options.seed * 1_000_003 + number // BATCH) if sources else (None, grammar.scene(seed))
+        folder, (version, text) = (
+            mutate.scene(seed, sources, options.seed * 1_000_003 + number // BATCH)
+            if sources
+            else (None, grammar.scene(seed))
+        )
         group = waiting[version, folder]
         group.append((number, text))
         if len(group) == BATCH:
@@ -63,7 +67,11 @@ class Run:
         self.out = options.out
         (self.out / "found").mkdir(parents=True, exist_ok=True)
         self.state_file = self.out / "state.json"
-        self.state = json.loads(self.state_file.read_text()) if self.state_file.exists() else {"done": [], "found": {}, "tried": 0, "skipped": 0}
+        self.state = (
+            json.loads(self.state_file.read_text())
+            if self.state_file.exists()
+            else {"done": [], "found": {}, "tried": 0, "skipped": 0}
+        )
         self.done = set(self.state["done"])
         self.end = time.monotonic() + options.seconds
 
@@ -71,12 +79,17 @@ class Run:
         """One batch: rendered, judged, and what differs reduced. Runs on a thread of its own."""
         version, folder, group = job
         name = f"batch{group[0][0]}"
-        runner = programs.Programs(self.options.povray, self.options.verisim, (self.out / "work").resolve(), [folder] if folder else [])
+        runner = programs.Programs(
+            self.options.povray, self.options.verisim, (self.out / "work").resolve(), [folder] if folder else []
+        )
         found = {}
         differences = runner.differences(name, [text for _, text in group], version)
         for (number, text), difference in zip(group, differences):
-            if isinstance(difference, programs.Difference) and time.monotonic() < self.end and \
-                    self.comes_again(runner, name + "r", version, text, difference):
+            if (
+                isinstance(difference, programs.Difference)
+                and time.monotonic() < self.end
+                and self.comes_again(runner, name + "r", version, text, difference)
+            ):
                 reduced = text
                 if not self.options.no_reduce:
                     # Of warnings, their text is the class: such scenes are asked again, but not reduced.
@@ -93,7 +106,9 @@ class Run:
     def comes_again(runner, name, version, text, difference):
         """A scene alone is the judge: of an animation's frames POV-Ray loses messages now and then."""
         times = 3 if difference.kind in ("messages", "warnings") else 1
-        return all(getattr(runner.differences(name, [text], version)[0], "kind", None) == difference.kind for _ in range(times))
+        return all(
+            getattr(runner.differences(name, [text], version)[0], "kind", None) == difference.kind for _ in range(times)
+        )
 
     def file(self, group, found, skipped):
         self.state["tried"] += len(group)
@@ -101,7 +116,9 @@ class Run:
         self.state["done"] += [number for number, _ in group]
         for number, (version, difference, text, reduced) in found.items():
             head = f"#version {version};\n" if version else ""
-            note = f"// {difference.kind}: {difference.pixels} px, largest {difference.largest}. {difference.note}\n".replace("\r", " ")
+            note = f"// {difference.kind}: {difference.pixels} px, largest {difference.largest}. {difference.note}\n".replace(
+                "\r", " "
+            )
             path = self.out / "found" / f"{self.options.seed}_{number:06d}.pov"
             path.write_text(note + head + reduced, "latin-1", "replace")
             path.with_suffix(".whole").write_text(head + text, "latin-1", "replace")
@@ -126,8 +143,10 @@ class Run:
             for future in concurrent.futures.as_completed(waiting):
                 self.file(*future.result())
         unknown = classes.write_table(self.out, self.state)
-        print(f"{self.state['tried']} scenes, {self.state['skipped']} too slow, {len(self.state['found'])} differ, "
-              f"{unknown} of them not explained; {time.monotonic() - started:.0f} s; {self.out}/classes.md")
+        print(
+            f"{self.state['tried']} scenes, {self.state['skipped']} too slow, {len(self.state['found'])} differ, "
+            f"{unknown} of them not explained; {time.monotonic() - started:.0f} s; {self.out}/classes.md"
+        )
         return 1 if unknown else 0
 
 

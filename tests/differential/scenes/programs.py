@@ -19,6 +19,7 @@ ACCURACY = 1  # 8-bit units within which a value is the same
 @dataclass
 class Result:
     """What one program made of one scene."""
+
     status: str = "none"  # picture | refused | slow | crashed | unsupported
     picture: bytes = b""
     messages: str = ""  # text of #debug and #warning
@@ -44,7 +45,9 @@ def _read_ppm(path):
 
 
 # What only one of the programs says, by intent: experimental features are named one by one, or all together at the end.
-OWN = re.compile("experimental feature|#version directive is not the first|no #version directive|assumed_gamma is not set|language version 3.1 or earlier|default gamma")
+OWN = re.compile(
+    "experimental feature|#version directive is not the first|no #version directive|assumed_gamma is not set|language version 3.1 or earlier|default gamma"
+)
 
 
 def _messages(text):
@@ -62,7 +65,9 @@ def _messages(text):
             warning = False
             said.append(line)
     # The lines they name are those of the token that was read last, which is now and then the next statement's.
-    texts = {re.sub(r"\s+", " ", w).partition("Warning: ")[2] for w in warnings if w.startswith("File") and not OWN.search(w)}
+    texts = {
+        re.sub(r"\s+", " ", w).partition("Warning: ")[2] for w in warnings if w.startswith("File") and not OWN.search(w)
+    }
     return re.sub(r"\s+", " ", " ".join(said)).strip(), sorted(texts - {""})
 
 
@@ -82,8 +87,15 @@ class Programs:
 
     def _run(self, command, where, seconds):
         try:
-            done = subprocess.run(["nice", "-n", "15", *command], cwd=where, env=self.environment, timeout=seconds,
-                                  stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+            done = subprocess.run(
+                ["nice", "-n", "15", *command],
+                cwd=where,
+                env=self.environment,
+                timeout=seconds,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+            )
             if done.returncode in (126, 127):
                 raise RuntimeError(f"{command[0]} cannot be run")
             return done.returncode, done.stderr.decode("latin-1")
@@ -110,8 +122,22 @@ class Programs:
 
     def _frame(self, where, count, number, seconds):
         """verisim's result for one frame: one process a scene, so that a crash is one scene's."""
-        code, text = self._run([self.verisim, "+Iall.pov", "+Ov", *SWITCHES, "--replay", *self.library, "+KFI1",
-                                f"+KFF{count + 1}", f"+SF{number}", f"+EF{number}"], where, seconds)
+        code, text = self._run(
+            [
+                self.verisim,
+                "+Iall.pov",
+                "+Ov",
+                *SWITCHES,
+                "--replay",
+                *self.library,
+                "+KFI1",
+                f"+KFF{count + 1}",
+                f"+SF{number}",
+                f"+EF{number}",
+            ],
+            where,
+            seconds,
+        )
         result = Result()
         result.messages, result.warnings = _messages(text)
         result.picture = self._picture(where, "v", number, count)
@@ -136,8 +162,21 @@ class Programs:
         while remaining:
             # Only neighbours can be one animation.
             run = [n for i, n in enumerate(remaining) if n - i == remaining[0]]
-            code, text = self._run([self.povray, "+Iall.pov", "+Oo", *SWITCHES, *self.library, "+KFI1", f"+KFF{count + 1}",
-                                    f"+SF{run[0]}", f"+EF{run[-1]}"], where, TIMEOUT + 2 * len(run))
+            code, text = self._run(
+                [
+                    self.povray,
+                    "+Iall.pov",
+                    "+Oo",
+                    *SWITCHES,
+                    *self.library,
+                    "+KFI1",
+                    f"+KFF{count + 1}",
+                    f"+SF{run[0]}",
+                    f"+EF{run[-1]}",
+                ],
+                where,
+                TIMEOUT + 2 * len(run),
+            )
             frames = re.split(r"^Rendering frame (\d+) of \d+[^\n]*\n", text, flags=re.M)
             texts = {}
             for number, part in zip(frames[1::2], frames[2::2]):
@@ -149,7 +188,7 @@ class Programs:
                 if not picture or last not in texts:
                     break
                 results[last].status, results[last].picture = "picture", picture
-            for number in run[:run.index(last) + 1]:
+            for number in run[: run.index(last) + 1]:
                 part = texts.get(number, "")
                 results[number].messages, results[number].warnings = _messages(part)
                 if results[number].status != "picture":
@@ -167,7 +206,10 @@ class Programs:
         oracles = self.oracles(where, count, wanted)
         found = [compare(oracles[n], native) if n in oracles else "skipped" for n, native in enumerate(natives, 1)]
         # What include files say by #warning is each program's own matter.
-        return [None if getattr(d, "kind", "") == "messages" and "#debug" not in scene else d for d, scene in zip(found, scenes)]
+        return [
+            None if getattr(d, "kind", "") == "messages" and "#debug" not in scene else d
+            for d, scene in zip(found, scenes)
+        ]
 
 
 def compare(oracle, native):
@@ -185,7 +227,7 @@ def compare(oracle, native):
         return None
     wrong = largest = 0
     for i in range(0, len(oracle.picture), 3):
-        d = max(abs(a - b) for a, b in zip(oracle.picture[i:i + 3], native.picture[i:i + 3]))
+        d = max(abs(a - b) for a, b in zip(oracle.picture[i : i + 3], native.picture[i : i + 3]))
         wrong += d > ACCURACY
         largest = max(largest, d)
     if wrong:

@@ -40,16 +40,24 @@ class Reducer:
             if text not in self.seen:
                 self.seen.add(text)
                 fresh.append(text)
-        status = {"picture": ("picture",), "messages": ("picture",), "warnings": ("picture",), "accepted": ("picture",),
-                  "refused": ("refused",), "crashed": ("crashed",), "unsupported": ("unsupported",)}
+        status = {
+            "picture": ("picture",),
+            "messages": ("picture",),
+            "warnings": ("picture",),
+            "accepted": ("picture",),
+            "refused": ("refused",),
+            "crashed": ("crashed",),
+            "unsupported": ("unsupported",),
+        }
         for start in range(0, len(fresh), BATCH):
-            part = fresh[start:start + BATCH]
+            part = fresh[start : start + BATCH]
             if time.monotonic() > self.end:
                 self.budget = 0
             if self.budget <= 0:
                 return None
-            found = self.programs.differences(self.name, part, self.version,
-                                              worth=lambda native: native.status in status[self.difference.kind])
+            found = self.programs.differences(
+                self.name, part, self.version, worth=lambda native: native.status in status[self.difference.kind]
+            )
             self.budget -= sum(d != "skipped" for d in found)
             for text, difference in zip(part, found):
                 if self._same(difference):
@@ -59,7 +67,7 @@ class Reducer:
     def _without(self, tree, index, start, length):
         copied = copy.deepcopy(tree)
         block = list(sdl_text.blocks(copied))[index]
-        del block[start:start + length]
+        del block[start : start + length]
         return sdl_text.render(copied)
 
     def _drop_statements(self, text):
@@ -115,7 +123,7 @@ class Reducer:
                         if isinstance(statement[start], sdl_text.Block):
                             copied = copy.deepcopy(tree)
                             target = list(sdl_text.blocks(copied))[b]
-                            target[s:s + 1] = list(target[s][start])
+                            target[s : s + 1] = list(target[s][start])
                             candidates.append(sdl_text.render(copied))
             better = self._first([c for c in candidates if len(c) < len(text)])
             if better:
@@ -130,7 +138,7 @@ class Reducer:
                 return text
             number = match.group(1)
             rounder = [r for r in ("0", "1", "2", f"{float(number):.1g}") if len(r) < len(number)]
-            better = self._first([text[:match.start()] + r + text[match.end():] for r in rounder])
+            better = self._first([text[: match.start()] + r + text[match.end() :] for r in rounder])
             if better:
                 text = better
             position = match.start() + 1

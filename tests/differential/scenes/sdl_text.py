@@ -6,11 +6,15 @@ both programs refuse, and nothing is learnt from it.
 """
 import re
 
-TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\])*"|#\s*[a-z]\w*|[A-Za-z_]\w*'
-                   r'|\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+(?:[eE][-+]?\d+)?|!=|<=|>=|\S', re.S)
-NUMBER = re.compile(r'^(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$')
+TOKEN = re.compile(
+    r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\])*"|#\s*[a-z]\w*|[A-Za-z_]\w*'
+    r"|\d+\.?\d*(?:[eE][-+]?\d+)?|\.\d+(?:[eE][-+]?\d+)?|!=|<=|>=|\S",
+    re.S,
+)
+NUMBER = re.compile(r"^(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?$")
 
-STARTERS = set("""
+STARTERS = set(
+    """
     camera light_source background fog sky_sphere rainbow global_settings media radiosity photons material texture
     pigment normal finish interior interior_texture bounded_by clipped_by translate rotate scale matrix transform
     no_shadow no_image no_reflection no_radiosity inverse hollow double_illuminate sturm open uv_mapping
@@ -34,7 +38,8 @@ STARTERS = set("""
     assumed_gamma ambient_light max_trace_level adc_bailout irid_wavelength number_of_waves charset mm_per_unit
     count error_bound gray_threshold low_error_factor minimum_reuse nearest_count normal pretrace_start pretrace_end
     recursion_limit brightness always_sample spacing autostop collect refraction target pass_through
-""".split())
+""".split()
+)
 OPENING, CLOSING = {"{": "}", "(": ")", "[": "]"}, {"}", ")", "]"}
 
 

@@ -16,8 +16,21 @@ if not shutil.which("povray"):
     print("POV-Ray is not installed")
     sys.exit(77)
 with tempfile.TemporaryDirectory() as folder:
-    done = subprocess.run([sys.executable, pathlib.Path(__file__).with_name("invent.py"), "--out", folder, "--verisim", sys.argv[1],
-                           "--seed", str(SEED), "--count", str(SCENES), "--no-reduce"])
+    done = subprocess.run(
+        [
+            sys.executable,
+            pathlib.Path(__file__).with_name("invent.py"),
+            "--out",
+            folder,
+            "--verisim",
+            sys.argv[1],
+            "--seed",
+            str(SEED),
+            "--count",
+            str(SCENES),
+            "--no-reduce",
+        ]
+    )
     if done.returncode:
         print((pathlib.Path(folder) / "classes.md").read_text())
         for path in sorted((pathlib.Path(folder) / "found").glob("*.pov")):

@@ -257,29 +257,39 @@ bool World::Impl::seems_opaque(std::uint32_t entry, const Shaft& shaft) const {
 
 World::~World() = default;
 
-void World::Impl::search_as_pov(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const {
+std::vector<Coincidences::Met>& Coincidences::scratch() {
+  thread_local std::vector<Met> list;
+  return list;
+}
+
+void World::Impl::settle(const Ray& ray, int lane, double t_max, const Coincidences& coincidences, Hit& hit) const {
+  thread_local std::vector<const Coincidences::Met*> there;
+  there.clear();
+  const double farthest = with_coincident(hit.t);
+  for (const Coincidences::Met& met : coincidences.all())
+    if (met.lane == lane && met.hit.t <= farthest) there.push_back(&met);
+  const auto entry_of = [](const Coincidences::Met* met) { return met->entry; };
+  std::ranges::sort(there, {}, entry_of);
+  double best = t_max;
+  const auto ask = [&](const Coincidences::Met& met) {
+    if (met.hit.t < best) hit = met.hit, best = hit.t;
+  };
+  if (in_order) {
+    for (const Coincidences::Met* met : there) ask(*met);
+    return;
+  }
   std::call_once(hierarchy_made, [this] {
     std::vector<Hierarchy::Item> items;
     for (std::uint32_t i = 0; i < entries.size(); ++i)
       items.push_back({i, entries[i].object->bounds, entries[i].infinite});
     hierarchy = Hierarchy(items);
   });
-  double best = t_max;
-  const auto ask = [&](std::uint32_t index) {
-    const Entry& e = entries[index];
-    Hit other;
-    if (!(e.hidden & bit(kind)) && e.shape->intersect(ray, kind, t_min, best, other)) {
-      hit = other;
-      best = other.t;
-    }
+  // What else the search asks lies further away and changes nothing.
+  hierarchy.search(ray, best, [&](std::uint32_t entry) {
+    const auto place = std::ranges::lower_bound(there, entry, {}, entry_of);
+    if (place != there.end() && (*place)->entry == entry) ask(**place);
     return best;
-  };
-  if (in_order) {
-    for (std::uint32_t i = 0; i < entries.size(); ++i)
-      if (entries[i].slab.passes(ray)) ask(i);
-  } else {
-    hierarchy.search(ray, best, ask);
-  }
+  });
 }
 
 bool World::occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const {

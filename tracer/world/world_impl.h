@@ -93,6 +93,28 @@ inline unsigned bit(RayKind kind) { return 1u << static_cast<unsigned>(kind); }
 // What a search has to look at when the best hit lies at t: what is in the same place, too.
 inline double with_coincident(double t) { return t + kCoincident * t; }
 
+// Which entries rays were found to meet in one place, and where: for most rays none.
+class Coincidences {
+ public:
+  struct Met {
+    int lane;
+    std::uint32_t entry;
+    Hit hit;
+  };
+  void add(int lane, std::uint32_t entry, const Hit& hit) {
+    std::vector<Met>& list = scratch();
+    if (!any_) list.clear();
+    any_ = true;
+    list.push_back({lane, entry, hit});
+  }
+  std::span<const Met> all() const { return any_ ? std::span<const Met>(scratch()) : std::span<const Met>(); }
+
+ private:
+  static std::vector<Met>& scratch();  // of this thread; a search does not begin another
+
+  bool any_ = false;
+};
+
 // The next number, for numbers above 0.
 inline double next_above(double x) {
   return x < std::numeric_limits<double>::infinity() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1) : x;
@@ -148,8 +170,8 @@ struct World::Impl {
   void find_rooms();
   // No shadow ray of the shaft meets what is not opaque of this entry: it is, or the whole shaft lies in its room.
   bool seems_opaque(std::uint32_t entry, const Shaft& shaft) const;
-  // The hit that POV-Ray shows where several entries have surfaces in the same place: its search, repeated (spec 08 A).
-  void search_as_pov(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const;
+  // Of the entries that a ray meets in one place, the one that POV-Ray shows: its search, repeated (spec 08 A).
+  void settle(const Ray& ray, int lane, double t_max, const Coincidences& coincidences, Hit& hit) const;
   void mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const;
 };
 

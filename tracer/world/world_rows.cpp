@@ -125,12 +125,13 @@ class World::RowSearch {
 
   unsigned found() const { return found_; }
   unsigned coincident() const { return coincident_; }
+  const Coincidences& coincidences() const { return coincidences_; }
 
   void test_planes() {
     for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
       const std::uint32_t index = w_.unbounded[i];
       const Entry& e = w_.entries[index];
-      if (w_.planes[i] && !(e.hidden & mask_)) test_plane(*w_.planes[i], e.shape);
+      if (w_.planes[i] && !(e.hidden & mask_)) test_plane(*w_.planes[i], e.shape, index);
     }
   }
   // What else is beside the tree costs more, so it is asked when most rays have hit something.
@@ -169,15 +170,19 @@ class World::RowSearch {
 
  private:
   // Lane k is hit before limit_[k].
-  void take(int k, const Hit& hit) {
+  void take(int k, const Hit& hit, std::uint32_t index) {
     const unsigned lane = 1u << k;
     const bool before = found_ & lane, nearer = !before || hit.t < hits_[k].t;
-    if (before && (!nearer || hits_[k].t <= with_coincident(hit.t)))
+    if (before && (!nearer || hits_[k].t <= with_coincident(hit.t))) {
+      if (!(coincident_ & lane)) coincidences_.add(k, owner_[k], hits_[k]);
+      coincidences_.add(k, index, hit);
       coincident_ |= lane;
-    else
+    } else {
       coincident_ &= ~lane;
+    }
     if (!nearer) return;
     hits_[k] = hit;
+    owner_[k] = index;
     found_ |= lane;
     limit_[k] = std::min(limit_[k], with_coincident(hit.t));
   }
@@ -185,19 +190,19 @@ class World::RowSearch {
     const Candidate& c = w_.bounded[i];
     if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry ? entry->inner_of(i) : nullptr, lanes);
   }
-  void test_plane(const Plane& plane, const Shape* shape) {
+  void test_plane(const Plane& plane, const Shape* shape, std::uint32_t index) {
     alignas(64) double t[kLanes];
     row_kernels().plane(plane.normal, plane.distance, rays_.rays, rays_.first, t);
     each_lane(rays_.asked, [&](int k) {
       if (!(t[k] >= t_min_ && t[k] < limit_[k])) return;
       const Ray ray = rays_.at(k);
-      take(k, {t[k], ray.origin + t[k] * ray.direction, shape, 0, 0, 0});
+      take(k, {t[k], ray.origin + t[k] * ray.direction, shape, 0, 0, 0}, index);
     });
   }
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
     each_lane(shape.intersect_lanes({rays_.rays, rays_.first, lanes}, inner, kind_, t_min_, limit_, others_),
               [&](int k) {
-                if (w_.entries[index].slab.passes(rays_.at(k))) take(k, others_[k]);
+                if (w_.entries[index].slab.passes(rays_.at(k))) take(k, others_[k], index);
               });
   }
 
@@ -210,6 +215,8 @@ class World::RowSearch {
   alignas(64) double limit_[kLanes];
   unsigned found_ = 0;
   unsigned coincident_ = 0;  // lanes in which another entry was hit in the same place
+  std::uint32_t owner_[kLanes];
+  Coincidences coincidences_;
   Hit others_[kLanes];
 };
 
@@ -235,7 +242,7 @@ void World::intersect_row(const RayRow& rays, int first, int count, RayKind kind
     search.test_around();
     each_lane(search.coincident(), [&](int k) {
       const double far = t_max ? t_max[start + k] : std::numeric_limits<double>::infinity();
-      w.search_as_pov(rays.at(start + k), kind, t_min, far, hits[start + k]);
+      w.settle(rays.at(start + k), k, far, search.coincidences(), hits[start + k]);
     });
     for (int k = 0; k < rest; ++k) found[start + k] = search.found() >> k & 1;
   }

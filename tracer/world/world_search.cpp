@@ -12,7 +12,7 @@ class World::Search {
 
   bool found() const { return found_; }
   double limit() const { return limit_; }
-  bool coincident() const { return coincident_; }
+  const Coincidences* coincidences() const { return coincident_ ? &coincidences_ : nullptr; }
 
   // Entries beside the tree.
   void test_unbounded() {
@@ -22,7 +22,7 @@ class World::Search {
       if (e.hidden & mask_) continue;
       if (w_.planes[i]) {
         const double t = w_.planes[i]->distance_along(ray_);
-        if (t >= t_min_ && t < limit_) take({t, ray_.origin + t * ray_.direction, e.shape, 0, 0, 0});
+        if (t >= t_min_ && t < limit_) take({t, ray_.origin + t * ray_.direction, e.shape, 0, 0, 0}, index);
         continue;
       }
       if (!e.may_meet(ray_, t_min_, limit_)) continue;
@@ -41,18 +41,25 @@ class World::Search {
   }
 
  private:
-  void take(const Hit& hit) {
-    coincident_ = found_ && (hit.t < hit_.t ? hit_.t <= with_coincident(hit.t) : true);
-    if (found_ && hit.t >= hit_.t) return;
+  void take(const Hit& hit, std::uint32_t index) {
+    const bool nearer = !found_ || hit.t < hit_.t;
+    const bool before = coincident_;
+    coincident_ = found_ && (!nearer || hit_.t <= with_coincident(hit.t));
+    if (coincident_) {
+      if (!before) coincidences_.add(0, owner_, hit_);
+      coincidences_.add(0, index, hit);
+    }
+    if (!nearer) return;
     found_ = true;
     hit_ = hit;
+    owner_ = index;
     limit_ = std::min(limit_, with_coincident(hit.t));
   }
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner) {
     Hit other;
     const bool met = inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, limit_, other)
                            : shape.intersect(ray_, kind_, t_min_, limit_, other);
-    if (met && w_.entries[index].slab.passes(ray_)) take(other);
+    if (met && w_.entries[index].slab.passes(ray_)) take(other, index);
   }
 
   const Impl& w_;
@@ -63,7 +70,9 @@ class World::Search {
   double limit_;
   Hit& hit_;
   bool found_ = false;
+  std::uint32_t owner_ = 0;
   bool coincident_ = false;  // another entry was hit in the same place
+  Coincidences coincidences_;
 };
 
 bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit,
@@ -79,7 +88,7 @@ bool World::intersect(const Ray& ray, RayKind kind, double t_min, double t_max, 
       },
       entry);
   search.test_around();
-  if (search.coincident()) w.search_as_pov(ray, kind, t_min, t_max, hit);
+  if (search.coincidences()) w.settle(ray, 0, t_max, *search.coincidences(), hit);
   return search.found();
 }
 

@@ -42,7 +42,7 @@ struct Stage {
 
   explicit Stage(const std::vector<ObjectRef>& objects, bool split = false, bool remove_bounds = true) {
     for (const auto& o : objects) scene.objects.push_back(o);
-    world = std::make_unique<World>(scene, compiler, split, remove_bounds);
+    world = std::make_unique<World>(scene, compiler, Arrangement{split, remove_bounds});
   }
   // The description of the object that is hit; null: none.
   const Object* hit(const Vec3& origin, const Vec3& direction, RayKind kind = RayKind::camera) const {

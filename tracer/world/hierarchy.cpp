@@ -1,6 +1,7 @@
 #include "tracer/world/hierarchy.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <utility>
 
@@ -83,49 +84,68 @@ bool Hierarchy::Slabs::enters(const Bounds& b, double& key) const {
   return far >= kBehind && near <= far;
 }
 
-std::uint32_t Hierarchy::add_node(std::span<const std::uint32_t> children) {
+Hierarchy::Boxed Hierarchy::add_node(std::span<const Boxed> children) {
   Node node;
   Union all;
-  for (const std::uint32_t child : children) all.add(nodes_[child].bounds);
+  for (const Boxed& child : children) all.add(child.bounds);
   node.bounds = all.bounds();
   node.first = static_cast<std::uint32_t>(children_.size());
   node.count = static_cast<std::uint32_t>(children.size());
-  children_.insert(children_.end(), children.begin(), children.end());
+  for (const Boxed& child : children) children_.push_back(child.node);
   nodes_.push_back(node);
-  return static_cast<std::uint32_t>(nodes_.size() - 1);
+  return {node.bounds, static_cast<std::uint32_t>(nodes_.size() - 1)};
 }
 
-// Divides a range by the surface areas of its parts, appends the nodes that it ends in.
-void Hierarchy::split(std::span<std::uint32_t> range, std::vector<std::uint32_t>& nodes) {
+// Stable, by twice the middle of the boxes in binary32.
+void Hierarchy::sort_by_middle(std::span<Boxed> range, std::size_t axis) {
+  const auto middle = [axis](const Boxed& item) { return 2 * item.bounds.low[axis] + item.bounds.size[axis]; };
+  const auto before = [&](const Boxed& a, const Boxed& b) { return middle(a) < middle(b); };
+  // Parts are often divided along the axis of the whole.
+  if (std::is_sorted(range.begin(), range.end(), before)) return;
+  constexpr std::size_t kFew = 32;
+  if (range.size() <= kFew) return std::stable_sort(range.begin(), range.end(), before);
+  // Of many, keys and places are sorted as whole numbers, which the order of floats is once their sign is unfolded.
+  std::vector<std::uint64_t> keys(range.size());
+  for (std::size_t i = 0; i < range.size(); ++i) {
+    const auto bits = std::bit_cast<std::uint32_t>(middle(range[i]) + 0.0f);  // one zero
+    const std::uint32_t key = bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+    keys[i] = std::uint64_t{key} << 32 | i;
+  }
+  std::sort(keys.begin(), keys.end());
+  const std::vector<Boxed> unsorted(range.begin(), range.end());
+  for (std::size_t i = 0; i < range.size(); ++i) range[i] = unsorted[keys[i] & 0xffffffffu];
+}
+
+// Divides a range by the surface areas of its parts, appends the nodes that it ends in. `areas`: room for one number
+// each.
+void Hierarchy::split(std::span<Boxed> range, std::span<float> areas, std::vector<Boxed>& nodes) {
   const std::size_t n = range.size();
-  const auto bounds = [&](std::size_t i) -> const Bounds& { return nodes_[range[i]].bounds; };
   // The longest axis; but what ends further away counts with its lower corner.
   std::size_t axis = 0;
   float longest = -std::numeric_limits<float>::max();
   for (std::size_t a = 0; a < 3; ++a) {
     float least = kEmptyLimit, most = -kEmptyLimit;
-    for (std::size_t i = 0; i < n; ++i) {
-      const Bounds& b = bounds(i);
+    for (const Boxed& item : range) {
+      const Bounds& b = item.bounds;
       least = std::min(least, b.low[a]);
       if (b.low[a] + b.size[a] > most) most = b.low[a];
     }
     if (most - least > longest) longest = most - least, axis = a;
   }
-  const auto middle = [&](std::uint32_t i) { return 2 * nodes_[i].bounds.low[axis] + nodes_[i].bounds.size[axis]; };
-  std::stable_sort(range.begin(), range.end(), [&](std::uint32_t a, std::uint32_t b) { return middle(a) < middle(b); });
+  sort_by_middle(range, axis);
   std::size_t best = n;
   if (n > kLeafSize) {
-    std::vector<float> left(n), right(n);
-    Union from_left, from_right;
-    for (std::size_t i = 0; i < n; ++i) {
-      from_left.add(bounds(i));
-      left[i] = area(from_left.bounds());
-      from_right.add(bounds(n - 1 - i));
-      right[n - 1 - i] = area(from_right.bounds());
+    Union from_right;
+    for (std::size_t i = n; i-- > 0;) {
+      from_right.add(range[i].bounds);
+      areas[i] = area(from_right.bounds());
     }
-    float least = left[n - 1] * (static_cast<float>(n) - 3);
+    float least = areas[0] * (static_cast<float>(n) - 3);
+    Union from_left;
     for (std::size_t i = 0; i + 1 < n; ++i) {
-      const float cost = static_cast<float>(i + 1) * left[i] + static_cast<float>(n - 1 - i) * right[i + 1];
+      from_left.add(range[i].bounds);
+      const float cost =
+          static_cast<float>(i + 1) * area(from_left.bounds()) + static_cast<float>(n - 1 - i) * areas[i + 1];
       if (cost < least) least = cost, best = i;
     }
   }
@@ -133,37 +153,42 @@ void Hierarchy::split(std::span<std::uint32_t> range, std::vector<std::uint32_t>
     nodes.push_back(add_node(range));
     return;
   }
-  split(range.first(best + 1), nodes);
-  split(range.subspan(best + 1), nodes);
+  split(range.first(best + 1), areas, nodes);
+  split(range.subspan(best + 1), areas, nodes);
 }
 
 Hierarchy::Hierarchy(std::span<const Item> items) {
-  std::vector<std::uint32_t> finite, infinite;
+  std::vector<Boxed> finite, infinite;
+  nodes_.reserve(2 * items.size());
   for (const Item& item : items) {
     Node leaf;
     leaf.bounds = item.bounds;
     leaf.entry = item.entry;
+    leaf.infinite = item.infinite;
+    (item.infinite ? infinite : finite).push_back({item.bounds, static_cast<std::uint32_t>(nodes_.size())});
     nodes_.push_back(leaf);
-    (item.infinite ? infinite : finite).push_back(static_cast<std::uint32_t>(nodes_.size() - 1));
   }
-  std::vector<std::uint32_t> level;
-  if (!finite.empty()) split(finite, level);
+  std::vector<float> areas(finite.size());
+  std::vector<Boxed> level;
+  if (!finite.empty()) split(finite, areas, level);
   while (level.size() > 1) {
-    std::vector<std::uint32_t> next;
-    split(level, next);
+    std::vector<Boxed> next;
+    split(level, areas, next);
     level = std::move(next);
   }
-  std::vector<std::uint32_t> top;
+  std::vector<Boxed> top;
   if (!infinite.empty()) {
-    for (const std::uint32_t leaf : infinite) nodes_[leaf].infinite = true;
     top.push_back(add_node(infinite));
     nodes_.back().infinite = true;
   }
   if (!level.empty()) {
-    const Node finite_root = nodes_[level.front()];
-    for (std::uint32_t i = 0; i < finite_root.count; ++i) top.push_back(children_[finite_root.first + i]);
+    const Node finite_root = nodes_[level.front().node];
+    for (std::uint32_t i = 0; i < finite_root.count; ++i) {
+      const std::uint32_t child = children_[finite_root.first + i];
+      top.push_back({nodes_[child].bounds, child});
+    }
   }
-  if (!top.empty()) root_ = add_node(top);
+  if (!top.empty()) root_ = add_node(top).node;
 }
 
 Hierarchy::Queue& Hierarchy::scratch() {

@@ -87,8 +87,14 @@ class Hierarchy {
     int sign_[3];
   };
 
-  std::uint32_t add_node(std::span<const std::uint32_t> children);
-  void split(std::span<std::uint32_t> range, std::vector<std::uint32_t>& nodes);
+  // A node and its box, side by side for sorting.
+  struct Boxed {
+    scene::Bounds bounds;
+    std::uint32_t node;
+  };
+  static void sort_by_middle(std::span<Boxed> range, std::size_t axis);
+  Boxed add_node(std::span<const Boxed> children);
+  void split(std::span<Boxed> range, std::span<float> areas, std::vector<Boxed>& nodes);
   static Queue& scratch();
 
   std::vector<Node> nodes_;

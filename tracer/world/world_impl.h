@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "tracer/bvh/box_tree.h"
-#include "tracer/world/hierarchy.h"
+#include "tracer/bvh/hierarchy.h"
 #include "tracer/world/world.h"
 #include "tracer/shapes/quadrics/box_set.h"
 #include "tracer/shapes/csg/hollow.h"

@@ -1,4 +1,4 @@
-#include "tracer/world/hierarchy.h"
+#include "tracer/bvh/hierarchy.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,5 @@
 // The order in which POV-Ray asks objects (spec 08 A).
-#include "tracer/world/hierarchy.h"
+#include "tracer/bvh/hierarchy.h"
 
 #include <gtest/gtest.h>
 

@@ -37,23 +37,31 @@ class Union {
 
 }  // namespace
 
+std::vector<Hierarchy::Waiting>& Hierarchy::Queue::thread_list() {
+  thread_local std::vector<Waiting> list;
+  return list;
+}
+
 void Hierarchy::Queue::push(const Waiting& item) {
-  heap_.push_back(item);
-  for (std::size_t i = heap_.size() - 1; i > 0 && heap_[i].key < heap_[(i - 1) / 2].key; i = (i - 1) / 2)
-    std::swap(heap_[i], heap_[(i - 1) / 2]);
+  list_.push_back(item);
+  Waiting* const heap = list_.data() + begin_;
+  for (std::size_t i = list_.size() - begin_ - 1; i > 0 && heap[i].key < heap[(i - 1) / 2].key; i = (i - 1) / 2)
+    std::swap(heap[i], heap[(i - 1) / 2]);
 }
 
 Hierarchy::Waiting Hierarchy::Queue::pop() {
-  const Waiting top = heap_.front();
-  heap_.front() = heap_.back();
-  heap_.pop_back();
+  Waiting* const heap = list_.data() + begin_;
+  const Waiting top = heap[0];
+  heap[0] = list_.back();
+  list_.pop_back();
+  const std::size_t size = list_.size() - begin_;
   for (std::size_t i = 0;;) {
     std::size_t child = 2 * i + 1;
-    if (child >= heap_.size()) break;
+    if (child >= size) break;
     // Of two equal children the right one is taken.
-    if (child + 1 < heap_.size() && !(heap_[child].key < heap_[child + 1].key)) ++child;
-    if (!(heap_[i].key > heap_[child].key)) break;
-    std::swap(heap_[i], heap_[child]);
+    if (child + 1 < size && !(heap[child].key < heap[child + 1].key)) ++child;
+    if (!(heap[i].key > heap[child].key)) break;
+    std::swap(heap[i], heap[child]);
     i = child;
   }
   return top;
@@ -189,11 +197,6 @@ Hierarchy::Hierarchy(std::span<const Item> items) {
     }
   }
   if (!top.empty()) root_ = add_node(top).node;
-}
-
-Hierarchy::Queue& Hierarchy::scratch() {
-  thread_local Queue queue;
-  return queue;
 }
 
 }  // namespace verisim::accel

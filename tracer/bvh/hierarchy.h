@@ -32,8 +32,7 @@ class Hierarchy {
   // `best`.
   template <class Visit>
   void search(const Ray& ray, double best, Visit&& visit) const {
-    Queue& queue = scratch();
-    queue.clear();
+    Queue queue;
     if (!nodes_.empty()) queue.push({kFirst, root_});
     const Slabs slabs(ray);
     while (!queue.empty()) {
@@ -65,16 +64,24 @@ class Hierarchy {
     double key;
     std::uint32_t node;
   };
-  // A binary heap that exchanges equal keys as POV-Ray's does.
+  // A binary heap that exchanges equal keys as POV-Ray's does. Searches nest (an entry may search a hierarchy of its
+  // own); each has the end of one list that the thread keeps.
   class Queue {
    public:
-    void clear() { heap_.clear(); }
-    bool empty() const { return heap_.empty(); }
+    Queue() : list_(thread_list()), begin_(list_.size()) {}
+    ~Queue() { list_.resize(begin_); }
+    Queue(const Queue&) = delete;
+    Queue& operator=(const Queue&) = delete;
+
+    bool empty() const { return list_.size() == begin_; }
     void push(const Waiting& item);
     Waiting pop();
 
    private:
-    std::vector<Waiting> heap_;
+    static std::vector<Waiting>& thread_list();
+
+    std::vector<Waiting>& list_;
+    const std::size_t begin_;
   };
   // POV-Ray's test of a box, in single precision.
   class Slabs {
@@ -95,7 +102,6 @@ class Hierarchy {
   static void sort_by_middle(std::span<Boxed> range, std::size_t axis);
   Boxed add_node(std::span<const Boxed> children);
   void split(std::span<Boxed> range, std::span<float> areas, std::vector<Boxed>& nodes);
-  static Queue& scratch();
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> children_;

@@ -84,7 +84,14 @@ class NearestHit {
   static constexpr bool kNearest = true;
   NearestHit(const Shape& shape, const Guards* guards, double t_min, double t_max, Hit& hit, bool any = false,
              const Clips* clips = nullptr)
-      : shape_(shape), guards_(guards), clips_(clips), t_min_(t_min), t_max_(t_max), hit_(hit), any_(any) {}
+      : shape_(shape),
+        guards_(guards),
+        clips_(clips),
+        t_min_(t_min),
+        t_limit_(t_max),
+        t_max_(t_max),
+        hit_(hit),
+        any_(any) {}
 
   template <class PointAt>
   bool add(double t, PointAt&& point, std::int32_t part = 0, double u = 0, double v = 0) {
@@ -97,8 +104,14 @@ class NearestHit {
     return true;
   }
   bool clipped(const Vec3& p) const { return (guards_ && !guards_->contain(p)) || (clips_ && !clips_->contain(p)); }
+  bool clipped_from_outside() const { return clips_ != nullptr; }
   bool found() const { return found_; }
   bool any() const { return any_; }
+  // Forgets the hit that was found.
+  void restart() {
+    t_max_ = t_limit_;
+    found_ = false;
+  }
   // Hits outside lower() .. upper() (world distances) need not be reported.
   double lower() const { return t_min_; }
   double upper() const { return t_max_; }
@@ -107,7 +120,7 @@ class NearestHit {
   const Shape& shape_;
   const Guards* guards_;
   const Clips* clips_;
-  const double t_min_;
+  const double t_min_, t_limit_;
   double t_max_;
   Hit& hit_;
   const bool any_;

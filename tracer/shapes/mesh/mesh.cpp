@@ -1,5 +1,8 @@
-// mesh and mesh2 (spec 04 section 1). All hits are reported; POV-Ray's early stop for meshes without inside_vector,
-// which loses surfaces in CSG, is not reproduced.
+// mesh and mesh2 (spec 04 section 1).
+//
+// A mesh without inside_vector does not know all its hits: POV-Ray ends the search of the mesh's hierarchy at the first
+// box that is entered beyond the hit that was found last (spec 08 C). Who asks for all hits, or would not take the
+// nearest one, therefore gets what that search finds.
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/mesh/mesh_geometry.h"
 #include "tracer/shapes/tree_primitive.h"
@@ -14,6 +17,7 @@ class Mesh final : public TreePrimitive<Mesh> {
       : TreePrimitive(description, {mesh_vertex_box(*mesh.data), !has_inside(*mesh.data)}),
         geometry_(MeshGeometry::of(mesh.data)) {
     solid_ = has_inside(*mesh.data);
+    partial_ = !solid_ && description.hierarchy;
     if (solid_) {
       const Vec3 v = *mesh.data->inside_vector;
       inside_direction_ = normalize(has_matrix() ? matrix().inverse_direction(v) : v);
@@ -26,28 +30,13 @@ class Mesh final : public TreePrimitive<Mesh> {
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
-    const LocalRay r = local(ray);
-    const double lower = std::max(MeshGeometry::kNearest, sink.lower() * r.scale * (1 - 1e-12));
-    const auto limit = [&] { return std::min(MeshGeometry::kFarthest, sink.upper() * r.scale * (1 + 1e-12)); };
-    double nearest = -1;
-    std::uint32_t nearest_id = 0;
-    geometry_->tree().traverse_leaves(
-        {r.origin, r.direction}, lower, limit(),
-        [&](std::uint32_t first, std::uint32_t count, double) {
-          for (std::uint32_t i = first; i < first + count; ++i) {
-            const double t = geometry_->hit(i, r.origin, r.direction);
-            if (t < 0 || t > MeshGeometry::kFarthest) continue;
-            const double world_t = t / r.scale;
-            // Of triangles hit at the same distance (a ray through a shared edge) the last written is seen, whatever
-            // the order of the walk.
-            if (Sink::kNearest && world_t == nearest && geometry_->triangle(i).id() < nearest_id) continue;
-            const bool accepted = sink.add(
-                world_t, [&] { return ray.at(world_t); }, static_cast<std::int32_t>(i));
-            if (Sink::kNearest && accepted) nearest = world_t, nearest_id = geometry_->triangle(i).id();
-          }
-          return limit();
-        },
-        entry);
+    if (!partial_) return every_crossing(ray, sink, entry);
+    if constexpr (Sink::kNearest) {
+      every_crossing(ray, sink, entry);
+      if (!sink.found() || !passes_over_hit(ray, sink, entry)) return;
+      sink.restart();
+    }
+    crossings_of_search(ray, sink);
   }
 
   bool contains(const Vec3& p) const { return solid_ && geometry_->crossings(local(p), inside_direction_) % 2 != 0; }
@@ -79,6 +68,56 @@ class Mesh final : public TreePrimitive<Mesh> {
   }
 
  private:
+  template <class Sink>
+  void every_crossing(const Ray& ray, Sink& sink, const accel::EntryPoints* entry) const {
+    const LocalRay r = local(ray);
+    const double lower = std::max(MeshGeometry::kNearest, sink.lower() * r.scale * (1 - 1e-12));
+    const auto limit = [&] { return std::min(MeshGeometry::kFarthest, sink.upper() * r.scale * (1 + 1e-12)); };
+    double nearest = -1;
+    std::uint32_t nearest_id = 0;
+    geometry_->tree().traverse_leaves(
+        {r.origin, r.direction}, lower, limit(),
+        [&](std::uint32_t first, std::uint32_t count, double) {
+          for (std::uint32_t i = first; i < first + count; ++i) {
+            const double t = geometry_->hit(i, r.origin, r.direction);
+            if (t < 0 || t > MeshGeometry::kFarthest) continue;
+            const double world_t = t / r.scale;
+            // Of triangles hit at the same distance (a ray through a shared edge) the last written is seen, whatever
+            // the order of the walk.
+            if (Sink::kNearest && world_t == nearest && geometry_->triangle(i).id() < nearest_id) continue;
+            const bool accepted = sink.add(
+                world_t, [&] { return ray.at(world_t); }, static_cast<std::int32_t>(i));
+            if (Sink::kNearest && accepted) nearest = world_t, nearest_id = geometry_->triangle(i).id();
+          }
+          return limit();
+        },
+        entry);
+  }
+
+  // Whether the mesh has a hit nearer than the one that the sink took: one that is too near for the caller, or outside
+  // the clip objects of a union.
+  bool passes_over_hit(const Ray& ray, const NearestHit& sink, const accel::EntryPoints* entry) const {
+    Hit hit;
+    NearestHit nearer(*this, guards(), 0, sink.clipped_from_outside() ? sink.upper() : sink.lower(), hit, true);
+    every_crossing(ray, nearer, entry);
+    return nearer.found();
+  }
+
+  template <class Sink>
+  void crossings_of_search(const Ray& ray, Sink& sink) const {
+    const LocalRay r = local(ray);
+    double last = std::numeric_limits<double>::infinity();
+    geometry_->hierarchy().search({r.origin, r.direction}, last, [&](std::uint32_t i) {
+      const double t = geometry_->hit(i, r.origin, r.direction);
+      if (t < 0 || t > MeshGeometry::kFarthest) return last;
+      const double world_t = t / r.scale;
+      const Vec3 p = ray.at(world_t);
+      if (guards() && !guards()->contain(p)) return last;
+      sink.add(world_t, [&] { return p; }, static_cast<std::int32_t>(i));
+      return last = t;
+    });
+  }
+
   static bool has_inside(const scene::MeshData& data) {
     if (!data.inside_vector) return false;
     const Vec3& v = *data.inside_vector;
@@ -86,7 +125,7 @@ class Mesh final : public TreePrimitive<Mesh> {
   }
 
   std::shared_ptr<const MeshGeometry> geometry_;
-  bool solid_ = false, interior_texture_ = false;
+  bool solid_ = false, partial_ = false, interior_texture_ = false;
   Vec3 inside_direction_{0, 0, 0};
   std::vector<scene::TexturePtr> textures_;
 };

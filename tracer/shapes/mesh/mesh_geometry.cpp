@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <mutex>
+#include <numeric>
 #include <unordered_map>
 
 #include "tracer/base/parallel.h"
+#include "tracer/scene/bounds.h"
 
 namespace verisim::shapes {
 
@@ -102,6 +104,24 @@ MeshGeometry::Triangle MeshGeometry::prepared(std::uint32_t id) const {
     triangle.corner[k][1] = static_cast<float>((*corner[k])[j]);
   }
   return triangle;
+}
+
+const accel::Hierarchy& MeshGeometry::hierarchy() const {
+  std::call_once(hierarchy_built_, [this] {
+    const std::vector<std::uint32_t>& order = tree_.order();
+    std::vector<std::uint32_t> places(order.size());  // in the order of the file
+    std::iota(places.begin(), places.end(), 0u);
+    std::sort(places.begin(), places.end(), [&](std::uint32_t a, std::uint32_t b) { return order[a] < order[b]; });
+    std::vector<accel::Hierarchy::Item> items;
+    items.reserve(places.size());
+    for (const std::uint32_t place : places) {
+      Box3 box;
+      for (const std::uint32_t v : source(place).vertex) box.extendBy(f32(data_->vertices[v]));
+      items.push_back({place, scene::make_bounds(box.min, box.max), false});
+    }
+    hierarchy_ = accel::Hierarchy(items);
+  });
+  return hierarchy_;
 }
 
 std::array<int, 3> MeshGeometry::corners(std::uint32_t i) const {

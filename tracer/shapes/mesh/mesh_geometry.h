@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 
 #include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/hierarchy.h"
 #include "tracer/scene/object.h"
 
 namespace verisim::shapes {
@@ -47,6 +49,8 @@ class MeshGeometry {
   const Triangle& triangle(std::uint32_t i) const { return triangles_[i]; }
   const scene::MeshTriangle& source(std::uint32_t i) const { return data_->triangles[triangles_[i].id()]; }
   const accel::BoxTree& tree() const { return tree_; }
+  // POV-Ray's own hierarchy; its entries are numbers of the tree's order. Built when it is first asked for.
+  const accel::Hierarchy& hierarchy() const;
   const scene::MeshData& data() const { return *data_; }
 
   // The triangle's corner numbers in POV-Ray's canonical order: 0 and 1 may be exchanged.
@@ -70,6 +74,8 @@ class MeshGeometry {
   std::shared_ptr<const scene::MeshData> data_;
   std::unique_ptr<Triangle[]> triangles_;  // in the order of the tree's leaves
   accel::BoxTree tree_;
+  mutable std::once_flag hierarchy_built_;
+  mutable accel::Hierarchy hierarchy_;
 };
 
 // The box of all vertices used by faces, rounded to binary32.

@@ -53,6 +53,48 @@ TEST(Mesh, FlatTriangleFromWrittenAndFromRoundedVertices) {
   expect_near(s2->normal(*hit2), {0.365148335695267, 0.182574167847633, -0.912870943546295});
 }
 
+// Spec 08 C: the hits that a ray along z has with sheets of which the second and the third have boxes that begin beyond
+// the first.
+std::vector<double> hits_of_sheets(scene::Object o) {
+  const auto shape = compile(o);
+  HitList hits;
+  shape->intersect_all({{0, 0, -1}, {0, 0, 1}}, kQuery, hits);
+  std::vector<double> t;
+  for (const Hit& hit : hits) t.push_back(hit.t);
+  std::sort(t.begin(), t.end());
+  return t;
+}
+scene::MeshData sheets() {
+  scene::MeshData d;
+  for (const double z : {0.0, 1.0, 2.0}) {
+    const auto first = static_cast<std::uint32_t>(d.vertices.size());
+    for (const Vec3& v : {Vec3(-1, -1, z), Vec3(1, -1, z), Vec3(0, 1, z)}) d.vertices.push_back(v);
+    d.triangles.push_back(triangle(first, first + 1, first + 2));
+  }
+  return d;
+}
+
+TEST(Mesh, WithoutInsideVectorHitsBeyondTheOneFoundLastDoNotExist) {
+  EXPECT_EQ(hits_of_sheets(mesh(sheets())), std::vector<double>{1});
+  scene::Object off = mesh(sheets());
+  off.hierarchy = false;
+  EXPECT_EQ(hits_of_sheets(off), (std::vector<double>{1, 2, 3}));
+  scene::MeshData solid = sheets();
+  solid.inside_vector = Vec3(0, 0, 1);
+  EXPECT_EQ(hits_of_sheets(mesh(solid)), (std::vector<double>{1, 2, 3}));
+}
+
+TEST(Mesh, HitNearerThanTheCallerTakesHidesTheOthers) {
+  const auto o = mesh(sheets());
+  const auto shape = compile(o);
+  const Ray ray{{0, 0, -5e-5}, {0, 0, 1}};
+  Hit hit;
+  EXPECT_FALSE(shape->intersect(ray, kQuery, 1e-4, 1e20, hit));
+  EXPECT_FALSE(shape->occludes(ray, 1e-4, 1e20));
+  ASSERT_TRUE(shape->intersect(ray, kQuery, 1e-5, 1e20, hit));
+  EXPECT_NEAR(hit.t, 5e-5, 1e-12);
+}
+
 scene::MeshData smooth_corner() {
   scene::MeshData d;
   d.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -674,6 +674,35 @@ disc { <0,2.2,.5>,<.2,1,.3>,.8 texture { checker texture { pigment { rgbf <1,.6,
              190, 189, 188, 190, 188, 187, 189, 188, 187, 189, 187, 186, 188, 187, 186, 188, 187, 185}}),
     [](const testing::TestParamInfo<IntegrationScene>& s) { return s.param.name; });
 
+// A CSG object with an opaque texture of its own filters twice once it is remembered (spec 08 D): 0.5 of the light
+// passes the right half of the slab, which the left half has made known.
+TEST(ShadowCache, RememberedCsgFiltersTwice) {
+  const auto floor_at = [](const std::string& object, bool replay) {
+    render::Options options;
+    options.replay = replay;
+    const std::string scene = std::string("#version 3.7;") + kPrelude + R"(
+camera { orthographic location 50*y direction -y right 2*x up z } plane { y,0 texture { Wht } } light_source { 1000*y rgb 1 parallel point_at 0 }
+#declare A = box { <-2,1,-2>,<0,2,2> no_image } #declare B = box { <0,1,-2>,<2,2,2> pigment { rgbt <1,1,1,.5> } no_image }
+)" + object;
+    const render::Framebuffer frame = render_text(scene, 2, 1, options);
+    EXPECT_EQ(lin16(frame, 0, 0)[0], 0);
+    return lin16(frame, 1, 0)[0];
+  };
+  const std::string opaque = "pigment { rgb 1 }";
+  for (const bool replay : {false, true}) {
+    EXPECT_NEAR(floor_at("merge { object { A } object { B } " + opaque + " no_image }", replay), 65535 / 8, 2);
+    EXPECT_NEAR(floor_at("merge { object { A " + opaque + " } object { B } no_image }", replay), 65535 / 4, 2);
+    EXPECT_NEAR(floor_at("union { object { A } object { B } " + opaque + " no_image }", replay), 65535 / 4, 2);
+    EXPECT_NEAR(
+        floor_at("union { object { A } object { B } " + opaque + " clipped_by { plane { -y,0 } } no_image }", replay),
+        65535 / 8, 2);
+    EXPECT_NEAR(floor_at("merge { object { A } object { B } texture { checker texture { " + opaque + " } texture { " +
+                             opaque + " } } no_image }",
+                         replay),
+                65535 / 4, 2);
+  }
+}
+
 // POV-Ray's shadow cache makes a pixel depend on the one before it (S9, spec 06 9.2); we do so in replay only.
 TEST(ShadowCache, OccluderInTheContactZoneShadowsOnlyInReplay) {
   const std::string scene = std::string("#version 3.7;") + kPrelude + R"(

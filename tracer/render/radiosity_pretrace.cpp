@@ -129,6 +129,7 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
           const std::size_t tile = wave[i];
           if (tiles[tile].finished() || (options.cancel && options.cancel->load(std::memory_order_relaxed))) return;
           Worker& worker = workers.local();
+          worker.tracer.begin_block();
           auto& task = EffectsStateOfScene::of(worker.tracer).radiosity;
           task.emplace(*effects.radiosity_settings(), &cache, &found[i], true, pass, static_cast<int>(tile));
           task->spread(first_direction(options, pass, static_cast<int>(tile), false));
@@ -155,6 +156,7 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
 }
 
 void begin_block(global::SceneEffects& effects, shading::Tracer& tracer, const Options& options, int block) {
+  tracer.begin_block();
   if (!effects.radiosity) return;
   EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
   if (options.replay) {

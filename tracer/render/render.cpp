@@ -14,6 +14,7 @@
 #include "tracer/render/layers.h"
 #include "tracer/render/path_pixels.h"
 #include "tracer/render/sampling/pixel_sampler.h"
+#include "tracer/render/last_blockers.h"
 #include "tracer/render/prepasses.h"
 #include "tracer/render/requirements.h"
 
@@ -51,6 +52,7 @@ class Queue {
   std::size_t size() const { return blocks_.size(); }
   bool cancelled() const { return options_.cancel && options_.cancel->load(std::memory_order_relaxed); }
   int index(const Block* block) const { return static_cast<int>(block - blocks_.data()); }
+  std::span<const Block> blocks() const { return blocks_; }
   // Null when there are no more.
   const Block* next() {
     while (!cancelled()) {
@@ -91,7 +93,8 @@ class Queue {
 
 // One thread's work: blocks until there are none left.
 void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& effects, const CameraModel& camera,
-          const Options& options, const path::PathScene* paths, Framebuffer& frame) {
+          const Options& options, const path::PathScene* paths, std::span<const shading::LastBlockers> blockers,
+          Framebuffer& frame) {
   shading::Tracer tracer(scene, shading::RandomSource(options.replay, options.seed), options.cancel);
   tracer.coherent().set_camera(camera.coherence);
   PixelSampler sampler(camera, tracer);
@@ -109,7 +112,9 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
   if (method == 2) quads.emplace(settings, sampler);
   try {
     while (const Block* block = queue.next()) {
-      begin_block(effects, tracer, options, queue.index(block));
+      const int index = queue.index(block);
+      begin_block(effects, tracer, options, index);
+      if (!blockers.empty()) tracer.remember_blockers(blockers[static_cast<std::size_t>(index)]);
       if (paths) {
         render_paths(*block, camera, *paths, tracer, options, frame);
       } else if (sampling) {
@@ -121,7 +126,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
       } else {
         render_plain(*block, sampler, frame);
       }
-      end_block(effects, tracer, options, queue.index(block));
+      end_block(effects, tracer, options, index);
       queue.finished(*block);
     }
   } catch (const shading::Cancelled&) {
@@ -161,9 +166,11 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
   Queue queue(options, frame, statistics);
   const int cores = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
   const int threads = options.replay ? 1 : std::max(1, std::min<int>(cores, static_cast<int>(queue.size())));
+  std::vector<shading::LastBlockers> blockers;
   const auto run_prepasses = [&](int count) {
     if (effects.photons) photon_pass(effects, data, options, count);
     if (effects.radiosity) radiosity_pretrace(effects, data, camera, options, count);
+    if (!effects.radiosity && !paths) blockers = blockers_at_blocks(data, camera, options, queue.blocks());
   };
   if (options.layers) resize_layers(*options.layers, options.width, options.height);
   const auto layer_rows = [&](int first, int last) {
@@ -172,7 +179,7 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
   };
   if (threads == 1) {
     run_prepasses(1);
-    work(queue, data, effects, camera, options, paths ? &*paths : nullptr, frame);
+    work(queue, data, effects, camera, options, paths ? &*paths : nullptr, blockers, frame);
     layer_rows(0, options.height);
   } else {
     const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
@@ -180,8 +187,9 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
     tbb::task_arena arena(threads);
     arena.execute([&] {
       run_prepasses(threads);
-      parallel_for(static_cast<std::size_t>(threads), 1,
-                   [&](std::size_t) { work(queue, data, effects, camera, options, paths ? &*paths : nullptr, frame); });
+      parallel_for(static_cast<std::size_t>(threads), 1, [&](std::size_t) {
+        work(queue, data, effects, camera, options, paths ? &*paths : nullptr, blockers, frame);
+      });
       if (options.layers)
         parallel_for(static_cast<std::size_t>(options.height), 1,
                      [&](std::size_t y) { layer_rows(static_cast<int>(y), static_cast<int>(y) + 1); });

@@ -38,6 +38,9 @@ struct RayState {
   int gather_depth = 0;
   GatherNotes* notes = nullptr;
 
+  // Of the surface that it meets, 1 for what the camera sees: max_trace_level counts these.
+  int surface_level() const { return level + (continuation ? 0 : 1); }
+
   shapes::RayKind kind() const {
     using shapes::RayKind;
     if (reflected) return RayKind::reflected;

@@ -51,7 +51,7 @@ Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
 
 Color Tracer::shade_surface(const RayState& ray, const shapes::Hit& hit) {
   const StackScope<CachedLight> lights(light_cache_);
-  SurfaceHit at(hit, ray.ray.direction, lights.begin(), ray.level + (ray.continuation ? 0 : 1));
+  SurfaceHit at(hit, ray.ray.direction, lights.begin(), ray.surface_level());
   const shapes::Surface& surface = at.surface;
   const Vec3 p = at.pattern_point();
   const auto* texture = at.inside_hit && surface.interior_texture ? surface.interior_texture : surface.texture;

@@ -57,6 +57,9 @@ struct SurfaceHit {
   std::optional<Vec3> photon_normal{};
 };
 
+// What blocked each global light last, for camera hits and for deeper ones: POV-Ray's shadow cache (spec 06 9.2, 08 D).
+using LastBlockers = std::vector<std::array<const shapes::Shape*, 2>>;
+
 class Tracer {
  public:
   Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel = nullptr);
@@ -75,6 +78,12 @@ class Tracer {
   void set_pretrace(bool on) { pretrace_ = on; }
   // What is remembered of rays that go the same way; without a camera every ray searches for itself.
   accel::CoherentRays& coherent() { return coherent_; }
+  // What is traced hangs on what was traced before: in replay, and where the shadow cache shows.
+  bool in_order() const { return in_order_; }
+  // Forgets what was traced before, so that a block does not hang on others. Not in replay.
+  void begin_block();
+  void remember_blockers(const LastBlockers& blockers) { last_blockers_ = blockers; }
+  const LastBlockers& remembered_blockers() const { return last_blockers_; }
   // Null: nobody watches.
   void set_observer(Observer* observer) { observer_ = observer; }
   // A camera ray, with the interiors around its origin; `origin_varies`: they must be looked up again.
@@ -214,9 +223,11 @@ class Tracer {
     const shapes::Surface* lit;
     const Light& light;
   };
-  // Replay only: POV-Ray tries a light's last opaque blocker first, with wider limits, which shows at contacts (spec
-  // 06 9.2).
-  int* last_blocker(const ShadowQuery& query);
+  // The one of LastBlockers that counts; null: none does for this light, or order does not matter.
+  const shapes::Shape** last_blocker(const ShadowQuery& query);
+  // The first surface of the remembered object, whatever lies before it. True when nothing passes.
+  bool filter_by_remembered(const ShadowQuery& query, const shapes::Shape& remembered, double distance, RayState& ray,
+                            Rgb& color);
   void cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance, Rgb& color);
   // Fog or media may take from this light on its way.
   bool light_on_way_changes(const Light& light) const;
@@ -255,6 +266,7 @@ class Tracer {
   const SceneData& scene_;
   RandomSource random_;
   const std::atomic<bool>* cancel_;
+  const bool in_order_;
   accel::CoherentRays coherent_;
   std::unique_ptr<EffectsState> effects_state_;
   render::Statistics statistics_;
@@ -273,8 +285,7 @@ class Tracer {
     Rgb color;
     std::uint64_t stamp = 0;
   };
-  std::vector<std::array<int, 2>>
-      last_blockers_;  // per global light: frame-level object or -1, for camera hits and for deeper ones
+  LastBlockers last_blockers_;
   std::vector<CornerResult> corners_;
   Shuffle area_rows_, area_columns_;
   std::vector<int>

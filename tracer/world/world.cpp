@@ -4,11 +4,13 @@
 #include <limits>
 #include <utility>
 
+#include <boost/container/small_vector.hpp>
+
 #include "tracer/world/frame_list.h"
 #include "tracer/bvh/shaft.h"
 #include "tracer/world/world_impl.h"
 #include "tracer/scene/bounds.h"
-#include "tracer/shapes/scratch_hits.h"
+#include "tracer/textures/evaluation/pigment.h"
 
 namespace verisim::accel {
 namespace {
@@ -84,6 +86,15 @@ bool within_finite_box(const Shape& shape) {
 // A shadow ray may meet something there that is not opaque.
 bool lets_light_through(const Entry& e) { return e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow)); }
 
+// The texture of the object itself, which its children may have replaced. POV-Ray flags layers, not maps of textures.
+bool flagged_opaque(const scene::Object& object, textures::Compiler& compiler) {
+  const auto flagged = [&](const scene::TexturePtr& texture) {
+    const textures::CompiledTexture& compiled = *compiler.texture(texture);
+    return compiled.opaque && !compiled.patterned();
+  };
+  return object.texture && flagged(object.texture) && (!object.interior_texture || flagged(object.interior_texture));
+}
+
 }  // namespace
 
 void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler) {
@@ -113,12 +124,33 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
     s.extra_textures.push_back(texture ? compiler.texture(texture) : s.texture);
     s.opaque = s.opaque && s.extra_textures.back() && s.extra_textures.back()->opaque;
   }
+  const bool remembered = cutaway ? flagged_opaque(*cutaway->object, compiler) : s.opaque;
+  s.remembered = !remembered ? nullptr : cutaway ? cutaway : &shape;
   if (!o.group_lights.empty()) {
     auto& list = group_lights.emplace_back();
     for (const auto& light : o.group_lights) list.push_back(light.get());
     s.group_lights = list;
   }
   shape.surface = &s;
+}
+
+void World::Impl::find_twice_filtering(std::size_t first) {
+  // Some of its points may block all light.
+  const auto may_block = [](const Surface& surface) {
+    if (surface.opaque || !surface.texture || surface.texture->patterned()) return true;
+    return std::ranges::any_of(surface.texture->layers, [](const textures::CompiledLayer& layer) {
+      return layer.pigment->source != textures::CompiledPigment::Source::plain;
+    });
+  };
+  boost::container::small_vector<const Shape*, 4> blockers;
+  for (std::size_t i = first; i < surfaces.size(); ++i)
+    if (const Shape* shape = surfaces[i].remembered; shape && may_block(surfaces[i]))
+      if (std::ranges::find(blockers, shape) == blockers.end()) blockers.push_back(shape);
+  for (std::size_t i = first; i < surfaces.size(); ++i) {
+    Surface& s = surfaces[i];
+    s.filters_twice = !s.opaque && s.remembered && std::ranges::find(blockers, s.remembered) != blockers.end();
+    filters_twice = filters_twice || s.filters_twice;
+  }
 }
 
 World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arrangement& arrangement)
@@ -135,6 +167,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     std::unique_ptr<Shape> shape = shapes::compile(o, {arrangement.remove_bounds});
     const std::size_t first_surface = w.surfaces.size();
     w.add_surfaces(*shape, static_cast<int>(i), nullptr, compiler);
+    w.find_twice_filtering(first_surface);
 
     Entry e;
     e.shape = shape.get();
@@ -292,15 +325,6 @@ void World::Impl::settle(const Ray& ray, int lane, double t_max, const Coinciden
   });
 }
 
-bool World::occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const {
-  const Entry& e = impl_->entries[static_cast<std::size_t>(frame_object)];
-  shapes::ScratchHits hits;
-  e.shape->intersect_all(ray, RayKind::shadow, hits.list());
-  for (std::size_t i = hits.begin(); i < hits.end(); ++i)
-    if (hits[i].t > t_min && hits[i].t < t_max && hits[i].shape->surface->opaque) return true;
-  return false;
-}
-
 void World::enter(const Shaft& shaft, WorldEntry& entry) const {
   const Impl& w = *impl_;
   entry.last_blocker = WorldEntry::kNoBlocker;
@@ -337,6 +361,7 @@ std::vector<std::pair<scene::Place, std::string>> World::findings() const {
 }
 
 bool World::has_transparent_shadows() const { return impl_->transparent_shadows; }
+bool World::filters_twice() const { return impl_->filters_twice; }
 
 bool World::only_opaque_between(const Vec3& from, const Vec3& to) const {
   return impl_->only_rooms && std::all_of(impl_->rooms.begin(), impl_->rooms.end(), [&](const Room& room) {

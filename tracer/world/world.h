@@ -21,6 +21,10 @@ struct Surface {
   const scene::Object* object = nullptr;                        // description of the primitive
   int frame_object = 0;                                         // index of the frame-level object
   bool opaque = false;  // texture and interior_texture are flagged opaque (spec 06 9.3)
+  // What POV-Ray's shadow cache remembers of a hit that blocks a light, or null, and whether that filters once more
+  // what passes here (spec 08 D).
+  const Shape* remembered = nullptr;
+  bool filters_twice = false;
   bool double_illuminate = false, ignore_global_lights = false, uv_mapping = false, no_radiosity = false;
   std::span<const scene::LightSource* const> group_lights;
   scene::PhotonFlags photons;
@@ -89,9 +93,8 @@ class World {
                      Hit* hits, bool* found, const double* t_max = nullptr) const;
   void occluded_row(const RayRow& rays, int first, int count, double t_min, const double* t_max, WorldEntry* entry,
                     bool* blocked) const;
-  // The same for one frame-level object (Surface::frame_object) alone.
-  bool occluded_by(int frame_object, const Ray& ray, double t_min, double t_max) const;
   bool has_transparent_shadows() const;  // false: `occluded` alone decides every shadow
+  bool filters_twice() const;            // some surface does
   // It is known that no shadow ray between these two points meets anything that is not opaque.
   bool only_opaque_between(const Vec3& from, const Vec3& to) const;
 

@@ -153,6 +153,7 @@ struct World::Impl {
   mutable std::once_flag hierarchy_made;  // at the first ray that needs it: most scenes do not
   mutable Hierarchy hierarchy;
   bool transparent_shadows = false;  // something that shadow rays see is not opaque
+  bool filters_twice = false;        // some surface does
 
   // BoxTree::traverse, or what does the same.
   template <class Visit>
@@ -167,6 +168,8 @@ struct World::Impl {
   // Moves what surrounds all others to `around`: from the entries of the tree and those beside it.
   void set_apart(std::vector<std::uint32_t>& finite, std::vector<std::uint32_t>& beside);
   void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
+  // Surface::filters_twice of a frame-level object's surfaces, which are those from `first` on.
+  void find_twice_filtering(std::size_t first);
   void find_rooms();
   // No shadow ray of the shaft meets what is not opaque of this entry: it is, or the whole shaft lies in its room.
   bool seems_opaque(std::uint32_t entry, const Shaft& shaft) const;

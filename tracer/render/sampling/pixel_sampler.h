@@ -46,7 +46,7 @@ class PixelSampler {
   // The colours at any places, best near each other: the same as one by one, but faster.
   void points(const Vec2* places, int count, Color* colors);
   // Samples may be asked for in any order; if not, random numbers would be drawn in another one.
-  bool any_order() const { return !tracer_.random().replay(); }
+  bool any_order() const { return !tracer_.in_order(); }
 
  private:
   Color trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry = nullptr);

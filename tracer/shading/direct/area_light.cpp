@@ -53,7 +53,7 @@ Rgb Tracer::area_shadow(const ShadowQuery& query, const Vec3& p, const LightDire
   const std::size_t cells = static_cast<std::size_t>(light.size1()) * light.size2();
   if (corners_.size() < cells) corners_.resize(cells);
   ++corner_stamp_;
-  if (!light.projector() && !random_.replay() && !light_on_way_changes(light))
+  if (!light.projector() && !in_order_ && !light_on_way_changes(light))
     grid.together = true, grid.entry = shadow_entry(query, p);
   if (grid.together) ask_first_corners(grid);
   if (light.fixed_weights()) {

@@ -7,7 +7,7 @@
 namespace verisim::shading {
 namespace {
 
-constexpr double kCachedTolerance = 1e-4;  // to the shaded point, for the last blocker in replay
+constexpr double kCachedTolerance = 1e-4;  // to the shaded point, for the last blocker
 constexpr float kDark = static_cast<float>(kEpsilon);
 
 }  // namespace
@@ -22,11 +22,27 @@ Rgb Tracer::shadowed(const Light& light, const Vec3& p, const LightDirection& ce
   return color;
 }
 
-int* Tracer::last_blocker(const ShadowQuery& query) {
+const shapes::Shape** Tracer::last_blocker(const ShadowQuery& query) {
   const auto light = static_cast<std::size_t>(&query.light - scene_.lights().data());
-  if (!random_.replay() || light >= scene_.global_lights()) return nullptr;
-  if (last_blockers_.empty()) last_blockers_.assign(scene_.global_lights(), {-1, -1});
-  return &last_blockers_[light][query.eye.level > 0];
+  if (!in_order_ || light >= scene_.global_lights()) return nullptr;
+  if (last_blockers_.empty()) last_blockers_.resize(scene_.global_lights());
+  return &last_blockers_[light][query.eye.surface_level() > 1];
+}
+
+void Tracer::begin_block() {
+  if (!random_.replay()) last_blockers_.clear();
+}
+
+bool Tracer::filter_by_remembered(const ShadowQuery& query, const shapes::Shape& remembered, double distance,
+                                  RayState& ray, Rgb& color) {
+  shapes::Hit hit;
+  if (!remembered.intersect(ray.ray, shapes::RayKind::shadow, kCachedTolerance, distance, hit)) return false;
+  if (filter_through(query, ray, hit, color)) return true;
+  shadow_volumes(query, ray, hit.t, true, color);
+  // The ray has entered the object, and the search, which meets the same surface, has it leave.
+  ray.interiors = crossed(ray.interiors, hit.shape->surface->interior);
+  ray.hollow = all_hollow(ray.interiors);
+  return false;
 }
 
 accel::WorldEntry* Tracer::shadow_entry(const ShadowQuery& query, const Vec3& p) {
@@ -63,16 +79,11 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
     if (!query.light.highlights()) return;  // shadowless: the projector is all it heeds
     distance = hit.t;
   }
-  if (const int* blocker = last_blocker(query);
-      blocker && *blocker >= 0 && scene_.world.occluded_by(*blocker, ray, kCachedTolerance, distance)) {
-    color = {};
-    return;
-  }
   // Without transparent objects any opaque hit decides. With them surfaces are met in order: one closer than the
   // tolerance to the transparent surface before it does not count, opaque or not, and media draw their random numbers
-  // where POV-Ray's do.
+  // where POV-Ray's do; what is remembered hangs on all of it.
   accel::WorldEntry* const entry = shadow_entry(query, p);
-  if (light_on_way_changes(query.light) || random_.replay() || !any_object_decides(entry, p, towards, distance)) {
+  if (light_on_way_changes(query.light) || in_order_ || !any_object_decides(entry, p, towards, distance)) {
     filter_along(query, p, towards, distance, entry, color);
   } else if (distance > 2 * kShadowTolerance &&
              scene_.world.occluded(ray, kShadowTolerance, distance - kShadowTolerance, entry)) {
@@ -83,9 +94,14 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
 void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance,
                           const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first) {
   const InteriorScope scope(*this);
+  const shapes::Shape** const last = last_blocker(query);
   RayState ray = query.eye;
   ray.ray = {p, towards};
-  for (;;) {
+  if (last && *last && filter_by_remembered(query, **last, distance, ray, color)) {
+    color = {};
+    return;
+  }
+  for (bool clear = true;; clear = false) {
     if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
     shapes::Hit hit;
     if (distance <= 2 * kShadowTolerance) break;
@@ -95,9 +111,13 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
                                      distance - kShadowTolerance, hit, entry))
       break;
     first = nullptr;
-    if (filter_through(query, ray, hit, color)) return;
+    const shapes::Surface& surface = *hit.shape->surface;
+    if (filter_through(query, ray, hit, color)) {
+      if (last && clear && surface.remembered) *last = surface.remembered;
+      return;
+    }
     shadow_volumes(query, ray, hit.t, true, color);
-    ray.interiors = crossed(ray.interiors, hit.shape->surface->interior);
+    ray.interiors = crossed(ray.interiors, surface.interior);
     ray.hollow = all_hollow(ray.interiors);
     ray.ray.origin = hit.point;
     distance -= hit.t;
@@ -125,7 +145,6 @@ void Tracer::shadow_volumes(const ShadowQuery& query, const RayState& ray, doubl
 bool Tracer::filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color) {
   const shapes::Surface& surface = *hit.shape->surface;
   if (surface.opaque) {
-    if (int* blocker = last_blocker(query)) *blocker = surface.frame_object;
     color = {};
     return true;
   }

@@ -59,7 +59,7 @@ struct Travellers {
 // the rows do not know.
 bool Tracer::rays_alone(const Light& light, const RayState& eye) const {
   const bool media = scene_.effects && (scene_.effects->media_in_interiors || scene_.effects->atmosphere);
-  return (light.area() && !eye.gather) || light.projector() || random_.replay() ||
+  return (light.area() && !eye.gather) || light.projector() || in_order_ ||
          ((scene_.fog || media) && light.media_attenuation());
 }
 

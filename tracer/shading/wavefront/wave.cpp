@@ -20,7 +20,7 @@ bool is_simple(const Light& light) { return !light.area_illumination() && is_fin
 
 Wave::Wave(Tracer& tracer, bool asks_around)
     : tracer_(tracer), scene_(tracer.scene()), kernels_(wave_kernels()), lanes_{} {
-  usable_ = scene_.quality >= 9 && !tracer_.random_.replay() && scene_.adc_bailout >= 0 && scene_.adc_bailout < 1;
+  usable_ = scene_.quality >= 9 && !tracer_.in_order() && scene_.adc_bailout >= 0 && scene_.adc_bailout < 1;
   indirect_ = asks_around && scene_.effects && scene_.effects->radiosity;
   photons_ = scene_.effects && scene_.effects->photons;
   for (std::size_t i = 0; i < scene_.global_lights(); ++i) usable_ = usable_ && is_simple(scene_.lights()[i]);

@@ -107,7 +107,7 @@ void Wave::trace_group(int group, const Tracer::Refraction* refraction) {
   child.state_ = state_;
   child.state_.primary = false;
   child.state_.continuation = refraction && refraction->straight();
-  child.state_.level = state_.level + (state_.continuation ? 0 : 1);
+  child.state_.level = state_.surface_level();
   if (refraction) {
     child.state_.refracted = true;
     child.state_.interiors = refraction->interiors;

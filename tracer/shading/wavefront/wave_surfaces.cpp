@@ -105,7 +105,7 @@ void Wave::meet(int i) {
     met.normal = inside ? -normal : normal;
     return;
   }
-  met.at.emplace(hit, normal, direction, 0, state_.level + (state_.continuation ? 0 : 1));
+  met.at.emplace(hit, normal, direction, 0, state_.surface_level());
   add_leaves(i, texture, found);
 }
 

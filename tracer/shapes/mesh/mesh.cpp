@@ -113,7 +113,8 @@ class Mesh final : public TreePrimitive<Mesh> {
       const double world_t = t / r.scale;
       const Vec3 p = ray.at(world_t);
       if (guards() && !guards()->contain(p)) return last;
-      sink.add(world_t, [&] { return p; }, static_cast<std::int32_t>(i));
+      sink.add(
+          world_t, [&] { return p; }, static_cast<std::int32_t>(i));
       return last = t;
     });
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "tracer/math/vec.h"
 
@@ -11,12 +10,9 @@ namespace {
 
 constexpr double kForceSturm =
     1e12;  // ratio of coefficients beyond which POV-Ray does not trust the closed form of degree 4
-constexpr double kVanishing = 1e-7;  // of the leading coefficient beside the third: the closed form has lost most of
-                                     // its digits, and POV-Ray shows speckle
 
 bool closed_form_is_difficult(const double* c) {
   // POV-Ray compares with the signed reference, so a negative one is replaced by any successor.
-  if (std::fabs(c[0]) < kVanishing * std::fabs(c[2])) return true;
   double reference = c[0];
   for (int i = 1; i <= 4; ++i)
     if (std::fabs(c[i]) > reference) reference = c[i];
@@ -29,8 +25,7 @@ bool closed_form_is_difficult(const double* c) {
 struct DepressedCubic {
   double q, r, q3, d, third;
   explicit DepressedCubic(const double* c) {
-    const double inverse = 1.0 / c[0];
-    const double a1 = c[1] * inverse, a2 = c[2] * inverse, a3 = c[3] * inverse;
+    const double a1 = c[1] / c[0], a2 = c[2] / c[0], a3 = c[3] / c[0];
     const double square = a1 * a1;
     q = (square - 3.0 * a2) / 9.0;
     r = (a1 * (square - 4.5 * a2) + 13.5 * a3) / 27.0;
@@ -49,8 +44,7 @@ struct DepressedCubic {
 };
 
 int solve_quartic_closed(const double* c, double* roots) {
-  const double inverse = 1.0 / c[0];
-  const double c1 = c[1] * inverse, c2 = c[2] * inverse, c3 = c[3] * inverse, c4 = c[4] * inverse;
+  const double c1 = c[1] / c[0], c2 = c[2] / c[0], c3 = c[3] / c[0], c4 = c[4] / c[0];
   const double c12 = c1 * c1;
   const double p = c2 - 0.375 * c12;
   const double q = 0.125 * c12 * c1 - 0.5 * c1 * c2 + c3;
@@ -119,10 +113,12 @@ int solve_cubic(const double* c, double* roots) {
     roots[0] = cubic.only_root();
     return 1;
   }
-  const double theta = cubic.theta(), step = 2.0 * std::numbers::pi / 3.0;
+  // A third of a turn, and two, each rounded by itself: POV-Ray's roots to the last bit.
+  constexpr double kThird = 2.0943951023931954923, kTwoThirds = 4.1887902047863909846;
+  const double theta = cubic.theta();
   roots[0] = cubic.of_three(theta);
-  roots[1] = cubic.of_three(theta + step);
-  roots[2] = cubic.of_three(theta + 2.0 * step);
+  roots[1] = cubic.of_three(theta + kThird);
+  roots[2] = cubic.of_three(theta + kTwoThirds);
   return 3;
 }
 
@@ -131,9 +127,7 @@ int solve_polynomial(int degree, const double* c, double* roots, bool sturm, dou
   const auto near_zero_root = [&](int n) {
     return elimination > 0 && c[n - 1] != 0 && std::fabs(c[n] / c[n - 1]) < elimination;
   };
-  const auto cubic = [&] {
-    return sturm || std::fabs(c[0]) < kVanishing * std::fabs(c[1]) ? solve_sturm(3, c, roots) : solve_cubic(c, roots);
-  };
+  const auto cubic = [&] { return sturm ? solve_sturm(3, c, roots) : solve_cubic(c, roots); };
   switch (degree) {
     case 0:
       return 0;

@@ -121,27 +121,5 @@ TEST(Polynomial, FindsTheRootsOfRandomPolynomials) {
   }
 }
 
-// Rays along which the leading coefficient of a quartic nearly vanishes: the closed forms have no digits left there.
-TEST(Polynomial, HoldsWhereTheLeadingCoefficientNearlyVanishes) {
-  const auto expect_roots = [](int degree, const double* c) {
-    double roots[4];
-    const int n = solve_polynomial(degree, c, roots);
-    for (const double wanted : {1.0, 2.0}) {
-      const auto is_it = [&](double r) { return std::fabs(r - wanted) < 1e-9; };
-      EXPECT_TRUE(std::any_of(roots, roots + n, is_it))
-          << "degree " << degree << ", root " << wanted << ", leading coefficient " << c[0];
-    }
-  };
-  for (const double far : {1e4, 1e5}) {  // (x - 1) (x - 2) (1 - x^2 / far^2)
-    const double e = 1 / (far * far);
-    const double quartic[5] = {-e, 3 * e, 1 - 2 * e, -3, 2};
-    expect_roots(4, quartic);
-  }
-  for (const double f : {1e-8, 1e-9}) {  // (x - 1) (x - 2) (f x - 1)
-    const double cubic[4] = {f, -1 - 3 * f, 3 + 2 * f, -2};
-    expect_roots(3, cubic);
-  }
-}
-
 }  // namespace
 }  // namespace verisim

@@ -9,7 +9,6 @@
 #include "tracer/shapes/blob/blob_lanes.h"
 #include "tracer/shapes/swept/lathe_lanes.h"
 #include "tracer/shapes/algebraic/poly_lanes.h"
-#include "tracer/shapes/swept/sor_lanes.h"
 #include "tracer/shapes/swept/sphere_sweep_lanes.h"
 #include "tracer/shapes/algebraic/superellipsoid_lanes.h"
 #include "tracer/shapes/test_support.h"
@@ -360,35 +359,6 @@ TEST_P(LaneKernel, MeetsThePartsOfABlobAlike) {
     }
   }
   EXPECT_GT(met, 5000);
-}
-
-TEST_P(LaneKernel, MeetsASurfaceOfRevolutionAlike) {
-  const SorKernels *kernels = sor_kernels(GetParam()), &plain = *sor_kernels(textures::kBaseline);
-  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
-  const SorSegment segment{-0.6, 0.5, {0.5, 0.2, -0.3, 0.1}, 0.2, 0.7};
-  Rays rays;
-  int met = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    rays.fill(round, 0);
-    SorLanes a, b;
-    RootLanes roots_a, roots_b;
-    const auto ask = [&](const SorKernels& set, SorLanes& lanes, RootLanes& roots, unsigned& open) {
-      lane_kernels(textures::kBaseline)->local(nullptr, {*rays.rows, 0, 255}, lanes.rays);
-      std::copy_n(rays.limit, kLanes, lanes.upper);
-      open = set.begin(0.7, 1e7, rays.asked, lanes);
-      return set.enter(segment, open, lanes, roots);
-    };
-    unsigned open_a, open_b;
-    const unsigned found = ask(*kernels, a, roots_a, open_a);
-    ASSERT_EQ(found, ask(plain, b, roots_b, open_b));
-    ASSERT_EQ(open_a, open_b);
-    each_lane(found, [&](int k) {
-      ASSERT_TRUE(same(a.from[k], b.from[k]) && same(roots_a.to[k], roots_b.to[k]));
-      for (int i = 0; i < 4; ++i) ASSERT_TRUE(same(roots_a.power[i][k], roots_b.power[i][k]));
-      ++met;
-    });
-  }
-  EXPECT_GT(met, 3000);
 }
 
 TEST_P(LaneKernel, MeetsALatheAlike) {

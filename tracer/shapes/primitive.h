@@ -207,6 +207,13 @@ class Primitive : public Shape {
     const double scale = length(d);
     return {matrix().inverse_point(ray.origin), d * (1.0 / scale), scale};
   }
+  // The same for shapes that POV-Ray gives a matrix even where none is written: the direction is always divided by its
+  // length, which shows in the last bits of a depth (spec 08 B).
+  LocalRay unit_local(const Ray& ray) const {
+    const Vec3 d = has_matrix_ ? matrix().inverse_direction(ray.direction) : ray.direction;
+    const double scale = length(d);
+    return {has_matrix_ ? matrix().inverse_point(ray.origin) : ray.origin, d * (1.0 / scale), scale};
+  }
   Vec3 local(const Vec3& p) const { return has_matrix_ ? matrix().inverse_point(p) : p; }
   Vec3 world(const Vec3& p) const { return has_matrix_ ? matrix().point(p) : p; }
   // A local normal of any length as a unit world normal.

@@ -81,6 +81,13 @@ double round_cone_value(const Vec3& a, const Vec3& b, double ra, double rb, cons
 std::vector<Solid> solids() {
   using scene::SplineKind;
   const auto shared = [](auto shape) { return [shape](const Steps& m) { return make_shared_shape(shape, m); }; };
+  const auto with_sturm = [](auto shape) {  // the closed forms lose digits on purpose
+    return [shape](const Steps& m) {
+      const ObjectRef object = make_shared_shape(shape, m);
+      object->sturm = true;
+      return object;
+    };
+  };
   const auto plain = [](auto shape) { return [shape](const Steps& m) { return make(shape, m); }; };
   scene::Blob blob;
   blob.threshold = 0.5;
@@ -137,7 +144,7 @@ std::vector<Solid> solids() {
       {"ovus", plain(scene::Ovus{0.9, 0.5}), [](const Vec3& p) { return ovus_value(0.9, 0.5, p); }, 1e-5},
       {"lathe", shared(scene::Lathe{SplineKind::cubic, profile}),
        [=](const Vec3& p) { return lathe_value(profile, p); }},
-      {"sor", shared(scene::Sor{turned, false}), [=](const Vec3& p) { return sor_value(turned, p); }},
+      {"sor", with_sturm(scene::Sor{turned, false}), [=](const Vec3& p) { return sor_value(turned, p); }},
       {"prism", shared(scene::Prism{SplineKind::linear, false, false, -0.8, 0.7, outline}),
        [=](const Vec3& p) {
          return std::max({polygon_value(outline, {p.x, p.z}), -0.8 - p.y, p.y - 0.7});

@@ -35,7 +35,7 @@ class Poly final : public Primitive<Poly> {
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
-    const LocalRay l = local(ray);
+    const LocalRay l = unit_local(ray);
     const double o[3] = {l.origin.x, l.origin.y, l.origin.z}, d[3] = {l.direction.x, l.direction.y, l.direction.z};
     Univariate<double> p;
     along(order_, coefficients_.data(), used_.data(), o, d, p);
@@ -84,7 +84,7 @@ class Poly final : public Primitive<Poly> {
     const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
     if (admitted == 0) return 0;
     LocalLanes lanes;
-    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes);
+    lane_kernels().local(&matrix(), rays, lanes);
     PolyLanes along;
     poly_along()(order_, coefficients_.data(), used_.data(), lanes, along);
     const int degree = along.size - 1;
@@ -101,7 +101,7 @@ class Poly final : public Primitive<Poly> {
       Univariate<double> p;
       for (; p.size < along.size; ++p.size) p.c[p.size] = along.c[p.size][k];
       NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
-      report_roots(local(rays.at(k)), p, sink);
+      report_roots(unit_local(rays.at(k)), p, sink);
       found |= sink.found() ? 1u << k : 0;
     });
     if (wanted == 0) return found;
@@ -112,7 +112,7 @@ class Poly final : public Primitive<Poly> {
       each_lane(open, [&](int k) {
         const double t = bounded.root[k];
         NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
-        if (report(local(rays.at(k)), t, sink))
+        if (report(unit_local(rays.at(k)), t, sink))
           found |= 1u << k, open &= ~(1u << k);
         else if (t / lanes.scale[k] >= t_max[k])
           open &= ~(1u << k);

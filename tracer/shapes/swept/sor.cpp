@@ -1,12 +1,15 @@
 // sor, surface of revolution (spec 03 4.16): the squared radius is a cubic of the height between two points.
+//
+// POV-Ray finds the cubics by inverting a matrix of powers of the heights, and the hits by a closed form. Both lose
+// digits, for thin segments and for nearly level rays, and what they show then is part of the shape (spec 08 F): every
+// operation here is done in POV-Ray's order.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
+#include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
-#include "tracer/shapes/swept/sor_lanes.h"
 #include "tracer/shapes/spherical_uv.h"
 
 namespace verisim::shapes {
@@ -15,44 +18,72 @@ namespace {
 constexpr double kNearest = 1e-4, kFarthest = 1e7, kSmallestCap2 = 1e-4;
 constexpr std::int32_t kBase = -1, kCap = -2;
 
-using Segment = SorSegment;
+struct Segment {
+  double low, high;              // heights
+  double a, b, c, d;             // radius^2 = ((a y + b) y + c) y + d
+  double least2 = 0, most2 = 0;  // squared radii of the annulus that a ray must come through
+  double radius2(double y) const { return ((a * y + b) * y + c) * y + d; }
+  double slope(double y) const { return (3 * a * y + 2 * b) * y + c; }
+};
 
-// The cubic through (y0, f0) and (y1, f1) with slopes s0, s1, in powers of y.
-Segment hermite(double y0, double y1, double f0, double f1, double s0, double s1) {
-  const double h = y1 - y0, mean = (f1 - f0) / h;
-  const double a = (s0 + s1 - 2 * mean) / (h * h), b = (3 * mean - 2 * s0 - s1) / h;  // of (y - y0)^3 and (y - y0)^2
-  Segment s{y0, y1, {f0 - y0 * (s0 - y0 * (b - y0 * a)), s0 - y0 * (2 * b - 3 * y0 * a), b - 3 * y0 * a, a}, 0, 0};
-  for (double& v : s.c)
-    if (std::fabs(v) < kEpsilon) v = 0;
-  return s;
+using Matrix = std::array<std::array<double, 4>, 4>;
+
+// By cofactors of six products each; the determinant is that of the first row.
+Matrix inverse(const Matrix& m) {
+  const auto cofactor = [&m](std::size_t row, std::size_t column) {
+    const auto at = [&](std::size_t i, std::size_t k) { return m[i + (i >= row)][k + (k >= column)]; };
+    const double minor = at(0, 0) * at(1, 1) * at(2, 2) + at(0, 1) * at(1, 2) * at(2, 0) +
+                         at(0, 2) * at(1, 0) * at(2, 1) - at(2, 0) * at(1, 1) * at(0, 2) -
+                         at(2, 1) * at(1, 2) * at(0, 0) - at(2, 2) * at(1, 0) * at(0, 1);
+    return (row + column) % 2 != 0 ? -minor : minor;
+  };
+  double determinant = m[0][0] * cofactor(0, 0);
+  for (std::size_t k = 1; k < 4; ++k) determinant += m[0][k] * cofactor(0, k);
+  Matrix result;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t k = 0; k < 4; ++k) result[i][k] = cofactor(k, i) / determinant;
+  return result;
 }
 
-// Sets the bounds of a segment's squared radius.
-void measure(Segment& s) {
-  s.least2 = std::min(s.radius2(s.low), s.radius2(s.high)), s.most2 = std::max(s.radius2(s.low), s.radius2(s.high));
-  const double a = 3 * s.c[3], b = 2 * s.c[2], c = s.c[1];
+// The cubic through (y0, f0) and (y1, f1) with slopes s0, s1.
+Segment segment(double y0, double y1, double f0, double f1, double s0, double s1) {
+  const Matrix powers = {{{y0 * y0 * y0, y0 * y0, y0, 1},
+                          {y1 * y1 * y1, y1 * y1, y1, 1},
+                          {3 * y0 * y0, 2 * y0, 1, 0},
+                          {3 * y1 * y1, 2 * y1, 1, 0}}};
+  const Matrix solved = inverse(powers);
+  const auto coefficient = [&](std::size_t i) {
+    const std::array<double, 4>& row = solved[i];
+    const double value = f0 * row[0] + f1 * row[1] + s0 * row[2] + s1 * row[3];
+    return std::fabs(value) < kEpsilon ? 0 : value;
+  };
+  return {y0, y1, coefficient(0), coefficient(1), coefficient(2), coefficient(3)};
+}
+
+// The annulus is that of the points and of the extremes between them: what the cubic itself is at its ends does not
+// count.
+void find_annulus(Segment& s, double radius0, double radius1) {
+  s.least2 = std::min(radius0, radius1), s.most2 = std::max(radius0, radius1);
+  s.least2 *= s.least2, s.most2 *= s.most2;
+  const double slope[3] = {3 * s.a, 2 * s.b, s.c};
   double roots[2];
-  int n = 0;
-  if (a != 0) {
-    const double discriminant = b * b - 4 * a * c;
-    if (discriminant >= 0)
-      for (const double sign : {-1.0, 1.0}) roots[n++] = (-b + sign * std::sqrt(discriminant)) / (2 * a);
-  } else if (b != 0) {
-    roots[n++] = -c / b;
+  const int n = solve_polynomial(2, slope, roots);
+  for (int i = 0; i < n; ++i) {
+    if (!(roots[i] > s.low && roots[i] < s.high)) continue;
+    const double radius2 = s.radius2(roots[i]);
+    s.least2 = std::min(s.least2, radius2), s.most2 = std::max(s.most2, radius2);
   }
-  for (int i = 0; i < n; ++i)
-    if (roots[i] > s.low && roots[i] < s.high)
-      s.least2 = std::min(s.least2, s.radius2(roots[i])), s.most2 = std::max(s.most2, s.radius2(roots[i]));
 }
 
 std::vector<Segment> segments_of(const scene::Sor& sor) {
   std::vector<Segment> segments;
   const std::vector<Vec2>& p = sor.points;
   for (std::size_t i = 1; i + 2 < p.size(); ++i) {
-    const double s0 = 2 * p[i].x * (p[i + 1].x - p[i - 1].x) / (p[i + 1].y - p[i - 1].y);
-    const double s1 = 2 * p[i + 1].x * (p[i + 2].x - p[i].x) / (p[i + 2].y - p[i].y);
-    segments.push_back(hermite(p[i].y, p[i + 1].y, p[i].x * p[i].x, p[i + 1].x * p[i + 1].x, s0, s1));
-    measure(segments.back());
+    const auto slope = [&p](std::size_t k) {
+      return 2 * p[k].x * ((p[k + 1].x - p[k - 1].x) / (p[k + 1].y - p[k - 1].y));
+    };
+    segments.push_back(segment(p[i].y, p[i + 1].y, p[i].x * p[i].x, p[i + 1].x * p[i + 1].x, slope(i), slope(i + 1)));
+    find_annulus(segments.back(), p[i].x, p[i + 1].x);
   }
   return segments;
 }
@@ -66,77 +97,49 @@ double largest_radius2(const std::vector<Segment>& segments) {
 class Sor final : public Primitive<Sor> {
  public:
   Sor(const scene::Object& description, const scene::Sor& sor)
-      : Primitive(description, {sor_box(sor)}), segments_(segments_of(sor)), outer2_(largest_radius2(segments_)) {
+      : Primitive(description, {sor_box(sor)}), segments_(segments_of(sor)), sturm_(description.sturm) {
     if (segments_.empty()) return;
+    outer2_ = largest_radius2(segments_);
     const double slack = 1e-9 * outer2_ + 1e-12;
+    outer2_ += slack;
     for (Segment& s : segments_) s.least2 -= slack, s.most2 += slack;
-    base_ = sor.points[1];
-    cap_ = sor.points[sor.points.size() - 2];
-    has_base_ = !sor.open && base_.x * base_.x > kSmallestCap2;
-    has_cap_ = !sor.open && cap_.x * cap_.x > kSmallestCap2;
+    const auto end = [&](double y, const Segment& s) { return End{y, s.radius2(y)}; };
+    base_ = end(segments_.front().low, segments_.front()), cap_ = end(segments_.back().high, segments_.back());
+    has_base_ = !sor.open && base_.radius2 > kSmallestCap2;
+    has_cap_ = !sor.open && cap_.radius2 > kSmallestCap2;
   }
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
     if (segments_.empty()) return;
-    const LocalRay l = local(ray);
+    const LocalRay l = unit_local(ray);
     const Vec3 &p = l.origin, &d = l.direction;
-    const auto report = [&](double t, std::int32_t part) { return add(ray, t / l.scale, part, sink); };
+    const auto report = [&](double t, std::int32_t part) {
+      const double depth = t / l.scale;
+      if (depth > kNearest && depth < kFarthest)
+        sink.add(
+            depth, [&] { return ray.at(depth); }, part);
+    };
+    each_end(l, report);
     const double r = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z, c = p.x * p.x + p.z * p.z;
-    double near = 0, far = kFarthest * l.scale;
-    const double around2 = this->around2();
+    double near = 0, far = kFarthest * l.scale;  // within the largest radius
     if (r > 1e-20) {
-      const double discriminant = m * m - r * (c - around2);
+      const double discriminant = m * m - r * (c - outer2_);
       if (!(discriminant >= 0)) return;
       const double root = std::sqrt(discriminant);
       near = std::max(near, (-m - root) / r), far = std::min(far, (-m + root) / r);
-      if (near > far) return;
-    } else if (!(c <= around2)) {
+    } else if (!(c <= outer2_)) {
       return;
     }
-    each_end(l, report);
-    // Only the nearest hit is wanted: segments from near to far, until one is hit.
-    const bool downwards = Sink::kNearest && d.y < 0;
-    for (std::size_t step = 0; step < segments_.size(); ++step) {
-      const std::size_t i = downwards ? segments_.size() - 1 - step : step;
-      const Segment& s = segments_[i];
-      double from = near, to = far;
-      if (d.y == 0) {
-        if (p.y < s.low || p.y > s.high) continue;
-      } else {
-        double a = (s.low - p.y) / d.y, b = (s.high - p.y) / d.y;
-        if (a > b) std::swap(a, b);
-        from = std::max(from, a), to = std::min(to, b);
-      }
-      if (!(from <= to)) continue;
-      if (Sink::kNearest && from > sink.upper() * l.scale) return;
-      // The distance from the axis against the radii of this segment.
-      const double middle = r > 0 ? std::clamp(-m / r, from, to) : from;
-      const auto rho2 = [&](double t) { return (r * t + 2 * m) * t + c; };
-      if (rho2(middle) > s.most2 || std::max(rho2(from), rho2(to)) < s.least2) continue;
-      // radius^2(py + dy t) - (r t^2 + 2 m t + c), in powers of t - from.
-      const Vec3 q = p + from * d;
-      const double y = q.y, dy = d.y;
-      const double power[4] = {s.radius2(y) - (q.x * q.x + q.z * q.z), s.slope(y) * dy - 2 * (d.x * q.x + d.z * q.z),
-                               (3 * s.c[3] * y + s.c[2]) * dy * dy - r, s.c[3] * dy * dy * dy};
+    for (const Segment& s : segments_) {
+      if (!enters(s, p.y, d.y, near, far, r, m, c)) continue;
       double roots[3];
-      const int n = bernstein_roots<3>(power, 0, to - from, roots);
-      bool accepted = false;
-      for (int k = 0; k < n; ++k) accepted |= report(from + roots[k], static_cast<std::int32_t>(i));
-      if (Sink::kNearest && accepted) return;
+      const int n = hits_of(s, p, d, c, roots);
+      // Where a root lies along the ray does not matter, false ones are seen.
+      for (int k = 0; k < n; ++k)
+        if (const double y = p.y + roots[k] * d.y; y >= s.low && y <= s.high)
+          report(roots[k], static_cast<std::int32_t>(&s - segments_.data()));
     }
-  }
-
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max,
-                           Hit* hits) const override {
-    return nearest_of_lanes(
-        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
-  }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min,
-                          const double* t_max) const override {
-    Hit hit;
-    return nearest_of_lanes(
-        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
   bool contains(const Vec3& point) const {
@@ -158,81 +161,57 @@ class Sor final : public Primitive<Sor> {
   Vec2 uv(const Hit& hit) const override {
     const Vec3 p = local(hit.point);
     const double u = turn_fraction(p.x, p.z), rho = std::sqrt(p.x * p.x + p.z * p.z);
-    if (hit.part == kBase) return {u, rho / base_.x - 1};
-    if (hit.part == kCap) return {u, 2 - rho / cap_.x};
+    if (hit.part == kBase) return {u, rho / std::sqrt(base_.radius2) - 1};
+    if (hit.part == kCap) return {u, 2 - rho / std::sqrt(cap_.radius2)};
     const Segment& s = segments_[static_cast<std::size_t>(hit.part)];
     return {u, (hit.part + (p.y - s.low) / (s.high - s.low)) / static_cast<double>(segments_.size())};
   }
 
  private:
-  double around2() const { return outer2_ * (1 + 1e-9) + 1e-12; }
+  struct End {
+    double y = 0, radius2 = 0;
+  };
 
-  template <class Sink>
-  static bool add(const Ray& ray, double depth, std::int32_t part, Sink& sink) {
-    return depth > kNearest && depth < kFarthest &&
-           sink.add(
-               depth, [&] { return ray.origin + depth * ray.direction; }, part);
+  // Whether the stretch near .. far of a ray, whose squared distance from the axis is (r t + 2 m) t + c, comes through
+  // the annulus of a segment.
+  static bool enters(const Segment& s, double py, double dy, double near, double far, double r, double m, double c) {
+    if (dy == 0) {
+      if (py < s.low || py > s.high) return false;
+    } else {
+      double from = (s.low - py) / dy, to = (s.high - py) / dy;
+      if (from > to) std::swap(from, to);
+      near = std::max(near, from), far = std::min(far, to);
+    }
+    if (!(near <= far)) return false;
+    const auto rho2 = [&](double t) { return (r * t + 2 * m) * t + c; };
+    const double middle = r > 0 ? std::clamp(-m / r, near, far) : near;
+    return rho2(middle) <= s.most2 && std::max(rho2(near), rho2(far)) >= s.least2;
   }
+
+  // Where the ray p + t d meets the surface of the segment's cubic at any height.
+  int hits_of(const Segment& s, const Vec3& p, const Vec3& d, double c, double* roots) const {
+    const double cubic[4] = {s.a * d.y * d.y * d.y, d.y * d.y * (3 * s.a * p.y + s.b) - (d.x * d.x + d.z * d.z),
+                             d.y * (p.y * (3 * s.a * p.y + 2 * s.b) + s.c) - 2 * (p.x * d.x + p.z * d.z),
+                             p.y * (p.y * (s.a * p.y + s.b) + s.c) + s.d - c};
+    return solve_polynomial(3, cubic, roots, sturm_);
+  }
+
   template <class Report>
   void each_end(const LocalRay& l, Report&& report) const {
     const Vec3 &p = l.origin, &d = l.direction;
     if (!(std::fabs(d.y) > kEpsilon)) return;
-    const auto disc = [&](const Vec2& rim, std::int32_t part) {
-      const double t = (rim.y - p.y) / d.y, x = p.x + t * d.x, z = p.z + t * d.z;
-      if (x * x + z * z <= rim.x * rim.x) report(t, part);
+    const auto disc = [&](const End& end, std::int32_t part) {
+      const double t = (end.y - p.y) / d.y, x = p.x + t * d.x, z = p.z + t * d.z;
+      if (x * x + z * z <= end.radius2) report(t, part);
     };
     if (has_base_) disc(base_, kBase);
     if (has_cap_) disc(cap_, kCap);
   }
 
-  template <class HitOf>
-  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
-    const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
-    if (admitted == 0 || segments_.empty()) return 0;
-    SorLanes lanes;
-    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes.rays);
-    const unsigned met = sor_kernels().begin(around2(), kFarthest, admitted, lanes);
-    std::optional<NearestHit> sinks[RayLanes::kCount];
-    unsigned falling = 0;
-    each_lane(met, [&](int k) {
-      sinks[k].emplace(*this, guards(), t_min, t_max[k], hit_of(k), any);
-      if (has_base_ || has_cap_) {
-        const Ray ray = rays.at(k);
-        const LocalRay l = local(ray);
-        each_end(l, [&](double t, std::int32_t part) { return add(ray, t / l.scale, part, *sinks[k]); });
-      }
-      falling |= lanes.rays.dy[k] < 0 ? 1u << k : 0;
-      lanes.upper[k] = sinks[k]->upper();
-    });
-    follow(rays, met & ~falling, false, lanes, sinks);
-    follow(rays, met & falling, true, lanes, sinks);
-    unsigned found = 0;
-    each_lane(met, [&](int k) { found |= sinks[k]->found() ? 1u << k : 0; });
-    return found;
-  }
-  // Segments from near to far, for each lane until it is hit.
-  void follow(const RayLanes& rays, unsigned open, bool downwards, SorLanes& lanes,
-              std::optional<NearestHit>* sinks) const {
-    RootLanes roots;
-    for (std::size_t step = 0; step < segments_.size() && open != 0; ++step) {
-      const std::size_t i = downwards ? segments_.size() - 1 - step : step;
-      unsigned curved = sor_kernels().enter(segments_[i], open, lanes, roots);
-      if (curved != 0) curved = bernstein_kernels().begin(3, curved, roots);
-      while (curved != 0) {
-        curved &= bernstein_kernels().next(3, curved, roots);
-        each_lane(curved, [&](int k) {
-          const double t = lanes.from[k] + roots.root[k];
-          if (add(rays.at(k), t / lanes.rays.scale[k], static_cast<std::int32_t>(i), *sinks[k]))
-            curved &= ~(1u << k), open &= ~(1u << k);
-        });
-      }
-    }
-  }
-
   std::vector<Segment> segments_;
-  double outer2_;
-  Vec2 base_{0, 0}, cap_{0, 0};  // radius and height of the ends
-  bool has_base_ = false, has_cap_ = false;
+  double outer2_ = 0;
+  End base_, cap_;
+  bool has_base_ = false, has_cap_ = false, sturm_;
 };
 
 }  // namespace

@@ -11,6 +11,9 @@
 namespace verisim::shading {
 
 constexpr double kShadowTolerance = 1e-3;  // to the shaded point, to the light, and to the previous transparent surface
+// What blocks a light altogether counts from here on: POV-Ray's shadow cache, which asks the last blocker first, heeds
+// no other limit, and the blocker of a point in a contact shadow is mostly that of the point before it (spec 06 9.2).
+constexpr double kContactTolerance = 1e-4;
 inline const double kAboveShadowTolerance = std::nextafter(kShadowTolerance, 1.0);
 
 struct LightDirection {

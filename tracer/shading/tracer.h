@@ -223,6 +223,11 @@ class Tracer {
     const shapes::Surface* lit;
     const Light& light;
   };
+  // From where on an opaque surface blocks this light.
+  double contact_tolerance(const Light& light) const {
+    return &light - scene_.lights().data() < static_cast<std::ptrdiff_t>(scene_.global_lights()) ? kContactTolerance
+                                                                                                 : kShadowTolerance;
+  }
   // The one of LastBlockers that counts; null: none does for this light, or order does not matter.
   const shapes::Shape** last_blocker(const ShadowQuery& query);
   // The first surface of the remembered object, whatever lies before it. True when nothing passes.

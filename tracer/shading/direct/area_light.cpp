@@ -104,7 +104,7 @@ void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std
       corners[asked++] = corners[k];
     }
     bool blocked[RayRow::kMost] = {};
-    scene_.world.occluded_row(rays, 0, asked, kShadowTolerance, distance, grid.entry, blocked);
+    scene_.world.occluded_row(rays, 0, asked, contact_tolerance(light), distance, grid.entry, blocked);
     for (int k = 0; k < asked; ++k) *corners[k] = {blocked[k] ? Rgb() : grid.color, corner_stamp_};
     statistics_.shadow_rays += static_cast<std::uint64_t>(asked);
     count = 0;

@@ -88,7 +88,7 @@ Rgb Tracer::lights_together(const RayState& ray, SurfaceHit& at, const LayerCont
       }
     }
     bool blocked[kMost] = {};
-    if (row > 0) scene_.world.occluded_row(rays, 0, row, kShadowTolerance, limit, nullptr, blocked);
+    if (row > 0) scene_.world.occluded_row(rays, 0, row, kContactTolerance, limit, nullptr, blocked);
     row = 0;
     for (std::size_t k = 0; k < count; ++k) {
       Asked& a = asked[k];

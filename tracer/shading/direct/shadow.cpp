@@ -7,7 +7,6 @@
 namespace verisim::shading {
 namespace {
 
-constexpr double kCachedTolerance = 1e-4;  // to the shaded point, for the last blocker
 constexpr float kDark = static_cast<float>(kEpsilon);
 
 }  // namespace
@@ -36,7 +35,7 @@ void Tracer::begin_block() {
 bool Tracer::filter_by_remembered(const ShadowQuery& query, const shapes::Shape& remembered, double distance,
                                   RayState& ray, Rgb& color) {
   shapes::Hit hit;
-  if (!remembered.intersect(ray.ray, shapes::RayKind::shadow, kCachedTolerance, distance, hit)) return false;
+  if (!remembered.intersect(ray.ray, shapes::RayKind::shadow, kContactTolerance, distance, hit)) return false;
   if (filter_through(query, ray, hit, color)) return true;
   shadow_volumes(query, ray, hit.t, true, color);
   // The ray has entered the object, and the search, which meets the same surface, has it leave.
@@ -86,7 +85,7 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
   if (light_on_way_changes(query.light) || in_order_ || !any_object_decides(entry, p, towards, distance)) {
     filter_along(query, p, towards, distance, entry, color);
   } else if (distance > 2 * kShadowTolerance &&
-             scene_.world.occluded(ray, kShadowTolerance, distance - kShadowTolerance, entry)) {
+             scene_.world.occluded(ray, contact_tolerance(query.light), distance - kShadowTolerance, entry)) {
     color = {};
   }
 }
@@ -101,17 +100,19 @@ void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& t
     color = {};
     return;
   }
+  double from = in_order_ ? kAboveShadowTolerance : contact_tolerance(query.light);
   for (bool clear = true;; clear = false) {
     if (cancel_ && cancel_->load(std::memory_order_relaxed)) throw Cancelled();
     shapes::Hit hit;
     if (distance <= 2 * kShadowTolerance) break;
     if (first)
       hit = *first;
-    else if (!scene_.world.intersect(ray.ray, shapes::RayKind::shadow, kAboveShadowTolerance,
-                                     distance - kShadowTolerance, hit, entry))
+    else if (!scene_.world.intersect(ray.ray, shapes::RayKind::shadow, from, distance - kShadowTolerance, hit, entry))
       break;
     first = nullptr;
+    from = kAboveShadowTolerance;
     const shapes::Surface& surface = *hit.shape->surface;
+    if (hit.t < kAboveShadowTolerance && !surface.opaque) continue;
     if (filter_through(query, ray, hit, color)) {
       if (last && clear && surface.remembered) *last = surface.remembered;
       return;

@@ -122,7 +122,7 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& ro
     double limit[RayRow::kSize];
     bool blocked[ShadowRow::kMost] = {};
     for (int i = 0; i < row.count; ++i) limit[i] = row.distance[i] - kShadowTolerance;
-    scene_.world.occluded_row(row.rays, 0, row.count, kShadowTolerance, limit, nullptr, blocked);
+    scene_.world.occluded_row(row.rays, 0, row.count, contact_tolerance(light), limit, nullptr, blocked);
     for (int i = 0; i < row.count; ++i)
       if (blocked[i] && row.distance[i] > 2 * kShadowTolerance) row.light[i] = Rgb();
     return;
@@ -131,7 +131,7 @@ void Tracer::cast_shadows(const Light& light, const RayState& eye, ShadowRow& ro
       light, eye, {row.rays, row.distance, row.lit, row.count},
       [&](const Travellers& cell, accel::WorldEntry* entry) {
         bool blocked[ShadowRow::kMost] = {};
-        scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);
+        scene_.world.occluded_row(cell.rays, 0, cell.count, contact_tolerance(light), cell.limit, entry, blocked);
         for (int k = 0; k < cell.count; ++k)
           if (blocked[k]) row.light[cell.index[k]] = Rgb();
       },
@@ -148,7 +148,7 @@ void Tracer::look_for_light(const Light& light, const RayState& eye, const RayRo
       light, eye, {rays, distance, nullptr, count},
       [&](const Travellers& cell, accel::WorldEntry* entry) {
         bool blocked[ShadowRow::kMost] = {};
-        scene_.world.occluded_row(cell.rays, 0, cell.count, kShadowTolerance, cell.limit, entry, blocked);
+        scene_.world.occluded_row(cell.rays, 0, cell.count, contact_tolerance(light), cell.limit, entry, blocked);
         for (int k = 0; k < cell.count; ++k) ways[cell.index[k]] = blocked[k] ? LightWay::blocked : LightWay::open;
         statistics_.shadow_rays += static_cast<std::uint64_t>(cell.count);
       },
@@ -188,9 +188,12 @@ void Tracer::filter_row(const Light& light, const RayState& eye, const accel::Wo
   RowOf<shapes::Hit> room(static_cast<std::size_t>(count));
   shapes::Hit* const hits = room.data();
   bool found[ShadowRow::kMost];
-  scene_.world.intersect_row(open.rays, 0, open.count, shapes::RayKind::shadow, kAboveShadowTolerance, entry, hits,
+  scene_.world.intersect_row(open.rays, 0, open.count, shapes::RayKind::shadow, contact_tolerance(light), entry, hits,
                              found, open.limit);
   for (int k = 0; k < open.count; ++k) {
+    if (found[k] && hits[k].t < kAboveShadowTolerance && !hits[k].shape->surface->opaque)
+      found[k] = scene_.world.intersect(open.rays.at(k), shapes::RayKind::shadow, kAboveShadowTolerance, open.limit[k],
+                                        hits[k], entry);
     if (!found[k]) continue;
     const int i = open.index[k];
     if (hits[k].shape->surface->opaque) {

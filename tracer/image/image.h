@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "tracer/image/samples.h"
 #include "tracer/math/color.h"
 
 namespace verisim {
 
 enum class ImageType : std::uint8_t { unknown, gif, tga, png, jpeg, tiff, bmp, ppm, pgm, exr, hdr, iff, pot, sys };
 
+// Samples stay as the file stores them; tables say what its codes mean, so that a lookup needs no powers.
 class Image {
  public:
   int width = 0, height = 0;
@@ -21,17 +23,44 @@ class Image {
   bool sixteen_bit = false;
   bool has_alpha = false;  // transparency of any kind
   bool premultiplied = false;
-  std::vector<Color> palette;  // with `indices`: a palette image; t = 1 - alpha
-  std::vector<std::uint8_t> indices;
-  std::vector<float> pixels;  // otherwise: 4 floats each, r g b and transmit, in the working space; row 0 is the top
+  int channels = 4;            // samples a pixel: 1 grey, 2 grey + alpha, 3 rgb, 4 rgb + alpha; an index: 1
+  std::vector<Color> palette;  // of a palette image, whose samples are its indices; t = 1 - alpha
+  // By code of bytes, words and halves: the value in the working space, and the transmit of an alpha of that code.
+  // Reals are values in the working space, their alpha a transmit.
+  std::vector<float> values, transmits;
+  image::Samples samples;  // row 0 is the top
 
   bool indexed() const { return !palette.empty(); }
   // Pixel with 0 <= x < width and 0 <= y < height.
   Color at(int x, int y) const {
-    const std::size_t i = static_cast<std::size_t>(y) * width + x;
-    if (indexed()) return palette[indices[i]];
-    const float* p = &pixels[4 * i];
-    return {p[0], p[1], p[2], 0, p[3]};
+    if (indexed()) return palette[index(x, y)];
+    const std::size_t i = offset(x, y) * static_cast<std::size_t>(channels);
+    switch (samples.type()) {
+      case image::SampleType::byte:
+        return decoded(samples.as<std::uint8_t>() + i);
+      case image::SampleType::word:
+      case image::SampleType::half:
+        return decoded(samples.as<std::uint16_t>() + i);
+      default:
+        return color(samples.as<float>() + i, [](float v) { return v; }, [](float t) { return t; });
+    }
+  }
+  // Entry of the palette.
+  std::uint8_t index(int x, int y) const { return samples.as<std::uint8_t>()[offset(x, y)]; }
+
+ private:
+  std::size_t offset(int x, int y) const { return static_cast<std::size_t>(y) * width + x; }
+  template <class Code>
+  Color decoded(const Code* p) const {
+    return color(p, [this](Code c) { return values[c]; }, [this](Code c) { return transmits[c]; });
+  }
+  template <class Sample, class Value, class Transmit>
+  Color color(const Sample* p, const Value& value, const Transmit& transmit) const {
+    const bool alpha = channels == 2 || channels == 4;
+    const float t = alpha ? transmit(p[channels - 1]) : 0.0f;
+    if (channels >= 3) return {value(p[0]), value(p[1]), value(p[2]), 0, t};
+    const float grey_value = value(p[0]);
+    return {grey_value, grey_value, grey_value, 0, t};
   }
 };
 

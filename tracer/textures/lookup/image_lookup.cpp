@@ -143,8 +143,7 @@ Color raw_color(const ImageLookup& l, double u, double v) {
 double raw_index(const ImageLookup& l, double u, double v) {
   const Samples s = samples_at(l, u, v);
   double sum = 0;
-  for (int k = 0; k < s.count; ++k)
-    sum += s.weight[k] * l.image->indices[static_cast<std::size_t>(s.y[k]) * l.image->width + s.x[k]];
+  for (int k = 0; k < s.count; ++k) sum += s.weight[k] * l.image->index(s.x[k], s.y[k]);
   return std::floor(std::max(static_cast<float>(sum), 0.0f));
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <csetjmp>
+#include <cstring>
 #include <stdexcept>
 
 #include "tracer/image/raw_image.h"
@@ -25,7 +26,7 @@ struct Errors {
   std::longjmp(errors->jump, 1);
 }
 void on_message(j_common_ptr) {}
-void on_warning(j_common_ptr, int) {}  // damaged and missing data are drawn grey, as POV-Ray draws them
+void on_warning(j_common_ptr, int) {}  // damaged data are drawn as far as they go, as POV-Ray draws them
 
 struct Source {
   jpeg_source_mgr base;
@@ -34,20 +35,23 @@ struct Source {
 
 void start(j_decompress_ptr) {}
 
+// As in POV-Ray a file that ends before its end mark is an error; libjpeg alone would fill the rest with grey.
 boolean fill(j_decompress_ptr jpeg) {
-  static constexpr JOCTET kEnd[2] = {0xff, JPEG_EOI};
   auto* source = reinterpret_cast<Source*>(jpeg->src);
-  source->base.next_input_byte = kEnd;
-  source->base.bytes_in_buffer = sizeof kEnd;
+  auto* errors = reinterpret_cast<Errors*>(jpeg->err);
+  source->base.bytes_in_buffer = 0;
   try {
-    if (const std::size_t n = std::min<std::size_t>(source->in->left(), 1 << 16); n > 0) {
+    const std::size_t n = std::min<std::size_t>(source->in->left(), 1 << 16);
+    if (n > 0) {
       source->base.next_input_byte = source->in->take(n).data();
       source->base.bytes_in_buffer = n;
     }
   } catch (...) {
     // No exception may pass the library; what cannot be read is missing.
   }
-  return TRUE;
+  if (source->base.bytes_in_buffer > 0) return TRUE;
+  std::strncpy(errors->message, "the JPEG file is cut off: its end is missing", sizeof errors->message - 1);
+  std::longjmp(errors->jump, 1);
 }
 
 void skip(j_decompress_ptr jpeg, long count) {
@@ -58,7 +62,6 @@ void skip(j_decompress_ptr jpeg, long count) {
     base.next_input_byte += n;
     base.bytes_in_buffer -= n;
     left -= n;
-    if (reinterpret_cast<Source*>(jpeg->src)->in->left() == 0 && base.bytes_in_buffer == 0) return;
   }
 }
 
@@ -102,6 +105,7 @@ bool read_rows(Reader& r, std::uint8_t* to, std::size_t row_samples, std::uint8_
     jpeg_read_scanlines(&r.jpeg, &wanted, 1);
     if (inks) rgb_from_cmyk(inks, r.jpeg.output_width, row);
   }
+  jpeg_finish_decompress(&r.jpeg);
   return true;
 }
 

@@ -121,7 +121,8 @@ int read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, 
   const bool whole = TIFFIsTiled(file.get()) ? read_tiles(file, to, pixel_bytes, width, height, max_pixels)
                                              : read_strips(file, to, pixel_bytes * width, height);
   if (whole) return kVerisimDone;
-  return fail(error, error_size, messages.first[0] ? messages.first : "the image is damaged");
+  free_pixels(*image);
+  return kVerisimLeft;  // damaged: OpenImageIO knows when to go on, as POV-Ray does
 }
 
 }  // namespace

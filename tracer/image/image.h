@@ -30,38 +30,46 @@ class Image {
   std::vector<float> values, transmits;
   image::Samples samples;  // row 0 is the top
 
+ private:
+  std::size_t offset(int x, int y) const { return static_cast<std::size_t>(y) * width + x; }
+  template <class Sample, class Value, class Transmit>
+  auto reader(const Value& value, const Transmit& transmit) const {
+    return [this, value, transmit, first = samples.as<Sample>(), n = static_cast<std::size_t>(channels)](int x, int y) {
+      const Sample* p = first + offset(x, y) * n;
+      const float t = n == 2 || n == 4 ? transmit(p[n - 1]) : 0.0f;
+      if (n >= 3) return Color(value(p[0]), value(p[1]), value(p[2]), 0, t);
+      const float grey_value = value(p[0]);
+      return Color(grey_value, grey_value, grey_value, 0, t);
+    };
+  }
+  template <class Code>
+  auto decoder() const {
+    return reader<Code>([value = values.data()](Code c) { return value[c]; },
+                        [transmit = transmits.data()](Code c) { return transmit[c]; });
+  }
+
+ public:
   bool indexed() const { return !palette.empty(); }
-  // Pixel with 0 <= x < width and 0 <= y < height.
-  Color at(int x, int y) const {
-    if (indexed()) return palette[index(x, y)];
-    const std::size_t i = offset(x, y) * static_cast<std::size_t>(channels);
+  // What `use` makes of a function from x and y to a colour: for several pixels the kind of samples is asked for once.
+  template <class Use>
+  Color with_reader(const Use& use) const {
+    if (indexed()) return use([this](int x, int y) { return palette[index(x, y)]; });
     switch (samples.type()) {
       case image::SampleType::byte:
-        return decoded(samples.as<std::uint8_t>() + i);
+        return use(decoder<std::uint8_t>());
       case image::SampleType::word:
       case image::SampleType::half:
-        return decoded(samples.as<std::uint16_t>() + i);
+        return use(decoder<std::uint16_t>());
       default:
-        return color(samples.as<float>() + i, [](float v) { return v; }, [](float t) { return t; });
+        return use(reader<float>([](float v) { return v; }, [](float t) { return t; }));
     }
+  }
+  // Pixel with 0 <= x < width and 0 <= y < height.
+  Color at(int x, int y) const {
+    return with_reader([&](const auto& read) { return read(x, y); });
   }
   // Entry of the palette.
   std::uint8_t index(int x, int y) const { return samples.as<std::uint8_t>()[offset(x, y)]; }
-
- private:
-  std::size_t offset(int x, int y) const { return static_cast<std::size_t>(y) * width + x; }
-  template <class Code>
-  Color decoded(const Code* p) const {
-    return color(p, [this](Code c) { return values[c]; }, [this](Code c) { return transmits[c]; });
-  }
-  template <class Sample, class Value, class Transmit>
-  Color color(const Sample* p, const Value& value, const Transmit& transmit) const {
-    const bool alpha = channels == 2 || channels == 4;
-    const float t = alpha ? transmit(p[channels - 1]) : 0.0f;
-    if (channels >= 3) return {value(p[0]), value(p[1]), value(p[2]), 0, t};
-    const float grey_value = value(p[0]);
-    return {grey_value, grey_value, grey_value, 0, t};
-  }
 };
 
 enum class ImageGamma : std::uint8_t { automatic, power, srgb };

@@ -22,10 +22,14 @@ find_path(VERISIM_TOML_INCLUDE_DIR toml++/toml.h REQUIRED DOC "Folder of toml++,
 set(shared_suffixes ${CMAKE_FIND_LIBRARY_SUFFIXES})
 list(PREPEND CMAKE_FIND_LIBRARY_SUFFIXES .a)
 find_package(PNG REQUIRED)
+find_package(JPEG REQUIRED)
 find_package(GIF 5 REQUIRED)
 set(OPENSSL_USE_STATIC_LIBS ON)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)  # SHA-256, the key of the oracle's cache
 set(CMAKE_FIND_LIBRARY_SUFFIXES ${shared_suffixes})
+# Linked by plug-ins only (tracer/image/module). After the archives: OpenEXR looks for zlib, too.
+find_package(TIFF 4.5 REQUIRED)
+find_package(OpenEXR REQUIRED)
 list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 find_package(ISAL REQUIRED)
 if(VERISIM_TESTS)

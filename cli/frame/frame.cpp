@@ -1,7 +1,6 @@
 #include "cli/frame/frame.h"
 
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -19,6 +18,7 @@
 #include "cli/frame/scene_features.h"
 #include "cli/frame/state_file.h"
 #include "cli/frame/statistics.h"
+#include "tracer/base/huge_pages.h"
 #include "tracer/image/layers_file.h"
 #include "tracer/image/output.h"
 #include "tracer/base/output_file.h"
@@ -180,15 +180,6 @@ struct Canvas {
   render::Framebuffer framebuffer;
   std::uint64_t pixels = 0;  // of the region
 };
-
-// Asks for huge pages for memory that is about to be filled: thousands of page faults less. A hint; failure means
-// ordinary pages.
-void fill_by_huge_pages(void* memory, std::size_t bytes) {
-  constexpr std::uintptr_t kPage = 4096;
-  const std::uintptr_t from = (reinterpret_cast<std::uintptr_t>(memory) + kPage - 1) / kPage * kPage,
-                       to = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / kPage * kPage;
-  if (to > from + (std::size_t{4} << 20)) ::madvise(reinterpret_cast<void*>(from), to - from, MADV_HUGEPAGE);
-}
 
 Canvas blank(const Options& options, const Region& part) {
   Canvas canvas;

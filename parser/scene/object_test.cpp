@@ -138,10 +138,10 @@ TEST(HeightFields, FunctionsAreSampledInSinglePrecision) {
   for (const char* text : {"height_field{function 2001,2{x}}",
                            "height_field{function 2001,2{pigment{gradient x color_map{[0 rgb 0][1 rgb 1]}}}}"}) {
     const auto object = object_of(text);
-    const auto& pixels = (*object->as<std::shared_ptr<const scene::HeightField>>())->image.image->pixels;
-    EXPECT_EQ(pixels[4 * 1557], 51019 / 65535.0f) << text;
-    EXPECT_EQ(pixels[4 * 1957], 64126 / 65535.0f) << text;
-    EXPECT_EQ(pixels[4 * 1000], 32767 / 65535.0f) << text;
+    const Image& image = *(*object->as<std::shared_ptr<const scene::HeightField>>())->image.image;
+    EXPECT_EQ(image.at(1557, 0).r, 51019 / 65535.0f) << text;
+    EXPECT_EQ(image.at(1957, 0).r, 64126 / 65535.0f) << text;
+    EXPECT_EQ(image.at(1000, 0).r, 32767 / 65535.0f) << text;
   }
 }
 

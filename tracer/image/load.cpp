@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include <half.h>
 
 #include "tracer/image/gamma.h"
 #include "tracer/image/raw_image.h"
@@ -22,65 +23,52 @@ void RawImage::set_size(std::int64_t w, std::int64_t h) {
   height = static_cast<int>(h);
 }
 
-std::vector<std::uint8_t> read_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) throw std::runtime_error("cannot open the file");
-  const std::streamoff size = file.tellg();
-  if (size < 0) throw std::runtime_error("cannot read the file");
-  constexpr std::streamoff kMaxFile = std::streamoff{1} << 31;
-  if (size > kMaxFile) throw std::runtime_error("the file is too large");
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-  file.seekg(0);
-  if (size > 0 && !file.read(reinterpret_cast<char*>(bytes.data()), size))
-    throw std::runtime_error("cannot read the file");
-  return bytes;
-}
-
 namespace {
 
 // Fractint's continuous potential: a GIF whose left half holds the high bytes, the right half the low bytes (04
 // section 5.1).
-RawImage decode_pot(const std::vector<std::uint8_t>& file) {
-  const RawImage gif = decode_gif(file);
+RawImage decode_pot(ByteReader& in) {
+  const RawImage gif = decode_gif(in);
   if (gif.width % 2 != 0) throw std::runtime_error("the width of a POT file must be even");
   RawImage raw;
   raw.set_size(gif.width / 2, gif.height);
   raw.channels = 1;
   raw.bits = 16;
-  for (int y = 0; y < gif.height; ++y)
-    for (int x = 0; x < raw.width; ++x) {
-      const std::uint8_t* row = &gif.indices[static_cast<std::size_t>(y) * gif.width];
-      raw.samples.push_back(static_cast<float>(row[x] * 256 + row[x + raw.width]) / 65535.0f);
-    }
+  raw.white = 65535;
+  raw.allocate(SampleType::word);
+  const std::uint8_t* row = gif.samples.as<std::uint8_t>();
+  std::uint16_t* to = raw.samples.as<std::uint16_t>();
+  for (int y = 0; y < gif.height; ++y, row += gif.width)
+    for (int x = 0; x < raw.width; ++x) *to++ = static_cast<std::uint16_t>(row[x] * 256 + row[x + raw.width]);
   return raw;
 }
 
 RawImage decode(const std::filesystem::path& path, ImageType type) {
+  if (type == ImageType::iff) throw std::runtime_error("Unexpected EOF (POV-Ray cannot read IFF files either)");
+  if (type == ImageType::unknown || type == ImageType::sys)
+    throw std::runtime_error("this image format is not supported here");
+  ByteReader in(path);
   switch (type) {
     case ImageType::png:
-      return decode_png(read_file(path));
-    case ImageType::ppm:
-    case ImageType::pgm:
-      return decode_netpbm(read_file(path));
+      return decode_png(in);
     case ImageType::gif:
-      return decode_gif(read_file(path));
+      return decode_gif(in);
     case ImageType::pot:
-      return decode_pot(read_file(path));
+      return decode_pot(in);
     case ImageType::tga:
-      return decode_tga(read_file(path));
+      return decode_tga(in);
     case ImageType::bmp:
-      return decode_bmp(read_file(path));
+      return decode_bmp(in);
     case ImageType::hdr:
-      return decode_hdr(read_file(path));
+      return decode_hdr(in);
     case ImageType::jpeg:
+      return decode_jpeg(in);
     case ImageType::tiff:
+      return decode_with_module(path, ModuleKind::tiff);
     case ImageType::exr:
-      if (!std::filesystem::exists(path)) throw std::runtime_error("cannot open the file");
-      return decode_with_module(path);
-    case ImageType::iff:
-      throw std::runtime_error("Unexpected EOF (POV-Ray cannot read IFF files either)");
+      return decode_with_module(path, ModuleKind::exr);
     default:
-      throw std::runtime_error("this image format is not supported here");
+      return decode_netpbm(in);
   }
 }
 
@@ -91,6 +79,7 @@ struct Conversion {
   bool folded = false;                // both are powers: one exponent
   Curve power = Curve::identity();
 
+  bool is_identity() const { return folded ? power.is_identity() : file.is_identity() && working.is_identity(); }
   float operator()(float v) const {
     if (folded) return power.decode(v);
     if (file.is_identity() && working.is_identity()) return v;
@@ -136,20 +125,67 @@ float requantised(float v) {
   return std::floor(std::clamp(sum, 0.0f, 1.0f) * 255.0f) / 255.0f;
 }
 
-void put_color(const float* in, int channels, const Conversion& convert, float* out) {
-  const bool has_alpha = channels == 2 || channels == 4;
-  const float alpha = has_alpha ? in[channels - 1] : 1.0f;
-  for (int k = 0; k < 3; ++k) out[k] = convert(in[channels >= 3 ? k : 0]);
-  out[3] = 1 - alpha;
+// The value in the working space and the transmit of every code.
+void make_tables(const RawImage& raw, const Conversion& convert, Image& image) {
+  const std::size_t codes = raw.samples.type() == SampleType::byte ? 256 : 65536;
+  const auto stored = [&](std::size_t code) {
+    if (raw.samples.type() == SampleType::half) return imath_half_to_float(static_cast<std::uint16_t>(code));
+    return static_cast<float>(code) / raw.white;
+  };
+  image.values.resize(codes);
+  for (std::size_t i = 0; i < codes; ++i)
+    image.values[i] = raw.grey8 ? requantised(convert(stored(i))) : convert(stored(i));
+  if (!image.has_alpha) return;
+  image.transmits.resize(codes);
+  for (std::size_t i = 0; i < codes; ++i) image.transmits[i] = 1 - stored(i);
+}
+
+// Reals have no tables.
+void convert_reals(RawImage& raw, const Conversion& convert, bool has_alpha) {
+  float* p = raw.samples.as<float>();
+  const auto n = static_cast<std::size_t>(raw.channels), colors = has_alpha ? n - 1 : n;
+  if (convert.is_identity() && !has_alpha) return;
+  for (const float* const end = p + raw.samples.size(); p != end; p += n) {
+    for (std::size_t k = 0; k < colors; ++k) p[k] = convert(p[k]);
+    if (has_alpha) p[n - 1] = 1 - p[n - 1];
+  }
 }
 
 // Straight alpha in a TIFF: libtiff, through which POV-Ray reads, multiplies 8-bit colours by it and rounds.
-void multiply_alpha(RawImage& raw) {
-  const std::size_t n = static_cast<std::size_t>(raw.channels);
-  const float steps = raw.bits == 8 ? 255.0f : 65535.0f;
-  for (std::size_t i = 0; i + n <= raw.samples.size(); i += n)
+// `value` and `sample` convert a sample to a fraction of white and back.
+template <class T, class Value, class Sample>
+void multiply_alpha(RawImage& raw, float steps, const Value& value, const Sample& sample) {
+  T* p = raw.samples.as<T>();
+  const auto n = static_cast<std::size_t>(raw.channels);
+  for (const T* const end = p + raw.samples.size(); p != end; p += n)
     for (std::size_t k = 0; k + 1 < n; ++k)
-      raw.samples[i + k] = std::floor(raw.samples[i + k] * raw.samples[i + n - 1] * steps + 0.5f) / steps;
+      p[k] = sample(std::floor(value(p[k]) * value(p[n - 1]) * steps + 0.5f));
+}
+void multiply_alpha(RawImage& raw) {
+  const auto of_code = [&](auto code) { return static_cast<float>(code) / raw.white; };
+  constexpr float kSteps = 65535;
+  switch (raw.samples.type()) {
+    case SampleType::byte:
+      multiply_alpha<std::uint8_t>(raw, 255, of_code, [](float v) { return static_cast<std::uint8_t>(v); });
+      break;
+    case SampleType::word:
+      multiply_alpha<std::uint16_t>(raw, kSteps, of_code, [](float v) { return static_cast<std::uint16_t>(v); });
+      break;
+    default:
+      multiply_alpha<float>(raw, kSteps, [](float v) { return v; }, [](float v) { return v / kSteps; });
+      break;
+  }
+}
+
+void make_palette(const RawImage& raw, const Conversion& convert, Image& image) {
+  for (std::size_t i = 0; i < raw.palette.size() / 4; ++i) {
+    const float* rgba = &raw.palette[4 * i];
+    image.palette.emplace_back(convert(rgba[0]), convert(rgba[1]), convert(rgba[2]), 0.0f, 1 - rgba[3]);
+  }
+  // Files may use entries that their palette lacks.
+  const std::uint8_t* indices = raw.samples.as<std::uint8_t>();
+  const std::uint8_t highest = *std::max_element(indices, indices + raw.samples.size());
+  if (image.palette.size() <= highest) image.palette.resize(std::size_t{highest} + 1);
 }
 
 std::shared_ptr<const Image> finish(RawImage raw, ImageType type, const ImageDecoding& d) {
@@ -163,25 +199,18 @@ std::shared_ptr<const Image> finish(RawImage raw, ImageType type, const ImageDec
                                                                    : type == ImageType::exr || type == ImageType::tiff);
   const Conversion convert = conversion_for(raw, type, d);
   if (!raw.palette.empty()) {
-    for (std::size_t i = 0; i < raw.palette.size() / 4; ++i) {
-      float rgbt[4];
-      put_color(&raw.palette[4 * i], 4, convert, rgbt);
-      image->palette.emplace_back(rgbt[0], rgbt[1], rgbt[2], 0.0f, rgbt[3]);
-    }
-    image->indices = raw.indices;
-    // Files may use entries that their palette lacks.
-    const std::uint8_t highest = *std::max_element(raw.indices.begin(), raw.indices.end());
-    if (image->palette.size() <= highest) image->palette.resize(std::size_t{highest} + 1);
-    return image;
+    image->channels = 1;
+    make_palette(raw, convert, *image);
+  } else {
+    image->channels = raw.channels;
+    if (type == ImageType::tiff && image->premultiplied && !raw.premultiplied && d.premultiplied < 0)
+      multiply_alpha(raw);
+    if (raw.samples.type() == SampleType::real)
+      convert_reals(raw, convert, image->has_alpha);
+    else
+      make_tables(raw, convert, *image);
   }
-  const std::size_t count = static_cast<std::size_t>(raw.width) * raw.height,
-                    n = static_cast<std::size_t>(raw.channels);
-  image->pixels.resize(4 * count);
-  if (type == ImageType::tiff && image->premultiplied && !raw.premultiplied && d.premultiplied < 0) multiply_alpha(raw);
-  for (std::size_t i = 0; i < count; ++i) put_color(&raw.samples[i * n], raw.channels, convert, &image->pixels[4 * i]);
-  if (raw.grey8)
-    for (std::size_t i = 0; i < count; ++i)
-      image->pixels[4 * i] = image->pixels[4 * i + 1] = image->pixels[4 * i + 2] = requantised(image->pixels[4 * i]);
+  image->samples = std::move(raw.samples);
   return image;
 }
 

@@ -1,4 +1,5 @@
 // Windows bitmaps: 1, 4 and 8 bits with palette (also run-length coded), 24 and 32 bits.
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -10,10 +11,12 @@ namespace {
 
 // Run-length coding of 8 (or 4) bits per pixel into rows from the bottom up.
 void unpack_runs(ByteReader& in, bool four_bits, RawImage& raw) {
+  std::uint8_t* indices = raw.allocate_indices();
+  std::fill_n(indices, raw.pixels(), std::uint8_t{0});  // runs may leave pixels out
   int x = 0, y = 0;
   const auto put = [&](int v) {
     if (x < raw.width && y < raw.height)
-      raw.indices[static_cast<std::size_t>(raw.height - 1 - y) * raw.width + x] = static_cast<std::uint8_t>(v);
+      indices[static_cast<std::size_t>(raw.height - 1 - y) * raw.width + x] = static_cast<std::uint8_t>(v);
     ++x;
   };
   while (y < raw.height) {
@@ -38,8 +41,7 @@ void unpack_runs(ByteReader& in, bool four_bits, RawImage& raw) {
 
 }  // namespace
 
-RawImage decode_bmp(const std::vector<std::uint8_t>& file) {
-  ByteReader in(file);
+RawImage decode_bmp(ByteReader& in) {
   if (in.u8() != 'B' || in.u8() != 'M') throw std::runtime_error("this is not a BMP file");
   in.skip(8);
   const std::uint32_t data_offset = in.le32(), header = in.le32();
@@ -75,31 +77,28 @@ RawImage decode_bmp(const std::vector<std::uint8_t>& file) {
   raw.channels = bits == 32 ? 4 : 3;
   in.seek(data_offset);
   if (runs) {
-    raw.indices.resize(w * h);
     unpack_runs(in, bits == 4, raw);
     return raw;
   }
   const std::size_t row_bytes = (w * static_cast<std::size_t>(bits) + 31) / 32 * 4;
   if (in.left() + 3 < row_bytes * h) throw std::runtime_error("unexpected end of file");
   if (indexed)
-    raw.indices.resize(w * h);
+    raw.allocate_indices();
   else
-    raw.samples.resize(w * h * static_cast<std::size_t>(raw.channels));
+    raw.allocate(SampleType::byte);
+  const std::size_t n = indexed ? 1 : static_cast<std::size_t>(raw.channels);
   for (std::size_t row = 0; row < h; ++row) {
     const auto data = in.take(std::min(row_bytes, in.left()));
-    const std::size_t y = signed_height < 0 ? row : h - 1 - row;
     if (data.size() * 8 < w * static_cast<std::size_t>(bits)) throw std::runtime_error("unexpected end of file");
-    for (std::size_t x = 0; x < w; ++x) {
+    std::uint8_t* to = raw.samples.as<std::uint8_t>() + (signed_height < 0 ? row : h - 1 - row) * w * n;
+    for (std::size_t x = 0; x < w; ++x, to += n) {
       if (indexed) {
         const std::size_t bit = x * static_cast<std::size_t>(bits);
-        raw.indices[y * w + x] =
-            static_cast<std::uint8_t>(data[bit / 8] >> (8 - bits - static_cast<int>(bit % 8)) & ((1 << bits) - 1));
+        *to = static_cast<std::uint8_t>(data[bit / 8] >> (8 - bits - static_cast<int>(bit % 8)) & ((1 << bits) - 1));
         continue;
       }
-      const auto n = static_cast<std::size_t>(raw.channels);
-      float* to = &raw.samples[(y * w + x) * n];
-      for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(data[x * n + 2 - k]) / 255.0f;
-      if (n == 4) to[3] = static_cast<float>(data[x * n + 3]) / 255.0f;
+      for (std::size_t k = 0; k < 3; ++k) to[k] = data[x * n + 2 - k];
+      if (n == 4) to[3] = data[x * n + 3];
     }
   }
   return raw;

@@ -2,7 +2,6 @@
 #include <gif_lib.h>
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 #include <stdexcept>
 
@@ -11,16 +10,14 @@
 namespace verisim::image {
 namespace {
 
-struct Source {
-  const std::vector<std::uint8_t>& file;
-  std::size_t position = 0;
-};
-
 int read_source(GifFileType* gif, GifByteType* out, int count) {
-  auto& source = *static_cast<Source*>(gif->UserData);
-  const std::size_t n = std::min(static_cast<std::size_t>(count), source.file.size() - source.position);
-  std::memcpy(out, source.file.data() + source.position, n);
-  source.position += n;
+  auto& in = *static_cast<ByteReader*>(gif->UserData);
+  const std::size_t n = std::min(static_cast<std::size_t>(count), in.left());
+  try {
+    in.read(out, n);
+  } catch (...) {
+    return 0;  // no exception may pass the library
+  }
   return static_cast<int>(n);
 }
 
@@ -61,10 +58,9 @@ int find_picture(const std::unique_ptr<GifFileType, Close>& gif) {
 
 }  // namespace
 
-RawImage decode_gif(const std::vector<std::uint8_t>& file) {
-  Source source{file};
+RawImage decode_gif(ByteReader& in) {
   int error = 0;
-  const std::unique_ptr<GifFileType, Close> gif(DGifOpen(&source, read_source, &error));
+  const std::unique_ptr<GifFileType, Close> gif(DGifOpen(&in, read_source, &error));
   if (!gif) {
     if (error == D_GIF_ERR_NOT_GIF_FILE) throw std::runtime_error("this is not a GIF file");
     fail(error);
@@ -74,8 +70,7 @@ RawImage decode_gif(const std::vector<std::uint8_t>& file) {
   RawImage raw;
   raw.channels = 3;
   raw.set_size(gif->Image.Width, gif->Image.Height);
-  const std::size_t count = static_cast<std::size_t>(raw.width) * raw.height;
-  if (count > file.size() * 4096)
+  if (raw.pixels() > in.size() * 4096)
     throw std::runtime_error("unexpected end of the picture");  // a code is at least 2 bits and at most 4096 pixels
   const ColorMapObject& map = gif->Image.ColorMap ? *gif->Image.ColorMap : *gif->SColorMap;
   for (int i = 0; i < map.ColorCount; ++i) {
@@ -83,10 +78,10 @@ RawImage decode_gif(const std::vector<std::uint8_t>& file) {
     for (const GifByteType value : {c.Red, c.Green, c.Blue}) raw.palette.push_back(static_cast<float>(value) / 255.0f);
     raw.palette.push_back(1);
   }
-  raw.indices.resize(count);
+  std::uint8_t* indices = raw.allocate_indices();
   // Rows stay as the file has them: POV-Ray does not put those of interlaced pictures in order (measured).
   for (int y = 0; y < raw.height; ++y)
-    check(gif, DGifGetLine(gif.get(), raw.indices.data() + static_cast<std::size_t>(y) * raw.width, raw.width));
+    check(gif, DGifGetLine(gif.get(), indices + static_cast<std::size_t>(y) * raw.width, raw.width));
   if (transparent >= 0 && 4 * static_cast<std::size_t>(transparent) < raw.palette.size()) {
     raw.channels = 4;
     raw.palette[4 * static_cast<std::size_t>(transparent) + 3] = 0;

@@ -56,8 +56,7 @@ void read_row(ByteReader& in, int width, std::vector<std::uint8_t>& row) {
 
 }  // namespace
 
-RawImage decode_hdr(const std::vector<std::uint8_t>& file) {
-  ByteReader in(file);
+RawImage decode_hdr(ByteReader& in) {
   if (line(in).rfind("#?", 0) != 0) throw std::runtime_error("this is not a Radiance HDR file");
   while (!line(in).empty()) continue;
   const std::string size = line(in);
@@ -71,13 +70,15 @@ RawImage decode_hdr(const std::vector<std::uint8_t>& file) {
     throw std::runtime_error("unexpected end of file");
   raw.bits = 32;
   raw.channels = 3;
+  raw.allocate(SampleType::real);
+  float* to = raw.samples.as<float>();
   std::vector<std::uint8_t> row(static_cast<std::size_t>(width) * 4);
   for (int y = 0; y < height; ++y) {
     read_row(in, width, row);
     for (int x = 0; x < width; ++x) {
       const std::uint8_t* p = &row[static_cast<std::size_t>(x) * 4];
       for (int k = 0; k < 3; ++k)
-        raw.samples.push_back(p[3] == 0 ? 0.0f : std::ldexp(static_cast<float>(p[k]) + 0.5f, p[3] - 136));
+        *to++ = p[3] == 0 ? 0.0f : std::ldexp(static_cast<float>(p[k]) + 0.5f, p[3] - 136);
     }
   }
   return raw;

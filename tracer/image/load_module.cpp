@@ -1,4 +1,4 @@
-// Finds and loads the OpenImageIO plug-in (module/module.h).
+// Finds and loads the plug-ins for image files (module/module.h).
 #include <dlfcn.h>
 
 #include <cstdlib>
@@ -15,7 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kLibrary = "libverisim_image_module.so";
+constexpr const char* kLibraries[] = {"libverisim_image_module.so", "libverisim_tiff_module.so",
+                                      "libverisim_exr_module.so"};  // by ModuleKind
 
 // The folder of the file this code was linked into: the program or a shared library.
 fs::path own_folder() {
@@ -27,19 +28,19 @@ fs::path own_folder() {
   return error ? fs::path() : file.parent_path();
 }
 
-std::vector<fs::path> candidates() {
+std::vector<fs::path> candidates(const fs::path& library) {
   std::vector<fs::path> result;
   if (const char* path = std::getenv("VERISIM_MODULE_PATH"); path && *path) {
-    result.emplace_back(path);
-    result.emplace_back(fs::path(path) / kLibrary);
+    std::error_code error;
+    result.push_back((fs::is_directory(path, error) ? fs::path(path) : fs::path(path).parent_path()) / library);
   }
   if (const fs::path folder = own_folder(); !folder.empty()) {
-    result.push_back(folder / kLibrary);
+    result.push_back(folder / library);
     for (const char* lib : {"lib", "lib64", "lib/x86_64-linux-gnu", "lib/aarch64-linux-gnu"}) {
-      result.push_back(folder.parent_path() / lib / kLibrary);
-      result.push_back(folder.parent_path() / lib / "verisim" / kLibrary);
+      result.push_back(folder.parent_path() / lib / library);
+      result.push_back(folder.parent_path() / lib / "verisim" / library);
     }
-    result.push_back(folder / "verisim" / kLibrary);  // beside a shared library in the library folder
+    result.push_back(folder / "verisim" / library);  // beside a shared library in the library folder
   }
   return result;
 }
@@ -51,9 +52,10 @@ F symbol(void* library, const char* name) {
   return reinterpret_cast<F>(address);
 }
 
-Module load() {
+Module load(ModuleKind kind) {
+  const std::string name = kLibraries[static_cast<int>(kind)];
   std::string problem;
-  for (const fs::path& path : candidates()) {
+  for (const fs::path& path : candidates(name)) {
     std::error_code error;
     if (!fs::is_regular_file(path, error)) continue;
     void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -67,20 +69,31 @@ Module load() {
       continue;
     }
     return {symbol<VerisimReadImage>(library, "verisim_read_image"),
-            symbol<VerisimWriteImage>(library, "verisim_write_image"),
+            kind == ModuleKind::general ? symbol<VerisimWriteImage>(library, "verisim_write_image") : nullptr,
             symbol<VerisimFreeImage>(library, "verisim_free_image")};
   }
   if (problem.empty())
-    problem = std::string(kLibrary) +
-              " was not found beside the program, in ../lib or ../lib/verisim, nor in $VERISIM_MODULE_PATH";
+    problem = name + " was not found beside the program, in ../lib or ../lib/verisim, nor in $VERISIM_MODULE_PATH";
   throw std::runtime_error("this image format needs verisim's image module: " + problem);
 }
 
 }  // namespace
 
-const Module& image_module() {
-  static const Module module = load();
-  return module;
+const Module& image_module(ModuleKind kind) {
+  switch (kind) {
+    case ModuleKind::tiff: {
+      static const Module tiff = load(kind);
+      return tiff;
+    }
+    case ModuleKind::exr: {
+      static const Module exr = load(kind);
+      return exr;
+    }
+    default: {
+      static const Module general = load(kind);
+      return general;
+    }
+  }
 }
 
 }  // namespace verisim::image

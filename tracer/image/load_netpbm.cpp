@@ -1,4 +1,5 @@
 // PGM and PPM, text and binary, any maxval up to 65535.
+#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -29,10 +30,17 @@ int number(ByteReader& in) {
   return static_cast<int>(value);
 }
 
+void words_from_big_endian(std::uint16_t* words, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint8_t bytes[2];
+    std::memcpy(bytes, words + i, 2);
+    words[i] = static_cast<std::uint16_t>(bytes[0] << 8 | bytes[1]);
+  }
+}
+
 }  // namespace
 
-RawImage decode_netpbm(const std::vector<std::uint8_t>& file) {
-  ByteReader in(file);
+RawImage decode_netpbm(ByteReader& in) {
   if (in.u8() != 'P') throw std::runtime_error("this is not a PPM or PGM file");
   const int kind = in.u8() - '0';
   if (kind != 2 && kind != 3 && kind != 5 && kind != 6)
@@ -43,24 +51,21 @@ RawImage decode_netpbm(const std::vector<std::uint8_t>& file) {
   raw.set_size(width, height);
   raw.channels = kind == 2 || kind == 5 ? 1 : 3;
   raw.bits = maxval > 255 ? 16 : 8;
-  const std::size_t count = static_cast<std::size_t>(width) * height * raw.channels;
+  raw.white = static_cast<float>(maxval);
+  const std::size_t count = raw.pixels() * static_cast<std::size_t>(raw.channels);
   const bool binary = kind >= 5;
   // Every sample takes at least a byte (binary) or two (text): refuse before allocating.
   if (in.left() + 1 < count * (binary ? static_cast<std::size_t>(raw.bits / 8) : 2))
     throw std::runtime_error("unexpected end of file");
-  raw.samples.resize(count);
-  for (float& sample : raw.samples) {
-    int v;
-    if (!binary) {
-      v = number(in);
-    } else if (maxval > 255) {
-      v = in.u8() << 8;
-      v |= in.u8();
-    } else {
-      v = in.u8();
-    }
-    sample = static_cast<float>(v) / static_cast<float>(maxval);
+  if (!binary) {
+    raw.allocate(SampleType::real);  // numbers may be larger than maxval, and than any word
+    float* samples = raw.samples.as<float>();
+    for (std::size_t i = 0; i < count; ++i) samples[i] = static_cast<float>(number(in)) / raw.white;
+    return raw;
   }
+  raw.allocate(raw.bits == 16 ? SampleType::word : SampleType::byte);
+  in.read(raw.samples.as<void>(), raw.samples.memory());
+  if (raw.bits == 16) words_from_big_endian(raw.samples.as<std::uint16_t>(), count);
   return raw;
 }
 

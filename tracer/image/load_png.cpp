@@ -14,8 +14,7 @@ namespace {
 
 // libpng calls back in C: the message waits here, control returns by longjmp.
 struct Source {
-  const std::uint8_t* data;
-  std::size_t left;
+  ByteReader& file;
   char message[160] = "";
 };
 
@@ -27,10 +26,14 @@ void on_error(png_structp png, png_const_charp message) {
 void on_warning(png_structp, png_const_charp) {}
 void on_read(png_structp png, png_bytep to, png_size_t count) {
   auto* source = static_cast<Source*>(png_get_io_ptr(png));
-  if (count > source->left) png_error(png, "unexpected end of file");
-  std::memcpy(to, source->data, count);
-  source->data += count;
-  source->left -= count;
+  if (count > source->file.left()) png_error(png, "unexpected end of file");
+  bool whole = true;
+  try {
+    source->file.read(to, count);
+  } catch (...) {
+    whole = false;
+  }
+  if (!whole) png_error(png, "the file cannot be read");
 }
 
 struct Reader {
@@ -87,15 +90,16 @@ bool read_rows(Reader& r, png_bytepp rows) {
 
 }  // namespace
 
-RawImage decode_png(const std::vector<std::uint8_t>& file) {
-  Source source{file.data(), file.size()};
+RawImage decode_png(ByteReader& in) {
+  Source source{in};
   Reader reader(source);
   Header h{};
   if (!read_header(reader, h)) throw std::runtime_error(source.message);
   RawImage raw;
   raw.set_size(h.width, h.height);
-  raw.channels = png_get_channels(reader.png, reader.info);
+  raw.channels = png_get_channels(reader.png, reader.info);  // of a palette image: 1, an index
   raw.bits = h.bits == 16 ? 16 : 8;
+  raw.white = h.bits == 16 ? 65535 : 255;
   raw.grey8 = h.type == PNG_COLOR_TYPE_GRAY && h.bits <= 8 && !h.has_transparency;
   if (h.has_srgb) {
     raw.curve = RawImage::Curve::srgb;
@@ -104,10 +108,11 @@ RawImage decode_png(const std::vector<std::uint8_t>& file) {
     raw.gamma = 1 / h.gamma;
   }
 
+  raw.allocate(h.bits == 16 ? SampleType::word : SampleType::byte);
   const std::size_t row_bytes = png_get_rowbytes(reader.png, reader.info);
-  std::vector<std::uint8_t> bytes(row_bytes * h.height);
+  if (row_bytes * h.height != raw.samples.memory()) throw std::runtime_error("unknown kind of PNG file");
   std::vector<png_bytep> rows(h.height);
-  for (png_uint_32 y = 0; y < h.height; ++y) rows[y] = bytes.data() + y * row_bytes;
+  for (png_uint_32 y = 0; y < h.height; ++y) rows[y] = raw.samples.as<std::uint8_t>() + y * row_bytes;
   if (!read_rows(reader, rows.data())) throw std::runtime_error(source.message);
 
   if (h.type == PNG_COLOR_TYPE_PALETTE) {
@@ -119,19 +124,6 @@ RawImage decode_png(const std::vector<std::uint8_t>& file) {
                                              static_cast<float>(c.blue) / 255.0f, alpha});
     }
     raw.channels = h.has_transparency ? 4 : 3;
-    raw.indices = std::move(bytes);
-    return raw;
-  }
-  const std::size_t count = static_cast<std::size_t>(h.width) * h.height * static_cast<std::size_t>(raw.channels);
-  raw.samples.resize(count);
-  if (raw.bits == 16) {
-    for (std::size_t i = 0; i < count; ++i) {
-      std::uint16_t v;
-      std::memcpy(&v, bytes.data() + 2 * i, 2);
-      raw.samples[i] = static_cast<float>(v) / 65535.0f;
-    }
-  } else {
-    for (std::size_t i = 0; i < count; ++i) raw.samples[i] = static_cast<float>(bytes[i]) / 255.0f;
   }
   return raw;
 }

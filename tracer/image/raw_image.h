@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
-#include <string>
 #include <vector>
 
+#include "tracer/image/byte_reader.h"
 #include "tracer/image/image.h"
+#include "tracer/image/module/module.h"
 
 namespace verisim::image {
 
@@ -23,24 +23,29 @@ struct RawImage {
   bool premultiplied = false;
   Curve curve = Curve::unspecified;
   double gamma = 1;            // of a power curve: linear = value ^ gamma
-  std::vector<float> samples;  // channels values per pixel, 1 = white; row 0 is the top
+  float white = 255;           // the byte or word that means 1
+  Samples samples;             // channels values per pixel, or one index of the palette; row 0 is the top
   std::vector<float> palette;  // 4 floats each: r g b alpha
-  std::vector<std::uint8_t> indices;
 
   // Throws std::runtime_error when the size is nothing or too much.
   void set_size(std::int64_t w, std::int64_t h);
+  std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+  // Memory for all samples, not cleared.
+  void allocate(SampleType type) { samples = Samples(type, pixels() * static_cast<std::size_t>(channels)); }
+  std::uint8_t* allocate_indices() {
+    samples = Samples(SampleType::byte, pixels());
+    return samples.as<std::uint8_t>();
+  }
 };
 
-// The file in memory; throws std::runtime_error when it cannot be read.
-std::vector<std::uint8_t> read_file(const std::filesystem::path& path);
-
 // Decoders; all throw std::runtime_error on anything that is not a whole picture of that format.
-RawImage decode_png(const std::vector<std::uint8_t>& file);
-RawImage decode_netpbm(const std::vector<std::uint8_t>& file);
-RawImage decode_gif(const std::vector<std::uint8_t>& file);
-RawImage decode_tga(const std::vector<std::uint8_t>& file);
-RawImage decode_bmp(const std::vector<std::uint8_t>& file);
-RawImage decode_hdr(const std::vector<std::uint8_t>& file);
-RawImage decode_with_module(const std::filesystem::path& path);  // JPEG, TIFF, EXR through OpenImageIO
+RawImage decode_png(ByteReader& in);
+RawImage decode_netpbm(ByteReader& in);
+RawImage decode_gif(ByteReader& in);
+RawImage decode_tga(ByteReader& in);
+RawImage decode_bmp(ByteReader& in);
+RawImage decode_hdr(ByteReader& in);
+RawImage decode_jpeg(ByteReader& in);
+RawImage decode_with_module(const std::filesystem::path& path, ModuleKind kind);
 
 }  // namespace verisim::image

@@ -92,10 +92,12 @@ TEST(RandomTransforms, HeightFieldsAreMetOnTheirTriangles) {
   auto image = std::make_shared<Image>();
   image->width = image->height = kSide;
   image->grey = image->sixteen_bit = true;
+  image->channels = 1;
+  std::vector<float> values;
   for (int k = kSide - 1; k >= 0; --k) {  // the first row of an image is the last of the field
-    for (int i = 0; i < kSide; ++i)
-      for (int c = 0; c < 4; ++c) image->pixels.push_back(c < 3 ? static_cast<float>(height(i, k)) / 65535 : 0);
+    for (int i = 0; i < kSide; ++i) values.push_back(static_cast<float>(height(i, k)) / 65535);
   }
+  image->samples = image::Samples(std::move(values));
   scene::HeightField field;
   field.image.image = image;
   const auto value = [height](const Vec3& p) {

@@ -101,7 +101,7 @@ ImagePtr function_image(Parser& parser) {
   parser.optional_comma();
   const double h = std::floor(parser.parse_float() + 0.5);
   if (!(w >= 1) || !(h >= 1) || !(w < 1e6) || !(h < 1e6)) parser.error("Illegal size of a function image.");
-  const std::size_t count = checked_count(parser, w * h, "pixels of a function image", 4 * sizeof(float));
+  const std::size_t count = checked_count(parser, w * h, "pixels of a function image", 4 * sizeof(std::uint16_t));
   const FunctionPtr function = parser.parse_function_body();
   if (function->parameters() != 3) parser.error("The function of an image needs the parameters x, y, z.");
   auto image = std::make_shared<Image>();
@@ -111,25 +111,27 @@ ImagePtr function_image(Parser& parser) {
   const bool colors = function->components() >= 5;
   image->grey = !colors;
   image->has_alpha = colors;
-  image->pixels.resize(4 * count);
+  image->channels = colors ? 4 : 1;
+  image->samples = image::Samples(image::SampleType::word, count * static_cast<std::size_t>(image->channels));
+  image->values.resize(65536);
+  for (std::size_t i = 0; i < 65536; ++i) image->values[i] = static_cast<float>(i) / 65535.0f;
+  if (colors) image->transmits = image->values;
   const double sx = w > 1 ? 1 / (w - 1) : 0, sy = h > 1 ? 1 / (h - 1) : 0;
-  float* pixel = image->pixels.data();
   const auto sixteen = [](double value) {
     const double scaled = std::trunc(static_cast<float>(value) * 65535.0f);
-    if (!(std::fabs(scaled) < 9e15)) return 0.0f;
-    const auto wrapped = static_cast<std::uint16_t>(static_cast<std::int64_t>(scaled));
-    return static_cast<float>(wrapped) / 65535.0f;
+    if (!(std::fabs(scaled) < 9e15)) return std::uint16_t{0};
+    return static_cast<std::uint16_t>(static_cast<std::int64_t>(scaled));
   };
+  auto* sample = image->samples.as<std::uint16_t>();
   for (int row = 0; row < image->height; ++row) {
     if (parser.options().cancelled && parser.options().cancelled()) parser.error("Cancelled.");
-    for (int column = 0; column < image->width; ++column, pixel += 4) {
+    for (int column = 0; column < image->width; ++column) {
       const double at[3] = {column * sx, row * sy, 0};
       double value[kMaxFunctionComponents] = {};
       function->evaluate(at, value);
-      pixel[0] = sixteen(value[0]);
-      pixel[1] = colors ? sixteen(value[1]) : pixel[0];
-      pixel[2] = colors ? sixteen(value[2]) : pixel[0];
-      pixel[3] = colors ? sixteen(value[4]) : 0;
+      *sample++ = sixteen(value[0]);
+      if (!colors) continue;
+      for (const int component : {1, 2, 4}) *sample++ = sixteen(value[component]);
     }
   }
   return image;

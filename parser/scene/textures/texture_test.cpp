@@ -98,7 +98,7 @@ TEST(Pigments, FunctionImagesWrapAround) {
   const auto pigment = pigment_of("image_map{function 3,2{x*2-.3} interpolate 2 once}");
   const auto& params = std::get<scene::ImageParams>(*pigment->pattern.params);
   ASSERT_EQ(params.image->width, 3);
-  EXPECT_EQ(params.image->pixels[0], 45876 / 65535.0f);  // -0.3 in 16 bits without a sign
+  EXPECT_EQ(params.image->at(0, 0).r, 45876 / 65535.0f);  // -0.3 in 16 bits without a sign
   EXPECT_TRUE(params.once);
   EXPECT_EQ(params.interpolate, 2);
 }

@@ -1,8 +1,9 @@
-// The seam between the tracer and OpenImageIO: a C interface implemented by the plug-in library verisim_image_module.
+// The seam between the tracer and large libraries of image formats: a C interface implemented by plug-ins.
 //
-// OpenImageIO and what it needs are some 260 shared libraries, 0.2 s of start-up, so the program does not link it:
-// `image_module()` loads the plug-in when the first image wants a format that we do not read or write ourselves. Only
-// plain data cross the seam; errors are returned as text, never thrown.
+// OpenImageIO and what it needs are some 260 shared libraries, 0.2 s of start-up, libtiff and OpenEXR a dozen each, so
+// the program does not link them: `image_module()` loads a plug-in when the first image wants it. TIFF and OpenEXR
+// files of the usual layouts are read by a plug-in each; the rest, and what we do not write ourselves, is
+// OpenImageIO's. Only plain data cross the seam; errors are returned as text, never thrown.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,7 @@ enum VerisimSample : std::int32_t { kVerisimUint8 = 0, kVerisimUint16 = 1, kVeri
 
 struct VerisimImage {
   std::int32_t width, height, channels;  // 1: grey, 2: grey + alpha, 3: rgb, 4: rgb + alpha
-  std::int32_t sample;                   // VerisimSample; reading never gives half
+  std::int32_t sample;                   // VerisimSample; half: the bits of a binary16 where reading gives it
   void* pixels;                          // row 0 at the top, tightly packed, native byte order
   std::int32_t premultiplied;            // reading: colours are multiplied by alpha already
 };
@@ -32,8 +33,13 @@ struct VerisimWriteOptions {
   const std::int32_t* channel_samples;  // VerisimSample each channel is stored as (OpenEXR), or null: image->sample
 };
 
-// All return 0 on success; otherwise a message is put into `error` (at most error_size bytes with the terminating
-// zero).
+// Results. A message of a failure is put into `error` (at most error_size bytes with the terminating zero).
+enum VerisimResult : std::int32_t {
+  kVerisimDone = 0,
+  kVerisimFailed = 1,
+  kVerisimLeft = 2  // reading: a kind of file that this plug-in leaves to OpenImageIO's
+};
+
 using VerisimReadImage = int (*)(const char* path, std::uint64_t max_pixels, VerisimImage* image, char* error,
                                  std::size_t error_size);
 using VerisimWriteImage = int (*)(const char* path, const VerisimWriteOptions* options, char* error,
@@ -45,19 +51,21 @@ using VerisimFreeImage = void (*)(VerisimImage* image);
 namespace verisim::image {
 
 // Must change with anything above: an old plug-in beside a new program is refused.
-inline constexpr int kModuleVersion = 2;
+inline constexpr int kModuleVersion = 3;
 
-// The loaded plug-in.
+enum class ModuleKind : std::uint8_t { general, tiff, exr };  // general: OpenImageIO
+
+// A loaded plug-in.
 struct Module {
   VerisimReadImage
       read;  // the file's values, untouched: no gamma conversion, alpha as stored (see VerisimImage::premultiplied)
-  VerisimWriteImage write;  // the format follows from the extension of the path
+  VerisimWriteImage write;  // the format follows from the extension of the path; null where a plug-in only reads
   VerisimFreeImage free;
 };
 
-// Loads the plug-in on first use (thread-safe). It is looked for in $VERISIM_MODULE_PATH, beside the program, and in
-// ../lib and ../lib/verisim (the build's and the installed layout). Throws std::runtime_error when it cannot be found
-// or loaded.
-const Module& image_module();
+// Loads the plug-in on first use (thread-safe). It is looked for in $VERISIM_MODULE_PATH (a folder, or a plug-in in
+// it), beside the program, and in ../lib and ../lib/verisim (the build's and the installed layout). Throws
+// std::runtime_error when it cannot be found or loaded.
+const Module& image_module(ModuleKind kind = ModuleKind::general);
 
 }  // namespace verisim::image

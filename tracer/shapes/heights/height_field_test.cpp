@@ -18,12 +18,15 @@ ImagePtr function_image(int w, int h, const std::function<double(double, double)
   auto image = std::make_shared<Image>();
   image->width = w, image->height = h;
   image->grey = image->sixteen_bit = true;
+  image->channels = 1;
+  std::vector<float> values;
   for (int j = 0; j < h; ++j) {
     for (int i = 0; i < w; ++i) {
       const auto v = static_cast<std::uint16_t>(static_cast<int>(f(i / (w - 1.0), j / (h - 1.0)) * 65535));
-      for (int c = 0; c < 4; ++c) image->pixels.push_back(c < 3 ? float(v) / 65535 : 0);
+      values.push_back(float(v) / 65535);
     }
   }
+  image->samples = image::Samples(std::move(values));
   return image;
 }
 scene::HeightField field(ImagePtr image) {
@@ -37,10 +40,12 @@ Image row(ImageType type, bool grey, bool sixteen, bool alpha, const std::vector
   Image image;
   image.width = static_cast<int>(values.size()), image.height = 1;
   image.type = type, image.grey = grey, image.sixteen_bit = sixteen, image.has_alpha = alpha;
+  image.channels = 3;
+  std::vector<float> samples;
   for (const auto& v : values) {
-    for (const float c : v) image.pixels.push_back(c / scale);
-    image.pixels.push_back(0);
+    for (const float c : v) samples.push_back(c / scale);
   }
+  image.samples = image::Samples(std::move(samples));
   return image;
 }
 std::vector<int> heights(const Image& image) {
@@ -287,7 +292,7 @@ TEST(HeightField, TinyImages) {
   for (const auto& [w, h] : {std::pair{1, 1}, {1, 5}, {5, 1}}) {
     auto image = std::make_shared<Image>();
     image->width = w, image->height = h;
-    image->pixels.assign(static_cast<std::size_t>(4 * w * h), 0.5f);
+    image->samples = image::Samples(std::vector<float>(static_cast<std::size_t>(4 * w * h), 0.5f));
     const auto o = object(field(image));
     EXPECT_FALSE(trace(o, {.5, 5, .5}, {0, -1, 0}));
     EXPECT_FALSE(compile(o)->inside({.5, .1, .5}));

@@ -9,9 +9,8 @@
 namespace verisim::shapes {
 
 std::uint16_t height_of_pixel(const Image& image, int x, int y) {
-  const auto offset = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-  if (image.indexed()) return static_cast<std::uint16_t>(image.indices[offset] * 256);
-  const float* p = &image.pixels[4 * offset];
+  if (image.indexed()) return static_cast<std::uint16_t>(image.index(x, y) * 256);
+  const Color c = image.at(x, y);
   const auto wrapped = [](double v) {
     return std::isfinite(v) ? static_cast<std::uint16_t>(static_cast<std::int64_t>(v) & 0xffff) : std::uint16_t{0};
   };
@@ -19,17 +18,17 @@ std::uint16_t height_of_pixel(const Image& image, int x, int y) {
     if (image.type == ImageType::png && !image.sixteen_bit && !image.has_alpha) {
       // Such files go through a luma of three equal channels in binary32, which is often one unit in the last place too
       // small.
-      const float g = p[0];
+      const float g = c.r;
       const float red = g * 0.297f, green = g * 0.589f, blue = g * 0.114f;
       const float luma = red + green + blue;
       return static_cast<std::uint16_t>(static_cast<int>(luma * 255.0f) * 257);
     }
-    return wrapped(std::clamp(static_cast<double>(p[0]), 0.0, 1.0) * 65535 +
+    return wrapped(std::clamp(static_cast<double>(c.r), 0.0, 1.0) * 65535 +
                    0.01);  // 0.01: the float nearest to n / 65535 must give n
   }
   // Double weights of binary32 channels: of a grey n the sum is often a little less than n, and the height n - 1.
-  if (image.sixteen_bit) return wrapped((0.297 * p[0] + 0.589 * p[1] + 0.114 * p[2]) * 65535);
-  return wrapped((static_cast<double>(p[0]) * 256 + p[1]) * 255 + 1e-3);
+  if (image.sixteen_bit) return wrapped((0.297 * c.r + 0.589 * c.g + 0.114 * c.b) * 65535);
+  return wrapped((static_cast<double>(c.r) * 256 + c.g) * 255 + 1e-3);
 }
 
 std::shared_ptr<const HeightGrid> HeightGrid::of(const std::shared_ptr<const scene::HeightField>& field) {
@@ -54,37 +53,66 @@ HeightGrid::HeightGrid(const scene::HeightField& field) : water_(field.water_lev
   if (field.smooth) build_normals();
 }
 
-void HeightGrid::build_pyramid() {
-  levels_.emplace_back();  // level 0 is the heights themselves
-  int w = width_ - 1, d = depth_ - 1;
-  const auto cell = [&](int i, int k) {
-    const auto [low, high] = std::minmax({at(i, k), at(i + 1, k), at(i, k + 1), at(i + 1, k + 1)});
-    return std::pair(low, high);
-  };
-  const auto extremes = [&](int level, int i, int k) {
-    const Block& b = block(level, i, k);
-    return std::pair<int, int>(*std::min_element(b.low, b.low + kChildren),
-                               *std::max_element(b.high, b.high + kChildren));
-  };
-  for (int level = 1; level == 1 || w > 1 || d > 1; ++level) {
-    Level next{(w - 1) / 4 + 1, (d - 1) / 4 + 1, {}};
-    next.blocks.resize(static_cast<std::size_t>(next.width) * static_cast<std::size_t>(next.depth));
-    std::size_t n = 0;
-    for (int k = 0; k < next.depth; ++k) {
-      for (int i = 0; i < next.width; ++i) {
-        Block& b = next.blocks[n++];
-        for (int c = 0; c < kChildren; ++c) {
-          const int x = 4 * i + column(c), z = 4 * k + row(c);
-          const auto [low, high] = x >= w || z >= d ? std::pair(65535, 0)
-                                   : level == 1     ? cell(x, z)
-                                                    : extremes(level - 1, x, z);
-          b.low[c] = static_cast<std::uint16_t>(low), b.high[c] = static_cast<std::uint16_t>(high);
-        }
+// Extremes of the cells of one row, from the heights below and above it.
+void HeightGrid::row_of_cells(int k, std::vector<std::uint16_t>& low, std::vector<std::uint16_t>& high) const {
+  const std::uint16_t* below = &heights_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_)];
+  const std::uint16_t* above = below + width_;
+  std::uint16_t *lowest = low.data(), *highest = high.data();
+  for (int i = 0; i + 1 < width_; ++i) {
+    lowest[i] = std::min(std::min(below[i], below[i + 1]), std::min(above[i], above[i + 1]));
+    highest[i] = std::max(std::max(below[i], below[i + 1]), std::max(above[i], above[i + 1]));
+  }
+}
+
+HeightGrid::Level HeightGrid::blocks_of_cells() const {
+  const int w = width_ - 1, d = depth_ - 1;
+  Level level(w, d);
+  // Beyond the edge of the field stays what no height is.
+  const auto padded = static_cast<std::size_t>(4 * level.width);
+  std::vector<std::uint16_t> low[4], high[4];
+  for (int j = 0; j < 4; ++j) low[j].assign(padded, 65535), high[j].assign(padded, 0);
+  Block* b = level.blocks.data();
+  for (int k = 0; k < level.depth; ++k) {
+    for (int j = 0; j < 4; ++j) {
+      if (4 * k + j < d)
+        row_of_cells(4 * k + j, low[j], high[j]);
+      else
+        low[j].assign(padded, 65535), high[j].assign(padded, 0);
+    }
+    for (int i = 0; i < level.width; ++i, ++b) {
+      for (int c = 0; c < kChildren; ++c) {
+        const auto x = static_cast<std::size_t>(4 * i + column(c));
+        b->low[c] = low[row(c)][x], b->high[c] = high[row(c)][x];
       }
     }
-    w = next.width, d = next.depth;
-    levels_.push_back(std::move(next));
   }
+  return level;
+}
+
+HeightGrid::Level HeightGrid::blocks_of_blocks(const Level& below) {
+  Level level(below.width, below.depth);
+  std::size_t n = 0;
+  for (int k = 0; k < level.depth; ++k) {
+    for (int i = 0; i < level.width; ++i) {
+      Block& b = level.blocks[n++];
+      for (int c = 0; c < kChildren; ++c) {
+        const int x = 4 * i + column(c), z = 4 * k + row(c);
+        b.low[c] = 65535, b.high[c] = 0;
+        if (x >= below.width || z >= below.depth) continue;
+        const Block& child = below.blocks[static_cast<std::size_t>(z) * static_cast<std::size_t>(below.width) +
+                                          static_cast<std::size_t>(x)];
+        b.low[c] = *std::min_element(child.low, child.low + kChildren);
+        b.high[c] = *std::max_element(child.high, child.high + kChildren);
+      }
+    }
+  }
+  return level;
+}
+
+void HeightGrid::build_pyramid() {
+  levels_.emplace_back();  // level 0 is the heights themselves
+  levels_.push_back(blocks_of_cells());
+  while (levels_.back().width > 1 || levels_.back().depth > 1) levels_.push_back(blocks_of_blocks(levels_.back()));
 }
 
 // The sum of the unit normals of the up to four triangles around each sample, cut to multiples of 1/32767. Heights

@@ -54,9 +54,17 @@ class HeightGrid {
 
  private:
   struct Level {
+    Level() = default;
+    Level(int children_wide, int children_deep)
+        : width((children_wide - 1) / 4 + 1),
+          depth((children_deep - 1) / 4 + 1),
+          blocks(static_cast<std::size_t>(width) * static_cast<std::size_t>(depth)) {}
     int width = 0, depth = 0;
     std::vector<Block> blocks;
   };
+  void row_of_cells(int k, std::vector<std::uint16_t>& low, std::vector<std::uint16_t>& high) const;
+  Level blocks_of_cells() const;
+  static Level blocks_of_blocks(const Level& below);
   void build_pyramid();
   void build_normals();
 

@@ -127,24 +127,25 @@ Samples samples_at(const ImageLookup& l, double u, double v) {
 // The interpolated colour as stored: premultiplied data stay premultiplied.
 Color raw_color(const ImageLookup& l, double u, double v) {
   const Samples s = samples_at(l, u, v);
-  if (s.count == 1) return l.image->at(s.x[0], s.y[0]);
-  // Summed in double precision: equal neighbours give their own value exactly after rounding, which material_map and
-  // steps of maps show.
-  double sum[5] = {};
-  for (int k = 0; k < s.count; ++k) {
-    const Color c = l.image->at(s.x[k], s.y[k]);
-    const float components[5] = {c.r, c.g, c.b, c.f, c.t};
-    for (int i = 0; i < 5; ++i) sum[i] += s.weight[k] * components[i];
-  }
-  return {static_cast<float>(sum[0]), static_cast<float>(sum[1]), static_cast<float>(sum[2]),
-          static_cast<float>(sum[3]), static_cast<float>(sum[4])};
+  return l.image->with_reader([&s](const auto& read) -> Color {
+    if (s.count == 1) return read(s.x[0], s.y[0]);
+    // Summed in double precision: equal neighbours give their own value exactly after rounding, which material_map and
+    // steps of maps show.
+    double r = 0, g = 0, b = 0, f = 0, t = 0;
+    for (int k = 0; k < s.count; ++k) {
+      const Color c = read(s.x[k], s.y[k]);
+      const double weight = s.weight[k];
+      r += weight * c.r, g += weight * c.g, b += weight * c.b, f += weight * c.f, t += weight * c.t;
+    }
+    return {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b), static_cast<float>(f),
+            static_cast<float>(t)};
+  });
 }
 
 double raw_index(const ImageLookup& l, double u, double v) {
   const Samples s = samples_at(l, u, v);
   double sum = 0;
-  for (int k = 0; k < s.count; ++k)
-    sum += s.weight[k] * l.image->indices[static_cast<std::size_t>(s.y[k]) * l.image->width + s.x[k]];
+  for (int k = 0; k < s.count; ++k) sum += s.weight[k] * l.image->index(s.x[k], s.y[k]);
   return std::floor(std::max(static_cast<float>(sum), 0.0f));
 }
 

@@ -16,10 +16,12 @@ ImagePtr probe_image() {
   image->height = 2;
   const int values[8][3] = {{255, 0, 0},   {0, 255, 0},   {0, 0, 255},    {255, 255, 0},
                             {0, 255, 255}, {255, 0, 255}, {64, 128, 192}, {32, 16, 8}};
+  image->channels = 3;
+  std::vector<float> samples;
   for (const auto& v : values) {
-    for (const int component : v) image->pixels.push_back(static_cast<float>(component) / 255.0f);
-    image->pixels.push_back(0);
+    for (const int component : v) samples.push_back(static_cast<float>(component) / 255.0f);
   }
+  image->samples = image::Samples(std::move(samples));
   return image;
 }
 
@@ -172,9 +174,10 @@ TEST(MaterialMap, ChoosesTextures) {
   auto image = std::make_shared<Image>();
   image->width = 7;
   image->height = 1;
-  for (int m = 0; m < 7; ++m) {
-    image->pixels.insert(image->pixels.end(), {static_cast<float>(m) / 255.0f, 0, 0, 0});
-  }
+  image->channels = 3;
+  std::vector<float> samples;
+  for (int m = 0; m < 7; ++m) samples.insert(samples.end(), {static_cast<float>(m) / 255.0f, 0, 0});
+  image->samples = image::Samples(std::move(samples));
   auto map = std::make_shared<BlendMap<TexturePtr>>();
   for (int k = 0; k < 3; ++k) {
     auto child = std::make_shared<Texture>();

@@ -1,29 +1,20 @@
 // The plug-in: reads and writes image files with OpenImageIO behind the C interface of module.h.
-#include "tracer/image/module/module.h"
+#include "tracer/image/module/seam.h"
 
 #include <OpenImageIO/imageio.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <cstring>
-#include <exception>
 #include <string>
 
 namespace {
 
+using verisim::image::allocate_pixels;
+using verisim::image::fail;
+using verisim::image::free_pixels;
+using verisim::image::guarded;
 using OIIO::ImageInput;
 using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
-
-int fail(char* error, std::size_t size, const std::string& message) {
-  if (error && size > 0) {
-    const std::size_t n = std::min(size - 1, message.size());
-    std::memcpy(error, message.data(), n);
-    error[n] = '\0';
-  }
-  return 1;
-}
 
 void configure_once() {
   static const bool done = [] {
@@ -56,17 +47,16 @@ int read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, 
     type = wide ? TypeDesc::UINT16 : TypeDesc::UINT8;
     image->sample = wide ? kVerisimUint16 : kVerisimUint8;
   }
-  image->pixels = std::calloc(static_cast<std::size_t>(pixels) * static_cast<std::size_t>(channels), type.size());
-  if (!image->pixels) return fail(error, error_size, "not enough memory for the image");
-  if (!input->read_image(0, 0, 0, channels, type, image->pixels)) {
-    const std::string message = input->geterror();
-    std::free(image->pixels);
-    *image = {};
-    return fail(error, error_size, message.empty() ? "the image is damaged" : message);
-  }
   image->width = spec.width;
   image->height = spec.height;
   image->channels = channels;
+  allocate_pixels(*image, type.size());
+  std::memset(image->pixels, 0, static_cast<std::size_t>(pixels) * static_cast<std::size_t>(channels) * type.size());
+  if (!input->read_image(0, 0, 0, channels, type, image->pixels)) {
+    const std::string message = input->geterror();
+    free_pixels(*image);
+    return fail(error, error_size, message.empty() ? "the image is damaged" : message);
+  }
   image->premultiplied = spec.alpha_channel >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
   return 0;
 }
@@ -120,21 +110,7 @@ int write_image(const char* path, const VerisimWriteOptions* options, char* erro
   return 0;
 }
 
-// No exception may cross the seam.
-template <class F>
-int guarded(char* error, std::size_t error_size, F f) {
-  try {
-    return f();
-  } catch (const std::exception& e) {
-    return fail(error, error_size, e.what());
-  } catch (...) {
-    return fail(error, error_size, "unknown error");
-  }
-}
-
 }  // namespace
-
-#define VERISIM_EXPORT extern "C" __attribute__((visibility("default")))
 
 VERISIM_EXPORT int verisim_module_version() { return verisim::image::kModuleVersion; }
 
@@ -148,7 +124,4 @@ VERISIM_EXPORT int verisim_write_image(const char* path, const VerisimWriteOptio
   return guarded(error, error_size, [&] { return write_image(path, options, error, error_size); });
 }
 
-VERISIM_EXPORT void verisim_free_image(VerisimImage* image) {
-  std::free(image->pixels);
-  *image = {};
-}
+VERISIM_EXPORT void verisim_free_image(VerisimImage* image) { free_pixels(*image); }

@@ -249,15 +249,15 @@ TEST_F(ImageFormats, HalvesStayHalves) {
 
 // 1 x 1, one bit: a layout that only OpenImageIO reads.
 TEST_F(ImageFormats, OtherTiffsAreLeftToOpenImageIo) {
-  const Bytes tiff = {'I', 'I', 42, 0, 8, 0, 0, 0, 8, 0,                  // eight tags at 8
-                      0, 1, 3, 0, 1, 0, 0, 0, 1, 0, 0, 0,                 // width
-                      1, 1, 3, 0, 1, 0, 0, 0, 1, 0, 0, 0,                 // height
-                      2, 1, 3, 0, 1, 0, 0, 0, 1, 0, 0, 0,                 // bits
-                      3, 1, 3, 0, 1, 0, 0, 0, 1, 0, 0, 0,                 // not compressed
-                      6, 1, 3, 0, 1, 0, 0, 0, 1, 0, 0, 0,                 // 0 is black
-                      17, 1, 4, 0, 1, 0, 0, 0, 110, 0, 0, 0,              // where its strip is
-                      22, 1, 3, 0, 1, 0, 0, 0, 1, 0, 0, 0,                // rows of a strip
-                      23, 1, 4, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0,    // bytes of it; the end
+  const Bytes tiff = {'I', 'I', 42, 0, 8, 0, 0, 0, 8,   0,                    // eight tags at 8
+                      0,   1,   3,  0, 1, 0, 0, 0, 1,   0, 0, 0,              // width
+                      1,   1,   3,  0, 1, 0, 0, 0, 1,   0, 0, 0,              // height
+                      2,   1,   3,  0, 1, 0, 0, 0, 1,   0, 0, 0,              // bits
+                      3,   1,   3,  0, 1, 0, 0, 0, 1,   0, 0, 0,              // not compressed
+                      6,   1,   3,  0, 1, 0, 0, 0, 1,   0, 0, 0,              // 0 is black
+                      17,  1,   4,  0, 1, 0, 0, 0, 110, 0, 0, 0,              // where its strip is
+                      22,  1,   3,  0, 1, 0, 0, 0, 1,   0, 0, 0,              // rows of a strip
+                      23,  1,   4,  0, 1, 0, 0, 0, 1,   0, 0, 0, 0, 0, 0, 0,  // bytes of it; the end
                       128};
   const fs::path path = put("e.tif", tiff);
   VerisimImage image{};
@@ -319,7 +319,7 @@ TEST_F(ImageFormats, EightBitsTakeThreeBytesAPixel) {
       put_png(kSide, PNG_COLOR_TYPE_RGB, 8, [](std::size_t i) { return static_cast<std::uint8_t>(i); });
   const double taken = bytes_a_pixel(path, double{kSide} * kSide);
   EXPECT_GE(taken, 2.5);  // or nothing was measured: what the process had free may be used again
-  EXPECT_LE(taken, 3.2);
+  EXPECT_LE(taken, 3.5);  // the decoder's own memory and the ends of large pages are part of it
 }
 
 }  // namespace

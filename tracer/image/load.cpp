@@ -158,8 +158,7 @@ void multiply_alpha(RawImage& raw, float steps, const Value& value, const Sample
   T* p = raw.samples.as<T>();
   const auto n = static_cast<std::size_t>(raw.channels);
   for (const T* const end = p + raw.samples.size(); p != end; p += n)
-    for (std::size_t k = 0; k + 1 < n; ++k)
-      p[k] = sample(std::floor(value(p[k]) * value(p[n - 1]) * steps + 0.5f));
+    for (std::size_t k = 0; k + 1 < n; ++k) p[k] = sample(std::floor(value(p[k]) * value(p[n - 1]) * steps + 0.5f));
 }
 void multiply_alpha(RawImage& raw) {
   const auto of_code = [&](auto code) { return static_cast<float>(code) / raw.white; };
@@ -172,7 +171,8 @@ void multiply_alpha(RawImage& raw) {
       multiply_alpha<std::uint16_t>(raw, kSteps, of_code, [](float v) { return static_cast<std::uint16_t>(v); });
       break;
     default:
-      multiply_alpha<float>(raw, kSteps, [](float v) { return v; }, [](float v) { return v / kSteps; });
+      multiply_alpha<float>(
+          raw, kSteps, [](float v) { return v; }, [](float v) { return v / kSteps; });
       break;
   }
 }

@@ -77,8 +77,7 @@ RawImage decode_hdr(ByteReader& in) {
     read_row(in, width, row);
     for (int x = 0; x < width; ++x) {
       const std::uint8_t* p = &row[static_cast<std::size_t>(x) * 4];
-      for (int k = 0; k < 3; ++k)
-        *to++ = p[3] == 0 ? 0.0f : std::ldexp(static_cast<float>(p[k]) + 0.5f, p[3] - 136);
+      for (int k = 0; k < 3; ++k) *to++ = p[3] == 0 ? 0.0f : std::ldexp(static_cast<float>(p[k]) + 0.5f, p[3] - 136);
     }
   }
   return raw;

@@ -55,8 +55,7 @@ int read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, 
   image->channels = static_cast<std::int32_t>(names.size());
   image->sample = half ? kVerisimHalf : kVerisimFloat;
   image->premultiplied = names.back() == "A";
-  const std::size_t sample = half ? 2 : 4, pixel = sample * names.size(),
-                    row = pixel * static_cast<std::size_t>(width);
+  const std::size_t sample = half ? 2 : 4, pixel = sample * names.size(), row = pixel * static_cast<std::size_t>(width);
   allocate_pixels(*image, sample);
   Imf::FrameBuffer frame;
   for (std::size_t i = 0; i < names.size(); ++i)

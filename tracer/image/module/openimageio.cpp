@@ -7,14 +7,14 @@
 
 namespace {
 
-using verisim::image::allocate_pixels;
-using verisim::image::fail;
-using verisim::image::free_pixels;
-using verisim::image::guarded;
 using OIIO::ImageInput;
 using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 using OIIO::TypeDesc;
+using verisim::image::allocate_pixels;
+using verisim::image::fail;
+using verisim::image::free_pixels;
+using verisim::image::guarded;
 
 void configure_once() {
   static const bool done = [] {

@@ -32,7 +32,7 @@ using File = std::unique_ptr<TIFF, Close>;
 
 File open(const char* path, Messages& messages) {
   const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(),
-                                                                                  TIFFOpenOptionsFree);
+                                                                                 TIFFOpenOptionsFree);
   TIFFOpenOptionsSetErrorHandlerExtR(options.get(), on_error, &messages);
   TIFFOpenOptionsSetWarningHandlerExtR(options.get(), on_warning, nullptr);
   return File(TIFFOpenExt(path, "r", options.get()));
@@ -96,8 +96,8 @@ bool read_tiles(const File& file, std::uint8_t* to, std::size_t pixel_bytes, std
       if (TIFFReadTile(file.get(), tile.data(), x, y, 0, 0) < 0) return false;
       const std::size_t row = std::min(w, width - x) * pixel_bytes;
       for (std::uint32_t j = 0; j < std::min(h, height - y); ++j)
-        std::memcpy(to + (std::size_t{y + j} * width + x) * pixel_bytes,
-                    tile.data() + std::size_t{j} * w * pixel_bytes, row);
+        std::memcpy(to + (std::size_t{y + j} * width + x) * pixel_bytes, tile.data() + std::size_t{j} * w * pixel_bytes,
+                    row);
     }
   return true;
 }
@@ -114,7 +114,9 @@ int read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, 
   if (!describe(file, *image)) return kVerisimLeft;
   image->width = static_cast<std::int32_t>(width);
   image->height = static_cast<std::int32_t>(height);
-  const std::size_t sample_bytes = image->sample == kVerisimUint8 ? 1 : image->sample == kVerisimUint16 ? 2 : 4,
+  const std::size_t sample_bytes = image->sample == kVerisimUint8    ? 1
+                                   : image->sample == kVerisimUint16 ? 2
+                                                                     : 4,
                     pixel_bytes = sample_bytes * static_cast<std::size_t>(image->channels);
   allocate_pixels(*image, sample_bytes);
   auto* to = static_cast<std::uint8_t*>(image->pixels);

@@ -110,7 +110,7 @@ class Prism final : public Primitive<Prism> {
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
-    const LocalRay l = local(ray);
+    const LocalRay l = unit_local(ray);
     const Vec3 &o = l.origin, &d = l.direction;
     const auto report = [&](double t, std::int32_t part, double w) {
       const double depth = t / l.scale;

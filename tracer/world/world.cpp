@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <unordered_set>
 #include <utility>
-
-#include <boost/container/small_vector.hpp>
 
 #include "tracer/world/frame_list.h"
 #include "tracer/bvh/shaft.h"
@@ -142,13 +141,13 @@ void World::Impl::find_twice_filtering(std::size_t first) {
       return layer.pigment->source != textures::CompiledPigment::Source::plain;
     });
   };
-  boost::container::small_vector<const Shape*, 4> blockers;
+  // Only CSG is remembered for what its parts block; a bounded union may hold very many other things.
+  std::unordered_set<const Shape*> blockers;
   for (std::size_t i = first; i < surfaces.size(); ++i)
-    if (const Shape* shape = surfaces[i].remembered; shape && may_block(surfaces[i]))
-      if (std::ranges::find(blockers, shape) == blockers.end()) blockers.push_back(shape);
+    if (const Surface& s = surfaces[i]; s.cutaway && s.remembered && may_block(s)) blockers.insert(s.remembered);
   for (std::size_t i = first; i < surfaces.size(); ++i) {
     Surface& s = surfaces[i];
-    s.filters_twice = !s.opaque && s.remembered && std::ranges::find(blockers, s.remembered) != blockers.end();
+    s.filters_twice = !s.opaque && s.remembered && blockers.contains(s.remembered);
     filters_twice = filters_twice || s.filters_twice;
   }
 }

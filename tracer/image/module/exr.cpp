@@ -69,12 +69,4 @@ int read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, 
 }  // namespace
 }  // namespace verisim::image
 
-VERISIM_EXPORT int verisim_module_version() { return verisim::image::kModuleVersion; }
-
-VERISIM_EXPORT int verisim_read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, char* error,
-                                      std::size_t error_size) {
-  using namespace verisim::image;
-  return guarded(error, error_size, [&] { return read_image(path, max_pixels, image, error, error_size); });
-}
-
-VERISIM_EXPORT void verisim_free_image(VerisimImage* image) { verisim::image::free_pixels(*image); }
+VERISIM_EXPORT_READER(verisim::image::read_image)

@@ -112,16 +112,9 @@ int write_image(const char* path, const VerisimWriteOptions* options, char* erro
 
 }  // namespace
 
-VERISIM_EXPORT int verisim_module_version() { return verisim::image::kModuleVersion; }
-
-VERISIM_EXPORT int verisim_read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, char* error,
-                                      std::size_t error_size) {
-  return guarded(error, error_size, [&] { return read_image(path, max_pixels, image, error, error_size); });
-}
+VERISIM_EXPORT_READER(read_image)
 
 VERISIM_EXPORT int verisim_write_image(const char* path, const VerisimWriteOptions* options, char* error,
                                        std::size_t error_size) {
   return guarded(error, error_size, [&] { return write_image(path, options, error, error_size); });
 }
-
-VERISIM_EXPORT void verisim_free_image(VerisimImage* image) { free_pixels(*image); }

@@ -53,3 +53,13 @@ int guarded(char* error, std::size_t error_size, F f) {
 }
 
 }  // namespace verisim::image
+
+// What every plug-in exports: its version, reading by `read_image`, which may throw, and the release of what was read.
+#define VERISIM_EXPORT_READER(read_image)                                                                             \
+  VERISIM_EXPORT int verisim_module_version() { return verisim::image::kModuleVersion; }                              \
+  VERISIM_EXPORT int verisim_read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, char* error, \
+                                        std::size_t error_size) {                                                     \
+    return verisim::image::guarded(error, error_size,                                                                 \
+                                   [&] { return read_image(path, max_pixels, image, error, error_size); });           \
+  }                                                                                                                   \
+  VERISIM_EXPORT void verisim_free_image(VerisimImage* image) { verisim::image::free_pixels(*image); }

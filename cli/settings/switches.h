@@ -38,8 +38,7 @@ void set(Options& options, std::string_view key, std::string_view value);
 bool is_setting(std::string_view key);
 // One word that begins with + or -, quotes removed from its value (spec 02 section 9.3). Throws OptionError.
 void apply_switch(Options& options, std::string_view word);
-
-// POV-Ray's reading of booleans: agreement with on, true, yes or 1 over the common length.
-bool to_bool(std::string_view value);
+// What +F takes, as in +FN16 or +FPg: the letter, then g or the bits. Output_File_Type takes the letter alone.
+void output_switch(Options& options, std::string_view value);
 
 }  // namespace verisim::cli

@@ -1,5 +1,6 @@
 // Every switch and every INI keyword of spec 02 section 9.6, and the rules of 9.3.
 #include "cli/settings/switches.h"
+#include "cli/settings/values.h"
 
 #include <gtest/gtest.h>
 

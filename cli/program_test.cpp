@@ -27,6 +27,19 @@ TEST(Program, HelpAndVersionAreFine) {
     EXPECT_EQ(run({"verisim", command, "--help"}), kOk) << command;
 }
 
+TEST(Program, EveryWayOfAskingForHelpAnswers) {
+  for (const char* command : {"render", "check", "compare", "diff", "explain", "bench"}) {
+    for (const char* word : {"-h", "-help", "-?", "help"})
+      EXPECT_EQ(run({"verisim", command, word}), kOk) << command << " " << word;
+    EXPECT_EQ(run({"verisim", "help", command}), kOk) << command;
+  }
+  EXPECT_EQ(run({"verisim", "help"}), kOk);
+  EXPECT_EQ(run({"verisim", "-h"}), kOk);
+  EXPECT_EQ(run({"povray", "-h"}), kOk);
+  EXPECT_EQ(run({"verisim", "help", "rendr"}), kUsage);
+  EXPECT_EQ(run({"verisim", "help", "--format", "pdf"}), kUsage);
+}
+
 TEST(Program, CalledAsPovrayItHasPovraysStatus) {
   EXPECT_EQ(run({"povray"}), 1);
   EXPECT_EQ(run({"povray", "+ZZ"}), 1);

@@ -13,22 +13,26 @@ namespace verisim::cli {
 
 int command_bench(const std::vector<std::string>& arguments) {
   OwnOptions own("bench",
-                 "Measures verisim and POV-Ray on the same scenes: verisim bench SCENE... [switches]. The CPU-time "
-                 "ratio is the verdict.");
+                 "Measures verisim and POV-Ray on the same scenes as whole processes, in turn. The ratio of their CPU "
+                 "times is the verdict. Switches in POV-Ray's style go to both.");
   compare::BenchOptions options;
   std::string json, oracle, native;
   double minimum = 0;
   bool color = false, quiet = false;
-  own.value("--runs", options.runs, "Runs of each program for each scene");
-  own.value("--threads", options.threads, "Threads of each program");
-  own.value("--time-limit", options.time_limit, "Seconds for one run");
-  own.value("--json", json, "Write the figures as JSON to this file");
-  own.value("--min-ratio", minimum,
-            "Exit status 1 unless POV-Ray's CPU time is at least this many times ours, in every scene");
-  own.value("--oracle", oracle, "The POV-Ray program; default: povray in PATH");
-  own.value("--native", native, "Another verisim program; default: this one");
-  own.flag("--color", color, "Colour the table also when it does not go to a terminal");
-  own.flag("--quiet", quiet, "No progress, only the table");
+  own.synopsis("SCENE... [options] [switches]")
+      .summary("time and memory of verisim and POV-Ray")
+      .example("verisim bench scene.pov +W320 +H240 +A0.3 --runs 5", "the middle of five runs of each")
+      .section("Options");
+  own.value("--runs N", options.runs, "runs of each program for each scene");
+  own.value("--threads N", options.threads, "threads of each program");
+  own.value("--time-limit X", options.time_limit, "seconds for one run");
+  own.value("--json FILE", json, "write the figures as JSON");
+  own.value("--min-ratio X", minimum,
+            "exit status 1 unless POV-Ray's CPU time is at least this many times ours, in every scene");
+  own.value("--oracle PROGRAM", oracle, "the POV-Ray program; default: povray in PATH");
+  own.value("--native PROGRAM", native, "another verisim program; default: this one");
+  own.flag("--color", color, "colour the table also when it does not go to a terminal");
+  own.flag("--quiet", quiet, "no progress, only the table");
   const std::vector<std::string> words = own.parse(arguments);
   if (options.runs < 1) throw OptionError("--runs must be at least 1");
   const SuiteWords given = suite_words(words);

@@ -114,8 +114,9 @@ void warn_of_unwritable_reports(const std::vector<std::string>& files) {
 
 int command_compare(const std::vector<std::string>& arguments) {
   OwnOptions own("compare",
-                 "Renders scenes with verisim and POV-Ray and compares every pixel: verisim compare "
-                 "SCENE|FOLDER|MANIFEST... [switches]. Switches in POV-Ray's style (+W320 +A0.3) go to both.");
+                 "Renders scenes with verisim and POV-Ray and compares every pixel. Scenes are files, all scenes below "
+                 "a folder, or those of a manifest (verisim.toml). Switches in POV-Ray's style (+W320 +A0.3) go to "
+                 "both.");
   compare::RunOptions run;
   compare::Filter filter;
   std::string json, junit, html, markdown, oracle, oracle_cache, work, baseline, previous, native, test, scene_class;
@@ -123,41 +124,51 @@ int command_compare(const std::vector<std::string>& arguments) {
        no_explain = false;
   run.native_time_limit = 600;
   std::uint64_t seed = 0;
-  own.value("--json", json, "Write the report as JSON to this file");
-  own.value("--junit", junit, "Write the report as JUnit XML to this file");
-  own.value("--html", html, "Write the report as one HTML page to this file");
-  own.value("--markdown", markdown, "Write the report as Markdown to this file");
-  own.flag("--github", github, "Print annotations for GitHub Actions");
-  own.values("--name", filter.names, "Only scenes whose name matches this pattern or contains it (may be given again)");
-  own.values("--tag", filter.tags, "Only scenes with this tag (may be given again)");
-  own.flag("--failed", failed_only, "Only scenes that failed in the report of --previous");
-  own.value("--previous", previous, "JSON report of an earlier run, for the trend");
-  own.value("--jobs", run.jobs, "Scenes at a time");
-  own.value("--threads", run.native_threads, "Threads of verisim for one scene; 0: all cores");
-  own.flag("--replay", run.replay, "Both serial, with POV-Ray's random streams");
-  own.value("--seed", seed, "Another sequence of random numbers for verisim");
-  own.value("--work", work, "Keep pictures and results in this folder");
-  own.flag("--resume", run.resume, "Go on with the run in --work that was broken off");
-  own.value("--baseline", baseline, "Compare with the stored pictures in this folder instead of POV-Ray");
+  own.synopsis("SCENE|FOLDER|MANIFEST... [options] [switches]")
+      .summary("render with verisim and POV-Ray and compare every pixel")
+      .example("verisim compare scene.pov +W320 +H240 -A", "one scene")
+      .example("verisim compare scenes/ --html report.html --json report.json", "all scenes below a folder")
+      .section("Reports");
+  own.value("--json FILE", json, "write the report as JSON (- for standard output, as for all reports)");
+  own.value("--junit FILE", junit, "write the report as JUnit XML");
+  own.value("--html FILE", html, "write the report as one HTML page");
+  own.value("--markdown FILE", markdown, "write the report as Markdown");
+  own.flag("--github", github, "print annotations for GitHub Actions");
+  own.flag("--no-explain", no_explain, "do not look for what the wrong pixels of a scene that differs have in common");
+  own.flag("--explain-all", run.always_blame, "look for it in scenes that do not differ, too");
+  own.flag("--color", color, "colour the table also when it does not go to a terminal");
+  own.flag("--quiet", quiet, "no progress, only the table");
+  own.section("Which scenes");
+  own.values("--name PATTERN", filter.names,
+             "only scenes whose name matches this pattern or contains it (may be given again)");
+  own.values("--tag TAG", filter.tags, "only scenes with this tag (may be given again)");
+  own.flag("--failed", failed_only, "only scenes that failed in the report of --previous");
+  own.value("--previous FILE", previous, "JSON report of an earlier run, for the trend");
+  own.section("How they are rendered");
+  own.value("--jobs N", run.jobs, "scenes at a time");
+  own.value("--threads N", run.native_threads, "threads of verisim for one scene; 0: all cores");
+  own.flag("--replay", run.replay, "both serial, with POV-Ray's random streams");
+  own.value("--seed N", seed, "another sequence of random numbers for verisim");
+  own.value("--runs N", run.runs,
+            "renders of a stochastic scene on each side for Welch's test, 4 if not told otherwise; 1: no such test");
+  own.value("--class CLASS", scene_class,
+            "judge all scenes as deterministic or stochastic in the place of what verisim finds in them");
+  own.value("--work FOLDER", work, "keep pictures and results in this folder");
+  own.flag("--resume", run.resume, "go on with the run in --work that was broken off");
+  own.value("--native-time-limit X", run.native_time_limit, "seconds for one render by verisim");
+  own.section("What they are compared with");
+  own.value("--oracle PROGRAM", oracle, "a POV-Ray, or another verisim; default: povray in PATH");
+  own.value("--oracle-cache FOLDER", oracle_cache, "where POV-Ray's renders are kept");
+  own.flag("--no-cache", no_cache, "render with POV-Ray anew");
+  own.value("--time-limit X", run.oracle.time_limit, "seconds for one render by POV-Ray");
+  own.value("--baseline FOLDER", baseline, "compare with the stored pictures in this folder instead of POV-Ray");
   own.flag("--update", update,
-           "Say what changed against --baseline, then store verisim's pictures there; needs no POV-Ray");
-  own.value("--oracle", oracle, "The program to compare with: a POV-Ray, or another verisim; default: povray in PATH");
-  own.value("--oracle-cache", oracle_cache, "Folder of POV-Ray's cached renders");
-  own.flag("--no-cache", no_cache, "Render with POV-Ray anew");
-  own.value("--time-limit", run.oracle.time_limit, "Seconds for one render by POV-Ray");
-  own.value("--native-time-limit", run.native_time_limit, "Seconds for one render by verisim");
-  own.value("--native", native, "Another program to be judged, a verisim or a POV-Ray; default: this one");
-  own.value("--test", test,
-            "Any renderer to be judged, as a command: \"render {scene} {out} {width} {height}\"; also {threads}, "
+           "say what changed against --baseline, then store verisim's pictures there; needs no POV-Ray");
+  own.section("What is judged");
+  own.value("--native PROGRAM", native, "another program to be judged, a verisim or a POV-Ray; default: this one");
+  own.value("--test COMMAND", test,
+            "any renderer to be judged, as a command: \"render {scene} {out} {width} {height}\"; also {threads}, "
             "{seed}, {switches}");
-  own.value("--class", scene_class,
-            "Judge all scenes as 'deterministic' or 'stochastic' in the place of what verisim finds in them");
-  own.value("--runs", run.runs,
-            "Renders of a stochastic scene on each side for Welch's test, 4 if not told otherwise; 1: no such test");
-  own.flag("--no-explain", no_explain, "Do not look for what the wrong pixels of a scene that differs have in common");
-  own.flag("--explain-all", run.always_blame, "Look for it in scenes that do not differ, too");
-  own.flag("--color", color, "Colour the table also when it does not go to a terminal");
-  own.flag("--quiet", quiet, "No progress, only the table");
   const std::vector<std::string> words = own.parse(arguments);
   if (words.empty()) throw OptionError("name scenes, folders or manifests (verisim.toml)");
   if (update && baseline.empty()) throw OptionError("--update needs --baseline FOLDER");

@@ -91,27 +91,34 @@ int diff_folders(const std::string& reference, const std::string& test, const co
 
 int command_diff(const std::vector<std::string>& arguments) {
   OwnOptions own("diff",
-                 "Compares two pictures, or all pictures of two folders by their names: verisim diff REFERENCE "
-                 "PICTURE. Exit status 0 when they match, 1 when they do not.");
+                 "Compares two pictures, or all pictures of two folders by their names, pixel by pixel. Exit status 0 "
+                 "when they match, 1 when they do not.");
   std::string json, html, heat_map;
   std::vector<std::string> thresholds, fits;
   std::string crop;
   compare::MetricOptions metric;
   double gain = 16;
   bool color = false, antialiased = false;
-  own.value("--json", json, "Write the figures as JSON to this file (- for standard output)");
-  own.value("--html", html, "Write a page with both pictures and their difference to this file");
-  own.value("--heat-map", heat_map, "Write the difference as a picture (PNG) to this file");
-  own.value("--gain", gain, "Factor for the differences of the heat map");
-  own.values("--threshold", thresholds,
-             "In place of the usual rules: max_rmse=1.5, min_within_1_pct=99 ... (may be given again)");
-  own.value("--pixels-per-degree", metric.flip_pixels_per_degree, "How large the pictures are seen, for FLIP");
-  own.value("--crop", crop,
-            "X,Y,WIDTH,HEIGHT: the part of the reference, a photograph, that the picture shows; averaged to its size");
-  own.values("--fit", fits, "Fit the picture's 'exposure' or 'white_balance' to the reference (may be given again)");
+  own.synopsis("REFERENCE PICTURE [options]")
+      .summary("how much two pictures differ")
+      .example("verisim diff povray.png verisim.png --heat-map difference.png",
+               "figures, and where the differences are")
+      .section("Reports");
+  own.value("--json FILE", json, "write the figures as JSON (- for standard output)");
+  own.value("--html FILE", html, "write a page with both pictures and their difference");
+  own.value("--heat-map FILE", heat_map, "write the difference as a picture (PNG)");
+  own.value("--gain X", gain, "factor for the differences of the heat map (16)");
+  own.flag("--color", color, "colour the table also when it does not go to a terminal");
+  own.section("What counts as the same");
+  own.values("--threshold LIMIT", thresholds,
+             "in place of the usual rules: max_rmse=1.5, min_within_1_pct=99 ... (may be given again)");
   own.flag("--antialiased", antialiased,
-           "The pictures are anti-aliased: differences of 2/255 are allowed where 1/255 would be");
-  own.flag("--color", color, "Colour the table also when it does not go to a terminal");
+           "the pictures are anti-aliased: differences of 2/255 are allowed where 1/255 would be");
+  own.value("--pixels-per-degree X", metric.flip_pixels_per_degree, "how large the pictures are seen, for FLIP");
+  own.section("Photographs");
+  own.value("--crop X,Y,WIDTH,HEIGHT", crop,
+            "the part of the reference, a photograph, that the picture shows; averaged to its size");
+  own.values("--fit WHAT", fits, "fit the picture's exposure or white_balance to the reference (may be given again)");
   const std::vector<std::string> words = own.parse(arguments);
   if (words.size() != 2) throw OptionError("two pictures are needed: verisim diff REFERENCE PICTURE");
 

@@ -228,15 +228,21 @@ int command_explain(const std::vector<std::string>& arguments) {
   int step = 1;
   std::vector<std::string> trees;
   OwnOptions own("explain",
-                 "Shows how one pixel came to be: verisim explain SCENE X Y [switches]. X and Y count from 0 at the "
-                 "top left; without anti-aliasing. "
-                 "Without a pixel it compares the scene with POV-Ray and says what the wrong pixels have in common: "
-                 "verisim explain SCENE [switches].");
-  own.flag("--no-oracle", no_oracle, "Do not ask POV-Ray for its colour");
-  own.value("--tags", tags, "Write what every pixel shows (objects, patterns, lights, features) as JSON to this file");
-  own.value("--tags-step", step, "Only every so many pixels and rows, for --tags");
-  own.values("--tree", trees, "X,Y: put the ray tree of this pixel into the file of --tags, too (may be given again)");
-  add_render_options(own, options);
+                 "Shows how one pixel came to be, as a tree of rays: hits, textures, lights. X and Y count from 0 at "
+                 "the top left; without anti-aliasing. Without a pixel it compares the scene with POV-Ray and says "
+                 "what the wrong pixels have in common.");
+  own.synopsis("SCENE [X Y] [options] [switches]")
+      .summary("how one pixel came to be")
+      .example("verisim explain scene.pov 320 200 +W640 +H480", "the rays behind the pixel in column 320, row 200")
+      .example("verisim explain scene.pov", "what the pixels have in common that differ from POV-Ray's")
+      .section("Options");
+  own.flag("--no-oracle", no_oracle, "do not ask POV-Ray for its colour");
+  own.value("--tags FILE", tags, "write what every pixel shows (objects, patterns, lights, features) as JSON");
+  own.value("--tags-step N", step, "only every so many pixels and rows, for --tags");
+  own.values("--tree X,Y", trees, "put the ray tree of this pixel into the file of --tags, too (may be given again)");
+  add_pixel_options(own, options);
+  refuse_render_options(own);
+  own.switches({Topic::scene, Topic::size, Topic::speed, Topic::animation, Topic::messages});
   const std::vector<std::string> words = own.parse(arguments), files = apply_words(options, words);
   if (files.size() == 1 && tags.empty()) return explain_scene(words, options.replay);
   if (files.size() != (tags.empty() ? 3 : 1))
@@ -251,13 +257,13 @@ int command_explain(const std::vector<std::string>& arguments) {
   validate(options);
   const int x = tags.empty() ? coordinate(files[1], options.width, "X") : 0,
             y = tags.empty() ? coordinate(files[2], options.height, "Y") : 0;
-  const fs::path scene = find_scene(options);
-  if (scene.empty()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", options.input_file));
+  const SceneSource scene = open_scene(options);
+  if (!scene.found()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", options.input_file));
 
   Console console(options, Style::verisim);
   Interrupt interrupt(options.max_seconds);
   const Job job{options, console, interrupt, scene, animation(options)};
-  const parser::ParseResult parsed = parser::parse_file(scene, parse_options(job, job.animation.frame(0)));
+  const parser::ParseResult parsed = parse_scene(job, parse_options(job, job.animation.frame(0)));
   console.end_of_debug();
   if (!parsed.scene) {
     for (const parser::Diagnostic& error : parsed.errors)
@@ -277,7 +283,7 @@ int command_explain(const std::vector<std::string>& arguments) {
     std::fprintf(stderr, "verisim explain: %s\n", missing.what());
     return kUnsupported;
   }
-  std::printf("%s, pixel (%d, %d) of %d by %d\n%s", scene.string().c_str(), x, y, options.width, options.height,
+  std::printf("%s, pixel (%d, %d) of %d by %d\n%s", scene.path.string().c_str(), x, y, options.width, options.height,
               tree.lines.c_str());
   std::printf("linear %s, in a file of 8 bits %s\n", text(color.rgb()).c_str(),
               stored(color, *parsed.scene, options).c_str());
@@ -285,7 +291,14 @@ int command_explain(const std::vector<std::string>& arguments) {
     std::vector<std::string> switches;
     for (const std::string& word : words)
       if (is_setting_word(word)) switches.push_back(word);
-    std::printf("%s\n", oracle_pixel(scene, options, switches, x, y, parsed.files_read).c_str());
+    std::optional<SpooledScene> spooled;
+    std::vector<fs::path> files_read = parsed.files_read;
+    if (scene.text) {  // POV-Ray needs a file, and the folder that the text's includes are in
+      files_read.push_back(spooled.emplace(scene).path());
+      switches.push_back("+L" + fs::current_path().string());
+    }
+    std::printf("%s\n",
+                oracle_pixel(spooled ? spooled->path() : scene.path, options, switches, x, y, files_read).c_str());
   }
   return kOk;
 }

@@ -20,7 +20,12 @@ SuiteWords suite_words(const std::vector<std::string>& words) {
   std::vector<std::string> switches;
   for (const std::string& word : words) {
     if (!is_setting_word(word)) {
-      result.what.emplace_back(word);
+      if (is_stream(word)) {
+        Options stream;
+        stream.input_file = word;
+        result.spooled.push_back(std::make_unique<SpooledScene>(open_scene(stream)));
+      }
+      result.what.emplace_back(is_stream(word) ? result.spooled.back()->path() : fs::path(word));
       continue;
     }
     const std::size_t before = size.given.size();
@@ -34,6 +39,7 @@ SuiteWords suite_words(const std::vector<std::string>& words) {
   result.defaults.width = size.width;
   result.defaults.height = size.height;
   if (!switches.empty()) result.defaults.switches = switches;
+  if (!result.spooled.empty()) result.defaults.switches.push_back("+L" + fs::current_path().string());
   return result;
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "cli/settings/scene_source.h"
 #include "compare/compare.h"
 
 namespace verisim::cli {
@@ -16,6 +18,7 @@ std::filesystem::path own_program();
 struct SuiteWords {
   std::vector<std::filesystem::path> what;
   compare::SuiteDefaults defaults;
+  std::vector<std::unique_ptr<SpooledScene>> spooled;  // the files of scenes that came through streams
 };
 SuiteWords suite_words(const std::vector<std::string>& words);  // throws OptionError
 

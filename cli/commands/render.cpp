@@ -89,11 +89,11 @@ class Sequence {
  private:
   char shell(const ShellCommand& command, const Frame& frame) {
     if (command.command.empty()) return 'I';
-    const OutputName name = output_name(job_.options, job_.scene, job_.animation, frame);
-    return shell_out(
-        command,
-        {name.path.string(), job_.scene.string(), frame.number, job_.options.width, job_.options.height, frame.clock},
-        job_.options.allow_shell, job_.console);
+    const OutputName name = output_name(job_.options, job_.scene.path, job_.animation, frame);
+    return shell_out(command,
+                     {name.path.string(), job_.scene.path.string(), frame.number, job_.options.width,
+                      job_.options.height, frame.clock},
+                     job_.options.allow_shell, job_.console);
   }
   Outcome end_scene() {
     shell(job_.options.post_scene, last_frame());
@@ -151,12 +151,12 @@ void create_ini(const Options& options) {
 }
 
 // From finished options to the last frame.
-Outcome render_all(const Options& options, Console& console, const fs::path& scene) {
+Outcome render_all(const Options& options, Console& console, const SceneSource& scene) {
   if (!options.create_ini.empty()) create_ini(options);
   Interrupt interrupt(options.max_seconds);
   SharedScene shared;
   const Job job{options, console, interrupt, scene, animation(options), &shared};
-  const fs::path picture = output_name(options, scene, job.animation, job.animation.frame(0)).path;
+  const fs::path picture = output_name(options, scene.path, job.animation, job.animation.frame(0)).path;
   console.open_files(picture.parent_path(), options.append_files);
   for (const std::string& note : options.notes)
     if (options.verbose || console.style() == Style::verisim) console.line(Stream::warning, wrapped("Note: " + note));
@@ -171,10 +171,18 @@ Outcome render_all(const Options& options, Console& console, const fs::path& sce
 int command_render(const std::vector<std::string>& arguments) {
   Options options;
   OwnOptions own("render",
-                 "Renders a scene: verisim render SCENE [switches]. POV-Ray's switches and settings work here: +W320 "
-                 "+H240 +A0.3 +Oout.png, Width=320, quick.ini[section].");
-  own.refused("--dump", false, "verisim check --dump prints the scene");
+                 "Renders a scene. POV-Ray's switches (+W320 +A0.3), settings (Width=320) and INI files, also with a "
+                 "section (quick.ini[small]), stand anywhere after the command. A switch begins with + or -; - turns "
+                 "what is on or off off.");
+  own.synopsis("SCENE [options] [switches]")
+      .summary("render a scene")
+      .example("verisim render scene.pov +W640 +H480 +A0.3 +Opicture.png", "640 by 480, anti-aliased")
+      .example("verisim render scene.pov +KFF24 +Oframes/", "24 frames, clock from 0 to 1")
+      .example("verisim render - --output - +FJ < scene.pov > picture.jpg", "in a pipe");
+  own.refused("--dump", "verisim check --dump prints the scene");
   add_render_options(own, options);
+  own.switches({Topic::scene, Topic::size, Topic::output, Topic::quality, Topic::speed, Topic::animation,
+                Topic::messages, Topic::commands, Topic::ignored});
   const std::vector<std::string> files = apply_words(options, own.parse(arguments));
   if (files.size() > 1) throw OptionError(fmt::format("one scene at a time: '{}' and '{}'", files[0], files[1]));
   if (!files.empty()) options.input_file = files[0];
@@ -182,9 +190,9 @@ int command_render(const std::vector<std::string>& arguments) {
   choose_format(options);
   validate(options);
   std::error_code ignored;
-  const fs::path scene = find_scene(options);
+  const SceneSource scene = open_scene(options);
   Console console(options, Style::verisim);
-  if (scene.empty()) {
+  if (!scene.found()) {
     console.line(Stream::fatal, fmt::format("verisim: error: {} '{}'",
                                             fs::is_directory(options.input_file, ignored) ? "the scene is a folder:"
                                                                                           : "cannot find the scene",
@@ -210,7 +218,10 @@ int povray_call(const std::vector<std::string>& arguments) {
     OwnOptions own("",
                    "Called as povray is called: switches (+W320), settings (Width=320), INI files, a .pov file; and "
                    "the options below.");
+    own.synopsis("[switches] [options]").summary("render as povray does");
     add_render_options(own, options);
+    own.switches({Topic::scene, Topic::size, Topic::output, Topic::quality, Topic::speed, Topic::animation,
+                  Topic::messages, Topic::commands, Topic::ignored});
     const std::vector<std::string> words = own.parse(arguments);
     apply_configuration(options);
     for (const std::string& word : words) apply_argument(options, word);
@@ -223,8 +234,8 @@ int povray_call(const std::vector<std::string>& arguments) {
   }
   Console console(options, Style::povray);
   console.always(banner());
-  const fs::path scene = find_scene(options);
-  if (scene.empty()) {
+  const SceneSource scene = open_scene(options);
+  if (!scene.found()) {
     std::error_code ignored;
     const bool folder = fs::is_directory(options.input_file, ignored);
     console.line(Stream::fatal, wrapped(fmt::format("{} file '{}' (even after trying to append file type extension).",

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <functional>
 #include <new>
 
 #include <fmt/format.h>
@@ -53,7 +54,7 @@ void tell(const Job& job, const std::string& message) {
 parser::ParseResult parse(const Job& job, const Frame& frame, FrameReport& report) {
   const auto start = Clock::now();
   const double cpu = cpu_seconds();
-  parser::ParseResult result = parser::parse_file(job.scene, parse_options(job, frame));
+  parser::ParseResult result = parse_scene(job, parse_options(job, frame));
   job.console.end_of_debug();
   report.seconds_parse = since(start);
   report.cpu_parse = cpu_seconds() - cpu;
@@ -110,14 +111,15 @@ image::OutputOptions output_options(const Job& job, const scene::Scene& scene) {
   if (options.dither) output.dither = options.dither_method;
   output.compression = options.compression;
   output.metadata["Software"] = "verisim " VERISIM_VERSION;
-  output.metadata["Comment"] = "Rendered from " + job.scene.filename().string();
-  output.metadata["Title"] = job.scene.filename().string();
+  output.metadata["Comment"] = "Rendered from " + job.scene.path.filename().string();
+  output.metadata["Title"] = job.scene.path.filename().string();
   output.metadata["Switches"] = given_settings(options);
   return output;
 }
 
-void write_to_stream(const render::Framebuffer& framebuffer, const image::OutputOptions& options, bool to_stderr) {
-  if (!to_stderr) return image::write(framebuffer, "-", options);
+// Lets `write` write to "-", standard output, or to standard error.
+void write_to_stream(bool to_stderr, const std::function<void(const fs::path&)>& write) {
+  if (!to_stderr) return write("-");
   // The writer knows standard output alone; for a moment that is standard error.
   std::fflush(stdout);
   const int saved = ::dup(STDOUT_FILENO);
@@ -128,7 +130,7 @@ void write_to_stream(const render::Framebuffer& framebuffer, const image::Output
     ::close(saved);
   };
   try {
-    image::write(framebuffer, "-", options);
+    write("-");
   } catch (...) {
     restore();
     throw;
@@ -173,6 +175,7 @@ std::uint64_t picture_key(const Job& job, const Frame& frame, const Region& part
   if (o.integrator == "path") key.add("path " + std::to_string(o.path_samples) + " " + std::to_string(o.path_bounces));
   for (const auto& [name, value] : o.declarations) key.add(name + "=" + value);
   for (const fs::path& file : files) key.add_file(file);
+  if (job.scene.text) key.add(*job.scene.text);
   return key.value();
 }
 
@@ -222,17 +225,16 @@ void write(const Job& job, const Canvas& canvas, const LayerChoice& choice, cons
            const image::OutputOptions& output, FrameReport& report) {
   if (!job.options.output_to_file) return;
   const auto start = Clock::now();
+  const auto write_picture = [&](const fs::path& path) {
+    if (choice.any)
+      image::write_layers(canvas.framebuffer, choice.layers, choice.beauty, path, output);
+    else
+      image::write(canvas.framebuffer, path, output);
+  };
   if (name.standard_output || name.standard_error) {
-    if (output.format == image::Format::jpeg || output.format == image::Format::exr ||
-        output.format == image::Format::tiff)
-      throw Failure{kInputOutput, "JPEG, OpenEXR and TIFF pictures cannot be written to a stream; name a file"};
-    write_to_stream(canvas.framebuffer, output, name.standard_error);
+    write_to_stream(name.standard_error, write_picture);
   } else {
-    if (choice.any) {
-      image::write_layers(canvas.framebuffer, choice.layers, choice.beauty, name.path, output);
-    } else {
-      image::write(canvas.framebuffer, name.path, output);
-    }
+    write_picture(name.path);
     report.output = name.path;
   }
   report.seconds_write = since(start);
@@ -365,10 +367,15 @@ render::Options render_options(const Job& job, const Region& part) {
   return result;
 }
 
+parser::ParseResult parse_scene(const Job& job, const parser::ParseOptions& options) {
+  return job.scene.text ? parser::parse_text(*job.scene.text, job.scene.path.string(), options)
+                        : parser::parse_file(job.scene.path, options);
+}
+
 parser::ParseOptions parse_options(const Job& job, const Frame& frame) {
   const Options& options = job.options;
   parser::ParseOptions result;
-  result.library_paths = search_paths(options, job.scene);
+  result.library_paths = search_paths(options, job.scene.path);
   if (!options.include_header.empty()) result.include_headers.push_back(options.include_header);
   result.declarations = options.declarations;
   result.width = options.width;
@@ -394,7 +401,7 @@ parser::ParseOptions parse_options(const Job& job, const Frame& frame) {
 
 FrameReport render_frame(const Job& job, const Frame& frame) {
   FrameReport report;
-  const OutputName name = output_name(job.options, job.scene, job.animation, frame);
+  const OutputName name = output_name(job.options, job.scene.path, job.animation, frame);
   try {
     std::error_code ignored;
     if (job.options.continue_trace && job.options.output_to_file && !name.path.empty() &&
@@ -409,7 +416,8 @@ FrameReport render_frame(const Job& job, const Frame& frame) {
     const bool reuse = job.shared && job.shared->result.scene.has_value();
     if (!reuse) own = parse(job, frame, report);
     if (!reuse && !own.scene) return report;
-    if (!reuse && job.shared && job.animation.count() > 1 && own.warnings == 0 && !depends_on_frame(own.files_read))
+    if (!reuse && job.shared && job.animation.count() > 1 && own.warnings == 0 &&
+        !depends_on_frame(own.files_read, job.scene.text))
       job.shared->result = std::move(own);
     const parser::ParseResult& parsed = job.shared && job.shared->result.scene ? job.shared->result : own;
     report.scene_reused = reuse;

@@ -12,6 +12,7 @@
 #include "cli/settings/output_name.h"
 #include "cli/console/exit_status.h"
 #include "cli/settings/region.h"
+#include "cli/settings/scene_source.h"
 #include "cli/frame/scene_reuse.h"
 #include "tracer/render/render.h"
 
@@ -22,7 +23,7 @@ struct Job {
   const Options& options;
   Console& console;
   Interrupt& interrupt;
-  std::filesystem::path scene;
+  SceneSource scene;
   Animation animation;
   SharedScene* shared = nullptr;  // where frames leave the scene for the next; null: nowhere
 };
@@ -41,6 +42,9 @@ struct FrameReport {
 };
 
 FrameReport render_frame(const Job& job, const Frame& frame);
+
+// Parses the job's scene, from its file or from the text of its stream.
+parser::ParseResult parse_scene(const Job& job, const parser::ParseOptions& options);
 
 // The parser's options for one frame.
 parser::ParseOptions parse_options(const Job& job, const Frame& frame);

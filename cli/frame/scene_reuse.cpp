@@ -33,13 +33,14 @@ bool holds_word(const std::string& text) {
 
 }  // namespace
 
-bool depends_on_frame(const std::vector<std::filesystem::path>& files) {
+bool depends_on_frame(const std::vector<std::filesystem::path>& files, const std::optional<std::string>& text) {
+  if (text && holds_word(*text)) return true;
   for (const std::filesystem::path& file : files) {
     std::ifstream stream(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream || holds_word(text)) return true;
+    const std::string content{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream || holds_word(content)) return true;
   }
-  return files.empty();
+  return files.empty() && !text;
 }
 
 }  // namespace verisim::cli

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "parser/parse.h"
@@ -12,7 +14,8 @@ namespace verisim::cli {
 // True if parsing these files again could give something else for another frame, or do something (messages, files
 // written) that every frame of POV-Ray's does: any of them holds a word for the clock, the frame, messages, files or
 // the time. Comments and strings count, too.
-bool depends_on_frame(const std::vector<std::filesystem::path>& files);
+// `text`: a scene that is no file.
+bool depends_on_frame(const std::vector<std::filesystem::path>& files, const std::optional<std::string>& text);
 
 // What the first frame leaves for the others; empty: each parses for itself.
 struct SharedScene {

@@ -93,7 +93,7 @@ std::string option_text(const Job& job, const Frame& frame) {
   const Options& o = job.options;
   std::string text = fmt::format(
       "Parser Options\n  Input file: {}\n  Remove bounds........{}\n  Split unions.........{}\n  Library paths:\n",
-      job.scene.string(), on_off(o.remove_bounds), on_off(o.split_unions));
+      job.scene.path.string(), on_off(o.remove_bounds), on_off(o.split_unions));
   for (const std::string& path : o.library_paths) text += fmt::format("    {}\n", path);
   if (job.animation.on) {
     text += fmt::format(
@@ -105,7 +105,7 @@ std::string option_text(const Job& job, const Frame& frame) {
   } else {
     text += fmt::format("  Clock value: {:8.3f}  (Animation off)\n", frame.clock);
   }
-  const OutputName name = output_name(o, job.scene, job.animation, frame);
+  const OutputName name = output_name(o, job.scene.path, job.animation, frame);
   std::string rows;
   try {
     const Region part = region(o);
@@ -181,7 +181,7 @@ std::string render_statistics(const Options& options, const scene::Scene&, const
 std::string statistics_json(const Job& job, const std::vector<FrameReport>& frames) {
   using nlohmann::json;
   json all;
-  all["scene"] = job.scene.string();
+  all["scene"] = job.scene.path.string();
   all["width"] = job.options.width;
   all["height"] = job.options.height;
   all["version"] = VERISIM_VERSION;

@@ -40,13 +40,13 @@ fs::path find_scene(const Options& options) {
 OutputName output_name(const Options& options, const fs::path& scene, const Animation& animation, const Frame& frame) {
   OutputName result;
   const std::string number = animation.on ? fmt::format("{:0{}}", frame.number, animation.digits) : "";
-  if (!options.exact_output.empty()) {
+  if (!options.exact_output.empty() && options.exact_output != "-") {
     const fs::path name(options.exact_output);
     result.path = name.parent_path() / (name.stem().string() + number + name.extension().string());
     result.state_path = name.parent_path() / (name.stem().string() + number + ".pov-state");
     return result;
   }
-  if (options.output_file == "-" || options.output_file == "stdout") {
+  if (options.exact_output == "-" || options.output_file == "-" || options.output_file == "stdout") {
     result.standard_output = true;
     return result;
   }
@@ -57,6 +57,7 @@ OutputName output_name(const Options& options, const fs::path& scene, const Anim
   const std::string ext = extension(options.format);
   std::string name = options.output_file;
   std::string folder = scene.parent_path().string();  // without a name the picture lies beside the scene
+  if (folder == "/dev" || folder.starts_with("/dev/") || folder.starts_with("/proc/")) folder.clear();  // of streams
   if (!folder.empty()) folder += '/';
   if (const std::size_t slash = name.rfind('/'); slash != std::string::npos) {
     folder = name.substr(0, slash + 1);

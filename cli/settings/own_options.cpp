@@ -1,41 +1,73 @@
 #include "cli/settings/own_options.h"
 
+#include <algorithm>
 #include <map>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/settings/scene_words.h"
+#include "cli/settings/switch_help.h"
 #include "cli/settings/text.h"
 
 namespace verisim::cli {
 
 struct OwnOptions::Impl {
   CLI::App app;
+  CommandHelp help;
   std::vector<std::string> names{"--help"};
-  struct Refusal {
-    bool takes_value = false;
-    std::string reason;
-  };
-  std::map<std::string, Refusal> refused;
+  std::map<std::string, std::string> refused;  // by name: why
 
   Impl(const std::string& command, const std::string& description) : app(description, "verisim " + command) {
-    app.set_help_flag("--help", "Print this help and exit");
+    app.set_help_flag();  // the help is not CLI11's
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    help.name = command;
+    help.description = description;
+  }
+  // Notes the option for the help; returns its name.
+  std::string note(const std::string& written, const std::string& meaning) {
+    if (help.sections.empty()) help.sections.push_back({"Options", {}});
+    help.sections.back().entries.push_back({{written}, meaning});
+    names.push_back(written.substr(0, written.find(' ')));
+    return names.back();
   }
   template <class T>
-  void add(const std::string& name, T& value, const std::string& help) {
-    names.push_back(name);
-    app.add_option(name, value, help);
+  void add(const std::string& written, T& value, const std::string& meaning) {
+    app.add_option(note(written, meaning), value);
   }
+  std::string advice(const std::string& name, const std::string& value) const;
 };
+
+// What to do about an option that this command does not have.
+std::string OwnOptions::Impl::advice(const std::string& name, const std::string& value) const {
+  if (const std::string povray = povray_spelling(name, value); !povray.empty())
+    return "; that is a setting of POV-Ray's: write " + povray;
+  if (const std::string near = nearest(name, {names.begin(), names.end()}); !near.empty())
+    return "; did you mean " + near + "?";
+  return fmt::format("; `verisim {}--help` lists them", help.name.empty() ? "" : help.name + " ");
+}
 
 OwnOptions::OwnOptions(const std::string& command, const std::string& description)
     : impl_(std::make_unique<Impl>(command, description)) {}
 OwnOptions::~OwnOptions() = default;
 
+OwnOptions& OwnOptions::synopsis(const std::string& text) { return impl_->help.synopsis = text, *this; }
+OwnOptions& OwnOptions::summary(const std::string& text) { return impl_->help.summary = text, *this; }
+OwnOptions& OwnOptions::example(const std::string& call, const std::string& meaning) {
+  impl_->help.examples.push_back({call, meaning});
+  return *this;
+}
+OwnOptions& OwnOptions::switches(std::initializer_list<Topic> topics) {
+  for (const Topic topic : topics) impl_->help.sections.push_back(topic_help(topic));
+  return *this;
+}
+OwnOptions& OwnOptions::section(const std::string& title) {
+  impl_->help.sections.push_back({title, {}});
+  return *this;
+}
+
 void OwnOptions::flag(const std::string& name, bool& value, const std::string& help) {
-  impl_->names.push_back(name);
-  impl_->app.add_flag(name, value, help);
+  impl_->app.add_flag(impl_->note(name, help), value);
 }
 void OwnOptions::value(const std::string& name, std::string& value, const std::string& help) {
   impl_->add(name, value, help);
@@ -48,26 +80,34 @@ void OwnOptions::value(const std::string& name, double& value, const std::string
   impl_->add(name, value, help);
 }
 void OwnOptions::values(const std::string& name, std::vector<std::string>& value, const std::string& help) {
-  impl_->names.push_back(name);
-  impl_->app.add_option(name, value, help)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->expected(1);
+  impl_->app.add_option(impl_->note(name, help), value)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->expected(1);
 }
 void OwnOptions::paths(const std::string& name, std::vector<std::filesystem::path>& value, const std::string& help) {
-  impl_->names.push_back(name);
   const auto append = [&value](const std::string& text) { value.emplace_back(text); };
-  impl_->app.add_option_function<std::string>(name, append, help)
+  impl_->app.add_option_function<std::string>(impl_->note(name, help), append)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->expected(1)
       ->trigger_on_parse();
 }
-void OwnOptions::refused(const std::string& name, bool takes_value, const std::string& reason) {
-  impl_->refused[name] = {takes_value, reason};
+void OwnOptions::refused(const std::string& name, const std::string& reason) { impl_->refused[name] = reason; }
+void OwnOptions::refuse_others_of(const OwnOptions& other, const std::string& reason) {
+  for (const std::string& name : other.impl_->names)
+    if (std::find(impl_->names.begin(), impl_->names.end(), name) == impl_->names.end()) refused(name, reason);
 }
 
 std::vector<std::string> OwnOptions::parse(const std::vector<std::string>& arguments) {
   std::vector<std::string> words, own;
   bool ended = false;
+  std::error_code ignored;
+  if (arguments.size() == 1 && arguments[0] == "help" && !std::filesystem::exists("help", ignored) &&
+      !std::filesystem::exists("help.pov", ignored))
+    throw HelpWanted{impl_->help};
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
+    if (!ended && (argument == "-h" || argument == "-?" || argument == "-help" || argument == "--help"))
+      throw HelpWanted{impl_->help};
     if (ended || !argument.starts_with("--")) {
       words.push_back(argument);
       continue;
@@ -76,14 +116,16 @@ std::vector<std::string> OwnOptions::parse(const std::vector<std::string>& argum
       ended = true;
       continue;
     }
-    const std::string name = argument.substr(0, argument.find('='));
+    const std::size_t equals = argument.find('=');
+    const std::string name = argument.substr(0, equals);
     if (const auto refusal = impl_->refused.find(name); refusal != impl_->refused.end())
-      throw OptionError(fmt::format("{} is not supported yet: {}", name, refusal->second.reason));
+      throw OptionError(fmt::format("{} does nothing here: {}", name, refusal->second));
     const CLI::Option* option = impl_->app.get_option_no_throw(name);
     if (!option) {
-      const std::string advice = nearest(name, {impl_->names.begin(), impl_->names.end()});
-      throw OptionError(
-          fmt::format("unknown option '{}'{}", name, advice.empty() ? "" : "; did you mean " + advice + "?"));
+      const std::string value = equals != std::string::npos ? argument.substr(equals + 1)
+                                : i + 1 < arguments.size() && !is_setting_word(arguments[i + 1]) ? arguments[i + 1]
+                                                                                                 : "";
+      throw OptionError(fmt::format("unknown option '{}'{}", name, impl_->advice(name, value)));
     }
     own.push_back(argument);
     if (name.size() == argument.size() && option->get_items_expected_max() > 0) {
@@ -94,8 +136,6 @@ std::vector<std::string> OwnOptions::parse(const std::vector<std::string>& argum
   try {
     std::reverse(own.begin(), own.end());  // CLI11 takes them from the back
     impl_->app.parse(own);
-  } catch (const CLI::CallForHelp&) {
-    throw HelpWanted{impl_->app.help()};
   } catch (const CLI::ParseError& error) {
     throw OptionError(error.what());
   }
@@ -103,39 +143,60 @@ std::vector<std::string> OwnOptions::parse(const std::vector<std::string>& argum
 }
 
 void add_scene_options(OwnOptions& own, Options& options) {
-  own.paths("--allow-read", options.allow_read,
-            "Let the scene read only below this path (may be given again); without it it may read everything");
-  own.paths("--allow-write", options.allow_write,
-            "Let the scene write (#fopen) below this path, too (may be given again); without it only below the current "
+  own.section("Standard input");
+  own.value("--stdin-name FILE", options.stdin_name,
+            "the name of a scene that comes from - (an editor's unsaved text): for messages, and for include files "
+            "beside it");
+  own.section("What the scene may do");
+  own.paths("--allow-read PATH", options.allow_read,
+            "let the scene read only below this path (may be given again); without it it may read everything");
+  own.paths("--allow-write PATH", options.allow_write,
+            "let the scene write (#fopen) below this path, too (may be given again); without it only below the current "
             "folder and the scene's");
-  own.value("--max-seconds", options.max_seconds, "Give up after this time; 0: no limit");
-  own.value("--max-steps", options.limits.max_steps,
-            "Limit of executed tokens of the scene (default 10^11, some ten minutes of an endless loop); 0: no limit");
-  own.value("--max-tokens", options.limits.max_tokens, "Limit of tokens in all files together");
-  own.value("--max-file-bytes", options.limits.max_file_bytes, "Limit of one source file");
-  own.value("--max-memory", options.limits.max_memory_bytes, "Limit of the memory that parsing takes, in bytes");
-  own.value("--max-depth", options.limits.max_depth, "Limit of nested blocks, parentheses and calls");
-  own.flag("--color", options.color, "Colour messages also when they do not go to a terminal");
+  own.value("--max-seconds X", options.max_seconds, "give up after this time; 0: no limit (default)");
+  own.value("--max-steps N", options.limits.max_steps,
+            "executed tokens of the scene (default 10^11, some ten minutes of an endless loop); 0: no limit");
+  own.value("--max-tokens N", options.limits.max_tokens, "tokens in all files together");
+  own.value("--max-file-bytes N", options.limits.max_file_bytes, "bytes of one source file");
+  own.value("--max-memory N", options.limits.max_memory_bytes, "bytes of memory that parsing may take");
+  own.value("--max-depth N", options.limits.max_depth, "nested blocks, parentheses and calls");
+  own.value("--max-pixels N", options.max_pixels, "pixels of a picture");
+  own.section("Messages");
+  own.flag("--color", options.color, "colour messages also when they do not go to a terminal");
+}
+
+void add_pixel_options(OwnOptions& own, Options& options) {
+  own.section("Random numbers");
+  own.flag("--replay", options.replay, "render serially with POV-Ray's random streams: equals `povray +WT1`");
+  own.value("--seed N", options.seed, "another sequence of random numbers");
+  add_scene_options(own, options);
 }
 
 void add_render_options(OwnOptions& own, Options& options) {
-  add_scene_options(own, options);
-  own.flag("--replay", options.replay, "Render serially with POV-Ray's random streams: equals `povray +WT1`");
-  own.value("--seed", options.seed, "Another sequence of random numbers");
-  own.value("--max-pixels", options.max_pixels, "Limit of the size of a picture");
-  own.value("--stats", options.stats_file, "Write statistics as JSON to this file");
-  own.value("--output", options.exact_output,
-            "The picture's file, named as it is; the type by its extension unless +F says otherwise");
-  own.flag("--allow-shell", options.allow_shell, "Run the commands of Pre_Scene_Command and its like");
-  own.value("--sampler", options.sampler,
-            "How pixels are anti-aliased: povray (+AM1, +AM2), or adaptive: low-discrepancy samples until the error is "
-            "below a twentieth of +A's threshold");
-  own.value("--integrator", options.integrator,
-            "`povray`: POV-Ray's algorithms (default); `path`: unbiased path tracing, not POV-Ray's look");
-  own.value("--path-samples", options.path_samples, "Paths a pixel of --integrator path (default 64)");
-  own.value("--path-bounces", options.path_bounces, "No path is longer (default 64)");
-  own.value("--layers", options.layers,
-            "What the OpenEXR file holds: beauty, depth, normal, albedo, id, separated by commas, or all");
+  own.section("Files");
+  own.value("--output FILE", options.exact_output,
+            "the picture's file, named as it is, or - for standard output; the type by its extension unless +F says "
+            "otherwise");
+  own.value("--layers LIST", options.layers,
+            "what the OpenEXR file holds: beauty, depth, normal, albedo, id, separated by commas, or all");
+  own.value("--stats FILE", options.stats_file, "write statistics as JSON to this file");
+  own.section("Rendering");
+  own.value("--sampler NAME", options.sampler,
+            "how pixels are anti-aliased: povray (+AM1, +AM2; default), or adaptive: low-discrepancy samples until the "
+            "error is below a twentieth of +A's threshold");
+  own.value("--integrator NAME", options.integrator,
+            "povray: POV-Ray's algorithms (default); path: unbiased path tracing, not POV-Ray's look");
+  own.value("--path-samples N", options.path_samples, "paths a pixel of --integrator path (64)");
+  own.value("--path-bounces N", options.path_bounces, "no path of --integrator path is longer (64)");
+  own.flag("--allow-shell", options.allow_shell, "run the commands of Pre_Scene_Command and its like");
+  add_pixel_options(own, options);
+}
+
+void refuse_render_options(OwnOptions& own) {
+  Options unused;
+  OwnOptions render("render", "");
+  add_render_options(render, unused);
+  own.refuse_others_of(render, "it is an option of `verisim render`, and this command draws no picture");
 }
 
 }  // namespace verisim::cli

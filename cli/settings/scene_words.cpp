@@ -36,6 +36,7 @@ std::vector<std::string> apply_words(Options& options, const std::vector<std::st
 void choose_format(Options& options) {
   const bool chosen = std::any_of(options.given.begin(), options.given.end(),
                                   [](const auto& setting) { return setting.first == "Output_File_Type"; });
+  if (options.exact_output == "-") return;  // PNG, or what +F says
   if (!options.exact_output.empty()) {
     const std::string ext = std::filesystem::path(options.exact_output).extension().string();
     const auto format = format_of_extension(ext);

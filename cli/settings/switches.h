@@ -18,9 +18,15 @@ using Handler = void (*)(Options&, std::string_view value);
 using Target = std::variant<bool Options::*, int Options::*, double Options::*, std::string Options::*,
                             std::optional<int> Options::*, std::optional<double> Options::*, Handler, NoEffect>;
 
+// What settings are about: the sections of the help.
+enum class Topic { scene, size, output, quality, speed, animation, messages, commands, ignored };
+
 struct Setting {
   std::string_view key;  // the INI keyword
   Target target;
+  Topic topic;
+  std::string_view value;    // what stands for the value in the help; empty: on or off
+  std::string_view meaning;  // with the default in parentheses; empty: the reason of NoEffect
 };
 
 struct Switch {

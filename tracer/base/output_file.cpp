@@ -152,8 +152,9 @@ void copy_into(const fs::path& from, std::FILE* to) {
   if (std::ferror(file.get())) fail(from, "read", last_error());
 }
 
-void write_by_name(const fs::path& path, std::string_view extension,
+void write_by_name(const fs::path& name, std::string_view extension,
                    const std::function<void(const fs::path& temporary)>& body) {
+  const fs::path path = name == "-" ? "/proc/self/fd/1" : name;
   const Target target = target_of(path);
   const fs::path temporary =
       temporary_name(target.in_place ? fs::temp_directory_path() / "verisim" : target.path, extension);

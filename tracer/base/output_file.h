@@ -53,7 +53,7 @@ void require_writable(const std::filesystem::path& path);
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
 // For libraries that want a name: `body` writes a file with the given ending, which then becomes `path` in the way of
-// an OutputFile.
+// an OutputFile; "-" is standard output.
 void write_by_name(const std::filesystem::path& path, std::string_view extension,
                    const std::function<void(const std::filesystem::path& temporary)>& body);
 

@@ -46,7 +46,7 @@ void write_atomically(const std::filesystem::path& path, Body body) {
 // The module writes by name; standard output receives a copy of what it wrote.
 void write_module_file(const render::Framebuffer& framebuffer, const std::filesystem::path& path,
                        const OutputOptions& options) {
-  write_by_name(path == "-" ? "/proc/self/fd/1" : path, extension_of(options.format),
+  write_by_name(path, extension_of(options.format),
                 [&](const std::filesystem::path& temporary) { write_through_module(framebuffer, temporary, options); });
 }
 

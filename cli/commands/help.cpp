@@ -1,0 +1,101 @@
+// `verisim help`: what the program and its commands say of themselves.
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "cli/commands/commands.h"
+#include "cli/settings/own_options.h"
+#include "cli/settings/text.h"
+
+namespace verisim::cli {
+namespace {
+
+constexpr Command kCommands[] = {
+    {"render", command_render},   {"check", command_check}, {"compare", command_compare},
+    {"explain", command_explain}, {"diff", command_diff},   {"bench", command_bench},
+};
+
+CommandHelp help_of(const Command& command) {
+  try {
+    command.run({"--help"});
+  } catch (HelpWanted& wanted) {
+    return std::move(wanted.help);
+  }
+  throw std::logic_error("a command without help");
+}
+
+std::vector<CommandHelp> all_commands() {
+  std::vector<CommandHelp> all;
+  for (const Command& command : kCommands) all.push_back(help_of(command));
+  return all;
+}
+
+std::string man_page(const CommandHelp& command) {
+  std::vector<std::string> others{""};
+  for (const Command& other : kCommands) others.emplace_back(other.name);
+  return help_man(command, others);
+}
+
+}  // namespace
+
+std::span<const Command> commands() { return kCommands; }
+
+CommandHelp program_help() {
+  CommandHelp help;
+  help.synopsis = "COMMAND ... | SWITCHES";
+  help.summary = "a native ray tracer for POV-Ray 3.7 scenes that proves itself against POV-Ray";
+  help.description =
+      "Renders scenes of POV-Ray 3.7 as POV-Ray does, and shows pixel by pixel that it does. Without a command, or "
+      "through a link named povray, it is called exactly as povray is called. `verisim COMMAND --help` tells more.";
+  help.examples = {{"verisim render scene.pov +W640 +H480 +A0.3", "a picture beside the scene"},
+                   {"verisim +Iscene.pov +Oout.png +W320 +H240 +A0.3", "called as povray is called"}};
+  HelpSection list{"Commands", {}};
+  for (const CommandHelp& command : all_commands()) list.entries.push_back({{command.name}, command.summary});
+  list.entries.push_back({{"help [COMMAND]"}, "this, or what a command takes"});
+  help.sections = {
+      std::move(list),
+      {"Options", {{{"--help", "-h"}, "this"}, {{"--version"}, "the version; with --json also the libraries it uses"}}},
+      {"Environment",
+       {{{"VERISIM_INCLUDE_PATH"}, "folders of include files, separated by colons; +L comes first"},
+        {{"VERISIM_MODULE_PATH"}, "the folder of the plug-ins for image formats"},
+        {{"POVINI"}, "an INI file that is read before the others"},
+        {{"POVINC"}, "a folder of include files"}}},
+      exit_status_help()};
+  help.sections.back().entries.push_back(
+      {{"povray"}, "called in POV-Ray's style: 0, 1 after an error, 2 after an interrupt"});
+  return help;
+}
+
+int command_help(const std::vector<std::string>& arguments) {
+  std::string format = "text";
+  OwnOptions own("help", "Tells what the program or one of its commands takes.");
+  own.synopsis("[COMMAND]").summary("what a command takes").section("Options");
+  own.value("--format NAME", format, "text, markdown (docs/cli.md), man (one page) or bash (the completion)");
+  const std::vector<std::string> words = own.parse(arguments);
+  if (words.size() > 1) throw OptionError("help for one command at a time: verisim help COMMAND");
+  if (format != "text" && format != "markdown" && format != "man" && format != "bash")
+    throw OptionError(fmt::format("--format is text, markdown, man or bash, not '{}'", format));
+  CommandHelp help = program_help();
+  if (!words.empty()) {
+    const auto found = std::find_if(std::begin(kCommands), std::end(kCommands),
+                                    [&](const Command& command) { return command.name == words[0]; });
+    if (found == std::end(kCommands)) {
+      std::vector<std::string_view> names;
+      for (const Command& command : kCommands) names.push_back(command.name);
+      const std::string advice = nearest(words[0], names);
+      throw OptionError(
+          fmt::format("there is no command '{}'{}", words[0], advice.empty() ? "" : "; did you mean " + advice + "?"));
+    }
+    help = help_of(*found);
+  }
+  std::fputs((format == "markdown" ? help_markdown(help, words.empty() ? all_commands() : std::vector<CommandHelp>{})
+              : format == "man" ? man_page(help)
+              : format == "bash"   ? help_bash(all_commands())
+                                   : help_text(help))
+                 .c_str(),
+             stdout);
+  return kOk;
+}
+
+}  // namespace verisim::cli

@@ -1,0 +1,37 @@
+// `verisim --version`, for people and for programs.
+#include <nlohmann/json.hpp>
+
+#include "cli/commands/commands.h"
+#include "tracer/base/library_versions.h"
+#include "tracer/simd/instruction_sets.h"
+
+namespace verisim::cli {
+namespace {
+
+const char* name(textures::InstructionSet set) {
+  switch (set) {
+    case textures::kAvx2:
+      return "avx2";
+    case textures::kAvx512:
+      return "avx512";
+    default:
+      return "baseline";
+  }
+}
+
+}  // namespace
+
+std::string version_text(bool json) {
+  if (!json) return "verisim " VERISIM_VERSION " (renders scenes of POV-Ray 3.7)\n";
+  nlohmann::ordered_json report{{"program", "verisim"}, {"version", VERISIM_VERSION}, {"language", "POV-Ray 3.7"}};
+  report["compiler"] = __VERSION__;
+  report["libraries"] = nlohmann::ordered_json::object();
+  for (const auto& [library, version] : library_versions()) report["libraries"][library] = version;
+  // All give the same pictures; the last one is used here.
+  report["instruction_sets"] = nlohmann::ordered_json::array();
+  for (int set = textures::kBaseline; set <= textures::best_instruction_set(); ++set)
+    report["instruction_sets"].push_back(name(static_cast<textures::InstructionSet>(set)));
+  return report.dump(2) + "\n";
+}
+
+}  // namespace verisim::cli

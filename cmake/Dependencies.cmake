@@ -15,6 +15,8 @@ foreach(folder IN LISTS oiio_includes)
   endif()
 endforeach()
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${oiio_existing_includes}")
+# Google Highway, SIMD for every compiler and machine (tracer/simd): its headers only.
+find_path(VERISIM_HWY_INCLUDE_DIR hwy/highway.h REQUIRED DOC "Folder of Google Highway")
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_path(VERISIM_TOML_INCLUDE_DIR toml++/toml.h REQUIRED DOC "Folder of toml++, which reads manifests; used without its library")

@@ -38,7 +38,7 @@ TEST(ProgramLanes, OperationsGiveTheSameBitsInLanes) {
   std::shuffle(b.begin(), b.end(), random);
   for (std::size_t k = 0; k < a.size(); k += 3) b[k] = a[k];
   alignas(64) double registers[3 * kWidth];
-  for (int set = 0; set < textures::kInstructionSets; ++set) {
+  for (int set = 0; set < simd::kInstructionSets; ++set) {
     const LaneKernels* const kernels = lane_kernels(set);
     if (!kernels) continue;
     for (int code = 0; code <= static_cast<int>(Code::move); ++code) {
@@ -68,7 +68,7 @@ TEST(ProgramLanes, NearValuesAreNear) {
   std::vector<double> b = a;
   std::shuffle(b.begin(), b.end(), random);
   alignas(64) double registers[2 * kWidth];
-  for (int set = 0; set < textures::kInstructionSets; ++set) {
+  for (int set = 0; set < simd::kInstructionSets; ++set) {
     const LaneKernels* const kernels = lane_kernels(set);
     if (!kernels) continue;
     for (const Code code : {Code::sin, Code::cos, Code::atan2}) {

@@ -13,10 +13,10 @@ constexpr int rounded(int count) { return (count + RayRow::kStep - 1) / RayRow::
 #define VERISIM_KERNELS "tracer/lights/light_falloff.inc"
 #include "tracer/simd/each_instruction_set.inc"
 
-const LightFalloffKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+const LightFalloffKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 const LightFalloffKernels& best_kernels() {
-  static const LightFalloffKernels& best = *kAll[textures::best_instruction_set()];
+  static const LightFalloffKernels& best = *kAll[simd::best_instruction_set()];
   return best;
 }
 
@@ -25,7 +25,7 @@ bool is_simple(double exponent) { return exponent == 0 || exponent == 1 || expon
 }  // namespace
 
 const LightFalloffKernels* light_falloff_kernels(int set) {
-  return set <= textures::best_instruction_set() ? kAll[set] : nullptr;
+  return set <= simd::best_instruction_set() ? kAll[set] : nullptr;
 }
 
 std::optional<LightFalloff> LightFalloff::of(const Light& light) {

@@ -88,8 +88,7 @@ TEST_P(LightFalloffs, AimAtEachSampleOfAnAreaLight) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, LightFalloffs,
-                         testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+INSTANTIATE_TEST_SUITE_P(InstructionSets, LightFalloffs, testing::Range(0, static_cast<int>(simd::kInstructionSets)));
 
 TEST(LightFalloff, LeavesOtherLightsAlone) {
   scene::LightSource source;

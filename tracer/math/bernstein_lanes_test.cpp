@@ -53,7 +53,7 @@ TEST(BernsteinLanes, FindWhatEachPolynomialHasAlone) {
   Polynomials polynomials;
   const auto lanes = std::make_unique<RootLanes>();
   int all_roots = 0;
-  for (int set = 0; set < textures::kInstructionSets; ++set) {
+  for (int set = 0; set < simd::kInstructionSets; ++set) {
     const BernsteinKernels* kernels = bernstein_kernels(set);
     if (!kernels) continue;
     for (int degree = 1; degree <= kMaxBernsteinDegree; ++degree) {

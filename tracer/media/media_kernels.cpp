@@ -12,14 +12,14 @@ constexpr int rounded(int count) { return (count + MediaLanes::kStep - 1) / Medi
 #define VERISIM_KERNELS "tracer/media/media_kernels.inc"
 #include "tracer/simd/each_instruction_set.inc"
 
-const MediaKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+const MediaKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 }  // namespace
 
-const MediaKernels* media_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+const MediaKernels* media_kernels(int set) { return set <= simd::best_instruction_set() ? kAll[set] : nullptr; }
 
 const MediaKernels& media_kernels() {
-  static const MediaKernels& best = *kAll[textures::best_instruction_set()];
+  static const MediaKernels& best = *kAll[simd::best_instruction_set()];
   return best;
 }
 

@@ -53,8 +53,7 @@ TEST_P(MediaLanesOf, AreThoseOfEachPlace) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, MediaLanesOf,
-                         testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+INSTANTIATE_TEST_SUITE_P(InstructionSets, MediaLanesOf, testing::Range(0, static_cast<int>(simd::kInstructionSets)));
 
 }  // namespace
 }  // namespace verisim::global

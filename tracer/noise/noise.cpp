@@ -8,7 +8,7 @@
 namespace verisim::textures {
 namespace {
 
-const NoiseKernels& kernels = noise_kernels(best_instruction_set());
+const NoiseKernels& kernels = noise_kernels(simd::best_instruction_set());
 
 int valid(int generator) { return generator == 1 || generator == 3 ? generator : 2; }
 

@@ -27,7 +27,7 @@ struct NoiseKernels {
 };
 
 // `set` must not be beyond best_instruction_set().
-const NoiseKernels& noise_kernels(InstructionSet set);
+const NoiseKernels& noise_kernels(simd::InstructionSet set);
 
 // At the points that are wanted (bit k: point k), bit by bit what noise() gives at each; the others are anything.
 // `noises` is aligned as points are.

@@ -61,7 +61,7 @@ TEST(NoiseKernels, GiveTheSameBitsOnEveryInstructionSet) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> coordinate(-1, 1);
   const Octaves octaves[] = {Octaves(6, 2, 0.5), Octaves(10, 2.17, 0.63), Octaves(1, 3, 0.1)};
-  const NoiseKernels& first = noise_kernels(kBaseline);
+  const NoiseKernels& first = noise_kernels(simd::kBaseline);
   for (int i = 0; i < 20000; ++i) {
     const double size = std::pow(10.0, i % 7 - 2);
     Vec3 p(size * coordinate(random), size * coordinate(random), size * coordinate(random));
@@ -79,8 +79,8 @@ TEST(NoiseKernels, GiveTheSameBitsOnEveryInstructionSet) {
       ASSERT_NEAR(first.granite[g](p), reference::granite_sum(p, g), 1e-14) << g;
       ASSERT_NEAR(first.wrinkles[g](p), reference::wrinkles_sum(p, g), 1e-14) << g;
     }
-    for (int set = 1; set <= best_instruction_set(); ++set) {
-      const NoiseKernels& other = noise_kernels(static_cast<InstructionSet>(set));
+    for (int set = 1; set <= simd::best_instruction_set(); ++set) {
+      const NoiseKernels& other = noise_kernels(static_cast<simd::InstructionSet>(set));
       ASSERT_EQ(other.vector_noise(p), vector) << other.name;
       ASSERT_EQ(other.vector_turbulence(p, o), sum) << other.name;
       ASSERT_EQ(other.wrinkles_vector(p), wrinkles) << other.name;
@@ -105,8 +105,8 @@ TEST(NoiseKernels, SeveralPointsGetWhatEachGets) {
       points.x[k] = size * coordinate(random), points.y[k] = size * coordinate(random),
       points.z[k] = size * coordinate(random);
     if (i % 50 == 0) points.y[count / 2] = 1e11;
-    for (int set = 0; set <= best_instruction_set(); ++set) {
-      const NoiseKernels& kernels = noise_kernels(static_cast<InstructionSet>(set));
+    for (int set = 0; set <= simd::best_instruction_set(); ++set) {
+      const NoiseKernels& kernels = noise_kernels(static_cast<simd::InstructionSet>(set));
       for (int g = 1; g <= 3; ++g) {
         alignas(64) double together[8];
         const unsigned wanted = first_of_eight(count) & ~(i % 3 == 0 ? 5u : 0u);
@@ -134,8 +134,8 @@ TEST(NoiseKernels, TellCellsApartThatShareAPlaceInTheMemory) {
     };
     for (int k = 0; k < 8; ++k)
       points.x[k] = coordinate(1 + i % 5), points.y[k] = coordinate(1 + i % 3), points.z[k] = coordinate(2);
-    for (int set = 0; set <= best_instruction_set(); ++set) {
-      const NoiseKernels& kernels = noise_kernels(static_cast<InstructionSet>(set));
+    for (int set = 0; set <= simd::best_instruction_set(); ++set) {
+      const NoiseKernels& kernels = noise_kernels(static_cast<simd::InstructionSet>(set));
       for (int g = 1; g <= 3; ++g) {
         alignas(64) double together[8];
         kernels.noises[g](points, 255, together);

@@ -74,7 +74,7 @@ double drop_farthest(PhotonDistances& list, float last, const PhotonMeasure& mea
 #define VERISIM_KERNELS "tracer/photons/photon_kernels.inc"
 #include "tracer/simd/each_instruction_set.inc"
 
-const PhotonKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+const PhotonKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 }  // namespace
 
@@ -93,10 +93,10 @@ void PhotonDistances::move(std::size_t from, std::size_t end, std::size_t to) {
   std::copy(index_.data() + from, index_.data() + end, index_.data() + to);
 }
 
-const PhotonKernels* photon_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+const PhotonKernels* photon_kernels(int set) { return set <= simd::best_instruction_set() ? kAll[set] : nullptr; }
 
 const PhotonKernels& photon_kernels() {
-  static const PhotonKernels& best = *kAll[textures::best_instruction_set()];
+  static const PhotonKernels& best = *kAll[simd::best_instruction_set()];
   return best;
 }
 

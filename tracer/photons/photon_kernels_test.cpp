@@ -23,7 +23,7 @@ class PhotonKernelsTest : public testing::Test {
  protected:
   template <class Check>
   void for_each_instruction_set(Check&& check) {
-    for (int set = 0; set < textures::kInstructionSets; ++set) {
+    for (int set = 0; set < simd::kInstructionSets; ++set) {
       if (const PhotonKernels* kernels = photon_kernels(set)) check(*kernels);
     }
   }

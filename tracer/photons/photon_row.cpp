@@ -11,16 +11,16 @@ namespace {
 #define VERISIM_KERNELS "tracer/photons/photon_row.inc"
 #include "tracer/simd/each_instruction_set.inc"
 
-const PhotonRowKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+const PhotonRowKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 }  // namespace
 
 const PhotonRowKernels* photon_row_kernels(int set) {
-  return set <= textures::best_instruction_set() ? kAll[set] : nullptr;
+  return set <= simd::best_instruction_set() ? kAll[set] : nullptr;
 }
 
 const PhotonRowKernels& photon_row_kernels() {
-  static const PhotonRowKernels& best = *kAll[textures::best_instruction_set()];
+  static const PhotonRowKernels& best = *kAll[simd::best_instruction_set()];
   return best;
 }
 

@@ -71,7 +71,7 @@ TEST_P(PhotonRows, AddWhatEachPhotonAdds) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, PhotonRows, testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+INSTANTIATE_TEST_SUITE_P(InstructionSets, PhotonRows, testing::Range(0, static_cast<int>(simd::kInstructionSets)));
 
 TEST(PhotonLight, IsTheSumInTheirOrder) {
   std::mt19937 generator(6);

@@ -15,16 +15,16 @@ namespace {
 #define VERISIM_KERNELS "tracer/radiosity/irradiance_lanes.inc"
 #include "tracer/simd/each_instruction_set.inc"
 
-const IrradianceLaneKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+const IrradianceLaneKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 }  // namespace
 
 const IrradianceLaneKernels* irradiance_lane_kernels(int set) {
-  return set <= textures::best_instruction_set() ? kAll[set] : nullptr;
+  return set <= simd::best_instruction_set() ? kAll[set] : nullptr;
 }
 
 const IrradianceLaneKernels& irradiance_lane_kernels() {
-  static const IrradianceLaneKernels& best = *kAll[textures::best_instruction_set()];
+  static const IrradianceLaneKernels& best = *kAll[simd::best_instruction_set()];
   return best;
 }
 

@@ -52,7 +52,7 @@ TEST_P(IrradianceLanesNear, FindTheSamplesThatReach) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, IrradianceLanesNear,
-                         testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+                         testing::Range(0, static_cast<int>(simd::kInstructionSets)));
 
 }  // namespace
 }  // namespace verisim::global

@@ -74,7 +74,7 @@ TEST_P(IrradianceWeights, AreThoseOfEachSample) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InstructionSets, IrradianceWeights,
-                         testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+                         testing::Range(0, static_cast<int>(simd::kInstructionSets)));
 
 }  // namespace
 }  // namespace verisim::global

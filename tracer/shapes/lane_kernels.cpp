@@ -10,14 +10,14 @@ namespace {
 #define VERISIM_KERNELS "tracer/shapes/lane_kernels.inc"
 #include "tracer/simd/each_instruction_set.inc"
 
-const LaneKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+const LaneKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 }  // namespace
 
-const LaneKernels* lane_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+const LaneKernels* lane_kernels(int set) { return set <= simd::best_instruction_set() ? kAll[set] : nullptr; }
 
 const LaneKernels& lane_kernels() {
-  static const LaneKernels& best = *kAll[textures::best_instruction_set()];
+  static const LaneKernels& best = *kAll[simd::best_instruction_set()];
   return best;
 }
 

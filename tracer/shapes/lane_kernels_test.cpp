@@ -224,7 +224,7 @@ TEST(LaneKernels, ShapesAnswerForEightRaysAsForEach) {
 class LaneKernel : public ::testing::TestWithParam<int> {};
 
 TEST_P(LaneKernel, GivesTheSameBitsAsEveryOther) {
-  const LaneKernels *kernels = lane_kernels(GetParam()), &plain = *lane_kernels(textures::kBaseline);
+  const LaneKernels *kernels = lane_kernels(GetParam()), &plain = *lane_kernels(simd::kBaseline);
   if (!kernels) GTEST_SKIP() << "this machine cannot run it";
   const Transform moved = Transform::scaling({0.7, -1.2, 0.9}).then(Transform::rotation({20, 70, -40}));
   Rays rays;
@@ -294,15 +294,15 @@ TEST_P(LaneKernel, MakesTheSamePolynomialsAlongRays) {
     const RayLanes lanes{*rays.rows, round % 9, 255};
     LocalLanes local, plain_local;
     kernels->local(round % 2 ? &moved : nullptr, lanes, local);
-    lane_kernels(textures::kBaseline)->local(round % 2 ? &moved : nullptr, lanes, plain_local);
+    lane_kernels(simd::kBaseline)->local(round % 2 ? &moved : nullptr, lanes, plain_local);
     PolyLanes a, b;
-    poly_along(GetParam())(6, surface.coefficients.data(), used.data(), local, a);
-    poly_along(textures::kBaseline)(6, surface.coefficients.data(), used.data(), plain_local, b);
+    (*poly_along(GetParam()))(6, surface.coefficients.data(), used.data(), local, a);
+    (*poly_along(simd::kBaseline))(6, surface.coefficients.data(), used.data(), plain_local, b);
     ASSERT_EQ(a.size, 7);
     ASSERT_EQ(b.size, 7);
     SweepSideLanes c, d;
-    sweep_follow(GetParam())(cubic, local, c);
-    sweep_follow(textures::kBaseline)(cubic, plain_local, d);
+    (*sweep_follow(GetParam()))(cubic, local, c);
+    (*sweep_follow(simd::kBaseline))(cubic, plain_local, d);
     for (int k = 0; k < kLanes; ++k) {
       for (int i = 0; i < 7; ++i) ASSERT_TRUE(same(a.c[i][k], b.c[i][k]));
       for (int i = 0; i < 11; ++i) ASSERT_TRUE(same(c.power[i][k], d.power[i][k]));
@@ -312,7 +312,7 @@ TEST_P(LaneKernel, MakesTheSamePolynomialsAlongRays) {
 }
 
 TEST_P(LaneKernel, MeetsThePartsOfABlobAlike) {
-  const BlobKernels *kernels = blob_kernels(GetParam()), &plain = *blob_kernels(textures::kBaseline);
+  const BlobKernels *kernels = blob_kernels(GetParam()), &plain = *blob_kernels(simd::kBaseline);
   if (!kernels) GTEST_SKIP() << "this machine cannot run it";
   std::vector<BlobPart> parts(4);
   PartSpheres spheres;
@@ -329,7 +329,7 @@ TEST_P(LaneKernel, MeetsThePartsOfABlobAlike) {
   for (int round = 0; round < kRounds; ++round) {
     rays.fill(round, 0);
     LocalLanes local;
-    lane_kernels(textures::kBaseline)->local(nullptr, {*rays.rows, 0, 255}, local);
+    lane_kernels(simd::kBaseline)->local(nullptr, {*rays.rows, 0, 255}, local);
     const Ray ray = rays.rows->at(3);
     ASSERT_EQ(kernels->near(&spheres, 1, ray.origin, ray.direction, 0.1, 0.2),
               plain.near(&spheres, 1, ray.origin, ray.direction, 0.1, 0.2));
@@ -362,7 +362,7 @@ TEST_P(LaneKernel, MeetsThePartsOfABlobAlike) {
 }
 
 TEST_P(LaneKernel, MeetsALatheAlike) {
-  const LatheKernels *kernels = lathe_kernels(GetParam()), &plain = *lathe_kernels(textures::kBaseline);
+  const LatheKernels *kernels = lathe_kernels(GetParam()), &plain = *lathe_kernels(simd::kBaseline);
   if (!kernels) GTEST_SKIP() << "this machine cannot run it";
   const CurveSegment segment = CurveSegment::bezier({0.4, -1}, {1.2, -0.6}, {0.1, -0.2}, {0.3, 0.7});
   Rays rays;
@@ -372,7 +372,7 @@ TEST_P(LaneKernel, MeetsALatheAlike) {
     LatheLanes a, b;
     RootLanes roots_a, roots_b;
     const auto ask = [&](const LatheKernels& set, LatheLanes& lanes, RootLanes& roots) {
-      lane_kernels(textures::kBaseline)->local(nullptr, {*rays.rows, 0, 255}, lanes.rays);
+      lane_kernels(simd::kBaseline)->local(nullptr, {*rays.rows, 0, 255}, lanes.rays);
       const unsigned near = set.begin(0.8, rays.asked, lanes);
       set.follow(segment, lanes, roots);
       return near & set.beside(-0.3, 0.2, 1e-9, lanes);
@@ -403,7 +403,7 @@ TEST_P(LaneKernel, MeetsALatheAlike) {
 
 TEST_P(LaneKernel, ApproachesASuperellipsoidInTheSameSteps) {
   const SuperellipsoidKernels *kernels = superellipsoid_kernels(GetParam()),
-                              &plain = *superellipsoid_kernels(textures::kBaseline);
+                              &plain = *superellipsoid_kernels(simd::kBaseline);
   if (!kernels) GTEST_SKIP() << "this machine cannot run it";
   Rays rays;
   int met = 0;
@@ -459,8 +459,7 @@ TEST_P(LaneKernel, ApproachesASuperellipsoidInTheSameSteps) {
   EXPECT_GT(met, 5000);
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, LaneKernel,
-                         ::testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+INSTANTIATE_TEST_SUITE_P(InstructionSets, LaneKernel, ::testing::Range(0, static_cast<int>(simd::kInstructionSets)));
 
 }  // namespace
 }  // namespace verisim::shapes::testing

@@ -1,12 +1,14 @@
 #include "tracer/simd/instruction_sets.h"
 
-namespace verisim::textures {
+namespace verisim::simd {
 namespace {
 
+// What each_target.h has kernels compiled for.
 InstructionSet find_best() {
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#if defined(__x86_64__)
   __builtin_cpu_init();
-  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("bmi2") || !__builtin_cpu_supports("fma"))
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("bmi") || !__builtin_cpu_supports("bmi2") ||
+      !__builtin_cpu_supports("fma"))
     return kBaseline;
   const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
                     __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
@@ -23,4 +25,4 @@ InstructionSet best_instruction_set() {
   return best;
 }
 
-}  // namespace verisim::textures
+}  // namespace verisim::simd

@@ -110,7 +110,7 @@ TEST_P(RowKernel, BoxesAreMetByThoseRaysThatMeetThem) {
   EXPECT_LT(misses, 20) << "boxes are not much larger than they are";
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, RowKernel, testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+INSTANTIATE_TEST_SUITE_P(InstructionSets, RowKernel, testing::Range(0, static_cast<int>(simd::kInstructionSets)));
 
 }  // namespace
 }  // namespace verisim::accel

@@ -39,7 +39,7 @@ TEST(Drift, HoldsWhatNearValuesAreOffBy) {
     const auto& program = dynamic_cast<const Program&>(*f);
     const double most = drift_of(f);
     ASSERT_LT(most, 1e-8);
-    for (int set = 0; set < textures::kInstructionSets; ++set) {
+    for (int set = 0; set < simd::kInstructionSets; ++set) {
       const LaneKernels* const kernels = lane_kernels(set);
       if (!kernels) continue;
       constexpr std::size_t kWidth = LaneKernels::kNarrow, kMost = 64;

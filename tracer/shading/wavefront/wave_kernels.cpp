@@ -8,7 +8,7 @@
 namespace verisim::shading {
 namespace {
 
-using textures::InstructionSet;
+using simd::InstructionSet;
 
 constexpr float kDark = static_cast<float>(kEpsilon);
 
@@ -17,14 +17,14 @@ constexpr int rounded(int count) { return (count + WaveLanes::kStep - 1) / WaveL
 #define VERISIM_KERNELS "tracer/shading/wavefront/wave_kernels.inc"
 #include "tracer/simd/each_instruction_set.inc"
 
-const WaveKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+const WaveKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 }  // namespace
 
-const WaveKernels* wave_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
+const WaveKernels* wave_kernels(int set) { return set <= simd::best_instruction_set() ? kAll[set] : nullptr; }
 
 const WaveKernels& wave_kernels() {
-  static const WaveKernels& best = *kAll[textures::best_instruction_set()];
+  static const WaveKernels& best = *kAll[simd::best_instruction_set()];
   return best;
 }
 

@@ -140,7 +140,7 @@ TEST_P(WaveKernel, NumbersThatAreNoneAreLeftToTheFormulas) {
   EXPECT_NE(lanes->uncertain[0], 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, WaveKernel, testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+INSTANTIATE_TEST_SUITE_P(InstructionSets, WaveKernel, testing::Range(0, static_cast<int>(simd::kInstructionSets)));
 
 // A scene of all kinds of surfaces, lights and finishes that waves know, and some that they leave to others.
 scene::Scene mixed_scene(bool foggy = false) {

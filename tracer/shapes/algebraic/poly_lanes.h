@@ -15,8 +15,8 @@ using PolyAlong = void (*)(int order, const double* coefficients, const unsigned
                            PolyLanes& lanes);
 
 // That of the best instruction set of this machine.
-PolyAlong poly_along();
+const PolyAlong& poly_along();
 // That of any set, for tests; null: this machine cannot run it.
-PolyAlong poly_along(int instruction_set);
+const PolyAlong* poly_along(int instruction_set);
 
 }  // namespace verisim::shapes

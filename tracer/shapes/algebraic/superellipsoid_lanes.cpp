@@ -14,16 +14,16 @@ constexpr double kZero = 1e-10;  // of the value
 #define VERISIM_KERNELS "tracer/shapes/algebraic/superellipsoid_lanes.inc"
 #include "tracer/simd/each_instruction_set.inc"
 
-const SuperellipsoidKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+const SuperellipsoidKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 }  // namespace
 
 const SuperellipsoidKernels* superellipsoid_kernels(int set) {
-  return set <= textures::best_instruction_set() ? kAll[set] : nullptr;
+  return set <= simd::best_instruction_set() ? kAll[set] : nullptr;
 }
 
 const SuperellipsoidKernels& superellipsoid_kernels() {
-  static const SuperellipsoidKernels& best = *kAll[textures::best_instruction_set()];
+  static const SuperellipsoidKernels& best = *kAll[simd::best_instruction_set()];
   return best;
 }
 

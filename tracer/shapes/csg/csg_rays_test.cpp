@@ -232,8 +232,8 @@ TEST(CsgRays, RandomTrees) {
     const ObjectRef object = random.solid(1 + round % 3);
     const auto shape = compile(*object);
     if (shape->children().empty() || !object->clipped_by.empty()) continue;
-    std::unique_ptr<const CsgTree> kinds[textures::kInstructionSets];
-    for (int set = 0; set < textures::kInstructionSets; ++set)
+    std::unique_ptr<const CsgTree> kinds[simd::kInstructionSets];
+    for (int set = 0; set < simd::kInstructionSets; ++set)
       kinds[set] = CsgTree::of(*shape, shape->children(), everywhere(), {}, set);
     trees += kinds[0] != nullptr;
     const auto rays = std::make_unique<RayRow>();

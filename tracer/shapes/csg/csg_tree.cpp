@@ -4,26 +4,9 @@
 #include <cmath>
 
 #include "tracer/bvh/box_tree.h"
-#include "tracer/shapes/quadrics/plane.h"
-#include "tracer/simd/instruction_sets.h"
-
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
-
-#define VERISIM_INLINE_LAMBDA __attribute__((always_inline))
 
 namespace verisim::shapes {
-
-struct CsgKernels {
-  unsigned (*eight)(const CsgTree& tree, const RayLanes& rays, const CsgQuery& query, Hit* hits);
-  bool (*one)(const CsgTree& tree, const Ray& ray, const CsgQuery& query, Hit* hit);
-};
-
 namespace {
-
-#define VERISIM_KERNELS "tracer/shapes/csg/csg_tree.inc"
-#include "tracer/simd/each_instruction_set.inc"
-
-const CsgKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 constexpr std::size_t kMostNodes = 40;
 
@@ -158,10 +141,10 @@ bool reports_true_distances(const Shape& shape) {
 
 std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std::unique_ptr<Shape>> children,
                                            const Box3& limit, std::span<const Hollow> hollows, int set) {
-  const int best = textures::best_instruction_set();
-  if (set > best) return nullptr;
+  const CsgKernels* const kernels = set == kBest ? &csg_kernels() : csg_kernels(set);
+  if (!kernels) return nullptr;
   if (children.empty() || count_nodes(children) > kMostNodes) return nullptr;
-  std::unique_ptr<CsgTree> tree(new CsgTree(*kAll[set == kBest ? best : set]));
+  std::unique_ptr<CsgTree> tree(new CsgTree(*kernels));
   Builder builder{*tree};
   tree->nodes.emplace_back();
   builder.cost.push_back(0);

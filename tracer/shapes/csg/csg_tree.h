@@ -57,7 +57,17 @@ struct CsgQuery {
   bool within_clips(const Vec3& p) const { return (!guards || guards->contain(p)) && (!outer || outer->contain(p)); }
 };
 
-struct CsgKernels;
+class CsgTree;
+
+// `hits`: null if any hit will do. The lanes that are hit, or whether the ray is.
+struct CsgKernels {
+  unsigned (*eight)(const CsgTree& tree, const RayLanes& rays, const CsgQuery& query, Hit* hits);
+  bool (*one)(const CsgTree& tree, const Ray& ray, const CsgQuery& query, Hit* hit);
+};
+// Those of the best instruction set of this machine.
+const CsgKernels& csg_kernels();
+// Those of any set, for tests; null: this machine cannot run it.
+const CsgKernels* csg_kernels(int instruction_set);
 
 class CsgTree {
  public:

@@ -175,9 +175,8 @@ TEST(HeightField, WalksAreTheSameWithAllInstructionSets) {
         d((unit(rng) - .5) * 149, (unit(rng) - .5) * 65536, (unit(rng) - .5) * 89);
     if (n % 5 == 0) d.x = 0;
     if (n % 7 == 0) d.z = 0;
-    const auto expected = cells_of(textures::kBaseline, o, d, 0, 1);
-    for (int set = 1; set <= textures::best_instruction_set(); ++set)
-      ASSERT_EQ(cells_of(set, o, d, 0, 1), expected) << n;
+    const auto expected = cells_of(simd::kBaseline, o, d, 0, 1);
+    for (int set = 1; set <= simd::best_instruction_set(); ++set) ASSERT_EQ(cells_of(set, o, d, 0, 1), expected) << n;
     for (int step = 0; step < 20; ++step) {
       const Vec3 p = o + unit(rng) * d;
       if (!(p.x >= 0 && p.x < 149 && p.z >= 0 && p.z < 89)) continue;
@@ -255,7 +254,7 @@ TEST(HeightField, EightRaysFindWhatEachFinds) {
           ++met;
         });
       }
-      for (int set = 0; set <= textures::best_instruction_set(); ++set) {
+      for (int set = 0; set <= simd::best_instruction_set(); ++set) {
         const HeightPacketKernels& kernels = *height_packet_kernels(set);
         HeightPacket packet;
         unsigned inside = kernels.enter(grid, nullptr, lanes, packet), group = 0;

@@ -98,9 +98,9 @@ constexpr auto kNext = std::to_array({&baseline::next, &avx2::next, &avx512::nex
 constexpr const HeightPacketKernels* kPacketKernels[] = {&baseline::kPacketKernels, &avx2::kPacketKernels,
                                                          &avx512::kPacketKernels};
 #else
-constexpr decltype(&baseline::next) kNext[textures::kInstructionSets] = {&baseline::next, nullptr, nullptr};
-constexpr const HeightPacketKernels* kPacketKernels[textures::kInstructionSets] = {&baseline::kPacketKernels, nullptr,
-                                                                                   nullptr};
+constexpr decltype(&baseline::next) kNext[simd::kInstructionSets] = {&baseline::next, nullptr, nullptr};
+constexpr const HeightPacketKernels* kPacketKernels[simd::kInstructionSets] = {&baseline::kPacketKernels, nullptr,
+                                                                               nullptr};
 #endif
 
 // The smallest block that holds the cells of the ray between `enter` and `leave`.
@@ -117,7 +117,7 @@ HeightWalk::Block smallest_block(const HeightGrid& grid, const Vec3& o, const Ve
   return {level, static_cast<int>(i0 >> 2 * level), static_cast<int>(k0 >> 2 * level), -HUGE_VALF};
 }
 
-const auto next_of_best = kNext[textures::best_instruction_set()];
+const auto next_of_best = kNext[simd::best_instruction_set()];
 
 }  // namespace
 
@@ -147,15 +147,15 @@ HeightWalk::HeightWalk(const HeightGrid& grid, const Vec3& o, const Vec3& d, dou
 int HeightWalk::next(float end, HeightCell cells[kCells]) { return next_of_best(state_, end, cells); }
 
 int HeightWalk::next(int set, float end, HeightCell cells[kCells]) {
-  return set <= textures::best_instruction_set() ? kNext[static_cast<std::size_t>(set)](state_, end, cells) : -1;
+  return set <= simd::best_instruction_set() ? kNext[static_cast<std::size_t>(set)](state_, end, cells) : -1;
 }
 
 const HeightPacketKernels* height_packet_kernels(int set) {
-  return set <= textures::best_instruction_set() ? kPacketKernels[set] : nullptr;
+  return set <= simd::best_instruction_set() ? kPacketKernels[set] : nullptr;
 }
 
 const HeightPacketKernels& height_packet_kernels() {
-  static const HeightPacketKernels& best = *kPacketKernels[textures::best_instruction_set()];
+  static const HeightPacketKernels& best = *kPacketKernels[simd::best_instruction_set()];
   return best;
 }
 

@@ -18,16 +18,16 @@ namespace {
 #define VERISIM_KERNELS "tracer/shapes/implicit/isosurface_row.inc"
 #include "tracer/simd/each_instruction_set.inc"
 
-const IsosurfaceKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+const IsosurfaceKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 }  // namespace
 
 const IsosurfaceKernels* isosurface_kernels(int set) {
-  return set <= textures::best_instruction_set() ? kAll[set] : nullptr;
+  return set <= simd::best_instruction_set() ? kAll[set] : nullptr;
 }
 
 const IsosurfaceKernels& isosurface_kernels() {
-  static const IsosurfaceKernels& best = *kAll[textures::best_instruction_set()];
+  static const IsosurfaceKernels& best = *kAll[simd::best_instruction_set()];
   return best;
 }
 

@@ -173,10 +173,10 @@ TEST(IsosurfaceRow, InstructionSetsGiveTheSameBits) {
     SearchLanes start{};
     set_up(start, random);
     SearchLanes plain = start;
-    const unsigned found = search(*isosurface_kernels(textures::kBaseline), plain);
+    const unsigned found = search(*isosurface_kernels(simd::kBaseline), plain);
     EXPECT_EQ(found & ~0xedu, 0u);
     hits += std::popcount(found);
-    for (int set = textures::kAvx2; set < textures::kInstructionSets; ++set) {
+    for (int set = simd::kAvx2; set < simd::kInstructionSets; ++set) {
       const IsosurfaceKernels* const kernels = isosurface_kernels(set);
       if (!kernels) continue;
       SearchLanes other = start;

@@ -18,14 +18,14 @@ namespace {
 #define VERISIM_KERNELS "tracer/shapes/julia/julia_lanes.inc"
 #include "tracer/simd/each_instruction_set.inc"
 
-const Kernels* const kSets[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
+const Kernels* const kSets[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 }  // namespace
 
-const Kernels* kernels(int set) { return set <= textures::best_instruction_set() ? kSets[set] : nullptr; }
+const Kernels* kernels(int set) { return set <= simd::best_instruction_set() ? kSets[set] : nullptr; }
 
 const Kernels& kernels() {
-  static const Kernels& best = *kSets[textures::best_instruction_set()];
+  static const Kernels& best = *kSets[simd::best_instruction_set()];
   return best;
 }
 

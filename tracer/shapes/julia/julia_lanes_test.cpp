@@ -95,14 +95,14 @@ TEST(JuliaLanes, InstructionSetsGiveTheSameBits) {
             k, Vec3(coordinate(random), coordinate(random), coordinate(random)) - static_cast<double>(n % 3) * d);
       }
       const Transform* const matrix = n % 2 ? &turned : nullptr;
-      const Crossings plain = crossings(*kernels(textures::kBaseline), f, map, matrix, rays);
+      const Crossings plain = crossings(*kernels(simd::kBaseline), f, map, matrix, rays);
       entered += std::popcount(plain.entered), crossed += std::popcount(plain.crossed);
       each_lane(plain.entered, [&](int k) {
         const Vec3 o(plain.row.rays.origin[0][k], plain.row.rays.origin[1][k], plain.row.rays.origin[2][k]);
         const Vec3 d(plain.row.rays.direction[0][k], plain.row.rays.direction[1][k], plain.row.rays.direction[2][k]);
         ASSERT_EQ(plain.row.stretch.last[k], map.last(o, d, plain.row.stretch.begin[k], plain.row.stretch.end[k]));
       });
-      for (int set = textures::kAvx2; set < textures::kInstructionSets; ++set) {
+      for (int set = simd::kAvx2; set < simd::kInstructionSets; ++set) {
         if (!kernels(set)) continue;
         const Crossings other = crossings(*kernels(set), f, map, matrix, rays);
         ASSERT_EQ(other.entered, plain.entered);

@@ -3,23 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracer/simd/instruction_sets.h"
-
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
-
 namespace verisim::shapes {
-namespace {
 
-#define VERISIM_KERNELS "tracer/shapes/quadrics/box_set.inc"
-#include "tracer/simd/each_instruction_set.inc"
-
-const BoxKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
-
-}  // namespace
-
-const BoxKernels* box_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
-
-BoxSet::BoxSet() : kernels_(kAll[textures::best_instruction_set()]) {}
+BoxSet::BoxSet() : kernels_(&box_kernels()) {}
 
 BoxSet::BoxSet(std::span<const Box3> boxes) : BoxSet() {
   Box3 all;

@@ -29,6 +29,8 @@ struct BoxKernels {
 
 // Those of any instruction set, for tests; null: this machine cannot run it.
 const BoxKernels* box_kernels(int instruction_set);
+// Those of the best instruction set of this machine.
+const BoxKernels& box_kernels();
 
 class BoxSet {
  public:

@@ -92,7 +92,7 @@ TEST(BoxSet, IsTheSameWithAllInstructionSets) {
     Vec3 origin(unit(random), unit(random), unit(random)),
         reciprocal(1 / unit(random), 1 / unit(random), 1 / unit(random));
     if (round % 3 == 0) (round % 2 ? origin : reciprocal)[round / 3 % 3] = kStrange[random() % std::size(kStrange)];
-    for (int set = 1; set <= textures::best_instruction_set(); ++set) {
+    for (int set = 1; set <= simd::best_instruction_set(); ++set) {
       ASSERT_EQ(box_kernels(set)->meet(boxes, origin, reciprocal, 0, 2e10),
                 box_kernels(0)->meet(boxes, origin, reciprocal, 0, 2e10));
       alignas(64) double near[8], plain[8];

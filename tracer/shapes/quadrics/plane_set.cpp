@@ -1,25 +1,8 @@
 #include "tracer/shapes/quadrics/plane_set.h"
 
-#include "tracer/shapes/quadrics/plane.h"
-#include "tracer/simd/instruction_sets.h"
-
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
-
 namespace verisim::shapes {
-namespace {
 
-constexpr double kFar = 1e300;
-
-#define VERISIM_KERNELS "tracer/shapes/quadrics/plane_set.inc"
-#include "tracer/simd/each_instruction_set.inc"
-
-const PlaneKernels* const kAll[textures::kInstructionSets] = VERISIM_KERNEL_TABLES;
-
-}  // namespace
-
-const PlaneKernels* plane_kernels(int set) { return set <= textures::best_instruction_set() ? kAll[set] : nullptr; }
-
-PlaneSet::PlaneSet() : kernels_(*plane_kernels(textures::best_instruction_set())) {}
+PlaneSet::PlaneSet() : kernels_(plane_kernels()) {}
 
 void PlaneSet::add(const Vec3& normal, double distance, bool inverted) {
   const int lane = count_ % 8;

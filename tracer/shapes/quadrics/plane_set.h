@@ -32,6 +32,8 @@ struct PlaneKernels {
 
 // Those of any instruction set, for tests; null: this machine cannot run it.
 const PlaneKernels* plane_kernels(int instruction_set);
+// Those of the best instruction set of this machine.
+const PlaneKernels& plane_kernels();
 
 class PlaneSet {
  public:

@@ -121,7 +121,7 @@ TEST_P(PlaneKernel, MeetsAPlaneWithEightRaysAsWithEach) {
   EXPECT_GT(missed_box, 300);
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, PlaneKernel, testing::Range(0, static_cast<int>(textures::kInstructionSets)));
+INSTANTIATE_TEST_SUITE_P(InstructionSets, PlaneKernel, testing::Range(0, static_cast<int>(simd::kInstructionSets)));
 
 TEST(PlaneSet, KnowsOutsideOfManyPlanesBothWaysRound) {
   PlaneSet set;

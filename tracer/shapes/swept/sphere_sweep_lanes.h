@@ -18,8 +18,8 @@ struct alignas(64) SweepSideLanes {
 using SweepFollow = void (*)(const SweepCubic& cubic, const LocalLanes& rays, SweepSideLanes& lanes);
 
 // That of the best instruction set of this machine.
-SweepFollow sweep_follow();
+const SweepFollow& sweep_follow();
 // That of any set, for tests; null: this machine cannot run it.
-SweepFollow sweep_follow(int instruction_set);
+const SweepFollow* sweep_follow(int instruction_set);
 
 }  // namespace verisim::shapes

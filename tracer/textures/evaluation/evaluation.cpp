@@ -11,7 +11,7 @@
 namespace verisim::textures {
 namespace {
 
-const EvaluationKernels& kernels = evaluation_kernels(best_instruction_set());
+const EvaluationKernels& kernels = evaluation_kernels(simd::best_instruction_set());
 
 constexpr std::size_t kFewPoints = 3;  // not worth a row
 

@@ -26,7 +26,7 @@ struct EvaluationKernels {
 };
 
 // `set` must not be beyond best_instruction_set().
-const EvaluationKernels& evaluation_kernels(InstructionSet set);
+const EvaluationKernels& evaluation_kernels(simd::InstructionSet set);
 
 // `value_at` of several points, filled up.
 void values_at(const CompiledPattern& pattern, int count, const PointRow& warped_points,

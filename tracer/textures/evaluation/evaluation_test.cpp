@@ -60,10 +60,10 @@ TEST(Evaluation, GivesTheSameBitsOnEveryInstructionSet) {
       const double size = std::pow(10.0, i % 7 - 2);
       const Vec3 p(size * coordinate(random), size * coordinate(random), size * coordinate(random));
       Color first;
-      evaluation_kernels(kBaseline).evaluate(pigment, p, nullptr, first);
-      const PatternValue value = evaluation_kernels(kBaseline).value_of(*pigment.pattern, p, nullptr);
-      for (int set = 1; set <= best_instruction_set(); ++set) {
-        const EvaluationKernels& kernels = evaluation_kernels(static_cast<InstructionSet>(set));
+      evaluation_kernels(simd::kBaseline).evaluate(pigment, p, nullptr, first);
+      const PatternValue value = evaluation_kernels(simd::kBaseline).value_of(*pigment.pattern, p, nullptr);
+      for (int set = 1; set <= simd::best_instruction_set(); ++set) {
+        const EvaluationKernels& kernels = evaluation_kernels(static_cast<simd::InstructionSet>(set));
         const PatternValue other = kernels.value_of(*pigment.pattern, p, nullptr);
         ASSERT_EQ(other.point, value.point) << "instruction set " << set;
         ASSERT_EQ(other.value, value.value)
@@ -146,8 +146,8 @@ TEST(Evaluation, GivesRowsTheBitsOfPoints) {
       const int count = 1 + (round * 13) % PointRow::kMost;
       PointRow points;
       fill(points, count, std::pow(10.0, round % 5 - 4 + (round == 11 ? 12 : 0)), random);
-      for (int set = 0; set <= best_instruction_set(); ++set) {
-        const EvaluationKernels& kernels = evaluation_kernels(static_cast<InstructionSet>(set));
+      for (int set = 0; set <= simd::best_instruction_set(); ++set) {
+        const EvaluationKernels& kernels = evaluation_kernels(static_cast<simd::InstructionSet>(set));
         Color colors[PointRow::kMost];
         bool colored[PointRow::kMost];
         kernels.evaluate_row(pigment, count, points, nullptr, colors, colored);

@@ -85,17 +85,17 @@ namespace avx512 {
 }  // namespace avx512
 #pragma GCC pop_options
 
-const NoiseKernels* const kAll[kInstructionSets] = {&baseline::kKernels, &avx2::kKernels, &avx512::kKernels};
-const EvaluationKernels* const kAllEvaluations[kInstructionSets] = {&baseline::kEvaluation, &avx2::kEvaluation,
-                                                                    &avx512::kEvaluation};
+const NoiseKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels, &avx2::kKernels, &avx512::kKernels};
+const EvaluationKernels* const kAllEvaluations[simd::kInstructionSets] = {&baseline::kEvaluation, &avx2::kEvaluation,
+                                                                          &avx512::kEvaluation};
 #else
-const NoiseKernels* const kAll[kInstructionSets] = {&baseline::kKernels};
-const EvaluationKernels* const kAllEvaluations[kInstructionSets] = {&baseline::kEvaluation};
+const NoiseKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels};
+const EvaluationKernels* const kAllEvaluations[simd::kInstructionSets] = {&baseline::kEvaluation};
 #endif
 
 }  // namespace
 
-const NoiseKernels& noise_kernels(InstructionSet set) { return *kAll[set]; }
-const EvaluationKernels& evaluation_kernels(InstructionSet set) { return *kAllEvaluations[set]; }
+const NoiseKernels& noise_kernels(simd::InstructionSet set) { return *kAll[set]; }
+const EvaluationKernels& evaluation_kernels(simd::InstructionSet set) { return *kAllEvaluations[set]; }
 
 }  // namespace verisim::textures

@@ -10,10 +10,10 @@ constexpr int rounded(int count) { return (count + 7) / 8 * 8; }
 #define VERISIM_KERNELS "tracer/textures/normals/normal_kernels.inc"
 #include "tracer/simd/each_instruction_set.inc"
 
-const NormalKernels* const kAll[kInstructionSets] = VERISIM_KERNEL_TABLES;
+const NormalKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
 
 }  // namespace
 
-const NormalKernels& normal_kernels(InstructionSet set) { return *kAll[set]; }
+const NormalKernels& normal_kernels(simd::InstructionSet set) { return *kAll[set]; }
 
 }  // namespace verisim::textures

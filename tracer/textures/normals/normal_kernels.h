@@ -24,6 +24,6 @@ struct NormalKernels {
 };
 
 // `set` must not be beyond best_instruction_set().
-const NormalKernels& normal_kernels(InstructionSet set);
+const NormalKernels& normal_kernels(simd::InstructionSet set);
 
 }  // namespace verisim::textures

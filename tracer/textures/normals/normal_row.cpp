@@ -11,11 +11,11 @@ namespace {
 constexpr int kFewPoints = 3;  // not worth a row
 
 const NormalKernels& normals_of() {
-  static const NormalKernels& best = normal_kernels(best_instruction_set());
+  static const NormalKernels& best = normal_kernels(simd::best_instruction_set());
   return best;
 }
 const EvaluationKernels& patterns_of() {
-  static const EvaluationKernels& best = evaluation_kernels(best_instruction_set());
+  static const EvaluationKernels& best = evaluation_kernels(simd::best_instruction_set());
   return best;
 }
 

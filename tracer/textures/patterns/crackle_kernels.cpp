@@ -39,13 +39,13 @@ namespace avx512 {
 }  // namespace avx512
 #pragma GCC pop_options
 
-const CrackleKernels* const kAll[kInstructionSets] = {&baseline::kKernels, &avx2::kKernels, &avx512::kKernels};
+const CrackleKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels, &avx2::kKernels, &avx512::kKernels};
 #else
-const CrackleKernels* const kAll[kInstructionSets] = {&baseline::kKernels};
+const CrackleKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels};
 #endif
 
 }  // namespace
 
-const CrackleKernels& crackle_kernels(InstructionSet set) { return *kAll[set]; }
+const CrackleKernels& crackle_kernels(simd::InstructionSet set) { return *kAll[set]; }
 
 }  // namespace verisim::textures

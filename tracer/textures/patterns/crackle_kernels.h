@@ -29,6 +29,6 @@ struct CrackleKernels {
   double (*bound_sums)(const CrackleCell& cell, double* at_least);
 };
 // `set` must not be beyond best_instruction_set().
-const CrackleKernels& crackle_kernels(InstructionSet set);
+const CrackleKernels& crackle_kernels(simd::InstructionSet set);
 
 }  // namespace verisim::textures

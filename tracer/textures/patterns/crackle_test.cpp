@@ -31,8 +31,8 @@ TEST(Crackle, RemembersEveryPointThatCanBeAmongTheNearestThree) {
       }
       std::partial_sort(all.begin(), all.begin() + 3, all.end());
       const CrackleCell& cell = crackle_cell(metric, a, b, c);
-      for (int set = 0; set <= best_instruction_set(); ++set) {
-        const CrackleKernels& kernels = crackle_kernels(static_cast<InstructionSet>(set));
+      for (int set = 0; set <= simd::best_instruction_set(); ++set) {
+        const CrackleKernels& kernels = crackle_kernels(static_cast<simd::InstructionSet>(set));
         const NearestThree nearest =
             metric == CrackleMetric::squares ? kernels.squares(cell, place) : kernels.sums(cell, place);
         for (int k = 0; k < 3; ++k) ASSERT_EQ(nearest.s[k], all[k]) << "instruction set " << set;

@@ -1,7 +1,19 @@
-// Included by bernstein_lanes.cpp once for each instruction set: bernstein::Solver with eight lanes in the place of
-// every number.
+#include "tracer/math/bernstein_lanes.h"
+#include <cmath>
 
-#include "tracer/simd/wide_registers.inc"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/math/bernstein_kernels.cpp"
+#include "tracer/simd/each_target.h"
+
+#include "tracer/simd/kernel_table.h"
+#include "tracer/simd/packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim {
+namespace {
+namespace HWY_NAMESPACE {
+
+using namespace simd::HWY_NAMESPACE;
 
 template <class Visit>
 inline void each(unsigned lanes, Visit&& visit) {
@@ -9,21 +21,21 @@ inline void each(unsigned lanes, Visit&& visit) {
 }
 
 unsigned begin(int n, unsigned asked, RootLanes& s) {
-  Wide c[RootLanes::kMostTerms];
-  const Wide a = load(s.from), b = load(s.to);
+  Packet c[RootLanes::kMostTerms];
+  const Packet a = load(s.from), b = load(s.to);
   for (int i = 0; i <= n; ++i) c[i] = load(s.power[i]);
-  if (const Flags moved = a != 0; bits(moved) != 0) {
+  if (const Mask moved = a != 0; bits(moved) != 0) {
     for (int i = 0; i < n; ++i)
-      for (int k = n - 1; k >= i; --k) c[k] = choose(moved, c[k] + a * c[k + 1], c[k]);
+      for (int k = n - 1; k >= i; --k) c[k] = select(moved, c[k] + a * c[k + 1], c[k]);
   }
-  Wide scale = 1;
-  const Wide width = b - a;
+  Packet scale = 1;
+  const Packet width = b - a;
   for (int i = 0; i <= n; ++i, scale *= width) c[i] *= scale * bernstein::kBinomials.inverse[n][i];
   for (int i = 1; i <= n; ++i)
     for (int k = n; k >= i; --k) c[k] += c[k - 1];
-  Flags positive = all_flags(-1), negative = positive, finite = positive;
+  Mask positive = Mask::all(), negative = positive, finite = positive;
   for (int i = 0; i <= n; ++i) {
-    positive &= c[i] > 0, negative &= c[i] < 0, finite &= magnitude(c[i]) < HUGE_VAL;
+    positive &= c[i] > 0, negative &= c[i] < 0, finite &= abs(c[i]) < HUGE_VAL;
     store(s.now.c[i], c[i]);
   }
   store(s.now.from, a);
@@ -50,30 +62,30 @@ inline void proceed(int n, unsigned lanes, RootLanes& s) {
 }
 
 // Solver::bracketed_root, of stretches whose ends have values of opposite signs; other lanes hold anything.
-inline Wide bracketed_roots(int n, unsigned lanes, const RootLanes& s) {
-  Wide low = load(s.now.from), high = load(s.now.to);
-  const Wide f_low = load(s.now.c[0]), f_high = load(s.now.c[n]);
-  const Wide low_size = magnitude(low), high_size = magnitude(high);
-  const Wide end_precision = 1e-15 * greater(low_size, high_size);
-  Wide x = low - f_low * (high - low) / (f_high - f_low);
-  x = choose((x > low) & (x < high), x, 0.5 * (low + high));
-  Wide last_step = high - low;
-  const Flags rises = f_low < 0;
-  Flags active = flags(lanes);
+inline Packet bracketed_roots(int n, unsigned lanes, const RootLanes& s) {
+  Packet low = load(s.now.from), high = load(s.now.to);
+  const Packet f_low = load(s.now.c[0]), f_high = load(s.now.c[n]);
+  const Packet low_size = abs(low), high_size = abs(high);
+  const Packet end_precision = 1e-15 * max(low_size, high_size);
+  Packet x = low - f_low * (high - low) / (f_high - f_low);
+  x = select((x > low) & (x < high), x, 0.5 * (low + high));
+  Packet last_step = high - low;
+  const Mask rises = f_low < 0;
+  Mask active = Mask::of_bits(lanes);
   for (int step = 0; step < 100; ++step) {
-    Wide f = load(s.power[n]), slope{};
+    Packet f = load(s.power[n]), slope{};
     for (int i = n - 1; i >= 0; --i) slope = slope * x + f, f = f * x + load(s.power[i]);
     active &= f != 0;
-    const Flags left = ~((f < 0) ^ rises);
-    low = choose(left, x, low);
-    high = choose(left, high, x);
-    Wide next = x - f / slope;
-    Wide move = magnitude(next - x);
-    const Flags keeps = (next > low) & (next < high) & ~(move > 0.5 * last_step);
-    next = choose(keeps, next, 0.5 * (low + high));
-    move = choose(keeps, move, 0.5 * (high - low));
+    const Mask left = ~((f < 0) ^ rises);
+    low = select(left, x, low);
+    high = select(left, high, x);
+    Packet next = x - f / slope;
+    Packet move = abs(next - x);
+    const Mask keeps = (next > low) & (next < high) & ~(move > 0.5 * last_step);
+    next = select(keeps, next, 0.5 * (low + high));
+    move = select(keeps, move, 0.5 * (high - low));
     last_step = move;
-    x = choose(active, next, x);
+    x = select(active, next, x);
     active &= ~(move <= end_precision);
     if (bits(active) == 0) break;
   }
@@ -93,15 +105,14 @@ unsigned next(int n, unsigned asked, RootLanes& s) {
     s.done &= ~(asked & ~found);
     unsigned bracketed = 0;
     while (const unsigned todo = s.open & asked & ~found & ~bracketed) {
-      Flags changes{};
-      Wide sign{};
+      Packet changes{}, sign{};
       for (int i = 0; i <= n; ++i) {
-        const Wide c = load(s.now.c[i]);
-        changes = changes - (sign * c < 0);
-        sign = choose(c != 0, choose(c < 0, -1.0, 1.0), sign);
+        const Packet c = load(s.now.c[i]);
+        changes = select(sign * c < 0, changes + 1.0, changes);
+        sign = select(c != 0, select(c < 0, Packet(-1.0), Packet(1.0)), sign);
       }
-      const Flags ends = (load(s.now.c[0]) != 0) & (load(s.now.c[n]) != 0);
-      const unsigned none = bits(changes == Flags{}) & todo, single = bits((changes == all_flags(1)) & ends) & todo;
+      const Mask ends = (load(s.now.c[0]) != 0) & (load(s.now.c[n]) != 0);
+      const unsigned none = bits(changes == 0.0) & todo, single = bits((changes == 1.0) & ends) & todo;
       bracketed |= single;
       // No change: a root at an end at most. One at the left end is taken away before the stretch is looked at again
       // for the right one.
@@ -128,23 +139,23 @@ unsigned next(int n, unsigned asked, RootLanes& s) {
         if (!(found >> k & 1)) s.done &= ~(1u << k), proceed(n, 1u << k, s);
       });
       if (split == 0) continue;
-      Wide right[RootLanes::kMostTerms];
+      Packet right[RootLanes::kMostTerms];
       for (int i = 0; i <= n; ++i) right[i] = load(s.now.c[i]);
-      const Flags here = flags(split);
+      const Mask here = Mask::of_bits(split);
       for (int i = 0; i <= n; ++i) {  // de Casteljau at the middle
-        store(s.now.c[i], choose(here, right[0], load(s.now.c[i])));
+        store(s.now.c[i], select(here, right[0], load(s.now.c[i])));
         for (int k = 0; k < n - i; ++k) right[k] = 0.5 * (right[k] + right[k + 1]);
       }
-      const Wide to = load(s.now.to), middle = 0.5 * (load(s.now.from) + to);
-      store(s.now.to, choose(here, middle, to));
+      const Packet to = load(s.now.to), middle = 0.5 * (load(s.now.from) + to);
+      store(s.now.to, select(here, middle, to));
       // Mostly, lanes are equally deep.
       for (unsigned rest = split; rest != 0;) {
         const std::int64_t depth = s.depth[__builtin_ctz(rest)];
-        const Flags equal = flags(rest) & (load_flags(s.depth) == all_flags(depth));
+        const Mask equal = Mask::of_bits(rest) & (load(s.depth) == IntPacket(depth));
         RootLanes::Stretch& half = s.later[depth];
-        for (int i = 0; i <= n; ++i) store(half.c[i], choose(equal, right[i], load(half.c[i])));
-        store(half.from, choose(equal, middle, load(half.from)));
-        store(half.to, choose(equal, to, load(half.to)));
+        for (int i = 0; i <= n; ++i) store(half.c[i], select(equal, right[i], load(half.c[i])));
+        store(half.from, select(equal, middle, load(half.from)));
+        store(half.to, select(equal, to, load(half.to)));
         rest &= ~bits(equal);
       }
       each(split, [&](int k) { s.waiting[k] |= std::uint64_t{1} << s.depth[k]++; });
@@ -159,3 +170,14 @@ unsigned next(int n, unsigned asked, RootLanes& s) {
 }
 
 const BernsteinKernels kKernels = {begin, next};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim {
+VERISIM_EXPORT_KERNELS(BernsteinKernels, bernstein_kernels)
+}  // namespace verisim
+#endif

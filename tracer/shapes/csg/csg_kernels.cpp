@@ -1,59 +1,49 @@
-// Included by csg_tree.cpp once for each instruction set. `Number` is Wide (eight rays) or One.
+#include "tracer/shapes/csg/csg_tree.h"
+#include <algorithm>
+#include <cmath>
+#include "tracer/bvh/box_tree.h"
+#include "tracer/shapes/quadrics/plane.h"
 
-#include "tracer/simd/wide_registers.inc"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/shapes/csg/csg_kernels.cpp"
+#include "tracer/simd/each_target.h"
 
-#include "tracer/simd/one_lane.inc"
+#include "tracer/math/packet_vector-inl.h"
+#include "tracer/simd/kernel_table.h"
+#include "tracer/simd/packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim::shapes {
+namespace {
+namespace HWY_NAMESPACE {
+
+// `Number` is a packet of the rays that go together: Packet, or PacketOf<1>.
+
+using namespace simd::HWY_NAMESPACE;
 
 template <class Number>
-struct Point {
-  Number x, y, z;
-};
-template <class Number>
-VERISIM_WIDE Point<Number> point_through(const Mat4& m, const Point<Number>& p) {
-  return {p.x * m[0][0] + p.y * m[1][0] + p.z * m[2][0] + m[3][0],
-          p.x * m[0][1] + p.y * m[1][1] + p.z * m[2][1] + m[3][1],
-          p.x * m[0][2] + p.y * m[1][2] + p.z * m[2][2] + m[3][2]};
-}
-template <class Number>
-VERISIM_WIDE Point<Number> direction_through(const Mat4& m, const Point<Number>& d) {
-  return {d.x * m[0][0] + d.y * m[1][0] + d.z * m[2][0], d.x * m[0][1] + d.y * m[1][1] + d.z * m[2][1],
-          d.x * m[0][2] + d.y * m[1][2] + d.z * m[2][2]};
-}
-template <class Number>
-VERISIM_WIDE Number dot_of(const Point<Number>& a, const Point<Number>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class Number>
-VERISIM_WIDE Point<Number> along(const Point<Number>& o, const Number& t, const Point<Number>& d) {
-  return {o.x + t * d.x, o.y + t * d.y, o.z + t * d.z};
-}
-template <class Number>
-VERISIM_WIDE Vec3 lane_of(const Point<Number>& p, int k) {
+HWY_INLINE Vec3 lane_of(const PacketVector<Number>& p, int k) {
   return {p.x[k], p.y[k], p.z[k]};
-}
-template <class Number>
-VERISIM_WIDE Point<Number> chosen(const FlagOf<Number>& where, const Point<Number>& a, const Point<Number>& b) {
-  return {choose(where, a.x, b.x), choose(where, a.y, b.y), choose(where, a.z, b.z)};
 }
 
 // A point in a node's own space.
 template <class Number>
-VERISIM_WIDE Point<Number> local_point(const CsgNode& n, const Point<Number>& p) {
-  return n.simple.matrix ? point_through(n.simple.matrix->inv, p) : p;
+HWY_INLINE PacketVector<Number> local_point(const CsgNode& n, const PacketVector<Number>& p) {
+  return n.simple.matrix ? transform_point(n.simple.matrix->inv, p) : p;
 }
 
 // As the shapes' `formula`.
 template <class Number>
-unsigned inside_simple(const CsgNode& n, const Point<Number>& at) {
+unsigned inside_simple(const CsgNode& n, const PacketVector<Number>& at) {
   const SimpleSolid& s = n.simple;
-  const Point<Number> p = local_point(n, at);
-  const unsigned turned = s.inverted ? Lanes<Number>::kAll : 0;
+  const PacketVector<Number> p = local_point(n, at);
+  const unsigned turned = s.inverted ? (1u << Number::kCount) - 1 : 0;
   switch (s.form) {
     case SimpleSolid::Form::plane:
       return bits(p.x * s.a.x + p.y * s.a.y + p.z * s.a.z - s.c < kEpsilon) ^ turned;
     case SimpleSolid::Form::sphere: {
-      const Point<Number> d{p.x - s.a.x, p.y - s.a.y, p.z - s.a.z};
-      const Number distance2 = dot_of(d, d);
+      const PacketVector<Number> d{p.x - s.a.x, p.y - s.a.y, p.z - s.a.z};
+      const Number distance2 = dot(d, d);
       return bits(s.inverted ? distance2 > s.c : distance2 < s.c);
     }
     case SimpleSolid::Form::box:
@@ -74,11 +64,11 @@ unsigned inside_simple(const CsgNode& n, const Point<Number>& at) {
 }
 
 template <class Number>
-unsigned inside_parts(const CsgTree& tree, const CsgNode& n, unsigned lanes, const Point<Number>& p);
+unsigned inside_parts(const CsgTree& tree, const CsgNode& n, unsigned lanes, const PacketVector<Number>& p);
 
 // Of `lanes`, those whose points are inside a node.
 template <class Number>
-unsigned inside(const CsgTree& tree, const CsgNode& n, unsigned lanes, const Point<Number>& p) {
+unsigned inside(const CsgTree& tree, const CsgNode& n, unsigned lanes, const PacketVector<Number>& p) {
   if (n.boxed_solid) {
     const unsigned here = bits((p.x >= n.solid.min.x) & (p.x <= n.solid.max.x) & (p.y >= n.solid.min.y) &
                                (p.y <= n.solid.max.y) & (p.z >= n.solid.min.z) & (p.z <= n.solid.max.z)) &
@@ -89,7 +79,7 @@ unsigned inside(const CsgTree& tree, const CsgNode& n, unsigned lanes, const Poi
   return inside_parts(tree, n, lanes, p);
 }
 template <class Number>
-unsigned inside_parts(const CsgTree& tree, const CsgNode& n, unsigned lanes, const Point<Number>& p) {
+unsigned inside_parts(const CsgTree& tree, const CsgNode& n, unsigned lanes, const PacketVector<Number>& p) {
   switch (n.kind) {
     case CsgNode::Kind::simple:
       return inside_simple(n, p) & lanes;
@@ -118,27 +108,27 @@ template <class Number>
 struct Search {
   const CsgTree& tree;
   const CsgQuery& query;
-  const Point<Number> o, d;
+  const PacketVector<Number> o, d;
   const Number t_max;
   Number best;
   Number near, far;     // where its ray is within the object's box
   Number enter, leave;  // where it may be within the core
-  Point<Number> reciprocal;
+  PacketVector<Number> reciprocal;
   unsigned open;  // lanes that are still looked at
   const bool any;
   unsigned found = 0;
   // Of the best hits.
-  Point<Number> point;
-  FlagOf<Number> node, part;
+  PacketVector<Number> point;
+  IntsFor<Number> node, part;
   ScratchHits* others = nullptr;  // hits of what is not computed here
 
-  VERISIM_WIDE Search(const CsgTree& t, const CsgQuery& q, const Point<Number>& origin, const Point<Number>& direction,
-                      unsigned lanes, bool any_hit)
+  HWY_INLINE Search(const CsgTree& t, const CsgQuery& q, const PacketVector<Number>& origin,
+                    const PacketVector<Number>& direction, unsigned lanes, bool any_hit)
       : tree(t),
         query(q),
         o(origin),
         d(direction),
-        t_max(Lanes<Number>::from(q.t_max)),
+        t_max(Number::load(q.t_max)),
         best(t_max),
         near(q.t_min),
         far(t_max),
@@ -150,8 +140,8 @@ struct Search {
 
 // Takes hits of `lanes` at t that survive.
 template <class Number>
-VERISIM_WIDE void take_surviving(Search<Number>& s, const CsgNode& n, const Number& t, unsigned lanes,
-                                 const Point<Number>& p, const FlagOf<Number>& part) {
+HWY_INLINE void take_surviving(Search<Number>& s, const CsgNode& n, const Number& t, unsigned lanes,
+                               const PacketVector<Number>& p, const IntsFor<Number>& part) {
   for (std::uint32_t i = 0; i < n.test_count; ++i) {
     const CsgTest& test = s.tree.tests[n.tests + i];
     if ((test.hidden >> static_cast<unsigned>(s.query.kind) & 1) != 0) continue;
@@ -170,57 +160,57 @@ VERISIM_WIDE void take_surviving(Search<Number>& s, const CsgNode& n, const Numb
     s.open &= ~lanes;
     return;
   }
-  const FlagOf<Number> here = Lanes<Number>::from_bits(lanes);
-  s.best = choose(here, t, s.best);
-  s.point = chosen(here, p, s.point);
-  s.node = choose(here, Lanes<Number>::whole(&n - s.tree.nodes.data()), s.node);
-  s.part = choose(here, part, s.part);
+  const typename Number::Mask here = Number::Mask::of_bits(lanes);
+  s.best = select(here, t, s.best);
+  s.point = select(here, p, s.point);
+  s.node = select(here, IntsFor<Number>(&n - s.tree.nodes.data()), s.node);
+  s.part = select(here, part, s.part);
 }
 // The lanes of `valid` whose hits at t would be the nearest.
 template <class Number>
-VERISIM_WIDE unsigned wanted(const Search<Number>& s, const Number& t, const FlagOf<Number>& valid) {
+HWY_INLINE unsigned wanted(const Search<Number>& s, const Number& t, const typename Number::Mask& valid) {
   return bits(valid & (t >= s.query.t_min) & (t < s.t_max) & (t <= s.best) & (t >= s.enter) & (t <= s.leave)) & s.open;
 }
 // Hits that have points of their own.
 template <class Number>
 [[gnu::noinline]] void consider_at(Search<Number>& s, const CsgNode& n, const Number& t, unsigned lanes,
-                                   const Point<Number>& p, const FlagOf<Number>& part) {
+                                   const PacketVector<Number>& p, const IntsFor<Number>& part) {
   take_surviving(s, n, t, lanes, p, part);
 }
 // Hits that lie on the ray.
 template <class Number>
 [[gnu::noinline]] void consider_on_ray(Search<Number>& s, const CsgNode& n, const Number& t, unsigned lanes,
-                                       const FlagOf<Number>& part) {
-  take_surviving(s, n, t, lanes, along(s.o, t, s.d), part);
+                                       const IntsFor<Number>& part) {
+  take_surviving(s, n, t, lanes, point_at(s.o, t, s.d), part);
 }
 template <class Number>
-VERISIM_WIDE void consider(Search<Number>& s, const CsgNode& n, const Number& t, const FlagOf<Number>& valid,
-                           const FlagOf<Number>& part) {
+HWY_INLINE void consider(Search<Number>& s, const CsgNode& n, const Number& t, const typename Number::Mask& valid,
+                         const IntsFor<Number>& part) {
   if (const unsigned lanes = wanted(s, t, valid); lanes != 0) consider_on_ray(s, n, t, lanes, part);
 }
 
 template <class Number>
 struct LocalRayOf {
-  Point<Number> o, d;
+  PacketVector<Number> o, d;
   Number scale;
 };
 // As Primitive::local.
 template <class Number>
-VERISIM_WIDE LocalRayOf<Number> local_ray(const Search<Number>& s, const CsgNode& n) {
+HWY_INLINE LocalRayOf<Number> local_ray(const Search<Number>& s, const CsgNode& n) {
   if (!n.simple.matrix) return {s.o, s.d, Number(1)};
-  Point<Number> d = direction_through(n.simple.matrix->inv, s.d);
-  const Number scale = square_root(d.x * d.x + d.y * d.y + d.z * d.z), inverse = Number(1.0) / scale;
-  return {point_through(n.simple.matrix->inv, s.o), {d.x * inverse, d.y * inverse, d.z * inverse}, scale};
+  PacketVector<Number> d = transform_direction(n.simple.matrix->inv, s.d);
+  const Number scale = sqrt(d.x * d.x + d.y * d.y + d.z * d.z), inverse = Number(1.0) / scale;
+  return {transform_point(n.simple.matrix->inv, s.o), {d.x * inverse, d.y * inverse, d.z * inverse}, scale};
 }
 
 template <class Number>
 void cross_plane(Search<Number>& s, const CsgNode& n) {
   const SimpleSolid& p = n.simple;
-  const Point<Number> o = local_point(n, s.o), d = p.matrix ? direction_through(n.simple.matrix->inv, s.d) : s.d;
+  const PacketVector<Number> o = local_point(n, s.o),
+                             d = p.matrix ? transform_direction(n.simple.matrix->inv, s.d) : s.d;
   const Number slope = p.a.x * d.x + p.a.y * d.y + p.a.z * d.z,
                t = (Number(p.c) - (p.a.x * o.x + p.a.y * o.y + p.a.z * o.z)) / slope;
-  consider(s, n, t, ~(magnitude(slope) < kEpsilon) & (t >= kNearestPlane) & (t <= kFarthestPlane),
-           Lanes<Number>::whole(0));
+  consider(s, n, t, ~(abs(slope) < kEpsilon) & (t >= kNearestPlane) & (t <= kFarthestPlane), IntsFor<Number>(0));
 }
 
 template <class Number>
@@ -228,18 +218,19 @@ void cross_sphere(Search<Number>& s, const CsgNode& n) {
   constexpr double kNearest = 1e-6, kFarthest = 1e7;
   const SimpleSolid& ball = n.simple;
   const LocalRayOf<Number> l = local_ray(s, n);
-  const Point<Number> to_center{Number(ball.a.x) - l.o.x, Number(ball.a.y) - l.o.y, Number(ball.a.z) - l.o.z};
-  const Number distance_squared = dot_of(to_center, to_center), closest = dot_of(to_center, l.d);
+  const PacketVector<Number> to_center{Number(ball.a.x) - l.o.x, Number(ball.a.y) - l.o.y, Number(ball.a.z) - l.o.z};
+  const Number distance_squared = dot(to_center, to_center), closest = dot(to_center, l.d);
   const Number half_chord2 = Number(ball.c) - distance_squared + closest * closest;
-  const FlagOf<Number> crosses = ~((distance_squared >= ball.c) & (closest < kEpsilon)) & (half_chord2 > kEpsilon);
+  const typename Number::Mask crosses =
+      ~((distance_squared >= ball.c) & (closest < kEpsilon)) & (half_chord2 > kEpsilon);
   if ((bits(crosses) & s.open) == 0) return;
-  const Number half_chord = square_root(half_chord2);
+  const Number half_chord = sqrt(half_chord2);
   const auto report = [&](const Number& t) VERISIM_INLINE_LAMBDA {
-    const FlagOf<Number> valid = crosses & (t > kNearest) & (t < kFarthest);
-    if (!ball.matrix) return consider(s, n, t, valid, Lanes<Number>::whole(0));
+    const typename Number::Mask valid = crosses & (t > kNearest) & (t < kFarthest);
+    if (!ball.matrix) return consider(s, n, t, valid, IntsFor<Number>(0));
     const Number depth = t / l.scale;
     if (const unsigned lanes = wanted(s, depth, valid); lanes != 0)
-      consider_at(s, n, depth, lanes, point_through(n.simple.matrix->m, along(l.o, t, l.d)), Lanes<Number>::whole(0));
+      consider_at(s, n, depth, lanes, transform_point(n.simple.matrix->m, point_at(l.o, t, l.d)), IntsFor<Number>(0));
   };
   report(closest - half_chord);
   report(closest + half_chord);
@@ -252,21 +243,22 @@ void cross_cone(Search<Number>& s, const CsgNode& n) {
   const bool cylinder = n.simple.cylinder;
   const double narrow = n.simple.c;
   const LocalRayOf<Number> l = local_ray(s, n);
-  const Point<Number>&o = l.o, &d = l.d;
-  const auto report = [&](const Number& t, const FlagOf<Number>& valid, std::int64_t part) VERISIM_INLINE_LAMBDA {
-    const FlagOf<Number> here = valid & (t > kNearest) & (t < kFarthest);
-    if ((bits(here) & s.open) != 0) consider(s, n, t / l.scale, here, Lanes<Number>::whole(part));
-  };
-  const auto report_wall = [&](const Number& t, const FlagOf<Number>& valid) VERISIM_INLINE_LAMBDA {
+  const PacketVector<Number>&o = l.o, &d = l.d;
+  const auto report = [&](const Number& t, const typename Number::Mask& valid, std::int64_t part)
+                          VERISIM_INLINE_LAMBDA {
+                            const typename Number::Mask here = valid & (t > kNearest) & (t < kFarthest);
+                            if ((bits(here) & s.open) != 0) consider(s, n, t / l.scale, here, IntsFor<Number>(part));
+                          };
+  const auto report_wall = [&](const Number& t, const typename Number::Mask& valid) VERISIM_INLINE_LAMBDA {
     const Number z = o.z + t * d.z;
     report(t, valid & (z >= narrow) & (z <= Number(1)), wall);
   };
   if (cylinder) {
     const Number a = d.x * d.x + d.y * d.y, b = o.x * d.x + o.y * d.y, c = o.x * o.x + o.y * o.y - 1;
     const Number discriminant = b * b - a * c;
-    const FlagOf<Number> curved = a > kEpsilon, real = curved & (discriminant >= 0);
+    const typename Number::Mask curved = a > kEpsilon, real = curved & (discriminant >= 0);
     if ((bits(real) & s.open) != 0) {
-      const Number root = square_root(discriminant);
+      const Number root = sqrt(discriminant);
       report_wall((-b + root) / a, real);
       report_wall((-b - root) / a, real);
     }
@@ -274,19 +266,19 @@ void cross_cone(Search<Number>& s, const CsgNode& n) {
     const Number a = d.x * d.x + d.y * d.y - d.z * d.z, b = o.x * d.x + o.y * d.y - o.z * d.z,
                  c = o.x * o.x + o.y * o.y - o.z * o.z;
     const Number discriminant = b * b - a * c;
-    const FlagOf<Number> linear = magnitude(a) < kEpsilon, real = ~linear & (discriminant >= 0),
-                         sloped = linear & (magnitude(b) > kEpsilon);
+    const typename Number::Mask linear = abs(a) < kEpsilon, real = ~linear & (discriminant >= 0),
+                                sloped = linear & (abs(b) > kEpsilon);
     if ((bits(real | sloped) & s.open) != 0) {
       if ((bits(sloped) & s.open) != 0) report_wall(-0.5 * c / b, sloped);
       if ((bits(real) & s.open) != 0) {
-        const Number root = square_root(discriminant);
+        const Number root = sqrt(discriminant);
         report_wall((-b - root) / a, real);
         report_wall((-b + root) / a, real);
       }
     }
   }
   if (n.simple.open) return;
-  const FlagOf<Number> sloping = magnitude(d.z) > kEpsilon;
+  const typename Number::Mask sloping = abs(d.z) > kEpsilon;
   const auto report_cap = [&](double end, double radius2, std::int64_t part) VERISIM_INLINE_LAMBDA {
     const Number t = (Number(end) - o.z) / d.z, x = o.x + t * d.x, y = o.y + t * d.y;
     report(t, sloping & (x * x + y * y <= radius2), part);
@@ -300,7 +292,7 @@ void cross_quadric(Search<Number>& s, const CsgNode& n) {
   constexpr double kNearest = 1e-6, kFarthest = 1e7;
   const scene::Quadric& surface = *n.simple.quadric;
   const Vec3 &q = surface.square, &m = surface.mixed, &l = surface.linear;
-  const Point<Number>&o = s.o, &d = s.d;
+  const PacketVector<Number>&o = s.o, &d = s.d;
   const Number a = d.x * (q.x * d.x + m.x * d.y + m.y * d.z) + d.y * (q.y * d.y + m.z * d.z) + d.z * q.z * d.z;
   const Number b = d.x * (q.x * o.x + 0.5 * (m.x * o.y + m.y * o.z + l.x)) +
                    d.y * (q.y * o.y + 0.5 * (m.x * o.x + m.z * o.z + l.y)) +
@@ -308,12 +300,12 @@ void cross_quadric(Search<Number>& s, const CsgNode& n) {
   const Number c = o.x * (q.x * o.x + m.x * o.y + m.y * o.z + l.x) + o.y * (q.y * o.y + m.z * o.z + l.y) +
                    o.z * (q.z * o.z + l.z) + surface.constant;
   const Number discriminant = b * b - a * c;
-  const FlagOf<Number> curved = a != 0, real = curved & (discriminant > 0), straight = ~curved & (b != 0);
-  const auto report = [&](const Number& t, const FlagOf<Number>& valid) VERISIM_INLINE_LAMBDA {
-    consider(s, n, t, valid & (t > kNearest) & (t < kFarthest), Lanes<Number>::whole(0));
+  const typename Number::Mask curved = a != 0, real = curved & (discriminant > 0), straight = ~curved & (b != 0);
+  const auto report = [&](const Number& t, const typename Number::Mask& valid) VERISIM_INLINE_LAMBDA {
+    consider(s, n, t, valid & (t > kNearest) & (t < kFarthest), IntsFor<Number>(0));
   };
   if ((bits(real) & s.open) != 0) {
-    const Number root = square_root(discriminant);
+    const Number root = sqrt(discriminant);
     report((-b + root) / a, real);
     report((-b - root) / a, real);
   }
@@ -324,54 +316,57 @@ void cross_quadric(Search<Number>& s, const CsgNode& n) {
 template <class Number>
 struct Slabs {
   Number near, far, near_size, far_size;  // |d| along the axes of the faces
-  FlagOf<Number> near_face, far_face, has_near, has_far, alive;
+  IntsFor<Number> near_face, far_face;
+  typename Number::Mask has_near, has_far, alive;
 };
 template <class Number>
-VERISIM_WIDE void narrow_by_axis(const Number& o, const Number& d, double low, double high, std::int64_t low_face,
-                                 Slabs<Number>& s) {
-  using Of = Lanes<Number>;
-  const Number size = magnitude(d);
-  const FlagOf<Number> across = size > kEpsilon, backward = d < 0;
+HWY_INLINE void narrow_by_axis(const Number& o, const Number& d, double low, double high, std::int64_t low_face,
+                               Slabs<Number>& s) {
+  const Number size = abs(d);
+  const typename Number::Mask across = size > kEpsilon, backward = d < 0;
   const Number to_low = (Number(low) - o) / d, to_high = (Number(high) - o) / d;
-  const Number enter = choose(backward, to_high, to_low), leave = choose(backward, to_low, to_high);
+  const Number enter = select(backward, to_high, to_low), leave = select(backward, to_low, to_high);
   const Number near_gain = enter - s.near, far_gain = s.far - leave;
-  const FlagOf<Number> enters =
+  const typename Number::Mask enters =
       across & ((near_gain > 1e-6) | (s.has_near & (near_gain > -1e-6) & (size > s.near_size)));
-  const FlagOf<Number> leaves = across & ((far_gain > 1e-6) | (s.has_far & (far_gain > -1e-6) & (size > s.far_size)));
-  s.near_face = choose(enters, choose(backward, Of::whole(low_face + 1), Of::whole(low_face)), s.near_face);
-  s.far_face = choose(leaves, choose(backward, Of::whole(low_face), Of::whole(low_face + 1)), s.far_face);
-  s.near_size = choose(enters, size, s.near_size), s.far_size = choose(leaves, size, s.far_size);
+  const typename Number::Mask leaves =
+      across & ((far_gain > 1e-6) | (s.has_far & (far_gain > -1e-6) & (size > s.far_size)));
+  s.near_face = select(enters, select(backward, IntsFor<Number>(low_face + 1), IntsFor<Number>(low_face)), s.near_face);
+  s.far_face = select(leaves, select(backward, IntsFor<Number>(low_face), IntsFor<Number>(low_face + 1)), s.far_face);
+  s.near_size = select(enters, size, s.near_size), s.far_size = select(leaves, size, s.far_size);
   s.has_near = s.has_near | enters, s.has_far = s.has_far | leaves;
-  s.near = choose(across & (enter > s.near), enter, s.near), s.far = choose(across & (leave < s.far), leave, s.far);
-  s.alive = s.alive & choose(across, ~(enter > leave) & (s.near <= s.far), (o >= low) & (o <= high));
+  s.near = select(across & (enter > s.near), enter, s.near), s.far = select(across & (leave < s.far), leave, s.far);
+  s.alive = s.alive & select(across, ~(enter > leave) & (s.near <= s.far), (o >= low) & (o <= high));
 }
 template <class Number>
 void cross_box(Search<Number>& s, const CsgNode& n) {
   constexpr double kNearest = 1e-6, kFarthest = 2e10;
   const SimpleSolid& b = n.simple;
-  const Point<Number> o = local_point(n, s.o), d = b.matrix ? direction_through(n.simple.matrix->inv, s.d) : s.d;
-  const FlagOf<Number> none = Lanes<Number>::whole(0), all = Lanes<Number>::whole(-1);
-  Slabs<Number> slabs{Number(0.0), Number(kFarthest), Number(0.0), Number(0.0), all, all, none, none, all};
+  const PacketVector<Number> o = local_point(n, s.o),
+                             d = b.matrix ? transform_direction(n.simple.matrix->inv, s.d) : s.d;
+  const typename Number::Mask none{}, all = Number::Mask::all();
+  const IntsFor<Number> no_face(-1);
+  Slabs<Number> slabs{Number(0.0), Number(kFarthest), Number(0.0), Number(0.0), no_face, no_face, none, none, all};
   narrow_by_axis(o.x, d.x, b.a.x, b.b.x, 0, slabs);
   narrow_by_axis(o.y, d.y, b.a.y, b.b.y, 2, slabs);
   if ((bits(slabs.alive) & s.open) == 0) return;
   narrow_by_axis(o.z, d.z, b.a.z, b.b.z, 4, slabs);
-  const FlagOf<Number> met = slabs.alive & ~(slabs.far < kNearest);
+  const typename Number::Mask met = slabs.alive & ~(slabs.far < kNearest);
   if ((bits(met) & s.open) == 0) return;
   consider(s, n, slabs.near, met & slabs.has_near & (slabs.near > kNearest), slabs.near_face);
   consider(s, n, slabs.far, met & slabs.has_far, slabs.far_face);
 }
 
 template <class Number>
-VERISIM_WIDE Ray ray_of(const Search<Number>& s, int k) {
+HWY_INLINE Ray ray_of(const Search<Number>& s, int k) {
   return {lane_of(s.o, k), lane_of(s.d, k)};
 }
 
 template <class Number>
-VERISIM_WIDE void clip_to(const Search<Number>& s, const Box3& box, Number& enter, Number& leave) {
+HWY_INLINE void clip_to(const Search<Number>& s, const Box3& box, Number& enter, Number& leave) {
   const auto clip = [&](const Number& o, const Number& inverse, double low, double high) VERISIM_INLINE_LAMBDA {
     const Number a = (Number(low) - o) * inverse, b = (Number(high) - o) * inverse;
-    enter = greater(enter, lesser(a, b)), leave = lesser(leave, greater(a, b));
+    enter = max(enter, min(a, b)), leave = min(leave, max(a, b));
   };
   clip(s.o.x, s.reciprocal.x, box.min.x, box.max.x);
   clip(s.o.y, s.reciprocal.y, box.min.y, box.max.y);
@@ -379,8 +374,8 @@ VERISIM_WIDE void clip_to(const Search<Number>& s, const Box3& box, Number& ente
 }
 // The lanes whose rays meet a node's box where it matters.
 template <class Number>
-VERISIM_WIDE unsigned meets_box(const Search<Number>& s, const CsgNode& n) {
-  Number enter = s.near, leave = lesser(s.far, s.best);
+HWY_INLINE unsigned meets_box(const Search<Number>& s, const CsgNode& n) {
+  Number enter = s.near, leave = min(s.far, s.best);
   clip_to(s, n.box, enter, leave);
   return bits(enter <= leave) & s.open;
 }
@@ -388,12 +383,11 @@ VERISIM_WIDE unsigned meets_box(const Search<Number>& s, const CsgNode& n) {
 // What is not computed here: the first hits of all lanes together, then the second ones and so on.
 template <class Number>
 [[gnu::noinline]] void cross_other(Search<Number>& s, const CsgNode& n, unsigned lanes) {
-  using Of = Lanes<Number>;
-  std::size_t begin[Of::kCount], end[Of::kCount];
-  alignas(64) double from[Of::kCount], to[Of::kCount];
+  std::size_t begin[Number::kCount], end[Number::kCount];
+  alignas(64) double from[Number::kCount], to[Number::kCount];
   const bool within_core = s.tree.true_distances;
-  Of::to(from, within_core ? greater(s.enter, s.query.t_min) : Number(s.query.t_min)),
-      Of::to(to, within_core ? lesser(s.leave, s.best) : s.best);
+  store(from, within_core ? max(s.enter, s.query.t_min) : Number(s.query.t_min)),
+      store(to, within_core ? min(s.leave, s.best) : s.best);
   each_lane(lanes, [&](int k) {
     begin[k] = s.others->end();
     n.shape->intersect_between(ray_of(s, k), s.query.kind, from[k], to[k], s.others->list());
@@ -401,8 +395,8 @@ template <class Number>
     if (begin[k] == end[k]) lanes &= ~(1u << k);
   });
   while (lanes != 0) {
-    alignas(64) double t[Of::kCount] = {}, x[Of::kCount] = {}, y[Of::kCount] = {}, z[Of::kCount] = {};
-    alignas(64) std::int64_t part[Of::kCount] = {};
+    alignas(64) double t[Number::kCount] = {}, x[Number::kCount] = {}, y[Number::kCount] = {}, z[Number::kCount] = {};
+    alignas(64) std::int64_t part[Number::kCount] = {};
     const unsigned now = lanes;
     each_lane(now, [&](int k) {
       const Hit& hit = (*s.others)[begin[k]];
@@ -410,59 +404,60 @@ template <class Number>
       part[k] = static_cast<std::int64_t>(begin[k]);
       if (++begin[k] == end[k]) lanes &= ~(1u << k);
     });
-    const Number at = Of::from(t);
-    const FlagOf<Number> valid = Of::from_bits(now);
+    const Number at = Number::load(t);
+    const typename Number::Mask valid = Number::Mask::of_bits(now);
     const unsigned taken = s.tree.true_distances
                                ? wanted(s, at, valid)
                                : bits(valid & (at >= s.query.t_min) & (at < s.t_max) & (at <= s.best)) & s.open;
-    if (taken != 0) consider_at(s, n, at, taken, {Of::from(x), Of::from(y), Of::from(z)}, Of::whole_from(part));
+    if (taken != 0)
+      consider_at(s, n, at, taken, {Number::load(x), Number::load(y), Number::load(z)}, IntsFor<Number>::load(part));
   }
 }
 
 template <class Number>
 void consider_core(Search<Number>& s, const CsgNode& n, const Crossings* crossings) {
-  using Of = Lanes<Number>;
   for (int turn = 0; turn < 2; ++turn) {
-    alignas(64) double t[Of::kCount] = {};
+    alignas(64) double t[Number::kCount] = {};
     unsigned lanes = 0;
     each_lane(s.open, [&](int k) {
       if (crossings[k].count > turn) t[k] = crossings[k].t[turn], lanes |= 1u << k;
     });
-    if (lanes != 0) consider(s, n, Of::from(t), Of::from_bits(lanes), Of::whole(0));
+    if (lanes != 0) consider(s, n, Number::load(t), Number::Mask::of_bits(lanes), IntsFor<Number>(0));
   }
 }
 
-VERISIM_WIDE void cross_core(const Search<Wide>& s, const CsgNode& n, const RayLanes& rays, Crossings* crossings) {
+HWY_INLINE void cross_core(const Search<Packet>& s, const CsgNode& n, const RayLanes& rays, Crossings* crossings) {
   n.convex->cross_lanes({rays.rays, rays.first, s.open}, crossings);
 }
-VERISIM_WIDE void cross_core(const Search<One>&, const CsgNode& n, const Ray& ray, Crossings* crossings) {
+HWY_INLINE void cross_core(const Search<PacketOf<1>>&, const CsgNode& n, const Ray& ray, Crossings* crossings) {
   *crossings = n.convex->cross(ray);
 }
 // Narrows near .. far and enter .. leave to where rays may be within the core.
 template <class Number, class Rays>
 [[gnu::noinline]] void narrow_to_core(Search<Number>& s, const Rays& rays, Crossings* core) {
-  using Of = Lanes<Number>;
   cross_core(s, s.tree.nodes[s.tree.core], rays, core);
-  alignas(64) double enter[Of::kCount] = {}, leave[Of::kCount] = {};
+  alignas(64) double enter[Number::kCount] = {}, leave[Number::kCount] = {};
   each_lane(s.open, [&](int k) { enter[k] = core[k].near, leave[k] = core[k].far; });
-  s.enter = Of::from(enter), s.leave = Of::from(leave);
-  s.near = greater(s.near, s.enter), s.far = lesser(s.far, s.leave);
+  s.enter = Number::load(enter), s.leave = Number::load(leave);
+  s.near = max(s.near, s.enter), s.far = min(s.far, s.leave);
   s.open &= bits(s.near <= s.far);
 }
 
-VERISIM_WIDE unsigned admitted(const Search<Wide>& s, const RayLanes& rays) {
+HWY_INLINE unsigned admitted(const Search<Packet>& s, const RayLanes& rays) {
   return s.query.guards->admit({rays.rays, rays.first, s.open});
 }
-VERISIM_WIDE unsigned admitted(const Search<One>& s, const Ray& ray) { return s.query.guards->admit(ray) ? s.open : 0; }
+HWY_INLINE unsigned admitted(const Search<PacketOf<1>>& s, const Ray& ray) {
+  return s.query.guards->admit(ray) ? s.open : 0;
+}
 
 // Leaves the lanes open that may find something.
 template <class Number, class Rays>
-VERISIM_WIDE void begin(Search<Number>& s, const Rays& rays) {
+HWY_INLINE void begin(Search<Number>& s, const Rays& rays) {
   const CsgTree& tree = s.tree;
   if (tree.bounded | tree.any_boxed) {
     constexpr double kHuge = 1e300;  // in the place of infinity, which times 0 would be no number
     const auto reciprocal = [](const Number& v) VERISIM_INLINE_LAMBDA {
-      return choose(magnitude(v) > 1 / kHuge, Number(1.0) / v, Number(kHuge));
+      return select(abs(v) > 1 / kHuge, Number(1.0) / v, Number(kHuge));
     };
     s.reciprocal = {reciprocal(s.d.x), reciprocal(s.d.y), reciprocal(s.d.z)};
   }
@@ -476,10 +471,10 @@ VERISIM_WIDE void begin(Search<Number>& s, const Rays& rays) {
 }
 
 template <class Number, class Rays>
-VERISIM_WIDE void run(Search<Number>& s, const Rays& rays) {
+HWY_INLINE void run(Search<Number>& s, const Rays& rays) {
   const CsgTree& tree = s.tree;
   begin(s, rays);
-  Crossings core[Lanes<Number>::kCount];
+  Crossings core[Number::kCount];
   if (tree.core != 0 && s.open != 0) narrow_to_core(s, rays, core);
   const std::uint32_t count = tree.nodes[0].end;
   for (std::uint32_t i = 1; i < count && s.open != 0;) {
@@ -526,11 +521,10 @@ VERISIM_WIDE void run(Search<Number>& s, const Rays& rays) {
 
 template <class Number>
 void take(const Search<Number>& s, Hit* hits) {
-  using Of = Lanes<Number>;
-  alignas(64) double t[Of::kCount], x[Of::kCount], y[Of::kCount], z[Of::kCount];
-  alignas(64) std::int64_t node[Of::kCount], part[Of::kCount];
-  Of::to(t, s.best), Of::to(x, s.point.x), Of::to(y, s.point.y), Of::to(z, s.point.z), Of::to(node, s.node),
-      Of::to(part, s.part);
+  alignas(64) double t[Number::kCount], x[Number::kCount], y[Number::kCount], z[Number::kCount];
+  alignas(64) std::int64_t node[Number::kCount], part[Number::kCount];
+  store(t, s.best), store(x, s.point.x), store(y, s.point.y), store(z, s.point.z), store(node, s.node),
+      store(part, s.part);
   each_lane(s.found, [&](int k) {
     const CsgNode& n = s.tree.nodes[static_cast<std::size_t>(node[k])];
     if (n.kind == CsgNode::Kind::other)
@@ -541,7 +535,7 @@ void take(const Search<Number>& s, Hit* hits) {
 }
 
 template <class Number, class Rays>
-VERISIM_WIDE unsigned search(Search<Number>& s, const Rays& rays, Hit* hits) {
+HWY_INLINE unsigned search(Search<Number>& s, const Rays& rays, Hit* hits) {
   if (s.tree.any_other) {
     ScratchHits others;  // the thread's list: looked up only where it is needed
     s.others = &others;
@@ -557,15 +551,26 @@ VERISIM_WIDE unsigned search(Search<Number>& s, const Rays& rays, Hit* hits) {
 // `hits`: null, if any hit will do.
 unsigned eight(const CsgTree& tree, const RayLanes& rays, const CsgQuery& query, Hit* hits) {
   const auto place = [&](const RayRow::Vectors& v) VERISIM_INLINE_LAMBDA {
-    return Point<Wide>{load(v.x + rays.first), load(v.y + rays.first), load(v.z + rays.first)};
+    return PacketVector<Packet>{load(v.x + rays.first), load(v.y + rays.first), load(v.z + rays.first)};
   };
-  Search<Wide> s(tree, query, place(rays.rays.origin), place(rays.rays.direction), rays.asked, hits == nullptr);
+  Search<Packet> s(tree, query, place(rays.rays.origin), place(rays.rays.direction), rays.asked, hits == nullptr);
   return search(s, rays, hits);
 }
 bool one(const CsgTree& tree, const Ray& ray, const CsgQuery& query, Hit* hit) {
-  const auto place = [](const Vec3& v) { return Point<One>{v.x, v.y, v.z}; };
-  Search<One> s(tree, query, place(ray.origin), place(ray.direction), 1, hit == nullptr);
+  const auto place = [](const Vec3& v) { return PacketVector<PacketOf<1>>{v.x, v.y, v.z}; };
+  Search<PacketOf<1>> s(tree, query, place(ray.origin), place(ray.direction), 1, hit == nullptr);
   return search(s, ray, hit) != 0;
 }
 
 const CsgKernels kKernels = {eight, one};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::shapes
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::shapes {
+VERISIM_EXPORT_KERNELS(CsgKernels, csg_kernels)
+}  // namespace verisim::shapes
+#endif

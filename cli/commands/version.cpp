@@ -8,11 +8,11 @@
 namespace verisim::cli {
 namespace {
 
-const char* name(textures::InstructionSet set) {
+const char* name(simd::InstructionSet set) {
   switch (set) {
-    case textures::kAvx2:
+    case simd::kAvx2:
       return "avx2";
-    case textures::kAvx512:
+    case simd::kAvx512:
       return "avx512";
     default:
       return "baseline";
@@ -29,8 +29,8 @@ std::string version_text(bool json) {
   for (const auto& [library, version] : library_versions()) report["libraries"][library] = version;
   // All give the same pictures; the last one is used here.
   report["instruction_sets"] = nlohmann::ordered_json::array();
-  for (int set = textures::kBaseline; set <= textures::best_instruction_set(); ++set)
-    report["instruction_sets"].push_back(name(static_cast<textures::InstructionSet>(set)));
+  for (int set = simd::kBaseline; set <= simd::best_instruction_set(); ++set)
+    report["instruction_sets"].push_back(name(static_cast<simd::InstructionSet>(set)));
   return report.dump(2) + "\n";
 }
 

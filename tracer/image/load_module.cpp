@@ -73,7 +73,10 @@ Module load(ModuleKind kind) {
             symbol<VerisimFreeImage>(library, "verisim_free_image")};
   }
   if (problem.empty())
-    problem = name + " was not found beside the program, in ../lib or ../lib/verisim, nor in $VERISIM_MODULE_PATH";
+    problem =
+        name +
+        " was not found beside the program, in ../lib or ../lib/verisim, nor in $VERISIM_MODULE_PATH; it is in the "
+        "package verisim-images";
   throw std::runtime_error("this image format needs verisim's image module: " + problem);
 }
 

@@ -251,6 +251,27 @@ TEST_F(Oracle, VersionAndMissingProgram) {
   EXPECT_THROW(find_oracle(options_), OracleMissing);
 }
 
+// `povray` may be a link to verisim: all scenes would be exact.
+TEST_F(Oracle, VerisimUnderTheNameOfPovrayProvesNothing) {
+  const fs::path folder = root_.path() / "links";
+  fs::create_directories(folder);
+  std::ofstream(folder / "povray") << "#!/bin/sh\necho 'verisim 9.9 (renders scenes of POV-Ray 3.7)' >&2\n";
+  fs::permissions(folder / "povray", fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", (folder.string() + ":" + path).c_str(), 1);
+  options_.program.clear();
+  std::string said;
+  try {
+    find_oracle(options_);
+  } catch (const OracleMissing& error) {
+    said = error.what();
+  }
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_THAT(said, HasSubstr("is verisim itself"));
+  options_.program = folder / "povray";  // named, it is what is wanted
+  EXPECT_EQ(find_oracle(options_).name, "verisim");
+}
+
 TEST_F(Oracle, CacheIsKeyedByContent) {
   const fs::path include = root_.path() / "scenes/x.inc", other = root_.path() / "scenes/unused.txt";
   std::ofstream(include) << "1";

@@ -259,6 +259,12 @@ OracleProgram find_oracle(const OracleOptions& options) {
   const ProcessResult run =
       run_process({{out.path.string(), "--version"}, home.path(), clean_environment(home.path(), {}), 30, nullptr});
   const std::string text = run.err + run.out;
+  // Through a link named povray it would be compared with itself; who wants that names it.
+  if (options.program.empty() && text.starts_with("verisim "))
+    throw OracleMissing(
+        fmt::format("{} is verisim itself, under the name of povray: that would prove nothing. Name a POV-Ray with "
+                    "--oracle PROGRAM (it is in the Debian package povray), or another verisim to compare the two",
+                    out.path.string()));
   if (run.succeeded() && text.starts_with("verisim ")) {  // its version does not change with every build
     ContentHash hash;
     hash.add_file(out.path);

@@ -3,30 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracer/simd/instruction_sets.h"
-
 namespace verisim::shading {
 namespace {
-
-constexpr int rounded(int count) { return (count + RayRow::kStep - 1) / RayRow::kStep * RayRow::kStep; }
-
-#define VERISIM_KERNELS "tracer/lights/light_falloff.inc"
-#include "tracer/simd/each_instruction_set.inc"
-
-const LightFalloffKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
-
-const LightFalloffKernels& best_kernels() {
-  static const LightFalloffKernels& best = *kAll[simd::best_instruction_set()];
-  return best;
-}
 
 bool is_simple(double exponent) { return exponent == 0 || exponent == 1 || exponent == 2; }
 
 }  // namespace
-
-const LightFalloffKernels* light_falloff_kernels(int set) {
-  return set <= simd::best_instruction_set() ? kAll[set] : nullptr;
-}
 
 std::optional<LightFalloff> LightFalloff::of(const Light& light) {
   const scene::LightSource& source = light.source();
@@ -44,11 +26,11 @@ std::optional<LightFalloff> LightFalloff::of(const Light& light) {
 
 void LightFalloff::attenuate(const RayRow::Vectors& towards, const double* distance, int count,
                              float* attenuation) const {
-  best_kernels().attenuate(*this, towards, distance, count, attenuation);
+  light_falloff_kernels().attenuate(*this, towards, distance, count, attenuation);
 }
 
 void aim_at(const Light& light, int count, RayRow& to_light, double* distance) {
-  if (light.radial()) return best_kernels().aim(light.source().position, count, to_light, distance);
+  if (light.radial()) return light_falloff_kernels().aim(light.source().position, count, to_light, distance);
   for (int k = 0; k < count; ++k) {
     const LightDirection direction = light.direction(to_light.origin.at(k));
     to_light.direction.set(k, direction.towards), distance[k] = direction.distance;
@@ -69,7 +51,8 @@ LightGrid::LightGrid(const Light& light, const Light::Axes& axes)
 
 void aim_at_grid(const Light& light, const Light::Axes& axes, const Vec3& p, const GridPlaces& places, int count,
                  RayRow& to_light, double* distance) {
-  if (light.radial()) return best_kernels().aim_at_grid(LightGrid(light, axes), p, places, count, to_light, distance);
+  if (light.radial())
+    return light_falloff_kernels().aim_at_grid(LightGrid(light, axes), p, places, count, to_light, distance);
   for (int k = 0; k < count; ++k) {
     const LightDirection direction = light.direction(p, light.offset(axes, places.u[k], places.v[k]));
     to_light.direction.set(k, direction.towards), distance[k] = direction.distance;

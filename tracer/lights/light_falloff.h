@@ -51,5 +51,7 @@ struct LightFalloffKernels {
 };
 // Those of any instruction set, for tests; null: this machine cannot run it.
 const LightFalloffKernels* light_falloff_kernels(int instruction_set);
+// Those of the best instruction set of this machine.
+const LightFalloffKernels& light_falloff_kernels();
 
 }  // namespace verisim::shading

@@ -1,26 +1,81 @@
 #include "tracer/media/media_kernels.h"
-
 #include <cmath>
 
-#include "tracer/simd/instruction_sets.h"
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/media/media_kernels.cpp"
+#include "tracer/simd/each_target.h"
 
+#include "hwy/highway.h"
+#include "tracer/simd/kernel_table.h"
+
+HWY_BEFORE_NAMESPACE();
 namespace verisim::global {
 namespace {
+namespace HWY_NAMESPACE {
+
+// Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
+// branches.
 
 constexpr int rounded(int count) { return (count + MediaLanes::kStep - 1) / MediaLanes::kStep * MediaLanes::kStep; }
 
-#define VERISIM_KERNELS "tracer/media/media_kernels.inc"
-#include "tracer/simd/each_instruction_set.inc"
-
-const MediaKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
-
-}  // namespace
-
-const MediaKernels* media_kernels(int set) { return set <= simd::best_instruction_set() ? kAll[set] : nullptr; }
-
-const MediaKernels& media_kernels() {
-  static const MediaKernels& best = *kAll[simd::best_instruction_set()];
-  return best;
+// phase() of every lane.
+template <class Function>
+void add_each(int count, MediaLanes& lanes, Function&& phase) {
+  const auto& to = lanes.to_light.direction;
+  const int end = rounded(count);
+  for (int i = 0; i < end; ++i)
+    lanes.phase[i] += phase(to.x[i] * lanes.view.x[i] + to.y[i] * lanes.view.y[i] + to.z[i] * lanes.view.z[i]);
 }
 
+void add_phase(const scene::Media& media, int count, MediaLanes& lanes) {
+  switch (media.scattering_type) {
+    case 2:
+      return add_each(count, lanes, [](double cosine) {
+        const double half = 0.5 * (1.0 + cosine), h2 = half * half, h4 = h2 * h2;
+        return 0.576655375 * (1.0 + 9.0 * h4 * h4);
+      });
+    case 3:
+      return add_each(count, lanes, [](double cosine) {
+        const double half = 0.5 * (1.0 + cosine), h2 = half * half, h4 = h2 * h2, h8 = h4 * h4, h16 = h8 * h8;
+        return 0.495714547 * (1.0 + 50.0 * h16 * h16);
+      });
+    case 4:
+      return add_each(count, lanes, [](double cosine) { return 0.799372013 * (1.0 + cosine * cosine); });
+    case 5: {
+      const double e = media.eccentricity;
+      return add_each(count, lanes, [e](double cosine) {
+        const double d = 1.0 + e * e - 2.0 * e * cosine;
+        return (1.0 - e * e) / (d * std::sqrt(d));
+      });
+    }
+    default:
+      return add_each(count, lanes, [](double) { return 1.0; });
+  }
+}
+
+void scatter_channel(int end, const float* phase, const float* scattering, const float* arriving, float* to) {
+  for (int i = 0; i < end; ++i) to[i] = scattering[i] * arriving[i] * phase[i];
+}
+
+void scatter(int media, int count, MediaLanes& lanes) {
+  float phase[MediaLanes::kSize];
+  const double divisor = media;
+  const int end = rounded(count);
+  for (int i = 0; i < end; ++i) phase[i] = static_cast<float>(lanes.phase[i] / divisor);
+  scatter_channel(end, phase, lanes.scattering.r, lanes.arriving.r, lanes.scattered.r);
+  scatter_channel(end, phase, lanes.scattering.g, lanes.arriving.g, lanes.scattered.g);
+  scatter_channel(end, phase, lanes.scattering.b, lanes.arriving.b, lanes.scattered.b);
+}
+
+constexpr MediaKernels kKernels = {add_phase, scatter};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
 }  // namespace verisim::global
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::global {
+VERISIM_EXPORT_KERNELS(MediaKernels, media_kernels)
+}  // namespace verisim::global
+#endif

@@ -1,28 +1,8 @@
 #include "tracer/photons/photon_row.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "tracer/simd/instruction_sets.h"
 
 namespace verisim::global {
-namespace {
-
-#define VERISIM_KERNELS "tracer/photons/photon_row.inc"
-#include "tracer/simd/each_instruction_set.inc"
-
-const PhotonRowKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
-
-}  // namespace
-
-const PhotonRowKernels* photon_row_kernels(int set) {
-  return set <= simd::best_instruction_set() ? kAll[set] : nullptr;
-}
-
-const PhotonRowKernels& photon_row_kernels() {
-  static const PhotonRowKernels& best = *kAll[simd::best_instruction_set()];
-  return best;
-}
 
 void add_light(const SomePhotons& photons, const PhotonSurface& surface, Rgb& sum) {
   PhotonRow row;

@@ -98,9 +98,9 @@ constexpr auto kNext = std::to_array({&baseline::next, &avx2::next, &avx512::nex
 constexpr const HeightPacketKernels* kPacketKernels[] = {&baseline::kPacketKernels, &avx2::kPacketKernels,
                                                          &avx512::kPacketKernels};
 #else
-constexpr decltype(&baseline::next) kNext[simd::kInstructionSets] = {&baseline::next, nullptr, nullptr};
-constexpr const HeightPacketKernels* kPacketKernels[simd::kInstructionSets] = {&baseline::kPacketKernels, nullptr,
-                                                                               nullptr};
+constexpr decltype(&baseline::next) kNext[simd::kInstructionSets] = {&baseline::next, &baseline::next, &baseline::next};
+constexpr const HeightPacketKernels* kPacketKernels[simd::kInstructionSets] = {
+    &baseline::kPacketKernels, &baseline::kPacketKernels, &baseline::kPacketKernels};
 #endif
 
 // The smallest block that holds the cells of the ray between `enter` and `leave`.

@@ -89,8 +89,10 @@ const NoiseKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels, &
 const EvaluationKernels* const kAllEvaluations[simd::kInstructionSets] = {&baseline::kEvaluation, &avx2::kEvaluation,
                                                                           &avx512::kEvaluation};
 #else
-const NoiseKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels};
-const EvaluationKernels* const kAllEvaluations[simd::kInstructionSets] = {&baseline::kEvaluation};
+const NoiseKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels, &baseline::kKernels,
+                                                          &baseline::kKernels};
+const EvaluationKernels* const kAllEvaluations[simd::kInstructionSets] = {
+    &baseline::kEvaluation, &baseline::kEvaluation, &baseline::kEvaluation};
 #endif
 
 }  // namespace

@@ -1,19 +1,108 @@
 #include "tracer/textures/normals/normal_kernels.h"
-
 #include <cmath>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/textures/normals/normal_kernels.cpp"
+#include "tracer/simd/each_target.h"
+
+#include "hwy/highway.h"
+#include "tracer/simd/kernel_table.h"
+
+HWY_BEFORE_NAMESPACE();
 namespace verisim::textures {
 namespace {
+namespace HWY_NAMESPACE {
+
+// Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
+// branches.
 
 constexpr int rounded(int count) { return (count + 7) / 8 * 8; }
 
-#define VERISIM_KERNELS "tracer/textures/normals/normal_kernels.inc"
-#include "tracer/simd/each_instruction_set.inc"
+// Like `unit` of pattern.cpp.
+void to_units(int end, PointRow& n) {
+  for (int i = 0; i < end; ++i) {
+    const double x = n.x[i], y = n.y[i], z = n.z[i];
+    const double squared = x * x + y * y + z * z, size = std::fabs(squared - 1) < 1e-15 ? 1 : std::sqrt(squared);
+    n.x[i] = x / size;
+    n.y[i] = y / size;
+    n.z[i] = z / size;
+  }
+}
 
-const NormalKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
+void transform_by_transposed(const Mat4& a, int end, PointRow& n) {
+  const double xx = a[0][0], xy = a[0][1], xz = a[0][2], yx = a[1][0], yy = a[1][1], yz = a[1][2], zx = a[2][0],
+               zy = a[2][1], zz = a[2][2];
+  for (int i = 0; i < end; ++i) {
+    const double x = n.x[i], y = n.y[i], z = n.z[i];
+    n.x[i] = x * xx + y * xy + z * xz;
+    n.y[i] = x * yx + y * yy + z * yz;
+    n.z[i] = x * zx + y * zy + z * zz;
+  }
+}
 
+void into_frame(const CompiledPattern& pattern, bool no_bump_scale, int count, PointRow& n) {
+  const int end = rounded(count);
+  if (!no_bump_scale) to_units(end, n);
+  for (const Transform& t : pattern.frame) transform_by_transposed(t.m, end, n);
+  if (!no_bump_scale) to_units(end, n);
+}
+
+void out_of_frame(const CompiledPattern& pattern, bool no_bump_scale, int count, PointRow& n) {
+  const int end = rounded(count);
+  if (!no_bump_scale) to_units(end, n);
+  for (auto t = pattern.frame.rbegin(); t != pattern.frame.rend(); ++t) transform_by_transposed(t->inv, end, n);
+  if (!no_bump_scale) to_units(end, n);
+}
+
+void displace(double amount, int count, const PointRow& v, PointRow& n) {
+  const int end = rounded(count);
+  for (int i = 0; i < end; ++i) {
+    n.x[i] += amount * v.x[i];
+    n.y[i] += amount * v.y[i];
+    n.z[i] += amount * v.z[i];
+  }
+}
+
+void scale_by_cubes(int count, const double* f, PointRow& v) {
+  const int end = rounded(count);
+  for (int i = 0; i < end; ++i) {
+    const double cube = f[i] * f[i] * f[i];
+    v.x[i] *= cube;
+    v.y[i] *= cube;
+    v.z[i] *= cube;
+  }
+}
+
+void raise(const double* heights, double strength, const Vec3& direction, int count, PointRow& n) {
+  const int end = rounded(count);
+  const double dx = direction.x, dy = direction.y, dz = direction.z;
+  for (int i = 0; i < end; ++i) {
+    const double height = heights[i] * strength;
+    n.x[i] += height * dx;
+    n.y[i] += height * dy;
+    n.z[i] += height * dz;
+  }
+}
+
+void move(const PointRow& p, double factor, const Vec3& direction, int count, PointRow& moved) {
+  const int end = rounded(count);
+  const double dx = factor * direction.x, dy = factor * direction.y, dz = factor * direction.z;
+  for (int i = 0; i < end; ++i) {
+    moved.x[i] = p.x[i] + dx;
+    moved.y[i] = p.y[i] + dy;
+    moved.z[i] = p.z[i] + dz;
+  }
+}
+
+const NormalKernels kKernels = {into_frame, out_of_frame, displace, scale_by_cubes, raise, move};
+
+}  // namespace HWY_NAMESPACE
 }  // namespace
-
-const NormalKernels& normal_kernels(simd::InstructionSet set) { return *kAll[set]; }
-
 }  // namespace verisim::textures
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::textures {
+VERISIM_EXPORT_KERNELS(NormalKernels, normal_kernels)
+}  // namespace verisim::textures
+#endif

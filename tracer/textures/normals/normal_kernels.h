@@ -23,7 +23,9 @@ struct NormalKernels {
   void (*move)(const PointRow& points, double factor, const Vec3& direction, int count, PointRow& moved);
 };
 
-// `set` must not be beyond best_instruction_set().
-const NormalKernels& normal_kernels(simd::InstructionSet set);
+// Those of the best instruction set of this machine.
+const NormalKernels& normal_kernels();
+// Those of any set, for tests; null: this machine cannot run it.
+const NormalKernels* normal_kernels(int instruction_set);
 
 }  // namespace verisim::textures

@@ -11,7 +11,7 @@ namespace {
 constexpr int kFewPoints = 3;  // not worth a row
 
 const NormalKernels& normals_of() {
-  static const NormalKernels& best = normal_kernels(simd::best_instruction_set());
+  static const NormalKernels& best = normal_kernels();
   return best;
 }
 const EvaluationKernels& patterns_of() {

@@ -81,7 +81,7 @@ TEST(NormalKernels, GiveTheBitsOfTheScalarFormOnEveryInstructionSet) {
   Compiler compiler{Settings{}};
   const CompiledPattern& pattern = *compiler.normal(std::make_shared<const scene::Normal>(d))->pattern;
   for (int set = 0; set <= simd::best_instruction_set(); ++set) {
-    const NormalKernels& kernels = normal_kernels(static_cast<simd::InstructionSet>(set));
+    const NormalKernels& kernels = *normal_kernels(set);
     for (const bool no_bump_scale : {false, true}) {
       PointRow start, inner;
       for (int i = 0; i < 16; ++i) {

@@ -41,7 +41,8 @@ namespace avx512 {
 
 const CrackleKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels, &avx2::kKernels, &avx512::kKernels};
 #else
-const CrackleKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels};
+const CrackleKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels, &baseline::kKernels,
+                                                            &baseline::kKernels};
 #endif
 
 }  // namespace

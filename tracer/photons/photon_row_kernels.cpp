@@ -1,5 +1,21 @@
-// Included by photon_row.cpp once for each instruction set: plain loops, which the compiler turns into wide
-// instructions.
+#include "tracer/photons/photon_row.h"
+#include <algorithm>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/photons/photon_row_kernels.cpp"
+#include "tracer/simd/each_target.h"
+
+#include "hwy/highway.h"
+#include "tracer/simd/kernel_table.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim::global {
+namespace {
+namespace HWY_NAMESPACE {
+
+// Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
+// branches.
 
 void shade_channel(std::size_t end, float pigment, const float* share, const float* intensity, float* energy) {
   for (std::size_t i = 0; i < end; ++i) {
@@ -25,3 +41,14 @@ void shade(const PhotonSurface& surface, std::size_t count, PhotonRow& row) {
 }
 
 constexpr PhotonRowKernels kKernels = {shade};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::global
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::global {
+VERISIM_EXPORT_KERNELS(PhotonRowKernels, photon_row_kernels)
+}  // namespace verisim::global
+#endif

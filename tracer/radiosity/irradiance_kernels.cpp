@@ -1,16 +1,20 @@
-// Included by irradiance_lanes.cpp once for each instruction set: a plain loop, which the compiler turns into wide
-// instructions.
+#include "tracer/radiosity/irradiance_lanes.h"
+#include <bit>
+#include <cmath>
 
-unsigned signs(const std::int32_t* eight) {
-#if VERISIM_INSTRUCTION_SET >= 1
-  return static_cast<unsigned>(
-      _mm256_movemask_ps(_mm256_castsi256_ps(_mm256_load_si256(reinterpret_cast<const __m256i*>(eight)))));
-#else
-  unsigned bits = 0;
-  for (std::uint32_t i = 0; i < IrradianceLanes::kCount; ++i) bits |= eight[i] < 0 ? 1u << i : 0u;
-  return bits;
-#endif
-}
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/radiosity/irradiance_kernels.cpp"
+#include "tracer/simd/each_target.h"
+
+#include "tracer/simd/kernel_table.h"
+#include "tracer/simd/packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim::global {
+namespace {
+namespace HWY_NAMESPACE {
+
+using namespace simd::HWY_NAMESPACE;
 
 std::size_t near(const IrradianceLanes* lanes, std::size_t count, const IrradianceLanesQuery& query,
                  std::uint32_t* samples) {
@@ -24,7 +28,7 @@ std::size_t near(const IrradianceLanes* lanes, std::size_t count, const Irradian
              rounding = static_cast<float>(2e-6 * query.farthest), one = static_cast<float>(1.0 - kMargin);
   std::size_t found = 0;
   for (const IrradianceLanes* s = lanes; s != lanes + count; ++s) {
-    alignas(32) std::int32_t near[kCount];
+    alignas(32) float near[kCount];  // 1: yes
     for (std::uint32_t i = 0; i < kCount; ++i) {
       const float dx = s->point[0][i] - px, dy = s->point[1][i] - py, dz = s->point[2][i] - pz;
       const float reach = s->mean_distance[i] * most + rounding;
@@ -32,12 +36,23 @@ std::size_t near(const IrradianceLanes* lanes, std::size_t count, const Irradian
       const float left = most - 2.0f * std::sqrt(turn > 0.0f ? turn : 0.0f);
       const float within = s->widest[i] * left, widest = (within > 0.0f ? within : 0.0f) + rounding;
       const float squared = dx * dx + dy * dy + dz * dz;
-      near[i] = -(static_cast<std::int32_t>(squared <= reach * reach) &
-                  static_cast<std::int32_t>(squared <= widest * widest) & static_cast<std::int32_t>(0.0f <= left));
+      near[i] = (squared <= reach * reach) & (squared <= widest * widest) & (0.0f <= left) ? 1.0f : 0.0f;
     }
-    for (unsigned bits = signs(near); bits != 0; bits &= bits - 1) samples[found++] = s->sample[std::countr_zero(bits)];
+    for (unsigned met = bits(FloatPacket::load(near) > 0.0f); met != 0; met &= met - 1)
+      samples[found++] = s->sample[std::countr_zero(met)];
   }
   return found;
 }
 
 constexpr IrradianceLaneKernels kKernels = {near};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::global
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::global {
+VERISIM_EXPORT_KERNELS(IrradianceLaneKernels, irradiance_lane_kernels)
+}  // namespace verisim::global
+#endif

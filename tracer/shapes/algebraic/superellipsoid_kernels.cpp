@@ -1,5 +1,24 @@
-// Included by superellipsoid_lanes.cpp once for each instruction set: plain loops over the lanes, which the compiler
-// turns into wide instructions.
+#include "tracer/shapes/algebraic/superellipsoid_lanes.h"
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/shapes/algebraic/superellipsoid_kernels.cpp"
+#include "tracer/simd/each_target.h"
+
+#include "hwy/highway.h"
+#include "tracer/simd/kernel_table.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim::shapes {
+namespace {
+namespace HWY_NAMESPACE {
+
+// Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
+// branches.
+
+constexpr double kZero = 1e-10;  // of the value
 
 template <int kLanes>
 using Lane = double[kLanes];
@@ -166,3 +185,14 @@ unsigned approach(double p, double q, unsigned asked, ConvexLanes& lanes) {
 }
 
 const SuperellipsoidKernels kKernels = {value, approach<ConvexLanes::kCount>, approach<2>};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::shapes
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::shapes {
+VERISIM_EXPORT_KERNELS(SuperellipsoidKernels, superellipsoid_kernels)
+}  // namespace verisim::shapes
+#endif

@@ -1,5 +1,20 @@
-// Included by irradiance_weights.cpp once for each instruction set: a plain loop, which the compiler turns into wide
-// instructions.
+#include "tracer/radiosity/irradiance_weights.h"
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/radiosity/irradiance_weight_kernels.cpp"
+#include "tracer/simd/each_target.h"
+
+#include "hwy/highway.h"
+#include "tracer/simd/kernel_table.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim::global {
+namespace {
+namespace HWY_NAMESPACE {
+
+// Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
+// branches.
 
 void weigh(const IrradianceWeightQuery& query, int count, IrradianceRow& row) {
   const double nx = query.normal.x, ny = query.normal.y, nz = query.normal.z, bound = query.bound;
@@ -34,3 +49,14 @@ void weigh(const IrradianceWeightQuery& query, int count, IrradianceRow& row) {
 }
 
 constexpr IrradianceWeightKernels kKernels = {weigh};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::global
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::global {
+VERISIM_EXPORT_KERNELS(IrradianceWeightKernels, irradiance_weight_kernels)
+}  // namespace verisim::global
+#endif

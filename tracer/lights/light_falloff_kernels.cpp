@@ -1,5 +1,23 @@
-// Included by light_falloff.cpp once for each instruction set: plain loops, which the compiler turns into wide
-// instructions.
+#include "tracer/lights/light_falloff.h"
+#include <algorithm>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/lights/light_falloff_kernels.cpp"
+#include "tracer/simd/each_target.h"
+
+#include "hwy/highway.h"
+#include "tracer/simd/kernel_table.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim::shading {
+namespace {
+namespace HWY_NAMESPACE {
+
+// Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
+// branches.
+
+constexpr int rounded(int count) { return (count + RayRow::kStep - 1) / RayRow::kStep * RayRow::kStep; }
 
 void aim(const Vec3& position, int count, RayRow& to_light, double* distance) {
   const double lx = position.x, ly = position.y, lz = position.z;
@@ -99,3 +117,14 @@ void attenuate(const LightFalloff& f, const RayRow::Vectors& towards, const doub
 }
 
 constexpr LightFalloffKernels kKernels = {aim, aim_at_grid, attenuate};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::shading
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::shading {
+VERISIM_EXPORT_KERNELS(LightFalloffKernels, light_falloff_kernels)
+}  // namespace verisim::shading
+#endif

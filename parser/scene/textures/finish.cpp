@@ -26,7 +26,8 @@ void parse_reflection(Parser& parser, scene::Reflection& reflection) {
   bool two_colors = false;
   if (parser.at_number_start() || parser.at_color_keyword()) {
     reflection.minimum = reflection.maximum = parser.parse_rgb();
-    if (parser.accept(',') || parser.at_number_start() || parser.at_color_keyword()) {
+    parser.accept(',');  // also before what is no color
+    if (parser.at_number_start() || parser.at_color_keyword()) {
       reflection.maximum = parser.parse_rgb();
       two_colors = true;
     }

@@ -176,6 +176,10 @@ TEST(Finishes, Reflection) {
   EXPECT_EQ(two.minimum, Rgb(.1f));
   EXPECT_EQ(two.maximum, Rgb(.9f));
   EXPECT_EQ(two.metallic, 1);
+  const auto comma = finish_of("reflection{.3, metallic}").reflection;
+  EXPECT_EQ(comma.minimum, Rgb(.3f));
+  EXPECT_EQ(comma.maximum, Rgb(.3f));
+  EXPECT_EQ(comma.metallic, 1);
   const auto fresnel = finish_of("reflection{.8 fresnel}").reflection;
   EXPECT_EQ(fresnel.minimum, Rgb());
   EXPECT_EQ(fresnel.maximum, Rgb(.8f));

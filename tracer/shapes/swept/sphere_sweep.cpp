@@ -98,15 +98,10 @@ struct Crossing {
   bool enters;
 };
 
-// Where a ray may touch the side of a curved segment: at u, and at t unless the curve lies across the ray: then on both
-// ends of the sphere's chord.
-struct Touch {
-  double u, t;
-};
+// Where on a curved segment, along its curve, a ray may touch the side.
 struct Touches {
-  bool across = false;
   int count = 0;
-  Touch at[10];
+  double at[10];
 };
 
 // The curve lies across the ray: both sides of the tube share their u, and the polynomial is nearly N^2.
@@ -116,18 +111,7 @@ bool is_across(const double* n, const double* m, double radius) {
   for (int i = 0; i < 3; ++i) m_size = std::max(m_size, std::fabs(m[i]));
   return m_size * radius < 1e-6 * n_size;
 }
-void find_across(const double* n, Touches& touches) {
-  double roots[5];
-  touches.across = true;
-  touches.count = bernstein_roots<5>(n, 0, 1, roots);
-  for (int i = 0; i < touches.count; ++i) touches.at[i].u = roots[i];
-}
-double touch_distance(double u, const double* n, const double* m, double moved) {
-  const double across = (m[2] * u + m[1]) * u + m[0];
-  double along = n[5];
-  for (int k = 4; k >= 0; --k) along = along * u + n[k];
-  return moved - along / across;
-}
+void find_across(const double* n, Touches& touches) { touches.count = bernstein_roots<5>(n, 0, 1, touches.at); }
 
 // A segment that a ray of several may meet.
 struct Visit {
@@ -301,11 +285,8 @@ class SphereSweep final : public Primitive<SphereSweep> {
     while (open != 0) {
       open = bernstein_kernels().next(10, open, roots);
       each_lane(open, [&](int k) {
-        double n[6], m[3];
-        for (int i = 0; i < 6; ++i) n[i] = side.n[i][k];
-        for (int i = 0; i < 3; ++i) m[i] = side.m[i][k];
         Touches& touches = of_lane[k]->touches;
-        touches.at[touches.count++] = {roots.root[k], touch_distance(roots.root[k], n, m, side.moved[k])};
+        touches.at[touches.count++] = roots.root[k];
       });
     }
   }
@@ -316,8 +297,6 @@ class SphereSweep final : public Primitive<SphereSweep> {
     const auto index = static_cast<std::int32_t>(i);
     if (i == 0) joint_sphere(s.at(0), 0, index, l, all);
     joint_sphere(s.at(1), 1, index, l, all);
-    // With a tree a neighbour may not be visited; its joint is also ours.
-    if (i > 0 && !tree_.empty()) joint_sphere(s.at(0), 0, index, l, all);
     plane(s, 0, index, l, all);
     plane(s, 1, index, l, all);
     if (s.degree == 1)
@@ -395,27 +374,22 @@ class SphereSweep final : public Primitive<SphereSweep> {
     SweepSide<double> side;
     follow(cubic_of(s), origin, direction, side);
     Touches touches;
-    if (is_across(side.n, side.m, s.at(0.5).w)) {
+    if (is_across(side.n, side.m, s.at(0.5).w))
       find_across(side.n, touches);
-      return touches;
-    }
-    double roots[10];
-    touches.count = bernstein_roots<10>(side.power, 0, 1, roots);
-    for (int i = 0; i < touches.count; ++i)
-      touches.at[i] = {roots[i], touch_distance(roots[i], side.n, side.m, side.moved)};
+    else
+      touches.count = bernstein_roots<10>(side.power, 0, 1, touches.at);
     return touches;
   }
 
   static void curved_side(const Segment& s, std::int32_t index, const LocalRay& l, const Touches& touches,
                           Scratch<Crossing>& all) {
     for (int i = 0; i < touches.count; ++i) {
-      const auto [u, t] = touches.at[i];
+      const double u = touches.at[i];
       double enter, leave;
       if (!sphere_chord(s.at(u), l, enter, leave)) continue;
-      // Only one end of the chord lies on the envelope. (POV-Ray reports both, which unbalances the counter behind the
-      // first surface.)
-      if (touches.across || std::fabs(t - enter) < std::fabs(t - leave)) all.add({enter, u, index, side, true});
-      if (touches.across || !(std::fabs(t - enter) < std::fabs(t - leave))) all.add({leave, u, index, side, false});
+      // Only one end of the chord lies on the envelope, but POV-Ray reports both.
+      all.add({enter, u, index, side, true});
+      all.add({leave, u, index, side, false});
     }
   }
 

@@ -24,7 +24,6 @@ void follow_lanes(const SweepCubic& cubic, const LocalLanes& rays, SweepSideLane
   for (int i = 0; i < 11; ++i) store(lanes.power[i], side.power[i]);
   for (int i = 0; i < 6; ++i) store(lanes.n[i], side.n[i]);
   for (int i = 0; i < 3; ++i) store(lanes.m[i], side.m[i]);
-  store(lanes.moved, side.moved);
 }
 
 const SweepFollow kKernels = follow_lanes;

@@ -12,7 +12,7 @@ struct SweepCubic {
 
 struct alignas(64) SweepSideLanes {
   using Lane = double[RayLanes::kCount];
-  Lane power[11], n[6], m[3], moved;
+  Lane power[11], n[6], m[3];
 };
 
 using SweepFollow = void (*)(const SweepCubic& cubic, const LocalLanes& rays, SweepSideLanes& lanes);

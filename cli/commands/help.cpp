@@ -12,8 +12,8 @@ namespace verisim::cli {
 namespace {
 
 constexpr Command kCommands[] = {
-    {"render", command_render},   {"check", command_check}, {"compare", command_compare},
-    {"explain", command_explain}, {"diff", command_diff},   {"bench", command_bench},
+    {"render", command_render}, {"check", command_check}, {"compare", command_compare}, {"explain", command_explain},
+    {"diff", command_diff},     {"bench", command_bench}, {"view", command_view},
 };
 
 CommandHelp help_of(const Command& command) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands/commands.h"
+#include "cli/describe/diagnostic_json.h"
 #include "cli/describe/dump.h"
 #include "cli/frame/frame.h"
 #include "cli/settings/own_options.h"
@@ -13,29 +14,6 @@
 #include "tracer/render/requirements.h"
 
 namespace verisim::cli {
-namespace {
-
-const char* name_of(parser::Severity severity) {
-  switch (severity) {
-    case parser::Severity::warning:
-      return "warning";
-    case parser::Severity::possible_error:
-      return "possible error";
-    case parser::Severity::error:
-      return "error";
-    case parser::Severity::unsupported:
-      return "unsupported";
-  }
-  return "";
-}
-
-nlohmann::json as_json(const parser::Diagnostic& d) {
-  return {{"file", d.file},       {"line", d.line},     {"column", d.column},      {"severity", name_of(d.severity)},
-          {"message", d.message}, {"advice", d.advice}, {"source", d.source_line}, {"trail", d.trail}};
-}
-
-}  // namespace
-
 int command_check(const std::vector<std::string>& arguments) {
   Options options;
   bool json = false, dump = false;

@@ -1,14 +1,17 @@
 // `verisim explain`: how one pixel came to be, as a tree of rays; and what the wrong pixels of a scene have in common.
+#include <cmath>
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/commands/commands.h"
 #include "cli/frame/frame.h"
-#include "cli/describe/object_names.h"
 #include "cli/settings/own_options.h"
 #include "cli/commands/own_program.h"
 #include "cli/describe/pixel_tags.h"
+#include "cli/describe/ray_tree.h"
+#include "cli/describe/stored_pixel.h"
 #include "cli/settings/scene_words.h"
 #include "compare/compare.h"
 #include "tracer/render/explain.h"
@@ -18,120 +21,6 @@ namespace fs = std::filesystem;
 
 namespace verisim::cli {
 namespace {
-
-std::string text(const Vec3& v) { return fmt::format("<{:.6g}, {:.6g}, {:.6g}>", v.x, v.y, v.z); }
-std::string text(const Rgb& c) { return fmt::format("<{:.5g}, {:.5g}, {:.5g}>", c.r, c.g, c.b); }
-
-class Tree : public shading::Observer {
- public:
-  std::string lines;
-
-  void scene(const shading::SceneData& data) override { data_ = &data; }
-
-  void ray_started(const shading::RayState& ray, const shapes::Hit* hit) override {
-    const char* kind = ray.reflected                   ? "reflected ray"
-                       : ray.refracted || !ray.primary ? "transmitted ray"
-                       : ray.gather                    ? "gathering ray"
-                                                       : "camera ray";
-    line(fmt::format("{} from {} towards {}{}", rays_++ == 0 ? "camera ray" : kind, text(ray.ray.origin),
-                     text(ray.ray.direction), ray.weight == 1 ? "" : fmt::format(", weight {:.4g}", ray.weight)));
-    ++depth_;
-    crossings(ray);
-    if (!hit) line("hits nothing: sees the sky");
-  }
-  void ray_ended(const shading::RayState&, const Color& color) override {
-    line(fmt::format("colour {}{}", text(color.rgb()),
-                     color.t == 0 ? "" : fmt::format(", see-through {:.4g}", color.t)));
-    --depth_;
-  }
-  void ray_cut_off(const shading::RayState& ray) override {
-    line(ray.level >= ray.level_limit
-             ? fmt::format("a ray is not traced: max_trace_level {} is reached", ray.level_limit)
-             : fmt::format("a ray is not traced: its weight {:.4g} is below adc_bailout", ray.weight));
-  }
-  void layer(const shading::SurfaceHit& at, const shading::LayerContext& layer, const Rgb& reflectivity) override {
-    const shapes::Surface& surface = at.surface;
-    hit_point_ = at.hit.point;
-    const std::string name = surface.object ? object_name(*surface.object) : "a surface";
-    line(fmt::format("hits {} at {:.9g}{}", name, at.hit.t, at.inside_hit ? ", from inside" : ""));
-    line(fmt::format("  point {}, normal {}{}", text(at.hit.point), text(at.raw),
-                     layer.normal == at.raw ? "" : ", perturbed to " + text(layer.normal)));
-    const Color& c = layer.pigment;
-    line(fmt::format("  pigment {}{}{}, layers above let {} through", text(c.rgb()),
-                     c.f == 0 ? "" : fmt::format(" filter {:.4g}", c.f),
-                     c.t == 0 ? "" : fmt::format(" transmit {:.4g}", c.t), text(layer.filter)));
-    const scene::Finish& f = layer.layer.finish;
-    line(fmt::format("  ambient {}, emission {}, diffuse {:.4g}{}{}{}", text(f.ambient * data_->ambient_light),
-                     text(f.emission), f.diffuse,
-                     f.phong == 0 ? "" : fmt::format(", phong {:.4g} size {:.4g}", f.phong, f.phong_size),
-                     f.specular == 0 ? "" : fmt::format(", specular {:.4g} roughness {:.4g}", f.specular, f.roughness),
-                     reflectivity == Rgb() ? "" : ", reflects " + text(reflectivity)));
-  }
-  void light(const shading::Light& light, const shading::LightDirection& direction, bool tested, const Rgb& arriving,
-             const Rgb& added) override {
-    const std::string where = text(light.source().position);
-    if (!tested)
-      line(fmt::format("  light at {}: {}", where,
-                       arriving.max_abs() == 0 ? "out of its reach" : "behind the surface, adds nothing"));
-    else if (arriving.max_abs() == 0)
-      line(
-          fmt::format("  light at {}: {:.6g} away, in shadow{}", where, direction.distance, blocker(light, direction)));
-    else
-      line(fmt::format("  light at {}: {:.6g} away towards {}, {} arrives, adds {}", where, direction.distance,
-                       text(direction.towards), text(arriving), text(added)));
-  }
-
- private:
-  void line(const std::string& what) { lines += std::string(static_cast<std::size_t>(depth_) * 2, ' ') + what + "\n"; }
-
-  // Every surface along the ray, near to far.
-  void crossings(const shading::RayState& ray) {
-    constexpr int kMax = 40;
-    double from = 1e-4;
-    line("crosses, near to far:");
-    for (int i = 0; i < kMax; ++i) {
-      shapes::Hit hit;
-      if (!data_->world.intersect(ray.ray, ray.kind(), from, std::numeric_limits<double>::infinity(), hit)) {
-        if (i == 0) line("  nothing");
-        return;
-      }
-      line(fmt::format(
-          "  {:.9g}  {}", hit.t,
-          hit.shape->surface && hit.shape->surface->object ? object_name(*hit.shape->surface->object) : "a surface"));
-      from = std::nextafter(hit.t, std::numeric_limits<double>::infinity());
-    }
-    line("  ...");
-  }
-  std::string blocker(const shading::Light& light, const shading::LightDirection& direction) {
-    if (light.area()) return " (all its samples)";
-    shapes::Hit hit;
-    if (!data_->world.intersect({hit_point_, direction.towards}, shapes::RayKind::shadow, 1e-3,
-                                direction.distance - 1e-3, hit))
-      return "";
-    return fmt::format(
-        " of {} at {:.6g}",
-        hit.shape->surface && hit.shape->surface->object ? object_name(*hit.shape->surface->object) : "a surface",
-        hit.t);
-  }
-
-  const shading::SceneData* data_ = nullptr;
-  int depth_ = 0, rays_ = 0;
-  Vec3 hit_point_;  // of the layer whose lights are told next
-};
-
-// The pixel as an 8-bit file would hold it.
-std::string stored(const Color& color, const scene::Scene& scene, const Options& options) {
-  render::Framebuffer one;
-  one.width = one.height = 1;
-  one.pixels = {color};
-  image::OutputOptions output;
-  output.working = scene.settings.gamma;
-  output.working_gamma = scene.settings.assumed_gamma;
-  output.file_srgb = options.file_srgb;
-  output.file_gamma = options.file_gamma;
-  const image::Quantised q = image::quantise(one, output);
-  return fmt::format("{} {} {}", q.samples[0], q.samples[1], q.samples[2]);
-}
 
 std::string oracle_pixel(const fs::path& scene, const Options& options, std::vector<std::string> switches, int x, int y,
                          const std::vector<fs::path>& files) {
@@ -163,12 +52,13 @@ std::string oracle_pixel(const fs::path& scene, const Options& options, std::vec
   }
 }
 
-int coordinate(const std::string& word, int limit, const char* name) {
+// A position in pixels; whole numbers are centres.
+double coordinate(const std::string& word, int limit, const char* name) {
   char* end = nullptr;
-  const long value = std::strtol(word.c_str(), &end, 10);
-  if (word.empty() || *end || value < 0 || value >= limit)
-    throw OptionError(fmt::format("{} must be a whole number from 0 to {}, not '{}'", name, limit - 1, word));
-  return static_cast<int>(value);
+  const double value = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end || !(value >= -0.5 && value <= limit - 0.5))
+    throw OptionError(fmt::format("{} must be a number from 0 to {}, not '{}'", name, limit - 1, word));
+  return value;
 }
 
 // The suspects of one scene: it is compared with POV-Ray, and its pixels are looked at.
@@ -212,9 +102,9 @@ void write_tags(const std::string& file, int step, const std::vector<std::string
     int x = 0, y = 0;
     if (std::sscanf(pixel.c_str(), "%d,%d", &x, &y) != 2 || x < 0 || y < 0 || x >= options.width || y >= options.height)
       throw OptionError(fmt::format("--tree {}: expected X,Y inside the picture", pixel));
-    Tree tree;
+    RayTree tree;
     const Color color = explainer.pixel(x, y, tree);
-    tags.trees.push_back({x, y, tree.lines + fmt::format("linear {}\n", text(color.rgb()))});
+    tags.trees.push_back({x, y, tree.lines() + fmt::format("linear {}\n", text(color.rgb()))});
   }
   compare::write_report(compare::tags_json(tags), file);
 }
@@ -224,12 +114,13 @@ void write_tags(const std::string& file, int step, const std::vector<std::string
 int command_explain(const std::vector<std::string>& arguments) {
   Options options;
   bool no_oracle = false;
-  std::string tags;
+  std::string tags, json;
   int step = 1;
   std::vector<std::string> trees;
   OwnOptions own("explain",
                  "Shows how one pixel came to be, as a tree of rays: hits, textures, lights. X and Y count from 0 at "
-                 "the top left; without anti-aliasing. Without a pixel it compares the scene with POV-Ray and says "
+                 "the top left, whole numbers are centres of pixels; without anti-aliasing. Without a pixel it "
+                 "compares the scene with POV-Ray and says "
                  "what the wrong pixels have in common.");
   own.synopsis("SCENE [X Y] [options] [switches]")
       .summary("how one pixel came to be")
@@ -237,6 +128,7 @@ int command_explain(const std::vector<std::string>& arguments) {
       .example("verisim explain scene.pov", "what the pixels have in common that differ from POV-Ray's")
       .section("Options");
   own.flag("--no-oracle", no_oracle, "do not ask POV-Ray for its colour");
+  own.value("--json FILE", json, "write the tree as JSON, too (docs/view.md)");
   own.value("--tags FILE", tags, "write what every pixel shows (objects, patterns, lights, features) as JSON");
   own.value("--tags-step N", step, "only every so many pixels and rows, for --tags");
   own.values("--tree X,Y", trees, "put the ray tree of this pixel into the file of --tags, too (may be given again)");
@@ -255,8 +147,9 @@ int command_explain(const std::vector<std::string>& arguments) {
   options.input_file = files[0];
   options.antialias = false;
   validate(options);
-  const int x = tags.empty() ? coordinate(files[1], options.width, "X") : 0,
-            y = tags.empty() ? coordinate(files[2], options.height, "Y") : 0;
+  const double x = tags.empty() ? coordinate(files[1], options.width, "X") : 0,
+               y = tags.empty() ? coordinate(files[2], options.height, "Y") : 0;
+  if (x != std::floor(x) || y != std::floor(y)) no_oracle = true;  // POV-Ray tells the colours of centres only
   const SceneSource scene = open_scene(options);
   if (!scene.found()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", options.input_file));
 
@@ -270,7 +163,7 @@ int command_explain(const std::vector<std::string>& arguments) {
       if (error.severity == parser::Severity::unsupported) return kUnsupported;
     return kSceneErrors;
   }
-  Tree tree;
+  RayTree tree;
   Color color;
   try {
     render::Explainer explainer(*parsed.scene, render_options(job, {0, options.width - 1, 0, options.height - 1}));
@@ -283,10 +176,16 @@ int command_explain(const std::vector<std::string>& arguments) {
     std::fprintf(stderr, "verisim explain: %s\n", missing.what());
     return kUnsupported;
   }
-  std::printf("%s, pixel (%d, %d) of %d by %d\n%s", scene.path.string().c_str(), x, y, options.width, options.height,
-              tree.lines.c_str());
+  std::printf("%s, pixel (%.6g, %.6g) of %d by %d\n%s", scene.path.string().c_str(), x, y, options.width,
+              options.height, tree.lines().c_str());
   std::printf("linear %s, in a file of 8 bits %s\n", text(color.rgb()).c_str(),
-              stored(color, *parsed.scene, options).c_str());
+              fmt::format("{}", fmt::join(stored(color, *parsed.scene, options), " ")).c_str());
+  if (!json.empty()) {
+    nlohmann::json story = tree.json();
+    story["scene"] = scene.path.string(), story["x"] = x, story["y"] = y;
+    story["linear"] = {color.r, color.g, color.b}, story["stored"] = stored(color, *parsed.scene, options);
+    compare::write_report(story.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n", json);
+  }
   if (!no_oracle) {
     std::vector<std::string> switches;
     for (const std::string& word : words)
@@ -297,8 +196,9 @@ int command_explain(const std::vector<std::string>& arguments) {
       files_read.push_back(spooled.emplace(scene).path());
       switches.push_back("+L" + fs::current_path().string());
     }
-    std::printf("%s\n",
-                oracle_pixel(spooled ? spooled->path() : scene.path, options, switches, x, y, files_read).c_str());
+    std::printf("%s\n", oracle_pixel(spooled ? spooled->path() : scene.path, options, switches, static_cast<int>(x),
+                                     static_cast<int>(y), files_read)
+                            .c_str());
   }
   return kOk;
 }

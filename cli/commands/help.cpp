@@ -13,7 +13,7 @@ namespace {
 
 constexpr Command kCommands[] = {
     {"render", command_render},   {"merge", command_merge}, {"check", command_check}, {"compare", command_compare},
-    {"explain", command_explain}, {"diff", command_diff},   {"bench", command_bench},
+    {"explain", command_explain}, {"diff", command_diff},   {"view", command_view},   {"bench", command_bench},
 };
 
 CommandHelp help_of(const Command& command) {

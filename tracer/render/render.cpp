@@ -4,7 +4,9 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <mutex>
 #include <utility>
 
@@ -16,6 +18,7 @@
 #include "tracer/render/path_pixels.h"
 #include "tracer/render/sampling/pixel_sampler.h"
 #include "tracer/render/last_blockers.h"
+#include "tracer/render/prepared_scene.h"
 #include "tracer/render/prepass_data.h"
 #include "tracer/render/prepasses.h"
 #include "tracer/render/requirements.h"
@@ -95,12 +98,22 @@ class Queue {
     add(statistics_, part);
   }
 
+  // The blocks nearest to a pixel first: they do not depend on each other.
+  void look_outwards(int column, int row) {
+    const auto distance = [&](std::size_t i) {
+      const Block& b = blocks_[i];
+      return std::hypot(b.x + b.width / 2 - column, b.y + b.height / 2 - row);
+    };
+    std::stable_sort(wanted_.begin(), wanted_.end(),
+                     [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });
+  }
+
  private:
   const Options& options_;
   Framebuffer& frame_;
   Statistics& statistics_;
   const std::vector<Block> blocks_;
-  const std::vector<std::size_t> wanted_;
+  std::vector<std::size_t> wanted_;  // numbers of blocks, in the order they are worked on
   std::atomic<std::size_t> next_{0};
   std::mutex mutex_;
   std::uint64_t pixels_ = 0, done_ = 0;
@@ -150,48 +163,75 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
   queue.add_statistics(tracer.statistics());
 }
 
-}  // namespace
-
-Statistics render(const scene::Scene& scene, const Options& options, Framebuffer& frame) {
-  const auto start = std::chrono::steady_clock::now();
+const scene::Scene& supported(const scene::Scene& scene, const Options& options) {
   check_supported(scene, options);
   scene::complete(scene);
   if (options.path_samples > 0) path::check_supported(scene);
-  const std::size_t pixels = static_cast<std::size_t>(options.width) * options.height;
+  return scene;
+}
+
+// A framebuffer of another size is made anew.
+void make_room(const Options& options, Framebuffer& frame) {
+  const std::size_t pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   if (frame.width != options.width || frame.height != options.height || frame.pixels.size() != pixels) {
     frame.width = options.width, frame.height = options.height;
     frame.pixels.assign(pixels, Color());
   }
   frame.done.assign(pixels, 0);
+}
 
-  Statistics statistics;
-  textures::Compiler compiler(texture_settings(scene, options.quality));
-  const accel::World world(scene, compiler, {options.split_unions, options.remove_bounds, options.bounding_threshold});
-  shading::SceneData data(scene, world, compiler, options.quality, options.output_alpha);
-  global::SceneEffects effects(scene, compiler, options.quality);
-  std::optional<path::PathScene> paths;
+}  // namespace
+
+PreparedScene::PreparedScene(const scene::Scene& scene, const Options& options)
+    : compiler_(texture_settings(supported(scene, options), options.quality)),
+      world_(scene, compiler_, {options.split_unions, options.remove_bounds, options.bounding_threshold}),
+      data_(scene, world_, compiler_, options.quality, options.output_alpha),
+      effects_(scene, compiler_, options.quality) {
   if (options.path_samples > 0) {
-    effects.photons = effects.radiosity = false;  // paths are their own interreflection and caustics
-    paths.emplace(data, effects, options.path_bounces);
+    effects_.photons = effects_.radiosity = false;  // paths are their own interreflection and caustics
+    paths_.emplace(data_, effects_, options.path_bounces);
   }
-  if (effects.any()) data.effects = &effects;
-  const CameraModel camera(scene.camera, options.width, options.height, compiler);
-  statistics.seconds_compile = seconds_since(start);
+  if (effects_.any()) data_.effects = &effects_;
+}
 
-  const auto render_start = std::chrono::steady_clock::now();
+void PreparedScene::run_prepasses(const CameraModel& camera, const Options& options, int threads) {
+  if (passes_ != Passes::none) return;
+  passes_ = Passes::begun;
+  if (effects_.photons) photon_pass(effects_, data_, options, threads);
+  if (effects_.radiosity) radiosity_pretrace(effects_, data_, camera, options, threads);
+  const bool whole = !(effects_.photons || effects_.radiosity) || !options.cancel || !options.cancel->load();
+  if (whole) passes_ = Passes::done;
+}
+
+CameraModel PreparedScene::camera(const Options& options, const Window& window) {
+  return {data_.scene.camera,
+          window.width > 0 ? window.width : options.width,
+          window.height > 0 ? window.height : options.height,
+          compiler_,
+          {window.left, window.top}};
+}
+
+Statistics PreparedScene::render(const Options& options, Framebuffer& frame, const Window& window) {
+  make_room(options, frame);
+  Statistics statistics;
+  const auto start = std::chrono::steady_clock::now();
+  const CameraModel model = camera(options, window);
   Queue queue(options, frame, statistics);
+  if (window.focus_column >= 0 && !options.replay) queue.look_outwards(window.focus_column, window.focus_row);
   const int cores = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
   const int useful = options.prepasses_to ? cores : static_cast<int>(queue.size());
   const int threads = options.replay ? 1 : std::max(1, std::min(cores, useful));
   std::vector<shading::LastBlockers> blockers;
-  const auto run_prepasses = [&](int count) {
-    if (options.prepasses_from) read_prepasses(*options.prepasses_from, effects, options);
-    if (effects.photons) photon_pass(effects, data, options, count);
-    if (effects.radiosity) radiosity_pretrace(effects, data, camera, options, count);
+  const auto before_the_picture = [&](int count) {
+    if (options.prepasses_from && passes_ == Passes::none) read_prepasses(*options.prepasses_from, effects_, options);
+    run_prepasses(model, options, count);
     if (options.prepasses_to)
-      *options.prepasses_to = write_prepasses(effects);
-    else if (!effects.radiosity && !paths)
-      blockers = blockers_at_blocks(data, camera, options, queue.blocks());
+      *options.prepasses_to = write_prepasses(effects_);
+    else if (!effects_.radiosity && !paths_)
+      blockers = blockers_at_blocks(data_, model, options, queue.blocks());
+  };
+  const auto work_on_blocks = [&] {
+    work(queue, data_, effects_, model, options, paths_ ? &*paths_ : nullptr, blockers, frame);
   };
   std::vector<Block> layer_blocks;  // of the whole picture, whatever region is rendered
   if (options.layers && !options.prepasses_to) {
@@ -201,29 +241,36 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
   }
   const auto fill_layer_block = [&](std::size_t i) {
     if (!queue.cancelled())
-      fill_layers(*options.layers, data, camera, options.width, layer_blocks[i], options.antialias);
+      fill_layers(*options.layers, data_, model, options.width, layer_blocks[i], options.antialias);
   };
   if (threads == 1) {
-    run_prepasses(1);
-    if (!options.prepasses_to) work(queue, data, effects, camera, options, paths ? &*paths : nullptr, blockers, frame);
+    before_the_picture(1);
+    if (!options.prepasses_to) work_on_blocks();
     for (std::size_t i = 0; i < layer_blocks.size(); ++i) fill_layer_block(i);
   } else {
     const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     const tbb::global_control stack(tbb::global_control::thread_stack_size, std::size_t{16} << 20);
     tbb::task_arena arena(threads);
     arena.execute([&] {
-      run_prepasses(threads);
+      before_the_picture(threads);
       if (options.prepasses_to) return;
-      parallel_for(static_cast<std::size_t>(threads), 1, [&](std::size_t) {
-        work(queue, data, effects, camera, options, paths ? &*paths : nullptr, blockers, frame);
-      });
+      parallel_for(static_cast<std::size_t>(threads), 1, [&](std::size_t) { work_on_blocks(); });
       parallel_for(layer_blocks.size(), 1, fill_layer_block);
     });
   }
   statistics.cancelled = queue.cancelled();
-  if (!statistics.cancelled && !paths && !options.prepasses_to) save_radiosity(effects, options);
-  statistics.seconds_render = seconds_since(render_start);
-  statistics.findings = world.findings();
+  if (!statistics.cancelled && !paths_ && !options.prepasses_to) save_radiosity(effects_, options);
+  statistics.seconds_render = seconds_since(start);
+  statistics.findings = world_.findings();
+  return statistics;
+}
+
+Statistics render(const scene::Scene& scene, const Options& options, Framebuffer& frame) {
+  const auto start = std::chrono::steady_clock::now();
+  PreparedScene prepared(scene, options);
+  const double seconds_compile = seconds_since(start);
+  Statistics statistics = prepared.render(options, frame);
+  statistics.seconds_compile = seconds_compile;
   return statistics;
 }
 

@@ -13,10 +13,12 @@ Vec3 rotate_about(const Vec3& v, const Vec3& k, double angle) {
 
 }  // namespace
 
-CameraRays::CameraRays(const scene::Camera& camera, int width, int height)
+CameraRays::CameraRays(const scene::Camera& camera, int width, int height, WindowPlace window)
     : kind_(camera.kind),
       width_(width),
       height_(height),
+      left_(window.left),
+      top_(window.top),
       location_(camera.location),
       direction_(camera.direction),
       right_(camera.right),
@@ -32,11 +34,17 @@ CameraRays::CameraRays(const scene::Camera& camera, int width, int height)
       origin_varies_(kind_ == scene::CameraKind::orthographic || kind_ == scene::CameraKind::cylinder3 ||
                      kind_ == scene::CameraKind::cylinder4) {}
 
+void CameraRays::window_directions(const Vec2* places, int count, shading::WaveLanes& lanes) const {
+  std::vector<Vec2> moved(places, places + count);
+  for (Vec2& place : moved) place += Vec2(left_, top_);
+  shading::wave_kernels().directions({width_, height_, direction_, right_, up_}, moved.data(), count, lanes);
+}
+
 std::optional<PrimaryRay> CameraRays::at(double x, double y) const {
   using Kind = scene::CameraKind;
   // In this form: the last bits decide where a pattern's seam lies in a surface (measured: the sign of y on a plane y =
   // 0 agrees in every pixel).
-  const double u = (x + 0.5) / width_, w = (height_ - (y + 0.5)) / height_;
+  const double u = (x + left_ + 0.5) / width_, w = (height_ - (y + top_ + 0.5)) / height_;
   const double uc = u - 0.5, wc = w - 0.5, u2 = 2 * u - 1, w2 = 2 * w - 1;
   switch (kind_) {
     case Kind::perspective:

@@ -16,26 +16,34 @@ struct PrimaryRay {
   Vec2 image;
 };
 
-// All cameras but mesh_camera. (x, y) is a fractional pixel position; a pixel's centre has integer coordinates.
+// Where what is rendered lies in a larger picture, by its top left pixel.
+struct WindowPlace {
+  int left = 0, top = 0;
+};
+
+// All cameras but mesh_camera, for a picture of width by height or a window of it. (x, y) is a fractional pixel
+// position; a pixel's centre has integer coordinates.
 class CameraRays {
  public:
-  CameraRays(const scene::Camera& camera, int width, int height);
+  CameraRays(const scene::Camera& camera, int width, int height, WindowPlace window = {});
   // Empty: no ray belongs to this position (outside a fisheye's disc ...).
   std::optional<PrimaryRay> at(double x, double y) const;
   // The unit directions of the rays of a perspective camera through places of the picture; behind them is room up to a
   // multiple of RayRow::kStep.
   void directions(const Vec2* places, int count, shading::WaveLanes& lanes) const {
+    if (left_ != 0 || top_ != 0) return window_directions(places, count, lanes);
     shading::wave_kernels().directions({width_, height_, direction_, right_, up_}, places, count, lanes);
   }
   // Rays start at different points, so the objects around the origin must be looked up for each (spec 02 section 1.8).
   bool origin_varies() const { return origin_varies_; }
 
  private:
+  void window_directions(const Vec2* places, int count, shading::WaveLanes& lanes) const;
   std::optional<PrimaryRay> fisheye(double p, double q, double half_angle) const;
   std::optional<PrimaryRay> omnimax(double u2, double w2) const;
 
   scene::CameraKind kind_;
-  double width_, height_;
+  double width_, height_, left_, top_;
   Vec3 location_, direction_, right_, up_;
   Vec3 unit_direction_, unit_right_, unit_up_;
   double right_length_, up_length_;

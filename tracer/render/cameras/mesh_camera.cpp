@@ -27,12 +27,12 @@ bool barycentric(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c, dou
 
 }  // namespace
 
-MeshCamera::MeshCamera(const scene::Camera& camera, int width, int height)
-    : camera_(camera), width_(width), height_(height) {}
+MeshCamera::MeshCamera(const scene::Camera& camera, int width, int height, int left, int top)
+    : camera_(camera), width_(width), height_(height), left_(left), top_(top) {}
 
 std::optional<Ray> MeshCamera::ray(double x, double y, int k) const {
-  const double px = std::clamp(x + 0.5, 0.0, static_cast<double>(width_ - 1)),
-               py = std::clamp(y - 0.5, 0.0, static_cast<double>(height_ - 1));
+  const double px = std::clamp(x + left_ + 0.5, 0.0, static_cast<double>(width_ - 1)),
+               py = std::clamp(y + top_ - 0.5, 0.0, static_cast<double>(height_ - 1));
   if (camera_.distribution == 3) return by_uv((px - 0.5) / width_, 1 - (py + 0.5) / height_);
   const std::optional<Face> f = face(px, py, k);
   if (!f) return std::nullopt;

@@ -10,7 +10,7 @@ namespace verisim::render {
 
 class MeshCamera {
  public:
-  MeshCamera(const scene::Camera& camera, int width, int height);
+  MeshCamera(const scene::Camera& camera, int width, int height, int left, int top);
   int rays_per_pixel() const { return camera_.rays_per_pixel; }
   // Ray number k of the sample at (x, y), direction unit; empty: no face.
   std::optional<Ray> ray(double x, double y, int k) const;
@@ -26,7 +26,7 @@ class MeshCamera {
   std::optional<Ray> by_uv(double u, double v, double tolerance) const;
 
   const scene::Camera& camera_;
-  int width_, height_;
+  int width_, height_, left_, top_;  // of the whole picture; where the window lies in it
 };
 
 }  // namespace verisim::render

@@ -4,11 +4,12 @@
 
 namespace verisim::render {
 
-CameraModel::CameraModel(const scene::Camera& description, int width, int height, textures::Compiler& compiler)
-    : camera(description), rays(description, width, height) {
+CameraModel::CameraModel(const scene::Camera& description, int width, int height, textures::Compiler& compiler,
+                         WindowPlace window)
+    : camera(description), rays(description, width, height, window) {
   origin_varies = rays.origin_varies();
   if (description.kind == scene::CameraKind::mesh_camera) {
-    mesh.emplace(description, width, height);
+    mesh.emplace(description, width, height, window.left, window.top);
     origin_varies = true;
   } else if (description.aperture != 0 && description.blur_samples > 0) {
     FocalBlur::Weight weight;

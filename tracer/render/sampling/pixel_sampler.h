@@ -12,7 +12,9 @@ namespace verisim::render {
 
 // What all threads share.
 struct CameraModel {
-  CameraModel(const scene::Camera& description, int width, int height, textures::Compiler& compiler);
+  // Of a picture of width by height, or a window of it.
+  CameraModel(const scene::Camera& description, int width, int height, textures::Compiler& compiler,
+              WindowPlace window = {});
 
   const scene::Camera& camera;
   CameraRays rays;

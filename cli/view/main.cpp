@@ -1,0 +1,167 @@
+// The program behind `verisim view`: a page on the loopback interface that shows a scene's picture while it is edited.
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "cli/commands/view.h"
+#include "cli/help/help.h"
+#include "cli/settings/own_options.h"
+#include "cli/settings/output_name.h"
+#include "cli/view/live_picture.h"
+#include "cli/view/page/page.h"
+#include "cli/view/server.h"
+
+namespace fs = std::filesystem;
+
+namespace verisim::cli {
+namespace {
+
+// Scenes may write into the current folder (#fopen): that is one of its own, which goes when the program ends, so that
+// nothing is written beside the scene.
+class PrivateFolder {
+ public:
+  PrivateFolder() {
+    std::string name = (fs::temp_directory_path() / "verisim-view-XXXXXX").string();
+    if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a folder for what the scene writes: " + name);
+    path_ = name;
+    fs::current_path(path_);
+  }
+  ~PrivateFolder() {
+    std::error_code ignored;
+    fs::current_path("/", ignored);
+    fs::remove_all(path_, ignored);
+  }
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+
+ private:
+  fs::path path_;
+};
+
+// A number of a request's parameter, within bounds; the default when there is none.
+double number(const PageRequest& request, const char* name, double low, double high, double otherwise) {
+  const auto found = request.parameters.find(name);
+  if (found == request.parameters.end()) return otherwise;
+  char* end = nullptr;
+  const double value = std::strtod(found->second.c_str(), &end);
+  if (found->second.empty() || *end || !(value >= low && value <= high))
+    throw std::runtime_error(fmt::format("{} must be a number from {} to {}", name, low, high));
+  return value;
+}
+
+Wish wish_of(const std::string& body, const Options& options, Wish wish) {
+  const nlohmann::json asked = nlohmann::json::parse(body);
+  const auto take = [&](const char* name, double otherwise, double low, double high) {
+    const double value = asked.value(name, otherwise);
+    if (!(value >= low && value <= high)) throw std::runtime_error(fmt::format("{} is out of its range", name));
+    return value;
+  };
+  constexpr double kMostZoom = 4096;
+  wish.zoom = take("zoom", wish.zoom, 1, kMostZoom);
+  wish.left = static_cast<int>(take("left", wish.left, 0, std::max(0.0, options.width * (wish.zoom - 1))));
+  wish.top = static_cast<int>(take("top", wish.top, 0, std::max(0.0, options.height * (wish.zoom - 1))));
+  wish.focus_x = static_cast<int>(take("focus_x", -1, -1, options.width));
+  wish.focus_y = static_cast<int>(take("focus_y", -1, -1, options.height));
+  wish.clock = take("clock", wish.clock, -1e9, 1e9);
+  if (asked.contains("values"))
+    for (const auto& [name, value] : asked["values"].items()) wish.values[name] = value.get<double>();
+  return wish;
+}
+
+void answers(Server& server, LivePicture& picture, const Options& options) {
+  const auto text = [](const char* content, const char* type) {
+    return [content, type](const PageRequest&) { return PageReply{type, content}; };
+  };
+  server.on("", text(kViewHtml, "text/html; charset=utf-8"));
+  server.on("view.css", text(kViewCss, "text/css; charset=utf-8"));
+  server.on("view.js", text(kViewJs, "text/javascript; charset=utf-8"));
+  server.on("update", [&picture](const PageRequest& request) {
+    constexpr double kLarge = 9e15, kLongest = 10;
+    return PageReply{"application/octet-stream",
+                     picture.update(static_cast<std::uint64_t>(number(request, "generation", 0, kLarge, 0)),
+                                    static_cast<std::size_t>(number(request, "pieces", 0, kLarge, 0)),
+                                    static_cast<std::uint64_t>(number(request, "state", 0, kLarge, 0)),
+                                    number(request, "wait", 0, kLongest, 5))};
+  });
+  server.on("layers", [&picture](const PageRequest& request) {
+    return PageReply{"application/octet-stream",
+                     picture.layers(static_cast<std::uint64_t>(number(request, "generation", 0, 9e15, 0)))};
+  });
+  server.on("explain", [&picture, &options](const PageRequest& request) {
+    return PageReply{
+        "application/json",
+        picture.explain(number(request, "x", -0.5, options.width, 0), number(request, "y", -0.5, options.height, 0))
+            .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+  });
+  server.on("wish", [&picture, &options](const PageRequest& request) {
+    picture.ask(wish_of(request.body, options, picture.wish()));
+    return PageReply{"application/json", "{}"};
+  });
+}
+
+// Where there is a display; who has none copies the address.
+void open_browser(const std::string& address) {
+  if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY")) return;
+  if (fork() == 0) {
+    if (std::freopen("/dev/null", "w", stdout) && std::freopen("/dev/null", "w", stderr))
+      execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));
+    _exit(1);
+  }
+}
+
+int view(const std::vector<std::string>& arguments) {
+  const ViewSettings settings = view_settings(arguments);
+  Options options = settings.options;
+  fs::path scene = find_scene(options);
+  if (scene.empty()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", options.input_file));
+  // The current folder is about to be another one.
+  scene = fs::absolute(scene);
+  std::vector<std::string> libraries{fs::current_path().string()};
+  for (const std::string& path : options.library_paths) libraries.push_back(fs::absolute(path).string());
+  options.library_paths = libraries;
+  for (fs::path& path : options.allow_write) path = fs::absolute(path);
+  for (fs::path& path : options.allow_read) path = fs::absolute(path);
+  if (!options.include_header.empty() && fs::exists(options.include_header))
+    options.include_header = fs::absolute(options.include_header).string();
+  options.display = false;
+
+  const PrivateFolder folder;
+  if (!options.allow_read.empty()) options.allow_read.push_back(fs::current_path());
+  Interrupt interrupt(options.max_seconds);
+  LivePicture picture(options, scene, interrupt);
+  Server server;
+  answers(server, picture, options);
+  const std::string address = server.start(settings.port, settings.token);
+  std::printf("%s\n", address.c_str());
+  std::fflush(stdout);
+  std::fprintf(stderr, "verisim view: open this address in a browser; Ctrl-C ends.\n");
+  if (settings.open) open_browser(address);
+  while (!interrupt.flag()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  server.stop();
+  return kOk;
+}
+
+}  // namespace
+}  // namespace verisim::cli
+
+int main(int count, char** words) {
+  using namespace verisim::cli;
+  try {
+    return view({words + 1, words + count});
+  } catch (const HelpWanted& help) {
+    std::fputs(help_text(help.help).c_str(), stdout);
+    return kOk;
+  } catch (const OptionError& error) {
+    std::fprintf(stderr, "verisim view: %s\n", error.what());
+    return kUsage;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "verisim view: %s\n", error.what());
+    return kInputOutput;
+  }
+}

@@ -1,0 +1,346 @@
+// The live picture: asks for what is new, draws it, tells the program what is looked at.
+'use strict';
+const $ = id => document.getElementById(id);
+const canvas = $('picture'), context = canvas.getContext('2d', { willReadFrequently: true });
+const state = { generation: 0, pieces: 0, state: 0, width: 0, height: 0, zoom: 1, left: 0, top: 0, about: {}, cursor: null, wanted: null };
+let colors = null, coarse = null, layers = null, table = null, image = null, story = null, drawing = false;
+window.verisim = { state, frames: 0 };  // for tests: what is shown, and how often it was drawn
+
+// ---- what the program sends
+
+const wait = seconds => new Promise(done => setTimeout(done, 1000 * seconds));
+
+async function follow() {
+  for (let failures = 0; ;) {
+    try {
+      const reply = await fetch(`update?generation=${state.generation}&pieces=${state.pieces}&state=${state.state}`, { signal: AbortSignal.timeout(15000) });
+      if (!reply.ok) throw new Error(await reply.text());
+      take(await reply.arrayBuffer());
+      failures = 0;
+    } catch (error) {
+      $('status').className = 'lost';
+      $('status').textContent = 'verisim view does not answer; trying again';
+      state.state = -1;  // a new program counts from the start
+      state.generation = 0;
+      state.pieces = 0;
+      state.state = 0;
+      await wait(Math.min(2, 0.25 * ++failures));
+    }
+  }
+}
+
+function take(buffer) {
+  const size = new DataView(buffer).getUint32(0, true);
+  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, size)));
+  let at = 4 + size;
+  if (head.generation !== state.generation) {
+    if (head.width !== state.width || head.height !== state.height) resize(head.width, head.height);
+    // The same part of the picture: samples that did not change leave what is there, sharper as it is.
+    const moved = head.zoom !== state.zoom || head.left !== state.left || head.top !== state.top;
+    if (moved) shift(head);
+    state.fresh = moved;
+    layers = null;
+  }
+  Object.assign(state, { generation: head.generation, pieces: head.pieces, state: head.state, ready: head.layers, status: head.status, broken: head.broken, seconds: head.seconds });
+  if (head.tiles.length) Object.assign(state, { zoom: head.zoom, left: head.left, top: head.top });
+  for (const [x, y, width, height, cell] of head.tiles) {
+    const values = new Float32Array(buffer, at, width * height * 4);
+    at += values.byteLength;
+    put(values, x, y, width, height, cell);
+  }
+  if (head.about && head.about.steps) encode(head.about);
+  if (head.about) knobs(head.about, head.clock);
+  $('scene').textContent = head.scene;
+  document.title = head.scene + ' · verisim';
+  $('status').className = '';
+  $('status').textContent = head.status === 'done' ? `done in ${head.seconds.toFixed(2)} s, first picture after ${Math.round(1000 * head.first_seconds)} ms` : head.status;
+  $('zoom').textContent = `${+state.zoom.toPrecision(3)} ×`;
+  errors(head.messages, head.broken);
+  draw();
+}
+
+function resize(width, height) {
+  state.width = canvas.width = width;
+  state.height = canvas.height = height;
+  colors = new Float32Array(width * height * 4);
+  coarse = new Map();
+  image = context.createImageData(width, height);
+  $('rays').setAttribute('viewBox', `0 0 ${width} ${height}`);
+}
+
+// What is on the screen, where it is now: until something better comes.
+function shift(head) {
+  const old = colors.slice(), w = state.width, h = state.height, factor = state.zoom / head.zoom;
+  for (let y = 0; y < h; y++)
+    for (let x = 0; x < w; x++) {
+      const from = [Math.floor((x + head.left + 0.5) * factor - state.left), Math.floor((y + head.top + 0.5) * factor - state.top)];
+      const inside = from[0] >= 0 && from[1] >= 0 && from[0] < w && from[1] < h;
+      for (let c = 0; c < 4; c++) colors[(y * w + x) * 4 + c] = inside ? old[(from[1] * w + from[0]) * 4 + c] : 0;
+    }
+  coarse.clear();
+}
+
+function put(values, left, top, width, height, cell) {
+  const w = state.width, h = state.height, before = coarse.get(`${cell} ${left} ${top}`);
+  for (let y = 0, i = 0; y < height; y++)
+    for (let x = 0; x < width; x++, i += 4) {
+      if (cell > 1 && before && before.length === values.length && !state.fresh &&
+          before[i] === values[i] && before[i + 1] === values[i + 1] && before[i + 2] === values[i + 2] && before[i + 3] === values[i + 3]) continue;
+      const right = Math.min(w, left + (x + 1) * cell), bottom = Math.min(h, top + (y + 1) * cell);
+      for (let v = top + y * cell; v < bottom; v++)
+        for (let u = left + x * cell, o = (v * w + u) * 4; u < right; u++, o += 4) {
+          colors[o] = values[i]; colors[o + 1] = values[i + 1]; colors[o + 2] = values[i + 2]; colors[o + 3] = values[i + 3];
+        }
+    }
+  if (cell > 1) coarse.set(`${cell} ${left} ${top}`, values.slice());
+}
+
+// ---- from colours to the screen
+
+// The program says at which values the stored number goes up: what is shown is what a file would hold.
+function encode(about) {
+  const key = about.steps.join();
+  if (state.steps === key) return;
+  state.steps = key;
+  table = Float32Array.from(about.steps);
+  state.gamma = about.gamma;
+}
+function stored(value) {
+  let low = 0, high = 255;
+  while (low < high) { const middle = (low + high) >> 1; if (value >= table[middle]) low = middle + 1; else high = middle; }
+  return low;
+}
+
+const factor = () => Math.pow(2, +$('exposure').value / (state.gamma || 1));
+
+function hue(id) {
+  const t = (id * 0.61803398875) % 1 * 6, part = k => 90 + 150 * Math.max(0, Math.min(1, Math.abs((t + k) % 6 - 3) - 1));
+  return [part(0), part(4), part(2)];
+}
+
+function draw() {
+  if (drawing) return;
+  drawing = true;
+  requestAnimationFrame(() => {
+    drawing = false;
+    if (!image || !table) return;
+    const data = image.data, n = state.width * state.height, channel = $('channel').value;
+    if (channel === 'rgb') {
+      const scale = factor(), size = 1 << 13, lut = new Uint8Array(size + 1);
+      for (let i = 0; i <= size; i++) lut[i] = stored((i / size) ** 2);  // by the root: dark colours need the finer steps
+      for (let i = 0; i < 4 * n; i += 4) {
+        for (let c = 0; c < 3; c++) { const v = colors[i + c] * scale; data[i + c] = v >= 1 ? lut[size] : v > 0 ? lut[Math.round(Math.sqrt(v) * size)] : 0; }
+        data[i + 3] = 255;
+      }
+    } else {
+      let near = Infinity, far = 0;
+      if (channel === 'depth' && layers) for (let i = 0; i < n; i++) if (layers[i] < 1e10) { near = Math.min(near, layers[i]); far = Math.max(far, layers[i]); }
+      for (let i = 0; i < n; i++) {
+        let shown = [0, 0, 0];
+        if (channel === 'alpha') shown = Array(3).fill(255 * (1 - colors[4 * i + 3]));
+        else if (layers && channel === 'depth') shown = Array(3).fill(layers[i] < 1e10 ? 255 - 225 * (layers[i] - near) / (far - near || 1) : 0);
+        else if (layers && channel === 'normal') shown = [0, 1, 2].map(c => { const v = layers[n + 3 * i + c]; return 127.5 * (v + 1); });
+        else if (layers && channel === 'albedo') shown = [0, 1, 2].map(c => stored(layers[4 * n + 3 * i + c]));
+        else if (layers && channel === 'id') { const id = layers[7 * n + i]; if (id > 0) shown = hue(id); }
+        data[4 * i] = shown[0]; data[4 * i + 1] = shown[1]; data[4 * i + 2] = shown[2]; data[4 * i + 3] = 255;
+      }
+    }
+    context.putImageData(image, 0, 0);
+    window.verisim.frames++;
+    readout();
+    if (channel !== 'rgb' && channel !== 'alpha' && !layers && state.ready) fetchLayers();
+  });
+}
+
+async function fetchLayers() {
+  const generation = state.generation, reply = await fetch(`layers?generation=${generation}`), buffer = await reply.arrayBuffer();
+  if (buffer.byteLength && generation === state.generation) { layers = new Float32Array(buffer); draw(); }
+}
+
+function readout() {
+  if (!state.cursor || !colors || !table) return;
+  const [x, y] = state.cursor, i = y * state.width + x, c = [0, 1, 2, 3].map(k => colors[4 * i + k]), n = state.width * state.height;
+  let text = `pixel ${x + state.left}, ${y + state.top}: stored ${c.slice(0, 3).map(stored).join(' ')}, linear ${c.slice(0, 3).map(v => +v.toPrecision(5)).join(' ')}`;
+  if (c[3]) text += `, see-through ${+c[3].toPrecision(4)}`;
+  if (layers) text += layers[i] < 1e10 ? `, ${+layers[i].toPrecision(6)} away, normal ${[0, 1, 2].map(k => +layers[n + 3 * i + k].toFixed(3)).join(' ')}, object ${layers[7 * n + i]}` : ', nothing is hit';
+  $('values').textContent = text;
+}
+
+// ---- messages of the scene
+
+function errors(messages, broken) {
+  const serious = messages.filter(m => m.severity !== 'warning'), box = $('errors'), key = JSON.stringify(serious);
+  box.hidden = !broken;
+  if (box.dataset.key === key) return;
+  box.dataset.key = key;
+  box.replaceChildren(...serious.flatMap(m => {
+    const line = document.createElement('p'), kind = document.createElement('span');
+    kind.className = 'kind';
+    kind.textContent = m.severity + ': ';
+    line.append(m.file ? `${m.file}:${m.line}:${m.column}: ` : '', kind, m.message, m.advice ? ' ' + m.advice : '');
+    if (!m.source) return [line];
+    const source = document.createElement('pre');
+    source.textContent = m.source + '\n' + ' '.repeat(Math.max(0, m.caret - 1)) + '^' + m.trail.map(t => '\n' + t).join('');
+    return [line, source];
+  }));
+}
+
+// ---- what is asked for
+
+let asking = false;
+async function ask(wish) {
+  state.wanted = { ...state.wanted, ...wish };
+  if (asking) return;
+  asking = true;
+  while (state.wanted) {
+    const body = JSON.stringify(state.wanted);
+    state.wanted = null;
+    try { await fetch('wish', { method: 'POST', body }); } catch { /* follow() tells */ }
+  }
+  asking = false;
+}
+
+function look(zoom, left, top, focus) {
+  zoom = Math.max(1, Math.min(4096, zoom));
+  const clamp = (v, most) => Math.round(Math.max(0, Math.min(most, v)));
+  endStory();
+  const wish = { zoom, left: clamp(left, Math.floor(state.width * (zoom - 1))), top: clamp(top, Math.floor(state.height * (zoom - 1))) };
+  if (focus) { wish.focus_x = Math.round(focus[0]); wish.focus_y = Math.round(focus[1]); }
+  state.aim = wish;
+  ask(wish);
+}
+const aim = () => state.aim || state;
+function zoomBy(by, at) {
+  const [x, y] = at || state.cursor || [state.width / 2, state.height / 2], from = aim();
+  const zoom = Math.max(1, from.zoom * by), real = zoom / from.zoom;
+  look(zoom, (from.left + x) * real - x, (from.top + y) * real - y, [x, y]);
+}
+
+const place = event => {
+  const r = canvas.getBoundingClientRect();
+  return [Math.max(0, Math.min(state.width - 1, Math.floor((event.clientX - r.left) / r.width * state.width))), Math.max(0, Math.min(state.height - 1, Math.floor((event.clientY - r.top) / r.height * state.height)))];
+};
+let drag = null;
+canvas.addEventListener('pointerdown', e => { drag = { from: place(e), view: { ...aim() }, moved: false }; canvas.setPointerCapture(e.pointerId); });
+canvas.addEventListener('pointermove', e => {
+  state.cursor = place(e);
+  readout();
+  if (!drag) return;
+  const dx = state.cursor[0] - drag.from[0], dy = state.cursor[1] - drag.from[1];
+  if (Math.abs(dx) + Math.abs(dy) > 3) drag.moved = true;
+  if (drag.moved && drag.view.zoom > 1) look(drag.view.zoom, drag.view.left - dx, drag.view.top - dy);
+});
+canvas.addEventListener('pointerup', e => { if (drag && !drag.moved) explain(...place(e)); drag = null; });
+canvas.addEventListener('wheel', e => { e.preventDefault(); zoomBy(e.deltaY < 0 ? 1.5 : 1 / 1.5, place(e)); }, { passive: false });
+$('in').onclick = () => zoomBy(2);
+$('out').onclick = () => zoomBy(0.5);
+$('whole').onclick = () => look(1, 0, 0);
+$('channel').onchange = draw;
+$('exposure').oninput = () => { $('stops').textContent = $('exposure').value; draw(); };
+$('axis').onchange = () => side();
+
+document.addEventListener('keydown', e => {
+  if (e.ctrlKey || e.metaKey || e.altKey || /INPUT|SELECT/.test(e.target.tagName)) return;
+  const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[e.key];
+  if (step && e.target === canvas) {
+    const from = state.cursor || [state.width >> 1, state.height >> 1];
+    state.cursor = [Math.max(0, Math.min(state.width - 1, from[0] + step[0] * (e.shiftKey ? 10 : 1))), Math.max(0, Math.min(state.height - 1, from[1] + step[1] * (e.shiftKey ? 10 : 1)))];
+    readout();
+  } else if (e.key === 'Enter' && e.target === canvas && state.cursor) explain(...state.cursor);
+  else if (e.key === '+' || e.key === '=') zoomBy(2);
+  else if (e.key === '-') zoomBy(0.5);
+  else if (e.key === '0') look(1, 0, 0);
+  else if (e.key === 'c') { $('channel').selectedIndex = ($('channel').selectedIndex + 1) % $('channel').length; draw(); }
+  else if (e.key === '[' || e.key === ']') { $('exposure').value = +$('exposure').value + (e.key === ']' ? 0.5 : -0.5); $('exposure').oninput(); }
+  else if (e.key === 'Escape') endStory();
+  else return;
+  e.preventDefault();
+});
+
+function knobs(about, clock) {
+  const all = [...(about.knobs || [])];
+  if (about.clock) all.push({ name: 'clock', value: clock, low: 0, high: 1, step: 0, clock: true });
+  const key = JSON.stringify(all.map(k => [k.name, k.low, k.high, k.step]));
+  if ($('knobs').dataset.key === key) {
+    for (const knob of all) { const input = $('knob-' + knob.name); if (input && document.activeElement !== input) { input.value = knob.value; input.nextElementSibling.textContent = +knob.value.toPrecision(5); } }
+    return;
+  }
+  $('knobs').dataset.key = key;
+  $('knobs').replaceChildren(...all.map(knob => {
+    const label = document.createElement('label'), input = document.createElement('input'), value = document.createElement('output');
+    Object.assign(input, { type: 'range', id: 'knob-' + knob.name, min: knob.low, max: knob.high, step: knob.step || (knob.high - knob.low) / 1000, value: knob.value });
+    value.textContent = +knob.value.toPrecision(5);
+    input.oninput = () => { value.textContent = input.value; ask(knob.clock ? { clock: +input.value } : { values: { ...(state.wanted || {}).values, [knob.name]: +input.value } }); };
+    label.append(knob.name, input, value);
+    return label;
+  }));
+}
+
+// ---- following a ray
+
+async function explain(x, y) {
+  const reply = await fetch(`explain?x=${x}&y=${y}`);
+  if (!reply.ok) { $('values').textContent = await reply.text(); return; }
+  story = await reply.json();
+  story.at = [x, y];
+  $('story').hidden = false;
+  $('pixel').textContent = `Pixel ${story.x}, ${story.y}`;
+  $('result').textContent = `Stored as ${story.stored.join(' ')}; linear ${story.linear.map(v => +v.toPrecision(5)).join(' ')}.`;
+  $('tree').textContent = story.text;
+  side();
+  mark();
+}
+function endStory() { story = null; $('story').hidden = true; $('rays').replaceChildren(); }
+
+const element = (name, attributes) => { const e = document.createElementNS('http://www.w3.org/2000/svg', name); for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v); return e; };
+const along = (p, d, t) => p.map((v, i) => v + d[i] * t);
+
+// All stretches of the tree: from, to, kind; and the hits with their normals.
+function stretches() {
+  const found = [], hits = [], lengths = [];
+  const visit = ray => { if (ray.distance != null) lengths.push(ray.distance); (ray.rays || []).forEach(visit); };
+  story.rays.forEach(visit);
+  const far = 0.4 * (Math.max(...lengths, 1));
+  const walk = ray => {
+    if (ray.kind === 'cut off') return;
+    found.push({ from: ray.origin, to: along(ray.origin, ray.direction, ray.distance ?? far), kind: ray.kind });
+    for (const layer of ray.layers.slice(0, 1)) {
+      hits.push(layer);
+      for (const light of layer.lights) if (light.state === 'lit' || light.state === 'shadow') found.push({ from: layer.point, to: light.state === 'shadow' && light.blocked_at ? light.blocked_at : light.position, kind: light.state });
+    }
+    ray.rays.forEach(walk);
+  };
+  story.rays.forEach(walk);
+  return { found, hits };
+}
+
+function side() {
+  if (!story) return;
+  const svg = $('side'), axes = { x: [2, 1], y: [0, 2], z: [0, 1] }[$('axis').value], { found, hits } = stretches();
+  const flat = p => [p[axes[0]], -p[axes[1]]];
+  const points = found.filter(s => s.kind !== 'lit').flatMap(s => [flat(s.from), flat(s.to)]);
+  if (!points.length) return svg.replaceChildren();
+  const low = [0, 1].map(k => Math.min(...points.map(p => p[k]))), high = [0, 1].map(k => Math.max(...points.map(p => p[k])));
+  const size = Math.max(high[0] - low[0], (high[1] - low[1]) * 4 / 3, 1e-6) * 1.2, middle = [0, 1].map(k => (low[k] + high[k]) / 2);
+  const put = p => { const q = flat(p); return [200 + (q[0] - middle[0]) / size * 400, 150 + (q[1] - middle[1]) / size * 400]; };
+  svg.setAttribute('viewBox', '0 0 400 300');
+  svg.replaceChildren();
+  for (const s of found) {
+    const a = put(s.from), b = put(s.to), length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    svg.append(element('line', { class: 'ray ' + s.kind, x1: a[0], y1: a[1], x2: b[0], y2: b[1] }));
+    if (length < 1) continue;
+    const d = [(b[0] - a[0]) / length, (b[1] - a[1]) / length], m = [a[0] + d[0] * length * 0.55, a[1] + d[1] * length * 0.55];
+    svg.append(element('polygon', { class: 'head ' + s.kind, points: `${m[0] + 5 * d[0]},${m[1] + 5 * d[1]} ${m[0] - 3 * d[0] - 4 * d[1]},${m[1] - 3 * d[1] + 4 * d[0]} ${m[0] - 3 * d[0] + 4 * d[1]},${m[1] - 3 * d[1] - 4 * d[0]}` }));
+  }
+  for (const hit of hits) {
+    const a = put(hit.point), n = flat(hit.normal);
+    svg.append(element('line', { class: 'normal', x1: a[0], y1: a[1], x2: a[0] + 24 * n[0], y2: a[1] + 24 * n[1] }), element('circle', { class: 'hit', cx: a[0], cy: a[1], r: 3 }));
+  }
+}
+
+function mark() {
+  const [x, y] = story.at.map(v => v + 0.5);
+  $('rays').replaceChildren(element('circle', { class: 'ray camera', cx: x, cy: y, r: Math.max(4, state.width / 80) }), element('circle', { class: 'head camera', cx: x, cy: y, r: Math.max(1, state.width / 320) }));
+}
+
+follow();

@@ -1,0 +1,194 @@
+"""`verisim view` in a real headless Chromium: test.py VERISIM [FOLDER FOR SCREENSHOTS]. Exit status 77: no Chromium."""
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import urllib.error
+import urllib.request
+
+import browser
+
+VERISIM = sys.argv[1] if len(sys.argv) > 1 else "verisim"
+KEPT = sys.argv[2] if len(sys.argv) > 2 else None
+
+SCENE = """#version 3.7;
+global_settings { assumed_gamma 1 }
+#include "colour.inc"
+#declare Size = 1; // @range 0.2 2
+camera { location <0, 1, -5> look_at 0 }
+light_source { <5, 8, -6> rgb 1 }
+sphere { 0, Size pigment { rgb Colour } finish { ambient 0.2 reflection 0.2 } }
+plane { y, -1 pigment { checker rgb 0.9, rgb 0.2 } }
+"""
+RED, GREEN = "#declare Colour = <0.9, 0.1, 0.1>;\n", "#declare Colour = <0.1, 0.9, 0.1>;\n"
+CENTRE = "const d = document.getElementById('picture').getContext('2d').getImageData(160, 120, 1, 1).data; "
+
+
+class View(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.browser = browser.Browser(os.path.join(cls.folder.name, "profile"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.folder.cleanup()
+
+    def setUp(self):
+        self.scenes = tempfile.TemporaryDirectory()
+        self.save("scene.pov", SCENE)
+        self.save("colour.inc", RED)
+        self.program = None
+        self.start()
+        self.browser.open(self.address)
+        self.browser.until(CENTRE + "return verisim.state.status === 'done' && d[0] > 2 * d[1]")
+
+    def tearDown(self):
+        self.stop()
+        self.scenes.cleanup()
+
+    def start(self, *options):
+        words = [VERISIM, "view", "scene.pov", "+W320", "+H240", "--no-open", *options]
+        self.program = subprocess.Popen(words, cwd=self.scenes.name, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.address = self.program.stdout.readline().strip()
+
+    def stop(self):
+        self.program.send_signal(signal.SIGINT)
+        self.assertEqual(self.program.wait(20), 0)
+        self.program.stdout.close()
+
+    def save(self, name, text):
+        path = os.path.join(self.scenes.name, name)
+        with open(path + "~", "w") as out:
+            out.write(text)
+        os.replace(path + "~", path)
+
+    def keep(self, name):
+        if KEPT:
+            self.browser.screenshot(os.path.join(KEPT, f"view-{name}.png"))
+
+    def status(self, address, headers=None):
+        try:
+            return urllib.request.urlopen(urllib.request.Request(address, headers=headers or {}), timeout=10).status
+        except urllib.error.HTTPError as error:
+            return error.code
+
+    def test_an_included_file_that_is_saved_changes_the_picture_soon(self):
+        self.keep("start")
+        before = self.browser.run("return verisim.state.generation")
+        self.save("colour.inc", GREEN)
+        self.browser.until(CENTRE + "return d[1] > 2 * d[0]")
+        self.browser.until("return verisim.state.status === 'done' && verisim.state.generation > arguments[0]", before)
+        first = self.browser.run("return +document.getElementById('status').textContent.match(/after (\\d+) ms/)[1]")
+        print(f"first coarse picture {first} ms after it was saved")
+        self.assertLess(first, 1000)  # a machine may be busy
+
+    def test_a_broken_scene_is_told_over_the_last_good_picture(self):
+        self.save("scene.pov", SCENE.replace("sphere { 0, Size", "sphere { 0, Sise"))
+        text = self.browser.until("const e = document.getElementById('errors'); return !e.hidden && e.textContent")
+        self.keep("broken")
+        self.assertIn("scene.pov:7:", text)
+        self.assertIn("^", text)
+        self.assertTrue(self.browser.run(CENTRE + "return d[0] > 2 * d[1]"))
+        self.save("scene.pov", SCENE)
+        self.browser.until("return document.getElementById('errors').hidden && verisim.state.status === 'done'")
+
+    def test_zoom_shows_what_a_larger_picture_would(self):
+        self.browser.run("verisim.zoomed = verisim.state.generation; document.getElementById('in').click()")
+        self.browser.until("return verisim.state.zoom === 2 && verisim.state.status === 'done'")
+        self.keep("zoomed")
+        left, top = self.browser.run("return [verisim.state.left, verisim.state.top]")
+        self.assertEqual((left, top), (160, 120))
+        shown = self.browser.run(CENTRE.replace("160, 120", "100, 60") + "return [d[0], d[1], d[2]]")
+        told = subprocess.run([VERISIM, "explain", "scene.pov", str(100 + left), str(60 + top), "+W640", "+H480", "--no-oracle"],
+                              cwd=self.scenes.name, capture_output=True, text=True).stdout
+        self.assertIn("in a file of 8 bits " + " ".join(map(str, shown)), told)
+
+    def test_a_click_follows_the_ray(self):
+        self.browser.run("""const c = document.getElementById('picture'), r = c.getBoundingClientRect(),
+            at = { clientX: r.left + 160.5 * r.width / 320, clientY: r.top + 120.5 * r.height / 240, bubbles: true, pointerId: 1 };
+            c.setPointerCapture = () => {};
+            c.dispatchEvent(new PointerEvent('pointerdown', at)); c.dispatchEvent(new PointerEvent('pointerup', at));""")
+        tree = self.browser.until("return document.getElementById('tree').textContent")
+        self.keep("followed")
+        told = subprocess.run([VERISIM, "explain", "scene.pov", "160", "120", "+W320", "+H240", "--no-oracle"],
+                              cwd=self.scenes.name, capture_output=True, text=True).stdout
+        same = [line.split(" (")[0] for line in tree.splitlines()]  # the names of files differ: there they are absolute
+        self.assertEqual(same, [line.split(" (")[0] for line in told.splitlines()[1:-1]])
+        self.assertIn("reflected ray", tree)
+        self.assertGreater(self.browser.run("return document.querySelectorAll('#side .ray').length"), 2)
+        result = self.browser.run("return document.getElementById('result').textContent")
+        shown = self.browser.run(CENTRE + "return [d[0], d[1], d[2]].join(' ')")
+        self.assertIn(f"Stored as {shown};", result)
+
+    def test_knobs_turn_numbers_of_the_scene(self):
+        self.browser.run("const k = document.getElementById('knob-Size'); k.value = 0.2; k.dispatchEvent(new Event('input'))")
+        self.browser.until(CENTRE.replace("160, 120", "160, 75") + "return verisim.state.status === 'done' && d[0] < 2 * d[1]")
+        self.keep("knob")
+        with open(os.path.join(self.scenes.name, "scene.pov")) as scene:
+            self.assertEqual(scene.read(), SCENE)
+
+    def test_channels_and_exposure_need_no_rendering(self):
+        before = self.browser.run("return verisim.state.generation")
+        dark = self.browser.run(CENTRE + "return d[0]")
+        self.browser.run("const e = document.getElementById('exposure'); e.value = 1; e.oninput()")
+        self.browser.until(CENTRE + "return d[0] > arguments[0]", dark)
+        self.browser.run("document.getElementById('channel').value = 'normal'; document.getElementById('channel').onchange()")
+        self.browser.until(CENTRE + "return d[2] < 60 && Math.abs(d[0] - 127) < 20")  # towards the camera at -z
+        self.keep("normals")
+        self.assertEqual(before, self.browser.run("return verisim.state.generation"))
+
+    def test_sixty_saves_end_in_the_last_picture(self):
+        size = lambda: len(os.listdir(f"/proc/{self.program.pid}/fd"))
+        before = size()
+        for i in range(60):
+            self.save("colour.inc", (RED, GREEN)[i % 2])
+            time.sleep(0.01)
+        self.browser.until(CENTRE + "return verisim.state.status === 'done' && d[1] > 2 * d[0]")
+        self.assertLessEqual(size(), before + 4)
+
+    def test_strangers_are_refused(self):
+        start = self.address.rsplit("/", 2)[0]
+        self.assertEqual(self.status(self.address), 200)
+        self.assertEqual(self.status(start + "/"), 403)
+        self.assertEqual(self.status(start + "/0123456789abcdef0123456789abcdef/"), 403)
+        self.assertEqual(self.status(self.address, {"Origin": "http://example.org"}), 403)
+        self.assertEqual(self.status(self.address, {"Host": "example.org"}), 403)
+        self.assertEqual(self.status(self.address + "explain?x=1e9&y=0"), 400)
+
+    def test_a_program_that_went_away_is_told_and_comes_back(self):
+        self.stop()
+        self.start("--token", "0123456789abcdef")
+        self.browser.open(self.address)
+        port = self.address.split(":")[2].split("/")[0]
+        self.browser.until("return verisim.state.status === 'done'")
+        self.stop()
+        self.browser.until("return document.getElementById('status').className === 'lost'")
+        self.save("colour.inc", GREEN)
+        self.start("--token", "0123456789abcdef", "--port", port)
+        self.browser.until(CENTRE + "return verisim.state.status === 'done' && d[1] > 2 * d[0]")
+
+    def test_nothing_is_written_beside_the_scene(self):
+        self.save("scene.pov", SCENE + '#fopen F "written.txt" write\n#write (F, "1,")\n#fclose F\n')
+        time.sleep(0.3)
+        self.browser.until("return verisim.state.status === 'done' && verisim.state.generation > 1")
+        self.assertEqual(sorted(os.listdir(self.scenes.name)), ["colour.inc", "scene.pov"])
+
+    def test_a_phone_shows_it_all(self):
+        self.browser.resize(420, 800)
+        try:
+            self.assertTrue(self.browser.run("return document.documentElement.scrollWidth <= document.documentElement.clientWidth"))
+            self.keep("phone")
+        finally:
+            self.browser.resize(1200, 900)
+
+
+if __name__ == "__main__":
+    if not browser.available():
+        print("Chromium with chromedriver is not installed")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1])

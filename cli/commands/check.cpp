@@ -171,8 +171,8 @@ int command_check(const std::vector<std::string>& arguments) {
   own.flag("--json", wanted.json, "print the diagnostics as JSON to standard output");
   own.flag("--dump", wanted.dump, "print the evaluated scene as JSON to standard output (docs/dump.md)");
   own.flag("--fix", wanted.fix, "correct in the files what can be corrected without doubt, and check again");
-  own.value("--sarif", wanted.sarif, "write the diagnostics to this file as SARIF, which code hosts show");
-  own.value("--explain", code, "say what a diagnostic's code means, with an example; 'list' names all codes");
+  own.value("--sarif FILE", wanted.sarif, "write the diagnostics to this file as SARIF, which code hosts show");
+  own.value("--explain CODE", code, "say what a diagnostic's code means, with an example; 'list' names all codes");
   add_scene_options(own, options);
   refuse_render_options(own);
   own.switches({Topic::scene, Topic::size, Topic::animation, Topic::messages});

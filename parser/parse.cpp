@@ -13,11 +13,13 @@ template <class Run>
 ParseResult guarded(const std::string& name, const ParseOptions& options, Run&& run) {
   ParseResult result;
   const auto fail = [&](Diagnostic diagnostic) {
+    result.whole = false;
     if (options.message) options.message(diagnostic);
     result.errors.push_back(std::move(diagnostic));
   };
-  const auto plain = [&](const std::string& text) {
+  const auto plain = [&](Code code, const std::string& text) {
     Diagnostic d;
+    d.code = code;
     d.file = name;
     d.message = text;
     fail(std::move(d));
@@ -29,9 +31,9 @@ ParseResult guarded(const std::string& name, const ParseOptions& options, Run&& 
   } catch (ParseError& e) {
     fail(std::move(e.diagnostic));
   } catch (const std::bad_alloc&) {
-    plain("The scene needs more memory than there is.");
+    plain(Code::size_limit, "The scene needs more memory than there is.");
   } catch (const std::exception& e) {
-    plain(e.what());
+    plain(Code::file_failed, e.what());
   }
   return result;
 }

@@ -1,4 +1,5 @@
-// `verisim check`: reads a scene and says what is wrong with it.
+// `verisim check`: reads scenes and says what is wrong with them.
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -6,92 +7,207 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands/commands.h"
-#include "cli/describe/diagnostic_json.h"
+#include "cli/describe/diagnostics_json.h"
 #include "cli/describe/dump.h"
+#include "cli/describe/fixes.h"
+#include "cli/describe/scene_findings.h"
 #include "cli/frame/frame.h"
 #include "cli/settings/own_options.h"
 #include "cli/settings/scene_words.h"
+#include "parser/source/suggest.h"
 #include "tracer/render/requirements.h"
 
-namespace verisim::cli {
-int command_check(const std::vector<std::string>& arguments) {
-  Options options;
-  bool json = false, dump = false;
-  OwnOptions own("check",
-                 "Reads a scene without rendering it and says what is wrong with it, as file:line:column: severity: "
-                 "message, with the line and a caret. Exit status 0: no errors, 3: errors, 4: something is not "
-                 "supported. All switches of POV-Ray's are taken; those that decide how a picture looks change nothing "
-                 "here.");
-  own.synopsis("SCENE [options] [switches]")
-      .summary("read a scene and report what is wrong with it")
-      .example("verisim check scene.pov", "every error with its place")
-      .example("verisim check scene.pov --json", "the same for programs")
-      .example("verisim check - --stdin-name scene.pov < buffer", "text that is not saved yet")
-      .section("Options");
-  own.flag("--json", json, "print the diagnostics as JSON to standard output");
-  own.flag("--dump", dump, "print the evaluated scene as JSON to standard output (docs/dump.md)");
-  add_scene_options(own, options);
-  refuse_render_options(own);
-  own.switches({Topic::scene, Topic::size, Topic::animation, Topic::messages});
-  const std::vector<std::string> files = apply_words(options, own.parse(arguments));
-  if (files.size() > 1) throw OptionError(fmt::format("one scene at a time: '{}' and '{}'", files[0], files[1]));
-  if (!files.empty()) options.input_file = files[0];
-  if (options.input_file.empty() && !options.stdin_name.empty()) options.input_file = "-";
-  if (options.input_file.empty()) throw OptionError("no scene: verisim check SCENE [switches]");
-  validate(options);
-  const SceneSource scene = open_scene(options);
-  if (!scene.found()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", options.input_file));
+namespace fs = std::filesystem;
 
-  Console console(options, Style::verisim);
-  Interrupt interrupt(options.max_seconds);
-  const Job job{options, console, interrupt, scene, animation(options)};
-  parser::ParseOptions parse = parse_options(job, job.animation.frame(0));
+namespace verisim::cli {
+namespace {
+
+struct Wanted {
+  bool json = false, dump = false, fix = false;
+  std::string sarif;
+};
+
+// What one scene gave.
+struct Checked {
+  fs::path scene;
   std::vector<parser::Diagnostic> messages;
-  if (json) parse.message = [&](const parser::Diagnostic& d) { messages.push_back(d); };
-  // Taking a large scene apart takes as long as a good part of reading it, and the process ends anyway: it is kept
-  // until then.
+  std::size_t errors = 0;
+  int warnings = 0;
+  bool whole = true;
+  ExitStatus status = kOk;
+};
+
+std::string counted(std::size_t n, std::string_view what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+std::string summary(const Checked& checked) {
+  const std::string errors = checked.status == kUnsupported ? "not supported"
+                             : checked.errors               ? counted(checked.errors, "error")
+                                                            : "no errors";
+  std::string out = fmt::format("{}: {}, {}", checked.scene.string(), errors,
+                                counted(static_cast<std::size_t>(checked.warnings), "warning"));
+  if (!checked.whole && checked.errors) out += "; reading stopped at the last error, there may be more";
+  return out;
+}
+
+nlohmann::json as_json(const Checked& checked) {
+  nlohmann::json report{{"scene", checked.scene.string()},
+                        {"errors", checked.errors},
+                        {"warnings", checked.warnings},
+                        {"whole", checked.whole},
+                        {"status", static_cast<int>(checked.status)}};
+  report["diagnostics"] = nlohmann::json::array();
+  for (const parser::Diagnostic& d : checked.messages) report["diagnostics"].push_back(cli::as_json(d));
+  return report;
+}
+
+Checked check_scene(const Options& options, Console& console, Interrupt& interrupt, const SceneSource& scene,
+                    const Wanted& wanted) {
+  const Job job{options, console, interrupt, scene, animation(options)};
+  Checked checked;
+  checked.scene = scene.path;
+  parser::ParseOptions parse = parse_options(job, job.animation.frame(0));
+  const auto show = parse.message;
+  parse.message = [&](const parser::Diagnostic& d) {
+    checked.messages.push_back(d);
+    if (!wanted.json) show(d);
+  };
+  // Taking a large scene apart takes as long as a good part of reading it, and the process ends anyway: the last one is
+  // kept until then.
   static std::unique_ptr<parser::ParseResult>& kept = *new std::unique_ptr<parser::ParseResult>;
   kept = std::make_unique<parser::ParseResult>(parse_scene(job, parse));
   const parser::ParseResult& result = *kept;
   console.end_of_debug();
-  if (interrupt.flag()) return kInterrupted;
-
-  ExitStatus status = result.scene ? kOk : kSceneErrors;
+  checked.errors = result.errors.size();
+  checked.warnings = result.warnings;
+  checked.whole = result.whole;
+  if (interrupt.flag()) {
+    checked.status = kInterrupted;
+    return checked;
+  }
+  checked.status = result.scene ? kOk : kSceneErrors;
   for (const parser::Diagnostic& error : result.errors)
-    if (error.severity == parser::Severity::unsupported) status = kUnsupported;
-  if (result.scene) {
-    try {
-      render::check_supported(*result.scene, render_options(job, {0, options.width - 1, 0, options.height - 1}));
-    } catch (const render::Unsupported& missing) {
-      parser::Diagnostic d;
-      d.severity = parser::Severity::unsupported;
-      d.file = missing.place.file ? *missing.place.file : scene.path.string();
-      d.line = missing.place.line;
-      d.column = missing.place.column;
-      d.message = missing.what();
-      parse.message(d);
-      status = kUnsupported;
-    }
+    if (error.severity == parser::Severity::unsupported) checked.status = kUnsupported;
+  if (!result.scene) return checked;
+  for (const parser::Diagnostic& finding : scene_findings(*result.scene)) {
+    parse.message(finding);
+    ++checked.warnings;
   }
-  if (dump && result.scene) {
+  try {
+    render::check_supported(*result.scene, render_options(job, {0, options.width - 1, 0, options.height - 1}));
+  } catch (const render::Unsupported& missing) {
+    parser::Diagnostic d;
+    d.severity = parser::Severity::unsupported;
+    d.code = parser::Code::unsupported;
+    d.file = missing.place.file ? *missing.place.file : scene.path.string();
+    d.line = missing.place.line;
+    d.column = missing.place.column;
+    d.message = missing.what();
+    parse.message(d);
+    checked.status = kUnsupported;
+  }
+  if (wanted.dump)
     std::puts(SceneDump().scene(*result.scene).dump(1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-    return status;
+  return checked;
+}
+
+// The scenes that a word names: one, or all below a folder, in alphabetical order.
+std::vector<SceneSource> scenes_of(Options& options, const std::string& word) {
+  std::error_code error;
+  if (fs::is_directory(word, error)) {
+    std::vector<SceneSource> scenes;
+    for (fs::recursive_directory_iterator i(word, fs::directory_options::skip_permission_denied, error), end;
+         !error && i != end; i.increment(error))
+      if (i->is_regular_file(error) && parser::lowered(i->path().extension().string()) == ".pov")
+        scenes.push_back({i->path(), std::nullopt});
+    std::sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+    if (scenes.empty()) throw std::runtime_error(fmt::format("no scenes (*.pov) below the folder '{}'", word));
+    return scenes;
   }
-  if (json) {
-    nlohmann::json report{{"scene", scene.path.string()},
-                          {"errors", result.errors.size()},
-                          {"warnings", result.warnings},
-                          {"status", static_cast<int>(status)}};
-    report["diagnostics"] = nlohmann::json::array();
-    for (const parser::Diagnostic& d : messages) report["diagnostics"].push_back(as_json(d));
-    std::puts(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-  } else {
-    console.line(Stream::statistic, fmt::format("{}: {}, {} warning{}", scene.path.string(),
-                                                status == kOk            ? "no errors"
-                                                : status == kUnsupported ? "not supported"
-                                                                         : "errors",
-                                                result.warnings, result.warnings == 1 ? "" : "s"));
+  options.input_file = word;
+  SceneSource scene = open_scene(options);
+  if (!scene.found()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", word));
+  return {std::move(scene)};
+}
+
+int explain_code(const std::string& wanted) {
+  if (wanted == "list") {
+    for (const parser::CodeEntry& e : parser::all_codes())
+      std::printf("%-24.*s %.*s\n", static_cast<int>(e.name.size()), e.name.data(), static_cast<int>(e.title.size()),
+                  e.title.data());
+    return kOk;
   }
+  const std::optional<parser::Code> code = parser::code_named(wanted);
+  if (!code) {
+    std::vector<std::string_view> names;
+    for (const parser::CodeEntry& e : parser::all_codes()) names.push_back(e.name);
+    const std::string_view likely = parser::nearest(wanted, names);
+    throw OptionError(fmt::format(
+        "--explain {}: no such code; {}", wanted,
+        likely.empty() ? "'verisim check --explain list' names them all" : fmt::format("did you mean '{}'?", likely)));
+  }
+  std::fputs(parser::explanation(parser::entry(*code)).c_str(), stdout);
+  return kOk;
+}
+
+}  // namespace
+
+int command_check(const std::vector<std::string>& arguments) {
+  Options options;
+  Wanted wanted;
+  std::string code;
+  OwnOptions own("check",
+                 "Reads scenes without rendering them and says what is wrong with them, as file:line:column: severity: "
+                 "message [code], with the line and what is meant underlined. A folder stands for all scenes below it. "
+                 "Exit status 0: no errors, 3: errors, 4: something is not supported. All switches of POV-Ray's are "
+                 "taken; those that decide how a picture looks change nothing here.");
+  own.synopsis("SCENE...|FOLDER [options] [switches]")
+      .summary("read scenes and report what is wrong with them")
+      .example("verisim check scene.pov", "every error with its place")
+      .example("verisim check --explain unclosed-block", "what a code means, with an example")
+      .example("verisim check scene.pov --fix", "correct what can be corrected without doubt")
+      .example("verisim check scene.pov --json", "the same for programs")
+      .example("verisim check - --stdin-name scene.pov < buffer", "text that is not saved yet")
+      .section("Options");
+  own.flag("--json", wanted.json, "print the diagnostics as JSON to standard output");
+  own.flag("--dump", wanted.dump, "print the evaluated scene as JSON to standard output (docs/dump.md)");
+  own.flag("--fix", wanted.fix, "correct in the files what can be corrected without doubt, and check again");
+  own.value("--sarif FILE", wanted.sarif, "write the diagnostics to this file as SARIF, which code hosts show");
+  own.value("--explain CODE", code, "say what a diagnostic's code means, with an example; 'list' names all codes");
+  add_scene_options(own, options);
+  refuse_render_options(own);
+  own.switches({Topic::scene, Topic::size, Topic::animation, Topic::messages});
+  const std::vector<std::string> files = apply_words(options, own.parse(arguments));
+  if (!code.empty()) return explain_code(code);
+  if (files.empty() && options.input_file.empty() && !options.stdin_name.empty()) options.input_file = "-";
+  if (files.empty() && options.input_file.empty()) throw OptionError("no scene: verisim check SCENE [switches]");
+  validate(options);
+  std::vector<SceneSource> scenes;
+  for (const std::string& word : files.empty() ? std::vector<std::string>{options.input_file} : files)
+    for (SceneSource& scene : scenes_of(options, word)) scenes.push_back(std::move(scene));
+
+  Console console(options, Style::verisim);
+  Interrupt interrupt(options.max_seconds);
+  ExitStatus status = kOk;
+  nlohmann::json reports = nlohmann::json::array();
+  std::vector<parser::Diagnostic> all;
+  for (const SceneSource& scene : scenes) {
+    Checked checked = check_scene(options, console, interrupt, scene, wanted);
+    // A correction may bring to light what stood behind the mistake.
+    for (int again = 0; wanted.fix && again < 100 && apply_fixes(checked.messages, console); ++again)
+      checked = check_scene(options, console, interrupt, scene, wanted);
+    if (checked.status == kInterrupted) return kInterrupted;
+    status = std::max(status, checked.status);
+    if (wanted.json)
+      reports.push_back(as_json(checked));
+    else if (!wanted.dump)
+      console.line(Stream::statistic, summary(checked));
+    all.insert(all.end(), checked.messages.begin(), checked.messages.end());
+  }
+  if (wanted.json && !wanted.dump)
+    std::puts((scenes.size() == 1 ? reports[0] : reports)
+                  .dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
+                  .c_str());
+  if (!wanted.sarif.empty()) write_sarif(all, wanted.sarif);
   return status;
 }
 

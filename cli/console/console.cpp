@@ -102,7 +102,9 @@ void Console::put(Stream stream, std::string_view text) {
   const std::string whole = std::string(text) + "\n";
   if (shown(stream)) {
     clear_bar();
-    std::fwrite(whole.data(), 1, whole.size(), stderr);
+    // What a scene prints must not steer the terminal.
+    const std::string on_screen = stream == Stream::debug ? parser::printable(text) + "\n" : whole;
+    std::fwrite(on_screen.data(), 1, on_screen.size(), stderr);
   }
   const std::string& own = settings_of(options_, stream).file;
   for (const std::string& name : {own, options_.all.file == own ? std::string() : options_.all.file})

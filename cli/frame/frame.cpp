@@ -389,6 +389,7 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
     job.console.end_progress();
     parser::Diagnostic diagnostic;
     diagnostic.severity = parser::Severity::unsupported;
+    diagnostic.code = parser::Code::unsupported;
     if (missing.place.file) diagnostic.file = *missing.place.file;
     diagnostic.line = missing.place.line;
     diagnostic.column = missing.place.column;

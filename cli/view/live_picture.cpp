@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "cli/describe/diagnostic_json.h"
+#include "cli/describe/diagnostics_json.h"
 #include "cli/describe/ray_tree.h"
 #include "cli/describe/stored_pixel.h"
 #include "tracer/render/explain.h"

@@ -19,13 +19,13 @@ std::shared_ptr<Array> Parser::Impl::array() {
     const int size = to_int(scalar() + kEps);
     if (peek().punctuation != ']') expected("]");
     skip_token();
-    if (size < 1) error("The size of an array must be at least 1.");
-    if (result->sizes.size() == kMaxDimensions) error("An array has at most 5 dimensions.");
+    if (size < 1) error(Code::array_size, "The size of an array must be at least 1.");
+    if (result->sizes.size() == kMaxDimensions) error(Code::array_size, "An array has at most 5 dimensions.");
     result->sizes.push_back(size);
     product *= size;
   }
   if (product * sizeof(Value) > static_cast<double>(options.limits.max_memory_bytes))
-    error("The array needs more memory than --max-memory allows.");
+    error(Code::size_limit, "The array needs more memory than --max-memory allows.");
   result->elements.resize(static_cast<std::size_t>(product));
   if (peek_blocked().punctuation == '{') {
     std::size_t element = 0;
@@ -44,32 +44,35 @@ void Parser::Impl::initialise(Array& array, std::size_t dimension, std::size_t& 
     } else {
       // A directive or a macro name cannot begin an element (spec 01 section 4, B5).
       const Token& token = peek_blocked();
-      if (token.kind == TokenKind::directive) error("A directive cannot stand here.", "Put the value in parentheses.");
+      if (token.kind == TokenKind::directive)
+        error(Code::misplaced_directive, "A directive cannot stand here.", "Put the value in parentheses.");
       if (token.kind == TokenKind::identifier)
         if (const Symbol* symbol = names[token.id()].symbol; symbol && symbol->is_macro)
-          error(fmt::format("Macro '{}' cannot be called here.", names[token.id()].text),
+          error(Code::misplaced_directive, fmt::format("Macro '{}' cannot be called here.", names[token.id()].text),
                 "Put the call in parentheses.");
       if (token.punctuation == '}')
-        error(
-            fmt::format("Too few values in the array initialiser: {} expected, {} found.", array.sizes[dimension], i));
+        error(Code::array_size, fmt::format("Too few values in the array initialiser: {} expected, {} found.",
+                                            array.sizes[dimension], i));
       Value value;
       right_hand_side(value);
       store_element(array, element++, std::move(value));
     }
     if (peek_blocked().punctuation == ',') skip_token();
   }
-  if (peek_blocked().punctuation != '}') error("Too many values in the array initialiser, or a missing '}'.");
+  if (peek_blocked().punctuation != '}')
+    error(Code::array_size, "Too many values in the array initialiser, or a missing '}'.");
   skip_token();
 }
 
 void Parser::Impl::store_element(Array& array, std::size_t element, Value&& value) {
   const int type = type_key(value);
-  if (array.type && array.type != type) error("All elements of an array have the same type; this value has another.");
+  if (array.type && array.type != type)
+    error(Code::array_type, "All elements of an array have the same type; this value has another.");
   array.type = type;
   if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&value)) {
     array.nesting = std::max(array.nesting, (*inner)->nesting + 1);
     if (array.nesting >= options.limits.max_depth)
-      error("Arrays of arrays are nested too deeply.", "--max-depth raises this limit.");
+      error(Code::nesting_limit, "Arrays of arrays are nested too deeply.", "--max-depth raises this limit.");
   }
   array.elements[element] = std::move(value);
 }
@@ -84,7 +87,8 @@ std::size_t Parser::Impl::subscripts(const Array& array) {
     const double value = scalar();
     if (peek().punctuation != ']') expected("]");
     const int i = to_int(value + kEps);
-    if (!(value >= -kEps) || i >= size) error(fmt::format("Array subscript out of range: {} of {}.", value, size));
+    if (!(value >= -kEps) || i >= size)
+      error(Code::subscript_range, fmt::format("Array subscript out of range: {} of {}.", value, size));
     skip_token();
     element = element * static_cast<std::size_t>(size) + static_cast<std::size_t>(i);
   }
@@ -110,7 +114,7 @@ Parser::Impl::Resolved Parser::Impl::resolve() {
     resolved.element = subscripts(*array);
     resolved.array = std::move(array);
     if (resolved.value().index() == 0)
-      error(fmt::format("This element of array '{}' has no value yet.", names[name].text));
+      error(Code::no_value, fmt::format("This element of array '{}' has no value yet.", names[name].text));
   }
   return resolved;
 }
@@ -125,7 +129,7 @@ const Value* Parser::Impl::peek_value() {
     const Token* at = position;
     const TokenFile* in = file;
     Resolved resolved = resolve();
-    if (file != in) error("An array reference must end in the file in which it begins.");
+    if (file != in) error(Code::array_size, "An array reference must end in the file in which it begins.");
     pending.resolved = std::move(resolved);
     pending.behind = position;
     pending.at = position = at;

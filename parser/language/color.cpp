@@ -48,7 +48,7 @@ float decode_srgb(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0
 void Parser::Impl::to_working_space(Numeric& value) {
   const scene::Settings& settings = scene.settings;
   if (!settings.gamma_given)
-    error("srgb needs assumed_gamma to be set before.",
+    error(Code::missing_gamma, "srgb needs assumed_gamma to be set before.",
           "Put global_settings { assumed_gamma 1.0 } at the beginning of the scene.");
   if (settings.gamma == scene::Gamma::srgb) return;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -72,7 +72,7 @@ Numeric Parser::Impl::color_base() {
   const int used = found == 1 ? width : found;
   for (int i = used; i < 5; ++i) value.v[static_cast<std::size_t>(i)] = 0;
   if (found > width)
-    message(Severity::warning,
+    message(Severity::warning, Code::adjusted_value,
             "The colour has more terms than its keyword names; they are kept as filter and transmit.");
   if (width == 4 && (word == Word::rgbt || word == Word::srgbt)) {
     value.v[4] = value.v[3];
@@ -90,7 +90,7 @@ void Parser::Impl::color_items(Numeric& out) {
     const int component = component_of(token.word);
     if (component < 0) return;
     if (token.word == Word::alpha && language_version > 155)
-      message(Severity::warning, "Keyword 'alpha' is discontinued: use 'filter' or 'transmit'.");
+      message(Severity::warning, Code::discontinued, "Keyword 'alpha' is discontinued: use 'filter' or 'transmit'.");
     skip_token();
     out.v[static_cast<std::size_t>(component)] = scalar();
   }
@@ -110,10 +110,11 @@ Numeric Parser::Impl::color(ColorTerms terms) {
     // `color color C`: the first is black (measured), the second the next item of the place, if it can have one.
   } else if (token.kind == TokenKind::identifier ||
              (starts_numeric(token) && !(token.kind == TokenKind::word && component_of(token.word) >= 0))) {
+    const Token* const start = position;
     full(value);
     // A number on its own fills what the place has: all five terms, or red, green and blue only.
     if (terms == ColorTerms::rgb && value.terms == 1) value = {{value.v[0], value.v[0], value.v[0], 0, 0}, 5};
-    fit(value, 5);
+    fit(value, 5, start);
   }  // else: no colour at all, which is black (measured)
   color_items(value);
   return value;
@@ -136,7 +137,8 @@ Rgb Parser::parse_rgb() {
   const Numeric n = impl_->color(Impl::ColorTerms::rgb);
   const auto f = [&n](std::size_t i) { return static_cast<float>(n.v[i]); };
   const Color c{f(0), f(1), f(2), f(3), f(4)};
-  if (c.f != 0 || c.t != 0) warning("Expected a pure RGB colour: filter and transmit mean nothing here.");
+  if (c.f != 0 || c.t != 0)
+    warning(Code::wrong_terms, "Expected a pure RGB colour: filter and transmit mean nothing here.");
   return c.rgb();
 }
 

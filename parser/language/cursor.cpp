@@ -72,14 +72,15 @@ void Parser::Impl::go_to(const TokenFile* target, std::uint32_t token) {
 bool Parser::Impl::end_of_file() {
   if (frames.empty()) return false;
   if (frames.back().macro)
-    error(fmt::format("The file ends inside macro '{}'.", names[frames.back().macro->name].text));
+    error(Code::unclosed_condition,
+          fmt::format("The file ends inside macro '{}'.", names[frames.back().macro->name].text));
   leave_frame();
   return true;
 }
 
 void Parser::Impl::enter_file(std::shared_ptr<const TokenFile> entered, std::uint32_t call) {
   if (static_cast<int>(frames.size()) >= options.limits.max_depth)
-    fatal("Too many nested include files and macro calls.", "--max-depth raises this limit.");
+    fatal(Code::nesting_limit, "Too many nested include files and macro calls.", "--max-depth raises this limit.");
   Frame frame;
   frame.file = file;
   frame.position = index(position);
@@ -104,15 +105,16 @@ void Parser::Impl::check_limits() {
   heap.look();
   const Limits& limits = options.limits;
   if (limits.max_steps && steps > limits.max_steps)
-    fatal("The scene executes more steps than --max-steps allows: an endless loop?");
-  if (options.cancelled && options.cancelled()) fatal("Interrupted, or longer than --max-seconds allows.");
+    fatal(Code::size_limit, "The scene executes more steps than --max-steps allows: an endless loop?");
+  if (options.cancelled && options.cancelled())
+    fatal(Code::time_limit, "Interrupted, or longer than --max-seconds allows.");
   // Resident memory of the whole process, in pages: cheap to ask for, and it counts everything.
   if (std::FILE* statm = std::fopen("/proc/self/statm", "re")) {
     unsigned long total = 0, resident = 0;
     const int got = std::fscanf(statm, "%lu %lu", &total, &resident);
     std::fclose(statm);
     if (got == 2 && resident > limits.max_memory_bytes / 4096)
-      fatal("The scene needs more memory than --max-memory allows.");
+      fatal(Code::size_limit, "The scene needs more memory than --max-memory allows.");
   }
 }
 

@@ -28,6 +28,7 @@ void Parser::Impl::declare(bool local) {
     }
     if (at_string()) deprecation->message = utf8(string(false));
   }
+  const Spot name = next();
   std::optional<Target> target;
   Symbol* created = nullptr;
   declare_target(local, target, created);
@@ -45,38 +46,65 @@ void Parser::Impl::declare(bool local) {
   const std::uint32_t outer = std::exchange(declaring, created ? created->name : 0);
   const Ending ending = right_hand_side(value);
   declaring = outer;
+  if (options.recorder) record(name, value);
   if (target) assign(*target, std::move(value));
   if (peek_blocked().punctuation == ';') {
     skip_token();
     if (ending == Ending::free) return;
   } else if (ending == Ending::semicolon) {
-    if (language_version >= 350)
-      error(
-          "Float, vector and colour declarations and identifiers of functions and splines need a semicolon ';' at the "
-          "end.",
-          "Put ';' behind the value.");
+    if (language_version >= 350) missing_semicolon();
     if (language_version >= 310)
-      message(Severity::possible_error, "A semicolon ';' is missing at the end of a #declare or #local.");
+      message(Severity::possible_error, Code::missing_semicolon,
+              "A semicolon ';' is missing at the end of a #declare or #local.");
     return;
   }
   if (peek_blocked().punctuation == ';') skip_token();
+}
+
+void Parser::Impl::missing_semicolon() {
+  const Spot at = here();
+  Diagnostic d = diagnostic(
+      Severity::error, Code::missing_semicolon,
+      "Float, vector and colour declarations and identifiers of functions and splines need a semicolon ';' at the end.",
+      "Put ';' behind the value.", at);
+  d.fix =
+      Fix{"put ';' behind the value", at.file->source->name(), at.token->offset + at.file->length(*at.token), 0, ";"};
+  throw ParseError{std::move(d)};
+}
+
+// SDL's form of numbers and strings; of other values only what they are.
+void Parser::Impl::record(Spot name, const Value& value) {
+  if (name.token->kind != TokenKind::identifier) return;
+  std::string text;
+  if (const auto* n = std::get_if<Numeric>(&value)) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n->terms); ++i)
+      text += fmt::format("{}{:.6g}", i ? ", " : "", n->v[i]);
+    if (n->terms > 1) text = "<" + text + ">";
+  } else if (const auto* s = std::get_if<std::u16string>(&value)) {
+    text = '"' + utf8(std::u16string_view(*s).substr(0, 100)) + '"';
+  } else if (const auto* array = std::get_if<std::shared_ptr<Array>>(&value); array && *array) {
+    for (const int size : (*array)->sizes) text += fmt::format("[{}]", size);
+  }
+  options.recorder->declared(name.file->source->name(), name.token->offset, names[name.token->id()].text,
+                             kind_of(value), text);
 }
 
 void Parser::Impl::declare_target(bool local, std::optional<Target>& target, Symbol*& created) {
   const Token name = take_raw();
   if (name.kind != TokenKind::identifier) {
     if (name.kind == TokenKind::word)
-      error(fmt::format("'{}' is a reserved word: it cannot be declared.", spelling(name.word)));
+      error(Code::reserved_word, fmt::format("'{}' is a reserved word: it cannot be declared.", spelling(name.word)));
     if (name.kind != TokenKind::end) --position;
     expected("identifier");
   }
   Symbol* symbol = names[name.id()].symbol;
   if (symbol && symbol->is_macro)
-    error(fmt::format("'{}' is a macro: it cannot be declared as something else.", names[name.id()].text));
+    error(Code::redeclared,
+          fmt::format("'{}' is a macro: it cannot be declared as something else.", names[name.id()].text));
   if (at_subscript()) {
     if (!symbol) undeclared(name.id());
     const auto* held = std::get_if<std::shared_ptr<Array>>(&symbol->value());
-    if (!held) error(fmt::format("'{}' is not an array.", names[name.id()].text));
+    if (!held) error(Code::not_an_array, fmt::format("'{}' is not an array.", names[name.id()].text));
     std::shared_ptr<Array> array = *held;
     // An outer array is written by #local only while it has no type; else the value is lost (spec 01 section 5).
     const bool lost = local && symbol->level != symbols.level() && array->type != 0;
@@ -178,7 +206,8 @@ Parser::Impl::Ending Parser::Impl::right_hand_side(Value& value) {
     }
     case TokenKind::word: {
       const WordClass c = word_class(token.word);
-      if (token.word == Word::t) error("A value cannot begin with 't' here.", "Write (t) or 1*t.");
+      if (token.word == Word::t)
+        error(Code::unexpected_token, "A value cannot begin with 't' here.", "Write (t) or 1*t.");
       if (c == WordClass::color) {
         const Live operators(*this, true);
         Numeric n = color();
@@ -222,8 +251,9 @@ void Parser::Impl::copy_identifier(Value& value) {
   const Token token = peek();
   const Resolved source = resolve();
   const Value& held = source.value();
-  if (held.index() == 0) error(fmt::format("'{}' has no value.", names[token.id()].text));
-  if (std::holds_alternative<std::shared_ptr<FileHandle>>(held)) error("A file identifier cannot be used as a value.");
+  if (held.index() == 0) error(Code::no_value, fmt::format("'{}' has no value.", names[token.id()].text));
+  if (std::holds_alternative<std::shared_ptr<FileHandle>>(held))
+    error(Code::wrong_type, "A file identifier cannot be used as a value.");
   if (const auto* array = std::get_if<std::shared_ptr<Array>>(&held))
     value = deep_copy(**array);
   else
@@ -234,15 +264,16 @@ void Parser::Impl::check_type(const Target& target, const Value& value) {
   if (target.is_element()) {
     const Array& array = *target.array();
     if (array.type && array.type != type_key(value))
-      error("All elements of an array have the same type; this value has another.");
+      error(Code::array_type, "All elements of an array have the same type; this value has another.");
     if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&value);
         inner && (*inner)->nesting >= options.limits.max_depth)
-      error("Arrays of arrays are nested too deeply.", "--max-depth raises this limit.");
+      error(Code::nesting_limit, "Arrays of arrays are nested too deeply.", "--max-depth raises this limit.");
   }
   const Value& old = const_cast<Target&>(target).value();
-  if (std::holds_alternative<FunctionPtr>(old)) error("A function cannot be declared again.", "#undef it first.");
+  if (std::holds_alternative<FunctionPtr>(old))
+    error(Code::redeclared, "A function cannot be declared again.", "#undef it first.");
   if (std::holds_alternative<FunctionPtr>(value) && old.index() != 0)
-    error("An identifier that has a value cannot become a function.", "#undef it first.");
+    error(Code::redeclared, "An identifier that has a value cannot become a function.", "#undef it first.");
 }
 
 void Parser::Impl::assign(Target& target, Value&& value) {
@@ -266,14 +297,16 @@ void Parser::Impl::assign(Target& target, Value&& value) {
 
 void Parser::Impl::undef() {
   const Token name = take_raw();
-  if (name.kind == TokenKind::word) error(fmt::format("'{}' is a reserved word.", spelling(name.word)));
+  if (name.kind == TokenKind::word)
+    error(Code::reserved_word, fmt::format("'{}' is a reserved word.", spelling(name.word)));
   if (name.kind != TokenKind::identifier) {
     if (name.kind != TokenKind::end) --position;
     expected("identifier");
   }
   Symbol* symbol = names[name.id()].symbol;
   if (!symbol) {
-    message(Severity::warning, fmt::format("Attempt to undef unknown identifier '{}'.", names[name.id()].text));
+    message(Severity::warning, Code::unknown_undef,
+            fmt::format("Attempt to undef unknown identifier '{}'.", names[name.id()].text));
     return;
   }
   check_deprecated(*symbol);
@@ -282,7 +315,7 @@ void Parser::Impl::undef() {
     return;
   }
   const auto* held = std::get_if<std::shared_ptr<Array>>(&symbol->value());
-  if (!held) error(fmt::format("'{}' is not an array.", names[name.id()].text));
+  if (!held) error(Code::not_an_array, fmt::format("'{}' is not an array.", names[name.id()].text));
   std::shared_ptr<Array> array = *held;
   std::size_t element = subscripts(*array);
   while (at_subscript() && std::holds_alternative<std::shared_ptr<Array>>(array->elements[element])) {

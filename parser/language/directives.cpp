@@ -50,7 +50,8 @@ void Parser::Impl::execute(const Token& token) {
       break;
     case Word::case_:
     case Word::range:
-      if (conditions.empty() || conditions.back().kind != Kind::switch_) error("#case or #range without #switch.");
+      if (conditions.empty() || conditions.back().kind != Kind::switch_)
+        error(Code::stray_branch, "#case or #range without #switch.");
       case_matches(token.word, 0);  // evaluated, but a case that ran goes on (spec 01 section 16)
       break;
     case Word::while_:
@@ -103,13 +104,14 @@ void Parser::Impl::execute(const Token& token) {
       write();
       break;
     default:
-      error("Unknown directive.");
+      error(Code::unknown_directive, "Unknown directive.");
   }
 }
 
 void Parser::Impl::open_condition(Kind kind, std::uint32_t opener) {
   if (conditions.size() >= static_cast<std::size_t>(options.limits.max_depth))
-    fatal("Conditionals, loops and macro calls are nested too deeply.", "--max-depth raises this limit.");
+    fatal(Code::nesting_limit, "Conditionals, loops and macro calls are nested too deeply.",
+          "--max-depth raises this limit.");
   Condition condition{};
   condition.kind = kind;
   condition.file = file;
@@ -131,7 +133,7 @@ Token Parser::Impl::skip(const TokenFile* in, std::uint32_t link) {
   for (int nested = 0;; ++position) {
     count_steps(1);
     while (position->kind == TokenKind::end)
-      if (!end_of_file()) error("End of file reached, but #end expected.");
+      if (!end_of_file()) unclosed_condition();
     if (position->kind == TokenKind::error) lex_error(*position);
     if (position->kind != TokenKind::directive) continue;
     switch (position->word) {
@@ -170,7 +172,7 @@ bool Parser::Impl::condition_value() {
   if (!accept_operator('(')) expected("(");
   Numeric value;
   full(value);
-  if (value.terms > 1) error("Expected a float in the condition, but a vector or colour was found.");
+  if (value.terms > 1) error(Code::wrong_terms, "Expected a float in the condition, but a vector or colour was found.");
   expect_operator(')');
   return std::fabs(value.v[0]) > kEps;
 }
@@ -196,32 +198,32 @@ void Parser::Impl::if_chain(bool taken, const TokenFile* in, std::uint32_t link)
 
 void Parser::Impl::else_branch(const Token& token) {
   const char* text = token.word == Word::else_ ? "#else without #if." : "#elseif without #if.";
-  if (conditions.empty()) error(text);
+  if (conditions.empty()) error(Code::stray_branch, text);
   switch (conditions.back().kind) {
     case Kind::if_:
       skip_to_end(file, token.link());
       conditions.pop_back();
       break;
     case Kind::switch_:
-      if (token.word == Word::elseif) error(text);
+      if (token.word == Word::elseif) error(Code::stray_branch, text);
       conditions.back().kind = Kind::switch_else;  // falls through into it
       break;
     case Kind::switch_else:
-      if (token.word == Word::elseif) error(text);  // a further #else changes nothing (measured)
+      if (token.word == Word::elseif) error(Code::stray_branch, text);  // a further #else changes nothing (measured)
       break;
     default:
-      error(text);
+      error(Code::stray_branch, text);
   }
 }
 
 void Parser::Impl::end_directive(const Token&) {
-  if (conditions.empty()) error("#end without #if, #while, #for, #switch or #macro.");
+  if (conditions.empty()) error(Code::stray_branch, "#end without #if, #while, #for, #switch or #macro.");
   Condition& condition = conditions.back();
   switch (condition.kind) {
     case Kind::while_:
     case Kind::for_:
       if (condition.file != file || condition.frames != frames.size())
-        error("#end of a loop is not in the file of its beginning.");
+        error(Code::stray_branch, "#end of a loop is not in the file of its beginning.");
       count_steps(index(position) - condition.test);
       if (condition.kind == Kind::while_)
         test_while();
@@ -229,7 +231,8 @@ void Parser::Impl::end_directive(const Token&) {
         end_for();
       break;
     case Kind::macro:
-      if (frames.size() != condition.frames) error("#end of a macro is not in the file of its beginning.");
+      if (frames.size() != condition.frames)
+        error(Code::stray_branch, "#end of a macro is not in the file of its beginning.");
       end_macro();
       break;
     default:
@@ -287,7 +290,7 @@ bool Parser::Impl::case_matches(Word word, double value) {
 
 // One token in parentheses, with subscripts when it names an array (spec 01 section 5).
 bool Parser::Impl::defined_argument() {
-  if (take_raw().punctuation != '(') error("Expected '(' before the name.");
+  if (take_raw().punctuation != '(') error(Code::unexpected_token, "Expected '(' before the name.");
   const Token token = take_raw();
   bool defined = false;
   if (token.kind == TokenKind::identifier) {
@@ -295,7 +298,7 @@ bool Parser::Impl::defined_argument() {
     defined = symbol != nullptr;
     if (symbol && !symbol->is_macro && at_subscript()) {
       const std::shared_ptr<Array>* array = std::get_if<std::shared_ptr<Array>>(&symbol->value());
-      if (!array) error("Subscripts behind a name that is not an array.");
+      if (!array) error(Code::not_an_array, "Subscripts behind a name that is not an array.");
       const std::shared_ptr<Array> held = *array;
       std::size_t element = subscripts(*held);
       const Value* value = &held->elements[element];
@@ -310,7 +313,7 @@ bool Parser::Impl::defined_argument() {
     const std::uint32_t name = names.find(utf8(decode(token, false)));
     defined = name && names[name].symbol;
   } else if (token.kind != TokenKind::word && token.kind != TokenKind::number) {
-    error("Expected a name.");
+    error(Code::unexpected_token, "Expected a name.");
   }
   if (peek_blocked().punctuation != ')') expected(")");
   skip_token();

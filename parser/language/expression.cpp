@@ -55,9 +55,9 @@ void each(Numeric& a, Numeric& b, F&& f) {
 
 }  // namespace
 
-double Parser::Impl::divide(double a, double b) {
+double Parser::Impl::divide(double a, double b, const Token* divisor) {
   if (b != 0) return a / b;
-  message(Severity::warning, "Divide by zero.");
+  message_at({file, divisor}, Severity::warning, Code::divide_by_zero, "Divide by zero.");
   return std::numeric_limits<double>::infinity();
 }
 
@@ -79,12 +79,14 @@ void Parser::Impl::multiplicative(int width, Numeric& out) {
     const char operation = peek_operator().punctuation;
     if (operation != '*' && operation != '/') return;
     skip_token();
+    const Spot divisor{file, position};
     Numeric right;
     unary(width, right);
     if (operation == '*')
       each(out, right, [](double a, double b) { return a * b; });
     else
-      each(out, right, [this](double a, double b) { return divide(a, b); });
+      each(out, right,
+           [&](double a, double b) { return divide(a, b, divisor.file == file ? divisor.token : position); });
   }
 }
 
@@ -175,7 +177,7 @@ void Parser::Impl::full(Numeric& out) {
   logical(out);
   if (peek_operator().punctuation != '?') return;
   const Nesting nesting(*this);
-  if (out.terms > 1) error("The condition before '?' must be a float.");
+  if (out.terms > 1) error(Code::wrong_terms, "The condition before '?' must be a float.");
   skip_token();
   const bool first = truth(out.v[0]);
   Numeric yes, no;
@@ -186,47 +188,75 @@ void Parser::Impl::full(Numeric& out) {
 }
 
 // At the end a value gets the width of its context; more terms than that are an error.
-void Parser::Impl::fit(Numeric& value, int width) {
+void Parser::Impl::fit(Numeric& value, int width, const Token* start) {
   if (value.terms > width) {
     const char* found = value.terms == 5 ? "a colour" : "a vector with more terms";
+    const Spot at = start >= file->tokens.data() && start <= position ? Spot{file, start} : here();
     if (width == 1)
-      error(std::string("Float expected but ") + (value.terms == 5 ? "colour" : "vector") + " expression found.");
-    error(std::string("Expected a vector of ") + std::to_string(width) + " terms, " + found + " found.");
+      error_at(at, Code::wrong_terms,
+               std::string("Float expected but ") + (value.terms == 5 ? "colour" : "vector") + " expression found.");
+    error_at(at, Code::wrong_terms,
+             std::string("Expected a vector of ") + std::to_string(width) + " terms, " + found + " found.");
   }
   widen(value, width);
 }
 
 double Parser::Impl::scalar() {
   if (double value; scalar_fast(value)) return value;
+  const Token* const start = position;
   Numeric value;
   additive(1, value);
-  if (value.terms > 1) fit(value, 1);
+  if (value.terms > 1) fit(value, 1, start);
   return value.v[0];
 }
 
 double Parser::Impl::full_scalar() {
+  const Token* const start = position;
   Numeric value;
   full(value);
-  if (value.terms > 1) fit(value, 1);
+  if (value.terms > 1) fit(value, 1, start);
   return value.v[0];
 }
 
 // ---- The public face ----
 
-double Parser::parse_float() { return impl_->scalar(); }
-int Parser::parse_int() { return to_int(impl_->scalar()); }
+namespace {
 
-bool Parser::parse_flag(bool absent) { return at_number_start() ? impl_->scalar() > 0 : absent; }
-double Parser::parse_optional_float(double absent) { return at_number_start() ? impl_->scalar() : absent; }
+// Remembers where a value begins that a block reads: messages about it point there.
+class ReadValue {
+ public:
+  explicit ReadValue(Parser::Impl& impl) : impl_(impl), start_(impl.next()) {}
+  ~ReadValue() { impl_.value_read = start_; }
+  ReadValue(const ReadValue&) = delete;
+  ReadValue& operator=(const ReadValue&) = delete;
+  const Token* start() const { return start_.token; }
+
+ private:
+  Parser::Impl& impl_;
+  Spot start_;
+};
+
+}  // namespace
+
+double Parser::parse_float() {
+  const ReadValue value(*impl_);
+  return impl_->scalar();
+}
+
+int Parser::parse_int() { return to_int(parse_float()); }
+bool Parser::parse_flag(bool absent) { return at_number_start() ? parse_float() > 0 : absent; }
+double Parser::parse_optional_float(double absent) { return at_number_start() ? parse_float() : absent; }
 
 Numeric Parser::parse_numeric(int width) {
+  const ReadValue read(*impl_);
   Numeric value;
   impl_->additive(width, value);
-  impl_->fit(value, width);
+  impl_->fit(value, width, read.start());
   return value;
 }
 
 Numeric Parser::parse_full_numeric() {
+  const ReadValue read(*impl_);
   Numeric value;
   impl_->full(value);
   return value;
@@ -239,6 +269,7 @@ Vec2 Parser::parse_vec2() {
 }
 
 Vec3 Parser::parse_vec3() {
+  const ReadValue read(*impl_);
   if (Vec3 v; impl_->literal_vector(3, &v.x) || impl_->vector_fast(v)) return v;
   const Numeric n = parse_numeric(3);
   return {n.v[0], n.v[1], n.v[2]};

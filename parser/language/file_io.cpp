@@ -56,14 +56,14 @@ void Parser::Impl::fopen() {
     expected("undeclared identifier");
   }
   if (names[name.id()].symbol)
-    error(fmt::format("'{}' is declared already: it cannot become a file.", names[name.id()].text));
+    error(Code::redeclared, fmt::format("'{}' is declared already: it cannot become a file.", names[name.id()].text));
   const std::string file_name = utf8(string(true));
   auto handle = std::make_shared<FileHandle>();
   const Token& mode = peek();
   if (mode.word == Word::read) {
     skip_token();
     const auto found = search->find_exact(file_name);
-    if (!found) error(fmt::format("Cannot open file '{}' for reading.", file_name));
+    if (!found) error(Code::file_failed, fmt::format("Cannot open file '{}' for reading.", file_name));
     handle->path = *found;
     handle->input = load(*found, found->string(), false);
   } else if (mode.word == Word::write || mode.word == Word::append) {
@@ -71,7 +71,7 @@ void Parser::Impl::fopen() {
     if (!report.errors.empty()) throw ParseError{{}, true};  // a scene with errors does nothing more than to name them
     handle->path = parser.writable_file(file_name);
     handle->output.open(handle->path, std::ios::binary | (mode.word == Word::append ? std::ios::app : std::ios::trunc));
-    if (!handle->output) error(fmt::format("Cannot open file '{}' for writing.", file_name));
+    if (!handle->output) error(Code::file_failed, fmt::format("Cannot open file '{}' for writing.", file_name));
     file_cache.erase(handle->path.string());
   } else {
     expected("read, write or append");
@@ -90,7 +90,7 @@ void Parser::Impl::fclose() {
     handle->output.close();
     // The time stamps of files are coarse: a file rewritten at once must be read anew.
     file_cache.erase(handle->path.string());
-    if (!handle->output) error(fmt::format("Writing file '{}' failed.", handle->path.string()));
+    if (!handle->output) error(Code::file_failed, fmt::format("Writing file '{}' failed.", handle->path.string()));
   }
 }
 
@@ -100,7 +100,7 @@ bool Parser::Impl::read_value(FileHandle& handle, Value& value) {
   const auto at = [&]() -> const Token& { return tokens[handle.position]; };
   const auto fail = [&](const std::string& what) {
     const Position where = handle.input->source->position(at().offset);
-    error(fmt::format("In file '{}', line {}: {}", handle.path.string(), where.line, what));
+    error(Code::bad_file, fmt::format("In file '{}', line {}: {}", handle.path.string(), where.line, what));
   };
   const auto signed_number = [&] {
     double sign = 1;
@@ -160,15 +160,16 @@ bool Parser::Impl::read_value(FileHandle& handle, Value& value) {
 }
 
 void Parser::Impl::read() {
-  if (take_raw().punctuation != '(') error("Expected '(' behind #read.");
+  if (take_raw().punctuation != '(') error(Code::unexpected_token, "Expected '(' behind #read.");
   const Token name = take_raw();
   Symbol* file_symbol = name.kind == TokenKind::identifier ? names[name.id()].symbol : nullptr;
   if (!file_symbol || !std::holds_alternative<std::shared_ptr<FileHandle>>(file_symbol->value())) {
     --position;
-    error(fmt::format("Expected a file opened by #fopen, {} found instead.", describe(name)));
+    ready = true;
+    error(Code::wrong_type, fmt::format("Expected a file opened by #fopen, {} found instead.", describe(name)));
   }
   const auto handle = std::get<std::shared_ptr<FileHandle>>(file_symbol->value());
-  if (!handle->input) error("The file is not open for reading.");
+  if (!handle->input) error(Code::file_failed, "The file is not open for reading.");
   if (peek_blocked().punctuation == ',') skip_token();
   bool open = true;
   const auto close = [&] {
@@ -180,7 +181,7 @@ void Parser::Impl::read() {
     if (id.kind != TokenKind::identifier) expected("identifier");
     if (!names[id.id()].symbol) symbols.create(id.id(), 0);
     Symbol& symbol = *names[id.id()].symbol;
-    if (symbol.is_macro) error("A macro cannot be read into.");
+    if (symbol.is_macro) error(Code::macro_arguments, "A macro cannot be read into.");
     skip_token();
     Value* place = &symbol.value();
     std::shared_ptr<Array> array;
@@ -192,13 +193,15 @@ void Parser::Impl::read() {
     const auto* old = std::get_if<Numeric>(place);
     const bool fits = (place->index() == 0 && !array) || (old && (old->terms == 1 || old->terms == 3)) ||
                       std::holds_alternative<std::u16string>(*place);
-    if (!fits) error("#read needs an undeclared identifier, or one that holds a float, a vector or a string.");
+    if (!fits)
+      error(Code::wrong_type, "#read needs an undeclared identifier, or one that holds a float, a vector or a string.");
     if (open) {
       Value value;
       if (!read_value(*handle, value)) {
         close();
       } else {
-        if (array && array->type != type_key(value)) error("The value read has another type than the array.");
+        if (array && array->type != type_key(value))
+          error(Code::array_type, "The value read has another type than the array.");
         *place = std::move(value);
         // One comma is consumed; anything else in its place is thrown away.
         const Token& behind = handle->input->tokens[handle->position];
@@ -221,10 +224,11 @@ void Parser::Impl::write() {
   Symbol* symbol = name.kind == TokenKind::identifier ? names[name.id()].symbol : nullptr;
   if (!symbol || !std::holds_alternative<std::shared_ptr<FileHandle>>(symbol->value())) {
     --position;
-    error(fmt::format("Expected a file opened by #fopen, {} found instead.", describe(name)));
+    ready = true;
+    error(Code::wrong_type, fmt::format("Expected a file opened by #fopen, {} found instead.", describe(name)));
   }
   const auto handle = std::get<std::shared_ptr<FileHandle>>(symbol->value());
-  if (!handle->output.is_open()) error("The file is not open for writing.");
+  if (!handle->output.is_open()) error(Code::file_failed, "The file is not open for writing.");
   std::ofstream& out = handle->output;
   if (peek().punctuation == ',') skip_token();
   while (peek().punctuation != ')') {
@@ -247,7 +251,8 @@ void Parser::Impl::write() {
       if (token.kind == TokenKind::identifier) {
         const Value* value = peek_value();
         const Numeric* n = value ? std::get_if<Numeric>(value) : nullptr;
-        if (n && n->terms == 5) error("A colour identifier cannot be written as it is.", "Put it in parentheses.");
+        if (n && n->terms == 5)
+          error(Code::wrong_type, "A colour identifier cannot be written as it is.", "Put it in parentheses.");
       }
       if (token.kind == TokenKind::word && word_class(token.word) == WordClass::color)
         expected("string or numeric expression");
@@ -263,7 +268,7 @@ void Parser::Impl::write() {
     if (peek().punctuation == ',') skip_token();
   }
   skip_token();
-  if (!out) error(fmt::format("Writing file '{}' failed.", handle->path.string()));
+  if (!out) error(Code::file_failed, fmt::format("Writing file '{}' failed.", handle->path.string()));
 }
 
 }  // namespace verisim::parser

@@ -32,11 +32,13 @@ namespace {
 double clamped(Parser::Impl& p, double value) {
   if (value >= -1 && value <= 1) return value;
   if (value < -1) {
-    p.message(Severity::warning, "Domain error: an argument below -1 of acos or asin is taken as -1.");
+    p.message(Severity::warning, Code::domain_error,
+              "Domain error: an argument below -1 of acos or asin is taken as -1.");
     return -1;
   }
   if (value > 1) {
-    p.message(Severity::warning, "Domain error: an argument above 1 of acos or asin is taken as 1.");
+    p.message(Severity::warning, Code::domain_error,
+              "Domain error: an argument above 1 of acos or asin is taken as 1.");
     return 1;
   }
   return value;  // NaN
@@ -96,7 +98,7 @@ double select(Parser::Impl& p) {
 double random_number(Parser::Impl& p) {
   const int stream = to_int(p.argument());
   if (stream < 0 || static_cast<std::size_t>(stream) >= p.random_streams.size())
-    p.error("rand() of a stream that seed() never made.");
+    p.error(Code::missing_item, "rand() of a stream that seed() never made.");
   std::uint32_t& state = p.random_streams[static_cast<std::size_t>(stream)];
   state = 1812433253u * state + 12345u;
   return state / 4294967295.0;
@@ -194,26 +196,28 @@ bool Parser::Impl::float_function(Word word, double& out) {
       break;
     case Word::sqrt: {
       const double v = argument();
-      if (v < 0) error("Domain error in sqrt: the argument is negative.");
+      if (v < 0) error(Code::domain_error, "Domain error in sqrt: the argument is negative.");
       out = std::sqrt(v);
       break;
     }
     case Word::ln:
     case Word::log: {
       const double v = argument();
-      if (v <= 0) error(fmt::format("Domain error in {}: the argument must be positive.", spelling(word)));
+      if (v <= 0)
+        error(Code::domain_error, fmt::format("Domain error in {}: the argument must be positive.", spelling(word)));
       out = word == Word::ln ? std::log(v) : std::log10(v);
       break;
     }
     case Word::atan2: {
       const auto [a, b] = two_arguments(*this);
-      if (std::fabs(a) <= kEps && std::fabs(b) <= kEps) error("Domain error in atan2: both arguments are zero.");
+      if (std::fabs(a) <= kEps && std::fabs(b) <= kEps)
+        error(Code::domain_error, "Domain error in atan2: both arguments are zero.");
       out = std::atan2(a, b);
       break;
     }
     case Word::pow: {
       const auto [a, b] = two_arguments(*this);
-      if (a == 0 && b == 0) error("Domain error in pow: both arguments are zero.");
+      if (a == 0 && b == 0) error(Code::domain_error, "Domain error in pow: both arguments are zero.");
       out = std::pow(a, b);
       break;
     }
@@ -249,7 +253,7 @@ bool Parser::Impl::float_function(Word word, double& out) {
       const double v = argument();
       const auto state = static_cast<std::uint32_t>(to_int(v));
       if (random_streams.size() * sizeof(state) > options.limits.max_memory_bytes / 16)
-        error("Too many random streams.");
+        error(Code::size_limit, "Too many random streams.");
       random_streams.push_back(state);
       out = static_cast<double>(random_streams.size() - 1);
       break;
@@ -337,7 +341,7 @@ bool Parser::Impl::float_function(Word word, double& out) {
       const Live live(*this);
       const scene::ObjectPtr object = object_argument();
       const query::Target& target = query_target(object);
-      if (!target.has_inside()) error("inside() needs an object that has an inside.");
+      if (!target.has_inside()) error(Code::missing_item, "inside() needs an object that has an inside.");
       if (peek().punctuation == ',') skip_token();
       const Vec3 at = vector_argument();
       close_arguments();
@@ -371,7 +375,7 @@ bool Parser::Impl::float_function(Word word, double& out) {
       break;
     default:
       --position;
-      error(fmt::format("'{}' can only be used inside user functions.", spelling(word)));
+      error(Code::function_syntax, fmt::format("'{}' can only be used inside user functions.", spelling(word)));
   }
   return true;
 }

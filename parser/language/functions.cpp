@@ -145,11 +145,11 @@ void FunctionParser::parameters() {
     while (p_.peek().punctuation != ')') {
       const Token token = p_.peek();
       if (count_ == kMaxFunctionParameters)
-        p_.error(fmt::format("A function has at most {} parameters.", kMaxFunctionParameters));
+        p_.error(Code::function_syntax, fmt::format("A function has at most {} parameters.", kMaxFunctionParameters));
       if (token.kind == TokenKind::identifier) {
         if (p_.names[token.id()].symbol)
-          p_.error(fmt::format("'{}' is declared: it cannot be the name of a function's parameter.",
-                               p_.names[token.id()].text));
+          p_.error(Code::redeclared, fmt::format("'{}' is declared: it cannot be the name of a function's parameter.",
+                                                 p_.names[token.id()].text));
         add(key(token.id()));
       } else if (token.kind == TokenKind::word &&
                  (token.word == Word::x || token.word == Word::y || token.word == Word::z || token.word == Word::u ||
@@ -182,7 +182,7 @@ FunctionPtr FunctionParser::body() {
     recursive_->set(std::move(program));
     return recursive_;
   } catch (const std::invalid_argument& e) {
-    p_.error(e.what());
+    p_.error(Code::function_syntax, e.what());
   }
 }
 
@@ -256,14 +256,15 @@ std::vector<Node> FunctionParser::arguments(int expected, std::string_view name)
   open();
   while (p_.peek().punctuation != ')') {
     if (static_cast<int>(result.size()) == expected)
-      p_.error(fmt::format("Too many arguments: '{}' has {}.", name, expected));
+      p_.error(Code::function_arguments, fmt::format("Too many arguments: '{}' has {}.", name, expected));
     result.push_back(logic_or());
     if (p_.peek().punctuation == ')') break;
     separator();
     if (p_.peek().punctuation == ')') p_.expected("function expression");
   }
   if (expected >= 0 && static_cast<int>(result.size()) != expected)
-    p_.error(fmt::format("'{}' needs {} arguments, {} found.", name, expected, result.size()));
+    p_.error(Code::function_arguments,
+             fmt::format("'{}' needs {} arguments, {} found.", name, expected, result.size()));
   p_.skip_token();
   return result;
 }
@@ -316,13 +317,14 @@ Node FunctionParser::word_primary(Word word) {
   BuiltinCall call{entry->builtin, arguments(entry->arguments, spelling(word))};
   const std::size_t count = call.arguments.size();
   if (entry->arguments == -1 && count < 2)
-    p_.error(fmt::format("'{}' needs at least 2 arguments in a function.", spelling(word)));
+    p_.error(Code::function_arguments, fmt::format("'{}' needs at least 2 arguments in a function.", spelling(word)));
   if (entry->builtin == Builtin::pow_) {
     const auto* power = std::get_if<Constant>(&call.arguments[1].value);
     if (power && !call.arguments[1].parenthesised && power->value == 0)
-      p_.message(Severity::warning, "Zero power optimised to constant 1.0!");
+      p_.message(Severity::warning, Code::no_effect, "Zero power optimised to constant 1.0!");
   }
-  if (entry->arguments == -2 && count != 3 && count != 4) p_.error("'select' needs 3 or 4 arguments.");
+  if (entry->arguments == -2 && count != 3 && count != 4)
+    p_.error(Code::function_arguments, "'select' needs 3 or 4 arguments.");
   return {std::move(call), false};
 }
 
@@ -364,7 +366,7 @@ Node FunctionParser::identifier_primary() {
   if (value->index() == 0 && token.id() == self_) {
     if (!recursive_) {
       recursive_ = std::make_shared<Recursive>(count_);
-      p_.message(Severity::possible_error,
+      p_.message(Severity::possible_error, Code::function_syntax,
                  "Recursive function calls are not supported by POV-Ray, which does not check them.");
     }
     p_.resolve();
@@ -471,7 +473,7 @@ FunctionPtr Parser::Impl::function() {
   const Word word = peek().kind == TokenKind::word ? peek().word : Word::none;
   const bool fixed = word == Word::pattern || word == Word::pigment || word == Word::transform || word == Word::spline;
   if (fixed && !expression.default_parameters())
-    error(fmt::format("A function of a {} has no parameter list.", spelling(word)));
+    error(Code::wrong_type, fmt::format("A function of a {} has no parameter list.", spelling(word)));
   textures::Settings settings;
   settings.noise_generator = scene.settings.noise_generator;
   settings.number_of_waves = scene.settings.number_of_waves;
@@ -484,7 +486,7 @@ FunctionPtr Parser::Impl::function() {
       try {
         result = functions::internal_function(n, settings.noise_generator);
       } catch (const std::invalid_argument& e) {
-        error(e.what());
+        error(Code::bad_value, e.what());
       }
       break;
     }
@@ -548,13 +550,13 @@ Shared<Spline> Parser::Impl::spline() {
     if (peek().punctuation == ',') skip_token();
     Numeric value;
     full(value);
-    if (value.terms == 1) fit(value, 2);
+    if (value.terms == 1) fit(value, 2, position);
     result->insert(t, value.v, value.terms);
     count_steps(1);
     if (peek().punctuation == ',') skip_token();
   }
   skip_token();
-  if (result->empty()) error("A spline needs at least one point.");
+  if (result->empty()) error(Code::too_few, "A spline needs at least one point.");
   return result;
 }
 

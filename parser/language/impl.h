@@ -51,6 +51,12 @@ struct Frame {
   std::uint32_t call = 0;                      // the token that called
 };
 
+// A token in its file: where a message points.
+struct Spot {
+  const TokenFile* file = nullptr;
+  const Token* token = nullptr;
+};
+
 struct Parser::Impl {
   Impl(Parser& self, const ParseOptions& parse_options, ParseResult& parse_result);
   ~Impl();
@@ -132,6 +138,7 @@ struct Parser::Impl {
   void declare(bool local);
   void undef();
   bool declare_fast(bool local);
+  [[noreturn]] void missing_semicolon();
   void declare_target(bool local, std::optional<Target>& target, Symbol*& created);
   enum class Ending : unsigned char { free, semicolon };
   Ending right_hand_side(Value& value);
@@ -139,6 +146,7 @@ struct Parser::Impl {
   void check_type(const Target& target, const Value& value);
   bool starts_numeric(const Token& token);
   void copy_identifier(Value& value);
+  void record(Spot name, const Value& value);  // for ParseOptions::recorder
 
   // ---- macros.cpp ----
   void define_macro(const Token& token);
@@ -148,7 +156,9 @@ struct Parser::Impl {
   // ---- include.cpp, file_io.cpp ----
   void include();
   std::shared_ptr<const TokenFile> load(const std::filesystem::path& path, const std::string& name, bool main_file);
-  [[noreturn]] void missing_include(const std::string& name);
+  std::shared_ptr<const TokenFile> load_unsaved(const std::filesystem::path& path, const std::string& name,
+                                                const std::string& text, bool main);
+  [[noreturn]] void missing_include(const std::string& name, Spot at);
   void allow_read(const std::filesystem::path& path);
   void fopen();
   void fclose();
@@ -157,18 +167,41 @@ struct Parser::Impl {
   bool read_value(FileHandle& handle, Value& value);
 
   // ---- messages.cpp ----
-  Diagnostic diagnostic(Severity severity, const std::string& message, const std::string& advice);
-  void locate(Diagnostic& d, const TokenFile& in, std::uint32_t token) const;
-  void message(Severity severity, const std::string& text, const std::string& advice = {});  // once for each place
-  void give(Severity severity, const std::string& text, const std::string& advice);
-  [[noreturn]] void error(const std::string& text, const std::string& advice = {});
-  [[noreturn]] void fatal(const std::string& text,
+  Diagnostic diagnostic(Severity severity, Code code, const std::string& message, const std::string& advice,
+                        Spot at) const;
+  // Once for each place.
+  void message(Severity severity, Code code, const std::string& text, const std::string& advice = {});
+  void message_at(Spot at, Severity severity, Code code, const std::string& text, const std::string& advice = {});
+  void give(Severity severity, Code code, const std::string& text, const std::string& advice, Spot at);
+  [[noreturn]] void error(Code code, const std::string& text, const std::string& advice = {});
+  [[noreturn]] void error_at(Spot at, Code code, const std::string& text, const std::string& advice = {});
+  [[noreturn]] void fatal(Code code, const std::string& text,
                           const std::string& advice = {});  // an error after which parsing does not go on
   [[noreturn]] void expected(std::string_view what);
+  [[noreturn]] void unclosed_block();
+  [[noreturn]] void unclosed_condition();
   [[noreturn]] void undeclared(std::uint32_t name);
   [[noreturn]] void lex_error(const Token& token);
   std::string describe(const Token& token);
+  static const char* kind_of(const Value& value);  // "float", "pigment" ...
   void text_directive(Word word);
+
+  // ---- places.cpp ----
+  Spot here() const;  // the token that was looked at last: under the cursor, or just consumed
+  Spot next() const { return {file, position}; }
+  Spot place_of(Code code) const;  // where a message with this code points
+  static Excerpt excerpt(Spot at);
+  std::vector<std::string> trail() const;
+  // The innermost '{', '(' or '[' that is open before a token; null: none.
+  static const Token* open_bracket(Spot before);
+  // A '}' before that token whose indentation says that it was meant for another block than it closes: that block.
+  static const Token* badly_indented(Spot before);
+  Spot opener(const Token* bracket) const;  // the word before it, if there is one
+  std::string written(Spot at) const;       // "union {", "#while"
+
+  // ---- advice.cpp ----
+  void advise_name(Diagnostic& d, std::uint32_t name, Spot at);
+  void advise_file(Diagnostic& d, const std::string& name, Spot at, bool include);
   void check_deprecated(Symbol& symbol);
 
   // ---- expression.cpp, primary.cpp, scalar.cpp ----
@@ -188,8 +221,8 @@ struct Parser::Impl {
   void component(int width, Numeric& out);
   double scalar();  // additive, one term
   double full_scalar();
-  void fit(Numeric& value, int width);
-  double divide(double a, double b);
+  void fit(Numeric& value, int width, const Token* start);
+  double divide(double a, double b, const Token* divisor);
   // Runs of plain tokens without side effects; false: nothing consumed.
   bool scalar_fast(double& out);
   bool vector_fast(Vec3& out);
@@ -270,6 +303,7 @@ struct Parser::Impl {
 
   const TokenFile* file = nullptr;
   const Token* position = nullptr;
+  Spot value_read, path_read;       // the expression, and the file name, that a block read last
   const Token* not_fast = nullptr;  // where the fast paths have just given up
   bool ready = false;               // *position is a token for the parser: directives before it are done
   bool blocked = false;             // operator positions do not execute directives (spec 01 section 4)
@@ -361,7 +395,8 @@ class Nesting {
   explicit Nesting(Parser::Impl& impl) : impl_(impl) {
     if (++impl.depth > impl.options.limits.max_depth) {
       --impl.depth;
-      impl.fatal("Nested deeper than " + std::to_string(impl.options.limits.max_depth) + " levels.",
+      impl.fatal(Code::nesting_limit,
+                 "Nested deeper than " + std::to_string(impl.options.limits.max_depth) + " levels.",
                  "--max-depth raises this limit.");
     }
   }

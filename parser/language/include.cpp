@@ -5,20 +5,22 @@
 #include <stdexcept>
 
 #include "parser/language/impl.h"
-#include "parser/source/suggest.h"
 
 namespace verisim::parser {
 namespace fs = std::filesystem;
 
 void Parser::Impl::allow_read(const fs::path& path) {
   if (!search->may_read(path))
-    error(fmt::format("The scene may not read '{}'.", path.string()), "--allow-read PATH permits it.");
+    error(Code::file_access, fmt::format("The scene may not read '{}'.", path.string()),
+          "--allow-read PATH permits it.");
   if (files_seen.insert(path.string()).second) report.files_read.push_back(path);
 }
 
 std::shared_ptr<const TokenFile> Parser::Impl::load(const fs::path& path, const std::string& name, bool main) {
   allow_read(path);
   std::error_code failed;
+  if (options.unsaved)
+    if (const std::optional<std::string> text = options.unsaved(path)) return load_unsaved(path, name, *text, main);
   const std::uintmax_t size = fs::file_size(path, failed);
   const fs::file_time_type time = failed ? fs::file_time_type{} : fs::last_write_time(path, failed);
   CachedFile& cached = file_cache[path.string()];
@@ -28,7 +30,7 @@ std::shared_ptr<const TokenFile> Parser::Impl::load(const fs::path& path, const 
   try {
     source = Source::read(path, name, options.limits.max_file_bytes);
   } catch (const std::runtime_error& e) {
-    error(e.what());
+    error(Code::internal, e.what());
   }
   const std::size_t left = options.limits.max_tokens - std::min(tokens_total, options.limits.max_tokens);
   cached.tokens = tokenise(std::move(source), names, left, main);
@@ -38,8 +40,18 @@ std::shared_ptr<const TokenFile> Parser::Impl::load(const fs::path& path, const 
   return cached.tokens;
 }
 
+// What an editor holds of a file; its tokens stay with the others that are kept by their path.
+std::shared_ptr<const TokenFile> Parser::Impl::load_unsaved(const fs::path& path, const std::string& name,
+                                                            const std::string& text, bool main) {
+  CachedFile& cached = file_cache[path.string()];
+  if (!cached.tokens || cached.tokens->source->text() != text)
+    cached.tokens = tokenise(std::make_shared<Source>(name, text), names, options.limits.max_tokens, main);
+  return cached.tokens;
+}
+
 void Parser::Impl::include() {
   const std::uint32_t call = index(position) - 1;
+  const Spot at = next();
   const std::string name = utf8(string(true));
   const auto known = include_locations.find(name);
   fs::path path;
@@ -47,37 +59,26 @@ void Parser::Impl::include() {
     path = known->second;
   } else {
     const std::optional<fs::path> found = search->find_include(name);
-    if (!found) missing_include(name);
+    if (!found) missing_include(name, at);
     path = *found;
     include_locations[name] = path;
   }
   enter_file(load(path, path.string(), false), call);
 }
 
-void Parser::Impl::missing_include(const std::string& name) {
-  std::string advice;
-  if (is_standard_include(name))
-    advice =
-        "It is one of POV-Ray's standard include files: install the package povray-includes, or give its folder with "
-        "+L.";
-  else if (!search->library_paths().empty())
-    advice =
-        fmt::format("Searched in the current folder and in {}.", fmt::join(
-                                                                     [this] {
-                                                                       std::vector<std::string> folders;
-                                                                       for (const fs::path& p : search->library_paths())
-                                                                         folders.push_back(p.string());
-                                                                       return folders;
-                                                                     }(),
-                                                                     ", "));
-  error(fmt::format("Cannot find include file '{}'.", name), advice);
+void Parser::Impl::missing_include(const std::string& name, Spot at) {
+  Diagnostic d =
+      diagnostic(Severity::error, Code::missing_include, fmt::format("Cannot find include file '{}'.", name), {}, at);
+  if (at.file) advise_file(d, name, at, true);
+  throw ParseError{std::move(d)};
 }
 
 fs::path Parser::writable_file(const std::string& name) {
   if (name.empty() || name.find('\0') != std::string::npos || !impl_->search->may_write(name))
-    error(fmt::format("The scene may not write '{}'.", name),
+    error(Code::file_access, fmt::format("The scene may not write '{}'.", name),
           "Scenes write below the current folder and their own; --allow-write PATH permits more.");
   impl_->fonts.clear();
+  if (!impl_->options.scratch.empty()) return impl_->search->redirect(name, impl_->options.scratch);
   return name;
 }
 
@@ -91,9 +92,13 @@ fs::path Parser::find_file(const std::string& name, std::string_view extensions)
     }
   }
   if (!found) found = impl_->search->find_exact(name);
-  if (!found)
-    error(fmt::format("Cannot find file '{}'.", name),
-          extensions.empty() ? "" : "File name extensions were tried, too.");
+  if (!found) {
+    const Spot at = impl_->place_of(Code::missing_file);
+    Diagnostic d =
+        impl_->diagnostic(Severity::error, Code::missing_file, fmt::format("Cannot find file '{}'.", name), {}, at);
+    impl_->advise_file(d, name, at, false);
+    throw ParseError{std::move(d)};
+  }
   impl_->allow_read(*found);
   return *found;
 }

@@ -23,7 +23,7 @@ void Parser::Impl::test_while() {
   go_to(in, conditions.back().test);
   if (condition_value()) return;
   conditions.pop_back();
-  if (file != in) error("#end of a loop is not in the file of its beginning.");
+  if (file != in) error(Code::stray_branch, "#end of a loop is not in the file of its beginning.");
   go_to(in, behind);
 }
 
@@ -38,10 +38,10 @@ void Parser::Impl::for_directive(const Token& token) {
     expected("identifier");
   }
   Symbol* symbol = names[name.id()].symbol;
-  if (symbol && symbol->is_macro) error("A macro cannot be the variable of #for.");
+  if (symbol && symbol->is_macro) error(Code::macro_arguments, "A macro cannot be the variable of #for.");
   if (!symbol || symbol->level != symbols.level()) symbol = &symbols.create(name.id(), symbols.level());
   if (std::holds_alternative<FunctionPtr>(symbol->value()) || peek().punctuation == '[')
-    error("The variable of #for must be a plain name.");
+    error(Code::unexpected_token, "The variable of #for must be a plain name.");
   Target target(symbols, symbol->variable);
   comma_operator();
   const double start = scalar();
@@ -52,7 +52,7 @@ void Parser::Impl::for_directive(const Token& token) {
   if (peek().punctuation != ')') step = scalar();
   if (peek().punctuation != ')') expected(")");
   skip_token();
-  if (std::fabs(step) < kEps) error("The step of #for must not be zero.");
+  if (std::fabs(step) < kEps) error(Code::bad_value, "The step of #for must not be zero.");
   target.value() = Numeric{{start}, 1};
   Condition& condition = conditions.back();
   condition.variable = name.id();
@@ -71,7 +71,7 @@ void Parser::Impl::end_for() {
   Numeric* value = nullptr;
   if (symbol && symbol->level == symbols.level() && !symbol->is_reference)
     value = std::get_if<Numeric>(&symbol->value());
-  if (!value || value->terms != 1) error("The variable of #for is no longer a float at #end.");
+  if (!value || value->terms != 1) error(Code::bad_value, "The variable of #for is no longer a float at #end.");
   value->v[0] += condition.step;
   const double now = value->v[0];
   if (condition.step > 0 ? now > condition.end + kEps : now < condition.end - kEps) {
@@ -93,16 +93,16 @@ void Parser::Impl::break_directive() {
       return;
     }
     const TokenFile* in = condition.file;
-    if (file != in) error("#break is not in the file of its loop.");
+    if (file != in) error(Code::stray_branch, "#break is not in the file of its loop.");
     const Token& opener = in->tokens[condition.opener];
     if (opener.link()) {
       skip_to_end(in, opener.link());
     } else {
-      error("End of file reached, but #end expected.");
+      error(Code::unclosed_condition, "End of file reached, but #end expected.");
     }
     return;
   }
-  error("#break outside of a loop, a #switch and a macro.");
+  error(Code::stray_branch, "#break outside of a loop, a #switch and a macro.");
 }
 
 }  // namespace verisim::parser

@@ -26,21 +26,23 @@ bool looks_like_expression(const TokenFile& file, std::uint32_t begin, std::uint
 }  // namespace
 
 void Parser::Impl::define_macro(const Token& token) {
-  if (language_version < 310) error("Macros need #version 3.1 or later.");
+  if (language_version < 310) error(Code::version_limits, "Macros need #version 3.1 or later.");
   auto macro = std::make_shared<Macro>();
   macro->file = file->shared_from_this();
   macro->definition = index(position) - 1;
   const Token name = take_raw();
   if (name.kind != TokenKind::identifier) {
     if (name.kind == TokenKind::word)
-      error(fmt::format("'{}' is a reserved word: it cannot be the name of a macro.", spelling(name.word)));
+      error(Code::reserved_word,
+            fmt::format("'{}' is a reserved word: it cannot be the name of a macro.", spelling(name.word)));
     if (name.kind != TokenKind::end) --position;
     expected("identifier");
   }
   macro->name = name.id();
   Symbol* symbol = names[name.id()].symbol;
   if (symbol && !symbol->is_macro && !symbol->is_parameter)
-    error(fmt::format("'{}' is declared as something else: it cannot become a macro.", names[name.id()].text));
+    error(Code::redeclared,
+          fmt::format("'{}' is declared as something else: it cannot become a macro.", names[name.id()].text));
   while (symbol && symbol->level > 0) symbol = symbol->below;
   if (peek_blocked().punctuation != '(') expected("(");
   skip_token();
@@ -48,7 +50,8 @@ void Parser::Impl::define_macro(const Token& token) {
     const Token parameter = take_raw();
     if (parameter.kind != TokenKind::identifier) {
       if (parameter.kind == TokenKind::word)
-        error(fmt::format("'{}' is a reserved word: it cannot be a parameter.", spelling(parameter.word)));
+        error(Code::reserved_word,
+              fmt::format("'{}' is a reserved word: it cannot be a parameter.", spelling(parameter.word)));
       if (parameter.kind != TokenKind::end) --position;
       expected("identifier");
     }
@@ -61,7 +64,8 @@ void Parser::Impl::define_macro(const Token& token) {
       position = &file->tokens.back();
       lex_error(*position);
     }
-    error("End of file reached in a macro definition, but #end expected.");
+    error_at({macro->file.get(), &macro->file->tokens[macro->definition]}, Code::unclosed_condition,
+             fmt::format("Macro '{}' has no #end: the file ends first.", names[macro->name].text));
   }
   macro->body = index(position);
   macro->end = token.link();
@@ -105,7 +109,7 @@ void Parser::Impl::macro_argument() {
     const bool lone = behind->kind != TokenKind::end && behind->kind != TokenKind::directive && c != '+' && c != '-' &&
                       c != '*' && c != '/' && c != '.' && c != '(' && !std::holds_alternative<FunctionPtr>(*held);
     if (lone) {
-      if (held->index() == 0) error(fmt::format("'{}' has no value.", names[token.id()].text));
+      if (held->index() == 0) error(Code::no_value, fmt::format("'{}' has no value.", names[token.id()].text));
       const bool number = std::holds_alternative<Numeric>(*held);
       Resolved resolved = resolve();
       if (number) refer_to_follower(resolved);
@@ -126,7 +130,7 @@ void Parser::Impl::macro_argument() {
 void Parser::Impl::call_macro(Symbol& symbol) {
   const Nesting nesting(*this);
   if (static_cast<int>(frames.size()) >= options.limits.max_depth)
-    fatal("Too many nested macro calls.", "--max-depth raises this limit.");
+    fatal(Code::nesting_limit, "Too many nested macro calls.", "--max-depth raises this limit.");
   const Shared<Macro> macro = std::get<Shared<Macro>>(symbol.value());
   const TokenFile* in = file;
   const std::uint32_t call = index(position);
@@ -135,18 +139,21 @@ void Parser::Impl::call_macro(Symbol& symbol) {
   skip_token();
   {
     const Live live(*this);
-    if (peek().punctuation != '(') expected("(");
+    if (peek().punctuation != '(')
+      error_at({in, in->tokens.data() + call}, Code::macro_arguments,
+               fmt::format("Macro '{}' is called without parentheses.", names[macro->name].text),
+               "A call without arguments is written with empty ones: NAME().");
     skip_token();
     for (std::size_t i = 0; i < macro->parameters.size(); ++i) {
       if (peek().punctuation == ')')
-        error(fmt::format("Macro '{}' needs {} arguments, {} found.", names[macro->name].text, macro->parameters.size(),
-                          i));
+        error(Code::macro_arguments, fmt::format("Macro '{}' needs {} arguments, {} found.", names[macro->name].text,
+                                                 macro->parameters.size(), i));
       macro_argument();
       if (peek().punctuation == ',') skip_token();
     }
     if (peek().punctuation != ')')
-      error(fmt::format("Expected ')' behind the {} arguments of macro '{}', {} found instead.",
-                        macro->parameters.size(), names[macro->name].text, describe(*position)));
+      error(Code::macro_arguments, fmt::format("Expected ')' behind the {} arguments of macro '{}', {} found instead.",
+                                               macro->parameters.size(), names[macro->name].text, describe(*position)));
     skip_token();
   }
   Frame frame;

@@ -1,16 +1,10 @@
 // Errors, warnings and the text directives (spec 01 sections 3 and 19).
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "parser/language/impl.h"
-#include "parser/source/suggest.h"
 
 namespace verisim::parser {
 namespace {
-
-constexpr std::size_t kExcerpt = 160;  // characters of a source line that are shown
-constexpr std::size_t kTrail = 8;      // steps at each end of a long trail
 
 std::string punctuation_text(char c) {
   switch (c) {
@@ -25,7 +19,36 @@ std::string punctuation_text(char c) {
   }
 }
 
+Code code_of(LexError why) {
+  switch (why) {
+    case LexError::unterminated_string:
+      return Code::unterminated_string;
+    case LexError::newline_after_backslash:
+      return Code::bad_escape;
+    case LexError::unterminated_comment:
+      return Code::unterminated_comment;
+    case LexError::second_point:
+      return Code::bad_number;
+    case LexError::too_many_tokens:
+      return Code::size_limit;
+    case LexError::illegal_character:
+      break;
+  }
+  return Code::illegal_character;
+}
+
 }  // namespace
+
+const char* Parser::Impl::kind_of(const Value& value) {
+  static constexpr const char* kKinds[] = {
+      "empty",     "float",       "string",     "array",      "function",    "spline",      "pigment",
+      "normal",    "finish",      "texture",    "density",    "interior",    "media",       "material",
+      "color_map", "pigment_map", "normal_map", "slope_map",  "texture_map", "density_map", "transform",
+      "camera",    "fog",         "rainbow",    "sky_sphere", "object",      "macro",       "file"};
+  static_assert(std::size(kKinds) == std::variant_size_v<Value>);
+  const auto* n = std::get_if<Numeric>(&value);
+  return n && n->terms > 1 ? (n->terms == 5 ? "color" : "vector") : kKinds[value.index()];
+}
 
 // "undeclared identifier 'foo'", "float function 'sin'", "pigment", "')'" ...
 std::string Parser::Impl::describe(const Token& token) {
@@ -67,125 +90,119 @@ std::string Parser::Impl::describe(const Token& token) {
       const std::string_view name = names[token.id()].text;
       Symbol* symbol = names[token.id()].symbol;
       if (!symbol) return fmt::format("undeclared identifier '{}'", name);
-      static constexpr const char* kKinds[] = {
-          "empty",     "float",       "string",     "array",      "function",    "spline",      "pigment",
-          "normal",    "finish",      "texture",    "density",    "interior",    "media",       "material",
-          "color_map", "pigment_map", "normal_map", "slope_map",  "texture_map", "density_map", "transform",
-          "camera",    "fog",         "rainbow",    "sky_sphere", "object",      "macro",       "file"};
-      static_assert(std::size(kKinds) == std::variant_size_v<Value>);
-      const Value& value = symbol->value();
-      const char* kind = kKinds[value.index()];
-      if (const auto* n = std::get_if<Numeric>(&value); n && n->terms > 1) kind = n->terms == 5 ? "color" : "vector";
-      return fmt::format("{} identifier '{}'", kind, name);
+      return fmt::format("{} identifier '{}'", kind_of(symbol->value()), name);
     }
   }
   return "something else";
 }
 
-void Parser::Impl::locate(Diagnostic& d, const TokenFile& in, std::uint32_t token) const {
-  const Source& source = *in.source;
-  const Position at = source.position(in.tokens[std::min<std::size_t>(token, in.tokens.size() - 1)].offset);
-  d.file = source.name();
-  d.line = at.line;
-  d.column = at.column;
-  const std::string_view line = source.line(at.line);
-  const auto column = static_cast<std::size_t>(at.column - 1);
-  const std::size_t start = column > kExcerpt / 2 && line.size() > kExcerpt ? column - kExcerpt / 2 : 0;
-  d.source_line = line.substr(std::min(start, line.size()), kExcerpt);
-  d.caret = static_cast<int>(column - start) + 1;
-}
-
-Diagnostic Parser::Impl::diagnostic(Severity severity, const std::string& text, const std::string& advice) {
+Diagnostic Parser::Impl::diagnostic(Severity severity, Code code, const std::string& text, const std::string& advice,
+                                    Spot at) const {
   Diagnostic d;
   d.severity = severity;
+  d.code = code;
   d.message = text;
   d.advice = advice;
-  if (!file) return d;
-  // The token that was looked at last: the one under the cursor, or the one just consumed.
-  std::uint32_t at = index(position);
-  if (!ready && at > 0 && position->kind != TokenKind::end && position->kind != TokenKind::error) --at;
-  locate(d, *file, at);
-  for (std::size_t i = frames.size(); i-- > 0;) {
-    if (frames.size() > 2 * kTrail && i + kTrail + 1 == frames.size()) {
-      d.trail.push_back(fmt::format("... {} more ...", frames.size() - 2 * kTrail));
-      i = kTrail;
-      continue;
-    }
-    const Frame& frame = frames[i];
-    Diagnostic place;
-    locate(place, *frame.file, frame.call);
-    if (frame.macro)
-      d.trail.push_back(
-          fmt::format("in macro '{}' called at {}:{}", names[frame.macro->name].text, place.file, place.line));
-    else
-      d.trail.push_back(fmt::format("included from {}:{}", place.file, place.line));
-  }
+  if (!at.file) return d;
+  static_cast<Excerpt&>(d) = excerpt(at);
+  d.trail = trail();
   return d;
 }
 
-void Parser::Impl::message(Severity severity, const std::string& text, const std::string& advice) {
+void Parser::Impl::message(Severity severity, Code code, const std::string& text, const std::string& advice) {
+  message_at(place_of(code), severity, code, text, advice);
+}
+
+void Parser::Impl::message_at(Spot at, Severity severity, Code code, const std::string& text,
+                              const std::string& advice) {
   // A message from inside a loop is given once for each place, the name of an experimental feature once a scene.
-  const bool once = text.ends_with("an experimental feature of POV-Ray.");
   const std::size_t what = std::hash<std::string>{}(text);
-  if (file &&
-      !(once ? messages_given.emplace(nullptr, 0, what) : messages_given.emplace(file, index(position), what)).second)
-    return;
+  const bool new_here = code == Code::experimental
+                            ? messages_given.emplace(nullptr, 0, what).second
+                            : messages_given.emplace(file, file ? index(position) : 0, what).second;
+  if (!new_here) return;
   if (messages_given.size() > 10000) messages_given.clear();
-  give(severity, text, advice);
+  give(severity, code, text, advice, at);
 }
 
-void Parser::Impl::give(Severity severity, const std::string& text, const std::string& advice) {
+void Parser::Impl::give(Severity severity, Code code, const std::string& text, const std::string& advice, Spot at) {
   ++report.warnings;
-  if (options.message) options.message(diagnostic(severity, text, advice));
+  if (options.message) options.message(diagnostic(severity, code, text, advice, at));
 }
 
-void Parser::Impl::error(const std::string& text, const std::string& advice) {
-  throw ParseError{diagnostic(Severity::error, text, advice)};
+void Parser::Impl::error(Code code, const std::string& text, const std::string& advice) {
+  error_at(place_of(code), code, text, advice);
 }
 
-void Parser::Impl::fatal(const std::string& text, const std::string& advice) {
-  throw ParseError{diagnostic(Severity::error, text, advice), true};
+void Parser::Impl::error_at(Spot at, Code code, const std::string& text, const std::string& advice) {
+  throw ParseError{diagnostic(Severity::error, code, text, advice, at)};
+}
+
+void Parser::Impl::fatal(Code code, const std::string& text, const std::string& advice) {
+  throw ParseError{diagnostic(Severity::error, code, text, advice, place_of(code)), true};
 }
 
 void Parser::Impl::expected(std::string_view what) {
   const Token& token = position->kind == TokenKind::error ? *position : peek_blocked();
   if (token.kind == TokenKind::error) lex_error(token);
-  if (token.kind == TokenKind::identifier && !names[token.id()].symbol && what != "identifier") {
-    ready = true;
-    undeclared(token.id());
-  }
   ready = true;
-  const std::string found = describe(token);
-  std::string advice;
-  if (what.size() == 1) {
-    const std::string code = punctuation_text(what[0]);
-    error(fmt::format("Expected '{}', {} found instead.", code, found));
+  if (token.kind == TokenKind::identifier && !names[token.id()].symbol && what != "identifier") undeclared(token.id());
+  const std::string wanted = what.size() == 1 ? punctuation_text(what[0]) : std::string(what);
+  if (token.kind == TokenKind::end && wanted == "}") unclosed_block();
+  const bool of_a_kind = token.kind == TokenKind::identifier || token.kind == TokenKind::string;
+  Diagnostic d = diagnostic(Severity::error, of_a_kind ? Code::wrong_type : Code::unexpected_token,
+                            fmt::format("Expected '{}', {} found instead.", wanted, describe(token)), {}, here());
+  const bool closing = wanted == ")" || wanted == "]" || wanted == "}";
+  if (closing || token.kind == TokenKind::end)
+    if (const Token* open = open_bracket(here()))
+      d.related.push_back({fmt::format("'{}' was opened here", written({file, open})), excerpt(opener(open))});
+  throw ParseError{std::move(d)};
+}
+
+// A block should end at the next token, and does not: something that cannot stand in it, or the end of the file.
+void Parser::Impl::unclosed_block() {
+  const Token& token = position->kind == TokenKind::error ? *position : peek_blocked();
+  if (token.kind == TokenKind::error) lex_error(token);
+  ready = true;
+  if (token.kind == TokenKind::identifier && !names[token.id()].symbol) undeclared(token.id());
+  const Token* const open = open_bracket(here());
+  const std::string block = open ? written({file, open}) : "{";
+  Diagnostic d;
+  if (token.kind == TokenKind::end && open) {
+    d = diagnostic(Severity::error, Code::unclosed_block,
+                   fmt::format("'{}' is never closed: the file ends first.", block), {}, opener(open));
+  } else {
+    d = diagnostic(Severity::error, Code::unexpected_token,
+                   fmt::format("Expected '}}' to end '{}', {} found instead.", block, describe(token)), {}, here());
+    if (open) d.related.push_back({fmt::format("'{}' was opened here", block), excerpt(opener(open))});
   }
-  error(fmt::format("Expected '{}', {} found instead.", what, found));
+  if (const Token* other = badly_indented(here()); other && other != open)
+    d.related.push_back(
+        {fmt::format("the indentation says that '{}' is not closed where it should be", written({file, other})),
+         excerpt(opener(other))});
+  throw ParseError{std::move(d)};
+}
+
+// The file ends inside a #if, #switch, loop or macro.
+void Parser::Impl::unclosed_condition() {
+  const Condition& last = conditions.back();
+  const Spot opener{last.file, &last.file->tokens[last.opener]};
+  const bool nested = conditions.size() > 1 && conditions[conditions.size() - 2].file == last.file;
+  Diagnostic d = diagnostic(Severity::error, Code::unclosed_condition,
+                            fmt::format("'{}' has no #end: the file ends first.", written(opener)), {}, opener);
+  if (nested) d.advice = "If it has one, a construct inside it lacks its own.";
+  throw ParseError{std::move(d), true};
 }
 
 void Parser::Impl::undeclared(std::uint32_t name) {
-  const std::string_view text = names[name].text;
-  const std::string message = fmt::format("Undeclared identifier '{}'.", text);
+  Spot at = here();
+  if (at.token->kind != TokenKind::identifier && position->kind == TokenKind::identifier) at = next();
+  Diagnostic d = diagnostic(Severity::error, Code::undeclared_identifier,
+                            fmt::format("Undeclared identifier '{}'.", names[name].text), {}, at);
   // Looking for what was meant takes a while: not for errors that will not be shown, as those of later passes of a
   // loop.
-  if (touches_failed_name()) error(message);
-  const Diagnostic here = diagnostic(Severity::error, message, {});
-  if (recovery.reported.contains({here.file, here.line, message})) throw ParseError{here};
-  std::vector<std::string_view> candidates;
-  for (std::uint32_t id = 1; id < names.size(); ++id)
-    if (names[id].symbol || names[id].word != Word::none) candidates.push_back(names[id].text);
-  std::string advice;
-  const std::string_view likely = nearest(text, candidates);
-  std::vector<std::string> includes;
-  if (search) includes = includes_that_declare(text, search->library_paths());
-  if (!includes.empty()) {
-    advice =
-        fmt::format("It is declared in {}: is #include \"{}\" missing?", fmt::join(includes, ", "), includes.front());
-  } else if (!likely.empty()) {
-    advice = fmt::format("Did you mean '{}'?", likely);
-  }
-  error(message, advice);
+  if (!touches_failed_name() && !recovery.reported.contains({d.file, d.line, d.message})) advise_name(d, name, at);
+  throw ParseError{std::move(d)};
 }
 
 void Parser::Impl::lex_error(const Token& token) {
@@ -197,27 +214,27 @@ void Parser::Impl::lex_error(const Token& token) {
     text = byte >= 0x21 && byte < 0x7f ? fmt::format("Illegal character '{}' in input file.", static_cast<char>(byte))
                                        : fmt::format("Illegal character in input file: value {:#04x}.", byte);
   }
-  fatal(text);
+  throw ParseError{diagnostic(Severity::error, code_of(why), text, {}, {file, &token}), true};
 }
 
 void Parser::Impl::check_deprecated(Symbol& symbol) {
   Deprecation* deprecation = symbol.deprecation.get();
   if (!deprecation || (deprecation->once && deprecation->warned)) return;
   deprecation->warned = true;
-  message(Severity::warning, deprecation->message);
+  message(Severity::warning, Code::deprecated, deprecation->message);
 }
 
 void Parser::Impl::text_directive(Word word) {
   const std::string text = utf8(string(false));
   switch (word) {
     case Word::error:
-      fatal("Parse halted by #error directive: " + text);
+      fatal(Code::user_error, "Parse halted by #error directive: " + text);
     case Word::warning:
-      give(Severity::warning, text, {});
+      give(Severity::warning, Code::user_warning, text, {}, here());
       return;
     case Word::render:
     case Word::statistics:
-      message(Severity::warning, fmt::format("#{} writes to the debug stream.", spelling(word)));
+      message(Severity::warning, Code::no_effect, fmt::format("#{} writes to the debug stream.", spelling(word)));
       break;
     default:
       break;
@@ -227,13 +244,18 @@ void Parser::Impl::text_directive(Word word) {
 
 // ---- The public face ----
 
-void Parser::error(const std::string& text, const std::string& advice) { impl_->error(text, advice); }
-void Parser::fatal(const std::string& text, const std::string& advice) { impl_->fatal(text, advice); }
+void Parser::error(Code code, const std::string& text, const std::string& advice) { impl_->error(code, text, advice); }
+void Parser::fatal(Code code, const std::string& text, const std::string& advice) { impl_->fatal(code, text, advice); }
 void Parser::error_expected(std::string_view what) { impl_->expected(what); }
+void Parser::error_unclosed() { impl_->unclosed_block(); }
 void Parser::unsupported(const std::string& what) {
-  throw ParseError{impl_->diagnostic(Severity::unsupported, what + " is not supported.", {}), true};
+  throw ParseError{
+      impl_->diagnostic(Severity::unsupported, Code::unsupported, what + " is not supported.", {}, impl_->here()),
+      true};
 }
-void Parser::warning(const std::string& text) { impl_->message(Severity::warning, text); }
-void Parser::possible_error(const std::string& text) { impl_->message(Severity::possible_error, text); }
+void Parser::warning(Code code, const std::string& text) { impl_->message(Severity::warning, code, text); }
+void Parser::possible_error(Code code, const std::string& text) {
+  impl_->message(Severity::possible_error, code, text);
+}
 
 }  // namespace verisim::parser

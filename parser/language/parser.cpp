@@ -45,7 +45,8 @@ void predeclare(Parser::Impl& p) {
   declare_number(p, "final_frame", o.final_frame);
   for (const auto& [name, text] : o.declarations) {
     const std::uint32_t id = p.names.intern(name);
-    if (p.names[id].word != Word::none) p.error(fmt::format("Declare={}=...: '{}' is a reserved word.", name, name));
+    if (p.names[id].word != Word::none)
+      p.error(Code::reserved_word, fmt::format("Declare={}=...: '{}' is a reserved word.", name, name));
     Symbol* old = p.names[id].symbol;
     Value& value = old ? old->value() : p.symbols.create(id, 0).value();
     if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
@@ -80,7 +81,7 @@ void Parser::Impl::start(std::shared_ptr<const TokenFile> main) {
   for (std::size_t i = options.include_headers.size(); i-- > 0;) {
     const std::string& header = options.include_headers[i];
     const std::optional<fs::path> found = search->find_include(header);
-    if (!found) missing_include(header);
+    if (!found) missing_include(header, {});
     enter_file(load(*found, found->string(), false), 0);
   }
   try {
@@ -90,14 +91,17 @@ void Parser::Impl::start(std::shared_ptr<const TokenFile> main) {
         top_level();
       } catch (ParseError& failure) {
         more = recover(failure);
-        if (!more) return;
+        if (!more) {
+          report.whole = false;
+          return;
+        }
       }
     }
     if (report.errors.empty()) finish();
   } catch (const std::bad_alloc&) {
-    fatal("The scene needs more memory than there is.");
+    fatal(Code::size_limit, "The scene needs more memory than there is.");
   } catch (const std::exception& e) {  // from the tracer: what it cannot make of an object
-    fatal(e.what());
+    fatal(Code::internal, e.what());
   }
 }
 
@@ -106,7 +110,7 @@ void Parser::Impl::top_level() {
     const Token token = peek();
     mark_statement();
     if (token.kind == TokenKind::end) {
-      if (!conditions.empty()) fatal("End of file reached, but #end expected.");
+      if (!conditions.empty()) unclosed_condition();
       return;
     }
     count_steps(1);
@@ -124,7 +128,8 @@ bool Parser::Impl::legacy_directive() {
   if (token.kind != TokenKind::word) return false;
   if (token.word != Word::declare && token.word != Word::include && token.word != Word::default_) return false;
   if (language_version > 295 && token.word != Word::default_)
-    message(Severity::warning, fmt::format("Directive '{}' should have '#' in front of it.", spelling(token.word)));
+    message(Severity::warning, Code::missing_hash,
+            fmt::format("Directive '{}' should have '#' in front of it.", spelling(token.word)));
   skip_token();
   const Nesting nesting(*this);
   execute(token);
@@ -133,25 +138,27 @@ bool Parser::Impl::legacy_directive() {
 
 void Parser::Impl::finish() {
   scene.version = parser.effective_version();
+  const Spot start{main_file.get(), main_file->tokens.data()};
   if (!scene.settings.gamma_given && scene.version >= 370) {
-    message(Severity::possible_error, "assumed_gamma is not set: 1.0 is taken.",
-            "Put global_settings { assumed_gamma 1.0 } into the scene.");
+    message_at(start, Severity::possible_error, Code::missing_gamma, "assumed_gamma is not set: 1.0 is taken.",
+               "Put global_settings { assumed_gamma 1.0 } into the scene.");
     scene.settings.gamma = scene::Gamma::power;
     scene.settings.assumed_gamma = 1;
   } else if (!scene.settings.gamma_given) {
-    message(Severity::warning, "assumed_gamma is not set: colours are not corrected, as before version 3.7.");
+    message_at(start, Severity::warning, Code::missing_gamma,
+               "assumed_gamma is not set: colours are not corrected, as before version 3.7.");
   }
   if (!version_seen && !options.version)
-    message(Severity::warning, "This scene has no #version directive: it is rendered as version 3.62.",
-            "Begin it with #version 3.7;");
+    message_at(start, Severity::warning, Code::missing_version,
+               "This scene has no #version directive: it is rendered as version 3.62.", "Begin it with #version 3.7;");
   else if (version_seen && !version_is_first)
-    message(Severity::warning, "The #version directive is not the first statement of the scene.");
+    message(Severity::warning, Code::late_version, "The #version directive is not the first statement of the scene.");
   if (scene.version <= 310)
-    message(Severity::warning,
+    message(Severity::warning, Code::version_limits,
             "The scene ends with language version 3.1 or earlier: not every oddity of those versions is imitated.");
   if (scene.version < 350) scene.version = 350;
   finish_scene(parser);
-  if (spline_used) message(Severity::warning, "Splines are an experimental feature of POV-Ray.");
+  if (spline_used) message(Severity::warning, Code::experimental, "Splines are an experimental feature of POV-Ray.");
 }
 
 // ---- The public face ----
@@ -169,7 +176,7 @@ Parser::Depth::Depth(Parser& p) : parser(p) {
   Impl& impl = *p.impl_;
   if (++impl.depth > impl.options.limits.max_depth) {
     --impl.depth;
-    impl.fatal(fmt::format("Nested deeper than {} levels.", impl.options.limits.max_depth),
+    impl.fatal(Code::size_limit, fmt::format("Nested deeper than {} levels.", impl.options.limits.max_depth),
                "--max-depth raises this limit.");
   }
 }
@@ -192,7 +199,7 @@ void Parser::run_text(std::string_view text, const std::string& name) {
   impl.search = std::make_unique<FileSearch>(impl.options.library_paths, fs::path{}, impl.options.allow_read,
                                              impl.options.allow_write);
   if (text.size() > impl.options.limits.max_file_bytes)
-    impl.error("The scene has more bytes than --max-file-bytes allows.");
+    impl.error(Code::size_limit, "The scene has more bytes than --max-file-bytes allows.");
   impl.start(tokenise(std::make_shared<Source>(name, text), impl.names, impl.options.limits.max_tokens, true));
 }
 

@@ -75,13 +75,15 @@ class Parser {
   Shared<Spline> parse_spline_body();
 
   // ---- Messages ----
-  [[noreturn]] void error(const std::string& message, const std::string& advice = {});  // at the last token read
-  [[noreturn]] void fatal(const std::string& message,
+  // At the value read last when the code is about values, else at the last token read.
+  [[noreturn]] void error(Code code, const std::string& message, const std::string& advice = {});
+  [[noreturn]] void fatal(Code code, const std::string& message,
                           const std::string& advice = {});  // the same, and parsing ends here: limits
   [[noreturn]] void error_expected(std::string_view what);  // "Expected 'what', <next token> found instead"
+  [[noreturn]] void error_unclosed();                       // the block under way should end at the next token
   [[noreturn]] void unsupported(const std::string& what);   // exit status 4
-  void warning(const std::string& message);
-  void possible_error(const std::string& message);
+  void warning(Code code, const std::string& message);
+  void possible_error(Code code, const std::string& message);
 
   // ---- State that blocks share ----
   int version() const;            // current language version times 100

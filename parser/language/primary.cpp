@@ -92,7 +92,8 @@ void Parser::Impl::component(int width, Numeric& out) {
     value = 0.297 * out.v[0] + (out.terms > 1 ? 0.589 * out.v[1] : 0) + (out.terms > 2 ? 0.114 * out.v[2] : 0);
   } else {
     if (*index >= out.terms)
-      error(fmt::format("Component '{}' of a value with {} terms.", spelling(token.word), out.terms));
+      error(Code::wrong_terms,
+            fmt::format("Component '{}' of a value with {} terms.", spelling(token.word), out.terms));
     value = out.v[static_cast<std::size_t>(*index)];
   }
   skip_token();
@@ -118,12 +119,12 @@ void Parser::Impl::vector_literal(Numeric& out) {
   std::array<double, 5> v{};
   int terms = 0;
   for (;;) {
-    if (terms == 5) error("A vector has at most 5 components.");
+    if (terms == 5) error(Code::too_many, "A vector has at most 5 components.");
     v[static_cast<std::size_t>(terms++)] = scalar();
     if (peek().punctuation == ',') skip_token();
     if (peek().punctuation == '>') break;
   }
-  if (terms < 2) error("A vector has at least 2 components.");
+  if (terms < 2) error(Code::wrong_terms, "A vector has at least 2 components.");
   skip_token();
   out.v = v;
   out.terms = terms;
@@ -140,9 +141,11 @@ void Parser::Impl::identifier_operand(Numeric& out) {
   if (const auto* function = std::get_if<FunctionPtr>(&value)) return call_function(*FunctionPtr(*function), out);
   if (const auto* curve = std::get_if<Shared<Spline>>(&value)) return call_spline(*Shared<Spline>(*curve), out);
   --position;  // the message names this identifier
+  ready = true;
   if (value.index() == 0)
-    error(fmt::format("'{}' has no value yet: it cannot be used in its own declaration.", names[name].text));
-  error(fmt::format("Expected 'numeric expression', {} found instead.", describe(*position)));
+    error(Code::no_value,
+          fmt::format("'{}' has no value yet: it cannot be used in its own declaration.", names[name].text));
+  error(Code::wrong_type, fmt::format("Expected 'numeric expression', {} found instead.", describe(*position)));
 }
 
 void Parser::Impl::call_function(const Function& function, Numeric& out) {
@@ -152,18 +155,21 @@ void Parser::Impl::call_function(const Function& function, Numeric& out) {
   std::array<double, kMaxFunctionParameters> arguments_of_call{};
   const int count = function.parameters();
   for (int i = 0; i < count; ++i) {
-    if (peek().punctuation == ')') error(fmt::format("The function needs {} arguments, {} found.", count, i));
+    if (peek().punctuation == ')')
+      error(Code::function_arguments, fmt::format("The function needs {} arguments, {} found.", count, i));
     arguments_of_call[static_cast<std::size_t>(i)] = scalar();
     if (i + 1 < count && peek().punctuation == ',') skip_token();
   }
   if (peek().punctuation != ')')
-    error(fmt::format("Expected ')' behind the {} arguments of the function, {} found instead.", count,
+    error(Code::function_arguments,
+          fmt::format("Expected ')' behind the {} arguments of the function, {} found instead.", count,
                       describe(*position)));
   skip_token();
   double values[kMaxFunctionComponents]{};
   function.evaluate({arguments_of_call.data(), static_cast<std::size_t>(count)}, values);
   if (functions::take_loop_overrun())
-    error("A sum or prod of the function runs over more values than can be added in any reasonable time.");
+    error(Code::size_limit,
+          "A sum or prod of the function runs over more values than can be added in any reasonable time.");
   out.terms = function.components();
   std::copy(std::begin(values), std::end(values), out.v.begin());
 }
@@ -195,7 +201,7 @@ void Parser::Impl::call_spline(const Spline& curve, Numeric& out) {
   }
   if (peek().punctuation != ')') expected(")");
   skip_token();
-  if (curve.empty()) error("The spline has no points.");
+  if (curve.empty()) error(Code::missing_item, "The spline has no points.");
   out.v = curve.evaluate(t, kind);
   out.terms = curve.terms();
 }

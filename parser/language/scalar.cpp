@@ -79,7 +79,7 @@ bool Parser::Impl::condition_fast(double& out) {
 // value without side effects, a semicolon.
 bool Parser::Impl::declare_fast(bool local) {
   const Token* const start = position;
-  if (start->kind != TokenKind::identifier || language_version < 150) return false;
+  if (start->kind != TokenKind::identifier || language_version < 150 || options.recorder) return false;
   Symbol* symbol = names[start->id()].symbol;
   if (!symbol || symbol->is_macro || symbol->deprecation || (local && symbol->level != symbols.level())) return false;
   blocked = true;

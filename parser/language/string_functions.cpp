@@ -32,7 +32,7 @@ std::string format_number(Parser::Impl& p, double value, int length, int precisi
     length = std::clamp(length, -kMaxNumberText - 1, kMaxNumberText + 1);  // wider is too long in any case
     precision = std::min(precision, 2000);                                 // a double has no more digits than that
   } else if (length < -kMaxWidth || length > kMaxWidth || precision > kMaxWidth) {
-    p.error("vstr() is asked for a longer text than 1048576 characters a number.");
+    p.error(Code::size_limit, "vstr() is asked for a longer text than 1048576 characters a number.");
   }
   std::string text = print('f', value, length, precision);
   if (!limited || text.size() <= kMaxNumberText) return text;
@@ -43,15 +43,16 @@ std::string format_number(Parser::Impl& p, double value, int length, int precisi
 void append(std::u16string& to, const std::string& ascii) { to.append(ascii.begin(), ascii.end()); }
 
 std::u16string date_text(Parser::Impl& p, double days, const std::string& format) {
-  if (format.empty() || format.size() > 200) p.error("The format of datetime() must have 1 to 200 characters.");
+  if (format.empty() || format.size() > 200)
+    p.error(Code::domain_error, "The format of datetime() must have 1 to 200 characters.");
   const double seconds = std::floor(days * 86400 + 0.5) + 946684800;
-  if (!(std::fabs(seconds) < 6e16)) p.error("The date of datetime() is out of range.");
+  if (!(std::fabs(seconds) < 6e16)) p.error(Code::domain_error, "The date of datetime() is out of range.");
   const auto time = static_cast<std::time_t>(seconds);
   std::tm parts{};
-  if (!gmtime_r(&time, &parts)) p.error("The date of datetime() is out of range.");
+  if (!gmtime_r(&time, &parts)) p.error(Code::domain_error, "The date of datetime() is out of range.");
   char text[512];
   const std::size_t count = std::strftime(text, sizeof text, format.c_str(), &parts);
-  if (count == 0) p.error("datetime() gives no text with this format.");
+  if (count == 0) p.error(Code::domain_error, "datetime() gives no text with this format.");
   return {text, text + count};
 }
 
@@ -103,7 +104,7 @@ std::u16string Parser::Impl::string_function(Word word, bool path) {
       break;
     case Word::chr: {
       const int code = to_int(scalar());
-      if (code < 0 || code > 65535) error("The argument of chr() must be 0 to 65535.");
+      if (code < 0 || code > 65535) error(Code::bad_value, "The argument of chr() must be 0 to 65535.");
       out = static_cast<char16_t>(code);
       break;
     }
@@ -114,7 +115,7 @@ std::u16string Parser::Impl::string_function(Word word, bool path) {
       comma();
       const int length = to_int(scalar());
       if (start < 0 || length < 0 || static_cast<double>(start) + length - 1 > static_cast<double>(text.size()))
-        error("substr() is asked for more than the string has.");
+        error(Code::bad_value, "substr() is asked for more than the string has.");
       // Positions count from 1; from 0 on there is nothing, however long.
       if (start > 0) out = text.substr(static_cast<std::size_t>(start - 1), static_cast<std::size_t>(length));
       break;
@@ -124,7 +125,8 @@ std::u16string Parser::Impl::string_function(Word word, bool path) {
       out = string(false);
       for (char16_t& c : out) {
         if (c > 127)
-          message(Severity::warning, "Non-ASCII character in string: strupr() and strlwr() leave it as it is.");
+          message(Severity::warning, Code::non_ascii,
+                  "Non-ASCII character in string: strupr() and strlwr() leave it as it is.");
         if (word == Word::strupr && c >= u'a' && c <= u'z') c = static_cast<char16_t>(c - u'a' + u'A');
         if (word == Word::strlwr && c >= u'A' && c <= u'Z') c = static_cast<char16_t>(c - u'A' + u'a');
       }
@@ -138,7 +140,7 @@ std::u16string Parser::Impl::string_function(Word word, bool path) {
       break;
     }
     default:
-      error("Unknown string function.");
+      error(Code::internal, "Unknown string function.");
   }
   close_arguments();
   return out;

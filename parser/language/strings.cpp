@@ -46,7 +46,8 @@ int hex_digit(char c) {
 
 std::u16string Parser::Impl::decode(const Token& token, bool path) {
   const std::string_view bytes = file->raw_string(token);
-  if (charset == Charset::sys && !bytes.empty()) error("Strings cannot be read in charset sys.", "Use charset utf8.");
+  if (charset == Charset::sys && !bytes.empty())
+    error(Code::non_ascii, "Strings cannot be read in charset sys.", "Use charset utf8.");
   std::u16string text;
   text.reserve(bytes.size());
   for (std::size_t i = 0; i < bytes.size();) {
@@ -83,7 +84,7 @@ std::u16string Parser::Impl::decode(const Token& token, bool path) {
           break;
         case 'u': {
           if (i + 4 > bytes.size())
-            error("Unexpected end of escape sequence in string: \\u needs four hexadecimal digits.");
+            error(Code::bad_escape, "Unexpected end of escape sequence in string: \\u needs four hexadecimal digits.");
           int code = 0;
           for (std::size_t k = 0; k < 4 && code >= 0; ++k) {
             const int digit = hex_digit(bytes[i + k]);
@@ -94,7 +95,7 @@ std::u16string Parser::Impl::decode(const Token& token, bool path) {
           break;
         }
         default:
-          error(fmt::format("Illegal escape sequence '\\{}' in string.", escape));
+          error(Code::bad_escape, fmt::format("Illegal escape sequence '\\{}' in string.", escape));
       }
       continue;
     }
@@ -107,7 +108,7 @@ std::u16string Parser::Impl::decode(const Token& token, bool path) {
       text += static_cast<char16_t>(static_cast<unsigned char>(c));
       ++i;
     } else {
-      message(Severity::possible_error, "Non-ASCII character in string: it becomes a blank.",
+      message(Severity::possible_error, Code::non_ascii, "Non-ASCII character in string: it becomes a blank.",
               "Set charset utf8 in global_settings.");
       text += u' ';
       ++i;
@@ -135,7 +136,8 @@ std::string Parser::Impl::utf8(std::u16string_view text) const {
 }
 
 void Parser::Impl::check_length(std::size_t characters) {
-  if (characters > options.limits.max_memory_bytes / 1024) error("The string is longer than --max-memory allows.");
+  if (characters > options.limits.max_memory_bytes / 1024)
+    error(Code::size_limit, "The string is longer than --max-memory allows.");
 }
 
 bool Parser::Impl::at_string() {
@@ -177,7 +179,13 @@ std::u16string Parser::Impl::string(bool path) {
 // ---- The public face ----
 
 bool Parser::at_string() { return impl_->at_string(); }
-std::u16string Parser::parse_string() { return impl_->string(false); }
-std::string Parser::parse_path() { return impl_->utf8(impl_->string(true)); }
+std::u16string Parser::parse_string() {
+  impl_->value_read = impl_->next();
+  return impl_->string(false);
+}
+std::string Parser::parse_path() {
+  impl_->path_read = impl_->next();
+  return impl_->utf8(impl_->string(true));
+}
 
 }  // namespace verisim::parser

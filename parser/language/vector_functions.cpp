@@ -15,9 +15,10 @@ Numeric vector(const Vec3& v) { return {{v.x, v.y, v.z}, 3}; }
 
 Vec3 Parser::Impl::vector_argument() {
   if (Vec3 v; literal_vector(3, &v.x) || vector_fast(v)) return v;
+  const Token* const start = position;
   Numeric n;
   additive(3, n);
-  fit(n, 3);
+  fit(n, 3, start);
   return {n.v[0], n.v[1], n.v[2]};
 }
 
@@ -77,7 +78,7 @@ Vec3 extent(Parser::Impl& p, bool maximum) {
     const scene::PigmentPtr pigment = std::get<scene::PigmentPtr>(p.resolve().value());
     const auto* image = std::get_if<scene::ImageParams>(&*pigment->pattern.params);
     if (!maximum || !image || !image->image || pigment->pattern.kind != scene::PatternKind::image_map)
-      p.error("max_extent() of a pigment needs an image_map.");
+      p.error(Code::misplaced_keyword, "max_extent() of a pigment needs an image_map.");
     result = {static_cast<double>(image->image->width), static_cast<double>(image->image->height), 0};
   } else {
     const scene::Bounds bounds = p.object_argument()->bounds;
@@ -135,7 +136,8 @@ bool Parser::Impl::vector_function(Word word, Numeric& out) {
       const Vec3 a = vector_argument();
       close_arguments();
       if (a == Vec3(0, 0, 0)) {
-        if (language_version >= 350) message(Severity::possible_error, "Normalizing a zero-length vector.");
+        if (language_version >= 350)
+          message(Severity::possible_error, Code::domain_error, "Normalizing a zero-length vector.");
         out = vector(a);
       } else {
         out = vector(normalize(a));

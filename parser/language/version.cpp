@@ -16,11 +16,11 @@ void Parser::Impl::version_directive() {
     value = scalar();
   }
   const double stored = std::floor(value * 100 + 0.5);
-  if (!(stored <= 370)) error("This scene needs a later version of POV-Ray than 3.7.");
+  if (!(stored <= 370)) error(Code::version_limits, "This scene needs a later version of POV-Ray than 3.7.");
   if (peek_blocked().punctuation == ';')
     skip_token();
   else if (stored >= 310)
-    message(Severity::possible_error, "A semicolon ';' is missing behind #version.");
+    message(Severity::possible_error, Code::missing_semicolon, "A semicolon ';' is missing behind #version.");
   version_seen = true;
   set_version(static_cast<int>(std::max(stored, -1e6)));
 }

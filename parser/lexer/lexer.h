@@ -48,6 +48,8 @@ struct TokenFile : std::enable_shared_from_this<TokenFile> {
   bool starts_with_high_bytes = false;
 
   const double* vector(const Token& token) const { return numbers.data() + token.id(); }
+  // Bytes of a token as it is written, from its offset on; 0 at the end of the file.
+  std::size_t length(const Token& token) const;
   // The bytes between the quotes of a string token, escapes untouched.
   std::string_view raw_string(const Token& token) const { return source->text().substr(token.offset + 1, token.id()); }
 };

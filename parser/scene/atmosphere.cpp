@@ -9,14 +9,14 @@
 namespace verisim::parser {
 
 Color parse_background(Parser& parser) {
-  Block block(parser, "background");
+  Block block(parser);
   const Color color = parser.at('}') ? Color() : parser.parse_color();
   block.close();
   return color;
 }
 
 scene::Fog parse_fog(Parser& parser) {
-  Block block(parser, "fog");
+  Block block(parser);
   scene::Fog fog;
   if (const auto* value = parser.accept_value<Shared<scene::Fog>>()) fog = **value;
   const auto turbulence = [&]() -> scene::Turbulence& {
@@ -40,7 +40,7 @@ scene::Fog parse_fog(Parser& parser) {
         parser.next();
         fog.type = parser.parse_int();
         if (fog.type != 1 && fog.type != 2) {
-          parser.warning("Unknown fog type.");
+          parser.warning(Code::bad_value, "Unknown fog type.");
           fog.type = 1;
         }
         continue;
@@ -62,13 +62,13 @@ scene::Fog parse_fog(Parser& parser) {
       case Word::up:
         parser.next();
         fog.up = parser.parse_vec3();
-        if (!(length(fog.up) >= kEpsilon)) parser.error("The up vector of fog must not be zero.");
+        if (!(length(fog.up) >= kEpsilon)) parser.error(Code::bad_value, "The up vector of fog must not be zero.");
         fog.up = normalize(fog.up);
         continue;
       case Word::translate:
         parser.next();
         parser.parse_vec3();
-        parser.warning("A fog's up-vector can't be translated.");
+        parser.warning(Code::incompatible, "A fog's up-vector can't be translated.");
         continue;
       default:
         break;
@@ -80,7 +80,7 @@ scene::Fog parse_fog(Parser& parser) {
     }
     if (parser.at_number_start()) {
       fog.distance = parser.parse_float();
-      parser.warning("Should use keyword 'distance' in a fog statement.");
+      parser.warning(Code::discontinued, "Should use keyword 'distance' in a fog statement.");
       continue;
     }
     break;
@@ -90,7 +90,7 @@ scene::Fog parse_fog(Parser& parser) {
 }
 
 scene::Rainbow parse_rainbow(Parser& parser) {
-  Block block(parser, "rainbow");
+  Block block(parser);
   scene::Rainbow rainbow;
   if (const auto* value = parser.accept_value<Shared<scene::Rainbow>>()) rainbow = **value;
   const auto number = [&](double& target) {
@@ -101,7 +101,7 @@ scene::Rainbow parse_rainbow(Parser& parser) {
     parser.next();
     target = parser.parse_float();
     if (!(*target >= 0 && *target <= 360))
-      parser.error(std::string("The ") + name + " of a rainbow must be between 0 and 360 degrees.");
+      parser.error(Code::bad_value, std::string("The ") + name + " of a rainbow must be between 0 and 360 degrees.");
   };
   for (;;) {
     switch (word_at(parser)) {
@@ -145,17 +145,17 @@ scene::Rainbow parse_rainbow(Parser& parser) {
     break;
   }
   block.close();
-  if (length(rainbow.direction) < kEpsilon) parser.error("Rainbow's direction vector is zero.");
-  if (length(rainbow.up) < kEpsilon) parser.error("Rainbow's up vector is zero.");
+  if (length(rainbow.direction) < kEpsilon) parser.error(Code::bad_value, "Rainbow's direction vector is zero.");
+  if (length(rainbow.up) < kEpsilon) parser.error(Code::bad_value, "Rainbow's up vector is zero.");
   if (length(cross(normalize(rainbow.up), normalize(rainbow.direction))) < kEpsilon)
-    parser.error("Rainbow's direction and up vectors are co-linear.");
+    parser.error(Code::bad_value, "Rainbow's direction and up vectors are co-linear.");
   if (rainbow.arc_angle && rainbow.falloff_angle && *rainbow.arc_angle < *rainbow.falloff_angle)
-    parser.error("Rainbow's arc angle is smaller than its falloff angle.");
+    parser.error(Code::bad_value, "Rainbow's arc angle is smaller than its falloff angle.");
   return rainbow;
 }
 
 scene::SkySphere parse_sky_sphere(Parser& parser) {
-  Block block(parser, "sky_sphere");
+  Block block(parser);
   scene::SkySphere sky;
   if (const auto* value = parser.accept_value<Shared<scene::SkySphere>>()) sky = **value;
   for (;;) {
@@ -171,7 +171,7 @@ scene::SkySphere parse_sky_sphere(Parser& parser) {
     }
   }
   block.close();
-  if (sky.pigments.empty()) parser.error("Sky_sphere without pigment.");
+  if (sky.pigments.empty()) parser.error(Code::missing_item, "Sky_sphere without pigment.");
   return sky;
 }
 

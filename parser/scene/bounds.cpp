@@ -19,11 +19,11 @@ bool has_texture(const Object& object) {
 }
 
 // Objects up to the closing brace, then transformations for all of them.
-std::vector<ObjectPtr> parse_objects(Parser& parser, std::string_view name) {
+std::vector<ObjectPtr> parse_objects(Parser& parser) {
   std::vector<ObjectPtr> objects;
   while (ObjectRef object = parse_object(parser)) {
     if (has_texture(*object) || scene::is_patch(*object))
-      parser.error("Illegal texture or patch in clip, bound or object pattern.");
+      parser.error(Code::incompatible, "Illegal texture or patch in clip, bound or object pattern.");
     objects.push_back(object);
   }
   if (objects.empty()) parser.error_expected("object");
@@ -58,7 +58,7 @@ std::vector<ObjectPtr> parse_objects(Parser& parser, std::string_view name) {
     }
     break;
   }
-  close_block(parser, name);
+  close_block(parser);
   return objects;
 }
 
@@ -69,28 +69,28 @@ void parse_bounded_by(Parser& parser, Object& object) {
   const Parser::Depth depth(parser);
   open_block(parser);
   if (parser.accept(Word::clipped_by)) {
-    if (!object.bounded_by.empty()) parser.error("Cannot link clips with previous bounds.");
+    if (!object.bounded_by.empty()) parser.error(Code::incompatible, "Cannot link clips with previous bounds.");
     object.bounded_by = object.clipped_by;
     object.clip_is_bound = !object.clipped_by.empty();
-    close_block(parser, "bounded_by");
+    close_block(parser);
     return;
   }
-  if (object.clip_is_bound) parser.error("Cannot add bounds after linking bounds and clips.");
-  for (ObjectPtr& bound : parse_objects(parser, "bounded_by")) object.bounded_by.push_back(std::move(bound));
+  if (object.clip_is_bound) parser.error(Code::incompatible, "Cannot add bounds after linking bounds and clips.");
+  for (ObjectPtr& bound : parse_objects(parser)) object.bounded_by.push_back(std::move(bound));
 }
 
 void parse_clipped_by(Parser& parser, Object& object) {
   const Parser::Depth depth(parser);
   open_block(parser);
   if (parser.accept(Word::bounded_by)) {
-    if (!object.clipped_by.empty()) parser.error("Cannot link bounds with previous clips.");
+    if (!object.clipped_by.empty()) parser.error(Code::incompatible, "Cannot link bounds with previous clips.");
     object.clipped_by = object.bounded_by;
     object.clip_is_bound = !object.bounded_by.empty();
-    close_block(parser, "clipped_by");
+    close_block(parser);
     return;
   }
-  if (object.clip_is_bound) parser.error("Cannot add clips after linking bounds and clips.");
-  for (ObjectPtr& clip : parse_objects(parser, "clipped_by")) object.clipped_by.push_back(std::move(clip));
+  if (object.clip_is_bound) parser.error(Code::incompatible, "Cannot add clips after linking bounds and clips.");
+  for (ObjectPtr& clip : parse_objects(parser)) object.clipped_by.push_back(std::move(clip));
 }
 
 }  // namespace verisim::parser

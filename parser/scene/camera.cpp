@@ -28,11 +28,13 @@ void apply_look_at(Parser& parser, Camera& camera, const Vec3& target) {
                right_length = length(camera.right);
   const double handedness = dot(cross(camera.up, camera.direction), camera.right);
   const Vec3 towards = target - camera.location;
-  if (dot(towards, towards) < kEpsilon) parser.error("Camera location and look_at point must be different.");
+  if (dot(towards, towards) < kEpsilon)
+    parser.error(Code::bad_value, "Camera location and look_at point must be different.");
   const Vec3 d = normalize(towards);
   Vec3 r = cross(camera.sky, d);
   if (std::fabs(r.x) < kEpsilon && std::fabs(r.y) < kEpsilon && std::fabs(r.z) < kEpsilon) {
     parser.warning(
+        Code::adjusted_value,
         "Camera location to look_at direction and sky direction should be different. Using default/supplied right "
         "vector instead.");
     r = camera.right;
@@ -125,22 +127,22 @@ class CameraReader {
     if (type >= 1 && type <= 4) {
       camera.kind = kKinds[type - 1];
     } else if (!immediate) {
-      parser.error("Invalid cylinder camera type, valid are types 1 to 4.");
+      parser.error(Code::bad_value, "Invalid cylinder camera type, valid are types 1 to 4.");
     }
   }
 
   void parse_mesh_camera() {
     parser.next();
     parser.expect('{');
-    parser.warning("mesh_camera is an experimental feature of POV-Ray.");
+    parser.warning(Code::experimental, "mesh_camera is an experimental feature of POV-Ray.");
     camera.rays_per_pixel = parser.parse_int();
-    if (camera.rays_per_pixel <= 0) parser.error("Rays per pixel may not be 0 or negative.");
+    if (camera.rays_per_pixel <= 0) parser.error(Code::bad_value, "Rays per pixel may not be 0 or negative.");
     parser.optional_comma();
     camera.distribution = parser.parse_int();
     if (camera.distribution < 0 || camera.distribution > 3)
-      parser.error("Unrecognized distribution method: it is 0, 1, 2 or 3.");
+      parser.error(Code::bad_value, "Unrecognized distribution method: it is 0, 1, 2 or 3.");
     if (camera.distribution >= 2 && camera.rays_per_pixel != 1)
-      parser.error("Distributions 2 and 3 need exactly one ray per pixel.");
+      parser.error(Code::incompatible, "Distributions 2 and 3 need exactly one ray per pixel.");
     parser.optional_comma();
     camera.max_distance = parser.parse_optional_float(0);
     parser.optional_comma();
@@ -154,15 +156,16 @@ class CameraReader {
     }
     if (camera.meshes.empty()) parser.error_expected("mesh or mesh2");
     if (camera.distribution == 0 && static_cast<std::size_t>(camera.rays_per_pixel) > camera.meshes.size())
-      parser.error("Distribution 0 needs as many meshes as rays per pixel.");
+      parser.error(Code::incompatible, "Distribution 0 needs as many meshes as rays per pixel.");
     if (camera.distribution == 3 && camera.meshes.size() > 1)
-      parser.warning("Distribution 3 uses the first mesh only.");
+      parser.warning(Code::incompatible, "Distribution 3 uses the first mesh only.");
     camera.smooth = false;
     if (parser.accept(Word::smooth)) {
-      if (camera.distribution != 3) parser.error("'smooth' can only be used with distribution 3.");
+      if (camera.distribution != 3)
+        parser.error(Code::misplaced_keyword, "'smooth' can only be used with distribution 3.");
       camera.smooth = true;
     }
-    close_block(parser, "mesh_camera");
+    close_block(parser);
   }
 
   void parse_angle() {
@@ -170,15 +173,15 @@ class CameraReader {
     angle_given = true;
     if (camera.kind == CameraKind::spherical) {
       camera.horizontal_angle = parser.parse_float();
-      if (camera.horizontal_angle < 0) parser.error("Negative horizontal angle not allowed.");
+      if (camera.horizontal_angle < 0) parser.error(Code::bad_value, "Negative horizontal angle not allowed.");
       camera.vertical_angle = accept_comma_or_number(parser) ? parser.parse_float() : camera.horizontal_angle / 2;
-      if (camera.vertical_angle < 0) parser.error("Negative vertical angle not allowed.");
+      if (camera.vertical_angle < 0) parser.error(Code::bad_value, "Negative vertical angle not allowed.");
       return;
     }
     camera.angle = camera.kind == CameraKind::orthographic ? parser.parse_optional_float(0) : parser.parse_float();
-    if (camera.angle < 0) parser.error("Negative viewing angle.");
+    if (camera.angle < 0) parser.error(Code::bad_value, "Negative viewing angle.");
     if (uses_view_angle(camera.kind) && camera.angle >= 180)
-      parser.error("Viewing angle has to be smaller than 180 degrees.");
+      parser.error(Code::bad_value, "Viewing angle has to be smaller than 180 degrees.");
     if (immediate && camera.kind == CameraKind::perspective) apply_angle(camera);
   }
 
@@ -193,9 +196,10 @@ class CameraReader {
         camera.blur_samples = most;
       }
     }
-    if (camera.blur_samples <= 0 || camera.blur_samples_min < 0) parser.error("Illegal number of focal blur samples.");
+    if (camera.blur_samples <= 0 || camera.blur_samples_min < 0)
+      parser.error(Code::bad_value, "Illegal number of focal blur samples.");
     if (camera.blur_samples_min > camera.blur_samples)
-      parser.error("The minimum number of focal blur samples is larger than the maximum.");
+      parser.error(Code::bad_value, "The minimum number of focal blur samples is larger than the maximum.");
   }
 
   bool parse_item() {
@@ -243,7 +247,7 @@ class CameraReader {
         if (confidence > 0 && confidence < 1)
           camera.confidence = confidence;
         else
-          parser.warning("Illegal confidence value. Default is used.");
+          parser.warning(Code::adjusted_value, "Illegal confidence value. Default is used.");
         return true;
       }
       case Word::variance: {
@@ -252,7 +256,7 @@ class CameraReader {
         if (variance >= 0 && variance <= 1)
           camera.variance = variance;
         else
-          parser.warning("Illegal variance value. Default is used.");
+          parser.warning(Code::adjusted_value, "Illegal variance value. Default is used.");
         return true;
       }
       case Word::bokeh: {
@@ -263,13 +267,13 @@ class CameraReader {
           camera.bokeh = parse_pigment(parser);
         else if (!parser.at('}'))
           parser.error_expected("pigment");
-        close_block(parser, "bokeh");
+        close_block(parser);
         return true;
       }
       case Word::normal:
         camera.normal = parse_normal(parser, camera.normal ? camera.normal : default_layer(parser).normal);
         if (camera.normal && camera.normal->pattern.kind == scene::PatternKind::none)
-          parser.error("No normal type given.");
+          parser.error(Code::missing_item, "No normal type given.");
         return true;
       default:
         break;
@@ -303,14 +307,15 @@ class CameraReader {
     if (std::fabs(dot(camera.right, camera.up)) > kEpsilon ||
         std::fabs(dot(camera.right, camera.direction)) > kEpsilon ||
         std::fabs(dot(camera.up, camera.direction)) > kEpsilon)
-      parser.warning("Camera vectors are not perpendicular. Making look_at the last statement may help.");
+      parser.warning(Code::adjusted_value,
+                     "Camera vectors are not perpendicular. Making look_at the last statement may help.");
   }
 };
 
 }  // namespace
 
 scene::Camera parse_camera(Parser& parser, const scene::Camera& start) {
-  Block block(parser, "camera");
+  Block block(parser);
   Camera camera = start;
   if (const auto* value = parser.accept_value<Shared<Camera>>()) {
     camera = **value;

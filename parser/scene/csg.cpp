@@ -13,12 +13,12 @@ void read_children(Parser& parser, scene::Object& object, Word word) {
   csg.difference = word == Word::difference;
   while (ObjectRef child = parse_object(parser)) {
     if (csg.kind == scene::CsgKind::intersection && scene::is_patch(*child))
-      parser.warning("Patch objects not allowed in intersection.");
+      parser.warning(Code::incompatible, "Patch objects not allowed in intersection.");
     if (csg.difference && !csg.children.declared().empty()) scene::invert(*child);
     child->solid_moves = {};  // nobody writes to its texture any more
     csg.children.push_back(child);
   }
-  if (csg.children.declared().size() < 2) parser.warning("Should have at least 2 objects in csg.");
+  if (csg.children.declared().size() < 2) parser.warning(Code::too_few, "Should have at least 2 objects in csg.");
   object.shape = std::move(csg);
 }
 
@@ -26,8 +26,9 @@ void read_children(Parser& parser, scene::Object& object, Word word) {
 
 ObjectRef parse_csg(Parser& parser) {
   const Word word = word_at(parser);
-  if (word == Word::composite && parser.version() > 150) parser.warning("Use union instead of composite.");
-  return shape_block(parser, spelling(word), [&](scene::Object& object) { read_children(parser, object, word); });
+  if (word == Word::composite && parser.version() > 150)
+    parser.warning(Code::discontinued, "Use union instead of composite.");
+  return shape_block(parser, [&](scene::Object& object) { read_children(parser, object, word); });
 }
 
 }  // namespace verisim::parser

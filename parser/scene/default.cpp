@@ -11,11 +11,11 @@ void parse_default(Parser& parser) {
   parser.expect('{');
   for (;;) {
     if (parser.at(Word::texture)) {
-      Block block(parser, "texture");
+      Block block(parser);
       const scene::TexturePtr texture = parse_texture_body(parser, true);
       block.close();
-      if (texture->patterned()) parser.error("Default texture cannot be material map or tiles.");
-      if (texture->layers.size() > 1) parser.error("Default texture cannot be layered.");
+      if (texture->patterned()) parser.error(Code::incompatible, "Default texture cannot be material map or tiles.");
+      if (texture->layers.size() > 1) parser.error(Code::incompatible, "Default texture cannot be layered.");
       parser.default_texture() = texture;
     } else if (parse_texture_part(parser, parser.default_texture())) {
       continue;
@@ -24,17 +24,17 @@ void parse_default(Parser& parser) {
       while (parser.accept(Word::importance)) {
         const double importance = parser.parse_float();
         if (!(importance > 0 && importance <= 1))
-          parser.error("Radiosity importance must be greater than 0 and not larger than 1.");
+          parser.error(Code::bad_value, "Radiosity importance must be greater than 0 and not larger than 1.");
         parser.scene().settings.radiosity.default_importance = importance;
       }
-      close_block(parser, "radiosity");
+      close_block(parser);
     } else if (parser.at(Word::camera)) {
       parser.default_camera() = parse_camera(parser, parser.default_camera());
     } else {
       break;
     }
   }
-  close_block(parser, "default");
+  close_block(parser);
 }
 
 }  // namespace verisim::parser

@@ -18,11 +18,11 @@ void parse_assumed_gamma(Parser& parser, Settings& settings) {
     value = 2.2;
   } else {
     value = parser.parse_float();
-    if (!(value > 0)) parser.error("gamma value must be positive.");
-    if (value < 1) parser.possible_error("Suspicious value for assumed_gamma: below 1.");
+    if (!(value > 0)) parser.error(Code::bad_value, "gamma value must be positive.");
+    if (value < 1) parser.possible_error(Code::adjusted_value, "Suspicious value for assumed_gamma: below 1.");
   }
   if (again) {
-    parser.warning("New instance of assumed_gamma ignored.");
+    parser.warning(Code::duplicate, "New instance of assumed_gamma ignored.");
     return;
   }
   settings.gamma = gamma;
@@ -45,7 +45,8 @@ void parse_charset(Parser& parser) {
 void parse_noise_generator(Parser& parser, Settings& settings) {
   parser.next();
   const int generator = parser.parse_int();
-  if (generator < 1 || generator > 3) parser.error("Value for noise_generator in global_settings must be 1, 2, or 3.");
+  if (generator < 1 || generator > 3)
+    parser.error(Code::bad_value, "Value for noise_generator in global_settings must be 1, 2, or 3.");
   settings.noise_generator = generator;
   parser.set_noise_generator(generator);
 }
@@ -54,7 +55,7 @@ void parse_number_of_waves(Parser& parser, Settings& settings) {
   parser.next();
   settings.number_of_waves = parser.parse_int();
   if (settings.number_of_waves < 1) {
-    parser.warning("Illegal value: number_of_waves must be positive. Changed to 1.");
+    parser.warning(Code::adjusted_value, "Illegal value: number_of_waves must be positive. Changed to 1.");
     settings.number_of_waves = 1;
   }
 }
@@ -74,7 +75,7 @@ void parse_subsurface_settings(Parser& parser, Settings& settings) {
       break;
     }
   }
-  close_block(parser, "subsurface");
+  close_block(parser);
 }
 
 }  // namespace
@@ -84,11 +85,11 @@ void parse_max_trace_level(Parser& parser) {
   int& level = parser.scene().settings.max_trace_level;
   level = parser.parse_int();
   if (level < 1) {
-    parser.warning("Illegal value: max_trace_level must be positive. Changed to 1.");
+    parser.warning(Code::adjusted_value, "Illegal value: max_trace_level must be positive. Changed to 1.");
     level = 1;
   }
   if (level > 256) {
-    parser.warning("Maximum max_trace_level is 256 but a higher value was specified.");
+    parser.warning(Code::adjusted_value, "Maximum max_trace_level is 256 but a higher value was specified.");
     level = 256;
   }
 }
@@ -96,11 +97,12 @@ void parse_max_trace_level(Parser& parser) {
 void parse_max_intersections(Parser& parser) {
   parser.next();
   parser.parse_float();
-  if (parser.version() >= 370) parser.warning("'max_intersections' is no longer needed and has no effect.");
+  if (parser.version() >= 370)
+    parser.warning(Code::no_effect, "'max_intersections' is no longer needed and has no effect.");
 }
 
 void parse_global_settings(Parser& parser) {
-  Block block(parser, "global_settings");
+  Block block(parser);
   Settings& settings = parser.scene().settings;
   for (;;) {
     switch (word_at(parser)) {
@@ -122,6 +124,7 @@ void parse_global_settings(Parser& parser) {
         parser.next();
         parser.parse_flag();
         parser.possible_error(
+            Code::no_effect,
             "In POV-Ray v3.7 and later, hf_gray_16 has no effect; use the grayscale output option (+FNg) instead.");
         continue;
       case Word::irid_wavelength:

@@ -9,7 +9,7 @@ namespace verisim::parser {
 using scene::Interior;
 
 scene::InteriorPtr parse_interior(Parser& parser, const scene::InteriorPtr& earlier) {
-  Block block(parser, "interior");
+  Block block(parser);
   // A second statement goes on from the first; an identifier replaces all of it.
   auto interior = earlier ? std::make_shared<Interior>(*earlier) : std::make_shared<Interior>();
   if (const auto* value = parser.accept_value<Shared<Interior>>()) *interior = **value;
@@ -31,7 +31,7 @@ scene::InteriorPtr parse_interior(Parser& parser, const scene::InteriorPtr& earl
       case Word::dispersion_samples:
         parser.next();
         interior->dispersion_samples = parser.parse_int();
-        if (interior->dispersion_samples < 2) parser.error("Dispersion samples minimum is 2.");
+        if (interior->dispersion_samples < 2) parser.error(Code::bad_value, "Dispersion samples minimum is 2.");
         continue;
       case Word::caustics:
         number(interior->caustics);
@@ -50,6 +50,7 @@ scene::InteriorPtr parse_interior(Parser& parser, const scene::InteriorPtr& earl
       case Word::refraction:
         number(interior->refraction);
         parser.warning(
+            Code::discontinued,
             "Refraction value unnecessary to turn on refraction. To attenuate, use fade_power and fade_distance in "
             "'interior'.");
         continue;
@@ -67,7 +68,7 @@ scene::InteriorPtr parse_interior(Parser& parser, const scene::InteriorPtr& earl
 }
 
 Material parse_material(Parser& parser, const Material& earlier) {
-  Block block(parser, "material");
+  Block block(parser);
   Material material = earlier;
   // An identifier adds its layers to what is there, but replaces the interior, by none if it has none.
   if (const auto* value = parser.accept_value<Shared<Material>>()) {
@@ -101,7 +102,8 @@ Material parse_material(Parser& parser, const Material& earlier) {
     }
   }
   block.close();
-  if (material.interior_texture && !material.texture) parser.error("Interior texture requires an exterior texture.");
+  if (material.interior_texture && !material.texture)
+    parser.error(Code::missing_item, "Interior texture requires an exterior texture.");
   return material;
 }
 

@@ -31,7 +31,8 @@ class LightReader {
   LightSource& light() { return *object.as<LightSource>(); }
 
   [[noreturn]] void error_standard(const char* keyword) {
-    parser.error(std::string("Keyword '") + keyword + "' cannot be used with standard light source.");
+    parser.error(Code::misplaced_keyword,
+                 std::string("Keyword '") + keyword + "' cannot be used with standard light source.");
   }
 
   bool has_cone() { return light().kind == LightKind::spotlight || light().kind == LightKind::cylinder; }
@@ -61,14 +62,14 @@ class LightReader {
     l.size1 = parser.parse_int();
     parser.optional_comma();
     l.size2 = parser.parse_int();
-    if (l.size1 == 0 || l.size2 == 0) parser.error("Illegal area light specification: a size is 0.");
+    if (l.size1 == 0 || l.size2 == 0) parser.error(Code::bad_value, "Illegal area light specification: a size is 0.");
     // Negative sizes have no meaning that is known; treat them as their magnitude rather than loop without end.
     l.size1 = std::abs(l.size1);
     l.size2 = std::abs(l.size2);
   }
 
   scene::ObjectPtr parse_attached(const scene::ObjectPtr& previous, const char* keyword) {
-    if (previous) parser.error(std::string("Only one ") + keyword + " allowed per light source.");
+    if (previous) parser.error(Code::duplicate, std::string("Only one ") + keyword + " allowed per light source.");
     parser.next();
     parser.expect('{');
     std::shared_ptr<scene::Object> attached = parse_object(parser);
@@ -81,8 +82,9 @@ class LightReader {
   void parse_projected_through() {
     scene::ObjectPtr attached = parse_attached(light().projected_through, "projected_through");
     auto& through = const_cast<scene::Object&>(*attached);
-    if (through.texture || through.interior_texture) parser.warning("Texture of projected_through object is removed.");
-    if (through.interior) parser.warning("Interior of projected_through object is removed.");
+    if (through.texture || through.interior_texture)
+      parser.warning(Code::no_effect, "Texture of projected_through object is removed.");
+    if (through.interior) parser.warning(Code::no_effect, "Interior of projected_through object is removed.");
     through.texture = through.interior_texture = nullptr;
     through.interior = nullptr;
     through.no_shadow = true;
@@ -160,7 +162,7 @@ class LightReader {
       case Word::area_illumination:
         parser.next();
         light().area_illumination = parser.parse_flag();
-        if (!light().area) parser.warning("'area_illumination' is meant for area lights.");
+        if (!light().area) parser.warning(Code::incompatible, "'area_illumination' is meant for area lights.");
         return true;
       case Word::media_interaction:
         parser.next();
@@ -188,17 +190,19 @@ class LightReader {
     LightSource& l = light();
     // Only where `circular` itself is written: what `orient` makes circular may have one point on an axis.
     if (circular && (l.size1 <= 1 || l.size2 <= 1)) {
-      parser.error("Circular area lights must have more than one point per axis.");
+      parser.error(Code::too_few, "Circular area lights must have more than one point per axis.");
     }
     if (orient) {
-      if (!l.area) parser.warning("'orient' only affects area lights.");
+      if (!l.area) parser.warning(Code::incompatible, "'orient' only affects area lights.");
       if (l.area && !l.circular) {
-        parser.warning("Orient only affects circular area_lights; circular is switched on.");
+        parser.warning(Code::incompatible, "Orient only affects circular area_lights; circular is switched on.");
         l.circular = l.size1 > 1 && l.size2 > 1;
       }
-      if (l.area && l.size1 != l.size2) parser.warning("When using orient, the two axes should have the same size.");
+      if (l.area && l.size1 != l.size2)
+        parser.warning(Code::adjusted_value, "When using orient, the two axes should have the same size.");
       if (l.area && std::fabs(length(l.axis1) - length(l.axis2)) > kEpsilon) {
-        parser.warning("When using orient, the two axes should have the same length; the length of the first is used.");
+        parser.warning(Code::adjusted_value,
+                       "When using orient, the two axes should have the same length; the length of the first is used.");
       }
     }
     const Vec3 axis = l.point_at - l.position;

@@ -13,7 +13,7 @@ void parse_scattering(Parser& parser, Media& media) {
   parser.expect('{');
   media.scattering_type = parser.parse_int();
   if (media.scattering_type < 1 || media.scattering_type > 5) {
-    parser.warning("Unknown atmospheric scattering type.");
+    parser.warning(Code::bad_value, "Unknown atmospheric scattering type.");
     media.scattering_type = 1;
   }
   parser.optional_comma();
@@ -21,7 +21,8 @@ void parse_scattering(Parser& parser, Media& media) {
   media.has_scattering = true;
   for (;;) {
     if (parser.accept(Word::eccentricity)) {
-      if (media.scattering_type != 5) parser.error("Eccentricity cannot be used with this scattering type.");
+      if (media.scattering_type != 5)
+        parser.error(Code::incompatible, "Eccentricity cannot be used with this scattering type.");
       media.eccentricity = parser.parse_float();
     } else if (parser.accept(Word::extinction)) {
       media.extinction = parser.parse_float();
@@ -29,16 +30,16 @@ void parse_scattering(Parser& parser, Media& media) {
       break;
     }
   }
-  close_block(parser, "scattering");
+  close_block(parser);
 }
 
 void parse_samples(Parser& parser, Media& media) {
   parser.next();
   media.samples_min = media.samples_max = parser.parse_int();
   if (accept_comma_or_number(parser)) media.samples_max = parser.parse_int();
-  if (media.samples_min < 1) parser.error("At least one sample is needed in media.");
+  if (media.samples_min < 1) parser.error(Code::too_few, "At least one sample is needed in media.");
   if (media.samples_max < media.samples_min)
-    parser.error("The maximum number of samples in media is smaller than the minimum.");
+    parser.error(Code::bad_value, "The maximum number of samples in media is smaller than the minimum.");
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ void transform_media(Media& media, const Transform& t) {
 
 scene::Media parse_media(Parser& parser) {
   const scene::Place place = parser.place();
-  Block block(parser, "media");
+  Block block(parser);
   Media media;
   if (parser.version() < 350) {  // an emulation of the older defaults
     media.method = 1;
@@ -68,12 +69,13 @@ scene::Media parse_media(Parser& parser) {
       case Word::method:
         parser.next();
         media.method = parser.parse_int();
-        if (media.method < 1 || media.method > 3) parser.error("Unknown media method: it is 1, 2 or 3.");
+        if (media.method < 1 || media.method > 3)
+          parser.error(Code::bad_value, "Unknown media method: it is 1, 2 or 3.");
         continue;
       case Word::intervals:
         parser.next();
         media.intervals = parser.parse_int();
-        if (media.intervals < 1) parser.error("At least one interval is needed in media.");
+        if (media.intervals < 1) parser.error(Code::too_few, "At least one interval is needed in media.");
         continue;
       case Word::samples:
         parse_samples(parser, media);
@@ -81,12 +83,12 @@ scene::Media parse_media(Parser& parser) {
       case Word::aa_level:
         parser.next();
         media.aa_level = parser.parse_int();
-        if (media.aa_level < 1) parser.error("Media aa_level must be positive.");
+        if (media.aa_level < 1) parser.error(Code::bad_value, "Media aa_level must be positive.");
         continue;
       case Word::aa_threshold:
         parser.next();
         media.aa_threshold = parser.parse_float();
-        if (!(media.aa_threshold > 0)) parser.error("Media aa_threshold must be positive.");
+        if (!(media.aa_threshold > 0)) parser.error(Code::bad_value, "Media aa_threshold must be positive.");
         continue;
       case Word::jitter:
         parser.next();
@@ -99,7 +101,8 @@ scene::Media parse_media(Parser& parser) {
       case Word::confidence:
         parser.next();
         media.confidence = parser.parse_float();
-        if (!(media.confidence >= 0 && media.confidence < 1)) parser.error("Illegal confidence value in media.");
+        if (!(media.confidence >= 0 && media.confidence < 1))
+          parser.error(Code::bad_value, "Illegal confidence value in media.");
         continue;
       case Word::variance:
         parser.next();

@@ -15,7 +15,7 @@ namespace {
 
 // object { IDENTIFIER modifiers } or object { STATEMENT modifiers }
 ObjectRef parse_object_statement(Parser& parser) {
-  Block block(parser, "object");
+  Block block(parser);
   ObjectRef object = parse_object(parser);
   if (!object) parser.error_expected("object");
   parse_object_modifiers(parser, *object);

@@ -44,14 +44,16 @@ bool has_hierarchy(const scene::Shape& shape) {
 }
 
 [[noreturn]] void error_with_object(Parser& parser, Word word) {
-  parser.error("Keyword '" + std::string(spelling(word)) + "' cannot be used with this object.");
+  parser.error(Code::misplaced_keyword,
+               "Keyword '" + std::string(spelling(word)) + "' cannot be used with this object.");
 }
 
 void parse_split_union(Parser& parser, Object& object) {
   parser.next();
   object.split_union = parser.parse_float() > 0;
   const auto* csg = object.as<scene::Csg>();
-  if (!csg || csg->kind == scene::CsgKind::intersection) parser.error("split_union found in non-union object.");
+  if (!csg || csg->kind == scene::CsgKind::intersection)
+    parser.error(Code::misplaced_keyword, "split_union found in non-union object.");
 }
 
 void parse_radiosity(Parser& parser, Object& object) {
@@ -60,9 +62,9 @@ void parse_radiosity(Parser& parser, Object& object) {
   while (parser.accept(Word::importance)) {
     object.radiosity_importance = to_float(parser.parse_float());
     if (!(object.radiosity_importance > 0 && object.radiosity_importance <= 1))
-      parser.error("Radiosity importance must be greater than 0 and not larger than 1.");
+      parser.error(Code::bad_value, "Radiosity importance must be greater than 0 and not larger than 1.");
   }
-  close_block(parser, "radiosity");
+  close_block(parser);
 }
 
 void parse_object_material(Parser& parser, Object& object) {
@@ -112,7 +114,7 @@ bool parse_modifier(Parser& parser, Object& object) {
       return true;
     case Word::uv_mapping:
       parser.next();
-      if (object.texture) parser.error("uv_mapping must be specified before texture.");
+      if (object.texture) parser.error(Code::incompatible, "uv_mapping must be specified before texture.");
       object.uv_mapping = true;
       return true;
     case Word::photons:
@@ -124,7 +126,7 @@ bool parse_modifier(Parser& parser, Object& object) {
     case Word::cutaway_textures: {
       const auto* csg = object.as<scene::Csg>();
       if (!csg || csg->kind != scene::CsgKind::intersection)
-        parser.error("cutaway_textures can only be used with intersection and difference.");
+        parser.error(Code::misplaced_keyword, "cutaway_textures can only be used with intersection and difference.");
       parser.next();
       object.cutaway_textures = true;
       return true;
@@ -140,7 +142,7 @@ bool parse_modifier(Parser& parser, Object& object) {
       return true;
     case Word::inverse:
       parser.next();
-      if (scene::is_patch(object)) parser.warning("Cannot invert a patch object.");
+      if (scene::is_patch(object)) parser.warning(Code::incompatible, "Cannot invert a patch object.");
       scene::invert(object);
       return true;
     case Word::sturm:
@@ -179,29 +181,20 @@ bool parse_modifier(Parser& parser, Object& object) {
   }
   if (at_color(parser)) {
     parser.parse_color();
-    parser.warning("Quick color belongs in texture. Color ignored.");
+    parser.warning(Code::no_effect, "Quick color belongs in texture. Color ignored.");
     return true;
   }
   return false;
 }
-
-constexpr std::string_view kNames[] = {"sphere",     "box",          "plane",         "cone",
-                                       "torus",      "disc",         "triangle",      "smooth_triangle",
-                                       "polygon",    "poly",         "quadric",       "superellipsoid",
-                                       "ovus",       "blob",         "lathe",         "sor",
-                                       "prism",      "sphere_sweep", "bicubic_patch", "height_field",
-                                       "isosurface", "parametric",   "julia_fractal", "text",
-                                       "mesh",       "csg",          "light_group",   "light_source"};
-static_assert(std::size(kNames) == std::variant_size_v<scene::Shape>);
 
 }  // namespace
 
 void parse_object_modifiers(Parser& parser, Object& object) {
   while (parse_modifier(parser, object)) {
   }
-  close_block(parser, kNames[object.shape.index()]);
+  close_block(parser);
   if (object.interior_texture && !object.texture && !has_own_textures(object))
-    parser.error("Interior texture requires an exterior texture.");
+    parser.error(Code::missing_item, "Interior texture requires an exterior texture.");
   scene::finish_modifiers(object);
 }
 

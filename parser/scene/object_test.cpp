@@ -250,7 +250,7 @@ TEST(Modifiers, ErrorsHavePovRaysMeaning) {
             "Interior texture requires an exterior texture.");
   EXPECT_EQ(first_error("box{0,1 sturm}"), "Keyword 'sturm' cannot be used with this object.");
   EXPECT_EQ(first_error("sphere{0,1 foo}"), "Undeclared identifier 'foo'.");
-  EXPECT_EQ(first_error("sphere{0,1 mortar}"), "Expected '}' to end 'sphere', mortar found instead.");
+  EXPECT_EQ(first_error("sphere{0,1 mortar}"), "Expected '}' to end 'sphere {', mortar found instead.");
   EXPECT_EQ(first_error("sphere{0,1 texture{checker texture{} texture{}} pigment{rgb 1}}"),
             "Cannot layer over a patterned texture.");
 }

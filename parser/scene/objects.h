@@ -19,7 +19,7 @@ void parse_object_modifiers(Parser& parser, scene::Object& object);
 template <class ReadShape, class ReadModifiers>
 ObjectRef object_block(Parser& parser, std::string_view name, const ReadShape& read_shape,
                        const ReadModifiers& read_modifiers) {
-  Block block(parser, name);
+  Block block(parser);
   if (ObjectRef copied = accept_object_copy(parser)) {
     if (name == "light_group" && std::holds_alternative<scene::LightGroup>(copied->shape)) {
       read_modifiers(*copied);
@@ -41,8 +41,8 @@ ObjectRef object_block(Parser& parser, std::string_view name, const ReadShape& r
 
 // The same for shapes with the ordinary modifiers.
 template <class ReadShape>
-ObjectRef shape_block(Parser& parser, std::string_view name, const ReadShape& read_shape) {
-  Block block(parser, name);
+ObjectRef shape_block(Parser& parser, const ReadShape& read_shape) {
+  Block block(parser);
   ObjectRef object = accept_object_copy(parser);
   if (!object) {
     object = std::make_shared<scene::Object>();

@@ -15,10 +15,11 @@ void parse_gather(Parser& parser, Photons& photons) {
   parser.optional_comma();
   photons.gather_max = parser.parse_int();
   if (photons.gather_min < 0 || photons.gather_max < photons.gather_min)
-    parser.error("Photon gather numbers must not be negative, and the second must not be smaller than the first.");
+    parser.error(Code::bad_value,
+                 "Photon gather numbers must not be negative, and the second must not be smaller than the first.");
   if (photons.gather_max == 0) {
     photons.enabled = false;
-    parser.warning("Photons are switched off: the largest number to gather is 0.");
+    parser.warning(Code::adjusted_value, "Photons are switched off: the largest number to gather is 0.");
   }
 }
 
@@ -35,10 +36,10 @@ void parse_radius(Parser& parser, Photons& photons) {
 void parse_photon_media(Parser& parser, Photons& photons) {
   parser.next();
   photons.media_count = parser.parse_int();
-  if (photons.media_count < 0) parser.error("The number of photon media steps must not be negative.");
+  if (photons.media_count < 0) parser.error(Code::bad_value, "The number of photon media steps must not be negative.");
   parser.optional_comma();
   photons.media_factor = parser.parse_optional_float(photons.media_factor);
-  if (!(photons.media_factor > 0)) parser.error("The photon media factor must be positive.");
+  if (!(photons.media_factor > 0)) parser.error(Code::bad_value, "The photon media factor must be positive.");
 }
 
 void parse_expand_thresholds(Parser& parser, Photons& photons) {
@@ -47,11 +48,11 @@ void parse_expand_thresholds(Parser& parser, Photons& photons) {
   parser.optional_comma();
   photons.expand_min = parser.parse_int();
   if (photons.expand_increase < 0) {
-    parser.warning("The first value of expand_thresholds must not be negative; using 0.");
+    parser.warning(Code::adjusted_value, "The first value of expand_thresholds must not be negative; using 0.");
     photons.expand_increase = 0;
   }
   if (photons.expand_min < 0) {
-    parser.warning("The second value of expand_thresholds must not be negative; using 0.");
+    parser.warning(Code::adjusted_value, "The second value of expand_thresholds must not be negative; using 0.");
     photons.expand_min = 0;
   }
 }
@@ -60,7 +61,8 @@ void parse_file(Parser& parser, bool save, std::string& target, const std::strin
   parser.next();
   const std::string name = parser.parse_path();
   target = (save ? parser.writable_file(name) : parser.find_file(name)).string();
-  if (!other.empty()) parser.warning("Both load_file and save_file of photons were given; the last one is used.");
+  if (!other.empty())
+    parser.warning(Code::duplicate, "Both load_file and save_file of photons were given; the last one is used.");
 }
 
 }  // namespace
@@ -122,15 +124,15 @@ void parse_photon_settings(Parser& parser, Photons& photons) {
     }
     break;
   }
-  close_block(parser, "photons");
+  close_block(parser);
 }
 
 void parse_object_photons(Parser& parser, scene::PhotonFlags& photons) {
-  Block block(parser, "photons");
+  Block block(parser);
   photons.given = true;
   const auto refract_off = [&] {
     photons.refraction = Flag::off;
-    parser.warning("Cannot use pass_through with refraction & target. Turning off refraction.");
+    parser.warning(Code::incompatible, "Cannot use pass_through with refraction & target. Turning off refraction.");
   };
   for (;;) {
     switch (word_at(parser)) {
@@ -152,7 +154,8 @@ void parse_object_photons(Parser& parser, scene::PhotonFlags& photons) {
         photons.refraction = parser.parse_float() > 0 ? Flag::on : Flag::off;
         if (photons.refraction == Flag::on && photons.pass_through && photons.target) {
           photons.pass_through = false;
-          parser.warning("Cannot use pass_through with refraction & target. Turning off pass_through.");
+          parser.warning(Code::incompatible,
+                         "Cannot use pass_through with refraction & target. Turning off pass_through.");
         }
         continue;
       case Word::reflection:
@@ -177,7 +180,7 @@ void parse_object_photons(Parser& parser, scene::PhotonFlags& photons) {
 }
 
 void parse_light_photons(Parser& parser, scene::LightSource& light) {
-  Block block(parser, "photons");
+  Block block(parser);
   light.photons_given = true;
   for (;;) {
     switch (word_at(parser)) {

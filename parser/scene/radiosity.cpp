@@ -14,25 +14,25 @@ namespace {
 double positive(Parser& parser, const char* name) {
   parser.next();
   const double value = parser.parse_float();
-  if (!(value > 0)) parser.error(std::string("Radiosity ") + name + " must be a positive number.");
+  if (!(value > 0)) parser.error(Code::bad_value, std::string("Radiosity ") + name + " must be a positive number.");
   return value;
 }
 
 double fraction(Parser& parser, const char* name) {
   const double value = positive(parser, name);
-  if (value > 1) parser.error(std::string("Radiosity ") + name + " must not be larger than 1.");
+  if (value > 1) parser.error(Code::bad_value, std::string("Radiosity ") + name + " must not be larger than 1.");
   return value;
 }
 
 void parse_count(Parser& parser, Radiosity& radiosity) {
   parser.next();
   radiosity.count = parser.parse_int();
-  if (radiosity.count < 1) parser.error("Radiosity count must be a positive number.");
+  if (radiosity.count < 1) parser.error(Code::bad_value, "Radiosity count must be a positive number.");
   radiosity.count_directions = std::max(1600, radiosity.count);
   if (accept_comma_or_number(parser)) {
     radiosity.count_directions = parser.parse_int();
     if (radiosity.count_directions < radiosity.count)
-      parser.error("Radiosity direction count must not be smaller than the sample count.");
+      parser.error(Code::bad_value, "Radiosity direction count must not be smaller than the sample count.");
   }
 }
 
@@ -40,20 +40,21 @@ void parse_nearest_count(Parser& parser, Radiosity& radiosity) {
   parser.next();
   radiosity.nearest_count = parser.parse_int();
   if (radiosity.nearest_count < 1 || radiosity.nearest_count > 20)
-    parser.error("Radiosity nearest_count must be a value from 1 to 20.");
+    parser.error(Code::bad_value, "Radiosity nearest_count must be a value from 1 to 20.");
   radiosity.adaptive_nearest_count = 0;
   if (accept_comma_or_number(parser)) {
     radiosity.adaptive_nearest_count = parser.parse_int();
     if (radiosity.adaptive_nearest_count < 0 || radiosity.adaptive_nearest_count >= radiosity.nearest_count)
-      parser.error("Radiosity adaptive nearest_count must not be negative and must be smaller than nearest_count.");
+      parser.error(Code::bad_value,
+                   "Radiosity adaptive nearest_count must not be negative and must be smaller than nearest_count.");
   }
 }
 
 void ignored_file(Parser& parser, const char* keyword, const char* option) {
   parser.next();
   parser.parse_string();
-  parser.possible_error(std::string("Keyword '") + keyword + "' has no effect: use the command line or INI option " +
-                        option + ".");
+  parser.possible_error(Code::no_effect, std::string("Keyword '") + keyword +
+                                             "' has no effect: use the command line or INI option " + option + ".");
 }
 
 }  // namespace
@@ -62,7 +63,8 @@ void parse_radiosity_settings(Parser& parser, Radiosity& radiosity) {
   radiosity.place = parser.place();
   parser.next();
   parser.expect('{');
-  if (parser.version() < 350) parser.warning("In this version of POV-Ray a radiosity block turns radiosity on.");
+  if (parser.version() < 350)
+    parser.warning(Code::discontinued, "In this version of POV-Ray a radiosity block turns radiosity on.");
   radiosity.enabled = true;
   const auto flag = [&](bool& target) {
     parser.next();
@@ -89,7 +91,7 @@ void parse_radiosity_settings(Parser& parser, Radiosity& radiosity) {
         parser.next();
         radiosity.gray_threshold = parser.parse_float();
         if (!(radiosity.gray_threshold >= 0 && radiosity.gray_threshold <= 1))
-          parser.error("Radiosity gray_threshold must be from 0 to 1.");
+          parser.error(Code::bad_value, "Radiosity gray_threshold must be from 0 to 1.");
         continue;
       case Word::low_error_factor:
         radiosity.low_error_factor = positive(parser, "low_error_factor");
@@ -105,7 +107,8 @@ void parse_radiosity_settings(Parser& parser, Radiosity& radiosity) {
       case Word::minimum_reuse:
         parser.next();
         radiosity.minimum_reuse = parser.parse_float();
-        if (!(radiosity.minimum_reuse >= 0)) parser.error("Radiosity minimum_reuse must not be negative.");
+        if (!(radiosity.minimum_reuse >= 0))
+          parser.error(Code::bad_value, "Radiosity minimum_reuse must not be negative.");
         radiosity.minimum_reuse_given = true;
         continue;
       case Word::media:
@@ -127,7 +130,7 @@ void parse_radiosity_settings(Parser& parser, Radiosity& radiosity) {
         parser.next();
         radiosity.recursion_limit = parser.parse_int();
         if (radiosity.recursion_limit < 1 || radiosity.recursion_limit > 20)
-          parser.error("Radiosity recursion_limit must be in the range 1 to 20.");
+          parser.error(Code::bad_value, "Radiosity recursion_limit must be in the range 1 to 20.");
         continue;
       case Word::subsurface:
         flag(radiosity.subsurface);
@@ -143,24 +146,24 @@ void parse_radiosity_settings(Parser& parser, Radiosity& radiosity) {
     }
     break;
   }
-  close_block(parser, "radiosity");
+  close_block(parser);
 }
 
 void finish_radiosity_settings(Parser& parser, Radiosity& radiosity) {
   if (!radiosity.enabled) return;
   if (radiosity.pretrace_end > radiosity.pretrace_start)
-    parser.error("Radiosity pretrace_end must be smaller than or equal to pretrace_start.");
+    parser.error(Code::bad_value, "Radiosity pretrace_end must be smaller than or equal to pretrace_start.");
   if (!(radiosity.minimum_reuse > radiosity.maximum_reuse / 2)) return;
   if (radiosity.maximum_reuse_given && !radiosity.minimum_reuse_given) {
     radiosity.minimum_reuse = radiosity.maximum_reuse / 2;
-    parser.warning("Adjusting radiosity minimum_reuse to half of maximum_reuse.");
+    parser.warning(Code::adjusted_value, "Adjusting radiosity minimum_reuse to half of maximum_reuse.");
   } else if (radiosity.minimum_reuse_given && !radiosity.maximum_reuse_given) {
     radiosity.maximum_reuse = radiosity.minimum_reuse * 2;
-    parser.warning("Adjusting radiosity maximum_reuse to twice minimum_reuse.");
+    parser.warning(Code::adjusted_value, "Adjusting radiosity maximum_reuse to twice minimum_reuse.");
   } else if (radiosity.minimum_reuse >= radiosity.maximum_reuse) {
-    parser.error("Radiosity minimum_reuse must be smaller than maximum_reuse.");
+    parser.error(Code::bad_value, "Radiosity minimum_reuse must be smaller than maximum_reuse.");
   } else {
-    parser.warning("Radiosity minimum_reuse should be no more than half of maximum_reuse.");
+    parser.warning(Code::adjusted_value, "Radiosity minimum_reuse should be no more than half of maximum_reuse.");
   }
 }
 

@@ -16,7 +16,8 @@ void add_camera(Parser& parser) {
   const bool again = scene.camera_given;
   // From 3.5 on the last camera counts and each starts afresh; before, a second one modifies the first (spec 02 1.1).
   const bool modifies = again && parser.version() < 350;
-  if (again && !modifies) parser.warning("More than one camera in scene. Ignoring previous camera(s).");
+  if (again && !modifies)
+    parser.warning(Code::duplicate, "More than one camera in scene. Ignoring previous camera(s).");
   scene.camera = modifies ? parse_camera(parser, scene.camera) : parse_camera(parser);
   scene.camera_given = true;
 }
@@ -68,12 +69,12 @@ class ObjectCheck {
   void bounds(const scene::Object& o) {
     if (o.as<scene::Poly>() || o.as<std::shared_ptr<const scene::Text>>() || o.as<scene::LightGroup>()) return;
     const auto* csg = o.as<scene::Csg>();
-    if (!csg) return parser.warning("Unnecessary bounding object removed.");
+    if (!csg) return parser.warning(Code::no_effect, "Unnecessary bounding object removed.");
     // The parts of a union are bounded one by one.
     if (!dissolved(o, *csg)) return;
     for (const scene::ObjectPtr& child : scene::children_of(o))
       if (scene::is_infinite(*child)) return;
-    parser.warning("CSG union unnecessarily bounded.");
+    parser.warning(Code::no_effect, "CSG union unnecessarily bounded.");
   }
 
   void check(const scene::Texture& texture) {
@@ -85,7 +86,7 @@ class ObjectCheck {
   }
 
   void check(const scene::Normal& normal) {
-    if (normal.pattern.kind == scene::PatternKind::none) parser.error("No normal type given.");
+    if (normal.pattern.kind == scene::PatternKind::none) parser.error(Code::missing_item, "No normal type given.");
     if (!normal.normal_map) return;
     for (const auto& entry : *normal.normal_map) {
       if (entry.value) check(*entry.value);
@@ -121,14 +122,15 @@ bool parse_statement(Parser& parser) {
       scene.rainbows.push_back(parse_rainbow(parser));
       return true;
     case Word::sky_sphere:
-      if (scene.sky_sphere) parser.warning("Only one sky-sphere allowed (last one will be used).");
+      if (scene.sky_sphere) parser.warning(Code::duplicate, "Only one sky-sphere allowed (last one will be used).");
       scene.sky_sphere = parse_sky_sphere(parser);
       return true;
     case Word::media:
       scene.atmosphere.push_back(parse_media(parser));
       return true;
     case Word::max_trace_level:
-      if (parser.version() >= 350) parser.possible_error("'max_trace_level' should be in global_settings block.");
+      if (parser.version() >= 350)
+        parser.possible_error(Code::misplaced_keyword, "'max_trace_level' should be in global_settings block.");
       parse_max_trace_level(parser);
       return true;
     case Word::max_intersections:
@@ -214,7 +216,7 @@ std::optional<Value> parse_block_value(Parser& parser) {
 
 void finish_scene(Parser& parser) {
   finish_radiosity_settings(parser, parser.scene().settings.radiosity);
-  if (parser.scene().objects.empty()) parser.warning("No objects in scene.");
+  if (parser.scene().objects.empty()) parser.warning(Code::no_objects, "No objects in scene.");
 }
 
 }  // namespace verisim::parser

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,16 @@ struct Limits {  // untrusted input: each limit ends parsing with an error that 
   std::uint64_t max_steps = 0;                    // executed tokens; 0: no limit
   std::size_t max_memory_bytes = std::size_t{16} << 30;
   int max_depth = 500;  // nested blocks, parentheses and calls; POV-Ray itself stops at 98 calls
+};
+
+// What an editor wants to know of the names of a scene while it is read.
+class Recorder {
+ public:
+  virtual ~Recorder() = default;
+  // `name` got a value by #declare or #local; `offset`: of the name in `file`; `kind`: "float", "texture" ...; `value`:
+  // as SDL writes it, where that is short, else empty. Called again in each pass of a loop.
+  virtual void declared(const std::string& file, std::size_t offset, std::string_view name, std::string_view kind,
+                        const std::string& value) = 0;
 };
 
 struct ParseOptions {
@@ -39,6 +50,12 @@ struct ParseOptions {
   std::function<void(const std::string&)> debug;   // text of #debug, #render, #statistics
   std::function<void(const Diagnostic&)> message;  // warnings as they come; errors, too
   std::function<bool()> cancelled;                 // polled now and then
+  // For editors. The text of a file that is open and not saved; nothing: the file is read.
+  std::function<std::optional<std::string>(const std::filesystem::path&)> unsaved;
+  // Files that the scene writes go into this folder instead, and are read from there; empty: where the scene wants
+  // them.
+  std::filesystem::path scratch;
+  Recorder* recorder = nullptr;
 };
 
 struct ParseResult {
@@ -46,6 +63,7 @@ struct ParseResult {
   std::vector<Diagnostic> errors;
   std::vector<std::filesystem::path> files_read;  // scene, includes, images, fonts ...: what a cache must hash
   int warnings = 0;
+  bool whole = true;  // false: reading ended before the end of the scene, so there may be more errors
 };
 
 }  // namespace verisim::parser

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "parser/source/suggest.h"
+
 namespace verisim::parser {
 namespace fs = std::filesystem;
 namespace {
@@ -24,6 +26,28 @@ bool below(const fs::path& path, const fs::path& folder) {
   return end == folder.end() || (std::next(end) == folder.end() && end->empty());
 }
 
+// The file below `folder` that is called `wanted` but for upper and lower case; as it is written there.
+std::optional<std::string> in_any_case(const fs::path& folder, const fs::path& wanted) {
+  fs::path written;
+  for (const fs::path& part : wanted) {
+    if (part == "." || part == ".." || part.empty()) {
+      written /= part;
+      continue;
+    }
+    std::optional<fs::path> found;
+    std::error_code error;
+    const std::string lower = lowered(part.string());
+    for (fs::directory_iterator i(folder / written, error), end; !error && i != end; i.increment(error))
+      if (lowered(i->path().filename().string()) == lower) {
+        found = i->path().filename();
+        if (*found == part) break;
+      }
+    if (!found) return std::nullopt;
+    written /= *found;
+  }
+  return written.string();
+}
+
 bool has_include_extension(const std::string& name) { return name.ends_with(".inc") || name.ends_with(".INC"); }
 
 }  // namespace
@@ -39,6 +63,7 @@ FileSearch::FileSearch(std::vector<fs::path> library_paths, fs::path scene_folde
 }
 
 std::optional<fs::path> FileSearch::find_exact(const std::string& name) const {
+  if (const auto found = redirected_.find(name); found != redirected_.end()) return found->second;
   // A name that no file system can hold; also keeps NUL bytes out of system calls.
   if (name.empty() || name.size() > 4096 || name.find('\0') != std::string::npos) return std::nullopt;
   const fs::path path = name;
@@ -51,6 +76,7 @@ std::optional<fs::path> FileSearch::find_exact(const std::string& name) const {
 }
 
 std::optional<fs::path> FileSearch::find_include(const std::string& name) const {
+  if (const auto found = redirected_.find(name); found != redirected_.end()) return found->second;
   std::vector<std::string> candidates{name + ".inc", name + ".INC"};
   candidates.insert(has_include_extension(name) ? candidates.begin() : candidates.end(), name);
   if (name.empty() || name.size() > 4096 || name.find('\0') != std::string::npos) return std::nullopt;
@@ -66,6 +92,41 @@ std::optional<fs::path> FileSearch::find_include(const std::string& name) const 
     for (const std::string& candidate : candidates)
       if (is_there(scene_folder_ / candidate)) return scene_folder_ / candidate;
   return std::nullopt;
+}
+
+std::optional<FileSearch::Similar> FileSearch::find_similar(const std::string& name, bool include) const {
+  if (name.empty() || name.size() > 4096 || name.find('\0') != std::string::npos) return std::nullopt;
+  std::string slashed = name;
+  std::replace(slashed.begin(), slashed.end(), '\\', '/');
+  std::vector<fs::path> folders{"."};
+  folders.insert(folders.end(), library_paths_.begin(), library_paths_.end());
+  if (!scene_folder_.empty()) folders.push_back(scene_folder_);
+  const fs::path wanted = slashed;
+  if (wanted.is_absolute()) return std::nullopt;
+  std::vector<std::string> leaves{wanted.filename().string()};
+  if (include && !wanted.has_extension()) leaves.insert(leaves.begin(), leaves[0] + ".inc");
+  for (const std::string& leaf : leaves)
+    for (const fs::path& folder : folders)
+      if (const auto there = in_any_case(folder, wanted.parent_path() / leaf)) return Similar{*there, true};
+  // Misspelt: among the files of the folder that is meant.
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const fs::path& folder : folders)
+    for (fs::directory_iterator i(folder / wanted.parent_path(), error), end; !error && i != end; i.increment(error))
+      if (files.size() < 10000 &&
+          lowered(i->path().extension().string()) == lowered(fs::path(leaves[0]).extension().string()))
+        files.push_back(i->path().filename().string());
+  std::vector<std::string_view> candidates(files.begin(), files.end());
+  for (const std::string& leaf : leaves)
+    if (const std::string_view near = nearest(leaf, candidates); !near.empty())
+      return Similar{(wanted.parent_path() / near).string(), false};
+  return std::nullopt;
+}
+
+fs::path FileSearch::redirect(const std::string& name, const fs::path& scratch) {
+  const auto [entry, fresh] = redirected_.emplace(name, fs::path{});
+  if (fresh) entry->second = scratch / std::to_string(redirected_.size());
+  return entry->second;
 }
 
 bool FileSearch::may_read(const fs::path& path) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,15 @@ class FileSearch {
   std::optional<std::filesystem::path> find_include(const std::string& name) const;
   // The exact name only: #fopen read, file_exists, images and fonts.
   std::optional<std::filesystem::path> find_exact(const std::string& name) const;
+  // A file that is there under nearly this name: written with the other kind of slash, or in other case (`certain`), or
+  // misspelt. As the scene should write it.
+  struct Similar {
+    std::string name;
+    bool certain = false;
+  };
+  std::optional<Similar> find_similar(const std::string& name, bool include) const;
+  // Where a file that the scene writes really goes (ParseOptions::scratch); found under its own name from now on.
+  std::filesystem::path redirect(const std::string& name, const std::filesystem::path& scratch);
 
   bool may_read(const std::filesystem::path& path) const;
   // Below the current folder, the scene's folder, or what allow_write names. Symbolic links are resolved first.
@@ -30,6 +40,7 @@ class FileSearch {
   std::vector<std::filesystem::path> library_paths_;
   std::filesystem::path scene_folder_;
   std::vector<std::filesystem::path> readable_, writable_;  // canonical
+  std::map<std::string, std::filesystem::path> redirected_;
 };
 
 }  // namespace verisim::parser

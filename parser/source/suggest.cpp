@@ -34,6 +34,12 @@ bool declares(std::string_view text, std::string_view name) {
 
 }  // namespace
 
+std::string lowered(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
 int edit_distance(std::string_view a, std::string_view b, int limit) {
   const auto gap = static_cast<int>(a.size()) - static_cast<int>(b.size());
   if (gap > limit || -gap > limit || a.size() > 255 || b.size() > 255) return limit + 1;

@@ -9,6 +9,8 @@
 
 namespace verisim::parser {
 
+// ASCII letters in lower case.
+std::string lowered(std::string_view text);
 // Restricted Damerau-Levenshtein distance (swapped neighbours count 1), stopped at `limit` + 1. Letter case counts
 // half.
 int edit_distance(std::string_view a, std::string_view b, int limit);

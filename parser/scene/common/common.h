@@ -13,8 +13,9 @@ inline Word word_at(Parser& parser) { return parser.peek().word; }
 
 // Consumes a keyword that is known to be at the cursor and the brace after it.
 void open_block(Parser& parser);
-// The closing brace of `block`; an error names what stands there instead.
-void close_block(Parser& parser, std::string_view block);
+// The closing brace of the block under way; an error names the block, where it was opened, and what stands there
+// instead.
+void close_block(Parser& parser);
 // "Keyword 'word' can only be used in a WHERE statement."
 [[noreturn]] void error_only_in(Parser& parser, Word word, std::string_view where);
 // True where a colour starts that needs no further keyword: a colour keyword or an identifier that holds a colour.
@@ -30,13 +31,10 @@ std::size_t checked_count(Parser& parser, double count, std::string_view what, s
 
 // Guards a block against endless nesting and remembers where it was opened.
 struct Block {
-  Block(Parser& p, std::string_view block_name) : parser(p), depth(p), name(block_name), place(p.place()) {
-    open_block(p);
-  }
-  void close() { close_block(parser, name); }
+  explicit Block(Parser& p) : parser(p), depth(p), place(p.place()) { open_block(p); }
+  void close() { close_block(parser); }
   Parser& parser;
   Parser::Depth depth;
-  std::string_view name;
   scene::Place place;
 };
 

@@ -86,11 +86,12 @@ template <class Description>
 void check(Parser& parser, const Description& description) {
   const Measure m = Walk().of(description);
   if (m.depth > parser.options().limits.max_depth)
-    parser.fatal("Maps of pigments, normals, densities or textures are nested deeper than " +
+    parser.fatal(Code::nesting_limit,
+                 "Maps of pigments, normals, densities or textures are nested deeper than " +
                      std::to_string(parser.options().limits.max_depth) + " levels.",
                  "--max-depth raises this limit.");
   if (m.evaluations > kMaxEvaluations)
-    parser.fatal("Maps within maps: one point would need more than 10000000 evaluations.");
+    parser.fatal(Code::nesting_limit, "Maps within maps: one point would need more than 10000000 evaluations.");
 }
 
 bool is_nested(const scene::Pattern& pattern) { return pattern.kind == scene::PatternKind::pigment_pattern; }

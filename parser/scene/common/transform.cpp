@@ -14,7 +14,7 @@ Vec3 parse_scale_vector(Parser& parser) {
   for (unsigned i = 0; i < 3; ++i) {
     if (s[i] != 0) continue;
     s[i] = 1;
-    parser.warning(std::string("Illegal Value: Scale ") + kAxis[i] + " by 0.0. Changed to 1.0.");
+    parser.warning(Code::adjusted_value, std::string("Illegal Value: Scale ") + kAxis[i] + " by 0.0. Changed to 1.0.");
   }
   return s;
 }
@@ -35,13 +35,13 @@ Transform parse_matrix(Parser& parser) {
     if (std::fabs(m[0][column]) < kEpsilon && std::fabs(m[1][column]) < kEpsilon &&
         std::fabs(m[2][column]) < kEpsilon) {
       m[column][column] = 1;
-      parser.warning("Illegal matrix column: Scale by 0.0. Changed to 1.0.");
+      parser.warning(Code::adjusted_value, "Illegal matrix column: Scale by 0.0. Changed to 1.0.");
     }
   }
   try {
     return Transform::from_matrix(m);
   } catch (const std::domain_error&) {
-    parser.error("Singular matrix: it cannot be inverted.");
+    parser.error(Code::domain_error, "Singular matrix: it cannot be inverted.");
   }
 }
 
@@ -92,14 +92,14 @@ Transform parse_transform(Parser& parser) {
       break;
     }
   }
-  close_block(parser, "transform");
+  close_block(parser);
   if (!inverted) return result;
   // POV-Ray inverts numerically here: the last digits differ from the product of the elementary inverses.
   try {
     const Transform numeric = Transform::from_matrix(result.m);
     return {numeric.inv, result.m};
   } catch (const std::domain_error&) {
-    parser.error("Singular matrix: it cannot be inverted.");
+    parser.error(Code::domain_error, "Singular matrix: it cannot be inverted.");
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 // The form without keywords: type [flatness] u_steps v_steps, without commas.
 void parse_old_form(Parser& parser, scene::BicubicPatch& patch, std::optional<int>& type) {
-  parser.warning("Should use keywords for bicubic parameters.");
+  parser.warning(Code::discontinued, "Should use keywords for bicubic parameters.");
   type = parser.parse_int();
   patch.flatness = *type == 2 || *type == 3 ? parser.parse_float() : 0.1;
   patch.u_steps = parser.parse_int();
@@ -59,7 +59,7 @@ void parse_keywords(Parser& parser, scene::BicubicPatch& patch, std::optional<in
 }  // namespace
 
 ObjectRef parse_bicubic_patch(Parser& parser) {
-  return shape_block(parser, "bicubic_patch", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     auto patch = std::make_shared<scene::BicubicPatch>();
     std::optional<int> type;
     parse_keywords(parser, *patch, type);
@@ -71,9 +71,9 @@ ObjectRef parse_bicubic_patch(Parser& parser) {
         parser.optional_comma();
       }
     }
-    if (!type || *type < 0) parser.error("Undefined bicubic patch type.");
+    if (!type || *type < 0) parser.error(Code::bad_value, "Undefined bicubic patch type.");
     if (*type > 1) {
-      parser.warning("Patch type no longer supported. Using type 1.");
+      parser.warning(Code::discontinued, "Patch type no longer supported. Using type 1.");
       type = 1;
     }
     patch->type = *type;

@@ -28,7 +28,7 @@ bool parse_component_modifier(Parser& parser, BlobComponent& component, scene::R
 }
 
 BlobComponent parse_component(Parser& parser, bool cylinder) {
-  Block block(parser, cylinder ? "cylinder" : "sphere");
+  Block block(parser);
   BlobComponent component;
   component.cylinder = cylinder;
   component.a = parser.parse_vec3();
@@ -37,7 +37,8 @@ BlobComponent parse_component(Parser& parser, bool cylinder) {
   if (cylinder) {
     component.b = parser.parse_vec3();
     parser.optional_comma();
-    if (length(component.b - component.a) < kEpsilon) parser.error("Degenerate cylindrical component in blob.");
+    if (length(component.b - component.a) < kEpsilon)
+      parser.error(Code::degenerate, "Degenerate cylindrical component in blob.");
   }
   component.radius = parser.parse_float();
   parser.optional_comma();
@@ -65,7 +66,7 @@ BlobComponent parse_old_component(Parser& parser) {
 }  // namespace
 
 ObjectRef parse_blob(Parser& parser) {
-  return shape_block(parser, "blob", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     auto blob = std::make_shared<scene::Blob>();
     std::size_t entries = 0;
     for (;;) {
@@ -83,9 +84,9 @@ ObjectRef parse_blob(Parser& parser) {
         break;
       }
       if (entries > kMaxComponents)
-        parser.error("There are more than the maximum supported number of components in a blob.");
+        parser.error(Code::too_many, "There are more than the maximum supported number of components in a blob.");
     }
-    if (blob->components.empty()) parser.error("Need at least one component in a blob.");
+    if (blob->components.empty()) parser.error(Code::too_few, "Need at least one component in a blob.");
     object.shape = std::shared_ptr<const scene::Blob>(blob);
   });
 }

@@ -6,7 +6,7 @@
 namespace verisim::parser {
 
 ObjectRef parse_box(Parser& parser) {
-  return shape_block(parser, "box", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     scene::Box box;
     box.low = parser.parse_vec3();
     parser.optional_comma();

@@ -4,7 +4,7 @@
 namespace verisim::parser {
 
 ObjectRef parse_cone(Parser& parser) {
-  return shape_block(parser, "cone", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     scene::Cone cone;
     cone.base = parser.parse_vec3();
     parser.optional_comma();
@@ -14,13 +14,13 @@ ObjectRef parse_cone(Parser& parser) {
     parser.optional_comma();
     cone.cap_radius = parser.parse_float();
     cone.open = parser.accept(Word::open);
-    if (!(length(cone.base - cone.cap) >= kEpsilon)) parser.error("Degenerate cone/cylinder.");
+    if (!(length(cone.base - cone.cap) >= kEpsilon)) parser.error(Code::degenerate, "Degenerate cone/cylinder.");
     object.shape = cone;
   });
 }
 
 ObjectRef parse_cylinder(Parser& parser) {
-  return shape_block(parser, "cylinder", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     scene::Cone cylinder;
     cylinder.base = parser.parse_vec3();
     parser.optional_comma();
@@ -29,7 +29,7 @@ ObjectRef parse_cylinder(Parser& parser) {
     cylinder.base_radius = cylinder.cap_radius = parser.parse_float();
     cylinder.open = parser.accept(Word::open);
     if (!(length(cylinder.base - cylinder.cap) >= kEpsilon))
-      parser.error("Degenerate cylinder, base point = apex point.");
+      parser.error(Code::degenerate, "Degenerate cylinder, base point = apex point.");
     object.shape = cylinder;
   });
 }

@@ -7,14 +7,14 @@
 namespace verisim::parser {
 
 void parse_contained_by(Parser& parser, scene::Contained& container) {
-  Block block(parser, "contained_by");
+  Block block(parser);
   if (parser.accept(Word::box)) {
     parser.expect('{');
     container.sphere = false;
     container.low = parser.parse_vec3();
     parser.optional_comma();
     container.high = parser.parse_vec3();
-    close_block(parser, "box");
+    close_block(parser);
     for (unsigned i = 0; i < 3; ++i) {
       if (container.low[i] > container.high[i]) std::swap(container.low[i], container.high[i]);
     }
@@ -24,7 +24,7 @@ void parse_contained_by(Parser& parser, scene::Contained& container) {
     container.center = parser.parse_vec3();
     parser.optional_comma();
     container.radius = parser.parse_float();
-    close_block(parser, "sphere");
+    close_block(parser);
   }
   block.close();
 }

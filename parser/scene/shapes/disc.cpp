@@ -4,7 +4,7 @@
 namespace verisim::parser {
 
 ObjectRef parse_disc(Parser& parser) {
-  return shape_block(parser, "disc", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     scene::Disc disc;
     disc.center = parser.parse_vec3();
     parser.optional_comma();

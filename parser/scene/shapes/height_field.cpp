@@ -5,7 +5,7 @@
 namespace verisim::parser {
 
 ObjectRef parse_height_field(Parser& parser) {
-  return shape_block(parser, "height_field", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     auto field = std::make_shared<scene::HeightField>();
     field->image = parse_image(parser, ImageUse::height_field);
     for (;;) {

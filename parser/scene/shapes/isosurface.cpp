@@ -10,10 +10,10 @@ void parse_max_trace(Parser& parser, scene::Isosurface& surface) {
   parser.next();
   surface.max_trace = parser.parse_int();
   if (surface.max_trace > 10) {
-    parser.warning("Isosurface 'max_trace' exceeds maximum of 10. Using maximum.");
+    parser.warning(Code::adjusted_value, "Isosurface 'max_trace' exceeds maximum of 10. Using maximum.");
     surface.max_trace = 10;
   } else if (surface.max_trace < 1) {
-    parser.warning("Isosurface 'max_trace' is not positive. Using 1 (default).");
+    parser.warning(Code::adjusted_value, "Isosurface 'max_trace' is not positive. Using 1 (default).");
     surface.max_trace = 1;
   }
 }
@@ -31,13 +31,13 @@ void parse_evaluate(Parser& parser, scene::Isosurface& surface) {
 }  // namespace
 
 ObjectRef parse_isosurface(Parser& parser) {
-  return shape_block(parser, "isosurface", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     auto surface = std::make_shared<scene::Isosurface>();
     parser.expect(Word::function);
     if (!parser.at('{')) parser.error_expected("{");  // always in x, y, z
     surface->function = parser.parse_function_body();
     if (surface->function->components() != 1 || surface->function->parameters() != 3)
-      parser.error("An isosurface needs a float function of x, y, z.");
+      parser.error(Code::missing_item, "An isosurface needs a float function of x, y, z.");
     for (;;) {
       switch (word_at(parser)) {
         case Word::contained_by:
@@ -51,7 +51,7 @@ ObjectRef parse_isosurface(Parser& parser) {
           parser.next();
           surface->accuracy = parser.parse_float();
           if (!(surface->accuracy > 0)) {
-            parser.warning("Isosurface 'accuracy' is not positive. Using 0.001 (default).");
+            parser.warning(Code::adjusted_value, "Isosurface 'accuracy' is not positive. Using 0.001 (default).");
             surface->accuracy = 0.001;
           }
           continue;
@@ -59,7 +59,7 @@ ObjectRef parse_isosurface(Parser& parser) {
           parser.next();
           surface->max_gradient = parser.parse_float();
           if (!(surface->max_gradient > 0)) {
-            parser.warning("Isosurface 'max_gradient' is not positive. Using 1.1 (default).");
+            parser.warning(Code::adjusted_value, "Isosurface 'max_gradient' is not positive. Using 1.1 (default).");
             surface->max_gradient = 1.1;
           }
           continue;

@@ -57,8 +57,8 @@ void parse_slice(Parser& parser, scene::JuliaFractal& fractal) {
   fractal.slice_distance = parser.parse_float();
   double square = 0;
   for (const double s : fractal.slice) square += s * s;
-  if (!(square >= kEpsilon)) parser.error("Slice vector is zero.");
-  if (!(std::fabs(fractal.slice[3]) >= kEpsilon)) parser.error("Slice t component is zero.");
+  if (!(square >= kEpsilon)) parser.error(Code::bad_value, "Slice vector is zero.");
+  if (!(std::fabs(fractal.slice[3]) >= kEpsilon)) parser.error(Code::bad_value, "Slice t component is zero.");
   const double size = std::sqrt(square);
   for (double& s : fractal.slice) s /= size;
 }
@@ -66,7 +66,7 @@ void parse_slice(Parser& parser, scene::JuliaFractal& fractal) {
 }  // namespace
 
 ObjectRef parse_julia_fractal(Parser& parser) {
-  return shape_block(parser, "julia_fractal", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     auto fractal = std::make_shared<scene::JuliaFractal>();
     fractal->parameter = parse_vec4(parser);
     for (;;) {
@@ -96,7 +96,7 @@ ObjectRef parse_julia_fractal(Parser& parser) {
       if (!parse_function(parser, *fractal)) break;
     }
     if (!fractal->hypercomplex && fractal->function != JuliaFunction::sqr && fractal->function != JuliaFunction::cube)
-      parser.error("Illegal function: quaternion only supports sqr and cube.");
+      parser.error(Code::bad_value, "Illegal function: quaternion only supports sqr and cube.");
     object.shape = std::shared_ptr<const scene::JuliaFractal>(fractal);
   });
 }

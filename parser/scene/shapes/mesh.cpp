@@ -27,7 +27,7 @@ class MeshReader {
         break;
       }
     }
-    if (data->triangles.empty()) parser.error("No triangles in triangle mesh.");
+    if (data->triangles.empty()) parser.error(Code::degenerate, "No triangles in triangle mesh.");
     return data;
   }
 
@@ -66,7 +66,7 @@ class MeshReader {
       }
     }
     parse_textures(t);
-    close_block(parser, smooth ? "smooth_triangle" : "triangle");
+    close_block(parser);
     const bool degenerate = length(cross(p[1] - p[0], p[2] - p[0])) == 0;
     if (degenerate) return;  // dropped silently
     const auto first = static_cast<std::uint32_t>(data->vertices.size());
@@ -95,14 +95,14 @@ class MeshReader {
     if (parser.accept(Word::texture)) {
       parser.expect('{');
       t.texture.fill(textures.index(identifier()));
-      close_block(parser, "texture");
+      close_block(parser);
     } else if (parser.accept(Word::texture_list)) {
       parser.expect('{');
       for (std::int32_t& index : t.texture) {
         index = textures.index(identifier());
         parser.optional_comma();
       }
-      close_block(parser, "texture_list");
+      close_block(parser);
     }
   }
 };
@@ -110,9 +110,7 @@ class MeshReader {
 }  // namespace
 
 ObjectRef parse_mesh(Parser& parser) {
-  return shape_block(parser, "mesh", [&](scene::Object& object) {
-    object.shape = scene::Mesh{MeshReader(parser).read(), {}};
-  });
+  return shape_block(parser, [&](scene::Object& object) { object.shape = scene::Mesh{MeshReader(parser).read(), {}}; });
 }
 
 }  // namespace verisim::parser

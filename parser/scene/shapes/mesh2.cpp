@@ -20,7 +20,7 @@ class Mesh2Reader {
   std::shared_ptr<MeshData> read() {
     while (vectors()) {
     }
-    if (!have_vertices) parser.error("Vertex vectors not found in mesh2");
+    if (!have_vertices) parser.error(Code::missing_item, "Vertex vectors not found in mesh2");
     if (parser.at(Word::texture_list)) texture_list();
     if (!parser.at(Word::face_indices)) parser.error_expected("face_indices");
     face_indices();
@@ -61,7 +61,7 @@ class Mesh2Reader {
   }
 
   void warn_duplicate(bool& have, const char* name) {
-    if (have) parser.warning(std::string("Duplicate ") + name + " block; ignoring previous block.");
+    if (have) parser.warning(Code::duplicate, std::string("Duplicate ") + name + " block; ignoring previous block.");
     have = true;
   }
 
@@ -70,10 +70,10 @@ class Mesh2Reader {
       case Word::vertex_vectors: {
         warn_duplicate(have_vertices, "vertex_vectors");
         const double count = open_list();
-        if (count <= 0) parser.error("No vertices in triangle mesh.");
+        if (count <= 0) parser.error(Code::degenerate, "No vertices in triangle mesh.");
         read_list(data->vertices, checked_count(parser, count, "vertices", sizeof(Vec3)),
                   [&] { return round_to_float(parser.parse_vec3()); });
-        close_block(parser, "vertex_vectors");
+        close_block(parser);
         return true;
       }
       case Word::normal_vectors: {
@@ -84,7 +84,7 @@ class Mesh2Reader {
         if (count > 0)
           read_list(data->normals, checked_count(parser, count, "normals", sizeof(Vec3)),
                     [&] { return normals.fix(parser.parse_vec3()); });
-        close_block(parser, "normal_vectors");
+        close_block(parser);
         return true;
       }
       case Word::uv_vectors: {
@@ -94,7 +94,7 @@ class Mesh2Reader {
         if (count > 0)
           read_list(data->uvs, checked_count(parser, count, "uv vectors", sizeof(Vec2)),
                     [&] { return parser.parse_vec2(); });
-        close_block(parser, "uv_vectors");
+        close_block(parser);
         return true;
       }
       default:
@@ -120,7 +120,7 @@ class Mesh2Reader {
       data->textures.push_back(parse_texture(parser));
       parser.optional_comma();
     }
-    close_block(parser, "texture_list");
+    close_block(parser);
   }
 
   // <a, b, c>, each below `size`.
@@ -128,7 +128,7 @@ class Mesh2Reader {
     const Vec3 v = parser.parse_vec3();
     std::array<std::uint32_t, 3> result;
     for (unsigned i = 0; i < 3; ++i) {
-      if (!(v[i] > -1 && v[i] < static_cast<double>(size))) parser.error(message);
+      if (!(v[i] > -1 && v[i] < static_cast<double>(size))) parser.error(Code::bad_value, message);
       result[i] = static_cast<std::uint32_t>(v[i]);
     }
     return result;
@@ -139,7 +139,7 @@ class Mesh2Reader {
   std::int32_t texture_index() {
     const int index = parser.parse_int();
     if (index < 0 || static_cast<std::size_t>(index) >= data->textures.size())
-      parser.error("Texture index out of range in mesh2.");
+      parser.error(Code::bad_value, "Texture index out of range in mesh2.");
     parser.optional_comma();
     return index;
   }
@@ -149,13 +149,13 @@ class Mesh2Reader {
     t.texture.fill(texture_index());
     if (!at_index()) return;
     t.texture[1] = texture_index();
-    if (!at_index()) parser.error("A face of a mesh2 has one or three texture indices, not two.");
+    if (!at_index()) parser.error(Code::bad_value, "A face of a mesh2 has one or three texture indices, not two.");
     t.texture[2] = texture_index();
   }
 
   void face_indices() {
     const double count = open_list();
-    if (count == 0) parser.error("No triangles in triangle mesh.");
+    if (count == 0) parser.error(Code::degenerate, "No triangles in triangle mesh.");
     const std::size_t size = checked_count(parser, count, "faces", sizeof(MeshTriangle));
     data->triangles.reserve(std::min<std::size_t>(size, 1 << 22));  // pages that stay empty cost nothing
     const std::size_t vertices = data->vertices.size();
@@ -169,32 +169,32 @@ class Mesh2Reader {
       face_textures(t);
       data->triangles.push_back(t);
     }
-    close_block(parser, "face_indices");
+    close_block(parser);
   }
 
   void uv_indices() {
     const double count = open_list();
     if (count != static_cast<double>(data->triangles.size()))
-      parser.error("Number of uv indices must equal number of faces.");
+      parser.error(Code::incompatible, "Number of uv indices must equal number of faces.");
     if (data->uvs.empty()) data->uvs.push_back({0, 0});
     for (MeshTriangle& t : data->triangles) {
       t.uv = indices(data->uvs.size(), "Mesh UV index out of range.");
       parser.optional_comma();
     }
-    close_block(parser, "uv_indices");
+    close_block(parser);
   }
 
   void normal_indices() {
     const double count = open_list();
     if (count > static_cast<double>(data->triangles.size()))
-      parser.error("Number of normal indices cannot be more than the number of faces.");
+      parser.error(Code::incompatible, "Number of normal indices cannot be more than the number of faces.");
     for (std::size_t i = 0; i < static_cast<std::size_t>(std::max(0.0, count)); ++i) {
       MeshTriangle& t = data->triangles[i];
       t.normal = indices(data->normals.size(), "Mesh normal index out of range.");
       t.smooth = true;
       parser.optional_comma();
     }
-    close_block(parser, "normal_indices");
+    close_block(parser);
   }
 
   void default_uv_indices() {
@@ -202,13 +202,14 @@ class Mesh2Reader {
     if (data->uvs.size() == data->vertices.size()) {
       for (MeshTriangle& t : data->triangles) t.uv = t.vertex;
     } else if (data->uvs.size() != 1) {
-      parser.error("Missing uv_indicies section in mesh2.");
+      parser.error(Code::missing_item, "Missing uv_indicies section in mesh2.");
     }
   }
 
   void default_normal_indices() {
     if (data->normals.empty()) return;
-    if (data->normals.size() != data->vertices.size()) parser.error("Missing normal_indicies section in mesh2.");
+    if (data->normals.size() != data->vertices.size())
+      parser.error(Code::missing_item, "Missing normal_indicies section in mesh2.");
     for (MeshTriangle& t : data->triangles) {
       t.normal = t.vertex;
       t.smooth = true;
@@ -219,7 +220,7 @@ class Mesh2Reader {
 }  // namespace
 
 ObjectRef parse_mesh2(Parser& parser) {
-  return shape_block(parser, "mesh2", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     object.shape = scene::Mesh{Mesh2Reader(parser).read(), {}};
   });
 }

@@ -14,7 +14,9 @@ bool is_zero(const Vec3& v) {
 
 Vec3 NormalFixer::fix(const Vec3& normal) {
   if (!is_zero(normal)) return round_to_float(normalize(normal));
-  if (!warned) parser.warning(std::string("Normal vector in ") + name + " cannot be zero - changing it to <1,0,0>.");
+  if (!warned)
+    parser.warning(Code::adjusted_value,
+                   std::string("Normal vector in ") + name + " cannot be zero - changing it to <1,0,0>.");
   warned = true;
   return {1, 0, 0};
 }

@@ -19,13 +19,13 @@ void parse_precompute(Parser& parser, scene::Parametric& surface) {
   }
   const bool any = surface.precompute[0] || surface.precompute[1] || surface.precompute[2];
   if (any && (surface.precompute_depth < 1 || surface.precompute_depth > 20))
-    parser.error("Precompute: invalid depth.");
+    parser.error(Code::bad_value, "Precompute: invalid depth.");
 }
 
 }  // namespace
 
 ObjectRef parse_parametric(Parser& parser) {
-  return shape_block(parser, "parametric", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     auto surface = std::make_shared<scene::Parametric>();
     for (FunctionPtr& function : surface->function) {
       if (parser.accept(Word::function)) {
@@ -34,7 +34,7 @@ ObjectRef parse_parametric(Parser& parser) {
         function = parser.parse_function_or_identifier();
       }
       if (function->components() != 1 || function->parameters() != 3)
-        parser.error("A parametric surface needs float functions of u and v.");
+        parser.error(Code::missing_item, "A parametric surface needs float functions of u and v.");
       parser.optional_comma();
     }
     const Vec2 first = parser.parse_vec2();

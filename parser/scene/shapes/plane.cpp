@@ -4,11 +4,11 @@
 namespace verisim::parser {
 
 ObjectRef parse_plane(Parser& parser) {
-  return shape_block(parser, "plane", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     scene::Plane plane;
     plane.normal = parser.parse_vec3();
     const double size = length(plane.normal);
-    if (!(size >= kEpsilon)) parser.error("Degenerate plane normal.");
+    if (!(size >= kEpsilon)) parser.error(Code::degenerate, "Degenerate plane normal.");
     plane.normal = plane.normal / size;
     parser.optional_comma();
     plane.distance = parser.parse_float();

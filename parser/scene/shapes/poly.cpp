@@ -20,7 +20,7 @@ std::size_t term_index(int order, int i, int j, int k) {
 
 int parse_order(Parser& parser) {
   const int order = parser.parse_int();
-  if (order < 2 || order > kMaxOrder) parser.error("Order of poly is out of range.");
+  if (order < 2 || order > kMaxOrder) parser.error(Code::bad_value, "Order of poly is out of range.");
   parser.optional_comma();
   return order;
 }
@@ -29,7 +29,7 @@ int parse_order(Parser& parser) {
 
 ObjectRef parse_poly(Parser& parser) {
   const Word word = word_at(parser);
-  return shape_block(parser, spelling(word), [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     scene::Poly poly{word == Word::cubic ? 3 : word == Word::quartic ? 4 : parse_order(parser), {}};
     poly.coefficients.resize(term_count(poly.order));
     parser.expect('<');
@@ -43,7 +43,7 @@ ObjectRef parse_poly(Parser& parser) {
 }
 
 ObjectRef parse_polynomial(Parser& parser) {
-  return shape_block(parser, "polynomial", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     scene::Poly poly{parse_order(parser), {}};
     poly.coefficients.resize(term_count(poly.order));
     while (parser.accept(Word::xyz)) {
@@ -59,7 +59,7 @@ ObjectRef parse_polynomial(Parser& parser) {
       parser.optional_comma();
       const auto [i, j, k] = exponents;
       if (i < 0 || j < 0 || k < 0 || i > poly.order || j > poly.order || k > poly.order || i + j + k > poly.order)
-        parser.error("Coefficient of polynom is out of range.");
+        parser.error(Code::bad_value, "Coefficient of polynom is out of range.");
       poly.coefficients[term_index(poly.order, i, j, k)] = value;
     }
     object.shape = std::move(poly);

@@ -25,16 +25,16 @@ void close_outlines(Parser& parser, std::vector<Vec3>& points) {
     }
   }
   if (!open) return;
-  parser.warning("Polygon not closed. Closing it.");
+  parser.warning(Code::not_closed, "Polygon not closed. Closing it.");
   points.push_back(points[first]);
 }
 
 }  // namespace
 
 ObjectRef parse_polygon(Parser& parser) {
-  return shape_block(parser, "polygon", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     const std::size_t count = checked_count(parser, parser.parse_float(), "points of a polygon", sizeof(Vec3));
-    if (count < 3) parser.error("Polygon needs at least three points.");
+    if (count < 3) parser.error(Code::too_few, "Polygon needs at least three points.");
     scene::Polygon polygon;
     for (std::size_t i = 0; i < count; ++i) {
       parser.optional_comma();

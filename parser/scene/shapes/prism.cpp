@@ -14,16 +14,17 @@ namespace {
 void check_count(Parser& parser, SplineKind spline, std::size_t count) {
   switch (spline) {
     case SplineKind::linear:
-      if (count < 3) parser.error("Prism with linear splines must have at least three points.");
+      if (count < 3) parser.error(Code::too_few, "Prism with linear splines must have at least three points.");
       break;
     case SplineKind::quadratic:
-      if (count < 5) parser.error("Prism with quadratic splines must have at least five points.");
+      if (count < 5) parser.error(Code::too_few, "Prism with quadratic splines must have at least five points.");
       break;
     case SplineKind::bezier:
-      if (count < 4 || count % 4 != 0) parser.error("Prism with Bezier splines must have four points per segment.");
+      if (count < 4 || count % 4 != 0)
+        parser.error(Code::too_few, "Prism with Bezier splines must have four points per segment.");
       break;
     default:
-      if (count < 6) parser.error("Prism with cubic splines must have at least six points.");
+      if (count < 6) parser.error(Code::too_few, "Prism with cubic splines must have at least six points.");
       break;
   }
 }
@@ -56,7 +57,8 @@ void check_closed(Parser& parser, const scene::Prism& prism) {
   Outlines found;
   switch (prism.spline) {
     case SplineKind::linear:
-      if (!outlines(prism.points, 0, 1, 1, true).all) parser.warning("Linear prism not closed. Closing it.");
+      if (!outlines(prism.points, 0, 1, 1, true).all)
+        parser.warning(Code::not_closed, "Linear prism not closed. Closing it.");
       return;
     case SplineKind::quadratic:
       found = outlines(prism.points, 1, 2, 2, true);
@@ -69,14 +71,14 @@ void check_closed(Parser& parser, const scene::Prism& prism) {
       break;
   }
   if (found.all) return;
-  parser.warning("Prism not closed. Ignoring it.");
-  if (prism.spline != SplineKind::bezier && !found.closed) parser.error("Too few points in prism.");
+  parser.warning(Code::not_closed, "Prism not closed. Ignoring it.");
+  if (prism.spline != SplineKind::bezier && !found.closed) parser.error(Code::too_few, "Too few points in prism.");
 }
 
 }  // namespace
 
 ObjectRef parse_prism(Parser& parser) {
-  return shape_block(parser, "prism", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     auto prism = std::make_shared<scene::Prism>();
     for (;;) {
       if (accept_spline_kind(parser, prism->spline)) continue;

@@ -4,7 +4,7 @@
 namespace verisim::parser {
 
 ObjectRef parse_quadric(Parser& parser) {
-  return shape_block(parser, "quadric", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     scene::Quadric quadric;
     for (Vec3* part : {&quadric.square, &quadric.mixed, &quadric.linear}) {
       *part = parser.parse_vec3();

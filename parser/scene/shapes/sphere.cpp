@@ -4,7 +4,7 @@
 namespace verisim::parser {
 
 ObjectRef parse_sphere(Parser& parser) {
-  return shape_block(parser, "sphere", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     scene::Sphere sphere;
     sphere.center = parser.parse_vec3();
     parser.optional_comma();

@@ -5,14 +5,15 @@
 namespace verisim::parser {
 
 ObjectRef parse_sphere_sweep(Parser& parser) {
-  return shape_block(parser, "sphere_sweep", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     auto sweep = std::make_shared<scene::SphereSweep>();
-    if (!accept_spline_kind(parser, sweep->spline, true)) parser.error("Invalid type of interpolation.");
+    if (!accept_spline_kind(parser, sweep->spline, true))
+      parser.error(Code::bad_value, "Invalid type of interpolation.");
     parser.optional_comma();
     const std::size_t count =
         checked_count(parser, parser.parse_float(), "spheres of a sphere_sweep", sizeof(Vec3) + sizeof(double));
     if (count < (sweep->spline == scene::SplineKind::linear ? 2u : 4u))
-      parser.error("Too few spheres in sphere_sweep.");
+      parser.error(Code::too_few, "Too few spheres in sphere_sweep.");
     for (std::size_t i = 0; i < count; ++i) {
       parser.optional_comma();
       sweep->centers.push_back(parser.parse_vec3());

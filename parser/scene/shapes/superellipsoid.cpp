@@ -4,7 +4,7 @@
 namespace verisim::parser {
 
 ObjectRef parse_superellipsoid(Parser& parser) {
-  return shape_block(parser, "superellipsoid", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     const Vec2 exponents = parser.parse_vec2();
     object.shape = scene::Superellipsoid{exponents.x, exponents.y};
   });

@@ -4,7 +4,7 @@
 namespace verisim::parser {
 
 ObjectRef parse_text(Parser& parser) {
-  return shape_block(parser, "text", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     auto text = std::make_shared<scene::Text>();
     std::string font;
     if (parser.accept(Word::ttf)) {

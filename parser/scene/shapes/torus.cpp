@@ -4,7 +4,7 @@
 namespace verisim::parser {
 
 ObjectRef parse_torus(Parser& parser) {
-  return shape_block(parser, "torus", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     scene::Torus torus;
     torus.major = parser.parse_float();
     parser.optional_comma();

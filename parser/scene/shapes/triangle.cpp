@@ -7,12 +7,12 @@ namespace {
 
 bool is_zero_area(const std::array<Vec3, 3>& p) { return length(cross(p[0] - p[1], p[2] - p[1])) == 0; }
 
-void warn_degenerate(Parser& parser) { parser.warning("Degenerate triangle. Please remove."); }
+void warn_degenerate(Parser& parser) { parser.warning(Code::degenerate, "Degenerate triangle. Please remove."); }
 
 }  // namespace
 
 ObjectRef parse_triangle(Parser& parser) {
-  return shape_block(parser, "triangle", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     scene::Triangle triangle;
     for (std::size_t i = 0; i < 3; ++i) {
       if (i > 0) parser.optional_comma();
@@ -24,7 +24,7 @@ ObjectRef parse_triangle(Parser& parser) {
 }
 
 ObjectRef parse_smooth_triangle(Parser& parser) {
-  return shape_block(parser, "smooth_triangle", [&](scene::Object& object) {
+  return shape_block(parser, [&](scene::Object& object) {
     scene::SmoothTriangle triangle;
     bool zero_normal = false;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -49,12 +49,13 @@ bool parse_modifier(Parser& parser, Density& density) {
   switch (word_at(parser)) {
     case Word::color_map:
       if (refuses_maps(density.pattern.kind) || density.pattern.kind == PatternKind::average)
-        parser.error("Cannot use color_map with this pattern type.");
+        parser.error(Code::incompatible, "Cannot use color_map with this pattern type.");
       density.color_map = parse_color_map(parser);
       density.density_map = nullptr;
       return true;
     case Word::density_map:
-      if (refuses_maps(density.pattern.kind)) parser.error("Cannot use density_map with this pattern type.");
+      if (refuses_maps(density.pattern.kind))
+        parser.error(Code::incompatible, "Cannot use density_map with this pattern type.");
       density.density_map = parse_density_map(parser, density.pattern.kind == PatternKind::average);
       density.color_map = nullptr;
       return true;
@@ -88,14 +89,15 @@ scene::DensityPtr parse_density_body(Parser& parser) {
   bool changed = parse_type(parser, *density);
   while (parse_modifier(parser, *density)) changed = true;
   if (!changed) return original;
-  if (density->pattern.kind == PatternKind::average && !density->density_map) parser.error("Average must have map.");
+  if (density->pattern.kind == PatternKind::average && !density->density_map)
+    parser.error(Code::missing_item, "Average must have map.");
   check_pattern(parser, density->pattern);
   check_nesting(parser, *density);
   return density;
 }
 
 scene::DensityPtr parse_density(Parser& parser) {
-  Block block(parser, "density");
+  Block block(parser);
   scene::DensityPtr result = parse_density_body(parser);
   block.close();
   return result;

@@ -39,7 +39,7 @@ void parse_reflection(Parser& parser, scene::Reflection& reflection) {
       case Word::fresnel: {
         parser.next();
         const double fresnel = parser.parse_optional_float(1);
-        if (!(fresnel >= 0 && fresnel <= 1)) parser.error("fresnel must be true or false.");
+        if (!(fresnel >= 0 && fresnel <= 1)) parser.error(Code::bad_value, "fresnel must be true or false.");
         reflection.fresnel = fresnel > 0;
         continue;
       }
@@ -61,7 +61,7 @@ void parse_reflection(Parser& parser, scene::Reflection& reflection) {
     break;
   }
   if (reflection.fresnel && !two_colors) reflection.minimum = Rgb();
-  close_block(parser, "reflection");
+  close_block(parser);
 }
 
 void parse_irid(Parser& parser, Finish& finish) {
@@ -77,14 +77,14 @@ void parse_irid(Parser& parser, Finish& finish) {
       break;
     }
   }
-  close_block(parser, "irid");
+  close_block(parser);
 }
 
 void parse_subsurface(Parser& parser, Finish& finish) {
   finish.place = parser.place();
   parser.next();
   parser.expect('{');
-  parser.warning("subsurface is an experimental feature of POV-Ray.");
+  parser.warning(Code::experimental, "subsurface is an experimental feature of POV-Ray.");
   finish.subsurface = true;
   for (;;) {
     if (parser.accept(Word::translucency)) {
@@ -95,7 +95,7 @@ void parse_subsurface(Parser& parser, Finish& finish) {
       break;
     }
   }
-  close_block(parser, "subsurface");
+  close_block(parser);
 }
 
 void parse_diffuse(Parser& parser, Finish& finish, Albedo& albedo) {
@@ -104,12 +104,14 @@ void parse_diffuse(Parser& parser, Finish& finish, Albedo& albedo) {
   finish.diffuse = to_float(parser.parse_float());
   finish.diffuse_back = 0;
   if (accept_comma_or_number(parser)) finish.diffuse_back = to_float(parser.parse_float());
-  if (finish.diffuse_back != 0) parser.warning("Diffuse reflection on the back is an experimental feature of POV-Ray.");
+  if (finish.diffuse_back != 0)
+    parser.warning(Code::experimental, "Diffuse reflection on the back is an experimental feature of POV-Ray.");
 }
 
 void warn_compatibility(Parser& parser, const char* keyword) {
-  parser.warning(std::string("'") + keyword +
-                 "' belongs into the interior of an object; in a finish it is kept for compatibility only.");
+  parser.warning(Code::misplaced_keyword,
+                 std::string("'") + keyword +
+                     "' belongs into the interior of an object; in a finish it is kept for compatibility only.");
 }
 
 bool parse_item(Parser& parser, Finish& finish, Albedo& albedo) {
@@ -154,7 +156,7 @@ bool parse_item(Parser& parser, Finish& finish, Albedo& albedo) {
       return true;
     case Word::roughness:
       number(finish.roughness);
-      if (finish.roughness == 0) parser.warning("Zero roughness used.");
+      if (finish.roughness == 0) parser.warning(Code::adjusted_value, "Zero roughness used.");
       return true;
     case Word::metallic:
       parser.next();
@@ -210,14 +212,15 @@ bool parse_finish_items(Parser& parser, Finish& finish) {
     const Word word = word_at(parser);
     if (!parse_item(parser, finish, albedo)) break;
     if (parser.version() < 150)
-      parser.warning("Found '" + std::string(spelling(word)) + "' that should be in a finish statement.");
+      parser.warning(Code::misplaced_keyword,
+                     "Found '" + std::string(spelling(word)) + "' that should be in a finish statement.");
   }
   if (any) scale_albedo(finish, albedo);
   return any;
 }
 
 scene::Finish parse_finish(Parser& parser, const scene::Finish& start) {
-  Block block(parser, "finish");
+  Block block(parser);
   Finish finish = start;
   if (const auto* value = parser.accept_value<Shared<Finish>>()) finish = **value;
   Albedo albedo;

@@ -62,8 +62,8 @@ void parse_file_options(Parser& parser, ImageDecoding& decoding) {
       }
       decoding.gamma = ImageGamma::power;
       decoding.gamma_value = parser.parse_float();
-      if (!(decoding.gamma_value > 0)) parser.error("gamma value must be positive.");
-      if (decoding.gamma_value < 1) parser.warning("Suspicious gamma value: below 1.");
+      if (!(decoding.gamma_value > 0)) parser.error(Code::bad_value, "gamma value must be positive.");
+      if (decoding.gamma_value < 1) parser.warning(Code::adjusted_value, "Suspicious gamma value: below 1.");
     } else if (parser.accept(Word::premultiplied)) {
       decoding.premultiplied = parser.parse_flag() ? 1 : 0;
     } else {
@@ -77,7 +77,7 @@ ImagePtr load_file(Parser& parser, ImageUse use) {
   if (file_type) {
     const bool refused = (file_type->type == ImageType::iff && use == ImageUse::height_field) ||
                          (file_type->type == ImageType::pot && use != ImageUse::height_field);
-    if (refused) parser.error("File type not supported here.");
+    if (refused) parser.error(Code::bad_file, "File type not supported here.");
     parser.next();
   }
   if (!parser.at_string()) parser.error_expected("image file");
@@ -90,7 +90,7 @@ ImagePtr load_file(Parser& parser, ImageUse use) {
   try {
     return load_image(path, type, how);
   } catch (const std::runtime_error& failure) {
-    parser.error(failure.what());
+    parser.error(Code::bad_file, failure.what());
   }
 }
 
@@ -100,10 +100,12 @@ ImagePtr function_image(Parser& parser) {
   const double w = std::floor(parser.parse_float() + 0.5);
   parser.optional_comma();
   const double h = std::floor(parser.parse_float() + 0.5);
-  if (!(w >= 1) || !(h >= 1) || !(w < 1e6) || !(h < 1e6)) parser.error("Illegal size of a function image.");
+  if (!(w >= 1) || !(h >= 1) || !(w < 1e6) || !(h < 1e6))
+    parser.error(Code::bad_value, "Illegal size of a function image.");
   const std::size_t count = checked_count(parser, w * h, "pixels of a function image", 4 * sizeof(std::uint16_t));
   const FunctionPtr function = parser.parse_function_body();
-  if (function->parameters() != 3) parser.error("The function of an image needs the parameters x, y, z.");
+  if (function->parameters() != 3)
+    parser.error(Code::missing_item, "The function of an image needs the parameters x, y, z.");
   auto image = std::make_shared<Image>();
   image->width = static_cast<int>(w);
   image->height = static_cast<int>(h);
@@ -124,7 +126,7 @@ ImagePtr function_image(Parser& parser) {
   };
   auto* sample = image->samples.as<std::uint16_t>();
   for (int row = 0; row < image->height; ++row) {
-    if (parser.options().cancelled && parser.options().cancelled()) parser.error("Cancelled.");
+    if (parser.options().cancelled && parser.options().cancelled()) parser.error(Code::time_limit, "Cancelled.");
     for (int column = 0; column < image->width; ++column) {
       const double at[3] = {column * sx, row * sy, 0};
       double value[kMaxFunctionComponents] = {};
@@ -146,15 +148,15 @@ void parse_transparency(Parser& parser, scene::ImageParams& params, bool filter)
   const float amount = to_float(parser.parse_float());
   if (!params.image->indexed()) {
     if (!all)
-      parser.error(std::string("Keyword '") + (filter ? "filter" : "transmit") +
-                   "' cannot be used with non color-mapped image.");
+      parser.error(Code::misplaced_keyword, std::string("Keyword '") + (filter ? "filter" : "transmit") +
+                                                "' cannot be used with non color-mapped image.");
     (filter ? params.filter_all : params.transmit_all) = amount;
     return;
   }
   auto image = std::make_shared<Image>(*params.image);
   const auto size = static_cast<int>(image->palette.size());
   if (!all && (entry < 0 || entry >= size))
-    parser.error(std::string(filter ? "FILTER" : "TRANSMIT") + " color register value out of range.");
+    parser.error(Code::bad_value, std::string(filter ? "FILTER" : "TRANSMIT") + " color register value out of range.");
   for (int i = all ? 0 : entry; i < (all ? size : entry + 1); ++i) {
     Color& color = image->palette[static_cast<std::size_t>(i)];
     (filter ? color.f : color.t) = amount;
@@ -169,7 +171,7 @@ scene::ImageParams parse_image(Parser& parser, ImageUse use, float* bump_size) {
   if (parser.at('<')) {
     parser.parse_vec3();
     parser.optional_comma();
-    parser.warning("A vector before the image file is ignored.");
+    parser.warning(Code::no_effect, "A vector before the image file is ignored.");
   }
   params.image = parser.at(Word::function) ? function_image(parser) : load_file(parser, use);
   if (use == ImageUse::height_field) return params;
@@ -184,20 +186,20 @@ scene::ImageParams parse_image(Parser& parser, ImageUse use, float* bump_size) {
         params.map_type = parser.parse_int();
         if (use == ImageUse::image_map && params.map_type != 0 && params.map_type != 1 && params.map_type != 2 &&
             params.map_type != 5)
-          parser.error("Invalid map_type value: it is 0, 1, 2 or 5.");
+          parser.error(Code::bad_value, "Invalid map_type value: it is 0, 1, 2 or 5.");
         break;
       case Word::interpolate:
         parser.next();
         params.interpolate = parser.parse_int();
         if (use == ImageUse::image_map && (params.interpolate < 2 || params.interpolate > 4)) {
-          parser.error("Invalid interpolate value.");
+          parser.error(Code::bad_value, "Invalid interpolate value.");
         }
         break;
       case Word::repeat:
         parser.next();
         params.repeat = parser.parse_vec2();
         if (!(params.repeat.x > 0) || !(params.repeat.y > 0))
-          parser.error("The repeat vector of an image must be positive.");
+          parser.error(Code::bad_value, "The repeat vector of an image must be positive.");
         break;
       case Word::offset:
         parser.next();

@@ -12,7 +12,7 @@ constexpr std::size_t kMaxEntries = 256;
 // `MAP { IDENTIFIER }` or `MAP { [position body] ... }`; read_entry reads the body and appends to the map.
 template <class Holder, class Map, class ReadEntry>
 std::shared_ptr<const Map> parse_map(Parser& parser, std::string_view name, bool weights, const ReadEntry& read_entry) {
-  Block block(parser, name);
+  Block block(parser);
   if (const auto* value = parser.accept_value<Holder>()) {
     auto shared = value->map;
     block.close();
@@ -27,9 +27,10 @@ std::shared_ptr<const Map> parse_map(Parser& parser, std::string_view name, bool
     }
     read_entry(*map, position);
     if (!parser.accept(']')) parser.error_expected("]");
-    if (map->size() > kMaxEntries) parser.error("Too many entries in map. The maximum is 256 entries per map.");
+    if (map->size() > kMaxEntries)
+      parser.error(Code::too_many, "Too many entries in map. The maximum is 256 entries per map.");
   }
-  if (map->empty()) parser.error("Must have at least one entry in " + std::string(name) + ".");
+  if (map->empty()) parser.error(Code::too_few, "Must have at least one entry in " + std::string(name) + ".");
   block.close();
   return map;
 }

@@ -41,7 +41,7 @@ bool parse_type(Parser& parser, Normal& normal) {
     normal.pattern.kind = PatternKind::bump_map;
     normal.pattern.frequency = 0;
     normal.pattern.params = parse_image(parser, ImageUse::bump_map, &normal.amount);
-    close_block(parser, "bump_map");
+    close_block(parser);
     return true;
   }
   return parse_pattern_type(parser, normal.pattern, PatternOwner::normal,
@@ -64,13 +64,13 @@ bool parse_modifier(Parser& parser, Normal& normal) {
       return true;
     case Word::slope_map:
       if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::average)
-        parser.error("Cannot use slope_map with this pattern type.");
+        parser.error(Code::incompatible, "Cannot use slope_map with this pattern type.");
       normal.slope_map = parse_slope_map(parser);
       normal.normal_map = nullptr;
       return true;
     case Word::normal_map:
       if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::facets)
-        parser.error("Cannot use normal_map with this pattern type.");
+        parser.error(Code::incompatible, "Cannot use normal_map with this pattern type.");
       normal.normal_map = parse_normal_map(parser, normal.pattern.kind == PatternKind::average);
       normal.slope_map = nullptr;
       return true;
@@ -106,14 +106,15 @@ scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start
   }
   while (parse_modifier(parser, *normal)) changed = true;
   if (!changed) return original ? original : normal;
-  if (normal->pattern.kind == PatternKind::average && !normal->normal_map) parser.error("Average must have map.");
+  if (normal->pattern.kind == PatternKind::average && !normal->normal_map)
+    parser.error(Code::missing_item, "Average must have map.");
   check_pattern(parser, normal->pattern);
   check_nesting(parser, *normal);
   return normal;
 }
 
 scene::NormalPtr parse_normal(Parser& parser, const scene::NormalPtr& start) {
-  Block block(parser, "normal");
+  Block block(parser);
   scene::NormalPtr result = parse_normal_body(parser, start);
   block.close();
   return result;

@@ -121,21 +121,21 @@ scene::SlopeParams parse_slope(Parser& parser) {
       parser.optional_comma();
       high = parser.parse_float();
       if (low == high && low != 0) {
-        parser.warning("Zero slope range, ignoring.");
+        parser.warning(Code::adjusted_value, "Zero slope range, ignoring.");
         low = high = 0;
       }
     };
     range(slope.slope_low, slope.slope_high);
     if (parser.accept(Word::altitude)) {
-      if (slope.point_at) parser.error("'altitude' cannot be used together with 'point_at'.");
+      if (slope.point_at) parser.error(Code::incompatible, "'altitude' cannot be used together with 'point_at'.");
       slope.altitude = parser.parse_vec3();
-      parser.warning("A slope pattern with altitude is an experimental feature of POV-Ray.");
+      parser.warning(Code::experimental, "A slope pattern with altitude is an experimental feature of POV-Ray.");
       range(slope.altitude_low, slope.altitude_high);
     }
-    close_block(parser, "slope");
+    close_block(parser);
   }
   if (!slope.point_at && length(slope.direction) == 0 && length(slope.altitude) == 0)
-    parser.error("Zero length for both slope and gradient.");
+    parser.error(Code::bad_value, "Zero length for both slope and gradient.");
   return slope;
 }
 
@@ -151,7 +151,8 @@ void parse_fractal(Parser& parser, Pattern& pattern, PatternOwner owner) {
   const bool magnet = parser.accept(Word::magnet);
   if (magnet) {
     fractal.magnet = parser.parse_int();
-    if (fractal.magnet != 1 && fractal.magnet != 2) parser.error("Invalid magnet type: it must be 1 or 2.");
+    if (fractal.magnet != 1 && fractal.magnet != 2)
+      parser.error(Code::bad_value, "Invalid magnet type: it must be 1 or 2.");
   }
   PatternKind kind = PatternKind::none;
   if (parser.accept(Word::mandel)) {
@@ -175,7 +176,7 @@ void parse_density_file(Parser& parser, Pattern& pattern) {
   try {
     density = load_density_file(path);
   } catch (const std::runtime_error& failure) {
-    parser.error(failure.what());
+    parser.error(Code::bad_file, failure.what());
   }
   pattern.params = density;
 }
@@ -232,7 +233,7 @@ bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, co
     case Word::tiling: {
       take(PatternKind::tiling);
       const int number = parser.parse_int();
-      if (number < 1 || number > 27) parser.error("Tiling number must be between 1 and 27.");
+      if (number < 1 || number > 27) parser.error(Code::bad_value, "Tiling number must be between 1 and 27.");
       pattern.params = scene::TilingParams{number};
       return true;
     }
@@ -254,7 +255,7 @@ bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, co
       take(PatternKind::pigment_pattern);
       parser.expect('{');
       scene::PigmentPatternParams params{parse_pigment_body(parser, blank_pigment())};
-      close_block(parser, "pigment_pattern");
+      close_block(parser);
       pattern.params = params;
       return true;
     }
@@ -266,20 +267,20 @@ bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, co
       scene::complete(*object);
       pattern.params = scene::ObjectParams{object};
       read_list(2);
-      close_block(parser, "object");
+      close_block(parser);
       return true;
     }
     case Word::image_pattern:
       take(PatternKind::image_pattern);
       parser.expect('{');
       pattern.params = parse_image(parser, ImageUse::image_pattern);
-      close_block(parser, "image_pattern");
+      close_block(parser);
       return true;
     case Word::image_map:
       take(PatternKind::image_map);
       parser.expect('{');
       pattern.params = parse_image(parser, ImageUse::image_map);
-      close_block(parser, "image_map");
+      close_block(parser);
       return true;
     default:
       return false;  // bump_map, material_map and uv_mapping: their owners read them

@@ -65,7 +65,8 @@ void parse_exterior(Parser& parser, Pattern& pattern, PatternOwner owner) {
   params.exterior_type = parser.parse_int();
   const int last = owner == PatternOwner::function ? 6 : 8;
   if (params.exterior_type < 0 || params.exterior_type > last)
-    parser.error("Invalid fractal pattern exterior type. Valid types are 0 to " + std::to_string(last) + ".");
+    parser.error(Code::bad_value,
+                 "Invalid fractal pattern exterior type. Valid types are 0 to " + std::to_string(last) + ".");
   parser.optional_comma();
   params.exterior_factor = parser.parse_float();
 }
@@ -79,7 +80,7 @@ void parse_interior_type(Parser& parser, Pattern& pattern) {
   scene::FractalParams& params = fractal(parser, pattern, Word::interior);
   params.interior_type = parser.parse_int();
   if (params.interior_type < 0 || params.interior_type > 6)
-    parser.error("Invalid fractal pattern interior type. Valid types are 0 to 6.");
+    parser.error(Code::bad_value, "Invalid fractal pattern interior type. Valid types are 0 to 6.");
   parser.optional_comma();
   params.interior_factor = parser.parse_float();
 }
@@ -90,7 +91,7 @@ void parse_exponent(Parser& parser, Pattern& pattern) {
   parser.next();
   params->exponent = parser.parse_int();
   if (params->exponent < 2 || params->exponent > 33) {
-    parser.warning("Invalid fractal exponent: it must be 2 to 33. Using 2.");
+    parser.warning(Code::adjusted_value, "Invalid fractal exponent: it must be 2 to 33. Using 2.");
     params->exponent = 2;
   }
 }
@@ -258,7 +259,8 @@ bool parse_pattern_modifier(Parser& parser, Pattern& pattern, PatternOwner owner
     case Word::noise_generator: {
       parser.next();
       const int generator = parser.parse_int();
-      if (generator < 0 || generator > 3) parser.error("Noise generator is 0 (the scene's), 1, 2 or 3.");
+      if (generator < 0 || generator > 3)
+        parser.error(Code::bad_value, "Noise generator is 0 (the scene's), 1, 2 or 3.");
       pattern.noise_generator |= generator;  // repeated ones are combined (spec 05 5.4)
       return true;
     }
@@ -272,13 +274,13 @@ void check_pattern(Parser& parser, const Pattern& pattern) {
   if (!tiles) return;
   constexpr int kTriangles[] = {1, 1, 1, 3, 4, 12}, kSquares[] = {1, 1, 2, 5, 12, 35}, kHexagons[] = {1, 1, 3, 7, 22};
   if (tiles->sides != 3 && tiles->sides != 4 && tiles->sides != 6)
-    parser.error("Pavement: number_of_sides must be 3, 4 or 6.");
+    parser.error(Code::bad_value, "Pavement: number_of_sides must be 3, 4 or 6.");
   const int most = tiles->sides == 6 ? 5 : 6;
   if (tiles->tiles < 1 || tiles->tiles > most)
-    parser.error("Pavement: number_of_tiles must be between 1 and " + std::to_string(most) + ".");
+    parser.error(Code::bad_value, "Pavement: number_of_tiles must be between 1 and " + std::to_string(most) + ".");
   const int patterns = (tiles->sides == 3 ? kTriangles : tiles->sides == 4 ? kSquares : kHexagons)[tiles->tiles - 1];
   if (tiles->pattern < 1 || tiles->pattern > patterns)
-    parser.error("Pavement: pattern must be between 1 and " + std::to_string(patterns) + ".");
+    parser.error(Code::bad_value, "Pavement: pattern must be between 1 and " + std::to_string(patterns) + ".");
 }
 
 }  // namespace verisim::parser

@@ -46,12 +46,13 @@ bool parse_modifier(Parser& parser, Pigment& pigment) {
   switch (word_at(parser)) {
     case Word::color_map:
       if (refuses_maps(pigment.pattern.kind) || pigment.pattern.kind == PatternKind::average)
-        parser.error("Cannot use color_map with this pattern type.");
+        parser.error(Code::incompatible, "Cannot use color_map with this pattern type.");
       pigment.color_map = parse_color_map(parser);
       pigment.pigment_map = nullptr;
       return true;
     case Word::pigment_map:
-      if (refuses_maps(pigment.pattern.kind)) parser.error("Cannot use pigment_map with this pattern type.");
+      if (refuses_maps(pigment.pattern.kind))
+        parser.error(Code::incompatible, "Cannot use pigment_map with this pattern type.");
       pigment.pigment_map = parse_pigment_map(parser, pigment.pattern.kind == PatternKind::average);
       pigment.color_map = nullptr;
       return true;
@@ -100,13 +101,13 @@ scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& st
   // Before 1.5 the items of a pigment may stand in its texture, at the price of a warning.
   const bool stray = old_texture && parser.version() < 150;
   const auto belongs_into_pigment = [&](std::string_view item) {
-    parser.warning("Found '" + std::string(item) + "' that should be in a pigment statement.");
+    parser.warning(Code::misplaced_keyword, "Found '" + std::string(item) + "' that should be in a pigment statement.");
   };
   const Word first = at_color(parser) ? Word::color : word_at(parser);
   changed = parse_type(parser, *pigment);
   if (changed && stray) belongs_into_pigment(spelling(first));
   if (!changed && !old_texture && pigment->pattern.kind == PatternKind::none)
-    parser.warning("Pigment type unspecified or not 1st item.");
+    parser.warning(Code::missing_item, "Pigment type unspecified or not 1st item.");
   while (!(old_texture && (parser.at(Word::frequency) || parser.at(Word::phase) || parser.at(Word::agate_turb)))) {
     const Word word = word_at(parser);
     if (!parse_modifier(parser, *pigment)) break;
@@ -115,14 +116,15 @@ scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& st
     changed = true;
   }
   if (!changed) return original;  // shared, so that equal pigments are compiled once
-  if (pigment->pattern.kind == PatternKind::average && !pigment->pigment_map) parser.error("Average must have map.");
+  if (pigment->pattern.kind == PatternKind::average && !pigment->pigment_map)
+    parser.error(Code::missing_item, "Average must have map.");
   check_pattern(parser, pigment->pattern);
   check_nesting(parser, *pigment);
   return pigment;
 }
 
 scene::PigmentPtr parse_pigment(Parser& parser, const scene::PigmentPtr& start) {
-  Block block(parser, "pigment");
+  Block block(parser);
   scene::PigmentPtr result = parse_pigment_body(parser, start);
   block.close();
   return result;
@@ -137,7 +139,7 @@ scene::Pattern parse_pattern_body(Parser& parser) {
   while (parse_pattern_modifier(parser, pattern, PatternOwner::function)) {
   }
   check_pattern(parser, pattern);
-  close_block(parser, "pattern");
+  close_block(parser);
   return pattern;
 }
 

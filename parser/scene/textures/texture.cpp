@@ -13,7 +13,7 @@ using scene::Texture;
 namespace {
 
 void require_plain(Parser& parser, const scene::TexturePtr& texture) {
-  if (texture->patterned()) parser.error("Cannot layer over a patterned texture.");
+  if (texture->patterned()) parser.error(Code::incompatible, "Cannot layer over a patterned texture.");
 }
 
 // A plain texture's transformation goes to the pigment and the normal of every layer.
@@ -46,7 +46,8 @@ bool parse_part(Parser& parser, scene::TextureLayer& layer) {
 bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
   const auto belongs_into_normal = [&] {
     if (parser.version() < 150)
-      parser.warning("Found '" + std::string(spelling(word_at(parser))) + "' that should be in a normal statement.");
+      parser.warning(Code::misplaced_keyword,
+                     "Found '" + std::string(spelling(word_at(parser))) + "' that should be in a normal statement.");
   };
   switch (word_at(parser)) {
     case Word::bumps:
@@ -71,7 +72,7 @@ bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
     case Word::none:
       if (parser.peek().kind == TokenKind::number) {
         layer.finish.edit().crand = to_float(parser.parse_float());
-        parser.warning("Should use crand keyword in finish statement.");
+        parser.warning(Code::discontinued, "Should use crand keyword in finish statement.");
         return true;
       }
       break;
@@ -116,7 +117,7 @@ void parse_plain_items(Parser& parser, Texture& texture) {
 
 // tiles { texture A tile2 texture B }: a checker with B first (spec 05 11.1).
 std::shared_ptr<Texture> parse_tiles(Parser& parser) {
-  Block block(parser, "tiles");
+  Block block(parser);
   scene::TexturePtr first, second;
   while (parser.at(Word::texture)) add_layers(parser, first, parse_texture(parser));
   parser.expect(Word::tile2);
@@ -133,7 +134,7 @@ std::shared_ptr<Texture> parse_tiles(Parser& parser) {
 }
 
 std::shared_ptr<Texture> parse_material_map(Parser& parser) {
-  Block block(parser, "material_map");
+  Block block(parser);
   auto texture = std::make_shared<Texture>();
   texture->pattern.kind = PatternKind::image_map;  // stands for material_map in a texture
   texture->pattern.frequency = 0;
@@ -155,7 +156,7 @@ void parse_patterned_items(Parser& parser, Texture& texture) {
   const bool fixed = list_size(kind) > 0 || kind == PatternKind::image_map;
   for (;;) {
     if (parser.at(Word::texture_map)) {
-      if (fixed) parser.error("Cannot use texture_map with this pattern type.");
+      if (fixed) parser.error(Code::incompatible, "Cannot use texture_map with this pattern type.");
       texture.texture_map = parse_texture_map(parser, kind == PatternKind::average);
       continue;
     }
@@ -181,8 +182,8 @@ void parse_patterned_items(Parser& parser, Texture& texture) {
     }
     if (!parse_pattern_modifier(parser, texture.pattern, PatternOwner::texture)) break;
   }
-  if (kind == PatternKind::average && !texture.texture_map) parser.error("Average must have map.");
-  if (!texture.texture_map) parser.error("Patterned texture must have texture_map.");
+  if (kind == PatternKind::average && !texture.texture_map) parser.error(Code::missing_item, "Average must have map.");
+  if (!texture.texture_map) parser.error(Code::missing_item, "Patterned texture must have texture_map.");
   check_pattern(parser, texture.pattern);
 }
 
@@ -244,7 +245,7 @@ void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::Texture
     return;
   }
   require_plain(parser, texture);
-  if (added->patterned()) parser.error("Cannot layer a patterned texture over another.");
+  if (added->patterned()) parser.error(Code::incompatible, "Cannot layer a patterned texture over another.");
   // A texture that nobody else holds grows in place: thousands of layers would otherwise be copied thousands of times.
   const bool own = texture.use_count() == 1;
   const std::size_t before = texture->layers.size();
@@ -309,14 +310,14 @@ scene::TexturePtr parse_texture_body(Parser& parser, bool is_default) {
 }
 
 scene::TexturePtr parse_texture(Parser& parser) {
-  Block block(parser, "texture");
+  Block block(parser);
   scene::TexturePtr result = parse_texture_body(parser);
   block.close();
   return result;
 }
 
 scene::TexturePtr parse_interior_texture(Parser& parser) {
-  Block block(parser, "interior_texture");
+  Block block(parser);
   scene::TexturePtr result = parse_texture_body(parser);
   block.close();
   return result;

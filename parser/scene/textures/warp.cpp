@@ -14,10 +14,10 @@ scene::RepeatWarp parse_repeat(Parser& parser) {
   int found = -1;
   for (int i = 0; i < 3; ++i) {
     if (axes[static_cast<unsigned>(i)] == 0) continue;
-    if (found >= 0) parser.error("Can only repeat along 1 axis.");
+    if (found >= 0) parser.error(Code::bad_value, "Can only repeat along 1 axis.");
     found = i;
   }
-  if (found < 0) parser.error("No axis specified in repeat.");
+  if (found < 0) parser.error(Code::missing_item, "No axis specified in repeat.");
   warp.axis = found;
   warp.width = to_float(axes[static_cast<unsigned>(found)]);
   for (;;) {
@@ -39,8 +39,8 @@ void fit_black_hole(Parser& parser, scene::BlackHoleWarp& warp) {
     warp.center[i] = std::max(warp.center[i], warp.radius);
     const double least = warp.center[i] + warp.radius + warp.turbulence[i];
     if (warp.repeat[i] < least) {
-      parser.warning(std::string("Black Hole repeat vector ") + kAxis[i] + " too small ; increased to " +
-                     std::to_string(least));
+      parser.warning(Code::adjusted_value, std::string("Black Hole repeat vector ") + kAxis[i] +
+                                               " too small ; increased to " + std::to_string(least));
       warp.repeat[i] = least;
     }
   }
@@ -91,7 +91,7 @@ scene::ProjectionWarp parse_projection(Parser& parser, scene::ProjectionWarpKind
   scene::ProjectionWarp warp;
   warp.kind = kind;
   const auto unit = [&parser](const Vec3& v) {
-    if (length(v) < kEpsilon) parser.error("The orientation of a warp must not be a zero vector.");
+    if (length(v) < kEpsilon) parser.error(Code::bad_value, "The orientation of a warp must not be a zero vector.");
     return normalize(v);
   };
   if (kind == scene::ProjectionWarpKind::planar) {
@@ -117,7 +117,7 @@ scene::ProjectionWarp parse_projection(Parser& parser, scene::ProjectionWarpKind
 }  // namespace
 
 scene::Warp parse_warp(Parser& parser) {
-  Block block(parser, "warp");
+  Block block(parser);
   scene::Warp result;
   switch (word_at(parser)) {
     case Word::turbulence: {

@@ -1,0 +1,192 @@
+#include "parser/editing/index.h"
+
+#include <algorithm>
+
+namespace verisim::parser {
+namespace {
+
+constexpr std::size_t kMostTokens = std::size_t{1} << 26;
+constexpr int kMostRepairs = 100;
+
+// A file that cannot be read to its end is read without what stopped the reading: the bytes up to the end of that line
+// become blanks, so that all places stay.
+std::shared_ptr<const TokenFile> tokens_of(std::string text, Names& names) {
+  for (int i = 0;; ++i) {
+    auto file = tokenise(std::make_shared<Source>("", text), names, kMostTokens);
+    const Token& last = file->tokens.back();
+    if (last.kind != TokenKind::error || i == kMostRepairs) return file;
+    const std::size_t end = std::min(text.find_first_of("\r\n", last.offset), text.size());
+    if (end <= last.offset) return file;
+    std::fill(text.begin() + static_cast<std::ptrdiff_t>(last.offset), text.begin() + static_cast<std::ptrdiff_t>(end),
+              ' ');
+  }
+}
+
+bool opens_construct(Word word) {
+  return word == Word::if_ || word == Word::ifdef || word == Word::ifndef || word == Word::while_ ||
+         word == Word::for_ || word == Word::switch_ || word == Word::macro;
+}
+
+}  // namespace
+
+NameIndex::NameIndex(std::string_view text) : file_(tokens_of(std::string(text), *names_)) { read(); }
+
+std::size_t NameIndex::end_of(std::uint32_t token) const {
+  const Token& t = file_->tokens[token];
+  return t.offset + file_->length(t);
+}
+
+// Declares the identifier at a token; returns the token behind it.
+std::uint32_t NameIndex::declare(std::uint32_t at, NameDeclaration::Kind kind, bool local) {
+  const Token& token = file_->tokens[at];
+  if (token.kind != TokenKind::identifier) return at;
+  NameDeclaration d;
+  d.name = (*names_)[token.id()].text;
+  d.kind = kind;
+  d.offset = token.offset;
+  d.global = !local || macros_.empty();
+  d.scope = d.global ? TextRange{0, file_->source->text().size()} : macros_.back();
+  d.whole = {at > 0 ? file_->tokens[at - 1].offset : token.offset, end_of(at)};
+  declarations_.push_back(std::move(d));
+  return at + 1;
+}
+
+void NameIndex::read() {
+  const Tokens& tokens = file_->tokens;
+  using Kind = NameDeclaration::Kind;
+  std::vector<std::size_t> constructs, blocks;
+  const auto is = [&](std::uint32_t i, char punctuation) {
+    return i < tokens.size() && tokens[i].punctuation == punctuation;
+  };
+  // Parameters between parentheses; returns the token behind them.
+  const auto parameters = [&](std::uint32_t i, TextRange scope, std::vector<std::string>* list) {
+    for (; i < tokens.size() && !is(i, ')') && tokens[i].kind != TokenKind::end; ++i) {
+      if (tokens[i].kind != TokenKind::identifier && tokens[i].punctuation != ',') break;
+      if (tokens[i].kind != TokenKind::identifier) continue;
+      NameDeclaration d;
+      d.name = (*names_)[tokens[i].id()].text;
+      d.kind = Kind::parameter;
+      d.offset = tokens[i].offset;
+      d.whole = {d.offset, end_of(i)};
+      d.scope = scope;
+      if (list) list->push_back(d.name);
+      declarations_.push_back(std::move(d));
+    }
+    return i;
+  };
+  for (std::uint32_t i = 0; i < tokens.size(); ++i) {
+    const Token& token = tokens[i];
+    while (!macros_.empty() && macros_.back().end <= token.offset) macros_.pop_back();
+    if (token.kind == TokenKind::identifier) uses_.push_back({(*names_)[token.id()].text, token.offset});
+    if (token.punctuation == '{')
+      blocks.push_back(i && tokens[i - 1].kind == TokenKind::word ? tokens[i - 1].offset : token.offset);
+    if (token.punctuation == '}' && !blocks.empty()) {
+      folds_.push_back({blocks.back(), token.offset + std::size_t{1}});
+      blocks.pop_back();
+    }
+    if (token.kind == TokenKind::word && token.word == Word::function && is(i + 1, '(')) {
+      std::uint32_t end = i + 2;
+      for (int open = 0; end < tokens.size() && tokens[end].kind != TokenKind::end; ++end) {
+        open += tokens[end].punctuation == '{';
+        if (tokens[end].punctuation == '}' && --open <= 0) break;
+      }
+      parameters(i + 2, {token.offset, tokens[std::min<std::size_t>(end, tokens.size() - 1)].offset}, nullptr);
+    }
+    if (token.kind != TokenKind::directive) continue;
+    if (opens_construct(token.word)) constructs.push_back(token.offset);
+    switch (token.word) {
+      case Word::end:
+        if (constructs.empty()) break;
+        folds_.push_back({constructs.back(), end_of(i)});
+        constructs.pop_back();
+        break;
+      case Word::declare:
+      case Word::local: {
+        std::uint32_t at = i + 1;
+        if (tokens[at].word == Word::deprecated)
+          while (at < tokens.size() && tokens[at].kind != TokenKind::identifier && tokens[at].kind != TokenKind::end)
+            ++at;
+        if (!is(at + 1, '[')) declare(at, Kind::variable, token.word == Word::local);
+        break;
+      }
+      case Word::fopen:
+        declare(i + 1, Kind::file, false);
+        break;
+      case Word::for_:
+        if (is(i + 1, '(')) declare(i + 2, Kind::variable, true);
+        break;
+      case Word::macro: {
+        const std::size_t end = token.link() ? end_of(token.link()) : file_->source->text().size();
+        if (declare(i + 1, Kind::macro, false) == i + 1) break;
+        const std::size_t here = declarations_.size() - 1;
+        std::vector<std::string> list;
+        const TextRange scope{tokens[i + 1].offset + file_->length(tokens[i + 1]), end};
+        if (is(i + 2, '(')) parameters(i + 3, scope, &list);
+        declarations_[here].parameters = std::move(list);
+        declarations_[here].whole = {token.offset, end};
+        macros_.push_back(scope);
+        break;
+      }
+      case Word::include:
+        if (tokens[i + 1].kind == TokenKind::string) {
+          const std::size_t begin = tokens[i + 1].offset + std::size_t{1};
+          includes_.push_back({begin, begin + tokens[i + 1].id()});
+        }
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+const NameUse* NameIndex::use_at(std::size_t offset) const {
+  auto next = std::upper_bound(uses_.begin(), uses_.end(), offset,
+                               [](std::size_t o, const NameUse& u) { return o < u.offset; });
+  if (next == uses_.begin()) return nullptr;
+  const NameUse& use = *std::prev(next);
+  return offset <= use.offset + use.name.size() ? &use : nullptr;
+}
+
+const NameDeclaration* NameIndex::meaning(std::string_view name, std::size_t offset) const {
+  const NameDeclaration* best = nullptr;
+  for (const NameDeclaration& d : declarations_) {
+    if (d.name != name || !d.scope.contains(offset)) continue;
+    const auto size = [](const NameDeclaration& x) { return x.scope.end - x.scope.begin; };
+    if (!best || size(d) < size(*best)) best = &d;
+  }
+  return best;
+}
+
+std::vector<NameUse> NameIndex::same_name(std::string_view name, std::size_t offset) const {
+  const NameDeclaration* const wanted = meaning(name, offset);
+  const TextRange everywhere{0, file_->source->text().size()};
+  std::vector<NameUse> found;
+  for (const NameUse& use : uses_) {
+    if (use.name != name) continue;
+    const NameDeclaration* d = meaning(name, use.offset);
+    if ((d ? d->scope : everywhere) == (wanted ? wanted->scope : everywhere)) found.push_back(use);
+  }
+  return found;
+}
+
+NameIndex::Call NameIndex::call_at(std::size_t offset) const {
+  const Tokens& tokens = file_->tokens;
+  std::size_t i = 0;
+  while (i < tokens.size() && tokens[i].offset < offset && tokens[i].kind != TokenKind::end) ++i;
+  Call call;
+  int closed = 0;
+  while (i-- > 0) {
+    const char c = tokens[i].punctuation;
+    if (tokens[i].kind == TokenKind::directive || c == ';') return {};
+    if (c == ')' || c == '}' || c == ']') ++closed;
+    if (c == ',' && !closed) ++call.argument;
+    if ((c == '(' || c == '{' || c == '[') && closed-- == 0) {
+      if (c != '(' || !i || tokens[i - 1].kind != TokenKind::identifier) return {};
+      call.name = (*names_)[tokens[i - 1].id()].text;
+      return call;
+    }
+  }
+  return {};
+}
+
+}  // namespace verisim::parser

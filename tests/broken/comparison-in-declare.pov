@@ -1,0 +1,7 @@
+// A mistake on purpose: comparison in declare.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+camera { location <0, 1, -5> look_at 0 }
+light_source { <10, 20, -30>, rgb 1 }
+#declare A = 1 < 2;
+sphere { 0, 1 }

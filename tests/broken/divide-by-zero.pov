@@ -1,0 +1,8 @@
+// A mistake on purpose: divide by zero.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+camera { location <0, 1, -5> look_at 0 }
+light_source { <10, 20, -30>, rgb 1 }
+#declare N = 0;
+#declare A = 1/N;
+sphere { 0, 1 }

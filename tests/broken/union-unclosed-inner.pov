@@ -1,0 +1,12 @@
+// A mistake on purpose: union unclosed inner.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+camera { location <0, 1, -5> look_at 0 }
+light_source { <10, 20, -30>, rgb 1 }
+union {
+  union {
+    sphere { 0, 1 }
+    box { 0, 1 }
+  translate x
+}
+plane { y, -1 }

@@ -1,0 +1,9 @@
+// A mistake on purpose: while unclosed.
+#version 3.7;
+global_settings { assumed_gamma 1.0 }
+camera { location <0, 1, -5> look_at 0 }
+light_source { <10, 20, -30>, rgb 1 }
+#declare I = 0;
+#while (I < 3)
+  sphere { I*x, 1 }
+  #declare I = I + 1;

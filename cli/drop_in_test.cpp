@@ -99,7 +99,7 @@ TEST_F(DropIn, StatisticsComeAsTextAndAsJson) {
 }
 
 TEST_F(DropIn, MetadataSayWhereThePictureComesFrom) {
-  ASSERT_EQ(shell("./povray scene.pov +W16 +H12 +A0.2 -D").status, 0);
+  ASSERT_EQ(shell("./povray scene.pov +W16 +H12 +A0.2 -D --stamp").status, 0);
   const std::string png = text_of(folder_ / "scene.png");
   for (const char* part : {"verisim ", "Rendered from scene.pov", "Antialias_Threshold=", "Render Time"})
     EXPECT_NE(png.find(part), std::string::npos) << part;

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <functional>
 #include <new>
 
@@ -16,6 +18,7 @@
 #include "cli/settings/configuration.h"
 #include "cli/settings/layers_option.h"
 #include "cli/settings/region.h"
+#include "cli/settings/switches.h"
 #include "cli/frame/scene_features.h"
 #include "cli/frame/state_file.h"
 #include "cli/frame/statistics.h"
@@ -75,18 +78,33 @@ parser::ParseResult parse(const Job& job, const Frame& frame, FrameReport& repor
 // ------------------------------------------------------------------------------------------------ where the picture
 // goes
 
-// All settings of the call as Key=Value, on one line; local paths stay out of what a picture tells to others.
+// All settings of the call that decide the picture as Key=Value, on one line; local paths stay out of what a picture
+// tells to others.
 std::string given_settings(const Options& options) {
   std::string text;
   for (const auto& [key, value] : options.given) {
-    if (key == "Library_Path" || key == "Input_File_Name" || key == "Output_File_Name" || key == "Include_Header" ||
-        key.ends_with("_Command"))
+    if (!decides_picture(key) || key == "Library_Path" || key == "Input_File_Name" || key == "Output_File_Name" ||
+        key == "Include_Header" || key == "Radiosity_File_Name")
       continue;
     text += (text.empty() ? "" : " ") + key + "=" + value;
   }
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
   return text;
+}
+
+// The date that pictures are to bear where builds are reproduced (SOURCE_DATE_EPOCH of reproducible-builds.org), in
+// seconds since 1970; nothing where they are not.
+std::optional<std::int64_t> reproduced_date() {
+  const char* const epoch = std::getenv("SOURCE_DATE_EPOCH");
+  if (!epoch || !*epoch) return std::nullopt;
+  constexpr std::int64_t kLatest = 253402300799;  // the end of the year 9999
+  char* end = nullptr;
+  errno = 0;
+  const std::int64_t seconds = std::strtoll(epoch, &end, 10);
+  if (errno != 0 || *end || seconds < 0 || seconds > kLatest)
+    throw OptionError(fmt::format("SOURCE_DATE_EPOCH is to be seconds since 1970, not '{}'", epoch));
+  return seconds;
 }
 
 image::OutputOptions output_options(const Job& job, const scene::Scene& scene) {
@@ -114,6 +132,7 @@ image::OutputOptions output_options(const Job& job, const scene::Scene& scene) {
   output.metadata["Comment"] = "Rendered from " + job.scene.path.filename().string();
   output.metadata["Title"] = job.scene.path.filename().string();
   output.metadata["Switches"] = given_settings(options);
+  if (options.stamp) output.time = reproduced_date();
   return output;
 }
 
@@ -301,7 +320,10 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   if (state && !state->failure().empty()) job.console.line(Stream::warning, wrapped("Warning: " + state->failure()));
   const bool interrupted = report.statistics.cancelled;
   if (interrupted && state) state->flush(canvas.framebuffer);
-  output.metadata["Render Time"] = fmt::format("{:.3f} s", report.seconds_render);
+  if (options.stamp && !output.time) {
+    output.time = std::time(nullptr);
+    output.metadata["Render Time"] = fmt::format("{:.3f} s", report.seconds_render);
+  }
   write(job, canvas, choice, name, output, report);
   if (interrupted)
     throw Failure{kInterrupted, job.interrupt.out_of_time() ? "out of time (--max-seconds)" : "interrupted"};

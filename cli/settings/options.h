@@ -93,6 +93,7 @@ struct Options {
   std::uint64_t seed = 0;
   std::string sampler = "povray";  // or adaptive
   std::string layers;              // of an EXR file, as the user listed them
+  bool stamp = false;              // date and render time in the picture's file
   std::vector<std::filesystem::path> allow_write, allow_read;
   parser::Limits limits{
       .max_steps = std::uint64_t{

@@ -179,6 +179,9 @@ void add_render_options(OwnOptions& own, Options& options) {
             "otherwise");
   own.value("--layers LIST", options.layers,
             "what the OpenEXR file holds: beauty, depth, normal, albedo, id, separated by commas, or all");
+  own.flag("--stamp", options.stamp,
+           "write the date and the time that the render took into the picture's file (the date of SOURCE_DATE_EPOCH "
+           "alone, where that is set); without it the same picture is always the same file");
   own.value("--stats FILE", options.stats_file, "write statistics as JSON to this file");
   own.section("Rendering");
   own.value("--sampler NAME", options.sampler,

@@ -42,6 +42,9 @@ std::span<const Switch> switches();  // in order of search
 void set(Options& options, std::string_view key, std::string_view value);
 // True if the keyword exists, in any case of letters.
 bool is_setting(std::string_view key);
+// True if a picture's file or pixels can hang on the keyword's value: not on messages, threads, or which frames of an
+// animation are made by this call.
+bool decides_picture(std::string_view key);
 // One word that begins with + or -, quotes removed from its value (spec 02 section 9.3). Throws OptionError.
 void apply_switch(Options& options, std::string_view word);
 // What +F takes, as in +FN16 or +FPg: the letter, then g or the bits. Output_File_Type takes the letter alone.

@@ -1,5 +1,6 @@
 #include "tracer/image/module_files.h"
 
+#include <ctime>
 #include <stdexcept>
 
 #include "tracer/image/gamma.h"
@@ -17,6 +18,14 @@ void save(const std::filesystem::path& path, const VerisimImage& image, const Ou
   if (const auto title = described.find("Title"); title != described.end()) described["DocumentName"] = title->second;
   if (const auto comment = described.find("Comment"); comment != described.end())
     described["ImageDescription"] = comment->second;
+  if (options.time) {
+    const std::time_t seconds = *options.time;
+    std::tm utc{};
+    gmtime_r(&seconds, &utc);
+    char text[32] = {};
+    std::strftime(text, sizeof text, "%Y:%m:%d %H:%M:%S", &utc);
+    described["DateTime"] = text;
+  }
   std::vector<const char*> metadata;
   for (const auto& [key, value] : described) metadata.push_back(key.c_str()), metadata.push_back(value.c_str());
   const VerisimWriteOptions how{&image,          compression, quality, 0, static_cast<std::int32_t>(described.size()),

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "tracer/film/framebuffer.h"
@@ -26,6 +27,9 @@ struct OutputOptions {
   Dither dither = Dither::none;
   int compression = 0;  // JPEG quality
   std::map<std::string, std::string> metadata;
+  // When it was made, in seconds since 1970 (UTC), for PNG, TIFF, JPEG and OpenEXR. Nothing: no file tells, so that the
+  // same picture is the same file.
+  std::optional<std::int64_t> time;
 };
 
 // Quantised samples as they go into an integer file: `channels` per pixel (1, 3 or 4), row 0 at the top.

@@ -158,12 +158,14 @@ bool write_all(Writer& w, std::FILE* file, const Quantised& picture, const Outpu
   significant.red = significant.green = significant.blue = significant.gray = significant.alpha = bits;
   png_set_sBIT(w.png, w.info, &significant);
   png_set_oFFs(w.png, w.info, 0, 0, PNG_OFFSET_PIXEL);
-  png_time now;
-  const std::time_t seconds = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&seconds, &utc);  // png_convert_from_time_t uses gmtime's static buffer
-  png_convert_from_struct_tm(&now, &utc);
-  png_set_tIME(w.png, w.info, &now);
+  if (options.time) {
+    png_time time;
+    const std::time_t seconds = *options.time;
+    std::tm utc{};
+    gmtime_r(&seconds, &utc);  // png_convert_from_time_t uses gmtime's static buffer
+    png_convert_from_struct_tm(&time, &utc);
+    png_set_tIME(w.png, w.info, &time);
+  }
   if (text_count) png_set_text(w.png, w.info, texts, text_count);
   png_write_info(w.png, w.info);
   for (int y = 0; y < picture.height; ++y) {

@@ -52,9 +52,9 @@ void append_runs(const std::vector<std::array<std::uint8_t, 4>>& row, int compon
 
 }  // namespace
 
-void write_hdr(std::FILE* file, const render::Framebuffer& framebuffer, const OutputOptions& options) {
+void write_hdr(std::FILE* file, const ColorRows& rows, const OutputOptions& options) {
   const OutputCurve to_linear(options.working, options.working_gamma, Curve::identity());
-  const int width = framebuffer.width, height = framebuffer.height;
+  const int width = rows.width, height = rows.height;
   std::fputs("#?RADIANCE\n", file);
   for (const auto& [key, value] : options.metadata)
     std::fprintf(file, "%s=%s\n", key == "Software" ? "SOFTWARE" : key.c_str(), value.c_str());
@@ -63,8 +63,9 @@ void write_hdr(std::FILE* file, const render::Framebuffer& framebuffer, const Ou
   std::vector<std::array<std::uint8_t, 4>> row(static_cast<std::size_t>(width));
   std::vector<std::uint8_t> bytes;
   for (int y = 0; y < height; ++y) {
+    const Color* const pixels = rows.row(y);
     for (int x = 0; x < width; ++x) {
-      const Color& pixel = framebuffer.at(x, y);
+      const Color& pixel = pixels[x];
       float color[3] = {to_linear.encode(pixel.r), to_linear.encode(pixel.g), to_linear.encode(pixel.b)};
       if (options.greyscale) color[0] = color[1] = color[2] = to_linear.encode(pixel.grey());
       if (diffuses(options.dither))

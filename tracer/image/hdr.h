@@ -7,6 +7,6 @@
 
 namespace verisim::image {
 
-void write_hdr(std::FILE* file, const render::Framebuffer& framebuffer, const OutputOptions& options);
+void write_hdr(std::FILE* file, const ColorRows& rows, const OutputOptions& options);
 
 }  // namespace verisim::image

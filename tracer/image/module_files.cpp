@@ -1,6 +1,7 @@
 #include "tracer/image/module_files.h"
 
 #include <ctime>
+#include <span>
 #include <stdexcept>
 
 #include "tracer/image/gamma.h"
@@ -35,21 +36,23 @@ void save(const std::filesystem::path& path, const VerisimImage& image, const Ou
 }
 
 // EXR and HDR hold linear light; EXR keeps colours multiplied by alpha.
-void save_float(const render::Framebuffer& frame, const std::filesystem::path& path, const OutputOptions& options) {
+void save_float(const ColorRows& rows, const std::filesystem::path& path, const OutputOptions& options) {
   const OutputCurve to_linear(options.working, options.working_gamma, Curve::identity());
   const bool exr = options.format == Format::exr, alpha = exr && options.alpha;
   std::vector<float> values;
-  values.reserve(frame.pixels.size() * 4);
-  for (const Color& c : frame.pixels) {
-    if (options.greyscale) {
-      values.push_back(to_linear.encode(c.grey()));
-    } else {
-      values.insert(values.end(), {to_linear.encode(c.r), to_linear.encode(c.g), to_linear.encode(c.b)});
+  values.reserve(static_cast<std::size_t>(rows.width) * static_cast<std::size_t>(rows.height) * 4);
+  for (int y = 0; y < rows.height; ++y) {
+    for (const Color& c : std::span(rows.row(y), static_cast<std::size_t>(rows.width))) {
+      if (options.greyscale) {
+        values.push_back(to_linear.encode(c.grey()));
+      } else {
+        values.insert(values.end(), {to_linear.encode(c.r), to_linear.encode(c.g), to_linear.encode(c.b)});
+      }
+      if (alpha) values.push_back(1.0f - c.t);
     }
-    if (alpha) values.push_back(1.0f - c.t);
   }
-  const VerisimImage image{frame.width,
-                           frame.height,
+  const VerisimImage image{rows.width,
+                           rows.height,
                            (options.greyscale ? 1 : 3) + (alpha ? 1 : 0),
                            exr ? kVerisimHalf : kVerisimFloat,
                            values.data(),
@@ -94,12 +97,11 @@ const char* extension_of(Format format) {
   return "";
 }
 
-void write_through_module(const render::Framebuffer& framebuffer, const std::filesystem::path& path,
-                          const OutputOptions& options) {
+void write_through_module(const ColorRows& rows, const std::filesystem::path& path, const OutputOptions& options) {
   if (options.format == Format::exr || options.format == Format::hdr) {
-    save_float(framebuffer, path, options);
+    save_float(rows, path, options);
   } else {
-    save_integers(quantise(framebuffer, options), path, options);
+    save_integers(quantise(rows, options), path, options);
   }
 }
 

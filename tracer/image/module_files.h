@@ -7,8 +7,7 @@ namespace verisim::image {
 
 const char* extension_of(Format format);  // with the dot
 // `path` must end in the format's extension. Throws std::runtime_error.
-void write_through_module(const render::Framebuffer& framebuffer, const std::filesystem::path& path,
-                          const OutputOptions& options);
+void write_through_module(const ColorRows& rows, const std::filesystem::path& path, const OutputOptions& options);
 Picture read_through_module(const std::filesystem::path& path);
 
 }  // namespace verisim::image

@@ -44,10 +44,9 @@ void write_atomically(const std::filesystem::path& path, Body body) {
 }
 
 // The module writes by name; standard output receives a copy of what it wrote.
-void write_module_file(const render::Framebuffer& framebuffer, const std::filesystem::path& path,
-                       const OutputOptions& options) {
+void write_module_file(const ColorRows& rows, const std::filesystem::path& path, const OutputOptions& options) {
   write_by_name(path, extension_of(options.format),
-                [&](const std::filesystem::path& temporary) { write_through_module(framebuffer, temporary, options); });
+                [&](const std::filesystem::path& temporary) { write_through_module(rows, temporary, options); });
 }
 
 float sample_scale(int bits) { return 1.0f / static_cast<float>((1 << bits) - 1); }
@@ -123,16 +122,19 @@ class WholePictureRows : public PictureRows {
 }  // namespace
 
 void write(const render::Framebuffer& framebuffer, const std::filesystem::path& path, const OutputOptions& options) {
+  write(rows_of(framebuffer), path, options);
+}
+
+void write(const ColorRows& rows, const std::filesystem::path& path, const OutputOptions& options) {
   if (options.format == Format::hdr)
-    return write_atomically(path, [&](std::FILE* file) { write_hdr(file, framebuffer, options); });
-  if (options.format != Format::png && options.format != Format::ppm)
-    return write_module_file(framebuffer, path, options);
+    return write_atomically(path, [&](std::FILE* file) { write_hdr(file, rows, options); });
+  if (options.format != Format::png && options.format != Format::ppm) return write_module_file(rows, path, options);
   if (options.format == Format::ppm)
     return write_atomically(
-        path, [&, picture = quantise(framebuffer, options)](std::FILE* file) { write_ppm(file, picture, options); });
-  Quantiser rows(framebuffer, options);
+        path, [&, picture = quantise(rows, options)](std::FILE* file) { write_ppm(file, picture, options); });
+  Quantiser quantised(rows, options);
   write_atomically(path, [&](std::FILE* file) {
-    write_png(file, rows.shape(), options, [&](int y, std::uint16_t* row) { rows.row(y, row); });
+    write_png(file, quantised.shape(), options, [&](int y, std::uint16_t* row) { quantised.row(y, row); });
   });
 }
 

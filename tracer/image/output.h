@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <map>
 #include <optional>
@@ -32,18 +33,27 @@ struct OutputOptions {
   std::optional<std::int64_t> time;
 };
 
+// The linear colours of a picture, asked for row by row from the top: of a framebuffer, or from files that hold more
+// than memory does. A row is good until the next one is asked for.
+struct ColorRows {
+  int width = 0, height = 0;
+  std::function<const Color*(int y)> row;
+};
+// The framebuffer must outlive them.
+ColorRows rows_of(const render::Framebuffer& framebuffer);
+
 // Quantised samples as they go into an integer file: `channels` per pixel (1, 3 or 4), row 0 at the top.
 struct Quantised {
   int width = 0, height = 0, channels = 3, bits = 8;
   std::vector<std::uint16_t> samples;
 };
+Quantised quantise(const ColorRows& rows, const OutputOptions& options);
 Quantised quantise(const render::Framebuffer& framebuffer, const OutputOptions& options);
 
-// The same row by row: a second picture in memory would be as large as the first. The framebuffer and the options must
-// outlive it.
+// The same row by row: a second picture in memory would be as large as the first. The options must outlive it.
 class Quantiser {
  public:
-  Quantiser(const render::Framebuffer& framebuffer, const OutputOptions& options);
+  Quantiser(ColorRows rows, const OutputOptions& options);
   ~Quantiser();
   Quantiser(const Quantiser&) = delete;
   Quantiser& operator=(const Quantiser&) = delete;
@@ -56,6 +66,7 @@ class Quantiser {
 };
 
 // Throws std::runtime_error naming the file and the reason. path "-" is standard output.
+void write(const ColorRows& rows, const std::filesystem::path& path, const OutputOptions& options);
 void write(const render::Framebuffer& framebuffer, const std::filesystem::path& path, const OutputOptions& options);
 
 // A picture read back for comparison: values 0..1 as stored in the file (no gamma applied) for integer formats, floats

@@ -167,8 +167,8 @@ OutputCurve curve_of(const OutputOptions& options) {
 }  // namespace
 
 struct Quantiser::State {
-  State(const render::Framebuffer& from, const OutputOptions& settings)
-      : framebuffer(from),
+  State(ColorRows from, const OutputOptions& settings)
+      : rows(std::move(from)),
         options(settings),
         depth(depth_of(settings)),
         max_value((1 << depth.bits) - 1),
@@ -176,7 +176,7 @@ struct Quantiser::State {
         color_channels(settings.greyscale ? 1 : 3),
         curve(curve_of(settings)),
         dither(settings.format == Format::jpeg ? Dither::none : settings.dither),
-        diffusion(dither, from.width, color_channels + alpha) {
+        diffusion(dither, rows.width, color_channels + alpha) {
     if (dither != Dither::none) return;
     if (depth.bits > 8) {
       fine_codes.emplace(curve, max_value);
@@ -188,13 +188,13 @@ struct Quantiser::State {
 
   template <class Codes>
   void colors_alone(const Codes& codes, const Color* pixels, std::uint16_t* out) const {
-    for (int x = 0; x < framebuffer.width; ++x)
+    for (int x = 0; x < rows.width; ++x)
       for (const float v : {pixels[x].r, pixels[x].g, pixels[x].b})
         *out++ = static_cast<std::uint16_t>(codes(clamp01(v)));
   }
   void by_table(const Color* pixels, std::uint16_t* out) const {
     float samples[4];
-    for (int x = 0; x < framebuffer.width; ++x) {
+    for (int x = 0; x < rows.width; ++x) {
       const int n = samples_of(pixels[x], options, alpha, samples);
       for (int c = 0; c < n; ++c) {
         const int code = c < color_channels ? (*color_codes)(clamp01(samples[c])) : (*alpha_codes)(clamp01(samples[c]));
@@ -204,7 +204,7 @@ struct Quantiser::State {
   }
   void one_by_one(const Color* pixels, int y, std::uint16_t* out) {
     float samples[4];
-    for (int x = 0; x < framebuffer.width; ++x) {
+    for (int x = 0; x < rows.width; ++x) {
       const int n = samples_of(pixels[x], options, alpha, samples);
       const float offset = bayer_offset(dither, x, y) / static_cast<float>(max_value);
       int codes[4];
@@ -227,7 +227,7 @@ struct Quantiser::State {
     }
   }
 
-  const render::Framebuffer& framebuffer;
+  const ColorRows rows;
   const OutputOptions& options;
   const Depth depth;
   const int max_value;
@@ -240,19 +240,25 @@ struct Quantiser::State {
   std::optional<FineCodes> fine_codes;
 };
 
-Quantiser::Quantiser(const render::Framebuffer& framebuffer, const OutputOptions& options)
-    : state_(std::make_unique<State>(framebuffer, options)) {}
+ColorRows rows_of(const render::Framebuffer& framebuffer) {
+  return {framebuffer.width, framebuffer.height, [&framebuffer](int y) {
+            return framebuffer.pixels.data() +
+                   static_cast<std::size_t>(y) * static_cast<std::size_t>(framebuffer.width);
+          }};
+}
+
+Quantiser::Quantiser(ColorRows rows, const OutputOptions& options)
+    : state_(std::make_unique<State>(std::move(rows), options)) {}
 Quantiser::~Quantiser() = default;
 
 Quantised Quantiser::shape() const {
   const State& s = *state_;
-  return {s.framebuffer.width, s.framebuffer.height, s.color_channels + s.alpha, s.depth.file_bits, {}};
+  return {s.rows.width, s.rows.height, s.color_channels + s.alpha, s.depth.file_bits, {}};
 }
 
 void Quantiser::row(int y, std::uint16_t* out) {
   State& s = *state_;
-  const Color* const pixels =
-      s.framebuffer.pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(s.framebuffer.width);
+  const Color* const pixels = s.rows.row(y);
   const bool alone =
       !s.options.greyscale && !uses_alpha(s.options, s.alpha) && s.depth.bits == s.depth.file_bits;  // most pictures
   if (alone && s.color_codes)
@@ -266,7 +272,11 @@ void Quantiser::row(int y, std::uint16_t* out) {
 }
 
 Quantised quantise(const render::Framebuffer& framebuffer, const OutputOptions& options) {
-  Quantiser quantiser(framebuffer, options);
+  return quantise(rows_of(framebuffer), options);
+}
+
+Quantised quantise(const ColorRows& rows, const OutputOptions& options) {
+  Quantiser quantiser(rows, options);
   Quantised out = quantiser.shape();
   const std::size_t n = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.channels);
   out.samples.resize(n * static_cast<std::size_t>(out.height));

@@ -1,4 +1,5 @@
 // One scene, one set of switches, one version: one file, whatever time, thread count or interruption.
+// Runs the program of VERISIM_BINARY_DIR.
 #include "cli/process_fixture.h"
 
 namespace verisim::cli {

@@ -4,6 +4,7 @@
 
 #include "tracer/image/gamma.h"
 #include "tracer/image/module/module.h"
+#include "tracer/image/module_files.h"
 #include "tracer/base/output_file.h"
 
 namespace verisim::image {
@@ -19,12 +20,13 @@ class Channels {
   float& at(std::size_t pixel, std::size_t channel) { return values_[pixel * count() + channel]; }
 
   void write(const std::filesystem::path& path, int width, int height, const OutputOptions& options) {
+    std::map<std::string, std::string> described = options.metadata;
+    described["DateTime"] = date_text(options);
     std::vector<const char*> metadata;
-    for (const auto& [key, value] : options.metadata)
-      metadata.push_back(key.c_str()), metadata.push_back(value.c_str());
+    for (const auto& [key, value] : described) metadata.push_back(key.c_str()), metadata.push_back(value.c_str());
     const VerisimImage image{width, height, static_cast<std::int32_t>(count()), kVerisimFloat, values_.data(), 1};
     const VerisimWriteOptions how{
-        &image,        "zip",          0, 0, static_cast<std::int32_t>(options.metadata.size()), metadata.data(),
+        &image,        "zip",          0, 0, static_cast<std::int32_t>(described.size()), metadata.data(),
         names_.data(), samples_.data()};
     char error[512] = {};
     if (image_module().write(path.c_str(), &how, error, sizeof error) != 0) throw std::runtime_error(error);

@@ -19,14 +19,8 @@ void save(const std::filesystem::path& path, const VerisimImage& image, const Ou
   if (const auto title = described.find("Title"); title != described.end()) described["DocumentName"] = title->second;
   if (const auto comment = described.find("Comment"); comment != described.end())
     described["ImageDescription"] = comment->second;
-  if (options.time) {
-    const std::time_t seconds = *options.time;
-    std::tm utc{};
-    gmtime_r(&seconds, &utc);
-    char text[32] = {};
-    std::strftime(text, sizeof text, "%Y:%m:%d %H:%M:%S", &utc);
-    described["DateTime"] = text;
-  }
+  if (options.time || options.format == Format::tiff || options.format == Format::exr)
+    described["DateTime"] = date_text(options);
   std::vector<const char*> metadata;
   for (const auto& [key, value] : described) metadata.push_back(key.c_str()), metadata.push_back(value.c_str());
   const VerisimWriteOptions how{&image,          compression, quality, 0, static_cast<std::int32_t>(described.size()),
@@ -73,6 +67,16 @@ void save_integers(const Quantised& q, const std::filesystem::path& path, const 
 }
 
 }  // namespace
+
+std::string date_text(const OutputOptions& options) {
+  if (!options.time) return "    :  :     :  :  ";
+  const std::time_t seconds = *options.time;
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  char text[32] = {};
+  std::strftime(text, sizeof text, "%Y:%m:%d %H:%M:%S", &utc);
+  return text;
+}
 
 const char* extension_of(Format format) {
   switch (format) {

@@ -22,6 +22,7 @@
 #include "cli/frame/scene_features.h"
 #include "cli/frame/state_file.h"
 #include "cli/frame/statistics.h"
+#include "cli/parts/fingerprint.h"
 #include "tracer/base/huge_pages.h"
 #include "tracer/image/layers_file.h"
 #include "tracer/image/output.h"

@@ -14,26 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "tracer/render/render.h"
+#include "cli/parts/block_record.h"
+#include "tracer/film/framebuffer.h"
 
 namespace verisim::cli {
-
-struct Block {
-  int x = 0, y = 0, width = 0, height = 0;
-  friend auto operator<=>(const Block&, const Block&) = default;
-};
-
-// Collects what a picture depends on into one number.
-class Fingerprint {
- public:
-  void add(std::string_view bytes);
-  void add(double value);
-  void add_file(const std::filesystem::path& path);  // its content; a file that cannot be read counts as empty
-  std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0x9e3779b97f4a7c15ull;
-};
 
 class StateFile {
  public:

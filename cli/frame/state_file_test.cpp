@@ -6,6 +6,8 @@
 
 #include <fstream>
 
+#include "cli/parts/fingerprint.h"
+
 namespace verisim::cli {
 namespace {
 

@@ -12,7 +12,7 @@ namespace verisim::cli {
 namespace {
 
 constexpr Command kCommands[] = {
-    {"render", command_render},   {"check", command_check}, {"compare", command_compare},
+    {"render", command_render},   {"merge", command_merge}, {"check", command_check}, {"compare", command_compare},
     {"explain", command_explain}, {"diff", command_diff},   {"bench", command_bench},
 };
 

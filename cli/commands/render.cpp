@@ -61,8 +61,10 @@ class Sequence {
           break;
       }
       announce(frame, i);
+      job_.console.begin_frame(i, frame.number);
       outcome_.frames.push_back(render_frame(job_, frame));
       const FrameReport& report = outcome_.frames.back();
+      if (report.status == kOk) job_.console.frame_done(report.output, report.skipped);
       summary(report);
       if (report.status != kOk) {
         outcome_.status = report.status;
@@ -160,9 +162,11 @@ Outcome render_all(const Options& options, Console& console, const SceneSource& 
   console.open_files(picture.parent_path(), options.append_files);
   for (const std::string& note : options.notes)
     if (options.verbose || console.style() == Style::verisim) console.line(Stream::warning, wrapped("Note: " + note));
+  console.begin_progress(scene.path, job.animation.count());
   Outcome outcome = Sequence(job).run();
   if (!options.stats_file.empty()) write_text_file(options.stats_file, statistics_json(job, outcome.frames));
   if (interrupt.signal() != 0) outcome.status = kInterrupted;
+  console.end_of_call(outcome.status, outcome.frames.empty() ? "" : outcome.frames.back().message);
   return outcome;
 }
 

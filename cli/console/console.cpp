@@ -70,10 +70,15 @@ std::string wrapped(std::string_view text) {
   return result;
 }
 
-Console::Console(const Options& options, Style style) : options_(options), style_(style) {
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  color_ = (terminal || options.color) && !std::getenv("NO_COLOR");
-  bar_ = terminal && options.progress;
+Console::Console(const Options& options, Style style)
+    : options_(options),
+      style_(style),
+      progress_(progress_style(options.progress, isatty(STDERR_FILENO) != 0)),
+      lines_(progress_) {
+  color_ = (isatty(STDERR_FILENO) != 0 || options.color) && !std::getenv("NO_COLOR");
+  // POV-Ray's own line is always there, unless something else was asked for.
+  if (style == Style::povray && options.progress.empty())
+    progress_ = options.verbose ? ProgressStyle::bar : ProgressStyle::none;
 }
 
 Console::~Console() { end_of_debug(); }
@@ -143,45 +148,97 @@ void Console::diagnostic(const parser::Diagnostic& d) {
   put(fatal ? Stream::fatal : Stream::warning, text);
 }
 
-void Console::progress(double fraction, std::uint64_t pixels) {
+void Console::put_lines(const std::string& lines) {
+  if (lines.empty()) return;
+  std::fwrite(lines.data(), 1, lines.size(), stderr);
+  std::fflush(stderr);
+}
+
+void Console::begin_progress(const std::filesystem::path& scene, std::size_t frames) {
   const std::lock_guard lock(mutex_);
+  put_lines(lines_.begin(scene.string(), options_.width, options_.height, frames));
+}
+
+void Console::begin_frame(std::size_t index, int number) {
+  const std::lock_guard lock(mutex_);
+  lines_.begin_frame(index, number);
+  stage_.clear();
+}
+
+bool Console::shows_bar(const char* stage, int percent) {
+  if (progress_ != ProgressStyle::bar) return false;
+  if (stage_ != stage) {
+    if (bar_visible_ && style_ == Style::verisim) clear_bar();
+    stage_ = stage, stage_start_ = std::chrono::steady_clock::now(), last_percent_ = -1;
+    left_.begin(stage_start_);
+  }
+  if (percent == last_percent_) return false;
+  last_percent_ = percent;
+  bar_visible_ = true;
+  return true;
+}
+
+void Console::parse_progress() {
+  const std::lock_guard lock(mutex_);
+  put_lines(lines_.update("parse", std::nullopt, 0));
+  if (style_ == Style::povray || progress_ != ProgressStyle::bar) return;
+  if (stage_ != "parse") stage_ = "parse", stage_start_ = std::chrono::steady_clock::now(), last_percent_ = -1;
+  const int seconds =
+      static_cast<int>(std::chrono::duration<double>(std::chrono::steady_clock::now() - stage_start_).count());
+  if (seconds < 1 || !shows_bar("parse", seconds)) return;
+  std::fprintf(stderr, "\r\x1b[Kreading the scene: %d s ", seconds);
+  std::fflush(stderr);
+}
+
+namespace {
+
+std::string time_left(const std::optional<double>& seconds) {
+  return seconds && *seconds >= 1 ? fmt::format(", about {:.0f} s left", *seconds) : "";
+}
+
+}  // namespace
+
+void Console::progress(double fraction, std::uint64_t pixels, std::uint64_t rays) {
+  const std::lock_guard lock(mutex_);
+  put_lines(lines_.update("picture", fraction, rays));
   const int percent = static_cast<int>(fraction * 100);
+  if (!shows_bar("picture", percent)) return;
   if (style_ == Style::povray) {
-    if (!options_.verbose || percent == last_percent_) return;
     std::fprintf(stderr, "Rendered %llu of %llu pixels (%d%%)\r",
                  static_cast<unsigned long long>(fraction * static_cast<double>(pixels) + 0.5),
                  static_cast<unsigned long long>(pixels), percent);
-  } else {
-    if (!bar_ || percent == last_percent_) return;
-    constexpr int kWidth = 40;
-    const int full = static_cast<int>(fraction * kWidth);
-    std::fprintf(stderr, "\r[%.*s%.*s] %3d%% ", full, "========================================", kWidth - full,
-                 "                                        ", percent);
-    std::fflush(stderr);
+    return;
   }
-  bar_visible_ = true;
-  last_percent_ = percent;
+  constexpr int kWidth = 40;
+  const int full = static_cast<int>(fraction * kWidth);
+  std::fprintf(stderr, "\r\x1b[K[%.*s%.*s] %3d%%%s ", full, "========================================", kWidth - full,
+               "                                        ", percent,
+               time_left(left_.at(fraction, std::chrono::steady_clock::now())).c_str());
+  std::fflush(stderr);
 }
 
 void Console::pass_progress(const char* pass, double fraction) {
   const std::lock_guard lock(mutex_);
-  if (style_ == Style::povray ? !options_.verbose : !bar_) return;
-  const auto now = std::chrono::steady_clock::now();
-  if (pass_ != pass) pass_ = pass, pass_start_ = now, last_percent_ = -1;
+  put_lines(lines_.update(pass, fraction, 0));
   const int percent = static_cast<int>(fraction * 100);
-  if (percent == last_percent_) return;
-  const double gone = std::chrono::duration<double>(now - pass_start_).count();
-  std::string left;
-  if (fraction > 0 && fraction < 1 && gone > 1)
-    left = fmt::format(", about {:.0f} s left", gone * (1 - fraction) / fraction);
+  if (!shows_bar(pass, percent)) return;
+  const std::string left = time_left(left_.at(fraction, std::chrono::steady_clock::now()));
   if (style_ == Style::povray) {
     std::fprintf(stderr, "%s: %d%%%s\r", pass, percent, left.c_str());
   } else {
     std::fprintf(stderr, "\r\x1b[K%s: %d%%%s ", pass, percent, left.c_str());
     std::fflush(stderr);
   }
-  bar_visible_ = true;
-  last_percent_ = percent;
+}
+
+void Console::frame_done(const std::filesystem::path& output, bool skipped) {
+  const std::lock_guard lock(mutex_);
+  put_lines(lines_.frame_done(output.string(), skipped));
+}
+
+void Console::end_of_call(int status, std::string_view message) {
+  const std::lock_guard lock(mutex_);
+  put_lines(lines_.end(status, message));
 }
 
 void Console::clear_bar() {

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/console/progress.h"
 #include "cli/settings/options.h"
 #include "parser/source/diagnostic.h"
 
@@ -40,11 +41,16 @@ class Console {
   void diagnostic(const parser::Diagnostic& diagnostic);
   void end_of_debug();  // shows an unfinished line
 
-  // "Rendered n of m pixels" or a bar, over itself on one line.
-  void progress(double fraction, std::uint64_t pixels);
-  // The same for a pass before the picture, with the time it will still take; both lines end with end_progress.
-  void pass_progress(const char* pass, double fraction);
+  // How far the call is: a bar over itself on one line, POV-Ray's "Rendered n of m pixels", or lines for programs
+  // (--progress; docs/progress.md). What stands on the line of a bar ends with end_progress.
+  void begin_progress(const std::filesystem::path& scene, std::size_t frames);
+  void begin_frame(std::size_t index, int number);
+  void parse_progress();                                  // asked now and then while a scene is read
+  void pass_progress(const char* pass, double fraction);  // a pass before the picture
+  void progress(double fraction, std::uint64_t pixels, std::uint64_t rays);
   void end_progress();
+  void frame_done(const std::filesystem::path& output, bool skipped);
+  void end_of_call(int status, std::string_view message);
 
  private:
   bool shown(Stream stream) const;
@@ -53,10 +59,17 @@ class Console {
 
   const Options& options_;
   Style style_;
-  bool color_ = false, bar_ = false, bar_visible_ = false;
+  void put_lines(const std::string& lines);  // of programs; mutex held
+  // Whether a stage's progress is to be shown on a terminal's line now; mutex held.
+  bool shows_bar(const char* stage, int percent);
+
+  bool color_ = false, bar_visible_ = false;
+  ProgressStyle progress_;
+  ProgressLines lines_;
   int last_percent_ = -1;
-  std::string pass_;  // whose progress was shown last, and since when it runs
-  std::chrono::steady_clock::time_point pass_start_;
+  std::string stage_;  // whose progress was shown last, and since when it runs
+  std::chrono::steady_clock::time_point stage_start_, parse_shown_;
+  TimeLeft left_;
   std::string debug_line_;
   struct Closer {
     void operator()(std::FILE* file) const { std::fclose(file); }

@@ -23,6 +23,10 @@
 #include "cli/frame/state_file.h"
 #include "cli/frame/statistics.h"
 #include "cli/parts/fingerprint.h"
+#include "cli/parts/part_file.h"
+#include "cli/settings/part_option.h"
+#include "cli/settings/scene_words.h"
+#include "cli/settings/source_date.h"
 #include "tracer/base/huge_pages.h"
 #include "tracer/image/layers_file.h"
 #include "tracer/image/output.h"
@@ -58,8 +62,10 @@ void tell(const Job& job, const std::string& message) {
 parser::ParseResult parse(const Job& job, const Frame& frame, FrameReport& report) {
   const auto start = Clock::now();
   const double cpu = cpu_seconds();
+  job.console.parse_progress();
   parser::ParseResult result = parse_scene(job, parse_options(job, frame));
   job.console.end_of_debug();
+  job.console.end_progress();
   report.seconds_parse = since(start);
   report.cpu_parse = cpu_seconds() - cpu;
   report.warnings = result.warnings;
@@ -94,20 +100,6 @@ std::string given_settings(const Options& options) {
   return text;
 }
 
-// The date that pictures are to bear where builds are reproduced (SOURCE_DATE_EPOCH of reproducible-builds.org), in
-// seconds since 1970; nothing where they are not.
-std::optional<std::int64_t> reproduced_date() {
-  const char* const epoch = std::getenv("SOURCE_DATE_EPOCH");
-  if (!epoch || !*epoch) return std::nullopt;
-  constexpr std::int64_t kLatest = 253402300799;  // the end of the year 9999
-  char* end = nullptr;
-  errno = 0;
-  const std::int64_t seconds = std::strtoll(epoch, &end, 10);
-  if (errno != 0 || *end || seconds < 0 || seconds > kLatest)
-    throw OptionError(fmt::format("SOURCE_DATE_EPOCH is to be seconds since 1970, not '{}'", epoch));
-  return seconds;
-}
-
 image::OutputOptions output_options(const Job& job, const scene::Scene& scene) {
   const Options& options = job.options;
   image::OutputOptions output;
@@ -133,7 +125,7 @@ image::OutputOptions output_options(const Job& job, const scene::Scene& scene) {
   output.metadata["Comment"] = "Rendered from " + job.scene.path.filename().string();
   output.metadata["Title"] = job.scene.path.filename().string();
   output.metadata["Switches"] = given_settings(options);
-  if (options.stamp) output.time = reproduced_date();
+  if (options.stamp) output.time = source_date();
   return output;
 }
 
@@ -160,7 +152,7 @@ void write_to_stream(bool to_stderr, const std::function<void(const fs::path&)>&
 
 // ------------------------------------------------------------------------------------------------ rendering
 
-// Everything the pixels depend on, for continue-trace.
+// Everything the pixels depend on, for continue-trace and for parts of a picture.
 std::uint64_t picture_key(const Job& job, const Frame& frame, const Region& part, const std::vector<fs::path>& files) {
   const Options& o = job.options;
   Fingerprint key;
@@ -196,7 +188,51 @@ std::uint64_t picture_key(const Job& job, const Frame& frame, const Region& part
   for (const auto& [name, value] : o.declarations) key.add(name + "=" + value);
   for (const fs::path& file : files) key.add_file(file);
   if (job.scene.text) key.add(*job.scene.text);
+  if (o.radiosity_from_file) key.add_file(o.radiosity_file);
   return key.value();
+}
+
+// The state of a part is not that of another one.
+std::uint64_t key_of_part(std::uint64_t picture, const PartChoice& part) {
+  if (!part.any) return picture;
+  Fingerprint key;
+  key.add(static_cast<double>(picture >> 32));
+  key.add(static_cast<double>(picture & 0xffffffffu));
+  key.add(part.name());
+  return key.value();
+}
+
+PartPicture part_picture(const Job& job, const Region& region, std::uint64_t key, const image::OutputOptions& output,
+                         const std::vector<fs::path>& files) {
+  const Options& options = job.options;
+  PartPicture picture;
+  picture.version = VERISIM_VERSION;
+  picture.scene = job.scene.path.filename().string();
+  for (const fs::path& file : files) {
+    Fingerprint content;
+    content.add_file(file);
+    std::string& known = picture.files[file.filename().string()];  // files in different folders may share a name
+    known += fmt::format("{}{:016x}", known.empty() ? "" : " ", content.value());
+  }
+  picture.key = key;
+  picture.width = options.width, picture.height = options.height;
+  picture.region = region;
+  picture.block_size = render_options(job, region).block_size;
+  picture.layers = options.layers;
+  picture.format_chosen = format_chosen(options);
+  picture.stamp = options.stamp;
+  picture.output = output;
+  return picture;
+}
+
+// What --prepass names, made for this very picture.
+std::string prepasses_for(const PartPicture& picture, const fs::path& path) {
+  PartFile file(path);
+  std::string bytes = file.prepasses();
+  if (const std::string what = difference(file.header().picture, picture); !what.empty())
+    throw Failure{kInputOutput, fmt::format("the prepasses in '{}' are those of another picture: they differ in {}",
+                                            path.string(), what)};
+  return bytes;
 }
 
 struct Canvas {
@@ -219,15 +255,24 @@ Canvas blank(const Options& options, const Region& part) {
   return canvas;
 }
 
+// Of the passes before the picture: what was made by an earlier render, or where to put it.
+struct Prepasses {
+  std::optional<std::string> from, to;
+};
+
 // Renders into the canvas, with the state file where there is one.
 void trace(const Job& job, const scene::Scene& scene, const Region& part, Canvas& canvas, StateFile* state,
-           LayerChoice& choice, FrameReport& report) {
+           LayerChoice& choice, Prepasses& prepasses, FrameReport& report) {
   // +WT0 and an empty region trace nothing and still make a picture.
   if (part.empty() || job.options.threads.value_or(1) <= 0)
     return render::resize_layers(choice.layers, job.options.width, job.options.height);
   render::Options options = render_options(job, part);
   if (choice.any) options.layers = &choice.layers;
-  options.progress = [&](double fraction) { job.console.progress(fraction, canvas.pixels); };
+  if (prepasses.from) options.prepasses_from = &*prepasses.from;
+  if (prepasses.to) options.prepasses_to = &*prepasses.to;
+  std::atomic<std::uint64_t> rays{0};
+  options.rays = &rays;
+  options.progress = [&](double fraction) { job.console.progress(fraction, canvas.pixels, rays); };
   options.pass_progress = [&](const char* pass, double fraction) { job.console.pass_progress(pass, fraction); };
   if (job.options.radiosity_from_file) options.radiosity_from = job.options.radiosity_file;
   if (job.options.radiosity_to_file) options.radiosity_to = job.options.radiosity_file;
@@ -260,6 +305,32 @@ void write(const Job& job, const Canvas& canvas, const LayerChoice& choice, cons
   report.seconds_write = since(start);
 }
 
+// A part is whole or it is not there: what was rendered of it until an interruption is in the state file.
+void write_part(const Canvas& canvas, const LayerChoice& choice, const Prepasses& prepasses, const OutputName& name,
+                const PartHeader& header, FrameReport& report) {
+  const auto start = Clock::now();
+  if (prepasses.to)
+    write_prepass_part(name.path, header, *prepasses.to);
+  else
+    cli::write_part(name.path, header, canvas.framebuffer, choice.layers);
+  report.output = name.path;
+  report.seconds_write = since(start);
+}
+
+bool is_whole_part(const fs::path& path, const PartHeader& header) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;
+  try {
+    PartFile file(path);
+    const PartChoice &there = file.header().part, &wanted = header.part;
+    if (there.name() != wanted.name() || !difference(file.header().picture, header.picture).empty()) return false;
+    file.check();
+    return true;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
 // As POV-Ray ends a render of an isosurface whose max_gradient does not fit.
 void warn_of_object(const Job& job, const scene::Place& place, const std::string& text) {
   const std::string file = place.file ? *place.file : std::string();
@@ -276,12 +347,26 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   const bool to_file = options.output_to_file && !name.standard_output && !name.standard_error;
   image::OutputOptions output = output_options(job, scene);
   LayerChoice choice = layer_choice(options.layers);
+  const PartChoice which = part_choice(options.part);
   if (to_file) require_writable(name.path);
+
+  const std::uint64_t key = picture_key(job, frame, part, report.files_read);
+  PartHeader header;
+  Prepasses prepasses;
+  if (which.any || !options.prepass_file.empty())
+    header = {part_picture(job, part, key, output, report.files_read), which};
+  if (which.any && options.continue_trace && is_whole_part(name.path, header)) {
+    job.console.always("Part already rendered and continue requested; skipping.");
+    report.skipped = true;
+    return;
+  }
+  if (!options.prepass_file.empty()) prepasses.from = prepasses_for(header.picture, options.prepass_file);
+  if (which.prepasses) prepasses.to.emplace();
 
   Canvas canvas = blank(options, part);
   std::unique_ptr<StateFile> state;
-  if (to_file && !options.replay) {
-    state = std::make_unique<StateFile>(name.state_path, picture_key(job, frame, part, report.files_read));
+  if (to_file && !options.replay && !which.prepasses) {
+    state = std::make_unique<StateFile>(name.state_path, key_of_part(key, which));
     if (options.continue_trace && state->resume(canvas.framebuffer) == StateFile::Found::other_render)
       job.console.line(
           Stream::warning,
@@ -299,7 +384,7 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   const auto start = Clock::now();
   const double cpu = cpu_seconds();
   try {
-    trace(job, scene, part, canvas, state.get(), choice, report);
+    trace(job, scene, part, canvas, state.get(), choice, prepasses, report);
   } catch (const render::Unsupported& missing) {
     job.console.end_progress();
     parser::Diagnostic diagnostic;
@@ -325,7 +410,10 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
     output.time = std::time(nullptr);
     output.metadata["Render Time"] = fmt::format("{:.3f} s", report.seconds_render);
   }
-  write(job, canvas, choice, name, output, report);
+  if (!which.any)
+    write(job, canvas, choice, name, output, report);
+  else if (!interrupted)
+    write_part(canvas, choice, prepasses, name, header, report);
   if (interrupted)
     throw Failure{kInterrupted, job.interrupt.out_of_time() ? "out of time (--max-seconds)" : "interrupted"};
   if (state) state->remove();
@@ -380,6 +468,9 @@ render::Options render_options(const Job& job, const Region& part) {
     result.block_size = 64;
   constexpr int kMaxThreads = 1024;
   result.threads = std::min(options.threads.value_or(0), kMaxThreads);
+  const PartChoice choice = part_choice(options.part);
+  result.part = choice.number - 1;
+  result.parts = choice.of;
   result.output_alpha = options.output_alpha;
   result.split_unions = options.split_unions;
   result.remove_bounds = options.remove_bounds;
@@ -418,7 +509,10 @@ parser::ParseOptions parse_options(const Job& job, const Frame& frame) {
   result.limits = options.limits;
   result.debug = [&console = job.console](const std::string& text) { console.debug(text); };
   result.message = [&console = job.console](const parser::Diagnostic& d) { console.diagnostic(d); };
-  result.cancelled = [&interrupt = job.interrupt] { return interrupt.flag().load(); };
+  result.cancelled = [&interrupt = job.interrupt, &console = job.console] {
+    console.parse_progress();
+    return interrupt.flag().load();
+  };
   return result;
 }
 
@@ -427,7 +521,7 @@ FrameReport render_frame(const Job& job, const Frame& frame) {
   const OutputName name = output_name(job.options, job.scene.path, job.animation, frame);
   try {
     std::error_code ignored;
-    if (job.options.continue_trace && job.options.output_to_file && !name.path.empty() &&
+    if (job.options.continue_trace && job.options.output_to_file && job.options.part.empty() && !name.path.empty() &&
         fs::is_regular_file(name.path, ignored) && fs::file_size(name.path, ignored) > 0 &&
         !is_state_file(name.state_path)) {
       job.console.always("File already rendered and continue requested; skipping.");

@@ -5,11 +5,32 @@
 
 #include <fmt/format.h>
 
+#include "cli/settings/animation.h"
 #include "cli/settings/layers_option.h"
+#include "cli/settings/part_option.h"
 
 namespace verisim::cli {
 
+namespace {
+
+void validate_part(const Options& options) {
+  if (options.radiosity_to_file && (part_choice(options.part).any || !options.prepass_file.empty()))
+    throw OptionError("+RFO is for renders of whole pictures: a part makes a part of the radiosity samples alone");
+  if (options.replay && (part_choice(options.part).any || !options.prepass_file.empty()))
+    throw OptionError("--replay follows POV-Ray from the first block to the last: it cannot render parts");
+  if (!part_choice(options.part).any) return;
+  if (options.exact_output.empty() || options.exact_output == "-" || !options.output_to_file)
+    throw OptionError("name the file of the part: --part " + options.part + " --output FILE.vsp");
+  if (part_choice(options.part).prepasses && !options.prepass_file.empty())
+    throw OptionError("--part prepass makes what --prepass reads: give one of them");
+  if (animation(options).count() > 1)
+    throw OptionError("a part is of one picture: choose a frame of the animation with +SF and +EF");
+}
+
+}  // namespace
+
 void validate(const Options& options) {
+  validate_part(options);
   if (options.width < 1 || options.height < 1)
     throw OptionError(fmt::format("the picture needs a width and a height of at least 1, not {} by {} (Width, Height)",
                                   options.width, options.height));
@@ -25,7 +46,7 @@ void validate(const Options& options) {
     throw OptionError(fmt::format("--sampler is povray or adaptive, not '{}'", options.sampler));
   if (options.sampler == "adaptive" && options.replay)
     throw OptionError("--sampler adaptive is not how POV-Ray samples: it cannot be combined with --replay");
-  if (layer_choice(options.layers).any && options.format != image::Format::exr)
+  if (layer_choice(options.layers).any && options.format != image::Format::exr && options.part.empty())
     throw OptionError("--layers is for OpenEXR files: name the picture with .exr, or give +FE");
   if (options.real_time)
     throw OptionError("Real_Time_Raytracing (+RTR) draws into a window and writes no file; verisim has no window");

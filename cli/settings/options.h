@@ -89,10 +89,13 @@ struct Options {
   ShellCommand pre_scene, pre_frame, post_frame, post_scene, user_abort, fatal_error;
 
   // verisim's own.
-  bool replay = false, allow_shell = false, color = false, progress = true;
+  bool replay = false, allow_shell = false, color = false;
+  std::string progress;  // bar, json, openjd or none; empty: a bar on a terminal
   std::uint64_t seed = 0;
   std::string sampler = "povray";  // or adaptive
   std::string layers;              // of an EXR file, as the user listed them
+  std::string part;                // K/N or prepass (part_option.h); empty: the whole picture
+  std::string prepass_file;        // of --part prepass, to be read; empty: none
   bool stamp = false;              // date and render time in the picture's file
   std::vector<std::filesystem::path> allow_write, allow_read;
   parser::Limits limits{

@@ -179,6 +179,10 @@ void add_render_options(OwnOptions& own, Options& options) {
             "otherwise");
   own.value("--layers LIST", options.layers,
             "what the OpenEXR file holds: beauty, depth, normal, albedo, id, separated by commas, or all");
+  own.value("--part K/N", options.part,
+            "render part K of N of the picture, for verisim merge; or prepass: what comes before the picture (photons, "
+            "radiosity) and is the same for all parts; --output names the file");
+  own.value("--prepass FILE", options.prepass_file, "read what --part prepass made, instead of making it again");
   own.flag("--stamp", options.stamp,
            "write the date and the time that the render took into the picture's file (the date of SOURCE_DATE_EPOCH "
            "alone, where that is set); without it the same picture is always the same file");
@@ -191,6 +195,8 @@ void add_render_options(OwnOptions& own, Options& options) {
             "povray: POV-Ray's algorithms (default); path: unbiased path tracing, not POV-Ray's look");
   own.value("--path-samples N", options.path_samples, "paths a pixel of --integrator path (64)");
   own.value("--path-bounces N", options.path_bounces, "no path of --integrator path is longer (64)");
+  own.value("--progress STYLE", options.progress,
+            "how far it is, on standard error: bar (default on a terminal), json or openjd (lines for programs), none");
   own.flag("--allow-shell", options.allow_shell, "run the commands of Pre_Scene_Command and its like");
   add_pixel_options(own, options);
 }

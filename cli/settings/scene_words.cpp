@@ -33,9 +33,14 @@ std::vector<std::string> apply_words(Options& options, const std::vector<std::st
   return files;
 }
 
+bool format_chosen(const Options& options) {
+  return std::any_of(options.given.begin(), options.given.end(),
+                     [](const auto& setting) { return setting.first == "Output_File_Type"; });
+}
+
 void choose_format(Options& options) {
-  const bool chosen = std::any_of(options.given.begin(), options.given.end(),
-                                  [](const auto& setting) { return setting.first == "Output_File_Type"; });
+  if (!options.part.empty()) return;  // the name is a part's; merging them decides
+  const bool chosen = format_chosen(options);
   if (options.exact_output == "-") return;  // PNG, or what +F says
   if (!options.exact_output.empty()) {
     const std::string ext = std::filesystem::path(options.exact_output).extension().string();

@@ -17,5 +17,7 @@ std::vector<std::string> apply_words(Options& options, const std::vector<std::st
 // The picture's type follows its name's extension unless a switch chose one. Throws OptionError for an extension that
 // is no picture type.
 void choose_format(Options& options);
+// +F or Output_File_Type was given.
+bool format_chosen(const Options& options);
 
 }  // namespace verisim::cli

@@ -26,6 +26,9 @@ struct Options {
   double jitter_amount = 1;
   int quality = 9;
   int block_size = 32;
+  // One of several parts of the picture, numbered from 0, for other machines to make the rest: the blocks that
+  // parts_of() (tracer/render/blocks.h) deals out to it. Pixels of other blocks stay as they are.
+  int part = 0, parts = 1;
   int threads = 0;            // 0: all cores
   bool output_alpha = false;  // POV-Ray's +UA: decides how backgrounds behave
   bool split_unions = false, remove_bounds = true;
@@ -43,9 +46,15 @@ struct Options {
   Layers* layers = nullptr;
   // Called from one thread at a time with the fraction done, 0..1.
   std::function<void(double)> progress;
+  // Null, or where rays are counted while the picture is made, for `progress` to tell.
+  std::atomic<std::uint64_t>* rays = nullptr;
   // The same for the passes before the picture: which one ("photons", "radiosity pretrace"), and the fraction of it
   // that is done. Null: nobody asks.
   std::function<void(const char*, double)> pass_progress;
+  // What the passes before the picture found, from an earlier render of the same scene with the same options, in the
+  // place of those passes (null: they are made); and where to put it (null: nowhere): then no picture is made.
+  const std::string* prepasses_from = nullptr;
+  std::string* prepasses_to = nullptr;
   // Photons and radiosity samples may take so many bytes; more ends the render with LimitExceeded.
   std::uint64_t pass_memory = std::uint64_t{4} << 30;
   // Set to true from anywhere (a signal handler) to stop; finished blocks stay in the framebuffer.

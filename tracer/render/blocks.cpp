@@ -1,5 +1,9 @@
 #include "tracer/render/blocks.h"
 
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
 namespace verisim::render {
 
 Area render_area(const Options& o) {
@@ -17,6 +21,25 @@ std::vector<Block> blocks_of(const Area& area, int block_size) {
     for (int x = 0; x < area.width; x += size)
       blocks.push_back({area.x + x, area.y + y, std::min(size, area.width - x), std::min(size, area.height - y)});
   return blocks;
+}
+
+std::vector<int> parts_of(std::span<const Block> blocks, int parts) {
+  std::vector<std::pair<std::uint64_t, std::size_t>> curve;  // place on the curve (Morton, 1966), number of the block
+  curve.reserve(blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    // The first block is as large as any.
+    const auto column = static_cast<std::uint32_t>((blocks[i].x - blocks[0].x) / blocks[0].width),
+               row = static_cast<std::uint32_t>((blocks[i].y - blocks[0].y) / blocks[0].height);
+    std::uint64_t place = 0;
+    for (int bit = 0; bit < 32; ++bit)
+      place |= (std::uint64_t{column} >> bit & 1) << 2 * bit | (std::uint64_t{row} >> bit & 1) << (2 * bit + 1);
+    curve.emplace_back(place, i);
+  }
+  std::sort(curve.begin(), curve.end());
+  std::vector<int> result(blocks.size());
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    result[curve[i].second] = static_cast<int>(i % static_cast<std::size_t>(parts));
+  return result;
 }
 
 }  // namespace verisim::render

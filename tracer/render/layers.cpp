@@ -105,14 +105,14 @@ void resize_layers(Layers& layers, int width, int height) {
   if (layers.id) layers.ids.assign(pixels, 0);
 }
 
-void fill_layers(Layers& layers, const shading::SceneData& scene, const CameraModel& camera, int width, int first,
-                 int last, bool antialias) {
+void fill_layers(Layers& layers, const shading::SceneData& scene, const CameraModel& camera, int width,
+                 const Block& block, bool antialias) {
   constexpr int kGrid = 4;
   FirstSurface surface(scene);
   shapes::Hit hit;
   const double limit = camera.limit();
-  for (int y = first; y < last; ++y) {
-    for (int x = 0; x < width; ++x) {
+  for (int y = block.y; y < block.y + block.height; ++y) {
+    for (int x = block.x; x < block.x + block.width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
       Look look;
       if (const std::optional<Ray> ray = primary_ray(camera, x, y); ray && surface.hit(*ray, limit, hit)) {

@@ -138,7 +138,9 @@ class Shooter {
 void photon_pass(global::SceneEffects& effects, const shading::SceneData& data, const Options& options, int threads) {
   const scene::Photons& settings = effects.scene().settings.photons;
   global::PhotonMap &surface = effects.surface_photons(), &media = effects.media_photons();
-  if (!settings.load_file.empty()) {
+  if (options.prepasses_from) {
+    // The maps are there.
+  } else if (!settings.load_file.empty()) {
     global::load_photons(settings.load_file, surface, media);
   } else {
     const auto pairs = global::photon_pairs(effects.scene(), options.split_unions);

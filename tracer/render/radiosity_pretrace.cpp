@@ -106,6 +106,7 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
       cache.add(s);
   }
   if (!options.radiosity_to.empty() && !options.replay) effects.block_samples().resize(tiles.size());
+  if (options.prepasses_from) return;  // the samples are there
   PretraceProgress progress(plan, tiles.size(), options);
   try {
     if (options.replay) {

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <mutex>
+#include <utility>
 
 #include "tracer/base/parallel.h"
 #include "tracer/render/sampling/adaptive_sampling.h"
@@ -15,6 +16,7 @@
 #include "tracer/render/path_pixels.h"
 #include "tracer/render/sampling/pixel_sampler.h"
 #include "tracer/render/last_blockers.h"
+#include "tracer/render/prepass_data.h"
 #include "tracer/render/prepasses.h"
 #include "tracer/render/requirements.h"
 
@@ -45,11 +47,20 @@ class Queue {
       : options_(options),
         frame_(frame),
         statistics_(statistics),
-        blocks_(blocks_of(render_area(options), options.block_size)) {
-    for (const Block& b : blocks_) pixels_ += static_cast<std::uint64_t>(b.width) * b.height;
+        blocks_(blocks_of(render_area(options), options.block_size)),
+        wanted_(wanted(blocks_, options)) {
+    for (const std::size_t i : wanted_) pixels_ += static_cast<std::uint64_t>(blocks_[i].width) * blocks_[i].height;
   }
 
-  std::size_t size() const { return blocks_.size(); }
+  // The numbers of the blocks that are to be rendered; numbers are those of the whole picture.
+  static std::vector<std::size_t> wanted(std::span<const Block> blocks, const Options& options) {
+    const std::vector<int> parts = parts_of(blocks, options.parts);
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+      if (parts[i] == options.part) numbers.push_back(i);
+    return numbers;
+  }
+  std::size_t size() const { return wanted_.size(); }
   bool cancelled() const { return options_.cancel && options_.cancel->load(std::memory_order_relaxed); }
   int index(const Block* block) const { return static_cast<int>(block - blocks_.data()); }
   std::span<const Block> blocks() const { return blocks_; }
@@ -57,8 +68,8 @@ class Queue {
   const Block* next() {
     while (!cancelled()) {
       const std::size_t i = next_.fetch_add(1);
-      if (i >= blocks_.size()) return nullptr;
-      const Block& b = blocks_[i];
+      if (i >= wanted_.size()) return nullptr;
+      const Block& b = blocks_[wanted_[i]];
       if (!options_.block_known || !options_.block_known(b.x, b.y, b.width, b.height)) return &b;
       finished(b, false);
     }
@@ -77,6 +88,9 @@ class Queue {
     if (options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(pixels_));
   }
   void add_statistics(const Statistics& part) {
+    if (options_.rays)
+      options_.rays->fetch_add(part.camera_rays + part.reflected_rays + part.refracted_rays + part.shadow_rays +
+                               part.transmitted_rays);
     const std::lock_guard lock(mutex_);
     add(statistics_, part);
   }
@@ -85,7 +99,8 @@ class Queue {
   const Options& options_;
   Framebuffer& frame_;
   Statistics& statistics_;
-  std::vector<Block> blocks_;
+  const std::vector<Block> blocks_;
+  const std::vector<std::size_t> wanted_;
   std::atomic<std::size_t> next_{0};
   std::mutex mutex_;
   std::uint64_t pixels_ = 0, done_ = 0;
@@ -127,6 +142,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
         render_plain(*block, sampler, frame);
       }
       end_block(effects, tracer, options, index);
+      queue.add_statistics(std::exchange(tracer.statistics(), {}));
       queue.finished(*block);
     }
   } catch (const shading::Cancelled&) {
@@ -165,38 +181,47 @@ Statistics render(const scene::Scene& scene, const Options& options, Framebuffer
   const auto render_start = std::chrono::steady_clock::now();
   Queue queue(options, frame, statistics);
   const int cores = options.threads > 0 ? options.threads : tbb::this_task_arena::max_concurrency();
-  const int threads = options.replay ? 1 : std::max(1, std::min<int>(cores, static_cast<int>(queue.size())));
+  const int useful = options.prepasses_to ? cores : static_cast<int>(queue.size());
+  const int threads = options.replay ? 1 : std::max(1, std::min(cores, useful));
   std::vector<shading::LastBlockers> blockers;
   const auto run_prepasses = [&](int count) {
+    if (options.prepasses_from) read_prepasses(*options.prepasses_from, effects, options);
     if (effects.photons) photon_pass(effects, data, options, count);
     if (effects.radiosity) radiosity_pretrace(effects, data, camera, options, count);
-    if (!effects.radiosity && !paths) blockers = blockers_at_blocks(data, camera, options, queue.blocks());
+    if (options.prepasses_to)
+      *options.prepasses_to = write_prepasses(effects);
+    else if (!effects.radiosity && !paths)
+      blockers = blockers_at_blocks(data, camera, options, queue.blocks());
   };
-  if (options.layers) resize_layers(*options.layers, options.width, options.height);
-  const auto layer_rows = [&](int first, int last) {
-    if (options.layers && !queue.cancelled())
-      fill_layers(*options.layers, data, camera, options.width, first, last, options.antialias);
+  std::vector<Block> layer_blocks;  // of the whole picture, whatever region is rendered
+  if (options.layers && !options.prepasses_to) {
+    resize_layers(*options.layers, options.width, options.height);
+    const std::vector<Block> all = blocks_of({0, 0, options.width, options.height}, options.block_size);
+    for (const std::size_t i : Queue::wanted(all, options)) layer_blocks.push_back(all[i]);
+  }
+  const auto fill_layer_block = [&](std::size_t i) {
+    if (!queue.cancelled())
+      fill_layers(*options.layers, data, camera, options.width, layer_blocks[i], options.antialias);
   };
   if (threads == 1) {
     run_prepasses(1);
-    work(queue, data, effects, camera, options, paths ? &*paths : nullptr, blockers, frame);
-    layer_rows(0, options.height);
+    if (!options.prepasses_to) work(queue, data, effects, camera, options, paths ? &*paths : nullptr, blockers, frame);
+    for (std::size_t i = 0; i < layer_blocks.size(); ++i) fill_layer_block(i);
   } else {
     const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     const tbb::global_control stack(tbb::global_control::thread_stack_size, std::size_t{16} << 20);
     tbb::task_arena arena(threads);
     arena.execute([&] {
       run_prepasses(threads);
+      if (options.prepasses_to) return;
       parallel_for(static_cast<std::size_t>(threads), 1, [&](std::size_t) {
         work(queue, data, effects, camera, options, paths ? &*paths : nullptr, blockers, frame);
       });
-      if (options.layers)
-        parallel_for(static_cast<std::size_t>(options.height), 1,
-                     [&](std::size_t y) { layer_rows(static_cast<int>(y), static_cast<int>(y) + 1); });
+      parallel_for(layer_blocks.size(), 1, fill_layer_block);
     });
   }
   statistics.cancelled = queue.cancelled();
-  if (!statistics.cancelled && !paths) save_radiosity(effects, options);
+  if (!statistics.cancelled && !paths && !options.prepasses_to) save_radiosity(effects, options);
   statistics.seconds_render = seconds_since(render_start);
   statistics.findings = world.findings();
   return statistics;

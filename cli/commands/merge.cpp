@@ -1,0 +1,39 @@
+// `verisim merge`: parts of a picture put together.
+#include <fmt/format.h>
+
+#include "cli/commands/commands.h"
+#include "cli/console/exit_status.h"
+#include "cli/parts/merge.h"
+#include "cli/settings/own_options.h"
+
+namespace verisim::cli {
+
+int command_merge(const std::vector<std::string>& arguments) {
+  std::string output;
+  bool quiet = false;
+  OwnOptions own(
+      "merge",
+      "Puts the parts of a picture together that `verisim render --part` has made. The file is the same as "
+      "that of one render of the whole picture, to the byte; parts that do not belong together, are missing, "
+      "doubled or damaged are refused by name.");
+  own.synopsis("PARTS... --output FILE")
+      .summary("put the parts of a picture together")
+      .example("verisim merge parts/*.vsp --output picture.png",
+               "after verisim render scene.pov --part 1/8 --output "
+               "parts/1.vsp, and so on to 8/8");
+  own.value("--output FILE", output,
+            "the picture's file, named as it is; the type by its extension unless +F said otherwise");
+  own.flag("--quiet", quiet, "say nothing when all goes well");
+  const std::vector<std::string> words = own.parse(arguments);
+  if (words.empty()) throw OptionError("name the files of the parts: verisim merge PARTS... --output picture.png");
+  if (output.empty()) throw OptionError("name the picture's file: --output picture.png");
+  const Merged merged = merge_parts({words.begin(), words.end()}, output);
+  if (!quiet)
+    std::fputs(fmt::format("{} by {}: merged {} part{} to {}\n", merged.width, merged.height, merged.parts,
+                           merged.parts == 1 ? "" : "s", output)
+                   .c_str(),
+               stderr);
+  return kOk;
+}
+
+}  // namespace verisim::cli

@@ -13,7 +13,7 @@ endforeach()
 
 install(TARGETS verisim_tracer verisim_parser verisim_compare EXPORT verisimTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS verisim RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(PROGRAMS ${PROJECT_SOURCE_DIR}/share/verisim/slurm/verisim-slurm DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(PROGRAMS ${PROJECT_SOURCE_DIR}/share/verisim/slurm/verisim-slurm DESTINATION ${CMAKE_INSTALL_DATADIR}/verisim/slurm)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/verisim)

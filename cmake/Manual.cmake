@@ -1,7 +1,7 @@
 # Man pages and the completion of bash, made by the program from the tables behind its --help.
 set(manual_folder ${PROJECT_BINARY_DIR}/manual)
 set(pages "")
-foreach(command IN ITEMS "" render check compare explain diff bench)
+foreach(command IN ITEMS "" render merge check compare explain diff bench)
   set(page verisim)
   if(command)
     string(APPEND page -${command})

@@ -4,6 +4,7 @@
 
 #include "tracer/bvh/box_tree.h"
 #include "tracer/math/bernstein.h"
+#include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/swept/outline_index.h"
 #include "tracer/shapes/swept/plane_curve.h"
@@ -81,6 +82,7 @@ class Prism final : public Primitive<Prism> {
       : Primitive(description, {prism_box(prism)}),
         conic_(prism.conic),
         open_(prism.open),
+        sturm_(description.sturm),
         low_(std::min(prism.low, prism.high)),
         high_(std::max(prism.low, prism.high)),
         box_(prism_box(prism)) {
@@ -244,6 +246,7 @@ class Prism final : public Primitive<Prism> {
       const Piece& p = pieces_[s.first_piece];
       return x < s.x_low && p.z_begin != p.z_end ? 1 : roots_right_of(s.curve, x, z);
     }
+    if (level_with_end(s, z)) return roots_right_of(s.curve, x, z);
     int count = 0;
     for (std::size_t i = s.first_piece; i < s.end_piece; ++i) {
       const Piece& p = pieces_[i];
@@ -253,15 +256,24 @@ class Prism final : public Primitive<Prism> {
     }
     return count;
   }
-  static int roots_right_of(const CurveSegment& curve, double x, double z) {
-    double roots[3];
+  // Whether z lies so near to an end of a segment that the rounding of the closed forms decides which segment owns it.
+  bool level_with_end(const Segment& s, double z) const {
+    const double slack = 1e-7 * (s.z_high - s.z_low);
+    return std::fabs(z - pieces_[s.first_piece].z_begin) < slack ||
+           std::fabs(z - pieces_[s.end_piece - 1].z_end) < slack;
+  }
+  // By POV-Ray's closed forms, whose roots at the ends of a segment are not quite 0 and 1 (spec 08 F).
+  int roots_right_of(const CurveSegment& curve, double x, double z) const {
+    double falling[4], roots[3];
+    for (int i = 0; i <= curve.degree; ++i) falling[curve.degree - i] = curve.c[static_cast<std::size_t>(i)][along_z];
+    falling[curve.degree] -= z;
     int count = 0;
-    const int n = curve.solve(along_z, z, roots);
-    for (int i = 0; i < n; ++i) count += curve.value(along_x, roots[i]) > x;
+    const int n = solve_polynomial(curve.degree, falling, roots, sturm_);
+    for (int i = 0; i < n; ++i) count += roots[i] >= 0 && roots[i] <= 1 && curve.value(along_x, roots[i]) > x;
     return count;
   }
 
-  bool conic_, open_;
+  bool conic_, open_, sturm_;
   double low_, high_;
   Box3 box_;
   Rectangle outline_;

@@ -216,39 +216,6 @@ constexpr CodeEntry kCodes[] = {
      "The scene is right; verisim cannot render it. Exit status 4.", "", ""},
     {Code::internal, "internal", "An error that has no better name",
      "The message comes from the system or from a library.", "", ""},
-    {Code::unused_declaration, "unused-declaration", "A declaration in the scene that nothing uses",
-     "The name never occurs again. It may be a misspelt one, or a left-over.", "#declare Unused = 1;\nsphere { 0, 1 }",
-     "#declare Used = 1;\nsphere { 0, Used }"},
-    {Code::unused_macro, "unused-macro", "A macro in the scene that nothing calls", "The name never occurs again.",
-     "#macro M() 1 #end\nsphere { 0, 1 }", "#macro M() 1 #end\nsphere { 0, M() }"},
-    {Code::shadowed_name, "shadowed-name", "A #local or parameter that hides a global name",
-     "Inside the macro the name means the new one. If the global was meant, use it without #local; else another name "
-     "says better what is what.",
-     "#declare R = 1;\n#macro M(R) sphere { 0, R } #end\nM(2)\nM(R)",
-     "#declare R = 1;\n#macro M(Size) sphere { 0, Size } #end\nM(2)\nM(R)"},
-    {Code::constant_in_loop, "constant-in-loop", "A declaration inside a loop that is the same each time",
-     "A block declared inside a loop from constants alone is made again in each pass. Declared before the loop it is "
-     "made once.",
-     "#for (I, 1, 3)\n#declare T = texture { pigment { color rgb 1 } }\nsphere { I, 1 texture { T } }\n#end",
-     "#declare T = texture { pigment { color rgb 1 } }\n#for (I, 1, 3)\nsphere { I, 1 texture { T } }\n#end"},
-    {Code::coincident_surfaces, "coincident-surfaces", "Two surfaces in exactly the same place",
-     "Where the faces of a difference or of touching objects lie in one plane, rounding decides pixel by pixel which "
-     "is seen: speckles. Let what is cut away reach a little further than what it is cut from.",
-     "difference { box { -1, 1 } box { <-0.5, -0.5, -1>, <0.5, 0.5, 1> } }",
-     "difference { box { -1, 1 } box { <-0.5, -0.5, -1.01>, <0.5, 0.5, 1.01> } }"},
-    {Code::light_inside, "light-inside", "A light inside an opaque object",
-     "Its light does not come out. no_shadow on the object, or looks_like in the light, lets it.",
-     "camera { location -9*z }\nlight_source { 0, rgb 1 }\nsphere { 0, 1 pigment { color rgb 1 } }",
-     "camera { location -9*z }\nlight_source { 0, rgb 1 looks_like { sphere { 0, 1 pigment { color rgb 1 } } } }"},
-    {Code::ambient_with_radiosity, "ambient-with-radiosity", "finish { ambient } in a scene with radiosity",
-     "ambient stands for the indirect light that radiosity computes, and from version 3.7 on it is ignored where "
-     "radiosity is on. A surface that glows has emission.",
-     "global_settings { radiosity { count 10 } }\nsphere { 0, 1 finish { ambient 0.3 } }",
-     "global_settings { radiosity { count 10 } }\nsphere { 0, 1 finish { emission 0.3 } }"},
-    {Code::hidden_texture, "hidden-texture", "A texture that nothing can show",
-     "The layer above it has a pigment without any transparency.",
-     "sphere { 0, 1 texture { pigment { color rgb 1 } } texture { pigment { color rgb x } } }",
-     "sphere { 0, 1 texture { pigment { color rgb 1 } } texture { pigment { color rgbt <1, 0, 0, 0.5> } } }"},
 };
 static_assert(std::size(kCodes) == static_cast<std::size_t>(Code::count));
 static_assert([] {
@@ -292,8 +259,6 @@ std::optional<Code> code_named(std::string_view name) {
     if (e.name == name) return e.code;
   return std::nullopt;
 }
-
-bool is_lint(Code code) { return code >= Code::unused_declaration; }
 
 std::string explanation(const CodeEntry& e) {
   std::string out = std::string(e.name) + ": " + std::string(e.title) + "\n\n" + filled(e.text);

@@ -35,9 +35,6 @@ enum class Code : std::uint8_t {
   user_error, user_warning,
   // limits of verisim
   nesting_limit, size_limit, time_limit, unsupported, internal,
-  // lints: what is allowed, and rarely meant (parser/editing/lints.h)
-  unused_declaration, unused_macro, shadowed_name, constant_in_loop, coincident_surfaces, light_inside, ambient_with_radiosity,
-  hidden_texture,
   // clang-format on
   count
 };
@@ -56,8 +53,6 @@ std::span<const CodeEntry> all_codes();
 const CodeEntry& entry(Code code);
 std::string_view name(Code code);
 std::optional<Code> code_named(std::string_view name);
-// True for codes of checks that can be switched off one by one.
-bool is_lint(Code code);
 // The entry as text for a terminal.
 std::string explanation(const CodeEntry& entry);
 

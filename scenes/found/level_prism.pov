@@ -8,5 +8,5 @@ light_source { <3, 5, -5>, 1 }
 #declare Front = box { <-2, -2, -2>, <2, 2, 0> }
 difference {
   prism { cubic_spline 0, 0.5, 7 <0, -1>, <0.6, 0>, <0, 1>, <-0.6, 0>, <0, -1>, <0.6, 0>, <0, 1> }
-  object { Front } pigment { rgb <1, 0.7, 0.3> } rotate 20*y
+  object { Front } pigment { rgb <1, 0.7, 0.3> } rotate 10*y
 }

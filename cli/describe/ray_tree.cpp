@@ -7,11 +7,11 @@
 namespace verisim::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 double rounded(double value) { return std::fabs(value) < 1e-12 ? 0 : value; }
-json numbers(const Vec3& v) { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
-json numbers(const Rgb& c) { return {c.r, c.g, c.b}; }
+Json numbers(const Vec3& v) { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
+Json numbers(const Rgb& c) { return {c.r, c.g, c.b}; }
 
 std::string name_of(const shapes::Surface* surface) {
   return surface && surface->object ? object_name(*surface->object) : "a surface";
@@ -37,19 +37,19 @@ const char* RayTree::kind_of(const shading::RayState& ray) const {
   return through ? "refracted" : "reflected";
 }
 
-void RayTree::put(json ray) { (open_.empty() ? rays_ : open_.back().story["rays"]).push_back(std::move(ray)); }
+void RayTree::put(Json ray) { (open_.empty() ? rays_ : open_.back().story["rays"]).push_back(std::move(ray)); }
 
 void RayTree::ray_started(const shading::RayState& ray, const shapes::Hit* hit) {
   const char* kind = kind_of(ray);
   line(fmt::format("{} ray from {} towards {}{}", kind, text(ray.ray.origin), text(ray.ray.direction),
                    ray.weight == 1 ? "" : fmt::format(", weight {:.4g}", ray.weight)));
-  json story{{"kind", kind},
+  Json story{{"kind", kind},
              {"origin", numbers(ray.ray.origin)},
              {"direction", numbers(ray.ray.direction)},
              {"weight", ray.weight},
-             {"distance", hit ? json(hit->t) : json(nullptr)},
-             {"layers", json::array()},
-             {"rays", json::array()}};
+             {"distance", hit ? Json(hit->t) : Json(nullptr)},
+             {"layers", Json::array()},
+             {"rays", Json::array()}};
   open_.push_back({std::move(story), ray.ray.direction, Vec3(0, 0, 0)});
   open_.back().story["crosses"] = crossings(ray);
   if (!hit) line("hits nothing: sees the sky");
@@ -57,7 +57,7 @@ void RayTree::ray_started(const shading::RayState& ray, const shapes::Hit* hit) 
 
 void RayTree::ray_ended(const shading::RayState&, const Color& color) {
   line(fmt::format("colour {}{}", text(color.rgb()), color.t == 0 ? "" : fmt::format(", see-through {:.4g}", color.t)));
-  json story = std::move(open_.back().story);
+  Json story = std::move(open_.back().story);
   open_.pop_back();
   story["color"] = numbers(color.rgb()), story["see_through"] = color.t;
   put(std::move(story));
@@ -101,13 +101,13 @@ void RayTree::layer(const shading::SurfaceHit& at, const shading::LayerContext& 
                                           {"above", numbers(layer.filter)},
                                           {"own", numbers(own)},
                                           {"reflects", numbers(reflectivity)},
-                                          {"lights", json::array()}});
+                                          {"lights", Json::array()}});
 }
 
 void RayTree::light(const shading::Light& light, const shading::LightDirection& direction, bool tested,
                     const Rgb& arriving, const Rgb& added) {
   const std::string where = text(light.source().position);
-  json story{{"position", numbers(light.source().position)},
+  Json story{{"position", numbers(light.source().position)},
              {"distance", direction.distance},
              {"arrives", numbers(arriving)},
              {"adds", numbers(added)}};
@@ -138,9 +138,9 @@ void RayTree::light(const shading::Light& light, const shading::LightDirection& 
 }
 
 // Every surface along the ray, near to far.
-json RayTree::crossings(const shading::RayState& ray) {
+Json RayTree::crossings(const shading::RayState& ray) {
   constexpr int kMax = 40;
-  json all = json::array();
+  Json all = Json::array();
   double from = 1e-4;
   line("crosses, near to far:");
   for (int i = 0; i < kMax; ++i) {

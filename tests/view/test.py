@@ -11,7 +11,7 @@ import urllib.request
 
 import browser
 
-VERISIM = sys.argv[1] if len(sys.argv) > 1 else "verisim"
+VERISIM = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else "verisim"
 KEPT = sys.argv[2] if len(sys.argv) > 2 else None
 
 SCENE = """#version 3.7;

@@ -282,7 +282,9 @@ HWY_INLINE FloatPacket to_floats(const Packet& a) {
   constexpr int kVectors = FloatPacket::kVectors;
   const hn::Rebind<float, Packet::D> part;  // as many as doubles are in a vector
   FloatPacket r;
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_SCALAR
+#if HWY_TARGET == HWY_SCALAR  // whose DemoteTo makes the largest float of what is larger, not infinity
+  VERISIM_EACH_VECTOR r.v[i] = hn::Set(part, static_cast<float>(hn::GetLane(a.v[i])));
+#elif HWY_TARGET == HWY_AVX3
   VERISIM_EACH_VECTOR r.v[i] = hn::DemoteTo(part, a.v[i]);
 #else  // put together in a register: halves that are written to memory and read whole are waited for
   VERISIM_EACH_VECTOR r.v[i] =

@@ -1,12 +1,14 @@
 // Large blocks of memory in huge pages: a mesh of millions of triangles fills hundreds of MiB once, and a third of the
 // time until its first pixel went into page faults of 4 KiB each. Part of the program, not of the libraries: whoever
-// embeds those chooses an allocator.
+// embeds those chooses an allocator. Large blocks are also where --max-memory is kept before memory is taken.
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #include <sys/mman.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <new>
+
+#include "tracer/base/resident_memory.h"
 
 namespace {
 
@@ -18,6 +20,10 @@ void* allocate(std::size_t size, std::size_t alignment) {
   for (;;) {
     void* block;
     if (size >= kLarge) {
+      const std::size_t limit = verisim::memory_limit.load(std::memory_order_relaxed);
+      if (size > ~std::size_t{0} - kHugePage || (limit && size > limit) ||
+          (limit && size > limit - std::min(limit, verisim::resident_memory())))
+        throw std::bad_alloc();
       const std::size_t whole = (size + kHugePage - 1) / kHugePage * kHugePage;
       block = std::aligned_alloc(std::max(alignment, kHugePage), whole);
       if (block) ::madvise(block, whole, MADV_HUGEPAGE);  // advice: where there are none, small pages do

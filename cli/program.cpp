@@ -32,6 +32,9 @@ int run_command(const Command& command, const std::vector<std::string>& argument
   } catch (const OptionError& error) {
     std::fprintf(stderr, "verisim %s: %s\n", std::string(command.name).c_str(), error.what());
     return kUsage;
+  } catch (const std::bad_alloc&) {
+    std::fputs("verisim: error: there is not enough memory, or --max-memory does not allow it\n", stderr);
+    return kInputOutput;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "verisim %s: %s\n", std::string(command.name).c_str(), error.what());
     return kInputOutput;

@@ -186,7 +186,7 @@ int command_check(const std::vector<std::string>& arguments) {
     for (SceneSource& scene : scenes_of(options, word)) scenes.push_back(std::move(scene));
 
   Console console(options, Style::verisim);
-  Interrupt interrupt(options.max_seconds);
+  Interrupt interrupt(watch(options, console));
   ExitStatus status = kOk;
   nlohmann::json reports = nlohmann::json::array();
   std::vector<parser::Diagnostic> all;

@@ -154,7 +154,7 @@ int command_explain(const std::vector<std::string>& arguments) {
   if (!scene.found()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", options.input_file));
 
   Console console(options, Style::verisim);
-  Interrupt interrupt(options.max_seconds);
+  Interrupt interrupt(watch(options, console));
   const Job job{options, console, interrupt, scene, animation(options)};
   const parser::ParseResult parsed = parse_scene(job, parse_options(job, job.animation.frame(0)));
   console.end_of_debug();

@@ -155,7 +155,7 @@ void create_ini(const Options& options) {
 // From finished options to the last frame.
 Outcome render_all(const Options& options, Console& console, const SceneSource& scene) {
   if (!options.create_ini.empty()) create_ini(options);
-  Interrupt interrupt(options.max_seconds);
+  Interrupt interrupt(watch(options, console));
   SharedScene shared;
   const Job job{options, console, interrupt, scene, animation(options), &shared};
   const fs::path picture = output_name(options, scene.path, job.animation, job.animation.frame(0)).path;

@@ -406,6 +406,7 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   for (const auto& [place, text] : report.statistics.findings) warn_of_object(job, place, text);
   if (state && !state->failure().empty()) job.console.line(Stream::warning, wrapped("Warning: " + state->failure()));
   const bool interrupted = report.statistics.cancelled;
+  if (interrupted) job.interrupt.orderly_end();
   if (interrupted && state) state->flush(canvas.framebuffer);
   if (options.stamp && !output.time) {
     output.time = std::time(nullptr);
@@ -415,8 +416,7 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
     write(job, canvas, choice, name, output, report);
   else if (!interrupted)
     write_part(canvas, choice, prepasses, name, header, report);
-  if (interrupted)
-    throw Failure{kInterrupted, job.interrupt.out_of_time() ? "out of time (--max-seconds)" : "interrupted"};
+  if (interrupted) throw Failure{kInterrupted, job.interrupt.limit_reached() ? "a limit is reached" : "interrupted"};
   if (state) state->remove();
 }
 
@@ -429,6 +429,15 @@ double cpu_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+Watch watch(const Options& options, const Console& console) {
+  Watch result;
+  result.seconds = options.max_seconds;
+  result.cpu_seconds = options.max_cpu_seconds;
+  result.memory = options.limits.max_memory_bytes;
+  if (console.style() == Style::povray) result.status = 2;
+  return result;
 }
 
 render::Options render_options(const Job& job, const Region& part) {
@@ -558,7 +567,7 @@ FrameReport render_frame(const Job& job, const Frame& frame) {
   } catch (const std::bad_alloc&) {
     job.console.end_progress();
     report.status = kInputOutput;
-    report.message = "there is not enough memory for this scene and picture";
+    report.message = "there is not enough memory for this scene and picture, or --max-memory does not allow it";
     tell(job, report.message);
   } catch (const std::exception& error) {
     job.console.end_progress();

@@ -43,6 +43,9 @@ struct FrameReport {
 
 FrameReport render_frame(const Job& job, const Frame& frame);
 
+// The limits of the process that the options ask for.
+Watch watch(const Options& options, const Console& console);
+
 // Parses the job's scene, from its file or from the text of its stream.
 parser::ParseResult parse_scene(const Job& job, const parser::ParseOptions& options);
 

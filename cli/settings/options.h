@@ -102,7 +102,7 @@ struct Options {
       .max_steps = std::uint64_t{
           100'000'000'000}};  // an endless loop ends after some ten minutes; POV-Ray takes hours for as much
   std::uint64_t max_pixels = std::uint64_t{1} << 28;  // of one picture: 20 bytes each
-  double max_seconds = 0;                             // of one command; 0: no limit
+  double max_seconds = 0, max_cpu_seconds = 0;        // of one command; 0: no limit
   std::string stdin_name;                             // of a scene from standard input
   std::string exact_output;                           // --output: the name as it is, the type by its extension
   std::string stats_file;

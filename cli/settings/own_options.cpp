@@ -1,6 +1,7 @@
 #include "cli/settings/own_options.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include <CLI/CLI.hpp>
@@ -16,7 +17,9 @@ struct OwnOptions::Impl {
   CLI::App app;
   CommandHelp help;
   std::vector<std::string> names{"--help"};
-  std::map<std::string, std::string> refused;  // by name: why
+  std::map<std::string, std::string> refused;               // by name: why
+  std::map<std::string, std::vector<std::string>> presets;  // what an option stands for
+  std::string preset_given;
 
   Impl(const std::string& command, const std::string& description) : app(description, "verisim " + command) {
     app.set_help_flag();  // the help is not CLI11's
@@ -91,6 +94,12 @@ void OwnOptions::paths(const std::string& name, std::vector<std::filesystem::pat
       ->expected(1)
       ->trigger_on_parse();
 }
+void OwnOptions::preset(const std::string& name, const std::string& value, std::span<const char* const> options,
+                        const std::string& help) {
+  const std::string noted = impl_->note(name + " " + value, help);
+  impl_->app.add_option(noted, impl_->preset_given)->check(CLI::IsMember({value}));
+  impl_->presets[noted] = {options.begin(), options.end()};
+}
 void OwnOptions::refused(const std::string& name, const std::string& reason) { impl_->refused[name] = reason; }
 void OwnOptions::refuse_others_of(const OwnOptions& other, const std::string& reason) {
   for (const std::string& name : other.impl_->names)
@@ -133,6 +142,10 @@ std::vector<std::string> OwnOptions::parse(const std::vector<std::string>& argum
       own.back() += "=" + arguments[++i];
     }
   }
+  for (const auto& [name, meant] : impl_->presets)
+    if (std::any_of(own.begin(), own.end(), [&](const std::string& o) { return o.starts_with(name + "="); }))
+      for (const std::string& option : meant)  // first of all, so that what is given counts
+        if (impl_->app.get_option_no_throw(option.substr(0, option.find('=')))) own.insert(own.begin(), option);
   try {
     std::reverse(own.begin(), own.end());  // CLI11 takes them from the back
     impl_->app.parse(own);
@@ -141,6 +154,11 @@ std::vector<std::string> OwnOptions::parse(const std::vector<std::string>& argum
   }
   return words;
 }
+
+// What a server can offer to the world; each may be changed by its own option.
+constexpr std::array kStrangers{"--max-seconds=60",       "--max-cpu-seconds=240", "--max-memory=1073741824",
+                                "--max-steps=1000000000", "--max-tokens=16777216", "--max-file-bytes=268435456",
+                                "--max-depth=200",        "--max-pixels=16777216"};
 
 void add_scene_options(OwnOptions& own, Options& options) {
   own.section("Standard input");
@@ -153,12 +171,17 @@ void add_scene_options(OwnOptions& own, Options& options) {
   own.paths("--allow-write PATH", options.allow_write,
             "let the scene write (#fopen) below this path, too (may be given again); without it only below the current "
             "folder and the scene's");
-  own.value("--max-seconds X", options.max_seconds, "give up after this time; 0: no limit (default)");
+  own.value("--max-seconds X", options.max_seconds, "give up after this time by the clock; 0: no limit (default)");
+  own.value("--max-cpu-seconds X", options.max_cpu_seconds,
+            "give up when all threads together have taken this time; 0: no limit (default)");
+  own.preset("--limits", "strangers", kStrangers,
+             "limits for scenes of strangers: a minute, four of all threads, 1 GiB, 2^24 pixels and more; the options "
+             "here change single ones");
   own.value("--max-steps N", options.limits.max_steps,
             "executed tokens of the scene (default 10^11, some ten minutes of an endless loop); 0: no limit");
   own.value("--max-tokens N", options.limits.max_tokens, "tokens in all files together");
   own.value("--max-file-bytes N", options.limits.max_file_bytes, "bytes of one source file");
-  own.value("--max-memory N", options.limits.max_memory_bytes, "bytes of memory that parsing may take");
+  own.value("--max-memory N", options.limits.max_memory_bytes, "bytes of memory that the whole run may take");
   own.value("--max-depth N", options.limits.max_depth, "nested blocks, parentheses and calls");
   own.value("--max-pixels N", options.max_pixels, "pixels of a picture");
   own.section("Messages");

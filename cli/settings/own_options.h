@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,9 @@ class OwnOptions {
   void value(const std::string& name, double& value, const std::string& help);
   void values(const std::string& name, std::vector<std::string>& value, const std::string& help);  // may be given again
   void paths(const std::string& name, std::vector<std::filesystem::path>& value, const std::string& help);
+  // An option whose one value stands for several others (as words, "--name=value"); those that are given count more.
+  void preset(const std::string& name, const std::string& value, std::span<const char* const> options,
+              const std::string& help);
   // An option of another command that does nothing in this one: refused by name, with the reason.
   void refused(const std::string& name, const std::string& reason);
   // All options of another command that this one does not have.

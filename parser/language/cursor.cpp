@@ -2,10 +2,9 @@
 // calls that stand in the way are executed when the next token is about to be read (spec 01 section 4).
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "parser/language/impl.h"
 #include "parser/language/blocks.h"
+#include "tracer/base/resident_memory.h"
 
 namespace verisim::parser {
 
@@ -108,14 +107,8 @@ void Parser::Impl::check_limits() {
     fatal(Code::size_limit, "The scene executes more steps than --max-steps allows: an endless loop?");
   if (options.cancelled && options.cancelled())
     fatal(Code::time_limit, "Interrupted, or longer than --max-seconds allows.");
-  // Resident memory of the whole process, in pages: cheap to ask for, and it counts everything.
-  if (std::FILE* statm = std::fopen("/proc/self/statm", "re")) {
-    unsigned long total = 0, resident = 0;
-    const int got = std::fscanf(statm, "%lu %lu", &total, &resident);
-    std::fclose(statm);
-    if (got == 2 && resident > limits.max_memory_bytes / 4096)
-      fatal(Code::size_limit, "The scene needs more memory than --max-memory allows.");
-  }
+  if (resident_memory() > limits.max_memory_bytes)
+    fatal(Code::size_limit, "The scene needs more memory than --max-memory allows.");
 }
 
 // ---- The public face ----

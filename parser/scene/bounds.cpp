@@ -1,6 +1,8 @@
 // bounded_by { ... } and clipped_by { ... } (spec 03 sections 6.2 and 6.3).
 #include "parser/scene/objects.h"
+#include "parser/scene/common/nesting.h"
 #include "parser/scene/common/transform.h"
+#include "tracer/scene/parts.h"
 
 namespace verisim::parser {
 
@@ -9,11 +11,11 @@ using scene::ObjectPtr;
 
 namespace {
 
-bool has_texture(const Object& object) {
+bool has_texture(const Object& object, scene::SharedLists& seen) {
   if (object.texture) return true;
-  if (!object.as<scene::Csg>()) return false;
+  if (!object.as<scene::Csg>() || !seen.first(object)) return false;
   for (const ObjectPtr& child : scene::declared_children(object)) {
-    if (has_texture(*child)) return true;
+    if (has_texture(*child, seen)) return true;
   }
   return false;
 }
@@ -22,8 +24,10 @@ bool has_texture(const Object& object) {
 std::vector<ObjectPtr> parse_objects(Parser& parser) {
   std::vector<ObjectPtr> objects;
   while (ObjectRef object = parse_object(parser)) {
-    if (has_texture(*object) || scene::is_patch(*object))
+    scene::SharedLists seen;
+    if (has_texture(*object, seen) || scene::is_patch(*object))
       parser.error(Code::incompatible, "Illegal texture or patch in clip, bound or object pattern.");
+    check_nesting(parser, *object);
     objects.push_back(object);
   }
   if (objects.empty()) parser.error_expected("object");

@@ -1,5 +1,6 @@
 // union, merge, intersection, difference (spec 03 section 5).
 #include "parser/scene/objects.h"
+#include "parser/scene/common/nesting.h"
 
 namespace verisim::parser {
 
@@ -20,6 +21,7 @@ void read_children(Parser& parser, scene::Object& object, Word word) {
   }
   if (csg.children.declared().size() < 2) parser.warning(Code::too_few, "Should have at least 2 objects in csg.");
   object.shape = std::move(csg);
+  check_nesting(parser, object);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "parser/scene/common/common.h"
+#include "parser/scene/common/nesting.h"
 #include "parser/scene/global_settings.h"
 #include "parser/scene/objects.h"
 #include "parser/scene/common/transform.h"
@@ -76,6 +77,7 @@ class LightReader {
     if (!attached) parser.error_expected("object");
     // The braces of looks_like take the modifiers of an object, too.
     parse_object_modifiers(parser, *attached);
+    check_nesting(parser, *attached);
     return attached;
   }
 
@@ -250,6 +252,7 @@ std::shared_ptr<scene::Object> parse_light_group(Parser& parser) {
         scene::LightGroup group;
         while (std::shared_ptr<scene::Object> child = parse_object(parser)) group.children.push_back(child);
         object.shape = std::move(group);
+        check_nesting(parser, object);
       },
       [&](scene::Object& object) {
         while (parse_light_group_item(parser, object)) {

@@ -2,10 +2,12 @@
 #include "parser/scene/atmosphere.h"
 #include "parser/scene/camera.h"
 #include "parser/scene/common/common.h"
+#include "parser/scene/common/nesting.h"
 #include "parser/scene/global_settings.h"
 #include "parser/scene/interior.h"
 #include "parser/scene/textures/maps.h"
 #include "parser/scene/textures/texture.h"
+#include "tracer/scene/parts.h"
 
 namespace verisim::parser {
 
@@ -47,6 +49,7 @@ class ObjectCheck {
 
   Parser& parser;
   scene::TexturePtr last;  // children often share one texture
+  scene::SharedLists seen;
 
   void textures(const scene::Object& o) {
     for (const scene::TexturePtr* texture : {&o.texture, &o.interior_texture}) {
@@ -58,6 +61,7 @@ class ObjectCheck {
   // What the children of a copy will be: they have no bounds, and what has no texture will have its parent's or the
   // default one.
   void postponed(const scene::Object& parent, bool textured) {
+    if (!seen.first(parent, textured)) return;
     for (const scene::ObjectPtr& child : scene::declared_children(parent)) {
       textures(*child);
       const bool has_texture = textured || child->texture;
@@ -217,6 +221,7 @@ std::optional<Value> parse_block_value(Parser& parser) {
 void finish_scene(Parser& parser) {
   finish_radiosity_settings(parser, parser.scene().settings.radiosity);
   if (parser.scene().objects.empty()) parser.warning(Code::no_objects, "No objects in scene.");
+  check_object_count(parser, scene::objects_of(parser.scene().objects));
 }
 
 }  // namespace verisim::parser

@@ -249,7 +249,7 @@ Statistics PreparedScene::render(const Options& options, Framebuffer& frame, con
     for (std::size_t i = 0; i < layer_blocks.size(); ++i) fill_layer_block(i);
   } else {
     const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-    const tbb::global_control stack(tbb::global_control::thread_stack_size, std::size_t{16} << 20);
+    const tbb::global_control stack(tbb::global_control::thread_stack_size, std::size_t{100} << 20);
     tbb::task_arena arena(threads);
     arena.execute([&] {
       before_the_picture(threads);

@@ -3,7 +3,10 @@
 // objects (spec 03 5.3 and 5.4; 06 6.1, 6.6 and 10.1).
 #include "tracer/scene/finish_statement.h"
 
+#include <unordered_map>
 #include <utility>
+
+#include "tracer/scene/parts.h"
 
 namespace verisim::scene {
 
@@ -18,32 +21,46 @@ Object& writable(ObjectPtr& child) {
   return const_cast<Object&>(*child);
 }
 
-bool has_texture_anywhere(const Object& object) {
+bool has_texture_anywhere(const Object& object, SharedLists& seen) {
   if (object.texture) return true;
+  if (!seen.first(object)) return false;
   for (const ObjectPtr& child : declared_children(object)) {
-    if (has_texture_anywhere(*child)) return true;
+    if (has_texture_anywhere(*child, seen)) return true;
   }
   return false;
+}
+
+bool has_texture_anywhere(const Object& object) {
+  SharedLists seen;
+  return has_texture_anywhere(object, seen);
 }
 
 bool is_light(const Object& object) { return object.as<LightSource>() != nullptr; }
 
 // A union whose objects are all without shadow is, too.
-bool is_shadowless_union(const Object& object);
-
-bool is_shadowless(const Object& object) { return object.no_shadow || is_shadowless_union(object); }
-
-bool is_shadowless_union(const Object& object) {
-  const auto* csg = object.as<Csg>();
-  if (!csg || csg->kind != CsgKind::union_) return false;
-  bool any = false;
-  for (const ObjectPtr& child : declared_children(object)) {
-    if (is_light(*child)) continue;
-    if (!is_shadowless(*child)) return false;
-    any = true;
+class ShadowlessUnion {
+ public:
+  bool is(const Object& object) {
+    const auto* csg = object.as<Csg>();
+    if (!csg || csg->kind != CsgKind::union_) return false;
+    const std::vector<ObjectPtr>& children = declared_children(object);
+    const auto [place, fresh] = known_.try_emplace(&children, false);
+    bool& known = place->second;
+    if (!fresh) return known;
+    bool any = false;
+    for (const ObjectPtr& child : children) {
+      if (is_light(*child)) continue;
+      if (!child->no_shadow && !is(*child)) return false;
+      any = true;
+    }
+    return known = any;
   }
-  return any;
-}
+
+ private:
+  std::unordered_map<const void*, bool> known_;  // by the list that copies share
+};
+
+bool is_shadowless_union(const Object& object) { return ShadowlessUnion().is(object); }
 
 void inherit_photons(Rare<PhotonFlags>& flags, const PhotonFlags& parent) {
   if (!parent.given) return;

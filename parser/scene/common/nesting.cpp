@@ -1,10 +1,13 @@
 #include "parser/scene/common/nesting.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <unordered_map>
 #include <variant>
 
 #include "parser/scene/common/common.h"
+#include "tracer/scene/parts.h"
 
 namespace verisim::parser {
 namespace {
@@ -109,6 +112,22 @@ void check_nesting(Parser& parser, const scene::Density& density) {
 }
 void check_nesting(Parser& parser, const scene::Texture& texture) {
   if (texture.patterned()) check(parser, texture);
+}
+
+void check_nesting(Parser& parser, const scene::Object& object) {
+  const scene::Parts parts = scene::parts_of(object);
+  if (parts.levels > kMaxObjectLevels)
+    parser.fatal(fmt::format("Objects are nested deeper than {} levels.", kMaxObjectLevels),
+                 "A union of many copies side by side needs one level only.");
+  check_object_count(parser, parts.objects);
+}
+
+void check_object_count(Parser& parser, double objects) {
+  const double most = static_cast<double>(parser.options().limits.max_memory_bytes) / scene::kBytesPerObject;
+  if (objects > most)
+    parser.fatal(
+        fmt::format("With the copies written out there are {:.3g} objects; --max-memory allows {:.3g}.", objects, most),
+        "--max-memory raises this limit.");
 }
 
 }  // namespace verisim::parser

@@ -133,7 +133,7 @@ int view(const std::vector<std::string>& arguments) {
 
   const PrivateFolder folder;
   if (!options.allow_read.empty()) options.allow_read.push_back(fs::current_path());
-  Interrupt interrupt(options.max_seconds);
+  Interrupt interrupt(Watch{.seconds = options.max_seconds});
   LivePicture picture(options, scene, interrupt);
   Server server;
   answers(server, picture, options);

@@ -117,7 +117,7 @@ void check_nesting(Parser& parser, const scene::Texture& texture) {
 void check_nesting(Parser& parser, const scene::Object& object) {
   const scene::Parts parts = scene::parts_of(object);
   if (parts.levels > kMaxObjectLevels)
-    parser.fatal(fmt::format("Objects are nested deeper than {} levels.", kMaxObjectLevels),
+    parser.fatal(Code::nesting_limit, fmt::format("Objects are nested deeper than {} levels.", kMaxObjectLevels),
                  "A union of many copies side by side needs one level only.");
   check_object_count(parser, parts.objects);
 }
@@ -126,6 +126,7 @@ void check_object_count(Parser& parser, double objects) {
   const double most = static_cast<double>(parser.options().limits.max_memory_bytes) / scene::kBytesPerObject;
   if (objects > most)
     parser.fatal(
+        Code::size_limit,
         fmt::format("With the copies written out there are {:.3g} objects; --max-memory allows {:.3g}.", objects, most),
         "--max-memory raises this limit.");
 }

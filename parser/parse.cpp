@@ -1,6 +1,8 @@
 // From a file to a scene or to diagnostics: every error, whatever its kind, becomes one of the latter.
 #include "parser/parse.h"
 
+#include <locale.h>
+
 #include <new>
 #include <stdexcept>
 
@@ -9,8 +11,28 @@
 namespace verisim::parser {
 namespace {
 
+// Numbers of SDL have a point, whatever language the program around us speaks: as long as this lives, for this thread.
+class PointInNumbers {
+ public:
+  PointInNumbers() {
+    locale_ = newlocale(LC_NUMERIC_MASK, "C", duplocale(uselocale(nullptr)));
+    if (locale_) before_ = uselocale(locale_);
+  }
+  ~PointInNumbers() {
+    if (!locale_) return;
+    uselocale(before_);
+    freelocale(locale_);
+  }
+  PointInNumbers(const PointInNumbers&) = delete;
+  PointInNumbers& operator=(const PointInNumbers&) = delete;
+
+ private:
+  locale_t locale_ = nullptr, before_ = nullptr;
+};
+
 template <class Run>
 ParseResult guarded(const std::string& name, const ParseOptions& options, Run&& run) {
+  const PointInNumbers c_locale;
   ParseResult result;
   const auto fail = [&](Diagnostic diagnostic) {
     result.whole = false;

@@ -30,6 +30,7 @@
 #include "tracer/base/huge_pages.h"
 #include "tracer/image/layers_file.h"
 #include "tracer/image/output.h"
+#include "tracer/image/in_memory.h"
 #include "tracer/base/output_file.h"
 #include "tracer/render/render.h"
 
@@ -102,13 +103,11 @@ std::string given_settings(const Options& options) {
 
 image::OutputOptions output_options(const Job& job, const scene::Scene& scene) {
   const Options& options = job.options;
-  image::OutputOptions output;
+  image::OutputOptions output = image::output_options(scene);
   output.format = options.format;
   output.bits = options.bits;
   output.alpha = options.output_alpha;
   output.greyscale = options.greyscale;
-  output.working = scene.settings.gamma;
-  output.working_gamma = scene.settings.assumed_gamma;
   if (output.working == scene::Gamma::none && options.version >= 3.7) {  // spec 02 4.1, last row
     output.working = scene::Gamma::power;
     output.working_gamma = 1;
@@ -500,6 +499,8 @@ parser::ParseOptions parse_options(const Job& job, const Frame& frame) {
   const Options& options = job.options;
   parser::ParseOptions result;
   result.library_paths = search_paths(options, job.scene.path);
+  result.standard_includes = false;  // they are among those
+  result.tune_heap = true;
   if (!options.include_header.empty()) result.include_headers.push_back(options.include_header);
   result.declarations = options.declarations;
   result.width = options.width;

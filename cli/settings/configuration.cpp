@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/settings/ini.h"
+#include "parser/source/standard_includes.h"
 
 namespace fs = std::filesystem;
 
@@ -51,18 +52,7 @@ std::vector<fs::path> search_paths(const Options& options, const fs::path& scene
   };
   add(environment("POVINC"));
   add(scene.parent_path());
-  std::string extra = environment("VERISIM_INCLUDE_PATH");
-  for (std::size_t start = 0; !extra.empty() && start <= extra.size();) {
-    const std::size_t end = std::min(extra.find(':', start), extra.size());
-    add(extra.substr(start, end - start));
-    start = end + 1;
-  }
-  for (const char* known :
-       {VERISIM_DEFAULT_INCLUDE_DIR, "/usr/share/povray-3.7/include", "/usr/local/share/povray-3.7/include",
-        "/usr/share/povray/include", "/opt/homebrew/share/povray-3.7/include"}) {
-    std::error_code ignored;
-    if (*known && fs::is_directory(known, ignored)) add(known);
-  }
+  for (const fs::path& folder : parser::standard_include_folders()) add(folder);
   return paths;
 }
 

@@ -98,9 +98,7 @@ struct Options {
   std::string prepass_file;        // of --part prepass, to be read; empty: none
   bool stamp = false;              // date and render time in the picture's file
   std::vector<std::filesystem::path> allow_write, allow_read;
-  parser::Limits limits{
-      .max_steps = std::uint64_t{
-          100'000'000'000}};  // an endless loop ends after some ten minutes; POV-Ray takes hours for as much
+  parser::Limits limits;
   std::uint64_t max_pixels = std::uint64_t{1} << 28;  // of one picture: 20 bytes each
   double max_seconds = 0, max_cpu_seconds = 0;        // of one command; 0: no limit
   std::string stdin_name;                             // of a scene from standard input

@@ -29,6 +29,9 @@ inline int to_int(double value) {
   return static_cast<int>(value);
 }
 
+// strings.cpp: text of a program, in code units of 16 bits.
+std::u16string from_utf8(std::string_view text);
+
 // An open #if, #switch, loop or macro call.
 struct Condition {
   enum class Kind : unsigned char { if_, else_, switch_, switch_else, while_, for_, macro };
@@ -160,6 +163,7 @@ struct Parser::Impl {
                                                 const std::string& text, bool main);
   [[noreturn]] void missing_include(const std::string& name, Spot at);
   void allow_read(const std::filesystem::path& path);
+  void open_search(std::filesystem::path scene_folder);
   void fopen();
   void fclose();
   void read();
@@ -345,7 +349,7 @@ struct Parser::Impl {
   std::unordered_map<std::string, std::filesystem::path> include_locations;
   std::set<std::string> files_seen;
   std::size_t tokens_total = 0;
-  HugeHeap heap;
+  HugeHeap heap{options.tune_heap};
   std::uint64_t steps = 0, next_check = 1 << 16;
   int depth = 0;
   int depth_of_parentheses = 0;

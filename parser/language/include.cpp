@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "parser/language/impl.h"
+#include "parser/source/standard_includes.h"
 
 namespace verisim::parser {
 namespace fs = std::filesystem;
@@ -13,22 +14,34 @@ void Parser::Impl::allow_read(const fs::path& path) {
   if (!search->may_read(path))
     error(Code::file_access, fmt::format("The scene may not read '{}'.", path.string()),
           "--allow-read PATH permits it.");
-  if (files_seen.insert(path.string()).second) report.files_read.push_back(path);
+  if (!search->memory_file(path) && files_seen.insert(path.string()).second) report.files_read.push_back(path);
+}
+
+void Parser::Impl::open_search(fs::path scene_folder) {
+  std::vector<fs::path> folders = options.library_paths;
+  if (options.standard_includes)
+    for (fs::path& folder : standard_include_folders()) folders.push_back(std::move(folder));
+  search = std::make_unique<FileSearch>(std::move(folders), std::move(scene_folder), options.allow_read,
+                                        options.allow_write, options.files);
 }
 
 std::shared_ptr<const TokenFile> Parser::Impl::load(const fs::path& path, const std::string& name, bool main) {
   allow_read(path);
+  const std::shared_ptr<const MemoryFile> memory = search->memory_file(path);
+  if (memory && !memory->bytes())
+    error(Code::bad_file, fmt::format("'{}' holds samples: it cannot be read as text.", path.string()));
   std::error_code failed;
   if (options.unsaved)
     if (const std::optional<std::string> text = options.unsaved(path)) return load_unsaved(path, name, *text, main);
-  const std::uintmax_t size = fs::file_size(path, failed);
-  const fs::file_time_type time = failed ? fs::file_time_type{} : fs::last_write_time(path, failed);
+  const std::uintmax_t size = memory ? memory->bytes()->size() : fs::file_size(path, failed);
+  const fs::file_time_type time = memory || failed ? fs::file_time_type{} : fs::last_write_time(path, failed);
   CachedFile& cached = file_cache[path.string()];
   if (!failed && cached.tokens && cached.size == size && cached.time == time) return cached.tokens;
   cached.tokens.reset();
   std::shared_ptr<const Source> source;
   try {
-    source = Source::read(path, name, options.limits.max_file_bytes);
+    source = memory ? Source::of(name, *memory->bytes(), options.limits.max_file_bytes)
+                    : Source::read(path, name, options.limits.max_file_bytes);
   } catch (const std::runtime_error& e) {
     error(Code::internal, e.what());
   }
@@ -82,7 +95,16 @@ fs::path Parser::writable_file(const std::string& name) {
   return name;
 }
 
+std::shared_ptr<const MemoryFile> Parser::memory_file(const std::string& name) const {
+  return impl_->search->memory_file(name);
+}
+
 fs::path Parser::find_file(const std::string& name, std::string_view extensions) {
+  if (const auto memory = memory_file(name)) {
+    if (!memory->bytes()) error(Code::bad_file, fmt::format("'{}' holds samples: a file is wanted here.", name));
+    impl_->report.files_kept.push_back(memory);
+    return memory->path();
+  }
   std::optional<fs::path> found;
   if (!fs::path(name).has_extension()) {
     for (std::size_t begin = 0; begin < extensions.size() && !found;) {

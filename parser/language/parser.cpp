@@ -33,6 +33,50 @@ void declare_number(Parser::Impl& p, std::string_view name, double value) {
   p.symbols.create(p.names.intern(name), 0).value() = Numeric{{six_digits(value)}, 1};
 }
 
+// A value that a program gives, as it is.
+Value value_of(Parser::Impl& p, const DeclaredValue& given) {
+  if (const auto* number = std::get_if<double>(&given.value)) return Numeric{{*number}, 1};
+  if (const auto* text = std::get_if<std::string>(&given.value)) return from_utf8(*text);
+  if (const auto* object = std::get_if<scene::ObjectPtr>(&given.value)) {
+    if (!*object) p.error(Code::bad_value, "An object that is declared from outside is null.");
+    return *object;
+  }
+  if (const auto* terms = std::get_if<std::vector<double>>(&given.value)) {
+    if (terms->size() < 2 || terms->size() > 5)
+      p.error(Code::wrong_terms, "A vector that is declared from outside has 2 to 5 terms.");
+    Numeric out;
+    out.terms = static_cast<int>(terms->size());
+    for (std::size_t i = 0; i < terms->size(); ++i)  // colours are single
+      out.v[i] = out.terms == 5 ? static_cast<double>(static_cast<float>((*terms)[i])) : (*terms)[i];
+    return out;
+  }
+  const auto& list = std::get<DeclaredArray>(given.value);
+  auto array = std::make_shared<Array>();
+  array->sizes = list.sizes;
+  double product = 1;
+  for (const int size : list.sizes) product *= size < 1 ? 0 : size;
+  if (list.sizes.empty() || list.sizes.size() > kMaxDimensions || product < 1 ||
+      product != static_cast<double>(list.elements.size()))
+    p.error(Code::array_size,
+            "An array that is declared from outside has 1 to 5 dimensions, none of them empty, and as many elements.");
+  array->elements.resize(list.elements.size());
+  for (std::size_t i = 0; i < list.elements.size(); ++i) p.store_element(*array, i, value_of(p, list.elements[i]));
+  return array;
+}
+
+void declare_value(Parser::Impl& p, const std::string& name, const DeclaredValue& given) {
+  const bool identifier =
+      !name.empty() &&
+      name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == std::string::npos &&
+      (name[0] < '0' || name[0] > '9');
+  if (!identifier) p.error(Code::bad_value, fmt::format("'{}' cannot be declared: it is not an identifier.", name));
+  const std::uint32_t id = p.names.intern(name);
+  if (p.names[id].word != Word::none)
+    p.error(Code::reserved_word, fmt::format("'{}' cannot be declared: it is a reserved word.", name));
+  Symbol* old = p.names[id].symbol;
+  (old ? *old : p.symbols.create(id, 0)).value() = value_of(p, given);
+}
+
 void predeclare(Parser::Impl& p) {
   const ParseOptions& o = p.options;
   declare_number(p, "image_width", o.width);
@@ -58,6 +102,7 @@ void predeclare(Parser::Impl& p) {
       value = Numeric{{six_digits(std::strtod(text.c_str(), nullptr))}, 1};
     }
   }
+  for (const auto& [name, value] : o.values) declare_value(p, name, value);
 }
 
 }  // namespace
@@ -186,8 +231,7 @@ void Parser::run(const fs::path& main_file) {
   Impl& impl = *impl_;
   fs::path folder = main_file.parent_path();
   if (folder.empty()) folder = ".";
-  impl.search = std::make_unique<FileSearch>(impl.options.library_paths, folder, impl.options.allow_read,
-                                             impl.options.allow_write);
+  impl.open_search(folder);
   fs::path path = main_file;
   if (std::error_code error; !fs::exists(path, error))
     if (const auto found = impl.search->find_exact(main_file.string())) path = *found;
@@ -196,8 +240,7 @@ void Parser::run(const fs::path& main_file) {
 
 void Parser::run_text(std::string_view text, const std::string& name) {
   Impl& impl = *impl_;
-  impl.search = std::make_unique<FileSearch>(impl.options.library_paths, fs::path{}, impl.options.allow_read,
-                                             impl.options.allow_write);
+  impl.open_search(impl.options.scene_folder);
   if (text.size() > impl.options.limits.max_file_bytes)
     impl.error(Code::size_limit, "The scene has more bytes than --max-file-bytes allows.");
   impl.start(tokenise(std::make_shared<Source>(name, text), impl.names, impl.options.limits.max_tokens, true));

@@ -102,6 +102,9 @@ class Parser {
   // when missing or not allowed. A name without an extension is tried with each of `extensions` (separated by blanks)
   // first.
   std::filesystem::path find_file(const std::string& name, std::string_view extensions = {});
+  // What the program gave under this name (ParseOptions::files); null: nothing. find_file makes a file of it where it
+  // holds the bytes of one.
+  std::shared_ptr<const MemoryFile> memory_file(const std::string& name) const;
   // The same for fonts, remembered: a scene may have thousands of texts, and asking the file system takes longer than
   // reading one.
   const std::string& find_font(const std::string& name);

@@ -44,6 +44,12 @@ int hex_digit(char c) {
 
 }  // namespace
 
+std::u16string from_utf8(std::string_view text) {
+  std::u16string out;
+  for (std::size_t i = 0; i < text.size();) out += decode_utf8(text, i);
+  return out;
+}
+
 std::u16string Parser::Impl::decode(const Token& token, bool path) {
   const std::string_view bytes = file->raw_string(token);
   if (charset == Charset::sys && !bytes.empty())

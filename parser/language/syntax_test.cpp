@@ -161,7 +161,9 @@ TEST_F(Files, Include) {
   EXPECT_EQ(run("#include \"scope\" #ifdef(L) #debug \"L\" #end #ifdef(G) #debug \"G\" #end").text, "G");
   const auto missing = run("#include \"no.inc\"");
   EXPECT_NE(missing.error.find("no.inc"), std::string::npos);
-  const auto standard = run("#include \"colors.inc\"");
+  ParseOptions none;
+  none.standard_includes = false;
+  const auto standard = run("#include \"colors.inc\"", none);
   EXPECT_NE(standard.advice.find("povray-includes"), std::string::npos);
   put("self.inc", "#include \"self.inc\"");
   EXPECT_NE(run("#include \"self.inc\"").error, "");

@@ -17,9 +17,10 @@ char* end_of_heap() { return static_cast<char*>(::sbrk(0)); }
 
 }  // namespace
 
-HugeHeap::HugeHeap() : start_(end_of_heap()) {}
+HugeHeap::HugeHeap(bool tune) : tune_(tune), start_(end_of_heap()) {}
 
 void HugeHeap::look() {
+  if (!tune_) return;
   char* const end = end_of_heap();
   if (end - start_ < kWorthIt) return;
   if (!advised_) {

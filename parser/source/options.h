@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "parser/source/declared_value.h"
 #include "parser/source/diagnostic.h"
+#include "parser/source/memory_file.h"
 #include "tracer/scene/scene.h"
 
 namespace verisim::parser {
@@ -18,7 +20,8 @@ namespace verisim::parser {
 struct Limits {  // untrusted input: each limit ends parsing with an error that names its switch
   std::size_t max_file_bytes = std::size_t{1} << 31;
   std::size_t max_tokens = std::size_t{1} << 29;  // in all files together
-  std::uint64_t max_steps = 0;                    // executed tokens; 0: no limit
+  // Executed tokens; 0: no limit. An endless loop ends after some ten minutes; POV-Ray takes hours for as much.
+  std::uint64_t max_steps = 100'000'000'000;
   std::size_t max_memory_bytes = std::size_t{16} << 30;
   int max_depth = 500;  // nested blocks, parentheses and calls; POV-Ray itself stops at 98 calls
 };
@@ -35,9 +38,13 @@ class Recorder {
 
 struct ParseOptions {
   std::vector<std::filesystem::path> library_paths;  // after the current folder, in order (spec 01 section 17)
-  std::vector<std::string> include_headers;          // +HI
+  bool standard_includes = true;                     // after the library paths: standard_include_folders()
+  std::filesystem::path scene_folder;        // of a scene from memory: where files are looked for last; empty: nowhere
+  MemoryFiles files;                         // found before those on disk
+  std::vector<std::string> include_headers;  // +HI
   std::vector<std::pair<std::string, std::string>>
       declarations;  // Declare=NAME=VALUE; a value in double quotes is a string
+  std::vector<std::pair<std::string, DeclaredValue>> values;  // the same for values of other kinds, as they are
   int width = 160, height = 120;
   double clock = 0;
   bool clock_on = false;
@@ -56,12 +63,16 @@ struct ParseOptions {
   // them.
   std::filesystem::path scratch;
   Recorder* recorder = nullptr;
+  // The parser may tune the C library's allocator for large scenes (mallopt): for a program that does nothing else.
+  bool tune_heap = false;
 };
 
 struct ParseResult {
   std::optional<scene::Scene> scene;  // empty when there were errors
   std::vector<Diagnostic> errors;
   std::vector<std::filesystem::path> files_read;  // scene, includes, images, fonts ...: what a cache must hash
+  // Of ParseOptions::files, those that the scene may still read while it is rendered (fonts, photon maps).
+  std::vector<std::shared_ptr<const MemoryFile>> files_kept;
   int warnings = 0;
   bool whole = true;  // false: reading ended before the end of the scene, so there may be more errors
 };

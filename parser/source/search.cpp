@@ -53,13 +53,20 @@ bool has_include_extension(const std::string& name) { return name.ends_with(".in
 }  // namespace
 
 FileSearch::FileSearch(std::vector<fs::path> library_paths, fs::path scene_folder, std::vector<fs::path> allow_read,
-                       std::vector<fs::path> allow_write)
+                       std::vector<fs::path> allow_write, MemoryFiles files)
     : library_paths_(std::move(library_paths)), scene_folder_(std::move(scene_folder)) {
   for (const fs::path& p : allow_read) readable_.push_back(real_path(p));
   std::error_code error;
   writable_.push_back(real_path(fs::current_path(error)));
   if (!scene_folder_.empty()) writable_.push_back(real_path(scene_folder_));
   for (const fs::path& p : allow_write) writable_.push_back(real_path(p));
+  for (auto& [name, file] : files) files_[fs::path(name).lexically_normal().string()] = std::move(file);
+}
+
+std::shared_ptr<const MemoryFile> FileSearch::memory_file(const fs::path& name) const {
+  if (files_.empty()) return nullptr;
+  const auto found = files_.find(name.lexically_normal().string());
+  return found == files_.end() ? nullptr : found->second;
 }
 
 std::optional<fs::path> FileSearch::find_exact(const std::string& name) const {
@@ -67,7 +74,7 @@ std::optional<fs::path> FileSearch::find_exact(const std::string& name) const {
   // A name that no file system can hold; also keeps NUL bytes out of system calls.
   if (name.empty() || name.size() > 4096 || name.find('\0') != std::string::npos) return std::nullopt;
   const fs::path path = name;
-  if (is_there(path)) return path;
+  if (memory_file(path) || is_there(path)) return path;
   if (path.is_absolute()) return std::nullopt;
   for (const fs::path& folder : library_paths_)
     if (is_there(folder / path)) return folder / path;
@@ -80,6 +87,8 @@ std::optional<fs::path> FileSearch::find_include(const std::string& name) const 
   std::vector<std::string> candidates{name + ".inc", name + ".INC"};
   candidates.insert(has_include_extension(name) ? candidates.begin() : candidates.end(), name);
   if (name.empty() || name.size() > 4096 || name.find('\0') != std::string::npos) return std::nullopt;
+  for (const std::string& candidate : candidates)
+    if (memory_file(candidate)) return candidate;
   const bool absolute = fs::path(name).is_absolute();
   for (const std::string& candidate : candidates) {
     if (is_there(candidate)) return candidate;
@@ -130,12 +139,13 @@ fs::path FileSearch::redirect(const std::string& name, const fs::path& scratch) 
 }
 
 bool FileSearch::may_read(const fs::path& path) const {
-  if (readable_.empty()) return true;
+  if (readable_.empty() || memory_file(path)) return true;
   const fs::path real = real_path(path);
   return std::any_of(readable_.begin(), readable_.end(), [&](const fs::path& folder) { return below(real, folder); });
 }
 
 bool FileSearch::may_write(const fs::path& path) const {
+  if (memory_file(path)) return false;
   const fs::path real = real_path(path);
   return std::any_of(writable_.begin(), writable_.end(), [&](const fs::path& folder) { return below(real, folder); });
 }

@@ -7,13 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "parser/source/memory_file.h"
+
 namespace verisim::parser {
 
 class FileSearch {
  public:
   // `scene_folder` may be empty (a scene from memory). allow_read empty: everything may be read.
   FileSearch(std::vector<std::filesystem::path> library_paths, std::filesystem::path scene_folder,
-             std::vector<std::filesystem::path> allow_read, std::vector<std::filesystem::path> allow_write);
+             std::vector<std::filesystem::path> allow_read, std::vector<std::filesystem::path> allow_write,
+             MemoryFiles files = {});
+
+  // What the program gave under this name; null: nothing. The look-ups below find it first, by the same name.
+  std::shared_ptr<const MemoryFile> memory_file(const std::filesystem::path& name) const;
 
   // As #include looks (spec 01 section 17): each of the candidate names in the current folder, then in every library
   // path, then beside the scene.
@@ -41,6 +47,7 @@ class FileSearch {
   std::filesystem::path scene_folder_;
   std::vector<std::filesystem::path> readable_, writable_;  // canonical
   std::map<std::string, std::filesystem::path> redirected_;
+  MemoryFiles files_;  // by normal names
 };
 
 }  // namespace verisim::parser

@@ -19,6 +19,8 @@ struct Descriptor {
   }
 };
 
+constexpr const char* kTooLong = "it has more bytes than --max-file-bytes allows";
+
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& reason) {
   throw std::runtime_error("Cannot read '" + path.string() + "': " + reason + ".");
 }
@@ -32,6 +34,11 @@ Source::Source(std::string name, std::string_view text) : Source(std::move(name)
   bytes_[size_] = '\0';
 }
 
+std::shared_ptr<Source> Source::of(std::string name, std::string_view text, std::size_t max_bytes) {
+  if (text.size() > max_bytes) fail(name, kTooLong);
+  return std::make_shared<Source>(std::move(name), text);
+}
+
 std::shared_ptr<Source> Source::read(const std::filesystem::path& path, std::string name, std::size_t max_bytes) {
   // O_NONBLOCK: a FIFO named as a scene must not hang the program.
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
@@ -41,7 +48,7 @@ std::shared_ptr<Source> Source::read(const std::filesystem::path& path, std::str
   if (S_ISDIR(info.st_mode)) fail(path, "it is a directory");
   if (!S_ISREG(info.st_mode)) fail(path, "it is not a regular file");
   const auto size = static_cast<std::size_t>(info.st_size);
-  if (size > max_bytes) fail(path, "it has more bytes than --max-file-bytes allows");
+  if (size > max_bytes) fail(path, kTooLong);
   std::shared_ptr<Source> source(new Source(std::move(name)));
   source->bytes_ = std::make_unique_for_overwrite<char[]>(size + 1);
   while (source->size_ < size) {

@@ -23,6 +23,8 @@ class Source {
   Source(std::string name, std::string_view text);
   // Reads a file. Throws std::runtime_error with a reason for people (missing, a directory, larger than max_bytes, not
   // readable).
+  static std::shared_ptr<Source> of(std::string name, std::string_view text,
+                                    std::size_t max_bytes);  // of a file in memory
   static std::shared_ptr<Source> read(const std::filesystem::path& path, std::string name, std::size_t max_bytes);
 
   const std::string& name() const { return *name_; }

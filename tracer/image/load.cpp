@@ -9,6 +9,7 @@
 #include <half.h>
 
 #include "tracer/image/gamma.h"
+#include "tracer/image/in_memory.h"
 #include "tracer/image/raw_image.h"
 #include "tracer/image/shared_files.h"
 
@@ -215,6 +216,36 @@ std::shared_ptr<const Image> finish(RawImage raw, ImageType type, const ImageDec
 }
 
 }  // namespace
+
+std::shared_ptr<const Image> make_image(const PixelArray& pixels, const ImageDecoding& decoding) {
+  RawImage raw;
+  raw.set_size(pixels.width, pixels.height);
+  if (pixels.channels < 1 || pixels.channels > 4) throw std::runtime_error("an image has 1 to 4 samples a pixel");
+  raw.channels = pixels.channels;
+  const std::size_t count = raw.pixels() * static_cast<std::size_t>(raw.channels);
+  if (pixels.samples.size() != count) throw std::runtime_error("the samples of an image do not fit its size");
+  switch (pixels.samples.type()) {
+    case SampleType::byte:
+      raw.samples = pixels.samples;
+      raw.grey8 = raw.channels == 1;
+      return finish(std::move(raw), ImageType::png, decoding);
+    case SampleType::word:
+      raw.bits = 16;
+      raw.white = 65535;
+      raw.samples = pixels.samples;
+      return finish(std::move(raw), ImageType::png, decoding);
+    case SampleType::real: {
+      raw.bits = 32;
+      raw.allocate(SampleType::real);  // of its own: the values are converted in place
+      const float* from = pixels.samples.as<float>();
+      std::copy(from, from + count, raw.samples.as<float>());
+      return finish(std::move(raw), ImageType::hdr, decoding);
+    }
+    default:
+      throw std::runtime_error("an image in memory has samples of 8 or 16 bits, or floats");
+  }
+}
+
 }  // namespace image
 
 std::shared_ptr<const Image> load_image(const std::filesystem::path& path, ImageType type,

@@ -42,6 +42,7 @@ std::vector<fs::path> candidates(const fs::path& library) {
     }
     result.push_back(folder / "verisim" / library);  // beside a shared library in the library folder
   }
+  result.push_back(fs::path(VERISIM_MODULE_DIR) / library);
   return result;
 }
 
@@ -50,6 +51,12 @@ F symbol(void* library, const char* name) {
   void* address = dlsym(library, name);
   if (!address) throw std::runtime_error(std::string("the image module lacks ") + name);
   return reinterpret_cast<F>(address);
+}
+
+Module functions(void* library, ModuleKind kind) {
+  return {symbol<VerisimReadImage>(library, "verisim_read_image"),
+          kind == ModuleKind::general ? symbol<VerisimWriteImage>(library, "verisim_write_image") : nullptr,
+          symbol<VerisimFreeImage>(library, "verisim_free_image")};
 }
 
 Module load(ModuleKind kind) {
@@ -68,15 +75,17 @@ Module load(ModuleKind kind) {
       dlclose(library);
       continue;
     }
-    return {symbol<VerisimReadImage>(library, "verisim_read_image"),
-            kind == ModuleKind::general ? symbol<VerisimWriteImage>(library, "verisim_write_image") : nullptr,
-            symbol<VerisimFreeImage>(library, "verisim_free_image")};
+    return functions(library, kind);
+  }
+  // Along the run path of the program that this library is linked into.
+  if (void* library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL); library) {
+    if (symbol<int (*)()>(library, "verisim_module_version")() == kModuleVersion) return functions(library, kind);
+    problem = name + " belongs to another version of verisim";
+    dlclose(library);
   }
   if (problem.empty())
-    problem =
-        name +
-        " was not found beside the program, in ../lib or ../lib/verisim, nor in $VERISIM_MODULE_PATH; it is in the "
-        "package verisim-images";
+    problem = name + " was not found beside the program, in ../lib or ../lib/verisim, in " VERISIM_MODULE_DIR
+                     ", nor in $VERISIM_MODULE_PATH; it is in the package verisim-images";
   throw std::runtime_error("this image format needs verisim's image module: " + problem);
 }
 

@@ -6,6 +6,7 @@
 
 #include "tracer/image/dither.h"
 #include "tracer/image/gamma.h"
+#include "tracer/image/in_memory.h"
 #include "tracer/image/output.h"
 
 namespace verisim::image {
@@ -282,6 +283,28 @@ Quantised quantise(const ColorRows& rows, const OutputOptions& options) {
   out.samples.resize(n * static_cast<std::size_t>(out.height));
   for (int y = 0; y < out.height; ++y) quantiser.row(y, out.samples.data() + n * static_cast<std::size_t>(y));
   return out;
+}
+
+OutputOptions output_options(const scene::Scene& scene) {
+  OutputOptions options;
+  options.working = scene.settings.gamma;
+  options.working_gamma = scene.settings.assumed_gamma;
+  return options;
+}
+
+Picture to_picture(const render::Framebuffer& framebuffer, const OutputOptions& options) {
+  Quantiser quantiser(rows_of(framebuffer), options);
+  const Quantised shape = quantiser.shape();
+  Picture picture{shape.width, shape.height, shape.channels, false, shape.bits, {}};
+  const std::size_t row = static_cast<std::size_t>(shape.width) * static_cast<std::size_t>(shape.channels);
+  std::vector<std::uint16_t> codes(row);
+  picture.samples.reserve(row * static_cast<std::size_t>(shape.height));
+  const auto white = static_cast<float>((1 << shape.bits) - 1);
+  for (int y = 0; y < shape.height; ++y) {
+    quantiser.row(y, codes.data());
+    for (const std::uint16_t code : codes) picture.samples.push_back(static_cast<float>(code) / white);
+  }
+  return picture;
 }
 
 }  // namespace verisim::image

@@ -12,13 +12,15 @@ bool is_zero(const Vec3& v) {
 
 }  // namespace
 
+Vec3 unit_normal(const Vec3& normal) { return is_zero(normal) ? Vec3(1, 0, 0) : round_to_float(normalize(normal)); }
+
 Vec3 NormalFixer::fix(const Vec3& normal) {
-  if (!is_zero(normal)) return round_to_float(normalize(normal));
-  if (!warned)
+  if (!warned && is_zero(normal)) {
     parser.warning(Code::adjusted_value,
                    std::string("Normal vector in ") + name + " cannot be zero - changing it to <1,0,0>.");
-  warned = true;
-  return {1, 0, 0};
+    warned = true;
+  }
+  return unit_normal(normal);
 }
 
 std::optional<Vec3> inside_vector(const Vec3& v) {

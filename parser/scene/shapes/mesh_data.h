@@ -14,7 +14,10 @@ inline Vec3 round_to_float(const Vec3& v) {
           static_cast<double>(static_cast<float>(v.z))};
 }
 
-// Unit normals in single precision; zero ones become <1,0,0>, with one warning.
+// Of length 1, in single precision; <1,0,0> when all components are (nearly) 0.
+Vec3 unit_normal(const Vec3& normal);
+
+// Unit normals; zero ones become <1,0,0>, with one warning.
 class NormalFixer {
  public:
   NormalFixer(Parser& p, const char* block) : parser(p), name(block) {}

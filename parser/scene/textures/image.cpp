@@ -82,6 +82,15 @@ ImagePtr load_file(Parser& parser, ImageUse use) {
   }
   if (!parser.at_string()) parser.error_expected("image file");
   const std::string name = parser.parse_path();
+  if (const auto memory = parser.memory_file(name); memory && memory->pixels()) {
+    ImageDecoding how = decoding(parser, use);
+    parse_file_options(parser, how);
+    try {
+      return image::make_image(*memory->pixels(), how);
+    } catch (const std::runtime_error& failure) {
+      parser.error(Code::bad_file, "'" + name + "': " + failure.what());
+    }
+  }
   ImageType type = file_type ? file_type->type : image_type_from_extension(name);
   const std::filesystem::path path = parser.find_file(name, file_type ? file_type->extensions : ".png .PNG");
   if (type == ImageType::unknown) type = image_type_from_extension(path.string());

@@ -171,6 +171,10 @@ void parse_fractal(Parser& parser, Pattern& pattern, PatternOwner owner) {
 void parse_density_file(Parser& parser, Pattern& pattern) {
   parser.expect(Word::df3);
   const std::string name = parser.parse_path();
+  if (const auto memory = parser.memory_file(name); memory && memory->voxels()) {
+    pattern.params = *memory->voxels();
+    return;
+  }
   const std::filesystem::path path = parser.find_file(name);
   scene::DensityFileParams density;
   try {

@@ -8,6 +8,8 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "tracer/image/shared_files.h"
+
 namespace verisim::shapes {
 
 namespace {
@@ -20,8 +22,9 @@ constexpr int kMaxDepth = 8, kMaxTables = 40;
 std::shared_ptr<const TrueTypeFont> TrueTypeFont::open(const std::string& path) {
   static std::mutex mutex;
   static std::map<std::string, std::shared_ptr<const TrueTypeFont>> known;
+  const std::string state = image::file_state(path);  // a file of this name may be another one by now
   const std::lock_guard lock(mutex);
-  if (const auto at = known.find(path); at != known.end()) return at->second;
+  if (const auto at = known.find(state); at != known.end()) return at->second;
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   const auto size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
   if (size <= 0 || static_cast<std::size_t>(size) > kMaxFile)
@@ -32,7 +35,7 @@ std::shared_ptr<const TrueTypeFont> TrueTypeFont::open(const std::string& path) 
     throw std::runtime_error("Cannot open font file. (" + path + ")");
   auto font = std::make_shared<const TrueTypeFont>(std::move(bytes));
   if (known.size() >= 16) known.clear();
-  return known[path] = font;
+  return known[state] = font;
 }
 
 TrueTypeFont::TrueTypeFont(std::vector<std::uint8_t> bytes) : bytes_(std::move(bytes)) {

@@ -13,8 +13,8 @@ namespace verisim::parser {
 struct MeshArrays {
   std::span<const double> vertices;
   std::span<const std::uint32_t> faces;
-  std::span<const double> normals, uvs;
-  std::span<const std::uint32_t> normal_indices, uv_indices;
+  std::span<const double> normals = {}, uvs = {};
+  std::span<const std::uint32_t> normal_indices = {}, uv_indices = {};
   const Vec3* inside_vector = nullptr;
 };
 

@@ -1,5 +1,7 @@
 # cmake -DBUILD= -DCONSUMER= -DWORK= -DGENERATOR= -DCOMPILER= -DDOCUMENT= -P run.cmake: installs BUILD into WORK/tree, builds CONSUMER and the programs of
 # DOCUMENT against it, and runs them.
+cmake_minimum_required(VERSION 3.25)
+
 function(run)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -36,8 +38,9 @@ list(LENGTH programs count)
 if(NOT count EQUAL 3)
   message(FATAL_ERROR "${DOCUMENT} holds ${count} programs, not 3")
 endif()
+string(REPLACE ";" "," documented "${programs}")  # semicolons would part the arguments
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${WORK}/tree
-    "-DDOCUMENTED=${programs}")
+    -DDOCUMENTED=${documented})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
 foreach(program IN LISTS programs)

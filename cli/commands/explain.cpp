@@ -10,10 +10,13 @@
 #include "cli/settings/own_options.h"
 #include "cli/commands/own_program.h"
 #include "cli/describe/pixel_tags.h"
-#include "cli/describe/ray_tree.h"
+#include "cli/rays/ray_drawing.h"
+#include "cli/rays/ray_page.h"
+#include "cli/rays/ray_tree.h"
 #include "cli/describe/stored_pixel.h"
 #include "cli/settings/scene_words.h"
 #include "compare/compare.h"
+#include "compare/report/display.h"
 #include "tracer/render/explain.h"
 #include "tracer/shading/tracer.h"
 
@@ -109,12 +112,64 @@ void write_tags(const std::string& file, int step, const std::vector<std::string
   compare::write_report(compare::tags_json(tags), file);
 }
 
+// Files of one pixel's story, beside what is printed.
+struct StoryFiles {
+  std::string json, svg, html;
+  std::string from = "30,25";  // the drawing's azimuth and elevation
+
+  bool wanted() const { return !json.empty() || !svg.empty() || !html.empty(); }
+  std::pair<double, double> angles() const {
+    double azimuth = 0, elevation = 0;
+    int end = 0;
+    if (std::sscanf(from.c_str(), "%lf,%lf%n", &azimuth, &elevation, &end) != 2 ||
+        from[static_cast<std::size_t>(end)] || !(std::fabs(azimuth) <= 360 && std::fabs(elevation) <= 90))
+      throw OptionError(fmt::format("--from {}: expected AZIMUTH,ELEVATION in degrees, as in 30,25", from));
+    return {azimuth, elevation};
+  }
+};
+
+// The whole picture, made smaller where it is large.
+std::string small_picture(const scene::Scene& scene, const Options& options, render::Options render) {
+  constexpr int kMost = 480;
+  const int shrink = (std::max(options.width, options.height) + kMost - 1) / kMost;
+  render.width = std::max(1, options.width / shrink), render.height = std::max(1, options.height / shrink);
+  render.first_column = render.first_row = 0, render.last_column = render.last_row = -1;
+  render::Framebuffer frame;
+  render::render(scene, render, frame);
+  compare::Picture picture;
+  picture.width = frame.width, picture.height = frame.height, picture.channels = 3;
+  for (const std::uint16_t sample : quantised(frame, scene, options).samples)
+    picture.samples.push_back(static_cast<float>(sample) / 255);
+  return compare::png_bytes(picture);
+}
+
+void write_story(const StoryFiles& files, PixelStory story, const scene::Scene& scene, const Options& options,
+                 const render::Options& render) {
+  if (!files.json.empty())
+    compare::write_report(story.json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n", files.json);
+  if (files.svg.empty() && files.html.empty()) return;
+  SideView side(scene, options, render);
+  if (!files.svg.empty()) {
+    DrawingStyle style{640, 480, {}, true};
+    const auto [azimuth, elevation] = files.angles();
+    const nlohmann::json& rays = story.json["rays"];
+    const Viewpoint view = viewpoint_of(points_of(rays), azimuth, elevation, style.width, style.height);
+    style.picture = data_address(side.png(view, style.width, style.height));
+    compare::write_report(ray_svg(rays, view, style), files.svg);
+  }
+  if (!files.html.empty()) {
+    story.picture = small_picture(scene, options, render);
+    compare::write_report(ray_page(story, side), files.html);
+  }
+}
+
 }  // namespace
 
 int command_explain(const std::vector<std::string>& arguments) {
   Options options;
   bool no_oracle = false;
-  std::string tags, json;
+  std::string tags;
+  StoryFiles story_files;
   int step = 1;
   std::vector<std::string> trees;
   OwnOptions own("explain",
@@ -125,10 +180,16 @@ int command_explain(const std::vector<std::string>& arguments) {
   own.synopsis("SCENE [X Y] [options] [switches]")
       .summary("how one pixel came to be")
       .example("verisim explain scene.pov 320 200 +W640 +H480", "the rays behind the pixel in column 320, row 200")
+      .example("verisim explain scene.pov 320 200 --html pixel.html", "the same as a page, with the rays drawn")
       .example("verisim explain scene.pov", "what the pixels have in common that differ from POV-Ray's")
       .section("Options");
   own.flag("--no-oracle", no_oracle, "do not ask POV-Ray for its colour");
-  own.value("--json FILE", json, "write the tree as JSON, too (docs/view.md)");
+  own.value("--html FILE", story_files.html,
+            "write the rays as a page, too: drawn from all sides, and the sum that makes the colour");
+  own.value("--svg FILE", story_files.svg, "write a drawing of the rays, too");
+  own.value("--from AZIMUTH,ELEVATION", story_files.from,
+            "the way --svg looks, in degrees; 0,0: along +z; 90,0: along +x; 0,90: down");
+  own.value("--json FILE", story_files.json, "write the tree as JSON, too (docs/view.md)");
   own.value("--tags FILE", tags, "write what every pixel shows (objects, patterns, lights, features) as JSON");
   own.value("--tags-step N", step, "only every so many pixels and rows, for --tags");
   own.values("--tree X,Y", trees, "put the ray tree of this pixel into the file of --tags, too (may be given again)");
@@ -147,6 +208,7 @@ int command_explain(const std::vector<std::string>& arguments) {
   options.input_file = files[0];
   options.antialias = false;
   validate(options);
+  story_files.angles();  // before the work
   const double x = tags.empty() ? coordinate(files[1], options.width, "X") : 0,
                y = tags.empty() ? coordinate(files[2], options.height, "Y") : 0;
   if (x != std::floor(x) || y != std::floor(y)) no_oracle = true;  // POV-Ray tells the colours of centres only
@@ -165,8 +227,9 @@ int command_explain(const std::vector<std::string>& arguments) {
   }
   RayTree tree;
   Color color;
+  const render::Options render = render_options(job, {0, options.width - 1, 0, options.height - 1});
   try {
-    render::Explainer explainer(*parsed.scene, render_options(job, {0, options.width - 1, 0, options.height - 1}));
+    render::Explainer explainer(*parsed.scene, render);
     if (!tags.empty()) {
       write_tags(tags, step, trees, explainer, options);
       return kOk;
@@ -180,12 +243,13 @@ int command_explain(const std::vector<std::string>& arguments) {
               options.height, tree.lines().c_str());
   std::printf("linear %s, in a file of 8 bits %s\n", text(color.rgb()).c_str(),
               fmt::format("{}", fmt::join(stored(color, *parsed.scene, options), " ")).c_str());
-  if (!json.empty()) {
-    nlohmann::json story = tree.json();
-    story["scene"] = scene.path.string(), story["x"] = x, story["y"] = y;
-    story["linear"] = {color.r, color.g, color.b}, story["stored"] = stored(color, *parsed.scene, options);
-    compare::write_report(story.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n", json);
-  }
+  PixelStory story;
+  story.json = tree.json();
+  story.json["scene"] = scene.path.string(), story.json["x"] = x, story.json["y"] = y,
+  story.json["text"] = tree.lines();
+  story.json["linear"] = {color.r, color.g, color.b}, story.json["stored"] = stored(color, *parsed.scene, options);
+  story.title = fmt::format("{}, pixel {:.6g}, {:.6g}", scene.path.filename().string(), x, y);
+  story.width = options.width, story.height = options.height, story.x = x, story.y = y;
   if (!no_oracle) {
     std::vector<std::string> switches;
     for (const std::string& word : words)
@@ -196,10 +260,12 @@ int command_explain(const std::vector<std::string>& arguments) {
       files_read.push_back(spooled.emplace(scene).path());
       switches.push_back("+L" + fs::current_path().string());
     }
-    std::printf("%s\n", oracle_pixel(spooled ? spooled->path() : scene.path, options, switches, static_cast<int>(x),
-                                     static_cast<int>(y), files_read)
-                            .c_str());
+    const std::string told = oracle_pixel(spooled ? spooled->path() : scene.path, options, switches,
+                                          static_cast<int>(x), static_cast<int>(y), files_read);
+    std::printf("%s\n", told.c_str());
+    story.json["oracle"] = told;
   }
+  if (story_files.wanted()) write_story(story_files, std::move(story), *parsed.scene, options, render);
   return kOk;
 }
 

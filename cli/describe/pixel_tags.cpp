@@ -189,7 +189,7 @@ void TagWitness::layer(const shading::SurfaceHit& at, const shading::LayerContex
 }
 
 void TagWitness::light(const shading::Light& light, const shading::LightDirection&, bool tested, const Rgb& arriving,
-                       const Rgb& added) {
+                       const Rgb& added, const Rgb&) {
   if (gathering_ || depth_ != 1) return;
   const scene::LightSource& source = light.source();
   const char* kind = source.area                                   ? "area_light"

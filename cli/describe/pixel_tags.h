@@ -22,7 +22,7 @@ class TagWitness : public shading::Observer {
   void ray_ended(const shading::RayState& ray, const Color&) override;
   void layer(const shading::SurfaceHit& at, const shading::LayerContext& layer, const Rgb& reflectivity) override;
   void light(const shading::Light& light, const shading::LightDirection& direction, bool tested, const Rgb& arriving,
-             const Rgb& added) override;
+             const Rgb& added, const Rgb& highlight) override;
 
  private:
   void add(const std::string& kind, const std::string& name);

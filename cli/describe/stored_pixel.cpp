@@ -2,21 +2,23 @@
 
 #include <cmath>
 
-#include "tracer/image/output.h"
-
 namespace verisim::cli {
+image::Quantised quantised(const render::Framebuffer& picture, const scene::Scene& scene, const Options& options) {
+  image::OutputOptions output;
+  output.working = scene.settings.gamma;
+  output.working_gamma = scene.settings.assumed_gamma;
+  output.file_srgb = options.file_srgb;
+  output.file_gamma = options.file_gamma;
+  return image::quantise(picture, output);
+}
+
 namespace {
 
 image::Quantised quantised(std::vector<Color> pixels, const scene::Scene& scene, const Options& options) {
   render::Framebuffer row;
   row.width = static_cast<int>(pixels.size()), row.height = 1;
   row.pixels = std::move(pixels);
-  image::OutputOptions output;
-  output.working = scene.settings.gamma;
-  output.working_gamma = scene.settings.assumed_gamma;
-  output.file_srgb = options.file_srgb;
-  output.file_gamma = options.file_gamma;
-  return image::quantise(row, output);
+  return quantised(row, scene, options);
 }
 
 }  // namespace

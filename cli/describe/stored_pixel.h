@@ -6,11 +6,14 @@
 #include <vector>
 
 #include "cli/settings/options.h"
+#include "tracer/image/output.h"
 #include "tracer/math/color.h"
 #include "tracer/scene/scene.h"
 
 namespace verisim::cli {
 
+// A picture as a file of 8 bits holds it, without dithering.
+image::Quantised quantised(const render::Framebuffer& picture, const scene::Scene& scene, const Options& options);
 // Red, green and blue, 0 to 255.
 std::array<int, 3> stored(const Color& color, const scene::Scene& scene, const Options& options);
 // The least values of a channel that are stored as 1, 2 ... 255: what a viewer needs to show the same.

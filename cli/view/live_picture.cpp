@@ -9,8 +9,9 @@
 #include <fmt/format.h>
 
 #include "cli/describe/diagnostics_json.h"
-#include "cli/describe/ray_tree.h"
+#include "cli/rays/ray_tree.h"
 #include "cli/describe/stored_pixel.h"
+#include "cli/rays/ray_drawing.h"
 #include "tracer/render/explain.h"
 
 namespace fs = std::filesystem;
@@ -313,14 +314,16 @@ std::string LivePicture::layers(std::uint64_t generation) const {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
 }
 
+std::shared_ptr<LivePicture::Parsed> LivePicture::parsed(Wish* shown) const {
+  const std::lock_guard lock(mutex_);
+  if (!parsed_) throw std::runtime_error("there is no picture yet");
+  if (shown) *shown = shown_;
+  return parsed_;
+}
+
 nlohmann::json LivePicture::explain(double x, double y) {
-  std::shared_ptr<Parsed> parsed;
   Wish wish;
-  {
-    const std::lock_guard lock(mutex_);
-    parsed = parsed_, wish = shown_;
-  }
-  if (!parsed) throw std::runtime_error("there is no picture yet");
+  const std::shared_ptr<Parsed> parsed = this->parsed(&wish);
   if (!(x >= -0.5 && y >= -0.5 && x <= options_.width - 0.5 && y <= options_.height - 0.5))
     throw std::runtime_error("the place is outside of the picture");
   const std::lock_guard lock(parsed->asked);
@@ -338,7 +341,30 @@ nlohmann::json LivePicture::explain(double x, double y) {
   result["linear"] = {color.r, color.g, color.b};
   result["stored"] = stored(color, *parsed->result.scene, options_);
   result["x"] = x + wish.left, result["y"] = y + wish.top;
+  parsed->rays = result["rays"];
   return result;
+}
+
+std::string LivePicture::drawing(const DrawnFrom& from, const std::string& behind) {
+  const std::shared_ptr<Parsed> parsed = this->parsed();
+  const std::lock_guard lock(parsed->asked);
+  if (parsed->rays.is_null()) throw std::runtime_error("no ray is followed");
+  const Viewpoint view = viewpoint_of(points_of(parsed->rays), from.azimuth, from.elevation, from.width, from.height);
+  return ray_svg(parsed->rays, view, {from.width, from.height, behind, false});
+}
+
+std::string LivePicture::behind(const DrawnFrom& from) {
+  Wish wish;
+  const std::shared_ptr<Parsed> parsed = this->parsed(&wish);
+  const std::lock_guard lock(parsed->asked);
+  if (parsed->rays.is_null()) throw std::runtime_error("no ray is followed");
+  if (!parsed->side) {
+    render::Options options = part(wish, 1).options;
+    options.cancel = &interrupt_.flag();
+    parsed->side = std::make_unique<SideView>(*parsed->result.scene, options_, options);
+  }
+  const Viewpoint view = viewpoint_of(points_of(parsed->rays), from.azimuth, from.elevation, from.width, from.height);
+  return parsed->side->png(view, from.width, from.height);
 }
 
 }  // namespace verisim::cli

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/frame/frame.h"
+#include "cli/rays/side_view.h"
 #include "cli/view/file_watch.h"
 #include "cli/view/live_scene.h"
 #include "tracer/film/layers.h"
@@ -28,6 +29,12 @@ struct Wish {
   int focus_x = -1, focus_y = -1;  // in the window: where the eye is; below 0: its middle
   double clock = 0;
   std::map<std::string, double> values;  // of knobs
+};
+
+// A drawing of rays: the way it looks in degrees (see viewpoint_of), its size in pixels.
+struct DrawnFrom {
+  double azimuth = 0, elevation = 0;
+  int width = 0, height = 0;
 };
 
 class LivePicture {
@@ -46,8 +53,12 @@ class LivePicture {
   std::string update(std::uint64_t generation, std::size_t pieces, std::uint64_t state, double seconds);
   // Of the finished picture, as float32: all depths, normals, albedos and object numbers. Empty: not finished yet.
   std::string layers(std::uint64_t generation) const;
-  // The ray tree of a position in the window, as text. Throws std::runtime_error.
+  // The ray tree of a position in the window. Throws std::runtime_error.
   nlohmann::json explain(double x, double y);
+  // Of the ray tree that was asked for last: a drawing (SVG) whose picture is at `behind`, and that picture (PNG).
+  // Throws std::runtime_error.
+  std::string drawing(const DrawnFrom& from, const std::string& behind);
+  std::string behind(const DrawnFrom& from);
 
  private:
   struct Tile {
@@ -59,6 +70,8 @@ class LivePicture {
     std::unique_ptr<render::PreparedScene> prepared;  // of the thread that renders
     std::mutex asked;
     std::unique_ptr<render::PreparedScene> explained;
+    nlohmann::json rays;  // that were asked for last
+    std::unique_ptr<SideView> side;
   };
 
   void run();
@@ -70,6 +83,7 @@ class LivePicture {
     render::Window window;
   };
   Part part(const Wish& wish, int cell) const;
+  std::shared_ptr<Parsed> parsed(Wish* shown = nullptr) const;  // throws: there is none yet
   void publish(const render::Framebuffer& frame, int x, int y, int width, int height, int cell);
   void tell(const std::string& status);
 

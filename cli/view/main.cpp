@@ -14,7 +14,7 @@
 #include "cli/settings/own_options.h"
 #include "cli/settings/output_name.h"
 #include "cli/view/live_picture.h"
-#include "cli/view/page/page.h"
+#include "cli/page/page.h"
 #include "cli/view/server.h"
 
 namespace fs = std::filesystem;
@@ -74,12 +74,20 @@ Wish wish_of(const std::string& body, const Options& options, Wish wish) {
   return wish;
 }
 
+DrawnFrom drawn_from(const PageRequest& request) {
+  constexpr double kLargest = 2000;
+  return {number(request, "azimuth", -3600, 3600, 0), number(request, "elevation", -90, 90, 0),
+          static_cast<int>(number(request, "width", 1, kLargest, 480)),
+          static_cast<int>(number(request, "height", 1, kLargest, 360))};
+}
+
 void answers(Server& server, LivePicture& picture, const Options& options) {
   const auto text = [](const char* content, const char* type) {
     return [content, type](const PageRequest&) { return PageReply{type, content}; };
   };
   server.on("", text(kViewHtml, "text/html; charset=utf-8"));
   server.on("view.css", text(kViewCss, "text/css; charset=utf-8"));
+  server.on("story.js", text(kStoryJs, "text/javascript; charset=utf-8"));
   server.on("view.js", text(kViewJs, "text/javascript; charset=utf-8"));
   server.on("update", [&picture](const PageRequest& request) {
     constexpr double kLarge = 9e15, kLongest = 10;
@@ -98,6 +106,16 @@ void answers(Server& server, LivePicture& picture, const Options& options) {
         "application/json",
         picture.explain(number(request, "x", -0.5, options.width, 0), number(request, "y", -0.5, options.height, 0))
             .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+  });
+  server.on("drawing", [&picture](const PageRequest& request) {
+    const DrawnFrom from = drawn_from(request);
+    const std::string behind =
+        fmt::format("behind?azimuth={}&amp;elevation={}&amp;width={}&amp;height={}&amp;of={}", from.azimuth,
+                    from.elevation, from.width, from.height, number(request, "of", 0, 9e15, 0));
+    return PageReply{"image/svg+xml", picture.drawing(from, behind)};
+  });
+  server.on("behind", [&picture](const PageRequest& request) {
+    return PageReply{"image/png", picture.behind(drawn_from(request))};
   });
   server.on("wish", [&picture, &options](const PageRequest& request) {
     picture.ask(wish_of(request.body, options, picture.wish()));

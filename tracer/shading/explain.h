@@ -21,10 +21,20 @@ class Observer {
   virtual void ray_cut_off(const RayState&) {}
   // The hit in front of the eye as it is shaded, and each of its layers from the top.
   virtual void layer(const SurfaceHit&, const LayerContext&, const Rgb& /*reflectivity*/) {}
-  // A light on the latest layer: what is left of it after attenuation and, if `tested`, shadows; and what the layer
-  // makes of it.
+  // A light on the latest layer: what is left of it after attenuation and, if `tested`, shadows; what the layer makes
+  // of it, and how much of that is a highlight.
   virtual void light(const Light&, const LightDirection&, bool /*tested*/, const Rgb& /*arriving*/,
-                     const Rgb& /*added*/) {}
+                     const Rgb& /*added*/, const Rgb& /*highlight*/) {}
+  // What the latest layer sends out besides its own light and that of lights: "subsurface", "radiosity", "photons".
+  virtual void indirect(const char* /*effect*/, const Rgb&) {}
+  // Layers that follow belong to a texture that counts with this weight (of a map, of several at one point), until it
+  // has ended.
+  virtual void texture_started(float /*weight*/) {}
+  virtual void texture_ended() {}
+  // What the rays that were sent out since the last such call add to the colour of the ray that sent them.
+  virtual void rays_added(const Rgb&) {}
+  // Fog, media ...: the colour of the latest ray that has not ended, without and with them.
+  virtual void air(const Color& /*without*/, const Color& /*with*/) {}
 };
 
 }  // namespace verisim::shading

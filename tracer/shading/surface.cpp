@@ -21,6 +21,22 @@ class StackScope {
   std::size_t size_;
 };
 
+// Tells a witness that the layers that follow belong to a texture among several.
+class ToldTexture {
+ public:
+  ToldTexture(Observer* observer, float weight) : observer_(observer) {
+    if (observer_) observer_->texture_started(weight);
+  }
+  ~ToldTexture() {
+    if (observer_) observer_->texture_ended();
+  }
+  ToldTexture(const ToldTexture&) = delete;
+  ToldTexture& operator=(const ToldTexture&) = delete;
+
+ private:
+  Observer* observer_;
+};
+
 }  // namespace
 
 SurfaceHit::SurfaceHit(const shapes::Hit& h, const Vec3& normal, const Vec3& direction, std::size_t cache,
@@ -44,7 +60,9 @@ Color Tracer::shade(const RayState& ray, const shapes::Hit& hit) {
   Color result = shade_surface(ray, hit);
   if (scene_.effects && scene_.effects->media_in_interiors && ray.hollow && ray.interiors.count > 0 && ray.volumes) {
     const RandomBranch branch(random_, RandomBranch::kContainer);
+    const Color without = result;
     scene_.effects->container_media(*this, ray, hit.t, *hit.shape->surface, result);
+    if (observer_) observer_->air(without, result);
   }
   return result;
 }
@@ -73,6 +91,7 @@ Color Tracer::shade_surface(const RayState& ray, const shapes::Hit& hit) {
     for (std::size_t i = scope.begin(); i < end; ++i) {
       const textures::WeightedTexture entry = selection_[i];
       if (entry.weight < bailout(ray)) continue;
+      const ToldTexture told(observer_, entry.weight);
       result += shade_texture(ray, at, *entry.texture, p, nullptr) * entry.weight;
     }
   }
@@ -93,7 +112,9 @@ Color Tracer::shade_texture(const RayState& ray, SurfaceHit& at, const textures:
   Color sum;
   for (std::size_t i = 0; i < count; ++i) {
     const textures::WeightedTexture entry = selection_[first + i];
-    if (entry.weight != 0) sum += shade_texture(ray, at, *entry.texture, warped, &inner) * entry.weight;
+    if (entry.weight == 0) continue;
+    const ToldTexture told(observer_, entry.weight);
+    sum += shade_texture(ray, at, *entry.texture, warped, &inner) * entry.weight;
   }
   return sum;
 }
@@ -155,15 +176,20 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
     if (observer_) observer_->layer(at, context, rho);
     Rgb own = c.rgb() * (finish.ambient * scene_.ambient_light + finish.emission) * context.opacity;
     // Subsurface first: the order in which radiosity is asked for decides where its samples are (replay).
+    const auto indirect = [&](const char* effect, const Rgb& light) {
+      if (observer_) observer_->indirect(effect, light);
+      own += light;
+    };
     if (scene_.effects && scene_.effects->subsurface && finish.subsurface)
-      own += scene_.effects->subsurface_light(*this, ray, at, context);
+      indirect("subsurface", scene_.effects->subsurface_light(*this, ray, at, context));
     if (scene_.effects && scene_.effects->radiosity) {
       const RandomBranch branch(random_,
                                 RandomBranch::indirect(index, static_cast<int>(&layer - texture.layers.data())));
-      own += scene_.effects->indirect_light(*this, ray, at, context);
+      indirect("radiosity", scene_.effects->indirect_light(*this, ray, at, context));
     }
     own += direct_light(ray, at, context);
-    if (scene_.effects && scene_.effects->photons) own += scene_.effects->photon_light(*this, ray, at, context);
+    if (scene_.effects && scene_.effects->photons)
+      indirect("photons", scene_.effects->photon_light(*this, ray, at, context));
     color += filter * own;
 
     if (colored) {
@@ -181,12 +207,10 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
     const ShadedLayer top = layers_[layers.begin()];
     const RandomBranch branch(random_, RandomBranch::behind(index));
     const Color seen = transmit(ray, at, top, ray.weight * filter.max_abs(), total_reflection);
-    if (total_reflection) {
-      color += seen.rgb();
-    } else {
-      color += seen.rgb() * filter;
-      see_through = seen.t * translucency;
-    }
+    const Rgb through = total_reflection ? seen.rgb() : seen.rgb() * filter;
+    if (observer_) observer_->rays_added(through);
+    color += through;
+    if (!total_reflection) see_through = seen.t * translucency;
   }
   if (any_reflection && scene_.quality >= 8) {
     const Vec3 top_normal = layers_[layers.begin()].normal;
@@ -195,7 +219,9 @@ Color Tracer::shade_layers(const RayState& ray, SurfaceHit& at, const textures::
       if (layer.reflectivity == Rgb()) continue;
       if (total_reflection && hidden_by_total_reflection(top_normal, layer.normal)) continue;
       const RandomBranch branch(random_, RandomBranch::mirror(index, static_cast<int>(i - layers.begin())));
-      color += mirrored(ray, at, layer);
+      const Rgb seen = mirrored(ray, at, layer);
+      if (observer_) observer_->rays_added(seen);
+      color += seen;
     }
   }
   return {color, 0, see_through};

@@ -194,6 +194,8 @@ class Tracer {
   bool locate(SurfaceHit& at, const LayerContext& layer, const Light& light, CachedLight& cache, bool& back) const;
   Rgb light_contribution(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
                          CachedLight& cache);
+  void tell_light(const RayState& ray, const SurfaceHit& at, const LayerContext& layer, const Light& light,
+                  const CachedLight& cache, const Rgb& added);
   Rgb area_illumination(const RayState& ray, SurfaceHit& at, const LayerContext& layer, const Light& light,
                         CachedLight& cache);
   Rgb iridescence_of(const SurfaceHit& at, const LayerContext& layer, double cosines);

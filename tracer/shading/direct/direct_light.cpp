@@ -25,9 +25,7 @@ Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext
       CachedLight cache;
       if (at.keeps_lights) cache = light_cache_[at.light_cache + i];
       const Rgb added = light_contribution(ray, at, layer, scene_.lights()[i], cache);
-      if (observer_)
-        observer_->light(scene_.lights()[i], cache.direction, cache.stage == CachedLight::Stage::shadowed, cache.color,
-                         added);
+      if (observer_) tell_light(ray, at, layer, scene_.lights()[i], cache, added);
       sum += added;
       if (at.keeps_lights) light_cache_[at.light_cache + i] = cache;
     }
@@ -35,12 +33,24 @@ Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext
   for (const scene::LightSource* source : at.surface.group_lights) {
     CachedLight cache;
     const Rgb added = light_contribution(ray, at, layer, scene_.light_of(source), cache);
-    if (observer_)
-      observer_->light(scene_.light_of(source), cache.direction, cache.stage == CachedLight::Stage::shadowed,
-                       cache.color, added);
+    if (observer_) tell_light(ray, at, layer, scene_.light_of(source), cache, added);
     sum += added;
   }
   return sum;
+}
+
+void Tracer::tell_light(const RayState& ray, const SurfaceHit& at, const LayerContext& layer, const Light& light,
+                        const CachedLight& cache, const Rgb& added) {
+  Rgb highlight;
+  const scene::Finish& finish = layer.layer.finish;
+  const bool shiny = light.highlights() && (finish.phong != 0 || finish.specular != 0);
+  const bool one_direction = !(light.area_illumination() && light.area());  // else parts are not told apart
+  if (shiny && one_direction && added != Rgb()) {
+    const bool back = !at.surface.double_illuminate && dot(layer.normal, cache.direction.towards) < kEpsilon;
+    highlight = added - layer_response(at, layer, ray.ray.direction, cache.direction.towards, cache.color,
+                                       back ? finish.diffuse_back : finish.diffuse, false);
+  }
+  observer_->light(light, cache.direction, cache.stage == CachedLight::Stage::shadowed, cache.color, added, highlight);
 }
 
 bool Tracer::lights_go_together(const RayState& ray) const {

@@ -237,7 +237,6 @@ $('out').onclick = () => zoomBy(0.5);
 $('whole').onclick = () => look(1, 0, 0);
 $('channel').onchange = draw;
 $('exposure').oninput = () => { $('stops').textContent = $('exposure').value; draw(); };
-$('axis').onchange = () => side();
 
 document.addEventListener('keydown', e => {
   if (e.ctrlKey || e.metaKey || e.altKey || /INPUT|SELECT/.test(e.target.tagName)) return;
@@ -278,14 +277,18 @@ function knobs(about, clock) {
 
 // ---- following a ray
 
+const from = { azimuth: 30, elevation: 25 };  // the way the drawing looks, in degrees
+
 async function explain(x, y) {
   const reply = await fetch(`explain?x=${x}&y=${y}`);
   if (!reply.ok) { $('values').textContent = await reply.text(); return; }
   story = await reply.json();
   story.at = [x, y];
+  story.number = (explain.count = (explain.count || 0) + 1);
   $('story').hidden = false;
   $('pixel').textContent = `Pixel ${story.x}, ${story.y}`;
-  $('result').textContent = `Stored as ${story.stored.join(' ')}; linear ${story.linear.map(v => +v.toPrecision(5)).join(' ')}.`;
+  $('result').replaceChildren(resultOf(story));
+  $('sum').replaceChildren(...story.rays.map(sumOf));
   $('tree').textContent = story.text;
   side();
   mark();
@@ -293,50 +296,39 @@ async function explain(x, y) {
 function endStory() { story = null; $('story').hidden = true; $('rays').replaceChildren(); }
 
 const element = (name, attributes) => { const e = document.createElementNS('http://www.w3.org/2000/svg', name); for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v); return e; };
-const along = (p, d, t) => p.map((v, i) => v + d[i] * t);
 
-// All stretches of the tree: from, to, kind; and the hits with their normals.
-function stretches() {
-  const found = [], hits = [], lengths = [];
-  const visit = ray => { if (ray.distance != null) lengths.push(ray.distance); (ray.rays || []).forEach(visit); };
-  story.rays.forEach(visit);
-  const far = 0.4 * (Math.max(...lengths, 1));
-  const walk = ray => {
-    if (ray.kind === 'cut off') return;
-    found.push({ from: ray.origin, to: along(ray.origin, ray.direction, ray.distance ?? far), kind: ray.kind });
-    for (const layer of ray.layers.slice(0, 1)) {
-      hits.push(layer);
-      for (const light of layer.lights) if (light.state === 'lit' || light.state === 'shadow') found.push({ from: layer.point, to: light.state === 'shadow' && light.blocked_at ? light.blocked_at : light.position, kind: light.state });
-    }
-    ray.rays.forEach(walk);
-  };
-  story.rays.forEach(walk);
-  return { found, hits };
+// One drawing at a time; where the eye moved meanwhile another follows.
+async function side() {
+  if (side.busy) { side.again = true; return; }
+  side.busy = true;
+  do {
+    side.again = false;
+    if (!story) break;
+    try {
+      const reply = await fetch(`drawing?azimuth=${from.azimuth}&elevation=${from.elevation}&width=480&height=360&of=${story.number}`);
+      if (!reply.ok) { $('side').textContent = await reply.text(); continue; }
+      const drawn = document.importNode(new DOMParser().parseFromString(await reply.text(), 'image/svg+xml').documentElement, true);
+      const behind = drawn.querySelector('image');
+      if (behind) await new Promise(done => { const image = new Image(); image.onload = image.onerror = done; image.src = behind.getAttribute('href'); });
+      $('side').replaceChildren(drawn);
+    } catch { /* follow() tells */ }
+  } while (side.again);
+  side.busy = false;
 }
-
-function side() {
-  if (!story) return;
-  const svg = $('side'), axes = { x: [2, 1], y: [0, 2], z: [0, 1] }[$('axis').value], { found, hits } = stretches();
-  const flat = p => [p[axes[0]], -p[axes[1]]];
-  const points = found.filter(s => s.kind !== 'lit').flatMap(s => [flat(s.from), flat(s.to)]);
-  if (!points.length) return svg.replaceChildren();
-  const low = [0, 1].map(k => Math.min(...points.map(p => p[k]))), high = [0, 1].map(k => Math.max(...points.map(p => p[k])));
-  const size = Math.max(high[0] - low[0], (high[1] - low[1]) * 4 / 3, 1e-6) * 1.2, middle = [0, 1].map(k => (low[k] + high[k]) / 2);
-  const put = p => { const q = flat(p); return [200 + (q[0] - middle[0]) / size * 400, 150 + (q[1] - middle[1]) / size * 400]; };
-  svg.setAttribute('viewBox', '0 0 400 300');
-  svg.replaceChildren();
-  for (const s of found) {
-    const a = put(s.from), b = put(s.to), length = Math.hypot(b[0] - a[0], b[1] - a[1]);
-    svg.append(element('line', { class: 'ray ' + s.kind, x1: a[0], y1: a[1], x2: b[0], y2: b[1] }));
-    if (length < 1) continue;
-    const d = [(b[0] - a[0]) / length, (b[1] - a[1]) / length], m = [a[0] + d[0] * length * 0.55, a[1] + d[1] * length * 0.55];
-    svg.append(element('polygon', { class: 'head ' + s.kind, points: `${m[0] + 5 * d[0]},${m[1] + 5 * d[1]} ${m[0] - 3 * d[0] - 4 * d[1]},${m[1] - 3 * d[1] + 4 * d[0]} ${m[0] - 3 * d[0] + 4 * d[1]},${m[1] - 3 * d[1] - 4 * d[0]}` }));
-  }
-  for (const hit of hits) {
-    const a = put(hit.point), n = flat(hit.normal);
-    svg.append(element('line', { class: 'normal', x1: a[0], y1: a[1], x2: a[0] + 24 * n[0], y2: a[1] + 24 * n[1] }), element('circle', { class: 'hit', cx: a[0], cy: a[1], r: 3 }));
-  }
+function turn(azimuth, elevation) {
+  from.azimuth = ((azimuth % 360) + 360) % 360;
+  from.elevation = Math.max(-90, Math.min(90, elevation));
+  side();
 }
+let turning = null;
+$('side').addEventListener('pointerdown', e => { turning = [e.clientX, e.clientY, from.azimuth, from.elevation]; $('side').setPointerCapture(e.pointerId); e.preventDefault(); $('side').focus(); });
+$('side').addEventListener('pointermove', e => { if (turning) turn(turning[2] - (e.clientX - turning[0]) / 2, turning[3] + (e.clientY - turning[1]) / 2); });
+$('side').addEventListener('pointerup', () => { turning = null; });
+$('side').addEventListener('keydown', e => {
+  const step = { ArrowLeft: [10, 0], ArrowRight: [-10, 0], ArrowUp: [0, 10], ArrowDown: [0, -10] }[e.key];
+  if (step) { turn(from.azimuth + step[0], from.elevation + step[1]); e.preventDefault(); }
+});
+for (const button of document.querySelectorAll('[data-from]')) button.onclick = () => turn(...button.dataset.from.split(',').map(Number));
 
 function mark() {
   const [x, y] = story.at.map(v => v + 0.5);

@@ -1,4 +1,4 @@
-#include "cli/describe/ray_tree.h"
+#include "cli/rays/ray_tree.h"
 
 #include <fmt/format.h>
 
@@ -49,13 +49,65 @@ void RayTree::ray_started(const shading::RayState& ray, const shapes::Hit* hit) 
              {"weight", ray.weight},
              {"distance", hit ? Json(hit->t) : Json(nullptr)},
              {"layers", Json::array()},
-             {"rays", Json::array()}};
-  open_.push_back({std::move(story), ray.ray.direction, Vec3(0, 0, 0)});
+             {"rays", Json::array()},
+             {"sum", Json::array()}};
+  open_.push_back({std::move(story), ray.ray.direction, Vec3(0, 0, 0), {}, {}, 0, {}});
   open_.back().story["crosses"] = crossings(ray);
   if (!hit) line("hits nothing: sees the sky");
 }
 
+// A part of the colour of the latest ray.
+Json* RayTree::term(const std::string& what, const Rgb& adds) {
+  if (open_.empty() || adds == Rgb()) return nullptr;
+  Open& ray = open_.back();
+  ray.sum += adds;
+  Json& sum = ray.story["sum"];
+  sum.push_back({{"what", what}, {"adds", numbers(adds)}});
+  return &sum.back();
+}
+
+// What the latest layer adds.
+void RayTree::layer_term(const std::string& what, const Rgb& light) {
+  if (open_.empty()) return;
+  if (Json* added = term(what, light * open_.back().share)) (*added)["layer"] = open_.back().story["layers"].size() - 1;
+}
+
+void RayTree::texture_started(float weight) {
+  if (!open_.empty()) open_.back().weights.push_back(open_.back().weight() * weight);
+}
+void RayTree::texture_ended() {
+  if (!open_.empty()) open_.back().weights.pop_back();
+}
+
+void RayTree::indirect(const char* effect, const Rgb& light) {
+  if (light == Rgb()) return;
+  line(fmt::format("  {} adds {}", effect, text(light)));
+  layer_term(effect, light);
+}
+
+void RayTree::rays_added(const Rgb& seen) {
+  if (open_.empty()) return;
+  Open& ray = open_.back();
+  const std::size_t first = std::exchange(ray.rays_added, ray.story["rays"].size());
+  if (first == ray.rays_added) return;  // none was sent
+  const std::string kind = ray.story["rays"][first]["kind"];
+  const Rgb adds = seen * ray.weight();
+  line(fmt::format("what is {} adds {}", kind == "cut off" ? "not traced" : kind, text(adds)));
+  if (Json* added = term(kind, adds)) (*added)["rays"] = {first, ray.rays_added};
+}
+
+void RayTree::air(const Color& without, const Color& with) {
+  if (without == with) return;
+  line(fmt::format("fog and media make {} of {}", text(with.rgb()), text(without.rgb())));
+  if (Json* added = term("fog and media", with.rgb() - without.rgb())) (*added)["without"] = numbers(without.rgb());
+}
+
 void RayTree::ray_ended(const shading::RayState&, const Color& color) {
+  if (open_.back().story["distance"].is_null()) {
+    term("sky", color.rgb() - open_.back().sum);
+  } else if (const Rgb rest = color.rgb() - open_.back().sum; rest.max_abs() > 1e-5f * color.rgb().max_abs()) {
+    term("not told apart", rest);
+  }
   line(fmt::format("colour {}{}", text(color.rgb()), color.t == 0 ? "" : fmt::format(", see-through {:.4g}", color.t)));
   Json story = std::move(open_.back().story);
   open_.pop_back();
@@ -90,6 +142,7 @@ void RayTree::layer(const shading::SurfaceHit& at, const shading::LayerContext& 
   if (open_.empty()) return;
   open_.back().normal = at.raw;
   const Rgb own = c.rgb() * (f.ambient * data_->ambient_light + f.emission) * layer.opacity;
+  open_.back().share = layer.filter * open_.back().weight();
   open_.back().story["layers"].push_back({{"object", name},
                                           {"point", numbers(at.hit.point)},
                                           {"normal", numbers(at.raw)},
@@ -101,16 +154,19 @@ void RayTree::layer(const shading::SurfaceHit& at, const shading::LayerContext& 
                                           {"above", numbers(layer.filter)},
                                           {"own", numbers(own)},
                                           {"reflects", numbers(reflectivity)},
+                                          {"share", numbers(open_.back().share)},
                                           {"lights", Json::array()}});
+  layer_term("own light", own);
 }
 
 void RayTree::light(const shading::Light& light, const shading::LightDirection& direction, bool tested,
-                    const Rgb& arriving, const Rgb& added) {
+                    const Rgb& arriving, const Rgb& added, const Rgb& highlight) {
   const std::string where = text(light.source().position);
   Json story{{"position", numbers(light.source().position)},
              {"distance", direction.distance},
              {"arrives", numbers(arriving)},
-             {"adds", numbers(added)}};
+             {"adds", numbers(added)},
+             {"highlight", numbers(highlight)}};
   if (!tested) {
     const bool dark = arriving.max_abs() == 0;
     line(fmt::format("  light at {}: {}", where, dark ? "out of its reach" : "behind the surface, adds nothing"));
@@ -129,9 +185,12 @@ void RayTree::light(const shading::Light& light, const shading::LightDirection& 
     line(fmt::format("  light at {}: {:.6g} away, in shadow{}", where, direction.distance, blocker));
     story["state"] = "shadow";
   } else {
-    line(fmt::format("  light at {}: {:.6g} away towards {}, {} arrives, adds {}", where, direction.distance,
-                     text(direction.towards), text(arriving), text(added)));
+    line(fmt::format("  light at {}: {:.6g} away towards {}, {} arrives, adds {}{}", where, direction.distance,
+                     text(direction.towards), text(arriving), text(added),
+                     highlight == Rgb() ? "" : ", of that the highlight " + text(highlight)));
     story["state"] = "lit";
+    layer_term("diffuse of the light at " + where, added - highlight);
+    layer_term("highlight of the light at " + where, highlight);
   }
   if (open_.empty() || open_.back().story["layers"].empty()) return;
   open_.back().story["layers"].back()["lights"].push_back(std::move(story));

@@ -7,6 +7,7 @@
 #include "cli/settings/configuration.h"
 #include "cli/frame/frame.h"
 #include "cli/settings/ini.h"
+#include "cli/settings/output_name.h"
 #include "cli/settings/own_options.h"
 #include "cli/settings/scene_words.h"
 #include "cli/console/shellout.h"

@@ -1,37 +1,27 @@
 #include "cli/frame/frame.h"
 
-#include <fcntl.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cerrno>
+#include <atomic>
 #include <chrono>
-#include <cstdlib>
-#include <cstring>
 #include <ctime>
-#include <functional>
+#include <memory>
 #include <new>
+#include <optional>
 
 #include <fmt/format.h>
 
-#include "cli/settings/configuration.h"
-#include "cli/settings/layers_option.h"
-#include "cli/settings/region.h"
-#include "cli/settings/switches.h"
+#include "cli/frame/picture_file.h"
+#include "cli/frame/picture_key.h"
 #include "cli/frame/scene_features.h"
 #include "cli/frame/state_file.h"
 #include "cli/frame/statistics.h"
-#include "cli/parts/fingerprint.h"
 #include "cli/parts/part_file.h"
+#include "cli/settings/layers_option.h"
 #include "cli/settings/part_option.h"
-#include "cli/settings/scene_words.h"
-#include "cli/settings/source_date.h"
 #include "tracer/base/huge_pages.h"
-#include "tracer/image/layers_file.h"
-#include "tracer/image/output.h"
-#include "tracer/image/in_memory.h"
 #include "tracer/base/output_file.h"
+#include "tracer/image/output.h"
 #include "tracer/render/render.h"
 
 namespace fs = std::filesystem;
@@ -58,8 +48,6 @@ void tell(const Job& job, const std::string& message) {
   }
 }
 
-// ------------------------------------------------------------------------------------------------ parsing
-
 parser::ParseResult parse(const Job& job, const Frame& frame, FrameReport& report) {
   const auto start = Clock::now();
   const double cpu = cpu_seconds();
@@ -81,147 +69,6 @@ parser::ParseResult parse(const Job& job, const Frame& frame, FrameReport& repor
   }
   if (job.console.style() == Style::povray) job.console.always("Fatal error in parser: Cannot parse input.");
   return result;
-}
-
-// ------------------------------------------------------------------------------------------------ where the picture
-// goes
-
-// All settings of the call that decide the picture as Key=Value, on one line; local paths stay out of what a picture
-// tells to others.
-std::string given_settings(const Options& options) {
-  std::string text;
-  for (const auto& [key, value] : options.given) {
-    if (!decides_picture(key) || key == "Library_Path" || key == "Input_File_Name" || key == "Output_File_Name" ||
-        key == "Include_Header" || key == "Radiosity_File_Name")
-      continue;
-    text += (text.empty() ? "" : " ") + key + "=" + value;
-  }
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < 32 || c > 126; }, '?');
-  return text;
-}
-
-image::OutputOptions output_options(const Job& job, const scene::Scene& scene) {
-  const Options& options = job.options;
-  image::OutputOptions output = image::output_options(scene);
-  output.format = options.format;
-  output.bits = options.bits;
-  output.alpha = options.output_alpha;
-  output.greyscale = options.greyscale;
-  if (output.working == scene::Gamma::none && options.version >= 3.7) {  // spec 02 4.1, last row
-    output.working = scene::Gamma::power;
-    output.working_gamma = 1;
-    job.console.line(
-        Stream::warning,
-        wrapped(
-            "Warning: assumed_gamma is not specified, and Version is 3.7 or later: rendering in linear colour space."));
-  }
-  output.file_srgb = options.file_srgb;
-  output.file_gamma = options.file_gamma;
-  if (options.dither) output.dither = options.dither_method;
-  output.compression = options.compression;
-  output.metadata["Software"] = "verisim " VERISIM_VERSION;
-  output.metadata["Comment"] = "Rendered from " + job.scene.path.filename().string();
-  output.metadata["Title"] = job.scene.path.filename().string();
-  output.metadata["Switches"] = given_settings(options);
-  if (options.stamp) output.time = source_date();
-  return output;
-}
-
-// Lets `write` write to "-", standard output, or to standard error.
-void write_to_stream(bool to_stderr, const std::function<void(const fs::path&)>& write) {
-  if (!to_stderr) return write("-");
-  // The writer knows standard output alone; for a moment that is standard error.
-  std::fflush(stdout);
-  const int saved = ::dup(STDOUT_FILENO);
-  if (saved < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) throw std::runtime_error("cannot write to standard error");
-  const auto restore = [saved] {
-    std::fflush(stdout);
-    ::dup2(saved, STDOUT_FILENO);
-    ::close(saved);
-  };
-  try {
-    write("-");
-  } catch (...) {
-    restore();
-    throw;
-  }
-  restore();
-}
-
-// ------------------------------------------------------------------------------------------------ rendering
-
-// Everything the pixels depend on, for continue-trace and for parts of a picture.
-std::uint64_t picture_key(const Job& job, const Frame& frame, const Region& part, const std::vector<fs::path>& files) {
-  const Options& o = job.options;
-  Fingerprint key;
-  key.add(VERISIM_VERSION);
-  for (const double value : {double(o.width),
-                             double(o.height),
-                             double(part.first_column),
-                             double(part.last_column),
-                             double(part.first_row),
-                             double(part.last_row),
-                             double(o.antialias),
-                             double(o.sampling_method),
-                             double(o.antialias_depth),
-                             o.antialias_threshold,
-                             o.antialias_gamma,
-                             double(o.jitter),
-                             o.jitter_amount,
-                             double(o.quality),
-                             double(o.block_size),
-                             double(o.output_alpha),
-                             double(o.split_unions),
-                             double(o.remove_bounds),
-                             double(o.objects_for_hierarchy()),
-                             double(o.seed),
-                             o.version,
-                             frame.clock,
-                             double(frame.number),
-                             double(job.animation.final_frame),
-                             double(job.animation.initial_frame)})
-    key.add(value);
-  key.add(o.sampler);
-  if (o.integrator == "path") key.add("path " + std::to_string(o.path_samples) + " " + std::to_string(o.path_bounces));
-  for (const auto& [name, value] : o.declarations) key.add(name + "=" + value);
-  for (const fs::path& file : files) key.add_file(file);
-  if (job.scene.text) key.add(*job.scene.text);
-  if (o.radiosity_from_file) key.add_file(o.radiosity_file);
-  return key.value();
-}
-
-// The state of a part is not that of another one.
-std::uint64_t key_of_part(std::uint64_t picture, const PartChoice& part) {
-  if (!part.any) return picture;
-  Fingerprint key;
-  key.add(static_cast<double>(picture >> 32));
-  key.add(static_cast<double>(picture & 0xffffffffu));
-  key.add(part.name());
-  return key.value();
-}
-
-PartPicture part_picture(const Job& job, const Region& region, std::uint64_t key, const image::OutputOptions& output,
-                         const std::vector<fs::path>& files) {
-  const Options& options = job.options;
-  PartPicture picture;
-  picture.version = VERISIM_VERSION;
-  picture.scene = job.scene.path.filename().string();
-  for (const fs::path& file : files) {
-    Fingerprint content;
-    content.add_file(file);
-    std::string& known = picture.files[file.filename().string()];  // files in different folders may share a name
-    known += fmt::format("{}{:016x}", known.empty() ? "" : " ", content.value());
-  }
-  picture.key = key;
-  picture.width = options.width, picture.height = options.height;
-  picture.region = region;
-  picture.block_size = render_options(job, region).block_size;
-  picture.layers = options.layers;
-  picture.format_chosen = format_chosen(options);
-  picture.stamp = options.stamp;
-  picture.output = output;
-  return picture;
 }
 
 // What --prepass names, made for this very picture.
@@ -289,18 +136,8 @@ void write(const Job& job, const Canvas& canvas, const LayerChoice& choice, cons
            const image::OutputOptions& output, FrameReport& report) {
   if (!job.options.output_to_file) return;
   const auto start = Clock::now();
-  const auto write_picture = [&](const fs::path& path) {
-    if (choice.any)
-      image::write_layers(canvas.framebuffer, choice.layers, choice.beauty, path, output);
-    else
-      image::write(canvas.framebuffer, path, output);
-  };
-  if (name.standard_output || name.standard_error) {
-    write_to_stream(name.standard_error, write_picture);
-  } else {
-    write_picture(name.path);
-    report.output = name.path;
-  }
+  write_picture(name, canvas.framebuffer, choice, output);
+  if (!name.standard_output && !name.standard_error) report.output = name.path;
   report.seconds_write = since(start);
 }
 
@@ -314,20 +151,6 @@ void write_part(const Canvas& canvas, const LayerChoice& choice, const Prepasses
     cli::write_part(name.path, header, canvas.framebuffer, choice.layers);
   report.output = name.path;
   report.seconds_write = since(start);
-}
-
-bool is_whole_part(const fs::path& path, const PartHeader& header) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return false;
-  try {
-    PartFile file(path);
-    const PartChoice &there = file.header().part, &wanted = header.part;
-    if (there.name() != wanted.name() || !difference(file.header().picture, header.picture).empty()) return false;
-    file.check();
-    return true;
-  } catch (const std::runtime_error&) {
-    return false;
-  }
 }
 
 // As POV-Ray ends a render of an isosurface whose max_gradient does not fit.
@@ -428,103 +251,6 @@ double cpu_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-Watch watch(const Options& options, const Console& console) {
-  Watch result;
-  result.seconds = options.max_seconds;
-  result.cpu_seconds = options.max_cpu_seconds;
-  result.memory = options.limits.max_memory_bytes;
-  if (console.style() == Style::povray) result.status = 2;
-  return result;
-}
-
-render::Options render_options(const Job& job, const Region& part) {
-  const Options& options = job.options;
-  render::Options result;
-  result.width = options.width;
-  result.height = options.height;
-  result.first_column = part.first_column;
-  result.last_column = part.last_column;
-  result.first_row = part.first_row;
-  result.last_row = part.last_row;
-  result.antialias = options.antialias && options.sampling_method != 0;
-  result.sampling_method = options.sampling_method;
-  if (options.integrator == "path") {
-    if (options.path_samples < 1 || options.path_bounces < 1)
-      throw OptionError("--path-samples and --path-bounces must be at least 1");
-    if (options.replay)
-      throw OptionError("--replay follows POV-Ray's algorithms: it cannot be combined with --integrator path");
-    result.path_samples = options.path_samples;
-    result.path_bounces = options.path_bounces;
-  } else if (options.integrator != "povray") {
-    throw OptionError("--integrator is `povray` or `path`, not `" + options.integrator + "`");
-  }
-  result.antialias_depth = options.antialias_depth;
-  result.antialias_threshold = static_cast<float>(options.antialias_threshold);
-  result.antialias_gamma = options.antialias_gamma;
-  result.sampler = options.sampler == "adaptive" ? render::Sampler::adaptive : render::Sampler::povray;
-  result.jitter = options.jitter;
-  result.jitter_amount = options.jitter_amount;
-  result.quality = options.quality;
-  result.block_size = options.block_size;
-  // Adaptive sampling looks at the pixels around a block, so larger blocks are cheaper; +BS still decides when it is
-  // given.
-  const auto given = [&](std::string_view key) {
-    return std::any_of(options.given.begin(), options.given.end(), [&](const auto& g) { return g.first == key; });
-  };
-  if (result.antialias && result.sampler == render::Sampler::adaptive && !given("Render_Block_Size"))
-    result.block_size = 64;
-  constexpr int kMaxThreads = 1024;
-  result.threads = std::min(options.threads.value_or(0), kMaxThreads);
-  const PartChoice choice = part_choice(options.part);
-  result.part = choice.number - 1;
-  result.parts = choice.of;
-  result.output_alpha = options.output_alpha;
-  result.split_unions = options.split_unions;
-  result.remove_bounds = options.remove_bounds;
-  result.bounding_threshold = options.objects_for_hierarchy();
-  result.replay = options.replay;
-  result.seed = options.seed;
-  result.cancel = &job.interrupt.flag();
-  return result;
-}
-
-parser::ParseResult parse_scene(const Job& job, const parser::ParseOptions& options) {
-  return job.scene.text ? parser::parse_text(*job.scene.text, job.scene.path.string(), options)
-                        : parser::parse_file(job.scene.path, options);
-}
-
-parser::ParseOptions parse_options(const Job& job, const Frame& frame) {
-  const Options& options = job.options;
-  parser::ParseOptions result;
-  result.library_paths = search_paths(options, job.scene.path);
-  result.standard_includes = false;  // they are among those
-  result.tune_heap = true;
-  if (!options.include_header.empty()) result.include_headers.push_back(options.include_header);
-  result.declarations = options.declarations;
-  result.width = options.width;
-  result.height = options.height;
-  result.clock = frame.clock;
-  result.clock_on = job.animation.clock_on;
-  result.frame_number = frame.number;
-  result.initial_frame = job.animation.initial_frame;
-  result.final_frame = job.animation.final_frame;
-  result.initial_clock = job.animation.initial_clock;
-  result.final_clock = job.animation.final_clock;
-  result.clock_delta = job.animation.clock_delta;
-  result.version = static_cast<int>(options.version * 100 + 0.5);
-  result.quality = options.quality;
-  result.allow_read = options.allow_read;
-  result.allow_write = options.allow_write;
-  result.limits = options.limits;
-  result.debug = [&console = job.console](const std::string& text) { console.debug(text); };
-  result.message = [&console = job.console](const parser::Diagnostic& d) { console.diagnostic(d); };
-  result.cancelled = [&interrupt = job.interrupt, &console = job.console] {
-    console.parse_progress();
-    return interrupt.flag().load();
-  };
-  return result;
 }
 
 FrameReport render_frame(const Job& job, const Frame& frame) {

@@ -11,6 +11,7 @@
 
 #include "cli/settings/region.h"
 #include "cli/frame/scene_features.h"
+#include "cli/settings/output_name.h"
 
 namespace verisim::cli {
 namespace {

@@ -6,19 +6,12 @@
 namespace verisim::cli {
 namespace {
 
-// The words to offer for a spelling: "--seed N" gives --seed, "+Wn" gives +W, "Width=n" gives Width=.
-std::string completion(const std::string& spelling) {
-  if (spelling.starts_with("--")) return spelling.substr(0, spelling.find(' '));
-  if (const std::size_t equals = spelling.find('='); equals != std::string::npos) return spelling.substr(0, equals + 1);
-  return {};
-}
-
 std::string words_of(const CommandHelp& command) {
   std::string words = "--help";
   for (const HelpSection& section : command.sections)
     for (const HelpEntry& entry : section.entries)
       for (const std::string& spelling : entry.spellings)
-        if (const std::string word = completion(spelling); !word.empty() && word != "--help") words += " " + word;
+        if (const std::string word = bare_option(spelling); !word.empty() && word != "--help") words += " " + word;
   return words;
 }
 

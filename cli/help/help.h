@@ -13,6 +13,9 @@ struct HelpEntry {
   std::string meaning;
 };
 
+// The option or keyword without its value: "--seed" of "--seed N", "Width=" of "Width=n"; empty for a switch ("+Wn").
+std::string bare_option(const std::string& spelling);
+
 struct HelpSection {
   std::string title;
   std::vector<HelpEntry> entries;

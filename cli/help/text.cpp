@@ -43,6 +43,12 @@ std::string entry_text(const HelpEntry& entry, std::size_t columns) {
 
 }  // namespace
 
+std::string bare_option(const std::string& spelling) {
+  if (spelling.starts_with("--")) return spelling.substr(0, spelling.find(' '));
+  const std::size_t equals = spelling.find('=');
+  return equals == std::string::npos ? std::string() : spelling.substr(0, equals + 1);
+}
+
 std::string help_text(const CommandHelp& command, int columns) {
   const auto width = static_cast<std::size_t>(std::max(columns, 60));
   std::string text = fmt::format("Usage: verisim{}{} {}\n\n{}\n", command.name.empty() ? "" : " ", command.name,

@@ -31,7 +31,7 @@ struct OwnOptions::Impl {
   std::string note(const std::string& written, const std::string& meaning) {
     if (help.sections.empty()) help.sections.push_back({"Options", {}});
     help.sections.back().entries.push_back({{written}, meaning});
-    names.push_back(written.substr(0, written.find(' ')));
+    names.push_back(bare_option(written));
     return names.back();
   }
   template <class T>

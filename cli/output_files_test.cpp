@@ -109,6 +109,14 @@ TEST_F(OutputFiles, PermissionsFollowTheUmask) {
 }
 
 // The report is not written over by what the program says later, nor does it take the file's place.
+// A program that was found through PATH only knows its name: what is called so in the current folder is not it.
+TEST_F(OutputFiles, PlugInsOfTheCurrentFolderAreNotLoaded) {
+  file("verisim", "");
+  file("libverisim_image_module.so", "not of verisim");
+  const Ended ended = run({"render", "scene.pov", "+W8", "+H8", "--output", "picture.jpg"});
+  EXPECT_EQ(ended.status, 0) << ended.errors;
+}
+
 TEST_F(OutputFiles, StandardOutputByNameKeepsEverything) {
   fs::create_symlink("/proc/self/fd/1", at("output"));  // as /dev/stdout is
   const Ended ended = run({"diff", "a.png", "b.png", "--json", "output"});

@@ -171,6 +171,15 @@ TEST_F(Reports, BaselinesNameWhatIsNewRemovedOrOfAnotherSize) {
   EXPECT_FALSE(exists("stored/gone.pov.png"));
 }
 
+// As shells complete it; in POV-Ray's own calls that would be a place to look for include files.
+TEST_F(Reports, AFolderOfScenesMayEndWithASlash) {
+  fs::create_directories(folder_ / "scenes");
+  file("scenes/one.pov", kQuickScene);
+  EXPECT_EQ(run({"check", "scenes/"}).status, 0);
+  const Ended compared = run({"compare", "scenes/", "--oracle", "/bin/true"});
+  EXPECT_EQ(compared.errors.find("name scenes"), std::string::npos) << compared.errors;
+}
+
 TEST_F(Reports, POVRayReadsScenesOfAnyName) {
   if (::access("/usr/bin/povray", X_OK) != 0) GTEST_SKIP() << "POV-Ray is not installed";
   fs::create_directory(folder_ / "suite");

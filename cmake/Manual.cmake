@@ -1,26 +1,17 @@
 # Man pages and the completion of bash, made by the program from the tables behind its --help.
 set(manual_folder ${PROJECT_BINARY_DIR}/manual)
-set(pages "")
-foreach(command IN ITEMS "" render merge check compare explain diff bench)
-  set(page verisim)
-  if(command)
-    string(APPEND page -${command})
-  endif()
-  add_custom_command(OUTPUT ${manual_folder}/${page}.1
-                     COMMAND ${CMAKE_COMMAND} -E make_directory ${manual_folder}
-                     COMMAND verisim help ${command} --format man > ${manual_folder}/${page}.1
-                     DEPENDS verisim)
-  list(APPEND pages ${manual_folder}/${page}.1)
-endforeach()
-add_custom_command(OUTPUT ${manual_folder}/verisim.bash
-                   COMMAND ${CMAKE_COMMAND} -E make_directory ${manual_folder}
-                   COMMAND verisim help --format bash > ${manual_folder}/verisim.bash
+add_custom_command(OUTPUT ${manual_folder}/verisim.1
+                   COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual_folder}
+                   COMMAND verisim help --pages ${manual_folder}
                    DEPENDS verisim)
-add_custom_target(manual ALL DEPENDS ${pages} ${manual_folder}/verisim.bash)
-install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(FILES ${manual_folder}/verisim.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME verisim)
-install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+add_custom_target(manual ALL DEPENDS ${manual_folder}/verisim.1)
+install(DIRECTORY ${manual_folder}/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT runtime FILES_MATCHING PATTERN "*.1")
+install(FILES ${manual_folder}/verisim.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT runtime RENAME verisim)
+# What README links to, where it looks for it.
+install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md ${PROJECT_SOURCE_DIR}/Containerfile
+        DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+install(FILES ${PROJECT_SOURCE_DIR}/SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime OPTIONAL)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 
 # All that is installed, and no tests.
 add_custom_target(package_files)

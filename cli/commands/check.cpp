@@ -176,7 +176,7 @@ int command_check(const std::vector<std::string>& arguments) {
   add_scene_options(own, options);
   refuse_render_options(own);
   own.switches({Topic::scene, Topic::size, Topic::animation, Topic::messages});
-  const std::vector<std::string> files = apply_words(options, own.parse(arguments));
+  const std::vector<std::string> files = apply_words(options, with_folders(own.parse(arguments)));
   if (!code.empty()) return explain_code(code);
   if (files.empty() && options.input_file.empty() && !options.stdin_name.empty()) options.input_file = "-";
   if (files.empty() && options.input_file.empty()) throw OptionError("no scene: verisim check SCENE [switches]");

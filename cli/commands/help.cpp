@@ -1,6 +1,9 @@
 // `verisim help`: what the program and its commands say of themselves.
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -37,6 +40,18 @@ std::string man_page(const CommandHelp& command) {
   return help_man(command, others);
 }
 
+// Every man page and the completion of bash, under the names they are installed with.
+void write_pages(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  const auto page = [&](const std::string& name, const std::string& text) {
+    std::ofstream file(folder / name);
+    if (!(file << text << std::flush)) throw std::runtime_error("cannot write " + (folder / name).string());
+  };
+  page("verisim.1", man_page(program_help()));
+  for (const CommandHelp& command : all_commands()) page("verisim-" + command.name + ".1", man_page(command));
+  page("verisim.bash", help_bash(all_commands()));
+}
+
 }  // namespace
 
 std::span<const Command> commands() { return kCommands; }
@@ -68,11 +83,13 @@ CommandHelp program_help() {
 }
 
 int command_help(const std::vector<std::string>& arguments) {
-  std::string format = "text";
+  std::string format = "text", pages;
   OwnOptions own("help", "Tells what the program or one of its commands takes.");
   own.synopsis("[COMMAND]").summary("what a command takes").section("Options");
   own.value("--format NAME", format, "text, markdown (docs/cli.md), man (one page) or bash (the completion)");
+  own.value("--pages FOLDER", pages, "write all man pages and the completion of bash into this folder");
   const std::vector<std::string> words = own.parse(arguments);
+  if (!pages.empty()) return write_pages(pages), kOk;
   if (words.size() > 1) throw OptionError("help for one command at a time: verisim help COMMAND");
   if (format != "text" && format != "markdown" && format != "man" && format != "bash")
     throw OptionError(fmt::format("--format is text, markdown, man or bash, not '{}'", format));

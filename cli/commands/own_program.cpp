@@ -18,7 +18,7 @@ SuiteWords suite_words(const std::vector<std::string>& words) {
   SuiteWords result;
   Options size;  // only to read +W and +H
   std::vector<std::string> switches;
-  for (const std::string& word : words) {
+  for (const std::string& word : with_folders(words)) {
     if (!is_setting_word(word)) {
       if (is_stream(word)) {
         Options stream;

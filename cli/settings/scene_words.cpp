@@ -21,6 +21,14 @@ bool is_setting_word(const std::string& word) {
                      [](unsigned char c) { return std::isalnum(c) || c == '_'; });
 }
 
+std::vector<std::string> with_folders(std::vector<std::string> words) {
+  for (std::string& word : words)
+    while (word.size() > 1 && word.back() == '/' && word.front() != '+' && word.front() != '-' &&
+           word.find('=') == std::string::npos)
+      word.pop_back();
+  return words;
+}
+
 std::vector<std::string> apply_words(Options& options, const std::vector<std::string>& words) {
   apply_configuration(options);
   std::vector<std::string> files;

@@ -11,6 +11,10 @@ namespace verisim::cli {
 // True for a word that is a setting rather than a file to work on: +W320, Width=320, quick.ini[small], lib/.
 bool is_setting_word(const std::string& word);
 
+// For commands that take folders of scenes: `scenes/` names one there, not a place to look for include files as in
+// POV-Ray's style. Returns the words with such names as `scenes`.
+std::vector<std::string> with_folders(std::vector<std::string> words);
+
 // Applies the configuration and then the words left to right; returns the words that name files.
 std::vector<std::string> apply_words(Options& options, const std::vector<std::string>& words);
 

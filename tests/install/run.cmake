@@ -1,5 +1,5 @@
 # cmake -DBUILD= -DCONSUMER= -DWORK= -DGENERATOR= -DCOMPILER= -DDOCUMENT= -P run.cmake: installs BUILD into WORK/tree, builds CONSUMER and the programs of
-# DOCUMENT against it, and runs them.
+# DOCUMENT against it, and runs them. With -DTREE= in the place of -DBUILD= against what is installed there.
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -32,14 +32,17 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/tree)
+if(NOT TREE)
+  set(TREE ${WORK}/tree)
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${TREE})
+endif()
 extract_programs(programs)
 list(LENGTH programs count)
 if(NOT count EQUAL 3)
   message(FATAL_ERROR "${DOCUMENT} holds ${count} programs, not 3")
 endif()
 string(REPLACE ";" "," documented "${programs}")  # semicolons would part the arguments
-run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${WORK}/tree
+run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${TREE}
     -DDOCUMENTED=${documented})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
@@ -47,11 +50,11 @@ foreach(program IN LISTS programs)
   get_filename_component(name ${program} NAME_WE)
   run(${WORK}/build/${name})
 endforeach()
-run(${WORK}/tree/bin/verisim --version)
+run(${TREE}/bin/verisim --version)
 # The same library by pkg-config, where there is one.
 find_program(PKG_CONFIG pkg-config)
 if(PKG_CONFIG)
-  file(GLOB_RECURSE pc ${WORK}/tree/verisim-parser.pc)
+  file(GLOB_RECURSE pc ${TREE}/lib/verisim-parser.pc)
   get_filename_component(folder ${pc} DIRECTORY)
   set(ENV{PKG_CONFIG_PATH} ${folder})
   execute_process(COMMAND ${PKG_CONFIG} --cflags --libs verisim-parser RESULT_VARIABLE status OUTPUT_VARIABLE flags ERROR_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE)

@@ -1,5 +1,6 @@
 // Finds and loads the plug-ins for image files (module/module.h).
 #include <dlfcn.h>
+#include <sys/auxv.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -23,8 +24,13 @@ fs::path own_folder() {
   Dl_info info{};
   if (dladdr(reinterpret_cast<const void*>(&own_folder), &info) == 0 || !info.dli_fname) return {};
   std::error_code error;
-  fs::path file = fs::canonical(info.dli_fname, error);
-  if (error) file = fs::read_symlink("/proc/self/exe", error);  // dli_fname is argv[0] for a program found through PATH
+  fs::path file = info.dli_fname;
+  if (file.has_parent_path()) {
+    file = fs::canonical(file, error);
+  } else {  // argv[0] of a program found through PATH: what the current folder holds under that name is not it
+    file = fs::read_symlink("/proc/self/exe", error);
+    if (error) file = fs::canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN)), error);
+  }
   return error ? fs::path() : file.parent_path();
 }
 

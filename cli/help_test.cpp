@@ -23,6 +23,24 @@ TEST_F(Help, ThePageOfTheCommandLineIsUpToDate) {
       << "build/release/bin/verisim help --format markdown > docs/cli.md";
 }
 
+TEST_F(Help, ThePageOfTheLanguageIsUpToDate) {
+  const Ended page = run({"help", "--format", "language"});
+  ASSERT_EQ(page.status, 0) << page.errors;
+  EXPECT_TRUE(page.output == text_of(VERISIM_SOURCE_DIR "/docs/language/README.md"))
+      << "build/release/bin/verisim help --format language > docs/language/README.md";
+}
+
+TEST_F(Help, WordsOfScenesAreExplained) {
+  EXPECT_THAT(run({"help", "photons"}).output, HasSubstr("In: every object."));
+  EXPECT_THAT(run({"help", "#macro"}).output, HasSubstr("#macro NAME (PARAMETER, ...) ... #end"));
+  const std::string both = run({"help", "merge"}).output;  // a command and a word
+  EXPECT_THAT(both, HasSubstr("verisim merge"));
+  EXPECT_THAT(both, HasSubstr("merge { OBJECT OBJECT ... }"));
+  const Ended unknown = run({"help", "spher"});
+  EXPECT_EQ(unknown.status, kUsage);
+  EXPECT_THAT(unknown.errors, HasSubstr("did you mean sphere?"));
+}
+
 TEST_F(Help, EveryKeywordAndSwitchIsExplained) {
   const std::string help = run({"render", "--help"}).output;
   for (const Setting& setting : settings()) EXPECT_THAT(help, HasSubstr(std::string(setting.key) + "="));

@@ -10,6 +10,8 @@
 #include "cli/commands/commands.h"
 #include "cli/settings/own_options.h"
 #include "cli/settings/text.h"
+#include "parser/keywords/keywords.h"
+#include "parser/lexer/words.h"
 
 namespace verisim::cli {
 namespace {
@@ -67,7 +69,7 @@ CommandHelp program_help() {
                    {"verisim +Iscene.pov +Oout.png +W320 +H240 +A0.3", "called as povray is called"}};
   HelpSection list{"Commands", {}};
   for (const CommandHelp& command : all_commands()) list.entries.push_back({{command.name}, command.summary});
-  list.entries.push_back({{"help [COMMAND]"}, "this, or what a command takes"});
+  list.entries.push_back({{"help [COMMAND|WORD]"}, "this, what a command takes, or what a word of scenes means"});
   help.sections = {
       std::move(list),
       {"Options", {{{"--help", "-h"}, "this"}, {{"--version"}, "the version; with --json also the libraries it uses"}}},
@@ -82,36 +84,61 @@ CommandHelp program_help() {
   return help;
 }
 
+namespace {
+
+// A word of the language, as people may write it: "#macro", "sphere".
+std::string word_help(const std::string& word) {
+  return parser::keyword_text(word.starts_with('#') ? word.substr(1) : word);
+}
+
+[[noreturn]] void no_such_word(const std::string& word) {
+  std::vector<std::string_view> names;
+  for (const Command& command : kCommands) names.push_back(command.name);
+  for (const parser::WordEntry& entry : parser::all_words()) names.push_back(entry.text);
+  const std::string advice = nearest(word, names);
+  throw OptionError(fmt::format("there is no command and no word of scenes '{}'{}", word,
+                                advice.empty() ? "" : "; did you mean " + advice + "?"));
+}
+
+void print(const std::string& text) { std::fputs(text.c_str(), stdout); }
+
+}  // namespace
+
 int command_help(const std::vector<std::string>& arguments) {
   std::string format = "text", pages;
-  OwnOptions own("help", "Tells what the program or one of its commands takes.");
-  own.synopsis("[COMMAND]").summary("what a command takes").section("Options");
-  own.value("--format NAME", format, "text, markdown (docs/cli.md), man (one page) or bash (the completion)");
+  OwnOptions own("help", "Tells what the program or one of its commands takes, or what a word of scenes means.");
+  own.synopsis("[COMMAND|WORD]").summary("what a command takes, what a word of scenes means").section("Options");
+  own.value("--format NAME", format,
+            "text, markdown (docs/cli.md), man (one page) or bash (the completion); of the words of scenes: language "
+            "(docs/language), grammar (colours for editors, as a TextMate grammar)");
   own.value("--pages FOLDER", pages, "write all man pages and the completion of bash into this folder");
   const std::vector<std::string> words = own.parse(arguments);
   if (!pages.empty()) return write_pages(pages), kOk;
-  if (words.size() > 1) throw OptionError("help for one command at a time: verisim help COMMAND");
+  if (words.size() > 1) throw OptionError("help for one thing at a time: verisim help COMMAND, verisim help WORD");
+  if (format == "language" || format == "grammar") {
+    print(format == "language" ? parser::language_page() : parser::text_mate_grammar());
+    return kOk;
+  }
   if (format != "text" && format != "markdown" && format != "man" && format != "bash")
-    throw OptionError(fmt::format("--format is text, markdown, man or bash, not '{}'", format));
+    throw OptionError(fmt::format("--format is text, markdown, man, bash, language or grammar, not '{}'", format));
   CommandHelp help = program_help();
+  std::string word;
   if (!words.empty()) {
+    word = word_help(words[0]);
     const auto found = std::find_if(std::begin(kCommands), std::end(kCommands),
                                     [&](const Command& command) { return command.name == words[0]; });
     if (found == std::end(kCommands)) {
-      std::vector<std::string_view> names;
-      for (const Command& command : kCommands) names.push_back(command.name);
-      const std::string advice = nearest(words[0], names);
-      throw OptionError(
-          fmt::format("there is no command '{}'{}", words[0], advice.empty() ? "" : "; did you mean " + advice + "?"));
+      if (word.empty()) no_such_word(words[0]);
+      print(word);
+      return kOk;
     }
     help = help_of(*found);
   }
-  std::fputs((format == "markdown" ? help_markdown(help, words.empty() ? all_commands() : std::vector<CommandHelp>{})
-              : format == "man" ? man_page(help)
-              : format == "bash"   ? help_bash(all_commands())
-                                   : help_text(help))
-                 .c_str(),
-             stdout);
+  print(format == "markdown" ? help_markdown(help, words.empty() ? all_commands() : std::vector<CommandHelp>{})
+        : format == "man" ? man_page(help)
+        : format == "bash"   ? help_bash(all_commands())
+                             : help_text(help));
+  if (format == "text" && !word.empty()) print("\nIn scenes:\n\n" + word);
   return kOk;
 }
 

@@ -8,7 +8,7 @@ ObjectRef parse_sphere_sweep(Parser& parser) {
   return shape_block(parser, [&](scene::Object& object) {
     auto sweep = std::make_shared<scene::SphereSweep>();
     if (!accept_spline_kind(parser, sweep->spline, true))
-      parser.error(Code::bad_value, "Invalid type of interpolation.");
+      parser.error(Code::unexpected_token, "Invalid type of interpolation.");
     parser.optional_comma();
     const std::size_t count =
         checked_count(parser, parser.parse_float(), "spheres of a sphere_sweep", sizeof(Vec3) + sizeof(double));

@@ -1,0 +1,43 @@
+// check(): what `verisim check --dump` tells.
+#include <pybind11/stl.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/describe/dump.h"
+#include "cli/describe/scene_findings.h"
+#include "python/src/bindings.h"
+#include "python/src/errors.h"
+#include "python/src/json.h"
+#include "tracer/render/requirements.h"
+
+namespace py = pybind11;
+
+namespace verisim::python {
+namespace {
+
+// (tree, warnings, text of #debug, files that were read)
+py::tuple check_job(const Job& job, const py::object& cancel) {
+  Parsed parsed;
+  cli::SceneDump::Json tree;
+  run(
+      [&](Watch& watch) {
+        parsed = parse(job, watch.cancel);
+        for (parser::Diagnostic& d : cli::scene_findings(*parsed.result.scene)) parsed.warnings.push_back(std::move(d));
+        try {
+          render::check_supported(*parsed.result.scene, job.render);
+        } catch (const render::Unsupported& missing) {
+          throw SceneFailure({unsupported(missing, job.name)});
+        }
+        tree = cli::SceneDump().scene(*parsed.result.scene);
+      },
+      job.render.threads, {py::none(), cancel});
+  std::vector<std::string> files;
+  for (const auto& file : parsed.result.files_read) files.push_back(file.string());
+  return py::make_tuple(to_python(tree), diagnostics(parsed.warnings), parsed.debug, files);
+}
+
+}  // namespace
+
+void bind_check(py::module_& module) { module.def("check", &check_job, py::arg("job"), py::arg("cancel")); }
+
+}  // namespace verisim::python

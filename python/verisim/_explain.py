@@ -1,0 +1,141 @@
+"""explain()."""
+
+from __future__ import annotations
+
+from verisim import _core
+from verisim._job import asked, job
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from typing import Any, Unpack
+
+    from verisim._job import Event, Options, Scene
+
+    Vector = tuple[float, float, float]
+
+
+class _Node:
+    """A part of the tree: its values are attributes."""
+
+    def __init__(self, values: dict[str, Any]) -> None:
+        for name, value in values.items():
+            setattr(self, name, _CHILDREN[name](value) if name in _CHILDREN else tuple(value) if isinstance(value, list) else value)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} " + ", ".join(f"{k}={v!r}" for k, v in vars(self).items() if k not in _CHILDREN) + ">"
+
+
+class Light(_Node):
+    """A light as a surface sees it."""
+
+    position: Vector
+    state: str  #: "lit", "shadow", "behind" or "out of reach"
+    distance: float
+    arrives: Vector  #: colour, after fading and shadows
+    adds: Vector  #: what the surface makes of it
+    blocker: str  #: of a light in shadow: the object
+    blocked_at: Vector
+
+
+class Layer(_Node):
+    """A layer of the texture where a ray ends; the first one is the upper."""
+
+    object: str
+    point: Vector
+    normal: Vector
+    bumped: Vector  #: the perturbed normal
+    inside: bool
+    pigment: Vector
+    filter: float
+    transmit: float
+    above: Vector  #: what upper layers let through
+    own: Vector  #: ambient light and emission
+    reflects: Vector
+    lights: list[Light]
+
+
+class Ray(_Node):
+    """A ray, what it meets, and the `rays` that are sent out from there. Colours are linear."""
+
+    kind: str  #: "camera", "reflected", "refracted", "transmitted", "gathering", or "cut off": not traced, for a `reason`
+    reason: str
+    origin: Vector
+    direction: Vector
+    weight: float
+    distance: float | None  #: None: it sees the sky
+    crosses: list[dict[str, Any]]  #: every surface along it: distance, object
+    layers: list[Layer]
+    rays: list[Ray]
+    color: Vector
+    see_through: float
+
+    def walk(self) -> Iterator[Ray]:
+        """This ray and all that follow from it."""
+        yield self
+        for ray in getattr(self, "rays", ()):
+            yield from ray.walk()
+
+
+_CHILDREN: dict[str, Callable[[list[dict[str, Any]]], list[Any]]] = {
+    "rays": lambda rays: [Ray(r) for r in rays],
+    "layers": lambda layers: [Layer(v) for v in layers],
+    "lights": lambda lights: [Light(v) for v in lights],
+    "crosses": list,
+}
+
+
+class Explanation:
+    """How a pixel came to be: the `tree` of rays, the same as `text`, its linear `color` and the samples `stored` in a file
+    of 8 bits."""
+
+    def __init__(self, x: float, y: float, told: tuple[Any, ...], render: Callable[[], _core.Picture]) -> None:
+        rays, self.text, self.color, self.stored = told
+        self.x, self.y = x, y
+        self.tree = [Ray(ray) for ray in rays]
+        self._raw = rays
+        self._render = render
+
+    @property
+    def picture(self) -> _core.Picture:
+        """The whole picture, with lines to the pixel from its edges."""
+        import numpy
+
+        pixels = numpy.array(self._render())
+        x, y = round(self.x), round(self.y)
+        gap = 2 + max(pixels.shape) // 40
+        marked = numpy.zeros(pixels.shape[:2], bool)
+        marked[y, :] = marked[:, x] = True
+        marked[max(y - gap, 0) : y + gap + 1, max(x - gap, 0) : x + gap + 1] = False
+        pixels[marked] = numpy.where(pixels[marked] < 128, 255, 0)
+        return _core.Picture(pixels)
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return f"<verisim.Explanation of ({self.x:g}, {self.y:g}): {sum(1 for t in self.tree for _ in t.walk())} rays, stored {self.stored}>"
+
+    def _repr_html_(self) -> str:
+        from verisim._html import image, tree
+
+        return image(self.picture) + tree({"rays": self._raw}, repr(self))
+
+
+def explain(
+    scene: Scene,
+    x: float,
+    y: float,
+    width: int = 160,
+    height: int = 120,
+    *,
+    cancel: Event | Callable[[], bool] | None = None,
+    **options: Unpack[Options],
+) -> Explanation:
+    """How the pixel in column x and row y came to be, from 0 at the top left; whole numbers are centres. Without
+    anti-aliasing. The options are those of render()."""
+    if not (-0.5 <= x <= width - 0.5 and -0.5 <= y <= height - 0.5):
+        raise ValueError(f"({x}, {y}) is no pixel of a picture of {width} by {height}")
+    options = {**options, "antialias": False}
+    what = job(scene, width, height, **options)
+    return Explanation(x, y, _core.explain(what, x, y, asked(cancel)), lambda: _core.render(what, [], None, None))

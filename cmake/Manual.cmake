@@ -16,3 +16,6 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR}
 # All that is installed, and no tests.
 add_custom_target(package_files)
 add_dependencies(package_files verisim verisim_image_module verisim_tracer verisim_parser verisim_compare manual)
+if(TARGET verisim_python)
+  add_dependencies(package_files verisim_python)
+endif()

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 clang-format --version 2>/dev/null | grep -q 'version 14\.' ||
   { echo "clang-format 14 is not installed (other versions format otherwise): apt-get install clang-format-14"; exit 77; }
-mapfile -t files < <(find tracer parser compare cli tests bench tools -name '*.cpp' -o -name '*.h' -o -name '*.inc' |
+mapfile -t files < <(find tracer parser compare cli python tests bench tools -name '*.cpp' -o -name '*.h' -o -name '*.inc' |
   grep -v -e '^tests/differential/idioms/' -e '^bench/scenes/' -e 'noise_value_table.inc$' -e 'pavement_flags.inc$')
 if [ "${1:-}" = --check ]; then
   clang-format --dry-run -Werror "${files[@]}"

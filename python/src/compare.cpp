@@ -21,7 +21,8 @@ compare::NativeResult render_copy(const Job& job, const compare::NativeRequest& 
   Job copy = job;
   copy.name = request.scene.string();
   copy.text.reset();
-  copy.parse.library_paths.insert(copy.parse.library_paths.end(), request.library_paths.begin(), request.library_paths.end());
+  copy.parse.library_paths.insert(copy.parse.library_paths.end(), request.library_paths.begin(),
+                                  request.library_paths.end());
   copy.parse.allow_write.push_back(request.folder);
   copy.render.seed = request.seed.value_or(static_cast<std::uint64_t>(request.run));
   try {
@@ -30,6 +31,7 @@ compare::NativeResult render_copy(const Job& job, const compare::NativeRequest& 
     out.stochastic_features = cli::stochastic_features(*parsed.result.scene, copy.render.quality);
     Picture picture;
     trace(copy, *parsed.result.scene, watch, picture);
+    picture.output.bits = 16;  // as POV-Ray's: differences below a code value count, too
     image::write(picture.frame, request.output, picture.output);
     out.seconds = picture.statistics.seconds_compile + picture.statistics.seconds_render;
     out.outcome = compare::NativeResult::Outcome::rendered;
@@ -43,10 +45,13 @@ compare::NativeResult render_copy(const Job& job, const compare::NativeRequest& 
   return out;
 }
 
-PicturePtr read(const std::filesystem::path& path) { return path.empty() ? nullptr : picture_of(image::read_picture(path)); }
+PicturePtr read(const std::filesystem::path& path) {
+  return path.empty() ? nullptr : picture_of(image::read_picture(path));
+}
 
 // (report of the scene, POV-Ray's picture, ours, heat map, page)
-py::tuple compare_job(const Job& job, const std::vector<std::string>& switches, bool use_cache, const py::object& cancel) {
+py::tuple compare_job(const Job& job, const std::vector<std::string>& switches, bool use_cache,
+                      const py::object& cancel) {
   compare::Run result;
   PicturePtr reference, picture, heat_map;
   std::string page;

@@ -44,7 +44,8 @@ image::Picture samples(py::handle source) {
 }
 
 // (figures, status, reason, heat map)
-py::tuple diff(py::handle reference, py::handle test, bool antialiased, const compare::Thresholds& thresholds, double gain) {
+py::tuple diff(py::handle reference, py::handle test, bool antialiased, const compare::Thresholds& thresholds,
+               double gain) {
   const image::Picture a = samples(reference), b = samples(test);
   compare::Metrics metrics;
   compare::Verdict verdict;
@@ -59,14 +60,15 @@ py::tuple diff(py::handle reference, py::handle test, bool antialiased, const co
         heat_map = picture_of(image::read_picture(file.path()));
       },
       0, {py::none(), py::none()});
-  return py::make_tuple(to_python(nlohmann::json::parse(compare::metrics_json(metrics))), compare::to_string(verdict.status),
-                        verdict.reason, heat_map);
+  return py::make_tuple(to_python(nlohmann::json::parse(compare::metrics_json(metrics))),
+                        compare::to_string(verdict.status), verdict.reason, heat_map);
 }
 
 }  // namespace
 
 void bind_diff(py::module_& module) {
-  module.def("diff", &diff, py::arg("reference"), py::arg("picture"), py::arg("antialiased"), py::arg("thresholds"), py::arg("gain"));
+  module.def("diff", &diff, py::arg("reference"), py::arg("picture"), py::arg("antialiased"), py::arg("thresholds"),
+             py::arg("gain"));
 }
 
 }  // namespace verisim::python

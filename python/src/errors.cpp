@@ -13,11 +13,14 @@ namespace {
 
 py::object classes() { return py::module_::import("verisim.errors"); }
 
-void raise(const char* class_name, const py::object& error) { PyErr_SetObject(classes().attr(class_name).ptr(), error.ptr()); }
+void raise(const char* class_name, const py::object& error) {
+  PyErr_SetObject(classes().attr(class_name).ptr(), error.ptr());
+}
 
 void raise_scene_error(const SceneFailure& failure) {
   bool all_unsupported = true;
-  for (const parser::Diagnostic& d : failure.diagnostics) all_unsupported &= d.severity == parser::Severity::unsupported;
+  for (const parser::Diagnostic& d : failure.diagnostics)
+    all_unsupported &= d.severity == parser::Severity::unsupported;
   const char* name = all_unsupported ? "Unsupported" : "SceneError";
   raise(name, classes().attr(name)(diagnostics(failure.diagnostics)));
 }

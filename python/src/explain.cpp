@@ -42,7 +42,8 @@ py::tuple explain_pixel(const Job& job, double x, double y, const py::object& ca
         rays = tree.json()["rays"];
       },
       job.render.threads, {py::none(), cancel});
-  return py::make_tuple(to_python(rays), tree.lines(), py::make_tuple(color.r, color.g, color.b), py::tuple(py::cast(stored.samples)));
+  return py::make_tuple(to_python(rays), tree.lines(), py::make_tuple(color.r, color.g, color.b),
+                        py::tuple(py::cast(stored.samples)));
 }
 
 }  // namespace

@@ -39,7 +39,8 @@ Parsed parse(const Job& job, const std::atomic<bool>& cancel) {
   options.limits.max_memory_bytes += resident_memory();  // what the program around it has is not the scene's
   options.debug = [&](const std::string& text) { out.debug += text; };
   options.message = [&](const parser::Diagnostic& d) {
-    if (d.severity == parser::Severity::warning || d.severity == parser::Severity::possible_error) out.warnings.push_back(d);
+    if (d.severity == parser::Severity::warning || d.severity == parser::Severity::possible_error)
+      out.warnings.push_back(d);
   };
   options.cancelled = [&] { return cancel.load(std::memory_order_relaxed); };
   out.result = job.text ? parser::parse_text(*job.text, job.name, options) : parser::parse_file(job.name, options);
@@ -69,7 +70,9 @@ void bind_job(py::module_& module) {
       .def_readwrite("settings", &Job::settings)
       .def("declare", [](Job& j, const std::string& name,
                          py::handle value) { j.parse.values.emplace_back(name, declared_value(name, value)); })
-      .def("add_file", [](Job& j, const std::string& name, py::handle content) { j.parse.files[name] = memory_file(name, content); });
+      .def("add_file", [](Job& j, const std::string& name, py::handle content) {
+        j.parse.files[name] = memory_file(name, content);
+      });
   field(job, "width", &Job::render, &render::Options::width);
   field(job, "height", &Job::render, &render::Options::height);
   field(job, "antialias", &Job::render, &render::Options::antialias);

@@ -30,13 +30,19 @@ using Sizes = std::vector<py::ssize_t>;
 Plane plane_of(const PicturePtr& picture, const void* data, char kind, std::size_t item, int channels,
                std::size_t stride) {
   const auto size = [](auto n) { return static_cast<py::ssize_t>(n); };
-  Plane plane{picture, data, kind, size(item), {picture->height, picture->width}, {size(stride) * picture->width, size(stride)}};
+  Plane plane{picture,
+              data,
+              kind,
+              size(item),
+              {picture->height, picture->width},
+              {size(stride) * picture->width, size(stride)}};
   if (channels > 1) plane.shape.push_back(channels), plane.strides.push_back(size(item));
   return plane;
 }
 
 Plane bytes_of(const PicturePtr& picture) {
-  return plane_of(picture, picture->bytes.data(), 'u', 1, picture->channels, static_cast<std::size_t>(picture->channels));
+  return plane_of(picture, picture->bytes.data(), 'u', 1, picture->channels,
+                  static_cast<std::size_t>(picture->channels));
 }
 
 const render::Framebuffer& frame_of(const PicturePtr& picture) {
@@ -53,9 +59,11 @@ py::object transmit(const PicturePtr& picture) {
 }
 
 template <class T>
-py::object layer(const PicturePtr& picture, const char* name, const std::vector<T>& values, char kind, std::size_t item) {
+py::object layer(const PicturePtr& picture, const char* name, const std::vector<T>& values, char kind,
+                 std::size_t item) {
   if (values.empty())
-    throw py::value_error(fmt::format("the picture has no layer '{0}': ask for it with render(..., layers=['{0}'])", name));
+    throw py::value_error(
+        fmt::format("the picture has no layer '{0}': ask for it with render(..., layers=['{0}'])", name));
   return array_of(plane_of(picture, values.data(), kind, item, static_cast<int>(sizeof(T) / item), sizeof(T)));
 }
 
@@ -83,9 +91,10 @@ image::OutputOptions file_options(const Picture& picture, const std::filesystem:
   image::OutputOptions options = picture.output;
   const std::optional<image::Format> format = cli::format_of_extension(path.extension().string());
   if (!format)
-    throw py::value_error(fmt::format("'{}': the ending says what a picture is written as: .png, .jpg, .exr, .hdr, .tif, .tga, "
-                                      ".bmp or .ppm",
-                                      path.string()));
+    throw py::value_error(
+        fmt::format("'{}': the ending says what a picture is written as: .png, .jpg, .exr, .hdr, .tif, .tga, "
+                    ".bmp or .ppm",
+                    path.string()));
   options.format = *format;
   options.bits = bits;
   options.compression = quality;
@@ -129,7 +138,8 @@ PicturePtr from_array(const py::buffer& array) {
   const py::buffer_info info = array.request();
   const bool flat = info.ndim == 2;
   if (info.format != py::format_descriptor<std::uint8_t>::format() || (!flat && info.ndim != 3))
-    throw py::value_error("a picture is made of an array of uint8 with the shape (height, width) or (height, width, channels)");
+    throw py::value_error(
+        "a picture is made of an array of uint8 with the shape (height, width) or (height, width, channels)");
   auto picture = std::make_shared<Picture>();
   picture->height = static_cast<int>(info.shape[0]), picture->width = static_cast<int>(info.shape[1]);
   picture->channels = flat ? 1 : static_cast<int>(info.shape[2]);
@@ -191,10 +201,12 @@ NamedMemory::NamedMemory() : descriptor_(::memfd_create("verisim", MFD_CLOEXEC))
 NamedMemory::~NamedMemory() { ::close(descriptor_); }
 
 void bind_picture(py::module_& module) {
-  py::class_<Picture, PicturePtr>(module, "Picture", py::buffer_protocol(),
-                                  "A rendered picture. As a buffer and for numpy.asarray(): the samples of a PNG file of 8 bits, "
-                                  "uint8 of the shape (height, width, channels), row 0 at the top, without a copy.")
-      .def(py::init(&from_array), py::arg("array"), "A picture of uint8 samples, (height, width) or (height, width, channels).")
+  py::class_<Picture, PicturePtr>(
+      module, "Picture", py::buffer_protocol(),
+      "A rendered picture. As a buffer and for numpy.asarray(): the samples of a PNG file of 8 bits, "
+      "uint8 of the shape (height, width, channels), row 0 at the top, without a copy.")
+      .def(py::init(&from_array), py::arg("array"),
+           "A picture of uint8 samples, (height, width) or (height, width, channels).")
       .def_buffer([](Picture& picture) { return buffer_of(bytes_of(PicturePtr(PicturePtr(), &picture))); })
       .def_property_readonly("__array_interface__", [](const PicturePtr& p) { return array_interface_of(bytes_of(p)); })
       .def_readonly("width", &Picture::width)
@@ -203,10 +215,10 @@ void bind_picture(py::module_& module) {
       .def_property_readonly(
           "pixels", [](const PicturePtr& p) { return array_of(bytes_of(p)); },
           "uint8 (height, width, channels): what a PNG file holds. Of one channel: (height, width).")
-      .def_property_readonly(
-          "radiance", &radiance,
-          "float32 (height, width, 3): colours before gamma and rounding, as the scene computes them; linear light with "
-          "assumed_gamma 1. Multiplied by alpha.")
+      .def_property_readonly("radiance", &radiance,
+                             "float32 (height, width, 3): colours before gamma and rounding, as the scene computes "
+                             "them; linear light with "
+                             "assumed_gamma 1. Multiplied by alpha.")
       .def_property_readonly("transmit", &transmit, "float32 (height, width): what shows through, 1 - alpha.")
       .def_property_readonly(
           "depth", [](const PicturePtr& p) { return layer(p, "depth", p->layers.depths, 'f', sizeof(float)); },
@@ -228,9 +240,11 @@ void bind_picture(py::module_& module) {
       .def_property_readonly("statistics", &statistics, "Numbers of rays, and seconds.")
       .def("png", &png, "The bytes of a PNG file: those that `verisim render` writes.")
       .def("_repr_png_", &png)
-      .def("save", &save, py::arg("path"), py::kw_only(), py::arg("bits") = 8, py::arg("quality") = 0,
-           "Writes a file, whole or not at all; its ending says what: .png, .jpg, .exr (with the layers), .hdr, .tif, .tga, "
-           ".bmp or .ppm. `bits` a channel, where the format has a choice; `quality` of JPEG, 2 to 100. Raises OSError.")
+      .def(
+          "save", &save, py::arg("path"), py::kw_only(), py::arg("bits") = 8, py::arg("quality") = 0,
+          "Writes a file, whole or not at all; its ending says what: .png, .jpg, .exr (with the layers), .hdr, .tif, "
+          ".tga, "
+          ".bmp or .ppm. `bits` a channel, where the format has a choice; `quality` of JPEG, 2 to 100. Raises OSError.")
       .def("__repr__", &text_of);
 }
 

@@ -1,20 +1,29 @@
 #include "python/src/plane.h"
 
+#include <pybind11/stl.h>
+
 namespace py = pybind11;
 
 namespace verisim::python {
 namespace {
 
 std::string format_of(const Plane& plane) {
-  if (plane.kind == 'f') return plane.item == 8 ? py::format_descriptor<double>::format() : py::format_descriptor<float>::format();
-  return plane.item == 1 ? py::format_descriptor<std::uint8_t>::format() : py::format_descriptor<std::uint32_t>::format();
+  if (plane.kind == 'f')
+    return plane.item == 8 ? py::format_descriptor<double>::format() : py::format_descriptor<float>::format();
+  return plane.item == 1 ? py::format_descriptor<std::uint8_t>::format()
+                         : py::format_descriptor<std::uint32_t>::format();
 }
 
 }  // namespace
 
 py::buffer_info buffer_of(const Plane& plane) {
-  return {const_cast<void*>(plane.data), plane.item,    format_of(plane), static_cast<py::ssize_t>(plane.shape.size()),
-          plane.shape,                   plane.strides, true};
+  return {const_cast<void*>(plane.data),
+          plane.item,
+          format_of(plane),
+          static_cast<py::ssize_t>(plane.shape.size()),
+          plane.shape,
+          plane.strides,
+          true};
 }
 
 py::dict array_interface_of(const Plane& plane) {

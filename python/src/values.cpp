@@ -53,10 +53,11 @@ void append(const std::string& name, py::handle items, std::size_t depth, parser
   if (depth == out.sizes.size()) out.sizes.push_back(size);
   if (out.sizes[depth] != size) refuse(name, "the lists of an array have different lengths");
   for (const py::handle item : items) {
-    if (py::isinstance<py::list>(item)) {
+    const bool lists = out.sizes.size() > depth + 1;
+    if (py::isinstance<py::list>(item) && (lists || out.elements.empty())) {
       append(name, item, depth + 1, out);
     } else {
-      if (out.sizes.size() != depth + 1) refuse(name, "an array holds lists, or values, not both");
+      if (lists || py::isinstance<py::list>(item)) refuse(name, "an array holds lists, or values, not both");
       out.elements.push_back(declared_value(name, item));
     }
   }
@@ -73,8 +74,8 @@ Array array_of(const std::string& name, py::handle content) {
   Array out{py::array::ensure(content, py::array::c_style), {}};
   if (!out.values || out.values.ndim() < 2) {
     PyErr_Clear();
-    throw py::type_error(fmt::format("files['{}']: bytes, str or an array of pixels or voxels is expected, not {}", name,
-                                     py::str(py::type::of(content)).cast<std::string>()));
+    throw py::type_error(fmt::format("files['{}']: bytes, str or an array of pixels or voxels is expected, not {}",
+                                     name, py::str(py::type::of(content)).cast<std::string>()));
   }
   for (py::ssize_t i = 0; i < out.values.ndim(); ++i) {
     if (out.values.shape(i) < 1 || out.values.shape(i) > 1 << 30)
@@ -92,8 +93,10 @@ std::shared_ptr<const parser::MemoryFile> pixels(const std::string& name, const 
   const std::vector<int>& shape = array.shape;
   const int channels = shape.size() == 2 ? 1 : shape[2];
   if (shape.size() > 3 || channels > 4)
-    throw py::value_error(fmt::format(
-        "files['{}']: pixels have the shape (height, width) or (height, width, 1 to 4); voxels need a name ending in .df3", name));
+    throw py::value_error(
+        fmt::format("files['{}']: pixels have the shape (height, width) or (height, width, 1 to 4); voxels need a name "
+                    "ending in .df3",
+                    name));
   py::array values = array.values;
   image::SampleType type = image::SampleType::real;
   if (is_of(values, 'u', 1)) {
@@ -103,8 +106,9 @@ std::shared_ptr<const parser::MemoryFile> pixels(const std::string& name, const 
   } else if (values.dtype().kind() == 'f') {
     values = py::array_t<float, py::array::c_style | py::array::forcecast>(values);
   } else {
-    throw py::type_error(fmt::format("files['{}']: pixels are uint8, uint16 (as in a PNG file) or floats (linear light), not {}", name,
-                                     py::str(values.dtype()).cast<std::string>()));
+    throw py::type_error(
+        fmt::format("files['{}']: pixels are uint8, uint16 (as in a PNG file) or floats (linear light), not {}", name,
+                    py::str(values.dtype()).cast<std::string>()));
   }
   image::Samples samples(type, static_cast<std::size_t>(values.size()));
   std::memcpy(samples.as<unsigned char>(), values.data(), static_cast<std::size_t>(values.nbytes()));
@@ -112,8 +116,7 @@ std::shared_ptr<const parser::MemoryFile> pixels(const std::string& name, const 
 }
 
 std::shared_ptr<const parser::MemoryFile> voxels(const std::string& name, const Array& array) {
-  if (array.shape.size() != 3)
-    throw py::value_error(fmt::format("files['{}']: voxels have the shape (z, y, x)", name));
+  if (array.shape.size() != 3) throw py::value_error(fmt::format("files['{}']: voxels have the shape (z, y, x)", name));
   scene::DensityFileParams out;
   for (int i = 0; i < 3; ++i) out.size[i] = array.shape[static_cast<std::size_t>(2 - i)];
   py::array values = array.values;
@@ -124,8 +127,8 @@ std::shared_ptr<const parser::MemoryFile> voxels(const std::string& name, const 
   } else if (is_of(values, 'u', 1) || is_of(values, 'u', 2) || is_of(values, 'u', 4)) {
     out.bytes = static_cast<int>(values.itemsize());
   } else {
-    throw py::type_error(fmt::format("files['{}']: voxels are uint8, uint16, uint32 or floats from 0 to 1, not {}", name,
-                                     py::str(values.dtype()).cast<std::string>()));
+    throw py::type_error(fmt::format("files['{}']: voxels are uint8, uint16, uint32 or floats from 0 to 1, not {}",
+                                     name, py::str(values.dtype()).cast<std::string>()));
   }
   const Indices numbers(values);
   out.samples = std::make_shared<const std::vector<std::uint32_t>>(numbers.data(), numbers.data() + numbers.size());
@@ -141,9 +144,9 @@ auto rows_of(const Array& array, py::ssize_t each, const char* what) {
   return std::span(array.data(), static_cast<std::size_t>(array.size()));
 }
 
-Mesh make_mesh(const Doubles& vertices, const Indices& faces, const std::optional<Doubles>& normals, const std::optional<Doubles>& uvs,
-               const std::optional<Indices>& normal_faces, const std::optional<Indices>& uv_faces,
-               const std::optional<std::array<double, 3>>& inside) {
+Mesh make_mesh(const Doubles& vertices, const Indices& faces, const std::optional<Doubles>& normals,
+               const std::optional<Doubles>& uvs, const std::optional<Indices>& normal_faces,
+               const std::optional<Indices>& uv_faces, const std::optional<std::array<double, 3>>& inside) {
   parser::MeshArrays arrays{rows_of(vertices, 3, "vertices"), rows_of(faces, 3, "faces")};
   if (normals) arrays.normals = rows_of(*normals, 3, "normals");
   if (uvs) arrays.uvs = rows_of(*uvs, 2, "uvs");
@@ -163,7 +166,8 @@ parser::DeclaredValue declared_value(const std::string& name, py::handle value) 
   if (is_array(value)) {
     const auto dimensions = value.attr("ndim").cast<int>();
     if (dimensions == 1) return vector_of(name, value.attr("tolist")());
-    if (dimensions > 2) refuse(name, "of arrays, those of one dimension are vectors and those of two are arrays of vectors");
+    if (dimensions > 2)
+      refuse(name, "of arrays, those of one dimension are vectors and those of two are arrays of vectors");
     if (dimensions == 2) {
       parser::DeclaredArray rows;
       for (const py::handle row : value.attr("tolist")()) rows.elements.push_back(vector_of(name, row));
@@ -178,28 +182,33 @@ parser::DeclaredValue declared_value(const std::string& name, py::handle value) 
     append(name, value, 0, array);
     return {std::move(array)};
   }
-  refuse(name, fmt::format("a number, a string, a tuple (vector), a list (array), an array or a verisim.Mesh is expected, not {}",
-                           py::str(py::type::of(value)).cast<std::string>()));
+  refuse(name,
+         fmt::format(
+             "a number, a string, a tuple (vector), a list (array), an array or a verisim.Mesh is expected, not {}",
+             py::str(py::type::of(value)).cast<std::string>()));
 }
 
 std::shared_ptr<const parser::MemoryFile> memory_file(const std::string& name, py::handle content) {
   if (py::isinstance<py::bytes>(content) || py::isinstance<py::str>(content))
     return std::make_shared<parser::MemoryFile>(content.cast<std::string>());
   if (py::isinstance<py::bytearray>(content) || PyMemoryView_Check(content.ptr()))
-    return std::make_shared<parser::MemoryFile>(py::bytes(py::reinterpret_steal<py::object>(PyBytes_FromObject(content.ptr()))));
+    return std::make_shared<parser::MemoryFile>(
+        py::bytes(py::reinterpret_steal<py::object>(PyBytes_FromObject(content.ptr()))));
   const Array array = array_of(name, content);
   return name.ends_with(".df3") ? voxels(name, array) : pixels(name, array);
 }
 
 void bind_values(py::module_& module) {
-  py::class_<Mesh>(module, "Mesh",
-                   "An object that `mesh2 { ... }` of these arrays would be, for declare={NAME: mesh}; the scene writes `object "
-                   "{ NAME texture { ... } }`.")
+  py::class_<Mesh>(
+      module, "Mesh",
+      "An object that `mesh2 { ... }` of these arrays would be, for declare={NAME: mesh}; the scene writes `object "
+      "{ NAME texture { ... } }`.")
       .def(py::init(&make_mesh), py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("normals") = py::none(),
            py::arg("uvs") = py::none(), py::arg("normal_faces") = py::none(), py::arg("uv_faces") = py::none(),
            py::arg("inside") = py::none(),
            "vertices (n, 3); faces (m, 3), indices of vertices; normals (n, 3) and uvs (n, 2), of the vertices unless "
-           "normal_faces and uv_faces (m, 3) say otherwise; inside: a vector, for a solid in CSG. Float64 and uint32 arrays are "
+           "normal_faces and uv_faces (m, 3) say otherwise; inside: a vector, for a solid in CSG. Float64 and uint32 "
+           "arrays are "
            "taken as they are, others are converted. Raises ValueError for wrong shapes and indices.")
       .def("__repr__", [](const Mesh& mesh) { return fmt::format("<verisim.Mesh of {} faces>", mesh.faces); })
       .def_readonly("vertices", &Mesh::vertices, "How many there are.")

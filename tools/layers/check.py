@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-LIBRARIES = ("tracer", "parser", "compare", "cli")  # from the ground up, too
+LIBRARIES = ("tracer", "parser", "compare", "cli", "python")  # from the ground up, too
 SUFFIXES = (".h", ".cpp", ".inc")
 MOST_FILES = 36  # of a folder, tests apart
 INCLUDE = re.compile(r'\s*#\s*(?:include|define\s+VERISIM_KERNELS)\s+"([^"]+)"')

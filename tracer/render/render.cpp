@@ -248,7 +248,12 @@ Statistics PreparedScene::render(const Options& options, Framebuffer& frame, con
     if (!options.prepasses_to) work_on_blocks();
     for (std::size_t i = 0; i < layer_blocks.size(); ++i) fill_layer_block(i);
   } else {
-    const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    // The arena alone says how many threads there are, so that other renders of the process keep theirs; only more than
+    // the machine has must be allowed.
+    using tbb::global_control;
+    std::optional<global_control> allow;
+    if (static_cast<std::size_t>(threads) > global_control::active_value(global_control::max_allowed_parallelism))
+      allow.emplace(global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     const tbb::global_control stack(tbb::global_control::thread_stack_size, std::size_t{100} << 20);
     tbb::task_arena arena(threads);
     arena.execute([&] {

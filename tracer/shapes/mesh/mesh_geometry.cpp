@@ -1,5 +1,7 @@
 #include "tracer/shapes/mesh/mesh_geometry.h"
 
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <mutex>
 #include <numeric>
@@ -55,16 +57,29 @@ Vec3 plane_normal(const Vec3& p1, const Vec3& p2, const Vec3& p3) { return norma
 }  // namespace
 
 std::shared_ptr<const MeshGeometry> MeshGeometry::of(const std::shared_ptr<const scene::MeshData>& data) {
+  struct Known {
+    std::mutex mutex;  // held while it is made
+    std::weak_ptr<const MeshGeometry> geometry;
+  };
   static std::mutex mutex;
-  static std::unordered_map<const scene::MeshData*, std::weak_ptr<const MeshGeometry>> known;
-  const std::lock_guard lock(mutex);
-  auto& slot = known[data.get()];
-  if (auto geometry = slot.lock())
+  static std::unordered_map<const scene::MeshData*, std::shared_ptr<Known>> meshes;
+  std::shared_ptr<Known> known;
+  {
+    const std::lock_guard lock(mutex);
+    if (meshes.size() > 64)  // who is about to make one holds it, too
+      std::erase_if(
+          meshes, [](const auto& entry) { return entry.second.use_count() == 1 && entry.second->geometry.expired(); });
+    std::shared_ptr<Known>& entry = meshes[data.get()];
+    if (!entry) entry = std::make_shared<Known>();
+    known = entry;
+  }
+  const std::lock_guard lock(known->mutex);
+  if (auto geometry = known->geometry.lock())
     return geometry;  // it keeps its data alive, so the address is still that of the same mesh
-  if (known.size() > 64)
-    std::erase_if(known, [&](const auto& entry) { return entry.first != data.get() && entry.second.expired(); });
-  auto geometry = std::make_shared<const MeshGeometry>(data);
-  known[data.get()] = geometry;
+  std::shared_ptr<const MeshGeometry> geometry;
+  // While it waits for its loops this thread takes up no other work: that might ask for the same mesh.
+  tbb::this_task_arena::isolate([&] { geometry = std::make_shared<const MeshGeometry>(data); });
+  known->geometry = geometry;
   return geometry;
 }
 

@@ -33,7 +33,7 @@ py::tuple check_job(const Job& job, const py::object& cancel) {
       job.render.threads, {py::none(), cancel});
   std::vector<std::string> files;
   for (const auto& file : parsed.result.files_read) files.push_back(file.string());
-  return py::make_tuple(to_python(tree), diagnostics(parsed.warnings), parsed.debug, files);
+  return py::make_tuple(to_python(tree), diagnostics(parsed.warnings), to_text(parsed.debug), files);
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ py::tuple compare_job(const Job& job, const std::vector<std::string>& switches, 
       },
       job.render.threads, {py::none(), cancel});
   const nlohmann::json report = nlohmann::json::parse(compare::json_report(result));
-  return py::make_tuple(to_python(report.at("scenes").at(0)), reference, picture, heat_map, page);
+  return py::make_tuple(to_python(report.at("scenes").at(0)), reference, picture, heat_map, to_text(page));
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ parser::Diagnostic unsupported(const render::Unsupported& missing, const std::st
 py::list diagnostics(const std::vector<parser::Diagnostic>& diagnostics) {
   py::list out;
   const py::object make = classes().attr("Diagnostic");
-  for (const parser::Diagnostic& d : diagnostics) out.append(make(to_python(cli::as_json(d)), parser::format(d)));
+  for (const parser::Diagnostic& d : diagnostics)
+    out.append(make(to_python(cli::as_json(d)), to_text(parser::format(d))));
   return out;
 }
 

@@ -4,8 +4,15 @@
 #include <pybind11/pybind11.h>
 
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 namespace verisim::python {
+
+// A scene's bytes need not be UTF-8.
+inline pybind11::object to_text(std::string_view text) {
+  return pybind11::reinterpret_steal<pybind11::object>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
+}
 
 template <class Json>
 pybind11::object to_python(const Json& json) {
@@ -21,12 +28,8 @@ pybind11::object to_python(const Json& json) {
       for (const auto& value : json) out.append(to_python(value));
       return out;
     }
-    case Json::value_t::string: {
-      // A scene's bytes need not be UTF-8.
-      const auto& text = json.template get_ref<const std::string&>();
-      return py::reinterpret_steal<py::object>(
-          PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
-    }
+    case Json::value_t::string:
+      return to_text(json.template get_ref<const std::string&>());
     case Json::value_t::boolean:
       return py::bool_(json.template get<bool>());
     case Json::value_t::number_integer:

@@ -15,6 +15,7 @@
 
 #include "cli/settings/options.h"
 #include "python/src/errors.h"
+#include "python/src/json.h"
 #include "python/src/plane.h"
 #include "tracer/image/layers_file.h"
 #include "tracer/image/png.h"
@@ -234,7 +235,9 @@ void bind_picture(py::module_& module) {
           "uint32 (height, width): number of the object in the order of the scene, from 1; 0 where there is nothing.")
       .def_readonly("frame", &Picture::frame_number, "Number of the frame of an animation; 0 without one.")
       .def_readonly("clock", &Picture::clock)
-      .def_readonly("debug", &Picture::debug, "What the scene said with #debug, #render and #statistics.")
+      .def_property_readonly(
+          "debug", [](const Picture& p) { return to_text(p.debug); },
+          "What the scene said with #debug, #render and #statistics.")
       .def_property_readonly(
           "warnings", [](const Picture& p) { return diagnostics(p.warnings); }, "A list of Diagnostic.")
       .def_property_readonly("statistics", &statistics, "Numbers of rays, and seconds.")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from verisim import _core
-from verisim._job import asked, in_range, job
+from verisim._job import asked, contents, in_range, job
 from verisim._render import wanted
 
 TYPE_CHECKING = False
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
     from typing import Unpack
 
-    from verisim._job import Event, Options, Scene
+    from verisim._job import Event, FrameOptions, Scene
 
 
 def animation(
@@ -25,7 +25,7 @@ def animation(
     layers: bool | Iterable[str] = (),
     on_progress: Callable[[float], object] | None = None,
     cancel: Event | Callable[[], bool] | None = None,
-    **options: Unpack[Options],
+    **options: Unpack[FrameOptions],
 ) -> Iterator[_core.Picture]:
     """The frames of an animation, rendered one by one as they are asked for: pictures that know their `frame`, from 1, and
     `clock`, from the first value to the second; cyclic: the frame after the last is like the first (+KFF, +KI, +KF, +KC).
@@ -34,8 +34,7 @@ def animation(
     first, last = clock
     final = in_range("frames", frames, 1, 1 << 30) + bool(cyclic)
     if hasattr(scene, "read"):
-        scene = scene.read()
-        scene = scene.encode() if isinstance(scene, str) else scene
+        scene = contents(scene)
     delta = (last - first) / (final - 1) if final > 1 else 0.0
     names = wanted(layers)
 
@@ -53,4 +52,4 @@ def single(value: float) -> float:
     """POV-Ray's clock has single precision."""
     import struct
 
-    return struct.unpack("f", struct.pack("f", value))[0]
+    return float(struct.unpack("f", struct.pack("f", value))[0])

@@ -17,18 +17,20 @@ if TYPE_CHECKING:
 class Check:
     """A scene without errors: `warnings`, the evaluated scene as a `tree` (docs/dump.md), `files` that were read."""
 
-    def __init__(self, tree: dict[str, Any], warnings: list[Diagnostic], debug: str, files: list[str], render: Callable[[], _core.Picture]):
+    def __init__(self, tree: dict[str, Any], warnings: list[Diagnostic], debug: str, files: list[str], job: _core.Job):
         self.tree = tree
         self.warnings = warnings
         self.debug = debug
         self.files = files
-        self._render = render
+        self._job = job
+        self._picture: _core.Picture | None = None
 
     @property
     def picture(self) -> _core.Picture:
         """The scene, rendered when it is first asked for."""
-        self._render = (lambda picture: lambda: picture)(self._render())
-        return self._render()
+        if self._picture is None:
+            self._picture = _core.render(self._job, [], None, None)
+        return self._picture
 
     def __repr__(self) -> str:
         return f"<verisim.Check: no errors, {len(self.warnings)} warnings, {len(self.tree['objects'])} objects>"
@@ -50,4 +52,4 @@ def check(
     """Reads a scene without rendering it. Raises SceneError with all that is wrong, Unsupported. The options are those of
     render()."""
     what = job(scene, width, height, **options)
-    return Check(*_core.check(what, asked(cancel)), lambda: _core.render(what, [], None, None))
+    return Check(*_core.check(what, asked(cancel)), what)

@@ -52,7 +52,8 @@ def compare(
         files = options.get("files") or {}
         if hasattr(scene, "read") or _job.is_text(scene) or files:
             scene = spooled(scene, files, options.get("name"), folder)
-            options = {**options, "files": {}, "include_path": [*options.get("include_path", ()), os.getcwd()]}
+            options["files"] = {}
+            options["include_path"] = [*options.get("include_path", ()), os.getcwd()]
         what = _job.job(scene, width, height, **options)
         _core.check(what, None)
         switches = _job.switches(what, options.get("antialias", False), options.get("antialias_depth", 3),
@@ -70,15 +71,13 @@ def spooled(scene: Any, files: Any, name: str | None, folder: str) -> str:
             raise ValueError(f"files[{file!r}]: POV-Ray reads files: bytes or str, and names without folders")
         with open(os.path.join(folder, file), "wb") as out:
             out.write(content.encode() if isinstance(content, str) else content)
-    if hasattr(scene, "read"):
-        text = scene.read()
-    elif _job.is_text(scene):
-        text = scene
+    if hasattr(scene, "read") or _job.is_text(scene):
+        text = _job.contents(scene)
     else:
         name = name or os.path.basename(os.fspath(scene))
         with open(scene, "rb") as source:
             text = source.read()
     path = os.path.join(folder, os.path.basename(name or "scene.pov"))
     with open(path, "wb") as out:
-        out.write(text.encode() if isinstance(text, str) else text)
+        out.write(text)
     return path

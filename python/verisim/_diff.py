@@ -24,32 +24,32 @@ class Difference:
     @property
     def max_abs(self) -> float:
         """Largest difference of a channel, in 8-bit units."""
-        return self.metrics["max_abs"]
+        return float(self.metrics["max_abs"])
 
     @property
     def rmse(self) -> float:
         """Root mean square difference, in 8-bit units."""
-        return self.metrics["rmse"]
+        return float(self.metrics["rmse"])
 
     @property
     def psnr(self) -> float:
         """In dB; 999 for equal pictures."""
-        return self.metrics["psnr"]
+        return float(self.metrics["psnr"])
 
     @property
     def ssim(self) -> float:
         """Mean structural similarity."""
-        return self.metrics["ssim_mean"]
+        return float(self.metrics["ssim_mean"])
 
     @property
     def flip(self) -> float:
         """Mean LDR-FLIP."""
-        return self.metrics["flip_mean"]
+        return float(self.metrics["flip_mean"])
 
     @property
     def within_1_pct(self) -> float:
         """Percentage of pixels that are at most 1/255 away in every channel."""
-        return self.metrics["within_1_pct"]
+        return float(self.metrics["within_1_pct"])
 
     def __bool__(self) -> bool:
         return self.status in ("exact", "match")

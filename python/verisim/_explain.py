@@ -18,12 +18,19 @@ if TYPE_CHECKING:
 class _Node:
     """A part of the tree: its values are attributes."""
 
+    _parts: dict[str, type[_Node]] = {}  # lists of further nodes
+
     def __init__(self, values: dict[str, Any]) -> None:
         for name, value in values.items():
-            setattr(self, name, _CHILDREN[name](value) if name in _CHILDREN else tuple(value) if isinstance(value, list) else value)
+            part = self._parts.get(name)
+            setattr(self, name, [part(v) for v in value] if part else vector(value))
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__} " + ", ".join(f"{k}={v!r}" for k, v in vars(self).items() if k not in _CHILDREN) + ">"
+        return f"<{type(self).__name__} " + ", ".join(f"{k}={v!r}" for k, v in vars(self).items() if k not in self._parts) + ">"
+
+
+def vector(value: Any) -> Any:
+    return tuple(value) if isinstance(value, list) and not any(isinstance(v, dict) for v in value) else value
 
 
 class Light(_Node):
@@ -34,6 +41,7 @@ class Light(_Node):
     distance: float
     arrives: Vector  #: colour, after fading and shadows
     adds: Vector  #: what the surface makes of it
+    highlight: Vector  #: a part of what it adds
     blocker: str  #: of a light in shadow: the object
     blocked_at: Vector
 
@@ -53,6 +61,16 @@ class Layer(_Node):
     own: Vector  #: ambient light and emission
     reflects: Vector
     lights: list[Light]
+    _parts = {"lights": Light}
+
+
+class Term(_Node):
+    """A term of a ray's colour."""
+
+    what: str
+    adds: Vector
+    layer: int  #: which one it comes from
+    rays: tuple[int, int]  #: which of the rays it comes from: the first, and the one after the last
 
 
 class Ray(_Node):
@@ -67,8 +85,10 @@ class Ray(_Node):
     crosses: list[dict[str, Any]]  #: every surface along it: distance, object
     layers: list[Layer]
     rays: list[Ray]
+    sum: list[Term]  #: what they add is the colour
     color: Vector
     see_through: float
+    _parts = {"layers": Layer, "sum": Term}
 
     def walk(self) -> Iterator[Ray]:
         """This ray and all that follow from it."""
@@ -77,31 +97,25 @@ class Ray(_Node):
             yield from ray.walk()
 
 
-_CHILDREN: dict[str, Callable[[list[dict[str, Any]]], list[Any]]] = {
-    "rays": lambda rays: [Ray(r) for r in rays],
-    "layers": lambda layers: [Layer(v) for v in layers],
-    "lights": lambda lights: [Light(v) for v in lights],
-    "crosses": list,
-}
+Ray._parts["rays"] = Ray
 
 
 class Explanation:
     """How a pixel came to be: the `tree` of rays, the same as `text`, its linear `color` and the samples `stored` in a file
     of 8 bits."""
 
-    def __init__(self, x: float, y: float, told: tuple[Any, ...], render: Callable[[], _core.Picture]) -> None:
-        rays, self.text, self.color, self.stored = told
+    def __init__(self, job: _core.Job, x: float, y: float, cancel: Callable[[], bool] | None) -> None:
+        self._rays, self.text, self.color, self.stored = _core.explain(job, x, y, cancel)
         self.x, self.y = x, y
-        self.tree = [Ray(ray) for ray in rays]
-        self._raw = rays
-        self._render = render
+        self.tree = [Ray(ray) for ray in self._rays]
+        self._job = job
 
     @property
     def picture(self) -> _core.Picture:
         """The whole picture, with lines to the pixel from its edges."""
         import numpy
 
-        pixels = numpy.array(self._render())
+        pixels = numpy.array(_core.render(self._job, [], None, None))
         x, y = round(self.x), round(self.y)
         gap = 2 + max(pixels.shape) // 40
         marked = numpy.zeros(pixels.shape[:2], bool)
@@ -109,6 +123,11 @@ class Explanation:
         marked[max(y - gap, 0) : y + gap + 1, max(x - gap, 0) : x + gap + 1] = False
         pixels[marked] = numpy.where(pixels[marked] < 128, 255, 0)
         return _core.Picture(pixels)
+
+    def drawing(self, azimuth: float = 30, elevation: float = 25) -> str:
+        """The rays as SVG, in front of the scene, seen from an angle in degrees: (0, 0) looks along +z, (90, 0) along +x, (0, 90)
+        down."""
+        return _core.draw(self._job, self.x, self.y, azimuth, elevation, None)
 
     def __str__(self) -> str:
         return self.text
@@ -119,7 +138,7 @@ class Explanation:
     def _repr_html_(self) -> str:
         from verisim._html import image, tree
 
-        return image(self.picture) + tree({"rays": self._raw}, repr(self))
+        return image(self.picture) + self.drawing() + tree({"rays": self._rays}, repr(self))
 
 
 def explain(
@@ -136,6 +155,5 @@ def explain(
     anti-aliasing. The options are those of render()."""
     if not (-0.5 <= x <= width - 0.5 and -0.5 <= y <= height - 0.5):
         raise ValueError(f"({x}, {y}) is no pixel of a picture of {width} by {height}")
-    options = {**options, "antialias": False}
-    what = job(scene, width, height, **options)
-    return Explanation(x, y, _core.explain(what, x, y, asked(cancel)), lambda: _core.render(what, [], None, None))
+    options["antialias"] = False
+    return Explanation(job(scene, width, height, **options), x, y, asked(cancel))

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
     Scene = Union[str, bytes, os.PathLike[str], Readable]
 
-    class Options(TypedDict, total=False):
-        """The options of render() that say what is rendered, and how."""
+    class FrameOptions(TypedDict, total=False):
+        """The options of render() that say what is rendered, and how, but for the clock."""
 
         name: str | None
         antialias: bool | float
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
         declare: Mapping[str, Any] | None
         files: Mapping[str, Any] | None
         include_path: Iterable[str | os.PathLike[str]]
-        clock: float | None
         quality: int
         alpha: bool
         threads: int
@@ -41,6 +40,9 @@ if TYPE_CHECKING:
         allow_write: Iterable[str | os.PathLike[str]]
         limits: Mapping[str, int] | None
 
+    class Options(FrameOptions, total=False):
+        clock: float | None
+
 
 MAX_PIXELS = 1 << 28
 LIMITS = ("max_steps", "max_tokens", "max_depth", "max_file_bytes", "max_memory_bytes")
@@ -49,6 +51,12 @@ LIMITS = ("max_steps", "max_tokens", "max_depth", "max_file_bytes", "max_memory_
 def is_text(scene: Scene) -> bool:
     """Whether a str or bytes is a scene itself, and not the name of one."""
     return isinstance(scene, bytes) or isinstance(scene, str) and any(c in scene for c in "\n{;#")
+
+
+def contents(scene: Scene) -> bytes:
+    """The text of a scene that is not the name of a file."""
+    text = scene if isinstance(scene, (str, bytes)) else scene.read()  # type: ignore[union-attr]
+    return text.encode() if isinstance(text, str) else text
 
 
 def in_range(name: str, value: Any, low: int, high: int) -> int:
@@ -90,8 +98,7 @@ def job(
         out.name = path
         folders.append(os.path.dirname(path) or ".")
     else:
-        text = scene if isinstance(scene, (str, bytes)) else scene.read()
-        out.text = text.encode() if isinstance(text, str) else text
+        out.text = contents(scene)
         out.name = name or "scene.pov"
         out.folder = os.path.dirname(out.name)
     out.include_path = folders

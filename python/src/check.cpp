@@ -15,10 +15,9 @@ namespace py = pybind11;
 namespace verisim::python {
 namespace {
 
-// (tree, warnings, text of #debug, files that were read)
+// (number of objects, warnings, text of #debug, files that were read)
 py::tuple check_job(const Job& job, const py::object& cancel) {
   Parsed parsed;
-  cli::SceneDump::Json tree;
   run(
       [&](Watch& watch) {
         parsed = parse(job, watch.cancel);
@@ -28,16 +27,27 @@ py::tuple check_job(const Job& job, const py::object& cancel) {
         } catch (const render::Unsupported& missing) {
           throw SceneFailure({unsupported(missing, job.name)});
         }
-        tree = cli::SceneDump().scene(*parsed.result.scene);
       },
       job.render.threads, {py::none(), cancel});
   std::vector<std::string> files;
   for (const auto& file : parsed.result.files_read) files.push_back(file.string());
-  return py::make_tuple(to_python(tree), diagnostics(parsed.warnings), to_text(parsed.debug), files);
+  return py::make_tuple(parsed.result.scene->objects.size(), diagnostics(parsed.warnings), to_text(parsed.debug),
+                        files);
+}
+
+// All that the scene describes, which may be much more than its text.
+py::object tree_of_job(const Job& job) {
+  cli::SceneDump::Json tree;
+  run([&](Watch& watch) { tree = cli::SceneDump().scene(*parse(job, watch.cancel).result.scene); }, job.render.threads,
+      {py::none(), py::none()});
+  return to_python(tree);
 }
 
 }  // namespace
 
-void bind_check(py::module_& module) { module.def("check", &check_job, py::arg("job"), py::arg("cancel")); }
+void bind_check(py::module_& module) {
+  module.def("check", &check_job, py::arg("job"), py::arg("cancel"));
+  module.def("tree", &tree_of_job, py::arg("job"));
+}
 
 }  // namespace verisim::python

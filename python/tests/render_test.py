@@ -10,7 +10,7 @@ import threading
 import time
 import unittest
 
-from support import BALL, LONG, Scratch, in_python, program
+from support import BALL, LONG, SOURCE, Scratch, in_python, program
 
 import numpy as np
 
@@ -43,6 +43,14 @@ class Bytes(Scratch):
         with open("scene.pov") as stream:
             for scene in (pathlib.Path("scene.pov"), BALL, BALL.encode(), stream, io.BytesIO(BALL.encode())):
                 self.assertEqual(verisim.render(scene, 20, 10).png(), expected)
+
+    def test_cornell_box_in_an_empty_folder(self):
+        text = (SOURCE / "scenes/cornell_box/cornell_box.pov").read_text()
+        image = np.asarray(verisim.render(text, 256, 256, name="cornell_box.pov"))
+        self.assertEqual((image.shape, image.dtype), ((256, 256, 3), np.uint8))
+        program("render", SOURCE / "scenes/cornell_box/cornell_box.pov", "+W256", "+H256", "+Oprogram.png")
+        self.assertEqual(verisim.diff("program.png", image).max_abs, 0)
+        self.assertEqual(os.listdir("."), ["program.png"])
 
     def test_other_formats(self):
         picture = verisim.render(BALL, 20, 10, layers=True)
@@ -240,13 +248,13 @@ class Control(Scratch):
 
         start = time.monotonic()
         with self.assertRaisesRegex(RuntimeError, "enough"):
-            verisim.render(LONG, 1600, 1200, antialias=0.01, on_progress=fail)
-        self.assertLess(time.monotonic() - start, 20)
+            verisim.render(LONG, 1600, 1200, on_progress=fail)
+        self.assertLess(time.monotonic() - start, 60)
 
     def test_cancel(self):
         event = threading.Event()
         with self.assertRaises(verisim.Cancelled) as caught:
-            verisim.render(LONG, 1600, 1200, antialias=0.01, cancel=event, on_progress=lambda done: event.set())
+            verisim.render(LONG, 1600, 1200, cancel=event, on_progress=lambda done: event.set())
         self.assertEqual(caught.exception.picture.width, 1600)
         self.assertGreater(int(caught.exception.picture.pixels.max()), 0)
         with self.assertRaises(verisim.Cancelled) as caught:
@@ -256,7 +264,7 @@ class Control(Scratch):
             verisim.check("#while (true) #declare A = 1; #end", cancel=lambda: True)
 
     def test_ctrl_c(self):
-        code = f"import verisim, time\nscene = {LONG!r}\nprint('ready', flush=True)\ntry:\n  verisim.render(scene, 4000, 4000, antialias=0.001)\n" \
+        code = f"import verisim, time\nscene = {LONG!r}\nprint('ready', flush=True)\ntry:\n  verisim.render(scene, 4000, 4000)\n" \
                "except KeyboardInterrupt:\n  print('interrupted')\n"  # fmt: skip
         process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
         self.assertEqual(process.stdout.readline(), "ready\n")
@@ -265,7 +273,7 @@ class Control(Scratch):
         process.send_signal(signal.SIGINT)
         output, _ = process.communicate(timeout=60)
         self.assertEqual((process.returncode, output), (0, "interrupted\n"))
-        self.assertLess(time.monotonic() - start, 20)
+        self.assertLess(time.monotonic() - start, 60)
 
     def test_other_threads_run_meanwhile(self):
         counted, stop = [0], threading.Event()

@@ -11,29 +11,33 @@ if TYPE_CHECKING:
     from typing import Any, Unpack
 
     from verisim._job import Event, Options, Scene
-    from verisim.errors import Diagnostic
 
 
 class Check:
-    """A scene without errors: `warnings`, the evaluated scene as a `tree` (docs/dump.md), `files` that were read."""
+    """A scene without errors: the number of its `objects`, `warnings`, what it said by `debug`, the `files` that were read; and, when
+    they are asked for, the evaluated scene as a `tree` and a `picture`."""
 
-    def __init__(self, tree: dict[str, Any], warnings: list[Diagnostic], debug: str, files: list[str], job: _core.Job):
-        self.tree = tree
-        self.warnings = warnings
-        self.debug = debug
-        self.files = files
+    def __init__(self, job: _core.Job, cancel: Callable[[], bool] | None) -> None:
+        self.objects, self.warnings, self.debug, self.files = _core.check(job, cancel)
         self._job = job
+        self._tree: dict[str, Any] | None = None
         self._picture: _core.Picture | None = None
 
     @property
+    def tree(self) -> dict[str, Any]:
+        """Dicts and lists as docs/dump.md describes them."""
+        if self._tree is None:
+            self._tree = _core.tree(self._job)
+        return self._tree
+
+    @property
     def picture(self) -> _core.Picture:
-        """The scene, rendered when it is first asked for."""
         if self._picture is None:
             self._picture = _core.render(self._job, [], None, None)
         return self._picture
 
     def __repr__(self) -> str:
-        return f"<verisim.Check: no errors, {len(self.warnings)} warnings, {len(self.tree['objects'])} objects>"
+        return f"<verisim.Check: no errors, {len(self.warnings)} warnings, {self.objects} objects>"
 
     def _repr_html_(self) -> str:
         from verisim._html import listing, tree
@@ -51,5 +55,4 @@ def check(
 ) -> Check:
     """Reads a scene without rendering it. Raises SceneError with all that is wrong, Unsupported. The options are those of
     render()."""
-    what = job(scene, width, height, **options)
-    return Check(*_core.check(what, asked(cancel)), what)
+    return Check(job(scene, width, height, **options), asked(cancel))

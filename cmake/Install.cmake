@@ -52,7 +52,7 @@ endforeach()
 
 install(TARGETS verisim_tracer verisim_parser verisim_compare EXPORT verisimTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
 install(TARGETS verisim RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime)
-install(PROGRAMS ${PROJECT_SOURCE_DIR}/share/verisim/slurm/verisim-slurm DESTINATION ${CMAKE_INSTALL_DATADIR}/verisim/slurm COMPONENT runtime)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/share/verisim/openjd DESTINATION ${CMAKE_INSTALL_DATADIR}/verisim COMPONENT runtime)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/verisim)

@@ -17,6 +17,7 @@ int command_check(const std::vector<std::string>& arguments);
 int command_compare(const std::vector<std::string>& arguments);
 int command_diff(const std::vector<std::string>& arguments);
 int command_explain(const std::vector<std::string>& arguments);
+int command_farm(const std::vector<std::string>& arguments);
 int command_merge(const std::vector<std::string>& arguments);
 int command_view(const std::vector<std::string>& arguments);
 int command_bench(const std::vector<std::string>& arguments);

@@ -1,11 +1,16 @@
 // `verisim render`, and the call in POV-Ray's style: all frames of one scene, with shell-outs and statistics around
 // them.
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "cli/commands/commands.h"
 #include "cli/settings/configuration.h"
 #include "cli/frame/frame.h"
+#include "cli/settings/frame_list.h"
 #include "cli/settings/ini.h"
 #include "cli/settings/output_name.h"
 #include "cli/settings/own_options.h"
@@ -28,7 +33,8 @@ struct Outcome {
 
 class Sequence {
  public:
-  explicit Sequence(const Job& job) : job_(job) {}
+  // `frames`: numbers, from 0, of those that are rendered.
+  Sequence(const Job& job, std::vector<std::size_t> frames) : job_(job), frames_(std::move(frames)) {}
 
   // Spec 02 section 11: what the letter of a return rule does depends on where it fires.
   Outcome run() {
@@ -45,8 +51,8 @@ class Sequence {
       default:
         break;
     }
-    for (std::size_t i = 0; i < job_.animation.count(); ++i) {
-      const Frame frame = job_.animation.frame(i);
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+      const Frame frame = job_.animation.frame(frames_[i]);
       switch (shell(job_.options.pre_frame, frame)) {
         case 'S':
           continue;
@@ -114,16 +120,18 @@ class Sequence {
     outcome_.status = kDifferent;
     return std::move(outcome_);
   }
-  Frame last_frame() const { return job_.animation.frame(outcome_.frames.empty() ? 0 : outcome_.frames.size() - 1); }
+  Frame last_frame() const {
+    return job_.animation.frame(outcome_.frames.empty() ? 0 : frames_[outcome_.frames.size() - 1]);
+  }
 
   void announce(const Frame& frame, std::size_t index) {
     if (job_.console.style() == Style::povray) {
       if (job_.animation.on)
-        job_.console.always(fmt::format("\nRendering frame {} of {}\n", index + 1, job_.animation.count()));
+        job_.console.always(fmt::format("\nRendering frame {} of {}\n", index + 1, frames_.size()));
       job_.console.line(Stream::render, option_text(job_, frame));
     } else if (job_.animation.on && job_.options.verbose) {
       job_.console.line(Stream::render,
-                        fmt::format("frame {} of {}, clock {:g}", index + 1, job_.animation.count(), frame.clock));
+                        fmt::format("frame {} of {}, clock {:g}", index + 1, frames_.size(), frame.clock));
     }
   }
 
@@ -139,6 +147,7 @@ class Sequence {
   }
 
   const Job& job_;
+  std::vector<std::size_t> frames_;
   Outcome outcome_;
 };
 
@@ -153,18 +162,36 @@ void create_ini(const Options& options) {
   write_text_file(options.create_ini, text);
 }
 
+// Numbers, from 0, of the frames that --frames names (all, if it is not given); what it names past their end is
+// nothing.
+std::vector<std::size_t> chosen_frames(const Options& options, const std::string& list) {
+  const Animation all = animation(options);
+  if (!all.on && !list.empty() && !options.final_frame)
+    throw OptionError("--frames is for animations: say how many frames there are (+KFFn)");
+  const std::vector<FrameRange> ranges = list.empty() || !all.on ? std::vector<FrameRange>{} : frame_list(list);
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < all.count(); ++i) {
+    const int number = all.frame(i).number;
+    if (ranges.empty() ||
+        std::any_of(ranges.begin(), ranges.end(), [number](const FrameRange& r) { return r.holds(number); }))
+      chosen.push_back(i);
+  }
+  return chosen;
+}
+
 // From finished options to the last frame.
-Outcome render_all(const Options& options, Console& console, const SceneSource& scene) {
+Outcome render_all(const Options& options, Console& console, const SceneSource& scene, const std::string& frame_list) {
   if (!options.create_ini.empty()) create_ini(options);
   Interrupt interrupt(watch(options, console));
+  const std::vector<std::size_t> frames = chosen_frames(options, frame_list);
   SharedScene shared;
   const Job job{options, console, interrupt, scene, animation(options), &shared};
   const fs::path picture = output_name(options, scene.path, job.animation, job.animation.frame(0)).path;
   console.open_files(picture.parent_path(), options.append_files);
   for (const std::string& note : options.notes)
     if (options.verbose || console.style() == Style::verisim) console.line(Stream::warning, wrapped("Note: " + note));
-  console.begin_progress(scene.path, job.animation.count());
-  Outcome outcome = Sequence(job).run();
+  console.begin_progress(scene.path, frames.size());
+  Outcome outcome = Sequence(job, frames).run();
   if (!options.stats_file.empty()) write_text_file(options.stats_file, statistics_json(job, outcome.frames));
   if (interrupt.signal() != 0) outcome.status = kInterrupted;
   console.end_of_call(outcome.status, outcome.frames.empty() ? "" : outcome.frames.back().message);
@@ -175,6 +202,7 @@ Outcome render_all(const Options& options, Console& console, const SceneSource& 
 
 int command_render(const std::vector<std::string>& arguments) {
   Options options;
+  std::string frames;
   OwnOptions own("render",
                  "Renders a scene. POV-Ray's switches (+W320 +A0.3), settings (Width=320) and INI files, also with a "
                  "section (quick.ini[small]), stand anywhere after the command. A switch begins with + or -; - turns "
@@ -185,6 +213,9 @@ int command_render(const std::vector<std::string>& arguments) {
       .example("verisim render scene.pov +KFF24 +Oframes/", "24 frames, clock from 0 to 1")
       .example("verisim render - --output - +FJ < scene.pov > picture.jpg", "in a pipe");
   own.refused("--dump", "verisim check --dump prints the scene");
+  own.section("Animation");
+  own.value("--frames LIST", frames,
+            "render only these frames of the animation, as in 1-10 or 1-9:2,20; what lies past its end is left out");
   add_render_options(own, options);
   own.switches({Topic::scene, Topic::size, Topic::output, Topic::quality, Topic::speed, Topic::animation,
                 Topic::messages, Topic::commands, Topic::ignored});
@@ -194,6 +225,7 @@ int command_render(const std::vector<std::string>& arguments) {
   if (options.input_file.empty()) throw OptionError("no scene: verisim render SCENE [switches]");
   choose_format(options);
   validate(options);
+  chosen_frames(options, frames);  // a bad list is told before anything is read
   std::error_code ignored;
   const SceneSource scene = open_scene(options);
   Console console(options, Style::verisim);
@@ -204,7 +236,7 @@ int command_render(const std::vector<std::string>& arguments) {
                                             options.input_file));
     return kInputOutput;
   }
-  const Outcome outcome = render_all(options, console, scene);
+  const Outcome outcome = render_all(options, console, scene, frames);
   if (outcome.status == kInterrupted) console.line(Stream::fatal, "verisim: interrupted; +C continues the picture");
   return outcome.status;
 }
@@ -250,7 +282,7 @@ int povray_call(const std::vector<std::string>& arguments) {
     return 1;
   }
   try {
-    const Outcome outcome = render_all(options, console, scene);
+    const Outcome outcome = render_all(options, console, scene, "");
     if (outcome.status == kInterrupted) {
       console.always("Fatal error in renderer: Frontend halted render.\nRender cancelled by user\n");
       return 2;

@@ -1,266 +1,385 @@
 #!/usr/bin/env python3
-"""share/verisim/verisim-slurm on a real Slurm of two nodes that this test starts on this machine: jobs in which programs die
-end in the same bytes as one machine's pictures. Skips itself (77) without Slurm or without being root.
+"""`verisim farm` on a real Slurm of two nodes that this test starts on this machine (slurm.py): whatever dies, what comes out is what one
+machine draws, nothing that was whole is rendered again, and the status is true all the while. Skips itself (77), with the reason, where
+Slurm cannot be started.
 
-    slurm_test.py VERISIM VERISIM_SLURM
-    slurm_test.py VERISIM VERISIM_SLURM STORY...   only these (plain, requeued ...)
+    slurm_test.py VERISIM               all stories: some minutes, most of them spent in Slurm's queue
+    slurm_test.py VERISIM --quick       those of a minute
+    slurm_test.py VERISIM STORY...
 """
+import json
 import os
 import pathlib
 import random
 import shutil
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
-SCENES = {
-    "radiosity": ("#version 3.7; global_settings { assumed_gamma 1 radiosity { count 80 error_bound 0.4 recursion_limit 2 } }\n"
-                  "camera { location <0, 1, -5> look_at 0 } light_source { <3, 5, -6> rgb 1 }\n"
-                  "sphere { 0, 1 pigment { rgb <1, 0.5, 0.2> } finish { reflection 0.3 } } plane { y, -1 pigment { checker rgb 1 rgb 0.3 } }\n",
-                  ["+W192", "+H144", "+A0.1"]),
-    "photons": ("#version 3.7; global_settings { assumed_gamma 1 photons { spacing 0.02 } }\n"
-                "camera { location <0, 2, -5> look_at 0 } light_source { <3, 5, -6> rgb 1 }\n"
-                "sphere { 0, 1 pigment { rgbf 1 } interior { ior 1.5 } photons { target refraction on reflection on } }\n"
-                "plane { y, -1 pigment { rgb 0.8 } }\n", ["+W160", "+H120", "+A0.3"]),
-    "blur": ("#version 3.7; global_settings { assumed_gamma 1 }\n"
-             "camera { location <0, 1, -5> look_at 0 aperture 0.4 focal_point 0 blur_samples 40 }\n"
-             "light_source { <3, 5, -6> rgb 1 area_light x * 2, y * 2, 6, 6 jitter }\n"
-             "sphere { <clock * 2 - 1, 0, 0>, 1 pigment { granite } } plane { y, -1 pigment { checker rgb 1 rgb 0.3 } }\n",
-             ["+W160", "+H120", "+A0.05", "+AM2", "+R2"]),
-}
+sys.dont_write_bytecode = True
+import slurm as slurm_of_two  # noqa: E402
+from scenes import SCENES, Folder  # noqa: E402
 
 
-def free_port():
-    with socket.socket() as s:
-        s.bind(("127.0.0.1", 0))
-        return s.getsockname()[1]
+class Watcher(threading.Thread):
+    """Asks for a job's status again and again, and holds it against what is there; remembers parts that were whole."""
+
+    def __init__(self, test, job):
+        super().__init__(daemon=True)
+        self.test, self.job = test, job
+        self.lies, self.seen, self.whole, self.over = [], [], {}, threading.Event()
+
+    def run(self):
+        while not self.over.is_set():
+            self.look()
+            self.over.wait(0.4)
+
+    def look(self):
+        status = self.test.status(self.job)
+        self.seen.append(status)
+        for step in status["steps"]:
+            name = step["step"]
+            part = self.test.path / self.job / "parts" / f"{name}.vsp"
+            if not 0 <= step["fraction"] <= 1:
+                self.lies.append(f"{name}: a fraction of {step['fraction']}")
+            if step["state"] == "done" and name.isdigit() and part.parent.exists() and not part.exists():
+                self.lies.append(f"{name}: done, and its part is not there")
+            if step["state"] == "running" and not status["engine_answers"]:
+                self.lies.append(f"{name}: running, says who?")
+            if part.exists() and step["state"] == "done":
+                self.whole.setdefault(name, part.stat().st_mtime_ns)
+
+    def end(self, but=()):
+        """Fails if the status lied, or parts that were whole were written again (`but`: those that were damaged)."""
+        self.over.set()
+        self.join()
+        parts = self.test.path / self.job / "parts"
+        for name, when in self.whole.items():
+            if name not in but and (parts / f"{name}.vsp").stat().st_mtime_ns != when:
+                self.lies.append(f"part {name} was whole and was rendered again")
+        if self.lies:
+            self.test.fail(self.job, "; ".join(self.lies[:5]))
+        states = {step["state"] for status in self.seen for step in status["steps"]}
+        print(f"  {self.job}: asked {len(self.seen)} times for the status, saw {', '.join(sorted(states))}")
 
 
-class Slurm:
-    """munged, slurmctld and two slurmd of our own; only what it started is ended."""
+class Test(Folder):
+    def __init__(self, verisim, path):
+        super().__init__(verisim, path)
+        self.slurm = slurm_of_two.Slurm(self.path)
 
-    def __init__(self, folder):
-        self.folder = folder
-        host = socket.gethostname().split(".")[0]
-        key = folder / "munge.key"
-        key.write_bytes(os.urandom(1024))
-        key.chmod(0o400)
-        (folder / "state").mkdir()
-        self.conf = folder / "slurm.conf"
-        nodes = "".join(f"NodeName={n} NodeHostname={host} NodeAddr=127.0.0.1 Port={free_port()} CPUs=1 State=UNKNOWN\n" for n in ("n1", "n2"))
-        self.conf.write_text(f"""ClusterName=test
-SlurmctldHost={host}(127.0.0.1)
-SlurmUser=root
-SlurmctldPort={free_port()}
-AuthType=auth/munge
-AuthInfo=socket={folder}/munge.socket
-StateSaveLocation={folder}/state
-SlurmdSpoolDir={folder}/spool-%n
-SlurmctldPidFile={folder}/slurmctld.pid
-SlurmdPidFile={folder}/slurmd-%n.pid
-SlurmctldLogFile={folder}/slurmctld.log
-SlurmdLogFile={folder}/slurmd-%n.log
-ProctrackType=proctrack/linuxproc
-TaskPlugin=task/none
-ReturnToService=2
-SlurmdTimeout=10
-SchedulerType=sched/builtin
-SelectType=select/cons_tres
-SelectTypeParameters=CR_CPU
-MinJobAge=600
-MailProg=/bin/true
-{nodes}PartitionName=main Nodes=n1,n2 Default=YES MaxTime=INFINITE State=UP
-""")
-        os.environ["SLURM_CONF"] = str(self.conf)
-        subprocess.run(["munged", f"--key-file={key}", f"--socket={folder}/munge.socket", f"--pid-file={folder}/munged.pid",
-                        f"--log-file={folder}/munged.log", f"--seed-file={folder}/munge.seed", "--force"], check=True)
-        self.start("slurmctld")
-        self.start("n1")
-        self.start("n2")
-        self.until(lambda: self.ask("sinfo", "-h", "-o", "%T %D").strip() == "idle 2", "the nodes do not become idle")
+    def farm(self, *words, **options):
+        return self.call("farm", *words, **options)
 
-    def start(self, which):
-        subprocess.run(["slurmctld" if which == "slurmctld" else "slurmd", "-f", str(self.conf), *([] if which == "slurmctld" else ["-N", which])],
-                       check=True)
+    def submit(self, job, scene, parts=12, *more):
+        self.farm("submit", f"{scene}.pov", *SCENES[scene][1], "--job", job, "--output", f"{job}.png", "--parts", parts, *more)
 
-    def pid(self, which):
-        name = which if which in ("slurmctld", "munged") else f"slurmd-{which}"
-        try:
-            return int((self.folder / f"{name}.pid").read_text())
-        except (OSError, ValueError):
-            return None
-
-    def kill(self, which, number=signal.SIGKILL):
-        pid = self.pid(which)
-        if pid:
-            try:
-                os.kill(pid, number)
-            except ProcessLookupError:
-                pass
-        return pid
-
-    def ask(self, *call):
-        return subprocess.run(call, capture_output=True, text=True).stdout
-
-    def until(self, true, what, seconds=120):
-        end = time.time() + seconds
-        while not true():
-            if time.time() > end:
-                sys.exit(f"{what}\n{self.ask('squeue')}\n{self.ask('sinfo')}")
-            time.sleep(0.3)
-
-    def idle(self):
-        self.until(lambda: not self.ask("squeue", "-h", "-t", "PD,R,CG,RQ").strip(), "the jobs do not end", 240)
-
-    def stop(self):
-        subprocess.run(["scancel", "--quiet", "--me"], capture_output=True)
-        for which in ("n1", "n2", "slurmctld"):
-            self.kill(which, signal.SIGTERM)
-        time.sleep(1)
-        for which in ("n1", "n2", "slurmctld", "munged"):
-            self.kill(which, signal.SIGTERM if which == "munged" else signal.SIGKILL)
-
-
-class Test:
-    def __init__(self, verisim, script):
-        self.verisim, self.script = verisim, script
-        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="verisim_slurm_"))
-        os.environ["VERISIM"] = str(verisim)
-        self.wholes = {}
-        for name, (text, words) in SCENES.items():
-            (self.folder / f"{name}.pov").write_text(text)
-        self.slurm = Slurm(self.folder)
-
-    def run(self, *call):
-        done = subprocess.run([str(c) for c in call], cwd=self.folder, capture_output=True, text=True)
+    def status(self, job):
+        done = subprocess.run([str(self.verisim), "farm", "status", job, "--json"], cwd=self.path, capture_output=True, text=True)
         if done.returncode != 0:
-            sys.exit(f"{call}: status {done.returncode}\n{done.stdout}{done.stderr}")
-        return done.stdout
+            sys.exit(f"status of {job}: {done.stdout}{done.stderr}")
+        return json.loads(done.stdout)
 
-    def whole(self, scene):
-        if scene not in self.wholes:
-            self.run(self.verisim, "render", f"{scene}.pov", *SCENES[scene][1], "--output", f"{scene}-whole.png")
-            self.wholes[scene] = (self.folder / f"{scene}-whole.png").read_bytes()
-        return self.wholes[scene]
-
-    def submit(self, job, scene, parts=12):
-        self.run(self.script, "still", job, parts, f"{job}.png", f"{scene}.pov", *SCENES[scene][1])
+    def state(self, job, step):
+        return next(s for s in self.status(job)["steps"] if s["step"] == step)
 
     def check(self, job, scene):
-        picture = self.folder / f"{job}.png"
-        if not picture.exists():
-            self.fail(job, "there is no picture")
+        """The job is complete, and its picture is that of one machine."""
+        picture = self.path / f"{job}.png"
+        if not self.status(job)["complete"]:
+            self.fail(job, "it is not complete")
         if picture.read_bytes() != self.whole(scene):
             self.fail(job, "the picture is another one")
-        print(f"{job}: the same bytes")
+        print(f"  {job}: the same bytes")
 
     def fail(self, job, what):
-        logs = "".join(f"== {log.name}\n{log.read_text()[-500:]}\n" for log in sorted((self.folder / job / "logs").iterdir()))
-        sys.exit(f"{job}: {what}\n{self.run(self.script, 'status', job)}\n{logs[-6000:]}")
+        logs = "".join(f"== {log.name}\n{log.read_text(errors='replace')[-500:]}\n" for log in sorted((self.path / job / "logs").iterdir()))
+        sys.exit(f"{job}: {what}\n{self.farm('status', job)}\n{logs[-6000:]}")
 
-    def running(self, job):
-        """Process ids of renders of this job."""
+    def finish(self, job, scene):
+        """Until nothing runs; what is missing is then resumed, once."""
+        self.slurm.idle()
+        if not self.status(job)["complete"]:
+            said = self.farm("status", job)
+            if "failed" not in said and "not in the queue" not in said:
+                self.fail(job, f"it is not complete, and the status does not say so: {said}")
+            self.farm("resume", job)
+        self.farm("wait", job)
+        self.check(job, scene)
+
+    def processes(self, *words):
+        """Numbers of the processes whose command lines have all these words in them."""
         found = []
         for entry in pathlib.Path("/proc").iterdir():
             if entry.name.isdigit():
                 try:
-                    words = (entry / "cmdline").read_bytes().decode(errors="replace").split("\0")
+                    line = (entry / "cmdline").read_bytes().decode(errors="replace")
                 except OSError:
                     continue
-                if words[:2] == [str(self.verisim), "render"] and any(f"/{job}/" in w for w in words):
+                if all(w in line for w in words):
                     found.append(int(entry.name))
         return found
 
+    def renders(self, job):
+        return self.processes("render", str(self.verisim), f"/{job}/parts/")
+
+    def until_rendering(self, job):
+        self.slurm.until(lambda: self.renders(job), f"no task of {job} begins", 60)
+
     # ---- the stories
 
-    def plain(self):
-        for scene in SCENES:
-            self.submit(f"plain-{scene}", scene)
-        self.run(self.script, "animation", "frames", 7, 30, "blur.pov", "+W64", "+H48", "+A0.3", "+Oframe.png")
-        self.run(self.verisim, "render", "blur.pov", "+W64", "+H48", "+A0.3", "+KFI1", "+KFF30", "+Owhole-frame.png")
-        self.slurm.idle()
-        for scene in SCENES:
-            self.check(f"plain-{scene}", scene)
-        for number in range(1, 31):
-            if (self.folder / f"frame{number:02}.png").read_bytes() != (self.folder / f"whole-frame{number:02}.png").read_bytes():
-                self.fail("frames", f"frame {number} is another one")
-        print("frames: the same bytes")
-        if "12 of 12" not in self.run(self.script, "status", "plain-blur"):
-            self.fail("plain-blur", "status does not tell that all is done")
+    def stills(self):
+        jobs = {"radiosity": 12, "photons": 12, "blur": 12}
+        for scene, parts in jobs.items():
+            self.submit(f"still-{scene}", scene, parts)
+        for scene in jobs:
+            self.farm("wait", f"still-{scene}")
+            self.check(f"still-{scene}", scene)
+
+    def one_still(self):
+        self.submit("one", "radiosity", 4)
+        watcher = Watcher(self, "one")
+        watcher.start()
+        self.farm("wait", "one")
+        self.check("one", "radiosity")
+        watcher.end()
+
+    def animation(self, frames=30, per_task=7):
+        words = ["blur.pov", "+W64", "+H48", "+A0.3", f"+KFF{frames}"]
+        self.farm("submit", *words, "+Oframe.png", "--job", "film", "--frames-per-task", per_task, "--nodes", 2)
+        said = self.farm("wait", "film", "--progress", "json")
+        if '"overall":1.0' not in said:
+            sys.exit(f"film: the progress does not end in 1:\n{said}")
+        self.call("render", *words, "+Owhole-frame.png")
+        for number in range(1, frames + 1):
+            if (self.path / f"frame{number:02}.png").read_bytes() != (self.path / f"whole-frame{number:02}.png").read_bytes():
+                self.fail("film", f"frame {number} is another one")
+        (self.path / "frame03.png").unlink()
+        if "missing" not in {s["state"] for s in self.status("film")["steps"]} | {"missing" if self.state("film", "1")["state"] == "failed" else ""}:
+            self.fail("film", "a picture is gone, and the status does not tell")
+        kept = (self.path / "frame04.png").stat().st_mtime_ns
+        self.farm("resume", "film")
+        self.farm("wait", "film")
+        if not (self.path / "frame03.png").exists() or (self.path / "frame04.png").stat().st_mtime_ns != kept:
+            self.fail("film", "not just what was missing was rendered")
+        print("  film: the same bytes")
+
+    def strange_names(self):
+        """Names from which a shell could make something else."""
+        name = "a 'b' \"c\" $(touch hacked) `touch hacked`; %j %A é.pov"
+        (self.path / name).write_text(SCENES["photons"][0])
+        self.farm("submit", name, "+W64", "+H48", "Declare=odd=2", "--job", "job 'ü' %j $(touch hacked)", "--output", "pic ' %a.png", "--parts", 2)
+        self.farm("wait", "job 'ü' %j $(touch hacked)")
+        self.call("render", name, "+W64", "+H48", "Declare=odd=2", "--output", "whole-strange.png")
+        if (self.path / "pic ' %a.png").read_bytes() != (self.path / "whole-strange.png").read_bytes() or (self.path / "hacked").exists():
+            sys.exit("strange names: another picture, or a name was run")
+        print("  strange names: the same bytes")
 
     def killed_renders(self):
-        self.submit("killed", "blur")
-        kills, rng, end = 0, random.Random(5), time.time() + 60
+        """Ten times kill -9 at random moments; tasks go on from their state."""
+        self.submit("killed", "slow")
+        watcher = Watcher(self, "killed")
+        watcher.start()
+        kills, rng, end = 0, random.Random(5), time.time() + 120
         while kills < 10 and time.time() < end:
-            for pid in self.running("killed"):
+            for pid in self.renders("killed")[:1]:
                 try:
                     os.kill(pid, signal.SIGKILL)
                     kills += 1
                 except ProcessLookupError:
                     pass
-                break
-            time.sleep(rng.uniform(0.05, 0.4))
+            time.sleep(rng.uniform(0.05, 1.5))
+        if kills < 10:
+            self.fail("killed", f"only {kills} were there to be killed")
+        self.finish("killed", "slow")
+        watcher.end()
+
+    def killed_tasks(self):
+        """The script dies with its render: Slurm calls that failed, and so does the status, until it is resumed."""
+        self.submit("dead", "slow", 4)
+        watcher = Watcher(self, "dead")
+        watcher.start()
+        self.until_rendering("dead")
+        time.sleep(1)
+        for pid in self.processes("slurm_script", "array") + self.renders("dead"):
+            try:
+                os.kill(pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
         self.slurm.idle()
-        if not (self.folder / "killed.png").exists():
-            self.run(self.script, "resume", "killed")
-            self.slurm.idle()
-        print(f"({kills} renders were killed)")
-        if kills == 0:
-            self.fail("killed", "nothing was there to be killed")
-        self.check("killed", "blur")
+        if self.status("dead")["complete"] or not [s for s in self.status("dead")["steps"] if s["state"] == "failed"]:
+            self.fail("dead", "tasks were killed, and the status does not tell")
+        self.farm("wait", "dead", status=5)
+        self.finish("dead", "slow")
+        watcher.end()
 
     def damaged_part(self):
-        part = self.folder / "plain-radiosity" / "parts" / "5.vsp"
-        others = {p: p.stat().st_mtime_ns for p in part.parent.iterdir() if p != part}
+        self.submit("damaged", "radiosity", 5)
+        self.farm("wait", "damaged")
+        watcher = Watcher(self, "damaged")
+        watcher.look()
+        part = self.path / "damaged" / "parts" / "3.vsp"
         os.truncate(part, part.stat().st_size // 2)
-        (self.folder / "plain-radiosity.png").unlink()
-        self.run(self.script, "resume", "plain-radiosity")
-        self.slurm.idle()
-        self.check("plain-radiosity", "radiosity")
-        if any(p.stat().st_mtime_ns != t for p, t in others.items()):
-            self.fail("plain-radiosity", "parts that were whole were rendered again")
+        (self.path / "damaged.png").unlink()
+        step = self.state("damaged", "3")
+        if step["state"] != "failed" or "too early" not in step["note"]:
+            self.fail("damaged", f"a truncated part is told as {step}")
+        self.farm("resume", "damaged")
+        self.farm("wait", "damaged")
+        self.check("damaged", "radiosity")
+        byte = self.path / "damaged" / "parts" / "2.vsp"  # of the same length, and wrong
+        data = bytearray(byte.read_bytes())
+        data[-100] ^= 1
+        byte.write_bytes(data)
+        (self.path / "damaged.png").unlink()
+        self.farm("resume", "damaged")
+        self.farm("wait", "damaged")
+        self.check("damaged", "radiosity")
+        watcher.start()
+        watcher.end(but=("2", "3"))
 
-    def requeued(self):
-        """What the time limit does: USR1 to the script, which saves the state and asks to be put back."""
-        self.submit("requeued", "blur", 2)
-        self.slurm.until(lambda: self.running("requeued"), "no task begins")
-        time.sleep(0.5)
-        ids = (self.folder / "requeued" / "slurm").read_text().split()
-        subprocess.run(["scancel", "--batch", "--signal=USR1", ids[1]], capture_output=True)
+    def dead_node(self):
+        """A slurmd is killed while its tasks run, and comes back a little later."""
+        self.submit("node", "slow")
+        watcher = Watcher(self, "node")
+        watcher.start()
+        self.until_rendering("node")
+        time.sleep(1)
+        self.slurm.kill("n1")
+        time.sleep(3)
+        self.slurm.start("n1")
+        self.finish("node", "slow")
+        watcher.end()
+
+    def dead_controller(self):
+        self.submit("headless", "slow")
+        watcher = Watcher(self, "headless")
+        watcher.start()
+        self.until_rendering("headless")
+        self.slurm.kill("slurmctld")
+        status = self.status("headless")
+        if status["engine_answers"]:
+            self.fail("headless", "slurmctld is dead, and answers?")
+        self.farm("resume", "headless", status=5)  # nobody knows what still runs
+        self.slurm.start("slurmctld")
+        self.slurm.until(self.slurm.answers, "slurmctld does not come back")
+        self.finish("headless", "slow")
+        watcher.end()
+
+    def time_limit(self):
+        """A task that needs longer than its limit saves its state, is queued again, and goes on."""
+        self.submit("limit", "slow", 1, "+R4", "--time", "1", "--grace", "20")
+        self.wholes.pop("slow", None)
+        watcher = Watcher(self, "limit")
+        watcher.start()
+        self.slurm.until(lambda: '"requeue"' in (self.path / "limit/logs/1.log").read_text() if (self.path / "limit/logs/1.log").exists() else False,
+                         "the limit does not come", 150)
+        self.slurm.idle(600)
+        self.farm("wait", "limit")
+        self.call("render", "slow.pov", *SCENES["slow"][1], "+R4", "--output", "whole-limit.png")
+        if (self.path / "limit.png").read_bytes() != (self.path / "whole-limit.png").read_bytes():
+            self.fail("limit", "the picture is another one")
+        watcher.end()
+        print("  limit: the same bytes")
+
+    def full_disk(self):
+        disk = self.path / "small"
+        disk.mkdir()
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "none", str(disk)], capture_output=True).returncode != 0:
+            return print("  full disk: left out, nothing can be mounted here")
+        try:
+            self.farm("submit", "radiosity.pov", *SCENES["radiosity"][1], "--job", "small/full", "--output", "full.png", "--parts", 4)
+            with open(disk / "ballast", "wb") as ballast:
+                try:
+                    while True:
+                        ballast.write(bytes(65536))
+                        ballast.flush()
+                except OSError:
+                    pass
+            self.slurm.idle()
+            status = self.status("small/full")
+            if status["complete"] or not [s for s in status["steps"] if s["state"] == "failed"]:
+                self.fail("small/full", "the disk was full, and the status does not tell")
+            (disk / "ballast").unlink()
+            self.farm("resume", "small/full")
+            self.farm("wait", "small/full")
+            if (self.path / "full.png").read_bytes() != self.whole("radiosity"):
+                self.fail("small/full", "the picture is another one")
+            print("  full disk: the same bytes")
+        finally:
+            subprocess.run(["umount", "--lazy", str(disk)], capture_output=True)
+
+    def cancelled(self):
+        self.submit("stopped", "slow", 6)
+        self.until_rendering("stopped")
+        self.farm("cancel", "stopped")
         self.slurm.idle()
-        self.check("requeued", "blur")
+        if not [s for s in self.status("stopped")["steps"] if s["state"] in ("failed", "missing")]:
+            self.fail("stopped", "it was cancelled, and the status does not tell")
+        self.farm("resume", "stopped", "--nodes", "1")
+        self.farm("wait", "stopped")
+        self.check("stopped", "slow")
+
+    def no_shared_folder(self):
+        """A node that does not see the folder: its tasks fail, and the status says where to look."""
+        self.slurm.kill("n2", signal.SIGTERM)
+        self.slurm.until(lambda: not self.processes("slurmd", "-N", "n2"), "n2 does not end")
+        hidden = self.path / "hidden"
+        hidden.mkdir()
+        try:
+            self.slurm.start("n2", before=("unshare", "--mount", "sh", "-c", f'mount -t tmpfs none "{hidden}" && exec "$@"', "sh"))
+        except slurm_of_two.CannotStart as error:
+            self.slurm.start("n2")
+            return print(f"  no shared folder: left out: {str(error).strip()}")
+        self.slurm.until(lambda: self.slurm.ask("sinfo", "-h", "-o", "%T %D").strip() == "idle 2", "n2 does not come back")
+        self.farm("submit", "blur.pov", "+W32", "+H24", "--job", "hidden/job", "--output", "hidden.png", "--parts", 4, "--engine-option=--nodelist=n2")
+        self.slurm.idle()
+        said = self.farm("status", "hidden/job")
+        if "does its node see the job folder" not in said:
+            sys.exit(f"no shared folder: {said}")
+        self.slurm.kill("n2", signal.SIGTERM)
+        self.slurm.until(lambda: not self.processes("slurmd", "-N", "n2"), "n2 does not end")
+        self.slurm.start("n2")
+        print("  no shared folder: told")
 
     def refusals(self):
-        for call, word in [(["still", "plain-blur", 2, "x.png", "blur.pov"], "already"),
-                           (["still", "new", "two", "x.png", "blur.pov"], "whole numbers"),
-                           (["resume", "nowhere"], "no job folder")]:
-            done = subprocess.run([str(self.script), *map(str, call)], cwd=self.folder, capture_output=True, text=True)
-            if done.returncode != 2 or word not in done.stderr:
-                sys.exit(f"{call}: status {done.returncode}: {done.stderr}")
-        shown = {**os.environ, "DRY_RUN": "1"}
-        done = subprocess.run([str(self.script), "still", "dry", "3", "x.png", "blur.pov"], cwd=self.folder, capture_output=True, text=True, env=shown)
-        if done.returncode != 0 or "--array=1-3" not in done.stderr or (self.folder / "dry").exists():
-            sys.exit(f"a dry run: {done.stdout}{done.stderr}")
-        print("refusals: clear")
+        said = self.farm("submit", "blur.pov", "--job", "nowhere", "--parts", 2, "--partition", "nosuch", status=5)
+        if "nosuch" not in said or "partition" not in said.lower() or (self.path / "nowhere").exists():
+            sys.exit(f"a partition that is not there: {said}")
+        print("  refusals: clear")
+
+
+QUICK = ("one_still", "strange_names", "refusals")
+ALL = ("stills", "animation", "strange_names", "damaged_part", "killed_renders", "killed_tasks", "dead_node", "dead_controller", "full_disk", "cancelled", "no_shared_folder", "refusals", "time_limit")
 
 
 def main():
-    verisim, script = (pathlib.Path(p).resolve() for p in sys.argv[1:3])
-    if os.geteuid() != 0 or not all(shutil.which(p) for p in ("munged", "slurmctld", "slurmd", "sbatch")):
-        print("skipped: needs root and the packages slurm-wlm and munge")
+    wanted = sys.argv[2:] or ALL
+    why = slurm_of_two.why_not()
+    if why:
+        print(f"skipped: {why}")
         return 77
-    test = Test(verisim, script)
+    path = tempfile.mkdtemp(prefix="verisim_slurm_")
+    os.environ["HOME"] = path
+    test = None
     try:
-        for story in [getattr(test, name) for name in sys.argv[3:]] or (test.plain, test.damaged_part, test.killed_renders, test.requeued, test.refusals):
+        try:
+            test = Test(sys.argv[1], path)
+        except slurm_of_two.CannotStart as error:
+            print(f"skipped: Slurm does not start here: {error}")
+            return 77
+        for name in QUICK if list(wanted) == ["--quick"] else wanted:
             begin = time.time()
-            story()
-            print(f"-- {story.__name__}: {time.time() - begin:.0f} s", flush=True)
+            print(name, flush=True)
+            getattr(test, name)()
+            print(f"  {time.time() - begin:.0f} s", flush=True)
     finally:
-        test.slurm.stop()
-        shutil.rmtree(test.folder, ignore_errors=True)
+        if test:
+            test.slurm.stop()
+        shutil.rmtree(path, ignore_errors=True)
     return 0
 
 

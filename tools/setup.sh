@@ -17,10 +17,14 @@ build_packages="g++ cmake ninja-build python3
   libcpp-httplib-dev pybind11-dev python3-dev python3-numpy"
 # The oracle.
 oracle_packages="povray povray-includes povray-examples"
+# A cluster on one machine, which the test farm.slurm starts.
+farm_packages="slurm-wlm munge"
 
+# install_packages [PACKAGE...]: those; what the build and the oracle need, if none is named.
 install_packages() {
   local missing=() package
-  for package in $build_packages $oracle_packages; do
+  [ "$#" -gt 0 ] || set -- $build_packages $oracle_packages
+  for package in "$@"; do
     dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
   done
   if [ "${#missing[@]}" -eq 0 ]; then

@@ -101,6 +101,7 @@ std::string plan_words(const FarmJob& job) {
 
 int submit(Wanted& wanted, const std::vector<std::string>& arguments, const std::vector<std::string>& words) {
   SubmitRequest& request = wanted.submit;
+  request.words = render_words(arguments);
   const std::vector<std::string> files = apply_words(request.options, words);
   if (files.size() > 1) throw OptionError(fmt::format("one scene at a time: '{}' and '{}'", files[0], files[1]));
   if (!files.empty()) request.options.input_file = files[0];
@@ -109,7 +110,6 @@ int submit(Wanted& wanted, const std::vector<std::string>& arguments, const std:
     throw OptionError("--parts and --frames-per-task are numbers above 0, at most a million");
   choose_format(request.options);
   validate(request.options);
-  request.words = render_words(arguments);
   if (request.engine.empty()) request.engine = "slurm";
   if (request.program.empty()) request.program = own_program().string();
   const std::unique_ptr<Engine> engine = engine_named(request.engine);
@@ -124,7 +124,7 @@ int submit(Wanted& wanted, const std::vector<std::string>& arguments, const std:
   const std::string plan = plan_words(job);
   if (wanted.dry_run) {
     say(fmt::format("# {}: {}\n# {}:\n{}\n# and these calls, from any folder:\n{}", job.folder.string(), plan,
-                    job.script().string(), task_script(job), engine->rehearse(job, job.steps())));
+                    job.script().string(), task_script(job), engine->rehearse(job, job.steps(), {})));
     return kOk;
   }
   make_folder(job);
@@ -176,7 +176,7 @@ int resume(FarmJob job, Engine& engine, const Wanted& wanted) {
   EngineSteps alive;
   for (const auto& [step, state] : status.engine_steps)
     if (state.state != EngineStep::State::ended) alive.emplace(step, state);
-  if (wanted.dry_run) return say(engine.rehearse(job, steps)), kOk;
+  if (wanted.dry_run) return say(engine.rehearse(job, steps, alive)), kOk;
   write_manifest(job);
   if (tasks && merge_waits) engine.cancel(job, merge);
   say(fmt::format("{}: {}\n", job.folder.string(), engine.submit(job, steps, alive)));

@@ -31,7 +31,7 @@ class Engine {
   // `alive` ones. All or nothing; throws std::runtime_error with what the engine says. Returns a line for the user.
   virtual std::string submit(const FarmJob& job, const std::vector<Step>& steps, const EngineSteps& alive) = 0;
   // The same as the commands that it would run, one a line.
-  virtual std::string rehearse(const FarmJob& job, const std::vector<Step>& steps) const = 0;
+  virtual std::string rehearse(const FarmJob& job, const std::vector<Step>& steps, const EngineSteps& alive) const = 0;
   // What it knows of the job's steps; nothing when it does not answer, and then `why`.
   virtual std::optional<EngineSteps> steps(const FarmJob& job, std::string& why) = 0;
   // Ends all steps, or only that one. Throws std::runtime_error.

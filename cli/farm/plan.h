@@ -2,7 +2,7 @@
 // and its figures).
 #pragma once
 
-#include "cli/frame/frame.h"
+#include "cli/frame/job.h"
 
 namespace verisim::cli {
 

@@ -191,10 +191,10 @@ class Slurm final : public Engine {
     return fmt::format("{} steps submitted as {}", steps.size(), fmt::join(ids, ", "));
   }
 
-  std::string rehearse(const FarmJob& job, const std::vector<Step>& steps) const override {
+  std::string rehearse(const FarmJob& job, const std::vector<Step>& steps, const EngineSteps& alive) const override {
     Words ids;
     std::string text;
-    for (const Batch& batch : batches_of(job, steps, {})) {
+    for (const Batch& batch : batches_of(job, steps, alive)) {
       text += line_of(words_of(batch, ids)) + "\n";
       ids.push_back(fmt::format("<{}>", batch.name));
     }
@@ -278,15 +278,20 @@ class Slurm final : public Engine {
       for (const Step& step : steps) indices.push_back(step.number - offset);
       batch.options.push_back(
           fmt::format("--array={}{}", slurm_ranges(indices), o.nodes > 0 ? fmt::format("%{}", o.nodes) : ""));
-      // A relative name, and so none of its own in which Slurm would look for % of patterns.
-      batch.options.push_back("--output=logs/slurm-%A-%a.out");
+      batch.options.push_back(output_of(job, "%A-%a"));
       batch.script = {job.script().string(), "array", std::to_string(offset)};
     } else {
-      batch.options.push_back("--output=logs/slurm-%j.out");
+      batch.options.push_back(output_of(job, "%j"));
       batch.script = {job.script().string(), steps[0].name()};
     }
     batch.options.insert(batch.options.end(), o.extra.begin(), o.extra.end());
     return batch;
+  }
+
+  // Slurm looks for its patterns in the whole path.
+  static std::string output_of(const FarmJob& job, const char* pattern) {
+    return job.folder.string().find('%') != std::string::npos ? "--output=/dev/null"
+                                                              : fmt::format("--output=logs/slurm-{}.out", pattern);
   }
 
   // What Slurm forgets after some minutes (MinJobAge) its accounting may know, where there is one.

@@ -10,7 +10,7 @@
 
 #include "cli/farm/plan.h"
 #include "cli/farm/task_script.h"
-#include "cli/frame/frame.h"
+#include "cli/frame/job.h"
 #include "cli/settings/output_name.h"
 #include "cli/settings/region.h"
 #include "tracer/base/output_file.h"

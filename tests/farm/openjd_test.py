@@ -118,7 +118,7 @@ def main():
         (library / "a folder's colours.inc").write_text("#declare OWN = pigment { rgbf <1, 0.8, 0.4, 0.7> }\n")
         common = {"Scene": source / "scene.pov", "SceneFolder": library, "Settings": templates / "settings.ini", "OutputFolder": out,
                   "Width": 40, "Height": 30}
-        words = [templates / "settings.ini", source / "scene.pov", f"+L{library}", "+W40", "+H30"]
+        words = [templates / "settings.ini", source / "scene.pov", f'+L"{library}"', "+W40", "+H30"]
         render(verisim, folder, *words, "+KFF7", "--output", folder / "whole" / "frame.png")
         for kind, more in (("animation", {}), ("animation-chunked", {"FramesPerTask": 3})):
             run_job(verisim, loaded[kind], {**common, "Frames": "1-7", "LastFrame": 7, **more}, folder)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tracer/scene/complement.h"
 #include "tracer/scene/extents.h"
 
 namespace verisim::scene {
@@ -79,7 +80,7 @@ Bounds csg_bounds(Object& object) {
       for (const ObjectPtr& child : children) {
         if (child->as<Plane>())
           clip_by_plane(*child, box);
-        else if (!child->inverted && !child->as<Quadric>() && !child->as<std::shared_ptr<const HeightField>>())
+        else if (!is_complement(*child) && !child->as<Quadric>() && !child->as<std::shared_ptr<const HeightField>>())
           box.clip(child->bounds);
       }
       for (ObjectPtr& child : children) {

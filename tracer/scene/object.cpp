@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tracer/scene/bounds.h"
+#include "tracer/scene/complement.h"
 #include "tracer/scene/moves.h"
 #include "tracer/scene/extents.h"
 
@@ -225,6 +226,7 @@ void move_shape(Object& object, const Moves& moves) {
     if (!object.transform)
       while (i < moves.size() && std::visit([&](auto& shape) { return absorb(shape, moves[i]); }, object.shape)) ++i;
     if (i < moves.size()) moves.add_to(object.transform, i);
+    if (object.as<std::shared_ptr<const JuliaFractal>>()) object.inverted = false;  // spec 04 section 8
   }
   if (object.as<Sphere>()) moves.add_to(object.uv_transform, 0);
 }
@@ -262,7 +264,7 @@ void shrink_to(Object& object, const List<ObjectPtr>& limits) {
   if (limits.empty()) return;
   BoxRange box;
   for (const ObjectPtr& limit : limits)
-    if (!limit->inverted) box.clip(limit->bounds);
+    if (!is_complement(*limit)) box.clip(limit->bounds);
   const Bounds narrowed = make_bounds(box.low, box.high);
   if (volume(narrowed) < volume(object.bounds)) object.bounds = narrowed;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "tracer/scene/bounds.h"
+#include "tracer/scene/complement.h"
 
 namespace verisim::scene {
 namespace {
@@ -73,7 +74,7 @@ void fit_quadric(Object& object, BoxRange range) {
   for (const ObjectPtr& clip : object.clipped_by) {
     if (clip->as<Plane>())
       clip_by_plane(*clip, range);
-    else if (!clip->inverted)
+    else if (!is_complement(*clip))
       range.clip(clip->bounds);
   }
   Vec3 sq = clean(q.square), lin = clean(q.linear);

@@ -66,7 +66,7 @@ void parse_slice(Parser& parser, scene::JuliaFractal& fractal) {
 }  // namespace
 
 ObjectRef parse_julia_fractal(Parser& parser) {
-  return shape_block(parser, [&](scene::Object& object) {
+  const ObjectRef read = shape_block(parser, [&](scene::Object& object) {
     auto fractal = std::make_shared<scene::JuliaFractal>();
     fractal->parameter = parse_vec4(parser);
     for (;;) {
@@ -99,6 +99,8 @@ ObjectRef parse_julia_fractal(Parser& parser) {
       parser.error(Code::bad_value, "Illegal function: quaternion only supports sqr and cube.");
     object.shape = std::shared_ptr<const scene::JuliaFractal>(fractal);
   });
+  read->inverted = false;  // `inverse` within the braces has no effect (spec 04 section 8)
+  return read;
 }
 
 }  // namespace verisim::parser

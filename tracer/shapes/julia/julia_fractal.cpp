@@ -69,51 +69,19 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
     const LocalRay r = local(ray);
-    double t, end, last, estimate;
-    if (!enters(r, t, end, last)) return;
+    double begin, end, last;
+    if (!enters(r, begin, end, last)) return;
     Orbit orbit(field_.iterations + 1);
-    bool in = march(orbit, r, t, estimate);
-    if (in) {
-      t += 2 * kFine;
-      if (t > end) return;
-      in = march(orbit, r, t, estimate);
-    }
     // After a crossing POV-Ray's march goes on behind the coarse step, but counts distances from the crossing: those of
     // later hits, not their points, fall short.
-    double uncounted = 0;
-    // True: this hit ends the search.
-    const auto crossed = [&](double base, double step, bool now) {
-      const double depth = bisect(r, base, step, in), world_t = depth / r.scale;
-      in = now;
-      sink.add((depth - uncounted) / r.scale, [&] { return ray.at(world_t); });
-      uncounted += t - depth;
+    walk(orbit, r, begin, end, last, [&](double depth, double uncounted) {
+      const double t = depth / r.scale;
+      const KeptNormal kept = field_.kind == Kind::other ? keep_normal(orbit, ray.at(t)) : KeptNormal{};
+      sink.add((depth - uncounted) / r.scale, [&] { return ray.at(t); }, kept.axis, kept.u, kept.v);
       // Outside CSG the march ends with the first hit, even one too near to be seen: refracted rays often do not meet
       // the far side.
-      return Sink::kNearest && !sink.clipped(ray.at(world_t));
-    };
-    while (t <= last) {
-      if (estimate <= field_.precision && field_.kind != Kind::other) {
-        // Where the smallest step is due it mostly is so for many steps: look ahead.
-        double ahead[julia::kLanes], estimates[julia::kLanes], at = t;
-        for (double& a : ahead) a = at += field_.precision;
-        if (!(ahead[0] <= end)) return;
-        const unsigned inside = julia::kernels().march(field_, r.origin, r.direction, ahead, estimates);
-        for (int k = 0; k < julia::kLanes; ++k) {
-          if (!(ahead[k] <= end)) return;
-          const double base = t;
-          t = ahead[k], estimate = estimates[k];
-          const bool now = inside >> k & 1;
-          if (now != in && crossed(base, field_.precision, now)) return;
-          if (estimate > field_.precision) break;
-        }
-        continue;
-      }
-      const double step = std::max(estimate, field_.precision), base = t;
-      t += step;
-      if (!(t <= end)) return;
-      const bool now = march(orbit, r, t, estimate);
-      if (now != in && crossed(base, step, now)) return;
-    }
+      return Sink::kNearest && !sink.clipped(ray.at(t));
+    });
   }
 
   unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
@@ -135,6 +103,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   bool contains(const Vec3& p) const { return plain_inside(local(p)); }
 
   Vec3 raw_normal(const Hit& hit) const {
+    if (hit.part != 0) return KeptNormal{hit.part, hit.u, hit.v}.direction();
     Orbit orbit(field_.iterations + 1);
     const int escaped = iterate(orbit, start(local(hit.point), !plain_));
     // Iterates beyond an early escape do not exist; the last one stands for them.
@@ -144,6 +113,34 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   }
 
  private:
+  // A unit vector by its two smaller components; axis: that of the largest and its sign, 1 to 3; 0: none is kept.
+  struct KeptNormal {
+    int axis = 0;
+    double u = 0, v = 0;
+
+    explicit KeptNormal() = default;
+    KeptNormal(int a, double first, double second) : axis(a), u(first), v(second) {}
+    explicit KeptNormal(const Vec3& n) {
+      int k = 0;
+      for (int i = 1; i < 3; ++i)
+        if (std::fabs(n[i]) > std::fabs(n[k])) k = i;
+      axis = n[k] < 0 ? -1 - k : 1 + k, u = n[(k + 1) % 3], v = n[(k + 2) % 3];
+    }
+    Vec3 direction() const {
+      const int k = std::abs(axis) - 1;
+      Vec3 n;
+      n[k] = std::copysign(std::sqrt(std::max(0.0, 1 - u * u - v * v)), axis);
+      n[(k + 1) % 3] = u, n[(k + 2) % 3] = v;
+      return n;
+    }
+  };
+
+  // The normal at a hit from which the iteration escapes: `orbit` still holds what the search left behind the escape.
+  KeptNormal keep_normal(Orbit& orbit, const Vec3& point) const {
+    if (iterate(orbit, start(local(point), !plain_)) == 0) return KeptNormal();
+    return KeptNormal(world_normal(hypercomplex_normal(orbit, field_.iterations)));
+  }
+
   static constexpr int kFewest = 3;  // rays that march in step; fewer look ahead instead
 
   // Where the ray is in the bounding sphere, and where behind it stays outside; false: nothing can be hit. In just
@@ -159,6 +156,48 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     begin = std::max(closest - half, kFine);
     last = map_ ? map_->last(r.origin, r.direction, begin, end) : end;
     return !(last < 0);
+  }
+
+  // The march from `begin` to `end`, with no crossing behind `last`. found(depth of a crossing, by how much later hits'
+  // distances fall short) says whether to stop. Where the march ends is counted short, too.
+  template <class Found>
+  void walk(Orbit& orbit, const LocalRay& r, double t, double end, double last, Found&& found) const {
+    double estimate, uncounted = 0;
+    bool in = march(orbit, r, t, estimate);
+    if (in) {
+      t += 2 * kFine;
+      if (t > end) return;
+      in = march(orbit, r, t, estimate);
+    }
+    const auto crossed = [&](double base, double step, bool now) {
+      const double depth = bisect(orbit, r, base, step, in), before = uncounted;
+      in = now;
+      uncounted += t - depth;
+      return found(depth, before);
+    };
+    while (t <= last) {
+      if (estimate <= field_.precision && field_.kind != Kind::other) {
+        // Where the smallest step is due it mostly is so for many steps: look ahead.
+        double ahead[julia::kLanes], estimates[julia::kLanes], at = t;
+        for (double& a : ahead) a = at += field_.precision;
+        if (!(ahead[0] - uncounted <= end)) return;
+        const unsigned inside = julia::kernels().march(field_, r.origin, r.direction, ahead, estimates);
+        for (int k = 0; k < julia::kLanes; ++k) {
+          if (!(ahead[k] - uncounted <= end)) return;
+          const double base = t;
+          t = ahead[k], estimate = estimates[k];
+          const bool now = inside >> k & 1;
+          if (now != in && crossed(base, field_.precision, now)) return;
+          if (estimate > field_.precision) break;
+        }
+        continue;
+      }
+      const double step = std::max(estimate, field_.precision), base = t;
+      t += step;
+      if (!(t - uncounted <= end)) return;
+      const bool now = march(orbit, r, t, estimate);
+      if (now != in && crossed(base, step, now)) return;
+    }
   }
 
   // World distances of the first crossings of rays; the lanes that have one, unless it lies behind t_max.
@@ -251,12 +290,12 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   }
 
   // The depth reported for a change of state between base and base + step; `in` is the state at base.
-  double bisect(const LocalRay& r, double base, double step, bool in) const {
+  double bisect(Orbit& orbit, const LocalRay& r, double base, double step, bool in) const {
     double low = base, width = step;
     if (field_.kind == Kind::other) {
       while (width > kFine) {
         width /= 2;
-        if (plain_inside(r.origin + (low + width) * r.direction) == in) low += width;
+        if ((iterate(orbit, start(r.origin + (low + width) * r.direction, !plain_)) == 0) == in) low += width;
       }
       return in ? low : low + width;
     }

@@ -83,6 +83,39 @@ TEST(JuliaFractal, LaterHitsAreCountedAsNearerThanTheirPoints) {
   EXPECT_NEAR(hits[2].t, 1.823674960382106, 1e-12);
 }
 
+// `trace` of POV-Ray: the normal hangs on what the search left behind the step at which the iteration escapes.
+TEST(JuliaFractal, NormalsWhereTheIterationEscapesAreThoseOfTheSearch) {
+  scene::JuliaFractal f;
+  f.hypercomplex = true;
+  f.function = scene::JuliaFunction::tan;
+  f.parameter = {-0.31, -0.2, -0.27, -0.37};
+  f.max_iteration = 5;
+  f.slice_distance = 0.3;
+  const auto hit = trace(object(f), {-1, -0.7, -5}, {0, 0, 1});
+  ASSERT_TRUE(hit);
+  EXPECT_VEC_NEAR(hit->point, Vec3(-1.00000000000000, -0.70000000000000, -3.75919939094818), 1e-12);
+  EXPECT_VEC_NEAR(hit->normal, Vec3(-0.1775066373451, -0.6324511057931, 0.7539873954381), 1e-10);
+}
+
+// max_extent and inside() of POV-Ray.
+TEST(JuliaFractal, SubtractedItBoundsAndMovedItIsKept) {
+  scene::JuliaFractal f;
+  f.parameter = {-0.3, 0.2, 0.1, 0};
+  auto fractal = std::make_shared<scene::Object>(object(f));
+  scene::compute_bounds(*fractal);
+  scene::invert(*fractal);
+  auto rest = std::make_shared<scene::Object>();
+  auto& csg = std::get<scene::Csg>(rest->shape = scene::Csg{});
+  csg.kind = scene::CsgKind::intersection;
+  csg.children.push_back(box({-2, -1, -1}, {1, 1, 1}));
+  csg.children.push_back(fractal);
+  scene::compute_bounds(*rest);
+  EXPECT_NEAR(scene::low_corner(rest->bounds).x, -1.374165838956833, 1e-6) << "the box of the fractal cuts";
+  EXPECT_FALSE(compile(*rest)->inside({0, 0, 0}));
+  scene::translate(*rest, {0, 0.001, 0});
+  EXPECT_TRUE(compile(*rest)->inside({0, 0, 0})) << "a transformation puts its inside back";
+}
+
 TEST(JuliaFractal, RowsOfRaysMarchAsSingleRays) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);

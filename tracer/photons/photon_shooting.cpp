@@ -118,12 +118,9 @@ void shoot(const PhotonPair& pair, double spacing, const scene::Photons& setting
   const scene::LightSource& light = *pair.light;
   const bool grid = light.area && light.photon_area;
   const int columns = grid ? light.size1 : 1, rows = grid ? light.size2 : 1;
-  double distance = length(pair.center - light.position);
+  const double distance = length(pair.center - light.position);
   double limit = pair.radius;
-  if (!light.parallel) {
-    limit = distance >= pair.radius ? std::asin(pair.radius / distance) : kPi;
-    if (distance < pair.radius) distance = pair.radius;
-  }
+  if (!light.parallel) limit = distance >= pair.radius ? std::asin(pair.radius / distance) : kPi;
   double sigma = pair.density * spacing / (light.parallel ? 1.0 : distance);
   if (grid) sigma *= std::sqrt(static_cast<double>(columns) * rows);
   const double step = light.parallel ? sigma : std::atan(sigma);

@@ -1,6 +1,7 @@
 // Probes 22 to 24 of spec 04.
 #include <random>
 
+#include "tracer/scene/bounds.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/trace_test_support.h"
 

@@ -47,13 +47,11 @@ std::span<const WeightedTexture> select(const CompiledTexture& texture, const Ve
 }
 
 Vec3 enter_frame(const CompiledTexture& texture, const Vec3& normal) {
-  return texture.pattern && !texture.uv_mapping ? normal_into_frame(*texture.pattern, texture.no_bump_scale, normal)
-                                                : normal;
+  return texture.pattern ? normal_into_frame(*texture.pattern, texture.no_bump_scale, normal) : normal;
 }
 
 Vec3 leave_frame(const CompiledTexture& texture, const Vec3& normal) {
-  return texture.pattern && !texture.uv_mapping ? normal_out_of_frame(*texture.pattern, texture.no_bump_scale, normal)
-                                                : normal;
+  return texture.pattern ? normal_out_of_frame(*texture.pattern, texture.no_bump_scale, normal) : normal;
 }
 
 }  // namespace verisim::textures

@@ -47,22 +47,16 @@ class Blob final : public Primitive<Blob> {
         return limit;
       });
     }
-    if (pieces.size() == 0) return;
-    const bool drown = digits_drown(pieces, 0);
-    if (!drown && misses(pieces)) return;
+    if (pieces.size() == 0 || misses(pieces)) return;
     Scratch<Event> events;
     add_events(pieces, 0, events);
     Scratch<std::int32_t> active;
     for (std::size_t i = 0; i < pieces.size(); ++i) active.add(0);
     Stretches stretches(&events[0], events.size(), &active[0]);
     if (!stretches.valid()) return;
-    double running[5] = {-threshold_};
-    while (drown ? next_running(&pieces[0], stretches, running) : stretches.next()) {
+    while (stretches.next()) {
       double power[5], roots[4];
-      if (drown)
-        std::copy_n(running, 5, power);
-      else if (!sum_pieces(&pieces[0], stretches, power))
-        continue;
+      if (!sum_pieces(&pieces[0], stretches, power)) continue;
       const int n = bernstein_roots<4>(power, stretches.from, stretches.to, roots);
       for (int i = 0; i < n; ++i)
         if (report(ray, l.scale, stretches, roots[i], sink) && Sink::kNearest) return;
@@ -225,28 +219,6 @@ class Blob final : public Primitive<Blob> {
     return misses(peak);
   }
 
-  // POV-Ray adds a part's coefficients where the ray enters it and subtracts them where it leaves (spec 08 L). Where some
-  // are so large that the others lose their digits in such a running sum, it decides what is seen: parts that are thin,
-  // or small beside the stretch between the first and the last.
-  static bool digits_drown(const Scratch<Piece>& pieces, std::size_t first) {
-    constexpr double kLargest = 1e8;
-    double low = HUGE_VAL, high = 0, quartic = 0;
-    for (std::size_t i = first; i < pieces.size(); ++i) {
-      const Piece& p = pieces[i];
-      low = std::min(low, p.t0), high = std::max(high, p.t1);
-      quartic = std::max(quartic, std::fabs(p.part->k0) * p.a * p.a);
-    }
-    const double span2 = (high - low) * (high - low);
-    return quartic * span2 * span2 > kLargest;
-  }
-  static bool next_running(Piece* pieces, Stretches& stretches, double* running) {
-    return stretches.next([&](const Event& event) {
-      Piece& piece = pieces[event.piece];
-      if (!piece.expanded) expand(piece, stretches.start, stretches.span);
-      for (int i = 0; i < 5; ++i) running[i] += event.enters ? piece.power[i] : -piece.power[i];
-    });
-  }
-
   // The ends of pieces from `first` on, whose numbers count from there.
   static void add_events(const Scratch<Piece>& pieces, std::size_t first, Scratch<Event>& events) {
     for (std::size_t i = first; i < pieces.size(); ++i) {
@@ -334,12 +306,7 @@ class Blob final : public Primitive<Blob> {
         pieces.add({p.t0[k], p.t1[k], p.a[k], p.b[k], p.c[k], p.part, p.peak[k]});
         peak += p.peak[k];
       }
-      if (pieces.size() == search.first_piece) return;
-      if (digits_drown(pieces, search.first_piece)) {
-        apart |= 1u << k;
-        return;
-      }
-      if (misses(peak)) return;
+      if (pieces.size() == search.first_piece || misses(peak)) return;
       Scratch<Event> sorted;
       add_events(pieces, search.first_piece, sorted);
       if (!tree_.empty() && any_together(sorted)) {

@@ -37,17 +37,14 @@ class Stretches {
       : events_(events), active_(active), count_(count), start(events[0].t), span(events[count - 1].t - start) {}
 
   bool valid() const { return span > 0 && std::isfinite(span); }
-  // The next one with any piece. passed(event) is called for each end of a piece that is passed.
-  template <class Passed>
-  bool next(Passed&& passed) {
+  // The next one with any piece.
+  bool next() {
     for (; next_ + 1 < count_; ++next_) {
       update(events_[next_]);
-      passed(events_[next_]);
       from = (events_[next_].t - start) / span;
       to = (events_[next_ + 1].t - start) / span;
       while (to - from < kShortest && next_ + 2 < count_) {
         update(events_[++next_]);
-        passed(events_[next_]);
         to = (events_[next_ + 1].t - start) / span;
       }
       if (active_count_ == 0) continue;
@@ -55,9 +52,6 @@ class Stretches {
       return true;
     }
     return false;
-  }
-  bool next() {
-    return next([](const Event&) {});
   }
   std::span<const std::int32_t> active() const { return {active_, active_count_}; }
 

@@ -99,6 +99,13 @@ INSTANTIATE_TEST_SUITE_P(
             glass(R"(texture{pigment{rgbf<.9,.5,.2,.9>}} interior_texture{pigment{rgbf .9}})"),
             184,
             {5.3629, 2.9763, 1.1794}},
+        Way{"LightWithinTheSphereOfItsTarget",
+            5,
+            "",
+            "light_source{<0.3,1.2,-0.4>,1} object{box{<-3,-.1,-3>,<3,.1,3> pigment{rgbt<.8,.9,1,.8>} "
+            "interior{ior 1.3} photons{target refraction on reflection on collect off}}}",
+            184,
+            {88.0137, 88.0137, 88.0137}},
         Way{"LayersCountTwice",
             2,
             "",

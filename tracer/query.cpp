@@ -1,9 +1,10 @@
 #include "tracer/query.h"
 
-#include <algorithm>
+#include <memory>
 #include <mutex>
 
 #include "tracer/scene/bounds.h"
+#include "tracer/scene/solid_parts.h"
 #include "tracer/shapes/shape.h"
 
 namespace verisim::query {
@@ -15,12 +16,6 @@ constexpr double kSmallestDistance = 1e-4, kLargestDistance = 2e10;
 bool has_no_box_test(const scene::Object& o) {
   return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() ||
          o.as<scene::SmoothTriangle>() || o.as<scene::Poly>();
-}
-
-bool is_solid(const scene::Object& object) {
-  if (scene::is_patch(object) || object.as<scene::LightSource>()) return false;
-  if (!object.as<scene::Csg>()) return true;
-  return std::ranges::all_of(scene::children_of(object), [](const scene::ObjectPtr& part) { return is_solid(*part); });
 }
 
 // POV-Ray's slab test, in binary32.
@@ -50,7 +45,8 @@ struct Target::Impl {
   }
 };
 
-Target::Target(scene::ObjectPtr object) : impl_(std::make_unique<Impl>()), has_inside_(is_solid(*object)) {
+Target::Target(scene::ObjectPtr object)
+    : impl_(std::make_unique<Impl>()), has_inside_(scene::has_only_solid_parts(*object)) {
   impl_->object = std::move(object);
 }
 Target::~Target() = default;

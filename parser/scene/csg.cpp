@@ -1,6 +1,7 @@
 // union, merge, intersection, difference (spec 03 section 5).
-#include "parser/scene/objects.h"
 #include "parser/scene/common/nesting.h"
+#include "parser/scene/objects.h"
+#include "tracer/scene/solid_parts.h"
 
 namespace verisim::parser {
 
@@ -13,7 +14,7 @@ void read_children(Parser& parser, scene::Object& object, Word word) {
                                                                       : scene::CsgKind::union_;
   csg.difference = word == Word::difference;
   while (ObjectRef child = parse_object(parser)) {
-    if (csg.kind == scene::CsgKind::intersection && scene::is_patch(*child))
+    if (csg.kind == scene::CsgKind::intersection && !scene::has_only_solid_parts(*child))
       parser.warning(Code::incompatible, "Patch objects not allowed in intersection.");
     if (csg.difference && !csg.children.declared().empty()) scene::invert(*child);
     child->solid_moves = {};  // nobody writes to its texture any more

@@ -123,7 +123,10 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
     s.extra_textures.push_back(texture ? compiler.texture(texture) : s.texture);
     s.opaque = s.opaque && s.extra_textures.back() && s.extra_textures.back()->opaque;
   }
-  const bool remembered = cutaway ? flagged_opaque(*cutaway->object, compiler) : s.opaque;
+  const auto map = [](const textures::CompiledTexture* texture) { return texture && texture->patterned(); };
+  const bool flagged =
+      s.opaque && !map(s.texture) && !map(s.interior_texture) && !std::ranges::any_of(s.extra_textures, map);
+  const bool remembered = cutaway ? flagged_opaque(*cutaway->object, compiler) : flagged;
   s.remembered = !remembered ? nullptr : cutaway ? cutaway : &shape;
   if (!o.group_lights.empty()) {
     auto& list = group_lights.emplace_back();

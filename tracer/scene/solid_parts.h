@@ -1,0 +1,18 @@
+// Which CSG objects have an inside.
+#pragma once
+
+#include <algorithm>
+
+#include "tracer/scene/object.h"
+
+namespace verisim::scene {
+
+// False: a patch or a light source is among its parts; one is enough to deny a CSG object its inside.
+inline bool has_only_solid_parts(const Object& object) {
+  if (is_patch(object) || object.as<LightSource>()) return false;
+  if (!object.as<Csg>()) return true;
+  return std::ranges::all_of(declared_children(object),
+                             [](const ObjectPtr& part) { return has_only_solid_parts(*part); });
+}
+
+}  // namespace verisim::scene

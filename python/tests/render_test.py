@@ -184,6 +184,22 @@ class Given(Scratch):
             with self.assertRaisesRegex(ValueError, message):
                 verisim.Mesh(*wrong)
 
+    def test_a_million_triangles(self):
+        """They reach the tracer in less than half a second, of all threads together."""
+        n = 708
+        u, v = np.meshgrid(np.linspace(-1, 1, n), np.linspace(-1, 1, n))
+        vertices = np.stack([u, v, 0.2 * np.sin(5 * u)], -1).reshape(-1, 3)
+        i = np.arange(n * n).reshape(n, n)
+        a, b, c, d = i[:-1, :-1].ravel(), i[1:, :-1].ravel(), i[1:, 1:].ravel(), i[:-1, 1:].ravel()
+        faces = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+        times = []
+        for _ in range(2):
+            start = time.process_time()
+            mesh = verisim.Mesh(vertices, faces)
+            self.assertEqual(verisim.check(BALL + "object { M }", declare={"M": mesh}).objects, 4)
+            times.append(time.process_time() - start)
+        self.assertLess(min(times), 0.5)
+
     def test_include_path_and_folder(self):
         os.makedirs("lib"), os.makedirs("scene")
         pathlib.Path("lib/a.inc").write_text("#declare A = 0.5;")

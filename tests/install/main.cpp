@@ -1,7 +1,9 @@
-// Builds a scene without SDL, renders it, and looks at two pixels.
+// Builds a scene without SDL, renders it, and looks at two pixels; writes and reads a file by a plug-in, which the library finds by itself.
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
+#include <tracer/image/output.h>
 #include <tracer/render/render.h>
 #include <tracer/scene/scene.h>
 
@@ -31,5 +33,11 @@ int main() {
   const Color middle = picture.at(7, 7), corner = picture.at(0, 0);
   std::printf("middle %g %g %g, corner %g %g %g\n", double(middle.r), double(middle.g), double(middle.b),
               double(corner.r), double(corner.g), double(corner.b));
-  return middle.r == 1 && middle.g == 0.5f && corner.r == 0 ? 0 : 1;
+  image::OutputOptions output;
+  output.format = image::Format::exr;
+  image::write(picture, "consumer.exr", output);
+  const image::Picture back = image::read_picture("consumer.exr");
+  const float green = back.samples[static_cast<std::size_t>((7 * back.width + 7) * back.channels + 1)];
+  std::printf("green in the file: %g\n", double(green));
+  return middle.r == 1 && middle.g == 0.5f && corner.r == 0 && std::fabs(green - 0.5f) < 0.01f ? 0 : 1;
 }

@@ -133,6 +133,8 @@ def wrong_words(name, text, sources, known, commands):
 def main():
     verisim, sources = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
     povray = shutil.which("povray")
+    if povray and subprocess.run([povray, "--version"], capture_output=True, text=True).stderr.startswith("verisim "):
+        povray = None
     pages = pathlib.Path(tempfile.mkdtemp(prefix="verisim_pages_"))
     subprocess.run([verisim, "help", "--pages", pages], check=True)
     known = options_known(pages) | set(OF_OTHERS)

@@ -1,4 +1,5 @@
-// Builds a scene without SDL, renders it, and looks at two pixels; writes and reads a file by a plug-in, which the library finds by itself.
+// Builds a scene without SDL, renders it, and looks at two pixels; writes and reads a file by a plug-in, which the
+// library finds by itself.
 #include <cmath>
 #include <cstdio>
 #include <memory>

@@ -31,7 +31,7 @@ ELSEWHERE = {
     r"cmake --preset .*|cmake --install .*|ninja .*|ctest .*|apt-get .*": "./test",
     r"bench/.*|build/release/bin/verisim compare scenes/shapes .*": "by hand: long",
     r"podman .*": "by hand: Containerfile",
-    r"export SBATCH_.*|verisim-slurm .*": "the test farm.slurm",
+    r"export SBATCH_.*|verisim-slurm .*|verisim farm .*": "the tests of tests/farm",
 }
 # Options of other programs in running text.
 OF_OTHERS = {"--component": "cmake", "--signal": "sbatch", "--requeue": "sbatch", "--mutate": "tests/differential"}

@@ -280,7 +280,7 @@ class Control(Scratch):
             verisim.check("#while (true) #declare A = 1; #end", cancel=lambda: True)
 
     def test_ctrl_c(self):
-        code = f"import verisim, time\nscene = {LONG!r}\nprint('ready', flush=True)\ntry:\n  verisim.render(scene, 4000, 4000)\n" \
+        code = f"import verisim, time\nscene = {LONG!r}\nprint('ready', flush=True)\ntry:\n  verisim.render(scene, 2000, 2000)\n" \
                "except KeyboardInterrupt:\n  print('interrupted')\n"  # fmt: skip
         process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
         self.assertEqual(process.stdout.readline(), "ready\n")

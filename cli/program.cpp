@@ -10,6 +10,7 @@
 #include "cli/settings/own_options.h"
 #include "cli/settings/scene_words.h"
 #include "cli/settings/text.h"
+#include "tracer/simd/instruction_sets.h"
 
 namespace verisim::cli {
 namespace {
@@ -58,6 +59,10 @@ int run(const std::vector<std::string>& arguments) {
                  stderr);
       return as_povray ? 1 : kUsage;
     }
+  }
+  if (const std::string wrong = simd::wrong_instruction_set(); !wrong.empty()) {
+    std::fprintf(stderr, "verisim: %s\n", wrong.c_str());
+    return as_povray ? 1 : kUsage;
   }
   if (!as_povray && !rest.empty())
     for (const Command& command : commands())

@@ -77,6 +77,8 @@ CommandHelp program_help() {
       {"Environment",
        {{{"VERISIM_INCLUDE_PATH"}, "folders of include files, separated by colons; +L comes first"},
         {{"VERISIM_MODULE_PATH"}, "the folder of the plug-ins for image formats"},
+        {{"VERISIM_INSTRUCTION_SET"},
+         "baseline, sse4, avx2 or avx512: no wider instructions than these; pictures are the same with all"},
         {{"POVINI"}, "an INI file that is read before the others"},
         {{"POVINC"}, "a folder of include files"}}},
       exit_status_help()};

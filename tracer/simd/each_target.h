@@ -7,13 +7,13 @@
 //
 // and keeps its kernels between HWY_BEFORE_NAMESPACE() and HWY_AFTER_NAMESPACE(), in an unnamed namespace around
 // HWY_NAMESPACE that ends with a constant kKernels; what is to be compiled once stands within #if HWY_ONCE, with
-// VERISIM_EXPORT_KERNELS (kernel_table.h). Highway's names for the targets: N_SCALAR or N_EMU128 (baseline), N_AVX2,
-// N_AVX3 (AVX-512), N_NEON.
+// VERISIM_EXPORT_KERNELS (kernel_table.h). Highway's names for the targets: N_SCALAR or N_EMU128 (baseline), N_SSE4,
+// N_AVX2, N_AVX3 (AVX-512), N_NEON.
 #pragma once
 
-// The others would cost time of compilation and are few; AVX-512 and AVX2 ask for no more than instruction_sets.cpp
-// looks for.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+// The others would cost time of compilation and are few; those of x86 ask for no more than instruction_sets.cpp looks
+// for. Highway has none for SSE2 alone, so the baseline is one number at a time there.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 #define HWY_DISABLE_PCLMUL_AES
 #define HWY_DISABLE_F16C
 

@@ -1,16 +1,29 @@
 #include "tracer/simd/instruction_sets.h"
 
+#include <cstdlib>
+#include <string_view>
+
 namespace verisim::simd {
 namespace {
 
-// What each_target.h has kernels compiled for. Those that each_instruction_set.inc still compiles have the baseline
-// only with compilers other than GCC, so others take it for all.
+constexpr std::string_view kNames[kInstructionSets] = {"baseline", "sse4", "avx2", "avx512"};
+
+// By the environment; empty: none is asked for.
+std::string_view asked_for() {
+  const char* name = std::getenv("VERISIM_INSTRUCTION_SET");
+  return name ? name : "";
+}
+
+// What each_target.h has kernels compiled for. Noise has the baseline only with compilers other than GCC, so others
+// take it for all.
 InstructionSet find_best() {
 #if defined(__x86_64__) && !defined(__clang__)
   __builtin_cpu_init();
+  if (!__builtin_cpu_supports("ssse3") || !__builtin_cpu_supports("sse4.1") || !__builtin_cpu_supports("sse4.2"))
+    return kBaseline;
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("bmi") || !__builtin_cpu_supports("bmi2") ||
       !__builtin_cpu_supports("fma"))
-    return kBaseline;
+    return kSse4;
   const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
                     __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw");
   return wide ? kAvx512 : kAvx2;
@@ -19,11 +32,28 @@ InstructionSet find_best() {
 #endif
 }
 
+InstructionSet find_best_allowed() {
+  const InstructionSet best = find_best();
+  for (int set = 0; set < best; ++set)
+    if (asked_for() == kNames[set]) return static_cast<InstructionSet>(set);
+  return best;
+}
+
 }  // namespace
 
 InstructionSet best_instruction_set() {
-  static const InstructionSet best = find_best();
+  static const InstructionSet best = find_best_allowed();
   return best;
+}
+
+std::string wrong_instruction_set() {
+  if (asked_for().empty()) return "";
+  std::string known;
+  for (int set = 0; set <= find_best(); ++set) {
+    if (asked_for() == kNames[set]) return "";
+    known += (set > 0 ? ", " : "") + std::string(kNames[set]);
+  }
+  return "VERISIM_INSTRUCTION_SET is '" + std::string(asked_for()) + "'; this machine can run " + known;
 }
 
 }  // namespace verisim::simd

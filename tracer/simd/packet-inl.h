@@ -8,14 +8,20 @@
 #define VERISIM_SIMD_PACKET_INL_H
 #endif
 
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "hwy/highway.h"
 
 // Of a lambda within kernels.
 #undef VERISIM_INLINE_LAMBDA
 #define VERISIM_INLINE_LAMBDA HWY_ATTR __attribute__((always_inline))
+
+#undef VERISIM_X86_TARGET
+#define VERISIM_X86_TARGET (HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)
 
 #define VERISIM_EACH_VECTOR HWY_UNROLL(8) for (int i = 0; i < kVectors; ++i)
 
@@ -53,7 +59,8 @@ struct BasicMask {
   static HWY_INLINE BasicMask of_bits(unsigned bits) {
     BasicMask r;
     VERISIM_EACH_VECTOR {
-      const std::uint8_t part[8] = {static_cast<std::uint8_t>(bits >> (i * kLanes))};
+      const unsigned here = bits >> (i * kLanes);
+      const std::uint8_t part[8] = {static_cast<std::uint8_t>(here), static_cast<std::uint8_t>(here >> 8)};
       r.v[i] = hn::LoadMaskBits(D(), part);
     }
     return r;
@@ -63,7 +70,7 @@ struct BasicMask {
     VERISIM_EACH_VECTOR {
       std::uint8_t part[8] = {};
       hn::StoreMaskBits(D(), a.v[i], part);
-      result |= static_cast<unsigned>(part[0]) << (i * kLanes);
+      result |= (part[0] | (kLanes > 8 ? static_cast<unsigned>(part[1]) << 8 : 0u)) << (i * kLanes);
     }
     return result;
   }
@@ -112,13 +119,23 @@ struct BasicPacket {
     VERISIM_EACH_VECTOR r.v[i] = hn::LoadU(D(), p + i * kLanes);
     return r;
   }
+  static HWY_INLINE BasicPacket load(const std::uint16_t* p) requires std::is_same_v<T, float> {
+    const hn::Rebind<std::uint16_t, D> narrow;
+    const hn::Rebind<std::int32_t, D> wide;
+    BasicPacket r;
+    VERISIM_EACH_VECTOR r.v[i] = hn::ConvertTo(D(), hn::PromoteTo(wide, hn::LoadU(narrow, p + i * kLanes)));
+    return r;
+  }
   friend HWY_INLINE void store(T* p, const BasicPacket& a) {
     VERISIM_EACH_VECTOR hn::StoreU(a.v[i], D(), p + i * kLanes);
   }
   HWY_INLINE T operator[](int k) const {
-    HWY_ALIGN T lanes[N];
-    store(lanes, *this);
-    return lanes[k];
+#if HWY_TARGET == HWY_SCALAR
+    return v[k].raw;
+#else
+    if constexpr (std::is_floating_point_v<T>) return v[k / kLanes].raw[k % kLanes];  // in a register, of constants
+    return hn::ExtractLane(v[k / kLanes], static_cast<std::size_t>(k % kLanes));
+#endif
   }
 
 #define VERISIM_OPERATOR(op, function)                                                    \
@@ -167,7 +184,7 @@ struct BasicPacket {
   // As std::min and std::max, with NaN and with zeros of both signs, too: the first operand unless the other one is
   // less (greater).
   friend HWY_INLINE BasicPacket min(const BasicPacket& a, const BasicPacket& b) {
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+#if VERISIM_X86_TARGET
     BasicPacket r;  // the instruction gives its second operand where the comparison is false
     VERISIM_EACH_VECTOR r.v[i] = hn::Min(b.v[i], a.v[i]);
     return r;
@@ -176,7 +193,7 @@ struct BasicPacket {
 #endif
   }
   friend HWY_INLINE BasicPacket max(const BasicPacket& a, const BasicPacket& b) {
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+#if VERISIM_X86_TARGET
     BasicPacket r;
     VERISIM_EACH_VECTOR r.v[i] = hn::Max(b.v[i], a.v[i]);
     return r;
@@ -187,6 +204,12 @@ struct BasicPacket {
   friend HWY_INLINE BasicPacket abs(const BasicPacket& a) {
     BasicPacket r;
     VERISIM_EACH_VECTOR r.v[i] = hn::Abs(a.v[i]);
+    return r;
+  }
+  // Towards zero.
+  friend HWY_INLINE BasicPacket trunc(const BasicPacket& a) {
+    BasicPacket r;
+    VERISIM_EACH_VECTOR r.v[i] = hn::Trunc(a.v[i]);
     return r;
   }
   friend HWY_INLINE BasicPacket sqrt(const BasicPacket& a) {
@@ -261,20 +284,57 @@ using FloatPacket = BasicPacket<float, kLanes>;
 HWY_INLINE Packet load(const double* p) { return Packet::load(p); }
 HWY_INLINE IntPacket load(const std::int64_t* p) { return IntPacket::load(p); }
 
-template <int k>
-HWY_INLINE IntPacket shift_left(const IntPacket& a) {
-  constexpr int kVectors = IntPacket::kVectors;
-  IntPacket r;
+template <int k, class T, int N>
+HWY_INLINE BasicPacket<T, N> shift_left(const BasicPacket<T, N>& a) {
+  constexpr int kVectors = BasicPacket<T, N>::kVectors;
+  BasicPacket<T, N> r;
   VERISIM_EACH_VECTOR r.v[i] = hn::ShiftLeft<k>(a.v[i]);
   return r;
 }
 // The sign moves in.
-template <int k>
-HWY_INLINE IntPacket shift_right(const IntPacket& a) {
-  constexpr int kVectors = IntPacket::kVectors;
-  IntPacket r;
+template <int k, class T, int N>
+HWY_INLINE BasicPacket<T, N> shift_right(const BasicPacket<T, N>& a) {
+  constexpr int kVectors = BasicPacket<T, N>::kVectors;
+  BasicPacket<T, N> r;
   VERISIM_EACH_VECTOR r.v[i] = hn::ShiftRight<k>(a.v[i]);
   return r;
+}
+
+// Writes the lanes whose bits are set side by side, in their order; numbers behind them, N in all, are written over.
+template <class T, int N>
+HWY_INLINE void compress(unsigned which, const BasicPacket<T, N>& a, T* to) {
+  using P = BasicPacket<T, N>;
+  constexpr int kVectors = P::kVectors;
+  VERISIM_EACH_VECTOR {
+    const std::uint8_t here[8] = {static_cast<std::uint8_t>(which >> (i * P::kLanes) & ((1u << P::kLanes) - 1))};
+    hn::StoreU(hn::CompressBits(a.v[i], here), typename P::D(), to);
+    to += std::popcount(here[0]);
+  }
+}
+
+// from[index[k]] in lane k; the index is below 2^31.
+template <class T, class I, int N>
+HWY_INLINE BasicPacket<T, N> gather(const T* from, const BasicPacket<I, N>& index) {
+  using P = BasicPacket<T, N>;
+  constexpr int kVectors = P::kVectors;
+  const hn::RebindToSigned<typename P::D> places;
+  P r;
+  VERISIM_EACH_VECTOR r.v[i] = hn::GatherIndex(typename P::D(), from, hn::BitCast(places, index.v[i]));
+  return r;
+}
+
+// The same for the lanes of a mask, elsewhere zero. There is a from[0].
+template <class T, class I, int N>
+HWY_INLINE BasicPacket<T, N> gather(const T* from, const BasicPacket<I, N>& index,
+                                    const BasicMask<sizeof(T), N>& where) {
+  return select(where, gather(from, select(where, index, BasicPacket<I, N>(I{0}))), BasicPacket<T, N>(T{0}));
+}
+template <class T, class I, int N>
+HWY_INLINE void scatter(T* to, const BasicPacket<I, N>& index, const BasicPacket<T, N>& a) {
+  using P = BasicPacket<T, N>;
+  constexpr int kVectors = P::kVectors;
+  const hn::RebindToSigned<typename P::D> places;
+  VERISIM_EACH_VECTOR hn::ScatterIndex(a.v[i], typename P::D(), to, hn::BitCast(places, index.v[i]));
 }
 
 // Rounded to single precision, and without loss back.
@@ -315,16 +375,18 @@ HWY_INLINE void store_mask(std::int64_t* p, const Mask& a) {
 }
 
 // The bits of doubles as integers, and back.
-HWY_INLINE IntPacket bits_of(const Packet& a) {
-  constexpr int kVectors = Packet::kVectors;
-  IntPacket r;
-  VERISIM_EACH_VECTOR r.v[i] = hn::BitCast(IntPacket::D(), a.v[i]);
+template <int N>
+HWY_INLINE IntPacketOf<N> bits_of(const PacketOf<N>& a) {
+  constexpr int kVectors = PacketOf<N>::kVectors;
+  IntPacketOf<N> r;
+  VERISIM_EACH_VECTOR r.v[i] = hn::BitCast(typename IntPacketOf<N>::D(), a.v[i]);
   return r;
 }
-HWY_INLINE Packet number_of(const IntPacket& a) {
-  constexpr int kVectors = Packet::kVectors;
-  Packet r;
-  VERISIM_EACH_VECTOR r.v[i] = hn::BitCast(Packet::D(), a.v[i]);
+template <int N>
+HWY_INLINE PacketOf<N> number_of(const IntPacketOf<N>& a) {
+  constexpr int kVectors = PacketOf<N>::kVectors;
+  PacketOf<N> r;
+  VERISIM_EACH_VECTOR r.v[i] = hn::BitCast(typename PacketOf<N>::D(), a.v[i]);
   return r;
 }
 

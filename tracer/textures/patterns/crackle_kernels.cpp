@@ -39,10 +39,10 @@ namespace avx512 {
 }  // namespace avx512
 #pragma GCC pop_options
 
-const CrackleKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels, &avx2::kKernels, &avx512::kKernels};
+const CrackleKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels, &baseline::kKernels, &avx2::kKernels, &avx512::kKernels};
 #else
 const CrackleKernels* const kAll[simd::kInstructionSets] = {&baseline::kKernels, &baseline::kKernels,
-                                                            &baseline::kKernels};
+                                                            &baseline::kKernels, &baseline::kKernels};
 #endif
 
 }  // namespace

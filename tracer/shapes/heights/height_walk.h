@@ -46,4 +46,19 @@ class HeightWalk {
   State state_;
 };
 
+// Bit n becomes bit n ^ flip: children of a block in the order in which a ray meets them.
+inline unsigned in_order(unsigned bits, bool backward_x, bool backward_z) {
+  const auto swapped = [](unsigned b, unsigned low, int by) { return (b & low) << by | (b >> by & low); };
+  if (backward_x) bits = swapped(swapped(bits, 0x5555, 1), 0x0f0f, 4);
+  if (backward_z) bits = swapped(swapped(bits, 0x3333, 2), 0x00ff, 8);
+  return bits;
+}
+
+struct HeightWalkKernels {
+  int (*next)(HeightWalk::State& state, float end, HeightCell* cells);
+};
+// Those of the best instruction set of this machine; of any set, for tests; null: this machine cannot run it.
+const HeightWalkKernels& height_walk_kernels();
+const HeightWalkKernels* height_walk_kernels(int instruction_set);
+
 }  // namespace verisim::shapes

@@ -6,98 +6,400 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
-
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
 
 #include "tracer/photons/photon_order.h"
 #include "tracer/photons/photon_tree.h"
-#include "tracer/simd/instruction_sets.h"
 
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors are only passed between functions that are inlined
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/photons/photon_kernels.cpp"
+#include "tracer/simd/each_target.h"
 
+#include "tracer/simd/kernel_table.h"
+#include "tracer/simd/packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
 namespace verisim::global {
 namespace {
+namespace HWY_NAMESPACE {
+
+using namespace simd::HWY_NAMESPACE;
 
 constexpr float kInfiniteFloat = std::numeric_limits<float>::infinity();
 constexpr auto kAnyNumber = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t kAtOnce = PhotonLeaf::kAtOnce;
-constexpr std::size_t kCrowd =
-    3;  // times the wanted number of photons is when the nearest are picked out, and the search narrowed
+constexpr std::size_t kAtOnce = PhotonLeaf::kAtOnce, kEight = kLanes;
+// Times the wanted number of photons is when the nearest are picked out, and the search narrowed.
+constexpr std::size_t kCrowd = 3;
 
-// Where distances are equal when rounded they are measured again: places in a list with squared distances.
-using Equals = std::vector<std::pair<double, std::size_t>>;
-void find_equals(const PhotonDistances& list, float rounded, const PhotonMeasure& measure, Equals& equals) {
-  equals.clear();
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (list.squared()[i] == rounded) equals.emplace_back(measure.squared(list.index()[i]), i);
+using Words = BasicPacket<std::uint32_t, kLanes>;
+alignas(64) constexpr std::uint32_t kNumbers[kLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
+
+// 1 where the mask is set, elsewhere 0.
+HWY_INLINE Words ones(const FloatPacket::Mask& mask) { return select(mask, Words(1u), Words(0u)); }
+
+// Bit i: box i of eight is nearer to the point than the square root of `squared`, or as near.
+HWY_INLINE unsigned near_boxes(const PhotonBoxes& boxes, std::size_t first, const std::array<float, 3>& point,
+                               float squared) {
+  FloatPacket sum;
+  _Pragma("GCC unroll 3") for (std::size_t a = 0; a < 3; ++a) {
+    const FloatPacket at(point[a]);
+    const FloatPacket below = FloatPacket::load(boxes.low[a].data() + first) - at,
+                      above = at - FloatPacket::load(boxes.high[a].data() + first);
+    const FloatPacket gap = max(FloatPacket(0.0f), max(above, below));
+    sum = a == 0 ? gap * gap : sum + gap * gap;
   }
+  return bits(sum <= squared);
+}
+unsigned boxes(const PhotonBoxes& boxes, const std::array<float, 3>& point, float squared) {
+  return near_boxes(boxes, 0, point, squared) | near_boxes(boxes, kEight, point, squared) << kEight;
 }
 
-// `places`: in ascending order.
-void drop(PhotonDistances& list, std::span<const std::pair<double, std::size_t>> places) {
-  if (places.empty()) return;
-  std::size_t kept = places.front().second;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const std::size_t from = places[k].second + 1, end = k + 1 < places.size() ? places[k + 1].second : list.size();
-    list.move(from, end, kept);
-    kept += end - from;
+// A center in floats, and what they may say of the squared distance of a photon, or a box, that is below a limit.
+struct FloatCenter {
+  std::array<float, 3> at, normal{};
+  double error, steep = 0.0;
+  // Distances are flattened as long as floats can hold them.
+  FloatCenter(const PhotonCenter& c, double limit)
+      : at{static_cast<float>(c.point.x), static_cast<float>(c.point.y), static_cast<float>(c.point.z)},
+        error(4e-7 * (std::fabs(c.point.x) + std::fabs(c.point.y) + std::fabs(c.point.z))) {
+    steep = 16.0 * length(c.normal);
+    if (!(flattened(limit) < 1e37)) steep = 0.0;
+    if (steep > 0.0)
+      normal = {static_cast<float>(16.0 * c.normal.x), static_cast<float>(16.0 * c.normal.y),
+                static_cast<float>(16.0 * c.normal.z)};
   }
-  list.set_size(kept);
+  float plain(double squared) const {
+    const double r = std::sqrt(squared) + error;
+    return static_cast<float>(std::min(r * r * (1.0 + 1e-5), 1e38));
+  }
+  // The factor is at most 1 + steep * r; each coordinate and the normal are wrong by their rounding.
+  float flattened(double squared) const {
+    const double r = std::sqrt(squared), wider = r + error * std::sqrt(1.0 + steep * r);
+    return static_cast<float>(std::min(wider * wider * (1.0 + 1e-5) * (1.0 + steep * (2.0 * error + 1e-6 * r)), 1e38));
+  }
+};
+
+// Calls visit(numbers) for leaves that are nearer to the point than the square root of `near_enough`, many at a time
+// and in the order of the map, while it returns true; it may lower `near_enough`. What is near is listed before it is
+// looked at: where a walk does both at once, its branches are hard to foretell.
+template <class Visit>
+class LeafWalk {
+ public:
+  HWY_INLINE LeafWalk(const PhotonTree& tree, const FloatCenter& point, const float& near_enough, Visit& visit)
+      : nodes_(tree.nodes().data()), point_(point), near_enough_(near_enough), visit_(visit) {
+    if (tree.nodes().empty()) return;
+    if (tree.height() == 0) {
+      lowest_[waiting_++] = 0;
+    } else if (!look_at(nodes_[0], tree.height())) {
+      return;
+    }
+    look_at_lowest();
+  }
+
+ private:
+  static constexpr std::size_t kMostNodes = 32, kMostLeaves = 96;
+
+  // Appends the parts of a node that are near.
+  HWY_INLINE std::size_t add_near(const PhotonTree::Node& node, std::uint32_t* to) const {
+    std::size_t n = 0;
+    _Pragma("GCC unroll 2") for (std::size_t i = 0; i < kAtOnce; i += kEight) {
+      const unsigned which = near_boxes(node.boxes, i, point_.at, near_enough_);
+      compress(which, Words::load(node.child.data() + i), to + n);
+      n += static_cast<std::size_t>(std::popcount(which));
+    }
+    return n;
+  }
+  bool look_at(const PhotonTree::Node& node, int height) {
+    if (height == 1) {
+      waiting_ += add_near(node, lowest_.data() + waiting_);
+      return waiting_ <= kMostNodes || look_at_lowest();
+    }
+    std::array<std::uint32_t, 2 * kAtOnce> parts;
+    const std::size_t n = add_near(node, parts.data());
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!look_at(nodes_[parts[i]], height - 1)) return false;
+    }
+    return true;
+  }
+  bool look_at_lowest() {
+    std::array<std::uint32_t, kMostLeaves + 2 * kAtOnce> leaves;
+    std::size_t n = 0;
+    const std::size_t waiting = waiting_;
+    waiting_ = 0;
+    for (std::size_t k = 0; k < waiting; ++k) {
+      n += add_near(nodes_[lowest_[k]], leaves.data() + n);
+      if (n < kMostLeaves && k + 1 < waiting) continue;
+      if (!visit_(std::span<const std::uint32_t>(leaves.data(), n))) return false;
+      n = 0;
+    }
+    return true;
+  }
+
+  const PhotonTree::Node* const nodes_;
+  const FloatCenter& point_;
+  const float& near_enough_;
+  Visit& visit_;
+  std::array<std::uint32_t, kMostNodes + 2 * kAtOnce> lowest_;  // nodes that are looked at together
+  std::size_t waiting_ = 0;
+};
+
+// Writes infinities behind the last, for loops that take eight at a time.
+HWY_INLINE void fill_up(PhotonDistances& list) {
+  list.make_room(list.size());
+  for (std::size_t i = 0; i < kAtOnce; i += kEight)
+    store(list.squared_data() + list.size() + i, FloatPacket(kInfiniteFloat));
 }
 
-// Of those that are as far as `limit` when rounded, removes those that are farther.
-void drop_farther(PhotonDistances& list, const PhotonMeasure& measure, double limit) {
-  Equals equals;
-  find_equals(list, PhotonDistances::rounded(limit), measure, equals);
-  std::erase_if(equals, [limit](const auto& e) { return e.first <= limit; });
-  drop(list, equals);
+// Those among a list that are as far as its limit when rounded: how many, and the place of one of them.
+struct EqualOnes {
+  std::size_t count = 0, place = 0;
+};
+// Copies those that are at most `limit` when rounded; `from` is filled up.
+HWY_INLINE EqualOnes keep_rounded(const PhotonDistances& from, float limit, PhotonDistances& to) {
+  const std::size_t n = from.size();
+  to.make_room(n);
+  const float* const squared = from.squared().data();
+  const std::uint32_t* const index = from.index().data();
+  float* const to_squared = to.squared_data();
+  std::uint32_t* const to_index = to.index_data();
+  const FloatPacket limits(limit);
+  std::size_t kept = 0;
+  EqualOnes equals;
+  for (std::size_t i = 0; i < n; i += kEight) {
+    const FloatPacket eight = FloatPacket::load(squared + i);
+    const unsigned which = bits(eight <= limits);
+    if (const unsigned same = bits(eight == limits); same != 0) {
+      equals.count += static_cast<std::size_t>(std::popcount(same)),
+          equals.place = kept + static_cast<std::size_t>(std::popcount(which & (same - 1)));
+    }
+    compress(which, eight, to_squared + kept), compress(which, Words::load(index + i), to_index + kept);
+    kept += static_cast<std::size_t>(std::popcount(which));
+  }
+  to.set_size(kept);
+  return equals;
 }
 
-// Of those that are as far as the last one when rounded, keeps the nearest, until there are `wanted` in all; returns
-// the squared distance of the last one.
-double drop_farthest(PhotonDistances& list, float last, const PhotonMeasure& measure, std::size_t wanted) {
-  Equals equals;
-  find_equals(list, last, measure, equals);
-  std::ranges::sort(equals);
-  const std::size_t kept = equals.size() - (list.size() - wanted);
-  const double limit = equals[kept - 1].first;
-  equals.erase(equals.begin(), equals.begin() + static_cast<std::ptrdiff_t>(kept));
-  std::ranges::sort(equals, {}, &Equals::value_type::second);
-  drop(list, equals);
-  return limit;
+void keep_within(PhotonDistances& from, const PhotonMeasure& measure, double limit, PhotonDistances& to) {
+  fill_up(from);
+  if (keep_rounded(from, PhotonDistances::rounded(limit), to).count != 0) drop_farther(to, measure, limit);
 }
 
-#define VERISIM_KERNELS "tracer/photons/photon_kernels.inc"
-#include "tracer/simd/each_instruction_set.inc"
+// How many of the numbers, filled up, are smaller than `limit`.
+HWY_INLINE std::size_t count_below(const float* numbers, std::size_t size, float limit) {
+  const FloatPacket limits(limit);
+  Words count(0u);
+  _Pragma("GCC unroll 4") for (std::size_t i = 0; i < size; i += kEight) count +=
+      ones(FloatPacket::load(numbers + i) < limits);
+  alignas(64) std::uint32_t each[kEight];
+  store(each, count);
+  std::uint32_t sum = 0;
+  for (const std::uint32_t n : each) sum += n;
+  return static_cast<std::size_t>(sum);
+}
 
-const PhotonKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
+// Copies the numbers, filled up, that are at least `low` and smaller than `high`, and fills them up, too; `to` may be
+// `numbers`. Returns how many.
+HWY_INLINE std::size_t copy_between(const float* numbers, std::size_t n, float low, float high, float* to) {
+  std::size_t count = 0;
+  const FloatPacket lows(low), highs(high);
+  for (std::size_t i = 0; i < n; i += kEight) {
+    const FloatPacket eight = FloatPacket::load(numbers + i);
+    const unsigned which = bits(eight < highs) & ~bits(eight < lows);
+    compress(which, eight, to + count);
+    count += static_cast<std::size_t>(std::popcount(which));
+  }
+  for (std::size_t i = 0; i < kAtOnce; i += kEight) store(to + count + i, FloatPacket(kInfiniteFloat));
+  return count;
+}
 
+// The one of sixteen numbers that `before` are before when they are sorted: the largest with at most as many smaller
+// ones.
+HWY_INLINE float in_order(const float* numbers, std::size_t before) {
+  const FloatPacket halves[2] = {FloatPacket::load(numbers), FloatPacket::load(numbers + kEight)};
+  Words smaller[2] = {0u, 0u};
+  _Pragma("GCC unroll 16") for (std::size_t i = 0; i < kAtOnce; ++i) {
+    const FloatPacket at(numbers[i]);
+    for (int h = 0; h < 2; ++h) smaller[h] += ones(at < halves[h]);
+  }
+  FloatPacket best(0.0f);  // none is negative
+  for (int h = 0; h < 2; ++h)
+    best = max(best, select(smaller[h] > Words(static_cast<std::uint32_t>(before)), FloatPacket(0.0f), halves[h]));
+  alignas(64) float each[kEight];
+  store(each, best);
+  float result = each[0];
+  for (const float v : each) result = std::max(result, v);
+  return result;
+}
+
+// The one of the numbers, filled up and none larger than `most`, that `wanted` are before or equal to when they are
+// sorted.
+HWY_INLINE float find_last(const float* numbers, std::size_t n, std::size_t wanted, float most) {
+  // Squared distances are spread about evenly over a disc: guesses a little beyond and before the last one wanted, in
+  // turn, leave few between them. Once they are much fewer than all, they are looked for apart.
+  constexpr int kMostGuesses = 12, kPatience = 2;
+  constexpr std::size_t kMuchFewer = 3;
+  thread_local std::vector<float> apart;
+  apart.resize(n + 2 * kAtOnce);
+  std::size_t before = 0;  // how many are smaller than all of the numbers that are left
+  float low = 0.0f, high = std::nextafter(most, kInfiniteFloat);
+  std::size_t below_low = 0, below_high = n;
+  // Where they are spread so unevenly that guesses on one side leave most of them, the next ones go farther the same
+  // way.
+  bool too_high = false;
+  float pull = 1.0f;
+  const auto set_apart = [&] {
+    n = copy_between(numbers, n, low, high, apart.data());
+    numbers = apart.data(), before = below_low;
+  };
+  for (int i = 0; i < kMostGuesses && below_high - below_low > kAtOnce; ++i) {
+    const auto between = static_cast<float>(below_high - below_low), margin = std::min(4.0f, 0.2f * between);
+    const float share = (static_cast<float>(wanted - below_low) + (i % 2 == 0 ? margin : -margin)) / between;
+    const float guess = low + (too_high ? share * pull : 1.0f - (1.0f - share) * pull) * (high - low);
+    if (!(guess > low && guess < high)) continue;
+    const std::size_t below = before + count_below(numbers, n, guess);
+    const bool again = too_high == (below >= wanted);
+    too_high = below >= wanted;
+    if (too_high) {
+      high = guess, below_high = below;
+    } else {
+      low = guess, below_low = below;
+    }
+    pull = i >= kPatience && again && 2.0f * static_cast<float>(below_high - below_low) > between ? 0.25f * pull : 1.0f;
+    if ((below_high - below_low) * kMuchFewer < n) set_apart();
+  }
+  set_apart();
+  if (n <= kAtOnce) return in_order(apart.data(), wanted - before - 1);
+  const auto last = apart.begin() + static_cast<std::ptrdiff_t>(wanted - before - 1);
+  std::nth_element(apart.begin(), last, apart.begin() + static_cast<std::ptrdiff_t>(n));
+  return *last;
+}
+
+void keep_nearest(PhotonDistances& from, const PhotonMeasure& measure, std::size_t maximum, double& limit,
+                  PhotonDistances& to) {
+  fill_up(from);
+  const float last = find_last(from.squared().data(), from.size(), maximum, PhotonDistances::rounded(limit));
+  const EqualOnes equals = keep_rounded(from, last, to);
+  limit = equals.count == 1 ? measure.squared(to.index()[equals.place]) : drop_farthest(to, last, measure, maximum);
+}
+
+template <bool flat>
+Collected collect_those(const PhotonTree& tree, const PhotonQuery& query, double& limit, PhotonDistances& found) {
+  found.clear();
+  const PhotonCenter center = query.measure.center;
+  const FloatCenter point(center, limit);
+  const std::size_t most = query.maximum < kAnyNumber ? kCrowd * query.maximum + 20 : kAnyNumber;
+  const std::size_t crowd = std::min(most, query.too_many);
+  Collected result = Collected::all;
+  // Candidates side by side.
+  constexpr std::size_t kMostCandidates = 512;
+  struct alignas(64) Candidates {
+    float x[kMostCandidates + 2 * kAtOnce], y[kMostCandidates + 2 * kAtOnce], z[kMostCandidates + 2 * kAtOnce];
+    std::uint32_t index[kMostCandidates + 2 * kAtOnce];
+  } candidates;
+  std::size_t count = 0, wait = std::min(crowd, kMostCandidates);
+  // Those from number `looked_at` on may be hidden.
+  std::size_t looked_at = 0;
+  const Words numbers = Words::load(kNumbers);
+  const Packet cx(center.point.x), cy(center.point.y), cz(center.point.z), nx(center.normal.x), ny(center.normal.y),
+      nz(center.normal.z);
+  const auto measure = [&] {
+    for (float* coordinate : {candidates.x, candidates.y, candidates.z})
+      store(coordinate + count, FloatPacket(kInfiniteFloat));
+    std::size_t n = found.size();
+    found.make_room(n + count);
+    float* const squared = found.squared_data();
+    std::uint32_t* const index = found.index_data();
+    const Packet limits(limit);
+    for (std::size_t i = 0; i < count; i += kEight) {
+      const Packet dx = to_doubles(candidates.x + i) - cx, dy = to_doubles(candidates.y + i) - cy,
+                   dz = to_doubles(candidates.z + i) - cz;
+      Packet s = dx * dx + dy * dy + dz * dz;
+      if (flat) s *= Packet(1.0) + Packet(16.0) * abs(nx * dx + ny * dy + nz * dz);  // else the factor is 1
+      const unsigned which = bits(s < limits);
+      if (flat) s = min(s, Packet(3e38));  // rounded; without a normal none is so far, or it would be no candidate
+      compress(which, to_floats(s), squared + n), compress(which, Words::load(candidates.index + i), index + n);
+      n += static_cast<std::size_t>(std::popcount(which));
+    }
+    found.set_size(n), count = 0;
+    if (query.planes) query.planes->drop_hidden(center.point, query.radius, looked_at, found);
+    looked_at = found.size();
+  };
+  float near_enough = point.plain(limit);
+  const auto look_at = [&, all_leaves = tree.leaves().data(),
+                        firsts = tree.firsts().data()](std::span<const std::uint32_t> leaves) {
+    const FloatPacket x(point.at[0]), y(point.at[1]), z(point.at[2]);
+    const FloatPacket tilt_x(point.normal[0]), tilt_y(point.normal[1]), tilt_z(point.normal[2]);  // times 16
+    FloatPacket near(flat ? point.flattened(limit) : near_enough);
+    Candidates& to = candidates;
+    std::size_t n = count, enough = wait;
+    for (const std::uint32_t number : leaves) {
+      const PhotonLeaf& leaf = all_leaves[number];
+      const std::uint32_t first = firsts[number];
+      _Pragma("GCC unroll 2") for (std::size_t i = 0; i < kAtOnce; i += kEight) {
+        const FloatPacket px = FloatPacket::load(leaf.x.data() + i), py = FloatPacket::load(leaf.y.data() + i),
+                          pz = FloatPacket::load(leaf.z.data() + i);
+        const FloatPacket dx = px - x, dy = py - y, dz = pz - z;
+        FloatPacket squared = dx * dx + dy * dy + dz * dz;
+        if (flat) squared = squared * (FloatPacket(1.0f) + abs(tilt_x * dx + tilt_y * dy + tilt_z * dz));
+        const unsigned which = bits(squared <= near);
+        compress(which, px, to.x + n), compress(which, py, to.y + n), compress(which, pz, to.z + n),
+            compress(which, numbers + Words(first + static_cast<std::uint32_t>(i)), to.index + n);
+        n += static_cast<std::size_t>(std::popcount(which));
+      }
+      if (n < enough) continue;
+      count = n;
+      measure();
+      if (found.size() >= query.too_many) return false;
+      if (found.size() >= most) {
+        keep_nearest(found, query.measure, query.maximum, limit, found);
+        near_enough = point.plain(limit), result = Collected::nearest;
+        looked_at = found.size();
+      }
+      near = FloatPacket(flat ? point.flattened(limit) : near_enough), n = 0,
+      enough = wait = std::min(crowd - found.size(), kMostCandidates);
+    }
+    count = n;
+    return true;
+  };
+  LeafWalk(tree, point, near_enough, look_at);
+  measure();
+  return found.size() >= query.too_many ? Collected::too_many : result;
+}
+
+Collected collect(const PhotonTree& tree, const PhotonQuery& query, double& limit, PhotonDistances& found) {
+  return query.measure.center.normal == Vec3(0.0) ? collect_those<false>(tree, query, limit, found)
+                                                  : collect_those<true>(tree, query, limit, found);
+}
+
+std::size_t reaching(PhotonDistances& list, const float* overhang, double radius, std::uint32_t* places) {
+  constexpr double kRounding = 1e-6;
+  const FloatPacket radii(static_cast<float>(radius * (1.0 - kRounding)));
+  std::size_t found = 0;
+  const std::size_t n = list.size();
+  const float* const squared = list.squared().data();
+  const std::uint32_t* const index = list.index().data();
+  const Words numbers = Words::load(kNumbers);
+  for (std::size_t i = 0; i < n; i += kEight) {
+    const auto left = static_cast<unsigned>(std::min(n - i, kEight));
+    const Words here = Words::load(index + i);  // behind the last one stands anything
+    const FloatPacket over = gather(overhang, select(numbers < Words(left), here, Words(0u)));
+    const FloatPacket rest = radii - over;
+    const unsigned which = bits(rest * abs(rest) <= FloatPacket::load(squared + i)) & ((1u << left) - 1);
+    compress(which, numbers + Words(static_cast<std::uint32_t>(i)), places + found);
+    found += static_cast<std::size_t>(std::popcount(which));
+  }
+  return found;
+}
+
+constexpr PhotonKernels kKernels = {boxes, collect, keep_nearest, keep_within, reaching};
+
+}  // namespace HWY_NAMESPACE
 }  // namespace
-
-void PhotonDistances::grow(std::size_t size) {
-  const std::size_t room = 2 * size + 4 * PhotonLeaf::kAtOnce;
-  squared_.resize(room), index_.resize(room);
-}
-
-void PhotonDistances::erase(std::size_t i) {
-  move(i + 1, size_, i);
-  --size_;
-}
-
-void PhotonDistances::move(std::size_t from, std::size_t end, std::size_t to) {
-  std::copy(squared_.data() + from, squared_.data() + end, squared_.data() + to);
-  std::copy(index_.data() + from, index_.data() + end, index_.data() + to);
-}
-
-const PhotonKernels* photon_kernels(int set) { return set <= simd::best_instruction_set() ? kAll[set] : nullptr; }
-
-const PhotonKernels& photon_kernels() {
-  static const PhotonKernels& best = *kAll[simd::best_instruction_set()];
-  return best;
-}
-
 }  // namespace verisim::global
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::global {
+VERISIM_EXPORT_KERNELS(PhotonKernels, photon_kernels)
+}  // namespace verisim::global
+#endif

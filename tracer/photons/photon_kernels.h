@@ -5,16 +5,11 @@
 // floats, and measured again where these are equal.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <vector>
 
-#include "tracer/photons/photon.h"
-#include "tracer/math/vec.h"
+#include "tracer/photons/photon_distances.h"
 
 namespace verisim::global {
 
@@ -30,58 +25,6 @@ struct alignas(64) PhotonLeaf {
 // Sixteen boxes around photons; those that are left over are empty.
 struct alignas(64) PhotonBoxes {
   std::array<float, PhotonLeaf::kAtOnce> low[3], high[3];
-};
-
-// Where a search is made: distances are flattened along the normal, unless it is zero. Squared distances off the plane
-// through the point are larger by a factor 1 + 16 |normal . delta|.
-struct PhotonCenter {
-  Vec3 point, normal;
-  double squared_distance(const Photon& photon) const {
-    const Vec3 d = Vec3(photon.position[0], photon.position[1], photon.position[2]) - point;
-    return dot(d, d) * (1.0 + 16.0 * std::fabs(dot(normal, d)));
-  }
-};
-
-// Photons of a map, measured from a center.
-struct PhotonMeasure {
-  const Photon* photons;
-  PhotonCenter center;
-  double squared(std::uint32_t number) const { return center.squared_distance(photons[number]); }
-};
-
-// Photons by number, with their flattened distances, squared and rounded.
-class PhotonDistances {
- public:
-  // What is not smaller is not smaller when rounded; all are finite.
-  static float rounded(double squared) { return static_cast<float>(std::min(squared, 3e38)); }
-
-  std::size_t size() const { return size_; }
-  std::span<const float> squared() const { return {squared_.data(), size_}; }
-  std::span<const std::uint32_t> index() const { return {index_.data(), size_}; }
-  void clear() { size_ = 0; }
-  void add(std::uint32_t index, double squared) {
-    make_room(size_ + 1);
-    squared_[size_] = rounded(squared), index_[size_++] = index;
-  }
-  // Takes one out; the others stay in their order.
-  void erase(std::size_t i);
-  // Copies those of [from, end) to places before them.
-  void move(std::size_t from, std::size_t end, std::size_t to);
-
-  // For kernels: room for `size`, and sixteen more that may be written behind the last.
-  void make_room(std::size_t size) {
-    if (size + PhotonLeaf::kAtOnce > index_.size()) grow(size);
-  }
-  float* squared_data() { return squared_.data(); }
-  std::uint32_t* index_data() { return index_.data(); }
-  void set_size(std::size_t size) { size_ = size; }
-
- private:
-  void grow(std::size_t size);
-
-  std::vector<float> squared_;  // these are longer
-  std::vector<std::uint32_t> index_;
-  std::size_t size_ = 0;
 };
 
 struct PhotonQuery {

@@ -1,5 +1,5 @@
 // How much the function of an isosurface bends, place by place: with two values of it, that tells much of what is
-// between them (isosurface_row.inc).
+// between them (isosurface_kernels.cpp).
 #pragma once
 
 #include <array>

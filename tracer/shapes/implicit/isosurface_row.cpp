@@ -1,35 +1,10 @@
 #include "tracer/shapes/implicit/isosurface_row.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <limits>
 
 #include "tracer/functions/program_lanes.h"
-#include "tracer/simd/instruction_sets.h"
-
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
 
 namespace verisim::shapes {
-namespace {
-
-#define VERISIM_KERNELS "tracer/shapes/implicit/isosurface_row.inc"
-#include "tracer/simd/each_instruction_set.inc"
-
-const IsosurfaceKernels* const kAll[simd::kInstructionSets] = VERISIM_KERNEL_TABLES;
-
-}  // namespace
-
-const IsosurfaceKernels* isosurface_kernels(int set) {
-  return set <= simd::best_instruction_set() ? kAll[set] : nullptr;
-}
-
-const IsosurfaceKernels& isosurface_kernels() {
-  static const IsosurfaceKernels& best = *kAll[simd::best_instruction_set()];
-  return best;
-}
 
 const functions::Program* FieldLanes::suitable(const Function* function) {
   const auto* program = dynamic_cast<const functions::Program*>(function);

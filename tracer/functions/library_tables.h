@@ -1,4 +1,4 @@
-// Tables of library_lanes.inc.
+// Tables of library-inl.h.
 #pragma once
 
 // clang-format off

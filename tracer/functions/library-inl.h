@@ -1,0 +1,194 @@
+// sin, cos, atan2 and ln of several numbers, with the bits of the C library. Each is computed as a sum hi + lo that is
+// much more precise than a double; where the library's own error could make it round to the other neighbour, the lane
+// is left to the library. So it does not matter that products are fused here. Included once for each target by kernels,
+// which use it on targets that fuse; without, this is no faster than the library.
+#if defined(VERISIM_FUNCTIONS_LIBRARY_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef VERISIM_FUNCTIONS_LIBRARY_INL_H
+#undef VERISIM_FUNCTIONS_LIBRARY_INL_H
+#else
+#define VERISIM_FUNCTIONS_LIBRARY_INL_H
+#endif
+
+#include <bit>
+#include <cstdint>
+
+#include "tracer/functions/library_tables.h"
+#include "tracer/simd/packet-inl.h"
+
+#if HWY_NATIVE_FMA
+HWY_BEFORE_NAMESPACE();
+namespace verisim::functions {
+namespace {
+namespace HWY_NAMESPACE {
+
+using namespace simd::HWY_NAMESPACE;
+
+// The library's results are within 1/2 + this many units in the last place (the largest known error of glibc 2.28 and
+// later is 0.516 for sine and cosine and 0.524 for atan2, 0.519 for log; the sums here add less than 0.012, 0.002 and
+// 0.006).
+constexpr double kSineError = 0.03, kArcError = 0.03, kLogarithmError = 0.03;
+
+// As many numbers as a register holds, so that all that is known of them stays in registers.
+constexpr int kPart = Packet::kLanes;
+using Part = PacketOf<kPart>;
+using PartMask = MaskOf<kPart>;
+using PartInts = IntPacketOf<kPart>;
+// a b + c and a b - c, fused.
+HWY_INLINE Part multiply_add(const Part& a, const Part& b, const Part& c) {
+  Part r;
+  r.v[0] = hn::MulAdd(a.v[0], b.v[0], c.v[0]);
+  return r;
+}
+HWY_INLINE Part multiply_subtract(const Part& a, const Part& b, const Part& c) {
+  Part r;
+  r.v[0] = hn::MulSub(a.v[0], b.v[0], c.v[0]);
+  return r;
+}
+// Of a table of 16, by the lowest bits of the index.
+HWY_INLINE Part entry(const double* table, const PartInts& index) {
+#if HWY_TARGET == HWY_AVX3
+  Part r;  // Highway 1.0.3 has no lookup in two registers
+  r.v[0].raw = _mm512_permutex2var_pd(_mm512_load_pd(table), index.v[0].raw, _mm512_load_pd(table + 8));
+  return r;
+#else
+  return gather(table, index & PartInts(15));
+#endif
+}
+HWY_INLINE Part with_sign(const Part& v, const PartMask& negative) { return select(negative, -v, v); }
+
+struct Two {
+  Part hi, lo;
+};
+// hi + lo is a + b; |a| >= |b| or a == 0.
+HWY_INLINE Two sum_of(const Part& a, const Part& b) {
+  const Part s = a + b;
+  return {s, b - (s - a)};
+}
+// The same for any order.
+HWY_INLINE Two any_sum_of(const Part& a, const Part& b) {
+  const Part s = a + b, v = s - a;
+  return {s, (a - (s - v)) + (b - v)};
+}
+HWY_INLINE Two product_of(const Part& a, const Part& b) {
+  const Part p = a * b;
+  return {p, multiply_subtract(a, b, p)};
+}
+// hi + lo rounded, and whether all numbers near it round to the same.
+HWY_INLINE PartMask rounds_surely(const Part& hi, const Part& lo, double error, Part& result) {
+  result = hi + lo;
+  const Part power_of_two = number_of(bits_of(result) & PartInts(0x7ff0000000000000)),
+             margin = power_of_two * (error * 0x1p-52);
+  return hi + (lo - margin) == hi + (lo + margin);
+}
+
+constexpr double kRound = 0x1.8p52;  // what is added to it and taken away again is rounded to an integer
+
+// sin (quarter 0) or cos (quarter 1); the lanes that are not sure.
+template <int quarter>
+HWY_INLINE unsigned sine(const Part& given, Part& sines) {
+  // pi/16 in parts: products of the first two with integers below 2^20 are exact.
+  constexpr double kPart1 = 0x1.921fb544p-3, kPart2 = 0x1.0b4611a6p-37, kPart3 = 0x1.3198a2e037073p-72;
+  const PartMask small = abs(given) < 0x1p17;
+  const Part x = select(small, given, Part(0.0));
+  const Part shifted = x * 0x1.45f306dc9c883p2 + kRound, n = shifted - kRound;
+  const PartInts turn = bits_of(shifted) + PartInts(8 * quarter);
+  // x - n pi/16 = r + rl; the first difference is exact.
+  const Two first = any_sum_of(x - n * kPart1, -(n * kPart2));
+  const Two reduced = sum_of(first.hi, first.lo - n * kPart3);
+  const Part r = reduced.hi, rl = reduced.lo, z = r * r, z2 = z * z;
+  const PartMask cancelled = (n != 0.0) & (abs(r) < 0x1p-20);
+  // s cos r + c sin r = s + (c r + ...), s and c from the table.
+  const Part s = entry(functions::kSineOf16ths, turn), s_lo = entry(functions::kSineOf16thsLow, turn);
+  const PartMask opposite = (turn & PartInts(8)) != PartInts(0);
+  const Part c = with_sign(entry(functions::kSineOf16ths, turn + PartInts(8)), opposite),
+             c_lo = with_sign(entry(functions::kSineOf16thsLow, turn + PartInts(8)), opposite);
+  const Part sine_high = multiply_add(Part(-1 / 39916800.0), z, Part(1 / 362880.0)),
+             sine_middle = multiply_add(Part(-1 / 5040.0), z, Part(1 / 120.0));
+  const Part sine_part = multiply_add(multiply_add(sine_high, z2, sine_middle), z, Part(-1 / 6.0)) * (r * z);
+  const Part cosine_high = multiply_add(Part(-1 / 3628800.0), z, Part(1 / 40320.0)),
+             cosine_middle = multiply_add(Part(-1 / 720.0), z, Part(1 / 24.0));
+  const Part cosine_part = multiply_add(multiply_add(cosine_high, z2, cosine_middle), z, Part(-1 / 2.0)) * z;
+  const Two linear = product_of(c, r), sum = sum_of(s, linear.hi);
+  const Part small_parts = multiply_add(c, rl, multiply_add(c_lo, r, s_lo));
+  Part result;
+  const PartMask sure = rounds_surely(
+      sum.hi, sum.lo + (linear.lo + multiply_add(c, sine_part, multiply_add(s, cosine_part, small_parts))), kSineError,
+      result);
+  const Part turned = with_sign(result, (turn & PartInts(16)) != PartInts(0));
+  sines = quarter == 0 ? select(x == 0.0, x, turned) : turned;  // the sign of zero
+  return bits(~(small & sure & ~cancelled));
+}
+
+// Nearly: within a unit in the last place is good enough.
+template <bool Nearly>
+HWY_INLINE unsigned arc(const Part& y, const Part& x, Part& angles) {
+  const Part ax = abs(x), ay = abs(y);
+  const PartMask steep = ay > ax;
+  const Part longer = select(steep, ay, ax), shorter = select(steep, ax, ay);
+  const PartMask usual = (longer < 0x1p300) & (shorter > 0x1p-300);
+  const Part d = select(usual, longer, Part(1.0)), n = select(usual, shorter, Part(0.0));
+  // atan(n / d) = atan c + atan u, u = (n - c d) / (d + c n), c the nearest 64th.
+  const Part shifted = n / d * 64.0 + kRound, c = (shifted - kRound) * (1.0 / 64);
+  const PartInts place = bits_of(shifted) - bits_of(Part(kRound));
+  const Two cd = product_of(c, d), cn = product_of(c, n), over = any_sum_of(n - cd.hi, -cd.lo);
+  Two under = sum_of(d, cn.hi);
+  under.lo += cn.lo;
+  const Part inverse = 1.0 / under.hi, u = over.hi * inverse;
+  const Two back = product_of(u, under.hi);
+  const Part ul = (((over.hi - back.hi) - back.lo) + (over.lo - u * under.lo)) * inverse;
+  const Part z = u * u, cubic = (u * z) * multiply_add(z * z, multiply_add(z, Part(1.0 / 9), Part(-1.0 / 7)),
+                                                       multiply_add(z, Part(1.0 / 5), Part(-1.0 / 3)));
+  const PartInts pair = place + place;
+  const Part known = gather(&functions::kArcOf64ths[0].hi, pair),
+             known_lo = gather(&functions::kArcOf64ths[0].hi, pair + PartInts(1));
+  const Two acute = sum_of(known, u);
+  const Part acute_lo = acute.lo + (known_lo + (ul + cubic));
+  // By octant: base + acute or base - acute.
+  const PartMask left = bits_of(x) < PartInts(0), minus = steep ^ left;
+  const Part base = select(steep, Part(0x1.921fb54442d18p0), select(left, Part(0x1.921fb54442d18p1), Part(0.0)));
+  const Part base_lo = select(steep, Part(0x1.1a62633145c07p-54), select(left, Part(0x1.1a62633145c07p-53), Part(0.0)));
+  const Two sum = sum_of(base, with_sign(acute.hi, minus));
+  Part result;
+  const PartMask sure = rounds_surely(sum.hi, sum.lo + (base_lo + with_sign(acute_lo, minus)), kArcError, result);
+  angles = with_sign(result, bits_of(y) < PartInts(0));
+  return bits(Nearly ? ~usual : ~(usual & sure));
+}
+
+HWY_INLINE unsigned logarithm(const Part& given, Part& logarithms) {
+  constexpr double kLn2 = 0x1.62e42fefa3800p-1,
+                   kLn2Low = 0x1.ef35793c76730p-45;  // the product of the first with an exponent is exact
+  const PartMask usual = (given > 0x1p-1000) & (given < 0x1p1000);
+  const Part x = select(usual, given, Part(1.0));
+  // x = 2^e m with m from 11/16 to 11/8.
+  const PartInts exponent = shift_right<52>(bits_of(x) - PartInts(0x3fe6000000000000)),
+                 place = bits_of(x) - shift_left<52>(exponent);
+  const Part e = number_of(exponent + PartInts(std::bit_cast<std::int64_t>(kRound))) - kRound, m = number_of(place);
+  // c m = 1 + r + rl: ln x = e ln 2 - ln c + ln(1 + r + rl), where c is 1 and e is 0 near 1.
+  const PartInts index = shift_right<48>(place);
+  const Two scaled = product_of(entry(functions::kReciprocals, index), m);
+  const Part r = scaled.hi - 1.0, rl = scaled.lo;
+  const Two square = product_of(r, r);
+  const Part z = square.hi, z2 = z * z, z4 = z2 * z2;
+  const auto pair = [&](double low, double high)
+                        VERISIM_INLINE_LAMBDA { return multiply_add(Part(high), r, Part(low)); };
+  const Part low = multiply_add(pair(1.0 / 5, -1.0 / 6), z, pair(1.0 / 3, -1.0 / 4)),
+             middle = multiply_add(pair(1.0 / 9, -1.0 / 10), z, pair(1.0 / 7, -1.0 / 8)),
+             high = multiply_add(pair(1.0 / 13, -1.0 / 14), z, pair(1.0 / 11, -1.0 / 12)),
+             last = pair(1.0 / 15, -1.0 / 16);
+  const Part cubic = multiply_add(multiply_add(last, z2, high), z4, multiply_add(middle, z2, low)) * (z * r);
+  const Two one_plus = sum_of(r, z * -0.5);
+  const Part one_plus_lo = one_plus.lo + (cubic + multiply_add(square.lo, Part(-0.5), multiply_add(rl, -r, rl)));
+  const Two known = sum_of(e * kLn2, entry(functions::kLogarithms, index)), sum = sum_of(known.hi, one_plus.hi);
+  const Part lo =
+      sum.lo + (known.lo + (multiply_add(e, Part(kLn2Low), entry(functions::kLogarithmsLow, index)) + one_plus_lo));
+  const PartMask sure = rounds_surely(sum.hi, lo, kLogarithmError, logarithms);
+  return bits(~(usual & sure));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::functions
+HWY_AFTER_NAMESPACE();
+#endif  // HWY_NATIVE_FMA
+
+#endif

@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "tracer/functions/program_lanes.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/functions/program_kernels.cpp"
+#include "tracer/simd/each_target.h"
+
+#include "tracer/functions/library-inl.h"
+#include "tracer/functions/near_sine-inl.h"
+#include "tracer/simd/kernel_table.h"
+#include "tracer/simd/packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim::functions {
+namespace {
+namespace HWY_NAMESPACE {
+
+using namespace simd::HWY_NAMESPACE;
+
+HWY_INLINE Packet truth(const Mask& m) { return select(m, Packet(1.0), Packet(0.0)); }
+
+// The operations that are single instructions; same rules as apply<>.
+template <Code C>
+constexpr bool kSimple =
+    C == Code::add || C == Code::subtract || C == Code::multiply || C == Code::divide || C == Code::less ||
+    C == Code::less_equal || C == Code::equal || C == Code::not_equal || C == Code::greater_equal ||
+    C == Code::greater || C == Code::minimum || C == Code::maximum || C == Code::negate || C == Code::abs ||
+    C == Code::degrees || C == Code::radians || C == Code::move;
+
+template <Code C>
+HWY_INLINE Packet apply_vector(const Packet& a, const Packet& b) {
+  if constexpr (C == Code::add)
+    return a + b;
+  else if constexpr (C == Code::subtract)
+    return a - b;
+  else if constexpr (C == Code::multiply)
+    return a * b;
+  else if constexpr (C == Code::divide)
+    return a / b;
+  else if constexpr (C == Code::less)
+    return truth(a < b);
+  else if constexpr (C == Code::less_equal)
+    return truth(a <= b);
+  else if constexpr (C == Code::equal)
+    return truth(a == b);
+  else if constexpr (C == Code::not_equal)
+    return truth(~(a == b));
+  else if constexpr (C == Code::greater_equal)
+    return truth(~(a < b));
+  else if constexpr (C == Code::greater)
+    return truth(~(a <= b));
+  else if constexpr (C == Code::minimum)
+    return select(b >= a, a, b);
+  else if constexpr (C == Code::maximum)
+    return select(b > a, b, a);
+  else if constexpr (C == Code::negate)
+    return -a;
+  else if constexpr (C == Code::abs)
+    return abs(a);
+  else if constexpr (C == Code::degrees)
+    return a * (180.0 / 3.14159265358979323846);
+  else if constexpr (C == Code::radians)
+    return a * (3.14159265358979323846 / 180.0);
+  else
+    return a;
+}
+
+// What the lanes of `asked` cannot do together.
+template <Code C>
+HWY_INLINE void one_by_one(double* to, const double* a, const double* b, std::uint64_t asked) {
+  for (; asked != 0; asked &= asked - 1) {
+    const int k = std::countr_zero(asked);
+    to[k] = apply<C>(a[k], b[k]);
+  }
+}
+
+template <Code C, bool Nearly>
+HWY_INLINE void eight(double* to, const double* a, const double* b, std::uint64_t asked) {
+  if constexpr (kSimple<C>) {
+    store(to, apply_vector<C>(load(a), load(b)));
+  } else if constexpr (C == Code::sqrt) {
+    store(to, sqrt(load(a)));
+  } else if constexpr (Nearly && (C == Code::sin || C == Code::cos)) {
+    store(to, near_sine<C == Code::cos>(load(a)));
+#if HWY_NATIVE_FMA
+  } else if constexpr (C == Code::sin || C == Code::cos || C == Code::atan2 || C == Code::ln) {
+    for (int n = 0; n < kLanes; n += kPart) {
+      const Part first = Part::load(a + n), second = Part::load(b + n);
+      Part result;
+      unsigned unsure;
+      if constexpr (C == Code::atan2)
+        unsure = arc<Nearly>(first, second, result);
+      else if constexpr (C == Code::ln)
+        unsure = logarithm(first, result);
+      else
+        unsure = sine<C == Code::cos>(first, result);
+      store(to + n, result);
+      for (unsure &= static_cast<unsigned>(asked >> n); unsure != 0; unsure &= unsure - 1) {
+        const int k = std::countr_zero(unsure);
+        to[n + k] = apply<C>(first[k], second[k]);
+      }
+    }
+#endif
+  } else {
+    one_by_one<C>(to, a, b, asked);
+  }
+}
+
+template <Code C, int Width, bool Nearly>
+HWY_INLINE void operate(double* to, const double* a, const double* b, std::uint64_t asked) {
+  for (int k = 0; k < Width; k += kLanes) eight<C, Nearly>(to + k, a + k, b + k, asked >> k & 255);
+}
+
+template <int Width>
+void call_function(const Call& call, double* r, std::uint64_t asked) {
+  constexpr std::size_t kMost = 8;  // arguments that are handed over for all points at once
+  const std::size_t inputs = call.arguments.size();
+  const auto outputs = static_cast<std::size_t>(call.function->components());
+  double* const results = r + std::size_t{call.results} * Width;
+  if (inputs <= kMost) {
+    // Side by side, without gaps.
+    double arguments[Width * kMost], values[Width * kMaxFunctionComponents];
+    if (Width == kLanes && asked == 255) {
+      for (std::size_t p = 0; p < inputs; ++p)
+        store(arguments + p * Width, load(r + std::size_t{call.arguments[p]} * Width));
+      call.function->evaluate_batch(arguments, Width, Width, results);
+      return;
+    }
+    std::size_t count = 0;
+    for (std::uint64_t lanes = asked; lanes != 0; lanes &= lanes - 1, ++count)
+      for (std::size_t p = 0; p < inputs; ++p)
+        arguments[p * Width + count] =
+            r[std::size_t{call.arguments[p]} * Width + static_cast<std::size_t>(std::countr_zero(lanes))];
+    call.function->evaluate_batch(arguments, Width, count, values);
+    count = 0;
+    for (std::uint64_t lanes = asked; lanes != 0; lanes &= lanes - 1, ++count)
+      for (std::size_t c = 0; c < outputs; ++c)
+        results[c * Width + static_cast<std::size_t>(std::countr_zero(lanes))] = values[c * Width + count];
+    return;
+  }
+  double values[kMaxFunctionComponents], point[kMaxFunctionParameters];
+  for (; asked != 0; asked &= asked - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(asked));
+    for (std::size_t p = 0; p < inputs; ++p) point[p] = r[std::size_t{call.arguments[p]} * Width + k];
+    call.function->evaluate({point, inputs}, values);
+    for (std::size_t c = 0; c < outputs; ++c) results[c * Width + k] = values[c];
+  }
+}
+
+template <int Width, bool Nearly>
+void run(std::span<const Instruction> code, std::span<const Call> calls, double* r, std::uint64_t asked) {
+  for (const Instruction& i : code) {
+    double* const to = r + std::size_t{i.to} * Width;
+    const double* const a = r + std::size_t{i.a} * Width;
+    const double* const b = r + std::size_t{i.b} * Width;
+    switch (i.code) {
+#define VERISIM_OPERATE(NAME)                            \
+  case Code::NAME:                                       \
+    operate<Code::NAME, Width, Nearly>(to, a, b, asked); \
+    break;
+      // clang-format off
+      VERISIM_OPERATE(add) VERISIM_OPERATE(subtract) VERISIM_OPERATE(multiply) VERISIM_OPERATE(divide)
+      VERISIM_OPERATE(less) VERISIM_OPERATE(less_equal) VERISIM_OPERATE(equal) VERISIM_OPERATE(not_equal)
+      VERISIM_OPERATE(greater_equal) VERISIM_OPERATE(greater) VERISIM_OPERATE(logic_and) VERISIM_OPERATE(logic_or)
+      VERISIM_OPERATE(minimum) VERISIM_OPERATE(maximum) VERISIM_OPERATE(atan2) VERISIM_OPERATE(mod)
+      VERISIM_OPERATE(div) VERISIM_OPERATE(pow) VERISIM_OPERATE(negate) VERISIM_OPERATE(abs) VERISIM_OPERATE(acos)
+      VERISIM_OPERATE(acosh) VERISIM_OPERATE(asin) VERISIM_OPERATE(asinh) VERISIM_OPERATE(atan) VERISIM_OPERATE(atanh)
+      VERISIM_OPERATE(ceil) VERISIM_OPERATE(cos) VERISIM_OPERATE(cosh) VERISIM_OPERATE(degrees) VERISIM_OPERATE(exp)
+      VERISIM_OPERATE(floor) VERISIM_OPERATE(integer) VERISIM_OPERATE(ln) VERISIM_OPERATE(log)
+      VERISIM_OPERATE(radians) VERISIM_OPERATE(sin) VERISIM_OPERATE(sinh) VERISIM_OPERATE(sqrt) VERISIM_OPERATE(tan)
+      VERISIM_OPERATE(tanh) VERISIM_OPERATE(move)
+      // clang-format on
+#undef VERISIM_OPERATE
+                                                      case Code::select : {
+        const double *c = r + std::size_t{i.c} * Width, *d = r + std::size_t{i.d} * Width;
+        for (int k = 0; k < Width; k += kLanes) {
+          const Packet s = load(a + k), zero(0.0);
+          store(to + k, select(s < zero, load(b + k), select(s == zero, load(c + k), load(d + k))));
+        }
+        break;
+      }
+      case Code::call:
+        call_function<Width>(calls[i.a], r, asked);
+        break;
+      default:
+        break;  // programs with jumps never get here
+    }
+  }
+}
+
+constexpr LaneKernels kKernels{run<LaneKernels::kNarrow, false>, run<LaneKernels::kNarrow, true>,
+                               run<LaneKernels::kBroad, false>, run<LaneKernels::kWide, false>};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::functions
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::functions {
+VERISIM_EXPORT_KERNELS(LaneKernels, lane_kernels)
+}  // namespace verisim::functions
+#endif

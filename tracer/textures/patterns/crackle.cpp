@@ -65,7 +65,7 @@ Nearest nearest_three(const Vec3& p, Metric metric, bool bounded) {
   return best;
 }
 
-const CrackleKernels& kernels = crackle_kernels(simd::best_instruction_set());
+const CrackleKernels& kernels = crackle_kernels();
 
 // A point's cell and its place within.
 struct CellPlace {

@@ -24,7 +24,7 @@ void fill(CrackleCell& cell, CrackleMetric metric, std::int64_t a, std::int64_t 
 
   // A point that is farther from the whole cell than three others are from any place in it is never among the nearest
   // three. Places may lie beyond the cell's faces by the epsilon of POV-Ray's floor.
-  const CrackleKernels& kernels = crackle_kernels(simd::best_instruction_set());
+  const CrackleKernels& kernels = crackle_kernels();
   alignas(64) double at_least[CrackleCell::kMost];
   const double limit =
       (metric == CrackleMetric::squares ? kernels.bound_squares : kernels.bound_sums)(all, at_least) * (1 + 1e-8) +

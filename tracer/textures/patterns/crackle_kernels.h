@@ -2,7 +2,6 @@
 #pragma once
 
 #include "tracer/math/vec.h"
-#include "tracer/simd/instruction_sets.h"
 #include "tracer/textures/patterns/crackle_cells.h"
 
 namespace verisim::textures {
@@ -28,7 +27,8 @@ struct CrackleKernels {
   double (*bound_squares)(const CrackleCell& cell, double* at_least);
   double (*bound_sums)(const CrackleCell& cell, double* at_least);
 };
-// `set` must not be beyond best_instruction_set().
-const CrackleKernels& crackle_kernels(simd::InstructionSet set);
+// Those of the best instruction set of this machine; of any set, for tests; null: this machine cannot run it.
+const CrackleKernels& crackle_kernels();
+const CrackleKernels* crackle_kernels(int instruction_set);
 
 }  // namespace verisim::textures

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "tracer/simd/instruction_sets.h"
 #include "tracer/textures/patterns/crackle_kernels.h"
 #include "tracer/textures/patterns/crackle_offsets.h"
 
@@ -32,7 +33,7 @@ TEST(Crackle, RemembersEveryPointThatCanBeAmongTheNearestThree) {
       std::partial_sort(all.begin(), all.begin() + 3, all.end());
       const CrackleCell& cell = crackle_cell(metric, a, b, c);
       for (int set = 0; set <= simd::best_instruction_set(); ++set) {
-        const CrackleKernels& kernels = crackle_kernels(static_cast<simd::InstructionSet>(set));
+        const CrackleKernels& kernels = *crackle_kernels(set);
         const NearestThree nearest =
             metric == CrackleMetric::squares ? kernels.squares(cell, place) : kernels.sums(cell, place);
         for (int k = 0; k < 3; ++k) ASSERT_EQ(nearest.s[k], all[k]) << "instruction set " << set;

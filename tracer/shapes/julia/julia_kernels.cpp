@@ -1,0 +1,333 @@
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "tracer/shapes/julia/julia_lanes.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/shapes/julia/julia_kernels.cpp"
+#include "tracer/simd/each_target.h"
+
+#include "tracer/functions/library-inl.h"
+#include "tracer/simd/kernel_table.h"
+#include "tracer/simd/packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim::shapes::julia {
+namespace {
+namespace HWY_NAMESPACE {
+
+using namespace simd::HWY_NAMESPACE;
+
+// ---- how rays of a row meet the cells of a grid
+// Of numbers from 0 to 2^51.
+HWY_INLINE IntPacket whole_part(const Packet& v) {
+  constexpr double kShift = 0x1p52;
+  const Packet shifted = v + kShift;
+  const IntPacket whole = bits_of(shifted) - IntPacket(std::bit_cast<std::int64_t>(kShift));
+  return select(shifted - kShift > v, whole - IntPacket(1), whole);
+}
+
+HWY_INLINE Packet number_of_cells(const IntPacket& count) {
+  constexpr double kShift = 0x1p52;
+  return number_of(count + IntPacket(std::bit_cast<std::int64_t>(kShift))) - kShift;
+}
+
+// The lanes whose row of cells has bit `place`.
+HWY_INLINE Mask has_bit(const BasicPacket<std::uint64_t, simd::HWY_NAMESPACE::kLanes>& row, const IntPacket& place) {
+  using Row = BasicPacket<std::uint64_t, simd::HWY_NAMESPACE::kLanes>;
+  constexpr int kVectors = Row::kVectors;
+  Row moved;
+  VERISIM_EACH_VECTOR moved.v[i] = row.v[i] >> hn::BitCast(Row::D(), place.v[i]);
+  return (moved & Row(1u)) == Row(1u);
+}
+
+// Map::last for the lanes of `active`: a walk through the grid from the far end.
+HWY_INLINE Packet last_cell(const Grid& grid, const LocalLanes& rays, Packet begin, Packet end, Mask active) {
+  constexpr int kSide = Grid::kSide;
+  const Packet none = Packet(-1.0);
+  if (grid.box.isEmpty()) return none;
+  const Packet o[3] = {load(rays.ox), load(rays.oy), load(rays.oz)},
+               d[3] = {load(rays.dx), load(rays.dy), load(rays.dz)};
+  for (int k = 0; k < 3; ++k) {
+    const Mask across = d[k] != 0.0;
+    active &= across | ((o[k] >= grid.box.min[k]) & (o[k] <= grid.box.max[k]));
+    const Packet a = (grid.box.min[k] - o[k]) / d[k], b = (grid.box.max[k] - o[k]) / d[k];
+    begin = select(across, max(begin, min(a, b)), begin), end = select(across, min(end, max(a, b)), end);
+  }
+  active &= begin <= end;
+  // Where the ray, seen from its end, leaves the cell; the length of a cell along it.
+  Packet next[3], delta[3];
+  IntPacket cell[3], step[3];
+  for (int k = 0; k < 3; ++k) {
+    const Packet place = (o[k] + end * d[k] - grid.low) / grid.cell;
+    const Mask across = d[k] != 0.0, forward = d[k] > 0.0;
+    cell[k] = whole_part(select(active, min(max(Packet(0.0), place), Packet(kSide - 1.0)), Packet(0.0)));
+    step[k] = select(forward, IntPacket(-1), IntPacket(1));
+    const Packet wall =
+        grid.low + grid.cell * select(forward, number_of_cells(cell[k]), number_of_cells(cell[k]) + 1.0);
+    next[k] = select(across, (wall - o[k]) / d[k], Packet(-1e300));
+    delta[k] = select(across, grid.cell / abs(d[k]), Packet(0.0));
+  }
+  Packet t = end, result = none;
+  for (;;) {
+    static_assert(kSide == 1 << 5);
+    const Mask found = active & has_bit(gather(grid.rows, shift_left<5>(cell[2]) + cell[1], active), cell[0]);
+    result = select(found, t, result);
+    active &= ~found;
+    const Mask x_y = next[0] > next[1], x_z = next[0] > next[2], y_z = next[1] > next[2];
+    const Mask nearest[3] = {x_y & x_z, ~x_y & y_z, ~((x_y & x_z) | (~x_y & y_z))};
+    t = select(nearest[0], next[0], select(nearest[1], next[1], next[2]));
+    active &= t > begin;
+    for (int k = 0; k < 3; ++k) {
+      cell[k] = select(nearest[k], cell[k] + step[k], cell[k]);
+      active &= (cell[k] & IntPacket(~static_cast<std::int64_t>(kSide - 1))) == IntPacket(0);
+      next[k] = select(nearest[k], next[k] - delta[k], next[k]);
+    }
+    if (bits(active) == 0) return result;
+  }
+}
+
+// JuliaFractal::enters for eight rays.
+unsigned enter(const Grid& grid, double radius, const LocalLanes& l, unsigned asked, const double* t_max, Row& row) {
+  const Packet ox = load(l.ox), oy = load(l.oy), oz = load(l.oz), dx = load(l.dx), dy = load(l.dy), dz = load(l.dz);
+  const Packet closest = -(ox * dx + oy * dy + oz * dz), distance2 = ox * ox + oy * oy + oz * oz,
+               half2 = radius * radius - distance2 + closest * closest;
+  const Mask meets =
+      Mask::of_bits(asked) & (half2 > kEpsilon) & ~((closest < kEpsilon) & (distance2 >= radius * radius));
+  const Packet half = sqrt(select(meets, half2, Packet(0.0))), end = closest + half,
+               begin = max(closest - half, Packet(kFine));
+  const Mask ahead = meets & (end >= kFine);
+  const Packet last = last_cell(grid, l, begin, end, ahead);
+  for (int axis = 0; axis < 3; ++axis) {
+    store(row.rays.origin[axis], axis == 0 ? ox : axis == 1 ? oy : oz);
+    store(row.rays.direction[axis], axis == 0 ? dx : axis == 1 ? dy : dz);
+  }
+  store(row.stretch.begin, begin), store(row.stretch.end, end), store(row.stretch.last, last);
+  store(row.stretch.limit, load(t_max) * load(l.scale) * (1 + 1e-9));
+  return bits(ahead & ~(last < 0.0));
+}
+
+// ---- the iteration
+constexpr unsigned kAll = (1u << kLanes) - 1;
+
+struct Numbers {
+  Packet x, y, z, w;
+};
+
+HWY_INLINE Packet norm2(const Numbers& h) { return h.x * h.x + (h.y * h.y + h.z * h.z + h.w * h.w); }
+HWY_INLINE Numbers product(const Numbers& a, const Numbers& b) {
+  return {a.x * b.x - a.y * b.y - a.z * b.z + a.w * b.w, a.y * b.x + a.x * b.y - a.w * b.z - a.z * b.w,
+          a.z * b.x - a.w * b.y + a.x * b.z - a.y * b.w, a.w * b.x + a.z * b.y + a.y * b.z + a.x * b.w};
+}
+
+template <Kind K>
+HWY_INLINE Numbers next(const Numbers& h, const Number& c) {
+  Numbers r;
+  if constexpr (K == Kind::quaternion_square) {
+    const Packet q = h.y * h.y + h.z * h.z + h.w * h.w, t = 2 * h.x;
+    r = {h.x * h.x - q, t * h.y, t * h.z, t * h.w};
+  } else if constexpr (K == Kind::quaternion_cube) {
+    const Packet q = h.y * h.y + h.z * h.z + h.w * h.w, x2 = h.x * h.x, t = 3 * x2 - q;
+    r = {h.x * (x2 - 3 * q), h.y * t, h.z * t, h.w * t};
+  } else {
+    r = product(h, h);
+  }
+  return {r.x + c.x, r.y + c.y, r.z + c.z, r.w + c.w};
+}
+
+// Points of one ray.
+struct OneRay {
+  const Vec3 &origin, &direction;
+  HWY_INLINE Packet at(int axis, const Packet& t) const { return origin[axis] + t * direction[axis]; }
+  HWY_INLINE Packet along(const Packet& x, const Packet& y, const Packet& z) const {
+    return x * direction.x + y * direction.y + z * direction.z;
+  }
+};
+// One point of each ray.
+struct EachRay {
+  const Rays& rays;
+  HWY_INLINE Packet at(int axis, const Packet& t) const {
+    return load(rays.origin[axis]) + t * load(rays.direction[axis]);
+  }
+  HWY_INLINE Packet along(const Packet& x, const Packet& y, const Packet& z) const {
+    return x * load(rays.direction[0]) + y * load(rays.direction[1]) + z * load(rays.direction[2]);
+  }
+};
+
+template <class Source>
+HWY_INLINE Numbers start(const Field& f, const Source& rays, const Packet& t) {
+  const Packet x = rays.at(0, t), y = rays.at(1, t), z = rays.at(2, t);
+  return {x, y, z, (f.slice_distance - f.slice.x * x - f.slice.y * y - f.slice.z * z) / f.slice_w};
+}
+
+template <Kind K>
+HWY_INLINE unsigned inside_of(const Field& f, const Vec3& o, const Vec3& d, const double* t) {
+  Numbers h = start(f, OneRay{o, d}, load(t));
+  Mask out = Mask::of_bits(0);
+  for (int i = 1; i <= f.iterations; ++i) {
+    out = out | (norm2(h) > f.escape);
+    if (bits(out) == kAll) return 0;
+    h = next<K>(h, f.parameter);
+  }
+  return ~bits(out) & kAll;
+}
+
+// The library's, of the lanes that are asked for.
+HWY_INLINE Packet logarithms(const Packet& v, unsigned asked) {
+  alignas(64) double of[kLanes], values[kLanes] = {};
+  store(of, v);
+#if HWY_NATIVE_FMA
+  namespace library = functions::HWY_NAMESPACE;
+  unsigned unsure = 0;
+  for (int n = 0; n < kLanes; n += library::kPart) {
+    library::Part part;
+    unsure |= library::logarithm(library::Part::load(of + n), part) << n;
+    store(values + n, part);
+  }
+  asked &= unsure;
+#endif
+  for (; asked != 0; asked &= asked - 1) {
+    const int k = std::countr_zero(asked);
+    values[k] = std::log(of[k]);
+  }
+  return load(values);
+}
+
+struct Marched {
+  Mask inside;
+  Packet estimate;
+};
+
+// At one point of each ray that is asked for; estimates only where they are asked for.
+template <Kind K, class Source>
+HWY_INLINE Marched march_of(const Field& f, const Source& rays, const Packet& t, const Mask& asked,
+                            const Mask& estimated) {
+  constexpr bool kQuaternion = K != Kind::hypercomplex_square;
+  Numbers h = start(f, rays, t);
+  Mask out = ~asked;
+  // Of each lane when it escapes: |h|^2 and, for quaternions, the product of all |h|^2 before and k^steps; for others
+  // the slope along the ray.
+  const Packet one = Packet(1.0);
+  Packet q(0.0), product2 = one, power = one, slope(0.0);
+  Packet running2 = one;
+  double running_power = 1, scale = 2;
+  Numbers m = h;
+  for (int i = 1; i <= f.iterations; ++i) {
+    const Packet n2 = norm2(h);
+    const Mask now = (n2 > f.escape) & ~out;
+    if constexpr (kQuaternion) {
+      running2 = running2 * n2;
+      running_power = running_power * (K == Kind::quaternion_cube ? 1.0 / 3 : 1.0 / 2);
+      product2 = select(now, running2, product2);
+      power = select(now, Packet(running_power), power);
+    } else {
+      if (bits(now) != 0) {
+        Numbers n = h;
+        if (f.doubled) n = {n.x * scale, n.y * scale, n.z * scale, n.w * scale};
+        const Packet vx = m.x * n.x + m.y * n.y + m.z * n.z + m.w * n.w,
+                     vy = -m.y * n.x + m.x * n.y - m.w * n.z + m.z * n.w,
+                     vz = -m.z * n.x - m.w * n.y + m.x * n.z + m.y * n.w;
+        slope = select(now, rays.along(vx, vy, vz), slope);
+      }
+      if (i > 1) {
+        m = product(h, m);
+        scale *= 2;
+      }
+    }
+    q = select(now, n2, q);
+    out = out | now;
+    if (bits(out) == kAll) break;
+    h = next<K>(h, f.parameter);
+  }
+  const Packet smallest = Packet(f.precision);
+  Marched result{~out, smallest};
+  if constexpr (kQuaternion) {
+    const Packet root = power * sqrt(q / product2);
+    // ln q <= q - 1 spares most of the logarithms.
+    const Mask far = estimated & out & (root * (q - 1.0) > f.precision);
+    if (const unsigned lanes = bits(far); lanes != 0)
+      result.estimate = select(far, root * logarithms(q, lanes), smallest);
+  } else {
+    const Packet decrease = -2.0 * slope;
+    const Mask near = out & (slope < -1e-8) & (f.precision * decrease < q) & (q < 30 * f.precision * decrease);
+    result.estimate = select(near, q / decrease, smallest);
+  }
+  return result;
+}
+
+template <Kind K>
+HWY_INLINE unsigned march_one(const Field& f, const Vec3& o, const Vec3& d, const double* t, double* estimate) {
+  const Mask all = Mask::all();
+  const Marched at = march_of<K>(f, OneRay{o, d}, load(t), all, all);
+  store(estimate, at.estimate);
+  return bits(at.inside);
+}
+
+// All rays evaluate one point at a time, whatever they are about: the first point, a step, or a halving.
+template <Kind K>
+HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Stretch& stretch, unsigned asked, double* depths) {
+  const Packet end = load(stretch.end), last = load(stretch.last), limit = load(stretch.limit);
+  const Mask none = Mask::of_bits(0);
+  Mask active = Mask::of_bits(asked), first = active, again = none, halving = none, in = none, found = none;
+  Packet at = load(stretch.begin), base(0.0), width(0.0), depth(0.0);
+  while (bits(active) != 0) {
+    const Marched now = march_of<K>(f, EachRay{rays}, at, active, active & ~halving);
+    const Mask same = ~(now.inside ^ in);
+    const Mask halved = active & halving, began = active & first, began_in = began & now.inside,
+               entered = active & again, walked = active & ~(halving | first | again);
+    // A ray that begins inside looks a little farther on once more.
+    first = none;
+    again = began_in;
+    in = (in | began_in) & ~(entered & ~now.inside);
+    const Mask steps = (began & ~now.inside) | entered | (walked & same), changed = walked & ~same;
+    base = select(steps | (halved & same), at, base);
+    width = select(steps, select(now.estimate < f.precision, Packet(f.precision), now.estimate), width);
+    // The state changes between base and base + width.
+    halving = halving | changed;
+    const Mask fine = width > kFine, halves = (halved | changed) & fine, done = (halved | changed) & ~fine;
+    width = select(halves, width / 2.0, width);
+    depth = select(done, select(in, base, base + width), depth);
+    found = found | done;
+    at = select(steps | halves, base + width, select(began_in, at + 2 * kFine, at));
+    const Mask useful = (base <= last) & (base <= limit) & (at <= end);
+    active &= ~(done | (began_in & (at > end)) | (steps & ~useful));
+  }
+  store(depths, depth);
+  return bits(found);
+}
+
+template <class Work>
+HWY_INLINE unsigned with_kind(const Field& f, Work&& work) {
+  switch (f.kind) {
+    case Kind::quaternion_square:
+      return work.template operator()<Kind::quaternion_square>();
+    case Kind::quaternion_cube:
+      return work.template operator()<Kind::quaternion_cube>();
+    default:
+      return work.template operator()<Kind::hypercomplex_square>();
+  }
+}
+
+unsigned inside_lanes(const Field& f, const Vec3& o, const Vec3& d, const double* t) {
+  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return inside_of<K>(f, o, d, t); });
+}
+unsigned march_lanes(const Field& f, const Vec3& o, const Vec3& d, const double* t, double* estimate) {
+  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return march_one<K>(f, o, d, t, estimate); });
+}
+unsigned first_crossings(const Field& f, const Rays& rays, const Stretch& stretch, unsigned asked, double* depth) {
+  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return cross<K>(f, rays, stretch, asked, depth); });
+}
+
+constexpr Kernels kKernels{inside_lanes, march_lanes, enter, first_crossings};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::shapes::julia
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::shapes::julia {
+VERISIM_EXPORT_KERNELS(Kernels, kernels)
+}  // namespace verisim::shapes::julia
+#endif

@@ -4,16 +4,28 @@
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #include <sys/mman.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
+#include <exception>
 #include <new>
 
+#include "cli/console/exit_status.h"
 #include "tracer/base/resident_memory.h"
 
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
 constexpr std::size_t kLarge = 2 * kHugePage;
+constexpr int kNoMemory = verisim::cli::kInputOutput;
+
+std::atomic<bool> refused{false};  // a block, at some time
+[[noreturn]] void refuse() {
+  refused = true;
+  throw std::bad_alloc();
+}
 
 // Blocks of any alignment: what free() takes, so that delete need not know which they are.
 void* allocate(std::size_t size, std::size_t alignment) {
@@ -23,7 +35,7 @@ void* allocate(std::size_t size, std::size_t alignment) {
       const std::size_t limit = verisim::memory_limit.load(std::memory_order_relaxed);
       if (size > ~std::size_t{0} - kHugePage || (limit && size > limit) ||
           (limit && size > limit - std::min(limit, verisim::resident_memory())))
-        throw std::bad_alloc();
+        refuse();
       const std::size_t whole = (size + kHugePage - 1) / kHugePage * kHugePage;
       block = std::aligned_alloc(std::max(alignment, kHugePage), whole);
       if (block) ::madvise(block, whole, MADV_HUGEPAGE);  // advice: where there are none, small pages do
@@ -34,10 +46,20 @@ void* allocate(std::size_t size, std::size_t alignment) {
     }
     if (block) return block;
     const std::new_handler handler = std::get_new_handler();
-    if (!handler) throw std::bad_alloc();
+    if (!handler) refuse();
     handler();
   }
 }
+
+// Where nobody can catch it, before main and in destructors of libraries, a lack of memory still ends in words. What
+// else comes here is a mistake of ours, and a core.
+void on_terminate() {
+  if (!refused) std::abort();
+  static const char text[] = "verisim: error: there is not enough memory, or --max-memory does not allow it\n";
+  if (::write(STDERR_FILENO, text, sizeof text - 1) < 0) ::_exit(kNoMemory);
+  ::_exit(kNoMemory);
+}
+[[gnu::constructor(101)]] void before_all_others() { std::set_terminate(on_terminate); }
 
 }  // namespace
 

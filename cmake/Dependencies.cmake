@@ -28,6 +28,7 @@ find_package(JPEG REQUIRED)
 find_package(GIF 5 REQUIRED)
 set(OPENSSL_USE_STATIC_LIBS ON)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)  # SHA-256, the key of the oracle's cache
+find_library(VERISIM_SECCOMP_LIBRARY seccomp REQUIRED DOC "libseccomp, for --sandbox (cli/sandbox)")
 set(CMAKE_FIND_LIBRARY_SUFFIXES ${shared_suffixes})
 # Linked by plug-ins only (tracer/image/module). After the archives: OpenEXR looks for zlib, too.
 find_package(TIFF 4.5 REQUIRED)

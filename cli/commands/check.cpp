@@ -12,6 +12,7 @@
 #include "cli/describe/fixes.h"
 #include "cli/describe/scene_findings.h"
 #include "cli/frame/frame.h"
+#include "cli/sandbox/sandbox.h"
 #include "cli/settings/own_options.h"
 #include "cli/settings/scene_words.h"
 #include "parser/source/suggest.h"
@@ -185,6 +186,14 @@ int command_check(const std::vector<std::string>& arguments) {
   for (const std::string& word : files.empty() ? std::vector<std::string>{options.input_file} : files)
     for (SceneSource& scene : scenes_of(options, word)) scenes.push_back(std::move(scene));
 
+  if (wants_sandbox()) {
+    Policy policy = policy_of(options, scenes);
+    confine_scene(options, policy);
+    if (!wanted.sarif.empty() && wanted.sarif != "-") grant_output(policy, wanted.sarif);
+    for (const SceneSource& scene : scenes)
+      if (wanted.fix) grant_output(policy, scene.path);
+    enter_sandbox(policy);
+  }
   Console console(options, Style::verisim);
   Interrupt interrupt(watch(options, console));
   ExitStatus status = kOk;

@@ -11,7 +11,9 @@
 
 #include "cli/commands/commands.h"
 #include "cli/console/interrupt.h"
+#include "cli/sandbox/sandbox.h"
 #include "cli/settings/own_options.h"
+#include "cli/settings/process_limits.h"
 #include "cli/commands/own_program.h"
 #include "cli/settings/scene_words.h"
 #include "compare/oracle/content_hash.h"
@@ -39,6 +41,7 @@ void show_progress(const compare::Progress& progress) {
 // The program that is judged: this one, another verisim, or a POV-Ray. Returns its name.
 std::string choose_renderer(const std::string& program, std::uint64_t seed, compare::RunOptions& run, bool explain) {
   std::vector<std::string> extra;
+  if (wants_sandbox()) extra.push_back("--sandbox=" + process_limits.sandbox);
   if (seed != 0) extra.push_back(fmt::format("--seed={}", seed));
   compare::OracleProgram judged;
   if (program.empty()) {
@@ -148,6 +151,10 @@ int command_compare(const std::vector<std::string>& arguments) {
   own.value("--jobs N", run.jobs, "scenes at a time");
   own.value("--threads N", run.native_threads, "threads of verisim for one scene; 0: all cores");
   own.flag("--replay", run.replay, "both serial, with POV-Ray's random streams");
+  own.value(
+      "--sandbox[=strict]", process_limits.sandbox,
+      "verisim's own renders run in the sandbox of `verisim render --sandbox`, and nothing is looked for in wrong "
+      "pixels: strict, best-effort or off");
   own.value("--seed N", seed, "another sequence of random numbers for verisim");
   own.value("--runs N", run.runs,
             "renders of a stochastic scene on each side for Welch's test, 4 if not told otherwise; 1: no such test");
@@ -177,6 +184,7 @@ int command_compare(const std::vector<std::string>& arguments) {
     throw OptionError("--class must be deterministic or stochastic");
   if (run.resume && work.empty()) throw OptionError("--resume needs --work FOLDER");
   if (failed_only && previous.empty()) throw OptionError("--failed needs --previous FILE");
+  if (wants_sandbox() && !test.empty()) throw OptionError("--sandbox is verisim's: not with --test");
   if (!test.empty() && !native.empty()) throw OptionError("--native and --test name the same side; give one of them");
   if (run.jobs < 1) throw OptionError("--jobs must be at least 1");
 
@@ -207,7 +215,7 @@ int command_compare(const std::vector<std::string>& arguments) {
   warn_of_unwritable_reports({json, junit, html, markdown});
   try {
     const std::string test_name =
-        test.empty() ? choose_renderer(native, seed, run, !no_explain) : choose_command(test, run);
+        test.empty() ? choose_renderer(native, seed, run, !no_explain && !wants_sandbox()) : choose_command(test, run);
     compare::Run result = compare::run_suite(suite, run);
     result.test_name = test_name;
     const bool report_to_stdout =

@@ -7,6 +7,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/frame/frame.h"
+#include "cli/sandbox/sandbox.h"
 #include "cli/settings/own_options.h"
 #include "cli/commands/own_program.h"
 #include "cli/describe/pixel_tags.h"
@@ -197,7 +198,10 @@ int command_explain(const std::vector<std::string>& arguments) {
   refuse_render_options(own);
   own.switches({Topic::scene, Topic::size, Topic::speed, Topic::animation, Topic::messages});
   const std::vector<std::string> words = own.parse(arguments), files = apply_words(options, words);
-  if (files.size() == 1 && tags.empty()) return explain_scene(words, options.replay);
+  if (files.size() == 1 && tags.empty()) {
+    if (wants_sandbox()) throw OptionError("--sandbox does not let POV-Ray run: give a pixel, too");
+    return explain_scene(words, options.replay);
+  }
   if (files.size() != (tags.empty() ? 3 : 1))
     throw OptionError("a scene and a pixel are needed: verisim explain SCENE X Y [switches]");
   if (step < 1) throw OptionError("--tags-step must be at least 1");
@@ -214,6 +218,14 @@ int command_explain(const std::vector<std::string>& arguments) {
   if (x != std::floor(x) || y != std::floor(y)) no_oracle = true;  // POV-Ray tells the colours of centres only
   const SceneSource scene = open_scene(options);
   if (!scene.found()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", options.input_file));
+  if (wants_sandbox()) {
+    no_oracle = true;
+    Policy policy = policy_of(options, {scene});
+    confine_scene(options, policy);
+    for (const std::string& file : {json, tags})
+      if (!file.empty() && file != "-") grant_output(policy, file);
+    enter_sandbox(policy);
+  }
 
   Console console(options, Style::verisim);
   Interrupt interrupt(watch(options, console));

@@ -14,6 +14,7 @@
 #include "cli/settings/ini.h"
 #include "cli/settings/output_name.h"
 #include "cli/settings/own_options.h"
+#include "cli/sandbox/sandbox.h"
 #include "cli/settings/scene_words.h"
 #include "cli/console/shellout.h"
 #include "cli/frame/statistics.h"
@@ -236,6 +237,7 @@ int command_render(const std::vector<std::string>& arguments) {
                                             options.input_file));
     return kInputOutput;
   }
+  sandbox_render(options, scene);
   const Outcome outcome = render_all(options, console, scene, frames);
   if (outcome.status == kInterrupted) console.line(Stream::fatal, "verisim: interrupted; +C continues the picture");
   return outcome.status;
@@ -282,6 +284,7 @@ int povray_call(const std::vector<std::string>& arguments) {
     return 1;
   }
   try {
+    sandbox_render(options, scene);
     const Outcome outcome = render_all(options, console, scene, "");
     if (outcome.status == kInterrupted) {
       console.always("Fatal error in renderer: Frontend halted render.\nRender cancelled by user\n");

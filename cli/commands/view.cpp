@@ -12,7 +12,9 @@
 #include "cli/commands/commands.h"
 #include "cli/commands/own_program.h"
 #include "cli/commands/view.h"
+#include "cli/sandbox/sandbox.h"
 #include "cli/settings/own_options.h"
+#include "cli/settings/process_limits.h"
 #include "cli/settings/scene_words.h"
 
 namespace verisim::cli {
@@ -21,11 +23,13 @@ ViewSettings view_settings(const std::vector<std::string>& arguments) {
   ViewSettings settings;
   Options& options = settings.options;
   options.width = 640, options.height = 480;
+  process_limits.sandbox = "strict";
   bool no_open = false;
   OwnOptions own("view",
                  "Shows the picture of a scene in the browser, and again whenever the scene or a file it reads is "
                  "saved. Only this machine is served, and only who has the address that is printed. What the scene "
-                 "writes goes to a folder that is removed at the end.");
+                 "writes goes to a folder that is removed at the end. It runs in the sandbox (--sandbox) unless "
+                 "--sandbox=off is given.");
   own.synopsis("SCENE [options] [switches]")
       .summary("a live picture in the browser that follows every saved file")
       .example("verisim view scene.pov +W640 +H480 +A0.3", "edit the scene and look")
@@ -51,6 +55,7 @@ ViewSettings view_settings(const std::vector<std::string>& arguments) {
   if (!token.empty() && (token.size() < kShortest || !plain))
     throw OptionError("--token needs 16 letters and digits or more");
   validate(options);
+  wants_sandbox();  // throws
   return settings;
 }
 

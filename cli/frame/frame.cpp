@@ -19,6 +19,7 @@
 #include "cli/parts/part_file.h"
 #include "cli/settings/layers_option.h"
 #include "cli/settings/part_option.h"
+#include "cli/settings/process_limits.h"
 #include "tracer/base/huge_pages.h"
 #include "tracer/base/output_file.h"
 #include "tracer/image/output.h"
@@ -106,6 +107,8 @@ struct Prepasses {
   std::optional<std::string> from, to;
 };
 
+bool too_many(std::uint64_t rays) { return process_limits.max_rays != 0 && rays > process_limits.max_rays; }
+
 // Renders into the canvas, with the state file where there is one.
 void trace(const Job& job, const scene::Scene& scene, const Region& part, Canvas& canvas, StateFile* state,
            LayerChoice& choice, Prepasses& prepasses, FrameReport& report) {
@@ -118,7 +121,10 @@ void trace(const Job& job, const scene::Scene& scene, const Region& part, Canvas
   if (prepasses.to) options.prepasses_to = &*prepasses.to;
   std::atomic<std::uint64_t> rays{0};
   options.rays = &rays;
-  options.progress = [&](double fraction) { job.console.progress(fraction, canvas.pixels, rays); };
+  options.progress = [&](double fraction) {
+    job.console.progress(fraction, canvas.pixels, rays);
+    if (too_many(rays)) job.interrupt.flag() = true;
+  };
   options.pass_progress = [&](const char* pass, double fraction) { job.console.pass_progress(pass, fraction); };
   if (job.options.radiosity_from_file) options.radiosity_from = job.options.radiosity_file;
   if (job.options.radiosity_to_file) options.radiosity_to = job.options.radiosity_file;
@@ -130,6 +136,7 @@ void trace(const Job& job, const scene::Scene& scene, const Region& part, Canvas
   }
   report.statistics = render::render(scene, options, canvas.framebuffer);
   job.console.end_progress();
+  if (too_many(rays)) tell(job, fmt::format("--max-rays {} is reached", process_limits.max_rays));
 }
 
 void write(const Job& job, const Canvas& canvas, const LayerChoice& choice, const OutputName& name,

@@ -4,7 +4,9 @@
 
 #include "cli/settings/configuration.h"
 #include "cli/settings/part_option.h"
+#include "cli/settings/process_limits.h"
 #include "cli/settings/switches.h"
+#include "parser/source/confinement.h"
 
 namespace verisim::cli {
 
@@ -96,6 +98,7 @@ parser::ParseOptions parse_options(const Job& job, const Frame& frame) {
   result.allow_read = options.allow_read;
   result.allow_write = options.allow_write;
   result.limits = options.limits;
+  parser::confinement.output_limit = process_limits.max_output_bytes;
   result.debug = [&console = job.console](const std::string& text) { console.debug(text); };
   result.message = [&console = job.console](const parser::Diagnostic& d) { console.diagnostic(d); };
   result.cancelled = [&interrupt = job.interrupt, &console = job.console] {

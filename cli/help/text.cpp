@@ -44,7 +44,7 @@ std::string entry_text(const HelpEntry& entry, std::size_t columns) {
 }  // namespace
 
 std::string bare_option(const std::string& spelling) {
-  if (spelling.starts_with("--")) return spelling.substr(0, spelling.find(' '));
+  if (spelling.starts_with("--")) return spelling.substr(0, spelling.find_first_of(" ["));
   const std::size_t equals = spelling.find('=');
   return equals == std::string::npos ? std::string() : spelling.substr(0, equals + 1);
 }

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstring>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 
 namespace verisim::cli {
@@ -34,12 +35,15 @@ void Fingerprint::add(std::string_view bytes) { hash_ = checksum(bytes, hash_); 
 void Fingerprint::add(double value) { hash_ = mixed(hash_ ^ std::bit_cast<std::uint64_t>(value)); }
 void Fingerprint::add_file(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
+  std::error_code ignored;
   std::string buffer(1 << 16, '\0');
   add(path.filename().string());
   while (stream) {
     stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     add(std::string_view(buffer.data(), static_cast<std::size_t>(stream.gcount())));
   }
+  if (stream.bad() || (!stream.is_open() && std::filesystem::exists(path, ignored)))
+    throw std::runtime_error("cannot read '" + path.string() + "' again");
 }
 
 }  // namespace verisim::cli

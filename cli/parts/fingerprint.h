@@ -14,7 +14,8 @@ class Fingerprint {
  public:
   void add(std::string_view bytes);
   void add(double value);
-  void add_file(const std::filesystem::path& path);  // its content; a file that cannot be read counts as empty
+  void add_file(const std::filesystem::path&
+                    path);  // its content; one that is not there counts as empty. Throws std::runtime_error.
   std::uint64_t value() const { return hash_; }
 
  private:

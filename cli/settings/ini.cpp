@@ -239,6 +239,7 @@ void apply_ini_file(Options& options, std::string_view name) {
         fmt::format("INI files include each other more than {} deep at '{}'", kMaxNesting, path.string()));
   std::ostringstream text;
   text << stream.rdbuf();
+  if (text.bad() || stream.bad()) throw OptionError(fmt::format("cannot read the INI file '{}'", path.string()));
   struct Nest {
     Nest() { ++nesting; }
     ~Nest() { --nesting; }

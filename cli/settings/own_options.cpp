@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "cli/settings/process_limits.h"
 #include "cli/settings/scene_words.h"
 #include "cli/settings/switch_help.h"
 #include "cli/settings/text.h"
@@ -18,6 +19,7 @@ struct OwnOptions::Impl {
   CommandHelp help;
   std::vector<std::string> names{"--help"};
   std::map<std::string, std::string> refused;               // by name: why
+  std::map<std::string, std::string> alone;                 // by name: the value of who gives none
   std::map<std::string, std::vector<std::string>> presets;  // what an option stands for
   std::string preset_given;
 
@@ -32,6 +34,9 @@ struct OwnOptions::Impl {
     if (help.sections.empty()) help.sections.push_back({"Options", {}});
     help.sections.back().entries.push_back({{written}, meaning});
     names.push_back(bare_option(written));
+    // "--name[=VALUE]": by itself it stands for that value.
+    if (const std::size_t value = written.find("[="); value != std::string::npos)
+      alone[names.back()] = written.substr(value + 2, written.size() - value - 3);
     return names.back();
   }
   template <class T>
@@ -137,7 +142,9 @@ std::vector<std::string> OwnOptions::parse(const std::vector<std::string>& argum
       throw OptionError(fmt::format("unknown option '{}'{}", name, impl_->advice(name, value)));
     }
     own.push_back(argument);
-    if (name.size() == argument.size() && option->get_items_expected_max() > 0) {
+    if (const auto alone = impl_->alone.find(name); alone != impl_->alone.end()) {
+      if (equals == std::string::npos) own.back() += "=" + alone->second;
+    } else if (name.size() == argument.size() && option->get_items_expected_max() > 0) {
       if (i + 1 == arguments.size()) throw OptionError(fmt::format("{} needs a value", name));
       own.back() += "=" + arguments[++i];
     }
@@ -158,7 +165,8 @@ std::vector<std::string> OwnOptions::parse(const std::vector<std::string>& argum
 // What a server can offer to the world; each may be changed by its own option.
 constexpr std::array kStrangers{"--max-seconds=60",       "--max-cpu-seconds=240", "--max-memory=1073741824",
                                 "--max-steps=1000000000", "--max-tokens=16777216", "--max-file-bytes=268435456",
-                                "--max-depth=200",        "--max-pixels=16777216"};
+                                "--max-depth=200",        "--max-pixels=16777216", "--max-output-bytes=16777216",
+                                "--max-rays=10000000000"};
 
 void add_scene_options(OwnOptions& own, Options& options) {
   own.section("Standard input");
@@ -171,11 +179,17 @@ void add_scene_options(OwnOptions& own, Options& options) {
   own.paths("--allow-write PATH", options.allow_write,
             "let the scene write (#fopen) below this path, too (may be given again); without it only below the current "
             "folder and the scene's");
+  own.value(
+      "--sandbox[=strict]", process_limits.sandbox,
+      "let the kernel (Landlock, seccomp) keep the scene within its folder, the include paths, fonts, the outputs "
+      "named here, --allow-read and --allow-write: no other file, no network, no processes. strict: "
+      "what the kernel lacks is an error; best-effort: it is a warning; off");
   own.value("--max-seconds X", options.max_seconds, "give up after this time by the clock; 0: no limit (default)");
   own.value("--max-cpu-seconds X", options.max_cpu_seconds,
             "give up when all threads together have taken this time; 0: no limit (default)");
   own.preset("--limits", "strangers", kStrangers,
-             "limits for scenes of strangers: a minute, four of all threads, 1 GiB, 2^24 pixels and more; the options "
+             "limits for scenes of strangers: a minute, four of all threads, 1 GiB, 2^24 pixels, 10^10 rays, 16 MiB of "
+             "text and more; the options "
              "here change single ones");
   own.value("--max-steps N", options.limits.max_steps,
             "executed tokens of the scene (default 10^11, some ten minutes of an endless loop); 0: no limit");
@@ -184,6 +198,10 @@ void add_scene_options(OwnOptions& own, Options& options) {
   own.value("--max-memory N", options.limits.max_memory_bytes, "bytes of memory that the whole run may take");
   own.value("--max-depth N", options.limits.max_depth, "nested blocks, parentheses and calls");
   own.value("--max-pixels N", options.max_pixels, "pixels of a picture");
+  own.value("--max-output-bytes N", process_limits.max_output_bytes,
+            "bytes that the scene may write and say: #write, #debug, #warning and all warnings, 4096 for each file; 0: "
+            "no limit (default)");
+  own.value("--max-rays N", process_limits.max_rays, "rays of a picture; 0: no limit (default)");
   own.section("Messages");
   own.flag("--color", options.color, "colour messages also when they do not go to a terminal");
 }

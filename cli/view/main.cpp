@@ -11,6 +11,8 @@
 
 #include "cli/commands/view.h"
 #include "cli/help/help.h"
+#include "cli/sandbox/private_folder.h"
+#include "cli/sandbox/sandbox.h"
 #include "cli/settings/own_options.h"
 #include "cli/settings/output_name.h"
 #include "cli/view/live_picture.h"
@@ -21,28 +23,6 @@ namespace fs = std::filesystem;
 
 namespace verisim::cli {
 namespace {
-
-// Scenes may write into the current folder (#fopen): that is one of its own, which goes when the program ends, so that
-// nothing is written beside the scene.
-class PrivateFolder {
- public:
-  PrivateFolder() {
-    std::string name = (fs::temp_directory_path() / "verisim-view-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("cannot make a folder for what the scene writes: " + name);
-    path_ = name;
-    fs::current_path(path_);
-  }
-  ~PrivateFolder() {
-    std::error_code ignored;
-    fs::current_path("/", ignored);
-    fs::remove_all(path_, ignored);
-  }
-  PrivateFolder(const PrivateFolder&) = delete;
-  PrivateFolder& operator=(const PrivateFolder&) = delete;
-
- private:
-  fs::path path_;
-};
 
 // A number of a request's parameter, within bounds; the default when there is none.
 double number(const PageRequest& request, const char* name, double low, double high, double otherwise) {
@@ -140,26 +120,38 @@ int view(const std::vector<std::string>& arguments) {
   if (scene.empty()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", options.input_file));
   // The current folder is about to be another one.
   scene = fs::absolute(scene);
-  std::vector<std::string> libraries{fs::current_path().string()};
-  for (const std::string& path : options.library_paths) libraries.push_back(fs::absolute(path).string());
-  options.library_paths = libraries;
+  for (std::string& path : options.library_paths) path = fs::absolute(path).string();
   for (fs::path& path : options.allow_write) path = fs::absolute(path);
   for (fs::path& path : options.allow_read) path = fs::absolute(path);
   if (!options.include_header.empty() && fs::exists(options.include_header))
     options.include_header = fs::absolute(options.include_header).string();
   options.display = false;
 
-  const PrivateFolder folder;
-  if (!options.allow_read.empty()) options.allow_read.push_back(fs::current_path());
+  const fs::path called_from = fs::current_path();
+  // Scenes may write into the current folder (#fopen): nothing is written beside them.
+  const PrivateFolder folder("verisim-view-");
+  fs::current_path(folder.path());
+  if (wants_sandbox() || !options.allow_read.empty()) options.allow_read.push_back(folder.path());
+  if (wants_sandbox()) options.allow_write.push_back(folder.path());
+  Server server;
+  const std::string address = server.listen(settings.port, settings.token);
+  if (settings.open) open_browser(address);
+  if (wants_sandbox()) {
+    Policy policy = policy_of(options, {{scene, std::nullopt}});
+    confine_scene(options, policy);
+    policy.server = true;
+    enter_sandbox(policy);
+  }
+  // Files are looked for where the program was called; whether they may be read is another question.
+  options.library_paths.insert(options.library_paths.begin(), called_from.string());
+
   Interrupt interrupt(Watch{.seconds = options.max_seconds});
   LivePicture picture(options, scene, interrupt);
-  Server server;
   answers(server, picture, options);
-  const std::string address = server.start(settings.port, settings.token);
+  server.start();
   std::printf("%s\n", address.c_str());
   std::fflush(stdout);
   std::fprintf(stderr, "verisim view: open this address in a browser; Ctrl-C ends.\n");
-  if (settings.open) open_browser(address);
   while (!interrupt.flag()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   server.stop();
   return kOk;

@@ -82,14 +82,17 @@ void Server::on(const std::string& name, std::function<PageReply(const PageReque
   impl_->answers[name] = std::move(answer);
 }
 
-std::string Server::start(int port, const std::string& token) {
+std::string Server::listen(int port, const std::string& token) {
   impl_->token = token.empty() ? random_token() : token;
   const bool bound =
       port == 0 ? (port = impl_->http.bind_to_any_port("127.0.0.1")) > 0 : impl_->http.bind_to_port("127.0.0.1", port);
   if (!bound) throw std::runtime_error(fmt::format("cannot listen on 127.0.0.1:{}; is the port taken?", port));
   impl_->host = fmt::format("127.0.0.1:{}", port);
-  impl_->thread = std::thread([this] { impl_->http.listen_after_bind(); });
   return fmt::format("http://{}/{}/", impl_->host, impl_->token);
+}
+
+void Server::start() {
+  impl_->thread = std::thread([this] { impl_->http.listen_after_bind(); });
 }
 
 void Server::stop() {

@@ -26,7 +26,9 @@ class Server {
   void on(const std::string& name, std::function<PageReply(const PageRequest&)> answer);
   // Listens on 127.0.0.1, port 0: any free one; an empty token: a random one. Returns the address to open. Throws
   // std::runtime_error.
-  std::string start(int port, const std::string& token = {});
+  std::string listen(int port, const std::string& token = {});
+  // Answers, in threads of its own; needs no more rights than to accept.
+  void start();
   void stop();
 
  private:

@@ -1,5 +1,6 @@
 #include "compare/oracle/content_hash.h"
 
+#include <openssl/crypto.h>
 #include <openssl/evp.h>
 
 #include <array>
@@ -22,6 +23,8 @@ struct ContentHash::State {
 };
 
 ContentHash::ContentHash() : state_(std::make_unique<State>()) {
+  // Without it, for want of memory at the library's first use, it would look for its locks at address 0.
+  if (!OSSL_LIB_CTX_get0_global_default()) throw std::bad_alloc();
   if (!state_->context || EVP_DigestInit_ex(state_->context, EVP_sha256(), nullptr) != 1) throw std::bad_alloc();
 }
 ContentHash::~ContentHash() = default;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "parser/language/impl.h"
+#include "parser/source/confinement.h"
 
 namespace verisim::parser {
 namespace fs = std::filesystem;
@@ -47,6 +48,8 @@ std::string general(double value) {
   return text;
 }
 
+constexpr std::size_t kBlockOfDisk = 4096;
+
 }  // namespace
 
 void Parser::Impl::fopen() {
@@ -70,6 +73,7 @@ void Parser::Impl::fopen() {
     skip_token();
     if (!report.errors.empty()) throw ParseError{{}, true};  // a scene with errors does nothing more than to name them
     handle->path = parser.writable_file(file_name);
+    if (!confinement.may_write(kBlockOfDisk)) fatal(Code::size_limit, confinement.refusal());
     handle->output.open(handle->path, std::ios::binary | (mode.word == Word::append ? std::ios::app : std::ios::trunc));
     if (!handle->output) error(Code::file_failed, fmt::format("Cannot open file '{}' for writing.", file_name));
     file_cache.erase(handle->path.string());
@@ -234,12 +238,16 @@ void Parser::Impl::write() {
   while (peek().punctuation != ')') {
     const Token token = peek();
     if (at_string()) {
-      for (const char16_t c : string(false)) out.put(static_cast<char>(c > 127 && language_version >= 350 ? ' ' : c));
+      const std::u16string text = string(false);
+      if (!confinement.may_write(text.size())) fatal(Code::size_limit, confinement.refusal());
+      for (const char16_t c : text) out.put(static_cast<char>(c > 127 && language_version >= 350 ? ' ' : c));
     } else if (const auto type = token.kind == TokenKind::word ? binary_type(token.word) : std::nullopt) {
       skip_token();
       while (peek().punctuation != ',' && peek().punctuation != ')') {
         Numeric n;
         additive(1, n);
+        if (!confinement.may_write(static_cast<std::size_t>(n.terms * type->bytes)))
+          fatal(Code::size_limit, confinement.refusal());
         for (std::size_t i = 0; i < static_cast<std::size_t>(n.terms); ++i) {
           const double v = std::isnan(n.v[i]) ? type->low : std::clamp(std::floor(n.v[i] + 0.5), type->low, type->high);
           const auto bits = static_cast<std::uint32_t>(static_cast<std::int64_t>(v));
@@ -263,6 +271,7 @@ void Parser::Impl::write() {
         for (std::size_t i = 0; i < static_cast<std::size_t>(n.terms); ++i) text += (i ? "," : "") + general(n.v[i]);
         text += "> ";
       }
+      if (!confinement.may_write(text.size())) fatal(Code::size_limit, confinement.refusal());
       out << text;
     }
     if (peek().punctuation == ',') skip_token();

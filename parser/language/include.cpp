@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "parser/language/impl.h"
+#include "parser/source/confinement.h"
 #include "parser/source/standard_includes.h"
 
 namespace verisim::parser {
@@ -89,7 +90,10 @@ void Parser::Impl::missing_include(const std::string& name, Spot at) {
 fs::path Parser::writable_file(const std::string& name) {
   if (name.empty() || name.find('\0') != std::string::npos || !impl_->search->may_write(name))
     error(Code::file_access, fmt::format("The scene may not write '{}'.", name),
-          "Scenes write below the current folder and their own; --allow-write PATH permits more.");
+          confinement.writes_named_only
+              ? "In the sandbox scenes write nowhere; --allow-write PATH permits it."
+              : "Scenes write below the current folder and their own; --allow-write PATH permits "
+                "more.");
   impl_->fonts.clear();
   if (!impl_->options.scratch.empty()) return impl_->search->redirect(name, impl_->options.scratch);
   return name;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "parser/language/impl.h"
+#include "parser/source/confinement.h"
 
 namespace verisim::parser {
 namespace {
@@ -127,7 +128,10 @@ void Parser::Impl::message_at(Spot at, Severity severity, Code code, const std::
 
 void Parser::Impl::give(Severity severity, Code code, const std::string& text, const std::string& advice, Spot at) {
   ++report.warnings;
-  if (options.message) options.message(diagnostic(severity, code, text, advice, at));
+  const Diagnostic said = diagnostic(severity, code, text, advice, at);
+  if (confinement.output_limit != 0 && !confinement.may_write(format(said).size()))
+    fatal(Code::size_limit, confinement.refusal());
+  if (options.message) options.message(said);
 }
 
 void Parser::Impl::error(Code code, const std::string& text, const std::string& advice) {
@@ -239,6 +243,7 @@ void Parser::Impl::text_directive(Word word) {
     default:
       break;
   }
+  if (!confinement.may_write(text.size())) fatal(Code::size_limit, confinement.refusal());
   if (options.debug) options.debug(text);
 }
 

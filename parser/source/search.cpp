@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "parser/source/confinement.h"
 #include "parser/source/suggest.h"
 
 namespace verisim::parser {
@@ -57,8 +58,9 @@ FileSearch::FileSearch(std::vector<fs::path> library_paths, fs::path scene_folde
     : library_paths_(std::move(library_paths)), scene_folder_(std::move(scene_folder)) {
   for (const fs::path& p : allow_read) readable_.push_back(real_path(p));
   std::error_code error;
-  writable_.push_back(real_path(fs::current_path(error)));
-  if (!scene_folder_.empty()) writable_.push_back(real_path(scene_folder_));
+  const bool named_only = confinement.writes_named_only;
+  if (!named_only) writable_.push_back(real_path(fs::current_path(error)));
+  if (!named_only && !scene_folder_.empty()) writable_.push_back(real_path(scene_folder_));
   for (const fs::path& p : allow_write) writable_.push_back(real_path(p));
   for (auto& [name, file] : files) files_[fs::path(name).lexically_normal().string()] = std::move(file);
 }

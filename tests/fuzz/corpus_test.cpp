@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/fuzz/entry_points.h"
+#include "tests/fuzz/files.h"
 
 namespace verisim {
 namespace {
@@ -46,6 +47,24 @@ TEST(FuzzCorpus, Function) {
   const auto texts = texts_below(kCorpus / "function");
   ASSERT_GT(texts.size(), 5u);
   for (const std::string& text : texts) fuzz::function(text);
+}
+
+// Files of every kind, with bytes lost and changed.
+TEST(FuzzCorpus, Files) {
+  std::mt19937 random(20260102);
+  for (const fuzz::FileTarget& target : fuzz::kFileTargets) {
+    const auto texts = texts_below(kCorpus / target.name);
+    EXPECT_FALSE(texts.empty()) << target.name;
+    for (const std::string& text : texts) {
+      target.run(text);
+      for (int round = 0; round < 30 && !text.empty(); ++round) {
+        std::string changed = text.substr(0, round % 3 == 0 ? random() % text.size() : text.size());
+        for (int mistakes = 1 + round % 4; mistakes > 0 && !changed.empty(); --mistakes)
+          changed[random() % changed.size()] = static_cast<char>(random());
+        target.run(changed);
+      }
+    }
+  }
 }
 
 // Words lost, doubled, exchanged and replaced by others of the scene: near enough to SDL to get deep into every block.

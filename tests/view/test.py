@@ -52,7 +52,7 @@ class View(unittest.TestCase):
         self.scenes.cleanup()
 
     def start(self, *options):
-        words = [VERISIM, "view", "scene.pov", "+W320", "+H240", "--no-open", *options]
+        words = [VERISIM, "view", "scene.pov", "+W320", "+H240", "--no-open", "--sandbox=best-effort", *options]
         self.program = subprocess.Popen(words, cwd=self.scenes.name, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         self.address = self.program.stdout.readline().strip()
 

@@ -63,6 +63,22 @@ fs::path temporary_name(fs::path path, std::string_view extension = "") {
   return path;
 }
 
+// What a name is given to must be on the disk before the name: after a power cut there is the old file or the new one.
+// Some file systems have nothing to wait for, and say so.
+bool on_disk(int fd) { return ::fdatasync(fd) == 0 || errno == EINVAL || errno == ENOSYS || errno == ENOTSUP; }
+
+// The same for a file that is closed, which gets its permissions, too.
+bool on_disk(const fs::path& path, const std::optional<mode_t>& mode) {
+  const int fd = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (fd < 0) return false;
+  const bool safe = on_disk(fd);
+  const int failed = errno;
+  if (mode && ::fchmod(fd, *mode) != 0) errno = 0;  // some file systems have no permissions
+  ::close(fd);
+  errno = failed;
+  return safe;
+}
+
 }  // namespace
 
 fs::path behind_links(const fs::path& path) { return target_of(path).path; }
@@ -103,6 +119,7 @@ void OutputFile::open_new(const std::optional<unsigned>& mode) {
 void OutputFile::publish() {
   if (std::fflush(file_.get()) != 0 || std::ferror(file_.get())) fail(name_, "write", last_error());
   if (in_place_) return;
+  if (!on_disk(::fileno(file_.get()))) fail(name_, "write", last_error());
   if (!named_) {
     const std::string self = "/proc/self/fd/" + std::to_string(::fileno(file_.get()));
     if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, path_.c_str(), AT_SYMLINK_FOLLOW) == 0) return;
@@ -167,7 +184,7 @@ void write_by_name(const fs::path& name, std::string_view extension,
       ::unlink(temporary.c_str());
       return;
     }
-    if (target.mode && ::chmod(temporary.c_str(), *target.mode) != 0) errno = 0;
+    if (!on_disk(temporary, target.mode)) throw std::runtime_error(last_error());
     if (::rename(temporary.c_str(), target.path.c_str()) != 0) throw std::runtime_error(last_error());
   } catch (const std::exception& error) {
     ::unlink(temporary.c_str());

@@ -114,4 +114,14 @@ const Module& image_module(ModuleKind kind) {
   }
 }
 
+std::vector<fs::path> image_module_files() {
+  std::vector<fs::path> files;
+  for (const char* library : kLibraries)
+    for (const fs::path& path : candidates(library)) {
+      std::error_code error;
+      if (fs::is_regular_file(path, error)) files.push_back(path);
+    }
+  return files;
+}
+
 }  // namespace verisim::image

@@ -85,6 +85,7 @@ std::vector<IrradianceSample> load_samples(const std::filesystem::path& path, st
     s.mean_distance = static_cast<float>(mean), s.nearest_distance = static_cast<float>(nearest);
     samples.push_back(s);
   }
+  if (file.bad()) throw std::runtime_error("cannot read radiosity file " + path.string());
   return samples;
 }
 

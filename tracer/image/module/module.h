@@ -8,6 +8,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <vector>
 
 extern "C" {
 
@@ -67,5 +69,7 @@ struct Module {
 // it), beside the program, and in ../lib and ../lib/verisim (the build's and the installed layout). Throws
 // std::runtime_error when it cannot be found or loaded.
 const Module& image_module(ModuleKind kind = ModuleKind::general);
+// The files of plug-ins that are there, in any of these places.
+std::vector<std::filesystem::path> image_module_files();
 
 }  // namespace verisim::image

@@ -1,0 +1,207 @@
+"""Every call of a kind fails once, and the program ends as it should: run.py VERISIM LIBRARY [options].
+
+For each job (a render, a part, a merge, a diff, a check, a comparison) and each kind of call (write, read, open, mmap, rename, fsync,
+malloc, thread) the calls are counted, and then the job is repeated with the first, the second, ... failing
+(tests/faults/inject.cpp). Each time: no crash, no hang; exit status 0 only with exactly the bytes of an undisturbed run; otherwise an
+error that is named, and under the final name nothing, or the whole old file, or the whole new one; and no temporary file.
+Exit status 77: nothing can be injected here.
+"""
+import argparse
+import collections
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+SCENE = b"""#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }
+light_source { <3,4,-9> rgb 1 } sphere { 0, 1 pigment { rgb <1,.5,.2> } }
+#include "own.inc"
+#debug "hello\\n"
+"""
+SIZE = ["+W16", "+H12", "-D"]
+KINDS = ["write", "read", "open", "mmap", "rename", "fsync", "malloc", "thread"]
+# The words of a job, the files that it makes, and whether there is something under their names before.
+Job = collections.namedtuple("Job", "words outputs before", defaults=[False])
+JOBS = {
+    "render": Job(["render", "scene.pov", *SIZE, "+Oout.png", "+WT2", "--max-seconds=60"], ["out.png"]),
+    "again": Job(["render", "scene.pov", *SIZE, "+Oout.png", "+WT2", "--stats=stats.json"], ["out.png"], True),
+    "boxed": Job(["render", "scene.pov", *SIZE, "+Oout.ppm", "+FP", "--sandbox=best-effort"], ["out.ppm"]),
+    "pipe": Job(["render", "scene.pov", *SIZE, "--output", "-"], []),
+    "povray": Job(["+Iscene.pov", *SIZE, "+Oout.png"], ["out.png"]),
+    "frames": Job(["render", "scene.pov", *SIZE, "+Oout.png", "+KFF2"], ["out1.png", "out2.png"]),
+    "part": Job(["render", "scene.pov", *SIZE, "--part", "1/2", "--output", "out.part"], ["out.part"]),
+    "merge": Job(["merge", "p1.part", "p2.part", "--output", "out.png"], ["out.png"], True),
+    "diff": Job(["diff", "a.png", "b.png", "--heat-map", "out.png"], ["out.png"]),
+    "check": Job(["check", "scene.pov", "--json"], []),
+    "compare": Job(["compare", "scene.pov", *SIZE, "--baseline", "baseline", "--json", "out.json", "--quiet"], []),
+}
+OLD = b"the picture of yesterday"
+
+
+class Faults:
+    def __init__(self, verisim, library, folder, patience):
+        self.verisim, self.library, self.folder, self.patience = verisim, library, folder, patience
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def prepare(self):
+        self.write("scene.pov", SCENE)
+        self.write("own.inc", b"#declare Own = 1;\n")
+        for k in (1, 2):
+            self.plain(["render", "scene.pov", *SIZE, "--part", f"{k}/2", "--output", f"p{k}.part"])
+        self.plain(["render", "scene.pov", *SIZE, "+Oa.png"])
+        self.plain(["render", "scene.pov", *SIZE, "+Ob.png", "+Q3"])
+        os.makedirs(self.path("baseline"), exist_ok=True)
+        subprocess.run([self.verisim, "compare", "scene.pov", *SIZE, "--baseline", "baseline", "--update", "--quiet"], cwd=self.folder,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content)
+
+    def read(self, name):
+        try:
+            with open(self.path(name), "rb") as file:
+                return file.read()
+        except FileNotFoundError:
+            return None
+
+    def plain(self, words):
+        subprocess.run([self.verisim, *words], cwd=self.folder, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def run(self, job, **faults):
+        for name in ("stats.json", "out.json"):
+            if os.path.exists(self.path(name)):
+                os.unlink(self.path(name))
+        for name in job.outputs:
+            if job.before:
+                self.write(name, OLD)
+            elif os.path.exists(self.path(name)):
+                os.unlink(self.path(name))
+        environment = {**os.environ, "LD_PRELOAD": self.library, **faults}
+        try:
+            ended = subprocess.run([self.verisim, *job.words], cwd=self.folder, env=environment, capture_output=True, timeout=self.patience, check=False)
+        except subprocess.TimeoutExpired:
+            return None
+        return ended
+
+    def leftovers(self):
+        return [n for n in os.listdir(self.folder) if ".tmp" in n or n.startswith(".verisim") or n.endswith("-state")]
+
+    def reference(self, job):
+        ended = self.run(job)
+        return ended, {name: self.read(name) for name in job.outputs}
+
+    def count(self, job, kind):
+        counts = self.path("counts.txt")
+        if os.path.exists(counts):
+            os.unlink(counts)
+        ended = self.run(job, FAULT=kind, FAULT_COUNT=counts, **self.command(job))
+        if ended is None or not os.path.exists(counts):
+            return None
+        with open(counts) as file:
+            return int(file.read())
+
+    @staticmethod
+    def command(job):  # of compare and its renders, compare itself
+        return {"FAULT_COMMAND": job.words[0]}
+
+    def complaint(self, job, kind, ended, reference):
+        good, whole = reference
+        if ended is None:
+            return "does not end"
+        if ended.returncode < 0:
+            return f"killed by {signal.Signals(-ended.returncode).name}"
+        left = self.leftovers()
+        for name in left:
+            os.unlink(self.path(name))
+        if left and kind != "rename":
+            return f"leaves {left}"
+        for name in job.outputs:
+            content = self.read(name)
+            if content not in (None, OLD, whole[name]):
+                return f"half a file {name}: {len(content)} bytes"
+            if ended.returncode == good.returncode and content != whole[name]:
+                return f"exit status {ended.returncode} without {name}"
+        if ended.returncode == good.returncode:
+            if ended.stdout != good.stdout and job.words[0] in ("render", "check"):
+                return "a cut output and exit status 0"
+        elif not ended.stderr + ended.stdout and kind != "write":
+            return f"exit status {ended.returncode} without a word"
+        return ""
+
+
+def unsynced(faults):
+    """Files that get their final name before all that was written to them is on the disk, of all jobs."""
+    wrong, named = [], 0
+    for name, job in JOBS.items():
+        log = faults.path("order.txt")
+        if os.path.exists(log):
+            os.unlink(log)
+        faults.run(job, FAULT="order", FAULT_LOG=log, **faults.command(job))
+        with open(log) as file:
+            events = [line.rstrip("\n").split("\t") for line in file]
+        last = {}  # by file: what was done with it last
+        for word, path, target in events:
+            if word == "name" and path.endswith(".tmp") and ".tmp" not in target or "(deleted)" in path and word == "name" and ".tmp" not in target:
+                named += 1
+                if last.get(os.path.basename(path)) != "sync":
+                    wrong.append(f"{name}: {target} is named when its bytes are not on the disk")
+            elif word == "name":
+                last[os.path.basename(target)] = last.get(os.path.basename(path))
+            else:
+                last[os.path.basename(path)] = word
+    print(f"{named} files were named, {len(wrong)} before they were on the disk")
+    return wrong if named else ["nothing was named"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("verisim")
+    parser.add_argument("library")
+    parser.add_argument("--order", action="store_true", help="only whether files are synced before they are named")
+    parser.add_argument("--jobs", default=",".join(JOBS))
+    parser.add_argument("--kinds", default=",".join(KINDS))
+    parser.add_argument("--most", type=int, default=0, help="of one job and kind, spread over all its calls; 0: all")
+    parser.add_argument("--patience", type=float, default=60, help="seconds after which a job hangs")
+    options = parser.parse_args()
+    wrong = total = 0
+    with tempfile.TemporaryDirectory() as folder:
+        faults = Faults(os.path.abspath(options.verisim), os.path.abspath(options.library), folder, options.patience)
+        faults.prepare()
+        if options.order:
+            wrong = unsynced(faults)
+            print("\n".join(wrong))
+            return 1 if wrong else 0
+        for name in options.jobs.split(","):
+            job = JOBS[name]
+            reference = faults.reference(job)
+            if reference[0] is None or reference[0].returncode not in (0, 1):
+                print(f"{name}: does not run by itself: {reference[0] and reference[0].stderr.decode(errors='replace')}")
+                return 1
+            for kind in options.kinds.split(","):
+                calls = faults.count(job, kind)
+                if calls is None:
+                    print("nothing can be injected here")
+                    return 77
+                step = max(1, -(-calls // options.most)) if options.most else 1
+                statuses = collections.Counter()
+                for n in range(1, calls + 1, step):
+                    ended = faults.run(job, FAULT=kind, FAULT_AT=str(n), **faults.command(job))
+                    why = faults.complaint(job, kind, ended, reference)
+                    statuses[ended.returncode if ended else "hung"] += 1
+                    total += 1
+                    if why:
+                        wrong += 1
+                        said = ended.stderr.decode(errors="replace").strip().splitlines()[-1:] if ended else []
+                        print(f"WRONG {name}: {kind} {n} of {calls}: {why} {said}", flush=True)
+                print(f"{name:8} {kind:7} {calls:6} calls, exit statuses {dict(statuses)}", flush=True)
+    print(f"{total} faults, {wrong} not endured")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

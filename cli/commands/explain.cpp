@@ -222,7 +222,7 @@ int command_explain(const std::vector<std::string>& arguments) {
     no_oracle = true;
     Policy policy = policy_of(options, {scene});
     confine_scene(options, policy);
-    for (const std::string& file : {json, tags})
+    for (const std::string& file : {story_files.json, story_files.html, story_files.svg, tags})
       if (!file.empty() && file != "-") grant_output(policy, file);
     enter_sandbox(policy);
   }

@@ -1,5 +1,6 @@
 // What the kernel refuses to a process in the sandbox, asked directly, as hostile code in it would; and what scenes are
-// told that ask for the same. Skipped where the kernel has no Landlock or no filters.
+// told that ask for the same (VERISIM_BINARY_DIR/bin/verisim, cli/process_fixture.h). Skipped where the kernel has no
+// Landlock or no filters.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <netinet/in.h>

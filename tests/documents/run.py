@@ -30,11 +30,12 @@ ELSEWHERE = {
     r"\./(demo|test|package( --check)?)": "continuous integration and hand",
     r"cmake --preset .*|cmake --install .*|ninja .*|ctest .*|apt-get .*": "./test",
     r"bench/.*|build/release/bin/verisim compare scenes/shapes .*": "by hand: long",
+    r"python3 tests/(hostile|faults)/run\.py .*": "the tests hostile and faults",
     r"podman .*": "by hand: Containerfile",
     r"export SBATCH_.*|verisim-slurm .*|verisim farm .*": "the tests of tests/farm",
 }
 # Options of other programs in running text.
-OF_OTHERS = {"--component": "cmake", "--signal": "sbatch", "--requeue": "sbatch", "--mutate": "tests/differential"}
+OF_OTHERS = {"--component": "cmake", "--signal": "sbatch", "--requeue": "sbatch", "--mutate": "tests/differential", "--seconds": "tests/hostile", "--most": "tests/faults", "--minutes": "tools/soak"}
 # What stands for what in synopses; the longer first.
 CAPITALS = [("[switches]", "+W32 +H24"), ("SCENE...", "scene.pov"), ("K/N", "1/2"), ("K.vsp", "one.vsp"), ("PARTS...", "parts/*.vsp"), ("FILE", "merged.png"),
             ("SCENE X Y", "scene.pov 16 12 +W32 +H24"), ("SCENE", "scene.pov"), ("A B", "povray.png verisim.png"), ("...", "")]

@@ -131,8 +131,7 @@ class Deflater {
     stream_.next_out = out_.data();
     stream_.avail_out = kChunk;
   }
-  // Cleared: isal_deflate_init leaves its window as it is, and what is found there may decide about matches.
-  isal_zstream stream_{};
+  isal_zstream stream_;
   std::vector<png_byte> level_buffer_ = std::vector<png_byte>(ISAL_DEF_LVL1_DEFAULT),
                         out_ = std::vector<png_byte>(kChunk);
 };

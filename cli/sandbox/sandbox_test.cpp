@@ -200,7 +200,7 @@ TEST_F(Sandbox, ScenesAreToldWhatTheyMayNotDo) {
 TEST_F(Sandbox, RacedLinksLeadNowhere) {
   file("scenes/race.pov",
        "#version 3.7; global_settings { assumed_gamma 1 }\n#for (I, 1, 300) #ifdef (Own) #undef Own #end #include "
-       "\"race.inc\" #ifdef (Secret) #error \"read the secret\" #end #end\nsphere { 0, 1 }\n");
+       "\"race.inc\" #ifdef (Secret) #error concat(\"read the\", \" secret\") #end #end\nsphere { 0, 1 }\n");
   std::atomic<bool> stop{false};
   std::thread racer([&] {
     const fs::path name = folder_ / "scenes/race.inc", next = folder_ / "scenes/next.inc";

@@ -3,6 +3,7 @@
 #include <httplib.h>
 #include <sys/random.h>
 
+#include <chrono>
 #include <stdexcept>
 #include <thread>
 
@@ -93,6 +94,8 @@ std::string Server::listen(int port, const std::string& token) {
 
 void Server::start() {
   impl_->thread = std::thread([this] { impl_->http.listen_after_bind(); });
+  // stop() is heard by a server that runs, and by no other.
+  while (!impl_->http.is_running()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 void Server::stop() {

@@ -132,7 +132,11 @@ void read(const FarmJob& job, const std::string& text, EngineSteps& known) {
     const std::optional<Step> step = fields.size() == 6 ? step_of(job, fields[0], fields[1]) : std::nullopt;
     if (!step) continue;
     EngineStep now{state_of(fields[2]), fields[3], fields[5], fields[4]};
-    if (now.state == EngineStep::State::ended) now.reason = lower(fields[2]);
+    // What Slurm holds back after a failure never runs by itself.
+    if (now.reason.find("launch failed") != std::string::npos)
+      now.state = EngineStep::State::ended;
+    else if (now.state == EngineStep::State::ended)
+      now.reason = lower(fields[2]);
     const auto rank = [](const EngineStep& s) {
       return std::pair(s.state != EngineStep::State::ended, std::atol(s.id.c_str()));
     };

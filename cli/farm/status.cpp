@@ -91,6 +91,13 @@ void look_at_engine(const EngineStep* engine, const StepLog& log, StepStatus& st
   }
 }
 
+// Nobody has to do anything about it.
+bool is_usual(const std::string& reason) {
+  for (const char* usual : {"", "None", "Priority", "Resources", "Dependency", "BeginTime", "JobArrayTaskLimit"})
+    if (reason == usual) return true;
+  return false;
+}
+
 const char* word_of(State state) {
   switch (state) {
     case State::missing:
@@ -158,7 +165,7 @@ std::string as_text(const FarmJob& job, const JobStatus& status, int lines) {
   std::string text;
   int left_out = 0;
   for (const StepStatus& s : status.steps) {
-    if (s.state == State::done || (s.state == State::waiting && s.fraction == 0)) continue;
+    if (s.state == State::done || (s.state == State::waiting && s.fraction == 0 && is_usual(s.note))) continue;
     if (lines-- <= 0) {
       ++left_out;
       continue;

@@ -2,9 +2,11 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <ctime>
+#include <map>
 #include <memory>
 #include <new>
 #include <optional>
@@ -87,11 +89,17 @@ struct Canvas {
   std::uint64_t pixels = 0;  // of the region
 };
 
-Canvas blank(const Options& options, const Region& part) {
+// `places`: where the blocks of a part lie; empty: the whole picture is rendered.
+Canvas blank(const Options& options, const Region& part, const std::vector<Block>& places) {
   Canvas canvas;
-  const std::size_t pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  canvas.framebuffer.width = options.width;
-  canvas.framebuffer.height = options.height;
+  canvas.framebuffer.width = places.empty() ? options.width : 0;
+  canvas.framebuffer.height = places.empty() ? options.height : 0;
+  for (const Block& place : places) {
+    canvas.framebuffer.width = std::max(canvas.framebuffer.width, place.x + place.width);
+    canvas.framebuffer.height = std::max(canvas.framebuffer.height, place.y + place.height);
+  }
+  const std::size_t pixels =
+      static_cast<std::size_t>(canvas.framebuffer.width) * static_cast<std::size_t>(canvas.framebuffer.height);
   canvas.framebuffer.pixels.reserve(pixels);
   fill_by_huge_pages(canvas.framebuffer.pixels.data(), pixels * sizeof(Color));
   canvas.framebuffer.pixels.assign(pixels, Color());
@@ -100,6 +108,12 @@ Canvas blank(const Options& options, const Region& part) {
     canvas.pixels = static_cast<std::uint64_t>(part.last_column - part.first_column + 1) *
                     static_cast<std::uint64_t>(part.last_row - part.first_row + 1);
   return canvas;
+}
+
+std::map<Block, Block> by_block(const std::vector<Block>& blocks, const std::vector<Block>& places) {
+  std::map<Block, Block> result;
+  for (std::size_t i = 0; i < blocks.size(); ++i) result.emplace(blocks[i], places[i]);
+  return result;
 }
 
 // Of the passes before the picture: what was made by an earlier render, or where to put it.
@@ -192,10 +206,14 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   if (!options.prepass_file.empty()) prepasses.from = prepasses_for(header.picture, options.prepass_file);
   if (which.prepasses) prepasses.to.emplace();
 
-  Canvas canvas = blank(options, part);
+  const bool strip = which.of > 1;
+  const std::vector<Block> places = strip ? part_places(header) : std::vector<Block>();
+  // The prepasses have no pixels, nor has a part that is one too many for the blocks.
+  Canvas canvas = which.prepasses || (strip && places.empty()) ? Canvas() : blank(options, part, places);
   std::unique_ptr<StateFile> state;
   if (to_file && !options.replay && !which.prepasses) {
     state = std::make_unique<StateFile>(name.state_path, key_of_part(key, which));
+    if (strip) state->set_part(by_block(part_blocks(header), places), options.width, options.height);
     if (options.continue_trace && state->resume(canvas.framebuffer) == StateFile::Found::other_render)
       job.console.line(
           Stream::warning,

@@ -54,6 +54,11 @@ StateFile::~StateFile() {
   if (file_ >= 0) ::close(file_);
 }
 
+Block StateFile::place(const Block& block) const {
+  const auto found = places_.find(block);
+  return found == places_.end() ? block : found->second;
+}
+
 StateFile::Found StateFile::resume(render::Framebuffer& framebuffer) {
   if (!regular_or_absent(path_)) return Found::nothing;
   std::ifstream stream(path_, std::ios::binary);
@@ -66,17 +71,20 @@ StateFile::Found StateFile::resume(render::Framebuffer& framebuffer) {
   while (true) {
     record.resize(kRecordHead);
     if (!stream.read(record.data(), kRecordHead)) break;
-    const std::optional<Block> block = block_of_head(record, framebuffer.width, framebuffer.height);
-    if (!block) break;
+    const bool whole = places_.empty();
+    const std::optional<Block> block =
+        block_of_head(record, whole ? framebuffer.width : width_, whole ? framebuffer.height : height_);
+    if (!block || (!whole && !places_.contains(*block))) break;
     record.resize(record_bytes(*block, kColorBytes));
     if (!stream.read(record.data() + kRecordHead, static_cast<std::streamsize>(record.size() - kRecordHead)) ||
         !record_is_whole(record, key_))
       break;
-    read_colors(record, *block, &framebuffer.at(block->x, block->y), static_cast<std::size_t>(framebuffer.width));
+    const Block at = place(*block);
+    read_colors(record, *block, &framebuffer.at(at.x, at.y), static_cast<std::size_t>(framebuffer.width));
     if (!framebuffer.done.empty())
-      for (int row = block->y; row < block->y + block->height; ++row)
-        std::fill_n(framebuffer.done.begin() + static_cast<std::ptrdiff_t>(row) * framebuffer.width + block->x,
-                    block->width, std::uint8_t{1});
+      for (int row = at.y; row < at.y + at.height; ++row)
+        std::fill_n(framebuffer.done.begin() + static_cast<std::ptrdiff_t>(row) * framebuffer.width + at.x, at.width,
+                    std::uint8_t{1});
     known_.insert(*block);
     good += record.size();
   }
@@ -95,7 +103,7 @@ bool StateFile::open(bool append) {
 }
 
 void StateFile::append(const Block& block, const render::Framebuffer& framebuffer) {
-  if (!write_all(file_, color_record(block, framebuffer, key_))) fail("cannot write");
+  if (!write_all(file_, color_record(block, place(block), framebuffer, key_))) fail("cannot write");
 }
 
 void StateFile::finished(const Block& block, const render::Framebuffer& framebuffer) {

@@ -9,9 +9,11 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/parts/block_record.h"
@@ -27,6 +29,11 @@ class StateFile {
   ~StateFile();
   StateFile(const StateFile&) = delete;
   StateFile& operator=(const StateFile&) = delete;
+
+  // Of a part of a picture of this size: its blocks, and where they lie in its framebuffer.
+  void set_part(std::map<Block, Block> places, int width, int height) {
+    places_ = std::move(places), width_ = width, height_ = height;
+  }
 
   enum class Found { nothing, other_render, blocks };
   // Reads the finished blocks of an earlier run into the framebuffer (which has its size) and goes on with its file.
@@ -48,8 +55,12 @@ class StateFile {
   void append(const Block& block, const render::Framebuffer& framebuffer);
   void fail(const std::string& what);
 
+  Block place(const Block& block) const;
+
   std::filesystem::path path_;
   std::uint64_t key_;
+  std::map<Block, Block> places_;  // empty: blocks lie where they are in the picture
+  int width_ = 0, height_ = 0;     // then of the picture
   std::chrono::steady_clock::time_point start_;
   std::chrono::milliseconds delay_;
   std::set<Block> known_;

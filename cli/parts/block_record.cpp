@@ -37,9 +37,10 @@ bool record_is_whole(std::string_view record, std::uint64_t key) {
   return ByteSource(record.substr(body)).take<std::uint64_t>() == checksum(record.substr(0, body), key);
 }
 
-std::string color_record(const Block& block, const render::Framebuffer& framebuffer, std::uint64_t key) {
+std::string color_record(const Block& block, const Block& place, const render::Framebuffer& framebuffer,
+                         std::uint64_t key) {
   std::string record = head_of(block, kColorBytes);
-  each_pixel(block, framebuffer.width, [&](std::size_t i) {
+  each_pixel(place, framebuffer.width, [&](std::size_t i) {
     const Color& c = framebuffer.pixels[i];
     for (const float value : {c.r, c.g, c.b, c.t}) put_bytes(record, value);
   });

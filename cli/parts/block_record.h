@@ -30,7 +30,9 @@ std::optional<Block> block_of_head(std::string_view head, int width, int height)
 // The whole record has the checksum that it should have.
 bool record_is_whole(std::string_view record, std::uint64_t key);
 
-std::string color_record(const Block& block, const render::Framebuffer& framebuffer, std::uint64_t key);
+// `place`: where the block's pixels lie in the framebuffer.
+std::string color_record(const Block& block, const Block& place, const render::Framebuffer& framebuffer,
+                         std::uint64_t key);
 // Of a whole record of the block; row y of the block goes to `to + y * stride`.
 void read_colors(std::string_view record, const Block& block, Color* to, std::size_t stride);
 

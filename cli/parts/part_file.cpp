@@ -179,11 +179,23 @@ std::vector<Block> part_layer_blocks(const PartHeader& header) {
   return own_blocks({0, 0, header.picture.width, header.picture.height}, header);
 }
 
+std::vector<Block> part_places(const PartHeader& header) {
+  const std::vector<Block> blocks = part_blocks(header);
+  if (header.part.of == 1) return blocks;
+  std::vector<render::Block> own;
+  for (const Block& b : blocks) own.push_back({b.x, b.y, b.width, b.height});
+  std::vector<Block> places;
+  for (const render::Block& b : render::strip_of(own)) places.push_back({b.x, b.y, b.width, b.height});
+  return places;
+}
+
 void write_part(const std::filesystem::path& path, const PartHeader& header, const render::Framebuffer& framebuffer,
                 const render::Layers& layers) {
   OutputFile file(path);
   put(file, head_bytes(header));
-  for (const Block& block : part_blocks(header)) put(file, color_record(block, framebuffer, header.picture.key));
+  const std::vector<Block> blocks = part_blocks(header), places = part_places(header);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    put(file, color_record(blocks[i], places[i], framebuffer, header.picture.key));
   for (const Block& block : part_layer_blocks(header))
     put(file, layer_record(block, layers, header.picture.width, header.picture.key));
   file.publish();

@@ -47,6 +47,8 @@ struct PartHeader {
 // The blocks of a part of the picture, and those of its layers (of the whole picture, whatever region is rendered).
 std::vector<Block> part_blocks(const PartHeader& header);
 std::vector<Block> part_layer_blocks(const PartHeader& header);
+// Where those of the picture lie in the framebuffer of the part (render::render), in the same order.
+std::vector<Block> part_places(const PartHeader& header);
 
 // All throw std::runtime_error naming the file and the reason.
 void write_part(const std::filesystem::path& path, const PartHeader& header, const render::Framebuffer& framebuffer,

@@ -255,10 +255,11 @@ class Test(Folder):
         watcher.end()
 
     def dead_controller(self):
-        self.submit("headless", "slow")
+        self.submit("headless", "slow", 4, "+R3")  # all run at once
         watcher = Watcher(self, "headless")
         watcher.start()
-        self.until_rendering("headless")
+        self.slurm.until(lambda: len(self.renders("headless")) == 4, "the tasks do not begin", 60)
+        time.sleep(8)  # until slurmctld has written down that they run; what it has not, a plain Slurm loses
         self.slurm.kill("slurmctld")
         status = self.status("headless")
         if status["engine_answers"]:
@@ -266,7 +267,11 @@ class Test(Folder):
         self.farm("resume", "headless", status=5)  # nobody knows what still runs
         self.slurm.start("slurmctld")
         self.slurm.until(self.slurm.answers, "slurmctld does not come back")
-        self.finish("headless", "slow")
+        self.slurm.idle()
+        self.farm("wait", "headless")
+        self.call("render", "slow.pov", *SCENES["slow"][1], "+R3", "--output", "whole-headless.png")
+        if (self.path / "headless.png").read_bytes() != (self.path / "whole-headless.png").read_bytes():
+            self.fail("headless", "the picture is another one")
         watcher.end()
 
     def time_limit(self):

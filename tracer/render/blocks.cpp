@@ -42,4 +42,12 @@ std::vector<int> parts_of(std::span<const Block> blocks, int parts) {
   return result;
 }
 
+std::vector<Block> strip_of(std::span<const Block> blocks_of_part) {
+  std::vector<Block> strip;
+  int y = 0;
+  for (const Block& block : blocks_of_part)
+    strip.push_back({0, std::exchange(y, y + block.height), block.width, block.height});
+  return strip;
+}
+
 }  // namespace verisim::render

@@ -21,5 +21,7 @@ std::vector<Block> blocks_of(const Area& area, int block_size);
 // Which of `parts` parts each of these blocks of an area belongs to, from 0: in turn along a Z-curve, so that every
 // part has blocks from everywhere in the picture, and all take about the same time.
 std::vector<int> parts_of(std::span<const Block> blocks, int parts);
+// Where the blocks of a part lie in its framebuffer: below one another, each at the left.
+std::vector<Block> strip_of(std::span<const Block> blocks_of_part);
 
 }  // namespace verisim::render

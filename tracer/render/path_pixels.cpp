@@ -25,7 +25,7 @@ std::optional<Ray> camera_ray(const CameraModel& camera, double x, double y, int
 }  // namespace
 
 void render_paths(const Block& block, const CameraModel& camera, const path::PathScene& scene, shading::Tracer& tracer,
-                  const Options& options, Framebuffer& frame) {
+                  const Options& options, const BlockPixels& out) {
   path::PathTracer paths(scene, tracer);
   for (int y = block.y; y < block.y + block.height; ++y) {
     for (int x = block.x; x < block.x + block.width; ++x) {
@@ -45,8 +45,8 @@ void render_paths(const Block& block, const CameraModel& camera, const path::Pat
         sum[0] += c.r, sum[1] += c.g, sum[2] += c.b, sum[3] += c.t;
       }
       const double n = options.path_samples;
-      frame.at(x, y) = {static_cast<float>(sum[0] / n), static_cast<float>(sum[1] / n), static_cast<float>(sum[2] / n),
-                        0, static_cast<float>(sum[3] / n)};
+      out.at(x, y) = {static_cast<float>(sum[0] / n), static_cast<float>(sum[1] / n), static_cast<float>(sum[2] / n), 0,
+                      static_cast<float>(sum[3] / n)};
     }
   }
 }

@@ -9,6 +9,6 @@ namespace verisim::render {
 
 // Renders a block with options.path_samples paths a pixel. The result depends on pixel and seed alone.
 void render_paths(const Block& block, const CameraModel& camera, const path::PathScene& scene, shading::Tracer& tracer,
-                  const Options& options, Framebuffer& frame);
+                  const Options& options, const BlockPixels& out);
 
 }  // namespace verisim::render

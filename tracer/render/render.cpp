@@ -51,8 +51,22 @@ class Queue {
         frame_(frame),
         statistics_(statistics),
         blocks_(blocks_of(render_area(options), options.block_size)),
-        wanted_(wanted(blocks_, options)) {
-    for (const std::size_t i : wanted_) pixels_ += static_cast<std::uint64_t>(blocks_[i].width) * blocks_[i].height;
+        wanted_(wanted(blocks_, options)),
+        places_(blocks_) {
+    std::vector<Block> own;
+    for (const std::size_t i : wanted_) own.push_back(blocks_[i]);
+    for (const Block& b : own) pixels_ += static_cast<std::uint64_t>(b.width) * b.height;
+    if (options.prepasses_to) return;
+    int width = options.width, height = options.height;
+    if (options.parts > 1) {
+      width = height = 0;
+      const std::vector<Block> strip = strip_of(own);
+      for (std::size_t k = 0; k < strip.size(); ++k) {
+        places_[wanted_[k]] = strip[k];
+        width = std::max(width, strip[k].width), height += strip[k].height;
+      }
+    }
+    make_room(width, height);
   }
 
   // The numbers of the blocks that are to be rendered; numbers are those of the whole picture.
@@ -66,6 +80,10 @@ class Queue {
   std::size_t size() const { return wanted_.size(); }
   bool cancelled() const { return options_.cancel && options_.cancel->load(std::memory_order_relaxed); }
   int index(const Block* block) const { return static_cast<int>(block - blocks_.data()); }
+  BlockPixels pixels(const Block& block) {
+    const Block& place = places_[static_cast<std::size_t>(index(&block))];
+    return {frame_, block.x - place.x, block.y - place.y};
+  }
   std::span<const Block> blocks() const { return blocks_; }
   // Null when there are no more.
   const Block* next() {
@@ -80,8 +98,9 @@ class Queue {
   }
   void finished(const Block& b, bool rendered = true) {
     if (rendered) {
-      for (int y = b.y; y < b.y + b.height; ++y)
-        std::fill_n(frame_.done.begin() + static_cast<std::ptrdiff_t>(y) * frame_.width + b.x, b.width,
+      const Block& place = places_[static_cast<std::size_t>(index(&b))];
+      for (int y = place.y; y < place.y + place.height; ++y)
+        std::fill_n(frame_.done.begin() + static_cast<std::ptrdiff_t>(y) * frame_.width + place.x, place.width,
                     std::uint8_t{1});
       if (options_.block_done) options_.block_done(b.x, b.y, b.width, b.height);
     }
@@ -109,11 +128,22 @@ class Queue {
   }
 
  private:
+  // A framebuffer of another size is made anew.
+  void make_room(int width, int height) {
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    if (frame_.width != width || frame_.height != height || frame_.pixels.size() != pixels) {
+      frame_.width = width, frame_.height = height;
+      frame_.pixels.assign(pixels, Color());
+    }
+    frame_.done.assign(pixels, 0);
+  }
+
   const Options& options_;
   Framebuffer& frame_;
   Statistics& statistics_;
   const std::vector<Block> blocks_;
   std::vector<std::size_t> wanted_;  // numbers of blocks, in the order they are worked on
+  std::vector<Block> places_;        // of all blocks in the framebuffer
   std::atomic<std::size_t> next_{0};
   std::mutex mutex_;
   std::uint64_t pixels_ = 0, done_ = 0;
@@ -121,8 +151,7 @@ class Queue {
 
 // One thread's work: blocks until there are none left.
 void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& effects, const CameraModel& camera,
-          const Options& options, const path::PathScene* paths, std::span<const shading::LastBlockers> blockers,
-          Framebuffer& frame) {
+          const Options& options, const path::PathScene* paths, std::span<const shading::LastBlockers> blockers) {
   shading::Tracer tracer(scene, shading::RandomSource(options.replay, options.seed), options.cancel);
   tracer.coherent().set_camera(camera.coherence);
   PixelSampler sampler(camera, tracer);
@@ -143,16 +172,17 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
       const int index = queue.index(block);
       begin_block(effects, tracer, options, index);
       if (!blockers.empty()) tracer.remember_blockers(blockers[static_cast<std::size_t>(index)]);
+      const BlockPixels pixels = queue.pixels(*block);
       if (paths) {
-        render_paths(*block, camera, *paths, tracer, options, frame);
+        render_paths(*block, camera, *paths, tracer, options, pixels);
       } else if (sampling) {
-        sampling->render(*block, frame);
+        sampling->render(*block, pixels);
       } else if (grid) {
-        grid->render(*block, frame);
+        grid->render(*block, pixels);
       } else if (quads) {
-        quads->render(*block, frame);
+        quads->render(*block, pixels);
       } else {
-        render_plain(*block, sampler, frame);
+        render_plain(*block, sampler, pixels);
       }
       end_block(effects, tracer, options, index);
       queue.add_statistics(std::exchange(tracer.statistics(), {}));
@@ -168,16 +198,6 @@ const scene::Scene& supported(const scene::Scene& scene, const Options& options)
   scene::complete(scene);
   if (options.path_samples > 0) path::check_supported(scene);
   return scene;
-}
-
-// A framebuffer of another size is made anew.
-void make_room(const Options& options, Framebuffer& frame) {
-  const std::size_t pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  if (frame.width != options.width || frame.height != options.height || frame.pixels.size() != pixels) {
-    frame.width = options.width, frame.height = options.height;
-    frame.pixels.assign(pixels, Color());
-  }
-  frame.done.assign(pixels, 0);
 }
 
 }  // namespace
@@ -212,7 +232,6 @@ CameraModel PreparedScene::camera(const Options& options, const Window& window) 
 }
 
 Statistics PreparedScene::render(const Options& options, Framebuffer& frame, const Window& window) {
-  make_room(options, frame);
   Statistics statistics;
   const auto start = std::chrono::steady_clock::now();
   const CameraModel model = camera(options, window);
@@ -231,7 +250,7 @@ Statistics PreparedScene::render(const Options& options, Framebuffer& frame, con
       blockers = blockers_at_blocks(data_, model, options, queue.blocks());
   };
   const auto work_on_blocks = [&] {
-    work(queue, data_, effects_, model, options, paths_ ? &*paths_ : nullptr, blockers, frame);
+    work(queue, data_, effects_, model, options, paths_ ? &*paths_ : nullptr, blockers);
   };
   std::vector<Block> layer_blocks;  // of the whole picture, whatever region is rendered
   if (options.layers && !options.prepasses_to) {
@@ -248,12 +267,7 @@ Statistics PreparedScene::render(const Options& options, Framebuffer& frame, con
     if (!options.prepasses_to) work_on_blocks();
     for (std::size_t i = 0; i < layer_blocks.size(); ++i) fill_layer_block(i);
   } else {
-    // The arena alone says how many threads there are, so that other renders of the process keep theirs; only more than
-    // the machine has must be allowed.
-    using tbb::global_control;
-    std::optional<global_control> allow;
-    if (static_cast<std::size_t>(threads) > global_control::active_value(global_control::max_allowed_parallelism))
-      allow.emplace(global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     const tbb::global_control stack(tbb::global_control::thread_stack_size, std::size_t{100} << 20);
     tbb::task_arena arena(threads);
     arena.execute([&] {

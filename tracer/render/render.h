@@ -10,7 +10,9 @@
 namespace verisim::render {
 
 // Throws Unsupported before any ray is shot; std::bad_alloc and friends pass through. A framebuffer that already has
-// the size asked for keeps its pixels where nothing is rendered; any other is made anew, opaque black.
+// the size asked for keeps its pixels where nothing is rendered; any other is made anew, opaque black. The
+// framebuffer of one of several parts (options.parts above 1) is a strip: its blocks alone, below one another in their
+// order (strip_of in tracer/render/blocks.h).
 Statistics render(const scene::Scene& scene, const Options& options, Framebuffer& framebuffer);
 
 }  // namespace verisim::render

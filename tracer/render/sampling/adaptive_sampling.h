@@ -24,7 +24,7 @@ class AdaptiveSampling {
         edges_(settings, centres_, sample),
         stratified_(settings, centres_, sample) {}
 
-  void render(const Block& block, Framebuffer& out) {
+  void render(const Block& block, const BlockPixels& out) {
     block_ = block;
     centres_.trace(block, sample_);
     edges_.clear(), chosen_.clear();

@@ -19,6 +19,17 @@ struct Block {
   int x, y, width, height;
 };
 
+// Where the pixels of a block are written, by the columns and rows that they have in the picture.
+struct BlockPixels {
+  // `left`, `top`: what to take away from them; 0 for a framebuffer of the picture.
+  BlockPixels(Framebuffer& frame, int left = 0, int top = 0) : frame_(frame), left_(left), top_(top) {}
+  Color& at(int x, int y) const { return frame_.at(x - left_, y - top_); }
+
+ private:
+  Framebuffer& frame_;
+  int left_, top_;
+};
+
 struct AntialiasSettings {
   int method = 1;  // 1 or 2
   int depth = 3;
@@ -84,7 +95,7 @@ bool any_order(const Sampler& sample) {
 }
 
 template <class Sampler>
-void render_plain(const Block& block, Sampler&& sample, Framebuffer& out) {
+void render_plain(const Block& block, Sampler&& sample, const BlockPixels& out) {
   for (int y = block.y; y < block.y + block.height; ++y)
     sample_row(sample, block.x, y, block.width, &out.at(block.x, y));
 }
@@ -95,7 +106,7 @@ class AdaptiveGrid {
  public:
   AdaptiveGrid(const AntialiasSettings& settings, Sampler& sample) : settings_(settings), sample_(sample) {}
 
-  void render(const Block& block, Framebuffer& out) {
+  void render(const Block& block, const BlockPixels& out) {
     stride_ = block.width + 1;
     cells_.assign(static_cast<std::size_t>(stride_) * (block.height + 1), {});
     origin_x_ = block.x - 1, origin_y_ = block.y - 1;
@@ -214,7 +225,7 @@ class RecursiveQuads {
         side_((1 << (settings.depth - 1)) + 1),
         points_(static_cast<std::size_t>(side_) * side_) {}
 
-  void render(const Block& block, Framebuffer& out) {
+  void render(const Block& block, const BlockPixels& out) {
     const int stride = block.width + 1;
     corners_.resize(static_cast<std::size_t>(stride) * (block.height + 1));
     row_.resize(static_cast<std::size_t>(stride));

@@ -14,10 +14,9 @@ std::string_view asked_for() {
   return name ? name : "";
 }
 
-// What each_target.h has kernels compiled for. Noise has the baseline only with compilers other than GCC, so others
-// take it for all.
+// What each_target.h has kernels compiled for. (Noise has the baseline alone with compilers other than GCC.)
 InstructionSet find_best() {
-#if defined(__x86_64__) && !defined(__clang__)
+#if defined(__x86_64__)
   __builtin_cpu_init();
   if (!__builtin_cpu_supports("ssse3") || !__builtin_cpu_supports("sse4.1") || !__builtin_cpu_supports("sse4.2"))
     return kBaseline;

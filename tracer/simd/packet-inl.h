@@ -339,18 +339,24 @@ HWY_INLINE void scatter(T* to, const BasicPacket<I, N>& index, const BasicPacket
 
 // Rounded to single precision, and without loss back.
 HWY_INLINE FloatPacket to_floats(const Packet& a) {
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128  // their DemoteTo makes the largest float of larger numbers
+  double doubles[kLanes];
+  float floats[kLanes];
+  store(doubles, a);
+  for (int k = 0; k < kLanes; ++k) floats[k] = static_cast<float>(doubles[k]);
+  return FloatPacket::load(floats);
+#else
   constexpr int kVectors = FloatPacket::kVectors;
   const hn::Rebind<float, Packet::D> part;  // as many as doubles are in a vector
   FloatPacket r;
-#if HWY_TARGET == HWY_SCALAR  // whose DemoteTo makes the largest float of what is larger, not infinity
-  VERISIM_EACH_VECTOR r.v[i] = hn::Set(part, static_cast<float>(hn::GetLane(a.v[i])));
-#elif HWY_TARGET == HWY_AVX3
+#if HWY_TARGET == HWY_AVX3
   VERISIM_EACH_VECTOR r.v[i] = hn::DemoteTo(part, a.v[i]);
 #else  // put together in a register: halves that are written to memory and read whole are waited for
   VERISIM_EACH_VECTOR r.v[i] =
       hn::Combine(FloatPacket::D(), hn::DemoteTo(part, a.v[2 * i + 1]), hn::DemoteTo(part, a.v[2 * i]));
 #endif
   return r;
+#endif
 }
 HWY_INLINE Packet to_doubles(const float* p) {
   constexpr int kVectors = Packet::kVectors;

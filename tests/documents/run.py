@@ -39,7 +39,7 @@ OF_OTHERS = {"--component": "cmake", "--signal": "sbatch", "--requeue": "sbatch"
 # What stands for what in synopses; the longer first.
 CAPITALS = [("[switches]", "+W32 +H24"), ("SCENE...", "scene.pov"), ("K/N", "1/2"), ("K.vsp", "one.vsp"), ("PARTS...", "parts/*.vsp"), ("FILE", "merged.png"),
             ("SCENE X Y", "scene.pov 16 12 +W32 +H24"), ("SCENE", "scene.pov"), ("A B", "povray.png verisim.png"), ("...", "")]
-NEEDS_POVRAY = re.compile(r"^verisim (compare|bench|explain)\b")
+NEEDS_POVRAY = re.compile(r"^(build/release/bin/)?verisim (compare|bench|explain)\b")
 
 
 def shell_lines(text):

@@ -13,6 +13,9 @@ install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CONTRIBUT
 install(FILES ${PROJECT_SOURCE_DIR}/SECURITY.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(FILES ${PROJECT_SOURCE_DIR}/compare/report/report.schema.json DESTINATION ${CMAKE_INSTALL_DATADIR}/verisim COMPONENT runtime)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
+# The scenes that the lecture's pages show.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes/lecture ${PROJECT_SOURCE_DIR}/scenes/cornell_box
+        DESTINATION ${CMAKE_INSTALL_DOCDIR}/scenes COMPONENT runtime)
 
 # What the program is made of (SPDX 2.3).
 find_package(Python3 REQUIRED COMPONENTS Interpreter)

@@ -230,14 +230,17 @@ int command_explain(const std::vector<std::string>& arguments) {
   Console console(options, Style::verisim);
   Interrupt interrupt(watch(options, console));
   const Job job{options, console, interrupt, scene, animation(options)};
-  const parser::ParseResult parsed = parse_scene(job, parse_options(job, job.animation.frame(0)));
+  parser::Origins origins;
+  parser::ParseOptions parse = parse_options(job, job.animation.frame(0));
+  parse.origins = &origins;
+  const parser::ParseResult parsed = parse_scene(job, parse);
   console.end_of_debug();
   if (!parsed.scene) {
     for (const parser::Diagnostic& error : parsed.errors)
       if (error.severity == parser::Severity::unsupported) return kUnsupported;
     return kSceneErrors;
   }
-  RayTree tree;
+  RayTree tree(&origins);
   Color color;
   const render::Options render = render_options(job, {0, options.width - 1, 0, options.height - 1});
   try {

@@ -30,10 +30,13 @@ ViewSettings view_settings(const std::vector<std::string>& arguments) {
                  "saved. Only this machine is served, and only who has the address that is printed. What the scene "
                  "writes goes to a folder that is removed at the end. It runs in the sandbox (--sandbox) unless "
                  "--sandbox=off is given.");
-  own.synopsis("SCENE [options] [switches]")
+  own.synopsis("SCENE|--lecture [options] [switches]")
       .summary("a live picture in the browser that follows every saved file")
       .example("verisim view scene.pov +W640 +H480 +A0.3", "edit the scene and look")
+      .example("verisim view --lecture", "ray tracing explained, with scenes that can be changed")
       .section("Options");
+  own.flag("--lecture", settings.lecture, "show the pages that explain ray tracing instead of a scene");
+  own.value("--against FILE", settings.against, "a stored picture of the same size to hold the live one against");
   own.flag("--no-open", no_open, "print the address, but do not open a browser");
   own.value("--port N", settings.port, "the port on 127.0.0.1; 0: any free one");
   own.value("--token TEXT", settings.token,
@@ -41,11 +44,14 @@ ViewSettings view_settings(const std::vector<std::string>& arguments) {
             "started again with the same --port; without it a random one");
   add_render_options(own, options);
   own.switches({Topic::scene, Topic::size, Topic::speed, Topic::animation, Topic::messages});
-  const std::vector<std::string> files = apply_words(options, own.parse(arguments));
+  settings.words = own.parse(arguments);
+  const std::vector<std::string> files = apply_words(options, settings.words);
   settings.open = !no_open;
   if (files.size() > 1) throw OptionError(fmt::format("one scene at a time: '{}' and '{}'", files[0], files[1]));
   if (!files.empty()) options.input_file = files[0];
-  if (options.input_file.empty()) throw OptionError("no scene: verisim view SCENE [switches]");
+  if (settings.lecture && !options.input_file.empty())
+    throw OptionError("--lecture has scenes of its own: give either a scene or --lecture");
+  if (options.input_file.empty() && !settings.lecture) throw OptionError("no scene: verisim view SCENE [switches]");
   if (options.input_file == "-") throw OptionError("a live picture needs a file that can change, not a stream");
   if (options.replay) throw OptionError("--replay needs the whole picture in order; `verisim render` does that");
   if (settings.port < 0 || settings.port > 65535) throw OptionError("--port must be from 0 to 65535");

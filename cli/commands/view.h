@@ -10,9 +10,12 @@ namespace verisim::cli {
 
 struct ViewSettings {
   Options options;  // input_file is the scene
+  bool lecture = false;  // its pages instead of a scene
   bool open = true;
   int port = 0;
   std::string token;
+  std::string against;             // a picture to hold the live one against; empty: none
+  std::vector<std::string> words;  // switches and settings as they were given
 };
 
 // Throws OptionError, or HelpWanted.

@@ -49,13 +49,16 @@ function take(buffer) {
     put(values, x, y, width, height, cell);
   }
   if (head.about && head.about.steps) encode(head.about);
-  if (head.about) knobs(head.about, head.clock);
+  if (head.about) { state.about = head.about; knobs(head.about, head.clock); }
+  state.clock = head.clock;
   $('scene').textContent = head.scene;
   document.title = head.scene + ' · verisim';
   $('status').className = '';
   $('status').textContent = head.status === 'done' ? `done in ${head.seconds.toFixed(2)} s, first picture after ${Math.round(1000 * head.first_seconds)} ms` : head.status;
   $('zoom').textContent = `${+state.zoom.toPrecision(3)} ×`;
   errors(head.messages, head.broken);
+  if (head.status === 'done' && finished.generation !== head.generation) finish(head);
+  $('film').hidden = !(head.about && head.about.clock);
   draw();
 }
 
@@ -145,6 +148,7 @@ function draw() {
         data[4 * i] = shown[0]; data[4 * i + 1] = shown[1]; data[4 * i + 2] = shown[2]; data[4 * i + 3] = 255;
       }
     }
+    if (channel === 'rgb') beside(data);
     context.putImageData(image, 0, 0);
     window.verisim.frames++;
     readout();
@@ -165,6 +169,111 @@ function readout() {
   if (layers) text += layers[i] < 1e10 ? `, ${+layers[i].toPrecision(6)} away, normal ${[0, 1, 2].map(k => +layers[n + 3 * i + k].toFixed(3)).join(' ')}, object ${layers[7 * n + i]}` : ', nothing is hit';
   $('values').textContent = text;
 }
+
+// ---- held against another picture
+
+const finished = { generation: -1, bytes: null };  // what a file would hold of the newest finished picture
+let previous = null, other = null, flip = null, blink = false;
+const same = () => state.zoom === 1 && state.left === 0 && state.top === 0;
+
+function finish(head) {
+  if (state.wanted || head.zoom !== 1 || head.quick) return;
+  if (finished.bytes) previous = finished.bytes;
+  const n = state.width * state.height, bytes = new Uint8Array(3 * n);
+  for (let i = 0; i < n; i++) for (let c = 0; c < 3; c++) bytes[3 * i + c] = stored(colors[4 * i + c]);
+  finished.generation = head.generation;
+  finished.bytes = bytes;
+  if ($('other').value) hold();
+}
+
+// Fetches the other picture, and says how far away it is.
+async function hold() {
+  const which = $('other').value, generation = finished.generation;
+  $('split-label').hidden = !which || $('way').value !== 'split';
+  other = flip = null;
+  $('worst').replaceChildren();
+  if (!which) { $('compared').textContent = ''; return draw(); }
+  if (which === 'previous') {
+    other = previous;
+    $('compared').textContent = previous ? '' : 'There is no version before.';
+  } else {
+    $('compared').textContent = which === 'povray' ? 'POV-Ray renders …' : 'reading …';
+    const reply = await fetch(which).catch(() => null);
+    if (generation !== finished.generation || which !== $('other').value) return;
+    if (!reply || !reply.ok) { $('compared').textContent = reply ? await reply.text() : 'verisim view does not answer'; return draw(); }
+    other = new Uint8Array(await reply.arrayBuffer());
+  }
+  if (other && finished.bytes && other.length === finished.bytes.length) tellDifference();
+  if ($('way').value === 'flip') await fetchFlip();
+  draw();
+}
+
+function tellDifference() {
+  const w = state.width, a = finished.bytes, errors = [];
+  let most = 0, differ = 0;
+  for (let i = 0; i < a.length; i += 3) {
+    const e = Math.max(Math.abs(a[i] - other[i]), Math.abs(a[i + 1] - other[i + 1]), Math.abs(a[i + 2] - other[i + 2]));
+    if (e) { differ++; errors.push([e, i / 3]); most = Math.max(most, e); }
+  }
+  $('compared').textContent = differ ? `${differ} pixels differ, by ${most} at most` : 'the same in every pixel';
+  errors.sort((p, q) => q[0] - p[0]);
+  const worst = [];
+  for (const [e, i] of errors) {
+    const x = i % w, y = (i - x) / w;
+    if (worst.every(p => Math.hypot(p[1] - x, p[2] - y) > 3)) worst.push([e, x, y]);
+    if (worst.length === 5) break;
+  }
+  $('worst').replaceChildren(...worst.map(([e, x, y]) => {
+    const button = document.createElement('button');
+    button.textContent = `${x}, ${y}: ${e}`;
+    button.title = 'follow the ray of this pixel';
+    button.onclick = () => { state.cursor = [x, y]; readout(); explain(x, y); };
+    return button;
+  }));
+}
+
+async function fetchFlip() {
+  if (!other || $('other').value === 'previous') return;
+  const reply = await fetch('flip').catch(() => null);
+  if (reply && reply.ok) flip = new Float32Array(await reply.arrayBuffer());
+  else if (reply) $('compared').textContent = await reply.text();
+}
+
+// What stands beside the picture goes over its bytes.
+function beside(data) {
+  if (!other || !same() || other.length * 4 !== data.length * 3) return;
+  const way = $('way').value, w = state.width, n = w * state.height, edge = Math.round(+$('split').value * w);
+  for (let i = 0; i < n; i++)
+    for (let c = 0; c < 3; c++) {
+      const o = other[3 * i + c], at = 4 * i + c;
+      if (way === 'other' || (way === 'blink' && blink) || (way === 'split' && i % w >= edge)) data[at] = i % w === edge && way === 'split' ? 255 - o : o;
+      else if (way === 'difference') data[at] = 16 * Math.abs(data[at] - o);
+      else if (way === 'flip') data[at] = flip ? [255 * Math.min(1, 3 * flip[i]), 255 * Math.max(0, Math.min(1, 3 * flip[i] - 1)), 255 * Math.max(0, 3 * flip[i] - 2)][c] : 0;
+    }
+}
+setInterval(() => { if (other && $('way').value === 'blink' && !document.hidden) { blink = !blink; draw(); } }, 600);
+$('other').onchange = hold;
+$('way').onchange = async () => { $('split-label').hidden = !$('other').value || $('way').value !== 'split'; if ($('way').value === 'flip' && !flip) await fetchFlip(); draw(); };
+$('split').oninput = draw;
+fetch('others').then(reply => reply.json()).then(told => { document.querySelector('#other option[value=stored]').hidden = !told.stored; }).catch(() => {});
+
+// ---- playing an animation, coarse
+
+let playing = false;
+async function play() {
+  playing = !playing;
+  $('play').textContent = playing ? 'Stop' : 'Play';
+  const about = state.about, frames = about.frames > 1 ? about.frames : 30, before = state.clock;
+  for (let frame = 0; playing; frame = (frame + 1) % frames) {
+    const clock = about.first + (about.last - about.first) * frame / Math.max(1, frames - 1), start = performance.now(), from = state.generation;
+    await ask({ clock, quick: true });
+    while (playing && !(state.generation > from && state.status === 'done') && !state.broken) await wait(0.01);
+    await wait(Math.max(0, 0.04 - (performance.now() - start) / 1000));
+    window.verisim.played = (window.verisim.played || 0) + 1;
+  }
+  ask({ clock: before, quick: false });
+}
+$('play').onclick = play;
 
 // ---- messages of the scene
 
@@ -251,6 +360,8 @@ document.addEventListener('keydown', e => {
   else if (e.key === '0') look(1, 0, 0);
   else if (e.key === 'c') { $('channel').selectedIndex = ($('channel').selectedIndex + 1) % $('channel').length; draw(); }
   else if (e.key === '[' || e.key === ']') { $('exposure').value = +$('exposure').value + (e.key === ']' ? 0.5 : -0.5); $('exposure').oninput(); }
+  else if (e.key === 'b') { const c = $('other').value ? $('way') : $('other'); c.selectedIndex = (c.selectedIndex + 1) % (c === $('other') ? 2 : c.length); c.onchange(); }
+  else if (e.key === 'p' && !$('film').hidden) play();
   else if (e.key === 'Escape') endStory();
   else return;
   e.preventDefault();

@@ -13,16 +13,17 @@ double rounded(double value) { return std::fabs(value) < 1e-12 ? 0 : value; }
 Json numbers(const Vec3& v) { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
 Json numbers(const Rgb& c) { return {c.r, c.g, c.b}; }
 
-std::string name_of(const shapes::Surface* surface) {
-  return surface && surface->object ? object_name(*surface->object) : "a surface";
-}
-
 }  // namespace
 
 std::string text(const Vec3& v) {
   return fmt::format("<{:.6g}, {:.6g}, {:.6g}>", rounded(v.x), rounded(v.y), rounded(v.z));
 }
 std::string text(const Rgb& c) { return fmt::format("<{:.5g}, {:.5g}, {:.5g}>", c.r, c.g, c.b); }
+
+std::string RayTree::name_of(const shapes::Surface* surface) const {
+  if (!surface || !surface->object) return "a surface";
+  return origins_ ? full_object_name(*surface->object, *origins_) : object_name(*surface->object);
+}
 
 void RayTree::line(const std::string& what) { lines_ += std::string(open_.size() * 2, ' ') + what + "\n"; }
 
@@ -57,8 +58,8 @@ void RayTree::ray_started(const shading::RayState& ray, const shapes::Hit* hit) 
 }
 
 // A part of the colour of the latest ray.
-Json* RayTree::term(const std::string& what, const Rgb& adds) {
-  if (open_.empty() || adds == Rgb()) return nullptr;
+Json* RayTree::term(const std::string& what, const Rgb& adds, bool even_nothing) {
+  if (open_.empty() || (adds == Rgb() && !even_nothing)) return nullptr;
   Open& ray = open_.back();
   ray.sum += adds;
   Json& sum = ray.story["sum"];
@@ -93,7 +94,7 @@ void RayTree::rays_added(const Rgb& seen) {
   const std::string kind = ray.story["rays"][first]["kind"];
   const Rgb adds = seen * ray.weight();
   line(fmt::format("what is {} adds {}", kind == "cut off" ? "not traced" : kind, text(adds)));
-  if (Json* added = term(kind, adds)) (*added)["rays"] = {first, ray.rays_added};
+  if (Json* added = term(kind, adds, true)) (*added)["rays"] = {first, ray.rays_added};
 }
 
 void RayTree::air(const Color& without, const Color& with) {

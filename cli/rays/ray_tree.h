@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "parser/source/origins.h"
 #include "tracer/shading/explain.h"
 #include "tracer/shading/tracer.h"
 
@@ -14,6 +15,8 @@ namespace verisim::cli {
 // One use for one pixel.
 class RayTree : public shading::Observer {
  public:
+  // Objects are called by their full names where their origins are known; they must outlive this.
+  explicit RayTree(const parser::Origins* origins = nullptr) : origins_(origins) {}
   const std::string& lines() const { return lines_; }
   // {"rays": [ray ...]}; a ray: {"kind": camera|reflected|refracted|transmitted|gathering, "origin", "direction",
   // "weight", "distance" (null: it sees the sky), "crosses": [{"distance", "object"} ...], "layers": [{"object",
@@ -50,12 +53,14 @@ class RayTree : public shading::Observer {
   };
 
   void line(const std::string& what);
+  std::string name_of(const shapes::Surface* surface) const;
   const char* kind_of(const shading::RayState& ray) const;
   nlohmann::json crossings(const shading::RayState& ray);
   void put(nlohmann::json ray);
   void layer_term(const std::string& what, const Rgb& light);
-  nlohmann::json* term(const std::string& what, const Rgb& adds);  // null: it adds nothing
+  nlohmann::json* term(const std::string& what, const Rgb& adds, bool even_nothing = false);  // null: left out
 
+  const parser::Origins* const origins_;
   const shading::SceneData* data_ = nullptr;
   std::string lines_;
   std::vector<Open> open_;

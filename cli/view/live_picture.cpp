@@ -135,6 +135,7 @@ bool LivePicture::parse(const Wish& wish) {
     const Job job{options_, console_, interrupt_, {scene_, {}}, animation_};
     parser::ParseOptions parse = parse_options(job, {animation_.frame(0).number, wish.clock});
     parse.clock_on = true;
+    parse.origins = &parsed->origins;
     parse.message = [&](const parser::Diagnostic& d) {
       constexpr std::size_t kMost = 50;
       if (messages.size() < kMost) messages.push_back(as_json(d));
@@ -158,7 +159,11 @@ bool LivePicture::parse(const Wish& wish) {
     const std::lock_guard lock(mutex_);
     messages_ = std::move(messages), broken_ = !good, knobs_ = knobs_of(text);
     if (good) parsed_ = std::move(parsed);
-    scene_state_ = {{"knobs", nlohmann::json::array()}, {"clock", text.find("clock") != std::string::npos}};
+    scene_state_ = {{"knobs", nlohmann::json::array()},
+                    {"clock", text.find("clock") != std::string::npos},
+                    {"first", animation_.on ? animation_.initial_clock : 0.0},
+                    {"last", animation_.on ? animation_.final_clock : 1.0},
+                    {"frames", animation_.on ? animation_.count() : 0}};
     for (const Knob& knob : knobs_) {
       const auto value = wish.values.find(knob.name);
       scene_state_["knobs"].push_back({{"name", knob.name},
@@ -208,17 +213,19 @@ void LivePicture::publish(const render::Framebuffer& frame, int x, int y, int wi
   changed_.notify_all();
 }
 
-void LivePicture::render_pass(Parsed& parsed, const Wish& wish, int cell, bool antialias, render::Layers* layers) {
+render::Framebuffer LivePicture::render_pass(Parsed& parsed, const Wish& wish, int cell, bool antialias,
+                                             render::Layers* layers) {
   auto [options, window] = part(wish, cell);
   options.antialias = antialias, options.layers = layers;
   render::Framebuffer frame;
   if (cell == kCoarse) {  // in one piece: many small ones would only be seen to flicker
     parsed.prepared->render(options, frame, window);
     if (!cancel_) publish(frame, 0, 0, options.width, options.height, cell);
-    return;
+    return frame;
   }
   options.block_done = [&, cell](int x, int y, int w, int h) { publish(frame, x, y, w, h, cell); };
   parsed.prepared->render(options, frame, window);
+  return frame;
 }
 
 void LivePicture::render(const Wish& wish) {
@@ -227,6 +234,7 @@ void LivePicture::render(const Wish& wish) {
     const std::lock_guard lock(mutex_);
     ++generation_, ++state_;
     tiles_.clear(), shown_ = wish, layers_ready_ = false, layers_ = {}, status_ = "rendering";
+    finished_ = {};
   }
   const scene::Settings& settings = parsed.result.scene->settings;
   bool coarse_first = true;
@@ -242,6 +250,11 @@ void LivePicture::render(const Wish& wish) {
     if (cancel_) return parsed.prepared.reset();
     parsed.prepared = std::make_unique<render::PreparedScene>(*parsed.result.scene, part(wish, 1).options);
   }
+  if (wish.quick) {
+    render_pass(parsed, wish, kMiddle, false, nullptr);
+    if (!cancel_) tell("done");
+    return;
+  }
   render::Layers layers;
   layers.depth = layers.normal = layers.albedo = layers.id = true;
   const bool antialias = options_.antialias && options_.sampling_method != 0;
@@ -250,12 +263,16 @@ void LivePicture::render(const Wish& wish) {
     render_pass(parsed, wish, cell, false, nullptr);
     if (cancel_) return;
   }
-  render_pass(parsed, wish, 1, false, antialias ? nullptr : &layers);
-  if (antialias && !cancel_) render_pass(parsed, wish, 1, true, &layers);
+  render::Framebuffer frame = render_pass(parsed, wish, 1, false, antialias ? nullptr : &layers);
+  if (antialias && !cancel_) frame = render_pass(parsed, wish, 1, true, &layers);
   if (cancel_) return;
+  compare::Picture finished;
+  finished.width = frame.width, finished.height = frame.height, finished.channels = 3;
+  for (const std::uint16_t sample : quantised(frame, *parsed.result.scene, options_).samples)
+    finished.samples.push_back(static_cast<float>(sample) / 255);
   {
     const std::lock_guard lock(mutex_);
-    layers_ = std::move(layers), layers_ready_ = true;
+    layers_ = std::move(layers), layers_ready_ = true, finished_ = std::move(finished);
   }
   tell("done");
 }
@@ -282,6 +299,7 @@ std::string LivePicture::update(std::uint64_t generation, std::size_t pieces, st
                       {"left", shown_.left},
                       {"top", shown_.top},
                       {"clock", shown_.clock},
+                      {"quick", shown_.quick},
                       {"layers", layers_ready_},
                       {"seconds", seconds_},
                       {"first_seconds", first_seconds_},
@@ -314,6 +332,14 @@ std::string LivePicture::layers(std::uint64_t generation) const {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
 }
 
+compare::Picture LivePicture::stored_picture() const {
+  const std::lock_guard lock(mutex_);
+  if (finished_.samples.empty()) throw std::runtime_error("the picture is not finished");
+  return finished_;
+}
+
+std::vector<fs::path> LivePicture::files_read() const { return parsed()->result.files_read; }
+
 std::shared_ptr<LivePicture::Parsed> LivePicture::parsed(Wish* shown) const {
   const std::lock_guard lock(mutex_);
   if (!parsed_) throw std::runtime_error("there is no picture yet");
@@ -333,7 +359,7 @@ nlohmann::json LivePicture::explain(double x, double y) {
     auto prepared = std::make_unique<render::PreparedScene>(*parsed->result.scene, options);
     parsed->explained = std::move(prepared);
   }
-  RayTree tree;
+  RayTree tree(&parsed->origins);
   render::Explainer explainer(*parsed->explained, options, window);
   const Color color = explainer.pixel(x, y, tree);
   nlohmann::json result = tree.json();

@@ -15,8 +15,10 @@
 
 #include "cli/frame/frame.h"
 #include "cli/rays/side_view.h"
+#include "parser/source/origins.h"
 #include "cli/view/file_watch.h"
 #include "cli/view/live_scene.h"
+#include "compare/compare.h"
 #include "tracer/film/layers.h"
 #include "tracer/render/prepared_scene.h"
 
@@ -28,6 +30,7 @@ struct Wish {
   int left = 0, top = 0;
   int focus_x = -1, focus_y = -1;  // in the window: where the eye is; below 0: its middle
   double clock = 0;
+  bool quick = false;                    // one coarse picture, as a frame of an animation that plays
   std::map<std::string, double> values;  // of knobs
 };
 
@@ -55,6 +58,9 @@ class LivePicture {
   std::string layers(std::uint64_t generation) const;
   // The ray tree of a position in the window. Throws std::runtime_error.
   nlohmann::json explain(double x, double y);
+  // The finished picture of the window as a file of 8 bits holds it. Throws std::runtime_error: not finished.
+  compare::Picture stored_picture() const;
+  std::vector<std::filesystem::path> files_read() const;
   // Of the ray tree that was asked for last: a drawing (SVG) whose picture is at `behind`, and that picture (PNG).
   // Throws std::runtime_error.
   std::string drawing(const DrawnFrom& from, const std::string& behind);
@@ -67,6 +73,7 @@ class LivePicture {
   };
   struct Parsed {
     parser::ParseResult result;
+    parser::Origins origins;
     std::unique_ptr<render::PreparedScene> prepared;  // of the thread that renders
     std::mutex asked;
     std::unique_ptr<render::PreparedScene> explained;
@@ -77,7 +84,7 @@ class LivePicture {
   void run();
   bool parse(const Wish& wish);
   void render(const Wish& wish);
-  void render_pass(Parsed& parsed, const Wish& wish, int cell, bool antialias, render::Layers* layers);
+  render::Framebuffer render_pass(Parsed& parsed, const Wish& wish, int cell, bool antialias, render::Layers* layers);
   struct Part {
     render::Options options;
     render::Window window;
@@ -108,6 +115,7 @@ class LivePicture {
   double seconds_ = 0, first_seconds_ = 0;
   std::chrono::steady_clock::time_point began_;
   render::Layers layers_;
+  compare::Picture finished_;
   bool layers_ready_ = false;
   std::shared_ptr<Parsed> parsed_;
   std::string text_;

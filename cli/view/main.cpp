@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <thread>
 
 #include <fmt/format.h>
@@ -15,8 +16,10 @@
 #include "cli/sandbox/sandbox.h"
 #include "cli/settings/own_options.h"
 #include "cli/settings/output_name.h"
+#include "cli/view/lecture.h"
 #include "cli/view/live_picture.h"
 #include "cli/page/page.h"
+#include "cli/view/reference.h"
 #include "cli/view/server.h"
 
 namespace fs = std::filesystem;
@@ -49,6 +52,7 @@ Wish wish_of(const std::string& body, const Options& options, Wish wish) {
   wish.focus_x = static_cast<int>(take("focus_x", -1, -1, options.width));
   wish.focus_y = static_cast<int>(take("focus_y", -1, -1, options.height));
   wish.clock = take("clock", wish.clock, -1e9, 1e9);
+  wish.quick = asked.value("quick", false);
   if (asked.contains("values"))
     for (const auto& [name, value] : asked["values"].items()) wish.values[name] = value.get<double>();
   return wish;
@@ -59,6 +63,18 @@ DrawnFrom drawn_from(const PageRequest& request) {
   return {number(request, "azimuth", -3600, 3600, 0), number(request, "elevation", -90, 90, 0),
           static_cast<int>(number(request, "width", 1, kLargest, 480)),
           static_cast<int>(number(request, "height", 1, kLargest, 360))};
+}
+
+void comparison_answers(Server& server, LivePicture& picture, Reference& reference) {
+  const auto bytes = [](std::string body) { return PageReply{"application/octet-stream", std::move(body)}; };
+  server.on("povray", [&, bytes](const PageRequest&) {
+    return bytes(reference.povray(picture.files_read(), picture.wish().clock));
+  });
+  server.on("stored", [&, bytes](const PageRequest&) { return bytes(reference.stored()); });
+  server.on("flip", [&, bytes](const PageRequest&) { return bytes(reference.flip(picture.stored_picture())); });
+  server.on("others", [&](const PageRequest&) {
+    return PageReply{"application/json", reference.has_stored() ? R"({"stored": true})" : R"({"stored": false})"};
+  });
 }
 
 void answers(Server& server, LivePicture& picture, const Options& options) {
@@ -113,19 +129,48 @@ void open_browser(const std::string& address) {
   }
 }
 
-int view(const std::vector<std::string>& arguments) {
-  const ViewSettings settings = view_settings(arguments);
-  Options options = settings.options;
-  fs::path scene = find_scene(options);
-  if (scene.empty()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", options.input_file));
-  // The current folder is about to be another one.
-  scene = fs::absolute(scene);
+// The current folder is about to be another one.
+void make_absolute(Options& options) {
   for (std::string& path : options.library_paths) path = fs::absolute(path).string();
   for (fs::path& path : options.allow_write) path = fs::absolute(path);
   for (fs::path& path : options.allow_read) path = fs::absolute(path);
   if (!options.include_header.empty() && fs::exists(options.include_header))
     options.include_header = fs::absolute(options.include_header).string();
   options.display = false;
+}
+
+// What is served: the pages of the lecture, or a scene, held against a picture.
+struct Shown {
+  fs::path scene, against, pages;  // absolute; empty: none
+
+  explicit Shown(const ViewSettings& settings) {
+    if (settings.lecture) {
+      pages = lecture_folder();
+      return;
+    }
+    scene = find_scene(settings.options);
+    if (scene.empty()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", settings.options.input_file));
+    scene = fs::absolute(scene);
+    if (!settings.against.empty()) against = fs::absolute(settings.against);
+  }
+};
+
+void restrict_to(const Shown& shown, Options& options) {
+  if (!wants_sandbox()) return;
+  Policy policy =
+      policy_of(options, {{shown.scene.empty() ? lecture_scenes(shown.pages) / "any.pov" : shown.scene, std::nullopt}});
+  if (!shown.against.empty()) policy.read.push_back(shown.against);
+  if (!shown.pages.empty()) policy.read.push_back(shown.pages), policy.read.push_back(lecture_scenes(shown.pages));
+  confine_scene(options, policy);
+  policy.server = true;
+  enter_sandbox(policy);
+}
+
+int view(const std::vector<std::string>& arguments) {
+  const ViewSettings settings = view_settings(arguments);
+  Options options = settings.options;
+  const Shown shown(settings);
+  make_absolute(options);
 
   const fs::path called_from = fs::current_path();
   // Scenes may write into the current folder (#fopen): nothing is written beside them.
@@ -136,18 +181,21 @@ int view(const std::vector<std::string>& arguments) {
   Server server;
   const std::string address = server.listen(settings.port, settings.token);
   if (settings.open) open_browser(address);
-  if (wants_sandbox()) {
-    Policy policy = policy_of(options, {{scene, std::nullopt}});
-    confine_scene(options, policy);
-    policy.server = true;
-    enter_sandbox(policy);
-  }
+  restrict_to(shown, options);
   // Files are looked for where the program was called; whether they may be read is another question.
   options.library_paths.insert(options.library_paths.begin(), called_from.string());
 
   Interrupt interrupt(Watch{.seconds = options.max_seconds});
-  LivePicture picture(options, scene, interrupt);
-  answers(server, picture, options);
+  std::optional<LivePicture> picture;
+  std::optional<Reference> reference;
+  if (settings.lecture) {
+    serve_lecture(server, shown.pages, options, interrupt);
+  } else {
+    picture.emplace(options, shown.scene, interrupt);
+    reference.emplace(shown.scene, options, settings.words, shown.against);
+    answers(server, *picture, options);
+    comparison_answers(server, *picture, *reference);
+  }
   server.start();
   std::printf("%s\n", address.c_str());
   std::fflush(stdout);

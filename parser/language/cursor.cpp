@@ -4,6 +4,7 @@
 
 #include "parser/language/impl.h"
 #include "parser/language/blocks.h"
+#include "parser/source/origins.h"
 #include "tracer/base/resident_memory.h"
 
 namespace verisim::parser {
@@ -156,7 +157,16 @@ scene::Place Parser::place() {
   const Token& token = impl_->peek();
   const Source& source = *impl_->file->source;
   const Position at = source.position(token.offset);
-  return {source.shared_name(), at.line, at.column};
+  const scene::Place place{source.shared_name(), at.line, at.column};
+  return impl_->options.origins ? impl_->with_calls(place) : place;
+}
+
+scene::Place Parser::copied_to(const scene::Place& declared, const scene::Place& copy) const {
+  if (!impl_->options.origins || !copy.file) return declared;
+  Origins::Origin origin = impl_->options.origins->of(declared);
+  origin.calls = impl_->options.origins->of(copy).calls;
+  origin.calls.insert(origin.calls.begin(), fmt::format("{}:{}", *copy.file, copy.line));
+  return impl_->options.origins->with(declared, std::move(origin));
 }
 
 }  // namespace verisim::parser

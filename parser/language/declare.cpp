@@ -47,6 +47,7 @@ void Parser::Impl::declare(bool local) {
   const Ending ending = right_hand_side(value);
   declaring = outer;
   if (options.recorder) record(name, value);
+  if (options.origins) name_object(name, value);
   if (target) assign(*target, std::move(value));
   if (peek_blocked().punctuation == ';') {
     skip_token();

@@ -150,6 +150,9 @@ struct Parser::Impl {
   bool starts_numeric(const Token& token);
   void copy_identifier(Value& value);
   void record(Spot name, const Value& value);  // for ParseOptions::recorder
+  // For ParseOptions::origins: a place with the macro calls around it; the name of an object that is declared.
+  scene::Place with_calls(const scene::Place& place) const;
+  void name_object(Spot name, const Value& value) const;
 
   // ---- macros.cpp ----
   void define_macro(const Token& token);

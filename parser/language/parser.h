@@ -40,6 +40,8 @@ class Parser {
   void optional_comma() { accept(','); }
   bool at_number_start();  // the next token can start a numeric expression (spec 01 section 7, optional arguments)
   scene::Place place();    // of the next token
+  // The place of a declared object that is copied at another one: it stays, but ParseOptions::origins remember.
+  scene::Place copied_to(const scene::Place& declared, const scene::Place& copy) const;
 
   // ---- Expressions (spec 01 section 8). Additive terms unless `full`. ----
   double parse_float();

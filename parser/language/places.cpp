@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "parser/language/impl.h"
+#include "parser/source/origins.h"
 
 namespace verisim::parser {
 namespace {
@@ -73,6 +74,27 @@ Excerpt Parser::Impl::excerpt(Spot at) {
   e.source_line = line.substr(std::min(start, line.size()), kExcerpt);
   e.caret = static_cast<int>(column - start) + 1;
   return e;
+}
+
+scene::Place Parser::Impl::with_calls(const scene::Place& place) const {
+  Origins::Origin origin;
+  for (std::size_t i = frames.size(); i-- > 0 && origin.calls.size() < kTrail;) {
+    const Frame& frame = frames[i];
+    if (!frame.macro) continue;
+    const std::size_t call = std::min<std::size_t>(frame.call, frame.file->tokens.size() - 1);
+    const Source& source = *frame.file->source;
+    origin.calls.push_back(fmt::format("{}:{}", source.name(), source.position(frame.file->tokens[call].offset).line));
+  }
+  return origin.calls.empty() ? place : options.origins->with(place, std::move(origin));
+}
+
+void Parser::Impl::name_object(Spot name, const Value& value) const {
+  const auto* object = std::get_if<scene::ObjectPtr>(&value);
+  if (!object || !*object || object->use_count() > 1) return;        // another name of what has one
+  scene::Place& place = const_cast<scene::Object&>(**object).place;  // nobody else has it yet
+  Origins::Origin origin = options.origins->of(place);
+  origin.declared = names[name.token->id()].text;
+  place = options.origins->with(place, std::move(origin));
 }
 
 std::vector<std::string> Parser::Impl::trail() const {

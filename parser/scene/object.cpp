@@ -18,6 +18,7 @@ ObjectRef parse_object_statement(Parser& parser) {
   Block block(parser);
   ObjectRef object = parse_object(parser);
   if (!object) parser.error_expected("object");
+  if (object->copied) object->place = parser.copied_to(object->place, block.place);
   parse_object_modifiers(parser, *object);
   return object;
 }

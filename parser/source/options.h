@@ -36,6 +36,8 @@ class Recorder {
                         const std::string& value) = 0;
 };
 
+class Origins;
+
 struct ParseOptions {
   std::vector<std::filesystem::path> library_paths;  // after the current folder, in order (spec 01 section 17)
   bool standard_includes = true;                     // after the library paths: standard_include_folders()
@@ -63,6 +65,7 @@ struct ParseOptions {
   // them.
   std::filesystem::path scratch;
   Recorder* recorder = nullptr;
+  Origins* origins = nullptr;  // filled in, for those who explain pictures (parser/source/origins.h)
   // The parser may tune the C library's allocator for large scenes (mallopt): for a program that does nothing else.
   bool tune_heap = false;
 };

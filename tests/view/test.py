@@ -1,5 +1,6 @@
 """`verisim view` in a real headless Chromium: test.py VERISIM [FOLDER FOR SCREENSHOTS]. Exit status 77: no Chromium."""
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -51,8 +52,8 @@ class View(unittest.TestCase):
         self.stop()
         self.scenes.cleanup()
 
-    def start(self, *options):
-        words = [VERISIM, "view", "scene.pov", "+W320", "+H240", "--no-open", "--sandbox=best-effort", *options]
+    def start(self, *options, sandbox="best-effort"):
+        words = [VERISIM, "view", "scene.pov", "+W320", "+H240", "--no-open", f"--sandbox={sandbox}", *options]
         self.program = subprocess.Popen(words, cwd=self.scenes.name, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         self.address = self.program.stdout.readline().strip()
 
@@ -120,10 +121,17 @@ class View(unittest.TestCase):
         same = [line.split(" (")[0] for line in tree.splitlines()]  # the names of files differ: there they are absolute
         self.assertEqual(same, [line.split(" (")[0] for line in told.splitlines()[1:-1]])
         self.assertIn("reflected ray", tree)
-        self.assertGreater(self.browser.run("return document.querySelectorAll('#side .ray').length"), 2)
+        self.browser.until("return document.querySelectorAll('#side .ray').length > 2 && document.querySelector('#side image')")
+        before = self.browser.run("return document.querySelector('#side line').getAttribute('x2')")
+        self.browser.run("document.querySelector('[data-from=\"0,90\"]').click()")
+        self.browser.until("const l = document.querySelector('#side line'); return l && l.getAttribute('x2') !== arguments[0]", before)
+        self.keep("followed-from-above")
+        terms = self.browser.run("return document.querySelector('#sum').textContent")
+        for term in ("own light", "diffuse of the light", "reflected"):
+            self.assertIn(term, terms)
         result = self.browser.run("return document.getElementById('result').textContent")
         shown = self.browser.run(CENTRE + "return [d[0], d[1], d[2]].join(' ')")
-        self.assertIn(f"Stored as {shown};", result)
+        self.assertIn(f"8 bits {shown}", result)
 
     def test_knobs_turn_numbers_of_the_scene(self):
         self.browser.run("const k = document.getElementById('knob-Size'); k.value = 0.2; k.dispatchEvent(new Event('input'))")
@@ -141,6 +149,57 @@ class View(unittest.TestCase):
         self.browser.until(CENTRE + "return d[2] < 60 && Math.abs(d[0] - 127) < 20")  # towards the camera at -z
         self.keep("normals")
         self.assertEqual(before, self.browser.run("return verisim.state.generation"))
+
+    def other(self, name, way):
+        self.browser.run("""for (const [id, value] of [['way', arguments[1]], ['other', arguments[0]]]) {
+            document.getElementById(id).value = value; document.getElementById(id).onchange(); }""", name, way)
+
+    def test_the_version_before_stands_beside(self):
+        self.save("colour.inc", GREEN)
+        self.browser.until(CENTRE + "return verisim.state.status === 'done' && d[1] > 2 * d[0]")
+        self.other("previous", "other")
+        self.browser.until(CENTRE + "return d[0] > 2 * d[1]")
+        self.other("previous", "split")
+        left, right = (CENTRE.replace("160, 120", place) + "return d[0] > 2 * d[1]" for place in ("150, 120", "170, 120"))
+        self.browser.until(right)
+        self.assertFalse(self.browser.run(left))
+        self.keep("split")
+        self.assertIn("pixels differ", self.browser.run("return document.getElementById('compared').textContent"))
+
+    def test_a_stored_picture_and_its_worst_pixels(self):
+        subprocess.run([VERISIM, "render", "scene.pov", "+W320", "+H240", "-D", "+Obase.png"], cwd=self.scenes.name, check=True, capture_output=True)
+        self.stop()
+        self.start("--against", "base.png")
+        self.browser.open(self.address)
+        self.browser.until("return verisim.state.status === 'done'")
+        self.other("stored", "difference")
+        self.browser.until("return document.getElementById('compared').textContent === 'the same in every pixel'")
+        self.save("colour.inc", GREEN)
+        self.browser.until("return document.querySelectorAll('#worst button').length === 5")
+        self.other("stored", "flip")
+        self.browser.until(CENTRE + "return d[0] > 100")
+        self.keep("flip")
+        self.browser.run("document.querySelector('#worst button').click()")
+        self.browser.until("return document.getElementById('tree').textContent")
+
+    @unittest.skipUnless(shutil.which("povray"), "POV-Ray is not installed")
+    def test_povrays_picture_is_the_same(self):
+        self.other("povray", "split")
+        self.browser.until("return document.getElementById('compared').textContent.includes('--sandbox=off')")
+        self.stop()
+        self.start(sandbox="off")
+        self.browser.open(self.address)
+        self.browser.until("return verisim.state.status === 'done'")
+        self.other("povray", "split")
+        self.browser.until("return document.getElementById('compared').textContent === 'the same in every pixel'", seconds=60)
+
+    def test_an_animation_plays(self):
+        self.save("scene.pov", SCENE.replace("sphere { 0, Size", "sphere { 2 * clock * x, Size"))
+        self.browser.until("return verisim.state.status === 'done' && !document.getElementById('film').hidden")
+        self.browser.run("document.getElementById('play').click()")
+        self.browser.until("return verisim.played > 5")
+        self.browser.run("document.getElementById('play').click()")
+        self.browser.until(CENTRE + "return verisim.state.status === 'done' && verisim.state.clock === 0 && d[0] > 2 * d[1]")
 
     def test_sixty_saves_end_in_the_last_picture(self):
         size = lambda: len(os.listdir(f"/proc/{self.program.pid}/fd"))
@@ -185,6 +244,54 @@ class View(unittest.TestCase):
             self.keep("phone")
         finally:
             self.browser.resize(1200, 900)
+
+
+class LecturePages(unittest.TestCase):
+    """The lecture: its scenes can be changed, its pixels asked."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.browser = browser.Browser(os.path.join(cls.folder.name, "profile"))
+        cls.program = subprocess.Popen([VERISIM, "view", "--lecture", "--no-open", "--sandbox=best-effort"], cwd=cls.folder.name, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        cls.address = cls.program.stdout.readline().strip()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.program.send_signal(signal.SIGINT)
+        cls.program.wait(20)
+        cls.program.stdout.close()
+        cls.browser.close()
+        cls.folder.cleanup()
+
+    def test_every_page_shows_its_pictures_and_links(self):
+        self.browser.open(self.address)
+        links = self.browser.run("return [...document.querySelectorAll('nav a')].map(a => a.href)")
+        self.assertGreater(len(links), 6)
+        for link in links:
+            self.browser.open(link)
+            self.browser.until("return [...document.images].every(i => i.complete)")
+            self.assertEqual(self.browser.run("return [...document.images].filter(i => !i.naturalWidth).map(i => i.src)"), [], link)
+            self.assertNotIn("{{", self.browser.run("return document.body.textContent"))
+            if KEPT:
+                self.browser.screenshot(os.path.join(KEPT, "lecture-" + (link.rsplit("/", 1)[1] or "index.html").replace(".html", ".png")))
+
+    def test_a_changed_scene_is_drawn_and_asked(self):
+        self.browser.open(self.address + "light.html")
+        figure = "const f = document.querySelector('figure.scene.live'); if (!f) return false; "
+        self.browser.until(figure + "return true")
+        change = figure + "const t = f.querySelector('textarea'); t.value = t.value.replace(arguments[0], arguments[1]); t.dispatchEvent(new Event('input')); return true"
+        self.browser.run(change, "rgb <0.9, 0.35, 0.15>", "rgb <0.1, 0.35, 0.9>")
+        self.browser.until(figure + "return f.querySelector('img').src.startsWith('blob:')")
+        self.browser.run(figure + "const r = f.querySelector('img').getBoundingClientRect(); f.querySelector('img').dispatchEvent(new MouseEvent('click', { clientX: r.left + r.width / 2, clientY: r.top + r.height / 2 }))")
+        self.browser.until(figure + "return f.querySelector('.told').textContent.includes('pigment <0.1, 0.35, 0.9>')")
+        self.browser.run(change, "sphere {", "spere {")
+        self.browser.until(figure + "return [...f.querySelectorAll('pre')].some(p => p.textContent.includes('local_light.pov:'))")
+
+    def test_nothing_else_is_served(self):
+        for name in ("../architecture.md", "%2e%2e/architecture.md", "lecture/../../README.md"):
+            with self.assertRaises(urllib.error.HTTPError):
+                urllib.request.urlopen(self.address + name, timeout=10)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,9 +13,11 @@
 #include "cli/describe/fixes.h"
 #include "cli/describe/scene_findings.h"
 #include "cli/frame/frame.h"
+#include "cli/lints/lints.h"
 #include "cli/sandbox/sandbox.h"
 #include "cli/settings/own_options.h"
 #include "cli/settings/scene_words.h"
+#include "parser/source/standard_includes.h"
 #include "parser/source/suggest.h"
 #include "tracer/render/requirements.h"
 
@@ -26,12 +29,14 @@ namespace {
 struct Wanted {
   bool json = false, dump = false, fix = false;
   std::string sarif;
+  std::set<std::string_view> lints;
 };
 
 // What one scene gave.
 struct Checked {
   fs::path scene;
   std::vector<parser::Diagnostic> messages;
+  std::vector<LintFinding> lints;
   std::size_t errors = 0;
   int warnings = 0;
   bool whole = true;
@@ -46,6 +51,7 @@ std::string summary(const Checked& checked) {
                                                             : "no errors";
   std::string out = fmt::format("{}: {}, {}", checked.scene.string(), errors,
                                 counted(static_cast<std::size_t>(checked.warnings), "warning"));
+  if (!checked.lints.empty()) out += ", " + counted(checked.lints.size(), "lint");
   if (!checked.whole && checked.errors) out += "; reading stopped at the last error, there may be more";
   return out;
 }
@@ -58,6 +64,14 @@ nlohmann::json as_json(const Checked& checked) {
                         {"status", static_cast<int>(checked.status)}};
   report["diagnostics"] = nlohmann::json::array();
   for (const parser::Diagnostic& d : checked.messages) report["diagnostics"].push_back(cli::as_json(d));
+  if (!checked.lints.empty()) report["lints"] = nlohmann::json::array();
+  for (const LintFinding& f : checked.lints)
+    report["lints"].push_back({{"file", f.file},
+                               {"line", f.line},
+                               {"column", f.column},
+                               {"length", f.length},
+                               {"name", f.lint->name},
+                               {"message", f.message}});
   return report;
 }
 
@@ -92,6 +106,18 @@ Checked check_scene(const Options& options, Console& console, Interrupt& interru
   for (const parser::Diagnostic& finding : scene_findings(*result.scene)) {
     parse.message(finding);
     ++checked.warnings;
+  }
+  if (!wanted.lints.empty()) {
+    std::vector<fs::path> files{scene.path};
+    for (const fs::path& file : result.files_read)
+      if (file != scene.path) files.push_back(file);
+    std::vector<LintFinding> found = lint_names(files, parser::standard_include_folders());
+    for (LintFinding& finding : lint_scene(*result.scene)) found.push_back(std::move(finding));
+    for (LintFinding& finding : found) {
+      if (!wanted.lints.count(finding.lint->name)) continue;
+      if (!wanted.json) console.line(Stream::warning, format(finding));
+      checked.lints.push_back(std::move(finding));
+    }
   }
   try {
     render::check_supported(*result.scene, render_options(job, {0, options.width - 1, 0, options.height - 1}));
@@ -135,6 +161,12 @@ int explain_code(const std::string& wanted) {
     for (const parser::CodeEntry& e : parser::all_codes())
       std::printf("%-24.*s %.*s\n", static_cast<int>(e.name.size()), e.name.data(), static_cast<int>(e.title.size()),
                   e.title.data());
+    for (const Lint& lint : all_lints())
+      std::fputs(fmt::format("{:<24} {} (with --lint)\n", lint.name, lint.title).c_str(), stdout);
+    return kOk;
+  }
+  if (const Lint* lint = lint_named(wanted)) {
+    std::fputs(fmt::format("{}: {}\n\n{}\n", lint->name, lint->title, lint->text).c_str(), stdout);
     return kOk;
   }
   const std::optional<parser::Code> code = parser::code_named(wanted);
@@ -156,6 +188,7 @@ int command_check(const std::vector<std::string>& arguments) {
   Options options;
   Wanted wanted;
   std::string code;
+  std::vector<std::string> lints;
   OwnOptions own("check",
                  "Reads scenes without rendering them and says what is wrong with them, as file:line:column: severity: "
                  "message [code], with the line and what is meant underlined. A folder stands for all scenes below it. "
@@ -173,12 +206,17 @@ int command_check(const std::vector<std::string>& arguments) {
   own.flag("--dump", wanted.dump, "print the evaluated scene as JSON to standard output (docs/dump.md)");
   own.flag("--fix", wanted.fix, "correct in the files what can be corrected without doubt, and check again");
   own.value("--sarif FILE", wanted.sarif, "write the diagnostics to this file as SARIF, which code hosts show");
+  own.values("--lint NAME", lints,
+             "look for what is allowed and yet mostly a mistake, too: unused-name, shadowed-name, constant-in-loop, "
+             "coincident-surfaces, light-inside, inward-normals, hidden-texture, ambient-with-radiosity; "
+             "all or none");
   own.value("--explain CODE", code, "say what a diagnostic's code means, with an example; 'list' names all codes");
   add_scene_options(own, options);
   refuse_render_options(own);
   own.switches({Topic::scene, Topic::size, Topic::animation, Topic::messages});
   const std::vector<std::string> files = apply_words(options, with_folders(own.parse(arguments)));
   if (!code.empty()) return explain_code(code);
+  wanted.lints = wanted_lints(lints);
   if (files.empty() && options.input_file.empty() && !options.stdin_name.empty()) options.input_file = "-";
   if (files.empty() && options.input_file.empty()) throw OptionError("no scene: verisim check SCENE [switches]");
   validate(options);
@@ -199,6 +237,7 @@ int command_check(const std::vector<std::string>& arguments) {
   ExitStatus status = kOk;
   nlohmann::json reports = nlohmann::json::array();
   std::vector<parser::Diagnostic> all;
+  std::vector<OtherFinding> others;
   for (const SceneSource& scene : scenes) {
     Checked checked = check_scene(options, console, interrupt, scene, wanted);
     // A correction may bring to light what stood behind the mistake.
@@ -211,12 +250,14 @@ int command_check(const std::vector<std::string>& arguments) {
     else if (!wanted.dump)
       console.line(Stream::statistic, summary(checked));
     all.insert(all.end(), checked.messages.begin(), checked.messages.end());
+    for (const LintFinding& f : checked.lints)
+      others.push_back({f.lint->name, f.lint->title, f.lint->text, f, f.message});
   }
   if (wanted.json && !wanted.dump)
     std::puts((scenes.size() == 1 ? reports[0] : reports)
                   .dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
                   .c_str());
-  if (!wanted.sarif.empty()) write_sarif(all, wanted.sarif);
+  if (!wanted.sarif.empty()) write_sarif(all, others, wanted.sarif);
   return status;
 }
 

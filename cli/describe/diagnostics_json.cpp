@@ -1,6 +1,7 @@
 #include "cli/describe/diagnostics_json.h"
 
 #include <algorithm>
+#include <map>
 
 #include "tracer/base/output_file.h"
 
@@ -67,7 +68,8 @@ nlohmann::json as_json(const parser::Diagnostic& d) {
   return out;
 }
 
-void write_sarif(const std::vector<parser::Diagnostic>& diagnostics, const std::string& file) {
+void write_sarif(const std::vector<parser::Diagnostic>& diagnostics, const std::vector<OtherFinding>& others,
+                 const std::string& file) {
   nlohmann::json rules = nlohmann::json::array(), results = nlohmann::json::array();
   for (const parser::CodeEntry& e : parser::all_codes())
     rules.push_back(
@@ -83,6 +85,17 @@ void write_sarif(const std::vector<parser::Diagnostic>& diagnostics, const std::
       related["message"] = {{"text", r.message}};
       result["relatedLocations"].push_back(std::move(related));
     }
+    results.push_back(std::move(result));
+  }
+  std::map<std::string_view, std::size_t> more;  // rules by name, behind the codes
+  for (const OtherFinding& o : others) {
+    const auto [rule, added] = more.emplace(o.rule, rules.size());
+    if (added)
+      rules.push_back(
+          {{"id", o.rule}, {"shortDescription", {{"text", o.title}}}, {"fullDescription", {{"text", o.text}}}});
+    nlohmann::json result{
+        {"ruleId", o.rule}, {"ruleIndex", rule->second}, {"level", "note"}, {"message", {{"text", o.message}}}};
+    if (!o.place.file.empty()) result["locations"] = nlohmann::json::array({location(o.place)});
     results.push_back(std::move(result));
   }
   const nlohmann::json driver{{"name", "verisim"}, {"version", VERISIM_VERSION}, {"rules", rules}};

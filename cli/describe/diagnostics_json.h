@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "parser/source/diagnostic.h"
@@ -12,7 +13,14 @@ namespace verisim::cli {
 
 const char* name_of(parser::Severity severity);
 nlohmann::json as_json(const parser::Diagnostic& diagnostic);
+// A finding that has a rule of its own beside the codes.
+struct OtherFinding {
+  std::string_view rule, title, text;  // of the rule
+  parser::Excerpt place;
+  std::string message;
+};
 // A whole SARIF log. Written whole or not at all; throws std::runtime_error.
-void write_sarif(const std::vector<parser::Diagnostic>& diagnostics, const std::string& file);
+void write_sarif(const std::vector<parser::Diagnostic>& diagnostics, const std::vector<OtherFinding>& others,
+                 const std::string& file);
 
 }  // namespace verisim::cli

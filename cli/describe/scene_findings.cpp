@@ -65,7 +65,7 @@ bool is_plain_and_opaque(const scene::Object& object) {
   if (!object.texture || object.texture->layers.size() != 1 || object.interior_texture) return false;
   const scene::TextureLayer& layer = object.texture->layers.front();
   const scene::Pigment& pigment = *layer.pigment;
-  return pigment.pattern.kind == scene::PatternKind::none && !pigment.color_map && !pigment.pigment_map &&
+  return pigment.pattern.kind <= scene::PatternKind::plain && !pigment.color_map && !pigment.pigment_map &&
          pigment.color.f == 0 && pigment.color.t == 0;
 }
 

@@ -75,30 +75,35 @@ parser::ParseResult parse_scene(const Job& job, const parser::ParseOptions& opti
                         : parser::parse_file(job.scene.path, options);
 }
 
-parser::ParseOptions parse_options(const Job& job, const Frame& frame) {
-  const Options& options = job.options;
+parser::ParseOptions parse_options(const Options& options, const std::filesystem::path& scene,
+                                   const Animation& animation, const Frame& frame) {
   parser::ParseOptions result;
-  result.library_paths = search_paths(options, job.scene.path);
+  result.library_paths = search_paths(options, scene);
   result.standard_includes = false;  // they are among those
-  result.tune_heap = true;
   if (!options.include_header.empty()) result.include_headers.push_back(options.include_header);
   result.declarations = options.declarations;
   result.width = options.width;
   result.height = options.height;
   result.clock = frame.clock;
-  result.clock_on = job.animation.clock_on;
+  result.clock_on = animation.clock_on;
   result.frame_number = frame.number;
-  result.initial_frame = job.animation.initial_frame;
-  result.final_frame = job.animation.final_frame;
-  result.initial_clock = job.animation.initial_clock;
-  result.final_clock = job.animation.final_clock;
-  result.clock_delta = job.animation.clock_delta;
+  result.initial_frame = animation.initial_frame;
+  result.final_frame = animation.final_frame;
+  result.initial_clock = animation.initial_clock;
+  result.final_clock = animation.final_clock;
+  result.clock_delta = animation.clock_delta;
   result.version = static_cast<int>(options.version * 100 + 0.5);
   result.quality = options.quality;
   result.allow_read = options.allow_read;
   result.allow_write = options.allow_write;
   result.limits = options.limits;
   parser::confinement.output_limit = process_limits.max_output_bytes;
+  return result;
+}
+
+parser::ParseOptions parse_options(const Job& job, const Frame& frame) {
+  parser::ParseOptions result = parse_options(job.options, job.scene.path, job.animation, frame);
+  result.tune_heap = true;
   result.debug = [&console = job.console](const std::string& text) { console.debug(text); };
   result.message = [&console = job.console](const parser::Diagnostic& d) { console.diagnostic(d); };
   result.cancelled = [&interrupt = job.interrupt, &console = job.console] {

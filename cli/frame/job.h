@@ -29,7 +29,9 @@ Watch watch(const Options& options, const Console& console);
 // Parses the job's scene, from its file or from the text of its stream.
 parser::ParseResult parse_scene(const Job& job, const parser::ParseOptions& options);
 
-// The parser's options for one frame.
+// The parser's options for one frame; those of a job report to its console and look at its interrupts.
+parser::ParseOptions parse_options(const Options& options, const std::filesystem::path& scene,
+                                   const Animation& animation, const Frame& frame);
 parser::ParseOptions parse_options(const Job& job, const Frame& frame);
 
 // The renderer's options for a part of the picture. Throws OptionError for options that exclude each other.

@@ -6,7 +6,7 @@ namespace {
 
 constexpr Keyword kTable[] = {
     // clang-format off
-    {"aa_level", "media", "aa_level N", "4", "Method 3: how often an interval is divided at most."},
+    {"aa_level", "media", "aa_level N", "3", "Method 3: how often an interval is divided at most."},
     {"aa_threshold", "media", "aa_threshold A", "0.1", "Method 3: differences above this are divided further."},
     {"absorption", "media", "absorption COLOR", "0", "How much light the medium swallows per unit of length."},
     {"angle", "rainbow", "angle A", "0", "Half the opening angle of the bow, in degrees; 42 in nature."},
@@ -40,7 +40,7 @@ constexpr Keyword kTable[] = {
     {"method", "media", "method 1|2|3", "3", "How the medium is sampled: 1 at random, 2 evenly, 3 adaptively."},
     {"rainbow", "scene value", "rainbow { direction V angle A width W color_map { ... } distance D }", "", "A bow of colours opposite to the sun."},
     {"ratio", "media", "ratio A", "0.9", "How samples are shared between lit and dark intervals."},
-    {"samples", "media", "samples MIN [, MAX]", "1", "How many samples an interval has."},
+    {"samples", "media", "samples MIN [, MAX]", "10", "How many samples an interval has."},
     {"scattering", "media", "scattering { TYPE, COLOR [eccentricity A] [extinction A] }", "", "Light that the medium throws aside. Types: 1 isotropic, 2 Mie (haze), 3 Mie (murky), 4 Rayleigh, 5 Henyey-Greenstein."},
     {"sky_sphere", "scene value", "sky_sphere { PIGMENT ... [emission C] }", "", "A sky infinitely far away: its pigments are asked with directions."},
     {"turb_depth", "fog", "turb_depth A", "0.5", "How far along the ray turbulence is asked."},

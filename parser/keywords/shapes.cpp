@@ -45,7 +45,7 @@ constexpr Keyword kTable[] = {
     {"light_group", "@object", "light_group { LIGHT ... OBJECT ... [global_lights BOOL] }", "", "Lights that shine on the objects of the group alone."},
     {"linear_spline", "lathe prism sphere_sweep", "linear_spline N, POINT, ...", "the kind without a word", "Straight lines between the points."},
     {"linear_sweep", "prism", "linear_sweep", "linear_sweep", "The prism has the same outline at every height."},
-    {"max_gradient", "isosurface parametric", "max_gradient G", "1.1", "The steepest slope of the function. Too small leaves holes, too large costs time."},
+    {"max_gradient", "isosurface parametric", "max_gradient G", "1.1, in parametric 1", "The steepest slope of the function. Too small leaves holes, too large costs time."},
     {"max_iteration", "julia_fractal", "max_iteration N", "20", "How often the function is repeated: more shows finer detail."},
     {"max_trace", "isosurface", "max_trace N", "1", "How many crossings with a ray are looked for."},
     {"merge", "@object", "merge { OBJECT OBJECT ... }", "", "Like union, without the surfaces inside: for transparent things."},

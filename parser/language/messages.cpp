@@ -209,10 +209,36 @@ void Parser::Impl::undeclared(std::uint32_t name) {
   throw ParseError{std::move(d)};
 }
 
+namespace {
+
+// What word processors and web pages make of the characters of SDL, and what was meant.
+struct Lookalike {
+  std::string_view utf8, meant;
+};
+constexpr Lookalike kLookalikes[] = {
+    {"\xE2\x80\x9C", "\""}, {"\xE2\x80\x9D", "\""}, {"\xE2\x80\x9E", "\""},  // quotation marks
+    {"\xE2\x88\x92", "-"},  {"\xE2\x80\x93", "-"},                           // minus, dash
+    {"\xC2\xA0", " "},      {"\xE2\x80\xAF", " "},                           // blanks that do not break
+};
+
+}  // namespace
+
 void Parser::Impl::lex_error(const Token& token) {
   ready = true;
   const auto why = static_cast<LexError>(token.id());
   std::string text = parser::describe(why);
+  if (why == LexError::illegal_character)
+    for (const Lookalike& l : kLookalikes) {
+      if (!file->source->text().substr(token.offset).starts_with(l.utf8)) continue;
+      Diagnostic d = diagnostic(
+          Severity::error, code_of(why),
+          fmt::format("Illegal character '{}': it only looks like '{}'.", l.utf8, l.meant),
+          fmt::format("Write '{}' instead; programs for text and web pages put the other one in its place.", l.meant),
+          {file, &token});
+      d.fix = Fix{fmt::format("write '{}'", l.meant), file->source->name(), token.offset, l.utf8.size(),
+                  std::string(l.meant)};
+      throw ParseError{std::move(d), true};
+    }
   if (why == LexError::illegal_character) {
     const auto byte = static_cast<unsigned char>(file->source->text()[token.offset]);
     text = byte >= 0x21 && byte < 0x7f ? fmt::format("Illegal character '{}' in input file.", static_cast<char>(byte))

@@ -32,12 +32,14 @@ ELSEWHERE = {
     r"bench/.*|build/release/bin/verisim compare scenes/shapes .*": "by hand: long",
     r"python3 tests/(hostile|faults)/run\.py .*": "the tests hostile and faults",
     r"podman .*": "by hand: Containerfile",
+    r"cd editors/vscode|npm .*|VERISIM=verisim npm test|ln -s .*": "ctest -C Editors -R editors.vscode",
+    r"verisim lsp( .*)?": "the tests lsp.sessions and lsp.neovim",
     r"export SBATCH_.*|verisim-slurm .*|verisim farm .*": "the tests of tests/farm",
 }
 # Options of other programs in running text.
 OF_OTHERS = {"--component": "cmake", "--signal": "sbatch", "--requeue": "sbatch", "--mutate": "tests/differential", "--seconds": "tests/hostile", "--most": "tests/faults", "--minutes": "tools/soak"}
 # What stands for what in synopses; the longer first.
-CAPITALS = [("[switches]", "+W32 +H24"), ("SCENE...", "scene.pov"), ("K/N", "1/2"), ("K.vsp", "one.vsp"), ("PARTS...", "parts/*.vsp"), ("FILE", "merged.png"),
+CAPITALS = [("help WORD", "help sphere"), ("[switches]", "+W32 +H24"), ("SCENE...", "scene.pov"), ("K/N", "1/2"), ("K.vsp", "one.vsp"), ("PARTS...", "parts/*.vsp"), ("FILE", "merged.png"),
             ("SCENE X Y", "scene.pov 16 12 +W32 +H24"), ("SCENE", "scene.pov"), ("A B", "povray.png verisim.png"), ("...", "")]
 NEEDS_POVRAY = re.compile(r"^(build/release/bin/)?verisim (compare|bench|explain)\b")
 

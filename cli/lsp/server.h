@@ -1,0 +1,21 @@
+// `verisim lsp`: the language server.
+#pragma once
+
+#include <filesystem>
+
+#include "cli/settings/options.h"
+
+namespace verisim::cli::lsp {
+
+struct ServerSettings {
+  std::filesystem::path program;  // this one, to render with
+  Options options;                // where include files are, limits
+  double seconds = 10;            // a scene is read for so long at most
+  int delay_ms = 80;              // after the last change before it is read
+};
+
+// Serves one client over standard input and output until it says goodbye or is gone. Returns the exit status of the
+// protocol: 0 after `shutdown` and `exit`, else 1.
+int serve(const ServerSettings& settings);
+
+}  // namespace verisim::cli::lsp

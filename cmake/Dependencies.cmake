@@ -33,8 +33,6 @@ set(CMAKE_FIND_LIBRARY_SUFFIXES ${shared_suffixes})
 # Linked by plug-ins only (tracer/image/module). After the archives: OpenEXR looks for zlib, too.
 find_package(TIFF 4.5 REQUIRED)
 find_package(OpenEXR REQUIRED)
-list(APPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
-find_package(ISAL REQUIRED)
 if(VERISIM_TESTS)
   find_package(GTest REQUIRED)
 endif()

@@ -6,10 +6,10 @@
 #include <boost/version.hpp>
 #include <fmt/format.h>
 #include <gif_lib.h>
-#include <isa-l.h>
 #include <jpeglib.h>
 #include <png.h>
 #include <tbb/version.h>
+#include <zlib.h>
 
 namespace verisim {
 
@@ -18,13 +18,13 @@ std::vector<std::pair<std::string, std::string>> library_versions() {
   return {
       {"Boost", dotted(BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100)},
       {"GIFLIB", dotted(GIFLIB_MAJOR, GIFLIB_MINOR, GIFLIB_RELEASE)},
-      {"ISA-L", dotted(ISAL_MAJOR_VERSION, ISAL_MINOR_VERSION, ISAL_PATCH_VERSION)},
       {"Imath", IMATH_VERSION_STRING},
       {"fmt", dotted(FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
       {"libjpeg-turbo", dotted(LIBJPEG_TURBO_VERSION_NUMBER / 1000000, LIBJPEG_TURBO_VERSION_NUMBER / 1000 % 1000,
                                LIBJPEG_TURBO_VERSION_NUMBER % 1000)},
       {"libpng", PNG_LIBPNG_VER_STRING},
       {"oneTBB", TBB_runtime_version()},
+      {"zlib", zlibVersion()},
   };
 }
 

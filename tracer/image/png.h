@@ -1,4 +1,4 @@
-// PNG with the chunks POV-Ray writes (spec 02 section 4.7): libpng, and ISA-L to compress what is written.
+// PNG with the chunks POV-Ray writes (spec 02 section 4.7): libpng, and zlib to compress what is written.
 #pragma once
 
 #include <cstdio>

@@ -357,10 +357,11 @@ TEST_F(Process, ExplainTellsTheStoryOfAPixel) {
   const Ended ended = run({"explain", "story.pov", "4", "4", "+W9", "+H9", "--no-oracle"});
   ASSERT_EQ(ended.status, 0) << ended.errors;
   for (const char* part :
-       {"camera ray from <0, 0, -5> towards <0, 0, 1>", "4  sphere (story.pov:3)", "6  sphere (story.pov:3)",
-        "normal <0, 0, -1>", "light at <0, 0, -9>: 8 away towards <0, 0, -1>, <1, 1, 1> arrives, adds <1, 0.5, 0.25>",
+       {"camera ray from <0, 0, -5> towards <0, 0, 1>", "4  orange sphere (story.pov:3)",
+        "6  orange sphere (story.pov:3)", "normal <0, 0, -1>",
+        "light at <0, 0, -9>: 8 away towards <0, 0, -1>, <1, 1, 1> arrives, adds <1, 0.5, 0.25>",
         "light at <0, 20, 2>: behind the surface", "reflected ray from <0, 0, -1> towards <0, 0, -1>, weight 0.25",
-        "hits plane (story.pov:4) at 19", "linear <1.25, 0.75, 0.5>"})
+        "hits white plane (story.pov:4) at 19", "linear <1.25, 0.75, 0.5>"})
     EXPECT_NE(ended.output.find(part), std::string::npos) << part << "\n" << ended.output;
   EXPECT_EQ(run({"explain", "story.pov", "9", "4", "+W9", "+H9"}).status, 2);
   EXPECT_EQ(run({"explain", "story.pov", "4", "+W9", "+H9"}).status, 2);

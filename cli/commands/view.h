@@ -9,7 +9,7 @@
 namespace verisim::cli {
 
 struct ViewSettings {
-  Options options;  // input_file is the scene
+  Options options;       // input_file is the scene
   bool lecture = false;  // its pages instead of a scene
   bool open = true;
   int port = 0;

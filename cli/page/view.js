@@ -286,7 +286,14 @@ function errors(messages, broken) {
     const line = document.createElement('p'), kind = document.createElement('span');
     kind.className = 'kind';
     kind.textContent = m.severity + ': ';
-    line.append(m.file ? `${m.file}:${m.line}:${m.column}: ` : '', kind, m.message, m.advice ? ' ' + m.advice : '');
+    if (m.file) {
+      const link = document.createElement('a');
+      link.href = `vscode://file${m.file.startsWith('/') ? '' : '/'}${encodeURI(m.file)}:${m.line}:${m.column}`;
+      link.title = 'open in the editor';
+      link.textContent = `${m.file}:${m.line}:${m.column}`;
+      line.append(link, ': ');
+    }
+    line.append(kind, m.message, m.advice ? ' ' + m.advice : '');
     if (!m.source) return [line];
     const source = document.createElement('pre');
     source.textContent = m.source + '\n' + ' '.repeat(Math.max(0, m.caret - 1)) + '^' + m.trail.map(t => '\n' + t).join('');
@@ -398,6 +405,7 @@ async function explain(x, y) {
   story.number = (explain.count = (explain.count || 0) + 1);
   $('story').hidden = false;
   $('pixel').textContent = `Pixel ${story.x}, ${story.y}`;
+  if (other && $('other').value === 'povray' && same()) { const i = 3 * (y * state.width + x); story.oracle = `POV-Ray: ${other[i]} ${other[i + 1]} ${other[i + 2]}`; }
   $('result').replaceChildren(resultOf(story));
   $('sum').replaceChildren(...story.rays.map(sumOf));
   $('tree').textContent = story.text;
@@ -441,9 +449,14 @@ $('side').addEventListener('keydown', e => {
 });
 for (const button of document.querySelectorAll('[data-from]')) button.onclick = () => turn(...button.dataset.from.split(',').map(Number));
 
-function mark() {
+// The place of the pixel, and the rays as they lie in the picture.
+async function mark() {
   const [x, y] = story.at.map(v => v + 0.5);
   $('rays').replaceChildren(element('circle', { class: 'ray camera', cx: x, cy: y, r: Math.max(4, state.width / 80) }), element('circle', { class: 'head camera', cx: x, cy: y, r: Math.max(1, state.width / 320) }));
+  const reply = await fetch('overlay').catch(() => null), text = reply && reply.ok ? await reply.text() : '';
+  if (!text || !story) return;
+  const drawn = new DOMParser().parseFromString(text, 'image/svg+xml').documentElement;
+  $('rays').append(...[...drawn.children].map(e => document.importNode(e, true)));
 }
 
 follow();

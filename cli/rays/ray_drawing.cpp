@@ -148,4 +148,30 @@ std::string ray_svg(const Json& rays, const Viewpoint& view, const DrawingStyle&
   return svg + "</svg>\n";
 }
 
+std::string overlay_svg(const Json& rays, const Projection& project, int width, int height) {
+  constexpr double kNear = 1e-6;
+  const Drawing drawing = drawing_of(rays);
+  std::string svg = fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {}">)", width, height);
+  for (const Segment& s : drawing.segments) {
+    if (s.kind == "camera") continue;
+    Seen from = project(s.from), to = project(s.to);
+    if (from.depth < kNear && to.depth < kNear) continue;
+    // What is behind the eye is cut off.
+    const auto cut = [&](const Seen& behind, const Seen& front) {
+      const double t = (kNear - behind.depth) / (front.depth - behind.depth);
+      return project(s.from + (s.to - s.from) * (&behind == &from ? t : 1 - t));
+    };
+    if (from.depth < kNear)
+      from = cut(from, to);
+    else if (to.depth < kNear)
+      to = cut(to, from);
+    const double most = 4.0 * (width + height);
+    svg += arrow(clipped(from.at, to.at, most), clipped(to.at, from.at, most), s.kind);
+  }
+  for (const Normal& n : drawing.normals)
+    if (const Seen at = project(n.point); at.depth >= kNear)
+      svg += fmt::format(R"(<circle class="hit" cx="{:.2f}" cy="{:.2f}" r="2"/>)", at.at.x, at.at.y);
+  return svg + "</svg>\n";
+}
+
 }  // namespace verisim::cli

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <ostream>
 
 #include "cli/rays/ray_drawing.h"
@@ -135,6 +136,50 @@ TEST(RayDrawing, TheRaysLieWhereTheyAre) {
   EXPECT_NE(svg.find("class=\"ray camera\""), std::string::npos);
   EXPECT_NE(svg.find("class=\"ray reflected\""), std::string::npos);
   EXPECT_NE(svg.find("class=\"ray lit\""), std::string::npos);
+}
+
+// Each ray of a tree and each way to a light that counts is one line of its kind.
+void count(const Json& rays, std::map<std::string, int>& kinds) {
+  for (const Json& ray : rays) {
+    if (ray["kind"] == "cut off") continue;
+    ++kinds[ray["kind"]];
+    if (!ray["layers"].empty())
+      for (const Json& light : ray["layers"][0]["lights"])
+        if (light["state"] == "lit" || light["state"] == "shadow") ++kinds[light["state"]];
+    count(ray["rays"], kinds);
+  }
+}
+
+TEST(RayDrawing, TheLecturesTreesAreDrawnWhole) {
+  struct Place {
+    const char* scene;
+    int x, y, width, height;
+  };
+  for (const Place& p : {Place{"orthographic_casting", 0, 0, 1, 5}, Place{"orthographic_casting", 0, 1, 1, 5},
+                         Place{"orthographic_casting", 0, 2, 1, 5}, Place{"orthographic_casting", 0, 3, 1, 5},
+                         Place{"orthographic_casting", 0, 4, 1, 5}, Place{"three_levels", 2, 2, 8, 4},
+                         Place{"three_levels", 5, 2, 8, 4}, Place{"glass_ball", 190, 200, 480, 360}}) {
+    parser::ParseOptions options;
+    options.width = p.width, options.height = p.height;
+    const parser::ParseResult parsed =
+        parser::parse_file(std::string(VERISIM_SOURCE_DIR "/scenes/lecture/") + p.scene + ".pov", options);
+    ASSERT_TRUE(parsed.scene) << p.scene;
+    render::Options render;
+    render.width = p.width, render.height = p.height, render.threads = 1;
+    RayTree tree;
+    render::Explainer(*parsed.scene, render).pixel(p.x, p.y, tree);
+    const Json rays = tree.json()["rays"];
+    std::map<std::string, int> kinds;
+    count(rays, kinds);
+    const std::string svg = ray_svg(rays, viewpoint_of(points_of(rays), 30, 25, 480, 360), {480, 360, "", true});
+    for (const auto& [kind, number] : kinds) {
+      int drawn = 0;
+      const std::string element = "<line class=\"ray " + kind + "\"";
+      for (std::size_t at = svg.find(element); at != std::string::npos; at = svg.find(element, at + 1)) ++drawn;
+      EXPECT_EQ(drawn, number) << p.scene << ": " << kind;
+    }
+    EXPECT_GE(kinds["camera"], 1);
+  }
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "cli/describe/stored_pixel.h"
 #include "cli/frame/frame.h"
 #include "cli/rays/ray_tree.h"
-#include "cli/settings/scene_words.h"
+#include "cli/settings/switches.h"
 #include "compare/report/display.h"
 #include "tracer/render/explain.h"
 
@@ -55,10 +55,8 @@ Asked asked(const PageRequest& request, const Options& common, const fs::path& s
     throw std::runtime_error("there is no such scene here");
   Asked a{common, scenes / name, body.at("text"), body.value("x", 0.0), body.value("y", 0.0)};
   std::istringstream switches(body.value("switches", ""));
-  std::vector<std::string> words;
   for (std::string word; switches >> word;)
-    if (word.starts_with("+A") || word.starts_with("+R")) words.push_back(word);  // how it is sampled, nothing else
-  apply_words(a.options, words);
+    if (word.starts_with("+A") || word.starts_with("+R")) apply_switch(a.options, word);  // how it is sampled, no more
   a.options.width = body.at("width"), a.options.height = body.at("height");
   const auto side = [](int pixels) { return pixels >= 1 && pixels <= kMostSide; };
   if (!side(a.options.width) || !side(a.options.height) || a.options.width * a.options.height > kMostPixels)

@@ -379,6 +379,32 @@ std::string LivePicture::drawing(const DrawnFrom& from, const std::string& behin
   return ray_svg(parsed->rays, view, {from.width, from.height, behind, false});
 }
 
+std::string LivePicture::overlay() {
+  Wish wish;
+  const std::shared_ptr<Parsed> parsed = this->parsed(&wish);
+  const std::lock_guard lock(parsed->asked);
+  const scene::Camera& camera = parsed->result.scene->camera;
+  const bool flat = camera.kind == scene::CameraKind::orthographic;
+  if (parsed->rays.is_null() || (!flat && camera.kind != scene::CameraKind::perspective)) return {};
+  // A point is location + depth direction + x right + y up; of a perspective camera x and y are depth times those of
+  // the pixel.
+  const Vec3 normal = cross(camera.right, camera.up);
+  const double volume = dot(normal, camera.direction);
+  if (volume == 0) return {};
+  const auto project = [&](const Vec3& p) {
+    const Vec3 d = p - camera.location;
+    Seen seen;
+    seen.depth = dot(normal, d) / volume;
+    const double scale = flat ? 1 : std::max(seen.depth, 1e-9);
+    const double x = dot(cross(camera.up, camera.direction), d) / volume / scale;
+    const double y = dot(cross(camera.direction, camera.right), d) / volume / scale;
+    seen.at = {(0.5 + x) * options_.width * wish.zoom - wish.left, (0.5 - y) * options_.height * wish.zoom - wish.top};
+    if (flat) seen.depth = std::max(seen.depth, 1.0);  // what is behind its plane may be on the way of a light
+    return seen;
+  };
+  return overlay_svg(parsed->rays, project, options_.width, options_.height);
+}
+
 std::string LivePicture::behind(const DrawnFrom& from) {
   Wish wish;
   const std::shared_ptr<Parsed> parsed = this->parsed(&wish);

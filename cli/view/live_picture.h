@@ -65,6 +65,8 @@ class LivePicture {
   // Throws std::runtime_error.
   std::string drawing(const DrawnFrom& from, const std::string& behind);
   std::string behind(const DrawnFrom& from);
+  // The same rays laid over the picture's window; empty: of cameras that are neither perspective nor orthographic.
+  std::string overlay();
 
  private:
   struct Tile {

@@ -110,6 +110,7 @@ void answers(Server& server, LivePicture& picture, const Options& options) {
                     from.elevation, from.width, from.height, number(request, "of", 0, 9e15, 0));
     return PageReply{"image/svg+xml", picture.drawing(from, behind)};
   });
+  server.on("overlay", [&picture](const PageRequest&) { return PageReply{"image/svg+xml", picture.overlay()}; });
   server.on("behind", [&picture](const PageRequest& request) {
     return PageReply{"image/png", picture.behind(drawn_from(request))};
   });

@@ -126,6 +126,7 @@ class View(unittest.TestCase):
         self.browser.run("document.querySelector('[data-from=\"0,90\"]').click()")
         self.browser.until("const l = document.querySelector('#side line'); return l && l.getAttribute('x2') !== arguments[0]", before)
         self.keep("followed-from-above")
+        self.browser.until("return document.querySelectorAll('#rays line.ray.reflected, #rays line.ray.lit').length > 1")  # in the picture, too
         terms = self.browser.run("return document.querySelector('#sum').textContent")
         for term in ("own light", "diffuse of the light", "reflected"):
             self.assertIn(term, terms)

@@ -276,7 +276,7 @@ class Test(Folder):
 
     def time_limit(self):
         """A task that needs longer than its limit saves its state, is queued again, and goes on."""
-        self.submit("limit", "slow", 1, "+R4", "--time", "1", "--grace", "20")
+        self.submit("limit", "slow", 1, "+R3", "--time", "1", "--grace", "20")
         self.wholes.pop("slow", None)
         watcher = Watcher(self, "limit")
         watcher.start()
@@ -284,7 +284,7 @@ class Test(Folder):
                          "the limit does not come", 150)
         self.slurm.idle(600)
         self.farm("wait", "limit")
-        self.call("render", "slow.pov", *SCENES["slow"][1], "+R4", "--output", "whole-limit.png")
+        self.call("render", "slow.pov", *SCENES["slow"][1], "+R3", "--output", "whole-limit.png")
         if (self.path / "limit.png").read_bytes() != (self.path / "whole-limit.png").read_bytes():
             self.fail("limit", "the picture is another one")
         watcher.end()

@@ -114,7 +114,8 @@ TEST_F(Parts, APartThatIsWholeIsNotRenderedAgainAndADamagedOneIs) {
 }
 
 TEST_F(Parts, AnInterruptedPartGoesOnWhereItStood) {
-  std::vector<std::string> call{"render", "slow.pov", "+W320", "+H240",    "+A0.0",
+  // So large that it is not done before its state is saved for the first time, after a second.
+  std::vector<std::string> call{"render", "slow.pov", "+W560", "+H420",    "+A0.0",
                                 "+R5",    "--part",   "2/2",   "--output", "2.vsp"};
   const pid_t child = start(call);
   wait_for("2.pov-state");
@@ -124,10 +125,10 @@ TEST_F(Parts, AnInterruptedPartGoesOnWhereItStood) {
   EXPECT_TRUE(exists("2.pov-state"));
   call.emplace_back("+C");
   ASSERT_EQ(run(call).status, 0);
-  call = {"render", "slow.pov", "+W320", "+H240", "+A0.0", "+R5", "--part", "1/2", "--output", "1.vsp"};
+  call = {"render", "slow.pov", "+W560", "+H420", "+A0.0", "+R5", "--part", "1/2", "--output", "1.vsp"};
   ASSERT_EQ(run(call).status, 0);
   ASSERT_EQ(run({"merge", "1.vsp", "2.vsp", "--output", "merged.png"}).status, 0);
-  ASSERT_EQ(run({"render", "slow.pov", "+W320", "+H240", "+A0.0", "+R5", "--output", "whole.png"}).status, 0);
+  ASSERT_EQ(run({"render", "slow.pov", "+W560", "+H420", "+A0.0", "+R5", "--output", "whole.png"}).status, 0);
   EXPECT_TRUE(text_of(folder_ / "merged.png") == text_of(folder_ / "whole.png"));
 }
 

@@ -137,11 +137,7 @@ std::string small_picture(const scene::Scene& scene, const Options& options, ren
   render.first_column = render.first_row = 0, render.last_column = render.last_row = -1;
   render::Framebuffer frame;
   render::render(scene, render, frame);
-  compare::Picture picture;
-  picture.width = frame.width, picture.height = frame.height, picture.channels = 3;
-  for (const std::uint16_t sample : quantised(frame, scene, options).samples)
-    picture.samples.push_back(static_cast<float>(sample) / 255);
-  return compare::png_bytes(picture);
+  return compare::png_bytes(stored_picture(frame, scene, options));
 }
 
 void write_story(const StoryFiles& files, PixelStory story, const scene::Scene& scene, const Options& options,

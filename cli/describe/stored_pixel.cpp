@@ -12,6 +12,16 @@ image::Quantised quantised(const render::Framebuffer& picture, const scene::Scen
   return image::quantise(picture, output);
 }
 
+compare::Picture stored_picture(const render::Framebuffer& picture, const scene::Scene& scene, const Options& options) {
+  constexpr float kMost = 255;
+  compare::Picture result;
+  result.width = picture.width, result.height = picture.height, result.channels = 3;
+  const image::Quantised q = quantised(picture, scene, options);
+  result.samples.reserve(q.samples.size());
+  for (const std::uint16_t sample : q.samples) result.samples.push_back(static_cast<float>(sample) / kMost);
+  return result;
+}
+
 namespace {
 
 image::Quantised quantised(std::vector<Color> pixels, const scene::Scene& scene, const Options& options) {

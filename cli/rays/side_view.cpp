@@ -32,11 +32,7 @@ std::string SideView::png(const Viewpoint& view, int width, int height) {
   options.width = width, options.height = height;
   render::Framebuffer frame;
   prepared_->render(options, frame);
-  compare::Picture picture;
-  picture.width = width, picture.height = height, picture.channels = 3;
-  for (const std::uint16_t sample : quantised(frame, scene_, options_).samples)
-    picture.samples.push_back(static_cast<float>(sample) / 255);
-  return compare::png_bytes(picture);
+  return compare::png_bytes(stored_picture(frame, scene_, options_));
 }
 
 std::string data_address(const std::string& png) { return "data:image/png;base64," + compare::base64(png); }

@@ -111,11 +111,7 @@ std::string drawn(const Asked& a, Desk& desk) {
   return desk.with_scene(a, [&](const scene::Scene& scene, const render::Options& options, const parser::Origins&) {
     render::Framebuffer frame;
     render::render(scene, options, frame);
-    compare::Picture picture;
-    picture.width = frame.width, picture.height = frame.height, picture.channels = 3;
-    for (const std::uint16_t sample : quantised(frame, scene, a.options).samples)
-      picture.samples.push_back(static_cast<float>(sample) / 255);
-    return compare::png_bytes(picture);
+    return compare::png_bytes(stored_picture(frame, scene, a.options));
   });
 }
 

@@ -266,10 +266,7 @@ void LivePicture::render(const Wish& wish) {
   render::Framebuffer frame = render_pass(parsed, wish, 1, false, antialias ? nullptr : &layers);
   if (antialias && !cancel_) frame = render_pass(parsed, wish, 1, true, &layers);
   if (cancel_) return;
-  compare::Picture finished;
-  finished.width = frame.width, finished.height = frame.height, finished.channels = 3;
-  for (const std::uint16_t sample : quantised(frame, *parsed.result.scene, options_).samples)
-    finished.samples.push_back(static_cast<float>(sample) / 255);
+  compare::Picture finished = cli::stored_picture(frame, *parsed.result.scene, options_);
   {
     const std::lock_guard lock(mutex_);
     layers_ = std::move(layers), layers_ready_ = true, finished_ = std::move(finished);

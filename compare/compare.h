@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "compare/metrics/blame.h"
-#include "compare/metrics/diagnose.h"
+#include "compare/causes/diagnose.h"
 #include "compare/metrics/fit.h"
 #include "compare/metrics/metrics.h"
 #include "compare/metrics/truth.h"
@@ -235,6 +235,7 @@ struct Progress {
 struct RunOptions {
   NativeRenderer native;
   TagSource tags;             // empty: no blame
+  TagSource reference_tags;   // of the reference's renderer, which knows what the judged one lost; empty: not known
   bool always_blame = false;  // also for scenes that do not differ
   OracleOptions oracle;
   int jobs = 1;            // scenes at a time

@@ -117,6 +117,8 @@ J scene_as(const SceneResult& s) {
   for (const Suspicion& v : s.suspicions) {
     J suspect;
     suspect["what"] = v.what, suspect["detail"] = v.detail, suspect["explained"] = v.explained;
+    suspect["precision"] = v.precision, suspect["sure"] = v.sure;
+    if (!v.pixels.empty()) suspect["pixels"] = v.pixels;
     json["suspects"].push_back(suspect);
   }
   if (s.native_low_pass) json["low_pass"]["native"] = low_pass_as<J>(*s.native_low_pass);
@@ -178,7 +180,9 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
   s.rays = json.value("rays", std::map<std::string, std::uint64_t>());
   s.stochastic_features = json.value("stochastic_features", std::vector<std::string>());
   for (const auto& suspect : json.value("suspects", nlohmann::json::array()))
-    s.suspicions.push_back({suspect.at("what"), suspect.at("detail"), suspect.at("explained")});
+    s.suspicions.push_back({suspect.at("what"), suspect.at("detail"), suspect.at("explained"),
+                            suspect.value("precision", 1.0), suspect.value("sure", 0.0),
+                            suspect.value("pixels", PixelRuns())});
   if (const auto& m = json.at("metrics"); m.is_object()) {
     Metrics& out = s.metrics.emplace();
     out.width = s.request.width, out.height = s.request.height;

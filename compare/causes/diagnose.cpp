@@ -1,7 +1,7 @@
 // Every hypothesis is a one- to three-parameter change of the reference. Its parameters are fitted by least squares (or
 // tried), and what it leaves of the squared difference says how much it explains. The simpler hypothesis comes first
 // when two explain the same.
-#include "compare/metrics/diagnose.h"
+#include "compare/causes/diagnose.h"
 
 #include <fmt/format.h>
 
@@ -230,7 +230,10 @@ void places(const Values& a, const Values& b, std::vector<Suspicion>& out) {
     out.push_back({"edges",
                    fmt::format("{:.1f} % of the squared difference lies on edges, {:.1f} % of the pixels",
                                100 * on_edges / total, 100 * edge_part),
-                   on_edges / total});
+                   on_edges / total,
+                   1,
+                   0,
+                   {}});
   const std::size_t few = std::max<std::size_t>(1, errors.size() / 100);
   std::nth_element(errors.begin(), errors.begin() + few - 1, errors.end(), std::greater<>());
   double worst = 0;
@@ -238,7 +241,10 @@ void places(const Values& a, const Values& b, std::vector<Suspicion>& out) {
   if (worst / total > 0.95)
     out.push_back({"few pixels",
                    fmt::format("1 % of the pixels holds {:.1f} % of the squared difference", 100 * worst / total),
-                   worst / total});
+                   worst / total,
+                   1,
+                   0,
+                   {}});
 }
 
 // A balance of three gains contains one gain: it must be clearly better.
@@ -268,6 +274,7 @@ std::vector<Suspicion> diagnose(const Picture& reference, const Picture& test) {
   }
   keep_convincing(out);
   places(a, b, out);
+  for (Suspicion& named : out) named.sure = named.explained;
   return out;
 }
 

@@ -1,5 +1,5 @@
 // Planted faults: each must be named, first of all.
-#include "compare/metrics/diagnose.h"
+#include "compare/causes/diagnose.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

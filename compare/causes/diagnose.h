@@ -5,16 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "compare/causes/suspicion.h"
 #include "compare/metrics/metrics.h"
 
 namespace verisim::compare {
-
-struct Suspicion {
-  std::string
-      what;  // "gamma", "brightness", "color balance", "shift", "swapped channels", "mirrored", "edges", "few pixels"
-  std::string detail;    // for people: "the picture is moved by 0.50, 0.00 pixels"
-  double explained = 0;  // 0..1: part of the squared difference that is gone when the fault is undone
-};
 
 // Most convincing first; empty when the pictures are equal or nothing explains at least half of the difference. Throws
 // PictureMismatch.

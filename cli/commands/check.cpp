@@ -17,7 +17,6 @@
 #include "cli/sandbox/sandbox.h"
 #include "cli/settings/own_options.h"
 #include "cli/settings/scene_words.h"
-#include "parser/source/standard_includes.h"
 #include "parser/source/suggest.h"
 #include "tracer/render/requirements.h"
 
@@ -111,13 +110,12 @@ Checked check_scene(const Options& options, Console& console, Interrupt& interru
     std::vector<fs::path> files{scene.path};
     for (const fs::path& file : result.files_read)
       if (file != scene.path) files.push_back(file);
-    std::vector<LintFinding> found = lint_names(files, parser::standard_include_folders());
-    for (LintFinding& finding : lint_scene(*result.scene)) found.push_back(std::move(finding));
-    for (LintFinding& finding : found) {
-      if (!wanted.lints.count(finding.lint->name)) continue;
+    const auto text = [&](const fs::path& file) {
+      return file == scene.path && scene.text ? scene.text : text_on_disk(file);
+    };
+    checked.lints = *find_lints({*result.scene, std::move(files), text}, wanted.lints);
+    for (const LintFinding& finding : checked.lints)
       if (!wanted.json) console.line(Stream::warning, format(finding));
-      checked.lints.push_back(std::move(finding));
-    }
   }
   try {
     render::check_supported(*result.scene, render_options(job, {0, options.width - 1, 0, options.height - 1}));
@@ -166,7 +164,7 @@ int explain_code(const std::string& wanted) {
     return kOk;
   }
   if (const Lint* lint = lint_named(wanted)) {
-    std::fputs(fmt::format("{}: {}\n\n{}\n", lint->name, lint->title, lint->text).c_str(), stdout);
+    std::fputs(explanation(*lint).c_str(), stdout);
     return kOk;
   }
   const std::optional<parser::Code> code = parser::code_named(wanted);
@@ -207,7 +205,8 @@ int command_check(const std::vector<std::string>& arguments) {
   own.flag("--fix", wanted.fix, "correct in the files what can be corrected without doubt, and check again");
   own.value("--sarif FILE", wanted.sarif, "write the diagnostics to this file as SARIF, which code hosts show");
   own.values("--lint NAME", lints,
-             "look for what is allowed and yet mostly a mistake, too: unused-name, shadowed-name, constant-in-loop, "
+             "look for what is allowed and yet mostly a mistake, too: unused-name, shadowed-name, skipped-directive, "
+             "constant-in-loop, "
              "coincident-surfaces, light-inside, inward-normals, hidden-texture, ambient-with-radiosity; "
              "all or none");
   own.value("--explain CODE", code, "say what a diagnostic's code means, with an example; 'list' names all codes");

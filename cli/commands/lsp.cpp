@@ -5,6 +5,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/commands/own_program.h"
+#include "cli/lints/lints.h"
 #include "cli/settings/own_options.h"
 #include "cli/settings/scene_words.h"
 
@@ -27,6 +28,9 @@ int command_lsp(const std::vector<std::string>& arguments) {
   own.flag("--stdio", stdio, "taken because some editors give it; standard input and output are the only way");
   own.value("--read-seconds S", settings.seconds, "a scene is read for S seconds at most, then what is known is shown");
   own.value("--delay MS", settings.delay_ms, "milliseconds without a change after which a scene is read");
+  std::vector<std::string> lints;
+  own.values("--lint NAME", lints,
+             "which lints are shown as hints, as for `verisim check`: names, all (without this option) or none");
   add_scene_options(own, options);
   own.switches({Topic::scene, Topic::size});
   const std::vector<std::string> files = apply_words(options, own.parse(arguments));
@@ -35,6 +39,7 @@ int command_lsp(const std::vector<std::string>& arguments) {
   if (!(settings.seconds > 0 && settings.seconds <= 3600))
     throw OptionError("--read-seconds must be above 0, up to 3600");
   if (settings.delay_ms < 0 || settings.delay_ms > 10000) throw OptionError("--delay must be from 0 to 10000");
+  settings.lints = wanted_lints(lints.empty() ? std::vector<std::string>{"all"} : lints);
   validate(options);
   settings.program = own_program();
   return lsp::serve(settings);

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <tuple>
 
 #include "cli/settings/options.h"
+#include "parser/source/standard_includes.h"
 #include "parser/source/suggest.h"
 
 namespace verisim::cli {
@@ -19,6 +23,9 @@ constexpr Lint kLints[] = {
      "A parameter of a macro or a #local has the name of a global identifier: within the macro the global one cannot "
      "be "
      "reached, and a #declare there changes the local one. Give one of them another name."},
+    {"skipped-directive", "A directive that does not exist, where nothing runs",
+     "Behind the '#' stands a word that is no directive. As long as its branch is not taken or its macro not called it "
+     "is passed over in silence, and a branch that it was to open never runs; where it is reached it is an error."},
     {"constant-in-loop", "A loop declares again what never changes",
      "The value has no names and no random numbers in it, and nothing else in the loop gives the identifier a value: "
      "the declaration can stand before the loop."},
@@ -40,7 +47,33 @@ constexpr Lint kLints[] = {
      "surface shall shine."},
 };
 
+// The same line makes many objects, and says the same of each.
+void keep_one_of_each(std::vector<LintFinding>& found) {
+  std::set<std::tuple<std::string, int, int, std::string>> told;
+  std::erase_if(found, [&](const LintFinding& f) { return !told.emplace(f.file, f.line, f.column, f.message).second; });
+}
+
 }  // namespace
+
+std::optional<std::string> text_on_disk(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return std::nullopt;
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return std::move(text).str();
+}
+
+std::optional<std::vector<LintFinding>> find_lints(const LintedScene& linted, const std::set<std::string_view>& wanted,
+                                                   const std::function<bool()>& stop) {
+  if (wanted.empty()) return std::vector<LintFinding>{};
+  std::vector<LintFinding> found = lint_names(linted, parser::standard_include_folders());
+  if (stop && stop()) return std::nullopt;
+  for (LintFinding& finding : lint_scene(linted.scene, stop)) found.push_back(std::move(finding));
+  if (stop && stop()) return std::nullopt;
+  std::erase_if(found, [&](const LintFinding& f) { return !wanted.contains(f.lint->name); });
+  keep_one_of_each(found);
+  return found;
+}
 
 std::span<const Lint> all_lints() { return kLints; }
 
@@ -48,6 +81,8 @@ const Lint* lint_named(std::string_view name) {
   const auto found = std::find_if(std::begin(kLints), std::end(kLints), [&](const Lint& l) { return l.name == name; });
   return found == std::end(kLints) ? nullptr : found;
 }
+
+std::string explanation(const Lint& lint) { return fmt::format("{}: {}\n\n{}\n", lint.name, lint.title, lint.text); }
 
 std::string format(const LintFinding& f) {
   std::string out = f.line > 0 ? fmt::format("{}:{}:{}: ", f.file, f.line, f.column) : f.file + ": ";

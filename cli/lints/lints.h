@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -28,17 +30,33 @@ struct LintFinding : parser::Excerpt {
   std::string message, advice;
 };
 
+// What `--explain` prints.
+std::string explanation(const Lint& lint);
+
 // As a message: `file:line:column: lint: text [name]` with the line and what is meant underlined.
 std::string format(const LintFinding& finding);
 
 // The lints of --lint NAME, given again for several; "all", "none". Throws OptionError with the names there are.
 std::set<std::string_view> wanted_lints(const std::vector<std::string>& names);
 
-// Of the names in a scene's files. `files`: all that were read, the scene first; those below `standard` folders are
-// looked at for uses only.
-std::vector<LintFinding> lint_names(const std::vector<std::filesystem::path>& files,
-                                    const std::vector<std::filesystem::path>& standard);
+// The text of a file; nothing: it cannot be read.
+using ReadText = std::function<std::optional<std::string>(const std::filesystem::path&)>;
+std::optional<std::string> text_on_disk(const std::filesystem::path& path);
+
+// What was read: `files` are all files of the scene, the scene's own first.
+struct LintedScene {
+  const scene::Scene& scene;
+  std::vector<std::filesystem::path> files;
+  ReadText text = text_on_disk;
+};
+
+// What is found, each once, in the order of the table. `stop` is polled; nothing: it said so.
+std::optional<std::vector<LintFinding>> find_lints(const LintedScene& linted, const std::set<std::string_view>& wanted,
+                                                   const std::function<bool()>& stop = {});
+
+// Of the names in a scene's files; those below `standard` folders are looked at for uses only.
+std::vector<LintFinding> lint_names(const LintedScene& linted, const std::vector<std::filesystem::path>& standard);
 // Of the objects and textures of a scene.
-std::vector<LintFinding> lint_scene(const scene::Scene& scene);
+std::vector<LintFinding> lint_scene(const scene::Scene& scene, const std::function<bool()>& stop);
 
 }  // namespace verisim::cli

@@ -2,12 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
-#include <sstream>
 
+#include "cli/describe/including_scene.h"
 #include "cli/lints/lints.h"
 #include "parser/editing/index.h"
+#include "parser/editing/place.h"
+#include "parser/source/suggest.h"
 
 namespace fs = std::filesystem;
 
@@ -25,21 +26,19 @@ struct File {
   std::unique_ptr<parser::NameIndex> index;
 };
 
-std::vector<File> read_all(const std::vector<fs::path>& paths, const std::vector<fs::path>& standard) {
+std::vector<File> read_all(const LintedScene& linted, const std::vector<fs::path>& standard) {
   constexpr std::uintmax_t kLargest = 16u << 20;
   std::vector<File> files;
-  for (const fs::path& path : paths) {
-    std::error_code failed;
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(), ::tolower);
+  for (const fs::path& path : linted.files) {
+    const std::string extension = parser::lowered(path.extension().string());
     const bool scene = files.empty() || extension == ".inc" || extension == ".pov" || extension == ".mcr";
-    if (!scene || fs::file_size(path, failed) > kLargest || failed) continue;
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
+    std::error_code failed;
+    if (const std::uintmax_t size = fs::file_size(path, failed); !scene || (!failed && size > kLargest)) continue;
+    std::optional<std::string> text = linted.text(path);
+    if (!text) continue;
     const bool own = std::none_of(standard.begin(), standard.end(),
                                   [&](const fs::path& folder) { return path.string().starts_with(folder.string()); });
-    files.push_back({path, own, std::make_unique<parser::NameIndex>(std::move(text).str())});
+    files.push_back({path, own, std::make_unique<parser::NameIndex>(*text)});
   }
   return files;
 }
@@ -91,10 +90,24 @@ bool is_for(const File& file, const NameDeclaration& d) {
   return text.substr(d.whole.begin, d.offset - d.whole.begin).find('(') != std::string_view::npos;
 }
 
+bool is_local(const File& file, const NameDeclaration& d) {
+  const std::string_view text = file.index->tokens().source->text();
+  return text.substr(d.whole.begin, d.offset - d.whole.begin).find("local") != std::string_view::npos;
+}
+
+// A #declare in a macro that has a parameter or #local of the name changes that one.
+bool changes_local(const File& file, const NameDeclaration& d) {
+  const auto& all = file.index->declarations();
+  return std::any_of(all.begin(), all.end(), [&](const NameDeclaration& other) {
+    return !other.global && other.name == d.name && other.scope.contains(d.offset);
+  });
+}
+
 void unused(const std::vector<File>& files, std::vector<LintFinding>& found) {
+  const File& scene = files.front();
+  if (!scene_that_includes(scene.path).empty()) return;  // its names may be for that one
   const auto used = used_names(files);
   std::set<std::string> told;
-  const File& scene = files.front();
   for (const NameDeclaration& d : scene.index->declarations()) {
     const bool counts = d.kind == NameDeclaration::Kind::macro || d.kind == NameDeclaration::Kind::variable;
     if (!counts || used.count(d.name) || is_for(scene, d) || !told.insert(d.name).second) continue;
@@ -111,26 +124,52 @@ void unused(const std::vector<File>& files, std::vector<LintFinding>& found) {
 }
 
 void shadowed(const std::vector<File>& files, std::vector<LintFinding>& found) {
-  std::map<std::string, const File*> global;
+  struct Global {
+    const File* file;
+    const NameDeclaration* declaration;
+  };
+  std::multimap<std::string, Global> globals;
   for (const File& file : files)
     for (const NameDeclaration& d : file.index->declarations())
-      if (file.own && d.global && d.kind == NameDeclaration::Kind::variable && !is_for(file, d))
-        global.emplace(d.name, &file);
+      if (file.own && d.global && d.kind == NameDeclaration::Kind::variable && !is_for(file, d) &&
+          (&file == &files.front() || !is_local(file, d)) && !changes_local(file, d))
+        globals.emplace(d.name, Global{&file, &d});
   for (const File& file : files) {
     if (!file.own) continue;
     std::set<std::pair<std::size_t, std::string>> told;
     for (const NameDeclaration& d : file.index->declarations()) {
-      const auto hidden = global.find(d.name);
-      if (d.global || hidden == global.end() || !told.insert({d.scope.begin, d.name}).second) continue;
-      // A #declare of the name within the macro is what makes it look global.
-      const auto& all = hidden->second->index->declarations();
-      const bool elsewhere = std::any_of(all.begin(), all.end(), [&](const NameDeclaration& g) {
-        return g.name == d.name && g.global &&
-               (hidden->second != &file || !(g.offset >= d.scope.begin && g.offset <= d.scope.end));
+      if (d.global) continue;
+      const auto [first, last] = globals.equal_range(d.name);
+      const auto hidden = std::find_if(first, last, [&](const auto& entry) {
+        return entry.second.file != &file || !d.scope.contains(entry.second.declaration->offset);
       });
-      if (elsewhere)
-        found.push_back(finding(file, "shadowed-name", d.offset, d.name.size(),
-                                fmt::format("'{}' hides the global name within this macro.", d.name)));
+      if (hidden == last || !told.insert({d.scope.begin, d.name}).second) continue;
+      const Global& g = hidden->second;
+      found.push_back(finding(file, "shadowed-name", d.offset, d.name.size(),
+                              fmt::format("'{}' hides the global name of {}:{} within this macro.", d.name,
+                                          g.file->path.filename().string(),
+                                          g.file->index->tokens().source->position(g.declaration->offset).line)));
+    }
+  }
+}
+
+// '#' and a word that is neither a directive nor a macro: passed over, or there would have been an error.
+void skipped_directives(const std::vector<File>& files, std::vector<LintFinding>& found) {
+  std::set<std::string, std::less<>> macros;
+  for (const File& file : files)
+    for (const NameDeclaration& d : file.index->declarations())
+      if (d.kind == NameDeclaration::Kind::macro) macros.insert(d.name);
+  for (const File& file : files) {
+    if (!file.own) continue;
+    const parser::TokenFile& tokens = file.index->tokens();
+    for (const parser::NameUse& use : file.index->uses()) {
+      const bool hash = tokens.hash_before(parser::token_at(tokens, use.offset)) != std::string_view::npos;
+      if (!hash || macros.count(use.name)) continue;
+      const parser::MeantDirective meant = parser::meant_directive(use.name);
+      if (meant.directive.empty()) continue;
+      found.push_back(finding(file, "skipped-directive", use.offset, use.name.size(),
+                              fmt::format("'#{}' is no directive, and is passed over here.", use.name),
+                              fmt::format("'#{}' was meant, probably.", meant.directive)));
     }
   }
 }
@@ -169,6 +208,10 @@ std::vector<Loop> loops_of(const parser::TokenFile& file) {
   return loops;
 }
 
+bool writes_arguments(const Token& called) {
+  return called.kind == TokenKind::identifier || called.word == Word::trace || called.word == Word::read;
+}
+
 void constant_in_loop(const File& file, std::vector<LintFinding>& found) {
   const parser::TokenFile& tokens = file.index->tokens();
   const parser::Tokens& t = tokens.tokens;
@@ -198,12 +241,12 @@ void constant_in_loop(const File& file, std::vector<LintFinding>& found) {
       std::vector<bool> calls;  // of the brackets that are open, which are those of calls
       for (std::size_t j = loop.begin; j < loop.end; ++j) {
         const char c = t[j].kind == TokenKind::punctuation ? t[j].punctuation : char{0};
-        if (c == '(' || c == '{' || c == '[') calls.push_back(c == '(' && j && t[j - 1].kind == TokenKind::identifier);
+        if (c == '(' || c == '{' || c == '[') calls.push_back(c == '(' && j && writes_arguments(t[j - 1]));
         if ((c == ')' || c == '}' || c == ']') && !calls.empty()) calls.pop_back();
         const bool declares =
             t[j].kind == TokenKind::directive && (t[j].word == Word::declare || t[j].word == Word::local);
         writes += declares && t[j + 1].kind == TokenKind::identifier && name_at(j + 1) == name;
-        // A macro may change what it is given.
+        // A macro may change what it is given, as `trace` and `#read` do.
         writes += t[j].kind == TokenKind::identifier && !calls.empty() && calls.back() && name_at(j) == name;
       }
       if (writes == 1 && told.insert(t[i].offset).second)
@@ -215,12 +258,13 @@ void constant_in_loop(const File& file, std::vector<LintFinding>& found) {
 
 }  // namespace
 
-std::vector<LintFinding> lint_names(const std::vector<fs::path>& paths, const std::vector<fs::path>& standard) {
+std::vector<LintFinding> lint_names(const LintedScene& linted, const std::vector<fs::path>& standard) {
   std::vector<LintFinding> found;
-  const std::vector<File> files = read_all(paths, standard);
+  const std::vector<File> files = read_all(linted, standard);
   if (files.empty()) return found;
   unused(files, found);
   shadowed(files, found);
+  skipped_directives(files, found);
   for (const File& file : files)
     if (file.own) constant_in_loop(file, found);
   return found;

@@ -34,9 +34,18 @@ bool is_plain(const scene::Object& o) {
   return o.texture && o.texture->layers.size() == 1 && is_opaque(o.texture->layers.front()) && !o.interior_texture;
 }
 
+// Not on the surface, where light goes out.
+bool is_deep_inside(const query::Target& solid, const Vec3& p) {
+  constexpr double kDeep = 1e-4;
+  const Vec3 steps[] = {{0, 0, 0},      {kDeep, 0, 0}, {-kDeep, 0, 0}, {0, kDeep, 0},
+                        {0, -kDeep, 0}, {0, 0, kDeep}, {0, 0, -kDeep}};
+  return std::all_of(std::begin(steps), std::end(steps), [&](const Vec3& step) { return solid.inside(p + step); });
+}
+
 class Linter {
  public:
-  Linter(const scene::Scene& scene, std::vector<LintFinding>& found) : scene_(scene), found_(found) {}
+  Linter(const scene::Scene& scene, const std::function<bool()>& stop, std::vector<LintFinding>& found)
+      : scene_(scene), stop_(stop), found_(found) {}
 
   void run() {
     for (const scene::ObjectPtr& o : scene_.objects) visit(o, true);
@@ -45,13 +54,18 @@ class Linter {
   }
 
  private:
+  bool stopped() { return is_stopped_ || (is_stopped_ = stop_ && stop_()); }
+
   // `apart`: a part of the scene itself, not of a solid that is cut.
   void visit(const scene::ObjectPtr& pointer, bool apart) {
+    if (stopped()) return;
     const scene::Object& o = *pointer;
     texture(o);
     mesh(o);
     if (const auto* light = o.as<scene::LightSource>()) {
-      lights_.emplace_back(light->position, &o);
+      // Of parallel light and of the lamps of an area light, some begin elsewhere.
+      if (!light->parallel && !light->area && light->kind != scene::LightKind::shadowless)
+        lights_.emplace_back(light->position, &o);
       return;
     }
     const auto* csg = o.as<scene::Csg>();
@@ -105,18 +119,21 @@ class Linter {
 
   void lights() {
     for (const scene::ObjectPtr& o : solids_) {
-      if (lights_.empty() || o->no_shadow || o->is_hollow() || !is_plain(*o) || scene::is_infinite(*o)) continue;
+      if (lights_.empty() || stopped() || o->no_shadow || o->is_hollow() || !is_plain(*o) || scene::is_infinite(*o))
+        continue;
       std::optional<query::Target> solid;
-      for (const auto& [position, light] : lights_) {
+      for (auto& [position, light] : lights_) {
+        if (!light) continue;  // told
         const auto& b = o->bounds;
         const double p[3] = {position.x, position.y, position.z};
         bool near = true;
         for (std::size_t i = 0; i < 3; ++i) near &= p[i] >= b.low[i] && p[i] <= double{b.low[i]} + b.size[i];
         if (!near) continue;
         if (!solid) solid.emplace(o);
-        if (solid->has_inside() && solid->inside(position))
-          found_.push_back(
-              finding("light-inside", *light, fmt::format("This light is inside the {}.", object_name(*o))));
+        if (!solid->has_inside() || !is_deep_inside(*solid, position)) continue;
+        if (scene_.camera_given && solid->inside(scene_.camera.location)) break;  // a room
+        found_.push_back(finding("light-inside", *light, fmt::format("This light is inside the {}.", object_name(*o))));
+        light = nullptr;
       }
     }
   }
@@ -136,6 +153,16 @@ class Linter {
            (p.color.r != q.color.r || p.color.g != q.color.g || p.color.b != q.color.b);
   }
 
+  // Whether the camera is on the side that a face of a box looks to: nobody sees speckles on what stands on the floor.
+  bool may_show(int axis, bool upper, double at) const {
+    const scene::Camera& camera = scene_.camera;
+    if (!scene_.camera_given || camera.kind == scene::CameraKind::mesh_camera) return true;
+    const auto along = [axis](const Vec3& v) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; };
+    const double side =
+        camera.kind == scene::CameraKind::orthographic ? -along(camera.direction) : along(camera.location) - at;
+    return upper ? side > 0 : side < 0;
+  }
+
   // Boxes with faces in one plane that look the same way and overlap.
   void faces() {
     struct Face {
@@ -149,11 +176,13 @@ class Linter {
       for (int axis = 0; axis < 3; ++axis) {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
         for (const bool upper : {false, true})
-          planes[{axis, upper, upper ? high[axis] : low[axis]}].push_back({o, {low[u], low[v]}, {high[u], high[v]}});
+          if (const double at = upper ? high[axis] : low[axis]; may_show(axis, upper, at))
+            planes[{axis, upper, at}].push_back({o, {low[u], low[v]}, {high[u], high[v]}});
       }
     }
     std::set<std::pair<int, int>> told;  // once for each two lines
     for (const auto& [plane, all] : planes) {
+      if (stopped()) return;
       constexpr std::size_t kMost = 200;  // of many boxes in one plane the first will do
       for (std::size_t i = 0; i < std::min(all.size(), kMost); ++i)
         for (std::size_t j = i + 1; j < std::min(all.size(), kMost); ++j) {
@@ -169,6 +198,8 @@ class Linter {
   }
 
   const scene::Scene& scene_;
+  const std::function<bool()>& stop_;
+  bool is_stopped_ = false;
   std::vector<LintFinding>& found_;
   std::vector<std::pair<Vec3, const scene::Object*>> lights_;
   std::vector<scene::ObjectPtr> solids_;
@@ -178,9 +209,9 @@ class Linter {
 
 }  // namespace
 
-std::vector<LintFinding> lint_scene(const scene::Scene& scene) {
+std::vector<LintFinding> lint_scene(const scene::Scene& scene, const std::function<bool()>& stop) {
   std::vector<LintFinding> found;
-  Linter(scene, found).run();
+  Linter(scene, stop, found).run();
   return found;
 }
 

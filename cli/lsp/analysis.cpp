@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "cli/describe/scene_findings.h"
 #include "cli/frame/job.h"
@@ -89,11 +90,12 @@ std::shared_ptr<Analysis> analyse(const Options& options, const Root& root, std:
   return analysis;
 }
 
-Analyst::Analyst(const Options& options, AnalysisLimits limits, fs::path scratch,
-                 std::function<void(std::shared_ptr<const Analysis>)> done)
-    : options_(options), limits_(limits), scratch_(std::move(scratch)), done_(std::move(done)), thread_([this] {
-        work();
-      }) {}
+Analyst::Analyst(const Options& options, AnalysisSettings settings, fs::path scratch, Done done)
+    : options_(options),
+      settings_(std::move(settings)),
+      scratch_(std::move(scratch)),
+      done_(std::move(done)),
+      thread_([this] { work(); }) {}
 
 Analyst::~Analyst() {
   {
@@ -109,7 +111,7 @@ void Analyst::want(const Root& root, std::shared_ptr<const Snapshot> snapshot) {
   const std::string key = root.key();
   {
     const std::lock_guard lock(mutex_);
-    wishes_[key] = {root, std::move(snapshot), std::chrono::steady_clock::now() + limits_.delay};
+    wishes_[key] = {root, std::move(snapshot), std::chrono::steady_clock::now() + settings_.delay};
     if (running_ == key) cancel_ = true;
   }
   changed_.notify_all();
@@ -124,6 +126,25 @@ void Analyst::forget(const std::string& key) {
 void Analyst::wait() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return end_ || (wishes_.empty() && running_.empty()); });
+}
+
+// Lints come with what is wrong where they are found at once, and behind it where they take longer.
+void Analyst::give(std::shared_ptr<Analysis> analysis) {
+  constexpr std::chrono::milliseconds kAtOnce{20};
+  if (cancel_) return;
+  const std::optional<scene::Scene> scene = std::exchange(analysis->scene, std::nullopt);
+  if (!scene) return done_(analysis, {});
+  const fs::path own = analysis->root.path.empty() ? fs::path(analysis->root.uri) : analysis->root.path;
+  LintedScene linted{*scene, {own}, [&](const fs::path& path) { return analysis->file(path).text->str(); }};
+  for (const fs::path& path : analysis->files_read)
+    if (path != own) linted.files.push_back(path);
+  const auto soon = std::chrono::steady_clock::now() + kAtOnce;
+  auto lints = find_lints(linted, settings_.lints, [&] { return cancel_ || std::chrono::steady_clock::now() > soon; });
+  if (cancel_) return;
+  done_(analysis, lints.value_or(std::vector<LintFinding>{}));
+  if (lints) return;
+  lints = find_lints(linted, settings_.lints, [&] { return cancel_.load(); });
+  if (lints && !cancel_) done_(analysis, *lints);
 }
 
 void Analyst::work() {
@@ -144,13 +165,11 @@ void Analyst::work() {
     running_ = wish.root.key();
     cancel_ = false;
     lock.unlock();
-    std::shared_ptr<const Analysis> analysis;
     try {
-      analysis = analyse(
-          options_, wish.root, wish.snapshot, scratch_, limits_.seconds, [this] { return cancel_.load(); }, false);
+      give(analyse(
+          options_, wish.root, wish.snapshot, scratch_, settings_.seconds, [this] { return cancel_.load(); }, true));
     } catch (const std::exception&) {  // a file that vanished, no memory: the next change tries again
     }
-    if (analysis && !cancel_) done_(analysis);
     lock.lock();
     running_.clear();
     changed_.notify_all();

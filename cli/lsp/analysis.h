@@ -15,6 +15,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "cli/lints/lints.h"
 #include "cli/lsp/document.h"
 #include "cli/settings/options.h"
 #include "parser/parse.h"
@@ -59,9 +60,10 @@ struct Analysis {
 // Absolute and without dots; what names a file here.
 std::filesystem::path normal(const std::filesystem::path& path);
 
-struct AnalysisLimits {
+struct AnalysisSettings {
   double seconds = 10;
   std::chrono::milliseconds delay{80};  // after the last change
+  std::set<std::string_view> lints{};   // that are looked for
 };
 
 // Reads a scene now. Nothing is written beside the scene: what it writes goes to `scratch`. `cancelled` is polled by
@@ -72,9 +74,9 @@ std::shared_ptr<Analysis> analyse(const Options& options, const Root& root, std:
 
 class Analyst {
  public:
-  // `done` is called by the thread that reads.
-  Analyst(const Options& options, AnalysisLimits limits, std::filesystem::path scratch,
-          std::function<void(std::shared_ptr<const Analysis>)> done);
+  // `done` is called by the thread that reads; a second time with the same analysis where lints take long.
+  using Done = std::function<void(std::shared_ptr<const Analysis>, const std::vector<LintFinding>&)>;
+  Analyst(const Options& options, AnalysisSettings settings, std::filesystem::path scratch, Done done);
   ~Analyst();
   Analyst(const Analyst&) = delete;
   Analyst& operator=(const Analyst&) = delete;
@@ -92,11 +94,12 @@ class Analyst {
     std::chrono::steady_clock::time_point due;
   };
   void work();
+  void give(std::shared_ptr<Analysis> analysis);
 
   const Options& options_;
-  const AnalysisLimits limits_;
+  const AnalysisSettings settings_;
   const std::filesystem::path scratch_;
-  const std::function<void(std::shared_ptr<const Analysis>)> done_;
+  const Done done_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::map<std::string, Wish> wishes_;  // by Root::key

@@ -13,35 +13,19 @@ using parser::Token;
 using parser::TokenKind;
 using parser::Word;
 
-// A colour as it is written: its word and up to five numbers.
+// A colour as it is written: its word and up to five numbers; rgbf has the filter fourth, rgbt the transmit, rgbft
+// both.
 struct Written {
   std::size_t begin = 0, end = 0;
   std::string word;
   std::vector<double> numbers;
 };
 
-// Numbers of a color word's vector: rgbf has the filter fourth, rgbt the transmit, rgbft both.
-bool is_color_word(Word word) {
-  switch (word) {
-    case Word::rgb:
-    case Word::rgbf:
-    case Word::rgbt:
-    case Word::rgbft:
-    case Word::srgb:
-    case Word::srgbf:
-    case Word::srgbt:
-    case Word::srgbft:
-      return true;
-    default:
-      return false;
-  }
-}
-
 std::vector<Written> colors_of(const parser::TokenFile& file) {
   std::vector<Written> colors;
   const parser::Tokens& tokens = file.tokens;
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-    if (tokens[i].kind != TokenKind::word || !is_color_word(tokens[i].word)) continue;
+    if (tokens[i].kind != TokenKind::word || !starts_color(tokens[i].word)) continue;
     const Token& value = tokens[i + 1];
     Written color{
         tokens[i].offset, value.offset + file.length(value), std::string(parser::spelling(tokens[i].word)), {}};

@@ -115,7 +115,7 @@ Json render_command(const fs::path& program, const Options& options, const Root&
   words.push_back(fmt::format("+W{}", number("width", 640)));
   words.push_back(fmt::format("+H{}", number("height", 480)));
   if (!settings.is_object() || settings.value("antialias", true)) words.push_back("+A0.3");
-  for (const std::string& path : options.library_paths) words.push_back("+L" + path);
+  for (const std::string& path : options.library_paths) words.push_back("--library=" + path);
   words.push_back("+O" + picture.string());
   words.push_back("--max-seconds=600");
   std::error_code ignored;

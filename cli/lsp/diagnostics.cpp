@@ -62,6 +62,18 @@ class Converter {
     return out;
   }
 
+  // Hints are what is allowed and yet mostly a mistake; editors show them quietly.
+  Json hint(const LintFinding& f) {
+    constexpr int kHint = 4, kUnnecessary = 1;  // DiagnosticSeverity, DiagnosticTag
+    Json out{{"range", range(f)},
+             {"severity", kHint},
+             {"code", std::string(f.lint->name)},
+             {"source", "verisim"},
+             {"message", f.advice.empty() ? f.message : f.message + "\n" + f.advice}};
+    if (f.lint->name == "unused-name") out["tags"] = {kUnnecessary};
+    return out;
+  }
+
  private:
   const Analysis& analysis_;
   Columns columns_;
@@ -71,7 +83,8 @@ class Converter {
 
 }  // namespace
 
-void Publisher::publish(const Analysis& analysis, const std::map<fs::path, std::string>& open_uris) {
+void Publisher::publish(const Analysis& analysis, const std::vector<LintFinding>& lints,
+                        const std::map<fs::path, std::string>& open_uris) {
   constexpr std::size_t kMost = 500;
   Converter convert(analysis, columns_, open_uris);
   std::map<std::string, Given> given;
@@ -87,6 +100,9 @@ void Publisher::publish(const Analysis& analysis, const std::map<fs::path, std::
       here.fixes.push_back({*d.fix, std::string(parser::name(d.code)), diagnostic, diagnostic["range"]});
     here.diagnostics.push_back(std::move(diagnostic));
   }
+  for (const LintFinding& f : lints)
+    if (Given& here = given[convert.uri(f.file)]; here.diagnostics.size() < kMost)
+      here.diagnostics.push_back(convert.hint(f));
   if (analysis.stopped) {
     Json note{{"range", {{"start", as_json(Point{})}, {"end", as_json(Point{})}}},
               {"severity", 3},

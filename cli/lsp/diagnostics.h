@@ -24,7 +24,8 @@ class Publisher {
   void set_columns(Columns columns) { columns_ = columns; }
   void set_seconds(double seconds) { seconds_ = seconds; }
 
-  void publish(const Analysis& analysis, const std::map<std::filesystem::path, std::string>& open_uris);
+  void publish(const Analysis& analysis, const std::vector<LintFinding>& lints,
+               const std::map<std::filesystem::path, std::string>& open_uris);
   void drop(const std::string& key);  // the scene is closed
   // Fixes of a file's diagnostics, and the text they are for.
   std::vector<KnownFix> fixes(const std::string& uri, std::shared_ptr<const Text>* text) const;

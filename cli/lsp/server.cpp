@@ -47,8 +47,8 @@ class Server {
       : settings_(settings),
         workspace_(settings_.options, Columns::utf16),
         publisher_(connection_),
-        analyst_(settings_.options, {settings.seconds, std::chrono::milliseconds(settings.delay_ms)}, scratch_.path(),
-                 [this](auto analysis) { read(std::move(analysis)); }) {
+        analyst_(settings_.options, {settings.seconds, std::chrono::milliseconds(settings.delay_ms), settings.lints},
+                 scratch_.path(), [this](auto analysis, const auto& lints) { read(std::move(analysis), lints); }) {
     publisher_.set_seconds(settings.seconds);
     add_methods();
   }
@@ -256,14 +256,14 @@ class Server {
   }
 
   // On the analyst's thread.
-  void read(std::shared_ptr<const Analysis> analysis) {
+  void read(std::shared_ptr<const Analysis> analysis, const std::vector<LintFinding>& lints) {
     std::map<fs::path, std::string> uris;
     {
       const std::lock_guard lock(uris_mutex_);
       uris = open_uris_;
     }
     workspace_.store(analysis);
-    publisher_.publish(*analysis, uris);
+    publisher_.publish(*analysis, lints, uris);
   }
 
   Json code_actions(const Json& params) {
@@ -308,7 +308,9 @@ class Server {
     const std::string command = params.at("command");
     const Json arguments = params.value("arguments", Json::array());
     if (command == "verisim.explainCode") {
-      const auto code = parser::code_named(arguments.at(0).get<std::string>());
+      const std::string name = arguments.at(0);
+      if (const Lint* lint = lint_named(name)) return {{"text", explanation(*lint)}};
+      const auto code = parser::code_named(name);
       if (!code) throw RequestError(kInvalidParams, "there is no such code");
       return {{"text", parser::explanation(parser::entry(*code))}};
     }

@@ -2,16 +2,19 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <string_view>
 
 #include "cli/settings/options.h"
 
 namespace verisim::cli::lsp {
 
 struct ServerSettings {
-  std::filesystem::path program;  // this one, to render with
-  Options options;                // where include files are, limits
-  double seconds = 10;            // a scene is read for so long at most
-  int delay_ms = 80;              // after the last change before it is read
+  std::filesystem::path program;     // this one, to render with
+  Options options;                   // where include files are, limits
+  double seconds = 10;               // a scene is read for so long at most
+  int delay_ms = 80;                 // after the last change before it is read
+  std::set<std::string_view> lints;  // that are shown as hints
 };
 
 // Serves one client over standard input and output until it says goodbye or is gone. Returns the exit status of the

@@ -1,9 +1,9 @@
 #include "cli/lsp/workspace.h"
 
-#include <algorithm>
 #include <fstream>
 #include <sstream>
 
+#include "cli/describe/including_scene.h"
 #include "cli/settings/configuration.h"
 #include "parser/source/standard_includes.h"
 #include "parser/source/suggest.h"
@@ -29,27 +29,6 @@ std::optional<std::string> read_file(const fs::path& path) {
 bool is_include(const fs::path& path) {
   const std::string extension = parser::lowered(path.extension().string());
   return extension == ".inc" || extension == ".mcr" || extension == ".macro";
-}
-
-// A scene in the folder of an include file, or above, that names it.
-fs::path scene_that_includes(const fs::path& include) {
-  const std::string name = include.filename().string();
-  fs::path folder = include.parent_path();
-  for (int level = 0; level < 2; ++level, folder = folder.parent_path()) {
-    std::error_code failed;
-    std::vector<fs::path> scenes;
-    for (fs::directory_iterator i(folder, failed), end; !failed && i != end && scenes.size() < kMostFiles;
-         i.increment(failed))
-      if (parser::lowered(i->path().extension().string()) == ".pov") scenes.push_back(i->path());
-    std::sort(scenes.begin(), scenes.end());
-    for (const fs::path& scene : scenes) {
-      std::error_code size_failed;
-      if (fs::file_size(scene, size_failed) > (1u << 20) || size_failed) continue;
-      const std::optional<std::string> text = read_file(scene);
-      if (text && text->find(name + "\"") != std::string::npos) return normal(scene);
-    }
-  }
-  return {};
 }
 
 }  // namespace

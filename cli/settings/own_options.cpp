@@ -169,7 +169,10 @@ constexpr std::array kStrangers{"--max-seconds=60",       "--max-cpu-seconds=240
                                 "--max-rays=10000000000"};
 
 void add_scene_options(OwnOptions& own, Options& options) {
-  own.section("Standard input");
+  own.section("Input");
+  own.values("--library FOLDER", options.library_paths,
+             "look for include files, images and fonts there, too (may be given again): +L for scripts, without its "
+             "rules for quotes");
   own.value("--stdin-name FILE", options.stdin_name,
             "the name of a scene that comes from - (an editor's unsaved text): for messages, and for include files "
             "beside it");

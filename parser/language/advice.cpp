@@ -11,32 +11,6 @@
 namespace verisim::parser {
 namespace {
 
-// Directives of other languages, and what SDL calls them; `same`: they mean exactly that.
-struct Foreign {
-  std::string_view word, directive;
-  bool same;
-};
-constexpr Foreign kForeign[] = {
-    {"elif", "elseif", true},     {"elsif", "elseif", true},   {"elseif", "elseif", true}, {"endif", "end", true},
-    {"endmacro", "end", true},    {"endwhile", "end", true},   {"endfor", "end", true},    {"fi", "end", true},
-    {"define", "declare", false}, {"set", "declare", false},   {"let", "declare", false},  {"var", "declare", false},
-    {"import", "include", true},  {"print", "debug", false},   {"echo", "debug", false},   {"printf", "debug", false},
-    {"warn", "warning", true},    {"fail", "error", true},     {"foreach", "for", false},  {"function", "macro", false},
-    {"def", "macro", false},      {"undefine", "undef", true}, {"global", "declare", true}};
-
-constexpr std::string_view kDirectives[] = {"break",      "case",    "debug",  "declare", "default", "else",  "elseif",
-                                            "end",        "error",   "fclose", "fopen",   "for",     "if",    "ifdef",
-                                            "ifndef",     "include", "local",  "macro",   "range",   "read",  "render",
-                                            "statistics", "switch",  "undef",  "version", "warning", "while", "write"};
-
-// The '#' that stands before a token with nothing but blanks between; npos: none.
-std::size_t hash_before(const TokenFile& file, const Token& token) {
-  const std::string_view text = file.source->text();
-  std::size_t i = token.offset;
-  while (i > 0 && (text[i - 1] == ' ' || text[i - 1] == '\t')) --i;
-  return i > 0 && text[i - 1] == '#' ? i - 1 : std::string_view::npos;
-}
-
 Fix replacement(Spot at, std::string text) {
   return {fmt::format("write '{}'", text), at.file->source->name(), at.token->offset, at.file->length(*at.token),
           std::move(text)};
@@ -45,28 +19,26 @@ Fix replacement(Spot at, std::string text) {
 void advise_directive(Diagnostic& d, std::string_view text, Spot at) {
   d.code = Code::unknown_directive;
   d.message = fmt::format("Unknown directive '#{}'.", text);
-  const std::string lower = lowered(text);
-  for (const std::string_view directive : kDirectives)
-    if (lower == directive) {
-      d.advice = fmt::format("Directives are written in lower case: '#{}'.", directive);
-      d.fix = replacement(at, lower);
-      return;
-    }
-  for (const Foreign& foreign : kForeign)
-    if (lower == foreign.word) {
-      d.advice = fmt::format("SDL calls it '#{}'.", foreign.directive);
-      if (foreign.same) d.fix = replacement(at, std::string(foreign.directive));
-      return;
-    }
-  if (const std::string_view likely = nearest(lower, kDirectives); !likely.empty())
-    d.advice = fmt::format("Did you mean '#{}'?", likely);
+  const MeantDirective meant = meant_directive(text);
+  if (meant.directive.empty()) return;
+  switch (meant.why) {
+    case MeantDirective::Why::case_:
+      d.advice = fmt::format("Directives are written in lower case: '#{}'.", meant.directive);
+      break;
+    case MeantDirective::Why::foreign:
+      d.advice = fmt::format("SDL calls it '#{}'.", meant.directive);
+      break;
+    case MeantDirective::Why::near:
+      d.advice = fmt::format("Did you mean '#{}'?", meant.directive);
+  }
+  if (meant.certain) d.fix = replacement(at, std::string(meant.directive));
 }
 
 }  // namespace
 
 void Parser::Impl::advise_name(Diagnostic& d, std::uint32_t name, Spot at) {
   const std::string_view text = names[name].text;
-  if (hash_before(*at.file, *at.token) != std::string_view::npos) return advise_directive(d, text, at);
+  if (at.file->hash_before(*at.token) != std::string_view::npos) return advise_directive(d, text, at);
 
   const std::string lower = lowered(text);
   const bool opens_block = at.token[1].punctuation == '{';

@@ -6,22 +6,6 @@
 namespace verisim::parser {
 namespace {
 
-bool is_base(Word word) {
-  switch (word) {
-    case Word::rgb:
-    case Word::rgbf:
-    case Word::rgbt:
-    case Word::rgbft:
-    case Word::srgb:
-    case Word::srgbf:
-    case Word::srgbt:
-    case Word::srgbft:
-      return true;
-    default:
-      return false;
-  }
-}
-
 int component_of(Word word) {
   switch (word) {
     case Word::red:
@@ -102,7 +86,7 @@ Numeric Parser::Impl::color(ColorTerms terms) {
   if (keyword) skip_token();
   const Token& token = peek();
   Numeric value{{}, 5};
-  if (token.kind == TokenKind::word && is_base(token.word)) {
+  if (token.kind == TokenKind::word && starts_color(token.word)) {
     value = color_base();
   } else if (token.kind == TokenKind::word && token.word == Word::gray) {
     skip_token();  // accepted, and black (measured)

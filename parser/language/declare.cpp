@@ -55,11 +55,16 @@ void Parser::Impl::declare(bool local) {
   } else if (ending == Ending::semicolon) {
     if (language_version >= 350) missing_semicolon();
     if (language_version >= 310)
-      message(Severity::possible_error, Code::missing_semicolon,
-              "A semicolon ';' is missing at the end of a #declare or #local.");
+      message_at(here(), Severity::possible_error, Code::missing_semicolon,
+                 "A semicolon ';' is missing at the end of a #declare or #local.", {}, semicolon_behind(here()));
     return;
   }
   if (peek_blocked().punctuation == ';') skip_token();
+}
+
+Fix Parser::Impl::semicolon_behind(Spot value) {
+  return {"put ';' behind the value", value.file->source->name(),
+          value.token->offset + value.file->length(*value.token), 0, ";"};
 }
 
 void Parser::Impl::missing_semicolon() {
@@ -68,8 +73,7 @@ void Parser::Impl::missing_semicolon() {
       Severity::error, Code::missing_semicolon,
       "Float, vector and colour declarations and identifiers of functions and splines need a semicolon ';' at the end.",
       "Put ';' behind the value.", at);
-  d.fix =
-      Fix{"put ';' behind the value", at.file->source->name(), at.token->offset + at.file->length(*at.token), 0, ";"};
+  d.fix = semicolon_behind(at);
   throw ParseError{std::move(d)};
 }
 

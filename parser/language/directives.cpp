@@ -50,8 +50,9 @@ void Parser::Impl::execute(const Token& token) {
       break;
     case Word::case_:
     case Word::range:
-      if (conditions.empty() || conditions.back().kind != Kind::switch_)
-        error(Code::stray_branch, "#case or #range without #switch.");
+      if (conditions.empty() ||
+          (conditions.back().kind != Kind::switch_ && conditions.back().kind != Kind::switch_else))
+        stray_branch(token.word);
       case_matches(token.word, 0);  // evaluated, but a case that ran goes on (spec 01 section 16)
       break;
     case Word::while_:
@@ -124,6 +125,7 @@ void Parser::Impl::open_condition(Kind kind, std::uint32_t opener) {
 // was tokenised is a jump; otherwise the pair spans files and the text is searched, leaving include files at their end.
 Token Parser::Impl::skip(const TokenFile* in, std::uint32_t link) {
   if (link && file == in) {
+    refuse_strays(index(position), link);
     go_to(in, link);
     const Token token = *position;
     skip_token();
@@ -191,29 +193,43 @@ void Parser::Impl::if_chain(bool taken, const TokenFile* in, std::uint32_t link)
       conditions.back().kind = Kind::else_;
       return;
     }
-    if (token.word == Word::elseif) taken = condition_value();
-    // #case and #range at this level mean nothing
+    if (token.word != Word::elseif) stray_branch(token.word);
+    taken = condition_value();
   }
 }
 
 void Parser::Impl::else_branch(const Token& token) {
-  const char* text = token.word == Word::else_ ? "#else without #if." : "#elseif without #if.";
-  if (conditions.empty()) error(Code::stray_branch, text);
+  if (conditions.empty()) stray_branch(token.word);
   switch (conditions.back().kind) {
     case Kind::if_:
       skip_to_end(file, token.link());
       conditions.pop_back();
       break;
     case Kind::switch_:
-      if (token.word == Word::elseif) error(Code::stray_branch, text);
+      if (token.word == Word::elseif) stray_branch(token.word);
       conditions.back().kind = Kind::switch_else;  // falls through into it
       break;
     case Kind::switch_else:
-      if (token.word == Word::elseif) error(Code::stray_branch, text);  // a further #else changes nothing (measured)
+      if (token.word == Word::elseif) stray_branch(token.word);  // a further #else changes nothing (measured)
       break;
     default:
-      error(Code::stray_branch, text);
+      stray_branch(token.word);
   }
+}
+
+void Parser::Impl::stray_branch(Word word) {
+  error(Code::stray_branch, word == Word::else_    ? "#else without #if."
+                            : word == Word::elseif ? "#elseif without #if."
+                                                   : "#case or #range without #switch.");
+}
+
+// Macros between two tokens of this file, which are read or passed over.
+void Parser::Impl::refuse_strays(std::uint32_t begin, std::uint32_t end) {
+  for (const std::uint32_t stray : file->stray_branches)
+    if (begin <= stray && stray < end) {
+      go_to(file, stray + 1);
+      stray_branch(file->tokens[stray].word);
+    }
 }
 
 void Parser::Impl::end_directive(const Token&) {
@@ -268,6 +284,7 @@ void Parser::Impl::switch_directive(const Token&) {
       conditions.back().kind = Kind::switch_else;
       return;
     }
+    if (branch.word == Word::elseif) stray_branch(branch.word);
     const TokenFile* at = file;
     if ((branch.word == Word::case_ || branch.word == Word::range) && case_matches(branch.word, value)) return;
     branch = skip(at, branch.link());

@@ -115,6 +115,7 @@ struct Parser::Impl {
   bool recover(ParseError& failure);
   bool touches_failed_name() const;
   bool skip_statement();
+  bool skip_block_of_directives();
 
   // ---- directives.cpp, loops.cpp ----
   void directive();
@@ -125,6 +126,8 @@ struct Parser::Impl {
   bool condition_value();  // ( full expression ), true or false
   void if_chain(bool taken, const TokenFile* in, std::uint32_t link);
   void else_branch(const Token& token);
+  [[noreturn]] void stray_branch(Word word);
+  void refuse_strays(std::uint32_t begin, std::uint32_t end);
   void end_directive(const Token& token);
   void end_macro();
   void switch_directive(const Token& token);
@@ -142,6 +145,7 @@ struct Parser::Impl {
   void undef();
   bool declare_fast(bool local);
   [[noreturn]] void missing_semicolon();
+  static Fix semicolon_behind(Spot value);
   void declare_target(bool local, std::optional<Target>& target, Symbol*& created);
   enum class Ending : unsigned char { free, semicolon };
   Ending right_hand_side(Value& value);
@@ -178,8 +182,10 @@ struct Parser::Impl {
                         Spot at) const;
   // Once for each place.
   void message(Severity severity, Code code, const std::string& text, const std::string& advice = {});
-  void message_at(Spot at, Severity severity, Code code, const std::string& text, const std::string& advice = {});
-  void give(Severity severity, Code code, const std::string& text, const std::string& advice, Spot at);
+  void message_at(Spot at, Severity severity, Code code, const std::string& text, const std::string& advice = {},
+                  std::optional<Fix> fix = {});
+  void give(Severity severity, Code code, const std::string& text, const std::string& advice, Spot at,
+            std::optional<Fix> fix = {});
   [[noreturn]] void error(Code code, const std::string& text, const std::string& advice = {});
   [[noreturn]] void error_at(Spot at, Code code, const std::string& text, const std::string& advice = {});
   [[noreturn]] void fatal(Code code, const std::string& text,

@@ -155,6 +155,7 @@ TEST(Switch, FallsThrough) {
   EXPECT_EQ(printed("#switch(1) #case(1+1e-11) #debug \"y\" #end"), "y");
   EXPECT_EQ(printed("#switch(1) #range(1+1e-11,2) #debug \"y\" #end"), "");
   EXPECT_FALSE(accepts("#switch(1) #else #end"));
+  EXPECT_EQ(printed("#switch(1) #case(1) #else #debug \"a\" #case(2) #debug \"b\" #end"), "ab");
   EXPECT_EQ(printed("#switch(1) #case(2) #else #debug \"a\" #else #debug \"b\" #end"), "ab");  // measured
 }
 
@@ -212,6 +213,22 @@ TEST(Conditionals, Branches) {
   EXPECT_FALSE(accepts("#if(1)"));
   EXPECT_FALSE(accepts("#end"));
   EXPECT_FALSE(accepts("#if(\"a\") #end"));
+}
+
+TEST(Conditionals, BranchesOfOtherConstructs) {
+  // Measured, construct by construct.
+  for (const char* wrong :
+       {"#if(0) #case(1) #end", "#if(0) #range(1,2) #end", "#if(0) #elseif(0) #case(1) #end", "#ifdef(X) #case(1) #end",
+        "#switch(1) #case(2) #elseif(1) #else #end", "#macro A() #else #end", "#macro A() #elseif(1) #end",
+        "#macro A() #range(1,2) #end", "#macro A() #break #else #end", "#if(0) #macro A() #else #end #end",
+        "#while(0) #if(0) #macro A() #else #end #end #end", "#macro B() #macro A() #case(1) #end #end"})
+    EXPECT_FALSE(accepts(wrong)) << wrong;
+  for (const char* right :
+       {"#if(1) #else #else #elseif(1) #case(1) #end", "#if(0) #if(0) #case(1) #else #else #end #end",
+        "#switch(1) #case(1) #break #elseif(1) #end", "#while(0) #else #case(1) #elseif(2) #end",
+        "#for(I,1,2) #break #else #end", "#macro A() #if(1) #else #else #end #while(1) #else #end #end",
+        "#if(0) #while(1) #else #end #end"})
+    EXPECT_TRUE(accepts(right)) << right;
 }
 
 TEST(Versions, Rules) {

@@ -67,6 +67,7 @@ void Parser::Impl::define_macro(const Token& token) {
     error_at({macro->file.get(), &macro->file->tokens[macro->definition]}, Code::unclosed_condition,
              fmt::format("Macro '{}' has no #end: the file ends first.", names[macro->name].text));
   }
+  refuse_strays(index(position), token.link());
   macro->body = index(position);
   macro->end = token.link();
   macro->is_expression = looks_like_expression(*file, macro->body, macro->end);

@@ -114,8 +114,8 @@ void Parser::Impl::message(Severity severity, Code code, const std::string& text
   message_at(place_of(code), severity, code, text, advice);
 }
 
-void Parser::Impl::message_at(Spot at, Severity severity, Code code, const std::string& text,
-                              const std::string& advice) {
+void Parser::Impl::message_at(Spot at, Severity severity, Code code, const std::string& text, const std::string& advice,
+                              std::optional<Fix> fix) {
   // A message from inside a loop is given once for each place, the name of an experimental feature once a scene.
   const std::size_t what = std::hash<std::string>{}(text);
   const bool new_here = code == Code::experimental
@@ -123,12 +123,14 @@ void Parser::Impl::message_at(Spot at, Severity severity, Code code, const std::
                             : messages_given.emplace(file, file ? index(position) : 0, what).second;
   if (!new_here) return;
   if (messages_given.size() > 10000) messages_given.clear();
-  give(severity, code, text, advice, at);
+  give(severity, code, text, advice, at, std::move(fix));
 }
 
-void Parser::Impl::give(Severity severity, Code code, const std::string& text, const std::string& advice, Spot at) {
+void Parser::Impl::give(Severity severity, Code code, const std::string& text, const std::string& advice, Spot at,
+                        std::optional<Fix> fix) {
   ++report.warnings;
-  const Diagnostic said = diagnostic(severity, code, text, advice, at);
+  Diagnostic said = diagnostic(severity, code, text, advice, at);
+  said.fix = std::move(fix);
   if (confinement.output_limit != 0 && !confinement.may_write(format(said).size()))
     fatal(Code::size_limit, confinement.refusal());
   if (options.message) options.message(said);

@@ -173,8 +173,9 @@ bool Parser::Impl::legacy_directive() {
   if (token.kind != TokenKind::word) return false;
   if (token.word != Word::declare && token.word != Word::include && token.word != Word::default_) return false;
   if (language_version > 295 && token.word != Word::default_)
-    message(Severity::warning, Code::missing_hash,
-            fmt::format("Directive '{}' should have '#' in front of it.", spelling(token.word)));
+    message_at(here(), Severity::warning, Code::missing_hash,
+               fmt::format("Directive '{}' should have '#' in front of it.", spelling(token.word)), {},
+               Fix{"put '#' before it", file->source->name(), token.offset, 0, "#"});
   skip_token();
   const Nesting nesting(*this);
   execute(token);

@@ -2,6 +2,7 @@
 // text, and what it would have declared is remembered, so that its uses are not reported as further errors. The first
 // error is the same as if parsing had stopped there.
 #include "parser/language/impl.h"
+#include "parser/source/suggest.h"
 
 namespace verisim::parser {
 namespace {
@@ -63,6 +64,21 @@ bool Parser::Impl::touches_failed_name() const {
   return false;
 }
 
+// A misspelt #if, #while, #for, #switch or #macro ends at its #end.
+bool Parser::Impl::skip_block_of_directives() {
+  int open = 1;
+  for (const Token* at = position;; ++at) {
+    if (at->kind == TokenKind::end || at->kind == TokenKind::error) return false;
+    if (at->kind != TokenKind::directive) continue;
+    const Word word = at->word;
+    open += word == Word::if_ || word == Word::ifdef || word == Word::ifndef || word == Word::while_ ||
+            word == Word::for_ || word == Word::switch_ || word == Word::macro;
+    if (word != Word::end || --open) continue;
+    go_to(file, index(at) + 1);
+    return true;
+  }
+}
+
 // Moves the cursor behind the failing statement. False: its end is not clear.
 bool Parser::Impl::skip_statement() {
   const Token* at = position;
@@ -85,6 +101,11 @@ bool Parser::Impl::skip_statement() {
     if (!declares && !is_message(word) && word != Word::default_) return false;
     ++at;
   }
+  if (first->kind != TokenKind::directive && file->hash_before(*first) != std::string_view::npos) {
+    const MeantDirective meant = meant_directive(file->source->text().substr(first->offset, file->length(*first)));
+    if (at[1].kind == TokenKind::identifier) recovery.failed_names.insert(at[1].id());  // #Declare NAME
+    if (meant.opens) return skip_block_of_directives();
+  }
   if (first->kind == TokenKind::identifier && at[1].punctuation == '(') {  // a call of something that is no macro
     int brackets = 0;
     do {
@@ -97,15 +118,22 @@ bool Parser::Impl::skip_statement() {
     return true;
   }
   // Up to a semicolon, to the brace that closes the statement, or to the next directive.
-  int braces = 0;
+  int braces = 0, parentheses = 0;
+  bool block_in_parentheses = false;  // difference ( sphere { ... } )
   for (;; ++at) {
+    if (!braces) parentheses += (at->punctuation == '(') - (at->punctuation == ')');
+    if (block_in_parentheses && !braces && !parentheses) {
+      ++at;
+      break;
+    }
     if (at->kind == TokenKind::end || at->kind == TokenKind::error) return false;
     if (at->kind == TokenKind::directive && !braces && at != first) break;
     if (at->punctuation == '{') {
       ++braces;
     } else if (at->punctuation == '}') {
       if (braces > 0) --braces;
-      if (braces) continue;
+      block_in_parentheses |= !braces && parentheses > 0;
+      if (braces || parentheses > 0) continue;
       ++at;
       if (first->kind != TokenKind::directive) break;
       // A layered texture goes on; a semicolon may end it.

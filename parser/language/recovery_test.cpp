@@ -36,6 +36,13 @@ TEST(Recovery, DoesNotReportConsequences) {
   EXPECT_EQ(lines_of_errors("#macro M(sin) #end\nM(1)\nsphere { 0, oops }"), (Lines{2, 4}));
 }
 
+TEST(Recovery, TakesMisspeltDirectivesForWhatWasMeant) {
+  EXPECT_EQ(lines_of_errors("#Declare A = 1;\nsphere { 0, A }\nbox { 0, bad }"), (Lines{2, 4}));
+  EXPECT_EQ(lines_of_errors("#If (1)\nsphere { 0, 1 }\n#else\n#if (1)\n#end\n#end\nbox { 0, bad }"), (Lines{2, 8}));
+  EXPECT_EQ(lines_of_errors("#function Ball(R)\nsphere { 0, R }\n#end\nBall(2)\nbox { 0, bad }"), (Lines{2, 6}));
+  EXPECT_EQ(lines_of_errors("difference ( sphere { 0, 1 } box { 0, 1 } )\nbox { 0, bad }"), (Lines{2, 3}));
+}
+
 TEST(Recovery, NamesAnErrorInALoopOrMacroOnce) {
   EXPECT_EQ(lines_of_errors("#for (I, 1, 5)\nsphere { I, oops }\n#end\nbox { 0, bad }"), (Lines{3, 5}));
   EXPECT_EQ(lines_of_errors("#macro M(a) sphere { a, oops } #end\nM(1) M(2)\nbox { 0, bad }"), (Lines{2, 4}));

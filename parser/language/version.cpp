@@ -20,7 +20,8 @@ void Parser::Impl::version_directive() {
   if (peek_blocked().punctuation == ';')
     skip_token();
   else if (stored >= 310)
-    message(Severity::possible_error, Code::missing_semicolon, "A semicolon ';' is missing behind #version.");
+    message_at(here(), Severity::possible_error, Code::missing_semicolon, "A semicolon ';' is missing behind #version.",
+               {}, semicolon_behind(here()));
   version_seen = true;
   set_version(static_cast<int>(std::max(stored, -1e6)));
 }

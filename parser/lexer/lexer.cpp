@@ -410,12 +410,14 @@ bool alternative(Word word) {
 
 // Links each opener and alternative to the next alternative or #end of the same construct, so that skipping is a jump.
 // What has no partner in this file keeps 0 and is found by scanning. Loops and macros have no alternatives: one inside
-// them at their own level means nothing to a skip.
-void link_directives(Tokens& tokens) {
+// them at their own level means nothing to a skip, but in a macro it is a mistake. Returns those.
+std::vector<std::uint32_t> link_directives(Tokens& tokens) {
   struct Open {
     std::uint32_t last;  // the token that waits for its link
+    Word word;
     bool branches;
   };
+  std::vector<std::uint32_t> strays;
   std::vector<Open> stack;
   const auto link = [&tokens](std::uint32_t from, std::uint32_t to) {
     tokens[from].payload = (tokens[from].payload & 0xffffffffu) | (std::uint64_t{to} << 32);
@@ -424,17 +426,20 @@ void link_directives(Tokens& tokens) {
     if (tokens[i].kind != TokenKind::directive) continue;
     const Word word = tokens[i].word;
     if (opens(word)) {
-      stack.push_back({i, word != Word::while_ && word != Word::for_ && word != Word::macro});
+      stack.push_back({i, word, word != Word::while_ && word != Word::for_ && word != Word::macro});
     } else if (stack.empty()) {
       continue;
     } else if (alternative(word) && stack.back().branches) {
       link(stack.back().last, i);
       stack.back().last = i;
+    } else if (alternative(word) && stack.back().word == Word::macro) {
+      strays.push_back(i);
     } else if (word == Word::end) {
       link(stack.back().last, i);
       stack.pop_back();
     }
   }
+  return strays;
 }
 
 }  // namespace
@@ -523,6 +528,13 @@ std::size_t TokenFile::length(const Token& token) const {
   return rest.size();
 }
 
+std::size_t TokenFile::hash_before(const Token& token) const {
+  const std::string_view text = source->text();
+  std::size_t i = token.offset;
+  while (i > 0 && (text[i - 1] == ' ' || text[i - 1] == '\t')) --i;
+  return i > 0 && text[i - 1] == '#' ? i - 1 : std::string_view::npos;
+}
+
 std::shared_ptr<const TokenFile> tokenise(std::shared_ptr<const Source> source, Names& names, std::size_t max_tokens,
                                           bool main_file) {
   auto file = std::make_shared<TokenFile>();
@@ -545,7 +557,7 @@ std::shared_ptr<const TokenFile> tokenise(std::shared_ptr<const Source> source, 
     end.offset = static_cast<std::uint32_t>(text.size());
     file->tokens.push_back(end);
   }
-  link_directives(file->tokens);
+  file->stray_branches = link_directives(file->tokens);
   file->source = std::move(source);
   return file;
 }

@@ -45,9 +45,13 @@ struct TokenFile : std::enable_shared_from_this<TokenFile> {
   std::shared_ptr<const Source> source;
   Tokens tokens;    // the last one has kind end or error
   Numbers numbers;  // of literal vectors
+  // #else, #elseif, #case and #range directly within a #macro: an error wherever the macro is read or passed over.
+  std::vector<std::uint32_t> stray_branches;
   bool starts_with_high_bytes = false;
 
   const double* vector(const Token& token) const { return numbers.data() + token.id(); }
+  // Where the '#' is that stands before a token with nothing but blanks between; npos: there is none.
+  std::size_t hash_before(const Token& token) const;
   // Bytes of a token as it is written, from its offset on; 0 at the end of the file.
   std::size_t length(const Token& token) const;
   // The bytes between the quotes of a string token, escapes untouched.

@@ -32,6 +32,24 @@ bool declares(std::string_view text, std::string_view name) {
   return false;
 }
 
+// Directives of other languages, and what SDL calls them; `same`: they mean exactly that.
+struct Foreign {
+  std::string_view word, directive;
+  bool same;
+};
+constexpr Foreign kForeign[] = {
+    {"elif", "elseif", true},     {"elsif", "elseif", true},   {"elseif", "elseif", true}, {"endif", "end", true},
+    {"endmacro", "end", true},    {"endwhile", "end", true},   {"endfor", "end", true},    {"fi", "end", true},
+    {"define", "declare", false}, {"set", "declare", false},   {"let", "declare", false},  {"var", "declare", false},
+    {"import", "include", true},  {"print", "debug", false},   {"echo", "debug", false},   {"printf", "debug", false},
+    {"warn", "warning", true},    {"fail", "error", true},     {"foreach", "for", false},  {"function", "macro", false},
+    {"def", "macro", false},      {"undefine", "undef", true}, {"global", "declare", true}};
+
+constexpr std::string_view kDirectives[] = {"break",      "case",    "debug",  "declare", "default", "else",  "elseif",
+                                            "end",        "error",   "fclose", "fopen",   "for",     "if",    "ifdef",
+                                            "ifndef",     "include", "local",  "macro",   "range",   "read",  "render",
+                                            "statistics", "switch",  "undef",  "version", "warning", "while", "write"};
+
 }  // namespace
 
 std::string lowered(std::string_view text) {
@@ -75,6 +93,19 @@ std::string_view nearest(std::string_view name, std::span<const std::string_view
     if (limit < 0) break;
   }
   return best;
+}
+
+MeantDirective meant_directive(std::string_view word) {
+  const std::string lower = lowered(word);
+  MeantDirective meant;
+  for (const std::string_view directive : kDirectives)
+    if (lower == directive) meant = {directive, MeantDirective::Why::case_, true};
+  for (const Foreign& foreign : kForeign)
+    if (lower == foreign.word) meant = {foreign.directive, MeantDirective::Why::foreign, foreign.same};
+  if (meant.directive.empty()) meant.directive = nearest(lower, kDirectives);
+  constexpr std::string_view kOpeners[] = {"for", "if", "ifdef", "ifndef", "macro", "switch", "while"};
+  meant.opens = std::find(std::begin(kOpeners), std::end(kOpeners), meant.directive) != std::end(kOpeners);
+  return meant;
 }
 
 std::vector<std::string> includes_that_declare(std::string_view name, std::span<const fs::path> folders) {

@@ -5,7 +5,8 @@
 
 Each NAME.pov holds one mistake that people make; NAME.txt the text of verisim's first error (or, where it only warns, its
 first warning) and a last line `POV-Ray: line N` (or `accepts it`). The part about POV-Ray is compared where POV-Ray is
-installed: whatever stops POV-Ray must stop verisim, too. --update writes the texts anew.
+installed: whatever stops POV-Ray must stop verisim, too. A mistake is one error: none that is gone when the first is
+mended. --update writes the texts anew.
 """
 import concurrent.futures
 import pathlib
@@ -64,6 +65,12 @@ def main():
         if povray and theirs != wanted_theirs.strip():
             bad += 1
             print(f"{scene.name}: POV-Ray says {theirs}, not {wanted_theirs.strip()}")
+        if errors > 1:
+            bad += 1
+            print(f"{scene.name}: {errors} errors, but there is one mistake: the others follow from it")
+        if errors > 1:
+            bad += 1
+            print(f"{scene.name}: {errors} errors, but there is one mistake: the others follow from it")
         if wanted_theirs.strip() != "accepts it" and not errors:
             bad += 1
             print(f"{scene.name}: POV-Ray finds an error, verisim none")

@@ -110,15 +110,15 @@ def main():
         sys.exit("CHUNK[INT] without its extension was not found")
     with tempfile.TemporaryDirectory(prefix="verisim openjd 'ü' ") as name:
         folder = pathlib.Path(name)
-        source, out = folder / "a scene; $(touch gone)", folder / "out put"
-        library = folder / "library"
+        source, out = folder / 'a "scene"; $(touch gone)', folder / "out put"
+        library = folder / 'the "library"'
         for new in (source, out, library, folder / "whole", folder / "parts"):
             new.mkdir()
         (source / "scene.pov").write_text(SCENE)
         (library / "a folder's colours.inc").write_text("#declare OWN = pigment { rgbf <1, 0.8, 0.4, 0.7> }\n")
         common = {"Scene": source / "scene.pov", "SceneFolder": library, "Settings": templates / "settings.ini", "OutputFolder": out,
                   "Width": 40, "Height": 30}
-        words = [templates / "settings.ini", source / "scene.pov", f'+L"{library}"', "+W40", "+H30"]
+        words = [templates / "settings.ini", source / "scene.pov", "--library", library, "+W40", "+H30"]
         render(verisim, folder, *words, "+KFF7", "--output", folder / "whole" / "frame.png")
         for kind, more in (("animation", {}), ("animation-chunked", {"FramesPerTask": 3})):
             run_job(verisim, loaded[kind], {**common, "Frames": "1-7", "LastFrame": 7, **more}, folder)

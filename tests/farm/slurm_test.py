@@ -331,7 +331,7 @@ class Test(Folder):
     def no_shared_folder(self):
         """A node that does not see the folder: its tasks fail, and the status says where to look."""
         self.slurm.kill("n2", signal.SIGTERM)
-        self.slurm.until(lambda: not self.processes("slurmd", "-N", "n2"), "n2 does not end")
+        self.slurm.until(lambda: not self.processes("slurmd", str(self.slurm.conf), "-N", "n2"), "n2 does not end")
         hidden = self.path / "hidden"
         hidden.mkdir()
         try:
@@ -346,7 +346,7 @@ class Test(Folder):
         if "does its node see the job folder" not in said:
             sys.exit(f"no shared folder: {said}")
         self.slurm.kill("n2", signal.SIGTERM)
-        self.slurm.until(lambda: not self.processes("slurmd", "-N", "n2"), "n2 does not end")
+        self.slurm.until(lambda: not self.processes("slurmd", str(self.slurm.conf), "-N", "n2"), "n2 does not end")
         self.slurm.start("n2")
         print("  no shared folder: told")
 

@@ -144,6 +144,36 @@ class Diagnostics(Session):
         self.assertIn("undeclared-identifier", [d["code"] for d in self.client.wait_for_diagnostics(uri)])
 
 
+class Hints(Session):
+    TEXT = SCENE + "#declare Lonely = 1;\n#if (0)\n#elif (1)\n#end\n"
+
+    def codes(self, uri):
+        return [(d["code"], d.get("tags")) for d in self.client.diagnostics[uri] if d["severity"] == 4]
+
+    def test_are_the_lints_of_check(self):
+        uri = self.open(self.TEXT)
+        self.assertEqual(self.codes(uri), [("unused-name", [1]), ("skipped-directive", None)])
+        explained = self.client.ask("workspace/executeCommand",
+                                    {"command": "verisim.explainCode", "arguments": ["unused-name"]})
+        self.assertIn("used nowhere", explained["text"])
+
+    def test_see_what_is_not_saved(self):
+        uri = self.open(self.TEXT)
+        self.client.write(uri, self.TEXT + "sphere { 0, Lonely }\n")
+        self.client.wait_for_diagnostics(uri)
+        self.assertEqual(self.codes(uri), [("skipped-directive", None)])
+
+    def test_can_be_switched_off(self):
+        for options, wanted in ((["none"], []), (["unused-name"], [("unused-name", [1])])):
+            client = Client(VERISIM, *(word for name in options for word in ("--lint", name)), cwd=self.folder)
+            uri = client.open(self.folder / "scene.pov", self.TEXT)
+            client.wait_for_diagnostics(uri)
+            self.assertEqual([(d["code"], d.get("tags")) for d in client.diagnostics[uri] if d["severity"] == 4], wanted)
+            client.stop()
+            for stream in (client.server.stdin, client.server.stdout, client.server.stderr):
+                stream.close()
+
+
 class Meaning(Session):
     def hover(self, uri, mark):
         found = self.client.at(uri, mark, "hover")

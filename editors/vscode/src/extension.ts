@@ -10,7 +10,8 @@ const settings = () => vscode.workspace.getConfiguration('verisim');
 const program = () => settings().get<string>('path', 'verisim');
 
 async function start(): Promise<void> {
-  const server: ServerOptions = { command: program(), args: ['lsp', ...settings().get<string[]>('arguments', [])] };
+  const lints = settings().get<string[]>('lints', ['all']).flatMap((name) => ['--lint', name]);
+  const server: ServerOptions = { command: program(), args: ['lsp', ...lints, ...settings().get<string[]>('arguments', [])] };
   const options: LanguageClientOptions = {
     documentSelector: [{ scheme: 'file', language: 'pov' }, { scheme: 'untitled', language: 'pov' }],
     synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher('**/*.{inc,pov,mcr}') },

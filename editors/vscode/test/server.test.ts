@@ -33,3 +33,14 @@ test('diagnostics and hover', async () => {
   const hover = await connection.sendRequest(HoverRequest.type, { textDocument: { uri }, position: { line: 1, character: 3 } }) as Hover;
   assert.match((hover.contents as MarkupContent).value, /sphere \{ CENTRE, RADIUS \}/);
 });
+
+test('lints are hints', async () => {
+  const other = 'untitled:other.pov';
+  const published = new Promise<PublishDiagnosticsParams>((resolve) =>
+    connection.onNotification(PublishDiagnosticsNotification.type, (p) => { if (p.uri === other) resolve(p); }));
+  await connection.sendNotification(DidOpenTextDocumentNotification.type, {
+    textDocument: { uri: other, languageId: 'pov', version: 1, text: '#version 3.7;\n#declare Lonely = 1;\nsphere { 0, 1 }\n' },
+  });
+  const hint = (await published).diagnostics.find((d) => d.code === 'unused-name');
+  assert.deepStrictEqual([hint?.severity, hint?.tags, hint?.range.start], [4, [1], { line: 1, character: 9 }]);
+});

@@ -54,15 +54,16 @@ bool cylinder_range(const scene::LightSource& light, const Ray& ray, double& t1,
   if (a < kEpsilon) return false;
   if (roots(a, dot(v, ray.direction) - k1 * k2, dot(v, v) - k2 * k2 - light.falloff * light.falloff, t1, t2) == 0)
     return false;
-  // Only the part in front of the light, up to a far axial coordinate.
-  const auto clip = [&](double low, double high) {
-    if (std::fabs(k1) < kEpsilon) return k2 >= low && k2 <= high;
-    double ta = (low - k2) / k1, tb = (high - k2) / k1;
-    if (ta > tb) std::swap(ta, tb);
-    t1 = std::max(t1, ta), t2 = std::min(t2, tb);
-    return t1 < t2;
+  // POV-Ray lets an end behind the light be the ray's origin, not the crossing of the light's plane: a ray that comes
+  // towards the light and leaves the cylinder behind it is not lit at all.
+  const double z1 = k2 + t1 * k1, z2 = k2 + t2 * k1;
+  if ((z1 <= 0.0 && z2 <= 0.0) || (z1 > kFar && z2 > kFar)) return false;
+  const auto clip = [&](double& t, double z) {
+    if (z <= 0.0) t = 0.0;
+    if (z > kFar) t = (kFar - k2) / k1;
   };
-  return clip(0.0, kFar);
+  clip(t1, z1), clip(t2, z2);
+  return true;
 }
 
 }  // namespace

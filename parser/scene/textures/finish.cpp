@@ -10,7 +10,7 @@ using scene::Finish;
 
 namespace {
 
-// Which amounts were written as albedo: they are scaled when the block ends, with its final exponents.
+// Which amounts were written as albedo, once or last: they are scaled when the block ends, with its final exponents.
 struct Albedo {
   bool diffuse = false, phong = false, specular = false;
 };
@@ -23,7 +23,7 @@ void parse_reflection(Parser& parser, scene::Reflection& reflection) {
     reflection.fresnel = false;
     return;
   }
-  bool two_colors = false;
+  bool two_colors = false, fresnel_written = false;
   if (parser.at_number_start() || parser.at_color_keyword()) {
     reflection.minimum = reflection.maximum = parser.parse_rgb();
     parser.accept(',');  // also before what is no color
@@ -40,7 +40,7 @@ void parse_reflection(Parser& parser, scene::Reflection& reflection) {
         parser.next();
         const double fresnel = parser.parse_optional_float(1);
         if (!(fresnel >= 0 && fresnel <= 1)) parser.error(Code::bad_value, "fresnel must be true or false.");
-        reflection.fresnel = fresnel > 0;
+        reflection.fresnel = fresnel_written = fresnel > 0;
         continue;
       }
       case Word::falloff:
@@ -60,7 +60,8 @@ void parse_reflection(Parser& parser, scene::Reflection& reflection) {
     }
     break;
   }
-  if (reflection.fresnel && !two_colors) reflection.minimum = Rgb();
+  // Not where it is an earlier block's.
+  if (fresnel_written && !two_colors) reflection.minimum = Rgb();
   close_block(parser);
 }
 
@@ -100,7 +101,7 @@ void parse_subsurface(Parser& parser, Finish& finish) {
 
 void parse_diffuse(Parser& parser, Finish& finish, Albedo& albedo) {
   parser.next();
-  albedo.diffuse = parser.accept(Word::albedo);
+  albedo.diffuse = parser.accept(Word::albedo) || albedo.diffuse;
   finish.diffuse = to_float(parser.parse_float());
   finish.diffuse_back = 0;
   if (accept_comma_or_number(parser)) finish.diffuse_back = to_float(parser.parse_float());
@@ -144,14 +145,14 @@ bool parse_item(Parser& parser, Finish& finish, Albedo& albedo) {
       return number(finish.crand);
     case Word::phong:
       parser.next();
-      albedo.phong = parser.accept(Word::albedo);
+      albedo.phong = parser.accept(Word::albedo) || albedo.phong;
       finish.phong = to_float(parser.parse_float());
       return true;
     case Word::phong_size:
       return number(finish.phong_size);
     case Word::specular:
       parser.next();
-      albedo.specular = parser.accept(Word::albedo);
+      albedo.specular = parser.accept(Word::albedo) || albedo.specular;
       finish.specular = to_float(parser.parse_float());
       return true;
     case Word::roughness:

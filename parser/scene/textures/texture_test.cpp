@@ -166,6 +166,9 @@ TEST(Finishes, AlbedoIsScaledWhenTheBlockEnds) {
   EXPECT_FLOAT_EQ(finish.specular, static_cast<float>(.1 * 12 / (4 * (2 - std::pow(2, -5)))));
   EXPECT_EQ(finish_of("F brilliance 7", "#declare F=finish{diffuse albedo .5 brilliance 3};").diffuse,
             1);  // keeps its scaling
+  EXPECT_EQ(finish_of("phong albedo .5 phong .2 phong_size 9").phong, 1);  // the word stays, the amount does not
+  EXPECT_EQ(finish_of("diffuse albedo .5 brilliance 3 diffuse .25").diffuse, .5f);
+  EXPECT_EQ(finish_of("F phong .2 phong_size 9", "#declare F=finish{phong albedo .5};").phong, .2f);
 }
 
 TEST(Finishes, Reflection) {
@@ -183,6 +186,9 @@ TEST(Finishes, Reflection) {
   const auto fresnel = finish_of("reflection{.8 fresnel}").reflection;
   EXPECT_EQ(fresnel.minimum, Rgb());
   EXPECT_EQ(fresnel.maximum, Rgb(.8f));
+  const auto fresnel_before = finish_of("reflection{0, 1 fresnel} reflection{.8}").reflection;
+  EXPECT_TRUE(fresnel_before.fresnel);
+  EXPECT_EQ(fresnel_before.minimum, Rgb(.8f));
   const auto kept = finish_of("reflection{.5}", "#default{finish{reflection{.1 falloff 4 metallic .3}}}").reflection;
   EXPECT_EQ(kept.falloff, 4);
   EXPECT_EQ(kept.metallic, .3f);

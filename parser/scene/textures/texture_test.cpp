@@ -165,7 +165,7 @@ TEST(Finishes, AlbedoIsScaledWhenTheBlockEnds) {
   EXPECT_EQ(finish.phong, 2.5f);
   EXPECT_FLOAT_EQ(finish.specular, static_cast<float>(.1 * 12 / (4 * (2 - std::pow(2, -5)))));
   EXPECT_EQ(finish_of("F brilliance 7", "#declare F=finish{diffuse albedo .5 brilliance 3};").diffuse,
-            1);  // keeps its scaling
+            1);                                                            // keeps its scaling
   EXPECT_EQ(finish_of("phong albedo .5 phong .2 phong_size 9").phong, 1);  // the word stays, the amount does not
   EXPECT_EQ(finish_of("diffuse albedo .5 brilliance 3 diffuse .25").diffuse, .5f);
   EXPECT_EQ(finish_of("F phong .2 phong_size 9", "#declare F=finish{phong albedo .5};").phong, .2f);

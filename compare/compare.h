@@ -201,7 +201,8 @@ struct SceneResult {
   double oracle_seconds = 0, native_seconds = 0, oracle_cpu_seconds = 0, native_cpu_seconds = 0;
   bool oracle_cached = false;
   std::map<std::string, std::uint64_t> rays;
-  std::filesystem::path oracle_picture, native_picture;  // PNG files of this run; empty when there is none
+  std::filesystem::path oracle_picture, native_picture;  // files of this run; empty when there is none
+  std::filesystem::path p_map;                           // a PNG file: -log10 of each pixel's p-value, 10 is white
   std::optional<Status> previous;                        // of the earlier run, for the trend
   std::optional<double> previous_rmse;
   bool passed() const { return status == Status::exact || status == Status::match; }

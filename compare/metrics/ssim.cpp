@@ -39,8 +39,9 @@ namespace {
 
 constexpr int kChunk = 64;  // rows that one thread works on
 
-// The sums of the windows that end in the rows from begin to end, row by row.
-void add_windows(const Values& reference, const Values& test, int begin, int end, double* sums) {
+// The sums of the windows that end in the rows from begin to end, row by row; `each`, if given, is told every window.
+template <typename Each>
+void add_windows(const Values& reference, const Values& test, int begin, int end, double* sums, const Each& each) {
   const int w = reference.width();
   const std::vector<double> across = window(w), down = window(reference.height());
   const int columns = w - static_cast<int>(across.size()) + 1, n = static_cast<int>(down.size());
@@ -66,7 +67,9 @@ void add_windows(const Values& reference, const Values& test, int begin, int end
         const double k = down[j];
         m.a += k * r.a, m.b += k * r.b, m.aa += k * r.aa, m.bb += k * r.bb, m.ab += k * r.ab;
       }
-      sum += m.ssim();
+      const double similarity = m.ssim();
+      sum += similarity;
+      each(x, y + 1 - n, similarity);
     }
     sums[y - begin] = sum;
   }
@@ -78,7 +81,8 @@ double ssim_sum(const Values& reference, const Values& test, int begin, int end)
   std::vector<double> sums(static_cast<std::size_t>(end - begin));
   parallel_for(static_cast<std::size_t>((end - begin + kChunk - 1) / kChunk), 1, [&](std::size_t chunk) {
     const int first = begin + static_cast<int>(chunk) * kChunk;
-    add_windows(reference, test, first, std::min(end, first + kChunk), &sums[static_cast<std::size_t>(first - begin)]);
+    add_windows(reference, test, first, std::min(end, first + kChunk), &sums[static_cast<std::size_t>(first - begin)],
+                [](int, int, double) {});
   });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
@@ -89,6 +93,23 @@ double ssim_windows(int width, int height) {
 
 double ssim_mean(const Values& reference, const Values& test) {
   return ssim_sum(reference, test, 0, reference.height()) / ssim_windows(reference.width(), reference.height());
+}
+
+std::vector<float> ssim_map(const Values& reference, const Values& test) {
+  const int width = reference.width(), height = reference.height();
+  const int columns = std::max(1, width - 10), rows = std::max(1, height - 10);
+  std::vector<float> windows(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)), out;
+  std::vector<double> sums(static_cast<std::size_t>(height));
+  add_windows(reference, test, 0, height, sums.data(), [&](int x, int y, double similarity) {
+    windows[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)] =
+        static_cast<float>(similarity);
+  });
+  out.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      out.push_back(windows[static_cast<std::size_t>(std::clamp(y - 5, 0, rows - 1)) * static_cast<std::size_t>(columns) +
+                            static_cast<std::size_t>(std::clamp(x - 5, 0, columns - 1))]);
+  return out;
 }
 
 double ssim_block_min(const Values& reference, const Values& test) {

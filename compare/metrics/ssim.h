@@ -13,6 +13,8 @@ double ssim_mean(const Values& reference, const Values& test);
 // rows above.
 double ssim_sum(const Values& reference, const Values& test, int begin, int end);
 double ssim_windows(int width, int height);
+// The SSIM of the window around each pixel, row by row; at the border that of the nearest window inside.
+std::vector<float> ssim_map(const Values& reference, const Values& test);
 
 // The smallest SSIM of the 8x8 blocks the picture is divided into from its upper left corner; smaller blocks remain at
 // the right and lower border.

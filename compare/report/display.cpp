@@ -91,27 +91,53 @@ Picture shown(const std::filesystem::path& path) {
   return out;
 }
 
-Picture thumbnail(const Picture& picture, int max_width, int max_height) {
-  const Values values(picture);
+namespace {
+
+// Calls `pixel` with each pixel's place in a thumbnail and the block of the picture behind it: x0, x1, y0, y1.
+template <typename Pixel>
+Picture shrunk(const Picture& picture, int max_width, int max_height, const Pixel& pixel) {
   const double shrink =
       std::max({1.0, static_cast<double>(picture.width) / max_width, static_cast<double>(picture.height) / max_height});
   Picture out = blank(std::max(1, static_cast<int>(picture.width / shrink)),
                       std::max(1, static_cast<int>(picture.height / shrink)), 3);
+  float* to = out.samples.data();
   for (int y = 0; y < out.height; ++y)
     for (int x = 0; x < out.width; ++x) {
       const int x0 = x * picture.width / out.width, x1 = std::max(x0 + 1, (x + 1) * picture.width / out.width);
       const int y0 = y * picture.height / out.height, y1 = std::max(y0 + 1, (y + 1) * picture.height / out.height);
-      Rgb sum{};
-      for (int j = y0; j < y1; ++j)
-        for (int i = x0; i < x1; ++i) {
-          const Rgb v = values.rgb(i, j);
-          for (int c = 0; c < 3; ++c) sum[c] += v[c];
-        }
-      for (int c = 0; c < 3; ++c)
-        out.samples[(static_cast<std::size_t>(y) * out.width + x) * 3 + c] =
-            static_cast<float>(sum[c] / (255.0 * (x1 - x0) * (y1 - y0)));
+      for (const double v : pixel(x0, x1, y0, y1)) *to++ = static_cast<float>(v / 255);
     }
   return out;
+}
+
+}  // namespace
+
+Picture thumbnail(const Picture& picture, int max_width, int max_height) {
+  const Values values(picture);
+  return shrunk(picture, max_width, max_height, [&](int x0, int x1, int y0, int y1) {
+    Rgb sum{};
+    for (int j = y0; j < y1; ++j)
+      for (int i = x0; i < x1; ++i) {
+        const Rgb v = values.rgb(i, j);
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += v[c];
+      }
+    for (double& v : sum) v /= (x1 - x0) * (y1 - y0);
+    return sum;
+  });
+}
+
+Picture difference_thumbnail(const Picture& reference, const Picture& test, int max_width, int max_height) {
+  require_same_size(reference, test);
+  const Values a(reference), b(test);
+  return shrunk(reference, max_width, max_height, [&](int x0, int x1, int y0, int y1) {
+    double largest = 0;
+    for (int j = y0; j < y1; ++j)
+      for (int i = x0; i < x1; ++i) {
+        if (!a.finite(i, j) || !b.finite(i, j)) largest = 255;
+        for (const double d : difference(a, b, i, j)) largest = std::max(largest, std::fabs(d));
+      }
+    return scale_color(std::log2(1 + largest) / 8);
+  });
 }
 
 std::string png_bytes(const Picture& picture) {

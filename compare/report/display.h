@@ -17,6 +17,9 @@ Picture heat_map(const Picture& reference, const Picture& test, double gain);
 
 // No larger than the given size, by averaging.
 Picture thumbnail(const Picture& picture, int max_width, int max_height);
+// The largest channel difference of the pixels behind each one of the thumbnail, so that one wrong pixel is seen, as a
+// colour of heat_map's scale; the scale is logarithmic: black for none, white at 255 code values.
+Picture difference_thumbnail(const Picture& reference, const Picture& test, int max_width, int max_height);
 
 // Pictures of more pixels are shown reduced.
 inline constexpr double kMostShown = 1 << 24;

@@ -1,20 +1,19 @@
-// The HTML report: one self-contained file. Figures go in as JSON, pictures as base64 text in inert script elements
-// that the page decodes when it shows them.
-#include <algorithm>
-#include <nlohmann/json.hpp>
+#include "compare/report/html.h"
 
-#include "compare/compare.h"
+#include <algorithm>
+#include <numeric>
+
 #include "compare/report/display.h"
 #include "compare/report/json.h"
 #include "compare/report/page/page.h"
+#include "compare/report/scene_pictures.h"
 
 namespace verisim::compare {
 namespace {
 
 using Json = nlohmann::json;
-constexpr int kThumbnailWidth = 168, kThumbnailHeight = 126;  // twice the size it is shown at
 
-Json scene_data(const SceneResult& s) {
+Json scene_data(const SceneResult& s, const ScenePictures& pictures) {
   Json json;
   json["name"] = s.request.name;
   json["file"] = s.request.scene.string();
@@ -35,6 +34,10 @@ Json scene_data(const SceneResult& s) {
   json["oracle_seconds"] = cpu ? s.oracle_cpu_seconds : s.oracle_seconds;
   json["native_seconds"] = cpu ? s.native_cpu_seconds : s.native_seconds;
   json["cached"] = s.oracle_cached;
+  json["pictures"] = pictures.keys();
+  json["same"] = pictures.same();
+  if (pictures.fine()) json["fine"] = pictures.fine();
+  if (const auto place = pictures.place()) json["place"] = {place->x, place->y, place->width, place->height};
   json["previous"] = s.previous ? Json(to_string(*s.previous)) : Json(nullptr);
   json["previous_rmse"] = s.previous_rmse ? Json(*s.previous_rmse) : Json(nullptr);
   json["metrics"] = s.metrics ? to_json(*s.metrics) : Json(nullptr);
@@ -74,36 +77,33 @@ std::string script_safe(const Json& json) {
   return out;
 }
 
-void add_png(std::string& out, const std::string& id, const Picture& picture) {
-  out += "<script type=\"text/plain\" id=\"" + id + "\">" + base64(png_bytes(picture)) + "</script>\n";
+// What failed comes first: its pictures are there before the others are read.
+std::vector<std::size_t> worst_first(const std::vector<SceneResult>& scenes) {
+  std::vector<std::size_t> order(scenes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return !scenes[i].passed(); });
+  return order;
 }
 
-// Without alpha: a browser's canvas would lose the colours of transparent pixels.
-Picture channels_of(const Picture& picture, bool alpha) {
-  Picture out;
-  out.width = picture.width, out.height = picture.height, out.channels = alpha ? 1 : 3;
-  const int step = picture.channels;
-  for (std::size_t i = 0; i < picture.samples.size(); i += step) {
-    if (alpha)
-      out.samples.push_back(picture.samples[i + step - 1]);
-    else
-      out.samples.insert(out.samples.end(), picture.samples.begin() + i, picture.samples.begin() + i + 3);
+// Pictures as base64 text in inert script elements, which the page decodes when it shows them.
+void add_pictures(std::string& out, std::size_t scene, const ScenePictures& pictures) {
+  for (const std::string& key : pictures.keys()) {
+    if (pictures.same() && (key == "n" || key == "tn")) continue;
+    out += "<script type=\"text/plain\" id=\"p" + std::to_string(scene) + key + "\">" + base64(pictures.png(key)) +
+           "</script>\n";
   }
-  return out;
 }
 
-void add_picture(std::string& out, const std::string& number, char side, const std::filesystem::path& path) {
-  if (path.empty()) return;
-  try {
-    const Picture picture = shown(path);
-    if (picture.channels == 4) add_png(out, "p" + number + side + "a", channels_of(picture, true));
-    const Picture colors = picture.channels == 4 ? channels_of(picture, false) : picture;
-    add_png(out, "p" + number + side, colors);
-    if (picture.width > kThumbnailWidth || picture.height > kThumbnailHeight)
-      add_png(out, "t" + number + side, thumbnail(colors, kThumbnailWidth, kThumbnailHeight));
-  } catch (const std::exception&) {
-    // The picture went away: the report says "no picture" in its place.
-  }
+Json run_data(const Run& run, const Json& review) {
+  Json data;
+  data["started"] = run.started;
+  data["oracle_version"] = run.oracle_version;
+  data["native_version"] = run.native_version;
+  data["cancelled"] = run.cancelled;
+  data["names"] = {{"o", run.reference_name}, {"n", run.test_name}};
+  if (!review.is_null()) data["review"] = review;
+  data["scenes"] = Json::array();
+  return data;
 }
 
 void append_until(std::string& out, const std::string& text, std::size_t& at, const char* mark) {
@@ -112,35 +112,62 @@ void append_until(std::string& out, const std::string& text, std::size_t& at, co
   at = found + std::char_traits<char>::length(mark);
 }
 
-}  // namespace
-
-std::string html_report(const Run& run) {
-  Json data;
-  data["started"] = run.started;
-  data["oracle_version"] = run.oracle_version;
-  data["native_version"] = run.native_version;
-  data["cancelled"] = run.cancelled;
-  data["names"] = {{"o", run.reference_name}, {"n", run.test_name}};
-  data["scenes"] = Json::array();
-  std::string pictures;
-  for (std::size_t i = 0; i < run.scenes.size(); ++i) {
-    data["scenes"].push_back(scene_data(run.scenes[i]));
-    add_picture(pictures, std::to_string(i), 'o', run.scenes[i].oracle_picture);
-    add_picture(pictures, std::to_string(i), 'n', run.scenes[i].native_picture);
-  }
+std::string page(const Json& data, const std::string& pictures, bool served) {
   const std::string page = kReportHtml;
   std::string out;
   out.reserve(page.size() + pictures.size() + 200000);
   std::size_t at = 0;
-  append_until(out, page, at, "@CSS@");
-  out += kReportCss;
+  append_until(out, page, at, "@POLICY@");
+  if (!served)
+    out += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data: blob:; style-src "
+           "'unsafe-inline'; script-src 'unsafe-inline'\">";
+  append_until(out, page, at, "@STYLE@");
+  out += served ? "<link rel=\"stylesheet\" href=\"report.css\">" : std::string("<style>") + kReportCss + "</style>";
   append_until(out, page, at, "@DATA@");
   out += script_safe(data);
+  append_until(out, page, at, "@SCRIPT@");
+  // Before the pictures: the table is there while they are still read.
+  out += served ? "<script src=\"report.js\"></script>" : std::string("<script>") + kReportJs + "</script>";
   append_until(out, page, at, "@PICTURES@");
   out += pictures;
-  append_until(out, page, at, "@JS@");
-  out += kReportJs;
   return out.append(page, at);
 }
+
+}  // namespace
+
+std::string HtmlReport::style() { return kReportCss; }
+std::string HtmlReport::script() { return kReportJs; }
+
+std::string HtmlReport::file() const {
+  Json data = run_data(run_, review_);
+  data["scenes"] = std::vector<Json>(run_.scenes.size());
+  std::string pictures;
+  for (const std::size_t i : worst_first(run_.scenes)) {
+    const ScenePictures of_scene(run_.scenes[i]);
+    data["scenes"][i] = scene_data(run_.scenes[i], of_scene);
+    add_pictures(pictures, i, of_scene);
+  }
+  return page(data, pictures, false);
+}
+
+std::string HtmlReport::served() const {
+  Json data = run_data(run_, review_);
+  data["served"] = true;
+  for (const SceneResult& scene : run_.scenes) data["scenes"].push_back(scene_data(scene, ScenePictures(scene)));
+  return page(data, "", true);
+}
+
+std::string HtmlReport::picture(const std::string& id) const {
+  std::size_t number = 0, end = 0;
+  try {
+    number = std::stoul(id.substr(std::min<std::size_t>(1, id.size())), &end);
+  } catch (const std::logic_error&) {
+    number = run_.scenes.size();
+  }
+  if (number >= run_.scenes.size()) throw std::runtime_error("there is no scene of this picture: " + id);
+  return ScenePictures(run_.scenes[number]).png(id.substr(1 + end));
+}
+
+std::string html_report(const Run& run) { return HtmlReport(run).file(); }
 
 }  // namespace verisim::compare

@@ -1,4 +1,4 @@
-// The report's page: report.html with marks where the style sheet, the data, the pictures and the script go.
+// The report's page: report.html with marks where the policy, the style sheet, the data, the script and the pictures go.
 #pragma once
 
 namespace verisim::compare {

@@ -107,8 +107,9 @@ std::vector<float> ssim_map(const Values& reference, const Values& test) {
   out.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      out.push_back(windows[static_cast<std::size_t>(std::clamp(y - 5, 0, rows - 1)) * static_cast<std::size_t>(columns) +
-                            static_cast<std::size_t>(std::clamp(x - 5, 0, columns - 1))]);
+      out.push_back(
+          windows[static_cast<std::size_t>(std::clamp(y - 5, 0, rows - 1)) * static_cast<std::size_t>(columns) +
+                  static_cast<std::size_t>(std::clamp(x - 5, 0, columns - 1))]);
   return out;
 }
 

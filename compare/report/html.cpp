@@ -7,6 +7,7 @@
 #include "compare/report/json.h"
 #include "compare/report/page/page.h"
 #include "compare/report/scene_pictures.h"
+#include "compare/report/why.h"
 
 namespace verisim::compare {
 namespace {
@@ -25,6 +26,7 @@ Json scene_data(const SceneResult& s, const ScenePictures& pictures) {
   json["class"] = to_string(s.scene_class);
   json["status"] = to_string(s.status);
   json["reason"] = s.reason;
+  json["why"] = why(s);
   if (s.request.reference) json["reference"] = s.request.reference_name();
   json["features"] = s.stochastic_features;
   json["rays"] = s.rays;
@@ -119,8 +121,9 @@ std::string page(const Json& data, const std::string& pictures, bool served) {
   std::size_t at = 0;
   append_until(out, page, at, "@POLICY@");
   if (!served)
-    out += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data: blob:; style-src "
-           "'unsafe-inline'; script-src 'unsafe-inline'\">";
+    out +=
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data: blob:; style-src "
+        "'unsafe-inline'; script-src 'unsafe-inline'\">";
   append_until(out, page, at, "@STYLE@");
   out += served ? "<link rel=\"stylesheet\" href=\"report.css\">" : std::string("<style>") + kReportCss + "</style>";
   append_until(out, page, at, "@DATA@");

@@ -146,7 +146,7 @@ TEST(HtmlReport, IsUsedInARealBrowser) {
   std::ifstream script(fs::path(VERISIM_SOURCE_DIR) / "compare/report/page/selftest.js");
   std::ostringstream actions;
   actions << "<script>" << script.rdbuf() << "</script>";
-  for (const auto& [size, scenes] : {std::pair("1400,900", 400), std::pair("500,900", 20)}) {
+  for (const auto& [size, scenes] : {std::pair("1400,900", 150), std::pair("500,900", 20)}) {
     const std::string html = html_report(make_run(folder.path(), scenes));
     write_report(html, folder.path() / "report.html");
     write_report(html + actions.str(), folder.path() / "test.html");

@@ -48,9 +48,8 @@ Picture bytes_of(const Picture& picture) {
   const std::size_t channels = static_cast<std::size_t>(picture.channels), step = channels > 2 ? 1 : 0;
   for (std::size_t i = 0; i < half; ++i) {
     const float v = picture.samples[i / 3 * channels + i % 3 * step];
-    const unsigned bits = picture.is_float
-                              ? imath_float_to_half(v)
-                              : static_cast<unsigned>(std::lround(65535 * std::clamp(v, 0.0f, 1.0f)));
+    const unsigned bits = picture.is_float ? imath_float_to_half(v)
+                                           : static_cast<unsigned>(std::lround(65535 * std::clamp(v, 0.0f, 1.0f)));
     out.samples[i] = static_cast<float>(bits >> 8) / 255, out.samples[half + i] = static_cast<float>(bits & 255) / 255;
   }
   return out;

@@ -90,25 +90,25 @@ function truth(s) {
 // Suspected faults; one whose pixels are known is shown as an overlay.
 function suspects(s) {
   $('suspects').replaceChildren(...s.suspects.map((v, k) => {
-    const text = [node('b', {}, v.what), `: ${v.detail} (explains ${(100 * v.explained).toFixed(0)} %) `];
-    if (!has(eye.index, `m${k}`)) return node('li', {}, ...text);
+    const sure = v.sure ? `, ${(100 * v.sure).toFixed(0)} % sure` : '', text = [node('b', {}, v.what), `: ${v.detail} (explains ${(100 * v.explained).toFixed(0)} %${sure}) `];
+    if (!v.pixels || s.reduced > 1) return node('li', {}, ...text);
     const button = node('button', { type: 'button', onclick: () => toggleOverlay(k, button) }, 'show its pixels');
     button.setAttribute('aria-pressed', 'false');
     return node('li', {}, ...text, button);
   }));
 }
-async function toggleOverlay(k, button) {
-  const on = button.getAttribute('aria-pressed') === 'true', i = eye.index;
+function toggleOverlay(k, button) {
+  const on = button.getAttribute('aria-pressed') === 'true';
   for (const b of $('suspects').querySelectorAll('button')) b.setAttribute('aria-pressed', 'false');
-  eye.overlay = null;
-  if (!on) {
-    const mask = await decode(i, `m${k}`);
-    if (eye.index !== i || !mask) return;
-    const g = mask.canvas.getContext('2d'), out = g.createImageData(mask.width, mask.height);
-    for (let at = 0; at < out.data.length; at += 4) { out.data[at] = 0; out.data[at + 1] = 255; out.data[at + 2] = 220; out.data[at + 3] = mask.pixels[at] > 127 ? 110 : 0; }
-    g.putImageData(out, 0, 0);
-    eye.overlay = mask;
-    button.setAttribute('aria-pressed', 'true');
-  }
+  eye.overlay = on ? null : overlayOf(scenes[eye.index].suspects[k].pixels);
+  button.setAttribute('aria-pressed', !on);
   draw();
+}
+// Runs of pixels, row by row: so many that do not belong, so many that do, and so on.
+function overlayOf(runs) {
+  const canvas = node('canvas', { width: eye.width, height: eye.height }), g = canvas.getContext('2d'), out = g.createImageData(eye.width, eye.height);
+  let at = 0;
+  runs.forEach((run, k) => { for (const end = at + run; at < end; at++) if (k % 2) out.data.set([0, 255, 220, 120], 4 * at); });
+  g.putImageData(out, 0, 0);
+  return { canvas };
 }

@@ -62,8 +62,9 @@ const different = values => {
   const wrong = values.filter(v => v !== 0 && !isNaN(v)).map(Math.abs).sort();
   return wrong.length ? wrong[Math.floor(0.95 * (wrong.length - 1))] : 0;
 };
+let mapsAsked = 0;
 async function makeMap() {
-  const i = eye.index, s = scenes[i], kind = $('map').value, m = MAPS[kind];
+  const asked = ++mapsAsked, i = eye.index, s = scenes[i], kind = $('map').value, m = MAPS[kind];
   let values = null;
   if (m.stored) {
     const picture = await decode(i, m.stored).catch(() => null);
@@ -71,7 +72,7 @@ async function makeMap() {
   } else if (eye.o && eye.n && eye.o.width === eye.n.width && eye.o.height === eye.n.height) {
     values = m.values(eye.o, eye.n, eye.o.width * eye.o.height);
   }
-  if (eye.index !== i) return;
+  if (eye.index !== i || asked !== mapsAsked) return;
   eye.map = null;
   if (values) {
     const wanted = $('scale').value, log = m.scaled && wanted === 'log';

@@ -2,7 +2,6 @@
 // more than a few.
 const UNIT = scenes.some(s => s.cpu) ? 'CPU s' : 's';
 const figure = key => s => s.metrics ? s.metrics[key] : null;
-const truthError = s => s.truth && s.truth.native ? s.truth.native.max : null;
 const COLUMNS = [
   { key: 'name', label: 'Scene', get: s => s.name.toLowerCase(), left: true },
   { key: 'status', label: 'Status', get: s => ORDER.indexOf(s.status), left: true },
@@ -17,7 +16,7 @@ const COLUMNS = [
   { key: 'ratio', label: 'Ratio', get: ratio, digits: 1, suffix: '×', far: true },
 ].filter(c => ['name', 'status'].includes(c.key) || scenes.some(s => { const v = c.get(s); return v !== null && v !== undefined; }));
 const phone = matchMedia('(max-width: 760px)');
-const rowHeight = () => phone.matches ? 186 : 76;
+const rowHeight = () => phone.matches ? 186 : 84;
 const view = { sort: 'status', reverse: false, text: '', statuses: new Set(), order: [], at: 0, first: -1, last: -1 };
 
 const summary = s => [s.reason, s.suspects.length && `suspect: ${s.suspects[0].what}`, s.blame && s.blame.common.length && `in common: ${s.blame.common[0].name}`]
@@ -46,7 +45,7 @@ function rowOf(i, at) {
   tr.dataset.scene = i; tr.setAttribute('aria-rowindex', at + 2);
   for (const c of COLUMNS.slice(2)) {
     const v = c.get(s), td = node('td', { className: 'num' + (c.far ? ' far' : '') }, v === null || v === undefined ? '–' : fixed(v, c.digits) + (c.suffix || ''));
-    td.dataset.label = c.label; tr.append(td);
+    td.dataset.label = c.label.replace(' %', ''); tr.append(td);
   }
   tr.onclick = e => { if (e.target !== link) location.hash = i; };
   return tr;
@@ -64,7 +63,7 @@ function trend(s) {
 }
 
 const spacer = rows => {
-  const td = node('td', { colSpan: COLUMNS.length + 1 }), tr = node('tr', { className: 'spacer' }, td);
+  const td = node('td'), tr = node('tr', { className: 'spacer' }, td);
   td.style.height = tr.style.height = `${rows * rowHeight()}px`;
   tr.setAttribute('aria-hidden', 'true');
   return tr;
@@ -136,7 +135,7 @@ function headline() {
   const bad = scenes.filter(s => !passed(s)).length;
   $('verdict').textContent = bad ? `✗ ${bad} of ${scenes.length} ${scenes.length === 1 ? 'scene' : 'scenes'} not the same` : `✓ ${scenes.length} ${scenes.length === 1 ? 'scene' : 'scenes'} the same`;
   $('verdict').className = 'st ' + (bad ? 'differ' : 'exact');
-  $('about').textContent = [data.started.replace('T', ' ').replace('Z', ' UTC'), data.oracle_version && `against POV-Ray ${data.oracle_version}`, data.native_version && `verisim ${data.native_version}`,
+  $('about').textContent = [data.started.replace('T', ' ').replace('Z', ' UTC'), data.oracle_version && `against POV-Ray ${data.oracle_version}`, data.native_version && WHO.n + ' ' + (data.native_version.length > 60 ? data.native_version.slice(0, 60) + '…' : data.native_version),
     data.cancelled && 'broken off'].filter(Boolean).join(' · ');
   $('chips').replaceChildren(...ORDER.slice().reverse().map(status => [status, scenes.filter(s => s.status === status).length]).filter(([, count]) => count).map(([status, count]) => {
     const chip = node('button', { type: 'button', onclick: () => {

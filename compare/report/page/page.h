@@ -1,4 +1,5 @@
-// The report's page: report.html with marks where the policy, the style sheet, the data, the script and the pictures go.
+// The report's page: report.html with marks where the policy, the style sheet, the data, the script and the pictures
+// go.
 #pragma once
 
 namespace verisim::compare {

@@ -23,6 +23,7 @@
 #include "cli/settings/part_option.h"
 #include "cli/settings/process_limits.h"
 #include "tracer/base/huge_pages.h"
+#include "tracer/base/keep_until_exit.h"
 #include "tracer/base/output_file.h"
 #include "tracer/image/output.h"
 #include "tracer/render/render.h"
@@ -121,6 +122,9 @@ struct Prepasses {
   std::optional<std::string> from, to;
 };
 
+// A call renders one scene; after its only picture nothing follows.
+bool last_of_process(const Job& job) { return job.animation.count() == 1; }
+
 bool too_many(std::uint64_t rays) { return process_limits.max_rays != 0 && rays > process_limits.max_rays; }
 
 // Renders into the canvas, with the state file where there is one.
@@ -130,6 +134,7 @@ void trace(const Job& job, const scene::Scene& scene, const Region& part, Canvas
   if (part.empty() || job.options.threads.value_or(1) <= 0)
     return render::resize_layers(choice.layers, job.options.width, job.options.height);
   render::Options options = render_options(job, part);
+  options.last_of_process = last_of_process(job);
   if (choice.any) options.layers = &choice.layers;
   if (prepasses.from) options.prepasses_from = &*prepasses.from;
   if (prepasses.to) options.prepasses_to = &*prepasses.to;
@@ -291,14 +296,14 @@ FrameReport render_frame(const Job& job, const Frame& frame) {
       return report;
     }
     if (job.console.style() == Style::povray) job.console.always(section_bar("[Parsing...]"));
-    parser::ParseResult own;
+    auto own = std::make_unique<parser::ParseResult>();
     const bool reuse = job.shared && job.shared->result.scene.has_value();
-    if (!reuse) own = parse(job, frame, report);
-    if (!reuse && !own.scene) return report;
-    if (!reuse && job.shared && job.animation.count() > 1 && own.warnings == 0 &&
-        !depends_on_frame(own.files_read, job.scene.text))
-      job.shared->result = std::move(own);
-    const parser::ParseResult& parsed = job.shared && job.shared->result.scene ? job.shared->result : own;
+    if (!reuse) *own = parse(job, frame, report);
+    if (!reuse && !own->scene) return report;
+    if (!reuse && job.shared && job.animation.count() > 1 && own->warnings == 0 &&
+        !depends_on_frame(own->files_read, job.scene.text))
+      job.shared->result = std::move(*own);
+    const parser::ParseResult& parsed = job.shared && job.shared->result.scene ? job.shared->result : *own;
     report.scene_reused = reuse;
     report.files_read = parsed.files_read;
     report.stochastic_features = stochastic_features(*parsed.scene, job.options.quality);
@@ -307,6 +312,7 @@ FrameReport render_frame(const Job& job, const Frame& frame) {
     render_parsed(job, frame, *parsed.scene, name, report);
     if (report.status == kOk && job.console.style() == Style::povray)
       job.console.line(Stream::statistic, render_statistics(job.options, *parsed.scene, report));
+    if (last_of_process(job)) keep_until_exit(std::move(own));
   } catch (const Failure& failure) {
     job.console.end_progress();
     report.status = failure.status;

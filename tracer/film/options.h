@@ -57,6 +57,8 @@ struct Options {
   std::string* prepasses_to = nullptr;
   // Photons and radiosity samples may take so many bytes; more ends the render with LimitExceeded.
   std::uint64_t pass_memory = std::uint64_t{4} << 30;
+  // The process ends after this render: what the scene was compiled to is not freed.
+  bool last_of_process = false;
   // Set to true from anywhere (a signal handler) to stop; finished blocks stay in the framebuffer.
   std::atomic<bool>* cancel = nullptr;
   // Called when a block is finished (x, y, width, height), possibly from several threads; for continue-trace.

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <utility>
 
+#include "tracer/base/keep_until_exit.h"
 #include "tracer/base/parallel.h"
 #include "tracer/render/sampling/adaptive_sampling.h"
 #include "tracer/render/sampling/antialias.h"
@@ -286,10 +288,11 @@ Statistics PreparedScene::render(const Options& options, Framebuffer& frame, con
 
 Statistics render(const scene::Scene& scene, const Options& options, Framebuffer& frame) {
   const auto start = std::chrono::steady_clock::now();
-  PreparedScene prepared(scene, options);
+  auto prepared = std::make_unique<PreparedScene>(scene, options);
   const double seconds_compile = seconds_since(start);
-  Statistics statistics = prepared.render(options, frame);
+  Statistics statistics = prepared->render(options, frame);
   statistics.seconds_compile = seconds_compile;
+  if (options.last_of_process) keep_until_exit(std::move(prepared));
   return statistics;
 }
 

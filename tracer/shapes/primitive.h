@@ -198,7 +198,7 @@ class Primitive : public Shape {
     crossings(sink);
     return sink.found();
   }
-  const Transform& matrix() const { return cold_->matrix; }
+  const Transform& matrix() const { return *matrix_; }
 
   // The ray in the shape's space; unchanged (and not normalised) when the object has no matrix.
   LocalRay local(const Ray& ray) const {
@@ -222,15 +222,16 @@ class Primitive : public Shape {
  private:
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
-  // Apart, so that the numbers of a shape without matrix fit in a cache line or two.
+  // Apart, so that the numbers of a shape fit in a cache line or two.
   struct Cold {
-    Transform matrix;
+    scene::Rare<Transform> matrix;  // shared with the description
     Box3 bounds;
     SolidExtent solid;
   };
 
   std::unique_ptr<const Guards> guards_;
   std::unique_ptr<const Cold> cold_;
+  const Transform* matrix_;  // the identity where there is none
   bool inverted_, has_matrix_;
 };
 
@@ -244,9 +245,9 @@ template <class Derived>
 Primitive<Derived>::Primitive(const scene::Object& description, const LocalBox& local)
     : Shape(description),
       guards_(Guards::of(description)),
-      cold_(std::make_unique<Cold>(Cold{description.transform.value_or(Transform{}),
-                                        surface_bounds(description, local.box, guards_.get()),
+      cold_(std::make_unique<Cold>(Cold{description.transform, surface_bounds(description, local.box, guards_.get()),
                                         surface_solid(description, local, guards_.get())})),
+      matrix_(&*cold_->matrix),
       inverted_(description.inverted),
       has_matrix_(description.transform.has_value()) {}
 

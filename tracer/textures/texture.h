@@ -46,7 +46,7 @@ struct Settings {
 struct CompiledLayer {
   const CompiledPigment* pigment;
   const CompiledNormal* normal;  // null: none
-  scene::Finish finish;
+  const scene::Finish& finish;   // the description's, which the compiler keeps
 };
 
 struct WeightedTexture {

@@ -20,12 +20,12 @@ class Sphere final : public Primitive<Sphere> {
  public:
   Sphere(const scene::Object& description, const scene::Sphere& s)
       : Primitive(description, {box_of(s)}),
+        guarded_(has_guards(description)),
         center_(s.center),
         radius_(s.radius),
         inverse_radius_(1 / s.radius),
         radius2_(s.radius * s.radius),
-        uv_transform_(std::make_unique<Transform>(description.uv_transform.value_or(Transform{}))),
-        guarded_(has_guards(description)) {}
+        uv_transform_(description.uv_transform) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -112,10 +112,10 @@ class Sphere final : public Primitive<Sphere> {
     return true;
   }
 
+  bool guarded_;
   Vec3 center_;
   double radius_, inverse_radius_, radius2_;
-  std::unique_ptr<const Transform> uv_transform_;
-  bool guarded_;
+  scene::Rare<Transform> uv_transform_;  // shared with the description
 };
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <deque>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -29,25 +29,50 @@ bool usable_quick_color(const scene::Pigment& d) {
   return d.quick_color && d.quick_color->r != -1 && d.quick_color->g != -1 && d.quick_color->b != -1;
 }
 
-// Keeps the descriptions alive, so that an address stands for one description only.
+// What was compiled from which description. Keeps the descriptions alive, so that an address stands for one description
+// only. Scenes may have a texture for each of a million objects: a table of numbers takes little of their memory.
 template <class Description, class Compiled>
 class Cache {
  public:
   using Ptr = std::shared_ptr<const Description>;
   template <class Make>
   const Compiled* get(const Ptr& description, bool no_bump_scale, Make make) {
-    const auto key = std::make_pair(description.get(), no_bump_scale);
-    if (const auto found = known_.find(key); found != known_.end()) return found->second;
-    kept_.push_back(description);
-    Compiled made = make();
-    store_.push_back(std::move(made));
-    return known_[key] = &store_.back();
+    if (const std::uint32_t known = *slot(description.get(), no_bump_scale); known != kFree) return &store_[known];
+    Compiled made = make();  // may compile others
+    if (2 * (kept_.size() + 1) > slots_.size()) grow();
+    *slot(description.get(), no_bump_scale) = static_cast<std::uint32_t>(kept_.size());
+    kept_.push_back({description, no_bump_scale});
+    return &store_.emplace_back(std::move(made));
   }
 
  private:
-  std::map<std::pair<const Description*, bool>, const Compiled*> known_;
-  std::vector<Ptr> kept_;
-  std::deque<Compiled> store_;
+  static constexpr std::uint32_t kFree = 0xffffffffu;
+  struct Key {
+    Ptr description;
+    bool no_bump_scale;
+  };
+
+  // Where the number of a description is, or is to be.
+  std::uint32_t* slot(const Description* description, bool no_bump_scale) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t place =
+        ((reinterpret_cast<std::uintptr_t>(description) >> 4) + no_bump_scale) * 0x9e3779b97f4a7c15u >> 32;
+    for (;; ++place) {
+      std::uint32_t& number = slots_[place & mask];
+      if (number == kFree) return &number;
+      const Key& key = kept_[number];
+      if (key.description.get() == description && key.no_bump_scale == no_bump_scale) return &number;
+    }
+  }
+  void grow() {
+    slots_.assign(2 * slots_.size(), kFree);
+    for (std::size_t i = 0; i < kept_.size(); ++i)
+      *slot(kept_[i].description.get(), kept_[i].no_bump_scale) = static_cast<std::uint32_t>(i);
+  }
+
+  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(16, kFree);  // a power of two, at most half of it used
+  std::deque<Key> kept_;
+  std::deque<Compiled> store_;  // in the same order
 };
 
 }  // namespace
@@ -269,7 +294,7 @@ CompiledTexture Compiler::Impl::make_texture(const scene::Texture& d, bool no_bu
   c.no_bump_scale = no_bump_scale;
   for (auto layer = d.layers.rbegin(); layer != d.layers.rend(); ++layer) {
     const CompiledPigment* compiled = pigment(layer->pigment);
-    c.layers.push_back({compiled, layer->normal ? normal(layer->normal, no_bump_scale) : nullptr, layer->finish});
+    c.layers.push_back({compiled, layer->normal ? normal(layer->normal, no_bump_scale) : nullptr, *layer->finish});
     c.opaque |= !compiled->transparent;
   }
   if (!d.patterned()) return c;

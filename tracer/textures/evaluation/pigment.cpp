@@ -23,14 +23,15 @@ void find_segments(CompiledPigment& c) {
   c.flat = end_of_first_color(c);
   if (c.colors.size() > CompiledPigment::kFew + 1) return;
   c.segments.assign(c.colors.size(), {});
-  std::fill(std::begin(c.first_maxima), std::end(c.first_maxima), std::numeric_limits<double>::infinity());
+  c.first_maxima = std::make_unique<CompiledPigment::Maxima>();
+  std::fill(std::begin(c.first_maxima->of), std::end(c.first_maxima->of), std::numeric_limits<double>::infinity());
   double maximum = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < c.colors.size(); ++i) {
     ColorSegment& s = c.segments[i];
     const float position = c.positions.position(i);
     s.position = position;
     maximum = i == 0 ? position : std::max<double>(maximum, position);
-    if (i + 1 < c.colors.size()) c.first_maxima[i] = maximum;
+    if (i + 1 < c.colors.size()) c.first_maxima->of[i] = maximum;
     if (i == 0) continue;
     const float low = c.positions.position(i - 1), width = position - low;
     s.low = low;

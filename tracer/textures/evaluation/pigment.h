@@ -1,6 +1,8 @@
 // A compiled pigment or density: where its colour comes from.
 #pragma once
 
+#include <memory>
+
 #include "tracer/textures/lookup/blend_map.h"
 #include "tracer/textures/patterns/pattern.h"
 
@@ -23,9 +25,12 @@ struct CompiledPigment {
   std::vector<Color> colors;                 // color_map
   std::vector<ColorSegment> segments;        // color_map of few entries: from the entry before to this one
   static constexpr int kFew = 32;            // one more than these are few
-  alignas(64) double first_maxima[kFew];  // with segments: the largest position up to each entry but the last; infinite
-                                          // beyond
-  double flat = 0;                        // color_map: for values from 0 up to here the colour is the same
+  struct alignas(64) Maxima {
+    double of[kFew];
+  };
+  std::unique_ptr<Maxima> first_maxima;  // with segments: the largest position up to each entry but the last; infinite
+                                         // beyond
+  double flat = 0;                       // color_map: for values from 0 up to here the colour is the same
   std::vector<const CompiledPigment*> children;  // pigment_map, average, uv_mapping
   float total_weight = 0;                        // average
   bool transparent = false;  // some entry filters or transmits, or may have no colour (spec 05 11.4)

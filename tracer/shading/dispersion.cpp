@@ -47,7 +47,7 @@ Rgb spectral_weight(int i, int n) {
 }
 
 double ratio_at(double ratio, double dispersion, double wavelength) {
-  return ratio * std::pow(dispersion, -(wavelength - 555) / 350);
+  return ratio * std::pow(dispersion, (555 - static_cast<double>(static_cast<float>(wavelength))) / 350);
 }
 
 }  // namespace verisim::shading

@@ -61,8 +61,8 @@ Tracer::Refraction Tracer::cross_surface(const RayState& ray, const scene::Inter
     to_ior = x.ior, to_dispersion = x.dispersion;
   }
   Refraction r;
-  r.ratio = from_ior / to_ior;
-  r.dispersion = from_dispersion / to_dispersion;
+  r.ratio = static_cast<float>(from_ior / to_ior);  // single precision, as POV-Ray keeps it
+  r.dispersion = static_cast<float>(from_dispersion / to_dispersion);
   r.samples = samples;
   r.interiors = crossed(ray.interiors, &x);
   r.hollow = all_hollow(r.interiors);

@@ -18,14 +18,14 @@ namespace HWY_NAMESPACE {
 
 constexpr int rounded(int count) { return (count + 7) / 8 * 8; }
 
-// Like `unit` of pattern.cpp.
+// As `normalize`, by the reciprocal.
 void to_units(int end, PointRow& n) {
   for (int i = 0; i < end; ++i) {
     const double x = n.x[i], y = n.y[i], z = n.z[i];
-    const double squared = x * x + y * y + z * z, size = std::fabs(squared - 1) < 1e-15 ? 1 : std::sqrt(squared);
-    n.x[i] = x / size;
-    n.y[i] = y / size;
-    n.z[i] = z / size;
+    const double scale = 1 / std::sqrt(x * x + y * y + z * z);
+    n.x[i] = x * scale;
+    n.y[i] = y * scale;
+    n.z[i] = z * scale;
   }
 }
 

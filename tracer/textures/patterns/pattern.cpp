@@ -171,26 +171,16 @@ PatternValue remembered_value(const CompiledPattern& c, const Vec3& p) {
   return slot.result;
 }
 
-namespace {
-
-// Spares the square root and the division where they would change the last digit at most.
-Vec3 unit(const Vec3& n) {
-  const double squared = dot(n, n);
-  return std::fabs(squared - 1) < 1e-15 ? n : n / std::sqrt(squared);
-}
-
-}  // namespace
-
 Vec3 normal_into_frame(const CompiledPattern& pattern, bool no_bump_scale, Vec3 n) {
-  if (!no_bump_scale) n = unit(n);
+  if (!no_bump_scale) n = normalize(n);
   for (const Transform& t : pattern.frame) n = t.inverse_normal(n);
-  return no_bump_scale ? n : unit(n);
+  return no_bump_scale ? n : normalize(n);
 }
 
 Vec3 normal_out_of_frame(const CompiledPattern& pattern, bool no_bump_scale, Vec3 n) {
-  if (!no_bump_scale) n = unit(n);
+  if (!no_bump_scale) n = normalize(n);
   for (auto t = pattern.frame.rbegin(); t != pattern.frame.rend(); ++t) n = t->normal(n);
-  return no_bump_scale ? n : unit(n);
+  return no_bump_scale ? n : normalize(n);
 }
 
 }  // namespace verisim::textures

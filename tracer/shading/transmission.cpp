@@ -47,22 +47,28 @@ Color Tracer::attenuated(const Color& seen, const InteriorRange& interiors, cons
 // The table of spec 06 6.2: only the identity of interiors counts.
 Tracer::Refraction Tracer::cross_surface(const RayState& ray, const scene::Interior& x) {
   const auto list = interiors(ray.interiors);
-  double from_ior = 1, from_dispersion = 1, to_ior = 1, to_dispersion = 1;
+  // POV-Ray divides the numbers of two interiors in single precision, those of one and of empty space in double.
+  const auto between = [](const scene::Interior& from, const scene::Interior& to, Refraction& r) {
+    r.ratio = static_cast<float>(from.ior / to.ior);
+    r.dispersion = static_cast<float>(from.dispersion / to.dispersion);
+  };
+  Refraction r;
+  r.ratio = r.dispersion = 1;
   int samples = x.dispersion_samples;
   if (!list.empty() && list.back() == &x) {
-    from_ior = x.ior, from_dispersion = x.dispersion;
     if (list.size() > 1) {
       const scene::Interior& next = *list[list.size() - 2];
-      to_ior = next.ior, to_dispersion = next.dispersion;
+      between(x, next, r);
       samples = std::max(samples, next.dispersion_samples);
+    } else {
+      r.ratio = x.ior, r.dispersion = x.dispersion;
     }
   } else if (std::find(list.begin(), list.end(), &x) == list.end()) {
-    if (!list.empty()) from_ior = list.back()->ior, from_dispersion = list.back()->dispersion;
-    to_ior = x.ior, to_dispersion = x.dispersion;
+    if (!list.empty())
+      between(*list.back(), x, r);
+    else
+      r.ratio = 1.0 / x.ior, r.dispersion = 1.0 / x.dispersion;
   }
-  Refraction r;
-  r.ratio = static_cast<float>(from_ior / to_ior);  // single precision, as POV-Ray keeps it
-  r.dispersion = static_cast<float>(from_dispersion / to_dispersion);
   r.samples = samples;
   r.interiors = crossed(ray.interiors, &x);
   r.hollow = all_hollow(r.interiors);

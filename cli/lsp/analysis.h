@@ -62,7 +62,7 @@ std::filesystem::path normal(const std::filesystem::path& path);
 
 struct AnalysisSettings {
   double seconds = 10;
-  std::chrono::milliseconds delay{80};  // after the last change
+  std::chrono::milliseconds delay{40};  // after the last change
   std::set<std::string_view> lints{};   // that are looked for
 };
 

@@ -13,7 +13,7 @@ struct ServerSettings {
   std::filesystem::path program;     // this one, to render with
   Options options;                   // where include files are, limits
   double seconds = 10;               // a scene is read for so long at most
-  int delay_ms = 80;                 // after the last change before it is read
+  int delay_ms = 40;                 // after the last change before it is read
   std::set<std::string_view> lints;  // that are shown as hints
 };
 

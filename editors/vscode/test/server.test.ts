@@ -3,7 +3,7 @@ import assert from 'node:assert';
 import { ChildProcess, spawn } from 'node:child_process';
 import { after, before, test } from 'node:test';
 import {
-  createProtocolConnection, DidOpenTextDocumentNotification, Hover, HoverRequest, InitializeRequest, InitializedNotification,
+  createProtocolConnection, Diagnostic, DidOpenTextDocumentNotification, Hover, HoverRequest, InitializeRequest, InitializedNotification,
   MarkupContent, ProtocolConnection, PublishDiagnosticsNotification, PublishDiagnosticsParams, StreamMessageReader,
   StreamMessageWriter,
 } from 'vscode-languageserver-protocol/node';
@@ -36,11 +36,14 @@ test('diagnostics and hover', async () => {
 
 test('lints are hints', async () => {
   const other = 'untitled:other.pov';
-  const published = new Promise<PublishDiagnosticsParams>((resolve) =>
-    connection.onNotification(PublishDiagnosticsNotification.type, (p) => { if (p.uri === other) resolve(p); }));
+  const published = new Promise<Diagnostic>((resolve) =>
+    connection.onNotification(PublishDiagnosticsNotification.type, ({ uri, diagnostics }) => {
+      const hint = diagnostics.find((d) => uri === other && d.code === 'unused-name');
+      if (hint) resolve(hint);
+    }));
   await connection.sendNotification(DidOpenTextDocumentNotification.type, {
     textDocument: { uri: other, languageId: 'pov', version: 1, text: '#version 3.7;\n#declare Lonely = 1;\nsphere { 0, 1 }\n' },
   });
-  const hint = (await published).diagnostics.find((d) => d.code === 'unused-name');
-  assert.deepStrictEqual([hint?.severity, hint?.tags, hint?.range.start], [4, [1], { line: 1, character: 9 }]);
+  const { severity, tags, range } = await published;
+  assert.deepStrictEqual([severity, tags, range.start], [4, [1], { line: 1, character: 9 }]);
 });

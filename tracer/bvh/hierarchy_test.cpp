@@ -46,11 +46,14 @@ TEST(Hierarchy, BoxesBesideOrBehindTheRayAreNotAsked) {
 }
 
 TEST(Hierarchy, EveryBoxOnTheWayIsAskedFromNearToFar) {
-  std::vector<Hierarchy::Item> items;
-  for (std::uint32_t i = 0; i < 40; ++i) items.push_back({i, box(0, 0, static_cast<float>(i * 7 % 40), 1), false});
-  const Order order = asked(items, std::vector<double>(40, 1e7));
-  ASSERT_EQ(order.size(), 40u);
-  for (std::size_t k = 0; k < 40; ++k) EXPECT_EQ(items[order[k]].bounds.low[2], static_cast<float>(k));
+  for (const std::uint32_t count : {40u, 5000u}) {  // few and many, which are sorted in two ways
+    std::vector<Hierarchy::Item> items;
+    const auto place = [&](std::uint32_t i) { return static_cast<float>(i * 7 % count) - 5; };
+    for (std::uint32_t i = 0; i < count; ++i) items.push_back({i, box(0, 0, place(i), 1), false});
+    const Order order = asked(items, std::vector<double>(count, 1e7));
+    ASSERT_EQ(order.size(), count);
+    for (std::size_t k = 0; k < count; ++k) EXPECT_EQ(items[order[k]].bounds.low[2], static_cast<float>(k) - 5);
+  }
 }
 
 }  // namespace

@@ -30,7 +30,11 @@ void SceneEffects::add_interior(const scene::Interior* interior, textures::Compi
   if (!interior || interior->media.empty()) return;
   const auto [entry, fresh] = interior_media_.try_emplace(interior);
   if (!fresh) return;
-  for (const scene::Media& m : interior->media) entry->second.push_back(compile_media(m, compiler));
+  for (const scene::Media& m : interior->media) {
+    const CompiledMedia& compiled = entry->second.emplace_back(compile_media(m, compiler));
+    // Where POV-Ray takes one sample of a constant, the place does not matter, unless it varies after all.
+    interior_draws_count |= m.method != 3 || m.jitter != 0 || (compiled.last_density_plain && compiled.varies);
+  }
 }
 
 void SceneEffects::add_object(const scene::Object& object, textures::Compiler& compiler) {

@@ -49,6 +49,8 @@ class Effects {
 
   // Which hooks are in use.
   bool media_in_interiors = false, atmosphere = false, radiosity = false, photons = false, subsurface = false;
+  // What media of interiors do hangs on the random numbers that they draw.
+  bool interior_draws_count = false;
 
   // Media of the interiors the ray is inside, over its segment [0, length] that ends at a surface; changes r, g, b and
   // see-through (spec 07 4.2).

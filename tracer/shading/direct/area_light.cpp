@@ -6,12 +6,20 @@
 
 #include "tracer/math/ray_row.h"
 #include "tracer/lights/light_falloff.h"
+#include "tracer/shading/direct/shadow_row.h"
 #include "tracer/shading/tracer.h"
 
 namespace verisim::shading {
 namespace {
 
 double unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
+
+// 0, 1, 2 ...: all rays of a row.
+constexpr auto kInTurn = [] {
+  std::array<int, ShadowRow::kMost> numbers{};
+  for (int i = 0; i < ShadowRow::kMost; ++i) numbers[static_cast<std::size_t>(i)] = i;
+  return numbers;
+}();
 
 }  // namespace
 
@@ -79,8 +87,8 @@ Rgb Tracer::area_sample(const AreaGrid& grid, int column, int row) {
   return color;
 }
 
-// The samples in these columns and rows that are not known, at once; those that meet transparent objects are left for
-// later.
+// The samples in these columns and rows that are not known, at once; those on whose way media may draw random numbers
+// are left for later.
 void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> rows) {
   const Light& light = grid.query.light;
   RayRow rays;
@@ -89,14 +97,22 @@ void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std
   CornerResult* corners[RayRow::kMost];
   int count = 0;
   const bool any_decides = only_opaque(grid.entry);
+  const bool draws = scene_.effects && scene_.effects->interior_draws_count;
   const auto ask = [&] {
+    ShadowRow filtered;
+    CornerResult* filtered_corners[ShadowRow::kMost];
     aim_at_grid(light, grid.axes, grid.p, places, count, rays, distance);
     int asked = 0;
     for (int k = 0; k < count; ++k) {
       const Vec3 towards = rays.direction.at(k);
-      if (!(distance[k] > 2 * kShadowTolerance) ||
-          !(any_decides || scene_.world.only_opaque_between(grid.p, grid.p + distance[k] * towards))) {
+      const bool decides = any_decides || scene_.world.only_opaque_between(grid.p, grid.p + distance[k] * towards);
+      if (!(distance[k] > 2 * kShadowTolerance) || (draws && !decides)) {
         corners[k]->stamp = 0;
+        continue;
+      }
+      if (!decides) {
+        filtered_corners[filtered.count] = corners[k];
+        filtered.add({grid.p, towards}, distance[k], grid.color, grid.query.lit, {});
         continue;
       }
       rays.origin.set(asked, grid.p), rays.direction.set(asked, towards);
@@ -106,7 +122,11 @@ void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std
     bool blocked[RayRow::kMost] = {};
     scene_.world.occluded_row(rays, 0, asked, contact_tolerance(light), distance, grid.entry, blocked);
     for (int k = 0; k < asked; ++k) *corners[k] = {blocked[k] ? Rgb() : grid.color, corner_stamp_};
-    statistics_.shadow_rays += static_cast<std::uint64_t>(asked);
+    if (filtered.count > 0) {
+      filter_row(light, grid.query.eye, grid.entry, kInTurn.data(), filtered.count, filtered);
+      for (int k = 0; k < filtered.count; ++k) *filtered_corners[k] = {filtered.light[k], corner_stamp_};
+    }
+    statistics_.shadow_rays += static_cast<std::uint64_t>(asked + filtered.count);
     count = 0;
   };
   for (const int v : rows) {

@@ -168,7 +168,7 @@ void Tracer::filter_row(const Light& light, const RayState& eye, const accel::Wo
     RandomSource random;
   };
   boost::container::small_vector<Way, 8> ways, onward;
-  const bool draws = scene_.effects && scene_.effects->media_in_interiors;
+  const bool draws = scene_.effects && scene_.effects->interior_draws_count;
   const auto meet = [&](Way& way, const shapes::Hit& hit) {
     const ShadowQuery query{eye, row.lit[way.index], light};
     Rgb& color = row.light[way.index];

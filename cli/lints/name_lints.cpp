@@ -95,11 +95,11 @@ bool is_local(const File& file, const NameDeclaration& d) {
   return text.substr(d.whole.begin, d.offset - d.whole.begin).find("local") != std::string_view::npos;
 }
 
-// A #declare in a macro that has a parameter or #local of the name changes that one.
-bool changes_local(const File& file, const NameDeclaration& d) {
+// A #declare in a macro that has a parameter or #local of the name changes that one, as it does in an include file.
+bool changes_local(const File& file, bool is_scene, const NameDeclaration& d) {
   const auto& all = file.index->declarations();
   return std::any_of(all.begin(), all.end(), [&](const NameDeclaration& other) {
-    return !other.global && other.name == d.name && other.scope.contains(d.offset);
+    return other.name == d.name && (other.global ? !is_scene && is_local(file, other) : other.scope.contains(d.offset));
   });
 }
 
@@ -132,7 +132,7 @@ void shadowed(const std::vector<File>& files, std::vector<LintFinding>& found) {
   for (const File& file : files)
     for (const NameDeclaration& d : file.index->declarations())
       if (file.own && d.global && d.kind == NameDeclaration::Kind::variable && !is_for(file, d) &&
-          (&file == &files.front() || !is_local(file, d)) && !changes_local(file, d))
+          !changes_local(file, &file == &files.front(), d))
         globals.emplace(d.name, Global{&file, &d});
   for (const File& file : files) {
     if (!file.own) continue;

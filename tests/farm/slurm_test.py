@@ -20,6 +20,7 @@ import threading
 import time
 
 sys.dont_write_bytecode = True
+import accounting as slurm_accounting
 import slurm as slurm_of_two  # noqa: E402
 from scenes import SCENES, Folder  # noqa: E402
 
@@ -204,7 +205,7 @@ class Test(Folder):
         watcher.start()
         self.until_rendering("dead")
         time.sleep(1)
-        for pid in self.processes("slurm_script", "array") + self.renders("dead"):
+        for pid in self.processes("slurm_script", "array", str(self.path)) + self.renders("dead"):
             try:
                 os.kill(pid, signal.SIGKILL)
             except ProcessLookupError:
@@ -350,6 +351,27 @@ class Test(Folder):
         self.slurm.start("n2")
         print("  no shared folder: told")
 
+    def accounting(self):
+        """What Slurm has forgotten its accounting knows: a task that failed is told as failed, with its node."""
+        why = slurm_accounting.why_not()
+        if why:
+            return print(f"  left out: {why}")
+        with slurm_accounting.Accounting(self.slurm):
+            self.submit("forgotten", "slow", 4)
+            self.until_rendering("forgotten")
+            for pid in self.processes("slurm_script", "array", str(self.path)) + self.renders("forgotten"):
+                try:
+                    os.kill(pid, signal.SIGKILL)
+                except ProcessLookupError:
+                    pass
+            self.slurm.idle()
+            self.slurm.until(lambda: not self.slurm.ask("squeue", "-h", "-t", "all").strip(), "Slurm does not forget", 200)
+            failed = [s for s in self.status("forgotten")["steps"] if s["state"] == "failed"]
+            if not failed or not all(s["node"] in slurm_of_two.NODES for s in failed if s["step"].isdigit()):
+                self.fail("forgotten", f"the accounting is not asked: {self.status('forgotten')['steps']}")
+            print(f"  accounting: {len(failed)} steps failed, and are told")
+            self.finish("forgotten", "slow")
+
     def refusals(self):
         said = self.farm("submit", "blur.pov", "--job", "nowhere", "--parts", 2, "--partition", "nosuch", status=5)
         if "nosuch" not in said or "partition" not in said.lower() or (self.path / "nowhere").exists():
@@ -358,7 +380,7 @@ class Test(Folder):
 
 
 QUICK = ("one_still", "strange_names", "refusals")
-ALL = ("stills", "animation", "strange_names", "damaged_part", "killed_renders", "killed_tasks", "dead_node", "dead_controller", "full_disk", "cancelled", "no_shared_folder", "refusals", "time_limit")
+ALL = ("stills", "animation", "strange_names", "damaged_part", "killed_renders", "killed_tasks", "dead_node", "dead_controller", "full_disk", "cancelled", "no_shared_folder", "refusals", "accounting", "time_limit")
 
 
 def main():

@@ -94,7 +94,7 @@ class Lints(Check):
         self.assertEqual(self.lints("#declare Radius = 2;\nsphere { 0, 1 }\n", "--lint", "unused-name"), [])
 
     def test_names_local_to_another_file_are_not_hidden(self):
-        (self.folder / "a.inc").write_text("#local R = 1;\n")
+        (self.folder / "a.inc").write_text("#local R = 1;\n#declare R = R + 1;\n")
         (self.folder / "b.inc").write_text("#macro Ball(R)\n sphere { 0, R }\n#end\n")
         self.assertEqual(self.lints('#include "a.inc"\n#include "b.inc"\nBall(2)\n', "--lint", "shadowed-name"), [])
 

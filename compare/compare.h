@@ -23,6 +23,7 @@
 #include "compare/metrics/blame.h"
 #include "compare/causes/diagnose.h"
 #include "compare/metrics/fit.h"
+#include "compare/metrics/limits.h"
 #include "compare/metrics/metrics.h"
 #include "compare/metrics/truth.h"
 #include "compare/metrics/verdict.h"
@@ -39,6 +40,14 @@ struct Pass {
   std::array<std::array<double, 3>, 3> matrix{};  // linear values of the render's channels to linear sRGB
 };
 
+// Pixels that are not compared.
+struct Ignored {
+  std::vector<Crop> rectangles;
+  std::filesystem::path mask;        // a picture of the render's size: what is brighter than half of white is ignored
+  std::vector<std::string> objects;  // parts of the names that `verisim explain` gives them
+  bool any() const { return !rectangles.empty() || !mask.empty() || !objects.empty(); }
+};
+
 struct SceneRequest {
   std::string name;             // unique in a run, shown in reports: "lights/shadow.pov"
   std::filesystem::path scene;  // absolute
@@ -47,15 +56,20 @@ struct SceneRequest {
                                       // and threads are added by us
   bool antialiased() const;           // what the switches say (+A, Antialias=on)
   bool alpha() const;                 // +UA
-  std::optional<SceneClass> scene_class;  // empty: by the features the native side reports
-  Thresholds thresholds;                  // empty: the rules of docs/comparison.md
-  std::string known_failure;              // why it is known to fail: reported, and no failure of the run
-  Allowance allowed;                      // of errors that lie together
+  std::optional<SceneClass> scene_class;    // empty: by the features the native side reports
+  Thresholds thresholds;                    // empty: the rules of docs/comparison.md
+  std::string known_failure;                // why it is known to fail: reported, and no failure of the run
+  Allowance allowed;                        // of errors that lie together
+  std::optional<PixelLimits> pixel_limits;  // with thresholds, or without: in place of the rules
+  Limits warnings;                          // what breaks these is said, and no failure
+  Ignored ignored;
   std::vector<Pass> passes;  // empty: one render is the picture. Else they are rendered with linear values (OpenEXR)
                              // and summed to a picture of 16 bits
   std::vector<std::string> tags;
-  std::optional<std::filesystem::path> reference;  // a stored picture in the place of the oracle
-  FitOptions fit;                                  // of a stored picture: a photograph
+  std::optional<std::filesystem::path> reference;   // a stored picture in the place of the oracle
+  std::vector<std::filesystem::path> alternatives;  // pictures as good as the reference (other platforms): the nearest
+                                                    // one counts
+  FitOptions fit;                                   // of a stored picture: a photograph
   const char* reference_name() const { return fit.any() ? "photograph" : "stored picture"; }
   std::optional<Truth> truth;  // values that mathematics gives
   double flip_pixels_per_degree = 67.0206;
@@ -202,9 +216,16 @@ struct SceneResult {
   bool oracle_cached = false;
   std::map<std::string, std::uint64_t> rays;
   std::filesystem::path oracle_picture, native_picture;  // files of this run; empty when there is none
+  std::filesystem::path judged_picture;                  // ours as it was compared, where that is not native_picture
   std::filesystem::path p_map;                           // a PNG file: -log10 of each pixel's p-value, 10 is white
   std::optional<Status> previous;                        // of the earlier run, for the trend
   std::optional<double> previous_rmse;
+  struct Earlier {
+    std::string started;
+    Status status = Status::error;
+    std::optional<double> rmse;
+  };
+  std::vector<Earlier> history;  // of all earlier runs, oldest first
   bool passed() const { return status == Status::exact || status == Status::match; }
   bool failed() const { return !passed() && request.known_failure.empty(); }
 };
@@ -250,8 +271,12 @@ struct RunOptions {
   bool resume = false;
   bool whole_suite =
       false;  // nothing was left out of the suite: a stored picture without a scene is one that was removed
-  std::filesystem::path baseline;         // stored pictures in the place of the oracle
-  std::filesystem::path previous_report;  // JSON of an earlier run, for the trend
+  std::filesystem::path baseline;                      // stored pictures in the place of the oracle
+  NativeRenderer reference;                            // any renderer in the place of the oracle; empty: none
+  std::string reference_identity;                      // changes whenever that one does
+  std::string reference_name;                          // what reports call it
+  std::filesystem::path previous_report;               // JSON of an earlier run, for the trend
+  std::vector<std::filesystem::path> earlier_reports;  // of all earlier runs, for the course of figures
   std::string native_version;
   std::string native_identity;     // changes whenever our renderer does (a hash of the program); a run is resumed only
                                    // with the same
@@ -266,8 +291,9 @@ Run run_suite(const Suite& suite, const RunOptions& options);
 
 // Regression without an oracle: run_suite with RunOptions::baseline compares with the pictures stored there (NAME.png,
 // 16 bits, and baseline.json, which names the version that made them); then this stores the run's own pictures in their
-// place. `dry_run` only says what would change: one line a scene.
-std::vector<std::string> update_baseline(const Run& run, const std::filesystem::path& folder, bool dry_run);
+// place. `dry_run` only says what would change: one line a scene. Notes, by the names of scenes, are kept with them.
+std::vector<std::string> update_baseline(const Run& run, const std::filesystem::path& folder, bool dry_run,
+                                         const std::map<std::string, std::string>& notes = {});
 
 // ---- reports: files are written as by tracer/base/output_file.h; std::runtime_error names the file and the reason
 // ---------------------------------------------------------

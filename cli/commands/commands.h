@@ -21,6 +21,7 @@ int command_farm(const std::vector<std::string>& arguments);
 int command_merge(const std::vector<std::string>& arguments);
 int command_lsp(const std::vector<std::string>& arguments);
 int command_view(const std::vector<std::string>& arguments);
+int command_review(const std::vector<std::string>& arguments);
 int command_bench(const std::vector<std::string>& arguments);
 int command_help(const std::vector<std::string>& arguments);
 

@@ -67,15 +67,32 @@ std::string choose_renderer(const std::string& program, std::uint64_t seed, comp
   return "POV-Ray " + judged.version;
 }
 
+compare::NativeRenderer renderer_of_command(const char* option, const std::string& command) {
+  try {
+    return compare::command_renderer(command);
+  } catch (const std::invalid_argument& error) {
+    throw OptionError(fmt::format("{}: {}", option, error.what()));
+  }
+}
+std::string program_name(const std::string& command) {
+  return fs::path(command.substr(0, command.find(' '))).filename().string();
+}
+
 // The same for a command line. Nothing is known of what its pixels show.
 std::string choose_command(const std::string& command, compare::RunOptions& run) {
-  try {
-    run.native = compare::command_renderer(command);
-  } catch (const std::invalid_argument& error) {
-    throw OptionError(fmt::format("--test: {}", error.what()));
-  }
+  run.native = renderer_of_command("--test", command);
   run.native_version = run.native_identity = command;
-  return command.substr(0, command.find(' '));
+  return program_name(command);
+}
+
+// POV-Ray sleeps for a third of a second when it starts: small scenes wait for it side by side. Large ones take the
+// memory and the threads that there are one after the other.
+int jobs_for(const compare::Suite& suite, bool waits) {
+  constexpr int kSmall = 320 * 240, kWaiting = 6;
+  for (const compare::SceneRequest& scene : suite.scenes)
+    if (static_cast<std::int64_t>(scene.width) * scene.height > kSmall) return 1;
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return waits ? kWaiting * cores : cores;
 }
 
 // 0: what is written to is no terminal, and lines may be as long as they are.
@@ -122,10 +139,12 @@ int command_compare(const std::vector<std::string>& arguments) {
                  "both.");
   compare::RunOptions run;
   compare::Filter filter;
-  std::string json, junit, html, markdown, oracle, oracle_cache, work, baseline, previous, native, test, scene_class;
+  std::string json, junit, html, markdown, oracle, oracle_cache, work, baseline, native, test, reference, scene_class;
+  std::vector<std::string> previous;
   bool github = false, no_cache = false, failed_only = false, quiet = false, color = false, update = false,
        no_explain = false;
   run.native_time_limit = 600;
+  run.jobs = 0;
   std::uint64_t seed = 0;
   own.synopsis("SCENE|FOLDER|MANIFEST... [options] [switches]")
       .summary("render with verisim and POV-Ray and compare every pixel")
@@ -145,10 +164,14 @@ int command_compare(const std::vector<std::string>& arguments) {
   own.values("--name PATTERN", filter.names,
              "only scenes whose name matches this pattern or contains it (may be given again)");
   own.values("--tag TAG", filter.tags, "only scenes with this tag (may be given again)");
-  own.flag("--failed", failed_only, "only scenes that failed in the report of --previous");
-  own.value("--previous FILE", previous, "JSON report of an earlier run, for the trend");
+  own.flag("--failed", failed_only, "only scenes that failed in the report of --previous (the last one)");
+  own.values("--previous FILE", previous,
+             "JSON report of an earlier run, for the trend; given again, oldest first, the course over many runs");
   own.section("How they are rendered");
-  own.value("--jobs N", run.jobs, "scenes at a time");
+  own.value(
+      "--jobs N", run.jobs,
+      "scenes at a time; without it as many as keep the cores busy: small scenes wait for POV-Ray side by side, which "
+      "sleeps when it starts");
   own.value("--threads N", run.native_threads, "threads of verisim for one scene; 0: all cores");
   own.flag("--replay", run.replay, "both serial, with POV-Ray's random streams");
   own.value(
@@ -165,6 +188,8 @@ int command_compare(const std::vector<std::string>& arguments) {
   own.value("--native-time-limit X", run.native_time_limit, "seconds for one render by verisim");
   own.section("What they are compared with");
   own.value("--oracle PROGRAM", oracle, "a POV-Ray, or another verisim; default: povray in PATH");
+  own.value("--reference COMMAND", reference,
+            "any renderer in the place of POV-Ray, as a command like that of --test; needs no POV-Ray");
   own.value("--oracle-cache FOLDER", oracle_cache, "where POV-Ray's renders are kept");
   own.flag("--no-cache", no_cache, "render with POV-Ray anew");
   own.value("--time-limit X", run.oracle.time_limit, "seconds for one render by POV-Ray");
@@ -186,16 +211,20 @@ int command_compare(const std::vector<std::string>& arguments) {
   if (failed_only && previous.empty()) throw OptionError("--failed needs --previous FILE");
   if (wants_sandbox() && !test.empty()) throw OptionError("--sandbox is verisim's: not with --test");
   if (!test.empty() && !native.empty()) throw OptionError("--native and --test name the same side; give one of them");
-  if (run.jobs < 1) throw OptionError("--jobs must be at least 1");
+  if (!reference.empty() && (!baseline.empty() || !oracle.empty()))
+    throw OptionError("--reference, --oracle and --baseline name the same side; give one of them");
+  if (run.jobs < 0) throw OptionError("--jobs must be at least 1");
 
   const SuiteWords given = suite_words(words);
   compare::Suite suite = compare::load_suite(given.what, given.defaults);
   for (const std::string& warning : suite.warnings) std::fprintf(stderr, "verisim compare: %s\n", warning.c_str());
   filter.failed_last_time = failed_only;
-  filter.last_report = previous;
+  if (!previous.empty()) filter.last_report = previous.back();
   suite = compare::filter(suite, filter);
   if (suite.scenes.empty()) throw OptionError("no scene is left to compare");
 
+  const bool waits = baseline.empty() && reference.empty();
+  if (run.jobs == 0) run.jobs = jobs_for(suite, waits);
   if (!scene_class.empty())
     for (compare::SceneRequest& scene : suite.scenes)
       scene.scene_class =
@@ -207,7 +236,8 @@ int command_compare(const std::vector<std::string>& arguments) {
   run.work = work;
   run.baseline = baseline;
   run.whole_suite = filter.names.empty() && filter.tags.empty() && !failed_only;
-  run.previous_report = previous;
+  run.earlier_reports.assign(previous.begin(), previous.end());
+  if (!previous.empty()) run.previous_report = previous.back();
   if (!quiet) run.progress = show_progress;
   Interrupt interrupt;
   run.cancel = &interrupt.flag();
@@ -216,6 +246,10 @@ int command_compare(const std::vector<std::string>& arguments) {
   try {
     const std::string test_name =
         test.empty() ? choose_renderer(native, seed, run, !no_explain && !wants_sandbox()) : choose_command(test, run);
+    if (!reference.empty()) {
+      run.reference = renderer_of_command("--reference", reference);
+      run.reference_identity = reference, run.reference_name = program_name(reference);
+    }
     compare::Run result = compare::run_suite(suite, run);
     result.test_name = test_name;
     const bool report_to_stdout =

@@ -15,7 +15,8 @@
 namespace verisim::cli {
 namespace {
 
-compare::FitOptions fit_options(const std::string& crop, const std::vector<std::string>& fits) {
+compare::FitOptions fit_options(const std::string& crop, const std::string& corners,
+                                const std::vector<std::string>& fits) {
   compare::FitOptions out;
   if (!crop.empty()) {
     compare::Crop c;
@@ -25,13 +26,29 @@ compare::FitOptions fit_options(const std::string& crop, const std::vector<std::
       throw OptionError(fmt::format("--crop {}: expected X,Y,WIDTH,HEIGHT", crop));
     out.crop = c;
   }
+  if (!corners.empty()) {
+    compare::Corners c;
+    int end = 0;
+    if (std::sscanf(corners.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf%n", &c[0].x, &c[0].y, &c[1].x, &c[1].y, &c[2].x,
+                    &c[2].y, &c[3].x, &c[3].y, &end) != 8 ||
+        static_cast<std::size_t>(end) != corners.size())
+      throw OptionError(
+          fmt::format("--corners {}: expected eight numbers: x and y of the upper left, upper right, lower right and "
+                      "lower left corner",
+                      corners));
+    out.corners = c;
+  }
   for (const std::string& what : fits) {
     if (what == "exposure")
       out.exposure = true;
     else if (what == "white_balance")
       out.white_balance = true;
+    else if (what == "distortion")
+      out.distortion = true;
+    else if (what == "vignetting")
+      out.vignetting = true;
     else
-      throw OptionError(fmt::format("--fit {}: expected exposure or white_balance", what));
+      throw OptionError(fmt::format("--fit {}: expected exposure, white_balance, distortion or vignetting", what));
   }
   return out;
 }
@@ -95,7 +112,7 @@ int command_diff(const std::vector<std::string>& arguments) {
                  "when they match, 1 when they do not.");
   std::string json, html, heat_map;
   std::vector<std::string> thresholds, fits;
-  std::string crop;
+  std::string crop, corners;
   compare::MetricOptions metric;
   double gain = 16;
   bool color = false, antialiased = false;
@@ -118,15 +135,19 @@ int command_diff(const std::vector<std::string>& arguments) {
   own.section("Photographs");
   own.value("--crop X,Y,WIDTH,HEIGHT", crop,
             "the part of the reference, a photograph, that the picture shows; averaged to its size");
-  own.values("--fit WHAT", fits, "fit the picture's exposure or white_balance to the reference (may be given again)");
+  own.value("--corners X,Y,X,Y,X,Y,X,Y", corners,
+            "where the picture's corners are in the reference, a photograph, from the upper left one clockwise; a few "
+            "pixels off is near enough: they are refined");
+  own.values("--fit WHAT", fits,
+             "fit exposure, white_balance, the lens's distortion (with --corners) or vignetting (may be given again)");
   const std::vector<std::string> words = own.parse(arguments);
   if (words.size() != 2) throw OptionError("two pictures are needed: verisim diff REFERENCE PICTURE");
 
-  const compare::FitOptions wanted = fit_options(crop, fits);
+  const compare::FitOptions wanted = fit_options(crop, corners, fits);
   const compare::Thresholds limits = threshold_options(thresholds);
   if (std::filesystem::is_directory(words[0]) && std::filesystem::is_directory(words[1])) {
     if (wanted.any() || !heat_map.empty())
-      throw OptionError("--crop, --fit and --heat-map are for one pair of pictures, not for folders");
+      throw OptionError("--crop, --corners, --fit and --heat-map are for one pair of pictures, not for folders");
     return diff_folders(words[0], words[1], {metric, limits, antialiased}, json, html, color);
   }
   compare::Pair pair{words[0], words[1], {}, {}, {}};

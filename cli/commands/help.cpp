@@ -17,9 +17,9 @@ namespace verisim::cli {
 namespace {
 
 constexpr Command kCommands[] = {
-    {"render", command_render},   {"merge", command_merge},     {"farm", command_farm}, {"check", command_check},
-    {"compare", command_compare}, {"explain", command_explain}, {"diff", command_diff}, {"view", command_view},
-    {"lsp", command_lsp},         {"bench", command_bench},
+    {"render", command_render},   {"merge", command_merge},     {"farm", command_farm},   {"check", command_check},
+    {"compare", command_compare}, {"explain", command_explain}, {"diff", command_diff},   {"view", command_view},
+    {"review", command_review},   {"lsp", command_lsp},         {"bench", command_bench},
 };
 
 CommandHelp help_of(const Command& command) {

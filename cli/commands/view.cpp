@@ -1,4 +1,4 @@
-// `verisim view`: hands over to the program verisim-view beside this one, which holds the web server (cli/view/).
+// `verisim view`: a live picture, by the program verisim-view.
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,6 +18,14 @@
 #include "cli/settings/scene_words.h"
 
 namespace verisim::cli {
+
+void check_address(int port, const std::string& token) {
+  if (port < 0 || port > 65535) throw OptionError("--port must be from 0 to 65535");
+  constexpr std::size_t kShortest = 16;
+  const bool plain = std::all_of(token.begin(), token.end(), [](unsigned char c) { return std::isalnum(c); });
+  if (!token.empty() && (token.size() < kShortest || !plain))
+    throw OptionError("--token needs 16 letters and digits or more");
+}
 
 ViewSettings view_settings(const std::vector<std::string>& arguments) {
   ViewSettings settings;
@@ -54,12 +62,7 @@ ViewSettings view_settings(const std::vector<std::string>& arguments) {
   if (options.input_file.empty() && !settings.lecture) throw OptionError("no scene: verisim view SCENE [switches]");
   if (options.input_file == "-") throw OptionError("a live picture needs a file that can change, not a stream");
   if (options.replay) throw OptionError("--replay needs the whole picture in order; `verisim render` does that");
-  if (settings.port < 0 || settings.port > 65535) throw OptionError("--port must be from 0 to 65535");
-  constexpr std::size_t kShortest = 16;
-  const std::string& token = settings.token;
-  const bool plain = std::all_of(token.begin(), token.end(), [](unsigned char c) { return std::isalnum(c); });
-  if (!token.empty() && (token.size() < kShortest || !plain))
-    throw OptionError("--token needs 16 letters and digits or more");
+  check_address(settings.port, settings.token);
   validate(options);
   wants_sandbox();  // throws
   return settings;
@@ -67,8 +70,12 @@ ViewSettings view_settings(const std::vector<std::string>& arguments) {
 
 int command_view(const std::vector<std::string>& arguments) {
   view_settings(arguments);  // bad ones are told here
+  run_view_program("verisim-view", arguments);
+}
+
+void run_view_program(const std::string& name, const std::vector<std::string>& arguments) {
   const std::filesystem::path program = own_program().parent_path() / "verisim-view";
-  std::vector<std::string> words{program.string()};
+  std::vector<std::string> words{name};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());

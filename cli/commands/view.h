@@ -21,4 +21,10 @@ struct ViewSettings {
 // Throws OptionError, or HelpWanted.
 ViewSettings view_settings(const std::vector<std::string>& arguments);
 
+// Of a page on the loopback interface. Throws OptionError.
+void check_address(int port, const std::string& token);
+// Hands over to the program verisim-view beside this one, which holds the web server (cli/view/), under a name that
+// tells it what to serve. Throws std::runtime_error if it cannot be run.
+[[noreturn]] void run_view_program(const std::string& name, const std::vector<std::string>& arguments);
+
 }  // namespace verisim::cli

@@ -1,4 +1,5 @@
-// The program behind `verisim view`: a page on the loopback interface that shows a scene's picture while it is edited.
+// The program behind `verisim view`, a page on the loopback interface that shows a scene's picture while it is edited,
+// and behind `verisim review` (review.h), which it is when it is called verisim-review.
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,7 +20,9 @@
 #include "cli/view/lecture.h"
 #include "cli/view/live_picture.h"
 #include "cli/page/page.h"
+#include "cli/view/browser.h"
 #include "cli/view/reference.h"
+#include "cli/view/review.h"
 #include "cli/view/server.h"
 
 namespace fs = std::filesystem;
@@ -120,16 +123,6 @@ void answers(Server& server, LivePicture& picture, const Options& options) {
   });
 }
 
-// Where there is a display; who has none copies the address.
-void open_browser(const std::string& address) {
-  if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY")) return;
-  if (fork() == 0) {
-    if (std::freopen("/dev/null", "w", stdout) && std::freopen("/dev/null", "w", stderr))
-      execlp("xdg-open", "xdg-open", address.c_str(), static_cast<char*>(nullptr));
-    _exit(1);
-  }
-}
-
 // The current folder is about to be another one.
 void make_absolute(Options& options) {
   for (std::string& path : options.library_paths) path = fs::absolute(path).string();
@@ -211,16 +204,19 @@ int view(const std::vector<std::string>& arguments) {
 
 int main(int count, char** words) {
   using namespace verisim::cli;
+  const std::string name = count > 0 ? std::filesystem::path(words[0]).filename().string() : "";
+  const bool reviews = name == "verisim-review";
+  const char* const command = reviews ? "review" : "view";
   try {
-    return view({words + 1, words + count});
+    return reviews ? review({words + 1, words + count}) : view({words + 1, words + count});
   } catch (const HelpWanted& help) {
     std::fputs(help_text(help.help).c_str(), stdout);
     return kOk;
   } catch (const OptionError& error) {
-    std::fprintf(stderr, "verisim view: %s\n", error.what());
+    std::fprintf(stderr, "verisim %s: %s\n", command, error.what());
     return kUsage;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "verisim view: %s\n", error.what());
+    std::fprintf(stderr, "verisim %s: %s\n", command, error.what());
     return kInputOutput;
   }
 }

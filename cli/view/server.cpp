@@ -48,7 +48,7 @@ struct Server::Impl {
     const std::string start = "/" + token + "/";
     if (foreign(request) || !request.path.starts_with(start)) {
       response.status = 403;
-      return response.set_content("Not yours: open the address that verisim view printed.\n", "text/plain");
+      return response.set_content("Not yours: open the address that the program printed.\n", "text/plain");
     }
     const auto found = answers.find(request.path.substr(start.size()));
     if (found == answers.end()) {

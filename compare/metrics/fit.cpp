@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compare/metrics/photograph.h"
 #include "compare/metrics/values.h"
 
 namespace verisim::compare {
@@ -122,6 +123,20 @@ Rgb gains(const Picture& reference, const Picture& test, bool each_channel) {
   return {ratio(product[0], square[0]), ratio(product[1], square[1]), ratio(product[2], square[2])};
 }
 
+// The standard deviation of the mean gain's logarithm, from what the fit leaves.
+double stops_error(const Picture& reference, const Picture& test, const Rgb& gain) {
+  double rest = 0, square = 0, scaled = 0, count = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(test.width) * static_cast<std::size_t>(test.height); ++i) {
+    const std::optional<Rgb> p = usable(reference, i), q = usable(test, i);
+    if (!p || !q) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double apart = (*p)[c] - gain[c] * (*q)[c];
+      rest += apart * apart, square += (*q)[c] * (*q)[c], scaled += gain[c] * gain[c] * (*q)[c] * (*q)[c], ++count;
+    }
+  }
+  return count > 1 && scaled > 0 && square > 0 ? std::sqrt(rest / (count - 1) / scaled) / std::log(2.0) : 0;
+}
+
 }  // namespace
 
 std::string Fit::text() const {
@@ -129,7 +144,21 @@ std::string Fit::text() const {
   if (crop) out += fmt::format("reference cut to {}x{} at {}, {}; ", crop->width, crop->height, crop->x, crop->y);
   if (resampled)
     out += fmt::format("reference of {}x{} averaged to the render's size; ", reference_width, reference_height);
-  if (stops != 0) out += fmt::format("exposure {:+.3f} stops; ", stops);
+  if (alignment) {
+    const auto& [corners, errors, k, k_error] = *alignment;
+    double largest = 0;
+    out += "corners at";
+    for (std::size_t i = 0; i < 4; ++i)
+      out += fmt::format(" {:.2f}, {:.2f};", corners[i].x, corners[i].y),
+          largest = std::max({largest, errors[i].x, errors[i].y});
+    out += fmt::format(" to {:.2f} pixels; ", largest);
+    if (k != 0) out += fmt::format("radial distortion {:+.4f} ± {:.4f}; ", k, k_error);
+  }
+  if (vignetting)
+    out += fmt::format("fall-off 1 {:+.3f} r² {:+.3f} r⁴ (± {:.3f}, {:.3f}); ", vignetting->a, vignetting->b,
+                       vignetting->a_error, vignetting->b_error);
+  if (noise > 0) out += fmt::format("noise {:.2f} code values; ", noise);
+  if (stops != 0) out += fmt::format("exposure {:+.3f} ± {:.3f} stops; ", stops, stops_error);
   if (balance != std::array<double, 3>{1, 1, 1})
     out += fmt::format("white balance {:.4f}, {:.4f}, {:.4f}; ", balance[0], balance[1], balance[2]);
   if (!out.empty()) out.resize(out.size() - 2);
@@ -141,15 +170,32 @@ FittedPair fit_to_reference(const Picture& reference, const Picture& test, const
   FittedPair out{options.crop ? cut(reference, *options.crop) : reference, test, {}};
   out.fit.crop = options.crop;
   out.fit.reference_width = out.reference.width, out.fit.reference_height = out.reference.height;
+  Crop part = options.crop.value_or(Crop{0, 0, reference.width, reference.height});
+  std::vector<double> where;
+  if (options.corners || options.vignetting) out.fit.noise = estimate_noise(out.reference);
+  if (options.corners) {
+    if (options.crop) throw PictureMismatch("corners and a crop say the same thing: give one of them");
+    out.fit.alignment = align(reference, test, *options.corners, options.distortion);
+    out.reference = aligned(reference, *out.fit.alignment, test.width, test.height);
+    if (options.vignetting) where = distances_from_centre(reference, *out.fit.alignment, test.width, test.height);
+  } else if (options.distortion) {
+    throw PictureMismatch("distortion is fitted together with the corners: give them");
+  } else if (options.vignetting) {
+    where = distances_from_centre(reference, part, test.width, test.height);
+  }
   if (out.reference.width != test.width || out.reference.height != test.height) {
     require_same_shape(out.reference, test, options.crop.has_value());
     out.reference = resampled(out.reference, test.width, test.height);
     out.fit.resampled = true;
   }
+  if (options.vignetting) {
+    out.fit.vignetting = fit_vignetting(out.reference, test, where);
+    out.reference = without_vignetting(out.reference, *out.fit.vignetting, where);
+  }
   if (!options.exposure && !options.white_balance) return out;
   const Rgb gain = gains(out.reference, test, options.white_balance);
   const double mean = std::cbrt(gain[0] * gain[1] * gain[2]);
-  out.fit.stops = std::log2(mean);
+  out.fit.stops = std::log2(mean), out.fit.stops_error = stops_error(out.reference, test, gain);
   for (std::size_t c = 0; c < 3; ++c) out.fit.balance[c] = options.white_balance ? gain[c] / mean : 1;
   const bool grey = test.channels < 3;
   for (std::size_t i = 0; i < out.test.samples.size(); ++i) {

@@ -37,7 +37,8 @@ struct Photograph {
 
 TEST(Fit, FindsExposureAndWhiteBalance) {
   const Photograph p(1, 0);
-  const FittedPair pair = fit_to_reference(p.photo, p.render, {.crop = {}, .exposure = true, .white_balance = true});
+  const FittedPair pair =
+      fit_to_reference(p.photo, p.render, {.crop = {}, .corners = {}, .exposure = true, .white_balance = true});
   const double mean = std::cbrt(1.3 * 0.7) * 0.5;
   EXPECT_NEAR(pair.fit.stops, std::log2(mean), 0.01);
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(pair.fit.balance[c], Photograph::kGain[c] / mean, 0.01);
@@ -51,15 +52,15 @@ TEST(Fit, ExposureAloneIsOneFactor) {
                 b = changed(a, [](double v) {
                   return 255 * linear_to_srgb(2 * srgb_to_linear(v / 255) < 1 ? 2 * srgb_to_linear(v / 255) : 1);
                 });
-  const FittedPair pair = fit_to_reference(a, b, {.crop = {}, .exposure = true, .white_balance = false});
+  const FittedPair pair = fit_to_reference(a, b, {.crop = {}, .corners = {}, .exposure = true, .white_balance = false});
   EXPECT_NEAR(pair.fit.stops, -1, 0.01);
   EXPECT_EQ(pair.fit.balance, (std::array<double, 3>{1, 1, 1}));
 }
 
 TEST(Fit, CropsAndAverages) {
   const Photograph p(3, 5);
-  const FittedPair pair =
-      fit_to_reference(p.photo, p.render, {.crop = Crop{5, 5, 144, 108}, .exposure = true, .white_balance = true});
+  const FittedPair pair = fit_to_reference(
+      p.photo, p.render, {.crop = Crop{5, 5, 144, 108}, .corners = {}, .exposure = true, .white_balance = true});
   EXPECT_TRUE(pair.fit.resampled);
   EXPECT_EQ(pair.reference.width, 48);
   EXPECT_EQ(pair.fit.reference_width, 144);
@@ -78,14 +79,15 @@ TEST(Fit, RefusesCropsOutside) {
   const Picture a = scene_like_picture(30, 20);
   for (const Crop crop :
        {Crop{-1, 0, 5, 5}, Crop{0, 0, 31, 5}, Crop{28, 0, 5, 5}, Crop{0, 0, 0, 5}, Crop{2147483647, 0, 2147483647, 1}})
-    EXPECT_THROW(fit_to_reference(a, a, {.crop = crop}), PictureMismatch);
+    EXPECT_THROW(fit_to_reference(a, a, {.crop = crop, .corners = {}}), PictureMismatch);
 }
 
 TEST(Fit, BlackPicturesAreLeftAlone) {
   const Picture a = scene_like_picture(30, 20), black = constant_picture(30, 20, 0, 0, 0);
-  EXPECT_EQ(fit_to_reference(a, black, {.crop = {}, .exposure = true, .white_balance = true}).fit.stops, 0);
-  EXPECT_TRUE(
-      std::isfinite(fit_to_reference(black, a, {.crop = {}, .exposure = true, .white_balance = false}).fit.stops));
+  EXPECT_EQ(fit_to_reference(a, black, {.crop = {}, .corners = {}, .exposure = true, .white_balance = true}).fit.stops,
+            0);
+  EXPECT_TRUE(std::isfinite(
+      fit_to_reference(black, a, {.crop = {}, .corners = {}, .exposure = true, .white_balance = false}).fit.stops));
 }
 
 TEST(Truth, LargestAndMeanError) {

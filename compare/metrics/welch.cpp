@@ -58,6 +58,8 @@ Statistic welch_statistic(const std::vector<double>& a, const std::vector<double
   return {(q.mean - p.mean) / std::sqrt(va + vb), (va + vb) * (va + vb) / (va * va / (na - 1) + vb * vb / (nb - 1))};
 }
 
+constexpr double kRounding = 1.0 / 12;  // the variance of rounding to whole code values
+
 // All runs of both sides: the luma of every pixel, and the mean of every picture.
 struct Runs {
   std::size_t pixels = 0;
@@ -83,7 +85,7 @@ struct Outcome {
   std::size_t worst = 0;
 };
 Outcome divided(const Runs& runs, const std::vector<bool>& test) {
-  constexpr double kRounding = 1.0 / 12, kMeanFloor = 0.05 * 0.05;
+  constexpr double kMeanFloor = 0.05 * 0.05;
   Outcome out;
   std::vector<double> a, b;
   const auto statistic = [&](const auto& value, double floor) {
@@ -142,6 +144,20 @@ Extreme most_extreme(const Runs& runs, std::size_t references, const Outcome& ob
 }
 
 }  // namespace
+
+std::vector<float> pixel_p_values(const std::vector<Picture>& reference, const std::vector<Picture>& test) {
+  Runs runs;
+  for (const auto* side : {&reference, &test})
+    for (const Picture& picture : *side) require_same_size(reference[0], picture), runs.add(picture);
+  std::vector<float> out;
+  std::vector<double> a(reference.size()), b(test.size());
+  for (std::size_t pixel = 0; pixel < runs.pixels; ++pixel) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] = runs.luma[i][pixel];
+    for (std::size_t i = 0; i < b.size(); ++i) b[i] = runs.luma[a.size() + i][pixel];
+    out.push_back(static_cast<float>(welch_statistic(a, b, kRounding).p()));
+  }
+  return out;
+}
 
 std::string WelchResult::text() const {
   return mean_p < pixel_p ? fmt::format("the means differ by {:+.3f} (p = {:.2g})", mean_difference, mean_p)

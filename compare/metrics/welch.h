@@ -27,6 +27,9 @@ struct WelchResult {
 WelchResult welch_test(const std::vector<Picture>& reference, const std::vector<Picture>& test,
                        double significance = 0.02);
 
+// The p-value of each pixel's luma by itself, not corrected for their number. The same pictures as for welch_test.
+std::vector<float> pixel_p_values(const std::vector<Picture>& reference, const std::vector<Picture>& test);
+
 // P(|T| >= |t|) of Student's distribution.
 double student_two_sided(double t, double degrees_of_freedom);
 

@@ -6,6 +6,7 @@
 
 #include "compare/compare.h"
 #include "compare/regression/baseline.h"
+#include "compare/regression/stored_variance.h"
 #include "tracer/base/output_file.h"
 
 namespace verisim::compare {
@@ -25,6 +26,16 @@ void forget(nlohmann::ordered_json& scenes, const std::string& name, const fs::p
   std::error_code ignored;
   if (!picture.empty()) fs::remove(folder / picture, ignored);
   scenes.erase(name);
+}
+
+void store_deviation(const fs::path& from, const fs::path& target) {
+  if (const fs::path old = deviation_file(target); !old.empty()) fs::remove(old);
+  const fs::path file = deviation_file(from);
+  if (file.empty()) return;
+  const std::string name = file.filename().string(), stem = from.stem().string();
+  OutputFile out(target.parent_path() / (target.stem().string() + name.substr(stem.size())));
+  copy_into(file, out.get());
+  out.publish();
 }
 
 }  // namespace
@@ -50,7 +61,8 @@ std::string stored_call(const fs::path& baseline, const std::string& scene) {
   }
 }
 
-std::vector<std::string> update_baseline(const Run& run, const fs::path& folder, bool dry_run) {
+std::vector<std::string> update_baseline(const Run& run, const fs::path& folder, bool dry_run,
+                                         const std::map<std::string, std::string>& notes) {
   std::vector<std::string> changes;
   const fs::path list = folder / "baseline.json";
   nlohmann::ordered_json json = read_list(folder);
@@ -71,6 +83,9 @@ std::vector<std::string> update_baseline(const Run& run, const fs::path& folder,
           fmt::format("{}: kept as it is: {}: {}", scene.request.name, to_string(scene.status), scene.reason));
       continue;
     }
+    if (scene.scene_class == SceneClass::stochastic && scene.passed() &&
+        !deviation_file(folder / (scene.native_picture.stem().stem().string() + ".png")).empty())
+      continue;  // one more run like those that are stored
     if (scene.metrics && scene.metrics->max_abs == 0 && scene.metrics->nan_pixels == 0 &&
         scene.metrics->alpha_max_abs.value_or(0) == 0)
       continue;
@@ -86,11 +101,14 @@ std::vector<std::string> update_baseline(const Run& run, const fs::path& folder,
     OutputFile file(target);
     copy_into(scene.native_picture, file.get());
     file.publish();
+    store_deviation(scene.native_picture, target);
     json["scenes"][scene.request.name] = {{"picture", target.filename().string()},
                                           {"width", scene.request.width},
                                           {"height", scene.request.height},
                                           {"switches", scene.request.switches},
                                           {"version", run.native_version}};
+    if (const auto note = notes.find(scene.request.name); note != notes.end() && !note->second.empty())
+      json["scenes"][scene.request.name]["note"] = note->second;
   }
   if (!dry_run && !changes.empty()) {
     json["version"] = run.native_version;

@@ -34,12 +34,12 @@ std::vector<fs::directory_entry> entries(const fs::path& folder) {
   return out;
 }
 
-void scenes_below(const fs::path& folder, std::vector<fs::path>& out) {
+void scenes_below(const fs::path& folder, std::vector<fs::path>& out, bool any = false) {
   for (const fs::directory_entry& entry : entries(folder)) {
     std::error_code failed;
     if (entry.is_directory(failed) && !entry.is_symlink(failed))
-      scenes_below(entry.path(), out);
-    else if (entry.is_regular_file(failed) && is_scene(entry.path()))
+      scenes_below(entry.path(), out, any);
+    else if (entry.is_regular_file(failed) && (any || is_scene(entry.path())))
       out.push_back(entry.path());
   }
 }
@@ -158,10 +158,18 @@ class Manifest {
       thresholds(node, out);
     else if (key == "allow")
       allow(node, out);
+    else if (key == "fail")
+      fail_limits(node, out);
+    else if (key == "warn")
+      out.warnings = limits(node, key);
+    else if (key == "ignore")
+      ignore(node, out);
     else if (key == "known_failure")
       out.known_failure = text(node, key);
     else if (key == "crop")
       crop(node, out);
+    else if (key == "corners")
+      corners(node, out);
     else if (key == "fit")
       fit(node, out);
     else if (key == "pixels_per_degree")
@@ -221,6 +229,89 @@ class Manifest {
     }
   }
 
+  // Limits on figures, and on every pixel by itself.
+  Limits limits(const toml::node& node, const std::string& key) const {
+    const toml::table* table = node.as_table();
+    if (!table)
+      fail(
+          node.source(),
+          fmt::format("'{}' must be a table like {{max_rmse = 1.0, absolute = 2, relative = 0.01, pixels = 10}}", key));
+    Limits out;
+    for (auto&& [k, value] : *table) {
+      const std::string name(k.str());
+      const double limit = number(value, name);
+      if (name == "absolute" || name == "relative" || name == "pixels") {
+        if (!(limit >= 0) || limit > 1e15) fail(value.source(), fmt::format("'{}' must not be negative", name));
+        if (!out.pixels) out.pixels.emplace();
+        if (name == "absolute")
+          out.pixels->absolute = limit;
+        else if (name == "relative")
+          out.pixels->relative = limit;
+        else
+          out.pixels->pixels = static_cast<std::uint64_t>(limit);
+        continue;
+      }
+      try {
+        judge_thresholds(Metrics{}, {{name, 0}});
+      } catch (const std::invalid_argument& error) {
+        fail(value.source(), std::string(error.what()) + "; or it is absolute, relative or pixels");
+      }
+      out.figures[name] = limit;
+    }
+    return out;
+  }
+  void fail_limits(const toml::node& node, SceneRequest& out) const {
+    const Limits given = limits(node, "fail");
+    out.thresholds = given.figures, out.pixel_limits = given.pixels;
+  }
+
+  void ignore(const toml::node& node, SceneRequest& out) const {
+    const toml::table* table = node.as_table();
+    if (!table)
+      fail(
+          node.source(),
+          "'ignore' must be a table like {rectangles = [[x, y, width, height]], mask = \"mask.png\", objects = [\"text "
+          "(room.pov:7)\"]}");
+    out.ignored = {};
+    for (auto&& [k, value] : *table) {
+      const std::string key(k.str());
+      if (key == "rectangles")
+        rectangles(value, out.ignored);
+      else if (key == "mask")
+        out.ignored.mask = folder_ / text(value, key);
+      else if (key == "objects")
+        out.ignored.objects = texts(value, key);
+      else
+        fail(value.source(),
+             fmt::format("unknown key '{}' of 'ignore': it may hold rectangles, mask and objects", key));
+    }
+  }
+  void rectangles(const toml::node& node, Ignored& out) const {
+    const toml::array* array = node.as_array();
+    if (!array) fail(node.source(), "'rectangles' must be an array of [x, y, width, height]");
+    for (const toml::node& item : *array) {
+      const std::vector<double> v = numbers(item, "rectangles", 4, 4);
+      for (const double x : v)
+        if (x != std::floor(x) || x < 0 || x > kMaxSide)
+          fail(item.source(), "a rectangle is four whole numbers: x, y, width and height");
+      out.rectangles.push_back(
+          {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2]), static_cast<int>(v[3])});
+    }
+  }
+
+  // One picture, or several that are as good: of other platforms, say.
+  void references(const toml::node& node, SceneRequest& out) const {
+    if (!node.is_array()) {
+      out.reference = folder_ / text(node, "reference");
+      return;
+    }
+    out.alternatives.clear();
+    for (const std::string& name : texts(node, "reference")) out.alternatives.push_back(folder_ / name);
+    if (out.alternatives.empty()) fail(node.source(), "'reference' names no picture");
+    out.reference = out.alternatives.front();
+    out.alternatives.erase(out.alternatives.begin());
+  }
+
   std::vector<double> numbers(const toml::node& node, const std::string& key, std::size_t least,
                               std::size_t most) const {
     const toml::array* array = node.as_array();
@@ -238,15 +329,29 @@ class Manifest {
     if (v[2] < 1 || v[3] < 1) fail(node.source(), "'crop' must have a width and a height of at least 1");
     out.fit.crop = Crop{static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2]), static_cast<int>(v[3])};
   }
+  void corners(const toml::node& node, SceneRequest& out) const {
+    const toml::array* array = node.as_array();
+    if (!array || array->size() != 4)
+      fail(node.source(), "'corners' must be four points [x, y] of the reference, from the upper left one clockwise");
+    out.fit.corners.emplace();
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::vector<double> v = numbers((*array)[i], "corners", 2, 2);
+      (*out.fit.corners)[i] = {v[0], v[1]};
+    }
+  }
   void fit(const toml::node& node, SceneRequest& out) const {
-    out.fit.exposure = out.fit.white_balance = false;
+    out.fit.exposure = out.fit.white_balance = out.fit.distortion = out.fit.vignetting = false;
     for (const std::string& what : texts(node, "fit")) {
       if (what == "exposure")
         out.fit.exposure = true;
       else if (what == "white_balance")
         out.fit.white_balance = true;
+      else if (what == "distortion")
+        out.fit.distortion = true;
+      else if (what == "vignetting")
+        out.fit.vignetting = true;
       else
-        fail(node.source(), "'fit' may hold \"exposure\" and \"white_balance\"");
+        fail(node.source(), "'fit' may hold \"exposure\", \"white_balance\", \"distortion\" and \"vignetting\"");
     }
   }
   void truth(const toml::node& node, SceneRequest& out) const {
@@ -307,7 +412,7 @@ class Manifest {
       else if (key == "name")
         scene.name = text(node, key);
       else if (key == "reference")
-        scene.reference = folder_ / text(node, key);
+        references(node, scene);
       else if (key == "truth")
         truth(node, scene);
       else if (key == "passes")
@@ -316,7 +421,7 @@ class Manifest {
         common(key, node, scene);
     }
     if (pattern.empty()) fail(table.source(), "a [[scene]] needs 'file'");
-    if (scene.fit.any() && !scene.reference) fail(table.source(), "'crop' and 'fit' need a 'reference'");
+    if (scene.fit.any() && !scene.reference) fail(table.source(), "'crop', 'corners' and 'fit' need a 'reference'");
     if (pattern.find_first_of("*?[") == std::string::npos) {
       scene.scene = (folder_ / pattern).lexically_normal();
       if (!fs::is_regular_file(scene.scene))
@@ -325,8 +430,8 @@ class Manifest {
       out.push_back(scene);
       return;
     }
-    std::vector<fs::path> files;
-    scenes_below(folder_, files);
+    std::vector<fs::path> files;  // a pattern that says which extension finds scenes of other languages, too
+    scenes_below(folder_, files, fs::path(pattern).has_extension());
     const std::size_t before = out.size();
     for (const fs::path& file : files) {
       if (fnmatch(pattern.c_str(), name_of(file).c_str(), 0) != 0) continue;

@@ -1,3 +1,4 @@
+#include "compare/report/display.h"
 #include "compare/regression/passes.h"
 
 #include <algorithm>
@@ -39,6 +40,31 @@ Picture PassSum::picture() const {
   for (double v : sums_)
     out.samples.push_back(static_cast<float>(std::round(65535 * linear_to_srgb(std::clamp(v, 0.0, 1.0))) / 65535));
   return out;
+}
+
+std::filesystem::path keep_exactly(const Picture& picture, std::filesystem::path path) {
+  if (!picture.is_float || picture.channels == 2 || picture.channels == 4) {
+    path += ".png";
+    const bool fine = !picture.is_float && picture.bits > 8;
+    fine ? write_16_bits(picture, path) : image::write_picture(displayable(picture), path);
+    return path;
+  }
+  path += ".exr";
+  const Values values(picture);
+  std::vector<Color> row(static_cast<std::size_t>(picture.width));
+  image::OutputOptions options;
+  options.format = image::Format::exr;
+  image::write({picture.width, picture.height,
+                [&](int y) {
+                  for (int x = 0; x < picture.width; ++x) {
+                    const Rgb v = values.linear_float(x, y);
+                    row[static_cast<std::size_t>(x)] =
+                        Color(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]));
+                  }
+                  return row.data();
+                }},
+               path, options);
+  return path;
 }
 
 void write_16_bits(const Picture& picture, const std::filesystem::path& path) {

@@ -20,6 +20,10 @@ class PassSum {
   std::vector<double> sums_;
 };
 
+// OpenEXR (of half precision) for floats without alpha, PNG of 16 bits for what holds them, else of 8. Returns the path
+// with its extension. Throws std::runtime_error.
+std::filesystem::path keep_exactly(const Picture& picture, std::filesystem::path path_without_extension);
+
 // As a PNG of 16 bits. Throws std::runtime_error.
 void write_16_bits(const Picture& picture, const std::filesystem::path& path);
 

@@ -85,6 +85,11 @@ NativeRequest Renders::native_request(const SceneRequest& request, const Working
 NativeResult Renders::native(const SceneRequest& request, const fs::path& output, int run,
                              std::vector<fs::path>& files_read) const {
   if (!request.passes.empty()) return native_passes(request, output, run, files_read);
+  return rendered(options_.native, request, output, run, files_read);
+}
+
+NativeResult Renders::rendered(const NativeRenderer& renderer, const SceneRequest& request, const fs::path& output,
+                               int run, std::vector<fs::path>& files_read) const {
   const WorkingCopy copy(request.scene);
   NativeRequest ask = native_request(request, copy);
   ask.output = output, ask.run = run;
@@ -92,7 +97,7 @@ NativeResult Renders::native(const SceneRequest& request, const fs::path& output
   fs::remove(ask.output, ignored);
   NativeResult out;
   try {
-    out = options_.native(ask);
+    out = renderer(ask);
   } catch (const std::exception& error) {
     out.message = error.what();
   }
@@ -140,6 +145,43 @@ OracleRender Renders::oracle_picture(const SceneRequest& request, const OracleOp
   return out;
 }
 
+// Another renderer in the oracle's place. Its seeds are none of the judged one's.
+OracleRender Renders::by_command(const SceneRequest& request, int variant) const {
+  constexpr int kFirstSeed = 1000;
+  OracleRender out;
+  if (!request.passes.empty()) {
+    out.message = "a scene of several passes needs POV-Ray as its reference";
+    return out;
+  }
+  const fs::path file =
+      work_ / fmt::format("{}.reference{}{}", file_stem(request.name), variant, output_extension(request.switches));
+  std::vector<fs::path> files_read;
+  const NativeResult result = rendered(options_.reference, request, file, kFirstSeed + variant, files_read);
+  out.seconds = result.seconds, out.cpu_seconds = result.cpu_seconds, out.peak_bytes = result.peak_bytes;
+  if (result.outcome != NativeResult::Outcome::rendered) {
+    out.message = result.message;
+    return out;
+  }
+  try {
+    out.picture = image::read_picture(file), out.ok = true;
+  } catch (const std::exception& error) {
+    out.message = error.what();
+  }
+  return out;
+}
+
+std::vector<fs::path> Renders::alternatives(const SceneRequest& request) const {
+  if (request.reference || options_.baseline.empty()) return request.alternatives;
+  std::vector<fs::path> out;
+  const std::string start = file_stem(request.name) + "@", extension = picture_extension(request);
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(options_.baseline, ignored))
+    if (entry.path().extension() == extension && entry.path().filename().string().starts_with(start))
+      out.push_back(entry.path());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 fs::path Renders::stored_picture(const SceneRequest& request) const {
   if (request.reference) return *request.reference;
   return options_.baseline.empty() ? fs::path()
@@ -149,6 +191,7 @@ fs::path Renders::stored_picture(const SceneRequest& request) const {
 OracleRender Renders::reference(const SceneRequest& request, const std::vector<fs::path>& files_read,
                                 int variant) const {
   const fs::path stored = stored_picture(request);
+  if (stored.empty() && options_.reference) return by_command(request, variant);
   if (stored.empty()) {
     OracleOptions options = options_.oracle;
     if (options_.replay) options.threads = 1;

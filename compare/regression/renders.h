@@ -28,6 +28,8 @@ class Renders {
                          int variant) const;
 
   std::filesystem::path native_output(const SceneRequest& request, const std::string& stem, int run) const;
+  // Pictures as good as the reference.
+  std::vector<std::filesystem::path> alternatives(const SceneRequest& request) const;
   // What takes the oracle's place; empty: nothing.
   std::filesystem::path stored_picture(const SceneRequest& request) const;
   NativeRequest native_request(const SceneRequest& request, const WorkingCopy& copy) const;
@@ -38,6 +40,10 @@ class Renders {
   const std::filesystem::path& work() const { return work_; }
 
  private:
+  NativeResult rendered(const NativeRenderer& renderer, const SceneRequest& request,
+                        const std::filesystem::path& output, int run,
+                        std::vector<std::filesystem::path>& files_read) const;
+  OracleRender by_command(const SceneRequest& request, int variant) const;
   NativeResult native_passes(const SceneRequest& request, const std::filesystem::path& output, int run,
                              std::vector<std::filesystem::path>& files_read) const;
   OracleRender oracle_picture(const SceneRequest& request, const OracleOptions& options, int variant,

@@ -28,6 +28,10 @@ Metrics measured_again(const Metrics& kept, Metrics m) {
   return m;
 }
 
+const fs::path& judged(const SceneResult& scene) {
+  return scene.judged_picture.empty() ? scene.native_picture : scene.judged_picture;
+}
+
 }  // namespace
 
 MetricOptions metric_options(const SceneRequest& request) {
@@ -39,7 +43,7 @@ MetricOptions metric_options(const SceneRequest& request) {
 
 std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path> files_read) const {
   ContentHash hash;
-  hash.add("verisim result 4");
+  hash.add("verisim result 5");
   hash.add(options_.native_version), hash.add(options_.native_identity),
       hash.add(renders_.oracle() ? renders_.oracle()->version_text : "");
   hash.add(fmt::format("{}x{} {} {} {} {} {}", r.width, r.height, options_.replay, options_.runs,
@@ -62,6 +66,17 @@ std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path>
                            r.truth->tolerance));
   files_read.push_back(r.scene);
   if (const fs::path stored = renders_.stored_picture(r); !stored.empty()) files_read.push_back(stored);
+  for (const fs::path& other : renders_.alternatives(r)) files_read.push_back(other);
+  if (!r.ignored.mask.empty()) files_read.push_back(r.ignored.mask);
+  for (const Crop& c : r.ignored.rectangles) hash.add(fmt::format("{} {} {} {}", c.x, c.y, c.width, c.height));
+  for (const std::string& object : r.ignored.objects) hash.add(object);
+  for (const auto& limits : {r.pixel_limits, r.warnings.pixels})
+    hash.add(limits ? fmt::format("{} {} {}", limits->absolute, limits->relative, limits->pixels) : "");
+  for (const auto& [name, limit] : r.warnings.figures) hash.add(fmt::format("{} {}", name, limit));
+  hash.add(options_.reference_identity);
+  hash.add(fmt::format("{} {}", r.fit.distortion, r.fit.vignetting));
+  if (r.fit.corners)
+    for (const ImagePoint& p : *r.fit.corners) hash.add(fmt::format("{} {}", p.x, p.y));
   std::sort(files_read.begin(), files_read.end());
   for (const fs::path& file : files_read) hash.add(file.string()), hash.add_file(file);
   return hash.hex();
@@ -79,14 +94,15 @@ bool ResultStore::resumed(const std::string& stem, SceneResult& result) const {
     SceneResult read = scene_result_from_json(json.at("result"));
     read.request = result.request;
     for (auto [path, name] :
-         {std::pair(&read.oracle_picture, "oracle_picture"), std::pair(&read.native_picture, "native_picture")})
+         {std::pair(&read.oracle_picture, "oracle_picture"), std::pair(&read.native_picture, "native_picture"),
+          std::pair(&read.judged_picture, "judged_picture"), std::pair(&read.p_map, "p_map")})
       if (const std::string file = json.value(name, ""); !file.empty()) *path = renders_.work() / file;
     for (const auto& tree : json.value("trees", nlohmann::json::array()))
       read.trees.push_back({tree.at("x"), tree.at("y"), tree.at("text")});
     if (!read.oracle_picture.empty() && !read.native_picture.empty() && read.metrics)
-      read.metrics = measured_again(
-          *read.metrics, measure(image::read_picture(read.oracle_picture), image::read_picture(read.native_picture),
-                                 metric_options(result.request)));
+      read.metrics =
+          measured_again(*read.metrics, measure(image::read_picture(read.oracle_picture),
+                                                image::read_picture(judged(read)), metric_options(result.request)));
     result = std::move(read);
     return true;
   } catch (const std::exception&) {
@@ -105,6 +121,8 @@ void ResultStore::remember(const std::string& stem, const std::vector<fs::path>&
   json["result"] = to_json(result);
   json["oracle_picture"] = result.oracle_picture.filename().string();
   json["native_picture"] = result.native_picture.filename().string();
+  json["judged_picture"] = result.judged_picture.filename().string();
+  json["p_map"] = result.p_map.filename().string();
   write_report(json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace),
                renders_.work() / (stem + ".result.json"));
 }

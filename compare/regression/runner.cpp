@@ -6,22 +6,39 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <semaphore>
 #include <thread>
 
 #include "compare/compare.h"
 #include "compare/oracle/working_copy.h"
 #include "compare/regression/baseline.h"
+#include "compare/regression/ignored.h"
 #include "compare/regression/passes.h"
 #include "compare/regression/renders.h"
 #include "compare/regression/result_store.h"
+#include "compare/regression/run_folder.h"
+#include "compare/regression/stored_variance.h"
 #include "compare/report/display.h"
 #include "compare/report/json.h"
 
 namespace verisim::compare {
 namespace fs = std::filesystem;
 namespace {
+
+// A scene that computes; those that wait for POV-Ray, which sleeps when it starts, are beside these.
+class Slot {
+ public:
+  explicit Slot(std::counting_semaphore<>& slots) : slots_(slots) { slots_.acquire(); }
+  ~Slot() { slots_.release(); }
+  Slot(const Slot&) = delete;
+  Slot& operator=(const Slot&) = delete;
+
+ private:
+  std::counting_semaphore<>& slots_;
+};
 
 class Runner {
  public:
@@ -47,6 +64,7 @@ class Runner {
     }
     if (!run_.cancelled) add_removed();
     run_.summary = summarise(run_.scenes);
+    if (!options_.work.empty()) save_run(run_, renders_->work(), options_.baseline);
     return std::move(run_);
   }
 
@@ -75,7 +93,7 @@ class Runner {
                                               [](const SceneRequest& s) { return s.reference.has_value(); }))
       run_.reference_name = suite_.scenes[0].reference_name();
     const bool needs_oracle =
-        options_.baseline.empty() &&
+        options_.baseline.empty() && !options_.reference &&
         std::any_of(suite_.scenes.begin(), suite_.scenes.end(), [](const SceneRequest& s) { return !s.reference; });
     std::optional<OracleProgram> oracle;
     if (needs_oracle) {
@@ -83,6 +101,7 @@ class Runner {
       run_.oracle_version = oracle->version;
       run_.reference_name = oracle->name;
     }
+    if (options_.reference && options_.baseline.empty()) run_.reference_name = options_.reference_name;
     const int threads_each = options_.native_threads > 0
                                  ? options_.native_threads
                                  : std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / jobs);
@@ -92,17 +111,24 @@ class Runner {
   }
 
   void read_previous() {
-    if (options_.previous_report.empty()) return;
-    std::ifstream in(options_.previous_report);
+    for (const fs::path& report : options_.earlier_reports) read_report(report, true);
+    if (!options_.previous_report.empty()) read_report(options_.previous_report, false);
+  }
+  void read_report(const fs::path& report, bool of_history) {
+    std::ifstream in(report);
     if (!in) return;
     const auto json = nlohmann::json::parse(in, nullptr, false);
     if (!json.is_object() || !json.contains("scenes") || !json["scenes"].is_array())
-      throw std::runtime_error(options_.previous_report.string() + ": not a report of verisim compare");
+      throw std::runtime_error(report.string() + ": not a report of verisim compare");
     for (const auto& scene : json["scenes"]) {
       try {
         SceneResult result = scene_result_from_json(scene);
         const std::string name = result.request.name;
-        previous_.insert_or_assign(name, std::move(result));
+        if (of_history)
+          history_[name].push_back({json.value("started", ""), result.status,
+                                    result.metrics ? std::optional(result.metrics->rmse) : std::nullopt});
+        else
+          previous_.insert_or_assign(name, std::move(result));
       } catch (const nlohmann::json::exception&) {
         // A line of another version: no trend for this scene.
       }
@@ -155,6 +181,7 @@ class Runner {
       result.previous = it->second.status;
       if (it->second.metrics) result.previous_rmse = it->second.metrics->rmse;
     }
+    if (const auto it = history_.find(request.name); it != history_.end()) result.history = it->second;
     return result;
   }
 
@@ -166,7 +193,10 @@ class Runner {
     }
     require_memory(static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height),
                    request.alpha() ? 4 : 3, options_.memory_limit);
-    const NativeResult native = renders_->native(request, renders_->native_output(request, stem, 0), 0, files_read);
+    const NativeResult native = [&] {
+      const Slot slot(cores_);
+      return renders_->native(request, renders_->native_output(request, stem, 0), 0, files_read);
+    }();
     result.native_seconds = native.seconds, result.native_cpu_seconds = native.cpu_seconds, result.rays = native.rays;
     result.stochastic_features = native.stochastic_features;
     const bool noisy = !native.stochastic_features.empty() && !options_.replay && options_.baseline.empty();
@@ -181,6 +211,11 @@ class Runner {
     result.oracle_seconds = oracle.seconds, result.oracle_cpu_seconds = oracle.cpu_seconds,
     result.oracle_cached = oracle.from_cache;
     if (!oracle.ok && rendered && !options_.baseline.empty() && !fs::exists(renders_->stored_picture(request))) {
+      if (result.scene_class == SceneClass::stochastic) {
+        Verdict ignored;
+        const Picture native_picture = image::read_picture(result.native_picture);
+        if (!judge_stored_noise(request, stem, native_picture, files_read, result, ignored)) return;
+      }
       result.status = Status::added,
       result.reason = fmt::format("there is no stored picture yet ({}); --update stores this one", oracle.message);
       return;
@@ -205,6 +240,7 @@ class Runner {
       keep_picture(oracle.picture, stem, "oracle", result.oracle_picture);
       return;
     }
+    const Slot slot(cores_);
     judge(request, stem, oracle.picture, files_read, result);
   }
 
@@ -223,9 +259,7 @@ class Runner {
   }
 
   void keep_picture(const Picture& picture, const std::string& stem, const char* side, fs::path& kept) const {
-    const fs::path path = renders_->work() / fmt::format("{}.{}.png", stem, side);
-    image::write_picture(displayable(picture), path);
-    kept = path;
+    kept = keep_exactly(picture, renders_->work() / fmt::format("{}.{}", stem, side));
   }
 
   void judge(const SceneRequest& request, const std::string& stem, const Picture& reference,
@@ -238,15 +272,26 @@ class Runner {
       result.fit = pair.fit;
       keep_picture(native, stem, "fitted", result.native_picture);
     }
+    if (const std::vector<fs::path> others = renders_->alternatives(request); !others.empty()) {
+      fitted = nearest(*oracle, others, native);
+      oracle = &fitted;
+    }
+    if (request.ignored.any()) {
+      fitted = *oracle, oracle = &fitted;
+      leave_out(request, fitted, native);
+      keep_picture(native, stem, "judged", result.judged_picture);
+    }
     keep_picture(*oracle, stem, "oracle", result.oracle_picture);
     result.metrics = measure(*oracle, native, metric_options(request));
-    const bool rules = request.thresholds.empty();
-    Verdict verdict = !rules ? judge_thresholds(*result.metrics, request.thresholds)
+    const bool rules = request.thresholds.empty() && !request.pixel_limits;
+    Verdict verdict = !rules ? judge_limits(request, *oracle, native, *result.metrics)
                       : options_.baseline.empty() || request.reference
                           ? judge_deterministic(*result.metrics, request.antialiased(), request.allowed)
                           : judge_baseline(*result.metrics, request.antialiased(), request.allowed);
     if (result.scene_class == SceneClass::stochastic && rules && verdict.status != Status::exact) {
-      if (request.reference) {
+      if (!request.reference && !options_.baseline.empty()) {
+        if (!judge_stored_noise(request, stem, native, files_read, result, verdict)) return;
+      } else if (request.reference) {
         verdict.reason += "; a stored picture says nothing about noise";
       } else if (!judge_noise(request, stem, *oracle, native, files_read, result, verdict)) {
         return;
@@ -254,6 +299,9 @@ class Runner {
     }
     if (request.truth) verdict = judge_truth(*request.truth, *oracle, native, verdict, result);
     result.status = verdict.status, result.reason = verdict.reason;
+    if (const std::string warning = broken_limit(request.warnings, *result.metrics, *oracle, native);
+        !warning.empty() && result.status != Status::differ)
+      result.reason += (result.reason.empty() ? "" : "; ") + ("warning: " + warning);
     if (result.status == Status::differ) {
       result.suspicions = diagnose(*oracle, native);
     } else if (const std::string drift = systematic_drift(*result.metrics);
@@ -263,6 +311,57 @@ class Runner {
     }
     if (options_.tags && (result.status == Status::differ || options_.always_blame))
       find_blame(request, *oracle, native, result);
+  }
+
+  static Verdict judge_limits(const SceneRequest& request, const Picture& oracle, const Picture& native,
+                              const Metrics& metrics) {
+    const std::string broken = broken_limit({request.thresholds, request.pixel_limits}, metrics, oracle, native);
+    if (!broken.empty()) return {Status::differ, broken};
+    const bool exact = judge_deterministic(metrics, false).status == Status::exact;
+    return {exact ? Status::exact : Status::match, ""};
+  }
+
+  // Of pictures that are all as good, the one that is nearest.
+  static Picture nearest(const Picture& first, const std::vector<fs::path>& others, const Picture& native) {
+    Picture best = first;
+    const auto distance = [&](const Picture& picture) {
+      return picture.width == native.width && picture.height == native.height ? low_pass(picture, native, 0.5).rmse
+                                                                              : std::numeric_limits<double>::infinity();
+    };
+    double least = distance(best);
+    for (const fs::path& other : others)
+      if (Picture picture = image::read_picture(other); distance(picture) < least)
+        least = distance(picture), best = std::move(picture);
+    return best;
+  }
+
+  void leave_out(const SceneRequest& request, Picture& oracle, Picture& native) const {
+    std::optional<PixelTags> tags;
+    if (!request.ignored.objects.empty() && options_.tags) {
+      const WorkingCopy copy(request.scene);
+      tags = options_.tags(renders_->native_request(request, copy), 1, {});
+    }
+    ignore_pixels(request.ignored, tags ? &*tags : nullptr, oracle, native);
+  }
+
+  // Against the mean and the deviation that were stored of several runs: one render is enough, unless it is refused;
+  // then, and where none are stored yet, they are made anew, for an update. False when ours failed.
+  bool judge_stored_noise(const SceneRequest& request, const std::string& stem, const Picture& native,
+                          const std::vector<fs::path>&, SceneResult& result, Verdict& verdict) {
+    if (const auto stored = read_stored_variance(renders_->stored_picture(request))) {
+      const ZTest test = z_test(*stored, native);
+      write_p_map(test.p, native, stem, result);
+      verdict = test.rejected ? Verdict{Status::differ, test.text()} : Verdict{Status::match, test.text()};
+      if (!test.rejected) return true;
+    }
+    if (options_.runs < 2) return true;
+    std::vector<Picture> tests{native};
+    if (!more_tests(request, stem, options_.runs, tests, result, verdict)) {
+      result.status = verdict.status, result.reason = verdict.reason;
+      return false;
+    }
+    write_stored_variance(tests, result.native_picture);
+    return true;
   }
 
   // False when the oracle failed.
@@ -294,11 +393,23 @@ class Runner {
       if (!more_references(request, files_read, runs, references, result)) return false;
       if (!more_tests(request, stem, runs, tests, result, verdict)) return true;
       result.welch = welch_test(references, tests);
+      write_p_map(pixel_p_values(references, tests), native, stem, result);
       if (!result.welch->rejected) return true;
     }
     verdict = {Status::differ,
                fmt::format("Welch's test over {} runs on each side: {}", tests.size(), result.welch->text())};
     return true;
+  }
+
+  void write_p_map(const std::vector<float>& p, const Picture& shape, const std::string& stem,
+                   SceneResult& result) const {
+    constexpr float kWhite = 10;  // -log10
+    Picture map;
+    map.width = shape.width, map.height = shape.height, map.channels = 1;
+    for (const float value : p) map.samples.push_back(std::min(1.0f, -std::log10(std::max(value, 1e-30f)) / kWhite));
+    const fs::path path = renders_->work() / (stem + ".p.png");
+    image::write_picture(map, path);
+    result.p_map = path;
   }
 
   bool more_references(const SceneRequest& request, const std::vector<fs::path>& files_read, int runs,
@@ -402,9 +513,11 @@ class Runner {
   std::optional<Renders> renders_;
   std::optional<ResultStore> store_;
   std::map<std::string, SceneResult> previous_;
+  std::map<std::string, std::vector<SceneResult::Earlier>> history_;
   std::mutex mutex_;
   std::atomic<std::size_t> next_{0};
   std::vector<bool> started_;
+  std::counting_semaphore<> cores_{std::max(1, static_cast<int>(std::thread::hardware_concurrency()))};
   int done_ = 0, running_ = 0, failed_ = 0;
   std::chrono::steady_clock::time_point begin_;
 };

@@ -42,6 +42,10 @@ Json scene_data(const SceneResult& s, const ScenePictures& pictures) {
   if (const auto place = pictures.place()) json["place"] = {place->x, place->y, place->width, place->height};
   json["previous"] = s.previous ? Json(to_string(*s.previous)) : Json(nullptr);
   json["previous_rmse"] = s.previous_rmse ? Json(*s.previous_rmse) : Json(nullptr);
+  for (const SceneResult::Earlier& earlier : s.history)
+    json["history"].push_back({{"started", earlier.started},
+                               {"status", to_string(earlier.status)},
+                               {"rmse", earlier.rmse ? Json(*earlier.rmse) : Json(nullptr)}});
   json["metrics"] = s.metrics ? to_json(*s.metrics) : Json(nullptr);
   const Json whole = to_json(s);
   if (whole.contains("low_pass")) json["low_pass"] = whole["low_pass"];
@@ -153,10 +157,13 @@ std::string HtmlReport::file() const {
   return page(data, pictures, false);
 }
 
-std::string HtmlReport::served() const {
-  Json data = run_data(run_, review_);
-  data["served"] = true;
-  for (const SceneResult& scene : run_.scenes) data["scenes"].push_back(scene_data(scene, ScenePictures(scene)));
+std::string HtmlReport::served(const Json& review) const {
+  if (scenes_.is_null()) {
+    scenes_ = Json::array();
+    for (const SceneResult& scene : run_.scenes) scenes_.push_back(scene_data(scene, ScenePictures(scene)));
+  }
+  Json data = run_data(run_, review);
+  data["served"] = true, data["scenes"] = scenes_;
   return page(data, "", true);
 }
 

@@ -15,8 +15,8 @@ class HtmlReport {
 
   // One self-contained file that asks for nothing.
   std::string file() const;
-  // The page alone, which asks for report.css, report.js and `picture?id=` ...
-  std::string served() const;
+  // The page alone, with what has been decided by now; it asks for report.css, report.js and `picture?id=` ...
+  std::string served(const nlohmann::json& review) const;
   static std::string style();
   static std::string script();
   // ... a PNG file by its id: "p", the number of the scene and a key of ScenePictures. Throws std::runtime_error for an
@@ -26,6 +26,7 @@ class HtmlReport {
  private:
   const Run& run_;
   nlohmann::json review_;
+  mutable nlohmann::json scenes_;  // made once; served() is for one thread at a time
 };
 
 }  // namespace verisim::compare

@@ -136,6 +136,15 @@ J scene_as(const SceneResult& s) {
     fit["text"] = s.fit->text(), fit["stops"] = s.fit->stops, fit["white_balance"] = s.fit->balance,
     fit["resampled"] = s.fit->resampled;
     fit["reference_size"] = {s.fit->reference_width, s.fit->reference_height};
+    if (const auto& a = s.fit->alignment) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        fit["corners"].push_back({a->corners[i].x, a->corners[i].y});
+        fit["corner_errors"].push_back({a->corner_errors[i].x, a->corner_errors[i].y});
+      }
+      fit["distortion"] = {a->distortion, a->distortion_error};
+    }
+    if (const auto& v = s.fit->vignetting) fit["vignetting"] = {v->a, v->b, v->a_error, v->b_error};
+    fit["stops_error"] = s.fit->stops_error, fit["noise"] = s.fit->noise;
     if (s.fit->crop) fit["crop"] = {s.fit->crop->x, s.fit->crop->y, s.fit->crop->width, s.fit->crop->height};
   }
   if (s.oracle_truth) json["truth"]["oracle"] = truth_as<J>(*s.oracle_truth);
@@ -218,6 +227,19 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
     s.fit->stops = f.at("stops"), s.fit->balance = f.at("white_balance").get<std::array<double, 3>>(),
     s.fit->resampled = f.at("resampled");
     s.fit->reference_width = f.at("reference_size").at(0), s.fit->reference_height = f.at("reference_size").at(1);
+    s.fit->stops_error = f.value("stops_error", 0.0), s.fit->noise = f.value("noise", 0.0);
+    if (f.contains("corners")) {
+      Alignment& a = s.fit->alignment.emplace();
+      for (std::size_t i = 0; i < 4; ++i) {
+        a.corners[i] = {f["corners"].at(i).at(0), f["corners"].at(i).at(1)};
+        a.corner_errors[i] = {f["corner_errors"].at(i).at(0), f["corner_errors"].at(i).at(1)};
+      }
+      a.distortion = f["distortion"].at(0), a.distortion_error = f["distortion"].at(1);
+    }
+    if (f.contains("vignetting")) {
+      const auto& v = f["vignetting"];
+      s.fit->vignetting = Vignetting{v.at(0), v.at(1), v.at(2), v.at(3)};
+    }
     if (f.contains("crop")) s.fit->crop = Crop{f["crop"].at(0), f["crop"].at(1), f["crop"].at(2), f["crop"].at(3)};
   }
   if (json.contains("truth")) {

@@ -90,7 +90,7 @@ void ScenePictures::add_difference(const SceneResult& scene) {
 ScenePictures::ScenePictures(const SceneResult& scene)
     : p_map_(scene.p_map), pixels_per_degree_(scene.request.flip_pixels_per_degree) {
   add('o', scene.oracle_picture, reference_, shown_reference_);
-  add('n', scene.native_picture, test_, shown_test_);
+  add('n', scene.judged_picture.empty() ? scene.native_picture : scene.judged_picture, test_, shown_test_);
   if (shown_reference_.width && shown_reference_.width == shown_test_.width &&
       shown_reference_.height == shown_test_.height)
     add_difference(scene);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "compare/compare.h"
+#include "compare/report/markdown_cell.h"
 
 namespace verisim::compare {
 namespace {
@@ -157,6 +158,8 @@ std::string xml(const std::string& text) {
   return out;
 }
 
+}  // namespace
+
 std::string markdown_cell(const std::string& text) {
   std::string out;
   for (char c : printable(text)) {
@@ -165,6 +168,8 @@ std::string markdown_cell(const std::string& text) {
   }
   return out;
 }
+
+namespace {
 
 // GitHub's workflow commands: percent, line ends, and in properties comma and colon are escaped.
 std::string github_escape(const std::string& text, bool property) {

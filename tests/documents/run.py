@@ -34,6 +34,9 @@ ELSEWHERE = {
     r"podman .*": "by hand: Containerfile",
     r"cd editors/vscode|npm .*|VERISIM=verisim npm test|ln -s .*": "ctest -C Editors -R editors.vscode",
     r"verisim lsp( .*)?": "the tests lsp.sessions and lsp.neovim",
+    r"(old|new)=.*|verisim compare .*--(test|reference) .*|verisim diff old/ new/ .*": "the test renderers.cycles, with Blender",
+    r"verisim review( .*)?": "the test report.browser",
+    r"verisim compare verisim\.toml .*": "by hand: docs/photograph.md needs a photograph",
     r"export SBATCH_.*|verisim-slurm .*|verisim farm .*": "the tests of tests/farm",
 }
 # Options of other programs in running text.

@@ -35,6 +35,8 @@ function draw() {
     paint.restore();
   }
   $('zoomed').textContent = `${Math.round(eye.zoom * 100)} %`;
+  const p = panes()[0], o = origin(p);
+  canvas.dataset.view = [p.x - o.x, p.y - o.y, p.x + p.w - o.x, p.y + p.h - o.y].map(v => (v / eye.zoom).toFixed(1)).join(' ');  // left, top, right, bottom
 }
 function divider(pane) {
   const at = pane.w * eye.split, w = pane.w, h = pane.h;

@@ -116,6 +116,7 @@ struct Parser::Impl {
   bool touches_failed_name() const;
   bool skip_statement();
   bool skip_block_of_directives();
+  void fail_names_of(const Macro& macro);
 
   // ---- directives.cpp, loops.cpp ----
   void directive();

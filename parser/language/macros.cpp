@@ -129,6 +129,7 @@ void Parser::Impl::macro_argument() {
 }
 
 void Parser::Impl::call_macro(Symbol& symbol) {
+  if (!depth) mark_statement();
   const Nesting nesting(*this);
   if (static_cast<int>(frames.size()) >= options.limits.max_depth)
     fatal(Code::nesting_limit, "Too many nested macro calls.", "--max-depth raises this limit.");

@@ -64,6 +64,15 @@ bool Parser::Impl::touches_failed_name() const {
   return false;
 }
 
+// What a call that failed would have declared.
+void Parser::Impl::fail_names_of(const Macro& macro) {
+  const Tokens& tokens = macro.file->tokens;
+  for (std::uint32_t i = macro.body; i < macro.end; ++i)
+    if (tokens[i].kind == TokenKind::directive && (tokens[i].word == Word::declare || tokens[i].word == Word::local) &&
+        tokens[i + 1].kind == TokenKind::identifier)
+      recovery.failed_names.insert(tokens[i + 1].id());
+}
+
 // A misspelt #if, #while, #for, #switch or #macro ends at its #end.
 bool Parser::Impl::skip_block_of_directives() {
   int open = 1;
@@ -105,8 +114,22 @@ bool Parser::Impl::skip_statement() {
     const MeantDirective meant = meant_directive(file->source->text().substr(first->offset, file->length(*first)));
     if (at[1].kind == TokenKind::identifier) recovery.failed_names.insert(at[1].id());  // #Declare NAME
     if (meant.opens) return skip_block_of_directives();
+    if (meant.directive == "end" && !conditions.empty() && conditions.back().kind != Condition::Kind::macro) {
+      conditions.pop_back();
+      go_to(file, index(first) + 1);
+      return true;
+    }
   }
-  if (first->kind == TokenKind::identifier && at[1].punctuation == '(') {  // a call of something that is no macro
+  if (first->kind == TokenKind::identifier) {
+    if (Symbol* symbol = names[first->id()].symbol; symbol && symbol->is_macro) {
+      fail_names_of(*std::get<Shared<Macro>>(symbol->value()));
+      if (at[1].punctuation != '(') {
+        go_to(file, index(first) + 1);
+        return true;
+      }
+    }
+  }
+  if (first->kind == TokenKind::identifier && at[1].punctuation == '(') {  // a call
     int brackets = 0;
     do {
       ++at;

@@ -40,12 +40,21 @@ TEST(Recovery, TakesMisspeltDirectivesForWhatWasMeant) {
   EXPECT_EQ(lines_of_errors("#Declare A = 1;\nsphere { 0, A }\nbox { 0, bad }"), (Lines{2, 4}));
   EXPECT_EQ(lines_of_errors("#If (1)\nsphere { 0, 1 }\n#else\n#if (1)\n#end\n#end\nbox { 0, bad }"), (Lines{2, 8}));
   EXPECT_EQ(lines_of_errors("#function Ball(R)\nsphere { 0, R }\n#end\nBall(2)\nbox { 0, bad }"), (Lines{2, 6}));
+  EXPECT_EQ(lines_of_errors("#if (1)\nsphere { 0, 1 }\n#endif\nbox { 0, bad }"), (Lines{4, 5}));
   EXPECT_EQ(lines_of_errors("difference ( sphere { 0, 1 } box { 0, 1 } )\nbox { 0, bad }"), (Lines{2, 3}));
 }
 
 TEST(Recovery, NamesAnErrorInALoopOrMacroOnce) {
   EXPECT_EQ(lines_of_errors("#for (I, 1, 5)\nsphere { I, oops }\n#end\nbox { 0, bad }"), (Lines{3, 5}));
   EXPECT_EQ(lines_of_errors("#macro M(a) sphere { a, oops } #end\nM(1) M(2)\nbox { 0, bad }"), (Lines{2, 4}));
+}
+
+TEST(Recovery, GoesOnBehindACallThatFailed) {
+  const std::string macro = "#macro M(a, b) #declare N = a; sphere { a, b } #end\n";
+  EXPECT_EQ(lines_of_errors(macro + "M(1)\nsphere { 0, N }\nbox { 0, bad }"), (Lines{3, 5}));
+  EXPECT_EQ(lines_of_errors(macro + "M(1, 2, 3)\nbox { 0, bad }"), (Lines{3, 4}));
+  EXPECT_EQ(lines_of_errors(macro + "M\nbox { 0, bad }"), (Lines{3, 4}));
+  EXPECT_EQ(lines_of_errors(macro + "union { M(1) }\nbox { 0, bad }"), (Lines{3, 4}));
 }
 
 TEST(Recovery, EndsWhereItCannotTell) {

@@ -9,7 +9,10 @@ installed: whatever stops POV-Ray must stop verisim, too. A mistake is one error
 mended. --update writes the texts anew.
 """
 import concurrent.futures
+import itertools
+import json
 import pathlib
+import random
 import re
 import shutil
 import subprocess
@@ -44,6 +47,40 @@ def povray_place(povray, scene):
     return int(found.group(1)) if found else 0
 
 
+HEAD = """#version 3.7;
+global_settings { assumed_gamma 1.0 }
+camera { location <0, 1, -5> look_at 0 }
+light_source { <10, 20, -30>, rgb 1 }
+"""
+SWALLOW = ("string-", "comment-", "union-", "macro-unclosed")  # what is never closed takes in what comes behind
+
+
+def errors_of(verisim, folder, text):
+    """(code, line) of each error."""
+    (folder / "scene.pov").write_text(text)
+    run = subprocess.run([verisim, "check", "scene.pov", "--json"], cwd=folder, capture_output=True, timeout=60)
+    return {(d["code"], d["line"]) for d in json.loads(run.stdout)["diagnostics"] if d["severity"] == "error"}
+
+
+def follow_ups(verisim, scenes, pairs):
+    """Two mistakes in one scene: no error is told but theirs. Returns the number of pairs where one is."""
+    bodies = {s.stem: s.read_text().partition("\n")[2].removeprefix(HEAD) for s in scenes}
+    bad = 0
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        alone = {stem: errors_of(verisim, folder, HEAD + body) for stem, body in bodies.items()}
+        for first, second in random.Random(1).sample(list(itertools.permutations(bodies, 2)), pairs):
+            if first.startswith(SWALLOW):
+                continue
+            down = bodies[first].count("\n")
+            more = errors_of(verisim, folder, HEAD + bodies[first] + bodies[second])
+            more -= alone[first] | {(code, line + down) for code, line in alone[second]}
+            if more:
+                bad += 1
+                print(f"{first}, then {second}: these follow from others: {sorted(more)}")
+    return bad
+
+
 def main():
     verisim, update = str(pathlib.Path(sys.argv[1]).resolve()), "--update" in sys.argv
     povray = shutil.which("povray")
@@ -74,6 +111,7 @@ def main():
         if wanted_theirs.strip() != "accepts it" and not errors:
             bad += 1
             print(f"{scene.name}: POV-Ray finds an error, verisim none")
+    bad += follow_ups(verisim, scenes, 60)
     print(f"{len(scenes)} broken scenes, {bad} wrong")
     return bad > 0
 

@@ -243,13 +243,15 @@ void move_textures(Object& object, const Transform& t) {
   if (object.texture) object.texture = transformed(object.texture, t);
   if (object.interior_texture) object.interior_texture = transformed(object.interior_texture, t);
   if (const auto* blob = object.as<std::shared_ptr<const Blob>>()) {
-    const auto textured = [](const BlobComponent& c) { return c.texture != nullptr; };
-    if (std::any_of((*blob)->components.begin(), (*blob)->components.end(), textured)) {
-      auto moved = std::make_shared<Blob>(**blob);
-      for (BlobComponent& c : moved->components)
-        if (c.texture) c.texture = transformed(c.texture, t);
-      object.shape = std::shared_ptr<const Blob>(std::move(moved));
+    std::shared_ptr<Blob> moved;  // textures that do not move leave the blob shared with its copies
+    for (std::size_t i = 0; i < (*blob)->components.size(); ++i) {
+      const TexturePtr& texture = (*blob)->components[i].texture;
+      if (TexturePtr there = texture ? transformed(texture, t) : nullptr; there != texture) {
+        if (!moved) moved = std::make_shared<Blob>(**blob);
+        moved->components[i].texture = std::move(there);
+      }
     }
+    if (moved) object.shape = std::shared_ptr<const Blob>(std::move(moved));
   }
   if (const Mesh* mesh = object.as<Mesh>(); mesh && mesh->data && !mesh->data->textures.empty()) {
     std::vector<TexturePtr> textures = mesh->textures.empty() ? mesh->data->textures : mesh->textures;

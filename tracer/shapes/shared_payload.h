@@ -2,6 +2,7 @@
 // uses it.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
@@ -22,7 +23,11 @@ std::shared_ptr<const Payload> shared_payload(const std::shared_ptr<const Source
   if (const auto at = known.find(source.get()); at != known.end()) {
     if (auto payload = at->second.payload.lock(); payload && at->second.source.lock() == source) return payload;
   }
-  if (known.size() > 64) std::erase_if(known, [](const auto& entry) { return entry.second.payload.expired(); });
+  static std::size_t many = 64;
+  if (known.size() > many) {
+    std::erase_if(known, [](const auto& entry) { return entry.second.payload.expired(); });
+    many = std::max<std::size_t>(64, 2 * known.size());  // a scene may have thousands of them
+  }
   std::shared_ptr<const Payload> payload = make();
   known[source.get()] = {source, payload};
   return payload;

@@ -164,6 +164,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
 
   std::vector<Box3> boxes;
   std::vector<std::uint32_t> finite, beside, finite_after_all;
+  w.entries.reserve(list.objects.size()), w.shapes.reserve(list.objects.size());
   for (std::size_t i = 0; i < list.objects.size(); ++i) {
     const scene::Object& o = *list.objects[i];
     std::unique_ptr<Shape> shape = shapes::compile(o, {arrangement.remove_bounds});
@@ -213,6 +214,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
   }
   w.set_apart(finite, beside);
   for (const std::uint32_t i : beside) w.add_beside_tree(i, w.entries[i]);
+  boxes.reserve(finite.size() + finite_after_all.size()), w.bounded.reserve(boxes.capacity());
   for (const std::uint32_t i : finite) boxes.push_back(w.add_bounded(i, w.entries[i]));
   // The tree may keep those, too, for what it finds is put in order later; but the digits of its boxes are relative to
   // the largest of them.

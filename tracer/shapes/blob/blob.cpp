@@ -24,8 +24,7 @@ namespace {
 using namespace blob;
 
 constexpr double kNearest = 1e-2, kFarthest = 1e7, kInsideMargin = 1e-6;
-constexpr std::size_t kFewParts = 2, kFewPieces = 24;
-constexpr std::size_t kMostForLanes = 64;  // parts; of more, a tree finds the few that a ray meets
+constexpr std::size_t kFewPieces = 24;
 constexpr std::size_t kMaxTextures = 512;
 
 using Part = BlobPart;
@@ -33,7 +32,8 @@ using PartKind = BlobPartKind;
 
 class Blob final : public Primitive<Blob> {
  public:
-  Blob(const scene::Object& description, const scene::Blob& blob) : Blob(description, blob, parts_of(blob)) {}
+  Blob(const scene::Object& description, const std::shared_ptr<const scene::Blob>& blob)
+      : Blob(description, *blob, BlobParts::of(blob)) {}
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
@@ -89,7 +89,7 @@ class Blob final : public Primitive<Blob> {
     Vec3 gradient(0);
     at(p, [&](const Part& part, double d2, const Vec3& to_point) {
       const Vec3 g = -2 * (2 * part.k0 * d2 + part.k1) * to_point;
-      gradient += part.moved ? part.transform.normal(g) : g;
+      gradient += part.moved ? part.transform->normal(g) : g;
     });
     if (gradient == Vec3(0)) return {1, 0, 0};
     return world_normal(gradient);
@@ -109,28 +109,13 @@ class Blob final : public Primitive<Blob> {
   }
 
  private:
-  Blob(const scene::Object& description, const scene::Blob& blob, std::vector<Part> parts)
-      : Primitive(description, {box_of(parts, blob.threshold <= 0), blob.threshold > kInsideMargin}),
+  Blob(const scene::Object& description, const scene::Blob& blob, std::shared_ptr<const BlobParts> parts)
+      : Primitive(description, {box_of(parts->parts, blob.threshold <= 0), blob.threshold > kInsideMargin}),
         threshold_(blob.threshold),
-        parts_(std::move(parts)) {
+        shared_(std::move(parts)) {
     const auto textured = [](const scene::BlobComponent& c) { return c.texture != nullptr; };
     if (std::any_of(blob.components.begin(), blob.components.end(), textured))
       for (const scene::BlobComponent& c : blob.components) textures_.push_back(c.texture);
-    std::vector<Box3> boxes;
-    bool finite = true;
-    for (const Part& part : parts_) {
-      boxes.push_back(part.box);
-      finite = finite && accel::is_finite(part.box) && !accel::is_empty(part.box);
-    }
-    if (parts_.size() <= kMostForLanes && finite) spheres_ = spheres_around(parts_);
-    if (parts_.size() > kFewParts && finite) tree_ = accel::BoxTree(boxes);
-    if (spheres_.empty() || tree_.empty()) return;
-    std::vector<Part> ordered;
-    tree_.each([&](std::uint32_t i) {
-      order_.push_back(i);
-      ordered.push_back(parts_[i]);
-    });
-    ordered_spheres_ = spheres_around(ordered);
   }
 
   static double field(const Part& part, double d2) { return (part.k0 * d2 + part.k1) * d2 + part.k2; }
@@ -138,7 +123,7 @@ class Blob final : public Primitive<Blob> {
   // Squared distance of p from a part's centre or axis; false outside its reach. `to_point` points from there to p, in
   // the component's own space.
   static bool reach(const Part& part, const Vec3& p, double& d2, Vec3& to_point) {
-    const Vec3 q = part.moved ? part.transform.inverse_point(p) : p;
+    const Vec3 q = part.moved ? part.transform->inverse_point(p) : p;
     to_point = q - part.center;
     if (part.kind != PartKind::sphere) {
       const double z = dot(to_point, part.axis);
@@ -179,7 +164,7 @@ class Blob final : public Primitive<Blob> {
   // The stretch of the ray within a part's reach.
   static void add_piece(const Part& part, const LocalRay& l, Scratch<Piece>& pieces) {
     Vec3 o = l.origin, d = l.direction;
-    if (part.moved) o = part.transform.inverse_point(o), d = part.transform.inverse_direction(d);
+    if (part.moved) o = part.transform->inverse_point(o), d = part.transform->inverse_direction(d);
     o -= part.center;
     Piece piece{0, HUGE_VAL, dot(d, d), dot(o, d), dot(o, o), &part};
     if (part.kind != PartKind::sphere) {
@@ -288,7 +273,7 @@ class Blob final : public Primitive<Blob> {
     if (admitted == 0) return 0;
     LocalLanes lanes;
     lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes);
-    PieceLanes met[kMostForLanes];
+    PieceLanes met[BlobParts::kMostForLanes];
     const std::size_t count = blob_kernels().pieces(parts_.data(), parts_near(lanes, admitted), lanes, admitted, met);
     if (count == 0) return 0;
     Scratch<Piece> pieces;
@@ -376,13 +361,12 @@ class Blob final : public Primitive<Blob> {
   }
 
   double threshold_;
-  std::vector<Part> parts_;
-  std::vector<PartSpheres> spheres_;  // if the parts are not too many
-  // The parts in the order in which the tree finds those around a point, which decides the last digits of sums; empty:
-  // ask the tree.
-  std::vector<std::uint32_t> order_;
-  std::vector<PartSpheres> ordered_spheres_;
-  accel::BoxTree tree_;
+  const std::shared_ptr<const BlobParts> shared_;
+  const std::vector<Part>& parts_ = shared_->parts;
+  const std::vector<PartSpheres>& spheres_ = shared_->spheres;
+  const std::vector<std::uint32_t>& order_ = shared_->order;
+  const std::vector<PartSpheres>& ordered_spheres_ = shared_->ordered_spheres;
+  const accel::BoxTree& tree_ = shared_->tree;
   std::vector<scene::TexturePtr> textures_;
 };
 
@@ -390,13 +374,15 @@ class Blob final : public Primitive<Blob> {
 
 Box3 blob_box(const scene::Blob& blob) {
   Box3 box;
-  for (const Part& part : parts_of(blob))
-    if (part.k2 > 0) box.extendBy(part.pov_box);
+  std::vector<Box3> boxes;
+  const std::vector<Part> parts = parts_of(blob, &boxes);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i].k2 > 0) box.extendBy(boxes[i]);
   return box;
 }
 
 std::unique_ptr<Shape> compile_blob(const scene::Object& object) {
-  return std::make_unique<Blob>(object, **object.as<std::shared_ptr<const scene::Blob>>());
+  return std::make_unique<Blob>(object, *object.as<std::shared_ptr<const scene::Blob>>());
 }
 
 }  // namespace verisim::shapes

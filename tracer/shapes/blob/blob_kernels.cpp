@@ -24,7 +24,8 @@ struct Course {
 // The lanes that come within reach; sets the stretch between the planes of a cylinder or half sphere.
 HWY_INLINE Mask meet(const BlobPart& part, PacketVector<Packet> o, PacketVector<Packet> d, Course& course) {
   if (part.moved) {
-    o = transform_point(part.transform.inv, o), d = transform_direction(part.transform.inv, d);
+    const Mat4& inverse = part.transform->inv;
+    o = transform_point(inverse, o), d = transform_direction(inverse, d);
   }
   o.x -= part.center.x, o.y -= part.center.y, o.z -= part.center.z;
   course = {dot(d, d), dot(o, d), dot(o, o), 0.0, HUGE_VAL};

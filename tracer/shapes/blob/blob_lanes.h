@@ -2,6 +2,7 @@
 // Blob::add_piece does.
 #pragma once
 
+#include "tracer/scene/sharing.h"
 #include "tracer/shapes/lane_kernels.h"
 
 namespace verisim::shapes {
@@ -10,14 +11,14 @@ enum class BlobPartKind : unsigned char { sphere, cylinder, base, apex };
 
 struct BlobPart {
   BlobPartKind kind;
-  bool moved = false;  // `inverse` counts
+  bool moved = false;  // `transform` counts
   std::int32_t component = 0;
   Vec3 center;                                 // of a sphere or half sphere; the base of a cylinder
   Vec3 axis;                                   // unit; of all but spheres
   double length = 0;                           // of a cylinder
   double radius2 = 0, k0 = 0, k1 = 0, k2 = 0;  // field = k0 D^2 + k1 D + k2 of the squared distance D
-  Transform transform;
-  Box3 box, pov_box;  // in the blob's space: of its reach, and as POV-Ray has it
+  scene::Rare<Transform> transform;            // shared by the parts of a capsule
+  Box3 box;                                    // of its reach, in the blob's space
 };
 
 // D = a t^2 + 2 b t + c along rays, valid for t0 < t < t1; no more than `peak` does the part add to the field, but for

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tracer/shapes/frame.h"
+#include "tracer/shapes/shared_payload.h"
 
 namespace verisim::shapes::blob {
 namespace {
@@ -30,8 +31,15 @@ Box3 box_of_sphere(const Vec3& center, double radius, const Transform& t) {
 
 }  // namespace
 
-std::vector<BlobPart> parts_of(const scene::Blob& blob) {
+std::vector<BlobPart> parts_of(const scene::Blob& blob, std::vector<Box3>* pov_boxes) {
   std::vector<BlobPart> parts;
+  std::size_t count = 0;
+  for (const scene::BlobComponent& c : blob.components) count += c.cylinder ? 3 : 1;
+  parts.reserve(count);
+  const auto add = [&](const BlobPart& part, const Vec3& center, double radius, const Transform& t) {
+    if (pov_boxes) pov_boxes->push_back(cube_around(center, radius, t));
+    parts.push_back(part);
+  };
   for (std::size_t i = 0; i < blob.components.size(); ++i) {
     const scene::BlobComponent& c = blob.components[i];
     BlobPart part;
@@ -41,35 +49,32 @@ std::vector<BlobPart> parts_of(const scene::Blob& blob) {
     part.k1 = -2 * c.strength / part.radius2;
     part.k2 = c.strength;
     part.moved = c.transform.has_value();
-    part.transform = c.transform.value_or(Transform{});
+    if (c.transform) part.transform = *c.transform;
+    const Transform& moved = *part.transform;
     part.center = c.a;
     const double radius = std::fabs(c.radius);
     if (!c.cylinder) {
       part.kind = BlobPartKind::sphere;
-      part.pov_box = cube_around(c.a, radius, part.transform);
-      part.box = box_of_sphere(c.a, radius, part.transform);
-      parts.push_back(part);
+      part.box = box_of_sphere(c.a, radius, moved);
+      add(part, c.a, radius, moved);
       continue;
     }
     const double len = length(c.b - c.a);
     part.axis = (c.b - c.a) / len;
     part.length = len;
-    const Transform frame = frame_along(c.a, part.axis, 1, 1).then(part.transform);
+    const Transform frame = frame_along(c.a, part.axis, 1, 1).then(moved);
     part.kind = BlobPartKind::cylinder;
-    const Box3 base = box_of_sphere(c.a, radius, part.transform), apex = box_of_sphere(c.b, radius, part.transform);
-    part.pov_box = cube_around({0, 0, 0.5 * len}, std::sqrt(part.radius2 + 0.25 * len * len), frame);
+    const Box3 base = box_of_sphere(c.a, radius, moved), apex = box_of_sphere(c.b, radius, moved);
     part.box = base;
     part.box.extendBy(apex);
-    parts.push_back(part);
+    add(part, {0, 0, 0.5 * len}, std::sqrt(part.radius2 + 0.25 * len * len), frame);
     part.kind = BlobPartKind::base;
-    part.pov_box = cube_around(Vec3(0), radius, frame);
     part.box = base;
-    parts.push_back(part);
+    add(part, Vec3(0), radius, frame);
     part.kind = BlobPartKind::apex;
     part.center = c.b;
-    part.pov_box = cube_around({0, 0, len}, radius, frame);
     part.box = apex;
-    parts.push_back(part);
+    add(part, {0, 0, len}, radius, frame);
   }
   return parts;
 }
@@ -96,6 +101,30 @@ Box3 box_of(const std::vector<BlobPart>& parts, bool all) {
   for (const BlobPart& part : parts)
     if (all || part.k2 > 0) box.extendBy(part.box);
   return box;
+}
+
+BlobParts::BlobParts(const scene::Blob& blob) : parts(parts_of(blob)) {
+  constexpr std::size_t kFewParts = 2;
+  std::vector<Box3> boxes;
+  boxes.reserve(parts.size());
+  bool finite = true;
+  for (const BlobPart& part : parts) {
+    boxes.push_back(part.box);
+    finite = finite && accel::is_finite(part.box) && !accel::is_empty(part.box);
+  }
+  if (parts.size() <= kMostForLanes && finite) spheres = spheres_around(parts);
+  if (parts.size() > kFewParts && finite) tree = accel::BoxTree(boxes);
+  if (spheres.empty() || tree.empty()) return;
+  std::vector<BlobPart> ordered;
+  tree.each([&](std::uint32_t i) {
+    order.push_back(i);
+    ordered.push_back(parts[i]);
+  });
+  ordered_spheres = spheres_around(ordered);
+}
+
+std::shared_ptr<const BlobParts> BlobParts::of(const std::shared_ptr<const scene::Blob>& blob) {
+  return shared_payload<BlobParts>(blob, [&] { return std::make_shared<BlobParts>(*blob); });
 }
 
 }  // namespace verisim::shapes::blob

@@ -39,6 +39,7 @@ Json scene_data(const SceneResult& s, const ScenePictures& pictures) {
   json["pictures"] = pictures.keys();
   json["same"] = pictures.same();
   if (pictures.fine()) json["fine"] = pictures.fine();
+  if (const auto hdr = pictures.exposures()) json["exposures"] = {hdr->start, hdr->stop, hdr->count};
   if (const auto place = pictures.place()) json["place"] = {place->x, place->y, place->width, place->height};
   json["previous"] = s.previous ? Json(to_string(*s.previous)) : Json(nullptr);
   json["previous_rmse"] = s.previous_rmse ? Json(*s.previous_rmse) : Json(nullptr);

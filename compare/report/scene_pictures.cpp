@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "compare/metrics/flip.h"
 #include "compare/metrics/ssim.h"
 #include "compare/report/display.h"
 
@@ -98,6 +97,11 @@ ScenePictures::ScenePictures(const SceneResult& scene)
 }
 
 const char* ScenePictures::fine() const { return !fine_ ? nullptr : reference_.is_float ? "half" : "integer"; }
+
+std::optional<Exposures> ScenePictures::exposures() const {
+  if (!place_ || !reference_.is_float || !test_.is_float) return std::nullopt;
+  return hdr_flip_exposures(reference_);
+}
 
 Picture ScenePictures::picture(const std::string& key) const {
   if (std::find(keys_.begin(), keys_.end(), key) == keys_.end())

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compare/compare.h"
+#include "compare/metrics/flip.h"
 #include "compare/report/place.h"
 
 namespace verisim::compare {
@@ -25,6 +26,7 @@ class ScenePictures {
   bool same() const { return same_; }  // both look alike, and `n` stands for both
   const char* fine() const;            // what `of` and `nf` hold: "integer" (0..65535), "half" (floats); else null
   std::optional<Place> place() const { return place_; }
+  std::optional<Exposures> exposures() const;  // of the map `flip`, when it is HDR-FLIP
   // A PNG file. Throws std::runtime_error for a key that there is not.
   std::string png(const std::string& key) const;
 

@@ -29,7 +29,7 @@ function bars(box, parts, note, label) {
   parts.forEach((part, i) => {
     const h = part.height ? Math.max(2, 92 * part.height) : 0, bar = svgNode('rect', { x: i * w + 0.1 * w, y: 100 - h, width: 0.8 * w, height: h });
     bar.append(svgNode('title', {}, part.title)); svg.append(bar);
-    if (part.label) svg.append(svgNode('text', { x: i * w + w / 2, y: 114, 'text-anchor': 'middle' }, part.label));
+    if (part.label) svg.append(svgNode('text', i === 0 ? { x: 0, y: 114 } : i === parts.length - 1 ? { x: 330, y: 114, 'text-anchor': 'end' } : { x: i * w + w / 2, y: 114, 'text-anchor': 'middle' }, part.label));
   });
   svg.append(svgNode('line', { x1: 0, x2: 330, y1: 100.5, y2: 100.5 }), svgNode('text', { x: 330, y: 128, 'text-anchor': 'end' }, note));
   box.replaceChildren(svg);

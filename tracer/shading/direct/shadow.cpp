@@ -3,6 +3,7 @@
 #include "tracer/shading/finish.h"
 #include "tracer/shading/atmosphere/fog.h"
 #include "tracer/shading/tracer.h"
+#include "tracer/shapes/implicit/last_miss.h"
 
 namespace verisim::shading {
 namespace {
@@ -29,7 +30,15 @@ const shapes::Shape** Tracer::last_blocker(const ShadowQuery& query) {
 }
 
 void Tracer::begin_block() {
-  if (!random_.replay()) last_blockers_.clear();
+  if (!random_.replay()) {
+    last_blockers_.clear();
+    shapes::last_miss() = {};
+  }
+  shapes::last_miss().kept = in_order_;
+}
+
+Tracer::~Tracer() {
+  if (in_order_) shapes::last_miss() = {};
 }
 
 bool Tracer::filter_by_remembered(const ShadowQuery& query, const shapes::Shape& remembered, double distance,
@@ -93,6 +102,7 @@ void Tracer::cast_shadow(const ShadowQuery& query, const Vec3& p, const Vec3& to
 void Tracer::filter_along(const ShadowQuery& query, const Vec3& p, const Vec3& towards, double distance,
                           const accel::WorldEntry* entry, Rgb& color, const shapes::Hit* first) {
   const InteriorScope scope(*this);
+  const shapes::ShadowRays shadow_rays;
   const shapes::Shape** const last = last_blocker(query);
   RayState ray = query.eye;
   ray.ray = {p, towards};

@@ -46,7 +46,14 @@ struct NormalMemory {
   int next = 0;
 };
 constinit thread_local NormalMemory normals_of_thread;
+constinit thread_local LastMiss miss_of_thread;
 std::atomic<std::uint64_t> isosurfaces_made{0};
+
+}  // namespace
+
+LastMiss& last_miss() { return miss_of_thread; }
+
+namespace {
 
 class Isosurface final : public Primitive<Isosurface> {
  public:
@@ -60,15 +67,22 @@ class Isosurface final : public Primitive<Isosurface> {
 
   template <class Sink>
   void crossings(const Ray& ray, Sink& sink) const {
-    if (field_.narrowing)
+    if (field_.narrowing && !last_miss().kept)
       crossings_by<BoundedValue>(ray, sink);
     else
       crossings_by<ExactValue>(ray, sink);
   }
   template <class Value, class Sink>
   void crossings_by(const Ray& ray, Sink& sink) const {
-    IsosurfaceSearch<Value> search{
-        field_, ray.origin, ray.direction, 0, 1, 0, steepest_.load(std::memory_order_relaxed)};
+    IsosurfaceSearch<Value> search{field_,
+                                   ray.origin,
+                                   ray.direction,
+                                   0,
+                                   1,
+                                   0,
+                                   steepest_.load(std::memory_order_relaxed),
+                                   number_,
+                                   last_miss().kept ? &last_miss() : nullptr};
     if (has_matrix())
       search.origin = matrix().inverse_point(ray.origin), search.direction = matrix().inverse_direction(ray.direction);
     search.speed = length(search.direction);
@@ -87,7 +101,7 @@ class Isosurface final : public Primitive<Isosurface> {
 
   unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
                            const double* t_max, Hit* hits) const final {
-    if (!in_rows_ || std::popcount(rays.asked) < kFewest)
+    if (!in_rows_ || std::popcount(rays.asked) < kFewest || last_miss().kept)
       return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
     RowHits row(t_min, t_max, false);
     FieldLanes field(*in_rows_);
@@ -99,7 +113,8 @@ class Isosurface final : public Primitive<Isosurface> {
   }
   unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
                           const double* t_max) const final {
-    if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+    if (!in_rows_ || std::popcount(rays.asked) < kFewest || last_miss().kept)
+      return Shape::occludes_lanes(rays, entry, t_min, t_max);
     RowHits row(t_min, t_max, true);
     FieldLanes field(*in_rows_);
     trace_row(rays, row, field);

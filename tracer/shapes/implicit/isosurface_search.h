@@ -10,6 +10,7 @@
 
 #include "tracer/functions/narrowing.h"
 #include "tracer/scene/object.h"
+#include "tracer/shapes/implicit/last_miss.h"
 
 namespace verisim::shapes {
 
@@ -140,6 +141,8 @@ struct IsosurfaceSearch {
   double sign;            // of the crossing that is looked for
   double gradient;        // the max_gradient in force
   double steepest_known;  // of any ray
+  std::uint64_t number;   // of the isosurface
+  LastMiss* memory;       // null: the order of searches does not count
   double steepest = 0;    // slope between the ends of any node
 
   double known_t[2] = {-1, -1};  // the last values given by end_field
@@ -181,7 +184,10 @@ double IsosurfaceSearch<Value>::adapted(double slope, [[maybe_unused]] const Val
 template <class Value>
 bool IsosurfaceSearch<Value>::find(double begin, double end, double& t) {
   if (const auto& evaluate = field.surface.evaluate; evaluate && gradient > evaluate->x) gradient *= evaluate->z;
+  if (memory && memory->spares(number, at(begin), at(end), gradient)) return false;
+  if (memory) memory->isosurface = 0;
   Value value0 = end_field(begin).times(sign);
+  const Value first = value0;
   if (field.surface.open && value0.below(*this, 0)) sign = -sign, value0 = value0.times(-1);
   const double accuracy = field.surface.accuracy;
 
@@ -191,8 +197,13 @@ bool IsosurfaceSearch<Value>::find(double begin, double end, double& t) {
     int depth;
   };
   double largest = Value::least_slope(steepest_known) * speed;  // change of the function over a node, for its width
+  double least = 0;                                             // of all values
+  const auto seen = [&]([[maybe_unused]] const Value& value) {
+    if constexpr (std::is_same_v<Value, ExactValue>) least = std::min(least, value.v);
+  };
   const auto ended = [&](bool found) {
     if (largest > steepest * speed) steepest = largest / speed;
+    if (memory && !found && !memory->shadow_ray) memory->keep(number, at(begin), at(end), least);
     return found;
   };
   // Right halves; the value where the node ends that is above count of them.
@@ -200,6 +211,7 @@ bool IsosurfaceSearch<Value>::find(double begin, double end, double& t) {
   Value ends[kMaxDepth + 2];
   int count = 0;
   ends[0] = end_field(end).times(sign);
+  if constexpr (std::is_same_v<Value, ExactValue>) least = std::min(first.v, ends[0].v);
   Node node{begin, end - begin, gradient, 0};
   for (;;) {
     bool split = false;
@@ -218,6 +230,7 @@ bool IsosurfaceSearch<Value>::find(double begin, double end, double& t) {
       const double half = node.width / 2, middle = node.begin + half;
       waiting[count] = {middle, half, slope, node.depth + 1};
       ends[++count] = Value(*this, middle, sign);
+      seen(ends[count]);
       node = {node.begin, half, slope, node.depth + 1};
     } else {
       if (count == 0) return ended(false);

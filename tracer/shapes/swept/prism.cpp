@@ -150,7 +150,8 @@ class Prism final : public Primitive<Prism> {
         const Vec2& c = s.c[static_cast<std::size_t>(k)];
         power[k] = nx * c.x + nz * c.y;
       }
-      power[0] += n0;
+      // In POV-Ray's order: what lies in a wall is decided by last digits.
+      power[0] = conic_ ? power[0] + n0 : nx * (s.c[0].x - o.x) + nz * (s.c[0].y - o.z);
       int n = 0;
       if (s.degree == 1) {
         if (power[1] == 0) return;

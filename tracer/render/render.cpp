@@ -20,6 +20,7 @@
 #include "tracer/render/path_pixels.h"
 #include "tracer/render/sampling/pixel_sampler.h"
 #include "tracer/render/last_blockers.h"
+#include "tracer/shapes/implicit/last_miss.h"
 #include "tracer/render/prepared_scene.h"
 #include "tracer/render/prepass_data.h"
 #include "tracer/render/prepasses.h"
@@ -192,6 +193,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
     }
   } catch (const shading::Cancelled&) {
   }
+  shapes::last_miss() = {};  // which is of no use to what this thread does next
   queue.add_statistics(tracer.statistics());
 }
 

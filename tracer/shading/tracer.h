@@ -63,9 +63,6 @@ using LastBlockers = std::vector<std::array<const shapes::Shape*, 2>>;
 class Tracer {
  public:
   Tracer(const SceneData& scene, const RandomSource& random, const std::atomic<bool>* cancel = nullptr);
-  ~Tracer();
-  Tracer(const Tracer&) = delete;
-  Tracer& operator=(const Tracer&) = delete;
 
   // Traces a ray; colour with t = see-through. t_max limits the search for the first surface (mesh_camera).
   Color trace(const RayState& ray, double t_max = std::numeric_limits<double>::infinity(),

@@ -37,10 +37,6 @@ void Tracer::begin_block() {
   shapes::last_miss().kept = in_order_;
 }
 
-Tracer::~Tracer() {
-  if (in_order_) shapes::last_miss() = {};
-}
-
 bool Tracer::filter_by_remembered(const ShadowQuery& query, const shapes::Shape& remembered, double distance,
                                   RayState& ray, Rgb& color) {
   shapes::Hit hit;

@@ -167,7 +167,8 @@ class Prism final : public Primitive<Prism> {
           const double by_x = d.x - x * d.y, by_z = d.z - z * d.y;
           t = std::fabs(by_x) > std::fabs(by_z) ? (x * o.y - o.x) / by_x : (z * o.y - o.z) / by_z;
         } else {
-          t = std::fabs(d.x) > std::fabs(d.z) ? (x - o.x) / d.x : (z - o.z) / d.z;
+          // By x wherever it changes at all, as in POV-Ray.
+          t = std::fabs(d.x) > kEpsilon ? (x - o.x) / d.x : (z - o.z) / d.z;
         }
         const double y = o.y + t * d.y;
         if (y >= low_ && y <= high_) report(t, static_cast<std::int32_t>(i), roots[k]);

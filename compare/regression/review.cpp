@@ -58,7 +58,11 @@ bool write_strip(const SceneResult& scene, const fs::path& file) {
 }  // namespace
 
 Review::Review(const fs::path& folder, const fs::path& baseline) : folder_(folder), kept_(load_run(folder)) {
-  if (!baseline.empty()) kept_.baseline = baseline;
+  // A run from elsewhere may name any folder: what it names counts if stored pictures are there.
+  if (!baseline.empty())
+    kept_.baseline = baseline;
+  else if (!fs::exists(kept_.baseline / "baseline.json"))
+    kept_.baseline.clear();
   std::ifstream in(folder_ / "review.json");
   if (!in) return;
   const Json json = Json::parse(in, nullptr, false);
@@ -111,7 +115,8 @@ void Review::decide(const std::string& scene, const std::string& decision, const
 
 std::vector<std::string> Review::store() {
   if (kept_.baseline.empty())
-    throw std::runtime_error("the run had no --baseline to store in: name one with --baseline FOLDER");
+    throw std::runtime_error(
+        "there are no stored pictures where the run found its baseline: name the folder with --baseline FOLDER");
   Run accepted;
   accepted.native_version = kept_.run.native_version, accepted.started = kept_.run.started;
   std::map<std::string, std::string> notes;

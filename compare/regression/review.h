@@ -19,7 +19,8 @@ struct Decision {
 class Review {
  public:
   // Reads the run in the folder and what was decided on it; a decision on another picture than there is now does not
-  // count. `baseline`: stored pictures elsewhere than where the run found them. Throws std::runtime_error.
+  // count. `baseline`: stored pictures elsewhere than where the run found them; without it those, if they
+  // are there (baseline.json). Throws std::runtime_error.
   explicit Review(const std::filesystem::path& folder, const std::filesystem::path& baseline = {});
 
   const Run& run() const { return kept_.run; }

@@ -76,12 +76,20 @@ void Parser::Impl::color_items(Numeric& out) {
     if (token.word == Word::alpha && language_version > 155)
       message(Severity::warning, Code::discontinued, "Keyword 'alpha' is discontinued: use 'filter' or 'transmit'.");
     skip_token();
+    // Not its components.
+    --depth_of_parentheses;
     out.v[static_cast<std::size_t>(component)] = scalar();
+    ++depth_of_parentheses;
   }
 }
 
 Numeric Parser::Impl::color(ColorTerms terms) {
   const Nesting nesting(*this);
+  // Colors have operators in every version; elsewhere those before 1.5 need parentheses (measured).
+  struct Parenthesis {
+    int& depth;
+    ~Parenthesis() { --depth; }
+  } const operators{++depth_of_parentheses};
   const bool keyword = peek().word == Word::color && peek().kind == TokenKind::word;
   if (keyword) skip_token();
   const Token& token = peek();

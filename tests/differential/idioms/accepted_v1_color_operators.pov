@@ -9,4 +9,4 @@ sphere { <0, 0, 0>, 1
   pigment { gradient x color_map { [0 rgb <1, 1, 0>*.5] [1 color Dim*0.8] } }
   finish { ambient .5*.3 }
 }
-sphere { <2, 0, 0>, 0.5 pigment { 0.5*Dim + 0.2 } }
+sphere { <2, 0, 0>, 0.5 pigment { Dim*0.5 + 0.2 } }

@@ -93,8 +93,8 @@ int explain_scene(const std::vector<std::string>& words, bool replay) {
 
 // Every pixel's tags, and the trees of some: what `verisim compare` asks for.
 void write_tags(const std::string& file, int step, const std::vector<std::string>& trees, render::Explainer& explainer,
-                const Options& options) {
-  TagWitness witness;
+                const scene::Scene& scene, const Options& options) {
+  TagWitness witness(scene);
   compare::PixelTags& tags = witness.tags();
   tags.width = options.width, tags.height = options.height, tags.step = step;
   for (int y = 0; y < options.height; y += step)
@@ -102,6 +102,7 @@ void write_tags(const std::string& file, int step, const std::vector<std::string
       explainer.pixel(x, y, witness);
       tags.set_of.push_back(witness.take());
     }
+  tags.parts = witness.parts();
   for (const std::string& pixel : trees) {
     int x = 0, y = 0;
     if (std::sscanf(pixel.c_str(), "%d,%d", &x, &y) != 2 || x < 0 || y < 0 || x >= options.width || y >= options.height)
@@ -242,7 +243,7 @@ int command_explain(const std::vector<std::string>& arguments) {
   try {
     render::Explainer explainer(*parsed.scene, render);
     if (!tags.empty()) {
-      write_tags(tags, step, trees, explainer, options);
+      write_tags(tags, step, trees, explainer, *parsed.scene, options);
       return kOk;
     }
     color = explainer.pixel(x, y, tree);

@@ -129,11 +129,34 @@ class Patterns {
   std::unordered_set<const void*> seen_;
 };
 
+// Copies of one object have one name; their places tell them apart.
+std::string with_place(const scene::Object& object) {
+  const auto& [low, size] = object.bounds;
+  constexpr float kEndless = 1e6f;
+  if (std::max({size[0], size[1], size[2]}) > kEndless) return object_name(object);
+  return fmt::format("{} at <{:.3g}, {:.3g}, {:.3g}>", object_name(object), low[0] + size[0] / 2, low[1] + size[1] / 2,
+                     low[2] + size[2] / 2);
+}
+
+std::string name_of_air(const scene::Scene& scene) { return scene.fogs.empty() ? "media" : "fog"; }
+
 }  // namespace
+
+TagWitness::TagWitness(const scene::Scene& scene) : parts_(name_of_air(scene)) {
+  for (const scene::ObjectPtr& object : scene.objects) know_parents(*object);
+}
+
+void TagWitness::know_parents(const scene::Object& parent) {
+  for (const scene::ObjectPtr& child : scene::children_of(parent)) {
+    parent_.emplace(child.get(), &parent);
+    know_parents(*child);
+  }
+}
 
 int TagWitness::take() {
   const auto [it, added] = set_index_.try_emplace(now_, static_cast<int>(tags_.sets.size()));
   if (added) tags_.sets.emplace_back(now_.begin(), now_.end());
+  parts_.take();
   now_.clear();
   depth_ = gathering_ = 0;
   return it->second;
@@ -151,10 +174,14 @@ void TagWitness::describe(const scene::Object& object, bool seen_directly, const
     add("secondary object", name + (ray.reflected ? ", in a reflection" : ", through something transparent"));
     return;
   }
-  auto [it, added] = words_.try_emplace(&object);
+  auto [found, added] = words_.try_emplace(&object);
   if (added) {
-    Words& words = it->second;
+    Words& words = found->second;
     words.emplace_back("object", name);
+    words.emplace_back("copy", with_place(object));
+    for (auto it = parent_.find(&object); it != parent_.end(); it = parent_.find(it->second))
+      if (!std::holds_alternative<scene::LightGroup>(it->second->shape))
+        words.emplace_back("parent", with_place(*it->second));
     words.emplace_back("shape", name.substr(0, name.find(' ')));
     Patterns(words).texture(object.texture);
     if (object.interior && !object.interior->media.empty()) words.emplace_back("feature", "media in the object");
@@ -162,10 +189,11 @@ void TagWitness::describe(const scene::Object& object, bool seen_directly, const
     if (object.uv_mapping) words.emplace_back("feature", "uv_mapping");
     if (!object.clipped_by.empty()) words.emplace_back("feature", "clipped_by");
   }
-  for (const auto& [kind, word] : it->second) add(kind, word);
+  for (const auto& [kind, word] : found->second) add(kind, word);
 }
 
 void TagWitness::ray_started(const shading::RayState& ray, const shapes::Hit* hit) {
+  parts_.ray_started(ray, hit);
   ++depth_;
   if (ray.gather && gathering_ == 0) gathering_ = depth_;
   if (gathering_) return;
@@ -179,27 +207,22 @@ void TagWitness::ray_started(const shading::RayState& ray, const shapes::Hit* hi
     describe(*surface->object, depth_ == 1, ray);
 }
 
-void TagWitness::ray_ended(const shading::RayState&, const Color&) {
+void TagWitness::ray_ended(const shading::RayState& ray, const Color& color) {
+  parts_.ray_ended(ray, color);
   if (gathering_ == depth_) gathering_ = 0;
   --depth_;
 }
 
-void TagWitness::layer(const shading::SurfaceHit& at, const shading::LayerContext&, const Rgb&) {
+void TagWitness::layer(const shading::SurfaceHit& at, const shading::LayerContext& layer, const Rgb& reflectivity) {
+  parts_.layer(at, layer, reflectivity);
   if (!gathering_ && depth_ == 1 && at.inside_hit) add("feature", "a surface seen from inside");
 }
 
-void TagWitness::light(const shading::Light& light, const shading::LightDirection&, bool tested, const Rgb& arriving,
-                       const Rgb& added, const Rgb&) {
+void TagWitness::light(const shading::Light& light, const shading::LightDirection& direction, bool tested,
+                       const Rgb& arriving, const Rgb& added, const Rgb& highlight) {
+  parts_.light(light, direction, tested, arriving, added, highlight);
   if (gathering_ || depth_ != 1) return;
-  const scene::LightSource& source = light.source();
-  const char* kind = source.area                                   ? "area_light"
-                     : source.kind == scene::LightKind::spotlight  ? "spotlight"
-                     : source.kind == scene::LightKind::cylinder   ? "cylinder light"
-                     : source.parallel                             ? "parallel light"
-                     : source.kind == scene::LightKind::shadowless ? "shadowless light"
-                                                                   : "light";
-  const std::string name =
-      fmt::format("{} at <{:.4g}, {:.4g}, {:.4g}>", kind, source.position.x, source.position.y, source.position.z);
+  const std::string name = light_name(light);
   if (added.max_abs() > 0)
     add("light", "lit by the " + name);
   else if (tested && arriving.max_abs() == 0)

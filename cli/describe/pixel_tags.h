@@ -7,14 +7,17 @@
 #include <string>
 #include <unordered_map>
 
+#include "cli/describe/contributions.h"
 #include "compare/metrics/blame.h"
+#include "tracer/scene/scene.h"
 #include "tracer/shading/explain.h"
 
 namespace verisim::cli {
 
 class TagWitness : public shading::Observer {
  public:
-  // Between two calls belongs to one pixel. Returns an index of PixelTags::sets.
+  explicit TagWitness(const scene::Scene& scene);
+  // What happened between two calls belongs to one pixel. Returns an index of PixelTags::sets.
   int take();
   compare::PixelTags& tags() { return tags_; }
 
@@ -23,12 +26,22 @@ class TagWitness : public shading::Observer {
   void layer(const shading::SurfaceHit& at, const shading::LayerContext& layer, const Rgb& reflectivity) override;
   void light(const shading::Light& light, const shading::LightDirection& direction, bool tested, const Rgb& arriving,
              const Rgb& added, const Rgb& highlight) override;
+  void indirect(const char* effect, const Rgb& light) override { parts_.indirect(effect, light); }
+  void texture_started(float weight) override { parts_.texture_started(weight); }
+  void texture_ended() override { parts_.texture_ended(); }
+  void rays_added(const Rgb& seen) override { parts_.rays_added(seen); }
+  void air(const Color& without, const Color& with) override { parts_.air(without, with); }
+  std::vector<compare::PixelTags::Part> parts() const { return parts_.parts(); }
 
  private:
   void add(const std::string& kind, const std::string& name);
   void describe(const scene::Object& object, bool seen_directly, const shading::RayState& ray);
 
+  void know_parents(const scene::Object& parent);
+
   compare::PixelTags tags_;
+  Contributions parts_;
+  std::unordered_map<const scene::Object*, const scene::Object*> parent_;
   std::map<std::pair<std::string, std::string>, int> index_;
   std::map<std::set<int>, int> set_index_;
   std::unordered_map<const scene::Object*, std::vector<std::pair<std::string, std::string>>>

@@ -12,7 +12,8 @@ namespace verisim::compare {
 // What a renderer says about the pixels of a scene: for each pixel a set of tags.
 struct PixelTags {
   struct Tag {
-    std::string kind;  // "object", "shape", "texture", "light", "feature"
+    std::string kind;  // "object", "copy" (an object with its place), "parent" (a CSG object
+                       // around it, with its place), "shape", "texture", "light", "feature"
     std::string name;  // "torus (scene.pov:12)", "granite", "lit by light at <0, 5, 0>", "reflection" ...
   };
   int width = 0, height = 0;  // of the picture
@@ -25,6 +26,13 @@ struct PixelTags {
     std::string text;  // `verisim explain` of this pixel
   };
   std::vector<Tree> trees;  // of the pixels that were asked for
+  // A term of the pixels' colour, in linear light: what one light adds, what is seen in mirrors, ... Terms overlap.
+  struct Part {
+    std::string kind;  // "light", "highlights", "own light", "reflection", "transparency", "radiosity", "fog" ...
+    std::string name;  // "light at <0, 5, 0>"
+    std::vector<float> light;  // red, green and blue of each pixel of set_of
+  };
+  std::vector<Part> parts;
 };
 
 // One object of the scene, by what is seen of it directly.

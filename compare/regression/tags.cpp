@@ -1,6 +1,8 @@
 // What pixels show, asked from a verisim program as a process of its own; and its JSON form.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +12,9 @@
 #include "compare/regression/program_call.h"
 
 namespace verisim::compare {
+namespace {
+constexpr double kLightUnit = 1e-6;  // of linear light, 1 is white
+}
 
 std::string tags_json(const PixelTags& tags) {
   nlohmann::json json;
@@ -21,6 +26,14 @@ std::string tags_json(const PixelTags& tags) {
   json["trees"] = nlohmann::json::array();
   for (const PixelTags::Tree& tree : tags.trees)
     json["trees"].push_back({{"x", tree.x}, {"y", tree.y}, {"text", tree.text}});
+  // Whole numbers are short: a unit is far below what 16 bits hold.
+  json["parts"] = nlohmann::json::array();
+  for (const PixelTags::Part& part : tags.parts) {
+    nlohmann::json& out = json["parts"].emplace_back(nlohmann::json{{"kind", part.kind}, {"name", part.name}});
+    nlohmann::json& light = out["light"] = nlohmann::json::array();
+    for (float v : part.light)
+      light.push_back(std::isfinite(v) ? std::llround(std::clamp<double>(v, -1e6, 1e6) / kLightUnit) : 0);
+  }
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";  // file names may hold any bytes
 }
 
@@ -32,6 +45,11 @@ PixelTags tags_from_json(const std::string& text) {
     for (const auto& tag : json.at("tags")) out.tags.push_back({tag.at("kind"), tag.at("name")});
     out.sets = json.at("sets").get<std::vector<std::vector<int>>>();
     out.set_of = json.at("pixels").get<std::vector<int>>();
+    for (const auto& part : json.value("parts", nlohmann::json::array())) {
+      PixelTags::Part& in = out.parts.emplace_back();
+      in.kind = part.at("kind"), in.name = part.at("name");
+      for (const auto& v : part.at("light")) in.light.push_back(static_cast<float>(v.get<double>() * kLightUnit));
+    }
     for (const auto& tree : json.at("trees")) out.trees.push_back({tree.at("x"), tree.at("y"), tree.at("text")});
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(fmt::format("not a list of pixel tags: {}", error.what()));

@@ -39,7 +39,7 @@ void show_progress(const compare::Progress& progress) {
 }
 
 // The program that is judged: this one, another verisim, or a POV-Ray. Returns its name.
-std::string choose_renderer(const std::string& program, std::uint64_t seed, compare::RunOptions& run, bool explain) {
+std::string choose_renderer(const std::string& program, std::uint64_t seed, compare::RunOptions& run) {
   std::vector<std::string> extra;
   if (wants_sandbox()) extra.push_back("--sandbox=" + process_limits.sandbox);
   if (seed != 0) extra.push_back(fmt::format("--seed={}", seed));
@@ -57,13 +57,12 @@ std::string choose_renderer(const std::string& program, std::uint64_t seed, comp
   run.native_version = judged.version, run.native_identity = judged.version_text;
   if (judged.name == "verisim") {
     run.native = compare::native_program(judged.path, extra);
-    if (explain) run.tags = compare::tags_of_program(judged.path);
+    run.tags = compare::tags_of_program(judged.path);
     return program.empty() ? "verisim" : fmt::format("verisim ({})", program);
   }
   compare::OracleOptions limits = run.oracle;
   limits.time_limit = run.native_time_limit;
   run.native = compare::povray_renderer(judged, limits);
-  if (explain) run.tags = compare::tags_of_program(own_program());
   return "POV-Ray " + judged.version;
 }
 
@@ -76,6 +75,15 @@ compare::NativeRenderer renderer_of_command(const char* option, const std::strin
 }
 std::string program_name(const std::string& command) {
   return fs::path(command.substr(0, command.find(' '))).filename().string();
+}
+
+// Who says what the reference's pixels show. Another verisim knows itself; a POV-Ray's pixels, or stored ones, should
+// show what this program sees in the scene, which is worth knowing where another program is judged.
+void choose_witness(const std::string& oracle, bool judges_this_program, compare::RunOptions& run) {
+  const bool other_verisim =
+      !oracle.empty() && run.baseline.empty() && compare::find_oracle(run.oracle).name == "verisim";
+  if (other_verisim || !judges_this_program)
+    run.reference_tags = compare::tags_of_program(other_verisim ? fs::path(oracle) : own_program());
 }
 
 // The same for a command line. Nothing is known of what its pixels show.
@@ -244,12 +252,15 @@ int command_compare(const std::vector<std::string>& arguments) {
 
   warn_of_unwritable_reports({json, junit, html, markdown});
   try {
-    const std::string test_name =
-        test.empty() ? choose_renderer(native, seed, run, !no_explain && !wants_sandbox()) : choose_command(test, run);
+    const std::string test_name = test.empty() ? choose_renderer(native, seed, run) : choose_command(test, run);
     if (!reference.empty()) {
       run.reference = renderer_of_command("--reference", reference);
       run.reference_identity = reference, run.reference_name = program_name(reference);
     }
+    if (no_explain || wants_sandbox())
+      run.tags = nullptr;
+    else
+      choose_witness(oracle, test.empty() && native.empty(), run);
     compare::Run result = compare::run_suite(suite, run);
     result.test_name = test_name;
     const bool report_to_stdout =

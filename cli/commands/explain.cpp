@@ -93,8 +93,8 @@ int explain_scene(const std::vector<std::string>& words, bool replay) {
 
 // Every pixel's tags, and the trees of some: what `verisim compare` asks for.
 void write_tags(const std::string& file, int step, const std::vector<std::string>& trees, render::Explainer& explainer,
-                const scene::Scene& scene, const Options& options) {
-  TagWitness witness(scene);
+                const scene::Scene& scene, const parser::Origins& origins, const Options& options) {
+  TagWitness witness(scene, origins);
   compare::PixelTags& tags = witness.tags();
   tags.width = options.width, tags.height = options.height, tags.step = step;
   for (int y = 0; y < options.height; y += step)
@@ -243,7 +243,7 @@ int command_explain(const std::vector<std::string>& arguments) {
   try {
     render::Explainer explainer(*parsed.scene, render);
     if (!tags.empty()) {
-      write_tags(tags, step, trees, explainer, *parsed.scene, options);
+      write_tags(tags, step, trees, explainer, *parsed.scene, origins, options);
       return kOk;
     }
     color = explainer.pixel(x, y, tree);

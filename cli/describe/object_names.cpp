@@ -76,15 +76,9 @@ std::string color_word(const Rgb& c) {
   return fmt::format("{}{}", most < kDark ? "dark " : chroma < kPale * most ? "pale " : "", name);
 }
 
-std::string full_object_name(const scene::Object& object, const parser::Origins& origins) {
+std::string placed_object_name(const scene::Object& object, const parser::Origins& origins) {
   const parser::Origins::Origin origin = origins.of(object.place);
-  std::string name;
-  if (const scene::TexturePtr& texture = object.texture; texture && texture->layers.size() == 1) {
-    const scene::Pigment& pigment = *texture->layers[0].pigment;
-    if (pigment.pattern.kind == scene::PatternKind::plain && pigment.color.f + pigment.color.t < 0.5f)
-      name = color_word(pigment.color.rgb()) + " ";
-  }
-  name += object_keyword(object);
+  std::string name = object_keyword(object);
   if (!origin.declared.empty()) name += fmt::format(" '{}'", origin.declared);
   if (!object.place.file || object.place.line <= 0) return name;
   name += fmt::format(" ({}:{}", *object.place.file, object.place.line);
@@ -92,6 +86,16 @@ std::string full_object_name(const scene::Object& object, const parser::Origins&
   for (const std::string& call : origin.calls)
     name += ", from " + (call.starts_with(here) ? "line " + call.substr(here.size()) : call);
   return name + ")";
+}
+
+std::string full_object_name(const scene::Object& object, const parser::Origins& origins) {
+  std::string color;
+  if (const scene::TexturePtr& texture = object.texture; texture && texture->layers.size() == 1) {
+    const scene::Pigment& pigment = *texture->layers[0].pigment;
+    if (pigment.pattern.kind == scene::PatternKind::plain && pigment.color.f + pigment.color.t < 0.5f)
+      color = color_word(pigment.color.rgb()) + " ";
+  }
+  return color + placed_object_name(object, origins);
 }
 
 }  // namespace verisim::cli

@@ -129,21 +129,24 @@ class Patterns {
   std::unordered_set<const void*> seen_;
 };
 
-// Copies of one object have one name; their places tell them apart.
-std::string with_place(const scene::Object& object) {
-  const auto& [low, size] = object.bounds;
-  constexpr float kEndless = 1e6f;
-  if (std::max({size[0], size[1], size[2]}) > kEndless) return object_name(object);
-  return fmt::format("{} at <{:.3g}, {:.3g}, {:.3g}>", object_name(object), low[0] + size[0] / 2, low[1] + size[1] / 2,
-                     low[2] + size[2] / 2);
-}
-
 std::string name_of_air(const scene::Scene& scene) { return scene.fogs.empty() ? "media" : "fog"; }
 
 }  // namespace
 
-TagWitness::TagWitness(const scene::Scene& scene) : parts_(name_of_air(scene)) {
+TagWitness::TagWitness(const scene::Scene& scene, const parser::Origins& origins)
+    : parts_(name_of_air(scene)), origins_(origins) {
   for (const scene::ObjectPtr& object : scene.objects) know_parents(*object);
+}
+
+// Copies of one object have one name; where they were called and where they are tells them apart
+// (compare/causes/objects.cpp reads it again).
+std::string TagWitness::with_place(const scene::Object& object) const {
+  const auto& [low, size] = object.bounds;
+  constexpr float kEndless = 1e6f;
+  const std::string name = placed_object_name(object, origins_);
+  if (std::max({size[0], size[1], size[2]}) > kEndless) return name;
+  return fmt::format("{} at <{:.4g}, {:.4g}, {:.4g}>, size <{:.4g}, {:.4g}, {:.4g}>", name, low[0] + size[0] / 2,
+                     low[1] + size[1] / 2, low[2] + size[2] / 2, size[0], size[1], size[2]);
 }
 
 void TagWitness::know_parents(const scene::Object& parent) {

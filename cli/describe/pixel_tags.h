@@ -9,6 +9,7 @@
 
 #include "cli/describe/contributions.h"
 #include "compare/metrics/blame.h"
+#include "parser/source/origins.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shading/explain.h"
 
@@ -16,7 +17,7 @@ namespace verisim::cli {
 
 class TagWitness : public shading::Observer {
  public:
-  explicit TagWitness(const scene::Scene& scene);
+  TagWitness(const scene::Scene& scene, const parser::Origins& origins);
   // What happened between two calls belongs to one pixel. Returns an index of PixelTags::sets.
   int take();
   compare::PixelTags& tags() { return tags_; }
@@ -38,9 +39,11 @@ class TagWitness : public shading::Observer {
   void describe(const scene::Object& object, bool seen_directly, const shading::RayState& ray);
 
   void know_parents(const scene::Object& parent);
+  std::string with_place(const scene::Object& object) const;
 
   compare::PixelTags tags_;
   Contributions parts_;
+  const parser::Origins& origins_;
   std::unordered_map<const scene::Object*, const scene::Object*> parent_;
   std::map<std::pair<std::string, std::string>, int> index_;
   std::map<std::set<int>, int> set_index_;

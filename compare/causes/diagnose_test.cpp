@@ -92,13 +92,122 @@ TEST(Diagnose, FewPixels) {
   Picture test = scene();
   for (int i = 0; i < 20; ++i)
     test.samples[static_cast<std::size_t>(997 * i)] = 1 - test.samples[static_cast<std::size_t>(997 * i)];
-  EXPECT_EQ(first(test).what, "few pixels");
+  EXPECT_EQ(first(test).what, "specks");
+  EXPECT_THAT(first(test).detail, HasSubstr("lone wrong pixels"));
 }
 
-TEST(Diagnose, NoiseIsNoneOfThem) {
+TEST(Diagnose, Noise) {
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0, 6);
-  EXPECT_EQ(first(rounded(scene(), [&](double v) { return v + noise(random); })).what, "nothing");
+  EXPECT_EQ(first(rounded(scene(), [&](double v) { return v + noise(random); })).what, "noise");
+}
+
+// A copy of the scene whose pixel at x, y, seen from the middle, is what the scene has at `place`.
+Picture seen_from(const std::function<std::pair<double, double>(double, double)>& place) {
+  const Picture original = scene(0, 0, 192, 144);  // twice as fine, so that edges stay sharp
+  return picture_of(96, 72, [&](int x, int y, int c) {
+    const auto [u, v] = place(x - 47.5, y - 35.5);
+    const int i = std::clamp(static_cast<int>(std::lround(2 * (u + 47.5) + 0.5)), 0, 191),
+              j = std::clamp(static_cast<int>(std::lround(2 * (v + 35.5) + 0.5)), 0, 143);
+    return std::round(255.0 * original.samples[static_cast<std::size_t>(3 * (j * 192 + i) + c)]);
+  });
+}
+
+TEST(Diagnose, TheCamera) {
+  EXPECT_THAT(first(seen_from([](double x, double y) { return std::pair(x / 1.06, y / 1.06); })).what, "zoom");
+  const Suspicion turned = first(seen_from([](double x, double y) {
+    return std::pair(x * std::cos(0.05) + y * std::sin(0.05), y * std::cos(0.05) - x * std::sin(0.05));
+  }));
+  EXPECT_EQ(turned.what, "rotation") << turned.detail;
+  EXPECT_THAT(turned.detail, testing::ContainsRegex("2\\.[789][0-9]* degrees|3\\.0")) << turned.detail;
+  EXPECT_EQ(first(seen_from([](double x, double y) { return std::pair(x / 1.08, y); })).what, "stretched");
+}
+
+TEST(Diagnose, ValuesAfterThePicture) {
+  const auto each = [](const std::function<void(float*)>& change) {
+    Picture test = scene();
+    for (std::size_t i = 0; i < test.samples.size(); i += 3) change(&test.samples[i]);
+    return first(test).what;
+  };
+  const auto of_values = [&](const std::function<double(double)>& f) { return first(rounded(scene(), f)).what; };
+  EXPECT_EQ(of_values([](double v) { return v + 8; }), "offset");
+  EXPECT_EQ(of_values([](double v) { return 128 + 0.8 * (v - 128); }), "contrast");
+  EXPECT_EQ(of_values([](double v) { return 255 - v; }), "inverted");
+  EXPECT_EQ(of_values([](double v) { return std::min(v, 150.0); }), "clipped");
+  EXPECT_EQ(of_values([](double v) { return 32 * std::round(v / 32); }), "quantised");
+  EXPECT_EQ(of_values([](double v) { return 255 * srgb_to_linear(v / 255); }), "gamma");
+  EXPECT_EQ(each([](float* p) { p[1] = 0; }), "channel missing");
+  EXPECT_EQ(each([](float* p) {
+              const float grey = 0.299f * p[0] + 0.587f * p[1] + 0.114f * p[2];
+              for (int c = 0; c < 3; ++c) p[c] = 0.4f * p[c] + 0.6f * grey;
+            }),
+            "saturation");
+}
+
+// `place`: where the pixel at x, y comes from; what the picture does not hold is black.
+Picture rearranged(const std::function<std::pair<int, int>(int, int)>& place) {
+  const Picture original = scene();
+  return picture_of(96, 72, [&](int x, int y, int c) {
+    const auto [i, j] = place(x, y);
+    return i < 0 || j < 0 || i >= 96 || j >= 72
+               ? 0
+               : std::round(255.0 * original.samples[static_cast<std::size_t>(3 * (j * 96 + i) + c)]);
+  });
+}
+
+TEST(Diagnose, PartsOfThePicture) {
+  const auto inside = [](int x, int y) { return x >= 20 && x < 52 && y >= 10 && y < 42; };
+  const Suspicion lost =
+      first(rearranged([&](int x, int y) { return inside(x, y) ? std::pair(-1, -1) : std::pair(x, y); }));
+  EXPECT_EQ(lost.what, "rectangle");
+  EXPECT_THAT(lost.detail, HasSubstr("columns 20 to 51, rows 10 to 41, all 0 0 0"));
+  const Suspicion moved =
+      first(rearranged([&](int x, int y) { return inside(x, y) ? std::pair(x + 6, y + 2) : std::pair(x, y); }));
+  EXPECT_EQ(moved.what, "part shifted");
+  EXPECT_THAT(moved.detail, HasSubstr("moved by -6, -2"));
+  EXPECT_EQ(first(rearranged([&](int x, int y) { return std::pair(y == 30 ? std::min(x + 9, 95) : x, y); })).what,
+            "part shifted");
+  EXPECT_EQ(first(rearranged([&](int x, int y) { return std::pair(x, y == 30 ? -1 : y); })).what, "rows");
+  EXPECT_EQ(first(rearranged([&](int x, int y) { return std::pair(x / 4 * 4, y / 4 * 4); })).what, "pixelation");
+}
+
+TEST(Diagnose, WhatLensesDo) {
+  const Picture original = scene();
+  const auto filtered = [&](double s) {
+    return picture_of(96, 72, [&](int x, int y, int c) {
+      double sum = 0;
+      for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i)
+          sum += 255.0 *
+                 original.samples[static_cast<std::size_t>(
+                     3 * (std::clamp(y + j, 0, 71) * 96 + std::clamp(x + i, 0, 95)) + c)] /
+                 9;
+      const double v = 255.0 * original.samples[static_cast<std::size_t>(3 * (y * 96 + x) + c)];
+      return std::round(std::clamp(v + s * (sum - v), 0.0, 255.0));
+    });
+  };
+  EXPECT_EQ(first(filtered(0.8)).what, "blur");
+  EXPECT_EQ(first(filtered(-0.8)).what, "sharpening");
+  EXPECT_EQ(first(picture_of(96, 72,
+                             [&](int x, int y, int c) {
+                               const double u = x / 47.5 - 1, v = y / 35.5 - 1;
+                               return std::round(255.0 *
+                                                 original.samples[static_cast<std::size_t>(3 * (y * 96 + x) + c)] *
+                                                 (1 - 0.15 * (u * u + v * v)));
+                             }))
+                .what,
+            "vignetting");
+}
+
+TEST(Diagnose, TheSuspectHoldsThePixelsThatItExplains) {
+  const Suspicion lost =
+      first(rearranged([](int x, int y) { return x < 4 && y < 4 ? std::pair(-1, -1) : std::pair(x, y); }));
+  const std::vector<unsigned char> mask = mask_of(lost.pixels, 96 * 72);
+  EXPECT_EQ(std::count(mask.begin(), mask.end(), 1), 16);
+  EXPECT_EQ(mask[0] + mask[3] + mask[3 * 96 + 3], 3);
+  EXPECT_DOUBLE_EQ(lost.precision, 1);
+  EXPECT_DOUBLE_EQ(lost.explained, 1);
+  EXPECT_GT(lost.sure, 0.8);
 }
 
 TEST(Diagnose, OnePixelAndNan) {

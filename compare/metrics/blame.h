@@ -32,7 +32,7 @@ struct PixelTags {
     std::string name;  // "light at <0, 5, 0>"
     std::vector<float> light;  // red, green and blue of each pixel of set_of
   };
-  std::vector<Part> parts;
+  std::vector<Part> parts = {};
 };
 
 // One object of the scene, by what is seen of it directly.

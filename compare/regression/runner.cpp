@@ -302,15 +302,13 @@ class Runner {
     if (const std::string warning = broken_limit(request.warnings, *result.metrics, *oracle, native);
         !warning.empty() && result.status != Status::differ)
       result.reason += (result.reason.empty() ? "" : "; ") + ("warning: " + warning);
-    if (result.status == Status::differ) {
-      result.suspicions = diagnose(*oracle, native);
-    } else if (const std::string drift = systematic_drift(*result.metrics);
-               !drift.empty() && result.scene_class == SceneClass::deterministic) {
-      result.suspicions = diagnose(*oracle, native);
+    bool differs = result.status == Status::differ;
+    if (const std::string drift = systematic_drift(*result.metrics);
+        !differs && !drift.empty() && result.scene_class == SceneClass::deterministic) {
+      differs = true;
       result.reason += (result.reason.empty() ? "" : "; ") + drift;
     }
-    if (options_.tags && (result.status == Status::differ || options_.always_blame))
-      find_blame(request, *oracle, native, result);
+    if (differs || options_.always_blame) find_causes(request, *oracle, native, result);
   }
 
   static Verdict judge_limits(const SceneRequest& request, const Picture& oracle, const Picture& native,
@@ -459,51 +457,42 @@ class Runner {
     return verdict;
   }
 
-  void find_blame(const SceneRequest& request, const Picture& oracle, const Picture& native, SceneResult& result) {
+  // What the pixels of a scene show, by one of the two programs.
+  std::optional<PixelTags> tags_by(const TagSource& source, const SceneRequest& request,
+                                   const std::vector<std::pair<int, int>>& trees, SceneResult& result) {
     constexpr double kMostPixels = 300000;
-    constexpr std::size_t kTrees = 6;
+    if (!source || request.scene.extension() != ".pov") return std::nullopt;  // another renderer's scenes
     try {
       const WorkingCopy copy(request.scene);
-      std::vector<std::pair<int, int>> trees;
-      for (const WorstPixel& pixel : result.metrics->worst)
-        if (trees.size() < kTrees) trees.emplace_back(pixel.x, pixel.y);
       const double pixels = static_cast<double>(request.width) * request.height;
-      PixelTags tags =
-          options_.tags(renders_->native_request(
-                            request.passes.empty() ? request : request_of_pass(request, request.passes[0]), copy),
-                        std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels)))), trees);
+      PixelTags tags = source(renders_->native_request(
+                                  request.passes.empty() ? request : request_of_pass(request, request.passes[0]), copy),
+                              std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels)))), trees);
       const std::vector<fs::path> library = renders_->library_paths();
       for (PixelTags::Tag& tag : tags.tags) tag.name = short_names(std::move(tag.name), copy, library);
       for (PixelTags::Tree& tree : tags.trees) tree.text = short_names(std::move(tree.text), copy, library);
-      result.blame = blame(oracle, native, tags, request.antialiased() ? 2 : 1);
-      diagnose_worst_object(oracle, native, tags, result);
-      result.trees = tags.trees;
+      return tags;
     } catch (const std::exception& error) {
       result.blame_failed = error.what();
+      return std::nullopt;
     }
   }
 
-  // What is wrong with the object that wrong pixels have in common, if there is one.
-  static void diagnose_worst_object(const Picture& oracle, const Picture& native, const PixelTags& tags,
-                                    SceneResult& result) {
-    constexpr double kClear = 0.4;
-    const auto& common = result.blame->common;
-    const auto object = std::find_if(common.begin(), common.end(), [](const CommonTag& tag) {
-      return tag.kind == "object" && tag.correlation > kClear;
-    });
-    if (object == common.end() || tags.step != 1) return;
-    const auto tag =
-        std::find_if(tags.tags.begin(), tags.tags.end(),
-                     [&](const PixelTags::Tag& t) { return t.kind == "object" && t.name == object->name; }) -
-        tags.tags.begin();
-    std::vector<unsigned char> mask;
-    for (int set : tags.set_of) {
-      const auto& members = tags.sets.at(static_cast<std::size_t>(set));
-      mask.push_back(std::find(members.begin(), members.end(), static_cast<int>(tag)) != members.end());
-    }
-    for (Suspicion& part : diagnose_part(oracle, native, mask)) {
-      part.detail = fmt::format("{}: {}", object->name, part.detail);
-      result.suspicions.push_back(std::move(part));
+  void find_causes(const SceneRequest& request, const Picture& oracle, const Picture& native, SceneResult& result) {
+    constexpr std::size_t kTrees = 6;
+    std::vector<std::pair<int, int>> trees;
+    for (const WorstPixel& pixel : result.metrics->worst)
+      if (trees.size() < kTrees) trees.emplace_back(pixel.x, pixel.y);
+    const std::optional<PixelTags> ours = tags_by(options_.tags, request, trees, result),
+                                   theirs = tags_by(options_.reference_tags, request, trees, result);
+    try {
+      if (const auto& known = ours ? ours : theirs) {
+        result.blame = blame(oracle, native, *known, request.antialiased() ? 2 : 1);
+        result.trees = known->trees;
+      }
+      result.suspicions = diagnose(oracle, native, theirs ? &*theirs : nullptr, ours ? &*ours : nullptr);
+    } catch (const std::exception& error) {
+      result.blame_failed = error.what();
     }
   }
 

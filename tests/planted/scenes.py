@@ -15,8 +15,8 @@ def an_object(text, generator, words=SIMPLE):
     return generator.choice(found) if found else None
 
 
-def named(block, what='object'):
-    return rf'{what}.*:{block.line}\)'
+def named(block, what=''):
+    return rf'{what}.*(:|line ){block.line}[,)]'
 
 
 def missing(text, s, generator):
@@ -174,7 +174,7 @@ def part_missing(text, s, generator):
     """One child of a CSG object is lost."""
     outer = an_object(text, generator, ['union', 'merge', 'difference', 'intersection'])
     inner = outer and blocks(text, SIMPLE, 0, outer)
-    return (without(text, inner[-1]), named(outer) + '|' + named(inner[-1]) + f'|:{inner[0].line}\\)') if inner and len(inner) > 2 else None
+    return (without(text, inner[-1]), named(outer) + '|' + named(inner[-1]) + '|' + named(inner[0])) if inner and len(inner) > 2 else None
 
 
 def part_moved(text, s, generator):
@@ -183,7 +183,7 @@ def part_moved(text, s, generator):
     if not inner:
         return None
     d = (0.03, 0.08, 0.25)[s]
-    return appended(text, inner[-1], f'translate <{d}, {d}, 0>'), f'object.*:({"|".join(str(b.line) for b in [outer, *inner])})\\)'
+    return appended(text, inner[-1], f'translate <{d}, {d}, 0>'), '|'.join(named(b) for b in [outer, *inner])
 
 
 def background(text, s, generator):
@@ -223,7 +223,7 @@ SCENES = {
     'spot radius': number(r'\b(?:falloff)', (1.03, 1.1, 1.4), 'light'), 'fade distance': number(r'\bfade_distance', (1.02, 1.1, 1.5), 'light|transparency'),
     'camera zoom': camera(zoomed, 'zoom'), 'camera moved': camera(camera_moved, 'shift|camera|zoom|rotation'), 'camera width': camera(stretched, 'stretched|zoom'),
     'fog distance': number(r'\bfog\s*\{[^{}]*?\bdistance', (1.02, 1.1, 1.6), 'fog'), 'no fog': without_block('fog', 'fog'),
-    'media density': number(r'\b(?:absorption|emission)', (1.05, 1.3, 2), 'media'), 'no media': without_block('media', 'media'),
+    'media density': number(r'\bmedia\s*\{[^{}]*?\b(?:absorption|emission)', (1.05, 1.3, 2), 'media'), 'no media': without_block('media', 'media'),
     'no radiosity': without_block('radiosity', 'radiosity'), 'radiosity brightness': number(r'\bbrightness', (0.95, 0.8, 0.4), 'radiosity'),
     'no photons': without_block('photons', 'photons'),
     'background': background, 'part missing': part_missing, 'part moved': part_moved,

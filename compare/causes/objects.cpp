@@ -1,0 +1,277 @@
+// What became of the objects. Where both programs say what their pixels show, objects are known by name and place: what
+// one of them lost, moved or changed can be read off. Where only one does, its objects' outlines are looked for in the
+// other picture.
+#include <fmt/format.h>
+
+#include <numbers>
+#include <set>
+
+#include "compare/causes/families.h"
+#include "compare/causes/registration.h"
+
+namespace verisim::compare {
+namespace {
+
+struct Seen {
+  std::string name, copy;  // "sphere (s.pov:3)"; the same with its place
+  bool parent = false;     // a CSG object
+  bool placed = false;     // the next two are known
+  std::array<double, 3> middle{}, size{};
+  Mask mask;
+  std::size_t pixels = 0;
+};
+
+std::vector<Seen> seen_in(const Case& c, const PixelTags& tags) {
+  std::vector<Seen> out;
+  std::vector<int> index(tags.tags.size(), -1);
+  for (std::size_t i = 0; i < tags.tags.size(); ++i) {
+    const PixelTags::Tag& tag = tags.tags[i];
+    if (tag.kind != "copy" && tag.kind != "parent") continue;
+    index[i] = static_cast<int>(out.size());
+    Seen& s = out.emplace_back();
+    const std::size_t at = tag.name.rfind(" at <");
+    s.name = tag.name.substr(0, at), s.copy = tag.name, s.parent = tag.kind == "parent", s.mask.assign(c.size(), 0);
+    if (at != std::string::npos)
+      s.placed = std::sscanf(tag.name.c_str() + at, " at <%lf, %lf, %lf>, size <%lf, %lf, %lf>", &s.middle[0],
+                             &s.middle[1], &s.middle[2], &s.size[0], &s.size[1], &s.size[2]) == 6;
+  }
+  for (std::size_t i = 0; i < c.size(); ++i)
+    if (const int set = c.set_of(tags, i); set >= 0 && static_cast<std::size_t>(set) < tags.sets.size())
+      for (int tag : tags.sets[static_cast<std::size_t>(set)])
+        if (tag >= 0 && static_cast<std::size_t>(tag) < index.size() && index[static_cast<std::size_t>(tag)] >= 0) {
+          Seen& s = out[static_cast<std::size_t>(index[static_cast<std::size_t>(tag)])];
+          s.mask[i] = 1, ++s.pixels;
+        }
+  return out;
+}
+
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+struct Match {
+  const Seen *was = nullptr, *is = nullptr;
+};
+
+// By place; what is left by name, the nearest first.
+std::vector<Match> matches(const std::vector<Seen>& was, const std::vector<Seen>& is) {
+  std::vector<Match> out;
+  std::set<const Seen*> taken;
+  for (const Seen& a : was) out.push_back({&a, nullptr});
+  const auto pair_up = [&](const std::function<bool(const Seen&, const Seen&)>& fit) {
+    for (Match& m : out) {
+      if (m.is) continue;
+      const Seen* best = nullptr;
+      for (const Seen& b : is)
+        if (!taken.contains(&b) && b.parent == m.was->parent && fit(*m.was, b) &&
+            (!best || distance(b.middle, m.was->middle) < distance(best->middle, m.was->middle)))
+          best = &b;
+      if (best) m.is = best, taken.insert(best);
+    }
+  };
+  pair_up([](const Seen& a, const Seen& b) { return a.copy == b.copy; });
+  pair_up([](const Seen& a, const Seen& b) { return a.name == b.name; });
+  for (const Seen& b : is)
+    if (!taken.contains(&b)) out.push_back({nullptr, &b});
+  return out;
+}
+
+Mask either(const Mask& a, const Mask& b) {
+  Mask out = a;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = a[i] || b[i];
+  return out;
+}
+Mask common(const Mask& a, const Mask& b) {
+  Mask out = a;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = a[i] && b[i];
+  return out;
+}
+Mask difference(const Mask& a, const Mask& b) {
+  Mask out = a;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = a[i] != b[i];
+  return out;
+}
+
+// What both programs know is as good as sure, if it accounts for a good part of the difference: shadows and mirror
+// images of the object are wrong, too.
+void add_known(const Case& c, const std::string& what, const std::string& detail, const Mask& mask, double certainty,
+               Suspicions& out) {
+  constexpr double kBase = 0.55;
+  Suspicion s = c.placed(what, detail, mask, 1);
+  if (s.explained < 0.05) return;
+  s.sure = weight::kKnown * certainty * (kBase + (1 - kBase) * s.explained);
+  out.push_back(std::move(s));
+}
+
+std::string vector_text(const std::array<double, 3>& v) {
+  return fmt::format("<{:.4g}, {:.4g}, {:.4g}>", v[0], v[1], v[2]);
+}
+
+struct Change {
+  std::string what, detail;
+  std::array<double, 3> move{};
+};
+
+// How the box of an object has changed, if it has.
+std::optional<Change> change_of(const Seen& was, const Seen& is) {
+  constexpr double kSame = 2e-3;
+  if (!was.placed || !is.placed || was.copy == is.copy) return std::nullopt;
+  Change out;
+  double largest = 1e-9;
+  for (std::size_t k = 0; k < 3; ++k)
+    out.move[k] = is.middle[k] - was.middle[k], largest = std::max({largest, was.size[k], is.size[k]});
+  std::array<double, 3> ratio{};
+  int changed = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    ratio[k] = was.size[k] > 1e-9 * largest ? is.size[k] / was.size[k] : 1;
+    changed += std::fabs(is.size[k] - was.size[k]) > kSame * std::max(was.size[k], 1e-3 * largest);
+  }
+  const auto [low, high] = std::minmax_element(ratio.begin(), ratio.end());
+  if (changed == 0)
+    out.what = "object moved",
+    out.detail = fmt::format("{}: by {}, to {}", was.name, vector_text(out.move), vector_text(is.middle));
+  else if (changed == 3 && *high / *low < 1 + 2 * kSame)
+    out.what = "object scaled",
+    out.detail = fmt::format("{}: {:.1f} % {}", was.name, 100 * std::fabs(*high - 1), *high > 1 ? "larger" : "smaller");
+  else if (changed == 1)
+    out.what = "object scaled", out.detail = fmt::format("{}: its box has the size {}, not {}", was.name,
+                                                         vector_text(is.size), vector_text(was.size));
+  else
+    out.what = "object rotated",
+    out.detail = fmt::format("{}: turned, or of another shape: its box has the size {}, not {}", was.name,
+                             vector_text(is.size), vector_text(was.size));
+  return out;
+}
+
+bool same_move(const Change& a, const Change& b) {
+  return a.what == b.what && distance(a.move, b.move) < 1e-3 * (1e-3 + distance(a.move, {}));
+}
+
+void changed_objects(const Case& c, const std::vector<Match>& all, Suspicions& out) {
+  constexpr double kPartOfParent = 0.85;
+  struct Found {
+    Match match;
+    Change change;
+  };
+  std::vector<Found> changes;
+  for (const Match& m : all) {
+    if (!m.was || !m.is)
+      changes.push_back({m, {m.was ? "object missing" : "object added", (m.was ? m.was : m.is)->copy}});
+    else if (auto change = change_of(*m.was, *m.is))
+      changes.push_back({m, *change});
+  }
+  for (const Found& f : changes) {
+    const Seen& any = f.match.was ? *f.match.was : *f.match.is;
+    // A CSG object is named if what is known of its parts is known of it, and then in their place.
+    const auto same_as = [&](const Found& other) {
+      const Seen& theirs = other.match.was ? *other.match.was : *other.match.is;
+      return &other != &f && (other.match.was == nullptr) == (f.match.was == nullptr) &&
+             same_move(f.change, other.change) && theirs.parent != any.parent &&
+             share_of(c, common(theirs.mask, any.mask)) > 0;
+    };
+    const bool shared = std::any_of(changes.begin(), changes.end(), same_as);
+    if (any.parent && !shared) continue;
+    const Mask mask = f.match.was && f.match.is ? either(f.match.was->mask, f.match.is->mask) : any.mask;
+    add_known(c, f.change.what, f.change.detail, mask, !any.parent && shared ? kPartOfParent : 1, out);
+  }
+}
+
+// The same boxes, and other outlines: of few objects, for all of them change when the camera does.
+void changed_outlines(const Case& c, const std::vector<Match>& all, Suspicions& out) {
+  std::size_t kept = 0, other = 0;
+  for (const Match& m : all)
+    if (m.was && m.is && m.was->copy == m.is->copy && !m.was->parent)
+      ++kept, other += difference(m.was->mask, m.is->mask) != Mask(c.size());
+  if (other > 2 && other > kept / 2) return;
+  for (const Match& m : all) {
+    if (!m.was || !m.is || m.was->copy != m.is->copy || m.was->parent) continue;
+    const Mask changed = difference(m.was->mask, m.is->mask);
+    const double share = share_of(c, changed);
+    if (share < 0.3) continue;
+    Suspicion s = c.placed(
+        "object shape", fmt::format("{}: seen at {} pixels in place of {}", m.was->name, m.is->pixels, m.was->pixels),
+        changed, 1);
+    s.sure = weight::kPlace * share * (m.was->placed ? 1 : 0.7);
+    out.push_back(std::move(s));
+  }
+}
+
+// Where an object is what it was and looks otherwise.
+void surfaces(const Case& c, const Seen& object, const Mask& mask, Suspicions& out) {
+  constexpr double kLeastShare = 0.5;
+  const double share = share_of(c, mask);
+  if (share < kLeastShare) return;
+  suspect_tone_of(c, object.name, mask, out);
+  out.push_back(c.placed("object", object.name + ": its surface", mask, weight::kPlace));
+}
+
+// How strongly the mask's border shows in a picture: differences across it.
+double border(const Case& c, const Mask& mask, const Pixels& picture) {
+  double sum = 0;
+  for (int y = 0; y + 1 < c.height; ++y)
+    for (int x = 0; x + 1 < c.width; ++x) {
+      const std::size_t i = c.at(x, y);
+      for (std::size_t j : {c.at(x + 1, y), c.at(x, y + 1)})
+        if (mask[i] != mask[j]) sum += squared_distance(picture[i], picture[j]);
+    }
+  return sum;
+}
+
+// With one side's word only.
+void outlines_of_one_side(const Case& c, Suspicions& out) {
+  constexpr double kGone = 0.3, kLeastShare = 0.5, kMostOfPicture = 0.6;
+  for (const Seen& object : seen_in(c, *c.tags.any())) {
+    surfaces(c, object, object.mask, out);
+    const int reach = std::max(3, c.width / 20);
+    const Mask around = dilated(c, object.mask, reach);
+    if (share_of(c, around) < kLeastShare || object.pixels < 6 ||
+        static_cast<double>(object.pixels) > kMostOfPicture * static_cast<double>(c.size()))
+      continue;
+    const double was = border(c, object.mask, c.reference), is = border(c, object.mask, c.test);
+    if (is < kGone * was) out.push_back(c.placed("object missing", object.copy, object.mask, 0.95));
+    if (was < kGone * is) out.push_back(c.placed("object added", object.copy, object.mask, 0.95));
+    double mx = 0, my = 0;
+    for (std::size_t i = 0; i < c.size(); ++i)
+      if (object.mask[i])
+        mx += static_cast<double>(i % static_cast<std::size_t>(c.width)),
+            my += static_cast<double>(i / static_cast<std::size_t>(c.width));
+    mx /= static_cast<double>(object.pixels), my /= static_cast<double>(object.pixels);
+    double known = 0;
+    const auto attempt = [&](const char* what, const Freedom& freedom, const auto& detail) {
+      const Registered r = registered(c, freedom, mx, my, around);
+      Suspicion s = c.placed(what, fmt::format("{}: {}", object.name, detail(r.motion)), around, 1);
+      s.explained *= std::max(0.0, r.explained);
+      s.sure = 0.95 * weight::kRepaired * s.explained * (known > 0 && 1 - r.explained > 0.6 * (1 - known) ? 0.8 : 1);
+      known = std::max(known, r.explained);
+      out.push_back(std::move(s));
+    };
+    attempt("object moved", {true, false, false, false}, [&](const Motion& m) {
+      return fmt::format("by {:.1f}, {:.1f} pixels (right, down)", m.dx * c.reduced, m.dy * c.reduced);
+    });
+    attempt("object scaled", {true, true, false, false}, [](const Motion& m) {
+      return fmt::format("{:.1f} % {}", 100 * std::fabs(m.zoom_x), m.zoom_x > 0 ? "larger" : "smaller");
+    });
+    attempt("object rotated", {true, false, false, true}, [](const Motion& m) {
+      return fmt::format("by {:.1f} degrees in the picture", 180 / std::numbers::pi * m.turn);
+    });
+  }
+}
+
+}  // namespace
+
+void suspect_objects(const Case& c, Suspicions& out) {
+  if (!c.tags.any()) return;
+  if (!c.tags.both()) return outlines_of_one_side(c, out);
+  const std::vector<Seen> was = seen_in(c, *c.tags.reference), is = seen_in(c, *c.tags.test);
+  const std::vector<Match> all = matches(was, is);
+  changed_objects(c, all, out);
+  changed_outlines(c, all, out);
+  for (const Match& m : all)
+    if (m.was && m.is) surfaces(c, *m.was, common(m.was->mask, m.is->mask), out);
+  const auto sky = [](const PixelTags::Tag& tag) { return tag.kind == "object" && tag.name.starts_with("sky"); };
+  const Mask background = common(c.pixels_with(*c.tags.reference, sky), c.pixels_with(*c.tags.test, sky));
+  if (share_of(c, background) > 0.5)
+    out.push_back(c.placed("background", "what is seen where there is no object", background, weight::kRepaired));
+}
+
+}  // namespace verisim::compare

@@ -1,0 +1,348 @@
+// The terms of a pixel's colour: where both programs tell them, what each has changed; where one does, how much of
+// each is missing or too much. All in linear light, where they add up.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "compare/causes/families.h"
+#include "compare/causes/registration.h"
+
+namespace verisim::compare {
+namespace {
+
+using Key = std::pair<std::string, std::string>;  // kind and name
+constexpr const char* kOverlapping[] = {"highlights", "reflection", "transparency"};
+
+bool overlaps(const std::string& kind) {
+  return std::find(std::begin(kOverlapping), std::end(kOverlapping), kind) != std::end(kOverlapping);
+}
+
+// From linear light to the code values of the pictures: sRGB, or linear files.
+class Transfer {
+ public:
+  // The one that brings the sum of the terms nearest to the picture.
+  Transfer(const Case& c, const Pixels& sum, const Pixels& picture) {
+    double srgb = 0, plain = 0;
+    for (std::size_t i = 0; i < c.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        srgb += std::fabs(coded(sum[i][k]) - picture[i][k]),
+            plain += std::fabs(255 * std::clamp(sum[i][k], 0.0f, 1.0f) - picture[i][k]);
+    linear_ = plain < srgb;
+  }
+  double light(float code) const { return linear_ ? code / 255 : srgb_to_linear(code / 255); }
+  float code(double light) const {
+    return linear_ ? static_cast<float>(255 * std::clamp(light, 0.0, 1.0)) : coded(light);
+  }
+
+ private:
+  static float coded(double v) { return static_cast<float>(255 * linear_to_srgb(std::clamp(v, 0.0, 1.0))); }
+  bool linear_ = false;
+};
+
+std::map<Key, Pixels> terms_of(const Case& c, const PixelTags& tags) {
+  std::map<Key, Pixels> out;
+  for (const PixelTags::Part& part : tags.parts) out[{part.kind, part.name}] = c.light_of(tags, part);
+  return out;
+}
+
+Pixels sum_of(const Case& c, const std::map<Key, Pixels>& terms) {
+  Pixels out(c.size());
+  for (const auto& [key, light] : terms)
+    if (!overlaps(key.first))
+      for (std::size_t i = 0; i < c.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) out[i][k] += light[i][k];
+  return out;
+}
+
+double squares(const Pixels& p) {
+  double sum = 0;
+  for (const Pixel& v : p) sum += squared_distance(v, {});
+  return sum;
+}
+
+// y = factor x for each channel, and how much of y that is.
+struct Proportion {
+  std::array<double, 3> factor{};
+  double explained = 0;
+  bool one() const {
+    const auto [low, high] = std::minmax_element(factor.begin(), factor.end());
+    return *high - *low < 0.1 * std::max(std::fabs(*low), std::fabs(*high));
+  }
+};
+Proportion proportion(const Pixels& x, const Pixels& y, const Mask* judged = nullptr) {
+  Proportion out;
+  std::array<double, 3> xx{}, xy{}, yy{};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (judged && !(*judged)[i]) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      xx[k] += x[i][k] * x[i][k], xy[k] += x[i][k] * y[i][k], yy[k] += y[i][k] * y[i][k];
+  }
+  double all = 0, fitted = 0;
+  // A channel without any light takes part in what the others say.
+  double mean = 0, weights = 0;
+  for (std::size_t k = 0; k < 3; ++k) mean += xy[k], weights += xx[k];
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.factor[k] = xx[k] > 1e-6 * weights && weights > 0 ? xy[k] / xx[k] : weights > 0 ? mean / weights : 0;
+    all += yy[k], fitted += xx[k] > 0 ? xy[k] * xy[k] / xx[k] : 0;
+  }
+  out.explained = all > 0 ? fitted / all : 0;
+  return out;
+}
+
+std::string in_words(const std::string& kind, const std::string& name) {
+  if (kind == "own light") return "ambient light";
+  if (kind == "background") return "background";
+  return name.empty() || kind != "light" ? kind : name;
+}
+
+// What to call a light that is so many times what it was.
+std::pair<std::string, std::string> strength(const std::string& kind, const std::string& name, const Proportion& p) {
+  const std::string words = in_words(kind, name);
+  const double mean = (p.factor[0] + p.factor[1] + p.factor[2]) / 3;
+  const bool light = kind == "light";
+  if (p.one() && mean < -0.97)
+    return {light ? "light missing" : words + " missing", light ? "the " + name : "there is none"};
+  if (p.one())
+    return {light ? "light strength" : words, fmt::format("{}{:.1f} % {}", light ? "the " + name + ": " : "",
+                                                          100 * std::fabs(mean), mean < 0 ? "less" : "more")};
+  return {light ? "light color" : words,
+          fmt::format("{}red, green and blue are {:.3f}, {:.3f} and {:.3f} times the reference's",
+                      light ? "the " + name + ": " : "", 1 + p.factor[0], 1 + p.factor[1], 1 + p.factor[2])};
+}
+
+constexpr double kProportional = 0.97;
+
+class Terms {
+ public:
+  Terms(const Case& c, Suspicions& out)
+      : c_(c),
+        out_(out),
+        was_(c.tags.reference ? terms_of(c, *c.tags.reference) : std::map<Key, Pixels>()),
+        is_(c.tags.test ? terms_of(c, *c.tags.test) : std::map<Key, Pixels>()),
+        transfer_(c, sum_of(c, c.tags.reference ? was_ : is_), c.tags.reference ? c.reference : c.test) {
+    for (const Pixel& p : c.reference) lit_.push_back({light(p[0]), light(p[1]), light(p[2])});
+  }
+
+  void compare_both() {
+    lights();
+    std::map<std::string, std::array<Pixels, 2>> kinds;
+    for (const auto& [side, terms] : {std::pair(0, &was_), std::pair(1, &is_)})
+      for (const auto& [key, light] : *terms)
+        if (key.first != "light") kinds[key.first][static_cast<std::size_t>(side)] = light;
+    for (auto& [kind, sides] : kinds) {
+      for (Pixels& side : sides) side.resize(c_.size());
+      const Pixels change = minus(sides[1], sides[0]);
+      if (squares(change) <= 0) continue;
+      if (squares(sides[0]) == 0 || squares(sides[1]) == 0) {
+        whole_effect(in_words(kind, ""), squares(sides[1]) == 0, change);
+        continue;
+      }
+      const Proportion p = proportion(sides[0], change);
+      auto [what, detail] = strength(kind, "", p);
+      if (p.explained < kProportional) what = in_words(kind, ""), detail = "differently distributed";
+      // Ambient light and background are as bright as objects say: elsewhere they are when objects are.
+      const bool of_objects = kind == "own light" || kind == "background";
+      add(what, detail, change, p.explained >= kProportional ? 0.95 : of_objects ? 0.6 : 0.88);
+    }
+  }
+
+  // How much of the difference the two sides' terms tell.
+  double told() const {
+    const Pixels before = sum_of(c_, was_), after = sum_of(c_, is_);
+    return c_
+        .repaired(
+            "", "",
+            [&](std::size_t i) {
+              Pixel p;
+              for (std::size_t k = 0; k < 3; ++k) p[k] = transfer_.code(lit_[i][k] + after[i][k] - before[i][k]);
+              return p;
+            },
+            1)
+        .explained;
+  }
+
+  // With one side's terms: how much of each the difference holds.
+  void fit_one(bool of_reference) {
+    constexpr float kWhite = 254.5f;
+    Mask judged(c_.size());
+    Pixels rest(c_.size());
+    for (std::size_t i = 0; i < c_.size(); ++i) {
+      judged[i] = std::all_of(c_.test[i].begin(), c_.test[i].end(), [](float v) { return v < kWhite; }) &&
+                  std::all_of(c_.reference[i].begin(), c_.reference[i].end(), [](float v) { return v < kWhite; });
+      for (std::size_t k = 0; k < 3; ++k) rest[i][k] = light(c_.test[i][k]) - lit_[i][k];
+    }
+    for (const auto& [key, term] : of_reference ? was_ : is_) {
+      const Proportion p = proportion(term, rest, &judged);
+      auto [what, detail] = strength(key.first, key.second, p);
+      const double mean = (p.factor[0] + p.factor[1] + p.factor[2]) / 3;
+      if (!of_reference && p.one() && std::fabs(mean - 1) < 0.03) {
+        what = key.first == "light" ? "light added" : in_words(key.first, "") + " added";
+        detail = key.first == "light" ? "the " + key.second : "there is none in the reference";
+      }
+      Pixels change = term;
+      for (Pixel& v : change)
+        for (std::size_t k = 0; k < 3; ++k) v[k] *= static_cast<float>(p.factor[k]);
+      add(what, detail, change, weight::kRepaired * (p.one() ? 1 : 0.97));
+    }
+  }
+
+ private:
+  float light(float code) const { return static_cast<float>(transfer_.light(code)); }
+  static Pixels minus(Pixels a, const Pixels& b) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) a[i][k] -= b[i][k];
+    return a;
+  }
+
+  void add(const std::string& what, const std::string& detail, const Pixels& change, double weight) {
+    Suspicion s = c_.repaired(
+        what, detail,
+        [&](std::size_t i) {
+          Pixel p;
+          for (std::size_t k = 0; k < 3; ++k) p[k] = transfer_.code(lit_[i][k] + change[i][k]);
+          return p;
+        },
+        weight);
+    if (s.explained > 0.05) out_.push_back(std::move(s));
+  }
+
+  // A program that draws none of an effect has this fault for sure, whatever else there is.
+  void whole_effect(const std::string& effect, bool missing, const Pixels& change) {
+    const std::size_t before = out_.size();
+    add(effect + (missing ? " missing" : " added"), missing ? "there is none" : "there is none in the reference",
+        change, weight::kKnown);
+    for (std::size_t i = before; i < out_.size(); ++i) out_[i].sure = 0.88 + 0.12 * out_[i].sure;
+  }
+
+  void lights() {
+    std::vector<const std::pair<const Key, Pixels>*> lost, gained;
+    for (const auto& term : was_)
+      if (term.first.first == "light" && !is_.contains(term.first)) lost.push_back(&term);
+    for (const auto& term : is_)
+      if (term.first.first == "light" && !was_.contains(term.first)) gained.push_back(&term);
+    for (std::size_t i = 0; i < std::max(lost.size(), gained.size()); ++i) {
+      if (i < lost.size() && i < gained.size())
+        add("light moved",
+            fmt::format("the {} shines in place of the {}", gained[i]->first.second, lost[i]->first.second),
+            minus(gained[i]->second, lost[i]->second), weight::kKnown);
+      else if (i < lost.size())
+        add("light missing", "the " + lost[i]->first.second, minus(Pixels(c_.size()), lost[i]->second), weight::kKnown);
+      else
+        add("light added", "the " + gained[i]->first.second, gained[i]->second, weight::kKnown);
+    }
+    for (const auto& [key, before] : was_)
+      if (const auto it = is_.find(key); key.first == "light" && it != is_.end())
+        changed_light(key.second, before, it->second);
+  }
+
+  void changed_light(const std::string& name, const Pixels& before, const Pixels& after) {
+    constexpr double kShadow = 0.5;
+    const Pixels change = minus(after, before);
+    const double all = squares(change);
+    if (all <= 0) return;
+    if (const Proportion p = proportion(before, change); p.explained > kProportional) {
+      const auto [what, detail] = strength("light", name, p);
+      return add(what, detail, change, weight::kKnown);
+    }
+    double lost = 0, won = 0;  // light where there was none, and the reverse
+    for (std::size_t i = 0; i < c_.size(); ++i) {
+      const bool dark_before = squared_distance(before[i], {}) == 0, dark_after = squared_distance(after[i], {}) == 0;
+      (dark_before ? won : lost) += dark_before != dark_after ? squared_distance(change[i], {}) : 0;
+    }
+    if (won + lost > kShadow * all)
+      return add("shadows",
+                 fmt::format("of the {}: {}", name,
+                             won > 3 * lost   ? "missing"
+                             : lost > 3 * won ? "too much of them"
+                                              : "elsewhere"),
+                 change, 0.85);
+    if (!surface_of_some(before, change))
+      add("light", fmt::format("the {} is differently distributed", name), change, weight::kPlace);
+  }
+
+  // A light that is only different on some objects, or changes from pixel to pixel, is not to blame: their texture is.
+  bool surface_of_some(const Pixels& before, const Pixels& change) {
+    constexpr double kMost = 0.97, kElsewhere = 0.15, kRough = 0.6;
+    const auto energy = [&](const Pixels& light, const Mask& mask) {
+      double sum = 0;
+      for (std::size_t i = 0; i < c_.size(); ++i) sum += mask[i] ? squared_distance(light[i], {}) : 0;
+      return sum;
+    };
+    struct Object {
+      std::string name;
+      Mask mask;
+      double change = 0;
+    };
+    std::vector<Object> objects;
+    for (const PixelTags::Tag& tag : c_.tags.reference->tags)
+      if (tag.kind == "object") {
+        Object& o = objects.emplace_back();
+        o.name = tag.name,
+        o.mask = c_.pixels_with(*c_.tags.reference, [&](const PixelTags::Tag& other) { return &other == &tag; }),
+        o.change = energy(change, o.mask);
+      }
+    std::stable_sort(objects.begin(), objects.end(),
+                     [](const Object& a, const Object& b) { return a.change > b.change; });
+    Mask changed(c_.size());
+    std::string names;
+    double seen = 0, all = squares(change);
+    for (const Object& o : objects) {
+      if (seen >= kMost * all) break;
+      seen += o.change, names += (names.empty() ? "" : ", ") + o.name;
+      for (std::size_t i = 0; i < c_.size(); ++i) changed[i] = changed[i] || o.mask[i];
+    }
+    const bool some = energy(before, changed) < (1 - kElsewhere) * squares(before);
+    const bool rough = squares(blurred(c_, change, 1.5)) < kRough * all;
+    if (!some && !rough) return false;
+    const auto [what, patterns] = texture_of(changed);
+    if (!what) return false;
+    add(what, patterns + " of " + names, change, 0.92);
+    return true;
+  }
+
+  // The patterns that these pixels show; whether pigments or normals are to blame: normals do not change ambient light.
+  std::pair<const char*, std::string> texture_of(const Mask& mask) const {
+    std::string pigments, normals;
+    for (const PixelTags::Tag& tag : c_.tags.reference->tags) {
+      if (tag.kind != "texture") continue;
+      const Mask with = c_.pixels_with(*c_.tags.reference, [&](const PixelTags::Tag& other) { return &other == &tag; });
+      std::size_t both = 0;
+      for (std::size_t i = 0; i < c_.size(); ++i) both += with[i] && mask[i] && c_.wrong[i];
+      if (static_cast<double>(both) < 0.3 * static_cast<double>(c_.wrong_count)) continue;
+      std::string& list = tag.name.starts_with("normal") ? normals : pigments;
+      list += (list.empty() ? "" : ", ") + tag.name;
+    }
+    const auto own = [&](const std::map<Key, Pixels>& terms) {
+      const auto it = terms.find({"own light", "ambient and emission"});
+      return it == terms.end() ? Pixels(c_.size()) : it->second;
+    };
+    const bool own_light_changed = squares(minus(own(is_), own(was_))) > 0;
+    if (!normals.empty() && !own_light_changed) return {"normals", normals};
+    if (!pigments.empty()) return {"texture", pigments};
+    return {nullptr, ""};
+  }
+
+  const Case& c_;
+  Suspicions& out_;
+  std::map<Key, Pixels> was_, is_;
+  Transfer transfer_;
+  Pixels lit_;
+};
+
+}  // namespace
+
+void suspect_terms(const Case& c, Suspicions& out) {
+  if (!c.tags.any()) return;
+  Terms terms(c, out);
+  if (c.tags.both()) terms.compare_both();
+  // What both sides tell needs no fit; and where they tell of no difference, it came later.
+  if (!c.tags.both()) terms.fit_one(c.tags.reference != nullptr);
+}
+
+std::optional<double> told_by_terms(const Case& c) {
+  if (!c.tags.both() || c.tags.reference->parts.empty() || c.tags.test->parts.empty()) return std::nullopt;
+  Suspicions none;
+  return Terms(c, none).told();
+}
+
+}  // namespace verisim::compare

@@ -50,6 +50,34 @@ double fresnel(double cosine, double n) {
   return (s * s + p * p) / 2;
 }
 
+// Where a ray arrives that meets a glass sphere (n = 1.5, radius 1) at a distance h from its axis: at this distance
+// from the axis, on a plane 1.1 below the middle.
+double through_sphere(double h) {
+  const double a = std::asin(h), b = std::asin(h / 1.5), turn = 2 * (a - b), exit = a + std::numbers::pi - 2 * b;
+  return std::sin(exit) - (std::cos(exit) + 1.1) / std::cos(turn) * std::sin(turn);
+}
+
+// Irradiance there, of light of irradiance 1: h dh / (r dr) of every ray that arrives.
+double caustic(double r) {
+  constexpr int kSteps = 2000;
+  double sum = r > 1 ? 1 : 0;
+  for (const double place : {r, -r})
+    for (int i = 0; i < kSteps; ++i) {
+      const auto miss = [&](double h) { return through_sphere(h) - place; };
+      double low = static_cast<double>(i) / kSteps, high = std::min(static_cast<double>(i + 1) / kSteps, 1 - 1e-9);
+      const double side = miss(low);
+      if (side * miss(high) >= 0) continue;
+      for (int k = 0; k < 60; ++k) {
+        const double middle = (low + high) / 2;
+        (miss(middle) * side > 0 ? low : high) = middle;
+      }
+      sum += low / (r * std::fabs(through_sphere(low + 1e-7) - through_sphere(low - 1e-7)) / 2e-7);
+    }
+  return sum;
+}
+
+double srgb_decoded(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
+
 const std::map<std::string, std::function<Color3(double, double)>>& formulas() {
   static const std::map<std::string, std::function<Color3(double, double)>> all = {
       {"point_light.pov",
@@ -90,6 +118,44 @@ const std::map<std::string, std::function<Color3(double, double)>>& formulas() {
        [](double x, double) {
          const double left = std::exp(-(4 + x / 2) / 3);
          return grey(0.9 * left + 0.2 * (1 - left));
+       }},
+      {"caustic.pov", [](double x, double z) { return grey(0.5 * caustic(std::hypot(x, z))); }},
+      {"circle_of_confusion.pov",
+       [](double x, double) {
+         const double u = std::clamp(x / 0.5, -1.0, 1.0);
+         return grey(0.9 * (0.5 + (std::asin(u) + u * std::sqrt(1 - u * u)) / std::numbers::pi));
+       }},
+      {"dispersion.pov",
+       [](double x, double z) {
+         const double n = z < -0.5 ? 1.51432 : z < 0.5 ? 1.51680 : 1.52238, a = std::numbers::pi / 6;
+         return grey(0.25 + (x - (x * std::tan(a) + 4) * std::tan(std::asin(n * std::sin(a)) - a)) / 12);
+       }},
+      {"form_factor_disc.pov",
+       [](double x, double z) {
+         const double d2 = x * x + z * z;
+         return grey(0.5 * (1 - d2 / std::sqrt((d2 + 2) * (d2 + 2) - 4 * d2)));
+       }},
+      {"form_factor_sphere.pov", [](double x, double z) { return grey(0.25 / std::pow(1 + x * x + z * z, 1.5)); }},
+      {"gamma_chain.pov",
+       [](double x, double z) {
+         const double v = (std::floor(2 * (x + 2)) + 1) / 9;
+         return grey(z < 0 ? std::pow(v, 2.2) : srgb_decoded(v));
+       }},
+      {"integrating_sphere.pov", [](double, double) { return grey(0.15 * (1 - std::pow(0.5, 5)) / 0.5); }},
+      {"penumbra.pov",
+       [](double x, double z) { return grey(0.9 * 2 / std::sqrt(4 + x * x + z * z) * std::clamp(0.5 + x, 0.0, 1.0)); }},
+      {"single_scattering.pov",
+       [](double x, double) {
+         const auto back = [d = (x + 2) / 2](double s) { return 1.2 * (1 - std::exp(-2 * s * d)) / 2; };
+         return Color3{back(0.2), back(0.5), back(1)};
+       }},
+      {"thin_film.pov",
+       [](double x, double z) {
+         const double c = 2 / std::sqrt((x - 0.5) * (x - 0.5) + 4 + (z + 0.25) * (z + 0.25));
+         const auto film = [c](double wavelength) {
+           return 0.8 * 0.7 * c * (1 + 0.3 * std::cos(2 * std::numbers::pi * 0.8 * (1 + c) / wavelength));
+         };
+         return Color3{film(0.7), film(0.52), film(0.48)};
        }},
   };
   return all;

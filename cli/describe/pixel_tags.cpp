@@ -136,6 +136,10 @@ std::string name_of_air(const scene::Scene& scene) { return scene.fogs.empty() ?
 TagWitness::TagWitness(const scene::Scene& scene, const parser::Origins& origins)
     : parts_(name_of_air(scene)), origins_(origins) {
   for (const scene::ObjectPtr& object : scene.objects) know_parents(*object);
+  const scene::Camera& c = scene.camera;
+  const auto text = [](const Vec3& v) { return fmt::format("<{:.6g}, {:.6g}, {:.6g}>", v.x, v.y, v.z); };
+  tags_.tags.push_back({"camera", fmt::format("location {}, direction {}, right {}, up {}", text(c.location),
+                                              text(c.direction), text(c.right), text(c.up))});
 }
 
 // Copies of one object have one name; where they were called and where they are tells them apart

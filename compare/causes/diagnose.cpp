@@ -11,10 +11,12 @@ constexpr double kConvincing = 0.3;
 constexpr double kTold = 0.6, kUnlikely = 0.6;
 constexpr std::size_t kMost = 12;
 
-// An object that has moved takes its shadows and mirror images along.
+// An object that has moved takes its shadows and mirror images along, and a camera all of them.
 void leave_to_objects(Suspicions& all) {
   constexpr double kSure = 0.6;
-  constexpr std::array kMoves = {"object missing", "object added", "object moved", "object scaled", "object rotated"};
+  constexpr std::array kMoves = {"object missing",   "object added",   "object moved",  "object scaled",
+                                 "object rotated",   "camera moved",   "camera turned", "camera zoom",
+                                 "camera stretched", "camera rotation"};
   constexpr std::array kFollow = {"shadows", "light",   "object shape",  "reflection", "transparency",
                                   "texture", "normals", "ambient light", "background", "highlights"};
   const auto is_one_of = [](const auto& list, const Suspicion& s) {

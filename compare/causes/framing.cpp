@@ -1,6 +1,7 @@
 // Where the camera looks. The fewer numbers a motion needs, the more it counts.
 #include <fmt/format.h>
 
+#include <cstring>
 #include <numbers>
 
 #include "compare/causes/families.h"
@@ -29,9 +30,64 @@ std::string percent(double part) {
   return fmt::format("{:.1f} % {}", 100 * std::fabs(part), part > 0 ? "larger" : "smaller");
 }
 
+struct CameraTag {
+  std::array<double, 3> location{}, direction{}, right{}, up{};
+};
+std::optional<CameraTag> camera_of(const PixelTags& tags) {
+  for (const PixelTags::Tag& tag : tags.tags) {
+    CameraTag t;
+    const auto read = [&](std::array<double, 3>& v, const char* word) {
+      const std::size_t at = tag.name.find(word);
+      return at != std::string::npos &&
+             std::sscanf(tag.name.c_str() + at + std::strlen(word), " <%lf, %lf, %lf>", &v[0], &v[1], &v[2]) == 3;
+    };
+    if (tag.kind == "camera" && read(t.location, "location") && read(t.direction, "direction") &&
+        read(t.right, "right") && read(t.up, "up"))
+      return t;
+  }
+  return std::nullopt;
+}
+double length(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
+double apart(std::array<double, 3> a, std::array<double, 3> b, bool as_directions) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    sum += std::pow(as_directions ? a[k] / length(a) - b[k] / length(b) : a[k] - b[k], 2);
+  return std::sqrt(sum);
+}
+
+// What both programs say of their cameras.
+void cameras(const Case& c, Suspicions& out) {
+  constexpr double kSame = 1e-5, kSure = 0.97;
+  if (!c.tags.both()) return;
+  const auto was = camera_of(*c.tags.reference), is = camera_of(*c.tags.test);
+  if (!was || !is) return;
+  const auto add = [&](const char* what, const std::string& detail) {
+    Suspicion s = c.placed(what, detail, c.wrong, 1);
+    s.sure = kSure;
+    out.push_back(std::move(s));
+  };
+  const auto text = [](const std::array<double, 3>& v) {
+    return fmt::format("<{:.4g}, {:.4g}, {:.4g}>", v[0], v[1], v[2]);
+  };
+  if (apart(was->location, is->location, false) > kSame * (1 + length(was->location)))
+    add("camera moved", fmt::format("it stands at {}, not at {}", text(is->location), text(was->location)));
+  else if (apart(was->direction, is->direction, true) > kSame)
+    add("camera turned", fmt::format("it looks along {}, not {}", text(is->direction), text(was->direction)));
+  else if (const double ratio = (length(is->right) / length(is->up)) / (length(was->right) / length(was->up));
+           std::fabs(ratio - 1) > kSame)
+    add("camera stretched", fmt::format("its pictures are {:.2f} times as wide", ratio));
+  else if (const double zoom =
+               (length(is->direction) / length(is->right)) / (length(was->direction) / length(was->right));
+           std::fabs(zoom - 1) > kSame)
+    add("camera zoom", fmt::format("its pictures are {:.3f} times as large", zoom));
+  else if (apart(was->right, is->right, true) > kSame)
+    add("camera rotation", fmt::format("its right is {}, not {}", text(is->right), text(was->right)));
+}
+
 }  // namespace
 
 void suspect_framing(const Case& c, Suspicions& out) {
+  cameras(c, out);
   mirror_images(c, out);
   const double mx = (c.width - 1) / 2.0, my = (c.height - 1) / 2.0, f = c.reduced;
   double known = 0;  // what fewer numbers explain

@@ -268,6 +268,16 @@ void suspect_objects(const Case& c, Suspicions& out) {
   changed_outlines(c, all, out);
   for (const Match& m : all)
     if (m.was && m.is) surfaces(c, *m.was, common(m.was->mask, m.is->mask), out);
+  // Objects that are only seen in mirrors or through something.
+  for (const PixelTags::Tag& tag : c.tags.reference->tags) {
+    if (tag.kind != "secondary object") continue;
+    const auto same = [&](const PixelTags::Tag& other) { return other.kind == tag.kind && other.name == tag.name; };
+    const Seen object{tag.name, tag.name, false, false, {}, {}, {}, 0};
+    const Mask mask = common(c.pixels_with(*c.tags.reference, same), c.pixels_with(*c.tags.test, same));
+    Suspicions of_it;
+    surfaces(c, object, mask, of_it);
+    for (Suspicion& s : of_it) s.sure *= 0.95, out.push_back(std::move(s));
+  }
   const auto sky = [](const PixelTags::Tag& tag) { return tag.kind == "object" && tag.name.starts_with("sky"); };
   const Mask background = common(c.pixels_with(*c.tags.reference, sky), c.pixels_with(*c.tags.test, sky));
   if (share_of(c, background) > 0.5)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 
 #include "compare/causes/families.h"
 #include "compare/causes/registration.h"
@@ -112,6 +113,19 @@ std::pair<std::string, std::string> strength(const std::string& kind, const std:
 
 constexpr double kProportional = 0.97;
 
+// Pixels that show another object than in the reference.
+Mask elsewhere(const Case& c) {
+  const auto object = [](const PixelTags::Tag& tag) { return tag.kind == "object"; };
+  Mask out(c.size());
+  for (const PixelTags::Tag& tag : c.tags.reference->tags) {
+    if (!object(tag)) continue;
+    const auto same = [&](const PixelTags::Tag& other) { return other.kind == tag.kind && other.name == tag.name; };
+    const Mask before = c.pixels_with(*c.tags.reference, same), after = c.pixels_with(*c.tags.test, same);
+    for (std::size_t i = 0; i < c.size(); ++i) out[i] = out[i] || before[i] != after[i];
+  }
+  return out;
+}
+
 class Terms {
  public:
   Terms(const Case& c, Suspicions& out)
@@ -121,6 +135,7 @@ class Terms {
         is_(c.tags.test ? terms_of(c, *c.tags.test) : std::map<Key, Pixels>()),
         transfer_(c, sum_of(c, c.tags.reference ? was_ : is_), c.tags.reference ? c.reference : c.test) {
     for (const Pixel& p : c.reference) lit_.push_back({light(p[0]), light(p[1]), light(p[2])});
+    if (c.tags.both()) outlines_kept_ = share_of(c, elsewhere(c)) < 0.2;
   }
 
   void compare_both() {
@@ -137,12 +152,19 @@ class Terms {
         whole_effect(in_words(kind, ""), squares(sides[1]) == 0, change);
         continue;
       }
-      const Proportion p = proportion(sides[0], change);
+      Mask where(c_.size());
+      for (std::size_t i = 0; i < c_.size(); ++i) where[i] = squared_distance(change[i], {}) > 0;
+      const Proportion p = proportion(sides[0], change, kind == "own light" ? &where : nullptr);
       auto [what, detail] = strength(kind, "", p);
       if (p.explained < kProportional) what = in_words(kind, ""), detail = "differently distributed";
-      // Ambient light and background are as bright as objects say: elsewhere they are when objects are.
+      // Ambient light and background are as bright as objects say: what else has changed has changed them.
+      const bool alone = told_alone(kind, change);
       const bool of_objects = kind == "own light" || kind == "background";
-      add(what, detail, change, p.explained >= kProportional ? 0.95 : of_objects ? 0.6 : 0.88);
+      add(what, detail, change,
+          alone && outlines_kept_        ? 0.95
+          : of_objects                   ? 0.6
+          : p.explained >= kProportional ? 0.95
+                                         : 0.85);
     }
   }
 
@@ -208,10 +230,33 @@ class Terms {
 
   // A program that draws none of an effect has this fault for sure, whatever else there is.
   void whole_effect(const std::string& effect, bool missing, const Pixels& change) {
-    const std::size_t before = out_.size();
-    add(effect + (missing ? " missing" : " added"), missing ? "there is none" : "there is none in the reference",
-        change, weight::kKnown);
-    for (std::size_t i = before; i < out_.size(); ++i) out_[i].sure = 0.88 + 0.12 * out_[i].sure;
+    constexpr float kSeen = 1e-4f;
+    Mask mask(c_.size());
+    for (std::size_t i = 0; i < c_.size(); ++i)
+      mask[i] = std::max({std::fabs(change[i][0]), std::fabs(change[i][1]), std::fabs(change[i][2])}) > kSeen;
+    Suspicion s = c_.placed(effect + (missing ? " missing" : " added"),
+                            missing ? "there is none" : "there is none in the reference", mask, 1);
+    if (s.explained < 0.1 || s.precision < 0.3) return;
+    s.sure = 0.88 + 0.12 * s.explained;
+    out_.push_back(std::move(s));
+  }
+
+  // Whether the other terms, those that are not part of it, are what they were.
+  bool told_alone(const std::string& kind, const Pixels& change) const {
+    double others = 0;
+    std::set<Key> keys;
+    for (const auto* terms : {&was_, &is_})
+      for (const auto& [key, light] : *terms)
+        if (key.first != kind && !overlaps(key.first)) keys.insert(key);
+    for (const Key& key : keys) {
+      const auto of = [&](const std::map<Key, Pixels>& terms) {
+        const auto it = terms.find(key);
+        return it == terms.end() ? Pixels(c_.size()) : it->second;
+      };
+      others += squares(minus(of(is_), of(was_)));
+    }
+    if (overlaps(kind)) return std::fabs(others - squares(change)) < 0.2 * others;
+    return others < 0.05 * squares(change);
   }
 
   void lights() {
@@ -233,6 +278,21 @@ class Terms {
     for (const auto& [key, before] : was_)
       if (const auto it = is_.find(key); key.first == "light" && it != is_.end())
         changed_light(key.second, before, it->second);
+  }
+
+  // Highlights are a part of what lights add.
+  bool only_highlights() const {
+    Pixels change(c_.size());
+    double all = 0;
+    for (const auto& [key, after] : is_)
+      if (const auto it = was_.find(key); it != was_.end() && (key.first == "light" || key.first == "highlights"))
+        for (std::size_t i = 0; i < c_.size(); ++i)
+          for (std::size_t k = 0; k < 3; ++k)
+            change[i][k] += (key.first == "light" ? 1.0f : -1.0f) * (after[i][k] - it->second[i][k]);
+    for (const auto& [key, after] : is_)
+      if (const auto it = was_.find(key); it != was_.end() && key.first == "highlights")
+        all = squares(minus(after, it->second));
+    return all > 0 && squares(change) < 0.1 * all;
   }
 
   void changed_light(const std::string& name, const Pixels& before, const Pixels& after) {
@@ -327,6 +387,7 @@ class Terms {
   std::map<Key, Pixels> was_, is_;
   Transfer transfer_;
   Pixels lit_;
+  bool outlines_kept_ = false;  // objects are seen where they were
 };
 
 }  // namespace

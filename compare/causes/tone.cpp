@@ -181,7 +181,9 @@ class Tone {
       levels.insert(q.begin(), q.end());
       if (levels.size() > kMost) return;
     }
-    if (levels.size() < 2) return;
+    std::set<float> usual;
+    for (const Pixel& p : c_.reference) usual.insert(p.begin(), p.end());
+    if (levels.size() < 2 || usual.size() < 2 * levels.size()) return;
     const auto nearest = [&](float v) {
       const auto above = levels.lower_bound(v);
       if (above == levels.begin()) return *above;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "compare/compare.h"
+#include "compare/report/known_answers.h"
 #include "compare/report/markdown_cell.h"
 
 namespace verisim::compare {
@@ -208,8 +209,10 @@ std::string terminal_table(const Run& run, bool color, int columns) {
     const bool explain =
         (!s.passed() && !s.reason.empty()) || !s.request.known_failure.empty() || !s.suspicions.empty() || s.fit;
     if (explain) out += ' ' + shortened(printable(reason(s)), 300);
+    if (const std::string known = known_answer(s, run); !known.empty()) out += "  " + printable(known);
     out += trend(s) + '\n';
   }
+  if (const std::string known = known_answers(run); !known.empty()) out += printable(known) + '\n';
   return out + summary_line(run) + '\n';
 }
 

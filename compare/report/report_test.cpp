@@ -171,6 +171,14 @@ TEST(GithubAnnotations, OneForEachFailureOnOneLine) {
   EXPECT_THAT(text, HasSubstr("::warning file="));
 }
 
+TEST(GithubAnnotations, OfASceneThatIsGoneNameNoFile) {
+  compare::Run run = sample();
+  for (SceneResult& s : run.scenes) s.request.scene.clear();
+  const std::string text = github_annotations(run);
+  EXPECT_THAT(text, Not(HasSubstr("file=")));
+  EXPECT_THAT(text, HasSubstr("::error title=verisim%3A b|"));
+}
+
 TEST(TerminalTable, OneLineForEachScene) {
   const std::string text = terminal_table(sample(), false, 120);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 7);

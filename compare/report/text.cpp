@@ -333,9 +333,12 @@ std::string github_annotations(const Run& run) {
   for (const SceneResult& s : run.scenes) {
     if (!s.failed()) continue;
     const char* level = s.status == Status::unsupported ? "warning" : "error";
-    const auto line = line_of(s);
-    out += fmt::format("::{} file={}{},title={}::{}\n", level, github_escape(s.request.scene.string(), true),
-                       line ? fmt::format(",line={}", *line) : "", github_escape("verisim: " + s.request.name, true),
+    std::string place;
+    if (!s.request.scene.empty()) {  // a scene that is gone has none
+      place = fmt::format("file={},", github_escape(s.request.scene.string(), true));
+      if (const auto line = line_of(s)) place += fmt::format("line={},", *line);
+    }
+    out += fmt::format("::{} {}title={}::{}\n", level, place, github_escape("verisim: " + s.request.name, true),
                        github_escape(fmt::format("{}: {}", to_string(s.status), reason(s)), false));
   }
   out += fmt::format("::notice title=verisim compare::{}\n", github_escape(summary_line(run), false));

@@ -180,7 +180,8 @@ class View(unittest.TestCase):
         self.other("stored", "flip")
         self.browser.until(CENTRE + "return d[0] > 100")
         self.keep("flip")
-        self.browser.run("document.querySelector('#worst button').click()")
+        # The list is empty while another comparison is fetched.
+        self.browser.until("const b = document.querySelector('#worst button'); b && b.click(); return b !== null")
         self.browser.until("return document.getElementById('tree').textContent")
 
     @unittest.skipUnless(shutil.which("povray"), "POV-Ray is not installed")

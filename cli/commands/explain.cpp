@@ -132,8 +132,8 @@ struct StoryFiles {
 
 // The whole picture, made smaller where it is large.
 std::string small_picture(const scene::Scene& scene, const Options& options, render::Options render) {
-  constexpr int kMost = 480;
-  const int shrink = (std::max(options.width, options.height) + kMost - 1) / kMost;
+  constexpr int kMax = 480;
+  const int shrink = (std::max(options.width, options.height) + kMax - 1) / kMax;
   render.width = std::max(1, options.width / shrink), render.height = std::max(1, options.height / shrink);
   render.first_column = render.first_row = 0, render.last_column = render.last_row = -1;
   render::Framebuffer frame;

@@ -21,7 +21,7 @@ Json dump(const Transform& t) {
   return result;
 }
 
-Json dump(const scene::Place& place) {
+Json dump(const scene::SourceLocation& place) {
   if (!place.file) return nullptr;
   return {{"file", *place.file}, {"line", place.line}, {"column", place.column}};
 }

@@ -44,7 +44,7 @@ SceneDump::Json dump(const Vec3& v);
 SceneDump::Json dump(const Rgb& c);
 SceneDump::Json dump(const Color& c);
 SceneDump::Json dump(const Transform& t);  // the 12 numbers of SDL's matrix
-SceneDump::Json dump(const scene::Place& place);
+SceneDump::Json dump(const scene::SourceLocation& place);
 SceneDump::Json dump(const scene::Turbulence& t);
 SceneDump::Json dump(const FunctionPtr& function);
 const char* dump_flag(scene::Flag flag);

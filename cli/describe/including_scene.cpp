@@ -12,13 +12,13 @@ namespace fs = std::filesystem;
 namespace verisim::cli {
 namespace {
 
-constexpr std::size_t kMostScenes = 200;       // of a folder
+constexpr std::size_t kMaxScenes = 200;        // of a folder
 constexpr std::uintmax_t kLargest = 1u << 20;  // bytes of a scene that is looked into
 
 std::vector<fs::path> scenes_in(const fs::path& folder) {
   std::error_code failed;
   std::vector<fs::path> scenes;
-  for (fs::directory_iterator i(folder, failed), end; !failed && i != end && scenes.size() < kMostScenes;
+  for (fs::directory_iterator i(folder, failed), end; !failed && i != end && scenes.size() < kMaxScenes;
        i.increment(failed))
     if (parser::lowered(i->path().extension().string()) == ".pov") scenes.push_back(i->path());
   std::sort(scenes.begin(), scenes.end());

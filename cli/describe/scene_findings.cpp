@@ -48,7 +48,8 @@ class Shining {
   std::unordered_set<const void*> seen_;
 };
 
-parser::Diagnostic finding(parser::Code code, const scene::Place& place, std::string message, std::string advice) {
+parser::Diagnostic finding(parser::Code code, const scene::SourceLocation& place, std::string message,
+                           std::string advice) {
   parser::Diagnostic d;
   d.severity = parser::Severity::warning;
   d.code = code;
@@ -74,7 +75,7 @@ bool is_plain_and_opaque(const scene::Object& object) {
 std::vector<parser::Diagnostic> scene_findings(const scene::Scene& scene) {
   std::vector<parser::Diagnostic> findings;
   if (scene.objects.empty()) return findings;  // the parser says so
-  const scene::Place whole{std::make_shared<const std::string>(scene.source_name), 0, 0};
+  const scene::SourceLocation whole{std::make_shared<const std::string>(scene.source_name), 0, 0};
   if (!scene.camera_given)
     findings.push_back(finding(parser::Code::no_camera, whole,
                                "The scene has no camera: it is seen from the origin along z.",

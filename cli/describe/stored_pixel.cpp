@@ -13,12 +13,12 @@ image::Quantised quantised(const render::Framebuffer& picture, const scene::Scen
 }
 
 compare::Picture stored_picture(const render::Framebuffer& picture, const scene::Scene& scene, const Options& options) {
-  constexpr float kMost = 255;
+  constexpr float kMax = 255;
   compare::Picture result;
   result.width = picture.width, result.height = picture.height, result.channels = 3;
   const image::Quantised q = quantised(picture, scene, options);
   result.samples.reserve(q.samples.size());
-  for (const std::uint16_t sample : q.samples) result.samples.push_back(static_cast<float>(sample) / kMost);
+  for (const std::uint16_t sample : q.samples) result.samples.push_back(static_cast<float>(sample) / kMax);
   return result;
 }
 

@@ -19,7 +19,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
-constexpr int kMostTasks = 1'000'000;
+constexpr int kMaxTasks = 1'000'000;
 
 ordered_json as_json(const EngineOptions& o) {
   return {{"partition", o.partition}, {"time", o.time},   {"nodes", o.nodes},
@@ -80,7 +80,7 @@ FarmJob job_of(const ordered_json& j) {
   const bool plain_key = !job.key.empty() && std::all_of(job.key.begin(), job.key.end(), [](unsigned char c) {
     return std::isalnum(c) || c == '-' || c == '_';
   });
-  if (!plain_key || job.tasks < 1 || job.tasks > kMostTasks || job.step < 1 || job.frames_per_task < 1 ||
+  if (!plain_key || job.tasks < 1 || job.tasks > kMaxTasks || job.step < 1 || job.frames_per_task < 1 ||
       job.digits < 0 || job.digits > 20)
     throw std::runtime_error("impossible values");
   return job;

@@ -180,7 +180,7 @@ void write_part(const Canvas& canvas, const LayerChoice& choice, const Prepasses
 }
 
 // As POV-Ray ends a render of an isosurface whose max_gradient does not fit.
-void warn_of_object(const Job& job, const scene::Place& place, const std::string& text) {
+void warn_of_object(const Job& job, const scene::SourceLocation& place, const std::string& text) {
   const std::string file = place.file ? *place.file : std::string();
   const bool povray = job.console.style() == Style::povray;
   job.console.line(Stream::warning,

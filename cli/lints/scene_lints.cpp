@@ -183,9 +183,9 @@ class Linter {
     std::set<std::pair<int, int>> told;  // once for each two lines
     for (const auto& [plane, all] : planes) {
       if (stopped()) return;
-      constexpr std::size_t kMost = 200;  // of many boxes in one plane the first will do
-      for (std::size_t i = 0; i < std::min(all.size(), kMost); ++i)
-        for (std::size_t j = i + 1; j < std::min(all.size(), kMost); ++j) {
+      constexpr std::size_t kMax = 200;  // of many boxes in one plane the first will do
+      for (std::size_t i = 0; i < std::min(all.size(), kMax); ++i)
+        for (std::size_t j = i + 1; j < std::min(all.size(), kMax); ++j) {
           const Face &a = all[i], &b = all[j];
           const bool overlap = std::min(a.high[0], b.high[0]) > std::max(a.low[0], b.low[0]) &&
                                std::min(a.high[1], b.high[1]) > std::max(a.low[1], b.low[1]);

@@ -76,9 +76,9 @@ Json document_colors(const Workspace& workspace, const Document& document) {
   Json found = Json::array();
   const parser::TokenFile& file = document.index().tokens();
   const bool light = is_linear(file);
-  constexpr std::size_t kMost = 5000;
+  constexpr std::size_t kMax = 5000;
   for (const Written& color : colors_of(file)) {
-    if (found.size() == kMost) break;
+    if (found.size() == kMax) break;
     const auto shown = [&](double v) { return color.word[0] == 's' || !light ? std::clamp(v, 0.0, 1.0) : encoded(v); };
     double through = 0;
     for (std::size_t i = 3; i < color.numbers.size(); ++i) through += color.numbers[i];

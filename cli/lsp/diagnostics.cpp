@@ -85,7 +85,7 @@ class Converter {
 
 void Publisher::publish(const Analysis& analysis, const std::vector<LintFinding>& lints,
                         const std::map<fs::path, std::string>& open_uris) {
-  constexpr std::size_t kMost = 500;
+  constexpr std::size_t kMax = 500;
   Converter convert(analysis, columns_, open_uris);
   std::map<std::string, Given> given;
   given[analysis.root.uri];  // published even if there is nothing
@@ -94,14 +94,14 @@ void Publisher::publish(const Analysis& analysis, const std::vector<LintFinding>
   for (const parser::Diagnostic& d : analysis.diagnostics) {
     const std::string uri = convert.uri(d.file);
     Given& here = given[uri];
-    if (here.diagnostics.size() == kMost) continue;
+    if (here.diagnostics.size() == kMax) continue;
     Json diagnostic = convert.diagnostic(d);
     if (d.fix && convert.uri(d.fix->file) == uri)
       here.fixes.push_back({*d.fix, std::string(parser::name(d.code)), diagnostic, diagnostic["range"]});
     here.diagnostics.push_back(std::move(diagnostic));
   }
   for (const LintFinding& f : lints)
-    if (Given& here = given[convert.uri(f.file)]; here.diagnostics.size() < kMost)
+    if (Given& here = given[convert.uri(f.file)]; here.diagnostics.size() < kMax)
       here.diagnostics.push_back(convert.hint(f));
   if (analysis.stopped) {
     Json note{{"range", {{"start", as_json(Point{})}, {"end", as_json(Point{})}}},

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace verisim::cli::lsp {
 namespace {
 
-constexpr std::size_t kMostFiles = 200;
+constexpr std::size_t kMaxFiles = 200;
 constexpr std::uintmax_t kLargestFile = 64u << 20;
 
 std::optional<std::string> read_file(const fs::path& path) {
@@ -104,7 +104,7 @@ std::vector<SceneFile> Workspace::files_of(const Document& document) {
   std::set<fs::path> seen;
   const std::vector<fs::path> standard = parser::standard_include_folders();
   const auto add = [&](const fs::path& path) {
-    if (!seen.insert(path).second || files.size() >= kMostFiles) return;
+    if (!seen.insert(path).second || files.size() >= kMaxFiles) return;
     SceneFile file;
     file.path = path;
     file.uri = uri_for(path);

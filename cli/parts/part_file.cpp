@@ -98,13 +98,13 @@ PartHeader header_of(const json& j) {
   j.at("format_chosen").get_to(p.format_chosen);
   j.at("stamp").get_to(p.stamp);
   p.output = output_of(j.at("output"));
-  constexpr int kMostPixelsASide = 1 << 20, kMostParts = 1'000'000;
-  constexpr std::int64_t kMostBlocks = 1 << 26;
-  const bool sane = p.width > 0 && p.height > 0 && p.width <= kMostPixelsASide && p.height <= kMostPixelsASide &&
+  constexpr int kMaxPixelsASide = 1 << 20, kMaxParts = 1'000'000;
+  constexpr std::int64_t kMaxBlocks = 1 << 26;
+  const bool sane = p.width > 0 && p.height > 0 && p.width <= kMaxPixelsASide && p.height <= kMaxPixelsASide &&
                     p.region.first_column >= 0 && p.region.first_row >= 0 && p.region.last_column < p.width &&
                     p.region.last_row < p.height && p.block_size > 0 && header.part.of >= 1 &&
-                    header.part.of <= kMostParts && header.part.number >= 1 && header.part.number <= header.part.of &&
-                    (std::int64_t{p.width} / p.block_size + 1) * (p.height / p.block_size + 1) <= kMostBlocks;
+                    header.part.of <= kMaxParts && header.part.number >= 1 && header.part.number <= header.part.of &&
+                    (std::int64_t{p.width} / p.block_size + 1) * (p.height / p.block_size + 1) <= kMaxBlocks;
   if (!sane) throw std::runtime_error("impossible values");
   return header;
 }

@@ -13,7 +13,7 @@ std::string PartChoice::name() const {
 }
 
 PartChoice part_choice(const std::string& text) {
-  constexpr int kMost = 1'000'000;
+  constexpr int kMax = 1'000'000;
   PartChoice choice;
   if (text.empty()) return choice;
   choice.any = true;
@@ -27,7 +27,7 @@ PartChoice part_choice(const std::string& text) {
   if (good) {
     const auto [last, bad_count] = std::from_chars(slash + 1, end, choice.of);
     good = bad_count == std::errc() && last == end && choice.number >= 1 && choice.number <= choice.of &&
-           choice.of <= kMost;
+           choice.of <= kMax;
   }
   if (!good)
     throw OptionError(fmt::format("--part is K/N (part K of N, 1/4 to 4/4 for four parts) or prepass, not '{}'", text));

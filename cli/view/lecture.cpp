@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace verisim::cli {
 namespace {
 
-constexpr int kMostPixels = 1 << 20, kMostSide = 2000;
+constexpr int kMaxPixels = 1 << 20, kMaxSide = 2000;
 constexpr double kPatience = 20;  // seconds for one picture
 
 // Scenes of people who try things end at some time.
@@ -58,8 +58,8 @@ Asked asked(const PageRequest& request, const Options& common, const fs::path& s
   for (std::string word; switches >> word;)
     if (word.starts_with("+A") || word.starts_with("+R")) apply_switch(a.options, word);  // how it is sampled, no more
   a.options.width = body.at("width"), a.options.height = body.at("height");
-  const auto side = [](int pixels) { return pixels >= 1 && pixels <= kMostSide; };
-  if (!side(a.options.width) || !side(a.options.height) || a.options.width * a.options.height > kMostPixels)
+  const auto side = [](int pixels) { return pixels >= 1 && pixels <= kMaxSide; };
+  if (!side(a.options.width) || !side(a.options.height) || a.options.width * a.options.height > kMaxPixels)
     throw std::runtime_error("the picture is too large");
   return a;
 }

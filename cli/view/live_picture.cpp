@@ -137,8 +137,8 @@ bool LivePicture::parse(const Wish& wish) {
     parse.clock_on = true;
     parse.origins = &parsed->origins;
     parse.message = [&](const parser::Diagnostic& d) {
-      constexpr std::size_t kMost = 50;
-      if (messages.size() < kMost) messages.push_back(as_json(d));
+      constexpr std::size_t kMax = 50;
+      if (messages.size() < kMax) messages.push_back(as_json(d));
     };
     parse.cancelled = [this] { return cancel_.load() || interrupt_.flag().load(); };
     parsed->result = parser::parse_text(turned(text, knobs_of(text), wish.values), scene_.string(), parse);

@@ -48,8 +48,8 @@ Wish wish_of(const std::string& body, const Options& options, Wish wish) {
     if (!(value >= low && value <= high)) throw std::runtime_error(fmt::format("{} is out of its range", name));
     return value;
   };
-  constexpr double kMostZoom = 4096;
-  wish.zoom = take("zoom", wish.zoom, 1, kMostZoom);
+  constexpr double kMaxZoom = 4096;
+  wish.zoom = take("zoom", wish.zoom, 1, kMaxZoom);
   wish.left = static_cast<int>(take("left", wish.left, 0, std::max(0.0, options.width * (wish.zoom - 1))));
   wish.top = static_cast<int>(take("top", wish.top, 0, std::max(0.0, options.height * (wish.zoom - 1))));
   wish.focus_x = static_cast<int>(take("focus_x", -1, -1, options.width));

@@ -12,8 +12,8 @@
 namespace verisim::cli {
 namespace {
 
-constexpr std::size_t kThreads = 24;         // each page that is open waits in one
-constexpr std::size_t kMostBytes = 1 << 16;  // of a request
+constexpr std::size_t kThreads = 24;        // each page that is open waits in one
+constexpr std::size_t kMaxBytes = 1 << 16;  // of a request
 
 std::string random_token() {
   unsigned char bytes[16];
@@ -74,7 +74,7 @@ Server::Server() : impl_(std::make_unique<Impl>()) {
   impl_->http.Get(".*", answer);
   impl_->http.Post(".*", answer);
   impl_->http.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
-  impl_->http.set_payload_max_length(kMostBytes);
+  impl_->http.set_payload_max_length(kMaxBytes);
   impl_->http.set_tcp_nodelay(true);
 }
 Server::~Server() { stop(); }

@@ -5,7 +5,7 @@
 namespace verisim::compare {
 namespace {
 
-constexpr double kMostPixels = 1e6;
+constexpr double kMaxPixels = 1e6;
 constexpr double kFineLimit = 0.1, kCoarseLimit = 0.75;  // code values: with more than 8 bits, and with 8
 
 void require_fitting(const PixelTags* tags, int width, int height) {
@@ -35,7 +35,7 @@ Case::Case(const Picture& a, const Picture& b, const Tags& known)
   require_same_size(a, b);
   require_fitting(known.reference, a.width, a.height), require_fitting(known.test, a.width, a.height);
   const Values p(a), q(b);
-  reduced = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(a.width) * a.height / kMostPixels))));
+  reduced = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(a.width) * a.height / kMaxPixels))));
   width = (a.width + reduced - 1) / reduced, height = (a.height + reduced - 1) / reduced;
   limit = p.bits() > 8 && q.bits() > 8 ? kFineLimit : kCoarseLimit;
   const std::size_t n = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);

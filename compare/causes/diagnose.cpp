@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kConvincing = 0.3;
 constexpr double kTold = 0.6, kUnlikely = 0.6;
-constexpr std::size_t kMost = 12;
+constexpr std::size_t kMax = 12;
 
 // An object that has moved takes its shadows and mirror images along, and a camera all of them.
 void leave_to_objects(Suspicions& all) {
@@ -45,7 +45,7 @@ std::vector<Suspicion> diagnose(const Picture& reference, const Picture& test, c
   // Of several parameters of one kind the best; of one part of the picture, too.
   Suspicions out;
   for (Suspicion& s : all) {
-    if (!(s.sure >= kConvincing) || out.size() == kMost) break;
+    if (!(s.sure >= kConvincing) || out.size() == kMax) break;
     const std::string subject = s.detail.substr(0, s.detail.find(": "));
     if (std::none_of(out.begin(), out.end(), [&](const Suspicion& better) {
           return better.what == s.what && better.detail.substr(0, better.detail.find(": ")) == subject;

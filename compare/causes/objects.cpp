@@ -219,13 +219,13 @@ double border(const Case& c, const Mask& mask, const Pixels& picture) {
 
 // With one side's word only.
 void outlines_of_one_side(const Case& c, Suspicions& out) {
-  constexpr double kGone = 0.3, kLeastShare = 0.5, kMostOfPicture = 0.6;
+  constexpr double kGone = 0.3, kLeastShare = 0.5, kMaxOfPicture = 0.6;
   for (const Seen& object : seen_in(c, *c.tags.any())) {
     surfaces(c, object, object.mask, out);
     const int reach = std::max(3, c.width / 20);
     const Mask around = dilated(c, object.mask, reach);
     if (share_of(c, around) < kLeastShare || object.pixels < 6 ||
-        static_cast<double>(object.pixels) > kMostOfPicture * static_cast<double>(c.size()))
+        static_cast<double>(object.pixels) > kMaxOfPicture * static_cast<double>(c.size()))
       continue;
     const double was = border(c, object.mask, c.reference), is = border(c, object.mask, c.test);
     if (is < kGone * was) out.push_back(c.placed("object missing", object.copy, object.mask, 0.95));

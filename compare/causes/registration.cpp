@@ -3,7 +3,7 @@
 namespace verisim::compare {
 namespace {
 
-constexpr int kMostNumbers = 5;
+constexpr int kMaxNumbers = 5;
 
 Pixel between(const Case& c, const Pixels& picture, double x, double y) {
   const double fx = std::floor(x), fy = std::floor(y);
@@ -57,7 +57,7 @@ class Registration {
   // slopes. False when it is small.
   bool step() {
     const Pixels there = warped(a_);
-    std::array<std::array<double, kMostNumbers + 1>, kMostNumbers> equations{};
+    std::array<std::array<double, kMaxNumbers + 1>, kMaxNumbers> equations{};
     int n = 0;
     for (int y = 0; y < c_.height; ++y)
       for (int x = 0; x < c_.width; ++x) {
@@ -66,21 +66,21 @@ class Registration {
         for (std::size_t k = 0; k < 3; ++k) {
           const double gx = (there[c_.clamped(x + 1, y)][k] - there[c_.clamped(x - 1, y)][k]) / 2,
                        gy = (there[c_.clamped(x, y + 1)][k] - there[c_.clamped(x, y - 1)][k]) / 2;
-          const std::array<double, kMostNumbers> slope = slopes(gx, gy, x - mx_, y - my_, n);
+          const std::array<double, kMaxNumbers> slope = slopes(gx, gy, x - mx_, y - my_, n);
           const double rest = b_[i][k] - there[i][k];
           for (int p = 0; p < n; ++p) {
             for (int q = 0; q < n; ++q) equations[p][q] += slope[p] * slope[q];
-            equations[p][kMostNumbers] += slope[p] * rest;
+            equations[p][kMaxNumbers] += slope[p] * rest;
           }
         }
       }
-    std::array<double, kMostNumbers> change{};
+    std::array<double, kMaxNumbers> change{};
     if (n == 0 || !solve(equations, n, change)) return false;
     return apply(change);
   }
   // How the picture changes with each free number.
-  std::array<double, kMostNumbers> slopes(double gx, double gy, double x, double y, int& n) const {
-    std::array<double, kMostNumbers> out{};
+  std::array<double, kMaxNumbers> slopes(double gx, double gy, double x, double y, int& n) const {
+    std::array<double, kMaxNumbers> out{};
     n = 0;
     if (f_.shift) out[n++] = -gx, out[n++] = -gy;
     if (f_.zoom) out[n++] = -gx * x - gy * y;
@@ -88,7 +88,7 @@ class Registration {
     if (f_.turn) out[n++] = gx * y - gy * x;
     return out;
   }
-  bool apply(const std::array<double, kMostNumbers>& d) {
+  bool apply(const std::array<double, kMaxNumbers>& d) {
     const double far = std::hypot(c_.width, c_.height) / 2;
     int n = 0;
     double largest = 0;
@@ -106,8 +106,8 @@ class Registration {
     if (f_.turn) m_.turn += next(0.1, far);
     return largest > 0.005;
   }
-  static bool solve(std::array<std::array<double, kMostNumbers + 1>, kMostNumbers>& e, int n,
-                    std::array<double, kMostNumbers>& out) {
+  static bool solve(std::array<std::array<double, kMaxNumbers + 1>, kMaxNumbers>& e, int n,
+                    std::array<double, kMaxNumbers>& out) {
     for (int p = 0; p < n; ++p) {
       int best = p;
       for (int q = p + 1; q < n; ++q)
@@ -118,10 +118,10 @@ class Registration {
         if (q == p) continue;
         const double f = e[q][p] / e[p][p];
         for (int k = p; k < n; ++k) e[q][k] -= f * e[p][k];
-        e[q][kMostNumbers] -= f * e[p][kMostNumbers];
+        e[q][kMaxNumbers] -= f * e[p][kMaxNumbers];
       }
     }
-    for (int p = 0; p < n; ++p) out[static_cast<std::size_t>(p)] = e[p][kMostNumbers] / e[p][p];
+    for (int p = 0; p < n; ++p) out[static_cast<std::size_t>(p)] = e[p][kMaxNumbers] / e[p][p];
     return true;
   }
 

@@ -9,8 +9,8 @@ namespace {
 
 // Wrong pixels with at most one wrong neighbour.
 void lone_pixels(const Case& c, Suspicions& out) {
-  constexpr double kMostPart = 0.1;
-  if (c.wrong_count == 0 || static_cast<double>(c.wrong_count) > kMostPart * static_cast<double>(c.size())) return;
+  constexpr double kMaxPart = 0.1;
+  if (c.wrong_count == 0 || static_cast<double>(c.wrong_count) > kMaxPart * static_cast<double>(c.size())) return;
   Mask lone(c.size());
   std::size_t count = 0, white = 0, black = 0;
   for (int y = 0; y < c.height; ++y)

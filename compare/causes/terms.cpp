@@ -322,7 +322,7 @@ class Terms {
 
   // A light that is only different on some objects, or changes from pixel to pixel, is not to blame: their texture is.
   bool surface_of_some(const Pixels& before, const Pixels& change) {
-    constexpr double kMost = 0.97, kElsewhere = 0.15, kRough = 0.6;
+    constexpr double kMax = 0.97, kElsewhere = 0.15, kRough = 0.6;
     const auto energy = [&](const Pixels& light, const Mask& mask) {
       double sum = 0;
       for (std::size_t i = 0; i < c_.size(); ++i) sum += mask[i] ? squared_distance(light[i], {}) : 0;
@@ -347,7 +347,7 @@ class Terms {
     std::string names;
     double seen = 0, all = squares(change);
     for (const Object& o : objects) {
-      if (seen >= kMost * all) break;
+      if (seen >= kMax * all) break;
       seen += o.change, names += (names.empty() ? "" : ", ") + o.name;
       for (std::size_t i = 0; i < c_.size(); ++i) changed[i] = changed[i] || o.mask[i];
     }

@@ -175,11 +175,11 @@ class Tone {
   }
 
   void quantised() {
-    constexpr std::size_t kMost = 100;
+    constexpr std::size_t kMax = 100;
     std::set<float> levels;
     for (const Pixel& q : c_.test) {
       levels.insert(q.begin(), q.end());
-      if (levels.size() > kMost) return;
+      if (levels.size() > kMax) return;
     }
     std::set<float> usual;
     for (const Pixel& p : c_.reference) usual.insert(p.begin(), p.end());

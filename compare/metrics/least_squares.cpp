@@ -58,14 +58,14 @@ double weighted_sum(const Vector& residuals, const Vector& weight) {
 
 LeastSquares gauss_newton(const std::function<Vector(const Vector&)>& residuals, Vector parameters,
                           const Vector& steps) {
-  constexpr int kMostIterations = 30;
+  constexpr int kMaxIterations = 30;
   constexpr double kSmallGain = 1e-5;
   const std::size_t n = parameters.size();
   Vector now = residuals(parameters);
   double damping = 1e-3;
   Matrix normal(n, Vector(n));
   double rest = 0, count = 0;
-  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     const Vector weight = weights(now);
     Matrix derivative;
     for (std::size_t k = 0; k < n; ++k) {

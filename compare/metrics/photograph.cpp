@@ -154,9 +154,9 @@ Homography::Homography(const Corners& c) {
 Alignment align(const Picture& photograph, const Picture& render, const Corners& start, bool distortion) {
   Homography{start};  // throws
   const Linear photo(photograph), ours(render);
-  constexpr double kMostPixels = 10000;
+  constexpr double kMaxPixels = 10000;
   const double pixels = static_cast<double>(render.width) * render.height;
-  const Residuals residuals{photo, ours, std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels))))};
+  const Residuals residuals{photo, ours, std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMaxPixels))))};
   std::vector<double> parameters, steps;
   for (const ImagePoint& p : start)
     parameters.insert(parameters.end(), {p.x, p.y}), steps.insert(steps.end(), {0.5, 0.5});

@@ -121,7 +121,7 @@ struct Extreme {
   bool pixel = true, mean = true;
 };
 Extreme most_extreme(const Runs& runs, std::size_t references, const Outcome& observed, bool ask_pixel, bool ask_mean) {
-  constexpr int kMostDivisions = 400;
+  constexpr int kMaxDivisions = 400;
   const std::size_t n = runs.luma.size();
   std::vector<bool> original(n);
   for (std::size_t i = references; i < n; ++i) original[i] = true;
@@ -138,7 +138,7 @@ Extreme most_extreme(const Runs& runs, std::size_t references, const Outcome& ob
     const Outcome other = divided(runs, division);
     out.pixel = out.pixel && other.pixel_p > observed.pixel_p;
     out.mean = out.mean && other.mean_p > observed.mean_p;
-  } while ((out.pixel || out.mean) && ++seen < kMostDivisions &&
+  } while ((out.pixel || out.mean) && ++seen < kMaxDivisions &&
            std::next_permutation(division.begin(), division.end()));
   return out;
 }

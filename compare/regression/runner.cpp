@@ -460,14 +460,14 @@ class Runner {
   // What the pixels of a scene show, by one of the two programs.
   std::optional<PixelTags> tags_by(const TagSource& source, const SceneRequest& request,
                                    const std::vector<std::pair<int, int>>& trees, SceneResult& result) {
-    constexpr double kMostPixels = 300000;
+    constexpr double kMaxPixels = 300000;
     if (!source || request.scene.extension() != ".pov") return std::nullopt;  // another renderer's scenes
     try {
       const WorkingCopy copy(request.scene);
       const double pixels = static_cast<double>(request.width) * request.height;
       PixelTags tags = source(renders_->native_request(
                                   request.passes.empty() ? request : request_of_pass(request, request.passes[0]), copy),
-                              std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMostPixels)))), trees);
+                              std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMaxPixels)))), trees);
       const std::vector<fs::path> library = renders_->library_paths();
       for (PixelTags::Tag& tag : tags.tags) tag.name = short_names(std::move(tag.name), copy, library);
       for (PixelTags::Tree& tree : tags.trees) tree.text = short_names(std::move(tree.text), copy, library);

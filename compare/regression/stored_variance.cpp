@@ -15,7 +15,7 @@ namespace verisim::compare {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kRounding = 1.0 / 12, kLevel = 0.01, kMostPixels = 0.0025, kMostBlocks = 0.02;
+constexpr double kRounding = 1.0 / 12, kLevel = 0.01, kMaxPixels = 0.0025, kMaxBlocks = 0.02;
 constexpr int kBlock = 16;
 constexpr const char* kMark = ".deviation-of-";
 
@@ -91,7 +91,7 @@ ZTest z_test(const StoredVariance& stored, const Picture& render) {
       ++blocks, refused += predicted(difference / count, 4 * variance / (count * count), stored.runs) < block_level;
     }
   out.blocks_refused = refused / blocks;
-  out.rejected = out.pixels_refused > kMostPixels || out.blocks_refused > kMostBlocks;
+  out.rejected = out.pixels_refused > kMaxPixels || out.blocks_refused > kMaxBlocks;
   return out;
 }
 

@@ -65,7 +65,7 @@ Picture heat_map(const Picture& reference, const Picture& test, double gain) {
 }
 
 int reduction(int width, int height) {
-  return std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(width) * height / kMostShown))));
+  return std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(width) * height / kMaxShown))));
 }
 
 Picture shown(const std::filesystem::path& path) {

@@ -22,7 +22,7 @@ Picture thumbnail(const Picture& picture, int max_width, int max_height);
 Picture difference_thumbnail(const Picture& reference, const Picture& test, int max_width, int max_height);
 
 // Pictures of more pixels are shown reduced.
-inline constexpr double kMostShown = 1 << 24;
+inline constexpr double kMaxShown = 1 << 24;
 // How many pixels of a picture of this size become one on either side; 1: none.
 int reduction(int width, int height);
 // A file as it is shown, without alpha when it is reduced. Throws std::runtime_error.

@@ -8,10 +8,10 @@
 namespace verisim::parser {
 namespace {
 
-constexpr std::size_t kMostTokens = std::size_t{1} << 26;
+constexpr std::size_t kMaxTokens = std::size_t{1} << 26;
 
 std::shared_ptr<const TokenFile> tokens_of(std::string_view text, Names& names) {
-  return tokenise(std::make_shared<Source>("", text), names, kMostTokens);
+  return tokenise(std::make_shared<Source>("", text), names, kMaxTokens);
 }
 
 bool same_tokens(const TokenFile& a, const TokenFile& b) {

@@ -5,16 +5,16 @@
 namespace verisim::parser {
 namespace {
 
-constexpr std::size_t kMostTokens = std::size_t{1} << 26;
-constexpr int kMostRepairs = 100;
+constexpr std::size_t kMaxTokens = std::size_t{1} << 26;
+constexpr int kMaxRepairs = 100;
 
 // A file that cannot be read to its end is read without what stopped the reading: the bytes up to the end of that line
 // become blanks, so that all places stay.
 std::shared_ptr<const TokenFile> tokens_of(std::string text, Names& names) {
   for (int i = 0;; ++i) {
-    auto file = tokenise(std::make_shared<Source>("", text), names, kMostTokens);
+    auto file = tokenise(std::make_shared<Source>("", text), names, kMaxTokens);
     const Token& last = file->tokens.back();
-    if (last.kind != TokenKind::error || i == kMostRepairs) return file;
+    if (last.kind != TokenKind::error || i == kMaxRepairs) return file;
     const std::size_t end = std::min(text.find_first_of("\r\n", last.offset), text.size());
     if (end <= last.offset) return file;
     std::fill(text.begin() + static_cast<std::ptrdiff_t>(last.offset), text.begin() + static_cast<std::ptrdiff_t>(end),

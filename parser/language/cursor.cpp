@@ -153,15 +153,16 @@ void Parser::expect(char punctuation) {
 
 bool Parser::at_number_start() { return impl_->starts_numeric(impl_->peek()); }
 
-scene::Place Parser::place() {
+scene::SourceLocation Parser::place() {
   const Token& token = impl_->peek();
   const Source& source = *impl_->file->source;
   const Position at = source.position(token.offset);
-  const scene::Place place{source.shared_name(), at.line, at.column};
+  const scene::SourceLocation place{source.shared_name(), at.line, at.column};
   return impl_->options.origins ? impl_->with_calls(place) : place;
 }
 
-scene::Place Parser::copied_to(const scene::Place& declared, const scene::Place& copy) const {
+scene::SourceLocation Parser::copied_to(const scene::SourceLocation& declared,
+                                        const scene::SourceLocation& copy) const {
   if (!impl_->options.origins || !copy.file) return declared;
   Origins::Origin origin = impl_->options.origins->of(declared);
   origin.calls = impl_->options.origins->of(copy).calls;

@@ -34,10 +34,10 @@ class Recursive : public Function {
   int parameters() const override { return parameters_; }
   int components() const override { return 1; }
   void evaluate(std::span<const double> arguments, double* result) const override {
-    constexpr int kMostNested = 1000, kMostCalls = 10'000'000;
+    constexpr int kMaxNested = 1000, kMaxCalls = 10'000'000;
     static thread_local int nested = 0, calls = 0;
     if (!nested) calls = 0;
-    if (!program_ || nested >= kMostNested || ++calls > kMostCalls) {
+    if (!program_ || nested >= kMaxNested || ++calls > kMaxCalls) {
       *result = std::numeric_limits<double>::quiet_NaN();
       return;
     }

@@ -156,7 +156,7 @@ struct Parser::Impl {
   void copy_identifier(Value& value);
   void record(Spot name, const Value& value);  // for ParseOptions::recorder
   // For ParseOptions::origins: a place with the macro calls around it; the name of an object that is declared.
-  scene::Place with_calls(const scene::Place& place) const;
+  scene::SourceLocation with_calls(const scene::SourceLocation& place) const;
   void name_object(Spot name, const Value& value) const;
 
   // ---- macros.cpp ----

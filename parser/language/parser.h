@@ -39,9 +39,9 @@ class Parser {
   void expect(char punctuation);
   void optional_comma() { accept(','); }
   bool at_number_start();  // the next token can start a numeric expression (spec 01 section 7, optional arguments)
-  scene::Place place();    // of the next token
+  scene::SourceLocation place();  // of the next token
   // The place of a declared object that is copied at another one: it stays, but ParseOptions::origins remember.
-  scene::Place copied_to(const scene::Place& declared, const scene::Place& copy) const;
+  scene::SourceLocation copied_to(const scene::SourceLocation& declared, const scene::SourceLocation& copy) const;
 
   // ---- Expressions (spec 01 section 8). Additive terms unless `full`. ----
   double parse_float();

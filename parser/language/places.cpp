@@ -76,7 +76,7 @@ Excerpt Parser::Impl::excerpt(Spot at) {
   return e;
 }
 
-scene::Place Parser::Impl::with_calls(const scene::Place& place) const {
+scene::SourceLocation Parser::Impl::with_calls(const scene::SourceLocation& place) const {
   Origins::Origin origin;
   for (std::size_t i = frames.size(); i-- > 0 && origin.calls.size() < kTrail;) {
     const Frame& frame = frames[i];
@@ -90,8 +90,8 @@ scene::Place Parser::Impl::with_calls(const scene::Place& place) const {
 
 void Parser::Impl::name_object(Spot name, const Value& value) const {
   const auto* object = std::get_if<scene::ObjectPtr>(&value);
-  if (!object || !*object || object->use_count() > 1) return;        // another name of what has one
-  scene::Place& place = const_cast<scene::Object&>(**object).place;  // nobody else has it yet
+  if (!object || !*object || object->use_count() > 1) return;                 // another name of what has one
+  scene::SourceLocation& place = const_cast<scene::Object&>(**object).place;  // nobody else has it yet
   Origins::Origin origin = options.origins->of(place);
   origin.declared = names[name.token->id()].text;
   place = options.origins->with(place, std::move(origin));

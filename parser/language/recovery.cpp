@@ -7,9 +7,9 @@
 namespace verisim::parser {
 namespace {
 
-constexpr std::size_t kMostErrors = 20;  // reported in one run
-constexpr int kMostFailures = 60;        // including those that are not reported: repeated in loops, or consequences
-constexpr std::uint64_t kMostStepsAfterError =
+constexpr std::size_t kMaxErrors = 20;  // reported in one run
+constexpr int kMaxFailures = 60;        // including those that are not reported: repeated in loops, or consequences
+constexpr std::uint64_t kMaxStepsAfterError =
     20'000'000;  // executed tokens: the rest of the scene is only read for more errors
 
 // Directives that declare nothing and have an end that can be found.
@@ -37,8 +37,8 @@ bool Parser::Impl::recover(ParseError& failure) {
     if (options.message) options.message(failure.diagnostic);
     report.errors.push_back(failure.diagnostic);
   }
-  if (report.errors.size() == 1 && recovery.steps_left == 0) recovery.steps_left = steps + kMostStepsAfterError;
-  if (failure.last || report.errors.size() >= kMostErrors || ++recovery.failures > kMostFailures ||
+  if (report.errors.size() == 1 && recovery.steps_left == 0) recovery.steps_left = steps + kMaxStepsAfterError;
+  if (failure.last || report.errors.size() >= kMaxErrors || ++recovery.failures > kMaxFailures ||
       steps > recovery.steps_left)
     return false;
   if (!recovery.file || frames.size() < recovery.frames || conditions.size() < recovery.conditions) return false;

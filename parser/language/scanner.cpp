@@ -58,15 +58,15 @@ bool Scanner::user_call(const Function& function, Term& out, int depth) {
 bool Scanner::macro(const Symbol& symbol, Term& out, int depth) {
   const Macro& macro = *std::get<Shared<Macro>>(symbol.variable->value);
   const std::size_t count = macro.parameters.size();
-  constexpr std::size_t kMostParameters = 8;
-  if (!macro.is_expression || count > kMostParameters || macros_ == kMostMacros || at_[1].punctuation != '(')
+  constexpr std::size_t kMaxParameters = 8;
+  if (!macro.is_expression || count > kMaxParameters || macros_ == kMaxMacros || at_[1].punctuation != '(')
     return false;
   advance();
   advance();
   struct {
     Variable* variable = nullptr;
     Term value;
-  } given[kMostParameters];
+  } given[kMaxParameters];
   const bool outer = std::exchange(blocked_, true);
   for (std::size_t i = 0; i < count; ++i) {
     if (at_->kind == TokenKind::identifier && (at_[1].punctuation == ',' || at_[1].punctuation == ')')) {

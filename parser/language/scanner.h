@@ -400,7 +400,7 @@ class Scanner {
   }
 
   static constexpr int kMaxDepth = 32;
-  static constexpr std::size_t kMostMacros = 16;
+  static constexpr std::size_t kMaxMacros = 16;
 
   Parser::Impl& p_;
   const Token* at_;
@@ -412,7 +412,7 @@ class Scanner {
     const Token *behind, *end;
     const TokenFile* file;
   };
-  Call calls_[kMostMacros];
+  Call calls_[kMaxMacros];
   std::size_t macros_ = 0;
   struct Draw {
     std::uint32_t stream, state;

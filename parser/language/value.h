@@ -27,7 +27,7 @@ struct Numeric {
 struct Material {
   scene::TexturePtr texture, interior_texture;
   scene::InteriorPtr interior;
-  scene::Rare<Transform> solid_moves;  // as scene::Object::solid_moves
+  scene::Rare<Transform> solid_steps;  // as scene::Object::solid_steps
 };
 
 template <class T>

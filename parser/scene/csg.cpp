@@ -17,7 +17,7 @@ void read_children(Parser& parser, scene::Object& object, Word word) {
     if (csg.kind == scene::CsgKind::intersection && !scene::has_only_solid_parts(*child))
       parser.warning(Code::incompatible, "Patch objects not allowed in intersection.");
     if (csg.difference && !csg.children.declared().empty()) scene::invert(*child);
-    child->solid_moves = {};  // nobody writes to its texture any more
+    child->solid_steps = {};  // nobody writes to its texture any more
     csg.children.push_back(child);
   }
   if (csg.children.declared().size() < 2) parser.warning(Code::too_few, "Should have at least 2 objects in csg.");

@@ -74,7 +74,7 @@ Material parse_material(Parser& parser, const Material& earlier) {
   if (const auto* value = parser.accept_value<Shared<Material>>()) {
     if ((*value)->texture) {
       add_layers(parser, material.texture, (*value)->texture);
-      material.solid_moves = (*value)->solid_moves;
+      material.solid_steps = (*value)->solid_steps;
     }
     if ((*value)->interior_texture) add_layers(parser, material.interior_texture, (*value)->interior_texture);
     material.interior = (*value)->interior;
@@ -83,14 +83,14 @@ Material parse_material(Parser& parser, const Material& earlier) {
     Transform item;
     if (parser.at(Word::texture)) {
       add_layers(parser, material.texture, parse_texture(parser));
-      material.solid_moves = {};
+      material.solid_steps = {};
     } else if (parser.at(Word::interior_texture)) {
       add_layers(parser, material.interior_texture, parse_interior_texture(parser));
     } else if (parser.at(Word::interior)) {
       material.interior = parse_interior(parser, material.interior);
     } else if (parse_transform_item(parser, item)) {
       if (material.texture && scene::ends_in_solid_color(*material.texture))
-        material.solid_moves = material.solid_moves ? material.solid_moves->then(item) : item;
+        material.solid_steps = material.solid_steps ? material.solid_steps->then(item) : item;
       material.texture = scene::transformed(material.texture, item);
       material.interior_texture = scene::transformed(material.interior_texture, item);
       if (material.interior) {

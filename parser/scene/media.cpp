@@ -53,7 +53,7 @@ void transform_media(Media& media, const Transform& t) {
 }
 
 scene::Media parse_media(Parser& parser) {
-  const scene::Place place = parser.place();
+  const scene::SourceLocation place = parser.place();
   Block block(parser);
   Media media;
   if (parser.version() < 350) {  // an emulation of the older defaults

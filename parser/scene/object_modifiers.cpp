@@ -69,8 +69,8 @@ void parse_radiosity(Parser& parser, Object& object) {
 
 void parse_object_material(Parser& parser, Object& object) {
   Material material =
-      parse_material(parser, {object.texture, object.interior_texture, object.interior, object.solid_moves});
-  object.solid_moves = std::move(material.solid_moves);
+      parse_material(parser, {object.texture, object.interior_texture, object.interior, object.solid_steps});
+  object.solid_steps = std::move(material.solid_steps);
   object.texture = std::move(material.texture);
   object.interior_texture = std::move(material.interior_texture);
   object.interior = material.interior ? std::make_shared<scene::Interior>(*material.interior) : nullptr;
@@ -97,12 +97,12 @@ bool parse_modifier(Parser& parser, Object& object) {
       return parse_object_transform(parser, object);
     case Word::texture:
       add_layers(parser, object.texture, parse_texture(parser));
-      object.solid_moves = {};
+      object.solid_steps = {};
       return true;
     case Word::pigment:
     case Word::normal:
     case Word::finish:
-      return parse_texture_part(parser, object.texture, &object.solid_moves);
+      return parse_texture_part(parser, object.texture, &object.solid_steps);
     case Word::interior_texture:
       add_layers(parser, object.interior_texture, parse_interior_texture(parser));
       return true;

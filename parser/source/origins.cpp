@@ -2,7 +2,7 @@
 
 namespace verisim::parser {
 
-scene::Place Origins::with(const scene::Place& place, Origin origin) {
+scene::SourceLocation Origins::with(const scene::SourceLocation& place, Origin origin) {
   if (!place.file) return place;
   Name& name = names_[{*place.file, origin}];
   if (!name) {
@@ -12,7 +12,7 @@ scene::Place Origins::with(const scene::Place& place, Origin origin) {
   return {name, place.line, place.column};
 }
 
-Origins::Origin Origins::of(const scene::Place& place) const {
+Origins::Origin Origins::of(const scene::SourceLocation& place) const {
   const auto found = origins_.find(place.file.get());
   return found == origins_.end() ? Origin() : found->second;
 }

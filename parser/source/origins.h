@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tracer/scene/place.h"
+#include "tracer/scene/source_location.h"
 
 namespace verisim::parser {
 
@@ -21,8 +21,8 @@ class Origins {
   };
 
   // The same place with an origin: places of one origin share the name of their file.
-  scene::Place with(const scene::Place& place, Origin origin);
-  Origin of(const scene::Place& place) const;  // of a place that has none: empty
+  scene::SourceLocation with(const scene::SourceLocation& place, Origin origin);
+  Origin of(const scene::SourceLocation& place) const;  // of a place that has none: empty
 
  private:
   using Name = std::shared_ptr<const std::string>;

@@ -16,7 +16,7 @@ namespace {
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Indices = py::array_t<std::uint32_t, py::array::c_style | py::array::forcecast>;
 
-constexpr int kLeastOfVector = 2, kMostOfVector = 5;
+constexpr int kLeastOfVector = 2, kMaxOfVector = 5;
 
 // ---------------------------------------------------------------------------------------------- identifiers
 
@@ -42,7 +42,7 @@ parser::DeclaredValue vector_of(const std::string& name, py::handle items) {
     if (!n) refuse(name, "a vector is a tuple of numbers");
     numbers.push_back(*n);
   }
-  if (numbers.size() < kLeastOfVector || numbers.size() > kMostOfVector)
+  if (numbers.size() < kLeastOfVector || numbers.size() > kMaxOfVector)
     refuse(name, fmt::format("a vector has 2 to 5 numbers, not {}; a list is an array", numbers.size()));
   return {std::move(numbers)};
 }

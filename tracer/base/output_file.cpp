@@ -39,10 +39,10 @@ struct Target {
 
 Target target_of(const fs::path& name) {
   Target target{name};
-  constexpr int kMostLinks = 40;  // as many as Linux follows
+  constexpr int kMaxLinks = 40;  // as many as Linux follows
   std::error_code failed;
   for (int links = 0; !target.in_place && fs::is_symlink(target.path, failed); ++links) {
-    if (links == kMostLinks) fail(name, "create", std::strerror(ELOOP));
+    if (links == kMaxLinks) fail(name, "create", std::strerror(ELOOP));
     target.open_file = own_open_file(target.path);
     target.in_place = target.open_file >= 0;
     if (!target.in_place) target.path = target.path.parent_path() / fs::read_symlink(target.path);

@@ -1,4 +1,4 @@
-// Four boxes tested at once: the node of a BoxTree, and what is tested against it.
+// Four boxes tested at once: the node of a Bvh, and what is tested against it.
 #pragma once
 
 #include <cmath>
@@ -76,7 +76,7 @@ class NodeRay {
 
 // Where the rays of a shaft start in a tree: the subtrees that it meets.
 struct EntryPoints {
-  static constexpr int kNodes = 4, kMost = 4 * kNodes;
+  static constexpr int kNodes = 4, kMax = 4 * kNodes;
   BoxNode nodes[kNodes];
   int count = 0;         // of nodes; 0: the shaft meets nothing
   bool complete = true;  // every entry is a leaf

@@ -9,7 +9,7 @@ namespace {
 scene::Bounds box(float x, float y, float z, float size) { return {{x, y, z}, {size, size, size}}; }
 
 // Entries in the order in which a ray along +z asks them; `depth` of each is what it finds.
-std::vector<std::uint32_t> asked(const std::vector<Hierarchy::Item>& items, const std::vector<double>& depth) {
+std::vector<std::uint32_t> active(const std::vector<Hierarchy::Item>& items, const std::vector<double>& depth) {
   const Hierarchy hierarchy(items);
   std::vector<std::uint32_t> order;
   double best = 1e7;
@@ -23,26 +23,26 @@ std::vector<std::uint32_t> asked(const std::vector<Hierarchy::Item>& items, cons
 using Order = std::vector<std::uint32_t>;
 
 TEST(Hierarchy, InfiniteEntriesComeFirstThenTheNearestBox) {
-  EXPECT_EQ(asked({{0, box(0, 0, 5, 1), false}, {1, box(0, 0, 0, 1), false}, {2, {}, true}}, {1e7, 1e7, 1e7}),
+  EXPECT_EQ(active({{0, box(0, 0, 5, 1), false}, {1, box(0, 0, 0, 1), false}, {2, {}, true}}, {1e7, 1e7, 1e7}),
             (Order{2, 1, 0}));
 }
 
 TEST(Hierarchy, TheSearchEndsAtAKeyBeyondTheBestDepth) {
   EXPECT_EQ(
-      asked({{0, box(0, 0, 5, 1), false}, {1, box(0, 0, 0, 1), false}, {2, box(0, 0, 9, 1), false}}, {15, 10, 19}),
+      active({{0, box(0, 0, 5, 1), false}, {1, box(0, 0, 0, 1), false}, {2, box(0, 0, 9, 1), false}}, {15, 10, 19}),
       (Order{1}));
 }
 
 TEST(Hierarchy, AnEqualKeyIsStillAsked) {
   const Order order =
-      asked({{0, box(0, 0, 0, 1), false}, {1, box(0, 0, 0, 2), false}, {2, box(0, 0, 5, 1), false}}, {10, 10, 15});
+      active({{0, box(0, 0, 0, 1), false}, {1, box(0, 0, 0, 2), false}, {2, box(0, 0, 5, 1), false}}, {10, 10, 15});
   EXPECT_EQ(order.size(), 2u);
 }
 
 TEST(Hierarchy, BoxesBesideOrBehindTheRayAreNotAsked) {
-  EXPECT_EQ(
-      asked({{0, box(3, 0, 0, 1), false}, {1, box(0, 0, -20, 1), false}, {2, box(0, 0, 0, 1), false}}, {1e7, 1e7, 1e7}),
-      (Order{2}));
+  EXPECT_EQ(active({{0, box(3, 0, 0, 1), false}, {1, box(0, 0, -20, 1), false}, {2, box(0, 0, 0, 1), false}},
+                   {1e7, 1e7, 1e7}),
+            (Order{2}));
 }
 
 TEST(Hierarchy, EveryBoxOnTheWayIsAskedFromNearToFar) {
@@ -50,7 +50,7 @@ TEST(Hierarchy, EveryBoxOnTheWayIsAskedFromNearToFar) {
     std::vector<Hierarchy::Item> items;
     const auto place = [&](std::uint32_t i) { return static_cast<float>(i * 7 % count) - 5; };
     for (std::uint32_t i = 0; i < count; ++i) items.push_back({i, box(0, 0, place(i), 1), false});
-    const Order order = asked(items, std::vector<double>(count, 1e7));
+    const Order order = active(items, std::vector<double>(count, 1e7));
     ASSERT_EQ(order.size(), count);
     for (std::size_t k = 0; k < count; ++k) EXPECT_EQ(items[order[k]].bounds.low[2], static_cast<float>(k) - 5);
   }

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "tracer/effects/scene_effects.h"
-#include "tracer/shading/wavefront/wave.h"
+#include "tracer/shading/wavefront/wavefront.h"
 
 namespace verisim::global {
 
@@ -14,8 +14,8 @@ class EffectsStateOfScene : public shading::EffectsState {
  public:
   // Radiosity of the tile or phase being rendered; null: queries give nothing (photon shooting).
   std::optional<RadiosityTask> radiosity;
-  std::array<std::unique_ptr<shading::Wave>, kMaxRadiosityDepth + 1>
-      gather_waves;                            // by gather_depth; made when they are needed
+  std::array<std::unique_ptr<shading::Wavefront>, kMaxRadiosityDepth + 1>
+      gather_wavefronts;                       // by gather_depth; made when they are needed
   std::optional<IrradianceCache> own_samples;  // of this tile, where the shared cache is read only
 
   // Photons around the hit that is being shaded, shared by its layers, and the hit they belong to.

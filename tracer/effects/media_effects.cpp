@@ -2,7 +2,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include "tracer/effects/effects_state.h"
-#include "tracer/media/media_row.h"
+#include "tracer/media/media_batch.h"
 
 namespace verisim::global {
 
@@ -85,19 +85,19 @@ void SceneEffects::container_media(shading::Tracer& tracer, const shading::RaySt
 }
 
 void SceneEffects::container_media(shading::Tracer& tracer, const shading::RayState& common,
-                                   std::span<const shading::ContainerStretch> stretches) const {
+                                   std::span<const shading::ContainerInterval> intervals) const {
   MediaList list;
   collect(tracer.interiors(common.interiors), list);
   if (list.empty()) return;
   const std::span<const CompiledMedia* const> media{list.data(), list.size()};
   TracerEnvironment environment(*this, photons_in_media(common), tracer, common, nullptr);
-  MediaRow row(tracer, common, media, environment);
+  MediaBatch batch(tracer, common, media, environment);
   shading::RayState ray = common;
-  MediaResult results[MediaRow::kMostRays];
-  for (std::size_t first = 0; first < stretches.size(); first += MediaRow::kMostRays) {
-    const auto rays = stretches.subspan(first, std::min(stretches.size() - first, MediaRow::kMostRays));
-    bool done[MediaRow::kMostRays] = {};
-    if (row.possible()) row.integrate(rays, results, done);
+  MediaResult results[MediaBatch::kMaxRays];
+  for (std::size_t first = 0; first < intervals.size(); first += MediaBatch::kMaxRays) {
+    const auto rays = intervals.subspan(first, std::min(intervals.size() - first, MediaBatch::kMaxRays));
+    bool done[MediaBatch::kMaxRays] = {};
+    if (batch.possible()) batch.integrate(rays, results, done);
     for (std::size_t i = 0; i < rays.size(); ++i) {
       if (done[i]) {
         see_through(results[i], *rays[i].color);

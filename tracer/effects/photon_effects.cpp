@@ -1,7 +1,7 @@
 // Photon maps in the recursive trace: the light of stored photons, and the direct light they replace (spec 07
 // sections 3.10 and 3.11).
 #include "tracer/effects/effects_state.h"
-#include "tracer/photons/photon_row.h"
+#include "tracer/photons/photon_batch.h"
 #include "tracer/shading/finish.h"
 
 namespace verisim::global {

@@ -19,7 +19,7 @@ int part_of_sphere(const Vec3& d) {
 
 // The rays of a sample, those in the same part of the sphere one after another.
 using RayOrder = std::array<std::uint16_t, kGatheredTogether>;
-void sort_by_direction(std::span<const GatherRay> rays, RayOrder& order) {
+void sort_by_direction(std::span<const FinalGatherRay> rays, RayOrder& order) {
   std::array<std::uint8_t, kGatheredTogether> parts;
   std::array<std::uint16_t, 25> places{};
   for (std::size_t i = 0; i < rays.size(); ++i)
@@ -28,41 +28,42 @@ void sort_by_direction(std::span<const GatherRay> rays, RayOrder& order) {
   for (std::size_t i = 0; i < rays.size(); ++i) order[places[parts[i]]++] = static_cast<std::uint16_t>(i);
 }
 
-class TracerGatherer : public Gatherer {
+class TracerFinalGatherer : public FinalGatherer {
  public:
-  TracerGatherer(const SceneEffects& effects, shading::Tracer& tracer) : effects_(effects), tracer_(tracer) {}
+  TracerFinalGatherer(const SceneEffects& effects, shading::Tracer& tracer) : effects_(effects), tracer_(tracer) {}
 
-  void gather(const Vec3& from, std::span<const GatherRay> rays, int depth, GatherResult* results) override {
+  void gather(const Vec3& from, std::span<const FinalGatherRay> rays, int depth, FinalGatherResult* results) override {
     const shading::RandomBranch branch(tracer_.random(), shading::RandomBranch::gather(0));
     const auto key = tracer_.random().key();
     shading::RayState state = gather_state(depth);
-    shading::Wave* const wave = rays.size() < kFewest ? nullptr : wave_of(state);
+    shading::Wavefront* const wavefront = rays.size() < kMin ? nullptr : wavefront_of(state);
     RayOrder order;
-    if (wave)
+    if (wavefront)
       sort_by_direction(rays, order);
     else
       std::iota(order.begin(), order.end(), std::uint16_t{0});
 
-    constexpr std::size_t kMost = RayRow::kMost;
+    constexpr std::size_t kMax = RayBatch::kMax;
     const auto default_importance = static_cast<float>(effects_.scene().settings.radiosity.default_importance);
-    GatherResult* waiting[kMost];
+    FinalGatherResult* waiting[kMax];
     int n = 0;
     const auto shade_waiting = [&] {
-      Color colors[kMost];
-      wave->shade_gathering(state, colors);
+      Color colors[kMax];
+      wavefront->shade_gathering(state, colors);
       for (int k = 0; k < n; ++k) waiting[k]->color = colors[k].rgb();
       n = 0;
     };
-    for (std::size_t done = 0; done < rays.size(); done += kMost) {
-      const auto count = static_cast<int>(std::min(kMost, rays.size() - done));
-      RayRow row;
-      for (int k = 0; k < count; ++k) row.origin.set(k, from), row.direction.set(k, rays[order[done + k]].direction);
-      shapes::Hit hits[kMost];
-      bool found[kMost];
-      tracer_.scene().world.intersect_row(row, 0, count, state.kind(), kNearestHit, nullptr, hits, found);
+    for (std::size_t done = 0; done < rays.size(); done += kMax) {
+      const auto count = static_cast<int>(std::min(kMax, rays.size() - done));
+      RayBatch batch;
+      for (int k = 0; k < count; ++k)
+        batch.origin.set(k, from), batch.direction.set(k, rays[order[done + k]].direction);
+      shapes::Hit hits[kMax];
+      bool found[kMax];
+      tracer_.scene().world.intersect_batch(batch, 0, count, state.kind(), kNearestHit, nullptr, hits, found);
       for (int k = 0; k < count; ++k) {
         const std::size_t i = order[done + k];
-        GatherResult& result = results[i];
+        FinalGatherResult& result = results[i];
         const shapes::Hit* const hit = found[k] ? &hits[k] : nullptr;
         if (hit) result.distance = hit->t;
         result.importance = hit ? hit->shape->surface->object->radiosity_importance : -1;
@@ -70,12 +71,12 @@ class TracerGatherer : public Gatherer {
         if (result.importance < rays[i].threshold) continue;
         result.shaded = true;
         const auto key_of_ray = shading::RandomSource::branch_key(key, shading::RandomBranch::gather(i));
-        if (wave) {
-          wave->add_gathering(row.at(k), key_of_ray, hit, result.notes);
+        if (wavefront) {
+          wavefront->add_gathering(batch.at(k), key_of_ray, hit, result.notes);
           waiting[n++] = &result;
-          if (wave->full()) shade_waiting();
+          if (wavefront->full()) shade_waiting();
         } else {
-          state.ray = row.at(k);
+          state.ray = batch.at(k);
           state.notes = &result.notes;
           tracer_.random().begin(key_of_ray);
           result.color = tracer_.resolve(state, hit).rgb();
@@ -87,7 +88,7 @@ class TracerGatherer : public Gatherer {
 
  private:
   static constexpr double kNearestHit = 1e-4;
-  static constexpr std::size_t kFewest = 8;  // rays that are worth a wave
+  static constexpr std::size_t kMin = 8;  // rays that are worth a wavefront
 
   shading::RayState gather_state(int depth) const {
     shading::RayState state;
@@ -102,12 +103,12 @@ class TracerGatherer : public Gatherer {
   }
 
   // Null: these rays are shaded one by one.
-  shading::Wave* wave_of(const shading::RayState& state) {
-    auto& wave = EffectsStateOfScene::of(tracer_).gather_waves[static_cast<std::size_t>(state.gather_depth)];
-    if (!wave)
-      wave = std::make_unique<shading::Wave>(tracer_,
-                                             state.gather_depth < effects_.scene().settings.radiosity.recursion_limit);
-    return wave->can_gather() ? wave.get() : nullptr;
+  shading::Wavefront* wavefront_of(const shading::RayState& state) {
+    auto& wavefront = EffectsStateOfScene::of(tracer_).gather_wavefronts[static_cast<std::size_t>(state.gather_depth)];
+    if (!wavefront)
+      wavefront = std::make_unique<shading::Wavefront>(
+          tracer_, state.gather_depth < effects_.scene().settings.radiosity.recursion_limit);
+    return wavefront->can_gather() ? wavefront.get() : nullptr;
   }
 
   const SceneEffects& effects_;
@@ -125,9 +126,9 @@ Rgb SceneEffects::indirect_light(shading::Tracer& tracer, const shading::RayStat
     return {};  // enters through the surface instead
   const Rgb pigment = layer.pigment.rgb();
   const float bright = (layer.filter * pigment).grey() * layer.opacity;
-  TracerGatherer gatherer(*this, tracer);
-  shading::GatherNotes ignored;
-  shading::GatherNotes& notes = ray.notes ? *ray.notes : ignored;
+  TracerFinalGatherer gatherer(*this, tracer);
+  shading::FinalGatherNotes ignored;
+  shading::FinalGatherNotes& notes = ray.notes ? *ray.notes : ignored;
 
   // Asked once per hit, by the first layer that is bright enough; the layers below share the answer.
   const auto side = [&](float coefficient, shading::SurfaceHit::Indirect& memory, double sign) {
@@ -148,9 +149,9 @@ bool SceneEffects::raw_irradiance(shading::Tracer& tracer, const shading::RaySta
                                   const Vec3& normal, Rgb& light) const {
   EffectsStateOfScene& state = EffectsStateOfScene::of(tracer);
   if (!state.radiosity || ray.gather_depth >= scene_.settings.radiosity.recursion_limit) return false;
-  TracerGatherer gatherer(*this, tracer);
-  shading::GatherNotes ignored;
-  shading::GatherNotes& notes = ray.notes ? *ray.notes : ignored;
+  TracerFinalGatherer gatherer(*this, tracer);
+  shading::FinalGatherNotes ignored;
+  shading::FinalGatherNotes& notes = ray.notes ? *ray.notes : ignored;
   light = state.radiosity->irradiance({point, normal, normal, static_cast<double>(ray.weight), ray.gather_depth},
                                       gatherer, notes);
   return true;

@@ -28,7 +28,7 @@ class SceneEffects : public shading::Effects {
   void container_media(shading::Tracer&, const shading::RayState&, double length, const shapes::Surface& end,
                        Color&) const override;
   void container_media(shading::Tracer&, const shading::RayState& common,
-                       std::span<const shading::ContainerStretch>) const override;
+                       std::span<const shading::ContainerInterval>) const override;
   void atmosphere_media(shading::Tracer&, const shading::RayState&, double length, const shapes::Surface* end,
                         Color&) const override;
   void shadow_media(shading::Tracer&, const shading::RayState&, double length, bool container, bool atmosphere,

@@ -54,16 +54,16 @@ class TracerEnvironment : public SubsurfaceEnvironment {
   }
 
   void nearest(const Vec3& origin, std::span<const Vec3> directions, SurfaceHit* hits, bool* found) override {
-    RayRow row;
-    shapes::Hit met[RayRow::kSize];
-    for (std::size_t begin = 0; begin < directions.size(); begin += RayRow::kMost) {
-      const std::size_t size = std::min<std::size_t>(RayRow::kMost, directions.size() - begin);
-      for (std::size_t i = 0; i < RayRow::kSize; ++i) {
-        row.origin.set(static_cast<int>(i), origin);
-        row.direction.set(static_cast<int>(i), directions[begin + std::min(i, size - 1)]);
+    RayBatch batch;
+    shapes::Hit met[RayBatch::kSize];
+    for (std::size_t begin = 0; begin < directions.size(); begin += RayBatch::kMax) {
+      const std::size_t size = std::min<std::size_t>(RayBatch::kMax, directions.size() - begin);
+      for (std::size_t i = 0; i < RayBatch::kSize; ++i) {
+        batch.origin.set(static_cast<int>(i), origin);
+        batch.direction.set(static_cast<int>(i), directions[begin + std::min(i, size - 1)]);
       }
-      tracer_.scene().world.intersect_row(row, 0, static_cast<int>(size), ray_.kind(),
-                                          std::numeric_limits<double>::min(), nullptr, met, found + begin);
+      tracer_.scene().world.intersect_batch(batch, 0, static_cast<int>(size), ray_.kind(),
+                                            std::numeric_limits<double>::min(), nullptr, met, found + begin);
       for (std::size_t i = 0; i < size; ++i) {
         if (found[begin + i])
           hits[begin + i] = {met[i].t, met[i].point, met[i].shape->normal(met[i]), met[i].shape->surface->interior};

@@ -5,14 +5,15 @@
 #include <string>
 #include <utility>
 
-#include "tracer/scene/place.h"
+#include "tracer/scene/source_location.h"
 
 namespace verisim::render {
 
 // A feature the tracer cannot render; `what` names it. The caller reports exit status 4.
 struct Unsupported : std::runtime_error {
-  Unsupported(const std::string& what, scene::Place where) : std::runtime_error(what), place(std::move(where)) {}
-  scene::Place place;
+  Unsupported(const std::string& what, scene::SourceLocation where)
+      : std::runtime_error(what), place(std::move(where)) {}
+  scene::SourceLocation place;
 };
 
 // A limit of Options was reached; `what` names it and what may be done.

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tracer/scene/place.h"
+#include "tracer/scene/source_location.h"
 
 namespace verisim::render {
 
@@ -15,7 +15,8 @@ struct Statistics {
                 transmitted_rays = 0;
   double seconds_compile = 0, seconds_render = 0;
   bool cancelled = false;
-  std::vector<std::pair<scene::Place, std::string>> findings;  // warnings about objects, and where those were written
+  std::vector<std::pair<scene::SourceLocation, std::string>>
+      findings;  // warnings about objects, and where those were written
 };
 
 }  // namespace verisim::render

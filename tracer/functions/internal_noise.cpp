@@ -131,20 +131,20 @@ class RidgedMultifractal final : public Function, public OctaveSum {
     *result = sum;
   }
 
-  Bounds begin(std::span<const double> a, Partial& p, Room& room) const override {
+  Bounds begin(std::span<const double> a, Partial& p, Workspace& workspace) const override {
     constexpr double kFarthest = 1e9;
-    if (!room.known) prepare(a, room);
-    if (!room.gradual || !((std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2])) * room.growth < kFarthest)) {
+    if (!workspace.known) prepare(a, workspace);
+    if (!workspace.gradual || !((std::fabs(a[0]) + std::fabs(a[1]) + std::fabs(a[2])) * workspace.growth < kFarthest)) {
       evaluate(a, &p.sum);
-      p.done = room.count;
+      p.done = workspace.count;
       return {p.sum, p.sum};
     }
     p = {0, Vec3(a[0], a[1], a[2]), 0, 0};
-    return add_some(a, kFirst, p, room);
+    return add_some(a, kFirst, p, workspace);
   }
 
-  Bounds narrow(std::span<const double> a, Partial& p, Room& room) const override {
-    return add_some(a, p.done == kFirst ? kNext : room.count, p, room);
+  Bounds narrow(std::span<const double> a, Partial& p, Workspace& workspace) const override {
+    return add_some(a, p.done == kFirst ? kNext : workspace.count, p, workspace);
   }
 
  private:
@@ -173,33 +173,33 @@ class RidgedMultifractal final : public Function, public OctaveSum {
   // Not less than what is computed with some other roundings.
   static double bound(double sum) { return sum * (1 + 1e-12) + 1e-300; }
 
-  Bounds add_some(std::span<const double> a, int octaves, Partial& p, Room& room) const {
-    const Ridges ridges{room.count, a[6], a[7]};
-    const int first = p.done, done = std::min(first + octaves, room.count);
+  Bounds add_some(std::span<const double> a, int octaves, Partial& p, Workspace& workspace) const {
+    const Ridges ridges{workspace.count, a[6], a[7]};
+    const int first = p.done, done = std::min(first + octaves, workspace.count);
     Vec3 next = p.next;
     for (int i = first; i < done; ++i, next *= a[4])
-      room.points.x[i] = next.x, room.points.y[i] = next.y, room.points.z[i] = next.z;
+      workspace.points.x[i] = next.x, workspace.points.y[i] = next.y, workspace.points.z[i] = next.z;
     alignas(64) double noises[8];
-    textures::noises(room.generator, room.points, textures::first_of_eight(done) & ~textures::first_of_eight(first),
-                     noises);
+    textures::noises(workspace.generator, workspace.points,
+                     textures::first_of_eight(done) & ~textures::first_of_eight(first), noises);
     double last = p.last, sum = p.sum;
     for (int i = first; i < done; ++i) add(ridges, i, noises[i], last, sum);
     p = {done, next, last, sum};
-    return {sum, done == room.count ? sum : bound(sum + last * room.rest[static_cast<std::size_t>(done)])};
+    return {sum, done == workspace.count ? sum : bound(sum + last * workspace.rest[static_cast<std::size_t>(done)])};
   }
 
-  void prepare(std::span<const double> a, Room& room) const {
+  void prepare(std::span<const double> a, Workspace& workspace) const {
     const Ridges ridges = known_ridges(a);
-    room.known = true;
-    room.count = ridges.count, room.generator = generator(a[8]);
-    room.gradual =
-        room.count <= 8 && plain_ && std::fabs(ridges.offset) < kLargest && ridges.gain >= 0 && ridges.gain < kLargest;
-    if (!room.gradual) return;
-    room.growth = std::pow(std::max(1.0, std::fabs(a[4])), room.count);
+    workspace.known = true;
+    workspace.count = ridges.count, workspace.generator = generator(a[8]);
+    workspace.gradual = workspace.count <= 8 && plain_ && std::fabs(ridges.offset) < kLargest && ridges.gain >= 0 &&
+                        ridges.gain < kLargest;
+    if (!workspace.gradual) return;
+    workspace.growth = std::pow(std::max(1.0, std::fabs(a[4])), workspace.count);
     const double most = std::max(sq(ridges.offset), sq(ridges.offset - 1));  // of a ridge: noise is between 0 and 1
     double rest = 0;
-    for (auto i = static_cast<std::size_t>(room.count); i-- > 1;)
-      room.rest[i] = rest = most * ridges.gain * (weights_[i] + rest);
+    for (auto i = static_cast<std::size_t>(workspace.count); i-- > 1;)
+      workspace.rest[i] = rest = most * ridges.gain * (weights_[i] + rest);
   }
 
   void find_weights(std::span<const double> a) const {

@@ -31,20 +31,20 @@ bool one_direction(Code code, bool a, bool b) {
 std::unique_ptr<const Narrowing> Narrowing::of(const Function* function) {
   const auto* const program = dynamic_cast<const Program*>(function);
   if (!program || program->has_jumps() || program->parameters() != 3 || program->calls().size() != 1) return nullptr;
-  if (program->registers() + program->code().size() > kMostRegisters) return nullptr;
+  if (program->registers() + program->code().size() > kMaxRegisters) return nullptr;
   const Call& call = program->calls()[0];
   auto narrowing = std::make_unique<Narrowing>();
   narrowing->sum_ = dynamic_cast<const OctaveSum*>(call.function.get());
   if (!narrowing->sum_) return nullptr;
 
-  double constants[kMostRegisters] = {};
+  double constants[kMaxRegisters] = {};
   program->set_constants(constants, 1);
-  std::uint8_t place[kMostRegisters];  // of what the program's registers hold
-  bool hangs[kMostRegisters] = {};     // on the sum
-  for (std::uint8_t r = 0; r < kMostRegisters; ++r)
+  std::uint8_t place[kMaxRegisters];  // of what the program's registers hold
+  bool hangs[kMaxRegisters] = {};     // on the sum
+  for (std::uint8_t r = 0; r < kMaxRegisters; ++r)
     place[r] = r, narrowing->registers_[r] = {constants[r], constants[r]};
   auto next = static_cast<std::uint8_t>(program->registers());
-  bool asked = false;
+  bool active = false;
   for (const Instruction& i : program->code()) {
     if (i.code == Code::call) {
       for (std::size_t k = 0; k < call.arguments.size(); ++k) {
@@ -54,14 +54,14 @@ std::unique_ptr<const Narrowing> Narrowing::of(const Function* function) {
         narrowing->arguments_.push_back(place[argument]);
       }
       narrowing->of_sum_ = place[call.results] = next;
-      hangs[next++] = asked = true;
+      hangs[next++] = active = true;
       continue;
     }
     const bool binary = is_binary(i.code);
     if (!binary && !is_unary(i.code)) return nullptr;
     const std::uint8_t a = place[i.a], b = binary ? place[i.b] : a;
     if (!one_direction(i.code, hangs[a], binary && hangs[b])) return nullptr;
-    (asked ? narrowing->behind_ : narrowing->before_).push_back({i.code, next, a, b});
+    (active ? narrowing->behind_ : narrowing->before_).push_back({i.code, next, a, b});
     hangs[next] = hangs[a] || hangs[b];
     place[i.to] = next++;
   }
@@ -78,8 +78,8 @@ void Narrowing::run(std::span<const Step> steps, Bounds* r) {
 }
 
 template <class Sum>
-Bounds Narrowing::evaluate(const Vec3& p, Room& room, Sum sum) const {
-  Bounds* const r = room.registers.data();
+Bounds Narrowing::evaluate(const Vec3& p, Workspace& workspace, Sum sum) const {
+  Bounds* const r = workspace.registers.data();
   for (int axis = 0; axis < 3; ++axis) r[axis] = {p[axis], p[axis]};
   run(before_, r);
   double arguments[kMaxFunctionParameters];
@@ -90,16 +90,18 @@ Bounds Narrowing::evaluate(const Vec3& p, Room& room, Sum sum) const {
   return a <= b ? Bounds{a, b} : Bounds{b, a};
 }
 
-void Narrowing::begin(const Vec3& p, Value& value, Room& room) const {
+void Narrowing::begin(const Vec3& p, Value& value, Workspace& workspace) const {
   value.p = p;
-  value.bounds = evaluate(
-      p, room, [&](std::span<const double> arguments) { return sum_->begin(arguments, value.sum, room.sums); });
+  value.bounds = evaluate(p, workspace, [&](std::span<const double> arguments) {
+    return sum_->begin(arguments, value.sum, workspace.sums);
+  });
 }
 
-bool Narrowing::narrow(Value& value, Room& room) const {
-  if (value.exact() || value.sum.done == room.sums.count) return false;
-  value.bounds = evaluate(
-      value.p, room, [&](std::span<const double> arguments) { return sum_->narrow(arguments, value.sum, room.sums); });
+bool Narrowing::narrow(Value& value, Workspace& workspace) const {
+  if (value.exact() || value.sum.done == workspace.sums.count) return false;
+  value.bounds = evaluate(value.p, workspace, [&](std::span<const double> arguments) {
+    return sum_->narrow(arguments, value.sum, workspace.sums);
+  });
   return true;
 }
 

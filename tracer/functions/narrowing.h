@@ -31,7 +31,7 @@ class OctaveSum {
     double last, sum;  // what the last one is, and all so far
   };
   // Room for sums one after the other, of the same arguments but for the place.
-  struct Room {
+  struct Workspace {
     textures::EightPoints points;
     // Whether sums can be broken off, how many octaves there are, how much larger the coordinates become, and what the
     // octaves from each one add at most, for what the octave before it is.
@@ -43,8 +43,8 @@ class OctaveSum {
   virtual ~OctaveSum() = default;
   // Bounds of the computed value with a few octaves, and with some more of them. The arguments are a place and
   // parameters.
-  virtual Bounds begin(std::span<const double> arguments, Partial& sum, Room& room) const = 0;
-  virtual Bounds narrow(std::span<const double> arguments, Partial& sum, Room& room) const = 0;
+  virtual Bounds begin(std::span<const double> arguments, Partial& sum, Workspace& workspace) const = 0;
+  virtual Bounds narrow(std::span<const double> arguments, Partial& sum, Workspace& workspace) const = 0;
 };
 
 // A program of x, y and z that asks for one such sum and does little to it.
@@ -53,11 +53,11 @@ class Narrowing {
   // Null: the function is not one.
   static std::unique_ptr<const Narrowing> of(const Function* function);
 
-  static constexpr std::size_t kMostRegisters = 32;
-  struct Room {
-    explicit Room(const Narrowing& narrowing) : registers(narrowing.registers_) {}
-    std::array<Bounds, kMostRegisters> registers;
-    OctaveSum::Room sums;
+  static constexpr std::size_t kMaxRegisters = 32;
+  struct Workspace {
+    explicit Workspace(const Narrowing& narrowing) : registers(narrowing.registers_) {}
+    std::array<Bounds, kMaxRegisters> registers;
+    OctaveSum::Workspace sums;
   };
   // What the program computes at a point, as far as it is known.
   struct Value {
@@ -66,9 +66,9 @@ class Narrowing {
     Bounds bounds;
     bool exact() const { return bounds.low == bounds.high; }
   };
-  void begin(const Vec3& p, Value& value, Room& room) const;
+  void begin(const Vec3& p, Value& value, Workspace& workspace) const;
   // One step closer; false: the value was known, or is NaN.
-  bool narrow(Value& value, Room& room) const;
+  bool narrow(Value& value, Workspace& workspace) const;
 
  private:
   struct Step {
@@ -77,13 +77,13 @@ class Narrowing {
   };
   static void run(std::span<const Step> steps, Bounds* registers);
   template <class Sum>
-  Bounds evaluate(const Vec3& p, Room& room, Sum sum) const;
+  Bounds evaluate(const Vec3& p, Workspace& workspace, Sum sum) const;
 
   const OctaveSum* sum_ = nullptr;
   std::vector<std::uint8_t> arguments_;
   std::uint8_t of_sum_ = 0, result_ = 0;
-  std::vector<Step> before_, behind_;               // each sets a register of its own
-  std::array<Bounds, kMostRegisters> registers_{};  // where it begins
+  std::vector<Step> before_, behind_;              // each sets a register of its own
+  std::array<Bounds, kMaxRegisters> registers_{};  // where it begins
 };
 
 }  // namespace verisim::functions

@@ -24,10 +24,10 @@ Node ridged(const Ridged& r, Node at_x = x()) {
 Node minus(Node a, Node b) { return chain(std::move(a), Op::subtract, std::move(b)); }
 
 // Bounds that are not farther apart than `tolerance`, where the value is a number.
-Bounds closer(const Narrowing& narrowing, const Vec3& p, double tolerance, Narrowing::Room& room) {
+Bounds closer(const Narrowing& narrowing, const Vec3& p, double tolerance, Narrowing::Workspace& workspace) {
   Narrowing::Value value;
-  narrowing.begin(p, value, room);
-  while (!(value.bounds.high - value.bounds.low <= tolerance) && narrowing.narrow(value, room)) {
+  narrowing.begin(p, value, workspace);
+  while (!(value.bounds.high - value.bounds.low <= tolerance) && narrowing.narrow(value, workspace)) {
   }
   return value.bounds;
 }
@@ -58,17 +58,17 @@ TEST(Narrowing, BoundsHoldTheValueAndComeAsCloseAsIsAsked) {
       const FunctionPtr f = compile(expression, 3, 3);
       const auto narrowing = Narrowing::of(f.get());
       ASSERT_TRUE(narrowing);
-      Narrowing::Room room(*narrowing);
+      Narrowing::Workspace workspace(*narrowing);
       for (int i = 0; i < 2000; ++i) {
         const double size = i % 100 == 0 ? 1e8 : i % 7 == 0 ? 1000 : 3;
         const Vec3 p(size * unit(random), size * unit(random), size * unit(random));
         const double value = (*f)(p.x, p.y, p.z), tolerance = std::pow(10.0, -3 + 3 * unit(random));
-        const Bounds bounds = closer(*narrowing, p, tolerance, room);
+        const Bounds bounds = closer(*narrowing, p, tolerance, workspace);
         ASSERT_LE(bounds.low, value);
         ASSERT_GE(bounds.high, value);
         ASSERT_LE(bounds.high - bounds.low, tolerance);
         before_all_octaves += bounds.low < bounds.high;
-        const Bounds known = closer(*narrowing, p, 0, room);
+        const Bounds known = closer(*narrowing, p, 0, workspace);
         ASSERT_EQ(known.low, value);
         ASSERT_EQ(known.high, value);
       }
@@ -81,10 +81,10 @@ TEST(Narrowing, SurvivesWhatIsNotANumber) {
   const FunctionPtr f = compile(minus(of(Builtin::sqrt_, {z()}), ridged(kUsual)), 3, 3);
   const auto narrowing = Narrowing::of(f.get());
   ASSERT_TRUE(narrowing);
-  Narrowing::Room room(*narrowing);
-  EXPECT_FALSE(closer(*narrowing, {0.1, 0.2, -1}, 0, room).low <= 0);
-  closer(*narrowing, Vec3(std::numeric_limits<double>::quiet_NaN()), 0, room);
-  closer(*narrowing, Vec3(std::numeric_limits<double>::infinity()), 0, room);
+  Narrowing::Workspace workspace(*narrowing);
+  EXPECT_FALSE(closer(*narrowing, {0.1, 0.2, -1}, 0, workspace).low <= 0);
+  closer(*narrowing, Vec3(std::numeric_limits<double>::quiet_NaN()), 0, workspace);
+  closer(*narrowing, Vec3(std::numeric_limits<double>::infinity()), 0, workspace);
 }
 
 TEST(Narrowing, IsOnlyOfFunctionsThatRiseOrFallWithOneSum) {

@@ -1,7 +1,7 @@
 #include "tracer/functions/program.h"
 
 #include "tracer/functions/machine_code.h"
-#include "tracer/functions/program_lanes.h"
+#include "tracer/functions/program_packet.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -28,7 +28,7 @@ namespace {
 
 // sum and prod may run over any range: a scene must not be able to hang. All loops of one evaluation, with those of the
 // functions it calls, share this many passes; then the value is NaN, and the parser makes an error of it.
-constexpr std::uint64_t kMostPasses = 100'000'000;
+constexpr std::uint64_t kMaxPasses = 100'000'000;
 thread_local int loops_open = 0;
 thread_local std::uint64_t passes_left = 0;
 thread_local bool overran = false;
@@ -41,7 +41,7 @@ class LoopBudget {
   bool pass() {
     if (!open_) {
       open_ = true;
-      if (!loops_open++) passes_left = kMostPasses;
+      if (!loops_open++) passes_left = kMaxPasses;
     }
     if (passes_left) {
       --passes_left;
@@ -154,7 +154,7 @@ void Program::set_constants(double* registers, std::size_t width) const {
 }
 
 void Program::evaluate_batch(const double* arguments, std::size_t stride, std::size_t count, double* result) const {
-  constexpr std::size_t kNarrow = LaneKernels::kNarrow, kWide = LaneKernels::kWide;
+  constexpr std::size_t kNarrow = ProgramKernels::kNarrow, kWide = ProgramKernels::kWide;
   constexpr std::size_t kWorthABatch = 4;  // fewer points are faster one by one in native code
   if (count == 0) return;
   if (has_jumps_ || (native_ && count < kWorthABatch))
@@ -169,7 +169,7 @@ void Program::evaluate_batch(const double* arguments, std::size_t stride, std::s
   }
   set_constants(r, width);
   const auto n = static_cast<std::size_t>(parameters_);
-  const auto run = width == kNarrow ? lane_kernels().narrow : lane_kernels().wide;
+  const auto run = width == kNarrow ? packet_kernels().narrow : packet_kernels().wide;
   for (std::size_t begin = 0; begin < count; begin += width) {
     const std::size_t m = std::min(width, count - begin);
     for (std::size_t p = 0; p < n; ++p) {

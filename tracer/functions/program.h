@@ -2,7 +2,7 @@
 //
 // Registers are doubles: first the parameters, then the constants, then intermediate values. One point is evaluated
 // with the registers on the stack; a batch keeps a block of points per register and runs over whole SIMD vectors
-// (program_lanes.h). Programs with jumps (loops, `select` with costly branches) are evaluated point by point.
+// (program_packet.h). Programs with jumps (loops, `select` with costly branches) are evaluated point by point.
 #pragma once
 
 #include <vector>
@@ -35,7 +35,7 @@ class Program final : public Function {
 
   std::size_t size() const { return code_.size(); }
   bool has_jumps() const { return has_jumps_; }
-  // For LaneKernels.
+  // For ProgramKernels.
   std::size_t registers() const { return registers_; }
   std::size_t result_register() const { return result_; }
   std::span<const Instruction> code() const { return code_; }

@@ -3,14 +3,14 @@
 #include <cmath>
 #include <cstdint>
 
-#include "tracer/functions/program_lanes.h"
+#include "tracer/functions/program_packet.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tracer/functions/program_kernels.cpp"
 #include "tracer/simd/each_target.h"
 
 #include "tracer/functions/library-inl.h"
-#include "tracer/functions/near_sine-inl.h"
+#include "tracer/functions/approximate_sine-inl.h"
 #include "tracer/simd/kernel_table.h"
 #include "tracer/simd/packet-inl.h"
 
@@ -69,23 +69,23 @@ HWY_INLINE Packet apply_vector(const Packet& a, const Packet& b) {
     return a;
 }
 
-// What the lanes of `asked` cannot do together.
+// What the lanes of `active` cannot do together.
 template <Code C>
-HWY_INLINE void one_by_one(double* to, const double* a, const double* b, std::uint64_t asked) {
-  for (; asked != 0; asked &= asked - 1) {
-    const int k = std::countr_zero(asked);
+HWY_INLINE void one_by_one(double* to, const double* a, const double* b, std::uint64_t active) {
+  for (; active != 0; active &= active - 1) {
+    const int k = std::countr_zero(active);
     to[k] = apply<C>(a[k], b[k]);
   }
 }
 
 template <Code C, bool Nearly>
-HWY_INLINE void eight(double* to, const double* a, const double* b, std::uint64_t asked) {
+HWY_INLINE void eight(double* to, const double* a, const double* b, std::uint64_t active) {
   if constexpr (kSimple<C>) {
     store(to, apply_vector<C>(load(a), load(b)));
   } else if constexpr (C == Code::sqrt) {
     store(to, sqrt(load(a)));
   } else if constexpr (Nearly && (C == Code::sin || C == Code::cos)) {
-    store(to, near_sine<C == Code::cos>(load(a)));
+    store(to, approximate_sine<C == Code::cos>(load(a)));
 #if HWY_NATIVE_FMA
   } else if constexpr (C == Code::sin || C == Code::cos || C == Code::atan2 || C == Code::ln) {
     for (int n = 0; n < kLanes; n += kPart) {
@@ -99,52 +99,52 @@ HWY_INLINE void eight(double* to, const double* a, const double* b, std::uint64_
       else
         unsure = sine<C == Code::cos>(first, result);
       store(to + n, result);
-      for (unsure &= static_cast<unsigned>(asked >> n); unsure != 0; unsure &= unsure - 1) {
+      for (unsure &= static_cast<unsigned>(active >> n); unsure != 0; unsure &= unsure - 1) {
         const int k = std::countr_zero(unsure);
         to[n + k] = apply<C>(first[k], second[k]);
       }
     }
 #endif
   } else {
-    one_by_one<C>(to, a, b, asked);
+    one_by_one<C>(to, a, b, active);
   }
 }
 
 template <Code C, int Width, bool Nearly>
-HWY_INLINE void operate(double* to, const double* a, const double* b, std::uint64_t asked) {
-  for (int k = 0; k < Width; k += kLanes) eight<C, Nearly>(to + k, a + k, b + k, asked >> k & 255);
+HWY_INLINE void operate(double* to, const double* a, const double* b, std::uint64_t active) {
+  for (int k = 0; k < Width; k += kLanes) eight<C, Nearly>(to + k, a + k, b + k, active >> k & 255);
 }
 
 template <int Width>
-void call_function(const Call& call, double* r, std::uint64_t asked) {
-  constexpr std::size_t kMost = 8;  // arguments that are handed over for all points at once
+void call_function(const Call& call, double* r, std::uint64_t active) {
+  constexpr std::size_t kMax = 8;  // arguments that are handed over for all points at once
   const std::size_t inputs = call.arguments.size();
   const auto outputs = static_cast<std::size_t>(call.function->components());
   double* const results = r + std::size_t{call.results} * Width;
-  if (inputs <= kMost) {
+  if (inputs <= kMax) {
     // Side by side, without gaps.
-    double arguments[Width * kMost], values[Width * kMaxFunctionComponents];
-    if (Width == kLanes && asked == 255) {
+    double arguments[Width * kMax], values[Width * kMaxFunctionComponents];
+    if (Width == kLanes && active == 255) {
       for (std::size_t p = 0; p < inputs; ++p)
         store(arguments + p * Width, load(r + std::size_t{call.arguments[p]} * Width));
       call.function->evaluate_batch(arguments, Width, Width, results);
       return;
     }
     std::size_t count = 0;
-    for (std::uint64_t lanes = asked; lanes != 0; lanes &= lanes - 1, ++count)
+    for (std::uint64_t lanes = active; lanes != 0; lanes &= lanes - 1, ++count)
       for (std::size_t p = 0; p < inputs; ++p)
         arguments[p * Width + count] =
             r[std::size_t{call.arguments[p]} * Width + static_cast<std::size_t>(std::countr_zero(lanes))];
     call.function->evaluate_batch(arguments, Width, count, values);
     count = 0;
-    for (std::uint64_t lanes = asked; lanes != 0; lanes &= lanes - 1, ++count)
+    for (std::uint64_t lanes = active; lanes != 0; lanes &= lanes - 1, ++count)
       for (std::size_t c = 0; c < outputs; ++c)
         results[c * Width + static_cast<std::size_t>(std::countr_zero(lanes))] = values[c * Width + count];
     return;
   }
   double values[kMaxFunctionComponents], point[kMaxFunctionParameters];
-  for (; asked != 0; asked &= asked - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(asked));
+  for (; active != 0; active &= active - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(active));
     for (std::size_t p = 0; p < inputs; ++p) point[p] = r[std::size_t{call.arguments[p]} * Width + k];
     call.function->evaluate({point, inputs}, values);
     for (std::size_t c = 0; c < outputs; ++c) results[c * Width + k] = values[c];
@@ -152,15 +152,15 @@ void call_function(const Call& call, double* r, std::uint64_t asked) {
 }
 
 template <int Width, bool Nearly>
-void run(std::span<const Instruction> code, std::span<const Call> calls, double* r, std::uint64_t asked) {
+void run(std::span<const Instruction> code, std::span<const Call> calls, double* r, std::uint64_t active) {
   for (const Instruction& i : code) {
     double* const to = r + std::size_t{i.to} * Width;
     const double* const a = r + std::size_t{i.a} * Width;
     const double* const b = r + std::size_t{i.b} * Width;
     switch (i.code) {
-#define VERISIM_OPERATE(NAME)                            \
-  case Code::NAME:                                       \
-    operate<Code::NAME, Width, Nearly>(to, a, b, asked); \
+#define VERISIM_OPERATE(NAME)                             \
+  case Code::NAME:                                        \
+    operate<Code::NAME, Width, Nearly>(to, a, b, active); \
     break;
       // clang-format off
       VERISIM_OPERATE(add) VERISIM_OPERATE(subtract) VERISIM_OPERATE(multiply) VERISIM_OPERATE(divide)
@@ -184,7 +184,7 @@ void run(std::span<const Instruction> code, std::span<const Call> calls, double*
         break;
       }
       case Code::call:
-        call_function<Width>(calls[i.a], r, asked);
+        call_function<Width>(calls[i.a], r, active);
         break;
       default:
         break;  // programs with jumps never get here
@@ -192,8 +192,8 @@ void run(std::span<const Instruction> code, std::span<const Call> calls, double*
   }
 }
 
-constexpr LaneKernels kKernels{run<LaneKernels::kNarrow, false>, run<LaneKernels::kNarrow, true>,
-                               run<LaneKernels::kBroad, false>, run<LaneKernels::kWide, false>};
+constexpr ProgramKernels kKernels{run<ProgramKernels::kNarrow, false>, run<ProgramKernels::kNarrow, true>,
+                                  run<ProgramKernels::kBroad, false>, run<ProgramKernels::kWide, false>};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace
@@ -202,6 +202,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace verisim::functions {
-VERISIM_EXPORT_KERNELS(LaneKernels, lane_kernels)
+VERISIM_EXPORT_KERNELS(ProgramKernels, packet_kernels)
 }  // namespace verisim::functions
 #endif

@@ -24,12 +24,12 @@ std::optional<LightFalloff> LightFalloff::of(const Light& light) {
   return f;
 }
 
-void LightFalloff::attenuate(const RayRow::Vectors& towards, const double* distance, int count,
+void LightFalloff::attenuate(const RayBatch::Vectors& towards, const double* distance, int count,
                              float* attenuation) const {
   light_falloff_kernels().attenuate(*this, towards, distance, count, attenuation);
 }
 
-void aim_at(const Light& light, int count, RayRow& to_light, double* distance) {
+void aim_at(const Light& light, int count, RayBatch& to_light, double* distance) {
   if (light.radial()) return light_falloff_kernels().aim(light.source().position, count, to_light, distance);
   for (int k = 0; k < count; ++k) {
     const LightDirection direction = light.direction(to_light.origin.at(k));
@@ -50,7 +50,7 @@ LightGrid::LightGrid(const Light& light, const Light::Axes& axes)
 }
 
 void aim_at_grid(const Light& light, const Light::Axes& axes, const Vec3& p, const GridPlaces& places, int count,
-                 RayRow& to_light, double* distance) {
+                 RayBatch& to_light, double* distance) {
   if (light.radial())
     return light_falloff_kernels().aim_at_grid(LightGrid(light, axes), p, places, count, to_light, distance);
   for (int k = 0; k < count; ++k) {

@@ -1,11 +1,11 @@
-// Where a light is from a row of points, where the samples of an area light are from one, and how light fades with
+// Where a light is from a batch of points, where the samples of an area light are from one, and how light fades with
 // angle and distance (spec 06 sections 7.3 and 8). Compiled for several instruction sets; every lane does the
 // operations of Light::direction, Light::offset and Light::attenuation in the same order.
 #pragma once
 
 #include <optional>
 
-#include "tracer/math/ray_row.h"
+#include "tracer/math/ray_batch.h"
 #include "tracer/lights/light.h"
 
 namespace verisim::shading {
@@ -19,19 +19,19 @@ struct LightFalloff {
   // None: not so simple.
   static std::optional<LightFalloff> of(const Light& light);
   // Of points with unit directions towards the light; room for whole registers behind the last.
-  void attenuate(const RayRow::Vectors& towards, const double* distance, int count, float* attenuation) const;
+  void attenuate(const RayBatch::Vectors& towards, const double* distance, int count, float* attenuation) const;
 };
 
 // Sets the unit directions from points to the light's centre, and its distances. Points: to_light.origin.
-void aim_at(const Light& light, int count, RayRow& to_light, double* distance);
+void aim_at(const Light& light, int count, RayBatch& to_light, double* distance);
 
 // Positions in the grid of an area light, jitter included.
 struct GridPlaces {
-  double u[RayRow::kSize], v[RayRow::kSize];
+  double u[RayBatch::kSize], v[RayBatch::kSize];
 };
 // Sets the unit directions from p to places on an area light, and their distances; `axes` are those at p.
 void aim_at_grid(const Light& light, const Light::Axes& axes, const Vec3& p, const GridPlaces& places, int count,
-                 RayRow& to_light, double* distance);
+                 RayBatch& to_light, double* distance);
 
 // An area light as the kernels see it.
 struct LightGrid {
@@ -43,10 +43,10 @@ struct LightGrid {
 };
 
 struct LightFalloffKernels {
-  void (*aim)(const Vec3& position, int count, RayRow& to_light, double* distance);
-  void (*aim_at_grid)(const LightGrid& grid, const Vec3& p, const GridPlaces& places, int count, RayRow& to_light,
+  void (*aim)(const Vec3& position, int count, RayBatch& to_light, double* distance);
+  void (*aim_at_grid)(const LightGrid& grid, const Vec3& p, const GridPlaces& places, int count, RayBatch& to_light,
                       double* distance);
-  void (*attenuate)(const LightFalloff& falloff, const RayRow::Vectors& towards, const double* distance, int count,
+  void (*attenuate)(const LightFalloff& falloff, const RayBatch::Vectors& towards, const double* distance, int count,
                     float* attenuation);
 };
 // Those of any instruction set, for tests; null: this machine cannot run it.

@@ -17,9 +17,9 @@ namespace HWY_NAMESPACE {
 // Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
 // branches.
 
-constexpr int rounded(int count) { return (count + RayRow::kStep - 1) / RayRow::kStep * RayRow::kStep; }
+constexpr int rounded(int count) { return (count + RayBatch::kStep - 1) / RayBatch::kStep * RayBatch::kStep; }
 
-void aim(const Vec3& position, int count, RayRow& to_light, double* distance) {
+void aim(const Vec3& position, int count, RayBatch& to_light, double* distance) {
   const double lx = position.x, ly = position.y, lz = position.z;
   const auto& from = to_light.origin;
   auto& to = to_light.direction;
@@ -33,7 +33,7 @@ void aim(const Vec3& position, int count, RayRow& to_light, double* distance) {
 }
 
 template <class Offset>
-void aim_at_offsets(const Vec3& position, const Vec3& p, int count, RayRow& to_light, double* distance,
+void aim_at_offsets(const Vec3& position, const Vec3& p, int count, RayBatch& to_light, double* distance,
                     const Offset& offset) {
   const double lx = position.x, ly = position.y, lz = position.z, px = p.x, py = p.y, pz = p.z;
   auto& to = to_light.direction;
@@ -48,7 +48,7 @@ void aim_at_offsets(const Vec3& position, const Vec3& p, int count, RayRow& to_l
   }
 }
 
-void aim_at_grid(const LightGrid& grid, const Vec3& p, const GridPlaces& places, int count, RayRow& to_light,
+void aim_at_grid(const LightGrid& grid, const Vec3& p, const GridPlaces& places, int count, RayBatch& to_light,
                  double* distance) {
   const double x1 = grid.a1.x, y1 = grid.a1.y, z1 = grid.a1.z, x2 = grid.a2.x, y2 = grid.a2.y, z2 = grid.a2.z,
                last1 = grid.last1, last2 = grid.last2;
@@ -79,7 +79,7 @@ double raised(double base) {
 }
 
 template <int kTightness>
-void spot(const LightFalloff& f, const RayRow::Vectors& towards, const double* distance, int end, double* a) {
+void spot(const LightFalloff& f, const RayBatch::Vectors& towards, const double* distance, int end, double* a) {
   const Vec3& d = f.direction;
   const double low = f.cos_falloff, high = f.cos_radius, limit = f.soft ? high : -HUGE_VAL;
   for (int i = 0; i < end; ++i) {
@@ -99,9 +99,9 @@ void fade(double fade_distance, const double* distance, int end, double* a) {
   }
 }
 
-void attenuate(const LightFalloff& f, const RayRow::Vectors& towards, const double* distance, int count,
+void attenuate(const LightFalloff& f, const RayBatch::Vectors& towards, const double* distance, int count,
                float* attenuation) {
-  double a[RayRow::kSize];
+  double a[RayBatch::kSize];
   const int end = rounded(count);
   if (!f.spot)
     std::fill_n(a, end, 1.0);

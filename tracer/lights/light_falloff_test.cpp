@@ -18,7 +18,7 @@ TEST_P(LightFalloffs, AreThoseOfEachPoint) {
   std::mt19937 generator(9);
   std::uniform_real_distribution<double> u(-1, 1);
   const auto vector = [&] { return Vec3(u(generator), u(generator), u(generator)); };
-  const auto rays = std::make_unique<RayRow>(), aimed = std::make_unique<RayRow>();
+  const auto rays = std::make_unique<RayBatch>(), aimed = std::make_unique<RayBatch>();
   int dark = 0, dim = 0, bright = 0;
   for (int round = 0; round < 400; ++round) {
     scene::LightSource source;
@@ -34,9 +34,9 @@ TEST_P(LightFalloffs, AreThoseOfEachPoint) {
     const Light light(source, true);
     const auto falloff = LightFalloff::of(light);
     ASSERT_TRUE(falloff.has_value());
-    const int count = 1 + round % RayRow::kMost;
-    double distance[RayRow::kSize], aimed_distance[RayRow::kSize];
-    float found[RayRow::kSize];
+    const int count = 1 + round % RayBatch::kMax;
+    double distance[RayBatch::kSize], aimed_distance[RayBatch::kSize];
+    float found[RayBatch::kSize];
     for (int i = 0; i < count; ++i) {
       rays->origin.set(i, 5.0 * vector());
       const LightDirection to = light.direction(rays->origin.at(i));
@@ -65,7 +65,7 @@ TEST_P(LightFalloffs, AimAtEachSampleOfAnAreaLight) {
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> unit(-1, 1);
   const auto vector = [&] { return Vec3(unit(generator), unit(generator), unit(generator)); };
-  const auto rays = std::make_unique<RayRow>();
+  const auto rays = std::make_unique<RayBatch>();
   const auto places = std::make_unique<GridPlaces>();
   for (int round = 0; round < 200; ++round) {
     scene::LightSource source;
@@ -76,10 +76,10 @@ TEST_P(LightFalloffs, AimAtEachSampleOfAnAreaLight) {
     const Light light(source, true);
     const Vec3 p = 5.0 * vector();
     const Light::Axes axes = light.axes(light.direction(p).towards);
-    const int count = 1 + round % RayRow::kMost;
+    const int count = 1 + round % RayBatch::kMax;
     for (int i = 0; i < count; ++i)
       places->u[i] = i % source.size1 + 0.5 * unit(generator), places->v[i] = i % source.size2 + 0.5 * unit(generator);
-    double distance[RayRow::kSize];
+    double distance[RayBatch::kSize];
     kernels->aim_at_grid(LightGrid(light, axes), p, *places, count, *rays, distance);
     for (int i = 0; i < count; ++i) {
       const LightDirection expected = light.direction(p, light.offset(axes, places->u[i], places->v[i]));

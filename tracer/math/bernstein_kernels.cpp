@@ -1,4 +1,4 @@
-#include "tracer/math/bernstein_lanes.h"
+#include "tracer/math/bernstein_packet.h"
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
@@ -20,8 +20,8 @@ inline void each(unsigned lanes, Visit&& visit) {
   for (; lanes != 0; lanes &= lanes - 1) visit(__builtin_ctz(lanes));
 }
 
-unsigned begin(int n, unsigned asked, RootLanes& s) {
-  Packet c[RootLanes::kMostTerms];
+unsigned begin(int n, unsigned active_mask, RootPacket& s) {
+  Packet c[RootPacket::kMaxTerms];
   const Packet a = load(s.from), b = load(s.to);
   for (int i = 0; i <= n; ++i) c[i] = load(s.power[i]);
   if (const Mask moved = a != 0; bits(moved) != 0) {
@@ -42,11 +42,11 @@ unsigned begin(int n, unsigned asked, RootLanes& s) {
   store(s.now.to, b);
   for (int k = 0; k < kLanes; ++k) s.depth[k] = 0, s.waiting[k] = 0, s.found[k] = 0;
   s.done = 0;
-  return s.open = bits(~positive & ~negative & finite) & asked;
+  return s.open = bits(~positive & ~negative & finite) & active_mask;
 }
 
-// The stretches that wait for these lanes; those for which none does are closed.
-inline void proceed(int n, unsigned lanes, RootLanes& s) {
+// The intervals that wait for these lanes; those for which none does are closed.
+inline void proceed(int n, unsigned lanes, RootPacket& s) {
   each(lanes, [&](int k) {
     if (s.waiting[k] == 0) {
       s.open &= ~(1u << k);
@@ -54,15 +54,15 @@ inline void proceed(int n, unsigned lanes, RootLanes& s) {
     }
     const int depth = 63 - __builtin_clzll(s.waiting[k]);
     s.waiting[k] &= ~(std::uint64_t{1} << depth);
-    const RootLanes::Stretch& next = s.later[depth];
+    const RootPacket::Interval& next = s.later[depth];
     for (int i = 0; i <= n; ++i) s.now.c[i][k] = next.c[i][k];
     s.now.from[k] = next.from[k], s.now.to[k] = next.to[k];
     s.depth[k] = depth + 1;
   });
 }
 
-// Solver::bracketed_root, of stretches whose ends have values of opposite signs; other lanes hold anything.
-inline Packet bracketed_roots(int n, unsigned lanes, const RootLanes& s) {
+// Solver::bracketed_root, of intervals whose ends have values of opposite signs; other lanes hold anything.
+inline Packet bracketed_roots(int n, unsigned lanes, const RootPacket& s) {
   Packet low = load(s.now.from), high = load(s.now.to);
   const Packet f_low = load(s.now.c[0]), f_high = load(s.now.c[n]);
   const Packet low_size = abs(low), high_size = abs(high);
@@ -92,7 +92,7 @@ inline Packet bracketed_roots(int n, unsigned lanes, const RootLanes& s) {
   return x;
 }
 
-unsigned next(int n, unsigned asked, RootLanes& s) {
+unsigned next(int n, unsigned active_mask, RootPacket& s) {
   unsigned found = 0;
   const auto accept = [&](int k, double root) {
     if (s.found[k] > 0 && !(root > s.last[k])) return;
@@ -101,10 +101,10 @@ unsigned next(int n, unsigned asked, RootLanes& s) {
     if (++s.found[k] >= n) s.open &= ~(1u << k);
   };
   for (;;) {
-    proceed(n, s.done & s.open & asked & ~found, s);
-    s.done &= ~(asked & ~found);
+    proceed(n, s.done & s.open & active_mask & ~found, s);
+    s.done &= ~(active_mask & ~found);
     unsigned bracketed = 0;
-    while (const unsigned todo = s.open & asked & ~found & ~bracketed) {
+    while (const unsigned todo = s.open & active_mask & ~found & ~bracketed) {
       Packet changes{}, sign{};
       for (int i = 0; i <= n; ++i) {
         const Packet c = load(s.now.c[i]);
@@ -114,7 +114,7 @@ unsigned next(int n, unsigned asked, RootLanes& s) {
       const Mask ends = (load(s.now.c[0]) != 0) & (load(s.now.c[n]) != 0);
       const unsigned none = bits(changes == 0.0) & todo, single = bits((changes == 1.0) & ends) & todo;
       bracketed |= single;
-      // No change: a root at an end at most. One at the left end is taken away before the stretch is looked at again
+      // No change: a root at an end at most. One at the left end is taken away before the interval is looked at again
       // for the right one.
       each(none, [&](int k) {
         double inner = 1;
@@ -139,7 +139,7 @@ unsigned next(int n, unsigned asked, RootLanes& s) {
         if (!(found >> k & 1)) s.done &= ~(1u << k), proceed(n, 1u << k, s);
       });
       if (split == 0) continue;
-      Packet right[RootLanes::kMostTerms];
+      Packet right[RootPacket::kMaxTerms];
       for (int i = 0; i <= n; ++i) right[i] = load(s.now.c[i]);
       const Mask here = Mask::of_bits(split);
       for (int i = 0; i <= n; ++i) {  // de Casteljau at the middle
@@ -152,7 +152,7 @@ unsigned next(int n, unsigned asked, RootLanes& s) {
       for (unsigned rest = split; rest != 0;) {
         const std::int64_t depth = s.depth[__builtin_ctz(rest)];
         const Mask equal = Mask::of_bits(rest) & (load(s.depth) == IntPacket(depth));
-        RootLanes::Stretch& half = s.later[depth];
+        RootPacket::Interval& half = s.later[depth];
         for (int i = 0; i <= n; ++i) store(half.c[i], select(equal, right[i], load(half.c[i])));
         store(half.from, select(equal, middle, load(half.from)));
         store(half.to, select(equal, to, load(half.to)));

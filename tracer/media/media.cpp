@@ -145,17 +145,16 @@ class Integrator {
   }
 
   MediaSample adaptive(const MediaInterval& span) {
-    const int q = mixture_.stretches(), level = control_->aa_level - 1;
+    const int q = mixture_.subintervals(), level = control_->aa_level - 1;
     const double step = 1.0 / (q + 1);
     if (foreseeable()) {
-      thread_local MediaRefinement row;
+      thread_local MediaRefinement batch;
       return mean_of_interval(q, [&](int k) {
-        const int place = k % kMostStretches;
-        if (place == 0) refine_together(span, k, std::min(q - k, kMostStretches), step, level, row);
-        return row.mean(static_cast<std::size_t>(place), level, mixture_.aa_threshold,
-                        [&](const auto&, const MediaSample& s1, double d1, const MediaSample& s3, double d3, int left) {
-                          return refine(span, s1, d1, s3, d3, left);
-                        });
+        const int place = k % kMaxStretches;
+        if (place == 0) refine_together(span, k, std::min(q - k, kMaxStretches), step, level, batch);
+        return batch.mean(static_cast<std::size_t>(place), level, mixture_.aa_threshold,
+                          [&](const auto&, const MediaSample& s1, double d1, const MediaSample& s3, double d3,
+                              int left) { return refine(span, s1, d1, s3, d3, left); });
       });
     }
     MediaSample s1 = sample(span, jittered(0.0, step), false);
@@ -171,40 +170,40 @@ class Integrator {
   // from being asked for together.
   bool foreseeable() const { return mixture_.varies && control_->jitter == 0.0 && (shadow_ || !mixture_.scatters); }
 
-  static constexpr int kMostStretches = (textures::PointRow::kMost - 1) / 2;
+  static constexpr int kMaxStretches = (textures::PointBatch::kMax - 1) / 2;
 
   // Stretches first + 1 .. first + count of the grid.
   void refine_together(const MediaInterval& span, int first, int count, double step, int level,
-                       MediaRefinement& row) const {
-    std::array<double, textures::PointRow::kMost> at;
-    std::array<MediaSample, textures::PointRow::kMost> samples;
-    auto& all = row.stretches;
+                       MediaRefinement& batch) const {
+    std::array<double, textures::PointBatch::kMax> at;
+    std::array<MediaSample, textures::PointBatch::kMax> samples;
+    auto& all = batch.subintervals;
     all.clear();
     for (int i = 0; i < count; ++i) all.push_back({(first + i) * step, (first + i + 1) * step, {}, {}, {}, 0});
     // Both ends and the middle are wanted anyway.
     for (std::size_t i = 0; i < all.size(); ++i) at[2 * i] = all[i].d1, at[2 * i + 1] = all[i].middle();
     at[2 * all.size()] = all.back().d3;
-    sample_row(span, 2 * count + 1, at.data(), samples.data());
+    sample_batch(span, 2 * count + 1, at.data(), samples.data());
     for (std::size_t i = 0; i < all.size(); ++i)
       all[i].s1 = samples[2 * i], all[i].s2 = samples[2 * i + 1], all[i].s3 = samples[2 * i + 2];
     std::size_t begin = 0;
-    for (int depth = 0; depth < std::min(level, MediaRefinement::kMostLevels); ++depth) {
-      begin = row.halve(begin, mixture_.aa_threshold);
+    for (int depth = 0; depth < std::min(level, MediaRefinement::kMaxLevels); ++depth) {
+      begin = batch.halve(begin, mixture_.aa_threshold);
       for (std::size_t i = begin; i < all.size(); i += at.size()) {
         const std::size_t n = std::min(at.size(), all.size() - i);
         for (std::size_t k = 0; k < n; ++k) at[k] = all[i + k].middle();
-        sample_row(span, static_cast<int>(n), at.data(), samples.data());
+        sample_batch(span, static_cast<int>(n), at.data(), samples.data());
         for (std::size_t k = 0; k < n; ++k) all[i + k].s2 = samples[k];
       }
     }
   }
 
   // sample(), at many places of an interval, without lights.
-  void sample_row(const MediaInterval& span, int count, const double* at, MediaSample* samples) const {
-    textures::PointRow points;
+  void sample_batch(const MediaInterval& span, int count, const double* at, MediaSample* samples) const {
+    textures::PointBatch points;
     for (int i = 0; i < count; ++i) points.set(i, ray_.at(span.start + at[i] * span.length));
     points.fill_up(count);
-    textures::RgbRow density, source, depth;
+    textures::RgbBatch density, source, depth;
     clear(count, source), clear(count, depth);
     for (const CompiledMedia* m : mixture_.media) {
       const bool shines = !shadow_ && m->emits, dims = m->extinction != Rgb();
@@ -217,10 +216,10 @@ class Integrator {
     for (int i = 0; i < count; ++i)
       samples[i] = {Rgb(source.r[i], source.g[i], source.b[i]) * s, Rgb(depth.r[i], depth.g[i], depth.b[i]) * s};
   }
-  static void clear(int count, textures::RgbRow& row) {
-    for (float* channel : {row.r, row.g, row.b}) std::fill_n(channel, count, 0.0f);
+  static void clear(int count, textures::RgbBatch& batch) {
+    for (float* channel : {batch.r, batch.g, batch.b}) std::fill_n(channel, count, 0.0f);
   }
-  static void add(int count, const textures::RgbRow& density, const Rgb& color, textures::RgbRow& to) {
+  static void add(int count, const textures::RgbBatch& density, const Rgb& color, textures::RgbBatch& to) {
     for (int i = 0; i < count; ++i)
       to.r[i] += density.r[i] * color.r, to.g[i] += density.g[i] * color.g, to.b[i] += density.b[i] * color.b;
   }

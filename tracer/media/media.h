@@ -12,7 +12,7 @@
 #include "tracer/photons/photon.h"
 #include "tracer/scene/texture.h"
 #include "tracer/scene/light.h"
-#include "tracer/textures/point_row.h"
+#include "tracer/textures/point_batch.h"
 #include "tracer/textures/texture.h"
 
 namespace verisim::global {
@@ -33,9 +33,9 @@ struct CompiledMedia {
 CompiledMedia compile_media(const scene::Media& description, textures::Compiler& compiler);
 // The product of the medium's densities at p.
 Rgb media_density(const CompiledMedia& media, const Vec3& p);
-// The same at the first `count` points of a row that is filled up.
-void media_densities(const CompiledMedia& media, int count, const textures::PointRow& points,
-                     textures::RgbRow& densities);
+// The same at the first `count` points of a batch that is filled up.
+void media_densities(const CompiledMedia& media, int count, const textures::PointBatch& points,
+                     textures::RgbBatch& densities);
 
 struct MediaMixture;
 

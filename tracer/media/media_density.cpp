@@ -32,14 +32,14 @@ Rgb media_density(const CompiledMedia& m, const Vec3& p) {
 
 namespace {
 
-constexpr int kMost = textures::PointRow::kMost, kEight = 8;
+constexpr int kMax = textures::PointBatch::kMax, kEight = 8;
 
-// Room of a thread: what is asked for are often few points, and clearing a row would cost more than they do.
-struct DensityRoom {
-  textures::PointRow left;
-  int place[kMost];
-  std::int32_t alive[kMost];             // 1 where no density so far is zero, otherwise 0
-  std::vector<textures::RgbRow> values;  // of each density at the points that are left
+// Room of a thread: what is asked for are often few points, and clearing a batch would cost more than they do.
+struct DensityWorkspace {
+  textures::PointBatch left;
+  int place[kMax];
+  std::int32_t alive[kMax];                // 1 where no density so far is zero, otherwise 0
+  std::vector<textures::RgbBatch> values;  // of each density at the points that are left
 };
 
 int in_eights(int count) { return (count + kEight - 1) / kEight * kEight; }
@@ -48,7 +48,7 @@ void multiply(int count, const float* __restrict by, float* __restrict to) {
   for (int i = 0; i < count; ++i) to[i] *= by[i];
 }
 // Returns how many are left.
-int mark_zeros(int count, const textures::RgbRow& values, std::int32_t* __restrict alive) {
+int mark_zeros(int count, const textures::RgbBatch& values, std::int32_t* __restrict alive) {
   int still = 0;
   for (int i = 0; i < count; ++i) {
     alive[i] &= static_cast<std::int32_t>(values.r[i] != 0) | static_cast<std::int32_t>(values.g[i] != 0) |
@@ -66,51 +66,52 @@ void keep(int count, const int* kept, float* values) {
 
 }  // namespace
 
-void media_densities(const CompiledMedia& m, int count, const textures::PointRow& points, textures::RgbRow& densities) {
-  thread_local DensityRoom room;
-  if (room.values.size() < m.densities.size()) room.values.resize(m.densities.size());
-  const textures::PointRow* left = &points;  // the points where a density may not be zero, and few others
+void media_densities(const CompiledMedia& m, int count, const textures::PointBatch& points,
+                     textures::RgbBatch& densities) {
+  thread_local DensityWorkspace workspace;
+  if (workspace.values.size() < m.densities.size()) workspace.values.resize(m.densities.size());
+  const textures::PointBatch* left = &points;  // the points where a density may not be zero, and few others
   int n = count;
   bool all = true;
-  std::fill_n(room.alive, in_eights(n), 1);
+  std::fill_n(workspace.alive, in_eights(n), 1);
   for (std::size_t known = 0; n > 0 && known < m.by_cost.size(); ++known) {
-    textures::RgbRow& values = room.values[m.by_cost[known]];
+    textures::RgbBatch& values = workspace.values[m.by_cost[known]];
     textures::evaluate(*m.densities[m.by_cost[known]], n, *left, values);
-    const int still = mark_zeros(n, values, room.alive);
+    const int still = mark_zeros(n, values, workspace.alive);
     if (known + 1 == m.by_cost.size() || in_eights(still) == in_eights(n)) continue;  // eights are asked together
-    if (all) std::iota(room.place, room.place + n, 0);
+    if (all) std::iota(workspace.place, workspace.place + n, 0);
     all = false;
-    int kept[kMost], k = 0;
+    int kept[kMax], k = 0;
     for (int i = 0; i < n; ++i)
-      if (room.alive[i] != 0) kept[k++] = i;
+      if (workspace.alive[i] != 0) kept[k++] = i;
     for (std::size_t i = 0; i <= known; ++i) {
-      textures::RgbRow& row = room.values[m.by_cost[i]];
-      keep(k, kept, row.r), keep(k, kept, row.g), keep(k, kept, row.b);
+      textures::RgbBatch& batch = workspace.values[m.by_cost[i]];
+      keep(k, kept, batch.r), keep(k, kept, batch.g), keep(k, kept, batch.b);
     }
     for (int i = 0; i < k; ++i) {
-      room.left.set(i, points.at(room.place[kept[i]]));
-      room.place[i] = room.place[kept[i]];
+      workspace.left.set(i, points.at(workspace.place[kept[i]]));
+      workspace.place[i] = workspace.place[kept[i]];
     }
-    left = &room.left;
+    left = &workspace.left;
     n = k;
-    if (n > 0) room.left.fill_up(n);
-    std::fill_n(room.alive, in_eights(n), 1);
+    if (n > 0) workspace.left.fill_up(n);
+    std::fill_n(workspace.alive, in_eights(n), 1);
   }
-  textures::RgbRow products;
-  textures::RgbRow& product = all ? densities : products;
+  textures::RgbBatch products;
+  textures::RgbBatch& product = all ? densities : products;
   for (float* channel : {product.r, product.g, product.b}) std::fill_n(channel, in_eights(n), 1.0f);
   for (std::size_t density = 0; density < m.densities.size(); ++density) {
-    const textures::RgbRow& values = room.values[density];
+    const textures::RgbBatch& values = workspace.values[density];
     multiply(in_eights(n), values.r, product.r), multiply(in_eights(n), values.g, product.g),
         multiply(in_eights(n), values.b, product.b);
   }
   // Whatever the other densities are there.
-  for (float* channel : {product.r, product.g, product.b}) clear_dead(n, room.alive, channel);
+  for (float* channel : {product.r, product.g, product.b}) clear_dead(n, workspace.alive, channel);
   if (all) return;
   for (float* channel : {densities.r, densities.g, densities.b}) std::fill_n(channel, count, 0.0f);
   for (int i = 0; i < n; ++i)
-    densities.r[room.place[i]] = products.r[i], densities.g[room.place[i]] = products.g[i],
-    densities.b[room.place[i]] = products.b[i];
+    densities.r[workspace.place[i]] = products.r[i], densities.g[workspace.place[i]] = products.g[i],
+    densities.b[workspace.place[i]] = products.b[i];
 }
 
 namespace {

@@ -36,12 +36,12 @@ TEST(MediaDensity, OfRowsIsTheProductOfAllDensities) {
   const CompiledMedia media = compile_media(description, compiler);
   int none = 0, some = 0;
   for (int round = 0; round < 200; ++round) {
-    const int count = 1 + (round * 7) % textures::PointRow::kMost;
+    const int count = 1 + (round * 7) % textures::PointBatch::kMax;
     const Vec3 from(-3 + 0.03 * round, 0.4 - 0.01 * round, 0.2), along(0.13, 0.01, -0.02);
-    textures::PointRow points;
+    textures::PointBatch points;
     for (int i = 0; i < count; ++i) points.set(i, from + static_cast<double>(i) * along);
     points.fill_up(count);
-    textures::RgbRow densities;
+    textures::RgbBatch densities;
     media_densities(media, count, points, densities);
     for (int i = 0; i < count; ++i) {
       const Rgb expected = product(media, points.at(i));

@@ -16,40 +16,40 @@ namespace HWY_NAMESPACE {
 // Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
 // branches.
 
-constexpr int rounded(int count) { return (count + MediaLanes::kStep - 1) / MediaLanes::kStep * MediaLanes::kStep; }
+constexpr int rounded(int count) { return (count + MediaPacket::kStep - 1) / MediaPacket::kStep * MediaPacket::kStep; }
 
 // phase() of every lane.
 template <class Function>
-void add_each(int count, MediaLanes& lanes, Function&& phase) {
-  const auto& to = lanes.to_light.direction;
+void add_each(int count, MediaPacket& packet, Function&& phase) {
+  const auto& to = packet.to_light.direction;
   const int end = rounded(count);
   for (int i = 0; i < end; ++i)
-    lanes.phase[i] += phase(to.x[i] * lanes.view.x[i] + to.y[i] * lanes.view.y[i] + to.z[i] * lanes.view.z[i]);
+    packet.phase[i] += phase(to.x[i] * packet.view.x[i] + to.y[i] * packet.view.y[i] + to.z[i] * packet.view.z[i]);
 }
 
-void add_phase(const scene::Media& media, int count, MediaLanes& lanes) {
+void add_phase(const scene::Media& media, int count, MediaPacket& packet) {
   switch (media.scattering_type) {
     case 2:
-      return add_each(count, lanes, [](double cosine) {
+      return add_each(count, packet, [](double cosine) {
         const double half = 0.5 * (1.0 + cosine), h2 = half * half, h4 = h2 * h2;
         return 0.576655375 * (1.0 + 9.0 * h4 * h4);
       });
     case 3:
-      return add_each(count, lanes, [](double cosine) {
+      return add_each(count, packet, [](double cosine) {
         const double half = 0.5 * (1.0 + cosine), h2 = half * half, h4 = h2 * h2, h8 = h4 * h4, h16 = h8 * h8;
         return 0.495714547 * (1.0 + 50.0 * h16 * h16);
       });
     case 4:
-      return add_each(count, lanes, [](double cosine) { return 0.799372013 * (1.0 + cosine * cosine); });
+      return add_each(count, packet, [](double cosine) { return 0.799372013 * (1.0 + cosine * cosine); });
     case 5: {
       const double e = media.eccentricity;
-      return add_each(count, lanes, [e](double cosine) {
+      return add_each(count, packet, [e](double cosine) {
         const double d = 1.0 + e * e - 2.0 * e * cosine;
         return (1.0 - e * e) / (d * std::sqrt(d));
       });
     }
     default:
-      return add_each(count, lanes, [](double) { return 1.0; });
+      return add_each(count, packet, [](double) { return 1.0; });
   }
 }
 
@@ -57,14 +57,14 @@ void scatter_channel(int end, const float* phase, const float* scattering, const
   for (int i = 0; i < end; ++i) to[i] = scattering[i] * arriving[i] * phase[i];
 }
 
-void scatter(int media, int count, MediaLanes& lanes) {
-  float phase[MediaLanes::kSize];
+void scatter(int media, int count, MediaPacket& packet) {
+  float phase[MediaPacket::kSize];
   const double divisor = media;
   const int end = rounded(count);
-  for (int i = 0; i < end; ++i) phase[i] = static_cast<float>(lanes.phase[i] / divisor);
-  scatter_channel(end, phase, lanes.scattering.r, lanes.arriving.r, lanes.scattered.r);
-  scatter_channel(end, phase, lanes.scattering.g, lanes.arriving.g, lanes.scattered.g);
-  scatter_channel(end, phase, lanes.scattering.b, lanes.arriving.b, lanes.scattered.b);
+  for (int i = 0; i < end; ++i) phase[i] = static_cast<float>(packet.phase[i] / divisor);
+  scatter_channel(end, phase, packet.scattering.r, packet.arriving.r, packet.scattered.r);
+  scatter_channel(end, phase, packet.scattering.g, packet.arriving.g, packet.scattered.g);
+  scatter_channel(end, phase, packet.scattering.b, packet.arriving.b, packet.scattered.b);
 }
 
 constexpr MediaKernels kKernels = {add_phase, scatter};

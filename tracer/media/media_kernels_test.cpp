@@ -11,9 +11,9 @@
 namespace verisim::global {
 namespace {
 
-class MediaLanesOf : public testing::TestWithParam<int> {};
+class MediaPacketOf : public testing::TestWithParam<int> {};
 
-TEST_P(MediaLanesOf, AreThoseOfEachPlace) {
+TEST_P(MediaPacketOf, AreThoseOfEachPlace) {
   const MediaKernels* kernels = media_kernels(GetParam());
   if (!kernels) GTEST_SKIP() << "this machine cannot run it";
   std::mt19937 generator(4);
@@ -22,9 +22,9 @@ TEST_P(MediaLanesOf, AreThoseOfEachPlace) {
   const auto color = [&] {
     return Rgb(static_cast<float>(u(generator)), static_cast<float>(u(generator)), static_cast<float>(u(generator)));
   };
-  const auto lanes = std::make_unique<MediaLanes>();
+  const auto lanes = std::make_unique<MediaPacket>();
   for (int round = 0; round < 300; ++round) {
-    const int count = 1 + round % MediaLanes::kMost;
+    const int count = 1 + round % MediaPacket::kMax;
     const Vec3 light = 9.0 * vector();
     std::vector<scene::Media> media(static_cast<std::size_t>(1 + round % 3));
     for (scene::Media& m : media)
@@ -53,7 +53,7 @@ TEST_P(MediaLanesOf, AreThoseOfEachPlace) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(InstructionSets, MediaLanesOf, testing::Range(0, static_cast<int>(simd::kInstructionSets)));
+INSTANTIATE_TEST_SUITE_P(InstructionSets, MediaPacketOf, testing::Range(0, static_cast<int>(simd::kInstructionSets)));
 
 }  // namespace
 }  // namespace verisim::global

@@ -29,12 +29,13 @@ float MediaMixture::mean_phase(double cosine) const {
   return static_cast<float>(sum / static_cast<double>(media.size()));
 }
 
-void MediaMixture::scatter(int count, MediaLanes& lanes) const {
+void MediaMixture::scatter(int count, MediaPacket& packet) const {
   static const MediaKernels& kernels = media_kernels();
   static const scene::Media isotropic_media{};
-  std::fill_n(lanes.phase, count, 0.0);
-  for (const CompiledMedia* m : media) kernels.add_phase(m->scatters ? *m->description : isotropic_media, count, lanes);
-  kernels.scatter(static_cast<int>(media.size()), count, lanes);
+  std::fill_n(packet.phase, count, 0.0);
+  for (const CompiledMedia* m : media)
+    kernels.add_phase(m->scatters ? *m->description : isotropic_media, count, packet);
+  kernels.scatter(static_cast<int>(media.size()), count, packet);
 }
 
 namespace {
@@ -71,22 +72,22 @@ void NearbyPhotons::add_scattered(const MediaMixture& mixture, const Rgb& scatte
     add_colors(photons, share, scattering, sum);
     return;
   }
-  MediaLanes lanes;
-  for (std::size_t first = 0; first < photons.size(); first += MediaLanes::kMost) {
-    const int count = static_cast<int>(std::min<std::size_t>(MediaLanes::kMost, photons.size() - first));
+  MediaPacket packet;
+  for (std::size_t first = 0; first < photons.size(); first += MediaPacket::kMax) {
+    const int count = static_cast<int>(std::min<std::size_t>(MediaPacket::kMax, photons.size() - first));
     for (int i = 0; i < count; ++i) {
       const Photon& photon = photons[first + static_cast<std::size_t>(i)];
-      lanes.to_light.direction.set(i, photon.direction()), lanes.view.set(i, view);
-      lanes.scattering.set(i, scattering), lanes.arriving.set(i, photon.color() * share);
+      packet.to_light.direction.set(i, photon.direction()), packet.view.set(i, view);
+      packet.scattering.set(i, scattering), packet.arriving.set(i, photon.color() * share);
     }
-    mixture.scatter(count, lanes);
-    for (int i = 0; i < count; ++i) sum += lanes.scattered.at(i);
+    mixture.scatter(count, packet);
+    for (int i = 0; i < count; ++i) sum += packet.scattered.at(i);
   }
 }
 
 void MediaIntervals::look_for_lights(std::span<const scene::LightSource* const> lights, const Ray& ray, double length) {
   lit_count_ = 0;
-  for (std::size_t i = 0; i < lights.size() && lit_count_ < kMostLights; ++i) {
+  for (std::size_t i = 0; i < lights.size() && lit_count_ < kMaxLights; ++i) {
     double first, last;
     if (lit_range(*lights[i], ray, length, first, last))
       lit_[static_cast<std::size_t>(lit_count_++)] = {i, first, last};
@@ -98,7 +99,7 @@ void MediaIntervals::push(double start, double end, bool lit, int count) {
   // draws numbers, in POV-Ray as well, but lights are not looked at in it.
   const double step = (end - start) / count;
   int n = 0;
-  for (double s = start; s < end && n <= count && count_ < kMost; s = start + ++n * step)
+  for (double s = start; s < end && n <= count && count_ < kMax; s = start + ++n * step)
     intervals_[static_cast<std::size_t>(count_++)] = {s, n < count ? step : end - s, lit && n < count};
 }
 
@@ -109,13 +110,13 @@ void MediaIntervals::divide(const MediaMixture& mixture, double length) {
     double start, end;
     bool lit;
   };
-  std::array<Piece, 2 * kMostLights + 1> pieces;
+  std::array<Piece, 2 * kMaxLights + 1> pieces;
   std::size_t count = 0;
   if (lit_count_ == 0) {
     pieces[count++] = {0.0, length, false};
   } else {
     const auto lights = static_cast<std::size_t>(lit_count_);
-    std::array<std::pair<double, double>, kMostLights> ranges;
+    std::array<std::pair<double, double>, kMaxLights> ranges;
     for (std::size_t i = 0; i < lights; ++i) ranges[i] = {lit_[i].first, lit_[i].last};
     std::sort(ranges.begin(), ranges.begin() + lit_count_);
     double position = 0.0;
@@ -130,7 +131,7 @@ void MediaIntervals::divide(const MediaMixture& mixture, double length) {
     if (position < length) pieces[count++] = {position, length, false};
   }
   const int piece_count = static_cast<int>(count);
-  const int wanted = std::min(std::max(mixture.control->intervals, piece_count), kMostIntervals);
+  const int wanted = std::min(std::max(mixture.control->intervals, piece_count), kMaxIntervals);
   if (count == 1) {
     push(0.0, length, pieces[0].lit, !pieces[0].lit && !mixture.has_density ? 1 : wanted);
     return;

@@ -18,7 +18,7 @@ struct MediaMixture {
   // without scattering (isotropic).
   float mean_phase(double cosine) const;
   // Sets what is scattered of what arrives in the lanes.
-  void scatter(int count, MediaLanes& lanes) const;
+  void scatter(int count, MediaPacket& packet) const;
 
   std::span<const CompiledMedia* const> media;
   const scene::Media* control;  // that asks for most intervals
@@ -26,7 +26,7 @@ struct MediaMixture {
   bool scatters = false, isotropic = true, has_density = false, varies = false;
   bool constant_shadow = true;  // POV-Ray believes so of every medium (spec 07 4.6)
   // Method 3 looks at q sub-intervals on a grid of step 1 / (q + 1).
-  int stretches() const { return std::max(2, control->samples_min / 2 + 1); }
+  int subintervals() const { return std::max(2, control->samples_min / 2 + 1); }
 };
 
 struct MediaInterval {
@@ -50,15 +50,15 @@ class MediaIntervals {
   std::span<const MediaInterval> all() const { return {intervals_.data(), static_cast<std::size_t>(count_)}; }
 
  private:
-  static constexpr int kMostIntervals = 256;  // POV-Ray stops the render beyond
-  static constexpr int kMostLights = 256;
-  static constexpr int kMost = kMostIntervals + 2 * kMostLights + 1;  // one more by rounding for every piece
+  static constexpr int kMaxIntervals = 256;  // POV-Ray stops the render beyond
+  static constexpr int kMaxLights = 256;
+  static constexpr int kMax = kMaxIntervals + 2 * kMaxLights + 1;  // one more by rounding for every piece
 
   void push(double start, double end, bool lit, int count);
 
   int lit_count_ = 0, count_ = 0;
-  std::array<LitRange, kMostLights> lit_;
-  std::array<MediaInterval, kMost> intervals_;
+  std::array<LitRange, kMaxLights> lit_;
+  std::array<MediaInterval, kMax> intervals_;
 };
 
 }  // namespace verisim::global

@@ -47,13 +47,13 @@ MediaSample mean_of_stretch(const MediaSample& s1, const MediaSample& s2, const 
 }
 
 // The mean over an interval: stretch(k) is that over stretch k of its grid. A left Riemann rule for attenuation.
-template <class Stretch>
-MediaSample mean_of_interval(int stretches, Stretch&& stretch) {
-  const float share = 1.0f / static_cast<float>(stretches);
+template <class Subinterval>
+MediaSample mean_of_interval(int subintervals, Subinterval&& subinterval) {
+  const float share = 1.0f / static_cast<float>(subintervals);
   MediaSample result;
   Rgb before;
-  for (int k = 0; k < stretches; ++k) {
-    const MediaSample part = stretch(k);
+  for (int k = 0; k < subintervals; ++k) {
+    const MediaSample part = subinterval(k);
     result.source += part.source * transmitted(before * share) * share;
     before += part.depth;
   }
@@ -64,30 +64,30 @@ MediaSample mean_of_interval(int stretches, Stretch&& stretch) {
 class MediaRefinement {
  public:
   // d1, d3: places in an interval, 0 to 1, with samples s1 and s3; s2 is the one between.
-  struct Stretch {
+  struct Subinterval {
     double d1 = 0, d3 = 0;
     MediaSample s1, s2, s3;
     std::uint32_t interval = 0;  // as the caller numbers them
     int left = -1, right = -1;   // its halves that are refined
     double middle() const { return middle_of(d1, d3); }
   };
-  static constexpr int kMostLevels = 5;  // a caller goes on alone: there might be any number of stretches behind
+  static constexpr int kMaxLevels = 5;  // a caller goes on alone: there might be any number of stretches behind
 
-  std::vector<Stretch> stretches;
+  std::vector<Subinterval> subintervals;
 
   // Halves those from `begin` on where the brightness changes: returns the first of the halves, whose s2 is to be
   // found.
   std::size_t halve(std::size_t begin, double threshold) {
-    const std::size_t end = stretches.size();
+    const std::size_t end = subintervals.size();
     for (std::size_t i = begin; i < end; ++i) {
-      const Stretch s = stretches[i];
+      const Subinterval s = subintervals[i];
       if (needs_refinement(s.s1, s.s2, threshold)) {
-        stretches[i].left = static_cast<int>(stretches.size());
-        stretches.push_back({s.d1, s.middle(), s.s1, {}, s.s2, s.interval});
+        subintervals[i].left = static_cast<int>(subintervals.size());
+        subintervals.push_back({s.d1, s.middle(), s.s1, {}, s.s2, s.interval});
       }
       if (needs_refinement(s.s2, s.s3, threshold)) {
-        stretches[i].right = static_cast<int>(stretches.size());
-        stretches.push_back({s.middle(), s.d3, s.s2, {}, s.s3, s.interval});
+        subintervals[i].right = static_cast<int>(subintervals.size());
+        subintervals.push_back({s.middle(), s.d3, s.s2, {}, s.s3, s.interval});
       }
     }
     return end;
@@ -97,7 +97,7 @@ class MediaRefinement {
   // not halved here.
   template <class Alone>
   MediaSample mean(std::size_t number, int level, double threshold, Alone&& alone) const {
-    const Stretch& s = stretches[number];
+    const Subinterval& s = subintervals[number];
     const auto half = [&](int child, const MediaSample& s1, double d1, const MediaSample& s3, double d3) {
       return child >= 0 ? mean(static_cast<std::size_t>(child), level - 1, threshold, alone)
                         : alone(s, s1, d1, s3, d3, level - 1);

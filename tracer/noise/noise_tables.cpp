@@ -21,7 +21,7 @@ void shuffle_hash(NoiseTables& t) {
 
 void fill_gradients(NoiseTables& t) {
   LinearCongruential generator(1);
-  for (auto& row : t.gradient_row) {
+  for (auto& batch : t.gradient_batch) {
     Vec3 g;
     double squared;
     do {
@@ -32,10 +32,10 @@ void fill_gradients(NoiseTables& t) {
       squared = dot(g, g);
     } while (squared > 1 || squared < 1e-5);
     const double n = std::sqrt(squared);
-    row[0] = 0;
-    row[1] = g.x / n;
-    row[2] = g.y / n;
-    row[3] = g.z / n;
+    batch[0] = 0;
+    batch[1] = g.x / n;
+    batch[2] = g.y / n;
+    batch[3] = g.z / n;
   }
   // One cell too many takes part in the shuffle, as in POV-Ray: 0 occurs twice and one value is lost.
   std::uint16_t cells[2049];

@@ -48,8 +48,8 @@ double drop_farthest(PhotonDistances& list, float last, const PhotonMeasure& mea
 }
 
 void PhotonDistances::grow(std::size_t size) {
-  const std::size_t room = 2 * size + 4 * kRoom;
-  squared_.resize(room), index_.resize(room);
+  const std::size_t workspace = 2 * size + 4 * kRoom;
+  squared_.resize(workspace), index_.resize(workspace);
 }
 
 void PhotonDistances::erase(std::size_t i) {

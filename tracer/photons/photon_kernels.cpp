@@ -128,7 +128,7 @@ class LeafWalk {
   }
 
  private:
-  static constexpr std::size_t kMostNodes = 32, kMostLeaves = 96;
+  static constexpr std::size_t kMaxNodes = 32, kMaxLeaves = 96;
 
   // Appends the parts of a node that are near.
   HWY_INLINE std::size_t add_near(const PhotonTree::Node& node, std::uint32_t* to) const {
@@ -143,7 +143,7 @@ class LeafWalk {
   bool look_at(const PhotonTree::Node& node, int height) {
     if (height == 1) {
       waiting_ += add_near(node, lowest_.data() + waiting_);
-      return waiting_ <= kMostNodes || look_at_lowest();
+      return waiting_ <= kMaxNodes || look_at_lowest();
     }
     std::array<std::uint32_t, 2 * kAtOnce> parts;
     const std::size_t n = add_near(node, parts.data());
@@ -153,13 +153,13 @@ class LeafWalk {
     return true;
   }
   bool look_at_lowest() {
-    std::array<std::uint32_t, kMostLeaves + 2 * kAtOnce> leaves;
+    std::array<std::uint32_t, kMaxLeaves + 2 * kAtOnce> leaves;
     std::size_t n = 0;
     const std::size_t waiting = waiting_;
     waiting_ = 0;
     for (std::size_t k = 0; k < waiting; ++k) {
       n += add_near(nodes_[lowest_[k]], leaves.data() + n);
-      if (n < kMostLeaves && k + 1 < waiting) continue;
+      if (n < kMaxLeaves && k + 1 < waiting) continue;
       if (!visit_(std::span<const std::uint32_t>(leaves.data(), n))) return false;
       n = 0;
     }
@@ -170,7 +170,7 @@ class LeafWalk {
   const FloatCenter& point_;
   const float& near_enough_;
   Visit& visit_;
-  std::array<std::uint32_t, kMostNodes + 2 * kAtOnce> lowest_;  // nodes that are looked at together
+  std::array<std::uint32_t, kMaxNodes + 2 * kAtOnce> lowest_;  // nodes that are looked at together
   std::size_t waiting_ = 0;
 };
 
@@ -267,7 +267,7 @@ HWY_INLINE float in_order(const float* numbers, std::size_t before) {
 HWY_INLINE float find_last(const float* numbers, std::size_t n, std::size_t wanted, float most) {
   // Squared distances are spread about evenly over a disc: guesses a little beyond and before the last one wanted, in
   // turn, leave few between them. Once they are much fewer than all, they are looked for apart.
-  constexpr int kMostGuesses = 12, kPatience = 2;
+  constexpr int kMaxGuesses = 12, kPatience = 2;
   constexpr std::size_t kMuchFewer = 3;
   thread_local std::vector<float> apart;
   apart.resize(n + 2 * kAtOnce);
@@ -282,7 +282,7 @@ HWY_INLINE float find_last(const float* numbers, std::size_t n, std::size_t want
     n = copy_between(numbers, n, low, high, apart.data());
     numbers = apart.data(), before = below_low;
   };
-  for (int i = 0; i < kMostGuesses && below_high - below_low > kAtOnce; ++i) {
+  for (int i = 0; i < kMaxGuesses && below_high - below_low > kAtOnce; ++i) {
     const auto between = static_cast<float>(below_high - below_low), margin = std::min(4.0f, 0.2f * between);
     const float share = (static_cast<float>(wanted - below_low) + (i % 2 == 0 ? margin : -margin)) / between;
     const float guess = low + (too_high ? share * pull : 1.0f - (1.0f - share) * pull) * (high - low);
@@ -322,12 +322,12 @@ Collected collect_those(const PhotonTree& tree, const PhotonQuery& query, double
   const std::size_t crowd = std::min(most, query.too_many);
   Collected result = Collected::all;
   // Candidates side by side.
-  constexpr std::size_t kMostCandidates = 512;
+  constexpr std::size_t kMaxCandidates = 512;
   struct alignas(64) Candidates {
-    float x[kMostCandidates + 2 * kAtOnce], y[kMostCandidates + 2 * kAtOnce], z[kMostCandidates + 2 * kAtOnce];
-    std::uint32_t index[kMostCandidates + 2 * kAtOnce];
+    float x[kMaxCandidates + 2 * kAtOnce], y[kMaxCandidates + 2 * kAtOnce], z[kMaxCandidates + 2 * kAtOnce];
+    std::uint32_t index[kMaxCandidates + 2 * kAtOnce];
   } candidates;
-  std::size_t count = 0, wait = std::min(crowd, kMostCandidates);
+  std::size_t count = 0, wait = std::min(crowd, kMaxCandidates);
   // Those from number `looked_at` on may be hidden.
   std::size_t looked_at = 0;
   const Words numbers = Words::load(kNumbers);
@@ -387,7 +387,7 @@ Collected collect_those(const PhotonTree& tree, const PhotonQuery& query, double
         looked_at = found.size();
       }
       near = FloatPacket(flat ? point.flattened(limit) : near_enough), n = 0,
-      enough = wait = std::min(crowd - found.size(), kMostCandidates);
+      enough = wait = std::min(crowd - found.size(), kMaxCandidates);
     }
     count = n;
     return true;

@@ -90,16 +90,16 @@ TEST(PhotonMap, GathersWhatAPlainWalkFinds) {
   const Vec3 up(0, 1, 0);
   PhotonMap::Gathered flat, solid;
   int overlooked = 0;
-  for (int row = 0; row < 20; ++row) {
+  for (int batch = 0; batch < 20; ++batch) {
     for (int column = 0; column < 20; ++column) {
-      const Vec3 x(-0.2 + 0.04 * column, 0.01, -0.4 + 0.04 * row);
+      const Vec3 x(-0.2 + 0.04 * column, 0.01, -0.4 + 0.04 * batch);
       for (const Vec3* normal : {&up, static_cast<const Vec3*>(nullptr)}) {
         PlainSearch plain{map, x, normal, 60, 0.3 * 0.3};
         const std::vector<const Photon*> expected = plain.photons();
         PhotonMap::Gathered& found = normal ? flat : solid;
         map.gather(x, normal, {.minimum = 0, .maximum = 60}, found);
-        ASSERT_EQ(found.radius, std::sqrt(plain.limit)) << row << ' ' << column;
-        ASSERT_EQ(pointers(found), expected) << row << ' ' << column;
+        ASSERT_EQ(found.radius, std::sqrt(plain.limit)) << batch << ' ' << column;
+        ASSERT_EQ(pointers(found), expected) << batch << ' ' << column;
         for (const Photon& p : map.photons()) {
           const Vec3 d = Vec3(p.position[0], p.position[1], p.position[2]) - x;
           const double squared = dot(d, d) * (normal ? 1 + 16 * std::fabs(dot(*normal, d)) : 1);

@@ -11,7 +11,7 @@
 namespace verisim::global {
 namespace {
 
-constexpr int kMostDepths = 20;  // recursion_limit's largest value
+constexpr int kMaxDepths = 20;  // recursion_limit's largest value
 
 // A direction in three bytes: -1..1 to 0..254.
 unsigned encode(double n) { return static_cast<unsigned>(std::clamp((n + 1.0) * 0.5 * 254.0 + 0.499999, 0.0, 255.0)); }
@@ -73,7 +73,7 @@ std::vector<IrradianceSample> load_samples(const std::filesystem::path& path, st
     read = std::sscanf(line.c_str(), "C%d %lf %lf %lf %6x %lf %lf %lf %lf %lf %6x", &depth, &s.point.x, &s.point.y,
                        &s.point.z, &normal, &r, &g, &b, &mean, &nearest, &direction);
     if (read != 11) throw fail("not a sample");
-    const bool sane = depth >= 1 && depth <= kMostDepths && std::isfinite(s.point.x + s.point.y + s.point.z) &&
+    const bool sane = depth >= 1 && depth <= kMaxDepths && std::isfinite(s.point.x + s.point.y + s.point.z) &&
                       std::isfinite(r + g + b) && mean > 0 && nearest >= 0 && std::isfinite(mean + nearest);
     if (!sane) throw fail("impossible values");
     if (samples.size() >= most) throw fail("more samples than memory is allowed for");

@@ -1,4 +1,4 @@
-#include "tracer/radiosity/irradiance_lanes.h"
+#include "tracer/radiosity/irradiance_packet.h"
 #include <bit>
 #include <cmath>
 
@@ -16,10 +16,10 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-std::size_t near(const IrradianceLanes* lanes, std::size_t count, const IrradianceLanesQuery& query,
+std::size_t near(const IrradiancePacket* packet, std::size_t count, const IrradianceQuery& query,
                  std::uint32_t* samples) {
   constexpr double kMargin = 1e-5;
-  constexpr std::uint32_t kCount = IrradianceLanes::kCount;
+  constexpr std::uint32_t kCount = IrradiancePacket::kCount;
   const auto px = static_cast<float>(query.point.x), py = static_cast<float>(query.point.y),
              pz = static_cast<float>(query.point.z);
   const auto nx = static_cast<float>(query.normal.x), ny = static_cast<float>(query.normal.y),
@@ -27,7 +27,7 @@ std::size_t near(const IrradianceLanes* lanes, std::size_t count, const Irradian
   const auto most = static_cast<float>(query.bound * (1.0 + kMargin)),
              rounding = static_cast<float>(2e-6 * query.farthest), one = static_cast<float>(1.0 - kMargin);
   std::size_t found = 0;
-  for (const IrradianceLanes* s = lanes; s != lanes + count; ++s) {
+  for (const IrradiancePacket* s = packet; s != packet + count; ++s) {
     alignas(32) float near[kCount];  // 1: yes
     for (std::uint32_t i = 0; i < kCount; ++i) {
       const float dx = s->point[0][i] - px, dy = s->point[1][i] - py, dz = s->point[2][i] - pz;
@@ -44,7 +44,7 @@ std::size_t near(const IrradianceLanes* lanes, std::size_t count, const Irradian
   return found;
 }
 
-constexpr IrradianceLaneKernels kKernels = {near};
+constexpr IrradianceKernels kKernels = {near};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace
@@ -53,6 +53,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace verisim::global {
-VERISIM_EXPORT_KERNELS(IrradianceLaneKernels, irradiance_lane_kernels)
+VERISIM_EXPORT_KERNELS(IrradianceKernels, irradiance_kernels)
 }  // namespace verisim::global
 #endif

@@ -53,13 +53,13 @@ void IrradianceTree::grow(const Entry& entry) {
 
 void IrradianceTree::append(Leaf& leaf, const Vec3& center, std::uint32_t entry) {
   const Entry& e = entries_[entry];
-  const std::uint32_t lane = leaf.count++ % IrradianceLanes::kCount;
+  const std::uint32_t lane = leaf.count++ % IrradiancePacket::kCount;
   if (lane == 0) {
-    IrradianceLanes& fresh = leaf.lanes.emplace_back();
-    std::fill_n(fresh.point[0], IrradianceLanes::kCount, 1e18f);
+    IrradiancePacket& fresh = leaf.lanes.emplace_back();
+    std::fill_n(fresh.point[0], IrradiancePacket::kCount, 1e18f);
     ++lanes_;
   }
-  IrradianceLanes& to = leaf.lanes.back();
+  IrradiancePacket& to = leaf.lanes.back();
   const Vec3 p = e.point - center;
   for (int a = 0; a < 3; ++a)
     to.point[a][lane] = static_cast<float>(p[a]), to.normal[a][lane] = static_cast<float>(e.normal[a]);
@@ -77,7 +77,7 @@ IrradianceTree::Node IrradianceTree::split(Node leaf, const Cube& cube) {
   Branch branch;
   for (std::uint32_t octant = 0; octant < 8; ++octant) branch[octant] = octant == 0 ? leaf : add_leaf();
   for (std::uint32_t i = 0; i < whole.count; ++i) {
-    const std::uint32_t entry = whole.lanes[i / IrradianceLanes::kCount].entry[i % IrradianceLanes::kCount];
+    const std::uint32_t entry = whole.lanes[i / IrradiancePacket::kCount].entry[i % IrradiancePacket::kCount];
     for (std::uint32_t octant = 0; octant < 8; ++octant) {
       const Cube child = cube.child(octant);
       if (meets(child, entries_[entry])) append(leaves_[branch[octant].number], child.center, entry);

@@ -2,7 +2,7 @@
 // found from somewhere within them.
 //
 // Leaves are about as wide as the samples in them reach, so that most of what a query reads is near enough. Floats sort
-// out eight samples at a time (irradiance_lanes.h); whoever asks decides in double. Samples come in the order in which
+// out eight samples at a time (irradiance_packet.h); whoever asks decides in double. Samples come in the order in which
 // they were added.
 #pragma once
 
@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tracer/radiosity/irradiance_lanes.h"
+#include "tracer/radiosity/irradiance_packet.h"
 
 namespace verisim::global {
 
@@ -35,7 +35,7 @@ class IrradianceTree {
   void visit(const Vec3& x, double bound, const Vec3& normal, Visit&& visit) const;
   std::size_t bytes() const {
     return entries_.size() * sizeof(Entry) + leaves_.size() * sizeof(Leaf) + branches_.size() * sizeof(Branch) +
-           lanes_ * sizeof(IrradianceLanes);
+           lanes_ * sizeof(IrradiancePacket);
   }
 
  private:
@@ -58,7 +58,7 @@ class IrradianceTree {
     }
   };
   struct Leaf {
-    std::vector<IrradianceLanes> lanes;
+    std::vector<IrradiancePacket> lanes;
     std::uint32_t count = 0;           // of its samples
     double farthest = 0, extents = 0;  // of these: largest coordinate relative to the centre, sum of extents
   };
@@ -84,7 +84,7 @@ class IrradianceTree {
 
 template <class Visit>
 void IrradianceTree::visit(const Vec3& x, double bound, const Vec3& normal, Visit&& visit) const {
-  static const IrradianceLaneKernels& kernels = irradiance_lane_kernels();
+  static const IrradianceKernels& kernels = irradiance_kernels();
   if (empty_) return;
   const Vec3 outside = x - root_cube_.center;
   if (!(std::max({std::fabs(outside.x), std::fabs(outside.y), std::fabs(outside.z)}) <= root_cube_.half * (1.0 + 1e-9)))
@@ -96,9 +96,9 @@ void IrradianceTree::visit(const Vec3& x, double bound, const Vec3& normal, Visi
     node = branches_[node.number][octant], cube = cube.child(octant);
   }
   const Leaf& leaf = leaves_[node.number];
-  const IrradianceLanesQuery query{x - cube.center, normal, bound, leaf.farthest + cube.half};
+  const IrradianceQuery query{x - cube.center, normal, bound, leaf.farthest + cube.half};
   for (std::size_t first = 0; first < leaf.lanes.size(); first += kBlocks) {
-    std::uint32_t samples[kBlocks * IrradianceLanes::kCount];
+    std::uint32_t samples[kBlocks * IrradiancePacket::kCount];
     const std::size_t found =
         kernels.near(leaf.lanes.data() + first, std::min(kBlocks, leaf.lanes.size() - first), query, samples);
     for (std::size_t i = 0; i < found; ++i) visit(samples[i]);

@@ -16,20 +16,20 @@ namespace HWY_NAMESPACE {
 // Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
 // branches.
 
-void weigh(const IrradianceWeightQuery& query, int count, IrradianceRow& row) {
+void weigh(const IrradianceWeightQuery& query, int count, IrradianceBatch& batch) {
   const double nx = query.normal.x, ny = query.normal.y, nz = query.normal.z, bound = query.bound;
   const double smooth = query.smooth ? 1 : 0;
-  const auto& d = row.delta;
-  const auto& n = row.normal;
-  const auto& near = row.nearest_direction;
-  const int end = (count + IrradianceRow::kStep - 1) / IrradianceRow::kStep * IrradianceRow::kStep;
+  const auto& d = batch.delta;
+  const auto& n = batch.normal;
+  const auto& near = batch.nearest_direction;
+  const int end = (count + IrradianceBatch::kStep - 1) / IrradianceBatch::kStep * IrradianceBatch::kStep;
   for (int i = 0; i < end; ++i) {
-    const double r = std::sqrt(row.squared[i]), mean = row.mean_distance[i];
+    const double r = std::sqrt(batch.squared[i]), mean = batch.mean_distance[i];
     const bool apart = r > 1e-6;
     const double divisor = apart ? r : 1.0;
     const double ux = d.x[i] / divisor, uy = d.y[i] / divisor, uz = d.z[i] / divisor;
     const double c = ux * near.x[i] + uy * near.y[i] + uz * near.z[i];
-    const double towards = c * row.nearest_distance[i] + (1.0 - c) * mean;
+    const double towards = c * batch.nearest_distance[i] + (1.0 - c) * mean;
     const double nearer = c > 0.0 ? towards : mean, radius = apart ? nearer : mean;
     const double turn = std::fabs(1.0 - (nx * n.x[i] + ny * n.y[i] + nz * n.z[i]));
     const double error = r / radius + 2.0 * std::sqrt(turn);
@@ -44,7 +44,7 @@ void weigh(const IrradianceWeightQuery& query, int count, IrradianceRow& row) {
     const double within = apart ? radius * bound : 1e300;
     weight = r >= within ? 0.0 : weight;
     weight = error < bound ? weight : 0.0;
-    row.weight[i] = facing <= -0.05 ? 0.0 : weight;
+    batch.weight[i] = facing <= -0.05 ? 0.0 : weight;
   }
 }
 

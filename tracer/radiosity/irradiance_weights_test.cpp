@@ -43,12 +43,12 @@ TEST_P(IrradianceWeights, AreThoseOfEachSample) {
   std::normal_distribution<double> n(0, 1);
   std::uniform_real_distribution<double> u(0, 1);
   const auto direction = [&] { return normalize(Vec3(n(generator), n(generator), n(generator))); };
-  const auto row = std::make_unique<IrradianceRow>();
+  const auto batch = std::make_unique<IrradianceBatch>();
   int counting = 0, damped = 0;
   for (int round = 0; round < 3000; ++round) {
     const IrradianceWeightQuery query{direction(), 0.3 + 2 * u(generator), round % 2 == 0};
-    const int count = 1 + round % IrradianceRow::kMost;
-    Vec3 delta[IrradianceRow::kMost], normal[IrradianceRow::kMost], nearest_direction[IrradianceRow::kMost];
+    const int count = 1 + round % IrradianceBatch::kMax;
+    Vec3 delta[IrradianceBatch::kMax], normal[IrradianceBatch::kMax], nearest_direction[IrradianceBatch::kMax];
     for (int i = 0; i < count; ++i) {
       normal[i] = i % 5 == 0 ? query.normal : normalize(query.normal + 0.7 * u(generator) * direction());
       delta[i] = i % 9 == 4 ? Vec3(i % 2 == 0 ? 0 : 1e-8) : 1.5 * u(generator) * direction();
@@ -56,16 +56,17 @@ TEST_P(IrradianceWeights, AreThoseOfEachSample) {
         delta[i] -=
             (dot(delta[i], query.normal) + 0.04 * u(generator) * length(delta[i])) * query.normal;  // a little behind
       nearest_direction[i] = i % 6 == 3 ? Vec3(0) : direction();
-      row->delta.set(i, delta[i]), row->normal.set(i, normal[i]), row->nearest_direction.set(i, nearest_direction[i]);
-      row->squared[i] = dot(delta[i], delta[i]);
-      row->mean_distance[i] = 0.1 + u(generator), row->nearest_distance[i] = 0.05 + u(generator);
+      batch->delta.set(i, delta[i]), batch->normal.set(i, normal[i]),
+          batch->nearest_direction.set(i, nearest_direction[i]);
+      batch->squared[i] = dot(delta[i], delta[i]);
+      batch->mean_distance[i] = 0.1 + u(generator), batch->nearest_distance[i] = 0.05 + u(generator);
     }
-    kernels->weigh(query, count, *row);
+    kernels->weigh(query, count, *batch);
     for (int i = 0; i < count; ++i) {
-      const double expected = expected_weight(query, delta[i], normal[i], nearest_direction[i], row->mean_distance[i],
-                                              row->nearest_distance[i]);
-      ASSERT_EQ(row->weight[i], expected) << round << ' ' << i;
-      counting += expected > IrradianceRow::kNone;
+      const double expected = expected_weight(query, delta[i], normal[i], nearest_direction[i], batch->mean_distance[i],
+                                              batch->nearest_distance[i]);
+      ASSERT_EQ(batch->weight[i], expected) << round << ' ' << i;
+      counting += expected > IrradianceBatch::kNone;
       damped += expected > 0 && i % 4 == 1;
     }
   }

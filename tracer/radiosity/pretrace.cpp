@@ -69,9 +69,9 @@ void PretraceTile::positions(const PretraceBlock& block, double spacing, int& dr
 }
 
 void PretraceTile::split(double spacing) {
-  constexpr int kFewestInARow = 4;
-  const int across = std::max(1, count_positions(tile_.left, tile_.right, spacing) / (kFewestInARow * across_));
-  const int down = std::max(1, count_positions(tile_.top, tile_.bottom, spacing) / (kFewestInARow * down_));
+  constexpr int kMinInARow = 4;
+  const int across = std::max(1, count_positions(tile_.left, tile_.right, spacing) / (kMinInARow * across_));
+  const int down = std::max(1, count_positions(tile_.top, tile_.bottom, spacing) / (kMinInARow * down_));
   if (across == 1 && down == 1) return;
   std::vector<PretraceBlock> parts;
   parts.reserve(blocks_.size() * static_cast<std::size_t>(across) * static_cast<std::size_t>(down));

@@ -55,7 +55,7 @@ class PretraceTile {
 
 template <class Look, class Queries>
 void PretraceTile::run(const PretracePlan& plan, int pass, int adaptive, Look&& look, Queries&& queries) {
-  constexpr std::size_t kFewest = 9;  // positions that tell anything
+  constexpr std::size_t kMin = 9;  // positions that tell anything
   std::vector<PretraceBlock> left;
   std::vector<Vec2> at;
   int draw = first_draw(pass);
@@ -64,9 +64,9 @@ void PretraceTile::run(const PretracePlan& plan, int pass, int adaptive, Look&& 
     const PretraceQueries before = queries();
     for (const Vec2& p : at) look(p.x, p.y);
     const PretraceQueries after = queries();
-    const int asked = after.count - before.count;
+    const int active = after.count - before.count;
     const bool done =
-        at.size() >= kFewest && (asked == 0 || (adaptive > 0 && (after.weight - before.weight) / asked >= adaptive));
+        at.size() >= kMin && (active == 0 || (adaptive > 0 && (after.weight - before.weight) / active >= adaptive));
     if (!done) left.push_back(block);
   }
   blocks_ = std::move(left);

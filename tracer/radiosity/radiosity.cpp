@@ -43,8 +43,8 @@ class SampleRays {
         about_layer_normal_(query.layer_normal),
         cursor_(cursor),
         count_(settings.rays(query.depth)) {
-    if (next_lattice && GatherLattice::worthwhile(count_)) {
-      count_ = GatherLattice::enough(count_);
+    if (next_lattice && FinalGatherLattice::worthwhile(count_)) {
+      count_ = FinalGatherLattice::enough(count_);
       lattice_.emplace(settings.lattice_plan(query.depth), (*next_lattice)++);
     }
     perturbed_ = settings.description().normal && dot(query.layer_normal, query.geometric_normal) < 1.0 - 1e-12;
@@ -55,7 +55,7 @@ class SampleRays {
   // Of the rays so far, those about the layer's normal instead of the surface's.
   int about_layer() const { return about_layer_; }
 
-  GatherRay next() {
+  FinalGatherRay next() {
     Vec3 direction;
     bool found = false;
     while (perturbed_ && tries_ < most_tries_ && !found) {
@@ -83,7 +83,7 @@ class SampleRays {
   const RadiosityQuery& query_;
   const NormalFrame about_normal_, about_layer_normal_;
   std::size_t& cursor_;
-  std::optional<GatherLattice> lattice_;
+  std::optional<FinalGatherLattice> lattice_;
   int count_, drawn_ = 0, about_layer_ = 0;
   bool perturbed_;
   std::size_t most_tries_, tries_ = 0;
@@ -104,7 +104,8 @@ RadiositySettings::RadiositySettings(const scene::Radiosity& description, const 
   for (int d = 0; d < kMaxRadiosityDepth; ++d) {
     rays_[d] = std::min(
         size, std::max(5, static_cast<int>(std::floor(std::ldexp(static_cast<double>(description.count), -d)))));
-    if (GatherLattice::worthwhile(rays_[d])) lattice_plans_[d] = GatherLattice::Plan(GatherLattice::enough(rays_[d]));
+    if (FinalGatherLattice::worthwhile(rays_[d]))
+      lattice_plans_[d] = FinalGatherLattice::Plan(FinalGatherLattice::enough(rays_[d]));
   }
 }
 
@@ -133,33 +134,33 @@ void RadiosityTask::accumulate(const IrradianceCache& cache, const RadiosityQuer
                                double bound, Estimate& estimate) {
   static const IrradianceWeightKernels& kernels = irradiance_weight_kernels();
   const IrradianceWeightQuery weights{normal, bound, /*smooth=*/!pretrace_ && query.depth == 0};
-  IrradianceRow& row = row_;
-  const IrradianceSample* samples[IrradianceRow::kMost];
+  IrradianceBatch& batch = batch_;
+  const IrradianceSample* samples[IrradianceBatch::kMax];
   int count = 0;
   const auto add_row = [&] {
-    kernels.weigh(weights, count, row);
+    kernels.weigh(weights, count, batch);
     for (int i = 0; i < count; ++i) {
-      if (!(row.weight[i] > IrradianceRow::kNone)) continue;
-      const double weight = row.weight[i] * samples[i]->quality;
+      if (!(batch.weight[i] > IrradianceBatch::kNone)) continue;
+      const double weight = batch.weight[i] * samples[i]->quality;
       estimate.sum += samples[i]->irradiance * static_cast<float>(weight);
       estimate.weight += weight;
     }
     count = 0;
   };
   cache.visit(query.depth, query.point, bound, normal, [&](const IrradianceSample& s, double squared) {
-    row.delta.set(count, query.point - s.point);
-    row.normal.set(count, s.normal);
-    row.nearest_direction.set(count, s.nearest_direction);
-    row.squared[count] = squared;
-    row.mean_distance[count] = s.mean_distance;
-    row.nearest_distance[count] = s.nearest_distance;
+    batch.delta.set(count, query.point - s.point);
+    batch.normal.set(count, s.normal);
+    batch.nearest_direction.set(count, s.nearest_direction);
+    batch.squared[count] = squared;
+    batch.mean_distance[count] = s.mean_distance;
+    batch.nearest_distance[count] = s.nearest_distance;
     samples[count++] = &s;
-    if (count == IrradianceRow::kMost) add_row();
+    if (count == IrradianceBatch::kMax) add_row();
   });
   if (count > 0) add_row();
 }
 
-Rgb RadiosityTask::irradiance(const RadiosityQuery& query, Gatherer& gatherer, shading::GatherNotes& notes) {
+Rgb RadiosityTask::irradiance(const RadiosityQuery& query, FinalGatherer& gatherer, shading::FinalGatherNotes& notes) {
   const scene::Radiosity& d = settings_.description();
   const Vec3& normal = d.normal ? query.layer_normal : query.geometric_normal;
   const double bound =
@@ -176,7 +177,7 @@ Rgb RadiosityTask::irradiance(const RadiosityQuery& query, Gatherer& gatherer, s
   if (enough) {
     result = estimate.sum * static_cast<float>(1.0 / estimate.weight);
   } else {
-    shading::GatherNotes of_sample;
+    shading::FinalGatherNotes of_sample;
     const Rgb sample = take_sample(query, gatherer, of_sample);
     const double total = estimate.weight + of_sample.quality;
     result = estimate.weight > 0.0 && total > 0.0
@@ -192,12 +193,12 @@ Rgb RadiosityTask::irradiance(const RadiosityQuery& query, Gatherer& gatherer, s
   return result * static_cast<float>(d.brightness);
 }
 
-Rgb RadiosityTask::take_sample(const RadiosityQuery& query, Gatherer& gatherer, shading::GatherNotes& notes) {
+Rgb RadiosityTask::take_sample(const RadiosityQuery& query, FinalGatherer& gatherer, shading::FinalGatherNotes& notes) {
   const scene::Radiosity& d = settings_.description();
   SampleRays rays(settings_, query, cursor_[static_cast<std::size_t>(query.depth)], next_lattice_);
   const int n = rays.count();
-  auto& room = gathering_[static_cast<std::size_t>(query.depth)];
-  if (!room) room = std::make_unique<Gathering>();
+  auto& workspace = gathering_[static_cast<std::size_t>(query.depth)];
+  if (!workspace) workspace = std::make_unique<Gathering>();
 
   Rgb sum;
   float quality_sum = 0, nearest = 2e10f;
@@ -206,11 +207,12 @@ Rgb RadiosityTask::take_sample(const RadiosityQuery& query, Gatherer& gatherer, 
   for (int done = 0; done < n;) {
     const int together = std::min(n - done, kGatheredTogether);
     done += together;
-    for (int i = 0; i < together; ++i) room->rays[i] = rays.next(), room->results[i] = {};
-    gatherer.gather(query.point, {room->rays, static_cast<std::size_t>(together)}, query.depth, room->results);
+    for (int i = 0; i < together; ++i) workspace->rays[i] = rays.next(), workspace->results[i] = {};
+    gatherer.gather(query.point, {workspace->rays, static_cast<std::size_t>(together)}, query.depth,
+                    workspace->results);
     for (int i = 0; i < together; ++i) {
-      const GatherRay& ray = room->rays[i];
-      const GatherResult& g = room->results[i];
+      const FinalGatherRay& ray = workspace->rays[i];
+      const FinalGatherResult& g = workspace->results[i];
       const float importance = notes.importance = g.notes.importance < 0 ? g.importance : g.notes.importance;
       if (g.shaded && importance >= ray.threshold) {
         float q = g.notes.quality;

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "tracer/radiosity/gather_lattice.h"
+#include "tracer/radiosity/final_gather_lattice.h"
 #include "tracer/radiosity/irradiance_cache.h"
 #include "tracer/radiosity/irradiance_weights.h"
 #include "tracer/radiosity/pretrace.h"
@@ -30,7 +30,7 @@ class RadiositySettings {
   IrradianceCache empty_cache() const;
   Vec3 camera_location() const { return camera_location_; }
   int rays(int depth) const { return rays_[depth]; }
-  const GatherLattice::Plan& lattice_plan(int depth) const { return lattice_plans_[depth]; }
+  const FinalGatherLattice::Plan& lattice_plan(int depth) const { return lattice_plans_[depth]; }
   double required_weight(int depth) const;  // K_d; a query is satisfied by an accumulated weight of K_d / 4
   // Trace level and weight a gather ray of this depth starts with (spec 07 2.6).
   static int start_level(int depth) { return static_cast<int>(1.5 * (depth + 1)); }
@@ -43,31 +43,32 @@ class RadiositySettings {
   Vec3 camera_location_;
   std::vector<Vec3> pool_;  // Halton (2,3), cosine-weighted about +y
   std::array<int, kMaxRadiosityDepth> rays_{};
-  std::array<GatherLattice::Plan, kMaxRadiosityDepth> lattice_plans_;
+  std::array<FinalGatherLattice::Plan, kMaxRadiosityDepth> lattice_plans_;
 };
 
 // A ray that gathers light for a sample; it is shaded only where what it hits has at least this importance.
-struct GatherRay {
+struct FinalGatherRay {
   Vec3 direction;
   float threshold;
 };
 
-struct GatherResult {
+struct FinalGatherResult {
   double distance = std::numeric_limits<double>::infinity();
   bool shaded = false;   // false: culled by importance
   float importance = 1;  // of what was hit, or the default importance
   Rgb color;
-  shading::GatherNotes notes;
+  shading::FinalGatherNotes notes;
 };
 
 inline constexpr int kGatheredTogether = 160;  // rays at most
 
 // Traces rays of a sample; implemented by the tracer.
-class Gatherer {
+class FinalGatherer {
  public:
-  virtual ~Gatherer() = default;
+  virtual ~FinalGatherer() = default;
   // `depth`: of the sample that gathers; there is a result for each ray, as it was made.
-  virtual void gather(const Vec3& from, std::span<const GatherRay> rays, int depth, GatherResult* results) = 0;
+  virtual void gather(const Vec3& from, std::span<const FinalGatherRay> rays, int depth,
+                      FinalGatherResult* results) = 0;
 };
 
 struct RadiosityQuery {
@@ -91,7 +92,7 @@ class RadiosityTask {
   }
   // Irradiance at the point, and what the enclosing ray is to know of it. A sample taken for it may be of better
   // quality than 1, if it has hit more of what is of little importance than most do, and then counts for as much.
-  Rgb irradiance(const RadiosityQuery& query, Gatherer& gatherer, shading::GatherNotes& notes);
+  Rgb irradiance(const RadiosityQuery& query, FinalGatherer& gatherer, shading::FinalGatherNotes& notes);
   // Those of depth 0 so far; the weights are 4 S before gathering.
   const PretraceQueries& primary_queries() const { return primary_queries_; }
 
@@ -102,7 +103,7 @@ class RadiosityTask {
   };
   void accumulate(const IrradianceCache& cache, const RadiosityQuery& query, const Vec3& normal, double bound,
                   Estimate& estimate);
-  Rgb take_sample(const RadiosityQuery& query, Gatherer& gatherer, shading::GatherNotes& notes);
+  Rgb take_sample(const RadiosityQuery& query, FinalGatherer& gatherer, shading::FinalGatherNotes& notes);
 
   const RadiositySettings& settings_;
   const IrradianceCache* base_;
@@ -115,11 +116,11 @@ class RadiosityTask {
   // Of the samples that are being taken, one within another. What is drawn does not hang on what rays meet, so they are
   // drawn before they are traced.
   struct Gathering {
-    GatherRay rays[kGatheredTogether];
-    GatherResult results[kGatheredTogether];
+    FinalGatherRay rays[kGatheredTogether];
+    FinalGatherResult results[kGatheredTogether];
   };
   std::array<std::unique_ptr<Gathering>, kMaxRadiosityDepth> gathering_;
-  IrradianceRow row_;  // of accumulate
+  IrradianceBatch batch_;  // of accumulate
 };
 
 }  // namespace verisim::global

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "tracer/radiosity/gather_lattice.h"
+#include "tracer/radiosity/final_gather_lattice.h"
 
 namespace verisim::global {
 namespace {
@@ -23,13 +23,13 @@ TEST(RadiositySettings, FirstDirectionIsHaltons) {
 
 // The moments of a cosine-weighted hemisphere: the mean of cos^k is 2 / (k + 2), azimuths cancel. Beginnings, which
 // importance uses, are spread, too; so are the directions behind the lattice, for normals that turn many away.
-TEST(GatherLattice, IsCosineWeightedFromItsBeginning) {
+TEST(FinalGatherLattice, IsCosineWeightedFromItsBeginning) {
   for (const int count : {5, 34, 46, 89, 160, 1600, 1000000}) {
-    const GatherLattice::Plan plan(count);
+    const FinalGatherLattice::Plan plan(count);
     for (const std::size_t number : {0u, 7u, 123456u}) {
       for (const int rays : {count / 5, count / 2, count, 3 * count}) {
         if (rays > 5000) continue;
-        GatherLattice lattice(plan, number);
+        FinalGatherLattice lattice(plan, number);
         Vec3 mean(0, 0, 0);
         double square = 0;
         for (int i = 0; i < rays; ++i) {
@@ -49,13 +49,13 @@ TEST(GatherLattice, IsCosineWeightedFromItsBeginning) {
   }
 }
 
-TEST(GatherLattice, TakesTimeFromSamplesOfManyRaysAndGivesItToThoseOfFew) {
-  EXPECT_EQ(GatherLattice::enough(200), 160);
-  EXPECT_EQ(GatherLattice::enough(60), 60);
-  EXPECT_EQ(GatherLattice::enough(35), 46);
-  EXPECT_EQ(GatherLattice::enough(17), 34);
-  EXPECT_TRUE(GatherLattice::worthwhile(17));
-  EXPECT_FALSE(GatherLattice::worthwhile(8));
+TEST(FinalGatherLattice, TakesTimeFromSamplesOfManyRaysAndGivesItToThoseOfFew) {
+  EXPECT_EQ(FinalGatherLattice::enough(200), 160);
+  EXPECT_EQ(FinalGatherLattice::enough(60), 60);
+  EXPECT_EQ(FinalGatherLattice::enough(35), 46);
+  EXPECT_EQ(FinalGatherLattice::enough(17), 34);
+  EXPECT_TRUE(FinalGatherLattice::worthwhile(17));
+  EXPECT_FALSE(FinalGatherLattice::worthwhile(8));
 }
 
 TEST(IrradianceCache, FindsEverySampleThatCanReachTheQuery) {
@@ -123,31 +123,31 @@ TEST(IrradianceCache, LeavesOutOnlyWhatCannotCount) {
 }
 
 // A gatherer in a uniform furnace: every ray sees the same radiance at the same distance.
-class Furnace : public Gatherer {
+class Furnace : public FinalGatherer {
  public:
-  void gather(const Vec3&, std::span<const GatherRay> together, int, GatherResult* results) override {
+  void gather(const Vec3&, std::span<const FinalGatherRay> together, int, FinalGatherResult* results) override {
     rays += static_cast<int>(together.size());
     std::fill_n(results, together.size(),
-                GatherResult{.distance = 1.0, .shaded = true, .importance = 1, .color = Rgb(0.25f), .notes = {}});
+                FinalGatherResult{.distance = 1.0, .shaded = true, .importance = 1, .color = Rgb(0.25f), .notes = {}});
   }
   int rays = 0;
 };
 
 // The first ray of a sample hits something of importance 0.2 and of radiance 1, the others what is black; a sample is
 // taken while one of them is followed.
-class Lamp : public Gatherer {
+class Lamp : public FinalGatherer {
  public:
-  void gather(const Vec3&, std::span<const GatherRay> rays, int depth, GatherResult* results) override {
+  void gather(const Vec3&, std::span<const FinalGatherRay> rays, int depth, FinalGatherResult* results) override {
     for (std::size_t i = 0; i < rays.size(); ++i) results[i] = gather(depth, rays[i].threshold);
   }
-  GatherResult gather(int depth, float threshold) {
+  FinalGatherResult gather(int depth, float threshold) {
     if (depth > 0)
       return {.distance = 1.0, .shaded = true, .importance = nested_importance, .color = Rgb(0.0f), .notes = {}};
-    GatherResult result{.distance = 1.0,
-                        .shaded = true,
-                        .importance = threshold == 0 ? 0.2f : 1.0f,
-                        .color = Rgb(threshold == 0 ? 1.0f : 0.0f),
-                        .notes = {}};
+    FinalGatherResult result{.distance = 1.0,
+                             .shaded = true,
+                             .importance = threshold == 0 ? 0.2f : 1.0f,
+                             .color = Rgb(threshold == 0 ? 1.0f : 0.0f),
+                             .notes = {}};
     if (task && threshold == nested_threshold)
       task->irradiance({{0, 3, 0}, {0, -1, 0}, {0, -1, 0}, 1.0, 1}, *this, result.notes);
     return result;
@@ -164,7 +164,7 @@ TEST(RadiosityTask, RaysAreWeighedByTheImportanceOfWhatWasHitLast) {
     IrradianceCache cache = settings.empty_cache();
     RadiosityTask task(settings, &cache, &cache, true, 0, 0);
     lamp.task = nested ? &task : nullptr;
-    shading::GatherNotes notes;
+    shading::FinalGatherNotes notes;
     return task.irradiance({{0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1.0, 0}, lamp, notes).r;
   };
   Lamp lamp;
@@ -182,7 +182,7 @@ TEST(RadiosityTask, ReusesSamplesNearbyAndTakesNewOnesElsewhere) {
   RadiosityTask task(settings, &cache, &cache, true, 0, 0);
   Furnace furnace;
   const auto query = [&](const Vec3& p) {
-    shading::GatherNotes notes;
+    shading::FinalGatherNotes notes;
     return task.irradiance({p, {0, 1, 0}, {0, 1, 0}, 1.0, 0}, furnace, notes);
   };
   EXPECT_FLOAT_EQ(query({0, 0, 0}).r, 0.25f);
@@ -191,7 +191,7 @@ TEST(RadiosityTask, ReusesSamplesNearbyAndTakesNewOnesElsewhere) {
   EXPECT_FLOAT_EQ(query({5, 0, 0}).g, 0.25f);  // far away: another sample
   EXPECT_EQ(furnace.rays, 70);
   RadiosityTask final_trace(settings, &cache, nullptr, false, 0, 0);
-  shading::GatherNotes notes;
+  shading::FinalGatherNotes notes;
   EXPECT_FLOAT_EQ(final_trace.irradiance({{0.01, 0, 0}, {0, 1, 0}, {0, 1, 0}, 1.0, 0}, furnace, notes).b, 0.25f);
   EXPECT_EQ(furnace.rays, 70);  // reused
 }

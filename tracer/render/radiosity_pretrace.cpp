@@ -52,16 +52,17 @@ std::vector<PretraceTile> tiles_of(const Options& options) {
 // Tiles of a pass in groups that are worked on at the same time; a group sees the samples of all groups before it. What
 // tiles of one group take twice is wasted, most of all while the cache is empty: the first pass begins with one tile.
 // Neighbours are put in different groups. Depends on the picture's size alone, never on the number of threads.
-std::vector<std::vector<std::size_t>> waves_of(std::size_t tiles, int pass) {
-  constexpr std::size_t kFewest = 8, kMostWaves = 16;
-  const std::size_t full = std::max(kFewest, (tiles + kMostWaves - 1) / kMostWaves);
+std::vector<std::vector<std::size_t>> wavefronts_of(std::size_t tiles, int pass) {
+  constexpr std::size_t kMin = 8, kMaxWavefronts = 16;
+  const std::size_t full = std::max(kMin, (tiles + kMaxWavefronts - 1) / kMaxWavefronts);
   constexpr std::size_t kStride = 613;  // a prime, so that steps of it visit every tile
-  std::vector<std::vector<std::size_t>> waves;
+  std::vector<std::vector<std::size_t>> wavefronts;
   for (std::size_t i = 0, size = pass == 0 ? 1 : full; i < tiles; size = std::min(full, size * 2)) {
-    auto& wave = waves.emplace_back();
-    for (; i < tiles && wave.size() < size; ++i) wave.push_back(tiles % kStride == 0 ? i : i * kStride % tiles);
+    auto& wavefront = wavefronts.emplace_back();
+    for (; i < tiles && wavefront.size() < size; ++i)
+      wavefront.push_back(tiles % kStride == 0 ? i : i * kStride % tiles);
   }
-  return waves;
+  return wavefronts;
 }
 
 // Tells how far the pretrace is; a pass counts by its number of positions.
@@ -124,10 +125,10 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
     }
     tbb::enumerable_thread_specific<Worker> workers([&] { return Worker(data, camera, options); });
     for (int pass = 0; pass < plan.passes; ++pass) {
-      for (const std::vector<std::size_t>& wave : waves_of(tiles.size(), pass)) {
-        std::vector<IrradianceCache> found(wave.size(), effects.radiosity_settings()->empty_cache());
+      for (const std::vector<std::size_t>& wavefront : wavefronts_of(tiles.size(), pass)) {
+        std::vector<IrradianceCache> found(wavefront.size(), effects.radiosity_settings()->empty_cache());
         const auto work = [&](std::size_t i) {
-          const std::size_t tile = wave[i];
+          const std::size_t tile = wavefront[i];
           if (tiles[tile].finished() || (options.cancel && options.cancel->load(std::memory_order_relaxed))) return;
           Worker& worker = workers.local();
           worker.tracer.begin_block();
@@ -143,9 +144,9 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
           progress.tile_done(pass);
         };
         if (threads == 1) {
-          for (std::size_t i = 0; i < wave.size(); ++i) work(i);
+          for (std::size_t i = 0; i < wavefront.size(); ++i) work(i);
         } else {
-          parallel_for(wave.size(), 1, work);
+          parallel_for(wavefront.size(), 1, work);
         }
         for (const IrradianceCache& tile : found) {
           for (const global::IrradianceSample& sample : tile.samples()) cache.add(sample);

@@ -10,7 +10,7 @@ constexpr int kMaxBlurSamples = 1 << 20;
 constexpr int kMaxRadiosityDirections = 1 << 24, kMaxMediaIntervals = 256;
 constexpr std::int64_t kMaxAreaLightSamples = std::int64_t{1} << 24;
 
-void check_light(const scene::LightSource& light, const scene::Place& place) {
+void check_light(const scene::LightSource& light, const scene::SourceLocation& place) {
   if (light.area && static_cast<std::int64_t>(light.size1) * light.size2 > kMaxAreaLightSamples)
     throw Unsupported("area_light with more than 16777216 samples", place);
 }

@@ -3,29 +3,29 @@
 #include <utility>
 
 #include "tracer/scene/finish_statement.h"
-#include "tracer/scene/moves.h"
+#include "tracer/scene/transform_steps.h"
 #include "tracer/scene/scene.h"
 
 namespace verisim::scene {
 namespace {
 
-Postponed::Motion note(const Move& move) {
-  return {move.step, move.v, move.step == Move::Step::matrix ? Rare<Transform>(move.t) : Rare<Transform>()};
+Postponed::Motion note(const TransformStep& move) {
+  return {move.step, move.v, move.step == TransformStep::Step::matrix ? Rare<Transform>(move.t) : Rare<Transform>()};
 }
 
-void add(Moves& moves, const Postponed::Motion& motion) {
+void add(TransformSteps& steps, const Postponed::Motion& motion) {
   switch (motion.step) {
-    case Move::Step::translate:
-      moves.translate(motion.v);
+    case TransformStep::Step::translate:
+      steps.translate(motion.v);
       break;
-    case Move::Step::scale:
-      moves.scale(motion.v);
+    case TransformStep::Step::scale:
+      steps.scale(motion.v);
       break;
-    case Move::Step::rotate:
-      moves.rotate(motion.v);
+    case TransformStep::Step::rotate:
+      steps.rotate(motion.v);
       break;
-    case Move::Step::matrix:
-      moves.transform(motion.matrix);
+    case TransformStep::Step::matrix:
+      steps.transform(motion.matrix);
       break;
   }
 }
@@ -33,9 +33,9 @@ void add(Moves& moves, const Postponed::Motion& motion) {
 // The order of moves counts, not how they were grouped.
 void catch_up(std::vector<ObjectPtr>& objects, const std::vector<Postponed::Motion>& motions) {
   for (std::size_t i = 0; i < motions.size();) {
-    Moves moves;
-    for (; i < motions.size() && !moves.full(); ++i) add(moves, motions[i]);
-    for (ObjectPtr& object : objects) apply(const_cast<Object&>(*object), moves);
+    TransformSteps steps;
+    for (; i < motions.size() && !steps.full(); ++i) add(steps, motions[i]);
+    for (ObjectPtr& object : objects) apply(const_cast<Object&>(*object), steps);
   }
 }
 
@@ -57,10 +57,10 @@ const std::vector<ObjectPtr>& Children::declared() const {
   return objects_ ? *objects_ : none;
 }
 
-void Children::postpone(const Moves& moves) {
+void Children::postpone(const TransformSteps& steps) {
   Postponed& work = postponed_.edit();
-  work.motions.reserve(work.motions.size() + moves.size());
-  for (std::size_t i = 0; i < moves.size(); ++i) work.motions.push_back(note(moves[i]));
+  work.motions.reserve(work.motions.size() + steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) work.motions.push_back(note(steps[i]));
 }
 
 void Children::postpone_end(const TexturePtr& default_texture) { postponed_.edit().default_texture = default_texture; }

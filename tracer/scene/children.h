@@ -9,8 +9,8 @@
 
 namespace verisim::scene {
 
-class Moves;
-struct Move;
+class TransformSteps;
+struct TransformStep;
 
 // What the children of a copy have not seen yet, in this order: the moves, then the end of the copy's statement.
 struct Postponed {
@@ -33,7 +33,7 @@ class Children {
   bool shared() const { return objects_.use_count() > 1; }
   // Either all that follows is postponed or nothing; the first form belongs to children that are shared or postponed
   // already.
-  void postpone(const Moves& moves);
+  void postpone(const TransformSteps& steps);
   void postpone_end(const TexturePtr& default_texture);
   // The objects, theirs alone, with everything done that was postponed. `parent`: the object whose children these are.
   std::vector<ObjectPtr>& own(Object& parent);

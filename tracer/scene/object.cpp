@@ -6,7 +6,7 @@
 
 #include "tracer/scene/bounds.h"
 #include "tracer/scene/complement.h"
-#include "tracer/scene/moves.h"
+#include "tracer/scene/transform_steps.h"
 #include "tracer/scene/extents.h"
 
 namespace verisim::scene {
@@ -19,7 +19,7 @@ Object& writable(ObjectPtr& node) {
   return const_cast<Object&>(*node);
 }
 
-using Step = Move::Step;
+using Step = TransformStep::Step;
 
 // a, then a translation: the digits of the product of the matrices, without its many terms that are zero.
 Transform then_translated(const Transform& a, const Vec3& v) {
@@ -31,7 +31,7 @@ Transform then_translated(const Transform& a, const Vec3& v) {
   return result;
 }
 
-bool absorb(Sphere& s, const Move& move) {
+bool absorb(Sphere& s, const TransformStep& move) {
   if (move.step == Step::translate)
     s.center += move.v;
   else if (move.step == Step::rotate)
@@ -43,7 +43,7 @@ bool absorb(Sphere& s, const Move& move) {
   return true;
 }
 
-bool absorb(Box& b, const Move& move) {
+bool absorb(Box& b, const TransformStep& move) {
   if (move.step == Step::translate) {
     b.low += move.v, b.high += move.v;
   } else if (move.step == Step::scale) {
@@ -56,7 +56,7 @@ bool absorb(Box& b, const Move& move) {
   return true;
 }
 
-bool absorb(Plane& p, const Move& move) {
+bool absorb(Plane& p, const TransformStep& move) {
   if (move.step == Step::translate) {
     p.distance += dot(p.normal, move.v);
   } else if (move.step == Step::rotate) {
@@ -89,13 +89,13 @@ void exchange_if_clockwise(std::array<Vec3, 3>& p, const Corner& exchange) {
   }
 }
 
-bool absorb(Triangle& triangle, const Move& move) {
+bool absorb(Triangle& triangle, const TransformStep& move) {
   exchange_if_clockwise(triangle.p, [] {});
   for (Vec3& p : triangle.p) p = move.t.point(p);
   return true;
 }
 
-bool absorb(Boxed<SmoothTriangle>& smooth, const Move& move) {
+bool absorb(Boxed<SmoothTriangle>& smooth, const TransformStep& move) {
   SmoothTriangle& triangle = *smooth;
   exchange_if_clockwise(triangle.p, [&] { std::swap(triangle.n[0], triangle.n[1]); });
   for (Vec3& p : triangle.p) p = move.t.point(p);
@@ -108,7 +108,7 @@ bool absorb(Boxed<SmoothTriangle>& smooth, const Move& move) {
 }
 
 // p Q p' = 0 with p = p' M^-1 becomes M^-1 Q M^-T.
-bool absorb(Boxed<Quadric>& quadric, const Move& move) {
+bool absorb(Boxed<Quadric>& quadric, const TransformStep& move) {
   Quadric& q = *quadric;
   Mat4 a;
   a[0][0] = q.square.x, a[1][1] = q.square.y, a[2][2] = q.square.z, a[3][3] = q.constant;
@@ -122,7 +122,7 @@ bool absorb(Boxed<Quadric>& quadric, const Move& move) {
   return true;
 }
 
-bool absorb(std::shared_ptr<const SphereSweep>& sweep, const Move& move) {
+bool absorb(std::shared_ptr<const SphereSweep>& sweep, const TransformStep& move) {
   if (move.step == Step::matrix || (move.step == Step::scale && !move.uniform_scale())) return false;
   auto moved = std::make_shared<SphereSweep>(*sweep);
   for (Vec3& c : moved->centers) c = move.t.point(c);
@@ -132,7 +132,7 @@ bool absorb(std::shared_ptr<const SphereSweep>& sweep, const Move& move) {
   return true;
 }
 
-bool absorb(std::shared_ptr<const BicubicPatch>& patch, const Move& move) {
+bool absorb(std::shared_ptr<const BicubicPatch>& patch, const TransformStep& move) {
   auto moved = std::make_shared<BicubicPatch>(*patch);
   for (Vec3& p : moved->points) p = move.t.point(p);
   patch = std::move(moved);
@@ -140,21 +140,21 @@ bool absorb(std::shared_ptr<const BicubicPatch>& patch, const Move& move) {
 }
 
 template <class T>
-bool absorb(T&, const Move&) {
+bool absorb(T&, const TransformStep&) {
   return false;
 }
 
-void move_light(LightSource& light, const Moves& moves) {
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    const Transform& t = moves[i].t;
+void move_light(LightSource& light, const TransformSteps& steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const Transform& t = steps[i].t;
     light.position = t.point(light.position);
     light.point_at = t.point(light.point_at);
     light.direction = t.direction(light.direction);
     light.axis1 = t.direction(light.axis1);
     light.axis2 = t.direction(light.axis2);
   }
-  if (light.looks_like) apply(writable(light.looks_like), moves);
-  if (light.projected_through) apply(writable(light.projected_through), moves);
+  if (light.looks_like) apply(writable(light.looks_like), steps);
+  if (light.projected_through) apply(writable(light.projected_through), steps);
 }
 
 DensityPtr transformed(const DensityPtr& density, const Transform& t) {
@@ -174,7 +174,7 @@ InteriorPtr transformed(const InteriorPtr& interior, const Transform& t) {
 
 // The present box of shapes whose box POV-Ray transforms step by step; all others get it anew from their numbers and
 // the total matrix (spec 03 2.2).
-bool box_moves_stepwise(const Object& object) {
+bool box_steps(const Object& object) {
   return object.as<Csg>() || object.as<LightGroup>() || object.as<Quadric>() ||
          object.as<std::shared_ptr<const Blob>>() || object.as<Mesh>();
 }
@@ -200,40 +200,40 @@ void refit_clipped_quadric(Object& object) {
   fit_quadric(object, {});
 }
 
-void move_guards(Object& object, const Moves& moves) {
+void move_guards(Object& object, const TransformSteps& steps) {
   if (object.clip_is_bound) {
     List<ObjectPtr>& source = object.clipped_by.empty() ? object.bounded_by : object.clipped_by;
     List<ObjectPtr>& link = object.clipped_by.empty() ? object.clipped_by : object.bounded_by;
     link.clear();
-    for (ObjectPtr& o : source) apply(writable(o), moves);
+    for (ObjectPtr& o : source) apply(writable(o), steps);
     link = source;
     return;
   }
-  for (ObjectPtr& o : object.bounded_by) apply(writable(o), moves);
-  for (ObjectPtr& o : object.clipped_by) apply(writable(o), moves);
+  for (ObjectPtr& o : object.bounded_by) apply(writable(o), steps);
+  for (ObjectPtr& o : object.clipped_by) apply(writable(o), steps);
 }
 
-void move_shape(Object& object, const Moves& moves) {
+void move_shape(Object& object, const TransformSteps& steps) {
   if (auto* csg = std::get_if<Csg>(&object.shape)) {
-    if (csg->children.shared() || csg->children.postponed()) return csg->children.postpone(moves);
-    for (ObjectPtr& child : own_children(object)) apply(writable(child), moves);
+    if (csg->children.shared() || csg->children.postponed()) return csg->children.postpone(steps);
+    for (ObjectPtr& child : own_children(object)) apply(writable(child), steps);
   } else if (object.as<LightGroup>()) {
-    for (ObjectPtr& child : own_children(object)) apply(writable(child), moves);
+    for (ObjectPtr& child : own_children(object)) apply(writable(child), steps);
   } else if (auto* light = object.as<LightSource>()) {
-    move_light(*light, moves);
+    move_light(*light, steps);
   } else {
     std::size_t i = 0;
     if (!object.transform)
-      while (i < moves.size() && std::visit([&](auto& shape) { return absorb(shape, moves[i]); }, object.shape)) ++i;
-    if (i < moves.size()) moves.add_to(object.transform, i);
+      while (i < steps.size() && std::visit([&](auto& shape) { return absorb(shape, steps[i]); }, object.shape)) ++i;
+    if (i < steps.size()) steps.add_to(object.transform, i);
     if (object.as<std::shared_ptr<const JuliaFractal>>()) object.inverted = false;  // spec 04 section 8
   }
-  if (object.as<Sphere>()) moves.add_to(object.uv_transform, 0);
+  if (object.as<Sphere>()) steps.add_to(object.uv_transform, 0);
 }
 
-void move_bounds(Object& object, const Moves& moves) {
-  if (box_moves_stepwise(object)) {
-    for (std::size_t i = 0; i < moves.size(); ++i) object.bounds = transformed(object.bounds, moves[i].t);
+void move_bounds(Object& object, const TransformSteps& steps) {
+  if (box_steps(object)) {
+    for (std::size_t i = 0; i < steps.size(); ++i) object.bounds = transformed(object.bounds, steps[i].t);
   } else if (!object.as<LightSource>()) {
     object.bounds = bounds_from_numbers(object);
   }
@@ -297,16 +297,16 @@ void compute_bounds(Object& object) {
   }
 }
 
-Transform Moves::product(const Transform& before, std::size_t first) const {
+Transform TransformSteps::product(const Transform& before, std::size_t first) const {
   Transform result = before;
   for (std::size_t i = first; i < size_; ++i)
-    result = moves_[i]->step == Step::translate ? then_translated(result, moves_[i]->v) : result.then(moves_[i]->t);
+    result = steps_[i]->step == Step::translate ? then_translated(result, steps_[i]->v) : result.then(steps_[i]->t);
   return result;
 }
 
-void Moves::add_to(Rare<Transform>& total, std::size_t first) const {
+void TransformSteps::add_to(Rare<Transform>& total, std::size_t first) const {
   if (!total) {
-    if (!alone_[first]) alone_[first] = product(moves_[first]->t, first + 1);
+    if (!alone_[first]) alone_[first] = product(steps_[first]->t, first + 1);
     total = alone_[first];
   } else if (before_ && after_first_ == first && &*total == &*before_) {
     total = after_;
@@ -318,36 +318,36 @@ void Moves::add_to(Rare<Transform>& total, std::size_t first) const {
   }
 }
 
-void apply(Object& object, const Moves& moves) {
+void apply(Object& object, const TransformSteps& steps) {
   refit_clipped_quadric(object);
-  move_shape(object, moves);
-  move_bounds(object, moves);
-  move_guards(object, moves);
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    if (!object.uv_mapping) move_textures(object, moves[i].t);
-    object.interior = transformed(object.interior, moves[i].t);
+  move_shape(object, steps);
+  move_bounds(object, steps);
+  move_guards(object, steps);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (!object.uv_mapping) move_textures(object, steps[i].t);
+    object.interior = transformed(object.interior, steps[i].t);
   }
 }
 
 void translate(Object& object, const Vec3& v) {
-  Moves moves;
-  moves.translate(v);
-  apply(object, moves);
+  TransformSteps steps;
+  steps.translate(v);
+  apply(object, steps);
 }
 void scale(Object& object, const Vec3& s) {
-  Moves moves;
-  moves.scale(s);
-  apply(object, moves);
+  TransformSteps steps;
+  steps.scale(s);
+  apply(object, steps);
 }
 void rotate(Object& object, const Vec3& degrees) {
-  Moves moves;
-  moves.rotate(degrees);
-  apply(object, moves);
+  TransformSteps steps;
+  steps.rotate(degrees);
+  apply(object, steps);
 }
 void transform(Object& object, const Transform& t) {
-  Moves moves;
-  moves.transform(t);
-  apply(object, moves);
+  TransformSteps steps;
+  steps.transform(t);
+  apply(object, steps);
 }
 
 void invert(Object& object) {

@@ -226,7 +226,7 @@ struct PhotonFlags {
 
 struct Object {
   Shape shape;
-  Place place;
+  SourceLocation place;
   Rare<Transform> transform;     // of shapes that carry a matrix (spec 03 section 1)
   Rare<Transform> uv_transform;  // accumulated for the uv mapping of spheres
   Bounds bounds;
@@ -236,7 +236,7 @@ struct Object {
   TexturePtr texture, interior_texture;
   // What moved the top layer since it is of a solid colour: a pattern that takes its place while the object is read has
   // gone that way, too (spec 08 E).
-  Rare<Transform> solid_moves;
+  Rare<Transform> solid_steps;
   InteriorPtr interior;
   bool inverted = false;
   bool copied = false;            // made from another object, not written in place

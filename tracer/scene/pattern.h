@@ -10,7 +10,7 @@
 
 #include "tracer/math/color.h"
 #include "tracer/math/transform.h"
-#include "tracer/scene/place.h"
+#include "tracer/scene/source_location.h"
 #include "tracer/scene/sharing.h"
 
 namespace verisim {

@@ -32,7 +32,7 @@ struct SkySphere {
 
 struct Radiosity {  // spec 07 section 2
   bool enabled = false;
-  Place place;
+  SourceLocation place;
   double pretrace_start = 0.08, pretrace_end = 0.04, error_bound = 1.8, low_error_factor = 0.5, gray_threshold = 0,
          minimum_reuse = 0.015, maximum_reuse = 0.2, max_sample = -1, brightness = 1, adc_bailout = 0.01,
          default_importance = 1;
@@ -44,7 +44,7 @@ struct Radiosity {  // spec 07 section 2
 
 struct Photons {  // spec 07 section 3
   bool enabled = false;
-  Place place;
+  SourceLocation place;
   double spacing = 1;
   int count = 0, gather_min = 20, gather_max = 100, max_trace_level = -1, media_count = 0;
   double media_factor = 1, jitter = 0.4, autostop = 0.5, radius = 0, radius_gather_multiplier = 1, media_radius = 0,

@@ -51,7 +51,7 @@ struct Finish {  // spec 06 section 4.1; albedo forms are already scaled
   float irid = 0, irid_thickness = 0, irid_turbulence = 0;
   bool conserve_energy = false;
   bool subsurface = false;
-  Place place;  // of subsurface{}
+  SourceLocation place;  // of subsurface{}
   Rgb translucency, anisotropy;
   // Legacy keywords, moved into the interior when the scene is finished (spec 06 6.6).
   std::optional<float> ior, caustics, refraction;
@@ -83,7 +83,7 @@ struct Density {
 using DensityPtr = std::shared_ptr<const Density>;
 
 struct Media {  // spec 07
-  Place place;
+  SourceLocation place;
   int method = 3, intervals = 1, samples_min = 10, samples_max = 10,
       aa_level = 3;  // of #version 3.5 and later (spec 07 4.1)
   double aa_threshold = 0.1, ratio = 0.9, confidence = 0.9, variance = 1.0 / 128, jitter = 0;

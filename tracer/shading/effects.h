@@ -29,7 +29,7 @@ struct LayerContext {
 };
 
 // A ray on its way through containers, up to a surface.
-struct ContainerStretch {
+struct ContainerInterval {
   Ray ray;
   double length;
   const shapes::Surface* end;
@@ -57,7 +57,7 @@ class Effects {
   virtual void container_media(Tracer&, const RayState&, double /*length*/, const shapes::Surface& /*end*/,
                                Color&) const {}
   // The same for several rays that are like `common` but for their ways and weights.
-  virtual void container_media(Tracer&, const RayState& /*common*/, std::span<const ContainerStretch>) const {}
+  virtual void container_media(Tracer&, const RayState& /*common*/, std::span<const ContainerInterval>) const {}
   // Atmospheric media over any segment of a hollow ray; `end` is null when it hits nothing.
   virtual void atmosphere_media(Tracer&, const RayState&, double /*length*/, const shapes::Surface* /*end*/,
                                 Color&) const {}

@@ -12,7 +12,7 @@ struct InteriorRange {
 };
 
 // What a radiosity ray learns on its way of the samples that are asked for along it.
-struct GatherNotes {
+struct FinalGatherNotes {
   float quality = 1;  // the worst of the answers
   // Of what the last ray of the last sample that was taken on the way hit first; below 0: none was taken. POV-Ray
   // weighs a ray by it (measured with 3.7.0.10).
@@ -36,7 +36,7 @@ struct RayState {
   int level_limit = 5;  // max_trace_level, or what a gather ray is allowed
   // Radiosity bookkeeping of whoever started this ray; inherited by all descendants.
   int gather_depth = 0;
-  GatherNotes* notes = nullptr;
+  FinalGatherNotes* notes = nullptr;
 
   // Of the surface that it meets, 1 for what the camera sees: max_trace_level counts these.
   int surface_level() const { return level + (continuation ? 0 : 1); }

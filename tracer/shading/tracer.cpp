@@ -26,10 +26,11 @@ Tracer::Tracer(const SceneData& scene, const RandomSource& random, const std::at
       coherent_(scene.world),
       effects_state_(scene.effects ? scene.effects->make_state() : nullptr) {
   const bool media = scene.effects && (scene.effects->media_in_interiors || scene.effects->atmosphere);
-  lights_in_rows_ = scene.quality >= 4 && !in_order_ && !scene.world.has_transparent_shadows();
+  lights_in_batches_ = scene.quality >= 4 && !in_order_ && !scene.world.has_transparent_shadows();
   for (std::size_t i = 0; i < scene.global_lights(); ++i) {
     const Light& light = scene.lights()[i];
-    lights_in_rows_ = lights_in_rows_ && !light.projector() && !((scene.fog || media) && light.media_attenuation());
+    lights_in_batches_ =
+        lights_in_batches_ && !light.projector() && !((scene.fog || media) && light.media_attenuation());
     area_lights_ = area_lights_ || light.area() || light.area_illumination();
   }
   has_volumes_ =

@@ -24,7 +24,7 @@ namespace verisim::shading {
 // The render was cancelled while a ray was being traced.
 struct Cancelled {};
 
-struct ShadowRow;
+struct ShadowBatch;
 struct ShadowRays;
 enum class LightWay : unsigned char;
 
@@ -105,12 +105,12 @@ class Tracer {
   Rgb layer_response(const SurfaceHit& at, const LayerContext& layer, const Vec3& view, const Vec3& l,
                      const Rgb& intensity, float diffuse, bool highlights);
 
-  // Filters the light of all rays of a row; `eye`: the ray that asks, but for its own way and weight.
-  void cast_shadows(const Light& light, const RayState& eye, ShadowRow& row);
+  // Filters the light of all rays of a batch; `eye`: the ray that asks, but for its own way and weight.
+  void cast_shadows(const Light& light, const RayState& eye, ShadowBatch& batch);
   // Whether anything is in the way of shadow rays, `rays` with the distances of the light, as far as that may be known
   // without filtering any light and drawing any number: where nothing but opaque objects can be met. The others stay
   // unknown.
-  void look_for_light(const Light& light, const RayState& eye, const RayRow& rays, const double* distance, int count,
+  void look_for_light(const Light& light, const RayState& eye, const RayBatch& rays, const double* distance, int count,
                       LightWay* ways);
 
   const SceneData& scene() const { return scene_; }
@@ -143,7 +143,7 @@ class Tracer {
   bool all_hollow(const InteriorRange& range) const;
 
  private:
-  friend class Wave;              // camera rays shaded together
+  friend class Wavefront;         // camera rays shaded together
   friend class PhotonWalk;        // photons cross surfaces by the same rules
   friend class path::PathTracer;  // and so do paths
   struct Frame {                  // enclosing patterned textures, innermost first
@@ -250,12 +250,12 @@ class Tracer {
   // Where shadow rays from p to this light start in the world; null: nothing is known.
   accel::WorldEntry* shadow_entry(const ShadowQuery& query, const Vec3& p);
   static accel::CoherentRays::Viewer viewer(const ShadowQuery& query);
-  // ---- shadow_row.cpp
+  // ---- shadow_batch.cpp
   bool rays_alone(const Light& light, const RayState& eye) const;
   template <class Opaque, class Mixed>
-  void by_cells(const Light& light, const RayState& eye, const ShadowRays& row, Opaque&& opaque, Mixed&& mixed);
+  void by_cells(const Light& light, const RayState& eye, const ShadowRays& batch, Opaque&& opaque, Mixed&& mixed);
   void filter_row(const Light& light, const RayState& eye, const accel::WorldEntry* entry, const int* index, int count,
-                  ShadowRow& row);
+                  ShadowBatch& batch);
   bool filter_through(const ShadowQuery& query, const RayState& ray, const shapes::Hit& hit, Rgb& color);
   Rgb texture_filter(SurfaceHit& at, const textures::CompiledTexture& texture, const Vec3& p, const Vec3& towards,
                      const Frame* frame);
@@ -266,8 +266,8 @@ class Tracer {
   struct AreaGrid;
   Rgb area_corner(AreaGrid& grid, int u, int v);
   Rgb area_region(AreaGrid& grid, int u1, int v1, int u2, int v2, int depth);
-  Rgb area_sample(const AreaGrid& grid, int column, int row);
-  void ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> rows);
+  Rgb area_sample(const AreaGrid& grid, int column, int batch);
+  void ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> batches);
   void ask_first_corners(const AreaGrid& grid);
 
   const SceneData& scene_;
@@ -281,7 +281,7 @@ class Tracer {
   int nesting_ = 0;
   bool pretrace_ = false;
   bool has_volumes_;  // in the air
-  bool lights_in_rows_, area_lights_ = false;
+  bool lights_in_batches_, area_lights_ = false;
   std::vector<const scene::Interior*> interiors_;
   std::size_t camera_interiors_ = 0;
   bool camera_interiors_known_ = false;
@@ -294,7 +294,7 @@ class Tracer {
   };
   LastBlockers last_blockers_;
   std::vector<CornerResult> corners_;
-  Shuffle area_rows_, area_columns_;
+  Shuffle area_batches_, area_columns_;
   std::vector<int>
       area_lines_[2];  // the columns and rows that the quartering of a grid of these sizes and levels asks for first
   std::array<int, 3> area_lines_of_{};

@@ -1,14 +1,14 @@
-// Solids that a ray crosses in one stretch, for the objects that are cut out of them: outside that stretch nothing of
+// Solids that a ray crosses in one interval, for the objects that are cut out of them: outside that interval nothing of
 // what else the object is made of shows.
 #pragma once
 
 #include <limits>
 
-#include "tracer/math/ray_row.h"
+#include "tracer/math/ray_batch.h"
 
 namespace verisim::shapes {
 
-struct Crossings {
+struct Intersections {
   // Where points of the ray may be inside; what lies at other distances, the solid's inside test refuses, even where
   // points are off the ray by PlaneSet::doubt_at.
   double near = -std::numeric_limits<double>::infinity(), far = std::numeric_limits<double>::infinity();
@@ -21,11 +21,11 @@ struct Crossings {
 
 class Convex {
  public:
-  // False: a ray may cross it in several stretches, or only parts of it are left.
+  // False: a ray may cross it in several intervals, or only parts of it are left.
   virtual bool crossed_once() const = 0;
-  virtual Crossings cross(const Ray& ray) const = 0;
-  // The same of the rays of `asked`.
-  virtual void cross_lanes(const RayLanes& rays, Crossings* crossings) const = 0;
+  virtual Intersections cross(const Ray& ray) const = 0;
+  // The same of the rays of `active`.
+  virtual void cross_packet(const RayPacket& rays, Intersections* intersections) const = 0;
 
  protected:
   ~Convex() = default;

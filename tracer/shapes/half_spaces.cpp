@@ -9,7 +9,7 @@ namespace {
 // Hits are at most this far away (spec 03 4.5).
 constexpr double kFarthest = 1e7;
 // Of more half spaces only the axis-parallel ones count: there are too many triples.
-constexpr std::size_t kMost = 24;
+constexpr std::size_t kMax = 24;
 constexpr double kSteepest = 1e6;
 
 // One direction of one axis, as a bound from above.
@@ -64,7 +64,7 @@ Box3 narrowed(const Box3& known, std::span<const HalfSpace> half_spaces) {
       oblique = true;
     }
   }
-  if (!oblique || planes.size() + 6 > kMost) return box;
+  if (!oblique || planes.size() + 6 > kMax) return box;
   for (const Side& side : kSides) {
     if (!std::isfinite(side.bound(box))) continue;
     Vec3 normal(0);

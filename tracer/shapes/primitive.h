@@ -2,10 +2,11 @@
 // small file.
 //
 // A shape `class Torus final : public Primitive<Torus>` writes
-//   template <class Sink> void crossings(const Ray& ray, Sink& sink) const;   // calls sink.add for every hit within
-//   its limits bool contains(const Vec3& p) const;                                       // the formula of its inside,
-//   not inverted Vec3 raw_normal(const Hit& hit) const;                                    // unit length, not inverted
-// and passes its own box to the constructor. `crossings` is a template, so "all hits" and "the nearest hit" are
+//   template <class Sink> void intersections(const Ray& ray, Sink& sink) const;   // calls sink.add for every hit
+//   within its limits bool contains(const Vec3& p) const;                                       // the formula of its
+//   inside, not inverted Vec3 geometric_normal(const Hit& hit) const;                                    // unit
+//   length, not inverted
+// and passes its own box to the constructor. `intersections` is a template, so "all hits" and "the nearest hit" are
 // compiled from the same code; where all hits are expensive it may ask `Sink::kNearest` and stop after an accepted hit
 // when it finds hits in increasing distance.
 #pragma once
@@ -32,7 +33,7 @@ struct Guards {
   // The ray meets every bounding object in front, or starts inside it (spec 03 2.1).
   bool admit(const Ray& ray) const;
   // The lanes that are admitted.
-  unsigned admit(const RayLanes& rays) const;
+  unsigned admit(const RayPacket& rays) const;
 };
 
 // The clip objects of the unions that a shape is part of, innermost first.
@@ -145,37 +146,37 @@ class Primitive : public Shape {
   void intersect_all(const Ray& ray, RayKind, HitList& hits) const final {
     if (guards_ && !guards_->admit(ray)) return;
     AllHits sink(*this, guards_.get(), hits);
-    derived().crossings(ray, sink);
+    derived().intersections(ray, sink);
   }
   void intersect_between(const Ray& ray, RayKind, double from, double to, HitList& hits) const final {
     if (guards_ && !guards_->admit(ray)) return;
     AllHits sink(*this, guards_.get(), hits, from, to);
-    derived().crossings(ray, sink);
+    derived().intersections(ray, sink);
   }
   bool intersect(const Ray& ray, RayKind, double t_min, double t_max, Hit& hit) const final {
     if (guards_ && !guards_->admit(ray)) return false;
     NearestHit sink(*this, guards_.get(), t_min, t_max, hit);
-    derived().crossings(ray, sink);
+    derived().intersections(ray, sink);
     return sink.found();
   }
   bool intersect_clipped(const Ray& ray, RayKind, double t_min, double t_max, const Clips& clips,
                          Hit& hit) const final {
     if (guards_ && !guards_->admit(ray)) return false;
     NearestHit sink(*this, guards_.get(), t_min, t_max, hit, false, &clips);
-    derived().crossings(ray, sink);
+    derived().intersections(ray, sink);
     return sink.found();
   }
   bool occludes(const Ray& ray, double t_min, double t_max) const final {
     if (guards_ && !guards_->admit(ray)) return false;
     Hit hit;
     NearestHit sink(*this, guards_.get(), t_min, t_max, hit, true);
-    derived().crossings(ray, sink);
+    derived().intersections(ray, sink);
     return sink.found();
   }
   bool inside(const Vec3& p) const final { return (!guards_ || guards_->contain(p)) && derived().formula(p); }
   bool inside_unclipped(const Vec3& p) const final { return derived().formula(p); }
   Vec3 normal(const Hit& hit) const final {
-    const Vec3 n = derived().raw_normal(hit);
+    const Vec3 n = derived().geometric_normal(hit);
     return inverted_ ? -n : n;
   }
   Box3 bounds() const final { return cold_->bounds; }
@@ -190,12 +191,12 @@ class Primitive : public Shape {
   bool inverted() const { return inverted_; }
   bool has_matrix() const { return has_matrix_; }
   const Guards* guards() const { return guards_.get(); }
-  // The nearest hit of those that crossings(sink) reports; `any`: the first.
-  template <class Crossings>
-  bool nearest_of(const Ray& ray, double t_min, double t_max, Hit& hit, bool any, Crossings&& crossings) const {
+  // The nearest hit of those that intersections(sink) reports; `any`: the first.
+  template <class Intersections>
+  bool nearest_of(const Ray& ray, double t_min, double t_max, Hit& hit, bool any, Intersections&& intersections) const {
     if (guards_ && !guards_->admit(ray)) return false;
     NearestHit sink(*this, guards_.get(), t_min, t_max, hit, any);
-    crossings(sink);
+    intersections(sink);
     return sink.found();
   }
   const Transform& matrix() const { return *matrix_; }

@@ -37,7 +37,7 @@ double lathe_value(const std::vector<Vec2>& points, const Vec3& p) {
   return r - at(0, low);
 }
 
-// The square of the radius is a cubic in each stretch (spec 03 4.16).
+// The square of the radius is a cubic in each interval (spec 03 4.16).
 double sor_value(const std::vector<Vec2>& points, const Vec3& p) {
   const std::size_t last = points.size() - 2;
   std::size_t i = 1;

@@ -1,4 +1,4 @@
-// A stretch of a list that this thread keeps: queries nest, and each takes the end of one growing list, so nothing is
+// A interval of a list that this thread keeps: queries nest, and each takes the end of one growing list, so nothing is
 // allocated per ray once it has grown.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace verisim::shapes {
 
-// `Tag` keeps lists of the same type apart. Elements may only be added while no later stretch of the same list is in
+// `Tag` keeps lists of the same type apart. Elements may only be added while no later interval of the same list is in
 // use.
 template <class T, class Tag = T>
 class Scratch {

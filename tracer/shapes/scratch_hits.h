@@ -1,5 +1,5 @@
-// A stretch of this thread's hit list: queries nest (clips, bounds, CSG) and each takes the end of one growing list, so
-// nothing is allocated per ray.
+// A interval of this thread's hit list: queries nest (clips, bounds, CSG) and each takes the end of one growing list,
+// so nothing is allocated per ray.
 #pragma once
 
 #include "tracer/shapes/shape.h"

@@ -77,10 +77,10 @@ bool Shape::occludes(const Ray& ray, double t_min, double t_max) const {
   return intersect(ray, RayKind::shadow, t_min, t_max, hit);
 }
 
-unsigned Shape::intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                                const double* t_max, Hit* hits) const {
+unsigned Shape::intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                                 const double* t_max, Hit* hits) const {
   unsigned found = 0;
-  each_lane(rays.asked, [&](int k) {
+  each_lane(rays.active, [&](int k) {
     const Ray ray = rays.at(k);
     if (entry ? intersect_from(*entry, ray, kind, t_min, t_max[k], hits[k])
               : intersect(ray, kind, t_min, t_max[k], hits[k]))
@@ -89,10 +89,10 @@ unsigned Shape::intersect_lanes(const RayLanes& rays, const accel::EntryPoints* 
   return found;
 }
 
-unsigned Shape::occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                               const double* t_max) const {
+unsigned Shape::occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                                const double* t_max) const {
   unsigned found = 0;
-  each_lane(rays.asked, [&](int k) {
+  each_lane(rays.active, [&](int k) {
     const Ray ray = rays.at(k);
     if (entry ? occludes_from(*entry, ray, t_min, t_max[k]) : occludes(ray, t_min, t_max[k])) found |= 1u << k;
   });
@@ -118,17 +118,17 @@ bool Guards::admit(const Ray& ray) const {
   return true;
 }
 
-unsigned Guards::admit(const RayLanes& rays) const {
-  double limits[RayLanes::kCount];
-  std::fill_n(limits, RayLanes::kCount, kLargestDistance);
-  unsigned admitted = rays.asked;
+unsigned Guards::admit(const RayPacket& rays) const {
+  double limits[RayPacket::kCount];
+  std::fill_n(limits, RayPacket::kCount, kLargestDistance);
+  unsigned admitted = rays.active;
   for (const auto& bound : bounds) {
     unsigned within = 0;
     each_lane(admitted, [&](int k) { within |= bound->inside(rays.rays.origin.at(rays.first + k)) ? 1u << k : 0; });
-    Hit hits[RayLanes::kCount];
-    if (const unsigned asked = admitted & ~within; asked != 0)
-      within |= bound->intersect_lanes({rays.rays, rays.first, asked}, nullptr, RayKind::query, kSmallestDistance,
-                                       limits, hits);
+    Hit hits[RayPacket::kCount];
+    if (const unsigned active = admitted & ~within; active != 0)
+      within |= bound->intersect_packet({rays.rays, rays.first, active}, nullptr, RayKind::query, kSmallestDistance,
+                                        limits, hits);
     admitted &= within;
   }
   return admitted;

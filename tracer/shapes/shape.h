@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tracer/math/ray_row.h"
+#include "tracer/math/ray_batch.h"
 #include "tracer/scene/solid.h"
 #include "tracer/shapes/simple_solid.h"
 
@@ -90,10 +90,10 @@ class Shape : public scene::Solid {
   }
   // intersect and occludes for several rays: of lane k as far as t_max[k], all of which may be read; the lanes that are
   // hit. `entry`: of a shaft that holds them, or null. The defaults ask one ray after another.
-  virtual unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                                   const double* t_max, Hit* hits) const;
-  virtual unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                                  const double* t_max) const;
+  virtual unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                                    const double* t_max, Hit* hits) const;
+  virtual unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                                   const double* t_max) const;
   // Formula (inverted where the object is), then clip objects.
   bool inside(const Vec3& p) const override = 0;
   // The same without the object's own clips: cutaway_textures and the camera's containers ask this (spec 03 2.6, 5.3).

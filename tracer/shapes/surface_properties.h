@@ -1,5 +1,5 @@
 // What every surface promises under any transformation: 100 random ones with 100 random rays each. Every hit satisfies
-// the surface's equation, its normal is the gradient, and crossings of a solid separate inside from outside.
+// the surface's equation, its normal is the gradient, and intersections of a solid separate inside from outside.
 #pragma once
 
 #include <algorithm>

@@ -106,7 +106,7 @@ inline void expect_extent(const ObjectRef& object, const Vec3& low, const Vec3& 
 }
 
 // What every solid promises, on random rays: nearest and all-hits queries agree, every hit is where `distance` says the
-// surface is, the normal is unit length, and crossings come in pairs that separate inside from outside.
+// surface is, the normal is unit length, and intersections come in pairs that separate inside from outside.
 struct SolidChecks {
   std::function<double(const Vec3&)> residual;  // zero on the surface, about the distance near it
   double tolerance = 1e-6;

@@ -1,12 +1,12 @@
-// The base of primitives that keep a box tree: rays of a shaft start where the shaft enters it.
+// The base of primitives that keep a BVH: rays of a shaft start where the shaft enters it.
 //
 // Beside what a Primitive writes, a shape `class Mesh final : public TreePrimitive<Mesh>` writes
-//   template <class Sink> void crossings(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const;
-//   const accel::BoxTree& tree() const;
+//   template <class Sink> void intersections(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr)
+//   const; const accel::Bvh& tree() const;
 // and, if its tree lives in another space than Primitive::local, turned() and to_tree().
 #pragma once
 
-#include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/bvh.h"
 #include "tracer/bvh/shaft.h"
 #include "tracer/shapes/primitive.h"
 
@@ -27,12 +27,12 @@ class TreePrimitive : public Primitive<Derived> {
   bool intersect_from(const accel::EntryPoints& entry, const Ray& ray, RayKind, double t_min, double t_max,
                       Hit& hit) const final {
     return this->nearest_of(ray, t_min, t_max, hit, false,
-                            [&](NearestHit& sink) { derived().crossings(ray, sink, &entry); });
+                            [&](NearestHit& sink) { derived().intersections(ray, sink, &entry); });
   }
   bool occludes_from(const accel::EntryPoints& entry, const Ray& ray, double t_min, double t_max) const final {
     Hit hit;
     return this->nearest_of(ray, t_min, t_max, hit, true,
-                            [&](NearestHit& sink) { derived().crossings(ray, sink, &entry); });
+                            [&](NearestHit& sink) { derived().intersections(ray, sink, &entry); });
   }
 
   // Whether the tree's space is not the world, and where a point of the world lies in it.

@@ -17,8 +17,8 @@ struct CompiledNormal;   // normal.h
 struct CompiledTexture;
 
 // What slope, aoi, uv_mapping and object patterns need to know of the hit. `normal` is POV-Ray's "perturbed normal" of
-// the intersection: it starts as the raw normal turned towards the ray and every normal evaluation overwrites it (spec
-// 05 3.4).
+// the intersection: it starts as the geometric normal turned towards the ray and every normal evaluation overwrites it
+// (spec 05 3.4).
 struct SurfacePoint {
   Vec3 point;   // the hit, unwarped
   Vec3 normal;  // in and out

@@ -62,20 +62,20 @@ Vec3 project(const ProjectionStep& w, const Vec3& p) {
   if (w.kind == planar) return orient(w.orientation, p.x, p.y, w.offset);
   const double radius = std::sqrt(p.x * p.x + p.z * p.z);
   const double q = w.distance_exponent;
-  const auto stretch = [q](double distance) {
+  const auto interval = [q](double distance) {
     if (q == 0) return 1.0;
     return q == 1 ? distance : std::pow(distance, q);
   };
   switch (w.kind) {
     case cylindrical: {
       if (radius == 0) return p;
-      return orient(w.orientation, turn(p.x, p.z, radius) * stretch(radius), p.y, radius);
+      return orient(w.orientation, turn(p.x, p.z, radius) * interval(radius), p.y, radius);
     }
     case spherical: {
       const double distance = length(p);
       if (distance == 0) return p;
       const double phi = 0.5 + std::asin(std::clamp(p.y / distance, -1.0, 1.0)) / std::numbers::pi;
-      return orient(w.orientation, turn(p.x, p.z, radius) * stretch(distance), phi * stretch(distance), distance);
+      return orient(w.orientation, turn(p.x, p.z, radius) * interval(distance), phi * interval(distance), distance);
     }
     default: {
       if (radius == 0) return p;
@@ -83,7 +83,7 @@ Vec3 project(const ProjectionStep& w, const Vec3& p) {
       const double rho = std::sqrt(x * x + p.y * p.y);
       double phi = rho == 0 ? 0 : std::acos(std::clamp(-x / rho, -1.0, 1.0));
       if (p.y > 0) phi = kTwoPi - phi;
-      return orient(w.orientation, turn(p.x, p.z, radius) * stretch(rho), phi / kTwoPi * stretch(rho), rho);
+      return orient(w.orientation, turn(p.x, p.z, radius) * interval(rho), phi / kTwoPi * interval(rho), rho);
     }
   }
 }
@@ -104,7 +104,9 @@ Vec3 unfold_cube(const Vec3& p) {
 struct Walk {
   Vec3 p;
   void operator()(const AffineStep& s) {
-    const auto to = [&](int k) { return p.x * s.row[0][k] + p.y * s.row[1][k] + p.z * s.row[2][k] + s.row[3][k]; };
+    const auto to = [&](int k) {
+      return p.x * s.batch[0][k] + p.y * s.batch[1][k] + p.z * s.batch[2][k] + s.batch[3][k];
+    };
     p = Vec3(to(0), to(1), to(2));
   }
   void operator()(const TurbulenceStep&) {}
@@ -120,7 +122,7 @@ struct Append {
     if (t.is_identity()) return;
     AffineStep step{};
     for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 3; ++j) step.row[i][j] = t.inv[i][j];
+      for (int j = 0; j < 3; ++j) step.batch[i][j] = t.inv[i][j];
     if (!chain.transforms && chain.rest.empty()) {
       chain.transforms = true;
       chain.first = step;

@@ -9,7 +9,7 @@
 
 #include <memory>
 
-#include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/bvh.h"
 #include "tracer/bvh/shaft.h"
 #include "tracer/world/world.h"
 
@@ -35,12 +35,12 @@ class CoherentRays {
   template <class ShaftOf>
   const WorldEntry* camera(double x, double y, ShaftOf&& shaft_of) {
     int count = 1;
-    return camera_row(x, y, count, shaft_of);
+    return camera_batch(x, y, count, shaft_of);
   }
   // The same for pixels (x, y), (x + 1, y) ..., `count` of them at most; sets it to the number of those that this entry
   // serves.
   template <class ShaftOf>
-  const WorldEntry* camera_row(double x, double y, int& count, ShaftOf&& shaft_of);
+  const WorldEntry* camera_batch(double x, double y, int& count, ShaftOf&& shaft_of);
 
   // Side of the squares of pixels that share an entry; the first of them begins at pixel 0.
   static constexpr int camera_tile() { return kTile; }
@@ -138,20 +138,20 @@ CoherentRays::Slot& CoherentRays::Table<kSlots>::find(const Key& key, std::size_
 }
 
 template <class ShaftOf>
-const WorldEntry* CoherentRays::camera_row(double x, double y, int& count, ShaftOf&& shaft_of) {
+const WorldEntry* CoherentRays::camera_batch(double x, double y, int& count, ShaftOf&& shaft_of) {
   if (camera_.kind == CameraCoherence::Kind::none || tile_worth_.paused()) return nullptr;
   // Positions are within a pixel of the picture, which has fewer than 2^30 pixels a side.
-  const int column = static_cast<int>(x + (kTile + 0.5)) / kTile, row = static_cast<int>(y + (kTile + 0.5)) / kTile;
+  const int column = static_cast<int>(x + (kTile + 0.5)) / kTile, batch = static_cast<int>(y + (kTile + 0.5)) / kTile;
   count = std::min(count, (column + 1) * kTile - static_cast<int>(x + (kTile + 0.5)));
   tile_worth_.used += static_cast<std::uint32_t>(count);
-  if (column == last_column_ && row == last_row_) return last_tile_;
-  last_column_ = column, last_row_ = row;
+  if (column == last_column_ && batch == last_row_) return last_tile_;
+  last_column_ = column, last_row_ = batch;
   bool known;
   Slot& slot =
-      tiles_.find({{column, row, 0}, 0}, static_cast<std::size_t>(column % kTiles + row % kTiles * kTiles), known);
+      tiles_.find({{column, batch, 0}, 0}, static_cast<std::size_t>(column % kTiles + batch % kTiles * kTiles), known);
   if (known) return last_tile_ = slot.usable ? &slot.entry : nullptr;
   tile_worth_.count_built();
-  const double left = (column - 1) * kTile - 0.5, top = (row - 1) * kTile - 0.5, margin = 1e-3;
+  const double left = (column - 1) * kTile - 0.5, top = (batch - 1) * kTile - 0.5, margin = 1e-3;
   return last_tile_ =
              remember(slot, shaft_of(left - margin, top - margin, left + kTile + margin, top + kTile + margin));
 }

@@ -228,10 +228,10 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     else
       w.add_beside_tree(i, w.entries[i]);
   }
-  w.find_rooms();
-  w.tree = BoxTree(boxes);
+  w.find_enclosures();
+  w.tree = Bvh(boxes);
   std::erase_if(boxes, [](const Box3& box) { return is_empty(box) || !is_finite(box); });
-  if (boxes.size() == w.bounded.size() && boxes.size() <= shapes::BoxSet::kMost) w.few = shapes::BoxSet(boxes);
+  if (boxes.size() == w.bounded.size() && boxes.size() <= shapes::BoxSet::kMax) w.few = shapes::BoxSet(boxes);
 }
 
 void World::Impl::add_beside_tree(std::uint32_t index, const Entry& e) {
@@ -240,13 +240,13 @@ void World::Impl::add_beside_tree(std::uint32_t index, const Entry& e) {
 }
 
 void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std::uint32_t>& beside) {
-  constexpr std::size_t kMost = 4;
+  constexpr std::size_t kMax = 4;
   constexpr double kFar = 3;  // times the size of all others
   std::vector<std::uint32_t> largest(finite);
   std::copy_if(beside.begin(), beside.end(), std::back_inserter(largest),
                [&](std::uint32_t i) { return !entries[i].test_box && is_finite(entries[i].shape->bounds()); });
   if (largest.size() < 2) return;
-  const std::size_t most = std::min(kMost, largest.size() - 1);
+  const std::size_t most = std::min(kMax, largest.size() - 1);
   const auto size = [&](std::uint32_t i) { return length(entries[i].box.max - entries[i].box.min); };
   std::partial_sort(largest.begin(), largest.begin() + static_cast<std::ptrdiff_t>(most), largest.end(),
                     [&](std::uint32_t a, std::uint32_t b) { return size(a) > size(b); });
@@ -258,9 +258,9 @@ void World::Impl::set_apart(std::vector<std::uint32_t>& finite, std::vector<std:
     for (std::size_t k = 0; k < count; ++k) {
       const Entry& e = entries[largest[k]];
       const Box3 surface = e.shape->bounds();
-      const auto room = shapes::Hollow::of(*e.object);
-      if (room && room->holds(wide) && contains(e.box, surface.min) && contains(e.box, surface.max))
-        around.push_back({largest[k], *room});
+      const auto enclosure = shapes::InteriorProxy::of(*e.object);
+      if (enclosure && enclosure->holds(wide) && contains(e.box, surface.min) && contains(e.box, surface.max))
+        around.push_back({largest[k], *enclosure});
     }
     if (around.size() < count) around.clear();
   }
@@ -272,24 +272,26 @@ Box3 World::Impl::add_bounded(std::uint32_t index, const Entry& e) {
   return e.test_surface && !e.test_box ? e.shape->bounds() : tight_box(e.box, e.shape->bounds());
 }
 
-void World::Impl::find_rooms() {
-  constexpr std::size_t kMost = 8;  // each may be looked at for every shaft
-  only_rooms = true;
+void World::Impl::find_enclosures() {
+  constexpr std::size_t kMax = 8;  // each may be looked at for every shaft
+  only_enclosures = true;
   for (std::uint32_t i = 0; i < entries.size(); ++i) {
     if (!lets_light_through(entries[i])) continue;
-    const auto hollow = shapes::Hollow::of(*entries[i].object);
-    const bool is_room = hollow && rooms.size() < kMost &&
-                         std::any_of(lights.begin(), lights.end(),
-                                     [&](const scene::LightSource* light) { return hollow->holds(light->position); });
-    if (is_room) rooms.push_back({i, *hollow});
-    only_rooms = only_rooms && is_room;
+    const auto proxy = shapes::InteriorProxy::of(*entries[i].object);
+    const bool is_enclosure = proxy && enclosures.size() < kMax &&
+                              std::any_of(lights.begin(), lights.end(), [&](const scene::LightSource* light) {
+                                return proxy->holds(light->position);
+                              });
+    if (is_enclosure) enclosures.push_back({i, *proxy});
+    only_enclosures = only_enclosures && is_enclosure;
   }
 }
 
 bool World::Impl::seems_opaque(std::uint32_t entry, const Shaft& shaft) const {
   if (!lets_light_through(entries[entry])) return true;
-  const auto room = std::find_if(rooms.begin(), rooms.end(), [&](const Room& r) { return r.entry == entry; });
-  return room != rooms.end() && room->hollow.holds(shaft.from()) && room->hollow.holds(shaft.to());
+  const auto enclosure =
+      std::find_if(enclosures.begin(), enclosures.end(), [&](const Enclosure& r) { return r.entry == entry; });
+  return enclosure != enclosures.end() && enclosure->proxy.holds(shaft.from()) && enclosure->proxy.holds(shaft.to());
 }
 
 World::~World() = default;
@@ -350,14 +352,15 @@ void World::enter(const Shaft& shaft, WorldEntry& entry) const {
   }
   for (const std::uint32_t i : w.unbounded) opaque = opaque && w.seems_opaque(i, shaft);
   for (const Surrounding& s : w.around)
-    opaque = opaque && (w.seems_opaque(s.entry, shaft) || (s.room.holds(shaft.from()) && s.room.holds(shaft.to())));
+    opaque = opaque &&
+             (w.seems_opaque(s.entry, shaft) || (s.enclosure.holds(shaft.from()) && s.enclosure.holds(shaft.to())));
   entry.only_opaque = opaque || !w.transparent_shadows;
 }
 
-const BoxTree& World::tree() const { return impl_->tree; }
+const Bvh& World::tree() const { return impl_->tree; }
 
-std::vector<std::pair<scene::Place, std::string>> World::findings() const {
-  std::vector<std::pair<scene::Place, std::string>> result;
+std::vector<std::pair<scene::SourceLocation, std::string>> World::findings() const {
+  std::vector<std::pair<scene::SourceLocation, std::string>> result;
   for (const Entry& e : impl_->entries)
     if (std::string text = e.copied ? std::string() : e.shape->finding(); !text.empty())
       result.emplace_back(e.object->place, std::move(text));
@@ -368,8 +371,9 @@ bool World::has_transparent_shadows() const { return impl_->transparent_shadows;
 bool World::filters_twice() const { return impl_->filters_twice; }
 
 bool World::only_opaque_between(const Vec3& from, const Vec3& to) const {
-  return impl_->only_rooms && std::all_of(impl_->rooms.begin(), impl_->rooms.end(), [&](const Room& room) {
-           return room.hollow.holds(from) && room.hollow.holds(to);
+  return impl_->only_enclosures &&
+         std::all_of(impl_->enclosures.begin(), impl_->enclosures.end(), [&](const Enclosure& enclosure) {
+           return enclosure.proxy.holds(from) && enclosure.proxy.holds(to);
          });
 }
 

@@ -1,4 +1,4 @@
-// All objects of a scene ready for rays: frame-level list, box tree, infinite objects beside it (specs 03 section 2, 06
+// All objects of a scene ready for rays: frame-level list, BVH, infinite objects beside it (specs 03 section 2, 06
 // section 9).
 #pragma once
 
@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "tracer/world/row_kernels.h"
+#include "tracer/world/batch_kernels.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shapes/shape.h"
 #include "tracer/textures/texture.h"
@@ -43,7 +43,7 @@ namespace verisim::accel {
 using shapes::Hit;
 using shapes::RayKind;
 
-class BoxTree;
+class Bvh;
 class Shaft;
 
 // Where the rays of a shaft start in a world's tree, and what is known of them.
@@ -87,12 +87,12 @@ class World {
                  const WorldEntry* entry = nullptr) const;
   // True if any *opaque* surface lies in t_min < t < t_max (shadow rays; a cheap any-hit query).
   bool occluded(const Ray& ray, double t_min, double t_max, WorldEntry* entry = nullptr) const;
-  // Both for rays first .. first + count - 1 of a row, all of the shaft of `entry` (null: none known).
-  // Eight limits are read at a time: t_max is as long as a row; null: no limits. What is not blocked is not written.
-  void intersect_row(const RayRow& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry,
-                     Hit* hits, bool* found, const double* t_max = nullptr) const;
-  void occluded_row(const RayRow& rays, int first, int count, double t_min, const double* t_max, WorldEntry* entry,
-                    bool* blocked) const;
+  // Both for rays first .. first + count - 1 of a batch, all of the shaft of `entry` (null: none known).
+  // Eight limits are read at a time: t_max is as long as a batch; null: no limits. What is not blocked is not written.
+  void intersect_batch(const RayBatch& rays, int first, int count, RayKind kind, double t_min, const WorldEntry* entry,
+                       Hit* hits, bool* found, const double* t_max = nullptr) const;
+  void occluded_batch(const RayBatch& rays, int first, int count, double t_min, const double* t_max, WorldEntry* entry,
+                      bool* blocked) const;
   bool has_transparent_shadows() const;  // false: `occluded` alone decides every shadow
   bool filters_twice() const;            // some surface does
   // It is known that no shadow ray between these two points meets anything that is not opaque.
@@ -107,19 +107,19 @@ class World {
   std::span<const scene::LightSource* const> lights() const;  // global lights in file order
   Box3 bounds() const;                                        // of all finite objects
   // What shapes at frame level have to say after a render; copies of declared objects say nothing.
-  std::vector<std::pair<scene::Place, std::string>> findings() const;
+  std::vector<std::pair<scene::SourceLocation, std::string>> findings() const;
 
   // Of the objects with bounds.
-  const BoxTree& tree() const;
+  const Bvh& tree() const;
   // What the rays of a shaft may meet.
   void enter(const Shaft& shaft, WorldEntry& entry) const;
 
  private:
   struct Impl;
-  class RowSearch;
+  class BatchSearch;
   class Search;
   class Occlusion;
-  class RowOcclusion;
+  class BatchOcclusion;
   std::unique_ptr<Impl> impl_;
 };
 

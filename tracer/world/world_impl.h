@@ -1,4 +1,4 @@
-// What a World is made of, for its own files: world.cpp makes it, world_search.cpp follows one ray, world_rows.cpp
+// What a World is made of, for its own files: world.cpp makes it, world_search.cpp follows one ray, world_batches.cpp
 // eight.
 #pragma once
 
@@ -9,11 +9,11 @@
 #include <mutex>
 #include <optional>
 
-#include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/bvh.h"
 #include "tracer/bvh/hierarchy.h"
 #include "tracer/world/world.h"
 #include "tracer/shapes/quadrics/box_set.h"
-#include "tracer/shapes/csg/hollow.h"
+#include "tracer/shapes/csg/interior_proxy.h"
 #include "tracer/shapes/half_spaces.h"
 #include "tracer/shapes/quadrics/plane.h"
 
@@ -27,7 +27,7 @@ enum class Opacity : unsigned char { opaque, transparent, mixed };
 // POV-Ray's own test of an object's box, in single precision (spec 03 2.2; the order of comparisons is that of
 // Williams, Barrus, Morley and Shirley, "An efficient and robust ray-box intersection algorithm", 2005). Only a ray
 // that grazes the box can fail it and meet the object nevertheless: one that runs within a face across x does, because
-// 0 times infinity is no number there; within other faces it passes.
+// 0 times infinity is NaN there; within other faces it passes.
 struct SlabTest {
   std::array<float, 3> low, high;
   bool used = false;
@@ -124,14 +124,14 @@ inline double next_above(double x) {
 // what is last on their way.
 struct Surrounding {
   std::uint32_t entry;
-  shapes::Hollow room;
+  shapes::InteriorProxy enclosure;
 };
 
 // Within a transparent object in which a light stands, as a container of media around a scene: most shadow rays towards
 // that light stay there.
-struct Room {
+struct Enclosure {
   std::uint32_t entry;
-  shapes::Hollow hollow;
+  shapes::InteriorProxy proxy;
 };
 
 struct World::Impl {
@@ -140,10 +140,10 @@ struct World::Impl {
   std::vector<std::uint32_t> unbounded;      // entries beside the tree
   std::vector<std::optional<Plane>> planes;  // of each of them that is one
   std::vector<Surrounding> around;           // beside the tree, too
-  std::vector<Room> rooms;
-  bool only_rooms = false;         // whatever is not opaque has one
+  std::vector<Enclosure> enclosures;
+  bool only_enclosures = false;    // whatever is not opaque has one
   std::vector<Candidate> bounded;  // of each box of the tree
-  BoxTree tree;
+  Bvh tree;
   shapes::BoxSet few;  // its boxes, if they are so few that a single ray finds them sooner without it
   std::deque<Surface> surfaces;
   std::deque<std::vector<const scene::LightSource*>> group_lights;
@@ -155,7 +155,7 @@ struct World::Impl {
   bool transparent_shadows = false;  // something that shadow rays see is not opaque
   bool filters_twice = false;        // some surface does
 
-  // BoxTree::traverse, or what does the same.
+  // Bvh::traverse, or what does the same.
   template <class Visit>
   void traverse(const Ray& ray, double t_min, double t_max, Visit&& visit, const WorldEntry* entry) const {
     if (entry || few.empty())
@@ -170,7 +170,7 @@ struct World::Impl {
   void add_surfaces(Shape& shape, int frame_object, const Shape* cutaway, textures::Compiler& compiler);
   // Surface::filters_twice of a frame-level object's surfaces, which are those from `first` on.
   void find_twice_filtering(std::size_t first);
-  void find_rooms();
+  void find_enclosures();
   // No shadow ray of the shaft meets what is not opaque of this entry: it is, or the whole shaft lies in its room.
   bool seems_opaque(std::uint32_t entry, const Shaft& shaft) const;
   // Of the entries that a ray meets in one place, the one that POV-Ray shows: its search, repeated (spec 08 A).

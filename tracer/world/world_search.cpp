@@ -32,7 +32,7 @@ class World::Search {
   void test_around() {
     for (const Surrounding& s : w_.around) {
       const Entry& e = w_.entries[s.entry];
-      if (!(e.hidden & mask_) && !s.room.holds(ray_, t_min_, limit_)) test(*e.shape, s.entry, nullptr);
+      if (!(e.hidden & mask_) && !s.enclosure.holds(ray_, t_min_, limit_)) test(*e.shape, s.entry, nullptr);
     }
   }
   void test_candidate(std::uint32_t i, const WorldEntry* entry) {
@@ -115,7 +115,7 @@ class World::Occlusion {
   bool by_surrounding() const {
     for (const Surrounding& s : w_.around) {
       const Entry& e = w_.entries[s.entry];
-      if ((e.hidden & kMask) || e.opacity == Opacity::transparent || s.room.holds(ray_, above_, t_max_)) continue;
+      if ((e.hidden & kMask) || e.opacity == Opacity::transparent || s.enclosure.holds(ray_, above_, t_max_)) continue;
       if (blocks(*e.shape, e.opacity, nullptr) && e.slab.passes(ray_)) return true;
     }
     return false;

@@ -186,7 +186,7 @@ TEST(World, RoomsOfLightsAreKnownToLetShadowRaysAlone) {
   EXPECT_FALSE(lit_from_outside.world->only_opaque_between({100, 0, 0}, {0, 5, 0}));
 }
 
-// Rows of rays through one tile of a camera's picture: eight of them, or less, or more than eight.
+// Batches of rays through one tile of a camera's picture: eight of them, or less, or more than eight.
 TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
   auto all = crowd();
   const std::vector<ObjectRef> few(all.end() - 2, all.end());
@@ -198,7 +198,7 @@ TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
                             i % 20 == 0 ? kGlass : kOpaque));
   for (const auto& objects : {all, few, many, crowd_under_skies()}) {
     const Stage stage(objects);
-    const auto rays = std::make_unique<RayRow>();
+    const auto rays = std::make_unique<RayBatch>();
     int found_rays = 0, blocked_rays = 0, beyond = 0, complete = 0;
     for (int round = 0; round < 400; ++round) {
       const Vec3 eye = random_unit(random) * 6.0, through = Vec3(u(random), u(random), u(random)) - Vec3(0.5);
@@ -209,7 +209,7 @@ TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
       stage.world->enter(*shaft, entry);
       complete += entry.points.complete;
       const int first = round % 5, count = 1 + round % 20;
-      double limits[RayRow::kSize] = {};
+      double limits[RayBatch::kSize] = {};
       for (int i = first; i < first + count; ++i) {
         rays->origin.set(i, eye);
         rays->direction.set(
@@ -217,12 +217,13 @@ TEST(World, RowsMeetWhatTheirRaysMeetAlone) {
         limits[i] = 3 + 10 * u(random);
       }
       WorldEntry* const known = round % 4 == 0 ? nullptr : &entry;
-      Hit hits[RayRow::kMost];
-      Hit hits_before[RayRow::kMost];
-      bool found[RayRow::kMost], found_before[RayRow::kMost], blocked[RayRow::kMost] = {};
-      stage.world->intersect_row(*rays, first, count, RayKind::camera, 1e-4, known, hits, found);
-      stage.world->intersect_row(*rays, first, count, RayKind::camera, 1e-4, known, hits_before, found_before, limits);
-      stage.world->occluded_row(*rays, first, count, 1e-3, limits, known, blocked);
+      Hit hits[RayBatch::kMax];
+      Hit hits_before[RayBatch::kMax];
+      bool found[RayBatch::kMax], found_before[RayBatch::kMax], blocked[RayBatch::kMax] = {};
+      stage.world->intersect_batch(*rays, first, count, RayKind::camera, 1e-4, known, hits, found);
+      stage.world->intersect_batch(*rays, first, count, RayKind::camera, 1e-4, known, hits_before, found_before,
+                                   limits);
+      stage.world->occluded_batch(*rays, first, count, 1e-3, limits, known, blocked);
       for (int i = first; i < first + count; ++i) {
         Hit alone;
         ASSERT_EQ(found[i], stage.world->intersect(rays->at(i), RayKind::camera, 1e-4,

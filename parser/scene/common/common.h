@@ -35,7 +35,7 @@ struct Block {
   void close() { close_block(parser); }
   Parser& parser;
   Parser::Depth depth;
-  scene::Place place;
+  scene::SourceLocation place;
 };
 
 }  // namespace verisim::parser

@@ -4,7 +4,7 @@
 
 #include "parser/scene/common/common.h"
 #include "parser/scene/common/transform.h"
-#include "tracer/scene/moves.h"
+#include "tracer/scene/transform_steps.h"
 
 namespace verisim::parser {
 
@@ -104,38 +104,38 @@ Transform parse_transform(Parser& parser) {
 }
 
 bool parse_object_transform(Parser& parser, scene::Object& object) {
-  const auto parse_into = [&](scene::Moves& moves) {
+  const auto parse_into = [&](scene::TransformSteps& steps) {
     switch (word_at(parser)) {
       case Word::translate:
         parser.next();
-        moves.translate(parser.parse_vec3());
+        steps.translate(parser.parse_vec3());
         return true;
       case Word::rotate:
         parser.next();
-        moves.rotate(parser.parse_vec3());
+        steps.rotate(parser.parse_vec3());
         return true;
       case Word::scale:
         parser.next();
-        moves.scale(parse_scale_vector(parser));
+        steps.scale(parse_scale_vector(parser));
         return true;
       case Word::matrix:
       case Word::transform: {
         Transform item;
         parse_transform_item(parser, item);
-        moves.transform(item);
+        steps.transform(item);
         return true;
       }
       default:
         return false;
     }
   };
-  scene::Moves moves;
-  while (!moves.full() && parse_into(moves)) {
+  scene::TransformSteps steps;
+  while (!steps.full() && parse_into(steps)) {
   }
-  if (!moves.size()) return false;
-  scene::apply(object, moves);
+  if (!steps.size()) return false;
+  scene::apply(object, steps);
   if (object.texture && !object.uv_mapping && scene::ends_in_solid_color(*object.texture))
-    moves.add_to(object.solid_moves, 0);
+    steps.add_to(object.solid_steps, 0);
   return true;
 }
 

@@ -10,21 +10,21 @@ namespace {
 
 constexpr std::size_t kMaxComponents = 1000000;  // a cylinder counts for three (spec 03 4.13)
 
-bool parse_component_modifier(Parser& parser, BlobComponent& component, scene::Rare<Transform>& solid_moves) {
+bool parse_component_modifier(Parser& parser, BlobComponent& component, scene::Rare<Transform>& solid_steps) {
   Transform item;
   if (parse_transform_item(parser, item)) {
     component.transform = component.transform ? component.transform->then(item) : item;
     component.texture = scene::transformed(component.texture, item);
     if (component.texture && scene::ends_in_solid_color(*component.texture))
-      solid_moves = solid_moves ? solid_moves->then(item) : item;
+      solid_steps = solid_steps ? solid_steps->then(item) : item;
     return true;
   }
   if (parser.at(Word::texture)) {
     add_layers(parser, component.texture, parse_texture(parser));
-    solid_moves = {};
+    solid_steps = {};
     return true;
   }
-  return parse_texture_part(parser, component.texture, &solid_moves);
+  return parse_texture_part(parser, component.texture, &solid_steps);
 }
 
 BlobComponent parse_component(Parser& parser, bool cylinder) {
@@ -44,8 +44,8 @@ BlobComponent parse_component(Parser& parser, bool cylinder) {
   parser.optional_comma();
   parser.accept(Word::strength);
   component.strength = parser.parse_float();
-  scene::Rare<Transform> solid_moves;
-  while (parse_component_modifier(parser, component, solid_moves)) {
+  scene::Rare<Transform> solid_steps;
+  while (parse_component_modifier(parser, component, solid_steps)) {
   }
   block.close();
   return component;

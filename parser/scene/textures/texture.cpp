@@ -258,16 +258,16 @@ void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::Texture
   texture = result;
 }
 
-bool parse_texture_part(Parser& parser, scene::TexturePtr& texture, scene::Rare<Transform>* moves) {
+bool parse_texture_part(Parser& parser, scene::TexturePtr& texture, scene::Rare<Transform>* steps) {
   const Word word = word_at(parser);
   if (word != Word::pigment && word != Word::normal && word != Word::finish) return false;
   const scene::TexturePtr start = texture ? texture : parser.default_texture();
   require_plain(parser, start);
   auto result = std::make_shared<Texture>(*start);
-  if (word == Word::pigment && moves && *moves) {
+  if (word == Word::pigment && steps && *steps) {
     scene::PigmentPtr& pigment = result->layers.back().pigment;
-    pigment = scene::moved(pigment, *moves);
-    *moves = {};
+    pigment = scene::moved(pigment, *steps);
+    *steps = {};
   }
   parse_part(parser, result->layers.back());
   texture = result;

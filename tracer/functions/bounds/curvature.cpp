@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tracer/functions/bounds/interval.h"
-#include "tracer/functions/program_lanes.h"
+#include "tracer/functions/program_packet.h"
 
 namespace verisim::functions {
 
@@ -149,15 +149,15 @@ Jet exponential(const Jet& a) {
   const Interval e = Interval::around(std::exp(a.value.low - a.error), std::exp(a.value.high + a.error));
   return applied(a, e, e, e);
 }
-// Those of LaneKernels::nearly.
-Jet near_sine(const Jet& a, const Interval& sine, const Interval& derivative) {
-  if (!(a.value.magnitude() < LaneKernels::kMostNear)) return rough();
+// Those of ProgramKernels::nearly.
+Jet approximate_sine(const Jet& a, const Interval& sine, const Interval& derivative) {
+  if (!(a.value.magnitude() < ProgramKernels::kMaxNear)) return rough();
   Jet result = applied(a, sine, derivative, -sine);
-  result.error += LaneKernels::kNearError;
+  result.error += ProgramKernels::kApproximateError;
   return result;
 }
-Jet sine_of(const Jet& a) { return near_sine(a, sine(a.value), cosine(a.value)); }
-Jet cosine_of(const Jet& a) { return near_sine(a, cosine(a.value), -sine(a.value)); }
+Jet sine_of(const Jet& a) { return approximate_sine(a, sine(a.value), cosine(a.value)); }
+Jet cosine_of(const Jet& a) { return approximate_sine(a, cosine(a.value), -sine(a.value)); }
 Jet arctangent(const Jet& a) {
   const Interval d = square(a.value) + Interval{1, 1}, r = inverse({std::max(d.low, 0.5), d.high});
   return applied(a, Interval::around(std::atan(a.value.low), std::atan(a.value.high)), r, -2 * (a.value * square(r)));

@@ -34,10 +34,10 @@ CameraRays::CameraRays(const scene::Camera& camera, int width, int height, Windo
       origin_varies_(kind_ == scene::CameraKind::orthographic || kind_ == scene::CameraKind::cylinder3 ||
                      kind_ == scene::CameraKind::cylinder4) {}
 
-void CameraRays::window_directions(const Vec2* places, int count, shading::WaveLanes& lanes) const {
+void CameraRays::window_directions(const Vec2* places, int count, shading::WavefrontPacket& packet) const {
   std::vector<Vec2> moved(places, places + count);
   for (Vec2& place : moved) place += Vec2(left_, top_);
-  shading::wave_kernels().directions({width_, height_, direction_, right_, up_}, moved.data(), count, lanes);
+  shading::wavefront_kernels().directions({width_, height_, direction_, right_, up_}, moved.data(), count, packet);
 }
 
 std::optional<PrimaryRay> CameraRays::at(double x, double y) const {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "tracer/scene/camera.h"
-#include "tracer/shading/wavefront/wave_kernels.h"
+#include "tracer/shading/wavefront/wavefront_kernels.h"
 #include "tracer/textures/texture.h"
 
 namespace verisim::render {
@@ -29,16 +29,16 @@ class CameraRays {
   // Empty: no ray belongs to this position (outside a fisheye's disc ...).
   std::optional<PrimaryRay> at(double x, double y) const;
   // The unit directions of the rays of a perspective camera through places of the picture; behind them is room up to a
-  // multiple of RayRow::kStep.
-  void directions(const Vec2* places, int count, shading::WaveLanes& lanes) const {
-    if (left_ != 0 || top_ != 0) return window_directions(places, count, lanes);
-    shading::wave_kernels().directions({width_, height_, direction_, right_, up_}, places, count, lanes);
+  // multiple of RayBatch::kStep.
+  void directions(const Vec2* places, int count, shading::WavefrontPacket& packet) const {
+    if (left_ != 0 || top_ != 0) return window_directions(places, count, packet);
+    shading::wavefront_kernels().directions({width_, height_, direction_, right_, up_}, places, count, packet);
   }
   // Rays start at different points, so the objects around the origin must be looked up for each (spec 02 section 1.8).
   bool origin_varies() const { return origin_varies_; }
 
  private:
-  void window_directions(const Vec2* places, int count, shading::WaveLanes& lanes) const;
+  void window_directions(const Vec2* places, int count, shading::WavefrontPacket& packet) const;
   std::optional<PrimaryRay> fisheye(double p, double q, double half_angle) const;
   std::optional<PrimaryRay> omnimax(double u2, double w2) const;
 

@@ -52,7 +52,7 @@ Compared encode_for_comparison(const Color& c, const AntialiasSettings& settings
 
 // Samples at (x, y), (x + 1, y) ...; together, if the sampler knows how.
 template <class Sampler>
-void sample_row(Sampler& sample, double x, double y, int count, Color* colors) {
+void sample_batch(Sampler& sample, double x, double y, int count, Color* colors) {
   if constexpr (requires { sample.row(x, y, count, colors); }) {
     sample.row(x, y, count, colors);
   } else {
@@ -97,7 +97,7 @@ bool any_order(const Sampler& sample) {
 template <class Sampler>
 void render_plain(const Block& block, Sampler&& sample, const BlockPixels& out) {
   for (int y = block.y; y < block.y + block.height; ++y)
-    sample_row(sample, block.x, y, block.width, &out.at(block.x, y));
+    sample_batch(sample, block.x, y, block.width, &out.at(block.x, y));
 }
 
 // Method 1: pixels that differ from the one on the left or above are replaced by an average over a jittered grid.
@@ -133,7 +133,7 @@ class AdaptiveGrid {
 
   void trace_centres(int x, int y, int count) {
     row_.resize(static_cast<std::size_t>(count));
-    sample_row(sample_, x, y, count, row_.data());
+    sample_batch(sample_, x, y, count, row_.data());
     for (int i = 0; i < count; ++i) set(cell(x + i, y), row_[static_cast<std::size_t>(i)]);
   }
 
@@ -230,7 +230,7 @@ class RecursiveQuads {
     corners_.resize(static_cast<std::size_t>(stride) * (block.height + 1));
     row_.resize(static_cast<std::size_t>(stride));
     for (int y = 0; y <= block.height; ++y) {
-      sample_row(sample_, block.x - 0.5, block.y + y - 0.5, stride, row_.data());
+      sample_batch(sample_, block.x - 0.5, block.y + y - 0.5, stride, row_.data());
       for (int x = 0; x <= block.width; ++x)
         set(corners_[static_cast<std::size_t>(y) * stride + x], row_[static_cast<std::size_t>(x)]);
     }

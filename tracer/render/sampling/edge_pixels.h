@@ -52,7 +52,7 @@ class EdgePixels {
   static constexpr float kSame = 0.4f;        // of the contrast: how far a sample may be from the colour of its side
   static constexpr float kSide = 0.5f;        // weight of the deviation of the colours of one side
   static constexpr float kConfidence = 2.3f;  // standard deviations of the covered part that the tolerance is for
-  static constexpr int kMost = 6;             // samples of one pixel
+  static constexpr int kMax = 6;              // samples of one pixel
 
   struct Pixel {
     int x, y, taken;
@@ -167,7 +167,7 @@ class EdgePixels {
       centres_.cell(pixel.x, pixel.y).mean = mean;
       return Verdict::known;
     }
-    if (pixel.taken >= kMost) return Verdict::other;
+    if (pixel.taken >= kMax) return Verdict::other;
     // In the middle of what is possible, anywhere along the edge.
     const float along = static_cast<float>(
         LowDiscrepancy(pixel.x, pixel.y, settings_.seed)(static_cast<std::uint32_t>(pixel.taken)).x - 0.5);
@@ -177,7 +177,7 @@ class EdgePixels {
     return Verdict::asks;
   }
 
-  static constexpr int kGathered = 9 + 9 * kMost;
+  static constexpr int kGathered = 9 + 9 * kMax;
   const AdaptiveSettings settings_;
   BlockCentres& centres_;
   Sampler& sample_;

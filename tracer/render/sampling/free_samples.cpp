@@ -42,14 +42,14 @@ Color PixelSampler::free_sample(const Vec2& place) {
   return shot > 0 ? sum * (1.0f / static_cast<float>(shot)) : kNoRay;
 }
 
-// Those at the wave's places.
+// Those at the wavefront's places.
 void PixelSampler::free_points(int count, Color* colors) {
   if (std::isfinite(camera_.limit())) return one_by_one(count, colors);
   tracer_.statistics().samples += static_cast<std::uint64_t>(count);
-  Vec2 places[shading::Wave::kMost];
-  std::copy_n(wave_.places(), count, places);
-  int shot[shading::Wave::kMost] = {};
-  FreeRay rays[shading::Wave::kMost];
+  Vec2 places[shading::Wavefront::kMax];
+  std::copy_n(wavefront_.places(), count, places);
+  int shot[shading::Wavefront::kMax] = {};
+  FreeRay rays[shading::Wavefront::kMax];
   std::size_t waiting = 0;
   for (int i = 0; i < count; ++i) {
     colors[i] = {};
@@ -59,28 +59,29 @@ void PixelSampler::free_points(int count, Color* colors) {
       rays[waiting++] = {*ray, i, k};
       ++shot[i];
       if (waiting < std::size(rays)) continue;
-      free_wave(rays, places, colors);
+      free_wavefront(rays, places, colors);
       waiting = 0;
     }
   }
-  free_wave(std::span(rays).first(waiting), places, colors);
+  free_wavefront(std::span(rays).first(waiting), places, colors);
   for (int i = 0; i < count; ++i) colors[i] = shot[i] > 0 ? colors[i] * (1.0f / static_cast<float>(shot[i])) : kNoRay;
 }
 
 // Adds the rays' colours to the sums of their samples.
-void PixelSampler::free_wave(std::span<const FreeRay> rays, const Vec2* places, Color* sums) {
+void PixelSampler::free_wavefront(std::span<const FreeRay> rays, const Vec2* places, Color* sums) {
   if (rays.empty()) return;
-  RayRow& row = wave_.lanes().rays;
+  RayBatch& row = wavefront_.packet().rays;
   bool together = true;
   for (std::size_t k = 0; k < rays.size() && together; ++k) {
     const int lane = static_cast<int>(k);
     row.origin.set(lane, rays[k].ray.origin), row.direction.set(lane, rays[k].ray.direction);
-    wave_.places()[k] = places[rays[k].sample], wave_.numbers()[k] = static_cast<std::uint32_t>(rays[k].number);
+    wavefront_.places()[k] = places[rays[k].sample],
+    wavefront_.numbers()[k] = static_cast<std::uint32_t>(rays[k].number);
     together = starts_like_the_first(lane);
   }
-  Color seen[shading::Wave::kMost];
-  const accel::WorldEntry* const unknown[shading::Wave::kMost] = {};
-  if (together) wave_.trace(static_cast<int>(rays.size()), unknown, seen);
+  Color seen[shading::Wavefront::kMax];
+  const accel::WorldEntry* const unknown[shading::Wavefront::kMax] = {};
+  if (together) wavefront_.trace(static_cast<int>(rays.size()), unknown, seen);
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const auto& [ray, sample, number] = rays[k];
     if (!together) {

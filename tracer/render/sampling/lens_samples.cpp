@@ -18,11 +18,11 @@ Color PixelSampler::lens_sample(const Vec2& place) {
   return average.mean();
 }
 
-// Those at the wave's places: what each of them wants before its next test makes waves.
+// Those at the wavefront's places: what each of them wants before its next test makes wavefronts.
 void PixelSampler::lens_points(int count, Color* colors) {
   tracer_.statistics().samples += static_cast<std::uint64_t>(count);
   Lens& lens = lens_;
-  std::copy_n(wave_.places(), count, lens.places);
+  std::copy_n(wavefront_.places(), count, lens.places);
   lens.averages.assign(static_cast<std::size_t>(count), FocalBlur::Average(*camera_.blur));
   for (int i = 0, one = 1; i < count; ++i) lens.entries[i] = entry(lens.places[i].x, lens.places[i].y, one);
   for (;;) {
@@ -32,28 +32,28 @@ void PixelSampler::lens_points(int count, Color* colors) {
       for (int n = average.known(); !average.complete() && n < average.wanted(); ++n) lens.rays.push_back({i, n});
     }
     if (lens.rays.empty()) break;
-    for (std::size_t done = 0; done < lens.rays.size(); done += shading::Wave::kMost)
-      lens_wave(
-          std::span(lens.rays).subspan(done, std::min<std::size_t>(lens.rays.size() - done, shading::Wave::kMost)));
+    for (std::size_t done = 0; done < lens.rays.size(); done += shading::Wavefront::kMax)
+      lens_wavefront(
+          std::span(lens.rays).subspan(done, std::min<std::size_t>(lens.rays.size() - done, shading::Wavefront::kMax)));
   }
   for (int i = 0; i < count; ++i) colors[i] = lens.averages[static_cast<std::size_t>(i)].mean();
 }
 
-void PixelSampler::lens_wave(std::span<const LensRay> rays) {
-  RayRow& row = wave_.lanes().rays;
-  const accel::WorldEntry* entries[shading::Wave::kMost];
+void PixelSampler::lens_wavefront(std::span<const LensRay> rays) {
+  RayBatch& row = wavefront_.packet().rays;
+  const accel::WorldEntry* entries[shading::Wavefront::kMax];
   bool together = true;
   for (std::size_t k = 0; k < rays.size() && together; ++k) {
     const int lane = static_cast<int>(k);
     const Vec2 place = lens_.places[rays[k].sample];
     const Ray ray = camera_.blur->ray(camera_.rays, place.x, place.y, rays[k].number)->ray;
     row.origin.set(lane, ray.origin), row.direction.set(lane, ray.direction);
-    wave_.places()[k] = place, wave_.numbers()[k] = static_cast<std::uint32_t>(rays[k].number);
+    wavefront_.places()[k] = place, wavefront_.numbers()[k] = static_cast<std::uint32_t>(rays[k].number);
     entries[k] = lens_.entries[rays[k].sample];
     together = starts_like_the_first(lane);
   }
-  Color seen[shading::Wave::kMost];
-  if (together) wave_.trace(static_cast<int>(rays.size()), entries, seen);
+  Color seen[shading::Wavefront::kMax];
+  if (together) wavefront_.trace(static_cast<int>(rays.size()), entries, seen);
   for (std::size_t k = 0; k < rays.size(); ++k)
     lens_.averages[static_cast<std::size_t>(rays[k].sample)].add(
         together ? std::optional(seen[k]) : lens_ray(lens_.places[rays[k].sample], rays[k].number));

@@ -75,7 +75,7 @@ Color PixelSampler::operator()(double x, double y) {
 }
 
 const accel::WorldEntry* PixelSampler::entry(double x, double y, int& count) {
-  return tracer_.coherent().camera_row(x, y, count, [this](double left, double top, double right, double bottom) {
+  return tracer_.coherent().camera_batch(x, y, count, [this](double left, double top, double right, double bottom) {
     return camera_.shaft(tracer_.scene().world.tree().bounds(), left, top, right, bottom);
   });
 }
@@ -85,18 +85,18 @@ void PixelSampler::row(double x, double y, int count, Color* colors) {
     for (int i = 0; i < count; ++i) colors[i] = (*this)(x + i, y);
     return;
   }
-  for (int done = 0; done < count; done += shading::Wave::kMost) {
-    const int n = std::min(count - done, shading::Wave::kMost);
-    for (int i = 0; i < n; ++i) wave_.places()[i] = Vec2(x + done + i, y);
+  for (int done = 0; done < count; done += shading::Wavefront::kMax) {
+    const int n = std::min(count - done, shading::Wavefront::kMax);
+    for (int i = 0; i < n; ++i) wavefront_.places()[i] = Vec2(x + done + i, y);
     if (camera_.blur || camera_.free())
       other_points(n, colors + done);
     else
-      row_wave(n, colors + done);
+      batch_wavefront(n, colors + done);
   }
 }
 
-// How many of the places, from the first on, may share a wave: where their rays enter the world is remembered for all
-// of them.
+// How many of the places, from the first on, may share a wavefront: where their rays enter the world is remembered for
+// all of them.
 int PixelSampler::near_each_other(const Vec2* places, int count) {
   Imath::Box2d around(places[0]);
   for (int i = 1; i < count; ++i) {
@@ -113,22 +113,23 @@ void PixelSampler::points(const Vec2* places, int count, Color* colors) {
     return;
   }
   for (int done = 0, n = 0; done < count; done += n) {
-    n = near_each_other(places + done, std::min(count - done, shading::Wave::kMost));
-    std::copy_n(places + done, n, wave_.places());
+    n = near_each_other(places + done, std::min(count - done, shading::Wavefront::kMax));
+    std::copy_n(places + done, n, wavefront_.places());
     if (camera_.blur || camera_.free())
       other_points(n, colors + done);
     else
-      point_wave(n, colors + done);
+      point_wavefront(n, colors + done);
   }
 }
 
-// The rays through the wave's places, from one point or parallel. False: they do not all start within the same objects.
+// The rays through the wavefront's places, from one point or parallel. False: they do not all start within the same
+// objects.
 bool PixelSampler::aim(int count) {
-  RayRow& rays = wave_.lanes().rays;
-  const Vec2* const places = wave_.places();
+  RayBatch& rays = wavefront_.packet().rays;
+  const Vec2* const places = wavefront_.places();
   if (!camera_.origin_varies) {
     for (int i = 0; i < count; ++i) rays.origin.set(i, camera_.camera.location);
-    camera_.rays.directions(places, count, wave_.lanes());
+    camera_.rays.directions(places, count, wavefront_.packet());
     return true;
   }
   for (int i = 0; i < count; ++i) {
@@ -142,36 +143,36 @@ bool PixelSampler::aim(int count) {
 
 bool PixelSampler::starts_like_the_first(int i) {
   const auto around =
-      tracer_.interiors(tracer_.camera_state(wave_.lanes().rays.at(i), camera_.origin_varies).interiors);
+      tracer_.interiors(tracer_.camera_state(wavefront_.packet().rays.at(i), camera_.origin_varies).interiors);
   if (i == 0) around_.assign(around.begin(), around.end());
   return std::ranges::equal(around, around_);
 }
 
 void PixelSampler::one_by_one(int count, Color* colors) {
-  Vec2 places[shading::Wave::kMost];
-  std::copy_n(wave_.places(), count, places);
+  Vec2 places[shading::Wavefront::kMax];
+  std::copy_n(wavefront_.places(), count, places);
   for (int i = 0; i < count; ++i) colors[i] = (*this)(places[i].x, places[i].y);
 }
 
-void PixelSampler::row_wave(int count, Color* colors) {
+void PixelSampler::batch_wavefront(int count, Color* colors) {
   if (!aim(count)) return one_by_one(count, colors);
-  const double x = wave_.places()[0].x, y = wave_.places()[0].y;
+  const double x = wavefront_.places()[0].x, y = wavefront_.places()[0].y;
   tracer_.statistics().samples += static_cast<std::uint64_t>(count);
-  const accel::WorldEntry* entries[shading::Wave::kMost];
+  const accel::WorldEntry* entries[shading::Wavefront::kMax];
   for (int i = 0; i < count;) {
     int served = count - i;
     const accel::WorldEntry* const here = entry(x + i, y, served);
     for (; served > 0; --served) entries[i++] = here;
   }
-  wave_.trace(count, entries, colors);
+  wavefront_.trace(count, entries, colors);
 }
 
-void PixelSampler::point_wave(int count, Color* colors) {
+void PixelSampler::point_wavefront(int count, Color* colors) {
   if (!aim(count)) return one_by_one(count, colors);
   tracer_.statistics().samples += static_cast<std::uint64_t>(count);
-  const accel::WorldEntry* entries[shading::Wave::kMost];
-  for (int i = 0, one = 1; i < count; ++i) entries[i] = entry(wave_.places()[i].x, wave_.places()[i].y, one);
-  wave_.trace(count, entries, colors);
+  const accel::WorldEntry* entries[shading::Wavefront::kMax];
+  for (int i = 0, one = 1; i < count; ++i) entries[i] = entry(wavefront_.places()[i].x, wavefront_.places()[i].y, one);
+  wavefront_.trace(count, entries, colors);
 }
 
 Color PixelSampler::trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry) {

@@ -6,7 +6,7 @@
 #include "tracer/render/cameras/camera_rays.h"
 #include "tracer/render/sampling/focal_blur.h"
 #include "tracer/render/cameras/mesh_camera.h"
-#include "tracer/shading/wavefront/wave.h"
+#include "tracer/shading/wavefront/wavefront.h"
 
 namespace verisim::render {
 
@@ -40,7 +40,8 @@ struct CameraModel {
 // One per thread.
 class PixelSampler {
  public:
-  PixelSampler(const CameraModel& camera, shading::Tracer& tracer) : camera_(camera), tracer_(tracer), wave_(tracer) {}
+  PixelSampler(const CameraModel& camera, shading::Tracer& tracer)
+      : camera_(camera), tracer_(tracer), wavefront_(tracer) {}
   // (x, y): pixel position, centres at integers. A position without a ray is black with transmit 1.
   Color operator()(double x, double y);
   // The colours at (x, y), (x + 1, y) ...: the same as one by one, but faster.
@@ -53,16 +54,16 @@ class PixelSampler {
  private:
   Color trace(Ray ray, const Vec2& image, const accel::WorldEntry* entry = nullptr);
 
-  bool together() const { return (camera_.linear || camera_.free()) && wave_.usable(); }
-  // The colours at the wave's places: linear cameras with a lens, cameras that are not linear.
+  bool together() const { return (camera_.linear || camera_.free()) && wavefront_.usable(); }
+  // The colours at the wavefront's places: linear cameras with a lens, cameras that are not linear.
   void other_points(int count, Color* colors);
   static int near_each_other(const Vec2* places, int count);
   bool aim(int count);
-  // Ray i of the wave starts within the same objects as ray 0, which is to be asked for first.
+  // Ray i of the wavefront starts within the same objects as ray 0, which is to be asked for first.
   bool starts_like_the_first(int i);
-  // The colours at the wave's places; of a row, each is one pixel from the other.
-  void row_wave(int count, Color* colors);
-  void point_wave(int count, Color* colors);
+  // The colours at the wavefront's places; of a row, each is one pixel from the other.
+  void batch_wavefront(int count, Color* colors);
+  void point_wavefront(int count, Color* colors);
   void one_by_one(int count, Color* colors);
   // Where rays through (x, y), (x + 1, y) ... enter the world, `count` of them at most; sets it to the number of those
   // that this holds for.
@@ -75,7 +76,7 @@ class PixelSampler {
   std::optional<Color> lens_ray(const Vec2& place, int number);
   Color lens_sample(const Vec2& place);
   void lens_points(int count, Color* colors);
-  void lens_wave(std::span<const LensRay> rays);
+  void lens_wavefront(std::span<const LensRay> rays);
 
   // ---- free_samples.cpp
   struct FreeRay {
@@ -85,16 +86,16 @@ class PixelSampler {
   std::optional<Ray> free_ray(const Vec2& place, int number) const;
   Color free_sample(const Vec2& place);
   void free_points(int count, Color* colors);
-  void free_wave(std::span<const FreeRay> rays, const Vec2* places, Color* sums);
+  void free_wavefront(std::span<const FreeRay> rays, const Vec2* places, Color* sums);
 
   const CameraModel& camera_;
   shading::Tracer& tracer_;
-  shading::Wave wave_;
-  std::vector<const scene::Interior*> around_;  // the wave's first ray, where rays start at different points
+  shading::Wavefront wavefront_;
+  std::vector<const scene::Interior*> around_;  // the wavefront's first ray, where rays start at different points
   // The samples that are taken together, and the rays that they wait for.
   struct Lens {
-    Vec2 places[shading::Wave::kMost];
-    const accel::WorldEntry* entries[shading::Wave::kMost];
+    Vec2 places[shading::Wavefront::kMax];
+    const accel::WorldEntry* entries[shading::Wavefront::kMax];
     std::vector<FocalBlur::Average> averages;
     std::vector<LensRay> rays;
   } lens_;

@@ -80,26 +80,26 @@ Color Sky::seen(const Vec3& direction, bool opaque) const {
   return version_ < 370 ? through(LegacyBlend()) : through(Blend());
 }
 
-void Sky::seen(int count, const textures::PointRow& directions, bool opaque, Color* colors) const {
+void Sky::seen(int count, const textures::PointBatch& directions, bool opaque, Color* colors) const {
   if (pigments_.empty() || (version_ < 370 && output_alpha_ && !opaque)) {
     for (int i = 0; i < count; ++i) colors[i] = seen(directions.at(i), opaque);
     return;
   }
-  textures::PointRow q;
+  textures::PointBatch q;
   for (int i = 0; i < count; ++i) q.set(i, transform_.inverse_point(directions.at(i)));
   q.fill_up(count);
   const auto through = [&](auto&& blends) {
     for (const auto* pigment : pigments_) {
-      bool colored[textures::PointRow::kMost];
+      bool colored[textures::PointBatch::kMax];
       textures::evaluate(*pigment, count, q, nullptr, colors, colored);
       for (int i = 0; i < count; ++i) blends[i].add(colors[i], emission_);
     }
     for (int i = 0; i < count; ++i) colors[i] = blends[i].over(background(opaque), emission_);
   };
   if (version_ < 370)
-    through(std::array<LegacyBlend, textures::PointRow::kMost>());
+    through(std::array<LegacyBlend, textures::PointBatch::kMax>());
   else
-    through(std::array<Blend, textures::PointRow::kMost>());
+    through(std::array<Blend, textures::PointBatch::kMax>());
 }
 
 }  // namespace verisim::shading

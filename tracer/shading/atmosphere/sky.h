@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tracer/scene/scene.h"
-#include "tracer/textures/point_row.h"
+#include "tracer/textures/point_batch.h"
 
 namespace verisim::shading {
 
@@ -17,7 +17,7 @@ class Sky {
   // asks).
   Color seen(const Vec3& direction, bool opaque) const;
   // The same in many directions.
-  void seen(int count, const textures::PointRow& directions, bool opaque, Color* colors) const;
+  void seen(int count, const textures::PointBatch& directions, bool opaque, Color* colors) const;
 
  private:
   // What stands behind the pigments.

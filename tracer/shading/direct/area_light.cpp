@@ -1,12 +1,12 @@
 // Soft shadows: recursive quartering of the grid of an area light (spec 06 section 8.2). What is known to be asked for
-// goes in rows of rays.
+// goes in batches of rays.
 #include <algorithm>
 #include <array>
 #include <span>
 
-#include "tracer/math/ray_row.h"
+#include "tracer/math/ray_batch.h"
 #include "tracer/lights/light_falloff.h"
-#include "tracer/shading/direct/shadow_row.h"
+#include "tracer/shading/direct/shadow_batch.h"
 #include "tracer/shading/tracer.h"
 
 namespace verisim::shading {
@@ -14,17 +14,17 @@ namespace {
 
 double unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
-// 0, 1, 2 ...: all rays of a row.
+// 0, 1, 2 ...: all rays of a batch.
 constexpr auto kInTurn = [] {
-  std::array<int, ShadowRow::kMost> numbers{};
-  for (int i = 0; i < ShadowRow::kMost; ++i) numbers[static_cast<std::size_t>(i)] = i;
+  std::array<int, ShadowBatch::kMax> numbers{};
+  for (int i = 0; i < ShadowBatch::kMax; ++i) numbers[static_cast<std::size_t>(i)] = i;
   return numbers;
 }();
 
 }  // namespace
 
 // By default the offsets of a grid's samples are multi-jittered (Chiu, Shirley and Wang 1994; with one shuffle for all
-// rows and one for all columns as in Kensler 2013): the samples of a row share out the height of their cells among
+// rows and one for all columns as in Kensler 2013): the samples of a batch share out the height of their cells among
 // them, those of a column the width. Each by itself is anywhere in its cell, as POV-Ray's are, but an edge of a shadow
 // finds them spread more evenly.
 struct Tracer::AreaGrid {
@@ -33,17 +33,17 @@ struct Tracer::AreaGrid {
   Light::Axes axes;
   const Rgb& color;  // of the unshadowed light
   std::uint64_t key = 0;
-  Shuffle *rows = nullptr, *columns = nullptr;  // null: no jitter, or POV-Ray's own
-  bool together = false;                        // rays may go in rows
-  accel::WorldEntry* entry = nullptr;           // of these
+  Shuffle *batches = nullptr, *columns = nullptr;  // null: no jitter, or POV-Ray's own
+  bool together = false;                           // rays may go in rows
+  accel::WorldEntry* entry = nullptr;              // of these
 
   // Moves a position within its cell.
-  void jitter(int column, int row, double& x, double& y) const {
-    const auto u = static_cast<std::uint32_t>(column), v = static_cast<std::uint32_t>(row);
+  void jitter(int column, int batch, double& x, double& y) const {
+    const auto u = static_cast<std::uint32_t>(column), v = static_cast<std::uint32_t>(batch);
     const auto width = static_cast<std::uint32_t>(query.light.size1()),
                height = static_cast<std::uint32_t>(query.light.size2());
     const std::uint32_t cell = v * width + u;
-    const double across = rows->place(v) + unit(scrambled(cell, key + 1)),
+    const double across = batches->place(v) + unit(scrambled(cell, key + 1)),
                  along = columns->place(u) + unit(scrambled(cell, key + 3));
     x += across / height - 0.5, y += along / width - 0.5;
   }
@@ -54,8 +54,8 @@ Rgb Tracer::area_shadow(const ShadowQuery& query, const Vec3& p, const LightDire
   AreaGrid grid{query, p, light.axes(centre.towards), color};
   if (light.source().jitter && !random_.replay()) {
     grid.key = static_cast<std::uint64_t>(random_.shading() * 0x1p53) << 11;
-    grid.rows = &area_rows_, grid.columns = &area_columns_;
-    area_rows_.begin(static_cast<std::uint32_t>(light.size2()), grid.key),
+    grid.batches = &area_batches_, grid.columns = &area_columns_;
+    area_batches_.begin(static_cast<std::uint32_t>(light.size2()), grid.key),
         area_columns_.begin(static_cast<std::uint32_t>(light.size1()), grid.key + 2);
   }
   const std::size_t cells = static_cast<std::size_t>(light.size1()) * light.size2();
@@ -74,11 +74,11 @@ Rgb Tracer::area_shadow(const ShadowQuery& query, const Vec3& p, const LightDire
   return area_region(grid, 0, 0, light.size1() - 1, light.size2() - 1, 0);
 }
 
-Rgb Tracer::area_sample(const AreaGrid& grid, int column, int row) {
+Rgb Tracer::area_sample(const AreaGrid& grid, int column, int batch) {
   const Light& light = grid.query.light;
-  double u = column, v = row;
-  if (grid.rows)
-    grid.jitter(column, row, u, v);
+  double u = column, v = batch;
+  if (grid.batches)
+    grid.jitter(column, batch, u, v);
   else if (light.source().jitter)
     u += random_.shading() - 0.5, v += random_.shading() - 0.5;
   const LightDirection to = light.direction(grid.p, light.offset(grid.axes, u, v));
@@ -89,20 +89,20 @@ Rgb Tracer::area_sample(const AreaGrid& grid, int column, int row) {
 
 // The samples in these columns and rows that are not known, at once; those on whose way media may draw random numbers
 // are left for later.
-void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> rows) {
+void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std::span<const int> batches) {
   const Light& light = grid.query.light;
-  RayRow rays;
-  double distance[RayRow::kSize];
+  RayBatch rays;
+  double distance[RayBatch::kSize];
   GridPlaces places;
-  CornerResult* corners[RayRow::kMost];
+  CornerResult* corners[RayBatch::kMax];
   int count = 0;
   const bool any_decides = only_opaque(grid.entry);
   const bool draws = scene_.effects && scene_.effects->interior_draws_count;
   const auto ask = [&] {
-    ShadowRow filtered;
-    CornerResult* filtered_corners[ShadowRow::kMost];
+    ShadowBatch filtered;
+    CornerResult* filtered_corners[ShadowBatch::kMax];
     aim_at_grid(light, grid.axes, grid.p, places, count, rays, distance);
-    int asked = 0;
+    int active = 0;
     for (int k = 0; k < count; ++k) {
       const Vec3 towards = rays.direction.at(k);
       const bool decides = any_decides || scene_.world.only_opaque_between(grid.p, grid.p + distance[k] * towards);
@@ -115,29 +115,29 @@ void Tracer::ask_corners(const AreaGrid& grid, std::span<const int> columns, std
         filtered.add({grid.p, towards}, distance[k], grid.color, grid.query.lit, {});
         continue;
       }
-      rays.origin.set(asked, grid.p), rays.direction.set(asked, towards);
-      distance[asked] = distance[k] - kShadowTolerance;
-      corners[asked++] = corners[k];
+      rays.origin.set(active, grid.p), rays.direction.set(active, towards);
+      distance[active] = distance[k] - kShadowTolerance;
+      corners[active++] = corners[k];
     }
-    bool blocked[RayRow::kMost] = {};
-    scene_.world.occluded_row(rays, 0, asked, contact_tolerance(light), distance, grid.entry, blocked);
-    for (int k = 0; k < asked; ++k) *corners[k] = {blocked[k] ? Rgb() : grid.color, corner_stamp_};
+    bool blocked[RayBatch::kMax] = {};
+    scene_.world.occluded_batch(rays, 0, active, contact_tolerance(light), distance, grid.entry, blocked);
+    for (int k = 0; k < active; ++k) *corners[k] = {blocked[k] ? Rgb() : grid.color, corner_stamp_};
     if (filtered.count > 0) {
       filter_row(light, grid.query.eye, grid.entry, kInTurn.data(), filtered.count, filtered);
       for (int k = 0; k < filtered.count; ++k) *filtered_corners[k] = {filtered.light[k], corner_stamp_};
     }
-    statistics_.shadow_rays += static_cast<std::uint64_t>(asked + filtered.count);
+    statistics_.shadow_rays += static_cast<std::uint64_t>(active + filtered.count);
     count = 0;
   };
-  for (const int v : rows) {
+  for (const int v : batches) {
     for (const int u : columns) {
       CornerResult& corner = corners_[static_cast<std::size_t>(v) * light.size1() + u];
       if (corner.stamp == corner_stamp_) continue;
       places.u[count] = u, places.v[count] = v;
-      if (grid.rows) grid.jitter(u, v, places.u[count], places.v[count]);
+      if (grid.batches) grid.jitter(u, v, places.u[count], places.v[count]);
       corners[count++] = &corner;
       corner.stamp = corner_stamp_;  // the middle of an even number of cells is named twice
-      if (count == RayRow::kMost) ask();
+      if (count == RayBatch::kMax) ask();
     }
   }
   if (count > 0) ask();

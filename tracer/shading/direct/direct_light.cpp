@@ -1,8 +1,8 @@
 // Light sources on one layer: facing, shadows, diffuse reflection, highlights, iridescence (spec 06 sections 4.2
 // and 8.3).
-#include "tracer/math/ray_row.h"
+#include "tracer/math/ray_batch.h"
 #include "tracer/shading/finish.h"
-#include "tracer/shading/direct/shadow_row.h"
+#include "tracer/shading/direct/shadow_batch.h"
 #include "tracer/shading/tracer.h"
 #include "tracer/noise/noise.h"
 
@@ -54,30 +54,30 @@ void Tracer::tell_light(const RayState& ray, const SurfaceHit& at, const LayerCo
 }
 
 bool Tracer::lights_go_together(const RayState& ray) const {
-  constexpr std::size_t kFewest = 3;  // lights for which a row costs less than one ray for each
-  return lights_in_rows_ && scene_.global_lights() >= kFewest && (ray.gather || !area_lights_) && !observer_;
+  constexpr std::size_t kMin = 3;  // lights for which a batch costs less than one ray for each
+  return lights_in_batches_ && scene_.global_lights() >= kMin && (ray.gather || !area_lights_) && !observer_;
 }
 
 // light_contribution() of all global lights. Nothing on the ways of these shadow rays draws random numbers, so they may
 // go at once.
 Rgb Tracer::lights_together(const RayState& ray, SurfaceHit& at, const LayerContext& layer) {
-  struct Asked {
+  struct Active {
     std::size_t light;
     CachedLight cache;
     bool back, shadow;
   };
-  constexpr std::size_t kMost = RayRow::kMost;
+  constexpr std::size_t kMax = RayBatch::kMax;
   const scene::Finish& finish = layer.layer.finish;
   Rgb sum;
-  Asked asked[kMost];
-  RayRow rays;
-  double limit[RayRow::kSize];
+  Active active[kMax];
+  RayBatch rays;
+  double limit[RayBatch::kSize];
   for (std::size_t next = 0; next < scene_.global_lights();) {
     std::size_t count = 0;
-    int row = 0;
-    for (; next < scene_.global_lights() && count < kMost; ++next) {
+    int batch = 0;
+    for (; next < scene_.global_lights() && count < kMax; ++next) {
       const Light& light = scene_.lights()[next];
-      Asked& a = asked[count];
+      Active& a = active[count];
       a = {next, {}, false, false};
       if (at.keeps_lights) a.cache = light_cache_[at.light_cache + next];
       const bool counts = locate(at, layer, light, a.cache, a.back);
@@ -90,19 +90,19 @@ Rgb Tracer::lights_together(const RayState& ray, SurfaceHit& at, const LayerCont
           a.shadow = a.cache.direction.distance > 2 * kShadowTolerance;
         }
         if (a.shadow) {
-          rays.origin.set(row, at.hit.point), rays.direction.set(row, a.cache.direction.towards);
-          limit[row++] = a.cache.direction.distance - kShadowTolerance;
+          rays.origin.set(batch, at.hit.point), rays.direction.set(batch, a.cache.direction.towards);
+          limit[batch++] = a.cache.direction.distance - kShadowTolerance;
         }
       } else if (at.keeps_lights) {
         light_cache_[at.light_cache + next] = a.cache;
       }
     }
-    bool blocked[kMost] = {};
-    if (row > 0) scene_.world.occluded_row(rays, 0, row, kContactTolerance, limit, nullptr, blocked);
-    row = 0;
+    bool blocked[kMax] = {};
+    if (batch > 0) scene_.world.occluded_batch(rays, 0, batch, kContactTolerance, limit, nullptr, blocked);
+    batch = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      Asked& a = asked[k];
-      if (a.shadow && blocked[row++]) a.cache.color = {};
+      Active& a = active[k];
+      if (a.shadow && blocked[batch++]) a.cache.color = {};
       if (at.keeps_lights) light_cache_[at.light_cache + a.light] = a.cache;
       if (a.cache.color.max_abs() <= kDark) continue;
       const bool highlights = scene_.lights()[a.light].highlights() && !ray.gather && !a.back;

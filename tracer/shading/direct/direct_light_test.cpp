@@ -87,8 +87,8 @@ TEST_P(DirectLight, OfLightsAskedTogetherIsThatOfEach) {
   EXPECT_GT(each.statistics().shadow_rays, 3000u);
 }
 
-// One row, more than one, and more lights than a row has places.
-INSTANTIATE_TEST_SUITE_P(Lights, DirectLight, testing::Values(3, 9, 2 * RayRow::kMost + 5));
+// One row, more than one, and more lights than a batch has places.
+INSTANTIATE_TEST_SUITE_P(Lights, DirectLight, testing::Values(3, 9, 2 * RayBatch::kMax + 5));
 
 }  // namespace
 }  // namespace verisim::shading

@@ -49,7 +49,7 @@ class Ovus final : public Primitive<Ovus> {
       : Primitive(description, {box_of(m)}), m_(m), sturm_(description.sturm) {}
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
     const auto report = [&](double t, Part part) {
       if (t > kNearest)
@@ -93,14 +93,14 @@ class Ovus final : public Primitive<Ovus> {
     return dot(p, p) < m_.bottom * m_.bottom || (p.y > m_.low && p.y < m_.high && sheet_value(p) < 0);
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     const Vec3 p = local(hit.point);
     if (hit.part == bottom_sphere) return world_normal(p);
     if (hit.part == top_sphere) return world_normal({p.x, p.y - m_.bottom, p.z});
     const double rho = std::sqrt(p.x * p.x + p.z * p.z);
     if (!(rho > 0)) return world_normal({0, p.y - m_.v, 0});
-    const double stretch = 1 + m_.h / rho;
-    return world_normal({p.x * stretch, p.y - m_.v, p.z * stretch});
+    const double interval = 1 + m_.h / rho;
+    return world_normal({p.x * interval, p.y - m_.v, p.z * interval});
   }
 
   Vec2 uv(const Hit& hit) const override {

@@ -2,10 +2,10 @@
 // of x, then y, then z.
 #include <algorithm>
 
-#include "tracer/math/bernstein_lanes.h"
+#include "tracer/math/bernstein_packet.h"
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/algebraic/poly_lanes.h"
+#include "tracer/shapes/algebraic/poly_packet.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -34,7 +34,7 @@ class Poly final : public Primitive<Poly> {
   }
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = unit_local(ray);
     const double o[3] = {l.origin.x, l.origin.y, l.origin.z}, d[3] = {l.direction.x, l.direction.y, l.direction.z};
     Univariate<double> p;
@@ -42,21 +42,21 @@ class Poly final : public Primitive<Poly> {
     report_roots(l, p, sink);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max,
-                           Hit* hits) const override {
-    return nearest_of_lanes(
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints*, RayKind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    return nearest_of_packet(
         rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min,
-                          const double* t_max) const override {
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints*, double t_min,
+                           const double* t_max) const override {
     Hit hit;
-    return nearest_of_lanes(
+    return nearest_of_packet(
         rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
   bool contains(const Vec3& p) const { return value(local(p)) < kInsideThreshold; }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     const Vec3 g = gradient(local(hit.point));
     if (g == Vec3(0)) return {1, 0, 0};
     return world_normal(g / std::max({std::fabs(g.x), std::fabs(g.y), std::fabs(g.z)}));
@@ -80,15 +80,15 @@ class Poly final : public Primitive<Poly> {
   }
 
   template <class HitOf>
-  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
-    const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
+  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
     if (admitted == 0) return 0;
-    LocalLanes lanes;
-    lane_kernels().local(&matrix(), rays, lanes);
-    PolyLanes along;
-    poly_along()(order_, coefficients_.data(), used_.data(), lanes, along);
+    LocalPacket packet;
+    packet_kernels().local(&matrix(), rays, packet);
+    PolyPacket along;
+    poly_along()(order_, coefficients_.data(), used_.data(), packet, along);
     const int degree = along.size - 1;
-    RootLanes bounded;
+    RootPacket bounded;
     unsigned found = 0, wanted = 0;
     each_lane(admitted, [&](int k) {
       if (isolates(degree) && along.c[degree][k] != 0) {
@@ -105,7 +105,7 @@ class Poly final : public Primitive<Poly> {
       found |= sink.found() ? 1u << k : 0;
     });
     if (wanted == 0) return found;
-    for (int i = 0; i <= degree; ++i) std::copy_n(along.c[i], RayLanes::kCount, bounded.power[i]);
+    for (int i = 0; i <= degree; ++i) std::copy_n(along.c[i], RayPacket::kCount, bounded.power[i]);
     unsigned open = bernstein_kernels().begin(degree, wanted, bounded);
     while (open != 0) {
       open &= bernstein_kernels().next(degree, open, bounded);
@@ -114,7 +114,7 @@ class Poly final : public Primitive<Poly> {
         NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
         if (report(unit_local(rays.at(k)), t, sink))
           found |= 1u << k, open &= ~(1u << k);
-        else if (t / lanes.scale[k] >= t_max[k])
+        else if (t / packet.scale[k] >= t_max[k])
           open &= ~(1u << k);
       });
     }
@@ -134,7 +134,7 @@ class Poly final : public Primitive<Poly> {
     return solve_polynomial(degree, c, roots, sturm_, kElimination);
   }
 
-  // Degrees for which POV-Ray has Sturm sequences: all roots lie within Fujiwara's bound, and on that stretch they are
+  // Degrees for which POV-Ray has Sturm sequences: all roots lie within Fujiwara's bound, and on that interval they are
   // isolated in Bernstein form.
   static bool isolates(int degree) { return degree >= 5 && degree <= kMaxBernsteinDegree; }
   static double root_bound(int degree, const double* power) {

@@ -1,4 +1,4 @@
-#include "tracer/shapes/algebraic/poly_lanes.h"
+#include "tracer/shapes/algebraic/poly_packet.h"
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
@@ -17,17 +17,17 @@ using namespace simd::HWY_NAMESPACE;
 
 #include "tracer/shapes/algebraic/poly_along.inc"
 
-void along_lanes(int order, const double* coefficients, const unsigned char* used, const LocalLanes& rays,
-                 PolyLanes& lanes) {
+void along_packet(int order, const double* coefficients, const unsigned char* used, const LocalPacket& rays,
+                  PolyPacket& packet) {
   const Packet o[3] = {load(rays.ox), load(rays.oy), load(rays.oz)},
                d[3] = {load(rays.dx), load(rays.dy), load(rays.dz)};
   Univariate<Packet> result;
   along(order, coefficients, used, o, d, result);
-  lanes.size = result.size;
-  for (int i = 0; i < result.size; ++i) store(lanes.c[i], result.c[i]);
+  packet.size = result.size;
+  for (int i = 0; i < result.size; ++i) store(packet.c[i], result.c[i]);
 }
 
-const PolyAlong kKernels = along_lanes;
+const PolyAlong kKernels = along_packet;
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

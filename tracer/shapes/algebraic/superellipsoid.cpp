@@ -3,10 +3,10 @@
 
 #include "tracer/shapes/convex.h"
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/lane_kernels.h"
+#include "tracer/shapes/packet_kernels.h"
 #include "tracer/shapes/quadrics/plane_set.h"
 #include "tracer/shapes/primitive.h"
-#include "tracer/shapes/algebraic/superellipsoid_lanes.h"
+#include "tracer/shapes/algebraic/superellipsoid_packet.h"
 
 namespace verisim::shapes {
 namespace {
@@ -63,15 +63,15 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     constexpr double kDoubt = 1e-9;
     most_inside_ = (1 - kDoubt) * std::pow(2, -1 / p_.exponent() - 1 / q_.exponent()), least_outside_ = 1 + kDoubt;
     if (has_matrix())
-      stretch_ =
+      interval_ =
           length(Vec3(length(matrix().inverse_direction({1, 0, 0})), length(matrix().inverse_direction({0, 1, 0})),
                       length(matrix().inverse_direction({0, 0, 1}))));
   }
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
-    if (convex()) return convex_crossings(ray, l, sink);
+    if (convex()) return convex_intersections(ray, l, sink);
     double knots[11];
     const int count = knots_of(l, knots);
     if (count < 2) return;
@@ -100,40 +100,40 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const override {
-    if (guarded_ || !convex()) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
-    return nearest_of_lanes(rays, t_min, t_max, [&](int k, double t) {
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (guarded_ || !convex()) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+    return nearest_of_packet(rays, t_min, t_max, [&](int k, double t) {
       const Ray ray = rays.at(k);
       hits[k] = {t, ray.origin + t * ray.direction, this, 0, 0, 0};
     });
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const override {
-    if (guarded_ || !convex()) return Shape::occludes_lanes(rays, entry, t_min, t_max);
-    return nearest_of_lanes(rays, t_min, t_max, [](int, double) {});
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (guarded_ || !convex()) return Shape::occludes_packet(rays, entry, t_min, t_max);
+    return nearest_of_packet(rays, t_min, t_max, [](int, double) {});
   }
 
   bool crossed_once() const override { return convex() && !inverted() && !guarded_; }
-  Crossings cross(const Ray& ray) const override { return cross(ray, local(ray)); }
-  void cross_lanes(const RayLanes& rays, Crossings* crossings) const override {
-    ConvexLanes entry{}, exit{};
-    double near[ConvexLanes::kCount], scale[ConvexLanes::kCount];
-    unsigned asked = 0;
-    each_lane(rays.asked, [&](int k) {
-      crossings[k] = {};
+  Intersections cross(const Ray& ray) const override { return cross(ray, local(ray)); }
+  void cross_packet(const RayPacket& rays, Intersections* intersections) const override {
+    ConvexPacket entry{}, exit{};
+    double near[ConvexPacket::kCount], scale[ConvexPacket::kCount];
+    unsigned active = 0;
+    each_lane(rays.active, [&](int k) {
+      intersections[k] = {};
       const LocalRay l = local(rays.at(k));
       double far;
       if (!clip_to_cube(l, near[k], far)) return;
       set(entry, k, l), set(exit, k, l);
       scale[k] = l.scale;
       entry.t[k] = exit.end[k] = near[k], entry.end[k] = exit.t[k] = far;
-      asked |= 1u << k;
+      active |= 1u << k;
     });
-    const unsigned entered = approach(1, asked, entry), left = approach(-1, entered, exit);
+    const unsigned entered = approach(1, active, entry), left = approach(-1, entered, exit);
     each_lane(entered, [&](int k) {
-      crossings[k] = found_from(near[k], scale[k], doubt_at(rays.rays.origin.at(rays.first + k)), entry, true, exit,
-                                left >> k & 1, k, k);
+      intersections[k] = found_from(near[k], scale[k], doubt_at(rays.rays.origin.at(rays.first + k)), entry, true, exit,
+                                    left >> k & 1, k, k);
     });
   }
 
@@ -146,7 +146,7 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     return largest < most_inside_ || value(p) < kZero;
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     const Vec3 v = local(hit.point);
     const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
     const double r = norm(x, y, p_), f = norm(r, z, q_);
@@ -169,31 +169,31 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
   // With exponents of at least 1 the nested norms are convex: a ray enters once and leaves once, and Newton's method
   // from outside goes straight to each.
   bool convex() const { return p_.exponent() >= 1 && q_.exponent() >= 1; }
-  unsigned approach(double side, unsigned asked, ConvexLanes& lanes) const {
-    if (asked == 0) return 0;
-    std::fill_n(lanes.side, ConvexLanes::kCount, side);
-    return superellipsoid_kernels().approach(p_.exponent(), q_.exponent(), asked, lanes);
+  unsigned approach(double side, unsigned active, ConvexPacket& packet) const {
+    if (active == 0) return 0;
+    std::fill_n(packet.side, ConvexPacket::kCount, side);
+    return superellipsoid_kernels().approach(p_.exponent(), q_.exponent(), active, packet);
   }
-  static void set(ConvexLanes& lanes, int k, const LocalRay& l) {
-    lanes.ox[k] = l.origin.x, lanes.oy[k] = l.origin.y, lanes.oz[k] = l.origin.z;
-    lanes.dx[k] = l.direction.x, lanes.dy[k] = l.direction.y, lanes.dz[k] = l.direction.z;
+  static void set(ConvexPacket& packet, int k, const LocalRay& l) {
+    packet.ox[k] = l.origin.x, packet.oy[k] = l.origin.y, packet.oz[k] = l.origin.z;
+    packet.dx[k] = l.direction.x, packet.dy[k] = l.direction.y, packet.dz[k] = l.direction.z;
   }
-  // The lanes of `asked` that begin within the surface: only rays do that which begin within the cube around it.
-  unsigned beginning_inside(unsigned asked, ConvexLanes& lanes) const {
+  // The lanes of `active` that begin within the surface: only rays do that which begin within the cube around it.
+  unsigned beginning_inside(unsigned active, ConvexPacket& packet) const {
     unsigned begin_here = 0, inside = 0;
-    each_lane(asked, [&](int k) { begin_here |= lanes.t[k] == kNearest ? 1u << k : 0; });
+    each_lane(active, [&](int k) { begin_here |= packet.t[k] == kNearest ? 1u << k : 0; });
     if (begin_here == 0) return 0;
-    superellipsoid_kernels().value(p_.exponent(), q_.exponent(), lanes);
-    each_lane(begin_here, [&](int k) { inside |= lanes.value[k] <= -kZero ? 1u << k : 0; });
+    superellipsoid_kernels().value(p_.exponent(), q_.exponent(), packet);
+    each_lane(begin_here, [&](int k) { inside |= packet.value[k] <= -kZero ? 1u << k : 0; });
     return inside;
   }
 
   // What is known of one ray: where it enters the cube, and lanes in which the entry and the exit were looked for from
-  // either end of the stretch within it. The exit would be found from behind the entry only; that the search for it may
-  // pass the entry, where it finds nothing, does not matter.
-  Crossings found_from(double begin, double scale, double doubt, const ConvexLanes& entry, bool entered,
-                       const ConvexLanes& exit, bool left, int i, int j) const {
-    Crossings c;
+  // either end of the interval within it. The exit would be found from behind the entry only; that the search for it
+  // may pass the entry, where it finds nothing, does not matter.
+  Intersections found_from(double begin, double scale, double doubt, const ConvexPacket& entry, bool entered,
+                           const ConvexPacket& exit, bool left, int i, int j) const {
+    Intersections c;
     if (!entered) return c;
     const auto take = [&](double t) {
       const double depth = t / scale;
@@ -210,54 +210,54 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
   }
   // How much the value changes, at most, where a point is off by PlaneSet::doubt_at; and what the inside test
   // tolerates.
-  double doubt_at(const Vec3& origin) const { return 2 * stretch_ * PlaneSet::doubt_at(origin) + 100 * kZero; }
+  double doubt_at(const Vec3& origin) const { return 2 * interval_ * PlaneSet::doubt_at(origin) + 100 * kZero; }
   // The entry and the exit are looked for at the same time: each step is a long chain of operations that wait for each
   // other.
-  Crossings cross(const Ray& ray, const LocalRay& l) const {
+  Intersections cross(const Ray& ray, const LocalRay& l) const {
     double near, far;
     if (!clip_to_cube(l, near, far)) return {};
-    ConvexLanes lanes;
-    set(lanes, 0, l), set(lanes, 1, l);
-    lanes.t[0] = near, lanes.end[0] = far, lanes.side[0] = 1;
-    lanes.t[1] = far, lanes.end[1] = near, lanes.side[1] = -1;
-    const unsigned found = superellipsoid_kernels().approach_pair(p_.exponent(), q_.exponent(), 3, lanes);
-    return found_from(near, l.scale, doubt_at(ray.origin), lanes, found & 1, lanes, found & 2, 0, 1);
+    ConvexPacket packet;
+    set(packet, 0, l), set(packet, 1, l);
+    packet.t[0] = near, packet.end[0] = far, packet.side[0] = 1;
+    packet.t[1] = far, packet.end[1] = near, packet.side[1] = -1;
+    const unsigned found = superellipsoid_kernels().approach_pair(p_.exponent(), q_.exponent(), 3, packet);
+    return found_from(near, l.scale, doubt_at(ray.origin), packet, found & 1, packet, found & 2, 0, 1);
   }
   template <class Sink>
-  void convex_crossings(const Ray& ray, const LocalRay& l, Sink& sink) const {
-    const Crossings c = cross(ray, l);
+  void convex_intersections(const Ray& ray, const LocalRay& l, Sink& sink) const {
+    const Intersections c = cross(ray, l);
     for (int i = 0; i < c.count; ++i)
       if (sink.add(c.t[i], [&] { return ray.origin + c.t[i] * ray.direction; }) && Sink::kNearest) return;
   }
   // The same for eight rays: take(lane, t) for the nearest hits.
   template <class Take>
-  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, Take&& take) const {
-    ConvexLanes lanes{};
-    double near[ConvexLanes::kCount], far[ConvexLanes::kCount], scale[ConvexLanes::kCount];
-    unsigned asked = 0, found = 0;
-    each_lane(rays.asked, [&](int k) {
+  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, Take&& take) const {
+    ConvexPacket packet{};
+    double near[ConvexPacket::kCount], far[ConvexPacket::kCount], scale[ConvexPacket::kCount];
+    unsigned active = 0, found = 0;
+    each_lane(rays.active, [&](int k) {
       const LocalRay l = local(rays.at(k));
       if (!clip_to_cube(l, near[k], far[k])) return;
-      set(lanes, k, l);
+      set(packet, k, l);
       scale[k] = l.scale;
-      lanes.t[k] = near[k], lanes.end[k] = far[k];
-      asked |= 1u << k;
+      packet.t[k] = near[k], packet.end[k] = far[k];
+      active |= 1u << k;
     });
     const auto report = [&](int k) {
-      const double depth = lanes.t[k] / scale[k];
+      const double depth = packet.t[k] / scale[k];
       if (!(depth > kNearest && depth < kFarthest && depth >= t_min && depth < t_max[k])) return;
       found |= 1u << k;
       take(k, depth);
     };
-    const unsigned inside = beginning_inside(asked, lanes), entered = approach(1, asked & ~inside, lanes);
+    const unsigned inside = beginning_inside(active, packet), entered = approach(1, active & ~inside, packet);
     each_lane(entered, [&](int k) {
       report(k);
-      near[k] = lanes.t[k];
+      near[k] = packet.t[k];
     });
     const unsigned leaving = inside | (entered & ~found);
-    each_lane(leaving, [&](int k) { lanes.t[k] = far[k], lanes.end[k] = near[k]; });
-    each_lane(approach(-1, leaving, lanes), [&](int k) {
-      if (lanes.t[k] > near[k]) report(k);
+    each_lane(leaving, [&](int k) { packet.t[k] = far[k], packet.end[k] = near[k]; });
+    each_lane(approach(-1, leaving, packet), [&](int k) {
+      if (packet.t[k] > near[k]) report(k);
     });
     return found;
   }
@@ -316,7 +316,7 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     return t;
   }
 
-  // Outside at both ends of a stretch: a secant walk from the near end, which finds an entry if the ray dips below the
+  // Outside at both ends of a interval: a secant walk from the near end, which finds an entry if the ray dips below the
   // surface.
   bool grazing_entry(const LocalRay& l, double a, double fa, double b, double& entry) const {
     double t0 = a, f0 = fa, t1 = a + 1e-4 * (b - a), f1 = value(l, t1);
@@ -349,7 +349,7 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
   }
 
   Power p_, q_, p_less_, q_less_;       // the exponents, and these less 1
-  double stretch_ = 2;                  // nothing grows more than this much on the way to local coordinates
+  double interval_ = 2;                 // nothing grows more than this much on the way to local coordinates
   double most_inside_, least_outside_;  // of coordinates: where the formula need not be asked
   bool guarded_;
 };

@@ -1,4 +1,4 @@
-#include "tracer/shapes/algebraic/superellipsoid_lanes.h"
+#include "tracer/shapes/algebraic/superellipsoid_packet.h"
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -134,57 +134,57 @@ void norm(double p, Lane<kLanes>& value, Lane<kLanes>& slope, const Lane<kLanes>
 
 // The value at lanes.t with its slope on the side of lanes.side.
 template <int kLanes>
-void along(double p, double q, const ConvexLanes& lanes, Lane<kLanes>& value, Lane<kLanes>& slope) {
+void along(double p, double q, const ConvexPacket& packet, Lane<kLanes>& value, Lane<kLanes>& slope) {
   alignas(64) Lane<kLanes> y, z, y_slope, z_slope;
   const auto size = [&](const double* origin, const double* direction, Lane<kLanes>& v, Lane<kLanes>& s) {
     for (int i = 0; i < kLanes; ++i) {
-      const double d = direction[i], at = origin[i] + lanes.t[i] * d, level = lanes.side[i] * std::fabs(d);
+      const double d = direction[i], at = origin[i] + packet.t[i] * d, level = packet.side[i] * std::fabs(d);
       v[i] = std::fabs(at);
       s[i] = at == 0 ? level : at < 0 ? -d : d;
     }
   };
-  size(lanes.ox, lanes.dx, value, slope);
-  size(lanes.oy, lanes.dy, y, y_slope);
-  size(lanes.oz, lanes.dz, z, z_slope);
+  size(packet.ox, packet.dx, value, slope);
+  size(packet.oy, packet.dy, y, y_slope);
+  size(packet.oz, packet.dz, z, z_slope);
   norm(p, value, slope, y, y_slope);
   norm(q, value, slope, z, z_slope);
   for (int i = 0; i < kLanes; ++i) value[i] -= 1;
 }
 
-void value(double p, double q, ConvexLanes& lanes) {
-  alignas(64) Lane<ConvexLanes::kCount> values, slopes;
-  along(p, q, lanes, values, slopes);
-  for (int i = 0; i < ConvexLanes::kCount; ++i) lanes.value[i] = values[i];
+void value(double p, double q, ConvexPacket& packet) {
+  alignas(64) Lane<ConvexPacket::kCount> values, slopes;
+  along(p, q, packet, values, slopes);
+  for (int i = 0; i < ConvexPacket::kCount; ++i) packet.value[i] = values[i];
 }
 
 template <int kLanes>
-unsigned approach(double p, double q, unsigned asked, ConvexLanes& lanes) {
+unsigned approach(double p, double q, unsigned active_mask, ConvexPacket& packet) {
   alignas(64) Lane<kLanes> values, slopes;
   alignas(64) std::int64_t active[kLanes], found[kLanes];
-  for (int i = 0; i < kLanes; ++i) active[i] = asked >> i & 1, found[i] = 0;
+  for (int i = 0; i < kLanes; ++i) active[i] = active_mask >> i & 1, found[i] = 0;
   for (int step = 0; step < 100; ++step) {
-    along(p, q, lanes, values, slopes);
+    along(p, q, packet, values, slopes);
     std::int64_t any = 0;
     for (int i = 0; i < kLanes; ++i) {
       // The tangent lies below the curve: where it does not fall, or meets zero behind the end, there is nothing.
-      const double t = lanes.t[i], side = lanes.side[i], next = t - values[i] / slopes[i];
+      const double t = packet.t[i], side = packet.side[i], next = t - values[i] / slopes[i];
       const std::int64_t arrived = flag(values[i] < kZero),
-                         goes_on = flag(slopes[i] * side < 0) & flag((lanes.end[i] - next) * side >= 0);
-      const std::int64_t stays = flag(next == t), moves = active[i] & (1 - arrived) & goes_on & (1 - stays);
+                         goes_on = flag(slopes[i] * side < 0) & flag((packet.end[i] - next) * side >= 0);
+      const std::int64_t stays = flag(next == t), steps = active[i] & (1 - arrived) & goes_on & (1 - stays);
       found[i] |= active[i] & (arrived | (goes_on & stays));
-      lanes.t[i] = moves != 0 ? next : t;
-      active[i] = moves;
-      any |= moves;
+      packet.t[i] = steps != 0 ? next : t;
+      active[i] = steps;
+      any |= steps;
     }
     if (any == 0) break;
   }
-  for (int i = 0; i < kLanes; ++i) lanes.value[i] = values[i], lanes.slope[i] = slopes[i];
+  for (int i = 0; i < kLanes; ++i) packet.value[i] = values[i], packet.slope[i] = slopes[i];
   unsigned result = 0;
   for (int i = 0; i < kLanes; ++i) result |= (found[i] | active[i]) != 0 ? 1u << i : 0;
   return result;
 }
 
-const SuperellipsoidKernels kKernels = {value, approach<ConvexLanes::kCount>, approach<2>};
+const SuperellipsoidKernels kKernels = {value, approach<ConvexPacket::kCount>, approach<2>};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/lane_kernels.h"
+#include "tracer/shapes/packet_kernels.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -28,7 +28,7 @@ class Torus final : public Primitive<Torus> {
         guarded_(has_guards(description)) {}
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
     if (!meets_thick_cylinder(l)) return;
     // Start near the torus: the quartic loses its digits far away from it.
@@ -44,17 +44,17 @@ class Torus final : public Primitive<Torus> {
     report(ray, c, advance, l.scale, sink);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
-    return nearest_of_lanes(
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+    return nearest_of_packet(
         rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const override {
-    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
     Hit hit;
-    return nearest_of_lanes(
+    return nearest_of_packet(
         rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
@@ -64,7 +64,7 @@ class Torus final : public Primitive<Torus> {
     return rho * rho + p.y * p.y <= minor2_;
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     const Vec3 p = local(hit.point);
     const double rho = std::sqrt(p.x * p.x + p.z * p.z);
     if (!(rho > kEpsilon)) return world_normal(p);
@@ -91,15 +91,15 @@ class Torus final : public Primitive<Torus> {
     }
   }
   template <class HitOf>
-  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
-    TorusLanes lanes;
-    lane_kernels().torus(major_, minor_, has_matrix() ? &matrix() : nullptr, rays, lanes);
+  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    TorusPacket packet;
+    packet_kernels().torus(major_, minor_, has_matrix() ? &matrix() : nullptr, rays, packet);
     unsigned found = 0;
-    each_lane(rays.asked, [&](int k) {
-      if (lanes.met[k] == 0) return;
-      const double c[5] = {1, lanes.c[0][k], lanes.c[1][k], lanes.c[2][k], lanes.c[3][k]};
+    each_lane(rays.active, [&](int k) {
+      if (packet.met[k] == 0) return;
+      const double c[5] = {1, packet.c[0][k], packet.c[1][k], packet.c[2][k], packet.c[3][k]};
       NearestHit sink(*this, nullptr, t_min, t_max[k], hit_of(k), any);
-      report(rays.at(k), c, lanes.advance[k], lanes.scale[k], sink);
+      report(rays.at(k), c, packet.advance[k], packet.scale[k], sink);
       found |= sink.found() ? 1u << k : 0;
     });
     return found;

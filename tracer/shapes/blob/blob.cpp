@@ -9,11 +9,11 @@
 #include <optional>
 #include <span>
 
-#include "tracer/bvh/box_tree.h"
-#include "tracer/math/bernstein_lanes.h"
-#include "tracer/shapes/blob/blob_lanes.h"
+#include "tracer/bvh/bvh.h"
+#include "tracer/math/bernstein_packet.h"
+#include "tracer/shapes/blob/blob_packet.h"
 #include "tracer/shapes/blob/blob_parts.h"
-#include "tracer/shapes/blob/blob_stretches.h"
+#include "tracer/shapes/blob/blob_intervals.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/scratch.h"
@@ -36,7 +36,7 @@ class Blob final : public Primitive<Blob> {
       : Blob(description, *blob, BlobParts::of(blob)) {}
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
     Scratch<Piece> pieces;
     if (tree_.empty()) {
@@ -52,28 +52,28 @@ class Blob final : public Primitive<Blob> {
     add_events(pieces, 0, events);
     Scratch<std::int32_t> active;
     for (std::size_t i = 0; i < pieces.size(); ++i) active.add(0);
-    Stretches stretches(&events[0], events.size(), &active[0]);
-    if (!stretches.valid()) return;
-    while (stretches.next()) {
+    Intervals intervals(&events[0], events.size(), &active[0]);
+    if (!intervals.valid()) return;
+    while (intervals.next()) {
       double power[5], roots[4];
-      if (!sum_pieces(&pieces[0], stretches, power)) continue;
-      const int n = bernstein_roots<4>(power, stretches.from, stretches.to, roots);
+      if (!sum_pieces(&pieces[0], intervals, power)) continue;
+      const int n = bernstein_roots<4>(power, intervals.from, intervals.to, roots);
       for (int i = 0; i < n; ++i)
-        if (report(ray, l.scale, stretches, roots[i], sink) && Sink::kNearest) return;
+        if (report(ray, l.scale, intervals, roots[i], sink) && Sink::kNearest) return;
     }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const override {
-    if (spheres_.empty()) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
-    return nearest_of_lanes(
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (spheres_.empty()) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+    return nearest_of_packet(
         rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const override {
-    if (spheres_.empty()) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (spheres_.empty()) return Shape::occludes_packet(rays, entry, t_min, t_max);
     Hit hit;
-    return nearest_of_lanes(
+    return nearest_of_packet(
         rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
@@ -84,7 +84,7 @@ class Blob final : public Primitive<Blob> {
     return sum > threshold_ - kInsideMargin;
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     const Vec3 p = local(hit.point);
     Vec3 gradient(0);
     at(p, [&](const Part& part, double d2, const Vec3& to_point) {
@@ -161,7 +161,7 @@ class Blob final : public Primitive<Blob> {
     });
   }
 
-  // The stretch of the ray within a part's reach.
+  // The interval of the ray within a part's reach.
   static void add_piece(const Part& part, const LocalRay& l, Scratch<Piece>& pieces) {
     Vec3 o = l.origin, d = l.direction;
     if (part.moved) o = part.transform->inverse_point(o), d = part.transform->inverse_direction(d);
@@ -213,23 +213,23 @@ class Blob final : public Primitive<Blob> {
     if (events.size() > kFewPieces) events.sort();
   }
 
-  // The field less the threshold on a stretch, in powers of the rescaled parameter; false: it does not reach it.
-  bool sum_pieces(Piece* pieces, const Stretches& stretches, double* power) const {
+  // The field less the threshold on a interval, in powers of the rescaled parameter; false: it does not reach it.
+  bool sum_pieces(Piece* pieces, const Intervals& intervals, double* power) const {
     double peak = 0;
-    for (const std::int32_t i : stretches.active()) peak += pieces[i].peak;
+    for (const std::int32_t i : intervals.active()) peak += pieces[i].peak;
     if (misses(peak)) return false;
     power[0] = -threshold_, power[1] = power[2] = power[3] = power[4] = 0;
-    for (const std::int32_t n : stretches.active()) {
+    for (const std::int32_t n : intervals.active()) {
       Piece& piece = pieces[n];
-      if (!piece.expanded) expand(piece, stretches.start, stretches.span);
+      if (!piece.expanded) expand(piece, intervals.start, intervals.span);
       for (int i = 0; i < 5; ++i) power[i] += piece.power[i];
     }
     return true;
   }
 
   template <class Sink>
-  static bool report(const Ray& ray, double scale, const Stretches& stretches, double root, Sink& sink) {
-    const double depth = (stretches.start + stretches.span * root) / scale;
+  static bool report(const Ray& ray, double scale, const Intervals& intervals, double root, Sink& sink) {
+    const double depth = (intervals.start + intervals.span * root) / scale;
     // Searches from within (subsurface scattering) ask for everything in front, and POV-Ray's own leave nothing out
     // there.
     const double nearest = Sink::kNearest && sink.lower() == std::numeric_limits<double>::min() ? 1e-7 : kNearest;
@@ -237,12 +237,12 @@ class Blob final : public Primitive<Blob> {
   }
 
   // The parts that any of several rays may meet.
-  std::uint64_t parts_near(const LocalLanes& l, unsigned lanes) const {
+  std::uint64_t parts_near(const LocalPacket& l, unsigned lanes) const {
     const int one = std::countr_zero(lanes);
     const auto origin = [&](int k) { return Vec3(l.ox[k], l.oy[k], l.oz[k]); };
     const auto direction = [&](int k) { return Vec3(l.dx[k], l.dy[k], l.dz[k]); };
     double apart2 = 0, bent2 = 0, size2 = HUGE_VAL;
-    bool strange = false;  // no numbers: any part may be near
+    bool strange = false;  // NaN: any part may be near
     each_lane(lanes, [&](int k) {
       const Vec3 o = origin(k) - origin(one), d = direction(k) - direction(one);
       const double a = dot(o, o), b = dot(d, d), c = dot(direction(k), direction(k));
@@ -261,32 +261,32 @@ class Blob final : public Primitive<Blob> {
   }
 
   // A ray of several, and its part of the lists that they share.
-  struct LaneSearch {
+  struct PacketSearch {
     std::size_t first_piece, first_event, events;
     double scale;
-    std::optional<Stretches> stretches;
+    std::optional<Intervals> intervals;
   };
 
   template <class HitOf>
-  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
-    const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
+  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
     if (admitted == 0) return 0;
-    LocalLanes lanes;
-    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes);
-    PieceLanes met[BlobParts::kMostForLanes];
+    LocalPacket lanes;
+    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes);
+    PiecePacket met[BlobParts::kMaxForPacket];
     const std::size_t count = blob_kernels().pieces(parts_.data(), parts_near(lanes, admitted), lanes, admitted, met);
     if (count == 0) return 0;
     Scratch<Piece> pieces;
-    Scratch<Event, LaneSearch> events;
+    Scratch<Event, PacketSearch> events;
     Scratch<std::int32_t> active;
-    LaneSearch searches[RayLanes::kCount];
+    PacketSearch searches[RayPacket::kCount];
     unsigned open = 0, apart = 0;
     each_lane(admitted, [&](int k) {
-      LaneSearch& search = searches[k];
+      PacketSearch& search = searches[k];
       search = {pieces.size(), events.size(), 0, lanes.scale[k], {}};
       double peak = 0;
       for (std::size_t i = 0; i < count; ++i) {
-        const PieceLanes& p = met[i];
+        const PiecePacket& p = met[i];
         if (!(p.met >> k & 1)) continue;
         pieces.add({p.t0[k], p.t1[k], p.a[k], p.b[k], p.c[k], p.part, p.peak[k]});
         peak += p.peak[k];
@@ -304,33 +304,33 @@ class Blob final : public Primitive<Blob> {
     });
     for (std::size_t i = 0; i < pieces.size(); ++i) active.add(0);
     each_lane(open, [&](int k) {
-      LaneSearch& search = searches[k];
-      search.stretches.emplace(&events[search.first_event], search.events, &active[search.first_piece]);
-      if (!search.stretches->valid()) open &= ~(1u << k);
+      PacketSearch& search = searches[k];
+      search.intervals.emplace(&events[search.first_event], search.events, &active[search.first_piece]);
+      if (!search.intervals->valid()) open &= ~(1u << k);
     });
 
     unsigned found = 0;
     each_lane(apart, [&](int k) {
       NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
-      crossings(rays.at(k), sink);
+      intersections(rays.at(k), sink);
       found |= sink.found() ? 1u << k : 0;
     });
-    // Every lane goes from stretch to stretch until it is hit; those of all lanes are solved together.
-    RootLanes roots;
+    // Every lane goes from interval to interval until it is hit; those of all lanes are solved together.
+    RootPacket roots;
     while (open != 0) {
       unsigned solved = 0;
       each_lane(open, [&](int k) {
-        LaneSearch& search = searches[k];
-        Stretches& stretches = *search.stretches;
+        PacketSearch& search = searches[k];
+        Intervals& intervals = *search.intervals;
         double power[5];
         do {
-          if (!stretches.next() || (stretches.start + stretches.span * stretches.from) / search.scale >= t_max[k]) {
+          if (!intervals.next() || (intervals.start + intervals.span * intervals.from) / search.scale >= t_max[k]) {
             open &= ~(1u << k);
             return;
           }
-        } while (!sum_pieces(&pieces[search.first_piece], stretches, power));
+        } while (!sum_pieces(&pieces[search.first_piece], intervals, power));
         for (int i = 0; i < 5; ++i) roots.power[i][k] = power[i];
-        roots.from[k] = stretches.from, roots.to[k] = stretches.to;
+        roots.from[k] = intervals.from, roots.to[k] = intervals.to;
         solved |= 1u << k;
       });
       if (solved != 0) solved = bernstein_kernels().begin(4, solved, roots);
@@ -338,7 +338,7 @@ class Blob final : public Primitive<Blob> {
         solved &= bernstein_kernels().next(4, solved, roots);
         each_lane(solved, [&](int k) {
           NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
-          if (report(rays.at(k), searches[k].scale, *searches[k].stretches, roots.root[k], sink)) {
+          if (report(rays.at(k), searches[k].scale, *searches[k].intervals, roots.root[k], sink)) {
             found |= 1u << k;
             open &= ~(1u << k), solved &= ~(1u << k);
           }
@@ -366,7 +366,7 @@ class Blob final : public Primitive<Blob> {
   const std::vector<PartSpheres>& spheres_ = shared_->spheres;
   const std::vector<std::uint32_t>& order_ = shared_->order;
   const std::vector<PartSpheres>& ordered_spheres_ = shared_->ordered_spheres;
-  const accel::BoxTree& tree_ = shared_->tree;
+  const accel::Bvh& tree_ = shared_->tree;
   std::vector<scene::TexturePtr> textures_;
 };
 

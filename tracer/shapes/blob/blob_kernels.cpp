@@ -1,4 +1,4 @@
-#include "tracer/shapes/blob/blob_lanes.h"
+#include "tracer/shapes/blob/blob_packet.h"
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
@@ -21,7 +21,7 @@ struct Course {
   Packet a, b, c, t0, t1;
 };
 
-// The lanes that come within reach; sets the stretch between the planes of a cylinder or half sphere.
+// The lanes that come within reach; sets the interval between the planes of a cylinder or half sphere.
 HWY_INLINE Mask meet(const BlobPart& part, PacketVector<Packet> o, PacketVector<Packet> d, Course& course) {
   if (part.moved) {
     const Mat4& inverse = part.transform->inv;
@@ -60,7 +60,7 @@ std::uint64_t near_parts(const PartSpheres* spheres, std::size_t blocks, const V
                  beside2 = away2 - along * along * inverse2;
     Packet reach = radius + apart;
     if (bent > 0) reach += bent * (sqrt(away2) + apart);
-    // What is no number may be anything.
+    // What is NaN may be anything.
     near |= std::uint64_t{bits((radius >= 0) & ~(beside2 > reach * reach * (1 + 1e-6) + 1e-9 * away2))} << 8 * n;
   }
   return near;
@@ -77,8 +77,8 @@ std::uint64_t parts_around(const PartSpheres* spheres, std::size_t blocks, const
   return around;
 }
 
-std::size_t find_pieces(const BlobPart* parts, std::uint64_t near, const LocalLanes& rays, unsigned asked,
-                        PieceLanes* pieces) {
+std::size_t find_pieces(const BlobPart* parts, std::uint64_t near, const LocalPacket& rays, unsigned active,
+                        PiecePacket* pieces) {
   const PacketVector<Packet> o = {load(rays.ox), load(rays.oy), load(rays.oz)},
                              d = {load(rays.dx), load(rays.dy), load(rays.dz)};
   std::size_t found = 0;
@@ -86,16 +86,16 @@ std::size_t find_pieces(const BlobPart* parts, std::uint64_t near, const LocalLa
     const BlobPart& part = parts[__builtin_ctzll(near)];
     Course course;
     const Mask within = meet(part, o, d, course);
-    if ((bits(within) & asked) == 0) continue;
+    if ((bits(within) & active) == 0) continue;
     const Packet a = course.a, b = course.b, c = course.c;
     const Mask slanted = a > kEpsilon;
     const Packet discriminant = b * b - a * (c - part.radius2);
     const Packet root = sqrt(discriminant);
     const Packet t0 = select(slanted, max(course.t0, (-b - root) / a), course.t0),
                  t1 = select(slanted, min(course.t1, (-b + root) / a), course.t1);
-    const unsigned met = bits(within & (t1 > t0) & (t1 < HUGE_VAL)) & asked;
+    const unsigned met = bits(within & (t1 > t0) & (t1 < HUGE_VAL)) & active;
     if (met == 0) continue;
-    PieceLanes& piece = pieces[found++];
+    PiecePacket& piece = pieces[found++];
     store(piece.t0, t0), store(piece.t1, t1), store(piece.a, a), store(piece.b, b), store(piece.c, c);
     // The field of a positive part is largest where the ray is closest.
     Packet peak{};

@@ -112,8 +112,8 @@ BlobParts::BlobParts(const scene::Blob& blob) : parts(parts_of(blob)) {
     boxes.push_back(part.box);
     finite = finite && accel::is_finite(part.box) && !accel::is_empty(part.box);
   }
-  if (parts.size() <= kMostForLanes && finite) spheres = spheres_around(parts);
-  if (parts.size() > kFewParts && finite) tree = accel::BoxTree(boxes);
+  if (parts.size() <= kMaxForPacket && finite) spheres = spheres_around(parts);
+  if (parts.size() > kFewParts && finite) tree = accel::Bvh(boxes);
   if (spheres.empty() || tree.empty()) return;
   std::vector<BlobPart> ordered;
   tree.each([&](std::uint32_t i) {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "tracer/bvh/box_tree.h"
-#include "tracer/shapes/blob/blob_lanes.h"
+#include "tracer/bvh/bvh.h"
+#include "tracer/shapes/blob/blob_packet.h"
 
 namespace verisim::shapes::blob {
 
@@ -27,9 +27,9 @@ struct BlobParts {
   // ask the tree.
   std::vector<std::uint32_t> order;
   std::vector<PartSpheres> ordered_spheres;
-  accel::BoxTree tree;
+  accel::Bvh tree;
 
-  static constexpr std::size_t kMostForLanes = 64;  // parts; of more, a tree finds the few that a ray meets
+  static constexpr std::size_t kMaxForPacket = 64;  // parts; of more, a tree finds the few that a ray meets
 };
 
 }  // namespace verisim::shapes::blob

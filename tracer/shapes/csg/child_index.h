@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/bvh.h"
 #include "tracer/shapes/quadrics/box_set.h"
 #include "tracer/shapes/scratch.h"
 
@@ -24,11 +24,11 @@ class ChildIndex {
   }
   void build() {
     leave_out_outsized();
-    few_ = boxes_.size() + unbounded_.size() <= BoxSet::kMost;
+    few_ = boxes_.size() + unbounded_.size() <= BoxSet::kMax;
     if (few_)
       take_few();
     else
-      tree_ = accel::BoxTree(boxes_);
+      tree_ = accel::Bvh(boxes_);
     boxes_ = {};
   }
   // Calls visit(child, t_max) -> t_max for every child whose box the ray meets.
@@ -130,7 +130,7 @@ class ChildIndex {
   BoxSet set_;                         // of few
   std::vector<std::uint32_t> places_;  // of its boxes
   std::uint32_t always_ = 0;
-  accel::BoxTree tree_;  // of many
+  accel::Bvh tree_;  // of many
 };
 
 }  // namespace verisim::shapes

@@ -145,15 +145,15 @@ class Merge final : public Sum {
     return tree_ ? tree_->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr})
                  : Shape::occludes(ray, t_min, t_max);
   }
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const override {
-    if (!tree_ || std::popcount(rays.asked) < CsgTree::kFewest)
-      return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (!tree_ || std::popcount(rays.active) < CsgTree::kMin)
+      return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
     return tree_->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const override {
-    if (!tree_ || std::popcount(rays.asked) < CsgTree::kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (!tree_ || std::popcount(rays.active) < CsgTree::kMin) return Shape::occludes_packet(rays, entry, t_min, t_max);
     return tree_->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});
   }
 

@@ -1,7 +1,7 @@
 #include "tracer/shapes/csg/csg_tree.h"
 #include <algorithm>
 #include <cmath>
-#include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/bvh.h"
 #include "tracer/shapes/quadrics/plane.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -415,26 +415,27 @@ template <class Number>
 }
 
 template <class Number>
-void consider_core(Search<Number>& s, const CsgNode& n, const Crossings* crossings) {
+void consider_core(Search<Number>& s, const CsgNode& n, const Intersections* intersections) {
   for (int turn = 0; turn < 2; ++turn) {
     alignas(64) double t[Number::kCount] = {};
     unsigned lanes = 0;
     each_lane(s.open, [&](int k) {
-      if (crossings[k].count > turn) t[k] = crossings[k].t[turn], lanes |= 1u << k;
+      if (intersections[k].count > turn) t[k] = intersections[k].t[turn], lanes |= 1u << k;
     });
     if (lanes != 0) consider(s, n, Number::load(t), Number::Mask::of_bits(lanes), IntsFor<Number>(0));
   }
 }
 
-HWY_INLINE void cross_core(const Search<Packet>& s, const CsgNode& n, const RayLanes& rays, Crossings* crossings) {
-  n.convex->cross_lanes({rays.rays, rays.first, s.open}, crossings);
+HWY_INLINE void cross_core(const Search<Packet>& s, const CsgNode& n, const RayPacket& rays,
+                           Intersections* intersections) {
+  n.convex->cross_packet({rays.rays, rays.first, s.open}, intersections);
 }
-HWY_INLINE void cross_core(const Search<PacketOf<1>>&, const CsgNode& n, const Ray& ray, Crossings* crossings) {
-  *crossings = n.convex->cross(ray);
+HWY_INLINE void cross_core(const Search<PacketOf<1>>&, const CsgNode& n, const Ray& ray, Intersections* intersections) {
+  *intersections = n.convex->cross(ray);
 }
 // Narrows near .. far and enter .. leave to where rays may be within the core.
 template <class Number, class Rays>
-[[gnu::noinline]] void narrow_to_core(Search<Number>& s, const Rays& rays, Crossings* core) {
+[[gnu::noinline]] void narrow_to_core(Search<Number>& s, const Rays& rays, Intersections* core) {
   cross_core(s, s.tree.nodes[s.tree.core], rays, core);
   alignas(64) double enter[Number::kCount] = {}, leave[Number::kCount] = {};
   each_lane(s.open, [&](int k) { enter[k] = core[k].near, leave[k] = core[k].far; });
@@ -443,7 +444,7 @@ template <class Number, class Rays>
   s.open &= bits(s.near <= s.far);
 }
 
-HWY_INLINE unsigned admitted(const Search<Packet>& s, const RayLanes& rays) {
+HWY_INLINE unsigned admitted(const Search<Packet>& s, const RayPacket& rays) {
   return s.query.guards->admit({rays.rays, rays.first, s.open});
 }
 HWY_INLINE unsigned admitted(const Search<PacketOf<1>>& s, const Ray& ray) {
@@ -455,7 +456,7 @@ template <class Number, class Rays>
 HWY_INLINE void begin(Search<Number>& s, const Rays& rays) {
   const CsgTree& tree = s.tree;
   if (tree.bounded | tree.any_boxed) {
-    constexpr double kHuge = 1e300;  // in the place of infinity, which times 0 would be no number
+    constexpr double kHuge = 1e300;  // in the place of infinity, which times 0 would be NaN
     const auto reciprocal = [](const Number& v) VERISIM_INLINE_LAMBDA {
       return select(abs(v) > 1 / kHuge, Number(1.0) / v, Number(kHuge));
     };
@@ -466,15 +467,15 @@ HWY_INLINE void begin(Search<Number>& s, const Rays& rays) {
     s.open &= bits(s.near <= s.far);
   }
   if (s.query.guards && s.open != 0) s.open &= admitted(s, rays);
-  for (const Hollow& hollow : tree.hollows)
-    each_lane(s.open, [&](int k) { s.open &= hollow.holds(ray_of(s, k), s.near[k], s.far[k]) ? ~(1u << k) : ~0u; });
+  for (const InteriorProxy& proxy : tree.proxies)
+    each_lane(s.open, [&](int k) { s.open &= proxy.holds(ray_of(s, k), s.near[k], s.far[k]) ? ~(1u << k) : ~0u; });
 }
 
 template <class Number, class Rays>
 HWY_INLINE void run(Search<Number>& s, const Rays& rays) {
   const CsgTree& tree = s.tree;
   begin(s, rays);
-  Crossings core[Number::kCount];
+  Intersections core[Number::kCount];
   if (tree.core != 0 && s.open != 0) narrow_to_core(s, rays, core);
   const std::uint32_t count = tree.nodes[0].end;
   for (std::uint32_t i = 1; i < count && s.open != 0;) {
@@ -549,11 +550,11 @@ HWY_INLINE unsigned search(Search<Number>& s, const Rays& rays, Hit* hits) {
 }
 
 // `hits`: null, if any hit will do.
-unsigned eight(const CsgTree& tree, const RayLanes& rays, const CsgQuery& query, Hit* hits) {
-  const auto place = [&](const RayRow::Vectors& v) VERISIM_INLINE_LAMBDA {
+unsigned eight(const CsgTree& tree, const RayPacket& rays, const CsgQuery& query, Hit* hits) {
+  const auto place = [&](const RayBatch::Vectors& v) VERISIM_INLINE_LAMBDA {
     return PacketVector<Packet>{load(v.x + rays.first), load(v.y + rays.first), load(v.z + rays.first)};
   };
-  Search<Packet> s(tree, query, place(rays.rays.origin), place(rays.rays.direction), rays.asked, hits == nullptr);
+  Search<Packet> s(tree, query, place(rays.rays.origin), place(rays.rays.direction), rays.active, hits == nullptr);
   return search(s, rays, hits);
 }
 bool one(const CsgTree& tree, const Ray& ray, const CsgQuery& query, Hit* hit) {

@@ -34,30 +34,30 @@ HitList hits_by_rule(const Shape& shape, const Ray& ray) {
 }
 
 // Rays that are asked together find what each finds alone.
-void expect_the_same_in_lanes(const Shape& shape) {
+void expect_the_same_in_packet(const Shape& shape) {
   std::mt19937 random(12);
   std::uniform_real_distribution<double> place(-3, 3);
-  const auto rays = std::make_unique<RayRow>();
+  const auto rays = std::make_unique<RayBatch>();
   int met = 0;
   for (int round = 0; round < 500; ++round) {
     const Vec3 from(place(random), place(random), place(random)),
         to(0.5 * place(random), 0.5 * place(random), 0.5 * place(random));
-    const int first = round % 3 * RayLanes::kCount;
-    const RayLanes lanes{*rays, first, round % 4 == 0 ? static_cast<unsigned>(random()) & 255u : 255u};
+    const int first = round % 3 * RayPacket::kCount;
+    const RayPacket packet{*rays, first, round % 4 == 0 ? static_cast<unsigned>(random()) & 255u : 255u};
     const double t_min = round % 5 == 0 ? 1.0 : 0.0, spread = round % 2 == 0 ? 0.05 : 0.4;
-    double t_max[RayLanes::kCount];
-    for (int k = 0; k < RayLanes::kCount; ++k) {
+    double t_max[RayPacket::kCount];
+    for (int k = 0; k < RayPacket::kCount; ++k) {
       rays->origin.set(first + k, from),
           rays->direction.set(first + k,
                               normalize(to + spread * Vec3(place(random), place(random), place(random)) - from));
       t_max[k] = k % 3 == 0 ? 2.5 : 1e9;
     }
-    Hit hits[RayLanes::kCount];
-    const unsigned found = shape.intersect_lanes(lanes, nullptr, RayKind::query, t_min, t_max, hits);
-    const unsigned blocked = shape.occludes_lanes(lanes, nullptr, t_min, t_max);
-    each_lane(lanes.asked, [&](int k) {
+    Hit hits[RayPacket::kCount];
+    const unsigned found = shape.intersect_packet(packet, nullptr, RayKind::query, t_min, t_max, hits);
+    const unsigned blocked = shape.occludes_packet(packet, nullptr, t_min, t_max);
+    each_lane(packet.active, [&](int k) {
       Hit alone;
-      ASSERT_EQ(shape.intersect(lanes.at(k), RayKind::query, t_min, t_max[k], alone), (found >> k & 1) != 0)
+      ASSERT_EQ(shape.intersect(packet.at(k), RayKind::query, t_min, t_max[k], alone), (found >> k & 1) != 0)
           << round << ' ' << k;
       ASSERT_EQ(found >> k & 1, blocked >> k & 1) << round << ' ' << k;
       if (!(found >> k & 1)) return;
@@ -97,7 +97,7 @@ void expect_rule(const ObjectRef& object) {
     ++met;
   }
   EXPECT_GT(met, 300);
-  expect_the_same_in_lanes(*shape);
+  expect_the_same_in_packet(*shape);
 }
 
 const ObjectRef block = make(scene::Box{{-1.5, -1, -1.2}, {1.5, 1, 1.2}});
@@ -141,18 +141,18 @@ TEST(CsgRays, UnionsWithClips) {
 }
 
 // Not dissolved, with bounds, more children than boxes of a set, some of them infinite.
-TEST(CsgRays, UnionsInLanes) {
+TEST(CsgRays, UnionsInPacket) {
   const Steps bounded = [](Object& o) { o.bounded_by.push_back(make(scene::Sphere{Vec3(0), 1.6})); };
-  expect_the_same_in_lanes(*compile(*make_union({ball, ring, tube})));
-  expect_the_same_in_lanes(*compile(*make_union({ball, ring, tube}, bounded)));
-  expect_the_same_in_lanes(
+  expect_the_same_in_packet(*compile(*make_union({ball, ring, tube})));
+  expect_the_same_in_packet(*compile(*make_union({ball, ring, tube}, bounded)));
+  expect_the_same_in_packet(
       *compile(*make_union({make_difference({block, tube}), ring, make(scene::Plane{{0.2, 1, 0}, -0.9})}, bounded)));
   std::vector<ObjectRef> many;
   for (int i = 0; i < 40; ++i)
     many.push_back(make(scene::Sphere{{0.1 * i - 2, 0.5 * std::sin(i), 0.5 * std::cos(2 * i)}, 0.2}));
-  expect_the_same_in_lanes(*compile(*make_union(many, below)));
+  expect_the_same_in_packet(*compile(*make_union(many, below)));
   // Of two that are met at the same distance the later one shows.
-  expect_the_same_in_lanes(
+  expect_the_same_in_packet(
       *compile(*make_union({ball, make(scene::Sphere{{0.3, 0.2, 0.1}, 1}), make_union({ball, ring}, below)})));
 }
 
@@ -236,21 +236,21 @@ TEST(CsgRays, RandomTrees) {
     for (int set = 0; set < simd::kInstructionSets; ++set)
       kinds[set] = CsgTree::of(*shape, shape->children(), everywhere(), {}, set);
     trees += kinds[0] != nullptr;
-    const auto rays = std::make_unique<RayRow>();
-    for (int k = 0; k < RayRow::kMost; ++k) {
+    const auto rays = std::make_unique<RayBatch>();
+    for (int k = 0; k < RayBatch::kMax; ++k) {
       const Vec3 from = random.vector(round % 2 == 0 ? 3 : 0.8);
       rays->origin.set(k, from),
           rays->direction.set(k, k % 7 == 0 ? Vec3(0, k % 2 == 0 ? 1 : -1, 0) : normalize(random.vector(0.7) - from));
     }
-    for (int first = 0; first < RayRow::kMost; first += RayLanes::kCount) {
+    for (int first = 0; first < RayBatch::kMax; first += RayPacket::kCount) {
       const double t_min = first == 0 ? 0.5 : 0;
-      double t_max[RayLanes::kCount];
-      for (int k = 0; k < RayLanes::kCount; ++k) t_max[k] = k % 3 == 0 ? 2.5 : HUGE_VAL;
-      const RayLanes lanes{*rays, first, 255};
-      Hit hits[RayLanes::kCount];
-      const unsigned found = shape->intersect_lanes(lanes, nullptr, RayKind::query, t_min, t_max, hits);
-      for (int k = 0; k < RayLanes::kCount; ++k) {
-        const HitList all = hits_by_rule(*shape, lanes.at(k));
+      double t_max[RayPacket::kCount];
+      for (int k = 0; k < RayPacket::kCount; ++k) t_max[k] = k % 3 == 0 ? 2.5 : HUGE_VAL;
+      const RayPacket packet{*rays, first, 255};
+      Hit hits[RayPacket::kCount];
+      const unsigned found = shape->intersect_packet(packet, nullptr, RayKind::query, t_min, t_max, hits);
+      for (int k = 0; k < RayPacket::kCount; ++k) {
+        const HitList all = hits_by_rule(*shape, packet.at(k));
         const Hit* nearest = nullptr;
         for (const Hit& h : all)
           if (h.t >= t_min && h.t < t_max[k] && (!nearest || h.t <= nearest->t)) nearest = &h;
@@ -265,17 +265,17 @@ TEST(CsgRays, RandomTrees) {
           if (!tree) continue;
           Hit hit;
           const CsgQuery query{RayKind::query, t_min, t_max + k, nullptr, nullptr};
-          ASSERT_EQ(tree->nearest(lanes.at(k), query, hit), nearest != nullptr) << round << ' ' << first + k;
-          ASSERT_EQ(tree->occluded(lanes.at(k), query), nearest != nullptr) << round << ' ' << first + k;
+          ASSERT_EQ(tree->nearest(packet.at(k), query, hit), nearest != nullptr) << round << ' ' << first + k;
+          ASSERT_EQ(tree->occluded(packet.at(k), query), nearest != nullptr) << round << ' ' << first + k;
           ASSERT_TRUE(!nearest || same(hit)) << round << ' ' << first + k;
         }
       }
       for (const auto& tree : kinds) {
         if (!tree) continue;
-        Hit others[RayLanes::kCount];
+        Hit others[RayPacket::kCount];
         const CsgQuery query{RayKind::query, t_min, t_max, nullptr, nullptr};
-        ASSERT_EQ(tree->nearest(lanes, query, others), found);
-        ASSERT_EQ(tree->occluded(lanes, query), found);
+        ASSERT_EQ(tree->nearest(packet, query, others), found);
+        ASSERT_EQ(tree->occluded(packet, query), found);
         each_lane(found, [&](int k) {
           ASSERT_TRUE(others[k].t == hits[k].t && others[k].shape == hits[k].shape &&
                       others[k].point == hits[k].point && others[k].part == hits[k].part);

@@ -3,22 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/bvh.h"
 
 namespace verisim::shapes {
 namespace {
 
-constexpr std::size_t kMostNodes = 40;
+constexpr std::size_t kMaxNodes = 40;
 
 // CSG objects without clips and bounds.
 bool takes_apart(const Shape& shape) {
   const scene::Object& o = *shape.object;
   return o.as<scene::Csg>() && o.bounded_by.empty() && o.clipped_by.empty();
 }
-// Nodes of these shapes; no further than to more than kMostNodes.
+// Nodes of these shapes; no further than to more than kMaxNodes.
 std::size_t count_nodes(std::span<const std::unique_ptr<Shape>> shapes) {
   std::size_t count = 0;
-  for (auto shape = shapes.begin(); shape != shapes.end() && count <= kMostNodes; ++shape)
+  for (auto shape = shapes.begin(); shape != shapes.end() && count <= kMaxNodes; ++shape)
     count += 1 + (takes_apart(**shape) ? count_nodes((*shape)->children()) : 0);
   return count;
 }
@@ -140,10 +140,10 @@ bool reports_true_distances(const Shape& shape) {
 }
 
 std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std::unique_ptr<Shape>> children,
-                                           const Box3& limit, std::span<const Hollow> hollows, int set) {
+                                           const Box3& limit, std::span<const InteriorProxy> proxies, int set) {
   const CsgKernels* const kernels = set == kBest ? &csg_kernels() : csg_kernels(set);
   if (!kernels) return nullptr;
-  if (children.empty() || count_nodes(children) > kMostNodes) return nullptr;
+  if (children.empty() || count_nodes(children) > kMaxNodes) return nullptr;
   std::unique_ptr<CsgTree> tree(new CsgTree(*kernels));
   Builder builder{*tree};
   tree->nodes.emplace_back();
@@ -160,17 +160,17 @@ std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std
       std::all_of(children.begin(), children.end(), [](const auto& c) { return reports_true_distances(*c); });
   if (!builder.computes) return nullptr;
   tree->limit = Builder::enlarged(limit), tree->bounded = !(limit == everywhere());
-  tree->hollows.assign(hollows.begin(), hollows.end());
+  tree->proxies.assign(proxies.begin(), proxies.end());
   return tree;
 }
 
-unsigned CsgTree::nearest(const RayLanes& rays, const CsgQuery& query, Hit* hits) const {
+unsigned CsgTree::nearest(const RayPacket& rays, const CsgQuery& query, Hit* hits) const {
   return kernels_.eight(*this, rays, query, hits);
 }
 bool CsgTree::nearest(const Ray& ray, const CsgQuery& query, Hit& hit) const {
   return kernels_.one(*this, ray, query, &hit);
 }
-unsigned CsgTree::occluded(const RayLanes& rays, const CsgQuery& query) const {
+unsigned CsgTree::occluded(const RayPacket& rays, const CsgQuery& query) const {
   return kernels_.eight(*this, rays, query, nullptr);
 }
 bool CsgTree::occluded(const Ray& ray, const CsgQuery& query) const { return kernels_.one(*this, ray, query, nullptr); }

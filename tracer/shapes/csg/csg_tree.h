@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tracer/shapes/convex.h"
-#include "tracer/shapes/csg/hollow.h"
+#include "tracer/shapes/csg/interior_proxy.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -61,7 +61,7 @@ class CsgTree;
 
 // `hits`: null if any hit will do. The lanes that are hit, or whether the ray is.
 struct CsgKernels {
-  unsigned (*eight)(const CsgTree& tree, const RayLanes& rays, const CsgQuery& query, Hit* hits);
+  unsigned (*eight)(const CsgTree& tree, const RayPacket& rays, const CsgQuery& query, Hit* hits);
   bool (*one)(const CsgTree& tree, const Ray& ray, const CsgQuery& query, Hit* hit);
 };
 // Those of the best instruction set of this machine.
@@ -72,27 +72,27 @@ const CsgKernels* csg_kernels(int instruction_set);
 class CsgTree {
  public:
   static constexpr int kBest = -1;
-  static constexpr int kFewest = 2;  // rays that are worth being asked together
+  static constexpr int kMin = 2;  // rays that are worth being asked together
 
   // Of an object whose children are compiled; null if it has too many parts or none that is computed here.
-  // `limit`: outside of it nothing shows; may be infinite. `hollows`: rooms that are cut out of it. `instruction_set`:
+  // `limit`: outside of it nothing shows; may be infinite. `proxies`: rooms that are cut out of it. `instruction_set`:
   // the best, or any for tests (null: not on this machine).
   static std::unique_ptr<const CsgTree> of(const Shape& csg, std::span<const std::unique_ptr<Shape>> children,
-                                           const Box3& limit, std::span<const Hollow> hollows,
+                                           const Box3& limit, std::span<const InteriorProxy> proxies,
                                            int instruction_set = kBest);
 
   // Lanes that are hit, and where.
-  unsigned nearest(const RayLanes& rays, const CsgQuery& query, Hit* hits) const;
+  unsigned nearest(const RayPacket& rays, const CsgQuery& query, Hit* hits) const;
   bool nearest(const Ray& ray, const CsgQuery& query, Hit& hit) const;
   // Lanes with any hit.
-  unsigned occluded(const RayLanes& rays, const CsgQuery& query) const;
+  unsigned occluded(const RayPacket& rays, const CsgQuery& query) const;
   bool occluded(const Ray& ray, const CsgQuery& query) const;
 
   // For the kernels.
   std::vector<CsgNode> nodes;
   std::vector<std::uint32_t> children;
   std::vector<CsgTest> tests;
-  std::vector<Hollow> hollows;
+  std::vector<InteriorProxy> proxies;
   Box3 limit;
   bool bounded = false;  // by `limit`
   bool any_boxed = false, any_other = false;

@@ -7,7 +7,7 @@
 #include "tracer/shapes/csg/csg.h"
 #include "tracer/shapes/csg/csg_tree.h"
 #include "tracer/shapes/half_spaces.h"
-#include "tracer/shapes/csg/hollow.h"
+#include "tracer/shapes/csg/interior_proxy.h"
 #include "tracer/shapes/quadrics/plane_set.h"
 #include "tracer/shapes/quadrics/quadric_box.h"
 
@@ -58,8 +58,8 @@ class Intersection final : public CsgShape {
     // Between planes, and mostly within a convex child; what else cuts off a first hit makes all of them be asked for
     // again.
     firsts_survive_ = true_distances_ && (core_ || static_cast<std::size_t>(planes_.size()) + 1 == children_.size());
-    find_hollows();
-    tree_ = CsgTree::of(*this, children_, limit_, hollows_);
+    find_proxies();
+    tree_ = CsgTree::of(*this, children_, limit_, proxies_);
   }
 
   void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
@@ -93,10 +93,10 @@ class Intersection final : public CsgShape {
   }
 
   // The box and the planes decide for all rays at once which of them need be looked at.
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const override {
-    if (std::popcount(rays.asked) < CsgTree::kFewest)
-      return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (std::popcount(rays.active) < CsgTree::kMin)
+      return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
     if (tree_) return tree_->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
     unsigned found = 0;
     each_way(rays, t_min, t_max, [&](int k, const Ray& ray, Way& way) {
@@ -104,9 +104,9 @@ class Intersection final : public CsgShape {
     });
     return found;
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const override {
-    if (std::popcount(rays.asked) < CsgTree::kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (std::popcount(rays.active) < CsgTree::kMin) return Shape::occludes_packet(rays, entry, t_min, t_max);
     if (tree_) return tree_->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});
     unsigned found = 0;
     each_way(rays, t_min, t_max,
@@ -126,9 +126,9 @@ class Intersection final : public CsgShape {
   struct Way {
     double enter, leave;    // where it may be inside all planes
     double near, far;       // and inside the box
-    Crossings core;         // of the convex child
+    Intersections core;     // of the convex child
     std::uint64_t met = 0;  // the planes that it meets, at t
-    alignas(64) double t[PlaneSet::kMost];
+    alignas(64) double t[PlaneSet::kMax];
   };
   bool find_way(const Ray& ray, double t_min, double t_max, Way& way) const {
     way.near = t_min, way.far = t_max;
@@ -136,7 +136,7 @@ class Intersection final : public CsgShape {
     way.enter = t_min, way.leave = t_max;
     way.met = planes_.meet(ray, way.t, way.enter, way.leave);
     way.near = std::max(way.near, way.enter), way.far = std::min(way.far, way.leave);
-    if (!(way.near <= way.far) || (guards_ && !guards_->admit(ray)) || within_hollow(ray, way.near, way.far))
+    if (!(way.near <= way.far) || (guards_ && !guards_->admit(ray)) || within_proxy(ray, way.near, way.far))
       return false;
     if (!core_) return true;
     way.core = core_->cross(ray);
@@ -149,23 +149,24 @@ class Intersection final : public CsgShape {
     return way.near <= way.far;
   }
   template <class Visit>
-  void each_way(const RayLanes& rays, double t_min, const double* t_max, Visit&& visit) const {
-    alignas(64) double near[RayLanes::kCount], far[RayLanes::kCount], enter[RayLanes::kCount], leave[RayLanes::kCount];
-    std::fill_n(near, RayLanes::kCount, t_min), std::copy_n(t_max, RayLanes::kCount, far);
-    std::copy_n(near, RayLanes::kCount, enter), std::copy_n(far, RayLanes::kCount, leave);
+  void each_way(const RayPacket& rays, double t_min, const double* t_max, Visit&& visit) const {
+    alignas(64) double near[RayPacket::kCount], far[RayPacket::kCount], enter[RayPacket::kCount],
+        leave[RayPacket::kCount];
+    std::fill_n(near, RayPacket::kCount, t_min), std::copy_n(t_max, RayPacket::kCount, far);
+    std::copy_n(near, RayPacket::kCount, enter), std::copy_n(far, RayPacket::kCount, leave);
     if (bounded_) planes_.clip(limit_, rays, near, far);
-    unsigned open = within(near, far, rays.asked);
+    unsigned open = within(near, far, rays.active);
     if (open == 0) return;
     PlaneSet::Lanes planes;
     planes_.meet(rays, planes, enter, leave);
-    for (int k = 0; k < RayLanes::kCount; ++k)
+    for (int k = 0; k < RayPacket::kCount; ++k)
       near[k] = std::max(near[k], enter[k]), far[k] = std::min(far[k], leave[k]);
     open = within(near, far, open);
     if (guards_ && open != 0) open = guards_->admit({rays.rays, rays.first, open});
-    if (!hollows_.empty())
-      each_lane(open, [&](int k) { open &= within_hollow(rays.at(k), near[k], far[k]) ? ~(1u << k) : ~0u; });
-    Crossings core[RayLanes::kCount];
-    if (core_ && open != 0) core_->cross_lanes({rays.rays, rays.first, open}, core);
+    if (!proxies_.empty())
+      each_lane(open, [&](int k) { open &= within_proxy(rays.at(k), near[k], far[k]) ? ~(1u << k) : ~0u; });
+    Intersections core[RayPacket::kCount];
+    if (core_ && open != 0) core_->cross_packet({rays.rays, rays.first, open}, core);
     each_lane(open, [&](int k) {
       const Ray ray = rays.at(k);
       Way way;
@@ -179,28 +180,28 @@ class Intersection final : public CsgShape {
       visit(k, ray, way);
     });
   }
-  static unsigned within(const double* near, const double* far, unsigned asked) {
+  static unsigned within(const double* near, const double* far, unsigned active) {
     unsigned lanes = 0;
-    for (int k = 0; k < RayLanes::kCount; ++k) lanes |= near[k] <= far[k] ? 1u << k : 0;
-    return lanes & asked;
+    for (int k = 0; k < RayPacket::kCount; ++k) lanes |= near[k] <= far[k] ? 1u << k : 0;
+    return lanes & active;
   }
 
   // Convex children that are taken away and leave little of the solid's box.
-  void find_hollows() {
+  void find_proxies() {
     constexpr double kSmallest = 0.1;  // of the box
     if (!true_distances_) return;
     for (const auto& child : children_) {
       const Box3 box = common(child->bounds(), limit_);
       if (!child->object->inverted || accel::is_empty(box) || !(volume(box) >= kSmallest * volume(limit_))) continue;
-      if (const auto hollow = Hollow::of(*child->object)) hollows_.push_back(*hollow);
+      if (const auto proxy = InteriorProxy::of(*child->object)) proxies_.push_back(*proxy);
     }
   }
   static double volume(const Box3& box) {
     return (box.max.x - box.min.x) * (box.max.y - box.min.y) * (box.max.z - box.min.z);
   }
-  bool within_hollow(const Ray& ray, double near, double far) const {
-    return std::any_of(hollows_.begin(), hollows_.end(),
-                       [&](const Hollow& hollow) { return hollow.holds(ray, near, far); });
+  bool within_proxy(const Ray& ray, double near, double far) const {
+    return std::any_of(proxies_.begin(), proxies_.end(),
+                       [&](const InteriorProxy& proxy) { return proxy.holds(ray, near, far); });
   }
 
   // A hit that a plane cuts away for sure. Some shapes report hits as nearer than their points are: those are left to
@@ -255,7 +256,7 @@ class Intersection final : public CsgShape {
   // Leaves the first hit of the convex child that survives, and what is not behind it.
   template <class Survives>
   void keep_first(const Ray& ray, double t_min, double t_max, Way& way, Survives&& survives) const {
-    Crossings& core = way.core;
+    Intersections& core = way.core;
     const int count = std::exchange(core.count, 0);
     for (int n = 0; n < count && core.count == 0; ++n)
       if (core.t[n] >= t_min && core.t[n] < t_max && survives(ray.origin + core.t[n] * ray.direction, core_child_))
@@ -335,7 +336,7 @@ class Intersection final : public CsgShape {
   std::vector<bool>
       nested_;  // the children that are CSG objects: their first hit is the only one that matters, if it survives
   bool true_distances_ = false, firsts_survive_ = false;
-  std::vector<Hollow> hollows_;
+  std::vector<InteriorProxy> proxies_;
   std::unique_ptr<const CsgTree> tree_;  // of few and mostly simple parts: finds the same in less time
 };
 

@@ -18,7 +18,7 @@ class HeightField final : public Primitive<HeightField> {
       : HeightField(description, HeightGrid::of(field)) {}
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     if (grid_->empty()) return;
     // The ray in grid units; distances stay world distances.
     Vec3 o = ray.origin, d = ray.direction;
@@ -40,15 +40,15 @@ class HeightField final : public Primitive<HeightField> {
     descend(ray, o, d, enter, leave, sink);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const override {
-    if (guards() || grid_->empty()) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
-    return nearest_of_lanes(rays, t_min, t_max, hits);
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (guards() || grid_->empty()) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+    return nearest_of_packet(rays, t_min, t_max, hits);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const override {
-    if (guards() || grid_->empty()) return Shape::occludes_lanes(rays, entry, t_min, t_max);
-    return nearest_of_lanes(rays, t_min, t_max, nullptr);
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (guards() || grid_->empty()) return Shape::occludes_packet(rays, entry, t_min, t_max);
+    return nearest_of_packet(rays, t_min, t_max, nullptr);
   }
 
   // Below the surface, down to minus infinity.
@@ -66,7 +66,7 @@ class HeightField final : public Primitive<HeightField> {
     return y < ground;
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     if (!grid_->smooth()) return object_normal(facet(static_cast<int>(hit.u), static_cast<int>(hit.v), hit.part));
     const Vec3 p = local(hit.point);
     const double x = p.x * scale_.x, z = p.z * scale_.z;
@@ -101,7 +101,7 @@ class HeightField final : public Primitive<HeightField> {
   Vec3 object_normal(const Vec3& n) const { return world_normal({n.x * scale_.x, n.y * scale_.y, n.z * scale_.z}); }
 
   // The hits of several rays; null: whether there are any.
-  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, Hit* hits) const {
+  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, Hit* hits) const {
     const HeightPacketKernels& kernels = height_packet_kernels();
     HeightPacket packet;
     unsigned found = 0, rest = kernels.enter(*grid_, has_matrix() ? &matrix() : nullptr, rays, packet);

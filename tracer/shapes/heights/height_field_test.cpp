@@ -190,12 +190,12 @@ TEST(HeightField, WalksAreTheSameWithAllInstructionSets) {
 }
 
 // Eight rays that go the same way, from close together or from far, along the grid, in parallel, or anywhere.
-void fill_rays(std::mt19937& rng, int round, RayRow& rays) {
+void fill_rays(std::mt19937& rng, int round, RayBatch& rays) {
   std::uniform_real_distribution<double> unit(0, 1);
   const auto anywhere = [&](double size) { return Vec3(unit(rng) - 0.5, unit(rng) - 0.5, unit(rng) - 0.5) * size; };
   const Vec3 middle(0.5, 0.4, 0.5), eye = middle + anywhere(round % 3 == 0 ? 40 : 3), aim = middle + anywhere(1),
                                     step = anywhere(round % 4 == 0 ? 0.3 : 0.02);
-  for (int i = 0; i < RayLanes::kCount; ++i) {
+  for (int i = 0; i < RayPacket::kCount; ++i) {
     const Vec3 beside = step * double(i);
     rays.origin.set(i, round % 5 == 1 ? eye + beside : eye);
     rays.direction.set(i, normalize(aim + beside - eye));
@@ -211,7 +211,7 @@ void fill_rays(std::mt19937& rng, int round, RayRow& rays) {
 TEST(HeightField, EightRaysFindWhatEachFinds) {
   std::mt19937 rng(7);
   std::uniform_real_distribution<double> unit(0, 1);
-  const auto rays = std::make_unique<RayRow>();
+  const auto rays = std::make_unique<RayBatch>();
   int met = 0, together = 0;
   for (int kind = 0; kind < 3; ++kind) {
     auto f = field(function_image(kind == 2 ? 300 : 37, kind == 2 ? 200 : 21, [&](double x, double y) {
@@ -229,20 +229,20 @@ TEST(HeightField, EightRaysFindWhatEachFinds) {
     for (int round = 0; round < 3000; ++round) {
       fill_rays(rng, round, *rays);
       const double across = unit(rng), tilt = std::exp(-40 * unit(rng));
-      for (int k = 0; round % 10 == 3 && k < RayLanes::kCount;
+      for (int k = 0; round % 10 == 3 && k < RayPacket::kCount;
            ++k) {  // straight down, but for the rounding of a rotation
         rays->origin.set(k, {0.1 * k + 0.03, 2, across});
         rays->direction.set(k, {round % 20 == 3 ? 0 : 0.5 * tilt, -1, tilt});
       }
       const double t_min = round % 9 == 0 ? 0.8 : 1e-4;
-      alignas(64) double t_max[RayLanes::kCount];
+      alignas(64) double t_max[RayPacket::kCount];
       for (double& limit : t_max) limit = round % 6 == 0 ? unit(rng) * 3 : 1e30;
-      const RayLanes lanes{*rays, 0, round % 8 == 0 ? static_cast<unsigned>(rng() & 255) : 255};
+      const RayPacket lanes{*rays, 0, round % 8 == 0 ? static_cast<unsigned>(rng() & 255) : 255};
       for (const auto* shape : {plain.get(), moved.get()}) {
-        Hit hits[RayLanes::kCount];
-        const unsigned found = shape->intersect_lanes(lanes, nullptr, RayKind::camera, t_min, t_max, hits);
-        ASSERT_EQ(found, shape->occludes_lanes(lanes, nullptr, t_min, t_max)) << round;
-        each_lane(lanes.asked, [&](int k) {
+        Hit hits[RayPacket::kCount];
+        const unsigned found = shape->intersect_packet(lanes, nullptr, RayKind::camera, t_min, t_max, hits);
+        ASSERT_EQ(found, shape->occludes_packet(lanes, nullptr, t_min, t_max)) << round;
+        each_lane(lanes.active, [&](int k) {
           Hit alone;
           ASSERT_EQ(shape->intersect(lanes.at(k), RayKind::camera, t_min, t_max[k], alone), (found >> k & 1) != 0)
               << kind << ' ' << round << ' ' << k;

@@ -54,7 +54,7 @@ HeightGrid::HeightGrid(const scene::HeightField& field) : water_(field.water_lev
 }
 
 // Extremes of the cells of one row, from the heights below and above it.
-void HeightGrid::row_of_cells(int k, std::vector<std::uint16_t>& low, std::vector<std::uint16_t>& high) const {
+void HeightGrid::batch_of_cells(int k, std::vector<std::uint16_t>& low, std::vector<std::uint16_t>& high) const {
   const std::uint16_t* below = &heights_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_)];
   const std::uint16_t* above = below + width_;
   std::uint16_t *lowest = low.data(), *highest = high.data();
@@ -75,7 +75,7 @@ HeightGrid::Level HeightGrid::blocks_of_cells() const {
   for (int k = 0; k < level.depth; ++k) {
     for (int j = 0; j < 4; ++j) {
       if (4 * k + j < d)
-        row_of_cells(4 * k + j, low[j], high[j]);
+        batch_of_cells(4 * k + j, low[j], high[j]);
       else
         low[j].assign(padded, 65535), high[j].assign(padded, 0);
     }

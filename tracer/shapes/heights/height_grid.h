@@ -33,7 +33,7 @@ class HeightGrid {
 
   // A block of 4^level cells a side has sixteen children, in Morton's order; those beyond the edge of the field have
   // low > high.
-  static constexpr int kChildren = 16, kMostLevels = 18;
+  static constexpr int kChildren = 16, kMaxLevels = 18;
   static constexpr int column(int child) { return (child & 1) | (child >> 1 & 2); }
   static constexpr int row(int child) { return (child >> 1 & 1) | (child >> 2 & 2); }
   struct alignas(64) Block {
@@ -62,7 +62,7 @@ class HeightGrid {
     int width = 0, depth = 0;
     std::vector<Block> blocks;
   };
-  void row_of_cells(int k, std::vector<std::uint16_t>& low, std::vector<std::uint16_t>& high) const;
+  void batch_of_cells(int k, std::vector<std::uint16_t>& low, std::vector<std::uint16_t>& high) const;
   Level blocks_of_cells() const;
   static Level blocks_of_blocks(const Level& below);
   void build_pyramid();

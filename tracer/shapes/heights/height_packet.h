@@ -3,7 +3,7 @@
 // Compiled for several instruction sets.
 #pragma once
 
-#include "tracer/math/ray_row.h"
+#include "tracer/math/ray_batch.h"
 #include "tracer/math/transform.h"
 #include "tracer/shapes/heights/height_grid.h"
 
@@ -12,7 +12,7 @@ namespace verisim::shapes {
 inline constexpr double kHeightFieldNearest = 1e-6, kHeightFieldEdge = 1e-4;
 
 struct alignas(64) HeightPacket {
-  static constexpr int kCount = RayLanes::kCount;
+  static constexpr int kCount = RayPacket::kCount;
   using Lane = double[kCount];
   // Rays in grid units, and where they enter and leave the field's box.
   Lane ox, oy, oz, dx, dy, dz, enter, leave;
@@ -23,7 +23,7 @@ struct alignas(64) HeightPacket {
 
 struct HeightPacketKernels {
   // Sets the rays; the lanes that meet the box. `matrix`: from the field's own space, null: none.
-  unsigned (*enter)(const HeightGrid& grid, const Transform* matrix, const RayLanes& rays, HeightPacket& packet);
+  unsigned (*enter)(const HeightGrid& grid, const Transform* matrix, const RayPacket& rays, HeightPacket& packet);
   // Sets the hits of `lanes`, which agree in the signs of dx and dz, with t_min <= t < t_max; `any`: not the nearest,
   // but any. False: they do not make a thick ray, nothing is done.
   bool (*walk)(const HeightGrid& grid, unsigned lanes, double t_min, const double* t_max, bool any,

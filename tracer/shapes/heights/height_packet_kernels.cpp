@@ -27,7 +27,7 @@ HWY_INLINE double least(const Packet& v) {
 }
 HWY_INLINE double most(const Packet& v) { return -least(-v); }
 
-unsigned enter(const HeightGrid& grid, const Transform* matrix, const RayLanes& rays, HeightPacket& p) {
+unsigned enter(const HeightGrid& grid, const Transform* matrix, const RayPacket& rays, HeightPacket& p) {
   const int first = rays.first;
   Packet o[3] = {load(rays.rays.origin.x + first), load(rays.rays.origin.y + first), load(rays.rays.origin.z + first)};
   Packet d[3] = {load(rays.rays.direction.x + first), load(rays.rays.direction.y + first),
@@ -41,7 +41,7 @@ unsigned enter(const HeightGrid& grid, const Transform* matrix, const RayLanes& 
   const double cells[3] = {grid.width() - 1.0, 65536, grid.depth() - 1.0};
   const double low[3] = {0, grid.bottom(), 0}, high[3] = {cells[0], grid.top(), cells[2]};
   Packet enter = kHeightFieldNearest, leave = 1e300;
-  Mask met = Mask::of_bits(rays.asked);
+  Mask met = Mask::of_bits(rays.active);
   for (int i = 0; i < 3; ++i) {
     o[i] *= cells[i], d[i] *= cells[i];
     const Mask level = d[i] == 0;
@@ -113,7 +113,7 @@ HWY_INLINE unsigned test_cell(const HeightGrid& grid, int i, int k, unsigned lan
   Packet best = load(p.t);
   IntPacket hit = load(p.triangle);
   const IntPacket none(-1);
-  const Mask asked = Mask::of_bits(lanes);
+  const Mask active = Mask::of_bits(lanes);
   unsigned any = 0;
   for (int triangle = 0; triangle < 2; ++triangle) {
     const double nx = triangle == 0 ? h00 - h10 : h01 - h11, nz = triangle == 0 ? h00 - h01 : h10 - h11;
@@ -126,7 +126,7 @@ HWY_INLINE unsigned test_cell(const HeightGrid& grid, int i, int k, unsigned lan
     const Mask in =
         triangle == 0 ? (a >= -e) & (b >= -e) & (a + b <= 1 + e) : (a <= 1 + e) & (b <= 1 + e) & (a + b >= 1 - e);
     const Mask wanted = (t >= t_min) & select(hit == none, t < t_max, t <= best);
-    const Mask taken = asked & in & ((nd > kEpsilon) | (nd < -kEpsilon)) & (t >= enter) & (t <= leave) & wanted;
+    const Mask taken = active & in & ((nd > kEpsilon) | (nd < -kEpsilon)) & (t >= enter) & (t <= leave) & wanted;
     const unsigned now = bits(taken);
     if (now == 0) continue;
     any |= now;
@@ -200,9 +200,9 @@ bool walk(const HeightGrid& grid, unsigned lanes, double t_min, const double* li
   // Lines that leave the field far behind would need more digits, and so would those of rays that go almost straight
   // down.
   const double reach = 2.0 * (grid.width() + grid.depth());
-  constexpr double kMostDigits = 1e10;
+  constexpr double kMaxDigits = 1e10;
   const Packet largest = max(max(abs(lines.w), abs(lines.y)), reach * max(abs(lines.w_slope), abs(lines.y_slope)));
-  if (bits((largest < kMostDigits) & here) != lanes) return false;
+  if (bits((largest < kMaxDigits) & here) != lanes) return false;
   if (!(w_least > -reach && w_most < reach && y_least > -4 * 65536 && y_most < 4 * 65536)) return false;
   ray.first = first;
   ray.side_margin = static_cast<float>(1e-3 + 4e-6 * reach);
@@ -214,7 +214,7 @@ bool walk(const HeightGrid& grid, unsigned lanes, double t_min, const double* li
     ray.u_steps[c] = static_cast<float>(ray.backward ? -u : u), ray.w_steps[c] = static_cast<float>(w);
   }
 
-  HeightWalk::Block blocks[HeightGrid::kMostLevels * HeightGrid::kChildren];
+  HeightWalk::Block blocks[HeightGrid::kMaxLevels * HeightGrid::kChildren];
   const double m = ray.side_margin, u_low = (ray.backward ? -last : first) - m,
                u_high = (ray.backward ? -first : last) + m;
   blocks[0] = ray.along_z ? block_around(grid, w_least - m, w_most + m, u_low, u_high)
@@ -251,9 +251,9 @@ bool walk(const HeightGrid& grid, unsigned lanes, double t_min, const double* li
                    high = block.high[c] + margin;
       const Column& column = columns[ray.along_z ? ck - k : ci - i];
       const double left = (ray.along_z ? ci : ck) - m, right = left + 1 + 2 * m;
-      const unsigned asked = open & bits((column.w_low <= right) & (column.w_high >= left) & (column.y_low <= high) &
-                                         (column.y_high >= low));
-      const unsigned hit = asked == 0 ? 0 : test_cell(grid, ci, ck, asked, t_min, t_max, p);
+      const unsigned active = open & bits((column.w_low <= right) & (column.w_high >= left) & (column.y_low <= high) &
+                                          (column.y_high >= low));
+      const unsigned hit = active == 0 ? 0 : test_cell(grid, ci, ck, active, t_min, t_max, p);
       if (hit == 0) continue;
       if (any && (open &= ~hit) == 0) return true;
       // No ray is interesting behind its hit.

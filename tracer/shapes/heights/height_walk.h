@@ -39,7 +39,7 @@ class HeightWalk {
     bool backward_x, backward_z;
     unsigned flip;  // child n ^ flip is the nth along the ray
     int waiting;
-    Block blocks[HeightGrid::kMostLevels * HeightGrid::kChildren];
+    Block blocks[HeightGrid::kMaxLevels * HeightGrid::kChildren];
   };
 
  private:

@@ -5,7 +5,7 @@
 
 namespace verisim::shapes {
 
-// The stretch of a ray inside the container. Faces: 0 none, 1..6 = -x +x -y +y -z +z of the box, 7 the sphere.
+// The interval of a ray inside the container. Faces: 0 none, 1..6 = -x +x -y +y -z +z of the box, 7 the sphere.
 struct ContainerSpan {
   double enter = 0, leave = 0;
   int enter_face = 0, leave_face = 0;

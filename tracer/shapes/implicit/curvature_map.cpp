@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tracer/functions/bounds/drift.h"
+#include "tracer/functions/bounds/error_bound.h"
 
 namespace verisim::shapes {
 
@@ -13,7 +13,7 @@ namespace {
 constexpr double kFewCells = 150,
                  kManyCells = 1500;        // about: where all is smooth, and to keep what is not to little space
 constexpr std::size_t kLongProgram = 200;  // instructions: not worth the time
-constexpr int kMostAlongAnAxis = 64;
+constexpr int kMaxAlongAnAxis = 64;
 
 }  // namespace
 
@@ -29,13 +29,13 @@ CurvatureMap::CurvatureMap(const functions::Program& program, const Box3& contai
   if (!fill(bounds, size, kFewCells)) fill(bounds, size, kManyCells);
   join_neighbours();
   const Vec3 margin(edge_ * 1e-6 + largest * 1e-9);
-  drift_ = functions::drift(program, {container.min - margin, container.max + margin});
+  error_bound_ = functions::error_bound(program, {container.min - margin, container.max + margin});
 }
 
 // True: something is known of every cell.
 bool CurvatureMap::fill(functions::CurvatureBounds& bounds, const Vec3& size, double cells) {
   // Cubes, as far as the shortest side allows.
-  edge_ = std::max({size.x, size.y, size.z}) / kMostAlongAnAxis;
+  edge_ = std::max({size.x, size.y, size.z}) / kMaxAlongAnAxis;
   const auto count = [&](int axis) { return std::max(1.0, std::ceil(size[axis] / edge_)); };
   while (count(0) * count(1) * count(2) > cells) edge_ *= 1.05;
   for (int axis = 0; axis < 3; ++axis) count_[static_cast<std::size_t>(axis)] = static_cast<int>(count(axis));

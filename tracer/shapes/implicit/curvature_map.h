@@ -16,9 +16,9 @@ class CurvatureMap {
 
   // False: nothing is known anywhere.
   bool useful() const { return useful_; }
-  // How far values of LaneKernels::nearly may be from exact ones; infinity: not known.
-  double drift() const { return drift_; }
-  // Of computed values, even those of LaneKernels::nearly, for points whose coordinates are sums of numbers up to
+  // How far values of PacketKernels::nearly may be from exact ones; infinity: not known.
+  double error_bound() const { return error_bound_; }
+  // Of computed values, even those of PacketKernels::nearly, for points whose coordinates are sums of numbers up to
   // `farthest`.
   double error() const { return error_; }
   double farthest() const { return farthest_; }
@@ -37,7 +37,7 @@ class CurvatureMap {
   void join_neighbours();
 
   Vec3 low_;
-  double edge_ = 0, error_ = 0, farthest_ = 0, drift_ = 0;
+  double edge_ = 0, error_ = 0, farthest_ = 0, error_bound_ = 0;
   std::array<int, 3> count_{1, 1, 1};
   std::array<double, 6> parts_{};
   std::vector<double> bends_;

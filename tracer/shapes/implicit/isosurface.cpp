@@ -12,7 +12,7 @@
 #include "tracer/functions/function.h"
 #include "tracer/shapes/implicit/container.h"
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/implicit/isosurface_row.h"
+#include "tracer/shapes/implicit/isosurface_batch.h"
 #include "tracer/shapes/implicit/isosurface_search.h"
 #include "tracer/shapes/primitive.h"
 
@@ -29,7 +29,7 @@ struct NormalMemory {
     std::uint64_t shape = 0;
     double point[3] = {}, normal[3] = {};
   };
-  static constexpr int kCount = 2 * RayRow::kSize;
+  static constexpr int kCount = 2 * RayBatch::kSize;
 
   const Entry* find(const Hit& hit, std::uint64_t shape) const {
     const Entry& entry = entries[static_cast<int>(hit.u)];
@@ -61,19 +61,19 @@ class Isosurface final : public Primitive<Isosurface> {
       : Primitive(description, {container_box(s.container), true}), surface_(s), max_gradient_(s.max_gradient) {
     max_trace_ = s.max_trace <= 0 || s.max_trace > 10 ? 10 : s.max_trace;
     const bool plain = !s.evaluate && description.clipped_by.empty() && description.bounded_by.empty();
-    if (plain) in_rows_ = FieldLanes::suitable(s.function.get());
+    if (plain) in_batches_ = FieldPacket::suitable(s.function.get());
     if (!s.evaluate) field_.narrowing = functions::Narrowing::of(s.function.get());
   }
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     if (field_.narrowing && !last_miss().kept)
-      crossings_by<BoundedValue>(ray, sink);
+      intersections_by<BoundedValue>(ray, sink);
     else
-      crossings_by<ExactValue>(ray, sink);
+      intersections_by<ExactValue>(ray, sink);
   }
   template <class Value, class Sink>
-  void crossings_by(const Ray& ray, Sink& sink) const {
+  void intersections_by(const Ray& ray, Sink& sink) const {
     IsosurfaceSearch<Value> search{field_,
                                    ray.origin,
                                    ray.direction,
@@ -99,26 +99,26 @@ class Isosurface final : public Primitive<Isosurface> {
     }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const final {
-    if (!in_rows_ || std::popcount(rays.asked) < kFewest || last_miss().kept)
-      return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
-    RowHits row(t_min, t_max, false);
-    FieldLanes field(*in_rows_);
-    trace_row(rays, row, field);
-    each_lane(row.found,
-              [&](int k) { hits[k] = {row.t_max[k], rays.at(k).at(row.t_max[k]), this, row.face[k], 0, 0}; });
-    remember_normals(row.found, hits);
-    return row.found | Shape::intersect_lanes({rays.rays, rays.first, row.alone}, entry, kind, t_min, t_max, hits);
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const final {
+    if (!in_batches_ || std::popcount(rays.active) < kMin || last_miss().kept)
+      return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+    BatchHits batch(t_min, t_max, false);
+    FieldPacket field(*in_batches_);
+    trace_batch(rays, batch, field);
+    each_lane(batch.found,
+              [&](int k) { hits[k] = {batch.t_max[k], rays.at(k).at(batch.t_max[k]), this, batch.face[k], 0, 0}; });
+    remember_normals(batch.found, hits);
+    return batch.found | Shape::intersect_packet({rays.rays, rays.first, batch.alone}, entry, kind, t_min, t_max, hits);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const final {
-    if (!in_rows_ || std::popcount(rays.asked) < kFewest || last_miss().kept)
-      return Shape::occludes_lanes(rays, entry, t_min, t_max);
-    RowHits row(t_min, t_max, true);
-    FieldLanes field(*in_rows_);
-    trace_row(rays, row, field);
-    return row.found | Shape::occludes_lanes({rays.rays, rays.first, row.alone}, entry, t_min, t_max);
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const final {
+    if (!in_batches_ || std::popcount(rays.active) < kMin || last_miss().kept)
+      return Shape::occludes_packet(rays, entry, t_min, t_max);
+    BatchHits batch(t_min, t_max, true);
+    FieldPacket field(*in_batches_);
+    trace_batch(rays, batch, field);
+    return batch.found | Shape::occludes_packet({rays.rays, rays.first, batch.alone}, entry, t_min, t_max);
   }
 
   std::string finding() const final { return surface_.evaluate ? evaluate_finding() : gradient_finding(); }
@@ -128,7 +128,7 @@ class Isosurface final : public Primitive<Isosurface> {
     return in_container(surface_.container, q) && !(field_.value(q) - surface_.threshold > 0);
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     if (const NormalMemory::Entry* known = normals_of_thread.find(hit, number_))
       return {known->normal[0], known->normal[1], known->normal[2]};
     const Vec3 p = local(hit.point);
@@ -158,15 +158,15 @@ class Isosurface final : public Primitive<Isosurface> {
   void trace(const Ray& ray, IsosurfaceSearch<Value>& search, const ContainerSpan& span, Sink& sink) const;
 
   // The nearest hits of eight rays, or any, as NearestHit keeps them for one.
-  struct RowHits {
-    RowHits(double min, const double* max, bool any_will_do) : t_min(min), limit(max), any(any_will_do) {
-      std::copy_n(max, RayLanes::kCount, t_max);
+  struct BatchHits {
+    BatchHits(double min, const double* max, bool any_will_do) : t_min(min), limit(max), any(any_will_do) {
+      std::copy_n(max, RayPacket::kCount, t_max);
     }
     double t_min;
     const double* limit;
     bool any;
-    double t_max[RayLanes::kCount];
-    int face[RayLanes::kCount];
+    double t_max[RayPacket::kCount];
+    int face[RayPacket::kCount];
     unsigned found = 0;
     unsigned alone = 0;  // lanes that are not to be searched with others
 
@@ -183,8 +183,8 @@ class Isosurface final : public Primitive<Isosurface> {
     }
   };
   // `trace` for eight rays.
-  class RowTrace;
-  void trace_row(const RayLanes& rays, RowHits& hits, FieldLanes& field) const;
+  class BatchTrace;
+  void trace_batch(const RayPacket& rays, BatchHits& hits, FieldPacket& field) const;
   const Mat4* to_object() const { return has_matrix() ? &matrix().inv : nullptr; }
   void remember_normals(unsigned found, Hit* hits) const;
 
@@ -206,20 +206,20 @@ class Isosurface final : public Primitive<Isosurface> {
   IsosurfaceField field_{surface_, nullptr};
   double max_gradient_;
   int max_trace_;
-  static constexpr int kFewest = 3;              // rays that are searched in step
-  const functions::Program* in_rows_ = nullptr;  // null: rays are searched one by one
+  static constexpr int kMin = 3;                    // rays that are searched in step
+  const functions::Program* in_batches_ = nullptr;  // null: rays are searched one by one
   // Made for those that have many rays to search.
   const CurvatureMap* map() const {
     constexpr int kRowsWithout = 200;
     const CurvatureMap* const made = map_.load(std::memory_order_acquire);
     if (made) return made->useful() ? made : nullptr;
-    if (rows_.fetch_add(1, std::memory_order_relaxed) == kRowsWithout) {
-      own_map_ = std::make_unique<CurvatureMap>(*in_rows_, container_box(surface_.container));
+    if (batches_.fetch_add(1, std::memory_order_relaxed) == kRowsWithout) {
+      own_map_ = std::make_unique<CurvatureMap>(*in_batches_, container_box(surface_.container));
       map_.store(own_map_.get(), std::memory_order_release);
     }
     return nullptr;
   }
-  mutable std::atomic<int> rows_{0}, doubts_{0};
+  mutable std::atomic<int> batches_{0}, doubts_{0};
   mutable std::unique_ptr<const CurvatureMap> own_map_;
   mutable std::atomic<const CurvatureMap*> map_{nullptr};
   // `evaluate`: the largest slope any ray needed so far (spec 04 6.4).
@@ -304,16 +304,16 @@ void Isosurface::trace(const Ray& ray, IsosurfaceSearch<Value>& search, const Co
 }
 
 // What `trace` does for a ray, a stage at a time for all of them.
-class Isosurface::RowTrace {
+class Isosurface::BatchTrace {
  public:
   // Nearly: values need not be exact where the map says how wrong they are.
-  RowTrace(const Isosurface& shape, const RayLanes& rays, RowHits& hits, FieldLanes& field, const CurvatureMap* map,
-           bool nearly)
+  BatchTrace(const Isosurface& shape, const RayPacket& rays, BatchHits& hits, FieldPacket& field,
+             const CurvatureMap* map, bool nearly)
       : shape_(shape), s_(shape.surface_), rays_(rays), hits_(hits), field_(field) {
-    lanes_.accuracy = s_.accuracy, lanes_.threshold = s_.threshold;
-    lanes_.map = map;
+    packet_.accuracy = s_.accuracy, packet_.threshold = s_.threshold;
+    packet_.map = map;
     if (nearly)
-      lanes_.doubt = 2 * map->drift() + std::fabs(s_.threshold) * 0x1p-50 + std::numeric_limits<double>::min();
+      packet_.doubt = 2 * map->error_bound() + std::fabs(s_.threshold) * 0x1p-50 + std::numeric_limits<double>::min();
   }
 
   // The rays of which it is not known what they meet.
@@ -321,14 +321,14 @@ class Isosurface::RowTrace {
     unsigned active = pass_wall(enter());
     while (active != 0) {
       active = to_search(active & ~lost_);
-      const unsigned found = find_crossings(field_, lanes_, active);
-      each_lane(active, [&](int k) { lost_ |= lanes_.lost[k] != 0 ? 1u << k : 0; });
+      const unsigned found = find_intersections(field_, packet_, active);
+      each_lane(active, [&](int k) { lost_ |= packet_.lost[k] != 0 ? 1u << k : 0; });
       active = go_on(found);
     }
-    if (lanes_.doubt > 0) return lost_;  // which met what is steeper
+    if (packet_.doubt > 0) return lost_;  // which met what is steeper
     double steepest = 0;
     each_lane(entered_, [&](int k) {
-      if (lanes_.steepest[k] > steepest * entry_.speed[k]) steepest = lanes_.steepest[k] / entry_.speed[k];
+      if (packet_.steepest[k] > steepest * entry_.speed[k]) steepest = packet_.steepest[k] / entry_.speed[k];
     });
     raise(shape_.steepest_, steepest);
     return lost_;
@@ -337,9 +337,10 @@ class Isosurface::RowTrace {
  private:
   // f - threshold at distances t, of the rays that are asked for; loses those for which it is not known what it is
   // like.
-  Judged field(unsigned asked, const double* t, double* values) {
-    kernels_.place(lanes_, t, field_.points());
-    const Judged judged = kernels_.judge(lanes_, field_.evaluate(asked, lanes_.doubt > 0), near_zero_, asked, values);
+  Judged field(unsigned active_mask, const double* t, double* values) {
+    kernels_.place(packet_, t, field_.points());
+    const Judged judged =
+        kernels_.judge(packet_, field_.evaluate(active_mask, packet_.doubt > 0), near_zero_, active_mask, values);
     lost_ |= judged.doubtful;
     return judged;
   }
@@ -348,11 +349,11 @@ class Isosurface::RowTrace {
   unsigned enter() {
     const double steepest = shape_.steepest_.load(std::memory_order_relaxed);
     const unsigned met =
-        kernels_.enter(lanes_, entry_, rays_, s_.container, shape_.to_object(), shape_.max_gradient_, steepest);
-    const unsigned usual = kernels_.stretches(lanes_, entry_).usual;
+        kernels_.enter(packet_, entry_, rays_, s_.container, shape_.to_object(), shape_.max_gradient_, steepest);
+    const unsigned usual = kernels_.intervals(packet_, entry_).usual;
     entered_ = met & usual;
     hits_.alone |= met & ~usual;
-    std::fill_n(remaining_, RayLanes::kCount, shape_.max_trace_);
+    std::fill_n(remaining_, RayPacket::kCount, shape_.max_trace_);
     return entered_;
   }
 
@@ -360,22 +361,22 @@ class Isosurface::RowTrace {
   unsigned pass_wall(unsigned active) {
     if (active == 0) return 0;
     const Judged begin = field(active, entry_.begin, entry_.at_begin), end = field(active, entry_.end, entry_.at_end);
-    Stretches stretches = kernels_.stretches(lanes_, entry_);
-    const unsigned within = active & stretches.within;
-    if (s_.open) active &= stretches.enough;
-    if (const unsigned at_surface = active & within & (s_.open ? stretches.before & begin.close : begin.below);
+    Intervals intervals = kernels_.intervals(packet_, entry_);
+    const unsigned within = active & intervals.within;
+    if (s_.open) active &= intervals.enough;
+    if (const unsigned at_surface = active & within & (s_.open ? intervals.before & begin.close : begin.below);
         at_surface != 0) {
       each_lane(at_surface, [&](int k) { entry_.begin[k] = 5 * s_.accuracy; });
       field(at_surface, entry_.begin, entry_.at_begin);
       each_lane(at_surface, [&](int k) {
-        if (entry_.at_begin[k] < 0) lanes_.sign[k] = -1;
+        if (entry_.at_begin[k] < 0) packet_.sign[k] = -1;
       });
-      stretches = kernels_.stretches(lanes_, entry_);
+      intervals = kernels_.intervals(packet_, entry_);
     }
     if (s_.open) return active;
     const unsigned at_wall = active & ~within & begin.negative;
-    each_lane(at_wall, [&](int k) { --remaining_[k], lanes_.sign[k] = -1; });
-    active &= stretches.enough;
+    each_lane(at_wall, [&](int k) { --remaining_[k], packet_.sign[k] = -1; });
+    active &= intervals.enough;
     unsigned over = 0;
     each_lane(active & at_wall, [&](int k) {
       over |= hits_.add(k, entry_.begin[k], static_cast<int>(entry_.enter_face[k])) ? 1u << k : 0;
@@ -390,7 +391,7 @@ class Isosurface::RowTrace {
     each_lane(active, [&](int k) {
       if (remaining_[k]-- <= 0) active &= ~(1u << k);
     });
-    kernels_.set_up(lanes_, entry_, active, s_.open);
+    kernels_.set_up(packet_, entry_, active, s_.open);
     return active;
   }
 
@@ -398,11 +399,11 @@ class Isosurface::RowTrace {
   unsigned go_on(unsigned found) {
     unsigned active = 0;
     each_lane(found, [&](int k) {
-      const double t = lanes_.begin[k] + lanes_.width[k];
+      const double t = packet_.begin[k] + packet_.width[k];
       if (hits_.add(k, t, 0)) return;
       const double begin = entry_.begin[k] = t + 5 * s_.accuracy;
       if (entry_.end[k] - begin < s_.accuracy || begin > hits_.t_max[k]) return;
-      lanes_.sign[k] = -lanes_.sign[k];
+      packet_.sign[k] = -packet_.sign[k];
       active |= 1u << k;
     });
     if (active != 0) field(active, entry_.begin, entry_.at_begin);
@@ -411,30 +412,31 @@ class Isosurface::RowTrace {
 
   const Isosurface& shape_;
   const scene::Isosurface& s_;
-  const RayLanes& rays_;
-  RowHits& hits_;
-  FieldLanes& field_;
+  const RayPacket& rays_;
+  BatchHits& hits_;
+  FieldPacket& field_;
   const IsosurfaceKernels& kernels_ = isosurface_kernels();
   const double near_zero_ = 4 * shape_.max_gradient_ * s_.accuracy;
-  SearchLanes lanes_;
+  SearchPacket packet_;
   unsigned entered_ = 0, lost_ = 0;
-  EntryLanes entry_;
-  int remaining_[RayLanes::kCount];
+  EntryPacket entry_;
+  int remaining_[RayPacket::kCount];
 };
 
-void Isosurface::trace_row(const RayLanes& rays, RowHits& hits, FieldLanes& field) const {
-  constexpr int kMostDoubts = 10000;  // then it is not worth while
+void Isosurface::trace_batch(const RayPacket& rays, BatchHits& hits, FieldPacket& field) const {
+  constexpr int kMaxDoubts = 10000;  // then it is not worth while
   const CurvatureMap* const known = map();
-  const bool nearly = known && std::isfinite(known->drift()) && doubts_.load(std::memory_order_relaxed) < kMostDoubts;
-  const unsigned lost = RowTrace(*this, rays, hits, field, known, nearly).run();
+  const bool nearly =
+      known && std::isfinite(known->error_bound()) && doubts_.load(std::memory_order_relaxed) < kMaxDoubts;
+  const unsigned lost = BatchTrace(*this, rays, hits, field, known, nearly).run();
   if (lost == 0) return;
   if (nearly) doubts_.fetch_add(std::popcount(lost), std::memory_order_relaxed);
   hits.forget(lost);
-  RowTrace(*this, {rays.rays, rays.first, lost}, hits, field, nullptr, false).run();
+  BatchTrace(*this, {rays.rays, rays.first, lost}, hits, field, nullptr, false).run();
 }
 
 void Isosurface::remember_normals(unsigned found, Hit* hits) const {
-  constexpr int kLanes = RayLanes::kCount;
+  constexpr int kLanes = RayPacket::kCount;
   double points[3][kLanes] = {};
   unsigned lanes = 0;
   each_lane(found, [&](int k) {
@@ -444,9 +446,9 @@ void Isosurface::remember_normals(unsigned found, Hit* hits) const {
     lanes |= 1u << k;
     for (int axis = 0; axis < 3; ++axis) points[axis][k] = p[axis];
   });
-  if (std::popcount(lanes) < kFewest) return;
+  if (std::popcount(lanes) < kMin) return;
   alignas(64) double values[4 * kLanes], normals[3 * kLanes];
-  evaluate_around(*in_rows_, points, surface_.accuracy, lanes, values);
+  evaluate_around(*in_batches_, points, surface_.accuracy, lanes, values);
   isosurface_kernels().normals(values, to_object(), normals);
   each_lane(lanes, [&](int k) {
     hits[k].u = normals_of_thread.add({number_,

@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "tracer/math/packet_vector-inl.h"
-#include "tracer/shapes/implicit/isosurface_row.h"
+#include "tracer/shapes/implicit/isosurface_batch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace verisim::shapes {
@@ -25,7 +25,7 @@ using Vector = PacketVector<Packet>;
 HWY_INLINE Vector divided(const Vector& a, const Packet& by) { return {a.x / by, a.y / by, a.z / by}; }
 
 HWY_INLINE Mask meet_box(const Vec3& low, const Vec3& high, const Vector& origin, const Vector& direction,
-                         EntryLanes& e) {
+                         EntryPacket& e) {
   constexpr double kFarthest = 2e10, kNearest = 1e-6, kTie = 1e-6;
   const Packet origins[3] = {origin.x, origin.y, origin.z}, directions[3] = {direction.x, direction.y, direction.z};
   Packet enter{}, leave = kFarthest, enter_slope{}, leave_slope{};
@@ -53,7 +53,7 @@ HWY_INLINE Mask meet_box(const Vec3& low, const Vec3& high, const Vector& origin
 }
 
 HWY_INLINE Mask meet_sphere(const Vec3& center, double radius, const Vector& origin, const Vector& direction,
-                            const Packet& speed, EntryLanes& e) {
+                            const Packet& speed, EntryPacket& e) {
   const Vector d = divided(direction, speed), to_center{center.x - origin.x, center.y - origin.y, center.z - origin.z};
   const Packet closest = dot(to_center, d), distance2 = dot(to_center, to_center), radius2 = radius * radius;
   const Packet half2 = radius2 - distance2 + closest * closest, half = sqrt(half2);
@@ -63,9 +63,9 @@ HWY_INLINE Mask meet_sphere(const Vec3& center, double radius, const Vector& ori
 }
 
 // Sets up the rays in object space; those that meet the container.
-unsigned enter(SearchLanes& s, EntryLanes& e, const RayLanes& rays, const scene::Contained& container,
+unsigned enter(SearchPacket& s, EntryPacket& e, const RayPacket& rays, const scene::Contained& container,
                const Mat4* to_object, double max_gradient, double steepest) {
-  const auto given = [&](const RayRow::Vectors& v) VERISIM_INLINE_LAMBDA {
+  const auto given = [&](const RayBatch::Vectors& v) VERISIM_INLINE_LAMBDA {
     return Vector{load(v.x + rays.first), load(v.y + rays.first), load(v.z + rays.first)};
   };
   Vector origin = given(rays.rays.origin), direction = given(rays.rays.direction);
@@ -100,33 +100,33 @@ unsigned enter(SearchLanes& s, EntryLanes& e, const RayLanes& rays, const scene:
     const Packet bend = most[0] * (x * x) + most[1] * (y * y) + most[2] * (z * z) +
                         2.0 * (most[3] * (x * y) + most[4] * (x * z) + most[5] * (y * z));
     store(s.bend_anywhere,
-          select(near_enough & (bend < unknown), bend * (1 + 1e-12), unknown));  // infinity by zero is no number
+          select(near_enough & (bend < unknown), bend * (1 + 1e-12), unknown));  // infinity by zero is NaN
   }
   store(e.begin, max(load(e.enter), Packet(0.0))), store(e.end, load(e.leave));
-  return bits(met) & rays.asked;
+  return bits(met) & rays.active;
 }
 
-Stretches stretches(const SearchLanes& s, const EntryLanes& e) {
+Intervals intervals(const SearchPacket& s, const EntryPacket& e) {
   constexpr double kFarthest = 2e10;
   const Packet begin = load(e.begin), end = load(e.end), length = end - begin;
   return {bits(~(begin > s.accuracy)), bits(begin < s.accuracy), bits(length >= s.accuracy),
           bits((end <= kFarthest) & (length < s.accuracy * 0x1p50))};
 }
 
-void place(const SearchLanes& s, const double* t, double* points) {
+void place(const SearchPacket& s, const double* t, double* points) {
   for (int axis = 0; axis < 3; ++axis)
     store(points + axis * kLanes, load(s.origin[axis]) + load(t) * load(s.direction[axis]));
 }
 
-Judged judge(const SearchLanes& s, const double* found, double near_zero, unsigned asked, double* values) {
+Judged judge(const SearchPacket& s, const double* found, double near_zero, unsigned active, double* values) {
   const Packet v = load(found) - s.threshold, size = abs(v);
-  store(values, select(Mask::of_bits(asked), v, load(values)));
+  store(values, select(Mask::of_bits(active), v, load(values)));
   const unsigned sure = s.doubt > 0 ? bits((size > s.doubt) & (abs(size - near_zero) > s.doubt)) : 255;
-  return {bits(v < 0.0) & asked, bits(v < near_zero) & asked, bits(size < near_zero) & asked, ~sure & asked};
+  return {bits(v < 0.0) & active, bits(v < near_zero) & active, bits(size < near_zero) & active, ~sure & active};
 }
 
-void set_up(SearchLanes& s, const EntryLanes& e, unsigned asked, bool open) {
-  const Mask here = Mask::of_bits(asked);
+void set_up(SearchPacket& s, const EntryPacket& e, unsigned active, bool open) {
+  const Mask here = Mask::of_bits(active);
   const Packet one = 1.0, begin = load(e.begin), at_begin = load(e.at_begin), given = load(s.sign);
   const Packet sign = open ? select(given * at_begin < 0.0, -given, given) : given;
   store(s.sign, sign);

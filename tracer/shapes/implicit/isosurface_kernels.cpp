@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tracer/shapes/implicit/isosurface_row.h"
+#include "tracer/shapes/implicit/isosurface_batch.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tracer/shapes/implicit/isosurface_kernels.cpp"
@@ -21,13 +21,13 @@ using namespace simd::HWY_NAMESPACE;
 
 alignas(64) constexpr std::int64_t kLaneNumbers[kLanes] = {0, 1, 2, 3, 4, 5, 6, 7};
 
-constexpr std::int64_t kRoot = std::int64_t{1} << kMostHalvings;
+constexpr std::int64_t kRoot = std::int64_t{1} << kMaxHalvings;
 
 // Where the numbers of each lane at a depth are.
 HWY_INLINE IntPacket entries(const IntPacket& depth) { return shift_left<3>(depth) + load(kLaneNumbers); }
 static_assert(kLanes == 8);
 
-void middles(const SearchLanes& s, double* points) {
+void middles(const SearchPacket& s, double* points) {
   const Packet t = select(load_mask(s.homing), load(s.probe), load(s.begin) + load(s.width) / 2.0);
   for (int axis = 0; axis < 3; ++axis)
     store(points + axis * kLanes, load(s.origin[axis]) + t * load(s.direction[axis]));
@@ -42,13 +42,13 @@ struct State {
 
 // Lanes whose node is done, and in which nothing was found, go on to the next one: the right sibling of the node or of
 // one above it.
-HWY_INLINE void turn_right(const SearchLanes& s, State& at, const Mask& done) {
+HWY_INLINE void turn_right(const SearchPacket& s, State& at, const Mask& done) {
   constexpr double kShift = 0x1p52;
   // 2^-depth of the node there: of those that begin at `next` it is a right sibling that has the length of the lowest
   // bit.
   const IntPacket next = at.place + at.unit, unit = next & (IntPacket(0) - next);
   const Packet length = number_of(unit | IntPacket(std::bit_cast<std::int64_t>(kShift))) - kShift;
-  const IntPacket depth = IntPacket(kMostHalvings + 1023) - shift_right<52>(bits_of(length));
+  const IntPacket depth = IntPacket(kMaxHalvings + 1023) - shift_right<52>(bits_of(length));
   const Mask turns = done & (depth > IntPacket(0));
   const IntPacket above = entries(depth - IntPacket(1));
   const Packet begin = gather(s.begins[0], above, turns), value1 = gather(s.ends[0], above, turns);
@@ -68,7 +68,7 @@ HWY_INLINE Packet whole_below(const Packet& v) {
 }  // or, of an integer, the one below
 
 // The largest second derivative along the rays within nodes that are not longer than a cell.
-HWY_INLINE Packet bend_within(const SearchLanes& s, const State& at, const Mask& asked) {
+HWY_INLINE Packet bend_within(const SearchPacket& s, const State& at, const Mask& active_mask) {
   Packet place{};
   for (int axis = 0; axis < 3; ++axis) {
     const Packet step = load(s.cell_step[axis]), first = load(s.cell_origin[axis]) + at.begin * step;
@@ -76,18 +76,18 @@ HWY_INLINE Packet bend_within(const SearchLanes& s, const State& at, const Mask&
     place = place * static_cast<double>(s.map->count(axis)) + min(max(cell, Packet(0.0)), last);
   }
   const IntPacket index = bits_of(place + kRound) - IntPacket(std::bit_cast<std::int64_t>(kRound));
-  return gather(s.map->bends(), index, asked) * load(s.speed2);
+  return gather(s.map->bends(), index, active_mask) * load(s.speed2);
 }
 
-// Of the nodes that would be halved: those without a crossing, and those with a single one that the search would find.
-// In both cases the nodes below are not steeper than what has been met already. With values v0 and v1 at the ends and
-// second derivatives up to k, the function is at least v0 (1 - s) + v1 s - q s (1 - s), q = k width^2 / 2, and its
+// Of the nodes that would be halved: those without an intersection, and those with a single one that the search would
+// find. In both cases the nodes below are not steeper than what has been met already. With values v0 and v1 at the ends
+// and second derivatives up to k, the function is at least v0 (1 - s) + v1 s - q s (1 - s), q = k width^2 / 2, and its
 // slope within q of v1 - v0.
 struct Outlook {
   Mask clear, crossed;
   Packet bend, sag;  // k and q
 };
-HWY_INLINE Outlook outlook(const SearchLanes& s, const State& at, const Packet& rise, const Packet& steepest,
+HWY_INLINE Outlook outlook(const SearchPacket& s, const State& at, const Packet& rise, const Packet& steepest,
                            const Mask& halved) {
   Outlook o{};
   const Mask fits = halved & (at.width * load(s.reach) < 0.99);
@@ -107,7 +107,7 @@ HWY_INLINE Outlook outlook(const SearchLanes& s, const State& at, const Packet& 
   return o;
 }
 
-HWY_INLINE void begin_homing(SearchLanes& s, const State& at, const Packet& rise, const Outlook& o) {
+HWY_INLINE void begin_homing(SearchPacket& s, const State& at, const Packet& rise, const Outlook& o) {
   const auto set = [&](double* to, const Packet& v)
                        VERISIM_INLINE_LAMBDA { store(to, select(o.crossed, v, load(to))); };
   const double error = 4 * s.map->error();
@@ -123,8 +123,8 @@ HWY_INLINE void begin_homing(SearchLanes& s, const State& at, const Packet& rise
 }
 
 // Takes the limits closer with the value at the last place; goes down to the node below for which it is certain that it
-// has the crossing.
-HWY_INLINE void home_in(SearchLanes& s, const Packet& value) {
+// has the intersection.
+HWY_INLINE void home_in(SearchPacket& s, const Packet& value) {
   const Mask homing = load_mask(s.homing);
   constexpr std::int64_t kTries = 12;
   const double error = 4 * s.map->error();
@@ -163,7 +163,7 @@ HWY_INLINE void home_in(SearchLanes& s, const Packet& value) {
 }
 
 // Leaves the lanes for which it matters how far values are from exact ones.
-HWY_INLINE void lose_doubtful(SearchLanes& s, State& at, const Packet& rise, const Packet& steepest,
+HWY_INLINE void lose_doubtful(SearchPacket& s, State& at, const Packet& rise, const Packet& steepest,
                               const Packet& slope) {
   const Mask leaf = at.width < s.accuracy, unsure_leaf = abs(at.value1) <= s.doubt,
              unsure_node = abs(at.value0 + at.value1 - slope * at.width) <= 3 * s.doubt;
@@ -173,7 +173,7 @@ HWY_INLINE void lose_doubtful(SearchLanes& s, State& at, const Packet& rise, con
 }
 
 // Looks at the nodes until each lane has one that is to be halved, or has ended.
-HWY_INLINE unsigned settle(SearchLanes& s, State& at) {
+HWY_INLINE unsigned settle(SearchPacket& s, State& at) {
   const Packet slope = load(s.slope);
   Packet steepest = load(s.steepest);
   Mask halved, examined = Mask::of_bits(0);
@@ -208,18 +208,18 @@ HWY_INLINE unsigned settle(SearchLanes& s, State& at) {
   return bits(halved | load_mask(s.homing));
 }
 
-unsigned start(SearchLanes& s, unsigned asked) {
+unsigned start(SearchPacket& s, unsigned active_mask) {
   const Mask none = Mask::of_bits(0);
   store(s.root_width, load(s.width));
   store_mask(s.found, none), store_mask(s.homing, none), store_mask(s.lost, none), store(s.tries, IntPacket(0));
   for (double* const unset : {s.low, s.high, s.fewest, s.most, s.bend, s.grain, s.probe, s.last, s.last_value})
     store(unset, Packet(0.0));
   State at{load(s.begin), load(s.width),    load(s.value0), load(s.value1),
-           IntPacket(0),  IntPacket(kRoot), IntPacket(0),   Mask::of_bits(asked)};
+           IntPacket(0),  IntPacket(kRoot), IntPacket(0),   Mask::of_bits(active_mask)};
   return settle(s, at);
 }
 
-unsigned advance(SearchLanes& s, const double* values) {
+unsigned advance(SearchPacket& s, const double* values) {
   const Packet value = load(s.sign) * (load(values) - s.threshold);
   if (bits(load_mask(s.homing)) != 0) home_in(s, value);
   const IntPacket here = entries(load(s.depth));
@@ -238,7 +238,7 @@ unsigned advance(SearchLanes& s, const double* values) {
   return settle(s, at);
 }
 
-constexpr IsosurfaceKernels kKernels{enter, stretches, place, judge, set_up, middles, start, advance, normals};
+constexpr IsosurfaceKernels kKernels{enter, intervals, place, judge, set_up, middles, start, advance, normals};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

@@ -1,6 +1,6 @@
-// The search of one ray for the crossings of an isosurface. It bisects dyadically and prunes by max_gradient exactly as
-// POV-Ray's: where max_gradient is too small, which is common, the picture depends on every step. But steps need not
-// know values better than they ask for them.
+// The search of one ray for the intersections of an isosurface. It bisects dyadically and prunes by max_gradient
+// exactly as POV-Ray's: where max_gradient is too small, which is common, the picture depends on every step. But steps
+// need not know values better than they ask for them.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@ struct IsosurfaceField {
 
 // What a search knows of a value of the field: the value.
 struct ExactValue {
-  struct Room {
-    explicit Room(const IsosurfaceField&) {}
+  struct Workspace {
+    explicit Workspace(const IsosurfaceField&) {}
   };
   double v;
 
@@ -61,9 +61,9 @@ struct ExactValue {
 };
 // Or bounds of it, which come closer until they tell what is asked.
 struct BoundedValue {
-  struct Room {
-    explicit Room(const IsosurfaceField& field) : values(*field.narrowing) {}
-    functions::Narrowing::Room values;
+  struct Workspace {
+    explicit Workspace(const IsosurfaceField& field) : values(*field.narrowing) {}
+    functions::Narrowing::Workspace values;
   };
   double low, high, sign;
   functions::Narrowing::Value value;
@@ -71,7 +71,7 @@ struct BoundedValue {
   BoundedValue() = default;
   template <class Search>
   BoundedValue(const Search& search, double t, double of_sign = 1) : sign(of_sign) {
-    search.field.narrowing->begin(search.at(t), value, search.room.values);
+    search.field.narrowing->begin(search.at(t), value, search.workspace.values);
     set(search);
   }
   BoundedValue times(double by) const {
@@ -120,7 +120,7 @@ struct BoundedValue {
   }
   template <class Search>
   bool narrow(const Search& search) {
-    if (!search.field.narrowing->narrow(value, search.room.values)) return false;
+    if (!search.field.narrowing->narrow(value, search.workspace.values)) return false;
     set(search);
     return true;
   }
@@ -138,7 +138,7 @@ struct IsosurfaceSearch {
   const IsosurfaceField& field;
   Vec3 origin, direction;
   double speed;           // length of the direction
-  double sign;            // of the crossing that is looked for
+  double sign;            // of the intersection that is looked for
   double gradient;        // the max_gradient in force
   double steepest_known;  // of any ray
   std::uint64_t number;   // of the isosurface
@@ -148,7 +148,7 @@ struct IsosurfaceSearch {
   double known_t[2] = {-1, -1};  // the last values given by end_field
   Value known[2] = {};
   int oldest = 0;
-  mutable typename Value::Room room{field};
+  mutable typename Value::Workspace workspace{field};
 
   Vec3 at(double t) const { return origin + t * direction; }
   // f - threshold at distance t.

@@ -50,7 +50,7 @@ class Parametric final : public Primitive<Parametric> {
   }
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     Vec3 o = ray.origin, d = ray.direction;
     if (has_matrix()) o = matrix().inverse_point(o), d = matrix().inverse_direction(d);
     ContainerSpan span;
@@ -70,7 +70,7 @@ class Parametric final : public Primitive<Parametric> {
   bool contains(const Vec3&) const { return false; }
   bool formula(const Vec3&) const { return false; }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     const double a = p_.accuracy;
     const Vec3 at = surface(hit.u, hit.v);
     return world_normal(cross(surface(hit.u + a, hit.v) - at, surface(hit.u, hit.v + a) - at));

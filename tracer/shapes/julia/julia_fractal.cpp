@@ -67,13 +67,13 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
       : JuliaFractal(description, *fractal, map_of(fractal)) {}
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay r = local(ray);
     double begin, end, last;
     if (!enters(r, begin, end, last)) return;
     Orbit orbit(field_.iterations + 1);
-    // After a crossing POV-Ray's march goes on behind the coarse step, but counts distances from the crossing: those of
-    // later hits, not their points, fall short.
+    // After an intersection POV-Ray's march goes on behind the coarse step, but counts distances from the intersection:
+    // those of later hits, not their points, fall short.
     walk(orbit, r, begin, end, last, [&](double depth, double uncounted) {
       const double t = depth / r.scale;
       const KeptNormal kept = field_.kind == Kind::other ? keep_normal(orbit, ray.at(t)) : KeptNormal{};
@@ -84,25 +84,25 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     });
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const final {
-    if (!in_rows_ || std::popcount(rays.asked) < kFewest)
-      return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const final {
+    if (!in_batches_ || std::popcount(rays.active) < kMin)
+      return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
     double t[julia::kLanes];
-    const unsigned found = within(t, t_min, t_max, row_crossings(rays, t_max, t));
+    const unsigned found = within(t, t_min, t_max, batch_intersections(rays, t_max, t));
     each_lane(found, [&](int k) { hits[k] = {t[k], rays.at(k).at(t[k]), this, 0, 0, 0}; });
     return found;
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const final {
-    if (!in_rows_ || std::popcount(rays.asked) < kFewest) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const final {
+    if (!in_batches_ || std::popcount(rays.active) < kMin) return Shape::occludes_packet(rays, entry, t_min, t_max);
     double t[julia::kLanes];
-    return within(t, t_min, t_max, row_crossings(rays, t_max, t));
+    return within(t, t_min, t_max, batch_intersections(rays, t_max, t));
   }
 
   bool contains(const Vec3& p) const { return plain_inside(local(p)); }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     if (hit.part != 0) return KeptNormal{hit.part, hit.u, hit.v}.direction();
     Orbit orbit(field_.iterations + 1);
     const int escaped = iterate(orbit, start(local(hit.point), !plain_));
@@ -141,7 +141,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return KeptNormal(world_normal(hypercomplex_normal(orbit, field_.iterations)));
   }
 
-  static constexpr int kFewest = 3;  // rays that march in step; fewer look ahead instead
+  static constexpr int kMin = 3;  // rays that march in step; fewer look ahead instead
 
   // Where the ray is in the bounding sphere, and where behind it stays outside; false: nothing can be hit. In just
   // these operations: whether the first point escapes at once is a matter of the last bit, and the whole sequence of
@@ -158,8 +158,8 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     return !(last < 0);
   }
 
-  // The march from `begin` to `end`, with no crossing behind `last`. found(depth of a crossing, by how much later hits'
-  // distances fall short) says whether to stop. Where the march ends is counted short, too.
+  // The march from `begin` to `end`, with no intersection behind `last`. found(depth of an intersection, by how much
+  // later hits' distances fall short) says whether to stop. Where the march ends is counted short, too.
   template <class Found>
   void walk(Orbit& orbit, const LocalRay& r, double t, double end, double last, Found&& found) const {
     double estimate, uncounted = 0;
@@ -200,13 +200,13 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
     }
   }
 
-  // World distances of the first crossings of rays; the lanes that have one, unless it lies behind t_max.
-  unsigned row_crossings(const RayLanes& rays, const double* t_max, double* t) const {
-    LocalLanes local_rays;
-    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, local_rays);
+  // World distances of the first intersections of rays; the lanes that have one, unless it lies behind t_max.
+  unsigned batch_intersections(const RayPacket& rays, const double* t_max, double* t) const {
+    LocalPacket local_rays;
+    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, local_rays);
     julia::Row row;
-    const unsigned entered = julia::kernels().enter(map_->grid(), radius_, local_rays, rays.asked, t_max, row);
-    const unsigned crossed = julia::kernels().first_crossings(field_, row.rays, row.stretch, entered, t);
+    const unsigned entered = julia::kernels().enter(map_->grid(), radius_, local_rays, rays.active, t_max, row);
+    const unsigned crossed = julia::kernels().first_intersections(field_, row.rays, row.interval, entered, t);
     each_lane(crossed, [&](int k) { t[k] /= local_rays.scale[k]; });
     return crossed;
   }
@@ -224,7 +224,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
         field_(field_of(f)),
         radius_(bounding_radius(f)),
         map_(std::move(map)) {
-    in_rows_ = field_.kind != Kind::other && description.clipped_by.empty() && description.bounded_by.empty();
+    in_batches_ = field_.kind != Kind::other && description.clipped_by.empty() && description.bounded_by.empty();
     plain_ = f.function == JuliaFunction::sqr || f.function == JuliaFunction::cube ||
              f.function == JuliaFunction::reciprocal;
   }
@@ -408,7 +408,7 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   julia::Field field_;
   double radius_;
   std::shared_ptr<const julia::Map> map_;  // null: none for this function
-  bool in_rows_;                           // rays may march in step: the first crossing of each decides
+  bool in_batches_;                        // rays may march in step: the first intersection of each decides
   bool plain_ = true;                      // without the quirk of `start`
 };
 

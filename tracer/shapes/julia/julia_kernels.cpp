@@ -2,7 +2,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "tracer/shapes/julia/julia_lanes.h"
+#include "tracer/shapes/julia/julia_packet.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tracer/shapes/julia/julia_kernels.cpp"
@@ -43,7 +43,7 @@ HWY_INLINE Mask has_bit(const BasicPacket<std::uint64_t, simd::HWY_NAMESPACE::kL
 }
 
 // Map::last for the lanes of `active`: a walk through the grid from the far end.
-HWY_INLINE Packet last_cell(const Grid& grid, const LocalLanes& rays, Packet begin, Packet end, Mask active) {
+HWY_INLINE Packet last_cell(const Grid& grid, const LocalPacket& rays, Packet begin, Packet end, Mask active) {
   constexpr int kSide = Grid::kSide;
   const Packet none = Packet(-1.0);
   if (grid.box.isEmpty()) return none;
@@ -89,12 +89,13 @@ HWY_INLINE Packet last_cell(const Grid& grid, const LocalLanes& rays, Packet beg
 }
 
 // JuliaFractal::enters for eight rays.
-unsigned enter(const Grid& grid, double radius, const LocalLanes& l, unsigned asked, const double* t_max, Row& row) {
+unsigned enter(const Grid& grid, double radius, const LocalPacket& l, unsigned active_mask, const double* t_max,
+               Row& row) {
   const Packet ox = load(l.ox), oy = load(l.oy), oz = load(l.oz), dx = load(l.dx), dy = load(l.dy), dz = load(l.dz);
   const Packet closest = -(ox * dx + oy * dy + oz * dz), distance2 = ox * ox + oy * oy + oz * oz,
                half2 = radius * radius - distance2 + closest * closest;
   const Mask meets =
-      Mask::of_bits(asked) & (half2 > kEpsilon) & ~((closest < kEpsilon) & (distance2 >= radius * radius));
+      Mask::of_bits(active_mask) & (half2 > kEpsilon) & ~((closest < kEpsilon) & (distance2 >= radius * radius));
   const Packet half = sqrt(select(meets, half2, Packet(0.0))), end = closest + half,
                begin = max(closest - half, Packet(kFine));
   const Mask ahead = meets & (end >= kFine);
@@ -103,8 +104,8 @@ unsigned enter(const Grid& grid, double radius, const LocalLanes& l, unsigned as
     store(row.rays.origin[axis], axis == 0 ? ox : axis == 1 ? oy : oz);
     store(row.rays.direction[axis], axis == 0 ? dx : axis == 1 ? dy : dz);
   }
-  store(row.stretch.begin, begin), store(row.stretch.end, end), store(row.stretch.last, last);
-  store(row.stretch.limit, load(t_max) * load(l.scale) * (1 + 1e-9));
+  store(row.interval.begin, begin), store(row.interval.end, end), store(row.interval.last, last);
+  store(row.interval.limit, load(t_max) * load(l.scale) * (1 + 1e-9));
   return bits(ahead & ~(last < 0.0));
 }
 
@@ -174,7 +175,7 @@ HWY_INLINE unsigned inside_of(const Field& f, const Vec3& o, const Vec3& d, cons
 }
 
 // The library's, of the lanes that are asked for.
-HWY_INLINE Packet logarithms(const Packet& v, unsigned asked) {
+HWY_INLINE Packet logarithms(const Packet& v, unsigned active_mask) {
   alignas(64) double of[kLanes], values[kLanes] = {};
   store(of, v);
 #if HWY_NATIVE_FMA
@@ -185,10 +186,10 @@ HWY_INLINE Packet logarithms(const Packet& v, unsigned asked) {
     unsure |= library::logarithm(library::Part::load(of + n), part) << n;
     store(values + n, part);
   }
-  asked &= unsure;
+  active_mask &= unsure;
 #endif
-  for (; asked != 0; asked &= asked - 1) {
-    const int k = std::countr_zero(asked);
+  for (; active_mask != 0; active_mask &= active_mask - 1) {
+    const int k = std::countr_zero(active_mask);
     values[k] = std::log(of[k]);
   }
   return load(values);
@@ -201,11 +202,11 @@ struct Marched {
 
 // At one point of each ray that is asked for; estimates only where they are asked for.
 template <Kind K, class Source>
-HWY_INLINE Marched march_of(const Field& f, const Source& rays, const Packet& t, const Mask& asked,
+HWY_INLINE Marched march_of(const Field& f, const Source& rays, const Packet& t, const Mask& active_mask,
                             const Mask& estimated) {
   constexpr bool kQuaternion = K != Kind::hypercomplex_square;
   Numbers h = start(f, rays, t);
-  Mask out = ~asked;
+  Mask out = ~active_mask;
   // Of each lane when it escapes: |h|^2 and, for quaternions, the product of all |h|^2 before and k^steps; for others
   // the slope along the ray.
   const Packet one = Packet(1.0);
@@ -266,11 +267,12 @@ HWY_INLINE unsigned march_one(const Field& f, const Vec3& o, const Vec3& d, cons
 
 // All rays evaluate one point at a time, whatever they are about: the first point, a step, or a halving.
 template <Kind K>
-HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Stretch& stretch, unsigned asked, double* depths) {
-  const Packet end = load(stretch.end), last = load(stretch.last), limit = load(stretch.limit);
+HWY_INLINE unsigned cross(const Field& f, const Rays& rays, const Interval& interval, unsigned active_mask,
+                          double* depths) {
+  const Packet end = load(interval.end), last = load(interval.last), limit = load(interval.limit);
   const Mask none = Mask::of_bits(0);
-  Mask active = Mask::of_bits(asked), first = active, again = none, halving = none, in = none, found = none;
-  Packet at = load(stretch.begin), base(0.0), width(0.0), depth(0.0);
+  Mask active = Mask::of_bits(active_mask), first = active, again = none, halving = none, in = none, found = none;
+  Packet at = load(interval.begin), base(0.0), width(0.0), depth(0.0);
   while (bits(active) != 0) {
     const Marched now = march_of<K>(f, EachRay{rays}, at, active, active & ~halving);
     const Mask same = ~(now.inside ^ in);
@@ -309,17 +311,18 @@ HWY_INLINE unsigned with_kind(const Field& f, Work&& work) {
   }
 }
 
-unsigned inside_lanes(const Field& f, const Vec3& o, const Vec3& d, const double* t) {
+unsigned inside_packet(const Field& f, const Vec3& o, const Vec3& d, const double* t) {
   return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return inside_of<K>(f, o, d, t); });
 }
-unsigned march_lanes(const Field& f, const Vec3& o, const Vec3& d, const double* t, double* estimate) {
+unsigned march_packet(const Field& f, const Vec3& o, const Vec3& d, const double* t, double* estimate) {
   return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return march_one<K>(f, o, d, t, estimate); });
 }
-unsigned first_crossings(const Field& f, const Rays& rays, const Stretch& stretch, unsigned asked, double* depth) {
-  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return cross<K>(f, rays, stretch, asked, depth); });
+unsigned first_intersections(const Field& f, const Rays& rays, const Interval& interval, unsigned active_mask,
+                             double* depth) {
+  return with_kind(f, [&]<Kind K>() VERISIM_INLINE_LAMBDA { return cross<K>(f, rays, interval, active_mask, depth); });
 }
 
-constexpr Kernels kKernels{inside_lanes, march_lanes, enter, first_crossings};
+constexpr Kernels kKernels{inside_packet, march_packet, enter, first_intersections};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

@@ -3,7 +3,7 @@
 // discarded by following their centre and a bound of how far the images of their other points stray from it.
 #pragma once
 
-#include "tracer/shapes/julia/julia_lanes.h"
+#include "tracer/shapes/julia/julia_packet.h"
 
 namespace verisim::shapes::julia {
 

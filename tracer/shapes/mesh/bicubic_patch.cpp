@@ -1,5 +1,5 @@
 // bicubic_patch (spec 04 section 4): the patch is halved until flat or deep enough; its leaves are two triangles each,
-// kept in a box tree. Types 0 and 1 differ in POV-Ray only by what they store.
+// kept in a BVH. Types 0 and 1 differ in POV-Ray only by what they store.
 #include <stdexcept>
 
 #include "tracer/shapes/factories.h"
@@ -95,7 +95,7 @@ class BicubicPatch final : public TreePrimitive<BicubicPatch> {
       return leaves_.size() <= kMaxLeaves;
     });
     if (!fits) throw std::runtime_error("bicubic_patch: too many pieces");
-    tree_ = accel::BoxTree(
+    tree_ = accel::Bvh(
         leaves_.size(),
         [&](std::size_t i) {
           Box3 box;
@@ -109,10 +109,10 @@ class BicubicPatch final : public TreePrimitive<BicubicPatch> {
     leaves_ = std::move(sorted);
   }
 
-  const accel::BoxTree& tree() const { return tree_; }
+  const accel::Bvh& tree() const { return tree_; }
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
+  void intersections(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
     const LocalRay r = local(ray);
     const auto limit = [&] { return sink.upper() * r.scale * (1 + 1e-12); };
     tree_.traverse_leaves(
@@ -129,7 +129,7 @@ class BicubicPatch final : public TreePrimitive<BicubicPatch> {
   bool contains(const Vec3&) const { return false; }
   bool formula(const Vec3&) const { return false; }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     const Leaf& leaf = leaves_[static_cast<std::size_t>(hit.part) / 2];
     const bool second = hit.part % 2 != 0;
     const Vec3 n = (1 - hit.u - hit.v) * leaf.normal[0] + hit.u * leaf.normal[second ? 2 : 1] +
@@ -196,7 +196,7 @@ class BicubicPatch final : public TreePrimitive<BicubicPatch> {
   Points points_;
   std::optional<std::array<Vec2, 4>> uv_;
   std::vector<Leaf> leaves_;  // in the tree's order
-  accel::BoxTree tree_;
+  accel::Bvh tree_;
 };
 
 }  // namespace

@@ -26,23 +26,25 @@ class Mesh final : public TreePrimitive<Mesh> {
     textures_ = mesh.textures.empty() ? mesh.data->textures : mesh.textures;
   }
 
-  const accel::BoxTree& tree() const { return geometry_->tree(); }
+  const accel::Bvh& tree() const { return geometry_->tree(); }
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
-    if (!partial_) return every_crossing(ray, sink, entry);
+  void intersections(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
+    if (!partial_) return every_intersection(ray, sink, entry);
     if constexpr (Sink::kNearest) {
-      every_crossing(ray, sink, entry);
+      every_intersection(ray, sink, entry);
       if (!sink.found() || !passes_over_hit(ray, sink, entry)) return;
       sink.restart();
     }
-    crossings_of_search(ray, sink);
+    intersections_of_search(ray, sink);
   }
 
-  bool contains(const Vec3& p) const { return solid_ && geometry_->crossings(local(p), inside_direction_) % 2 != 0; }
+  bool contains(const Vec3& p) const {
+    return solid_ && geometry_->intersections(local(p), inside_direction_) % 2 != 0;
+  }
   bool formula(const Vec3& p) const { return solid_ && contains(p) != inverted(); }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     const auto i = static_cast<std::uint32_t>(hit.part);
     // The stored flat normal is used as it is, without making its length exactly 1.
     if (!geometry_->smooth(i))
@@ -69,7 +71,7 @@ class Mesh final : public TreePrimitive<Mesh> {
 
  private:
   template <class Sink>
-  void every_crossing(const Ray& ray, Sink& sink, const accel::EntryPoints* entry) const {
+  void every_intersection(const Ray& ray, Sink& sink, const accel::EntryPoints* entry) const {
     const LocalRay r = local(ray);
     const double lower = std::max(MeshGeometry::kNearest, sink.lower() * r.scale * (1 - 1e-12));
     const auto limit = [&] { return std::min(MeshGeometry::kFarthest, sink.upper() * r.scale * (1 + 1e-12)); };
@@ -99,12 +101,12 @@ class Mesh final : public TreePrimitive<Mesh> {
   bool passes_over_hit(const Ray& ray, const NearestHit& sink, const accel::EntryPoints* entry) const {
     Hit hit;
     NearestHit nearer(*this, guards(), 0, sink.clipped_from_outside() ? sink.upper() : sink.lower(), hit, true);
-    every_crossing(ray, nearer, entry);
+    every_intersection(ray, nearer, entry);
     return nearer.found();
   }
 
   template <class Sink>
-  void crossings_of_search(const Ray& ray, Sink& sink) const {
+  void intersections_of_search(const Ray& ray, Sink& sink) const {
     const LocalRay r = local(ray);
     double last = std::numeric_limits<double>::infinity();
     geometry_->hierarchy().search({r.origin, r.direction}, last, [&](std::uint32_t i) {

@@ -95,7 +95,7 @@ MeshGeometry::MeshGeometry(std::shared_ptr<const scene::MeshData> data) : data_(
     for (const std::uint32_t v : t.vertex) box.extendBy(f32(d.vertices[v]));
     return box;
   };
-  tree_ = accel::BoxTree(d.triangles.size(), box_of, kLeafSize);
+  tree_ = accel::Bvh(d.triangles.size(), box_of, kLeafSize);
   const std::vector<std::uint32_t>& order = tree_.order();
   triangles_ = std::make_unique_for_overwrite<Triangle[]>(order.size());
   parallel_for(order.size(), kTask, [&](std::size_t i) { triangles_[i] = prepared(order[i]); });
@@ -219,7 +219,7 @@ std::array<float, 3> MeshGeometry::weights(std::uint32_t i, const Vec3& p) const
   return result;
 }
 
-int MeshGeometry::crossings(const Vec3& origin, const Vec3& direction) const {
+int MeshGeometry::intersections(const Vec3& origin, const Vec3& direction) const {
   int count = 0;
   tree_.traverse_leaves({origin, direction}, 0, kFarthest, [&](std::uint32_t first, std::uint32_t n, double limit) {
     for (std::uint32_t i = first; i < first + n; ++i) {

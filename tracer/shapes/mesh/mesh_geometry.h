@@ -4,7 +4,7 @@
 #include <memory>
 #include <mutex>
 
-#include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/bvh.h"
 #include "tracer/bvh/hierarchy.h"
 #include "tracer/scene/object.h"
 
@@ -48,7 +48,7 @@ class MeshGeometry {
 
   const Triangle& triangle(std::uint32_t i) const { return triangles_[i]; }
   const scene::MeshTriangle& source(std::uint32_t i) const { return data_->triangles[triangles_[i].id()]; }
-  const accel::BoxTree& tree() const { return tree_; }
+  const accel::Bvh& tree() const { return tree_; }
   // POV-Ray's own hierarchy; its entries are numbers of the tree's order. Built when it is first asked for.
   const accel::Hierarchy& hierarchy() const;
   const scene::MeshData& data() const { return *data_; }
@@ -66,14 +66,14 @@ class MeshGeometry {
   // Shares of the three textures at p (spec 04 1.5), in the order of MeshTriangle::texture.
   std::array<float, 3> weights(std::uint32_t i, const Vec3& p) const;
   // Number of triangles hit by the local ray.
-  int crossings(const Vec3& origin, const Vec3& direction) const;
+  int intersections(const Vec3& origin, const Vec3& direction) const;
 
  private:
   Triangle prepared(std::uint32_t id) const;
 
   std::shared_ptr<const scene::MeshData> data_;
   std::unique_ptr<Triangle[]> triangles_;  // in the order of the tree's leaves
-  accel::BoxTree tree_;
+  accel::Bvh tree_;
   mutable std::once_flag hierarchy_built_;
   mutable accel::Hierarchy hierarchy_;
 };

@@ -172,7 +172,7 @@ scene::MeshData cube() {
   return d;
 }
 
-TEST(Mesh, ACrossingThroughASharedEdgeCountsTwice) {
+TEST(Mesh, AnIntersectionThroughASharedEdgeCountsTwice) {
   const auto m = mesh(cube());
   const auto s = compile(m);
   EXPECT_FALSE(s->inside({.5, .5, .5}));

@@ -66,7 +66,7 @@ class Polygon final : public Primitive<Polygon> {
       : Primitive(description, {padded(polygon_box(polygon)), false}), edges_(outline(polygon)) {}
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
     if (std::fabs(l.direction.z) < kEpsilon) return;
     const double t = -l.origin.z / l.direction.z;
@@ -78,7 +78,7 @@ class Polygon final : public Primitive<Polygon> {
 
   bool contains(const Vec3&) const { return false; }
   bool formula(const Vec3&) const { return false; }
-  Vec3 raw_normal(const Hit&) const { return world_normal({0, 0, 1}); }
+  Vec3 geometric_normal(const Hit&) const { return world_normal({0, 0, 1}); }
 
  private:
   static Box3 padded(Box3 box) {

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/lane_kernels.h"
+#include "tracer/shapes/packet_kernels.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -53,26 +53,26 @@ class Triangle final : public Primitive<Triangle> {
     guarded_ = has_guards(description);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
     if (degenerate_) return 0;
-    LaneHits met;
-    lane_kernels().triangle(lanes_shape(), rays, t_min, t_max, met);
+    PacketHits met;
+    packet_kernels().triangle(packet_shape(), rays, t_min, t_max, met);
     return take_hits(met, rays, *this, hits,
                      [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const override {
-    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
     if (degenerate_) return 0;
-    LaneHits met;
-    lane_kernels().triangle(lanes_shape(), rays, t_min, t_max, met);
-    return lanes_hit(met, rays);
+    PacketHits met;
+    packet_kernels().triangle(packet_shape(), rays, t_min, t_max, met);
+    return packet_hits(met, rays);
   }
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     if (degenerate_) return;
     const double slope = dot(normal_, ray.direction);
     if (std::fabs(slope) < kEpsilon) return;
@@ -89,7 +89,7 @@ class Triangle final : public Primitive<Triangle> {
   bool contains(const Vec3&) const { return false; }
   bool formula(const Vec3&) const { return false; }  // never inside, inverted or not
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     if (!smooth_) return normal_;
     const Vec3 from_first = hit.point - p_[0];
     const double q = dot(perpendicular_, from_first);  // 0 at the first corner, 1 on the opposite edge
@@ -100,7 +100,7 @@ class Triangle final : public Primitive<Triangle> {
   }
 
  private:
-  TriangleShape lanes_shape() const {
+  TriangleShape packet_shape() const {
     return {normal_, distance_, i_, j_, {p_[0][i_], p_[1][i_], p_[2][i_]}, {p_[0][j_], p_[1][j_], p_[2][j_]}};
   }
   void prepare_interpolation() {

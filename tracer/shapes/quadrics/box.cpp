@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/lane_kernels.h"
+#include "tracer/shapes/packet_kernels.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -18,7 +18,7 @@ class Box final : public Primitive<Box> {
       : Primitive(description, {Box3(low, high)}), low_(low), high_(high), guarded_(has_guards(description)) {}
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     // The direction keeps its length, so distances are those of the world.
     const Vec3 o = local(ray.origin), d = has_matrix() ? matrix().inverse_direction(ray.direction) : ray.direction;
     double near = 0, far = kFarthest;
@@ -37,20 +37,20 @@ class Box final : public Primitive<Box> {
           far, [&] { return ray.origin + far * ray.direction; }, far_face);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
-    LaneHits met;
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+    PacketHits met;
     meet(rays, t_min, t_max, met);
     return take_hits(met, rays, *this, hits,
                      [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const override {
-    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
-    LaneHits met;
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
+    PacketHits met;
     meet(rays, t_min, t_max, met);
-    return lanes_hit(met, rays);
+    return packet_hits(met, rays);
   }
 
   SimpleSolid simple() const override {
@@ -67,7 +67,7 @@ class Box final : public Primitive<Box> {
     return p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y && p.z >= low_.z && p.z <= high_.z;
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     Vec3 n(0);
     n[hit.part / 2] = hit.part & 1 ? 1 : -1;
     return has_matrix() ? world_normal(n) : n;
@@ -94,8 +94,8 @@ class Box final : public Primitive<Box> {
   }
 
  private:
-  void meet(const RayLanes& rays, double t_min, const double* t_max, LaneHits& met) const {
-    lane_kernels().box(low_, high_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
+  void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
+    packet_kernels().box(low_, high_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
   }
 
   // Narrows near .. far by one axis. A later axis takes a face over when it wins clearly, or nearly ties and faces the

@@ -34,10 +34,10 @@ const BoxKernels& box_kernels();
 
 class BoxSet {
  public:
-  static constexpr std::size_t kMost = 32;
+  static constexpr std::size_t kMax = 32;
 
   BoxSet();
-  // Not empty and not unbounded ones, kMost of them at most. Like the boxes of a tree, they are taken a little larger
+  // Not empty and not unbounded ones, kMax of them at most. Like the boxes of a tree, they are taken a little larger
   // than they are.
   explicit BoxSet(std::span<const Box3> boxes);
   bool empty() const { return blocks_.empty(); }
@@ -56,7 +56,7 @@ class BoxSet {
   void traverse(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
     if (!is_ray(ray)) return;
     const Vec3 inverse = reciprocal(ray.direction);
-    alignas(64) double near[kMost];
+    alignas(64) double near[kMax];
     std::uint32_t met = 0;
     for (std::size_t n = 0; n < blocks_.size(); ++n)
       met |= std::uint32_t{kernels_->meet_at(blocks_[n], ray.origin, inverse, t_min, t_max, near + 8 * n)} << 8 * n;
@@ -91,7 +91,7 @@ class BoxSet {
     return dot(ray.origin, ray.origin) + dot(ray.direction, ray.direction) < std::numeric_limits<double>::infinity();
   }
   static Vec3 reciprocal(const Vec3& direction) {
-    constexpr double kHuge = 1e300;  // in the place of infinity, which times 0 would be no number
+    constexpr double kHuge = 1e300;  // in the place of infinity, which times 0 would be NaN
     const auto of = [](double d) { return d > 1 / kHuge || d < -1 / kHuge ? 1 / d : kHuge; };
     return {of(direction.x), of(direction.y), of(direction.z)};
   }

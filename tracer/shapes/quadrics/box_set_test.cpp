@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/bvh.h"
 #include "tracer/simd/instruction_sets.h"
 
 namespace verisim::shapes {
@@ -19,7 +19,7 @@ TEST(BoxSet, FindsTheBoxesOfARayAndOfAPoint) {
   const auto anywhere = [&] { return Vec3(unit(random), unit(random), unit(random)); };
   int met = 0, missed = 0, around = 0;
   for (int round = 0; round < 2000; ++round) {
-    std::vector<Box3> boxes(1 + static_cast<std::size_t>(round) % BoxSet::kMost);
+    std::vector<Box3> boxes(1 + static_cast<std::size_t>(round) % BoxSet::kMax);
     for (Box3& box : boxes) {
       const Vec3 middle = anywhere(),
                  half = Vec3(std::fabs(unit(random)), std::fabs(unit(random)), std::fabs(unit(random))) * 0.3;

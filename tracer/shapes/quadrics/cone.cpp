@@ -7,7 +7,7 @@
 
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/frame.h"
-#include "tracer/shapes/lane_kernels.h"
+#include "tracer/shapes/packet_kernels.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -32,7 +32,7 @@ class Cone final : public Primitive<Cone> {
         narrow_(narrow_end(c)) {}
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
     const Vec3 &o = l.origin, &d = l.direction;
     const auto report = [&](double t, Part part) {
@@ -82,20 +82,20 @@ class Cone final : public Primitive<Cone> {
     report_cap(narrow_, cylinder_ ? 1 : narrow_ * narrow_, narrow_cap);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
-    LaneHits met;
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+    PacketHits met;
     meet(rays, t_min, t_max, met);
     return take_hits(met, rays, *this, hits,
                      [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const override {
-    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
-    LaneHits met;
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
+    PacketHits met;
     meet(rays, t_min, t_max, met);
-    return lanes_hit(met, rays);
+    return packet_hits(met, rays);
   }
 
   SimpleSolid simple() const override {
@@ -116,7 +116,7 @@ class Cone final : public Primitive<Cone> {
     return r2 <= limit2 + e && p.z >= narrow_ - e && p.z <= 1 + e;
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     if (hit.part == wide_cap) return world_normal({0, 0, 1});
     if (hit.part == narrow_cap) return world_normal({0, 0, -1});
     const Vec3 p = local(hit.point);
@@ -124,8 +124,8 @@ class Cone final : public Primitive<Cone> {
   }
 
  private:
-  void meet(const RayLanes& rays, double t_min, const double* t_max, LaneHits& met) const {
-    lane_kernels().cone(cylinder_, open_, narrow_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
+  void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
+    packet_kernels().cone(cylinder_, open_, narrow_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
   }
 
   bool cylinder_, open_, guarded_;

@@ -16,7 +16,7 @@ class Disc final : public Primitive<Disc> {
         radius2_(d.radius * d.radius) {}
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
     if (!(std::fabs(l.direction.z) > kEpsilon)) return;
     const double t = -l.origin.z / l.direction.z, depth = t / l.scale;
@@ -26,7 +26,7 @@ class Disc final : public Primitive<Disc> {
   }
 
   bool contains(const Vec3& p) const { return local(p).z < 0; }
-  Vec3 raw_normal(const Hit&) const { return world_normal({0, 0, 1}); }
+  Vec3 geometric_normal(const Hit&) const { return world_normal({0, 0, 1}); }
 
  private:
   double hole2_, radius2_;

@@ -13,7 +13,7 @@ class Plane final : public Primitive<Plane> {
       : Primitive(description, {everywhere(), false}), normal_(p.normal), distance_(p.distance) {}
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     // With a matrix the local direction is not normalised, so distances are those of the world.
     const Vec3 o = local(ray.origin), d = has_matrix() ? matrix().inverse_direction(ray.direction) : ray.direction;
     const double slope = dot(normal_, d);
@@ -31,7 +31,7 @@ class Plane final : public Primitive<Plane> {
   }
 
   bool contains(const Vec3& p) const { return dot(local(p), normal_) - distance_ < kEpsilon; }
-  Vec3 raw_normal(const Hit&) const { return has_matrix() ? world_normal(normal_) : normal_; }
+  Vec3 geometric_normal(const Hit&) const { return has_matrix() ? world_normal(normal_) : normal_; }
 
  private:
   Vec3 normal_;

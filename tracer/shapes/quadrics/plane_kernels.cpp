@@ -46,8 +46,8 @@ unsigned behind(const EightPlanes& planes, const Vec3& p) {
   return bits(p.x * load(planes.x) + p.y * load(planes.y) + p.z * load(planes.z) - load(planes.distance) < kEpsilon);
 }
 
-unsigned meet_row(const EightPlanes& planes, int i, const RayRow& rays, int first, const double* doubt, double* t,
-                  double* enter, double* leave) {
+unsigned meet_batch(const EightPlanes& planes, int i, const RayBatch& rays, int first, const double* doubt, double* t,
+                    double* enter, double* leave) {
   const double x = planes.x[i], y = planes.y[i], z = planes.z[i];
   const Packet ox = load(rays.origin.x + first), oy = load(rays.origin.y + first), oz = load(rays.origin.z + first);
   const Packet dx = load(rays.direction.x + first), dy = load(rays.direction.y + first),
@@ -71,13 +71,13 @@ void clip_axis(double low, double high, const double* origin, const double* dire
   }
 }
 
-void clip_row(const Box3& box, const RayRow& rays, int first, double* near, double* far) {
+void clip_batch(const Box3& box, const RayBatch& rays, int first, double* near, double* far) {
   clip_axis(box.min.x, box.max.x, rays.origin.x + first, rays.direction.x + first, near, far);
   clip_axis(box.min.y, box.max.y, rays.origin.y + first, rays.direction.y + first, near, far);
   clip_axis(box.min.z, box.max.z, rays.origin.z + first, rays.direction.z + first, near, far);
 }
 
-const PlaneKernels kKernels = {meet, behind, meet_row, clip_row};
+const PlaneKernels kKernels = {meet, behind, meet_batch, clip_batch};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

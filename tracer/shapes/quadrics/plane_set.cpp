@@ -15,12 +15,12 @@ void PlaneSet::add(const Vec3& normal, double distance, bool inverted) {
   ++count_;
 }
 
-void PlaneSet::meet(const RayLanes& rays, Lanes& lanes, double* enter, double* leave) const {
-  alignas(64) double doubt[RayLanes::kCount];
-  for (int k = 0; k < RayLanes::kCount; ++k) doubt[k] = doubt_at(rays.rays.origin.at(rays.first + k));
+void PlaneSet::meet(const RayPacket& rays, Lanes& lanes, double* enter, double* leave) const {
+  alignas(64) double doubt[RayPacket::kCount];
+  for (int k = 0; k < RayPacket::kCount; ++k) doubt[k] = doubt_at(rays.rays.origin.at(rays.first + k));
   for (int i = 0; i < count_; ++i)
-    lanes.met[i] = kernels_.meet_row(blocks_[static_cast<std::size_t>(i / 8)], i % 8, rays.rays, rays.first, doubt,
-                                     lanes.t[i], enter, leave);
+    lanes.met[i] = kernels_.meet_batch(blocks_[static_cast<std::size_t>(i / 8)], i % 8, rays.rays, rays.first, doubt,
+                                       lanes.t[i], enter, leave);
 }
 
 }  // namespace verisim::shapes

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "tracer/math/ray_row.h"
+#include "tracer/math/ray_batch.h"
 
 namespace verisim::shapes {
 
@@ -24,10 +24,10 @@ struct PlaneKernels {
   // Bit i: p lies behind plane i, not inverted.
   unsigned (*behind)(const EightPlanes& planes, const Vec3& p);
   // Bit k: ray k of a row, from `first`, meets plane i, at t[k]. Raises enter[k] and lowers leave[k] in the same way.
-  unsigned (*meet_row)(const EightPlanes& planes, int i, const RayRow& rays, int first, const double* doubt, double* t,
-                       double* enter, double* leave);
+  unsigned (*meet_batch)(const EightPlanes& planes, int i, const RayBatch& rays, int first, const double* doubt,
+                         double* t, double* enter, double* leave);
   // Raises near[k] and lowers far[k] to where ray k is inside a box: to nowhere, if it misses it.
-  void (*clip_row)(const Box3& box, const RayRow& rays, int first, double* near, double* far);
+  void (*clip_batch)(const Box3& box, const RayBatch& rays, int first, double* near, double* far);
 };
 
 // Those of any instruction set, for tests; null: this machine cannot run it.
@@ -37,7 +37,7 @@ const PlaneKernels& plane_kernels();
 
 class PlaneSet {
  public:
-  static constexpr int kMost = 64;
+  static constexpr int kMax = 64;
 
   // Far more than a hit's point may be off the ray and than the inside test's own tolerance: what this leaves out, that
   // would refuse.
@@ -46,11 +46,11 @@ class PlaneSet {
   }
 
   PlaneSet();
-  bool full() const { return count_ == kMost; }
+  bool full() const { return count_ == kMax; }
   int size() const { return count_; }
   void add(const Vec3& normal, double distance, bool inverted);
 
-  // Bit i: the ray meets plane i, at t[i]; there is room for kMost. enter .. leave is narrowed to where points of the
+  // Bit i: the ray meets plane i, at t[i]; there is room for kMax. enter .. leave is narrowed to where points of the
   // ray may be inside all planes.
   std::uint64_t meet(const Ray& ray, double* t, double& enter, double& leave) const {
     const double doubt = doubt_at(ray.origin);
@@ -61,13 +61,13 @@ class PlaneSet {
   }
   // The same for eight rays: bit k of met[i] tells whether ray k meets plane i, at t[i][k].
   struct Lanes {
-    alignas(64) double t[kMost][RayLanes::kCount];
-    unsigned met[kMost];
+    alignas(64) double t[kMax][RayPacket::kCount];
+    unsigned met[kMax];
   };
-  void meet(const RayLanes& rays, Lanes& lanes, double* enter, double* leave) const;
+  void meet(const RayPacket& rays, Lanes& lanes, double* enter, double* leave) const;
   // Narrows near .. far to where rays are inside a box.
-  void clip(const Box3& box, const RayLanes& rays, double* near, double* far) const {
-    kernels_.clip_row(box, rays.rays, rays.first, near, far);
+  void clip(const Box3& box, const RayPacket& rays, double* near, double* far) const {
+    kernels_.clip_batch(box, rays.rays, rays.first, near, far);
   }
   // Bit i: p is not inside plane i.
   std::uint64_t outside(const Vec3& p) const {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/bvh.h"
 #include "tracer/shapes/half_spaces.h"
 #include "tracer/shapes/quadrics/plane.h"
 #include "tracer/shapes/quadrics/quadric_box.h"
@@ -85,15 +85,15 @@ TEST_P(PlaneKernel, MeetsAPlaneWithEightRaysAsWithEach) {
     const Vec3 corner = random_vector(2);
     const Box3 box(corner - Vec3(1, 2, 1),
                    corner + Vec3(1, 1, round % 4 ? 1 : std::numeric_limits<double>::infinity()));
-    RayRow rays{};
+    RayBatch rays{};
     alignas(64) double doubt[8], t[8], enter[8], leave[8], near[8], far[8];
     for (int k = 0; k < 8; ++k) {
       rays.origin.set(first + k, random_vector(3)),
           rays.direction.set(first + k, (round + k) % 7 ? normalize(random_vector(1)) : Vec3(0, 0, 1));
       doubt[k] = 1e-6 * (k + 1), enter[k] = near[k] = 1e-4, leave[k] = far[k] = k == 3 ? 1 : 1e7;
     }
-    const unsigned met = kernels->meet_row(planes, i, rays, first, doubt, t, enter, leave);
-    kernels->clip_row(box, rays, first, near, far);
+    const unsigned met = kernels->meet_batch(planes, i, rays, first, doubt, t, enter, leave);
+    kernels->clip_batch(box, rays, first, near, far);
     for (int k = 0; k < 8; ++k) {
       const Ray ray = rays.at(first + k);
       alignas(64) double alone[8];
@@ -130,7 +130,7 @@ TEST(PlaneSet, KnowsOutsideOfManyPlanesBothWaysRound) {
     planes.push_back({{normalize(random_vector(1)), random_vector(1).x}, planes.size() % 3 == 0});
     set.add(planes.back().first.normal, planes.back().first.distance, planes.back().second);
   }
-  ASSERT_EQ(planes.size(), static_cast<std::size_t>(PlaneSet::kMost));
+  ASSERT_EQ(planes.size(), static_cast<std::size_t>(PlaneSet::kMax));
   for (int i = 0; i < 500; ++i) {
     const Vec3 p = random_vector(2);
     const std::uint64_t outside = set.outside(p);
@@ -147,7 +147,7 @@ TEST(PlaneSet, PointsInsideAllPlanesLieWhereTheRayMayBeInside) {
     PlaneSet set;
     for (int k = 0; k < 11; ++k) set.add(normalize(random_vector(1)), std::fabs(random_vector(1).x), false);
     const Ray ray{random_vector(1), normalize(random_vector(1))};
-    alignas(64) double t[PlaneSet::kMost];
+    alignas(64) double t[PlaneSet::kMax];
     double enter = -10, leave = 10;
     set.meet(ray, t, enter, leave);
     for (double s = -10; s < 10; s += 0.05) {

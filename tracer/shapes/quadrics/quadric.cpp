@@ -1,6 +1,6 @@
 // quadric (spec 03 4.10): coefficients are kept in world space.
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/lane_kernels.h"
+#include "tracer/shapes/packet_kernels.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/quadrics/quadric_box.h"
 
@@ -32,7 +32,7 @@ class Quadric final : public Primitive<Quadric> {
         guarded_(has_guards(description)) {}
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const Vec3 &o = ray.origin, &d = ray.direction;
     const Vec3 &s = q_.square, &m = q_.mixed, &l = q_.linear;
     const double a = d.x * (s.x * d.x + m.x * d.y + m.y * d.z) + d.y * (s.y * d.y + m.z * d.z) + d.z * s.z * d.z;
@@ -54,20 +54,20 @@ class Quadric final : public Primitive<Quadric> {
     }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
-    LaneHits met;
-    lane_kernels().quadric(q_, rays, t_min, t_max, met);
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+    PacketHits met;
+    packet_kernels().quadric(q_, rays, t_min, t_max, met);
     return take_hits(met, rays, *this, hits,
                      [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const override {
-    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
-    LaneHits met;
-    lane_kernels().quadric(q_, rays, t_min, t_max, met);
-    return lanes_hit(met, rays);
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
+    PacketHits met;
+    packet_kernels().quadric(q_, rays, t_min, t_max, met);
+    return packet_hits(met, rays);
   }
 
   SimpleSolid simple() const override {
@@ -79,7 +79,7 @@ class Quadric final : public Primitive<Quadric> {
   bool contains(const Vec3& p) const { return value(p) <= 0; }
   bool formula(const Vec3& p) const { return contains(p); }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     const Vec3 &p = hit.point, &s = q_.square, &m = q_.mixed, &l = q_.linear;
     const Vec3 gradient(2 * s.x * p.x + m.x * p.y + m.y * p.z + l.x, m.x * p.x + 2 * s.y * p.y + m.z * p.z + l.y,
                         m.y * p.x + m.z * p.y + 2 * s.z * p.z + l.z);

@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/lane_kernels.h"
+#include "tracer/shapes/packet_kernels.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/spherical_uv.h"
 
@@ -28,7 +28,7 @@ class Sphere final : public Primitive<Sphere> {
         uv_transform_(description.uv_transform) {}
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     double near, far;
     if (!has_matrix()) {
       if (!solve(ray.origin, ray.direction, near, far)) return;
@@ -48,10 +48,10 @@ class Sphere final : public Primitive<Sphere> {
     }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                           const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_lanes(rays, entry, kind, t_min, t_max, hits);
-    LaneHits met;
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+    PacketHits met;
     meet(rays, t_min, t_max, met);
     return take_hits(met, rays, *this, hits, [&](int k, const Ray& ray) {
       if (!has_matrix()) return ray.origin + met.t[k] * ray.direction;
@@ -59,12 +59,12 @@ class Sphere final : public Primitive<Sphere> {
       return world(l.origin + met.local[k] * l.direction);
     });
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints* entry, double t_min,
-                          const double* t_max) const override {
-    if (guarded_) return Shape::occludes_lanes(rays, entry, t_min, t_max);
-    LaneHits met;
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
+    PacketHits met;
     meet(rays, t_min, t_max, met);
-    return lanes_hit(met, rays);
+    return packet_hits(met, rays);
   }
 
   SimpleSolid simple() const override {
@@ -80,7 +80,7 @@ class Sphere final : public Primitive<Sphere> {
   // A point exactly on the surface is in neither the sphere nor its complement.
   bool formula(const Vec3& p) const { return inverted() ? distance2(p) > radius2_ : distance2(p) < radius2_; }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     if (has_matrix()) return world_normal(local(hit.point) - center_);
     return (hit.point - center_) * inverse_radius_;  // rounded as POV-Ray does, measured by its photon files
   }
@@ -91,8 +91,8 @@ class Sphere final : public Primitive<Sphere> {
   }
 
  private:
-  void meet(const RayLanes& rays, double t_min, const double* t_max, LaneHits& met) const {
-    lane_kernels().sphere(center_, radius2_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
+  void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
+    packet_kernels().sphere(center_, radius2_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
   }
 
   double distance2(const Vec3& p) const {

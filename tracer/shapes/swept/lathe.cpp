@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/swept/lathe_lanes.h"
+#include "tracer/shapes/swept/lathe_packet.h"
 #include "tracer/shapes/swept/plane_curve.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/spherical_uv.h"
@@ -90,11 +90,11 @@ class Lathe final : public Primitive<Lathe> {
   }
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
     const Vec3 &p = l.origin, &d = l.direction;
     const double r = d.x * d.x + d.z * d.z, m = d.x * p.x + d.z * p.z, c = p.x * p.x + p.z * p.z;
-    // The stretch inside the outermost cylinder, and the heights it passes.
+    // The interval inside the outermost cylinder, and the heights it passes.
     double near = -HUGE_VAL, far = HUGE_VAL;
     const double outer2 = this->outer2();
     if (r > 1e-20) {
@@ -119,15 +119,15 @@ class Lathe final : public Primitive<Lathe> {
       }
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max,
-                           Hit* hits) const override {
-    return nearest_of_lanes(
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints*, RayKind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    return nearest_of_packet(
         rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min,
-                          const double* t_max) const override {
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints*, double t_min,
+                           const double* t_max) const override {
     Hit hit;
-    return nearest_of_lanes(
+    return nearest_of_packet(
         rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
@@ -146,7 +146,7 @@ class Lathe final : public Primitive<Lathe> {
     return count & 1;
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     const Vec3 p = local(hit.point);
     const double rho2 = p.x * p.x + p.z * p.z;
     if (!(rho2 > kEpsilon)) return world_normal({0, 1, 0});
@@ -187,51 +187,51 @@ class Lathe final : public Primitive<Lathe> {
   }
 
   template <class HitOf>
-  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
-    const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
+  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
     if (admitted == 0) return 0;
-    LatheLanes lanes;
-    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes.rays);
-    const unsigned met = lathe_kernels().begin(outer2(), admitted, lanes);
-    LocalRay locals[RayLanes::kCount];
-    std::optional<NearestHit> sinks[RayLanes::kCount];
+    LathePacket packet;
+    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, packet.rays);
+    const unsigned met = lathe_kernels().begin(outer2(), admitted, packet);
+    LocalRay locals[RayPacket::kCount];
+    std::optional<NearestHit> sinks[RayPacket::kCount];
     unsigned found = 0, horizontal = 0;
     each_lane(met, [&](int k) {
       locals[k] = local(rays.at(k));
       sinks[k].emplace(*this, guards(), t_min, t_max[k], hit_of(k), any);
-      horizontal |= std::fabs(lanes.rays.dy[k]) < kNearlyHorizontal ? 1u << k : 0;
+      horizontal |= std::fabs(packet.rays.dy[k]) < kNearlyHorizontal ? 1u << k : 0;
     });
     unsigned open = met;
     for (std::size_t i = 0; i < segments_.size() && open != 0; ++i) {
       const Segment& s = segments_[i];
-      const unsigned beside = open & lathe_kernels().beside(s.y_low, s.y_high, slack(), lanes);
+      const unsigned beside = open & lathe_kernels().beside(s.y_low, s.y_high, slack(), packet);
       if (beside == 0) continue;
       const auto report = [&](int k, double w, double t) {
         add(rays.at(k), t / locals[k].scale, i, w, *sinks[k]);
         if (any && sinks[k]->found()) open &= ~(1u << k);
       };
       each_lane(beside & horizontal, [&](int k) {
-        Solver{locals[k], lanes.r[k], lanes.m[k], lanes.c[k]}.segment(s.curve,
-                                                                      [&](double w, double t) { report(k, w, t); });
+        Solver{locals[k], packet.r[k], packet.m[k], packet.c[k]}.segment(s.curve,
+                                                                         [&](double w, double t) { report(k, w, t); });
       });
-      if ((beside & ~horizontal) != 0) follow(s.curve, beside & ~horizontal, lanes, locals, report, open);
+      if ((beside & ~horizontal) != 0) follow(s.curve, beside & ~horizontal, packet, locals, report, open);
     }
     each_lane(met, [&](int k) { found |= sinks[k]->found() ? 1u << k : 0; });
     return found;
   }
   // The roots of a segment for several rays; those that are no longer open are left alone.
   template <class Report>
-  static void follow(const CurveSegment& curve, unsigned rays, const LatheLanes& lanes, const LocalRay* locals,
+  static void follow(const CurveSegment& curve, unsigned rays, const LathePacket& packet, const LocalRay* locals,
                      Report&& report, const unsigned& open) {
-    RootLanes roots;
-    lathe_kernels().follow(curve, lanes, roots);
+    RootPacket roots;
+    lathe_kernels().follow(curve, packet, roots);
     unsigned more = bernstein_kernels().begin(2 * curve.degree, rays, roots);
     while (more != 0) {
       more = bernstein_kernels().next(2 * curve.degree, more, roots);
       each_lane(more, [&](int k) {
         const LocalRay& l = locals[k];
         double w = roots.root[k], t = (curve.value(height, w) - l.origin.y) / l.direction.y;
-        Solver{l, lanes.r[k], lanes.m[k], lanes.c[k]}.polish(curve, w, t);
+        Solver{l, packet.r[k], packet.m[k], packet.c[k]}.polish(curve, w, t);
         report(k, w, t);
       });
       more &= open;

@@ -1,4 +1,4 @@
-#include "tracer/shapes/swept/lathe_lanes.h"
+#include "tracer/shapes/swept/lathe_packet.h"
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
@@ -27,7 +27,7 @@ unsigned along(const EightSegments& segments, const LathePassage& ray) {
                 (farthest < load(segments.low2) - ray.doubt)));
 }
 
-unsigned begin(double outer2, unsigned asked, LatheLanes& s) {
+unsigned begin(double outer2, unsigned active, LathePacket& s) {
   const Packet px = load(s.rays.ox), py = load(s.rays.oy), pz = load(s.rays.oz), dx = load(s.rays.dx),
                dy = load(s.rays.dy), dz = load(s.rays.dz);
   const Packet r = dx * dx + dz * dz, m = dx * px + dz * pz, c = px * px + pz * pz;
@@ -37,14 +37,14 @@ unsigned begin(double outer2, unsigned asked, LatheLanes& s) {
   const Packet y0 = select(level, py, py + dy * max(near, 0.0)), y1 = select(level, py, py + dy * far);
   const Mask falls = y0 > y1;
   store(s.r, r), store(s.m, m), store(s.c, c), store(s.y0, select(falls, y1, y0)), store(s.y1, select(falls, y0, y1));
-  return bits((slanted & (discriminant >= 0.0) & ~(far < 0.0)) | (~slanted & (c <= outer2))) & asked;
+  return bits((slanted & (discriminant >= 0.0) & ~(far < 0.0)) | (~slanted & (c <= outer2))) & active;
 }
 
-unsigned beside(double low, double high, double slack, const LatheLanes& s) {
+unsigned beside(double low, double high, double slack, const LathePacket& s) {
   return bits(~((low > load(s.y1) + slack) | (high < load(s.y0) - slack)));
 }
 
-void follow(const CurveSegment& segment, const LatheLanes& s, RootLanes& roots) {
+void follow(const CurveSegment& segment, const LathePacket& s, RootPacket& roots) {
   const Packet py = load(s.rays.oy), dy = load(s.rays.dy), r = load(s.r), m = load(s.m), c = load(s.c), dy2 = dy * dy,
                twice = 2.0 * dy * m;
   const int k = segment.degree;

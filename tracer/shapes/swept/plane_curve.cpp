@@ -57,7 +57,7 @@ void CurveSegment::extremes(int axis, double& low, double& high) const {
 }
 
 Rectangle CurveSegment::bounds(double from, double to) const {
-  // The four Bezier points of this stretch.
+  // The four Bezier points of this interval.
   const double h = to - from;
   const Vec2 q0 = ((c[3] * from + c[2]) * from + c[1]) * from + c[0];
   const Vec2 q1 = h * ((3.0 * c[3] * from + 2.0 * c[2]) * from + c[1]), q2 = h * h * (3.0 * c[3] * from + c[2]),

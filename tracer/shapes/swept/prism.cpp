@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tracer/bvh/box_tree.h"
+#include "tracer/bvh/bvh.h"
 #include "tracer/math/bernstein.h"
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
@@ -89,7 +89,7 @@ class Prism final : public Primitive<Prism> {
     const Vec3 pad = 1e-9 * (box_.max - box_.min) + Vec3(1e-12);
     box_.min -= pad, box_.max += pad;
     const std::vector<CurveSegment> curves = segments_of(prism);
-    const std::size_t parts = std::clamp<std::size_t>(curves.empty() ? 1 : kPieces / curves.size(), 1, kMostParts);
+    const std::size_t parts = std::clamp<std::size_t>(curves.empty() ? 1 : kPieces / curves.size(), 1, kMaxParts);
     std::vector<Rectangle> bounds;
     for (const CurveSegment& s : curves) {
       Segment segment{s, 0, 0, 0, 0, pieces_.size(), 0};
@@ -111,7 +111,7 @@ class Prism final : public Primitive<Prism> {
   }
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = unit_local(ray);
     const Vec3 &o = l.origin, &d = l.direction;
     const auto report = [&](double t, std::int32_t part, double w) {
@@ -183,7 +183,7 @@ class Prism final : public Primitive<Prism> {
     return std::fabs(p.y) > kEpsilon && covers(p.x / p.y, p.z / p.y);
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     if (hit.part == kCap) return world_normal({0, 1, 0});
     const CurveSegment& s = segments_[static_cast<std::size_t>(hit.part)].curve;
     Vec3 n(s.slope(along_z, hit.u), 0, -s.slope(along_x, hit.u));
@@ -207,7 +207,7 @@ class Prism final : public Primitive<Prism> {
     double z_begin, z_end;
   };
   static constexpr std::size_t kPieces = 64,
-                               kMostParts = 16;  // of all curved segments together, if they are few; of one
+                               kMaxParts = 16;  // of all curved segments together, if they are few; of one
 
   // Whether the line nx x + nz z + n0 = 0 may pass through a piece's rectangle.
   static bool straddles(const Rectangle& r, double nx, double nz, double n0) {
@@ -217,7 +217,7 @@ class Prism final : public Primitive<Prism> {
     return std::fabs(nx * x + nz * z + n0) <= reach * (1 + 1e-9) + 1e-12 * size;
   }
 
-  // What the stretch of a ray that matters covers of the outline's plane; of a conic sweep, everything.
+  // What the interval of a ray that matters covers of the outline's plane; of a conic sweep, everything.
   Rectangle seen_from_above(const Vec3& o, const Vec3& d, double enter, double end) const {
     if (conic_) return Rectangle(Vec2(-HUGE_VAL), Vec2(HUGE_VAL));
     const double slack = 1e-9 * (std::fabs(o.x) + std::fabs(o.z) + end) + 1e-12;

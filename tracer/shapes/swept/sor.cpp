@@ -110,7 +110,7 @@ class Sor final : public Primitive<Sor> {
   }
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     if (segments_.empty()) return;
     const LocalRay l = unit_local(ray);
     const Vec3 &p = l.origin, &d = l.direction;
@@ -150,7 +150,7 @@ class Sor final : public Primitive<Sor> {
     return false;
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     if (hit.part == kBase) return world_normal({0, -1, 0});
     if (hit.part == kCap) return world_normal({0, 1, 0});
     const Vec3 p = local(hit.point);
@@ -172,7 +172,7 @@ class Sor final : public Primitive<Sor> {
     double y = 0, radius2 = 0;
   };
 
-  // Whether the stretch near .. far of a ray, whose squared distance from the axis is (r t + 2 m) t + c, comes through
+  // Whether the interval near .. far of a ray, whose squared distance from the axis is (r t + 2 m) t + c, comes through
   // the annulus of a segment.
   static bool enters(const Segment& s, double py, double dy, double near, double far, double r, double m, double c) {
     if (dy == 0) {

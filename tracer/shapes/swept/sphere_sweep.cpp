@@ -2,18 +2,18 @@
 //
 // The body is the union of the spheres at the joints and, per segment, of the envelope of the moving sphere closed by
 // two planes. A ray crosses the envelope where |O + tD - C(u)|^2 = R(u)^2 and the derivative of that by u vanishes;
-// eliminating t leaves a polynomial of degree 2 or 10 in u. All crossings are sorted, and a nesting counter keeps those
-// that enter or leave the union.
+// eliminating t leaves a polynomial of degree 2 or 10 in u. All intersections are sorted, and a nesting counter keeps
+// those that enter or leave the union.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "tracer/bvh/box_tree.h"
-#include "tracer/math/bernstein_lanes.h"
+#include "tracer/bvh/bvh.h"
+#include "tracer/math/bernstein_packet.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
 #include "tracer/shapes/scratch.h"
-#include "tracer/shapes/swept/sphere_sweep_lanes.h"
+#include "tracer/shapes/swept/sphere_sweep_packet.h"
 
 namespace verisim::shapes {
 namespace {
@@ -91,7 +91,7 @@ Box3 box_of(const std::vector<Segment>& segments) {
 
 enum Part : std::int32_t { joint, side, start_plane, end_plane };
 
-struct Crossing {
+struct Intersection {
   double t, u;
   std::int32_t segment;
   Part part;
@@ -133,26 +133,26 @@ class SphereSweep final : public Primitive<SphereSweep> {
       boxes.push_back(box_of(s));
       finite = finite && accel::is_finite(boxes.back()) && !accel::is_empty(boxes.back());
     }
-    if (segments_.size() > kFewParts && finite) tree_ = accel::BoxTree(boxes);
+    if (segments_.size() > kFewParts && finite) tree_ = accel::Bvh(boxes);
   }
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink) const {
+  void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
-    Scratch<Crossing> all;
+    Scratch<Intersection> all;
     each_segment_met(l, [&](std::uint32_t i) { segment(i, l, nullptr, all); });
     report(l, all, sink);
   }
 
-  unsigned intersect_lanes(const RayLanes& rays, const accel::EntryPoints*, RayKind, double t_min, const double* t_max,
-                           Hit* hits) const override {
-    return nearest_of_lanes(
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints*, RayKind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    return nearest_of_packet(
         rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
   }
-  unsigned occludes_lanes(const RayLanes& rays, const accel::EntryPoints*, double t_min,
-                          const double* t_max) const override {
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints*, double t_min,
+                           const double* t_max) const override {
     Hit hit;
-    return nearest_of_lanes(
+    return nearest_of_packet(
         rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
   }
 
@@ -180,7 +180,7 @@ class SphereSweep final : public Primitive<SphereSweep> {
     return false;
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     const Segment& s = segments_[static_cast<std::size_t>(hit.part / 4)];
     const auto part = static_cast<Part>(hit.part % 4);
     Vec3 n;
@@ -207,10 +207,10 @@ class SphereSweep final : public Primitive<SphereSweep> {
   }
 
   template <class Sink>
-  void report(const LocalRay& l, Scratch<Crossing>& all, Sink& sink) const {
+  void report(const LocalRay& l, Scratch<Intersection>& all, Sink& sink) const {
     if (all.size() == 0) return;
-    all.sort([](const Crossing& a, const Crossing& b) { return a.t < b.t; });
-    const auto add = [&](const Crossing& c) {
+    all.sort([](const Intersection& a, const Intersection& b) { return a.t < b.t; });
+    const auto add = [&](const Intersection& c) {
       if (!(c.t > tolerance_)) return;
       sink.add(
           c.t / l.scale, [&] { return world(l.origin + c.t * l.direction); }, c.segment * 4 + c.part, c.u);
@@ -227,10 +227,10 @@ class SphereSweep final : public Primitive<SphereSweep> {
 
   // Each ray has its own list of segments; those of the same segment are solved together.
   template <class HitOf>
-  unsigned nearest_of_lanes(const RayLanes& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
-    const unsigned admitted = guards() ? guards()->admit(rays) : rays.asked;
+  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
     Scratch<Visit> visits;
-    std::size_t first[RayLanes::kCount], end[RayLanes::kCount];
+    std::size_t first[RayPacket::kCount], end[RayPacket::kCount];
     unsigned met = 0;
     each_lane(admitted, [&](int k) {
       first[k] = visits.size();
@@ -239,14 +239,14 @@ class SphereSweep final : public Primitive<SphereSweep> {
       met |= end[k] > first[k] ? 1u << k : 0;
     });
     if (met == 0) return 0;
-    LocalLanes lanes;
-    lane_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes);
+    LocalPacket packet;
+    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, packet);
     for (std::size_t v = 0; v < visits.size(); ++v)
-      if (!visits[v].solved) solve_together(lanes, visits, v);
+      if (!visits[v].solved) solve_together(packet, visits, v);
     unsigned found = 0;
     each_lane(met, [&](int k) {
       const LocalRay l = local(rays.at(k));
-      Scratch<Crossing> all;
+      Scratch<Intersection> all;
       for (std::size_t v = first[k]; v < end[k]; ++v) segment(visits[v].segment, l, &visits[v].touches, all);
       NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
       report(l, all, sink);
@@ -255,14 +255,14 @@ class SphereSweep final : public Primitive<SphereSweep> {
     return found;
   }
   // The touches of a visit and of those behind it of the same segment.
-  void solve_together(const LocalLanes& rays, Scratch<Visit>& visits, std::size_t begin) const {
+  void solve_together(const LocalPacket& rays, Scratch<Visit>& visits, std::size_t begin) const {
     const std::uint32_t index = visits[begin].segment;
     const Segment& s = segments_[index];
     const double radius = s.at(0.5).w;
-    SweepSideLanes side;
+    SweepSidePacket side;
     sweep_follow()(cubic_of(s), rays, side);
-    RootLanes roots;
-    Visit* of_lane[RayLanes::kCount];
+    RootPacket roots;
+    Visit* of_lane[RayPacket::kCount];
     unsigned wanted = 0;
     for (std::size_t v = begin; v < visits.size(); ++v) {
       Visit& visit = visits[v];
@@ -280,7 +280,7 @@ class SphereSweep final : public Primitive<SphereSweep> {
       roots.from[k] = 0, roots.to[k] = 1;
       wanted |= 1u << k;
     }
-    for (int i = 0; i <= 10; ++i) std::copy_n(side.power[i], RayLanes::kCount, roots.power[i]);
+    for (int i = 0; i <= 10; ++i) std::copy_n(side.power[i], RayPacket::kCount, roots.power[i]);
     unsigned open = bernstein_kernels().begin(10, wanted, roots);
     while (open != 0) {
       open = bernstein_kernels().next(10, open, roots);
@@ -292,7 +292,7 @@ class SphereSweep final : public Primitive<SphereSweep> {
   }
 
   // `touches`: of the side, if they are known.
-  void segment(std::size_t i, const LocalRay& l, const Touches* touches, Scratch<Crossing>& all) const {
+  void segment(std::size_t i, const LocalRay& l, const Touches* touches, Scratch<Intersection>& all) const {
     const Segment& s = segments_[i];
     const auto index = static_cast<std::int32_t>(i);
     if (i == 0) joint_sphere(s.at(0), 0, index, l, all);
@@ -315,7 +315,7 @@ class SphereSweep final : public Primitive<SphereSweep> {
   }
 
   static void joint_sphere(const Vec4& sphere, double u, std::int32_t index, const LocalRay& l,
-                           Scratch<Crossing>& all) {
+                           Scratch<Intersection>& all) {
     double near, far;
     if (!sphere_chord(sphere, l, near, far) || far < 0) return;
     all.add({near, u, index, joint, true});
@@ -323,7 +323,7 @@ class SphereSweep final : public Primitive<SphereSweep> {
   }
 
   // C'(u).(P - C(u)) + R R' = 0 within the sphere at that end of a segment.
-  static void plane(const Segment& s, double u, std::int32_t index, const LocalRay& l, Scratch<Crossing>& all) {
+  static void plane(const Segment& s, double u, std::int32_t index, const LocalRay& l, Scratch<Intersection>& all) {
     const Vec4 sphere = s.at(u), slope = s.slope(u);
     const Vec3 n = center_of(slope), c = center_of(sphere);
     const double along = dot(n, l.direction);
@@ -335,13 +335,13 @@ class SphereSweep final : public Primitive<SphereSweep> {
   }
 
   static void add_side(const Segment& s, double u, double t, std::int32_t index, const LocalRay& l,
-                       Scratch<Crossing>& all) {
+                       Scratch<Intersection>& all) {
     if (!(std::fabs(t) < kFarthest)) return;
     const Vec3 n = l.origin + t * l.direction - center_of(s.at(u));
     all.add({t, u, index, side, dot(n, l.direction) < 0});
   }
 
-  void linear_side(const Segment& s, std::int32_t index, const LocalRay& l, Scratch<Crossing>& all) const {
+  void linear_side(const Segment& s, std::int32_t index, const LocalRay& l, Scratch<Intersection>& all) const {
     const Vec3 dc = center_of(s.c[1]), o = l.origin - center_of(s.c[0]);
     const double r0 = s.c[0].w, dr = s.c[1].w;
     const double g = dot(dc, dc) - dr * dr;  // d/du: dot(o, dc) + r0 dr + t dot(D, dc) = u g
@@ -382,7 +382,7 @@ class SphereSweep final : public Primitive<SphereSweep> {
   }
 
   static void curved_side(const Segment& s, std::int32_t index, const LocalRay& l, const Touches& touches,
-                          Scratch<Crossing>& all) {
+                          Scratch<Intersection>& all) {
     for (int i = 0; i < touches.count; ++i) {
       const double u = touches.at[i];
       double enter, leave;
@@ -395,7 +395,7 @@ class SphereSweep final : public Primitive<SphereSweep> {
 
   std::vector<Segment> segments_;
   double tolerance_;
-  accel::BoxTree tree_;
+  accel::Bvh tree_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "tracer/shapes/swept/sphere_sweep_lanes.h"
+#include "tracer/shapes/swept/sphere_sweep_packet.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tracer/shapes/swept/sphere_sweep_kernels.cpp"
@@ -16,17 +16,17 @@ using namespace simd::HWY_NAMESPACE;
 
 #include "tracer/shapes/swept/sphere_sweep_side.inc"
 
-void follow_lanes(const SweepCubic& cubic, const LocalLanes& rays, SweepSideLanes& lanes) {
+void follow_packet(const SweepCubic& cubic, const LocalPacket& rays, SweepSidePacket& packet) {
   const Packet origin[3] = {load(rays.ox), load(rays.oy), load(rays.oz)},
                direction[3] = {load(rays.dx), load(rays.dy), load(rays.dz)};
   SweepSide<Packet> side;
   follow(cubic, origin, direction, side);
-  for (int i = 0; i < 11; ++i) store(lanes.power[i], side.power[i]);
-  for (int i = 0; i < 6; ++i) store(lanes.n[i], side.n[i]);
-  for (int i = 0; i < 3; ++i) store(lanes.m[i], side.m[i]);
+  for (int i = 0; i < 11; ++i) store(packet.power[i], side.power[i]);
+  for (int i = 0; i < 6; ++i) store(packet.n[i], side.n[i]);
+  for (int i = 0; i < 3; ++i) store(packet.m[i], side.m[i]);
 }
 
-const SweepFollow kKernels = follow_lanes;
+const SweepFollow kKernels = follow_packet;
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

@@ -92,19 +92,19 @@ class Text final : public TreePrimitive<Text> {
         thickness_(text.thickness),
         glyphs_(layout(text)),
         to_object_(small_rotation()) {
-    tree_ = accel::BoxTree(
+    tree_ = accel::Bvh(
         glyphs_.size(),
         [&](std::size_t i) { return glyphs_[i].glyph->segments.empty() ? Box3() : box_of(glyphs_[i], thickness_); }, 1);
     const Transform total = has_matrix() ? to_object_.then(matrix()) : to_object_;
     total_ = total;
   }
 
-  const accel::BoxTree& tree() const { return tree_; }
+  const accel::Bvh& tree() const { return tree_; }
   bool turned() const { return true; }
   Vec3 to_tree(const Vec3& p) const { return total_.inverse_point(p); }
 
   template <class Sink>
-  void crossings(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
+  void intersections(const Ray& ray, Sink& sink, const accel::EntryPoints* entry = nullptr) const {
     const Vec3 o = total_.inverse_point(ray.origin), d = total_.inverse_direction(ray.direction);
     // The direction is not normalised: depths are world distances.
     tree_.traverse(
@@ -127,7 +127,7 @@ class Text final : public TreePrimitive<Text> {
     return false;
   }
 
-  Vec3 raw_normal(const Hit& hit) const {
+  Vec3 geometric_normal(const Hit& hit) const {
     Vec3 n(0, 0, hit.part == kFront ? -1 : 1);
     if (hit.part > kBack) {
       const OutlineSegment& s =
@@ -194,8 +194,8 @@ class Text final : public TreePrimitive<Text> {
     });
   }
 
-  // What the stretch of a ray that lies between the caps and may still matter covers, seen along z. Widened by more
-  // than rounding moves a crossing with a piece of an outline, even with one that the ray nearly runs along.
+  // What the interval of a ray that lies between the caps and may still matter covers, seen along z. Widened by more
+  // than rounding moves an intersection with a piece of an outline, even with one that the ray nearly runs along.
   template <class Sink>
   Rectangle seen_from_front(const Vec3& o, const Vec3& d, double size, const Sink& sink) const {
     const double across = std::fabs(d.x) + std::fabs(d.y);
@@ -243,7 +243,7 @@ class Text final : public TreePrimitive<Text> {
   double thickness_;
   std::vector<PlacedGlyph> glyphs_;
   Transform to_object_, total_;
-  accel::BoxTree tree_;
+  accel::Bvh tree_;
 };
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST_F(Text, LargeTextLosesItsCurvedSides) {
     const auto hit = trace(o, Vec3(-2, .3, .15) * s, {1, 0, 0});
     if (s == 1.0) {
       EXPECT_NEAR(hit->point.x, 0.002422884337431, 1e-13);
-      EXPECT_NEAR(hit->normal.x, 0.993757899136217, 1e-12);  // POV-Ray's raw normals of sides point inwards
+      EXPECT_NEAR(hit->normal.x, 0.993757899136217, 1e-12);  // POV-Ray's geometric normals of sides point inwards
     } else if (s == 1e4) {
       EXPECT_NEAR(hit->point.x, 24.228843374305143, 1e-9);
     } else {
@@ -93,7 +93,7 @@ TEST_F(Text, LargeTextLosesItsCurvedSides) {
 
 TEST_F(Text, NegativeDepthHasNoSurface) { EXPECT_FALSE(trace(object(text(u"A", -0.3)), {.35, .3, -5}, {0, 0, 1})); }
 
-TEST_F(Text, CrossingsSeparateInsideFromOutside) {
+TEST_F(Text, IntersectionsSeparateInsideFromOutside) {
   const auto o = object(text(u"AB&g8"));
   const auto s = compile(o);
   std::mt19937 rng(5);
@@ -118,7 +118,7 @@ TEST_F(Text, CrossingsSeparateInsideFromOutside) {
     seen += static_cast<int>(hits.size());
   }
   EXPECT_GT(seen, 500);
-  EXPECT_LE(wrong, 2);  // POV-Ray's absolute discriminant limit loses crossings near the extremes of a curve
+  EXPECT_LE(wrong, 2);  // POV-Ray's absolute discriminant limit loses intersections near the extremes of a curve
 }
 
 TEST_F(Text, BrokenFonts) {

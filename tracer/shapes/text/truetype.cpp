@@ -55,7 +55,7 @@ TrueTypeFont::TrueTypeFont(std::vector<std::uint8_t> bytes) : bytes_(std::move(b
 
 std::shared_ptr<const Glyph> TrueTypeFont::character(char16_t character, bool unicode) const {
   const std::lock_guard lock(mutex_);
-  if (kept_ > kMostKept) characters_.clear(), kept_ = 0;
+  if (kept_ > kMaxKept) characters_.clear(), kept_ = 0;
   std::shared_ptr<const Glyph>& kept = characters_[{character, unicode}];
   if (!kept) {
     auto made = std::make_shared<Glyph>(glyph(glyph_index(character, unicode)));

@@ -74,7 +74,7 @@ class TrueTypeFont {
   void simple_outline(std::size_t at, std::size_t end, int contours, Outline& result, std::size_t& budget) const;
   void composite_outline(std::size_t at, std::size_t end, int depth, Outline& result, std::size_t& budget) const;
 
-  static constexpr std::size_t kMostKept = 1 << 20;  // segments of outlines
+  static constexpr std::size_t kMaxKept = 1 << 20;  // segments of outlines
 
   mutable std::mutex mutex_;
   mutable std::map<std::pair<char16_t, bool>, std::shared_ptr<const Glyph>> characters_;

@@ -3,7 +3,7 @@
 
 #include "tracer/simd/instruction_sets.h"
 #include "tracer/textures/evaluation/pigment.h"
-#include "tracer/textures/point_row.h"
+#include "tracer/textures/point_batch.h"
 
 namespace verisim::textures {
 
@@ -13,23 +13,23 @@ struct EvaluationKernels {
   PatternValue (*value_of)(const CompiledPattern& pattern, const Vec3& p, const SurfacePoint* surface);
   bool (*evaluate)(const CompiledPigment& pigment, const Vec3& p, const SurfacePoint* surface, Color& color);
   // Rows are filled up.
-  void (*evaluate_row)(const CompiledPigment& pigment, int count, const PointRow& points,
-                       const SurfacePoint* const* surfaces, Color* colors, bool* colored);
+  void (*evaluate_batch)(const CompiledPigment& pigment, int count, const PointBatch& points,
+                         const SurfacePoint* const* surfaces, Color* colors, bool* colored);
   // Red, green and blue alone, of points without surfaces.
-  void (*rgb_row)(const CompiledPigment& pigment, int count, const PointRow& points, RgbRow& colors);
-  void (*warp_row)(const WarpChain& chain, int count, const PointRow& from, PointRow& to);
-  void (*values_row)(const CompiledPattern& pattern, int count, const PointRow& warped_points,
-                     const SurfacePoint* const* surfaces, double* values);
-  void (*noise_row)(int generator, int count, const PointRow& points, double* noises);
-  void (*vector_noise_row)(int count, const PointRow& points, PointRow& vectors);
-  void (*wrinkles_row)(int count, const PointRow& points, PointRow& vectors);
+  void (*rgb_batch)(const CompiledPigment& pigment, int count, const PointBatch& points, RgbBatch& colors);
+  void (*warp_batch)(const WarpChain& chain, int count, const PointBatch& from, PointBatch& to);
+  void (*values_batch)(const CompiledPattern& pattern, int count, const PointBatch& warped_points,
+                       const SurfacePoint* const* surfaces, double* values);
+  void (*noise_batch)(int generator, int count, const PointBatch& points, double* noises);
+  void (*vector_noise_batch)(int count, const PointBatch& points, PointBatch& vectors);
+  void (*wrinkles_batch)(int count, const PointBatch& points, PointBatch& vectors);
 };
 
 // `set` must not be beyond best_instruction_set().
 const EvaluationKernels& evaluation_kernels(simd::InstructionSet set);
 
 // `value_at` of several points, filled up.
-void values_at(const CompiledPattern& pattern, int count, const PointRow& warped_points,
+void values_at(const CompiledPattern& pattern, int count, const PointBatch& warped_points,
                const SurfacePoint* const* surfaces, double* values);
 
 }  // namespace verisim::textures

@@ -77,12 +77,12 @@ TEST(Evaluation, GivesTheSameBitsOnEveryInstructionSet) {
 }
 
 // Points as they lie in a picture: rows of neighbours, close together or far apart, some of them beyond all lattices.
-void fill(PointRow& row, int count, double step, std::mt19937& random) {
+void fill(PointBatch& batch, int count, double step, std::mt19937& random) {
   std::uniform_real_distribution<double> coordinate(-9, 9);
   const Vec3 from(coordinate(random), coordinate(random), coordinate(random));
   const Vec3 along(step * coordinate(random), step * coordinate(random), step * coordinate(random));
-  for (int i = 0; i < count; ++i) row.set(i, from + static_cast<double>(i) * along);
-  row.fill_up(count);
+  for (int i = 0; i < count; ++i) batch.set(i, from + static_cast<double>(i) * along);
+  batch.fill_up(count);
 }
 
 std::vector<scene::PigmentPtr> nested_pigments() {
@@ -143,22 +143,22 @@ TEST(Evaluation, GivesRowsTheBitsOfPoints) {
   for (const scene::PigmentPtr& description : all) {
     const CompiledPigment& pigment = *compiler.pigment(description);
     for (int round = 0; round < 12; ++round) {
-      const int count = 1 + (round * 13) % PointRow::kMost;
-      PointRow points;
+      const int count = 1 + (round * 13) % PointBatch::kMax;
+      PointBatch points;
       fill(points, count, std::pow(10.0, round % 5 - 4 + (round == 11 ? 12 : 0)), random);
       for (int set = 0; set <= simd::best_instruction_set(); ++set) {
         const EvaluationKernels& kernels = evaluation_kernels(static_cast<simd::InstructionSet>(set));
-        Color colors[PointRow::kMost];
-        bool colored[PointRow::kMost];
-        kernels.evaluate_row(pigment, count, points, nullptr, colors, colored);
+        Color colors[PointBatch::kMax];
+        bool colored[PointBatch::kMax];
+        kernels.evaluate_batch(pigment, count, points, nullptr, colors, colored);
         for (int i = 0; i < count; ++i) {
           Color single;
           ASSERT_EQ(colored[i], kernels.evaluate(pigment, points.at(i), nullptr, single));
           ASSERT_EQ(colors[i], single) << "instruction set " << set << ", pattern "
                                        << static_cast<int>(pigment.pattern->kind) << ", point " << i << " of " << count;
         }
-        RgbRow rgb;
-        kernels.rgb_row(pigment, count, points, rgb);
+        RgbBatch rgb;
+        kernels.rgb_batch(pigment, count, points, rgb);
         for (int i = 0; i < count; ++i)
           ASSERT_EQ(Rgb(rgb.r[i], rgb.g[i], rgb.b[i]), colors[i].rgb())
               << "instruction set " << set << ", pattern " << static_cast<int>(pigment.pattern->kind);

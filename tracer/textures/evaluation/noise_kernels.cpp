@@ -16,7 +16,7 @@
 #include <immintrin.h>
 #endif
 
-#include "tracer/functions/program_lanes.h"
+#include "tracer/functions/program_packet.h"
 #include "tracer/textures/evaluation/evaluation.h"
 #include "tracer/noise/noise_cells.h"
 #include "tracer/textures/patterns/formulas.h"
@@ -50,10 +50,10 @@ namespace baseline {
 #define VERISIM_REGISTER_DOUBLES 2
 #include "tracer/noise/noise_lanes.inc"
 #include "tracer/noise/noise_kernels.inc"
-#include "tracer/noise/noise_rows.inc"
-#include "tracer/noise/vector_rows.inc"
+#include "tracer/noise/noise_batch.inc"
+#include "tracer/noise/vector_batch.inc"
 #include "tracer/textures/evaluation/evaluation.inc"
-#include "tracer/textures/evaluation/evaluation_rows.inc"
+#include "tracer/textures/evaluation/evaluation_batch.inc"
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace baseline
@@ -66,10 +66,10 @@ namespace avx2 {
 #define VERISIM_REGISTER_DOUBLES 4
 #include "tracer/noise/noise_lanes.inc"
 #include "tracer/noise/noise_kernels.inc"
-#include "tracer/noise/noise_rows.inc"
-#include "tracer/noise/vector_rows.inc"
+#include "tracer/noise/noise_batch.inc"
+#include "tracer/noise/vector_batch.inc"
 #include "tracer/textures/evaluation/evaluation.inc"
-#include "tracer/textures/evaluation/evaluation_rows.inc"
+#include "tracer/textures/evaluation/evaluation_batch.inc"
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace avx2
@@ -79,10 +79,10 @@ namespace avx512 {
 #define VERISIM_REGISTER_DOUBLES 8
 #include "tracer/noise/noise_lanes.inc"
 #include "tracer/noise/noise_kernels.inc"
-#include "tracer/noise/noise_rows.inc"
-#include "tracer/noise/vector_rows.inc"
+#include "tracer/noise/noise_batch.inc"
+#include "tracer/noise/vector_batch.inc"
 #include "tracer/textures/evaluation/evaluation.inc"
-#include "tracer/textures/evaluation/evaluation_rows.inc"
+#include "tracer/textures/evaluation/evaluation_batch.inc"
 #undef VERISIM_REGISTER_DOUBLES
 #undef VERISIM_INSTRUCTION_SET
 }  // namespace avx512

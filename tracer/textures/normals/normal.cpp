@@ -72,11 +72,11 @@ Vec3 displaced(const CompiledNormal& c, const Vec3& p, const Vec3& n) {
 
 Vec3 height_field(const CompiledNormal& c, const Vec3& p, const SurfacePoint& surface, Vec3 n) {
   constexpr int kCount = std::size(kHeightSamples);
-  PointRow points;
+  PointBatch points;
   for (int i = 0; i < kCount; ++i) points.set(i, p + c.accuracy * kHeightSamples[i]);
   points.fill_up(kCount);
   const SurfacePoint* const surfaces[kCount] = {&surface, &surface, &surface, &surface};
-  alignas(64) double values[PointRow::kMost];
+  alignas(64) double values[PointBatch::kMax];
   values_at(*c.pattern, kCount, points, surfaces, values);
   const double strength = height_strength(c);
   for (int i = 0; i < kCount; ++i) n += height_of(c, values[i]) * strength * kHeightSamples[i];

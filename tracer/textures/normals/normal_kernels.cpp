@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 constexpr int rounded(int count) { return (count + 7) / 8 * 8; }
 
 // As `normalize`, by the reciprocal.
-void to_units(int end, PointRow& n) {
+void to_units(int end, PointBatch& n) {
   for (int i = 0; i < end; ++i) {
     const double x = n.x[i], y = n.y[i], z = n.z[i];
     const double scale = 1 / std::sqrt(x * x + y * y + z * z);
@@ -29,7 +29,7 @@ void to_units(int end, PointRow& n) {
   }
 }
 
-void transform_by_transposed(const Mat4& a, int end, PointRow& n) {
+void transform_by_transposed(const Mat4& a, int end, PointBatch& n) {
   const double xx = a[0][0], xy = a[0][1], xz = a[0][2], yx = a[1][0], yy = a[1][1], yz = a[1][2], zx = a[2][0],
                zy = a[2][1], zz = a[2][2];
   for (int i = 0; i < end; ++i) {
@@ -40,21 +40,21 @@ void transform_by_transposed(const Mat4& a, int end, PointRow& n) {
   }
 }
 
-void into_frame(const CompiledPattern& pattern, bool no_bump_scale, int count, PointRow& n) {
+void into_frame(const CompiledPattern& pattern, bool no_bump_scale, int count, PointBatch& n) {
   const int end = rounded(count);
   if (!no_bump_scale) to_units(end, n);
   for (const Transform& t : pattern.frame) transform_by_transposed(t.m, end, n);
   if (!no_bump_scale) to_units(end, n);
 }
 
-void out_of_frame(const CompiledPattern& pattern, bool no_bump_scale, int count, PointRow& n) {
+void out_of_frame(const CompiledPattern& pattern, bool no_bump_scale, int count, PointBatch& n) {
   const int end = rounded(count);
   if (!no_bump_scale) to_units(end, n);
   for (auto t = pattern.frame.rbegin(); t != pattern.frame.rend(); ++t) transform_by_transposed(t->inv, end, n);
   if (!no_bump_scale) to_units(end, n);
 }
 
-void displace(double amount, int count, const PointRow& v, PointRow& n) {
+void displace(double amount, int count, const PointBatch& v, PointBatch& n) {
   const int end = rounded(count);
   for (int i = 0; i < end; ++i) {
     n.x[i] += amount * v.x[i];
@@ -63,7 +63,7 @@ void displace(double amount, int count, const PointRow& v, PointRow& n) {
   }
 }
 
-void scale_by_cubes(int count, const double* f, PointRow& v) {
+void scale_by_cubes(int count, const double* f, PointBatch& v) {
   const int end = rounded(count);
   for (int i = 0; i < end; ++i) {
     const double cube = f[i] * f[i] * f[i];
@@ -73,7 +73,7 @@ void scale_by_cubes(int count, const double* f, PointRow& v) {
   }
 }
 
-void raise(const double* heights, double strength, const Vec3& direction, int count, PointRow& n) {
+void raise(const double* heights, double strength, const Vec3& direction, int count, PointBatch& n) {
   const int end = rounded(count);
   const double dx = direction.x, dy = direction.y, dz = direction.z;
   for (int i = 0; i < end; ++i) {
@@ -84,7 +84,7 @@ void raise(const double* heights, double strength, const Vec3& direction, int co
   }
 }
 
-void move(const PointRow& p, double factor, const Vec3& direction, int count, PointRow& moved) {
+void move(const PointBatch& p, double factor, const Vec3& direction, int count, PointBatch& moved) {
   const int end = rounded(count);
   const double dx = factor * direction.x, dy = factor * direction.y, dz = factor * direction.z;
   for (int i = 0; i < end; ++i) {

@@ -1,26 +1,26 @@
-// The arithmetic of normals that are found for a row of points (normal_row.cpp), compiled for several instruction sets.
-// Every lane does the operations of the scalar code in the same order, so all give its bits. Rows are filled up; what
-// stands behind is any number.
+// The arithmetic of normals that are found for a batch of points (normal_batch.cpp), compiled for several instruction
+// sets. Every lane does the operations of the scalar code in the same order, so all give its bits. Rows are filled up;
+// what stands behind is any number.
 #pragma once
 
 #include "tracer/simd/instruction_sets.h"
 #include "tracer/textures/patterns/pattern.h"
-#include "tracer/textures/point_row.h"
+#include "tracer/textures/point_batch.h"
 
 namespace verisim::textures {
 
 struct NormalKernels {
   // Like normal_into_frame and normal_out_of_frame, in place.
-  void (*into_frame)(const CompiledPattern& pattern, bool no_bump_scale, int count, PointRow& normals);
-  void (*out_of_frame)(const CompiledPattern& pattern, bool no_bump_scale, int count, PointRow& normals);
+  void (*into_frame)(const CompiledPattern& pattern, bool no_bump_scale, int count, PointBatch& normals);
+  void (*out_of_frame)(const CompiledPattern& pattern, bool no_bump_scale, int count, PointBatch& normals);
   // Adds amount * vectors.
-  void (*displace)(double amount, int count, const PointRow& vectors, PointRow& normals);
+  void (*displace)(double amount, int count, const PointBatch& vectors, PointBatch& normals);
   // Multiplies vectors by cubes.
-  void (*scale_by_cubes)(int count, const double* factors, PointRow& vectors);
+  void (*scale_by_cubes)(int count, const double* factors, PointBatch& vectors);
   // Adds height * strength * direction.
-  void (*raise)(const double* heights, double strength, const Vec3& direction, int count, PointRow& normals);
+  void (*raise)(const double* heights, double strength, const Vec3& direction, int count, PointBatch& normals);
   // Adds factor * direction to points.
-  void (*move)(const PointRow& points, double factor, const Vec3& direction, int count, PointRow& moved);
+  void (*move)(const PointBatch& points, double factor, const Vec3& direction, int count, PointBatch& moved);
 };
 
 // Those of the best instruction set of this machine.

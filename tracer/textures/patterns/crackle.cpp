@@ -107,8 +107,8 @@ double in_form(const CrackleData& data, double s0, double s1, double s2) {
 }
 
 // The cells of a row's points, and their places there.
-struct CrackleRow {
-  alignas(64) double cell[3][PointRow::kMost], place[3][PointRow::kMost];
+struct CrackleBatch {
+  alignas(64) double cell[3][PointBatch::kMax], place[3][PointBatch::kMax];
   bool together(int i, int k) const {
     return cell[0][i] == cell[0][k] && cell[1][i] == cell[1][k] && cell[2][i] == cell[2][k];
   }
@@ -129,14 +129,14 @@ class CrackleValues {
     kernels.in_form(at, form_, data_.offset_power, squares_, values);
   }
   // Points of a row wherever they are, cell by cell.
-  void of_all(const CrackleRow& row, std::uint64_t open) const {
+  void of_all(const CrackleBatch& batch, std::uint64_t open) const {
     while (open != 0) {
       const int first = std::countr_zero(open);
       int found[8], n = 0;
       for (std::uint64_t rest = open; rest != 0 && n < 8; rest &= rest - 1)
-        if (const int i = std::countr_zero(rest); row.together(i, first))
+        if (const int i = std::countr_zero(rest); batch.together(i, first))
           found[n++] = i, open &= ~(std::uint64_t{1} << i);
-      of_some(row, found, n);
+      of_some(batch, found, n);
     }
   }
 
@@ -147,19 +147,19 @@ class CrackleValues {
     return crackle_cell(squares_ ? CrackleMetric::squares : CrackleMetric::sums, static_cast<std::int64_t>(a),
                         static_cast<std::int64_t>(b), static_cast<std::int64_t>(c));
   }
-  void of_some(const CrackleRow& row, const int* found, int n) const {
-    const CrackleCell& cell = cell_at(row.cell[0][found[0]], row.cell[1][found[0]], row.cell[2][found[0]]);
+  void of_some(const CrackleBatch& batch, const int* found, int n) const {
+    const CrackleCell& cell = cell_at(batch.cell[0][found[0]], batch.cell[1][found[0]], batch.cell[2][found[0]]);
     if (n <= kAlone) {
       for (int k = 0; k < n; ++k) {
         const NearestThree nearest = (squares_ ? kernels.squares : kernels.sums)(
-            cell, {row.place[0][found[k]], row.place[1][found[k]], row.place[2][found[k]]});
+            cell, {batch.place[0][found[k]], batch.place[1][found[k]], batch.place[2][found[k]]});
         values_[found[k]] = in_form(data_, nearest.s[0], nearest.s[1], nearest.s[2]);
       }
       return;
     }
     CrackleEight at;
     for (int k = 0; k < 8; ++k)
-      for (int axis = 0; axis < 3; ++axis) at.place[axis][k] = row.place[axis][found[std::min(k, n - 1)]];
+      for (int axis = 0; axis < 3; ++axis) at.place[axis][k] = batch.place[axis][found[std::min(k, n - 1)]];
     (squares_ ? kernels.squares_of_eight : kernels.sums_of_eight)(cell, at);
     alignas(64) double values[8];
     kernels.in_form(at, form_, data_.offset_power, squares_, values);
@@ -174,7 +174,7 @@ class CrackleValues {
 
 // Whether the cells of points can be found in lanes: the form needs no more than distances, and coordinates are not too
 // large.
-bool in_lanes(const CrackleData& data, int count, const PointRow& p) {
+bool in_packet(const CrackleData& data, int count, const PointBatch& p) {
   if (data.p.solid || (data.p.metric != 2 && data.p.metric != 1)) return false;
   constexpr double kFar = 1e9;
   bool near = true;
@@ -185,13 +185,13 @@ bool in_lanes(const CrackleData& data, int count, const PointRow& p) {
 
 }  // namespace
 
-void crackle_row(const CrackleData& data, int noise_generator, int count, const PointRow& p, double* v) {
-  if (!in_lanes(data, count, p)) {
+void crackle_batch(const CrackleData& data, int noise_generator, int count, const PointBatch& p, double* v) {
+  if (!in_packet(data, count, p)) {
     for (int i = 0; i < count; ++i) v[i] = crackle(data, noise_generator, p.at(i));
     return;
   }
   const CrackleValues values(data, v);
-  CrackleRow row;
+  CrackleBatch batch;
   std::uint64_t open = 0;
   for (int first = 0; first < count; first += 8) {
     CrackleEight at;
@@ -200,12 +200,12 @@ void crackle_row(const CrackleData& data, int noise_generator, int count, const 
       continue;
     }
     for (int axis = 0; axis < 3; ++axis) {
-      std::copy_n(at.cell[axis], 8, row.cell[axis] + first);
-      std::copy_n(at.place[axis], 8, row.place[axis] + first);
+      std::copy_n(at.cell[axis], 8, batch.cell[axis] + first);
+      std::copy_n(at.place[axis], 8, batch.place[axis] + first);
     }
     open |= ((std::uint64_t{1} << std::min(count - first, 8)) - 1) << first;
   }
-  values.of_all(row, open);
+  values.of_all(batch, open);
 }
 
 double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {

@@ -19,13 +19,13 @@ void fill(CrackleCell& cell, CrackleMetric metric, std::int64_t a, std::int64_t 
     all.z[i] = o.z + random_value(t, h + 2);
   }
   constexpr double kFar = 1e30;
-  for (int i = 81; i < CrackleCell::kMost; ++i) all.x[i] = all.y[i] = all.z[i] = kFar;
-  all.count = CrackleCell::kMost;
+  for (int i = 81; i < CrackleCell::kMax; ++i) all.x[i] = all.y[i] = all.z[i] = kFar;
+  all.count = CrackleCell::kMax;
 
   // A point that is farther from the whole cell than three others are from any place in it is never among the nearest
   // three. Places may lie beyond the cell's faces by the epsilon of POV-Ray's floor.
   const CrackleKernels& kernels = crackle_kernels();
-  alignas(64) double at_least[CrackleCell::kMost];
+  alignas(64) double at_least[CrackleCell::kMax];
   const double limit =
       (metric == CrackleMetric::squares ? kernels.bound_squares : kernels.bound_sums)(all, at_least) * (1 + 1e-8) +
       1e-8;

@@ -67,7 +67,7 @@ struct Smallest {
     s1 = min(max(t0, s0), min(t1, s1));
     s0 = min(t0, s0);
   }
-  HWY_INLINE NearestThree over_lanes() {
+  HWY_INLINE NearestThree over_packet() {
     merge(halves_swapped(s0), halves_swapped(s1), halves_swapped(s2));
     merge(pairs_swapped(s0), pairs_swapped(s1), pairs_swapped(s2));
     merge(neighbours_swapped(s0), neighbours_swapped(s1), neighbours_swapped(s2));
@@ -89,7 +89,7 @@ NearestThree nearest_three(const CrackleCell& cell, const Vec3& place) {
   Smallest best{far, far, far};
   for (int i = 0; i < cell.count; i += 8)
     best.take(measured<metric>(load(cell.x + i) - px, load(cell.y + i) - py, load(cell.z + i) - pz));
-  return best.over_lanes();
+  return best.over_packet();
 }
 
 // Floor, as crackle has it.
@@ -143,7 +143,7 @@ double bound(const CrackleCell& cell, double* at_least) {
     store(at_least + i, measured<metric>(nearest(x), nearest(y), nearest(z)));
     best.take(measured<metric>(farthest(x), farthest(y), farthest(z)));
   }
-  return best.over_lanes().s[2];
+  return best.over_packet().s[2];
 }
 
 constexpr CrackleKernels kKernels = {nearest_three<CrackleMetric::squares>,

@@ -7,7 +7,7 @@
 
 #include "tracer/noise/noise_tables.h"
 #include "tracer/textures/patterns/pattern.h"
-#include "tracer/textures/point_row.h"
+#include "tracer/textures/point_batch.h"
 
 namespace verisim::textures {
 
@@ -75,7 +75,7 @@ double quilted(const QuiltedData& data, const Vec3& p);
 // crackle.cpp
 double crackle(const CrackleData& data, int noise_generator, const Vec3& p);
 // The same at the points of a row, which is filled up.
-void crackle_row(const CrackleData& data, int noise_generator, int count, const PointRow& points, double* v);
+void crackle_batch(const CrackleData& data, int noise_generator, int count, const PointBatch& points, double* v);
 // The nearest random cell point by the metric of facets: metric 1 takes the signed sum of the differences (spec
 // 05 10.6).
 Vec3 nearest_facet_point(const Vec3& p, double metric);

@@ -1,0 +1,326 @@
+#include "tracer/media/media_batch.h"
+
+#include <algorithm>
+
+#include "tracer/media/media_kernels.h"
+#include "tracer/media/media_refinement.h"
+#include "tracer/lights/light_falloff.h"
+#include "tracer/shading/direct/shadow_batch.h"
+#include "tracer/textures/point_batch.h"
+
+namespace verisim::global {
+namespace {
+
+using shading::ContainerInterval;
+using shading::LightWay;
+
+constexpr std::size_t kMax = MediaPacket::kMax;
+static_assert(kMax <= textures::PointBatch::kMax && kMax <= shading::ShadowBatch::kMax);
+constexpr std::size_t kMaxPlaces = 128;  // of a ray, before its stretches are halved
+constexpr float kDark = static_cast<float>(kEpsilon);
+
+void clear(std::size_t count, textures::RgbBatch& batch) {
+  for (float* channel : {batch.r, batch.g, batch.b}) std::fill_n(channel, count, 0.0f);
+}
+void add(std::size_t count, const textures::RgbBatch& density, const Rgb& color, textures::RgbBatch& to) {
+  for (std::size_t i = 0; i < count; ++i)
+    to.r[i] += density.r[i] * color.r, to.g[i] += density.g[i] * color.g, to.b[i] += density.b[i] * color.b;
+}
+Rgb at(const textures::RgbBatch& batch, std::size_t i) { return {batch.r[i], batch.g[i], batch.b[i]}; }
+
+}  // namespace
+
+// A place that is looked at.
+struct MediaBatch::Question {
+  std::uint32_t interval;
+  double at;  // 0 to 1 of it
+};
+
+// Of a thread: it would be much to make and to clear for every row.
+struct MediaBatch::Workspace {
+  struct RayPart {
+    std::uint32_t first, end;  // intervals
+    bool lost;                 // numbers are drawn on the way to a light
+  };
+  struct Interval {
+    MediaInterval span;
+    std::uint32_t ray;
+  };
+  std::span<const ContainerInterval> subintervals;
+  std::vector<RayPart> rays;
+  std::vector<Interval> intervals;
+  std::vector<const shading::Light*> lights;
+  std::vector<LitRange> lit;       // of each light, of each ray
+  std::vector<MediaSample> first;  // of the grid and the middles of its stretches
+  MediaRefinement tree;            // first those of the grids
+  std::vector<Question> questions;
+  MediaIntervals dividing;
+  // What is asked.
+  Vec3 points[kMax];
+  double distances[kMax];
+  textures::RgbBatch extinction, emission, scattering, source;
+  MediaPacket packet;
+  std::size_t question[kMax];  // of each lane
+
+  const Ray& ray(std::uint32_t interval) const { return subintervals[intervals[interval].ray].ray; }
+};
+
+MediaBatch::MediaBatch(shading::Tracer& tracer, const shading::RayState& common,
+                       std::span<const CompiledMedia* const> media, MediaEnvironment& environment)
+    : tracer_(tracer), common_(common), mixture_(media), environment_(environment), workspace_([]() -> Workspace& {
+        thread_local Workspace workspace;
+        return workspace;
+      }()) {}
+
+bool MediaBatch::possible() const {
+  return mixture_.control->method == 3 && mixture_.control->jitter == 0.0 && (mixture_.scatters || mixture_.varies) &&
+         !environment_.replay();
+}
+
+void MediaBatch::integrate(std::span<const ContainerInterval> rays, MediaResult* results, bool* done) {
+  divide(rays);
+  look_along();
+  refine();
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Workspace::RayPart& part = workspace_.rays[i];
+    done[i] = part.first != part.end && !part.lost;
+    if (done[i]) results[i] = result(static_cast<std::uint32_t>(i));
+  }
+}
+
+void MediaBatch::divide(std::span<const ContainerInterval> rays) {
+  const shading::SceneData& scene = tracer_.scene();
+  workspace_.subintervals = rays;
+  workspace_.rays.clear(), workspace_.intervals.clear(), workspace_.lights.clear();
+  std::vector<const scene::LightSource*> sources;
+  for (std::size_t i = 0; i < scene.global_lights(); ++i) {  // intervals hang on them even where nothing scatters
+    const shading::Light& light = scene.lights()[i];
+    if (light.source().media_interaction && light.source().kind != scene::LightKind::shadowless)
+      workspace_.lights.push_back(&light), sources.push_back(&light.source());
+  }
+  workspace_.lit.assign(sources.size() * rays.size(), LitRange{0, 1.0, -1.0});
+  const std::size_t each = 2 * static_cast<std::size_t>(mixture_.subintervals()) + 1;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const ContainerInterval& s = rays[i];
+    const auto first = static_cast<std::uint32_t>(workspace_.intervals.size());
+    const bool own_lights = s.end && (s.end->ignore_global_lights || !s.end->group_lights.empty());
+    if (s.length > 0.0 && !own_lights) {
+      workspace_.dividing.look_for_lights(sources, s.ray, s.length);
+      workspace_.dividing.divide(mixture_, s.length);
+      if (workspace_.dividing.all().size() * each <= kMaxPlaces) {
+        for (const LitRange& range : workspace_.dividing.lit()) workspace_.lit[range.light * rays.size() + i] = range;
+        for (const MediaInterval& span : workspace_.dividing.all())
+          workspace_.intervals.push_back({span, static_cast<std::uint32_t>(i)});
+      }
+    }
+    workspace_.rays.push_back({first, static_cast<std::uint32_t>(workspace_.intervals.size()), false});
+  }
+}
+
+// The grids of all rays, place by place: shadow rays from the same place of neighbouring rays go side by side, those
+// from one place of a ray to the next do not.
+void MediaBatch::look_along() {
+  const int q = mixture_.subintervals();
+  const std::size_t each = 2 * static_cast<std::size_t>(q) + 1;
+  const double step = 1.0 / (q + 1);
+  workspace_.first.resize(workspace_.intervals.size() * each);
+  std::array<Question, kMax> questions;
+  std::array<std::size_t, kMax> sample;
+  std::array<MediaSample, kMax> samples;
+  std::size_t count = 0;
+  const auto flush = [&] {
+    ask(std::span(questions).first(count), samples.data());
+    for (std::size_t k = 0; k < count; ++k) workspace_.first[sample[k]] = samples[k];
+    count = 0;
+  };
+  for (std::size_t place = 0, any = 1; any != 0; ++place) {
+    const std::size_t number = place % each;
+    const double at =
+        number % 2 == 0 ? static_cast<double>(number / 2) * step
+                        : middle_of(static_cast<double>(number / 2) * step, static_cast<double>(number / 2 + 1) * step);
+    any = 0;
+    for (const Workspace::RayPart& ray : workspace_.rays) {
+      const std::size_t interval = ray.first + place / each;
+      if (interval >= ray.end || ray.lost) continue;
+      ++any;
+      questions[count] = {static_cast<std::uint32_t>(interval), at}, sample[count] = interval * each + number;
+      if (++count == kMax) flush();
+    }
+  }
+  if (count > 0) flush();
+}
+
+void MediaBatch::refine() {
+  const int q = mixture_.subintervals(), level = mixture_.control->aa_level - 1;
+  const double step = 1.0 / (q + 1);
+  auto& all = workspace_.tree.subintervals;
+  all.clear();
+  const MediaSample* s = workspace_.first.data();
+  for (std::uint32_t i = 0; i < workspace_.intervals.size(); ++i, ++s)
+    for (int k = 0; k < q; ++k, s += 2)
+      all.push_back(workspace_.rays[workspace_.intervals[i].ray].lost
+                        ? MediaRefinement::Subinterval{}
+                        : MediaRefinement::Subinterval{k * step, (k + 1) * step, s[0], s[1], s[2], i});
+  std::array<Question, kMax> questions;
+  std::array<MediaSample, kMax> samples;
+  std::size_t begin = 0;
+  for (int depth = 0; depth < std::min(level, MediaRefinement::kMaxLevels); ++depth) {
+    begin = workspace_.tree.halve(begin, mixture_.aa_threshold);
+    for (std::size_t i = begin; i < all.size(); i += kMax) {
+      const std::size_t n = std::min(kMax, all.size() - i);
+      for (std::size_t k = 0; k < n; ++k) questions[k] = {all[i + k].interval, all[i + k].middle()};
+      ask(std::span(questions).first(n), samples.data());
+      for (std::size_t k = 0; k < n; ++k) all[i + k].s2 = samples[k];
+    }
+  }
+}
+
+MediaSample MediaBatch::refine_alone(std::uint32_t interval, const MediaSample& s1, double d1, const MediaSample& s3,
+                                     double d3, int level) {
+  const double d2 = middle_of(d1, d3);
+  const Question question{interval, d2};
+  MediaSample s2;
+  ask({&question, 1}, &s2);
+  return mean_of_stretch(
+      s1, s2, s3, level, mixture_.aa_threshold, [&] { return refine_alone(interval, s1, d1, s2, d2, level - 1); },
+      [&] { return refine_alone(interval, s2, d2, s3, d3, level - 1); });
+}
+
+MediaResult MediaBatch::result(std::uint32_t ray) {
+  const int q = mixture_.subintervals(), level = mixture_.control->aa_level - 1;
+  const Workspace::RayPart part = workspace_.rays[ray];
+  Rgb emission, depth;
+  for (std::uint32_t i = part.first; i < part.end; ++i) {
+    const MediaSample s = mean_of_interval(q, [&](int k) {
+      return workspace_.tree.mean(
+          i * static_cast<std::size_t>(q) + static_cast<std::size_t>(k), level, mixture_.aa_threshold,
+          [&](const auto& subinterval, const MediaSample& s1, double d1, const MediaSample& s3, double d3, int left) {
+            return refine_alone(subinterval.interval, s1, d1, s3, d3, left);
+          });
+    });
+    emission += s.source * transmitted(depth);
+    depth += s.depth;
+  }
+  return {emission, transmitted(depth)};
+}
+
+// Spec 07 4.6: samples at these places.
+void MediaBatch::ask(std::span<const Question> questions, MediaSample* samples) {
+  const std::size_t count = questions.size();
+  textures::PointBatch points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const MediaInterval& span = workspace_.intervals[questions[i].interval].span;
+    workspace_.distances[i] = span.start + questions[i].at * span.length;
+    workspace_.points[i] = workspace_.ray(questions[i].interval).at(workspace_.distances[i]);
+    if (mixture_.varies) points.set(static_cast<int>(i), workspace_.points[i]);
+  }
+  if (mixture_.varies) points.fill_up(static_cast<int>(count));
+  clear(count, workspace_.extinction), clear(count, workspace_.emission), clear(count, workspace_.scattering),
+      clear(count, workspace_.source);
+  for (const CompiledMedia* m : mixture_.media) {
+    textures::RgbBatch density;
+    if (m->varies) {
+      if (!m->emits && !m->scatters && m->extinction == Rgb()) continue;
+      media_densities(*m, static_cast<int>(count), points, density);
+    } else {
+      const Rgb constant = media_density(*m, workspace_.points[0]);
+      for (std::size_t i = 0; i < count; ++i)
+        density.r[i] = constant.r, density.g[i] = constant.g, density.b[i] = constant.b;
+    }
+    add(count, density, m->extinction, workspace_.extinction);
+    if (m->emits) add(count, density, m->description->emission, workspace_.emission);
+    if (m->scatters) add(count, density, m->description->scattering, workspace_.scattering);
+  }
+  if (mixture_.scatters) {
+    for (std::size_t light = 0; light < workspace_.lights.size(); ++light) add_light(light, questions);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Rgb scattering = at(workspace_.scattering, i);
+      const NearbyPhotons near =
+          scattering.max_abs() > 0.0f ? environment_.photons(workspace_.points[i]) : NearbyPhotons();
+      if (near.photons.empty()) continue;
+      Rgb sum = at(workspace_.source, i);
+      near.add_scattered(mixture_, scattering, workspace_.ray(questions[i].interval).direction, sum);
+      workspace_.source.r[i] = sum.r, workspace_.source.g[i] = sum.g, workspace_.source.b[i] = sum.b;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto s = static_cast<float>(workspace_.intervals[questions[i].interval].span.length);
+    samples[i] = {(at(workspace_.emission, i) + at(workspace_.source, i)) * s, at(workspace_.extinction, i) * s};
+  }
+}
+
+void MediaBatch::add_light(std::size_t number, std::span<const Question> questions) {
+  const shading::Light& light = *workspace_.lights[number];
+  MediaPacket& packet = workspace_.packet;
+  // Where it shines.
+  const LitRange* const lit = workspace_.lit.data() + number * workspace_.rays.size();
+  int count = 0;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const Workspace::Interval& interval = workspace_.intervals[questions[i].interval];
+    const LitRange& range = lit[interval.ray];
+    const Rgb scattering = at(workspace_.scattering, i);
+    if (!interval.span.lit || workspace_.distances[i] < range.first || workspace_.distances[i] > range.last ||
+        scattering.max_abs() <= 0.0f || workspace_.rays[interval.ray].lost)
+      continue;
+    packet.to_light.origin.set(count, workspace_.points[i]);
+    packet.view.set(count, workspace_.ray(questions[i].interval).direction);
+    packet.scattering.set(count, scattering);
+    workspace_.question[count++] = i;
+  }
+  if (count == 0) return;
+  shading::aim_at(light, count, packet.to_light, packet.distance);
+  // What arrives: nothing is asked where that is dark.
+  float attenuation[MediaPacket::kSize];
+  if (const auto falloff = light.attenuates() ? shading::LightFalloff::of(light) : std::nullopt) {
+    falloff->attenuate(packet.to_light.direction, packet.distance, count, attenuation);
+  } else {
+    for (int k = 0; k < count; ++k)
+      attenuation[k] = static_cast<float>(
+          light.attenuation(packet.to_light.origin.at(k), {packet.to_light.direction.at(k), packet.distance[k]}));
+  }
+  int bright = 0;
+  for (int k = 0; k < count; ++k) {
+    const Rgb color = light.color() * attenuation[k];
+    if (color.max_abs() < kDark) continue;
+    packet.arriving.set(bright, color);
+    if (bright != k) {
+      packet.to_light.origin.set(bright, packet.to_light.origin.at(k)),
+          packet.to_light.direction.set(bright, packet.to_light.direction.at(k));
+      packet.view.set(bright, packet.view.at(k)), packet.scattering.set(bright, packet.scattering.at(k));
+      packet.distance[bright] = packet.distance[k], workspace_.question[bright] = workspace_.question[k];
+    }
+    ++bright;
+  }
+  if (bright == 0) return;
+  shading::LightWays ways;
+  tracer_.look_for_light(light, common_, packet.to_light, packet.distance, bright, ways.data());
+  for (int k = 0; k < bright; ++k) {
+    if (ways[static_cast<std::size_t>(k)] == LightWay::blocked) packet.arriving.set(k, Rgb());
+    if (ways[static_cast<std::size_t>(k)] == LightWay::unknown)
+      packet.arriving.set(k, light_alone(light, k, workspace_.intervals[questions[workspace_.question[k]].interval].ray,
+                                         packet.arriving.at(k)));
+  }
+  mixture_.scatter(bright, packet);
+  for (int k = 0; k < bright; ++k) {
+    if (!(packet.arriving.at(k).max_abs() > 0.0f)) continue;
+    const std::size_t i = workspace_.question[k];
+    workspace_.source.r[i] += packet.scattered.r[k], workspace_.source.g[i] += packet.scattered.g[k],
+        workspace_.source.b[i] += packet.scattered.b[k];
+  }
+}
+
+// Where surfaces or volumes may filter the light. If that draws numbers, their order matters, and the ray has to go
+// alone from its start to its end.
+Rgb MediaBatch::light_alone(const shading::Light& light, int lane, std::uint32_t ray, const Rgb& color) {
+  if (workspace_.rays[ray].lost) return {};
+  tracer_.random().begin(workspace_.subintervals[ray].key);
+  shading::RayState state = common_;
+  state.ray = workspace_.subintervals[ray].ray;
+  const Rgb arriving = tracer_.shadowed(
+      light, workspace_.packet.to_light.origin.at(lane),
+      {workspace_.packet.to_light.direction.at(lane), workspace_.packet.distance[lane]}, state, nullptr, color);
+  workspace_.rays[ray].lost = tracer_.random().drawn();
+  return arriving;
+}
+
+}  // namespace verisim::global

@@ -1,0 +1,199 @@
+// Camera rays of neighbouring pixels, and the rays of radiosity samples, shaded together: what most pixels of most
+// scenes show, an opaque surface, is worked on with wide instructions; every other hit takes the common way
+// (Tracer::resolve). Both give the same bits. What is seen in their mirrors and through them are wavefronts of their
+// own.
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+
+#include "tracer/shading/tracer.h"
+#include "tracer/shading/wavefront/wavefront_kernels.h"
+#include "tracer/textures/point_batch.h"
+
+namespace verisim::shading {
+
+class Wavefront {
+ public:
+  static constexpr int kMax = WavefrontPacket::kMax;
+
+  // `asks_around`: surfaces get light from radiosity, if there is any.
+  explicit Wavefront(Tracer& tracer, bool asks_around = true);
+
+  // False: hits of this scene have to be shaded one after another (random numbers in order, an observer ...).
+  bool usable() const { return usable_ && !tracer_.observer_ && !tracer_.pretrace_; }
+
+  // `rays` of the lanes and what random numbers hang on are to be filled first: the samples' places in the picture, and
+  // for those that have several rays the numbers of these.
+  WavefrontPacket& packet() { return packet_; }
+  Vec2* places() { return places_; }
+  std::uint32_t* numbers() { return numbers_; }
+  // Traces the camera rays of the first lanes: `count` <= kMax colours. The same objects are around all their origins.
+  // Ray i enters the world at entries[i] (null: unknown).
+  void trace(int count, const accel::WorldEntry* const* entries, Color* out);
+
+  // ---- wavefront_gather.cpp: radiosity's rays
+  // False: they have to be shaded one after another.
+  bool can_gather() const;
+  // Takes one more ray, its random numbers and what it hits (null: nothing).
+  void add_gathering(const Ray& ray, RandomSource::Key key, const shapes::Hit* hit, FinalGatherNotes& notes);
+  bool full() const { return gathering_ == kMax; }
+  // Shades the rays that were taken, which are like `common` but for their ways and notes.
+  void shade_gathering(const RayState& common, Color* out);
+
+ private:
+  // ---- wavefront_surfaces.cpp: what shows where rays hit, before lights are asked
+  // A layer as far as it is the same everywhere.
+  struct Material {
+    const textures::CompiledLayer* layer = nullptr;
+    bool constant = false;  // the pigment has one colour
+    bool only = false;      // the texture has no other layer
+    bool mirror = false;
+    bool plain = false;  // constant, alone, without a mirror or a normal of its own
+    Color color;
+    float opacity = 0;  // of the constant colour
+    Rgb glow;           // ambient and emission
+    double exponent = 0, amount = 0, base_limit = 0, phong = 0;
+    unsigned lobes = 0;  // how it responds to light, as bits
+  };
+  static constexpr unsigned kPhong = 1, kBlinn = 2, kMetallic = 4, kBothHighlights = 8, kBrilliance = 16;
+  // The layers of a texture; none: its hits go the common way. A texture of textures has one layer that stands for
+  // them.
+  using Materials = std::vector<Material>;
+  // A layer as it shows at a hit.
+  struct Part {
+    const Material* material = nullptr;
+    Vec3 normal;
+    Color color;
+    float opacity = 0;
+    Rgb filter;       // of the layers above
+    int index = 0;    // in its texture
+    int next = -1;    // the layer below
+    int mirror = -1;  // its branch
+  };
+  // One of the textures that show at a hit.
+  struct Leaf {
+    int ray = 0;
+    const Materials* materials = nullptr;
+    const textures::CompiledTexture* around = nullptr;  // the texture it is part of
+    Vec3 point;
+    float weight = 1;
+    Rgb filter{1};
+    float translucency = 1;  // below the layers known so far
+    int first = -1, last = -1, parts = 0;
+    int behind = -1;  // the branch that goes on through the surface
+  };
+  struct Met {
+    bool together;          // false: the common way
+    const Material* plain;  // the only layer, of one colour and without a normal of its own; null: see leaves
+    Vec3 normal;            // with `plain`
+    int first = 0, leaves = 0, parts = 0;  // leaves and all their parts
+    std::optional<SurfaceHit> at;          // where the surface varies
+  };
+
+  bool shaded_together(const textures::CompiledTexture& texture) const;
+  Materials find_materials(const textures::CompiledTexture& texture) const;
+  const Materials& materials(const textures::CompiledTexture& texture);
+  void meet(int i);
+  void add_leaves(int i, const textures::CompiledTexture& texture, const Materials& found);
+  void find_parts(int count);
+  void find_layers(int* leaves, int n);
+  void find_colors_and_normals(const Material& material, const int* leaves, int n);
+  void add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point,
+                float weight);
+  Part& add_part(Leaf& leaf);
+  Rgb add_mirror(const Leaf& leaf, Part& part);
+
+  // ---- wavefront_branches.cpp: what is seen in mirrors and behind surfaces
+  // A ray that a texture sends out: a layer's mirror, or what goes on through the surface.
+  struct Branch {
+    Tracer::ShadedLayer layer;  // of the mirror, or the top one
+    int ray, leaf;
+    bool behind;
+    RandomSource::Key key;
+    float weight = 0;    // behind, until it is aimed: relative to that of its ray
+    bool total = false;  // reflected where it might have gone on
+    bool seen = false;   // `color` is known
+    int group = -1;      // which wavefront it is part of; -1: none, 0: mirrors
+    Vec3 direction{};
+    Color color{};
+  };
+  struct Crossing {
+    const scene::Interior* interior;
+    Tracer::Refraction refraction;
+    int group = 0;
+  };
+  RayState ray_state(int i) const;
+  void begin_branch(int i, std::uint32_t number) { tracer_.random_.begin(RandomSource::branch_key(keys_[i], number)); }
+  int add_branch(const Leaf& leaf, const Tracer::ShadedLayer& layer, bool behind);
+  const Crossing& crossing(const scene::Interior& interior);
+  void aim_behind(Branch& branch);
+  bool hidden(const Leaf& leaf, const Branch& mirror) const;
+  void trace_branches();
+  void trace_group(int group, const Tracer::Refraction* refraction);
+  void add_branches(const Leaf& leaf, Color& color);
+  Color seen_behind(const Branch& branch, bool& total);
+
+  // ---- wavefront.cpp
+  void run(int count, const accel::WorldEntry* const* entries, Color* out);
+  void shade(int count, Color* out);
+  void apply_volumes(int count, const bool* cut_off, Color* out);
+  void show_sky(int count, Color* out);
+  bool add_surface(int i);
+  void add_lane(int i, const Material& m, const Vec3& normal, const Color& color, float opacity, int texture,
+                const Part* part);
+  static LayerContext layer_context(const Part& part);
+  void add_photons();
+  void show(Color* out);
+  void sum_layers(Color* out);
+  Color shown(const Leaf& leaf, int& lane);
+  void light(const Light& light);
+  void aim(const Light& light);
+  bool reach(const Light& light);
+  void share_asking(int* asks);
+  void cast_shadows(const Light& light);
+  void evaluate_lobes();
+  void evaluate_special_lobes();
+  double highlight(int k) const;
+
+  Tracer& tracer_;
+  const SceneData& scene_;
+  const WavefrontKernels& kernels_;
+  bool usable_, indirect_, photons_;  // with light from radiosity, from photons
+  Color sky_[2];                      // where there is no sky_sphere; without alpha
+  bool plain_sky_;
+  std::unordered_map<const textures::CompiledTexture*, Materials> materials_;
+  std::pair<const textures::CompiledTexture*, const Materials*> last_materials_[16]{};  // by address
+  std::pair<const shapes::Shape*, const Material*> last_plain_[2]{};                    // met from outside, from inside
+  std::vector<Leaf> leaves_;
+  std::vector<Part> parts_;
+  std::vector<Branch> branches_;
+  std::vector<Crossing> crossings_;
+  std::unique_ptr<Wavefront> branch_wavefront_;  // made when it is needed
+  int depth_ = 0;                                // wavefronts around this one
+  Vec3 normals_[kMax];                           // of one layer at some leaves
+  Color colors_[kMax];
+  bool colored_[kMax];
+  RayState state_;  // of all rays, but for the ray itself and its weight
+  float weights_[kMax];
+  FinalGatherNotes* notes_[kMax];  // of radiosity's rays
+  int gathering_ = 0;
+  Vec2 places_[kMax];
+  std::uint32_t numbers_[kMax] = {};
+  RandomSource::Key keys_[kMax];
+  int count_ = 0;                            // of surfaces
+  unsigned lobes_ = 0;                       // of all surfaces
+  bool tinted_ = false, attenuated_ = true;  // false: all tints, all attenuations are 1
+  bool layered_ = false;                     // a hit has several surfaces here
+  WavefrontPacket packet_;
+  shapes::Hit hits_[kMax];
+  Met met_[kMax];
+  bool found_[kMax];
+  int pixel_[kMax];                      // several lanes in a row may be of one
+  const Material* material_[kMax] = {};  // whose numbers stand in the lane
+  const Part* part_[kMax];               // null: plain
+  const shapes::Surface* surface_[kMax];
+  const scene::Finish* finish_[kMax];
+};
+
+}  // namespace verisim::shading

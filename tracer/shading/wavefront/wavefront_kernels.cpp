@@ -1,0 +1,224 @@
+#include "tracer/shading/wavefront/wavefront_kernels.h"
+#include <bit>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/shading/wavefront/wavefront_kernels.cpp"
+#include "tracer/simd/each_target.h"
+
+#include "hwy/highway.h"
+#include "tracer/simd/kernel_table.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim::shading {
+namespace {
+namespace HWY_NAMESPACE {
+
+// Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
+// branches.
+
+constexpr float kDark = static_cast<float>(kEpsilon);
+
+constexpr int rounded(int count) {
+  return (count + WavefrontPacket::kStep - 1) / WavefrontPacket::kStep * WavefrontPacket::kStep;
+}
+
+void directions(const WavefrontCamera& camera, const Vec2* places, int count, WavefrontPacket& packet) {
+  const Vec3 &d = camera.direction, &r = camera.right, &u = camera.up;
+  const int end = rounded(count);
+  for (int i = 0; i < end; ++i) {
+    const double uc = (places[i].x + 0.5) / camera.width - 0.5,
+                 wc = (camera.height - (places[i].y + 0.5)) / camera.height - 0.5;
+    const double vx = d.x + uc * r.x + wc * u.x, vy = d.y + uc * r.y + wc * u.y, vz = d.z + uc * r.z + wc * u.z;
+    const double inverse = 1 / std::sqrt(vx * vx + vy * vy + vz * vz);
+    packet.rays.direction.x[i] = vx * inverse;
+    packet.rays.direction.y[i] = vy * inverse;
+    packet.rays.direction.z[i] = vz * inverse;
+  }
+}
+
+void face(int count, WavefrontPacket& packet) {
+  const int end = rounded(count);
+  for (int i = 0; i < end; ++i)
+    packet.cosine[i] = packet.normal.x[i] * packet.to_light.direction.x[i] +
+                       packet.normal.y[i] * packet.to_light.direction.y[i] +
+                       packet.normal.z[i] * packet.to_light.direction.z[i];
+}
+
+float largest(float r, float g, float b) {
+  const float x = std::fabs(r), y = std::fabs(g), z = std::fabs(b), m = x < y ? y : x;
+  return m < z ? z : m;
+}
+
+bool receive(const Rgb& light, bool highlights, int count, WavefrontPacket& packet) {
+  const float r = light.r, g = light.g, b = light.b;
+  const double shining = highlights ? 1 : 0;
+  std::int32_t any = 0;
+  for (int i = 0; i < count; ++i) {
+    const float a = packet.attenuation[i];
+    packet.intensity.r[i] = r * a, packet.intensity.g[i] = g * a, packet.intensity.b[i] = b * a;
+  }
+  for (int i = 0; i < count; ++i) {
+    const bool back = (packet.cosine[i] < kEpsilon) & (packet.two_sided[i] == 0);
+    packet.diffuse[i] = back ? packet.behind[i] : packet.front[i];
+    packet.shines[i] = back ? 0 : shining;
+    const bool dark = largest(packet.intensity.r[i], packet.intensity.g[i], packet.intensity.b[i]) < kDark;
+    const std::int32_t active = (back & (packet.lit_behind[i] == 0)) | (packet.dull[i] != 0) | dark ? 0 : 1;
+    packet.active[i] = active;
+    any |= active;
+  }
+  return any != 0;
+}
+
+bool illuminate(int count, WavefrontPacket& packet) {
+  std::int32_t any = 0;
+  for (int i = 0; i < count; ++i) {
+    const bool bright = largest(packet.intensity.r[i], packet.intensity.g[i], packet.intensity.b[i]) > kDark;
+    const std::int32_t lit = (packet.active[i] != 0) & bright ? 1 : 0;
+    packet.lit[i] = static_cast<float>(lit);
+    any |= lit;
+  }
+  return any != 0;
+}
+
+// The cosines that highlights are powers of; 0 where they are dark.
+void highlight_bases(bool phong, bool blinn, int end, WavefrontPacket& packet, double* base) {
+  for (int i = 0; i < end; ++i) base[i] = 0;
+  if (blinn) {
+    for (int i = 0; i < end; ++i) {
+      const double x = (packet.to_light.direction.x[i] - packet.view.x[i]) * 0.5,
+                   y = (packet.to_light.direction.y[i] - packet.view.y[i]) * 0.5,
+                   z = (packet.to_light.direction.z[i] - packet.view.z[i]) * 0.5;
+      const double size = std::sqrt(x * x + y * y + z * z);
+      const double m = (x * packet.normal.x[i] + y * packet.normal.y[i] + z * packet.normal.z[i]) / size;
+      base[i] = size <= 0 ? 0 : m;
+    }
+  }
+  if (phong) {
+    for (int i = 0; i < end; ++i) {
+      const double twice = 2 * (packet.view.x[i] * packet.normal.x[i] + packet.view.y[i] * packet.normal.y[i] +
+                                packet.view.z[i] * packet.normal.z[i]);
+      const double x = packet.view.x[i] - packet.normal.x[i] * twice, y = packet.view.y[i] - packet.normal.y[i] * twice,
+                   z = packet.view.z[i] - packet.normal.z[i] * twice;
+      const double m =
+          x * packet.to_light.direction.x[i] + y * packet.to_light.direction.y[i] + z * packet.to_light.direction.z[i];
+      base[i] = packet.phong[i] != 0 ? m : base[i];
+    }
+  }
+  for (int i = 0; i < end; ++i) base[i] = base[i] <= packet.base_limit[i] ? 0 : base[i];
+}
+
+// amount * base^exponent in single precision. The power is computed to more digits than binary32 has; where its error
+// might change the rounding, `uncertain` says so (Ziv, "Fast evaluation of elementary mathematical functions with
+// correctly rounded last bit", 1991).
+std::int32_t raise(int end, const double* base, WavefrontPacket& packet) {
+  constexpr double kLn2High = 0x1.62e42fefa3800p-1,
+                   kLn2Low = 0x1.ef35793c76730p-45;  // the product of the first with a small integer is exact
+  constexpr double kShift = 0x1.8p52;                // what is added to it loses its fraction
+  constexpr double kSmallest = -690;                 // of a logarithm: binary32 has 0 long before
+  constexpr double kError = 0x1p-39;  // of the power, relative: 2e-12; that of the logarithm is below 1e-15 times 690
+  std::int32_t any = 0;
+  for (int i = 0; i < end; ++i) {
+    const double m = base[i];
+    const bool bright = m >= 0x1p-1000;
+    const auto bits = std::bit_cast<std::int64_t>(bright ? m : 1.0);
+    // m = 2^e * f with f between the roots of 1/2 and 2.
+    const std::int64_t e = (bits - 0x3fe6a09e667f3bcd) >> 52;
+    const double f = std::bit_cast<double>(bits - (e << 52));
+    const double n = std::bit_cast<double>(e + std::bit_cast<std::int64_t>(kShift)) - kShift;
+    // log f = 2 atanh s
+    const double s = (f - 1) / (f + 1), z = s * s;
+    double p = 1.0 / 23;
+    p = p * z + 1.0 / 21;
+    p = p * z + 1.0 / 19;
+    p = p * z + 1.0 / 17;
+    p = p * z + 1.0 / 15;
+    p = p * z + 1.0 / 13;
+    p = p * z + 1.0 / 11;
+    p = p * z + 1.0 / 9;
+    p = p * z + 1.0 / 7;
+    p = p * z + 1.0 / 5;
+    p = p * z + 1.0 / 3;
+    const double log_f = 2 * s + 2 * s * z * p;
+    const double t = packet.exponent[i] * (n * kLn2High + (n * kLn2Low + log_f));
+    const bool in_range = t > kSmallest && t < 600;
+    const double u = in_range ? t : 0;
+    const double shifted = u * 0x1.71547652b82fep0 + kShift, k = shifted - kShift;  // u / ln 2, rounded
+    const double r = (u - k * kLn2High) - k * kLn2Low;
+    double q = 1.0 / 6227020800;
+    q = q * r + 1.0 / 479001600;
+    q = q * r + 1.0 / 39916800;
+    q = q * r + 1.0 / 3628800;
+    q = q * r + 1.0 / 362880;
+    q = q * r + 1.0 / 40320;
+    q = q * r + 1.0 / 5040;
+    q = q * r + 1.0 / 720;
+    q = q * r + 1.0 / 120;
+    q = q * r + 1.0 / 24;
+    q = q * r + 1.0 / 6;
+    q = q * r + 0.5;
+    q = q * r + 1;
+    q = q * r + 1;
+    const double power =
+        std::bit_cast<double>(std::bit_cast<std::int64_t>(q) + (std::bit_cast<std::int64_t>(shifted) << 52));
+    const double value = packet.amount[i] * packet.shines[i] * (bright && in_range ? power : 0);
+    const auto low = static_cast<float>(value - value * kError), high = static_cast<float>(value + value * kError);
+    packet.strength[i] = low;
+    // What is darker than the smallest numbers is 0; what is dark on purpose, too.
+    const bool known = low == high && (in_range || t <= kSmallest) && (bright || m <= 0);
+    packet.uncertain[i] = known ? 0 : 1;
+    any |= known ? 0 : 1;
+  }
+  return any;
+}
+
+bool evaluate_lobes(bool phong, bool blinn, int count, WavefrontPacket& packet) {
+  const int end = rounded(count);
+  for (int i = 0; i < end; ++i)
+    packet.scattered[i] = static_cast<float>(packet.diffuse[i] * std::fabs(packet.cosine[i]));
+  if (!phong && !blinn) {
+    for (int i = 0; i < end; ++i) packet.strength[i] = 0;
+    return false;
+  }
+  alignas(64) double base[WavefrontPacket::kMax];
+  highlight_bases(phong, blinn, end, packet, base);
+  return raise(end, base, packet) != 0;
+}
+
+void add_channel(int end, const WavefrontPacket& packet, const float* pigment, const float* intensity,
+                 const float* tint, float* direct) {
+  for (int i = 0; i < end; ++i) {
+    const float added = packet.scattered[i] * pigment[i] * intensity[i] + intensity[i] * packet.strength[i] * tint[i];
+    direct[i] = packet.lit[i] != 0 ? direct[i] + added : direct[i];
+  }
+}
+
+void add(int count, WavefrontPacket& packet) {
+  const int end = rounded(count);
+  add_channel(end, packet, packet.pigment.r, packet.intensity.r, packet.tint.r, packet.direct.r);
+  add_channel(end, packet, packet.pigment.g, packet.intensity.g, packet.tint.g, packet.direct.g);
+  add_channel(end, packet, packet.pigment.b, packet.intensity.b, packet.tint.b, packet.direct.b);
+}
+
+void add_own(int count, WavefrontPacket& packet) {
+  const int end = rounded(count);
+  const auto channel = [end](const float* own, float* direct) {
+    for (int i = 0; i < end; ++i) direct[i] = own[i] + direct[i];
+  };
+  channel(packet.own.r, packet.direct.r);
+  channel(packet.own.g, packet.direct.g);
+  channel(packet.own.b, packet.direct.b);
+}
+
+const WavefrontKernels kKernels = {directions, face, receive, illuminate, evaluate_lobes, add, add_own};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::shading
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::shading {
+VERISIM_EXPORT_KERNELS(WavefrontKernels, wavefront_kernels)
+}  // namespace verisim::shading
+#endif

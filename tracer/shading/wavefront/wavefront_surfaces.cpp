@@ -1,0 +1,256 @@
+// What shows where the rays of a wavefront hit: textures, their layers, colours and normals, row by row (spec 06
+// sections 3.1 to 3.3).
+#include "tracer/shading/finish.h"
+#include "tracer/shading/wavefront/wavefront.h"
+#include "tracer/textures/evaluation/pigment.h"
+
+namespace verisim::shading {
+namespace {
+
+constexpr std::size_t kMaxTextures = 8, kMaxLayers = 8;  // of a hit; what has more goes the common way
+
+bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
+bool is_mirror(const scene::Finish& f) { return f.reflection.maximum != Rgb() || f.reflection.minimum != Rgb(); }
+
+}  // namespace
+
+// Layers without noise in their colours.
+bool Wavefront::shaded_together(const textures::CompiledTexture& texture) const {
+  if (texture.patterned() || texture.layers.size() > kMaxLayers) return false;
+  for (const textures::CompiledLayer& layer : texture.layers) {
+    const scene::Finish& f = layer.finish;
+    if (f.crand > 0 || f.irid > 0 || (f.subsurface && scene_.effects && scene_.effects->subsurface)) return false;
+  }
+  return true;
+}
+
+Wavefront::Materials Wavefront::find_materials(const textures::CompiledTexture& texture) const {
+  Materials all;
+  if (texture.patterned()) {
+    bool simple = !texture.map.empty() && texture.map.size() <= kMaxTextures;
+    for (const auto& entry : texture.map) simple = simple && shaded_together(*entry.value);
+    if (simple) all.emplace_back();
+    return all;
+  }
+  if (!shaded_together(texture)) return all;
+  for (const textures::CompiledLayer& layer : texture.layers) {
+    const scene::Finish& f = layer.finish;
+    Material& m = all.emplace_back();
+    m.layer = &layer;
+    m.constant = layer.pigment->source == textures::CompiledPigment::Source::plain;
+    m.only = texture.layers.size() == 1;
+    m.mirror = is_mirror(f);
+    m.color = layer.pigment->color;
+    m.glow = f.ambient * scene_.ambient_light + f.emission;
+    m.phong = f.phong > 0;
+    m.amount = f.phong > 0 ? f.phong : f.specular > 0 ? f.specular : 0;
+    m.exponent = f.phong > 0 ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
+    m.base_limit = f.phong > 0 && f.phong_size >= 60 ? 0.0008 : 0;
+    m.lobes = (m.amount == 0  ? 0
+               : m.phong != 0 ? kPhong
+                              : kBlinn) |
+              (f.metallic > 0 ? kMetallic : 0) | (f.phong > 0 && f.specular > 0 ? kBothHighlights : 0) |
+              (f.brilliance != 1 ? kBrilliance : 0);
+    m.opacity = surface_opacity(m.color, scene_.version);
+    m.plain = m.only && m.constant && !m.mirror && !layer.normal && !layer.pigment->transparent && !indirect_ &&
+              !photons_ && is_finite(m.color.rgb());
+    const bool finite = is_finite(m.glow) && std::fabs(m.exponent) < 1e6 && m.amount < 1e30 &&
+                        std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f;
+    if (!finite) return {};
+  }
+  return all;
+}
+
+const Wavefront::Materials& Wavefront::materials(const textures::CompiledTexture& texture) {
+  auto& last =
+      last_materials_[reinterpret_cast<std::uintptr_t>(&texture) / sizeof texture % std::size(last_materials_)];
+  if (last.first != &texture) {
+    auto known = materials_.find(&texture);
+    if (known == materials_.end()) known = materials_.emplace(&texture, find_materials(texture)).first;
+    last = {&texture, &known->second};
+  }
+  return *last.second;
+}
+
+// Which way hit i goes, and the textures that show there.
+void Wavefront::meet(int i) {
+  Met& met = met_[i];
+  met.together = false;
+  met.plain = nullptr;
+  met.leaves = met.parts = 0;
+  const shapes::Hit& hit = hits_[i];
+  const Vec3 direction = packet_.rays.direction.at(i), normal = hit.shape->normal(hit);
+  const double along = dot(normal, direction);
+  if (!(std::fabs(along) < 1e30)) return;
+  const bool inside = along > 0;
+  auto& last = last_plain_[inside];
+  if (last.first == hit.shape) {
+    met.together = true;
+    met.plain = last.second;
+    met.normal = inside ? -normal : normal;
+    return;
+  }
+  const shapes::Surface& surface = *hit.shape->surface;
+  if (surface.shows_several() || surface.ignore_global_lights || !surface.group_lights.empty()) return;
+  const textures::CompiledTexture& texture =
+      inside && surface.interior_texture ? *surface.interior_texture : *surface.texture;
+  const Materials& found = materials(texture);
+  if (found.empty()) return;
+  met.together = true;
+  met.first = static_cast<int>(leaves_.size());
+  const Material& first = found[0];
+  if (first.plain) {
+    last = {hit.shape, &first};
+    met.plain = &first;
+    met.normal = inside ? -normal : normal;
+    return;
+  }
+  met.at.emplace(hit, normal, direction, 0, state_.surface_level());
+  add_leaves(i, texture, found);
+}
+
+// Leaves and parts are written where they stay: copies of what was just written in pieces would wait for it.
+void Wavefront::add_leaf(int i, const Materials& found, const textures::CompiledTexture* around, const Vec3& point,
+                         float weight) {
+  Leaf& leaf = leaves_.emplace_back();
+  leaf.ray = i;
+  leaf.materials = &found;
+  leaf.around = around;
+  leaf.point = point;
+  leaf.weight = weight;
+}
+
+void Wavefront::add_leaves(int i, const textures::CompiledTexture& texture, const Materials& found) {
+  Met& met = met_[i];
+  const Vec3 p = met.at->pattern_point();
+  if (!texture.patterned()) {
+    add_leaf(i, found, nullptr, p, 1);
+  } else {
+    textures::WeightedTexture storage[kMaxTextures];
+    Vec3 warped;
+    for (const textures::WeightedTexture& entry :
+         textures::select(texture, p, &met.at->texture_point, storage, warped)) {
+      if (entry.weight == 0) continue;
+      const Materials& inner = materials(*entry.texture);
+      if (inner.empty())
+        met.together = false;
+      else
+        add_leaf(i, inner, &texture, warped, entry.weight);
+    }
+  }
+  met.leaves = static_cast<int>(leaves_.size()) - met.first;
+  met.together = met.together && met.leaves > 0;
+}
+
+Wavefront::Part& Wavefront::add_part(Leaf& leaf) {
+  const int k = static_cast<int>(parts_.size());
+  Part& part = parts_.emplace_back();
+  (leaf.first < 0 ? leaf.first : parts_[static_cast<std::size_t>(leaf.last)].next) = k;
+  leaf.last = k;
+  part.index = leaf.parts++;
+  ++met_[leaf.ray].parts;
+  return part;
+}
+
+// The share that it reflects.
+Rgb Wavefront::add_mirror(const Leaf& leaf, Part& part) {
+  const textures::CompiledLayer& layer = *part.material->layer;
+  const scene::Reflection& reflection = layer.finish.reflection;
+  const double ratio = reflection.fresnel ? tracer_.fresnel_ratio(state_, *met_[leaf.ray].at->surface.interior) : 0;
+  const Rgb reflected =
+      reflectivity(reflection, part.color.rgb(), -dot(packet_.rays.direction.at(leaf.ray), part.normal), ratio);
+  if (reflected == Rgb()) return reflected;
+  part.mirror = add_branch(leaf, {&layer, part.color, part.normal, reflected, leaf.translucency}, false);
+  return reflected;
+}
+
+// The layers of all hits. The textures of one hit are looked at one after another: normals leave their trace in what
+// patterns see.
+void Wavefront::find_parts(int count) {
+  int waiting[kMax], group[kMax];
+  for (int round = 0;; ++round) {
+    int n = 0;
+    for (int i = 0; i < count; ++i) {
+      if (!found_[i] || !met_[i].together || round >= met_[i].leaves) continue;
+      waiting[n++] = met_[i].first + round;
+    }
+    if (n == 0) return;
+    while (n > 0) {
+      const Materials* const all = leaves_[static_cast<std::size_t>(waiting[0])].materials;
+      int same = 0, others = 0;
+      for (int k = 0; k < n; ++k)
+        (leaves_[static_cast<std::size_t>(waiting[k])].materials == all ? group[same++] : waiting[others++]) =
+            waiting[k];
+      n = others;
+      find_layers(group, same);
+    }
+  }
+}
+
+// The layers of one texture at n hits, from the top to the last one that shows.
+void Wavefront::find_layers(int* leaves, int n) {
+  for (const Material& material : *leaves_[static_cast<std::size_t>(leaves[0])].materials) {
+    if (n == 0) return;
+    find_colors_and_normals(material, leaves, n);
+    int still = 0;
+    for (int k = 0; k < n; ++k) {
+      Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
+      const Color& c = colors_[k];
+      const bool finite = !material.layer->normal || std::fabs(dot(normals_[k], packet_.rays.direction.at(leaf.ray))) <
+                                                         1e30;  // otherwise known since `meet`
+      if (!colored_[k] || !finite || !is_finite(c.rgb()) || !is_finite({c.f, c.t, 0})) {
+        met_[leaf.ray].together = false;
+        continue;
+      }
+      Part& part = add_part(leaf);
+      part.material = &material;
+      part.normal = normals_[k];
+      part.color = c;
+      part.opacity = surface_opacity(c, scene_.version);
+      part.filter = leaf.filter;
+      const Rgb reflected = material.mirror ? add_mirror(leaf, part) : Rgb();
+      if (material.only && c.f == 0 && c.t == 0) continue;
+      leaf.filter *= c.transmission();
+      if (material.layer->finish.conserve_energy)
+        leaf.filter *=
+            {std::min(1.0f, 1 - reflected.r), std::min(1.0f, 1 - reflected.g), std::min(1.0f, 1 - reflected.b)};
+      leaf.translucency = std::min(1.0f, std::fabs(leaf.filter.grey()));
+      if (leaf.translucency > tracer_.bailout(state_)) leaves[still++] = leaves[k];
+    }
+    n = still;
+  }
+  // Something behind the surface shows.
+  for (int k = 0; k < n; ++k) {
+    Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
+    const Part& top = parts_[static_cast<std::size_t>(leaf.first)];
+    leaf.behind = add_branch(leaf, {top.material->layer, top.color, top.normal, Rgb(), 1}, true);
+    branches_.back().weight = leaf.filter.max_abs();
+  }
+}
+
+// Normals first: they leave their trace in what patterns see (Tracer::layer_normal).
+void Wavefront::find_colors_and_normals(const Material& material, const int* leaves, int n) {
+  textures::PointBatch points;
+  textures::SurfacePoint* surfaces[kMax];
+  const textures::CompiledNormal* const perturbed = material.layer->normal;
+  for (int k = 0; k < n; ++k) {
+    const Leaf& leaf = leaves_[static_cast<std::size_t>(leaves[k])];
+    SurfaceHit& at = *met_[leaf.ray].at;
+    points.set(k, leaf.point);
+    surfaces[k] = &at.texture_point;
+    if (perturbed)
+      at.texture_point.normal = leaf.around ? textures::enter_frame(*leaf.around, at.raw) : at.raw;
+    else
+      normals_[k] = at.raw;
+  }
+  points.fill_up(n);
+  if (perturbed) {
+    textures::perturb(*perturbed, n, points, surfaces, normals_);
+    for (int k = 0; k < n; ++k)
+      if (const auto* around = leaves_[static_cast<std::size_t>(leaves[k])].around)
+        normals_[k] = textures::leave_frame(*around, normals_[k]);
+  }
+  textures::evaluate(*material.layer->pigment, n, points, surfaces, colors_, colored_);
+}
+
+}  // namespace verisim::shading

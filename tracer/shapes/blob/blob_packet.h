@@ -1,0 +1,55 @@
+// The parts of a blob along eight rays at once. Compiled for several instruction sets; every lane does what
+// Blob::add_piece does.
+#pragma once
+
+#include "tracer/scene/sharing.h"
+#include "tracer/shapes/packet_kernels.h"
+
+namespace verisim::shapes {
+
+enum class BlobPartKind : unsigned char { sphere, cylinder, base, apex };
+
+struct BlobPart {
+  BlobPartKind kind;
+  bool moved = false;  // `transform` counts
+  std::int32_t component = 0;
+  Vec3 center;                                 // of a sphere or half sphere; the base of a cylinder
+  Vec3 axis;                                   // unit; of all but spheres
+  double length = 0;                           // of a cylinder
+  double radius2 = 0, k0 = 0, k1 = 0, k2 = 0;  // field = k0 D^2 + k1 D + k2 of the squared distance D
+  scene::Rare<Transform> transform;            // shared by the parts of a capsule
+  Box3 box;                                    // of its reach, in the blob's space
+};
+
+// D = a t^2 + 2 b t + c along rays, valid for t0 < t < t1; no more than `peak` does the part add to the field, but for
+// rounding.
+struct alignas(64) PiecePacket {
+  using Lane = double[RayPacket::kCount];
+  Lane t0, t1, a, b, c, peak;
+  const BlobPart* part;
+  unsigned met;  // by these lanes
+};
+
+// Spheres around eight parts; behind the last part stand spheres that nothing meets.
+struct alignas(64) PartSpheres {
+  double x[8] = {}, y[8] = {}, z[8] = {}, radius[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
+};
+
+struct BlobKernels {
+  // The parts, as bits, that rays may meet: they start within `apart` of the origin, and their directions are within
+  // `bent` of the direction, in proportion to its length.
+  std::uint64_t (*near)(const PartSpheres* spheres, std::size_t blocks, const Vec3& origin, const Vec3& direction,
+                        double apart, double bent);
+  // The parts, as bits, that may reach a point.
+  std::uint64_t (*around)(const PartSpheres* spheres, std::size_t blocks, const Vec3& p);
+  // Fills `pieces` with those of `near` that any lane of `active` meets; how many.
+  std::size_t (*pieces)(const BlobPart* parts, std::uint64_t near, const LocalPacket& rays, unsigned active,
+                        PiecePacket* pieces);
+};
+
+// Those of the best instruction set of this machine.
+const BlobKernels& blob_kernels();
+// Those of any set, for tests; null: this machine cannot run it.
+const BlobKernels* blob_kernels(int instruction_set);
+
+}  // namespace verisim::shapes

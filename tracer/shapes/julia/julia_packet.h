@@ -1,0 +1,81 @@
+// The iteration of a Julia fractal at several points of a ray, or of a batch of rays, at once. Every lane does what the
+// plain code of julia_fractal.cpp does, operation by operation, so the results are the same to the last bit whatever
+// the machine's vectors.
+#pragma once
+
+#include <cstdint>
+
+#include "tracer/shapes/julia/julia_algebra.h"
+#include "tracer/shapes/packet_kernels.h"
+
+namespace verisim::shapes::julia {
+
+inline constexpr int kLanes = 8;
+inline constexpr double kFine = 1e-7;  // tolerance of depths
+
+enum class Kind : unsigned char { quaternion_square, quaternion_cube, hypercomplex_square, other };
+
+// What the iteration needs to know of a fractal.
+struct Field {
+  Kind kind = Kind::quaternion_square;
+  Number parameter;
+  Vec3 slice;
+  double slice_w = 1, slice_distance = 0;
+  double escape = 4;        // |h|^2 beyond which a point is outside
+  double precision = 0.05;  // the smallest step
+  int iterations = 20;
+  bool doubled = false;  // hypercomplex: the estimates of `sqr` have a factor 2^M
+};
+
+// A ray a lane, in the fractal's space, directions of unit length.
+struct alignas(64) Rays {
+  double origin[3][kLanes], direction[3][kLanes];
+  void set(int lane, const Vec3& o, const Vec3& d) {
+    for (int i = 0; i < 3; ++i) origin[i][lane] = o[i], direction[i][lane] = d[i];
+  }
+};
+
+// Where the march of each ray begins and must end; behind `last` it finds nothing, and behind `limit` it is of no use.
+struct alignas(64) Interval {
+  double begin[kLanes], end[kLanes], last[kLanes], limit[kLanes];
+};
+
+// Where the set can be: cells of a cube.
+struct Grid {
+  static constexpr int kSide = 32;
+  double low = 0, cell = 0;                // the cube's lower corner (in each coordinate) and the side of a cell
+  std::uint64_t rows[kSide * kSide] = {};  // bit i of row k kSide + j: cell (i, j, k) may hold points of the set
+  Box3 box;                                // encloses all such cells
+
+  void add(int i, int j, int k) { rows[k * kSide + j] |= std::uint64_t{1} << i; }
+  bool has(int i, int j, int k) const { return rows[k * kSide + j] >> i & 1; }
+};
+
+// Rays of a row.
+struct alignas(64) Row {
+  Rays rays;
+  Interval interval;
+};
+
+// Not for Kind::other.
+struct Kernels {
+  // Points origin + t * direction. Bit k: t[k] survives all iterations.
+  unsigned (*inside)(const Field& field, const Vec3& origin, const Vec3& direction, const double* t);
+  // The same, and how far the ray may go from each point (spec 04 section 8, step estimates): exact where above the
+  // precision, else anything not above it.
+  unsigned (*march)(const Field& field, const Vec3& origin, const Vec3& direction, const double* t, double* estimate);
+  // The lanes of `active` that meet cells of the grid within the bounding sphere, each as far as t_max.
+  unsigned (*enter)(const Grid& grid, double radius, const LocalPacket& rays, unsigned active, const double* t_max,
+                    Row& row);
+  // Rays of a row that march in step, each with the steps it takes alone: the lanes of `active` whose rays cross the
+  // surface, and the depths of their first intersections.
+  unsigned (*first_intersections)(const Field& field, const Rays& rays, const Interval& interval, unsigned active,
+                                  double* depth);
+};
+
+// Those of the best instruction set of this machine.
+const Kernels& kernels();
+// Those of any set, for tests; null: this machine cannot run it.
+const Kernels* kernels(int instruction_set);
+
+}  // namespace verisim::shapes::julia

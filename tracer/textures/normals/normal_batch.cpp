@@ -1,0 +1,82 @@
+// Normals at the points of a batch: the same, bit by bit, as normal.cpp finds one by one. Kinds that have no wide form
+// are asked point by point.
+#include "tracer/textures/evaluation/evaluation.h"
+#include "tracer/textures/normals/normal.h"
+#include "tracer/textures/normals/normal_kernels.h"
+#include "tracer/textures/point_batch.h"
+
+namespace verisim::textures {
+namespace {
+
+constexpr int kFewPoints = 3;  // not worth a batch
+
+const NormalKernels& normals_of() {
+  static const NormalKernels& best = normal_kernels();
+  return best;
+}
+const EvaluationKernels& patterns_of() {
+  static const EvaluationKernels& best = evaluation_kernels(simd::best_instruction_set());
+  return best;
+}
+
+bool has_wide_form(const CompiledNormal& c) {
+  using enum scene::PatternKind;
+  if (c.method == CompiledNormal::Method::height) return true;
+  if (c.method != CompiledNormal::Method::displacement) return false;
+  return c.pattern->kind == bumps || c.pattern->kind == dents || c.pattern->kind == wrinkles;
+}
+
+void displace(const CompiledNormal& c, int count, const PointBatch& p, PointBatch& n) {
+  PointBatch vectors;
+  if (c.pattern->kind == scene::PatternKind::wrinkles) {
+    patterns_of().wrinkles_batch(count, p, vectors);
+  } else {
+    patterns_of().vector_noise_batch(count, p, vectors);
+    if (c.pattern->kind == scene::PatternKind::dents) {
+      alignas(64) double noise[PointBatch::kMax];
+      patterns_of().noise_batch(c.pattern->noise_generator, count, p, noise);
+      normals_of().scale_by_cubes(count, noise, vectors);
+    }
+  }
+  normals_of().displace(c.amount, count, vectors, n);
+}
+
+void raise(const CompiledNormal& c, int count, const PointBatch& p, const SurfacePoint* const* surfaces,
+           PointBatch& n) {
+  const double strength = height_strength(c);
+  for (const Vec3& direction : kHeightSamples) {
+    PointBatch moved;
+    alignas(64) double heights[PointBatch::kMax];
+    normals_of().move(p, c.accuracy, direction, count, moved);
+    patterns_of().values_batch(*c.pattern, count, moved, surfaces, heights);
+    if (!c.slopes.empty())
+      for (int i = 0; i < count; ++i) heights[i] = height_of(c, heights[i]);
+    normals_of().raise(heights, strength, direction, count, n);
+  }
+}
+
+}  // namespace
+
+void perturb(const CompiledNormal& c, int count, const PointBatch& points, SurfacePoint* const* surfaces,
+             Vec3* normals) {
+  if (count < kFewPoints || !has_wide_form(c)) {
+    for (int i = 0; i < count; ++i) normals[i] = perturb(c, points.at(i), *surfaces[i]);
+    return;
+  }
+  PointBatch p, n;
+  patterns_of().warp_batch(c.pattern->chain, count, points, p);
+  for (int i = 0; i < count; ++i) n.set(i, surfaces[i]->normal);
+  n.fill_up(count);
+  normals_of().into_frame(*c.pattern, c.no_bump_scale, count, n);
+  if (c.method == CompiledNormal::Method::height)
+    raise(c, count, p, surfaces, n);
+  else
+    displace(c, count, p, n);
+  normals_of().out_of_frame(*c.pattern, c.no_bump_scale, count, n);
+  for (int i = 0; i < count; ++i) {
+    surfaces[i]->normal = n.at(i);
+    normals[i] = c.no_bump_scale ? normalize(n.at(i)) : n.at(i);
+  }
+}
+
+}  // namespace verisim::textures

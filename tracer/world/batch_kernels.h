@@ -1,0 +1,41 @@
+// What eight rays meet first, computed for all of them at once: boxes and planes. Compiled for several instruction
+// sets; every lane does the operations of the scalar code in the same order.
+#pragma once
+
+#include "tracer/bvh/box_node.h"
+#include "tracer/math/ray_batch.h"
+
+namespace verisim::accel {
+
+// Eight rays as the nodes of a tree see them: in single precision, from where they enter the tree.
+struct alignas(64) NodeRays {
+  using Lane = float[RayPacket::kCount];
+  Lane origin[3], inverse[3];       // origins relative to the tree's centre, inverse directions
+  double start[RayPacket::kCount];  // where they enter the tree; infinite: they miss it
+  double slack;
+};
+
+// Which children of a node eight rays meet.
+struct alignas(64) ChildrenMet {
+  float near[4][RayPacket::kCount];  // where they are entered, counted from where the ray enters the tree
+  unsigned lanes[4];
+};
+
+struct BatchKernels {
+  // Eight rays from `first` in a tree with this centre, bounds and slack (bvh.h), at distances above t_min.
+  void (*node_rays)(const Box3& bounds, const Vec3& center, double slack, const RayBatch& rays, int first, double t_min,
+                    NodeRays& there);
+  // The children of a node that they meet before their limits, and perhaps some that they narrowly miss.
+  void (*children)(const BoxNode& node, const NodeRays& rays, const double* limit, ChildrenMet& met);
+  // The lanes whose limits lie behind these places.
+  unsigned (*before)(const float* near, const NodeRays& rays, const double* limit);
+  // The distances at which they meet a plane (shapes/plane.h); -1 where they do not.
+  void (*plane)(const Vec3& normal, double distance, const RayBatch& rays, int first, double* t);
+};
+
+// Those of the best instruction set of this machine.
+const BatchKernels& batch_kernels();
+// Those of any set, for tests; null: this machine cannot run it.
+const BatchKernels* batch_kernels(int instruction_set);
+
+}  // namespace verisim::accel

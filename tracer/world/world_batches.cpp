@@ -1,0 +1,372 @@
+// Batches of rays in the world, eight at a time: objects are asked in the order in which the eight meet their boxes,
+// each for all rays that it may still concern. What is found is what one ray finds alone, because the world decides
+// ties by rules of its own.
+#include <algorithm>
+
+#include "tracer/world/world_impl.h"
+#include "tracer/shapes/scratch_hits.h"
+
+namespace verisim::accel {
+namespace {
+
+constexpr int kLanes = RayPacket::kCount;
+
+unsigned lanes_below(int count) { return count < kLanes ? (1u << count) - 1 : (1u << kLanes) - 1; }
+
+NodeRays rays_in(const Bvh& tree, const RayPacket& rays, double t_min) {
+  NodeRays there;
+  batch_kernels().node_rays(tree.bounds(), tree.center(), tree.slack(), rays.rays, rays.first, t_min, there);
+  return there;
+}
+
+// The boxes that eight rays meet before their limits, nearest first as far as one ray can tell.
+class Places {
+ public:
+  Places(const Bvh& tree, const EntryPoints& entry, const RayPacket& rays, double t_min, const double* limit)
+      : entry_(entry), there_(rays_in(tree, rays, t_min)) {
+    for (int n = 0; n < entry.count; ++n) {
+      batch_kernels().children(entry.nodes[n], there_, limit, met_[n]);
+      for (int k = 0; k < 4; ++k) {
+        met_[n].lanes[k] &= rays.active;
+        if (met_[n].lanes[k] != 0) insert(4 * n + k, met_[n].near[k][std::countr_zero(met_[n].lanes[k])]);
+      }
+    }
+  }
+  int count() const { return count_; }
+  std::uint32_t candidate(int i) const { return BoxNode::leaf_first(entry_.nodes[order_[i] / 4].child[order_[i] % 4]); }
+  // The lanes that meet box i before their limits, which may have shrunk.
+  unsigned lanes(int i, const double* limit) const {
+    const ChildrenMet& met = met_[order_[i] / 4];
+    const int k = order_[i] % 4;
+    return met.lanes[k] & batch_kernels().before(met.near[k], there_, limit);
+  }
+
+ private:
+  void insert(int place, float near) {
+    int at = count_++;
+    for (; at > 0 && distance_[at - 1] > near; --at) order_[at] = order_[at - 1], distance_[at] = distance_[at - 1];
+    order_[at] = static_cast<std::uint8_t>(place), distance_[at] = near;
+  }
+
+  const EntryPoints& entry_;
+  const NodeRays there_;
+  ChildrenMet met_[EntryPoints::kNodes];
+  std::uint8_t order_[EntryPoints::kMax];
+  float distance_[EntryPoints::kMax];
+  int count_ = 0;
+};
+
+// Walks a tree with eight rays, from the subtrees of an entry or from the root. Calls visit(candidate, lanes) for the
+// boxes that lanes of `open` meet before their limits, which may shrink meanwhile, roughly from near to far. `ahead`
+// tells of candidates before they are visited, if they are: first soon, then next.
+template <class Ahead, class Visit>
+void walk(const Bvh& tree, const EntryPoints* entry, const RayPacket& rays, double t_min, const double* limit,
+          const unsigned& open, const Ahead& ahead, Visit&& visit) {
+  struct Item {
+    std::uint32_t child;
+    unsigned lanes;
+  } stack[Bvh::kStackSize];
+  int size = 0;
+  const NodeRays there = rays_in(tree, rays, t_min);
+  ChildrenMet met;
+  const auto expand = [&](const BoxNode& node, unsigned lanes) {
+    batch_kernels().children(node, there, limit, met);
+    const int first = size;
+    float near[4];
+    for (int k = 0; k < 4; ++k) {
+      const unsigned here = met.lanes[k] & lanes;
+      if (here == 0) continue;
+      const float distance = met.near[k][std::countr_zero(here)];
+      int at = size++ - first;  // the nearest on top
+      for (; at > 0 && near[at - 1] < distance; --at)
+        near[at] = near[at - 1], stack[first + at] = stack[first + at - 1];
+      near[at] = distance, stack[first + at] = {node.child[k], here};
+      if (node.child[k] & BoxNode::kLeaf) ahead.soon(BoxNode::leaf_first(node.child[k]));
+    }
+  };
+  if (entry) {
+    for (int n = entry->count - 1; n >= 0; --n) expand(entry->nodes[n], open);
+  } else {
+    expand(tree.node(0), open);
+  }
+  while (size > 0) {
+    const Item item = stack[--size];
+    const unsigned lanes = item.lanes & open;
+    if (lanes == 0) continue;
+    if (size > 0 && stack[size - 1].child & BoxNode::kLeaf) ahead.next(BoxNode::leaf_first(stack[size - 1].child));
+    if (item.child & BoxNode::kLeaf)
+      visit(BoxNode::leaf_first(item.child), lanes);
+    else
+      expand(tree.node(item.child), lanes);
+  }
+}
+
+// Shapes lie about in memory: they are on their way while others are asked.
+struct Prefetch {
+  const Candidate* candidates;
+  void soon(std::uint32_t i) const { __builtin_prefetch(candidates + i); }
+  void next(std::uint32_t i) const { __builtin_prefetch(candidates[i].shape); }
+};
+
+constexpr int kMin = 3;  // rays for which this costs less than one walk for each
+
+}  // namespace
+
+// The search for the nearest hits of eight rays.
+class World::BatchSearch {
+ public:
+  BatchSearch(const Impl& world, const RayPacket& rays, RayKind kind, double t_min, const double* t_max, Hit* hits)
+      : w_(world), rays_(rays), kind_(kind), mask_(bit(kind)), t_min_(t_min), hits_(hits) {
+    if (t_max)
+      std::copy_n(t_max, kLanes, limit_);
+    else
+      std::fill_n(limit_, kLanes, std::numeric_limits<double>::infinity());
+  }
+
+  unsigned found() const { return found_; }
+  unsigned coincident() const { return coincident_; }
+  const Coincidences& coincidences() const { return coincidences_; }
+
+  void test_planes() {
+    for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
+      const std::uint32_t index = w_.unbounded[i];
+      const Entry& e = w_.entries[index];
+      if (w_.planes[i] && !(e.hidden & mask_)) test_plane(*w_.planes[i], e.shape, index);
+    }
+  }
+  // What else is beside the tree costs more, so it is asked when most rays have hit something.
+  void test_unbounded() {
+    for (std::size_t i = 0; i < w_.unbounded.size(); ++i) {
+      const std::uint32_t index = w_.unbounded[i];
+      const Entry& e = w_.entries[index];
+      if (w_.planes[i] || (e.hidden & mask_)) continue;
+      unsigned lanes = 0;
+      each_lane(rays_.active, [&](int k) { lanes |= e.may_meet(rays_.at(k), t_min_, limit_[k]) ? 1u << k : 0; });
+      if (lanes != 0) test(*e.shape, index, nullptr, lanes);
+    }
+  }
+  void test_around() {
+    for (const Surrounding& s : w_.around) {
+      const Entry& e = w_.entries[s.entry];
+      unsigned lanes = 0;
+      if (!(e.hidden & mask_))
+        each_lane(rays_.active,
+                  [&](int k) { lanes |= s.enclosure.holds(rays_.at(k), t_min_, limit_[k]) ? 0 : 1u << k; });
+      if (lanes != 0) test(*e.shape, s.entry, nullptr, lanes);
+    }
+  }
+  void test_boxes(const WorldEntry& entry) {
+    const Places places(w_.tree, entry.points, rays_, t_min_, limit_);
+    for (int i = 0; i < places.count(); ++i) {
+      const unsigned lanes = places.lanes(i, limit_) & rays_.active;
+      if (lanes == 0) continue;
+      const std::uint32_t candidate = places.candidate(i);
+      test_candidate(candidate, &entry, lanes);
+    }
+  }
+  void walk_tree(const WorldEntry* entry) {
+    walk(w_.tree, entry ? &entry->points : nullptr, rays_, t_min_, limit_, rays_.active, Prefetch{w_.bounded.data()},
+         [&](std::uint32_t candidate, unsigned lanes) { test_candidate(candidate, entry, lanes); });
+  }
+
+ private:
+  // Lane k is hit before limit_[k].
+  void take(int k, const Hit& hit, std::uint32_t index) {
+    const unsigned lane = 1u << k;
+    const bool before = found_ & lane, nearer = !before || hit.t < hits_[k].t;
+    if (before && (!nearer || hits_[k].t <= with_coincident(hit.t))) {
+      if (!(coincident_ & lane)) coincidences_.add(k, owner_[k], hits_[k]);
+      coincidences_.add(k, index, hit);
+      coincident_ |= lane;
+    } else {
+      coincident_ &= ~lane;
+    }
+    if (!nearer) return;
+    hits_[k] = hit;
+    owner_[k] = index;
+    found_ |= lane;
+    limit_[k] = std::min(limit_[k], with_coincident(hit.t));
+  }
+  void test_candidate(std::uint32_t i, const WorldEntry* entry, unsigned lanes) {
+    const Candidate& c = w_.bounded[i];
+    if (!(c.hidden & mask_)) test(*c.shape, c.entry, entry ? entry->inner_of(i) : nullptr, lanes);
+  }
+  void test_plane(const Plane& plane, const Shape* shape, std::uint32_t index) {
+    alignas(64) double t[kLanes];
+    batch_kernels().plane(plane.normal, plane.distance, rays_.rays, rays_.first, t);
+    each_lane(rays_.active, [&](int k) {
+      if (!(t[k] >= t_min_ && t[k] < limit_[k])) return;
+      const Ray ray = rays_.at(k);
+      take(k, {t[k], ray.origin + t[k] * ray.direction, shape, 0, 0, 0}, index);
+    });
+  }
+  void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
+    each_lane(shape.intersect_packet({rays_.rays, rays_.first, lanes}, inner, kind_, t_min_, limit_, others_),
+              [&](int k) {
+                if (w_.entries[index].slab.passes(rays_.at(k))) take(k, others_[k], index);
+              });
+  }
+
+  const Impl& w_;
+  const RayPacket rays_;
+  const RayKind kind_;
+  const unsigned mask_;
+  const double t_min_;
+  Hit* const hits_;
+  alignas(64) double limit_[kLanes];
+  unsigned found_ = 0;
+  unsigned coincident_ = 0;  // lanes in which another entry was hit in the same place
+  std::uint32_t owner_[kLanes];
+  Coincidences coincidences_;
+  Hit others_[kLanes];
+};
+
+void World::intersect_batch(const RayBatch& rays, int first, int count, RayKind kind, double t_min,
+                            const WorldEntry* entry, Hit* hits, bool* found, const double* t_max) const {
+  const Impl& w = *impl_;
+  const bool all_known = w.tree.empty() || (entry && entry->points.complete);
+  for (int start = first; start < first + count; start += kLanes) {
+    const int rest = std::min(kLanes, first + count - start);
+    if (rest < kMin) {
+      for (int i = start; i < start + rest; ++i)
+        found[i] = intersect(rays.at(i), kind, t_min, t_max ? t_max[i] : std::numeric_limits<double>::infinity(),
+                             hits[i], entry);
+      return;
+    }
+    BatchSearch search(w, {rays, start, lanes_below(rest)}, kind, t_min, t_max ? t_max + start : nullptr, hits + start);
+    search.test_planes();
+    if (!all_known)
+      search.walk_tree(entry);
+    else if (entry)
+      search.test_boxes(*entry);
+    search.test_unbounded();
+    search.test_around();
+    each_lane(search.coincident(), [&](int k) {
+      const double far = t_max ? t_max[start + k] : std::numeric_limits<double>::infinity();
+      w.settle(rays.at(start + k), k, far, search.coincidences(), hits[start + k]);
+    });
+    for (int k = 0; k < rest; ++k) found[start + k] = search.found() >> k & 1;
+  }
+}
+
+// Whether something opaque lies on eight rays.
+class World::BatchOcclusion {
+ public:
+  BatchOcclusion(const Impl& world, const RayPacket& rays, double t_min, const double* t_max)
+      : w_(world), rays_(rays), open_(rays.active), t_min_(t_min), above_(next_above(t_min)), t_max_(t_max) {}
+
+  unsigned open() const { return open_; }
+
+  void test_planes() {
+    for (std::size_t i = 0; i < w_.unbounded.size() && open_ != 0; ++i) {
+      const Entry& e = w_.entries[w_.unbounded[i]];
+      if (w_.planes[i] && !(e.hidden & kMask) && e.opacity != Opacity::transparent) test_plane(*w_.planes[i]);
+    }
+  }
+  void test_unbounded() {
+    for (std::size_t i = 0; i < w_.unbounded.size() && open_ != 0; ++i) {
+      const Entry& e = w_.entries[w_.unbounded[i]];
+      if (w_.planes[i] || (e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
+      unsigned lanes = 0;
+      each_lane(open_, [&](int k) { lanes |= e.may_meet(rays_.at(k), above_, t_max_[k]) ? 1u << k : 0; });
+      test(*e.shape, e, nullptr, lanes);
+    }
+  }
+  void test_around() {
+    for (const Surrounding& s : w_.around) {
+      const Entry& e = w_.entries[s.entry];
+      if ((e.hidden & kMask) || e.opacity == Opacity::transparent) continue;
+      unsigned lanes = 0;
+      each_lane(open_, [&](int k) { lanes |= s.enclosure.holds(rays_.at(k), above_, t_max_[k]) ? 0 : 1u << k; });
+      test(*e.shape, e, nullptr, lanes);
+    }
+  }
+  void test_boxes(WorldEntry& entry) {
+    const Places places(w_.tree, entry.points, rays_, t_min_, t_max_);
+    const std::uint32_t last = entry.last_blocker;
+    for (int i = 0; i < places.count() && open_ != 0; ++i) {
+      const std::uint32_t candidate = places.candidate(i);
+      if (candidate != last) test_candidate(candidate, &entry, places.lanes(i, t_max_) & open_);
+    }
+  }
+  void walk_tree(WorldEntry* entry) {
+    const std::uint32_t last = entry ? entry->last_blocker : WorldEntry::kNoBlocker;
+    walk(w_.tree, entry ? &entry->points : nullptr, rays_, t_min_, t_max_, open_, Prefetch{w_.bounded.data()},
+         [&](std::uint32_t candidate, unsigned lanes) {
+           if (candidate != last) test_candidate(candidate, entry, lanes);
+         });
+  }
+  // True if any lane is blocked by it.
+  void test_candidate(std::uint32_t i, WorldEntry* entry, unsigned lanes) {
+    const Candidate& c = w_.bounded[i];
+    if ((c.hidden & kMask) || c.opacity == Opacity::transparent) return;
+    if (test(*c.shape, w_.entries[c.entry], entry ? entry->inner_of(i) : nullptr, lanes) && entry)
+      entry->last_blocker = i;
+  }
+
+ private:
+  static constexpr unsigned kMask = 1u << static_cast<unsigned>(RayKind::shadow);
+
+  void test_plane(const Plane& plane) {
+    alignas(64) double t[kLanes];
+    batch_kernels().plane(plane.normal, plane.distance, rays_.rays, rays_.first, t);
+    unsigned blocked = 0;
+    for (int k = 0; k < kLanes; ++k) blocked |= t[k] >= above_ && t[k] < t_max_[k] ? 1u << k : 0;
+    open_ &= ~blocked;
+  }
+  bool blocks_partly(const Shape& shape, int k) const {
+    shapes::ScratchHits hits;
+    shape.intersect_all(rays_.at(k), RayKind::shadow, hits.list());
+    for (std::size_t i = hits.begin(); i < hits.end(); ++i)
+      if (hits[i].t >= above_ && hits[i].t < t_max_[k] && hits[i].shape->surface->opaque) return true;
+    return false;
+  }
+  // True if any lane is blocked.
+  bool test(const Shape& shape, const Entry& e, const EntryPoints* inner, unsigned lanes) {
+    if (lanes == 0) return false;
+    unsigned blocked = 0;
+    if (e.opacity == Opacity::opaque) {
+      blocked = shape.occludes_packet({rays_.rays, rays_.first, lanes}, inner, above_, t_max_);
+    } else {
+      each_lane(lanes, [&](int k) { blocked |= blocks_partly(shape, k) ? 1u << k : 0; });
+    }
+    each_lane(blocked, [&](int k) { blocked &= e.slab.passes(rays_.at(k)) ? ~0u : ~(1u << k); });
+    open_ &= ~blocked;
+    return blocked != 0;
+  }
+
+  const Impl& w_;
+  const RayPacket rays_;
+  unsigned open_;  // nothing is known to block these
+  const double t_min_, above_;
+  const double* const t_max_;
+};
+
+void World::occluded_batch(const RayBatch& rays, int first, int count, double t_min, const double* t_max,
+                           WorldEntry* entry, bool* blocked) const {
+  const Impl& w = *impl_;
+  const bool all_known = w.tree.empty() || (entry && entry->points.complete);
+  for (int start = first; start < first + count; start += kLanes) {
+    const unsigned active = lanes_below(first + count - start);
+    if (std::popcount(active) < kMin) {
+      each_lane(active,
+                [&](int k) { blocked[start + k] = occluded(rays.at(start + k), t_min, t_max[start + k], entry); });
+      continue;
+    }
+    BatchOcclusion occlusion(w, {rays, start, active}, t_min, t_max + start);
+    if (entry && entry->last_blocker != WorldEntry::kNoBlocker)
+      occlusion.test_candidate(entry->last_blocker, entry, active);
+    occlusion.test_planes();
+    if (occlusion.open() != 0) {
+      if (!all_known)
+        occlusion.walk_tree(entry);
+      else if (entry)
+        occlusion.test_boxes(*entry);
+    }
+    occlusion.test_unbounded();
+    occlusion.test_around();
+    each_lane(active & ~occlusion.open(), [&](int k) { blocked[start + k] = true; });
+  }
+}
+
+}  // namespace verisim::accel

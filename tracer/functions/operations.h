@@ -7,21 +7,30 @@
 
 namespace verisim::functions {
 
+// All operations of one or two numbers, listed once: X(NAME).
+// clang-format off
+#define VERISIM_BINARY_OPERATIONS(X)                                                                                \
+  X(add) X(subtract) X(multiply) X(divide) X(less) X(less_equal) X(equal) X(not_equal) X(greater_equal) X(greater) \
+  X(logic_and) X(logic_or) X(minimum) X(maximum) X(atan2) X(mod) X(div) X(pow)
+#define VERISIM_UNARY_OPERATIONS(X)                                                                               \
+  X(negate) X(abs) X(acos) X(acosh) X(asin) X(asinh) X(atan) X(atanh) X(ceil) X(cos) X(cosh) X(degrees) X(exp)   \
+  X(floor) X(integer) X(ln) X(log) X(radians) X(sin) X(sinh) X(sqrt) X(tan) X(tanh) X(move)
+// clang-format on
+#define VERISIM_OPERATIONS(X) VERISIM_BINARY_OPERATIONS(X) VERISIM_UNARY_OPERATIONS(X)
+
 enum class Code : std::uint8_t {
-  // clang-format off
-  // binary, a and b
-  add, subtract, multiply, divide, less, less_equal, equal, not_equal, greater_equal, greater, logic_and, logic_or,
-  minimum, maximum, atan2, mod, div, pow,
-  // unary, a
-  negate, abs, acos, acosh, asin, asinh, atan, atanh, ceil, cos, cosh, degrees, exp, floor, integer, ln, log, radians,
-  sin, sinh, sqrt, tan, tanh, move,
+#define VERISIM_NAME(NAME) NAME,
+  VERISIM_OPERATIONS(VERISIM_NAME)
+#undef VERISIM_NAME
   // a < 0 ? b : a == 0 ? c : d
   select,
   // call table entry a
   call,
   // control flow: the target instruction is in `to`
-  jump, jump_unless_negative /* a */, jump_unless_zero /* a */, jump_unless_less_equal /* a <= b */
-  // clang-format on
+  jump,
+  jump_unless_negative /* a */,
+  jump_unless_zero /* a */,
+  jump_unless_less_equal /* a <= b */
 };
 
 // Conversion to a 32 bit integer as x86 does it: anything out of range, and NaN, gives the smallest one.
@@ -133,17 +142,9 @@ inline auto with_code(Code code, F&& f) {
   case Code::NAME:         \
     return f.template operator()<Code::NAME>();
   switch (code) {
-    // clang-format off
-    VERISIM_CASE(add) VERISIM_CASE(subtract) VERISIM_CASE(multiply) VERISIM_CASE(divide) VERISIM_CASE(less)
-    VERISIM_CASE(less_equal) VERISIM_CASE(equal) VERISIM_CASE(not_equal) VERISIM_CASE(greater_equal)
-    VERISIM_CASE(greater) VERISIM_CASE(logic_and) VERISIM_CASE(logic_or) VERISIM_CASE(minimum) VERISIM_CASE(maximum)
-    VERISIM_CASE(atan2) VERISIM_CASE(mod) VERISIM_CASE(div) VERISIM_CASE(pow) VERISIM_CASE(negate) VERISIM_CASE(abs)
-    VERISIM_CASE(acos) VERISIM_CASE(acosh) VERISIM_CASE(asin) VERISIM_CASE(asinh) VERISIM_CASE(atan)
-    VERISIM_CASE(atanh) VERISIM_CASE(ceil) VERISIM_CASE(cos) VERISIM_CASE(cosh) VERISIM_CASE(degrees)
-    VERISIM_CASE(exp) VERISIM_CASE(floor) VERISIM_CASE(integer) VERISIM_CASE(ln) VERISIM_CASE(log)
-    VERISIM_CASE(radians) VERISIM_CASE(sin) VERISIM_CASE(sinh) VERISIM_CASE(sqrt) VERISIM_CASE(tan) VERISIM_CASE(tanh)
-        // clang-format on
-        default : return f.template operator()<Code::move>();
+    VERISIM_OPERATIONS(VERISIM_CASE)
+    default:
+      return f.template operator()<Code::move>();
   }
 #undef VERISIM_CASE
 }

@@ -65,30 +65,15 @@ double Program::run(double* r) const {
   const Instruction* const end = begin + code_.size();
   for (const Instruction* i = begin; i != end; ++i) {
     switch (i->code) {
-#define VERISIM_BINARY(NAME)                        \
+#define VERISIM_OPERATE(NAME)                       \
   case Code::NAME:                                  \
     r[i->to] = apply<Code::NAME>(r[i->a], r[i->b]); \
     break;
-#define VERISIM_UNARY(NAME)                \
-  case Code::NAME:                         \
-    r[i->to] = apply<Code::NAME>(r[i->a]); \
-    break;
-      // clang-format off
-      VERISIM_BINARY(add) VERISIM_BINARY(subtract) VERISIM_BINARY(multiply) VERISIM_BINARY(divide)
-      VERISIM_BINARY(less) VERISIM_BINARY(less_equal) VERISIM_BINARY(equal) VERISIM_BINARY(not_equal)
-      VERISIM_BINARY(greater_equal) VERISIM_BINARY(greater) VERISIM_BINARY(logic_and) VERISIM_BINARY(logic_or)
-      VERISIM_BINARY(minimum) VERISIM_BINARY(maximum) VERISIM_BINARY(atan2) VERISIM_BINARY(mod) VERISIM_BINARY(div)
-      VERISIM_BINARY(pow) VERISIM_UNARY(negate) VERISIM_UNARY(abs) VERISIM_UNARY(acos) VERISIM_UNARY(acosh)
-      VERISIM_UNARY(asin) VERISIM_UNARY(asinh) VERISIM_UNARY(atan) VERISIM_UNARY(atanh) VERISIM_UNARY(ceil)
-      VERISIM_UNARY(cos) VERISIM_UNARY(cosh) VERISIM_UNARY(degrees) VERISIM_UNARY(exp) VERISIM_UNARY(floor)
-      VERISIM_UNARY(integer) VERISIM_UNARY(ln) VERISIM_UNARY(log) VERISIM_UNARY(radians) VERISIM_UNARY(sin)
-      VERISIM_UNARY(sinh) VERISIM_UNARY(sqrt) VERISIM_UNARY(tan) VERISIM_UNARY(tanh) VERISIM_UNARY(move)
-      // clang-format on
-#undef VERISIM_BINARY
-#undef VERISIM_UNARY
-                                                  case Code::select : r[i->to] =
-                                                                          select(r[i->a], r[i->b], r[i->c], r[i->d]);
-      break;
+      VERISIM_OPERATIONS(VERISIM_OPERATE)
+#undef VERISIM_OPERATE
+      case Code::select:
+        r[i->to] = select(r[i->a], r[i->b], r[i->c], r[i->d]);
+        break;
       case Code::call: {
         const Call& call = calls_[i->a];
         double arguments[kMaxFunctionParameters];

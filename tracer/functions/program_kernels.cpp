@@ -162,20 +162,9 @@ void run(std::span<const Instruction> code, std::span<const Call> calls, double*
   case Code::NAME:                                        \
     operate<Code::NAME, Width, Nearly>(to, a, b, active); \
     break;
-      // clang-format off
-      VERISIM_OPERATE(add) VERISIM_OPERATE(subtract) VERISIM_OPERATE(multiply) VERISIM_OPERATE(divide)
-      VERISIM_OPERATE(less) VERISIM_OPERATE(less_equal) VERISIM_OPERATE(equal) VERISIM_OPERATE(not_equal)
-      VERISIM_OPERATE(greater_equal) VERISIM_OPERATE(greater) VERISIM_OPERATE(logic_and) VERISIM_OPERATE(logic_or)
-      VERISIM_OPERATE(minimum) VERISIM_OPERATE(maximum) VERISIM_OPERATE(atan2) VERISIM_OPERATE(mod)
-      VERISIM_OPERATE(div) VERISIM_OPERATE(pow) VERISIM_OPERATE(negate) VERISIM_OPERATE(abs) VERISIM_OPERATE(acos)
-      VERISIM_OPERATE(acosh) VERISIM_OPERATE(asin) VERISIM_OPERATE(asinh) VERISIM_OPERATE(atan) VERISIM_OPERATE(atanh)
-      VERISIM_OPERATE(ceil) VERISIM_OPERATE(cos) VERISIM_OPERATE(cosh) VERISIM_OPERATE(degrees) VERISIM_OPERATE(exp)
-      VERISIM_OPERATE(floor) VERISIM_OPERATE(integer) VERISIM_OPERATE(ln) VERISIM_OPERATE(log)
-      VERISIM_OPERATE(radians) VERISIM_OPERATE(sin) VERISIM_OPERATE(sinh) VERISIM_OPERATE(sqrt) VERISIM_OPERATE(tan)
-      VERISIM_OPERATE(tanh) VERISIM_OPERATE(move)
-      // clang-format on
+      VERISIM_OPERATIONS(VERISIM_OPERATE)
 #undef VERISIM_OPERATE
-                                                      case Code::select : {
+      case Code::select: {
         const double *c = r + std::size_t{i.c} * Width, *d = r + std::size_t{i.d} * Width;
         for (int k = 0; k < Width; k += kLanes) {
           const Packet s = load(a + k), zero(0.0);

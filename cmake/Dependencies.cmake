@@ -17,6 +17,10 @@ endforeach()
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${oiio_existing_includes}")
 # Google Highway, SIMD for every compiler and machine (tracer/simd): its headers only.
 find_path(VERISIM_HWY_INCLUDE_DIR hwy/highway.h REQUIRED DOC "Folder of Google Highway")
+# An assembler for native code of user functions (tracer/functions/machine_code.cpp): its headers only. Other processors interpret.
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+  find_path(VERISIM_XBYAK_INCLUDE_DIR xbyak/xbyak.h REQUIRED DOC "Folder of xbyak")
+endif()
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_path(VERISIM_TOML_INCLUDE_DIR toml++/toml.h REQUIRED DOC "Folder of toml++, which reads manifests; used without its library")

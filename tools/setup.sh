@@ -15,6 +15,7 @@ build_packages="g++ cmake ninja-build python3
   libboost-dev libopenimageio-dev openimageio-tools libimath-dev libtbb-dev libpng-dev libjpeg62-turbo-dev
   libtiff-dev libopenexr-dev libgif-dev libhwy-dev libfmt-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libssl-dev libgtest-dev libgmock-dev
   libcpp-httplib-dev libseccomp-dev pybind11-dev python3-dev python3-numpy"
+[ "$(dpkg --print-architecture)" != amd64 ] || build_packages+=" libxbyak-dev"
 # The oracle.
 oracle_packages="povray povray-includes povray-examples"
 # A cluster on one machine, which the test farm.slurm starts.

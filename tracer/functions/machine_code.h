@@ -2,7 +2,6 @@
 // the interpreter of program.cpp, so the results are the same bits; only the dispatch is gone.
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -25,11 +24,12 @@ class MachineCode {
   double run(double* registers) const { return entry_(registers); }
 
  private:
-  MachineCode() = default;
   using Entry = double (*)(double*);
+  class Translator;
+  explicit MachineCode(std::unique_ptr<Translator> code);
+
+  std::unique_ptr<Translator> code_;
   Entry entry_ = nullptr;
-  void* memory_ = nullptr;
-  std::size_t size_ = 0;
 };
 
 }  // namespace verisim::functions

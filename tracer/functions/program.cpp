@@ -111,7 +111,10 @@ void Program::make_native() {
 
 void Program::evaluate(std::span<const double> arguments, double* result) const {
   const auto n = static_cast<std::size_t>(parameters_);
-  if (registers_ > kStackRegisters) return evaluate_long(arguments, result);
+  if (registers_ > kStackRegisters) {
+    *result = evaluate_long(arguments, is_native());
+    return;
+  }
   double r[kStackRegisters];
   r[0] = n > 0 ? arguments[0] : 0, r[1] = n > 1 ? arguments[1] : 0,
   r[2] = n > 2 ? arguments[2] : 0;  // a loop would become a call of memcpy
@@ -124,13 +127,15 @@ void Program::evaluate(std::span<const double> arguments, double* result) const 
   *result = run(r);
 }
 
+double Program::interpret(std::span<const double> arguments) const { return evaluate_long(arguments, false); }
+
 // Only very long functions have so many values that the stack is no place for them.
-void Program::evaluate_long(std::span<const double> arguments, double* result) const {
+double Program::evaluate_long(std::span<const double> arguments, bool native) const {
   const auto r = std::make_unique<double[]>(registers_);
   const auto n = static_cast<std::size_t>(parameters_);
   for (std::size_t k = 0; k < n; ++k) r[k] = arguments[k];
   for (std::size_t k = 0; k < constants_.size(); ++k) r[n + k] = constants_[k];
-  *result = native_ ? native_->run(r.get()) : run(r.get());
+  return native ? native_->run(r.get()) : run(r.get());
 }
 
 void Program::set_constants(double* registers, std::size_t width) const {

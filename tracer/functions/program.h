@@ -33,6 +33,10 @@ class Program final : public Function {
   void evaluate(std::span<const double> arguments, double* result) const override;
   void evaluate_batch(const double* arguments, std::size_t stride, std::size_t count, double* result) const override;
 
+  // What native code and packets do, an instruction at a time; loops and processors without native code have only this.
+  double interpret(std::span<const double> arguments) const;
+  bool is_native() const { return native_ != nullptr; }
+
   std::size_t size() const { return code_.size(); }
   bool has_jumps() const { return has_jumps_; }
   // For ProgramKernels.
@@ -49,7 +53,7 @@ class Program final : public Function {
  private:
   friend class Builder;
   void make_native();
-  void evaluate_long(std::span<const double> arguments, double* result) const;
+  double evaluate_long(std::span<const double> arguments, bool native) const;
   double run(double* registers) const;
 
   int parameters_ = 0, slots_ = 0;

@@ -13,14 +13,13 @@ constexpr double kPi = 3.14159265358979323846;
 // them.
 bool reflects_photons(const shading::LayerContext& layer, bool highlights) {
   const scene::Finish& f = layer.layer.finish;
-  if (highlights && (f.phong > 0 || f.specular > 0)) return true;
+  if (highlights && shading::has_highlight(f)) return true;
   return (f.diffuse > 0 || f.diffuse_back > 0) && (layer.opacity != 0 || f.crand > 0);
 }
 
 // Whether a layer shows nothing of a light but the plain diffuse part.
 bool is_plain(const scene::Finish& f, bool highlights, bool subsurface) {
-  return !(highlights && (f.phong > 0 || f.specular > 0)) && !(f.irid > 0) && !(f.crand > 0) &&
-         !(f.subsurface && subsurface);
+  return !(highlights && shading::has_highlight(f)) && !(f.irid > 0) && !(f.crand > 0) && !(f.subsurface && subsurface);
 }
 
 }  // namespace

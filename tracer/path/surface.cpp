@@ -10,8 +10,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-double specular_exponent(const scene::Finish& f) { return f.roughness == 0 ? 0.0 : 1.0 / f.roughness; }
-
 // Cosine-power lobe about an axis: density (e + 1) / 2 pi cos^e.
 Vec3 power_lobe(const Vec3& axis, double exponent, const Vec2& u) {
   const double cosine = std::pow(1 - u.x, 1 / (exponent + 1)), sine = std::sqrt(std::max(0.0, 1 - cosine * cosine)),
@@ -95,8 +93,8 @@ void PathTracer::gather_layers(const shading::RayState& ray, shading::SurfaceHit
     const double pigment = (l.filter * l.pigment.rgb()).max_abs() * std::fabs(l.opacity), filter = l.filter.max_abs();
     l.share[0] = pigment * std::max(0.0f, finish.diffuse) * 2 / (finish.brilliance + 1.0);
     l.share[1] = pigment * std::max(0.0f, finish.diffuse_back) * 2 / (finish.brilliance + 1.0);
-    l.share[2] = filter * std::max(0.0f, finish.phong) * 2 / (finish.phong_size + 1.0);
-    l.share[3] = filter * std::max(0.0f, finish.specular) * 4 / (specular_exponent(finish) + 1.0);
+    l.share[2] = filter * std::max(0.0f, finish.phong) * 2 / (shading::phong_highlight(finish).exponent + 1);
+    l.share[3] = filter * std::max(0.0f, finish.specular) * 4 / (shading::blinn_highlight(finish).exponent + 1);
     layers.push_back(l);
     if (colored) {
       through *= l.pigment.transmission();
@@ -208,11 +206,8 @@ Rgb PathTracer::response(const shading::RayState& ray, const shading::SurfaceHit
     const float k = front ? finish.diffuse : finish.diffuse_back;
     if (k > 0)
       own += l.pigment.rgb() * static_cast<float>(l.opacity * k * shading::brilliance(finish.brilliance, cosine));
-    if (front && (finish.phong > 0 || finish.specular > 0)) {
-      double strength = 0;
-      if (finish.phong > 0) strength += shading::phong_highlight(finish, l.normal, view, direction);
-      if (finish.specular > 0) strength += shading::specular_highlight(finish, l.normal, view, direction);
-      Rgb color(static_cast<float>(strength));
+    if (front && shading::has_highlight(finish)) {
+      Rgb color(static_cast<float>(shading::highlight_strength(finish, l.normal, view, direction)));
       if (finish.metallic > 0) color *= shading::metallic_tint(l.pigment.rgb(), finish.metallic, cosine);
       own += color;
     }
@@ -233,12 +228,14 @@ double PathTracer::density(const Vec3& view, const Layers& layers, const Vec3& d
     if (l.share[0] > 0) sum += l.share[0] * power_density(cosine, finish.brilliance);
     if (l.share[1] > 0) sum += l.share[1] * power_density(-cosine, finish.brilliance);
     if (l.share[2] > 0)
-      sum += l.share[2] * power_density(dot(shading::mirrored(view, l.normal), direction), finish.phong_size);
+      sum += l.share[2] *
+             power_density(shading::phong_cosine(l.normal, view, direction), shading::phong_highlight(finish).exponent);
     if (l.share[3] > 0) {
       const Vec3 h = direction - view;
       const double size = length(h), toward = -dot(view, h) / size;
       if (size > 0 && toward > 0)
-        sum += l.share[3] * power_density(dot(h, l.normal) / size, specular_exponent(finish)) / (4 * toward);
+        sum += l.share[3] * power_density(dot(h, l.normal) / size, shading::blinn_highlight(finish).exponent) /
+               (4 * toward);
     }
     for (const double s : l.share) total += s;
   }
@@ -290,8 +287,10 @@ bool PathTracer::scatter(Walk& walk, shading::SurfaceHit& at, const Layers& laye
       chosen = true;
       if (lobe == 0) direction = power_lobe(l.normal, finish.brilliance, u);
       if (lobe == 1) direction = power_lobe(-l.normal, finish.brilliance, u);
-      if (lobe == 2) direction = power_lobe(shading::mirrored(view, l.normal), finish.phong_size, u);
-      if (lobe == 3) direction = shading::mirrored(view, power_lobe(l.normal, specular_exponent(finish), u));
+      if (lobe == 2)
+        direction = power_lobe(shading::mirrored(view, l.normal), shading::phong_highlight(finish).exponent, u);
+      if (lobe == 3)
+        direction = shading::mirrored(view, power_lobe(l.normal, shading::blinn_highlight(finish).exponent, u));
     }
     if (chosen) break;
   }

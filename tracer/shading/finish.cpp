@@ -26,22 +26,6 @@ Rgb metallic_tint(const Rgb& pigment, float metallic, double cosine) {
   return {1 + m * (pigment.r - 1), 1 + m * (pigment.g - 1), 1 + m * (pigment.b - 1)};
 }
 
-double phong_highlight(const scene::Finish& finish, const Vec3& n, const Vec3& d, const Vec3& l) {
-  const double m = dot(mirrored(d, n), l);
-  if (m <= 0 || (finish.phong_size >= 60 && m <= 0.0008)) return 0;
-  return finish.phong * std::pow(m, static_cast<double>(finish.phong_size));
-}
-
-double specular_highlight(const scene::Finish& finish, const Vec3& n, const Vec3& d, const Vec3& l) {
-  const Vec3 h = (l - d) * 0.5;
-  const double size = length(h);
-  if (size <= 0) return 0;
-  const double m = dot(h, n) / size;
-  if (m <= 0) return 0;
-  const double exponent = finish.roughness == 0 ? 0 : 1.0 / finish.roughness;
-  return finish.specular * std::pow(m, exponent);
-}
-
 Rgb iridescence(float amount, double thickness, double cosines, const Rgb& wavelength) {
   const auto factor = [&](float wl) {
     return static_cast<float>(1 + amount * std::cos(2 * kPi * thickness * cosines / wl));

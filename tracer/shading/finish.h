@@ -1,12 +1,12 @@
-// The formulas of a finish: highlights, iridescence, mirror reflectivity and directions (spec 06 sections 4 and 5).
+// The formulas of a finish: iridescence, mirror reflectivity and directions, diffuse light (spec 06 sections 4 and 5);
+// with those of highlights.h.
 #pragma once
 
 #include "tracer/math/vec.h"
 #include "tracer/scene/texture.h"
+#include "tracer/shading/highlights.h"
 
 namespace verisim::shading {
-
-inline Vec3 mirrored(const Vec3& d, const Vec3& n) { return d - n * (2 * dot(d, n)); }
 
 // The mirror direction about the layer's normal, corrected where it would point below the raw surface; unit (spec
 // 06 5.3).
@@ -16,10 +16,6 @@ Vec3 reflected_direction(const Vec3& d, const Vec3& normal, const Vec3& raw);
 double metallic_fresnel(double cosine);
 // Light colour as a metallic surface reflects it.
 Rgb metallic_tint(const Rgb& pigment, float metallic, double cosine);
-
-// Phong and Blinn highlights towards unit light direction l; d is the view ray's direction (spec 06 4.2.5).
-double phong_highlight(const scene::Finish& finish, const Vec3& n, const Vec3& d, const Vec3& l);
-double specular_highlight(const scene::Finish& finish, const Vec3& n, const Vec3& d, const Vec3& l);
 
 // Thin-film interference factor per channel; `thickness` includes turbulence, cosines is abs(N.L) + abs(N.D) (spec
 // 06 4.2.6).

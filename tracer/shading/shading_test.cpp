@@ -107,11 +107,11 @@ TEST(Finish, HighlightsOfTheProbes) {
   const Vec3 l(std::sin(a), 0, -std::cos(a));
   scene::Finish finish;
   finish.phong = .8f;
-  EXPECT_NEAR(phong_highlight(finish, n, d, l) * 65535, 4355, 1);
+  EXPECT_NEAR(highlight_strength(finish, n, d, l) * 65535, 4355, 1);
   finish.specular = .8f;
-  EXPECT_NEAR(specular_highlight(finish, n, d, l) * 65535, 38600, 2);
+  EXPECT_NEAR(strength(blinn_highlight(finish), blinn_cosine(n, d, l)) * 65535, 38600, 2);
   finish.phong_size = 60;
-  EXPECT_EQ(phong_highlight(finish, n, d, Vec3(std::sqrt(1 - .0008 * .0008), 0, -.0008)), 0);
+  EXPECT_EQ(strength(phong_highlight(finish), phong_cosine(n, d, Vec3(std::sqrt(1 - .0008 * .0008), 0, -.0008))), 0);
 }
 
 TEST(Finish, FresnelLimits) {

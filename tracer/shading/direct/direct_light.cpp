@@ -187,11 +187,8 @@ Rgb Tracer::layer_response(const SurfaceHit& at, const LayerContext& layer, cons
     if (finish.crand > 0) s -= finish.crand * random_.crand();
     sum += static_cast<float>(s) * pigment * intensity;
   }
-  if (highlights && (finish.phong > 0 || finish.specular > 0)) {
-    double strength = 0;
-    if (finish.phong > 0) strength += phong_highlight(finish, layer.normal, view, l);
-    if (finish.specular > 0) strength += specular_highlight(finish, layer.normal, view, l);
-    if (strength != 0) {
+  if (highlights && has_highlight(finish)) {
+    if (const double strength = highlight_strength(finish, layer.normal, view, l); strength != 0) {
       Rgb color = intensity * static_cast<float>(strength);
       if (finish.metallic > 0) color *= metallic_tint(pigment, finish.metallic, cosine);
       sum += color;

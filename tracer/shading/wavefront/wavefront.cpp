@@ -49,8 +49,8 @@ void Wavefront::add_lane(int i, const Material& m, const Vec3& normal, const Col
     finish_[k] = &finish;
     packet_.lit_behind[k] = finish.diffuse_back != 0;
     packet_.dull[k] = !reflects_light(finish);
-    packet_.exponent[k] = m.exponent, packet_.amount[k] = m.amount, packet_.base_limit[k] = m.base_limit,
-    packet_.phong[k] = m.phong;
+    packet_.exponent[k] = m.highlight.exponent, packet_.amount[k] = m.highlight.amount,
+    packet_.dark_to[k] = m.highlight.dark_to, packet_.phong[k] = (m.lobes & kPhong) != 0;
   }
   packet_.front[k] = opacity * std::max(finish.diffuse, 0.0f),
   packet_.behind[k] = opacity * std::max(finish.diffuse_back, 0.0f);
@@ -177,12 +177,7 @@ void Wavefront::evaluate_special_lobes() {
 }
 
 double Wavefront::highlight(int k) const {
-  const scene::Finish& finish = *finish_[k];
-  const Vec3 n = packet_.normal.at(k), d = packet_.view.at(k), l = packet_.to_light.direction.at(k);
-  double strength = 0;
-  if (finish.phong > 0) strength += phong_highlight(finish, n, d, l);
-  if (finish.specular > 0) strength += specular_highlight(finish, n, d, l);
-  return strength;
+  return highlight_strength(*finish_[k], packet_.normal.at(k), packet_.view.at(k), packet_.to_light.direction.at(k));
 }
 
 void Wavefront::light(const Light& light) {

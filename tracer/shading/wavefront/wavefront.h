@@ -7,6 +7,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "tracer/shading/highlights.h"
 #include "tracer/shading/tracer.h"
 #include "tracer/shading/wavefront/wavefront_kernels.h"
 #include "tracer/textures/point_batch.h"
@@ -51,10 +52,10 @@ class Wavefront {
     bool mirror = false;
     bool plain = false;  // constant, alone, without a mirror or a normal of its own
     Color color;
-    float opacity = 0;  // of the constant colour
-    Rgb glow;           // ambient and emission
-    double exponent = 0, amount = 0, base_limit = 0, phong = 0;
-    unsigned lobes = 0;  // how it responds to light, as bits
+    float opacity = 0;    // of the constant colour
+    Rgb glow;             // ambient and emission
+    Highlight highlight;  // Phong's, or where there is none Blinn's
+    unsigned lobes = 0;   // how it responds to light, as bits
   };
   static constexpr unsigned kPhong = 1, kBlinn = 2, kMetallic = 4, kBothHighlights = 8, kBrilliance = 16;
   // The layers of a texture; none: its hits go the common way. A texture of textures has one layer that stands for

@@ -7,6 +7,7 @@
 #include "tracer/simd/each_target.h"
 
 #include "hwy/highway.h"
+#include "tracer/shading/finish.h"
 #include "tracer/simd/kernel_table.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -84,28 +85,15 @@ bool illuminate(int count, WavefrontPacket& packet) {
 // The cosines that highlights are powers of; 0 where they are dark.
 void highlight_bases(bool phong, bool blinn, int end, WavefrontPacket& packet, double* base) {
   for (int i = 0; i < end; ++i) base[i] = 0;
-  if (blinn) {
+  if (blinn)
+    for (int i = 0; i < end; ++i)
+      base[i] = blinn_cosine(packet.normal.at(i), packet.view.at(i), packet.to_light.direction.at(i));
+  if (phong)
     for (int i = 0; i < end; ++i) {
-      const double x = (packet.to_light.direction.x[i] - packet.view.x[i]) * 0.5,
-                   y = (packet.to_light.direction.y[i] - packet.view.y[i]) * 0.5,
-                   z = (packet.to_light.direction.z[i] - packet.view.z[i]) * 0.5;
-      const double size = std::sqrt(x * x + y * y + z * z);
-      const double m = (x * packet.normal.x[i] + y * packet.normal.y[i] + z * packet.normal.z[i]) / size;
-      base[i] = size <= 0 ? 0 : m;
-    }
-  }
-  if (phong) {
-    for (int i = 0; i < end; ++i) {
-      const double twice = 2 * (packet.view.x[i] * packet.normal.x[i] + packet.view.y[i] * packet.normal.y[i] +
-                                packet.view.z[i] * packet.normal.z[i]);
-      const double x = packet.view.x[i] - packet.normal.x[i] * twice, y = packet.view.y[i] - packet.normal.y[i] * twice,
-                   z = packet.view.z[i] - packet.normal.z[i] * twice;
-      const double m =
-          x * packet.to_light.direction.x[i] + y * packet.to_light.direction.y[i] + z * packet.to_light.direction.z[i];
+      const double m = phong_cosine(packet.normal.at(i), packet.view.at(i), packet.to_light.direction.at(i));
       base[i] = packet.phong[i] != 0 ? m : base[i];
     }
-  }
-  for (int i = 0; i < end; ++i) base[i] = base[i] <= packet.base_limit[i] ? 0 : base[i];
+  for (int i = 0; i < end; ++i) base[i] = base[i] <= packet.dark_to[i] ? 0 : base[i];
 }
 
 // amount * base^exponent in single precision. The power is computed to more digits than binary32 has; where its error
@@ -175,7 +163,7 @@ std::int32_t raise(int end, const double* base, WavefrontPacket& packet) {
 bool evaluate_lobes(bool phong, bool blinn, int count, WavefrontPacket& packet) {
   const int end = rounded(count);
   for (int i = 0; i < end; ++i)
-    packet.scattered[i] = static_cast<float>(packet.diffuse[i] * std::fabs(packet.cosine[i]));
+    packet.scattered[i] = static_cast<float>(packet.diffuse[i] * brilliance(1, packet.cosine[i]));
   if (!phong && !blinn) {
     for (int i = 0; i < end; ++i) packet.strength[i] = 0;
     return false;

@@ -27,10 +27,9 @@ struct alignas(64) WavefrontPacket {
   Colors pigment, own, direct;  // the surface's own light; the sum of what lights add
   Floats front, behind;  // opacity * diffuse coefficient on the side that is turned to the light, and on the other
   std::int32_t lit_behind[kMax], two_sided[kMax],
-      dull[kMax];            // flags: diffuse_back counts; both sides are front sides; nothing reflects light
-  Doubles base_limit;        // highlights are dark up to this cosine
-  Doubles exponent, amount;  // of the highlight; amount 0: none
-  Doubles phong;             // 1: the highlight is Phong's, 0: Blinn's
+      dull[kMax];                     // flags: diffuse_back counts; both sides are front sides; nothing reflects light
+  Doubles exponent, amount, dark_to;  // the highlight (highlights.h); amount 0: none
+  Doubles phong;                      // 1: the highlight is Phong's, 0: Blinn's
 
   // One light on these surfaces.
   RayBatch to_light;  // from the point on the surface

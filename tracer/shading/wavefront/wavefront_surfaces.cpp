@@ -42,19 +42,16 @@ Wavefront::Materials Wavefront::find_materials(const textures::CompiledTexture& 
     m.mirror = is_mirror(f);
     m.color = layer.pigment->color;
     m.glow = f.ambient * scene_.ambient_light + f.emission;
-    m.phong = f.phong > 0;
-    m.amount = f.phong > 0 ? f.phong : f.specular > 0 ? f.specular : 0;
-    m.exponent = f.phong > 0 ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
-    m.base_limit = f.phong > 0 && f.phong_size >= 60 ? 0.0008 : 0;
-    m.lobes = (m.amount == 0  ? 0
-               : m.phong != 0 ? kPhong
-                              : kBlinn) |
+    m.highlight = f.phong > 0 ? phong_highlight(f) : f.specular > 0 ? blinn_highlight(f) : Highlight{};
+    m.lobes = (f.phong > 0      ? kPhong
+               : f.specular > 0 ? kBlinn
+                                : 0) |
               (f.metallic > 0 ? kMetallic : 0) | (f.phong > 0 && f.specular > 0 ? kBothHighlights : 0) |
               (f.brilliance != 1 ? kBrilliance : 0);
     m.opacity = surface_opacity(m.color, scene_.version);
     m.plain = m.only && m.constant && !m.mirror && !layer.normal && !layer.pigment->transparent && !indirect_ &&
               !photons_ && is_finite(m.color.rgb());
-    const bool finite = is_finite(m.glow) && std::fabs(m.exponent) < 1e6 && m.amount < 1e30 &&
+    const bool finite = is_finite(m.glow) && std::fabs(m.highlight.exponent) < 1e6 && m.highlight.amount < 1e30 &&
                         std::fabs(f.diffuse) + std::fabs(f.diffuse_back) < 1e30f;
     if (!finite) return {};
   }

@@ -60,9 +60,9 @@ TEST_P(WavefrontKernel, LightsAndHighlightsAreThoseOfTheFormulas) {
       if (dot(n, view) > 0) view = -view;
       packet->normal.set(i, n), packet->view.set(i, view), packet->to_light.origin.set(i, unit());
       packet->diffuse[i] = 0.7f, packet->shines[i] = 1, packet->phong[i] = phong;
-      packet->amount[i] = phong ? f.phong : f.specular;
-      packet->exponent[i] = phong ? f.phong_size : f.roughness == 0 ? 0 : 1.0 / f.roughness;
-      packet->base_limit[i] = phong && f.phong_size >= 60 ? 0.0008 : 0;
+      const Highlight highlight = phong ? phong_highlight(f) : blinn_highlight(f);
+      packet->amount[i] = highlight.amount, packet->exponent[i] = highlight.exponent;
+      packet->dark_to[i] = highlight.dark_to;
     }
     const Vec3 position = unit() * 10;
     light_falloff_kernels(GetParam())->aim(position, WavefrontPacket::kMax, packet->to_light, packet->distance);
@@ -75,8 +75,7 @@ TEST_P(WavefrontKernel, LightsAndHighlightsAreThoseOfTheFormulas) {
       ASSERT_EQ(packet->distance[i], length(to));
       ASSERT_EQ(packet->cosine[i], dot(n, l));
       ASSERT_EQ(packet->scattered[i], static_cast<float>(0.7f * std::fabs(dot(n, l))));
-      const double strength =
-          packet->phong[i] != 0 ? phong_highlight(finish[i], n, view, l) : specular_highlight(finish[i], n, view, l);
+      const double strength = highlight_strength(finish[i], n, view, l);  // each has one
       uncertain += packet->uncertain[i] != 0;
       if (packet->uncertain[i]) continue;
       ++checked;

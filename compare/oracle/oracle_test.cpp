@@ -150,6 +150,24 @@ TEST(WorkingCopy, CopiesTheFolderAndLinksItsNeighbours) {
   EXPECT_NE(other.folder(), next.folder());
 }
 
+// A scene may lie where temporary files are made: the copy does not hold itself, nor those of other runs.
+TEST(WorkingCopy, DoesNotHoldTheFolderOfTemporaryFiles) {
+  const TemporaryFolder root;
+  std::ofstream(root.path() / "s.pov") << "scene";
+  const char* before = std::getenv("TMPDIR");
+  const std::string kept = before ? before : "";
+  ::setenv("TMPDIR", root.path().c_str(), 1);
+  {
+    const TemporaryFolder another;
+    std::ofstream(another.path() / "large.png") << "picture";
+    const WorkingCopy copy(root.path() / "s.pov");
+    EXPECT_EQ(read(copy.scene()), "scene");
+    EXPECT_EQ(std::distance(fs::directory_iterator(copy.folder()), {}), 1);
+    EXPECT_THAT(files_below(root.path()).files, ElementsAre(root.path() / "s.pov"));
+  }
+  before ? ::setenv("TMPDIR", kept.c_str(), 1) : ::unsetenv("TMPDIR");
+}
+
 // Old files are not copied again; what a scene did to them shows all the same.
 TEST(WorkingCopy, IsUsedAgain) {
   const TemporaryFolder root;

@@ -118,7 +118,9 @@ std::vector<std::string> command_line(const OracleProgram& program, const Oracle
   return out;
 }
 
-// Everything that decides how the picture will look.
+// Everything that decides how the picture will look. Of files beyond kContentBytes their size and time count: a scene
+// may lie in a folder of terabytes.
+constexpr std::uintmax_t kContentBytes = std::uintmax_t{1} << 30;
 std::string cache_key(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene,
                       int variant, const std::vector<fs::path>& files_read) {
   ContentHash hash;
@@ -131,9 +133,7 @@ std::string cache_key(const OracleProgram& program, const OracleOptions& options
   std::vector<fs::path> files = files_read;
   std::error_code failed;
   if (files.empty()) {
-    for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, failed);
-         !failed && it != fs::recursive_directory_iterator() && files.size() < 20000; it.increment(failed))
-      if (it->is_regular_file(failed)) files.push_back(it->path());
+    files = files_below(folder).files;
     for (const fs::path& library : program.library_paths)
       for (auto it = fs::directory_iterator(library, failed); !failed && it != fs::directory_iterator();
            it.increment(failed))
@@ -143,10 +143,17 @@ std::string cache_key(const OracleProgram& program, const OracleOptions& options
   for (fs::path& file : files) file = file.lexically_normal();
   std::sort(files.begin(), files.end());
   files.erase(std::unique(files.begin(), files.end()), files.end());
+  std::uintmax_t unread = kContentBytes;
   for (const fs::path& file : files) {
     const fs::path relative = file.lexically_relative(folder);
     hash.add(relative.empty() ? file.string() : relative.string());  // the same scene elsewhere is the same scene
-    hash.add_file(file);
+    const std::uintmax_t size = fs::file_size(file, failed);
+    if (failed || size <= unread) {
+      unread -= failed ? 0 : size;
+      hash.add_file(file);
+    } else {
+      hash.add(fmt::format("{} {}", size, fs::last_write_time(file, failed).time_since_epoch().count()));
+    }
   }
   return hash.hex();
 }

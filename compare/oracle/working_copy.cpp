@@ -22,25 +22,19 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t kCopyBytes = std::uintmax_t{256} << 20;
-constexpr int kMaxFiles = 20000, kMaxNeighbours = 2000;
+constexpr int kMaxEntries = 20000, kMaxNeighbours = 2000;
 constexpr std::size_t kMaxWaiting =
     16;  // copies kept for the next scene; each takes two of the few hundred watches that a user has
 
-bool many_files(const fs::path& folder) {
-  int count = 0;
-  std::error_code failed;
-  for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, failed);
-       !failed && it != fs::recursive_directory_iterator(); it.increment(failed))
-    if (++count > kMaxFiles) return true;
-  return false;
-}
+bool is_hidden(const fs::path& name) { return name.string().starts_with("."); }
 
 void empty_folder(const fs::path& folder) {
   fs::create_directories(folder);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) fs::remove_all(entry.path());
 }
 
-constexpr std::string_view kTemporaryName = "verisim-run-";
+// Hidden: not copied with a scene that lies beside it.
+constexpr std::string_view kTemporaryName = ".verisim-run-";
 
 int locked(const fs::path& folder) {
   const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
@@ -70,6 +64,20 @@ void remove_abandoned() {
 }
 
 }  // namespace
+
+FilesBelow files_below(const fs::path& folder) {
+  FilesBelow out;
+  std::error_code failed;
+  int count = 0;
+  for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, failed);
+       !failed && it != fs::recursive_directory_iterator(); it.increment(failed)) {
+    if (++count > kMaxEntries) return out.all = false, out;
+    std::error_code gone;
+    if (it->is_directory(gone) && is_hidden(it->path().filename())) it.disable_recursion_pending();
+    if (it->is_regular_file(gone)) out.files.push_back(it->path());
+  }
+  return out;
+}
 
 TemporaryFolder::TemporaryFolder() {
   static std::once_flag cleaned;
@@ -115,12 +123,16 @@ class FolderCopy {
     fs::file_time_type time;
     bool operator==(const Stamp&) const = default;
   };
-  static Stamp stamp(const fs::path& path) { return {fs::file_size(path), fs::last_write_time(path)}; }
+  // Of a file that is gone, one that equals no file's.
+  static Stamp stamp(const fs::path& path) {
+    std::error_code gone;
+    return {fs::file_size(path, gone), fs::last_write_time(path, gone)};
+  }
 
   // Everything. The original is watched before it is read, so that nothing is missed.
   void start_anew() {
     fs::create_directories(folder_);
-    const bool deep = !many_files(original_);
+    const bool deep = files_below(original_).all;
     watch_original_ = FolderWatch(original_, deep);
     copied_bytes_ = 0, links_ = false;
     std::map<fs::path, Stamp> kept;
@@ -152,14 +164,15 @@ class FolderCopy {
 
   void copy_folder(const fs::path& from, const fs::path& to, bool deep, const std::map<fs::path, Stamp>& kept) {
     std::set<fs::path> wanted;
+    std::error_code gone;  // a folder, meanwhile
     for (const fs::directory_entry& entry :
-         fs::directory_iterator(from, fs::directory_options::skip_permission_denied)) {
+         fs::directory_iterator(from, fs::directory_options::skip_permission_denied, gone)) {
       const fs::path name = entry.path().filename(), target = to / name;
       std::error_code failed;
       if (entry.is_directory(failed)) {
         if (entry.is_symlink(failed)) {  // it may lead back up: it stays a link
           link(fs::canonical(entry.path(), failed), target);
-        } else if (deep && !name.string().starts_with(".")) {
+        } else if (deep && !is_hidden(name)) {
           if (!fs::is_directory(fs::symlink_status(target))) fs::remove_all(target), fs::create_directory(target);
           copy_folder(entry.path(), target, deep, kept);
         } else {

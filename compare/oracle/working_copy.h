@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace verisim::compare {
 
@@ -22,14 +23,22 @@ class TemporaryFolder {
   int lock_ = -1;
 };
 
+// The files below a folder, but not those in hidden folders below it, which belong to programs and not to scenes. At
+// most 20,000 files and folders are looked at; `all`: there are no more.
+struct FilesBelow {
+  std::vector<std::filesystem::path> files;
+  bool all = true;
+};
+FilesBelow files_below(const std::filesystem::path& folder);
+
 class FolderCopy;  // working_copy.cpp
 
-// Holds home/ (empty), out/ (empty) and the copy of the scene's folder with its subfolders. Beside the copy stand links
-// to the folder's neighbours, so that
-// "../textures/wood.inc" is found. From 256 MiB on files are linked, not copied; a folder of more than 20,000 files is
-// copied without its subfolders. A copy that is no longer used waits for the next scene of the same folder, and is made
-// equal to the original again before it is used; on Linux only the files that changed meanwhile are looked at, so that
-// a run takes time in proportion to its scenes.
+// Holds home/ (empty), out/ (empty) and the copy of the scene's folder with its subfolders, hidden ones apart. Beside
+// the copy stand links to the folder's neighbours, so that
+// "../textures/wood.inc" is found. From 256 MiB on files are linked, not copied; a folder of more than 20,000 files and
+// folders is copied without its subfolders. A copy that is no longer used waits for the next scene of the same folder,
+// and is made equal to the original again before it is used; on Linux only the files that changed meanwhile are looked
+// at, so that a run takes time in proportion to its scenes.
 class WorkingCopy {
  public:
   explicit WorkingCopy(const std::filesystem::path& scene);  // throws std::filesystem::filesystem_error

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "compare/bounded_json.h"
 #include "tracer/base/output_file.h"
 
 namespace fs = std::filesystem;
@@ -132,7 +133,7 @@ FarmJob read_job(const fs::path& folder) {
   std::ostringstream text;
   text << stream.rdbuf();
   try {
-    job = job_of(ordered_json::parse(text.str()));
+    job = job_of(compare::bounded_json<ordered_json>(text.str()));
   } catch (const std::exception& error) {
     throw std::runtime_error(fmt::format("cannot use '{}': {}", path.string(), error.what()));
   }

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "compare/bounded_json.h"
+
 namespace fs = std::filesystem;
 
 namespace verisim::cli {
@@ -16,7 +18,7 @@ using nlohmann::json;
 // What begins like a line of JSON and is none was broken off, or is a scene's.
 json parsed(const std::string& line) {
   if (!line.starts_with("{\"event\":")) return {};
-  json value = json::parse(line, nullptr, false);
+  json value = compare::bounded_json(line);
   return value.is_object() ? value : json();
 }
 

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "compare/bounded_json.h"
+
 namespace verisim::cli::lsp {
 namespace {
 
@@ -55,8 +57,7 @@ std::optional<Json> Connection::read() {
     if (got <= 0) return std::nullopt;
     buffer_.append(bytes, static_cast<std::size_t>(got));
   }
-  Json message = Json::parse(buffer_.begin() + static_cast<std::ptrdiff_t>(body),
-                             buffer_.begin() + static_cast<std::ptrdiff_t>(wanted), nullptr, false);
+  Json message = compare::bounded_json(std::string_view(buffer_).substr(body, wanted - body));
   buffer_.erase(0, wanted);
   return message;
 }

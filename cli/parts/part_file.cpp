@@ -14,6 +14,7 @@
 
 #include "cli/parts/fingerprint.h"
 #include "cli/settings/layers_option.h"
+#include "compare/bounded_json.h"
 #include "tracer/base/bytes.h"
 #include "tracer/base/output_file.h"
 #include "tracer/render/blocks.h"
@@ -227,7 +228,7 @@ PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)) {
     fail("its header is damaged: render the part again");
   std::string version, damage;
   try {
-    const json described = json::parse(head.substr(before));
+    const json described = compare::bounded_json(head.substr(before));
     described.at("version").get_to(version);
     if (version == VERISIM_VERSION) {
       header_ = header_of(described);

@@ -14,6 +14,7 @@
 #include "cli/frame/frame.h"
 #include "cli/rays/ray_tree.h"
 #include "cli/settings/switches.h"
+#include "compare/bounded_json.h"
 #include "compare/report/display.h"
 #include "tracer/render/explain.h"
 
@@ -49,7 +50,7 @@ struct Asked {
 };
 
 Asked asked(const PageRequest& request, const Options& common, const fs::path& scenes) {
-  const nlohmann::json body = nlohmann::json::parse(request.body);
+  const nlohmann::json body = compare::bounded_json(request.body);
   const fs::path name = fs::path(body.at("name").get<std::string>()).lexically_normal();
   if (name.is_absolute() || name.begin() == name.end() || *name.begin() == ".." || !fs::exists(scenes / name))
     throw std::runtime_error("there is no such scene here");

@@ -24,6 +24,7 @@
 #include "cli/view/reference.h"
 #include "cli/view/review.h"
 #include "cli/view/server.h"
+#include "compare/bounded_json.h"
 
 namespace fs = std::filesystem;
 
@@ -42,7 +43,7 @@ double number(const PageRequest& request, const char* name, double low, double h
 }
 
 Wish wish_of(const std::string& body, const Options& options, Wish wish) {
-  const nlohmann::json asked = nlohmann::json::parse(body);
+  const nlohmann::json asked = compare::bounded_json(body);
   const auto take = [&](const char* name, double otherwise, double low, double high) {
     const double value = asked.value(name, otherwise);
     if (!(value >= low && value <= high)) throw std::runtime_error(fmt::format("{} is out of its range", name));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.h"
+#include "compare/bounded_json.h"
 #include "compare/regression/baseline.h"
 #include "compare/regression/stored_variance.h"
 #include "tracer/base/output_file.h"
@@ -15,7 +16,7 @@ namespace {
 
 nlohmann::ordered_json read_list(const fs::path& folder) {
   nlohmann::ordered_json json;
-  if (std::ifstream in(folder / "baseline.json"); in) json = nlohmann::ordered_json::parse(in, nullptr, false);
+  if (std::ifstream in(folder / "baseline.json"); in) json = bounded_json<nlohmann::ordered_json>(in);
   if (!json.is_object()) json = nlohmann::ordered_json::object();
   if (!json.contains("scenes") || !json["scenes"].is_object()) json["scenes"] = nlohmann::ordered_json::object();
   return json;

@@ -10,6 +10,7 @@
 #include <toml++/toml.h>
 
 #include "compare/compare.h"
+#include "compare/bounded_json.h"
 #include "compare/oracle/switches.h"
 #include "compare/report/json.h"
 
@@ -475,7 +476,7 @@ bool matches(const std::string& name, const std::string& wanted) {
 std::set<std::string> failed_in(const fs::path& report) {
   std::ifstream in(report);
   if (!in) throw std::runtime_error(report.string() + ": cannot read the earlier report");
-  const auto json = nlohmann::json::parse(in, nullptr, false);
+  const auto json = bounded_json(in);
   std::set<std::string> out;
   try {
     for (const auto& scene : json.at("scenes"))

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "compare/compare.h"
+#include "compare/bounded_json.h"
 #include "compare/oracle/process.h"
 #include "compare/oracle/working_copy.h"
 #include "compare/regression/program_call.h"
@@ -38,7 +39,7 @@ std::string message_of(const std::string& err) {
 void read_statistics(const std::filesystem::path& file, NativeResult& out) {
   std::ifstream in(file);
   if (!in) return;
-  const auto json = nlohmann::json::parse(in, nullptr, false);
+  const auto json = bounded_json(in);
   if (!json.is_object()) return;
   try {
     out.rays = json.value("rays", out.rays);

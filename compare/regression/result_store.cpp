@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "compare/bounded_json.h"
 #include "compare/oracle/content_hash.h"
 #include "compare/report/json.h"
 
@@ -85,7 +86,7 @@ std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path>
 bool ResultStore::resumed(const std::string& stem, SceneResult& result) const {
   std::ifstream in(renders_.work() / (stem + ".result.json"));
   if (!in) return false;
-  const auto json = nlohmann::json::parse(in, nullptr, false);
+  const auto json = bounded_json(in);
   if (!json.is_object()) return false;
   try {
     std::vector<fs::path> files;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "compare/bounded_json.h"
 #include "compare/oracle/content_hash.h"
 #include "compare/regression/renders.h"
 #include "compare/report/display.h"
@@ -65,7 +66,7 @@ Review::Review(const fs::path& folder, const fs::path& baseline) : folder_(folde
     kept_.baseline.clear();
   std::ifstream in(folder_ / "review.json");
   if (!in) return;
-  const Json json = Json::parse(in, nullptr, false);
+  const Json json = bounded_json<Json>(in);
   if (!json.is_object() || !json.contains("decisions"))
     throw std::runtime_error((folder_ / "review.json").string() + ": not a review");
   for (const SceneResult& scene : kept_.run.scenes) {

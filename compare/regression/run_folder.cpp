@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "compare/bounded_json.h"
 #include "compare/report/json.h"
 
 namespace verisim::compare {
@@ -62,7 +63,7 @@ KeptRun load_run(const fs::path& folder) {
   std::ifstream in(file);
   if (!in)
     throw std::runtime_error(file.string() + ": there is no run here; `verisim compare ... --work FOLDER` keeps one");
-  const Json json = Json::parse(in, nullptr, false);
+  const Json json = bounded_json<Json>(in);
   KeptRun out;
   try {
     for (const Json& scene : json.at("scenes")) {

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "compare/compare.h"
+#include "compare/bounded_json.h"
 #include "compare/oracle/working_copy.h"
 #include "compare/regression/baseline.h"
 #include "compare/regression/ignored.h"
@@ -117,7 +118,7 @@ class Runner {
   void read_report(const fs::path& report, bool of_history) {
     std::ifstream in(report);
     if (!in) return;
-    const auto json = nlohmann::json::parse(in, nullptr, false);
+    const auto json = bounded_json(in);
     if (!json.is_object() || !json.contains("scenes") || !json["scenes"].is_array())
       throw std::runtime_error(report.string() + ": not a report of verisim compare");
     for (const auto& scene : json["scenes"]) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compare/compare.h"
+#include "compare/bounded_json.h"
 #include "compare/oracle/process.h"
 #include "compare/oracle/working_copy.h"
 #include "compare/regression/program_call.h"
@@ -38,7 +39,7 @@ std::string tags_json(const PixelTags& tags) {
 }
 
 PixelTags tags_from_json(const std::string& text) {
-  const auto json = nlohmann::json::parse(text, nullptr, false);
+  const auto json = bounded_json(text);
   PixelTags out;
   try {
     out.width = json.at("width"), out.height = json.at("height"), out.step = json.at("step");

@@ -23,10 +23,12 @@ const std::string kLightGroups =
     kHead +
     "#declare U=sphere{0,1} #for(i,1,60) #declare U=light_group{object{U} object{U translate i}} #end object{U}";
 const std::string kArrays = kHead + "#declare A=array[2]{1,2} #for(i,1,60) #declare A=array[2]{A,A} #end";
-const std::string kFunctions =
-    kHead +
-    "#declare F=function(x){x+1} #for(i,1,40) #undef G #declare G=function(x){F(x)+F(x+1)} #undef F "
-    "#declare F=function(x){G(x)+G(x+1)} #end #declare Z=F(1);";
+// 4^levels calls for one value; up to 10^10 of them are let be.
+std::string functions(int levels) {
+  return kHead + "#declare F=function(x){x+1} #for(i,1," + std::to_string(levels) +
+         ") #undef G #declare G=function(x){F(x)+F(x+1)} #undef F #declare F=function(x){G(x)+G(x+1)} #end ";
+}
+const std::string kFunctions = functions(18) + "#declare Z=F(1);";
 const std::string kDeepUnions =
     kHead + "#declare U=sphere{0,1} #for(i,1,100000) #declare U=union{object{U} sphere{i,1}} #end object{U}";
 
@@ -76,6 +78,13 @@ TEST_F(Limits, MemoryEndsEverything) {
   EXPECT_FALSE(exists("scene.png"));
 }
 
+TEST_F(Limits, CallsOfFunctionsAreCountedBeforeTheyAreMade) {
+  file("bomb.pov", functions(40) + "isosurface { function { F(x) } }");
+  const Ended ended = run({"check", "bomb.pov"});
+  EXPECT_EQ(ended.status, kSceneErrors);
+  EXPECT_TRUE(says(ended, "bomb.pov:2:") && says(ended, "calls")) << ended.errors;
+}
+
 TEST_F(Limits, TimeEndsWhatNeverLooksAtIt) {
   file("bomb.pov", kFunctions);
   for (const std::string command : {"check", "render"})
@@ -87,6 +96,23 @@ TEST_F(Limits, TimeEndsWhatNeverLooksAtIt) {
       EXPECT_EQ(ended.status, kInterrupted) << ended.errors;
       EXPECT_TRUE(says(ended, limit + " 0.3 is reached")) << ended.errors;
     }
+}
+
+TEST_F(Limits, RaysOfThePassesBeforeThePictureCount) {
+  const std::string photons =
+      "global_settings { photons { count 1000000 } } light_source { 9 rgb 1 } sphere { 0, 1 pigment { rgbt 1 } "
+      "interior { ior 1.5 } photons { target refraction on } } plane { y, -1 pigment { rgb 1 } }";
+  const std::string radiosity =
+      "global_settings { radiosity { pretrace_end 0.001 error_bound 0.1 } } light_source { 9 rgb 1 } sphere { 0, 1 "
+      "pigment { rgb 1 } } plane { y, -1 pigment { rgb 1 } }";
+  for (const std::string& what : {photons, radiosity}) {
+    file("bomb.pov", kHead + what);
+    const Ended ended =
+        run({"render", "bomb.pov", "+W64", "+H48", "--max-rays=20000", "--max-seconds=60", "--progress=json"});
+    EXPECT_EQ(ended.status, kInterrupted) << ended.errors;
+    EXPECT_TRUE(says(ended, "--max-rays 20000 is reached")) << ended.errors;
+    EXPECT_FALSE(says(ended, "\"stage\":\"picture\"")) << ended.errors;
+  }
 }
 
 TEST_F(Limits, SignalsEndWhatNeverLooksAtThem) {
@@ -121,6 +147,17 @@ TEST_F(Limits, DeepObjectsNeverOverflowTheStack) {
                        "#end object{U pigment{rgb 1}}");
   const Ended deep = run({"render", "bomb.pov", "+W4", "+H4", "+WT2", "+BS4"});
   EXPECT_EQ(deep.status, kOk) << deep.signal << deep.errors;
+  // The same where nobody may have a larger stack.
+  const pid_t held_short = ::fork();
+  if (held_short == 0) {
+    const rlimit small{256 << 10, 256 << 10};
+    ::setrlimit(RLIMIT_STACK, &small);
+    const Ended ended = run({"render", "bomb.pov", "+W4", "+H4", "+WT2", "+BS4"});
+    ::_exit(ended.signal ? 99 : ended.status);
+  }
+  int status = 0;
+  ::waitpid(held_short, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), kOk);
 }
 
 }  // namespace

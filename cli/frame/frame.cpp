@@ -140,11 +140,17 @@ void trace(const Job& job, const scene::Scene& scene, const Region& part, Canvas
   if (prepasses.to) options.prepasses_to = &*prepasses.to;
   std::atomic<std::uint64_t> rays{0};
   options.rays = &rays;
-  options.progress = [&](double fraction) {
-    job.console.progress(fraction, canvas.pixels, rays);
+  const auto limit = [&] {
     if (too_many(rays)) job.interrupt.flag() = true;
   };
-  options.pass_progress = [&](const char* pass, double fraction) { job.console.pass_progress(pass, fraction); };
+  options.progress = [&](double fraction) {
+    job.console.progress(fraction, canvas.pixels, rays);
+    limit();
+  };
+  options.pass_progress = [&](const char* pass, double fraction) {
+    job.console.pass_progress(pass, fraction);
+    limit();
+  };
   if (job.options.radiosity_from_file) options.radiosity_from = job.options.radiosity_file;
   if (job.options.radiosity_to_file) options.radiosity_to = job.options.radiosity_file;
   if (state) {

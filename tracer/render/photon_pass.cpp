@@ -84,6 +84,7 @@ class Shooter {
       parallel_for(ring.size(), kRingGrain, trace);
     }
     shot_count_ += ring.size();
+    for (Gun& gun : guns_) count_rays(options_, std::exchange(gun.tracer.statistics(), {}));
     for (std::size_t i = 0; i < ring.size(); ++i) {
       for (const StoredPhoton& s : results_[i]) store(s);
     }

@@ -3,10 +3,14 @@
 
 #include "tracer/film/errors.h"
 #include "tracer/film/options.h"
+#include "tracer/film/statistics.h"
 #include "tracer/effects/scene_effects.h"
 #include "tracer/render/sampling/pixel_sampler.h"
 
 namespace verisim::render {
+
+// Adds to options.rays what was traced.
+void count_rays(const Options& options, const Statistics& traced);
 
 // Fills effects.irradiance(). In replay mode one task works through all tiles and passes as `povray +WT1` does;
 // otherwise the tiles of a pass run in parallel, each seeing the samples of earlier passes and its own, so that the

@@ -118,6 +118,7 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
         for (PretraceTile& tile : tiles) {
           if (tile.finished()) continue;
           worker.trace_tile(plan, pass, adaptive, *task, tile);
+          count_rays(options, std::exchange(worker.tracer.statistics(), {}));
           progress.tile_done(pass);
         }
       }
@@ -141,6 +142,7 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
             return;
           }
           task.reset();
+          count_rays(options, std::exchange(worker.tracer.statistics(), {}));
           progress.tile_done(pass);
         };
         if (threads == 1) {

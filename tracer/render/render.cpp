@@ -113,9 +113,7 @@ class Queue {
     if (options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(pixels_));
   }
   void add_statistics(const Statistics& part) {
-    if (options_.rays)
-      options_.rays->fetch_add(part.camera_rays + part.reflected_rays + part.refracted_rays + part.shadow_rays +
-                               part.transmitted_rays);
+    count_rays(options_, part);
     const std::lock_guard lock(mutex_);
     add(statistics_, part);
   }
@@ -205,6 +203,12 @@ const scene::Scene& supported(const scene::Scene& scene, const Options& options)
 }
 
 }  // namespace
+
+void count_rays(const Options& options, const Statistics& traced) {
+  if (options.rays)
+    options.rays->fetch_add(traced.camera_rays + traced.reflected_rays + traced.refracted_rays + traced.shadow_rays +
+                            traced.transmitted_rays);
+}
 
 PreparedScene::PreparedScene(const scene::Scene& scene, const Options& options)
     : compiler_(texture_settings(supported(scene, options), options.quality)),

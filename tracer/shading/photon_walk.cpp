@@ -42,6 +42,7 @@ void PhotonWalk::follow(Packet packet) {
   if (packet.ray.level >= shot_.max_trace_level || packet.ray.weight < shot_.adc_bailout || nesting_ >= kMaxNesting)
     return;
   if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
+  ++(packet.ray.reflected ? tracer_.statistics_.reflected_rays : tracer_.statistics_.refracted_rays);
   shapes::Hit hit;
   const auto kind = packet.ray.reflected ? shapes::RayKind::reflected : shapes::RayKind::photon;
   if (!tracer_.scene_.world.intersect(packet.ray.ray, kind, 1e-4, std::numeric_limits<double>::infinity(), hit)) return;

@@ -24,6 +24,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   endforeach()
 else()
   target_compile_options(verisim_flags INTERFACE -Wno-psabi)  # wide vectors are passed only between functions of one file
+  target_compile_options(verisim_flags INTERFACE -Wno-bitwise-instead-of-logical)  # where a branch would cost more
 endif()
 if(VERISIM_SANITIZE)
   target_compile_options(verisim_flags INTERFACE -fsanitize=${VERISIM_SANITIZE} -fno-omit-frame-pointer -g1)

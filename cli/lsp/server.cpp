@@ -45,6 +45,7 @@ class Server {
  public:
   explicit Server(const ServerSettings& settings)
       : settings_(settings),
+        connection_(settings.in, settings.out),
         workspace_(settings_.options, Columns::utf16),
         publisher_(connection_),
         analyst_(settings_.options, {settings.seconds, std::chrono::milliseconds(settings.delay_ms), settings.lints},
@@ -370,7 +371,7 @@ class Server {
 
   ServerSettings settings_;
   Scratch scratch_;
-  Connection connection_{STDIN_FILENO, STDOUT_FILENO};
+  Connection connection_;
   Workspace workspace_;
   Publisher publisher_;
   std::mutex uris_mutex_;

@@ -1,6 +1,8 @@
 // `verisim lsp`: the language server.
 #pragma once
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <set>
 #include <string_view>
@@ -15,10 +17,11 @@ struct ServerSettings {
   double seconds = 10;               // a scene is read for so long at most
   int delay_ms = 40;                 // after the last change before it is read
   std::set<std::string_view> lints;  // that are shown as hints
+  int in = STDIN_FILENO, out = STDOUT_FILENO;
 };
 
-// Serves one client over standard input and output until it says goodbye or is gone. Returns the exit status of the
-// protocol: 0 after `shutdown` and `exit`, else 1.
+// Serves one client, over standard input and output if nothing else is said, until it says goodbye or is gone. Returns
+// the exit status of the protocol: 0 after `shutdown` and `exit`, else 1.
 int serve(const ServerSettings& settings);
 
 }  // namespace verisim::cli::lsp

@@ -10,6 +10,7 @@
 
 #include "tests/fuzz/entry_points.h"
 #include "tests/fuzz/files.h"
+#include "tests/fuzz/sdl_mutator.h"
 
 namespace verisim {
 namespace {
@@ -67,46 +68,26 @@ TEST(FuzzCorpus, Files) {
   }
 }
 
-// Words lost, doubled, exchanged and replaced by others of the scene: near enough to SDL to get deep into every block.
+// Values are copied and written by recursion.
+TEST(FuzzCorpus, MessagesAsDeepAsTheyAreLong) {
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  fuzz::lsp(R"({"jsonrpc":"2.0","id":)" + deep + R"(,"method":"textDocument/hover","params":)" + deep + "}");
+}
+
+// Blocks and words lost, doubled, exchanged and replaced: near enough to SDL to get deep into every block.
 TEST(FuzzCorpus, ScenesWithMistakes) {
-  std::mt19937 random(20260101);
-  const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random() % n); };
-  for (const std::string& text : texts_below(kCorpus / "scene")) {
-    std::vector<std::string> words;
-    std::string word;
-    for (const char c : text) {
-      const bool letter = std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.';
-      if (!letter && !word.empty()) words.push_back(std::exchange(word, {}));
-      if (letter)
-        word += c;
-      else
-        words.emplace_back(1, c);
-    }
-    if (words.size() < 4 || words.size() > 5000) continue;
-    for (int round = 0; round < 40; ++round) {
-      std::vector<std::string> changed = words;
-      for (std::size_t mistakes = 1 + below(4); mistakes > 0; --mistakes) {
-        const std::size_t at = below(changed.size());
-        switch (below(4)) {
-          case 0:
-            changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(at));
-            break;
-          case 1:
-            changed.insert(changed.begin() + static_cast<std::ptrdiff_t>(at), words[below(words.size())]);
-            break;
-          case 2:
-            changed[at] = words[below(words.size())];
-            break;
-          default:
-            std::swap(changed[at], changed[below(changed.size())]);
-        }
-        if (changed.size() < 4) break;
-      }
-      std::string joined;
-      for (const std::string& w : changed) joined += w;
-      fuzz::scene(joined);
-    }
-  }
+  const auto texts = texts_below(kCorpus / "scene");
+  for (const std::string& text : texts)
+    for (std::uint32_t round = 0; round < 40; ++round)
+      fuzz::scene(fuzz::mutate_scene(text, texts[round % texts.size()], round));
+}
+
+TEST(FuzzCorpus, Render) {
+  const auto texts = texts_below(kCorpus / "render");
+  ASSERT_FALSE(texts.empty());
+  for (const std::string& text : texts)
+    for (std::uint32_t round = 0; round < 10; ++round)
+      fuzz::render(round ? fuzz::mutate_scene(text, texts[round % texts.size()], round) : text);
 }
 
 }  // namespace

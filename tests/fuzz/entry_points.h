@@ -11,6 +11,8 @@ void lexer(std::string_view bytes);
 // A scene of any bytes ends in a scene or in diagnostics, within limits; a scene can be dumped and its limits name
 // their options.
 void scene(std::string_view bytes);
+// A scene that can be read is drawn, small: with one thread and with two, to the same bits.
+void render(std::string_view bytes);
 // A function of any bytes compiles or is refused; one point at a time, batches and inlining into another function give
 // the same bits.
 void function(std::string_view bytes);

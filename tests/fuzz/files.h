@@ -16,13 +16,16 @@ void ini(std::string_view bytes);
 void manifest(std::string_view bytes);  // verisim.toml
 void state(std::string_view bytes);     // +C
 void part(std::string_view bytes);      // --part, merge
+// What a client sends to the language server, a message a line after `initialize`; behind a zero byte: all of the wire.
+void lsp(std::string_view bytes);
 
 struct FileTarget {
   std::string_view name;  // of the target and of its corpus
   void (*run)(std::string_view bytes);
 };
 inline constexpr FileTarget kFileTargets[] = {
-    {"image", image},         {"picture", picture}, {"density", density},   {"font", font},   {"photons", photons},
-    {"radiosity", radiosity}, {"ini", ini},         {"manifest", manifest}, {"state", state}, {"part", part}};
+    {"image", image},     {"picture", picture},     {"density", density}, {"font", font},
+    {"photons", photons}, {"radiosity", radiosity}, {"ini", ini},         {"manifest", manifest},
+    {"state", state},     {"part", part},           {"lsp", lsp}};
 
 }  // namespace verisim::fuzz

@@ -4,6 +4,8 @@ For each job (a render, a part, a merge, a diff, a check, a comparison) and each
 malloc, thread) the calls are counted, and then the job is repeated with the first, the second, ... failing
 (tests/faults/inject.cpp). Each time: no crash, no hang; exit status 0 only with exactly the bytes of an undisturbed run; otherwise an
 error that is named, and under the final name nothing, or the whole old file, or the whole new one; and no temporary file.
+With --signals N each job gets each signal of those that end programs at N moments instead: what counts is the same, but the signal may
+end it, and SIGKILL leaves a temporary file.
 Exit status 77: nothing can be injected here.
 """
 import argparse
@@ -14,6 +16,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import zlib
 
 SCENE = b"""#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }
@@ -37,7 +40,10 @@ JOBS = {
     "diff": Job(["diff", "a.png", "b.png", "--heat-map", "out.png"], ["out.png"]),
     "check": Job(["check", "scene.pov", "--json"], []),
     "compare": Job(["compare", "scene.pov", *SIZE, "--baseline", "baseline", "--json", "out.json", "--quiet"], []),
+    "store": Job(["compare", "scene.pov", *SIZE, "--baseline", "stored", "--update", "--quiet"], ["stored/scene.png"]),
+    "samples": Job(["render", "radiosity.pov", *SIZE, "+Oout.png", "+RFO", "+RFout.rca", "+WT1"], ["out.png", "out.rca"]),
 }
+SIGNALS = [signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGPIPE, signal.SIGHUP]
 OLD = b"the picture of yesterday"
 
 
@@ -70,6 +76,7 @@ class Faults:
     def prepare(self):
         self.write("scene.pov", SCENE)
         self.write("own.inc", b"#declare Own = 1;\n")
+        self.write("radiosity.pov", SCENE + b"global_settings { radiosity { count 20 } } plane { y, -1 pigment { rgb 1 } }\n")
         for k in (1, 2):
             self.plain(["render", "scene.pov", *SIZE, "--part", f"{k}/2", "--output", f"p{k}.part"])
         self.plain(["render", "scene.pov", *SIZE, "+Oa.png"])
@@ -92,7 +99,8 @@ class Faults:
     def plain(self, words):
         subprocess.run([self.verisim, *words], cwd=self.folder, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
-    def run(self, job, **faults):
+    def lay(self, job):
+        """What is there before a job."""
         for name in ("stats.json", "out.json"):
             if os.path.exists(self.path(name)):
                 os.unlink(self.path(name))
@@ -101,6 +109,9 @@ class Faults:
                 self.write(name, OLD)
             elif os.path.exists(self.path(name)):
                 os.unlink(self.path(name))
+
+    def run(self, job, **faults):
+        self.lay(job)
         environment = {**os.environ, "LD_PRELOAD": self.library, **faults}
         try:
             ended = subprocess.run([self.verisim, *job.words], cwd=self.folder, env=environment, capture_output=True, timeout=self.patience, check=False)
@@ -142,8 +153,8 @@ class Faults:
             return f"leaves {left}"
         for name in job.outputs:
             content = self.read(name)
-            if content not in (None, OLD, whole[name]):
-                return f"half a file {name}"
+            if content not in (OLD if job.before else None, whole[name]):
+                return f"half a file {name}" if content else f"{name} is gone"
             if ended.returncode == good.returncode and content != whole[name]:
                 return f"exit status {ended.returncode} without {name}"
         if ended.returncode == good.returncode:
@@ -152,6 +163,38 @@ class Faults:
         elif not ended.stderr + ended.stdout and kind != "write":
             return f"exit status {ended.returncode} without a word"
         return ""
+
+
+    def signalled(self, job, number, after):
+        self.lay(job)
+        running = subprocess.Popen([self.verisim, *job.words], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        time.sleep(after)
+        running.send_signal(number)
+        try:
+            out, err = running.communicate(timeout=self.patience)
+        except subprocess.TimeoutExpired:
+            running.kill()
+            running.communicate()
+            return None
+        return subprocess.CompletedProcess(running.args, running.returncode, out, err)
+
+
+def after_signals(faults, job, reference, moments):
+    """Of each signal and moment: the exit status and what is wrong."""
+    start = time.monotonic()
+    faults.run(job)
+    whole = time.monotonic() - start
+    for number in SIGNALS:
+        for moment in range(moments):
+            ended = faults.signalled(job, number, whole * moment / moments)
+            by_it = ended is not None and ended.returncode == -number
+            if by_it:  # before it was waited for, or SIGKILL
+                ended.returncode, ended.stderr = 130, b"a signal"
+                left = faults.leftovers() if number == signal.SIGKILL else []
+                for name in left:
+                    os.unlink(faults.path(name))
+            why = faults.complaint(job, "signal", ended, reference)
+            yield number, -number if by_it else ended and ended.returncode, why
 
 
 def unsynced(faults):
@@ -183,6 +226,7 @@ def main():
     parser.add_argument("verisim")
     parser.add_argument("library")
     parser.add_argument("--order", action="store_true", help="only whether files are synced before they are named")
+    parser.add_argument("--signals", type=int, metavar="N", help="signals at N moments of each job, and no failing calls")
     parser.add_argument("--jobs", default=",".join(JOBS))
     parser.add_argument("--kinds", default=",".join(KINDS))
     parser.add_argument("--most", type=int, default=0, help="of one job and kind, spread over all its calls; 0: all")
@@ -202,6 +246,16 @@ def main():
             if reference[0] is None or reference[0].returncode not in (0, 1):
                 print(f"{name}: does not run by itself: {reference[0] and reference[0].stderr.decode(errors='replace')}")
                 return 1
+            if options.signals:
+                statuses = collections.Counter()
+                for number, status, why in after_signals(faults, job, reference, options.signals):
+                    statuses[status] += 1
+                    total += 1
+                    if why:
+                        wrong += 1
+                        print(f"WRONG {name}: {number.name}: {why}", flush=True)
+                print(f"{name:8} signals, exit statuses {dict(statuses)}", flush=True)
+                continue
             for kind in options.kinds.split(","):
                 calls = faults.count(job, kind)
                 if calls is None:
@@ -219,7 +273,7 @@ def main():
                         said = ended.stderr.decode(errors="replace").strip().splitlines()[-1:] if ended else []
                         print(f"WRONG {name}: {kind} {n} of {calls}: {why} {said}", flush=True)
                 print(f"{name:8} {kind:7} {calls:6} calls, exit statuses {dict(statuses)}", flush=True)
-    print(f"{total} faults, {wrong} not endured")
+    print(f"{total} {'signals' if options.signals else 'faults'}, {wrong} not endured")
     return 1 if wrong else 0
 
 

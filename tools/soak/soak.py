@@ -1,13 +1,17 @@
-"""Uses verisim for a long time and looks at what it keeps: soak.py VERISIM view|merge [--minutes 60]
+"""Uses verisim for a long time and looks at what it keeps: soak.py VERISIM view|python|farm|merge [--minutes 60]
 
-view: one `verisim view` whose scene is saved, looked at, zoomed and explained again and again; merge: parts rendered and merged again and
-again. Memory must be flat (the last quarter at most 10 % or 8 MiB above the second), file handles must not grow, and the same question must
+view: one `verisim view` whose scene is saved, looked at, zoomed and explained again and again; python: the module in one process, by
+several threads, with all that it offers and with scenes that fail (PYTHONPATH says where it is); farm: jobs of parts whose tasks are
+killed now and then, with `verisim farm wait` beside them; merge: parts rendered and merged again and again. Memory must be flat (the last quarter at most 10 % or 8 MiB above the second), file handles must not grow, and the same question must
 have the same bytes as its answer at the end as at the start. Exit status 1: it is not so.
 """
 import argparse
+import concurrent.futures
 import hashlib
 import json
 import os
+import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -114,6 +118,106 @@ def view(verisim, folder, minutes):
     return wrong
 
 
+def python(_, folder, minutes):
+    import numpy
+    import verisim
+
+    text = (SCENE % "1").replace('#include "own.inc"', "sphere { Place, 0.3 pigment { rgb 1 } }")
+    corners = verisim.Mesh(numpy.random.default_rng(1).uniform(-1, 1, (300, 3)), numpy.arange(300).reshape(-1, 3))
+
+    def drawn(_):
+        return verisim.render(text, 160, 120, declare={"Place": (1, 0, 0)}, antialias=0.3, threads=1).png()
+
+    def fails(wrong):
+        try:
+            verisim.render(wrong, 16, 12)
+        except verisim.SceneError as error:
+            return str(error)
+        raise AssertionError("a wrong scene is drawn")
+
+    def everything(_):
+        picture = verisim.render(text, 80, 60, declare={"Place": numpy.array([1, 0, 0])}, layers=True)
+        meshes = verisim.render(text + "object { M pigment { rgb 1 } }", 40, 30, declare={"Place": (1, 0, 0), "M": corners})
+        return [picture.png(), picture.depth.tobytes(), meshes.png(), repr(verisim.diff(picture, picture).status),
+                repr(verisim.check(text.replace("Place", "1")).tree)[:1000], str(verisim.explain(text.replace("Place", "1"), 40, 30, 80, 60)),
+                fails("bx { 0, 1 }"), fails("sphere { 0, 1"), fails("#while (1) #error \"no\" #end")]  # fmt: skip
+
+    samples, rounds, first, last = [], 0, None, None
+    end = time.monotonic() + 60 * minutes
+    with concurrent.futures.ThreadPoolExecutor(3) as pool:
+        while time.monotonic() < end:
+            last = hashlib.sha256(repr([*pool.map(drawn, range(3)), *pool.map(everything, range(3))]).encode()).hexdigest()
+            first = first or last
+            rounds += 1
+            samples.append((memory(os.getpid()), handles(os.getpid())))
+    print(f"python: {rounds} rounds of three threads with seven renders, a check, a diff, an explanation and three errors each, in {minutes} minutes")
+    return verdict(samples, first, last)
+
+
+SBATCH = """#!/bin/sh
+number=$(($(cat "$CALLS" 2>/dev/null || echo 100) + 1))
+echo $number >"$CALLS"
+echo $number
+"""
+
+
+def farm(verisim, folder, minutes):
+    """Without Slurm: its programs are stand-ins that know of one job only, and the tasks are run here."""
+    programs = os.path.join(folder, "programs")
+    os.mkdir(programs)
+    for name, text in (("sbatch", SBATCH), ("squeue", '#!/bin/sh\ncat "$CALLS.queue"\n'), ("scancel", "#!/bin/sh\n"), ("sacct", "#!/bin/sh\nexit 1\n")):
+        save(programs, name, text)
+        os.chmod(os.path.join(programs, name), 0o755)
+    environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}", "CALLS": os.path.join(folder, "calls")}
+    chance = random.Random(1)
+
+    def call(*words, check=True):
+        return subprocess.run([verisim, *words], cwd=folder, env=environment, check=check, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+    def task(job, step):
+        """Kills its render now and then, at any moment; the task goes on from the state."""
+        running = subprocess.Popen(["sh", f"{job}/task.sh", step], cwd=folder, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        if chance.random() < 0.3:
+            time.sleep(chance.uniform(0, 0.1))
+            with open(f"/proc/{running.pid}/task/{running.pid}/children") as children:
+                for child in children.read().split():
+                    try:
+                        os.kill(int(child), signal.SIGKILL)
+                    except ProcessLookupError:
+                        pass  # it was faster
+        return running.wait()
+
+    samples, rounds, kills, first, last = [], 0, 0, None, None
+    call("farm", "submit", "scene.pov", "+W320", "+H240", "+A0.3", "--job", "long.farm", "--output", "long.png", "--parts", "9", "--cpus", "1")
+    with open(os.path.join(folder, "long.farm", "manifest.json")) as file:
+        save(folder, "calls.queue", f"{json.load(file)['job']}-merge|N/A|PENDING||103|Dependency\n")
+    waiting = subprocess.Popen([verisim, "farm", "wait", "long.farm"], cwd=folder, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    end = time.monotonic() + 60 * minutes
+    while time.monotonic() < end:
+        call("farm", "submit", "scene.pov", "+W320", "+H240", "+A0.3", "--job", "one.farm", "--output", "one.png", "--parts", "4", "--cpus", "1")
+        for step in ("1", "2", "3", "4", "merge"):
+            while task("one.farm", step) != 0:
+                kills += 1
+                call("farm", "resume", "one.farm", check=False)
+        with open(os.path.join(folder, "one.png"), "rb") as file:
+            last = hashlib.sha256(file.read()).hexdigest()
+        first = first or last
+        rounds += 1
+        shutil.rmtree(os.path.join(folder, "one.farm"))
+        os.unlink(os.path.join(folder, "one.png"))
+        samples.append((memory(waiting.pid), handles(waiting.pid)))
+        if last != first:
+            break
+    for step in map(str, range(1, 10)):
+        while task("long.farm", step) != 0:
+            kills += 1
+    while task("long.farm", "merge") != 0:
+        kills += 1
+    wrong = [] if waiting.wait(60) == 0 else [f"`farm wait` ends with {waiting.returncode}"]
+    print(f"farm: {rounds} jobs of four parts in {minutes} minutes, {kills} tasks begun anew; `farm wait` looked on")
+    return wrong + verdict(samples, first, last)
+
+
 def merge(verisim, folder, minutes):
     first = last = None
     rounds = 0
@@ -137,13 +241,13 @@ def merge(verisim, folder, minutes):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("verisim")
-    parser.add_argument("what", choices=["view", "merge"])
+    parser.add_argument("what", choices=["view", "python", "farm", "merge"])
     parser.add_argument("--minutes", type=float, default=60)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         save(folder, "scene.pov", SCENE % "1")
         save(folder, "own.inc", "sphere { <1, 0, 0>, 0.3 pigment { rgb 1 } }\n")
-        wrong = {"view": view, "merge": merge}[options.what](os.path.abspath(options.verisim), folder, options.minutes)
+        wrong = {"view": view, "python": python, "farm": farm, "merge": merge}[options.what](os.path.abspath(options.verisim), folder, options.minutes)
     print("; ".join(wrong) or "all is as it was")
     return 1 if wrong else 0
 

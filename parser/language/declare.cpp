@@ -1,6 +1,7 @@
 // #declare, #local, #undef and the values on their right-hand sides (spec 01 sections 5 to 7).
 #include <fmt/format.h>
 
+#include <functional>
 #include <utility>
 
 #include "parser/language/impl.h"
@@ -14,6 +15,13 @@ void to_single_precision(Numeric& n) {
 }
 
 bool string_word(Word word) { return word_class(word) == WordClass::string_function; }
+
+// `count` gets the number of elements of an array and of each array within it.
+void each_array(const Array& array, const std::function<void(std::size_t)>& count) {
+  count(array.elements.size());
+  for (const Value& element : array.elements)
+    if (const auto* inner = std::get_if<std::shared_ptr<Array>>(&element); inner && *inner) each_array(**inner, count);
+}
 
 }  // namespace
 
@@ -259,10 +267,13 @@ void Parser::Impl::copy_identifier(Value& value) {
   if (held.index() == 0) error(Code::no_value, fmt::format("'{}' has no value.", names[token.id()].text));
   if (std::holds_alternative<std::shared_ptr<FileHandle>>(held))
     error(Code::wrong_type, "A file identifier cannot be used as a value.");
-  if (const auto* array = std::get_if<std::shared_ptr<Array>>(&held))
+  if (const auto* array = std::get_if<std::shared_ptr<Array>>(&held)) {
+    // An array of two copies of itself, sixty times: what is copied is work like any other.
+    each_array(**array, [this](std::size_t elements) { count_steps(elements); });
     value = deep_copy(**array);
-  else
+  } else {
     value = held;
+  }
 }
 
 void Parser::Impl::check_type(const Target& target, const Value& value) {

@@ -138,6 +138,20 @@ TEST(Hostile, EndlessLoopsAreStopped) {
   EXPECT_NE(run("#while(1) #end", cancelled).error.find("Interrupted"), std::string::npos);
 }
 
+// Few statements, and twice as many copies with each.
+TEST(Hostile, CopiesOfCopiesAreStopped) {
+  ParseOptions options;
+  options.limits.max_steps = 1000000;
+  EXPECT_NE(run("#declare A = array[2]{1,2} #for(i,1,60) #declare A = array[2]{A,A} #end", options)
+                .error.find("--max-steps"),
+            std::string::npos);
+  ParseOptions cancelled;
+  cancelled.cancelled = [] { return true; };
+  EXPECT_NE(run("#declare U = sphere{0,1} #for(i,1,60) #declare U = difference{object{U} object{U}} #end", cancelled)
+                .error.find("Interrupted"),
+            std::string::npos);
+}
+
 TEST(Hostile, LongLines) {
   std::string scene = "#version 3.7; #declare A = 0";
   for (int i = 0; i < 200000; ++i) scene += "+1";

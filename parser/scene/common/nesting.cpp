@@ -120,6 +120,11 @@ void check_nesting(Parser& parser, const scene::Object& object) {
     parser.fatal(Code::nesting_limit, fmt::format("Objects are nested deeper than {} levels.", kMaxObjectLevels),
                  "A union of many copies side by side needs one level only.");
   check_object_count(parser, parts.objects);
+  // Few statements can make many copies; those that were made took their time.
+  constexpr double kManyObjects = 1e4;
+  const auto& cancelled = parser.options().cancelled;
+  if (parts.objects > kManyObjects && cancelled && cancelled())
+    parser.fatal(Code::time_limit, "Interrupted, or longer than --max-seconds allows.");
 }
 
 void check_object_count(Parser& parser, double objects) {

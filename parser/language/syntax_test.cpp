@@ -142,9 +142,9 @@ TEST(Hostile, EndlessLoopsAreStopped) {
 TEST(Hostile, CopiesOfCopiesAreStopped) {
   ParseOptions options;
   options.limits.max_steps = 1000000;
-  EXPECT_NE(run("#declare A = array[2]{1,2} #for(i,1,60) #declare A = array[2]{A,A} #end", options)
-                .error.find("--max-steps"),
-            std::string::npos);
+  EXPECT_NE(
+      run("#declare A = array[2]{1,2} #for(i,1,60) #declare A = array[2]{A,A} #end", options).error.find("--max-steps"),
+      std::string::npos);
   ParseOptions cancelled;
   cancelled.cancelled = [] { return true; };
   EXPECT_NE(run("#declare U = sphere{0,1} #for(i,1,60) #declare U = difference{object{U} object{U}} #end", cancelled)

@@ -153,8 +153,10 @@ class Faults:
             return f"leaves {left}"
         for name in job.outputs:
             content = self.read(name)
-            if content not in (OLD if job.before else None, whole[name]):
-                return f"half a file {name}" if content else f"{name} is gone"
+            if content not in (None, OLD, whole[name]):
+                return f"half a file {name}"
+            if content is None and job.before and job.words[0] != "render":  # which takes away the picture of an earlier run
+                return f"{name} is gone"
             if ended.returncode == good.returncode and content != whole[name]:
                 return f"exit status {ended.returncode} without {name}"
         if ended.returncode == good.returncode:

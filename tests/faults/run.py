@@ -153,7 +153,8 @@ class Faults:
             return f"leaves {left}"
         for name in job.outputs:
             content = self.read(name)
-            if content not in (None, OLD, whole[name]):
+            unfinished = kind == "signal" and ended.returncode != good.returncode and isinstance(content, tuple) and content[2]  # what there was, as a whole file
+            if content not in (None, OLD, whole[name]) and not unfinished:
                 return f"half a file {name}"
             if content is None and job.before and job.words[0] != "render":  # which takes away the picture of an earlier run
                 return f"{name} is gone"

@@ -53,6 +53,19 @@ TEST(Shapes, PolynomialTermsGoToTheirPlaces) {
   EXPECT_EQ(sextic.coefficients[84 - 28], 3);  // behind all terms with x
 }
 
+TEST(Shapes, SpheresOfABlobAbsorbWhatTheyCan) {
+  const auto object = object_of(
+      "blob{sphere{x,1,2 translate y scale -2 rotate 90*z} sphere{x,1,2 scale <1,2,1> translate y} "
+      "sphere{x,1,2 matrix<1,0,0,0,1,0,0,0,1,0,1,0>}}");
+  const auto& blob = payload<scene::Blob>(object);
+  EXPECT_FALSE(blob.components[0].transform.has_value());
+  EXPECT_EQ(blob.components[0].radius, 2);
+  EXPECT_LT(length(blob.components[0].a - Vec3(2, -2, 0)), 1e-12);
+  EXPECT_EQ(blob.components[1].a, Vec3(1, 0, 0));
+  EXPECT_EQ(blob.components[1].transform->point({1, 0, 0}), Vec3(1, 1, 0));
+  EXPECT_TRUE(blob.components[2].transform.has_value());
+}
+
 TEST(Shapes, BlobComponentsHaveTheirOwnTexturesAndTransforms) {
   const auto object = object_of(
       "blob{threshold .6 sphere{x,1,2} cylinder{0,y,.5,strength -1 pigment{rgb 1} scale 2} component 3 4 <5,6,7>}");

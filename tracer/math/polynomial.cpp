@@ -36,7 +36,8 @@ struct DepressedCubic {
   double theta() const { return std::acos(std::clamp(r / std::sqrt(q3), -1.0, 1.0)) / 3.0; }
   double of_three(double angle) const { return -2.0 * std::sqrt(q) * std::cos(angle) - third; }
   double only_root() const {
-    const double s = std::cbrt(std::sqrt(-d) + std::fabs(r));
+    // Not std::cbrt, whose last bit often is another one than POV-Ray's.
+    const double s = std::pow(std::sqrt(-d) + std::fabs(r), 1.0 / 3.0);
     return (r < 0 ? s + q / s : -(s + q / s)) - third;
   }
   // The one that solve_cubic reports first.

@@ -226,6 +226,9 @@ void move_shape(Object& object, const TransformSteps& steps) {
     if (!object.transform)
       while (i < steps.size() && std::visit([&](auto& shape) { return absorb(shape, steps[i]); }, object.shape)) ++i;
     if (i < steps.size()) steps.add_to(object.transform, i);
+    // A disc's normal goes through the steps by itself: its frame need not turn z to the last bit of it.
+    if (Disc* disc = object.as<Disc>())
+      for (std::size_t k = 0; k < steps.size(); ++k) disc->normal = normalize(steps[k].t.normal(disc->normal));
     if (object.as<std::shared_ptr<const JuliaFractal>>()) object.inverted = false;  // spec 04 section 8
   }
   if (object.as<Sphere>()) steps.add_to(object.uv_transform, 0);
@@ -276,7 +279,10 @@ void shrink_to(Object& object, const List<ObjectPtr>& limits) {
 void compute_bounds(Object& object) {
   if (!object.transform) {
     if (const Cone* cone = object.as<Cone>()) object.transform = shapes::cone_frame(*cone);
-    if (const Disc* disc = object.as<Disc>()) object.transform = shapes::disc_frame(*disc);
+    if (Disc* disc = object.as<Disc>()) {
+      disc->normal = normalize(disc->normal);
+      object.transform = shapes::disc_frame(*disc);
+    }
     if (const Polygon* polygon = object.as<Polygon>()) object.transform = shapes::polygon_frame(*polygon);
   }
   if (object.as<Csg>() || object.as<LightGroup>()) {

@@ -11,7 +11,7 @@ Transform frame_along(const Vec3& origin, const Vec3& axis, double radius, doubl
   if (std::fabs(axis.z) > 1.0 - kEpsilon) {
     turned = Transform::axis_rotation({1, 0, 0}, axis.z < 0 ? std::numbers::pi : 0.0);
   } else {
-    turned = Transform::axis_rotation(normalize(cross({0, 0, 1}, axis)), std::acos(std::clamp(axis.z, -1.0, 1.0)));
+    turned = Transform::axis_rotation(cross({0, 0, 1}, axis), std::acos(std::clamp(axis.z, -1.0, 1.0)));
   }
   return scaled.then(turned).then(Transform::translation(origin));
 }

@@ -207,7 +207,7 @@ void torus(double major, double minor, const Transform* matrix, const RayPacket&
   normalise(matrix, l, packet.scale);
   const double outer = major + minor, inner = major > minor ? major - minor : 0, outer2 = outer * outer,
                inner2 = inner * inner;
-  const double major2 = major * major, minor2 = minor * minor, around = major + 2 * minor;
+  const double major2 = major * major, minor2 = minor * minor, around = major + minor + minor;
   const double hole2 =
       inner2 > 0 ? inner2 * (1 - 1e-9) : -HUGE_VAL;  // within this squared distance of the axis there is nothing
   for (int i = 0; i < kLanes; ++i) {
@@ -236,12 +236,12 @@ void torus(double major, double minor, const Transform* matrix, const RayPacket&
     const double ox = l.ox[i], oy = l.oy[i], oz = l.oz[i], dx = l.dx[i], dy = l.dy[i], dz = l.dz[i];
     const double distance = std::sqrt(ox * ox + oy * oy + oz * oz), advance = distance > around ? distance - around : 0;
     const double px = ox + advance * dx, py = oy + advance * dy, pz = oz + advance * dz;
-    const double pp = px * px + py * py + pz * pz, y2 = py * py;
-    const double k1 = pp - major2 - minor2, k2 = px * dx + py * dy + pz * dz;
+    const double y2 = py * py, ydy = py * dy;
+    const double k1 = px * px + pz * pz + y2 - major2 - minor2, k2 = px * dx + pz * dz + ydy;
     packet.advance[i] = advance;
     packet.c[0][i] = 4 * k2;
-    packet.c[1][i] = 2 * (k1 + 2 * (k2 * k2 + major2 * dy * dy));
-    packet.c[2][i] = 4 * (k1 * k2 + 2 * major2 * py * dy);
+    packet.c[1][i] = 2 * (k1 + 2 * (k2 * k2 + major2 * (dy * dy)));
+    packet.c[2][i] = 4 * (k1 * k2 + 2 * major2 * ydy);
     packet.c[3][i] = k1 * k1 + 4 * major2 * (y2 - minor2);
   }
 }

@@ -1,4 +1,6 @@
 // blob { [threshold T] components } (spec 03 4.13).
+#include <cmath>
+
 #include "parser/scene/objects.h"
 #include "parser/scene/textures/texture.h"
 
@@ -10,10 +12,28 @@ namespace {
 
 constexpr std::size_t kMaxComponents = 1000000;  // a cylinder counts for three (spec 03 4.13)
 
+// What POV-Ray does to a sphere's own numbers as long as it has no matrix.
+bool absorb(BlobComponent& sphere, Word word, const Transform& move) {
+  const Mat4& m = move.m;
+  if (sphere.cylinder || sphere.transform) return false;
+  if (word == Word::translate)
+    sphere.a += Vec3(m[3][0], m[3][1], m[3][2]);
+  else if (word == Word::rotate)
+    sphere.a = move.point(sphere.a);
+  else if (word == Word::scale && m[0][0] == m[1][1] && m[0][0] == m[2][2])
+    sphere.a *= m[0][0], sphere.radius *= std::fabs(m[0][0]);
+  else
+    return false;
+  sphere.b = sphere.a;
+  return true;
+}
+
 bool parse_component_modifier(Parser& parser, BlobComponent& component, scene::Rare<Transform>& solid_steps) {
   Transform item;
+  const Word word = word_at(parser);
   if (parse_transform_item(parser, item)) {
-    component.transform = component.transform ? component.transform->then(item) : item;
+    if (!absorb(component, word, item))
+      component.transform = component.transform ? component.transform->then(item) : item;
     component.texture = scene::transformed(component.texture, item);
     if (component.texture && scene::ends_in_solid_color(*component.texture))
       solid_steps = solid_steps ? solid_steps->then(item) : item;

@@ -50,7 +50,7 @@ class Ovus final : public Primitive<Ovus> {
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
-    const LocalRay l = local(ray);
+    const LocalRay l = unit_local(ray);
     const auto report = [&](double t, Part part) {
       if (t > kNearest)
         sink.add(
@@ -67,20 +67,17 @@ class Ovus final : public Primitive<Ovus> {
     if (m_.sphere_only || !(m_.low < m_.high)) return;
     if (sink.upper() < 0 || !passes_sheet(l)) return;  // some hit was enough, or there is no other
 
-    // The quartic of a torus of radii H and rho about (0, V, 0), from a start near the body.
-    const double around = m_.bottom + 2 * m_.top, distance = length(l.origin);
-    const double advance = distance > around ? distance - around : 0;
-    Vec3 p = l.origin + advance * l.direction;
-    p.y -= m_.v;
+    // The quartic of a torus of radii H and rho about (0, V, 0), in the order of torus.cpp, but from the ray's origin.
+    const Vec3 p(l.origin.x, l.origin.y - m_.v, l.origin.z);
     const Vec3& d = l.direction;
-    const double h2 = m_.h * m_.h, rho2 = m_.rho * m_.rho;
-    const double k1 = dot(p, p) - h2 - rho2, k2 = dot(p, d);
-    const double c[5] = {1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + h2 * d.y * d.y)), 4 * (k1 * k2 + 2 * h2 * p.y * d.y),
-                         k1 * k1 + 4 * h2 * (p.y * p.y - rho2)};
+    const double h2 = m_.h * m_.h, rho2 = m_.rho * m_.rho, y2 = p.y * p.y, ydy = p.y * d.y;
+    const double k1 = p.x * p.x + p.z * p.z + y2 - h2 - rho2, k2 = p.x * d.x + p.z * d.z + ydy;
+    const double c[5] = {1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + h2 * (d.y * d.y))), 4 * (k1 * k2 + 2 * h2 * ydy),
+                         k1 * k1 + 4 * h2 * (y2 - rho2)};
     double roots[4];
     const int n = solve_polynomial(4, c, roots, sturm_, kElimination);
     for (int i = 0; i < n; ++i) {
-      const double t = roots[i] + advance;
+      const double t = roots[i];
       const Vec3 q = l.origin + t * d;
       if (q.y > m_.low && q.y < m_.high && std::fabs(sheet_value(q)) < kOnSheet) report(t, sheet);
     }
@@ -95,12 +92,12 @@ class Ovus final : public Primitive<Ovus> {
 
   Vec3 geometric_normal(const Hit& hit) const {
     const Vec3 p = local(hit.point);
-    if (hit.part == bottom_sphere) return world_normal(p);
-    if (hit.part == top_sphere) return world_normal({p.x, p.y - m_.bottom, p.z});
+    if (hit.part == bottom_sphere) return world_normal(p * (1 / m_.bottom));
+    if (hit.part == top_sphere) return world_normal(Vec3(p.x, p.y - m_.bottom, p.z) * (1 / m_.top));
     const double rho = std::sqrt(p.x * p.x + p.z * p.z);
     if (!(rho > 0)) return world_normal({0, p.y - m_.v, 0});
-    const double interval = 1 + m_.h / rho;
-    return world_normal({p.x * interval, p.y - m_.v, p.z * interval});
+    // Normalised here and again in the world, as POV-Ray does.
+    return world_normal(normalize({p.x + m_.h * p.x / rho, p.y - m_.v, p.z + m_.h * p.z / rho}));
   }
 
   Vec2 uv(const Hit& hit) const override {

@@ -29,18 +29,19 @@ class Torus final : public Primitive<Torus> {
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
-    const LocalRay l = local(ray);
+    const LocalRay l = unit_local(ray);
     if (!meets_thick_cylinder(l)) return;
     // Start near the torus: the quartic loses its digits far away from it.
     const Vec3& d = l.direction;
-    const double around = major_ + 2 * minor_, distance = length(l.origin);
+    const double around = major_ + minor_ + minor_, distance = length(l.origin);
     const double advance = distance > around ? distance - around : 0;
     const Vec3 p = l.origin + advance * d;
 
-    const double pp = dot(p, p), y2 = p.y * p.y;
-    const double k1 = pp - major2_ - minor2_, k2 = dot(p, d);
-    const double c[5] = {1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + major2_ * d.y * d.y)),
-                         4 * (k1 * k2 + 2 * major2_ * p.y * d.y), k1 * k1 + 4 * major2_ * (y2 - minor2_)};
+    // The order of sums and products is POV-Ray's (spec 08 N).
+    const double y2 = p.y * p.y, ydy = p.y * d.y;
+    const double k1 = p.x * p.x + p.z * p.z + y2 - major2_ - minor2_, k2 = p.x * d.x + p.z * d.z + ydy;
+    const double c[5] = {1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + major2_ * (d.y * d.y))), 4 * (k1 * k2 + 2 * major2_ * ydy),
+                         k1 * k1 + 4 * major2_ * (y2 - minor2_)};
     report(ray, c, advance, l.scale, sink);
   }
 
@@ -93,7 +94,7 @@ class Torus final : public Primitive<Torus> {
   template <class HitOf>
   unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
     TorusPacket packet;
-    packet_kernels().torus(major_, minor_, has_matrix() ? &matrix() : nullptr, rays, packet);
+    packet_kernels().torus(major_, minor_, &matrix(), rays, packet);
     unsigned found = 0;
     each_lane(rays.active, [&](int k) {
       if (packet.met[k] == 0) return;

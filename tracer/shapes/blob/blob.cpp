@@ -2,15 +2,15 @@
 // the threshold.
 //
 // A capsule is three parts: a cylinder and two half spheres. Along a ray every part has an interval and a quartic;
-// between the ends of intervals the sum is one quartic, whose roots are isolated by its Bernstein coefficients.
+// between the ends of intervals the sum is one quartic. All is computed as POV-Ray does it, to the last bit.
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <optional>
+#include <functional>
 #include <span>
 
 #include "tracer/bvh/bvh.h"
-#include "tracer/math/bernstein_packet.h"
+#include "tracer/math/polynomial.h"
 #include "tracer/shapes/blob/blob_packet.h"
 #include "tracer/shapes/blob/blob_parts.h"
 #include "tracer/shapes/blob/blob_intervals.h"
@@ -23,7 +23,7 @@ namespace {
 
 using namespace blob;
 
-constexpr double kNearest = 1e-2, kFarthest = 1e7, kInsideMargin = 1e-6;
+constexpr double kNearest = 1e-2, kFarthest = 1e7, kInsideMargin = 1e-6, kElimination = 1e-11;
 constexpr std::size_t kFewPieces = 24;
 constexpr std::size_t kMaxTextures = 512;
 
@@ -47,20 +47,7 @@ class Blob final : public Primitive<Blob> {
         return limit;
       });
     }
-    if (pieces.size() == 0 || misses(pieces)) return;
-    Scratch<Event> events;
-    add_events(pieces, 0, events);
-    Scratch<std::int32_t> active;
-    for (std::size_t i = 0; i < pieces.size(); ++i) active.add(0);
-    Intervals intervals(&events[0], events.size(), &active[0]);
-    if (!intervals.valid()) return;
-    while (intervals.next()) {
-      double power[5], roots[4];
-      if (!sum_pieces(&pieces[0], intervals, power)) continue;
-      const int n = bernstein_roots<4>(power, intervals.from, intervals.to, roots);
-      for (int i = 0; i < n; ++i)
-        if (report(ray, l.scale, intervals, roots[i], sink) && Sink::kNearest) return;
-    }
+    search(ray, l, pieces, HUGE_VAL, sink);
   }
 
   unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
@@ -88,11 +75,11 @@ class Blob final : public Primitive<Blob> {
     const Vec3 p = local(hit.point);
     Vec3 gradient(0);
     at(p, [&](const Part& part, double d2, const Vec3& to_point) {
-      const Vec3 g = -2 * (2 * part.k0 * d2 + part.k1) * to_point;
-      gradient += part.moved ? part.transform->normal(g) : g;
+      gradient += (-2 * part.k0 * d2 - part.k1) * (part.moved ? part.transform->normal(to_point) : to_point);
     });
     if (gradient == Vec3(0)) return {1, 0, 0};
-    return world_normal(gradient);
+    // Those of a blob with a matrix are normalised before they go through it, and after.
+    return world_normal(has_matrix() ? normalize(gradient) : gradient);
   }
 
   std::span<const scene::TexturePtr> extra_textures() const override { return textures_; }
@@ -121,23 +108,21 @@ class Blob final : public Primitive<Blob> {
   static double field(const Part& part, double d2) { return (part.k0 * d2 + part.k1) * d2 + part.k2; }
 
   // Squared distance of p from a part's centre or axis; false outside its reach. `to_point` points from there to p, in
-  // the component's own space.
+  // the part's own space.
   static bool reach(const Part& part, const Vec3& p, double& d2, Vec3& to_point) {
     const Vec3 q = part.moved ? part.transform->inverse_point(p) : p;
     to_point = q - part.center;
-    if (part.kind != PartKind::sphere) {
-      const double z = dot(to_point, part.axis);
-      if (part.kind == PartKind::base && z > 0) return false;
-      if (part.kind == PartKind::apex && z < 0) return false;
-      if (part.kind == PartKind::cylinder) {
-        if (z < 0 || z > part.length) return false;
-        to_point -= z * part.axis;
-      }
+    if (part.kind == PartKind::base && to_point.z > 0) return false;
+    if (part.kind == PartKind::apex && to_point.z < 0) return false;
+    if (part.kind == PartKind::cylinder) {
+      if (to_point.z < 0 || to_point.z > part.length) return false;
+      to_point.z = 0;
     }
     d2 = dot(to_point, to_point);
     return d2 < part.radius2;
   }
 
+  // The parts that reach a point, from the last to the first, as POV-Ray adds them up.
   template <class Visit>
   void at(const Vec3& p, Visit&& visit) const {
     const auto test = [&](const Part& part) {
@@ -146,90 +131,173 @@ class Blob final : public Primitive<Blob> {
       if (reach(part, p, d2, to_point)) visit(part, d2, to_point);
     };
     if (tree_.empty()) {
-      for (const Part& part : parts_) test(part);
+      for (std::size_t i = parts_.size(); i-- > 0;) test(parts_[i]);
       return;
     }
-    if (!order_.empty()) {
-      for (std::uint64_t around = blob_kernels().around(ordered_spheres_.data(), ordered_spheres_.size(), p);
-           around != 0; around &= around - 1)
-        test(parts_[order_[static_cast<std::size_t>(std::countr_zero(around))]]);
+    if (!spheres_.empty()) {
+      std::uint64_t around = blob_kernels().around(spheres_.data(), spheres_.size(), p);
+      while (around != 0) {
+        const int last = std::bit_width(around) - 1;
+        test(parts_[static_cast<std::size_t>(last)]);
+        around ^= std::uint64_t{1} << last;
+      }
       return;
     }
+    Scratch<std::uint32_t> around;
     tree_.any_around(p, [&](std::uint32_t i) {
-      test(parts_[i]);
+      around.add(i);
       return false;
     });
+    around.sort(std::greater<>());
+    for (std::size_t i = 0; i < around.size(); ++i) test(parts_[around[i]]);
   }
 
-  // The interval of the ray within a part's reach.
+  // The interval of the ray within a part's reach. The order of operations is POV-Ray's (spec 08 N).
   static void add_piece(const Part& part, const LocalRay& l, Scratch<Piece>& pieces) {
     Vec3 o = l.origin, d = l.direction;
-    if (part.moved) o = part.transform->inverse_point(o), d = part.transform->inverse_direction(d);
+    double scale = 1;
+    if (part.moved) {
+      o = part.transform->inverse_point(o), d = part.transform->inverse_direction(d);
+      scale = length(d);
+      d *= 1 / scale;
+    }
     o -= part.center;
-    Piece piece{0, HUGE_VAL, dot(d, d), dot(o, d), dot(o, o), &part};
+    Piece piece{-HUGE_VAL, HUGE_VAL, &part, scale * scale / part.radius2};
+    double nearest2;
+    if (part.kind == PartKind::cylinder) {
+      const double a = d.x * d.x + d.y * d.y, b = o.x * d.x + o.y * d.y, c = o.x * o.x + o.y * o.y;
+      const double beyond = c - part.radius2, discriminant = b * b - a * beyond;
+      nearest2 = c;
+      if (a > kEpsilon) {
+        if (!(discriminant > 0)) return;
+        const double root = std::sqrt(discriminant);
+        piece.t0 = (-b - root) / a, piece.t1 = (-b + root) / a;
+        nearest2 = c - b * b / a;
+      } else if (!(beyond < 0)) {
+        return;
+      }
+    } else {
+      const double b = dot(o, d), c = dot(o, o), discriminant = b * b - c + part.radius2;
+      if (!(discriminant > 0)) return;
+      const double root = std::sqrt(discriminant);
+      piece.t0 = -b - root, piece.t1 = -b + root;
+      nearest2 = c - b * b;
+    }
     if (part.kind != PartKind::sphere) {
-      const double z0 = dot(o, part.axis), dz = dot(d, part.axis);
-      if (part.kind == PartKind::cylinder) piece.a -= dz * dz, piece.b -= z0 * dz, piece.c -= z0 * z0;
       const double low = part.kind == PartKind::base ? -HUGE_VAL : 0;
       const double high = part.kind == PartKind::base ? 0 : part.kind == PartKind::cylinder ? part.length : HUGE_VAL;
-      if (std::fabs(dz) < kEpsilon) {
-        if (z0 < low || z0 > high) return;
+      if (std::fabs(d.z) < kEpsilon) {
+        if (o.z < low || o.z > high) return;
       } else {
-        double enter = (low - z0) / dz, leave = (high - z0) / dz;
+        double enter = (low - o.z) / d.z, leave = (high - o.z) / d.z;
         if (enter > leave) std::swap(enter, leave);
         piece.t0 = std::max(piece.t0, enter), piece.t1 = std::min(piece.t1, leave);
       }
     }
-    if (piece.a > kEpsilon) {
-      const double discriminant = piece.b * piece.b - piece.a * (piece.c - part.radius2);
-      if (!(discriminant > 0)) return;
-      const double root = std::sqrt(discriminant);
-      piece.t0 = std::max(piece.t0, (-piece.b - root) / piece.a);
-      piece.t1 = std::min(piece.t1, (-piece.b + root) / piece.a);
-    } else if (!(piece.c < part.radius2)) {
-      return;
-    }
+    piece.t0 = std::max(0.0, piece.t0 / scale), piece.t1 /= scale;
     if (!(piece.t1 > piece.t0 && piece.t1 < HUGE_VAL)) return;
     // The field of a positive part is largest where the ray is closest.
-    if (part.k2 > 0)
-      piece.peak = piece.a > kEpsilon ? field(part, std::max(piece.c - piece.b * piece.b / piece.a, 0.0)) : part.k2;
+    if (part.k2 > 0) piece.peak = field(part, std::max(nearest2, 0.0));
     pieces.add(piece);
   }
 
-  // Fields that add up to no more than `peak` do not reach the threshold, whatever the rounding.
-  bool misses(double peak) const { return peak < threshold_ - 1e-6 * (1 + std::fabs(threshold_)); }
-  bool misses(const Scratch<Piece>& pieces) const {
-    double peak = 0;
-    for (std::size_t i = 0; i < pieces.size(); ++i) peak += pieces[i].peak;
-    return misses(peak);
+  // The field of a part along origin + u direction, 0 <= u <= 1, in powers of u; `span` is the length of the direction.
+  static void expand(Piece& piece, const Vec3& origin, const Vec3& direction, double span) {
+    const Part& part = *piece.part;
+    const Vec3 q = (part.moved ? part.transform->inverse_point(origin) : origin) - part.center;
+    const Vec3 d = part.moved ? part.transform->inverse_direction(direction) : direction;
+    const bool flat = part.kind == PartKind::cylinder;
+    const double a = flat ? d.x * d.x + d.y * d.y : part.moved ? dot(d, d) : span * span;
+    const double b = flat ? q.x * d.x + q.y * d.y : dot(q, d), c = flat ? q.x * q.x + q.y * q.y : dot(q, q);
+    piece.power[4] = part.k0 * a * a;
+    piece.power[3] = 4 * part.k0 * b * a;
+    piece.power[2] = 2 * part.k0 * (2 * b * b + a * c) + part.k1 * a;
+    piece.power[1] = 2 * b * (2 * part.k0 * c + part.k1);
+    piece.power[0] = c * (part.k0 * c + part.k1) + part.k2;
   }
 
-  // The ends of pieces from `first` on, whose numbers count from there.
-  static void add_events(const Scratch<Piece>& pieces, std::size_t first, Scratch<Event>& events) {
-    for (std::size_t i = first; i < pieces.size(); ++i) {
-      events.insert_sorted({pieces[i].t0, static_cast<std::int32_t>(i - first), true}, kFewPieces);
-      events.insert_sorted({pieces[i].t1, static_cast<std::int32_t>(i - first), false}, kFewPieces);
+  // Fields that add up to no more than `peak` do not reach the threshold, whatever the rounding.
+  bool misses(double peak, double rounding) const {
+    return peak < threshold_ - 1e-6 * (1 + std::fabs(threshold_)) - rounding;
+  }
+
+  // What the running sum over so long a way may be off by: the coefficients of thin parts are huge.
+  static double rounding_of(const Scratch<Piece>& pieces, double span) {
+    double sum = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const double size = 1 + pieces[i].stretch * span * span;
+      sum += std::fabs(pieces[i].part->k2) * size * size;
+    }
+    return 1e-12 * sum;
+  }
+
+  // The ends of pieces, from near to far.
+  static void add_events(const Scratch<Piece>& pieces, Scratch<Event>& events) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const Piece& piece = pieces[i];
+      events.insert_sorted({piece.t0, static_cast<std::int32_t>(i), true, piece.part}, kFewPieces);
+      events.insert_sorted({piece.t1, static_cast<std::int32_t>(i), false, piece.part}, kFewPieces);
     }
     if (events.size() > kFewPieces) events.sort();
   }
 
-  // The field less the threshold on a interval, in powers of the rescaled parameter; false: it does not reach it.
-  bool sum_pieces(Piece* pieces, const Intervals& intervals, double* power) const {
-    double peak = 0;
-    for (const std::int32_t i : intervals.active()) peak += pieces[i].peak;
-    if (misses(peak)) return false;
-    power[0] = -threshold_, power[1] = power[2] = power[3] = power[4] = 0;
-    for (const std::int32_t n : intervals.active()) {
-      Piece& piece = pieces[n];
-      if (!piece.expanded) expand(piece, intervals.start, intervals.span);
-      for (int i = 0; i < 5; ++i) power[i] += piece.power[i];
+  // The hits of a ray that are no further than `limit`, interval by interval.
+  template <class Sink>
+  void search(const Ray& ray, const LocalRay& l, Scratch<Piece>& pieces, double limit, Sink& sink) const {
+    double start = HUGE_VAL, end = -HUGE_VAL, peak = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      start = std::min(start, pieces[i].t0), end = std::max(end, pieces[i].t1);
+      peak += pieces[i].peak;
     }
-    return true;
+    const double span = end - start;
+    if (!(span > 0 && std::isfinite(span))) return;
+    const double rounding = rounding_of(pieces, span);
+    if (misses(peak, rounding)) return;
+    Scratch<Event> events;
+    add_events(pieces, events);
+    const Vec3 origin = l.origin + start * l.direction, direction = span * l.direction;
+    for (std::size_t i = 0; i < pieces.size(); ++i) expand(pieces[i], origin, direction, span);
+    Intervals intervals(&events[0], events.size(), &pieces[0], threshold_);
+    while (intervals.next()) {
+      if ((start + span * intervals.from) / l.scale >= limit) return;
+      if (misses(intervals.peak, rounding) || keeps_its_sign(intervals.power, intervals.from, intervals.to)) continue;
+      if (solve(ray, l, intervals, sink) && Sink::kNearest) return;
+    }
+  }
+
+  // By the Bezier coefficients between two places.
+  static bool keeps_its_sign(const double* power, double from, double to) {
+    const double width = to - from, a = from, a2 = a * a, w2 = width * width;
+    const double c0 = (((power[4] * a + power[3]) * a + power[2]) * a + power[1]) * a + power[0];
+    const double c1 = (((4 * power[4] * a + 3 * power[3]) * a + 2 * power[2]) * a + power[1]) * width;
+    const double c2 = (6 * power[4] * a2 + 3 * power[3] * a + power[2]) * w2;
+    const double c3 = (4 * power[4] * a + power[3]) * w2 * width, c4 = power[4] * w2 * w2;
+    const double b[5] = {c0, c0 + c1 / 4, c0 + c1 / 2 + c2 / 6, c0 + 0.75 * c1 + c2 / 2 + c3 / 4,
+                         c0 + c1 + c2 + c3 + c4};
+    const auto [least, most] = std::minmax_element(b, b + 5);
+    return *least >= 0 || *most <= 0;
+  }
+
+  // True: a hit was accepted.
+  template <class Sink>
+  bool solve(const Ray& ray, const LocalRay& l, const Intervals& intervals, Sink& sink) const {
+    const double* p = intervals.power;
+    const double c[5] = {p[4], p[3], p[2], p[1], p[0]};
+    double roots[4];
+    const int n = solve_polynomial(4, c, roots, object->sturm, kElimination);
+    std::sort(roots, roots + n);
+    bool found = false;
+    for (int i = 0; i < n; ++i)
+      if (roots[i] >= intervals.from && roots[i] <= intervals.to && report(ray, l.scale, intervals, roots[i], sink)) {
+        found = true;
+        if (Sink::kNearest) break;
+      }
+    return found;
   }
 
   template <class Sink>
   static bool report(const Ray& ray, double scale, const Intervals& intervals, double root, Sink& sink) {
-    const double depth = (intervals.start + intervals.span * root) / scale;
+    const double depth = (root * intervals.span + intervals.start) / scale;
     // Searches from within (subsurface scattering) ask for everything in front, and POV-Ray's own leave nothing out
     // there.
     const double nearest = Sink::kNearest && sink.lower() == std::numeric_limits<double>::min() ? 1e-7 : kNearest;
@@ -253,119 +321,34 @@ class Blob final : public Primitive<Blob> {
                                strange ? HUGE_VAL : std::sqrt(apart2), std::sqrt(bent2 / size2));
   }
 
-  // Events at one place: their order, and with it the order of sums, is that in which the tree finds the parts.
-  static bool any_together(const Scratch<Event>& events) {
-    for (std::size_t i = 1; i < events.size(); ++i)
-      if (events[i].t == events[i - 1].t) return true;
-    return false;
-  }
-
-  // A ray of several, and its part of the lists that they share.
-  struct PacketSearch {
-    std::size_t first_piece, first_event, events;
-    double scale;
-    std::optional<Intervals> intervals;
-  };
-
   template <class HitOf>
   unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
     const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
     if (admitted == 0) return 0;
-    LocalPacket lanes;
-    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, lanes);
+    LocalPacket l;
+    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, l);
     PiecePacket met[BlobParts::kMaxForPacket];
-    const std::size_t count = blob_kernels().pieces(parts_.data(), parts_near(lanes, admitted), lanes, admitted, met);
+    const std::size_t count = blob_kernels().pieces(parts_.data(), parts_near(l, admitted), l, admitted, met);
     if (count == 0) return 0;
-    Scratch<Piece> pieces;
-    Scratch<Event, PacketSearch> events;
-    Scratch<std::int32_t> active;
-    PacketSearch searches[RayPacket::kCount];
-    unsigned open = 0, apart = 0;
+    unsigned found = 0;
     each_lane(admitted, [&](int k) {
-      PacketSearch& search = searches[k];
-      search = {pieces.size(), events.size(), 0, lanes.scale[k], {}};
-      double peak = 0;
+      Scratch<Piece> pieces;
       for (std::size_t i = 0; i < count; ++i) {
         const PiecePacket& p = met[i];
-        if (!(p.met >> k & 1)) continue;
-        pieces.add({p.t0[k], p.t1[k], p.a[k], p.b[k], p.c[k], p.part, p.peak[k]});
-        peak += p.peak[k];
+        if (p.met >> k & 1) pieces.add({p.t0[k], p.t1[k], p.part, p.stretch[k], p.peak[k]});
       }
-      if (pieces.size() == search.first_piece || misses(peak)) return;
-      Scratch<Event> sorted;
-      add_events(pieces, search.first_piece, sorted);
-      if (!tree_.empty() && any_together(sorted)) {
-        apart |= 1u << k;
-        return;
-      }
-      search.events = sorted.size();
-      for (std::size_t i = 0; i < sorted.size(); ++i) events.add(sorted[i]);
-      open |= 1u << k;
-    });
-    for (std::size_t i = 0; i < pieces.size(); ++i) active.add(0);
-    each_lane(open, [&](int k) {
-      PacketSearch& search = searches[k];
-      search.intervals.emplace(&events[search.first_event], search.events, &active[search.first_piece]);
-      if (!search.intervals->valid()) open &= ~(1u << k);
-    });
-
-    unsigned found = 0;
-    each_lane(apart, [&](int k) {
       NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
-      intersections(rays.at(k), sink);
+      const LocalRay ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
+      search(rays.at(k), ray, pieces, t_max[k], sink);
       found |= sink.found() ? 1u << k : 0;
     });
-    // Every lane goes from interval to interval until it is hit; those of all lanes are solved together.
-    RootPacket roots;
-    while (open != 0) {
-      unsigned solved = 0;
-      each_lane(open, [&](int k) {
-        PacketSearch& search = searches[k];
-        Intervals& intervals = *search.intervals;
-        double power[5];
-        do {
-          if (!intervals.next() || (intervals.start + intervals.span * intervals.from) / search.scale >= t_max[k]) {
-            open &= ~(1u << k);
-            return;
-          }
-        } while (!sum_pieces(&pieces[search.first_piece], intervals, power));
-        for (int i = 0; i < 5; ++i) roots.power[i][k] = power[i];
-        roots.from[k] = intervals.from, roots.to[k] = intervals.to;
-        solved |= 1u << k;
-      });
-      if (solved != 0) solved = bernstein_kernels().begin(4, solved, roots);
-      while (solved != 0) {
-        solved &= bernstein_kernels().next(4, solved, roots);
-        each_lane(solved, [&](int k) {
-          NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
-          if (report(rays.at(k), searches[k].scale, *searches[k].intervals, roots.root[k], sink)) {
-            found |= 1u << k;
-            open &= ~(1u << k), solved &= ~(1u << k);
-          }
-        });
-      }
-    }
     return found;
-  }
-
-  static void expand(Piece& piece, double start, double span) {
-    const Part& part = *piece.part;
-    const double a = piece.a * span * span, b = 2 * (piece.b + piece.a * start) * span,
-                 c = piece.c + start * (2 * piece.b + start * piece.a);
-    piece.power[4] = part.k0 * a * a;
-    piece.power[3] = part.k0 * 2 * a * b;
-    piece.power[2] = part.k0 * (b * b + 2 * a * c) + part.k1 * a;
-    piece.power[1] = part.k0 * 2 * b * c + part.k1 * b;
-    piece.power[0] = field(part, c);
-    piece.expanded = true;
   }
 
   double threshold_;
   const std::shared_ptr<const BlobParts> shared_;
   const std::vector<Part>& parts_ = shared_->parts;
   const std::vector<PartSpheres>& spheres_ = shared_->spheres;
-  const std::vector<std::uint32_t>& order_ = shared_->order;
-  const std::vector<PartSpheres>& ordered_spheres_ = shared_->ordered_spheres;
   const accel::Bvh& tree_ = shared_->tree;
   std::vector<scene::TexturePtr> textures_;
 };

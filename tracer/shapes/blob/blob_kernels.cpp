@@ -16,37 +16,52 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-// What a ray is to a part.
+// Where a ray is within reach of a part; `nearest2`: its squared distance from the centre or axis there.
 struct Course {
-  Packet a, b, c, t0, t1;
+  Packet t0, t1, stretch, nearest2;
 };
 
-// The lanes that come within reach; sets the interval between the planes of a cylinder or half sphere.
+// The lanes that come within reach. The order of operations is that of Blob::add_piece.
 HWY_INLINE Mask meet(const BlobPart& part, PacketVector<Packet> o, PacketVector<Packet> d, Course& course) {
+  Packet scale = 1.0;
   if (part.moved) {
     const Mat4& inverse = part.transform->inv;
     o = transform_point(inverse, o), d = transform_direction(inverse, d);
+    scale = sqrt(dot(d, d));
+    const Packet inverse_scale = 1.0 / scale;
+    d = {d.x * inverse_scale, d.y * inverse_scale, d.z * inverse_scale};
   }
   o.x -= part.center.x, o.y -= part.center.y, o.z -= part.center.z;
-  course = {dot(d, d), dot(o, d), dot(o, o), 0.0, HUGE_VAL};
   Mask met = Mask::all();
+  if (part.kind == BlobPartKind::cylinder) {
+    const Packet a = d.x * d.x + d.y * d.y, b = o.x * d.x + o.y * d.y, c = o.x * o.x + o.y * o.y;
+    const Packet beyond = c - part.radius2, discriminant = b * b - a * beyond, root = sqrt(discriminant);
+    const Mask slanted = a > kEpsilon;
+    met = (slanted & (discriminant > 0)) | (~slanted & (beyond < 0));
+    course.t0 = select(slanted, (-b - root) / a, -HUGE_VAL), course.t1 = select(slanted, (-b + root) / a, HUGE_VAL);
+    course.nearest2 = select(slanted, c - b * b / a, c);
+  } else {
+    const Packet b = dot(o, d), c = dot(o, o), discriminant = b * b - c + part.radius2, root = sqrt(discriminant);
+    met = discriminant > 0;
+    course.t0 = -b - root, course.t1 = -b + root;
+    course.nearest2 = c - b * b;
+  }
   if (part.kind != BlobPartKind::sphere) {
-    const Packet z0 = dot(o, part.axis), dz = dot(d, part.axis);
-    if (part.kind == BlobPartKind::cylinder) course.a -= dz * dz, course.b -= z0 * dz, course.c -= z0 * z0;
     const double low = part.kind == BlobPartKind::base ? -HUGE_VAL : 0;
     const double high = part.kind == BlobPartKind::base       ? 0
                         : part.kind == BlobPartKind::cylinder ? part.length
                                                               : HUGE_VAL;
-    const Mask across = abs(dz) < kEpsilon;
-    met &= ~(across & ((z0 < low) | (z0 > high)));
-    const Packet to_low = (low - z0) / dz, to_high = (high - z0) / dz;
+    const Mask across = abs(d.z) < kEpsilon;
+    met &= ~(across & ((o.z < low) | (o.z > high)));
+    const Packet to_low = (low - o.z) / d.z, to_high = (high - o.z) / d.z;
     const Mask swapped = to_low > to_high;
     course.t0 = select(across, course.t0, max(course.t0, select(swapped, to_high, to_low)));
     course.t1 = select(across, course.t1, min(course.t1, select(swapped, to_low, to_high)));
   }
-  const Mask slanted = course.a > kEpsilon;
-  const Packet discriminant = course.b * course.b - course.a * (course.c - part.radius2);
-  return met & ((slanted & (discriminant > 0)) | (~slanted & (course.c < part.radius2)));
+  if (part.moved) course.t0 = course.t0 / scale, course.t1 = course.t1 / scale;
+  course.t0 = max(Packet{}, course.t0);
+  course.stretch = scale * scale / part.radius2;
+  return met & (course.t1 > course.t0) & (course.t1 < HUGE_VAL);
 }
 
 std::uint64_t near_parts(const PartSpheres* spheres, std::size_t blocks, const Vec3& o, const Vec3& d, double apart,
@@ -85,23 +100,15 @@ std::size_t find_pieces(const BlobPart* parts, std::uint64_t near, const LocalPa
   for (; near != 0; near &= near - 1) {
     const BlobPart& part = parts[__builtin_ctzll(near)];
     Course course;
-    const Mask within = meet(part, o, d, course);
-    if ((bits(within) & active) == 0) continue;
-    const Packet a = course.a, b = course.b, c = course.c;
-    const Mask slanted = a > kEpsilon;
-    const Packet discriminant = b * b - a * (c - part.radius2);
-    const Packet root = sqrt(discriminant);
-    const Packet t0 = select(slanted, max(course.t0, (-b - root) / a), course.t0),
-                 t1 = select(slanted, min(course.t1, (-b + root) / a), course.t1);
-    const unsigned met = bits(within & (t1 > t0) & (t1 < HUGE_VAL)) & active;
+    const unsigned met = bits(meet(part, o, d, course)) & active;
     if (met == 0) continue;
     PiecePacket& piece = pieces[found++];
-    store(piece.t0, t0), store(piece.t1, t1), store(piece.a, a), store(piece.b, b), store(piece.c, c);
+    store(piece.t0, course.t0), store(piece.t1, course.t1), store(piece.stretch, course.stretch);
     // The field of a positive part is largest where the ray is closest.
     Packet peak{};
     if (part.k2 > 0) {
-      const Packet d2 = max(c - b * b / a, Packet{});
-      peak = select(slanted, (part.k0 * d2 + part.k1) * d2 + part.k2, part.k2);
+      const Packet d2 = max(course.nearest2, Packet{});
+      peak = (part.k0 * d2 + part.k1) * d2 + part.k2;
     }
     store(piece.peak, peak);
     piece.part = &part, piece.met = met;

@@ -11,21 +11,22 @@ enum class BlobPartKind : unsigned char { sphere, cylinder, base, apex };
 
 struct BlobPart {
   BlobPartKind kind;
-  bool moved = false;  // `transform` counts
+  bool moved = false;  // `transform` counts: always, but for spheres
   std::int32_t component = 0;
-  Vec3 center;                                 // of a sphere or half sphere; the base of a cylinder
-  Vec3 axis;                                   // unit; of all but spheres
-  double length = 0;                           // of a cylinder
+  Vec3 center;                                 // in the part's own space, where the axis of cylinders is z
+  double length = 0;                           // of a cylinder, from z = 0
   double radius2 = 0, k0 = 0, k1 = 0, k2 = 0;  // field = k0 D^2 + k1 D + k2 of the squared distance D
   scene::Rare<Transform> transform;            // shared by the parts of a capsule
-  Box3 box;                                    // of its reach, in the blob's space
+  Vec3 around;                                 // a sphere around the part's reach, in the blob's space
+  double reach = 0;
+  Box3 box;  // of its reach, in the blob's space
 };
 
-// D = a t^2 + 2 b t + c along rays, valid for t0 < t < t1; no more than `peak` does the part add to the field, but for
-// rounding.
+// A part is within reach for t0 < t < t1 along rays; no more than `peak` does it add to the field, but for rounding.
+// `stretch` is the squared length of the direction beside the squared radius.
 struct alignas(64) PiecePacket {
   using Lane = double[RayPacket::kCount];
-  Lane t0, t1, a, b, c, peak;
+  Lane t0, t1, stretch, peak;
   const BlobPart* part;
   unsigned met;  // by these lanes
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/shapes/blob/sphere_order.h"
 #include "tracer/shapes/frame.h"
 #include "tracer/shapes/shared_payload.h"
 
@@ -36,8 +37,8 @@ std::vector<BlobPart> parts_of(const scene::Blob& blob, std::vector<Box3>* pov_b
   std::size_t count = 0;
   for (const scene::BlobComponent& c : blob.components) count += c.cylinder ? 3 : 1;
   parts.reserve(count);
-  const auto add = [&](const BlobPart& part, const Vec3& center, double radius, const Transform& t) {
-    if (pov_boxes) pov_boxes->push_back(cube_around(center, radius, t));
+  const auto add = [&](const BlobPart& part, const Vec3& center, double radius) {
+    if (pov_boxes) pov_boxes->push_back(cube_around(center, radius, *part.transform));
     parts.push_back(part);
   };
   for (std::size_t i = 0; i < blob.components.size(); ++i) {
@@ -50,31 +51,38 @@ std::vector<BlobPart> parts_of(const scene::Blob& blob, std::vector<Box3>* pov_b
     part.k2 = c.strength;
     part.moved = c.transform.has_value();
     if (c.transform) part.transform = *c.transform;
-    const Transform& moved = *part.transform;
-    part.center = c.a;
+    const Transform moved = *part.transform;
     const double radius = std::fabs(c.radius);
+    const auto set_reach = [&](const Box3& box, const Vec3& center, double reach) {
+      part.box = box;
+      part.around = c.transform ? box.center() : center;
+      part.reach = c.transform ? 0.5 * length(box.max - box.min) : reach;
+    };
     if (!c.cylinder) {
       part.kind = BlobPartKind::sphere;
-      part.box = box_of_sphere(c.a, radius, moved);
-      add(part, c.a, radius, moved);
+      part.center = c.a;
+      set_reach(box_of_sphere(c.a, radius, moved), c.a, radius);
+      add(part, c.a, radius);
       continue;
     }
-    const double len = length(c.b - c.a);
-    part.axis = (c.b - c.a) / len;
+    const double len = length(c.b - c.a), around = std::sqrt(part.radius2 + 0.25 * len * len);
+    part.center = Vec3(0);
     part.length = len;
-    const Transform frame = frame_along(c.a, part.axis, 1, 1).then(moved);
-    part.kind = BlobPartKind::cylinder;
+    part.moved = true;
+    part.transform = frame_along(c.a, (c.b - c.a) * (1 / len), 1, 1).then(moved);
     const Box3 base = box_of_sphere(c.a, radius, moved), apex = box_of_sphere(c.b, radius, moved);
-    part.box = base;
-    part.box.extendBy(apex);
-    add(part, {0, 0, 0.5 * len}, std::sqrt(part.radius2 + 0.25 * len * len), frame);
+    Box3 both = base;
+    both.extendBy(apex);
+    part.kind = BlobPartKind::cylinder;
+    set_reach(both, 0.5 * (c.a + c.b), around);
+    add(part, {0, 0, 0.5 * len}, around);
     part.kind = BlobPartKind::base;
-    part.box = base;
-    add(part, Vec3(0), radius, frame);
+    set_reach(base, c.a, radius);
+    add(part, Vec3(0), radius);
     part.kind = BlobPartKind::apex;
-    part.center = c.b;
-    part.box = apex;
-    add(part, {0, 0, len}, radius, frame);
+    part.center = {0, 0, len};
+    set_reach(apex, c.b, radius);
+    add(part, part.center, radius);
   }
   return parts;
 }
@@ -83,17 +91,27 @@ std::vector<PartSpheres> spheres_around(const std::vector<BlobPart>& parts) {
   std::vector<PartSpheres> spheres((parts.size() + 7) / 8);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const BlobPart& part = parts[i];
-    Vec3 center = part.center;
-    double radius = std::sqrt(part.radius2);
-    if (part.moved) {
-      center = part.box.center(), radius = 0.5 * length(part.box.max - part.box.min);
-    } else if (part.kind == BlobPartKind::cylinder) {
-      center += 0.5 * part.length * part.axis, radius = std::sqrt(part.radius2 + 0.25 * part.length * part.length);
-    }
     PartSpheres& s = spheres[i / 8];
-    s.x[i % 8] = center.x, s.y[i % 8] = center.y, s.z[i % 8] = center.z, s.radius[i % 8] = radius;
+    s.x[i % 8] = part.around.x, s.y[i % 8] = part.around.y, s.z[i % 8] = part.around.z, s.radius[i % 8] = part.reach;
   }
   return spheres;
+}
+
+// The parts in the order in which POV-Ray's hierarchy holds them.
+std::vector<BlobPart> parts_in_order(const scene::Blob& blob) {
+  std::vector<Box3> boxes;
+  const std::vector<BlobPart> parts = parts_of(blob, &boxes);
+  std::vector<BoundingSphere> spheres;
+  bool finite = true;
+  for (const Box3& box : boxes) {
+    spheres.push_back({box.center(), 0.5 * (box.max.x - box.min.x)});
+    finite = finite && accel::is_finite(box);
+  }
+  if (parts.empty() || !finite) return parts;
+  std::vector<BlobPart> ordered;
+  ordered.reserve(parts.size());
+  for (const std::uint32_t i : order_of(spheres)) ordered.push_back(parts[i]);
+  return ordered;
 }
 
 Box3 box_of(const std::vector<BlobPart>& parts, bool all) {
@@ -103,7 +121,7 @@ Box3 box_of(const std::vector<BlobPart>& parts, bool all) {
   return box;
 }
 
-BlobParts::BlobParts(const scene::Blob& blob) : parts(parts_of(blob)) {
+BlobParts::BlobParts(const scene::Blob& blob) : parts(parts_in_order(blob)) {
   constexpr std::size_t kFewParts = 2;
   std::vector<Box3> boxes;
   boxes.reserve(parts.size());
@@ -114,13 +132,6 @@ BlobParts::BlobParts(const scene::Blob& blob) : parts(parts_of(blob)) {
   }
   if (parts.size() <= kMaxForPacket && finite) spheres = spheres_around(parts);
   if (parts.size() > kFewParts && finite) tree = accel::Bvh(boxes);
-  if (spheres.empty() || tree.empty()) return;
-  std::vector<BlobPart> ordered;
-  tree.each([&](std::uint32_t i) {
-    order.push_back(i);
-    ordered.push_back(parts[i]);
-  });
-  ordered_spheres = spheres_around(ordered);
 }
 
 std::shared_ptr<const BlobParts> BlobParts::of(const std::shared_ptr<const scene::Blob>& blob) {

@@ -21,12 +21,8 @@ struct BlobParts {
   explicit BlobParts(const scene::Blob& blob);
   static std::shared_ptr<const BlobParts> of(const std::shared_ptr<const scene::Blob>& blob);
 
-  std::vector<BlobPart> parts;
+  std::vector<BlobPart> parts;       // in the order of POV-Ray's hierarchy, which decides the last digits of sums
   std::vector<PartSpheres> spheres;  // if the parts are not too many
-  // The parts in the order in which the tree finds those around a point, which decides the last digits of sums; empty:
-  // ask the tree.
-  std::vector<std::uint32_t> order;
-  std::vector<PartSpheres> ordered_spheres;
   accel::Bvh tree;
 
   static constexpr std::size_t kMaxForPacket = 64;  // parts; of more, a tree finds the few that a ray meets

@@ -13,7 +13,8 @@ class Disc final : public Primitive<Disc> {
   Disc(const scene::Object& description, const scene::Disc& d)
       : Primitive(description, {Box3(Vec3(-d.radius, -d.radius, -1e-9), Vec3(d.radius, d.radius, 1e-9)), false}),
         hole2_(d.hole * d.hole),
-        radius2_(d.radius * d.radius) {}
+        radius2_(d.radius * d.radius),
+        normal_(d.normal) {}
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
@@ -26,19 +27,21 @@ class Disc final : public Primitive<Disc> {
   }
 
   bool contains(const Vec3& p) const { return local(p).z < 0; }
-  Vec3 geometric_normal(const Hit&) const { return world_normal({0, 0, 1}); }
+  Vec3 geometric_normal(const Hit&) const { return normal_; }
 
  private:
   double hole2_, radius2_;
+  Vec3 normal_;  // in the world
 };
 
 }  // namespace
 
-Transform disc_frame(const scene::Disc& d) { return frame_along(d.center, normalize(d.normal), 1, 1); }
+Transform disc_frame(const scene::Disc& d) { return frame_along(d.center, d.normal, 1, 1); }
 
 std::unique_ptr<Shape> compile_disc(const scene::Object& object) {
-  const auto& disc = *object.as<scene::Disc>();
+  scene::Disc disc = *object.as<scene::Disc>();
   if (object.transform) return std::make_unique<Disc>(object, disc);
+  disc.normal = normalize(disc.normal);
   scene::Object framed = object;
   framed.transform = disc_frame(disc);
   auto shape = std::make_unique<Disc>(framed, disc);

@@ -83,8 +83,7 @@ class Quadric final : public Primitive<Quadric> {
     const Vec3 &p = hit.point, &s = q_.square, &m = q_.mixed, &l = q_.linear;
     const Vec3 gradient(2 * s.x * p.x + m.x * p.y + m.y * p.z + l.x, m.x * p.x + 2 * s.y * p.y + m.z * p.z + l.y,
                         m.y * p.x + m.z * p.y + 2 * s.z * p.z + l.z);
-    const double len = length(gradient);
-    return len == 0 ? Vec3(1, 0, 0) : gradient / len;
+    return gradient == Vec3(0) ? Vec3(1, 0, 0) : normalize(gradient);
   }
 
  private:

@@ -71,7 +71,8 @@ struct SceneRequest {
                                                     // one counts
   FitOptions fit;                                   // of a stored picture: a photograph
   const char* reference_name() const { return fit.any() ? "photograph" : "stored picture"; }
-  std::optional<Truth> truth;  // values that mathematics gives
+  std::vector<std::string> beside;  // who else is held against the photograph: "povray", "path", or a command
+  std::optional<Truth> truth;       // values that mathematics gives
   double flip_pixels_per_degree = 67.0206;
 };
 
@@ -197,6 +198,13 @@ OracleRender run_oracle(const OracleProgram& program, const OracleOptions& optio
 // ---- a run
 // -----------------------------------------------------------------------------------------------------------------------------------------------------------
 
+// How far a renderer's picture, fitted by itself, is from a photograph.
+struct Likeness {
+  std::string renderer;
+  double ciede2000_mean = 0, flip_mean = 0, rmse = 0;
+  std::string failed = {};  // why there are no figures
+};
+
 struct SceneResult {
   SceneRequest request;
   SceneClass scene_class = SceneClass::deterministic;
@@ -211,6 +219,7 @@ struct SceneResult {
   std::vector<PixelTags::Tree> trees;                      // ray trees of the worst pixels
   std::string blame_failed;                                // why there is no blame
   std::optional<Fit> fit;                                  // of a photograph
+  std::vector<Likeness> verisimilitude;                    // of all renderers that are held against it, ours first
   std::optional<TruthError> oracle_truth, native_truth;    // of a scene with a known answer
   double oracle_seconds = 0, native_seconds = 0, oracle_cpu_seconds = 0, native_cpu_seconds = 0;
   bool oracle_cached = false;
@@ -272,6 +281,7 @@ struct RunOptions {
   bool whole_suite =
       false;  // nothing was left out of the suite: a stored picture without a scene is one that was removed
   std::filesystem::path baseline;                      // stored pictures in the place of the oracle
+  std::map<std::string, NativeRenderer> beside;        // renderers of SceneRequest::beside by their names
   NativeRenderer reference;                            // any renderer in the place of the oracle; empty: none
   std::string reference_identity;                      // changes whenever that one does
   std::string reference_name;                          // what reports call it

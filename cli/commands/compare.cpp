@@ -93,6 +93,14 @@ std::string choose_command(const std::string& command, compare::RunOptions& run)
   return program_name(command);
 }
 
+// Who may stand beside the judged program in front of a photograph.
+void add_others(compare::RunOptions& run) {
+  run.beside["path"] = compare::native_program(own_program(), {"--integrator", "path"});
+  run.beside["povray"] = [options = run.oracle](const compare::NativeRequest& request) {
+    return compare::povray_renderer(compare::find_oracle(options), options)(request);
+  };
+}
+
 // POV-Ray sleeps for a third of a second when it starts: small scenes wait for it side by side. Large ones take the
 // memory and the threads that there are one after the other.
 int jobs_for(const compare::Suite& suite, bool waits) {
@@ -257,6 +265,7 @@ int command_compare(const std::vector<std::string>& arguments) {
       run.reference = renderer_of_command("--reference", reference);
       run.reference_identity = reference, run.reference_name = program_name(reference);
     }
+    add_others(run);
     if (no_explain || wants_sandbox())
       run.tags = nullptr;
     else

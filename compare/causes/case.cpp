@@ -1,19 +1,10 @@
 #include "compare/causes/case.h"
 
-#include <fmt/format.h>
-
 namespace verisim::compare {
 namespace {
 
 constexpr double kMaxPixels = 1e6;
 constexpr double kFineLimit = 0.1, kCoarseLimit = 0.75;  // code values: with more than 8 bits, and with 8
-
-void require_fitting(const PixelTags* tags, int width, int height) {
-  if (!tags) return;
-  if (tags->width != width || tags->height != height || tags->step < 1)
-    throw PictureMismatch(
-        fmt::format("the tags are those of a picture of {}x{}, not {}x{}", tags->width, tags->height, width, height));
-}
 
 // The mean of a square of pixels.
 Pixel mean_of(const Values& v, int x0, int y0, int side) {
@@ -33,7 +24,8 @@ Pixel mean_of(const Values& v, int x0, int y0, int side) {
 Case::Case(const Picture& a, const Picture& b, const Tags& known)
     : tags(known), full_width_(a.width), full_height_(a.height) {
   require_same_size(a, b);
-  require_fitting(known.reference, a.width, a.height), require_fitting(known.test, a.width, a.height);
+  for (const PixelTags* side : {known.reference, known.test})
+    if (side) require_fitting(*side, a.width, a.height);
   const Values p(a), q(b);
   reduced = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(a.width) * a.height / kMaxPixels))));
   width = (a.width + reduced - 1) / reduced, height = (a.height + reduced - 1) / reduced;

@@ -38,15 +38,20 @@ PixelError error_at(const Values& a, const Values& b, int x, int y) {
 
 }  // namespace
 
+void require_fitting(const PixelTags& tags, int width, int height) {
+  if (tags.width != width || tags.height != height || tags.step < 1)
+    throw PictureMismatch(
+        fmt::format("the tags are those of a picture of {}x{}, not {}x{}", tags.width, tags.height, width, height));
+  const int columns = (width + tags.step - 1) / tags.step, rows = (height + tags.step - 1) / tags.step;
+  if (tags.set_of.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows))
+    throw PictureMismatch("the tags do not fit their size");
+}
+
 Blame blame(const Picture& reference, const Picture& test, const PixelTags& tags, double limit) {
   require_same_size(reference, test);
   const Values a(reference), b(test);
-  if (tags.width != a.width() || tags.height != a.height() || tags.step < 1)
-    throw PictureMismatch(fmt::format("the tags are those of a picture of {}x{}, not {}x{}", tags.width, tags.height,
-                                      a.width(), a.height()));
+  require_fitting(tags, a.width(), a.height());
   const int columns = (tags.width + tags.step - 1) / tags.step, rows = (tags.height + tags.step - 1) / tags.step;
-  if (tags.set_of.size() != static_cast<std::size_t>(columns) * rows)
-    throw PictureMismatch("the tags do not fit their size");
 
   std::vector<PixelError> errors;
   errors.reserve(tags.set_of.size());

@@ -35,6 +35,9 @@ struct PixelTags {
   std::vector<Part> parts = {};
 };
 
+// Throws PictureMismatch when these are the tags of a picture of another size.
+void require_fitting(const PixelTags& tags, int width, int height);
+
 // One object of the scene, by what is seen of it directly.
 struct ObjectError {
   std::string name;

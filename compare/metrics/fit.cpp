@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compare/metrics/find_corners.h"
 #include "compare/metrics/photograph.h"
 #include "compare/metrics/values.h"
 
@@ -54,7 +55,8 @@ std::vector<Span> spans(int from, int to) {
   return out;
 }
 
-// Averages in linear light over the area of each new pixel.
+}  // namespace
+
 Picture resampled(const Picture& picture, int width, int height) {
   const std::vector<Span> columns = spans(picture.width, width), rows = spans(picture.height, height);
   Picture out = picture;
@@ -83,6 +85,8 @@ Picture resampled(const Picture& picture, int width, int height) {
       }
   return out;
 }
+
+namespace {
 
 // Pixels are square: another shape would squeeze everything. A cut-out is chosen in whole pixels, one more or less in
 // either direction is no other shape.
@@ -172,10 +176,12 @@ FittedPair fit_to_reference(const Picture& reference, const Picture& test, const
   out.fit.reference_width = out.reference.width, out.fit.reference_height = out.reference.height;
   Crop part = options.crop.value_or(Crop{0, 0, reference.width, reference.height});
   std::vector<double> where;
-  if (options.corners || options.vignetting) out.fit.noise = estimate_noise(out.reference);
-  if (options.corners) {
+  const bool by_corners = options.corners || options.find_corners;
+  if (by_corners || options.vignetting) out.fit.noise = estimate_noise(out.reference);
+  if (by_corners) {
     if (options.crop) throw PictureMismatch("corners and a crop say the same thing: give one of them");
-    out.fit.alignment = align(reference, test, *options.corners, options.distortion);
+    const Corners start = options.corners ? *options.corners : find_corners(reference, test);
+    out.fit.alignment = align(reference, test, start, options.distortion);
     out.reference = aligned(reference, *out.fit.alignment, test.width, test.height);
     if (options.vignetting) where = distances_from_centre(reference, *out.fit.alignment, test.width, test.height);
   } else if (options.distortion) {

@@ -23,11 +23,12 @@ using Corners = std::array<ImagePoint, 4>;
 struct FitOptions {
   std::optional<Crop> crop;        // of the reference, in its pixels
   std::optional<Corners> corners;  // of the picture, where they are in the reference, about: they are refined
+  bool find_corners = false;       // in the place of corners: they are looked for
   bool distortion = false;         // with corners: the lens's radial distortion is fitted, too
   bool vignetting = false;         // the fall-off of light towards the corners is fitted
   bool exposure = false;           // one factor for the three channels
   bool white_balance = false;      // a factor for each channel; the exposure is then their part in common
-  bool any() const { return crop || corners || distortion || vignetting || exposure || white_balance; }
+  bool any() const { return crop || corners || find_corners || distortion || vignetting || exposure || white_balance; }
 };
 
 // Where the picture lies in the photograph. Errors are standard deviations, from the residuals of the fit.
@@ -59,6 +60,9 @@ struct FittedPair {
   Picture reference, test;
   Fit fit;
 };
+
+// Averages in linear light over the area of each new pixel. Integer pictures come out with 16 bits.
+Picture resampled(const Picture& picture, int width, int height);
 
 // Least squares in linear light over the pixels that are clipped in neither picture. A cut-out of another size is
 // averaged over the render's pixels. Throws PictureMismatch when the crop is not inside the reference, or the corners

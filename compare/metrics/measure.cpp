@@ -11,6 +11,7 @@
 #include "compare/metrics/patches.h"
 #include "compare/metrics/row_window.h"
 #include "compare/metrics/ssim.h"
+#include "compare/metrics/systematic.h"
 #include "compare/metrics/values.h"
 #include "tracer/base/parallel.h"
 
@@ -98,6 +99,8 @@ struct RowFigures {
   double absolute = 0, signed_sum = 0, max_abs = 0, alpha_max = 0;
   std::uint64_t edge_count = 0, nan_pixels = 0, within_1 = 0, within_2 = 0;
   Sum all, edge, interior, alpha;
+  std::array<SignTest, 3> signs;
+  std::array<std::vector<signed char>, 3> sides;
   std::vector<double> color;   // CIEDE2000; negative: not a number
   std::vector<float> largest;  // difference of the channels
 };
@@ -106,6 +109,7 @@ RowFigures row_figures(const Values& a, const Values& b, int y, const unsigned c
   RowFigures out;
   const auto width = static_cast<std::size_t>(a.width());
   out.color.assign(width, -1), out.largest.assign(width, 0);
+  for (auto& sides : out.sides) sides.assign(width, 0);
   for (std::size_t i = 0; i < width; ++i) {
     const int x = static_cast<int>(i);
     out.edge_count += edges[i];
@@ -114,7 +118,10 @@ RowFigures row_figures(const Values& a, const Values& b, int y, const unsigned c
       continue;
     }
     double largest = 0;
-    for (const double d : difference(a, b, x, y)) {
+    const Rgb apart = difference(a, b, x, y);
+    for (std::size_t c = 0; c < 3; ++c)
+      out.signs[c].add(apart[c]), out.sides[c][i] = static_cast<signed char>(SignTest::side(apart[c]));
+    for (const double d : apart) {
       largest = std::max(largest, std::fabs(d));
       out.absolute += std::fabs(d), out.signed_sum += d;
       out.all.add(d);
@@ -185,6 +192,11 @@ class Measurement {
     m_.solid_2_pixels = patches_.solid_2_pixels, m_.solid_4_pixels = patches_.solid_4_pixels,
     m_.solid_x = patches_.solid_x, m_.solid_y = patches_.solid_y;
     m_.drift_max = patches_.drift_max, m_.drift_x = patches_.drift_x, m_.drift_y = patches_.drift_y;
+    m_.signs = *std::max_element(signs_.begin(), signs_.end(),
+                                 [](const SignTest& a, const SignTest& b) { return a.share() < b.share(); });
+    for (const OneSidedGroups& groups : one_sided_)
+      if (const OneSidedGroups::Group g = groups.largest(); g.size() > static_cast<std::int64_t>(m_.one_sided_pixels))
+        m_.one_sided_pixels = static_cast<std::uint64_t>(g.size()), m_.one_sided_x = g.x, m_.one_sided_y = g.y;
     m_.ssim_mean = ssim_ / ssim_windows(m_.width, m_.height);
     m_.flip_mean = flip_sum_ / pixels;
     if (exposures_) m_.hdr_flip_mean = hdr_flip_sum_ / pixels;
@@ -204,6 +216,7 @@ class Measurement {
       absolute_ += r.absolute, signed_sum_ += r.signed_sum;
       m_.max_abs = std::max(m_.max_abs, r.max_abs), alpha_max_ = std::max(alpha_max_, r.alpha_max);
       edge_count_ += r.edge_count, m_.nan_pixels += r.nan_pixels, within_1_ += r.within_1, within_2_ += r.within_2;
+      for (std::size_t c = 0; c < 3; ++c) signs_[c].add(r.signs[c]), one_sided_[c].add_row(r.sides[c]);
       all_.add(r.all), edge_.add(r.edge), interior_.add(r.interior), alpha_sum_.add(r.alpha);
       for (std::size_t x = 0; x < r.color.size(); ++x) {
         if (r.color[x] < 0) continue;
@@ -222,12 +235,25 @@ class Measurement {
   double absolute_ = 0, signed_sum_ = 0, alpha_max_ = 0, ssim_ = 0, flip_sum_ = 0, hdr_flip_sum_ = 0;
   std::uint64_t within_1_ = 0, within_2_ = 0, edge_count_ = 0;
   Sum all_, edge_, interior_, alpha_sum_;
+  std::array<SignTest, 3> signs_;
+  std::array<OneSidedGroups, 3> one_sided_;
   ColorDifferences colors_;
   Patches patches_;
   WorstPixels worst_;
 };
 
 }  // namespace
+
+double SignTest::share() const {
+  const double net = std::fabs(static_cast<double>(brighter) - static_cast<double>(darker));
+  return pixels ? net / static_cast<double>(pixels) : 0;
+}
+
+bool SignTest::leans(double limit) const {
+  constexpr double kSigmas = 5;
+  const double changed = static_cast<double>(brighter + darker), net = share() * static_cast<double>(pixels);
+  return share() > limit && net > kSigmas * std::sqrt(changed);
+}
 
 std::uint64_t measure_bytes(std::uint64_t pixels, int channels) {
   constexpr std::uint64_t kFloat = 4, kMasksAndErrors = 16;

@@ -31,6 +31,20 @@ struct WorstPixel {
   std::array<double, 4> reference{}, test{};  // r g b a, 8-bit units
 };
 
+// Of a set of pixels: how many are brighter than they should be, and how many are darker.
+struct SignTest {
+  static constexpr double kSmallest = 0.03;  // code values: less is rounding, of another machine for instance
+  std::uint64_t pixels = 0, brighter = 0, darker = 0;
+
+  static int side(double difference) { return difference > kSmallest ? 1 : difference < -kSmallest ? -1 : 0; }
+  void add(double difference) { ++pixels, brighter += side(difference) > 0, darker += side(difference) < 0; }
+  void add(const SignTest& other) { pixels += other.pixels, brighter += other.brighter, darker += other.darker; }
+  // How many more go to one side than to the other, as a part of all.
+  double share() const;
+  // More than `limit` of the pixels go to one side, and by chance that would not happen.
+  bool leans(double limit) const;
+};
+
 // JSON has no infinity, and one figure should be the same in every report.
 inline constexpr double kPsnrOfEqualPictures = 999;
 
@@ -50,10 +64,13 @@ struct Metrics {
   double edge_pct = 0;                              // pixels that count as edge
   std::optional<double> alpha_max_abs, alpha_rmse;  // when either picture has alpha
   std::uint64_t solid_2_pixels = 0,
-                solid_4_pixels = 0;  // pixels in solid patches of errors above 2 (4) code values (patches.h)
-  int solid_x = 0, solid_y = 0;      // the middle of the worst one
-  double drift_max = 0;              // largest mean difference of 16x16 pixels, each clipped to one code value
-  int drift_x = 0, drift_y = 0;      // where
+                solid_4_pixels = 0;      // pixels in solid patches of errors above 2 (4) code values (patches.h)
+  int solid_x = 0, solid_y = 0;          // the middle of the worst one
+  double drift_max = 0;                  // largest mean difference of 16x16 pixels, each clipped to one code value
+  int drift_x = 0, drift_y = 0;          // where
+  std::uint64_t one_sided_pixels = 0;    // the most connected pixels that go to one side, by however little
+  int one_sided_x = 0, one_sided_y = 0;  // one of them
+  SignTest signs;                        // of all pixels, in the channel that leans most
   bool fine = false;  // both pictures hold more than 8 bits: differences below a code value can be told from rounding
   std::uint64_t nan_pixels = 0;  // NaN or infinite in either picture: never within anything, left out of the means
   std::array<std::uint64_t, 256> histogram{};  // pixels by their largest channel difference, rounded

@@ -6,12 +6,16 @@
 #include <functional>
 #include <stdexcept>
 
+#include "compare/metrics/systematic.h"
+
 namespace verisim::compare {
 namespace {
 
 constexpr double kExactPct = 99.99, kMatchPct = 99.5, kMatchRmse = 2, kBaselineMae = 0.02, kDrift = 0.1;
 // Largest mean difference of 16x16 pixels: of whole code values, and of finer ones.
 constexpr double kCoarseDrift = 0.25, kFineDrift = 0.04;
+// Part of the pixels that may go to one side, of whole code values and of finer ones.
+constexpr double kCoarseLeaning = 0.25, kFineLeaning = 0.5;
 constexpr std::pair<Status, const char*> kStatusNames[] = {
     {Status::exact, "exact"},   {Status::match, "match"},
     {Status::differ, "differ"}, {Status::unsupported, "unsupported"},
@@ -44,8 +48,15 @@ std::optional<double> figure(const Metrics& m, const std::string& name) {
   if (name == "solid_2_pixels") return static_cast<double>(m.solid_2_pixels);
   if (name == "solid_4_pixels") return static_cast<double>(m.solid_4_pixels);
   if (name == "drift_max") return m.drift_max;
+  if (name == "one_sided_pixels") return static_cast<double>(m.one_sided_pixels);
+  if (name == "leaning") return m.signs.share();
   return std::nullopt;
 }
+
+double leaning_limit(const Allowance& allowed, bool fine) {
+  return allowed.leaning.value_or(fine ? kFineLeaning : kCoarseLeaning);
+}
+const char* side(const SignTest& signs) { return signs.brighter > signs.darker ? "brighter" : "darker"; }
 
 std::optional<Verdict> together(const Metrics& m, bool antialiased, const Allowance& allowed) {
   const auto solid = static_cast<double>(antialiased ? m.solid_4_pixels : m.solid_2_pixels);
@@ -57,6 +68,13 @@ std::optional<Verdict> together(const Metrics& m, bool antialiased, const Allowa
     return Verdict{Status::differ,
                    fmt::format("a small difference to one side everywhere around {}, {}: drift_max {:.3f} > {}",
                                m.drift_x, m.drift_y, m.drift_max, drift)};
+  if (m.fine && static_cast<double>(m.one_sided_pixels) > allowed.one_sided_pixels)
+    return Verdict{Status::differ,
+                   fmt::format("connected pixels all go to one side around {}, {}: one_sided_pixels {} > {}",
+                               m.one_sided_x, m.one_sided_y, m.one_sided_pixels, allowed.one_sided_pixels)};
+  if (const double limit = leaning_limit(allowed, m.fine); m.signs.leans(limit))
+    return Verdict{Status::differ,
+                   fmt::format("{} everywhere: leaning {:.3f} > {}", side(m.signs), m.signs.share(), limit)};
   return std::nullopt;
 }
 
@@ -95,6 +113,22 @@ Verdict judge_baseline(const Metrics& m, bool antialiased, const Allowance& allo
   if (plain.status == Status::differ) return plain;
   if (m.mae > kBaselineMae) return {Status::differ, fmt::format("mae {:.4f} > {}", m.mae, kBaselineMae)};
   return plain;
+}
+
+bool worth_asking_objects(const Metrics& m) {
+  constexpr std::uint64_t kFew = 20;
+  return m.signs.brighter + m.signs.darker > kFew;
+}
+
+std::optional<Verdict> judge_objects(const Picture& reference, const Picture& test, const PixelTags& tags,
+                                     const Allowance& allowed) {
+  const auto fine = [](const Picture& p) { return p.is_float || p.bits > 8; };
+  const double limit = leaning_limit(allowed, fine(reference) && fine(test));
+  const std::optional<LeaningObject> object = leaning_object(reference, test, tags, limit);
+  if (!object) return std::nullopt;
+  return Verdict{Status::differ, fmt::format("{}: {} of {} pixels {}: leaning {:.3f} > {}", object->name,
+                                             std::max(object->signs.brighter, object->signs.darker),
+                                             object->signs.pixels, side(object->signs), object->signs.share(), limit)};
 }
 
 std::string systematic_drift(const Metrics& m) {

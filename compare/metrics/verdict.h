@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "compare/metrics/blame.h"
 #include "compare/metrics/metrics.h"
 
 namespace verisim::compare {
@@ -40,8 +41,10 @@ using Thresholds = std::map<std::string, double>;
 
 // Errors that lie together (patches.h), and how much of them one scene may have.
 struct Allowance {
-  double solid_pixels = 2;          // in solid patches: two of POV-Ray's wrong pixels may meet by chance
-  std::optional<double> drift_max;  // code values; empty: by how finely the pictures tell differences
+  double solid_pixels = 2;             // in solid patches: two of POV-Ray's wrong pixels may meet by chance
+  std::optional<double> drift_max;     // code values; empty: by how finely the pictures tell differences
+  double one_sided_pixels = 8;         // connected pixels that go to one side, of pictures of more than 8 bits
+  std::optional<double> leaning = {};  // part of the pixels of the picture, or of an object, that go to one side
 };
 
 struct Verdict {
@@ -52,6 +55,11 @@ Verdict judge_deterministic(const Metrics& metrics, bool antialiased, const Allo
 // Against an earlier picture of verisim's own, which another machine may change by 1/255 here and there, but not by
 // even a little everywhere.
 Verdict judge_baseline(const Metrics& metrics, bool antialiased, const Allowance& allowed = {});
+// Of a picture that passes: an object whose pixels go to one side. Empty: there is none.
+std::optional<Verdict> judge_objects(const Picture& reference, const Picture& test, const PixelTags& tags,
+                                     const Allowance& allowed = {});
+// Whether so many pixels differ at all that judge_objects could find something.
+bool worth_asking_objects(const Metrics& metrics);
 // What the rules let pass as exact but is on average to one side: "0.31 code values darker on average"; empty when
 // there is nothing to say.
 std::string systematic_drift(const Metrics& metrics);

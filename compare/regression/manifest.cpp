@@ -173,6 +173,8 @@ class Manifest {
       corners(node, out);
     else if (key == "fit")
       fit(node, out);
+    else if (key == "beside")
+      out.beside = texts(node, key);
     else if (key == "pixels_per_degree")
       out.flip_pixels_per_degree = number(node, key);
     else
@@ -224,9 +226,15 @@ class Manifest {
         out.allowed.solid_pixels = number(value, "solid_pixels");
       else if (key == "drift_max")
         out.allowed.drift_max = number(value, "drift_max");
+      else if (key == "one_sided_pixels")
+        out.allowed.one_sided_pixels = number(value, "one_sided_pixels");
+      else if (key == "leaning")
+        out.allowed.leaning = number(value, "leaning");
       else
-        fail(value.source(), fmt::format("unknown key '{}' of 'allow': it may hold solid_pixels and drift_max",
-                                         std::string(key.str())));
+        fail(value.source(),
+             fmt::format(
+                 "unknown key '{}' of 'allow': it may hold solid_pixels, drift_max, one_sided_pixels and leaning",
+                 std::string(key.str())));
     }
   }
 
@@ -331,9 +339,13 @@ class Manifest {
     out.fit.crop = Crop{static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2]), static_cast<int>(v[3])};
   }
   void corners(const toml::node& node, SceneRequest& out) const {
+    out.fit.corners.reset();
+    out.fit.find_corners = node.value<std::string>() == "find";
+    if (out.fit.find_corners) return;
     const toml::array* array = node.as_array();
     if (!array || array->size() != 4)
-      fail(node.source(), "'corners' must be four points [x, y] of the reference, from the upper left one clockwise");
+      fail(node.source(),
+           "'corners' must be four points [x, y] of the reference, from the upper left one clockwise, or \"find\"");
     out.fit.corners.emplace();
     for (std::size_t i = 0; i < 4; ++i) {
       const std::vector<double> v = numbers((*array)[i], "corners", 2, 2);
@@ -422,6 +434,8 @@ class Manifest {
         common(key, node, scene);
     }
     if (pattern.empty()) fail(table.source(), "a [[scene]] needs 'file'");
+    if (!scene.beside.empty() && !scene.fit.any())
+      fail(table.source(), "'beside' is for a photograph: it needs 'crop', 'corners' or 'fit'");
     if (scene.fit.any() && !scene.reference) fail(table.source(), "'crop', 'corners' and 'fit' need a 'reference'");
     if (pattern.find_first_of("*?[") == std::string::npos) {
       scene.scene = (folder_ / pattern).lexically_normal();

@@ -108,6 +108,13 @@ NativeResult Renders::rendered(const NativeRenderer& renderer, const SceneReques
   return out;
 }
 
+Picture Renders::by(const NativeRenderer& renderer, const SceneRequest& request, const fs::path& output) const {
+  std::vector<fs::path> files_read;
+  const NativeResult result = rendered(renderer, request, output, 0, files_read);
+  if (result.outcome != NativeResult::Outcome::rendered) throw std::runtime_error(result.message);
+  return image::read_picture(output);
+}
+
 NativeResult Renders::native_passes(const SceneRequest& request, const fs::path& output, int run,
                                     std::vector<fs::path>& files_read) const {
   NativeResult out;

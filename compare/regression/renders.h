@@ -23,6 +23,8 @@ class Renders {
   // verisim's picture, in the file `output`. `files_read` gets the scene's own files by their original names.
   NativeResult native(const SceneRequest& request, const std::filesystem::path& output, int run,
                       std::vector<std::filesystem::path>& files_read) const;
+  // A picture by another renderer. Throws std::runtime_error with what it said when there is none.
+  Picture by(const NativeRenderer& renderer, const SceneRequest& request, const std::filesystem::path& output) const;
   // The oracle's, or what takes its place.
   OracleRender reference(const SceneRequest& request, const std::vector<std::filesystem::path>& files_read,
                          int variant) const;

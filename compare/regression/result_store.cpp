@@ -44,7 +44,7 @@ MetricOptions metric_options(const SceneRequest& request) {
 
 std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path> files_read) const {
   ContentHash hash;
-  hash.add("verisim result 5");
+  hash.add("verisim result 6");
   hash.add(options_.native_version), hash.add(options_.native_identity),
       hash.add(renders_.oracle() ? renders_.oracle()->version_text : "");
   hash.add(fmt::format("{}x{} {} {} {} {} {}", r.width, r.height, options_.replay, options_.runs,
@@ -56,7 +56,8 @@ std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path>
   }
   hash.add(r.scene_class ? to_string(*r.scene_class) : "auto");
   for (const auto& [name, limit] : r.thresholds) hash.add(fmt::format("{} {}", name, limit));
-  hash.add(fmt::format("{} {}", r.allowed.solid_pixels, r.allowed.drift_max.value_or(-1)));
+  hash.add(fmt::format("{} {} {} {}", r.allowed.solid_pixels, r.allowed.drift_max.value_or(-1),
+                       r.allowed.one_sided_pixels, r.allowed.leaning.value_or(-1)));
   hash.add(fmt::format(
       "{} {} {} {}", r.fit.exposure, r.fit.white_balance,
       r.fit.crop ? fmt::format("{} {} {} {}", r.fit.crop->x, r.fit.crop->y, r.fit.crop->width, r.fit.crop->height) : "",
@@ -75,7 +76,9 @@ std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path>
     hash.add(limits ? fmt::format("{} {} {}", limits->absolute, limits->relative, limits->pixels) : "");
   for (const auto& [name, limit] : r.warnings.figures) hash.add(fmt::format("{} {}", name, limit));
   hash.add(options_.reference_identity);
+  for (const std::string& renderer : r.beside) hash.add(renderer);
   hash.add(fmt::format("{} {}", r.fit.distortion, r.fit.vignetting));
+  hash.add(r.fit.find_corners ? "find corners" : "");
   if (r.fit.corners)
     for (const ImagePoint& p : *r.fit.corners) hash.add(fmt::format("{} {}", p.x, p.y));
   std::sort(files_read.begin(), files_read.end());

@@ -186,6 +186,28 @@ TEST_F(Robustness, PhotographsAreFittedAndTheFitIsReported) {
   EXPECT_THAT(html_report(last_), HasSubstr("averaged to the render's size"));
 }
 
+TEST_F(Robustness, OthersStandBesideOursInFrontOfAPhotograph) {
+  image::write_picture(scene_like_picture(64, 48), root() / "scenes/photo.png");
+  const auto blurred = [](const NativeRequest& request) {
+    image::write_picture(resampled(resampled(scene_like_picture(32, 24), 4, 3), 32, 24), request.output);
+    NativeResult out;
+    out.outcome = NativeResult::Outcome::rendered;
+    return out;
+  };
+  options_.beside["path"] = blurred;
+  scene("a.pov", "photo.png",
+        "crop = [0, 0, 64, 48]\nbeside = [\"path\", \"cp ../../plain.png {out} # {scene}\", \"exit 3 # {scene} "
+        "{out}\"]\n");
+  const SceneResult r = run()["a.pov"];
+  ASSERT_EQ(r.verisimilitude.size(), 4u) << r.reason;
+  EXPECT_LT(r.verisimilitude[0].ciede2000_mean, r.verisimilitude[1].ciede2000_mean);
+  EXPECT_THAT(r.verisimilitude[3].failed, HasSubstr("exit status 3"));
+  EXPECT_THAT(terminal_table(last_), HasSubstr("verisimilitude (mean CIEDE2000): verisim"));
+  EXPECT_THAT(terminal_table(last_), HasSubstr("is nearest"));
+  EXPECT_THAT(html_report(last_), HasSubstr("verisim is nearest"));
+  EXPECT_THAT(json_report(last_), HasSubstr("\"renderer\": \"path\""));
+}
+
 TEST_F(Robustness, AKnownAnswerDecides) {
   const Picture right = constant_picture(32, 24, 51, 51, 51),
                 wrong = constant_picture(32, 24, 60, 60, 60);  // 0.2 is true

@@ -22,6 +22,7 @@
 #include "compare/regression/result_store.h"
 #include "compare/regression/run_folder.h"
 #include "compare/regression/stored_variance.h"
+#include "compare/regression/verisimilitude.h"
 #include "compare/report/display.h"
 #include "compare/report/json.h"
 
@@ -284,6 +285,8 @@ class Runner {
     }
     keep_picture(*oracle, stem, "oracle", result.oracle_picture);
     result.metrics = measure(*oracle, native, metric_options(request));
+    if (!request.beside.empty() && request.reference)
+      result.verisimilitude = likenesses(request, reference, *result.metrics, options_, *renders_);
     const bool rules = request.thresholds.empty() && !request.pixel_limits;
     Verdict verdict = !rules ? judge_limits(request, *oracle, native, *result.metrics)
                       : options_.baseline.empty() || request.reference
@@ -298,6 +301,8 @@ class Runner {
         return;
       }
     }
+    if (rules && result.scene_class == SceneClass::deterministic && verdict.status != Status::differ)
+      verdict = judge_leaning(request, *oracle, native, verdict, result);
     if (request.truth) verdict = judge_truth(*request.truth, *oracle, native, verdict, result);
     result.status = verdict.status, result.reason = verdict.reason;
     if (const std::string warning = broken_limit(request.warnings, *result.metrics, *oracle, native);
@@ -361,6 +366,16 @@ class Runner {
     }
     write_stored_variance(tests, result.native_picture);
     return true;
+  }
+
+  // What passes is asked object by object: a small one shows in no figure of the whole picture.
+  Verdict judge_leaning(const SceneRequest& request, const Picture& oracle, const Picture& native,
+                        const Verdict& verdict, SceneResult& result) {
+    const TagSource& source = options_.tags ? options_.tags : options_.reference_tags;
+    if (!worth_asking_objects(*result.metrics)) return verdict;
+    const std::optional<PixelTags> tags = tags_by(source, request, {}, result);
+    if (!tags) return verdict;
+    return judge_objects(oracle, native, *tags, request.allowed).value_or(verdict);
   }
 
   // False when the oracle failed.

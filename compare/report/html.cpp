@@ -5,8 +5,10 @@
 
 #include "compare/report/display.h"
 #include "compare/report/json.h"
+#include "compare/report/known_answers.h"
 #include "compare/report/page/page.h"
 #include "compare/report/scene_pictures.h"
+#include "compare/report/verisimilitude.h"
 #include "compare/report/why.h"
 
 namespace verisim::compare {
@@ -14,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json scene_data(const SceneResult& s, const ScenePictures& pictures) {
+Json scene_data(const SceneResult& s, const Run& run, const ScenePictures& pictures) {
   Json json;
   json["name"] = s.request.name;
   json["file"] = s.request.scene.string();
@@ -27,6 +29,8 @@ Json scene_data(const SceneResult& s, const ScenePictures& pictures) {
   json["status"] = to_string(s.status);
   json["reason"] = s.reason;
   json["why"] = why(s);
+  json["known_answer"] = known_answer(s, run);
+  json["verisimilitude"] = verisimilitude(s, run);
   if (s.request.reference) json["reference"] = s.request.reference_name();
   json["features"] = s.stochastic_features;
   json["rays"] = s.rays;
@@ -51,7 +55,7 @@ Json scene_data(const SceneResult& s, const ScenePictures& pictures) {
   const Json whole = to_json(s);
   if (whole.contains("low_pass")) json["low_pass"] = whole["low_pass"];
   json["suspects"] = whole["suspects"];
-  for (const char* part : {"blame", "welch", "truth"})
+  for (const char* part : {"blame", "welch", "truth", "likeness"})
     if (whole.contains(part)) json[part] = whole[part];
   if (!s.blame_failed.empty()) json["blame_failed"] = s.blame_failed;
   if (s.fit) json["fit"] = s.fit->text();
@@ -107,6 +111,7 @@ Json run_data(const Run& run, const Json& review) {
   data["oracle_version"] = run.oracle_version;
   data["native_version"] = run.native_version;
   data["cancelled"] = run.cancelled;
+  data["known_answers"] = known_answers(run);
   data["names"] = {{"o", run.reference_name}, {"n", run.test_name}};
   if (!review.is_null()) data["review"] = review;
   data["scenes"] = Json::array();
@@ -152,7 +157,7 @@ std::string HtmlReport::file() const {
   std::string pictures;
   for (const std::size_t i : worst_first(run_.scenes)) {
     const ScenePictures of_scene(run_.scenes[i]);
-    data["scenes"][i] = scene_data(run_.scenes[i], of_scene);
+    data["scenes"][i] = scene_data(run_.scenes[i], run_, of_scene);
     add_pictures(pictures, i, of_scene);
   }
   return page(data, pictures, false);
@@ -161,7 +166,7 @@ std::string HtmlReport::file() const {
 std::string HtmlReport::served(const Json& review) const {
   if (scenes_.is_null()) {
     scenes_ = Json::array();
-    for (const SceneResult& scene : run_.scenes) scenes_.push_back(scene_data(scene, ScenePictures(scene)));
+    for (const SceneResult& scene : run_.scenes) scenes_.push_back(scene_data(scene, run_, ScenePictures(scene)));
   }
   Json data = run_data(run_, review);
   data["served"] = true, data["scenes"] = scenes_;

@@ -55,7 +55,9 @@ Run make_run(const fs::path& folder, int scenes) {
         for (const WorstPixel& p : s.metrics->worst)
           s.trees.push_back({p.x, p.y, "camera ray from <0, 0, 0>\n  hits <b>box</b>"});
         s.request.truth = Truth{"E cos a / pi.", {{0, 0, {0.5, 0.5, 0.5}}}, 0.001};
-        s.oracle_truth = s.native_truth = TruthError{0.1, 0.1, 0, 0, {{0.4, 0.4, 0.4}}};
+        s.oracle_truth = TruthError{0.1, 0.1, 0, 0, {{0.4, 0.4, 0.4}}};
+        s.native_truth = TruthError{0.01, 0.01, 0, 0, {{0.49, 0.49, 0.49}}};
+        s.suspicions = {{"swapped channels", "red and green", 1, 1, 0.9, {0, 160 * 120}}};
       }
     }
     run.scenes.push_back(s);
@@ -105,6 +107,13 @@ TEST(HtmlReport, IsOneFileThatAsksForNothing) {
   EXPECT_THAT(html, Not(HasSubstr("@JS@")));
   EXPECT_THAT(html, HasSubstr("Content-Security-Policy"));
   EXPECT_THAT(html, Not(HasSubstr("</script><b>")));
+}
+
+TEST(HtmlReport, SaysWhoIsNearerToMathematics) {
+  const TemporaryFolder folder;
+  const std::string html = html_report(make_run(folder.path(), 10));
+  EXPECT_THAT(html, HasSubstr("known answers: verisim is nearer in 2 scenes, POV-Ray in 0"));
+  EXPECT_THAT(html, HasSubstr("off the known answer by 0.01000 (verisim) and 0.10000 (POV-Ray): verisim is nearer"));
 }
 
 TEST(HtmlReport, SurvivesPicturesThatWentAway) {

@@ -30,6 +30,8 @@ J metrics_as(const Metrics& m) {
   json["ssim_block_min"] = m.ssim_block_min;
   json["solid_2_pixels"] = m.solid_2_pixels, json["solid_4_pixels"] = m.solid_4_pixels,
   json["solid_at"] = {m.solid_x, m.solid_y};
+  json["one_sided_pixels"] = m.one_sided_pixels, json["one_sided_at"] = {m.one_sided_x, m.one_sided_y};
+  json["leaning"] = m.signs.share(), json["brighter_pixels"] = m.signs.brighter, json["darker_pixels"] = m.signs.darker;
   json["drift_max"] = m.drift_max, json["drift_at"] = {m.drift_x, m.drift_y};
   json["flip_mean"] = m.flip_mean;
   put(json, "hdr_flip_mean", m.hdr_flip_mean);
@@ -147,6 +149,15 @@ J scene_as(const SceneResult& s) {
     fit["stops_error"] = s.fit->stops_error, fit["noise"] = s.fit->noise;
     if (s.fit->crop) fit["crop"] = {s.fit->crop->x, s.fit->crop->y, s.fit->crop->width, s.fit->crop->height};
   }
+  for (const Likeness& l : s.verisimilitude) {
+    J likeness;
+    likeness["renderer"] = l.renderer;
+    if (l.failed.empty())
+      likeness["ciede2000_mean"] = l.ciede2000_mean, likeness["flip_mean"] = l.flip_mean, likeness["rmse"] = l.rmse;
+    else
+      likeness["failed"] = l.failed;
+    json["likeness"].push_back(likeness);
+  }
   if (s.oracle_truth) json["truth"]["oracle"] = truth_as<J>(*s.oracle_truth);
   if (s.native_truth) json["truth"]["native"] = truth_as<J>(*s.native_truth);
   return json;
@@ -202,6 +213,11 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
     out.nan_pixels = m.value("nan_pixels", std::uint64_t{0});
     out.solid_2_pixels = m.value("solid_2_pixels", std::uint64_t{0}),
     out.solid_4_pixels = m.value("solid_4_pixels", std::uint64_t{0}), out.drift_max = m.value("drift_max", 0.0);
+    out.signs = {static_cast<std::uint64_t>(out.width) * static_cast<std::uint64_t>(out.height),
+                 m.value("brighter_pixels", std::uint64_t{0}), m.value("darker_pixels", std::uint64_t{0})};
+    out.one_sided_pixels = m.value("one_sided_pixels", std::uint64_t{0});
+    if (m.contains("one_sided_at"))
+      out.one_sided_x = m["one_sided_at"].at(0), out.one_sided_y = m["one_sided_at"].at(1);
     if (m.contains("solid_at")) out.solid_x = m["solid_at"].at(0), out.solid_y = m["solid_at"].at(1);
     if (m.contains("drift_at")) out.drift_x = m["drift_at"].at(0), out.drift_y = m["drift_at"].at(1);
     for (auto [name, value] :
@@ -242,6 +258,9 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
     }
     if (f.contains("crop")) s.fit->crop = Crop{f["crop"].at(0), f["crop"].at(1), f["crop"].at(2), f["crop"].at(3)};
   }
+  for (const auto& l : json.value("likeness", nlohmann::json::array()))
+    s.verisimilitude.push_back({l.at("renderer"), l.value("ciede2000_mean", 0.0), l.value("flip_mean", 0.0),
+                                l.value("rmse", 0.0), l.value("failed", "")});
   if (json.contains("truth")) {
     if (json["truth"].contains("oracle")) s.oracle_truth = truth_from(json["truth"]["oracle"]);
     if (json["truth"].contains("native")) s.native_truth = truth_from(json["truth"]["native"]);

@@ -7,6 +7,7 @@
 
 #include "compare/compare.h"
 #include "compare/report/known_answers.h"
+#include "compare/report/verisimilitude.h"
 #include "compare/report/markdown_cell.h"
 
 namespace verisim::compare {
@@ -210,6 +211,7 @@ std::string terminal_table(const Run& run, bool color, int columns) {
         (!s.passed() && !s.reason.empty()) || !s.request.known_failure.empty() || !s.suspicions.empty() || s.fit;
     if (explain) out += ' ' + shortened(printable(reason(s)), 300);
     if (const std::string known = known_answer(s, run); !known.empty()) out += "  " + printable(known);
+    if (const std::string like = verisimilitude(s, run); !like.empty()) out += "  " + printable(like);
     out += trend(s) + '\n';
   }
   if (const std::string known = known_answers(run); !known.empty()) out += printable(known) + '\n';
@@ -236,6 +238,11 @@ std::string terminal_metrics(const Metrics& m, bool color) {
   out += line("drift_max", fmt::format("{:.4f}", m.drift_max),
               m.drift_max > 0 ? fmt::format("/255, mean of 16x16 pixels around {}, {}", m.drift_x, m.drift_y).c_str()
                               : "/255, mean of 16x16 pixels");
+  out += line(
+      "one_sided_pixels", fmt::format("{}", m.one_sided_pixels),
+      m.one_sided_pixels ? fmt::format("connected, around {}, {}", m.one_sided_x, m.one_sided_y).c_str() : "connected");
+  out += line("leaning", fmt::format("{:.4f}", m.signs.share()),
+              fmt::format("of the pixels: {} brighter, {} darker", m.signs.brighter, m.signs.darker).c_str());
   out += line("flip_mean", fmt::format("{:.6f}", m.flip_mean), "LDR-FLIP");
   if (m.hdr_flip_mean) out += line("hdr_flip_mean", fmt::format("{:.6f}", *m.hdr_flip_mean), "HDR-FLIP");
   out += line("ciede2000_mean", fmt::format("{:.4f}", m.ciede2000_mean), "");

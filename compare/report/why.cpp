@@ -25,6 +25,8 @@ const std::map<std::string, const char*> kSentences{
     {"ciede2000_p95", "5 % of the pixels have a colour difference (CIEDE2000) above {0}; {1} is allowed"},
     {"solid_2_pixels", "{0} pixels of patches are wrong by more than two code values; {1} may be"},
     {"solid_4_pixels", "{0} pixels of patches are wrong by more than four code values; {1} may be"},
+    {"one_sided_pixels", "{0} connected pixels all go to one side, each by however little; {1} may"},
+    {"leaning", "{0} of the pixels go to one side, each by however little; {1} may"},
     {"drift_max", "16x16 pixels differ by {0} code values on average, all to one side; {1} are allowed"},
     {"alpha_max_abs", "alpha differs by up to {0} code values; {1} are allowed"}};
 

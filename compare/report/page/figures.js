@@ -1,7 +1,7 @@
 // What stands beside the pictures: figures, histograms, worst pixels, what wrong pixels have in common.
 const FIGURES = [['rmse', 'RMSE', 4], ['mae', 'Mean absolute error', 4], ['bias', 'Bias', 4], ['max_abs', 'Largest difference', 1], ['psnr', 'PSNR [dB]', 2],
   ['within_1_pct', 'Within 1 [%]', 4], ['within_2_pct', 'Within 2 [%]', 4], ['ssim_mean', 'SSIM', 5], ['ssim_block_min', 'SSIM, worst 8×8 block', 5],
-  ['solid_2_pixels', 'Wrong pixels in patches', 0], ['drift_max', 'Largest mean of 16×16', 4], ['flip_mean', 'LDR-FLIP', 5], ['hdr_flip_mean', 'HDR-FLIP', 5],
+  ['solid_2_pixels', 'Wrong pixels in patches', 0], ['drift_max', 'Largest mean of 16×16', 4], ['one_sided_pixels', 'Connected, to one side', 0], ['leaning', 'More to one side', 4], ['flip_mean', 'LDR-FLIP', 5], ['hdr_flip_mean', 'HDR-FLIP', 5],
   ['ciede2000_mean', 'CIEDE2000, mean', 3], ['ciede2000_p95', 'CIEDE2000, 95 %', 3], ['edge_rmse', 'RMSE at edges', 4], ['interior_rmse', 'RMSE elsewhere', 4],
   ['alpha_max_abs', 'Alpha, largest difference', 1], ['nan_pixels', 'NaN or infinite pixels', 0]];
 function figures(s) {
@@ -10,6 +10,7 @@ function figures(s) {
   if (s.low_pass) for (const key of ['mad', 'bias', 'rmse']) row(`Blurred ${key}: ours, noise`, `${fixed(s.low_pass.native[key], 3)}, ${fixed(s.low_pass.noise[key], 3)}`);
   if (s.welch) row("Welch's test", `${s.welch.rejected ? 'rejected' : 'passed'}: p ${s.welch.pixel_p.toExponential(1)} (pixels), ${s.welch.mean_p.toExponential(1)} (mean ${fixed(s.welch.mean_difference, 3)})`);
   if (s.fit) row('Fitted', s.fit);
+  for (const l of s.likeness || []) row(`Verisimilitude: ${l.renderer || data.names.n}`, l.failed || `CIEDE2000 ${fixed(l.ciede2000_mean, 3)}, FLIP ${fixed(l.flip_mean, 4)}, RMSE ${fixed(l.rmse, 3)}`);
   row('Class', s.class); row('Size', `${s.width}×${s.height}${s.reduced > 1 ? `, shown at 1:${s.reduced}` : ''}`);
   if (s.oracle_seconds) row(`${WHO.o} [${s.cpu ? 'CPU s' : 's'}]`, fixed(s.oracle_seconds, 2) + (s.cached ? ' (kept)' : ''));
   if (s.native_seconds) row(`${WHO.n} [${s.cpu ? 'CPU s' : 's'}]`, fixed(s.native_seconds, 2));

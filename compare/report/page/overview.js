@@ -19,7 +19,7 @@ const phone = matchMedia('(max-width: 760px)');
 const rowHeight = () => phone.matches ? 186 : 84;
 const view = { sort: 'status', reverse: false, text: '', statuses: new Set(), order: [], at: 0, first: -1, last: -1 };
 
-const summary = s => [s.why || s.reason, s.suspects.length && `suspect: ${s.suspects[0].what}`, s.blame && s.blame.common.length && `in common: ${s.blame.common[0].name}`]
+const summary = s => [s.why || s.reason, s.known_answer, s.verisimilitude, s.suspects.length && `suspect: ${s.suspects[0].what}`, s.blame && s.blame.common.length && `in common: ${s.blame.common[0].name}`]
   .filter(Boolean).join('; ');
 const changed = s => {
   if (s.previous && s.previous !== s.status) return `was ${nameOf(s.previous)}`;
@@ -137,6 +137,7 @@ function headline() {
   $('verdict').className = 'st ' + (bad ? 'differ' : 'exact');
   $('about').textContent = [data.started.replace('T', ' ').replace('Z', ' UTC'), data.oracle_version && `against POV-Ray ${data.oracle_version}`, data.native_version && WHO.n + ' ' + (data.native_version.length > 60 ? data.native_version.slice(0, 60) + '…' : data.native_version),
     data.cancelled && 'broken off'].filter(Boolean).join(' · ');
+  $('answers').textContent = data.known_answers; $('answers').hidden = !data.known_answers;
   $('chips').replaceChildren(...ORDER.slice().reverse().map(status => [status, scenes.filter(s => s.status === status).length]).filter(([, count]) => count).map(([status, count]) => {
     const chip = node('button', { type: 'button', onclick: () => {
       if (!view.statuses.delete(status)) view.statuses.add(status);

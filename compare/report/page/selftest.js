@@ -18,6 +18,9 @@
     check('thumbnails that are seen are decoded', document.querySelector('#rows img').naturalWidth > 0, document.querySelector('#rows img').naturalWidth);
     check('the difference is in the row', [...document.querySelectorAll('#rows .scene-row')].some(r => r.querySelectorAll('img').length === 3), '');
 
+    check('the overview says who is nearer to mathematics', !$('answers').hidden && $('answers').textContent.includes('verisim is nearer in'), $('answers').textContent);
+    check('and so does the row', [...document.querySelectorAll('#rows small')].some(e => e.textContent.includes('off the known answer')), '');
+
     // Scrolling through everything: no frame may take long. Frames of headless Chromium follow the clock of the page.
     const work = []; let layout = 0, least = 1;
     for (let y = 0; y < document.documentElement.scrollHeight; y += 600) { const t = performance.now(); scrollTo(0, y); layout += document.documentElement.getBoundingClientRect().height; work.push(performance.now() - t); await wait(30); least = Math.min(least, names().length); }
@@ -67,6 +70,10 @@
     key('b'); const seen = new Set(); for (let i = 0; i < 16; i++) { seen.add(pixel(...spot)); await wait(100); }
     check('blinks', seen.size === 2, [...seen]);
     key('2'); check('side by side', pressed('all'), '');
+    key('v');
+    const pixels = $('suspects').querySelector('button'), bare = pixel(...spot); pixels.click();
+    check('a suspect shows its pixels', pixels.getAttribute('aria-pressed') === 'true' && pixel(...spot) !== bare, `${bare} ${pixel(...spot)}`);
+    pixels.click(); check('and hides them', pixels.getAttribute('aria-pressed') === 'false' && pixel(...spot) === bare, pixel(...spot));
     key('s'); key('0');
     const before = parseInt($('zoomed').textContent, 10); key('+');
     check('zooms', parseInt($('zoomed').textContent, 10) === 2 * before, $('zoomed').textContent); key('-');

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "tracer/shapes/blob/blob_packet.h"
+#include "tracer/shapes/mesh/mesh_packet.h"
 #include "tracer/shapes/swept/lathe_packet.h"
 #include "tracer/shapes/algebraic/poly_packet.h"
 #include "tracer/shapes/swept/sphere_sweep_packet.h"
@@ -75,6 +76,36 @@ scene::Poly poly(int order, const std::vector<Term>& terms) {
           if (t.x == i && t.y == j && t.z == k) result.coefficients.back() = t.factor;
       }
   return result;
+}
+
+// A bumpy sheet, folded so that rays cross it more than once, and a tent that is solid.
+void add_meshes(const Steps& steps, std::vector<ObjectRef>& objects) {
+  constexpr std::uint32_t kSide = 24;
+  scene::MeshData sheet;
+  for (std::uint32_t i = 0; i <= kSide; ++i)
+    for (std::uint32_t k = 0; k <= kSide; ++k) {
+      const double x = i * 2.4 / kSide - 1.2, z = k * 2.4 / kSide - 1.2;
+      sheet.vertices.emplace_back(x, float(0.5 * std::sin(5 * x) + 0.2 * std::cos(7 * z)), z);
+    }
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    scene::MeshTriangle t;
+    t.vertex = t.normal = t.uv = {a, b, c};
+    sheet.triangles.push_back(t);
+  };
+  for (std::uint32_t i = 0; i < kSide; ++i)
+    for (std::uint32_t k = 0; k < kSide; ++k) {
+      const std::uint32_t a = i * (kSide + 1) + k;
+      add(a, a + 1, a + kSide + 1), add(a + 1, a + kSide + 2, a + kSide + 1);
+      if (i == k) add(a, a + 1, a + kSide + 1);  // written twice
+    }
+  scene::MeshData solid = sheet;
+  solid.inside_vector = Vec3(0, 1, 0);
+  for (const auto& data : {sheet, solid})
+    objects.push_back(make(scene::Mesh{std::make_shared<const scene::MeshData>(data), {}}, steps));
+  objects.push_back(make(scene::Mesh{std::make_shared<const scene::MeshData>(sheet), {}}, [&](Object& o) {
+    if (steps) steps(o);
+    o.hierarchy = false;
+  }));
 }
 
 // Shapes whose rays are roots of polynomials.
@@ -181,6 +212,7 @@ std::vector<ObjectRef> solids() {
     for (const auto& [east, north] : {std::pair{0.4, 0.8}, {1.0, 1.0}, {2.0, 0.15}, {1.3, 2.0}, {2.5, 1.0}})
       objects.push_back(make(scene::Superellipsoid{east, north}, steps));
     add_curved(steps, objects);
+    add_meshes(steps, objects);
     add_intersections(steps, objects);
     objects.push_back(make(scene::Sphere{Vec3(0), 0.8}, [&](Object& o) {
       if (steps) steps(o);
@@ -277,6 +309,34 @@ TEST_P(PacketKernel, GivesTheSameBitsAsEveryOther) {
     }
   }
   EXPECT_GT(met, 10000);
+}
+
+TEST_P(PacketKernel, MeetsTheSameTrianglesOfAMesh) {
+  const MeshKernels *kernels = mesh_kernels(GetParam()), &plain = *mesh_kernels(simd::kBaseline);
+  if (!kernels) GTEST_SKIP() << "this machine cannot run it";
+  std::vector<ObjectRef> objects;
+  add_meshes({}, objects);
+  const auto mesh = MeshGeometry::of(objects[0]->as<scene::Mesh>()->data);
+  Rays rays;
+  int met = 0, passed_over = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    rays.fill(round, 0);
+    MeshPacket a, b;
+    packet_kernels(simd::kBaseline)->local(nullptr, {*rays.batches, 0, rays.active}, a.rays);
+    b.rays = a.rays;
+    const double t_min = round % 2 ? 1e-4 : 1;
+    kernels->meet(*mesh, nullptr, rays.active, t_min, rays.limit, false, a);
+    plain.meet(*mesh, nullptr, rays.active, t_min, rays.limit, false, b);
+    for (int k = 0; k < kLanes; ++k) {
+      ASSERT_EQ(a.triangle[k], b.triangle[k]);
+      ASSERT_TRUE(same(a.t[k], b.t[k]));
+      met += a.triangle[k] >= 0;
+    }
+    ASSERT_EQ(a.passed_over, b.passed_over);
+    passed_over += std::popcount(a.passed_over);
+  }
+  EXPECT_GT(met, 3000);
+  EXPECT_GT(passed_over, 1000);
 }
 
 TEST_P(PacketKernel, MakesTheSamePolynomialsAlongRays) {

@@ -4,7 +4,7 @@
 // box that is entered beyond the hit that was found last (spec 08 C). Who asks for all hits, or would not take the
 // nearest one, therefore gets what that search finds.
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/mesh/mesh_geometry.h"
+#include "tracer/shapes/mesh/mesh_packet.h"
 #include "tracer/shapes/tree_primitive.h"
 
 namespace verisim::shapes {
@@ -33,10 +33,33 @@ class Mesh final : public TreePrimitive<Mesh> {
     if (!partial_) return every_intersection(ray, sink, entry);
     if constexpr (Sink::kNearest) {
       every_intersection(ray, sink, entry);
-      if (!sink.found() || !passes_over_hit(ray, sink, entry)) return;
+      const double nearest = sink.clipped_from_outside() ? sink.upper() : sink.lower();
+      if (!sink.found() || !meets_before(nearest, ray, entry)) return;
       sink.restart();
     }
     intersections_of_search(ray, sink);
+  }
+
+  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
+                            const double* t_max, Hit* hits) const override {
+    if (guards() || tree().empty()) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
+    MeshPacket packet;
+    const unsigned found = meet_packet(rays, entry, t_min, t_max, false, packet);
+    const unsigned searched = partial_ ? found & packet.passed_over : 0;
+    each_lane(found & ~searched, [&](int k) {
+      hits[k] = {packet.t[k], rays.at(k).at(packet.t[k]), this, static_cast<std::int32_t>(packet.triangle[k]), 0, 0};
+    });
+    return (found & ~searched) |
+           Shape::intersect_packet({rays.rays, rays.first, searched}, entry, kind, t_min, t_max, hits);
+  }
+  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
+                           const double* t_max) const override {
+    if (guards() || tree().empty()) return Shape::occludes_packet(rays, entry, t_min, t_max);
+    MeshPacket packet;
+    const unsigned found = meet_packet(rays, entry, t_min, t_max, true, packet);
+    unsigned searched = 0;
+    if (partial_) each_lane(found, [&](int k) { searched |= meets_before(t_min, rays.at(k), entry) ? 1u << k : 0; });
+    return (found & ~searched) | Shape::occludes_packet({rays.rays, rays.first, searched}, entry, t_min, t_max);
   }
 
   bool contains(const Vec3& p) const {
@@ -70,6 +93,15 @@ class Mesh final : public TreePrimitive<Mesh> {
   }
 
  private:
+  // The lanes that meet a triangle.
+  unsigned meet_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min, const double* t_max,
+                       bool any, MeshPacket& packet) const {
+    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, packet.rays);
+    mesh_kernels().meet(*geometry_, entry, rays.active, t_min, t_max, any, packet);
+    unsigned found = 0;
+    each_lane(rays.active, [&](int k) { found |= packet.triangle[k] >= 0 ? 1u << k : 0; });
+    return found;
+  }
   template <class Sink>
   void every_intersection(const Ray& ray, Sink& sink, const accel::EntryPoints* entry) const {
     const LocalRay r = local(ray);
@@ -96,11 +128,11 @@ class Mesh final : public TreePrimitive<Mesh> {
         entry);
   }
 
-  // Whether the mesh has a hit nearer than the one that the sink took: one that is too near for the caller, or outside
-  // the clip objects of a union.
-  bool passes_over_hit(const Ray& ray, const NearestHit& sink, const accel::EntryPoints* entry) const {
+  // Whether the mesh has a hit nearer than the one that the caller took: one that is too near for it, or outside the
+  // clip objects of a union.
+  bool meets_before(double t_max, const Ray& ray, const accel::EntryPoints* entry) const {
     Hit hit;
-    NearestHit nearer(*this, guards(), 0, sink.clipped_from_outside() ? sink.upper() : sink.lower(), hit, true);
+    NearestHit nearer(*this, guards(), 0, t_max, hit, true);
     every_intersection(ray, nearer, entry);
     return nearer.found();
   }

@@ -55,5 +55,21 @@ TEST(MeshCamera, PixelsOnTheSeamOfAUvMapSeeSomething) {
     for (int x = 0; x < 29; ++x) EXPECT_EQ(picture.at(x, y).r, 1.0f) << x << "," << y;
 }
 
+TEST(MeshCamera, OfTrianglesThatOverlapInTheUvMapTheFirstIsSeen) {
+  const char* const scene = R"(#version 3.7; global_settings { assumed_gamma 1 }
+    camera { mesh_camera { 1 3 mesh {
+      #for (I, First, 39 - First, (First < 19 ? 1 : -1))
+        triangle { <I,0,0>, <I+.5,0,0>, <I,.5,0> uv_vectors <0,0>, <2,0>, <0,2> }
+      #end
+    } } location <0,0,.01> }
+    union { plane { z,-1 } plane { -z,-1 } finish { ambient 0 diffuse 0 emission 1 }
+      pigment { function { floor(x)/40 } color_map { [0 rgb 0] [1 rgb 1] } } })";
+  for (const int first : {0, 39}) {
+    const auto picture = render_text("#declare First = " + std::to_string(first) + ";" + scene, 6, 4);
+    for (int y = 1; y < 4; ++y)
+      for (int x = 0; x < 5; ++x) EXPECT_NEAR(picture.at(x, y).r, first / 40.0, 1e-6) << x << "," << y;
+  }
+}
+
 }  // namespace
 }  // namespace verisim::test

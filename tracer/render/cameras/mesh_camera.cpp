@@ -25,15 +25,27 @@ bool barycentric(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c, dou
   return weights[0] >= -tolerance && weights[1] >= -tolerance && weights[2] >= -tolerance;
 }
 
+// Where a triangle lies in the UV map; empty: nowhere.
+Box3 uv_box(const scene::MeshData& mesh, const scene::MeshTriangle& t) {
+  Box3 box;
+  for (int i = 0; i < 3 && t.has_uv; ++i) box.extendBy(Vec3(mesh.uvs[t.uv[i]].x, mesh.uvs[t.uv[i]].y, 0));
+  return box;
+}
+
 }  // namespace
 
 MeshCamera::MeshCamera(const scene::Camera& camera, int width, int height, int left, int top)
-    : camera_(camera), width_(width), height_(height), left_(left), top_(top) {}
+    : camera_(camera), width_(width), height_(height), left_(left), top_(top) {
+  if (camera.distribution != 3 || camera.meshes.empty()) return;
+  const scene::MeshData& mesh = *camera.meshes.front();
+  uv_map_ = accel::Bvh(
+      mesh.triangles.size(), [&](std::size_t i) { return uv_box(mesh, mesh.triangles[i]); }, 1);
+}
 
 std::optional<Ray> MeshCamera::ray(double x, double y, int k) const {
   const double px = std::clamp(x + left_ + 0.5, 0.0, static_cast<double>(width_ - 1)),
                py = std::clamp(y + top_ - 0.5, 0.0, static_cast<double>(height_ - 1));
-  if (camera_.distribution == 3) return by_uv((px - 0.5) / width_, 1 - (py + 0.5) / height_);
+  if (camera_.distribution == 3) return by_uv({(px - 0.5) / width_, 1 - (py + 0.5) / height_});
   const std::optional<Face> f = face(px, py, k);
   if (!f) return std::nullopt;
   const scene::MeshData& mesh = *camera_.meshes[f->mesh];
@@ -64,27 +76,33 @@ std::optional<MeshCamera::Face> MeshCamera::face(double x, double y, int k) cons
   return Face{mesh, index};
 }
 
-std::optional<Ray> MeshCamera::by_uv(double u, double v) const {
-  if (camera_.meshes.empty()) return std::nullopt;
+std::optional<Ray> MeshCamera::by_uv(const Vec2& uv) const {
   // A pixel on the edge between two triangles may lie outside of both by a rounding.
-  std::optional<Ray> ray = by_uv(u, v, 0);
-  return ray ? ray : by_uv(u, v, kEdgeTolerance);
+  std::optional<UvPlace> place = uv_place(uv, 0);
+  if (!place) place = uv_place(uv, kEdgeTolerance);
+  if (!place) return std::nullopt;
+  const scene::MeshData& mesh = *camera_.meshes.front();
+  const scene::MeshTriangle& t = mesh.triangles[place->triangle];
+  Vec3 origin(0, 0, 0), normal(0, 0, 0);
+  for (int i = 0; i < 3; ++i) {
+    origin += vertex(mesh, t, i) * place->weights[i];
+    if (t.smooth) normal += mesh.normals[t.normal[i]] * place->weights[i];
+  }
+  return finished(0, origin, camera_.smooth && t.smooth ? normalize(normal) : face_normal(mesh, t));
 }
 
-std::optional<Ray> MeshCamera::by_uv(double u, double v, double tolerance) const {
-  const scene::MeshData& mesh = *camera_.meshes.front();
-  for (const scene::MeshTriangle& t : mesh.triangles) {
-    double w[3];
-    if (!t.has_uv || !barycentric({u, v}, mesh.uvs[t.uv[0]], mesh.uvs[t.uv[1]], mesh.uvs[t.uv[2]], tolerance, w))
-      continue;
-    Vec3 origin(0, 0, 0), normal(0, 0, 0);
-    for (int i = 0; i < 3; ++i) {
-      origin += vertex(mesh, t, i) * w[i];
-      if (t.smooth) normal += mesh.normals[t.normal[i]] * w[i];
-    }
-    return finished(0, origin, camera_.smooth && t.smooth ? normalize(normal) : face_normal(mesh, t));
-  }
-  return std::nullopt;
+std::optional<MeshCamera::UvPlace> MeshCamera::uv_place(const Vec2& uv, double tolerance) const {
+  std::optional<UvPlace> first;
+  uv_map_.any_around(Vec3(uv.x, uv.y, 0), [&](std::uint32_t i) {
+    if (first && first->triangle < i) return false;
+    const scene::MeshData& mesh = *camera_.meshes.front();
+    const scene::MeshTriangle& t = mesh.triangles[i];
+    UvPlace place{i, {}};
+    if (barycentric(uv, mesh.uvs[t.uv[0]], mesh.uvs[t.uv[1]], mesh.uvs[t.uv[2]], tolerance, place.weights))
+      first = place;
+    return false;
+  });
+  return first;
 }
 
 Ray MeshCamera::finished(std::size_t mesh, const Vec3& origin, const Vec3& normal) const {

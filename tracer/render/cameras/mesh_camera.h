@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "tracer/bvh/bvh.h"
 #include "tracer/scene/camera.h"
 #include "tracer/scene/object.h"
 
@@ -22,11 +23,17 @@ class MeshCamera {
   };
   std::optional<Face> face(double x, double y, int k) const;
   Ray finished(std::size_t mesh, const Vec3& origin, const Vec3& normal) const;
-  std::optional<Ray> by_uv(double u, double v) const;
-  std::optional<Ray> by_uv(double u, double v, double tolerance) const;
+  std::optional<Ray> by_uv(const Vec2& uv) const;
+  // The first triangle around a point of the UV map, and the point's weights in it.
+  struct UvPlace {
+    std::uint32_t triangle;
+    double weights[3];
+  };
+  std::optional<UvPlace> uv_place(const Vec2& uv, double tolerance) const;
 
   const scene::Camera& camera_;
   int width_, height_, left_, top_;  // of the whole picture; where the window lies in it
+  accel::Bvh uv_map_;                // of the first mesh's triangles, for distribution 3
 };
 
 }  // namespace verisim::render

@@ -89,6 +89,22 @@ TEST(Polynomial, SurvivesAnything) {
 // Polynomials with known roots, their coefficients formed in extended precision: every root is found, close to what the
 // rounding of the coefficients allows. The closed form of quartics is POV-Ray's and, as there, not polished (spec 03
 // section 3, step 5): it has fewer digits where roots are near each other.
+// Of (x + far)^n = b: a surface of a high degree seen from far away. Noise in the chain promises dozens of roots.
+TEST(Polynomial, SturmFindsNoMoreRootsThanTheDegree) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> number;
+  for (int i = 0; i < 20000; ++i) {
+    const int n = 5 + i % 11;
+    const double far = number(random) * std::pow(10, i % 9);
+    std::vector<double> c{1};
+    for (int k = 0; k < n; ++k) c.push_back(c.back() * far * (n - k) / (k + 1));
+    c.back() -= number(random);
+    std::vector<double> roots(1000, -1);
+    ASSERT_LE(solve_sturm(n, c.data(), roots.data()), n) << far;
+    ASSERT_EQ(roots[static_cast<std::size_t>(n)], -1) << far;
+  }
+}
+
 TEST(Polynomial, FindsTheRootsOfRandomPolynomials) {
   std::mt19937 random(17);
   std::uniform_real_distribution<double> place(0.01, 10), gap(0.05, 3);

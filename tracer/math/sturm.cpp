@@ -98,9 +98,11 @@ bool regula_falsi(const Chain& chain, double a, double b, double& root) {
   return false;
 }
 
-int isolate(const Chain& chain, double low, double high, int changes_low, int changes_high, double* roots) {
+// No more than `room` roots: of polynomials along rays from far away the counts are noise, and promise many more than
+// the degree.
+int isolate(const Chain& chain, double low, double high, int changes_low, int changes_high, int room, double* roots) {
   const int count = changes_low - changes_high;
-  if (count <= 0) return 0;
+  if (count <= 0 || room <= 0) return 0;
   if (count == 1 && regula_falsi(chain, low, high, roots[0])) return 1;
   for (int step = 0; step < kMaxSteps; ++step) {
     const double middle = 0.5 * (low + high);
@@ -109,8 +111,8 @@ int isolate(const Chain& chain, double low, double high, int changes_low, int ch
     if (width < kPrecision) break;
     const int left = changes_low - changes, right = changes - changes_high;
     if (left > 0 && right > 0) {
-      const int found = isolate(chain, low, middle, changes_low, changes, roots);
-      return found + isolate(chain, middle, high, changes, changes_high, roots + found);
+      const int found = isolate(chain, low, middle, changes_low, changes, room, roots);
+      return found + isolate(chain, middle, high, changes, changes_high, room - found, roots + found);
     }
     if (left > 0)
       high = middle, changes_high = changes;
@@ -136,7 +138,7 @@ int solve_sturm(int degree, const double* c, double* roots) {
   const Chain chain(degree, c);
   const int at_zero = chain.sign_changes(0);
   if (at_zero == 0) return 0;
-  return isolate(chain, 0, kFarthestRoot, at_zero, chain.sign_changes(kFarthestRoot), roots);
+  return isolate(chain, 0, kFarthestRoot, at_zero, chain.sign_changes(kFarthestRoot), degree, roots);
 }
 
 }  // namespace verisim

@@ -45,6 +45,9 @@ class Rays {
         double* const numbers[] = {batches->origin.x,    batches->origin.y,    batches->origin.z,
                                    batches->direction.x, batches->direction.y, batches->direction.z};
         for (std::size_t n = 0; n < 1 + any(random) % 2; ++n) numbers[any(random) % 6][i] = kStrange[any(random)];
+        // Directions are of unit length, or nothing that has one.
+        const Vec3 strange = batches->direction.at(i), unit = normalize(strange);
+        if (length(strange) < kInfinity && length(unit) > 0.5) batches->direction.set(i, unit);
       }
       limit[i - first] = round % 5 == 0 ? 2 + std::fabs(d(random)) : kInfinity;
     }

@@ -26,8 +26,7 @@ compare::FitOptions fit_options(const std::string& crop, const std::string& corn
       throw OptionError(fmt::format("--crop {}: expected X,Y,WIDTH,HEIGHT", crop));
     out.crop = c;
   }
-  out.find_corners = corners == "find";
-  if (!corners.empty() && !out.find_corners) {
+  if (!corners.empty()) {
     compare::Corners c;
     int end = 0;
     if (std::sscanf(corners.c_str(), "%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf%n", &c[0].x, &c[0].y, &c[1].x, &c[1].y, &c[2].x,
@@ -35,7 +34,7 @@ compare::FitOptions fit_options(const std::string& crop, const std::string& corn
         static_cast<std::size_t>(end) != corners.size())
       throw OptionError(
           fmt::format("--corners {}: expected eight numbers: x and y of the upper left, upper right, lower right and "
-                      "lower left corner, or the word find",
+                      "lower left corner",
                       corners));
     out.corners = c;
   }
@@ -138,7 +137,7 @@ int command_diff(const std::vector<std::string>& arguments) {
             "the part of the reference, a photograph, that the picture shows; averaged to its size");
   own.value("--corners X,Y,X,Y,X,Y,X,Y", corners,
             "where the picture's corners are in the reference, a photograph, from the upper left one clockwise; a few "
-            "pixels off is near enough: they are refined; or the word find");
+            "pixels off is near enough: they are refined");
   own.values("--fit WHAT", fits,
              "fit exposure, white_balance, the lens's distortion (with --corners) or vignetting (may be given again)");
   const std::vector<std::string> words = own.parse(arguments);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "compare/metrics/find_corners.h"
 #include "compare/metrics/photograph.h"
 #include "compare/metrics/values.h"
 
@@ -176,12 +175,10 @@ FittedPair fit_to_reference(const Picture& reference, const Picture& test, const
   out.fit.reference_width = out.reference.width, out.fit.reference_height = out.reference.height;
   Crop part = options.crop.value_or(Crop{0, 0, reference.width, reference.height});
   std::vector<double> where;
-  const bool by_corners = options.corners || options.find_corners;
-  if (by_corners || options.vignetting) out.fit.noise = estimate_noise(out.reference);
-  if (by_corners) {
+  if (options.corners || options.vignetting) out.fit.noise = estimate_noise(out.reference);
+  if (options.corners) {
     if (options.crop) throw PictureMismatch("corners and a crop say the same thing: give one of them");
-    const Corners start = options.corners ? *options.corners : find_corners(reference, test);
-    out.fit.alignment = align(reference, test, start, options.distortion);
+    out.fit.alignment = align(reference, test, *options.corners, options.distortion);
     out.reference = aligned(reference, *out.fit.alignment, test.width, test.height);
     if (options.vignetting) where = distances_from_centre(reference, *out.fit.alignment, test.width, test.height);
   } else if (options.distortion) {

@@ -118,9 +118,9 @@ RowFigures row_figures(const Values& a, const Values& b, int y, const unsigned c
       continue;
     }
     double largest = 0;
-    const Rgb apart = difference(a, b, x, y);
+    const Rgb apart = difference(a, b, x, y), told = told_difference(a, b, x, y);
     for (std::size_t c = 0; c < 3; ++c)
-      out.signs[c].add(apart[c]), out.sides[c][i] = static_cast<signed char>(SignTest::side(apart[c]));
+      out.signs[c].add(told[c]), out.sides[c][i] = static_cast<signed char>(SignTest::side(told[c]));
     for (const double d : apart) {
       largest = std::max(largest, std::fabs(d));
       out.absolute += std::fabs(d), out.signed_sum += d;

@@ -44,8 +44,9 @@ Patches solid_row(const Values& a, const Values& b, int y) {
   return out;
 }
 
-// Whole code values where only one of the pictures has fractions: what the other one rounded away is no difference.
-Rgb drift_at(const Values& a, const Values& b, int x, int y) {
+}  // namespace
+
+Rgb told_difference(const Values& a, const Values& b, int x, int y) {
   if (!a.finite(x, y) || !b.finite(x, y)) return {};
   if ((a.bits() > 8) == (b.bits() > 8)) return difference(a, b, x, y);
   const Rgb p = a.rgb(x, y), q = b.rgb(x, y);
@@ -53,12 +54,14 @@ Rgb drift_at(const Values& a, const Values& b, int x, int y) {
           std::round(q[2]) - std::round(p[2])};
 }
 
+namespace {
+
 // Sums of clipped differences over the cells of one row of them.
 std::vector<Rgb> cell_sums(const Values& a, const Values& b, int y0) {
   std::vector<Rgb> sums(static_cast<std::size_t>((a.width() + kCell - 1) / kCell));
   for (int y = y0; y < std::min(y0 + kCell, a.height()); ++y)
     for (int x = 0; x < a.width(); ++x) {
-      const Rgb d = drift_at(a, b, x, y);
+      const Rgb d = told_difference(a, b, x, y);
       for (std::size_t c = 0; c < 3; ++c) sums[static_cast<std::size_t>(x / kCell)][c] += std::clamp(d[c], -1.0, 1.0);
     }
   return sums;

@@ -7,6 +7,9 @@
 
 namespace verisim::compare {
 
+// Whole code values where only one of the pictures has fractions: what the other one rounded away is no difference.
+Rgb told_difference(const Values& reference, const Values& test, int x, int y);
+
 struct Patches {
   // The median of the differences of 3x3 pixels, in any channel: lone pixels and lines one pixel wide leave nothing of
   // it.

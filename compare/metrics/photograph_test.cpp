@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "compare/metrics/find_corners.h"
 #include "compare/metrics/test_pictures.h"
 #include "compare/metrics/values.h"
 #include "compare/oracle/process.h"
@@ -102,18 +101,6 @@ TEST_F(Photographs, NoiseAndJpegDoNotMoveThem) {
   EXPECT_LT(worst_corner(a), 0.8);
 }
 
-TEST_F(Photographs, CornersAreFound) {
-  const Picture photo = photograph({"-evaluate", "multiply", "0.8", "-attenuate", "0.3", "+noise", "Gaussian"});
-  const FittedPair pair =
-      fit_to_reference(photo, render(), {.crop = {}, .corners = {}, .find_corners = true, .distortion = false});
-  ASSERT_TRUE(pair.fit.alignment);
-  EXPECT_LT(worst_corner(*pair.fit.alignment), 0.8);
-}
-
-TEST(Photograph, OfSomethingElseHasNoCorners) {
-  EXPECT_THROW(find_corners(random_picture(320, 240, 1), render()), PictureMismatch);
-}
-
 // ImageMagick's barrel takes a pixel's colour from r (1 + b r^2), r in units of half the shorter side; the same curve
 // the other way round begins with 1 - b r^2.
 TEST_F(Photographs, RadialDistortionIsFound) {
@@ -125,7 +112,6 @@ TEST_F(Photographs, RadialDistortionIsFound) {
   const FittedPair fitted = fit_to_reference(photo, render(),
                                              {.crop = {},
                                               .corners = about(),
-                                              .find_corners = false,
                                               .distortion = true,
                                               .vignetting = false,
                                               .exposure = true,
@@ -133,7 +119,6 @@ TEST_F(Photographs, RadialDistortionIsFound) {
   const FittedPair plain = fit_to_reference(photo, render(),
                                             {.crop = {},
                                              .corners = about(),
-                                             .find_corners = false,
                                              .distortion = false,
                                              .vignetting = false,
                                              .exposure = true,
@@ -155,7 +140,6 @@ TEST_F(Photographs, FallOffExposureAndWhiteBalanceAreFoundTogether) {
   const FittedPair pair = fit_to_reference(photo, render(),
                                            {.crop = {},
                                             .corners = about(),
-                                            .find_corners = false,
                                             .distortion = false,
                                             .vignetting = true,
                                             .exposure = true,

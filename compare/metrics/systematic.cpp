@@ -3,7 +3,7 @@
 #include <map>
 #include <numeric>
 
-#include "compare/metrics/values.h"
+#include "compare/metrics/patches.h"
 
 namespace verisim::compare {
 namespace {
@@ -18,7 +18,7 @@ std::map<int, Channels> signs_of_objects(const Values& a, const Values& b, const
     for (int x = 0; x < tags.width; x += tags.step, ++at) {
       const int set = tags.set_of[at];
       if (set < 0 || static_cast<std::size_t>(set) >= tags.sets.size() || !a.finite(x, y) || !b.finite(x, y)) continue;
-      const Rgb d = difference(a, b, x, y);
+      const Rgb d = told_difference(a, b, x, y);
       for (const int tag : tags.sets[static_cast<std::size_t>(set)])
         if (tag >= 0 && static_cast<std::size_t>(tag) < tags.tags.size() &&
             tags.tags[static_cast<std::size_t>(tag)].kind == "object")

@@ -96,7 +96,7 @@ TEST(Systematic, ASmallObjectThatIsALittleDarkerIsAFault) {
 
 // A line of pixels that all go over to the other side of an outline: a vertex that moved by a part of a pixel.
 TEST(Systematic, AnOutlineThatMovedIsAFault) {
-  const Picture a = fine_scene(), b = where(a, [](int x, int y) { return x == 40 && y >= 20 && y < 40 ? -30 : 0; });
+  const Picture a = fine_scene(), b = where(a, [](int x, int y) { return x == 40 && y >= 20 && y < 40 ? -30.0 : 0; });
   EXPECT_EQ(judge_deterministic(measure(a, b), false).status, Status::differ);
 }
 
@@ -130,7 +130,7 @@ TEST(Systematic, SpeckleIsNone) {
 TEST(Systematic, NoiseToBothSidesIsNone) {
   const Picture a = fine_scene();
   std::mt19937 random(7);
-  const Picture b = where(a, [&](int, int) { return random() % 2 ? 0.3 : -0.3; });
+  const Picture b = where(a, [&](int, int) { return random() % 2 ? 0.1 : -0.1; });
   EXPECT_EQ(judge_deterministic(measure(a, b), false).status, Status::exact);
 }
 

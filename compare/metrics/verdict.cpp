@@ -68,6 +68,7 @@ std::optional<Verdict> together(const Metrics& m, bool antialiased, const Allowa
     return Verdict{Status::differ,
                    fmt::format("a small difference to one side everywhere around {}, {}: drift_max {:.3f} > {}",
                                m.drift_x, m.drift_y, m.drift_max, drift)};
+  if (allowed.drift_max) return std::nullopt;  // how much may go to one side is said
   if (m.fine && static_cast<double>(m.one_sided_pixels) > allowed.one_sided_pixels)
     return Verdict{Status::differ,
                    fmt::format("connected pixels all go to one side around {}, {}: one_sided_pixels {} > {}",
@@ -122,6 +123,7 @@ bool worth_asking_objects(const Metrics& m) {
 
 std::optional<Verdict> judge_objects(const Picture& reference, const Picture& test, const PixelTags& tags,
                                      const Allowance& allowed) {
+  if (allowed.drift_max) return std::nullopt;
   const auto fine = [](const Picture& p) { return p.is_float || p.bits > 8; };
   const double limit = leaning_limit(allowed, fine(reference) && fine(test));
   const std::optional<LeaningObject> object = leaning_object(reference, test, tags, limit);

@@ -339,13 +339,9 @@ class Manifest {
     out.fit.crop = Crop{static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2]), static_cast<int>(v[3])};
   }
   void corners(const toml::node& node, SceneRequest& out) const {
-    out.fit.corners.reset();
-    out.fit.find_corners = node.value<std::string>() == "find";
-    if (out.fit.find_corners) return;
     const toml::array* array = node.as_array();
     if (!array || array->size() != 4)
-      fail(node.source(),
-           "'corners' must be four points [x, y] of the reference, from the upper left one clockwise, or \"find\"");
+      fail(node.source(), "'corners' must be four points [x, y] of the reference, from the upper left one clockwise");
     out.fit.corners.emplace();
     for (std::size_t i = 0; i < 4; ++i) {
       const std::vector<double> v = numbers((*array)[i], "corners", 2, 2);

@@ -78,7 +78,6 @@ std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path>
   hash.add(options_.reference_identity);
   for (const std::string& renderer : r.beside) hash.add(renderer);
   hash.add(fmt::format("{} {}", r.fit.distortion, r.fit.vignetting));
-  hash.add(r.fit.find_corners ? "find corners" : "");
   if (r.fit.corners)
     for (const ImagePoint& p : *r.fit.corners) hash.add(fmt::format("{} {}", p.x, p.y));
   std::sort(files_read.begin(), files_read.end());

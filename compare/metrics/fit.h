@@ -23,12 +23,11 @@ using Corners = std::array<ImagePoint, 4>;
 struct FitOptions {
   std::optional<Crop> crop;        // of the reference, in its pixels
   std::optional<Corners> corners;  // of the picture, where they are in the reference, about: they are refined
-  bool find_corners = false;       // in the place of corners: they are looked for
   bool distortion = false;         // with corners: the lens's radial distortion is fitted, too
   bool vignetting = false;         // the fall-off of light towards the corners is fitted
   bool exposure = false;           // one factor for the three channels
   bool white_balance = false;      // a factor for each channel; the exposure is then their part in common
-  bool any() const { return crop || corners || find_corners || distortion || vignetting || exposure || white_balance; }
+  bool any() const { return crop || corners || distortion || vignetting || exposure || white_balance; }
 };
 
 // Where the picture lies in the photograph. Errors are standard deviations, from the residuals of the fit.

@@ -118,6 +118,16 @@ TEST_F(Limits, SignalsEndWhatNeverLooksAtThem) {
   }
 }
 
+TEST_F(Limits, ASignalEndsTheViewOfASceneWithoutEnd) {
+  file("bomb.pov", kFunctions);
+  const pid_t child = start({"view", "bomb.pov", "--no-open", "--sandbox=best-effort"});
+  wait_for("stdout.txt");  // the address
+  std::this_thread::sleep_for(milliseconds(300));
+  ::kill(child, SIGTERM);
+  const Ended ended = wait(child);
+  EXPECT_EQ(ended.status, kInterrupted) << ended.errors;
+}
+
 TEST_F(Limits, StrangersAreHeldShortAndSingleLimitsCountMore) {
   file("bomb.pov", kFunctions);
   const Ended strangers = run({"check", "bomb.pov", "--max-seconds=0.2", "--limits", "strangers"});

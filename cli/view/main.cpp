@@ -180,7 +180,7 @@ int view(const std::vector<std::string>& arguments) {
   // Files are looked for where the program was called; whether they may be read is another question.
   options.library_paths.insert(options.library_paths.begin(), called_from.string());
 
-  Interrupt interrupt(Watch{.seconds = options.max_seconds});
+  Interrupt interrupt(Watch{.seconds = options.max_seconds, .memory = options.limits.max_memory_bytes});
   std::optional<LivePicture> picture;
   std::optional<Reference> reference;
   if (settings.lecture) {

@@ -7,6 +7,7 @@
 
 #include "cli/commands/commands.h"
 #include "cli/console/exit_status.h"
+#include "cli/console/interrupt.h"
 #include "cli/parts/merge.h"
 #include "cli/settings/own_options.h"
 
@@ -57,7 +58,15 @@ int command_merge(const std::vector<std::string>& arguments) {
   const std::vector<std::string> words = own.parse(arguments);
   if (words.empty()) throw OptionError("name the files of the parts: verisim merge PARTS... --output picture.png");
   if (output.empty()) throw OptionError("name the picture's file: --output picture.png");
-  const Merged merged = merge_parts(files_of(words), output);
+  Interrupt interrupt;
+  Merged merged;
+  try {
+    merged = merge_parts(files_of(words), output, interrupt.flag());
+  } catch (const std::runtime_error&) {
+    if (!interrupt.flag()) throw;
+    std::fputs("verisim: interrupted; no picture was written\n", stderr);
+    return kInterrupted;
+  }
   if (!quiet)
     std::fputs(fmt::format("{} by {}: merged {} part{} to {}\n", merged.width, merged.height, merged.parts,
                            merged.parts == 1 ? "" : "s", output)

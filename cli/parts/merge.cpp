@@ -91,7 +91,8 @@ class Parts {
 // The picture's rows from the top; those of a row of blocks are in memory.
 class MergedRows {
  public:
-  explicit MergedRows(Parts& parts) : parts_(parts), width_(static_cast<std::size_t>(parts.picture().width)) {
+  MergedRows(Parts& parts, const std::atomic<bool>& stop)
+      : parts_(parts), stop_(stop), width_(static_cast<std::size_t>(parts.picture().width)) {
     for (std::size_t i = 0; i < parts.count(); ++i) {
       const std::vector<Block>& blocks = parts.open(i).blocks();
       for (std::size_t k = 0; k < blocks.size(); ++k) places_.push_back({blocks[k], i, k});
@@ -118,6 +119,7 @@ class MergedRows {
 
   // The next row of blocks.
   void load() {
+    if (stop_) throw std::runtime_error("interrupted");
     const Block& head = places_[next_].block;
     first_ = head.y, end_ = head.y + head.height;
     band_.assign(width_ * static_cast<std::size_t>(head.height), Color());
@@ -128,6 +130,7 @@ class MergedRows {
   }
 
   Parts& parts_;
+  const std::atomic<bool>& stop_;
   std::size_t width_;
   std::vector<Place> places_;
   std::size_t next_ = 0;
@@ -171,12 +174,12 @@ void write_with_layers(Parts& parts, MergedRows& rows, const fs::path& output, c
 
 }  // namespace
 
-Merged merge_parts(const std::vector<fs::path>& paths, const fs::path& output) {
+Merged merge_parts(const std::vector<fs::path>& paths, const fs::path& output, const std::atomic<bool>& stop) {
   Parts parts(paths);
   const PartPicture& picture = parts.picture();
   const image::OutputOptions options = output_options(picture, output);
   require_writable(output);
-  MergedRows rows(parts);
+  MergedRows rows(parts, stop);
   if (layer_choice(picture.layers).any)
     write_with_layers(parts, rows, output, options);
   else

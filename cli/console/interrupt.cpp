@@ -35,9 +35,8 @@ void on_signal(int number) {
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGQUIT, SIGHUP};
 
-constexpr Seconds kLook{0.01};        // between two looks at the limits: a core fills some 20 MB in that time
-constexpr Seconds kPatience{0.7};     // from the flag to the beginning of an orderly end
-constexpr Seconds kOrderlyEnd{60.0};  // to write a picture
+constexpr Seconds kLook{0.01};     // between two looks at the limits: a core fills some 20 MB in that time
+constexpr Seconds kPatience{0.7};  // from the flag to the beginning of an orderly end
 constexpr double kMemoryMargin = 1.04;
 
 double cpu_time() {
@@ -74,7 +73,7 @@ struct Interrupt::Impl {
       if (!asked) asked = now;
       if (reached && static_cast<double>(memory) > kMemoryMargin * static_cast<double>(watch.memory))
         force("memory goes on growing");
-      if (now - *asked > (orderly ? kOrderlyEnd : kPatience)) force("the work under way does not end by itself");
+      if (now - *asked > Seconds(patience)) force("the work under way does not end by itself");
     }
   }
 
@@ -96,7 +95,8 @@ struct Interrupt::Impl {
   Watch watch;
   std::array<struct sigaction, kSignals.size()> previous{};
   struct sigaction previous_pipe {};
-  std::atomic<bool> reached{false}, orderly{false};
+  std::atomic<bool> reached{false};
+  std::atomic<double> patience{kPatience.count()};  // seconds, from the flag on
   std::mutex mutex;
   std::condition_variable wake;
   bool done = false;
@@ -140,6 +140,6 @@ Interrupt::~Interrupt() {
 std::atomic<bool>& Interrupt::flag() { return stop; }
 int Interrupt::signal() const { return received; }
 bool Interrupt::limit_reached() const { return impl_->reached; }
-void Interrupt::orderly_end() { impl_->orderly = true; }
+void Interrupt::orderly_end(double seconds) { impl_->patience = seconds; }
 
 }  // namespace verisim::cli

@@ -34,8 +34,8 @@ class Interrupt {
   std::atomic<bool>& flag();  // true: stop
   int signal() const;         // the one that came; 0: none
   bool limit_reached() const;
-  // The work has seen the flag and writes down what it has, which may take a while.
-  void orderly_end();
+  // The work has seen the flag and writes down what it has, which may take so long.
+  void orderly_end(double seconds = 60);
 
  private:
   struct Impl;

@@ -196,6 +196,7 @@ int view(const std::vector<std::string>& arguments) {
   std::fflush(stdout);
   std::fprintf(stderr, "verisim view: open this address in a browser; Ctrl-C ends.\n");
   while (!interrupt.flag()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  interrupt.orderly_end(15);  // pages that wait for answers hold the server up for some five
   server.stop();
   return kOk;
 }

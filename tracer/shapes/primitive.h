@@ -2,10 +2,10 @@
 // small file.
 //
 // A shape `class Torus final : public Primitive<Torus>` writes
-//   template <class Sink> void intersections(const Ray& ray, Sink& sink) const;   // calls sink.add for every hit
-//   within its limits bool contains(const Vec3& p) const;                                       // the formula of its
-//   inside, not inverted Vec3 geometric_normal(const Hit& hit) const;                                    // unit
-//   length, not inverted
+//   template <class Sink> void intersections(const Ray& ray, Sink& sink) const;  // calls sink.add for every hit
+//   bool contains(const Vec3& p) const;                                          // its inside, not inverted
+//   Vec3 geometric_normal(const Hit& hit) const;                                 // unit length, not inverted
+// where hits are those within the shape's own limits,
 // and passes its own box to the constructor. `intersections` is a template, so "all hits" and "the nearest hit" are
 // compiled from the same code; where all hits are expensive it may ask `Sink::kNearest` and stop after an accepted hit
 // when it finds hits in increasing distance.

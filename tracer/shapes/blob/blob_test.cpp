@@ -60,7 +60,7 @@ double field(const scene::BlobComponent& c, const Vec3& p) {
 }
 
 // Roots of rays that graze the surface are only as good as the closed form that POV-Ray takes.
-constexpr double kClosedForm = 1e-3;
+constexpr double kClosedForm = 1e-4;
 
 TEST(Blob, HitsLieOnTheSurface) {
   const std::vector<scene::BlobComponent> c{ball({-0.5, 0, 0}, 1, 1), ball({0.6, 0.1, 0}, 1.2, 0.8),

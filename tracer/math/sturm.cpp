@@ -104,8 +104,9 @@ int isolate(const Chain& chain, double low, double high, int changes_low, int ch
   const int count = changes_low - changes_high;
   if (count <= 0 || room <= 0) return 0;
   if (count == 1 && regula_falsi(chain, low, high, roots[0])) return 1;
+  double middle = low;
   for (int step = 0; step < kMaxSteps; ++step) {
-    const double middle = 0.5 * (low + high);
+    middle = 0.5 * (low + high);
     const int changes = chain.sign_changes(middle);
     const double width = std::fabs(middle) > kPrecision ? std::fabs((high - low) / middle) : std::fabs(high - low);
     if (width < kPrecision) break;
@@ -118,9 +119,8 @@ int isolate(const Chain& chain, double low, double high, int changes_low, int ch
       high = middle, changes_high = changes;
     else
       low = middle, changes_low = changes;
-    if (count == 1 && regula_falsi(chain, low, high, roots[0])) return 1;
   }
-  roots[0] = 0.5 * (low + high);  // a multiple root
+  roots[0] = middle;  // a multiple root, or one that regula falsi did not come to
   return 1;
 }
 

@@ -123,12 +123,13 @@ int solve_cubic(const double* c, double* roots) {
   return 3;
 }
 
-int solve_polynomial(int degree, const double* c, double* roots, bool sturm, double elimination) {
+int solve_polynomial(int degree, const double* c, double* roots, bool sturm, double elimination, double from,
+                     double to) {
   while (degree > 0 && std::fabs(c[0]) < kEpsilon) ++c, --degree;
   const auto near_zero_root = [&](int n) {
     return elimination > 0 && c[n - 1] != 0 && std::fabs(c[n] / c[n - 1]) < elimination;
   };
-  const auto cubic = [&] { return sturm ? solve_sturm(3, c, roots) : solve_cubic(c, roots); };
+  const auto cubic = [&] { return sturm ? solve_sturm(3, c, roots, from, to) : solve_cubic(c, roots); };
   switch (degree) {
     case 0:
       return 0;
@@ -141,9 +142,9 @@ int solve_polynomial(int degree, const double* c, double* roots, bool sturm, dou
       return near_zero_root(3) ? solve_quadratic(c, roots) : cubic();
     case 4:
       if (near_zero_root(4)) return cubic();
-      return sturm || closed_form_is_difficult(c) ? solve_sturm(4, c, roots) : solve_quartic_closed(c, roots);
+      return sturm || closed_form_is_difficult(c) ? solve_sturm(4, c, roots, from, to) : solve_quartic_closed(c, roots);
     default:
-      return solve_sturm(degree, c, roots);
+      return solve_sturm(degree, c, roots, from, to);
   }
 }
 

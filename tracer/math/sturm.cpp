@@ -11,6 +11,8 @@ namespace {
 constexpr double kSmallCoefficient = 1e-10, kFarthestRoot = 1e7, kPrecision = 1e-12, kZeroValue = 1e-10;
 constexpr int kMaxSteps = 50;
 
+double quartic(const double* c, double x) { return (((c[0] * x + c[1]) * x + c[2]) * x + c[3]) * x + c[4]; }
+
 struct Chain {
   int length = 0;
   int degree[kMaxPolynomialDegree + 1];
@@ -48,9 +50,16 @@ struct Chain {
     return true;
   }
 
-  double value(double x) const { return evaluate_polynomial(degree[0], c[0], x); }
+  double value(double x) const { return degree[0] == 4 ? quartic(c[0], x) : evaluate_polynomial(degree[0], c[0], x); }
 
   int sign_changes(double x) const {
+    if (length == 5 && degree[0] == 4) {
+      const double v[5] = {quartic(c[0], x), evaluate_polynomial(3, c[1], x), evaluate_polynomial(2, c[2], x),
+                           evaluate_polynomial(1, c[3], x), c[4][0]};
+      if ((v[0] != 0) & (v[1] != 0) & (v[2] != 0) & (v[3] != 0))
+        return ((v[0] < 0) ^ (v[1] < 0)) + ((v[1] < 0) ^ (v[2] < 0)) + ((v[2] < 0) ^ (v[3] < 0)) +
+               ((v[3] < 0) ^ (v[4] < 0));
+    }
     int changes = 0;
     double last = 0;
     for (int i = 0; i < length; ++i) {
@@ -60,6 +69,18 @@ struct Chain {
       last = v;
     }
     return changes;
+  }
+
+  // All partial sums of Horner's rule have the sign of the leading coefficient, for each member: beyond this place no
+  // sign changes, for sums grow with the place, and rounding keeps their order.
+  bool beyond_all_roots(double x) const {
+    for (int i = 0; i < length; ++i) {
+      const double sign = c[i][0] < 0 ? -1 : 1;
+      double v = sign * c[i][0];
+      for (int k = 1; k <= degree[i]; ++k)
+        if (!((v = v * x + sign * c[i][k]) > 0)) return false;
+    }
+    return true;
   }
 };
 
@@ -98,35 +119,89 @@ bool regula_falsi(const Chain& chain, double a, double b, double& root) {
   return false;
 }
 
-// No more than `room` roots: of polynomials along rays from far away the counts are noise, and promise many more than
-// the degree.
-int isolate(const Chain& chain, double low, double high, int changes_low, int changes_high, int room, double* roots) {
-  const int count = changes_low - changes_high;
-  if (count <= 0 || room <= 0) return 0;
-  if (count == 1 && regula_falsi(chain, low, high, roots[0])) return 1;
-  double middle = low;
-  for (int step = 0; step < kMaxSteps; ++step) {
-    middle = 0.5 * (low + high);
-    const int changes = chain.sign_changes(middle);
-    const double width = std::fabs(middle) > kPrecision ? std::fabs((high - low) / middle) : std::fabs(high - low);
-    if (width < kPrecision) break;
-    const int left = changes_low - changes, right = changes - changes_high;
-    if (left > 0 && right > 0) {
-      const int found = isolate(chain, low, middle, changes_low, changes, room, roots);
-      return found + isolate(chain, middle, high, changes, changes_high, room - found, roots + found);
-    }
-    if (left > 0)
-      high = middle, changes_high = changes;
-    else
-      low = middle, changes_low = changes;
-  }
-  roots[0] = middle;  // a multiple root, or one that regula falsi did not come to
-  return 1;
+// From 0 to the farthest root regula falsi of a quartic, or more, mostly creeps: it halves the value at the far end in
+// all of its steps, and that still is so huge that it never leaves a neighbourhood of 0 in which the value hardly
+// changes. `far`: the value at the farthest root.
+bool creeps(const Chain& chain, double far) {
+  const int n = chain.degree[0];
+  const double near = chain.c[0][n], size = std::fabs(near);
+  const double reached = 4 * (1.5 * size * kFarthestRoot / std::fabs(far)) * (1ull << (kMaxSteps + 1));
+  if (!(size > 10 * kZeroValue && near * far < 0 && reached < 1)) return false;
+  double change = 0;
+  for (int i = 0; i < n; ++i) change = (change + std::fabs(chain.c[0][i])) * reached;
+  return change < 0.5 * size;
 }
+
+// The roots of a polynomial, from the least to the greatest.
+class Isolation {
+ public:
+  // Of what is not between `from` and `to` it only counts that it is beyond.
+  Isolation(const Chain& chain, double from, double to, double* roots)
+      : chain_(chain), from_(from * (1 - kMargin)), to_(to * (1 + kMargin)), roots_(roots) {
+    const int changes_near = chain.sign_changes(0), changes_far = chain.sign_changes(kFarthestRoot);
+    const bool single = changes_near - changes_far == 1;
+    if (single && !creeps(chain, chain.value(kFarthestRoot)) && found_by_regula_falsi(0, kFarthestRoot)) return;
+    // Halving towards 0 until the first place before a root of any member.
+    int steps = 0;
+    double high = kFarthestRoot;
+    for (int skip = 32; skip > 0; skip /= 2) {
+      const double place = std::ldexp(high, -skip);
+      if (steps + skip < kMaxSteps && chain.beyond_all_roots(place)) steps += skip, high = place;
+    }
+    if (changes_near > changes_far) bisect(0, high, changes_near, changes_far, steps);
+  }
+  int count() const { return count_; }
+
+ private:
+  static constexpr double kMargin = 1e-9;
+
+  // No more roots than the degree: of polynomials along rays from far away the counts are noise, and promise many more.
+  void find(double low, double high, int changes_low, int changes_high) {
+    const int count = changes_low - changes_high;
+    if (count <= 0 || count_ >= chain_.degree[0]) return;
+    if (count == 1 && (high < from_ || low > to_)) return add(high < from_ ? low : high);
+    if (count == 1 && found_by_regula_falsi(low, high)) return;
+    bisect(low, high, changes_low, changes_high, 0);
+  }
+
+  bool found_by_regula_falsi(double low, double high) {
+    double root;
+    if (!regula_falsi(chain_, low, high, root)) return false;
+    add(root);
+    return true;
+  }
+
+  void bisect(double low, double high, int changes_low, int changes_high, int steps) {
+    double middle = high;
+    for (; steps < kMaxSteps; ++steps) {
+      middle = 0.5 * (low + high);
+      const int changes = chain_.sign_changes(middle);
+      const double width = std::fabs(middle) > kPrecision ? std::fabs((high - low) / middle) : std::fabs(high - low);
+      if (width < kPrecision) break;
+      const int left = changes_low - changes, right = changes - changes_high;
+      if (left > 0 && right > 0) {
+        find(low, middle, changes_low, changes);
+        return find(middle, high, changes, changes_high);
+      }
+      if (left > 0)
+        high = middle, changes_high = changes;
+      else
+        low = middle, changes_low = changes;
+    }
+    add(middle);  // a multiple root, or one that regula falsi did not come to
+  }
+
+  void add(double root) { roots_[count_++] = root; }
+
+  const Chain& chain_;
+  const double from_, to_;
+  double* roots_;
+  int count_ = 0;
+};
 
 }  // namespace
 
-int solve_sturm(int degree, const double* c, double* roots) {
+int solve_sturm(int degree, const double* c, double* roots, double from, double to) {
   for (int i = 0; i <= degree; ++i)
     if (!std::isfinite(c[i])) return 0;
   while (degree > 0 && c[0] == 0) ++c, --degree;
@@ -135,10 +210,7 @@ int solve_sturm(int degree, const double* c, double* roots) {
     roots[0] = -c[1] / c[0];
     return roots[0] >= 0 ? 1 : 0;
   }
-  const Chain chain(degree, c);
-  const int at_zero = chain.sign_changes(0);
-  if (at_zero == 0) return 0;
-  return isolate(chain, 0, kFarthestRoot, at_zero, chain.sign_changes(kFarthestRoot), degree, roots);
+  return Isolation(Chain(degree, c), from, to, roots).count();
 }
 
 }  // namespace verisim

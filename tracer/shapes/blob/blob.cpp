@@ -284,7 +284,7 @@ class Blob final : public Primitive<Blob> {
     const double* p = intervals.power;
     const double c[5] = {p[4], p[3], p[2], p[1], p[0]};
     double roots[4];
-    const int n = solve_polynomial(4, c, roots, object->sturm, kElimination);
+    const int n = solve_polynomial(4, c, roots, object->sturm, kElimination, intervals.from, intervals.to);
     std::sort(roots, roots + n);
     bool found = false;
     for (int i = 0; i < n; ++i)

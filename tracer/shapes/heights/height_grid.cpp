@@ -50,7 +50,7 @@ HeightGrid::HeightGrid(const scene::HeightField& field) : water_(field.water_lev
   }
   if (empty()) return;
   build_pyramid();
-  if (field.smooth) build_normals();
+  smooth_ = field.smooth;
 }
 
 // Extremes of the cells of one row, from the heights below and above it.
@@ -115,26 +115,17 @@ void HeightGrid::build_pyramid() {
   while (levels_.back().width > 1 || levels_.back().depth > 1) levels_.push_back(blocks_of_blocks(levels_.back()));
 }
 
-// The sum of the unit normals of the up to four triangles around each sample, cut to multiples of 1/32767. Heights
-// count 65536 to a unit, so the vertical part is small and coarse, as it is in POV-Ray.
-void HeightGrid::build_normals() {
-  normals_.resize(heights_.size());
+Vec3 HeightGrid::smooth_normal(int i, int k) const {
   constexpr int kQuadrants[4][2] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}};
-  for (int k = 0; k < depth_; ++k) {
-    for (int i = 0; i < width_; ++i) {
-      Vec3 sum(0, 0, 0);
-      for (const auto& [dx, dz] : kQuadrants) {
-        if (i + dx < 0 || i + dx >= width_ || k + dz < 0 || k + dz >= depth_) continue;
-        const double h = at(i, k);
-        sum += normalize(Vec3((h - at(i + dx, k)) * dx, 1, (h - at(i, k + dz)) * dz));
-      }
-      const double size = length(sum);
-      const Vec3 n = size < kEpsilon ? Vec3(0, 1, 0) : sum / size;
-      auto& stored =
-          normals_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)];
-      for (int c = 0; c < 3; ++c) stored[static_cast<std::size_t>(c)] = static_cast<std::int16_t>(32767 * n[c]);
-    }
+  const double h = at(i, k);
+  Vec3 sum(0, 0, 0);
+  for (const auto& [dx, dz] : kQuadrants) {
+    if (i + dx < 0 || i + dx >= width_ || k + dz < 0 || k + dz >= depth_) continue;
+    sum += normalize(Vec3((h - at(i + dx, k)) * dx, 1, (h - at(i, k + dz)) * dz));
   }
+  const double size = length(sum);
+  const Vec3 n = size < kEpsilon ? Vec3(0, 1, 0) : sum / size;
+  return {std::trunc(32767 * n.x), std::trunc(32767 * n.y), std::trunc(32767 * n.z)};
 }
 
 }  // namespace verisim::shapes

@@ -2,7 +2,6 @@
 // quantised normals (spec 04 section 5).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -45,12 +44,11 @@ class HeightGrid {
     return l.blocks[static_cast<std::size_t>(k) * static_cast<std::size_t>(l.width) + static_cast<std::size_t>(i)];
   }
 
-  bool smooth() const { return !normals_.empty(); }
-  Vec3 smooth_normal(int i, int k) const {
-    const auto& n =
-        normals_[static_cast<std::size_t>(k) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(i)];
-    return {double(n[0]), double(n[1]), double(n[2])};
-  }
+  bool smooth() const { return smooth_; }
+  // The sum of the unit normals of the up to four triangles around a sample, cut to multiples of 1/32767. Heights count
+  // 65536 to a unit, so the vertical part is small and coarse, as it is in POV-Ray. Not kept: few pictures look at all
+  // samples of a field.
+  Vec3 smooth_normal(int i, int k) const;
 
  private:
   struct Level {
@@ -66,13 +64,12 @@ class HeightGrid {
   Level blocks_of_cells() const;
   static Level blocks_of_blocks(const Level& below);
   void build_pyramid();
-  void build_normals();
 
   int width_ = 0, depth_ = 0, lowest_ = 65535, highest_ = 0;
   double water_ = 0;
   std::vector<std::uint16_t> heights_;
   std::vector<Level> levels_;
-  std::vector<std::array<std::int16_t, 3>> normals_;
+  bool smooth_ = false;
 };
 
 // Height 0 .. 65535 of pixel (x, y).

@@ -63,6 +63,33 @@ unsigned inside_simple(const CsgNode& n, const PacketVector<Number>& at) {
   }
 }
 
+// Of `lanes`, those whose points are within a prism's outline. As Prism::covers.
+template <class Number>
+unsigned covered(const CsgNode& n, unsigned lanes, const Number& x, const Number& z) {
+  const Rectangle& r = n.walls.outline;
+  lanes &= bits((x <= r.max.x) & (x >= r.min.x) & (z >= r.min.y) & (z <= r.max.y));
+  unsigned odd = 0, unsure = 0;
+  for (const StraightSegment& w : *n.walls.segments) {
+    const typename Number::Mask level = (z >= w.z_low) & (z <= w.z_high) & (x <= w.x_high);
+    const unsigned met = bits(level) & lanes, right = w.z_low != w.z_high ? met & bits(x < w.x_low) : 0;
+    odd ^= right, unsure |= met & ~right;
+  }
+  each_lane(unsure, [&](int k) {
+    const unsigned bit = 1u << k;
+    odd = n.prism->covers(x[k], z[k]) ? odd | bit : odd & ~bit;
+  });
+  return odd;
+}
+
+template <class Number>
+unsigned inside_prism(const CsgNode& n, unsigned lanes, const PacketVector<Number>& at) {
+  const StraightPrism::Walls& w = n.walls;
+  const PacketVector<Number> p = w.matrix ? transform_point(w.matrix->inv, at) : at;
+  const unsigned level = bits((p.y >= w.low) & (p.y < w.high)) & lanes;
+  const unsigned within = level != 0 ? covered(n, level, p.x, p.z) : 0;
+  return w.inverted ? lanes & ~within : within;
+}
+
 template <class Number>
 unsigned inside_parts(const CsgTree& tree, const CsgNode& n, unsigned lanes, const PacketVector<Number>& p);
 
@@ -83,6 +110,8 @@ unsigned inside_parts(const CsgTree& tree, const CsgNode& n, unsigned lanes, con
   switch (n.kind) {
     case CsgNode::Kind::simple:
       return inside_simple(n, p) & lanes;
+    case CsgNode::Kind::prism:
+      return inside_prism(n, lanes, p);
     case CsgNode::Kind::intersection:
       for (std::uint32_t i = 0; i < n.child_count && lanes != 0; ++i)
         lanes = inside(tree, tree.nodes[tree.children[n.children + i]], lanes, p);
@@ -314,6 +343,41 @@ void cross_quadric(Search<Number>& s, const CsgNode& n) {
 }
 
 template <class Number>
+void cross_prism(Search<Number>& s, const CsgNode& n) {
+  constexpr std::int64_t kCap = -1;
+  const StraightPrism::Walls& prism = n.walls;
+  // As Primitive::unit_local.
+  PacketVector<Number> o = s.o, d = s.d;
+  if (prism.matrix) o = transform_point(prism.matrix->inv, o), d = transform_direction(prism.matrix->inv, d);
+  const Number scale = sqrt(d.x * d.x + d.y * d.y + d.z * d.z), inverse = Number(1.0) / scale;
+  d = {d.x * inverse, d.y * inverse, d.z * inverse};
+  const auto reach = [&](const Number& depth) VERISIM_INLINE_LAMBDA {
+    return (depth > StraightPrism::kNearest) & (depth < StraightPrism::kFarthest);
+  };
+  const typename Number::Mask sloping = abs(d.y) > kEpsilon;
+  for (const double end : {prism.low, prism.high}) {
+    if (prism.open) break;
+    const Number t = (Number(end) - o.y) / d.y, depth = t / scale;
+    if (unsigned lanes = wanted(s, depth, sloping & reach(depth)); lanes != 0) {
+      lanes = covered(n, lanes, o.x + t * d.x, o.z + t * d.z);
+      if (lanes != 0) consider_on_ray(s, n, depth, lanes, IntsFor<Number>(kCap));
+    }
+  }
+  const typename Number::Mask level = sloping | ((o.y >= prism.low) & (o.y <= prism.high)), by_x = abs(d.x) > kEpsilon;
+  std::int64_t part = 0;
+  for (const StraightSegment& w : *prism.segments) {
+    const IntsFor<Number> wall(part++);
+    const Number slope = d.z * w.dx + -d.x * w.dz;
+    const Number at = -(d.z * (Number(w.x) - o.x) + -d.x * (Number(w.z) - o.z)) / slope;
+    const typename Number::Mask met = level & (slope != 0) & (at >= 0) & (at <= 1);
+    if ((bits(met) & s.open) == 0) continue;
+    const Number t = select(by_x, (w.dx * at + w.x - o.x) / d.x, (w.dz * at + w.z - o.z) / d.z), y = o.y + t * d.y,
+                 depth = t / scale;
+    consider(s, n, depth, met & (y >= prism.low) & (y <= prism.high) & reach(depth), wall);
+  }
+}
+
+template <class Number>
 struct Slabs {
   Number near, far, near_size, far_size;  // |d| along the axes of the faces
   IntsFor<Number> near_face, far_face;
@@ -507,6 +571,9 @@ HWY_INLINE void run(Search<Number>& s, const Rays& rays) {
             cross_quadric(s, n);
             break;
         }
+        break;
+      case CsgNode::Kind::prism:
+        cross_prism(s, n);
         break;
       case CsgNode::Kind::core:
         consider_core(s, n, core);

@@ -55,6 +55,12 @@ struct CsgTree::Builder {
       n.boxed = (cone || n.simple.form == SimpleSolid::Form::quadric || n.simple.matrix != nullptr) &&
                 accel::is_finite(n.box);
       test_cost = (plane ? 1 : cone || n.simple.quadric ? 3 : 2) + (n.simple.matrix ? 2 : 0);
+    } else if (const auto* prism = dynamic_cast<const StraightPrism*>(&shape); prism && prism->straight_walls()) {
+      n.kind = CsgNode::Kind::prism;
+      n.prism = prism, n.walls = *prism->straight_walls();
+      n.boxed = accel::is_finite(n.box);
+      computes = true;
+      test_cost = 10;
     } else if (const auto* convex = dynamic_cast<const Convex*>(&shape);
                convex && top_child && tree.core == 0 && convex->crossed_once()) {
       n.kind = CsgNode::Kind::core;

@@ -12,6 +12,7 @@
 #include "tracer/shapes/convex.h"
 #include "tracer/shapes/csg/interior_proxy.h"
 #include "tracer/shapes/primitive.h"
+#include "tracer/shapes/swept/straight_prism.h"
 
 namespace verisim::shapes {
 
@@ -21,6 +22,7 @@ struct CsgNode {
     intersection,
     sum,
     simple,
+    prism,
     core,
     other
   };  // core: a solid that rays cross once, and of which only what is within it shows
@@ -37,6 +39,8 @@ struct CsgNode {
   Box3 solid;  // not of simple solids
   const Shape* shape = nullptr;
   const Convex* convex = nullptr;  // of the core
+  const StraightPrism* prism = nullptr;
+  StraightPrism::Walls walls;  // of the prism
 };
 
 // A hit survives if it is inside (or outside) of another node.

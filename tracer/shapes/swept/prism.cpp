@@ -8,12 +8,12 @@
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/swept/outline_index.h"
 #include "tracer/shapes/swept/plane_curve.h"
+#include "tracer/shapes/swept/straight_prism.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
 namespace {
 
-constexpr double kNearest = 1e-4, kFarthest = 1e7;
 constexpr std::int32_t kCap = -1;
 enum Axis { along_x, along_z };
 
@@ -76,7 +76,7 @@ std::vector<CurveSegment> segments_of(const scene::Prism& prism) {
   }
 }
 
-class Prism final : public Primitive<Prism> {
+class Prism final : public Primitive<Prism>, public StraightPrism {
  public:
   Prism(const scene::Object& description, const scene::Prism& prism)
       : Primitive(description, {prism_box(prism)}),
@@ -108,6 +108,7 @@ class Prism final : public Primitive<Prism> {
       segments_.push_back(segment);
     }
     index_ = OutlineIndex(bounds);
+    if (segments_.size() <= kMaxSegments) add_straight();
   }
 
   template <class Sink>
@@ -194,6 +195,25 @@ class Prism final : public Primitive<Prism> {
     return n == Vec3(0) ? Vec3(1, 0, 0) : world_normal(n);
   }
 
+  std::optional<Walls> straight_walls() const override {
+    if (conic_ || guards() || straight_.empty()) return std::nullopt;
+    return Walls{has_matrix() ? &matrix() : nullptr, inverted(), open_, low_, high_, outline_, &straight_};
+  }
+  // Even-odd count along +x. As in POV-Ray every segment owns both its ends, so a line exactly through a vertex counts
+  // it twice (spec 03 section 8).
+  bool covers(double x, double z) const override {
+    if (x > outline_.max.x || x < outline_.min.x || z < outline_.min.y || z > outline_.max.y) return false;
+    int count = 0;
+    std::size_t last = segments_.size();
+    index_.overlapping(Rectangle(Vec2(x, z), Vec2(HUGE_VAL, z)), [&](std::size_t piece) {
+      if (pieces_[piece].segment == last) return;
+      last = pieces_[piece].segment;
+      const Segment& s = segments_[last];
+      if (!(z < s.z_low || z > s.z_high || x > s.x_high)) count += times_met(s, x, z);
+    });
+    return count & 1;
+  }
+
  private:
   struct Segment {
     CurveSegment curve;
@@ -208,6 +228,13 @@ class Prism final : public Primitive<Prism> {
   };
   static constexpr std::size_t kPieces = 64,
                                kMaxParts = 16;  // of all curved segments together, if they are few; of one
+
+  void add_straight() {
+    if (std::any_of(segments_.begin(), segments_.end(), [](const Segment& s) { return s.curve.degree != 1; })) return;
+    for (const Segment& s : segments_)
+      straight_.push_back(
+          {s.curve.c[0].x, s.curve.c[0].y, s.curve.c[1].x, s.curve.c[1].y, s.x_low, s.x_high, s.z_low, s.z_high});
+  }
 
   // Whether the line nx x + nz z + n0 = 0 may pass through a piece's rectangle.
   static bool straddles(const Rectangle& r, double nx, double nz, double n0) {
@@ -224,21 +251,6 @@ class Prism final : public Primitive<Prism> {
     Rectangle r(Vec2(o.x + enter * d.x, o.z + enter * d.z));
     r.extendBy(Vec2(o.x + end * d.x, o.z + end * d.z));
     return Rectangle(r.min - Vec2(slack), r.max + Vec2(slack));
-  }
-
-  // Even-odd count along +x. As in POV-Ray every segment owns both its ends, so a line exactly through a vertex counts
-  // it twice (spec 03 section 8).
-  bool covers(double x, double z) const {
-    if (x > outline_.max.x || x < outline_.min.x || z < outline_.min.y || z > outline_.max.y) return false;
-    int count = 0;
-    std::size_t last = segments_.size();
-    index_.overlapping(Rectangle(Vec2(x, z), Vec2(HUGE_VAL, z)), [&](std::size_t piece) {
-      if (pieces_[piece].segment == last) return;
-      last = pieces_[piece].segment;
-      const Segment& s = segments_[last];
-      if (!(z < s.z_low || z > s.z_high || x > s.x_high)) count += times_met(s, x, z);
-    });
-    return count & 1;
   }
 
   // How often a segment with z in its range is met by the line from a point along +x, up to even numbers. Only a piece
@@ -280,8 +292,9 @@ class Prism final : public Primitive<Prism> {
   Box3 box_;
   Rectangle outline_;
   std::vector<Segment> segments_;
-  std::vector<Piece> pieces_;  // by segments
-  OutlineIndex index_;         // of the pieces
+  std::vector<Piece> pieces_;              // by segments
+  OutlineIndex index_;                     // of the pieces
+  std::vector<StraightSegment> straight_;  // all, if they are few and none is curved
 };
 
 }  // namespace

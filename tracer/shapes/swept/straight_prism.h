@@ -1,0 +1,39 @@
+// Prisms with outlines of a few straight segments, in numbers: for what asks several rays at once.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "tracer/math/transform.h"
+#include "tracer/shapes/swept/outline_index.h"
+
+namespace verisim::shapes {
+
+// (dx w + x, dz w + z) for 0 <= w <= 1, and its bounds.
+struct StraightSegment {
+  double x, z, dx, dz;
+  double x_low, x_high, z_low, z_high;
+};
+
+class StraightPrism {
+ public:
+  static constexpr std::size_t kMaxSegments = 16;
+  static constexpr double kNearest = 1e-4, kFarthest = 1e7;
+
+  struct Walls {
+    const Transform* matrix;  // null: none
+    bool inverted, open;
+    double low, high;
+    Rectangle outline;
+    const std::vector<StraightSegment>* segments;
+  };
+  // None: it is conic, clipped, has curves or too many segments.
+  virtual std::optional<Walls> straight_walls() const = 0;
+  // Whether a point is within the outline.
+  virtual bool covers(double x, double z) const = 0;
+
+ protected:
+  ~StraightPrism() = default;
+};
+
+}  // namespace verisim::shapes

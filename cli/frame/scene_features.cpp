@@ -13,7 +13,7 @@ class Walk {
   std::set<std::string> found;
 
   void object(const scene::ObjectPtr& pointer) {
-    if (!pointer || !seen_.insert(pointer.get()).second) return;
+    if (!pointer || seen_before(pointer)) return;
     const scene::Object& o = *pointer;
     if (const auto* light = o.as<scene::LightSource>()) this->light(*light);
     for (const auto& child : scene::children_of(o)) object(child);
@@ -36,6 +36,12 @@ class Walk {
   }
 
  private:
+  // What only one thing refers to need not be remembered.
+  template <class T>
+  bool seen_before(const std::shared_ptr<T>& pointer) {
+    return pointer.use_count() > 1 && !seen_.insert(pointer.get()).second;
+  }
+
   void light(const scene::LightSource& l) {
     if (l.area && l.jitter && (l.size1 > 1 || l.size2 > 1) && quality_ >= 5) found.insert("area_light jitter");
     object(l.looks_like);
@@ -43,7 +49,7 @@ class Walk {
   }
 
   void texture(const scene::TexturePtr& pointer) {
-    if (!pointer || !seen_.insert(pointer.get()).second) return;
+    if (!pointer || seen_before(pointer)) return;
     for (const scene::TextureLayer& layer : pointer->layers) {
       if (layer.finish->crand != 0 && quality_ >= 2) found.insert("crand");
       if (layer.finish->subsurface && quality_ >= 9) subsurface = true;

@@ -74,6 +74,41 @@ TEST(Polynomial, SturmReportsMultipleRootsOnce) {
   EXPECT_NEAR(found[1], 5, 1e-6);
 }
 
+// Values of POV-Ray's (trace() at polys of x, all digits): where regula falsi does not come to an end, fifty bisections
+// of 0 .. 1e7 follow, and the last middle counts.
+TEST(Polynomial, SturmBisectsWhereRegulaFalsiFails) {
+  const std::pair<std::vector<double>, double> known[] = {
+      {{0.010009765625, -0.083740234375, -0.725341796875, -2.1240234375, 16.087646484375, -19.736572265625},
+       14.063787547868856},
+      {{1, -23.766845703125, 237.049072265625, -1311.369140625, 4473.838623046875, -7927.693603515625},
+       6.41598068007454},
+      {{7, -129.15771484375, 60.2548828125, -164.922119140625}, 18.046463017284964},
+      {{0.10009765625, -1.46728515625, 7.094482421875, -11.277587890625}, 3.8517388301073652},
+  };
+  for (const auto& [c, root] : known) EXPECT_EQ(solve(c, true), std::vector<double>{root});
+}
+
+// What is asked for is the same whether the rest is, too.
+TEST(Polynomial, SturmLeavesOutWhatIsNotWanted) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> place(0.01, 10), offset(-3, 3);
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::vector<double> roots;
+    for (int k = 0; k < 3 + trial % 3; ++k) roots.push_back(place(random));
+    auto c = from_roots(roots);
+    if (trial % 2) c.back() += offset(random);
+    const double from = place(random), to = from + place(random);
+    const auto wanted = [&](double low, double high) {
+      double found[kMaxPolynomialDegree];
+      const int n = solve_sturm(static_cast<int>(c.size()) - 1, c.data(), found, low, high);
+      std::vector<double> result;
+      std::copy_if(found, found + n, std::back_inserter(result), [&](double r) { return r >= from && r <= to; });
+      return result;
+    };
+    ASSERT_EQ(wanted(from, to), wanted(0, HUGE_VAL)) << trial;
+  }
+}
+
 TEST(Polynomial, SurvivesAnything) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> exponent(-40, 40);

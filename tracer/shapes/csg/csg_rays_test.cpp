@@ -134,6 +134,26 @@ TEST(CsgRays, SolidsOfASuperellipsoid) {
   }
 }
 
+TEST(CsgRays, PrismsOfStraightSegments) {
+  const auto prism = [](bool open, std::vector<Vec2> points, const Steps& steps) {
+    return make(std::make_shared<const scene::Prism>(
+                    scene::Prism{scene::SplineKind::linear, false, open, -0.9, 0.8, std::move(points)}),
+                steps);
+  };
+  const std::vector<Vec2> hexagon = {{1.2, 0}, {0.6, 1}, {-0.6, 1}, {-1.2, 0}, {-0.6, -1}, {0.6, -1}, {1.2, 0}},
+                          star = {{1.3, 0.1},   {0.2, 0.3},  {-1, 1.1}, {-0.4, -0.2},
+                                  {-0.9, -1.2}, {0.3, -0.4}, {1.3, 0.1}};
+  const Steps turned = [](Object& o) { scene::rotate(o, {20, 30, 40}), scene::scale(o, {1, 0.8, 1.3}); };
+  for (const auto& outline : {hexagon, star}) {
+    const ObjectRef upright = prism(false, outline, {}), leaning = prism(false, outline, turned);
+    expect_rule(make_intersection({upright, leaning}));
+    expect_rule(make_difference({block, leaning}));
+    expect_rule(make_difference({leaning, tube, ball}));
+    expect_rule(make_merge({upright, leaning, ring}));
+    expect_rule(make_union({upright, prism(true, outline, turned)}, above));
+  }
+}
+
 TEST(CsgRays, UnionsWithClips) {
   expect_rule(make_union({ball, ring, tube}, below));
   expect_rule(make_union({make_difference({block, tube}), ring}, above));

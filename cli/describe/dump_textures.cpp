@@ -1,7 +1,5 @@
 // Textures, pigments, patterns, interiors and media of the scene dump.
-#include <nlohmann/json.hpp>
-
-#include "cli/describe/dump.h"
+#include "cli/describe/dump_fields.h"
 #include "tracer/image/image.h"
 
 namespace verisim::cli {
@@ -10,16 +8,6 @@ using Json = SceneDump::Json;
 
 namespace {
 
-constexpr const char* kPatterns[] = {
-    "none",        "plain",        "agate",         "aoi",        "average",    "boxed",           "bozo",
-    "brick",       "bump_map",     "bumps",         "cells",      "checker",    "crackle",         "cubic",
-    "cylindrical", "density_file", "dents",         "facets",     "function",   "gradient",        "granite",
-    "hexagon",     "image_map",    "image_pattern", "julia",      "leopard",    "magnet julia",    "magnet mandel",
-    "mandel",      "marble",       "object",        "onion",      "pavement",   "pigment_pattern", "planar",
-    "quilted",     "radial",       "ripples",       "slope",      "spherical",  "spiral1",         "spiral2",
-    "spotted",     "square",       "tiling",        "triangular", "uv_mapping", "waves",           "wood",
-    "wrinkles"};
-static_assert(std::size(kPatterns) == static_cast<std::size_t>(scene::PatternKind::wrinkles) + 1);
 constexpr const char* kWaves[] = {"ramp_wave", "sine_wave", "triangle_wave", "scallop_wave", "cubic_wave", "poly_wave"};
 
 struct WarpDump {
@@ -52,63 +40,28 @@ struct WarpDump {
   Json operator()(const scene::CubicWarp&) const { return {{"cubic", true}}; }
 };
 
-struct ParameterDump {
+// A parameter of a pattern.
+struct MemberDump {
   SceneDump& dumper;
-  Json operator()(const std::monostate&) const { return nullptr; }
-  Json operator()(const scene::AgateParams& p) const { return {{"agate_turb", p.turbulence}}; }
-  Json operator()(const scene::BrickParams& p) const { return {{"brick_size", dump(p.size)}, {"mortar", p.mortar}}; }
-  Json operator()(const scene::CrackleParams& p) const {
-    return {{"form", dump(p.form)}, {"metric", p.metric}, {"offset", p.offset}, {"solid", p.solid}};
-  }
-  Json operator()(const scene::FacetsParams& p) const {
-    return {{"size", p.size}, {"coords", p.coords}, {"metric", p.metric}};
-  }
-  Json operator()(const scene::FractalParams& p) const {
-    return {{"julia", dump(p.julia)},
-            {"iterations", p.iterations},
-            {"exponent", p.exponent},
-            {"magnet", p.magnet},
-            {"exterior", {p.exterior_type, p.exterior_factor}},
-            {"interior", {p.interior_type, p.interior_factor}}};
-  }
-  Json operator()(const scene::GradientParams& p) const { return {{"direction", dump(p.direction)}}; }
-  Json operator()(const scene::QuiltedParams& p) const { return {{"control0", p.control0}, {"control1", p.control1}}; }
-  Json operator()(const scene::SlopeParams& p) const {
-    return {{"direction", dump(p.direction)},
-            {"point_at", p.point_at},
-            {"slope", {p.slope_low, p.slope_high}},
-            {"altitude", dump(p.altitude)},
-            {"altitude_range", {p.altitude_low, p.altitude_high}}};
-  }
-  Json operator()(const scene::SpiralParams& p) const { return {{"arms", p.arms}}; }
-  Json operator()(const scene::TilingParams& p) const { return {{"tiling", p.number}}; }
-  Json operator()(const scene::PavementParams& p) const {
-    return {{"number_of_sides", p.sides}, {"number_of_tiles", p.tiles}, {"pattern", p.pattern},
-            {"exterior", p.exterior},     {"interior", p.interior},     {"form", p.form}};
-  }
-  Json operator()(const scene::FunctionParams& p) const { return {{"function", dump(p.function)}}; }
-  Json operator()(const scene::ObjectParams& p) const {
-    return {{"object", p.object ? dumper.object(*p.object) : Json(nullptr)}};
-  }
-  Json operator()(const scene::PigmentPatternParams& p) const {
-    return {{"pigment", p.pigment ? dumper.pigment(*p.pigment) : Json(nullptr)}};
-  }
-  Json operator()(const scene::DensityFileParams& p) const {
-    return {{"size", {p.size[0], p.size[1], p.size[2]}}, {"bytes", p.bytes}, {"interpolate", p.interpolate}};
-  }
-  Json operator()(const scene::ImageParams& p) const {
-    return {{"image", p.image ? Json{p.image->width, p.image->height} : Json(nullptr)},
-            {"map_type", p.map_type},
-            {"interpolate", p.interpolate},
-            {"once", p.once},
-            {"use_alpha", p.use_alpha},
-            {"use_index", p.use_index},
-            {"repeat", dump(p.repeat)},
-            {"offset", dump(p.offset)},
-            {"filter_all", p.filter_all},
-            {"transmit_all", p.transmit_all}};
-  }
+  template <class T>
+  requires std::is_arithmetic_v<T> Json operator()(T v) const { return v; }
+  Json operator()(const Vec2& v) const { return dump(v); }
+  Json operator()(const Vec3& v) const { return dump(v); }
+  Json operator()(const FunctionPtr& f) const { return dump(f); }
+  Json operator()(const scene::ObjectPtr& o) const { return o ? dumper.object(*o) : Json(nullptr); }
+  Json operator()(const scene::PigmentPtr& p) const { return p ? dumper.pigment(*p) : Json(nullptr); }
+  Json operator()(const ImagePtr& i) const { return i ? Json{i->width, i->height} : Json(nullptr); }
 };
+
+Json parameters(SceneDump& dumper, const scene::PatternParams& params) {
+  Json out = nullptr;
+  const auto add = [&](const auto& p) {
+    if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(p)>, scene::NoParams>)
+      add_fields(out, p, MemberDump{dumper});
+  };
+  std::visit(add, params);
+  return out;
+}
 
 template <class T, class F>
 Json map(const scene::BlendMap<T>& entries, const F& convert) {
@@ -141,9 +94,9 @@ Json finish(const scene::Finish& f) {
 }  // namespace
 
 void SceneDump::pattern(Json& out, const scene::Pattern& p) {
-  out["type"] = kPatterns[static_cast<std::size_t>(p.kind)];
+  out["type"] = pattern_name(p.kind);
   if (p.kind == scene::PatternKind::plain || p.kind == scene::PatternKind::none) return;
-  if (p.params) out["parameters"] = std::visit(ParameterDump{*this}, *p.params);
+  if (p.params) out["parameters"] = parameters(*this, *p.params);
   out["wave"] = kWaves[static_cast<std::size_t>(p.wave)];
   out["frequency"] = p.frequency;
   out["phase"] = p.phase;

@@ -13,72 +13,8 @@ namespace {
 using scene::PatternKind;
 using Words = std::vector<std::pair<std::string, std::string>>;
 
-const char* keyword(PatternKind kind) {
-  static const std::unordered_map<PatternKind, const char*> kWords = {{PatternKind::agate, "agate"},
-                                                                      {PatternKind::aoi, "aoi"},
-                                                                      {PatternKind::average, "average"},
-                                                                      {PatternKind::boxed, "boxed"},
-                                                                      {PatternKind::bozo, "bozo"},
-                                                                      {PatternKind::brick, "brick"},
-                                                                      {PatternKind::bump_map, "bump_map"},
-                                                                      {PatternKind::bumps, "bumps"},
-                                                                      {PatternKind::cells, "cells"},
-                                                                      {PatternKind::checker, "checker"},
-                                                                      {PatternKind::crackle, "crackle"},
-                                                                      {PatternKind::cubic, "cubic"},
-                                                                      {PatternKind::cylindrical, "cylindrical"},
-                                                                      {PatternKind::density_file, "density_file"},
-                                                                      {PatternKind::dents, "dents"},
-                                                                      {PatternKind::facets, "facets"},
-                                                                      {PatternKind::function, "function"},
-                                                                      {PatternKind::gradient, "gradient"},
-                                                                      {PatternKind::granite, "granite"},
-                                                                      {PatternKind::hexagon, "hexagon"},
-                                                                      {PatternKind::image_map, "image_map"},
-                                                                      {PatternKind::image_pattern, "image_pattern"},
-                                                                      {PatternKind::julia, "julia"},
-                                                                      {PatternKind::leopard, "leopard"},
-                                                                      {PatternKind::magnet_julia, "magnet julia"},
-                                                                      {PatternKind::magnet_mandel, "magnet mandel"},
-                                                                      {PatternKind::mandel, "mandel"},
-                                                                      {PatternKind::marble, "marble"},
-                                                                      {PatternKind::object, "object"},
-                                                                      {PatternKind::onion, "onion"},
-                                                                      {PatternKind::pavement, "pavement"},
-                                                                      {PatternKind::pigment_pattern, "pigment_pattern"},
-                                                                      {PatternKind::planar, "planar"},
-                                                                      {PatternKind::quilted, "quilted"},
-                                                                      {PatternKind::radial, "radial"},
-                                                                      {PatternKind::ripples, "ripples"},
-                                                                      {PatternKind::slope, "slope"},
-                                                                      {PatternKind::spherical, "spherical"},
-                                                                      {PatternKind::spiral1, "spiral1"},
-                                                                      {PatternKind::spiral2, "spiral2"},
-                                                                      {PatternKind::spotted, "spotted"},
-                                                                      {PatternKind::square, "square"},
-                                                                      {PatternKind::tiling, "tiling"},
-                                                                      {PatternKind::triangular, "triangular"},
-                                                                      {PatternKind::uv_mapping, "uv_mapping"},
-                                                                      {PatternKind::waves, "waves"},
-                                                                      {PatternKind::wood, "wood"},
-                                                                      {PatternKind::wrinkles, "wrinkles"}};
-  const auto it = kWords.find(kind);
-  return it == kWords.end() ? nullptr : it->second;
-}
-
 bool of_noise(const scene::Pattern& pattern) {
-  switch (pattern.kind) {
-    case PatternKind::agate:
-    case PatternKind::bozo:
-    case PatternKind::bumps:
-    case PatternKind::dents:
-    case PatternKind::granite:
-    case PatternKind::spotted:
-    case PatternKind::wrinkles:
-      return true;
-    default:
-      break;
-  }
+  if (scene::info(pattern.kind).is(scene::PatternInfo::kNoise)) return true;
   if (pattern.turbulence && pattern.turbulence->amount != Vec3(0, 0, 0)) return true;
   for (const scene::Warp& warp : pattern.warps)
     if (std::holds_alternative<scene::TurbulenceWarp>(warp)) return true;
@@ -121,7 +57,8 @@ class Patterns {
       for (const auto& entry : *pointer->normal_map) normal(entry.value);
   }
   void pattern(const char* what, const scene::Pattern& pattern) {
-    if (const char* word = keyword(pattern.kind)) words_.emplace_back("texture", fmt::format("{} {}", what, word));
+    if (pattern.kind != PatternKind::none && pattern.kind != PatternKind::plain)
+      words_.emplace_back("texture", fmt::format("{} {}", what, pattern_name(pattern.kind)));
     if (of_noise(pattern)) words_.emplace_back("feature", "noise (turbulence and patterns made of it)");
   }
 

@@ -1,6 +1,26 @@
 #include "tracer/scene/pattern.h"
 
 namespace verisim::scene {
+namespace {
+
+template <class... Params>
+constexpr bool all_named(const std::variant<NoParams, Params...>*) {
+  return (names_all_fields<Params>() && ...);
+}
+static_assert(all_named(static_cast<const PatternParams*>(nullptr)), "fields() leaves out a parameter of a pattern");
+
+}  // namespace
+
+PatternParams default_params(PatternKind kind) {
+  switch (kind) {
+#define VERISIM_PATTERN(name, params, list, traits) \
+  case PatternKind::name:                           \
+    return params{};
+    VERISIM_PATTERNS(VERISIM_PATTERN)
+#undef VERISIM_PATTERN
+  }
+  return NoParams{};
+}
 
 void Pattern::prepend(const Transform& t) {
   if (!warps.empty()) {

@@ -1,7 +1,6 @@
 // Pattern keywords and their parameters (spec 05 sections 2, 8 and 9).
 #include "parser/scene/textures/pattern.h"
 
-#include <array>
 #include <cmath>
 
 #include "parser/scene/common/common.h"
@@ -10,66 +9,29 @@
 namespace verisim::parser {
 
 using scene::Pattern;
+using scene::PatternInfo;
 using scene::PatternKind;
 
 namespace {
 
-struct Keyword {
-  Word word;
-  PatternKind kind;
-};
-
-// Patterns without parameters of their own.
-constexpr Keyword kPlain[] = {
-    {Word::agate, PatternKind::agate},         {Word::aoi, PatternKind::aoi},
-    {Word::average, PatternKind::average},     {Word::boxed, PatternKind::boxed},
-    {Word::bozo, PatternKind::bozo},           {Word::brick, PatternKind::brick},
-    {Word::bumps, PatternKind::bumps},         {Word::cells, PatternKind::cells},
-    {Word::checker, PatternKind::checker},     {Word::crackle, PatternKind::crackle},
-    {Word::cubic, PatternKind::cubic},         {Word::cylindrical, PatternKind::cylindrical},
-    {Word::dents, PatternKind::dents},         {Word::facets, PatternKind::facets},
-    {Word::granite, PatternKind::granite},     {Word::hexagon, PatternKind::hexagon},
-    {Word::leopard, PatternKind::leopard},     {Word::marble, PatternKind::marble},
-    {Word::onion, PatternKind::onion},         {Word::pavement, PatternKind::pavement},
-    {Word::planar, PatternKind::planar},       {Word::quilted, PatternKind::quilted},
-    {Word::radial, PatternKind::radial},       {Word::ripples, PatternKind::ripples},
-    {Word::spherical, PatternKind::spherical}, {Word::spotted, PatternKind::spotted},
-    {Word::square, PatternKind::square},       {Word::triangular, PatternKind::triangular},
-    {Word::waves, PatternKind::waves},         {Word::wood, PatternKind::wood},
-    {Word::wrinkles, PatternKind::wrinkles},
-};
-
-PatternKind plain_kind(Word word) {
-  for (const Keyword& keyword : kPlain) {
-    if (keyword.word == word) return keyword.kind;
-  }
-  return PatternKind::none;
-}
-
-bool allowed(Word word, PatternOwner owner) {
+// The pattern that a word names; none: no pattern does.
+PatternKind kind_of(Word word) {
   switch (word) {
-    case Word::facets:
-    case Word::bump_map:
-      return owner == PatternOwner::normal;
-    case Word::image_map:
-      return owner == PatternOwner::pigment;
-    case Word::aoi:
-    case Word::average:
-    case Word::pavement:
-    case Word::slope:
-    case Word::square:
-    case Word::tiling:
-    case Word::triangular:
-      return owner != PatternOwner::function;  // spec 05 section 2
+#define VERISIM_PATTERN(name, params, list, traits) \
+  case Word::name:                                  \
+    return PatternKind::name;
+    VERISIM_PATTERNS_WITH_KEYWORD(VERISIM_PATTERN)
+#undef VERISIM_PATTERN
     default:
-      return true;
+      return PatternKind::none;
   }
 }
 
-// A pattern whose value is a number of steps has no wave by default.
-bool starts_without_frequency(PatternKind kind) {
-  return list_size(kind) > 0 || kind == PatternKind::quilted || kind == PatternKind::image_pattern ||
-         kind == PatternKind::image_map || kind == PatternKind::bump_map;
+bool allowed(PatternKind kind, PatternOwner owner) {
+  const PatternInfo& info = scene::info(kind);
+  if (info.is(PatternInfo::kNormalsOnly)) return owner == PatternOwner::normal;
+  if (info.is(PatternInfo::kPigmentsOnly)) return owner == PatternOwner::pigment;
+  return owner != PatternOwner::function || !info.is(PatternInfo::kNotInFunctions);
 }
 
 void set_kind(Parser& parser, Pattern& pattern, PatternKind kind, PatternOwner owner) {
@@ -77,35 +39,13 @@ void set_kind(Parser& parser, Pattern& pattern, PatternKind kind, PatternOwner o
   const bool keep = kind == PatternKind::brick && pattern.kind == PatternKind::brick;
   pattern.kind = kind;
   if (!keep) pattern.params.reset();
-  if (starts_without_frequency(kind)) pattern.frequency = 0;
+  const PatternInfo& info = scene::info(kind);
+  if (info.is(PatternInfo::kNoFrequency)) pattern.frequency = 0;
   // Before 3.0 `texture { marble }` meant the ramp of older versions (spec 05 section 13).
   const bool old_texture = owner == PatternOwner::texture && parser.version() < 300;
-  if ((kind == PatternKind::marble || kind == PatternKind::wood || kind == PatternKind::spiral1 ||
-       kind == PatternKind::spiral2) &&
-      !old_texture)
-    pattern.wave = scene::Wave::triangle;
-  switch (kind) {
-    case PatternKind::agate:
-      pattern.params = scene::AgateParams{};
-      break;
-    case PatternKind::brick:
-      if (!keep) pattern.params = scene::BrickParams{};
-      break;
-    case PatternKind::crackle:
-      pattern.params = scene::CrackleParams{};
-      break;
-    case PatternKind::facets:
-      pattern.params = scene::FacetsParams{};
-      break;
-    case PatternKind::quilted:
-      pattern.params = scene::QuiltedParams{};
-      break;
-    case PatternKind::pavement:
-      pattern.params = scene::PavementParams{};
-      break;
-    default:
-      break;
-  }
+  if (info.is(PatternInfo::kTriangleWave) && !old_texture) pattern.wave = scene::Wave::triangle;
+  if (scene::PatternParams defaults = default_params(kind); !keep && defaults.index() != 0)
+    pattern.params = std::move(defaults);
 }
 
 scene::SlopeParams parse_slope(Parser& parser) {
@@ -187,32 +127,17 @@ void parse_density_file(Parser& parser, Pattern& pattern) {
 
 }  // namespace
 
-int list_size(PatternKind kind) {
-  switch (kind) {
-    case PatternKind::checker:
-    case PatternKind::object:
-    case PatternKind::brick:
-      return 2;
-    case PatternKind::hexagon:
-      return 3;
-    case PatternKind::square:
-      return 4;
-    case PatternKind::triangular:
-    case PatternKind::cubic:
-      return 6;
-    default:
-      return 0;
-  }
-}
+int list_size(PatternKind kind) { return scene::info(kind).list; }
 
 bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, const ListReader& read_list) {
   const Word word = word_at(parser);
-  if (word == Word::none || !allowed(word, owner)) return false;
+  const PatternKind named = kind_of(word);
+  if (word == Word::none || !allowed(named, owner)) return false;
   const Parser::Depth depth(parser);
-  if (const PatternKind kind = plain_kind(word); kind != PatternKind::none) {
+  if (scene::info(named).is(PatternInfo::kBare)) {
     parser.next();
-    set_kind(parser, pattern, kind, owner);
-    if (const int size = list_size(kind)) read_list(size);
+    set_kind(parser, pattern, named, owner);
+    if (const int size = list_size(named)) read_list(size);
     return true;
   }
   const auto take = [&](PatternKind kind) {

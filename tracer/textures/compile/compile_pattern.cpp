@@ -8,108 +8,68 @@
 namespace verisim::textures {
 namespace {
 
-template <class T>
-const T& parameters(const scene::Pattern& d) {
-  if (const T* p = std::get_if<T>(&*d.params)) return *p;
-  static const T defaults{};
-  return defaults;
-}
+// From the parameters of a description to what the formula reads: mostly the same.
+struct CompileParams {
+  const PatternContext& context;
 
-BrickData brick(const scene::BrickParams& p) {
-  return {p.size, static_cast<float>(static_cast<double>(p.mortar) - 2 * kEpsilon)};
-}
-
-GradientData gradient(const scene::GradientParams& p) {
-  const double n = length(p.direction);
-  return {n > 0 ? p.direction / n : Vec3(0, 0, 0)};
-}
-
-SlopeData slope(const scene::SlopeParams& p) {
-  SlopeData s;
-  s.point_at = p.point_at;
-  const double direction = length(p.direction), altitude = length(p.altitude);
-  s.direction = p.point_at || direction == 0 ? p.direction : p.direction / direction;
-  s.has_altitude = altitude != 0 && !p.point_at;
-  if (s.has_altitude) {
-    s.altitude = p.altitude / altitude;
-    s.slope_weight = direction / (direction + altitude);
+  template <class Params>
+  PatternData operator()(const Params& p) const {
+    return p;
   }
-  s.slope_low = p.slope_low;
-  s.slope_width = p.slope_high - p.slope_low;
-  s.altitude_low = p.altitude_low;
-  s.altitude_width = p.altitude_high - p.altitude_low;
-  return s;
-}
+  PatternData operator()(const scene::BrickParams& p) const {
+    return BrickData{p.size, static_cast<float>(static_cast<double>(p.mortar) - 2 * kEpsilon)};
+  }
+  PatternData operator()(const scene::CrackleParams& p) const {
+    return CrackleData{p, p.offset == 0 ? 0 : std::pow(p.offset, p.metric)};
+  }
+  PatternData operator()(const scene::GradientParams& p) const {
+    const double n = length(p.direction);
+    return GradientData{n > 0 ? p.direction / n : Vec3(0, 0, 0)};
+  }
+  PatternData operator()(const scene::QuiltedParams& p) const { return QuiltedData{p.control0, p.control1}; }
+  PatternData operator()(const scene::SlopeParams& p) const {
+    SlopeData s;
+    s.point_at = p.point_at;
+    const double direction = length(p.direction), altitude = length(p.altitude);
+    s.direction = p.point_at || direction == 0 ? p.direction : p.direction / direction;
+    s.has_altitude = altitude != 0 && !p.point_at;
+    if (s.has_altitude) {
+      s.altitude = p.altitude / altitude;
+      s.slope_weight = direction / (direction + altitude);
+    }
+    s.slope_low = p.slope_low;
+    s.slope_width = p.slope_high - p.slope_low;
+    s.altitude_low = p.altitude_low;
+    s.altitude_width = p.altitude_high - p.altitude_low;
+    return s;
+  }
+  PatternData operator()(const scene::TilingParams& p) const {
+    if (p.number < 1 || p.number > 27) throw std::invalid_argument("tiling number out of range");
+    return TilingData{periodic_tiling(p.number), p.number};
+  }
+  PatternData operator()(const scene::PavementParams& p) const { return PavementData{compile_pavement(p)}; }
+  PatternData operator()(const scene::FunctionParams& p) const {
+    if (!p.function || p.function->parameters() != 3)
+      throw std::invalid_argument("a function pattern needs a function of x, y, z");
+    return p;
+  }
+  PatternData operator()(const scene::ObjectParams& p) const {
+    if (!p.object) throw std::invalid_argument("an object pattern without object");
+    return ObjectData{p.object, scene::compile_solid(*p.object)};
+  }
+  PatternData operator()(const scene::PigmentPatternParams& p) const {
+    if (!p.pigment) throw std::invalid_argument("a pigment pattern without pigment");
+    return PigmentData{context.pigment(p.pigment)};
+  }
+  PatternData operator()(const scene::ImageParams& p) const { return compile_image(p); }
+};
 
 PatternData compile_parameters(const scene::Pattern& d, const PatternContext& context) {
   using enum scene::PatternKind;
-  switch (d.kind) {
-    case agate:
-      return parameters<scene::AgateParams>(d);
-    case brick:
-      return textures::brick(parameters<scene::BrickParams>(d));
-    case crackle: {
-      const auto& p = parameters<scene::CrackleParams>(d);
-      return CrackleData{p, p.offset == 0 ? 0 : std::pow(p.offset, p.metric)};
-    }
-    case facets:
-      return parameters<scene::FacetsParams>(d);
-    case julia:
-    case magnet_julia:
-    case magnet_mandel:
-    case mandel:
-      return parameters<scene::FractalParams>(d);
-    case gradient:
-      return textures::gradient(parameters<scene::GradientParams>(d));
-    case quilted: {
-      const auto& p = parameters<scene::QuiltedParams>(d);
-      return QuiltedData{p.control0, p.control1};
-    }
-    case slope:
-      return textures::slope(parameters<scene::SlopeParams>(d));
-    case spiral1:
-    case spiral2:
-      return parameters<scene::SpiralParams>(d);
-    case tiling: {
-      const int number = parameters<scene::TilingParams>(d).number;
-      if (number < 1 || number > 27) throw std::invalid_argument("tiling number out of range");
-      return TilingData{periodic_tiling(number), number};
-    }
-    case pavement:
-      return PavementData{compile_pavement(parameters<scene::PavementParams>(d))};
-    case function: {
-      const auto& p = parameters<scene::FunctionParams>(d);
-      if (!p.function || p.function->parameters() != 3)
-        throw std::invalid_argument("a function pattern needs a function of x, y, z");
-      return FunctionData{p.function};
-    }
-    case object: {
-      const auto& p = parameters<scene::ObjectParams>(d);
-      if (!p.object) throw std::invalid_argument("an object pattern without object");
-      return ObjectData{p.object, scene::compile_solid(*p.object)};
-    }
-    case pigment_pattern: {
-      const auto& p = parameters<scene::PigmentPatternParams>(d);
-      if (!p.pigment) throw std::invalid_argument("a pigment pattern without pigment");
-      return PigmentData{context.pigment(p.pigment)};
-    }
-    case density_file:
-      return parameters<scene::DensityFileParams>(d);
-    case bump_map:
-    case image_map:
-    case image_pattern:
-      return compile_image(parameters<scene::ImageParams>(d));
-    case ripples:
-    case waves:
-      return WaveData{context.wave_sources()};
-    default:
-      return std::monostate{};
-  }
-}
-
-// Marble, wood and patterns without a type do not displace the point by the classic turbulence (spec 05 3.1).
-bool displaces(scene::PatternKind kind) {
-  return kind != scene::PatternKind::marble && kind != scene::PatternKind::wood && kind != scene::PatternKind::none;
+  if (d.kind == ripples || d.kind == waves) return WaveData{context.wave_sources()};
+  const scene::PatternParams defaults = default_params(d.kind);
+  const scene::PatternParams& given = *d.params;
+  return std::visit(CompileParams{context}, given.index() == defaults.index() ? given : defaults);
 }
 
 }  // namespace
@@ -128,7 +88,8 @@ CompiledPattern compile_pattern(const scene::Pattern& d, const PatternContext& c
     c.turbulence = compile_turbulence(*d.turbulence);
     c.turbulent = true;
   }
-  c.chain = compile_warps(d.warps, d.turbulence && displaces(d.kind) ? &c.turbulence : nullptr);
+  c.chain = compile_warps(
+      d.warps, d.turbulence && !scene::info(d.kind).is(scene::PatternInfo::kUndisplaced) ? &c.turbulence : nullptr);
   for (const scene::Warp& warp : d.warps)
     if (const Transform* t = std::get_if<Transform>(&warp); t && !t->is_identity()) c.frame.push_back(*t);
   c.data = compile_parameters(d, context);

@@ -22,10 +22,6 @@ struct Signature {
   void add(const std::shared_ptr<T>& p) {
     add(p.get());
   }
-  template <class T, std::size_t n>
-  void add(const T (&array)[n]) {
-    for (const T& v : array) add(v);
-  }
   template <class First, class Second, class... Rest>
   void add(const First& first, const Second& second, const Rest&... rest) {
     add(first);
@@ -45,30 +41,13 @@ struct Signature {
   }
   void add(const scene::CubicWarp&) {}
 
-  void add(const std::monostate&) {}
-  void add(const scene::AgateParams& p) { add(p.turbulence); }
-  void add(const scene::BrickParams& p) { add(p.size, p.mortar); }
-  void add(const scene::CrackleParams& p) { add(p.form, p.metric, p.offset, p.solid); }
-  void add(const scene::FacetsParams& p) { add(p.size, p.coords, p.metric); }
-  void add(const scene::FractalParams& p) {
-    add(p.julia, p.iterations, p.exponent, p.magnet, p.exterior_type, p.interior_type, p.exterior_factor,
-        p.interior_factor);
-  }
-  void add(const scene::GradientParams& p) { add(p.direction); }
-  void add(const scene::QuiltedParams& p) { add(p.control0, p.control1); }
-  void add(const scene::SlopeParams& p) {
-    add(p.direction, p.altitude, p.point_at, p.slope_low, p.slope_high, p.altitude_low, p.altitude_high);
-  }
-  void add(const scene::SpiralParams& p) { add(p.arms); }
-  void add(const scene::TilingParams& p) { add(p.number); }
-  void add(const scene::PavementParams& p) { add(p.sides, p.tiles, p.pattern, p.exterior, p.interior, p.form); }
-  void add(const scene::FunctionParams& p) { add(p.function); }
-  void add(const scene::ObjectParams& p) { add(p.object); }
-  void add(const scene::PigmentPatternParams& p) { add(p.pigment); }
-  void add(const scene::DensityFileParams& p) { add(p.samples, p.size, p.bytes, p.interpolate); }
-  void add(const scene::ImageParams& p) {
-    add(p.image, p.map_type, p.interpolate, p.once, p.use_alpha, p.use_index, p.repeat, p.offset, p.filter_all,
-        p.transmit_all);
+  void add(const scene::NoParams&) {}
+  template <class Params>
+  requires requires(const Params& p, Signature& s) { p.fields(s); }
+  void add(const Params& p) { p.fields(*this); }
+  template <class... Members>
+  void operator()(const auto& /*name*/, const Members&... members) {
+    (add(members), ...);
   }
 };
 

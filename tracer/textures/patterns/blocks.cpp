@@ -9,7 +9,10 @@ double fraction(double v) { return v - std::floor(v); }
 
 }  // namespace
 
-double brick(const BrickData& data, const Vec3& p) {
+namespace formulas {
+
+double brick(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  const BrickData& data = c.as<BrickData>();
   const double m = data.mortar;
   const Vec3 q((p.x + m + kEpsilon) / data.size.x, (p.y + m + kEpsilon) / data.size.y,
                (p.z + m + kEpsilon) / data.size.z);
@@ -21,18 +24,18 @@ double brick(const BrickData& data, const Vec3& p) {
   return 1;
 }
 
-double cells(const Vec3& p) {
+double cells(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
   const NoiseTables& t = noise_tables();
   return random_value(
       t, lattice_hash(t, floor_to_int(p.x + kEpsilon), floor_to_int(p.y + kEpsilon), floor_to_int(p.z + kEpsilon)));
 }
 
-double checker(const Vec3& p) {
+double checker(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
   const double sum = std::floor(p.x + kEpsilon) + std::floor(p.y + kEpsilon) + std::floor(p.z + kEpsilon);
   return odd(sum) ? 1 : 0;
 }
 
-double cubic(const Vec3& p) {
+double cubic(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
   const double ax = std::fabs(p.x), ay = std::fabs(p.y), az = std::fabs(p.z);
   const double largest = std::max({ax, ay, az});
   if (p.x == largest) return 0;
@@ -41,12 +44,12 @@ double cubic(const Vec3& p) {
   return ax == largest ? 3 : ay == largest ? 4 : 5;
 }
 
-double square(const Vec3& p) {
+double square(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
   const bool x = odd(std::floor(p.x)), z = odd(std::floor(p.z));
   return x ? (z ? 2 : 3) : (z ? 1 : 0);
 }
 
-double hexagon(const Vec3& p) {
+double hexagon(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
   constexpr double kWidth = 0.5, kHeight = 0.866025404, kPeriod = 5.196152424;
   const double x = positive_remainder(std::fabs(p.x) / kWidth, 6);
   const double z = positive_remainder((p.z < 0 ? kPeriod - std::fabs(p.z) : p.z) / kHeight, 6);
@@ -62,7 +65,7 @@ double hexagon(const Vec3& p) {
   return w / u < 1 ? kBelow[batch] : kAbove[batch];
 }
 
-double triangular(const Vec3& p) {
+double triangular(const CompiledPattern&, const Vec3& p, const SurfacePoint*) {
   const double root3 = std::sqrt(3.0);
   const double x = positive_remainder(p.x, 3);
   double z = positive_remainder(p.z, root3);
@@ -81,4 +84,5 @@ double triangular(const Vec3& p) {
   return upper ? 5 - v : v;
 }
 
+}  // namespace formulas
 }  // namespace verisim::textures

@@ -236,4 +236,8 @@ Vec3 nearest_facet_point(const Vec3& p, double metric) {
   return nearest_three(p, MetricAny{metric}, metric > 0).point;
 }
 
+double formulas::crackle(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  return textures::crackle(c.as<CrackleData>(), c.noise_generator, p);
+}
+
 }  // namespace verisim::textures

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "tracer/textures/patterns/formulas.h"
+
 namespace verisim::textures {
 namespace {
 
@@ -71,6 +73,10 @@ double density_file(const scene::DensityFileParams& d, const Vec3& p) {
     column[x] = cubic(batch[0], batch[1], batch[2], batch[3], static_cast<float>(f[1]));
   }
   return std::max(cubic(column[0], column[1], column[2], column[3], static_cast<float>(f[0])), 0.0f);
+}
+
+double formulas::density_file(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  return textures::density_file(c.as<scene::DensityFileParams>(), p);
 }
 
 }  // namespace verisim::textures

@@ -1,5 +1,5 @@
-// The formulas of the scalar patterns (spec 05 section 8), one function each; `p` is the warped point. Grouped into
-// files by kinship.
+// The formulas of the scalar patterns (spec 05 section 8), one function each; `p` is the warped point, `surface` null
+// where there is none. Grouped into files by kinship.
 #pragma once
 
 #include <algorithm>
@@ -42,26 +42,13 @@ inline double positive_remainder(double v, double modulus) {
   return r >= modulus || r < 0 ? 0 : r;
 }
 
-// round.cpp: distances and angles
-double boxed(const Vec3& p);
-double cylindrical(const Vec3& p);
-double planar(const Vec3& p);
-double spherical(const Vec3& p);
-double onion(const Vec3& p);
-double leopard(const Vec3& p);
-double radial(const Vec3& p);
-double gradient(const GradientData& data, const Vec3& p);
-double spiral1(const CompiledPattern& c, const Vec3& p);
-double spiral2(const CompiledPattern& c, const Vec3& p);
-
-// blocks.cpp: regular cells
-double brick(const BrickData& data, const Vec3& p);
-double cells(const Vec3& p);
-double checker(const Vec3& p);
-double cubic(const Vec3& p);
-double hexagon(const Vec3& p);
-double square(const Vec3& p);
-double triangular(const Vec3& p);
+namespace formulas {
+// One a pattern that is asked for a value; those of traits kFormulaWithNoise are in evaluation/evaluation.inc.
+#define VERISIM_PATTERN(name, params, list, traits) \
+  double name(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface);
+VERISIM_PATTERNS(VERISIM_PATTERN)
+#undef VERISIM_PATTERN
+}  // namespace formulas
 
 // quilted.cpp
 // The displacement of a quilted normal and |q| (spec 05 section 8).
@@ -70,7 +57,6 @@ struct Quilt {
   double q;
 };
 Quilt quilt(const QuiltedData& data, const Vec3& p);
-double quilted(const QuiltedData& data, const Vec3& p);
 
 // crackle.cpp
 double crackle(const CrackleData& data, int noise_generator, const Vec3& p);
@@ -82,16 +68,10 @@ Vec3 nearest_facet_point(const Vec3& p, double metric);
 
 // water.cpp: ripples and waves
 std::shared_ptr<const std::vector<WaveSource>> wave_sources(int count);
-double ripples(const CompiledPattern& c, const Vec3& p);
-double waves(const CompiledPattern& c, const Vec3& p);
 Vec3 ripples_bump(const CompiledPattern& c, double amount, const Vec3& p);
 Vec3 waves_bump(const CompiledPattern& c, double amount, const Vec3& p);
 
 // fractal.cpp
 double fractal(const scene::FractalParams& f, scene::PatternKind kind, const Vec3& p);
-
-// surface.cpp: what depends on the hit
-double slope(const SlopeData& s, const Vec3& p, const SurfacePoint& surface);
-double angle_of_incidence(const SurfacePoint& surface);
 
 }  // namespace verisim::textures

@@ -155,4 +155,20 @@ double fractal(const scene::FractalParams& f, scene::PatternKind kind, const Vec
   }
 }
 
+namespace formulas {
+
+double julia(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  return fractal(c.as<scene::FractalParams>(), c.kind, p);
+}
+double magnet_julia(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  return fractal(c.as<scene::FractalParams>(), c.kind, p);
+}
+double magnet_mandel(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  return fractal(c.as<scene::FractalParams>(), c.kind, p);
+}
+double mandel(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  return fractal(c.as<scene::FractalParams>(), c.kind, p);
+}
+
+}  // namespace formulas
 }  // namespace verisim::textures

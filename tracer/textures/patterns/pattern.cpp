@@ -5,153 +5,59 @@
 #include "tracer/textures/patterns/formulas.h"
 
 namespace verisim::textures {
-namespace {
 
-double function_value(const FunctionData& data, const Vec3& p) {
-  const double v = (*data.function)(p.x, p.y, p.z);
+// Patterns of what is defined elsewhere: noise, functions, objects, pigments, images.
+namespace formulas {
+
+double dents(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  const double n = noise(p, c.noise_generator);
+  return n * n * n;
+}
+
+double function(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  const double v = (*c.as<scene::FunctionParams>().function)(p.x, p.y, p.z);
   return v > 1 ? std::fmod(v, 1.0) : v;
 }
 
-double pigment_grey(const PigmentData& data, const Vec3& p, const SurfacePoint* surface) {
+double object(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  return c.as<ObjectData>().solid->inside(p) ? 1 : 0;
+}
+
+double pigment_pattern(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
   Color color;
-  return evaluate(*data.pigment, p, surface, color) ? color.grey() : 0.0f;
+  return evaluate(*c.as<PigmentData>().pigment, p, surface, color) ? color.grey() : 0.0f;
 }
 
-double tiling_value(const TilingData& data, const Vec3& p) {
-  return data.tiling ? evaluate_tiling(*data.tiling, p.x, p.z) : penrose_tiling(data.number, p.x, p.z);
+double image_pattern(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  return textures::image_pattern(c.as<ImageLookup>(), p);
+}
+double image_map(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
+  return image_pattern(c, p, surface);
+}
+double bump_map(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
+  return image_pattern(c, p, surface);
 }
 
-}  // namespace
+}  // namespace formulas
 
 double formula(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
-  using enum scene::PatternKind;
+  using scene::info, scene::PatternInfo, scene::PatternKind;
   switch (c.kind) {
-    case aoi:
-      return surface ? angle_of_incidence(*surface) : 0;
-    case boxed:
-      return textures::boxed(p);
-    case brick:
-      return textures::brick(c.as<BrickData>(), p);
-    case bump_map:
-    case image_map:
-    case image_pattern:
-      return textures::image_pattern(c.as<ImageLookup>(), p);
-    case cells:
-      return textures::cells(p);
-    case checker:
-      return textures::checker(p);
-    case crackle:
-      return textures::crackle(c.as<CrackleData>(), c.noise_generator, p);
-    case cubic:
-      return textures::cubic(p);
-    case cylindrical:
-      return textures::cylindrical(p);
-    case density_file:
-      return textures::density_file(c.as<scene::DensityFileParams>(), p);
-    case dents: {
-      const double n = noise(p, c.noise_generator);
-      return n * n * n;
-    }
-    case function:
-      return function_value(c.as<FunctionData>(), p);
-    case gradient:
-      return textures::gradient(c.as<GradientData>(), p);
-    case hexagon:
-      return textures::hexagon(p);
-    case julia:
-    case magnet_julia:
-    case magnet_mandel:
-    case mandel:
-      return fractal(c.as<scene::FractalParams>(), c.kind, p);
-    case leopard:
-      return textures::leopard(p);
-    case object:
-      return c.as<ObjectData>().solid->inside(p) ? 1 : 0;
-    case onion:
-      return textures::onion(p);
-    case pavement:
-      return evaluate_pavement(c.as<PavementData>().pavement, p.x, p.z);
-    case pigment_pattern:
-      return pigment_grey(c.as<PigmentData>(), p, surface);
-    case planar:
-      return textures::planar(p);
-    case quilted:
-      return textures::quilted(c.as<QuiltedData>(), p);
-    case radial:
-      return textures::radial(p);
-    case ripples:
-      return textures::ripples(c, p);
-    case slope:
-      return surface ? textures::slope(c.as<SlopeData>(), p, *surface) : 0;
-    case spherical:
-      return textures::spherical(p);
-    case spiral1:
-      return textures::spiral1(c, p);
-    case spiral2:
-      return textures::spiral2(c, p);
-    case square:
-      return textures::square(p);
-    case tiling:
-      return tiling_value(c.as<TilingData>(), p);
-    case triangular:
-      return textures::triangular(p);
-    case waves:
-      return textures::waves(c, p);
-    case agate:
-    case bozo:
-    case bumps:
-    case granite:
-    case marble:
-    case spotted:
-    case wood:
-    case wrinkles:
-      break;  // evaluation.inc
-    case average:
-    case facets:
-    case none:
-    case plain:
-    case uv_mapping:
-      break;  // never asked for a value
+#define VERISIM_PATTERN(name, params, list, traits)                                                    \
+  case PatternKind::name:                                                                              \
+    if constexpr (!info(PatternKind::name).is(PatternInfo::kFormulaWithNoise | PatternInfo::kNoValue)) \
+      return formulas::name(c, p, surface);                                                            \
+    break;
+    VERISIM_PATTERNS(VERISIM_PATTERN)
+#undef VERISIM_PATTERN
   }
   return 0;
 }
 
 bool worth_remembering(const CompiledPattern& c) {
-  using enum scene::PatternKind;
-  switch (c.kind) {
-    case aoi:
-    case slope:
-    case pigment_pattern:  // these may look at the surface
-    case average:
-    case facets:
-    case image_map:
-    case none:
-    case plain:
-    case uv_mapping:
-      return false;
-    case agate:
-    case bozo:
-    case bumps:
-    case crackle:
-    case dents:
-    case density_file:
-    case function:
-    case granite:
-    case julia:
-    case magnet_julia:
-    case magnet_mandel:
-    case mandel:
-    case object:
-    case pavement:
-    case ripples:
-    case spotted:
-    case tiling:
-    case waves:
-    case wrinkles:
-      return true;
-    default:
-      return c.turbulent || !c.chain.rest.empty();
-  }
+  const scene::PatternInfo& info = scene::info(c.kind);
+  if (info.is(scene::PatternInfo::kNoValue | scene::PatternInfo::kNotRemembered)) return false;
+  return info.is(scene::PatternInfo::kSlow) || c.turbulent || !c.chain.rest.empty();
 }
 
 PatternValue remembered_value(const CompiledPattern& c, const Vec3& p) {

@@ -60,13 +60,9 @@ struct TilingData {
 struct PavementData {
   Pavement pavement;
 };
-struct FunctionData {
-  FunctionPtr function;
-};
-using PatternData =
-    std::variant<std::monostate, scene::AgateParams, BrickData, CrackleData, scene::FacetsParams, scene::FractalParams,
-                 GradientData, QuiltedData, SlopeData, scene::SpiralParams, TilingData, PavementData, FunctionData,
-                 ObjectData, PigmentData, scene::DensityFileParams, ImageLookup, WaveData>;
+// What a formula reads: the parameters of the description, or the form made of them.
+using PatternData = DistinctVariant<scene::PatternParams, BrickData, CrackleData, GradientData, QuiltedData, SlopeData,
+                                    TilingData, PavementData, ObjectData, PigmentData, ImageLookup, WaveData>;
 
 struct CompiledPattern {
   scene::PatternKind kind = scene::PatternKind::none;

@@ -11,6 +11,8 @@
 #include <tuple>
 #include <vector>
 
+#include "tracer/textures/patterns/formulas.h"
+
 namespace verisim::textures {
 namespace {
 
@@ -173,6 +175,10 @@ Pavement compile_pavement(const scene::PavementParams& d) {
 double evaluate_pavement(const Pavement& pavement, double x, double z) {
   if (!std::isfinite(x) || !std::isfinite(z)) return 0;
   return pavement.sides == 4 ? square_pavement(pavement, x, z) : triangle_pavement(pavement, x, z);
+}
+
+double formulas::pavement(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  return evaluate_pavement(c.as<PavementData>().pavement, p.x, p.z);
 }
 
 }  // namespace verisim::textures

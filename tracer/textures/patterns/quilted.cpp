@@ -19,8 +19,8 @@ Quilt quilt(const QuiltedData& data, const Vec3& p) {
   return {u, q};
 }
 
-double quilted(const QuiltedData& data, const Vec3& p) {
-  const Quilt q = quilt(data, p);
+double formulas::quilted(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  const Quilt q = quilt(c.as<QuiltedData>(), p);
   return (std::fabs(q.u.x) + std::fabs(q.u.y) + std::fabs(q.u.z)) * std::fabs(q.q) / 3;
 }
 

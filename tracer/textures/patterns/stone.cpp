@@ -29,9 +29,11 @@ double spiral_phase(const CompiledPattern& c, const Vec3& p, double r) {
 
 }  // namespace
 
-double spiral1(const CompiledPattern& c, const Vec3& p) { return spiral_phase(c, p, std::sqrt(p.x * p.x + p.y * p.y)); }
+double formulas::spiral1(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  return spiral_phase(c, p, std::sqrt(p.x * p.x + p.y * p.y));
+}
 
-double spiral2(const CompiledPattern& c, const Vec3& p) {
+double formulas::spiral2(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
   const double r = std::sqrt(p.x * p.x + p.y * p.y);
   return triangle(r) + triangle(spiral_phase(c, p, r));
 }

@@ -16,10 +16,12 @@ double wrap(double v) {
 
 }  // namespace
 
-double slope(const SlopeData& s, const Vec3& p, const SurfacePoint& surface) {
+double formulas::slope(const CompiledPattern& c, const Vec3& p, const SurfacePoint* surface) {
+  if (!surface) return 0;
+  const SlopeData& s = c.as<SlopeData>();
   Vec3 direction = s.direction;
-  if (s.point_at) direction = normalize(s.direction - surface.point);
-  const double cosine = std::clamp(dot(surface.normal, direction), -1.0, 1.0);
+  if (s.point_at) direction = normalize(s.direction - surface->point);
+  const double cosine = std::clamp(dot(surface->normal, direction), -1.0, 1.0);
   double v = into_range(0.5 + std::asin(cosine) / std::numbers::pi, s.slope_low, s.slope_width);
   if (!s.has_altitude) return wrap(v);
   const double height = into_range(dot(p, s.altitude), s.altitude_low, s.altitude_width);
@@ -28,8 +30,9 @@ double slope(const SlopeData& s, const Vec3& p, const SurfacePoint& surface) {
   return v < 0 ? 1 + std::fmod(v, 1.0) : std::fmod(v, 1.0);
 }
 
-double angle_of_incidence(const SurfacePoint& surface) {
-  return std::acos(std::clamp(dot(surface.normal, surface.ray_direction), -1.0, 1.0)) / std::numbers::pi;
+double formulas::aoi(const CompiledPattern&, const Vec3&, const SurfacePoint* surface) {
+  if (!surface) return 0;
+  return std::acos(std::clamp(dot(surface->normal, surface->ray_direction), -1.0, 1.0)) / std::numbers::pi;
 }
 
 }  // namespace verisim::textures

@@ -11,6 +11,8 @@
 #include <limits>
 #include <numbers>
 
+#include "tracer/textures/patterns/formulas.h"
+
 namespace verisim::textures {
 namespace {
 
@@ -391,6 +393,11 @@ double evaluate_tiling(const Tiling& t, double x, double z) {
   if (!holder) return 0;  // not a number
   const double value = holder->top - holder->step * std::max(distance, 0.0) + holder->offset;
   return std::max(value, holder->minimum);
+}
+
+double formulas::tiling(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
+  const TilingData& data = c.as<TilingData>();
+  return data.tiling ? evaluate_tiling(*data.tiling, p.x, p.z) : penrose_tiling(data.number, p.x, p.z);
 }
 
 }  // namespace verisim::textures

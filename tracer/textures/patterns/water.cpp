@@ -24,14 +24,14 @@ double distance_from(const WaveSource& source, const Vec3& p) {
 
 }  // namespace
 
-double ripples(const CompiledPattern& c, const Vec3& p) {
+double formulas::ripples(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
   const auto& sources = *c.as<WaveData>().sources;
   double sum = 0;
   for (const WaveSource& w : sources) sum += sine_cycle(distance_from(w, p) * c.frequency + c.phase);
   return 0.5 * (1 + sum / static_cast<double>(sources.size()));
 }
 
-double waves(const CompiledPattern& c, const Vec3& p) {
+double formulas::waves(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
   const auto& sources = *c.as<WaveData>().sources;
   double sum = 0;
   for (const WaveSource& w : sources)

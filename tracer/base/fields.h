@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace verisim {
@@ -28,6 +29,9 @@ constexpr std::size_t member_count() {
     return sizeof...(Members);
 }
 
+template <class T>
+const T kSample{};
+
 template <class... Kept, class First>
 auto with(std::variant<Kept...>, First*)
     -> std::conditional_t<(std::is_same_v<Kept, First> || ...), std::variant<Kept...>, std::variant<Kept..., First>>;
@@ -47,7 +51,7 @@ template <class T>
 constexpr bool names_all_fields() {
   std::size_t visited = 0;
   const auto count = [&visited](auto, const auto&... members) { visited += sizeof...(members); };
-  T{}.fields(count);
+  detail::kSample<T>.fields(count);
   return visited == detail::member_count<T>();
 }
 

@@ -11,12 +11,9 @@ namespace verisim::cli {
 
 std::string light_name(const shading::Light& light) {
   const scene::LightSource& source = light.source();
-  const char* kind = source.area                                   ? "area_light"
-                     : source.kind == scene::LightKind::spotlight  ? "spotlight"
-                     : source.kind == scene::LightKind::cylinder   ? "cylinder light"
-                     : source.parallel                             ? "parallel light"
-                     : source.kind == scene::LightKind::shadowless ? "shadowless light"
-                                                                   : "light";
+  const char* kind = source.area                             ? "area_light"
+                     : source.parallel && !source.has_beam() ? "parallel light"
+                                                             : scene::info(source.kind).words;
   return fmt::format("{} at <{:.4g}, {:.4g}, {:.4g}>", kind, source.position.x, source.position.y, source.position.z);
 }
 

@@ -1,7 +1,5 @@
 // Objects and lights of the scene dump.
-#include <nlohmann/json.hpp>
-
-#include "cli/describe/dump.h"
+#include "cli/describe/dump_fields.h"
 #include "cli/describe/object_names.h"
 
 namespace verisim::cli {
@@ -54,29 +52,17 @@ struct ShapeDump {
     for (const scene::ObjectPtr& child : scene::children_of(object)) out["children"].push_back(dumper.object(*child));
   }
 
-  void operator()(const scene::Sphere& s) const { out["center"] = dump(s.center), out["radius"] = s.radius; }
-  void operator()(const scene::Box& b) const { out["corners"] = {dump(b.low), dump(b.high)}; }
-  void operator()(const scene::Plane& p) const { out["normal"] = dump(p.normal), out["distance"] = p.distance; }
-  void operator()(const scene::Cone& c) const {
-    out["base"] = dump(c.base), out["cap"] = dump(c.cap), out["radii"] = {c.base_radius, c.cap_radius},
-    out["open"] = c.open;
+  template <HasFields Held>
+  void operator()(const Held& shape) const {
+    add_fields(out, shape, dumper);
   }
-  void operator()(const scene::Torus& t) const { out["radii"] = {t.major, t.minor}; }
-  void operator()(const scene::Disc& d) const {
-    out["center"] = dump(d.center), out["normal"] = dump(d.normal), out["radii"] = {d.radius, d.hole};
-  }
+  void operator()(const scene::Boxed<scene::Quadric>& q) const { add_fields(out, *q, dumper); }
   void operator()(const scene::Triangle& t) const { out["corners"] = points(t.p); }
   void operator()(const scene::Boxed<scene::SmoothTriangle>& t) const {
     out["corners"] = points(t->p), out["normals"] = points(t->n);
   }
   void operator()(const scene::Polygon& p) const { out["points"] = points(p.points); }
   void operator()(const scene::Poly& p) const { out["order"] = p.order, out["coefficients"] = p.coefficients; }
-  void operator()(const scene::Boxed<scene::Quadric>& q) const {
-    out["square"] = dump(q->square), out["mixed"] = dump(q->mixed), out["linear"] = dump(q->linear),
-    out["constant"] = q->constant;
-  }
-  void operator()(const scene::Superellipsoid& s) const { out["exponents"] = {s.east, s.north}; }
-  void operator()(const scene::Ovus& o) const { out["radii"] = {o.bottom, o.top}; }
   void operator()(const std::shared_ptr<const scene::Blob>& b) const {
     out["threshold"] = b->threshold;
     out["components"] = Json::array();
@@ -159,8 +145,7 @@ struct ShapeDump {
 }  // namespace
 
 Json SceneDump::light(const scene::LightSource& l) {
-  static constexpr const char* kKinds[] = {"point", "spotlight", "cylinder", "shadowless"};
-  Json out{{"kind", kKinds[static_cast<std::size_t>(l.kind)]},
+  Json out{{"kind", info(l.kind).name},
            {"location", dump(l.position)},
            {"color", dump(l.color)},
            {"parallel", l.parallel},

@@ -1,6 +1,5 @@
 // Textures, pigments, patterns, interiors and media of the scene dump.
 #include "cli/describe/dump_fields.h"
-#include "tracer/image/image.h"
 
 namespace verisim::cli {
 
@@ -40,24 +39,10 @@ struct WarpDump {
   Json operator()(const scene::CubicWarp&) const { return {{"cubic", true}}; }
 };
 
-// A parameter of a pattern.
-struct MemberDump {
-  SceneDump& dumper;
-  template <class T>
-  requires std::is_arithmetic_v<T> Json operator()(T v) const { return v; }
-  Json operator()(const Vec2& v) const { return dump(v); }
-  Json operator()(const Vec3& v) const { return dump(v); }
-  Json operator()(const FunctionPtr& f) const { return dump(f); }
-  Json operator()(const scene::ObjectPtr& o) const { return o ? dumper.object(*o) : Json(nullptr); }
-  Json operator()(const scene::PigmentPtr& p) const { return p ? dumper.pigment(*p) : Json(nullptr); }
-  Json operator()(const ImagePtr& i) const { return i ? Json{i->width, i->height} : Json(nullptr); }
-};
-
 Json parameters(SceneDump& dumper, const scene::PatternParams& params) {
   Json out = nullptr;
   const auto add = [&](const auto& p) {
-    if constexpr (!std::is_same_v<std::remove_cvref_t<decltype(p)>, scene::NoParams>)
-      add_fields(out, p, MemberDump{dumper});
+    if constexpr (HasFields<std::remove_cvref_t<decltype(p)>>) add_fields(out, p, dumper);
   };
   std::visit(add, params);
   return out;

@@ -22,6 +22,14 @@ struct Keyword {
   std::string_view meaning;
 };
 
+// Whether a table describes a word. `name`: an enumerator of Word, with an underscore behind it where C++ has the word.
+constexpr bool describes(std::span<const Keyword> table, std::string_view name) {
+  const std::string_view word = name.substr(0, name.size() - (name.ends_with('_') ? 1 : 0));
+  for (const Keyword& keyword : table)
+    if (keyword.word == word) return true;
+  return false;
+}
+
 struct KeywordSection {
   std::string_view title;
   std::string_view name;     // of its page's heading and pictures: "shapes"

@@ -1,5 +1,6 @@
 // Light sources.
 #include "parser/keywords/keywords.h"
+#include "tracer/scene/light.h"
 
 namespace verisim::parser {
 namespace {
@@ -32,6 +33,12 @@ constexpr Keyword kTable[] = {
     {"tightness", "light_source", "tightness A", "0", "How much the light of a beam gathers in its middle."},
     // clang-format on
 };
+
+#define VERISIM_LIGHT(name, words, beam)                                                       \
+  static_assert(scene::LightKind::name == scene::LightKind::point || describes(kTable, #name), \
+                "a light without description");
+VERISIM_LIGHTS(VERISIM_LIGHT)
+#undef VERISIM_LIGHT
 
 }  // namespace
 

@@ -1,7 +1,4 @@
 // Patterns: what gives every point of space a value from 0 to 1.
-#include <algorithm>
-#include <iterator>
-
 #include "parser/keywords/keywords.h"
 #include "tracer/scene/pattern_kinds.h"
 
@@ -65,14 +62,11 @@ constexpr Keyword kTable[] = {
     // clang-format on
 };
 
-constexpr bool is_described(std::string_view word) {
-  return std::any_of(std::begin(kTable), std::end(kTable), [&](const Keyword& k) { return k.word == word; });
-}
 constexpr bool is_elsewhere(std::string_view word) {  // images.cpp, textures.cpp
   return word == "bump_map" || word == "image_map" || word == "uv_mapping";
 }
 #define VERISIM_PATTERN(name, params, list, traits) \
-  static_assert(is_described(#name) || is_elsewhere(#name), "a pattern without description");
+  static_assert(describes(kTable, #name) || is_elsewhere(#name), "a pattern without description");
 VERISIM_PATTERNS_WITH_KEYWORD(VERISIM_PATTERN)
 #undef VERISIM_PATTERN
 

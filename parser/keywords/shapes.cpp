@@ -1,5 +1,6 @@
 // Objects: what has a shape, and the words that only one of them knows.
 #include "parser/keywords/keywords.h"
+#include "parser/keywords/object_statements.h"
 
 namespace verisim::parser {
 namespace {
@@ -102,6 +103,13 @@ constexpr Keyword kTable[] = {
     {"xyz", "polynomial", "xyz(X, Y, Z): A", "", "A term: the powers of x, y and z, and its coefficient."},
     // clang-format on
 };
+
+#define VERISIM_OBJECT(word, reader)                                                       \
+  static_assert(describes(kTable, #word) || std::string_view(#word).starts_with("light_"), \
+                "an object without "                                                       \
+                "description");
+VERISIM_OBJECT_STATEMENTS(VERISIM_OBJECT)
+#undef VERISIM_OBJECT
 
 }  // namespace
 

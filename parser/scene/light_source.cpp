@@ -36,8 +36,6 @@ class LightReader {
                  std::string("Keyword '") + keyword + "' cannot be used with standard light source.");
   }
 
-  bool has_cone() { return light().kind == LightKind::spotlight || light().kind == LightKind::cylinder; }
-
   void set_kind(LightKind kind, double radius, double falloff) {
     parser.next();
     light().kind = kind;
@@ -47,7 +45,7 @@ class LightReader {
   }
 
   void cone_number(double LightSource::*field, const char* keyword) {
-    if (!has_cone()) error_standard(keyword);
+    if (!light().has_beam()) error_standard(keyword);
     parser.next();
     light().*field = parser.parse_float();
   }
@@ -125,7 +123,7 @@ class LightReader {
       case Word::parallel:
         return flag(light().parallel);
       case Word::point_at:
-        if (!has_cone() && !light().parallel) error_standard("point_at");
+        if (!light().has_beam() && !light().parallel) error_standard("point_at");
         parser.next();
         light().point_at = parser.parse_vec3();
         return true;

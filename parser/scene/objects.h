@@ -1,6 +1,7 @@
 // The frame that all object statements share, and their single readers.
 #pragma once
 
+#include "parser/keywords/object_statements.h"
 #include "parser/scene/common/common.h"
 
 namespace verisim::parser {
@@ -57,38 +58,9 @@ ObjectRef shape_block(Parser& parser, const ReadShape& read_shape) {
 void parse_bounded_by(Parser& parser, scene::Object& object);
 void parse_clipped_by(Parser& parser, scene::Object& object);
 
-ObjectRef parse_csg(Parser& parser);  // union, merge, intersection, difference, composite
-ObjectRef parse_light_source(Parser& parser);
-ObjectRef parse_light_group(Parser& parser);
-
-// parser/scene/shapes
-ObjectRef parse_bicubic_patch(Parser& parser);
-ObjectRef parse_blob(Parser& parser);
-ObjectRef parse_box(Parser& parser);
-ObjectRef parse_cone(Parser& parser);
-ObjectRef parse_cylinder(Parser& parser);
-ObjectRef parse_disc(Parser& parser);
-ObjectRef parse_height_field(Parser& parser);
-ObjectRef parse_isosurface(Parser& parser);
-ObjectRef parse_julia_fractal(Parser& parser);
-ObjectRef parse_lathe(Parser& parser);
-ObjectRef parse_mesh(Parser& parser);
-ObjectRef parse_mesh2(Parser& parser);
-ObjectRef parse_ovus(Parser& parser);
-ObjectRef parse_parametric(Parser& parser);
-ObjectRef parse_plane(Parser& parser);
-ObjectRef parse_poly(Parser& parser);  // cubic, quartic, poly
-ObjectRef parse_polygon(Parser& parser);
-ObjectRef parse_polynomial(Parser& parser);
-ObjectRef parse_prism(Parser& parser);
-ObjectRef parse_quadric(Parser& parser);
-ObjectRef parse_smooth_triangle(Parser& parser);
-ObjectRef parse_sor(Parser& parser);
-ObjectRef parse_sphere(Parser& parser);
-ObjectRef parse_sphere_sweep(Parser& parser);
-ObjectRef parse_superellipsoid(Parser& parser);
-ObjectRef parse_text(Parser& parser);
-ObjectRef parse_torus(Parser& parser);
-ObjectRef parse_triangle(Parser& parser);
+// Most are in parser/scene/shapes.
+#define VERISIM_OBJECT(word, reader) ObjectRef parse_##reader(Parser& parser);
+VERISIM_OBJECT_STATEMENTS(VERISIM_OBJECT)
+#undef VERISIM_OBJECT
 
 }  // namespace verisim::parser

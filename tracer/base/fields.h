@@ -15,6 +15,10 @@ struct Unnamed {};
 
 namespace detail {
 
+struct Ignore {
+  void operator()(auto, const auto&...) const {}
+};
+
 struct Anything {
   template <class T>
   operator T() const;  // NOLINT(google-explicit-constructor): stands for a member of any type
@@ -32,19 +36,26 @@ constexpr std::size_t member_count() {
 template <class T>
 const T kSample{};
 
-template <class... Kept, class First>
-auto with(std::variant<Kept...>, First*)
-    -> std::conditional_t<(std::is_same_v<Kept, First> || ...), std::variant<Kept...>, std::variant<Kept..., First>>;
-
 template <class Variant, class... More>
 struct Distinct {
   using type = Variant;
 };
-template <class Variant, class First, class... More>
-struct Distinct<Variant, First, More...>
-    : Distinct<decltype(with(std::declval<Variant>(), static_cast<First*>(nullptr))), More...> {};
+template <class... Kept, class First, class... More>
+struct Distinct<std::variant<Kept...>, First, More...>
+    : std::conditional_t<(std::is_same_v<Kept, First> || ...), Distinct<std::variant<Kept...>, More...>,
+                         Distinct<std::variant<Kept..., First>, More...>> {};
+
+template <class Nothing, class... T>
+struct VariantAfter {
+  using type = std::variant<T...>;
+};
 
 }  // namespace detail
+
+template <class T>
+concept HasFields = requires(const T& t) {
+  t.fields(detail::Ignore{});
+};
 
 // Whether fields() visits every member.
 template <class T>
@@ -58,5 +69,9 @@ constexpr bool names_all_fields() {
 // A variant with further alternatives, as far as it has not got them.
 template <class Variant, class... More>
 using DistinctVariant = typename detail::Distinct<Variant, More...>::type;
+
+// A variant of what a list macro writes with a comma before each: VariantOf<void LIST(X)>.
+template <class... Listed>
+using VariantOf = typename detail::VariantAfter<Listed...>::type;
 
 }  // namespace verisim

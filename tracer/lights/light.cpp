@@ -34,8 +34,7 @@ std::vector<float> area_light_weights(int n) {
 Light::Light(const scene::LightSource& source, bool area_lights, std::unique_ptr<shapes::Shape> projector)
     : source_(&source), area_(source.area && area_lights), projector_(std::move(projector)) {
   radial_ = !source.parallel && source.kind != scene::LightKind::cylinder;
-  attenuates_ = source.kind == scene::LightKind::spotlight || source.kind == scene::LightKind::cylinder ||
-                (source.fade_power > 0 && std::fabs(source.fade_distance) > kEpsilon);
+  attenuates_ = source.has_beam() || (source.fade_power > 0 && std::fabs(source.fade_distance) > kEpsilon);
   parallel_ = (source.parallel || source.kind == scene::LightKind::cylinder) && !area_;
   if (!area_) {
     box_ = Box3(source.position);
@@ -76,13 +75,24 @@ double raised(double base, double exponent) {
 }  // namespace
 
 double Light::angle_and_distance(const Vec3& p, const LightDirection& l, const Vec3& offset) const {
-  double a = 1;
-  if (source_->kind == scene::LightKind::spotlight) a = spot(l);
-  if (source_->kind == scene::LightKind::cylinder) a = cylinder(p, source_->position + offset);
+  double a = source_->has_beam() ? profile(p, l, source_->position + offset) : 1;
   if (a == 0) return 0;
   if (source_->fade_power > 0 && std::fabs(source_->fade_distance) > kEpsilon)
     a *= 2 / (1 + raised(l.distance / source_->fade_distance, source_->fade_power));
   return a;
+}
+
+double Light::profile(const Vec3& p, const LightDirection& l, const Vec3& centre) const {
+  switch (source_->kind) {
+    case scene::LightKind::spotlight:
+      return spot(l);
+    case scene::LightKind::cylinder:
+      return cylinder(p, centre);
+    case scene::LightKind::point:
+    case scene::LightKind::shadowless:
+      break;
+  }
+  return 1;
 }
 
 double Light::spot(const LightDirection& l) const {
@@ -106,9 +116,7 @@ double Light::cylinder(const Vec3& p, const Vec3& centre) const {
 }
 
 double Light::emission(const Vec3& origin, const Vec3& direction) const {
-  if (source_->kind == scene::LightKind::spotlight) return spot({-direction, 1.0});
-  if (source_->kind == scene::LightKind::cylinder) return cylinder(origin + direction, source_->position);
-  return 1;
+  return profile(origin + direction, {-direction, 1.0}, source_->position);
 }
 
 Light::Axes Light::axes(const Vec3& l) const {

@@ -83,6 +83,8 @@ class Light {
  private:
   LightDirection fixed_direction(const Vec3& p, const Vec3& centre) const;
   double angle_and_distance(const Vec3& p, const LightDirection& l, const Vec3& offset) const;
+  // What part of the light goes from its centre to p, with distance aside.
+  double profile(const Vec3& p, const LightDirection& l, const Vec3& centre) const;
   double spot(const LightDirection& l) const;
   double cylinder(const Vec3& p, const Vec3& centre) const;
 

@@ -15,7 +15,7 @@ std::optional<LightFalloff> LightFalloff::of(const Light& light) {
   LightFalloff f;
   f.spot = source.kind == scene::LightKind::spotlight;
   f.fades = source.fade_power > 0 && std::fabs(source.fade_distance) > kEpsilon;
-  if (source.kind == scene::LightKind::cylinder || (f.spot && !is_simple(source.tightness)) ||
+  if ((source.has_beam() && !f.spot) || (f.spot && !is_simple(source.tightness)) ||
       (f.fades && !is_simple(source.fade_power)))
     return std::nullopt;
   f.direction = source.direction, f.tightness = static_cast<int>(f.spot ? source.tightness : 0);

@@ -141,21 +141,19 @@ Bounds sweep_bounds(const SphereSweep& sweep) {
 }  // namespace
 
 Bounds local_bounds(const Object& object) {
-  const auto symmetric = [](double x, double y, double z) { return make_bounds({-x, -y, -z}, {x, y, z}); };
   return std::visit(
       Overloaded{
-          [](const Sphere& s) { return make_bounds(s.center - Vec3(s.radius), s.center + Vec3(s.radius)); },
-          [](const Box& b) { return make_bounds(b.low, b.high); },
+          [](const auto& shape) {
+            const Box3 box = shape.box();
+            return make_bounds(box.min, box.max);
+          },
           [](const Plane&) { return unbounded(); },
           [](const Cone& c) { return cone_bounds(c); },
-          [&](const Torus& t) { return symmetric(t.major + t.minor, t.minor, t.major + t.minor); },
-          [&](const Disc& d) { return symmetric(d.radius, d.radius, 0.001); },
           [](const Triangle& t) { return triangle_bounds(t.p); },
           [](const Boxed<SmoothTriangle>& t) { return triangle_bounds(t->p); },
           [](const Polygon& p) { return from_box(shapes::polygon_box(p)); },
           [](const Poly&) { return unbounded(); },
           [](const Boxed<Quadric>&) { return unbounded(); },
-          [&](const Superellipsoid&) { return symmetric(1.0001, 1.0001, 1.0001); },
           [](const Ovus& o) { return from_box(shapes::ovus_box(o)); },
           [](const std::shared_ptr<const Blob>& b) { return from_box(shapes::blob_box(*b)); },
           [](const std::shared_ptr<const Lathe>& l) { return from_box(shapes::lathe_box(*l)); },

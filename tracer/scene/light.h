@@ -8,7 +8,27 @@ namespace verisim::scene {
 // Tri-state keywords remember whether the scene wrote them: parents only override what a child left open (spec 03 5.4).
 enum class Flag : std::int8_t { unset = -1, off = 0, on = 1 };
 
-enum class LightKind : std::uint8_t { point, spotlight, cylinder, shadowless };
+// X(name, what people call it, whether its light is stronger in some directions or places than in others). The name is
+// the keyword (docs/add-a-light.md); without one: point.
+#define VERISIM_LIGHTS(X)             \
+  X(point, "light", false)            \
+  X(spotlight, "spotlight", true)     \
+  X(cylinder, "cylinder light", true) \
+  X(shadowless, "shadowless light", false)
+
+#define VERISIM_LIGHT(name, words, beam) name,
+enum class LightKind : std::uint8_t { VERISIM_LIGHTS(VERISIM_LIGHT) };
+#undef VERISIM_LIGHT
+
+struct LightInfo {
+  const char* name;
+  const char* words;
+  bool has_beam;
+};
+#define VERISIM_LIGHT(name, words, beam) {#name, words, beam},
+inline constexpr LightInfo kLightInfo[] = {VERISIM_LIGHTS(VERISIM_LIGHT)};
+#undef VERISIM_LIGHT
+constexpr const LightInfo& info(LightKind kind) { return kLightInfo[static_cast<std::size_t>(kind)]; }
 
 struct LightSource {
   Vec3 position{0, 0, 0};
@@ -29,6 +49,8 @@ struct LightSource {
   // photons{} of the light
   bool photons_given = false, photon_area = false;
   Flag photon_reflection = Flag::unset, photon_refraction = Flag::unset;
+
+  bool has_beam() const { return info(kind).has_beam; }
 };
 
 }  // namespace verisim::scene

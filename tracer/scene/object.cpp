@@ -12,6 +12,18 @@
 namespace verisim::scene {
 namespace {
 
+template <class T>
+constexpr bool names_fields() {
+  if constexpr (HasFields<T>)
+    return names_all_fields<T>();
+  else
+    return true;
+}
+#define VERISIM_SHAPE(held, name) static_assert(names_fields<held>(), "fields() leaves out a number of this shape");
+VERISIM_SHAPES(VERISIM_SHAPE)
+#undef VERISIM_SHAPE
+static_assert(names_fields<Quadric>());
+
 // Children, clips and bounds belong to one tree only (see copy), so they may be changed in place; a node that is shared
 // after all is copied first.
 Object& writable(ObjectPtr& node) {

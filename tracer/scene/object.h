@@ -14,28 +14,60 @@ class Spline;
 
 namespace verisim::scene {
 
+// Shapes. Where it takes no work, box() is the box in the shape's own space (before its matrix), as POV-Ray stores it;
+// the others: scene::local_bounds.
+inline Box3 symmetric_box(double x, double y, double z) { return {Vec3(-x, -y, -z), Vec3(x, y, z)}; }
+
 struct Sphere {
   Vec3 center;
   double radius;
+  template <class V>
+  constexpr void fields(V&& visit) const {
+    visit("center", center), visit("radius", radius);
+  }
+  Box3 box() const { return {center - Vec3(radius), center + Vec3(radius)}; }
 };
 struct Box {
   Vec3 low, high;
+  template <class V>
+  constexpr void fields(V&& visit) const {
+    visit("corners", low, high);
+  }
+  Box3 box() const { return {low, high}; }
 };
 struct Plane {
   Vec3 normal;
   double distance;
+  template <class V>
+  constexpr void fields(V&& visit) const {
+    visit("normal", normal), visit("distance", distance);
+  }
 };
 struct Cone {
   Vec3 base, cap;
   double base_radius, cap_radius;
   bool open = false;
+  template <class V>
+  constexpr void fields(V&& visit) const {
+    visit("base", base), visit("cap", cap), visit("radii", base_radius, cap_radius), visit("open", open);
+  }
 };  // cylinder: equal radii
 struct Torus {
   double major, minor;
+  template <class V>
+  constexpr void fields(V&& visit) const {
+    visit("radii", major, minor);
+  }
+  Box3 box() const { return symmetric_box(major + minor, minor, major + minor); }
 };
 struct Disc {
   Vec3 center, normal;
   double radius, hole = 0;
+  template <class V>
+  constexpr void fields(V&& visit) const {
+    visit("center", center), visit("normal", normal), visit("radii", radius, hole);
+  }
+  Box3 box() const { return symmetric_box(radius, radius, 0.001); }  // before its frame
 };
 struct Triangle {
   std::array<Vec3, 3> p;
@@ -53,12 +85,25 @@ struct Poly {
 struct Quadric {
   Vec3 square, mixed, linear;
   double constant;
+  template <class V>
+  constexpr void fields(V&& visit) const {
+    visit("square", square), visit("mixed", mixed), visit("linear", linear), visit("constant", constant);
+  }
 };
 struct Superellipsoid {
   double east, north;
+  template <class V>
+  constexpr void fields(V&& visit) const {
+    visit("exponents", east, north);
+  }
+  Box3 box() const { return symmetric_box(1.0001, 1.0001, 1.0001); }
 };
 struct Ovus {
   double bottom, top;
+  template <class V>
+  constexpr void fields(V&& visit) const {
+    visit("radii", bottom, top);
+  }
 };
 struct BlobComponent {
   Vec3 a, b;  // centre, or the axis of a cylinder
@@ -201,15 +246,45 @@ struct LightGroup {
       false;  // a copy of a declared group: lights of an outer group reach its objects (spec 06 10.1)
 };
 
-using Shape = std::variant<
-    Sphere, Box, Plane, Cone, Torus, Disc, Triangle, Boxed<SmoothTriangle>, Polygon, Poly, Boxed<Quadric>,
-    Superellipsoid, Ovus, std::shared_ptr<const Blob>, std::shared_ptr<const Lathe>, std::shared_ptr<const Sor>,
-    std::shared_ptr<const Prism>, std::shared_ptr<const SphereSweep>, std::shared_ptr<const BicubicPatch>,
-    std::shared_ptr<const HeightField>, std::shared_ptr<const Isosurface>, std::shared_ptr<const Parametric>,
-    std::shared_ptr<const JuliaFractal>, std::shared_ptr<const Text>, Mesh, Csg, LightGroup, Boxed<LightSource>>;
+// X(what an object holds, name): the name of its factory in tracer/shapes and, mostly, its keyword
+// (docs/add-a-primitive.md). Large ones are shared by copies.
+#define VERISIM_SHAPES(X)                               \
+  X(Sphere, sphere)                                     \
+  X(Box, box)                                           \
+  X(Plane, plane)                                       \
+  X(Cone, cone)                                         \
+  X(Torus, torus)                                       \
+  X(Disc, disc)                                         \
+  X(Triangle, triangle)                                 \
+  X(Boxed<SmoothTriangle>, smooth_triangle)             \
+  X(Polygon, polygon)                                   \
+  X(Poly, poly)                                         \
+  X(Boxed<Quadric>, quadric)                            \
+  X(Superellipsoid, superellipsoid)                     \
+  X(Ovus, ovus)                                         \
+  X(std::shared_ptr<const Blob>, blob)                  \
+  X(std::shared_ptr<const Lathe>, lathe)                \
+  X(std::shared_ptr<const Sor>, sor)                    \
+  X(std::shared_ptr<const Prism>, prism)                \
+  X(std::shared_ptr<const SphereSweep>, sphere_sweep)   \
+  X(std::shared_ptr<const BicubicPatch>, bicubic_patch) \
+  X(std::shared_ptr<const HeightField>, height_field)   \
+  X(std::shared_ptr<const Isosurface>, isosurface)      \
+  X(std::shared_ptr<const Parametric>, parametric)      \
+  X(std::shared_ptr<const JuliaFractal>, julia_fractal) \
+  X(std::shared_ptr<const Text>, text)                  \
+  X(Mesh, mesh)                                         \
+  X(Csg, csg)                                           \
+  X(LightGroup, light_group)                            \
+  X(Boxed<LightSource>, light_source)
+
+#define VERISIM_SHAPE(held, name) , held
+using Shape = VariantOf<void VERISIM_SHAPES(VERISIM_SHAPE)>;
+#undef VERISIM_SHAPE
+#define VERISIM_SHAPE(held, name) || std::is_same_v<Boxed<T>, held>
 template <class T>
-inline constexpr bool kIsBoxed =
-    std::is_same_v<T, SmoothTriangle> || std::is_same_v<T, Quadric> || std::is_same_v<T, LightSource>;
+inline constexpr bool kIsBoxed = false VERISIM_SHAPES(VERISIM_SHAPE);
+#undef VERISIM_SHAPE
 
 // Axis-aligned bounds as POV-Ray stores them: binary32 lower corner and edge lengths (spec 03 2.2).
 struct Bounds {

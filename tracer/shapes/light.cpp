@@ -32,8 +32,11 @@ class LightHolder final : public Shape {
 
 }  // namespace
 
-std::unique_ptr<Shape> compile_light(const scene::Object& object) {
-  if (object.as<scene::LightGroup>()) return std::make_unique<LightHolder>(object, scene::children_of(object));
+std::unique_ptr<Shape> compile_light_group(const scene::Object& object) {
+  return std::make_unique<LightHolder>(object, scene::children_of(object));
+}
+
+std::unique_ptr<Shape> compile_light_source(const scene::Object& object) {
   return std::make_unique<LightHolder>(object,
                                        std::vector<scene::ObjectPtr>{object.as<scene::LightSource>()->looks_like});
 }

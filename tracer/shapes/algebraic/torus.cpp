@@ -11,15 +11,10 @@ namespace {
 
 constexpr double kNearest = 1e-4, kFarthest = 1e7, kElimination = 1e-4;
 
-Box3 box_of(const scene::Torus& t) {
-  const double outer = t.major + t.minor;
-  return {Vec3(-outer, -t.minor, -outer), Vec3(outer, t.minor, outer)};
-}
-
 class Torus final : public Primitive<Torus> {
  public:
   Torus(const scene::Object& description, const scene::Torus& t)
-      : Primitive(description, {box_of(t)}),
+      : Primitive(description, {t.box()}),
         major_(t.major),
         minor_(t.minor),
         major2_(t.major * t.major),

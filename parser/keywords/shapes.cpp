@@ -104,10 +104,8 @@ constexpr Keyword kTable[] = {
     // clang-format on
 };
 
-#define VERISIM_OBJECT(word, reader)                                                       \
-  static_assert(describes(kTable, #word) || std::string_view(#word).starts_with("light_"), \
-                "an object without "                                                       \
-                "description");
+#define VERISIM_OBJECT(word, reader) \
+  static_assert(describes(kTable, #word) || std::string_view(#word).starts_with("light_"), "without description");
 VERISIM_OBJECT_STATEMENTS(VERISIM_OBJECT)
 #undef VERISIM_OBJECT
 

@@ -1,4 +1,5 @@
 // User functions as the parser builds them: probes P24 to P26 of spec 01 section 30.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "parser/language/test_support.h"
@@ -61,6 +62,16 @@ TEST(UserFunctions, Rules) {
         "#declare f = function{max(x y)}", "#declare f = function{max(x,y,)}", "#declare f = function{sum(i 1 3 i)}",
         "#declare i = 5; #declare f = function{sum(i,1,3,i)}", "#declare f = function(a,b){a} #declare A = f(1,2,);"})
     EXPECT_FALSE(accepts(bad)) << bad;
+}
+
+TEST(UserFunctions, ValuesThatNobodyCanWaitForAreErrors) {
+  const std::string doubled =
+      "#declare F = function(x) { sin(x) } #for (I, 1, 30) #undef G #declare G = function(x) { F(x) + F(x + 1) } "
+      "#undef F #declare F = function(x) { G(x) + G(x + 1) } #end ";
+  for (const std::string& endless : {doubled, std::string("#declare F = function(x) { sum(i, 1, 1e15, i * x) } ")}) {
+    EXPECT_THAT(number("F(1)", endless), ::testing::HasSubstr("for one value"));
+    EXPECT_THAT(number("1 + 2 * F(1)", endless), ::testing::HasSubstr("for one value"));
+  }
 }
 
 }  // namespace

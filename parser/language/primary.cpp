@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "parser/language/impl.h"
-#include "tracer/functions/expression.h"
+#include "tracer/functions/evaluation_budget.h"
 
 namespace verisim::parser {
 namespace {
@@ -166,10 +166,12 @@ void Parser::Impl::call_function(const Function& function, Numeric& out) {
                       describe(*position)));
   skip_token();
   double values[kMaxFunctionComponents]{};
+  functions::EvaluationBudget::take_overrun();
   function.evaluate({arguments_of_call.data(), static_cast<std::size_t>(count)}, values);
-  if (functions::take_loop_overrun())
+  if (functions::EvaluationBudget::take_overrun())
     error(Code::size_limit,
-          "A sum or prod of the function runs over more values than can be added in any reasonable time.");
+          fmt::format("The function needs more than {} passes of sum and prod and calls of functions for one value.",
+                      functions::kMaxPasses));
   out.terms = function.components();
   std::copy(std::begin(values), std::end(values), out.v.begin());
 }

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "tracer/functions/expression.h"
+#include "tracer/functions/evaluation_budget.h"
 
 namespace verisim::parser {
 
@@ -48,7 +48,7 @@ bool Scanner::user_call(const Function& function, Term& out, int depth) {
   }
   double result;
   function.evaluate({values, static_cast<std::size_t>(count)}, &result);
-  if (std::isnan(result) && functions::take_loop_overrun()) return false;  // the general path makes an error of it
+  if (functions::EvaluationBudget::take_overrun()) return false;  // the general path makes an error of it
   out.set(result);
   return at_->punctuation != '.';
 }

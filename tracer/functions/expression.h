@@ -98,9 +98,6 @@ struct Node {
 // the parameter list, `slots` that plus the number of loop variables. Throws std::invalid_argument with POV-Ray's
 // meaning (division by literal 0 ...).
 FunctionPtr compile(const Node& root, int parameters, int slots);
-// True once after a sum or prod on this thread was cut short because it would not have ended in any reasonable time;
-// its value is NaN.
-bool take_loop_overrun();
 // internal(n); throws std::invalid_argument for n out of range. The noise generator is fixed at creation.
 FunctionPtr internal_function(int n, int noise_generator);
 int internal_function_parameters(int n);

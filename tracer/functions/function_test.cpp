@@ -5,6 +5,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "tracer/functions/evaluation_budget.h"
 #include "tracer/functions/expression.h"
 #include "tracer/functions/program.h"
 
@@ -219,6 +220,35 @@ TEST(Functions, RepeatedInliningStaysSmall) {
   double result;
   f->evaluate({&one, 1}, &result);
   EXPECT_EQ(result, std::ldexp(1.0, 60));
+}
+
+// Each calls the one before twice, with other arguments, so that nothing is shared.
+FunctionPtr doubled(int times) {
+  FunctionPtr f = compile(call(Builtin::sin_, {arg(0)}), 1, 1);
+  for (int i = 0; i < times; ++i)
+    f = compile(chain({call(f, {arg(0)}), call(f, {chain({arg(0), num(1)}, {kAdd})})}, {kAdd}), 1, 1);
+  return f;
+}
+
+TEST(Functions, ValuesThatNobodyCanWaitForAreCutShort) {
+  EvaluationBudget::take_overrun();
+  const double one = 1;
+  double result = 0;
+  doubled(14)->evaluate({&one, 1}, &result);
+  EXPECT_FALSE(std::isnan(result));
+  EXPECT_FALSE(EvaluationBudget::take_overrun());
+
+  const FunctionPtr endless = doubled(60);
+  endless->evaluate({&one, 1}, &result);
+  EXPECT_TRUE(std::isnan(result));
+  EXPECT_TRUE(EvaluationBudget::take_overrun());
+  EXPECT_FALSE(EvaluationBudget::take_overrun());
+
+  const std::vector<double> arguments(70, 1.0);
+  std::vector<double> results(70);
+  endless->evaluate_batch(arguments.data(), 70, 70, results.data());
+  EXPECT_TRUE(std::isnan(results[0]) && std::isnan(results[69]));
+  EXPECT_TRUE(EvaluationBudget::take_overrun());
 }
 
 TEST(InternalFunctions, TableAtOnePoint) {

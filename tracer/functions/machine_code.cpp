@@ -18,12 +18,7 @@ constexpr std::size_t kMaxInstructions = 20000;
 constexpr int kCached = 14;
 constexpr std::uint32_t kNothing = 0xffffffffu;
 
-void call_function(const Call* call, double* r) {
-  double arguments[kMaxFunctionParameters];
-  const std::size_t n = call->arguments.size();
-  for (std::size_t k = 0; k < n; ++k) arguments[k] = r[call->arguments[k]];
-  call->function->evaluate({arguments, n}, r + call->results);
-}
+void call_function(const Call* call, double* r) { evaluate(*call, r, r + call->results); }
 
 using Binary = double (*)(double, double);
 // The library or helper function of an operation that has no instruction.

@@ -1,5 +1,6 @@
 #include "tracer/functions/program.h"
 
+#include "tracer/functions/evaluation_budget.h"
 #include "tracer/functions/machine_code.h"
 #include "tracer/functions/program_packet.h"
 
@@ -24,43 +25,20 @@ struct FreeRegisters {
 
 }  // namespace
 
-namespace {
-
-// sum and prod may run over any range: a scene must not be able to hang. All loops of one evaluation, with those of the
-// functions it calls, share this many passes; then the value is NaN, and the parser makes an error of it.
-constexpr std::uint64_t kMaxPasses = 100'000'000;
-thread_local int loops_open = 0;
-thread_local std::uint64_t passes_left = 0;
-thread_local bool overran = false;
-
-class LoopBudget {
- public:
-  ~LoopBudget() {
-    if (open_) --loops_open;
+void evaluate(const Call& call, const double* registers, double* results) {
+  EvaluationBudget budget;
+  if (!budget.spend()) {
+    std::fill_n(results, call.function->components(), std::numeric_limits<double>::quiet_NaN());
+    return;
   }
-  bool pass() {
-    if (!open_) {
-      open_ = true;
-      if (!loops_open++) passes_left = kMaxPasses;
-    }
-    if (passes_left) {
-      --passes_left;
-      return true;
-    }
-    overran = true;
-    return false;
-  }
-
- private:
-  bool open_ = false;
-};
-
-}  // namespace
-
-bool take_loop_overrun() { return std::exchange(overran, false); }
+  double arguments[kMaxFunctionParameters];
+  const std::size_t n = call.arguments.size();
+  for (std::size_t k = 0; k < n; ++k) arguments[k] = registers[call.arguments[k]];
+  call.function->evaluate({arguments, n}, results);
+}
 
 double Program::run(double* r) const {
-  LoopBudget budget;
+  EvaluationBudget budget;
   const Instruction* const begin = code_.data();
   const Instruction* const end = begin + code_.size();
   for (const Instruction* i = begin; i != end; ++i) {
@@ -74,17 +52,12 @@ double Program::run(double* r) const {
       case Code::select:
         r[i->to] = select(r[i->a], r[i->b], r[i->c], r[i->d]);
         break;
-      case Code::call: {
-        const Call& call = calls_[i->a];
-        double arguments[kMaxFunctionParameters];
-        const std::size_t n = call.arguments.size();
-        for (std::size_t k = 0; k < n; ++k) arguments[k] = r[call.arguments[k]];
-        call.function->evaluate({arguments, n}, r + call.results);
+      case Code::call:
+        functions::evaluate(calls_[i->a], r, r + calls_[i->a].results);
         break;
-      }
       case Code::jump: {
         const Instruction* const to = begin + i->to;
-        if (to <= i && !budget.pass()) return std::numeric_limits<double>::quiet_NaN();
+        if (to <= i && !budget.spend()) return std::numeric_limits<double>::quiet_NaN();
         i = to - 1;
         break;
       }

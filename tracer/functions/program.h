@@ -23,6 +23,8 @@ struct Call {
   std::vector<std::uint32_t> arguments;
   std::uint32_t results = 0;
 };
+// Counted (evaluation_budget.h); the components go to `results`.
+void evaluate(const Call& call, const double* registers, double* results);
 
 class MachineCode;
 

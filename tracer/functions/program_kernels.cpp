@@ -2,7 +2,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
+#include "tracer/functions/evaluation_budget.h"
 #include "tracer/functions/program_packet.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -121,6 +123,11 @@ void call_function(const Call& call, double* r, std::uint64_t active) {
   const std::size_t inputs = call.arguments.size();
   const auto outputs = static_cast<std::size_t>(call.function->components());
   double* const results = r + std::size_t{call.results} * Width;
+  EvaluationBudget budget;  // a batch counts as one
+  if (!budget.spend()) {
+    std::fill_n(results, outputs * Width, std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   if (inputs <= kMax) {
     // Side by side, without gaps.
     double arguments[Width * kMax], values[Width * kMaxFunctionComponents];

@@ -13,6 +13,7 @@
 
 #include "tracer/base/keep_until_exit.h"
 #include "tracer/base/parallel.h"
+#include "tracer/functions/evaluation_budget.h"
 #include "tracer/render/sampling/adaptive_sampling.h"
 #include "tracer/render/sampling/antialias.h"
 #include "tracer/render/blocks.h"
@@ -150,6 +151,14 @@ class Queue {
   std::uint64_t pixels_ = 0, done_ = 0;
 };
 
+// Functions have no place: which one it was is not known.
+void check_functions() {
+  if (functions::EvaluationBudget::take_overrun())
+    throw LimitExceeded(
+        "A function of the scene needs more than " + std::to_string(functions::kMaxPasses) +
+        " passes of sum and prod and calls of functions for one value: more than a picture has time for");
+}
+
 // One thread's work: blocks until there are none left.
 void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& effects, const CameraModel& camera,
           const Options& options, const path::PathScene* paths, std::span<const shading::LastBlockers> blockers) {
@@ -168,6 +177,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
                      options.width, options.height, sampler);
   if (method == 1) grid.emplace(settings, sampler);
   if (method == 2) quads.emplace(settings, sampler);
+  functions::EvaluationBudget::take_overrun();  // of what this thread did before
   try {
     while (const Block* block = queue.next()) {
       const int index = queue.index(block);
@@ -186,6 +196,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
         render_plain(*block, sampler, pixels);
       }
       end_block(effects, tracer, options, index);
+      check_functions();
       queue.add_statistics(std::exchange(tracer.statistics(), {}));
       queue.finished(*block);
     }

@@ -1,0 +1,47 @@
+// How much one evaluation of a function may do. sum and prod run over any range, and functions may each call the one
+// before twice: a scene must not be able to hang a program that cannot end a thread by force.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+namespace verisim::functions {
+
+// Passes of loops and calls of functions, of one evaluation with all that it calls. POV-Ray takes seconds for as many.
+inline constexpr std::uint64_t kMaxPasses = 100'000'000;
+
+// Lives as long as a loop or a call; the outermost of a thread decides what all of them share.
+class EvaluationBudget {
+ public:
+  EvaluationBudget() = default;
+  EvaluationBudget(const EvaluationBudget&) = delete;
+  EvaluationBudget& operator=(const EvaluationBudget&) = delete;
+  ~EvaluationBudget() {
+    if (open_) --open_budgets_;
+  }
+  // False: no more of it. The value is NaN then, and take_overrun says so once.
+  bool spend() {
+    if (!open_) {
+      open_ = true;
+      // Whoever has gone too far gets little more until somebody makes an error of it.
+      if (!open_budgets_++) left_ = overran_ ? kAfterwards : kMaxPasses;
+    }
+    if (left_) {
+      --left_;
+      return true;
+    }
+    overran_ = true;
+    return false;
+  }
+  // True once after an evaluation of this thread was cut short.
+  static bool take_overrun() { return std::exchange(overran_, false); }
+
+ private:
+  static constexpr std::uint64_t kAfterwards = 1000;
+  static inline constinit thread_local int open_budgets_ = 0;
+  static inline constinit thread_local std::uint64_t left_ = 0;
+  static inline constinit thread_local bool overran_ = false;
+  bool open_ = false;
+};
+
+}  // namespace verisim::functions

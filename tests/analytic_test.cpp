@@ -76,6 +76,23 @@ double caustic(double r) {
   return sum;
 }
 
+// What a half-space without a refracting surface returns of even light (Jensen, Marschner, Levoy, Hanrahan 2001): the
+// dipole, integrated over the plane, as a function of the reduced albedo ...
+double dipole_reflectance(double albedo) {
+  const double r = std::sqrt(3 * (1 - albedo));
+  return albedo / 2 * (1 + std::exp(-4 * r / 3)) * std::exp(-r);
+}
+// ... and single scattering of light that comes and goes along the normal. A quarter of it at each depth s, but POV-Ray
+// takes exp(-s) of the way out twice, as the paper prints it: int exp(-3 s) / 8 instead of int exp(-2 s) / 4.
+double subsurface(double reflectance) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (dipole_reflectance(middle) < reflectance ? low : high) = middle;
+  }
+  return reflectance + low / 24;
+}
+
 double srgb_decoded(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 
 const std::map<std::string, std::function<Color3(double, double)>>& formulas() {
@@ -148,6 +165,11 @@ const std::map<std::string, std::function<Color3(double, double)>>& formulas() {
        [](double x, double) {
          const auto back = [d = (x + 2) / 2](double s) { return 1.2 * (1 - std::exp(-2 * s * d)) / 2; };
          return Color3{back(0.2), back(0.5), back(1)};
+       }},
+      {"subsurface_dipole.pov",
+       [](double x, double) {
+         const double t = (x + 2) / 4;
+         return Color3{0.8 * subsurface(0.1 + 0.8 * t), 0.8 * subsurface(0.85 - 0.7 * t), 0.8 * subsurface(0.5)};
        }},
       {"thin_film.pov",
        [](double x, double z) {

@@ -115,7 +115,8 @@ void TagWitness::add(const std::string& kind, const std::string& name) {
 void TagWitness::describe(const scene::Object& object, bool seen_directly, const shading::RayState& ray) {
   const std::string name = object_name(object);
   if (!seen_directly) {
-    add("secondary object", name + (ray.reflected ? ", in a reflection" : ", through something transparent"));
+    add("secondary object",
+        with_place(object) + (ray.reflected ? ", in a reflection" : ", through something transparent"));
     return;
   }
   auto [found, added] = words_.try_emplace(&object);

@@ -15,6 +15,7 @@ namespace {
 struct Seen {
   std::string name, copy;  // "sphere (s.pov:3)"; the same with its place
   bool parent = false;     // a CSG object
+  bool secondary = false;  // seen in a mirror or through something
   bool placed = false;     // the next two are known
   std::array<double, 3> middle{}, size{};
   Mask mask;
@@ -26,11 +27,15 @@ std::vector<Seen> seen_in(const Case& c, const PixelTags& tags) {
   std::vector<int> index(tags.tags.size(), -1);
   for (std::size_t i = 0; i < tags.tags.size(); ++i) {
     const PixelTags::Tag& tag = tags.tags[i];
-    if (tag.kind != "copy" && tag.kind != "parent") continue;
+    const bool secondary = tag.kind == "secondary object";
+    if (tag.kind != "copy" && tag.kind != "parent" && !secondary) continue;
     index[i] = static_cast<int>(out.size());
     Seen& s = out.emplace_back();
     const std::size_t at = tag.name.rfind(" at <");
-    s.name = tag.name.substr(0, at), s.copy = tag.name, s.parent = tag.kind == "parent", s.mask.assign(c.size(), 0);
+    s.name = tag.name.substr(0, at), s.copy = tag.name, s.parent = tag.kind == "parent", s.secondary = secondary;
+    if (secondary && at != std::string::npos)
+      s.name += tag.name.substr(tag.name.rfind('>') + 1);  // ", in a reflection"
+    s.mask.assign(c.size(), 0);
     if (at != std::string::npos)
       s.placed = std::sscanf(tag.name.c_str() + at, " at <%lf, %lf, %lf>, size <%lf, %lf, %lf>", &s.middle[0],
                              &s.middle[1], &s.middle[2], &s.size[0], &s.size[1], &s.size[2]) == 6;
@@ -63,7 +68,7 @@ std::vector<Match> matches(const std::vector<Seen>& was, const std::vector<Seen>
       if (m.is) continue;
       const Seen* best = nullptr;
       for (const Seen& b : is)
-        if (!taken.contains(&b) && b.parent == m.was->parent && fit(*m.was, b) &&
+        if (!taken.contains(&b) && b.parent == m.was->parent && b.secondary == m.was->secondary && fit(*m.was, b) &&
             (!best || distance(b.middle, m.was->middle) < distance(best->middle, m.was->middle)))
           best = &b;
       if (best) m.is = best, taken.insert(best);
@@ -148,16 +153,17 @@ bool same_move(const Change& a, const Change& b) {
 }
 
 void changed_objects(const Case& c, const std::vector<Match>& all, Suspicions& out) {
-  constexpr double kPartOfParent = 0.85;
+  constexpr double kPartOfParent = 0.85, kSecondary = 0.97;
   struct Found {
     Match match;
     Change change;
   };
   std::vector<Found> changes;
   for (const Match& m : all) {
-    if (!m.was || !m.is)
+    // What is seen nowhere in mirrors any more may be there: the mirror's fault.
+    if ((!m.was || !m.is) && !(m.was ? m.was : m.is)->secondary)
       changes.push_back({m, {m.was ? "object missing" : "object added", (m.was ? m.was : m.is)->copy}});
-    else if (auto change = change_of(*m.was, *m.is))
+    else if (auto change = m.was && m.is ? change_of(*m.was, *m.is) : std::nullopt)
       changes.push_back({m, *change});
   }
   for (const Found& f : changes) {
@@ -172,7 +178,11 @@ void changed_objects(const Case& c, const std::vector<Match>& all, Suspicions& o
     const bool shared = std::any_of(changes.begin(), changes.end(), same_as);
     if (any.parent && !shared) continue;
     const Mask mask = f.match.was && f.match.is ? either(f.match.was->mask, f.match.is->mask) : any.mask;
-    add_known(c, f.change.what, f.change.detail, mask, !any.parent && shared ? kPartOfParent : 1, out);
+    add_known(c, f.change.what, f.change.detail, mask,
+              any.secondary           ? kSecondary
+              : !any.parent && shared ? kPartOfParent
+                                      : 1,
+              out);
   }
 }
 
@@ -180,11 +190,11 @@ void changed_objects(const Case& c, const std::vector<Match>& all, Suspicions& o
 void changed_outlines(const Case& c, const std::vector<Match>& all, Suspicions& out) {
   std::size_t kept = 0, other = 0;
   for (const Match& m : all)
-    if (m.was && m.is && m.was->copy == m.is->copy && !m.was->parent)
+    if (m.was && m.is && m.was->copy == m.is->copy && !m.was->parent && !m.was->secondary)
       ++kept, other += difference(m.was->mask, m.is->mask) != Mask(c.size());
   if (other > 2 && other > kept / 2) return;
   for (const Match& m : all) {
-    if (!m.was || !m.is || m.was->copy != m.is->copy || m.was->parent) continue;
+    if (!m.was || !m.is || m.was->copy != m.is->copy || m.was->parent || m.was->secondary) continue;
     const Mask changed = difference(m.was->mask, m.is->mask);
     const double share = share_of(c, changed);
     if (share < 0.3) continue;
@@ -221,6 +231,7 @@ double border(const Case& c, const Mask& mask, const Pixels& picture) {
 void outlines_of_one_side(const Case& c, Suspicions& out) {
   constexpr double kGone = 0.3, kLeastShare = 0.5, kMaxOfPicture = 0.6;
   for (const Seen& object : seen_in(c, *c.tags.any())) {
+    if (object.secondary) continue;
     surfaces(c, object, object.mask, out);
     const int reach = std::max(3, c.width / 20);
     const Mask around = dilated(c, object.mask, reach);
@@ -266,17 +277,11 @@ void suspect_objects(const Case& c, Suspicions& out) {
   const std::vector<Match> all = matches(was, is);
   changed_objects(c, all, out);
   changed_outlines(c, all, out);
-  for (const Match& m : all)
-    if (m.was && m.is) surfaces(c, *m.was, common(m.was->mask, m.is->mask), out);
-  // Objects that are only seen in mirrors or through something.
-  for (const PixelTags::Tag& tag : c.tags.reference->tags) {
-    if (tag.kind != "secondary object") continue;
-    const auto same = [&](const PixelTags::Tag& other) { return other.kind == tag.kind && other.name == tag.name; };
-    const Seen object{tag.name, tag.name, false, false, {}, {}, {}, 0};
-    const Mask mask = common(c.pixels_with(*c.tags.reference, same), c.pixels_with(*c.tags.test, same));
+  for (const Match& m : all) {
+    if (!m.was || !m.is) continue;
     Suspicions of_it;
-    surfaces(c, object, mask, of_it);
-    for (Suspicion& s : of_it) s.sure *= 0.95, out.push_back(std::move(s));
+    surfaces(c, *m.was, common(m.was->mask, m.is->mask), of_it);
+    for (Suspicion& s : of_it) s.sure *= m.was->secondary ? 0.95 : 1, out.push_back(std::move(s));
   }
   const auto sky = [](const PixelTags::Tag& tag) { return tag.kind == "object" && tag.name.starts_with("sky"); };
   const Mask background = common(c.pixels_with(*c.tags.reference, sky), c.pixels_with(*c.tags.test, sky));

@@ -113,9 +113,9 @@ std::pair<std::string, std::string> strength(const std::string& kind, const std:
 
 constexpr double kProportional = 0.97;
 
-// Pixels that show another object than in the reference.
+// Pixels that show another object than in the reference, be it in a mirror or through something.
 Mask elsewhere(const Case& c) {
-  const auto object = [](const PixelTags::Tag& tag) { return tag.kind == "object"; };
+  const auto object = [](const PixelTags::Tag& tag) { return tag.kind == "object" || tag.kind == "secondary object"; };
   Mask out(c.size());
   for (const PixelTags::Tag& tag : c.tags.reference->tags) {
     if (!object(tag)) continue;

@@ -113,7 +113,7 @@ const std::vector<Output>& outputs() {
   static const std::vector<Output> all = [] {
     const std::vector<std::string> run{"compare", "scene.pov", "+W8", "+H6", "--baseline", "none", "--quiet"};
     std::vector<Output> out;
-    for (const char* kind : {"--json", "--html", "--heat-map"})
+    for (const char* kind : {"--json", "--html", "--heat-map", "--pick"})
       out.push_back({{"diff", "a.png", "b.png", kind}, ""});
     for (const char* kind : {"--json", "--html", "--junit", "--markdown"}) {
       out.push_back({run, ""});

@@ -11,6 +11,7 @@
 #include "cli/settings/own_options.h"
 #include "compare/compare.h"
 #include "compare/regression/folders.h"
+#include "compare/report/corner_page.h"
 
 namespace verisim::cli {
 namespace {
@@ -112,7 +113,7 @@ int command_diff(const std::vector<std::string>& arguments) {
                  "when they match, 1 when they do not.");
   std::string json, html, heat_map;
   std::vector<std::string> thresholds, fits;
-  std::string crop, corners;
+  std::string crop, corners, pick;
   compare::MetricOptions metric;
   double gain = 16;
   bool color = false, antialiased = false;
@@ -138,11 +139,18 @@ int command_diff(const std::vector<std::string>& arguments) {
   own.value("--corners X,Y,X,Y,X,Y,X,Y", corners,
             "where the picture's corners are in the reference, a photograph, from the upper left one clockwise; a few "
             "pixels off is near enough: they are refined");
+  own.value("--pick FILE", pick,
+            "compare nothing: write a page in which the four corners are picked by the mouse, and which says what to "
+            "type");
   own.values("--fit WHAT", fits,
              "fit exposure, white_balance, the lens's distortion (with --corners) or vignetting (may be given again)");
   const std::vector<std::string> words = own.parse(arguments);
   if (words.size() != 2) throw OptionError("two pictures are needed: verisim diff REFERENCE PICTURE");
 
+  if (!pick.empty()) {
+    compare::write_report(compare::corner_page(words[0], words[1]), pick);
+    return kOk;
+  }
   const compare::FitOptions wanted = fit_options(crop, corners, fits);
   const compare::Thresholds limits = threshold_options(thresholds);
   if (std::filesystem::is_directory(words[0]) && std::filesystem::is_directory(words[1])) {

@@ -220,4 +220,10 @@ std::filesystem::path find_program(const std::string& name) {
   return {};
 }
 
+std::string shell_quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
 }  // namespace verisim::compare

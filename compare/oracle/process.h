@@ -39,4 +39,7 @@ ProcessResult run_process(const ProcessRequest& request);
 // An executable file by name in PATH, or the name itself when it has a slash; empty if there is none.
 std::filesystem::path find_program(const std::string& name);
 
+// As one word of a command for the shell.
+std::string shell_quoted(const std::string& text);
+
 }  // namespace verisim::compare

@@ -10,12 +10,6 @@ namespace {
 
 using Words = std::map<std::string, std::string>;
 
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
-
 std::string filled(const std::string& command, const Words& words) {
   std::string out;
   for (std::size_t at = 0; at < command.size(); ++at) {
@@ -38,9 +32,9 @@ std::string filled(const std::string& command, const Words& words) {
 
 Words words_of(const NativeRequest& request) {
   std::string switches;
-  for (const std::string& s : request.switches) switches += (switches.empty() ? "" : " ") + quoted(s);
-  return {{"scene", quoted(request.scene.string())},
-          {"out", quoted(request.output.string())},
+  for (const std::string& s : request.switches) switches += (switches.empty() ? "" : " ") + shell_quoted(s);
+  return {{"scene", shell_quoted(request.scene.string())},
+          {"out", shell_quoted(request.output.string())},
           {"width", std::to_string(request.width)},
           {"height", std::to_string(request.height)},
           {"threads", std::to_string(request.threads)},

@@ -74,20 +74,6 @@ Json scene_data(const SceneResult& s, const Run& run, const ScenePictures& pictu
   return json;
 }
 
-// In a script element "</script>" and "<!--" would end the text: no '<' is written as itself.
-std::string script_safe(const Json& json) {
-  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  std::string out;
-  out.reserve(text.size());
-  for (char c : text) {
-    if (c == '<')
-      out += "\\u003c";
-    else
-      out += c;
-  }
-  return out;
-}
-
 // What failed comes first: its pictures are there before the others are read.
 std::vector<std::size_t> worst_first(const std::vector<SceneResult>& scenes) {
   std::vector<std::size_t> order(scenes.size());
@@ -130,10 +116,7 @@ std::string page(const Json& data, const std::string& pictures, bool served) {
   out.reserve(page.size() + pictures.size() + 200000);
   std::size_t at = 0;
   append_until(out, page, at, "@POLICY@");
-  if (!served)
-    out +=
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data: blob:; style-src "
-        "'unsafe-inline'; script-src 'unsafe-inline'\">";
+  if (!served) out += kPagePolicy;
   append_until(out, page, at, "@STYLE@");
   out += served ? "<link rel=\"stylesheet\" href=\"report.css\">" : std::string("<style>") + kReportCss + "</style>";
   append_until(out, page, at, "@DATA@");
@@ -147,6 +130,19 @@ std::string page(const Json& data, const std::string& pictures, bool served) {
 }
 
 }  // namespace
+
+std::string script_safe(const Json& json) {
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string out;
+  out.reserve(text.size());
+  for (char c : text) {
+    if (c == '<')
+      out += "\\u003c";
+    else
+      out += c;
+  }
+  return out;
+}
 
 std::string HtmlReport::style() { return kReportCss; }
 std::string HtmlReport::script() { return kReportJs; }

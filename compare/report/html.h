@@ -8,6 +8,9 @@
 
 namespace verisim::compare {
 
+// As the text of a script element, where "</script>" and "<!--" would end it: no '<' is written as itself.
+std::string script_safe(const nlohmann::json& json);
+
 class HtmlReport {
  public:
   // The run outlives this. `review`: what has been decided on its scenes (compare/regression/review.h), or null.

@@ -94,6 +94,41 @@ class Report(InBrowser):
             page.screenshot(os.path.join(KEPT, "report-scene.png"))
 
 
+class Corners(InBrowser):
+    def test_four_corners_of_a_photograph(self):
+        ground = lambda x, y: (8 * x, 10 * y, (7 * x * y) % 256)
+        png(self.path("render.png"), ground)
+        png(self.path("it's a photograph.png"), ground)
+        file = self.path("corners.html")
+        subprocess.run([VERISIM, "diff", self.path("it's a photograph.png"), self.path("render.png"), "--pick", file], check=True)
+        page = self.browser
+        page.open("file://" + file)
+        page.until("return document.getElementById('photograph').dataset.ready")
+        self.assertIn("upper left", page.run("return document.getElementById('ask').textContent"))
+        self.assertTrue(page.run("return document.getElementById('result').hidden"))
+        wanted = [(3.5, 2.5), (28.5, 3.5), (27.5, 20.5), (4.5, 19.5)]
+        for x, y in wanted:
+            page.run("""const c = document.getElementById('photograph'), box = c.getBoundingClientRect(), scale = box.width / c.width;
+                c.setPointerCapture = () => {};
+                for (const kind of ['pointerdown', 'pointermove'])
+                  c.dispatchEvent(new PointerEvent(kind, { clientX: box.left + arguments[0] * scale, clientY: box.top + arguments[1] * scale, buttons: 0 }))""", x, y)
+        key = lambda name: page.run("document.getElementById('photograph').dispatchEvent(new KeyboardEvent('keydown', { key: arguments[0], cancelable: true }))", name)
+        key("ArrowRight")  # the last one, by a pixel
+        text = page.run("return document.getElementById('command').textContent")
+        numbers = [float(v) for v in text.split("--corners ")[1].split()[0].split(",")]
+        for got, value in zip(numbers, [3.5, 2.5, 28.5, 3.5, 27.5, 20.5, 5.5, 19.5]):
+            self.assertAlmostEqual(got, value, delta=0.11)
+        self.assertIn("corners = [[3.5, 2.5], ", page.run("return document.getElementById('manifest').textContent"))
+        if KEPT:
+            page.screenshot(os.path.join(KEPT, "corners.png"))
+        # What the page says is what the program takes.
+        done = subprocess.run(text + " --json " + self.path("out.json"), shell=True, cwd=self.folder.name, capture_output=True, text=True)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        self.assertIn("fit", json.load(open(self.path("out.json"))))
+        key("Backspace")
+        self.assertTrue(page.run("return document.getElementById('result').hidden"))
+
+
 class Review(InBrowser):
     def setUp(self):
         self.run_folder, self.baseline = self.path("run"), self.path("baseline")

@@ -80,6 +80,27 @@ TEST_F(Reports, PsnrOfEqualPicturesIsWrittenAlikeEverywhere) {
   }
 }
 
+TEST_F(Reports, LayersOfOpenExrHaveLimitsOnTheCommandLine) {
+  for (const auto& [name, x] : {std::pair("one", "0"), std::pair("two", "0.2")}) {
+    file(std::string(name) + ".pov",
+         "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
+         "sphere { <0,0," +
+             std::string(x) + ">, 1 pigment { rgb 0 } }\n");
+    ASSERT_EQ(run({"render", std::string(name) + ".pov", "+W32", "+H24", "--layers", "depth,id",
+                   "+O" + std::string(name) + ".exr"})
+                  .status,
+              0);
+  }
+  const Ended plain = run({"diff", "one.exr", "two.exr", "--json", "d.json"});
+  EXPECT_EQ(plain.status, 1);
+  EXPECT_THAT(plain.output, HasSubstr("layer Z (depth): differ: "));
+  EXPECT_EQ(json("d.json")["layers"].at(0)["name"], "Z");
+  EXPECT_THAT(std::string(json("d.json")["reason"]), HasSubstr("layer Z: "));
+  EXPECT_EQ(run({"diff", "one.exr", "two.exr", "--layer", "*:ignore"}).status, 0);
+  EXPECT_EQ(run({"diff", "one.exr", "two.exr", "--layer", "Z:pixels=800", "--layer", "id:ignore"}).status, 0);
+  EXPECT_EQ(run({"diff", "one.exr", "two.exr", "--layer", "Z:pixels"}).status, 2);
+}
+
 TEST_F(Reports, ReplayOfASceneAsksPOVRayForItsNumbers) {
   if (::access("/usr/bin/povray", X_OK) != 0) GTEST_SKIP() << "POV-Ray is not installed";
   file("noisy.pov",
@@ -256,9 +277,11 @@ TEST_F(Reports, AnnotationsHaveALine) {
               HasSubstr("wrong.pov,line=3,title="));
   // Of a scene that differs: the line of the object that does.
   const auto room = [&](const char* color) {
-    file("suite/room.pov", "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
-                           "light_source { <3,4,-9> rgb 1 }\nplane { z, 3 pigment { rgb .5 } }\n\n"
-                           "sphere { 0, 1 pigment { rgb " + std::string(color) + " } }\n");
+    file("suite/room.pov",
+         "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
+         "light_source { <3,4,-9> rgb 1 }\nplane { z, 3 pigment { rgb .5 } }\n\n"
+         "sphere { 0, 1 pigment { rgb " +
+             std::string(color) + " } }\n");
   };
   fs::create_directory(folder_ / "suite");
   room(".5");

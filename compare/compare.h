@@ -23,6 +23,7 @@
 #include "compare/metrics/blame.h"
 #include "compare/causes/diagnose.h"
 #include "compare/metrics/fit.h"
+#include "compare/layers/layers.h"
 #include "compare/metrics/limits.h"
 #include "compare/metrics/metrics.h"
 #include "compare/metrics/truth.h"
@@ -63,6 +64,7 @@ struct SceneRequest {
   std::optional<PixelLimits> pixel_limits;  // with thresholds, or without: in place of the rules
   Limits warnings;                          // what breaks these is said, and no failure
   Ignored ignored;
+  std::vector<LayerRule> layers;  // limits of the layers of OpenEXR files
   std::vector<Pass> passes;  // empty: one render is the picture. Else they are rendered with linear values (OpenEXR)
                              // and summed to a picture of 16 bits
   std::vector<std::string> tags;
@@ -212,6 +214,7 @@ struct SceneResult {
   Status status = Status::error;
   std::string reason;  // why it is not exact: the figure that broke, the unsupported feature, the oracle's message
   std::optional<Metrics> metrics;
+  std::vector<LayerResult> layers;                         // beside the picture, of OpenEXR files
   std::optional<LowPass> native_low_pass, noise_low_pass;  // of a stochastic scene
   std::optional<WelchResult> welch;                        // of a stochastic scene, with several runs
   std::vector<Suspicion> suspicions;                       // of a scene that differs: what kind of fault it looks like
@@ -310,6 +313,7 @@ std::vector<std::string> update_baseline(const Run& run, const std::filesystem::
 
 std::string terminal_table(const Run& run, bool color = false, int columns = 120);  // columns 0: names are never cut
 std::string terminal_metrics(const Metrics& metrics, bool color = false);           // for `verisim diff`
+std::string terminal_layers(const std::vector<LayerResult>& layers);                // a line each
 std::string terminal_blame(
     const SceneResult& scene);  // for `verisim explain`: objects, and what bad pixels have in common
 std::string metrics_json(const Metrics& metrics);
@@ -323,7 +327,8 @@ struct Pair {
   std::filesystem::path reference, test;
   Metrics metrics;
   Verdict verdict;
-  std::optional<FittedPair> fitted;  // what was measured, when it is not the files as they are
+  std::vector<LayerResult> layers = {};  // whose verdict is part of `verdict`
+  std::optional<FittedPair> fitted;      // what was measured, when it is not the files as they are
 };
 // As a run of one scene. Of more than 16 million pixels no suspects are looked for, and the report shows them reduced.
 // Throws std::runtime_error when a picture cannot be read.

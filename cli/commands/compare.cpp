@@ -12,6 +12,7 @@
 #include "cli/commands/commands.h"
 #include "cli/console/interrupt.h"
 #include "cli/sandbox/sandbox.h"
+#include "cli/commands/layer_limits.h"
 #include "cli/settings/own_options.h"
 #include "cli/settings/process_limits.h"
 #include "cli/commands/own_program.h"
@@ -156,7 +157,7 @@ int command_compare(const std::vector<std::string>& arguments) {
   compare::RunOptions run;
   compare::Filter filter;
   std::string json, junit, html, markdown, oracle, oracle_cache, work, baseline, native, test, reference, scene_class;
-  std::vector<std::string> previous;
+  std::vector<std::string> previous, layers;
   bool github = false, no_cache = false, failed_only = false, quiet = false, color = false, update = false,
        no_explain = false;
   run.native_time_limit = 600;
@@ -217,6 +218,7 @@ int command_compare(const std::vector<std::string>& arguments) {
   own.value("--test COMMAND", test,
             "any renderer to be judged, as a command: \"render {scene} {out} {width} {height}\"; also {threads}, "
             "{seed}, {switches}");
+  own.values("--layer LAYER:LIMITS", layers, compare::kLayerHelp);
   const std::vector<std::string> words = own.parse(arguments);
   if (words.empty()) throw OptionError("name scenes, folders or manifests (verisim.toml)");
   if (update && baseline.empty()) throw OptionError("--update needs --baseline FOLDER");
@@ -231,6 +233,7 @@ int command_compare(const std::vector<std::string>& arguments) {
     throw OptionError("--reference, --oracle and --baseline name the same side; give one of them");
   if (run.jobs < 0) throw OptionError("--jobs must be at least 1");
 
+  const std::vector<compare::LayerRule> rules = layer_options(layers);
   const SuiteWords given = suite_words(words);
   compare::Suite suite = compare::load_suite(given.what, given.defaults);
   for (const std::string& warning : suite.warnings) std::fprintf(stderr, "verisim compare: %s\n", warning.c_str());
@@ -239,6 +242,8 @@ int command_compare(const std::vector<std::string>& arguments) {
   suite = compare::filter(suite, filter);
   if (suite.scenes.empty()) throw OptionError("no scene is left to compare");
 
+  for (compare::SceneRequest& scene : suite.scenes)  // before those of the manifest
+    scene.layers.insert(scene.layers.begin(), rules.begin(), rules.end());
   const bool waits = baseline.empty() && reference.empty();
   if (run.jobs == 0) run.jobs = jobs_for(suite, waits);
   if (!scene_class.empty())

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands/commands.h"
+#include "cli/commands/layer_limits.h"
 #include "cli/settings/own_options.h"
 #include "compare/compare.h"
 #include "compare/regression/folders.h"
@@ -112,7 +113,7 @@ int command_diff(const std::vector<std::string>& arguments) {
                  "Compares two pictures, or all pictures of two folders by their names, pixel by pixel. Exit status 0 "
                  "when they match, 1 when they do not.");
   std::string json, html, heat_map;
-  std::vector<std::string> thresholds, fits;
+  std::vector<std::string> thresholds, fits, layer_limits;
   std::string crop, corners, pick;
   compare::MetricOptions metric;
   double gain = 16;
@@ -130,6 +131,7 @@ int command_diff(const std::vector<std::string>& arguments) {
   own.section("What counts as the same");
   own.values("--threshold LIMIT", thresholds,
              "in place of the usual rules: max_rmse=1.5, min_within_1_pct=99 ... (may be given again)");
+  own.values("--layer LAYER:LIMITS", layer_limits, compare::kLayerHelp);
   own.flag("--antialiased", antialiased,
            "the pictures are anti-aliased: differences of 2/255 are allowed where 1/255 would be");
   own.value("--pixels-per-degree X", metric.flip_pixels_per_degree, "how large the pictures are seen, for FLIP");
@@ -153,12 +155,14 @@ int command_diff(const std::vector<std::string>& arguments) {
   }
   const compare::FitOptions wanted = fit_options(crop, corners, fits);
   const compare::Thresholds limits = threshold_options(thresholds);
+  const std::vector<compare::LayerRule> rules = layer_options(layer_limits);
   if (std::filesystem::is_directory(words[0]) && std::filesystem::is_directory(words[1])) {
     if (wanted.any() || !heat_map.empty())
       throw OptionError("--crop, --corners, --fit and --heat-map are for one pair of pictures, not for folders");
-    return diff_folders(words[0], words[1], {metric, limits, antialiased}, json, html, color);
+    return diff_folders(words[0], words[1], {metric, limits, rules, antialiased}, json, html, color);
   }
-  compare::Pair pair{words[0], words[1], {}, {}, {}};
+  compare::Pair pair{words[0], words[1], {}, {}, {}, {}};
+  compare::Layers layers;
   Progress progress;
   metric.progress = [&](double done) { progress.show(done); };
   try {
@@ -167,6 +171,8 @@ int command_diff(const std::vector<std::string>& arguments) {
       pair.metrics = compare::measure(pair.fitted->reference, pair.fitted->test, metric);
     } else {
       pair.metrics = compare::measure_files(words[0], words[1], metric);  // row by row, without holding them in memory
+      layers = compare::compare_layers(words[0], words[1], rules, antialiased);
+      pair.layers = layers.all;
     }
   } catch (const compare::PictureMismatch& mismatch) {
     std::fprintf(stderr, "verisim diff: %s\n", mismatch.what());
@@ -176,12 +182,14 @@ int command_diff(const std::vector<std::string>& arguments) {
   try {
     pair.verdict = limits.empty() ? compare::judge_deterministic(pair.metrics, antialiased)
                                   : compare::judge_thresholds(pair.metrics, limits);
+    pair.verdict = compare::with_layers(pair.verdict, layers);
   } catch (const std::invalid_argument& error) {
     throw OptionError(error.what());
   }
   const compare::Verdict& verdict = pair.verdict;
   std::FILE* const people = json == "-" || html == "-" ? stderr : stdout;  // standard output is the report's alone
   std::fputs(compare::terminal_metrics(pair.metrics, color || isatty(fileno(people)) != 0).c_str(), people);
+  std::fputs(compare::terminal_layers(pair.layers).c_str(), people);
   if (pair.fitted && !pair.fitted->fit.text().empty()) std::fprintf(people, "%s\n", pair.fitted->fit.text().c_str());
   std::fprintf(people, "%s%s%s\n", compare::to_string(verdict.status), verdict.reason.empty() ? "" : ": ",
                verdict.reason.c_str());

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "compare/compare.h"
+#include "compare/layers/test_exr.h"
 #include "compare/metrics/test_pictures.h"
 #include "compare/oracle/working_copy.h"
 #include "compare/regression/command_renderer.h"
@@ -108,6 +109,30 @@ TEST_F(AnyRenderer, TheNearestOfSeveralReferencesCounts) {
   options_.native(request);
   EXPECT_EQ(run("reference = [\"one.png\", \"two.png\"]\n").status, Status::exact);
   EXPECT_EQ(run("reference = \"one.png\"\n").status, Status::differ);
+}
+
+// Both sides write a depth of their own beside the same picture.
+NativeRenderer with_depth(float depth) {
+  return [depth](const NativeRequest& request) {
+    const std::vector<float> grey(kWidth * kHeight, 0.5f), far(kWidth * kHeight, depth);
+    ExrWriter(kWidth, kHeight, {{"", {floats("R", grey), floats("G", grey), floats("B", grey), floats("Z", far)}}})
+        .write(request.output);
+    NativeResult out;
+    out.outcome = NativeResult::Outcome::rendered, out.files_read = {request.scene};
+    return out;
+  };
+}
+
+TEST_F(AnyRenderer, LayersAreJudgedWithTheirOwnLimits) {
+  options_.native = with_depth(10.1f), options_.reference = with_depth(10);
+  const std::string exr = "switches = \"+FE\"\n";
+  const SceneResult plain = run(exr);
+  EXPECT_EQ(plain.status, Status::differ);
+  EXPECT_THAT(plain.reason, HasSubstr("layer Z: 1536 pixels differ"));
+  EXPECT_THAT(json_report(last_), HasSubstr("\"kind\": \"depth\""));
+  EXPECT_EQ(run(exr + "layers = [\"Z:relative=0.02\"]\n").status, Status::match);
+  EXPECT_EQ(run(exr + "layers = [\"Z:ignore\"]\n").status, Status::exact);
+  EXPECT_THROW(run(exr + "layers = [\"Z:nonsense=1\"]\n"), std::runtime_error);
 }
 
 TEST_F(AnyRenderer, MistakesInManifestsAreNamed) {

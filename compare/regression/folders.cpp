@@ -33,8 +33,12 @@ void compare_pair(const fs::path& reference, const fs::path& test, const FolderO
   out.oracle_picture = reference, out.native_picture = test;
   try {
     out.metrics = measure_files(reference, test, options.metric);
-    const Verdict verdict = options.thresholds.empty() ? judge_deterministic(*out.metrics, options.antialiased)
-                                                       : judge_thresholds(*out.metrics, options.thresholds);
+    const Layers layers = compare_layers(reference, test, options.layers, options.antialiased);
+    out.layers = layers.all;
+    const Verdict verdict =
+        with_layers(options.thresholds.empty() ? judge_deterministic(*out.metrics, options.antialiased)
+                                               : judge_thresholds(*out.metrics, options.thresholds),
+                    layers);
     out.status = verdict.status, out.reason = verdict.reason;
     out.request.width = out.metrics->width, out.request.height = out.metrics->height;
     if (out.status == Status::differ && reduction(out.metrics->width, out.metrics->height) == 1)

@@ -9,6 +9,7 @@ namespace verisim::compare {
 struct FolderOptions {
   MetricOptions metric;
   Thresholds thresholds;  // empty: the rules of docs/comparison.md
+  std::vector<LayerRule> layers = {};
   bool antialiased = false;
 };
 

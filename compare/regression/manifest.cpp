@@ -165,6 +165,8 @@ class Manifest {
       out.warnings = limits(node, key);
     else if (key == "ignore")
       ignore(node, out);
+    else if (key == "layers")
+      layers(node, out);
     else if (key == "known_failure")
       out.known_failure = text(node, key);
     else if (key == "crop")
@@ -305,6 +307,15 @@ class Manifest {
           fail(item.source(), "a rectangle is four whole numbers: x, y, width and height");
       out.rectangles.push_back(
           {static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2]), static_cast<int>(v[3])});
+    }
+  }
+
+  void layers(const toml::node& node, SceneRequest& out) const {
+    out.layers.clear();
+    try {
+      for (const std::string& rule : texts(node, "layers")) out.layers.push_back(layer_rule(rule));
+    } catch (const std::invalid_argument& error) {
+      fail(node.source(), error.what());
     }
   }
 

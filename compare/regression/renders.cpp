@@ -152,6 +152,16 @@ OracleRender Renders::oracle_picture(const SceneRequest& request, const OracleOp
   return out;
 }
 
+fs::path Renders::command_output(const SceneRequest& request, int variant) const {
+  return work_ / fmt::format("{}.reference{}{}", file_stem(request.name), variant, output_extension(request.switches));
+}
+
+fs::path Renders::reference_file(const SceneRequest& request) const {
+  if (!request.passes.empty()) return {};
+  const fs::path stored = stored_picture(request);
+  return stored.empty() && options_.reference ? command_output(request, 0) : stored;
+}
+
 // Another renderer in the oracle's place. Its seeds are none of the judged one's.
 OracleRender Renders::by_command(const SceneRequest& request, int variant) const {
   constexpr int kFirstSeed = 1000;
@@ -160,8 +170,7 @@ OracleRender Renders::by_command(const SceneRequest& request, int variant) const
     out.message = "a scene of several passes needs POV-Ray as its reference";
     return out;
   }
-  const fs::path file =
-      work_ / fmt::format("{}.reference{}{}", file_stem(request.name), variant, output_extension(request.switches));
+  const fs::path file = command_output(request, variant);
   std::vector<fs::path> files_read;
   const NativeResult result = rendered(options_.reference, request, file, kFirstSeed + variant, files_read);
   out.seconds = result.seconds, out.cpu_seconds = result.cpu_seconds, out.peak_bytes = result.peak_bytes;

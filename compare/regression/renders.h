@@ -34,6 +34,8 @@ class Renders {
   std::vector<std::filesystem::path> alternatives(const SceneRequest& request) const;
   // What takes the oracle's place; empty: nothing.
   std::filesystem::path stored_picture(const SceneRequest& request) const;
+  // The file that the reference was read from, when it is there to be read again; empty: POV-Ray's, or a sum of passes.
+  std::filesystem::path reference_file(const SceneRequest& request) const;
   NativeRequest native_request(const SceneRequest& request, const WorkingCopy& copy) const;
   std::vector<std::filesystem::path> library_paths() const {
     return oracle_ ? oracle_->library_paths : std::vector<std::filesystem::path>();
@@ -45,6 +47,7 @@ class Renders {
   NativeResult rendered(const NativeRenderer& renderer, const SceneRequest& request,
                         const std::filesystem::path& output, int run,
                         std::vector<std::filesystem::path>& files_read) const;
+  std::filesystem::path command_output(const SceneRequest& request, int variant) const;
   OracleRender by_command(const SceneRequest& request, int variant) const;
   NativeResult native_passes(const SceneRequest& request, const std::filesystem::path& output, int run,
                              std::vector<std::filesystem::path>& files_read) const;

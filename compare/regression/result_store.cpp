@@ -44,7 +44,7 @@ MetricOptions metric_options(const SceneRequest& request) {
 
 std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path> files_read) const {
   ContentHash hash;
-  hash.add("verisim result 6");
+  hash.add("verisim result 7");
   hash.add(options_.native_version), hash.add(options_.native_identity),
       hash.add(renders_.oracle() ? renders_.oracle()->version_text : "");
   hash.add(fmt::format("{}x{} {} {} {} {} {}", r.width, r.height, options_.replay, options_.runs,
@@ -76,6 +76,7 @@ std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path>
     hash.add(limits ? fmt::format("{} {} {}", limits->absolute, limits->relative, limits->pixels) : "");
   for (const auto& [name, limit] : r.warnings.figures) hash.add(fmt::format("{} {}", name, limit));
   hash.add(options_.reference_identity);
+  for (const LayerRule& rule : r.layers) hash.add(rule.text);
   for (const std::string& renderer : r.beside) hash.add(renderer);
   hash.add(fmt::format("{} {}", r.fit.distortion, r.fit.vignetting));
   if (r.fit.corners)

@@ -266,7 +266,8 @@ class Runner {
 
   void judge(const SceneRequest& request, const std::string& stem, const Picture& reference,
              const std::vector<fs::path>& files_read, SceneResult& result) {
-    Picture native = image::read_picture(result.native_picture), fitted;
+    const fs::path rendered = result.native_picture;
+    Picture native = image::read_picture(rendered), fitted;
     const Picture* oracle = &reference;
     if (request.reference && request.fit.any()) {
       FittedPair pair = fit_to_reference(reference, native, request.fit);
@@ -303,6 +304,11 @@ class Runner {
     }
     if (rules && result.scene_class == SceneClass::deterministic && verdict.status != Status::differ)
       verdict = judge_leaning(request, *oracle, native, verdict, result);
+    if (const fs::path file = renders_->reference_file(request); !file.empty() && !request.fit.any()) {
+      const Layers layers = compare_layers(file, rendered, request.layers, request.antialiased());
+      result.layers = layers.all;
+      verdict = with_layers(verdict, layers);
+    }
     if (request.truth) verdict = judge_truth(*request.truth, *oracle, native, verdict, result);
     result.status = verdict.status, result.reason = verdict.reason;
     if (const std::string warning = broken_limit(request.warnings, *result.metrics, *oracle, native);

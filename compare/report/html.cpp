@@ -55,7 +55,7 @@ Json scene_data(const SceneResult& s, const Run& run, const ScenePictures& pictu
   const Json whole = to_json(s);
   if (whole.contains("low_pass")) json["low_pass"] = whole["low_pass"];
   json["suspects"] = whole["suspects"];
-  for (const char* part : {"blame", "welch", "truth", "likeness"})
+  for (const char* part : {"blame", "welch", "truth", "likeness", "layers"})
     if (whole.contains(part)) json[part] = whole[part];
   if (!s.blame_failed.empty()) json["blame_failed"] = s.blame_failed;
   if (s.fit) json["fit"] = s.fit->text();

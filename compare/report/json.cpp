@@ -149,6 +149,14 @@ J scene_as(const SceneResult& s) {
     fit["stops_error"] = s.fit->stops_error, fit["noise"] = s.fit->noise;
     if (s.fit->crop) fit["crop"] = {s.fit->crop->x, s.fit->crop->y, s.fit->crop->width, s.fit->crop->height};
   }
+  for (const LayerResult& l : s.layers)
+    json["layers"].push_back({{"name", l.name},
+                              {"kind", l.kind},
+                              {"status", to_string(l.status)},
+                              {"reason", l.reason},
+                              {"max_abs", std::isfinite(l.max_abs) ? J(l.max_abs) : J(nullptr)},
+                              {"wrong_pixels", l.wrong},
+                              {"worst", {l.worst_x, l.worst_y}}});
   for (const Likeness& l : s.verisimilitude) {
     J likeness;
     likeness["renderer"] = l.renderer;
@@ -258,6 +266,10 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
     }
     if (f.contains("crop")) s.fit->crop = Crop{f["crop"].at(0), f["crop"].at(1), f["crop"].at(2), f["crop"].at(3)};
   }
+  for (const auto& l : json.value("layers", nlohmann::json::array()))
+    s.layers.push_back({l.at("name"), l.at("kind"), status_from_string(l.at("status")).value_or(Status::differ),
+                        l.at("reason"), l.at("max_abs").is_number() ? l.at("max_abs").get<double>() : HUGE_VAL,
+                        l.at("wrong_pixels"), l.at("worst").at(0), l.at("worst").at(1)});
   for (const auto& l : json.value("likeness", nlohmann::json::array()))
     s.verisimilitude.push_back({l.at("renderer"), l.value("ciede2000_mean", 0.0), l.value("flip_mean", 0.0),
                                 l.value("rmse", 0.0), l.value("failed", "")});

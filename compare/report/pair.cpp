@@ -27,7 +27,7 @@ Run run_of_pair(const Pair& pair) {
   if (run.reference_name == run.test_name)
     run.reference_name = pair.reference.string(), run.test_name = pair.test.string();
   SceneResult& s = run.scenes.emplace_back();
-  s.metrics = pair.metrics;
+  s.metrics = pair.metrics, s.layers = pair.layers;
   s.status = pair.verdict.status, s.reason = pair.verdict.reason;
   s.request.name = run.reference_name + " – " + run.test_name;
   s.request.width = pair.metrics.width, s.request.height = pair.metrics.height;
@@ -43,7 +43,9 @@ Run run_of_pair(const Pair& pair) {
 Run run_of_pair(const std::filesystem::path& reference, const std::filesystem::path& test,
                 const MetricOptions& options) {
   const Metrics metrics = measure_files(reference, test, options);
-  return run_of_pair({reference, test, metrics, judge_deterministic(metrics, false), {}});
+  const Layers layers = compare_layers(reference, test, {}, false);
+  return run_of_pair(
+      {reference, test, metrics, with_layers(judge_deterministic(metrics, false), layers), layers.all, {}});
 }
 
 std::string pair_json(const Run& run) {
@@ -51,7 +53,7 @@ std::string pair_json(const Run& run) {
   const nlohmann::json whole = to_json(scene);
   nlohmann::ordered_json json = nlohmann::ordered_json::parse(metrics_json(*scene.metrics));
   json["reference"] = run.reference_name, json["test"] = run.test_name;
-  for (const char* part : {"status", "reason", "suspects", "fit"})
+  for (const char* part : {"status", "reason", "layers", "suspects", "fit"})
     if (whole.contains(part)) json[part] = whole[part];
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

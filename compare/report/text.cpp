@@ -218,6 +218,16 @@ std::string terminal_table(const Run& run, bool color, int columns) {
   return out + summary_line(run) + '\n';
 }
 
+std::string terminal_layers(const std::vector<LayerResult>& layers) {
+  std::string out;
+  for (const LayerResult& l : layers)
+    out += fmt::format("layer {} ({}): {}{}\n", printable(l.name), l.kind, to_string(l.status),
+                       !l.reason.empty() ? ": " + printable(l.reason)
+                       : l.max_abs > 0   ? fmt::format(", largest difference {:.4g}", l.max_abs)
+                                         : "");
+  return out;
+}
+
 std::string terminal_metrics(const Metrics& m, bool color) {
   const auto line = [&](const char* name, const std::string& value, const char* unit) {
     return fmt::format("{}{:<18}{} {:>12} {}\n", color ? kBold : "", name, color ? kReset : "", value, unit);

@@ -62,7 +62,9 @@ F symbol(void* library, const char* name) {
 Module functions(void* library, ModuleKind kind) {
   return {symbol<VerisimReadImage>(library, "verisim_read_image"),
           kind == ModuleKind::general ? symbol<VerisimWriteImage>(library, "verisim_write_image") : nullptr,
-          symbol<VerisimFreeImage>(library, "verisim_free_image")};
+          symbol<VerisimFreeImage>(library, "verisim_free_image"),
+          kind == ModuleKind::exr ? symbol<VerisimListChannels>(library, "verisim_list_channels") : nullptr,
+          kind == ModuleKind::exr ? symbol<VerisimReadChannels>(library, "verisim_read_channels") : nullptr};
 }
 
 Module load(ModuleKind kind) {

@@ -10,6 +10,7 @@ function figures(s) {
   if (s.low_pass) for (const key of ['mad', 'bias', 'rmse']) row(`Blurred ${key}: ours, noise`, `${fixed(s.low_pass.native[key], 3)}, ${fixed(s.low_pass.noise[key], 3)}`);
   if (s.welch) row("Welch's test", `${s.welch.rejected ? 'rejected' : 'passed'}: p ${s.welch.pixel_p.toExponential(1)} (pixels), ${s.welch.mean_p.toExponential(1)} (mean ${fixed(s.welch.mean_difference, 3)})`);
   if (s.fit) row('Fitted', s.fit);
+  for (const l of s.layers || []) row(`Layer ${l.name} (${l.kind})`, `${nameOf(l.status)}${l.reason ? `: ${l.reason}` : l.max_abs ? `: largest difference ${Number(l.max_abs.toPrecision(4))}` : ''}`);
   for (const l of s.likeness || []) row(`Verisimilitude: ${l.renderer || data.names.n}`, l.failed || `CIEDE2000 ${fixed(l.ciede2000_mean, 3)}, FLIP ${fixed(l.flip_mean, 4)}, RMSE ${fixed(l.rmse, 3)}`);
   row('Class', s.class); row('Size', `${s.width}×${s.height}${s.reduced > 1 ? `, shown at 1:${s.reduced}` : ''}`);
   if (s.oracle_seconds) row(`${WHO.o} [${s.cpu ? 'CPU s' : 's'}]`, fixed(s.oracle_seconds, 2) + (s.cached ? ' (kept)' : ''));

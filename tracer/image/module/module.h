@@ -48,12 +48,26 @@ using VerisimWriteImage = int (*)(const char* path, const VerisimWriteOptions* o
                                   std::size_t error_size);
 using VerisimFreeImage = void (*)(VerisimImage* image);
 
+// One channel of one part of an OpenEXR file; texts are cut to fit.
+struct VerisimChannel {
+  std::int32_t part, width, height;
+  std::int32_t integer;  // unsigned whole numbers; else floats
+  char part_name[128], name[256];
+};
+// Puts at most `capacity` channels into `channels`, all parts in order, channels by name; `count` is how many there
+// are.
+using VerisimListChannels = int (*)(const char* path, std::uint64_t max_pixels, VerisimChannel* channels,
+                                    std::int32_t capacity, std::int32_t* count, char* error, std::size_t error_size);
+// Channels of one part by name, each into width * height floats, or std::uint32_t where it is of integers.
+using VerisimReadChannels = int (*)(const char* path, std::int32_t part, const char* const* names, void* const* values,
+                                    std::int32_t count, char* error, std::size_t error_size);
+
 }  // extern "C"
 
 namespace verisim::image {
 
 // Must change with anything above: an old plug-in beside a new program is refused.
-inline constexpr int kModuleVersion = 3;
+inline constexpr int kModuleVersion = 4;
 
 enum class ModuleKind : std::uint8_t { general, tiff, exr };  // general: OpenImageIO
 
@@ -63,6 +77,8 @@ struct Module {
       read;  // the file's values, untouched: no gamma conversion, alpha as stored (see VerisimImage::premultiplied)
   VerisimWriteImage write;  // the format follows from the extension of the path; null where a plug-in only reads
   VerisimFreeImage free;
+  VerisimListChannels list_channels;  // these two: OpenEXR's plug-in alone
+  VerisimReadChannels read_channels;
 };
 
 // Loads the plug-in on first use (thread-safe). It is looked for in $VERISIM_MODULE_PATH (a folder, or a plug-in in

@@ -17,10 +17,10 @@ struct LayerRule {
   bool ignored = false;
   Limits limits = {};  // pixels: in the layer's own units; colours: in code values, as of a picture
 };
-// "Z:relative=0.001,pixels=10", "id:pixels=5", "diffuse.*:max_rmse=1.5", "noisy:ignore". Throws std::invalid_argument.
+// "Z:relative=0.001,pixels=10", "id:pixels=5", "diffuse*:max_rmse=1.5", "noisy:ignore". Throws std::invalid_argument.
 LayerRule layer_rule(const std::string& text);
 inline constexpr const char* kLayerHelp =
-    "limits of the layers of OpenEXR files that are named so, as in Z:relative=0.001,pixels=10, diffuse.*:max_rmse=2 "
+    "limits of the layers of OpenEXR files that are named so, as in Z:relative=0.001,pixels=10, diffuse*:max_rmse=2 "
     "or id:ignore; also absolute, in the layer's units (may be given again, the first that fits counts)";
 
 struct LayerResult {

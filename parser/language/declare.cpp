@@ -197,7 +197,10 @@ Parser::Impl::Ending Parser::Impl::right_hand_side(Value& value) {
       if (!held) undeclared(token.id());
       if (const auto* n = std::get_if<Numeric>(held)) {
         const bool color_first = n->terms == 5;
+        // Before 1.5 only what begins with a color has operators without parentheses.
+        depth_of_parentheses += color_first;
         const Ending ending = numeric();
+        depth_of_parentheses -= color_first;
         if (language_version < 350 && color_first && std::get<Numeric>(value).terms == 1) {
           const double v = std::get<Numeric>(value).v[0];
           value = Numeric{{v, v, v, v, v}, 5};

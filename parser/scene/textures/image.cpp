@@ -216,7 +216,7 @@ scene::ImageParams parse_image(Parser& parser, ImageUse use, float* bump_size) {
         break;
       case Word::use_color:
         parser.next();
-        params.use_index = false;
+        params.use_index = params.use_alpha = false;
         break;
       case Word::use_index:
         parser.next();

@@ -34,20 +34,6 @@ void read_uv_mapped(Parser& parser, Normal& normal) {
   normal.normal_map = map;
 }
 
-bool parse_type(Parser& parser, Normal& normal) {
-  if (parser.at(Word::bump_map)) {
-    parser.next();
-    parser.expect('{');
-    normal.pattern.kind = PatternKind::bump_map;
-    normal.pattern.frequency = 0;
-    normal.pattern.params = parse_image(parser, ImageUse::bump_map, &normal.amount);
-    close_block(parser);
-    return true;
-  }
-  return parse_pattern_type(parser, normal.pattern, PatternOwner::normal,
-                            [&](int size) { read_list(parser, normal, size); });
-}
-
 bool parse_modifier(Parser& parser, Normal& normal) {
   switch (word_at(parser)) {
     case Word::bump_size:
@@ -89,6 +75,20 @@ bool parse_modifier(Parser& parser, Normal& normal) {
 
 }  // namespace
 
+bool parse_normal_type(Parser& parser, Normal& normal) {
+  if (parser.at(Word::bump_map)) {
+    parser.next();
+    parser.expect('{');
+    normal.pattern.kind = PatternKind::bump_map;
+    normal.pattern.frequency = 0;
+    normal.pattern.params = parse_image(parser, ImageUse::bump_map, &normal.amount);
+    close_block(parser);
+    return true;
+  }
+  return parse_pattern_type(parser, normal.pattern, PatternOwner::normal,
+                            [&](int size) { read_list(parser, normal, size); });
+}
+
 scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start) {
   const Parser::Depth depth(parser);
   scene::NormalPtr original = start;
@@ -99,7 +99,7 @@ scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start
     check_nesting(parser, *normal);
     return normal;
   }
-  bool changed = parse_type(parser, *normal);
+  bool changed = parse_normal_type(parser, *normal);
   if (((changed || original != start) && parser.accept(',')) || parser.at_number_start()) {
     normal->amount = to_float(parser.parse_float());
     changed = true;

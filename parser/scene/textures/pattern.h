@@ -39,12 +39,18 @@ scene::TexturePtr parse_texture_body(Parser& parser, bool is_default = false);
 scene::DensityPtr parse_density_body(Parser& parser);
 // What the pigments of skies, pigment functions and pigment patterns start from: #default does not reach them.
 const scene::PigmentPtr& blank_pigment();
+// A color, a pattern or a bump map alone, without modifiers. False: none of them.
+bool parse_pigment_type(Parser& parser, scene::Pigment& pigment);
+bool parse_normal_type(Parser& parser, scene::Normal& normal);
 // Whole blocks that modify something.
 scene::PigmentPtr parse_pigment(Parser& parser, const scene::PigmentPtr& start);
 scene::NormalPtr parse_normal(Parser& parser, const scene::NormalPtr& start);
 
 // Items of a finish up to the first token that is none; albedo forms are scaled at the end. False: there was none.
 bool parse_finish_items(Parser& parser, scene::Finish& finish);
+
+// Before 3.0: one item of a pigment, normal or finish that stands in the texture itself (old_texture.cpp). False: none.
+bool parse_old_item(Parser& parser, scene::TextureLayer& layer);
 
 // What map entries and new statements start from: the parts of the default texture.
 const scene::TextureLayer& default_layer(Parser& parser);

@@ -32,16 +32,6 @@ void read_uv_mapped(Parser& parser, Pigment& pigment) {
   pigment.color_map = nullptr;
 }
 
-bool parse_type(Parser& parser, Pigment& pigment) {
-  if (at_color(parser)) {
-    pigment.pattern.kind = PatternKind::plain;
-    pigment.color = parser.parse_color();
-    return true;
-  }
-  return parse_pattern_type(parser, pigment.pattern, PatternOwner::pigment,
-                            [&](int size) { read_list(parser, pigment, size); });
-}
-
 bool parse_modifier(Parser& parser, Pigment& pigment) {
   switch (word_at(parser)) {
     case Word::color_map:
@@ -76,6 +66,16 @@ bool parse_modifier(Parser& parser, Pigment& pigment) {
 
 }  // namespace
 
+bool parse_pigment_type(Parser& parser, Pigment& pigment) {
+  if (at_color(parser)) {
+    pigment.pattern.kind = PatternKind::plain;
+    pigment.color = parser.parse_color();
+    return true;
+  }
+  return parse_pattern_type(parser, pigment.pattern, PatternOwner::pigment,
+                            [&](int size) { read_list(parser, pigment, size); });
+}
+
 const scene::TextureLayer& default_layer(Parser& parser) {
   const scene::TexturePtr& texture = parser.default_texture();
   return texture->layers.front();
@@ -98,21 +98,11 @@ scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& st
     check_nesting(parser, *pigment);
     return pigment;
   }
-  // Before 1.5 the items of a pigment may stand in its texture, at the price of a warning.
-  const bool stray = old_texture && parser.version() < 150;
-  const auto belongs_into_pigment = [&](std::string_view item) {
-    parser.warning(Code::misplaced_keyword, "Found '" + std::string(item) + "' that should be in a pigment statement.");
-  };
-  const Word first = at_color(parser) ? Word::color : word_at(parser);
-  changed = parse_type(parser, *pigment);
-  if (changed && stray) belongs_into_pigment(spelling(first));
+  changed = parse_pigment_type(parser, *pigment);
   if (!changed && !old_texture && pigment->pattern.kind == PatternKind::none)
     parser.warning(Code::missing_item, "Pigment type unspecified or not 1st item.");
   while (!(old_texture && (parser.at(Word::frequency) || parser.at(Word::phase) || parser.at(Word::agate_turb)))) {
-    const Word word = word_at(parser);
     if (!parse_modifier(parser, *pigment)) break;
-    if (stray && (word == Word::color_map || word == Word::pigment_map || word == Word::quick_color))
-      belongs_into_pigment(spelling(word));
     changed = true;
   }
   if (!changed) return original;  // shared, so that equal pigments are compiled once

@@ -42,55 +42,6 @@ bool parse_part(Parser& parser, scene::TextureLayer& layer) {
   }
 }
 
-// Scenes before 3.0 wrote pigment, normal and finish items directly into the texture.
-bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
-  const auto belongs_into_normal = [&] {
-    if (parser.version() < 150)
-      parser.warning(Code::misplaced_keyword,
-                     "Found '" + std::string(spelling(word_at(parser))) + "' that should be in a normal statement.");
-  };
-  switch (word_at(parser)) {
-    case Word::bumps:
-    case Word::dents:
-    case Word::ripples:
-    case Word::waves:
-    case Word::wrinkles:
-    case Word::bump_map:
-      belongs_into_normal();
-      layer.normal = parse_normal_body(parser, layer.normal);
-      return true;
-    case Word::frequency:
-    case Word::phase: {
-      belongs_into_normal();
-      auto normal = layer.normal ? std::make_shared<scene::Normal>(*layer.normal) : std::make_shared<scene::Normal>();
-      parse_pattern_modifier(parser, normal->pattern, PatternOwner::normal);
-      layer.normal = normal;
-      return true;
-    }
-    case Word::uv_mapping:
-      return false;
-    case Word::none:
-      if (parser.peek().kind == TokenKind::number) {
-        layer.finish.edit().crand = to_float(parser.parse_float());
-        parser.warning(Code::discontinued, "Should use crand keyword in finish statement.");
-        return true;
-      }
-      break;
-    default:
-      break;
-  }
-  scene::Finish finish = layer.finish;
-  if (parse_finish_items(parser, finish)) {
-    layer.finish = finish;
-    return true;
-  }
-  if (word_at(parser) == Word::none && !at_color(parser)) return false;
-  scene::PigmentPtr pigment = parse_pigment_body(parser, layer.pigment, true);
-  const bool changed = pigment != layer.pigment;
-  layer.pigment = pigment;
-  return changed;
-}
-
 void parse_plain_items(Parser& parser, Texture& texture) {
   for (;;) {
     Transform item;

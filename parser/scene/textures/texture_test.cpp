@@ -147,6 +147,49 @@ TEST(Textures, ObjectTransformsMoveThem) {
   EXPECT_EQ(sphere_with("uv_mapping pigment{bozo} translate x")->texture->layers[0].pigment->pattern.warps.size(), 0u);
 }
 
+// Items that stand in the texture itself are taken one by one, transformations of the texture among them (spec 05 13).
+TEST(OldTextures, PatternsKeepTheWave) {
+  const auto first_layer = [](const char* items) {
+    return scene_of(std::string("#version 1.0 sphere { <0 0 0> 1 texture { ") + items + " } }")
+        .objects[0]
+        ->texture->layers[0];
+  };
+  EXPECT_EQ(first_layer("marble").pigment->pattern.wave, scene::Wave::ramp);
+  EXPECT_EQ(first_layer("pigment { marble }").pigment->pattern.wave, scene::Wave::triangle);
+  EXPECT_EQ(first_layer("pigment { bozo sine_wave } wood").pigment->pattern.wave, scene::Wave::sine);
+  const auto fractal = std::get<scene::FractalParams>(first_layer("mandel 20").pigment->pattern.params.value_or({}));
+  EXPECT_EQ(fractal.exterior_type, 0);
+  EXPECT_EQ(fractal.exterior_factor, 0);
+  EXPECT_EQ(fractal.interior_factor, 0);
+}
+
+TEST(OldTextures, TransformationsReachWhatStandsBeforeThem) {
+  const scene::Scene scene = scene_of(
+      "#version 1.0 sphere { <0 0 0> 1 "
+      "texture { gradient <1 0 0> scale <2 2 2> waves .3 scale <3 3 3> turbulence .4 } }");
+  const scene::TextureLayer& layer = scene.objects[0]->texture->layers[0];
+  ASSERT_EQ(layer.pigment->pattern.warps.size(), 1u);
+  EXPECT_EQ(std::get<Transform>(layer.pigment->pattern.warps[0]).point(Vec3(1, 0, 0)), Vec3(6, 0, 0));
+  EXPECT_EQ(std::get<Transform>(layer.normal->pattern.warps[0]).point(Vec3(1, 0, 0)), Vec3(3, 0, 0));
+  EXPECT_EQ(layer.pigment->pattern.turbulence->amount, Vec3(.4, .4, .4));
+  EXPECT_FALSE(layer.normal->pattern.turbulence.has_value());
+}
+
+TEST(OldTextures, ColorsHaveOperatorsWhereTheyAreDeclared) {
+  const char* text = "#version 1.0 #declare C = color red 1 #declare D = C*.5 sphere { <0 0 0> 1 pigment { color D } }";
+  EXPECT_EQ(scene_of(text).objects[0]->texture->layers[0].pigment->color, Color(.5f, 0, 0));
+  EXPECT_NE(first_error("#version 1.0 #declare F = .3 #declare D = F*.5"), "");
+}
+
+TEST(Pigments, UseColorTakesUseAlphaBack) {
+  const auto params = [](const char* items) {
+    const auto pigment = pigment_of(std::string("image_pattern { function 5,5 { x } ") + items + " }");
+    return std::get<scene::ImageParams>(pigment->pattern.params.value_or({}));
+  };
+  EXPECT_TRUE(params("use_alpha").use_alpha);
+  EXPECT_FALSE(params("use_alpha use_color").use_alpha);
+}
+
 TEST(Finishes, Defaults) {
   const auto finish = finish_of("");
   EXPECT_EQ(finish.ambient, Rgb(.1f));

@@ -283,7 +283,7 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
     falling[curve.degree] -= z;
     int count = 0;
     const int n = solve_polynomial(curve.degree, falling, roots, sturm_);
-    for (int i = 0; i < n; ++i) count += roots[i] >= 0 && roots[i] <= 1 && curve.value(along_x, roots[i]) > x;
+    for (int i = 0; i < n; ++i) count += roots[i] >= 0 && roots[i] <= 1 && curve.value(along_x, roots[i]) >= x;
     return count;
   }
 

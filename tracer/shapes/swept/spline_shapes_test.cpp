@@ -153,6 +153,16 @@ TEST(Prism, InsideIsOpenAtTheTop) {
   EXPECT_FALSE(inside(square, {0.1, 1, 0.2}));
 }
 
+// A point in an edge is inside where the outline lies to its left (-x), outside where it lies to its right.
+TEST(Prism, InsideIsOpenOnTheLeft) {
+  const auto triangle = prism(SplineKind::linear, false, -1, 0, {{0, 0}, {1, 0}, {1, 1}, {0, 0}});
+  for (const double z : {0.25, 0.5, 0.75}) {
+    EXPECT_FALSE(inside(triangle, {z, -0.5, z}));
+    EXPECT_TRUE(inside(triangle, {1, -0.5, z}));
+  }
+  EXPECT_FALSE(inside(triangle, {0, -0.5, 0}));
+}
+
 TEST(Prism, SeveralOutlines) {
   const auto frame = prism(
       SplineKind::linear, false, 0, 1,

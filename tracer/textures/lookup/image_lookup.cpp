@@ -218,7 +218,8 @@ double image_pattern(const ImageLookup& l, const Vec3& p) {
   double u, v;
   if (!locate(l, p, u, v)) return 0;
   const Color c = raw_color(l, u, v);
-  const double value = l.use_alpha ? (l.image->has_alpha ? c.t : c.r) : c.grey();
+  const double opaque = l.image->indexed() ? 0.0 : c.r;  // (sic) what use_alpha finds where there is none
+  const double value = l.use_alpha ? (l.image->has_alpha ? c.t : opaque) : c.grey();
   return std::clamp(value, 0.0, 1.0);
 }
 

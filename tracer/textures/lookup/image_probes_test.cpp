@@ -154,6 +154,18 @@ TEST(ImagePattern, EqualsPovRay) {
   for (int k = 0; k < 4; ++k) EXPECT_NEAR(image_pattern(lookup, kPoints[k]), expected[k], 1e-6) << k;
 }
 
+TEST(ImagePattern, AlphaOfAPaletteWithoutAnyIsZero) {
+  auto image = std::make_shared<Image>();
+  image->width = image->height = 1;
+  image->channels = 1;
+  image->samples = image::Samples(std::vector<std::uint8_t>{0});
+  image->palette = {Color(.7f, .5f, .3f)};
+  ImageParams params;
+  params.image = image;
+  params.use_alpha = true;
+  EXPECT_EQ(image_pattern(compile_image(params), {.5, .5, 0}), 0);
+}
+
 TEST(ImageLookup, SurvivesFarAndInvalidPoints) {
   for (const int map_type : {0, 1, 2, 5})
     for (const int interpolate : {0, 2, 3, 4})

@@ -156,9 +156,9 @@ TEST(Prism, InsideIsOpenAtTheTop) {
 // A point in an edge is inside where the outline lies to its left (-x), outside where it lies to its right.
 TEST(Prism, InsideIsOpenOnTheLeft) {
   const auto triangle = prism(SplineKind::linear, false, -1, 0, {{0, 0}, {1, 0}, {1, 1}, {0, 0}});
-  for (const double z : {0.25, 0.5, 0.75}) {
-    EXPECT_FALSE(inside(triangle, {z, -0.5, z}));
-    EXPECT_TRUE(inside(triangle, {1, -0.5, z}));
+  for (const double side : {0.25, 0.5, 0.75}) {
+    EXPECT_FALSE(inside(triangle, {side, -0.5, side}));
+    EXPECT_TRUE(inside(triangle, {1, -0.5, side}));
   }
   EXPECT_FALSE(inside(triangle, {0, -0.5, 0}));
 }

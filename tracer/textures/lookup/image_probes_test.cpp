@@ -158,7 +158,8 @@ TEST(ImagePattern, AlphaOfAPaletteWithoutAnyIsZero) {
   auto image = std::make_shared<Image>();
   image->width = image->height = 1;
   image->channels = 1;
-  image->samples = image::Samples(std::vector<std::uint8_t>{0});
+  image->samples = image::Samples(image::SampleType::byte, 1);
+  *image->samples.as<std::uint8_t>() = 0;
   image->palette = {Color(.7f, .5f, .3f)};
   ImageParams params;
   params.image = image;

@@ -141,20 +141,6 @@ double magnet(const scene::FractalParams& f, Complex z, const Complex& c, double
 
 }  // namespace
 
-double fractal(const scene::FractalParams& f, scene::PatternKind kind, const Vec3& p) {
-  const Complex point(p.x, p.y), julia(f.julia.x, f.julia.y);
-  switch (kind) {
-    case scene::PatternKind::mandel:
-      return polynomial(f, point, point);
-    case scene::PatternKind::julia:
-      return polynomial(f, point, julia);
-    case scene::PatternKind::magnet_mandel:
-      return magnet(f, {0, 0}, point, 10000);
-    default:
-      return magnet(f, point, julia, squared(point));
-  }
-}
-
 namespace formulas {
 
 double julia(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
@@ -171,4 +157,19 @@ double mandel(const CompiledPattern& c, const Vec3& p, const SurfacePoint*) {
 }
 
 }  // namespace formulas
+
+double fractal(const scene::FractalParams& f, scene::PatternKind kind, const Vec3& p) {
+  const Complex point(p.x, p.y), julia(f.julia.x, f.julia.y);
+  switch (kind) {
+    case scene::PatternKind::mandel:
+      return polynomial(f, point, point);
+    case scene::PatternKind::julia:
+      return polynomial(f, point, julia);
+    case scene::PatternKind::magnet_mandel:
+      return magnet(f, {0, 0}, point, 10000);
+    default:
+      return magnet(f, point, julia, squared(point));
+  }
+}
+
 }  // namespace verisim::textures

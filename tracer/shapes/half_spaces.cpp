@@ -10,7 +10,7 @@ namespace {
 constexpr double kFarthest = 1e7;
 // Of more half spaces only the axis-parallel ones count: there are too many triples.
 constexpr std::size_t kMax = 24;
-constexpr double kSteepest = 1e6;
+constexpr double kSteepest = 1e6, kLeastWeight = -1e-12;
 
 // One direction of one axis, as a bound from above.
 struct Side {
@@ -36,7 +36,7 @@ void lower_by(Box3& box, const Side& side, std::span<const HalfSpace* const> pla
   rest[side.axis] = side.sign;
   double bound = 0, size = 0;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    if (!(weights[i] >= -1e-12 && weights[i] < kSteepest)) return;
+    if (!(weights[i] >= kLeastWeight && weights[i] < kSteepest)) return;
     const double w = std::fmax(weights[i], 0);
     rest -= w * planes[i]->normal;
     bound += w * planes[i]->distance;
@@ -51,7 +51,6 @@ void lower_by(Box3& box, const Side& side, std::span<const HalfSpace* const> pla
 Box3 narrowed(const Box3& known, std::span<const HalfSpace> half_spaces) {
   Box3 box = known;
   std::vector<HalfSpace> planes;
-  bool oblique = false;
   for (const HalfSpace& h : half_spaces) {
     if (along_axis(h.normal)) {
       const HalfSpace* one[] = {&h};
@@ -61,10 +60,10 @@ Box3 narrowed(const Box3& known, std::span<const HalfSpace> half_spaces) {
       }
     } else {
       planes.push_back(h);
-      oblique = true;
     }
   }
-  if (!oblique || planes.size() + 6 > kMax) return box;
+  const std::size_t oblique = planes.size();
+  if (oblique == 0 || oblique + 6 > kMax) return box;
   for (const Side& side : kSides) {
     if (!std::isfinite(side.bound(box))) continue;
     Vec3 normal(0);
@@ -75,18 +74,22 @@ Box3 narrowed(const Box3& known, std::span<const HalfSpace> half_spaces) {
     const Vec3 bc = cross(b, c), ca = cross(c, a), ab = cross(a, b);
     const double det = dot(a, bc);
     if (!(std::fabs(det) > 1e-9)) return;
+    const double inverse = 1 / det;
     for (const Side& side : kSides) {
-      const double scale = side.sign / det;
+      const double scale = side.sign * inverse;
       const double weights[] = {bc[side.axis] * scale, ca[side.axis] * scale, ab[side.axis] * scale};
-      lower_by(box, side, chosen, weights);
+      if (weights[0] >= kLeastWeight && weights[1] >= kLeastWeight) lower_by(box, side, chosen, weights);
     }
   };
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
+    // Without an oblique plane, of which the first ones are, nothing is learnt.
+    for (std::size_t j = 0; j < i && j < oblique; ++j) {
       // Two planes alone: the weight of the direction along both must be none.
       const HalfSpace* two[] = {&planes[i], &planes[j]};
       try_sides(two, planes[i].normal, planes[j].normal, cross(planes[i].normal, planes[j].normal));
-      for (std::size_t k = 0; k < j; ++k) {
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j && k < oblique; ++k) {
         const HalfSpace* three[] = {&planes[i], &planes[j], &planes[k]};
         try_sides(three, planes[i].normal, planes[j].normal, planes[k].normal);
       }

@@ -66,10 +66,10 @@ unsigned inside_simple(const CsgNode& n, const PacketVector<Number>& at) {
 // Of `lanes`, those whose points are within a prism's outline. As Prism::covers.
 template <class Number>
 unsigned covered(const CsgNode& n, unsigned lanes, const Number& x, const Number& z) {
-  const Rectangle& r = n.walls.outline;
+  const Rectangle& r = n.walls->outline;
   lanes &= bits((x <= r.max.x) & (x >= r.min.x) & (z >= r.min.y) & (z <= r.max.y));
   unsigned odd = 0, unsure = 0;
-  for (const StraightSegment& w : *n.walls.segments) {
+  for (const StraightSegment& w : n.walls->segments) {
     const typename Number::Mask level = (z >= w.z_low) & (z <= w.z_high) & (x <= w.x_high);
     const unsigned met = bits(level) & lanes, right = w.z_low != w.z_high ? met & bits(x < w.x_low) : 0;
     odd ^= right, unsure |= met & ~right;
@@ -83,7 +83,7 @@ unsigned covered(const CsgNode& n, unsigned lanes, const Number& x, const Number
 
 template <class Number>
 unsigned inside_prism(const CsgNode& n, unsigned lanes, const PacketVector<Number>& at) {
-  const StraightPrism::Walls& w = n.walls;
+  const StraightPrism::Walls& w = *n.walls;
   const PacketVector<Number> p = w.matrix ? transform_point(w.matrix->inv, at) : at;
   const unsigned level = bits((p.y >= w.low) & (p.y < w.high)) & lanes;
   const unsigned within = level != 0 ? covered(n, level, p.x, p.z) : 0;
@@ -345,7 +345,7 @@ void cross_quadric(Search<Number>& s, const CsgNode& n) {
 template <class Number>
 void cross_prism(Search<Number>& s, const CsgNode& n) {
   constexpr std::int64_t kCap = -1;
-  const StraightPrism::Walls& prism = n.walls;
+  const StraightPrism::Walls& prism = *n.walls;
   // As Primitive::unit_local.
   PacketVector<Number> o = s.o, d = s.d;
   if (prism.matrix) o = transform_point(prism.matrix->inv, o), d = transform_direction(prism.matrix->inv, d);
@@ -365,7 +365,7 @@ void cross_prism(Search<Number>& s, const CsgNode& n) {
   }
   const typename Number::Mask level = sloping | ((o.y >= prism.low) & (o.y <= prism.high)), by_x = abs(d.x) > kEpsilon;
   std::int64_t part = 0;
-  for (const StraightSegment& w : *prism.segments) {
+  for (const StraightSegment& w : prism.segments) {
     const IntsFor<Number> wall(part++);
     const Number slope = d.z * w.dx + -d.x * w.dz;
     const Number at = -(d.z * (Number(w.x) - o.x) + -d.x * (Number(w.z) - o.z)) / slope;

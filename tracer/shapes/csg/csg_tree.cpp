@@ -57,7 +57,7 @@ struct CsgTree::Builder {
       test_cost = (plane ? 1 : cone || n.simple.quadric ? 3 : 2) + (n.simple.matrix ? 2 : 0);
     } else if (const auto* prism = dynamic_cast<const StraightPrism*>(&shape); prism && prism->straight_walls()) {
       n.kind = CsgNode::Kind::prism;
-      n.prism = prism, n.walls = *prism->straight_walls();
+      n.prism = prism, n.walls = prism->straight_walls();
       n.boxed = accel::is_finite(n.box);
       computes = true;
       test_cost = 10;
@@ -149,8 +149,10 @@ std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std
                                            const Box3& limit, std::span<const InteriorProxy> proxies, int set) {
   const CsgKernels* const kernels = set == kBest ? &csg_kernels() : csg_kernels(set);
   if (!kernels) return nullptr;
-  if (children.empty() || count_nodes(children) > kMaxNodes) return nullptr;
+  const std::size_t count = count_nodes(children);
+  if (children.empty() || count > kMaxNodes) return nullptr;
   std::unique_ptr<CsgTree> tree(new CsgTree(*kernels));
+  tree->nodes.reserve(1 + count);
   Builder builder{*tree};
   tree->nodes.emplace_back();
   builder.cost.push_back(0);

@@ -40,7 +40,7 @@ struct CsgNode {
   const Shape* shape = nullptr;
   const Convex* convex = nullptr;  // of the core
   const StraightPrism* prism = nullptr;
-  StraightPrism::Walls walls;  // of the prism
+  const StraightPrism::Walls* walls = nullptr;  // of the prism
 };
 
 // A hit survives if it is inside (or outside) of another node.

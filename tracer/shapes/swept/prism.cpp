@@ -108,7 +108,7 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
       segments_.push_back(segment);
     }
     index_ = OutlineIndex(bounds);
-    if (segments_.size() <= kMaxSegments) add_straight();
+    add_straight();
   }
 
   template <class Sink>
@@ -195,10 +195,7 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
     return n == Vec3(0) ? Vec3(1, 0, 0) : world_normal(n);
   }
 
-  std::optional<Walls> straight_walls() const override {
-    if (conic_ || guards() || straight_.empty()) return std::nullopt;
-    return Walls{has_matrix() ? &matrix() : nullptr, inverted(), open_, low_, high_, outline_, &straight_};
-  }
+  const Walls* straight_walls() const override { return straight_.get(); }
   // Even-odd count along +x. As in POV-Ray every segment owns both its ends, so a line exactly through a vertex counts
   // it twice (spec 03 section 8).
   bool covers(double x, double z) const override {
@@ -230,9 +227,12 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
                                kMaxParts = 16;  // of all curved segments together, if they are few; of one
 
   void add_straight() {
-    if (std::any_of(segments_.begin(), segments_.end(), [](const Segment& s) { return s.curve.degree != 1; })) return;
+    const auto curved = [](const Segment& s) { return s.curve.degree != 1; };
+    if (conic_ || guards() || segments_.size() > kMaxSegments || std::ranges::any_of(segments_, curved)) return;
+    straight_ = std::make_unique<Walls>(
+        Walls{has_matrix() ? &matrix() : nullptr, inverted(), open_, low_, high_, outline_, {}});
     for (const Segment& s : segments_)
-      straight_.push_back(
+      straight_->segments.push_back(
           {s.curve.c[0].x, s.curve.c[0].y, s.curve.c[1].x, s.curve.c[1].y, s.x_low, s.x_high, s.z_low, s.z_high});
   }
 
@@ -292,9 +292,9 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
   Box3 box_;
   Rectangle outline_;
   std::vector<Segment> segments_;
-  std::vector<Piece> pieces_;              // by segments
-  OutlineIndex index_;                     // of the pieces
-  std::vector<StraightSegment> straight_;  // all, if they are few and none is curved
+  std::vector<Piece> pieces_;  // by segments
+  OutlineIndex index_;         // of the pieces
+  std::unique_ptr<Walls> straight_;
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Prisms with outlines of a few straight segments, in numbers: for what asks several rays at once.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "tracer/math/transform.h"
@@ -25,10 +24,10 @@ class StraightPrism {
     bool inverted, open;
     double low, high;
     Rectangle outline;
-    const std::vector<StraightSegment>* segments;
+    std::vector<StraightSegment> segments;
   };
-  // None: it is conic, clipped, has curves or too many segments.
-  virtual std::optional<Walls> straight_walls() const = 0;
+  // Null: it is conic, clipped, has curves or too many segments.
+  virtual const Walls* straight_walls() const = 0;
   // Whether a point is within the outline.
   virtual bool covers(double x, double z) const = 0;
 

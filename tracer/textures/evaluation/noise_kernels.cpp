@@ -20,6 +20,7 @@
 #include "tracer/textures/evaluation/evaluation.h"
 #include "tracer/noise/noise_cells.h"
 #include "tracer/textures/patterns/formulas.h"
+#include "tracer/textures/patterns/fractal_kernels.h"
 
 #define VERISIM_INLINE inline __attribute__((always_inline))
 #define VERISIM_INLINE_LAMBDA __attribute__((always_inline))

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "tracer/textures/patterns/formulas.h"
+#include "tracer/textures/patterns/fractal_kernels.h"
 
 namespace verisim::textures {
 namespace {
@@ -99,14 +100,18 @@ class Rounds {
   int at_ = 0, next_ = 1;
 };
 
+Complex next(const scene::FractalParams& f, const Complex& z, const Complex& c) {
+  return (f.exponent == 2 ? Complex(z.real() * z.real() - z.imag() * z.imag(), 2 * z.real() * z.imag())
+                          : power(z, f.exponent)) +
+         c;
+}
+
 double polynomial(const scene::FractalParams& f, Complex z, const Complex& c) {
   double smallest = squared(z);
   Rounds rounds;
   int end = f.iterations;
   for (int k = 0; k < end; ++k) {
-    z = (f.exponent == 2 ? Complex(z.real() * z.real() - z.imag() * z.imag(), 2 * z.real() * z.imag())
-                         : power(z, f.exponent)) +
-        c;
+    z = next(f, z, c);
     const double size = squared(z);
     if (size > 4) return exterior(f, z, k);
     smallest = std::min(smallest, size);
@@ -169,6 +174,34 @@ double fractal(const scene::FractalParams& f, scene::PatternKind kind, const Vec
       return magnet(f, {0, 0}, point, 10000);
     default:
       return magnet(f, point, julia, squared(point));
+  }
+}
+
+void fractal_batch(const scene::FractalParams& f, scene::PatternKind kind, int count, const double* x, const double* y,
+                   double* values, const OrbitKernels& kernels) {
+  for (int first = 0; first < count; first += 8) {
+    const int here = std::min(count - first, 8);
+    Orbits o;
+    for (int k = 0; k < 8; ++k) {
+      const int i = first + std::min(k, here - 1);
+      o.zr[k] = x[i], o.zi[k] = y[i];
+      const bool julia = kind == scene::PatternKind::julia;
+      o.cr[k] = julia ? f.julia.x : x[i], o.ci[k] = julia ? f.julia.y : y[i];
+    }
+    const unsigned escaped = kernels.follow(f.exponent, f.iterations, (1u << here) - 1, o);
+    for (int k = 0; k < here; ++k) {
+      Complex z(o.zr[k], o.zi[k]);
+      if (escaped >> k & 1) {
+        values[first + k] = exterior(f, z, o.k[k]);
+        continue;
+      }
+      double smallest = o.smallest[k];
+      for (int left = o.left[k]; left > 0; --left) {
+        z = next(f, z, {o.cr[k], o.ci[k]});
+        smallest = std::min(smallest, squared(z));
+      }
+      values[first + k] = interior(f, z, smallest);
+    }
   }
 }
 

@@ -1,0 +1,76 @@
+#include "tracer/textures/patterns/fractal_kernels.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/textures/patterns/fractal_kernels.cpp"
+#include "tracer/simd/each_target.h"
+
+#include "tracer/simd/kernel_table.h"
+#include "tracer/simd/packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim::textures {
+namespace {
+namespace HWY_NAMESPACE {
+
+using namespace simd::HWY_NAMESPACE;
+
+struct Place {
+  Packet r, i;
+};
+HWY_INLINE Place multiply(const Place& a, const Place& b) { return {a.r * b.r - a.i * b.i, a.r * b.i + a.i * b.r}; }
+HWY_INLINE Place power(const Place& z, int exponent) {
+  if (exponent == 2) return {z.r * z.r - z.i * z.i, 2.0 * z.r * z.i};
+  Place result = z, square = z;
+  for (int n = exponent - 1; n > 0; n >>= 1) {
+    if (n & 1) result = multiply(result, square);
+    square = multiply(square, square);
+  }
+  return result;
+}
+
+unsigned follow(int exponent, int iterations, unsigned active, Orbits& o) {
+  Place z{load(o.zr), load(o.zi)}, known{HUGE_VAL, 0.0};
+  const Place c{load(o.cr), load(o.ci)};
+  Packet smallest = z.r * z.r + z.i * z.i;
+  const auto keep = [&](unsigned lanes, Orbits& to) VERISIM_INLINE_LAMBDA {
+    const Mask here = Mask::of_bits(lanes);
+    store(to.zr, select(here, z.r, load(to.zr))), store(to.zi, select(here, z.i, load(to.zi)));
+    store(to.smallest, select(here, smallest, load(to.smallest)));
+  };
+  unsigned escaped = 0;
+  int known_at = 0, next = 1;
+  for (int k = 0; k < iterations && active != 0; ++k) {
+    const Place p = power(z, exponent);
+    z = {p.r + c.r, p.i + c.i};
+    const Packet size = z.r * z.r + z.i * z.i;
+    const Mask out = size > 4.0, round = (z.r == known.r) & (z.i == known.i);
+    const unsigned ended = bits(out | round) & active;
+    if (ended != 0) [[unlikely]] {
+      const unsigned left = bits(out) & ended;
+      smallest = select(out, smallest, select(size < smallest, size, smallest));
+      keep(ended, o);
+      for (unsigned rest = left; rest != 0; rest &= rest - 1) o.k[std::countr_zero(rest)] = k;
+      for (unsigned rest = ended & ~left; rest != 0; rest &= rest - 1)
+        o.left[std::countr_zero(rest)] = (iterations - k - 1) % (k - known_at);
+      escaped |= left, active &= ~ended;
+    }
+    smallest = select(size < smallest, size, smallest);
+    if (k == next) known = z, known_at = k, next = k < (1 << 29) ? 2 * k : 0;
+  }
+  keep(active, o);
+  for (unsigned rest = active; rest != 0; rest &= rest - 1) o.left[std::countr_zero(rest)] = 0;
+  return escaped;
+}
+
+const OrbitKernels kKernels = {follow};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::textures
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::textures {
+VERISIM_EXPORT_KERNELS(OrbitKernels, orbit_kernels)
+}  // namespace verisim::textures
+#endif

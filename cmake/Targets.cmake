@@ -86,7 +86,9 @@ function(verisim_tests name)
   endif()
   add_executable(${name} ${tests})
   target_link_libraries(${name} PRIVATE verisim_flags GTest::gmock GTest::gtest_main ${ARGN})
-  verisim_precompile(${name} tests/precompiled.h)
+  if("${ARGN}" MATCHES "verisim_(tracer|parser|compare|cli)")  # not those of tools
+    verisim_precompile(${name} tests/precompiled.h)
+  endif()
   include(GoogleTest)
   # Only the tests that ask for a place in the tree are compiled with it, so that a compiler cache serves all others in any tree.
   foreach(test ${tests})

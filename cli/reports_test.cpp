@@ -86,6 +86,10 @@ TEST_F(Reports, LayersOfOpenExrHaveLimitsOnTheCommandLine) {
          "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
          "sphere { <0,0," +
              std::string(x) + ">, 1 pigment { rgb 0 } }\n");
+    ASSERT_EQ(run({"render", std::string(name) + ".pov", "+W32", "+H24", "--layers", "beauty,depth",
+                   "+Odeep_" + std::string(name) + ".exr"})
+                  .status,
+              0);
     ASSERT_EQ(run({"render", std::string(name) + ".pov", "+W32", "+H24", "--layers", "depth,id",
                    "+O" + std::string(name) + ".exr"})
                   .status,
@@ -99,6 +103,7 @@ TEST_F(Reports, LayersOfOpenExrHaveLimitsOnTheCommandLine) {
   EXPECT_EQ(run({"diff", "one.exr", "two.exr", "--layer", "*:ignore"}).status, 0);
   EXPECT_EQ(run({"diff", "one.exr", "two.exr", "--layer", "Z:pixels=800", "--layer", "id:ignore"}).status, 0);
   EXPECT_EQ(run({"diff", "one.exr", "two.exr", "--layer", "Z:pixels"}).status, 2);
+  EXPECT_EQ(run({"diff", "deep_one.exr", "deep_two.exr", "--layer", "Z:ignore"}).status, 0) << "depth is no alpha";
 }
 
 TEST_F(Reports, ReplayOfASceneAsksPOVRayForItsNumbers) {

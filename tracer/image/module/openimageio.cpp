@@ -26,6 +26,13 @@ void configure_once() {
 
 bool integer_file(const ImageSpec& spec) { return !spec.format.is_floating_point(); }
 
+// Those of a picture: of an OpenEXR file the fourth may be depth, and is no alpha then.
+int picture_channels(const ImageSpec& spec) {
+  if (spec.nchannels > 4) return spec.alpha_channel == 3 ? 4 : 3;
+  const bool even = spec.nchannels % 2 == 0, alpha = integer_file(spec) || spec.alpha_channel == spec.nchannels - 1;
+  return even && !alpha ? spec.nchannels - 1 : spec.nchannels;
+}
+
 int read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, char* error, std::size_t error_size) {
   configure_once();
   *image = {};
@@ -39,7 +46,7 @@ int read_image(const char* path, std::uint64_t max_pixels, VerisimImage* image, 
     return fail(error, error_size, "the image has no pixels");
   const std::uint64_t pixels = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
   if (pixels > max_pixels || spec.depth > 1) return fail(error, error_size, "the image is too large");
-  const int channels = spec.nchannels > 4 ? (spec.alpha_channel == 3 ? 4 : 3) : spec.nchannels;
+  const int channels = picture_channels(spec);
   TypeDesc type = TypeDesc::FLOAT;
   image->sample = kVerisimFloat;
   if (integer_file(spec)) {

@@ -118,6 +118,21 @@ TEST_F(Reports, ReplayOfASceneAsksPOVRayForItsNumbers) {
   EXPECT_THAT(run(replayed).output, HasSubstr("noisy.pov: exact"));
 }
 
+// Of four runs with one seed each pixel would be stored as one without noise, and every other seed refused.
+TEST_F(Reports, RunsDifferWithASeedToo) {
+  fs::create_directory(folder_ / "suite");
+  file("suite/noisy.pov",
+       "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,0,-5> look_at 0 }\n"
+       "light_source { <3,4,-9> rgb 1 } sphere { 0, 1 pigment { rgb .7 } finish { crand 0.3 } }\n");
+  const std::vector<std::string> noisy{"+W32", "+H24", "--class", "stochastic", "--seed"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), noisy.begin(), noisy.end());
+    return more;
+  };
+  ASSERT_EQ(baseline(with({"1007", "--runs", "8", "--update"})).status, 0);
+  EXPECT_EQ(baseline(with({"52", "--runs", "1"})).status, 0) << status_of("noisy.pov");
+}
+
 TEST_F(Reports, ADiffAsJsonSaysWhatThePeopleAreTold) {
   ASSERT_EQ(run({"render", "scene.pov", "+W32", "+H24", "+Q0", "+Ob.png"}).status, 0);
   EXPECT_EQ(run({"diff", "a.png", "b.png", "--json", "d.json"}).status, 1);

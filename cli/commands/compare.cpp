@@ -39,11 +39,19 @@ void show_progress(const compare::Progress& progress) {
   }
 }
 
+// Runs of one scene differ whatever the seed of the first is: noise that repeats itself passes for none.
+compare::NativeRenderer seeded(compare::NativeRenderer renderer, std::uint64_t seed) {
+  if (seed == 0) return renderer;
+  return [renderer = std::move(renderer), seed](compare::NativeRequest request) {
+    request.seed = seed + static_cast<std::uint64_t>(request.run);
+    return renderer(request);
+  };
+}
+
 // The program that is judged: this one, another verisim, or a POV-Ray. Returns its name.
 std::string choose_renderer(const std::string& program, std::uint64_t seed, compare::RunOptions& run) {
   std::vector<std::string> extra;
   if (wants_sandbox()) extra.push_back("--sandbox=" + process_limits.sandbox);
-  if (seed != 0) extra.push_back(fmt::format("--seed={}", seed));
   compare::OracleProgram judged;
   if (program.empty()) {
     judged.path = own_program(), judged.name = "verisim", judged.version = VERISIM_VERSION;
@@ -57,7 +65,7 @@ std::string choose_renderer(const std::string& program, std::uint64_t seed, comp
   }
   run.native_version = judged.version, run.native_identity = judged.version_text;
   if (judged.name == "verisim") {
-    run.native = compare::native_program(judged.path, extra);
+    run.native = seeded(compare::native_program(judged.path, extra), seed);
     run.tags = compare::tags_of_program(judged.path);
     return program.empty() ? "verisim" : fmt::format("verisim ({})", program);
   }

@@ -68,7 +68,9 @@ def _messages(text):
     texts = {
         re.sub(r"\s+", " ", w).partition("Warning: ")[2] for w in warnings if w.startswith("File") and not OWN.search(w)
     }
-    return re.sub(r"\s+", " ", " ".join(said)).strip(), sorted(texts - {""})
+    # POV-Ray's progress ends with a carriage return, and now and then stands in a line with what the scene says.
+    words = re.sub(r"Parsing \d+K tokens", "", " ".join(said))
+    return re.sub(r"\s+", " ", words).strip(), sorted(texts - {""})
 
 
 def _error(text):

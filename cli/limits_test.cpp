@@ -118,6 +118,7 @@ TEST_F(Limits, SignalsEndWhatNeverLooksAtThem) {
   }
 }
 
+// Its own thread gives up the function, so it ends in order.
 TEST_F(Limits, ASignalEndsTheViewOfASceneWithoutEnd) {
   file("bomb.pov", kFunctions);
   const pid_t child = start({"view", "bomb.pov", "--no-open", "--sandbox=best-effort"});
@@ -125,7 +126,7 @@ TEST_F(Limits, ASignalEndsTheViewOfASceneWithoutEnd) {
   std::this_thread::sleep_for(milliseconds(300));
   ::kill(child, SIGTERM);
   const Ended ended = wait(child);
-  EXPECT_EQ(ended.status, kInterrupted) << ended.errors;
+  EXPECT_EQ(ended.status, 0) << ended.errors;
 }
 
 TEST_F(Limits, StrangersAreHeldShortAndSingleLimitsCountMore) {

@@ -205,8 +205,8 @@ TEST_F(Files, DamagedPhotonFilesAreErrors) {
 TEST(GlobalLimits, AFunctionThatNobodyCanWaitForEndsTheRender) {
   const std::string doubled =
       "#declare F = function(x,y,z) { sqrt(x*x + y*y + z*z) - 1 } #for (I, 1, 40) #undef G "
-      "#declare G = function(x,y,z) { F(x,y,z) + F(x + 1e-9,y,z) } #undef F "
-      "#declare F = function(x,y,z) { (G(x,y,z) + G(x,y + 1e-9,z))/4 } #end ";
+      "#declare G = function(x,y,z) { F(x,y,z) + F(x*1.000001,y,z) } #undef F "
+      "#declare F = function(x,y,z) { (G(x,y,z) + G(x*1.00001,y,z))/4 } #end ";
   const auto text = scene("", doubled + "isosurface { function { F(x,y,z) } }");
   EXPECT_THROW(render_text(text, 16, 12, {}), render::LimitExceeded);
 }

@@ -100,7 +100,7 @@ TEST(Limits, EndlessSumsEnd) {
       "scene.pov", {});
   ASSERT_EQ(result.errors.size(), 1u);
   EXPECT_EQ(result.errors[0].line, 4);
-  EXPECT_NE(result.errors[0].message.find("sum or prod"), std::string::npos);
+  EXPECT_NE(result.errors[0].message.find("sum and prod"), std::string::npos);
 }
 
 TEST(Limits, ErrorsNameTheOption) {

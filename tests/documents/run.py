@@ -37,6 +37,7 @@ ELSEWHERE = {
     r"(old|new)=.*|verisim compare .*--(test|reference) .*|verisim diff old/ new/ .*": "the test renderers.cycles, with Blender",
     r"verisim review( .*)?": "the test report.browser",
     r"verisim compare verisim\.toml .*": "by hand: docs/photograph.md needs a photograph",
+    r"verisim diff photograph\.jpg .*": "by hand: docs/photograph.md needs a photograph",
     r"export SBATCH_.*|verisim-slurm .*|verisim farm .*": "the tests of tests/farm",
 }
 # Options of other programs in running text.

@@ -122,7 +122,8 @@ class Corners(InBrowser):
         if KEPT:
             page.screenshot(os.path.join(KEPT, "corners.png"))
         # What the page says is what the program takes.
-        done = subprocess.run(text + " --json " + self.path("out.json"), shell=True, cwd=self.folder.name, capture_output=True, text=True)
+        path = {**os.environ, "PATH": os.path.dirname(VERISIM) + os.pathsep + os.environ["PATH"]}
+        done = subprocess.run(text + " --json " + self.path("out.json"), shell=True, cwd=self.folder.name, env=path, capture_output=True, text=True)
         self.assertIn(done.returncode, (0, 1), done.stderr)
         self.assertIn("fit", json.load(open(self.path("out.json"))))
         key("Backspace")

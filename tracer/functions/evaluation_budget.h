@@ -7,8 +7,9 @@
 
 namespace verisim::functions {
 
-// Passes of loops and calls of functions, of one evaluation with all that it calls. POV-Ray takes seconds for as many.
-inline constexpr std::uint64_t kMaxPasses = 100'000'000;
+// Passes of loops, of one evaluation with all that it calls; a call of a function counts as eight, which is about what
+// it takes. POV-Ray takes seconds for as many.
+inline constexpr std::uint64_t kMaxPasses = 100'000'000, kPassesOfACall = 8;
 
 // Lives as long as a loop or a call; the outermost of a thread decides what all of them share.
 class EvaluationBudget {
@@ -20,14 +21,14 @@ class EvaluationBudget {
     if (open_) --open_budgets_;
   }
   // False: no more of it. The value is NaN then, and take_overrun says so once.
-  bool spend() {
+  bool spend(std::uint64_t passes = 1) {
     if (!open_) {
       open_ = true;
       // Whoever has gone too far gets little more until somebody makes an error of it.
       if (!open_budgets_++) left_ = overran_ ? kAfterwards : kMaxPasses;
     }
-    if (left_) {
-      --left_;
+    if (left_ >= passes) {
+      left_ -= passes;
       return true;
     }
     overran_ = true;

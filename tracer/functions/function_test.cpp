@@ -226,7 +226,8 @@ TEST(Functions, RepeatedInliningStaysSmall) {
 FunctionPtr doubled(int times) {
   FunctionPtr f = compile(call(Builtin::sin_, {arg(0)}), 1, 1);
   for (int i = 0; i < times; ++i)
-    f = compile(chain({call(f, {arg(0)}), call(f, {chain({arg(0), num(1)}, {kAdd})})}, {kAdd}), 1, 1);
+    f = compile(chain({call(f, {chain({arg(0), num(2)}, {kMul})}), call(f, {chain({arg(0), num(3)}, {kMul})})}, {kAdd}),
+                1, 1);
   return f;
 }
 

@@ -124,7 +124,7 @@ void call_function(const Call& call, double* r, std::uint64_t active) {
   const auto outputs = static_cast<std::size_t>(call.function->components());
   double* const results = r + std::size_t{call.results} * Width;
   EvaluationBudget budget;  // a batch counts as one
-  if (!budget.spend()) {
+  if (!budget.spend(kPassesOfACall)) {
     std::fill_n(results, outputs * Width, std::numeric_limits<double>::quiet_NaN());
     return;
   }

@@ -26,8 +26,7 @@ constexpr std::string_view kColors = "YRGBA";
 bool is_color(const std::string& channel) {
   return channel.size() == 1 && kColors.find(channel[0]) != std::string_view::npos;
 }
-// Colours in their usual order, before others.
-std::size_t rank(const std::string& channel) { return is_color(channel) ? kColors.find(channel[0]) : kColors.size(); }
+std::size_t rank(const std::string& color) { return kColors.find(color[0]); }
 
 std::vector<VerisimChannel> channels_in(const fs::path& path) {
   std::vector<VerisimChannel> out(kMaxChannels);
@@ -54,7 +53,9 @@ std::pair<std::string, std::string> layer_and_channel(const VerisimChannel& c, b
   return {layer, dot == std::string::npos ? name : name.substr(dot + 1)};
 }
 
+// Colours in their usual order. Where not all are, Y is a coordinate, and channels stay in the file's order, by name.
 void sort_channels(StoredLayer& layer) {
+  if (!std::ranges::all_of(layer.channels, is_color)) return;
   std::vector<std::size_t> order(layer.channels.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(),

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "tracer/functions/evaluation_budget.h"
 #include "tracer/functions/fold.h"
 #include "tracer/functions/program.h"
 
@@ -279,7 +280,8 @@ Builder::Register Builder::lower_call(const UserCall& call) {
   std::vector<Register> arguments;
   arguments.reserve(call.arguments.size());
   for (const Node& n : call.arguments) arguments.push_back(lower(n));
-  if (const auto* program = dynamic_cast<const Program*>(call.function.get())) {
+  const auto* program = dynamic_cast<const Program*>(call.function.get());
+  if (program) {
     if (program->lowered_nodes() <= kInlineLimit && program_->code_.size() < kInlineTotal) {
       std::vector<Register> inner(static_cast<std::size_t>(program->slots()), 0);
       std::copy(arguments.begin(), arguments.end(), inner.begin());
@@ -305,7 +307,8 @@ Builder::Register Builder::lower_call(const UserCall& call) {
     next_ += static_cast<Register>(components);
     if (comparable) scopes_.back()[key] = results;
     push({Code::call, results, static_cast<std::uint32_t>(program_->calls_.size())});
-    program_->calls_.push_back({call.function, std::move(arguments), results});
+    const std::size_t passes = kPassesOfACall + (program ? program->code_.size() : 0);
+    program_->calls_.push_back({call.function, std::move(arguments), results, passes});
   }
   const auto component = [&](int k) { return k < components ? results + static_cast<Register>(k) : constant(0); };
   if (call.grey) {

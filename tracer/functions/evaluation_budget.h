@@ -7,8 +7,8 @@
 
 namespace verisim::functions {
 
-// Passes of loops, of one evaluation with all that it calls; a call of a function counts as eight, which is about what
-// it takes. POV-Ray takes seconds for as many.
+// Passes of loops, of one evaluation with all that it calls. A call of a function counts as eight, which is about what
+// it takes, and its instructions as one each. POV-Ray takes seconds for as many.
 inline constexpr std::uint64_t kMaxPasses = 100'000'000, kPassesOfACall = 8;
 
 // Lives as long as a loop or a call; the outermost of a thread decides what all of them share.

@@ -27,7 +27,7 @@ struct FreeRegisters {
 
 void evaluate(const Call& call, const double* registers, double* results) {
   EvaluationBudget budget;
-  if (!budget.spend(kPassesOfACall)) {
+  if (!budget.spend(call.passes)) {
     std::fill_n(results, call.function->components(), std::numeric_limits<double>::quiet_NaN());
     return;
   }

@@ -22,6 +22,7 @@ struct Call {
   FunctionPtr function;
   std::vector<std::uint32_t> arguments;
   std::uint32_t results = 0;
+  std::uint64_t passes = 0;  // what it counts as (evaluation_budget.h)
 };
 // Counted (evaluation_budget.h); the components go to `results`.
 void evaluate(const Call& call, const double* registers, double* results);

@@ -11,6 +11,7 @@ Exit status 77: nothing can be injected here.
 import argparse
 import collections
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -45,6 +46,14 @@ JOBS = {
 }
 SIGNALS = [signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGPIPE, signal.SIGHUP]
 OLD = b"the picture of yesterday"
+
+
+def is_whole(content):
+    """Of a PNG file's essence, or of a PPM file."""
+    if isinstance(content, tuple):
+        return content[2]
+    header = re.match(rb"P6\n(?:#[^\n]*\n)*(\d+)\s(\d+)\s255\s", content or b"")
+    return bool(header) and len(content) == header.end() + 3 * int(header[1]) * int(header[2])
 
 
 def essence(content):
@@ -155,7 +164,7 @@ class Faults:
             return f"leaves {left}"
         for name in job.outputs:
             content = self.read(name)
-            unfinished = kind == "signal" and ended.returncode != good.returncode and isinstance(content, tuple) and content[2]  # what there was, as a whole file
+            unfinished = kind == "signal" and ended.returncode != good.returncode and is_whole(content)  # what there was, as a whole file
             if content not in (None, OLD, whole[name]) and not unfinished:
                 return f"half a file {name}"
             if content is None and job.before and job.words[0] != "render":  # which takes away the picture of an earlier run

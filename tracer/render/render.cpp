@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -95,10 +96,24 @@ class Queue {
       const std::size_t i = next_.fetch_add(1);
       if (i >= wanted_.size()) return nullptr;
       const Block& b = blocks_[wanted_[i]];
-      if (!options_.block_known || !options_.block_known(b.x, b.y, b.width, b.height)) return &b;
+      if (!options_.block_known || !options_.block_known(b.x, b.y, b.width, b.height)) {
+        const std::lock_guard lock(mutex_);
+        ++in_work_;
+        return &b;
+      }
       finished(b, false);
     }
     return nullptr;
+  }
+  // A block of next() is done, or given up.
+  void leave_block() {
+    const std::lock_guard lock(mutex_);
+    if (--in_work_ == 0) none_in_work_.notify_all();
+  }
+  // For threads without a block. TBB would wait busily: for a picture in many small parts a third of the time.
+  void wait_for_others() {
+    std::unique_lock lock(mutex_);
+    none_in_work_.wait(lock, [this] { return in_work_ == 0; });
   }
   void finished(const Block& b, bool rendered = true) {
     if (rendered) {
@@ -148,7 +163,15 @@ class Queue {
   std::vector<Block> places_;        // of all blocks in the framebuffer
   std::atomic<std::size_t> next_{0};
   std::mutex mutex_;
+  std::condition_variable none_in_work_;
+  int in_work_ = 0;
   std::uint64_t pixels_ = 0, done_ = 0;
+};
+
+// A thread's hold on a block of the queue.
+struct InWork {
+  Queue& queue;
+  ~InWork() { queue.leave_block(); }
 };
 
 // Functions have no place: which one it was is not known.
@@ -180,6 +203,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
   functions::EvaluationBudget::take_overrun();  // of what this thread did before
   try {
     while (const Block* block = queue.next()) {
+      const InWork hold{queue};
       const int index = queue.index(block);
       begin_block(effects, tracer, options, index);
       if (!blockers.empty()) tracer.remember_blockers(blockers[static_cast<std::size_t>(index)]);
@@ -204,6 +228,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
   }
   shapes::last_miss() = {};  // which is of no use to what this thread does next
   queue.add_statistics(tracer.statistics());
+  queue.wait_for_others();
 }
 
 const scene::Scene& supported(const scene::Scene& scene, const Options& options) {

@@ -123,7 +123,7 @@ void call_function(const Call& call, double* r, std::uint64_t active) {
   const std::size_t inputs = call.arguments.size();
   const auto outputs = static_cast<std::size_t>(call.function->components());
   double* const results = r + std::size_t{call.results} * Width;
-  EvaluationBudget budget;  // a batch of eight counts as one
+  EvaluationBudget budget;  // eight points count as one
   if (!budget.spend(call.passes * (Width / kLanes))) {
     std::fill_n(results, outputs * Width, std::numeric_limits<double>::quiet_NaN());
     return;

@@ -185,6 +185,7 @@ std::unique_ptr<Shape> compile_csg(const scene::Object& object) {
     const auto* light = child->as<scene::LightSource>();
     if (light && !light->looks_like) continue;  // not part of any solid (spec 03 5.1)
     children.push_back(compile(*child));
+    join_csg(*children.back());
   }
   switch (object.as<scene::Csg>()->kind) {
     case scene::CsgKind::union_:

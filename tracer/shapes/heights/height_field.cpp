@@ -11,6 +11,7 @@ namespace verisim::shapes {
 namespace {
 
 constexpr double kNearest = kHeightFieldNearest, kEdge = kHeightFieldEdge;
+constexpr double kMaxTolerance = 1e-3;  // hits that are refused for being near are nearer than this
 
 class HeightField final : public Primitive<HeightField> {
  public:
@@ -85,6 +86,7 @@ class HeightField final : public Primitive<HeightField> {
         scale_(grid_->width() - 1, 65536, grid_->depth() - 1) {}
 
  public:
+  void join_csg() { in_csg_ = true; }
   static Box3 box_of(const HeightGrid& grid) { return Box3({0, grid.bottom() / 65536, 0}, {1, grid.top() / 65536, 1}); }
 
  private:
@@ -100,6 +102,10 @@ class HeightField final : public Primitive<HeightField> {
   }
   Vec3 object_normal(const Vec3& n) const { return world_normal({n.x * scale_.x, n.y * scale_.y, n.z * scale_.z}); }
 
+  // Outside CSG the search ends at the first cell on the ray's way that has a hit, even if that is refused for being
+  // too near, and even if the next cell has a nearer one within the edges' tolerance (spec 04 5.2).
+  bool ends_at_first_cell(double t_min) const { return !in_csg_ && t_min <= kMaxTolerance; }
+
   // The hits of several rays; null: whether there are any.
   unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, Hit* hits) const {
     const HeightPacketKernels& kernels = height_packet_kernels();
@@ -111,18 +117,25 @@ class HeightField final : public Primitive<HeightField> {
       unsigned group = 0;
       each_lane(rest, [&](int k) { group |= quadrant(k) == quadrant(one) ? 1u << k : 0; });
       rest &= ~group;
-      if (std::has_single_bit(group) || !kernels.walk(*grid_, group, t_min, t_max, !hits, packet)) {
-        each_lane(group, [&](int k) {
-          Hit hit;
-          NearestHit sink(*this, nullptr, t_min, t_max[k], hits ? hits[k] : hit, !hits);
-          descend(rays.at(k), {packet.ox[k], packet.oy[k], packet.oz[k]}, {packet.dx[k], packet.dy[k], packet.dz[k]},
-                  packet.enter[k], packet.leave[k], sink);
-          found |= sink.found() ? 1u << k : 0;
-        });
+      const auto alone = [&](int k, auto&& search) {
+        Hit hit;
+        NearestHit sink(*this, nullptr, t_min, t_max[k], hits ? hits[k] : hit, !hits);
+        const Vec3 o(packet.ox[k], packet.oy[k], packet.oz[k]), d(packet.dx[k], packet.dy[k], packet.dz[k]);
+        search(rays.at(k), o, d, packet.enter[k], packet.leave[k], sink);
+        found |= sink.found() ? 1u << k : 0;
+      };
+      const bool first_cell = ends_at_first_cell(t_min);
+      const double from = first_cell ? kNearest : t_min;
+      if (std::has_single_bit(group) || !kernels.walk(*grid_, group, from, t_max, !hits, packet)) {
+        each_lane(group, [&](int k) { alone(k, [this](auto&&... ray) { descend(ray...); }); });
         continue;
       }
       each_lane(group, [&](int k) {
         if (packet.triangle[k] < 0) return;
+        if (first_cell && (packet.t[k] < t_min || near_border(packet, k))) {
+          alone(k, [this](auto&&... ray) { descend(ray...); });
+          return;
+        }
         found |= 1u << k;
         if (hits)
           hits[k] = {
@@ -133,10 +146,18 @@ class HeightField final : public Primitive<HeightField> {
     return found;
   }
 
+  // Another cell may have this hit or one beside it within its tolerance.
+  static bool near_border(const HeightPacket& p, int k) {
+    const double x = p.ox[k] + p.t[k] * p.dx[k] - static_cast<double>(p.i[k]),
+                 z = p.oz[k] + p.t[k] * p.dz[k] - static_cast<double>(p.k[k]);
+    return std::min(std::min(x, 1 - x), std::min(z, 1 - z)) < 2 * kEdge;
+  }
+
   // Tests the cells between `enter` and `leave` whose heights the ray may meet, roughly from near to far.
   template <class Sink>
   void descend(const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave, Sink& sink) const {
-    const auto above_of = [](double v) { return static_cast<float>(v + std::fabs(v) * 1e-6); };
+    if constexpr (Sink::kNearest)
+      if (ends_at_first_cell(sink.lower())) return descend_to_first_cell(ray, o, d, enter, leave, sink);
     float end = above_of(std::min(leave, sink.upper()));
     HeightWalk walk(*grid_, o, d, enter, std::min(leave, sink.upper()));
     HeightCell cells[HeightWalk::kCells];
@@ -147,13 +168,51 @@ class HeightField final : public Primitive<HeightField> {
       }
     }
   }
+  static float above_of(double v) { return static_cast<float>(v + std::fabs(v) * 1e-6); }
 
-  // True: a hit was accepted.
   template <class Sink>
-  bool cell(int i, int k, const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave, Sink& sink) const {
+  void descend_to_first_cell(const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave,
+                             Sink& sink) const {
+    const double limit = std::min(leave, sink.upper());
+    float end = above_of(limit);
+    double first = HUGE_VAL;
+    int i = 0, k = 0;
+    HeightWalk walk(*grid_, o, d, enter, limit);
+    HeightCell cells[HeightWalk::kCells];
+    while (const int count = walk.next(end, cells)) {
+      for (int n = 0; n < count; ++n) {
+        if (!(cells[n].near <= end)) continue;
+        bool any = false;
+        each_hit(cells[n].i, cells[n].k, o, d, enter, leave,
+                 [&](double t, int) { any = any || !sink.clipped(ray.at(t)); });
+        if (!any) continue;
+        const double entry = entry_into(cells[n].i, cells[n].k, o, d, enter);
+        if (entry < first) first = entry, i = cells[n].i, k = cells[n].k, end = above_of(std::min(limit, entry));
+      }
+    }
+    if (first < HUGE_VAL) cell(i, k, ray, o, d, enter, leave, sink);
+  }
+
+  // Where a ray enters a cell, at `enter` or later; infinite: it does not pass through it.
+  double entry_into(int i, int k, const Vec3& o, const Vec3& d, double enter) const {
+    double from = enter, to = HUGE_VAL;
+    const auto narrow = [&](double low, double origin, double along, int cells) {
+      if (along == 0) {
+        if (std::clamp(std::floor(origin), 0.0, cells - 1.0) != low) to = -HUGE_VAL;
+        return;
+      }
+      const double a = (low - origin) / along, b = (low + 1 - origin) / along;
+      from = std::max(from, std::min(a, b)), to = std::min(to, std::max(a, b));
+    };
+    narrow(i, o.x, d.x, grid_->width() - 1), narrow(k, o.z, d.z, grid_->depth() - 1);
+    return from <= to ? from : HUGE_VAL;
+  }
+
+  // hit(t, triangle) for those of a cell's triangles that the ray meets.
+  template <class Hit>
+  void each_hit(int i, int k, const Vec3& o, const Vec3& d, double enter, double leave, Hit&& hit) const {
     const double h00 = grid_->at(i, k), h10 = grid_->at(i + 1, k), h01 = grid_->at(i, k + 1),
                  h11 = grid_->at(i + 1, k + 1);
-    bool any = false;
     for (int triangle = 0; triangle < 2; ++triangle) {
       const Vec3 n = triangle == 0 ? Vec3(h00 - h10, 1, h00 - h01) : Vec3(h01 - h11, 1, h10 - h11);
       const double nd = dot(n, d);
@@ -164,13 +223,21 @@ class HeightField final : public Primitive<HeightField> {
       const double a = o.x + t * d.x - i, b = o.z + t * d.z - k;
       const bool in = triangle == 0 ? a >= -kEdge && b >= -kEdge && a + b <= 1 + kEdge
                                     : a <= 1 + kEdge && b <= 1 + kEdge && a + b >= 1 - kEdge;
-      if (in)
-        any |= sink.add(
-            t, [&] { return ray.at(t); }, triangle, i, k);
+      if (in) hit(t, triangle);
     }
+  }
+  // True: a hit was accepted.
+  template <class Sink>
+  bool cell(int i, int k, const Ray& ray, const Vec3& o, const Vec3& d, double enter, double leave, Sink& sink) const {
+    bool any = false;
+    each_hit(i, k, o, d, enter, leave, [&](double t, int triangle) {
+      any |= sink.add(
+          t, [&] { return ray.at(t); }, triangle, i, k);
+    });
     return any;
   }
 
+  bool in_csg_ = false;
   std::shared_ptr<const HeightGrid> grid_;
   Vec3 scale_;  // object units to grid units
 };
@@ -179,6 +246,9 @@ class HeightField final : public Primitive<HeightField> {
 
 std::unique_ptr<Shape> compile_height_field(const scene::Object& object) {
   return std::make_unique<HeightField>(object, *object.as<std::shared_ptr<const scene::HeightField>>());
+}
+void join_csg(Shape& shape) {
+  if (auto* field = dynamic_cast<HeightField*>(&shape)) field->join_csg();
 }
 Box3 height_field_box(const scene::HeightField& field) { return HeightField::box_of(HeightGrid(field)); }
 

@@ -128,6 +128,7 @@ TEST(HeightField, ThePyramidFindsTheNearestHit) {
     // All triangles.
     const Vec3 cells(36, 65536, 20);
     double nearest = 1e30;
+    bool too_near = false;
     for (int i = 0; i < 36; ++i) {
       for (int k = 0; k < 20; ++k) {
         for (int t = 0; t < 2; ++t) {
@@ -140,11 +141,14 @@ TEST(HeightField, ThePyramidFindsTheNearestHit) {
           const bool in =
               t == 0 ? a >= -1e-4 && b >= -1e-4 && a + b <= 1.0001 : a <= 1.0001 && b <= 1.0001 && a + b >= 0.9999;
           const Vec3 g = oo + depth * d;
-          if (in && depth >= 1e-4 && g.x >= 0 && g.x <= 36 && g.z >= 0 && g.z <= 20) nearest = std::min(nearest, depth);
+          if (!in || !(depth >= 1e-6) || g.x < 0 || g.x > 36 || g.z < 0 || g.z > 20) continue;
+          too_near = too_near || depth < 1e-4;
+          nearest = std::min(nearest, depth);
         }
       }
     }
     const auto hit = trace(*s, from, ray.direction);
+    if (too_near) continue;  // the search ends there
     ASSERT_EQ(hit.has_value(), nearest < 1e30) << n;
     if (hit) {
       ASSERT_NEAR(hit->hit.t, nearest, 1e-9) << n;
@@ -274,6 +278,44 @@ TEST(HeightField, EightRaysFindWhatEachFinds) {
   }
   EXPECT_GT(met, 10000);
   EXPECT_GT(together, 3000);
+}
+
+// Two ridges along z, each of two facets, and a ray along x just below their tops (spec 04 5.2).
+TEST(HeightField, TheSearchEndsAtAHitThatIsTooNear) {
+  const auto ridges = [](double x, double) { return std::fabs(std::remainder(2 * x, 1)); };  // 0 .5 0 .5 0
+  const auto o = object(field(function_image(5, 3, ridges)));
+  constexpr double kTolerance = 1e-3, kBelow = 1e-4;
+  Hit hit;
+  const auto meets = [&](const scene::Object& object, double x) {
+    return compile(object)->intersect({{x, 0.5 - kBelow, 0.3}, {1, 0, 0}}, RayKind::camera, kTolerance, 10, hit);
+  };
+  ASSERT_TRUE(meets(o, 0.1));
+  const double first = hit.t + 0.1;
+  EXPECT_NEAR(first, 0.25, kBelow);
+  EXPECT_FALSE(meets(o, first));              // the back of this ridge is nearer than 0.001
+  ASSERT_TRUE(meets(o, first + 2 * kBelow));  // from behind it the next one shows
+  EXPECT_NEAR(hit.t + first, 0.75, 4 * kBelow);
+  scene::Csg both;
+  both.children.push_back(std::make_shared<scene::Object>(o));
+  scene::Object sum;
+  sum.shape = both;
+  ASSERT_TRUE(meets(sum, first));  // a union that is asked as a whole collects all hits
+  EXPECT_NEAR(hit.t + first, 0.75, 4 * kBelow);
+}
+
+// Two facets that meet in a valley on the border of two cells: the nearer hit is the one of the second cell, within the
+// tolerance of its edge.
+TEST(HeightField, TheFirstCellOnTheWayCounts) {
+  const auto valley = [](double x, double y) { return std::fabs(x - 0.5) + 0.1 * y; };
+  const auto o = object(field(function_image(3, 2, valley)));
+  const double bottom = 0.1 * (1 - 0.3), y = 0.5e-4;  // where each facet reaches over its edge by 1e-4 of a cell
+  Hit hit;
+  for (const double direction : {1.0, -1.0}) {
+    const Vec3 origin(0.5 - direction * 0.01, bottom + y + 0.02, 0.3),
+        d = normalize(Vec3(direction * 0.01, -0.02 - y / 2, 0));
+    ASSERT_TRUE(compile(o)->intersect({origin, d}, RayKind::camera, 1e-4, 10, hit));
+    EXPECT_EQ(hit.u, direction > 0 ? 0 : 1);
+  }
 }
 
 TEST(HeightField, SmoothNormalsAreUnitLength) {

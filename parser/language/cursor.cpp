@@ -102,6 +102,7 @@ void Parser::Impl::leave_frame() {
 // Now and then: is anything beyond its limit?
 void Parser::Impl::check_limits() {
   next_check = steps + (1 << 16);
+  next_look = coarse_milliseconds() + 100;
   heap.look();
   const Limits& limits = options.limits;
   if (limits.max_steps && steps > limits.max_steps)
@@ -110,6 +111,12 @@ void Parser::Impl::check_limits() {
     fatal(Code::time_limit, "Interrupted, or longer than --max-seconds allows.");
   if (resident_memory() > limits.max_memory_bytes)
     fatal(Code::size_limit, "The scene needs more memory than --max-memory allows.");
+}
+
+void Parser::Impl::too_many_passes(std::string_view what) {
+  error(Code::size_limit,
+        fmt::format("{} needs more than {} passes of sum and prod and calls of functions for one value.", what,
+                    functions::kMaxPasses));
 }
 
 // ---- The public face ----

@@ -345,7 +345,7 @@ bool Parser::Impl::float_function(Word word, double& out) {
       if (peek().punctuation == ',') skip_token();
       const Vec3 at = vector_argument();
       close_arguments();
-      out = target.inside(at);
+      within_budget("inside()", [&] { out = target.inside(at); });
       break;
     }
     case Word::now:

@@ -16,6 +16,8 @@
 #include "parser/lexer/lexer.h"
 #include "parser/source/huge_heap.h"
 #include "parser/source/search.h"
+#include "tracer/base/coarse_clock.h"
+#include "tracer/functions/evaluation_budget.h"
 #include "tracer/query.h"
 
 namespace verisim::parser {
@@ -104,7 +106,23 @@ struct Parser::Impl {
     steps += tokens + 1;
     if (steps >= next_check) check_limits();
   }
+  // What takes some time by itself (values of functions, queries, objects, strings) does not wait for so many steps.
+  void look_at_clock() {
+    if (coarse_milliseconds() >= next_look) check_limits();
+  }
   void check_limits();
+  // A function's value, or the answer to a query, has to come by itself: nobody looks at limits meanwhile.
+  template <typename Evaluate>
+  void within_budget(std::string_view what, Evaluate&& evaluate) {
+    functions::EvaluationBudget::take_overrun();
+    {
+      functions::EvaluationBudget budget;
+      budget.open();
+      evaluate();
+    }
+    if (functions::EvaluationBudget::take_overrun()) too_many_passes(what);
+  }
+  [[noreturn]] void too_many_passes(std::string_view what);
   void start(std::shared_ptr<const TokenFile> main);
   void top_level();         // statements up to the end of the main file
   bool legacy_directive();  // declare, include, default ... without '#'
@@ -361,6 +379,7 @@ struct Parser::Impl {
   std::size_t tokens_total = 0;
   HugeHeap heap{options.tune_heap};
   std::uint64_t steps = 0, next_check = 1 << 16;
+  std::int64_t next_look = 0;  // by coarse_milliseconds()
   int depth = 0;
   int depth_of_parentheses = 0;
 
@@ -407,6 +426,7 @@ class Live {
 class Nesting {
  public:
   explicit Nesting(Parser::Impl& impl) : impl_(impl) {
+    impl.look_at_clock();
     if (++impl.depth > impl.options.limits.max_depth) {
       --impl.depth;
       impl.fatal(Code::nesting_limit,

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "parser/language/impl.h"
-#include "tracer/functions/evaluation_budget.h"
 
 namespace verisim::parser {
 namespace {
@@ -166,12 +165,9 @@ void Parser::Impl::call_function(const Function& function, Numeric& out) {
                       describe(*position)));
   skip_token();
   double values[kMaxFunctionComponents]{};
-  functions::EvaluationBudget::take_overrun();
-  function.evaluate({arguments_of_call.data(), static_cast<std::size_t>(count)}, values);
-  if (functions::EvaluationBudget::take_overrun())
-    error(Code::size_limit,
-          fmt::format("The function needs more than {} passes of sum and prod and calls of functions for one value.",
-                      functions::kMaxPasses));
+  within_budget("The function", [&] {
+    function.evaluate({arguments_of_call.data(), static_cast<std::size_t>(count)}, values);
+  });
   out.terms = function.components();
   std::copy(std::begin(values), std::end(values), out.v.begin());
 }

@@ -3,8 +3,6 @@
 
 #include <numbers>
 
-#include "tracer/functions/evaluation_budget.h"
-
 namespace verisim::parser {
 
 bool Scanner::identifier(Term& out, int depth) {
@@ -47,7 +45,12 @@ bool Scanner::user_call(const Function& function, Term& out, int depth) {
     advance();
   }
   double result;
-  function.evaluate({values, static_cast<std::size_t>(count)}, &result);
+  p_.look_at_clock();
+  {
+    functions::EvaluationBudget budget;
+    budget.open();
+    function.evaluate({values, static_cast<std::size_t>(count)}, &result);
+  }
   if (functions::EvaluationBudget::take_overrun()) return false;  // the general path makes an error of it
   out.set(result);
   return at_->punctuation != '.';

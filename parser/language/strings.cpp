@@ -170,6 +170,7 @@ bool Parser::Impl::at_string() {
 
 // `path`: literals keep their backslashes (spec 01 section 12.1).
 std::u16string Parser::Impl::string(bool path) {
+  look_at_clock();
   const Token token = peek();
   if (!at_string()) expected("string expression");
   if (token.kind == TokenKind::identifier) return std::get<std::u16string>(resolve().value());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -150,6 +151,40 @@ TEST(Hostile, CopiesOfCopiesAreStopped) {
   EXPECT_NE(run("#declare U = sphere{0,1} #for(i,1,60) #declare U = difference{object{U} object{U}} #end", cancelled)
                 .error.find("Interrupted"),
             std::string::npos);
+}
+
+// Each step takes long, though none of them too long: limits are noticed all the same, as nobody ends a language server
+// or a Python by force.
+TEST(Hostile, LongStepsAreStoppedInTime) {
+  const std::string functions =
+      "#declare F = function(n) { sum(i, 1, n, i) } #declare P = function { pattern { pigment_pattern {"
+      "  function { F(2e7 + 0*x) } color_map { [0 rgb 0] [1 rgb 1] } } } }";
+  const std::string strings =
+      "#declare S = \"abcd\" #for(i,1,20) #declare S = concat(S,S) #end #declare T = concat(S, \"\")";
+  for (const std::string& scene :
+       {functions + "#for(i,1,1e6) #declare A = F(2e7); #end", functions + "#for(i,1,1e6) #declare A = P(i,0,0); #end",
+        functions +
+            "#declare I = isosurface { function { F(1e5 + 0*x) } } #for(i,1,1e6) #declare A = inside(I,<i,0,0>); #end",
+        strings + "#for(i,1,1e6) #declare A = strcmp(S,T); #end", strings + "#for(i,1,1e6) #declare T = S; #end"}) {
+    using Clock = std::chrono::steady_clock;
+    ParseOptions options;
+    Clock::time_point asked;
+    options.cancelled = [end = Clock::now() + std::chrono::milliseconds(300), &asked] {
+      if (asked == Clock::time_point() && Clock::now() > end) asked = Clock::now();
+      return asked != Clock::time_point();
+    };
+    const Clock::time_point start = Clock::now();
+    EXPECT_NE(run(scene, options).error.find("Interrupted"), std::string::npos) << scene;
+    EXPECT_LT(Clock::now() - start, std::chrono::seconds(10)) << scene;
+  }
+}
+
+// What one query asks counts together.
+TEST(Hostile, QueriesHaveTheBudgetOfOneValue) {
+  const std::string surface =
+      "#declare F = function(n) { sum(i, 1, n, i) } #declare I = isosurface { function { x*x - 1 - 1e-30*F(6e7 + 0*x) }"
+      " max_gradient 1e6 accuracy 1e-9 contained_by { box { -2, 2 } } }";
+  EXPECT_NE(run(surface + "#declare A = trace(I, -5*x, x);").error.find("trace() needs more than"), std::string::npos);
 }
 
 TEST(Hostile, LongLines) {

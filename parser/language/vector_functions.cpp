@@ -53,7 +53,8 @@ Vec3 trace(Parser::Impl& p) {
   const Vec3 direction = p.vector_argument();
   comma();
   std::optional<query::TraceHit> hit;
-  if (direction != Vec3(0, 0, 0)) hit = p.query_target(object).trace(from, direction);
+  if (direction != Vec3(0, 0, 0))
+    p.within_budget("trace()", [&] { hit = p.query_target(object).trace(from, direction); });
   if (p.peek().punctuation != ')') {
     const Value* value = p.peek_value();
     const Numeric* old = value ? std::get_if<Numeric>(value) : nullptr;

@@ -11,7 +11,8 @@ namespace verisim::functions {
 // it takes, and its instructions as one each. POV-Ray takes seconds for as many.
 inline constexpr std::uint64_t kMaxPasses = 100'000'000, kPassesOfACall = 8;
 
-// Lives as long as a loop or a call; the outermost of a thread decides what all of them share.
+// Lives as long as a loop or a call, or as a question that may take many; the outermost of a thread decides what all of
+// them share.
 class EvaluationBudget {
  public:
   EvaluationBudget() = default;
@@ -20,13 +21,14 @@ class EvaluationBudget {
   ~EvaluationBudget() {
     if (open_) --open_budgets_;
   }
+  void open() {
+    open_ = true;
+    // Whoever has gone too far gets little more until somebody makes an error of it.
+    if (!open_budgets_++) left_ = overran_ ? kAfterwards : kMaxPasses;
+  }
   // False: no more of it. The value is NaN then, and take_overrun says so once.
   bool spend(std::uint64_t passes = 1) {
-    if (!open_) {
-      open_ = true;
-      // Whoever has gone too far gets little more until somebody makes an error of it.
-      if (!open_budgets_++) left_ = overran_ ? kAfterwards : kMaxPasses;
-    }
+    if (!open_) open();
     if (left_ >= passes) {
       left_ -= passes;
       return true;

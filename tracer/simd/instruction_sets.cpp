@@ -16,7 +16,7 @@ std::string_view asked_for() {
 
 // What each_target.h has kernels compiled for. (Noise has the baseline alone with compilers other than GCC.)
 InstructionSet find_best() {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(HWY_COMPILE_ONLY_STATIC)  // else the baseline is what the compiler was told
   __builtin_cpu_init();
   if (!__builtin_cpu_supports("ssse3") || !__builtin_cpu_supports("sse4.1") || !__builtin_cpu_supports("sse4.2"))
     return kBaseline;

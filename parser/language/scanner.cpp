@@ -45,11 +45,11 @@ bool Scanner::user_call(const Function& function, Term& out, int depth) {
     advance();
   }
   double result;
-  p_.look_at_clock();
   {
     functions::EvaluationBudget budget;
     budget.open();
     function.evaluate({values, static_cast<std::size_t>(count)}, &result);
+    if (budget.spent()) p_.look_at_clock();
   }
   if (functions::EvaluationBudget::take_overrun()) return false;  // the general path makes an error of it
   out.set(result);

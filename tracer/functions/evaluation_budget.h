@@ -36,6 +36,8 @@ class EvaluationBudget {
     overran_ = true;
     return false;
   }
+  // Of an open one that is the outermost: whether the value was more than some arithmetic.
+  static bool spent() { return left_ != kMaxPasses; }
   // True once after an evaluation of this thread was cut short.
   static bool take_overrun() { return std::exchange(overran_, false); }
 

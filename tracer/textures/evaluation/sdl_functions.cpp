@@ -1,5 +1,6 @@
 // Patterns and pigments as functions of SDL (spec 05 section 2, 01 section 24): there is no surface, so slope and aoi
 // are 0.
+#include "tracer/functions/evaluation_budget.h"
 #include "tracer/functions/function.h"
 #include "tracer/textures/evaluation/many_points.h"
 #include "tracer/textures/texture.h"
@@ -14,6 +15,8 @@ class PatternFunction final : public Function {
   int parameters() const override { return 3; }
   int components() const override { return 1; }
   void evaluate(std::span<const double> p, double* result) const override {
+    functions::EvaluationBudget budget;
+    budget.spend(functions::kPassesOfACall);
     result[0] = textures::evaluate(*pattern_, Vec3(p[0], p[1], p[2]), nullptr);
   }
   void evaluate_batch(const double* points, std::size_t stride, std::size_t count, double* result) const override {

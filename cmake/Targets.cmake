@@ -40,7 +40,7 @@ if(VERISIM_SANITIZE)
   target_compile_options(verisim_flags INTERFACE -fsanitize=${VERISIM_SANITIZE} ${cheaper} -fno-omit-frame-pointer -g1)
   target_link_options(verisim_flags INTERFACE -fsanitize=${VERISIM_SANITIZE})
 endif()
-if(VERISIM_FUZZ)
+if(VERISIM_FUZZ AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
   target_compile_options(verisim_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 

@@ -206,20 +206,6 @@ void scale_albedo(Finish& finish, const Albedo& albedo) {
 
 }  // namespace
 
-bool parse_finish_items(Parser& parser, Finish& finish) {
-  Albedo albedo;
-  bool any = false;
-  for (;; any = true) {
-    const Word word = word_at(parser);
-    if (!parse_item(parser, finish, albedo)) break;
-    if (parser.version() < 150)
-      parser.warning(Code::misplaced_keyword,
-                     "Found '" + std::string(spelling(word)) + "' that should be in a finish statement.");
-  }
-  if (any) scale_albedo(finish, albedo);
-  return any;
-}
-
 scene::Finish parse_finish(Parser& parser, const scene::Finish& start) {
   Block block(parser);
   Finish finish = start;

@@ -1,5 +1,4 @@
-// Items of pigments, normals and finishes that stand in the texture itself, as version 1.0 wrote them (spec 05 section
-// 13).
+// Items of pigments, normals and finishes that stand in the texture itself, as before version 3.0 (spec 05 section 13).
 #include "parser/scene/common/common.h"
 #include "parser/scene/textures/maps.h"
 #include "parser/scene/textures/pattern.h"
@@ -31,7 +30,6 @@ std::shared_ptr<Normal> copy_of(const scene::NormalPtr& normal) {
 // Bumps and the like with their amount; a bump map has none.
 scene::NormalPtr parse_old_bumps(Parser& parser, const scene::NormalPtr& start) {
   const bool bump_map = parser.at(Word::bump_map);
-  if (parser.version() >= 150 && !bump_map) return parse_normal_body(parser, start);
   const std::shared_ptr<Normal> normal = copy_of(start);
   parse_normal_type(parser, *normal);
   if (!bump_map) normal->amount = to_float(parser.parse_float());
@@ -61,6 +59,58 @@ bool parse_old_normal(Parser& parser, scene::NormalPtr& normal) {
     default:
       return false;
   }
+}
+
+// One number each: no colors, blocks, backs or albedo, and none of the items that came with later versions.
+bool parse_old_finish(Parser& parser, scene::Finish& finish) {
+  const Word word = word_at(parser);
+  const auto number = [&parser] {
+    parser.next();
+    return to_float(parser.parse_float());
+  };
+  switch (word) {
+    case Word::ambient:
+      finish.ambient = Rgb(number());
+      break;
+    case Word::brilliance:
+      finish.brilliance = number();
+      break;
+    case Word::crand:
+      finish.crand = number();
+      break;
+    case Word::diffuse:
+      finish.diffuse = finish.raw_diffuse = number();
+      break;
+    case Word::ior:
+      finish.ior = number();
+      break;
+    case Word::metallic:
+      parser.next();
+      finish.metallic = 1;
+      break;
+    case Word::phong:
+      finish.phong = number();
+      break;
+    case Word::phong_size:
+      finish.phong_size = number();
+      break;
+    case Word::reflection:
+      finish.reflection.minimum = finish.reflection.maximum = Rgb(number());
+      break;
+    case Word::refraction:
+      finish.refraction = number();
+      break;
+    case Word::roughness:
+      finish.roughness = number();
+      break;
+    case Word::specular:
+      finish.specular = number();
+      break;
+    default:
+      return false;
+  }
+  belongs_into(parser, word, "finish");
+  return true;
 }
 
 bool of_version_1(Word pattern) {
@@ -122,11 +172,6 @@ bool parse_old_pigment_item(Parser& parser, Pigment& pigment) {
 
 bool parse_old_pigment(Parser& parser, scene::PigmentPtr& pigment) {
   if (word_at(parser) == Word::none && !at_color(parser)) return false;
-  if (parser.version() >= 150) {
-    const scene::PigmentPtr before = pigment;
-    pigment = parse_pigment_body(parser, pigment, true);
-    return pigment != before;
-  }
   auto changed = std::make_shared<Pigment>(*pigment);
   if (!parse_old_pigment_item(parser, *changed)) return false;
   pigment = changed;
@@ -139,7 +184,7 @@ bool parse_old_item(Parser& parser, scene::TextureLayer& layer) {
   if (parser.at(Word::uv_mapping)) return false;
   if (parse_crand(parser, layer) || parse_old_normal(parser, layer.normal)) return true;
   scene::Finish finish = layer.finish;
-  if (parse_finish_items(parser, finish)) {
+  if (parse_old_finish(parser, finish)) {
     layer.finish = finish;
     return true;
   }

@@ -34,16 +34,14 @@ bool allowed(PatternKind kind, PatternOwner owner) {
   return owner != PatternOwner::function || !info.is(PatternInfo::kNotInFunctions);
 }
 
-void set_kind(Parser& parser, Pattern& pattern, PatternKind kind, PatternOwner owner) {
+void set_kind(Pattern& pattern, PatternKind kind) {
   // A brick that follows a brick keeps its sizes (spec 08 E); any other pattern starts from its own defaults.
   const bool keep = kind == PatternKind::brick && pattern.kind == PatternKind::brick;
   pattern.kind = kind;
   if (!keep) pattern.params.reset();
   const PatternInfo& info = scene::info(kind);
   if (info.is(PatternInfo::kNoFrequency)) pattern.frequency = 0;
-  // Before 3.0 `texture { marble }` meant the ramp of older versions (spec 05 section 13).
-  const bool old_texture = owner == PatternOwner::texture && parser.version() < 300;
-  if (info.is(PatternInfo::kTriangleWave) && !old_texture) pattern.wave = scene::Wave::triangle;
+  if (info.is(PatternInfo::kTriangleWave)) pattern.wave = scene::Wave::triangle;
   if (scene::PatternParams defaults = default_params(kind); !keep && defaults.index() != 0)
     pattern.params = std::move(defaults);
 }
@@ -86,7 +84,7 @@ Vec2 parse_complex(Parser& parser) {
 }
 
 // mandel N, julia <a,b>, N, magnet 1|2 followed by one of them.
-void parse_fractal(Parser& parser, Pattern& pattern, PatternOwner owner) {
+void parse_fractal(Parser& parser, Pattern& pattern) {
   scene::FractalParams fractal;
   const bool magnet = parser.accept(Word::magnet);
   if (magnet) {
@@ -104,7 +102,7 @@ void parse_fractal(Parser& parser, Pattern& pattern, PatternOwner owner) {
     parser.error_expected("mandel or julia");
   }
   fractal.iterations = parser.parse_int();
-  set_kind(parser, pattern, kind, owner);
+  set_kind(pattern, kind);
   pattern.params = fractal;
 }
 
@@ -136,13 +134,13 @@ bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, co
   const Parser::Depth depth(parser);
   if (scene::info(named).is(PatternInfo::kBare)) {
     parser.next();
-    set_kind(parser, pattern, named, owner);
+    set_kind(pattern, named);
     if (const int size = list_size(named)) read_list(size);
     return true;
   }
   const auto take = [&](PatternKind kind) {
     parser.next();
-    set_kind(parser, pattern, kind, owner);
+    set_kind(pattern, kind);
   };
   switch (word) {
     case Word::gradient: {
@@ -169,7 +167,7 @@ bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, co
     case Word::mandel:
     case Word::julia:
     case Word::magnet:
-      parse_fractal(parser, pattern, owner);
+      parse_fractal(parser, pattern);
       return true;
     case Word::function:
       take(PatternKind::function);

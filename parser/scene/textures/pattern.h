@@ -32,8 +32,7 @@ enum class ImageUse : unsigned char { image_map, image_pattern, bump_map, materi
 scene::ImageParams parse_image(Parser& parser, ImageUse use, float* bump_size = nullptr);
 
 // Body of a pigment, normal, texture or density: items up to the first token that is none. `start` is what is modified.
-// (`old_texture`: written directly into the texture, before 3.0; frequency and phase belong to the normal then.)
-scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& start, bool old_texture = false);
+scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& start);
 scene::NormalPtr parse_normal_body(Parser& parser, const scene::NormalPtr& start);
 scene::TexturePtr parse_texture_body(Parser& parser, bool is_default = false);
 scene::DensityPtr parse_density_body(Parser& parser);
@@ -45,9 +44,6 @@ bool parse_normal_type(Parser& parser, scene::Normal& normal);
 // Whole blocks that modify something.
 scene::PigmentPtr parse_pigment(Parser& parser, const scene::PigmentPtr& start);
 scene::NormalPtr parse_normal(Parser& parser, const scene::NormalPtr& start);
-
-// Items of a finish up to the first token that is none; albedo forms are scaled at the end. False: there was none.
-bool parse_finish_items(Parser& parser, scene::Finish& finish);
 
 // Before 3.0: one item of a pigment, normal or finish that stands in the texture itself (old_texture.cpp). False: none.
 bool parse_old_item(Parser& parser, scene::TextureLayer& layer);

@@ -86,7 +86,7 @@ const scene::PigmentPtr& blank_pigment() {
   return blank;
 }
 
-scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& start, bool old_texture) {
+scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& start) {
   const Parser::Depth depth(parser);
   std::shared_ptr<Pigment> pigment;
   bool changed = false;
@@ -99,12 +99,9 @@ scene::PigmentPtr parse_pigment_body(Parser& parser, const scene::PigmentPtr& st
     return pigment;
   }
   changed = parse_pigment_type(parser, *pigment);
-  if (!changed && !old_texture && pigment->pattern.kind == PatternKind::none)
+  if (!changed && pigment->pattern.kind == PatternKind::none)
     parser.warning(Code::missing_item, "Pigment type unspecified or not 1st item.");
-  while (!(old_texture && (parser.at(Word::frequency) || parser.at(Word::phase) || parser.at(Word::agate_turb)))) {
-    if (!parse_modifier(parser, *pigment)) break;
-    changed = true;
-  }
+  while (parse_modifier(parser, *pigment)) changed = true;
   if (!changed) return original;  // shared, so that equal pigments are compiled once
   if (pigment->pattern.kind == PatternKind::average && !pigment->pigment_map)
     parser.error(Code::missing_item, "Average must have map.");

@@ -175,6 +175,19 @@ TEST(OldTextures, TransformationsReachWhatStandsBeforeThem) {
   EXPECT_FALSE(layer.normal->pattern.turbulence.has_value());
 }
 
+TEST(OldTextures, ItemsAreTakenOneByOneUpToVersion3) {
+  const scene::Scene scene =
+      scene_of("#version 2.0; sphere { 0, 1 texture { marble waves .3 turbulence .4 metallic .5 diffuse .3 } }");
+  const scene::TextureLayer& layer = scene.objects[0]->texture->layers[0];
+  EXPECT_EQ(layer.pigment->pattern.wave, scene::Wave::ramp);
+  EXPECT_EQ(layer.pigment->pattern.turbulence->amount, Vec3(.4, .4, .4));
+  EXPECT_FALSE(layer.normal->pattern.turbulence.has_value());
+  const scene::Finish finish = layer.finish;
+  EXPECT_EQ(finish.metallic, 1);
+  EXPECT_EQ(finish.crand, .5f);  // the number behind `metallic`
+  EXPECT_EQ(finish.raw_diffuse, .3f);
+}
+
 TEST(OldTextures, ColorsHaveOperatorsWhereTheyAreDeclared) {
   const char* text = "#version 1.0 #declare C = color red 1 #declare D = C*.5 sphere { <0 0 0> 1 pigment { color D } }";
   EXPECT_EQ(scene_of(text).objects[0]->texture->layers[0].pigment->color, Color(.5f, 0, 0));

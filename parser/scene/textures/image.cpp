@@ -177,10 +177,10 @@ void parse_transparency(Parser& parser, scene::ImageParams& params, bool filter)
 
 scene::ImageParams parse_image(Parser& parser, ImageUse use, float* bump_size) {
   scene::ImageParams params;
-  if (parser.at('<')) {
+  // In DKBTrace and POV-Ray 1 the kind of projection and the plane of the image.
+  while (use != ImageUse::height_field && parser.at_number_start() && !at_color(parser)) {
     parser.parse_vec3();
-    parser.optional_comma();
-    parser.warning(Code::no_effect, "A vector before the image file is ignored.");
+    parser.warning(Code::no_effect, "A number or vector before the image file is ignored.");
   }
   params.image = parser.at(Word::function) ? function_image(parser) : load_file(parser, use);
   if (use == ImageUse::height_field) return params;
@@ -229,7 +229,6 @@ scene::ImageParams parse_image(Parser& parser, ImageUse use, float* bump_size) {
         break;
       case Word::filter:
       case Word::transmit:
-      case Word::alpha:
         if (use != ImageUse::image_map) return params;
         parse_transparency(parser, params, word_at(parser) != Word::transmit);
         break;

@@ -16,8 +16,18 @@ void belongs_into(Parser& parser, Word word, const char* statement) {
                  "Found '" + std::string(spelling(word)) + "' that should be in a " + statement + " statement.");
 }
 
+bool at_single_number(Parser& parser) {
+  if (!parser.at_number_start() || parser.at('<')) return false;
+  if (const Value* value = parser.peek_value()) {
+    const auto* number = std::get_if<Numeric>(value);
+    return number && number->terms == 1;
+  }
+  return parser.peek().kind != TokenKind::word || word_class(word_at(parser)) == WordClass::float_function;
+}
+
+// A number that follows nothing.
 bool parse_crand(Parser& parser, scene::TextureLayer& layer) {
-  if (parser.peek().kind != TokenKind::number) return false;
+  if (!at_single_number(parser)) return false;
   layer.finish.edit().crand = to_float(parser.parse_float());
   parser.warning(Code::discontinued, "Should use crand keyword in finish statement.");
   return true;

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Invents scenes, has POV-Ray and verisim render them, reduces what differs to a few lines and files it by likeness.
 
-usage: invent.py --out FOLDER [--verisim PROGRAM] [--seed N] [--count N] [--seconds S] [--mutate FOLDER] [--no-reduce]
+usage: invent.py --out FOLDER [--verisim PROGRAM] [--seed N] [--count N] [--seconds S] [--mutate FOLDER | --people] [--no-reduce]
+                 [--size 32x24]
 
 Scene K of a seed is always the same. What was done is in FOLDER/state.json, so that a run that was interrupted goes on
 where it was; FOLDER/found/ has a reduced scene a difference and FOLDER/classes.md the table. Exit status 1 if a
@@ -20,6 +21,7 @@ import time
 import classes
 import grammar
 import mutate
+import people
 import programs
 import reducer
 
@@ -36,7 +38,9 @@ def arguments():
     parser.add_argument("--seconds", type=float, default=1e9)
     parser.add_argument("--jobs", type=int, default=3)
     parser.add_argument("--mutate", type=pathlib.Path, help="mutate the scenes of this folder instead of inventing")
+    parser.add_argument("--people", action="store_true", help="scenes as people write them, with standard include files")
     parser.add_argument("--no-reduce", action="store_true")
+    parser.add_argument("--size", default="32x24", help="of the pictures")
     return parser.parse_args()
 
 
@@ -49,7 +53,7 @@ def batches(options, first):
         folder, (version, text) = (
             mutate.scene(seed, sources, options.seed * 1_000_003 + number // BATCH)
             if sources
-            else (None, grammar.scene(seed))
+            else (None, (people if options.people else grammar).scene(seed))
         )
         group = waiting[version, folder]
         group.append((number, text))
@@ -153,4 +157,6 @@ class Run:
 if __name__ == "__main__":
     if not re.search(r"3\.7", sys.version) and sys.version_info < (3, 9):
         sys.exit("needs Python 3.9 or later")
-    sys.exit(Run(arguments()).run())
+    options = arguments()
+    programs.set_size(*map(int, options.size.split("x")))
+    sys.exit(Run(options).run())

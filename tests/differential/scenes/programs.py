@@ -10,10 +10,19 @@ import shutil
 import subprocess
 from dataclasses import dataclass, field
 
-WIDTH, HEIGHT = 32, 24
-SWITCHES = [f"+W{WIDTH}", f"+H{HEIGHT}", "-A", "-D", "-P", "+FP", "+WT1"]
+WIDTH, HEIGHT, SWITCHES = 0, 0, []
 TIMEOUT = 25  # seconds for one scene; what takes longer is left out
 ACCURACY = 1  # 8-bit units within which a value is the same
+
+
+def set_size(width, height):
+    """Of the pictures of all runs."""
+    global WIDTH, HEIGHT, SWITCHES
+    WIDTH, HEIGHT = width, height
+    SWITCHES = [f"+W{width}", f"+H{height}", "-A", "-D", "-P", "+FP", "+WT1"]
+
+
+set_size(32, 24)
 
 
 @dataclass

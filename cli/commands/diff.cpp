@@ -113,7 +113,7 @@ int command_diff(const std::vector<std::string>& arguments) {
                  "Compares two pictures, or all pictures of two folders by their names, pixel by pixel. Exit status 0 "
                  "when they match, 1 when they do not.");
   std::string json, html, heat_map;
-  std::vector<std::string> thresholds, fits, layer_limits;
+  std::vector<std::string> thresholds, fits, targets, layer_limits;
   std::string crop, corners, pick;
   compare::MetricOptions metric;
   double gain = 16;
@@ -146,6 +146,9 @@ int command_diff(const std::vector<std::string>& arguments) {
             "type");
   own.values("--fit WHAT", fits,
              "fit exposure, white_balance, the lens's distortion (with --corners) or vignetting (may be given again)");
+  own.values("--target X,Y,WIDTH,HEIGHT=R,G,B", targets,
+             "a patch of a colour chart in the photograph, in the picture's pixels, and its known sRGB colour: the "
+             "photograph's colours are mended by all of them");
   const std::vector<std::string> words = own.parse(arguments);
   if (words.size() != 2) throw OptionError("two pictures are needed: verisim diff REFERENCE PICTURE");
 
@@ -153,12 +156,18 @@ int command_diff(const std::vector<std::string>& arguments) {
     compare::write_report(compare::corner_page(words[0], words[1]), pick);
     return kOk;
   }
-  const compare::FitOptions wanted = fit_options(crop, corners, fits);
+  compare::FitOptions wanted = fit_options(crop, corners, fits);
+  try {
+    for (const std::string& target : targets) wanted.targets.push_back(compare::color_target_of(target));
+  } catch (const std::invalid_argument& error) {
+    throw OptionError(std::string("--target ") + error.what());
+  }
   const compare::Thresholds limits = threshold_options(thresholds);
   const std::vector<compare::LayerRule> rules = layer_options(layer_limits);
   if (std::filesystem::is_directory(words[0]) && std::filesystem::is_directory(words[1])) {
     if (wanted.any() || !heat_map.empty())
-      throw OptionError("--crop, --corners, --fit and --heat-map are for one pair of pictures, not for folders");
+      throw OptionError(
+          "--crop, --corners, --fit, --target and --heat-map are for one pair of pictures, not for folders");
     return diff_folders(words[0], words[1], {metric, limits, rules, antialiased}, json, html, color);
   }
   compare::Pair pair{words[0], words[1], {}, {}, {}, {}};

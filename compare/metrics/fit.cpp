@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "compare/metrics/linear_light.h"
 #include "compare/metrics/photograph.h"
-#include "compare/metrics/values.h"
 
 namespace verisim::compare {
 namespace {
@@ -26,12 +26,6 @@ Picture cut(const Picture& picture, const Crop& crop) {
   return out;
 }
 
-double decoded(float v, bool is_float) {
-  return is_float ? v : srgb_to_linear(std::clamp(static_cast<double>(v), 0.0, 1.0));
-}
-float encoded(double v, bool is_float) {
-  return static_cast<float>(is_float ? v : linear_to_srgb(std::clamp(v, 0.0, 1.0)));
-}
 bool is_alpha(const Picture& p, int channel) {
   return (p.channels == 2 || p.channels == 4) && channel == p.channels - 1;
 }
@@ -73,14 +67,14 @@ Picture resampled(const Picture& picture, int width, int height) {
             const std::size_t at =
                 (static_cast<std::size_t>(down.first) + j) * static_cast<std::size_t>(picture.width) +
                 static_cast<std::size_t>(across.first) + i;
-            sum +=
-                down.weights[j] * across.weights[i] *
-                decoded(picture.samples[at * static_cast<std::size_t>(picture.channels) + static_cast<std::size_t>(c)],
-                        plain);
+            sum += down.weights[j] * across.weights[i] *
+                   linear_of(
+                       picture.samples[at * static_cast<std::size_t>(picture.channels) + static_cast<std::size_t>(c)],
+                       plain);
           }
         out.samples[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
                         static_cast<std::size_t>(picture.channels) +
-                    static_cast<std::size_t>(c)] = encoded(sum, plain);
+                    static_cast<std::size_t>(c)] = sample_of(sum, plain);
       }
   return out;
 }
@@ -98,23 +92,11 @@ void require_same_shape(const Picture& reference, const Picture& test, bool cut)
                   cut ? "it" : "a crop", reference.width, std::lround(reference.width / wanted)));
 }
 
-// Linear colour of a pixel; empty when it is clipped or not finite.
-std::optional<Rgb> usable(const Picture& p, std::size_t pixel) {
-  Rgb out;
-  const std::size_t step = p.channels > 2 ? 1 : 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const float v = p.samples[pixel * static_cast<std::size_t>(p.channels) + c * step];
-    if (!std::isfinite(v) || (!p.is_float && (v > 254.5f / 255 || v < 0))) return std::nullopt;
-    out[c] = decoded(v, p.is_float);
-  }
-  return out;
-}
-
 // The factors for the test's channels.
 Rgb gains(const Picture& reference, const Picture& test, bool each_channel) {
   Rgb product{}, square{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(test.width) * static_cast<std::size_t>(test.height); ++i) {
-    const std::optional<Rgb> p = usable(reference, i), q = usable(test, i);
+    const std::optional<Rgb> p = linear_color(reference, i), q = linear_color(test, i);
     if (!p || !q) continue;
     for (std::size_t c = 0; c < 3; ++c) product[c] += (*p)[c] * (*q)[c], square[c] += (*q)[c] * (*q)[c];
   }
@@ -130,7 +112,7 @@ Rgb gains(const Picture& reference, const Picture& test, bool each_channel) {
 double stops_error(const Picture& reference, const Picture& test, const Rgb& gain) {
   double rest = 0, square = 0, scaled = 0, count = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(test.width) * static_cast<std::size_t>(test.height); ++i) {
-    const std::optional<Rgb> p = usable(reference, i), q = usable(test, i);
+    const std::optional<Rgb> p = linear_color(reference, i), q = linear_color(test, i);
     if (!p || !q) continue;
     for (std::size_t c = 0; c < 3; ++c) {
       const double apart = (*p)[c] - gain[c] * (*q)[c];
@@ -160,6 +142,7 @@ std::string Fit::text() const {
   if (vignetting)
     out += fmt::format("fall-off 1 {:+.3f} r² {:+.3f} r⁴ (± {:.3f}, {:.3f}); ", vignetting->a, vignetting->b,
                        vignetting->a_error, vignetting->b_error);
+  if (targets) out += targets->text() + "; ";
   if (noise > 0) out += fmt::format("noise {:.2f} code values; ", noise);
   if (stops != 0) out += fmt::format("exposure {:+.3f} ± {:.3f} stops; ", stops, stops_error);
   if (balance != std::array<double, 3>{1, 1, 1})
@@ -195,6 +178,10 @@ FittedPair fit_to_reference(const Picture& reference, const Picture& test, const
     out.fit.vignetting = fit_vignetting(out.reference, test, where);
     out.reference = without_vignetting(out.reference, *out.fit.vignetting, where);
   }
+  if (!options.targets.empty()) {
+    out.fit.targets = fit_targets(out.reference, options.targets);
+    out.reference = with_mended_colors(out.reference, *out.fit.targets);
+  }
   if (!options.exposure && !options.white_balance) return out;
   const Rgb gain = gains(out.reference, test, options.white_balance);
   const double mean = std::cbrt(gain[0] * gain[1] * gain[2]);
@@ -205,7 +192,7 @@ FittedPair fit_to_reference(const Picture& reference, const Picture& test, const
     const int c = static_cast<int>(i % static_cast<std::size_t>(test.channels));
     if (is_alpha(test, c) || !std::isfinite(out.test.samples[i])) continue;
     float& v = out.test.samples[i];
-    v = encoded((grey ? mean : gain[static_cast<std::size_t>(c)]) * decoded(v, test.is_float), test.is_float);
+    v = sample_of((grey ? mean : gain[static_cast<std::size_t>(c)]) * linear_of(v, test.is_float), test.is_float);
   }
   if (!out.test.is_float) out.test.bits = 16;
   return out;

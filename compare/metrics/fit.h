@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "compare/metrics/color_targets.h"
 #include "compare/metrics/metrics.h"
 
 namespace verisim::compare {
@@ -21,13 +22,16 @@ struct ImagePoint {
 using Corners = std::array<ImagePoint, 4>;
 
 struct FitOptions {
-  std::optional<Crop> crop;        // of the reference, in its pixels
-  std::optional<Corners> corners;  // of the picture, where they are in the reference, about: they are refined
-  bool distortion = false;         // with corners: the lens's radial distortion is fitted, too
-  bool vignetting = false;         // the fall-off of light towards the corners is fitted
-  bool exposure = false;           // one factor for the three channels
-  bool white_balance = false;      // a factor for each channel; the exposure is then their part in common
-  bool any() const { return crop || corners || distortion || vignetting || exposure || white_balance; }
+  std::optional<Crop> crop;            // of the reference, in its pixels
+  std::optional<Corners> corners;      // of the picture, where they are in the reference, about: they are refined
+  bool distortion = false;             // with corners: the lens's radial distortion is fitted, too
+  bool vignetting = false;             // the fall-off of light towards the corners is fitted
+  bool exposure = false;               // one factor for the three channels
+  bool white_balance = false;          // a factor for each channel; the exposure is then their part in common
+  std::vector<ColorTarget> targets{};  // patches of known colours, in the picture's pixels
+  bool any() const {
+    return crop || corners || distortion || vignetting || exposure || white_balance || !targets.empty();
+  }
 };
 
 // Where the picture lies in the photograph. Errors are standard deviations, from the residuals of the fit.
@@ -48,6 +52,7 @@ struct Fit {
   bool resampled = false;
   std::optional<Alignment> alignment;
   std::optional<Vignetting> vignetting;
+  std::optional<TargetFit> targets;
   double noise = 0;                        // standard deviation of the reference's, code values; 0: not estimated
   double stops_error = 0;                  // standard deviation
   double stops = 0;                        // exposure: the render's linear values were multiplied by 2^stops ...
@@ -65,7 +70,7 @@ Picture resampled(const Picture& picture, int width, int height);
 
 // Least squares in linear light over the pixels that are clipped in neither picture. A cut-out of another size is
 // averaged over the render's pixels. Throws PictureMismatch when the crop is not inside the reference, or the corners
-// are no convex quadrilateral in their order.
+// are no convex quadrilateral in their order, or of fit_targets.
 FittedPair fit_to_reference(const Picture& reference, const Picture& test, const FitOptions& options);
 
 }  // namespace verisim::compare

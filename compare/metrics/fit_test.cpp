@@ -47,6 +47,78 @@ TEST(Fit, FindsExposureAndWhiteBalance) {
               testing::AllOf(testing::HasSubstr("exposure -1.0"), testing::HasSubstr("white balance 1.3")));
 }
 
+// A chart of six patches as a camera with mixed channels and half the light sees it.
+struct Chart {
+  static constexpr std::array<std::array<double, 3>, 6> kKnown = {
+      {{115, 82, 68}, {194, 150, 130}, {98, 122, 157}, {87, 108, 67}, {243, 243, 242}, {122, 122, 121}}};
+  static constexpr double kCamera[3][3] = {{0.40, 0.08, 0.02}, {0.05, 0.38, 0.07}, {0.01, 0.10, 0.45}};
+  Picture photo;
+  std::vector<ColorTarget> targets;
+  explicit Chart(std::size_t patches) {
+    photo.width = 8 * static_cast<int>(patches), photo.height = 8, photo.bits = 16;
+    for (int y = 0; y < 8; ++y)
+      for (std::size_t t = 0; t < patches; ++t)
+        for (int x = 0; x < 8; ++x)
+          for (const auto& row : kCamera) {
+            double v = 0;
+            for (std::size_t c = 0; c < 3; ++c) v += row[c] * srgb_to_linear(kKnown[t][c] / 255);
+            photo.samples.push_back(static_cast<float>(linear_to_srgb(v)));
+          }
+    for (std::size_t t = 0; t < patches; ++t) targets.push_back({8 * static_cast<int>(t) + 2, 2, 4, 4, kKnown[t]});
+  }
+};
+
+TEST(Fit, ColorTargetsUndoAMatrix) {
+  const Chart chart(6);
+  const TargetFit fit = fit_targets(chart.photo, chart.targets);
+  EXPECT_TRUE(fit.whole_matrix);
+  for (const double error : fit.errors) EXPECT_LT(error, 0.01);
+  EXPECT_THAT(fit.text(), testing::HasSubstr("6 targets (a matrix), which are then 0.00 CIEDE2000 off"));
+  // Applied, and with the exposure fitted, the photograph has the known colours.
+  Picture known = chart.photo;
+  for (std::size_t i = 0; i < known.samples.size(); ++i)
+    known.samples[i] = static_cast<float>(Chart::kKnown[i / 24 % 6][i % 3] / 255);
+  FitOptions options;
+  options.targets = chart.targets, options.exposure = true;
+  const FittedPair pair = fit_to_reference(chart.photo, known, options);
+  EXPECT_LT(measure(pair.reference, pair.test).max_abs, 0.5);
+  EXPECT_NEAR(pair.fit.stops, -1, 0.2);  // half the light
+  ASSERT_TRUE(pair.fit.targets);
+}
+
+TEST(Fit, FewColorTargetsAreAFactorForEachChannel) {
+  Chart chart(6);
+  chart.targets = {chart.targets[4]};
+  const TargetFit fit = fit_targets(chart.photo, chart.targets);
+  EXPECT_FALSE(fit.whole_matrix);
+  EXPECT_LT(fit.errors.at(0), 0.01);
+  EXPECT_EQ(fit.matrix[1], 0);
+  const Picture mended = with_mended_colors(chart.photo, fit);
+  const auto white = static_cast<std::size_t>(3 * (4 * 8 + 4));
+  EXPECT_NEAR(mended.samples[white], mended.samples[white + 2], 0.005);  // as grey as 243, 243, 242
+  EXPECT_GT(std::fabs(chart.photo.samples[white] - chart.photo.samples[white + 2]), 0.03);
+}
+
+TEST(Fit, ColorTargetsThatCannotBeReadSaySo) {
+  Chart chart(6);
+  const auto said = [&] {
+    try {
+      fit_targets(chart.photo, chart.targets);
+    } catch (const PictureMismatch& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  chart.targets[2].x = 46;
+  EXPECT_THAT(said(), testing::StartsWith("target 3 at 46, 2, 4, 4 is not inside the picture of 48x8"));
+  chart.targets[2].x = 18;
+  chart.photo.samples[(3 * 48 + 3) * 3] = 1;
+  EXPECT_EQ(said(), "target 1 is clipped in the photograph at 3, 3");
+  for (const char* text : {"1,2,3,4=1,2", "1,2,3,4=1,2,300", "a", "1,2,3,4=1,2,3,"})
+    EXPECT_THROW(color_target_of(text), std::invalid_argument) << text;
+  EXPECT_EQ(color_target_of("1,2,3,4=5,6,7").srgb, (std::array<double, 3>{5, 6, 7}));
+}
+
 TEST(Fit, ExposureAloneIsOneFactor) {
   const Picture a = scene_like_picture(30, 20),
                 b = changed(a, [](double v) {

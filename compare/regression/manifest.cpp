@@ -173,6 +173,8 @@ class Manifest {
       crop(node, out);
     else if (key == "corners")
       corners(node, out);
+    else if (key == "targets")
+      targets(node, out);
     else if (key == "fit")
       fit(node, out);
     else if (key == "beside")
@@ -359,6 +361,16 @@ class Manifest {
       (*out.fit.corners)[i] = {v[0], v[1]};
     }
   }
+  void targets(const toml::node& node, SceneRequest& out) const {
+    out.fit.targets.clear();
+    for (const std::string& text : texts(node, "targets")) {
+      try {
+        out.fit.targets.push_back(color_target_of(text));
+      } catch (const std::invalid_argument& error) {
+        fail(node.source(), error.what());
+      }
+    }
+  }
   void fit(const toml::node& node, SceneRequest& out) const {
     out.fit.exposure = out.fit.white_balance = out.fit.distortion = out.fit.vignetting = false;
     for (const std::string& what : texts(node, "fit")) {
@@ -442,8 +454,9 @@ class Manifest {
     }
     if (pattern.empty()) fail(table.source(), "a [[scene]] needs 'file'");
     if (!scene.beside.empty() && !scene.fit.any())
-      fail(table.source(), "'beside' is for a photograph: it needs 'crop', 'corners' or 'fit'");
-    if (scene.fit.any() && !scene.reference) fail(table.source(), "'crop', 'corners' and 'fit' need a 'reference'");
+      fail(table.source(), "'beside' is for a photograph: it needs 'crop', 'corners', 'targets' or 'fit'");
+    if (scene.fit.any() && !scene.reference)
+      fail(table.source(), "'crop', 'corners', 'fit' and 'targets' need a 'reference'");
     if (pattern.find_first_of("*?[") == std::string::npos) {
       scene.scene = (folder_ / pattern).lexically_normal();
       if (!fs::is_regular_file(scene.scene))

@@ -81,6 +81,8 @@ std::string ResultStore::resume_key(const SceneRequest& r, std::vector<fs::path>
   hash.add(fmt::format("{} {}", r.fit.distortion, r.fit.vignetting));
   if (r.fit.corners)
     for (const ImagePoint& p : *r.fit.corners) hash.add(fmt::format("{} {}", p.x, p.y));
+  for (const ColorTarget& t : r.fit.targets)
+    hash.add(fmt::format("{} {} {} {} {} {} {}", t.x, t.y, t.width, t.height, t.srgb[0], t.srgb[1], t.srgb[2]));
   std::sort(files_read.begin(), files_read.end());
   for (const fs::path& file : files_read) hash.add(file.string()), hash.add_file(file);
   return hash.hex();

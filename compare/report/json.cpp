@@ -146,6 +146,8 @@ J scene_as(const SceneResult& s) {
       fit["distortion"] = {a->distortion, a->distortion_error};
     }
     if (const auto& v = s.fit->vignetting) fit["vignetting"] = {v->a, v->b, v->a_error, v->b_error};
+    if (const auto& t = s.fit->targets)
+      fit["targets"] = {{"matrix", t->matrix}, {"whole_matrix", t->whole_matrix}, {"ciede2000", t->errors}};
     fit["stops_error"] = s.fit->stops_error, fit["noise"] = s.fit->noise;
     if (s.fit->crop) fit["crop"] = {s.fit->crop->x, s.fit->crop->y, s.fit->crop->width, s.fit->crop->height};
   }
@@ -263,6 +265,11 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
     if (f.contains("vignetting")) {
       const auto& v = f["vignetting"];
       s.fit->vignetting = Vignetting{v.at(0), v.at(1), v.at(2), v.at(3)};
+    }
+    if (f.contains("targets")) {
+      const auto& t = f["targets"];
+      s.fit->targets = TargetFit{t.at("matrix").get<std::array<double, 9>>(), t.at("whole_matrix"),
+                                 t.at("ciede2000").get<std::vector<double>>()};
     }
     if (f.contains("crop")) s.fit->crop = Crop{f["crop"].at(0), f["crop"].at(1), f["crop"].at(2), f["crop"].at(3)};
   }

@@ -190,9 +190,9 @@ NativeRenderer povray_renderer(const OracleProgram& program, const OracleOptions
 
 // Never throws. files_read: what the native side read, as paths of the original files; empty: every file of the scene's
 // folder counts. variant: 0 is the reference. Each other one takes a thread more than the one before (up to eight, then
-// from the beginning), and another order of the blocks (+RP, +RS; never their size, which would change the
-// anti-aliasing), so that random numbers fall on other pixels; nothing else changes in the picture. Run i of several is
-// variant 2 i.
+// from the beginning), and another order of the blocks (+RP, +RS) and, without anti-aliasing, which it would
+// change, another size (+BS), so that random numbers fall on other pixels; nothing else changes in the picture. Run i
+// of several is variant 2 i.
 OracleRender run_oracle(const OracleProgram& program, const OracleOptions& options, const SceneRequest& scene,
                         int variant, const std::vector<std::filesystem::path>& files_read,
                         std::atomic<bool>* cancel = nullptr);

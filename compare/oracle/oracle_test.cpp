@@ -256,6 +256,22 @@ TEST_F(Oracle, RendersInIsolation) {
   EXPECT_THAT(lines("folder"), testing::Not(Contains((root_.path() / "scenes").string())));
 }
 
+// Blocks of other sizes are other threads' work, but anti-aliasing sees where they end.
+TEST_F(Oracle, VariantsHaveBlocksOfOtherSizesWhereNothingSeesThem) {
+  const auto sizes_so_far = [&](int variant) {
+    EXPECT_TRUE(render(variant).ok);
+    std::vector<std::string> out;
+    for (const std::string& argument : lines("arguments"))
+      if (argument.starts_with("+BS")) out.push_back(argument);
+    return out;
+  };
+  EXPECT_THAT(sizes_so_far(0), testing::IsEmpty());
+  EXPECT_THAT(sizes_so_far(2), ElementsAre("+BS22"));
+  EXPECT_THAT(sizes_so_far(4), ElementsAre("+BS22", "+BS19"));
+  scene_.switches = {"+A0.3"};
+  EXPECT_THAT(sizes_so_far(2), ElementsAre("+BS22", "+BS19"));
+}
+
 TEST_F(Oracle, VersionAndMissingProgram) {
   EXPECT_EQ(find_oracle(options_).version, "3.7.0.10.fake");
   options_.program = root_.path() / "nothing";

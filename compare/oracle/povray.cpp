@@ -111,6 +111,8 @@ std::vector<std::string> command_line(const OracleProgram& program, const Oracle
   if (variant > 0) {
     const auto [pattern, step] = kBlockOrders[variant % kOrders];
     out.push_back(fmt::format("+RP{}", pattern)), out.push_back(fmt::format("+RS{}", step + 6 * (variant / kOrders)));
+    // Of the few blocks of a small picture each is some thread's first whatever the order. Anti-aliasing sees them.
+    if (!scene.antialiased()) out.push_back(fmt::format("+BS{}", 8 + 7 * variant % 17));
     if (program.name == "verisim")
       out.push_back(fmt::format("--seed={}", variant));  // its pictures do not depend on threads
   }

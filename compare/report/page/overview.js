@@ -19,7 +19,7 @@ const phone = matchMedia('(max-width: 760px)');
 const rowHeight = () => phone.matches ? 186 : 84;
 const view = { sort: 'status', reverse: false, text: '', statuses: new Set(), order: [], at: 0, first: -1, last: -1 };
 
-const summary = s => [s.why || s.reason, s.known_answer, s.verisimilitude, s.suspects.length && `suspect: ${s.suspects[0].what}`, s.blame && s.blame.common.length && `in common: ${s.blame.common[0].name}`]
+const summary = s => [(s.why || s.reason).replace(/\.$/, ''), s.known_answer, s.verisimilitude, s.suspects.length && `suspect: ${s.suspects[0].what}`, s.blame && s.blame.common.length && `in common: ${s.blame.common[0].name}`]
   .filter(Boolean).join('; ');
 const changed = s => {
   if (s.previous && s.previous !== s.status) return `was ${nameOf(s.previous)}`;

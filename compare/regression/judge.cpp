@@ -98,8 +98,9 @@ void Judge::judge(const SceneRequest& request, const std::string& stem, const Pi
       return;
     }
   }
-  if (rules && result.scene_class == SceneClass::deterministic && verdict.status != Status::differ)
-    verdict = judge_leaning(request, *oracle, native, verdict, result);
+  if (rules && result.scene_class == SceneClass::deterministic)
+    verdict = verdict.status == Status::differ ? judge_again(request, *oracle, native, files_read, verdict, result)
+                                               : judge_leaning(request, *oracle, native, verdict, result);
   if (const fs::path file = renders_.reference_file(request); !file.empty() && !request.fit.any()) {
     const Layers layers = compare_layers(file, rendered, request.layers, request.antialiased());
     result.layers = layers.all;
@@ -153,6 +154,24 @@ Verdict Judge::judge_leaning(const SceneRequest& request, const Picture& oracle,
   const std::optional<PixelTags> tags = tags_by(source, request, {}, result);
   if (!tags) return verdict;
   return judge_objects(oracle, native, *tags, request.allowed).value_or(verdict);
+}
+
+Verdict Judge::judge_again(const SceneRequest& request, const Picture& oracle, const Picture& native,
+                           const std::vector<fs::path>& files_read, const Verdict& verdict, SceneResult& result) const {
+  if (!options_.baseline.empty() || request.reference || request.ignored.any() || options_.replay) return verdict;
+  constexpr int kOtherOrder = 2;
+  const OracleRender again = renders_.reference(request, files_read, kOtherOrder);
+  result.oracle_seconds += again.seconds, result.oracle_cpu_seconds += again.cpu_seconds;
+  if (!again.ok) return verdict;
+  const MetricOptions how = metric_options(request);
+  const Metrics itself = measure(oracle, again.picture, how);
+  if (itself.max_abs <= 1) return verdict;
+  const std::string unsteady = fmt::format(
+      "the reference differs from itself in another run, at {:.3f} % of its pixels", 100 - itself.within_1_pct);
+  const Verdict other =
+      judge_deterministic(measure(again.picture, native, how), request.antialiased(), request.allowed);
+  if (other.status != Status::differ) return {Status::match, unsteady + ", where this picture is the same"};
+  return {Status::differ, verdict.reason + "; " + unsteady};
 }
 
 bool Judge::judge_noise(const SceneRequest& request, const std::string& stem, const Picture& oracle,

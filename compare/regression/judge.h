@@ -26,6 +26,11 @@ class Judge {
   // What passes is asked object by object: a small one shows in no figure of the whole picture.
   Verdict judge_leaning(const SceneRequest& request, const Picture& oracle, const Picture& native,
                         const Verdict& verdict, SceneResult& result) const;
+  // Of a scene that differs from POV-Ray's picture: whether that is the same in another run. What another run passes is
+  // a match.
+  Verdict judge_again(const SceneRequest& request, const Picture& oracle, const Picture& native,
+                      const std::vector<std::filesystem::path>& files_read, const Verdict& verdict,
+                      SceneResult& result) const;
   // False when the oracle failed.
   bool judge_noise(const SceneRequest& request, const std::string& stem, const Picture& oracle, const Picture& native,
                    const std::vector<std::filesystem::path>& files_read, SceneResult& result, Verdict& verdict) const;

@@ -176,6 +176,26 @@ TEST_F(RunTest, ReplayJudgesNoisyScenesLikeAnyOther) {
   EXPECT_EQ(oracle_runs(), 1);
 }
 
+// A reference whose picture hangs on the number of its threads.
+TEST_F(RunTest, AReferenceThatDiffersFromItselfSaysSo) {
+  scene("unsteady.pov", "noisy");
+  std::string ours = "noisy3.png";
+  options_.native = [&](const NativeRequest& request) {
+    NativeResult out;
+    out.outcome = NativeResult::Outcome::rendered, out.files_read = {request.scene};
+    fs::copy_file(pictures() / ours, request.output);
+    return out;
+  };
+  SceneResult r = run()["unsteady.pov"];
+  EXPECT_EQ(r.status, Status::match);
+  EXPECT_THAT(r.reason, testing::StartsWith("the reference differs from itself in another run, at "));
+  EXPECT_EQ(oracle_runs(), 2);
+  ours = "noisy5.png";  // as neither of its runs
+  r = run()["unsteady.pov"];
+  EXPECT_EQ(r.status, Status::differ);
+  EXPECT_THAT(r.reason, HasSubstr("; the reference differs from itself in another run"));
+}
+
 // Odd numbers of threads on the oracle's side; a second POV-Ray would take the even ones.
 TEST_F(RunTest, SeveralRunsAskWelch) {
   std::mt19937 random(7);

@@ -1,6 +1,9 @@
 // Files that are read once and shared by all who use them at the same time.
 #pragma once
 
+#include <sys/stat.h>
+
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -9,17 +12,19 @@
 
 namespace verisim::image {
 
-// What names a state of a file: its path, size and time of change. Empty when it cannot be asked for: then nothing is
-// shared.
+// What names a state of a file, whichever of its names it is asked by. Empty when it is none of a regular file: then
+// nothing is shared. One system call: a scene may ask for its font thousands of times.
 inline std::string file_state(const std::filesystem::path& path) {
-  std::error_code failed;
-  const std::filesystem::path whole = std::filesystem::weakly_canonical(path, failed);
-  if (failed) return {};
-  const auto size = std::filesystem::file_size(whole, failed);
-  if (failed) return {};
-  const auto time = std::filesystem::last_write_time(whole, failed);
-  if (failed) return {};
-  return whole.string() + '\n' + std::to_string(size) + '\n' + std::to_string(time.time_since_epoch().count());
+  struct stat file {};
+  if (::stat(path.c_str(), &file) != 0 || !S_ISREG(file.st_mode)) return {};
+  std::string state;
+  for (const auto part : {static_cast<std::intmax_t>(file.st_dev), static_cast<std::intmax_t>(file.st_ino),
+                          static_cast<std::intmax_t>(file.st_size), static_cast<std::intmax_t>(file.st_mtim.tv_sec),
+                          static_cast<std::intmax_t>(file.st_mtim.tv_nsec),
+                          static_cast<std::intmax_t>(file.st_ctim.tv_sec),
+                          static_cast<std::intmax_t>(file.st_ctim.tv_nsec)})
+    state += std::to_string(part) + ' ';
+  return state;
 }
 
 // Values are kept no longer than somebody uses them.

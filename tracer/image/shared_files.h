@@ -18,11 +18,11 @@ inline std::string file_state(const std::filesystem::path& path) {
   struct stat file {};
   if (::stat(path.c_str(), &file) != 0 || !S_ISREG(file.st_mode)) return {};
   std::string state;
-  for (const auto part : {static_cast<std::intmax_t>(file.st_dev), static_cast<std::intmax_t>(file.st_ino),
-                          static_cast<std::intmax_t>(file.st_size), static_cast<std::intmax_t>(file.st_mtim.tv_sec),
-                          static_cast<std::intmax_t>(file.st_mtim.tv_nsec),
-                          static_cast<std::intmax_t>(file.st_ctim.tv_sec),
-                          static_cast<std::intmax_t>(file.st_ctim.tv_nsec)})
+  for (const auto part :
+       {static_cast<std::intmax_t>(file.st_dev), static_cast<std::intmax_t>(file.st_ino),
+        static_cast<std::intmax_t>(file.st_size), static_cast<std::intmax_t>(file.st_mtim.tv_sec),
+        static_cast<std::intmax_t>(file.st_mtim.tv_nsec), static_cast<std::intmax_t>(file.st_ctim.tv_sec),
+        static_cast<std::intmax_t>(file.st_ctim.tv_nsec)})
     state += std::to_string(part) + ' ';
   return state;
 }

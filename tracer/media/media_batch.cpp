@@ -1,6 +1,7 @@
 #include "tracer/media/media_batch.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "tracer/media/media_kernels.h"
 #include "tracer/media/media_refinement.h"
@@ -68,8 +69,8 @@ struct MediaBatch::Workspace {
 MediaBatch::MediaBatch(shading::Tracer& tracer, const shading::RayState& common,
                        std::span<const CompiledMedia* const> media, MediaEnvironment& environment)
     : tracer_(tracer), common_(common), mixture_(media), environment_(environment), workspace_([]() -> Workspace& {
-        thread_local Workspace workspace;
-        return workspace;
+        static thread_local const std::unique_ptr<Workspace> workspace = std::make_unique<Workspace>();
+        return *workspace;
       }()) {}
 
 bool MediaBatch::possible() const {

@@ -130,7 +130,8 @@ struct ShapeDump {
       Json face{{"vertices", t.vertex}};
       if (t.smooth) face["normals"] = t.normal;
       if (t.has_uv) face["uv"] = t.uv;
-      if (t.texture[0] >= 0) face["textures"] = t.texture;
+      for (const std::int32_t texture : t.texture)
+        if (texture >= 0) face["textures"].push_back(texture);
       out["faces"].push_back(std::move(face));
     }
   }

@@ -117,7 +117,7 @@ TEST(Meshes, TexturesOfFaces) {
       "mesh2{vertex_vectors{3,0,x,y} texture_list{2 texture{pigment{rgb 1}} texture{pigment{rgb 0}}} "
       "face_indices{3,<0,1,2>,1,<0,1,2>,0,1,0,<0,1,2>}}");
   const scene::MeshData& mesh = *object->as<scene::Mesh>()->data;
-  EXPECT_EQ(mesh.triangles[0].texture, (std::array<std::int32_t, 3>{1, 1, 1}));
+  EXPECT_EQ(mesh.triangles[0].texture, (std::array<std::int32_t, 3>{1, -1, -1}));
   EXPECT_EQ(mesh.triangles[1].texture, (std::array<std::int32_t, 3>{0, 1, 0}));
   EXPECT_EQ(mesh.triangles[2].texture, (std::array<std::int32_t, 3>{-1, -1, -1}));
 }

@@ -94,7 +94,7 @@ class MeshReader {
   void parse_textures(MeshTriangle& t) {
     if (parser.accept(Word::texture)) {
       parser.expect('{');
-      t.texture.fill(textures.index(identifier()));
+      t.texture[0] = textures.index(identifier());
       close_block(parser);
     } else if (parser.accept(Word::texture_list)) {
       parser.expect('{');

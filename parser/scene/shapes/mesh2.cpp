@@ -146,7 +146,7 @@ class Mesh2Reader {
 
   void face_textures(MeshTriangle& t) {
     if (data->textures.empty() || !at_index()) return;
-    t.texture.fill(texture_index());
+    t.texture[0] = texture_index();
     if (!at_index()) return;
     t.texture[1] = texture_index();
     if (!at_index()) parser.error(Code::bad_value, "A face of a mesh2 has one or three texture indices, not two.");

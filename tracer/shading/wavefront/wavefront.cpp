@@ -214,11 +214,7 @@ void Wavefront::sum_layers(Color* out) {
     }
     for (int l = met.first; l < met.first + met.leaves; ++l) {
       const Leaf& leaf = leaves_[static_cast<std::size_t>(l)];
-      const Color color = shown(leaf, k);
-      if (leaf.around)
-        sum += color * leaf.weight;
-      else
-        sum = color;
+      sum += shown(leaf, k) * leaf.weight;
     }
     result = sum;
   }

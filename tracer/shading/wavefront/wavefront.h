@@ -97,6 +97,7 @@ class Wavefront {
   const Materials& materials(const textures::CompiledTexture& texture);
   void meet(int i);
   void add_leaves(int i, const textures::CompiledTexture& texture, const Materials& found);
+  void add_weighted_leaves(int i);
   void find_parts(int count);
   void find_layers(int* leaves, int n);
   void find_colors_and_normals(const Material& material, const int* leaves, int n);
@@ -166,6 +167,7 @@ class Wavefront {
   std::unordered_map<const textures::CompiledTexture*, Materials> materials_;
   std::pair<const textures::CompiledTexture*, const Materials*> last_materials_[16]{};  // by address
   std::pair<const shapes::Shape*, const Material*> last_plain_[2]{};                    // met from outside, from inside
+  std::vector<textures::WeightedTexture> weighted_;                                     // of one hit
   std::vector<Leaf> leaves_;
   std::vector<Part> parts_;
   std::vector<Branch> branches_;

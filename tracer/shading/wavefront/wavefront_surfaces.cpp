@@ -88,22 +88,30 @@ void Wavefront::meet(int i) {
     return;
   }
   const shapes::Surface& surface = *hit.shape->surface;
-  if (surface.shows_several() || surface.ignore_global_lights || !surface.group_lights.empty()) return;
-  const textures::CompiledTexture& texture =
-      inside && surface.interior_texture ? *surface.interior_texture : *surface.texture;
-  const Materials& found = materials(texture);
+  if (surface.ignore_global_lights || !surface.group_lights.empty()) return;
+  const auto* texture = inside && surface.interior_texture ? surface.interior_texture : surface.texture;
+  weighted_.clear();
+  if (surface.shows_several()) scene_.world.weighted_textures(hit, inside, weighted_);
+  const bool alone = weighted_.size() == 1 && weighted_[0].weight == 1;
+  if (alone) texture = weighted_[0].texture;
+  if (!texture) return;
+  met.first = static_cast<int>(leaves_.size());
+  if (!weighted_.empty() && !alone) {
+    met.at.emplace(hit, normal, direction, 0, state_.surface_level());
+    return add_weighted_leaves(i);
+  }
+  const Materials& found = materials(*texture);
   if (found.empty()) return;
   met.together = true;
-  met.first = static_cast<int>(leaves_.size());
   const Material& first = found[0];
   if (first.plain) {
-    last = {hit.shape, &first};
+    if (!surface.shows_several()) last = {hit.shape, &first};
     met.plain = &first;
     met.normal = inside ? -normal : normal;
     return;
   }
   met.at.emplace(hit, normal, direction, 0, state_.surface_level());
-  add_leaves(i, texture, found);
+  add_leaves(i, *texture, found);
 }
 
 // Leaves and parts are written where they stay: copies of what was just written in pieces would wait for it.
@@ -134,6 +142,22 @@ void Wavefront::add_leaves(int i, const textures::CompiledTexture& texture, cons
       else
         add_leaf(i, inner, &texture, warped, entry.weight);
     }
+  }
+  met.leaves = static_cast<int>(leaves_.size()) - met.first;
+  met.together = met.together && met.leaves > 0;
+}
+
+// Of the textures that share hit i by weights: corners of a triangle, components of a blob.
+void Wavefront::add_weighted_leaves(int i) {
+  Met& met = met_[i];
+  const Vec3 p = met.at->pattern_point();
+  met.together = true;
+  for (const textures::WeightedTexture& entry : weighted_) {
+    if (entry.weight < tracer_.bailout(state_)) continue;
+    if (const Materials& found = materials(*entry.texture); entry.texture->patterned() || found.empty())
+      met.together = false;
+    else
+      add_leaf(i, found, nullptr, p, entry.weight);
   }
   met.leaves = static_cast<int>(leaves_.size()) - met.first;
   met.together = met.together && met.leaves > 0;

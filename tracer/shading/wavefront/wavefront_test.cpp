@@ -306,6 +306,42 @@ scene::Media media(const Rgb& emission, double jitter) {
   return media;
 }
 
+// A blob and a mesh whose parts have the textures of the mixed scene's objects, alone and mixed by weights.
+scene::Scene shared_surfaces_scene() {
+  using shapes::testing::make;
+  scene::Scene scene = mixed_scene();
+  std::vector<scene::TexturePtr> textures;
+  for (const scene::ObjectPtr& object : scene.objects)
+    if (object->texture) textures.push_back(object->texture);
+  const auto add = [&](const std::shared_ptr<scene::Object>& object) {
+    object->texture = textures[0];
+    object->interior = std::make_shared<scene::Interior>();
+    scene.objects.push_back(object);
+  };
+  auto blob = std::make_shared<scene::Blob>();
+  blob->threshold = 0.4;
+  for (std::size_t i = 0; i < 9; ++i) {
+    const Vec3 center(-1.6 + 0.4 * static_cast<double>(i), 1.4, -1.5);
+    blob->components.push_back({center, center, 0.7, 1, false, {}, i == 4 ? nullptr : textures[i]});
+  }
+  add(make(std::shared_ptr<const scene::Blob>(blob)));
+  auto mesh = std::make_shared<scene::MeshData>();
+  mesh->textures = textures;
+  const auto count = static_cast<std::int32_t>(textures.size());
+  for (std::int32_t i = 0; i < count; ++i) {
+    const double x = -2.2 + 0.25 * i;
+    scene::MeshTriangle t{};
+    for (unsigned k = 0; k < 3; ++k) t.vertex[k] = static_cast<std::uint32_t>(mesh->vertices.size()) + k;
+    mesh->vertices.insert(mesh->vertices.end(), {{x, 0.1, -2}, {x + 0.3, 0.1, -2}, {x, 0.7, -2}});
+    t.texture = {i, i % 3 == 0 ? -1 : (i + 1) % count, i % 3 == 0 ? -1 : (i + 3) % count};
+    mesh->triangles.push_back(t);
+  }
+  add(make(scene::Mesh{mesh, {}}));
+  return scene;
+}
+
+TEST(Wavefront, MixesTexturesByWeightsAsSingleRaysDo) { expect_the_same_together(shared_surfaces_scene()); }
+
 TEST(Wavefront, GoesThroughGlassAsSingleRaysDo) { expect_the_same_together(glass_scene()); }
 
 // Each branch of a ray's tree has random numbers of its own, so it does not matter what is traced together.

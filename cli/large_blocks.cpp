@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
+#include <limits>
 #include <new>
 
 #include "cli/console/exit_status.h"
@@ -70,21 +71,19 @@ char* end_of_heap() { return static_cast<char*>(::sbrk(0)); }
 void set_heap_aside() {
   constexpr int kAside = 1 << 30, kStep = 64 << 20;
   constexpr std::uintptr_t kSmall = 3 << 20;
+  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);  // what the library's own adaptation, which this ends, would arrive at
+  ::mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
   ::mallopt(M_TOP_PAD, kAside);
   char* const start = end_of_heap();
   void* volatile growth = std::malloc(256 << 10);  // volatile: so that it is not left out
   std::free(growth);
-  const bool grown = end_of_heap() - start >= kAside;  // else a limit forbids that
-  if (!grown) {
-    ::mallopt(M_TOP_PAD, 128 << 10);
-    return;
-  }
-  ::mallopt(M_TOP_PAD, kStep);
-  ::mallopt(M_TRIM_THRESHOLD, kAside);
-  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);  // what the library's own adaptation, which these end, would arrive at
+  char* const end = end_of_heap();
+  const bool grown = end - start > kAside / 2;  // else a limit forbids that
+  ::mallopt(M_TOP_PAD, grown ? kStep : 128 << 10);
+  if (!grown) return;
   const std::uintptr_t from =
       (reinterpret_cast<std::uintptr_t>(start) + kSmall + kHugePage - 1) / kHugePage * kHugePage;
-  ::madvise(reinterpret_cast<void*>(from), reinterpret_cast<std::uintptr_t>(end_of_heap()) - from, MADV_HUGEPAGE);
+  ::madvise(reinterpret_cast<void*>(from), reinterpret_cast<std::uintptr_t>(end) - from, MADV_HUGEPAGE);
 }
 #else
 void set_heap_aside() {}

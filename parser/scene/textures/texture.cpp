@@ -172,22 +172,6 @@ scene::TexturePtr parse_uv_mapped(Parser& parser) {
   return texture;
 }
 
-// Before and in 3.1 only the bottom layer filters; the others transmit (spec 05 11.2).
-scene::PigmentPtr filter_to_transmit(const scene::PigmentPtr& pigment) {
-  auto result = std::make_shared<scene::Pigment>(*pigment);
-  const auto move = [](Color& color) {
-    color.t += color.f;
-    color.f = 0;
-  };
-  move(result->color);
-  if (result->color_map) {
-    auto map = std::make_shared<scene::ColorMap>(*result->color_map);
-    for (auto& entry : *map) move(entry.value);
-    result->color_map = map;
-  }
-  return result;
-}
-
 }  // namespace
 
 void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::TexturePtr& added) {

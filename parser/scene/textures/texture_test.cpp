@@ -188,6 +188,22 @@ TEST(OldTextures, ItemsAreTakenOneByOneUpToVersion3) {
   EXPECT_EQ(finish.raw_diffuse, .3f);
 }
 
+TEST(OldTextures, LayersChangeMapsForAllWhoShareThem) {
+  const auto filters = [](const char* version) {
+    const scene::Scene scene = scene_of(std::string("#version ") + version +
+                                        "; global_settings { assumed_gamma 1 }"
+                                        "#declare P = pigment { bozo color_map { [0 rgbf 1] [1 rgbf .5] } }; "
+                                        "sphere { 0, 1 pigment { P } }"
+                                        "sphere { 0, 1 pigment { rgb 1 } texture { pigment { average pigment_map { "
+                                        "[1 P] [1 rgbf 1] } } } }");
+    const scene::Pigment& other = *scene.objects[0]->texture->layers[0].pigment;
+    const scene::Pigment& layer = *scene.objects[1]->texture->layers[1].pigment;
+    return (*other.color_map)[0].value.f + (*layer.pigment_map)[1].value->color.f;
+  };
+  EXPECT_EQ(filters("3.1"), 0);
+  EXPECT_EQ(filters("3.5"), 2);
+}
+
 TEST(OldTextures, ColorsHaveOperatorsWhereTheyAreDeclared) {
   const char* text = "#version 1.0 #declare C = color red 1 #declare D = C*.5 sphere { <0 0 0> 1 pigment { color D } }";
   EXPECT_EQ(scene_of(text).objects[0]->texture->layers[0].pigment->color, Color(.5f, 0, 0));

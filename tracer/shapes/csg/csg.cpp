@@ -177,17 +177,20 @@ class Merge final : public Sum {
   const std::unique_ptr<const CsgTree> tree_;  // of few and mostly simple parts: finds the same in less time
 };
 
-}  // namespace
-
-std::unique_ptr<Shape> compile_csg(const scene::Object& object) {
+// What tests hits turns those of each child around, so that of equally near ones within a child that is CSG itself the
+// first wins, a level deeper the last again (spec 03 5.2): there the children are `turned`.
+std::unique_ptr<Shape> compile_part(const scene::Object& object, bool turned) {
+  const scene::CsgKind kind = object.as<scene::Csg>()->kind;
+  const bool tests_hits = kind != scene::CsgKind::union_ || !object.clipped_by.empty();
   Children children;
   for (const scene::ObjectPtr& child : scene::children_of(object)) {
     const auto* light = child->as<scene::LightSource>();
     if (light && !light->looks_like) continue;  // not part of any solid (spec 03 5.1)
-    children.push_back(compile(*child));
+    children.push_back(child->as<scene::Csg>() ? compile_part(*child, turned != tests_hits) : compile(*child));
     join_csg(*children.back());
   }
-  switch (object.as<scene::Csg>()->kind) {
+  if (turned) std::reverse(children.begin(), children.end());
+  switch (kind) {
     case scene::CsgKind::union_:
       return std::make_unique<Union>(object, std::move(children));
     case scene::CsgKind::merge:
@@ -196,5 +199,9 @@ std::unique_ptr<Shape> compile_csg(const scene::Object& object) {
       return make_intersection(object, std::move(children));
   }
 }
+
+}  // namespace
+
+std::unique_ptr<Shape> compile_csg(const scene::Object& object) { return compile_part(object, false); }
 
 }  // namespace verisim::shapes

@@ -1,5 +1,7 @@
 // Up to version 3.1 layers above the bottom one transmit what they were told to filter, and with them all that shares
 // their maps, declared before or behind (spec 05 11.2).
+#version 3.7;
+#declare Layers = texture { pigment { rgbf <1, 0.5, 0, 0.7> } } texture { pigment { rgbf <0.5, 1, 0.3, 0.6> } }
 #version 3.1;
 global_settings { assumed_gamma 1 }
 background { rgb <0.2, 0.3, 0.9> }
@@ -14,3 +16,4 @@ box { <-0.7, -0.8, -0.5>, <0.6, 0.2, 0.5> texture { pigment { rgb <0.8, 0.1, 0.1
 box { <1.1, -0.8, -0.5>, <2.4, 0.2, 0.5> texture { pigment { rgb <0.1, 0.8, 0.1> } } texture { pigment { Tiles } } }
 sphere { <0, 1, 0>, 0.7 pigment { Cloud } }
 sphere { <1.8, 1, 0>, 0.7 pigment { Tiles } }
+sphere { <0, -0.6, -1.5>, 0.4 texture { Layers } }

@@ -1,5 +1,8 @@
 #include "parser/scene/textures/texture.h"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "parser/scene/common/common.h"
 #include "parser/scene/textures/maps.h"
 #include "parser/scene/common/nesting.h"
@@ -175,21 +178,22 @@ scene::TexturePtr parse_uv_mapped(Parser& parser) {
 }  // namespace
 
 void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::TexturePtr& added) {
-  if (!texture) {
+  const std::size_t before = texture ? texture->layers.size() : 0;
+  // Up to 3.1 all but the bottom layer transmit what they filter (old_layers.cpp).
+  const std::size_t turned = parser.version() <= 310 ? std::max<std::size_t>(before, 1) : SIZE_MAX;
+  if (!texture && (added->patterned() || added->layers.size() <= turned)) {
     texture = added;
     return;
   }
-  require_plain(parser, texture);
+  if (texture) require_plain(parser, texture);
   if (added->patterned()) parser.error(Code::incompatible, "Cannot layer a patterned texture over another.");
   // A texture that nobody else holds grows in place: thousands of layers would otherwise be copied thousands of times.
   const bool own = texture.use_count() == 1;
-  const std::size_t before = texture->layers.size();
-  auto result = own ? std::const_pointer_cast<Texture>(texture) : std::make_shared<Texture>(*texture);
-  result->layers.insert(result->layers.end(), added->layers.begin(), added->layers.end());
-  if (parser.version() <= 310) {
-    for (std::size_t i = before; i < result->layers.size(); ++i)
-      result->layers[i].pigment = filter_to_transmit(result->layers[i].pigment);
-  }
+  auto result =
+      own ? std::const_pointer_cast<Texture>(texture) : std::make_shared<Texture>(texture ? *texture : *added);
+  if (texture) result->layers.insert(result->layers.end(), added->layers.begin(), added->layers.end());
+  for (std::size_t i = turned; i < result->layers.size(); ++i)
+    result->layers[i].pigment = filter_to_transmit(result->layers[i].pigment);
   texture = result;
 }
 

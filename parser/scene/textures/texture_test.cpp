@@ -204,6 +204,19 @@ TEST(OldTextures, LayersChangeMapsForAllWhoShareThem) {
   EXPECT_EQ(filters("3.5"), 2);
 }
 
+TEST(OldTextures, LayersOfLaterVersionsChangeWhereTheyAreUsed) {
+  const scene::Scene scene = scene_of(
+      "#version 3.5; global_settings { assumed_gamma 1 }"
+      "#declare T = texture { pigment { rgbf .7 } } texture { pigment { rgbf .5 } }; #version 3.1; "
+      "sphere { 0, 1 texture { T } } #version 3.5; sphere { 0, 1 texture { T } }");
+  const auto filter = [&](std::size_t object, std::size_t layer) {
+    return scene.objects[object]->texture->layers[layer].pigment->color.f;
+  };
+  EXPECT_EQ(filter(0, 0), .7f);
+  EXPECT_EQ(filter(0, 1), 0);
+  EXPECT_EQ(filter(1, 1), .5f);
+}
+
 TEST(OldTextures, ColorsHaveOperatorsWhereTheyAreDeclared) {
   const char* text = "#version 1.0 #declare C = color red 1 #declare D = C*.5 sphere { <0 0 0> 1 pigment { color D } }";
   EXPECT_EQ(scene_of(text).objects[0]->texture->layers[0].pigment->color, Color(.5f, 0, 0));

@@ -319,8 +319,12 @@ void World::Impl::settle(const Ray& ray, int lane, double t_max, const Coinciden
   }
   std::call_once(hierarchy_made, [this] {
     std::vector<Hierarchy::Item> items;
-    for (std::uint32_t i = 0; i < entries.size(); ++i)
-      items.push_back({i, entries[i].object->bounds, entries[i].infinite});
+    for (std::uint32_t i = 0; i < entries.size(); ++i) {
+      // A light has the box of what it looks like.
+      const auto* light = entries[i].object->as<scene::LightSource>();
+      const scene::Object& shown = light ? *light->looks_like : *entries[i].object;
+      items.push_back({i, shown.bounds, scene::is_infinite(shown)});
+    }
     hierarchy = Hierarchy(items);
   });
   // What else the search asks lies further away and changes nothing.

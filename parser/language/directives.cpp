@@ -34,7 +34,9 @@ void Parser::Impl::execute(const Token& token) {
     case Word::ifdef:
     case Word::ifndef: {
       open_condition(Kind::if_, index(position) - 1);
+      const std::size_t open = conditions.size();
       const bool defined = defined_argument();
+      refuse_ended(open);
       if_chain(defined == (token.word == Word::ifdef), in, link);
       break;
     }
@@ -168,14 +170,22 @@ void Parser::Impl::skip_to_end(const TokenFile* in, std::uint32_t link) {
   while (token.word != Word::end) token = skip(file, token.link());
 }
 
+// What stands in a directive's parentheses may be directives, too, but not those that end it (`open`: how many
+// constructs were open before).
+void Parser::Impl::refuse_ended(std::size_t open) {
+  if (conditions.size() < open) error(Code::stray_branch, "A directive inside parentheses ends what these belong to.");
+}
+
 bool Parser::Impl::condition_value() {
   if (double value; condition_fast(value)) return std::fabs(value) > kEps;
+  const std::size_t open = conditions.size();
   const Live operators(*this, true);
   if (!accept_operator('(')) expected("(");
   Numeric value;
   full(value);
   if (value.terms > 1) error(Code::wrong_terms, "Expected a float in the condition, but a vector or colour was found.");
   expect_operator(')');
+  refuse_ended(open);
   return std::fabs(value.v[0]) > kEps;
 }
 
@@ -263,6 +273,7 @@ void Parser::Impl::end_macro() {
 
 void Parser::Impl::switch_directive(const Token&) {
   open_condition(Kind::switch_, index(position) - 1);
+  const std::size_t open = conditions.size();
   double value;
   {
     const Live operators(*this, true);
@@ -270,6 +281,7 @@ void Parser::Impl::switch_directive(const Token&) {
     value = full_scalar();
     expect_operator(')');
   }
+  refuse_ended(open);
   const Token& first = peek_blocked();
   if (first.kind != TokenKind::directive || (first.word != Word::case_ && first.word != Word::range))
     expected("#case or #range");
@@ -292,16 +304,19 @@ void Parser::Impl::switch_directive(const Token&) {
 }
 
 bool Parser::Impl::case_matches(Word word, double value) {
+  const std::size_t open = conditions.size();
   const Live operators(*this, true);
   if (!accept_operator('(')) expected("(");
   const double low = full_scalar();
   if (word == Word::case_) {
     expect_operator(')');
+    refuse_ended(open);
     return std::fabs(value - low) < kEps;
   }
   comma_operator();
   const double high = full_scalar();
   expect_operator(')');
+  refuse_ended(open);
   return low <= value && value <= high;
 }
 

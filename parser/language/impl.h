@@ -147,6 +147,7 @@ struct Parser::Impl {
   void else_branch(const Token& token);
   [[noreturn]] void stray_branch(Word word);
   void refuse_strays(std::uint32_t begin, std::uint32_t end);
+  void refuse_ended(std::size_t open);
   void end_directive(const Token& token);
   void end_macro();
   void switch_directive(const Token& token);

@@ -29,6 +29,7 @@ void Parser::Impl::test_while() {
 
 void Parser::Impl::for_directive(const Token& token) {
   open_condition(Kind::for_, index(position) - 1);
+  const std::size_t open = conditions.size();
   const TokenFile* in = file;
   if (peek().punctuation != '(') expected("(");
   skip_token();
@@ -52,6 +53,7 @@ void Parser::Impl::for_directive(const Token& token) {
   if (peek().punctuation != ')') step = scalar();
   if (peek().punctuation != ')') expected(")");
   skip_token();
+  refuse_ended(open);
   if (std::fabs(step) < kEps) error(Code::bad_value, "The step of #for must not be zero.");
   target.value() = Numeric{{start}, 1};
   Condition& condition = conditions.back();
@@ -82,24 +84,18 @@ void Parser::Impl::end_for() {
 }
 
 void Parser::Impl::break_directive() {
-  while (!conditions.empty()) {
+  for (; !conditions.empty(); conditions.pop_back()) {
     const Condition condition = conditions.back();
-    conditions.pop_back();
     if (condition.kind == Kind::if_ || condition.kind == Kind::else_) continue;
     // Include files between the construct and here end with it.
     while (frames.size() > condition.frames) leave_frame();
-    if (condition.kind == Kind::macro) {
-      leave_frame();
-      return;
-    }
+    if (condition.kind == Kind::macro) return end_macro();
     const TokenFile* in = condition.file;
     if (file != in) error(Code::stray_branch, "#break is not in the file of its loop.");
-    const Token& opener = in->tokens[condition.opener];
-    if (opener.link()) {
-      skip_to_end(in, opener.link());
-    } else {
-      error(Code::unclosed_condition, "End of file reached, but #end expected.");
-    }
+    const std::uint32_t link = in->tokens[condition.opener].link();
+    if (!link) unclosed_condition();
+    skip_to_end(in, link);
+    conditions.pop_back();
     return;
   }
   error(Code::stray_branch, "#break outside of a loop, a #switch and a macro.");

@@ -153,6 +153,19 @@ TEST(Hostile, CopiesOfCopiesAreStopped) {
             std::string::npos);
 }
 
+// Constructs that are ended where they cannot be.
+TEST(Hostile, ConstructsAreNotEndedTwice) {
+  EXPECT_NE(run("#switch (1) #case (1) #break #else").error.find("#switch"), std::string::npos);
+  EXPECT_NE(run("#while (1) #if (1) #break").error, "");
+  for (const char* ended :
+       {"#while (#break 1) #end 1)", "#while (#end 1)", "#if (#end 0)", "#if (#else 0) #end 0)",
+        "#if (0) #elseif (#end 0)", "#switch (#break 1) #case (1) #end 1)", "#switch (#end 1) #case (2) #end",
+        "#switch (1) #case (#end 2) #else #end", "#switch (1) #range (0, #end 0) #else #end",
+        "#for (I, 0, #break 1) #end 1)", "#for (I, #end 0, 1)", "#declare A = array[1] #ifdef (A[#end 0])",
+        "#declare I = 0; #while (I < 1 #if (I) #break #end) #declare I = 1; #end"})
+    EXPECT_NE(run(ended).error, "") << ended;
+}
+
 // Each step takes long, though none of them too long: limits are noticed all the same, as nobody ends a language server
 // or a Python by force.
 TEST(Hostile, LongStepsAreStoppedInTime) {

@@ -22,7 +22,7 @@
 
 #include "compare/metrics/blame.h"
 #include "compare/causes/diagnose.h"
-#include "compare/metrics/fit.h"
+#include "compare/photographs/fit.h"
 #include "compare/layers/layers.h"
 #include "compare/metrics/limits.h"
 #include "compare/metrics/metrics.h"

@@ -41,7 +41,7 @@ ELSEWHERE = {
     r"export SBATCH_.*|verisim-slurm .*|verisim farm .*": "the tests of tests/farm",
 }
 # Options of other programs in running text.
-OF_OTHERS = {"--component": "cmake", "--signal": "sbatch", "--requeue": "sbatch", "--mutate": "tests/differential", "--seconds": "tests/hostile", "--most": "tests/faults", "--minutes": "tools/soak"}
+OF_OTHERS = {"--component": "cmake", "--signal": "sbatch", "--requeue": "sbatch", "--mutate": "tests/differential", "--people": "tests/differential", "--seconds": "tests/hostile", "--most": "tests/faults", "--minutes": "tools/soak"}
 # What stands for what in synopses; the longer first.
 CAPITALS = [("help WORD", "help sphere"), ("[switches]", "+W32 +H24"), ("SCENE...", "scene.pov"), ("K/N", "1/2"), ("K.vsp", "one.vsp"), ("PARTS...", "parts/*.vsp"), ("FILE", "merged.png"),
             ("SCENE X Y", "scene.pov 16 12 +W32 +H24"), ("SCENE", "scene.pov"), ("A B", "povray.png verisim.png"), ("...", "")]

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "compare/metrics/color_targets.h"
+#include "compare/photographs/color_targets.h"
 #include "compare/metrics/metrics.h"
 
 namespace verisim::compare {

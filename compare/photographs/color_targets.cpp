@@ -1,4 +1,4 @@
-#include "compare/metrics/color_targets.h"
+#include "compare/photographs/color_targets.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "compare/metrics/ciede2000.h"
-#include "compare/metrics/linear_light.h"
+#include "compare/photographs/linear_light.h"
 
 namespace verisim::compare {
 namespace {

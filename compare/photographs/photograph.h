@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "compare/metrics/fit.h"
+#include "compare/photographs/fit.h"
 
 namespace verisim::compare {
 

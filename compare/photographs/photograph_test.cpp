@@ -1,5 +1,5 @@
 // Photographs with known answers, made by ImageMagick: perspective, lens distortion, vignetting, noise, JPEG.
-#include "compare/metrics/photograph.h"
+#include "compare/photographs/photograph.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

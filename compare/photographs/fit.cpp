@@ -1,11 +1,11 @@
-#include "compare/metrics/fit.h"
+#include "compare/photographs/fit.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "compare/metrics/linear_light.h"
-#include "compare/metrics/photograph.h"
+#include "compare/photographs/linear_light.h"
+#include "compare/photographs/photograph.h"
 
 namespace verisim::compare {
 namespace {

@@ -1,4 +1,4 @@
-#include "compare/metrics/fit.h"
+#include "compare/photographs/fit.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

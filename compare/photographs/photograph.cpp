@@ -1,4 +1,4 @@
-#include "compare/metrics/photograph.h"
+#include "compare/photographs/photograph.h"
 
 #include <algorithm>
 #include <numbers>

@@ -123,7 +123,7 @@ TEST_F(Limits, ASignalEndsTheViewOfASceneWithoutEnd) {
   std::this_thread::sleep_for(milliseconds(300));
   ::kill(child, SIGTERM);
   const Ended ended = wait(child);
-  EXPECT_EQ(ended.status, kInterrupted) << ended.errors;
+  EXPECT_EQ(ended.status, kOk) << ended.errors;  // the scene is given up in time: an orderly end, as at any other time
 }
 
 TEST_F(Limits, StrangersAreHeldShortAndSingleLimitsCountMore) {

@@ -409,9 +409,11 @@ void World::Impl::mix_cutaway(const Shape& shape, const Vec3& p, float weight,
   }
   const auto children = shape.children();
   if (csg->difference) {
-    if (!children.empty() && children[0]->object == scene::children_of(*shape.object)[0].get() &&
-        children[0]->inside_unclipped(p))
-      mix_cutaway(*children[0], p, weight, out);
+    if (children.empty()) return;
+    // Nested CSG may hold its children the other way round (shapes/csg/csg.cpp).
+    const scene::Object* const first = scene::children_of(*shape.object)[0].get();
+    const Shape& body = children.front()->object == first ? *children.front() : *children.back();
+    if (body.object == first && body.inside_unclipped(p)) mix_cutaway(body, p, weight, out);
     return;
   }
   std::size_t count = 0;

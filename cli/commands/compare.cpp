@@ -113,7 +113,7 @@ void add_others(compare::RunOptions& run) {
 // POV-Ray sleeps for a third of a second when it starts: small scenes wait for it side by side. Large ones take the
 // memory and the threads that there are one after the other.
 int jobs_for(const compare::Suite& suite, bool waits) {
-  constexpr int kSmall = 320 * 240, kWaiting = 6;
+  constexpr int kSmall = 320 * 240, kWaiting = 12;
   for (const compare::SceneRequest& scene : suite.scenes)
     if (static_cast<std::int64_t>(scene.width) * scene.height > kSmall) return 1;
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

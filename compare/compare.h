@@ -276,8 +276,8 @@ struct RunOptions {
   int native_threads = 0;  // 0: the cores divided by jobs
   double native_time_limit = 0;
   bool replay = false;  // both serial: stochastic scenes are judged like any other
-  int runs = 4;         // of a stochastic scene on each side, for Welch's test, which asks for as many again before it
-                        // refuses, and where one pair fails the low-pass comparison; 1: that comparison alone
+  int runs = 4;         // of a stochastic scene on each side, for Welch's test, which asks twice as many others before
+                        // it refuses, and where one pair fails the low-pass comparison; 1: that comparison alone
   std::filesystem::path work;  // results and pictures, kept: a run that was broken off goes on here. Empty: a temporary
                                // folder, removed with the Run
   bool resume = false;

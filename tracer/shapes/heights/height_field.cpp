@@ -117,23 +117,23 @@ class HeightField final : public Primitive<HeightField> {
       unsigned group = 0;
       each_lane(rest, [&](int k) { group |= quadrant(k) == quadrant(one) ? 1u << k : 0; });
       rest &= ~group;
-      const auto alone = [&](int k, auto&& search) {
+      const auto alone = [&](int k) {
         Hit hit;
         NearestHit sink(*this, nullptr, t_min, t_max[k], hits ? hits[k] : hit, !hits);
         const Vec3 o(packet.ox[k], packet.oy[k], packet.oz[k]), d(packet.dx[k], packet.dy[k], packet.dz[k]);
-        search(rays.at(k), o, d, packet.enter[k], packet.leave[k], sink);
+        descend(rays.at(k), o, d, packet.enter[k], packet.leave[k], sink);
         found |= sink.found() ? 1u << k : 0;
       };
       const bool first_cell = ends_at_first_cell(t_min);
       const double from = first_cell ? kNearest : t_min;
       if (std::has_single_bit(group) || !kernels.walk(*grid_, group, from, t_max, !hits, packet)) {
-        each_lane(group, [&](int k) { alone(k, [this](auto&&... ray) { descend(ray...); }); });
+        each_lane(group, alone);
         continue;
       }
       each_lane(group, [&](int k) {
         if (packet.triangle[k] < 0) return;
         if (first_cell && (packet.t[k] < t_min || near_border(packet, k))) {
-          alone(k, [this](auto&&... ray) { descend(ray...); });
+          alone(k);
           return;
         }
         found |= 1u << k;

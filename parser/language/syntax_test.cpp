@@ -176,8 +176,8 @@ TEST(Hostile, LongStepsAreStoppedInTime) {
       "#declare S = \"abcd\" #for(i,1,20) #declare S = concat(S,S) #end #declare T = concat(S, \"\")";
   for (const std::string& scene :
        {functions + "#for(i,1,1e6) #declare A = F(2e7); #end", functions + "#for(i,1,1e6) #declare A = P(i,0,0); #end",
-        functions +
-            "#declare I = isosurface { function { F(1e5 + 0*x) } } #for(i,1,1e6) #declare A = inside(I,<i,0,0>); #end",
+        functions + "#declare I = isosurface { function { F(1e5 + 0*x) } } #for(i,1,1e6) #declare A = "
+                    "inside(I,<i/1e6,0,0>); #end",
         strings + "#for(i,1,1e6) #declare A = strcmp(S,T); #end", strings + "#for(i,1,1e6) #declare T = S; #end"}) {
     using Clock = std::chrono::steady_clock;
     ParseOptions options;

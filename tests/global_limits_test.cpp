@@ -103,9 +103,14 @@ TEST(GlobalLimits, MemoryOfThePassesIsBounded) {
 }
 
 TEST(GlobalLimits, EndlessWorkCanBeCancelled) {
+  // Each value takes nearly as long as one may, and a ray asks for many.
+  const std::string slow =
+      "#declare F = function(n) { sum(i, 1, n, i) } isosurface { function { x*x + y*y + z*z - 1 + 1e-30*F(9e7 + 0*x) } "
+      "max_gradient 4 translate <0,1,1> pigment { rgb 1 } photons { target reflection on } }";
   for (const std::string& text :
        {scene("", "media { scattering { 1,0.1 } samples 1000000 }"), scene("photons { spacing 0.00001 }"),
-        scene("radiosity { count 16000000 recursion_limit 5 }"), scene("subsurface { samples 100000000,100000000 }")}) {
+        scene("radiosity { count 16000000 recursion_limit 5 }"), scene("subsurface { samples 100000000,100000000 }"),
+        scene("", slow), scene("photons { spacing 0.01 }", slow), scene("radiosity { count 20 }", slow)}) {
     std::atomic<bool> cancel{false};
     render::Options options;
     options.cancel = &cancel;

@@ -2,6 +2,7 @@
 // before twice: a scene must not be able to hang a program that cannot end a thread by force.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <utility>
 
@@ -23,8 +24,8 @@ class EvaluationBudget {
   }
   void open() {
     open_ = true;
-    // Whoever has gone too far gets little more until somebody makes an error of it.
-    if (!open_budgets_++) left_ = overran_ ? kAfterwards : kMaxPasses;
+    // Whoever has gone too far, or is asked to stop, gets little more until somebody makes an error of it.
+    if (!open_budgets_++) left_ = overran_ || stopped() ? kAfterwards : kMaxPasses;
   }
   // False: no more of it. The value is NaN then, and take_overrun says so once.
   bool spend(std::uint64_t passes = 1) {
@@ -41,11 +42,27 @@ class EvaluationBudget {
   // True once after an evaluation of this thread was cut short.
   static bool take_overrun() { return std::exchange(overran_, false); }
 
+  // While it lives, values of this thread have next to no budget as soon as `stop` is set: a ray may ask for thousands
+  // of them, each as long as it may be, before anybody else looks at it.
+  class EndsAt {
+   public:
+    explicit EndsAt(const std::atomic<bool>* stop) : before_(std::exchange(stop_, stop)) {}
+    EndsAt(const EndsAt&) = delete;
+    EndsAt& operator=(const EndsAt&) = delete;
+    ~EndsAt() { stop_ = before_; }
+
+   private:
+    const std::atomic<bool>* before_;
+  };
+
  private:
+  static bool stopped() { return stop_ && stop_->load(std::memory_order_relaxed); }
+
   static constexpr std::uint64_t kAfterwards = 1000;
   static inline constinit thread_local int open_budgets_ = 0;
   static inline constinit thread_local std::uint64_t left_ = 0;
   static inline constinit thread_local bool overran_ = false;
+  static inline constinit thread_local const std::atomic<bool>* stop_ = nullptr;
   bool open_ = false;
 };
 

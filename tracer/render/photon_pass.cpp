@@ -1,6 +1,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "tracer/effects/photon_media.h"
+#include "tracer/functions/evaluation_budget.h"
 #include "tracer/photons/photon_shooting.h"
 #include "tracer/base/parallel.h"
 #include "tracer/render/prepasses.h"
@@ -73,6 +74,7 @@ class Shooter {
     results_.resize(std::max(results_.size(), ring.size()));
     std::atomic<bool> hit{false};
     const auto trace = [&](std::size_t i) {
+      const functions::EvaluationBudget::EndsAt end(options_.cancel);
       results_[i].clear();
       Gun& gun = guns_.local();
       if (!options_.replay) gun.tracer.random().begin_sample(static_cast<double>(shot_count_ + i), 0.5, 0);

@@ -3,6 +3,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "tracer/effects/effects_state.h"
+#include "tracer/functions/evaluation_budget.h"
 #include "tracer/radiosity/irradiance_file.h"
 #include "tracer/radiosity/pretrace.h"
 #include "tracer/base/parallel.h"
@@ -33,7 +34,9 @@ struct Worker {
   shading::Tracer tracer;
   PixelSampler sampler;
 
-  void trace_tile(const PretracePlan& plan, int pass, int adaptive, const RadiosityTask& task, PretraceTile& tile) {
+  void trace_tile(const PretracePlan& plan, int pass, int adaptive, const RadiosityTask& task, PretraceTile& tile,
+                  const std::atomic<bool>* cancel) {
+    const functions::EvaluationBudget::EndsAt end(cancel);
     tile.run(
         plan, pass, adaptive, [this](double x, double y) { sampler(x, y); },
         [&task] { return task.primary_queries(); });
@@ -117,7 +120,7 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
       for (int pass = 0; pass < plan.passes; ++pass) {
         for (PretraceTile& tile : tiles) {
           if (tile.finished()) continue;
-          worker.trace_tile(plan, pass, adaptive, *task, tile);
+          worker.trace_tile(plan, pass, adaptive, *task, tile, options.cancel);
           count_rays(options, std::exchange(worker.tracer.statistics(), {}));
           progress.tile_done(pass);
         }
@@ -137,7 +140,7 @@ void radiosity_pretrace(global::SceneEffects& effects, const shading::SceneData&
           task.emplace(*effects.radiosity_settings(), &cache, &found[i], true, pass, static_cast<int>(tile));
           task->spread(first_direction(options, pass, static_cast<int>(tile), false));
           try {
-            worker.trace_tile(plan, pass, adaptive, *task, tiles[tile]);
+            worker.trace_tile(plan, pass, adaptive, *task, tiles[tile], options.cancel);
           } catch (const shading::Cancelled&) {
             return;
           }

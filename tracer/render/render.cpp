@@ -175,11 +175,11 @@ struct InWork {
 };
 
 // Functions have no place: which one it was is not known.
-void check_functions() {
-  if (functions::EvaluationBudget::take_overrun())
-    throw LimitExceeded(
-        "A function of the scene needs more than " + std::to_string(functions::kMaxPasses) +
-        " passes of sum and prod and calls of functions for one value: more than a picture has time for");
+void check_functions(const Queue& queue) {
+  if (!functions::EvaluationBudget::take_overrun()) return;
+  if (queue.cancelled()) throw shading::Cancelled();
+  throw LimitExceeded("A function of the scene needs more than " + std::to_string(functions::kMaxPasses) +
+                      " passes of sum and prod and calls of functions for one value: more than a picture has time for");
 }
 
 // One thread's work: blocks until there are none left.
@@ -201,6 +201,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
   if (method == 1) grid.emplace(settings, sampler);
   if (method == 2) quads.emplace(settings, sampler);
   functions::EvaluationBudget::take_overrun();  // of what this thread did before
+  const functions::EvaluationBudget::EndsAt end(options.cancel);
   try {
     while (const Block* block = queue.next()) {
       const InWork hold{queue};
@@ -220,7 +221,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
         render_plain(*block, sampler, pixels);
       }
       end_block(effects, tracer, options, index);
-      check_functions();
+      check_functions(queue);
       queue.add_statistics(std::exchange(tracer.statistics(), {}));
       queue.finished(*block);
     }

@@ -2,7 +2,6 @@
 // eight.
 #pragma once
 
-#include <array>
 #include <bit>
 #include <deque>
 #include <limits>
@@ -11,6 +10,7 @@
 
 #include "tracer/bvh/bvh.h"
 #include "tracer/bvh/hierarchy.h"
+#include "tracer/world/slab_test.h"
 #include "tracer/world/world.h"
 #include "tracer/shapes/quadrics/box_set.h"
 #include "tracer/shapes/csg/interior_proxy.h"
@@ -23,32 +23,6 @@ using shapes::Shape;
 using shapes::Surface;
 
 enum class Opacity : unsigned char { opaque, transparent, mixed };
-
-// POV-Ray's own test of an object's box, in single precision (spec 03 2.2; the order of comparisons is that of
-// Williams, Barrus, Morley and Shirley, "An efficient and robust ray-box intersection algorithm", 2005). Only a ray
-// that grazes the box can fail it and meet the object nevertheless: one that runs within a face across x does, because
-// 0 times infinity is NaN there; within other faces it passes.
-struct SlabTest {
-  std::array<float, 3> low, high;
-  bool used = false;
-
-  bool passes(const Ray& ray) const {
-    if (!used) return true;
-    float near[3], far[3];
-    for (int i = 0; i < 3; ++i) {
-      const auto inverse = static_cast<float>(1 / ray.direction[i]), origin = static_cast<float>(ray.origin[i]);
-      const bool backward = inverse < 0;
-      near[i] = ((backward ? high[i] : low[i]) - origin) * inverse;
-      far[i] = ((backward ? low[i] : high[i]) - origin) * inverse;
-    }
-    for (int i = 1; i < 3; ++i) {
-      if (near[0] > far[i] || near[i] > far[0]) return false;
-      if (near[i] > near[0]) near[0] = near[i];
-      if (far[i] < far[0]) far[0] = far[i];
-    }
-    return near[0] < std::numeric_limits<float>::infinity() && far[0] > 1e-4f;
-  }
-};
 
 // One frame-level object.
 struct Entry {

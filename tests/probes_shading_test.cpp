@@ -703,6 +703,19 @@ camera { orthographic location 50*y direction -y right 2*x up z } plane { y,0 te
   }
 }
 
+// The disc cuts through all of the box of 4, but the object's box is the disc's: light that misses that is not asked
+// about the cut, remembered or not (spec 08 D).
+TEST(ShadowCache, RememberedObjectIsAskedWithinItsBox) {
+  render::Options options;
+  options.replay = true;
+  const render::Framebuffer frame = render_text(std::string("#version 3.7;") + kPrelude + R"(
+camera { orthographic location 50*y direction -y right 2*x up z } plane { y,0 texture { Wht } } light_source { 1000*y rgb 1 parallel point_at 0 }
+intersection { disc { <-.5,2,0>,y,.3 } box { <-2,1,-2>,<2,3,2> } pigment { rgb 1 } no_image })",
+                                                2, 1, options);
+  EXPECT_EQ(lin16(frame, 0, 0)[0], 0);
+  EXPECT_NEAR(lin16(frame, 1, 0)[0], 65535, 2);
+}
+
 // POV-Ray's shadow cache makes an opaque occluder count from 1e-4 on if it blocked the light of the pixel before (S9,
 // spec 06 9.2); by default it counts whatever was before, but not for lights of groups, which have no cache.
 TEST(ShadowCache, OccluderInTheContactZoneShadows) {

@@ -34,9 +34,10 @@ struct SlabTest {
   }
 };
 
-// Of a box that is tested at all: not of one without end.
+// Boxes without end are not tested.
 inline SlabTest slab_test(const scene::Bounds& box) {
   SlabTest slab;
+  if (scene::volume(box) >= 7e30f) return slab;
   for (std::size_t k = 0; k < 3; ++k) slab.low[k] = box.low[k], slab.high[k] = box.low[k] + box.size[k];
   slab.used = true;
   return slab;

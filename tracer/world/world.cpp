@@ -194,7 +194,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     const bool boxless = e.infinite || is_empty(e.box) || (w.in_order && exempt_from_box_test(o));
     e.test_box = !is_empty(e.box) && (boxless || w.in_order) && !cheaper_than_box_test(o) &&
                  !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
-    if (!is_empty(e.box) && !exempt_from_box_test(o) && volume(o.bounds) < 7e30f) e.slab = slab_test(o.bounds);
+    if (!is_empty(e.box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;

@@ -4,11 +4,17 @@
 #include "tracer/shading/atmosphere/fog.h"
 #include "tracer/shading/tracer.h"
 #include "tracer/shapes/implicit/last_miss.h"
+#include "tracer/world/slab_test.h"
 
 namespace verisim::shading {
 namespace {
 
 constexpr float kDark = static_cast<float>(kEpsilon);
+
+// Surfaces of CSG may reach beyond its box, as those of a disc do that cuts.
+bool box_passes(const shapes::Shape& shape, const Ray& ray) {
+  return !shape.object->as<scene::Csg>() || accel::slab_test(shape.object->bounds).passes(ray);
+}
 
 }  // namespace
 
@@ -40,7 +46,9 @@ void Tracer::begin_block() {
 bool Tracer::filter_by_remembered(const ShadowQuery& query, const shapes::Shape& remembered, double distance,
                                   RayState& ray, Rgb& color) {
   shapes::Hit hit;
-  if (!remembered.intersect(ray.ray, shapes::RayKind::shadow, kContactTolerance, distance, hit)) return false;
+  if (!box_passes(remembered, ray.ray) ||
+      !remembered.intersect(ray.ray, shapes::RayKind::shadow, kContactTolerance, distance, hit))
+    return false;
   if (filter_through(query, ray, hit, color)) return true;
   shadow_volumes(query, ray, hit.t, true, color);
   // The ray has entered the object, and the search, which meets the same surface, has it leave.

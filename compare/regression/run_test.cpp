@@ -1,34 +1,13 @@
-// Whole runs with a script in the place of POV-Ray and a function in the place of our renderer; manifests, filters,
-// baselines, bench.
-#include <fmt/format.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <sys/stat.h>
-
-#include <fstream>
+// Whole runs with a script in the place of POV-Ray and a function in the place of our renderer; baselines, bench.
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "compare/compare.h"
-#include "compare/metrics/test_pictures.h"
 #include "compare/metrics/values.h"
-#include "compare/oracle/working_copy.h"
+#include "compare/regression/run_test_support.h"
 
 namespace verisim::compare {
-namespace fs = std::filesystem;
-using testing::ElementsAre;
-using testing::HasSubstr;
 namespace {
-
-void write(const fs::path& path, const std::string& text) {
-  fs::create_directories(path.parent_path());
-  std::ofstream(path) << text;
-}
-void script(const fs::path& path, const std::string& text) {
-  write(path, "#!/bin/sh\n" + text);
-  chmod(path.c_str(), 0755);
-}
 
 // OpenEXR, as renderers write it.
 void write_linear(const Picture& picture, const fs::path& path) {
@@ -41,95 +20,11 @@ void write_linear(const Picture& picture, const fs::path& path) {
   image::write(frame, path, options);
 }
 
-Filter chosen(std::vector<std::string> names, std::vector<std::string> tags) {
-  Filter f;
-  f.names = std::move(names), f.tags = std::move(tags);
-  return f;
-}
 Filter failed_in(const fs::path& report) {
   Filter f;
   f.failed_last_time = true, f.last_report = report;
   return f;
 }
-
-// Every scene file holds the name of the picture that the oracle will answer with.
-class RunTest : public testing::Test {
- protected:
-  RunTest() {
-    image::write_picture(scene_like_picture(32, 24), pictures() / "plain.png");
-    image::write_picture(changed(scene_like_picture(32, 24), [](double v) { return std::min(255.0, v + 30); }),
-                         pictures() / "bright.png");
-    std::mt19937 random(5);
-    for (int i = 1; i <= 8; ++i) {
-      std::normal_distribution<double> noise(0, 8);
-      image::write_picture(changed(scene_like_picture(32, 24),
-                                   [&](double v) { return std::clamp(std::round(v + noise(random)), 0.0, 255.0); }),
-                           pictures() / fmt::format("noisy{}.png", i));
-    }
-    script(root() / "pov",
-           "if [ \"$1\" = --version ]; then echo 'POV-Ray 3.7.test'; exit 0; fi\n"
-           "for a in \"$@\"; do case \"$a\" in +I*) in=\"${a#+I}\";; +O*) out=\"${a#+O}\";; +WT*) t=\"${a#+WT}\";; "
-           "esac; done\n"
-           "echo \"$in\" >> " +
-               (root() / "oracle.log").string() +
-               "\n"
-               "case $(cat $in) in crash) kill -SEGV $$;; hang) sleep 60;; noisy) cp " +
-               pictures().string() + "/noisy$t.png $out;; *) cp " + pictures().string() + "/plain.png $out;; esac\n");
-    options_.oracle.program = root() / "pov";
-    options_.oracle.cache = root() / "cache";
-    options_.oracle.time_limit = 20;
-    options_.native = [this](const NativeRequest& request) { return native(request); };
-    options_.native_version = "test 1";
-  }
-
-  const fs::path& root() const { return folder_.path(); }
-  fs::path pictures() const {
-    fs::create_directories(root() / "pictures");
-    return root() / "pictures";
-  }
-  void scene(const std::string& name, const std::string& text) { write(root() / "scenes" / name, text); }
-  Suite suite() const { return load_suite({root() / "scenes"}, {32, 24, {"-A"}}); }
-  std::map<std::string, SceneResult> run() {
-    last_ = run_suite(suite(), options_);
-    std::map<std::string, SceneResult> out;
-    for (const SceneResult& s : last_.scenes) out[s.request.name] = s;
-    return out;
-  }
-  int oracle_runs() const {
-    std::ifstream in(root() / "oracle.log");
-    return static_cast<int>(std::count(std::istreambuf_iterator<char>(in), {}, '\n'));
-  }
-
-  NativeResult native(const NativeRequest& request) {
-    ++native_runs_;
-    std::ifstream in(request.scene);
-    std::string text;
-    std::getline(in, text);
-    NativeResult out;
-    out.files_read = {request.scene};
-    if (text == "throws") throw std::runtime_error("thrown");
-    if (text == "unsupported" || text == "bad") {
-      out.outcome = text == "bad" ? NativeResult::Outcome::error : NativeResult::Outcome::unsupported;
-      out.message = request.scene.string() + ":1:1: isosurface";
-      return out;
-    }
-    out.outcome = NativeResult::Outcome::rendered;
-    if (text == "noisy") out.stochastic_features = {"radiosity"};
-    if (text == "forgets") return out;
-    fs::copy_file(pictures() / (text == "noisy"                   ? fmt::format("noisy{}.png", 2 + 2 * request.run)
-                                : text == "bright" || all_bright_ ? "bright.png"
-                                                                  : "plain.png"),
-                  request.output);
-    out.seconds = 0.5, out.rays = {{"camera", 768}};
-    return out;
-  }
-
-  TemporaryFolder folder_;
-  RunOptions options_;
-  compare::Run last_;
-  std::atomic<int> native_runs_{0};
-  bool all_bright_ = false;
-};
 
 TEST_F(RunTest, EveryOutcomeAndTheRestGoesOn) {
   scene("a/plain.pov", "plain");
@@ -167,95 +62,6 @@ TEST_F(RunTest, EveryOutcomeAndTheRestGoesOn) {
   const fs::path kept = r["bright.pov"].native_picture;
   last_ = {};
   EXPECT_FALSE(fs::exists(kept)) << "the temporary pictures go with the run";
-}
-
-TEST_F(RunTest, ReplayJudgesNoisyScenesLikeAnyOther) {
-  scene("noisy.pov", "noisy");
-  options_.replay = true;
-  EXPECT_EQ(run()["noisy.pov"].status, Status::differ);
-  EXPECT_EQ(oracle_runs(), 1);
-}
-
-// A reference whose picture hangs on the number of its threads.
-TEST_F(RunTest, AReferenceThatDiffersFromItselfSaysSo) {
-  scene("unsteady.pov", "noisy");
-  std::string ours = "noisy3.png";
-  options_.native = [&](const NativeRequest& request) {
-    NativeResult out;
-    out.outcome = NativeResult::Outcome::rendered, out.files_read = {request.scene};
-    fs::copy_file(pictures() / ours, request.output);
-    return out;
-  };
-  SceneResult r = run()["unsteady.pov"];
-  EXPECT_EQ(r.status, Status::match);
-  EXPECT_THAT(r.reason, testing::StartsWith("the reference differs from itself in another run, at "));
-  EXPECT_EQ(oracle_runs(), 2);
-  ours = "noisy5.png";  // as neither of its runs
-  r = run()["unsteady.pov"];
-  EXPECT_EQ(r.status, Status::differ);
-  EXPECT_THAT(r.reason, HasSubstr("; the reference differs from itself in another run"));
-}
-
-// Odd numbers of threads on the oracle's side; a second POV-Ray would take the even ones.
-TEST_F(RunTest, SeveralRunsAskWelch) {
-  std::mt19937 random(7);
-  std::normal_distribution<double> noise(0, 6);
-  for (int i = 1; i <= 12; ++i)
-    image::write_picture(
-        changed(scene_like_picture(32, 24),
-                [&](double v) { return std::clamp(std::round(v + noise(random) + (i > 8 ? 1 : 0)), 0.0, 255.0); }),
-        pictures() / ("noisy" + std::to_string(i) + ".png"));
-  scene("noisy.pov", "noisy");
-  options_.runs = 4;
-  int first = 2, step = 2;
-  std::vector<int> asked;
-  options_.native = [&](const NativeRequest& request) {
-    NativeResult out;
-    out.outcome = NativeResult::Outcome::rendered;
-    out.files_read = {request.scene}, out.stochastic_features = {"radiosity"};
-    asked.push_back(request.run);
-    fs::copy_file(pictures() / ("noisy" + std::to_string(first + step * (request.run % 4)) + ".png"), request.output);
-    return out;
-  };
-  auto r = run();
-  EXPECT_THAT(asked, ElementsAre(0, 1, 2, 3));
-  EXPECT_EQ(oracle_runs(), 4);
-  EXPECT_EQ(r["noisy.pov"].status, Status::match) << r["noisy.pov"].reason;
-  ASSERT_TRUE(r["noisy.pov"].welch);
-  EXPECT_FALSE(r["noisy.pov"].welch->rejected);
-  first = 9, step = 1;  // brighter by a code value: less than the low-pass comparison finds
-  asked.clear();
-  r = run();
-  EXPECT_EQ(r["noisy.pov"].status, Status::differ);
-  ASSERT_TRUE(r["noisy.pov"].welch) << r["noisy.pov"].reason;
-  EXPECT_EQ(asked.size(), 12u) << "a refusal is tried again with twice as many others";
-  EXPECT_EQ(oracle_runs(), 12) << "four of them from the cache";
-  EXPECT_GT(r["noisy.pov"].welch->mean_difference, 0.5);
-}
-
-// The first runs of each side are alike by chance and pass for a place without noise; others show it. Together with the
-// first ones they would still be refused.
-TEST_F(RunTest, ARefusalIsTriedAgainWithTwiceAsManyOthers) {
-  const auto spot = [&](int value, const std::string& name) {
-    Picture p = scene_like_picture(32, 24);
-    for (int c = 0; c < 3; ++c)
-      p.samples[static_cast<std::size_t>(3 * (12 * 32 + 16) + c)] = static_cast<float>(value) / 255;
-    image::write_picture(p, pictures() / name);
-  };
-  for (int i = 1; i <= 7; i += 2) spot(118, "noisy" + std::to_string(i) + ".png");
-  for (int i = 0; i < 12; ++i) spot(i < 4 ? 90 : i % 2 ? 116 : 120, "ours" + std::to_string(i) + ".png");
-  scene("noisy.pov", "noisy");
-  options_.runs = 4;
-  options_.native = [&](const NativeRequest& request) {
-    NativeResult out;
-    out.outcome = NativeResult::Outcome::rendered;
-    out.files_read = {request.scene}, out.stochastic_features = {"area light jitter"};
-    fs::copy_file(pictures() / ("ours" + std::to_string(request.run) + ".png"), request.output);
-    return out;
-  };
-  auto r = run();
-  EXPECT_EQ(r["noisy.pov"].status, Status::match) << r["noisy.pov"].reason;
-  EXPECT_EQ(oracle_runs(), 12);
 }
 
 TEST_F(RunTest, SecondRunTakesTheOracleFromItsCache) {
@@ -370,83 +176,6 @@ TEST_F(RunTest, StoredReferenceOfAnotherSizeIsAnError) {
   auto r = run();
   EXPECT_EQ(r["a.pov"].status, Status::error);
   EXPECT_THAT(r["a.pov"].reason, HasSubstr("differ in size"));
-}
-
-TEST_F(RunTest, SuiteOfAPlainFolder) {
-  scene("b.pov", ""), scene("a/z.pov", ""), scene("a/note.txt", ""), scene(".hidden/x.pov", "");
-  std::vector<std::string> names;
-  for (const SceneRequest& s : suite().scenes) names.push_back(s.name);
-  EXPECT_THAT(names, ElementsAre("a/z.pov", "b.pov"));
-  EXPECT_THAT(load_suite({pictures()}).warnings, ElementsAre(HasSubstr("no scene")));
-  EXPECT_THROW(load_suite({root() / "nothing.pov"}), std::runtime_error);
-}
-
-TEST_F(RunTest, ManifestSetsDefaultsAndScenes) {
-  scene("one.pov", ""), scene("set/two.pov", ""), scene("set/three.pov", "");
-  write(root() / "scenes/verisim.toml", R"(
-width = 64
-switches = "+A0.3 'Declare=x=1'"
-tags = ["all"]
-[[scene]]
-file = "one.pov"
-name = "first"
-height = 48
-class = "stochastic"
-[[scene]]
-file = "set/*.pov"
-tags = ["set"]
-switches = ["-A"]
-thresholds = { max_rmse = 1.5, min_ssim_mean = 0.9 }
-pixels_per_degree = 40
-)");
-  const Suite s = suite();
-  ASSERT_EQ(s.scenes.size(), 3u);
-  EXPECT_EQ(s.scenes[0].name, "first");
-  EXPECT_EQ(s.scenes[0].width, 64);
-  EXPECT_EQ(s.scenes[0].height, 48);
-  EXPECT_THAT(s.scenes[0].switches, ElementsAre("+A0.3", "Declare=x=1"));
-  EXPECT_TRUE(s.scenes[0].antialiased());
-  EXPECT_EQ(s.scenes[0].scene_class, SceneClass::stochastic);
-  EXPECT_EQ(s.scenes[1].name, "set/three.pov");
-  EXPECT_DOUBLE_EQ(s.scenes[1].thresholds.at("max_rmse"), 1.5);
-  EXPECT_DOUBLE_EQ(s.scenes[2].flip_pixels_per_degree, 40);
-  const auto names = [&](const Filter& f) {
-    std::vector<std::string> out;
-    for (const SceneRequest& r : filter(s, f).scenes) out.push_back(r.name);
-    return out;
-  };
-  EXPECT_THAT(names(chosen({}, {"set"})), ElementsAre("set/three.pov", "set/two.pov"));
-  EXPECT_THAT(names(chosen({"*two*"}, {})), ElementsAre("set/two.pov"));
-  EXPECT_THAT(names(chosen({"irs"}, {"all"})), ElementsAre("first"));
-}
-
-TEST_F(RunTest, ManifestErrorsHaveTheirPlace) {
-  scene("one.pov", "");
-  const auto message = [&](const std::string& text) -> std::string {
-    write(root() / "scenes/verisim.toml", text);
-    try {
-      suite();
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "no error";
-  };
-  EXPECT_THAT(message("width = \n"), HasSubstr("verisim.toml:1:"));
-  EXPECT_THAT(message("\nwitdh = 3\n"), testing::AllOf(HasSubstr(":2:"), HasSubstr("unknown key 'witdh'")));
-  EXPECT_THAT(message("width = \"3\"\n"), HasSubstr("'width' must be a whole number"));
-  EXPECT_THAT(message("width = 0\n"), HasSubstr("between 1 and"));
-  EXPECT_THAT(message("class = \"random\"\n"), HasSubstr("'class' must be"));
-  EXPECT_THAT(message("thresholds = {max_rsme = 1}\n"), HasSubstr("max_rsme"));
-  EXPECT_THAT(message("switches = \"'open\"\n"), HasSubstr("quote"));
-  EXPECT_THAT(message("[[scene]]\nname = \"x\"\n"), HasSubstr("needs 'file'"));
-  EXPECT_THAT(message("[[scene]]\nfile = \"none.pov\"\n"), HasSubstr("none.pov"));
-  EXPECT_THAT(message("[[scene]]\nfile = \"none*.pov\"\n"), HasSubstr("no scene is named"));
-  EXPECT_THAT(message("scene = 3\n"), HasSubstr("[[scene]]"));
-  EXPECT_THAT(message("[[scene]]\nfile = \"one.pov\"\npasses = [{ switches = \"-A\" }]\n"),
-              HasSubstr("needs a 'matrix'"));
-  EXPECT_THAT(message("[[scene]]\nfile = \"one.pov\"\npasses = [{ matrix = [[1, 2], [3, 4]] }]\n"),
-              HasSubstr("three rows of three numbers"));
-  EXPECT_EQ(message("width = 40\n"), "no error");
 }
 
 // Two renders that add up: red from the first one's blue, green from the second.

@@ -2,75 +2,16 @@
 // are nearly all of a file's bytes, and comments nest without limit, which a recursive rule would turn into stack.
 #include "parser/lexer/lexer.h"
 
-#include <sys/mman.h>
-
-#include <array>
 #include <boost/spirit/home/x3.hpp>
-#include <charconv>
-#include <cmath>
-#include <cstring>
-#include <limits>
-#include <new>
+#include <bit>
+
+#include "parser/lexer/directive_links.h"
+#include "parser/lexer/number.h"
 
 namespace verisim::parser {
 namespace {
 
 namespace x3 = boost::spirit::x3;
-
-enum CharClass : std::uint8_t { other_class, blank_class, letter_class, digit_class, punctuation_class };
-
-constexpr auto kClass = [] {
-  std::array<CharClass, 256> table{};
-  for (const char c : {' ', '\t', '\v', '\f', '\r', '\n', '\0', '\x1a'})
-    table[static_cast<unsigned char>(c)] = blank_class;
-  for (int c = 'a'; c <= 'z'; ++c) table[static_cast<std::size_t>(c)] = letter_class;
-  for (int c = 'A'; c <= 'Z'; ++c) table[static_cast<std::size_t>(c)] = letter_class;
-  table['_'] = letter_class;
-  for (int c = '0'; c <= '9'; ++c) table[static_cast<std::size_t>(c)] = digit_class;
-  for (const char c : {'{', '}', '(', ')', '[', ']', '<', '>', ',',  ';', ':', '?', '=',  '+', '-',
-                       '*', '/', '&', '|', '!', '#', '@', '`', '\\', '$', '^', '%', '\'', '~', '.'})
-    table[static_cast<unsigned char>(c)] = punctuation_class;
-  return table;
-}();
-
-CharClass class_of(char c) { return kClass[static_cast<unsigned char>(c)]; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-bool is_directive(Word word) {
-  switch (word) {
-    case Word::break_:
-    case Word::case_:
-    case Word::debug:
-    case Word::declare:
-    case Word::default_:
-    case Word::else_:
-    case Word::elseif:
-    case Word::end:
-    case Word::error:
-    case Word::fclose:
-    case Word::fopen:
-    case Word::for_:
-    case Word::if_:
-    case Word::ifdef:
-    case Word::ifndef:
-    case Word::include:
-    case Word::local:
-    case Word::macro:
-    case Word::range:
-    case Word::read:
-    case Word::render:
-    case Word::statistics:
-    case Word::switch_:
-    case Word::undef:
-    case Word::version:
-    case Word::warning:
-    case Word::while_:
-    case Word::write:
-      return true;
-    default:
-      return false;
-  }
-}
 
 // Writes tokens; shared by all parsers of the grammar.
 struct Sink {
@@ -221,84 +162,20 @@ struct WordOrIdentifier : Scanner<WordOrIdentifier> {
   }
 };
 
-constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                   1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-
-// Decimal digits with one optional point and an optional exponent, which may be empty (spec 01 1.2).
+// A literal number (number.h).
 struct Number : Scanner<Number> {
   using Scanner::Scanner;
   bool scan(const char*& first, const char*) const {
     const char* p = first;
-    if (!starts(p)) return false;
+    if (!starts_number(p)) return false;
     Token token;
     double value;
-    if (!read(p, value)) return sink->fail(LexError::second_point, first);
+    if (!read_number(p, value)) return sink->fail(LexError::second_point, first);
     token.kind = TokenKind::number;
     token.offset = sink->offset(first);
     token.payload = std::bit_cast<std::uint64_t>(value);
     first = p;
     return sink->put(token);
-  }
-
-  static bool starts(const char* p) { return is_digit(*p) || (*p == '.' && is_digit(p[1])); }
-
-  // False: a second point.
-  static bool read(const char*& p, double& value) {
-    const char* const first = p;
-    std::uint64_t mantissa = 0;
-    while (is_digit(*p)) mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p++ - '0');
-    std::ptrdiff_t digits = p - first;
-    bool point = false, exponent = false;
-    int scale = 0;
-    if (*p == '.') {
-      point = true;
-      const char* fraction = ++p;
-      while (is_digit(*p)) mantissa = mantissa * 10 + static_cast<std::uint64_t>(*p++ - '0');
-      digits += p - fraction;
-      scale = static_cast<int>(std::min<std::ptrdiff_t>(p - fraction, 10000));
-    }
-    const char* number_end = p;
-    int power = 0;
-    if (*p == 'e' || *p == 'E') {
-      exponent = true;
-      ++p;
-      bool negative = false;
-      if (*p == '+' || *p == '-') negative = *p++ == '-';
-      const char* exponent_digits = p;
-      while (is_digit(*p)) {
-        if (power < 100000) power = power * 10 + (*p - '0');
-        ++p;
-      }
-      if (p != exponent_digits) number_end = p;
-      if (negative) power = -power;
-    }
-    if (*p == '.' && (point || exponent)) return false;
-    const int shift = power - scale;
-    if (digits <= 18 && mantissa < (std::uint64_t{1} << 53) && shift >= -22 && shift <= 22) {
-      // Both factors are exact doubles, so one rounding gives the correctly rounded result.
-      value = static_cast<double>(mantissa);
-      value = shift < 0 ? value / kPowersOfTen[-shift] : value * kPowersOfTen[shift];
-    } else {
-      value = convert(first, number_end, power);
-    }
-    return true;
-  }
-
-  static double convert(const char* first, const char* last, int power) {
-    double value = 0;
-    const auto result = std::from_chars(first, last, value);
-    if (result.ec != std::errc::result_out_of_range) return value;
-    // Out of range: inf or 0, by the decimal exponent of the first non-zero digit.
-    std::ptrdiff_t magnitude = 0;
-    const char* p = first;
-    while (p != last && *p == '0') ++p;
-    if (p != last && is_digit(*p)) {
-      while (p != last && is_digit(*p)) ++p, ++magnitude;
-    } else if (p != last && *p == '.') {
-      ++p;
-      while (p != last && *p == '0') ++p, --magnitude;
-    }
-    return magnitude + power > 0 ? std::numeric_limits<double>::infinity() : 0.0;
   }
 };
 
@@ -322,7 +199,7 @@ struct Vector : Scanner<Vector> {
         ++p;
         skip_blanks();
       }
-      if (terms == 5 || !Number::starts(p) || !Number::read(p, values[terms])) return false;
+      if (terms == 5 || !starts_number(p) || !read_number(p, values[terms])) return false;
       if (negative) values[terms] = -values[terms];
       ++terms;
       skip_blanks();
@@ -388,74 +265,7 @@ struct Punctuation : Scanner<Punctuation> {
     return sink->put(token);
   }
 };
-
-bool opens(Word word) {
-  switch (word) {
-    case Word::if_:
-    case Word::ifdef:
-    case Word::ifndef:
-    case Word::while_:
-    case Word::for_:
-    case Word::switch_:
-    case Word::macro:
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool alternative(Word word) {
-  return word == Word::else_ || word == Word::elseif || word == Word::case_ || word == Word::range;
-}
-
-// Links each opener and alternative to the next alternative or #end of the same construct, so that skipping is a jump.
-// What has no partner in this file keeps 0 and is found by scanning. Loops and macros have no alternatives: one inside
-// them at their own level means nothing to a skip, but in a macro it is a mistake. Returns those.
-std::vector<std::uint32_t> link_directives(Tokens& tokens) {
-  struct Open {
-    std::uint32_t last;  // the token that waits for its link
-    Word word;
-    bool branches;
-  };
-  std::vector<std::uint32_t> strays;
-  std::vector<Open> stack;
-  const auto link = [&tokens](std::uint32_t from, std::uint32_t to) {
-    tokens[from].payload = (tokens[from].payload & 0xffffffffu) | (std::uint64_t{to} << 32);
-  };
-  for (std::uint32_t i = 0; i < tokens.size(); ++i) {
-    if (tokens[i].kind != TokenKind::directive) continue;
-    const Word word = tokens[i].word;
-    if (opens(word)) {
-      stack.push_back({i, word, word != Word::while_ && word != Word::for_ && word != Word::macro});
-    } else if (stack.empty()) {
-      continue;
-    } else if (alternative(word) && stack.back().branches) {
-      link(stack.back().last, i);
-      stack.back().last = i;
-    } else if (alternative(word) && stack.back().word == Word::macro) {
-      strays.push_back(i);
-    } else if (word == Word::end) {
-      link(stack.back().last, i);
-      stack.pop_back();
-    }
-  }
-  return strays;
-}
-
 }  // namespace
-
-void* allocate_huge(std::size_t bytes) {
-  constexpr std::size_t kHugePage = 2u << 20;
-  void* p;
-  if (bytes < 2 * kHugePage) {
-    p = std::malloc(bytes);
-  } else {
-    p = std::aligned_alloc(kHugePage, (bytes + kHugePage - 1) / kHugePage * kHugePage);
-    if (p) ::madvise(p, bytes, MADV_HUGEPAGE);  // a hint: failure means ordinary pages
-  }
-  if (!p) throw std::bad_alloc();
-  return p;
-}
 
 const char* describe(LexError error) {
   switch (error) {
@@ -474,67 +284,6 @@ const char* describe(LexError error) {
   }
   return "";
 }
-
-std::size_t TokenFile::length(const Token& token) const {
-  const std::string_view rest = source->text().substr(token.offset);
-  const auto name_from = [&](std::size_t i) {
-    while (i < rest.size() && (class_of(rest[i]) == letter_class || class_of(rest[i]) == digit_class)) ++i;
-    return i;
-  };
-  switch (token.kind) {
-    case TokenKind::end:
-      return 0;
-    case TokenKind::error:
-      return rest.empty() ? 0 : 1;
-    case TokenKind::punctuation:
-      return token.punctuation == kLessEqual || token.punctuation == kGreaterEqual || token.punctuation == kNotEqual
-                 ? 2
-                 : 1;
-    case TokenKind::word:
-    case TokenKind::identifier:
-      return name_from(0);
-    case TokenKind::directive: {
-      std::size_t i = 1;
-      while (i < rest.size() && class_of(rest[i]) == blank_class) ++i;
-      return name_from(i);
-    }
-    case TokenKind::number: {
-      const char* p = rest.data();
-      double value;
-      Number::read(p, value);
-      return static_cast<std::size_t>(p - rest.data());
-    }
-    case TokenKind::string:
-      return token.id() + std::size_t{2};
-    case TokenKind::vector:
-      break;
-  }
-  // A literal vector may have comments inside.
-  for (std::size_t i = 1; i < rest.size(); ++i) {
-    if (rest[i] == '>') return i + 1;
-    if (rest[i] != '/' || i + 1 == rest.size()) continue;
-    if (rest[i + 1] == '/') {
-      while (i < rest.size() && rest[i] != '\n' && rest[i] != '\r') ++i;
-    } else if (rest[i + 1] == '*') {
-      int nested = 0;
-      do {
-        const std::string_view two = rest.substr(i, 2);
-        nested += two == "/*" ? 1 : two == "*/" ? -1 : 0;
-        i += two == "/*" || two == "*/" ? 2 : 1;
-      } while (nested && i < rest.size());
-      --i;
-    }
-  }
-  return rest.size();
-}
-
-std::size_t TokenFile::hash_before(const Token& token) const {
-  const std::string_view text = source->text();
-  std::size_t i = token.offset;
-  while (i > 0 && (text[i - 1] == ' ' || text[i - 1] == '\t')) --i;
-  return i > 0 && text[i - 1] == '#' ? i - 1 : std::string_view::npos;
-}
-
 std::shared_ptr<const TokenFile> tokenise(std::shared_ptr<const Source> source, Names& names, std::size_t max_tokens,
                                           bool main_file) {
   auto file = std::make_shared<TokenFile>();

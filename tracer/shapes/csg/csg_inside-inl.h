@@ -1,0 +1,139 @@
+// Which points are inside a part of a CSG tree. `Number` is a packet of the points that go together: Packet, or
+// PacketOf<1>.
+// Included once for each target by kernels.
+#if defined(VERISIM_SHAPES_CSG_CSG_INSIDE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef VERISIM_SHAPES_CSG_CSG_INSIDE_INL_H
+#undef VERISIM_SHAPES_CSG_CSG_INSIDE_INL_H
+#else
+#define VERISIM_SHAPES_CSG_CSG_INSIDE_INL_H
+#endif
+
+#include "tracer/math/packet_vector-inl.h"
+#include "tracer/shapes/csg/csg_tree.h"
+#include "tracer/simd/packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim::shapes {
+namespace {
+namespace HWY_NAMESPACE {
+
+using namespace simd::HWY_NAMESPACE;
+
+template <class Number>
+HWY_INLINE Vec3 lane_of(const PacketVector<Number>& p, int k) {
+  return {p.x[k], p.y[k], p.z[k]};
+}
+
+// A point in a node's own space.
+template <class Number>
+HWY_INLINE PacketVector<Number> local_point(const CsgNode& n, const PacketVector<Number>& p) {
+  return n.simple.matrix ? transform_point(n.simple.matrix->inv, p) : p;
+}
+
+// As the shapes' `formula`.
+template <class Number>
+unsigned inside_simple(const CsgNode& n, const PacketVector<Number>& at) {
+  const SimpleSolid& s = n.simple;
+  const PacketVector<Number> p = local_point(n, at);
+  const unsigned turned = s.inverted ? (1u << Number::kCount) - 1 : 0;
+  switch (s.form) {
+    case SimpleSolid::Form::plane:
+      return bits(p.x * s.a.x + p.y * s.a.y + p.z * s.a.z - s.c < kEpsilon) ^ turned;
+    case SimpleSolid::Form::sphere: {
+      const PacketVector<Number> d{p.x - s.a.x, p.y - s.a.y, p.z - s.a.z};
+      const Number distance2 = dot(d, d);
+      return bits(s.inverted ? distance2 > s.c : distance2 < s.c);
+    }
+    case SimpleSolid::Form::box:
+      return bits((p.x >= s.a.x) & (p.x <= s.b.x) & (p.y >= s.a.y) & (p.y <= s.b.y) & (p.z >= s.a.z) & (p.z <= s.b.z)) ^
+             turned;
+    case SimpleSolid::Form::cone: {
+      const double e = s.open ? kEpsilon : -kEpsilon;
+      const Number limit2 = s.cylinder ? Number(1) : p.z * p.z;
+      return bits((p.x * p.x + p.y * p.y <= limit2 + e) & (p.z >= s.c - e) & (p.z <= 1 + e)) ^ turned;
+    }
+    default: {
+      const Vec3 &q = s.quadric->square, &m = s.quadric->mixed, &l = s.quadric->linear;
+      return bits(p.x * (q.x * p.x + m.x * p.y + m.y * p.z + l.x) + p.y * (q.y * p.y + m.z * p.z + l.y) +
+                      p.z * (q.z * p.z + l.z) + s.quadric->constant <=
+                  0);
+    }
+  }
+}
+
+// Of `lanes`, those whose points are within a prism's outline. As Prism::covers.
+template <class Number>
+unsigned covered(const CsgNode& n, unsigned lanes, const Number& x, const Number& z) {
+  const Rectangle& r = n.walls->outline;
+  lanes &= bits((x <= r.max.x) & (x >= r.min.x) & (z >= r.min.y) & (z <= r.max.y));
+  unsigned odd = 0, unsure = 0;
+  for (const StraightSegment& w : n.walls->segments) {
+    const typename Number::Mask level = (z >= w.z_low) & (z <= w.z_high) & (x <= w.x_high);
+    const unsigned met = bits(level) & lanes, right = w.z_low != w.z_high ? met & bits(x < w.x_low) : 0;
+    odd ^= right, unsure |= met & ~right;
+  }
+  each_lane(unsure, [&](int k) {
+    const unsigned bit = 1u << k;
+    odd = n.prism->covers(x[k], z[k]) ? odd | bit : odd & ~bit;
+  });
+  return odd;
+}
+
+template <class Number>
+unsigned inside_prism(const CsgNode& n, unsigned lanes, const PacketVector<Number>& at) {
+  const StraightPrism::Walls& w = *n.walls;
+  const PacketVector<Number> p = w.matrix ? transform_point(w.matrix->inv, at) : at;
+  const unsigned level = bits((p.y >= w.low) & (p.y < w.high)) & lanes;
+  const unsigned within = level != 0 ? covered(n, level, p.x, p.z) : 0;
+  return w.inverted ? lanes & ~within : within;
+}
+
+template <class Number>
+unsigned inside_parts(const CsgTree& tree, const CsgNode& n, unsigned lanes, const PacketVector<Number>& p);
+
+// Of `lanes`, those whose points are inside a node.
+template <class Number>
+unsigned inside(const CsgTree& tree, const CsgNode& n, unsigned lanes, const PacketVector<Number>& p) {
+  if (n.boxed_solid) {
+    const unsigned here = bits((p.x >= n.solid.min.x) & (p.x <= n.solid.max.x) & (p.y >= n.solid.min.y) &
+                               (p.y <= n.solid.max.y) & (p.z >= n.solid.min.z) & (p.z <= n.solid.max.z)) &
+                          lanes;
+    const unsigned beyond = n.far_is_inside ? lanes & ~here : 0;
+    return here == 0 ? beyond : beyond | inside_parts(tree, n, here, p);
+  }
+  return inside_parts(tree, n, lanes, p);
+}
+template <class Number>
+unsigned inside_parts(const CsgTree& tree, const CsgNode& n, unsigned lanes, const PacketVector<Number>& p) {
+  switch (n.kind) {
+    case CsgNode::Kind::simple:
+      return inside_simple(n, p) & lanes;
+    case CsgNode::Kind::prism:
+      return inside_prism(n, lanes, p);
+    case CsgNode::Kind::intersection:
+      for (std::uint32_t i = 0; i < n.child_count && lanes != 0; ++i)
+        lanes = inside(tree, tree.nodes[tree.children[n.children + i]], lanes, p);
+      return lanes;
+    case CsgNode::Kind::sum: {
+      unsigned found = 0;
+      for (std::uint32_t i = 0; i < n.child_count && lanes != found; ++i)
+        found |= inside(tree, tree.nodes[tree.children[n.children + i]], lanes & ~found, p);
+      return found;
+    }
+    default: {
+      unsigned found = 0;
+      each_lane(lanes, [&](int k) {
+        const Vec3 at = lane_of(p, k);
+        found |= n.shape->inside(at) ? 1u << k : 0;
+      });
+      return found;
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::shapes
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -267,6 +267,7 @@ void Parser::Impl::end_directive(const Token&) {
 }
 
 void Parser::Impl::end_macro() {
+  require_macros(*this);
   conditions.pop_back();
   leave_frame();
 }

@@ -236,6 +236,13 @@ TEST(Versions, Rules) {
   EXPECT_EQ(testing::run("#version 3.0; #declare A = 1 #declare B = A+1 #debug str(B,0,0)").text, "2");
   EXPECT_EQ(testing::run("#version 3.1; #declare A = 1 #declare B = A+1 #debug str(B,0,0)").text, "2");
   EXPECT_NE(testing::run("#version 3.8;").error, "");
+  // Macros are unknown before 3.1: where they are defined, called and ended.
+  const std::string macro = "#version 3.1; #macro M(A) A #end #macro V() #version 3.0; #end ";
+  for (const char* wrong : {"#version 3.0; #macro N() #end", "#version 3.0; #declare B = M(1);",
+                            "#version 3.0; #declare B = 2*M(1)+1;", "V()"})
+    EXPECT_NE(testing::run(macro + wrong).error.find("Macros need #version 3.1"), std::string::npos) << wrong;
+  EXPECT_EQ(testing::run(macro + "#version 3.0; #ifdef (M) #if (0) M(1) #end #undef M #end").error, "");
+  EXPECT_EQ(testing::run(macro + "#declare B = M(1); #version 3.0;").error, "");
   EXPECT_EQ(testing::run("#debug str(version,0,2)").text, "3.70");
   EXPECT_EQ(testing::run("sphere { 0, 1 }").result.scene->version, 362);
   EXPECT_EQ(testing::run("#version 3.1; sphere { 0, 1 }").result.scene->version, 350);

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "parser/lexer/lexer.h"
+#include "parser/language/parser.h"
 
 namespace verisim::parser {
 
 struct Macro {
+  static constexpr int kSince = 310;  // version of SDL
   std::uint32_t name = 0;
   std::vector<std::uint32_t> parameters;
   std::shared_ptr<const TokenFile> file;
@@ -18,5 +20,8 @@ struct Macro {
   bool is_expression =
       false;  // short, without directives, braces and strings: it can only be read as part of an expression
 };
+
+// Where a macro is defined, where it is called and where it ends the version of the scene must know them.
+void require_macros(Parser::Impl& parser);
 
 }  // namespace verisim::parser

@@ -25,8 +25,14 @@ bool looks_like_expression(const TokenFile& file, std::uint32_t begin, std::uint
 
 }  // namespace
 
+void require_macros(Parser::Impl& parser) {
+  if (parser.language_version < Macro::kSince)
+    parser.error(Code::version_limits, "Macros need #version 3.1 or later.",
+                 "The version also counts where macros of include files are called, and where they end.");
+}
+
 void Parser::Impl::define_macro(const Token& token) {
-  if (language_version < 310) error(Code::version_limits, "Macros need #version 3.1 or later.");
+  require_macros(*this);
   auto macro = std::make_shared<Macro>();
   macro->file = file->shared_from_this();
   macro->definition = index(position) - 1;
@@ -129,6 +135,7 @@ void Parser::Impl::macro_argument() {
 }
 
 void Parser::Impl::call_macro(Symbol& symbol) {
+  require_macros(*this);
   if (!depth) mark_statement();
   const Nesting nesting(*this);
   if (static_cast<int>(frames.size()) >= options.limits.max_depth)

@@ -62,6 +62,7 @@ bool Scanner::macro(const Symbol& symbol, Term& out, int depth) {
   const Macro& macro = *std::get<Shared<Macro>>(symbol.variable->value);
   const std::size_t count = macro.parameters.size();
   constexpr std::size_t kMaxParameters = 8;
+  if (p_.language_version < Macro::kSince) return false;  // the general path makes an error of it
   if (!macro.is_expression || count > kMaxParameters || macros_ == kMaxMacros || at_[1].punctuation != '(')
     return false;
   advance();

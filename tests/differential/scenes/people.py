@@ -206,6 +206,8 @@ class People(draw.Draw):
                 f"cylinder {{ 0, y*(1 + sin(I)), 0.1 translate <cos(I*2*pi/{count})*2, 0, sin(I*2*pi/{count})*2> {self.texture()} }}",
             )
             return f"#declare S = seed({self.integer(1, 999)}); #declare I = 0; #while (I < {count}) {item} #declare I = I + 1; #end"
+        if self.version == "3.0":  # which has no macros
+            return self.thing()
         if r < 0.93:
             name = self.new_name("macro")
             return f"#macro {name}(P, R) {self.one('union', 'merge', 'difference')} {{ sphere {{ P, R }} box {{ P - R, P + <R, R/2, R> }} {self.texture()} }} #end {name}({self.point()}, {self.positive()}) object {{ {name}(<0, 1, 0>, 0.5) {self.moves()} }}"

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "parser/language/impl.h"
+#include "parser/language/scanner.h"
 
 namespace verisim::parser {
 
@@ -25,6 +26,47 @@ double Parser::Impl::argument() {
   const double value = full_scalar();
   close_arguments();
   return value;
+}
+
+double (*unary_function(Word word))(double) {
+  switch (word) {
+    case Word::abs:
+      return [](double v) { return std::fabs(v); };
+    case Word::sin:
+      return [](double v) { return std::sin(v); };
+    case Word::cos:
+      return [](double v) { return std::cos(v); };
+    case Word::tan:
+      return [](double v) { return std::tan(v); };
+    case Word::atan:
+      return [](double v) { return std::atan(v); };
+    case Word::sinh:
+      return [](double v) { return std::sinh(v); };
+    case Word::cosh:
+      return [](double v) { return std::cosh(v); };
+    case Word::tanh:
+      return [](double v) { return std::tanh(v); };
+    case Word::asinh:
+      return [](double v) { return std::asinh(v); };
+    case Word::acosh:
+      return [](double v) { return std::acosh(v); };
+    case Word::atanh:
+      return [](double v) { return std::atanh(v); };
+    case Word::exp:
+      return [](double v) { return std::exp(v); };
+    case Word::ceil:
+      return [](double v) { return std::ceil(v); };
+    case Word::floor:
+      return [](double v) { return std::floor(v); };
+    case Word::int_:
+      return [](double v) { return static_cast<double>(to_int(v)); };
+    case Word::degrees:
+      return [](double v) { return v / (std::numbers::pi / 180); };
+    case Word::radians:
+      return [](double v) { return v * (std::numbers::pi / 180); };
+    default:
+      return nullptr;
+  }
 }
 
 namespace {
@@ -94,14 +136,14 @@ double select(Parser::Impl& p) {
   return v[0] == 0 ? v[2] : v[3];
 }
 
-// 32-bit linear congruential streams, one for each seed() (spec 01 section 10).
+// One stream for each seed().
 double random_number(Parser::Impl& p) {
   const int stream = to_int(p.argument());
   if (stream < 0 || static_cast<std::size_t>(stream) >= p.random_streams.size())
     p.error(Code::missing_item, "rand() of a stream that seed() never made.");
   std::uint32_t& state = p.random_streams[static_cast<std::size_t>(stream)];
-  state = 1812433253u * state + 12345u;
-  return state / 4294967295.0;
+  state = next_random(state);
+  return random_of(state);
 }
 
 double days_since_2000() {
@@ -129,6 +171,217 @@ double dimension(Parser::Impl& p, bool size) {
   return result;
 }
 
+std::uint32_t new_stream(Parser::Impl& p) {
+  const auto state = static_cast<std::uint32_t>(to_int(p.argument()));
+  if (p.random_streams.size() * sizeof(state) > p.options.limits.max_memory_bytes / 16)
+    p.error(Code::size_limit, "Too many random streams.");
+  p.random_streams.push_back(state);
+  return static_cast<std::uint32_t>(p.random_streams.size() - 1);
+}
+
+double square_root(Parser::Impl& p) {
+  const double v = p.argument();
+  if (v < 0) p.error(Code::domain_error, "Domain error in sqrt: the argument is negative.");
+  return std::sqrt(v);
+}
+
+double logarithm(Parser::Impl& p, Word word) {
+  const double v = p.argument();
+  if (v <= 0)
+    p.error(Code::domain_error, fmt::format("Domain error in {}: the argument must be positive.", spelling(word)));
+  return word == Word::ln ? std::log(v) : std::log10(v);
+}
+
+double arc_tangent(Parser::Impl& p) {
+  const auto [a, b] = two_arguments(p);
+  if (std::fabs(a) <= kEps && std::fabs(b) <= kEps)
+    p.error(Code::domain_error, "Domain error in atan2: both arguments are zero.");
+  return std::atan2(a, b);
+}
+
+double power(Parser::Impl& p) {
+  const auto [a, b] = two_arguments(p);
+  if (a == 0 && b == 0) p.error(Code::domain_error, "Domain error in pow: both arguments are zero.");
+  return std::pow(a, b);
+}
+
+// Each of the groups below: false, if the word is none of it. The cursor is behind the word.
+
+bool function_of_numbers(Parser::Impl& p, Word word, double& out) {
+  if (const auto function = unary_function(word)) {
+    out = function(p.argument());
+    return true;
+  }
+  switch (word) {
+    case Word::asin:
+      out = std::asin(clamped(p, p.argument()));
+      return true;
+    case Word::acos:
+      out = std::acos(clamped(p, p.argument()));
+      return true;
+    case Word::sqrt:
+      out = square_root(p);
+      return true;
+    case Word::ln:
+    case Word::log:
+      out = logarithm(p, word);
+      return true;
+    case Word::atan2:
+      out = arc_tangent(p);
+      return true;
+    case Word::pow:
+      out = power(p);
+      return true;
+    case Word::div: {
+      const auto [a, b] = two_arguments(p);
+      out = to_int(a / b);
+      return true;
+    }
+    case Word::mod: {
+      const auto [a, b] = two_arguments(p);
+      out = std::fmod(a, b);
+      return true;
+    }
+    case Word::min:
+      each_argument(p, [&](double v, bool first) { out = first || v < out ? v : out; });
+      return true;
+    case Word::max:
+      each_argument(p, [&](double v, bool first) { out = first || v > out ? v : out; });
+      return true;
+    case Word::bitwise_and:
+      out = bitwise(p, [](int a, int b) { return a & b; });
+      return true;
+    case Word::bitwise_or:
+      out = bitwise(p, [](int a, int b) { return a | b; });
+      return true;
+    case Word::bitwise_xor:
+      out = bitwise(p, [](int a, int b) { return a ^ b; });
+      return true;
+    case Word::select:
+      out = select(p);
+      return true;
+    case Word::seed:
+      out = new_stream(p);
+      return true;
+    case Word::rand:
+      out = random_number(p);
+      return true;
+    default:
+      return false;
+  }
+}
+
+double difference(const std::u16string& a, const std::u16string& b) {
+  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+    const int p = i < a.size() ? a[i] : 0, q = i < b.size() ? b[i] : 0;
+    if (p != q) return p - q;
+  }
+  return 0;
+}
+
+double number_in(const std::u16string& text) {
+  std::string bytes;
+  for (const char16_t c : text) bytes += c > 127 ? ' ' : static_cast<char>(c);
+  return std::strtod(bytes.c_str(), nullptr);
+}
+
+bool function_of_text(Parser::Impl& p, Word word, double& out) {
+  if (word != Word::strlen && word != Word::asc && word != Word::val && word != Word::strcmp &&
+      word != Word::file_exists)
+    return false;
+  p.open_arguments();
+  const Live live(p);
+  const std::u16string text = p.string(word == Word::file_exists);
+  if (word == Word::strlen) {
+    out = static_cast<double>(text.size());
+  } else if (word == Word::asc) {
+    out = text.empty() ? 0 : text[0];
+  } else if (word == Word::val) {
+    out = number_in(text);
+  } else if (word == Word::strcmp) {
+    if (p.peek().punctuation == ',') p.skip_token();
+    out = difference(text, p.string(false));
+  } else {
+    const auto found = p.search->find_exact(p.utf8(text));
+    out = found && p.search->may_read(*found);
+  }
+  p.close_arguments();
+  return true;
+}
+
+bool function_of_vectors(Parser::Impl& p, Word word, double& out) {
+  if (word != Word::vdot && word != Word::vlength) return false;
+  p.open_arguments();
+  const Live live(p);
+  const Vec3 a = p.vector_argument();
+  if (word == Word::vlength) {
+    out = length(a);
+  } else {
+    if (p.peek().punctuation == ',') p.skip_token();
+    out = dot(a, p.vector_argument());
+  }
+  p.close_arguments();
+  return true;
+}
+
+double inside(Parser::Impl& p) {
+  p.open_arguments();
+  const Live live(p);
+  const scene::ObjectPtr object = p.object_argument();
+  const query::Target& target = p.query_target(object);
+  if (!target.has_inside()) p.error(Code::missing_item, "inside() needs an object that has an inside.");
+  if (p.peek().punctuation == ',') p.skip_token();
+  const Vec3 at = p.vector_argument();
+  p.close_arguments();
+  bool within = false;
+  p.within_budget("inside()", [&] { within = target.inside(at); });
+  return within;
+}
+
+bool question_or_constant(Parser::Impl& p, Word word, double& out) {
+  switch (word) {
+    case Word::dimensions:
+      out = dimension(p, false);
+      return true;
+    case Word::dimension_size:
+      out = dimension(p, true);
+      return true;
+    case Word::defined:
+      out = p.defined_argument();
+      return true;
+    case Word::inside:
+      out = inside(p);
+      return true;
+    case Word::now:
+      out = days_since_2000();
+      return true;
+    case Word::pi:
+      out = std::numbers::pi;
+      return true;
+    case Word::clock:
+      out = static_cast<double>(static_cast<float>(p.options.clock));
+      return true;
+    case Word::clock_on:
+      out = p.options.clock_on;
+      return true;
+    case Word::version:
+      out = p.language_version / 100.0;
+      return true;
+    case Word::true_:
+    case Word::yes:
+    case Word::on:
+      out = 1;
+      return true;
+    case Word::false_:
+    case Word::no:
+    case Word::off:
+      out = 0;
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 // The word is at the cursor; false: it is no float function.
@@ -136,248 +389,11 @@ bool Parser::Impl::float_function(Word word, double& out) {
   if (word_class(word) != WordClass::float_function) return false;
   const Nesting nesting(*this);
   skip_token();
-  switch (word) {
-    case Word::abs:
-      out = std::fabs(argument());
-      break;
-    case Word::sin:
-      out = std::sin(argument());
-      break;
-    case Word::cos:
-      out = std::cos(argument());
-      break;
-    case Word::tan:
-      out = std::tan(argument());
-      break;
-    case Word::asin:
-      out = std::asin(clamped(*this, argument()));
-      break;
-    case Word::acos:
-      out = std::acos(clamped(*this, argument()));
-      break;
-    case Word::atan:
-      out = std::atan(argument());
-      break;
-    case Word::sinh:
-      out = std::sinh(argument());
-      break;
-    case Word::cosh:
-      out = std::cosh(argument());
-      break;
-    case Word::tanh:
-      out = std::tanh(argument());
-      break;
-    case Word::asinh:
-      out = std::asinh(argument());
-      break;
-    case Word::acosh:
-      out = std::acosh(argument());
-      break;
-    case Word::atanh:
-      out = std::atanh(argument());
-      break;
-    case Word::exp:
-      out = std::exp(argument());
-      break;
-    case Word::ceil:
-      out = std::ceil(argument());
-      break;
-    case Word::floor:
-      out = std::floor(argument());
-      break;
-    case Word::int_:
-      out = to_int(argument());
-      break;
-    case Word::degrees:
-      out = argument() / (std::numbers::pi / 180);
-      break;
-    case Word::radians:
-      out = argument() * (std::numbers::pi / 180);
-      break;
-    case Word::sqrt: {
-      const double v = argument();
-      if (v < 0) error(Code::domain_error, "Domain error in sqrt: the argument is negative.");
-      out = std::sqrt(v);
-      break;
-    }
-    case Word::ln:
-    case Word::log: {
-      const double v = argument();
-      if (v <= 0)
-        error(Code::domain_error, fmt::format("Domain error in {}: the argument must be positive.", spelling(word)));
-      out = word == Word::ln ? std::log(v) : std::log10(v);
-      break;
-    }
-    case Word::atan2: {
-      const auto [a, b] = two_arguments(*this);
-      if (std::fabs(a) <= kEps && std::fabs(b) <= kEps)
-        error(Code::domain_error, "Domain error in atan2: both arguments are zero.");
-      out = std::atan2(a, b);
-      break;
-    }
-    case Word::pow: {
-      const auto [a, b] = two_arguments(*this);
-      if (a == 0 && b == 0) error(Code::domain_error, "Domain error in pow: both arguments are zero.");
-      out = std::pow(a, b);
-      break;
-    }
-    case Word::div: {
-      const auto [a, b] = two_arguments(*this);
-      out = to_int(a / b);
-      break;
-    }
-    case Word::mod: {
-      const auto [a, b] = two_arguments(*this);
-      out = std::fmod(a, b);
-      break;
-    }
-    case Word::min:
-      each_argument(*this, [&](double v, bool first) { out = first || v < out ? v : out; });
-      break;
-    case Word::max:
-      each_argument(*this, [&](double v, bool first) { out = first || v > out ? v : out; });
-      break;
-    case Word::bitwise_and:
-      out = bitwise(*this, [](int a, int b) { return a & b; });
-      break;
-    case Word::bitwise_or:
-      out = bitwise(*this, [](int a, int b) { return a | b; });
-      break;
-    case Word::bitwise_xor:
-      out = bitwise(*this, [](int a, int b) { return a ^ b; });
-      break;
-    case Word::select:
-      out = select(*this);
-      break;
-    case Word::seed: {
-      const double v = argument();
-      const auto state = static_cast<std::uint32_t>(to_int(v));
-      if (random_streams.size() * sizeof(state) > options.limits.max_memory_bytes / 16)
-        error(Code::size_limit, "Too many random streams.");
-      random_streams.push_back(state);
-      out = static_cast<double>(random_streams.size() - 1);
-      break;
-    }
-    case Word::rand:
-      out = random_number(*this);
-      break;
-    case Word::vdot: {
-      open_arguments();
-      const Live live(*this);
-      const Vec3 a = vector_argument();
-      if (peek().punctuation == ',') skip_token();
-      const Vec3 b = vector_argument();
-      close_arguments();
-      out = dot(a, b);
-      break;
-    }
-    case Word::vlength: {
-      open_arguments();
-      const Live live(*this);
-      out = length(vector_argument());
-      close_arguments();
-      break;
-    }
-    case Word::strlen: {
-      open_arguments();
-      const Live live(*this);
-      out = static_cast<double>(string(false).size());
-      close_arguments();
-      break;
-    }
-    case Word::asc: {
-      open_arguments();
-      const Live live(*this);
-      const std::u16string text = string(false);
-      out = text.empty() ? 0 : text[0];
-      close_arguments();
-      break;
-    }
-    case Word::val: {
-      open_arguments();
-      const Live live(*this);
-      std::string bytes;
-      for (const char16_t c : string(false)) bytes += c > 127 ? ' ' : static_cast<char>(c);
-      out = std::strtod(bytes.c_str(), nullptr);
-      close_arguments();
-      break;
-    }
-    case Word::strcmp: {
-      open_arguments();
-      const Live live(*this);
-      const std::u16string a = string(false);
-      if (peek().punctuation == ',') skip_token();
-      const std::u16string b = string(false);
-      close_arguments();
-      out = 0;
-      for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
-        const int p = i < a.size() ? a[i] : 0, q = i < b.size() ? b[i] : 0;
-        if (p != q) {
-          out = p - q;
-          break;
-        }
-      }
-      break;
-    }
-    case Word::file_exists: {
-      open_arguments();
-      const Live live(*this);
-      const auto found = search->find_exact(utf8(string(true)));
-      out = found && search->may_read(*found);
-      close_arguments();
-      break;
-    }
-    case Word::dimensions:
-      out = dimension(*this, false);
-      break;
-    case Word::dimension_size:
-      out = dimension(*this, true);
-      break;
-    case Word::defined:
-      out = defined_argument();
-      break;
-    case Word::inside: {
-      open_arguments();
-      const Live live(*this);
-      const scene::ObjectPtr object = object_argument();
-      const query::Target& target = query_target(object);
-      if (!target.has_inside()) error(Code::missing_item, "inside() needs an object that has an inside.");
-      if (peek().punctuation == ',') skip_token();
-      const Vec3 at = vector_argument();
-      close_arguments();
-      within_budget("inside()", [&] { out = target.inside(at); });
-      break;
-    }
-    case Word::now:
-      out = days_since_2000();
-      break;
-    case Word::pi:
-      out = std::numbers::pi;
-      break;
-    case Word::clock:
-      out = static_cast<double>(static_cast<float>(options.clock));
-      break;
-    case Word::clock_on:
-      out = options.clock_on;
-      break;
-    case Word::version:
-      out = language_version / 100.0;
-      break;
-    case Word::true_:
-    case Word::yes:
-    case Word::on:
-      out = 1;
-      break;
-    case Word::false_:
-    case Word::no:
-    case Word::off:
-      out = 0;
-      break;
-    default:
-      --position;
-      error(Code::function_syntax, fmt::format("'{}' can only be used inside user functions.", spelling(word)));
-  }
-  return true;
+  if (function_of_numbers(*this, word, out) || question_or_constant(*this, word, out) ||
+      function_of_vectors(*this, word, out) || function_of_text(*this, word, out))
+    return true;
+  --position;
+  error(Code::function_syntax, fmt::format("'{}' can only be used inside user functions.", spelling(word)));
 }
 
 bool Parser::Impl::word_operand(Word word, Numeric& out) {

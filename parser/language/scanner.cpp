@@ -144,28 +144,6 @@ bool Scanner::call(Term& out, int depth) {
     case Word::no:
     case Word::off:
       return constant(0, out);
-    case Word::sin:
-      return arguments(v, 1, depth) && (r = std::sin(v[0]), true);
-    case Word::cos:
-      return arguments(v, 1, depth) && (r = std::cos(v[0]), true);
-    case Word::tan:
-      return arguments(v, 1, depth) && (r = std::tan(v[0]), true);
-    case Word::atan:
-      return arguments(v, 1, depth) && (r = std::atan(v[0]), true);
-    case Word::abs:
-      return arguments(v, 1, depth) && (r = std::fabs(v[0]), true);
-    case Word::exp:
-      return arguments(v, 1, depth) && (r = std::exp(v[0]), true);
-    case Word::floor:
-      return arguments(v, 1, depth) && (r = std::floor(v[0]), true);
-    case Word::ceil:
-      return arguments(v, 1, depth) && (r = std::ceil(v[0]), true);
-    case Word::int_:
-      return arguments(v, 1, depth) && (r = to_int(v[0]), true);
-    case Word::radians:
-      return arguments(v, 1, depth) && (r = v[0] * (std::numbers::pi / 180), true);
-    case Word::degrees:
-      return arguments(v, 1, depth) && (r = v[0] / (std::numbers::pi / 180), true);
     case Word::sqrt:
       return arguments(v, 1, depth) && v[0] >= 0 && (r = std::sqrt(v[0]), true);
     case Word::ln:
@@ -209,12 +187,14 @@ bool Scanner::call(Term& out, int depth) {
         return false;
       std::uint32_t& state = p_.random_streams[static_cast<std::size_t>(stream)];
       draws_[drawn_++] = {static_cast<std::uint32_t>(stream), state};
-      state = 1812433253u * state + 12345u;
-      r = state / 4294967295.0;
+      state = next_random(state);
+      r = random_of(state);
       return true;
     }
-    default:
-      return false;
+    default: {
+      const auto function = unary_function(at_->word);
+      return function && arguments(v, 1, depth) && (r = function(v[0]), true);
+    }
   }
 }
 

@@ -13,6 +13,13 @@
 
 namespace verisim::parser {
 
+// Functions of one number that have a value everywhere; null: `word` is none of them.
+double (*unary_function(Word word))(double);
+
+// The state that follows in a random stream of seed() (32-bit linear congruential, spec 01 section 10).
+constexpr std::uint32_t next_random(std::uint32_t state) { return 1812433253u * state + 12345u; }
+inline double random_of(std::uint32_t state) { return state / 4294967295.0; }
+
 // A scalar, in v[0], or a 3-vector.
 struct Term {
   double v[3];

@@ -92,6 +92,54 @@ Vec3 extent(Parser::Impl& p, bool maximum) {
   return result;
 }
 
+Vec3 normalized(Parser::Impl& p, const Vec3& a) {
+  if (a != Vec3(0, 0, 0)) return normalize(a);
+  if (p.language_version >= 350)
+    p.message(Severity::possible_error, Code::domain_error, "Normalizing a zero-length vector.");
+  return a;
+}
+
+// Functions of vectors and numbers. False: the word, which is behind the cursor, is none.
+bool function_of_vectors(Parser::Impl& p, Word word, Vec3& out) {
+  if (word != Word::vcross && word != Word::vnormalize && word != Word::vrotate && word != Word::vaxis_rotate &&
+      word != Word::vturbulence)
+    return false;
+  p.open_arguments();
+  const Live live(p);
+  const auto comma = [&p] {
+    if (p.peek().punctuation == ',') p.skip_token();
+  };
+  const auto next_vector = [&] {
+    comma();
+    return p.vector_argument();
+  };
+  if (word == Word::vturbulence) {
+    const double lambda = p.scalar();
+    comma();
+    const double omega = p.scalar();
+    comma();
+    const int octaves = std::clamp(to_int(p.scalar()), 1, 10);
+    out = textures::vector_turbulence(next_vector(), octaves, lambda, omega);
+  } else {
+    const Vec3 a = p.vector_argument();
+    if (word == Word::vcross) {
+      out = cross(a, next_vector());
+    } else if (word == Word::vrotate) {
+      out = Transform::rotation(next_vector()).point(a);
+    } else if (word == Word::vaxis_rotate) {
+      const Vec3 axis = next_vector();
+      comma();
+      out = Transform::axis_rotation(axis, p.scalar() * (std::numbers::pi / 180)).point(a);
+    } else {
+      p.close_arguments();
+      out = normalized(p, a);
+      return true;
+    }
+  }
+  p.close_arguments();
+  return true;
+}
+
 }  // namespace
 
 // The word is at the cursor; false: it is no vector function.
@@ -99,9 +147,10 @@ bool Parser::Impl::vector_function(Word word, Numeric& out) {
   if (word_class(word) != WordClass::vector_function) return false;
   const Nesting nesting(*this);
   skip_token();
-  const auto comma = [this] {
-    if (peek().punctuation == ',') skip_token();
-  };
+  if (Vec3 result; function_of_vectors(*this, word, result)) {
+    out = vector(result);
+    return true;
+  }
   switch (word) {
     case Word::x:
       out = vector({1, 0, 0});
@@ -121,66 +170,6 @@ bool Parser::Impl::vector_function(Word word, Numeric& out) {
     case Word::t:
       out = {{0, 0, 0, 1}, 4};
       break;
-    case Word::vcross: {
-      open_arguments();
-      const Live live(*this);
-      const Vec3 a = vector_argument();
-      comma();
-      const Vec3 b = vector_argument();
-      close_arguments();
-      out = vector(cross(a, b));
-      break;
-    }
-    case Word::vnormalize: {
-      open_arguments();
-      const Live live(*this);
-      const Vec3 a = vector_argument();
-      close_arguments();
-      if (a == Vec3(0, 0, 0)) {
-        if (language_version >= 350)
-          message(Severity::possible_error, Code::domain_error, "Normalizing a zero-length vector.");
-        out = vector(a);
-      } else {
-        out = vector(normalize(a));
-      }
-      break;
-    }
-    case Word::vrotate: {
-      open_arguments();
-      const Live live(*this);
-      const Vec3 a = vector_argument();
-      comma();
-      const Vec3 degrees = vector_argument();
-      close_arguments();
-      out = vector(Transform::rotation(degrees).point(a));
-      break;
-    }
-    case Word::vaxis_rotate: {
-      open_arguments();
-      const Live live(*this);
-      const Vec3 v = vector_argument();
-      comma();
-      const Vec3 a = vector_argument();
-      comma();
-      const double angle = scalar() * (std::numbers::pi / 180);
-      close_arguments();
-      out = vector(Transform::axis_rotation(a, angle).point(v));
-      break;
-    }
-    case Word::vturbulence: {
-      open_arguments();
-      const Live live(*this);
-      const double lambda = scalar();
-      comma();
-      const double omega = scalar();
-      comma();
-      const int octaves = std::clamp(to_int(scalar()), 1, 10);
-      comma();
-      const Vec3 at = vector_argument();
-      close_arguments();
-      out = vector(textures::vector_turbulence(at, octaves, lambda, omega));
-      break;
-    }
     case Word::trace:
       out = vector(trace(*this));
       break;

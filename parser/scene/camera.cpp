@@ -202,6 +202,26 @@ class CameraReader {
       parser.error(Code::bad_value, "The minimum number of focal blur samples is larger than the maximum.");
   }
 
+  template <class Legal>
+  void parse_fraction(double& target, const char* name, Legal legal) {
+    parser.next();
+    const double value = parser.parse_float();
+    if (legal(value))
+      target = value;
+    else
+      parser.warning(Code::adjusted_value, std::string("Illegal ") + name + " value. Default is used.");
+  }
+
+  void parse_bokeh() {
+    parser.next();
+    parser.expect('{');
+    if (parser.at(Word::pigment))
+      camera.bokeh = parse_pigment(parser);
+    else if (!parser.at('}'))
+      parser.error_expected("pigment");
+    close_block(parser);
+  }
+
   bool parse_item() {
     const auto vector = [&](Vec3& target) {
       parser.next();
@@ -241,35 +261,16 @@ class CameraReader {
       case Word::blur_samples:
         parse_blur_samples();
         return true;
-      case Word::confidence: {
-        parser.next();
-        const double confidence = parser.parse_float();
-        if (confidence > 0 && confidence < 1)
-          camera.confidence = confidence;
-        else
-          parser.warning(Code::adjusted_value, "Illegal confidence value. Default is used.");
+      case Word::confidence:
+        parse_fraction(camera.confidence, "confidence", [](double v) { return v > 0 && v < 1; });
         return true;
-      }
-      case Word::variance: {
-        parser.next();
-        const double variance = parser.parse_float();
-        if (variance >= 0 && variance <= 1)
-          camera.variance = variance;
-        else
-          parser.warning(Code::adjusted_value, "Illegal variance value. Default is used.");
+      case Word::variance:
+        parse_fraction(camera.variance, "variance", [](double v) { return v >= 0 && v <= 1; });
         return true;
-      }
-      case Word::bokeh: {
+      case Word::bokeh:
         if (immediate) return false;
-        parser.next();
-        parser.expect('{');
-        if (parser.at(Word::pigment))
-          camera.bokeh = parse_pigment(parser);
-        else if (!parser.at('}'))
-          parser.error_expected("pigment");
-        close_block(parser);
+        parse_bokeh();
         return true;
-      }
       case Word::normal:
         camera.normal = parse_normal(parser, camera.normal ? camera.normal : default_layer(parser).normal);
         if (camera.normal && camera.normal->pattern.kind == scene::PatternKind::none)

@@ -102,12 +102,40 @@ class LightReader {
     light().looks_like = attached;
   }
 
-  bool parse_item() {
+  bool parse_area_item() {
     const auto flag = [&](bool& target) {
       parser.next();
       target = true;
       return true;
     };
+    switch (word_at(parser)) {
+      case Word::area_light:
+        parse_area();
+        return true;
+      case Word::adaptive:
+        parser.next();
+        light().adaptive = parser.parse_int();
+        return true;
+      case Word::jitter:
+        return flag(light().jitter);
+      case Word::circular:
+        circular = true;
+        return flag(light().circular);
+      case Word::orient:
+        orient = true;
+        return flag(light().orient);
+      case Word::area_illumination:
+        parser.next();
+        light().area_illumination = parser.parse_flag();
+        if (!light().area) parser.warning(Code::incompatible, "'area_illumination' is meant for area lights.");
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  bool parse_item() {
+    if (parse_area_item()) return true;
     switch (word_at(parser)) {
       case Word::spotlight:
         set_kind(LightKind::spotlight, 30, 45);
@@ -121,7 +149,9 @@ class LightReader {
         light().kind = LightKind::shadowless;
         return true;
       case Word::parallel:
-        return flag(light().parallel);
+        parser.next();
+        light().parallel = true;
+        return true;
       case Word::point_at:
         if (!light().has_beam() && !light().parallel) error_standard("point_at");
         parser.next();
@@ -143,26 +173,6 @@ class LightReader {
       case Word::fade_power:
         parser.next();
         light().fade_power = parser.parse_float();
-        return true;
-      case Word::area_light:
-        parse_area();
-        return true;
-      case Word::adaptive:
-        parser.next();
-        light().adaptive = parser.parse_int();
-        return true;
-      case Word::jitter:
-        return flag(light().jitter);
-      case Word::circular:
-        circular = true;
-        return flag(light().circular);
-      case Word::orient:
-        orient = true;
-        return flag(light().orient);
-      case Word::area_illumination:
-        parser.next();
-        light().area_illumination = parser.parse_flag();
-        if (!light().area) parser.warning(Code::incompatible, "'area_illumination' is meant for area lights.");
         return true;
       case Word::media_interaction:
         parser.next();

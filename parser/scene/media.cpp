@@ -42,6 +42,73 @@ void parse_samples(Parser& parser, Media& media) {
     parser.error(Code::bad_value, "The maximum number of samples in media is smaller than the minimum.");
 }
 
+// One item of the block, transformations apart. False: none.
+bool parse_item(Parser& parser, Media& media) {
+  switch (word_at(parser)) {
+    case Word::method:
+      parser.next();
+      media.method = parser.parse_int();
+      if (media.method < 1 || media.method > 3) parser.error(Code::bad_value, "Unknown media method: it is 1, 2 or 3.");
+      return true;
+    case Word::intervals:
+      parser.next();
+      media.intervals = parser.parse_int();
+      if (media.intervals < 1) parser.error(Code::too_few, "At least one interval is needed in media.");
+      return true;
+    case Word::samples:
+      parse_samples(parser, media);
+      return true;
+    case Word::aa_level:
+      parser.next();
+      media.aa_level = parser.parse_int();
+      if (media.aa_level < 1) parser.error(Code::bad_value, "Media aa_level must be positive.");
+      return true;
+    case Word::aa_threshold:
+      parser.next();
+      media.aa_threshold = parser.parse_float();
+      if (!(media.aa_threshold > 0)) parser.error(Code::bad_value, "Media aa_threshold must be positive.");
+      return true;
+    case Word::jitter:
+      parser.next();
+      media.jitter = parser.parse_float();
+      return true;
+    case Word::ratio:
+      parser.next();
+      media.ratio = parser.parse_float();
+      return true;
+    case Word::confidence:
+      parser.next();
+      media.confidence = parser.parse_float();
+      if (!(media.confidence >= 0 && media.confidence < 1))
+        parser.error(Code::bad_value, "Illegal confidence value in media.");
+      return true;
+    case Word::variance:
+      parser.next();
+      media.variance = parser.parse_float();
+      return true;
+    case Word::absorption:
+      parser.next();
+      media.absorption = parser.parse_rgb();
+      return true;
+    case Word::emission:
+      parser.next();
+      media.emission = parser.parse_rgb();
+      return true;
+    case Word::scattering:
+      parse_scattering(parser, media);
+      return true;
+    case Word::density:
+      media.densities.push_back(parse_density(parser));
+      return true;
+    case Word::collect:
+      parser.next();
+      media.collect = parser.parse_flag();
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 void transform_media(Media& media, const Transform& t) {
@@ -64,71 +131,8 @@ scene::Media parse_media(Parser& parser) {
   if (const auto* value = parser.accept_value<Shared<Media>>()) media = **value;
   media.place = place;
   for (;;) {
+    if (parse_item(parser, media)) continue;
     Transform item;
-    switch (word_at(parser)) {
-      case Word::method:
-        parser.next();
-        media.method = parser.parse_int();
-        if (media.method < 1 || media.method > 3)
-          parser.error(Code::bad_value, "Unknown media method: it is 1, 2 or 3.");
-        continue;
-      case Word::intervals:
-        parser.next();
-        media.intervals = parser.parse_int();
-        if (media.intervals < 1) parser.error(Code::too_few, "At least one interval is needed in media.");
-        continue;
-      case Word::samples:
-        parse_samples(parser, media);
-        continue;
-      case Word::aa_level:
-        parser.next();
-        media.aa_level = parser.parse_int();
-        if (media.aa_level < 1) parser.error(Code::bad_value, "Media aa_level must be positive.");
-        continue;
-      case Word::aa_threshold:
-        parser.next();
-        media.aa_threshold = parser.parse_float();
-        if (!(media.aa_threshold > 0)) parser.error(Code::bad_value, "Media aa_threshold must be positive.");
-        continue;
-      case Word::jitter:
-        parser.next();
-        media.jitter = parser.parse_float();
-        continue;
-      case Word::ratio:
-        parser.next();
-        media.ratio = parser.parse_float();
-        continue;
-      case Word::confidence:
-        parser.next();
-        media.confidence = parser.parse_float();
-        if (!(media.confidence >= 0 && media.confidence < 1))
-          parser.error(Code::bad_value, "Illegal confidence value in media.");
-        continue;
-      case Word::variance:
-        parser.next();
-        media.variance = parser.parse_float();
-        continue;
-      case Word::absorption:
-        parser.next();
-        media.absorption = parser.parse_rgb();
-        continue;
-      case Word::emission:
-        parser.next();
-        media.emission = parser.parse_rgb();
-        continue;
-      case Word::scattering:
-        parse_scattering(parser, media);
-        continue;
-      case Word::density:
-        media.densities.push_back(parse_density(parser));
-        continue;
-      case Word::collect:
-        parser.next();
-        media.collect = parser.parse_flag();
-        continue;
-      default:
-        break;
-    }
     if (!parse_transform_item(parser, item)) break;
     transform_media(media, item);
   }

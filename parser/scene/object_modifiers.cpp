@@ -81,20 +81,9 @@ bool has_own_textures(const Object& object) {
   return mesh && !mesh->data->textures.empty();
 }
 
-bool parse_modifier(Parser& parser, Object& object) {
-  const Word word = word_at(parser);
-  const auto flag = [&](bool& target) {
-    parser.next();
-    target = parser.parse_flag();
-    return true;
-  };
-  switch (word) {
-    case Word::translate:
-    case Word::rotate:
-    case Word::scale:
-    case Word::matrix:
-    case Word::transform:
-      return parse_object_transform(parser, object);
+// What it is covered with and filled with. False: none of that.
+bool parse_appearance(Parser& parser, Object& object) {
+  switch (word_at(parser)) {
     case Word::texture:
       add_layers(parser, object.texture, parse_texture(parser));
       object.solid_steps = {};
@@ -117,29 +106,20 @@ bool parse_modifier(Parser& parser, Object& object) {
       if (object.texture) parser.error(Code::incompatible, "uv_mapping must be specified before texture.");
       object.uv_mapping = true;
       return true;
-    case Word::photons:
-      parse_object_photons(parser, object.photons.edit());
-      return true;
-    case Word::radiosity:
-      parse_radiosity(parser, object);
-      return true;
-    case Word::cutaway_textures: {
-      const auto* csg = object.as<scene::Csg>();
-      if (!csg || csg->kind != scene::CsgKind::intersection)
-        parser.error(Code::misplaced_keyword, "cutaway_textures can only be used with intersection and difference.");
-      parser.next();
-      object.cutaway_textures = true;
-      return true;
-    }
-    case Word::split_union:
-      parse_split_union(parser, object);
-      return true;
-    case Word::bounded_by:
-      parse_bounded_by(parser, object);
-      return true;
-    case Word::clipped_by:
-      parse_clipped_by(parser, object);
-      return true;
+    default:
+      return false;
+  }
+}
+
+// What rays make of it. False: none of that.
+bool parse_object_flag(Parser& parser, Object& object) {
+  const Word word = word_at(parser);
+  const auto flag = [&](bool& target) {
+    parser.next();
+    target = parser.parse_flag();
+    return true;
+  };
+  switch (word) {
     case Word::inverse:
       parser.next();
       if (scene::is_patch(object)) parser.warning(Code::incompatible, "Cannot invert a patch object.");
@@ -175,6 +155,43 @@ bool parse_modifier(Parser& parser, Object& object) {
     case Word::dtag:
       parser.next();
       parser.parse_string();
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool parse_modifier(Parser& parser, Object& object) {
+  if (parse_appearance(parser, object) || parse_object_flag(parser, object)) return true;
+  switch (word_at(parser)) {
+    case Word::translate:
+    case Word::rotate:
+    case Word::scale:
+    case Word::matrix:
+    case Word::transform:
+      return parse_object_transform(parser, object);
+    case Word::photons:
+      parse_object_photons(parser, object.photons.edit());
+      return true;
+    case Word::radiosity:
+      parse_radiosity(parser, object);
+      return true;
+    case Word::cutaway_textures: {
+      const auto* csg = object.as<scene::Csg>();
+      if (!csg || csg->kind != scene::CsgKind::intersection)
+        parser.error(Code::misplaced_keyword, "cutaway_textures can only be used with intersection and difference.");
+      parser.next();
+      object.cutaway_textures = true;
+      return true;
+    }
+    case Word::split_union:
+      parse_split_union(parser, object);
+      return true;
+    case Word::bounded_by:
+      parse_bounded_by(parser, object);
+      return true;
+    case Word::clipped_by:
+      parse_clipped_by(parser, object);
       return true;
     default:
       break;

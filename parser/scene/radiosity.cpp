@@ -57,6 +57,87 @@ void ignored_file(Parser& parser, const char* keyword, const char* option) {
                                              "' has no effect: use the command line or INI option " + option + ".");
 }
 
+// One item of the block. False: none.
+bool parse_item(Parser& parser, Radiosity& radiosity) {
+  const auto flag = [&](bool& target) {
+    parser.next();
+    target = parser.parse_float() > 0;
+  };
+  switch (word_at(parser)) {
+    case Word::adc_bailout:
+      radiosity.adc_bailout = positive(parser, "adc_bailout");
+      return true;
+    case Word::always_sample:
+      flag(radiosity.always_sample);
+      return true;
+    case Word::brightness:
+      radiosity.brightness = positive(parser, "brightness");
+      return true;
+    case Word::count:
+      parse_count(parser, radiosity);
+      return true;
+    case Word::error_bound:
+      radiosity.error_bound = positive(parser, "error_bound");
+      return true;
+    case Word::gray_threshold:
+      parser.next();
+      radiosity.gray_threshold = parser.parse_float();
+      if (!(radiosity.gray_threshold >= 0 && radiosity.gray_threshold <= 1))
+        parser.error(Code::bad_value, "Radiosity gray_threshold must be from 0 to 1.");
+      return true;
+    case Word::low_error_factor:
+      radiosity.low_error_factor = positive(parser, "low_error_factor");
+      return true;
+    case Word::max_sample:
+      parser.next();
+      radiosity.max_sample = parser.parse_float();
+      return true;
+    case Word::maximum_reuse:
+      radiosity.maximum_reuse = positive(parser, "maximum_reuse");
+      radiosity.maximum_reuse_given = true;
+      return true;
+    case Word::minimum_reuse:
+      parser.next();
+      radiosity.minimum_reuse = parser.parse_float();
+      if (!(radiosity.minimum_reuse >= 0))
+        parser.error(Code::bad_value, "Radiosity minimum_reuse must not be negative.");
+      radiosity.minimum_reuse_given = true;
+      return true;
+    case Word::media:
+      flag(radiosity.media);
+      return true;
+    case Word::nearest_count:
+      parse_nearest_count(parser, radiosity);
+      return true;
+    case Word::normal:
+      flag(radiosity.normal);
+      return true;
+    case Word::pretrace_start:
+      radiosity.pretrace_start = fraction(parser, "pretrace_start");
+      return true;
+    case Word::pretrace_end:
+      radiosity.pretrace_end = fraction(parser, "pretrace_end");
+      return true;
+    case Word::recursion_limit:
+      parser.next();
+      radiosity.recursion_limit = parser.parse_int();
+      if (radiosity.recursion_limit < 1 || radiosity.recursion_limit > 20)
+        parser.error(Code::bad_value, "Radiosity recursion_limit must be in the range 1 to 20.");
+      return true;
+    case Word::subsurface:
+      flag(radiosity.subsurface);
+      return true;
+    case Word::save_file:
+      ignored_file(parser, "save_file", "+RFO");
+      return true;
+    case Word::load_file:
+      ignored_file(parser, "load_file", "+RFI");
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 void parse_radiosity_settings(Parser& parser, Radiosity& radiosity) {
@@ -66,85 +147,7 @@ void parse_radiosity_settings(Parser& parser, Radiosity& radiosity) {
   if (parser.version() < 350)
     parser.warning(Code::discontinued, "In this version of POV-Ray a radiosity block turns radiosity on.");
   radiosity.enabled = true;
-  const auto flag = [&](bool& target) {
-    parser.next();
-    target = parser.parse_float() > 0;
-  };
-  for (;;) {
-    switch (word_at(parser)) {
-      case Word::adc_bailout:
-        radiosity.adc_bailout = positive(parser, "adc_bailout");
-        continue;
-      case Word::always_sample:
-        flag(radiosity.always_sample);
-        continue;
-      case Word::brightness:
-        radiosity.brightness = positive(parser, "brightness");
-        continue;
-      case Word::count:
-        parse_count(parser, radiosity);
-        continue;
-      case Word::error_bound:
-        radiosity.error_bound = positive(parser, "error_bound");
-        continue;
-      case Word::gray_threshold:
-        parser.next();
-        radiosity.gray_threshold = parser.parse_float();
-        if (!(radiosity.gray_threshold >= 0 && radiosity.gray_threshold <= 1))
-          parser.error(Code::bad_value, "Radiosity gray_threshold must be from 0 to 1.");
-        continue;
-      case Word::low_error_factor:
-        radiosity.low_error_factor = positive(parser, "low_error_factor");
-        continue;
-      case Word::max_sample:
-        parser.next();
-        radiosity.max_sample = parser.parse_float();
-        continue;
-      case Word::maximum_reuse:
-        radiosity.maximum_reuse = positive(parser, "maximum_reuse");
-        radiosity.maximum_reuse_given = true;
-        continue;
-      case Word::minimum_reuse:
-        parser.next();
-        radiosity.minimum_reuse = parser.parse_float();
-        if (!(radiosity.minimum_reuse >= 0))
-          parser.error(Code::bad_value, "Radiosity minimum_reuse must not be negative.");
-        radiosity.minimum_reuse_given = true;
-        continue;
-      case Word::media:
-        flag(radiosity.media);
-        continue;
-      case Word::nearest_count:
-        parse_nearest_count(parser, radiosity);
-        continue;
-      case Word::normal:
-        flag(radiosity.normal);
-        continue;
-      case Word::pretrace_start:
-        radiosity.pretrace_start = fraction(parser, "pretrace_start");
-        continue;
-      case Word::pretrace_end:
-        radiosity.pretrace_end = fraction(parser, "pretrace_end");
-        continue;
-      case Word::recursion_limit:
-        parser.next();
-        radiosity.recursion_limit = parser.parse_int();
-        if (radiosity.recursion_limit < 1 || radiosity.recursion_limit > 20)
-          parser.error(Code::bad_value, "Radiosity recursion_limit must be in the range 1 to 20.");
-        continue;
-      case Word::subsurface:
-        flag(radiosity.subsurface);
-        continue;
-      case Word::save_file:
-        ignored_file(parser, "save_file", "+RFO");
-        continue;
-      case Word::load_file:
-        ignored_file(parser, "load_file", "+RFI");
-        continue;
-      default:
-        break;
-    }
-    break;
+  while (parse_item(parser, radiosity)) {
   }
   close_block(parser);
 }

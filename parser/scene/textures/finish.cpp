@@ -1,5 +1,6 @@
 // finish { ... } (spec 06 section 4.1).
 #include <cmath>
+#include <utility>
 
 #include "parser/scene/common/common.h"
 #include "parser/scene/textures/pattern.h"
@@ -115,19 +116,26 @@ void warn_compatibility(Parser& parser, const char* keyword) {
                      "' belongs into the interior of an object; in a finish it is kept for compatibility only.");
 }
 
+bool parse_number(Parser& parser, Finish& finish, Word word, Albedo& albedo) {
+  float* const number = finish_number(finish, word);
+  if (!number) return false;
+  parser.next();
+  if (word == Word::phong) albedo.phong = parser.accept(Word::albedo) || albedo.phong;
+  if (word == Word::specular) albedo.specular = parser.accept(Word::albedo) || albedo.specular;
+  *number = to_float(parser.parse_float());
+  if (word == Word::roughness && *number == 0) parser.warning(Code::adjusted_value, "Zero roughness used.");
+  return true;
+}
+
 bool parse_item(Parser& parser, Finish& finish, Albedo& albedo) {
-  const auto number = [&](float& target) {
-    parser.next();
-    target = to_float(parser.parse_float());
-    return true;
-  };
   const auto optional_number = [&](std::optional<float>& target, const char* keyword) {
     parser.next();
     target = to_float(parser.parse_float());
     warn_compatibility(parser, keyword);
     return true;
   };
-  switch (word_at(parser)) {
+  const Word word = word_at(parser);
+  switch (word) {
     case Word::ambient:
       parser.next();
       finish.ambient = parser.parse_rgb();
@@ -139,26 +147,6 @@ bool parse_item(Parser& parser, Finish& finish, Albedo& albedo) {
     case Word::diffuse:
       parse_diffuse(parser, finish, albedo);
       return true;
-    case Word::brilliance:
-      return number(finish.brilliance);
-    case Word::crand:
-      return number(finish.crand);
-    case Word::phong:
-      parser.next();
-      albedo.phong = parser.accept(Word::albedo) || albedo.phong;
-      finish.phong = to_float(parser.parse_float());
-      return true;
-    case Word::phong_size:
-      return number(finish.phong_size);
-    case Word::specular:
-      parser.next();
-      albedo.specular = parser.accept(Word::albedo) || albedo.specular;
-      finish.specular = to_float(parser.parse_float());
-      return true;
-    case Word::roughness:
-      number(finish.roughness);
-      if (finish.roughness == 0) parser.warning(Code::adjusted_value, "Zero roughness used.");
-      return true;
     case Word::metallic:
       parser.next();
       finish.metallic = to_float(parser.parse_optional_float(1));
@@ -167,7 +155,9 @@ bool parse_item(Parser& parser, Finish& finish, Albedo& albedo) {
       parse_reflection(parser, finish.reflection);
       return true;
     case Word::reflection_exponent:
-      return number(finish.reflection.exponent);
+      parser.next();
+      finish.reflection.exponent = to_float(parser.parse_float());
+      return true;
     case Word::irid:
       parse_irid(parser, finish);
       return true;
@@ -185,7 +175,7 @@ bool parse_item(Parser& parser, Finish& finish, Albedo& albedo) {
     case Word::refraction:
       return optional_number(finish.refraction, "refraction");
     default:
-      return false;
+      return parse_number(parser, finish, word, albedo);
   }
 }
 
@@ -205,6 +195,16 @@ void scale_albedo(Finish& finish, const Albedo& albedo) {
 }
 
 }  // namespace
+
+float* finish_number(Finish& finish, Word word) {
+  constexpr std::pair<Word, float Finish::*> kNumbers[] = {
+      {Word::brilliance, &Finish::brilliance}, {Word::crand, &Finish::crand},
+      {Word::phong, &Finish::phong},           {Word::phong_size, &Finish::phong_size},
+      {Word::roughness, &Finish::roughness},   {Word::specular, &Finish::specular}};
+  for (const auto& [item, member] : kNumbers)
+    if (item == word) return &(finish.*member);
+  return nullptr;
+}
 
 scene::Finish parse_finish(Parser& parser, const scene::Finish& start) {
   Block block(parser);

@@ -82,12 +82,6 @@ bool parse_old_finish(Parser& parser, scene::Finish& finish) {
     case Word::ambient:
       finish.ambient = Rgb(number());
       break;
-    case Word::brilliance:
-      finish.brilliance = number();
-      break;
-    case Word::crand:
-      finish.crand = number();
-      break;
     case Word::diffuse:
       finish.diffuse = finish.raw_diffuse = number();
       break;
@@ -98,26 +92,17 @@ bool parse_old_finish(Parser& parser, scene::Finish& finish) {
       parser.next();
       finish.metallic = 1;
       break;
-    case Word::phong:
-      finish.phong = number();
-      break;
-    case Word::phong_size:
-      finish.phong_size = number();
-      break;
     case Word::reflection:
       finish.reflection.minimum = finish.reflection.maximum = Rgb(number());
       break;
     case Word::refraction:
       finish.refraction = number();
       break;
-    case Word::roughness:
-      finish.roughness = number();
-      break;
-    case Word::specular:
-      finish.specular = number();
-      break;
-    default:
-      return false;
+    default: {
+      float* const member = finish_number(finish, word);
+      if (!member) return false;
+      *member = number();
+    }
   }
   belongs_into(parser, word, "finish");
   return true;

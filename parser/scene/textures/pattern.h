@@ -48,6 +48,9 @@ scene::NormalPtr parse_normal(Parser& parser, const scene::NormalPtr& start);
 // Before 3.0: one item of a pigment, normal or finish that stands in the texture itself (old_texture.cpp). False: none.
 bool parse_old_item(Parser& parser, scene::TextureLayer& layer);
 
+// The member that an item of a finish sets which is one number, in all versions. Null: no such item.
+float* finish_number(scene::Finish& finish, Word word);
+
 // Up to version 3.1: what a pigment becomes in a layer that is not the bottom one (old_layers.cpp).
 scene::PigmentPtr filter_to_transmit(const scene::PigmentPtr& pigment);
 

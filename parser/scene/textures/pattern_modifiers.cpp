@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
+#include <type_traits>
 
 #include "parser/scene/common/common.h"
 #include "parser/scene/textures/pattern.h"
@@ -18,10 +20,6 @@ template <class Params>
 Params& params_of(Parser& parser, Pattern& pattern, Word word, std::string_view where) {
   if (auto* params = std::get_if<Params>(&pattern.params.edit())) return *params;
   error_only_in(parser, word, where);
-}
-
-scene::PavementParams& pavement(Parser& parser, Pattern& pattern, Word word) {
-  return params_of<scene::PavementParams>(parser, pattern, word, "a pavement statement");
 }
 
 scene::FractalParams& fractal(Parser& parser, Pattern& pattern, Word word) {
@@ -118,60 +116,61 @@ void parse_metric(Parser& parser, Pattern& pattern) {
 
 scene::Turbulence& turbulence(Pattern& pattern) { return pattern.turbulence.edit(); }
 
-// Parameters of single kinds of pattern.
+// A parameter of single kinds of pattern, read as what its member is.
+template <class Params, class T>
+bool set(Parser& parser, Pattern& pattern, T Params::*member, std::string_view where) {
+  T& value = params_of<Params>(parser, pattern, word_at(parser), where).*member;
+  parser.next();
+  if constexpr (std::is_same_v<T, bool>)
+    value = true;  // the word alone
+  else if constexpr (std::is_same_v<T, int>)
+    value = parser.parse_int();
+  else if constexpr (std::is_same_v<T, float>)
+    value = to_float(parser.parse_float());
+  else if constexpr (std::is_same_v<T, double>)
+    value = parser.parse_float();
+  else
+    value = parser.parse_vec3();
+  return true;
+}
+
 bool parse_parameter(Parser& parser, Pattern& pattern, PatternOwner owner) {
-  const Word word = word_at(parser);
-  switch (word) {
-    case Word::agate_turb: {
-      auto& params = params_of<scene::AgateParams>(parser, pattern, word, "an agate statement");
-      parser.next();
-      params.turbulence = to_float(parser.parse_float());
-      return true;
-    }
-    case Word::brick_size: {
-      auto& params = params_of<scene::BrickParams>(parser, pattern, word, "a brick statement");
-      parser.next();
-      params.size = parser.parse_vec3();
-      return true;
-    }
-    case Word::mortar: {
-      auto& params = params_of<scene::BrickParams>(parser, pattern, word, "a brick statement");
-      parser.next();
-      params.mortar = to_float(parser.parse_float());
-      return true;
-    }
+  using namespace scene;
+  const auto parameter = [&](auto member, std::string_view where) { return set(parser, pattern, member, where); };
+  constexpr std::string_view kPavement = "a pavement statement";
+  switch (word_at(parser)) {
+    case Word::agate_turb:
+      return parameter(&AgateParams::turbulence, "an agate statement");
+    case Word::brick_size:
+      return parameter(&BrickParams::size, "a brick statement");
+    case Word::mortar:
+      return parameter(&BrickParams::mortar, "a brick statement");
     case Word::control0:
-    case Word::control1: {
-      auto& params = params_of<scene::QuiltedParams>(parser, pattern, word, "a quilted statement");
-      parser.next();
-      (word == Word::control0 ? params.control0 : params.control1) = to_float(parser.parse_float());
-      return true;
-    }
+      return parameter(&QuiltedParams::control0, "a quilted statement");
+    case Word::control1:
+      return parameter(&QuiltedParams::control1, "a quilted statement");
+    case Word::offset:
+      return parameter(&CrackleParams::offset, "a crackle statement");
+    case Word::solid:
+      return parameter(&CrackleParams::solid, "a crackle statement");
+    case Word::size:
+      return parameter(&FacetsParams::size, "a facets statement");
+    case Word::coords:
+      return parameter(&FacetsParams::coords, "a facets statement");
+    case Word::interpolate:
+      return parameter(&DensityFileParams::interpolate, "a density_file statement");
+    case Word::number_of_sides:
+      return parameter(&PavementParams::sides, kPavement);
+    case Word::number_of_tiles:
+      return parameter(&PavementParams::tiles, kPavement);
+    case Word::pattern:
+      return parameter(&PavementParams::pattern, kPavement);
     case Word::form:
       parse_form(parser, pattern);
       return true;
     case Word::metric:
       parse_metric(parser, pattern);
       return true;
-    case Word::offset: {
-      auto& params = params_of<scene::CrackleParams>(parser, pattern, word, "a crackle statement");
-      parser.next();
-      params.offset = parser.parse_float();
-      return true;
-    }
-    case Word::solid: {
-      auto& params = params_of<scene::CrackleParams>(parser, pattern, word, "a crackle statement");
-      parser.next();
-      params.solid = true;
-      return true;
-    }
-    case Word::size:
-    case Word::coords: {
-      auto& params = params_of<scene::FacetsParams>(parser, pattern, word, "a facets statement");
-      parser.next();
-      (word == Word::size ? params.size : params.coords) = parser.parse_float();
-      return true;
-    }
     case Word::exponent:
       parse_exponent(parser, pattern);
       return true;
@@ -181,23 +180,6 @@ bool parse_parameter(Parser& parser, Pattern& pattern, PatternOwner owner) {
     case Word::interior:
       parse_interior_type(parser, pattern);
       return true;
-    case Word::interpolate: {
-      auto& params = params_of<scene::DensityFileParams>(parser, pattern, word, "a density_file statement");
-      parser.next();
-      params.interpolate = parser.parse_int();
-      return true;
-    }
-    case Word::number_of_sides:
-    case Word::number_of_tiles:
-    case Word::pattern: {
-      auto& params = pavement(parser, pattern, word);
-      parser.next();
-      const int value = parser.parse_int();
-      (word == Word::number_of_sides   ? params.sides
-       : word == Word::number_of_tiles ? params.tiles
-                                       : params.pattern) = value;
-      return true;
-    }
     default:
       return false;
   }

@@ -7,12 +7,15 @@
 
 #include "parser/language/blocks.h"
 #include "parser/language/function_parser.h"
+#include "tracer/functions/scene_noise.h"
 #include "tracer/textures/texture.h"
 
 namespace verisim::parser {
 namespace {
 
 using namespace functions;
+
+constexpr int kNoise3d = 76;  // internal(76)
 
 // transform{...} as a function of a point.
 class TransformFunction : public Function {
@@ -58,16 +61,24 @@ FunctionPtr Parser::Impl::function() {
   if (fixed && !expression.default_parameters())
     error(Code::wrong_type, fmt::format("A function of a {} has no parameter list.", spelling(word)));
   textures::Settings settings;
-  settings.noise_generator = scene.settings.noise_generator;
   settings.number_of_waves = scene.settings.number_of_waves;
   settings.version = parser.effective_version();
+  const auto of_generator = [&](std::function<FunctionPtr(int)> make) {
+    return follow_generator(noise_generator, std::move(make));
+  };
+  const auto with = [settings](int generator) {
+    textures::Settings result = settings;
+    result.noise_generator = generator;
+    return result;
+  };
   FunctionPtr result;
   switch (word) {
     case Word::internal: {
       skip_token();
       const int n = to_int(argument());
       try {
-        result = functions::internal_function(n, settings.noise_generator);
+        result = n == kNoise3d ? of_generator([](int generator) { return internal_function(kNoise3d, generator); })
+                               : internal_function(n, *noise_generator);
       } catch (const std::invalid_argument& e) {
         error(Code::bad_value, e.what());
       }
@@ -78,12 +89,13 @@ FunctionPtr Parser::Impl::function() {
       if (peek().punctuation != '{') expected("{");
       skip_token();
       const scene::Pattern pattern = parse_pattern_body(parser);
-      result = textures::pattern_function(pattern, nullptr, settings);
+      result =
+          of_generator([=](int generator) { return textures::pattern_function(pattern, nullptr, with(generator)); });
       break;
     }
     case Word::pigment: {
       const scene::PigmentPtr pigment = parse_independent_pigment(parser);
-      result = textures::pigment_function(pigment, settings);
+      result = of_generator([=](int generator) { return textures::pigment_function(pigment, with(generator)); });
       break;
     }
     case Word::transform:

@@ -387,6 +387,7 @@ struct Parser::Impl {
   int language_version = 370;
   bool version_seen = false, version_is_first = true;
   bool noise_generator_given = false;
+  const std::shared_ptr<int> noise_generator = std::make_shared<int>(2);  // the scene's; functions follow it
   Charset charset = Charset::ascii;
   bool spline_used = false;
   std::set<std::tuple<const TokenFile*, std::uint32_t, std::size_t>> messages_given;
@@ -397,7 +398,6 @@ struct Parser::Impl {
     std::unique_ptr<query::Target> target;
   };
   std::unordered_map<const scene::Object*, QueryTarget> query_targets;
-  std::vector<FunctionPtr> internal_functions;
   std::uint32_t declaring =
       0;  // the name that a #declare or #local under way gives a value: a function may call itself
 

@@ -231,6 +231,24 @@ TEST(Conditionals, BranchesOfOtherConstructs) {
     EXPECT_TRUE(accepts(right)) << right;
 }
 
+// Noise is that of the scene's generator when a function is asked, not when it is made (spec 05 5.4).
+TEST(Versions, FunctionsFollowTheNoiseGenerator) {
+  const std::string ask = " #debug str(F(0.3,0.7,0.2),0,6)";
+  const auto asked = [&](const std::string& function) {
+    return testing::run("#version 3.5; #declare F = function { " + function + " }" + ask + " #version 3.1;" + ask +
+                        " global_settings { noise_generator 3 } #version 3.7;" + ask)
+        .text;
+  };
+  EXPECT_EQ(asked("internal(76)"), "0.4196920.3043460.531731");
+  EXPECT_EQ(asked("pattern { bozo }"), "0.4196920.3043460.531731");
+  const std::string pigment =
+      testing::run(
+          "#version 3.5; #declare F = function { pigment { bozo color_map { [0 rgb 0] [1 rgb 1] } } }"
+          " #debug str(F(0.3,0.7,0.2).red,0,6) #version 3.1; #debug str(F(0.3,0.7,0.2).red,0,6)")
+          .text;
+  EXPECT_EQ(pigment, "0.4196920.304346");
+}
+
 TEST(Versions, Rules) {
   EXPECT_EQ(testing::run("#declare A = 1 #declare B = A").error.find("semicolon") != std::string::npos, true);
   EXPECT_EQ(testing::run("#version 3.0; #declare A = 1 #declare B = A+1 #debug str(B,0,0)").text, "2");

@@ -28,7 +28,7 @@ void Parser::Impl::version_directive() {
 
 void Parser::Impl::set_version(int value) {
   language_version = value;
-  if (!noise_generator_given) scene.settings.noise_generator = value < 350 ? 1 : 2;
+  if (!noise_generator_given) scene.settings.noise_generator = *noise_generator = value < 350 ? 1 : 2;
 }
 
 // ---- The public face ----
@@ -42,7 +42,7 @@ Parser::Charset Parser::charset() const { return impl_->charset; }
 
 void Parser::set_noise_generator(int generator) {
   impl_->noise_generator_given = true;
-  impl_->scene.settings.noise_generator = generator;
+  impl_->scene.settings.noise_generator = *impl_->noise_generator = generator;
 }
 
 }  // namespace verisim::parser

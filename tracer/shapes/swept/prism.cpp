@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "tracer/bvh/bvh.h"
-#include "tracer/math/bernstein.h"
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/swept/outline_index.h"
@@ -146,29 +145,30 @@ class Prism final : public Primitive<Prism>, public StraightPrism {
       if (pieces_[piece].segment == i || !straddles(pieces_[piece].bounds, nx, nz, n0)) return;
       i = pieces_[piece].segment;
       const CurveSegment& s = segments_[i].curve;
-      double power[4], roots[3];
+      double falling[4], roots[3];
       for (int k = 0; k <= s.degree; ++k) {
         const Vec2& c = s.c[static_cast<std::size_t>(k)];
-        power[k] = nx * c.x + nz * c.y;
+        falling[s.degree - k] = nx * c.x + nz * c.y;
       }
       // In POV-Ray's order: what lies in a wall is decided by last digits.
-      power[0] = conic_ ? power[0] + n0 : nx * (s.c[0].x - o.x) + nz * (s.c[0].y - o.z);
+      double& constant = falling[s.degree];
+      constant = conic_ ? constant + n0 : nx * (s.c[0].x - o.x) + nz * (s.c[0].y - o.z);
       int n = 0;
       if (s.degree == 1) {
-        if (power[1] == 0) return;
-        roots[0] = -power[0] / power[1];
-        n = roots[0] >= 0 && roots[0] <= 1;
+        if (falling[0] == 0) return;
+        roots[0] = -constant / falling[0];
+        n = 1;
       } else {
-        n = s.degree == 2 ? bernstein_roots<2>(power, 0, 1, roots) : bernstein_roots<3>(power, 0, 1, roots);
+        n = solve_polynomial(s.degree, falling, roots, sturm_);
       }
       for (int k = 0; k < n; ++k) {
+        if (!(roots[k] >= 0 && roots[k] <= 1)) continue;
         const double x = s.value(along_x, roots[k]), z = s.value(along_z, roots[k]);
-        double t;
+        double t;  // by x wherever it changes at all, as in POV-Ray
         if (conic_) {
           const double by_x = d.x - x * d.y, by_z = d.z - z * d.y;
-          t = std::fabs(by_x) > std::fabs(by_z) ? (x * o.y - o.x) / by_x : (z * o.y - o.z) / by_z;
+          t = std::fabs(by_x) > kEpsilon ? (x * o.y - o.x) / by_x : (z * o.y - o.z) / by_z;
         } else {
-          // By x wherever it changes at all, as in POV-Ray.
           t = std::fabs(d.x) > kEpsilon ? (x - o.x) / d.x : (z - o.z) / d.z;
         }
         const double y = o.y + t * d.y;

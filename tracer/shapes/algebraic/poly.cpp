@@ -59,10 +59,26 @@ class Poly final : public Primitive<Poly> {
   Vec3 geometric_normal(const Hit& hit) const {
     const Vec3 g = gradient(local(hit.point));
     if (g == Vec3(0)) return {1, 0, 0};
-    return world_normal(g / std::max({std::fabs(g.x), std::fabs(g.y), std::fabs(g.z)}));
+    return world_normal(g);
   }
 
  private:
+  static constexpr int kGrouped = 4;  // orders of which POV-Ray has formulas of their own
+  using Powers = double[3][kGrouped + 1];
+
+  template <std::size_t kCount>
+  static void fill_powers(const Vec3& p, int order, double (&powers)[3][kCount]) {
+    for (int axis = 0; axis < 3; ++axis) {
+      powers[axis][0] = 1;
+      for (int k = 1; k <= order; ++k) powers[axis][k] = powers[axis][k - 1] * p[axis];
+    }
+  }
+
+  // Of a polynomial of that degree.
+  static int terms(int variables, int degree) {
+    return variables == 0 ? 1 : variables == 1 ? degree + 1 : (degree + 1) * (degree + 2) / 2;
+  }
+
   template <class Sink>
   void report_roots(const LocalRay& l, Univariate<double>& p, Sink& sink) const {
     double roots[kMaxPolynomialDegree];
@@ -148,7 +164,6 @@ class Poly final : public Primitive<Poly> {
   }
 
   int solve_order2(Univariate<double>& p, double* roots) const {
-    while (p.size < 3) p.c[p.size++] = 0;
     const double a = p.c[2], b = 0.5 * p.c[1], c = p.c[0];
     if (std::fabs(a) < 1e-20) {
       if (b == 0) return 0;
@@ -178,28 +193,54 @@ class Poly final : public Primitive<Poly> {
     return result;
   }
 
-  // Horner's rule with derivatives carried along.
-  Vec3 gradient(const Vec3& p) const {
-    const double* c = coefficients_.data();
-    double v = 0, dx = 0, dy = 0, dz = 0;
-    for (int i = order_; i >= 0; --i) {
-      double v1 = 0, dy1 = 0, dz1 = 0;
-      for (int j = order_ - i; j >= 0; --j) {
-        double v2 = 0, dz2 = 0;
-        for (int k = order_ - i - j; k >= 0; --k) {
-          dz2 = dz2 * p.z + v2;
-          v2 = v2 * p.z + *c++;
-        }
-        dy1 = dy1 * p.y + v1;
-        v1 = v1 * p.y + v2;
-        dz1 = dz1 * p.y + dz2;
-      }
-      dx = dx * p.x + v;
-      v = v * p.x + v1;
-      dy = dy * p.x + dy1;
-      dz = dz * p.x + dz1;
+  // With all of POV-Ray's bits (spec 08 N).
+  Vec3 gradient(const Vec3& p) const { return order_ <= kGrouped ? grouped_gradient(p) : summed_gradient(p); }
+
+  Vec3 grouped_gradient(const Vec3& p) const {
+    Powers powers;
+    fill_powers(p, order_, powers);
+    Vec3 g(0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double* c = coefficients_.data();
+      add_derivative(axis, 0, c, order_, powers, g[axis]);
     }
-    return {dx, dy, dz};
+    return g;
+  }
+  // The derivative along `axis` of the terms of up to `degree` in the variables from `variable` on, grouped by powers
+  // of that: n x^(n-1) times a sum, (n c) x^(n-1) for a coefficient alone, and what has no power of it term by term.
+  static void add_derivative(int axis, int variable, const double*& c, int degree, const Powers& powers, double& sum) {
+    for (int n = degree; n >= 0; --n) {
+      const int factor = axis == variable ? n : 1, exponent = axis == variable ? n - 1 : n;
+      if (factor == 0) {
+        c += terms(2 - variable, degree);  // constant along the axis
+      } else if (variable == 2 || (axis == variable && n == degree)) {
+        sum += (factor * *c++) * powers[variable][exponent];
+      } else if (exponent == 0) {
+        add_derivative(axis, variable + 1, c, degree - n, powers, sum);
+      } else {
+        double inner = 0;
+        add_derivative(axis, variable + 1, c, degree - n, powers, inner);
+        sum += (factor * powers[variable][exponent]) * inner;
+      }
+    }
+  }
+
+  // Term by term, (n c) ((X Y) Z).
+  Vec3 summed_gradient(const Vec3& p) const {
+    double powers[3][kMaxPolynomialDegree + 1];
+    fill_powers(p, order_, powers);
+    Vec3 g(0);
+    const double* c = coefficients_.data();
+    for (int i = order_; i >= 0; --i)
+      for (int j = order_ - i; j >= 0; --j)
+        for (int k = order_ - i - j; k >= 0; --k, ++c) {
+          if (*c == 0) continue;
+          const auto &x = powers[0], &y = powers[1], &z = powers[2];
+          if (i > 0) g.x += (i * *c) * ((x[i - 1] * y[j]) * z[k]);
+          if (j > 0) g.y += (j * *c) * ((x[i] * y[j - 1]) * z[k]);
+          if (k > 0) g.z += (k * *c) * ((x[i] * y[j]) * z[k - 1]);
+        }
+    return g;
   }
 
   int order_;

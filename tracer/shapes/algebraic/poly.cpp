@@ -5,8 +5,8 @@
 #include "tracer/math/bernstein_packet.h"
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/algebraic/poly_packet.h"
-#include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
 namespace {
@@ -15,10 +15,10 @@ constexpr double kFarthestRoot = 1e7, kNearest = 1e-4, kElimination = 1e-4, kIns
 
 #include "tracer/shapes/algebraic/poly_along.inc"
 
-class Poly final : public Primitive<Poly> {
+class Poly final : public SearchPrimitive<Poly> {
  public:
   Poly(const scene::Object& description, const scene::Poly& p)
-      : Primitive(description, {everywhere(), false}),
+      : SearchPrimitive(description, {everywhere(), false}),
         order_(p.order),
         coefficients_(p.coefficients),
         sturm_(description.sturm) {
@@ -40,59 +40,6 @@ class Poly final : public Primitive<Poly> {
     Univariate<double> p;
     along(order_, coefficients_.data(), used_.data(), o, d, p);
     report_roots(l, p, sink);
-  }
-
-  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints*, RayKind, double t_min,
-                            const double* t_max, Hit* hits) const override {
-    return nearest_of_packet(
-        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
-  }
-  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints*, double t_min,
-                           const double* t_max) const override {
-    Hit hit;
-    return nearest_of_packet(
-        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
-  }
-
-  bool contains(const Vec3& p) const { return value(local(p)) < kInsideThreshold; }
-
-  Vec3 geometric_normal(const Hit& hit) const {
-    const Vec3 g = gradient(local(hit.point));
-    if (g == Vec3(0)) return {1, 0, 0};
-    return world_normal(g);
-  }
-
- private:
-  static constexpr int kGrouped = 4;  // orders of which POV-Ray has formulas of their own
-  using Powers = double[3][kGrouped + 1];
-
-  template <std::size_t kCount>
-  static void fill_powers(const Vec3& p, int order, double (&powers)[3][kCount]) {
-    for (int axis = 0; axis < 3; ++axis) {
-      powers[axis][0] = 1;
-      for (int k = 1; k <= order; ++k) powers[axis][k] = powers[axis][k - 1] * p[axis];
-    }
-  }
-
-  // Of a polynomial of that degree.
-  static int terms(int variables, int degree) {
-    return variables == 0 ? 1 : variables == 1 ? degree + 1 : (degree + 1) * (degree + 2) / 2;
-  }
-
-  template <class Sink>
-  void report_roots(const LocalRay& l, Univariate<double>& p, Sink& sink) const {
-    double roots[kMaxPolynomialDegree];
-    const int n = order_ == 2 ? solve_order2(p, roots) : solve(p, roots);
-    for (int i = 0; i < n; ++i) {
-      const double t = roots[i];
-      bool duplicate = false;
-      for (int k = 0; k < i; ++k) duplicate = duplicate || roots[k] == t;
-      if (!duplicate) report(l, t, sink);
-    }
-  }
-  template <class Sink>
-  bool report(const LocalRay& l, double t, Sink& sink) const {
-    return t > kNearest && sink.add(t / l.scale, [&] { return world(l.origin + t * l.direction); });
   }
 
   template <class HitOf>
@@ -135,6 +82,47 @@ class Poly final : public Primitive<Poly> {
       });
     }
     return found;
+  }
+
+  bool contains(const Vec3& p) const { return value(local(p)) < kInsideThreshold; }
+
+  Vec3 geometric_normal(const Hit& hit) const {
+    const Vec3 g = gradient(local(hit.point));
+    if (g == Vec3(0)) return {1, 0, 0};
+    return world_normal(g);
+  }
+
+ private:
+  static constexpr int kGrouped = 4;  // orders of which POV-Ray has formulas of their own
+  using Powers = double[3][kGrouped + 1];
+
+  template <std::size_t kCount>
+  static void fill_powers(const Vec3& p, int order, double (&powers)[3][kCount]) {
+    for (int axis = 0; axis < 3; ++axis) {
+      powers[axis][0] = 1;
+      for (int k = 1; k <= order; ++k) powers[axis][k] = powers[axis][k - 1] * p[axis];
+    }
+  }
+
+  // Of a polynomial of that degree.
+  static int terms(int variables, int degree) {
+    return variables == 0 ? 1 : variables == 1 ? degree + 1 : (degree + 1) * (degree + 2) / 2;
+  }
+
+  template <class Sink>
+  void report_roots(const LocalRay& l, Univariate<double>& p, Sink& sink) const {
+    double roots[kMaxPolynomialDegree];
+    const int n = order_ == 2 ? solve_order2(p, roots) : solve(p, roots);
+    for (int i = 0; i < n; ++i) {
+      const double t = roots[i];
+      bool duplicate = false;
+      for (int k = 0; k < i; ++k) duplicate = duplicate || roots[k] == t;
+      if (!duplicate) report(l, t, sink);
+    }
+  }
+  template <class Sink>
+  bool report(const LocalRay& l, double t, Sink& sink) const {
+    return t > kNearest && sink.add(t / l.scale, [&] { return world(l.origin + t * l.direction); });
   }
 
   int solve(const Univariate<double>& p, double* roots) const {

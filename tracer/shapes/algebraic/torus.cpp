@@ -3,18 +3,17 @@
 
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/packet_kernels.h"
-#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/packet_primitive.h"
 
 namespace verisim::shapes {
 namespace {
 
 constexpr double kNearest = 1e-4, kFarthest = 1e7, kElimination = 1e-4;
 
-class Torus final : public Primitive<Torus> {
+class Torus final : public SearchPrimitive<Torus> {
  public:
   Torus(const scene::Object& description, const scene::Torus& t)
-      : Primitive(description, {t.box()}),
+      : SearchPrimitive(description, {t.box()}),
         major_(t.major),
         minor_(t.minor),
         major2_(t.major * t.major),
@@ -40,18 +39,20 @@ class Torus final : public Primitive<Torus> {
     report(ray, c, advance, l.scale, sink);
   }
 
-  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                            const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
-    return nearest_of_packet(
-        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
-  }
-  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
-                           const double* t_max) const override {
-    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
-    Hit hit;
-    return nearest_of_packet(
-        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+  bool takes_packets() const { return !guarded_; }
+  template <class HitOf>
+  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    TorusPacket packet;
+    packet_kernels().torus(major_, minor_, &matrix(), rays, packet);
+    unsigned found = 0;
+    each_lane(rays.active, [&](int k) {
+      if (packet.met[k] == 0) return;
+      const double c[5] = {1, packet.c[0][k], packet.c[1][k], packet.c[2][k], packet.c[3][k]};
+      NearestHit sink(*this, nullptr, t_min, t_max[k], hit_of(k), any);
+      report(rays.at(k), c, packet.advance[k], packet.scale[k], sink);
+      found |= sink.found() ? 1u << k : 0;
+    });
+    return found;
   }
 
   bool contains(const Vec3& point) const {
@@ -86,21 +87,6 @@ class Torus final : public Primitive<Torus> {
       if (depth > kNearest && depth < kFarthest) sink.add(depth, [&] { return ray.origin + depth * ray.direction; });
     }
   }
-  template <class HitOf>
-  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
-    TorusPacket packet;
-    packet_kernels().torus(major_, minor_, &matrix(), rays, packet);
-    unsigned found = 0;
-    each_lane(rays.active, [&](int k) {
-      if (packet.met[k] == 0) return;
-      const double c[5] = {1, packet.c[0][k], packet.c[1][k], packet.c[2][k], packet.c[3][k]};
-      NearestHit sink(*this, nullptr, t_min, t_max[k], hit_of(k), any);
-      report(rays.at(k), c, packet.advance[k], packet.scale[k], sink);
-      found |= sink.found() ? 1u << k : 0;
-    });
-    return found;
-  }
-
   // |y| <= r, distance from the axis between R - r and R + r.
   bool meets_thick_cylinder(const LocalRay& l) const {
     const Vec3 &o = l.origin, &d = l.direction;

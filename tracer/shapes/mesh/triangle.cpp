@@ -1,9 +1,9 @@
 // triangle and smooth_triangle (spec 03 4.7, 04 section 2).
+#include <algorithm>
 #include <utility>
 
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/packet_kernels.h"
-#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/packet_primitive.h"
 
 namespace verisim::shapes {
 namespace {
@@ -22,11 +22,11 @@ Box3 box_of(const std::array<Vec3, 3>& p) {
   return box;
 }
 
-class Triangle final : public Primitive<Triangle> {
+class Triangle final : public KernelPrimitive<Triangle> {
  public:
   // `n`: vertex normals, null for a flat triangle.
   Triangle(const scene::Object& description, const std::array<Vec3, 3>& p, const std::array<Vec3, 3>* n)
-      : Primitive(description, {box_of(p)}), p_(p) {
+      : KernelPrimitive(description, {box_of(p)}), p_(p) {
     const Vec3 plane = cross(p[0] - p[1], p[2] - p[1]);
     degenerate_ = !(length(plane) > 0);
     if (degenerate_) return;
@@ -50,25 +50,13 @@ class Triangle final : public Primitive<Triangle> {
       std::swap(n_[0], n_[1]);
     }
     if (smooth_) prepare_interpolation();
-    guarded_ = has_guards(description);
   }
 
-  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                            const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
-    if (degenerate_) return 0;
-    PacketHits met;
-    packet_kernels().triangle(packet_shape(), rays, t_min, t_max, met);
-    return take_hits(met, rays, *this, hits,
-                     [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
-  }
-  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
-                           const double* t_max) const override {
-    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
-    if (degenerate_) return 0;
-    PacketHits met;
-    packet_kernels().triangle(packet_shape(), rays, t_min, t_max, met);
-    return packet_hits(met, rays);
+  void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
+    if (degenerate_)
+      std::fill_n(met.part, RayPacket::kCount, -1);
+    else
+      packet_kernels().triangle(packet_shape(), rays, t_min, t_max, met);
   }
 
   template <class Sink>
@@ -115,7 +103,7 @@ class Triangle final : public Primitive<Triangle> {
   Vec3 normal_{0, 0, 0}, perpendicular_{0, 0, 0};
   double distance_ = 0;
   int i_ = 0, j_ = 1, edge_axis_ = 0;
-  bool degenerate_ = false, smooth_ = false, guarded_ = false;
+  bool degenerate_ = false, smooth_ = false;
 };
 
 }  // namespace

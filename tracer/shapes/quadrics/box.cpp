@@ -2,8 +2,7 @@
 #include <utility>
 
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/packet_kernels.h"
-#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/packet_primitive.h"
 
 namespace verisim::shapes {
 namespace {
@@ -12,10 +11,10 @@ constexpr double kNearest = 1e-6, kFarthest = 2e10;
 
 enum Face : std::int32_t { x_low, x_high, y_low, y_high, z_low, z_high };
 
-class Box final : public Primitive<Box> {
+class Box final : public KernelPrimitive<Box> {
  public:
   Box(const scene::Object& description, const Vec3& low, const Vec3& high)
-      : Primitive(description, {Box3(low, high)}), low_(low), high_(high), guarded_(has_guards(description)) {}
+      : KernelPrimitive(description, {Box3(low, high)}), low_(low), high_(high) {}
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
@@ -37,24 +36,12 @@ class Box final : public Primitive<Box> {
           far, [&] { return ray.origin + far * ray.direction; }, far_face);
   }
 
-  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                            const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
-    PacketHits met;
-    meet(rays, t_min, t_max, met);
-    return take_hits(met, rays, *this, hits,
-                     [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
-  }
-  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
-                           const double* t_max) const override {
-    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
-    PacketHits met;
-    meet(rays, t_min, t_max, met);
-    return packet_hits(met, rays);
+  void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
+    packet_kernels().box(low_, high_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
   }
 
   SimpleSolid simple() const override {
-    if (guarded_) return {};
+    if (guarded()) return {};
     return {.form = SimpleSolid::Form::box,
             .inverted = inverted(),
             .matrix = has_matrix() ? &matrix() : nullptr,
@@ -94,10 +81,6 @@ class Box final : public Primitive<Box> {
   }
 
  private:
-  void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
-    packet_kernels().box(low_, high_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
-  }
-
   // Narrows near .. far by one axis. A later axis takes a face over when it wins clearly, or nearly ties and faces the
   // ray more.
   template <int kAxis>
@@ -121,7 +104,6 @@ class Box final : public Primitive<Box> {
   }
 
   Vec3 low_, high_;
-  bool guarded_;
 };
 
 }  // namespace

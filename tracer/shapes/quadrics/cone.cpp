@@ -7,8 +7,7 @@
 
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/frame.h"
-#include "tracer/shapes/packet_kernels.h"
-#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/packet_primitive.h"
 
 namespace verisim::shapes {
 namespace {
@@ -22,13 +21,12 @@ double narrow_end(const scene::Cone& c) {
 
 enum Part : std::int32_t { wall, narrow_cap, wide_cap };
 
-class Cone final : public Primitive<Cone> {
+class Cone final : public KernelPrimitive<Cone> {
  public:
   Cone(const scene::Object& description, const scene::Cone& c)
-      : Primitive(description, {cone_box(c)}),
+      : KernelPrimitive(description, {cone_box(c)}),
         cylinder_(cone_is_cylinder(c)),
         open_(c.open),
-        guarded_(has_guards(description)),
         narrow_(narrow_end(c)) {}
 
   template <class Sink>
@@ -82,24 +80,12 @@ class Cone final : public Primitive<Cone> {
     report_cap(narrow_, cylinder_ ? 1 : narrow_ * narrow_, narrow_cap);
   }
 
-  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                            const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
-    PacketHits met;
-    meet(rays, t_min, t_max, met);
-    return take_hits(met, rays, *this, hits,
-                     [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
-  }
-  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
-                           const double* t_max) const override {
-    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
-    PacketHits met;
-    meet(rays, t_min, t_max, met);
-    return packet_hits(met, rays);
+  void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
+    packet_kernels().cone(cylinder_, open_, narrow_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
   }
 
   SimpleSolid simple() const override {
-    if (guarded_) return {};
+    if (guarded()) return {};
     return {.form = SimpleSolid::Form::cone,
             .inverted = inverted(),
             .cylinder = cylinder_,
@@ -124,11 +110,7 @@ class Cone final : public Primitive<Cone> {
   }
 
  private:
-  void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
-    packet_kernels().cone(cylinder_, open_, narrow_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
-  }
-
-  bool cylinder_, open_, guarded_;
+  bool cylinder_, open_;
   double narrow_;
 };
 

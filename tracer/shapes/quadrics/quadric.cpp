@@ -1,7 +1,6 @@
 // quadric (spec 03 4.10): coefficients are kept in world space.
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/packet_kernels.h"
-#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/quadrics/quadric_box.h"
 
 namespace verisim::shapes {
@@ -24,12 +23,10 @@ Box3 box_of(scene::Quadric q) {
 // Whether the side a box can describe is the one the inverted mark says.
 bool box_tells_solid(const scene::Object& object, const scene::Quadric& q) { return negative(q) == object.inverted; }
 
-class Quadric final : public Primitive<Quadric> {
+class Quadric final : public KernelPrimitive<Quadric> {
  public:
   Quadric(const scene::Object& description, const scene::Quadric& q)
-      : Primitive(description, {box_of(q), box_tells_solid(description, q)}),
-        q_(q),
-        guarded_(has_guards(description)) {}
+      : KernelPrimitive(description, {box_of(q), box_tells_solid(description, q)}), q_(q) {}
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
@@ -54,24 +51,12 @@ class Quadric final : public Primitive<Quadric> {
     }
   }
 
-  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                            const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
-    PacketHits met;
+  void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
     packet_kernels().quadric(q_, rays, t_min, t_max, met);
-    return take_hits(met, rays, *this, hits,
-                     [&](int k, const Ray& ray) { return ray.origin + met.t[k] * ray.direction; });
-  }
-  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
-                           const double* t_max) const override {
-    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
-    PacketHits met;
-    packet_kernels().quadric(q_, rays, t_min, t_max, met);
-    return packet_hits(met, rays);
   }
 
   SimpleSolid simple() const override {
-    if (guarded_) return {};
+    if (guarded()) return {};
     return {.form = SimpleSolid::Form::quadric, .quadric = &q_};
   }
 
@@ -94,7 +79,6 @@ class Quadric final : public Primitive<Quadric> {
   }
 
   scene::Quadric q_;
-  bool guarded_;
 };
 
 }  // namespace

@@ -2,8 +2,7 @@
 #include <numbers>
 
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/packet_kernels.h"
-#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/spherical_uv.h"
 
 namespace verisim::shapes {
@@ -16,11 +15,10 @@ Box3 box_of(const scene::Sphere& s) {
   return {s.center - half, s.center + half};
 }
 
-class Sphere final : public Primitive<Sphere> {
+class Sphere final : public KernelPrimitive<Sphere> {
  public:
   Sphere(const scene::Object& description, const scene::Sphere& s)
-      : Primitive(description, {box_of(s)}),
-        guarded_(has_guards(description)),
+      : KernelPrimitive(description, {box_of(s)}),
         center_(s.center),
         radius_(s.radius),
         inverse_radius_(1 / s.radius),
@@ -48,27 +46,17 @@ class Sphere final : public Primitive<Sphere> {
     }
   }
 
-  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                            const double* t_max, Hit* hits) const override {
-    if (guarded_) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
-    PacketHits met;
-    meet(rays, t_min, t_max, met);
-    return take_hits(met, rays, *this, hits, [&](int k, const Ray& ray) {
-      if (!has_matrix()) return ray.origin + met.t[k] * ray.direction;
-      const LocalRay l = local(ray);
-      return world(l.origin + met.local[k] * l.direction);
-    });
+  void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
+    packet_kernels().sphere(center_, radius2_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
   }
-  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
-                           const double* t_max) const override {
-    if (guarded_) return Shape::occludes_packet(rays, entry, t_min, t_max);
-    PacketHits met;
-    meet(rays, t_min, t_max, met);
-    return packet_hits(met, rays);
+  Vec3 point_of(const PacketHits& met, int k, const Ray& ray) const {
+    if (!has_matrix()) return ray.origin + met.t[k] * ray.direction;
+    const LocalRay l = local(ray);
+    return world(l.origin + met.local[k] * l.direction);
   }
 
   SimpleSolid simple() const override {
-    if (guarded_) return {};
+    if (guarded()) return {};
     return {.form = SimpleSolid::Form::sphere,
             .inverted = inverted(),
             .matrix = has_matrix() ? &matrix() : nullptr,
@@ -91,10 +79,6 @@ class Sphere final : public Primitive<Sphere> {
   }
 
  private:
-  void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
-    packet_kernels().sphere(center_, radius2_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
-  }
-
   double distance2(const Vec3& p) const {
     const Vec3 d = local(p) - center_;
     return dot(d, d);
@@ -112,7 +96,6 @@ class Sphere final : public Primitive<Sphere> {
     return true;
   }
 
-  bool guarded_;
   Vec3 center_;
   double radius_, inverse_radius_, radius2_;
   scene::Rare<Transform> uv_transform_;  // shared with the description

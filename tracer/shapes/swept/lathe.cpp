@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/swept/lathe_packet.h"
 #include "tracer/shapes/swept/plane_curve.h"
-#include "tracer/shapes/primitive.h"
 #include "tracer/shapes/spherical_uv.h"
 
 namespace verisim::shapes {
@@ -66,10 +66,10 @@ struct Range {
   }
 };
 
-class Lathe final : public Primitive<Lathe> {
+class Lathe final : public SearchPrimitive<Lathe> {
  public:
   Lathe(const scene::Object& description, const scene::Lathe& lathe)
-      : Primitive(description, {lathe_box(lathe)}), range_(lathe) {
+      : SearchPrimitive(description, {lathe_box(lathe)}), range_(lathe) {
     for (const CurveSegment& s : segments_of(lathe)) {
       Segment segment{s, 0, 0};
       s.extremes(height, segment.y_low, segment.y_high);
@@ -119,16 +119,38 @@ class Lathe final : public Primitive<Lathe> {
       }
   }
 
-  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints*, RayKind, double t_min,
-                            const double* t_max, Hit* hits) const override {
-    return nearest_of_packet(
-        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
-  }
-  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints*, double t_min,
-                           const double* t_max) const override {
-    Hit hit;
-    return nearest_of_packet(
-        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+  template <class HitOf>
+  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
+    if (admitted == 0) return 0;
+    LathePacket packet;
+    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, packet.rays);
+    const unsigned met = lathe_kernels().begin(outer2(), admitted, packet);
+    LocalRay locals[RayPacket::kCount];
+    std::optional<NearestHit> sinks[RayPacket::kCount];
+    unsigned found = 0, horizontal = 0;
+    each_lane(met, [&](int k) {
+      locals[k] = local(rays.at(k));
+      sinks[k].emplace(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      horizontal |= std::fabs(packet.rays.dy[k]) < kNearlyHorizontal ? 1u << k : 0;
+    });
+    unsigned open = met;
+    for (std::size_t i = 0; i < segments_.size() && open != 0; ++i) {
+      const Segment& s = segments_[i];
+      const unsigned beside = open & lathe_kernels().beside(s.y_low, s.y_high, slack(), packet);
+      if (beside == 0) continue;
+      const auto report = [&](int k, double w, double t) {
+        add(rays.at(k), t / locals[k].scale, i, w, *sinks[k]);
+        if (any && sinks[k]->found()) open &= ~(1u << k);
+      };
+      each_lane(beside & horizontal, [&](int k) {
+        Solver{locals[k], packet.r[k], packet.m[k], packet.c[k]}.segment(s.curve,
+                                                                         [&](double w, double t) { report(k, w, t); });
+      });
+      if ((beside & ~horizontal) != 0) follow(s.curve, beside & ~horizontal, packet, locals, report, open);
+    }
+    each_lane(met, [&](int k) { found |= sinks[k]->found() ? 1u << k : 0; });
+    return found;
   }
 
   bool contains(const Vec3& point) const {
@@ -186,39 +208,6 @@ class Lathe final : public Primitive<Lathe> {
           depth, [&] { return ray.origin + depth * ray.direction; }, static_cast<std::int32_t>(segment), w);
   }
 
-  template <class HitOf>
-  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
-    const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
-    if (admitted == 0) return 0;
-    LathePacket packet;
-    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, packet.rays);
-    const unsigned met = lathe_kernels().begin(outer2(), admitted, packet);
-    LocalRay locals[RayPacket::kCount];
-    std::optional<NearestHit> sinks[RayPacket::kCount];
-    unsigned found = 0, horizontal = 0;
-    each_lane(met, [&](int k) {
-      locals[k] = local(rays.at(k));
-      sinks[k].emplace(*this, guards(), t_min, t_max[k], hit_of(k), any);
-      horizontal |= std::fabs(packet.rays.dy[k]) < kNearlyHorizontal ? 1u << k : 0;
-    });
-    unsigned open = met;
-    for (std::size_t i = 0; i < segments_.size() && open != 0; ++i) {
-      const Segment& s = segments_[i];
-      const unsigned beside = open & lathe_kernels().beside(s.y_low, s.y_high, slack(), packet);
-      if (beside == 0) continue;
-      const auto report = [&](int k, double w, double t) {
-        add(rays.at(k), t / locals[k].scale, i, w, *sinks[k]);
-        if (any && sinks[k]->found()) open &= ~(1u << k);
-      };
-      each_lane(beside & horizontal, [&](int k) {
-        Solver{locals[k], packet.r[k], packet.m[k], packet.c[k]}.segment(s.curve,
-                                                                         [&](double w, double t) { report(k, w, t); });
-      });
-      if ((beside & ~horizontal) != 0) follow(s.curve, beside & ~horizontal, packet, locals, report, open);
-    }
-    each_lane(met, [&](int k) { found |= sinks[k]->found() ? 1u << k : 0; });
-    return found;
-  }
   // The roots of a segment for several rays; those that are no longer open are left alone.
   template <class Report>
   static void follow(const CurveSegment& curve, unsigned rays, const LathePacket& packet, const LocalRay* locals,

@@ -11,7 +11,7 @@
 #include "tracer/bvh/bvh.h"
 #include "tracer/math/bernstein_packet.h"
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/scratch.h"
 #include "tracer/shapes/swept/sphere_sweep_packet.h"
 
@@ -121,10 +121,10 @@ struct Visit {
   Touches touches;
 };
 
-class SphereSweep final : public Primitive<SphereSweep> {
+class SphereSweep final : public SearchPrimitive<SphereSweep> {
  public:
   SphereSweep(const scene::Object& description, const scene::SphereSweep& sweep)
-      : Primitive(description, {box_of(segments_of(sweep))}),
+      : SearchPrimitive(description, {box_of(segments_of(sweep))}),
         segments_(segments_of(sweep)),
         tolerance_(sweep.tolerance) {
     std::vector<Box3> boxes;
@@ -144,16 +144,33 @@ class SphereSweep final : public Primitive<SphereSweep> {
     report(l, all, sink);
   }
 
-  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints*, RayKind, double t_min,
-                            const double* t_max, Hit* hits) const override {
-    return nearest_of_packet(
-        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
-  }
-  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints*, double t_min,
-                           const double* t_max) const override {
-    Hit hit;
-    return nearest_of_packet(
-        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+  template <class HitOf>
+  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
+    Scratch<Visit> visits;
+    std::size_t first[RayPacket::kCount], end[RayPacket::kCount];
+    unsigned met = 0;
+    each_lane(admitted, [&](int k) {
+      first[k] = visits.size();
+      each_segment_met(local(rays.at(k)), [&](std::uint32_t i) { visits.add({i, k, segments_[i].degree == 1, {}}); });
+      end[k] = visits.size();
+      met |= end[k] > first[k] ? 1u << k : 0;
+    });
+    if (met == 0) return 0;
+    LocalPacket packet;
+    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, packet);
+    for (std::size_t v = 0; v < visits.size(); ++v)
+      if (!visits[v].solved) solve_together(packet, visits, v);
+    unsigned found = 0;
+    each_lane(met, [&](int k) {
+      const LocalRay l = local(rays.at(k));
+      Scratch<Intersection> all;
+      for (std::size_t v = first[k]; v < end[k]; ++v) segment(visits[v].segment, l, &visits[v].touches, all);
+      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      report(l, all, sink);
+      found |= sink.found() ? 1u << k : 0;
+    });
+    return found;
   }
 
   // As in POV-Ray: on the wall of some sphere of a segment, so a point inside all spheres of a short segment is missed
@@ -226,34 +243,6 @@ class SphereSweep final : public Primitive<SphereSweep> {
   }
 
   // Each ray has its own list of segments; those of the same segment are solved together.
-  template <class HitOf>
-  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
-    const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
-    Scratch<Visit> visits;
-    std::size_t first[RayPacket::kCount], end[RayPacket::kCount];
-    unsigned met = 0;
-    each_lane(admitted, [&](int k) {
-      first[k] = visits.size();
-      each_segment_met(local(rays.at(k)), [&](std::uint32_t i) { visits.add({i, k, segments_[i].degree == 1, {}}); });
-      end[k] = visits.size();
-      met |= end[k] > first[k] ? 1u << k : 0;
-    });
-    if (met == 0) return 0;
-    LocalPacket packet;
-    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, packet);
-    for (std::size_t v = 0; v < visits.size(); ++v)
-      if (!visits[v].solved) solve_together(packet, visits, v);
-    unsigned found = 0;
-    each_lane(met, [&](int k) {
-      const LocalRay l = local(rays.at(k));
-      Scratch<Intersection> all;
-      for (std::size_t v = first[k]; v < end[k]; ++v) segment(visits[v].segment, l, &visits[v].touches, all);
-      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
-      report(l, all, sink);
-      found |= sink.found() ? 1u << k : 0;
-    });
-    return found;
-  }
   // The touches of a visit and of those behind it of the same segment.
   void solve_together(const LocalPacket& rays, Scratch<Visit>& visits, std::size_t begin) const {
     const std::uint32_t index = visits[begin].segment;

@@ -15,7 +15,7 @@
 #include "tracer/shapes/blob/blob_parts.h"
 #include "tracer/shapes/blob/blob_intervals.h"
 #include "tracer/shapes/factories.h"
-#include "tracer/shapes/primitive.h"
+#include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/scratch.h"
 
 namespace verisim::shapes {
@@ -30,7 +30,7 @@ constexpr std::size_t kMaxTextures = 512;
 using Part = BlobPart;
 using PartKind = BlobPartKind;
 
-class Blob final : public Primitive<Blob> {
+class Blob final : public SearchPrimitive<Blob> {
  public:
   Blob(const scene::Object& description, const std::shared_ptr<const scene::Blob>& blob)
       : Blob(description, *blob, BlobParts::of(blob)) {}
@@ -50,18 +50,29 @@ class Blob final : public Primitive<Blob> {
     search(ray, l, pieces, HUGE_VAL, sink);
   }
 
-  unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
-                            const double* t_max, Hit* hits) const override {
-    if (spheres_.empty()) return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
-    return nearest_of_packet(
-        rays, t_min, t_max, [&](int k) -> Hit& { return hits[k]; }, false);
-  }
-  unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
-                           const double* t_max) const override {
-    if (spheres_.empty()) return Shape::occludes_packet(rays, entry, t_min, t_max);
-    Hit hit;
-    return nearest_of_packet(
-        rays, t_min, t_max, [&](int) -> Hit& { return hit; }, true);
+  bool takes_packets() const { return !spheres_.empty(); }
+  template <class HitOf>
+  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
+    const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
+    if (admitted == 0) return 0;
+    LocalPacket l;
+    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, l);
+    PiecePacket met[BlobParts::kMaxForPacket];
+    const std::size_t count = blob_kernels().pieces(parts_.data(), parts_near(l, admitted), l, admitted, met);
+    if (count == 0) return 0;
+    unsigned found = 0;
+    each_lane(admitted, [&](int k) {
+      Scratch<Piece> pieces;
+      for (std::size_t i = 0; i < count; ++i) {
+        const PiecePacket& p = met[i];
+        if (p.met >> k & 1) pieces.add({p.t0[k], p.t1[k], p.part, p.stretch[k], p.peak[k]});
+      }
+      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
+      const LocalRay ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
+      search(rays.at(k), ray, pieces, t_max[k], sink);
+      found |= sink.found() ? 1u << k : 0;
+    });
+    return found;
   }
 
   bool contains(const Vec3& point) const {
@@ -97,7 +108,7 @@ class Blob final : public Primitive<Blob> {
 
  private:
   Blob(const scene::Object& description, const scene::Blob& blob, std::shared_ptr<const BlobParts> parts)
-      : Primitive(description, {box_of(parts->parts, blob.threshold <= 0), blob.threshold > kInsideMargin}),
+      : SearchPrimitive(description, {box_of(parts->parts, blob.threshold <= 0), blob.threshold > kInsideMargin}),
         threshold_(blob.threshold),
         shared_(std::move(parts)) {
     const auto textured = [](const scene::BlobComponent& c) { return c.texture != nullptr; };
@@ -152,53 +163,9 @@ class Blob final : public Primitive<Blob> {
     for (std::size_t i = 0; i < around.size(); ++i) test(parts_[around[i]]);
   }
 
-  // The interval of the ray within a part's reach. The order of operations is POV-Ray's (spec 08 N).
   static void add_piece(const Part& part, const LocalRay& l, Scratch<Piece>& pieces) {
-    Vec3 o = l.origin, d = l.direction;
-    double scale = 1;
-    if (part.moved) {
-      o = part.transform->inverse_point(o), d = part.transform->inverse_direction(d);
-      scale = length(d);
-      d *= 1 / scale;
-    }
-    o -= part.center;
-    Piece piece{-HUGE_VAL, HUGE_VAL, &part, scale * scale / part.radius2};
-    double nearest2;
-    if (part.kind == PartKind::cylinder) {
-      const double a = d.x * d.x + d.y * d.y, b = o.x * d.x + o.y * d.y, c = o.x * o.x + o.y * o.y;
-      const double beyond = c - part.radius2, discriminant = b * b - a * beyond;
-      nearest2 = c;
-      if (a > kEpsilon) {
-        if (!(discriminant > 0)) return;
-        const double root = std::sqrt(discriminant);
-        piece.t0 = (-b - root) / a, piece.t1 = (-b + root) / a;
-        nearest2 = c - b * b / a;
-      } else if (!(beyond < 0)) {
-        return;
-      }
-    } else {
-      const double b = dot(o, d), c = dot(o, o), discriminant = b * b - c + part.radius2;
-      if (!(discriminant > 0)) return;
-      const double root = std::sqrt(discriminant);
-      piece.t0 = -b - root, piece.t1 = -b + root;
-      nearest2 = c - b * b;
-    }
-    if (part.kind != PartKind::sphere) {
-      const double low = part.kind == PartKind::base ? -HUGE_VAL : 0;
-      const double high = part.kind == PartKind::base ? 0 : part.kind == PartKind::cylinder ? part.length : HUGE_VAL;
-      if (std::fabs(d.z) < kEpsilon) {
-        if (o.z < low || o.z > high) return;
-      } else {
-        double enter = (low - o.z) / d.z, leave = (high - o.z) / d.z;
-        if (enter > leave) std::swap(enter, leave);
-        piece.t0 = std::max(piece.t0, enter), piece.t1 = std::min(piece.t1, leave);
-      }
-    }
-    piece.t0 = std::max(0.0, piece.t0 / scale), piece.t1 /= scale;
-    if (!(piece.t1 > piece.t0 && piece.t1 < HUGE_VAL)) return;
-    // The field of a positive part is largest where the ray is closest.
-    if (part.k2 > 0) piece.peak = field(part, std::max(nearest2, 0.0));
-    pieces.add(piece);
+    RayPiece p;
+    if (blob_kernels().piece(part, l.origin, l.direction, p)) pieces.add({p.t0, p.t1, &part, p.stretch, p.peak});
   }
 
   // The field of a part along origin + u direction, 0 <= u <= 1, in powers of u; `span` is the length of the direction.
@@ -319,30 +286,6 @@ class Blob final : public Primitive<Blob> {
     });
     return blob_kernels().near(spheres_.data(), spheres_.size(), origin(one), direction(one),
                                strange ? HUGE_VAL : std::sqrt(apart2), std::sqrt(bent2 / size2));
-  }
-
-  template <class HitOf>
-  unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
-    const unsigned admitted = guards() ? guards()->admit(rays) : rays.active;
-    if (admitted == 0) return 0;
-    LocalPacket l;
-    packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, l);
-    PiecePacket met[BlobParts::kMaxForPacket];
-    const std::size_t count = blob_kernels().pieces(parts_.data(), parts_near(l, admitted), l, admitted, met);
-    if (count == 0) return 0;
-    unsigned found = 0;
-    each_lane(admitted, [&](int k) {
-      Scratch<Piece> pieces;
-      for (std::size_t i = 0; i < count; ++i) {
-        const PiecePacket& p = met[i];
-        if (p.met >> k & 1) pieces.add({p.t0[k], p.t1[k], p.part, p.stretch[k], p.peak[k]});
-      }
-      NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
-      const LocalRay ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
-      search(rays.at(k), ray, pieces, t_max[k], sink);
-      found |= sink.found() ? 1u << k : 0;
-    });
-    return found;
   }
 
   double threshold_;

@@ -16,33 +16,49 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-// Where a ray is within reach of a part; `nearest2`: its squared distance from the centre or axis there.
+// Where rays are within reach of a part; `nearest2`: their squared distance from the centre or axis there.
+template <class Number>
 struct Course {
-  Packet t0, t1, stretch, nearest2;
+  Number t0, t1, stretch, nearest2;
 };
 
-// The lanes that come within reach. The order of operations is that of Blob::add_piece.
-HWY_INLINE Mask meet(const BlobPart& part, PacketVector<Packet> o, PacketVector<Packet> d, Course& course) {
-  Packet scale = 1.0;
+// One ray need not go on once it is out of reach.
+template <class Number>
+HWY_INLINE bool out_of_reach(const typename Number::Mask& met) {
+  if constexpr (Number::kCount == 1) return bits(met) == 0;
+  return false;
+}
+
+// The lanes that come within reach. `Number` is a packet of the rays that go together: Packet, or PacketOf<1>. The
+// order of operations is POV-Ray's (spec 08 N).
+template <class Number>
+HWY_INLINE typename Number::Mask meet(const BlobPart& part, PacketVector<Number> o, PacketVector<Number> d,
+                                      Course<Number>& course) {
+  using Mask = typename Number::Mask;
+  Number scale = 1.0;
   if (part.moved) {
     const Mat4& inverse = part.transform->inv;
     o = transform_point(inverse, o), d = transform_direction(inverse, d);
     scale = sqrt(dot(d, d));
-    const Packet inverse_scale = 1.0 / scale;
+    const Number inverse_scale = 1.0 / scale;
     d = {d.x * inverse_scale, d.y * inverse_scale, d.z * inverse_scale};
   }
-  o.x -= part.center.x, o.y -= part.center.y, o.z -= part.center.z;
+  o = {o.x - part.center.x, o.y - part.center.y, o.z - part.center.z};
   Mask met = Mask::all();
   if (part.kind == BlobPartKind::cylinder) {
-    const Packet a = d.x * d.x + d.y * d.y, b = o.x * d.x + o.y * d.y, c = o.x * o.x + o.y * o.y;
-    const Packet beyond = c - part.radius2, discriminant = b * b - a * beyond, root = sqrt(discriminant);
+    const Number a = d.x * d.x + d.y * d.y, b = o.x * d.x + o.y * d.y, c = o.x * o.x + o.y * o.y;
+    const Number beyond = c - part.radius2, discriminant = b * b - a * beyond;
     const Mask slanted = a > kEpsilon;
     met = (slanted & (discriminant > 0)) | (~slanted & (beyond < 0));
+    if (out_of_reach<Number>(met)) return met;
+    const Number root = sqrt(discriminant);
     course.t0 = select(slanted, (-b - root) / a, -HUGE_VAL), course.t1 = select(slanted, (-b + root) / a, HUGE_VAL);
     course.nearest2 = select(slanted, c - b * b / a, c);
   } else {
-    const Packet b = dot(o, d), c = dot(o, o), discriminant = b * b - c + part.radius2, root = sqrt(discriminant);
+    const Number b = dot(o, d), c = dot(o, o), discriminant = b * b - c + part.radius2;
     met = discriminant > 0;
+    if (out_of_reach<Number>(met)) return met;
+    const Number root = sqrt(discriminant);
     course.t0 = -b - root, course.t1 = -b + root;
     course.nearest2 = c - b * b;
   }
@@ -52,16 +68,24 @@ HWY_INLINE Mask meet(const BlobPart& part, PacketVector<Packet> o, PacketVector<
                         : part.kind == BlobPartKind::cylinder ? part.length
                                                               : HUGE_VAL;
     const Mask across = abs(d.z) < kEpsilon;
-    met &= ~(across & ((o.z < low) | (o.z > high)));
-    const Packet to_low = (low - o.z) / d.z, to_high = (high - o.z) / d.z;
+    met = met & ~(across & ((o.z < low) | (o.z > high)));
+    const Number to_low = (low - o.z) / d.z, to_high = (high - o.z) / d.z;
     const Mask swapped = to_low > to_high;
     course.t0 = select(across, course.t0, max(course.t0, select(swapped, to_high, to_low)));
     course.t1 = select(across, course.t1, min(course.t1, select(swapped, to_low, to_high)));
   }
   if (part.moved) course.t0 = course.t0 / scale, course.t1 = course.t1 / scale;
-  course.t0 = max(Packet{}, course.t0);
+  course.t0 = max(Number(0.0), course.t0);
   course.stretch = scale * scale / part.radius2;
   return met & (course.t1 > course.t0) & (course.t1 < HUGE_VAL);
+}
+
+// What a part adds to the field at most: that of a positive part is largest where the ray is closest.
+template <class Number>
+HWY_INLINE Number peak_of(const BlobPart& part, const Course<Number>& course) {
+  if (!(part.k2 > 0)) return 0.0;
+  const Number d2 = max(course.nearest2, Number(0.0));
+  return (part.k0 * d2 + part.k1) * d2 + part.k2;
 }
 
 std::uint64_t near_parts(const PartSpheres* spheres, std::size_t blocks, const Vec3& o, const Vec3& d, double apart,
@@ -99,24 +123,28 @@ std::size_t find_pieces(const BlobPart* parts, std::uint64_t near, const LocalPa
   std::size_t found = 0;
   for (; near != 0; near &= near - 1) {
     const BlobPart& part = parts[__builtin_ctzll(near)];
-    Course course;
+    Course<Packet> course;
     const unsigned met = bits(meet(part, o, d, course)) & active;
     if (met == 0) continue;
     PiecePacket& piece = pieces[found++];
     store(piece.t0, course.t0), store(piece.t1, course.t1), store(piece.stretch, course.stretch);
-    // The field of a positive part is largest where the ray is closest.
-    Packet peak{};
-    if (part.k2 > 0) {
-      const Packet d2 = max(course.nearest2, Packet{});
-      peak = (part.k0 * d2 + part.k1) * d2 + part.k2;
-    }
-    store(piece.peak, peak);
+    store(piece.peak, peak_of(part, course));
     piece.part = &part, piece.met = met;
   }
   return found;
 }
 
-const BlobKernels kKernels = {near_parts, parts_around, find_pieces};
+bool find_piece(const BlobPart& part, const Vec3& origin, const Vec3& direction, RayPiece& piece) {
+  using One = PacketOf<1>;
+  Course<One> course;
+  const PacketVector<One> o = {origin.x, origin.y, origin.z}, d = {direction.x, direction.y, direction.z};
+  if (bits(meet(part, o, d, course)) == 0) return false;
+  store(&piece.t0, course.t0), store(&piece.t1, course.t1), store(&piece.stretch, course.stretch);
+  store(&piece.peak, peak_of(part, course));
+  return true;
+}
+
+const BlobKernels kKernels = {near_parts, parts_around, find_pieces, find_piece};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

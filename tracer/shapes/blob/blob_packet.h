@@ -1,5 +1,4 @@
-// The parts of a blob along eight rays at once. Compiled for several instruction sets; every lane does what
-// Blob::add_piece does.
+// The parts of a blob along one ray, and along eight at once. Compiled for several instruction sets.
 #pragma once
 
 #include "tracer/scene/sharing.h"
@@ -31,6 +30,11 @@ struct alignas(64) PiecePacket {
   unsigned met;  // by these lanes
 };
 
+// The same of one ray.
+struct RayPiece {
+  double t0, t1, stretch, peak;
+};
+
 // Spheres around eight parts; behind the last part stand spheres that nothing meets.
 struct alignas(64) PartSpheres {
   double x[8] = {}, y[8] = {}, z[8] = {}, radius[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
@@ -46,6 +50,8 @@ struct BlobKernels {
   // Fills `pieces` with those of `near` that any lane of `active` meets; how many.
   std::size_t (*pieces)(const BlobPart* parts, std::uint64_t near, const LocalPacket& rays, unsigned active,
                         PiecePacket* pieces);
+  // Whether one ray comes within reach of a part, and where.
+  bool (*piece)(const BlobPart& part, const Vec3& origin, const Vec3& direction, RayPiece& piece);
 };
 
 // Those of the best instruction set of this machine.

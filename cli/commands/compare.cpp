@@ -155,6 +155,166 @@ void warn_of_unwritable_reports(const std::vector<std::string>& files) {
   }
 }
 
+// What the options say.
+struct CompareOptions {
+  compare::RunOptions run;
+  compare::Filter filter;
+  std::string json, junit, html, markdown, oracle, oracle_cache, work, baseline, native, test, reference, scene_class;
+  std::vector<std::string> previous, layers;
+  bool github = false, no_cache = false, failed_only = false, quiet = false, color = false, update = false,
+       no_explain = false;
+  std::uint64_t seed = 0;
+
+  CompareOptions() { run.native_time_limit = 600, run.jobs = 0; }
+};
+
+void declare_options(OwnOptions& own, CompareOptions& o) {
+  own.synopsis("SCENE|FOLDER|MANIFEST... [options] [switches]")
+      .summary("render with verisim and POV-Ray and compare every pixel")
+      .example("verisim compare scene.pov +W320 +H240 -A", "one scene")
+      .example("verisim compare scenes/ --html report.html --json report.json", "all scenes below a folder")
+      .section("Reports");
+  own.value("--json FILE", o.json, "write the report as JSON (- for standard output, as for all reports)");
+  own.value("--junit FILE", o.junit, "write the report as JUnit XML");
+  own.value("--html FILE", o.html, "write the report as one HTML page");
+  own.value("--markdown FILE", o.markdown, "write the report as Markdown");
+  own.flag("--github", o.github, "print annotations for GitHub Actions");
+  own.flag("--no-explain", o.no_explain,
+           "do not look for what the wrong pixels of a scene that differs have in common");
+  own.flag("--explain-all", o.run.always_blame, "look for it in scenes that do not differ, too");
+  own.flag("--color", o.color, "colour the table also when it does not go to a terminal");
+  own.flag("--quiet", o.quiet, "no progress, only the table");
+  own.section("Which scenes");
+  own.values("--name PATTERN", o.filter.names,
+             "only scenes whose name matches this pattern or contains it (may be given again)");
+  own.values("--tag TAG", o.filter.tags, "only scenes with this tag (may be given again)");
+  own.flag("--failed", o.failed_only, "only scenes that failed in the report of --previous (the last one)");
+  own.values("--previous FILE", o.previous,
+             "JSON report of an earlier run, for the trend; given again, oldest first, the course over many runs");
+  own.section("How they are rendered");
+  own.value(
+      "--jobs N", o.run.jobs,
+      "scenes at a time; without it as many as keep the cores busy: small scenes wait for POV-Ray side by side, which "
+      "sleeps when it starts");
+  own.value("--threads N", o.run.native_threads, "threads of verisim for one scene; 0: all cores");
+  own.flag("--replay", o.run.replay, "both serial, with POV-Ray's random streams");
+  own.value(
+      "--sandbox[=strict]", process_limits.sandbox,
+      "verisim's own renders run in the sandbox of `verisim render --sandbox`, and nothing is looked for in wrong "
+      "pixels: strict, best-effort or off");
+  own.value("--seed N", o.seed, "another sequence of random numbers for verisim");
+  own.value("--runs N", o.run.runs,
+            "renders of a stochastic scene on each side for Welch's test, 4 if not told otherwise; 1: no such test");
+  own.value("--class CLASS", o.scene_class,
+            "judge all scenes as deterministic or stochastic in the place of what verisim finds in them");
+  own.value("--work FOLDER", o.work, "keep pictures and results in this folder");
+  own.flag("--resume", o.run.resume, "go on with the run in --work that was broken off");
+  own.value("--native-time-limit X", o.run.native_time_limit, "seconds for one render by verisim");
+  own.section("What they are compared with");
+  own.value("--oracle PROGRAM", o.oracle, "a POV-Ray, or another verisim; default: povray in PATH");
+  own.value("--reference COMMAND", o.reference,
+            "any renderer in the place of POV-Ray, as a command like that of --test; needs no POV-Ray");
+  own.value("--oracle-cache FOLDER", o.oracle_cache, "where POV-Ray's renders are kept");
+  own.flag("--no-cache", o.no_cache, "render with POV-Ray anew");
+  own.value("--time-limit X", o.run.oracle.time_limit, "seconds for one render by POV-Ray");
+  own.value("--baseline FOLDER", o.baseline, "compare with the stored pictures in this folder instead of POV-Ray");
+  own.flag("--update", o.update,
+           "say what changed against --baseline, then store verisim's pictures there; needs no POV-Ray");
+  own.section("What is judged");
+  own.value("--native PROGRAM", o.native, "another program to be judged, a verisim or a POV-Ray; default: this one");
+  own.value("--test COMMAND", o.test,
+            "any renderer to be judged, as a command: \"render {scene} {out} {width} {height}\"; also {threads}, "
+            "{seed}, {switches}");
+  own.values("--layer LAYER:LIMITS", o.layers, compare::kLayerHelp);
+}
+
+void check_options(const CompareOptions& o) {
+  if (o.update && o.baseline.empty()) throw OptionError("--update needs --baseline FOLDER");
+  if (o.run.runs < 1 || o.run.runs > 64) throw OptionError("--runs must be 1 to 64");
+  if (!o.scene_class.empty() && o.scene_class != "deterministic" && o.scene_class != "stochastic")
+    throw OptionError("--class must be deterministic or stochastic");
+  if (o.run.resume && o.work.empty()) throw OptionError("--resume needs --work FOLDER");
+  if (o.failed_only && o.previous.empty()) throw OptionError("--failed needs --previous FILE");
+  if (wants_sandbox() && !o.test.empty()) throw OptionError("--sandbox is verisim's: not with --test");
+  if (!o.test.empty() && !o.native.empty())
+    throw OptionError("--native and --test name the same side; give one of them");
+  if (!o.reference.empty() && (!o.baseline.empty() || !o.oracle.empty()))
+    throw OptionError("--reference, --oracle and --baseline name the same side; give one of them");
+  if (o.run.jobs < 0) throw OptionError("--jobs must be at least 1");
+}
+
+// The scenes that are left, with what the options say of all.
+compare::Suite wanted_suite(const std::vector<std::string>& words, CompareOptions& o) {
+  const std::vector<compare::LayerRule> rules = layer_options(o.layers);
+  const SuiteWords given = suite_words(words);
+  compare::Suite suite = compare::load_suite(given.what, given.defaults);
+  for (const std::string& warning : suite.warnings) std::fprintf(stderr, "verisim compare: %s\n", warning.c_str());
+  o.filter.failed_last_time = o.failed_only;
+  if (!o.previous.empty()) o.filter.last_report = o.previous.back();
+  suite = compare::filter(suite, o.filter);
+  if (suite.scenes.empty()) throw OptionError("no scene is left to compare");
+
+  for (compare::SceneRequest& scene : suite.scenes)  // before those of the manifest
+    scene.layers.insert(scene.layers.begin(), rules.begin(), rules.end());
+  if (!o.scene_class.empty())
+    for (compare::SceneRequest& scene : suite.scenes)
+      scene.scene_class =
+          o.scene_class == "stochastic" ? compare::SceneClass::stochastic : compare::SceneClass::deterministic;
+  return suite;
+}
+
+// What the run compares with and keeps.
+void prepare_run(const compare::Suite& suite, CompareOptions& o) {
+  const bool waits = o.baseline.empty() && o.reference.empty();
+  if (o.run.jobs == 0) o.run.jobs = jobs_for(suite, waits);
+  o.run.oracle.program = o.oracle;
+  o.run.oracle.cache = o.oracle_cache;
+  o.run.oracle.use_cache = !o.no_cache;
+  o.run.work = o.work;
+  o.run.baseline = o.baseline;
+  o.run.whole_suite = o.filter.names.empty() && o.filter.tags.empty() && !o.failed_only;
+  o.run.earlier_reports.assign(o.previous.begin(), o.previous.end());
+  if (!o.previous.empty()) o.run.previous_report = o.previous.back();
+  if (!o.quiet) o.run.progress = show_progress;
+}
+
+// Who is judged, by whom, and who says what pixels show. Returns the name of who is judged.
+std::string choose_programs(CompareOptions& o) {
+  const std::string test_name =
+      o.test.empty() ? choose_renderer(o.native, o.seed, o.run) : choose_command(o.test, o.run);
+  if (!o.reference.empty()) {
+    o.run.reference = renderer_of_command("--reference", o.reference);
+    o.run.reference_identity = o.reference, o.run.reference_name = program_name(o.reference);
+  }
+  add_others(o.run);
+  if (o.no_explain || wants_sandbox())
+    o.run.tags = nullptr;
+  else
+    choose_witness(o.oracle, o.test.empty() && o.native.empty(), o.run);
+  return test_name;
+}
+
+// False: a report could not be written.
+bool tell(const compare::Run& result, const CompareOptions& o) {
+  const bool report_to_stdout =
+      o.json == "-" || o.junit == "-" || o.html == "-" || o.markdown == "-";  // which is then the report's alone
+  std::FILE* const people = report_to_stdout ? stderr : stdout;
+  std::fputs(compare::terminal_table(result, o.color || isatty(fileno(people)) != 0, terminal_columns(people)).c_str(),
+             people);
+  if (o.github) std::fputs(compare::github_annotations(result).c_str(), stdout);
+  return write_reports(result, {{o.json, compare::json_report},
+                                {o.junit, compare::junit_report},
+                                {o.html, compare::html_report},
+                                {o.markdown, compare::markdown_report}});
+}
+
+int keep_as_baseline(const compare::Run& result, const CompareOptions& o, bool written) {
+  for (const std::string& line : compare::update_baseline(result, o.baseline, true)) std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+  compare::update_baseline(result, o.baseline, false);
+  return written ? kOk : kInputOutput;
+}
+
 }  // namespace
 
 int command_compare(const std::vector<std::string>& arguments) {
@@ -162,147 +322,24 @@ int command_compare(const std::vector<std::string>& arguments) {
                  "Renders scenes with verisim and POV-Ray and compares every pixel. Scenes are files, all scenes below "
                  "a folder, or those of a manifest (verisim.toml). Switches in POV-Ray's style (+W320 +A0.3) go to "
                  "both.");
-  compare::RunOptions run;
-  compare::Filter filter;
-  std::string json, junit, html, markdown, oracle, oracle_cache, work, baseline, native, test, reference, scene_class;
-  std::vector<std::string> previous, layers;
-  bool github = false, no_cache = false, failed_only = false, quiet = false, color = false, update = false,
-       no_explain = false;
-  run.native_time_limit = 600;
-  run.jobs = 0;
-  std::uint64_t seed = 0;
-  own.synopsis("SCENE|FOLDER|MANIFEST... [options] [switches]")
-      .summary("render with verisim and POV-Ray and compare every pixel")
-      .example("verisim compare scene.pov +W320 +H240 -A", "one scene")
-      .example("verisim compare scenes/ --html report.html --json report.json", "all scenes below a folder")
-      .section("Reports");
-  own.value("--json FILE", json, "write the report as JSON (- for standard output, as for all reports)");
-  own.value("--junit FILE", junit, "write the report as JUnit XML");
-  own.value("--html FILE", html, "write the report as one HTML page");
-  own.value("--markdown FILE", markdown, "write the report as Markdown");
-  own.flag("--github", github, "print annotations for GitHub Actions");
-  own.flag("--no-explain", no_explain, "do not look for what the wrong pixels of a scene that differs have in common");
-  own.flag("--explain-all", run.always_blame, "look for it in scenes that do not differ, too");
-  own.flag("--color", color, "colour the table also when it does not go to a terminal");
-  own.flag("--quiet", quiet, "no progress, only the table");
-  own.section("Which scenes");
-  own.values("--name PATTERN", filter.names,
-             "only scenes whose name matches this pattern or contains it (may be given again)");
-  own.values("--tag TAG", filter.tags, "only scenes with this tag (may be given again)");
-  own.flag("--failed", failed_only, "only scenes that failed in the report of --previous (the last one)");
-  own.values("--previous FILE", previous,
-             "JSON report of an earlier run, for the trend; given again, oldest first, the course over many runs");
-  own.section("How they are rendered");
-  own.value(
-      "--jobs N", run.jobs,
-      "scenes at a time; without it as many as keep the cores busy: small scenes wait for POV-Ray side by side, which "
-      "sleeps when it starts");
-  own.value("--threads N", run.native_threads, "threads of verisim for one scene; 0: all cores");
-  own.flag("--replay", run.replay, "both serial, with POV-Ray's random streams");
-  own.value(
-      "--sandbox[=strict]", process_limits.sandbox,
-      "verisim's own renders run in the sandbox of `verisim render --sandbox`, and nothing is looked for in wrong "
-      "pixels: strict, best-effort or off");
-  own.value("--seed N", seed, "another sequence of random numbers for verisim");
-  own.value("--runs N", run.runs,
-            "renders of a stochastic scene on each side for Welch's test, 4 if not told otherwise; 1: no such test");
-  own.value("--class CLASS", scene_class,
-            "judge all scenes as deterministic or stochastic in the place of what verisim finds in them");
-  own.value("--work FOLDER", work, "keep pictures and results in this folder");
-  own.flag("--resume", run.resume, "go on with the run in --work that was broken off");
-  own.value("--native-time-limit X", run.native_time_limit, "seconds for one render by verisim");
-  own.section("What they are compared with");
-  own.value("--oracle PROGRAM", oracle, "a POV-Ray, or another verisim; default: povray in PATH");
-  own.value("--reference COMMAND", reference,
-            "any renderer in the place of POV-Ray, as a command like that of --test; needs no POV-Ray");
-  own.value("--oracle-cache FOLDER", oracle_cache, "where POV-Ray's renders are kept");
-  own.flag("--no-cache", no_cache, "render with POV-Ray anew");
-  own.value("--time-limit X", run.oracle.time_limit, "seconds for one render by POV-Ray");
-  own.value("--baseline FOLDER", baseline, "compare with the stored pictures in this folder instead of POV-Ray");
-  own.flag("--update", update,
-           "say what changed against --baseline, then store verisim's pictures there; needs no POV-Ray");
-  own.section("What is judged");
-  own.value("--native PROGRAM", native, "another program to be judged, a verisim or a POV-Ray; default: this one");
-  own.value("--test COMMAND", test,
-            "any renderer to be judged, as a command: \"render {scene} {out} {width} {height}\"; also {threads}, "
-            "{seed}, {switches}");
-  own.values("--layer LAYER:LIMITS", layers, compare::kLayerHelp);
+  CompareOptions o;
+  declare_options(own, o);
   const std::vector<std::string> words = own.parse(arguments);
   if (words.empty()) throw OptionError("name scenes, folders or manifests (verisim.toml)");
-  if (update && baseline.empty()) throw OptionError("--update needs --baseline FOLDER");
-  if (run.runs < 1 || run.runs > 64) throw OptionError("--runs must be 1 to 64");
-  if (!scene_class.empty() && scene_class != "deterministic" && scene_class != "stochastic")
-    throw OptionError("--class must be deterministic or stochastic");
-  if (run.resume && work.empty()) throw OptionError("--resume needs --work FOLDER");
-  if (failed_only && previous.empty()) throw OptionError("--failed needs --previous FILE");
-  if (wants_sandbox() && !test.empty()) throw OptionError("--sandbox is verisim's: not with --test");
-  if (!test.empty() && !native.empty()) throw OptionError("--native and --test name the same side; give one of them");
-  if (!reference.empty() && (!baseline.empty() || !oracle.empty()))
-    throw OptionError("--reference, --oracle and --baseline name the same side; give one of them");
-  if (run.jobs < 0) throw OptionError("--jobs must be at least 1");
-
-  const std::vector<compare::LayerRule> rules = layer_options(layers);
-  const SuiteWords given = suite_words(words);
-  compare::Suite suite = compare::load_suite(given.what, given.defaults);
-  for (const std::string& warning : suite.warnings) std::fprintf(stderr, "verisim compare: %s\n", warning.c_str());
-  filter.failed_last_time = failed_only;
-  if (!previous.empty()) filter.last_report = previous.back();
-  suite = compare::filter(suite, filter);
-  if (suite.scenes.empty()) throw OptionError("no scene is left to compare");
-
-  for (compare::SceneRequest& scene : suite.scenes)  // before those of the manifest
-    scene.layers.insert(scene.layers.begin(), rules.begin(), rules.end());
-  const bool waits = baseline.empty() && reference.empty();
-  if (run.jobs == 0) run.jobs = jobs_for(suite, waits);
-  if (!scene_class.empty())
-    for (compare::SceneRequest& scene : suite.scenes)
-      scene.scene_class =
-          scene_class == "stochastic" ? compare::SceneClass::stochastic : compare::SceneClass::deterministic;
-
-  run.oracle.program = oracle;
-  run.oracle.cache = oracle_cache;
-  run.oracle.use_cache = !no_cache;
-  run.work = work;
-  run.baseline = baseline;
-  run.whole_suite = filter.names.empty() && filter.tags.empty() && !failed_only;
-  run.earlier_reports.assign(previous.begin(), previous.end());
-  if (!previous.empty()) run.previous_report = previous.back();
-  if (!quiet) run.progress = show_progress;
+  check_options(o);
+  const compare::Suite suite = wanted_suite(words, o);
+  prepare_run(suite, o);
   Interrupt interrupt;
-  run.cancel = &interrupt.flag();
+  o.run.cancel = &interrupt.flag();
 
-  warn_of_unwritable_reports({json, junit, html, markdown});
+  warn_of_unwritable_reports({o.json, o.junit, o.html, o.markdown});
   try {
-    const std::string test_name = test.empty() ? choose_renderer(native, seed, run) : choose_command(test, run);
-    if (!reference.empty()) {
-      run.reference = renderer_of_command("--reference", reference);
-      run.reference_identity = reference, run.reference_name = program_name(reference);
-    }
-    add_others(run);
-    if (no_explain || wants_sandbox())
-      run.tags = nullptr;
-    else
-      choose_witness(oracle, test.empty() && native.empty(), run);
-    compare::Run result = compare::run_suite(suite, run);
+    const std::string test_name = choose_programs(o);
+    compare::Run result = compare::run_suite(suite, o.run);
     result.test_name = test_name;
-    const bool report_to_stdout =
-        json == "-" || junit == "-" || html == "-" || markdown == "-";  // which is then the report's alone
-    std::FILE* const people = report_to_stdout ? stderr : stdout;
-    std::fputs(compare::terminal_table(result, color || isatty(fileno(people)) != 0, terminal_columns(people)).c_str(),
-               people);
-    if (github) std::fputs(compare::github_annotations(result).c_str(), stdout);
-    const bool written = write_reports(result, {{json, compare::json_report},
-                                                {junit, compare::junit_report},
-                                                {html, compare::html_report},
-                                                {markdown, compare::markdown_report}});
+    const bool written = tell(result, o);
     if (result.cancelled) return kInterrupted;
-    if (update) {
-      for (const std::string& line : compare::update_baseline(result, baseline, true))
-        std::printf("%s\n", line.c_str());
-      std::fflush(stdout);
-      compare::update_baseline(result, baseline, false);
-      return written ? kOk : kInputOutput;
-    }
+    if (o.update) return keep_as_baseline(result, o, written);
     return !written ? kInputOutput : result.summary.failed() ? kDifferent : kOk;
   } catch (const compare::OracleMissing& missing) {
     std::fprintf(stderr, "verisim compare: %s\n", missing.what());

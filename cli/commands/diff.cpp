@@ -106,81 +106,91 @@ int diff_folders(const std::string& reference, const std::string& test, const co
   return run.summary.failed() ? kDifferent : kOk;
 }
 
-}  // namespace
-
-int command_diff(const std::vector<std::string>& arguments) {
-  OwnOptions own("diff",
-                 "Compares two pictures, or all pictures of two folders by their names, pixel by pixel. Exit status 0 "
-                 "when they match, 1 when they do not.");
+// What the options say.
+struct DiffOptions {
   std::string json, html, heat_map;
   std::vector<std::string> thresholds, fits, targets, layer_limits;
   std::string crop, corners, pick;
   compare::MetricOptions metric;
   double gain = 16;
   bool color = false, antialiased = false;
+};
+
+void declare_options(OwnOptions& own, DiffOptions& o) {
   own.synopsis("REFERENCE PICTURE [options]")
       .summary("how much two pictures differ")
       .example("verisim diff povray.png verisim.png --heat-map difference.png",
                "figures, and where the differences are")
       .section("Reports");
-  own.value("--json FILE", json, "write the figures as JSON (- for standard output)");
-  own.value("--html FILE", html, "write a page with both pictures and their difference");
-  own.value("--heat-map FILE", heat_map, "write the difference as a picture (PNG)");
-  own.value("--gain X", gain, "factor for the differences of the heat map (16)");
-  own.flag("--color", color, "colour the table also when it does not go to a terminal");
+  own.value("--json FILE", o.json, "write the figures as JSON (- for standard output)");
+  own.value("--html FILE", o.html, "write a page with both pictures and their difference");
+  own.value("--heat-map FILE", o.heat_map, "write the difference as a picture (PNG)");
+  own.value("--gain X", o.gain, "factor for the differences of the heat map (16)");
+  own.flag("--color", o.color, "colour the table also when it does not go to a terminal");
   own.section("What counts as the same");
-  own.values("--threshold LIMIT", thresholds,
+  own.values("--threshold LIMIT", o.thresholds,
              "in place of the usual rules: max_rmse=1.5, min_within_1_pct=99 ... (may be given again)");
-  own.values("--layer LAYER:LIMITS", layer_limits, compare::kLayerHelp);
-  own.flag("--antialiased", antialiased,
+  own.values("--layer LAYER:LIMITS", o.layer_limits, compare::kLayerHelp);
+  own.flag("--antialiased", o.antialiased,
            "the pictures are anti-aliased: differences of 2/255 are allowed where 1/255 would be");
-  own.value("--pixels-per-degree X", metric.flip_pixels_per_degree, "how large the pictures are seen, for FLIP");
+  own.value("--pixels-per-degree X", o.metric.flip_pixels_per_degree, "how large the pictures are seen, for FLIP");
   own.section("Photographs");
-  own.value("--crop X,Y,WIDTH,HEIGHT", crop,
+  own.value("--crop X,Y,WIDTH,HEIGHT", o.crop,
             "the part of the reference, a photograph, that the picture shows; averaged to its size");
-  own.value("--corners X,Y,X,Y,X,Y,X,Y", corners,
+  own.value("--corners X,Y,X,Y,X,Y,X,Y", o.corners,
             "where the picture's corners are in the reference, a photograph, from the upper left one clockwise; a few "
             "pixels off is near enough: they are refined");
-  own.value("--pick FILE", pick,
+  own.value("--pick FILE", o.pick,
             "compare nothing: write a page in which the four corners are picked by the mouse, and which says what to "
             "type");
-  own.values("--fit WHAT", fits,
+  own.values("--fit WHAT", o.fits,
              "fit exposure, white_balance, the lens's distortion (with --corners) or vignetting (may be given again)");
-  own.values("--target X,Y,WIDTH,HEIGHT=R,G,B", targets,
+  own.values("--target X,Y,WIDTH,HEIGHT=R,G,B", o.targets,
              "a patch of a colour chart in the photograph, in the picture's pixels, and its known sRGB colour: the "
              "photograph's colours are mended by all of them");
+}
+
+}  // namespace
+
+int command_diff(const std::vector<std::string>& arguments) {
+  OwnOptions own("diff",
+                 "Compares two pictures, or all pictures of two folders by their names, pixel by pixel. Exit status 0 "
+                 "when they match, 1 when they do not.");
+  DiffOptions o;
+  declare_options(own, o);
   const std::vector<std::string> words = own.parse(arguments);
   if (words.size() != 2) throw OptionError("two pictures are needed: verisim diff REFERENCE PICTURE");
 
-  if (!pick.empty()) {
-    compare::write_report(compare::corner_page(words[0], words[1]), pick);
+  if (!o.pick.empty()) {
+    compare::write_report(compare::corner_page(words[0], words[1]), o.pick);
     return kOk;
   }
-  compare::FitOptions wanted = fit_options(crop, corners, fits);
+  compare::FitOptions wanted = fit_options(o.crop, o.corners, o.fits);
   try {
-    for (const std::string& target : targets) wanted.targets.push_back(compare::color_target_of(target));
+    for (const std::string& target : o.targets) wanted.targets.push_back(compare::color_target_of(target));
   } catch (const std::invalid_argument& error) {
     throw OptionError(std::string("--target ") + error.what());
   }
-  const compare::Thresholds limits = threshold_options(thresholds);
-  const std::vector<compare::LayerRule> rules = layer_options(layer_limits);
+  const compare::Thresholds limits = threshold_options(o.thresholds);
+  const std::vector<compare::LayerRule> rules = layer_options(o.layer_limits);
   if (std::filesystem::is_directory(words[0]) && std::filesystem::is_directory(words[1])) {
-    if (wanted.any() || !heat_map.empty())
+    if (wanted.any() || !o.heat_map.empty())
       throw OptionError(
           "--crop, --corners, --fit, --target and --heat-map are for one pair of pictures, not for folders");
-    return diff_folders(words[0], words[1], {metric, limits, rules, antialiased}, json, html, color);
+    return diff_folders(words[0], words[1], {o.metric, limits, rules, o.antialiased}, o.json, o.html, o.color);
   }
   compare::Pair pair{words[0], words[1], {}, {}, {}, {}};
   compare::Layers layers;
   Progress progress;
-  metric.progress = [&](double done) { progress.show(done); };
+  o.metric.progress = [&](double done) { progress.show(done); };
   try {
     if (wanted.any()) {
       pair.fitted = compare::fit_to_reference(image::read_picture(words[0]), image::read_picture(words[1]), wanted);
-      pair.metrics = compare::measure(pair.fitted->reference, pair.fitted->test, metric);
+      pair.metrics = compare::measure(pair.fitted->reference, pair.fitted->test, o.metric);
     } else {
-      pair.metrics = compare::measure_files(words[0], words[1], metric);  // row by row, without holding them in memory
-      layers = compare::compare_layers(words[0], words[1], rules, antialiased);
+      pair.metrics =
+          compare::measure_files(words[0], words[1], o.metric);  // row by row, without holding them in memory
+      layers = compare::compare_layers(words[0], words[1], rules, o.antialiased);
       pair.layers = layers.all;
     }
   } catch (const compare::PictureMismatch& mismatch) {
@@ -189,29 +199,29 @@ int command_diff(const std::vector<std::string>& arguments) {
   }
   progress.end();
   try {
-    pair.verdict = limits.empty() ? compare::judge_deterministic(pair.metrics, antialiased)
+    pair.verdict = limits.empty() ? compare::judge_deterministic(pair.metrics, o.antialiased)
                                   : compare::judge_thresholds(pair.metrics, limits);
     pair.verdict = compare::with_layers(pair.verdict, layers);
   } catch (const std::invalid_argument& error) {
     throw OptionError(error.what());
   }
   const compare::Verdict& verdict = pair.verdict;
-  std::FILE* const people = json == "-" || html == "-" ? stderr : stdout;  // standard output is the report's alone
-  std::fputs(compare::terminal_metrics(pair.metrics, color || isatty(fileno(people)) != 0).c_str(), people);
+  std::FILE* const people = o.json == "-" || o.html == "-" ? stderr : stdout;  // standard output is the report's alone
+  std::fputs(compare::terminal_metrics(pair.metrics, o.color || isatty(fileno(people)) != 0).c_str(), people);
   std::fputs(compare::terminal_layers(pair.layers).c_str(), people);
   if (pair.fitted && !pair.fitted->fit.text().empty()) std::fprintf(people, "%s\n", pair.fitted->fit.text().c_str());
   std::fprintf(people, "%s%s%s\n", compare::to_string(verdict.status), verdict.reason.empty() ? "" : ": ",
                verdict.reason.c_str());
-  if (!json.empty() || !html.empty()) {
+  if (!o.json.empty() || !o.html.empty()) {
     const compare::Run run = compare::run_of_pair(pair);
-    if (!json.empty()) compare::write_report(compare::pair_json(run), json);
-    if (!html.empty()) compare::write_report(compare::html_report(run), html);
+    if (!o.json.empty()) compare::write_report(compare::pair_json(run), o.json);
+    if (!o.html.empty()) compare::write_report(compare::html_report(run), o.html);
   }
-  if (!heat_map.empty()) {
+  if (!o.heat_map.empty()) {
     if (pair.fitted)
-      compare::write_heat_map(pair.fitted->reference, pair.fitted->test, heat_map, gain);
+      compare::write_heat_map(pair.fitted->reference, pair.fitted->test, o.heat_map, o.gain);
     else
-      compare::write_heat_map(pair.reference, pair.test, heat_map, gain);
+      compare::write_heat_map(pair.reference, pair.test, o.heat_map, o.gain);
   }
   return verdict.status == compare::Status::exact || verdict.status == compare::Status::match ? kOk : kDifferent;
 }

@@ -161,72 +161,107 @@ void write_story(const StoryFiles& files, PixelStory story, const scene::Scene& 
   }
 }
 
-}  // namespace
-
-int command_explain(const std::vector<std::string>& arguments) {
+// What the options say.
+struct ExplainOptions {
   Options options;
   bool no_oracle = false;
   std::string tags;
   StoryFiles story_files;
   int step = 1;
   std::vector<std::string> trees;
-  OwnOptions own("explain",
-                 "Shows how one pixel came to be, as a tree of rays: hits, textures, lights. X and Y count from 0 at "
-                 "the top left, whole numbers are centres of pixels; without anti-aliasing. Without a pixel it "
-                 "compares the scene with POV-Ray and says "
-                 "what the wrong pixels have in common.");
+};
+
+void declare_options(OwnOptions& own, ExplainOptions& o) {
   own.synopsis("SCENE [X Y] [options] [switches]")
       .summary("how one pixel came to be")
       .example("verisim explain scene.pov 320 200 +W640 +H480", "the rays behind the pixel in column 320, row 200")
       .example("verisim explain scene.pov 320 200 --html pixel.html", "the same as a page, with the rays drawn")
       .example("verisim explain scene.pov", "what the pixels have in common that differ from POV-Ray's")
       .section("Options");
-  own.flag("--no-oracle", no_oracle, "do not ask POV-Ray for its colour");
-  own.value("--html FILE", story_files.html,
+  own.flag("--no-oracle", o.no_oracle, "do not ask POV-Ray for its colour");
+  own.value("--html FILE", o.story_files.html,
             "write the rays as a page, too: drawn from all sides, and the sum that makes the colour");
-  own.value("--svg FILE", story_files.svg, "write a drawing of the rays, too");
-  own.value("--from AZIMUTH,ELEVATION", story_files.from,
+  own.value("--svg FILE", o.story_files.svg, "write a drawing of the rays, too");
+  own.value("--from AZIMUTH,ELEVATION", o.story_files.from,
             "the way --svg looks, in degrees; 0,0: along +z; 90,0: along +x; 0,90: down");
-  own.value("--json FILE", story_files.json, "write the tree as JSON, too (docs/view.md)");
-  own.value("--tags FILE", tags, "write what every pixel shows (objects, patterns, lights, features) as JSON");
-  own.value("--tags-step N", step, "only every so many pixels and rows, for --tags");
-  own.values("--tree X,Y", trees, "put the ray tree of this pixel into the file of --tags, too (may be given again)");
-  add_pixel_options(own, options);
+  own.value("--json FILE", o.story_files.json, "write the tree as JSON, too (docs/view.md)");
+  own.value("--tags FILE", o.tags, "write what every pixel shows (objects, patterns, lights, features) as JSON");
+  own.value("--tags-step N", o.step, "only every so many pixels and rows, for --tags");
+  own.values("--tree X,Y", o.trees, "put the ray tree of this pixel into the file of --tags, too (may be given again)");
+  add_pixel_options(own, o.options);
   refuse_render_options(own);
   own.switches({Topic::scene, Topic::size, Topic::speed, Topic::animation, Topic::messages});
-  const std::vector<std::string> words = own.parse(arguments), files = apply_words(options, words);
-  if (files.size() == 1 && tags.empty()) {
-    if (wants_sandbox()) throw OptionError("--sandbox does not let POV-Ray run: give a pixel, too");
-    return explain_scene(words, options.replay);
+}
+
+// What POV-Ray says of the pixel.
+std::string asked_oracle(const SceneSource& scene, const Options& options, const std::vector<std::string>& words, int x,
+                         int y, std::vector<fs::path> files_read) {
+  std::vector<std::string> switches;
+  for (const std::string& word : words)
+    if (is_setting_word(word)) switches.push_back(word);
+  std::optional<SpooledScene> spooled;
+  if (scene.text) {  // POV-Ray needs a file, and the folder that the text's includes are in
+    files_read.push_back(spooled.emplace(scene).path());
+    switches.push_back("+L" + fs::current_path().string());
   }
-  if (files.size() != (tags.empty() ? 3 : 1))
+  return oracle_pixel(spooled ? spooled->path() : scene.path, options, switches, x, y, files_read);
+}
+
+PixelStory story_of(const RayTree& tree, const SceneSource& scene, const Options& options, const scene::Scene& parsed,
+                    const Color& color, double x, double y) {
+  PixelStory story;
+  story.json = tree.json();
+  story.json["scene"] = scene.path.string(), story.json["x"] = x, story.json["y"] = y,
+  story.json["text"] = tree.lines();
+  story.json["linear"] = {color.r, color.g, color.b}, story.json["stored"] = stored(color, parsed, options);
+  story.title = fmt::format("{}, pixel {:.6g}, {:.6g}", scene.path.filename().string(), x, y);
+  story.width = options.width, story.height = options.height, story.x = x, story.y = y;
+  return story;
+}
+
+}  // namespace
+
+int command_explain(const std::vector<std::string>& arguments) {
+  ExplainOptions o;
+  OwnOptions own("explain",
+                 "Shows how one pixel came to be, as a tree of rays: hits, textures, lights. X and Y count from 0 at "
+                 "the top left, whole numbers are centres of pixels; without anti-aliasing. Without a pixel it "
+                 "compares the scene with POV-Ray and says "
+                 "what the wrong pixels have in common.");
+  declare_options(own, o);
+  const std::vector<std::string> words = own.parse(arguments), files = apply_words(o.options, words);
+  if (files.size() == 1 && o.tags.empty()) {
+    if (wants_sandbox()) throw OptionError("--sandbox does not let POV-Ray run: give a pixel, too");
+    return explain_scene(words, o.options.replay);
+  }
+  if (files.size() != (o.tags.empty() ? 3 : 1))
     throw OptionError("a scene and a pixel are needed: verisim explain SCENE X Y [switches]");
-  if (step < 1) throw OptionError("--tags-step must be at least 1");
-  if (options.replay && tags.empty())
+  if (o.step < 1) throw OptionError("--tags-step must be at least 1");
+  if (o.options.replay && o.tags.empty())
     throw OptionError(
         "--replay: a pixel's random numbers hang on all pixels before it; `verisim explain SCENE --replay` compares "
         "the whole picture");
-  options.input_file = files[0];
-  options.antialias = false;
-  validate(options);
-  story_files.angles();  // before the work
-  const double x = tags.empty() ? coordinate(files[1], options.width, "X") : 0,
-               y = tags.empty() ? coordinate(files[2], options.height, "Y") : 0;
-  if (x != std::floor(x) || y != std::floor(y)) no_oracle = true;  // POV-Ray tells the colours of centres only
-  const SceneSource scene = open_scene(options);
-  if (!scene.found()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", options.input_file));
+  o.options.input_file = files[0];
+  o.options.antialias = false;
+  validate(o.options);
+  o.story_files.angles();  // before the work
+  const double x = o.tags.empty() ? coordinate(files[1], o.options.width, "X") : 0,
+               y = o.tags.empty() ? coordinate(files[2], o.options.height, "Y") : 0;
+  if (x != std::floor(x) || y != std::floor(y)) o.no_oracle = true;  // POV-Ray tells the colours of centres only
+  const SceneSource scene = open_scene(o.options);
+  if (!scene.found()) throw std::runtime_error(fmt::format("cannot find the scene '{}'", o.options.input_file));
   if (wants_sandbox()) {
-    no_oracle = true;
-    Policy policy = policy_of(options, {scene});
-    confine_scene(options, policy);
-    for (const std::string& file : {story_files.json, story_files.html, story_files.svg, tags})
+    o.no_oracle = true;
+    Policy policy = policy_of(o.options, {scene});
+    confine_scene(o.options, policy);
+    for (const std::string& file : {o.story_files.json, o.story_files.html, o.story_files.svg, o.tags})
       if (!file.empty() && file != "-") grant_output(policy, file);
     enter_sandbox(policy);
   }
 
-  Console console(options, Style::verisim);
-  Interrupt interrupt(watch(options, console));
-  const Job job{options, console, interrupt, scene, animation(options)};
+  Console console(o.options, Style::verisim);
+  Interrupt interrupt(watch(o.options, console));
+  const Job job{o.options, console, interrupt, scene, animation(o.options)};
   parser::Origins origins;
   parser::ParseOptions parse = parse_options(job, job.animation.frame(0));
   parse.origins = &origins;
@@ -239,11 +274,11 @@ int command_explain(const std::vector<std::string>& arguments) {
   }
   RayTree tree(&origins);
   Color color;
-  const render::Options render = render_options(job, {0, options.width - 1, 0, options.height - 1});
+  const render::Options render = render_options(job, {0, o.options.width - 1, 0, o.options.height - 1});
   try {
     render::Explainer explainer(*parsed.scene, render);
-    if (!tags.empty()) {
-      write_tags(tags, step, trees, explainer, *parsed.scene, origins, options);
+    if (!o.tags.empty()) {
+      write_tags(o.tags, o.step, o.trees, explainer, *parsed.scene, origins, o.options);
       return kOk;
     }
     color = explainer.pixel(x, y, tree);
@@ -251,33 +286,18 @@ int command_explain(const std::vector<std::string>& arguments) {
     std::fprintf(stderr, "verisim explain: %s\n", missing.what());
     return kUnsupported;
   }
-  std::printf("%s, pixel (%.6g, %.6g) of %d by %d\n%s", scene.path.string().c_str(), x, y, options.width,
-              options.height, tree.lines().c_str());
+  std::printf("%s, pixel (%.6g, %.6g) of %d by %d\n%s", scene.path.string().c_str(), x, y, o.options.width,
+              o.options.height, tree.lines().c_str());
   std::printf("linear %s, in a file of 8 bits %s\n", text(color.rgb()).c_str(),
-              fmt::format("{}", fmt::join(stored(color, *parsed.scene, options), " ")).c_str());
-  PixelStory story;
-  story.json = tree.json();
-  story.json["scene"] = scene.path.string(), story.json["x"] = x, story.json["y"] = y,
-  story.json["text"] = tree.lines();
-  story.json["linear"] = {color.r, color.g, color.b}, story.json["stored"] = stored(color, *parsed.scene, options);
-  story.title = fmt::format("{}, pixel {:.6g}, {:.6g}", scene.path.filename().string(), x, y);
-  story.width = options.width, story.height = options.height, story.x = x, story.y = y;
-  if (!no_oracle) {
-    std::vector<std::string> switches;
-    for (const std::string& word : words)
-      if (is_setting_word(word)) switches.push_back(word);
-    std::optional<SpooledScene> spooled;
-    std::vector<fs::path> files_read = parsed.files_read;
-    if (scene.text) {  // POV-Ray needs a file, and the folder that the text's includes are in
-      files_read.push_back(spooled.emplace(scene).path());
-      switches.push_back("+L" + fs::current_path().string());
-    }
-    const std::string told = oracle_pixel(spooled ? spooled->path() : scene.path, options, switches,
-                                          static_cast<int>(x), static_cast<int>(y), files_read);
+              fmt::format("{}", fmt::join(stored(color, *parsed.scene, o.options), " ")).c_str());
+  PixelStory story = story_of(tree, scene, o.options, *parsed.scene, color, x, y);
+  if (!o.no_oracle) {
+    const std::string told =
+        asked_oracle(scene, o.options, words, static_cast<int>(x), static_cast<int>(y), parsed.files_read);
     std::printf("%s\n", told.c_str());
     story.json["oracle"] = told;
   }
-  if (story_files.wanted()) write_story(story_files, std::move(story), *parsed.scene, options, render);
+  if (o.story_files.wanted()) write_story(o.story_files, std::move(story), *parsed.scene, o.options, render);
   return kOk;
 }
 

@@ -6,32 +6,11 @@
 
 #include "cli/page/page.h"
 #include "cli/rays/ray_drawing.h"
+#include "compare/report/html.h"
+#include "compare/report/markup.h"
 
 namespace verisim::cli {
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    if (c == '&')
-      html += "&amp;";
-    else if (c == '<')
-      html += "&lt;";
-    else if (c == '"')
-      html += "&quot;";
-    else
-      html += c;
-  }
-  return html;
-}
-
-// JSON in a script element: nothing in it may look like the element's end.
-std::string inert(const nlohmann::json& json) {
-  std::string text;
-  for (const char c : json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace))
-    text += c == '<' ? std::string("\\u003c") : std::string(1, c);
-  return text;
-}
 
 std::string filled(const std::string& page, const std::map<std::string, std::string>& places) {
   std::string out;
@@ -63,10 +42,10 @@ std::string ray_page(const PixelStory& story, SideView& scene) {
     views += fmt::format("<div{}>{}</div>\n", i == 0 ? "" : " hidden",
                          ray_svg(rays, view, {kWidth, kHeight, behind, false}));
   }
-  return filled(kRaysHtml, {{"TITLE", escaped(story.title)},
+  return filled(kRaysHtml, {{"TITLE", compare::markup_escaped(story.title)},
                             {"CSS", kViewCss},
                             {"SCRIPT", kStoryJs},
-                            {"STORY", inert(story.json)},
+                            {"STORY", compare::script_safe(story.json)},
                             {"PICTURE", data_address(story.picture)},
                             {"WIDTH", std::to_string(story.width)},
                             {"HEIGHT", std::to_string(story.height)},

@@ -9,6 +9,7 @@
 #include "compare/report/known_answers.h"
 #include "compare/report/verisimilitude.h"
 #include "compare/report/markdown_cell.h"
+#include "compare/report/markup.h"
 
 namespace verisim::compare {
 namespace {
@@ -139,26 +140,7 @@ std::string trend(const SceneResult& s) {
   return "";
 }
 
-std::string xml(const std::string& text) {
-  std::string out;
-  for (char c : printable(text)) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  return out;
-}
+std::string xml(const std::string& text) { return markup_escaped(printable(text)); }
 
 }  // namespace
 

@@ -110,7 +110,8 @@ bool Parser::Impl::skip_statement() {
     if (!declares && !is_message(word) && word != Word::default_) return false;
     ++at;
   }
-  if (first->kind != TokenKind::directive && file->hash_before(*first) != std::string_view::npos) {
+  if (first->kind != TokenKind::directive && first->kind != TokenKind::end &&
+      file->hash_before(*first) != std::string_view::npos) {
     const MeantDirective meant = meant_directive(file->source->text().substr(first->offset, file->length(*first)));
     if (at[1].kind == TokenKind::identifier) recovery.failed_names.insert(at[1].id());  // #Declare NAME
     if (meant.opens) return skip_block_of_directives();

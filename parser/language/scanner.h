@@ -215,21 +215,19 @@ class Scanner {
 
   // Numbers and floats at once; everything else is a factor.
   bool operand(Term& out, int depth) {
-    if (at_[1].punctuation != '.') {
-      if (at_->kind == TokenKind::number) {
-        out.set(at_->number());
-        advance();
-        return at_->punctuation != '.';
-      }
-      if (at_->kind == TokenKind::identifier) {
-        const Symbol* symbol = p_.names[at_->id()].symbol;
-        if (symbol && !symbol->element_of && !symbol->deprecation) {
-          const auto* n = std::get_if<Numeric>(&symbol->variable->value);
-          if (n && n->terms == 1) {
-            out.set(n->v[0]);
-            advance();
-            return at_->punctuation != '.';
-          }
+    if (at_->kind == TokenKind::number) {
+      out.set(at_->number());
+      advance();
+      return at_->punctuation != '.';
+    }
+    if (at_->kind == TokenKind::identifier && at_[1].punctuation != '.') {
+      const Symbol* symbol = p_.names[at_->id()].symbol;
+      if (symbol && !symbol->element_of && !symbol->deprecation) {
+        const auto* n = std::get_if<Numeric>(&symbol->variable->value);
+        if (n && n->terms == 1) {
+          out.set(n->v[0]);
+          advance();
+          return at_->punctuation != '.';
         }
       }
     }

@@ -86,9 +86,8 @@ std::size_t Parser::Impl::subscripts(const Array& array) {
     const Live live(*this);
     const double value = scalar();
     if (peek().punctuation != ']') expected("]");
-    const int i = to_int(value + kEps);
-    if (!(value >= -kEps) || i >= size)
-      error(Code::subscript_range, fmt::format("Array subscript out of range: {} of {}.", value, size));
+    const int i = subscripted(value, size);
+    if (i < 0) error(Code::subscript_range, fmt::format("Array subscript out of range: {} of {}.", value, size));
     skip_token();
     element = element * static_cast<std::size_t>(size) + static_cast<std::size_t>(i);
   }

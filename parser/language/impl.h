@@ -31,6 +31,12 @@ inline int to_int(double value) {
   return static_cast<int>(value);
 }
 
+// The element that a subscript means, of so many; negative: none of them.
+inline int subscripted(double subscript, int size) {
+  const double element = subscript + kEps;
+  return subscript >= -kEps && element < size ? static_cast<int>(element) : -1;
+}
+
 // strings.cpp: text of a program, in code units of 16 bits.
 std::u16string from_utf8(std::string_view text);
 

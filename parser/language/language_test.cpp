@@ -174,8 +174,9 @@ TEST(Arrays, Subscripts) {
   EXPECT_EQ(number("dimensions(B)", a), "2");
   EXPECT_EQ(number("dimension_size(D,1)", "#declare D=array[2.9];"), "2");
   EXPECT_EQ(number("A[1]", a + "#declare E=A; #declare E[1]=70;"), "2");
-  for (const char* bad : {"A[3]", "A[-1]", "B[1]", "A/*c*/[0]"})
+  for (const char* bad : {"A[3]", "A[-1]", "B[1]", "A/*c*/[0]", "A[1e300]", "A[-1e300]", "0+A[1e300]", "B[0][3e9]"})
     EXPECT_FALSE(accepts(a + "#declare X=" + bad + ";")) << bad;
+  EXPECT_FALSE(accepts(a + "#declare A[1e300]=1;"));
   EXPECT_FALSE(accepts("#declare A=array[2]{1,x};"));
   EXPECT_FALSE(accepts("#declare A=array[2]{1};"));
   EXPECT_FALSE(accepts("#declare A=array[2]{1,2,3};"));

@@ -301,8 +301,8 @@ class Scanner {
       advance();
       if (!scalar(subscript, depth + 1) || at_->punctuation != ']') return false;
       advance();
-      const int i = to_int(subscript + kEps);
-      if (!(subscript >= -kEps) || i >= size) return false;
+      const int i = subscripted(subscript, size);
+      if (i < 0) return false;
       element = element * static_cast<std::size_t>(size) + static_cast<std::size_t>(i);
     }
     return true;

@@ -1,5 +1,6 @@
 // light_source { ... } (spec 06 section 7.1, 8).
 #include <cmath>
+#include <limits>
 
 #include "parser/scene/common/common.h"
 #include "parser/scene/common/nesting.h"
@@ -63,8 +64,7 @@ class LightReader {
     l.size2 = parser.parse_int();
     if (l.size1 == 0 || l.size2 == 0) parser.error(Code::bad_value, "Illegal area light specification: a size is 0.");
     // Negative sizes have no meaning that is known; treat them as their magnitude rather than loop without end.
-    l.size1 = std::abs(l.size1);
-    l.size2 = std::abs(l.size2);
+    for (int* size : {&l.size1, &l.size2}) *size = std::abs(std::max(*size, -std::numeric_limits<int>::max()));
   }
 
   scene::ObjectPtr parse_attached(const scene::ObjectPtr& previous, const char* keyword) {

@@ -197,6 +197,60 @@ nlohmann::json to_json(const Metrics& metrics) { return metrics_as<nlohmann::jso
 nlohmann::json to_json(const SceneResult& scene) { return scene_as<nlohmann::json>(scene); }
 nlohmann::json to_json(const Summary& summary) { return summary_as<nlohmann::json>(summary); }
 
+namespace {
+
+Metrics metrics_from(const nlohmann::json& m, int width, int height) {
+  Metrics out;
+  out.width = width, out.height = height;
+  out.max_abs = m.at("max_abs"), out.mae = m.at("mae"), out.rmse = m.at("rmse"), out.psnr = m.at("psnr");
+  out.within_1_pct = m.at("within_1_pct"), out.within_2_pct = m.at("within_2_pct"), out.bias = m.at("bias");
+  out.ssim_mean = m.at("ssim_mean"), out.ssim_block_min = m.at("ssim_block_min"), out.flip_mean = m.at("flip_mean");
+  out.ciede2000_mean = m.value("ciede2000_mean", 0.0), out.ciede2000_p95 = m.value("ciede2000_p95", 0.0),
+  out.nan_pixels = m.value("nan_pixels", std::uint64_t{0});
+  out.solid_2_pixels = m.value("solid_2_pixels", std::uint64_t{0}),
+  out.solid_4_pixels = m.value("solid_4_pixels", std::uint64_t{0}), out.drift_max = m.value("drift_max", 0.0);
+  out.signs = {static_cast<std::uint64_t>(out.width) * static_cast<std::uint64_t>(out.height),
+               m.value("brighter_pixels", std::uint64_t{0}), m.value("darker_pixels", std::uint64_t{0})};
+  out.one_sided_pixels = m.value("one_sided_pixels", std::uint64_t{0});
+  if (m.contains("one_sided_at")) out.one_sided_x = m["one_sided_at"].at(0), out.one_sided_y = m["one_sided_at"].at(1);
+  if (m.contains("solid_at")) out.solid_x = m["solid_at"].at(0), out.solid_y = m["solid_at"].at(1);
+  if (m.contains("drift_at")) out.drift_x = m["drift_at"].at(0), out.drift_y = m["drift_at"].at(1);
+  for (auto [name, value] : {std::pair("hdr_flip_mean", &out.hdr_flip_mean), std::pair("edge_rmse", &out.edge_rmse),
+                             std::pair("interior_rmse", &out.interior_rmse),
+                             std::pair("alpha_max_abs", &out.alpha_max_abs), std::pair("alpha_rmse", &out.alpha_rmse)})
+    if (m.contains(name)) *value = m[name].get<double>();
+  return out;
+}
+
+Fit fit_from(const nlohmann::json& f) {
+  Fit fit;
+  fit.stops = f.at("stops"), fit.balance = f.at("white_balance").get<std::array<double, 3>>(),
+  fit.resampled = f.at("resampled");
+  fit.reference_width = f.at("reference_size").at(0), fit.reference_height = f.at("reference_size").at(1);
+  fit.stops_error = f.value("stops_error", 0.0), fit.noise = f.value("noise", 0.0);
+  if (f.contains("corners")) {
+    Alignment& a = fit.alignment.emplace();
+    for (std::size_t i = 0; i < 4; ++i) {
+      a.corners[i] = {f["corners"].at(i).at(0), f["corners"].at(i).at(1)};
+      a.corner_errors[i] = {f["corner_errors"].at(i).at(0), f["corner_errors"].at(i).at(1)};
+    }
+    a.distortion = f["distortion"].at(0), a.distortion_error = f["distortion"].at(1);
+  }
+  if (f.contains("vignetting")) {
+    const auto& v = f["vignetting"];
+    fit.vignetting = Vignetting{v.at(0), v.at(1), v.at(2), v.at(3)};
+  }
+  if (f.contains("targets")) {
+    const auto& t = f["targets"];
+    fit.targets = TargetFit{t.at("matrix").get<std::array<double, 9>>(), t.at("whole_matrix"),
+                            t.at("ciede2000").get<std::vector<double>>()};
+  }
+  if (f.contains("crop")) fit.crop = Crop{f["crop"].at(0), f["crop"].at(1), f["crop"].at(2), f["crop"].at(3)};
+  return fit;
+}
+
+}  // namespace
+
 SceneResult scene_result_from_json(const nlohmann::json& json) {
   SceneResult s;
   s.request.name = json.at("scene");
@@ -213,29 +267,7 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
     s.suspicions.push_back({suspect.at("what"), suspect.at("detail"), suspect.at("explained"),
                             suspect.value("precision", 1.0), suspect.value("sure", 0.0),
                             suspect.value("pixels", PixelRuns())});
-  if (const auto& m = json.at("metrics"); m.is_object()) {
-    Metrics& out = s.metrics.emplace();
-    out.width = s.request.width, out.height = s.request.height;
-    out.max_abs = m.at("max_abs"), out.mae = m.at("mae"), out.rmse = m.at("rmse"), out.psnr = m.at("psnr");
-    out.within_1_pct = m.at("within_1_pct"), out.within_2_pct = m.at("within_2_pct"), out.bias = m.at("bias");
-    out.ssim_mean = m.at("ssim_mean"), out.ssim_block_min = m.at("ssim_block_min"), out.flip_mean = m.at("flip_mean");
-    out.ciede2000_mean = m.value("ciede2000_mean", 0.0), out.ciede2000_p95 = m.value("ciede2000_p95", 0.0),
-    out.nan_pixels = m.value("nan_pixels", std::uint64_t{0});
-    out.solid_2_pixels = m.value("solid_2_pixels", std::uint64_t{0}),
-    out.solid_4_pixels = m.value("solid_4_pixels", std::uint64_t{0}), out.drift_max = m.value("drift_max", 0.0);
-    out.signs = {static_cast<std::uint64_t>(out.width) * static_cast<std::uint64_t>(out.height),
-                 m.value("brighter_pixels", std::uint64_t{0}), m.value("darker_pixels", std::uint64_t{0})};
-    out.one_sided_pixels = m.value("one_sided_pixels", std::uint64_t{0});
-    if (m.contains("one_sided_at"))
-      out.one_sided_x = m["one_sided_at"].at(0), out.one_sided_y = m["one_sided_at"].at(1);
-    if (m.contains("solid_at")) out.solid_x = m["solid_at"].at(0), out.solid_y = m["solid_at"].at(1);
-    if (m.contains("drift_at")) out.drift_x = m["drift_at"].at(0), out.drift_y = m["drift_at"].at(1);
-    for (auto [name, value] :
-         {std::pair("hdr_flip_mean", &out.hdr_flip_mean), std::pair("edge_rmse", &out.edge_rmse),
-          std::pair("interior_rmse", &out.interior_rmse), std::pair("alpha_max_abs", &out.alpha_max_abs),
-          std::pair("alpha_rmse", &out.alpha_rmse)})
-      if (m.contains(name)) *value = m[name].get<double>();
-  }
+  if (const auto& m = json.at("metrics"); m.is_object()) s.metrics = metrics_from(m, s.request.width, s.request.height);
   if (json.contains("low_pass")) {
     if (json["low_pass"].contains("native")) s.native_low_pass = low_pass_from(json["low_pass"]["native"]);
     if (json["low_pass"].contains("noise")) s.noise_low_pass = low_pass_from(json["low_pass"]["noise"]);
@@ -247,32 +279,7 @@ SceneResult scene_result_from_json(const nlohmann::json& json) {
   }
   if (json.contains("blame")) s.blame = blame_from(json["blame"]);
   s.blame_failed = json.value("blame_failed", "");
-  if (json.contains("fit")) {
-    const auto& f = json["fit"];
-    s.fit.emplace();
-    s.fit->stops = f.at("stops"), s.fit->balance = f.at("white_balance").get<std::array<double, 3>>(),
-    s.fit->resampled = f.at("resampled");
-    s.fit->reference_width = f.at("reference_size").at(0), s.fit->reference_height = f.at("reference_size").at(1);
-    s.fit->stops_error = f.value("stops_error", 0.0), s.fit->noise = f.value("noise", 0.0);
-    if (f.contains("corners")) {
-      Alignment& a = s.fit->alignment.emplace();
-      for (std::size_t i = 0; i < 4; ++i) {
-        a.corners[i] = {f["corners"].at(i).at(0), f["corners"].at(i).at(1)};
-        a.corner_errors[i] = {f["corner_errors"].at(i).at(0), f["corner_errors"].at(i).at(1)};
-      }
-      a.distortion = f["distortion"].at(0), a.distortion_error = f["distortion"].at(1);
-    }
-    if (f.contains("vignetting")) {
-      const auto& v = f["vignetting"];
-      s.fit->vignetting = Vignetting{v.at(0), v.at(1), v.at(2), v.at(3)};
-    }
-    if (f.contains("targets")) {
-      const auto& t = f["targets"];
-      s.fit->targets = TargetFit{t.at("matrix").get<std::array<double, 9>>(), t.at("whole_matrix"),
-                                 t.at("ciede2000").get<std::vector<double>>()};
-    }
-    if (f.contains("crop")) s.fit->crop = Crop{f["crop"].at(0), f["crop"].at(1), f["crop"].at(2), f["crop"].at(3)};
-  }
+  if (json.contains("fit")) s.fit = fit_from(json["fit"]);
   for (const auto& l : json.value("layers", nlohmann::json::array()))
     s.layers.push_back({l.at("name"), l.at("kind"), status_from_string(l.at("status")).value_or(Status::differ),
                         l.at("reason"), l.at("max_abs").is_number() ? l.at("max_abs").get<double>() : HUGE_VAL,

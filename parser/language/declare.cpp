@@ -172,6 +172,41 @@ bool Parser::Impl::starts_numeric(const Token& token) {
   }
 }
 
+namespace {
+
+// What begins with an identifier; `numeric` reads an expression.
+template <class Read>
+Parser::Impl::Ending identifier_value(Parser::Impl& p, const Token& token, Value& value, const Read& numeric) {
+  const Value* held = p.peek_value();
+  if (!held) p.undeclared(token.id());
+  if (const auto* n = std::get_if<Numeric>(held)) {
+    const bool color_first = n->terms == 5;
+    // Before 1.5 only what begins with a color has operators without parentheses.
+    p.depth_of_parentheses += color_first;
+    const Parser::Impl::Ending ending = numeric();
+    p.depth_of_parentheses -= color_first;
+    if (p.language_version < 350 && color_first && std::get<Numeric>(value).terms == 1) {
+      const double v = std::get<Numeric>(value).v[0];
+      value = Numeric{{v, v, v, v, v}, 5};
+    }
+    return ending;
+  }
+  if (std::holds_alternative<std::u16string>(*held)) {
+    value = p.string(false);
+    return Parser::Impl::Ending::free;
+  }
+  if (std::holds_alternative<FunctionPtr>(*held) || std::holds_alternative<Shared<Spline>>(*held)) {
+    const Token* behind = p.pending.at == p.position ? p.pending.behind : p.position + 1;
+    if (behind->punctuation == '(') return numeric();
+    p.copy_identifier(value);
+    return Parser::Impl::Ending::semicolon;
+  }
+  p.copy_identifier(value);
+  return Parser::Impl::Ending::free;
+}
+
+}  // namespace
+
 Parser::Impl::Ending Parser::Impl::right_hand_side(Value& value) {
   const Token token = peek();
   const auto numeric = [&] {
@@ -192,34 +227,8 @@ Parser::Impl::Ending Parser::Impl::right_hand_side(Value& value) {
     case TokenKind::string:
       value = string(false);
       return Ending::free;
-    case TokenKind::identifier: {
-      const Value* held = peek_value();
-      if (!held) undeclared(token.id());
-      if (const auto* n = std::get_if<Numeric>(held)) {
-        const bool color_first = n->terms == 5;
-        // Before 1.5 only what begins with a color has operators without parentheses.
-        depth_of_parentheses += color_first;
-        const Ending ending = numeric();
-        depth_of_parentheses -= color_first;
-        if (language_version < 350 && color_first && std::get<Numeric>(value).terms == 1) {
-          const double v = std::get<Numeric>(value).v[0];
-          value = Numeric{{v, v, v, v, v}, 5};
-        }
-        return ending;
-      }
-      if (std::holds_alternative<std::u16string>(*held)) {
-        value = string(false);
-        return Ending::free;
-      }
-      if (std::holds_alternative<FunctionPtr>(*held) || std::holds_alternative<Shared<Spline>>(*held)) {
-        const Token* behind = pending.at == position ? pending.behind : position + 1;
-        if (behind->punctuation == '(') return numeric();
-        copy_identifier(value);
-        return Ending::semicolon;
-      }
-      copy_identifier(value);
-      return Ending::free;
-    }
+    case TokenKind::identifier:
+      return identifier_value(*this, token, value, numeric);
     case TokenKind::word: {
       const WordClass c = word_class(token.word);
       if (token.word == Word::t)

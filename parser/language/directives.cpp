@@ -22,6 +22,30 @@ void Parser::Impl::directive() {
   execute(token);
 }
 
+namespace {
+
+// False: the word is none.
+bool file_directive(Parser::Impl& p, Word word) {
+  switch (word) {
+    case Word::fopen:
+      p.fopen();
+      return true;
+    case Word::fclose:
+      p.fclose();
+      return true;
+    case Word::read:
+      p.read();
+      return true;
+    case Word::write:
+      p.write();
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
 void Parser::Impl::execute(const Token& token) {
   const TokenFile* in = file;
   const std::uint32_t link = token.link();
@@ -94,20 +118,8 @@ void Parser::Impl::execute(const Token& token) {
     case Word::statistics:
       text_directive(token.word);
       break;
-    case Word::fopen:
-      fopen();
-      break;
-    case Word::fclose:
-      fclose();
-      break;
-    case Word::read:
-      read();
-      break;
-    case Word::write:
-      write();
-      break;
     default:
-      error(Code::unknown_directive, "Unknown directive.");
+      if (!file_directive(*this, token.word)) error(Code::unknown_directive, "Unknown directive.");
   }
 }
 

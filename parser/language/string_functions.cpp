@@ -56,6 +56,40 @@ std::u16string date_text(Parser::Impl& p, double days, const std::string& format
   return {text, text + count};
 }
 
+void change_case(Parser::Impl& p, char16_t& c, bool upper) {
+  if (c > 127)
+    p.message(Severity::warning, Code::non_ascii,
+              "Non-ASCII character in string: strupr() and strlwr() leave it as it is.");
+  if (upper && c >= u'a' && c <= u'z') c = static_cast<char16_t>(c - u'a' + u'A');
+  if (!upper && c >= u'A' && c <= u'Z') c = static_cast<char16_t>(c - u'A' + u'a');
+}
+
+// The arguments of vstr().
+std::u16string vector_text(Parser::Impl& p) {
+  const auto comma = [&p] {
+    if (p.peek().punctuation == ',') p.skip_token();
+  };
+  const int terms = std::clamp(to_int(p.scalar()), 2, 5);
+  comma();
+  if (word_class(p.peek().word) == WordClass::color && p.peek().kind == TokenKind::word)
+    p.expected("vector expression");
+  Numeric vector;
+  p.additive(1, vector);
+  for (int i = vector.terms; i < 5; ++i) vector.v[static_cast<std::size_t>(i)] = 0;
+  comma();
+  const std::u16string separator = p.string(false);
+  comma();
+  const int length = to_int(p.scalar());
+  comma();
+  const int precision = to_int(p.scalar());
+  std::u16string out;
+  for (int i = 0; i < terms; ++i) {
+    if (i) out += separator;
+    append(out, format_number(p, vector.v[static_cast<std::size_t>(i)], length, precision, false));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::u16string Parser::Impl::string_function(Word word, bool path) {
@@ -74,25 +108,9 @@ std::u16string Parser::Impl::string_function(Word word, bool path) {
       append(out, format_number(*this, value, length, to_int(scalar()), true));
       break;
     }
-    case Word::vstr: {
-      const int terms = std::clamp(to_int(scalar()), 2, 5);
-      comma();
-      if (word_class(peek().word) == WordClass::color && peek().kind == TokenKind::word) expected("vector expression");
-      Numeric vector;
-      additive(1, vector);
-      for (int i = vector.terms; i < 5; ++i) vector.v[static_cast<std::size_t>(i)] = 0;
-      comma();
-      const std::u16string separator = string(false);
-      comma();
-      const int length = to_int(scalar());
-      comma();
-      const int precision = to_int(scalar());
-      for (int i = 0; i < terms; ++i) {
-        if (i) out += separator;
-        append(out, format_number(*this, vector.v[static_cast<std::size_t>(i)], length, precision, false));
-      }
+    case Word::vstr:
+      out = vector_text(*this);
       break;
-    }
     case Word::concat:
       // Of a path, only the second and later literals keep their backslashes.
       out = string(false);
@@ -123,13 +141,7 @@ std::u16string Parser::Impl::string_function(Word word, bool path) {
     case Word::strupr:
     case Word::strlwr:
       out = string(false);
-      for (char16_t& c : out) {
-        if (c > 127)
-          message(Severity::warning, Code::non_ascii,
-                  "Non-ASCII character in string: strupr() and strlwr() leave it as it is.");
-        if (word == Word::strupr && c >= u'a' && c <= u'z') c = static_cast<char16_t>(c - u'a' + u'A');
-        if (word == Word::strlwr && c >= u'A' && c <= u'Z') c = static_cast<char16_t>(c - u'A' + u'a');
-      }
+      for (char16_t& c : out) change_case(*this, c, word == Word::strupr);
       break;
     case Word::datetime: {
       const double days = scalar();

@@ -123,6 +123,36 @@ void parse_density_file(Parser& parser, Pattern& pattern) {
   pattern.params = density;
 }
 
+scene::TilingParams parse_tiling(Parser& parser) {
+  const int number = parser.parse_int();
+  if (number < 1 || number > 27) parser.error(Code::bad_value, "Tiling number must be between 1 and 27.");
+  return {number};
+}
+
+scene::PigmentPatternParams parse_pigment_pattern(Parser& parser) {
+  parser.expect('{');
+  scene::PigmentPatternParams params{parse_pigment_body(parser, blank_pigment())};
+  close_block(parser);
+  return params;
+}
+
+void parse_object_pattern(Parser& parser, Pattern& pattern, const ListReader& read_list) {
+  parser.expect('{');
+  std::shared_ptr<scene::Object> object = parse_object(parser);
+  if (!object) parser.error_expected("object");
+  scene::complete(*object);
+  pattern.params = scene::ObjectParams{object};
+  read_list(2);
+  close_block(parser);
+}
+
+scene::ImageParams parse_image_block(Parser& parser, ImageUse use) {
+  parser.expect('{');
+  scene::ImageParams image = parse_image(parser, use);
+  close_block(parser);
+  return image;
+}
+
 }  // namespace
 
 int list_size(PatternKind kind) { return scene::info(kind).list; }
@@ -157,13 +187,10 @@ bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, co
       take(PatternKind::slope);
       pattern.params = parse_slope(parser);
       return true;
-    case Word::tiling: {
+    case Word::tiling:
       take(PatternKind::tiling);
-      const int number = parser.parse_int();
-      if (number < 1 || number > 27) parser.error(Code::bad_value, "Tiling number must be between 1 and 27.");
-      pattern.params = scene::TilingParams{number};
+      pattern.params = parse_tiling(parser);
       return true;
-    }
     case Word::mandel:
     case Word::julia:
     case Word::magnet:
@@ -178,36 +205,21 @@ bool parse_pattern_type(Parser& parser, Pattern& pattern, PatternOwner owner, co
       take(PatternKind::density_file);
       parse_density_file(parser, pattern);
       return true;
-    case Word::pigment_pattern: {
+    case Word::pigment_pattern:
       take(PatternKind::pigment_pattern);
-      parser.expect('{');
-      scene::PigmentPatternParams params{parse_pigment_body(parser, blank_pigment())};
-      close_block(parser);
-      pattern.params = params;
+      pattern.params = parse_pigment_pattern(parser);
       return true;
-    }
-    case Word::object: {
+    case Word::object:
       take(PatternKind::object);
-      parser.expect('{');
-      std::shared_ptr<scene::Object> object = parse_object(parser);
-      if (!object) parser.error_expected("object");
-      scene::complete(*object);
-      pattern.params = scene::ObjectParams{object};
-      read_list(2);
-      close_block(parser);
+      parse_object_pattern(parser, pattern, read_list);
       return true;
-    }
     case Word::image_pattern:
       take(PatternKind::image_pattern);
-      parser.expect('{');
-      pattern.params = parse_image(parser, ImageUse::image_pattern);
-      close_block(parser);
+      pattern.params = parse_image_block(parser, ImageUse::image_pattern);
       return true;
     case Word::image_map:
       take(PatternKind::image_map);
-      parser.expect('{');
-      pattern.params = parse_image(parser, ImageUse::image_map);
-      close_block(parser);
+      pattern.params = parse_image_block(parser, ImageUse::image_map);
       return true;
     default:
       return false;  // bump_map, material_map and uv_mapping: their owners read them

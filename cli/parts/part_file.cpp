@@ -254,23 +254,16 @@ PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)) {
   if (at < size) fail("there is more in it than there should be: render the part again");
 }
 
-PartFile::~PartFile() { close(); }
-
 void PartFile::fail(const std::string& why) const {
   throw std::runtime_error(fmt::format("cannot use '{}': {}", path_.string(), why));
 }
 
-void PartFile::close() {
-  if (file_ >= 0) ::close(file_);
-  file_ = -1;
-}
-
 std::string PartFile::read(std::uint64_t at, std::size_t bytes) {
-  if (file_ < 0) file_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file_ < 0) fail(std::strerror(errno));
+  if (!file_) file_ = Descriptor(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file_) fail(std::strerror(errno));
   std::string text(bytes, '\0');
   for (std::size_t done = 0; done < bytes;) {
-    const ssize_t count = ::pread(file_, text.data() + done, bytes - done, static_cast<off_t>(at + done));
+    const ssize_t count = ::pread(file_.get(), text.data() + done, bytes - done, static_cast<off_t>(at + done));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail(std::strerror(errno));
     if (count == 0) fail("it ends too early: render the part again");

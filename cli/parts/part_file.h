@@ -17,6 +17,7 @@
 #include "cli/parts/block_record.h"
 #include "cli/settings/part_option.h"
 #include "cli/settings/region.h"
+#include "tracer/base/descriptor.h"
 #include "tracer/image/output.h"
 
 namespace verisim::cli {
@@ -59,9 +60,6 @@ void write_prepass_part(const std::filesystem::path& path, const PartHeader& hea
 class PartFile {
  public:
   explicit PartFile(std::filesystem::path path);
-  ~PartFile();
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
   const PartHeader& header() const { return header_; }
@@ -73,8 +71,8 @@ class PartFile {
   std::string prepasses();
   void check();  // reads all of it
   // Few files can be open at a time; the next read opens it again.
-  void close();
-  bool is_open() const { return file_ >= 0; }
+  void close() { file_.close(); }
+  bool is_open() const { return static_cast<bool>(file_); }
 
  private:
   [[noreturn]] void fail(const std::string& why) const;
@@ -82,7 +80,7 @@ class PartFile {
   std::string record(std::uint64_t at, const Block& block, std::size_t pixel_bytes);
 
   std::filesystem::path path_;
-  int file_ = -1;
+  Descriptor file_;
   PartHeader header_;
   std::size_t layer_bytes_ = 0;  // of a pixel
   std::vector<Block> blocks_, layer_blocks_;

@@ -2,6 +2,7 @@
 // merged parts are the whole picture for random scenes is the test parts.property.
 #include <random>
 
+#include "cli/parts/part_file.h"
 #include "cli/process_fixture.h"
 
 namespace verisim::cli {
@@ -64,6 +65,18 @@ TEST_F(Parts, DamageIsFoundWhereverItIs) {
   }
   file("bad.vsp", whole + "x");
   refused({"1.vsp", "bad.vsp", "3.vsp"}, {"bad.vsp", "more in it"});
+}
+
+// A farm's merge may meet thousands of them.
+TEST_F(Parts, DamagedOnesDoNotStayOpen) {
+  file("bad.vsp", "verisim-part-1\n and no more of it");
+  const auto open_files = [] {
+    const fs::directory_iterator all("/proc/self/fd");
+    return std::distance(begin(all), end(all));
+  };
+  const auto before = open_files();
+  for (int i = 0; i < 5; ++i) EXPECT_THROW(PartFile(folder_ / "bad.vsp"), std::runtime_error);
+  EXPECT_EQ(open_files(), before);
 }
 
 TEST_F(Parts, AnotherVersionIsNamed) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "cli/settings/output_name.h"
+#include "tracer/base/descriptor.h"
 #include "tracer/base/output_file.h"
 
 namespace fs = std::filesystem;
@@ -17,28 +18,12 @@ namespace fs = std::filesystem;
 namespace verisim::cli {
 namespace {
 
-class Descriptor {
- public:
-  explicit Descriptor(const fs::path& path)
-      : owned_(path != "-"), fd_(owned_ ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO) {}
-  ~Descriptor() {
-    if (owned_ && fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return fd_; }
-
- private:
-  bool owned_;
-  int fd_;
-};
-
 std::string read_stream(const fs::path& path, std::size_t limit) {
   const std::string name = path == "-" ? "standard input" : "'" + path.string() + "'";
   const auto fail = [&] {
     throw std::runtime_error(fmt::format("cannot read the scene from {}: {}", name, std::strerror(errno)));
   };
-  const Descriptor stream(path);
+  const Descriptor stream(path == "-" ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (stream.get() < 0) fail();
   std::string text;
   char buffer[65536];

@@ -9,15 +9,10 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "tracer/base/descriptor.h"
+
 namespace verisim::parser {
 namespace {
-
-struct Descriptor {
-  int fd;
-  ~Descriptor() {
-    if (fd >= 0) ::close(fd);
-  }
-};
 
 constexpr const char* kTooLong = "it has more bytes than --max-file-bytes allows";
 
@@ -41,10 +36,10 @@ std::shared_ptr<Source> Source::of(std::string name, std::string_view text, std:
 
 std::shared_ptr<Source> Source::read(const std::filesystem::path& path, std::string name, std::size_t max_bytes) {
   // O_NONBLOCK: a FIFO named as a scene must not hang the program.
-  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-  if (file.fd < 0) fail(path, std::strerror(errno));
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (file.get() < 0) fail(path, std::strerror(errno));
   struct stat info {};
-  if (::fstat(file.fd, &info) != 0) fail(path, std::strerror(errno));
+  if (::fstat(file.get(), &info) != 0) fail(path, std::strerror(errno));
   if (S_ISDIR(info.st_mode)) fail(path, "it is a directory");
   if (!S_ISREG(info.st_mode)) fail(path, "it is not a regular file");
   const auto size = static_cast<std::size_t>(info.st_size);
@@ -52,7 +47,7 @@ std::shared_ptr<Source> Source::read(const std::filesystem::path& path, std::str
   std::shared_ptr<Source> source(new Source(std::move(name)));
   source->bytes_ = std::make_unique_for_overwrite<char[]>(size + 1);
   while (source->size_ < size) {
-    const ssize_t got = ::read(file.fd, source->bytes_.get() + source->size_, size - source->size_);
+    const ssize_t got = ::read(file.get(), source->bytes_.get() + source->size_, size - source->size_);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail(path, std::strerror(errno));
     if (got == 0) break;

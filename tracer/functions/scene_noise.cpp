@@ -1,5 +1,6 @@
 #include "tracer/functions/scene_noise.h"
 
+#include <atomic>
 #include <mutex>
 
 namespace verisim::functions {
@@ -22,12 +23,17 @@ class FollowsGenerator final : public Function {
  private:
   struct Made {
     std::once_flag once;
-    FunctionPtr function;
+    FunctionPtr owned;
+    std::atomic<const Function*> function{nullptr};  // of `owned` once it is made: call_once takes longer to say so
   };
   const Function& current() const {
     Made& made = made_[static_cast<std::size_t>(*generator_ - 1)];
-    std::call_once(made.once, [&] { made.function = make_(*generator_); });
-    return *made.function;
+    if (const Function* function = made.function.load(std::memory_order_acquire)) return *function;
+    std::call_once(made.once, [&] {
+      made.owned = make_(*generator_);
+      made.function.store(made.owned.get(), std::memory_order_release);
+    });
+    return *made.owned;
   }
 
   std::shared_ptr<const int> generator_;

@@ -6,6 +6,7 @@
 #include "parser/scene/global_settings.h"
 #include "parser/scene/interior.h"
 #include "parser/scene/textures/maps.h"
+#include "parser/scene/textures/pattern.h"
 #include "parser/scene/textures/texture.h"
 #include "tracer/scene/parts.h"
 
@@ -178,7 +179,7 @@ std::optional<Value> parse_block_value(Parser& parser) {
     case Word::normal:
       return parse_normal(parser);
     case Word::finish:
-      return shared(parse_finish(parser, parser.default_texture()->layers.front().finish));
+      return shared(parse_finish(parser, default_layer(parser).finish));
     case Word::texture:
       return parse_layered_texture(parser);
     case Word::density:

@@ -22,7 +22,7 @@ scene::DensityPtr plain_white() {
 }
 
 void read_list(Parser& parser, Density& density, int size) {
-  density.density_map = parse_block_list<scene::DensityPtr>(parser, size, Word::density, plain_white(),
+  density.density_map = parse_block_list<scene::DensityPtr>(parser, size, Word::density, plain_white,
                                                             [&] { return parse_density(parser); });
   density.color_map = density.density_map ? nullptr : parse_color_list(parser, size, density.pattern.kind);
 }

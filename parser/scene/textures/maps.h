@@ -16,16 +16,18 @@ Shared<scene::BlendMap<scene::DensityPtr>> parse_density_map(Parser& parser, boo
 // Lists of checker, brick ...: up to `size` colours; missing ones come from the built-in list. Null: none was written.
 Shared<scene::ColorMap> parse_color_list(Parser& parser, int size, scene::PatternKind kind);
 
-// Up to `size` blocks that start with `word`; missing ones are copies of `absent`. Null: none was written.
-template <class T, class Read>
-Shared<scene::BlendMap<T>> parse_block_list(Parser& parser, int size, Word word, const T& absent, const Read& read) {
+// Up to `size` blocks that start with `word`; missing ones are what `absent` is behind them, where `#default` may have
+// changed it. Null: none was written.
+template <class T, class Absent, class Read>
+Shared<scene::BlendMap<T>> parse_block_list(Parser& parser, int size, Word word, const Absent& absent,
+                                            const Read& read) {
   if (!parser.at(word)) return nullptr;
   auto map = std::make_shared<scene::BlendMap<T>>();
   for (int i = 0; i < size && parser.at(word); ++i) {
     map->push_back({static_cast<float>(i), read()});
     parser.optional_comma();
   }
-  while (map->size() < static_cast<std::size_t>(size)) map->push_back({static_cast<float>(map->size()), absent});
+  while (map->size() < static_cast<std::size_t>(size)) map->push_back({static_cast<float>(map->size()), absent()});
   return map;
 }
 

@@ -22,7 +22,7 @@ void read_list(Parser& parser, Normal& normal, int size) {
     return std::make_shared<Normal>();
   };
   normal.normal_map = parse_block_list<scene::NormalPtr>(
-      parser, size, Word::normal, absent(), [&] { return parse_normal(parser, default_layer(parser).normal); });
+      parser, size, Word::normal, absent, [&] { return parse_normal(parser, default_layer(parser).normal); });
   if (!normal.normal_map) normal.accuracy = 0.02f;  // a height pattern then (spec 05 10.3)
 }
 

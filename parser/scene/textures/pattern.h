@@ -54,7 +54,8 @@ float* finish_number(scene::Finish& finish, Word word);
 // Up to version 3.1: what a pigment becomes in a layer that is not the bottom one (old_layers.cpp).
 scene::PigmentPtr filter_to_transmit(const scene::PigmentPtr& pigment);
 
-// What map entries and new statements start from: the parts of the default texture.
-const scene::TextureLayer& default_layer(Parser& parser);
+// What map entries and new statements start from: the parts of the default texture. A copy, for `#default` may stand in
+// the midst of any of them.
+scene::TextureLayer default_layer(Parser& parser);
 
 }  // namespace verisim::parser

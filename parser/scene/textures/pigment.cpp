@@ -16,9 +16,9 @@ bool refuses_maps(PatternKind kind) {
 }
 
 void read_list(Parser& parser, Pigment& pigment, int size) {
-  pigment.pigment_map =
-      parse_block_list<scene::PigmentPtr>(parser, size, Word::pigment, default_layer(parser).pigment,
-                                          [&] { return parse_pigment(parser, default_layer(parser).pigment); });
+  const auto absent = [&] { return default_layer(parser).pigment; };
+  pigment.pigment_map = parse_block_list<scene::PigmentPtr>(parser, size, Word::pigment, absent,
+                                                            [&] { return parse_pigment(parser, absent()); });
   pigment.color_map = pigment.pigment_map ? nullptr : parse_color_list(parser, size, pigment.pattern.kind);
 }
 
@@ -76,10 +76,7 @@ bool parse_pigment_type(Parser& parser, Pigment& pigment) {
                             [&](int size) { read_list(parser, pigment, size); });
 }
 
-const scene::TextureLayer& default_layer(Parser& parser) {
-  const scene::TexturePtr& texture = parser.default_texture();
-  return texture->layers.front();
-}
+scene::TextureLayer default_layer(Parser& parser) { return parser.default_texture()->layers.front(); }
 
 const scene::PigmentPtr& blank_pigment() {
   static const scene::PigmentPtr blank = std::make_shared<const Pigment>();

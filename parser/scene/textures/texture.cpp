@@ -150,8 +150,8 @@ scene::TexturePtr parse_patterned(Parser& parser) {
   } else {
     texture = std::make_shared<Texture>();
     const auto read_list = [&](int size) {
-      texture->texture_map = parse_block_list<scene::TexturePtr>(parser, size, Word::texture, parser.default_texture(),
-                                                                 [&] { return parse_texture(parser); });
+      texture->texture_map = parse_block_list<scene::TexturePtr>(
+          parser, size, Word::texture, [&] { return parser.default_texture(); }, [&] { return parse_texture(parser); });
       if (texture->texture_map) return;
       auto map = std::make_shared<scene::BlendMap<scene::TexturePtr>>();
       for (int i = 0; i < size; ++i) map->push_back({static_cast<float>(i), parser.default_texture()});

@@ -94,7 +94,8 @@ Checked check_scene(const Options& options, Console& console, Interrupt& interru
   checked.errors = result.errors.size();
   checked.warnings = result.warnings;
   checked.whole = result.whole;
-  if (interrupt.flag()) {
+  // A signal behind the end of parsing interrupts nothing: what was found is told.
+  if (interrupt.flag() && (!result.scene || interrupt.limit_reached())) {
     checked.status = kInterrupted;
     return checked;
   }
@@ -242,7 +243,10 @@ int command_check(const std::vector<std::string>& arguments) {
     // A correction may bring to light what stood behind the mistake.
     for (int again = 0; wanted.fix && again < 100 && apply_fixes(checked.messages, console); ++again)
       checked = check_scene(options, console, interrupt, scene, wanted);
-    if (checked.status == kInterrupted) return kInterrupted;
+    if (checked.status == kInterrupted) {
+      if (wanted.json) console.always("interrupted");  // else the parser's message has been shown
+      return kInterrupted;
+    }
     status = std::max(status, checked.status);
     if (wanted.json)
       reports.push_back(as_json(checked));

@@ -3,6 +3,7 @@
 
 #include "parser/language/impl.h"
 #include "parser/language/blocks.h"
+#include "parser/lexer/directive_links.h"
 
 namespace verisim::parser {
 
@@ -152,16 +153,11 @@ Token Parser::Impl::skip(const TokenFile* in, std::uint32_t link) {
       if (!end_of_file()) unclosed_condition();
     if (position->kind == TokenKind::error) lex_error(*position);
     if (position->kind != TokenKind::directive) continue;
+    if (opens_construct(position->word)) {
+      ++nested;
+      continue;
+    }
     switch (position->word) {
-      case Word::if_:
-      case Word::ifdef:
-      case Word::ifndef:
-      case Word::while_:
-      case Word::for_:
-      case Word::switch_:
-      case Word::macro:
-        ++nested;
-        break;
       case Word::else_:
       case Word::elseif:
       case Word::case_:

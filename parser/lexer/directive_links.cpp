@@ -3,7 +3,13 @@
 namespace verisim::parser {
 namespace {
 
-bool opens(Word word) {
+bool alternative(Word word) {
+  return word == Word::else_ || word == Word::elseif || word == Word::case_ || word == Word::range;
+}
+
+}  // namespace
+
+bool opens_construct(Word word) {
   switch (word) {
     case Word::if_:
     case Word::ifdef:
@@ -17,12 +23,6 @@ bool opens(Word word) {
       return false;
   }
 }
-
-bool alternative(Word word) {
-  return word == Word::else_ || word == Word::elseif || word == Word::case_ || word == Word::range;
-}
-
-}  // namespace
 
 bool is_directive(Word word) {
   switch (word) {
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> link_directives(Tokens& tokens) {
   for (std::uint32_t i = 0; i < tokens.size(); ++i) {
     if (tokens[i].kind != TokenKind::directive) continue;
     const Word word = tokens[i].word;
-    if (opens(word)) {
+    if (opens_construct(word)) {
       stack.push_back({i, word, word != Word::while_ && word != Word::for_ && word != Word::macro});
     } else if (stack.empty()) {
       continue;

@@ -26,7 +26,8 @@ TEST_P(AreaLight, CastsTheSameShadowsThroughAClearBall) {
       {}
       plane {{ y, 0 pigment {{ rgb 1 }} }}
       union {{
-        box {{ <-1, 0, -1>, <0, 1, 0> }} cylinder {{ <1, 0, 1>, <1, 2, 1>, 0.3 }} sphere {{ <0.5, 0.5, -1>, 0.4 }} torus {{ 0.8, 0.15 translate <-1, 1.5, 1> }}
+        box {{ <-1, 0, -1>, <0, 1, 0> }} cylinder {{ <1, 0, 1>, <1, 2, 1>, 0.3 }} sphere {{ <0.5, 0.5, -1>, 0.4 }}
+torus {{ 0.8, 0.15 translate <-1, 1.5, 1> }}
         difference {{ sphere {{ <1.8, 1, -0.5>, 0.6 }} box {{ <1.5, 0.8, -2>, <2, 1.2, 2> }} }}
         pigment {{ rgb 0.7 }}
       }})",

@@ -27,10 +27,14 @@ camera { location <0, 2.2, -6> direction <Shift, -0.3, 1> up y right 4/3*x }
 light_source { <-5, 8, -6> rgb 0.8 }
 light_source { <6, 5, -2> rgb <0.7, 0.45, 0.1> }
 plane { y, -1 pigment { checker rgb <0.8, 0.8, 0.7> rgb <0.3, 0.35, 0.4> scale 0.9 } finish { diffuse 0.7 } }
-torus { 1, 0.35 rotate -60*x translate <-1.9, 0.2, 0.5> pigment { rgb <0.8, 0.25, 0.2> } finish { diffuse 0.8 phong 0.5 } }
-sphere { <1.7, 0.1, 0>, 1.05 pigment { granite scale 0.7 color_map { [0 rgb 0.2] [1 rgb <0.9, 0.8, 0.6>] } } finish { diffuse 0.8 } }
-cylinder { <0, -1, 1.6>, <0, 1.6, 1.6>, 0.5 pigment { bozo scale 0.2 color_map { [0 rgb <0.1, 0.5, 0.2>] [1 rgb 0.8] } } finish { diffuse 0.8 } }
-box { <-0.6, -1, -1.6>, <0.5, -0.1, -0.7> rotate 20*y pigment { rgb <0.4, 0.5, 0.8> } finish { ambient 0 diffuse 0.80 } }
+torus { 1, 0.35 rotate -60*x translate <-1.9, 0.2, 0.5> pigment { rgb <0.8, 0.25, 0.2> }
+finish { diffuse 0.8 phong 0.5 } }
+sphere { <1.7, 0.1, 0>, 1.05 pigment { granite scale 0.7 color_map { [0 rgb 0.2] [1 rgb <0.9, 0.8, 0.6>] } }
+finish { diffuse 0.8 } }
+cylinder { <0, -1, 1.6>, <0, 1.6, 1.6>, 0.5 pigment { bozo scale 0.2 color_map { [0 rgb <0.1, 0.5, 0.2>] [1 rgb 0.8] } }
+finish { diffuse 0.8 } }
+box { <-0.6, -1, -1.6>, <0.5, -0.1, -0.7> rotate 20*y pigment { rgb <0.4, 0.5, 0.8> }
+finish { ambient 0 diffuse 0.80 } }
 )";
 
 class PlantedFaults : public testing::Test {
@@ -147,9 +151,9 @@ TEST_F(PlantedFaults, DarkerFinish) {
   EXPECT_EQ(result.status, compare::Status::differ);
   EXPECT_LT(result.metrics->max_abs, 2);
   EXPECT_THAT(result.reason, HasSubstr("drift_max"));
-  EXPECT_EQ(culprit(result), "object box (room.pov:11)") << compare::terminal_blame(result);
+  EXPECT_EQ(culprit(result), "object box (room.pov:14)") << compare::terminal_blame(result);
   EXPECT_THAT(compare::terminal_blame(result),
-              HasSubstr("suspect brightness: box (room.pov:11): 1.0 % darker in linear light"))
+              HasSubstr("suspect brightness: box (room.pov:14): 1.0 % darker in linear light"))
       << compare::terminal_blame(result);
 }
 

@@ -19,12 +19,18 @@ global_settings { assumed_gamma 1 «max_trace_level 5» }
 camera { location <0, 2.2, -6> direction <«Shift 0», -0.3, 1> up y right «Aspect 1.3333»*x }
 light_source { <-5, 8, -6> rgb «Light 0.8» }
 light_source { <6, 5, «LightZ -2»> rgb <0.7, 0.45, «Blue 0.1»> }
-plane { y, -1 pigment { checker rgb <0.8, 0.8, 0.7> rgb <0.3, 0.35, 0.4> scale «Checker 0.9» } finish { diffuse «Floor 0.7» } }
-torus { 1, «Minor 0.35» rotate «Turn -60»*x translate <-1.9, 0.2, 0.5> pigment { rgb <0.8, 0.25, 0.2> } finish { diffuse 0.8 phong «Phong 0.5» phong_size «Shine 40» } }
-sphere { <1.7, «Height 0.1», 0>, «Radius 1.05» pigment { granite scale «Granite 0.7» color_map { [0 rgb 0.2] [1 rgb <0.9, 0.8, 0.6>] } } finish { diffuse 0.8 reflection «Mirror 0.2» } }
-cylinder { <0, -1, 1.6>, <0, 1.6, 1.6>, 0.5 pigment { bozo scale «Bozo 0.2» color_map { [0 rgb <0.1, 0.5, 0.2>] [1 rgb 0.8] } } normal { bumps «Bumps 0.3» scale 0.1 } finish { diffuse 0.8 } }
-box { <-0.6, -1, -1.6>, <«BoxX 0.5», -0.1, -0.7> rotate «BoxTurn 20»*y pigment { rgb <0.4, 0.5, «BoxBlue 0.8»> transmit «Clear 0.1» } finish { ambient «Ambient 0» diffuse «Box 0.80» } }
-prism { linear_sweep 0, 0.4, 5, <0, 0>, <0.7, 0>, <«Vertex 0.7», 0.6>, <0, 0.6>, <0, 0> translate <0.7, -1, -2.2> pigment { rgb <0.9, 0.8, 0.3> } finish { diffuse 0.7 } }
+plane { y, -1 pigment { checker rgb <0.8, 0.8, 0.7> rgb <0.3, 0.35, 0.4> scale «Checker 0.9» } finish { diffuse
+«Floor 0.7» } }
+torus { 1, «Minor 0.35» rotate «Turn -60»*x translate <-1.9, 0.2, 0.5> pigment { rgb <0.8, 0.25, 0.2> } finish {
+diffuse 0.8 phong «Phong 0.5» phong_size «Shine 40» } }
+sphere { <1.7, «Height 0.1», 0>, «Radius 1.05» pigment { granite scale «Granite 0.7» color_map { [0 rgb 0.2] [1 rgb
+<0.9, 0.8, 0.6>] } } finish { diffuse 0.8 reflection «Mirror 0.2» } }
+cylinder { <0, -1, 1.6>, <0, 1.6, 1.6>, 0.5 pigment { bozo scale «Bozo 0.2» color_map { [0 rgb <0.1, 0.5, 0.2>] [1
+rgb 0.8] } } normal { bumps «Bumps 0.3» scale 0.1 } finish { diffuse 0.8 } }
+box { <-0.6, -1, -1.6>, <«BoxX 0.5», -0.1, -0.7> rotate «BoxTurn 20»*y pigment { rgb <0.4, 0.5, «BoxBlue 0.8»>
+transmit «Clear 0.1» } finish { ambient «Ambient 0» diffuse «Box 0.80» } }
+prism { linear_sweep 0, 0.4, 5, <0, 0>, <0.7, 0>, <«Vertex 0.7», 0.6>, <0, 0.6>, <0, 0> translate <0.7, -1, -2.2>
+pigment { rgb <0.9, 0.8, 0.3> } finish { diffuse 0.7 } }
 #if («Bead 1») sphere { <-1.5, -0.8, -2.2>, 0.2 pigment { rgb <0.2, 0.7, 0.3> } } #end
 fog { distance «Fog 60» rgb <0.6, 0.65, 0.7> }
 )";

@@ -34,8 +34,10 @@ class HitProbes : public testing::TestWithParam<HitProbe> {};
 TEST_P(HitProbes, HitPositions) {
   const HitProbe& p = GetParam();
   const auto picture = render_text("#version " + p.version + R"(; global_settings { assumed_gamma 1 }
-    plane { z,10 hollow pigment { average pigment_map { [1 function { (x+16)/32 } color_map { [0 rgb 0] [1 rgb <2,0,0>] }]
-                                                        [1 function { (y+16)/32 } color_map { [0 rgb 0] [1 rgb <0,2,0>] }] } }
+    plane { z,10 hollow pigment { average pigment_map { [1 function { (x+16)/32 } color_map { [0 rgb 0] [1 rgb
+<2,0,0>] }]
+                                                        [1 function { (y+16)/32 } color_map { [0 rgb 0] [1 rgb
+<0,2,0>] }] } }
             finish { ambient 1 diffuse 0 } } )" +
                                        p.camera,
                                    8, 6);
@@ -136,7 +138,8 @@ TEST(P5, FocalBlur) {
        {12930, 14081, 15278, 16521, 17542, 19104}}};
   for (const auto& [blur, expected] : rows) {
     const auto picture = render_text(kLinear + "camera { location <0,0,-2> direction z right x*1.5 up y " + blur + R"( }
-      plane { z,1 pigment { function { select(x*x+y*y-0.5,0.9,0.3+0.1*x) } color_map { [0 rgb 0] [1 rgb <1,.8,.6>] } } finish { ambient 1 diffuse 0 } })",
+      plane { z,1 pigment { function { select(x*x+y*y-0.5,0.9,0.3+0.1*x) } color_map { [0 rgb 0] [1 rgb <1,.8,.6>] }
+} finish { ambient 1 diffuse 0 } })",
                                      24, 16);
     for (int i = 0; i < 6; ++i)
       EXPECT_NEAR(lin16(picture, 6 + i, 3)[0], expected[i], 1.1) << blur << " column " << 6 + i;
@@ -260,7 +263,8 @@ TEST(P15, QualityLevels) {
 
 TEST(P16, TraceLevelAndBailout) {
   const std::string scene = R"(camera { location <0,0,-.5> look_at z }
-    #declare T = texture { pigment { rgb .1 } finish { ambient 1 diffuse 0 reflection .9 } } plane { z,1 texture { T } } plane { -z,1 texture { T } })";
+    #declare T = texture { pigment { rgb .1 } finish { ambient 1 diffuse 0 reflection .9 } } plane { z,1 texture { T
+} } plane { -z,1 texture { T } })";
   const std::pair<const char*, double> rows[] = {{"", .409506},
                                                  {"max_trace_level 1", .100008},
                                                  {"max_trace_level 2", .190005},
@@ -317,8 +321,10 @@ TEST(P18, InteriorsAroundTheCamera) {
 TEST(Determinism, ThreadsAndRegions) {
   const std::string scene =
       kLinear +
-      R"(camera { location <0,2,-6> look_at 0 } plane { y,-1 pigment { checker rgb 1 rgb .2 } finish { crand .2 reflection .2 } }
-    sphere { 0,1 pigment { rgbf <1,.8,.6,.7> } interior { ior 1.4 } } light_source { <5,8,-6> rgb 1 area_light 3*x,3*z,4,4 jitter })";
+      R"(camera { location <0,2,-6> look_at 0 } plane { y,-1 pigment { checker rgb 1 rgb .2 } finish { crand .2
+reflection .2 } }
+    sphere { 0,1 pigment { rgbf <1,.8,.6,.7> } interior { ior 1.4 } } light_source { <5,8,-6> rgb 1 area_light
+3*x,3*z,4,4 jitter })";
   render::Options options;
   options.antialias = true, options.threads = 1, options.block_size = 16;
   const auto one = render_text(scene, 64, 48, options);

@@ -33,14 +33,18 @@ INSTANTIATE_TEST_SUITE_P(
 global_settings { assumed_gamma 1.0 max_trace_level 8 }
 camera { location <0,2.2,-7> look_at <0,.8,0> right 4/3*x angle 45 }
 light_source { <6,8,-6> rgb <1,.95,.85> area_light 2*x,2*y,5,5 circular orient adaptive 1 }
-light_source { <-5,6,-3> rgb <.4,.5,.8> spotlight point_at <0,0,1> radius 12 falloff 24 tightness 2 fade_distance 6 fade_power 2 }
+light_source { <-5,6,-3> rgb <.4,.5,.8> spotlight point_at <0,0,1> radius 12 falloff 24 tightness 2 fade_distance 6
+fade_power 2 }
 sky_sphere { pigment { gradient y color_map { [0 rgb <.7,.8,.9>] [1 rgb <.1,.2,.6>] } } }
 fog { fog_type 2 distance 25 rgbt <.6,.65,.7,.1> fog_alt .6 fog_offset .1 }
 plane { y,0 pigment { checker rgb .9 rgb <.3,.1,.1> } finish { ambient .05 diffuse .7 reflection { .02,.3 } } }
-sphere { <-1.3,1,0>,1 pigment { rgbf <.8,.95,.9,.9> } finish { ambient 0 diffuse .05 specular .6 roughness .01 reflection { 0,1 fresnel } conserve_energy }
+sphere { <-1.3,1,0>,1 pigment { rgbf <.8,.95,.9,.9> } finish { ambient 0 diffuse .05 specular .6 roughness .01
+reflection { 0,1 fresnel } conserve_energy }
   interior { ior 1.5 fade_distance 1.5 fade_power 1 fade_color <.6,.9,.8> } }
-sphere { <1.2,.9,.6>,.9 pigment { rgb <.9,.6,.2> } finish { ambient .02 diffuse .3 brilliance 3 phong .7 phong_size 60 metallic reflection { .3,.7 metallic } } }
-box { <-.3,0,-1.6>,<.5,.7,-1.2> pigment { rgb <.2,.5,.3> } finish { ambient .1 diffuse .6,.2 irid { .3 thickness .4 } } rotate 20*y })",
+sphere { <1.2,.9,.6>,.9 pigment { rgb <.9,.6,.2> } finish { ambient .02 diffuse .3 brilliance 3 phong .7 phong_size
+60 metallic reflection { .3,.7 metallic } } }
+box { <-.3,0,-1.6>,<.5,.7,-1.2> pigment { rgb <.2,.5,.3> } finish { ambient .1 diffuse .6,.2 irid { .3 thickness .4 }
+} rotate 20*y })",
             {212, 225, 239, 212, 225, 239, 212, 225, 239, 212, 225, 239, 212, 225, 239, 212, 225, 239, 212, 225, 239,
              212, 225, 239, 184, 190, 196, 177, 181, 187, 95,  105, 120, 184, 189, 195, 176, 180, 186, 184, 190, 195,
              184, 190, 195, 178, 182, 188, 157, 152, 159, 137, 173, 167, 144, 155, 154, 126, 142, 135, 170, 154, 116,
@@ -57,16 +61,21 @@ camera { location <0,3,-6> look_at <0,.7,0> right 4/3*x angle 50 }
 light_source { <4,7,-2> rgb .8 parallel point_at 0 }
 light_source { <0,5,0> rgb <.9,.3,.2> cylinder point_at <0,0,0> radius 1 falloff 1.6 }
 light_source { <-6,3,-6> rgb .25 shadowless }
-rainbow { direction <0,-.3,1> angle 18 width 6 distance 40 color_map { [0 rgbt <.4,.1,.8,.5>] [.5 rgbt <.1,.9,.2,.5>] [1 rgbt <1,.2,.1,.5>] } arc_angle 160 falloff_angle 90 }
+rainbow { direction <0,-.3,1> angle 18 width 6 distance 40 color_map { [0 rgbt <.4,.1,.8,.5>] [.5 rgbt <.1,.9,.2,.5>]
+[1 rgbt <1,.2,.1,.5>] } arc_angle 160 falloff_angle 90 }
 plane { y,0 pigment { rgb .8 } finish { ambient .1 diffuse .7 } }
 light_group {
   light_source { <-4,4,-4> rgb <.2,.9,.3> fade_distance 5 fade_power 1 }
-  sphere { <-1.5,.8,0>,.8 texture { pigment { rgb <.9,.7,.5> } finish { diffuse .8 specular albedo .3 roughness .05 } }
-    texture { pigment { gradient y color_map { [0 rgbt 1] [.5 rgbft <.3,.4,.9,.3,.3>] [1 rgbt <.2,.2,.9,.1>] } scale .5 } finish { ambient .2 diffuse .4 reflection .1 } } }
+  sphere { <-1.5,.8,0>,.8 texture { pigment { rgb <.9,.7,.5> } finish { diffuse .8 specular albedo .3 roughness .05 }
+}
+    texture { pigment { gradient y color_map { [0 rgbt 1] [.5 rgbft <.3,.4,.9,.3,.3>] [1 rgbt <.2,.2,.9,.1>] } scale
+.5 } finish { ambient .2 diffuse .4 reflection .1 } } }
   global_lights off }
-intersection { plane { -y,0 } plane { <1,1,0>,.9 } plane { <-1,1,0>,.9 } plane { -z,.8 } plane { z,1.2 } pigment { rgbt <1,1,1,.95> } finish { diffuse .02 reflection { .05,.6 } }
+intersection { plane { -y,0 } plane { <1,1,0>,.9 } plane { <-1,1,0>,.9 } plane { -z,.8 } plane { z,1.2 } pigment {
+rgbt <1,1,1,.95> } finish { diffuse .02 reflection { .05,.6 } }
   interior { ior 1.45 dispersion 1.08 dispersion_samples 5 } translate <1.2,0,.2> }
-disc { <0,2.2,.5>,<.2,1,.3>,.8 texture { checker texture { pigment { rgbf <1,.6,.2,.8> } } texture { pigment { rgb .3 } finish { diffuse .3,.5 } } scale .4 } })",
+disc { <0,2.2,.5>,<.2,1,.3>,.8 texture { checker texture { pigment { rgbf <1,.6,.2,.8> } } texture { pigment { rgb .3
+} finish { diffuse .3,.5 } } scale .4 } })",
             {182, 181, 179, 190, 186, 154, 174, 152, 204, 182, 181, 179, 182, 181, 179, 174, 152, 203, 190, 186, 154,
              182, 181, 179, 185, 183, 182, 181, 185, 181, 185, 183, 182, 185, 183, 182, 184, 183, 182, 184, 183, 182,
              180, 185, 181, 184, 182, 181, 187, 186, 185, 111, 184, 147, 85,  109, 101, 187, 185, 184, 186, 185, 184,
@@ -83,8 +92,10 @@ TEST(ShadowCache, RememberedCsgFiltersTwice) {
     render::Options options;
     options.replay = replay;
     const std::string scene = std::string("#version 3.7;") + kPrelude + R"(
-camera { orthographic location 50*y direction -y right 2*x up z } plane { y,0 texture { Wht } } light_source { 1000*y rgb 1 parallel point_at 0 }
-#declare A = box { <-2,1,-2>,<0,2,2> no_image } #declare B = box { <0,1,-2>,<2,2,2> pigment { rgbt <1,1,1,.5> } no_image }
+camera { orthographic location 50*y direction -y right 2*x up z } plane { y,0 texture { Wht } } light_source { 1000*y
+rgb 1 parallel point_at 0 }
+#declare A = box { <-2,1,-2>,<0,2,2> no_image } #declare B = box { <0,1,-2>,<2,2,2> pigment { rgbt <1,1,1,.5> }
+no_image }
 )" + object;
     const render::Framebuffer frame = render_text(scene, 2, 1, options);
     EXPECT_EQ(lin16(frame, 0, 0)[0], 0);
@@ -111,7 +122,8 @@ TEST(ShadowCache, RememberedObjectIsAskedWithinItsBox) {
   render::Options options;
   options.replay = true;
   const render::Framebuffer frame = render_text(std::string("#version 3.7;") + kPrelude + R"(
-camera { orthographic location 50*y direction -y right 2*x up z } plane { y,0 texture { Wht } } light_source { 1000*y rgb 1 parallel point_at 0 }
+camera { orthographic location 50*y direction -y right 2*x up z } plane { y,0 texture { Wht } } light_source { 1000*y
+rgb 1 parallel point_at 0 }
 intersection { disc { <-.5,2,0>,y,.3 } box { <-2,1,-2>,<2,3,2> } pigment { rgb 1 } no_image })",
                                                 2, 1, options);
   EXPECT_EQ(lin16(frame, 0, 0)[0], 0);
@@ -122,7 +134,8 @@ intersection { disc { <-.5,2,0>,y,.3 } box { <-2,1,-2>,<2,3,2> } pigment { rgb 1
 // spec 06 9.2); by default it counts whatever was before, but not for lights of groups, which have no cache.
 TEST(ShadowCache, OccluderInTheContactZoneShadows) {
   const std::string scene = std::string("#version 3.7;") + kPrelude + R"(
-camera { orthographic location 50*y direction -y right 2*x up z } plane { y,0 texture { Wht } } light_source { 1000*y rgb 1 parallel point_at 0 }
+camera { orthographic location 50*y direction -y right 2*x up z } plane { y,0 texture { Wht } } light_source { 1000*y
+rgb 1 parallel point_at 0 }
 disc { <0,.01025,0>,vnormalize(<.0195,1,0>),3 no_image })";
   const render::Framebuffer plain = render_text(scene, 2, 1);
   EXPECT_EQ(lin16(plain, 0, 0)[0], 0);

@@ -15,7 +15,8 @@ camera { mesh_camera { 1 0 mesh {
 } } location <0,0,0> }
 plane { -z,-1 finish { ambient 0 diffuse 0 emission 1 }
   pigment { average pigment_map {
-    [1 function { x/8 } color_map { [0 rgb 0] [1 rgb <2,0,0>] }] [1 function { y/8 } color_map { [0 rgb 0] [1 rgb <0,2,0>] }] } } }
+    [1 function { x/8 } color_map { [0 rgb 0] [1 rgb <2,0,0>] }] [1 function { y/8 } color_map { [0 rgb 0] [1 rgb
+<0,2,0>] }] } } }
 plane { z,-1 finish { ambient 0 diffuse 0 emission 1 } pigment { rgb <0,0,1> } }
 )";
 

@@ -110,21 +110,24 @@ INSTANTIATE_TEST_SUITE_P(
             2,
             "",
             glass(
-                R"(texture{pigment{rgbf<.9,.5,.7,.7>}} texture{pigment{rgbf<.9,.9,.7,.7>}} texture{pigment{rgbf<.8,.9,1,.9>}})"),
+                R"(texture{pigment{rgbf<.9,.5,.7,.7>}} texture{pigment{rgbf<.9,.9,.7,.7>}}
+texture{pigment{rgbf<.8,.9,1,.9>}})"),
             39,
             {0.105, 0.09343, 0.1207}},
         Way{"LayersUnderADarkOneDoNothing",
             2,
             "adc_bailout .3",
             mirror(
-                R"(texture{pigment{rgb 0} finish{reflection 1}} texture{pigment{rgbf<1,.2,.2,.6>} finish{reflection .9}})"),
+                R"(texture{pigment{rgb 0} finish{reflection 1}} texture{pigment{rgbf<1,.2,.2,.6>} finish{reflection
+.9}})"),
             309,
             {11.182, 11.182, 11.182}},
         Way{"SharesOfTexturesDoNotWeigh",
             2,
             "adc_bailout .3",
             mirror(
-                R"(texture{average texture_map{[1 pigment{rgb 0} finish{reflection rgb<.8,.5,.2>}][3 pigment{rgb 0} finish{reflection .6}]}})"),
+                R"(texture{average texture_map{[1 pigment{rgb 0} finish{reflection rgb<.8,.5,.2>}][3 pigment{rgb 0}
+finish{reflection .6}]}})"),
             618,
             {8.077, 7.1373, 6.2098}},
         Way{"TheExponentIsOfWhatArrives",

@@ -152,8 +152,10 @@ TEST(RadiosityPicture, CornellBox) {  // P-R9
   const std::string scene = R"(#version 3.7; global_settings { assumed_gamma 1 max_trace_level 20 radiosity {} }
 camera { location <0,1,-3.4> direction z*1.6 right x*1.3333 up y look_at <0,1,0> }
 #declare F = finish { diffuse 0.8 ambient 0 }
-box { <-1,-0.01,-1> <1,0,1> pigment { rgb 0.9 } finish { F } } box { <-1,2,-1> <1,2.01,1> pigment { rgb 0.9 } finish { F } }
-box { <-1.01,0,-1> <-1,2,1> pigment { rgb <0.8,0.1,0.1> } finish { F } } box { <1,0,-1> <1.01,2,1> pigment { rgb <0.1,0.8,0.1> } finish { F } }
+box { <-1,-0.01,-1> <1,0,1> pigment { rgb 0.9 } finish { F } } box { <-1,2,-1> <1,2.01,1> pigment { rgb 0.9 } finish
+{ F } }
+box { <-1.01,0,-1> <-1,2,1> pigment { rgb <0.8,0.1,0.1> } finish { F } } box { <1,0,-1> <1.01,2,1> pigment { rgb
+<0.1,0.8,0.1> } finish { F } }
 box { <-1,0,1> <1,2,1.01> pigment { rgb 0.9 } finish { F } }
 box { <-0.3,0,-0.3> <0.3,1.2,0.3> rotate y*20 translate <-0.35,0,0.3> pigment { rgb 0.9 } finish { F } }
 box { <-0.3,0,-0.3> <0.3,0.6,0.3> rotate y*-18 translate <0.35,0,-0.35> pigment { rgb 0.9 } finish { F } }

@@ -25,7 +25,8 @@ light_source { <-5, 8, -6> rgb 1 }
 plane { y, -1 pigment { rgb <0.5, 0.45, 0.4> } }
 sphere { <-1.5, 0, 0>, 0.8 pigment { rgb <0.6, 0.2, 0.1> } }
 sphere { <0.2, -0.4, -1>, 0.16 pigment { rgb <0.05, 0.04, 0.03> } finish { diffuse 0.8 } }
-prism { linear_sweep 0, 0.5, 5, <0, 0>, <1, 0>, <1.0, 1>, <0, 1>, <0, 0> rotate 20*y translate <0.6, -1, 0> pigment { rgb <0.3, 0.6, 0.3> } }
+prism { linear_sweep 0, 0.5, 5, <0, 0>, <1, 0>, <1.0, 1>, <0, 1>, <0, 0> rotate 20*y translate <0.6, -1, 0> pigment {
+rgb <0.3, 0.6, 0.3> } }
 fog { distance 200 rgb <0.6, 0.65, 0.7> }
 )";
 

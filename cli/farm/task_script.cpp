@@ -15,15 +15,20 @@ constexpr std::string_view kHead = R"sh(#!/bin/sh
 #   sh task.sh 3          task 3; prepass and merge are the other steps
 #   sh task.sh array 1000   task 1000 + SLURM_ARRAY_TASK_ID
 #
-# Written by `verisim farm submit`, and yours to change: `verisim farm resume` submits it as it is then. By hand it does the same
-# without a cluster. What it says goes to logs/STEP.log: lines of JSON about the task, and verisim's own (docs/progress.md).
+# Written by `verisim farm submit`, and yours to change: `verisim farm resume` submits it as it is then. By hand it
+# does the same without a cluster. What it says goes to logs/STEP.log: lines of JSON about the task, and verisim's own
+# (docs/progress.md).
 set -u
 )sh";
 
 constexpr std::string_view kTools = R"sh(
-say() { printf '{"event":"%s","step":"%s","node":"%s","time":%s%s}\n' "$1" "$step" "$(hostname)" "$(date +%s)" "${2:-}" >>"$log"; }
+say() {
+  printf '{"event":"%s","step":"%s","node":"%s","time":%s%s}\n' \
+    "$1" "$step" "$(hostname)" "$(date +%s)" "${2:-}" >>"$log"
+}
 
-# The signal that comes before the time limit: verisim saves its state, and the task goes back into the queue, from where it goes on.
+# The signal that comes before the time limit: verisim saves its state, and the task goes back into the queue, from
+# where it goes on.
 before_the_limit() {
   trap '' USR1
   stop_render

@@ -194,6 +194,20 @@ void warn_of_object(const Job& job, const scene::SourceLocation& place, const st
                           : wrapped(fmt::format("{}:{}: warning: {}", file, place.line, text)));
 }
 
+void report_unsupported(const Job& job, const render::Unsupported& missing, FrameReport& report) {
+  job.console.end_progress();
+  parser::Diagnostic diagnostic;
+  diagnostic.severity = parser::Severity::unsupported;
+  diagnostic.code = parser::Code::unsupported;
+  if (missing.place.file) diagnostic.file = *missing.place.file;
+  diagnostic.line = missing.place.line;
+  diagnostic.column = missing.place.column;
+  diagnostic.message = missing.what();
+  job.console.diagnostic(diagnostic);
+  report.status = kUnsupported;
+  report.message = fmt::format("{}:{}:{}: {}", diagnostic.file, diagnostic.line, diagnostic.column, diagnostic.message);
+}
+
 void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene, const OutputName& name,
                    FrameReport& report) {
   const Options& options = job.options;
@@ -244,19 +258,7 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   try {
     trace(job, scene, part, canvas, state.get(), choice, prepasses, report);
   } catch (const render::Unsupported& missing) {
-    job.console.end_progress();
-    parser::Diagnostic diagnostic;
-    diagnostic.severity = parser::Severity::unsupported;
-    diagnostic.code = parser::Code::unsupported;
-    if (missing.place.file) diagnostic.file = *missing.place.file;
-    diagnostic.line = missing.place.line;
-    diagnostic.column = missing.place.column;
-    diagnostic.message = missing.what();
-    job.console.diagnostic(diagnostic);
-    report.status = kUnsupported;
-    report.message =
-        fmt::format("{}:{}:{}: {}", diagnostic.file, diagnostic.line, diagnostic.column, diagnostic.message);
-    return;
+    return report_unsupported(job, missing, report);
   }
   report.seconds_render = since(start);
   report.cpu_render = cpu_seconds() - cpu;

@@ -96,7 +96,8 @@ Vec2 clipped(const Vec2& from, const Vec2& to, double most) {
 constexpr const char* kStyle = R"(<style>
 .ray { fill: none; stroke-width: 2; stroke: var(--c) } .head { fill: var(--c) } .ray.shadow { stroke-dasharray: 5 4 }
 .camera { --c: #1a5fb4 } .reflected { --c: #b35900 } .refracted { --c: #1a7a33 } .transmitted { --c: #00697a }
-.lit { --c: #b38f00 } .shadow { --c: #6b6f78 } .gathering { --c: #565d6b } .normal { stroke: #1b1e25 } .hit { fill: #1b1e25 }
+.lit { --c: #b38f00 } .shadow { --c: #6b6f78 } .gathering { --c: #565d6b } .normal { stroke: #1b1e25 }
+.hit { fill: #1b1e25 }
 </style>)";
 
 }  // namespace
@@ -119,10 +120,11 @@ std::vector<Vec3> points_of(const Json& rays) {
 
 std::string ray_svg(const Json& rays, const Viewpoint& view, const DrawingStyle& style) {
   const Drawing drawing = drawing_of(rays);
-  std::string svg = fmt::format(
-      R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}"{2} role="img" aria-label="The rays of the pixel">)",
-      style.width, style.height,
-      style.alone ? fmt::format(R"( width="{}" height="{}")", style.width, style.height) : "");
+  std::string svg =
+      fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0} {1}"{2} role="img" )"
+                  R"(aria-label="The rays of the pixel">)",
+                  style.width, style.height,
+                  style.alone ? fmt::format(R"( width="{}" height="{}")", style.width, style.height) : "");
   if (style.alone) svg += kStyle;
   if (!style.picture.empty())
     svg += fmt::format(
@@ -141,9 +143,9 @@ std::string ray_svg(const Json& rays, const Viewpoint& view, const DrawingStyle&
   for (const Normal& n : drawing.normals) {
     const Vec2 a = view.project(n.point, style.width);
     const Vec2 d{dot(n.direction, view.right), -dot(n.direction, view.up)};
-    svg += fmt::format(
-        R"(<line class="normal" x1="{0:.2f}" y1="{1:.2f}" x2="{2:.2f}" y2="{3:.2f}"/><circle class="hit" cx="{0:.2f}" cy="{1:.2f}" r="3"/>)",
-        a.x, a.y, a.x + kNormal * d.x, a.y + kNormal * d.y);
+    svg += fmt::format(R"(<line class="normal" x1="{0:.2f}" y1="{1:.2f}" x2="{2:.2f}" y2="{3:.2f}"/>)"
+                       R"(<circle class="hit" cx="{0:.2f}" cy="{1:.2f}" r="3"/>)",
+                       a.x, a.y, a.x + kNormal * d.x, a.y + kNormal * d.y);
   }
   return svg + "</svg>\n";
 }

@@ -8,8 +8,9 @@
 namespace verisim::cli {
 
 std::vector<Knob> knobs_of(const std::string& text) {
-  static const std::regex pattern(
-      R"(#(?:declare|local)[ \t]+([A-Za-z_]\w*)[ \t]*=[ \t]*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[ \t]*;?[ \t]*//[ \t]*@range[ \t]+(\S+)[ \t]+(\S+)(?:[ \t]+([\d.eE+-]+))?)");
+  static const std::regex pattern(R"(#(?:declare|local)[ \t]+([A-Za-z_]\w*)[ \t]*=)"
+                                  R"([ \t]*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)[ \t]*;?)"
+                                  R"([ \t]*//[ \t]*@range[ \t]+(\S+)[ \t]+(\S+)(?:[ \t]+([\d.eE+-]+))?)");
   std::vector<Knob> result;
   for (std::size_t start = 0; start < text.size();) {
     const std::size_t end = std::min(text.find('\n', start), text.size());

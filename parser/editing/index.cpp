@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "parser/lexer/directive_links.h"
+
 namespace verisim::parser {
 namespace {
 
@@ -20,11 +22,6 @@ std::shared_ptr<const TokenFile> tokens_of(std::string text, Names& names) {
     std::fill(text.begin() + static_cast<std::ptrdiff_t>(last.offset), text.begin() + static_cast<std::ptrdiff_t>(end),
               ' ');
   }
-}
-
-bool opens_construct(Word word) {
-  return word == Word::if_ || word == Word::ifdef || word == Word::ifndef || word == Word::while_ ||
-         word == Word::for_ || word == Word::switch_ || word == Word::macro;
 }
 
 }  // namespace
@@ -51,28 +48,87 @@ std::uint32_t NameIndex::declare(std::uint32_t at, NameDeclaration::Kind kind, b
   return at + 1;
 }
 
-void NameIndex::read() {
+bool NameIndex::is(std::uint32_t token, char punctuation) const {
+  return token < file_->tokens.size() && file_->tokens[token].punctuation == punctuation;
+}
+
+// Those from a token to a closing parenthesis.
+void NameIndex::declare_parameters(std::uint32_t at, TextRange scope, std::vector<std::string>* list) {
+  const Tokens& tokens = file_->tokens;
+  for (; at < tokens.size() && (tokens[at].kind == TokenKind::identifier || is(at, ',')); ++at) {
+    if (is(at, ',')) continue;
+    NameDeclaration d;
+    d.name = (*names_)[tokens[at].id()].text;
+    d.kind = NameDeclaration::Kind::parameter;
+    d.offset = tokens[at].offset;
+    d.whole = {d.offset, end_of(at)};
+    d.scope = scope;
+    if (list) list->push_back(d.name);
+    declarations_.push_back(std::move(d));
+  }
+}
+
+// Where the braces behind the parameters of `function` close.
+std::size_t NameIndex::end_of_function(std::uint32_t at) const {
+  const Tokens& tokens = file_->tokens;
+  for (int open = 0; at < tokens.size() && tokens[at].kind != TokenKind::end; ++at) {
+    open += is(at, '{');
+    if (is(at, '}') && --open <= 0) break;
+  }
+  return tokens[std::min<std::size_t>(at, tokens.size() - 1)].offset;
+}
+
+void NameIndex::read_macro(std::uint32_t at) {
+  const Token& token = file_->tokens[at];
+  const std::size_t end = token.link() ? end_of(token.link()) : file_->source->text().size();
+  if (declare(at + 1, NameDeclaration::Kind::macro, false) == at + 1) return;
+  const std::size_t here = declarations_.size() - 1;
+  std::vector<std::string> list;
+  const TextRange scope{end_of(at + 1), end};
+  if (is(at + 2, '(')) declare_parameters(at + 3, scope, &list);
+  declarations_[here].parameters = std::move(list);
+  declarations_[here].whole = {token.offset, end};
+  macros_.push_back(scope);
+}
+
+void NameIndex::read_directive(std::uint32_t at) {
   const Tokens& tokens = file_->tokens;
   using Kind = NameDeclaration::Kind;
-  std::vector<std::size_t> constructs, blocks;
-  const auto is = [&](std::uint32_t i, char punctuation) {
-    return i < tokens.size() && tokens[i].punctuation == punctuation;
-  };
-  // Parameters between parentheses; returns the token behind them.
-  const auto parameters = [&](std::uint32_t i, TextRange scope, std::vector<std::string>* list) {
-    for (; i < tokens.size() && !is(i, ')') && tokens[i].kind != TokenKind::end; ++i) {
-      if (tokens[i].kind != TokenKind::identifier && tokens[i].punctuation != ',') break;
-      if (tokens[i].kind != TokenKind::identifier) continue;
-      NameDeclaration d;
-      d.name = (*names_)[tokens[i].id()].text;
-      d.kind = Kind::parameter;
-      d.offset = tokens[i].offset;
-      d.whole = {d.offset, end_of(i)};
-      d.scope = scope;
-      if (list) list->push_back(d.name);
-      declarations_.push_back(std::move(d));
-    }
-    return i;
+  switch (const Word word = tokens[at++].word; word) {
+    case Word::declare:
+    case Word::local:
+      if (tokens[at].word == Word::deprecated)
+        while (at < tokens.size() && tokens[at].kind != TokenKind::identifier && tokens[at].kind != TokenKind::end)
+          ++at;
+      if (!is(at + 1, '[')) declare(at, Kind::variable, word == Word::local);
+      break;
+    case Word::fopen:
+      declare(at, Kind::file, false);
+      break;
+    case Word::for_:
+      if (is(at, '(')) declare(at + 1, Kind::variable, true);
+      break;
+    case Word::macro:
+      read_macro(at - 1);
+      break;
+    case Word::include:
+      if (tokens[at].kind == TokenKind::string) {
+        const std::size_t begin = tokens[at].offset + std::size_t{1};
+        includes_.push_back({begin, begin + tokens[at].id()});
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+void NameIndex::read() {
+  const Tokens& tokens = file_->tokens;
+  std::vector<std::size_t> constructs, blocks;  // where the open ones begin
+  const auto close = [this](std::vector<std::size_t>& open, std::size_t end) {
+    if (open.empty()) return;
+    folds_.push_back({open.back(), end});
+    open.pop_back();
   };
   for (std::uint32_t i = 0; i < tokens.size(); ++i) {
     const Token& token = tokens[i];
@@ -80,62 +136,13 @@ void NameIndex::read() {
     if (token.kind == TokenKind::identifier) uses_.push_back({(*names_)[token.id()].text, token.offset});
     if (token.punctuation == '{')
       blocks.push_back(i && tokens[i - 1].kind == TokenKind::word ? tokens[i - 1].offset : token.offset);
-    if (token.punctuation == '}' && !blocks.empty()) {
-      folds_.push_back({blocks.back(), token.offset + std::size_t{1}});
-      blocks.pop_back();
-    }
-    if (token.kind == TokenKind::word && token.word == Word::function && is(i + 1, '(')) {
-      std::uint32_t end = i + 2;
-      for (int open = 0; end < tokens.size() && tokens[end].kind != TokenKind::end; ++end) {
-        open += tokens[end].punctuation == '{';
-        if (tokens[end].punctuation == '}' && --open <= 0) break;
-      }
-      parameters(i + 2, {token.offset, tokens[std::min<std::size_t>(end, tokens.size() - 1)].offset}, nullptr);
-    }
+    if (token.punctuation == '}') close(blocks, token.offset + std::size_t{1});
+    if (token.kind == TokenKind::word && token.word == Word::function && is(i + 1, '('))
+      declare_parameters(i + 2, {token.offset, end_of_function(i + 2)});
     if (token.kind != TokenKind::directive) continue;
     if (opens_construct(token.word)) constructs.push_back(token.offset);
-    switch (token.word) {
-      case Word::end:
-        if (constructs.empty()) break;
-        folds_.push_back({constructs.back(), end_of(i)});
-        constructs.pop_back();
-        break;
-      case Word::declare:
-      case Word::local: {
-        std::uint32_t at = i + 1;
-        if (tokens[at].word == Word::deprecated)
-          while (at < tokens.size() && tokens[at].kind != TokenKind::identifier && tokens[at].kind != TokenKind::end)
-            ++at;
-        if (!is(at + 1, '[')) declare(at, Kind::variable, token.word == Word::local);
-        break;
-      }
-      case Word::fopen:
-        declare(i + 1, Kind::file, false);
-        break;
-      case Word::for_:
-        if (is(i + 1, '(')) declare(i + 2, Kind::variable, true);
-        break;
-      case Word::macro: {
-        const std::size_t end = token.link() ? end_of(token.link()) : file_->source->text().size();
-        if (declare(i + 1, Kind::macro, false) == i + 1) break;
-        const std::size_t here = declarations_.size() - 1;
-        std::vector<std::string> list;
-        const TextRange scope{tokens[i + 1].offset + file_->length(tokens[i + 1]), end};
-        if (is(i + 2, '(')) parameters(i + 3, scope, &list);
-        declarations_[here].parameters = std::move(list);
-        declarations_[here].whole = {token.offset, end};
-        macros_.push_back(scope);
-        break;
-      }
-      case Word::include:
-        if (tokens[i + 1].kind == TokenKind::string) {
-          const std::size_t begin = tokens[i + 1].offset + std::size_t{1};
-          includes_.push_back({begin, begin + tokens[i + 1].id()});
-        }
-        break;
-      default:
-        break;
-    }
+    if (token.word == Word::end) close(constructs, end_of(i));
+    read_directive(i);
   }
 }
 

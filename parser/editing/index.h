@@ -64,6 +64,11 @@ class NameIndex {
 
  private:
   void read();
+  void read_directive(std::uint32_t at);
+  void read_macro(std::uint32_t at);
+  void declare_parameters(std::uint32_t at, TextRange scope, std::vector<std::string>* list = nullptr);
+  bool is(std::uint32_t token, char punctuation) const;
+  std::size_t end_of_function(std::uint32_t at) const;
   std::uint32_t declare(std::uint32_t at, NameDeclaration::Kind kind, bool local);
   std::size_t end_of(std::uint32_t token) const;  // the byte behind it
 

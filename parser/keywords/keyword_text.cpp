@@ -173,7 +173,8 @@ std::string text_mate_grammar() {
     { "match": "(#\\s*macro)\\s+([A-Za-z_]\\w*)",
       "captures": { "1": { "name": "keyword.control.directive.pov" }, "2": { "name": "entity.name.function.pov" } } },
     { "match": "(#\\s*(?:declare|local))\\s+([A-Za-z_]\\w*)",
-      "captures": { "1": { "name": "keyword.control.directive.pov" }, "2": { "name": "variable.other.declaration.pov" } } },
+      "captures": { "1": { "name": "keyword.control.directive.pov" }, )TM"
+                    R"TM("2": { "name": "variable.other.declaration.pov" } } },
     { "name": "constant.numeric.pov", "match": "(?<![\\w.])(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?(?!\\w)" })TM";
   add_words(out, "keyword.control.directive", "#\\\\s*", directives);
   add_words(out, "storage.type.object", "", objects);

@@ -2,6 +2,7 @@
 // text, and what it would have declared is remembered, so that its uses are not reported as further errors. The first
 // error is the same as if parsing had stopped there.
 #include "parser/language/impl.h"
+#include "parser/lexer/directive_links.h"
 #include "parser/source/suggest.h"
 
 namespace verisim::parser {
@@ -16,6 +17,51 @@ constexpr std::uint64_t kMaxStepsAfterError =
 bool is_message(Word word) {
   return word == Word::debug || word == Word::warning || word == Word::render || word == Word::statistics ||
          word == Word::undef || word == Word::fclose || word == Word::write || word == Word::read;
+}
+
+bool is_last(const Token& token) { return token.kind == TokenKind::end || token.kind == TokenKind::error; }
+
+// Behind the #end of the construct that a directive opens. Null, here and below: the end is not clear.
+const Token* behind_construct(const TokenFile& file, const Token& opener) {
+  std::uint32_t link = opener.link();
+  while (link && file.tokens[link].word != Word::end) link = file.tokens[link].link();
+  return link ? &file.tokens[link] + 1 : nullptr;
+}
+
+// Behind the parenthesis that closes the arguments of a name.
+const Token* behind_call(const Token* name) {
+  const Token* at = name;
+  int open = 0;
+  do {
+    ++at;
+    if (is_last(*at)) return nullptr;
+    open += (at->punctuation == '(') - (at->punctuation == ')');
+  } while (open);
+  return at + 1;
+}
+
+// Behind a semicolon or the brace that closes the statement, or at the next directive.
+const Token* behind_statement(const Token* first) {
+  const bool directive = first->kind == TokenKind::directive;
+  int braces = 0, parentheses = 0;
+  bool block_in_parentheses = false;  // difference ( sphere { ... } )
+  for (const Token* at = directive ? first + 1 : first;; ++at) {
+    if (!braces) parentheses += (at->punctuation == '(') - (at->punctuation == ')');
+    if (block_in_parentheses && !braces && !parentheses) return at + 1;
+    if (is_last(*at)) return nullptr;
+    if (at->kind == TokenKind::directive && !braces) return at;
+    if (at->punctuation == ';' && !braces) return at + 1;
+    if (at->punctuation == '{') ++braces;
+    if (at->punctuation != '}') continue;
+    if (braces > 0) --braces;
+    block_in_parentheses |= !braces && parentheses > 0;
+    if (braces || parentheses > 0) continue;
+    if (!directive) return at + 1;
+    // A layered texture goes on; a semicolon may end it.
+    const Token* const next = at[1].punctuation == ';' ? at + 2 : at + 1;
+    if (next->kind != TokenKind::word || next->word != Word::texture || first[3].word != Word::texture) return next;
+    at = next - 1;
+  }
 }
 
 }  // namespace
@@ -77,12 +123,10 @@ void Parser::Impl::fail_names_of(const Macro& macro) {
 bool Parser::Impl::skip_block_of_directives() {
   int open = 1;
   for (const Token* at = position;; ++at) {
-    if (at->kind == TokenKind::end || at->kind == TokenKind::error) return false;
+    if (is_last(*at)) return false;
     if (at->kind != TokenKind::directive) continue;
-    const Word word = at->word;
-    open += word == Word::if_ || word == Word::ifdef || word == Word::ifndef || word == Word::while_ ||
-            word == Word::for_ || word == Word::switch_ || word == Word::macro;
-    if (word != Word::end || --open) continue;
+    open += opens_construct(at->word);
+    if (at->word != Word::end || --open) continue;
     go_to(file, index(at) + 1);
     return true;
   }
@@ -90,87 +134,40 @@ bool Parser::Impl::skip_block_of_directives() {
 
 // Moves the cursor behind the failing statement. False: its end is not clear.
 bool Parser::Impl::skip_statement() {
-  const Token* at = position;
-  const Token* const first = at;
+  const Token* const first = position;
+  const auto go_behind = [&](const Token* at) {
+    if (at) go_to(file, index(at));
+    return at != nullptr;
+  };
   if (first->kind == TokenKind::directive) {
     const Word word = first->word;
     const bool declares = word == Word::declare || word == Word::local;
     if (declares || word == Word::macro) {
-      if (at[1].kind != TokenKind::identifier) return false;
-      recovery.failed_names.insert(at[1].id());
+      if (first[1].kind != TokenKind::identifier) return false;
+      recovery.failed_names.insert(first[1].id());
     }
-    if (word == Word::if_ || word == Word::while_ || word == Word::for_ || word == Word::switch_ ||
-        word == Word::macro) {
-      std::uint32_t link = first->link();
-      while (link && file->tokens[link].word != Word::end) link = file->tokens[link].link();
-      if (!link) return false;
-      go_to(file, link + 1);
-      return true;
-    }
-    if (!declares && !is_message(word) && word != Word::default_) return false;
-    ++at;
+    if (word == Word::if_ || word == Word::while_ || word == Word::for_ || word == Word::switch_ || word == Word::macro)
+      return go_behind(behind_construct(*file, *first));
+    return (declares || is_message(word) || word == Word::default_) && go_behind(behind_statement(first));
   }
-  if (first->kind != TokenKind::directive && first->kind != TokenKind::end &&
-      file->hash_before(*first) != std::string_view::npos) {
+  if (first->kind != TokenKind::end && file->hash_before(*first) != std::string_view::npos) {
     const MeantDirective meant = meant_directive(file->source->text().substr(first->offset, file->length(*first)));
-    if (at[1].kind == TokenKind::identifier) recovery.failed_names.insert(at[1].id());  // #Declare NAME
+    if (first[1].kind == TokenKind::identifier) recovery.failed_names.insert(first[1].id());  // #Declare NAME
     if (meant.opens) return skip_block_of_directives();
     if (meant.directive == "end" && !conditions.empty() && conditions.back().kind != Condition::Kind::macro) {
       conditions.pop_back();
-      go_to(file, index(first) + 1);
-      return true;
+      return go_behind(first + 1);
     }
   }
   if (first->kind == TokenKind::identifier) {
+    const bool call = first[1].punctuation == '(';
     if (Symbol* symbol = names[first->id()].symbol; symbol && symbol->is_macro) {
       fail_names_of(*std::get<Shared<Macro>>(symbol->value()));
-      if (at[1].punctuation != '(') {
-        go_to(file, index(first) + 1);
-        return true;
-      }
+      if (!call) return go_behind(first + 1);
     }
+    if (call) return go_behind(behind_call(first));
   }
-  if (first->kind == TokenKind::identifier && at[1].punctuation == '(') {  // a call
-    int brackets = 0;
-    do {
-      ++at;
-      if (at->kind == TokenKind::end || at->kind == TokenKind::error) return false;
-      brackets += at->punctuation == '(';
-      brackets -= at->punctuation == ')';
-    } while (brackets);
-    go_to(file, index(at) + 1);
-    return true;
-  }
-  // Up to a semicolon, to the brace that closes the statement, or to the next directive.
-  int braces = 0, parentheses = 0;
-  bool block_in_parentheses = false;  // difference ( sphere { ... } )
-  for (;; ++at) {
-    if (!braces) parentheses += (at->punctuation == '(') - (at->punctuation == ')');
-    if (block_in_parentheses && !braces && !parentheses) {
-      ++at;
-      break;
-    }
-    if (at->kind == TokenKind::end || at->kind == TokenKind::error) return false;
-    if (at->kind == TokenKind::directive && !braces && at != first) break;
-    if (at->punctuation == '{') {
-      ++braces;
-    } else if (at->punctuation == '}') {
-      if (braces > 0) --braces;
-      block_in_parentheses |= !braces && parentheses > 0;
-      if (braces || parentheses > 0) continue;
-      ++at;
-      if (first->kind != TokenKind::directive) break;
-      // A layered texture goes on; a semicolon may end it.
-      if (at->punctuation == ';') ++at;
-      if (at->kind != TokenKind::word || at->word != Word::texture || first[3].word != Word::texture) break;
-      --at;
-    } else if (at->punctuation == ';' && !braces) {
-      ++at;
-      break;
-    }
-  }
-  go_to(file, static_cast<std::uint32_t>(at - file->tokens.data()));
-  return true;
+  return go_behind(behind_statement(first));
 }
 
 }  // namespace verisim::parser

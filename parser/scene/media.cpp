@@ -1,4 +1,6 @@
 // media { ... } (spec 07 section 4.1).
+#include <utility>
+
 #include "parser/scene/common/common.h"
 #include "parser/scene/interior.h"
 
@@ -42,9 +44,24 @@ void parse_samples(Parser& parser, Media& media) {
     parser.error(Code::bad_value, "The maximum number of samples in media is smaller than the minimum.");
 }
 
+// Items that are one number or one colour, whatever it is.
+constexpr std::pair<Word, double Media::*> kNumbers[] = {
+    {Word::jitter, &Media::jitter}, {Word::ratio, &Media::ratio}, {Word::variance, &Media::variance}};
+constexpr std::pair<Word, Rgb Media::*> kColors[] = {{Word::absorption, &Media::absorption},
+                                                     {Word::emission, &Media::emission}};
+
+bool parse_simple_item(Parser& parser, Media& media, Word word) {
+  for (const auto& [item, value] : kNumbers)
+    if (item == word) return parser.next(), media.*value = parser.parse_float(), true;
+  for (const auto& [item, value] : kColors)
+    if (item == word) return parser.next(), media.*value = parser.parse_rgb(), true;
+  return false;
+}
+
 // One item of the block, transformations apart. False: none.
 bool parse_item(Parser& parser, Media& media) {
-  switch (word_at(parser)) {
+  const Word word = word_at(parser);
+  switch (word) {
     case Word::method:
       parser.next();
       media.method = parser.parse_int();
@@ -68,31 +85,11 @@ bool parse_item(Parser& parser, Media& media) {
       media.aa_threshold = parser.parse_float();
       if (!(media.aa_threshold > 0)) parser.error(Code::bad_value, "Media aa_threshold must be positive.");
       return true;
-    case Word::jitter:
-      parser.next();
-      media.jitter = parser.parse_float();
-      return true;
-    case Word::ratio:
-      parser.next();
-      media.ratio = parser.parse_float();
-      return true;
     case Word::confidence:
       parser.next();
       media.confidence = parser.parse_float();
       if (!(media.confidence >= 0 && media.confidence < 1))
         parser.error(Code::bad_value, "Illegal confidence value in media.");
-      return true;
-    case Word::variance:
-      parser.next();
-      media.variance = parser.parse_float();
-      return true;
-    case Word::absorption:
-      parser.next();
-      media.absorption = parser.parse_rgb();
-      return true;
-    case Word::emission:
-      parser.next();
-      media.emission = parser.parse_rgb();
       return true;
     case Word::scattering:
       parse_scattering(parser, media);
@@ -105,7 +102,7 @@ bool parse_item(Parser& parser, Media& media) {
       media.collect = parser.parse_flag();
       return true;
     default:
-      return false;
+      return parse_simple_item(parser, media, word);
   }
 }
 

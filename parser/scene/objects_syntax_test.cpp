@@ -20,7 +20,8 @@ constexpr const char* kAccepted[] = {
     R"(#declare L=light_source{0 rgb 1} object{L pigment{rgb 1}})",
     R"(light_source{0, 1})",
     R"(light_source{0})",
-    R"(light_source{0 rgb 1 media_attenuation off media_interaction on area_light x,y,3,3 adaptive 1 jitter circular orient})",
+    R"(light_source{0 rgb 1 media_attenuation off media_interaction on area_light x,y,3,3 adaptive 1 jitter circular
+orient})",
     R"(light_group{light_source{0 rgb 1} sphere{0,1} global_lights on translate x photons{target}})",
     R"(light_group{})",
     R"(union{})",
@@ -68,7 +69,8 @@ constexpr const char* kAccepted[] = {
     R"(superellipsoid{.5})",
     R"(ovus{1,.5})",
     R"(ovus{1,3})",
-    R"(blob{threshold .5 sphere{0,1,1} sphere{x,1,strength 2 pigment{rgb 1}} cylinder{0,x,1,2 translate y texture{pigment{rgb 1}}}})",
+    R"(blob{threshold .5 sphere{0,1,1} sphere{x,1,strength 2 pigment{rgb 1}} cylinder{0,x,1,2 translate y
+texture{pigment{rgb 1}}}})",
     R"(blob{sphere{0,1,1} threshold .6 component 1 1 <0,0,0>})",
     R"(lathe{linear_spline 3,<0,0>,<1,0>,<0,1>})",
     R"(lathe{3,<0,0>,<1,0>,<0,1> sturm})",
@@ -90,16 +92,25 @@ constexpr const char* kAccepted[] = {
     R"(mesh{triangle{0,x,y} inside_vector z triangle{0,x,z}})",
     R"(mesh{smooth_triangle{0,0,x,0,y,0}})",
     R"(mesh2{vertex_vectors{3,0,x,y} face_indices{1,<0,1,2>}})",
-    R"(mesh2{vertex_vectors{3,0,x,y} normal_vectors{3,z,z,z} uv_vectors{2,<0,0>,<1,1>} face_indices{1,<0,1,2>} uv_indices{1,<0,1,1>} normal_indices{1,<0,1,2>} inside_vector z pigment{rgb 1}})",
-    R"(mesh2{vertex_vectors{3,0,x,y} texture_list{2,texture{pigment{rgb 1}},texture{pigment{rgb 0}}} face_indices{1,<0,1,2>,0,1,0}})",
-    R"(mesh2{vertex_vectors{3,0,x,y} texture_list{2,texture{pigment{rgb 1}} texture{pigment{rgb 0}}} face_indices{2,<0,1,2>,1 <0,1,2> 1}})",
+    R"(mesh2{vertex_vectors{3,0,x,y} normal_vectors{3,z,z,z} uv_vectors{2,<0,0>,<1,1>} face_indices{1,<0,1,2>}
+uv_indices{1,<0,1,1>} normal_indices{1,<0,1,2>} inside_vector z pigment{rgb 1}})",
+    R"(mesh2{vertex_vectors{3,0,x,y} texture_list{2,texture{pigment{rgb 1}},texture{pigment{rgb 0}}}
+face_indices{1,<0,1,2>,0,1,0}})",
+    R"(mesh2{vertex_vectors{3,0,x,y} texture_list{2,texture{pigment{rgb 1}} texture{pigment{rgb 0}}}
+face_indices{2,<0,1,2>,1 <0,1,2> 1}})",
     R"(mesh2{vertex_vectors{3,0,x,y} vertex_vectors{3,0,x,y} face_indices{1,<0,1,2>}})",
-    R"(bicubic_patch{type 0 flatness .1 u_steps 2 v_steps 2 <0,0,0>,<1,0,0>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,0>,<2,1,0>,<3,1,0>,<0,2,0>,<1,2,0>,<2,2,0>,<3,2,0>,<0,3,0>,<1,3,0>,<2,3,0>,<3,3,0>})",
-    R"(bicubic_patch{type 5 uv_vectors <0,0>,<1,0>,<1,1>,<0,1> <0,0,0>,<1,0,0>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,0>,<2,1,0>,<3,1,0>,<0,2,0>,<1,2,0>,<2,2,0>,<3,2,0>,<0,3,0>,<1,3,0>,<2,3,0>,<3,3,0>})",
-    R"(isosurface{function{x*x+y*y+z*z-1} contained_by{box{-2,2}} threshold 0 accuracy .01 max_gradient 4 open max_trace 12})",
+    R"(bicubic_patch{type 0 flatness .1 u_steps 2 v_steps 2
+<0,0,0>,<1,0,0>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,0>,<2,1,0>,<3,1,0>,
+<0,2,0>,<1,2,0>,<2,2,0>,<3,2,0>,<0,3,0>,<1,3,0>,<2,3,0>,<3,3,0>})",
+    R"(bicubic_patch{type 5 uv_vectors <0,0>,<1,0>,<1,1>,<0,1>
+<0,0,0>,<1,0,0>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,0>,<2,1,0>,<3,1,0>,
+<0,2,0>,<1,2,0>,<2,2,0>,<3,2,0>,<0,3,0>,<1,3,0>,<2,3,0>,<3,3,0>})",
+    R"(isosurface{function{x*x+y*y+z*z-1} contained_by{box{-2,2}} threshold 0 accuracy .01 max_gradient 4 open
+max_trace 12})",
     R"(isosurface{function{x*x+y*y+z*z-1} contained_by{sphere{0,2}} all_intersections evaluate 1,2,3})",
     R"(isosurface{function{x*x+y*y+z*z-1} contained_by{} accuracy 0 max_gradient -1 max_trace 0})",
-    R"(parametric{function{u} function{v} function{0} <0,0>,<1,1> contained_by{box{-2,2}} accuracy .1 max_gradient 2 precompute 5 x,y,z})",
+    R"(parametric{function{u} function{v} function{0} <0,0>,<1,1> contained_by{box{-2,2}} accuracy .1 max_gradient 2
+precompute 5 x,y,z})",
     R"(julia_fractal{<0,0,0,0>})",
     R"(julia_fractal{<-.1,.2,.3,.4> quaternion cube max_iteration 5 precision 20 slice <0,0,0,1>,.1})",
     R"(julia_fractal{<-.1,.2,.3,.4> hypercomplex pwr(2,3)})",
@@ -202,13 +213,16 @@ constexpr const char* kRefused[] = {
     R"(mesh2{face_indices{1,<0,1,2>}})",
     R"(mesh2{vertex_vectors{3,0,x,y} normal_vectors{1,z} face_indices{1,<0,1,2>}})",
     R"(mesh2{vertex_vectors{3,0,x,y} normal_vectors{3,z,z,z} uv_vectors{2,<0,0>,<1,1>} face_indices{1,<0,1,2>}})",
-    R"(mesh2{vertex_vectors{3,0,x,y} texture_list{2,texture{pigment{rgb 1}},texture{pigment{rgb 0}}} face_indices{1,<0,1,2>,5}})",
+    R"(mesh2{vertex_vectors{3,0,x,y} texture_list{2,texture{pigment{rgb 1}},texture{pigment{rgb 0}}}
+face_indices{1,<0,1,2>,5}})",
     R"(mesh2{vertex_vectors{3,0,x,y} face_indices{1,<0,1,2>} uv_vectors{1,<0,0>}})",
     R"(mesh2{vertex_vectors{3,0,x,y} face_indices{1,<0,1,2>,0}})",
     R"(mesh2{vertex_vectors{3,0,x,y} face_indices{2,<0,1,2>}})",
     R"(mesh2{vertex_vectors{3,0,x,y,z} face_indices{1,<0,1,2>}})",
     R"(mesh2{vertex_vectors{-1} face_indices{1,<0,1,2>}})",
-    R"(bicubic_patch{flatness .1 u_steps 2 v_steps 2 <0,0,0>,<1,0,0>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,0>,<2,1,0>,<3,1,0>,<0,2,0>,<1,2,0>,<2,2,0>,<3,2,0>,<0,3,0>,<1,3,0>,<2,3,0>,<3,3,0>})",
+    R"(bicubic_patch{flatness .1 u_steps 2 v_steps 2
+<0,0,0>,<1,0,0>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,0>,<2,1,0>,<3,1,0>,
+<0,2,0>,<1,2,0>,<2,2,0>,<3,2,0>,<0,3,0>,<1,3,0>,<2,3,0>,<3,3,0>})",
     R"(isosurface{function{x*x+y*y+z*z-1} contained_by{plane{y,1}}})",
     R"(isosurface{function{x*x+y*y+z*z-1} evaluate 1,2})",
     R"(isosurface{function(x,y,z){x} })",
@@ -243,7 +257,9 @@ constexpr const char* kRefused[] = {
     R"(mesh{triangle{0,x,y}, triangle{0,x,z}})",
     R"(blob{sphere{0,1,1}, sphere{0,1,1}})",
     R"(blob{threshold .5, sphere{0,1,1}})",
-    R"(bicubic_patch{type 0, flatness .1 u_steps 2 v_steps 2, <0,0,0>,<1,0,0>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,0>,<2,1,0>,<3,1,0>,<0,2,0>,<1,2,0>,<2,2,0>,<3,2,0>,<0,3,0>,<1,3,0>,<2,3,0>,<3,3,0>,})",
+    R"(bicubic_patch{type 0, flatness .1 u_steps 2 v_steps 2,
+<0,0,0>,<1,0,0>,<2,0,0>,<3,0,0>,<0,1,0>,<1,1,0>,<2,1,0>,<3,1,0>,
+<0,2,0>,<1,2,0>,<2,2,0>,<3,2,0>,<0,3,0>,<1,3,0>,<2,3,0>,<3,3,0>,})",
     R"(sphere_sweep{linear_spline 2,0,1,x,1, tolerance 1})",
     R"(triangle{0,x,y,})",
     R"(polygon{3,0,x,y,})",

@@ -1,6 +1,7 @@
 // radiosity { ... } of global_settings (spec 07 section 2.1).
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "parser/scene/common/common.h"
 #include "parser/scene/global_settings.h"
@@ -11,17 +12,45 @@ using scene::Radiosity;
 
 namespace {
 
-double positive(Parser& parser, const char* name) {
-  parser.next();
-  const double value = parser.parse_float();
-  if (!(value > 0)) parser.error(Code::bad_value, std::string("Radiosity ") + name + " must be a positive number.");
-  return value;
-}
+// Items that are one number above 0, some at most 1, or one flag.
+struct PositiveItem {
+  Word word;
+  double Radiosity::*value;
+  bool fraction = false;
+};
+constexpr PositiveItem kPositive[] = {
+    {Word::adc_bailout, &Radiosity::adc_bailout},         {Word::brightness, &Radiosity::brightness},
+    {Word::error_bound, &Radiosity::error_bound},         {Word::low_error_factor, &Radiosity::low_error_factor},
+    {Word::maximum_reuse, &Radiosity::maximum_reuse},     {Word::pretrace_start, &Radiosity::pretrace_start, true},
+    {Word::pretrace_end, &Radiosity::pretrace_end, true},
+};
+constexpr std::pair<Word, bool Radiosity::*> kFlags[] = {
+    {Word::always_sample, &Radiosity::always_sample},
+    {Word::media, &Radiosity::media},
+    {Word::normal, &Radiosity::normal},
+    {Word::subsurface, &Radiosity::subsurface},
+};
 
-double fraction(Parser& parser, const char* name) {
-  const double value = positive(parser, name);
-  if (value > 1) parser.error(Code::bad_value, std::string("Radiosity ") + name + " must not be larger than 1.");
-  return value;
+bool parse_simple_item(Parser& parser, Radiosity& radiosity, Word word) {
+  for (const PositiveItem& item : kPositive) {
+    if (item.word != word) continue;
+    parser.next();
+    const double value = radiosity.*item.value = parser.parse_float();
+    const auto refuse = [&](const char* rule) {
+      parser.error(Code::bad_value, "Radiosity " + std::string(spelling(word)) + " must " + rule + ".");
+    };
+    if (!(value > 0)) refuse("be a positive number");
+    if (item.fraction && value > 1) refuse("not be larger than 1");
+    if (word == Word::maximum_reuse) radiosity.maximum_reuse_given = true;
+    return true;
+  }
+  for (const auto& [flag, value] : kFlags) {
+    if (flag != word) continue;
+    parser.next();
+    radiosity.*value = parser.parse_float() > 0;
+    return true;
+  }
+  return false;
 }
 
 void parse_count(Parser& parser, Radiosity& radiosity) {
@@ -59,25 +88,10 @@ void ignored_file(Parser& parser, const char* keyword, const char* option) {
 
 // One item of the block. False: none.
 bool parse_item(Parser& parser, Radiosity& radiosity) {
-  const auto flag = [&](bool& target) {
-    parser.next();
-    target = parser.parse_float() > 0;
-  };
-  switch (word_at(parser)) {
-    case Word::adc_bailout:
-      radiosity.adc_bailout = positive(parser, "adc_bailout");
-      return true;
-    case Word::always_sample:
-      flag(radiosity.always_sample);
-      return true;
-    case Word::brightness:
-      radiosity.brightness = positive(parser, "brightness");
-      return true;
+  const Word word = word_at(parser);
+  switch (word) {
     case Word::count:
       parse_count(parser, radiosity);
-      return true;
-    case Word::error_bound:
-      radiosity.error_bound = positive(parser, "error_bound");
       return true;
     case Word::gray_threshold:
       parser.next();
@@ -85,16 +99,9 @@ bool parse_item(Parser& parser, Radiosity& radiosity) {
       if (!(radiosity.gray_threshold >= 0 && radiosity.gray_threshold <= 1))
         parser.error(Code::bad_value, "Radiosity gray_threshold must be from 0 to 1.");
       return true;
-    case Word::low_error_factor:
-      radiosity.low_error_factor = positive(parser, "low_error_factor");
-      return true;
     case Word::max_sample:
       parser.next();
       radiosity.max_sample = parser.parse_float();
-      return true;
-    case Word::maximum_reuse:
-      radiosity.maximum_reuse = positive(parser, "maximum_reuse");
-      radiosity.maximum_reuse_given = true;
       return true;
     case Word::minimum_reuse:
       parser.next();
@@ -103,29 +110,14 @@ bool parse_item(Parser& parser, Radiosity& radiosity) {
         parser.error(Code::bad_value, "Radiosity minimum_reuse must not be negative.");
       radiosity.minimum_reuse_given = true;
       return true;
-    case Word::media:
-      flag(radiosity.media);
-      return true;
     case Word::nearest_count:
       parse_nearest_count(parser, radiosity);
-      return true;
-    case Word::normal:
-      flag(radiosity.normal);
-      return true;
-    case Word::pretrace_start:
-      radiosity.pretrace_start = fraction(parser, "pretrace_start");
-      return true;
-    case Word::pretrace_end:
-      radiosity.pretrace_end = fraction(parser, "pretrace_end");
       return true;
     case Word::recursion_limit:
       parser.next();
       radiosity.recursion_limit = parser.parse_int();
       if (radiosity.recursion_limit < 1 || radiosity.recursion_limit > 20)
         parser.error(Code::bad_value, "Radiosity recursion_limit must be in the range 1 to 20.");
-      return true;
-    case Word::subsurface:
-      flag(radiosity.subsurface);
       return true;
     case Word::save_file:
       ignored_file(parser, "save_file", "+RFO");
@@ -134,7 +126,7 @@ bool parse_item(Parser& parser, Radiosity& radiosity) {
       ignored_file(parser, "load_file", "+RFI");
       return true;
     default:
-      return false;
+      return parse_simple_item(parser, radiosity, word);
   }
 }
 

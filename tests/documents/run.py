@@ -32,6 +32,7 @@ ELSEWHERE = {
     r"bench/.*|build/release/bin/verisim compare scenes/shapes .*": "by hand: long",
     r"python3 tests/(hostile|faults)/run\.py .*": "the tests hostile and faults",
     r"podman .*": "by hand: Containerfile",
+    r"tools/aarch64/.*|qemu-aarch64-static .*": "by hand: a cross compiler",
     r"cd editors/vscode|npm .*|VERISIM=verisim npm test|ln -s .*": "ctest -C Editors -R editors.vscode",
     r"verisim lsp( .*)?": "the tests lsp.sessions and lsp.neovim",
     r"(old|new)=.*|verisim compare .*--(test|reference) .*|verisim diff old/ new/ .*": "the test renderers.cycles, with Blender",

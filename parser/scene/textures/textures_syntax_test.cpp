@@ -11,7 +11,8 @@ constexpr const char* kAccepted[] = {
     R"(#version 2.0; sphere{0,1 texture{scale 2 wood}})",
     R"(#version 2.0; sphere{0,1 texture{wood phong 1 turbulence .3}})",
     R"(#version 2.0; sphere{0,1 texture{color red 1 color_map{[0 1 color red 1 color blue 1]}}})",
-    R"(#version 2.0; sphere{0,1 texture{color red 1 ambient .3 bumps .5 color_map{[0 1 color red 1 color blue 1]} wood}})",
+    R"(#version 2.0; sphere{0,1 texture{color red 1 ambient .3 bumps .5 color_map{[0 1 color red 1 color blue 1]}
+wood}})",
     R"(#version 2.0; sphere{0,1 texture{ambient 1 diffuse .3 color red 1 diffuse .3 .2}})",
     R"(#version 2.0; sphere{0,1 texture{color red 1 phong 1 metallic .5 refraction 1 ior 1.5}})",
     R"(#version 2.0; sphere{0,1 texture{color red 1 metallic -.5}})",
@@ -52,20 +53,24 @@ constexpr const char* kAccepted[] = {
     R"(sphere{0,1 finish{subsurface{}}})",
     R"(sphere{0,1 finish{diffuse albedo .3 .2 phong albedo 1 specular albedo 1 crand .1 roughness 0}})",
     R"(sphere{0,1 finish{metallic metallic .3 conserve_energy}})",
-    R"(sphere{0,1 material{texture{pigment{rgb 1}} interior{ior 1} texture{pigment{rgbt 1}} interior_texture{pigment{rgb 1}} scale 2}})",
+    R"(sphere{0,1 material{texture{pigment{rgb 1}} interior{ior 1} texture{pigment{rgbt 1}}
+interior_texture{pigment{rgb 1}} scale 2}})",
     R"(sphere{0,1 material{}})",
     R"(sphere{0,1 material{translate x}})",
     R"(#declare N=normal{scale 2})",
     R"(#declare N=normal{bump_size 2})",
     R"(#declare N=normal{})",
-    R"(sphere{0,1 texture{pigment{rgb 1}} texture{pigment{rgbt 1}} interior_texture{pigment{rgb 1}} interior_texture{pigment{rgbt 1}}})",
+    R"(sphere{0,1 texture{pigment{rgb 1}} texture{pigment{rgbt 1}} interior_texture{pigment{rgb 1}}
+interior_texture{pigment{rgbt 1}}})",
     R"(sphere{0,1 double_illuminate off uv_mapping pigment{uv_mapping gradient x}})",
-    R"(#declare T=texture{pigment{rgb 1}}; mesh{triangle{0,x,y texture{T}} smooth_triangle{0,z,x,z,y,z texture_list{T T T}}})",
+    R"(#declare T=texture{pigment{rgb 1}}; mesh{triangle{0,x,y texture{T}} smooth_triangle{0,z,x,z,y,z texture_list{T
+T T}}})",
     R"(sphere{0,1 pigment{bozo warp{turbulence .5 octaves 3 omega .5 lambda 2}}})",
     R"(sphere{0,1 pigment{bozo warp{repeat x offset y flip z}}})",
     R"(sphere{0,1 pigment{bozo warp{black_hole 0,1 strength 2 falloff 3 inverse type 0 repeat 5 turbulence .1}}})",
     R"(sphere{0,1 pigment{bozo warp{cylindrical orientation z dist_exp 1}}})",
-    R"(sphere{0,1 pigment{bozo warp{spherical} warp{toroidal major_radius 2} warp{planar} warp{planar z,1} warp{cubic}}})",
+    R"(sphere{0,1 pigment{bozo warp{spherical} warp{toroidal major_radius 2} warp{planar} warp{planar z,1}
+warp{cubic}}})",
     R"(sphere{0,1 pigment{bozo poly_wave}})",
     R"(sphere{0,1 pigment{brick rgb 1,rgb 0 brick_size 1 mortar .1}})",
     R"(sphere{0,1 pigment{crackle form x metric 2 offset .1 solid}})",
@@ -201,8 +206,10 @@ constexpr const char* kRefused[] = {
     R"(sphere{0,1 texture{checker texture{pigment{rgb 1}} texture{pigment{rgb 0}}} finish{ambient 1}})",
     R"(sphere{0,1 texture{checker texture{pigment{rgb 1}} texture{pigment{rgb 0}}} texture{pigment{rgb 1}}})",
     R"(sphere{0,1 texture{pigment{rgb 1}} texture{checker texture{pigment{rgb 1}} texture{pigment{rgb 0}}} })",
-    R"(#declare T=texture{pigment{rgb 1}} texture{pigment{rgbt 1}} sphere{0,1 texture{T bozo texture_map{[0 T][1 T]}}})",
-    R"(#declare T=texture{bozo texture_map{[0 pigment{rgb 1}][1 pigment{rgb 0}]}} sphere{0,1 texture{T pigment{rgb 0}}})",
+    R"(#declare T=texture{pigment{rgb 1}} texture{pigment{rgbt 1}} sphere{0,1 texture{T bozo texture_map{[0 T][1
+T]}}})",
+    R"(#declare T=texture{bozo texture_map{[0 pigment{rgb 1}][1 pigment{rgb 0}]}} sphere{0,1 texture{T pigment{rgb
+0}}})",
     R"(#declare T=texture{bozo texture_map{[0 pigment{rgb 1}][1 pigment{rgb 0}]}} sphere{0,1 texture{T marble}})",
     R"(#declare T=texture{pigment{rgb 1}} sphere{0,1 texture{T marble texture_map{[0 T][1 T]}}})",
     R"(sphere{0,1 texture{pigment{rgb 1} bozo}})",
@@ -217,7 +224,8 @@ constexpr const char* kRefused[] = {
     R"(#declare P=pigment{bozo} sphere{0,1 P})",
     R"(#declare F=finish{ambient 1} sphere{0,1 texture{pigment{rgb 1} F}})",
     R"(sphere{0,1 pigment{image_map{png "nofile.png"}}})",
-    R"(#declare T=texture{bozo texture_map{[0 pigment{rgb 1}][1 pigment{rgb 0}]}} sphere{0,1 texture{T turbulence 1 frequency 2 scale 3}})",
+    R"(#declare T=texture{bozo texture_map{[0 pigment{rgb 1}][1 pigment{rgb 0}]}} sphere{0,1 texture{T turbulence 1
+frequency 2 scale 3}})",
     R"(sphere{0,1 pigment{bozo color_map{[0 <1,1,1>][1 rgb 1]}}})",
     R"(sphere{0,1 pigment{bozo color_map{[0 <1,1,1,0,0>][1 rgb 1]}}})",
     R"(sphere{0,1 pigment{bozo color_map{[0 0.5 rgb 1 rgb 0][1 rgb 1]}}})",
@@ -241,7 +249,8 @@ constexpr const char* kRefused[] = {
     R"(sphere{0,1 material{pigment{rgb 1}}})",
     R"(sphere{0,1 interior_texture{pigment{rgb 1}}})",
     R"(sphere{0,1 interior{ior 1.5 dispersion_samples 1}})",
-    R"(sphere{0,1 interior{caustics 1 refraction 1 fade_distance 1 fade_power 1 fade_colour rgb 1 dispersion 1.1 media{emission 1} translate x}})",
+    R"(sphere{0,1 interior{caustics 1 refraction 1 fade_distance 1 fade_power 1 fade_colour rgb 1 dispersion 1.1
+media{emission 1} translate x}})",
     R"(sphere{0,1 interior{media{emission 1} scale 2 ior 1}})",
     R"(sphere{0,1 interior{hollow}})",
     R"(sphere{0,1 normal{bump_size 1.5}})",

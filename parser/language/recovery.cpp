@@ -146,8 +146,7 @@ bool Parser::Impl::skip_statement() {
       if (first[1].kind != TokenKind::identifier) return false;
       recovery.failed_names.insert(first[1].id());
     }
-    if (word == Word::if_ || word == Word::while_ || word == Word::for_ || word == Word::switch_ || word == Word::macro)
-      return go_behind(behind_construct(*file, *first));
+    if (opens_construct(word)) return go_behind(behind_construct(*file, *first));
     return (declares || is_message(word) || word == Word::default_) && go_behind(behind_statement(first));
   }
   if (first->kind != TokenKind::end && file->hash_before(*first) != std::string_view::npos) {

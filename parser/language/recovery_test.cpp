@@ -70,6 +70,8 @@ TEST(Recovery, EndsWhereItCannotTell) {
 TEST(Recovery, SkipsConstructsWithABadCondition) {
   EXPECT_EQ(lines_of_errors("#if (oops) sphere { 0, 1 }\n#else box { 0, 1 }\n#end\nsphere { 0, bad }"), (Lines{2, 5}));
   EXPECT_EQ(lines_of_errors("#while (x) sphere { 0, 1 }\n#end\nsphere { 0, bad }"), (Lines{2, 4}));
+  EXPECT_EQ(lines_of_errors("#ifdef A sphere { 0, 1 }\n#else box { 0, 1 }\n#end\nsphere { 0, bad }"), (Lines{2, 5}));
+  EXPECT_EQ(lines_of_errors("#ifndef A sphere { 0, 1 }\n#end\nsphere { 0, bad }"), (Lines{2, 4}));
 }
 
 TEST(Recovery, NothingIsWrittenAfterAnError) {

@@ -20,7 +20,7 @@ struct Transform {
   bool is_identity() const;
   Transform inverse() const { return {inv, m}; }
   // This transformation first, then `next`.
-  Transform then(const Transform& next) const { return {m * next.m, next.inv * inv}; }
+  Transform then(const Transform& next) const { return {product(m, next.m), product(next.inv, inv)}; }
 
   Vec3 point(const Vec3& p) const { return apply_point(m, p); }
   Vec3 inverse_point(const Vec3& p) const { return apply_point(inv, p); }
@@ -31,6 +31,7 @@ struct Transform {
   Vec3 inverse_normal(const Vec3& n) const { return apply_transposed(m, n); }
 
  private:
+  static Mat4 product(const Mat4& a, const Mat4& b);
   static Vec3 apply_point(const Mat4& a, const Vec3& p) {
     return {p.x * a[0][0] + p.y * a[1][0] + p.z * a[2][0] + a[3][0],
             p.x * a[0][1] + p.y * a[1][1] + p.z * a[2][1] + a[3][1],

@@ -169,18 +169,18 @@ void move_light(LightSource& light, const TransformSteps& steps) {
   if (light.projected_through) apply(writable(light.projected_through), steps);
 }
 
-DensityPtr transformed(const DensityPtr& density, const Transform& t) {
+DensityPtr transformed(const DensityPtr& density, Transforms steps) {
   auto moved = std::make_shared<Density>(*density);
-  moved->pattern.prepend(t);
+  moved->pattern.prepend(steps);
   return moved;
 }
 
-InteriorPtr transformed(const InteriorPtr& interior, const Transform& t) {
+InteriorPtr transformed(const InteriorPtr& interior, Transforms steps) {
   const auto has_density = [](const Media& m) { return !m.densities.empty(); };
   if (!interior || std::none_of(interior->media.begin(), interior->media.end(), has_density)) return interior;
   auto moved = std::make_shared<Interior>(*interior);
   for (Media& media : moved->media)
-    for (DensityPtr& density : media.densities) density = transformed(density, t);
+    for (DensityPtr& density : media.densities) density = transformed(density, steps);
   return moved;
 }
 
@@ -254,14 +254,14 @@ void move_bounds(Object& object, const TransformSteps& steps) {
   }
 }
 
-void move_textures(Object& object, const Transform& t) {
-  if (object.texture) object.texture = transformed(object.texture, t);
-  if (object.interior_texture) object.interior_texture = transformed(object.interior_texture, t);
+void move_textures(Object& object, const TransformSteps& steps) {
+  object.texture = steps.moved(object.texture);
+  object.interior_texture = steps.moved(object.interior_texture);
   if (const auto* blob = object.as<std::shared_ptr<const Blob>>()) {
     std::shared_ptr<Blob> moved;  // textures that do not move leave the blob shared with its copies
     for (std::size_t i = 0; i < (*blob)->components.size(); ++i) {
       const TexturePtr& texture = (*blob)->components[i].texture;
-      if (TexturePtr there = texture ? transformed(texture, t) : nullptr; there != texture) {
+      if (TexturePtr there = steps.moved(texture); there != texture) {
         if (!moved) moved = std::make_shared<Blob>(**blob);
         moved->components[i].texture = std::move(there);
       }
@@ -270,8 +270,7 @@ void move_textures(Object& object, const Transform& t) {
   }
   if (const Mesh* mesh = object.as<Mesh>(); mesh && mesh->data && !mesh->data->textures.empty()) {
     std::vector<TexturePtr> textures = mesh->textures.empty() ? mesh->data->textures : mesh->textures;
-    for (TexturePtr& texture : textures)
-      if (texture) texture = transformed(texture, t);
+    for (TexturePtr& texture : textures) texture = steps.moved(texture);
     std::get<Mesh>(object.shape).textures = std::move(textures);
   }
 }
@@ -336,15 +335,22 @@ void TransformSteps::add_to(Rare<Transform>& total, std::size_t first) const {
   }
 }
 
+TexturePtr TransformSteps::moved(const TexturePtr& texture) const {
+  if (!texture) return texture;
+  for (const auto& [before, after] : textures_)
+    if (before == texture) return after;
+  TexturePtr after = transformed(texture, transforms().span());
+  if (after != texture) textures_[next_texture_++ % textures_.size()] = {texture, after};
+  return after;
+}
+
 void apply(Object& object, const TransformSteps& steps) {
   refit_clipped_quadric(object);
   move_shape(object, steps);
   move_bounds(object, steps);
   move_guards(object, steps);
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (!object.uv_mapping) move_textures(object, steps[i].t);
-    object.interior = transformed(object.interior, steps[i].t);
-  }
+  if (!object.uv_mapping) move_textures(object, steps);
+  object.interior = transformed(object.interior, steps.transforms().span());
 }
 
 void translate(Object& object, const Vec3& v) {

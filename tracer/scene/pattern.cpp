@@ -22,14 +22,11 @@ PatternParams default_params(PatternKind kind) {
   return NoParams{};
 }
 
-void Pattern::prepend(const Transform& t) {
-  if (!warps.empty()) {
-    if (auto* front = std::get_if<Transform>(&warps.front())) {
-      *front = front->then(t);
-      return;
-    }
-  }
-  warps.prepend(t);
+void Pattern::prepend(Transforms steps) {
+  const bool merges = !warps.empty() && std::holds_alternative<Transform>(warps.front());
+  if (!merges) warps.prepend(*steps.front());
+  auto& front = std::get<Transform>(warps.front());
+  for (const Transform* const t : steps.subspan(merges ? 0 : 1)) front = front.then(*t);
 }
 
 void Pattern::prepend(Warp warp) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -46,6 +47,9 @@ struct ProjectionWarp {
 struct CubicWarp {};
 using Warp = std::variant<Transform, TurbulenceWarp, RepeatWarp, BlackHoleWarp, ProjectionWarp, CubicWarp>;
 
+// Transformations one after the other; at least one.
+using Transforms = std::span<const Transform* const>;
+
 struct Pattern {
   PatternKind kind = PatternKind::none;
   Wave wave = Wave::ramp;
@@ -57,7 +61,11 @@ struct Pattern {
   // The "classic" turbulence, always after all warps; absent until one of its keywords is written.
   Rare<Turbulence> turbulence;
 
-  void prepend(const Transform& t);  // merges into a transform that is already at the front
+  void prepend(Transforms steps);  // merge into a transform that is already at the front
+  void prepend(const Transform& t) {
+    const Transform* const one = &t;
+    prepend(Transforms(&one, 1));
+  }
   void prepend(Warp warp);
 };
 

@@ -9,6 +9,7 @@ namespace verisim::scene {
 struct SourceLocation {
   std::shared_ptr<const std::string> file;
   int line = 0, column = 0;  // 1-based; 0: unknown
+  friend bool operator==(const SourceLocation&, const SourceLocation&) = default;
 };
 
 }  // namespace verisim::scene

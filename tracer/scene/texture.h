@@ -39,6 +39,7 @@ struct Reflection {
   Rgb minimum, maximum;
   float falloff = 1, exponent = 1, metallic = 0;
   bool fresnel = false;
+  friend bool operator==(const Reflection&, const Reflection&) = default;
 };
 
 struct Finish {  // spec 06 section 4.1; albedo forms are already scaled
@@ -55,6 +56,7 @@ struct Finish {  // spec 06 section 4.1; albedo forms are already scaled
   Rgb translucency, anisotropy;
   // Legacy keywords, moved into the interior when the scene is finished (spec 06 6.6).
   std::optional<float> ior, caustics, refraction;
+  friend bool operator==(const Finish&, const Finish&) = default;
 };
 
 struct TextureLayer {
@@ -108,12 +110,19 @@ struct Interior {
 // Identity matters: entering and leaving is decided by which Interior an object has, not by its values.
 using InteriorPtr = std::shared_ptr<Interior>;
 
-// Appends an object's transformation to a texture (copy on write; a solid colour without normal is returned unchanged).
-TexturePtr transformed(const TexturePtr& texture, const Transform& t);
-PigmentPtr transformed(const PigmentPtr& pigment, const Transform& t);
+// Append transformations of an object to a texture (copy on write; a solid colour without normal is returned
+// unchanged).
+TexturePtr transformed(const TexturePtr& texture, Transforms steps);
+PigmentPtr transformed(const PigmentPtr& pigment, Transforms steps);
+NormalPtr transformed(const NormalPtr& normal, Transforms steps);
 // The same for solid colours, too: for a pattern that goes on from one.
 PigmentPtr moved(const PigmentPtr& pigment, const Transform& t);
 bool ends_in_solid_color(const Texture& texture);  // the pigment of its top layer
-NormalPtr transformed(const NormalPtr& normal, const Transform& t);
+
+template <class T>
+std::shared_ptr<const T> transformed(const std::shared_ptr<const T>& description, const Transform& t) {
+  const Transform* const one = &t;
+  return transformed(description, Transforms(&one, 1));
+}
 
 }  // namespace verisim::scene

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "tracer/scene/object.h"
@@ -36,6 +37,20 @@ class TransformSteps {
   }
   void transform(const Transform& t) { steps_[size_++] = TransformStep{TransformStep::Step::matrix, Vec3(0), t}; }
 
+  // For Transforms; points into these steps.
+  struct Chain {
+    std::array<const Transform*, kMax> steps;
+    std::size_t size = 0;
+    Transforms span() const { return {steps.data(), size}; }
+  };
+  Chain transforms() const {
+    Chain chain;
+    for (; chain.size < size_; ++chain.size) chain.steps[chain.size] = &steps_[chain.size]->t;
+    return chain;
+  }
+
+  // The texture, moved; objects of a tree that share one share what becomes of it. Null stays null.
+  TexturePtr moved(const TexturePtr& texture) const;
   // Appends the moves from `first` on to what an object was moved by so far.
   void add_to(Rare<Transform>& total, std::size_t first) const;
 
@@ -49,6 +64,9 @@ class TransformSteps {
   mutable std::array<Rare<Transform>, kMax> alone_;
   mutable Rare<Transform> before_, after_;
   mutable std::size_t after_first_ = 0;
+  // Textures that were moved last, and what became of them.
+  mutable std::array<std::pair<TexturePtr, TexturePtr>, 4> textures_;
+  mutable unsigned next_texture_ = 0;
 };
 
 // As POV-Ray does: absorbed into the shape's numbers where it can, else into the matrix; also moves clips, bounds,

@@ -1,6 +1,8 @@
 // Turns descriptions into compiled textures, each one once.
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <deque>
@@ -35,20 +37,24 @@ template <class Description, class Compiled>
 class Cache {
  public:
   using Ptr = std::shared_ptr<const Description>;
+  // make() returns the result of add, or what an equal description was compiled to.
   template <class Make>
   const Compiled* get(const Ptr& description, bool no_bump_scale, Make make) {
-    if (const std::uint32_t known = *slot(description.get(), no_bump_scale); known != kFree) return &store_[known];
-    Compiled made = make();  // may compile others
+    if (const std::uint32_t known = *slot(description.get(), no_bump_scale); known != kFree)
+      return kept_[known].compiled;
+    const Compiled* const compiled = make();  // may compile others
     if (2 * (kept_.size() + 1) > slots_.size()) grow();
     *slot(description.get(), no_bump_scale) = static_cast<std::uint32_t>(kept_.size());
-    kept_.push_back({description, no_bump_scale});
-    return &store_.emplace_back(std::move(made));
+    kept_.push_back({description, compiled, no_bump_scale});
+    return compiled;
   }
+  const Compiled* add(Compiled compiled) { return &store_.emplace_back(std::move(compiled)); }
 
  private:
   static constexpr std::uint32_t kFree = 0xffffffffu;
-  struct Key {
+  struct Entry {
     Ptr description;
+    const Compiled* compiled;
     bool no_bump_scale;
   };
 
@@ -60,8 +66,8 @@ class Cache {
     for (;; ++place) {
       std::uint32_t& number = slots_[place & mask];
       if (number == kFree) return &number;
-      const Key& key = kept_[number];
-      if (key.description.get() == description && key.no_bump_scale == no_bump_scale) return &number;
+      const Entry& entry = kept_[number];
+      if (entry.description.get() == description && entry.no_bump_scale == no_bump_scale) return &number;
     }
   }
   void grow() {
@@ -71,8 +77,44 @@ class Cache {
   }
 
   std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(16, kFree);  // a power of two, at most half of it used
-  std::deque<Key> kept_;
-  std::deque<Compiled> store_;  // in the same order
+  std::deque<Entry> kept_;
+  std::deque<Compiled> store_;
+};
+
+// Programs write the same few colours and finishes for each of thousands of objects. What looks alike is one texture:
+// it takes less memory, and hits of all those objects are shaded together.
+struct SolidColor {
+  std::array<std::uint32_t, 5> bits;
+  explicit SolidColor(const Color& c) : bits(std::bit_cast<std::array<std::uint32_t, 5>>(c)) {}
+  friend bool operator==(const SolidColor&, const SolidColor&) = default;
+};
+struct SingleLayer {
+  const CompiledPigment* pigment;
+  const CompiledNormal* normal;
+  const scene::Finish* finish;
+  bool no_bump_scale;
+  friend bool operator==(const SingleLayer& a, const SingleLayer& b) {
+    return a.pigment == b.pigment && a.normal == b.normal && a.no_bump_scale == b.no_bump_scale &&
+           (a.finish == b.finish || *a.finish == *b.finish);
+  }
+};
+struct Hash {
+  template <class T>
+  static std::size_t mix(std::size_t seed, const T& value) {
+    return (seed ^ std::hash<T>()(value)) * 0x9e3779b97f4a7c15u;
+  }
+  std::size_t operator()(const SolidColor& color) const {
+    std::size_t seed = 0;
+    for (const std::uint32_t bits : color.bits) seed = mix(seed, bits);
+    return seed ^ seed >> 32;
+  }
+  std::size_t operator()(const SingleLayer& layer) const {
+    const scene::Finish& f = *layer.finish;
+    std::size_t seed = mix(mix(layer.no_bump_scale, layer.pigment), layer.normal);
+    for (const float part : {f.ambient.r, f.diffuse, f.phong, f.specular, f.reflection.maximum.r})
+      seed = mix(seed, part);
+    return seed ^ seed >> 32;
+  }
 };
 
 }  // namespace
@@ -85,6 +127,8 @@ struct Compiler::Impl {
   Cache<scene::Pigment, CompiledPigment> pigments;
   Cache<scene::Density, CompiledPigment> densities;
   Cache<scene::Normal, CompiledNormal> normals;
+  std::unordered_map<SolidColor, const CompiledPigment*, Hash> solid_colors;
+  std::unordered_map<SingleLayer, const CompiledTexture*, Hash> single_layers;
   std::deque<CompiledPattern> patterns;
   std::unordered_map<std::string, CompiledPattern*> known_patterns;
   std::deque<CompiledPigment> loose_pigments;
@@ -107,6 +151,10 @@ struct Compiler::Impl {
   const CompiledPigment* density(const scene::DensityPtr& d);
   const CompiledNormal* normal(const scene::NormalPtr& d, bool no_bump_scale);
   const CompiledTexture* texture(const scene::TexturePtr& d, bool no_bump_scale);
+
+  // Equal ones are one.
+  const CompiledPigment* share(CompiledPigment c);
+  const CompiledTexture* share(CompiledTexture c);
 
   CompiledPigment make_pigment(const scene::Pigment& d);
   CompiledPigment make_density(const scene::Density& d);
@@ -137,24 +185,40 @@ const CompiledPattern* Compiler::Impl::pattern(const scene::Pattern& d) {
 }
 
 const CompiledPigment* Compiler::Impl::pigment(const scene::PigmentPtr& d) {
-  return pigments.get(d, false, [&] { return make_pigment(*d); });
+  return pigments.get(d, false, [&] { return share(make_pigment(*d)); });
 }
 
 const CompiledPigment* Compiler::Impl::density(const scene::DensityPtr& d) {
   return densities.get(d, false, [&] {
-    if (d) return make_density(*d);
+    if (d) return densities.add(make_density(*d));
     CompiledPigment one;
     one.color = Color(1, 1, 1);
-    return one;
+    return densities.add(std::move(one));
   });
 }
 
 const CompiledNormal* Compiler::Impl::normal(const scene::NormalPtr& d, bool no_bump_scale) {
-  return normals.get(d, no_bump_scale, [&] { return make_normal(*d, no_bump_scale); });
+  return normals.get(d, no_bump_scale, [&] { return normals.add(make_normal(*d, no_bump_scale)); });
 }
 
 const CompiledTexture* Compiler::Impl::texture(const scene::TexturePtr& d, bool no_bump_scale) {
-  return textures.get(d, no_bump_scale, [&] { return make_texture(*d, no_bump_scale); });
+  return textures.get(d, no_bump_scale, [&] { return share(make_texture(*d, no_bump_scale)); });
+}
+
+const CompiledPigment* Compiler::Impl::share(CompiledPigment c) {
+  if (c.source != CompiledPigment::Source::plain || c.pattern) return pigments.add(std::move(c));
+  const CompiledPigment*& known = solid_colors[SolidColor(c.color)];
+  if (!known) known = pigments.add(std::move(c));
+  return known;
+}
+
+const CompiledTexture* Compiler::Impl::share(CompiledTexture c) {
+  if (c.layers.size() != 1) return textures.add(std::move(c));
+  const CompiledLayer& layer = c.layers[0];
+  const CompiledTexture*& known =
+      single_layers[SingleLayer{layer.pigment, layer.normal, &layer.finish, c.no_bump_scale}];
+  if (!known) known = textures.add(std::move(c));
+  return known;
 }
 
 void Compiler::Impl::use_colors(CompiledPigment& c, const scene::Pattern& d, const scene::ColorMap& map) {

@@ -14,10 +14,7 @@ struct Signature {
   void add(const T& v) { bytes.append(reinterpret_cast<const char*>(&v), sizeof v); }
   void add(const Vec2& v) { add(v.x, v.y); }
   void add(const Vec3& v) { add(v.x, v.y, v.z); }
-  void add(const Mat4& m) {
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) add(m[i][j]);
-  }
+  void add(const Mat4& m) { bytes.append(reinterpret_cast<const char*>(m.x), sizeof m.x); }
   template <class T>
   void add(const std::shared_ptr<T>& p) {
     add(p.get());
@@ -55,6 +52,7 @@ struct Signature {
 
 std::string pattern_signature(const scene::Pattern& pattern) {
   Signature s;
+  s.bytes.reserve(400);  // with a transformation
   s.add(pattern.kind, pattern.wave, pattern.frequency, pattern.phase, pattern.exponent, pattern.noise_generator);
   const scene::PatternParams& params = *pattern.params;
   s.add(params.index());

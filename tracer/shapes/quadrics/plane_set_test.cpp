@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -208,6 +209,50 @@ TEST(HalfSpaces, RandomPolytopesLieInTheirBoxes) {
   }
   EXPECT_GT(inside, 3000);
   EXPECT_GT(finite, 50);
+}
+
+// The coordinates of the corners: where three planes meet and no other cuts off what lies there.
+Box3 box_of_corners(const std::vector<HalfSpace>& planes) {
+  Box3 box;
+  const auto inside = [&](const Vec3& p) {
+    return std::all_of(planes.begin(), planes.end(),
+                       [&](const HalfSpace& h) { return dot(h.normal, p) <= h.distance + 1e-9; });
+  };
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (std::size_t k = 0; k < j; ++k) {
+        const Vec3 &a = planes[i].normal, &b = planes[j].normal, &c = planes[k].normal;
+        const double det = dot(a, cross(b, c));
+        if (std::fabs(det) < 1e-6) continue;
+        const Vec3 p =
+            (planes[i].distance * cross(b, c) + planes[j].distance * cross(c, a) + planes[k].distance * cross(a, b)) /
+            det;
+        if (inside(p)) box.extendBy(p);
+      }
+    }
+  }
+  return box;
+}
+
+TEST(HalfSpaces, BoxesOfPolytopesEndAtTheirCorners) {
+  for (int round = 0; round < 300; ++round) {
+    std::vector<HalfSpace> oblique;
+    for (int k = 0; k < 1 + round % 30; ++k) oblique.push_back({random_vector(1), 0.1 + std::fabs(random_vector(1).x)});
+    const Box3 known(Vec3(-3, -2, -1.5), Vec3(2, 3, 2.5));
+    std::vector<HalfSpace> all = oblique;
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 n(0);
+      n[axis] = 1;
+      all.push_back({n, known.max[axis]}), all.push_back({-n, -known.min[axis]});
+    }
+    const Box3 box = narrowed(known, oblique), exact = box_of_corners(all);
+    for (int i = 0; i < 3; ++i) {
+      ASSERT_GE(box.max[i], exact.max[i] - 1e-9) << round;
+      ASSERT_LE(box.min[i], exact.min[i] + 1e-9) << round;
+      ASSERT_NEAR(box.max[i], exact.max[i], 1e-3) << round;
+      ASSERT_NEAR(box.min[i], exact.min[i], 1e-3) << round;
+    }
+  }
 }
 
 TEST(QuadricBox, HoldsWhatIsSolidAndIsTightWherePlanesCutIt) {

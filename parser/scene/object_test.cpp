@@ -199,6 +199,30 @@ TEST(Csg, ChildrenShareTheInteriorAndTheLastHollowWins) {
   EXPECT_FALSE(object_of("union{sphere{0,1} sphere{x,1 hollow off} hollow}")->interior->hollow);
 }
 
+TEST(Objects, SpheresForgetTheirUvWhereNobodyAsksForIt) {
+  const auto keeps_uv = [](const std::string& modifiers) {
+    return object_of("sphere { 0, 1 " + modifiers + " translate x }")->uv_transform.has_value();
+  };
+  EXPECT_FALSE(keeps_uv("pigment { rgb x }"));
+  EXPECT_FALSE(keeps_uv("pigment { bozo } normal { bumps }"));
+  EXPECT_TRUE(keeps_uv("pigment { rgb x } uv_mapping"));
+  EXPECT_TRUE(keeps_uv("pigment { uv_mapping checker }"));
+  EXPECT_TRUE(keeps_uv("pigment { rgb x } normal { uv_mapping bumps }"));
+  EXPECT_TRUE(keeps_uv("pigment { bozo pigment_map { [0 uv_mapping checker] [1 rgb x] } }"));
+  EXPECT_TRUE(keeps_uv("texture { bozo texture_map { [0 pigment { uv_mapping checker }] [1 pigment { rgb x }] } }"));
+  EXPECT_TRUE(keeps_uv("pigment { rgb x } interior_texture { pigment { uv_mapping checker } }"));
+}
+
+TEST(HeightFields, ImagesOfFunctionsShareTheirTable) {
+  const auto image = [](const char* function) {
+    return payload<scene::HeightField>(object_of(std::string("height_field { function 3, 3 { ") + function + " } }"))
+        .image.image;
+  };
+  const auto a = image("x"), b = image("y");
+  EXPECT_NE(a, b);
+  EXPECT_EQ(a->values, b->values);
+}
+
 TEST(Csg, CopiesHaveInteriorsOfTheirOwn) {
   const scene::Scene scene = scene_of("#declare S=sphere{0,1 interior{ior 1.5}}; object{S} object{S translate 3*x}");
   EXPECT_NE(scene.objects[0]->interior, scene.objects[1]->interior);

@@ -27,7 +27,8 @@ class Image {
   std::vector<Color> palette;  // of a palette image, whose samples are its indices; t = 1 - alpha
   // By code of bytes, words and halves: the value in the working space, and the transmit of an alpha of that code.
   // Reals are values in the working space, their alpha a transmit.
-  std::vector<float> values, transmits;
+  using CodeTable = std::shared_ptr<const std::vector<float>>;
+  CodeTable values, transmits;
   image::Samples samples;  // row 0 is the top
 
  private:
@@ -44,8 +45,8 @@ class Image {
   }
   template <class Code>
   auto decoder() const {
-    return reader<Code>([value = values.data()](Code c) { return value[c]; },
-                        [transmit = transmits.data()](Code c) { return transmit[c]; });
+    return reader<Code>([value = values->data()](Code c) { return value[c]; },
+                        [transmit = transmits ? transmits->data() : nullptr](Code c) { return transmit[c]; });
   }
 
  public:

@@ -133,12 +133,13 @@ void make_tables(const RawImage& raw, const Conversion& convert, Image& image) {
     if (raw.samples.type() == SampleType::half) return imath_half_to_float(static_cast<std::uint16_t>(code));
     return static_cast<float>(code) / raw.white;
   };
-  image.values.resize(codes);
-  for (std::size_t i = 0; i < codes; ++i)
-    image.values[i] = raw.grey8 ? requantised(convert(stored(i))) : convert(stored(i));
-  if (!image.has_alpha) return;
-  image.transmits.resize(codes);
-  for (std::size_t i = 0; i < codes; ++i) image.transmits[i] = 1 - stored(i);
+  const auto table = [&](const auto& of_code) {
+    auto made = std::make_shared<std::vector<float>>(codes);
+    for (std::size_t i = 0; i < codes; ++i) (*made)[i] = of_code(stored(i));
+    return made;
+  };
+  image.values = table([&](float v) { return raw.grey8 ? requantised(convert(v)) : convert(v); });
+  if (image.has_alpha) image.transmits = table([](float v) { return 1 - v; });
 }
 
 // Reals have no tables.

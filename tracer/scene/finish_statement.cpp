@@ -3,6 +3,7 @@
 // objects (spec 03 5.3 and 5.4; 06 6.1, 6.6 and 10.1).
 #include "tracer/scene/finish_statement.h"
 
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -90,6 +91,28 @@ void apply_legacy_finish(Object& object) {
   interior.refraction = finish.refraction.value_or(1.0f);
 }
 
+// Plain enough that nobody asks for the surface's uv. May be false for others of them.
+bool looks_at_points_only(const Pattern& pattern) {
+  if (pattern.kind == PatternKind::plain || pattern.kind == PatternKind::none) return true;
+  return pattern.kind != PatternKind::function &&
+         !info(pattern.kind).is(PatternInfo::kNotRemembered | PatternInfo::kNoValue);
+}
+bool looks_at_points_only(const TextureLayer& layer) {
+  return looks_at_points_only(layer.pigment->pattern) && !layer.pigment->pigment_map &&
+         (!layer.normal || (looks_at_points_only(layer.normal->pattern) && !layer.normal->normal_map));
+}
+bool looks_at_points_only(const Texture& texture) {
+  return !texture.patterned() &&
+         std::ranges::all_of(texture.layers, [](const TextureLayer& layer) { return looks_at_points_only(layer); });
+}
+
+// The transformation of a sphere's uv is as large as all else of it, and hardly ever wanted.
+void forget_uv(Object& object) {
+  if (object.uv_mapping || !object.texture || !looks_at_points_only(*object.texture)) return;
+  if (object.interior_texture && !looks_at_points_only(*object.interior_texture)) return;
+  object.uv_transform.reset();
+}
+
 class Walk {
  public:
   explicit Walk(const TexturePtr& texture) : default_texture(texture) {}
@@ -110,6 +133,7 @@ class Walk {
     o.interior->hollow = o.is_hollow();
     if (!o.interior->ior_given) o.interior->dispersion = 1;
     apply_legacy_finish(o);
+    if (o.uv_transform) forget_uv(o);
     if (auto* light = o.as<LightSource>()) attached_objects(*light);
   }
 

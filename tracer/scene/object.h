@@ -109,7 +109,7 @@ struct BlobComponent {
   Vec3 a, b;  // centre, or the axis of a cylinder
   double radius, strength;
   bool cylinder = false;
-  std::optional<Transform> transform;
+  Rare<Transform> transform;
   TexturePtr texture;
 };
 struct Blob {

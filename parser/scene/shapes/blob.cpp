@@ -107,6 +107,7 @@ ObjectRef parse_blob(Parser& parser) {
         parser.error(Code::too_many, "There are more than the maximum supported number of components in a blob.");
     }
     if (blob->components.empty()) parser.error(Code::too_few, "Need at least one component in a blob.");
+    blob->components.shrink_to_fit();
     object.shape = std::shared_ptr<const scene::Blob>(blob);
   });
 }

@@ -103,6 +103,16 @@ ImagePtr load_file(Parser& parser, ImageUse use) {
   }
 }
 
+// One for all images of functions: a scene may have hundreds.
+const Image::CodeTable& fractions_of_words() {
+  static const Image::CodeTable table = [] {
+    auto fractions = std::make_shared<std::vector<float>>(65536);
+    for (std::size_t i = 0; i < fractions->size(); ++i) (*fractions)[i] = static_cast<float>(i) / 65535.0f;
+    return fractions;
+  }();
+  return table;
+}
+
 // `function W, H { ... }`: a float function gives 16-bit grey that wraps around, a pigment function colours.
 ImagePtr function_image(Parser& parser) {
   parser.next();
@@ -124,8 +134,7 @@ ImagePtr function_image(Parser& parser) {
   image->has_alpha = colors;
   image->channels = colors ? 4 : 1;
   image->samples = image::Samples(image::SampleType::word, count * static_cast<std::size_t>(image->channels));
-  image->values.resize(65536);
-  for (std::size_t i = 0; i < 65536; ++i) image->values[i] = static_cast<float>(i) / 65535.0f;
+  image->values = fractions_of_words();
   if (colors) image->transmits = image->values;
   const double sx = w > 1 ? 1 / (w - 1) : 0, sy = h > 1 ? 1 / (h - 1) : 0;
   const auto sixteen = [](double value) {

@@ -50,7 +50,7 @@ std::vector<BlobPart> parts_of(const scene::Blob& blob, std::vector<Box3>* pov_b
     part.k1 = -2 * c.strength / part.radius2;
     part.k2 = c.strength;
     part.moved = c.transform.has_value();
-    if (c.transform) part.transform = *c.transform;
+    part.transform = c.transform;
     const Transform moved = *part.transform;
     const double radius = std::fabs(c.radius);
     const auto set_reach = [&](const Box3& box, const Vec3& center, double reach) {

@@ -303,6 +303,7 @@ void World::Impl::settle(const Ray& ray, int lane, double t_max, const Coinciden
   const double farthest = with_coincident(hit.t);
   for (const Coincidences::Met& met : coincidences.all())
     if (met.lane == lane && met.hit.t <= farthest) there.push_back(&met);
+  if (there.size() < 2) return;
   const auto entry_of = [](const Coincidences::Met* met) { return met->entry; };
   std::ranges::sort(there, {}, entry_of);
   double best = t_max;
@@ -324,10 +325,11 @@ void World::Impl::settle(const Ray& ray, int lane, double t_max, const Coinciden
     hierarchy = Hierarchy(items);
   });
   // What else the search asks lies further away and changes nothing.
+  std::size_t asked = 0;
   hierarchy.search(ray, best, [&](std::uint32_t entry) {
     const auto place = std::ranges::lower_bound(there, entry, {}, entry_of);
-    if (place != there.end() && (*place)->entry == entry) ask(**place);
-    return best;
+    if (place != there.end() && (*place)->entry == entry) ask(**place), ++asked;
+    return asked == there.size() ? -std::numeric_limits<double>::infinity() : best;
   });
 }
 

@@ -1,5 +1,6 @@
 #include "tracer/render/sampling/focal_blur.h"
 
+#include <array>
 #include <random>
 #include <span>
 
@@ -145,16 +146,35 @@ void FocalBlur::make_groups(const scene::Camera& camera, const std::vector<int>&
   }
 }
 
+namespace {
+
+// A grid of 16 by 16 places, each shaken.
+using PlacesInPixel = std::array<std::array<Vec2, 16>, 16>;
+
+const PlacesInPixel& places_in_pixel() {
+  static const PlacesInPixel places = [] {
+    PlacesInPixel grid;
+    for (std::size_t i = 0; i < 16; ++i) {
+      for (std::size_t j = 0; j < 16; ++j) {
+        const double x = static_cast<double>(2 * i + 1) / 32 - 0.5, y = static_cast<double>(2 * j + 1) / 32 - 0.5;
+        const Vec2 e = jitter2(x, y);
+        grid[i][j] = {x + (e.x - 0.5) / 16, y + (e.y - 0.5) / 16};
+      }
+    }
+    return grid;
+  }();
+  return places;
+}
+
+}  // namespace
+
 std::optional<PrimaryRay> FocalBlur::ray(const CameraRays& camera, double x, double y, int n) const {
   const auto& p = permutation();
   const std::int64_t seed = static_cast<std::int64_t>(313 * x + 11) + static_cast<std::int64_t>(311 * y + 17);
-  const int i = p[(seed + n) & 4095] % 16, j = p[(seed + n + 1) & 4095] % 16;
-  double dx = (2 * i + 1) / 32.0 - 0.5, dy = (2 * j + 1) / 32.0 - 0.5;
-  const Vec2 e = jitter2(dx, dy);
-  dx += (e.x - 0.5) / 16, dy += (e.y - 0.5) / 16;
-  std::optional<PrimaryRay> primary = camera.at(x + dx, y + dy);
+  const Vec2 d = places_in_pixel()[p[(seed + n) & 4095] % 16][p[(seed + n + 1) & 4095] % 16];
+  std::optional<PrimaryRay> primary = camera.at(x + d.x, y + d.y);
   if (!primary) return std::nullopt;
-  const Vec2 f = jitter2(x + dx + 0.5, y + dy - 0.5);
+  const Vec2 f = jitter2(x + d.x + 0.5, y + d.y - 0.5);
   const Vec2 lens = (positions_[n] + f * (2 * lens_jitter_)) * (aperture_ / 2);
   const Vec3 q = lens.x * lens_x_ - lens.y * lens_y_;
   primary->ray = {location_ + q, normalize(primary->ray.direction * focal_scale_ - q)};

@@ -13,7 +13,7 @@ void expect_bits(const ObjectRef& object, const std::vector<Probe>& probes) {
   for (const Probe& p : probes) expect_trace(object, p.from, p.direction, p.point, p.normal, 0);
 }
 
-scene::BlobComponent ball(const Vec3& c, double r, double s, std::optional<Transform> t = {}) {
+scene::BlobComponent ball(const Vec3& c, double r, double s, scene::Rare<Transform> t = {}) {
   return {c, c, r, s, false, t, nullptr};
 }
 scene::BlobComponent capsule(const Vec3& a, const Vec3& b, double r, double s) {

@@ -6,10 +6,10 @@ namespace {
 
 const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
 
-scene::BlobComponent ball(const Vec3& c, double r, double s, std::optional<Transform> t = {}) {
+scene::BlobComponent ball(const Vec3& c, double r, double s, scene::Rare<Transform> t = {}) {
   return {c, c, r, s, false, t, nullptr};
 }
-scene::BlobComponent capsule(const Vec3& a, const Vec3& b, double r, double s, std::optional<Transform> t = {}) {
+scene::BlobComponent capsule(const Vec3& a, const Vec3& b, double r, double s, scene::Rare<Transform> t = {}) {
   return {a, b, r, s, true, t, nullptr};
 }
 ObjectRef blob(double threshold, std::vector<scene::BlobComponent> c, const Steps& m = {}) {

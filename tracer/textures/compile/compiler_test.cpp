@@ -1,6 +1,7 @@
 // What looks alike is compiled once.
 #include <gtest/gtest.h>
 
+#include "tracer/textures/evaluation/pigment.h"
 #include "tracer/textures/texture.h"
 
 namespace verisim::textures {

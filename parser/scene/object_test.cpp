@@ -205,7 +205,7 @@ TEST(Objects, SpheresForgetTheirUvWhereNobodyAsksForIt) {
   };
   EXPECT_FALSE(keeps_uv("pigment { rgb x }"));
   EXPECT_FALSE(keeps_uv("pigment { bozo } normal { bumps }"));
-  EXPECT_TRUE(keeps_uv("pigment { rgb x } uv_mapping"));
+  EXPECT_TRUE(keeps_uv("uv_mapping pigment { rgb x }"));
   EXPECT_TRUE(keeps_uv("pigment { uv_mapping checker }"));
   EXPECT_TRUE(keeps_uv("pigment { rgb x } normal { uv_mapping bumps }"));
   EXPECT_TRUE(keeps_uv("pigment { bozo pigment_map { [0 uv_mapping checker] [1 rgb x] } }"));

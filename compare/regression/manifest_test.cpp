@@ -86,7 +86,11 @@ TEST_F(RunTest, ManifestErrorsHaveTheirPlace) {
               HasSubstr("needs a 'matrix'"));
   EXPECT_THAT(message("[[scene]]\nfile = \"one.pov\"\npasses = [{ matrix = [[1, 2], [3, 4]] }]\n"),
               HasSubstr("three rows of three numbers"));
+  EXPECT_THAT(message("width = 3\n\u00e9 = 1\n"),
+              testing::AllOf(HasSubstr("verisim.toml:2:1:"), HasSubstr("saw '\u00e9'")));
+  EXPECT_THAT(message("width\u0499 = 1\n"), HasSubstr("verisim.toml:1:6:"));
   EXPECT_EQ(message("width = 40\n"), "no error");
+  EXPECT_EQ(message("width =\u00a040\n"), "no error");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // Large blocks are also where --max-memory is kept before memory is taken.
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #include <malloc.h>
+#include <signal.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -54,13 +55,32 @@ void* allocate(std::size_t size, std::size_t alignment) {
   }
 }
 
+[[noreturn]] void end_without_memory() {
+  static const char text[] = "verisim: error: there is not enough memory, or --max-memory does not allow it\n";
+  if (::write(STDERR_FILENO, text, sizeof text - 1) < 0) ::_exit(kNoMemory);
+  ::_exit(kNoMemory);
+}
+
 // Where nobody can catch it, before main and in destructors of libraries, a lack of memory still ends in words. What
 // else comes here is a mistake of ours, and a core.
 void on_terminate() {
   if (!refused) std::abort();
-  static const char text[] = "verisim: error: there is not enough memory, or --max-memory does not allow it\n";
-  if (::write(STDERR_FILENO, text, sizeof text - 1) < 0) ::_exit(kNoMemory);
-  ::_exit(kNoMemory);
+  end_without_memory();
+}
+
+// So it does where a library follows a pointer to what it did not get: nlohmann's JSON, whose destructor visits a value
+// that became an object and found no memory for one.
+void on_bad_address(int number, siginfo_t* info, void*) {
+  constexpr std::uintptr_t kNull = 4096;
+  if (refused && reinterpret_cast<std::uintptr_t>(info->si_addr) < kNull) end_without_memory();
+  ::signal(number, SIG_DFL);  // the instruction is tried again, and ends the program as ever
+}
+
+void watch_bad_addresses() {
+  struct sigaction action {};
+  action.sa_sigaction = on_bad_address;
+  action.sa_flags = SA_SIGINFO;
+  ::sigaction(SIGSEGV, &action, nullptr);
 }
 
 #ifdef __GLIBC__
@@ -91,6 +111,7 @@ void set_heap_aside() {}
 
 [[gnu::constructor(101)]] void before_all_others() {
   std::set_terminate(on_terminate);
+  watch_bad_addresses();
   set_heap_aside();
 }
 

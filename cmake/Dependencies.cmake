@@ -23,6 +23,7 @@ if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
 endif()
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_path(VERISIM_SECCOMP_INCLUDE_DIR seccomp.h REQUIRED DOC "Folder of libseccomp, whose header has the numbers of system calls (cli/sandbox); used without its library")
 find_path(VERISIM_TOML_INCLUDE_DIR toml++/toml.h REQUIRED DOC "Folder of toml++, which reads manifests; used without its library")
 # A picture of a small scene takes a few milliseconds, and every shared library costs some of that at each start: archives where there are any.
 set(shared_suffixes ${CMAKE_FIND_LIBRARY_SUFFIXES})
@@ -32,7 +33,6 @@ find_package(JPEG REQUIRED)
 find_package(GIF 5 REQUIRED)
 set(OPENSSL_USE_STATIC_LIBS ON)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)  # SHA-256, the key of the oracle's cache
-find_library(VERISIM_SECCOMP_LIBRARY seccomp REQUIRED DOC "libseccomp, for --sandbox (cli/sandbox)")
 set(CMAKE_FIND_LIBRARY_SUFFIXES ${shared_suffixes})
 # Linked by plug-ins only (tracer/image/module). After the archives: OpenEXR looks for zlib, too.
 find_package(TIFF 4.5 REQUIRED)

@@ -1,19 +1,22 @@
 #include "cli/sandbox/system_calls.h"
 
 #include <fcntl.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sched.h>
-#include <seccomp.h>
+#include <seccomp.h>  // the numbers of calls by their names, on any machine
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -58,39 +61,78 @@ constexpr int kServer[] = {
     SCMP_SYS(getpeername),  SCMP_SYS(getsockopt),        SCMP_SYS(setsockopt),      SCMP_SYS(inotify_init1),
     SCMP_SYS(inotify_init), SCMP_SYS(inotify_add_watch), SCMP_SYS(inotify_rm_watch)};
 
-constexpr unsigned long kControls[] = {TCGETS, TIOCGWINSZ, FIONREAD, FIONBIO};
+constexpr std::uint32_t kControls[] = {TCGETS, TIOCGWINSZ, FIONREAD, FIONBIO};
 #ifndef PR_SET_VMA
 #define PR_SET_VMA 0x53564d41  // names of memory, which newer C libraries give
 #endif
 constexpr int kProcessControls[] = {PR_SET_NAME, PR_GET_NAME, PR_SET_VMA};
 
-void require(int result) {
-  if (result < 0)
-    throw std::runtime_error(fmt::format("the sandbox cannot restrict system calls: {}", std::strerror(-result)));
-}
+#if defined(__x86_64__)
+constexpr std::uint32_t kArchitecture = AUDIT_ARCH_X86_64;
+constexpr std::uint32_t kFirstOfOtherTable = 0x40000000;  // calls of x32
+#elif defined(__aarch64__)
+constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
+constexpr std::uint32_t kFirstOfOtherTable = 0xffffffff;
+#else
+constexpr std::uint32_t kArchitecture = 0;  // not known here: nothing would be left
+constexpr std::uint32_t kFirstOfOtherTable = 0;
+#endif
 
+// The program that the kernel runs for each call. Written here and not by libseccomp, whose 2.5 frees twice, hangs or
+// leaves rules out, and calls that a success, where an allocation fails.
 class Filter {
  public:
-  Filter() : context_(::seccomp_init(SCMP_ACT_ERRNO(EPERM)), ::seccomp_release) {
-    if (!context_) require(-ENOMEM);
-    require(::seccomp_attr_set(context_.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_ERRNO(EPERM)));
-    require(::seccomp_attr_set(context_.get(), SCMP_FLTATR_CTL_TSYNC, 1));
-    // The filter is no just-in-time code of strangers: older kernels would slow every thread down for nothing.
-    require(::seccomp_attr_set(context_.get(), SCMP_FLTATR_CTL_SSB, 1));
-    require(::seccomp_attr_set(context_.get(), SCMP_FLTATR_CTL_OPTIMIZE, 2));
+  Filter() {
+    load(offsetof(seccomp_data, arch));
+    skip_unless(BPF_JEQ, kArchitecture, 1);
+    add(BPF_JUMP(BPF_JMP | BPF_JA, 1, 0, 0));
+    end(SECCOMP_RET_ERRNO | EPERM);
+    load(offsetof(seccomp_data, nr));
+    skip_unless(BPF_JGE, kFirstOfOtherTable, 1);
+    end(SECCOMP_RET_ERRNO | EPERM);
   }
-  void allow(int call) { require(::seccomp_rule_add(context_.get(), SCMP_ACT_ALLOW, call, 0)); }
-  // Where argument `index`, under the mask, is `value`.
-  void allow(int call, unsigned index, std::uint64_t mask, std::uint64_t value) {
-    const scmp_arg_cmp argument{index, SCMP_CMP_MASKED_EQ, mask, value};
-    require(::seccomp_rule_add_array(context_.get(), SCMP_ACT_ALLOW, call, 1, &argument));
-  }
+  void allow(int call) { answer(call, SECCOMP_RET_ALLOW); }
   // As a kernel that does not have it.
-  void missing(int call) { require(::seccomp_rule_add(context_.get(), SCMP_ACT_ERRNO(ENOSYS), call, 0)); }
-  void load() { require(::seccomp_load(context_.get())); }
+  void missing(int call) { answer(call, SECCOMP_RET_ERRNO | ENOSYS); }
+  // Where argument `index`, under the mask, is `value`.
+  void allow(int call, unsigned index, std::uint32_t mask, std::uint32_t value) {
+    if (call < 0) return;
+    skip_unless(BPF_JEQ, static_cast<std::uint32_t>(call), 5);
+    load(static_cast<unsigned>(offsetof(seccomp_data, args) + index * sizeof(std::uint64_t)));  // its low half
+    add(BPF_STMT(BPF_ALU | BPF_AND | BPF_K, mask));
+    skip_unless(BPF_JEQ, value, 1);
+    end(SECCOMP_RET_ALLOW);
+    load(offsetof(seccomp_data, nr));
+  }
+  // For all threads. The filter is no just-in-time code of strangers: without SPEC_ALLOW older kernels would slow every
+  // thread down for nothing.
+  void enter() {
+    end(SECCOMP_RET_ERRNO | EPERM);
+    const sock_fprog filter{static_cast<unsigned short>(code_.size()), code_.data()};
+    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) fail(errno);
+    const long result = ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER,
+                                  SECCOMP_FILTER_FLAG_TSYNC | SECCOMP_FILTER_FLAG_SPEC_ALLOW, &filter);
+    if (result != 0) fail(result < 0 ? errno : EBUSY);
+  }
 
  private:
-  std::unique_ptr<void, void (*)(scmp_filter_ctx)> context_;
+  [[noreturn]] static void fail(int error) {
+    throw std::runtime_error(fmt::format("the sandbox cannot restrict system calls: {}", std::strerror(error)));
+  }
+  void add(sock_filter instruction) { code_.push_back(instruction); }
+  void load(unsigned offset) { add(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offset)); }
+  void end(std::uint32_t action) { add(BPF_STMT(BPF_RET | BPF_K, action)); }
+  void skip_unless(unsigned short test, std::uint32_t value, unsigned char instructions) {
+    add(BPF_JUMP(static_cast<unsigned short>(BPF_JMP | BPF_K | test), value, 0, instructions));
+  }
+  // A negative number: there is no such call on this machine.
+  void answer(int call, std::uint32_t action) {
+    if (call < 0) return;
+    skip_unless(BPF_JEQ, static_cast<std::uint32_t>(call), 1);
+    end(action);
+  }
+
+  std::vector<sock_filter> code_;
 };
 
 }  // namespace
@@ -101,12 +143,12 @@ bool has_system_call_filters() {
 }
 
 void restrict_system_calls(bool server) {
-  constexpr std::uint64_t kInt = 0xffffffffu;
+  constexpr std::uint32_t kInt = 0xffffffffu;
   Filter filter;
   for (const int call : kAllowed) filter.allow(call);
   if (server)
     for (const int call : kServer) filter.allow(call);
-  for (const unsigned long control : kControls) filter.allow(SCMP_SYS(ioctl), 1, kInt, control);
+  for (const std::uint32_t control : kControls) filter.allow(SCMP_SYS(ioctl), 1, kInt, control);
   for (const int control : kProcessControls) filter.allow(SCMP_SYS(prctl), 0, kInt, static_cast<unsigned>(control));
   // Kernels before 6.2 let O_TRUNC empty what may only be read: files are emptied by who opens them for writing.
   for (const auto& [call, flags] : {std::pair{SCMP_SYS(open), 1u}, std::pair{SCMP_SYS(openat), 2u}}) {
@@ -121,7 +163,7 @@ void restrict_system_calls(bool server) {
   // Its own limits, its own signals (abort).
   filter.allow(SCMP_SYS(prlimit64), 0, kInt, 0);
   filter.allow(SCMP_SYS(tgkill), 0, kInt, static_cast<unsigned>(::getpid()));
-  filter.load();
+  filter.enter();
 }
 
 }  // namespace verisim::cli

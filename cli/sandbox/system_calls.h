@@ -1,4 +1,4 @@
-// The system calls that are left to the process (seccomp, by libseccomp): files that are named or open, memory,
+// The system calls that are left to the process (seccomp): files that are named or open, memory,
 // threads, time. All others fail with EPERM: no sockets are made, no processes, no programs run, nothing is traced.
 #pragma once
 

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <thread>
@@ -102,7 +103,10 @@ std::optional<render::Framebuffer> drawn(const scene::Scene& scene, int threads)
 }  // namespace
 
 void lexer(std::string_view bytes) {
-  Names names;
+  // Words of the language are hundreds, and were most of the work: they stay, with the names that came since.
+  static std::unique_ptr<Names> known;
+  if (!known || known->size() > 10000) known = std::make_unique<Names>();
+  Names& names = *known;
   const auto file = tokenise(std::make_shared<Source>("fuzz.pov", bytes), names, 1 << 20, true);
   const Tokens& tokens = file->tokens;
   require(!tokens.empty(), "a last token");

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -15,6 +16,7 @@
 #include "cli/parts/part_file.h"
 #include "cli/settings/ini.h"
 #include "compare/compare.h"
+#include "tracer/base/descriptor.h"
 #include "tracer/image/density_file.h"
 #include "tracer/image/image.h"
 #include "tracer/image/output.h"
@@ -27,24 +29,34 @@ namespace fs = std::filesystem;
 namespace verisim::fuzz {
 namespace {
 
-// Bytes under a name, in memory: /dev/shm where there is one. With an ending for those who go by it.
+// Bytes under a name, in memory: /dev/shm where there is one. With an ending for those who go by it. The file of an
+// ending stays and is written over: to make and remove a million files would be most of the work.
 class NamedBytes {
  public:
-  explicit NamedBytes(std::string_view bytes, const std::string& ending = "") {
-    std::error_code none;
-    const fs::path folder = fs::is_directory("/dev/shm", none) ? "/dev/shm" : fs::temp_directory_path();
-    path_ = folder / ("verisim-fuzz-" + std::to_string(::getpid()) + ending);
-    std::FILE* file = std::fopen(path_.c_str(), "wb");
-    if (!file || std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size()) std::abort();
-    std::fclose(file);
+  explicit NamedBytes(std::string_view bytes, const std::string& ending = "") : path_(path_of(ending)) {
+    const auto size = static_cast<ssize_t>(bytes.size());
+    const Descriptor file(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
+    if (::ftruncate(file.get(), size) != 0 || ::write(file.get(), bytes.data(), bytes.size()) != size) std::abort();
   }
-  ~NamedBytes() { ::unlink(path_.c_str()); }
-  NamedBytes(const NamedBytes&) = delete;
-  NamedBytes& operator=(const NamedBytes&) = delete;
   const fs::path& path() const { return path_; }
 
  private:
-  fs::path path_;
+  static const fs::path& path_of(const std::string& ending) {
+    struct Files : std::map<std::string, fs::path> {
+      ~Files() {
+        for (const auto& [ending, path] : *this) ::unlink(path.c_str());
+      }
+    };
+    static Files files;
+    fs::path& path = files[ending];
+    std::error_code none;
+    if (path.empty())
+      path = (fs::is_directory("/dev/shm", none) ? "/dev/shm" : fs::temp_directory_path()) /
+             ("verisim-fuzz-" + std::to_string(::getpid()) + ending);
+    return path;
+  }
+
+  const fs::path& path_;
 };
 
 template <class Run>

@@ -1,9 +1,9 @@
 // The fuzzers' main function where there is no libFuzzer (GCC): the same targets, with inputs of the corpora changed at
 // random, blind to what they reach:
 //   TARGET_fuzz [-max_total_time=SECONDS] [-seed=N] [-artifact_prefix=PREFIX] [-timeout=SECONDS] FOLDER...
-// The input under way is in PREFIXinput: what ended the process is there afterwards.
-#include <fcntl.h>
+// An input that ends the process is in PREFIXinput afterwards.
 #include <sys/mman.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -98,26 +98,45 @@ Bytes next_input(const std::vector<Bytes>& corpus) {
   return out;
 }
 
-// Keeps the input under way in a file, whatever happens.
-class Record {
- public:
-  explicit Record(const std::string& path) : file_(::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {
-    if (file_ < 0 || ::ftruncate(file_, kMaxSize) != 0) std::perror(path.c_str()), std::exit(2);
-    memory_ = static_cast<std::uint8_t*>(::mmap(nullptr, kMaxSize, PROT_READ | PROT_WRITE, MAP_SHARED, file_, 0));
-    if (memory_ == MAP_FAILED) std::perror("mmap"), std::exit(2);
-  }
-  void keep(const Bytes& input) {
-    if (::ftruncate(file_, kMaxSize) != 0) std::exit(2);
-    if (!input.empty()) std::memcpy(memory_, input.data(), input.size());
-    if (::ftruncate(file_, static_cast<off_t>(std::max<std::size_t>(input.size(), 1))) != 0) std::exit(2);
-  }
-
- private:
-  int file_;
-  std::uint8_t* memory_;
+// What the process that tries inputs leaves to the one that started it.
+struct Shared {
+  std::uint64_t runs;
+  std::size_t size;
+  std::uint8_t input[kMaxSize];  // under way
 };
+Shared* shared = nullptr;
+
+void run(const Bytes& input, unsigned timeout) {
+  if (!input.empty()) std::memcpy(shared->input, input.data(), input.size());
+  shared->size = input.size();
+  ::alarm(timeout);
+  LLVMFuzzerTestOneInput(input.data(), input.size());
+  ++shared->runs;
+}
+
+void run_for(double seconds, const std::vector<Bytes>& corpus, unsigned timeout) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  for (const Bytes& input : corpus) run(input, timeout);
+  while (Clock::now() < end) run(next_input(corpus), timeout);
+}
+
+// Says how the process ended, and keeps what ended it.
+int outcome(int status, const std::string& prefix) {
+  std::fprintf(stderr, "stat::number_of_executed_units: %llu\n", static_cast<unsigned long long>(shared->runs));
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return 0;
+  std::ofstream(prefix + "input", std::ios::binary)
+      .write(reinterpret_cast<const char*>(shared->input), static_cast<std::streamsize>(shared->size));
+  std::fprintf(stderr, "found: %sinput\n", prefix.c_str());
+  return 1;
+}
 
 }  // namespace
+
+// A trace of each allocation, large blocks that were freed and copies of stacks would take most of the time.
+extern "C" const char* __asan_default_options() {
+  return "malloc_context_size=2:quarantine_size_mb=16:detect_stack_use_after_return=0:intercept_tls_get_addr=0";
+}
 
 std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size) {
   Bytes bytes(data, data + size);
@@ -147,19 +166,14 @@ int main(int argc, char** argv) {
       for (Bytes& bytes : files_below(argument)) corpus.push_back(std::move(bytes));
   }
   if (corpus.empty()) return std::fputs("no inputs\n", stderr), 2;
-  Record record(prefix + "input");
   LLVMFuzzerInitialize(&argc, &argv);
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point end =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-  std::uint64_t runs = 0;
-  const auto run = [&](const Bytes& input) {
-    record.keep(input);
-    ::alarm(timeout);
-    LLVMFuzzerTestOneInput(input.data(), input.size());
-    ++runs;
-  };
-  for (const Bytes& input : corpus) run(input);
-  while (Clock::now() < end) run(next_input(corpus));
-  std::fprintf(stderr, "stat::number_of_executed_units: %llu\n", static_cast<unsigned long long>(runs));
+  void* memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return std::perror("mmap"), 2;
+  shared = static_cast<Shared*>(memory);
+  const pid_t child = ::fork();
+  if (child < 0) return std::perror("fork"), 2;
+  if (child == 0) return run_for(seconds, corpus, timeout), 0;
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return outcome(status, prefix);
 }

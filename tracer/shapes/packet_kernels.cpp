@@ -273,31 +273,7 @@ void quadric(const scene::Quadric& q, const RayPacket& rays, double t_min, const
   }
 }
 
-void triangle(const TriangleShape& shape, const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) {
-  constexpr double kNearest = 1e-6, kFarthest = 1e7;
-  LocalPacket r;
-  enter_space(nullptr, rays, r);
-  const double *const origins[] = {r.ox, r.oy, r.oz}, *const directions[] = {r.dx, r.dy, r.dz};
-  const double *ou = origins[shape.u], *ov = origins[shape.v], *du = directions[shape.u], *dv = directions[shape.v];
-  const double nx = shape.normal.x, ny = shape.normal.y, nz = shape.normal.z, distance = shape.distance;
-  const double au = shape.cu[0], av = shape.cv[0], bu = shape.cu[1], bv = shape.cv[1], cu = shape.cu[2],
-               cv = shape.cv[2];
-  for (int i = 0; i < kLanes; ++i) {
-    const double slope = nx * r.dx[i] + ny * r.dy[i] + nz * r.dz[i],
-                 height = nx * r.ox[i] + ny * r.oy[i] + nz * r.oz[i];
-    const double t = (distance - height) / slope, limit = t_max[i];
-    const double s = ou[i] + t * du[i], q = ov[i] + t * dv[i];
-    const std::int64_t beside = flag((bu - s) * (bv - av) < (bv - q) * (bu - au)) |
-                                flag((cu - s) * (cv - bv) < (cv - q) * (cu - bu)) |
-                                flag((au - s) * (av - cv) < (av - q) * (au - cu));
-    const std::int64_t meets = (1 - flag(std::fabs(slope) < kEpsilon)) & flag(t >= kNearest) & flag(t <= kFarthest) &
-                               flag(t >= t_min) & flag(t < limit);
-    met.t[i] = t;
-    met.part[i] = (meets & (1 - beside)) - 1;
-  }
-}
-
-const PacketKernels kKernels = {local, sphere, box, cone, torus, quadric, triangle};
+const PacketKernels kKernels = {local, sphere, box, cone, torus, quadric};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

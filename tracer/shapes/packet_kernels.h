@@ -30,14 +30,6 @@ struct alignas(64) TorusPacket {
   double advance[RayPacket::kCount], scale[RayPacket::kCount];
 };
 
-// A triangle's plane and its corners in the plane of axes u and v, anticlockwise there.
-struct TriangleShape {
-  Vec3 normal;
-  double distance;
-  int u, v;
-  double cu[3], cv[3];
-};
-
 // `matrix`: from the shape's own space, null: none. Eight limits stand at t_max.
 struct PacketKernels {
   void (*local)(const Transform* matrix, const RayPacket& rays, LocalPacket& lanes);
@@ -50,8 +42,6 @@ struct PacketKernels {
   void (*torus)(double major, double minor, const Transform* matrix, const RayPacket& rays, TorusPacket& lanes);
   void (*quadric)(const scene::Quadric& quadric, const RayPacket& rays, double t_min, const double* t_max,
                   PacketHits& met);
-  void (*triangle)(const TriangleShape& triangle, const RayPacket& rays, double t_min, const double* t_max,
-                   PacketHits& met);
 };
 
 // Those of the best instruction set of this machine.

@@ -204,9 +204,9 @@ class JuliaFractal final : public Primitive<JuliaFractal> {
   unsigned batch_intersections(const RayPacket& rays, const double* t_max, double* t) const {
     LocalPacket local_rays;
     packet_kernels().local(has_matrix() ? &matrix() : nullptr, rays, local_rays);
-    julia::Row row;
-    const unsigned entered = julia::kernels().enter(map_->grid(), radius_, local_rays, rays.active, t_max, row);
-    const unsigned crossed = julia::kernels().first_intersections(field_, row.rays, row.interval, entered, t);
+    julia::RaysInGrid within;
+    const unsigned entered = julia::kernels().enter(map_->grid(), radius_, local_rays, rays.active, t_max, within);
+    const unsigned crossed = julia::kernels().first_intersections(field_, within.rays, within.interval, entered, t);
     each_lane(crossed, [&](int k) { t[k] /= local_rays.scale[k]; });
     return crossed;
   }

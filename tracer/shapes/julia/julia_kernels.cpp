@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-// ---- how rays of a row meet the cells of a grid
+// ---- how rays of a packet meet the cells of a grid
 // Of numbers from 0 to 2^51.
 HWY_INLINE IntPacket whole_part(const Packet& v) {
   constexpr double kShift = 0x1p52;
@@ -90,7 +90,7 @@ HWY_INLINE Packet last_cell(const Grid& grid, const LocalPacket& rays, Packet be
 
 // JuliaFractal::enters for eight rays.
 unsigned enter(const Grid& grid, double radius, const LocalPacket& l, unsigned active_mask, const double* t_max,
-               Row& row) {
+               RaysInGrid& within) {
   const Packet ox = load(l.ox), oy = load(l.oy), oz = load(l.oz), dx = load(l.dx), dy = load(l.dy), dz = load(l.dz);
   const Packet closest = -(ox * dx + oy * dy + oz * dz), distance2 = ox * ox + oy * oy + oz * oz,
                half2 = radius * radius - distance2 + closest * closest;
@@ -101,11 +101,11 @@ unsigned enter(const Grid& grid, double radius, const LocalPacket& l, unsigned a
   const Mask ahead = meets & (end >= kFine);
   const Packet last = last_cell(grid, l, begin, end, ahead);
   for (int axis = 0; axis < 3; ++axis) {
-    store(row.rays.origin[axis], axis == 0 ? ox : axis == 1 ? oy : oz);
-    store(row.rays.direction[axis], axis == 0 ? dx : axis == 1 ? dy : dz);
+    store(within.rays.origin[axis], axis == 0 ? ox : axis == 1 ? oy : oz);
+    store(within.rays.direction[axis], axis == 0 ? dx : axis == 1 ? dy : dz);
   }
-  store(row.interval.begin, begin), store(row.interval.end, end), store(row.interval.last, last);
-  store(row.interval.limit, load(t_max) * load(l.scale) * (1 + 1e-9));
+  store(within.interval.begin, begin), store(within.interval.end, end), store(within.interval.last, last);
+  store(within.interval.limit, load(t_max) * load(l.scale) * (1 + 1e-9));
   return bits(ahead & ~(last < 0.0));
 }
 

@@ -51,8 +51,8 @@ struct Grid {
   bool has(int i, int j, int k) const { return rows[k * kSide + j] >> i & 1; }
 };
 
-// Rays of a row.
-struct alignas(64) Row {
+// Rays on their way through the grid.
+struct alignas(64) RaysInGrid {
   Rays rays;
   Interval interval;
 };
@@ -66,8 +66,8 @@ struct Kernels {
   unsigned (*march)(const Field& field, const Vec3& origin, const Vec3& direction, const double* t, double* estimate);
   // The lanes of `active` that meet cells of the grid within the bounding sphere, each as far as t_max.
   unsigned (*enter)(const Grid& grid, double radius, const LocalPacket& rays, unsigned active, const double* t_max,
-                    Row& row);
-  // Rays of a row that march in step, each with the steps it takes alone: the lanes of `active` whose rays cross the
+                    RaysInGrid& entered);
+  // Rays of a packet that march in step, each with the steps it takes alone: the lanes of `active` whose rays cross the
   // surface, and the depths of their first intersections.
   unsigned (*first_intersections)(const Field& field, const Rays& rays, const Interval& interval, unsigned active,
                                   double* depth);

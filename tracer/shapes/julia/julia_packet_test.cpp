@@ -63,7 +63,7 @@ TEST(JuliaPacket, AgreeWithSinglePoints) {
 
 // Random rays at a fractal and what the kernels make of them.
 struct Intersections {
-  Row row;
+  RaysInGrid within;
   unsigned entered = 0, crossed = 0;
   double depth[kLanes] = {};
 };
@@ -74,8 +74,8 @@ Intersections intersections(const Kernels& kernels, const Field& f, const Map& m
   LocalPacket local;
   packet_kernels().local(matrix, rays, local);
   Intersections c;
-  c.entered = kernels.enter(map.grid(), std::sqrt(f.escape), local, rays.active, t_max, c.row);
-  c.crossed = kernels.first_intersections(f, c.row.rays, c.row.interval, c.entered, c.depth);
+  c.entered = kernels.enter(map.grid(), std::sqrt(f.escape), local, rays.active, t_max, c.within);
+  c.crossed = kernels.first_intersections(f, c.within.rays, c.within.interval, c.entered, c.depth);
   return c;
 }
 
@@ -98,16 +98,19 @@ TEST(JuliaPacket, InstructionSetsGiveTheSameBits) {
       const Intersections plain = intersections(*kernels(simd::kBaseline), f, map, matrix, rays);
       entered += std::popcount(plain.entered), crossed += std::popcount(plain.crossed);
       each_lane(plain.entered, [&](int k) {
-        const Vec3 o(plain.row.rays.origin[0][k], plain.row.rays.origin[1][k], plain.row.rays.origin[2][k]);
-        const Vec3 d(plain.row.rays.direction[0][k], plain.row.rays.direction[1][k], plain.row.rays.direction[2][k]);
-        ASSERT_EQ(plain.row.interval.last[k], map.last(o, d, plain.row.interval.begin[k], plain.row.interval.end[k]));
+        const Vec3 o(plain.within.rays.origin[0][k], plain.within.rays.origin[1][k], plain.within.rays.origin[2][k]);
+        const Vec3 d(plain.within.rays.direction[0][k], plain.within.rays.direction[1][k],
+                     plain.within.rays.direction[2][k]);
+        ASSERT_EQ(plain.within.interval.last[k],
+                  map.last(o, d, plain.within.interval.begin[k], plain.within.interval.end[k]));
       });
       for (int set = simd::kAvx2; set < simd::kInstructionSets; ++set) {
         if (!kernels(set)) continue;
         const Intersections other = intersections(*kernels(set), f, map, matrix, rays);
         ASSERT_EQ(other.entered, plain.entered);
         ASSERT_EQ(other.crossed, plain.crossed);
-        each_lane(plain.entered, [&](int k) { ASSERT_EQ(other.row.interval.last[k], plain.row.interval.last[k]); });
+        each_lane(plain.entered,
+                  [&](int k) { ASSERT_EQ(other.within.interval.last[k], plain.within.interval.last[k]); });
         each_lane(plain.crossed, [&](int k) { ASSERT_EQ(other.depth[k], plain.depth[k]); });
       }
     }

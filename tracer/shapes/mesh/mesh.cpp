@@ -114,7 +114,7 @@ class Mesh final : public TreePrimitive<Mesh> {
         [&](std::uint32_t first, std::uint32_t count, double) {
           for (std::uint32_t i = first; i < first + count; ++i) {
             const double t = geometry_->hit(i, r.origin, r.direction);
-            if (t < 0 || t > MeshGeometry::kFarthest) continue;
+            if (t < 0) continue;
             const double world_t = t / r.scale;
             // Of triangles hit at the same distance (a ray through a shared edge) the last written is seen, whatever
             // the order of the walk.
@@ -143,7 +143,7 @@ class Mesh final : public TreePrimitive<Mesh> {
     double last = std::numeric_limits<double>::infinity();
     geometry_->hierarchy().search({r.origin, r.direction}, last, [&](std::uint32_t i) {
       const double t = geometry_->hit(i, r.origin, r.direction);
-      if (t < 0 || t > MeshGeometry::kFarthest) return last;
+      if (t < 0) return last;
       const double world_t = t / r.scale;
       const Vec3 p = ray.at(world_t);
       if (guards() && !guards()->contain(p)) return last;

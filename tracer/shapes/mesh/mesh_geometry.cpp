@@ -20,24 +20,11 @@ constexpr std::size_t kTask = 16384;  // triangles
 double f32(double v) { return static_cast<float>(v); }
 Vec3 f32(const Vec3& v) { return {f32(v.x), f32(v.y), f32(v.z)}; }
 
-// The axis of the largest component with POV-Ray's tie rule.
-int dominant_axis(const Vec3& n) {
-  const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
-  if (x > y) return x > z ? 0 : 2;
-  return y > z ? 1 : 2;
-}
-
 bool valid(const scene::MeshData& data, const scene::MeshTriangle& t) {
   for (const std::uint32_t v : t.vertex) {
     if (v >= data.vertices.size()) return false;
   }
   return true;
-}
-
-// POV-Ray exchanges the first two corners so that every triangle turns the same way in its projection.
-bool exchanged(const Vec3& p1, const Vec3& p2, const Vec3& p3, int axis) {
-  const int i = axis == 0 ? 1 : 0, j = axis == 2 ? 1 : 2;
-  return (p2[i] - p3[i]) * (p2[j] - p1[j]) < (p2[j] - p3[j]) * (p2[i] - p1[i]);
 }
 
 // A triangle whose three normals are (almost) equal is flat and uses its geometric normal (spec 04 1.3).
@@ -105,18 +92,19 @@ MeshGeometry::Triangle MeshGeometry::prepared(std::uint32_t id) const {
   const scene::MeshTriangle& t = data_->triangles[id];
   const Vec3 &v1 = data_->vertices[t.vertex[0]], &v2 = data_->vertices[t.vertex[1]], &v3 = data_->vertices[t.vertex[2]];
   const Vec3 n = plane_normal(v1, v2, v3);
-  const int axis = dominant_axis(n), i = axis == 0 ? 1 : 0, j = axis == 2 ? 1 : 2;
+  const int axis = dominant_axis(n);
+  const PlaneAxes axes = axes_beside(axis);
   Triangle triangle;
   for (int k = 0; k < 3; ++k) triangle.normal[k] = static_cast<float>(n[k]);
-  triangle.constant = static_cast<float>(-dot(n, v1));
+  triangle.distance = static_cast<float>(dot(n, v1));
   triangle.id_and_axis = id | static_cast<std::uint32_t>(axis) << 30;
   Vec3 p1 = f32(v1), p2 = f32(v2);
   const Vec3 p3 = f32(v3);
-  if (exchanged(p1, p2, p3, axis)) std::swap(p1, p2);
+  if (turns_clockwise(p1, p2, p3, axes)) std::swap(p1, p2);
   const Vec3* const corner[3] = {&p1, &p2, &p3};
   for (int k = 0; k < 3; ++k) {
-    triangle.corner[k][0] = static_cast<float>((*corner[k])[i]);
-    triangle.corner[k][1] = static_cast<float>((*corner[k])[j]);
+    triangle.corner[k][0] = static_cast<float>((*corner[k])[axes.u]);
+    triangle.corner[k][1] = static_cast<float>((*corner[k])[axes.v]);
   }
   return triangle;
 }
@@ -140,7 +128,7 @@ const accel::Hierarchy& MeshGeometry::hierarchy() const {
 }
 
 std::array<int, 3> MeshGeometry::corners(std::uint32_t i) const {
-  const bool swap = exchanged(vertex(i, 0), vertex(i, 1), vertex(i, 2), triangles_[i].axis());
+  const bool swap = turns_clockwise(vertex(i, 0), vertex(i, 1), vertex(i, 2), triangles_[i].axes());
   return swap ? std::array<int, 3>{1, 0, 2} : std::array<int, 3>{0, 1, 2};
 }
 
@@ -177,7 +165,7 @@ Vec2 MeshGeometry::uv(std::uint32_t i, const Vec3& p) const {
   const scene::MeshTriangle& t = source(i);
   if (!t.has_uv) return {0, 0};
   // Barycentric weights in the projection.
-  const int axis = triangles_[i].axis(), a = axis == 0 ? 1 : 0, b = axis == 2 ? 1 : 2;
+  const auto [a, b] = triangles_[i].axes();
   const Vec3 p0 = vertex(i, 0), p1 = vertex(i, 1), p2 = vertex(i, 2);
   const double area = (p1[a] - p0[a]) * (p2[b] - p0[b]) - (p2[a] - p0[a]) * (p1[b] - p0[b]);
   const double w1 = ((p[a] - p0[a]) * (p2[b] - p0[b]) - (p2[a] - p0[a]) * (p[b] - p0[b])) / area;
@@ -223,8 +211,7 @@ int MeshGeometry::intersections(const Vec3& origin, const Vec3& direction) const
   int count = 0;
   tree_.traverse_leaves({origin, direction}, 0, kFarthest, [&](std::uint32_t first, std::uint32_t n, double limit) {
     for (std::uint32_t i = first; i < first + n; ++i) {
-      const double t = hit(i, origin, direction);
-      if (t >= 0 && t <= kFarthest) ++count;
+      count += hit(i, origin, direction) >= 0;
     }
     return limit;
   });

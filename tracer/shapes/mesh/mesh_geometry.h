@@ -7,19 +7,17 @@
 #include "tracer/bvh/bvh.h"
 #include "tracer/bvh/hierarchy.h"
 #include "tracer/scene/object.h"
+#include "tracer/shapes/mesh/flat_triangle.h"
 
 namespace verisim::shapes {
 
 class MeshGeometry {
  public:
-  // What the hit test needs of one triangle, in binary32 as POV-Ray stores it. Corners are given in the two axes beside
-  // the dominant one.
-  struct Triangle {
-    float normal[3], constant;
-    float corner[3][2];
+  // In binary32, as POV-Ray stores it.
+  struct Triangle : FlatTriangle<float> {
     std::uint32_t id_and_axis;  // index into MeshData::triangles, dominant axis in the upper two bits
     std::uint32_t id() const { return id_and_axis & 0x3fffffffu; }
-    int axis() const { return static_cast<int>(id_and_axis >> 30); }
+    PlaneAxes axes() const { return axes_beside(static_cast<int>(id_and_axis >> 30)); }
   };
 
   // The geometry of `data`, built once for all its users.
@@ -27,24 +25,14 @@ class MeshGeometry {
 
   explicit MeshGeometry(std::shared_ptr<const scene::MeshData> data);
 
-  // Distance along the (unit) local ray, or -1 when triangle `i` of the tree's order is missed. Limits are not applied.
+  // Distance along the (unit) local ray, or -1 when triangle `i` of the tree's order is missed.
   double hit(std::uint32_t i, const Vec3& origin, const Vec3& direction) const {
     const Triangle& tri = triangles_[i];
-    const double nd = tri.normal[0] * direction.x + tri.normal[1] * direction.y + tri.normal[2] * direction.z;
-    if (std::fabs(nd) < 1e-10) return -1;
-    const double t =
-        -(tri.constant + (tri.normal[0] * origin.x + tri.normal[1] * origin.y + tri.normal[2] * origin.z)) / nd;
-    if (!(t >= kNearest)) return -1;
-    const int k = tri.axis(), first = k == 0 ? 1 : 0, second = k == 2 ? 1 : 2;
-    const double s = origin[first] + t * direction[first], q = origin[second] + t * direction[second];
-    const double ax = tri.corner[0][0], ay = tri.corner[0][1], bx = tri.corner[1][0], by = tri.corner[1][1],
-                 cx = tri.corner[2][0], cy = tri.corner[2][1];
-    if ((bx - s) * (by - ay) < (by - q) * (bx - ax)) return -1;
-    if ((cx - s) * (cy - by) < (cy - q) * (cx - bx)) return -1;
-    if ((ax - s) * (ay - cy) < (ay - q) * (ax - cx)) return -1;
-    return t;
+    const RayOfTriangle ray{origin, direction};
+    double t;
+    return TriangleHit::meets(tri, tri.axes(), ray, kNearest, kFarthest, t) ? t : -1;
   }
-  static constexpr double kNearest = 1e-6, kFarthest = 1e7;  // in local units
+  static constexpr double kNearest = kTriangleNearest, kFarthest = kTriangleFarthest;  // in local units
 
   const Triangle& triangle(std::uint32_t i) const { return triangles_[i]; }
   const scene::MeshTriangle& source(std::uint32_t i) const { return data_->triangles[triangles_[i].id()]; }

@@ -20,6 +20,15 @@ namespace HWY_NAMESPACE {
 using namespace accel::HWY_NAMESPACE;
 using namespace simd::HWY_NAMESPACE;
 
+#include "tracer/shapes/mesh/triangle_hit.inc"
+
+// As triangle_hit.inc asks for them.
+struct RaysOfTriangle {
+  const double *o[3], *d[3];
+  HWY_INLINE Packet origin(int axis) const { return load(o[axis]); }
+  HWY_INLINE Packet direction(int axis) const { return load(d[axis]); }
+};
+
 constexpr int kAlone = 2;  // so many rays cost less one by one
 
 // The search of eight rays in one mesh: they walk its tree together as long as enough of them meet the same nodes.
@@ -101,30 +110,15 @@ class Search {
     }
   }
 
-  // What MeshGeometry::hit does, for eight rays.
-  HWY_INLINE Mask meet(const MeshGeometry::Triangle& tri, Packet& t) const {
-    const LocalPacket& r = p_.rays;
-    const Packet nx = tri.normal[0], ny = tri.normal[1], nz = tri.normal[2];
-    const Packet nd = nx * load(r.dx) + ny * load(r.dy) + nz * load(r.dz);
-    t = -(Packet(tri.constant) + (nx * load(r.ox) + ny * load(r.oy) + nz * load(r.oz))) / nd;
-    const Mask near_enough =
-        ~(abs(nd) < Packet(1e-10)) & (t >= Packet(MeshGeometry::kNearest)) & (t <= Packet(MeshGeometry::kFarthest));
-    const double *const o[3] = {r.ox, r.oy, r.oz}, *const d[3] = {r.dx, r.dy, r.dz};
-    const int axis = tri.axis(), first = axis == 0 ? 1 : 0, second = axis == 2 ? 1 : 2;
-    const Packet s = load(o[first]) + t * load(d[first]), q = load(o[second]) + t * load(d[second]);
-    const double ax = tri.corner[0][0], ay = tri.corner[0][1], bx = tri.corner[1][0], by = tri.corner[1][1],
-                 cx = tri.corner[2][0], cy = tri.corner[2][1];
-    const Mask outside = ((Packet(bx) - s) * Packet(by - ay) < (Packet(by) - q) * Packet(bx - ax)) |
-                         ((Packet(cx) - s) * Packet(cy - by) < (Packet(cy) - q) * Packet(cx - bx)) |
-                         ((Packet(ax) - s) * Packet(ay - cy) < (Packet(ay) - q) * Packet(ax - cx));
-    return near_enough & ~outside;
-  }
-
   HWY_INLINE void leaf(std::uint32_t child, unsigned lanes) {
     const std::uint32_t first = BoxNode::leaf_first(child), end = first + BoxNode::leaf_count(child);
+    const LocalPacket& r = p_.rays;
+    const RaysOfTriangle rays{{r.ox, r.oy, r.oz}, {r.dx, r.dy, r.dz}};
     for (std::uint32_t i = first; i < end; ++i) {
+      const MeshGeometry::Triangle& tri = mesh_.triangle(i);
       Packet t;
-      const unsigned met = bits(meet(mesh_.triangle(i), t)) & lanes & open_;
+      const Mask hit = TriangleHit::meets(tri, tri.axes(), rays, MeshGeometry::kNearest, MeshGeometry::kFarthest, t);
+      const unsigned met = bits(hit) & lanes & open_;
       if (met == 0) continue;
       alignas(64) double local[kLanes];
       store(local, t);
@@ -150,7 +144,7 @@ class Search {
         [&](std::uint32_t first, std::uint32_t count, double) HWY_ATTR {
           for (std::uint32_t i = first; i < first + count; ++i) {
             const double t = mesh_.hit(i, origin, direction);
-            if (t >= 0 && t <= MeshGeometry::kFarthest) take(k, i, t);
+            if (t >= 0) take(k, i, t);
           }
           return limit();
         },
@@ -187,7 +181,20 @@ void meet(const MeshGeometry& mesh, const accel::EntryPoints* entry, unsigned ac
   Search(mesh, active, t_min, t_max, any, packet).run(entry);
 }
 
-const MeshKernels kKernels = {meet};
+void triangle(const FlatTriangle<double>& shape, PlaneAxes axes, const RayPacket& packet, double t_min,
+              const double* t_max, PacketHits& met) {
+  const auto &origin = packet.rays.origin, &direction = packet.rays.direction;
+  const int first = packet.first;
+  const RaysOfTriangle rays{{origin.x + first, origin.y + first, origin.z + first},
+                            {direction.x + first, direction.y + first, direction.z + first}};
+  Packet t;
+  const Mask hit = TriangleHit::meets(shape, axes, rays, std::max(kTriangleNearest, t_min), kTriangleFarthest, t) &
+                   (t < load(t_max));
+  store(met.t, t);
+  store(met.part, select(hit, IntPacket(0), IntPacket(-1)));
+}
+
+const MeshKernels kKernels = {meet, triangle};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

@@ -19,6 +19,9 @@ struct MeshKernels {
   // `active`; `entry` of a shaft that holds them, or null. With `any`, `passed_over` may lack lanes that are hit.
   void (*meet)(const MeshGeometry& mesh, const accel::EntryPoints* entry, unsigned active, double t_min,
                const double* t_max, bool any, MeshPacket& packet);
+  // A triangle of its own, in the world.
+  void (*triangle)(const FlatTriangle<double>& triangle, PlaneAxes axes, const RayPacket& rays, double t_min,
+                   const double* t_max, PacketHits& met);
 };
 
 // Those of the best instruction set of this machine.

@@ -3,18 +3,11 @@
 #include <utility>
 
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/mesh/mesh_packet.h"
 #include "tracer/shapes/packet_primitive.h"
 
 namespace verisim::shapes {
 namespace {
-
-constexpr double kNearest = 1e-6, kFarthest = 1e7;
-
-int dominant_axis(const Vec3& v) {
-  const double x = std::fabs(v.x), y = std::fabs(v.y), z = std::fabs(v.z);
-  if (x > y) return x > z ? 0 : 2;
-  return y > z ? 1 : 2;
-}
 
 Box3 box_of(const std::array<Vec3, 3>& p) {
   Box3 box;
@@ -31,10 +24,7 @@ class Triangle final : public KernelPrimitive<Triangle> {
     degenerate_ = !(length(plane) > 0);
     if (degenerate_) return;
     normal_ = normalize(plane);
-    distance_ = dot(normal_, p[0]);
-    const int axis = dominant_axis(normal_);
-    i_ = axis == 0 ? 1 : 0;
-    j_ = axis == 2 ? 1 : 2;
+    axes_ = axes_beside(dominant_axis(normal_));
     if (n) {
       smooth_ = true;
       n_ = *n;
@@ -45,10 +35,12 @@ class Triangle final : public KernelPrimitive<Triangle> {
       }
       if (positive != 3 && negative != 3) degenerate_ = true;
     }
-    if ((p_[1][i_] - p_[2][i_]) * (p_[1][j_] - p_[0][j_]) < (p_[1][j_] - p_[2][j_]) * (p_[1][i_] - p_[0][i_])) {
+    if (turns_clockwise(p_[0], p_[1], p_[2], axes_)) {
       std::swap(p_[0], p_[1]);
       std::swap(n_[0], n_[1]);
     }
+    flat_ = {{normal_.x, normal_.y, normal_.z}, dot(normal_, p[0]), {}};
+    for (std::size_t k = 0; k < 3; ++k) flat_.corner[k][0] = p_[k][axes_.u], flat_.corner[k][1] = p_[k][axes_.v];
     if (smooth_) prepare_interpolation();
   }
 
@@ -56,22 +48,16 @@ class Triangle final : public KernelPrimitive<Triangle> {
     if (degenerate_)
       std::fill_n(met.part, RayPacket::kCount, -1);
     else
-      packet_kernels().triangle(packet_shape(), rays, t_min, t_max, met);
+      mesh_kernels().triangle(flat_, axes_, rays, t_min, t_max, met);
   }
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
     if (degenerate_) return;
-    const double slope = dot(normal_, ray.direction);
-    if (std::fabs(slope) < kEpsilon) return;
-    const double t = (distance_ - dot(normal_, ray.origin)) / slope;
-    if (!(t >= kNearest && t <= kFarthest) || t < sink.lower() || t > sink.upper()) return;
-    const double s = ray.origin[i_] + t * ray.direction[i_], q = ray.origin[j_] + t * ray.direction[j_];
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 &a = p_[k], &b = p_[k == 2 ? 0 : k + 1];
-      if ((b[i_] - s) * (b[j_] - a[j_]) < (b[j_] - q) * (b[i_] - a[i_])) return;
-    }
-    sink.add(t, [&] { return ray.origin + t * ray.direction; });
+    const double low = std::max(kTriangleNearest, sink.lower()), high = std::min(kTriangleFarthest, sink.upper());
+    double t;
+    if (TriangleHit::meets(flat_, axes_, RayOfTriangle{ray.origin, ray.direction}, low, high, t))
+      sink.add(t, [&] { return ray.origin + t * ray.direction; });
   }
 
   bool contains(const Vec3&) const { return false; }
@@ -88,9 +74,6 @@ class Triangle final : public KernelPrimitive<Triangle> {
   }
 
  private:
-  TriangleShape packet_shape() const {
-    return {normal_, distance_, i_, j_, {p_[0][i_], p_[1][i_], p_[2][i_]}, {p_[0][j_], p_[1][j_], p_[2][j_]}};
-  }
   void prepare_interpolation() {
     const Vec3 edge = p_[2] - p_[1];
     perpendicular_ = normalize(cross(edge, normal_));
@@ -101,8 +84,9 @@ class Triangle final : public KernelPrimitive<Triangle> {
 
   std::array<Vec3, 3> p_, n_{Vec3(0), Vec3(0), Vec3(0)};
   Vec3 normal_{0, 0, 0}, perpendicular_{0, 0, 0};
-  double distance_ = 0;
-  int i_ = 0, j_ = 1, edge_axis_ = 0;
+  FlatTriangle<double> flat_{};
+  PlaneAxes axes_{0, 1};
+  int edge_axis_ = 0;
   bool degenerate_ = false, smooth_ = false;
 };
 

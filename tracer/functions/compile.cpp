@@ -20,72 +20,16 @@ constexpr std::size_t kInlineTotal = 4096;    // instructions after which nothin
 constexpr std::size_t kEagerSelectCost = 24;  // in simple operations: cheaper branches are evaluated both
 constexpr std::size_t kMaxInstructions = 1u << 22;
 
-Code code_of(Op op) { return static_cast<Code>(static_cast<int>(Code::add) + static_cast<int>(op)); }
-static_assert(static_cast<int>(Op::logic_or) == static_cast<int>(Code::logic_or) - static_cast<int>(Code::add));
+// In the order of Builtin.
+constexpr Code kCodes[] = {Code::abs,     Code::acos,    Code::acosh, Code::asin,    Code::asinh,   Code::atan,
+                           Code::atan2,   Code::atanh,   Code::ceil,  Code::cos,     Code::cosh,    Code::degrees,
+                           Code::div,     Code::exp,     Code::floor, Code::integer, Code::ln,      Code::log,
+                           Code::maximum, Code::minimum, Code::mod,   Code::pow,     Code::radians, Code::select,
+                           Code::sin,     Code::sinh,    Code::sqrt,  Code::tan,     Code::tanh};
+static_assert(std::size(kCodes) == static_cast<std::size_t>(Builtin::tanh_) + 1 &&
+              kCodes[static_cast<int>(Builtin::max_)] == Code::maximum);
 
-Code code_of(Builtin builtin) {
-  switch (builtin) {
-    case Builtin::abs_:
-      return Code::abs;
-    case Builtin::acos_:
-      return Code::acos;
-    case Builtin::acosh_:
-      return Code::acosh;
-    case Builtin::asin_:
-      return Code::asin;
-    case Builtin::asinh_:
-      return Code::asinh;
-    case Builtin::atan_:
-      return Code::atan;
-    case Builtin::atan2_:
-      return Code::atan2;
-    case Builtin::atanh_:
-      return Code::atanh;
-    case Builtin::ceil_:
-      return Code::ceil;
-    case Builtin::cos_:
-      return Code::cos;
-    case Builtin::cosh_:
-      return Code::cosh;
-    case Builtin::degrees_:
-      return Code::degrees;
-    case Builtin::div_:
-      return Code::div;
-    case Builtin::exp_:
-      return Code::exp;
-    case Builtin::floor_:
-      return Code::floor;
-    case Builtin::int_:
-      return Code::integer;
-    case Builtin::ln_:
-      return Code::ln;
-    case Builtin::log_:
-      return Code::log;
-    case Builtin::max_:
-      return Code::maximum;
-    case Builtin::min_:
-      return Code::minimum;
-    case Builtin::mod_:
-      return Code::mod;
-    case Builtin::pow_:
-      return Code::pow;
-    case Builtin::radians_:
-      return Code::radians;
-    case Builtin::select_:
-      return Code::select;
-    case Builtin::sin_:
-      return Code::sin;
-    case Builtin::sinh_:
-      return Code::sinh;
-    case Builtin::sqrt_:
-      return Code::sqrt;
-    case Builtin::tan_:
-      return Code::tan;
-    case Builtin::tanh_:
-      return Code::tanh;
-  }
-  return Code::move;
-}
+Code code_of(Builtin builtin) { return kCodes[static_cast<std::size_t>(builtin)]; }
 
 // A rough cost in simple operations.
 std::size_t cost(const Node& node) {
@@ -134,6 +78,15 @@ class Builder {
   Register lower_call(const UserCall& call);
   Register lower_loop(const Loop& loop);
   void branch(const Node& node, Register to);
+  // From where to where in the code a virtual register holds a value.
+  struct Life {
+    static constexpr std::size_t kNever = static_cast<std::size_t>(-1);
+    std::size_t begin = kNever, end = 0;
+    bool fixed = false;
+    bool used() const { return begin != kNever; }
+  };
+  std::vector<Life> lives(Register result) const;
+  Register place_fixed(std::vector<Life>& life, std::vector<Register>& place);
   void pack(Register& result);
 
   std::shared_ptr<Program> program_;
@@ -350,48 +303,40 @@ Builder::Register Builder::lower_loop(const Loop& loop) {
   return sum;
 }
 
-// Gives virtual registers that do not live at the same time the same place. Parameters and constants keep theirs, as do
-// results of calls.
-void Builder::pack(Register& result) {
-  auto& code = program_->code_;
-  constexpr std::size_t kNever = static_cast<std::size_t>(-1);
-  struct Life {
-    std::size_t begin = kNever, end = 0;
-    bool fixed = false;
-  };
+std::vector<Builder::Life> Builder::lives(Register result) const {
+  const auto& code = program_->code_;
   std::vector<Life> life(next_);
   const auto use = [&](Register r, std::size_t at) {
-    if (life[r].begin == kNever) life[r].begin = at;
+    if (!life[r].used()) life[r].begin = at;
     life[r].end = std::max(life[r].end, at);
   };
-  const auto operands = [&](const Instruction& i, auto&& visit) {
-    if (i.code == Code::call) {
-      for (const Register r : program_->calls_[i.a].arguments) visit(r);
-      return;
-    }
-    if (i.code == Code::jump) return;
-    visit(i.a);
-    if (is_binary(i.code) || i.code == Code::jump_unless_less_equal || i.code == Code::select) visit(i.b);
-    if (i.code == Code::select) visit(i.c), visit(i.d);
-  };
   for (std::size_t at = 0; at < code.size(); ++at) {
-    operands(code[at], [&](Register r) { use(r, at); });
-    if (!is_jump(code[at].code) && code[at].code != Code::call) use(code[at].to, at);
+    const Instruction& i = code[at];
+    if (i.code == Code::call)
+      for (const Register r : program_->calls_[i.a].arguments) use(r, at);
+    if (i.code == Code::call || i.code == Code::jump) continue;
+    use(i.a, at);
+    if (is_binary(i.code) || i.code == Code::jump_unless_less_equal || i.code == Code::select) use(i.b, at);
+    if (i.code == Code::select) use(i.c, at), use(i.d, at);
+    if (!is_jump(i.code)) use(i.to, at);
   }
   use(result, code.size());
   // Inner loops come first in loops_: what is alive when a loop begins and used inside it is alive until its end.
   for (const auto& [begin, end] : loops_) {
     for (Life& l : life) {
-      if (l.begin != kNever && l.begin < begin && l.end >= begin) l.end = std::max(l.end, end);
+      if (l.used() && l.begin < begin && l.end >= begin) l.end = std::max(l.end, end);
     }
   }
+  return life;
+}
 
-  std::vector<Register> place(next_, 0);
+// Parameters, constants and results of calls keep their places, which come first. Returns how many those are.
+Builder::Register Builder::place_fixed(std::vector<Life>& life, std::vector<Register>& place) {
   Register used = 0;
   for (Register r = 0; r < static_cast<Register>(program_->parameters_); ++r) life[r].fixed = true, place[r] = used++;
   for (const auto& [r, value] : constant_values_) {
     life[r].fixed = true;
-    if (life[r].begin == kNever) continue;
+    if (!life[r].used()) continue;
     place[r] = used++;
     program_->constants_.push_back(value);
   }
@@ -401,26 +346,34 @@ void Builder::pack(Register& result) {
     call.results = used;
     used += components;
   }
+  return used;
+}
+
+// Gives virtual registers that do not live at the same time the same place.
+void Builder::pack(Register& result) {
+  auto& code = program_->code_;
+  std::vector<Life> life = lives(result);
+  std::vector<Register> place(next_, 0);
+  Register used = place_fixed(life, place);
   std::vector<std::vector<Register>> ends(code.size() + 1);  // virtual registers by last use
   for (Register r = 0; r < next_; ++r) {
-    if (!life[r].fixed && life[r].begin != kNever) ends[life[r].end].push_back(r);
+    if (!life[r].fixed && life[r].used()) ends[life[r].end].push_back(r);
   }
   std::vector<Register> free;
   std::vector<bool> placed(next_, false);
   for (std::size_t at = 0; at < code.size(); ++at) {
-    Instruction& i = code[at];
-    Register to = i.to;
+    const Instruction& i = code[at];
     const bool defines = !is_jump(i.code) && i.code != Code::call;
     // Operands that end here give their place to the result: every operation reads before it writes.
     for (const Register r : ends[at]) {
-      if (placed[r] && !(defines && r == to)) free.push_back(place[r]);
+      if (placed[r] && !(defines && r == i.to)) free.push_back(place[r]);
     }
-    if (defines && !life[to].fixed && !placed[to]) {
-      placed[to] = true;
+    if (defines && !life[i.to].fixed && !placed[i.to]) {
+      placed[i.to] = true;
       if (free.empty())
-        place[to] = used++;
+        place[i.to] = used++;
       else
-        place[to] = free.back(), free.pop_back();
+        place[i.to] = free.back(), free.pop_back();
     }
   }
   for (Instruction& i : code) {

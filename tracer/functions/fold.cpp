@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tracer/functions/operations.h"
-
 namespace verisim::functions {
 
 namespace {
@@ -41,34 +39,8 @@ bool mentions_parameter(const Node& node) {
 double literal(const Node& node) { return std::get<Constant>(node.value).value; }
 
 double combine(Op op, double a, double b) {
-  switch (op) {
-    case Op::add:
-      return a + b;
-    case Op::subtract:
-      return a - b;
-    case Op::multiply:
-      return a * b;
-    case Op::divide:
-      if (b == 0) throw std::invalid_argument("Division by zero.");
-      return a / b;
-    case Op::less:
-      return apply<Code::less>(a, b);
-    case Op::less_equal:
-      return apply<Code::less_equal>(a, b);
-    case Op::equal:
-      return apply<Code::equal>(a, b);
-    case Op::not_equal:
-      return apply<Code::not_equal>(a, b);
-    case Op::greater_equal:
-      return apply<Code::greater_equal>(a, b);
-    case Op::greater:
-      return apply<Code::greater>(a, b);
-    case Op::logic_and:
-      return apply<Code::logic_and>(a, b);
-    case Op::logic_or:
-      return apply<Code::logic_or>(a, b);
-  }
-  return 0;
+  if (op == Op::divide && b == 0) throw std::invalid_argument("Division by zero.");
+  return with_code(code_of(op), [&]<Code C>() { return apply<C>(a, b); });
 }
 
 void fold_chain(Chain& chain) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace verisim::functions {
 
@@ -16,6 +17,17 @@ struct Entry {
   Formula formula;
   int extra;  // number of parameters after x, y, z
 };
+
+// Functions of SDL have numbers.
+struct NumberedEntry {
+  int number;
+  Entry entry;
+};
+inline Entry entry_of(int number, std::span<const NumberedEntry> table) {
+  for (const NumberedEntry& e : table)
+    if (e.number == number) return e.entry;
+  return {nullptr, 0};
+}
 
 constexpr double kPi = 3.14159265358979323846;
 inline double sq(double v) { return v * v; }

@@ -254,106 +254,59 @@ double witch_of_agnesi_2d(const Call3& at) {
 #undef FORMULA
 #undef WITH_SQUARES
 
+// By number: the formula and how many parameters it has.
+constexpr NumberedEntry kPolynomials[] = {
+    {0, {algebraic_cylinder1, 5}},
+    {1, {algebraic_cylinder2, 5}},
+    {2, {algebraic_cylinder3, 5}},
+    {3, {algebraic_cylinder4, 5}},
+    {4, {bicorn, 2}},
+    {5, {bifolia, 2}},
+    {8, {boy_surface, 2}},
+    {11, {crossed_trough, 1}},
+    {12, {cubic_saddle, 1}},
+    {13, {cushion, 1}},
+    {14, {devils_curve, 1}},
+    {15, {devils_curve_2d, 6}},
+    {16, {dupin_cyclid, 6}},
+    {18, {enneper, 1}},
+    {20, {folium_surface, 3}},
+    {21, {folium_surface_2d, 6}},
+    {22, {glob, 1}},
+    {23, {heart, 1}},
+    {30, {hunt_surface, 1}},
+    {31, {hyperbolic_torus, 3}},
+    {33, {kampyle_of_eudoxus, 3}},
+    {34, {kampyle_of_eudoxus_2d, 6}},
+    {35, {klein_bottle, 1}},
+    {36, {kummer_surface_v1, 1}},
+    {37, {kummer_surface_v2, 4}},
+    {38, {lemniscate_of_gerono, 1}},
+    {39, {lemniscate_of_gerono_2d, 6}},
+    {41, {mitre, 1}},
+    {42, {nodal_cubic, 1}},
+    {43, {cushion, 1}},
+    {44, {ovals_of_cassini, 4}},
+    {45, {paraboloid, 1}},
+    {46, {parabolic_torus, 3}},
+    {48, {pillow, 1}},
+    {49, {piriform, 1}},
+    {50, {piriform_2d, 7}},
+    {54, {quartic_paraboloid, 1}},
+    {55, {quartic_saddle, 1}},
+    {56, {quartic_cylinder, 3}},
+    {65, {steiners_roman, 1}},
+    {66, {strophoid, 4}},
+    {67, {strophoid_2d, 7}},
+    {71, {torus2, 3}},
+    {72, {torus_gumdrop, 1}},
+    {73, {umbrella, 1}},
+    {74, {witch_of_agnesi, 2}},
+    {75, {witch_of_agnesi_2d, 6}},
+};
+
 }  // namespace
 
-Entry polynomial_function(int n) {
-  switch (n) {
-    case 0:
-      return {algebraic_cylinder1, 5};
-    case 1:
-      return {algebraic_cylinder2, 5};
-    case 2:
-      return {algebraic_cylinder3, 5};
-    case 3:
-      return {algebraic_cylinder4, 5};
-    case 4:
-      return {bicorn, 2};
-    case 5:
-      return {bifolia, 2};
-    case 8:
-      return {boy_surface, 2};
-    case 11:
-      return {crossed_trough, 1};
-    case 12:
-      return {cubic_saddle, 1};
-    case 13:
-    case 43:
-      return {cushion, 1};
-    case 14:
-      return {devils_curve, 1};
-    case 15:
-      return {devils_curve_2d, 6};
-    case 16:
-      return {dupin_cyclid, 6};
-    case 18:
-      return {enneper, 1};
-    case 20:
-      return {folium_surface, 3};
-    case 21:
-      return {folium_surface_2d, 6};
-    case 22:
-      return {glob, 1};
-    case 23:
-      return {heart, 1};
-    case 30:
-      return {hunt_surface, 1};
-    case 31:
-      return {hyperbolic_torus, 3};
-    case 33:
-      return {kampyle_of_eudoxus, 3};
-    case 34:
-      return {kampyle_of_eudoxus_2d, 6};
-    case 35:
-      return {klein_bottle, 1};
-    case 36:
-      return {kummer_surface_v1, 1};
-    case 37:
-      return {kummer_surface_v2, 4};
-    case 38:
-      return {lemniscate_of_gerono, 1};
-    case 39:
-      return {lemniscate_of_gerono_2d, 6};
-    case 41:
-      return {mitre, 1};
-    case 42:
-      return {nodal_cubic, 1};
-    case 44:
-      return {ovals_of_cassini, 4};
-    case 45:
-      return {paraboloid, 1};
-    case 46:
-      return {parabolic_torus, 3};
-    case 48:
-      return {pillow, 1};
-    case 49:
-      return {piriform, 1};
-    case 50:
-      return {piriform_2d, 7};
-    case 54:
-      return {quartic_paraboloid, 1};
-    case 55:
-      return {quartic_saddle, 1};
-    case 56:
-      return {quartic_cylinder, 3};
-    case 65:
-      return {steiners_roman, 1};
-    case 66:
-      return {strophoid, 4};
-    case 67:
-      return {strophoid_2d, 7};
-    case 71:
-      return {torus2, 3};
-    case 72:
-      return {torus_gumdrop, 1};
-    case 73:
-      return {umbrella, 1};
-    case 74:
-      return {witch_of_agnesi, 2};
-    case 75:
-      return {witch_of_agnesi_2d, 6};
-    default:
-      return {nullptr, 0};
-  }
-}
+Entry polynomial_function(int n) { return entry_of(n, kPolynomials); }
 
 }  // namespace verisim::functions

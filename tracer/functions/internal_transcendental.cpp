@@ -157,67 +157,19 @@ double superellipsoid(const Call3& c) {
 double torus(const Call3& c) { return hyp(hyp(c.x, c.z) - c.p[0], c.y) - c.p[1]; }
 double nothing(const Call3&) { return 0; }
 
+// By number: the formula and how many parameters it has.
+constexpr NumberedEntry kTranscendentals[] = {
+    {6, {blob, 5}},       {7, {blob2, 4}},         {9, {comma, 1}},           {10, {cross_ellipsoids, 4}},
+    {17, {ellipsoid, 3}}, {19, {flange_cover, 4}}, {24, {helical_torus, 10}}, {25, {helix1, 7}},
+    {26, {helix2, 7}},    {27, {hex_x, 1}},        {28, {hex_y, 1}},          {32, {isect_ellipsoids, 4}},
+    {40, {mesh1, 5}},     {47, {ph, 0}},           {51, {poly4, 5}},          {52, {polytubes, 6}},
+    {53, {quantum, 1}},   {57, {distance, 0}},     {60, {rounded_box, 4}},    {61, {sphere, 1}},
+    {62, {spikes, 5}},    {63, {spikes_2d, 4}},    {64, {spiral, 6}},         {68, {superellipsoid, 2}},
+    {69, {th, 0}},        {70, {torus, 2}},        {77, {nothing, 0}},  // the place of pattern functions
+};
+
 }  // namespace
 
-Entry transcendental_function(int n) {
-  switch (n) {
-    case 6:
-      return {blob, 5};
-    case 7:
-      return {blob2, 4};
-    case 9:
-      return {comma, 1};
-    case 10:
-      return {cross_ellipsoids, 4};
-    case 17:
-      return {ellipsoid, 3};
-    case 19:
-      return {flange_cover, 4};
-    case 24:
-      return {helical_torus, 10};
-    case 25:
-      return {helix1, 7};
-    case 26:
-      return {helix2, 7};
-    case 27:
-      return {hex_x, 1};
-    case 28:
-      return {hex_y, 1};
-    case 32:
-      return {isect_ellipsoids, 4};
-    case 40:
-      return {mesh1, 5};
-    case 47:
-      return {ph, 0};
-    case 51:
-      return {poly4, 5};
-    case 52:
-      return {polytubes, 6};
-    case 53:
-      return {quantum, 1};
-    case 57:
-      return {distance, 0};
-    case 60:
-      return {rounded_box, 4};
-    case 61:
-      return {sphere, 1};
-    case 62:
-      return {spikes, 5};
-    case 63:
-      return {spikes_2d, 4};
-    case 64:
-      return {spiral, 6};
-    case 68:
-      return {superellipsoid, 2};
-    case 69:
-      return {th, 0};
-    case 70:
-      return {torus, 2};
-    case 77:
-      return {nothing, 0};  // the place of pattern functions
-    default:
-      return {nullptr, 0};
-  }
-}
+Entry transcendental_function(int n) { return entry_of(n, kTranscendentals); }
 
 }  // namespace verisim::functions

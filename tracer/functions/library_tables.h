@@ -62,7 +62,8 @@ inline constexpr ArcOf64th kArcOf64ths[65] = {
     {0x1.819d0b7158a4dp-1, -0x1.bf76229d3b917p-56}, {0x1.85d69576cc2c5p-1, 0x1.6b66e7fc8b8c3p-57},
     {0x1.89ff5ff57f1f8p-1, -0x1.55b9a5e177a1bp-55},
     {0x1.8e17aa99cc05ep-1, -0x1.ec182ab042f61p-56}, {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55}};
-// For logarithms: near-reciprocals c of numbers by the four bits behind the point (those from 6 on of numbers below 1), and -ln c as sums of two numbers.
+// For logarithms: approximate reciprocals c of numbers by the four bits behind the point (those from 6 on of numbers
+// below 1), and -ln c as sums of two numbers.
 alignas(64) inline constexpr double kReciprocals[16] = {
     1, 0x1.d41d41d41d41dp-1, 0x1.bacf914c1bad0p-1, 0x1.a41a41a41a41ap-1,
     0x1.8f9c18f9c18fap-1, 0x1.7d05f417d05f4p-1, 0x1.6c16c16c16c17p+0, 0x1.5c9882b931057p+0,

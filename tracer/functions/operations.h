@@ -33,42 +33,27 @@ enum class Code : std::uint8_t {
   jump_unless_less_equal /* a <= b */
 };
 
+constexpr bool is_binary(Code code) { return code <= Code::pow; }
+constexpr bool is_unary(Code code) { return code >= Code::negate && code <= Code::move; }
+constexpr bool is_jump(Code code) { return code >= Code::jump; }
+
 // Conversion to a 32 bit integer as x86 does it: anything out of range, and NaN, gives the smallest one.
 inline double to_int(double a) {
   if (!(a > -2147483649.0 && a < 2147483648.0)) return -2147483648.0;
   return static_cast<double>(static_cast<std::int32_t>(a));
 }
 
+inline double select(bool where, double a, double b) { return where ? a : b; }
+#include "tracer/functions/exact_operations.inc"
+
 template <Code C>
 inline double apply(double a, [[maybe_unused]] double b = 0) {
-  if constexpr (C == Code::add)
-    return a + b;
-  else if constexpr (C == Code::subtract)
-    return a - b;
-  else if constexpr (C == Code::multiply)
-    return a * b;
-  else if constexpr (C == Code::divide)
-    return a / b;
-  else if constexpr (C == Code::less)
-    return a < b;
-  else if constexpr (C == Code::less_equal)
-    return a <= b;
-  else if constexpr (C == Code::equal)
-    return a == b;
-  else if constexpr (C == Code::not_equal)
-    return !(a == b);
-  else if constexpr (C == Code::greater_equal)
-    return !(a < b);
-  else if constexpr (C == Code::greater)
-    return !(a <= b);
+  if constexpr (kExact<C>)
+    return exact<C>(a, b);
   else if constexpr (C == Code::logic_and)
     return a != 0 && b != 0;
   else if constexpr (C == Code::logic_or)
     return a != 0 || b != 0;
-  else if constexpr (C == Code::minimum)
-    return !(b >= a) ? b : a;  // a NaN on either side: the next value
-  else if constexpr (C == Code::maximum)
-    return b > a ? b : a;
   else if constexpr (C == Code::atan2)
     return std::atan2(a, b);
   else if constexpr (C == Code::mod)
@@ -77,10 +62,6 @@ inline double apply(double a, [[maybe_unused]] double b = 0) {
     return to_int(a / b);
   else if constexpr (C == Code::pow)
     return std::pow(a, b);
-  else if constexpr (C == Code::negate)
-    return -a;
-  else if constexpr (C == Code::abs)
-    return std::fabs(a);
   else if constexpr (C == Code::acos)
     return std::acos(a);
   else if constexpr (C == Code::acosh)
@@ -99,8 +80,6 @@ inline double apply(double a, [[maybe_unused]] double b = 0) {
     return std::cos(a);
   else if constexpr (C == Code::cosh)
     return std::cosh(a);
-  else if constexpr (C == Code::degrees)
-    return a * (180.0 / 3.14159265358979323846);
   else if constexpr (C == Code::exp)
     return std::exp(a);
   else if constexpr (C == Code::floor)
@@ -111,8 +90,6 @@ inline double apply(double a, [[maybe_unused]] double b = 0) {
     return std::log(a);
   else if constexpr (C == Code::log)
     return std::log10(a);
-  else if constexpr (C == Code::radians)
-    return a * (3.14159265358979323846 / 180.0);
   else if constexpr (C == Code::sin)
     return std::sin(a);
   else if constexpr (C == Code::sinh)
@@ -121,19 +98,13 @@ inline double apply(double a, [[maybe_unused]] double b = 0) {
     return std::sqrt(a);
   else if constexpr (C == Code::tan)
     return std::tan(a);
-  else if constexpr (C == Code::tanh)
-    return std::tanh(a);
   else
-    return a;
+    return std::tanh(a);
 }
 
 inline double select(double a, double negative, double zero, double positive) {
   return a < 0 ? negative : a == 0 ? zero : positive;
 }
-
-constexpr bool is_binary(Code code) { return code <= Code::pow; }
-constexpr bool is_unary(Code code) { return code >= Code::negate && code <= Code::move; }
-constexpr bool is_jump(Code code) { return code >= Code::jump; }
 
 // Calls f.template operator()<Code>() for one of the unary or binary codes.
 template <class F>

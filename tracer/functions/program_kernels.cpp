@@ -23,53 +23,7 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-HWY_INLINE Packet truth(const Mask& m) { return select(m, Packet(1.0), Packet(0.0)); }
-
-// The operations that are single instructions; same rules as apply<>.
-template <Code C>
-constexpr bool kSimple =
-    C == Code::add || C == Code::subtract || C == Code::multiply || C == Code::divide || C == Code::less ||
-    C == Code::less_equal || C == Code::equal || C == Code::not_equal || C == Code::greater_equal ||
-    C == Code::greater || C == Code::minimum || C == Code::maximum || C == Code::negate || C == Code::abs ||
-    C == Code::degrees || C == Code::radians || C == Code::move;
-
-template <Code C>
-HWY_INLINE Packet apply_vector(const Packet& a, const Packet& b) {
-  if constexpr (C == Code::add)
-    return a + b;
-  else if constexpr (C == Code::subtract)
-    return a - b;
-  else if constexpr (C == Code::multiply)
-    return a * b;
-  else if constexpr (C == Code::divide)
-    return a / b;
-  else if constexpr (C == Code::less)
-    return truth(a < b);
-  else if constexpr (C == Code::less_equal)
-    return truth(a <= b);
-  else if constexpr (C == Code::equal)
-    return truth(a == b);
-  else if constexpr (C == Code::not_equal)
-    return truth(~(a == b));
-  else if constexpr (C == Code::greater_equal)
-    return truth(~(a < b));
-  else if constexpr (C == Code::greater)
-    return truth(~(a <= b));
-  else if constexpr (C == Code::minimum)
-    return select(b >= a, a, b);
-  else if constexpr (C == Code::maximum)
-    return select(b > a, b, a);
-  else if constexpr (C == Code::negate)
-    return -a;
-  else if constexpr (C == Code::abs)
-    return abs(a);
-  else if constexpr (C == Code::degrees)
-    return a * (180.0 / 3.14159265358979323846);
-  else if constexpr (C == Code::radians)
-    return a * (3.14159265358979323846 / 180.0);
-  else
-    return a;
-}
+#include "tracer/functions/exact_operations.inc"
 
 // What the lanes of `active` cannot do together.
 template <Code C>
@@ -82,8 +36,8 @@ HWY_INLINE void one_by_one(double* to, const double* a, const double* b, std::ui
 
 template <Code C, bool Nearly>
 HWY_INLINE void eight(double* to, const double* a, const double* b, std::uint64_t active) {
-  if constexpr (kSimple<C>) {
-    store(to, apply_vector<C>(load(a), load(b)));
+  if constexpr (kExact<C>) {
+    store(to, exact<C>(load(a), load(b)));
   } else if constexpr (C == Code::sqrt) {
     store(to, sqrt(load(a)));
   } else if constexpr (Nearly && (C == Code::sin || C == Code::cos)) {

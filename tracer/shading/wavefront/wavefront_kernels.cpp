@@ -7,6 +7,7 @@
 #include "tracer/simd/each_target.h"
 
 #include "hwy/highway.h"
+#include "tracer/math/power.h"
 #include "tracer/shading/finish.h"
 #include "tracer/simd/kernel_table.h"
 
@@ -100,56 +101,16 @@ void highlight_bases(bool phong, bool blinn, int end, WavefrontPacket& packet, d
 // might change the rounding, `uncertain` says so (Ziv, "Fast evaluation of elementary mathematical functions with
 // correctly rounded last bit", 1991).
 std::int32_t raise(int end, const double* base, WavefrontPacket& packet) {
-  constexpr double kLn2High = 0x1.62e42fefa3800p-1,
-                   kLn2Low = 0x1.ef35793c76730p-45;  // the product of the first with a small integer is exact
-  constexpr double kShift = 0x1.8p52;                // what is added to it loses its fraction
-  constexpr double kSmallest = -690;                 // of a logarithm: binary32 has 0 long before
+  constexpr double kSmallest = -690;  // of a logarithm: binary32 has 0 long before
   constexpr double kError = 0x1p-39;  // of the power, relative: 2e-12; that of the logarithm is below 1e-15 times 690
   std::int32_t any = 0;
   for (int i = 0; i < end; ++i) {
     const double m = base[i];
     const bool bright = m >= 0x1p-1000;
-    const auto bits = std::bit_cast<std::int64_t>(bright ? m : 1.0);
-    // m = 2^e * f with f between the roots of 1/2 and 2.
-    const std::int64_t e = (bits - 0x3fe6a09e667f3bcd) >> 52;
-    const double f = std::bit_cast<double>(bits - (e << 52));
-    const double n = std::bit_cast<double>(e + std::bit_cast<std::int64_t>(kShift)) - kShift;
-    // log f = 2 atanh s
-    const double s = (f - 1) / (f + 1), z = s * s;
-    double p = 1.0 / 23;
-    p = p * z + 1.0 / 21;
-    p = p * z + 1.0 / 19;
-    p = p * z + 1.0 / 17;
-    p = p * z + 1.0 / 15;
-    p = p * z + 1.0 / 13;
-    p = p * z + 1.0 / 11;
-    p = p * z + 1.0 / 9;
-    p = p * z + 1.0 / 7;
-    p = p * z + 1.0 / 5;
-    p = p * z + 1.0 / 3;
-    const double log_f = 2 * s + 2 * s * z * p;
-    const double t = packet.exponent[i] * (n * kLn2High + (n * kLn2Low + log_f));
+    const double t = packet.exponent[i] * power::logarithm<11>(bright ? m : 1.0);
     const bool in_range = t > kSmallest && t < 600;
-    const double u = in_range ? t : 0;
-    const double shifted = u * 0x1.71547652b82fep0 + kShift, k = shifted - kShift;  // u / ln 2, rounded
-    const double r = (u - k * kLn2High) - k * kLn2Low;
-    double q = 1.0 / 6227020800;
-    q = q * r + 1.0 / 479001600;
-    q = q * r + 1.0 / 39916800;
-    q = q * r + 1.0 / 3628800;
-    q = q * r + 1.0 / 362880;
-    q = q * r + 1.0 / 40320;
-    q = q * r + 1.0 / 5040;
-    q = q * r + 1.0 / 720;
-    q = q * r + 1.0 / 120;
-    q = q * r + 1.0 / 24;
-    q = q * r + 1.0 / 6;
-    q = q * r + 0.5;
-    q = q * r + 1;
-    q = q * r + 1;
-    const double power =
-        std::bit_cast<double>(std::bit_cast<std::int64_t>(q) + (std::bit_cast<std::int64_t>(shifted) << 52));
-    const double value = packet.amount[i] * packet.shines[i] * (bright && in_range ? power : 0);
+    const double raised = power::exponential(in_range ? t : 0);
+    const double value = packet.amount[i] * packet.shines[i] * (bright && in_range ? raised : 0);
     const auto low = static_cast<float>(value - value * kError), high = static_cast<float>(value + value * kError);
     packet.strength[i] = low;
     // What is darker than the smallest numbers is 0; what is dark on purpose, too.

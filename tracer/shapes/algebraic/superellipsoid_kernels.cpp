@@ -8,6 +8,7 @@
 #include "tracer/simd/each_target.h"
 
 #include "hwy/highway.h"
+#include "tracer/math/power.h"
 #include "tracer/simd/kernel_table.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,51 +29,13 @@ std::int64_t flag(bool b) { return b ? 1 : 0; }
 // x = x^y for 0 <= x <= 2 and y > 0, to about 1e-16 times the logarithm of the result; 0 below the normal numbers.
 template <int kLanes>
 void raise(Lane<kLanes>& xs, double y) {
-  constexpr double kLn2High = 0x1.62e42fefa3800p-1,
-                   kLn2Low = 0x1.ef35793c76730p-45;  // the product of the first with a small integer is exact
-  constexpr double kShift = 0x1.8p52;                // what is added to it loses its fraction
   constexpr double kSmallest = -700;
   for (int i = 0; i < kLanes; ++i) {
     const double x = xs[i];
     const bool positive = x >= 0x1p-1000;
-    const auto bits = std::bit_cast<std::int64_t>(positive ? x : 1.0);
-    // x = 2^e f with f between the roots of 1/2 and 2; log f = 2 atanh s.
-    const std::int64_t e = (bits - 0x3fe6a09e667f3bcd) >> 52;
-    const double f = std::bit_cast<double>(bits - (e << 52));
-    const double n = std::bit_cast<double>(e + std::bit_cast<std::int64_t>(kShift)) - kShift;
-    const double s = (f - 1) / (f + 1), z = s * s;
-    double a = 1.0 / 21;
-    a = a * z + 1.0 / 19;
-    a = a * z + 1.0 / 17;
-    a = a * z + 1.0 / 15;
-    a = a * z + 1.0 / 13;
-    a = a * z + 1.0 / 11;
-    a = a * z + 1.0 / 9;
-    a = a * z + 1.0 / 7;
-    a = a * z + 1.0 / 5;
-    a = a * z + 1.0 / 3;
-    const double log_x = n * kLn2High + (n * kLn2Low + (2 * s + 2 * s * z * a));
-    const double t = y * log_x;
+    const double t = y * power::logarithm<10>(positive ? x : 1.0);
     const bool visible = positive & (t > kSmallest);
-    const double u = visible ? t : 0;
-    const double shifted = u * 0x1.71547652b82fep0 + kShift, k = shifted - kShift;  // u / ln 2, rounded
-    const double r = (u - k * kLn2High) - k * kLn2Low;
-    double b = 1.0 / 6227020800;
-    b = b * r + 1.0 / 479001600;
-    b = b * r + 1.0 / 39916800;
-    b = b * r + 1.0 / 3628800;
-    b = b * r + 1.0 / 362880;
-    b = b * r + 1.0 / 40320;
-    b = b * r + 1.0 / 5040;
-    b = b * r + 1.0 / 720;
-    b = b * r + 1.0 / 120;
-    b = b * r + 1.0 / 24;
-    b = b * r + 1.0 / 6;
-    b = b * r + 0.5;
-    b = b * r + 1;
-    b = b * r + 1;
-    const double result =
-        std::bit_cast<double>(std::bit_cast<std::int64_t>(b) + (std::bit_cast<std::int64_t>(shifted) << 52));
+    const double result = power::exponential(visible ? t : 0);
     xs[i] = visible ? result : 0;
   }
 }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "tracer/shapes/factories.h"
+#include "tracer/shapes/frame.h"
 #include "tracer/shapes/primitive.h"
 
 namespace verisim::shapes {
@@ -115,12 +116,7 @@ Box3 polygon_box(const scene::Polygon& polygon) {
 
 std::unique_ptr<Shape> compile_polygon(const scene::Object& object) {
   const auto& polygon = *object.as<scene::Polygon>();
-  if (object.transform) return std::make_unique<Polygon>(object, polygon);
-  scene::Object framed = object;
-  framed.transform = polygon_frame(polygon);
-  auto shape = std::make_unique<Polygon>(framed, polygon);
-  shape->object = &object;
-  return shape;
+  return compile_in_frame<Polygon>(object, polygon, polygon_frame);
 }
 
 }  // namespace verisim::shapes

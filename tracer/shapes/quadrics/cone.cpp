@@ -141,12 +141,7 @@ Box3 cone_box(const scene::Cone& c) { return {Vec3(-1, -1, narrow_end(c)), Vec3(
 
 std::unique_ptr<Shape> compile_cone(const scene::Object& object) {
   const auto& cone = *object.as<scene::Cone>();
-  if (object.transform) return std::make_unique<Cone>(object, cone);
-  scene::Object framed = object;
-  framed.transform = cone_frame(cone);
-  auto shape = std::make_unique<Cone>(framed, cone);
-  shape->object = &object;
-  return shape;
+  return compile_in_frame<Cone>(object, cone, cone_frame);
 }
 
 }  // namespace verisim::shapes

@@ -40,13 +40,8 @@ Transform disc_frame(const scene::Disc& d) { return frame_along(d.center, d.norm
 
 std::unique_ptr<Shape> compile_disc(const scene::Object& object) {
   scene::Disc disc = *object.as<scene::Disc>();
-  if (object.transform) return std::make_unique<Disc>(object, disc);
-  disc.normal = normalize(disc.normal);
-  scene::Object framed = object;
-  framed.transform = disc_frame(disc);
-  auto shape = std::make_unique<Disc>(framed, disc);
-  shape->object = &object;
-  return shape;
+  if (!object.transform) disc.normal = normalize(disc.normal);
+  return compile_in_frame<Disc>(object, disc, disc_frame);
 }
 
 }  // namespace verisim::shapes

@@ -23,7 +23,7 @@ struct PlaneKernels {
   unsigned (*meet)(const EightPlanes& planes, const Ray& ray, double doubt, double* t, double& enter, double& leave);
   // Bit i: p lies behind plane i, not inverted.
   unsigned (*behind)(const EightPlanes& planes, const Vec3& p);
-  // Bit k: ray k of a row, from `first`, meets plane i, at t[k]. Raises enter[k] and lowers leave[k] in the same way.
+  // Bit k: ray k of a batch, from `first`, meets plane i, at t[k]. Raises enter[k] and lowers leave[k] in the same way.
   unsigned (*meet_batch)(const EightPlanes& planes, int i, const RayBatch& rays, int first, const double* doubt,
                          double* t, double* enter, double* leave);
   // Raises near[k] and lowers far[k] to where ray k is inside a box: to nowhere, if it misses it.

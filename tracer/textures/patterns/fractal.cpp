@@ -30,8 +30,14 @@ Complex power(const Complex& z, int exponent) {
 
 double squared(const Complex& z) { return z.real() * z.real() + z.imag() * z.imag(); }
 
+// Types 2 to 5: a coordinate of the place where an orbit ends, or its square.
+double end_of_orbit(int type, const Complex& z) {
+  const double x = type % 2 == 0 ? z.real() : z.imag();
+  return type < 4 ? x : x * x;
+}
+
 double exterior(const scene::FractalParams& f, const Complex& z, int k) {
-  const double a = z.real(), b = z.imag(), factor = f.exterior_factor;
+  const double factor = f.exterior_factor;
   const auto modulo = [&](double modulus) {
     const int m = static_cast<int>(std::clamp(modulus, -2147483647.0, 2147483647.0));
     return m == 0 ? 0.0 : (k % m) / factor;
@@ -42,13 +48,10 @@ double exterior(const scene::FractalParams& f, const Complex& z, int k) {
     case 1:
       return static_cast<double>(k) / f.iterations;
     case 2:
-      return a * factor;
     case 3:
-      return b * factor;
     case 4:
-      return a * a * factor;
     case 5:
-      return b * b * factor;
+      return end_of_orbit(f.exterior_type, z) * factor;
     case 6:
       return std::sqrt(squared(z)) * factor;
     case 7:
@@ -68,13 +71,10 @@ double interior(const scene::FractalParams& f, const Complex& z, double smallest
     case 1:
       return std::sqrt(smallest) * factor;
     case 2:
-      return a * factor;
     case 3:
-      return b * factor;
     case 4:
-      return a * a * factor;
     case 5:
-      return b * b * factor;
+      return end_of_orbit(f.interior_type, z) * factor;
     case 6:
       return a * a + b * b * factor;  // not (a^2 + b^2) times the factor
     default:

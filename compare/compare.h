@@ -33,7 +33,7 @@
 namespace verisim::compare {
 
 // ---- what to compare
-// -------------------------------------------------------------------------------------------------------------------------------------------------
+// ---------------------------------------------------------------------------------------------------------------------
 
 // One of several renders of a scene whose weighted sum is the picture: a band of wavelengths, say.
 struct Pass {
@@ -101,7 +101,7 @@ struct Filter {
 Suite filter(const Suite& suite, const Filter& filter);
 
 // ---- our renderer
-// ----------------------------------------------------------------------------------------------------------------------------------------------------
+// ---------------------------------------------------------------------------------------------------------------------
 
 struct NativeRequest {
   std::filesystem::path folder;  // a private working copy of the scene's folder; the scene may write here and only here
@@ -151,7 +151,7 @@ std::string tags_json(const PixelTags& tags);
 PixelTags tags_from_json(const std::string& text);  // throws std::runtime_error
 
 // ---- the oracle
-// ------------------------------------------------------------------------------------------------------------------------------------------------------
+// ---------------------------------------------------------------------------------------------------------------------
 
 struct OracleOptions {
   std::filesystem::path program;  // empty: `povray` in PATH
@@ -198,7 +198,7 @@ OracleRender run_oracle(const OracleProgram& program, const OracleOptions& optio
                         std::atomic<bool>* cancel = nullptr);
 
 // ---- a run
-// -----------------------------------------------------------------------------------------------------------------------------------------------------------
+// ---------------------------------------------------------------------------------------------------------------------
 
 // How far a renderer's picture, fitted by itself, is from a photograph.
 struct Likeness {

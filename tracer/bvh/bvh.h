@@ -95,11 +95,6 @@ class Bvh {
   template <class Visit>
   bool any_around(const Vec3& p, Visit&& visit) const;
 
-  // Calls visit(index) for every box, in the order in which any_around finds those that contain a point. For trees of
-  // leaf size 1.
-  template <class Visit>
-  void each(Visit&& visit) const;
-
   // The subtrees that a shaft meets.
   void enter(const Shaft& shaft, EntryPoints& entry) const;
 
@@ -170,6 +165,34 @@ Bvh::Bvh(std::size_t count, BoxOf&& box, unsigned leaf_size) {
   build(items, leaf_size);
 }
 
+// Children that wait for their turn in a walk, the nearer ones on top.
+class WaitingChildren {
+ public:
+  struct Child {
+    std::uint32_t child;
+    float near;
+  };
+  int size() const { return size_; }
+  // Among those above `first`.
+  void add(Child added, int first) {
+    int place = size_++;
+    for (; place > first && stack_[place - 1].near < added.near; --place) stack_[place] = stack_[place - 1];
+    stack_[place] = added;
+  }
+  // The nearest; false: none is within a distance.
+  bool pop(float far, Child& next) {
+    while (size_ > 0) {
+      next = stack_[--size_];
+      if (next.near <= far) return true;
+    }
+    return false;
+  }
+
+ private:
+  Child stack_[Bvh::kStackSize];
+  int size_ = 0;
+};
+
 template <class Leaf>
 void Bvh::walk(const Ray& ray, double t_min, double t_max, const EntryPoints* entry, Leaf&& leaf) const {
   if (nodes_.empty() || (entry && entry->count == 0)) return;
@@ -190,38 +213,23 @@ void Bvh::walk(const Ray& ray, double t_min, double t_max, const EntryPoints* en
   // Distances in the walk count from `start`.
   float far = round_up(end - start + slack_);
 
-  struct Waiting {
-    std::uint32_t child;
-    float near;
-  };
-  Waiting stack[kStackSize];
-  int size = 0;
-  // The nearest of the children that are met becomes `next`; the others wait on the stack above `first`, the nearer
-  // ones on top. False: none is met.
-  Waiting next;
+  WaitingChildren waiting;
+  WaitingChildren::Child next{0, 0};
+  // The nearest of the children that are met becomes `next`; the others wait. False: none is met.
   const auto descend = [&](const BoxNode& node) {
     alignas(16) float near[4];
     unsigned hits = node_ray.test(node, far, near);
     if (hits == 0) return false;
     int k = __builtin_ctz(hits);
     next = {node.child[k], near[k]};
-    const int first = size;
+    const int first = waiting.size();
     while ((hits &= hits - 1) != 0) {
       k = __builtin_ctz(hits);
-      Waiting other{node.child[k], near[k]};
+      WaitingChildren::Child other{node.child[k], near[k]};
       if (other.near < next.near) std::swap(other, next);
-      int place = size++;
-      for (; place > first && stack[place - 1].near < other.near; --place) stack[place] = stack[place - 1];
-      stack[place] = other;
+      waiting.add(other, first);
     }
     return true;
-  };
-  const auto pop = [&] {
-    while (size > 0) {
-      next = stack[--size];
-      if (next.near <= far) return true;
-    }
-    return false;
   };
   if (entry) {
     for (int i = 0; i < entry->count; ++i) {
@@ -229,15 +237,10 @@ void Bvh::walk(const Ray& ray, double t_min, double t_max, const EntryPoints* en
       const BoxNode& node = entry->nodes[i];
       for (unsigned hits = node_ray.test(node, far, near); hits != 0; hits &= hits - 1) {
         const int k = __builtin_ctz(hits);
-        const Waiting met{node.child[k], near[k]};
-        int place = size++;
-        for (; place > 0 && stack[place - 1].near < met.near; --place) stack[place] = stack[place - 1];
-        stack[place] = met;
+        waiting.add({node.child[k], near[k]}, 0);
       }
     }
-    if (!pop()) return;
-  } else {
-    next = {0, 0};
+    if (!waiting.pop(far, next)) return;
   }
   for (;;) {
     if (next.child & BoxNode::kLeaf) {
@@ -247,8 +250,8 @@ void Bvh::walk(const Ray& ray, double t_min, double t_max, const EntryPoints* en
         if (t_max < t_min) return;
         far = round_up(t_max - start + slack_);
       }
-      if (!pop()) return;
-    } else if (!descend(nodes_[next.child]) && !pop()) {
+      if (!waiting.pop(far, next)) return;
+    } else if (!descend(nodes_[next.child]) && !waiting.pop(far, next)) {
       return;
     }
   }
@@ -273,24 +276,6 @@ bool Bvh::any_around(const Vec3& p, Visit&& visit) const {
       stack[size++] = node.child[__builtin_ctz(hits)];
   }
   return false;
-}
-
-template <class Visit>
-void Bvh::each(Visit&& visit) const {
-  if (nodes_.empty()) return;
-  std::uint32_t stack[kStackSize];
-  int size = 0;
-  stack[size++] = 0;
-  while (size > 0) {
-    const std::uint32_t child = stack[--size];
-    if (child & BoxNode::kLeaf) {
-      visit(BoxNode::leaf_first(child));
-      continue;
-    }
-    const BoxNode& node = nodes_[child];
-    for (int k = 0; k < 4; ++k)
-      if (node.planes[0][k] <= node.planes[3][k]) stack[size++] = node.child[k];  // the others are none
-  }
 }
 
 }  // namespace verisim::accel

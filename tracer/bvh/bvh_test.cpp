@@ -274,31 +274,5 @@ TEST(Shaft, MeetsFewBoxesBesideIt) {
   EXPECT_EQ(nothing.count, 0);
 }
 
-// `each` names every box once; those around any point come in that order.
-TEST(Bvh, HasOneOrderOfBoxes) {
-  Random random(17);
-  for (int count : {1, 2, 5, 60, 300}) {
-    const std::vector<Box3> boxes = boxes_around(random, Vec3(3, -2, 1), count);
-    const Bvh tree(boxes);
-    std::vector<std::size_t> place(boxes.size(), boxes.size());
-    std::size_t seen = 0;
-    tree.each([&](std::uint32_t k) {
-      ASSERT_EQ(place[k], boxes.size());
-      place[k] = seen++;
-    });
-    ASSERT_EQ(seen, boxes.size());
-    for (int i = 0; i < 200; ++i) {
-      std::vector<std::size_t> around;
-      tree.any_around(random.in(boxes[static_cast<std::size_t>(random.below(static_cast<int>(boxes.size())))]),
-                      [&](std::uint32_t k) {
-                        around.push_back(place[k]);
-                        return false;
-                      });
-      ASSERT_FALSE(around.empty());
-      ASSERT_TRUE(std::is_sorted(around.begin(), around.end()));
-    }
-  }
-}
-
 }  // namespace
 }  // namespace verisim::accel

@@ -15,7 +15,7 @@ void add_light(const SomePhotons& photons, const PhotonSurface& surface, Rgb& su
       batch.x[i] = direction.x, batch.y[i] = direction.y, batch.z[i] = direction.z;
       batch.r[i] = energy.r, batch.g[i] = energy.g, batch.b[i] = energy.b;
     }
-    photon_row_kernels().shade(surface, count, batch);
+    photon_batch_kernels().shade(surface, count, batch);
     for (std::size_t i = 0; i < count; ++i) sum += Rgb(batch.r[i], batch.g[i], batch.b[i]);
   }
 }

@@ -1,4 +1,4 @@
-// What photons around a point add to a plain diffuse layer (spec 07 section 3.10), a row of them at a time. Compiled
+// What photons around a point add to a plain diffuse layer (spec 07 section 3.10), a batch of them at a time. Compiled
 // for several instruction sets; every lane does the operations of the scalar code in the same order.
 #pragma once
 
@@ -28,9 +28,9 @@ struct PhotonBatchKernels {
   void (*shade)(const PhotonSurface& surface, std::size_t count, PhotonBatch& batch);
 };
 
-const PhotonBatchKernels& photon_row_kernels();
+const PhotonBatchKernels& photon_batch_kernels();
 // Those of any instruction set, for tests; null: this machine cannot run it.
-const PhotonBatchKernels* photon_row_kernels(int instruction_set);
+const PhotonBatchKernels* photon_batch_kernels(int instruction_set);
 
 // Adds the light of the photons to `sum`, in their order.
 void add_light(const SomePhotons& photons, const PhotonSurface& surface, Rgb& sum);

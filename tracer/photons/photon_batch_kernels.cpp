@@ -49,6 +49,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace verisim::global {
-VERISIM_EXPORT_KERNELS(PhotonBatchKernels, photon_row_kernels)
+VERISIM_EXPORT_KERNELS(PhotonBatchKernels, photon_batch_kernels)
 }  // namespace verisim::global
 #endif

@@ -52,7 +52,7 @@ Case random_case(std::mt19937& generator, std::size_t count, int kind) {
 class PhotonBatches : public testing::TestWithParam<int> {};
 
 TEST_P(PhotonBatches, AddWhatEachPhotonAdds) {
-  const PhotonBatchKernels* kernels = photon_row_kernels(GetParam());
+  const PhotonBatchKernels* kernels = photon_batch_kernels(GetParam());
   if (!kernels) GTEST_SKIP() << "this machine cannot run it";
   std::mt19937 generator(5);
   const auto batch = std::make_unique<PhotonBatch>();

@@ -313,59 +313,41 @@ void keep_nearest(PhotonDistances& from, const PhotonMeasure& measure, std::size
   limit = equals.count == 1 ? measure.squared(to.index()[equals.place]) : drop_farthest(to, last, measure, maximum);
 }
 
+// Collects photons around a point: leaves are looked at in single precision, candidates among their photons are
+// measured together in double.
 template <bool flat>
-Collected collect_those(const PhotonTree& tree, const PhotonQuery& query, double& limit, PhotonDistances& found) {
-  found.clear();
-  const PhotonCenter center = query.measure.center;
-  const FloatCenter point(center, limit);
-  const std::size_t most = query.maximum < kAnyNumber ? kCrowd * query.maximum + 20 : kAnyNumber;
-  const std::size_t crowd = std::min(most, query.too_many);
-  Collected result = Collected::all;
-  // Candidates side by side.
-  constexpr std::size_t kMaxCandidates = 512;
-  struct alignas(64) Candidates {
-    float x[kMaxCandidates + 2 * kAtOnce], y[kMaxCandidates + 2 * kAtOnce], z[kMaxCandidates + 2 * kAtOnce];
-    std::uint32_t index[kMaxCandidates + 2 * kAtOnce];
-  } candidates;
-  std::size_t count = 0, wait = std::min(crowd, kMaxCandidates);
-  // Those from number `looked_at` on may be hidden.
-  std::size_t looked_at = 0;
-  const Words numbers = Words::load(kNumbers);
-  const Packet cx(center.point.x), cy(center.point.y), cz(center.point.z), nx(center.normal.x), ny(center.normal.y),
-      nz(center.normal.z);
-  const auto measure = [&] {
-    for (float* coordinate : {candidates.x, candidates.y, candidates.z})
-      store(coordinate + count, FloatPacket(kInfiniteFloat));
-    std::size_t n = found.size();
-    found.make_room(n + count);
-    float* const squared = found.squared_data();
-    std::uint32_t* const index = found.index_data();
-    const Packet limits(limit);
-    for (std::size_t i = 0; i < count; i += kEight) {
-      const Packet dx = to_doubles(candidates.x + i) - cx, dy = to_doubles(candidates.y + i) - cy,
-                   dz = to_doubles(candidates.z + i) - cz;
-      Packet s = dx * dx + dy * dy + dz * dz;
-      if (flat) s *= Packet(1.0) + Packet(16.0) * abs(nx * dx + ny * dy + nz * dz);  // else the factor is 1
-      const unsigned which = bits(s < limits);
-      if (flat) s = min(s, Packet(3e38));  // rounded; without a normal none is so far, or it would be no candidate
-      pack(which, to_floats(s), squared + n), pack(which, Words::load(candidates.index + i), index + n);
-      n += static_cast<std::size_t>(std::popcount(which));
-    }
-    found.set_size(n), count = 0;
-    if (query.planes) query.planes->drop_hidden(center.point, query.radius, looked_at, found);
-    looked_at = found.size();
-  };
-  float near_enough = point.plain(limit);
-  const auto look_at = [&, all_leaves = tree.leaves().data(),
-                        firsts = tree.firsts().data()](std::span<const std::uint32_t> leaves) {
-    const FloatPacket x(point.at[0]), y(point.at[1]), z(point.at[2]);
-    const FloatPacket tilt_x(point.normal[0]), tilt_y(point.normal[1]), tilt_z(point.normal[2]);  // times 16
-    FloatPacket near(flat ? point.flattened(limit) : near_enough);
-    Candidates& to = candidates;
-    std::size_t n = count, enough = wait;
+class Collector {
+ public:
+  HWY_INLINE Collector(const PhotonTree& tree, const PhotonQuery& query, double& limit, PhotonDistances& found)
+      : tree_(tree),
+        query_(query),
+        center_(query.measure.center),
+        point_(center_, limit),
+        most_(query.maximum < kAnyNumber ? kCrowd * query.maximum + 20 : kAnyNumber),
+        crowd_(std::min(most_, query.too_many)),
+        limit_(limit),
+        found_(found),
+        near_enough_(point_.plain(limit)),
+        wait_(std::min(crowd_, kMaxCandidates)) {
+    found.clear();
+  }
+
+  HWY_INLINE Collected collect() {
+    LeafWalk(tree_, point_, near_enough_, *this);
+    measure();
+    return found_.size() >= query_.too_many ? Collected::too_many : result_;
+  }
+
+  // Of the walk: false ends it.
+  bool operator()(std::span<const std::uint32_t> leaves) {
+    const FloatPacket x(point_.at[0]), y(point_.at[1]), z(point_.at[2]);
+    const FloatPacket tilt_x(point_.normal[0]), tilt_y(point_.normal[1]), tilt_z(point_.normal[2]);  // times 16
+    const Words numbers = Words::load(kNumbers);
+    FloatPacket near(reach());
+    std::size_t n = count_, enough = wait_;
     for (const std::uint32_t number : leaves) {
-      const PhotonLeaf& leaf = all_leaves[number];
-      const std::uint32_t first = firsts[number];
+      const PhotonLeaf& leaf = tree_.leaves()[number];
+      const std::uint32_t first = tree_.firsts()[number];
       _Pragma("GCC unroll 2") for (std::size_t i = 0; i < kAtOnce; i += kEight) {
         const FloatPacket px = FloatPacket::load(leaf.x.data() + i), py = FloatPacket::load(leaf.y.data() + i),
                           pz = FloatPacket::load(leaf.z.data() + i);
@@ -373,33 +355,75 @@ Collected collect_those(const PhotonTree& tree, const PhotonQuery& query, double
         FloatPacket squared = dx * dx + dy * dy + dz * dz;
         if (flat) squared = squared * (FloatPacket(1.0f) + abs(tilt_x * dx + tilt_y * dy + tilt_z * dz));
         const unsigned which = bits(squared <= near);
-        pack(which, px, to.x + n), pack(which, py, to.y + n), pack(which, pz, to.z + n),
-            pack(which, numbers + Words(first + static_cast<std::uint32_t>(i)), to.index + n);
+        pack(which, px, x_ + n), pack(which, py, y_ + n), pack(which, pz, z_ + n),
+            pack(which, numbers + Words(first + static_cast<std::uint32_t>(i)), index_ + n);
         n += static_cast<std::size_t>(std::popcount(which));
       }
       if (n < enough) continue;
-      count = n;
+      count_ = n;
       measure();
-      if (found.size() >= query.too_many) return false;
-      if (found.size() >= most) {
-        keep_nearest(found, query.measure, query.maximum, limit, found);
-        near_enough = point.plain(limit), result = Collected::nearest;
-        looked_at = found.size();
-      }
-      near = FloatPacket(flat ? point.flattened(limit) : near_enough), n = 0,
-      enough = wait = std::min(crowd - found.size(), kMaxCandidates);
+      if (found_.size() >= query_.too_many) return false;
+      if (found_.size() >= most_) drop_far_ones();
+      near = FloatPacket(reach()), n = 0, enough = wait_ = std::min(crowd_ - found_.size(), kMaxCandidates);
     }
-    count = n;
+    count_ = n;
     return true;
-  };
-  LeafWalk(tree, point, near_enough, look_at);
-  measure();
-  return found.size() >= query.too_many ? Collected::too_many : result;
-}
+  }
+
+ private:
+  static constexpr std::size_t kMaxCandidates = 512;
+
+  float reach() const { return flat ? point_.flattened(limit_) : near_enough_; }
+
+  // Candidates become photons that are found, if they are within the limit and not hidden.
+  void measure() {
+    for (float* coordinate : {x_, y_, z_}) store(coordinate + count_, FloatPacket(kInfiniteFloat));
+    std::size_t n = found_.size();
+    found_.make_room(n + count_);
+    float* const squared = found_.squared_data();
+    std::uint32_t* const index = found_.index_data();
+    const Vec3 &c = center_.point, &normal = center_.normal;
+    const Packet cx(c.x), cy(c.y), cz(c.z), nx(normal.x), ny(normal.y), nz(normal.z), limits(limit_);
+    for (std::size_t i = 0; i < count_; i += kEight) {
+      const Packet dx = to_doubles(x_ + i) - cx, dy = to_doubles(y_ + i) - cy, dz = to_doubles(z_ + i) - cz;
+      Packet s = dx * dx + dy * dy + dz * dz;
+      if (flat) s *= Packet(1.0) + Packet(16.0) * abs(nx * dx + ny * dy + nz * dz);  // else the factor is 1
+      const unsigned which = bits(s < limits);
+      if (flat) s = min(s, Packet(3e38));  // rounded; without a normal none is so far, or it would be no candidate
+      pack(which, to_floats(s), squared + n), pack(which, Words::load(index_ + i), index + n);
+      n += static_cast<std::size_t>(std::popcount(which));
+    }
+    found_.set_size(n), count_ = 0;
+    if (query_.planes) query_.planes->drop_hidden(c, query_.radius, looked_at_, found_);
+    looked_at_ = found_.size();
+  }
+
+  void drop_far_ones() {
+    keep_nearest(found_, query_.measure, query_.maximum, limit_, found_);
+    near_enough_ = point_.plain(limit_), result_ = Collected::nearest;
+    looked_at_ = found_.size();
+  }
+
+  const PhotonTree& tree_;
+  const PhotonQuery& query_;
+  const PhotonCenter center_;
+  const FloatCenter point_;
+  const std::size_t most_, crowd_;
+  double& limit_;
+  PhotonDistances& found_;
+  float near_enough_;
+  Collected result_ = Collected::all;
+  std::size_t count_ = 0, wait_;
+  std::size_t looked_at_ = 0;  // those from here on may be hidden
+  // Candidates side by side.
+  alignas(64) float x_[kMaxCandidates + 2 * kAtOnce], y_[kMaxCandidates + 2 * kAtOnce],
+      z_[kMaxCandidates + 2 * kAtOnce];
+  std::uint32_t index_[kMaxCandidates + 2 * kAtOnce];
+};
 
 Collected collect(const PhotonTree& tree, const PhotonQuery& query, double& limit, PhotonDistances& found) {
-  return query.measure.center.normal == Vec3(0.0) ? collect_those<false>(tree, query, limit, found)
-                                                  : collect_those<true>(tree, query, limit, found);
+  return query.measure.center.normal == Vec3(0.0) ? Collector<false>(tree, query, limit, found).collect()
+                                                  : Collector<true>(tree, query, limit, found).collect();
 }
 
 std::size_t reaching(PhotonDistances& list, const float* overhang, double radius, std::uint32_t* places) {

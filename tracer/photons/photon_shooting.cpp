@@ -49,13 +49,13 @@ Vec3 rotate(const Vec3& v, const Vec3& axis, double angle) {
   return v.x * row[0] + v.y * row[1] + v.z * row[2];
 }
 
-// The frame of one light point: unit vector towards the target, and one to its left.
-struct Frame {
+// How photons leave one point of a light: unit vectors towards the target and to the left of it.
+struct Aim {
   Vec3 origin, towards, left;
 };
 
-Frame frame(const PhotonPair& pair, const Vec3& origin) {
-  Frame f;
+Aim aim(const PhotonPair& pair, const Vec3& origin) {
+  Aim f;
   f.origin = origin;
   f.towards = pair.light->parallel ? pair.light->direction : normalize(pair.center - origin);
   const Vec3 up = std::fabs(std::fabs(f.towards.z) - 1.0) < 0.1 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
@@ -126,7 +126,7 @@ void shoot(const PhotonPair& pair, double spacing, const scene::Photons& setting
   const double step = light.parallel ? sigma : std::atan(sigma);
   if (!(step > 0.0) || !std::isfinite(limit)) return;
 
-  std::vector<Frame> frames;
+  std::vector<Aim> aims;
   for (int i = 0; i < columns; ++i) {
     for (int j = 0; j < rows; ++j) {
       Vec3 origin = light.position;
@@ -134,10 +134,10 @@ void shoot(const PhotonPair& pair, double spacing, const scene::Photons& setting
         if (columns > 1) origin += light.axis1 * (i / (columns - 1.0) - 0.5);
         if (rows > 1) origin += light.axis2 * (j / (rows - 1.0) - 0.5);
       }
-      frames.push_back(frame(pair, origin));
+      aims.push_back(aim(pair, origin));
     }
   }
-  const float share = 1.0f / static_cast<float>(frames.size());
+  const float share = 1.0f / static_cast<float>(aims.size());
 
   // Finer rings would not end in anybody's lifetime, and finest ones not at all.
   if (limit / step > kMaxPerRing)
@@ -156,7 +156,7 @@ void shoot(const PhotonPair& pair, double spacing, const scene::Photons& setting
     for (double phi = first; phi < first + 2.0 * kPi - around / 2.0; phi += around) {
       const double phi2 = phi + around * (random.next() - 0.5) * settings.jitter;
       const double theta2 = theta + step * (random.next() - 0.5) * settings.jitter;
-      for (const Frame& f : frames) {
+      for (const Aim& f : aims) {
         PhotonStart start;
         start.energy = share;
         if (light.parallel) {

@@ -154,114 +154,164 @@ HWY_INLINE HeightWalk::Block block_around(const HeightGrid& grid, double x0, dou
 
 constexpr double kThickest = 2;  // cells a ray: those that are further apart find their own ways sooner
 
-bool walk(const HeightGrid& grid, unsigned lanes, double t_min, const double* limits, bool any, HeightPacket& p) {
-  const Mask here = Mask::of_bits(lanes);
-  const int one = std::countr_zero(lanes);
-  const Packet t_max = load(limits), infinite = HUGE_VAL;
-  const Packet dx = load(p.dx), dz = load(p.dz);
-  ThickRay ray;
-  const bool backward_x = p.dx[one] < 0, backward_z = p.dz[one] < 0;
-  ray.along_z = std::fabs(p.dz[one]) > std::fabs(p.dx[one]);
-  ray.backward = ray.along_z ? backward_z : backward_x;
-  ray.flip = (backward_x ? 5u : 0u) | (backward_z ? 10u : 0u);
-  const Packet ou = ray.along_z ? load(p.oz) : load(p.ox), ow = ray.along_z ? load(p.ox) : load(p.oz), oy = load(p.oy);
-  const Packet du = ray.along_z ? dz : dx, dw = ray.along_z ? dx : dz, dy = load(p.dy);
-  const double sign = ray.backward ? -1 : 1;
-  if (bits((du == 0) & here) != 0) return false;
-  const Packet leave = min(load(p.leave), t_max);
-  const double first = least(select(here, sign * (ou + load(p.enter) * du), infinite)),
-               last = most(select(here, sign * (ou + leave * du), -infinite));
-  for (int k = 0; k < kLanes; ++k)
-    if (lanes >> k & 1) p.triangle[k] = -1;
-  if (!(first <= last)) return last == last && first == first;
-  // Every ray is a straight line over u: the least of them lies above the chord of its ends, the largest below. Returns
-  // how far apart they are at the ends.
-  Lines lines;
-  const auto line = [&](const Packet& origin, const Packet& direction, Packet& at_zero, Packet& slope, Bound& low,
-                        Bound& high, double& least_of_all, double& most_of_all) VERISIM_INLINE_LAMBDA {
-    slope = direction / du, at_zero = origin - ou * slope;
-    const Packet from = at_zero + sign * first * slope, to = at_zero + sign * last * slope;
-    const double low0 = least(select(here, from, infinite)), low1 = least(select(here, to, infinite)),
-                 high0 = most(select(here, from, -infinite)), high1 = most(select(here, to, -infinite));
-    least_of_all = low0 < low1 ? low0 : low1, most_of_all = high0 < high1 ? high1 : high0;
-    const double length = last - first;
+// Rays of a packet on their way over the field, as one thick ray.
+class PacketWalk {
+ public:
+  HWY_INLINE PacketWalk(const HeightGrid& grid, unsigned lanes, double t_min, const double* limits, HeightPacket& p)
+      : grid_(grid), lanes_(lanes), here_(Mask::of_bits(lanes)), t_min_(t_min), t_max_(load(limits)), p_(p) {
+    const int one = std::countr_zero(lanes);
+    backward_x_ = p.dx[one] < 0, backward_z_ = p.dz[one] < 0;
+    ray_.along_z = std::fabs(p.dz[one]) > std::fabs(p.dx[one]);
+    ray_.backward = ray_.along_z ? backward_z_ : backward_x_;
+    ray_.flip = (backward_x_ ? 5u : 0u) | (backward_z_ ? 10u : 0u);
+    sign_ = ray_.backward ? -1 : 1;
+    ou_ = load(ray_.along_z ? p.oz : p.ox), du_ = load(ray_.along_z ? p.dz : p.dx);
+    leave_ = min(load(p.leave), t_max_);
+    ray_.first = least(select(here_, sign_ * (ou_ + load(p.enter) * du_), Packet(HUGE_VAL)));
+    last_ = farthest(here_, leave_);
+  }
+  bool stands_still() const { return bits((du_ == 0) & here_) != 0; }  // one of them, along u
+  bool is_number() const { return ray_.first == ray_.first && last_ == last_; }
+  bool misses() const { return !(ray_.first <= last_); }
+
+  // False: the rays are too far apart.
+  HWY_INLINE bool make_thick() {
+    const Packet ow = load(ray_.along_z ? p_.ox : p_.oz), dw = load(ray_.along_z ? p_.dx : p_.dz);
+    const Range w = fit(ow, dw, lines_.w, lines_.w_slope, ray_.w_low, ray_.w_high);
+    if (!(w.apart <= kThickest * std::popcount(lanes_))) return false;
+    const Range y = fit(load(p_.oy), load(p_.dy), lines_.y, lines_.y_slope, ray_.y_low, ray_.y_high);
+    // Lines that leave the field far behind would need more digits, and so would those of rays that go almost straight
+    // down.
+    const double reach = 2.0 * (grid_.width() + grid_.depth());
+    constexpr double kMaxDigits = 1e10;
+    const Packet largest =
+        max(max(abs(lines_.w), abs(lines_.y)), reach * max(abs(lines_.w_slope), abs(lines_.y_slope)));
+    if (bits((largest < kMaxDigits) & here_) != lanes_) return false;
+    if (!(w.least > -reach && w.most < reach && y.least > -4 * 65536 && y.most < 4 * 65536)) return false;
+    ray_.side_margin = static_cast<float>(1e-3 + 4e-6 * reach);
+    ray_.height_margin = 2;
+    ray_.end = static_cast<float>(last_ - ray_.first) + ray_.side_margin;
+    for (int c = 0; c < 16; ++c) {
+      const int u_step = ray_.along_z ? HeightGrid::row(c) : HeightGrid::column(c),
+                w_step = ray_.along_z ? HeightGrid::column(c) : HeightGrid::row(c);
+      ray_.u_steps[c] = static_cast<float>(ray_.backward ? -u_step : u_step);
+      ray_.w_steps[c] = static_cast<float>(w_step);
+    }
+    const double m = ray_.side_margin, u_low = (ray_.backward ? -last_ : ray_.first) - m,
+                 u_high = (ray_.backward ? -ray_.first : last_) + m;
+    around_ = ray_.along_z ? block_around(grid_, w.least - m, w.most + m, u_low, u_high)
+                           : block_around(grid_, u_low, u_high, w.least - m, w.most + m);
+    return true;
+  }
+
+  HWY_INLINE void run(bool any) {
+    HeightWalk::Block blocks[HeightGrid::kMaxLevels * HeightGrid::kChildren];
+    blocks[0] = around_;
+    int waiting = 1;
+    alignas(64) float near[16];
+    unsigned open = lanes_;
+    while (waiting > 0) {
+      const HeightWalk::Block at = blocks[--waiting];
+      if (at.near > ray_.end) continue;
+      const int below = at.level - 1, i = at.i * 4, k = at.k * 4;
+      const double size = static_cast<double>(std::int64_t{1} << 2 * below);
+      const double u = (ray_.along_z ? k : i) * size, w = (ray_.along_z ? i : k) * size;
+      const auto u0 = static_cast<float>((ray_.backward ? -u - size : u) - ray_.first);
+      const HeightGrid::Block& block = grid_.block(at.level, at.i, at.k);
+      unsigned met = in_order(meet_thick(ray_, block, u0, static_cast<float>(w), static_cast<float>(size), near),
+                              backward_x_, backward_z_);
+      if (below > 0) {
+        int place = waiting += std::popcount(met);
+        for (; met != 0; met &= met - 1) {  // near ones last on the stack
+          const int c = child(met);
+          blocks[--place] = {below, i + HeightGrid::column(c), k + HeightGrid::row(c), near[c]};
+        }
+      } else if (met != 0 && !look_at_cells(block, i, k, met, near, any, open)) {
+        return;
+      }
+    }
+  }
+
+ private:
+  // Of what the rays do in one direction across u; `apart`: at the ends.
+  struct Range {
+    double least, most, apart;
+  };
+
+  // The largest u of some lanes.
+  HWY_INLINE double farthest(const Mask& lanes, const Packet& t) const {
+    return most(select(lanes, sign_ * (ou_ + t * du_), Packet(-HUGE_VAL)));
+  }
+
+  // Every ray is a straight line over u: the least of them lies above the chord of its ends, the largest below.
+  HWY_INLINE Range fit(const Packet& origin, const Packet& direction, Packet& at_zero, Packet& slope, Bound& low,
+                       Bound& high) const {
+    slope = direction / du_, at_zero = origin - ou_ * slope;
+    const Packet from = at_zero + sign_ * ray_.first * slope, to = at_zero + sign_ * last_ * slope;
+    const double low0 = least(select(here_, from, Packet(HUGE_VAL))), low1 = least(select(here_, to, Packet(HUGE_VAL))),
+                 high0 = most(select(here_, from, Packet(-HUGE_VAL))),
+                 high1 = most(select(here_, to, Packet(-HUGE_VAL)));
+    const Range range{low0 < low1 ? low0 : low1, high0 < high1 ? high1 : high0, std::max(high0 - low0, high1 - low1)};
+    const double length = last_ - ray_.first;
     if (length > 1e-3) {
       low = {static_cast<float>(low0), static_cast<float>((low1 - low0) / length)};
       high = {static_cast<float>(high0), static_cast<float>((high1 - high0) / length)};
     } else {
-      low = {static_cast<float>(least_of_all), 0}, high = {static_cast<float>(most_of_all), 0};
+      low = {static_cast<float>(range.least), 0}, high = {static_cast<float>(range.most), 0};
     }
-    return std::max(high0 - low0, high1 - low1);
-  };
-  double w_least, w_most, y_least, y_most;
-  const double apart = line(ow, dw, lines.w, lines.w_slope, ray.w_low, ray.w_high, w_least, w_most);
-  if (!(apart <= kThickest * std::popcount(lanes))) return false;
-  line(oy, dy, lines.y, lines.y_slope, ray.y_low, ray.y_high, y_least, y_most);
-  // Lines that leave the field far behind would need more digits, and so would those of rays that go almost straight
-  // down.
-  const double reach = 2.0 * (grid.width() + grid.depth());
-  constexpr double kMaxDigits = 1e10;
-  const Packet largest = max(max(abs(lines.w), abs(lines.y)), reach * max(abs(lines.w_slope), abs(lines.y_slope)));
-  if (bits((largest < kMaxDigits) & here) != lanes) return false;
-  if (!(w_least > -reach && w_most < reach && y_least > -4 * 65536 && y_most < 4 * 65536)) return false;
-  ray.first = first;
-  ray.side_margin = static_cast<float>(1e-3 + 4e-6 * reach);
-  ray.height_margin = 2;
-  ray.end = static_cast<float>(last - first) + ray.side_margin;
-  for (int c = 0; c < 16; ++c) {
-    const int u = ray.along_z ? HeightGrid::row(c) : HeightGrid::column(c),
-              w = ray.along_z ? HeightGrid::column(c) : HeightGrid::row(c);
-    ray.u_steps[c] = static_cast<float>(ray.backward ? -u : u), ray.w_steps[c] = static_cast<float>(w);
+    return range;
   }
 
-  HeightWalk::Block blocks[HeightGrid::kMaxLevels * HeightGrid::kChildren];
-  const double m = ray.side_margin, u_low = (ray.backward ? -last : first) - m,
-               u_high = (ray.backward ? -first : last) + m;
-  blocks[0] = ray.along_z ? block_around(grid, w_least - m, w_most + m, u_low, u_high)
-                          : block_around(grid, u_low, u_high, w_least - m, w_most + m);
-  int waiting = 1;
-  alignas(64) float near[16];
-  unsigned open = lanes;
-  while (waiting > 0) {
-    const HeightWalk::Block at = blocks[--waiting];
-    if (at.near > ray.end) continue;
-    const int below = at.level - 1, i = at.i * 4, k = at.k * 4;
-    const double size = static_cast<double>(std::int64_t{1} << 2 * below);
-    const double u = (ray.along_z ? k : i) * size, w = (ray.along_z ? i : k) * size;
-    const auto u0 = static_cast<float>((ray.backward ? -u - size : u) - first);
-    const HeightGrid::Block& block = grid.block(at.level, at.i, at.k);
-    unsigned met = in_order(meet_thick(ray, block, u0, static_cast<float>(w), static_cast<float>(size), near),
-                            backward_x, backward_z);
-    if (below > 0) {
-      int place = waiting += std::popcount(met);
-      for (; met != 0; met &= met - 1) {  // near ones last on the stack
-        const int c = static_cast<int>(static_cast<unsigned>(std::countr_zero(met)) ^ ray.flip);
-        blocks[--place] = {below, i + HeightGrid::column(c), k + HeightGrid::row(c), near[c]};
-      }
-      continue;
-    }
-    if (met == 0) continue;
+  int child(unsigned met) const { return static_cast<int>(static_cast<unsigned>(std::countr_zero(met)) ^ ray_.flip); }
+
+  // Those of a block of cells from (i, k) on that the thick ray meets. False: nothing is left to look for.
+  HWY_INLINE bool look_at_cells(const HeightGrid::Block& block, int i, int k, unsigned met, const float* near, bool any,
+                                unsigned& open) {
+    const double m = ray_.side_margin;
     Column columns[4];
-    for (int j = 0; j < 4; ++j) columns[j] = column_of(lines, u + j, m);
+    for (int j = 0; j < 4; ++j) columns[j] = column_of(lines_, (ray_.along_z ? k : i) + j, m);
     for (; met != 0; met &= met - 1) {
-      const int c = static_cast<int>(static_cast<unsigned>(std::countr_zero(met)) ^ ray.flip);
-      if (near[c] > ray.end) continue;
+      const int c = child(met);
+      if (near[c] > ray_.end) continue;
       const int ci = i + HeightGrid::column(c), ck = k + HeightGrid::row(c);
-      const double margin = ray.height_margin + 4 * m * (block.high[c] - block.low[c]), low = block.low[c] - margin,
+      const double margin = ray_.height_margin + 4 * m * (block.high[c] - block.low[c]), low = block.low[c] - margin,
                    high = block.high[c] + margin;
-      const Column& column = columns[ray.along_z ? ck - k : ci - i];
-      const double left = (ray.along_z ? ci : ck) - m, right = left + 1 + 2 * m;
+      const Column& column = columns[ray_.along_z ? ck - k : ci - i];
+      const double left = (ray_.along_z ? ci : ck) - m, right = left + 1 + 2 * m;
       const unsigned active = open & bits((column.w_low <= right) & (column.w_high >= left) & (column.y_low <= high) &
                                           (column.y_high >= low));
-      const unsigned hit = active == 0 ? 0 : test_cell(grid, ci, ck, active, t_min, t_max, p);
+      const unsigned hit = active == 0 ? 0 : test_cell(grid_, ci, ck, active, t_min_, t_max_, p_);
       if (hit == 0) continue;
-      if (any && (open &= ~hit) == 0) return true;
+      if (any && (open &= ~hit) == 0) return false;
       // No ray is interesting behind its hit.
-      const Packet until = select(load(p.triangle) == IntPacket(-1), leave, min(leave, load(p.t)));
-      ray.end = static_cast<float>(most(select(Mask::of_bits(open), sign * (ou + until * du), -infinite)) - first) +
-                ray.side_margin;
+      const Packet until = select(load(p_.triangle) == IntPacket(-1), leave_, min(leave_, load(p_.t)));
+      ray_.end = static_cast<float>(farthest(Mask::of_bits(open), until) - ray_.first) + ray_.side_margin;
     }
+    return true;
   }
+
+  const HeightGrid& grid_;
+  const unsigned lanes_;
+  const Mask here_;
+  const double t_min_;
+  const Packet t_max_;
+  HeightPacket& p_;
+  ThickRay ray_;
+  Lines lines_;
+  HeightWalk::Block around_;  // all cells that the rays may meet
+  bool backward_x_, backward_z_;
+  double sign_, last_;
+  Packet ou_, du_, leave_;
+};
+
+bool walk(const HeightGrid& grid, unsigned lanes, double t_min, const double* limits, bool any, HeightPacket& p) {
+  PacketWalk rays(grid, lanes, t_min, limits, p);
+  if (rays.stands_still()) return false;
+  for (int k = 0; k < kLanes; ++k)
+    if (lanes >> k & 1) p.triangle[k] = -1;
+  if (rays.misses()) return rays.is_number();
+  if (!rays.make_thick()) return false;
+  rays.run(any);
   return true;
 }
 

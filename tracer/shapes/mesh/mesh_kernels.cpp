@@ -188,10 +188,9 @@ void triangle(const FlatTriangle<double>& shape, PlaneAxes axes, const RayPacket
   const RaysOfTriangle rays{{origin.x + first, origin.y + first, origin.z + first},
                             {direction.x + first, direction.y + first, direction.z + first}};
   Packet t;
-  const Mask hit = TriangleHit::meets(shape, axes, rays, std::max(kTriangleNearest, t_min), kTriangleFarthest, t) &
-                   (t < load(t_max));
+  const Mask hit = TriangleHit::meets(shape, axes, rays, std::max(kTriangleNearest, t_min), kTriangleFarthest, t);
   store(met.t, t);
-  store(met.part, select(hit, IntPacket(0), IntPacket(-1)));
+  store(met.part, select(hit & (t < load(t_max)), IntPacket(0), IntPacket(-1)));
 }
 
 const MeshKernels kKernels = {meet, triangle};

@@ -343,11 +343,16 @@ class Collector {
     const FloatPacket x(point_.at[0]), y(point_.at[1]), z(point_.at[2]);
     const FloatPacket tilt_x(point_.normal[0]), tilt_y(point_.normal[1]), tilt_z(point_.normal[2]);  // times 16
     const Words numbers = Words::load(kNumbers);
+    // Not asked for again after each store.
+    const auto* const all_leaves = tree_.leaves().data();
+    const auto* const firsts = tree_.firsts().data();
+    float *const to_x = x_, *const to_y = y_, *const to_z = z_;
+    std::uint32_t* const to_index = index_;
     FloatPacket near(reach());
     std::size_t n = count_, enough = wait_;
     for (const std::uint32_t number : leaves) {
-      const PhotonLeaf& leaf = tree_.leaves()[number];
-      const std::uint32_t first = tree_.firsts()[number];
+      const PhotonLeaf& leaf = all_leaves[number];
+      const std::uint32_t first = firsts[number];
       _Pragma("GCC unroll 2") for (std::size_t i = 0; i < kAtOnce; i += kEight) {
         const FloatPacket px = FloatPacket::load(leaf.x.data() + i), py = FloatPacket::load(leaf.y.data() + i),
                           pz = FloatPacket::load(leaf.z.data() + i);
@@ -355,8 +360,8 @@ class Collector {
         FloatPacket squared = dx * dx + dy * dy + dz * dz;
         if (flat) squared = squared * (FloatPacket(1.0f) + abs(tilt_x * dx + tilt_y * dy + tilt_z * dz));
         const unsigned which = bits(squared <= near);
-        pack(which, px, x_ + n), pack(which, py, y_ + n), pack(which, pz, z_ + n),
-            pack(which, numbers + Words(first + static_cast<std::uint32_t>(i)), index_ + n);
+        pack(which, px, to_x + n), pack(which, py, to_y + n), pack(which, pz, to_z + n),
+            pack(which, numbers + Words(first + static_cast<std::uint32_t>(i)), to_index + n);
         n += static_cast<std::size_t>(std::popcount(which));
       }
       if (n < enough) continue;

@@ -73,7 +73,8 @@ void on_terminate() {
 void on_bad_address(int number, siginfo_t* info, void*) {
   constexpr std::uintptr_t kNull = 4096;
   if (refused && reinterpret_cast<std::uintptr_t>(info->si_addr) < kNull) end_without_memory();
-  ::signal(number, SIG_DFL);  // the instruction is tried again, and ends the program as ever
+  ::signal(number, SIG_DFL);                // the instruction is tried again, and ends the program as ever
+  if (info->si_code <= 0) ::raise(number);  // there is none: somebody sent the signal
 }
 
 void watch_bad_addresses() {

@@ -1,8 +1,6 @@
 // Turns descriptions into compiled textures, each one once.
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <deque>
@@ -13,6 +11,7 @@
 
 #include "tracer/functions/function.h"
 #include "tracer/textures/compile/compile_pattern.h"
+#include "tracer/textures/compile/equal_textures.h"
 #include "tracer/textures/normals/normal.h"
 #include "tracer/textures/patterns/formulas.h"
 #include "tracer/textures/compile/pattern_signature.h"
@@ -81,42 +80,6 @@ class Cache {
   std::deque<Compiled> store_;
 };
 
-// Programs write the same few colours and finishes for each of thousands of objects. What looks alike is one texture:
-// it takes less memory, and hits of all those objects are shaded together.
-struct SolidColor {
-  std::array<std::uint32_t, 5> bits;
-  explicit SolidColor(const Color& c) : bits(std::bit_cast<std::array<std::uint32_t, 5>>(c)) {}
-  friend bool operator==(const SolidColor&, const SolidColor&) = default;
-};
-struct SingleLayer {
-  const CompiledPigment* pigment;
-  const CompiledNormal* normal;
-  const scene::Finish* finish;
-  bool no_bump_scale;
-  friend bool operator==(const SingleLayer& a, const SingleLayer& b) {
-    return a.pigment == b.pigment && a.normal == b.normal && a.no_bump_scale == b.no_bump_scale &&
-           (a.finish == b.finish || *a.finish == *b.finish);
-  }
-};
-struct Hash {
-  template <class T>
-  static std::size_t mix(std::size_t seed, const T& value) {
-    return (seed ^ std::hash<T>()(value)) * 0x9e3779b97f4a7c15u;
-  }
-  std::size_t operator()(const SolidColor& color) const {
-    std::size_t seed = 0;
-    for (const std::uint32_t bits : color.bits) seed = mix(seed, bits);
-    return seed ^ seed >> 32;
-  }
-  std::size_t operator()(const SingleLayer& layer) const {
-    const scene::Finish& f = *layer.finish;
-    std::size_t seed = mix(mix(layer.no_bump_scale, layer.pigment), layer.normal);
-    for (const float part : {f.ambient.r, f.diffuse, f.phong, f.specular, f.reflection.maximum.r})
-      seed = mix(seed, part);
-    return seed ^ seed >> 32;
-  }
-};
-
 }  // namespace
 
 struct Compiler::Impl {
@@ -127,8 +90,8 @@ struct Compiler::Impl {
   Cache<scene::Pigment, CompiledPigment> pigments;
   Cache<scene::Density, CompiledPigment> densities;
   Cache<scene::Normal, CompiledNormal> normals;
-  std::unordered_map<SolidColor, const CompiledPigment*, Hash> solid_colors;
-  std::unordered_map<SingleLayer, const CompiledTexture*, Hash> single_layers;
+  std::unordered_map<SolidColor, const CompiledPigment*, EqualTexturesHash> solid_colors;
+  std::unordered_map<SingleLayer, const CompiledTexture*, EqualTexturesHash> single_layers;
   std::deque<CompiledPattern> patterns;
   std::unordered_map<std::string, CompiledPattern*> known_patterns;
   std::deque<CompiledPigment> loose_pigments;

@@ -1,0 +1,51 @@
+// What tells that two textures look alike.
+//
+// Programs write the same few colours and finishes for each of thousands of objects. What looks alike is one texture:
+// it takes less memory, and hits of all those objects are shaded together.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <functional>
+
+#include "tracer/textures/texture.h"
+
+namespace verisim::textures {
+
+// Colours are equal where their bits are.
+struct SolidColor {
+  std::array<std::uint32_t, 5> bits;
+  explicit SolidColor(const Color& c) : bits(std::bit_cast<std::array<std::uint32_t, 5>>(c)) {}
+  friend bool operator==(const SolidColor&, const SolidColor&) = default;
+};
+struct SingleLayer {
+  const CompiledPigment* pigment;
+  const CompiledNormal* normal;
+  const scene::Finish* finish;
+  bool no_bump_scale;
+  friend bool operator==(const SingleLayer& a, const SingleLayer& b) {
+    return a.pigment == b.pigment && a.normal == b.normal && a.no_bump_scale == b.no_bump_scale &&
+           (a.finish == b.finish || *a.finish == *b.finish);
+  }
+};
+struct EqualTexturesHash {
+  template <class T>
+  static std::size_t mix(std::size_t seed, const T& value) {
+    return (seed ^ std::hash<T>()(value)) * 0x9e3779b97f4a7c15u;
+  }
+  std::size_t operator()(const SolidColor& color) const {
+    std::size_t seed = 0;
+    for (const std::uint32_t bits : color.bits) seed = mix(seed, bits);
+    return seed ^ seed >> 32;
+  }
+  std::size_t operator()(const SingleLayer& layer) const {
+    const scene::Finish& f = *layer.finish;
+    std::size_t seed = mix(mix(layer.no_bump_scale, layer.pigment), layer.normal);
+    for (const float part : {f.ambient.r, f.diffuse, f.phong, f.specular, f.reflection.maximum.r})
+      seed = mix(seed, part);
+    return seed ^ seed >> 32;
+  }
+};
+
+}  // namespace verisim::textures

@@ -1,9 +1,8 @@
-// Fuzzers of bytes: VERISIM_FUZZ_TARGET names the function that takes them (entry_points.h, files.h).
+// Fuzzers of bytes: VERISIM_FUZZ_TARGET names the function that takes them (targets.h).
 #include <cstdint>
 #include <filesystem>
 
-#include "tests/fuzz/entry_points.h"
-#include "tests/fuzz/files.h"
+#include "tests/fuzz/targets.h"
 
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
   // Scenes may write below the current folder: the fuzzer moves to one where nothing can be made.

@@ -8,9 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/fuzz/entry_points.h"
-#include "tests/fuzz/files.h"
 #include "tests/fuzz/sdl_mutator.h"
+#include "tests/fuzz/targets.h"
 
 namespace verisim {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "tests/fuzz/entry_points.h"
 #include "tests/fuzz/sdl_mutator.h"
+#include "tests/fuzz/targets.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 

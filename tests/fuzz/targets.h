@@ -1,11 +1,24 @@
-// Entry points of the fuzzers for files that are not scenes: what is wrong with them must end in std::runtime_error.
-// Each is a function of the bytes of such a file.
+// What the fuzzers call, also called by an ordinary test with the kept corpus. Each takes any bytes; a broken promise
+// ends the program. Each has a source of its own in targets/, so that its fuzzer holds the code that it tries and no
+// more: the fewer places there are to count, the more inputs are tried in a second.
 #pragma once
 
 #include <string_view>
 
 namespace verisim::fuzz {
 
+// Tokens of any bytes are in order, inside the text, and their links, strings and vectors lead to where they should.
+void lexer(std::string_view bytes);
+// A scene of any bytes ends in a scene or in diagnostics, within limits; a scene can be dumped and its limits name
+// their options.
+void scene(std::string_view bytes);
+// A scene that can be read is drawn, small: with one thread and with two, to the same bits.
+void render(std::string_view bytes);
+// A function of any bytes compiles or is refused; one point at a time, batches and inlining into another function give
+// the same bits.
+void function(std::string_view bytes);
+
+// Files that are not scenes: what is wrong with them must end in std::runtime_error.
 void image(std::string_view bytes);      // the first byte chooses the file type that the scene names
 void picture(std::string_view bytes);    // what `verisim diff` reads
 void density(std::string_view bytes);    // df3

@@ -2,7 +2,9 @@
 // and a third of the time until its first pixel went into page faults of 4 KiB each; thousands of small objects need a
 // tenth of their time for them. Part of the program, not of the libraries: whoever embeds those chooses an allocator.
 // Large blocks are also where --max-memory is kept before memory is taken.
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#include "tracer/base/sanitizers.h"
+
+#if defined(__linux__) && !defined(VERISIM_SANITIZED)
 #include <malloc.h>
 #include <signal.h>
 #include <sys/mman.h>

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <random>
 
+#include "tracer/base/sanitizers.h"
+
 namespace verisim::cli {
 namespace {
 
@@ -166,7 +168,7 @@ TEST_F(Process, TypesFollowTheNameInRenderAndTheSwitchInPovRayCalls) {
 }
 
 // Renders that a signal must meet half way: a second or more, with sanitizers as well as without.
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+#ifdef VERISIM_SANITIZED
 constexpr const char* kLong = "+R2";
 constexpr const char* kLonger = "+R2";
 #else

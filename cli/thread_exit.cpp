@@ -7,7 +7,9 @@
 #include <cstdlib>
 #include <iterator>
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#include "tracer/base/sanitizers.h"
+
+#if defined(__GLIBC__) && !defined(VERISIM_SANITIZED)
 
 extern "C" int __cxa_thread_atexit_impl(void (*destroy)(void*), void* object, void* library) noexcept;
 

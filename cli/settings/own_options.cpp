@@ -150,7 +150,8 @@ std::vector<std::string> OwnOptions::parse(const std::vector<std::string>& argum
     }
   }
   for (const auto& [name, meant] : impl_->presets)
-    if (std::any_of(own.begin(), own.end(), [&](const std::string& o) { return o.starts_with(name + "="); }))
+    if (std::any_of(own.begin(), own.end(),
+                    [&, name = name](const std::string& o) { return o.starts_with(name + "="); }))
       for (const std::string& option : meant)  // first of all, so that what is given counts
         if (impl_->app.get_option_no_throw(option.substr(0, option.find('=')))) own.insert(own.begin(), option);
   try {

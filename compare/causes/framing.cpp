@@ -18,7 +18,7 @@ void mirror_images(const Case& c, Suspicions& out) {
                                         std::tuple(true, true, "the picture is turned by 180 degrees")})
     out.push_back(c.repaired(
         "mirrored", name,
-        [&](std::size_t i) {
+        [&, left = left, top = top](std::size_t i) {  // Clang 14 refuses names of bindings without
           const int x = static_cast<int>(i % static_cast<std::size_t>(c.width)),
                     y = static_cast<int>(i / static_cast<std::size_t>(c.width));
           return c.reference[c.at(left ? c.width - 1 - x : x, top ? c.height - 1 - y : y)];

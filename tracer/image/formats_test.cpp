@@ -18,6 +18,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "tracer/base/sanitizers.h"
 #include "tracer/image/gamma.h"
 #include "tracer/image/image.h"
 #include "tracer/image/module/module.h"
@@ -311,7 +312,7 @@ double bytes_a_pixel(const fs::path& path, double pixels) {
 }
 
 TEST_F(ImageFormats, EightBitsTakeThreeBytesAPixel) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef VERISIM_SANITIZED
   GTEST_SKIP() << "sanitizers keep memory of their own";
 #endif
   constexpr int kSide = 4096;

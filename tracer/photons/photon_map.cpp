@@ -14,7 +14,6 @@ namespace verisim::global {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr auto kAny = std::numeric_limits<std::size_t>::max();  // too many for every search
 
 Vec3 position(const Photon& p) { return {p.position[0], p.position[1], p.position[2]}; }

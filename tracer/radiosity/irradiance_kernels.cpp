@@ -36,7 +36,7 @@ std::size_t near(const IrradiancePacket* packet, std::size_t count, const Irradi
       const float left = most - 2.0f * std::sqrt(turn > 0.0f ? turn : 0.0f);
       const float within = s->widest[i] * left, widest = (within > 0.0f ? within : 0.0f) + rounding;
       const float squared = dx * dx + dy * dy + dz * dz;
-      near[i] = (squared <= reach * reach) & (squared <= widest * widest) & (0.0f <= left) ? 1.0f : 0.0f;
+      near[i] = ((squared <= reach * reach) & (squared <= widest * widest) & (0.0f <= left)) ? 1.0f : 0.0f;
     }
     for (unsigned met = bits(FloatPacket::load(near) > 0.0f); met != 0; met &= met - 1)
       samples[found++] = s->sample[std::countr_zero(met)];

@@ -76,7 +76,7 @@ void sphere(const Vec3& center, double radius2, const Transform* matrix, const R
     const bool second = crosses & (far > kNearest) & (far < kFarthest) & (t_far >= t_min) & (t_far < t_max[i]);
     met.local[i] = first ? near : far;
     met.t[i] = first ? t_near : t_far;
-    met.part[i] = first | second ? 0 : -1;
+    met.part[i] = (first | second) ? 0 : -1;
   }
 }
 
@@ -101,7 +101,7 @@ void slab(const double* o, const double* d, double low, double high, std::int64_
     s.near_size[i] = enters ? size : s.near_size[i];
     s.far_face[i] = leaves ? leave_face : s.far_face[i];
     s.far_size[i] = leaves ? size : s.far_size[i];
-    const double new_near = across & (enter > near) ? enter : near, new_far = across & (leave < far) ? leave : far;
+    const double new_near = (across & (enter > near)) ? enter : near, new_far = (across & (leave < far)) ? leave : far;
     s.near[i] = new_near;
     s.far[i] = new_far;
     const bool within = (o[i] >= low) & (o[i] <= high), open = !(enter > leave) & (new_near <= new_far);
@@ -146,7 +146,7 @@ void cone(bool cylinder, bool open, double narrow, const Transform* matrix, cons
       const double discriminant = b * b - a * c, root = std::sqrt(discriminant);
       first[i] = (-b + root) / a;
       second[i] = (-b - root) / a;
-      first_met[i] = second_met[i] = (a > kEpsilon) & (discriminant >= 0) ? 1 : 0;
+      first_met[i] = second_met[i] = ((a > kEpsilon) & (discriminant >= 0)) ? 1 : 0;
     }
   } else {
     for (int i = 0; i < kLanes; ++i) {
@@ -158,7 +158,7 @@ void cone(bool cylinder, bool open, double narrow, const Transform* matrix, cons
       first[i] = linear ? -0.5 * c / b : (-b - root) / a;
       second[i] = (-b + root) / a;
       first_met[i] = (linear & sloped) | (!linear & real) ? 1 : 0;
-      second_met[i] = !linear & real ? 1 : 0;
+      second_met[i] = (!linear & real) ? 1 : 0;
     }
   }
   for (int i = 0; i < kLanes; ++i) met.part[i] = -1, best[i] = t_max[i];
@@ -174,7 +174,7 @@ void cone(bool cylinder, bool open, double narrow, const Transform* matrix, cons
   const auto on_wall = [&](const double* t, std::int64_t* valid) {
     for (int i = 0; i < kLanes; ++i) {
       const double z = l.oz[i] + t[i] * l.dz[i];
-      valid[i] = (z >= narrow) & (z <= 1) ? valid[i] : 0;
+      valid[i] = ((z >= narrow) & (z <= 1)) ? valid[i] : 0;
     }
   };
   on_wall(first, first_met);
@@ -186,7 +186,7 @@ void cone(bool cylinder, bool open, double narrow, const Transform* matrix, cons
       for (int i = 0; i < kLanes; ++i) {
         const double t = (end - l.oz[i]) / l.dz[i], x = l.ox[i] + t * l.dx[i], y = l.oy[i] + t * l.dy[i];
         first[i] = t;
-        first_met[i] = (std::fabs(l.dz[i]) > kEpsilon) & (x * x + y * y <= radius2) ? 1 : 0;
+        first_met[i] = ((std::fabs(l.dz[i]) > kEpsilon) & (x * x + y * y <= radius2)) ? 1 : 0;
       }
       take(first, first_met, part);
     };

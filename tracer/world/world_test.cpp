@@ -51,7 +51,7 @@ struct Stage {
   }
 };
 
-const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+const Vec3 y{0, 1, 0}, z{0, 0, 1};
 
 TEST(World, FindsTheNearestOfManyAsASearchOfAllDoes) {
   std::mt19937 random(4);

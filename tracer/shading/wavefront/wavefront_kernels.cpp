@@ -65,7 +65,7 @@ bool receive(const Rgb& light, bool highlights, int count, WavefrontPacket& pack
     packet.diffuse[i] = back ? packet.behind[i] : packet.front[i];
     packet.shines[i] = back ? 0 : shining;
     const bool dark = largest(packet.intensity.r[i], packet.intensity.g[i], packet.intensity.b[i]) < kDark;
-    const std::int32_t active = (back & (packet.lit_behind[i] == 0)) | (packet.dull[i] != 0) | dark ? 0 : 1;
+    const std::int32_t active = ((back & (packet.lit_behind[i] == 0)) | (packet.dull[i] != 0) | dark) ? 0 : 1;
     packet.active[i] = active;
     any |= active;
   }
@@ -76,7 +76,7 @@ bool illuminate(int count, WavefrontPacket& packet) {
   std::int32_t any = 0;
   for (int i = 0; i < count; ++i) {
     const bool bright = largest(packet.intensity.r[i], packet.intensity.g[i], packet.intensity.b[i]) > kDark;
-    const std::int32_t lit = (packet.active[i] != 0) & bright ? 1 : 0;
+    const std::int32_t lit = ((packet.active[i] != 0) & bright) ? 1 : 0;
     packet.lit[i] = static_cast<float>(lit);
     any |= lit;
   }

@@ -4,7 +4,7 @@
 namespace verisim::shapes::testing {
 namespace {
 
-const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+const Vec3 y{0, 1, 0}, z{0, 0, 1};
 ObjectRef torus(double major, double minor, bool sturm = false) {
   return make(scene::Torus{major, minor}, [&](Object& o) { o.sturm = sturm; });
 }

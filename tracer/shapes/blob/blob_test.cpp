@@ -4,7 +4,7 @@
 namespace verisim::shapes::testing {
 namespace {
 
-const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+const Vec3 x{1, 0, 0}, z{0, 0, 1};
 
 scene::BlobComponent ball(const Vec3& c, double r, double s, scene::Rare<Transform> t = {}) {
   return {c, c, r, s, false, t, nullptr};

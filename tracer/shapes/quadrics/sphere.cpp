@@ -20,7 +20,6 @@ class Sphere final : public KernelPrimitive<Sphere> {
   Sphere(const scene::Object& description, const scene::Sphere& s)
       : KernelPrimitive(description, {box_of(s)}),
         center_(s.center),
-        radius_(s.radius),
         inverse_radius_(1 / s.radius),
         radius2_(s.radius * s.radius),
         uv_transform_(description.uv_transform) {}
@@ -97,7 +96,7 @@ class Sphere final : public KernelPrimitive<Sphere> {
   }
 
   Vec3 center_;
-  double radius_, inverse_radius_, radius2_;
+  double inverse_radius_, radius2_;
   scene::Rare<Transform> uv_transform_;  // shared with the description
 };
 

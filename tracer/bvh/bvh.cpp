@@ -36,7 +36,7 @@ void Bvh::build(std::vector<BuildItem>& items, unsigned leaf_size) {
   if (items.size() > BoxNode::kFirstMask / 2) throw std::length_error("too many primitives for one tree");
   BuiltTree built = build_bvh(items, leaf_size);
   nodes_ = std::move(built.nodes);
-  if (nodes_.capacity() > 2 * nodes_.size()) nodes_.shrink_to_fit();
+  if (nodes_.capacity() > nodes_.size() + nodes_.size() / 4) nodes_.shrink_to_fit();
   order_ = std::move(built.order);
 }
 

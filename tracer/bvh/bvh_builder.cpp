@@ -71,9 +71,10 @@ class Builder {
   // The tree of everything.
   BuiltTree tree() {
     BuiltTree built;
-    built.nodes.emplace_back().clear();
     const Range all = whole(items_.size());
     if (all.size() <= kParallel) {
+      built.nodes.reserve(usual_nodes(all.size()));
+      built.nodes.emplace_back().clear();
       node(all, 0, 0, built);
       return built;
     }
@@ -93,6 +94,9 @@ class Builder {
     std::unique_ptr<Subtree> child[4];
     std::uint32_t first_node = 0, first_box = 0;  // in the whole tree
   };
+
+  // What trees of so many items hardly ever exceed: (items - 1) / 3 nodes if all are full.
+  static std::size_t usual_nodes(std::size_t items) { return items <= 4 ? 1 : items / 2 + 1; }
 
   // Cuts a range into up to four; returns how many.
   int divide(const Range& range, int depth, Range (&child)[4]) {
@@ -146,7 +150,7 @@ class Builder {
       } else if (child[i].size() > kParallel) {
         upper(child[i], depth + 1, part);
       } else {
-        part.own.nodes.reserve(child[i].size() / 2);
+        part.own.nodes.reserve(usual_nodes(child[i].size()));
         part.own.nodes.emplace_back().clear();
         node(child[i], 0, depth + 1, part.own);
       }

@@ -108,7 +108,8 @@ class Blob final : public SearchPrimitive<Blob> {
 
  private:
   Blob(const scene::Object& description, const scene::Blob& blob, std::shared_ptr<const BlobParts> parts)
-      : SearchPrimitive(description, {box_of(parts->parts, blob.threshold <= 0), blob.threshold > kInsideMargin}),
+      : SearchPrimitive(description,
+                        {blob.threshold <= 0 ? parts->box : parts->positive_box, blob.threshold > kInsideMargin}),
         threshold_(blob.threshold),
         shared_(std::move(parts)) {
     const auto textured = [](const scene::BlobComponent& c) { return c.texture != nullptr; };
@@ -300,10 +301,9 @@ class Blob final : public SearchPrimitive<Blob> {
 
 Box3 blob_box(const scene::Blob& blob) {
   Box3 box;
-  std::vector<Box3> boxes;
-  const std::vector<Part> parts = parts_of(blob, &boxes);
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (parts[i].k2 > 0) box.extendBy(boxes[i]);
+  const PartList list = parts_of(blob);
+  for (std::size_t i = 0; i < list.parts.size(); ++i)
+    if (list.parts[i].k2 > 0) box.extendBy(list.reaches[i].pov_box);
   return box;
 }
 

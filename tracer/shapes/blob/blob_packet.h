@@ -16,9 +16,6 @@ struct BlobPart {
   double length = 0;                           // of a cylinder, from z = 0
   double radius2 = 0, k0 = 0, k1 = 0, k2 = 0;  // field = k0 D^2 + k1 D + k2 of the squared distance D
   scene::Rare<Transform> transform;            // shared by the parts of a capsule
-  Vec3 around;                                 // a sphere around the part's reach, in the blob's space
-  double reach = 0;
-  Box3 box;  // of its reach, in the blob's space
 };
 
 // A part is within reach for t0 < t < t1 along rays; no more than `peak` does it add to the field, but for rounding.

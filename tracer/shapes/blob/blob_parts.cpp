@@ -32,15 +32,11 @@ Box3 box_of_sphere(const Vec3& center, double radius, const Transform& t) {
 
 }  // namespace
 
-std::vector<BlobPart> parts_of(const scene::Blob& blob, std::vector<Box3>* pov_boxes) {
-  std::vector<BlobPart> parts;
+PartList parts_of(const scene::Blob& blob) {
+  PartList list;
   std::size_t count = 0;
   for (const scene::BlobComponent& c : blob.components) count += c.cylinder ? 3 : 1;
-  parts.reserve(count);
-  const auto add = [&](const BlobPart& part, const Vec3& center, double radius) {
-    if (pov_boxes) pov_boxes->push_back(cube_around(center, radius, *part.transform));
-    parts.push_back(part);
-  };
+  list.parts.reserve(count), list.reaches.reserve(count);
   for (std::size_t i = 0; i < blob.components.size(); ++i) {
     const scene::BlobComponent& c = blob.components[i];
     BlobPart part;
@@ -53,16 +49,17 @@ std::vector<BlobPart> parts_of(const scene::Blob& blob, std::vector<Box3>* pov_b
     part.transform = c.transform;
     const Transform moved = *part.transform;
     const double radius = std::fabs(c.radius);
-    const auto set_reach = [&](const Box3& box, const Vec3& center, double reach) {
-      part.box = box;
-      part.around = c.transform ? box.center() : center;
-      part.reach = c.transform ? 0.5 * length(box.max - box.min) : reach;
+    // POV-Ray's sphere is in the part's own space.
+    const auto add = [&](const Box3& box, const Vec3& center, double reach, const Vec3& pov_center) {
+      list.parts.push_back(part);
+      list.reaches.push_back({c.transform ? box.center() : center,
+                              c.transform ? 0.5 * length(box.max - box.min) : reach, box,
+                              cube_around(pov_center, reach, *part.transform)});
     };
     if (!c.cylinder) {
       part.kind = BlobPartKind::sphere;
       part.center = c.a;
-      set_reach(box_of_sphere(c.a, radius, moved), c.a, radius);
-      add(part, c.a, radius);
+      add(box_of_sphere(c.a, radius, moved), c.a, radius, c.a);
       continue;
     }
     const double len = length(c.b - c.a), around = std::sqrt(part.radius2 + 0.25 * len * len);
@@ -74,64 +71,65 @@ std::vector<BlobPart> parts_of(const scene::Blob& blob, std::vector<Box3>* pov_b
     Box3 both = base;
     both.extendBy(apex);
     part.kind = BlobPartKind::cylinder;
-    set_reach(both, 0.5 * (c.a + c.b), around);
-    add(part, {0, 0, 0.5 * len}, around);
+    add(both, 0.5 * (c.a + c.b), around, {0, 0, 0.5 * len});
     part.kind = BlobPartKind::base;
-    set_reach(base, c.a, radius);
-    add(part, Vec3(0), radius);
+    add(base, c.a, radius, Vec3(0));
     part.kind = BlobPartKind::apex;
     part.center = {0, 0, len};
-    set_reach(apex, c.b, radius);
-    add(part, part.center, radius);
+    add(apex, c.b, radius, part.center);
   }
-  return parts;
+  return list;
 }
 
-std::vector<PartSpheres> spheres_around(const std::vector<BlobPart>& parts) {
-  std::vector<PartSpheres> spheres((parts.size() + 7) / 8);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const BlobPart& part = parts[i];
+namespace {
+
+std::vector<PartSpheres> spheres_around(const std::vector<PartReach>& reaches) {
+  std::vector<PartSpheres> spheres((reaches.size() + 7) / 8);
+  for (std::size_t i = 0; i < reaches.size(); ++i) {
+    const Vec3& center = reaches[i].center;
     PartSpheres& s = spheres[i / 8];
-    s.x[i % 8] = part.around.x, s.y[i % 8] = part.around.y, s.z[i % 8] = part.around.z, s.radius[i % 8] = part.reach;
+    s.x[i % 8] = center.x, s.y[i % 8] = center.y, s.z[i % 8] = center.z, s.radius[i % 8] = reaches[i].radius;
   }
   return spheres;
 }
 
-// The parts in the order in which POV-Ray's hierarchy holds them.
-std::vector<BlobPart> parts_in_order(const scene::Blob& blob) {
-  std::vector<Box3> boxes;
-  const std::vector<BlobPart> parts = parts_of(blob, &boxes);
+// Puts the parts into the order in which POV-Ray's hierarchy holds them.
+void put_in_order(PartList& list) {
   std::vector<BoundingSphere> spheres;
+  spheres.reserve(list.reaches.size());
   bool finite = true;
-  for (const Box3& box : boxes) {
-    spheres.push_back({box.center(), 0.5 * (box.max.x - box.min.x)});
-    finite = finite && accel::is_finite(box);
+  for (const PartReach& reach : list.reaches) {
+    spheres.push_back({reach.pov_box.center(), 0.5 * (reach.pov_box.max.x - reach.pov_box.min.x)});
+    finite = finite && accel::is_finite(reach.pov_box);
   }
-  if (parts.empty() || !finite) return parts;
-  std::vector<BlobPart> ordered;
-  ordered.reserve(parts.size());
-  for (const std::uint32_t i : order_of(spheres)) ordered.push_back(parts[i]);
-  return ordered;
+  if (spheres.empty() || !finite) return;
+  PartList ordered;
+  ordered.parts.reserve(spheres.size()), ordered.reaches.reserve(spheres.size());
+  for (const std::uint32_t i : order_of(spheres)) {
+    ordered.parts.push_back(std::move(list.parts[i]));
+    ordered.reaches.push_back(list.reaches[i]);
+  }
+  list = std::move(ordered);
 }
 
-Box3 box_of(const std::vector<BlobPart>& parts, bool all) {
-  Box3 box;
-  for (const BlobPart& part : parts)
-    if (all || part.k2 > 0) box.extendBy(part.box);
-  return box;
-}
+}  // namespace
 
-BlobParts::BlobParts(const scene::Blob& blob) : parts(parts_in_order(blob)) {
+BlobParts::BlobParts(const scene::Blob& blob) {
+  PartList list = parts_of(blob);
+  put_in_order(list);
+  parts = std::move(list.parts);
+  bool finite = true;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Box3& reach = list.reaches[i].box;
+    finite = finite && accel::is_finite(reach) && !accel::is_empty(reach);
+    box.extendBy(reach);
+    if (parts[i].k2 > 0) positive_box.extendBy(reach);
+  }
   constexpr std::size_t kFewParts = 2;
-  std::vector<Box3> boxes;
-  boxes.reserve(parts.size());
-  bool finite = true;
-  for (const BlobPart& part : parts) {
-    boxes.push_back(part.box);
-    finite = finite && accel::is_finite(part.box) && !accel::is_empty(part.box);
-  }
-  if (parts.size() <= kMaxForPacket && finite) spheres = spheres_around(parts);
-  if (parts.size() > kFewParts && finite) tree = accel::Bvh(boxes);
+  if (parts.size() <= kMaxForPacket && finite) spheres = spheres_around(list.reaches);
+  if (parts.size() > kFewParts && finite)
+    tree = accel::Bvh(
+        list.reaches.size(), [&](std::size_t i) { return list.reaches[i].box; }, 1);
 }
 
 std::shared_ptr<const BlobParts> BlobParts::of(const std::shared_ptr<const scene::Blob>& blob) {

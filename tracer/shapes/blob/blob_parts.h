@@ -9,12 +9,19 @@
 
 namespace verisim::shapes::blob {
 
-// `pov_boxes`: null, or where to add each part's box as POV-Ray has it, in the blob's space.
-std::vector<BlobPart> parts_of(const scene::Blob& blob, std::vector<Box3>* pov_boxes = nullptr);
-// Around the reach of each part.
-std::vector<PartSpheres> spheres_around(const std::vector<BlobPart>& parts);
-// Where the surface can be: with a positive threshold (not `all`), within reach of a positive part.
-Box3 box_of(const std::vector<BlobPart>& parts, bool all);
+// Where a part adds to the field, in the blob's space: only looked at while a blob is prepared.
+struct PartReach {
+  Vec3 center;  // of a sphere around it
+  double radius = 0;
+  Box3 box;      // around it
+  Box3 pov_box;  // POV-Ray's, which is wider
+};
+struct PartList {
+  std::vector<BlobPart> parts;
+  std::vector<PartReach> reaches;  // one for each part
+};
+// In the order of the description.
+PartList parts_of(const scene::Blob& blob);
 
 // Parts, and what finds those that a ray or a point is near to. One for all copies of a blob.
 struct BlobParts {
@@ -22,8 +29,9 @@ struct BlobParts {
   static std::shared_ptr<const BlobParts> of(const std::shared_ptr<const scene::Blob>& blob);
 
   std::vector<BlobPart> parts;       // in the order of POV-Ray's hierarchy, which decides the last digits of sums
-  std::vector<PartSpheres> spheres;  // if the parts are not too many
+  std::vector<PartSpheres> spheres;  // around their reach, if the parts are not too many
   accel::Bvh tree;
+  Box3 box, positive_box;  // around the reach of all parts, and of those that add to the field
 
   static constexpr std::size_t kMaxForPacket = 64;  // parts; of more, a tree finds the few that a ray meets
 };

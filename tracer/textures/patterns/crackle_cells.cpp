@@ -45,7 +45,7 @@ class CellMemory {
   const CrackleCell& get(CrackleMetric metric, std::int64_t a, std::int64_t b, std::int64_t c) {
     const auto low = [](std::int64_t v) { return static_cast<std::uint64_t>(v) & 4095; };
     const std::uint64_t key = 1 | static_cast<std::uint64_t>(metric) << 1 | low(a) << 2 | low(b) << 14 | low(c) << 26;
-    const std::size_t slot = key * 0x9e3779b97f4a7c15 >> 54;
+    const std::size_t slot = key * 0x9e3779b97f4a7c15 >> 55;
     if (keys_[slot] != key) {
       fill(cells_[slot], metric, a, b, c);
       keys_[slot] = key;
@@ -54,7 +54,7 @@ class CellMemory {
   }
 
  private:
-  static constexpr std::size_t kSlots = 1024;
+  static constexpr std::size_t kSlots = 512;
   std::uint64_t keys_[kSlots] = {};
   CrackleCell cells_[kSlots];
 };

@@ -2,13 +2,14 @@
 
 #include <pthread.h>
 #include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <system_error>
+
+#include "tracer/base/lent_arena.h"
 
 namespace py = pybind11;
 
@@ -60,7 +61,7 @@ class Worker {
     static const auto& stack = *new tbb::global_control(tbb::global_control::thread_stack_size, kStack);
     static_cast<void>(stack);
     try {
-      tbb::task_arena arena(threads_ > 0 ? threads_ : tbb::task_arena::automatic);
+      LentArena arena(threads_ > 0 ? threads_ : tbb::task_arena::automatic);
       arena.execute([&] { work_(watch); });
     } catch (...) {
       failure_ = std::current_exception();

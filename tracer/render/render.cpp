@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "tracer/base/keep_until_exit.h"
+#include "tracer/base/lent_arena.h"
 #include "tracer/base/parallel.h"
 #include "tracer/functions/evaluation_budget.h"
 #include "tracer/render/sampling/adaptive_sampling.h"
@@ -314,7 +315,7 @@ Statistics PreparedScene::render(const Options& options, Framebuffer& frame, con
   } else {
     const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     const tbb::global_control stack(tbb::global_control::thread_stack_size, std::size_t{100} << 20);
-    tbb::task_arena arena(threads);
+    LentArena arena(threads);
     arena.execute([&] {
       before_the_picture(threads);
       if (options.prepasses_to) return;

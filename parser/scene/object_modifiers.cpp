@@ -52,7 +52,8 @@ void parse_split_union(Parser& parser, Object& object) {
   parser.next();
   object.split_union = parser.parse_float() > 0;
   const auto* csg = object.as<scene::Csg>();
-  if (!csg || csg->kind == scene::CsgKind::intersection)
+  const bool text = object.as<std::shared_ptr<const scene::Text>>();  // the union of its letters
+  if (!text && (!csg || csg->kind == scene::CsgKind::intersection))
     parser.error(Code::misplaced_keyword, "split_union found in non-union object.");
 }
 

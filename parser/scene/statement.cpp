@@ -40,13 +40,17 @@ class ObjectCheck {
       postponed(o, o.texture != nullptr);
     else
       for (const scene::ObjectPtr& child : scene::children_of(o))
-        object(*child, in_frame && (!csg || dissolved(o, *csg)));
+        object(*child, in_frame && o.bounded_by.empty() && (!csg || splittable(o)));
   }
 
  private:
-  static bool dissolved(const scene::Object& o, const scene::Csg& csg) {
-    return csg.kind == scene::CsgKind::union_ && o.split_union && o.clipped_by.empty();
+  // A text is the union of its letters.
+  static bool is_union(const scene::Object& o) {
+    const auto* csg = o.as<scene::Csg>();
+    return (csg && csg->kind == scene::CsgKind::union_) || (is_text(o) && !o.inverted);
   }
+  static bool is_text(const scene::Object& o) { return o.as<std::shared_ptr<const scene::Text>>(); }
+  static bool splittable(const scene::Object& o) { return is_union(o) && o.split_union && o.clipped_by.empty(); }
 
   Parser& parser;
   scene::TexturePtr last;  // children often share one texture
@@ -72,11 +76,11 @@ class ObjectCheck {
   }
 
   void bounds(const scene::Object& o) {
-    if (o.as<scene::Poly>() || o.as<std::shared_ptr<const scene::Text>>() || o.as<scene::LightGroup>()) return;
-    const auto* csg = o.as<scene::Csg>();
-    if (!csg) return parser.warning(Code::no_effect, "Unnecessary bounding object removed.");
+    if (o.as<scene::Poly>() || o.as<scene::LightGroup>()) return;
+    if (!o.as<scene::Csg>() && !is_text(o))
+      return parser.warning(Code::no_effect, "Unnecessary bounding object removed.");
     // The parts of a union are bounded one by one.
-    if (!dissolved(o, *csg)) return;
+    if (!splittable(o)) return;
     for (const scene::ObjectPtr& child : scene::children_of(o))
       if (scene::is_infinite(*child)) return;
     parser.warning(Code::no_effect, "CSG union unnecessarily bounded.");

@@ -37,6 +37,25 @@ TEST(Warnings, UselessBounds) {
   EXPECT_EQ(of_statement("union { sphere { 0, 1 } torus { 1, .2 " + bound + "} inverse }"), Texts{});
   EXPECT_EQ(of_statement("union { sphere { 0, 1 } torus { 1, .2 " + bound + "} clipped_by { plane { y, 0 } } }"),
             Texts{});
+  // Only the outermost one of the frame.
+  EXPECT_EQ(of_statement("union { sphere { 0, 1 " + bound + "} box { 0, 1 } " + bound + "}"),
+            Texts{"CSG union unnecessarily bounded."});
+  EXPECT_EQ(of_statement("union { sphere { 0, 1 " + bound + "} plane { y, 0 } " + bound + "}"), Texts{});
+}
+
+// A text is a union of letters.
+TEST(Warnings, UselessBoundsOfText) {
+  const auto text = [](const std::string& modifiers) { return "text { internal 1 \"xy\" 0.5, 0 " + modifiers + "}"; };
+  const std::string bound = "bounded_by { sphere { 0, 20 } }";
+  const Texts useless{"CSG union unnecessarily bounded."};
+  EXPECT_EQ(of_statement(text("")), Texts{});
+  EXPECT_EQ(of_statement(text(bound)), useless);
+  EXPECT_EQ(of_statement("union { " + text(bound) + " sphere { 0, 1 } }"), useless);
+  EXPECT_EQ(of_statement("object { " + text("") + bound + "}"), useless);
+  EXPECT_EQ(of_statement(text(bound + " inverse ")), Texts{});
+  EXPECT_EQ(of_statement(text(bound + " split_union off ")), Texts{});
+  EXPECT_EQ(of_statement(text(bound + " clipped_by { plane { y, 0 } }")), Texts{});
+  EXPECT_EQ(of_statement("difference { " + text(bound) + " sphere { 0, 1 } }"), Texts{});
 }
 
 // Once a scene each.

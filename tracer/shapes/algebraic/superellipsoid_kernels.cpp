@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 // Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
 // branches.
 
-constexpr double kZero = 1e-10;  // of the value
+constexpr double kZero = 2e-10;  // of the value: twice what counts as a hit, so that no hit is passed by
 
 template <int kLanes>
 using Lane = double[kLanes];
@@ -114,12 +114,6 @@ void along(double p, double q, const ConvexPacket& packet, Lane<kLanes>& value, 
   for (int i = 0; i < kLanes; ++i) value[i] -= 1;
 }
 
-void value(double p, double q, ConvexPacket& packet) {
-  alignas(64) Lane<ConvexPacket::kCount> values, slopes;
-  along(p, q, packet, values, slopes);
-  for (int i = 0; i < ConvexPacket::kCount; ++i) packet.value[i] = values[i];
-}
-
 template <int kLanes>
 unsigned approach(double p, double q, unsigned active_mask, ConvexPacket& packet) {
   alignas(64) Lane<kLanes> values, slopes;
@@ -147,7 +141,7 @@ unsigned approach(double p, double q, unsigned active_mask, ConvexPacket& packet
   return result;
 }
 
-const SuperellipsoidKernels kKernels = {value, approach<ConvexPacket::kCount>, approach<2>};
+const SuperellipsoidKernels kKernels = {approach<ConvexPacket::kCount>, approach<2>};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace

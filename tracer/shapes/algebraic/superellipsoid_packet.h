@@ -13,13 +13,11 @@ struct alignas(64) ConvexPacket {
   double t[kCount];      // where the search begins, outside; then the root
   double end[kCount];    // it goes no further than this
   double side[kCount];   // 1: forward, -1: backward
-  double value[kCount];  // |(|(x, y)|_p, z)|_q - 1 at t: an answer
-  double slope[kCount];  // of the value, as an answer of `approach`
+  double value[kCount];  // |(|(x, y)|_p, z)|_q - 1 at t, as an answer
+  double slope[kCount];  // of the value
 };
 
 struct SuperellipsoidKernels {
-  // The values at distances t.
-  void (*value)(double p, double q, ConvexPacket& packet);
   // From t towards `end`. The lanes of `active` that find the surface.
   unsigned (*approach)(double p, double q, unsigned active, ConvexPacket& packet);
   // The same for the first two lanes.

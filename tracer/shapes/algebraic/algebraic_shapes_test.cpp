@@ -134,6 +134,7 @@ TEST(Superellipsoid, Traces) {
   expect_extent(make_one(1, 1), Vec3(-1.000100016593933), Vec3(1.000100016593933));
 }
 
+// The exits of grazing rays are lost, as in POV-Ray: inside and outside need not alternate.
 TEST(Superellipsoid, HitsLieOnTheSurface) {
   for (const auto& [e, n] : {std::pair{0.3, 0.7}, {1.0, 1.0}, {1.5, 0.2}})
     check_solid(make(scene::Superellipsoid{e, n}),
@@ -141,7 +142,7 @@ TEST(Superellipsoid, HitsLieOnTheSurface) {
                    const double r = std::pow(std::pow(std::fabs(p.x), 2 / e) + std::pow(std::fabs(p.y), 2 / e), e / n);
                    return std::pow(r + std::pow(std::fabs(p.z), 2 / n), n / 2) - 1;
                  },
-                 1e-8, true, 500});
+                 1e-8, false, 500});
 }
 
 TEST(Ovus, Traces) {

@@ -5,7 +5,7 @@ namespace verisim::shapes::testing {
 namespace {
 
 TEST(LastBits, Superellipsoid) {
-  expect_bits(make_shared_shape(scene::Superellipsoid{0.3, 0.7}),
+  expect_bits(make(scene::Superellipsoid{0.3, 0.7}),
               {
                   {{2.656, 2.988, 0.137},
                    {-2.664, -3.079, 0.136},
@@ -43,7 +43,7 @@ TEST(LastBits, Superellipsoid) {
 }
 
 TEST(LastBits, SuperellipsoidOfWholeExponents) {
-  expect_bits(make_shared_shape(scene::Superellipsoid{0.25, 0.5}),
+  expect_bits(make(scene::Superellipsoid{0.25, 0.5}),
               {
                   {{3.799, -1.077, 0.641},
                    {-3.195, 1.502, -0.335},
@@ -81,7 +81,7 @@ TEST(LastBits, SuperellipsoidOfWholeExponents) {
 }
 
 TEST(LastBits, PinchedSuperellipsoid) {
-  expect_bits(make_shared_shape(scene::Superellipsoid{2.2, 1.7}),
+  expect_bits(make(scene::Superellipsoid{2.2, 1.7}),
               {
                   {{1.968, -3.259, -1.228},
                    {-1.725, 3.921, 1.27},
@@ -107,7 +107,7 @@ TEST(LastBits, PinchedSuperellipsoid) {
 }
 
 TEST(LastBits, GrazedSuperellipsoid) {
-  expect_bits(make_shared_shape(scene::Superellipsoid{0.3, 0.7}),
+  expect_bits(make(scene::Superellipsoid{0.3, 0.7}),
               {
                   {{-0.985, -2.741, 2.742},
                    {0.931, 2.937, -1.624},
@@ -129,7 +129,7 @@ TEST(LastBits, GrazedSuperellipsoid) {
 }
 
 TEST(LastBits, ExitsOfASuperellipsoidThatAreNotFound) {
-  expect_bits(make_shared_shape(scene::Superellipsoid{0.1, 0.1}),
+  expect_bits(make(scene::Superellipsoid{0.1, 0.1}),
               {
                   {{0.15393, -0.99999, 0.48988},
                    {-0.092, 0.003, 0.451},

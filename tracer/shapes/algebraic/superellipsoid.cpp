@@ -318,8 +318,13 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     double t0 = begin, f0 = a.value;
     entry = begin + 1e-4 * (end - begin);
     for (int step = 0; step < kMaxSteps; ++step) {
-      const double f = sample(l, entry).value;
+      const Sample here = sample(l, entry);
+      const double f = here.value;
       if (std::fabs(f) < kZero) return true;
+      if (f < 0) {  // only where the norms are not convex
+        entry = refined(l, sample(l, t0), here);
+        return true;
+      }
       if (!(f < f0)) return false;
       const double next = entry - f * (entry - t0) / (f - f0);
       if (!(next <= end)) return false;

@@ -136,8 +136,9 @@ std::vector<Solid> solids() {
          return std::sqrt(std::sqrt(p.x * p.x * p.x * p.x + p.y * p.y * p.y * p.y + p.z * p.z * p.z * p.z)) - 1;
        },
        1e-4, false},
+      // Exits of grazing rays are lost.
       {"superellipsoid, convex", plain(scene::Superellipsoid{0.4, 0.8}),
-       [](const Vec3& p) { return p_norm(p_norm(p.x, p.y, 5), p.z, 2.5) - 1; }},
+       [](const Vec3& p) { return p_norm(p_norm(p.x, p.y, 5), p.z, 2.5) - 1; }, 1e-6, false},
       {"superellipsoid, pinched", plain(scene::Superellipsoid{2.5, 1}),
        [](const Vec3& p) { return p_norm(p_norm(p.x, p.y, 0.8), p.z, 2) - 1; }, 1e-6, false},
       {"blob", shared(blob), field, 1e-4, false},  // as near as POV-Ray's closed form of quartics is

@@ -88,7 +88,9 @@ TEST_F(RunTest, ManifestErrorsHaveTheirPlace) {
               HasSubstr("three rows of three numbers"));
   EXPECT_THAT(message("width = 3\n\u00e9 = 1\n"),
               testing::AllOf(HasSubstr("verisim.toml:2:1:"), HasSubstr("saw '\u00e9'")));
-  EXPECT_THAT(message("width\u0499 = 1\n"), HasSubstr("verisim.toml:1:6:"));
+  // Where toml++ 3.3 asks whether a letter is a blank.
+  for (const char* letter : {"\u0499", "\u2c60", "\u3041", "\ufc30", "\ufef7"})
+    EXPECT_THAT(message(std::string("width") + letter + " = 1\n"), HasSubstr("verisim.toml:1:6:")) << letter;
   EXPECT_EQ(message("width = 40\n"), "no error");
 }
 

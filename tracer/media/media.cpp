@@ -145,7 +145,7 @@ class Integrator {
   }
 
   MediaSample adaptive(const MediaInterval& span) {
-    const int q = mixture_.subintervals(), level = control_->aa_level - 1;
+    const int q = mixture_.subintervals(), level = mixture_.halvings();
     const double step = 1.0 / (q + 1);
     if (foreseeable()) {
       thread_local MediaRefinement batch;

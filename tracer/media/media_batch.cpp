@@ -152,7 +152,7 @@ void MediaBatch::look_along() {
 }
 
 void MediaBatch::refine() {
-  const int q = mixture_.subintervals(), level = mixture_.control->aa_level - 1;
+  const int q = mixture_.subintervals(), level = mixture_.halvings();
   const double step = 1.0 / (q + 1);
   auto& all = workspace_.tree.subintervals;
   all.clear();
@@ -188,7 +188,7 @@ MediaSample MediaBatch::refine_alone(std::uint32_t interval, const MediaSample& 
 }
 
 MediaResult MediaBatch::result(std::uint32_t ray) {
-  const int q = mixture_.subintervals(), level = mixture_.control->aa_level - 1;
+  const int q = mixture_.subintervals(), level = mixture_.halvings();
   const Workspace::RayPart part = workspace_.rays[ray];
   Rgb emission, depth;
   for (std::uint32_t i = part.first; i < part.end; ++i) {

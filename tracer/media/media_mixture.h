@@ -27,6 +27,9 @@ struct MediaMixture {
   bool constant_shadow = true;  // POV-Ray believes so of every medium (spec 07 4.6)
   // Method 3 looks at q sub-intervals on a grid of step 1 / (q + 1).
   int subintervals() const { return std::max(2, control->samples_min / 2 + 1); }
+  // How often a sub-interval may be halved: no more than a double can be, or an aa_level of a billion never ended where
+  // no threshold is met.
+  int halvings() const { return std::min(control->aa_level, 1100) - 1; }
 };
 
 struct MediaInterval {

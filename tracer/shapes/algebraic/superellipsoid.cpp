@@ -300,6 +300,14 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     for (int step = 0; step < kMaxSteps; ++step) {
       secant = sample(a.p + a.value / (a.value - b.value) * (b.p - a.p));
       if (std::fabs(secant.value) < kZero) break;
+      if (middle_is_deeper(a, b, secant)) {
+        b = secant;
+        continue;
+      }
+      if (middle_is_deeper(b, a, secant)) {
+        a = secant;
+        continue;
+      }
       const Sample middle = sample(0.5 * (a.p + b.p));
       if (std::fabs(middle.value) < kZero) return length(middle.p - l.origin);
       if (opposite(secant, middle)) {
@@ -310,6 +318,16 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
       }
     }
     return length(secant.p - l.origin);
+  }
+
+  // Whether the value in the middle between a point outside and one inside, which lies behind the secant's, is surely
+  // below the secant's, so that it need not be known. A convex value there is at most what the straight line from the
+  // secant's point to that inside has.
+  bool middle_is_deeper(const Sample& outside, const Sample& inside, const Sample& secant) const {
+    constexpr double kDoubt = 1e-12;  // more than values can be off
+    if (!(convex() && outside.value > 0 && secant.value < 0)) return false;
+    const double at = outside.value / (outside.value - inside.value);  // of the secant's point, from outside
+    return at < 0.5 && (0.5 - at) * (secant.value - inside.value) > kDoubt;
   }
 
   // Outside at both ends of an interval: secants from the near end, which find an entry if the ray dips below the

@@ -119,6 +119,10 @@ void Parser::Impl::too_many_passes(std::string_view what) {
                     functions::kMaxPasses));
 }
 
+void Parser::Impl::missing_surface(std::string_view what) {
+  error(Code::incompatible, fmt::format("{} asks for uv_mapping, but there is no surface.", what));
+}
+
 // ---- The public face ----
 
 const Token& Parser::peek() { return impl_->peek(); }

@@ -18,6 +18,7 @@
 #include "parser/source/search.h"
 #include "tracer/base/coarse_clock.h"
 #include "tracer/functions/evaluation_budget.h"
+#include "tracer/textures/evaluation/missing_surface.h"
 #include "tracer/query.h"
 
 namespace verisim::parser {
@@ -120,15 +121,17 @@ struct Parser::Impl {
   // A function's value, or the answer to a query, has to come by itself: nobody looks at limits meanwhile.
   template <typename Evaluate>
   void within_budget(std::string_view what, Evaluate&& evaluate) {
-    functions::EvaluationBudget::take_overrun();
+    functions::EvaluationBudget::take_overrun(), textures::MissingSurface::take();
     {
       functions::EvaluationBudget budget;
       budget.open();
       evaluate();
     }
     if (functions::EvaluationBudget::take_overrun()) too_many_passes(what);
+    if (textures::MissingSurface::take()) missing_surface(what);
   }
   [[noreturn]] void too_many_passes(std::string_view what);
+  [[noreturn]] void missing_surface(std::string_view what);
   void start(std::shared_ptr<const TokenFile> main);
   void top_level();         // statements up to the end of the main file
   bool legacy_directive();  // declare, include, default ... without '#'

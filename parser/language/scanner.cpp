@@ -51,7 +51,8 @@ bool Scanner::user_call(const Function& function, Term& out, int depth) {
     function.evaluate({values, static_cast<std::size_t>(count)}, &result);
     if (budget.spent()) p_.look_at_clock();
   }
-  if (functions::EvaluationBudget::take_overrun()) return false;  // the general path makes an error of it
+  // The general path makes errors of these.
+  if (functions::EvaluationBudget::take_overrun() || textures::MissingSurface::take()) return false;
   out.set(result);
   return at_->punctuation != '.';
 }

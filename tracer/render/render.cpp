@@ -28,6 +28,7 @@
 #include "tracer/render/prepass_data.h"
 #include "tracer/render/prepasses.h"
 #include "tracer/render/requirements.h"
+#include "tracer/textures/evaluation/missing_surface.h"
 
 namespace verisim::render {
 namespace {
@@ -177,6 +178,8 @@ struct InWork {
 
 // Functions have no place: which one it was is not known.
 void check_functions(const Queue& queue) {
+  if (textures::MissingSurface::take())
+    throw std::runtime_error("uv_mapping was asked for where there is no surface: in a sky_sphere, media or a function");
   if (!functions::EvaluationBudget::take_overrun()) return;
   if (queue.cancelled()) throw shading::Cancelled();
   throw LimitExceeded("A function of the scene needs more than " + std::to_string(functions::kMaxPasses) +
@@ -201,7 +204,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
                      options.width, options.height, sampler);
   if (method == 1) grid.emplace(settings, sampler);
   if (method == 2) quads.emplace(settings, sampler);
-  functions::EvaluationBudget::take_overrun();  // of what this thread did before
+  functions::EvaluationBudget::take_overrun(), textures::MissingSurface::take();  // of what this thread did before
   const functions::EvaluationBudget::EndsAt end(options.cancel);
   try {
     while (const Block* block = queue.next()) {

@@ -115,6 +115,7 @@ struct BlobComponent {
 struct Blob {
   double threshold = 1;
   std::vector<BlobComponent> components;
+  TexturePtr first_texture;  // the whole blob's as its statement ended; if it was opaque, so are all copies (spec 06 9.3)
 };
 enum class SplineKind : std::uint8_t { linear, quadratic, cubic, bezier, b_spline };
 struct Lathe {

@@ -85,13 +85,23 @@ bool within_finite_box(const Shape& shape) {
 // A shadow ray may meet something there that is not opaque.
 bool lets_light_through(const Entry& e) { return e.opacity != Opacity::opaque && !(e.hidden & bit(RayKind::shadow)); }
 
-// The texture of the object itself, which its children may have replaced. POV-Ray flags layers, not maps of textures.
+// POV-Ray flags layers, not maps of textures.
+bool flagged_opaque(const scene::TexturePtr& texture, textures::Compiler& compiler) {
+  const textures::CompiledTexture& compiled = *compiler.texture(texture);
+  return compiled.opaque && !compiled.patterned();
+}
+// The textures of the object itself, which its children may have replaced.
 bool flagged_opaque(const scene::Object& object, textures::Compiler& compiler) {
-  const auto flagged = [&](const scene::TexturePtr& texture) {
-    const textures::CompiledTexture& compiled = *compiler.texture(texture);
-    return compiled.opaque && !compiled.patterned();
-  };
-  return object.texture && flagged(object.texture) && (!object.interior_texture || flagged(object.interior_texture));
+  return object.texture && flagged_opaque(object.texture, compiler) &&
+         (!object.interior_texture || flagged_opaque(object.interior_texture, compiler));
+}
+// Blobs keep the flag that they had when their statement ended, whatever textures a copy was given since.
+bool was_flagged_opaque(const scene::Object& object, textures::Compiler& compiler) {
+  const auto* blob = object.as<std::shared_ptr<const scene::Blob>>();
+  return blob && (*blob)->first_texture && flagged_opaque((*blob)->first_texture, compiler) &&
+         std::ranges::all_of((*blob)->components, [&](const scene::BlobComponent& component) {
+           return !component.texture || flagged_opaque(component.texture, compiler);
+         });
 }
 
 }  // namespace
@@ -124,8 +134,10 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
     s.opaque = s.opaque && s.extra_textures.back() && s.extra_textures.back()->opaque;
   }
   const auto map = [](const textures::CompiledTexture* texture) { return texture && texture->patterned(); };
-  const bool flagged =
-      s.opaque && !map(s.texture) && !map(s.interior_texture) && !std::ranges::any_of(s.extra_textures, map);
+  const bool kept = was_flagged_opaque(o, compiler);
+  const bool flagged = kept || (s.opaque && !map(s.texture) && !map(s.interior_texture) &&
+                                !std::ranges::any_of(s.extra_textures, map));
+  s.opaque = s.opaque || kept;
   const bool remembered = cutaway ? flagged_opaque(*cutaway->object, compiler) : flagged;
   s.remembered = !remembered ? nullptr : cutaway ? cutaway : &shape;
   if (!o.group_lights.empty()) {

@@ -20,7 +20,7 @@ struct Surface {
   const scene::Interior* interior = nullptr;                    // never null
   const scene::Object* object = nullptr;                        // description of the primitive
   int frame_object = 0;                                         // index of the frame-level object
-  bool opaque = false;  // texture and interior_texture are flagged opaque (spec 06 9.3)
+  bool opaque = false;  // texture and interior_texture are flagged opaque, or were (spec 06 9.3)
   // What POV-Ray's shadow cache remembers of a hit that blocks a light, or null, and whether that filters once more
   // what passes here (spec 08 D).
   const Shape* remembered = nullptr;

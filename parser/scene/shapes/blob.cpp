@@ -86,7 +86,7 @@ BlobComponent parse_old_component(Parser& parser) {
 }  // namespace
 
 ObjectRef parse_blob(Parser& parser) {
-  return shape_block(parser, [&](scene::Object& object) {
+  const ObjectRef read = shape_block(parser, [&](scene::Object& object) {
     auto blob = std::make_shared<scene::Blob>();
     std::size_t entries = 0;
     for (;;) {
@@ -110,6 +110,9 @@ ObjectRef parse_blob(Parser& parser) {
     blob->components.shrink_to_fit();
     object.shape = std::shared_ptr<const scene::Blob>(blob);
   });
+  if (!read->copied)  // so nobody else has this blob yet
+    const_cast<scene::Blob&>(**read->as<std::shared_ptr<const scene::Blob>>()).first_texture = read->texture;
+  return read;
 }
 
 }  // namespace verisim::parser

@@ -261,6 +261,18 @@ TEST_F(Reports, BaselinesNameWhatIsNewRemovedOrOfAnotherSize) {
   EXPECT_FALSE(exists("stored/gone.pov.png"));
 }
 
+TEST_F(Reports, APictureThatCannotBeMadeIsNoUpdate) {
+  fs::create_directory(folder_ / "suite");
+  file("suite/a.pov", kQuickScene);
+  ASSERT_EQ(baseline({"+W8", "+H6", "--update"}).status, 0);
+  const std::string stored = text_of(folder_ / "stored/a.pov.png");
+  file("suite/a.pov", "sphere {");
+  file("suite/b.pov", kQuickScene);
+  EXPECT_EQ(baseline({"+W8", "+H6", "--update"}).status, 1);
+  EXPECT_EQ(text_of(folder_ / "stored/a.pov.png"), stored);
+  EXPECT_TRUE(exists("stored/b.pov.png"));
+}
+
 // As shells complete it; in POV-Ray's own calls that would be a place to look for include files.
 TEST_F(Reports, AFolderOfScenesMayEndWithASlash) {
   fs::create_directories(folder_ / "scenes");

@@ -312,7 +312,10 @@ int keep_as_baseline(const compare::Run& result, const CompareOptions& o, bool w
   for (const std::string& line : compare::update_baseline(result, o.baseline, true)) std::printf("%s\n", line.c_str());
   std::fflush(stdout);
   compare::update_baseline(result, o.baseline, false);
-  return written ? kOk : kInputOutput;
+  const auto without_picture = [](const compare::SceneResult& scene) {
+    return scene.failed() && scene.status != compare::Status::removed && scene.native_picture.empty();
+  };
+  return !written ? kInputOutput : std::ranges::any_of(result.scenes, without_picture) ? kDifferent : kOk;
 }
 
 }  // namespace

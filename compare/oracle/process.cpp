@@ -59,7 +59,7 @@ std::uint64_t resident_peak(pid_t pid) {
 
 struct Child {
   const char* folder;  // null: ours
-  int out, err;
+  int in, out, err;
   pid_t parent;
   char* const* argv;
   char* const* envp;
@@ -72,11 +72,10 @@ int become(const Child& child) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != child.parent) _exit(127);
   setpgid(0, 0);
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  if (nothing < 0 || dup2(nothing, 0) < 0 || dup2(child.out, 1) < 0 || dup2(child.err, 2) < 0 ||
+  if (dup2(child.in, 0) < 0 || dup2(child.out, 1) < 0 || dup2(child.err, 2) < 0 ||
       (child.folder && chdir(child.folder) != 0))
     return errno;
-  if (nothing > 2) ::close(nothing);
+  if (child.in == 0) fcntl(0, F_SETFD, 0);  // it got that number, and would close
   struct sigaction usual {};
   usual.sa_handler = SIG_DFL;
   for (int signal = 1; signal < NSIG; ++signal) sigaction(signal, &usual, nullptr);
@@ -109,8 +108,11 @@ int spawn(const ProcessRequest& request, int out, int err, pid_t& pid) {
   for (const std::string& s : request.arguments) argv.push_back(const_cast<char*>(s.c_str()));
   for (const std::string& s : environment) envp.push_back(const_cast<char*>(s.c_str()));
   argv.push_back(nullptr), envp.push_back(nullptr);
+  const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  if (!nothing) return errno;
   volatile int error = 0;
-  pid = start({request.folder.empty() ? nullptr : request.folder.c_str(), out, err, getpid(), argv.data(), envp.data()},
+  pid = start({request.folder.empty() ? nullptr : request.folder.c_str(), nothing.get(), out, err, getpid(),
+               argv.data(), envp.data()},
               error);
   if (error && pid > 0) waitpid(pid, nullptr, 0);
   return error;

@@ -6,10 +6,12 @@
 //   in order
 //
 // Kinds: write, read, open, mmap, rename (and linkat), fsync, malloc, thread. System calls are caught by a filter of
-// the kernel's (seccomp), wherever they come from, the insides of the C library, too: a filter sends SIGSYS, and its
-// handler makes the call itself, from the one place that the filter lets through, or fails it.
+// the kernel's (seccomp), in the insides of the C library and of the loader, too: the filter sends SIGSYS where one
+// comes from their code, and the handler makes the call itself, from here, or fails it. A program that is started
+// inherits the filter, but has these libraries at other addresses, so that its calls are none of those.
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <link.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -30,9 +32,8 @@
 
 extern "C" {
 
-// The one place from which a caught call goes to the kernel: the instruction before this label.
+// A call that is not caught.
 long verisim_faults_call(long number, long a, long b, long c, long d, long e, long f);
-extern const char verisim_faults_after_call[];
 
 void* __libc_malloc(std::size_t);
 void* __libc_calloc(std::size_t, std::size_t);
@@ -52,8 +53,6 @@ verisim_faults_call:
   mov %r9, %r8
   mov 8(%rsp), %r9
   syscall
-.globl verisim_faults_after_call
-verisim_faults_after_call:
   ret
 )");
 
@@ -123,21 +122,53 @@ void on_call(int, siginfo_t* info, void* context) {
   errno = saved;
 }
 
+// Where the code of the C library and of the loader is: [begin, end), none across a multiple of 4 GiB.
+struct Code {
+  struct Range {
+    std::uint64_t begin, end;
+  } ranges[4];
+  int count = 0;
+
+  void add(std::uint64_t begin, std::uint64_t end) {
+    const std::uint64_t border = (begin | 0xffffffff) + 1;
+    if (end > border) add(border, end), end = border;
+    if (count < 4) ranges[count++] = {begin, end};
+  }
+};
+Code code_that_calls() {
+  Code code;
+  dl_iterate_phdr(
+      [](dl_phdr_info* library, std::size_t, void* data) {
+        if (!std::strstr(library->dlpi_name, "/libc.so") && !std::strstr(library->dlpi_name, "/ld-linux")) return 0;
+        for (int i = 0; i < library->dlpi_phnum; ++i)
+          if (const auto& part = library->dlpi_phdr[i]; part.p_type == PT_LOAD && (part.p_flags & PF_X))
+            static_cast<Code*>(data)->add(library->dlpi_addr + part.p_vaddr,
+                                          library->dlpi_addr + part.p_vaddr + part.p_memsz);
+        return 0;
+      },
+      &code);
+  return code;
+}
+
 void catch_calls() {
   struct sigaction action {};
   action.sa_sigaction = on_call;
   action.sa_flags = SA_SIGINFO | SA_NODEFER | SA_RESTART;
   sigaction(SIGSYS, &action, nullptr);
-  const auto own = reinterpret_cast<std::uintptr_t>(verisim_faults_after_call);
-  sock_filter program[32] = {
-      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, instruction_pointer)),
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(own), 0, 3),
-      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, instruction_pointer) + 4),
-      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(own >> 32), 0, 1),
-      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
-      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
-  };
-  unsigned short length = 6;
+  sock_filter program[64] = {};
+  unsigned short length = 0;
+  const Code code = code_that_calls();
+  for (int i = 0; i < code.count; ++i) {
+    const auto [begin, end] = code.ranges[i];
+    program[length++] = BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, instruction_pointer) + 4);
+    program[length++] = BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(begin >> 32), 0, 4);
+    program[length++] = BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, instruction_pointer));
+    program[length++] = BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, static_cast<std::uint32_t>(begin), 0, 2);
+    program[length++] = BPF_JUMP(BPF_JMP | BPF_JGT | BPF_K, static_cast<std::uint32_t>(end - 1), 1, 0);
+    program[length++] = BPF_STMT(BPF_JMP | BPF_JA, static_cast<std::uint32_t>(6 * (code.count - 1 - i) + 1));
+  }
+  program[length++] = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+  program[length++] = BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr));
   for (const long* call = kind->calls; *call >= 0; ++call) {
     program[length++] = BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(*call), 0, 1);
     program[length++] = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_TRAP);

@@ -41,7 +41,7 @@ JOBS = {
     "diff": Job(["diff", "a.png", "b.png", "--heat-map", "out.png"], ["out.png"]),
     "check": Job(["check", "scene.pov", "--json"], []),
     "compare": Job(["compare", "scene.pov", *SIZE, "--baseline", "baseline", "--json", "out.json", "--quiet"], []),
-    "store": Job(["compare", "scene.pov", *SIZE, "--baseline", "stored", "--update", "--quiet"], ["stored/scene.png"]),
+    "store": Job(["compare", "scene.pov", *SIZE, "--baseline", "stored", "--update", "--quiet"], ["stored/scene.pov.png"]),
     "samples": Job(["render", "radiosity.pov", *SIZE, "+Oout.png", "+RFO", "+RFout.rca", "+WT1"], ["out.png", "out.rca"]),
 }
 SIGNALS = [signal.SIGKILL, signal.SIGTERM, signal.SIGINT, signal.SIGPIPE, signal.SIGHUP]
@@ -135,13 +135,15 @@ class Faults:
         ended = self.run(job)
         return ended, {name: self.read(name) for name in job.outputs}
 
-    def count(self, job, kind):
+    def count(self, job, kind, good):
         counts = self.path("counts.txt")
         if os.path.exists(counts):
             os.unlink(counts)
         ended = self.run(job, FAULT=kind, FAULT_COUNT=counts, **self.command(job))
         if ended is None or not os.path.exists(counts):
             return None
+        if ended.returncode != good.returncode:
+            sys.exit(f"{job.words[0]}: exit status {ended.returncode} where calls are only counted ({kind}): {ended.stderr.decode(errors='replace')}")
         with open(counts) as file:
             return int(file.read())
 
@@ -271,7 +273,7 @@ def main():
                 print(f"{name:8} signals, exit statuses {dict(statuses)}", flush=True)
                 continue
             for kind in options.kinds.split(","):
-                calls = faults.count(job, kind)
+                calls = faults.count(job, kind, reference[0])
                 if calls is None:
                     print("nothing can be injected here")
                     return 77

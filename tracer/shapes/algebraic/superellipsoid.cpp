@@ -17,14 +17,16 @@ constexpr int kMaxSteps = 20;
 // |(a, b)|_p, p = 2 / e, as POV-Ray has it, bit by bit: powers by multiplication where p is a small integer.
 class Norm {
  public:
-  explicit Norm(double e) : p_(2 / e), inverse_(1 / p_) {
+  explicit Norm(double e) : p_(2 / e), inverse_(1 / p_), negligible_(std::pow(2, -54 / p_)) {
     if (p_ >= 1 && p_ <= 6 && p_ == std::floor(p_)) integer_ = static_cast<int>(p_);
   }
   double exponent() const { return p_; }
   double operator()(double a, double b) const {
     if (a < b) std::swap(a, b);
     if (!(a > 0)) return 0;
-    const double sum = 1 + raise(b / a);
+    const double ratio = b / a;
+    if (ratio < negligible_) return a;
+    const double sum = 1 + raise(ratio);
     return sum == 1 ? a : a * std::pow(sum, inverse_);  // most of a body with sharp edges
   }
   // x^p
@@ -38,6 +40,7 @@ class Norm {
 
  private:
   double p_, inverse_;
+  double negligible_;  // 1 + x^p is 1 below it
   int integer_ = 0;
 };
 
@@ -72,12 +75,10 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     double outside = near;
     if (convex()) {
       ConvexPacket packet{};
-      set(packet, 0, l);
-      packet.t[0] = near, packet.end[0] = far, packet.side[0] = 1;
-      if (!(superellipsoid_kernels().approach_pair(across_.exponent(), all_.exponent(), 1, packet) & 1)) return;
+      if (!(approach_both(l, near, far, 1, packet) & 1)) return;
       outside = surely_outside_until(packet, 0);
     }
-    search(l, near, far, outside, [&](double t) {
+    search(l, near, far, outside, -HUGE_VAL, [&](double t) {
       const double depth = t / l.scale;
       if (!(depth > kNearest && depth < kFarthest)) return false;
       return sink.add(depth, [&] { return ray.origin + depth * ray.direction; }) && Sink::kNearest;
@@ -160,6 +161,13 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     std::fill_n(packet.side, ConvexPacket::kCount, side);
     return superellipsoid_kernels().approach(across_.exponent(), all_.exponent(), active, packet);
   }
+  // The entry in the first lane, the exit in the second.
+  unsigned approach_both(const LocalRay& l, double near, double far, unsigned active, ConvexPacket& packet) const {
+    set(packet, 0, l), set(packet, 1, l);
+    packet.t[0] = near, packet.end[0] = far, packet.side[0] = 1;
+    packet.t[1] = far, packet.end[1] = near, packet.side[1] = -1;
+    return superellipsoid_kernels().approach_pair(across_.exponent(), all_.exponent(), active, packet);
+  }
   static void set(ConvexPacket& packet, int k, const LocalRay& l) {
     packet.ox[k] = l.origin.x, packet.oy[k] = l.origin.y, packet.oz[k] = l.origin.z;
     packet.dx[k] = l.direction.x, packet.dy[k] = l.direction.y, packet.dz[k] = l.direction.z;
@@ -170,7 +178,7 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
   Intersections found_from(const LocalRay& l, double begin, double end, double doubt, const ConvexPacket& entry,
                            const ConvexPacket& exit, bool left, int i, int j) const {
     Intersections c;
-    search(l, begin, end, surely_outside_until(entry, i), [&](double t) {
+    search(l, begin, end, surely_outside_until(entry, i), left ? exit.t[j] : -HUGE_VAL, [&](double t) {
       const double depth = t / l.scale;
       if (depth > kNearest && depth < kFarthest) c.add(depth);
       return c.count == 2;
@@ -190,10 +198,7 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
     double near, far;
     if (!clip_to_cube(l, near, far)) return {};
     ConvexPacket packet;
-    set(packet, 0, l), set(packet, 1, l);
-    packet.t[0] = near, packet.end[0] = far, packet.side[0] = 1;
-    packet.t[1] = far, packet.end[1] = near, packet.side[1] = -1;
-    const unsigned found = superellipsoid_kernels().approach_pair(across_.exponent(), all_.exponent(), 3, packet);
+    const unsigned found = approach_both(l, near, far, 3, packet);
     if (!(found & 1)) return {};
     return found_from(l, near, far, doubt_at(ray.origin), packet, packet, found & 2, 0, 1);
   }
@@ -212,7 +217,7 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
       active |= 1u << k;
     });
     each_lane(approach(1, active, packet), [&](int k) {
-      search(locals[k], near[k], far[k], surely_outside_until(packet, k), [&](double t) {
+      search(locals[k], near[k], far[k], surely_outside_until(packet, k), -HUGE_VAL, [&](double t) {
         const double depth = t / locals[k].scale;
         if (!(depth > kNearest && depth < kFarthest && depth >= t_min && depth < t_max[k])) return false;
         found |= 1u << k;
@@ -266,10 +271,10 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
   }
 
   // POV-Ray's search from `near` to `far`, step by step, because it stops where the value is within 1e-10 of zero: its
-  // steps decide the last bits of hits, and which hits are lost. Up to `outside` there is none. report(t) says whether
-  // it may stop.
+  // steps decide the last bits of hits, and which hits are lost. Up to `outside` there is none; near `exit` a convex
+  // one is left (-HUGE_VAL: unknown). report(t) says whether it may stop.
   template <class Report>
-  void search(const LocalRay& l, double near, double far, double outside, Report&& report) const {
+  void search(const LocalRay& l, double near, double far, double outside, double exit, Report&& report) const {
     double knots[11];
     const int count = knots_of(l, near, far, knots);
     int i = 1;
@@ -289,7 +294,19 @@ class Superellipsoid final : public Primitive<Superellipsoid>, public Convex {
         }
       }
       a = b;
+      if (i + 1 < count && well_inside(a)) pass_inside(l, knots, exit, i, a);
     }
+  }
+
+  static bool well_inside(const Sample& a) { return a.value < -2 * kZero; }
+  // Between two points that are well inside all is, so the last knot `a`, of index i, may as well be the last of all
+  // before the exit.
+  void pass_inside(const LocalRay& l, const double* knots, double exit, int& i, Sample& a) const {
+    int last = i;
+    while (knots[last + 1] < exit) ++last;
+    if (last == i) return;
+    const Sample there = sample(l, knots[last]);
+    if (well_inside(there)) i = last, a = there;
   }
 
   // The root between two points at which the signs differ: the secant from the first point, and the middle. Where their

@@ -164,9 +164,11 @@ class FolderCopy {
 
   void copy_folder(const fs::path& from, const fs::path& to, bool deep, const std::map<fs::path, Stamp>& kept) {
     std::set<fs::path> wanted;
-    std::error_code gone;  // a folder, meanwhile
-    for (const fs::directory_entry& entry :
-         fs::directory_iterator(from, fs::directory_options::skip_permission_denied, gone)) {
+    std::error_code unread;
+    const fs::directory_iterator entries(from, fs::directory_options::skip_permission_denied, unread);
+    if (unread && unread != std::errc::no_such_file_or_directory)  // else it went away meanwhile
+      throw fs::filesystem_error("cannot list", from, unread);
+    for (const fs::directory_entry& entry : entries) {
       const fs::path name = entry.path().filename(), target = to / name;
       std::error_code failed;
       if (entry.is_directory(failed)) {
@@ -213,8 +215,12 @@ class FolderCopy {
       return;
     }
     fs::remove_all(target, failed);
-    if (!fs::copy_file(entry.path(), target, failed))
-      return;  // an unreadable neighbour is not the scene's problem unless the scene asks for it
+    if (!fs::copy_file(entry.path(), target, failed)) {
+      // An unreadable neighbour is not the scene's problem unless the scene asks for it; a cut copy would show another
+      // picture.
+      if (::access(entry.path().c_str(), R_OK) == 0) throw fs::filesystem_error("cannot copy", target, failed);
+      return;
+    }
     fs::permissions(target, fs::perms::owner_write, fs::perm_options::add, failed);
     fs::last_write_time(target, now.time, failed);
     if (settled && !failed) made_[target] = now;

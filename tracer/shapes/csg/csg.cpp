@@ -120,9 +120,7 @@ class Union final : public Sum {
 
 class Merge final : public Sum {
  public:
-  Merge(const scene::Object& description, Children children)
-      : Sum(description, std::move(children), true),
-        tree_(CsgTree::of(*this, children_, accel::is_empty(bounds_) ? everywhere() : bounds_, {})) {}
+  Merge(const scene::Object& description, Children children) : Sum(description, std::move(children), true) {}
 
   void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
     if (guards_ && !guards_->admit(ray)) return;
@@ -142,24 +140,27 @@ class Merge final : public Sum {
     return nearest(ray, kind, t_min, t_max, &clips, hit);
   }
   bool occludes(const Ray& ray, double t_min, double t_max) const override {
-    return tree_ ? tree_->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr})
-                 : Shape::occludes(ray, t_min, t_max);
+    const CsgTree* tree = this->tree();
+    return tree ? tree->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr})
+                : Shape::occludes(ray, t_min, t_max);
   }
   unsigned intersect_packet(const RayPacket& rays, const accel::EntryPoints* entry, RayKind kind, double t_min,
                             const double* t_max, Hit* hits) const override {
-    if (!tree_ || std::popcount(rays.active) < CsgTree::kMin)
+    const CsgTree* tree = this->tree();
+    if (!tree || std::popcount(rays.active) < CsgTree::kMin)
       return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
-    return tree_->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
+    return tree->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
   }
   unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
                            const double* t_max) const override {
-    if (!tree_ || std::popcount(rays.active) < CsgTree::kMin) return Shape::occludes_packet(rays, entry, t_min, t_max);
-    return tree_->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});
+    const CsgTree* tree = this->tree();
+    if (!tree || std::popcount(rays.active) < CsgTree::kMin) return Shape::occludes_packet(rays, entry, t_min, t_max);
+    return tree->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});
   }
 
  private:
   bool nearest(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips* clips, Hit& hit) const {
-    if (tree_) return tree_->nearest(ray, {kind, t_min, &t_max, guards_.get(), clips}, hit);
+    if (const CsgTree* tree = this->tree()) return tree->nearest(ray, {kind, t_min, &t_max, guards_.get(), clips}, hit);
     if (guards_ && !guards_->admit(ray)) return false;
     ScratchOwners owners;
     ScratchHits hits;
@@ -174,7 +175,13 @@ class Merge final : public Sum {
     });
   }
 
-  const std::unique_ptr<const CsgTree> tree_;  // of few and mostly simple parts: finds the same in less time
+  // Of few and mostly simple parts (else null): finds the same in less time.
+  const CsgTree* tree() const {
+    return tree_.get(
+        [&] { return CsgTree::of(*this, children_, accel::is_empty(bounds_) ? everywhere() : bounds_, {}); });
+  }
+
+  TreeOnDemand tree_;
 };
 
 // What tests hits turns those of each child around, so that of equally near ones within a child that is CSG itself the

@@ -79,40 +79,46 @@ struct CsgTree::Builder {
   // Returns what an inside test of all of them costs. `top`: they are those of the object itself, and all of it is
   // within each.
   double add_children(CsgNode& n, std::span<const std::unique_ptr<Shape>> children, bool top) {
-    std::vector<std::uint32_t> indices;
-    for (const auto& child : children) indices.push_back(add(*child, top));
-    std::stable_sort(indices.begin(), indices.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return cost[a] < cost[b]; });
-    n.children = static_cast<std::uint32_t>(tree.children.size()),
-    n.child_count = static_cast<std::uint32_t>(indices.size());
-    tree.children.insert(tree.children.end(), indices.begin(), indices.end());
+    std::uint32_t indices[kMaxNodes];
+    std::uint32_t* end = indices;
     double sum = 0;
-    for (const std::uint32_t i : indices) sum += cost[i];
+    for (const auto& child : children) {
+      *end = add(*child, top);
+      sum += cost[*end++];
+    }
+    cheap_first(indices, end, [](std::uint32_t node) { return node; });
+    n.children = static_cast<std::uint32_t>(tree.children.size());
+    n.child_count = static_cast<std::uint32_t>(end - indices);
+    tree.children.insert(tree.children.end(), indices, end);
     return sum;
   }
-  // `above`: what hits on this node have to pass on the way up.
-  void add_tests(std::uint32_t index, const std::vector<CsgTest>& above) {
+  // `path`: what hits on this node have to pass on the way up; it is left as it was.
+  void add_tests(std::uint32_t index, std::vector<CsgTest>& path) {
     CsgNode& n = tree.nodes[index];
     if (n.kind != CsgNode::Kind::intersection && n.kind != CsgNode::Kind::sum) {
-      std::vector<CsgTest> sorted = above;
-      std::stable_sort(sorted.begin(), sorted.end(),
-                       [&](const CsgTest& a, const CsgTest& b) { return cost[a.node] < cost[b.node]; });
-      n.tests = static_cast<std::uint32_t>(tree.tests.size()), n.test_count = static_cast<std::uint32_t>(sorted.size());
-      tree.tests.insert(tree.tests.end(), sorted.begin(), sorted.end());
+      n.tests = static_cast<std::uint32_t>(tree.tests.size()), n.test_count = static_cast<std::uint32_t>(path.size());
+      tree.tests.insert(tree.tests.end(), path.begin(), path.end());
+      cheap_first(tree.tests.begin() + n.tests, tree.tests.end(), [](const CsgTest& test) { return test.node; });
       return;
     }
     const bool merge = n.shape->object->as<scene::Csg>()->kind == scene::CsgKind::merge,
                all = n.kind == CsgNode::Kind::intersection;
-    const auto hidden = [&](std::uint32_t child) {
-      return all ? 0 : hidden_from(*tree.nodes[child].shape->object, merge);
-    };
-    for (std::uint32_t i = 0; i < n.child_count; ++i) {
-      tree.nodes[tree.children[n.children + i]].hidden = hidden(tree.children[n.children + i]);
-      std::vector<CsgTest> below = above;
-      for (std::uint32_t k = 0; (all || merge) && k < n.child_count; ++k)
-        if (k != i) below.push_back({tree.children[n.children + k], all, hidden(tree.children[n.children + k])});
-      add_tests(tree.children[n.children + i], below);
+    const std::span children(tree.children.data() + n.children, n.child_count);
+    for (const std::uint32_t child : children)
+      tree.nodes[child].hidden = all ? 0 : hidden_from(*tree.nodes[child].shape->object, merge);
+    const std::size_t length = path.size();
+    for (const std::uint32_t child : children) {
+      for (const std::uint32_t other : children)
+        if ((all || merge) && other != child) path.push_back({other, all, tree.nodes[other].hidden});
+      add_tests(child, path);
+      path.resize(length);
     }
+  }
+  // Sorts by the cost of nodes; equal ones stay as they are. Lists are short.
+  template <class Iterator, class NodeOf>
+  void cheap_first(Iterator begin, Iterator end, NodeOf&& node_of) const {
+    const auto cheaper = [&](const auto& a, const auto& b) { return cost[node_of(a)] < cost[node_of(b)]; };
+    for (Iterator i = begin; i != end; ++i) std::rotate(std::upper_bound(begin, i, *i, cheaper), i, i + 1);
   }
   // As BoxSet takes boxes.
   static Box3 enlarged(Box3 box) {
@@ -154,6 +160,7 @@ std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std
   std::unique_ptr<CsgTree> tree(new CsgTree(*kernels));
   tree->nodes.reserve(1 + count);
   Builder builder{*tree};
+  builder.cost.reserve(1 + count);
   tree->nodes.emplace_back();
   builder.cost.push_back(0);
   CsgNode top;
@@ -163,7 +170,8 @@ std::unique_ptr<const CsgTree> CsgTree::of(const Shape& csg, std::span<const std
   builder.add_children(top, children, all);
   top.end = static_cast<std::uint32_t>(tree->nodes.size());
   tree->nodes[0] = top;
-  builder.add_tests(0, {});
+  std::vector<CsgTest> path;
+  builder.add_tests(0, path);
   tree->true_distances =
       std::all_of(children.begin(), children.end(), [](const auto& c) { return reports_true_distances(*c); });
   if (!builder.computes) return nullptr;

@@ -59,7 +59,6 @@ class Intersection final : public CsgShape {
     // again.
     firsts_survive_ = true_distances_ && (core_ || static_cast<std::size_t>(planes_.size()) + 1 == children_.size());
     find_proxies();
-    tree_ = CsgTree::of(*this, children_, limit_, proxies_);
   }
 
   void intersect_all(const Ray& ray, RayKind kind, HitList& hits) const override {
@@ -76,18 +75,21 @@ class Intersection final : public CsgShape {
   }
 
   bool intersect(const Ray& ray, RayKind kind, double t_min, double t_max, Hit& hit) const override {
-    if (tree_) return tree_->nearest(ray, {kind, t_min, &t_max, guards_.get(), nullptr}, hit);
+    if (const CsgTree* tree = this->tree())
+      return tree->nearest(ray, {kind, t_min, &t_max, guards_.get(), nullptr}, hit);
     Way way;
     return find_way(ray, t_min, t_max, way) && nearest(ray, kind, t_min, t_max, way, hit);
   }
   bool intersect_clipped(const Ray& ray, RayKind kind, double t_min, double t_max, const Clips& clips,
                          Hit& hit) const override {
-    if (tree_) return tree_->nearest(ray, {kind, t_min, &t_max, guards_.get(), &clips}, hit);
+    if (const CsgTree* tree = this->tree())
+      return tree->nearest(ray, {kind, t_min, &t_max, guards_.get(), &clips}, hit);
     Way way;
     return find_way(ray, t_min, t_max, way) && nearest(ray, kind, t_min, t_max, way, hit, &clips);
   }
   bool occludes(const Ray& ray, double t_min, double t_max) const override {
-    if (tree_) return tree_->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr});
+    if (const CsgTree* tree = this->tree())
+      return tree->occluded(ray, {RayKind::shadow, t_min, &t_max, guards_.get(), nullptr});
     Way way;
     return find_way(ray, t_min, t_max, way) && blocks(ray, t_min, t_max, way);
   }
@@ -97,7 +99,8 @@ class Intersection final : public CsgShape {
                             const double* t_max, Hit* hits) const override {
     if (std::popcount(rays.active) < CsgTree::kMin)
       return Shape::intersect_packet(rays, entry, kind, t_min, t_max, hits);
-    if (tree_) return tree_->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
+    if (const CsgTree* tree = this->tree())
+      return tree->nearest(rays, {kind, t_min, t_max, guards_.get(), nullptr}, hits);
     unsigned found = 0;
     each_way(rays, t_min, t_max, [&](int k, const Ray& ray, Way& way) {
       found |= nearest(ray, kind, t_min, t_max[k], way, hits[k]) ? 1u << k : 0;
@@ -107,7 +110,8 @@ class Intersection final : public CsgShape {
   unsigned occludes_packet(const RayPacket& rays, const accel::EntryPoints* entry, double t_min,
                            const double* t_max) const override {
     if (std::popcount(rays.active) < CsgTree::kMin) return Shape::occludes_packet(rays, entry, t_min, t_max);
-    if (tree_) return tree_->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});
+    if (const CsgTree* tree = this->tree())
+      return tree->occluded(rays, {RayKind::shadow, t_min, t_max, guards_.get(), nullptr});
     unsigned found = 0;
     each_way(rays, t_min, t_max,
              [&](int k, const Ray& ray, Way& way) { found |= blocks(ray, t_min, t_max[k], way) ? 1u << k : 0; });
@@ -121,6 +125,11 @@ class Intersection final : public CsgShape {
     std::uint32_t child;
     Box3 box;
   };
+
+  // Of few and mostly simple parts (else null): finds the same in less time.
+  const CsgTree* tree() const {
+    return tree_.get([&] { return CsgTree::of(*this, children_, limit_, proxies_); });
+  }
 
   // Where a ray may meet the surface.
   struct Way {
@@ -337,7 +346,7 @@ class Intersection final : public CsgShape {
       nested_;  // the children that are CSG objects: their first hit is the only one that matters, if it survives
   bool true_distances_ = false, firsts_survive_ = false;
   std::vector<InteriorProxy> proxies_;
-  std::unique_ptr<const CsgTree> tree_;  // of few and mostly simple parts: finds the same in less time
+  TreeOnDemand tree_;
 };
 
 }  // namespace

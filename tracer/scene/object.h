@@ -115,7 +115,8 @@ struct BlobComponent {
 struct Blob {
   double threshold = 1;
   std::vector<BlobComponent> components;
-  TexturePtr first_texture;  // the whole blob's as its statement ended; if it was opaque, so are all copies (spec 06 9.3)
+  // The whole blob's as its statement ended: if it was opaque, so are all copies (spec 06 9.3).
+  TexturePtr first_texture = {};
 };
 enum class SplineKind : std::uint8_t { linear, quadratic, cubic, bezier, b_spline };
 struct Lathe {

@@ -51,10 +51,23 @@ check_linker_flag(CXX "-Wl,-z,pack-relative-relocs" VERISIM_HAS_PACKED_RELOCATIO
 function(verisim_hardened_link name)
   target_link_options(${name} PRIVATE -pie -Wl,-z,relro,-z,now,-z,noexecstack $<$<BOOL:${VERISIM_HAS_PACKED_RELOCATIONS}>:-Wl,-z,pack-relative-relocs>)
 endfunction()
-if(VERISIM_HARDEN)
-  target_compile_options(verisim_flags INTERFACE -fstack-protector-strong -fcf-protection)
-  target_compile_definitions(verisim_flags INTERFACE _FORTIFY_SOURCE=2 _GLIBCXX_ASSERTIONS)
+# What the compiler adds against mistakes: looks at the stack before a function returns, at sizes in calls of the C library, at where jumps
+# land. The sanitizers look at more.
+if(VERISIM_HARDEN AND NOT VERISIM_SANITIZE)
+  include(CheckCXXCompilerFlag)
+  check_cxx_compiler_flag(-fcf-protection VERISIM_HAS_CF_PROTECTION)            # x86
+  check_cxx_compiler_flag(-mbranch-protection=standard VERISIM_HAS_BRANCH_PROTECTION)  # aarch64
+  target_compile_options(verisim_flags INTERFACE -fstack-protector-strong $<$<BOOL:${VERISIM_HAS_CF_PROTECTION}>:-fcf-protection>
+                                                 $<$<BOOL:${VERISIM_HAS_BRANCH_PROTECTION}>:-mbranch-protection=standard>)
+  target_compile_options(verisim_flags INTERFACE $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2>)
 endif()
+
+# Looks at the bounds of containers, too: in all but the tracer, whose inner loops pay too much for it.
+function(verisim_checked_containers target)
+  if(VERISIM_HARDEN)
+    target_compile_definitions(${target} PRIVATE _GLIBCXX_ASSERTIONS)
+  endif()
+endfunction()
 
 # verisim_precompile(TARGET HEADER): the header (named from the root) is compiled once and stands before each source, which saves two thirds of
 # the time of most. In angle brackets CMake writes it as it is, so that a compiler cache serves all trees.

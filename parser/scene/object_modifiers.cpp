@@ -82,6 +82,22 @@ bool has_own_textures(const Object& object) {
   return mesh && !mesh->data->textures.empty();
 }
 
+// From now on shadow rays go by the texture that the blob has.
+void forget_first_texture(Object& object, const scene::Blob& blob) {
+  auto forgetful = std::make_shared<scene::Blob>(blob);
+  forgetful->first_texture = nullptr;
+  object.shape = std::shared_ptr<const scene::Blob>(std::move(forgetful));
+}
+
+bool parse_part_of_texture(Parser& parser, Object& object) {
+  bool replaced = false;
+  if (!parse_texture_part(parser, object.texture, &object.solid_steps, &replaced)) return false;
+  const auto* blob = object.as<std::shared_ptr<const scene::Blob>>();
+  const scene::TexturePtr first = blob ? (*blob)->first_texture : nullptr;
+  if (replaced && first && first->layers.size() == object.texture->layers.size()) forget_first_texture(object, **blob);
+  return true;
+}
+
 // What it is covered with and filled with. False: none of that.
 bool parse_appearance(Parser& parser, Object& object) {
   switch (word_at(parser)) {
@@ -92,7 +108,7 @@ bool parse_appearance(Parser& parser, Object& object) {
     case Word::pigment:
     case Word::normal:
     case Word::finish:
-      return parse_texture_part(parser, object.texture, &object.solid_steps);
+      return parse_part_of_texture(parser, object);
     case Word::interior_texture:
       add_layers(parser, object.interior_texture, parse_interior_texture(parser));
       return true;

@@ -1,9 +1,9 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "tracer/effects/photon_media.h"
-#include "tracer/functions/evaluation_budget.h"
 #include "tracer/photons/photon_shooting.h"
 #include "tracer/base/parallel.h"
+#include "tracer/render/evaluation_watch.h"
 #include "tracer/render/prepasses.h"
 
 namespace verisim::render {
@@ -74,11 +74,12 @@ class Shooter {
     results_.resize(std::max(results_.size(), ring.size()));
     std::atomic<bool> hit{false};
     const auto trace = [&](std::size_t i) {
-      const functions::EvaluationBudget::EndsAt end(options_.cancel);
+      const EvaluationWatch watch(options_.cancel);
       results_[i].clear();
       Gun& gun = guns_.local();
       if (!options_.replay) gun.tracer.random().begin_sample(static_cast<double>(shot_count_ + i), 0.5, 0);
       if (trace_one(gun, ring[i], shot, light, results_[i])) hit.store(true, std::memory_order_relaxed);
+      watch.check();
     };
     if (options_.replay || threads_ == 1 || ring.size() < kSmallRing) {
       for (std::size_t i = 0; i < ring.size(); ++i) trace(i);

@@ -3,11 +3,11 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "tracer/effects/effects_state.h"
-#include "tracer/functions/evaluation_budget.h"
 #include "tracer/radiosity/irradiance_file.h"
 #include "tracer/radiosity/pretrace.h"
 #include "tracer/base/parallel.h"
 #include "tracer/render/blocks.h"
+#include "tracer/render/evaluation_watch.h"
 #include "tracer/render/prepasses.h"
 
 namespace verisim::render {
@@ -36,10 +36,11 @@ struct Worker {
 
   void trace_tile(const PretracePlan& plan, int pass, int adaptive, const RadiosityTask& task, PretraceTile& tile,
                   const std::atomic<bool>* cancel) {
-    const functions::EvaluationBudget::EndsAt end(cancel);
+    const EvaluationWatch watch(cancel);
     tile.run(
         plan, pass, adaptive, [this](double x, double y) { sampler(x, y); },
         [&task] { return task.primary_queries(); });
+    watch.check();
   }
 };
 

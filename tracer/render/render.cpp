@@ -15,10 +15,10 @@
 #include "tracer/base/keep_until_exit.h"
 #include "tracer/base/lent_arena.h"
 #include "tracer/base/parallel.h"
-#include "tracer/functions/evaluation_budget.h"
 #include "tracer/render/sampling/adaptive_sampling.h"
 #include "tracer/render/sampling/antialias.h"
 #include "tracer/render/blocks.h"
+#include "tracer/render/evaluation_watch.h"
 #include "tracer/render/layers.h"
 #include "tracer/render/path_pixels.h"
 #include "tracer/render/sampling/pixel_sampler.h"
@@ -28,7 +28,6 @@
 #include "tracer/render/prepass_data.h"
 #include "tracer/render/prepasses.h"
 #include "tracer/render/requirements.h"
-#include "tracer/textures/evaluation/missing_surface.h"
 
 namespace verisim::render {
 namespace {
@@ -176,16 +175,6 @@ struct InWork {
   ~InWork() { queue.leave_block(); }
 };
 
-// Functions have no place: which one it was is not known.
-void check_functions(const Queue& queue) {
-  if (textures::MissingSurface::take())
-    throw std::runtime_error("uv_mapping was asked for where there is no surface: in a sky_sphere, media or a function");
-  if (!functions::EvaluationBudget::take_overrun()) return;
-  if (queue.cancelled()) throw shading::Cancelled();
-  throw LimitExceeded("A function of the scene needs more than " + std::to_string(functions::kMaxPasses) +
-                      " passes of sum and prod and calls of functions for one value: more than a picture has time for");
-}
-
 // One thread's work: blocks until there are none left.
 void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& effects, const CameraModel& camera,
           const Options& options, const path::PathScene* paths, std::span<const shading::LastBlockers> blockers) {
@@ -204,8 +193,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
                      options.width, options.height, sampler);
   if (method == 1) grid.emplace(settings, sampler);
   if (method == 2) quads.emplace(settings, sampler);
-  functions::EvaluationBudget::take_overrun(), textures::MissingSurface::take();  // of what this thread did before
-  const functions::EvaluationBudget::EndsAt end(options.cancel);
+  const EvaluationWatch watch(options.cancel);
   try {
     while (const Block* block = queue.next()) {
       const InWork hold{queue};
@@ -225,7 +213,7 @@ void work(Queue& queue, const shading::SceneData& scene, global::SceneEffects& e
         render_plain(*block, sampler, pixels);
       }
       end_block(effects, tracer, options, index);
-      check_functions(queue);
+      watch.check();
       queue.add_statistics(std::exchange(tracer.statistics(), {}));
       queue.finished(*block);
     }

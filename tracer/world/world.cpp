@@ -95,7 +95,7 @@ bool flagged_opaque(const scene::Object& object, textures::Compiler& compiler) {
   return object.texture && flagged_opaque(object.texture, compiler) &&
          (!object.interior_texture || flagged_opaque(object.interior_texture, compiler));
 }
-// Blobs keep the flag that they had when their statement ended, whatever textures a copy was given since.
+// What a blob's pigments were when its statement ended decides, whatever `pigment` made of them in a copy since.
 bool was_flagged_opaque(const scene::Object& object, textures::Compiler& compiler) {
   const auto* blob = object.as<std::shared_ptr<const scene::Blob>>();
   return blob && (*blob)->first_texture && flagged_opaque((*blob)->first_texture, compiler) &&
@@ -135,8 +135,8 @@ void World::Impl::add_surfaces(Shape& shape, int frame_object, const Shape* cuta
   }
   const auto map = [](const textures::CompiledTexture* texture) { return texture && texture->patterned(); };
   const bool kept = was_flagged_opaque(o, compiler);
-  const bool flagged = kept || (s.opaque && !map(s.texture) && !map(s.interior_texture) &&
-                                !std::ranges::any_of(s.extra_textures, map));
+  const bool flagged =
+      kept || (s.opaque && !map(s.texture) && !map(s.interior_texture) && !std::ranges::any_of(s.extra_textures, map));
   s.opaque = s.opaque || kept;
   const bool remembered = cutaway ? flagged_opaque(*cutaway->object, compiler) : flagged;
   s.remembered = !remembered ? nullptr : cutaway ? cutaway : &shape;

@@ -5,7 +5,9 @@
 
 #include "parser/scene/common/common.h"
 #include "parser/scene/textures/pattern.h"
+#include "tracer/functions/evaluation_budget.h"
 #include "tracer/image/image.h"
+#include "tracer/textures/evaluation/missing_surface.h"
 
 namespace verisim::parser {
 
@@ -113,6 +115,14 @@ const Image::CodeTable& fractions_of_words() {
   return table;
 }
 
+// What the evaluation of pixels noted: it throws nothing.
+void check_pixels(Parser& parser) {
+  if (functions::EvaluationBudget::take_overrun())
+    parser.error(Code::size_limit, "The function of an image needs too many passes of loops and calls for one pixel.");
+  if (textures::MissingSurface::take())
+    parser.error(Code::incompatible, "The function of an image asks for uv_mapping, but there is no surface.");
+}
+
 // `function W, H { ... }`: a float function gives 16-bit grey that wraps around, a pigment function colours.
 ImagePtr function_image(Parser& parser) {
   parser.next();
@@ -142,6 +152,7 @@ ImagePtr function_image(Parser& parser) {
     if (!(std::fabs(scaled) < 9e15)) return std::uint16_t{0};
     return static_cast<std::uint16_t>(static_cast<std::int64_t>(scaled));
   };
+  functions::EvaluationBudget::take_overrun(), textures::MissingSurface::take();  // of what was parsed before
   auto* sample = image->samples.as<std::uint16_t>();
   for (int row = 0; row < image->height; ++row) {
     if (parser.options().cancelled && parser.options().cancelled()) parser.error(Code::time_limit, "Cancelled.");
@@ -153,6 +164,7 @@ ImagePtr function_image(Parser& parser) {
       if (!colors) continue;
       for (const int component : {1, 2, 4}) *sample++ = sixteen(value[component]);
     }
+    check_pixels(parser);
   }
   return image;
 }

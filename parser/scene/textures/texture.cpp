@@ -29,11 +29,20 @@ void transform_plain(Texture& texture, const Transform& t) {
   }
 }
 
-bool parse_part(Parser& parser, scene::TextureLayer& layer) {
+bool at_pigment_identifier(Parser& parser) {
+  const Value* value = parser.peek_value();
+  return value && std::holds_alternative<scene::PigmentPtr>(*value);
+}
+
+bool parse_part(Parser& parser, scene::TextureLayer& layer, bool* replaced = nullptr) {
   switch (word_at(parser)) {
-    case Word::pigment:
-      layer.pigment = parse_pigment(parser, layer.pigment);
+    case Word::pigment: {
+      Block block(parser);
+      if (replaced) *replaced = at_pigment_identifier(parser);
+      layer.pigment = parse_pigment_body(parser, layer.pigment);
+      block.close();
       return true;
+    }
     case Word::normal:
       layer.normal = parse_normal(parser, layer.normal);
       return true;
@@ -197,7 +206,7 @@ void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::Texture
   texture = result;
 }
 
-bool parse_texture_part(Parser& parser, scene::TexturePtr& texture, scene::Rare<Transform>* steps) {
+bool parse_texture_part(Parser& parser, scene::TexturePtr& texture, scene::Rare<Transform>* steps, bool* replaced) {
   const Word word = word_at(parser);
   if (word != Word::pigment && word != Word::normal && word != Word::finish) return false;
   const scene::TexturePtr start = texture ? texture : parser.default_texture();
@@ -208,7 +217,7 @@ bool parse_texture_part(Parser& parser, scene::TexturePtr& texture, scene::Rare<
     pigment = scene::moved(pigment, *steps);
     *steps = {};
   }
-  parse_part(parser, result->layers.back());
+  parse_part(parser, result->layers.back(), replaced);
   texture = result;
   return true;
 }

@@ -10,7 +10,8 @@ void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::Texture
 // `pigment`, `normal` or `finish` at the cursor: changes the top layer of `texture` (null: a copy of the default
 // texture). False: none of them. `moves`: what has moved that layer while its pigment was a solid colour; a new pigment
 // goes on from there.
-bool parse_texture_part(Parser& parser, scene::TexturePtr& texture, scene::Rare<Transform>* steps = nullptr);
+bool parse_texture_part(Parser& parser, scene::TexturePtr& texture, scene::Rare<Transform>* steps = nullptr,
+                        bool* replaced = nullptr);
 // interior_texture { ... }
 scene::TexturePtr parse_interior_texture(Parser& parser);
 

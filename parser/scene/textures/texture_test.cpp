@@ -103,6 +103,17 @@ TEST(Pigments, FunctionImagesWrapAround) {
   EXPECT_EQ(params.interpolate, 2);
 }
 
+TEST(Pigments, FunctionImagesAskForNoSurface) {
+  const std::string checks = "pigment{uv_mapping checker rgb x rgb y}";
+  EXPECT_NE(first_error("sphere{0,1 pigment{image_map{function 3,2{" + checks + "}}}}").find("no surface"),
+            std::string::npos);
+  EXPECT_NE(
+      first_error("#declare F=function{" + checks + "} height_field{function 3,2{F(x,y,z).red}}").find("no surface"),
+      std::string::npos);
+  EXPECT_NE(first_error("#declare F=function{" + checks + "} #declare V=F(1,2,3).red;").find("no surface"),
+            std::string::npos);
+}
+
 TEST(Pigments, QuickColorAndMessages) {
   EXPECT_EQ(*pigment_of("bozo quick_color rgb x")->quick_color, Rgb(1, 0, 0));
   EXPECT_NE(parse("sphere{0,1 pigment{}}").messages.find("Pigment type unspecified"), std::string::npos);

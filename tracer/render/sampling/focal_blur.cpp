@@ -177,7 +177,8 @@ std::optional<PrimaryRay> FocalBlur::ray(const CameraRays& camera, double x, dou
   const Vec2 f = jitter2(x + d.x + 0.5, y + d.y - 0.5);
   const Vec2 lens = (positions_[n] + f * (2 * lens_jitter_)) * (aperture_ / 2);
   const Vec3 q = lens.x * lens_x_ - lens.y * lens_y_;
-  primary->ray = {location_ + q, normalize(primary->ray.direction * focal_scale_ - q)};
+  // Twice, as POV-Ray does: walls of prisms in other surfaces show the last bit (spec 08 B).
+  primary->ray = {location_ + q, normalize(normalize(primary->ray.direction * focal_scale_ - q))};
   return primary;
 }
 

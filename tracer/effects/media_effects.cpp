@@ -2,13 +2,12 @@
 #include <boost/container/small_vector.hpp>
 
 #include "tracer/effects/effects_state.h"
+#include "tracer/math/constants.h"
 #include "tracer/media/media_batch.h"
 
 namespace verisim::global {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 class TracerEnvironment : public MediaEnvironment {
  public:

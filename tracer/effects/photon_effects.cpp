@@ -1,13 +1,12 @@
 // Photon maps in the recursive trace: the light of stored photons, and the direct light they replace (spec 07
 // sections 3.10 and 3.11).
 #include "tracer/effects/effects_state.h"
+#include "tracer/math/constants.h"
 #include "tracer/photons/photon_batch.h"
 #include "tracer/shading/finish.h"
 
 namespace verisim::global {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Whether light of any direction can change what this layer shows. Panes of glass rarely do, and photons gather between
 // them.

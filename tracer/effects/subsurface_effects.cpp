@@ -2,11 +2,12 @@
 #include <algorithm>
 
 #include "tracer/effects/effects_state.h"
+#include "tracer/math/constants.h"
+#include "tracer/shading/finish.h"
 
 namespace verisim::global {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr std::uint32_t kCycle = 32767;  // of both sequences
 
 // Directions uniform on the sphere, Halton bases 2 and 3 (spec 07 5.2).
@@ -83,12 +84,10 @@ class TracerEnvironment : public SubsurfaceEnvironment {
   Rgb transmitted(const Ray& inner, const SurfaceHit& exit, double share) override {
     // Out through the far side: a refracted child that has left the interior.
     const shading::Tracer::InteriorScope scope(tracer_);
-    const double k = std::fabs(dot(inner.direction, exit.normal)), ratio = at_.surface.interior->ior;
-    const Vec3 n = dot(inner.direction, exit.normal) <= 0 ? exit.normal : -exit.normal;
-    const double q = 1 + ratio * ratio * (k * k - 1);
-    if (q < 0) return {};
+    const auto outside = shading::refracted_direction(inner.direction, exit.normal, at_.surface.interior->ior);
+    if (!outside) return {};
     shading::RayState child = ray_;
-    child.ray = {exit.point, inner.direction * ratio + n * (ratio * k - std::sqrt(q))};
+    child.ray = {exit.point, *outside};
     child.primary = false;
     child.refracted = true;
     child.continuation = false;

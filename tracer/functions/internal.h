@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "tracer/math/constants.h"
+
 namespace verisim::functions {
 
 // One call: the point and the parameters behind it (P0, P1, ...).
@@ -29,7 +31,6 @@ inline Entry entry_of(int number, std::span<const NumberedEntry> table) {
   return {nullptr, 0};
 }
 
-constexpr double kPi = 3.14159265358979323846;
 inline double sq(double v) { return v * v; }
 inline double cube(double v) { return v * v * v; }
 inline double hyp(double a, double b) { return std::sqrt(a * a + b * b); }

@@ -1,9 +1,9 @@
 #include "tracer/lights/light.h"
 
+#include "tracer/math/constants.h"
+
 namespace verisim::shading {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // 0 below low, 1 above high, a cubic between.
 double smooth_step(double low, double high, double x) {

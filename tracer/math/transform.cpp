@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
+#include "tracer/math/constants.h"
+
 namespace verisim {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 Mat4 transposed(const Mat4& a) { return a.transposed(); }
 

@@ -1,13 +1,13 @@
 // Where a ray runs inside a light's cone or cylinder (spec 07 4.5).
 #include <algorithm>
 
+#include "tracer/math/constants.h"
 #include "tracer/media/media.h"
 
 namespace verisim::global {
 namespace {
 
 constexpr double kFar = 1e7;
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 // Roots t1 <= t2 of a t^2 + 2 b t + c = 0 by POV-Ray's thresholds; the number of roots.
 int roots(double a, double b, double c, double& t1, double& t2) {

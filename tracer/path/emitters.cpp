@@ -4,10 +4,10 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "tracer/math/constants.h"
+
 namespace verisim::path {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 void count_objects(const scene::Object& object, std::unordered_map<const scene::Object*, int>& times) {
   ++times[&object];

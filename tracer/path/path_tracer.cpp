@@ -2,13 +2,13 @@
 #include "tracer/path/path_tracer.h"
 
 #include "tracer/film/errors.h"
+#include "tracer/math/constants.h"
 #include "tracer/path/volume.h"
 #include "tracer/shading/atmosphere/fog.h"
 
 namespace verisim::path {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMissDistance = 2e10;
 constexpr double kLongestMedium = 1e7;  // atmosphere of a ray that hits nothing
 constexpr int kRouletteStart = 3;

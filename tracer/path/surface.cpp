@@ -1,5 +1,6 @@
 // Surfaces on a path: what a POV-Ray finish means as a scattering function (docs/path-tracing.md), light sources, and
 // how the path goes on.
+#include "tracer/math/constants.h"
 #include "tracer/path/path_tracer.h"
 #include "tracer/path/volume.h"
 #include "tracer/shading/dispersion.h"
@@ -7,8 +8,6 @@
 
 namespace verisim::path {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // Cosine-power lobe about an axis: density (e + 1) / 2 pi cos^e.
 Vec3 power_lobe(const Vec3& axis, double exponent, const Vec2& u) {
@@ -341,14 +340,12 @@ bool PathTracer::pass_through(Walk& walk, shading::SurfaceHit& at, const Layer& 
       walk.ray.wavelength = static_cast<float>(shading::spectral_wavelength(i, refraction.samples));
     }
     if (dispersive) ratio = shading::ratio_at(refraction.ratio, refraction.dispersion, walk.ray.wavelength);
-    const Vec3 d = walk.ray.ray.direction;
-    const double signed_cosine = dot(d, top.normal), k = std::fabs(signed_cosine), q = 1 + ratio * ratio * (k * k - 1);
-    if (q < 0) {  // total reflection stays inside
+    const auto refracted = shading::refracted_direction(walk.ray.ray.direction, top.normal, ratio);
+    if (!refracted) {  // total reflection stays inside
       mirror(walk, at, top);
       return true;
     }
-    const Vec3 n = signed_cosine <= 0 ? top.normal : -top.normal;
-    walk.ray.ray = {at.hit.point, normalize(d * ratio + n * (ratio * k - std::sqrt(q)))};
+    walk.ray.ray = {at.hit.point, normalize(*refracted)};
     walk.origin = {};
     ++tracer_.statistics().refracted_rays;
   }

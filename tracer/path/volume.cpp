@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/math/constants.h"
+
 namespace verisim::path {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kMaxSteps = 1 << 20;  // a path through 1e6 mean free paths carries nothing
 
 struct Coefficients {

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/math/constants.h"
+
 namespace verisim::global {
-namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-
-}  // namespace
-
 std::array<std::uint8_t, 4> Photon::encode(const Rgb& energy) {
   const float v = energy.max();
   if (!(v >= 1e-32f)) return {0, 0, 0, 0};

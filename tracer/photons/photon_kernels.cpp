@@ -26,7 +26,6 @@ namespace HWY_NAMESPACE {
 using namespace simd::HWY_NAMESPACE;
 
 constexpr float kInfiniteFloat = std::numeric_limits<float>::infinity();
-constexpr auto kAnyNumber = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kAtOnce = PhotonLeaf::kAtOnce, kEight = kLanes;
 // Times the wanted number of photons is when the nearest are picked out, and the search narrowed.
 constexpr std::size_t kCrowd = 3;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "tracer/photons/photon_distances.h"
 
@@ -26,6 +27,8 @@ struct alignas(64) PhotonLeaf {
 struct alignas(64) PhotonBoxes {
   std::array<float, PhotonLeaf::kAtOnce> low[3], high[3];
 };
+
+inline constexpr auto kAnyNumber = std::numeric_limits<std::size_t>::max();
 
 struct PhotonQuery {
   const PhotonMeasure& measure;

@@ -17,7 +17,6 @@ namespace verisim::global {
 namespace {
 
 constexpr std::size_t kAtOnce = PhotonLeaf::kAtOnce;
-constexpr auto kAny = std::numeric_limits<std::size_t>::max();
 
 class PhotonKernelsTest : public testing::Test {
  protected:
@@ -83,7 +82,7 @@ TEST_F(PhotonKernelsTest, CollectFindsAllWithinALimitInTheOrderOfTheMap) {
         const PhotonCenter center{random_vector(), run % 2 == 0 ? Vec3(0.0) : normalize(random_vector())};
         double limit = 0.5 * (1.01 + random());
         const double asked = limit;
-        ASSERT_EQ(kernels.collect(tree, {{photons.data(), center}, kAny, kAny, nullptr, 0.0}, limit, found),
+        ASSERT_EQ(kernels.collect(tree, {{photons.data(), center}, kAnyNumber, kAnyNumber, nullptr, 0.0}, limit, found),
                   Collected::all);
         EXPECT_EQ(limit, asked);
         std::vector<std::uint32_t> expected;
@@ -107,10 +106,10 @@ TEST_F(PhotonKernelsTest, CollectNarrowsACrowdToItsNearest) {
     for (int run = 0; run < 30; ++run) {
       const PhotonCenter center{random_vector(), Vec3(0.0)};
       double limit = 1.0, any = 1.0;
-      ASSERT_EQ(kernels.collect(tree, {{photons.data(), center}, 40, kAny, nullptr, 0.0}, limit, found),
+      ASSERT_EQ(kernels.collect(tree, {{photons.data(), center}, 40, kAnyNumber, nullptr, 0.0}, limit, found),
                 Collected::nearest);
       EXPECT_LT(limit, 1.0);
-      kernels.collect(tree, {{photons.data(), center}, kAny, kAny, nullptr, 0.0}, any, all);
+      kernels.collect(tree, {{photons.data(), center}, kAnyNumber, kAnyNumber, nullptr, 0.0}, any, all);
       kernels.keep_within(all, {photons.data(), center}, limit, all);
       EXPECT_TRUE(std::ranges::includes(found.index(), all.index()));
       EXPECT_GE(found.size(), 40u);
@@ -198,7 +197,7 @@ TEST_F(PhotonKernelsTest, HugeDistancesAreCompared) {
   for_each_instruction_set([&](const PhotonKernels& kernels) {
     PhotonDistances found, kept;
     double limit = 1e60;
-    ASSERT_EQ(kernels.collect(tree, {measure, kAny, kAny, nullptr, 0.0}, limit, found), Collected::all);
+    ASSERT_EQ(kernels.collect(tree, {measure, kAnyNumber, kAnyNumber, nullptr, 0.0}, limit, found), Collected::all);
     ASSERT_EQ(found.size(), photons.size());
     kernels.keep_nearest(found, measure, 20, limit, kept);
     EXPECT_EQ(limit, expected[19].first);

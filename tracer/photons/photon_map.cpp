@@ -9,12 +9,10 @@
 #include <stdexcept>
 
 #include "tracer/base/output_file.h"
+#include "tracer/math/constants.h"
 
 namespace verisim::global {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr auto kAny = std::numeric_limits<std::size_t>::max();  // too many for every search
 
 Vec3 position(const Photon& p) { return {p.position[0], p.position[1], p.position[2]}; }
 
@@ -35,8 +33,8 @@ void PhotonMap::gather(const Vec3& point, const Vec3* normal, const GatherSettin
 void PhotonMap::find(const PhotonCenter& center, const GatherSettings& settings, Gathered& out) const {
   const Vec3& point = center.point;
   const NearbyRadii::Places nearby = out.nearby.at(point, radius_);
-  out.radius = out.search.nearest(index_, center, radius_, settings.maximum, kAny, nearby.nearest(point).enough(point),
-                                  out.numbers);
+  out.radius = out.search.nearest(index_, center, radius_, settings.maximum, kAnyNumber,
+                                  nearby.nearest(point).enough(point), out.numbers);
   nearby.remember({point, out.radius});
   if (static_cast<int>(out.numbers.size()) >= settings.minimum) return;
   // The second try counts if it finds few, or photons that lie hardly denser. So many that they are neither make it
@@ -46,7 +44,7 @@ void PhotonMap::find(const PhotonCenter& center, const GatherSettings& settings,
       out.numbers.empty() ? 1e-16 : static_cast<double>(out.numbers.size()) / (out.radius * out.radius);
   const double vain = std::max(settings.expand_minimum + 1.0,
                                first * (1.0 + settings.expand_increase) * reach * reach * (1.0 + 1e-9) + 1.0);
-  const std::size_t too_many = vain < settings.maximum ? static_cast<std::size_t>(std::ceil(vain)) : kAny;
+  const std::size_t too_many = vain < settings.maximum ? static_cast<std::size_t>(std::ceil(vain)) : kAnyNumber;
   const double guess = std::sqrt(1.2 * std::min(vain, static_cast<double>(settings.maximum)) / first);
   const double wider = out.search.nearest(index_, center, reach, settings.maximum, too_many, guess, out.wider_numbers);
   if (wider == 0.0) return;
@@ -81,7 +79,7 @@ void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max
   double enough = 0.0, density = 0.0;
   for (std::size_t i = 0; i < tries; ++i) {
     const Photon& p = photons()[random() % size()];
-    enough = search.nearest(index_, {position(p), Vec3(0.0)}, 1e7, gather_max, kAny,
+    enough = search.nearest(index_, {position(p), Vec3(0.0)}, 1e7, gather_max, kAnyNumber,
                             enough > 0.0 ? 1.06 * enough : typical, found);
     density += static_cast<double>(found.size()) / volume(enough);
   }
@@ -91,7 +89,7 @@ void PhotonMap::set_gather_radius(double user, double multiplier, int gather_max
   std::size_t sparse = 0;
   for (std::size_t i = 0; i < tries; ++i) {
     const Photon& p = photons()[random() % size()];
-    enough = search.nearest(index_, {position(p), Vec3(0.0)}, ideal, gather_max, kAny, 1.06 * enough, found);
+    enough = search.nearest(index_, {position(p), Vec3(0.0)}, ideal, gather_max, kAnyNumber, 1.06 * enough, found);
     const double d = static_cast<double>(found.size()) / volume(enough);
     if (d > 0.05 * density && d < 0.70 * density) ++sparse;
   }

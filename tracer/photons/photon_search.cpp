@@ -6,11 +6,7 @@
 #include <limits>
 
 namespace verisim::global {
-namespace {
-
-constexpr auto kAny = std::numeric_limits<std::size_t>::max();
-
-}  // namespace
+namespace {}  // namespace
 
 double PhotonSearch::nearest(const PhotonIndex& index, const PhotonCenter& center, double radius, int maximum,
                              std::size_t too_many, double guess, std::vector<std::uint32_t>& out) {
@@ -144,7 +140,7 @@ PhotonSearch::Verdict PhotonSearch::judge_by_found(const Doubt& doubt) {
 
 // Makes `found_` hold all photons up to a squared distance.
 void PhotonSearch::look_around(double squared) {
-  collect(std::sqrt(squared) * (1.0 + 1e-9), kAny, kAny);
+  collect(std::sqrt(squared) * (1.0 + 1e-9), kAnyNumber, kAnyNumber);
   for (const std::uint32_t photon : overlooked_) forget(photon);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/math/constants.h"
 #include "tracer/world/frame_list.h"
 #include "tracer/film/errors.h"
 #include "tracer/shading/random.h"
@@ -10,7 +11,6 @@
 namespace verisim::global {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMaxPerRing = 1e9;
 constexpr std::size_t kMaxBatch = std::size_t{1} << 16;  // starts in memory at a time
 

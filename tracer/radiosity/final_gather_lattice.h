@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "tracer/math/constants.h"
 #include "tracer/math/vec.h"
 
 namespace verisim::global {
@@ -81,7 +82,7 @@ class FinalGatherLattice {
   static double apart(double a, double b) { return std::fabs(a - b - std::round(a - b)); }
 
   static Vec2 turn(double whole) {
-    const double angle = 2.0 * 3.14159265358979323846 * whole;
+    const double angle = 2.0 * kPi * whole;
     return {std::cos(angle), std::sin(angle)};
   }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracer/math/constants.h"
+
 namespace verisim::global {
 namespace {
 
@@ -97,8 +99,7 @@ RadiositySettings::RadiositySettings(const scene::Radiosity& description, const 
   const int size = std::max({count, description.count_directions, 1});
   pool_.reserve(size);
   for (int k = 1; k <= size; ++k) {
-    const double u = radical_inverse(k, 2), phi = 2.0 * 3.14159265358979323846 * radical_inverse(k, 3),
-                 r = std::sqrt(u);
+    const double u = radical_inverse(k, 2), phi = 2.0 * kPi * radical_inverse(k, 3), r = std::sqrt(u);
     pool_.emplace_back(r * std::cos(phi), std::sqrt(1.0 - u), r * std::sin(phi));
   }
   for (int d = 0; d < kMaxRadiosityDepth; ++d) {

@@ -1,9 +1,9 @@
 #include "tracer/shading/finish.h"
 
+#include "tracer/math/constants.h"
+
 namespace verisim::shading {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 double acos_clamped(double c) { return std::acos(std::clamp(c, -1.0, 1.0)); }
 
@@ -14,6 +14,14 @@ Vec3 reflected_direction(const Vec3& d, const Vec3& normal, const Vec3& raw) {
   const double below = dot(r, raw);
   if (below < 0) r = dot(r, normal) < 0 ? mirrored(d, raw) : r - raw * (2 * below);
   return normalize(r);
+}
+
+std::optional<Vec3> refracted_direction(const Vec3& d, const Vec3& normal, double ratio) {
+  const double signed_cosine = dot(d, normal), k = std::fabs(signed_cosine);
+  const Vec3 n = signed_cosine <= 0 ? normal : -normal;
+  const double q = 1 + ratio * ratio * (k * k - 1);
+  if (q < 0) return std::nullopt;
+  return d * ratio + n * (ratio * k - std::sqrt(q));
 }
 
 double metallic_fresnel(double cosine) {

@@ -2,6 +2,8 @@
 // with those of highlights.h.
 #pragma once
 
+#include <optional>
+
 #include "tracer/math/vec.h"
 #include "tracer/scene/texture.h"
 #include "tracer/shading/highlights.h"
@@ -11,6 +13,9 @@ namespace verisim::shading {
 // The mirror direction about the layer's normal, corrected where it would point below the raw surface; unit (spec
 // 06 5.3).
 Vec3 reflected_direction(const Vec3& d, const Vec3& normal, const Vec3& raw);
+// By Snell's law, `ratio` that of the refractive indices before and behind the surface; as long as `d`, which is a unit
+// vector, but for rounding. None: all light is reflected.
+std::optional<Vec3> refracted_direction(const Vec3& d, const Vec3& normal, double ratio);
 
 // POV-Ray's approximation of Fresnel's term for metals, as a function of the angle's cosine (spec 06 4.2.5).
 double metallic_fresnel(double cosine);

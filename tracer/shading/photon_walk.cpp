@@ -190,16 +190,12 @@ bool PhotonWalk::refract(const Packet& packet, SurfaceHit& at, const Vec3& norma
 
 bool PhotonWalk::bend(const Packet& packet, SurfaceHit& at, const Vec3& normal, const Passage& through,
                       const Tracer::Refraction& refraction, double ratio, float wavelength) {
-  const Vec3& d = packet.ray.ray.direction;
-  const double signed_cosine = dot(d, normal), k = std::fabs(signed_cosine);
-  const Vec3 n = signed_cosine <= 0 ? normal : -normal;
-  const double q = 1 + ratio * ratio * (k * k - 1);
-  if (q < 0) {  // total reflection: the surface filters the weight, but not the light
+  const auto direction = refracted_direction(packet.ray.ray.direction, normal, ratio);
+  if (!direction) {  // total reflection: the surface filters the weight, but not the light
     reflect(packet, at, normal, through.fade * through.share, through.weight);
     return true;
   }
-  Packet child =
-      child_of(packet, at, d * ratio + n * (ratio * k - std::sqrt(q)), through.filter * through.fade, through.weight);
+  Packet child = child_of(packet, at, *direction, through.filter * through.fade, through.weight);
   child.ray.interiors = refraction.interiors;
   child.ray.hollow = refraction.hollow;
   child.ray.refracted = true;

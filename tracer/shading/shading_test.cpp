@@ -1,6 +1,7 @@
 // The formulas of shading against the numbers of spec 06.
 #include <gtest/gtest.h>
 
+#include "tracer/math/constants.h"
 #include "tracer/shading/dispersion.h"
 #include "tracer/shading/finish.h"
 #include "tracer/shading/atmosphere/fog.h"
@@ -10,8 +11,6 @@
 
 namespace verisim::shading {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(AreaLight, WeightsOfRecursiveHalving) {
   const std::pair<int, std::vector<float>> expected[] = {

@@ -205,7 +205,6 @@ class Tracer {
   Refraction cross_surface(const RayState& ray, const scene::Interior& x);
   Color attenuated(const Color& seen, const InteriorRange& interiors, const SurfaceHit& at,
                    bool total_reflection) const;
-  static std::optional<Vec3> refracted_direction(const Vec3& d, const Vec3& normal, double ratio);
   Color refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction,
                       double ratio, float wavelength, float weight, bool& total_reflection);
   Color split_spectrum(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction,

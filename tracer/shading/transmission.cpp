@@ -75,15 +75,6 @@ Tracer::Refraction Tracer::cross_surface(const RayState& ray, const scene::Inter
   return r;
 }
 
-// By Snell's law; none: all light is reflected.
-std::optional<Vec3> Tracer::refracted_direction(const Vec3& d, const Vec3& normal, double ratio) {
-  const double signed_cosine = dot(d, normal), k = std::fabs(signed_cosine);
-  const Vec3 n = signed_cosine <= 0 ? normal : -normal;
-  const double q = 1 + ratio * ratio * (k * k - 1);
-  if (q < 0) return std::nullopt;
-  return d * ratio + n * (ratio * k - std::sqrt(q));
-}
-
 Color Tracer::refracted_ray(const RayState& ray, SurfaceHit& at, const ShadedLayer& top, const Refraction& refraction,
                             double ratio, float wavelength, float weight, bool& total_reflection) {
   const auto direction = refracted_direction(ray.ray.direction, top.normal, ratio);

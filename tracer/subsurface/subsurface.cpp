@@ -9,10 +9,11 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include "tracer/math/constants.h"
+
 namespace verisim::global {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 using Channels = std::array<double, 3>;
 
 Channels channels(const Rgb& c) { return {c.r, c.g, c.b}; }

@@ -1,9 +1,9 @@
 #include "tracer/render/cameras/camera_rays.h"
 
+#include "tracer/math/constants.h"
+
 namespace verisim::render {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // v about the unit axis k (spec 02 section 1.5, spherical).
 Vec3 rotate_about(const Vec3& v, const Vec3& k, double angle) {

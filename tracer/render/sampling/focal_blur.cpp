@@ -5,12 +5,11 @@
 #include <span>
 
 #include "tracer/math/chi_square.h"
+#include "tracer/math/constants.h"
 #include "tracer/render/sampling/jitter.h"
 
 namespace verisim::render {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // A hexagonal base set: integer multiples of two steps, decimals rounded to six digits; the order matters.
 struct BaseSet {

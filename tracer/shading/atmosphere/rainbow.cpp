@@ -1,9 +1,10 @@
 #include "tracer/shading/atmosphere/rainbow.h"
 
+#include "tracer/math/constants.h"
+
 namespace verisim::shading {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kDegree = kPi / 180;
 
 }  // namespace

@@ -60,7 +60,7 @@ void Wavefront::aim_behind(Branch& branch) {
     branch.direction = d;
     return;
   }
-  if (const auto refracted = Tracer::refracted_direction(d, normal, c.refraction.ratio)) {
+  if (const auto refracted = refracted_direction(d, normal, c.refraction.ratio)) {
     branch.group = c.group;
     branch.direction = *refracted;
   } else {

@@ -1,5 +1,5 @@
-// Eight rays against one simple shape. Compiled for several instruction sets; every lane does the operations of the
-// shape's own `intersections` in the same order, and finds what NearestHit would keep.
+// Eight rays against one simple shape. Compiled for several instruction sets, by the formulas of the shape's own
+// `intersections`; every lane finds what NearestHit would keep.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ struct alignas(64) LocalPacket {
 
 // Quartics along rays in a torus's own space, and where they count from.
 struct alignas(64) TorusPacket {
-  std::int64_t met[RayPacket::kCount];  // 0: the ray does not come near
-  double c[4][RayPacket::kCount];       // after the leading 1
+  unsigned met;                    // lanes that come near; of others the rest means nothing
+  double c[4][RayPacket::kCount];  // after the leading 1
   double advance[RayPacket::kCount], scale[RayPacket::kCount];
 };
 

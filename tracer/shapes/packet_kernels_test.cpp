@@ -201,15 +201,14 @@ TEST_P(PacketKernel, GivesTheSameBitsAsEveryOther) {
     TorusPacket a, b;
     kernels->torus(0.8, 0.3, matrix, packet, a);
     plain.torus(0.8, 0.3, matrix, packet, b);
-    for (int k = 0; k < kLanes; ++k) {
-      ASSERT_EQ(a.met[k], b.met[k]);
-      if (a.met[k] == 0) continue;
+    ASSERT_EQ(a.met, b.met);
+    each_lane(a.met, [&](int k) {
       ++met;
       ASSERT_TRUE(same(a.advance[k], b.advance[k]) && same(a.scale[k], b.scale[k]));
       for (const auto& [x, y] :
            {std::pair{a.c[0][k], b.c[0][k]}, {a.c[1][k], b.c[1][k]}, {a.c[2][k], b.c[2][k]}, {a.c[3][k], b.c[3][k]}})
         ASSERT_TRUE(same(x, y));
-    }
+    });
   }
   EXPECT_GT(met, 10000);
 }

@@ -95,6 +95,7 @@ struct BasicMask {
     VERISIM_EACH_VECTOR r.v[i] = hn::Not(a.v[i]);
     return r;
   }
+  friend HWY_INLINE BasicMask operator!(const BasicMask& a) { return ~a; }  // as of bool
   friend HWY_INLINE BasicMask& operator&=(BasicMask& a, const BasicMask& b) { return a = a & b; }
   friend HWY_INLINE BasicMask& operator|=(BasicMask& a, const BasicMask& b) { return a = a | b; }
   friend HWY_INLINE BasicMask select(const BasicMask& where, const BasicMask& a, const BasicMask& b) {
@@ -229,6 +230,7 @@ struct BasicMask<kBytes, 1> {
   friend HWY_INLINE BasicMask operator&(const BasicMask& a, const BasicMask& b) { return {a.v && b.v}; }
   friend HWY_INLINE BasicMask operator|(const BasicMask& a, const BasicMask& b) { return {a.v || b.v}; }
   friend HWY_INLINE BasicMask operator~(const BasicMask& a) { return {!a.v}; }
+  friend HWY_INLINE BasicMask operator!(const BasicMask& a) { return {!a.v}; }
   friend HWY_INLINE BasicMask select(const BasicMask& where, const BasicMask& a, const BasicMask& b) {
     return where.v ? a : b;
   }
@@ -263,6 +265,11 @@ struct BasicPacket<T, 1> {
   friend HWY_INLINE BasicPacket abs(const BasicPacket& a) { return std::fabs(a.v); }
   friend HWY_INLINE BasicPacket sqrt(const BasicPacket& a) { return std::sqrt(a.v); }
 };
+
+template <int kBytes, int N>
+HWY_INLINE bool any(const BasicMask<kBytes, N>& a) {
+  return bits(a) != 0;
+}
 
 // Of N or, mostly, of eight doubles; integers have as many lanes, and masks serve both.
 template <int N>

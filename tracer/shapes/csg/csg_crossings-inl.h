@@ -9,6 +9,7 @@
 #endif
 
 #include "tracer/shapes/csg/csg_inside-inl.h"
+#include "tracer/shapes/local_rays-inl.h"
 #include "tracer/shapes/quadrics/plane.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -103,19 +104,23 @@ HWY_INLINE void consider(Search<Number>& s, const CsgNode& n, const Number& t, c
   if (const unsigned lanes = wanted(s, t, valid); lanes != 0) consider_on_ray(s, n, t, lanes, part);
 }
 
+// Takes crossings of the solid of a node at distances of the world, `scale` times as far in its own space.
 template <class Number>
-struct LocalRayOf {
-  PacketVector<Number> o, d;
-  Number scale;
+struct OnRay {
+  using Part = IntsFor<Number>;
+  Search<Number>& s;
+  const CsgNode& n;
+  const Number* scale;  // null: 1
+
+  HWY_INLINE bool any(const typename Number::Mask& where) const { return (bits(where) & s.open) != 0; }
+  HWY_INLINE bool operator()(const Number& t, const typename Number::Mask& where, const Part& part) const {
+    if (!scale)
+      consider(s, n, t, where, part);
+    else if (any(where))
+      consider(s, n, t / *scale, where, part);
+    return false;
+  }
 };
-// As Primitive::local.
-template <class Number>
-HWY_INLINE LocalRayOf<Number> local_ray(const Search<Number>& s, const CsgNode& n) {
-  if (!n.simple.matrix) return {s.o, s.d, Number(1)};
-  PacketVector<Number> d = transform_direction(n.simple.matrix->inv, s.d);
-  const Number scale = sqrt(d.x * d.x + d.y * d.y + d.z * d.z), inverse = Number(1.0) / scale;
-  return {transform_point(n.simple.matrix->inv, s.o), {d.x * inverse, d.y * inverse, d.z * inverse}, scale};
-}
 
 template <class Number>
 void cross_plane(Search<Number>& s, const CsgNode& n) {
@@ -127,104 +132,48 @@ void cross_plane(Search<Number>& s, const CsgNode& n) {
   consider(s, n, t, ~(abs(slope) < kEpsilon) & (t >= kNearestPlane) & (t <= kFarthestPlane), IntsFor<Number>(0));
 }
 
+// The points of balls with a matrix come back from their own space.
+template <class Number>
+struct OnTransformedBall {
+  using Part = IntsFor<Number>;
+  Search<Number>& s;
+  const CsgNode& n;
+  const LocalRays<Number>& l;
+
+  HWY_INLINE bool any(const typename Number::Mask& where) const { return (bits(where) & s.open) != 0; }
+  HWY_INLINE bool operator()(const Number& t, const typename Number::Mask& where, const Part& part) const {
+    const Number depth = t / l.scale;
+    if (const unsigned lanes = wanted(s, depth, where); lanes != 0)
+      consider_at(s, n, depth, lanes, transform_point(n.simple.matrix->m, point_at(l.o, t, l.d)), part);
+    return false;
+  }
+};
 template <class Number>
 void cross_sphere(Search<Number>& s, const CsgNode& n) {
-  constexpr double kNearest = 1e-6, kFarthest = 1e7;
   const SimpleSolid& ball = n.simple;
-  const LocalRayOf<Number> l = local_ray(s, n);
-  const PacketVector<Number> to_center{Number(ball.a.x) - l.o.x, Number(ball.a.y) - l.o.y, Number(ball.a.z) - l.o.z};
-  const Number distance_squared = dot(to_center, to_center), closest = dot(to_center, l.d);
-  const Number half_chord2 = Number(ball.c) - distance_squared + closest * closest;
-  const typename Number::Mask crosses =
-      ~((distance_squared >= ball.c) & (closest < kEpsilon)) & (half_chord2 > kEpsilon);
-  if ((bits(crosses) & s.open) == 0) return;
-  const Number half_chord = sqrt(half_chord2);
-  const auto report = [&](const Number& t) VERISIM_INLINE_LAMBDA {
-    const typename Number::Mask valid = crosses & (t > kNearest) & (t < kFarthest);
-    if (!ball.matrix) return consider(s, n, t, valid, IntsFor<Number>(0));
-    const Number depth = t / l.scale;
-    if (const unsigned lanes = wanted(s, depth, valid); lanes != 0)
-      consider_at(s, n, depth, lanes, transform_point(n.simple.matrix->m, point_at(l.o, t, l.d)), IntsFor<Number>(0));
-  };
-  report(closest - half_chord);
-  report(closest + half_chord);
+  if (!ball.matrix) return sphere_crossings(s.o, s.d, ball.a, ball.c, OnRay<Number>{s, n, nullptr});
+  const LocalRays<Number> l = local_rays(ball.matrix, s.o, s.d);
+  sphere_crossings(l.o, l.d, ball.a, ball.c, OnTransformedBall<Number>{s, n, l});
 }
 
 template <class Number>
 void cross_cone(Search<Number>& s, const CsgNode& n) {
-  constexpr double kNearest = 1e-9, kFarthest = 1e7;
-  enum : std::int64_t { wall, narrow_cap, wide_cap };
-  const bool cylinder = n.simple.cylinder;
-  const double narrow = n.simple.c;
-  const LocalRayOf<Number> l = local_ray(s, n);
-  const PacketVector<Number>&o = l.o, &d = l.d;
-  const auto report = [&](const Number& t, const typename Number::Mask& valid, std::int64_t part)
-                          VERISIM_INLINE_LAMBDA {
-                            const typename Number::Mask here = valid & (t > kNearest) & (t < kFarthest);
-                            if ((bits(here) & s.open) != 0) consider(s, n, t / l.scale, here, IntsFor<Number>(part));
-                          };
-  const auto report_wall = [&](const Number& t, const typename Number::Mask& valid) VERISIM_INLINE_LAMBDA {
-    const Number z = o.z + t * d.z;
-    report(t, valid & (z >= narrow) & (z <= Number(1)), wall);
-  };
-  if (cylinder) {
-    const Number a = d.x * d.x + d.y * d.y, b = o.x * d.x + o.y * d.y, c = o.x * o.x + o.y * o.y - 1;
-    const Number discriminant = b * b - a * c;
-    const typename Number::Mask curved = a > kEpsilon, real = curved & (discriminant >= 0);
-    if ((bits(real) & s.open) != 0) {
-      const Number root = sqrt(discriminant);
-      report_wall((-b + root) / a, real);
-      report_wall((-b - root) / a, real);
-    }
-  } else {
-    const Number a = d.x * d.x + d.y * d.y - d.z * d.z, b = o.x * d.x + o.y * d.y - o.z * d.z,
-                 c = o.x * o.x + o.y * o.y - o.z * o.z;
-    const Number discriminant = b * b - a * c;
-    const typename Number::Mask linear = abs(a) < kEpsilon, real = ~linear & (discriminant >= 0),
-                                sloped = linear & (abs(b) > kEpsilon);
-    if ((bits(real | sloped) & s.open) != 0) {
-      if ((bits(sloped) & s.open) != 0) report_wall(-0.5 * c / b, sloped);
-      if ((bits(real) & s.open) != 0) {
-        const Number root = sqrt(discriminant);
-        report_wall((-b - root) / a, real);
-        report_wall((-b + root) / a, real);
-      }
-    }
-  }
-  if (n.simple.open) return;
-  const typename Number::Mask sloping = abs(d.z) > kEpsilon;
-  const auto report_cap = [&](double end, double radius2, std::int64_t part) VERISIM_INLINE_LAMBDA {
-    const Number t = (Number(end) - o.z) / d.z, x = o.x + t * d.x, y = o.y + t * d.y;
-    report(t, sloping & (x * x + y * y <= radius2), part);
-  };
-  report_cap(1, 1, wide_cap);
-  report_cap(narrow, cylinder ? 1 : narrow * narrow, narrow_cap);
+  const SimpleSolid& cone = n.simple;
+  const LocalRays<Number> l = local_rays(cone.matrix, s.o, s.d);
+  cone_crossings(l.o, l.d, cone.cylinder, cone.open, cone.c, OnRay<Number>{s, n, &l.scale});
 }
 
 template <class Number>
 void cross_quadric(Search<Number>& s, const CsgNode& n) {
-  constexpr double kNearest = 1e-6, kFarthest = 1e7;
-  const scene::Quadric& surface = *n.simple.quadric;
-  const Vec3 &q = surface.square, &m = surface.mixed, &l = surface.linear;
-  const PacketVector<Number>&o = s.o, &d = s.d;
-  const Number a = d.x * (q.x * d.x + m.x * d.y + m.y * d.z) + d.y * (q.y * d.y + m.z * d.z) + d.z * q.z * d.z;
-  const Number b = d.x * (q.x * o.x + 0.5 * (m.x * o.y + m.y * o.z + l.x)) +
-                   d.y * (q.y * o.y + 0.5 * (m.x * o.x + m.z * o.z + l.y)) +
-                   d.z * (q.z * o.z + 0.5 * (m.y * o.x + m.z * o.y + l.z));
-  const Number c = o.x * (q.x * o.x + m.x * o.y + m.y * o.z + l.x) + o.y * (q.y * o.y + m.z * o.z + l.y) +
-                   o.z * (q.z * o.z + l.z) + surface.constant;
-  const Number discriminant = b * b - a * c;
-  const typename Number::Mask curved = a != 0, real = curved & (discriminant > 0), straight = ~curved & (b != 0);
-  const auto report = [&](const Number& t, const typename Number::Mask& valid) VERISIM_INLINE_LAMBDA {
-    consider(s, n, t, valid & (t > kNearest) & (t < kFarthest), IntsFor<Number>(0));
-  };
-  if ((bits(real) & s.open) != 0) {
-    const Number root = sqrt(discriminant);
-    report((-b + root) / a, real);
-    report((-b - root) / a, real);
-  }
-  if ((bits(straight) & s.open) != 0) [[unlikely]]
-    report(-0.5 * c / b, straight);
+  quadric_crossings(s.o, s.d, *n.simple.quadric, OnRay<Number>{s, n, nullptr});
+}
+
+// The direction keeps its length.
+template <class Number>
+void cross_box(Search<Number>& s, const CsgNode& n) {
+  const SimpleSolid& b = n.simple;
+  const PacketVector<Number> d = b.matrix ? transform_direction(b.matrix->inv, s.d) : s.d;
+  box_crossings(local_point(n, s.o), d, b.a, b.b, OnRay<Number>{s, n, nullptr});
 }
 
 template <class Number>
@@ -260,50 +209,6 @@ void cross_prism(Search<Number>& s, const CsgNode& n) {
                  depth = t / scale;
     consider(s, n, depth, met & (y >= prism.low) & (y <= prism.high) & reach(depth), wall);
   }
-}
-
-template <class Number>
-struct Slabs {
-  Number near, far, near_size, far_size;  // |d| along the axes of the faces
-  IntsFor<Number> near_face, far_face;
-  typename Number::Mask has_near, has_far, alive;
-};
-template <class Number>
-HWY_INLINE void narrow_by_axis(const Number& o, const Number& d, double low, double high, std::int64_t low_face,
-                               Slabs<Number>& s) {
-  const Number size = abs(d);
-  const typename Number::Mask across = size > kEpsilon, backward = d < 0;
-  const Number to_low = (Number(low) - o) / d, to_high = (Number(high) - o) / d;
-  const Number enter = select(backward, to_high, to_low), leave = select(backward, to_low, to_high);
-  const Number near_gain = enter - s.near, far_gain = s.far - leave;
-  const typename Number::Mask enters =
-      across & ((near_gain > 1e-6) | (s.has_near & (near_gain > -1e-6) & (size > s.near_size)));
-  const typename Number::Mask leaves =
-      across & ((far_gain > 1e-6) | (s.has_far & (far_gain > -1e-6) & (size > s.far_size)));
-  s.near_face = select(enters, select(backward, IntsFor<Number>(low_face + 1), IntsFor<Number>(low_face)), s.near_face);
-  s.far_face = select(leaves, select(backward, IntsFor<Number>(low_face), IntsFor<Number>(low_face + 1)), s.far_face);
-  s.near_size = select(enters, size, s.near_size), s.far_size = select(leaves, size, s.far_size);
-  s.has_near = s.has_near | enters, s.has_far = s.has_far | leaves;
-  s.near = select(across & (enter > s.near), enter, s.near), s.far = select(across & (leave < s.far), leave, s.far);
-  s.alive = s.alive & select(across, ~(enter > leave) & (s.near <= s.far), (o >= low) & (o <= high));
-}
-template <class Number>
-void cross_box(Search<Number>& s, const CsgNode& n) {
-  constexpr double kNearest = 1e-6, kFarthest = 2e10;
-  const SimpleSolid& b = n.simple;
-  const PacketVector<Number> o = local_point(n, s.o),
-                             d = b.matrix ? transform_direction(n.simple.matrix->inv, s.d) : s.d;
-  const typename Number::Mask none{}, all = Number::Mask::all();
-  const IntsFor<Number> no_face(-1);
-  Slabs<Number> slabs{Number(0.0), Number(kFarthest), Number(0.0), Number(0.0), no_face, no_face, none, none, all};
-  narrow_by_axis(o.x, d.x, b.a.x, b.b.x, 0, slabs);
-  narrow_by_axis(o.y, d.y, b.a.y, b.b.y, 2, slabs);
-  if ((bits(slabs.alive) & s.open) == 0) return;
-  narrow_by_axis(o.z, d.z, b.a.z, b.b.z, 4, slabs);
-  const typename Number::Mask met = slabs.alive & ~(slabs.far < kNearest);
-  if ((bits(met) & s.open) == 0) return;
-  consider(s, n, slabs.near, met & slabs.has_near & (slabs.near > kNearest), slabs.near_face);
-  consider(s, n, slabs.far, met & slabs.has_far, slabs.far_face);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -9,6 +9,7 @@
 #endif
 
 #include "tracer/math/packet_vector-inl.h"
+#include "tracer/shapes/crossings.h"
 #include "tracer/shapes/csg/csg_tree.h"
 #include "tracer/simd/packet-inl.h"
 
@@ -18,6 +19,11 @@ namespace {
 namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
+
+#include "tracer/shapes/quadrics/box_crossings.inc"
+#include "tracer/shapes/quadrics/cone_crossings.inc"
+#include "tracer/shapes/quadrics/quadric_crossings.inc"
+#include "tracer/shapes/quadrics/sphere_crossings.inc"
 
 template <class Number>
 HWY_INLINE Vec3 lane_of(const PacketVector<Number>& p, int k) {
@@ -40,24 +46,15 @@ unsigned inside_simple(const CsgNode& n, const PacketVector<Number>& at) {
     case SimpleSolid::Form::plane:
       return bits(p.x * s.a.x + p.y * s.a.y + p.z * s.a.z - s.c < kEpsilon) ^ turned;
     case SimpleSolid::Form::sphere: {
-      const PacketVector<Number> d{p.x - s.a.x, p.y - s.a.y, p.z - s.a.z};
-      const Number distance2 = dot(d, d);
+      const Number distance2 = distance2_between(p, s.a);
       return bits(s.inverted ? distance2 > s.c : distance2 < s.c);
     }
     case SimpleSolid::Form::box:
-      return bits((p.x >= s.a.x) & (p.x <= s.b.x) & (p.y >= s.a.y) & (p.y <= s.b.y) & (p.z >= s.a.z) & (p.z <= s.b.z)) ^
-             turned;
-    case SimpleSolid::Form::cone: {
-      const double e = s.open ? kEpsilon : -kEpsilon;
-      const Number limit2 = s.cylinder ? Number(1) : p.z * p.z;
-      return bits((p.x * p.x + p.y * p.y <= limit2 + e) & (p.z >= s.c - e) & (p.z <= 1 + e)) ^ turned;
-    }
-    default: {
-      const Vec3 &q = s.quadric->square, &m = s.quadric->mixed, &l = s.quadric->linear;
-      return bits(p.x * (q.x * p.x + m.x * p.y + m.y * p.z + l.x) + p.y * (q.y * p.y + m.z * p.z + l.y) +
-                      p.z * (q.z * p.z + l.z) + s.quadric->constant <=
-                  0);
-    }
+      return bits(within_box(p, s.a, s.b)) ^ turned;
+    case SimpleSolid::Form::cone:
+      return bits(within_cone(p, s.cylinder, s.open, s.c)) ^ turned;
+    default:
+      return bits(quadric_value(*s.quadric, p) <= 0);
   }
 }
 

@@ -1,13 +1,15 @@
 // box (spec 03 4.2).
 #include <utility>
 
+#include "tracer/shapes/crossings.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
 
 namespace verisim::shapes {
 namespace {
 
-constexpr double kNearest = 1e-6, kFarthest = 2e10;
+using namespace one_ray;
+#include "tracer/shapes/quadrics/box_crossings.inc"
 
 enum Face : std::int32_t { x_low, x_high, y_low, y_high, z_low, z_high };
 
@@ -20,20 +22,10 @@ class Box final : public KernelPrimitive<Box> {
   void intersections(const Ray& ray, Sink& sink) const {
     // The direction keeps its length, so distances are those of the world.
     const Vec3 o = local(ray.origin), d = has_matrix() ? matrix().inverse_direction(ray.direction) : ray.direction;
-    double near = 0, far = kFarthest;
-    std::int32_t near_face = -1, far_face = -1;
-    if (!slab<0>(o, d, near, far, near_face, far_face) || !slab<1>(o, d, near, far, near_face, far_face) ||
-        !slab<2>(o, d, near, far, near_face, far_face))
-      return;
-    if (far < kNearest) return;
-    if (near_face >= 0 && near > kNearest) {
-      const bool accepted = sink.add(
-          near, [&] { return ray.origin + near * ray.direction; }, near_face);
-      if (Sink::kNearest && accepted) return;
-    }
-    if (far_face >= 0)
-      sink.add(
-          far, [&] { return ray.origin + far * ray.direction; }, far_face);
+    box_crossings(o, d, low_, high_, one_ray::Report{[&](double t, std::int32_t face) {
+                    const auto point = [&] { return ray.origin + t * ray.direction; };
+                    return sink.add(t, point, face) && Sink::kNearest;
+                  }});
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
@@ -49,10 +41,7 @@ class Box final : public KernelPrimitive<Box> {
             .b = high_};
   }
 
-  bool contains(const Vec3& point) const {
-    const Vec3 p = local(point);
-    return p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y && p.z >= low_.z && p.z <= high_.z;
-  }
+  bool contains(const Vec3& p) const { return within_box(local(p), low_, high_); }
 
   Vec3 geometric_normal(const Hit& hit) const {
     Vec3 n(0);
@@ -81,28 +70,6 @@ class Box final : public KernelPrimitive<Box> {
   }
 
  private:
-  // Narrows near .. far by one axis. A later axis takes a face over when it wins clearly, or nearly ties and faces the
-  // ray more.
-  template <int kAxis>
-  bool slab(const Vec3& o, const Vec3& d, double& near, double& far, std::int32_t& near_face,
-            std::int32_t& far_face) const {
-    constexpr int i = kAxis;
-    if (std::fabs(d[i]) <= kEpsilon) return o[i] >= low_[i] && o[i] <= high_[i];
-    double enter = (low_[i] - o[i]) / d[i], leave = (high_[i] - o[i]) / d[i];
-    std::int32_t enter_face = 2 * i, leave_face = 2 * i + 1;
-    if (d[i] < 0) std::swap(enter, leave), std::swap(enter_face, leave_face);
-    if (enter > leave) return false;
-    if (takes_over(enter - near, near_face, d, i)) near_face = enter_face;
-    if (takes_over(far - leave, far_face, d, i)) far_face = leave_face;
-    if (enter > near) near = enter;
-    if (leave < far) far = leave;
-    return near <= far;
-  }
-  static bool takes_over(double gain, std::int32_t face, const Vec3& d, int axis) {
-    if (gain > 1e-6) return true;
-    return face >= 0 && gain > -1e-6 && std::fabs(d[axis]) > std::fabs(d[face / 2]);
-  }
-
   Vec3 low_, high_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tracer/shapes/crossings.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/frame.h"
 #include "tracer/shapes/packet_primitive.h"
@@ -12,14 +13,13 @@
 namespace verisim::shapes {
 namespace {
 
-constexpr double kNearest = 1e-9, kFarthest = 1e7;  // of local distances
+using namespace one_ray;
+#include "tracer/shapes/quadrics/cone_crossings.inc"
 
 double narrow_end(const scene::Cone& c) {
   if (cone_is_cylinder(c)) return 0;
   return std::min(c.base_radius, c.cap_radius) / std::max(c.base_radius, c.cap_radius);
 }
-
-enum Part : std::int32_t { wall, narrow_cap, wide_cap };
 
 class Cone final : public KernelPrimitive<Cone> {
  public:
@@ -32,52 +32,12 @@ class Cone final : public KernelPrimitive<Cone> {
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
     const LocalRay l = local(ray);
-    const Vec3 &o = l.origin, &d = l.direction;
-    const auto report = [&](double t, Part part) {
-      if (!(t > kNearest && t < kFarthest)) return;
-      const double depth = t / l.scale;
-      sink.add(
-          depth, [&] { return ray.origin + depth * ray.direction; }, part);
-    };
-    const auto report_wall = [&](double t) {
-      const double z = o.z + t * d.z;
-      if (z >= narrow_ && z <= 1) report(t, wall);
-    };
-    if (cylinder_) {
-      const double a = d.x * d.x + d.y * d.y;
-      if (a > kEpsilon) {
-        const double b = o.x * d.x + o.y * d.y, c = o.x * o.x + o.y * o.y - 1;
-        const double discriminant = b * b - a * c;
-        if (discriminant >= 0) {
-          const double root = std::sqrt(discriminant);
-          report_wall((-b + root) / a);
-          report_wall((-b - root) / a);
-        } else if (open_) {
-          return;
-        }
-      }
-    } else {
-      const double a = d.x * d.x + d.y * d.y - d.z * d.z, b = o.x * d.x + o.y * d.y - o.z * d.z,
-                   c = o.x * o.x + o.y * o.y - o.z * o.z;
-      if (std::fabs(a) < kEpsilon) {
-        if (std::fabs(b) > kEpsilon) report_wall(-0.5 * c / b);
-      } else {
-        const double discriminant = b * b - a * c;
-        if (discriminant >= 0) {
-          const double root = std::sqrt(discriminant);
-          report_wall((-b - root) / a);
-          report_wall((-b + root) / a);
-        }
-      }
-    }
-    if (open_ || !(std::fabs(d.z) > kEpsilon)) return;
-    const auto report_cap = [&](double z, double radius2, Part part) {
-      const double t = (z - o.z) / d.z;
-      const double x = o.x + t * d.x, y = o.y + t * d.y;
-      if (x * x + y * y <= radius2) report(t, part);
-    };
-    report_cap(1, 1, wide_cap);
-    report_cap(narrow_, cylinder_ ? 1 : narrow_ * narrow_, narrow_cap);
+    cone_crossings(l.origin, l.direction, cylinder_, open_, narrow_, one_ray::Report{[&](double t, std::int32_t part) {
+                     const double depth = t / l.scale;
+                     sink.add(
+                         depth, [&] { return ray.origin + depth * ray.direction; }, part);
+                     return false;
+                   }});
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
@@ -94,17 +54,11 @@ class Cone final : public KernelPrimitive<Cone> {
             .c = narrow_};
   }
 
-  bool contains(const Vec3& point) const {
-    const Vec3 p = local(point);
-    const double r2 = p.x * p.x + p.y * p.y, limit2 = cylinder_ ? 1 : p.z * p.z;
-    // The closed solid is smaller than its surface by epsilon, the open one larger.
-    const double e = open_ ? kEpsilon : -kEpsilon;
-    return r2 <= limit2 + e && p.z >= narrow_ - e && p.z <= 1 + e;
-  }
+  bool contains(const Vec3& p) const { return within_cone(local(p), cylinder_, open_, narrow_); }
 
   Vec3 geometric_normal(const Hit& hit) const {
-    if (hit.part == wide_cap) return world_normal({0, 0, 1});
-    if (hit.part == narrow_cap) return world_normal({0, 0, -1});
+    if (hit.part == kConeWideCap) return world_normal({0, 0, 1});
+    if (hit.part == kConeNarrowCap) return world_normal({0, 0, -1});
     const Vec3 p = local(hit.point);
     return world_normal({p.x, p.y, cylinder_ ? 0 : -p.z});
   }

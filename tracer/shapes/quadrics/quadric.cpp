@@ -1,4 +1,5 @@
 // quadric (spec 03 4.10): coefficients are kept in world space.
+#include "tracer/shapes/crossings.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/quadrics/quadric_box.h"
@@ -6,7 +7,8 @@
 namespace verisim::shapes {
 namespace {
 
-constexpr double kNearest = 1e-6, kFarthest = 1e7;
+using namespace one_ray;
+#include "tracer/shapes/quadrics/quadric_crossings.inc"
 
 // Of {value <= 0} or, for a quadric written with negative coefficients, of {value >= 0}. POV-Ray's boxes depend on
 // clips and are partly wrong (4.11).
@@ -30,25 +32,10 @@ class Quadric final : public KernelPrimitive<Quadric> {
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
-    const Vec3 &o = ray.origin, &d = ray.direction;
-    const Vec3 &s = q_.square, &m = q_.mixed, &l = q_.linear;
-    const double a = d.x * (s.x * d.x + m.x * d.y + m.y * d.z) + d.y * (s.y * d.y + m.z * d.z) + d.z * s.z * d.z;
-    const double b = d.x * (s.x * o.x + 0.5 * (m.x * o.y + m.y * o.z + l.x)) +
-                     d.y * (s.y * o.y + 0.5 * (m.x * o.x + m.z * o.z + l.y)) +
-                     d.z * (s.z * o.z + 0.5 * (m.y * o.x + m.z * o.y + l.z));
-    const double c = value(o);
-    const auto report = [&](double t) {
-      if (t > kNearest && t < kFarthest) sink.add(t, [&] { return ray.origin + t * ray.direction; });
-    };
-    if (a != 0) {
-      const double discriminant = b * b - a * c;
-      if (!(discriminant > 0)) return;
-      const double root = std::sqrt(discriminant);
-      report((-b + root) / a);
-      report((-b - root) / a);
-    } else if (b != 0) {
-      report(-0.5 * c / b);
-    }
+    quadric_crossings(ray.origin, ray.direction, q_, one_ray::Report{[&](double t, std::int32_t) {
+                        sink.add(t, [&] { return ray.origin + t * ray.direction; });
+                        return false;
+                      }});
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
@@ -61,7 +48,7 @@ class Quadric final : public KernelPrimitive<Quadric> {
   }
 
   // Inversion has negated the coefficients already.
-  bool contains(const Vec3& p) const { return value(p) <= 0; }
+  bool contains(const Vec3& p) const { return quadric_value(q_, p) <= 0; }
   bool formula(const Vec3& p) const { return contains(p); }
 
   Vec3 geometric_normal(const Hit& hit) const {
@@ -72,12 +59,6 @@ class Quadric final : public KernelPrimitive<Quadric> {
   }
 
  private:
-  double value(const Vec3& p) const {
-    const Vec3 &s = q_.square, &m = q_.mixed, &l = q_.linear;
-    return p.x * (s.x * p.x + m.x * p.y + m.y * p.z + l.x) + p.y * (s.y * p.y + m.z * p.z + l.y) +
-           p.z * (s.z * p.z + l.z) + q_.constant;
-  }
-
   scene::Quadric q_;
 };
 

@@ -1,6 +1,5 @@
 // sphere (spec 03 4.1).
-#include <numbers>
-
+#include "tracer/shapes/crossings.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
 #include "tracer/shapes/spherical_uv.h"
@@ -8,7 +7,8 @@
 namespace verisim::shapes {
 namespace {
 
-constexpr double kNearest = 1e-6, kFarthest = 1e7;
+using namespace one_ray;
+#include "tracer/shapes/quadrics/sphere_crossings.inc"
 
 Box3 box_of(const scene::Sphere& s) {
   const Vec3 half(std::fabs(s.radius));
@@ -26,23 +26,17 @@ class Sphere final : public KernelPrimitive<Sphere> {
 
   template <class Sink>
   void intersections(const Ray& ray, Sink& sink) const {
-    double near, far;
     if (!has_matrix()) {
-      if (!solve(ray.origin, ray.direction, near, far)) return;
-      if (near > kNearest && near < kFarthest) {
-        const bool accepted = sink.add(near, [&] { return ray.origin + near * ray.direction; });
-        if (Sink::kNearest && accepted) return;
-      }
-      if (far > kNearest && far < kFarthest) sink.add(far, [&] { return ray.origin + far * ray.direction; });
+      sphere_crossings(ray.origin, ray.direction, center_, radius2_, one_ray::Report{[&](double t, std::int32_t) {
+                         return sink.add(t, [&] { return ray.origin + t * ray.direction; }) && Sink::kNearest;
+                       }});
       return;
     }
     const LocalRay l = local(ray);
-    if (!solve(l.origin, l.direction, near, far)) return;
-    for (const double t : {near, far}) {
-      if (!(t > kNearest && t < kFarthest)) continue;
-      const bool accepted = sink.add(t / l.scale, [&] { return world(l.origin + t * l.direction); });
-      if (Sink::kNearest && accepted) return;
-    }
+    sphere_crossings(l.origin, l.direction, center_, radius2_, one_ray::Report{[&](double t, std::int32_t) {
+                       return sink.add(t / l.scale, [&] { return world(l.origin + t * l.direction); }) &&
+                              Sink::kNearest;
+                     }});
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
@@ -78,22 +72,7 @@ class Sphere final : public KernelPrimitive<Sphere> {
   }
 
  private:
-  double distance2(const Vec3& p) const {
-    const Vec3 d = local(p) - center_;
-    return dot(d, d);
-  }
-
-  bool solve(const Vec3& origin, const Vec3& direction, double& near, double& far) const {
-    const Vec3 to_center = center_ - origin;
-    const double distance_squared = dot(to_center, to_center), closest = dot(to_center, direction);
-    if (distance_squared >= radius2_ && closest < kEpsilon) return false;
-    const double half_chord2 = radius2_ - distance_squared + closest * closest;
-    if (!(half_chord2 > kEpsilon)) return false;
-    const double half_chord = std::sqrt(half_chord2);
-    near = closest - half_chord;
-    far = closest + half_chord;
-    return true;
-  }
+  double distance2(const Vec3& p) const { return distance2_between(local(p), center_); }
 
   Vec3 center_;
   double inverse_radius_, radius2_;

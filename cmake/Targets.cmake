@@ -83,6 +83,15 @@ function(verisim_precompile target header)
   endforeach()
 endfunction()
 
+# verisim_units(TARGET): with VERISIM_UNITS, its sources are compiled eight at a time, so that headers and templates that many of them use are compiled once
+# for all eight. Names in unnamed namespaces must differ within a library then: a name that two files of it want is mostly one function that stands twice.
+# Kernels and other sources with options of their own stay alone.
+function(verisim_units target)
+  if(VERISIM_UNITS)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
+
 # verisim_library(NAME): a library from all sources below the current folder; *_test.cpp beside the code become NAME_tests.
 function(verisim_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -97,6 +106,7 @@ function(verisim_library name)
                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/verisim>)
   target_compile_features(${name} PUBLIC cxx_std_20)
   target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:verisim_flags>)
+  verisim_units(${name})
 endfunction()
 
 function(verisim_tests name)

@@ -37,10 +37,12 @@ install_packages() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" </dev/null
 }
 
-# build TARGET...: a release in build/release.
+# build TARGET...: a release in build/release; from nothing eight sources at a time, which halves the time (CONTRIBUTING.md).
 build() {
   say "Building a release in build/release"
-  cmake --preset release >/tmp/verisim-configure.$$ 2>&1 </dev/null || { cat /tmp/verisim-configure.$$; rm -f /tmp/verisim-configure.$$; return 1; }
+  local units=()
+  [ -f build/release/build.ninja ] || units=(-DVERISIM_UNITS=ON)
+  cmake --preset release "${units[@]}" >/tmp/verisim-configure.$$ 2>&1 </dev/null || { cat /tmp/verisim-configure.$$; rm -f /tmp/verisim-configure.$$; return 1; }
   rm -f /tmp/verisim-configure.$$
   # Compiling takes about 1.5 GB a process: no more processes than there is memory for.
   local cores memory jobs

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 namespace verisim::cli {
 namespace {
 
-struct Wanted {
+struct WantedCheck {
   bool json = false, dump = false, fix = false;
   std::string sarif;
   std::set<std::string_view> lints;
@@ -75,7 +75,7 @@ nlohmann::json as_json(const Checked& checked) {
 }
 
 Checked check_scene(const Options& options, Console& console, Interrupt& interrupt, const SceneSource& scene,
-                    const Wanted& wanted) {
+                    const WantedCheck& wanted) {
   const Job job{options, console, interrupt, scene, animation(options)};
   Checked checked;
   checked.scene = scene.path;
@@ -185,7 +185,7 @@ int explain_code(const std::string& wanted) {
 
 int command_check(const std::vector<std::string>& arguments) {
   Options options;
-  Wanted wanted;
+  WantedCheck wanted;
   std::string code;
   std::vector<std::string> lints;
   OwnOptions own("check",

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 namespace verisim::cli {
 namespace {
 
-struct Wanted {
+struct WantedFarm {
   SubmitRequest submit;
   bool dry_run = false, json = false;
 };
@@ -35,7 +35,7 @@ struct Wanted {
 constexpr std::array kWithValue{"--engine", "--job",  "--nodes", "--frames-per-task", "--parts",  "--partition",
                                 "--time",   "--cpus", "--grace", "--engine-option",   "--program"};
 
-void add_farm_options(OwnOptions& own, Wanted& wanted) {
+void add_farm_options(OwnOptions& own, WantedFarm& wanted) {
   SubmitRequest& s = wanted.submit;
   own.section("Options of submit (and, but for the first five, of resume)");
   own.value("--engine NAME", s.engine, "what runs the tasks: slurm (the one there is)");
@@ -99,7 +99,7 @@ std::string plan_words(const FarmJob& job) {
   return plural(job.tasks, "part") + (job.prepass ? ", passes before the picture" : "");
 }
 
-int submit(Wanted& wanted, const std::vector<std::string>& arguments, const std::vector<std::string>& words) {
+int submit(WantedFarm& wanted, const std::vector<std::string>& arguments, const std::vector<std::string>& words) {
   SubmitRequest& request = wanted.submit;
   request.words = render_words(arguments);
   const std::vector<std::string> files = apply_words(request.options, words);
@@ -151,7 +151,7 @@ void change(EngineOptions& options, const EngineOptions& given) {
   if (!given.extra.empty()) options.extra = given.extra;
 }
 
-int resume(FarmJob job, Engine& engine, const Wanted& wanted) {
+int resume(FarmJob job, Engine& engine, const WantedFarm& wanted) {
   using State = StepStatus::State;
   const Lock lock(job);
   change(job.engine_options, wanted.submit.engine_options);
@@ -194,7 +194,7 @@ int cancel(const FarmJob& job, Engine& engine) {
 }  // namespace
 
 int command_farm(const std::vector<std::string>& arguments) {
-  Wanted wanted;
+  WantedFarm wanted;
   OwnOptions own("farm",
                  "Renders on the machines of a cluster: an animation by its frames, a picture by its parts. What comes "
                  "out is what `verisim render` would have written, to the byte, whatever died on the way. `submit` "

@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "tracer/query.h"
+#include "tracer/scene/textures_of.h"
 
 namespace verisim::cli {
 namespace {
@@ -24,12 +25,7 @@ class Shining {
       object(light->looks_like);
     }
     for (const auto& child : scene::children_of(o)) object(child);
-    if (const auto* blob = o.as<std::shared_ptr<const scene::Blob>>())
-      for (const auto& component : (*blob)->components) texture(component.texture);
-    if (const auto* mesh = o.as<scene::Mesh>(); mesh && mesh->data)
-      for (const auto& t : mesh->data->textures) texture(t);
-    texture(o.texture);
-    texture(o.interior_texture);
+    scene::visit_textures(o, [this](const scene::TexturePtr& t) { texture(t); });
     surfaces |= o.interior && !o.interior->media.empty();
   }
 

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "cli/console/seconds.h"
 #include "cli/settings/region.h"
 #include "tracer/render/blocks.h"
 #include "tracer/render/prepared_scene.h"
@@ -14,15 +15,11 @@
 namespace verisim::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kShortestTask = 60;       // seconds
 constexpr double kTimesRepeated = 10;      // of what a task repeats
 constexpr double kLeastTimesRepeated = 2;  // where there are nodes for it
 constexpr int kTasksPerNode = 4, kMaxTasks = 1000;
 constexpr std::chrono::seconds kSampling(10);
-
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // Sets a flag after some time, unless it ends before.
 class Alarm {
@@ -65,14 +62,14 @@ Costs measure_costs(const Job& job, const scene::Scene& scene, double seconds_pa
   const auto start = Clock::now();
   Clock::time_point begin = start;
   options.pass_progress = [&](const char*, double) { begin = Clock::now(); };
-  options.progress = [&](double done) { fraction = done, seconds = since(begin); };
+  options.progress = [&](double done) { fraction = done, seconds = seconds_since(begin); };
   render::Framebuffer frame;
   double seconds_compile = 0;
   {
     const Alarm alarm(cancel);
     render::PreparedScene prepared(scene, options);
     begin = Clock::now();
-    seconds_compile = since(start);
+    seconds_compile = seconds_since(start);
     prepared.render(options, frame);
   }
   Costs costs;

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace verisim::cli {
 namespace {
 
-using State = StepStatus::State;
+using StepState = StepStatus::State;
 
 bool is_file(const fs::path& path) {
   std::error_code ignored;
@@ -60,7 +60,7 @@ void look_at_files(const FarmJob& job, const StepLog& log, bool read_everything,
     status.fraction = std::max(status.fraction, std::min(log.fraction, 0.9999));
     status.node = log.node;
   }
-  if (done) status.state = State::done, status.fraction = 1, status.note.clear();
+  if (done) status.state = StepState::done, status.fraction = 1, status.note.clear();
 }
 
 std::string ended_words(const StepLog& log, const EngineStep* engine) {
@@ -76,17 +76,17 @@ std::string ended_words(const StepLog& log, const EngineStep* engine) {
 
 void look_at_engine(const EngineStep* engine, const StepLog& log, StepStatus& status) {
   if (engine && engine->state == EngineStep::State::running) {
-    status.state = State::running;
+    status.state = StepState::running;
     status.node = engine->node;
     if (!log.exit_status) status.remaining = log.remaining;
     status.note = log.requeued ? "saves its state" : log.stage;
   } else if (engine && engine->state == EngineStep::State::waiting) {
-    status.state = State::waiting;
+    status.state = StepState::waiting;
     status.note = engine->reason;
   } else {
     const std::string why = ended_words(log, engine);
     const bool failed = log.begun || !why.empty() || !status.note.empty();
-    status.state = failed ? State::failed : State::missing;
+    status.state = failed ? StepState::failed : StepState::missing;
     if (!why.empty() && status.note.empty()) status.note = why;
   }
 }
@@ -98,19 +98,19 @@ bool is_usual(const std::string& reason) {
   return false;
 }
 
-const char* word_of(State state) {
+const char* word_of(StepState state) {
   switch (state) {
-    case State::missing:
+    case StepState::missing:
       return "not there, and not in the queue";
-    case State::failed:
+    case StepState::failed:
       return "failed";
-    case State::waiting:
+    case StepState::waiting:
       return "waiting";
-    case State::running:
+    case StepState::running:
       return "running";
-    case State::unknown:
+    case StepState::unknown:
       return "nobody knows";
-    case State::done:
+    case StepState::done:
       return "done";
   }
   return "";
@@ -118,7 +118,7 @@ const char* word_of(State state) {
 
 }  // namespace
 
-int JobStatus::count(State state) const {
+int JobStatus::count(StepState state) const {
   return static_cast<int>(
       std::count_if(steps.begin(), steps.end(), [state](const StepStatus& s) { return s.state == state; }));
 }
@@ -142,22 +142,22 @@ JobStatus job_status(const FarmJob& job, Engine& engine, bool read_everything) {
     const StepLog log = read_log(job.log(step));
     if (log.begin && (!result.begin || *log.begin < *result.begin)) result.begin = log.begin;
     look_at_files(job, log, read_everything, status);
-    if (status.state == State::done) continue;
+    if (status.state == StepState::done) continue;
     const auto found = result.engine_steps.find(step);
     const EngineStep* const entry = found == result.engine_steps.end() ? nullptr : &found->second;
     if (result.engine_answers) {
       look_at_engine(entry, log, status);
     } else {
-      status.state = State::unknown;
+      status.state = StepState::unknown;
       if (log.begun && !log.exit_status) status.note = fmt::format("last heard of {:.0f} s ago", log.age);
       if (log.exit_status && *log.exit_status != 0) status.note = ended_words(log, nullptr);
     }
   }
   // Who has the picture needs its parts no longer.
-  if (!job.animation && result.steps.back().state == State::done)
+  if (!job.animation && result.steps.back().state == StepState::done)
     for (StepStatus& s : result.steps)
-      if (s.state == State::failed || s.state == State::missing || s.state == State::unknown)
-        s.state = State::done, s.fraction = 1, s.note.clear();
+      if (s.state == StepState::failed || s.state == StepState::missing || s.state == StepState::unknown)
+        s.state = StepState::done, s.fraction = 1, s.note.clear();
   return result;
 }
 
@@ -165,27 +165,28 @@ std::string as_text(const FarmJob& job, const JobStatus& status, int lines) {
   std::string text;
   int left_out = 0;
   for (const StepStatus& s : status.steps) {
-    if (s.state == State::done || (s.state == State::waiting && s.fraction == 0 && is_usual(s.note))) continue;
+    if (s.state == StepState::done || (s.state == StepState::waiting && s.fraction == 0 && is_usual(s.note))) continue;
     if (lines-- <= 0) {
       ++left_out;
       continue;
     }
     const bool task = s.step.kind == Step::Kind::task;
     text += fmt::format("{}{}: {}", task ? "task " : "", s.step.name(), word_of(s.state));
-    if (!s.node.empty() && s.state == State::running) text += " on " + s.node;
+    if (!s.node.empty() && s.state == StepState::running) text += " on " + s.node;
     if (s.fraction > 0) text += fmt::format(", {:.0f} % done", std::min(100 * s.fraction, 99.0));
     if (s.remaining) text += fmt::format(", about {:.0f} s left", *s.remaining);
     if (!s.note.empty()) text += fmt::format(" ({})", s.note);
     text += '\n';
   }
   if (left_out > 0) text += fmt::format("and {} more\n", left_out);
-  const auto add = [&](State state, const char* word) {
+  const auto add = [&](StepState state, const char* word) {
     const int count = status.count(state);
     return count ? fmt::format(", {} {}", count, word) : "";
   };
-  text += fmt::format("{} of {} steps done{}{}{}{}{}\n", status.count(State::done), status.steps.size(),
-                      add(State::running, "running"), add(State::waiting, "waiting"), add(State::failed, "failed"),
-                      add(State::missing, "not in the queue"), add(State::unknown, "unknown"));
+  text += fmt::format("{} of {} steps done{}{}{}{}{}\n", status.count(StepState::done), status.steps.size(),
+                      add(StepState::running, "running"), add(StepState::waiting, "waiting"),
+                      add(StepState::failed, "failed"), add(StepState::missing, "not in the queue"),
+                      add(StepState::unknown, "unknown"));
   if (!status.engine_answers)
     text += fmt::format("{} does not answer, so this is from the files alone: {}\n", job.engine, status.engine_error);
   if (!job.animation && status.complete()) text += fmt::format("picture: {}\n", job.picture.string());

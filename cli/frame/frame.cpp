@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/console/seconds.h"
 #include "cli/frame/picture_file.h"
 #include "cli/frame/picture_key.h"
 #include "cli/frame/scene_features.h"
@@ -32,10 +33,6 @@ namespace fs = std::filesystem;
 
 namespace verisim::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 // Something went wrong that ends this frame.
 struct Failure {
@@ -59,7 +56,7 @@ parser::ParseResult parse(const Job& job, const Frame& frame, FrameReport& repor
   parser::ParseResult result = parse_scene(job, parse_options(job, frame));
   job.console.end_of_debug();
   job.console.end_progress();
-  report.seconds_parse = since(start);
+  report.seconds_parse = seconds_since(start);
   report.cpu_parse = cpu_seconds() - cpu;
   report.warnings = result.warnings;
   report.files_read = result.files_read;
@@ -170,7 +167,7 @@ void write(const Job& job, const Canvas& canvas, const LayerChoice& choice, cons
   const auto start = Clock::now();
   write_picture(name, canvas.framebuffer, choice, output);
   if (!name.standard_output && !name.standard_error) report.output = name.path;
-  report.seconds_write = since(start);
+  report.seconds_write = seconds_since(start);
 }
 
 // A part is whole or it is not there: what was rendered of it until an interruption is in the state file.
@@ -182,7 +179,7 @@ void write_part(const Canvas& canvas, const LayerChoice& choice, const Prepasses
   else
     cli::write_part(name.path, header, canvas.framebuffer, choice.layers);
   report.output = name.path;
-  report.seconds_write = since(start);
+  report.seconds_write = seconds_since(start);
 }
 
 // As POV-Ray ends a render of an isosurface whose max_gradient does not fit.
@@ -260,7 +257,7 @@ void render_parsed(const Job& job, const Frame& frame, const scene::Scene& scene
   } catch (const render::Unsupported& missing) {
     return report_unsupported(job, missing, report);
   }
-  report.seconds_render = since(start);
+  report.seconds_render = seconds_since(start);
   report.cpu_render = cpu_seconds() - cpu;
 
   for (const auto& [place, text] : report.statistics.findings) warn_of_object(job, place, text);

@@ -3,6 +3,8 @@
 #include <set>
 #include <unordered_set>
 
+#include "tracer/scene/textures_of.h"
+
 namespace verisim::cli {
 namespace {
 
@@ -17,12 +19,7 @@ class Walk {
     const scene::Object& o = *pointer;
     if (const auto* light = o.as<scene::LightSource>()) this->light(*light);
     for (const auto& child : scene::children_of(o)) object(child);
-    if (const auto* blob = o.as<std::shared_ptr<const scene::Blob>>())
-      for (const auto& component : (*blob)->components) texture(component.texture);
-    if (const auto* mesh = o.as<scene::Mesh>(); mesh && mesh->data)
-      for (const auto& t : mesh->data->textures) texture(t);
-    texture(o.texture);
-    texture(o.interior_texture);
+    scene::visit_textures(o, [this](const scene::TexturePtr& t) { texture(t); });
     if (o.interior)
       for (const scene::Media& m : o.interior->media) media(m);
   }

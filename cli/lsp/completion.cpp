@@ -14,7 +14,7 @@ namespace verisim::cli::lsp {
 namespace {
 
 // CompletionItemKind of the protocol.
-enum Kind {
+enum class CompletionKind {
   kFunction = 3,
   kVariable = 6,
   kClass = 7,
@@ -33,7 +33,7 @@ class Items {
   Items(const Question& q, std::size_t begin)
       : range_(range_json(*q.document.text, begin, q.offset, q.workspace.columns())) {}
 
-  Json& add(const std::string& label, Kind kind, char rank, const std::string& insert = {}) {
+  Json& add(const std::string& label, CompletionKind kind, char rank, const std::string& insert = {}) {
     items_.push_back({{"label", label},
                       {"kind", static_cast<int>(kind)},
                       {"sortText", rank + parser::lowered(label)},
@@ -60,9 +60,9 @@ void add_words(Items& items, const std::string& place, bool directives) {
       if (!seen.insert(keyword.word).second) continue;
       const bool function = expression && keyword.syntax.find('(') != std::string_view::npos;
       Json& item = items.add(std::string(keyword.word),
-                             function     ? kFunction
-                             : expression ? kConstant
-                                          : kKeyword,
+                             function     ? CompletionKind::kFunction
+                             : expression ? CompletionKind::kConstant
+                                          : CompletionKind::kKeyword,
                              here && !expression ? '1' : '4');
       item["detail"] = keyword.syntax;
       item["documentation"] = keyword.meaning;
@@ -80,7 +80,7 @@ void add_names(Items& items, const Question& q) {
       std::string insert = d.name + "(";
       for (std::size_t i = 0; i < d.parameters.size(); ++i)
         insert += (i ? ", ${" : "${") + std::to_string(i + 1) + ":" + d.parameters[i] + "}";
-      Json& item = items.add(d.name, kFunction, rank, insert + ")");
+      Json& item = items.add(d.name, CompletionKind::kFunction, rank, insert + ")");
       item["insertTextFormat"] = kSnippet;
       item["detail"] = written(q.workspace, meaning);
       return;
@@ -88,7 +88,11 @@ void add_names(Items& items, const Question& q) {
     const auto value = q.workspace.value_of(meaning);
     const bool color = value && value->kind.find("colo") != std::string::npos;
     const bool block = value && value->value.empty();
-    Json& item = items.add(d.name, color ? kColor : block ? kClass : kVariable, rank);
+    Json& item = items.add(d.name,
+                           color   ? CompletionKind::kColor
+                           : block ? CompletionKind::kClass
+                                   : CompletionKind::kVariable,
+                           rank);
     if (value) item["detail"] = value->kind + (value->value.empty() ? "" : " " + value->value);
   };
   for (const SceneFile& file : files)
@@ -132,7 +136,7 @@ void add_files(Items& items, const Question& q, const parser::EditPlace& place) 
       const bool directory = i->is_directory(failed);
       if (!directory && !fits(i->path())) continue;
       ++count;
-      items.add(folder + name + (directory ? "/" : ""), directory ? kFolder : kFile,
+      items.add(folder + name + (directory ? "/" : ""), directory ? CompletionKind::kFolder : CompletionKind::kFile,
                 base == folders.front() ? '1' : '2');
     }
   }
@@ -154,7 +158,7 @@ Json completion(const Question& q) {
   }
   if (place.behind_dot) {
     for (const char* part : {"x", "y", "z", "t", "u", "v", "red", "green", "blue", "filter", "transmit", "gray"})
-      items.add(part, kProperty, '1');
+      items.add(part, CompletionKind::kProperty, '1');
     return items.list();
   }
   const bool in_list =
@@ -163,7 +167,7 @@ Json completion(const Question& q) {
     const std::string behind = "+" + std::string(parser::spelling(place.opener));
     for (const parser::KeywordSection& section : parser::keyword_sections())
       for (const parser::Keyword& keyword : section.keywords)
-        if (parser::may_stand(keyword, behind)) items.add(std::string(keyword.word), kKeyword, '0');
+        if (parser::may_stand(keyword, behind)) items.add(std::string(keyword.word), CompletionKind::kKeyword, '0');
   }
   add_words(items, place.place, false);
   add_names(items, q);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/console/seconds.h"
 #include "cli/describe/diagnostics_json.h"
 #include "cli/rays/ray_tree.h"
 #include "cli/describe/stored_pixel.h"
@@ -18,9 +19,6 @@ namespace fs = std::filesystem;
 
 namespace verisim::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 constexpr int kCoarse = 8, kMiddle = 3;  // pixels from one sample to the next
 constexpr int kBlock = 32;
@@ -84,7 +82,7 @@ void LivePicture::files_changed() {
 void LivePicture::tell(const std::string& status) {
   const std::lock_guard lock(mutex_);
   status_ = status, ++state_;
-  seconds_ = since(began_);
+  seconds_ = seconds_since(began_);
   changed_.notify_all();
 }
 
@@ -208,7 +206,7 @@ void LivePicture::publish(const render::Framebuffer& frame, int x, int y, int wi
       tile.colors.insert(tile.colors.end(), {c.r, c.g, c.b, c.t});
     }
   const std::lock_guard lock(mutex_);
-  if (tiles_.empty()) first_seconds_ = since(began_);
+  if (tiles_.empty()) first_seconds_ = seconds_since(began_);
   tiles_.push_back(std::move(tile));
   changed_.notify_all();
 }

@@ -8,12 +8,13 @@
 #include <algorithm>
 #include <map>
 
+#include "compare/metrics/rounding.h"
 #include "compare/metrics/values.h"
 
 namespace verisim::compare {
 namespace {
 
-constexpr double kSmallLimit = 0.05, kRounding = 1e-3, kFewBad = 1e-4, kWorthNaming = 0.1;
+constexpr double kSmallLimit = 0.05, kFewBad = 1e-4, kWorthNaming = 0.1;
 
 struct Sums {
   double squares = 0, difference = 0;

@@ -84,13 +84,15 @@ constexpr Gaussian kAchromatic{1, 0.0047}, kRedGreen{1, 0.0053}, kBlueYellow1{34
 
 using Kernel = std::vector<double>;  // 2 radius + 1 weights
 
-struct Kernels {
+}  // namespace
+
+struct FlipKernels {
   int csf_radius, feature_radius;
   Kernel y, cx, cz1, cz2;  // the second Gaussian of Cz is added to the first
   double cz1_weight, cz2_weight;
   Kernel smooth, edge, point;
 
-  explicit Kernels(double ppd) {
+  explicit FlipKernels(double ppd) {
     const double pi2 = std::numbers::pi * std::numbers::pi;
     csf_radius = static_cast<int>(std::ceil(3 * std::sqrt(kBlueYellow1.b / (2 * pi2)) * ppd));
     const auto gaussian = [&](const Gaussian& g, double& sum) {
@@ -139,6 +141,8 @@ struct Kernels {
   }
   int radius() const { return std::max(csf_radius, feature_radius); }
 };
+
+namespace {
 
 struct Plane {
   int width, rows;
@@ -203,7 +207,7 @@ struct Seen {
   Plane edges, points;    // magnitudes of the feature vectors
 };
 
-Seen look(const std::vector<Rgb>& pixels, const Tile& tile, const Kernels& k) {
+Seen look(const std::vector<Rgb>& pixels, const Tile& tile, const FlipKernels& k) {
   const int margin = k.radius();
   Plane y(tile.width + 2 * margin, tile.rows + 2 * margin), cx = y, cz = y, luminance = y;
   for (std::size_t i = 0; i < pixels.size(); ++i) {
@@ -256,7 +260,7 @@ void flip_tile(const Seen& reference, const Seen& test, float* out, int stride) 
 
 // The rows from begin to end, one after the other in `out`.
 void flip(const PixelSource& reference, const PixelSource& test, int width, int height, int begin, int end,
-          const Kernels& kernels, float* out) {
+          const FlipKernels& kernels, float* out) {
   const int across = (width + kTileWidth - 1) / kTileWidth, down = (end - begin + kTileRows - 1) / kTileRows;
   parallel_for(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), 1, [&](std::size_t i) {
     Tile tile{static_cast<int>(i) % across * kTileWidth, begin + static_cast<int>(i) / across * kTileRows, 0, 0};
@@ -303,12 +307,12 @@ double pixels_per_degree(double distance_m, double screen_pixels, double screen_
 }
 
 struct Flip::State {
-  Kernels kernels;
+  FlipKernels kernels;
 };
 
 Flip::Flip(double ppd) {
   if (!(ppd > 0) || ppd > 10000) throw std::invalid_argument("FLIP: the number of pixels per degree must be positive");
-  state_ = std::make_unique<State>(State{Kernels(ppd)});
+  state_ = std::make_unique<State>(State{FlipKernels(ppd)});
 }
 Flip::~Flip() = default;
 int Flip::margin() const { return state_->kernels.radius(); }

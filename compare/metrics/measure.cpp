@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "compare/metrics/ciede2000.h"
+#include "compare/metrics/rounding.h"
 #include "compare/metrics/edges.h"
 #include "compare/metrics/flip.h"
 #include "compare/metrics/metrics.h"
@@ -17,10 +18,6 @@
 
 namespace verisim::compare {
 namespace {
-
-// 16-bit and float values are not whole numbers in 8-bit units: a difference of one code value may come out a rounding
-// error above 1.
-constexpr double kRounding = 1e-3;
 
 struct Sum {
   double squares = 0;

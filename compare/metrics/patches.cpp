@@ -2,12 +2,12 @@
 
 #include <vector>
 
+#include "compare/metrics/rounding.h"
 #include "tracer/base/parallel.h"
 
 namespace verisim::compare {
 namespace {
 
-constexpr double kRounding = 1e-3;  // 16-bit and float values are not whole numbers in 8-bit units
 constexpr int kCell = 8, kBlock = 2 * kCell;
 
 Rgb finite_difference(const Values& a, const Values& b, int x, int y) {

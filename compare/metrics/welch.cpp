@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "compare/metrics/rounding.h"
 #include "compare/metrics/values.h"
 
 namespace verisim::compare {
@@ -58,8 +59,6 @@ Statistic welch_statistic(const std::vector<double>& a, const std::vector<double
   return {(q.mean - p.mean) / std::sqrt(va + vb), (va + vb) * (va + vb) / (va * va / (na - 1) + vb * vb / (nb - 1))};
 }
 
-constexpr double kRounding = 1.0 / 12;  // the variance of rounding to whole code values
-
 // All runs of both sides: the luma of every pixel, and the mean of every picture.
 struct Runs {
   std::size_t pixels = 0;
@@ -97,7 +96,8 @@ Outcome divided(const Runs& runs, const std::vector<bool>& test) {
   const double most_degrees = static_cast<double>(test.size()) - 2;
   double worth = 0;
   for (std::size_t pixel = 0; pixel < runs.pixels; ++pixel) {
-    const Statistic s = statistic([&](std::size_t i) { return static_cast<double>(runs.luma[i][pixel]); }, kRounding);
+    const Statistic s =
+        statistic([&](std::size_t i) { return static_cast<double>(runs.luma[i][pixel]); }, kRoundingVariance);
     if (std::fabs(s.t) <= worth) continue;
     const double p = s.p();
     if (!(p < out.pixel_p)) continue;
@@ -154,7 +154,7 @@ std::vector<float> pixel_p_values(const std::vector<Picture>& reference, const s
   for (std::size_t pixel = 0; pixel < runs.pixels; ++pixel) {
     for (std::size_t i = 0; i < a.size(); ++i) a[i] = runs.luma[i][pixel];
     for (std::size_t i = 0; i < b.size(); ++i) b[i] = runs.luma[a.size() + i][pixel];
-    out.push_back(static_cast<float>(welch_statistic(a, b, kRounding).p()));
+    out.push_back(static_cast<float>(welch_statistic(a, b, kRoundingVariance).p()));
   }
   return out;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "compare/metrics/rounding.h"
 #include "compare/metrics/values.h"
 #include "compare/metrics/verdict.h"
 #include "compare/metrics/welch.h"
@@ -15,7 +16,7 @@ namespace verisim::compare {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kRounding = 1.0 / 12, kLevel = 0.01, kMaxPixels = 0.0025, kMaxBlocks = 0.02;
+constexpr double kLevel = 0.01, kMaxPixels = 0.0025, kMaxBlocks = 0.02;
 constexpr int kBlock = 16;
 constexpr const char* kMark = ".deviation-of-";
 
@@ -70,7 +71,7 @@ ZTest z_test(const StoredVariance& stored, const Picture& render) {
   const double level = each_of(static_cast<double>(width) * height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
-      const double variance = std::max(kRounding, std::pow(deviation.luma(x, y), 2));
+      const double variance = std::max(kRoundingVariance, std::pow(deviation.luma(x, y), 2));
       const double p = predicted(test.luma(x, y) - mean.luma(x, y), variance, stored.runs);
       out.pixels_refused += p < level;
       out.p.push_back(static_cast<float>(p));
@@ -85,7 +86,7 @@ ZTest z_test(const StoredVariance& stored, const Picture& render) {
       for (int y = top; y < std::min(height, top + kBlock); ++y)
         for (int x = left; x < std::min(width, left + kBlock); ++x) {
           difference += test.luma(x, y) - mean.luma(x, y);
-          variance += std::max(kRounding, std::pow(deviation.luma(x, y), 2)), ++count;
+          variance += std::max(kRoundingVariance, std::pow(deviation.luma(x, y), 2)), ++count;
         }
       // Neighbours' noise may go together: as if four pixels were one.
       ++blocks, refused += predicted(difference / count, 4 * variance / (count * count), stored.runs) < block_level;

@@ -7,7 +7,7 @@
 namespace verisim::compare {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // JSON has no infinity; nothing that is measured comes near.
 
@@ -310,20 +310,20 @@ bool Summary::failed() const {
   return bad > known_failures;
 }
 
-std::string metrics_json(const Metrics& metrics) { return metrics_as<Json>(metrics).dump(2) + "\n"; }
+std::string metrics_json(const Metrics& metrics) { return metrics_as<OrderedJson>(metrics).dump(2) + "\n"; }
 
 std::string json_report(const Run& run) {
-  Json json;
-  json["scenes"] = Json::array();
-  for (const SceneResult& scene : run.scenes) json["scenes"].push_back(scene_as<Json>(scene));
-  json["summary"] = summary_as<Json>(run.summary);
+  OrderedJson json;
+  json["scenes"] = OrderedJson::array();
+  for (const SceneResult& scene : run.scenes) json["scenes"].push_back(scene_as<OrderedJson>(scene));
+  json["summary"] = summary_as<OrderedJson>(run.summary);
   json["reference"] = run.reference_name;
   json["oracle_version"] = run.oracle_version;
   json["native_version"] = run.native_version;
   json["started"] = run.started;
   json["cancelled"] = run.cancelled;
   // Scene names and messages may hold any bytes.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace verisim::compare

@@ -4,13 +4,12 @@
 #include <memory>
 
 #include "parser/editing/place.h"
+#include "parser/lexer/directive_links.h"
 
 namespace verisim::parser {
 namespace {
 
-constexpr std::size_t kMaxTokens = std::size_t{1} << 26;
-
-std::shared_ptr<const TokenFile> tokens_of(std::string_view text, Names& names) {
+std::shared_ptr<const TokenFile> all_tokens(std::string_view text, Names& names) {
   return tokenise(std::make_shared<Source>("", text), names, kMaxTokens);
 }
 
@@ -51,15 +50,6 @@ void mark_inside(std::vector<Line>& lines, std::size_t begin, std::size_t end) {
     if (line->begin > begin) line->inside = true;
     if (line->end < end) line->ends_inside = true;
   }
-}
-
-bool opens_construct(Word word) {
-  return word == Word::if_ || word == Word::ifdef || word == Word::ifndef || word == Word::while_ ||
-         word == Word::for_ || word == Word::switch_ || word == Word::macro;
-}
-
-bool is_branch(Word word) {
-  return word == Word::else_ || word == Word::elseif || word == Word::case_ || word == Word::range;
 }
 
 // Levels of indentation: a line that opens something puts what follows one level deeper, however much it opens.
@@ -112,7 +102,7 @@ class Levels {
       open.erase(closed);
     }
     if (level >= 0) return level;
-    if (first < next && tokens[first].kind == TokenKind::directive && is_branch(tokens[first].word))
+    if (first < next && tokens[first].kind == TokenKind::directive && is_alternative(tokens[first].word))
       if (const auto construct = innermost(open, '#'); construct != open.end()) return construct->level;
     const int base = open_.empty() ? 0 : open_.back().level + 1;
     // What an `=` waits for.
@@ -127,7 +117,7 @@ class Levels {
       if (opens_construct(token.word)) {
         before_.push_back(open_);
         open_.push_back({'#', level});
-      } else if (is_branch(token.word) && !before_.empty()) {
+      } else if (is_alternative(token.word) && !before_.empty()) {
         // Each branch may close and open what it likes: the next begins as the first did.
         open_ = before_.back();
         open_.push_back({'#', level});
@@ -156,7 +146,7 @@ bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 std::vector<TextEdit> format_edits(std::string_view text, const Layout& layout) {
   Names names;
-  const auto file = tokens_of(text, names);
+  const auto file = all_tokens(text, names);
   if (file->tokens.back().kind == TokenKind::error) return {};
   std::vector<Line> lines = lines_of(text);
   for (const Comment& comment : comments_of(*file)) mark_inside(lines, comment.begin, comment.end);
@@ -190,7 +180,7 @@ std::vector<TextEdit> format_edits(std::string_view text, const Layout& layout) 
     else if (first == last && !line.inside && first < line.end)
       replace(first, line.end, "");
   }
-  const auto after = tokens_of(applied(text, edits), names);
+  const auto after = all_tokens(applied(text, edits), names);
   return same_tokens(*file, *after) ? edits : std::vector<TextEdit>{};
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "parser/editing/place.h"
 #include "parser/lexer/directive_links.h"
 
 namespace verisim::parser {
 namespace {
 
-constexpr std::size_t kMaxTokens = std::size_t{1} << 26;
 constexpr int kMaxRepairs = 100;
 
 // A file that cannot be read to its end is read without what stopped the reading: the bytes up to the end of that line

@@ -9,6 +9,8 @@
 
 namespace verisim::parser {
 
+constexpr std::size_t kMaxTokens = std::size_t{1} << 26;  // of a file in an editor
+
 struct EditPlace {
   enum class In { code, comment, string };
   In in = In::code;

@@ -4,7 +4,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr Keyword kTable[] = {
+constexpr Keyword kAtmosphereWords[] = {
     {"aa_level", "media", "aa_level N", "3", "Method 3: how often an interval is divided at most."},
     {"aa_threshold", "media", "aa_threshold A", "0.1", "Method 3: differences above this are divided further."},
     {"absorption", "media", "absorption COLOR", "0", "How much light the medium swallows per unit of length."},
@@ -65,6 +65,6 @@ constexpr Keyword kTable[] = {
 
 const KeywordSection kAtmosphere{
     "Interiors, media, fog and skies", "atmosphere",
-    "What fills objects and the space between them. Objects with media inside must be `hollow`.", kTable};
+    "What fills objects and the space between them. Objects with media inside must be `hollow`.", kAtmosphereWords};
 
 }  // namespace verisim::parser

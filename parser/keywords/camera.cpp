@@ -4,7 +4,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr Keyword kTable[] = {
+constexpr Keyword kCameraWords[] = {
     {"angle", "camera", "angle A [, B]", "about 67.4",
      "How wide the view is, in degrees; of ultra_wide_angle and spherical also how high."},
     {"aperture", "camera", "aperture A", "0",
@@ -47,6 +47,6 @@ constexpr Keyword kTable[] = {
 const KeywordSection kCamera{"Cameras", "camera",
                              "One camera makes the picture; the last one counts. Items act in a fixed order, whatever "
                              "order they are written in, except transformations.",
-                             kTable};
+                             kCameraWords};
 
 }  // namespace verisim::parser

@@ -4,7 +4,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr Keyword kTable[] = {
+constexpr Keyword kDirectiveWords[] = {
     {"append", "+fopen", "#fopen HANDLE \"file\" append", "",
      "Opens the file for writing at its end; what is there stays."},
     {"array", "value", "array[N]...[ { ITEM, ... } ]", "",
@@ -95,6 +95,6 @@ const KeywordSection kDirectives{
     "Directives", "directives",
     "A directive begins with `#`, may stand anywhere, even in the middle of a vector, and is executed when the reader "
     "gets there. A scene is a program: what it yields is a list of objects and settings.",
-    kTable};
+    kDirectiveWords};
 
 }  // namespace verisim::parser

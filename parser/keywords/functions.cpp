@@ -4,7 +4,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr Keyword kTable[] = {
+constexpr Keyword kFunctionWords[] = {
     {"abs", "expression", "abs(A)", "", "The number without its sign."},
     {"acos", "expression", "acos(A)", "",
      "The angle in radians whose cosine is A, from 0 to pi. A must lie between -1 and 1."},
@@ -161,6 +161,6 @@ const KeywordSection kFunctions{
     "Numbers, vectors, strings, colours and functions", "functions",
     "Expressions are made of numbers, vectors `<x, y, z>`, strings in double quotes and identifiers. Where a vector is "
     "wanted, one number stands for equal components. Angles of functions are radians, those of rotate are degrees.",
-    kTable};
+    kFunctionWords};
 
 }  // namespace verisim::parser

@@ -4,7 +4,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr Keyword kTable[] = {
+constexpr Keyword kImageWords[] = {
     {"all", "+transmit +filter", "image_map { ... transmit all A | filter all A }", "",
      "All colours of the picture's palette become transparent."},
     {"bmp", "@image", "bmp \"file.bmp\"", "", "The picture is a BMP file."},
@@ -52,6 +52,6 @@ const KeywordSection kImages{
     "Pictures in scenes", "images",
     "Pictures colour surfaces, bend normals, choose textures and make heights. The type before the file name may be "
     "left out where the extension says it.",
-    kTable};
+    kImageWords};
 
 }  // namespace verisim::parser

@@ -5,7 +5,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr Keyword kTable[] = {
+constexpr Keyword kLightWords[] = {
     {"adaptive", "light_source", "adaptive N", "",
      "Only as many lamps of an area light are asked as shadows need; larger numbers ask more."},
     {"area_illumination", "light_source", "area_illumination [BOOL]", "off",
@@ -45,8 +45,8 @@ constexpr Keyword kTable[] = {
     {"tightness", "light_source", "tightness A", "0", "How much the light of a beam gathers in its middle."},
 };
 
-#define VERISIM_LIGHT(name, words, beam)                                                       \
-  static_assert(scene::LightKind::name == scene::LightKind::point || describes(kTable, #name), \
+#define VERISIM_LIGHT(name, words, beam)                                                            \
+  static_assert(scene::LightKind::name == scene::LightKind::point || describes(kLightWords, #name), \
                 "a light without description");
 VERISIM_LIGHTS(VERISIM_LIGHT)
 #undef VERISIM_LIGHT
@@ -55,6 +55,6 @@ VERISIM_LIGHTS(VERISIM_LIGHT)
 
 const KeywordSection kLights{
     "Lights", "lights", "Without a light_source only what shines by itself (ambient, emission, radiosity) is seen.",
-    kTable};
+    kLightWords};
 
 }  // namespace verisim::parser

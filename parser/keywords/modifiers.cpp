@@ -4,7 +4,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr Keyword kTable[] = {
+constexpr Keyword kModifierWords[] = {
     {"bounded_by", "@modifier clipped_by", "bounded_by { OBJECT ... }", "an automatic box",
      "Bounds the object by hand: rays that miss these objects skip it. bounded_by { clipped_by } takes the clips."},
     {"clipped_by", "@modifier bounded_by", "clipped_by { OBJECT ... }", "",
@@ -78,6 +78,6 @@ const KeywordSection kModifiers{
     "Modifiers of objects", "modifiers",
     "They follow the numbers of an object, in any order; transformations act one after the other, on all that stands "
     "before them.",
-    kTable};
+    kModifierWords};
 
 }  // namespace verisim::parser

@@ -5,7 +5,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr Keyword kTable[] = {
+constexpr Keyword kPatternWords[] = {
     {"pigment", "pigment", "checker pigment { ... }, pigment { ... }", "",
      "One of the pigments of a pattern that takes a list of them."},
     {"normal", "normal", "hexagon normal { ... }, normal { ... }", "",
@@ -88,7 +88,7 @@ constexpr bool is_elsewhere(std::string_view word) {  // images.cpp, textures.cp
   return word == "bump_map" || word == "image_map" || word == "uv_mapping";
 }
 #define VERISIM_PATTERN(name, params, list, traits) \
-  static_assert(describes(kTable, #name) || is_elsewhere(#name), "a pattern without description");
+  static_assert(describes(kPatternWords, #name) || is_elsewhere(#name), "a pattern without description");
 VERISIM_PATTERNS_WITH_KEYWORD(VERISIM_PATTERN)
 #undef VERISIM_PATTERN
 
@@ -98,6 +98,6 @@ const KeywordSection kPatterns{
     "Patterns", "patterns",
     "A pattern gives every point of space a value from 0 to 1. `pigment`, `normal`, `texture` and `density` turn it "
     "into colours, bumps, textures and densities by a map; `function { pattern { ... } }` reads it as a number.",
-    kTable};
+    kPatternWords};
 
 }  // namespace verisim::parser

@@ -4,7 +4,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr Keyword kTable[] = {
+constexpr Keyword kSettingWords[] = {
     {"adc_bailout", "global_settings global_radiosity global_photons", "adc_bailout A", "1/255, in radiosity 0.01",
      "Rays that count less than this are not followed."},
     {"always_sample", "global_radiosity", "always_sample BOOL", "off",
@@ -81,6 +81,7 @@ constexpr Keyword kTable[] = {
 }  // namespace
 
 const KeywordSection kSettings{"Settings of the whole scene", "settings",
-                               "`global_settings` and what is below it: radiosity, photons, subsurface.", kTable};
+                               "`global_settings` and what is below it: radiosity, photons, subsurface.",
+                               kSettingWords};
 
 }  // namespace verisim::parser

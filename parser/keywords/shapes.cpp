@@ -5,7 +5,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr Keyword kTable[] = {
+constexpr Keyword kShapeWords[] = {
     {"accuracy", "isosurface parametric", "accuracy A", "0.001",
      "How exactly the surface is found: less is finer and slower."},
     {"accuracy", "bicubic_patch", "accuracy A", "", "An old name of flatness."},
@@ -168,8 +168,10 @@ constexpr Keyword kTable[] = {
     {"xyz", "polynomial", "xyz(X, Y, Z): A", "", "A term: the powers of x, y and z, and its coefficient."},
 };
 
-#define VERISIM_OBJECT(word, reader) \
-  static_assert(describes(kTable, #word) || std::string_view(#word).starts_with("light_"), "without description");
+#define VERISIM_OBJECT(word, reader)                                                            \
+  static_assert(describes(kShapeWords, #word) || std::string_view(#word).starts_with("light_"), \
+                "without "                                                                      \
+                "description");
 VERISIM_OBJECT_STATEMENTS(VERISIM_OBJECT)
 #undef VERISIM_OBJECT
 
@@ -179,6 +181,6 @@ const KeywordSection kShapes{
     "Shapes", "shapes",
     "Solids, surfaces and what combines them. After its own numbers every object takes modifiers: a texture, "
     "transformations and the like.",
-    kTable};
+    kShapeWords};
 
 }  // namespace verisim::parser

@@ -4,7 +4,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr Keyword kTable[] = {
+constexpr Keyword kTextureWords[] = {
     {"accuracy", "normal", "accuracy A", "0.02", "How far apart the points are that a bump is computed from."},
     {"agate_turb", "@modified", "agate_turb A", "1", "The turbulence within the pattern agate."},
     {"albedo", "+diffuse +phong +specular", "diffuse albedo A | specular albedo A | phong albedo A", "",
@@ -146,6 +146,6 @@ const KeywordSection kTextures{
     "Textures", "textures",
     "A texture is a pigment (colour), a normal (bumps) and a finish (light). Pigments, normals, textures and densities "
     "can follow a pattern: its value from 0 to 1 picks from a map, and modifiers change the pattern.",
-    kTable};
+    kTextureWords};
 
 }  // namespace verisim::parser

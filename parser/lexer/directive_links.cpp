@@ -1,13 +1,9 @@
 #include "parser/lexer/directive_links.h"
 
 namespace verisim::parser {
-namespace {
-
-bool alternative(Word word) {
+bool is_alternative(Word word) {
   return word == Word::else_ || word == Word::elseif || word == Word::case_ || word == Word::range;
 }
-
-}  // namespace
 
 bool opens_construct(Word word) {
   switch (word) {
@@ -78,10 +74,10 @@ std::vector<std::uint32_t> link_directives(Tokens& tokens) {
       stack.push_back({i, word, word != Word::while_ && word != Word::for_ && word != Word::macro});
     } else if (stack.empty()) {
       continue;
-    } else if (alternative(word) && stack.back().branches) {
+    } else if (is_alternative(word) && stack.back().branches) {
       link(stack.back().last, i);
       stack.back().last = i;
-    } else if (alternative(word) && stack.back().word == Word::macro) {
+    } else if (is_alternative(word) && stack.back().word == Word::macro) {
       strays.push_back(i);
     } else if (word == Word::end) {
       link(stack.back().last, i);

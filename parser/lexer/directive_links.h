@@ -9,6 +9,7 @@ namespace verisim::parser {
 
 bool is_directive(Word word);
 bool opens_construct(Word word);  // that an #end closes
+bool is_alternative(Word word);   // #else, #elseif, #case, #range
 
 // Links each opener and alternative to the next alternative or #end of the same construct, so that skipping is a jump.
 // What has no partner in this file keeps 0 and is found by scanning. Loops and macros have no alternatives: one inside

@@ -85,7 +85,7 @@ Material parse_material(Parser& parser, const Material& earlier) {
       add_layers(parser, material.texture, parse_texture(parser));
       material.solid_steps = {};
     } else if (parser.at(Word::interior_texture)) {
-      add_layers(parser, material.interior_texture, parse_interior_texture(parser));
+      add_layers(parser, material.interior_texture, parse_texture(parser));
     } else if (parser.at(Word::interior)) {
       material.interior = parse_interior(parser, material.interior);
     } else if (parse_transform_item(parser, item)) {

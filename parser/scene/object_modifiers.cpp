@@ -110,7 +110,7 @@ bool parse_appearance(Parser& parser, Object& object) {
     case Word::finish:
       return parse_part_of_texture(parser, object);
     case Word::interior_texture:
-      add_layers(parser, object.interior_texture, parse_interior_texture(parser));
+      add_layers(parser, object.interior_texture, parse_texture(parser));
       return true;
     case Word::interior:
       object.interior = parse_interior(parser, object.interior);

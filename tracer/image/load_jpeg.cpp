@@ -28,7 +28,7 @@ struct Errors {
 void on_message(j_common_ptr) {}
 void on_warning(j_common_ptr, int) {}  // damaged data are drawn as far as they go, as POV-Ray draws them
 
-struct Source {
+struct JpegSource {
   jpeg_source_mgr base;
   ByteReader* in;
 };
@@ -37,7 +37,7 @@ void start(j_decompress_ptr) {}
 
 // As in POV-Ray a file that ends before its end mark is an error; libjpeg alone would fill the rest with grey.
 boolean fill(j_decompress_ptr jpeg) {
-  auto* source = reinterpret_cast<Source*>(jpeg->src);
+  auto* source = reinterpret_cast<JpegSource*>(jpeg->src);
   auto* errors = reinterpret_cast<Errors*>(jpeg->err);
   source->base.bytes_in_buffer = 0;
   try {
@@ -76,7 +76,7 @@ struct Reader {
   }
   ~Reader() { jpeg_destroy_decompress(&jpeg); }
   Errors errors;
-  Source source{};
+  JpegSource source{};
   jpeg_decompress_struct jpeg{};
 };
 

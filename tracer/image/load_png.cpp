@@ -13,19 +13,19 @@ namespace verisim::image {
 namespace {
 
 // libpng calls back in C: the message waits here, control returns by longjmp.
-struct Source {
+struct PngSource {
   ByteReader& file;
   char message[160] = "";
 };
 
 void on_error(png_structp png, png_const_charp message) {
-  auto* source = static_cast<Source*>(png_get_error_ptr(png));
+  auto* source = static_cast<PngSource*>(png_get_error_ptr(png));
   std::strncpy(source->message, message, sizeof source->message - 1);
   png_longjmp(png, 1);
 }
 void on_warning(png_structp, png_const_charp) {}
 void on_read(png_structp png, png_bytep to, png_size_t count) {
-  auto* source = static_cast<Source*>(png_get_io_ptr(png));
+  auto* source = static_cast<PngSource*>(png_get_io_ptr(png));
   if (count > source->file.left()) png_error(png, "unexpected end of file");
   bool whole = true;
   try {
@@ -36,14 +36,14 @@ void on_read(png_structp png, png_bytep to, png_size_t count) {
   if (!whole) png_error(png, "the file cannot be read");
 }
 
-struct Reader {
-  explicit Reader(Source& source) {
+struct PngReader {
+  explicit PngReader(PngSource& source) {
     png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
     if (png) info = png_create_info_struct(png);
     if (!info) throw std::bad_alloc();
     png_set_read_fn(png, &source, on_read);
   }
-  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+  ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
   png_structp png = nullptr;
   png_infop info = nullptr;
 };
@@ -60,7 +60,7 @@ struct Header {
 };
 
 // From here to the end of read_rows control may leave by longjmp: no objects with destructors.
-bool read_header(Reader& r, Header& h) {
+bool read_header(PngReader& r, Header& h) {
   if (setjmp(png_jmpbuf(r.png))) return false;
   png_set_user_limits(r.png, 1u << 24, 1u << 24);
   png_read_info(r.png, r.info);
@@ -82,7 +82,7 @@ bool read_header(Reader& r, Header& h) {
   return true;
 }
 
-bool read_rows(Reader& r, png_bytepp rows) {
+bool read_rows(PngReader& r, png_bytepp rows) {
   if (setjmp(png_jmpbuf(r.png))) return false;
   png_read_image(r.png, rows);
   return true;
@@ -91,8 +91,8 @@ bool read_rows(Reader& r, png_bytepp rows) {
 }  // namespace
 
 RawImage decode_png(ByteReader& in) {
-  Source source{in};
-  Reader reader(source);
+  PngSource source{in};
+  PngReader reader(source);
   Header h{};
   if (!read_header(reader, h)) throw std::runtime_error(source.message);
   RawImage raw;

@@ -6,11 +6,10 @@
 
 #include "tracer/image/gamma.h"
 #include "tracer/image/module/module.h"
+#include "tracer/image/raw_image.h"
 
 namespace verisim::image {
 namespace {
-
-constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 29;
 
 void save(const std::filesystem::path& path, const VerisimImage& image, const OutputOptions& options,
           const char* compression, int quality) {
@@ -113,7 +112,7 @@ Picture read_through_module(const std::filesystem::path& path) {
   VerisimImage image{};
   char error[512] = {};
   const Module& module = image_module();
-  if (module.read(path.c_str(), kMaxPixels, &image, error, sizeof error) != 0) throw std::runtime_error(error);
+  if (module.read(path.c_str(), kMaxStoredPixels, &image, error, sizeof error) != 0) throw std::runtime_error(error);
   Picture picture{image.width,
                   image.height,
                   image.channels,

@@ -13,6 +13,8 @@ namespace verisim::image {
 
 // Larger pictures are refused before memory is allocated.
 inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 27;
+// The same of pictures that are compared or looked at.
+inline constexpr std::uint64_t kMaxStoredPixels = std::uint64_t{1} << 29;
 
 struct RawImage {
   enum class Curve : std::uint8_t { unspecified, srgb, power };  // what the file itself says of its values

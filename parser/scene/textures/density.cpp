@@ -11,10 +11,6 @@ using scene::PatternKind;
 
 namespace {
 
-bool refuses_maps(PatternKind kind) {
-  return kind == PatternKind::plain || kind == PatternKind::image_map || list_size(kind) > 0;
-}
-
 scene::DensityPtr plain_white() {
   auto density = std::make_shared<Density>();
   density->pattern.kind = PatternKind::plain;

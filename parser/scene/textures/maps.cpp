@@ -84,6 +84,10 @@ Color built_in_color(scene::PatternKind kind, int i) {
 
 }  // namespace
 
+bool refuses_maps(scene::PatternKind kind) {
+  return kind == scene::PatternKind::plain || kind == scene::PatternKind::image_map || list_size(kind) > 0;
+}
+
 Shared<scene::ColorMap> parse_color_map(Parser& parser) {
   return parse_map<ColorMapValue, scene::ColorMap>(
       parser, "color_map", false, [&](scene::ColorMap& map, float p) { read_color_entry(parser, map, p); });

@@ -5,6 +5,9 @@
 
 namespace verisim::parser {
 
+// Patterns without a map: what has colours of its own, and lists.
+bool refuses_maps(scene::PatternKind kind);
+
 // Each with its keyword at the cursor; `weights` for the maps of an `average` pattern, whose numbers may be left out.
 Shared<scene::ColorMap> parse_color_map(Parser& parser);
 Shared<scene::BlendMap<scene::PigmentPtr>> parse_pigment_map(Parser& parser, bool weights);

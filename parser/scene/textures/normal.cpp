@@ -11,11 +11,6 @@ using scene::PatternKind;
 
 namespace {
 
-bool refuses_maps(PatternKind kind) {
-  return kind == PatternKind::none || kind == PatternKind::plain || kind == PatternKind::image_map ||
-         list_size(kind) > 0;
-}
-
 void read_list(Parser& parser, Normal& normal, int size) {
   const auto absent = [&]() -> scene::NormalPtr {
     if (default_layer(parser).normal) return default_layer(parser).normal;
@@ -49,13 +44,15 @@ bool parse_modifier(Parser& parser, Normal& normal) {
       normal.no_bump_scale = true;
       return true;
     case Word::slope_map:
-      if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::average)
+      if (normal.pattern.kind == PatternKind::none || refuses_maps(normal.pattern.kind) ||
+          normal.pattern.kind == PatternKind::average)
         parser.error(Code::incompatible, "Cannot use slope_map with this pattern type.");
       normal.slope_map = parse_slope_map(parser);
       normal.normal_map = nullptr;
       return true;
     case Word::normal_map:
-      if (refuses_maps(normal.pattern.kind) || normal.pattern.kind == PatternKind::facets)
+      if (normal.pattern.kind == PatternKind::none || refuses_maps(normal.pattern.kind) ||
+          normal.pattern.kind == PatternKind::facets)
         parser.error(Code::incompatible, "Cannot use normal_map with this pattern type.");
       normal.normal_map = parse_normal_map(parser, normal.pattern.kind == PatternKind::average);
       normal.slope_map = nullptr;

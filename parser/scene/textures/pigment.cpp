@@ -11,10 +11,6 @@ using scene::Pigment;
 
 namespace {
 
-bool refuses_maps(PatternKind kind) {
-  return kind == PatternKind::plain || kind == PatternKind::image_map || list_size(kind) > 0;
-}
-
 void read_list(Parser& parser, Pigment& pigment, int size) {
   const auto absent = [&] { return default_layer(parser).pigment; };
   pigment.pigment_map = parse_block_list<scene::PigmentPtr>(parser, size, Word::pigment, absent,

@@ -264,11 +264,4 @@ scene::TexturePtr parse_texture(Parser& parser) {
   return result;
 }
 
-scene::TexturePtr parse_interior_texture(Parser& parser) {
-  Block block(parser);
-  scene::TexturePtr result = parse_texture_body(parser);
-  block.close();
-  return result;
-}
-
 }  // namespace verisim::parser

@@ -12,7 +12,5 @@ void add_layers(Parser& parser, scene::TexturePtr& texture, const scene::Texture
 // goes on from there.
 bool parse_texture_part(Parser& parser, scene::TexturePtr& texture, scene::Rare<Transform>* steps = nullptr,
                         bool* replaced = nullptr);
-// interior_texture { ... }
-scene::TexturePtr parse_interior_texture(Parser& parser);
 
 }  // namespace verisim::parser

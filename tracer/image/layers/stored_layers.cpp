@@ -9,13 +9,13 @@
 #include <string_view>
 
 #include "tracer/image/module/module.h"
+#include "tracer/image/raw_image.h"
 
 namespace verisim::image {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 29;
 constexpr std::int32_t kMaxChannels = 1024;  // an animation system's multi-layer file has some hundred
 constexpr std::string_view kColors = "YRGBA";
 
@@ -33,7 +33,7 @@ std::vector<VerisimChannel> channels_in(const fs::path& path) {
   char error[512] = {};
   std::int32_t count = 0;
   if (image_module(ModuleKind::exr)
-          .list_channels(path.c_str(), kMaxPixels, out.data(), kMaxChannels, &count, error, sizeof error) !=
+          .list_channels(path.c_str(), kMaxStoredPixels, out.data(), kMaxChannels, &count, error, sizeof error) !=
       kVerisimDone)
     fail(path, error);
   if (count > kMaxChannels) fail(path, "it has too many channels");

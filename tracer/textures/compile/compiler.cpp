@@ -11,6 +11,7 @@
 
 #include "tracer/functions/function.h"
 #include "tracer/textures/compile/compile_pattern.h"
+#include "tracer/textures/compile/compiled_cache.h"
 #include "tracer/textures/compile/equal_textures.h"
 #include "tracer/textures/normals/normal.h"
 #include "tracer/textures/patterns/formulas.h"
@@ -30,66 +31,16 @@ bool usable_quick_color(const scene::Pigment& d) {
   return d.quick_color && d.quick_color->r != -1 && d.quick_color->g != -1 && d.quick_color->b != -1;
 }
 
-// What was compiled from which description. Keeps the descriptions alive, so that an address stands for one description
-// only. Scenes may have a texture for each of a million objects: a table of numbers takes little of their memory.
-template <class Description, class Compiled>
-class Cache {
- public:
-  using Ptr = std::shared_ptr<const Description>;
-  // make() returns the result of add, or what an equal description was compiled to.
-  template <class Make>
-  const Compiled* get(const Ptr& description, bool no_bump_scale, Make make) {
-    if (const std::uint32_t known = *slot(description.get(), no_bump_scale); known != kFree)
-      return kept_[known].compiled;
-    const Compiled* const compiled = make();  // may compile others
-    if (2 * (kept_.size() + 1) > slots_.size()) grow();
-    *slot(description.get(), no_bump_scale) = static_cast<std::uint32_t>(kept_.size());
-    kept_.push_back({description, compiled, no_bump_scale});
-    return compiled;
-  }
-  const Compiled* add(Compiled compiled) { return &store_.emplace_back(std::move(compiled)); }
-
- private:
-  static constexpr std::uint32_t kFree = 0xffffffffu;
-  struct Entry {
-    Ptr description;
-    const Compiled* compiled;
-    bool no_bump_scale;
-  };
-
-  // Where the number of a description is, or is to be.
-  std::uint32_t* slot(const Description* description, bool no_bump_scale) {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t place =
-        ((reinterpret_cast<std::uintptr_t>(description) >> 4) + no_bump_scale) * 0x9e3779b97f4a7c15u >> 32;
-    for (;; ++place) {
-      std::uint32_t& number = slots_[place & mask];
-      if (number == kFree) return &number;
-      const Entry& entry = kept_[number];
-      if (entry.description.get() == description && entry.no_bump_scale == no_bump_scale) return &number;
-    }
-  }
-  void grow() {
-    slots_.assign(2 * slots_.size(), kFree);
-    for (std::size_t i = 0; i < kept_.size(); ++i)
-      *slot(kept_[i].description.get(), kept_[i].no_bump_scale) = static_cast<std::uint32_t>(i);
-  }
-
-  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(16, kFree);  // a power of two, at most half of it used
-  std::deque<Entry> kept_;
-  std::deque<Compiled> store_;
-};
-
 }  // namespace
 
 struct Compiler::Impl {
   explicit Impl(const Settings& s) : settings(s) {}
 
   Settings settings;
-  Cache<scene::Texture, CompiledTexture> textures;
-  Cache<scene::Pigment, CompiledPigment> pigments;
-  Cache<scene::Density, CompiledPigment> densities;
-  Cache<scene::Normal, CompiledNormal> normals;
+  CompiledCache<scene::Texture, CompiledTexture> textures;
+  CompiledCache<scene::Pigment, CompiledPigment> pigments;
+  CompiledCache<scene::Density, CompiledPigment> densities;
+  CompiledCache<scene::Normal, CompiledNormal> normals;
   std::unordered_map<SolidColor, const CompiledPigment*, EqualTexturesHash> solid_colors;
   std::unordered_map<SingleLayer, const CompiledTexture*, EqualTexturesHash> single_layers;
   std::deque<CompiledPattern> patterns;

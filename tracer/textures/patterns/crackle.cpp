@@ -65,7 +65,7 @@ Nearest nearest_three(const Vec3& p, Metric metric, bool bounded) {
   return best;
 }
 
-const CrackleKernels& kernels = crackle_kernels();
+const CrackleKernels& best_kernels = crackle_kernels();
 
 // A point's cell and its place within.
 struct CellPlace {
@@ -124,9 +124,9 @@ class CrackleValues {
 
   // Eight neighbours in one cell.
   void of_eight(CrackleEight& at, double* values) const {
-    (squares_ ? kernels.squares_of_eight : kernels.sums_of_eight)(cell_at(at.cell[0][0], at.cell[1][0], at.cell[2][0]),
-                                                                  at);
-    kernels.in_form(at, form_, data_.offset_power, squares_, values);
+    (squares_ ? best_kernels.squares_of_eight : best_kernels.sums_of_eight)(
+        cell_at(at.cell[0][0], at.cell[1][0], at.cell[2][0]), at);
+    best_kernels.in_form(at, form_, data_.offset_power, squares_, values);
   }
   // Points of a row wherever they are, cell by cell.
   void of_all(const CrackleBatch& batch, std::uint64_t open) const {
@@ -151,7 +151,7 @@ class CrackleValues {
     const CrackleCell& cell = cell_at(batch.cell[0][found[0]], batch.cell[1][found[0]], batch.cell[2][found[0]]);
     if (n <= kAlone) {
       for (int k = 0; k < n; ++k) {
-        const NearestThree nearest = (squares_ ? kernels.squares : kernels.sums)(
+        const NearestThree nearest = (squares_ ? best_kernels.squares : best_kernels.sums)(
             cell, {batch.place[0][found[k]], batch.place[1][found[k]], batch.place[2][found[k]]});
         values_[found[k]] = in_form(data_, nearest.s[0], nearest.s[1], nearest.s[2]);
       }
@@ -160,9 +160,9 @@ class CrackleValues {
     CrackleEight at;
     for (int k = 0; k < 8; ++k)
       for (int axis = 0; axis < 3; ++axis) at.place[axis][k] = batch.place[axis][found[std::min(k, n - 1)]];
-    (squares_ ? kernels.squares_of_eight : kernels.sums_of_eight)(cell, at);
+    (squares_ ? best_kernels.squares_of_eight : best_kernels.sums_of_eight)(cell, at);
     alignas(64) double values[8];
-    kernels.in_form(at, form_, data_.offset_power, squares_, values);
+    best_kernels.in_form(at, form_, data_.offset_power, squares_, values);
     for (int k = 0; k < n; ++k) values_[found[k]] = values[k];
   }
 
@@ -195,7 +195,7 @@ void crackle_batch(const CrackleData& data, int noise_generator, int count, cons
   std::uint64_t open = 0;
   for (int first = 0; first < count; first += 8) {
     CrackleEight at;
-    if (kernels.locate(p.x + first, p.y + first, p.z + first, at)) {
+    if (best_kernels.locate(p.x + first, p.y + first, p.z + first, at)) {
       values.of_eight(at, v + first);
       continue;
     }
@@ -219,7 +219,7 @@ double crackle(const CrackleData& data, int noise_generator, const Vec3& p) {
     const CellPlace at = locate(p);
     const CrackleCell& cell =
         crackle_cell(c.metric == 2 ? CrackleMetric::squares : CrackleMetric::sums, at.a, at.b, at.c);
-    n = c.metric == 2 ? kernels.squares(cell, at.place) : kernels.sums(cell, at.place);
+    n = c.metric == 2 ? best_kernels.squares(cell, at.place) : best_kernels.sums(cell, at.place);
   } else {
     const Nearest nearest = nearest_three(p, MetricAny{c.metric}, c.metric > 0);
     n = {{nearest.s[0], nearest.s[1], nearest.s[2]}};

@@ -18,7 +18,7 @@ namespace {
 
 using Polygon = std::vector<Vec2>;  // convex; x and z
 
-const double h = std::sqrt(3.0) / 2;
+const double kH = std::sqrt(3.0) / 2;  // height of a triangle with sides of 1
 
 Vec2 direction(double degrees) {
   const double a = degrees * std::numbers::pi / 180;
@@ -171,12 +171,12 @@ Tiling trapezoids(int number) {  // 13 and 14
 
 Tiling hexagons_squares_triangles(int number) {  // 16 and 17
   const bool six = number == 17;
-  Builder b(six ? 6 : 3, h / 3, {0, 1 + 2 * h}, {1.5 + h, 0.5 + h});
-  const Vec2 c(0.5 + h, 0.5 + h);
+  Builder b(six ? 6 : 3, kH / 3, {0, 1 + 2 * kH}, {1.5 + kH, 0.5 + kH});
+  const Vec2 c(0.5 + kH, 0.5 + kH);
   b.add(six ? 5 : 2, regular(c, 6, 30), 0, six ? 5.000001 / 6 : 2.0000001 / 3);
-  b.add(0, on_edge(c, h, 90, 4));
-  b.add(six ? 1 : 0, on_edge(c, h, 30, 4), six ? 1.67e-7 : 0);
-  b.add(six ? 2 : 0, on_edge(c, h, -30, 4), six ? 1.67e-7 : 0);
+  b.add(0, on_edge(c, kH, 90, 4));
+  b.add(six ? 1 : 0, on_edge(c, kH, 30, 4), six ? 1.67e-7 : 0);
+  b.add(six ? 2 : 0, on_edge(c, kH, -30, 4), six ? 1.67e-7 : 0);
   for (const double side : {180.0, 0.0}) {
     const Vec2 tip = c + direction(side);
     b.add(six ? (side == 0 ? 4 : 3) : 1, {tip, tip + direction(side + 30), tip + direction(side - 30)});
@@ -185,8 +185,8 @@ Tiling hexagons_squares_triangles(int number) {  // 16 and 17
 }
 
 Tiling hexagons_in_triangles(const Vec2& a, const Vec2& lattice_b) {  // 19 and 20
-  Builder b(3, h / 3, a, lattice_b);
-  const Vec2 center(1, 2 * h);
+  Builder b(3, kH / 3, a, lattice_b);
+  const Vec2 center(1, 2 * kH);
   b.add(2, regular(center, 6, 30), 0, 2.000001 / 3);
   const auto in_hexagon = [&](const Vec2& p) {
     for (int i = -6; i <= 6; ++i)
@@ -196,9 +196,9 @@ Tiling hexagons_in_triangles(const Vec2& a, const Vec2& lattice_b) {  // 19 and 
   };
   for (int i = -20; i <= 20; ++i)
     for (int j = -20; j <= 20; ++j) {
-      const Vec2 corner(i + j / 2.0, j * h);
-      const Polygon upright = {corner, corner + Vec2(1, 0), corner + Vec2(0.5, h)};
-      const Polygon inverted = {corner, corner + Vec2(1, 0), corner + Vec2(0.5, -h)};
+      const Vec2 corner(i + j / 2.0, j * kH);
+      const Polygon upright = {corner, corner + Vec2(1, 0), corner + Vec2(0.5, kH)};
+      const Polygon inverted = {corner, corner + Vec2(1, 0), corner + Vec2(0.5, -kH)};
       for (int k = 0; k < 2; ++k) {
         const Polygon& triangle = k == 0 ? upright : inverted;
         const Vec2 middle = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
@@ -210,37 +210,37 @@ Tiling hexagons_in_triangles(const Vec2& a, const Vec2& lattice_b) {  // 19 and 
 }
 
 Tiling snub_square() {  // 21
-  const double period = 1 + 2 * h, c = 0.5 + h;
-  Builder b(6, h / 3, {period, 0}, {0, period});
+  const double period = 1 + 2 * kH, c = 0.5 + kH;
+  Builder b(6, kH / 3, {period, 0}, {0, period});
   for (const Vec2& o : {Vec2(0, 0), Vec2(c, c)})
-    for (const double s : {1.0, -1.0}) b.add(s > 0 ? 0 : 2, {o + Vec2(0, 0.5), o + Vec2(0, -0.5), o + Vec2(s * h, 0)});
+    for (const double s : {1.0, -1.0}) b.add(s > 0 ? 0 : 2, {o + Vec2(0, 0.5), o + Vec2(0, -0.5), o + Vec2(s * kH, 0)});
   for (const Vec2& o : {Vec2(c, 0), Vec2(0, c)})
-    for (const double s : {1.0, -1.0}) b.add(s > 0 ? 3 : 1, {o + Vec2(0.5, 0), o + Vec2(-0.5, 0), o + Vec2(0, s * h)});
+    for (const double s : {1.0, -1.0}) b.add(s > 0 ? 3 : 1, {o + Vec2(0.5, 0), o + Vec2(-0.5, 0), o + Vec2(0, s * kH)});
   for (const double sx : {1.0, -1.0})
     for (const double sz : {1.0, -1.0}) {
       const int tile_class = sx == sz ? 4 : 5;
-      b.add(tile_class, {{0, sz * 0.5}, {sx * h, 0}, {sx * (h + 0.5), sz * h}, {sx * 0.5, sz * (h + 0.5)}}, 0,
+      b.add(tile_class, {{0, sz * 0.5}, {sx * kH, 0}, {sx * (kH + 0.5), sz * kH}, {sx * 0.5, sz * (kH + 0.5)}}, 0,
             (tile_class + 1e-6) / 6);
     }
   return b.finish();
 }
 
 Tiling dodecagons_triangles() {  // 22
-  Builder b(3, h / 3, {2 + 2 * h, 0}, {1 + h, 1.5 + 2 * h});
-  const Polygon dodecagon = regular({1 + h, 1 + h}, 12, 0);
+  Builder b(3, kH / 3, {2 + 2 * kH, 0}, {1 + kH, 1.5 + 2 * kH});
+  const Polygon dodecagon = regular({1 + kH, 1 + kH}, 12, 0);
   // Edge k of the polygon has normal (k + 1) * 30 degrees.
-  std::vector<double> radii(12, h / 3);
+  std::vector<double> radii(12, kH / 3);
   for (const int normal : {0, 180, 270}) radii[(normal / 30 + 11) % 12] = 1.0 / 3;
   b.add(2, dodecagon, 3.33e-8, 0, radii);
-  b.add(0, {{0, 0.5 + h}, {0.5, 0.5}, {-0.5, 0.5}});
-  b.add(1, {{1 + h, -h}, {1.5 + h, 0}, {0.5 + h, 0}});
+  b.add(0, {{0, 0.5 + kH}, {0.5, 0.5}, {-0.5, 0.5}});
+  b.add(1, {{1 + kH, -kH}, {1.5 + kH, 0}, {0.5 + kH, 0}});
   return b.finish();
 }
 
 Tiling dodecagons_hexagons_squares(int number) {  // 23 and 24
   const bool five = number == 24;
-  Builder b(five ? 5 : 3, 0.5, {3 + 2 * h, 0}, {1.5 + h, 1.5 + 3 * h});
-  const Vec2 c(1.5 + h, 1 + 2 * h);
+  Builder b(five ? 5 : 3, 0.5, {3 + 2 * kH, 0}, {1.5 + kH, 1.5 + 3 * kH});
+  const Vec2 c(1.5 + kH, 1 + 2 * kH);
   b.add(five ? 4 : 2, regular(c, 12, 0), 0, five ? 0.8 + 2e-7 : 2.0 / 3 + 3.33e-7);
   for (int k = 0; k < 3; ++k) b.add(five ? 1 + k : 1, on_edge(c, inner_radius(12), 60 * k, 4));
   for (const int normal : {30, 90}) b.add(0, on_edge(c, inner_radius(12), normal, 6));
@@ -248,30 +248,30 @@ Tiling dodecagons_hexagons_squares(int number) {  // 23 and 24
 }
 
 Tiling triangles_and_more(int number) {  // 2 to 5
-  const Polygon up = {{0, 0}, {1, 0}, {0.5, h}}, down = {{1, 0}, {1.5, h}, {0.5, h}},
-                rhombus = {{0, 0}, {1, 0}, {1.5, h}, {0.5, h}};
+  const Polygon up = {{0, 0}, {1, 0}, {0.5, kH}}, down = {{1, 0}, {1.5, kH}, {0.5, kH}},
+                rhombus = {{0, 0}, {1, 0}, {1.5, kH}, {0.5, kH}};
   switch (number) {
     case 2: {
-      Builder b(1, h, {1.5, h}, {0, 2 * h});
-      b.add(0, regular({0.5, h}, 6, 30));
+      Builder b(1, kH, {1.5, kH}, {0, 2 * kH});
+      b.add(0, regular({0.5, kH}, 6, 30));
       return b.finish();
     }
     case 3: {
-      Builder b(2, h / 3, {1, 0}, {0.5, h});
+      Builder b(2, kH / 3, {1, 0}, {0.5, kH});
       b.add(0, up);
       b.add(1, down);
       return b.finish();
     }
     case 4: {
-      Builder b(1, h / 2, {1, 0}, {0.5, h});
+      Builder b(1, kH / 2, {1, 0}, {0.5, kH});
       b.add(0, rhombus);
       return b.finish();
     }
     default: {
-      Builder b(3, h / 2, {0, 2 * h}, {1.5, h});
+      Builder b(3, kH / 2, {0, 2 * kH}, {1.5, kH});
       b.add(0, rhombus);
-      b.add(1, {{0, 0}, {0.5, h}, {0, 2 * h}, {-0.5, h}});
-      b.add(2, {{0.5, h}, {1.5, h}, {1, 2 * h}, {0, 2 * h}});
+      b.add(1, {{0, 0}, {0.5, kH}, {0, 2 * kH}, {-0.5, kH}});
+      b.add(2, {{0.5, kH}, {1.5, kH}, {1, 2 * kH}, {0, 2 * kH}});
       return b.finish();
     }
   }
@@ -286,18 +286,18 @@ Tiling octagons_squares() {  // 7
 }
 
 Tiling squares_triangles() {  // 8
-  Builder b(3, h / 3, {1, 0}, {0.5, 1 + h});
+  Builder b(3, kH / 3, {1, 0}, {0.5, 1 + kH});
   b.add(2, rectangle(0, 0, 1, 1), 3.33e-8);
-  b.add(0, {{0, 1}, {1, 1}, {0.5, 1 + h}});
-  b.add(1, {{1, 1}, {1.5, 1 + h}, {0.5, 1 + h}});
+  b.add(0, {{0, 1}, {1, 1}, {0.5, 1 + kH}});
+  b.add(1, {{1, 1}, {1.5, 1 + kH}, {0.5, 1 + kH}});
   return b.finish();
 }
 
 Tiling hexagons_triangles() {  // 9
-  Builder b(3, h / 3, {2, 0}, {1, 2 * h});
-  b.add(2, regular({0.5, h}, 6, 30), 0, 2.0000001 / 3);
-  b.add(0, {{-1, 0}, {0, 0}, {-0.5, h}});
-  b.add(1, {{-1, 2 * h}, {0, 2 * h}, {-0.5, h}});
+  Builder b(3, kH / 3, {2, 0}, {1, 2 * kH});
+  b.add(2, regular({0.5, kH}, 6, 30), 0, 2.0000001 / 3);
+  b.add(0, {{-1, 0}, {0, 0}, {-0.5, kH}});
+  b.add(1, {{-1, 2 * kH}, {0, 2 * kH}, {-0.5, kH}});
   return b.finish();
 }
 
@@ -342,9 +342,9 @@ Tiling build(int number) {
     case 18:
       return oblongs({{0, 0}, {1, 0}, {2, 2}, {3, 2}}, {{2, 0}, {2, 1}, {0, 2}, {0, 3}});
     case 19:
-      return hexagons_in_triangles({4.5, h}, {2.5, -h});
+      return hexagons_in_triangles({4.5, kH}, {2.5, -kH});
     case 20:
-      return hexagons_in_triangles({4.5, -h}, {2.5, h});
+      return hexagons_in_triangles({4.5, -kH}, {2.5, kH});
     case 21:
       return snub_square();
     case 22:

@@ -1,0 +1,14 @@
+// Seconds of the wall clock.
+#pragma once
+
+#include <chrono>
+
+namespace verisim::cli {
+
+using Clock = std::chrono::steady_clock;
+
+inline double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace verisim::cli

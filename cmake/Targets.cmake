@@ -118,6 +118,7 @@ function(verisim_tests name)
     return()
   endif()
   add_executable(${name} ${tests})
+  verisim_units(${name})
   target_link_libraries(${name} PRIVATE verisim_flags GTest::gmock GTest::gtest_main ${ARGN})
   if("${ARGN}" MATCHES "verisim_(tracer|parser|compare|cli)")  # not those of tools
     verisim_precompile(${name} tests/precompiled.h)

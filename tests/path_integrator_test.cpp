@@ -90,34 +90,35 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& p) { return p.param.name; });
 
 const std::string kThrough = "camera { orthographic location <0.003,0.002,-5> right x*0.001 up y*0.001 direction z }\n";
-const std::string kClear = " hollow pigment { rgbt 1 } finish { ambient 0 diffuse 0 } ";
-const std::string kWall = "plane { -z,-3 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }\n";
+const std::string kClearHollow = " hollow pigment { rgbt 1 } finish { ambient 0 diffuse 0 } ";
+const std::string kShiningWall = "plane { -z,-3 pigment { rgb 1 } finish { ambient 0 diffuse 0 emission 1 } }\n";
 
 INSTANTIATE_TEST_SUITE_P(
     Media, PathIntegrator,
     testing::Values(
-        Known{"absorption", kThrough + kWall + "box { -1,1" + kClear + "interior { media { absorption 0.5 } } }",
+        Known{"absorption",
+              kThrough + kShiningWall + "box { -1,1" + kClearHollow + "interior { media { absorption 0.5 } } }",
               std::exp(-1.0)},
         Known{"emission",
-              kThrough + "plane { -z,-3 pigment { rgb 0 } finish { ambient 0 } } box { -1,1" + kClear +
+              kThrough + "plane { -z,-3 pigment { rgb 0 } finish { ambient 0 } } box { -1,1" + kClearHollow +
                   "interior { media { emission 0.1 absorption 0.5 } } }",
               0.2 * (1 - std::exp(-1.0))},
         Known{"ramp",
-              kThrough + kWall + "box { -1,1" + kClear +
+              kThrough + kShiningWall + "box { -1,1" + kClearHollow +
                   "interior { media { absorption 0.5 density { gradient z color_map { [0 rgb 0] [1 rgb 1] } scale 2 "
                   "translate -z } } } }",
               std::exp(-0.5)},
         // A wall all around, as bright everywhere: scattering changes nothing.
         Known{"white_furnace",
-              "camera { location 0 look_at z } sphere { 0,5 " + kShine + " } sphere { 0,2" + kClear +
+              "camera { location 0 look_at z } sphere { 0,5 " + kShine + " } sphere { 0,2" + kClearHollow +
                   "interior { media { scattering { 1,1 } } } }",
               1},
         Known{"white_furnace_forward",
-              "camera { location 0 look_at z } sphere { 0,5 " + kShine + " } sphere { 0,2" + kClear +
+              "camera { location 0 look_at z } sphere { 0,5 " + kShine + " } sphere { 0,2" + kClearHollow +
                   "interior { media { scattering { 5,1 eccentricity 0.6 } } } }",
               1},
         Known{"white_furnace_haze",
-              "camera { location 0 look_at z } sphere { 0,5 " + kShine + " } sphere { 0,2" + kClear +
+              "camera { location 0 look_at z } sphere { 0,5 " + kShine + " } sphere { 0,2" + kClearHollow +
                   "interior { media { scattering { 2,1 } } } }",
               1},
         // POV-Ray's light sources light a medium without extinction by S k I over the length (spec 07, P-M5).
@@ -125,7 +126,7 @@ INSTANTIATE_TEST_SUITE_P(
               kThrough +
                   "light_source { <0.003,0.002,-3> rgb 1 } plane { -z,-3 pigment { rgb 0 } finish { ambient 0 } } box "
                   "{ -1,1" +
-                  kClear + "interior { media { scattering { 1,0.1 extinction 0 } } } }",
+                  kClearHollow + "interior { media { scattering { 1,0.1 extinction 0 } } } }",
               0.2}),
     [](const auto& p) { return p.param.name; });
 
@@ -151,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
               0.5 * 2 / 41.0}),
     [](const auto& p) { return p.param.name; });
 
-const char* const kScene =
+const char* const kPathScene =
     "camera { location <0,1,-3> look_at <0,0.5,0> } light_source { <2,3,-2> rgb 1 area_light x,z,3,3 } background { "
     "rgb 0.2 } plane { y,0 pigment { rgb 0.7 } }"
     "sphere { <0,0.5,0>,0.5 pigment { rgbt 1 } interior { ior 1.4 dispersion 1.05 media { scattering { 1,0.3 } } } "
@@ -162,17 +163,17 @@ TEST(PathIntegrator, IsTheSameForAnyNumberOfThreads) {
   render::Options options = paths(4);
   options.block_size = 8;
   options.threads = 1;
-  const auto one = render_text(kHeader + kScene, 48, 36, options);
+  const auto one = render_text(kHeader + kPathScene, 48, 36, options);
   for (const int threads : {2, 5}) {
     options.threads = threads;
-    const auto many = render_text(kHeader + kScene, 48, 36, options);
+    const auto many = render_text(kHeader + kPathScene, 48, 36, options);
     for (std::size_t i = 0; i < one.pixels.size(); ++i) {
       ASSERT_EQ(one.pixels[i].r, many.pixels[i].r) << threads << " threads, pixel " << i;
       ASSERT_EQ(one.pixels[i].b, many.pixels[i].b) << threads << " threads, pixel " << i;
     }
   }
   options.seed = 1;
-  EXPECT_NE(render_text(kHeader + kScene, 48, 36, options).at(24, 30).r, one.at(24, 30).r);
+  EXPECT_NE(render_text(kHeader + kPathScene, 48, 36, options).at(24, 30).r, one.at(24, 30).r);
 }
 
 TEST(PathIntegrator, CanBeCancelled) {
@@ -188,7 +189,7 @@ TEST(PathIntegrator, CanBeCancelled) {
   };
   options.block_done = {};
   options.path_samples = 4096;
-  const auto picture = render_text(kHeader + kScene, 64, 64, options);
+  const auto picture = render_text(kHeader + kPathScene, 64, 64, options);
   EXPECT_GE(calls, 1);
   EXPECT_LT(std::count(picture.done.begin(), picture.done.end(), 1), 64 * 64);
 }

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using compare::SceneResult;
 using testing::HasSubstr;
 
-constexpr const char* kScene = R"(#version 3.7;
+constexpr const char* kRoom = R"(#version 3.7;
 global_settings { assumed_gamma 1 noise_generator 3 }
 #declare Shift = 0;
 camera { location <0, 2.2, -6> direction <Shift, -0.3, 1> up y right 4/3*x }
@@ -41,7 +41,7 @@ class PlantedFaults : public testing::Test {
  protected:
   void SetUp() override {
     fs::create_directories(folder_.path() / "scenes");
-    std::ofstream(folder_.path() / "scenes/room.pov") << kScene;
+    std::ofstream(folder_.path() / "scenes/room.pov") << kRoom;
     suite_ = compare::load_suite({folder_.path() / "scenes"}, {160, 120, {"-A"}});
     options_.baseline = folder_.path() / "baseline";
     options_.native = compare::native_program(program());

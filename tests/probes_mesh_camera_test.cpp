@@ -8,7 +8,7 @@ namespace {
 
 // Twelve small triangles centred on (i, j, 0), i = 0..3, j = 0..2 in row order, facing +z; a wall beyond shows the
 // place as a colour.
-const char* const kScene = R"(#version 3.7; global_settings { assumed_gamma 1 }
+const char* const kMeshScene = R"(#version 3.7; global_settings { assumed_gamma 1 }
 #declare E = 0.03;
 camera { mesh_camera { 1 0 mesh {
   #for (J, 0, 2) #for (I, 0, 3) triangle { <I-E,J-E,0>, <I,J+2*E,0>, <I+E,J-E,0> } #end #end
@@ -21,7 +21,7 @@ plane { z,-1 finish { ambient 0 diffuse 0 emission 1 } pigment { rgb <0,0,1> } }
 )";
 
 TEST(MeshCamera, RowsOfPixelsSeeTheirRowsOfFaces) {
-  const auto picture = render_text(kScene, 4, 3);
+  const auto picture = render_text(kMeshScene, 4, 3);
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 4; ++x) {
       const Color c = picture.at(x, y);
@@ -34,7 +34,7 @@ TEST(MeshCamera, RowsOfPixelsSeeTheirRowsOfFaces) {
 }
 
 TEST(MeshCamera, ANegativeDirectionLooksTheOtherWay) {
-  std::string scene = kScene;
+  std::string scene = kMeshScene;
   scene.insert(scene.find("location <0,0,0>"), "direction -z ");
   EXPECT_EQ(render_text(scene, 4, 3).at(1, 1).b, 1.0f);
 }

@@ -14,12 +14,12 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr int kWidth = 16, kHeight = 8;
+constexpr int kLayerWidth = 16, kLayerHeight = 8;
 using Plane = std::vector<float>;
 
 Plane plane(float a, float b) {
   Plane out;
-  for (int i = 0; i < kWidth * kHeight; ++i) out.push_back(a + b * static_cast<float>(i % kWidth));
+  for (int i = 0; i < kLayerWidth * kLayerHeight; ++i) out.push_back(a + b * static_cast<float>(i % kLayerWidth));
   return out;
 }
 std::vector<ExrChannel> with(std::vector<ExrChannel> channels, const std::vector<ExrChannel>& more) {
@@ -31,7 +31,7 @@ std::vector<ExrChannel> colors(const std::string& prefix, float scale = 1) {
           floats(prefix + "B", plane(0.4f * scale, 0))};
 }
 ExrChannel ids(std::uint32_t first) {
-  ExrChannel out{"id", std::vector<std::uint32_t>(kWidth * kHeight, 4'000'000'000u), true};
+  ExrChannel out{"id", std::vector<std::uint32_t>(kLayerWidth * kLayerHeight, 4'000'000'000u), true};
   out.values[5] = first;
   return out;
 }
@@ -46,8 +46,8 @@ class LayersTest : public testing::Test {
                                          const std::vector<std::string>& rules = {}) {
     std::vector<LayerRule> parsed;
     for (const std::string& rule : rules) parsed.push_back(layer_rule(rule));
-    ExrWriter(kWidth, kHeight, a).write(folder_.path() / "a.exr");
-    ExrWriter(kWidth, kHeight, b).write(folder_.path() / "b.exr");
+    ExrWriter(kLayerWidth, kLayerHeight, a).write(folder_.path() / "a.exr");
+    ExrWriter(kLayerWidth, kLayerHeight, b).write(folder_.path() / "b.exr");
     last_ = compare_layers(folder_.path() / "a.exr", folder_.path() / "b.exr", parsed, false);
     return last_.all;
   }
@@ -154,7 +154,7 @@ TEST_F(LayersTest, PartsAreLayers) {
 }
 
 TEST_F(LayersTest, DamagedFilesAreNamed) {
-  ExrWriter(kWidth, kHeight, {{"", with(colors(""), {ids(1)})}}).write(folder_.path() / "a.exr");
+  ExrWriter(kLayerWidth, kLayerHeight, {{"", with(colors(""), {ids(1)})}}).write(folder_.path() / "a.exr");
   std::filesystem::copy_file(folder_.path() / "a.exr", folder_.path() / "b.exr");
   std::filesystem::resize_file(folder_.path() / "b.exr", std::filesystem::file_size(folder_.path() / "b.exr") / 2);
   try {

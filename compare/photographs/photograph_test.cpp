@@ -14,17 +14,17 @@ namespace verisim::compare {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr int kWidth = 160, kHeight = 120;
+constexpr int kPhotographWidth = 160, kPhotographHeight = 120;
 // Where the picture's corners are in a photograph of 640x480.
 constexpr Corners kCorners{{{90, 60}, {560, 100}, {520, 420}, {120, 390}}};
 
 // Boxes and discs of several greys and colours on a slope.
 Picture render() {
   Picture p;
-  p.width = kWidth, p.height = kHeight, p.channels = 3, p.bits = 8;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
-      const double slope = 0.3 + 0.3 * x / kWidth;
+  p.width = kPhotographWidth, p.height = kPhotographHeight, p.channels = 3, p.bits = 8;
+  for (int y = 0; y < kPhotographHeight; ++y)
+    for (int x = 0; x < kPhotographWidth; ++x) {
+      const double slope = 0.3 + 0.3 * x / kPhotographWidth;
       Rgb v{slope, slope * 0.9, slope * 0.8};
       if (x > 30 && x < 70 && y > 25 && y < 80) v = {0.7, 0.2, 0.15};
       if (std::hypot(x - 110, y - 70) < 25) v = {0.2, 0.6, 0.3};
@@ -62,7 +62,8 @@ class Photographs : public testing::Test {
                                    "distort:viewport=640x480+0+0",
                                    "-distort",
                                    "Perspective"};
-    const double from[4][2] = {{0, 0}, {8 * kWidth, 0}, {8 * kWidth, 8 * kHeight}, {0, 8 * kHeight}};
+    const double from[4][2] = {
+        {0, 0}, {8 * kPhotographWidth, 0}, {8 * kPhotographWidth, 8 * kPhotographHeight}, {0, 8 * kPhotographHeight}};
     std::string points;
     for (std::size_t i = 0; i < 4; ++i)
       points += fmt::format("{},{} {},{} ", from[i][0], from[i][1], kCorners[i].x, kCorners[i].y);

@@ -19,15 +19,15 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 namespace {
 
-constexpr int kWidth = 48, kHeight = 32;
+constexpr int kRendererWidth = 48, kRendererHeight = 32;
 
 // The same picture for every scene, with some pixels in the upper left corner white.
 NativeRenderer with_patch(int size) {
   return [size](const NativeRequest& request) {
-    Picture picture = scene_like_picture(kWidth, kHeight);
+    Picture picture = scene_like_picture(kRendererWidth, kRendererHeight);
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < size; ++x)
-        for (int c = 0; c < 3; ++c) picture.samples[static_cast<std::size_t>((y * kWidth + x) * 3 + c)] = 1;
+        for (int c = 0; c < 3; ++c) picture.samples[static_cast<std::size_t>((y * kRendererWidth + x) * 3 + c)] = 1;
     image::write_picture(picture, request.output);
     NativeResult out;
     out.outcome = NativeResult::Outcome::rendered, out.files_read = {request.scene};
@@ -45,7 +45,7 @@ class AnyRenderer : public testing::Test {
   fs::path root() const { return folder_.path(); }
   SceneResult run(const std::string& keys) {
     std::ofstream(root() / "scenes/verisim.toml")
-        << "width = " << kWidth << "\nheight = " << kHeight << "\n[[scene]]\nfile = \"*.xml\"\n"
+        << "width = " << kRendererWidth << "\nheight = " << kRendererHeight << "\n[[scene]]\nfile = \"*.xml\"\n"
         << keys;
     last_ = run_suite(load_suite({root() / "scenes"}), options_);
     return last_.scenes.at(0);
@@ -82,8 +82,8 @@ TEST_F(AnyRenderer, WarningsFailNothing) {
 TEST_F(AnyRenderer, IgnoredPixelsAreNotCompared) {
   EXPECT_EQ(run("ignore = { rectangles = [[0, 0, 4, 4]] }\n").status, Status::exact);
   EXPECT_EQ(run("ignore = { rectangles = [[0, 0, 4, 2]] }\n").status, Status::differ);
-  Picture mask = constant_picture(kWidth, kHeight, 0, 0, 0);
-  for (int y = 0; y < 4; ++y) std::fill_n(mask.samples.begin() + y * kWidth * 3, 12, 1.0f);
+  Picture mask = constant_picture(kRendererWidth, kRendererHeight, 0, 0, 0);
+  for (int y = 0; y < 4; ++y) std::fill_n(mask.samples.begin() + y * kRendererWidth * 3, 12, 1.0f);
   image::write_picture(mask, root() / "scenes/mask.png");
   EXPECT_EQ(run("ignore = { mask = \"mask.png\" }\n").status, Status::exact);
   const SceneResult scene = run("ignore = { objects = [\"sphere\"] }\n");
@@ -103,7 +103,7 @@ TEST(Ignored, ObjectsAreKnownByTheirTags) {
 }
 
 TEST_F(AnyRenderer, TheNearestOfSeveralReferencesCounts) {
-  image::write_picture(scene_like_picture(kWidth, kHeight), root() / "scenes/one.png");
+  image::write_picture(scene_like_picture(kRendererWidth, kRendererHeight), root() / "scenes/one.png");
   NativeRequest request;
   request.output = root() / "scenes/two.png";
   options_.native(request);
@@ -114,8 +114,9 @@ TEST_F(AnyRenderer, TheNearestOfSeveralReferencesCounts) {
 // Both sides write a depth of their own beside the same picture.
 NativeRenderer with_depth(float depth) {
   return [depth](const NativeRequest& request) {
-    const std::vector<float> grey(kWidth * kHeight, 0.5f), far(kWidth * kHeight, depth);
-    ExrWriter(kWidth, kHeight, {{"", {floats("R", grey), floats("G", grey), floats("B", grey), floats("Z", far)}}})
+    const std::vector<float> grey(kRendererWidth * kRendererHeight, 0.5f), far(kRendererWidth * kRendererHeight, depth);
+    ExrWriter(kRendererWidth, kRendererHeight,
+              {{"", {floats("R", grey), floats("G", grey), floats("B", grey), floats("Z", far)}}})
         .write(request.output);
     NativeResult out;
     out.outcome = NativeResult::Outcome::rendered, out.files_read = {request.scene};
@@ -161,7 +162,7 @@ TEST_F(AnyRenderer, NoiseIsStoredWithABaseline) {
     std::mt19937 generator(static_cast<unsigned>(++renders));
     std::normal_distribution<double> noise(0, 5);
     image::write_picture(
-        changed(scene_like_picture(kWidth, kHeight),
+        changed(scene_like_picture(kRendererWidth, kRendererHeight),
                 [&](double v) { return std::clamp(std::round(brighter * v + noise(generator)), 0.0, 255.0); }),
         request.output);
     NativeResult out;

@@ -17,7 +17,7 @@ const fs::path kExamples = "/usr/share/doc/povray/examples";
 const fs::path kLibrary = "/usr/share/povray-3.7";
 
 // POV-Ray ends with an error on these: they need switches of an INI file, a missing font or another version.
-const std::set<std::string> kRefused = {
+const std::set<std::string> kRefusedExamples = {
     "advanced/cliche/cliche.pov", "incdemo/sort.pov",           "portfolio/__empty.pov",   "portfolio/allnormals.pov",
     "portfolio/allpatterns.pov",  "portfolio/c_colors.pov",     "portfolio/f_finish.pov",  "portfolio/m_textures.pov",
     "portfolio/o_2shapes.pov",    "portfolio/o_shapes_old.pov", "portfolio/p_skies.pov",   "portfolio/p_textures.pov",
@@ -66,7 +66,7 @@ TEST(ExampleScenes, AreAcceptedAndRefusedAsPovRayDoes) {
     const std::string name = entry.path().lexically_relative(copy).string();
     const InFolder folder(entry.path().parent_path());
     const ParseResult result = parse_file(entry.path().filename(), options());
-    if (kRefused.count(name)) {
+    if (kRefusedExamples.count(name)) {
       EXPECT_FALSE(result.errors.empty()) << name;
       continue;
     }

@@ -5,7 +5,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr const char* kAccepted[] = {
+constexpr const char* kAcceptedObjects[] = {
     R"(sphere{0,1 rgb 1})",
     R"(sphere{0,1 color rgb 1})",
     R"(sphere{0,1 bounded_by{sphere{0,2} translate x} clipped_by{bounded_by}})",
@@ -144,7 +144,7 @@ precompute 5 x,y,z})",
     R"(mesh2{vertex_vectors{3,0,x,y,} face_indices{1,<0,1,2>,}})",
 };
 
-constexpr const char* kRefused[] = {
+constexpr const char* kRefusedObjects[] = {
     R"(sphere{0,1 bounded_by{}})",
     R"(object{sphere{0,1} sphere{0,2}})",
     R"(object{})",
@@ -271,11 +271,11 @@ face_indices{1,<0,1,2>,5}})",
 };
 
 TEST(ObjectSyntax, AcceptsWhatPovRayAccepts) {
-  for (const char* text : kAccepted) EXPECT_EQ(testing::first_error(text), "") << text;
+  for (const char* text : kAcceptedObjects) EXPECT_EQ(testing::first_error(text), "") << text;
 }
 
 TEST(ObjectSyntax, RefusesWhatPovRayRefuses) {
-  for (const char* text : kRefused) EXPECT_NE(testing::first_error(text), "") << text;
+  for (const char* text : kRefusedObjects) EXPECT_NE(testing::first_error(text), "") << text;
 }
 
 }  // namespace

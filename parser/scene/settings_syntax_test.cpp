@@ -6,7 +6,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr const char* kAccepted[] = {
+constexpr const char* kAcceptedSettings[] = {
     R"(media{density{rgb 1} density{bozo} density{spherical color_map{[0 rgb 0][1 rgb 1]}} scale 3})",
     R"(media{density{}})",
     R"(media{density{checker density{rgb 1} density{rgb 0}}})",
@@ -107,7 +107,7 @@ looks_like{sphere{<0 0 0> 1}}})",
     R"(camera{mesh_camera{1 0 5 mesh{triangle{0,x,y} translate x}}})",
 };
 
-constexpr const char* kRefused[] = {
+constexpr const char* kRefusedSettings[] = {
     R"(media{density{rgb 1 density_map{[0 rgb 1]}}})",
     R"(media{emission 1 scattering{1 1} absorption 1 intervals 0})",
     R"(media{scattering{1 1 eccentricity .5}})",
@@ -180,11 +180,11 @@ constexpr const char* kRefused[] = {
 };
 
 TEST(SettingsSyntax, AcceptsWhatPovRayAccepts) {
-  for (const char* text : kAccepted) EXPECT_EQ(testing::first_error(text), "") << text;
+  for (const char* text : kAcceptedSettings) EXPECT_EQ(testing::first_error(text), "") << text;
 }
 
 TEST(SettingsSyntax, RefusesWhatPovRayRefuses) {
-  for (const char* text : kRefused) EXPECT_NE(testing::first_error(text), "") << text;
+  for (const char* text : kRefusedSettings) EXPECT_NE(testing::first_error(text), "") << text;
 }
 
 }  // namespace

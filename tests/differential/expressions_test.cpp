@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "parser/parse.h"
+#include "tests/differential/settings.h"
 
 namespace verisim {
 namespace {
@@ -225,11 +226,6 @@ std::vector<std::string> lines_of(const fs::path& path) {
     lines.push_back(line);
   }
   return lines;
-}
-
-int setting(const char* name, int absent) {
-  const char* text = std::getenv(name);
-  return text ? std::atoi(text) : absent;
 }
 
 TEST(Differential, Expressions) {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "parser/parse.h"
+#include "tests/differential/settings.h"
 
 namespace verisim {
 namespace {
@@ -185,11 +186,6 @@ class ProgramGenerator {
 std::string text_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-int setting(const char* name, int absent) {
-  const char* text = std::getenv(name);
-  return text ? std::atoi(text) : absent;
 }
 
 TEST(Differential, Programs) {

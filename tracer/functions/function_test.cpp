@@ -10,7 +10,7 @@
 #include "tracer/functions/program.h"
 
 namespace verisim::functions {
-namespace {
+namespace function_test {
 
 Node num(double v) { return {Constant{v}}; }
 Node arg(int i) { return {Parameter{i}}; }
@@ -383,5 +383,5 @@ TEST(InternalFunctions, OtherParameters) {
   EXPECT_NEAR(f(29, {.3, .4, .5, .5, 2, 4, .3, 1, 3}), 1.374531499548, 1e-12);
 }
 
-}  // namespace
+}  // namespace function_test
 }  // namespace verisim::functions

@@ -18,7 +18,7 @@ std::vector<double> roots_of(const std::vector<double>& power, double a, double 
   return result;
 }
 
-std::vector<double> from_roots(const std::vector<double>& roots) {
+std::vector<double> rising_from_roots(const std::vector<double>& roots) {
   std::vector<double> c{1};
   for (const double r : roots) {
     c.insert(c.begin(), 0);
@@ -43,7 +43,7 @@ TEST(Bernstein, FindsTheRootsOfAnIntervalInOrder) {
         apart = apart && std::fabs(r + 1) > 0.01 && std::fabs(r - 2) > 0.01;
       }
       if (!apart) continue;
-      const auto found = roots_of(from_roots(roots), -1, 2);
+      const auto found = roots_of(rising_from_roots(roots), -1, 2);
       ASSERT_EQ(found.size(), expected.size()) << "degree " << degree;
       for (std::size_t i = 0; i < found.size(); ++i) ASSERT_NEAR(found[i], expected[i], 1e-6);
     }
@@ -51,7 +51,7 @@ TEST(Bernstein, FindsTheRootsOfAnIntervalInOrder) {
 }
 
 TEST(Bernstein, ClosePairsAreKeptApart) {
-  const auto found = roots_of(from_roots({0.5, 0.5 + 1e-6}), 0, 1);
+  const auto found = roots_of(rising_from_roots({0.5, 0.5 + 1e-6}), 0, 1);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_NEAR(found[0], 0.5, 1e-9);
 }

@@ -4,7 +4,7 @@
 #include "tracer/media/media.h"
 
 namespace verisim::global {
-namespace {
+namespace media_density_test {
 
 using enum scene::PatternKind;
 
@@ -62,5 +62,5 @@ TEST(MediaDensity, IsAskedForCheapestFirst) {
   EXPECT_EQ(compile_media(description, compiler).by_cost, (std::vector<std::size_t>{3, 2, 1, 0}));
 }
 
-}  // namespace
+}  // namespace media_density_test
 }  // namespace verisim::global

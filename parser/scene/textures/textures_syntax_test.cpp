@@ -5,7 +5,7 @@
 namespace verisim::parser {
 namespace {
 
-constexpr const char* kAccepted[] = {
+constexpr const char* kAcceptedTextures[] = {
     R"(#version 2.0; sphere{0,1 texture{pigment{color red 1} finish{phong 1}}})",
     R"(#version 2.0; sphere{0,1 texture{bumps .5 color red 1}})",
     R"(#version 2.0; sphere{0,1 texture{scale 2 wood}})",
@@ -153,7 +153,7 @@ warp{cubic}}})",
     R"(sphere{0,1 pigment{checker rgb 1, rgb 0,}})",
 };
 
-constexpr const char* kRefused[] = {
+constexpr const char* kRefusedTextures[] = {
     R"(#version 2.0; sphere{0,1 texture{agate agate_turb .5}})",
     R"(#version 2.0; sphere{0,1 pigment{color red 1 color_map{[0 1 color red 1 color blue 1]}}})",
     R"(#version 2.0; sphere{0,1 texture{color red 1 ambient color red 1}})",
@@ -333,11 +333,11 @@ media{emission 1} translate x}})",
 };
 
 TEST(TextureSyntax, AcceptsWhatPovRayAccepts) {
-  for (const char* text : kAccepted) EXPECT_EQ(testing::first_error(text), "") << text;
+  for (const char* text : kAcceptedTextures) EXPECT_EQ(testing::first_error(text), "") << text;
 }
 
 TEST(TextureSyntax, RefusesWhatPovRayRefuses) {
-  for (const char* text : kRefused) EXPECT_NE(testing::first_error(text), "") << text;
+  for (const char* text : kRefusedTextures) EXPECT_NE(testing::first_error(text), "") << text;
 }
 
 }  // namespace

@@ -15,22 +15,22 @@ using namespace test;
 
 Node waves() { return times(of(Builtin::sin_, {times(number(6), x())}), of(Builtin::cos_, {times(number(40), y())})); }
 Node angle() { return of(Builtin::atan2_, {x(), z()}); }
-Node distance() { return of(Builtin::sqrt_, {plus(times(x(), x()), times(z(), z()))}); }
+Node distance_from_axis() { return of(Builtin::sqrt_, {plus(times(x(), x()), times(z(), z()))}); }
 
 const Box3 kBox{Vec3(-1.5), Vec3(1)};
 double error_bound_of(const FunctionPtr& f) { return error_bound(dynamic_cast<const Program&>(*f), kBox); }
 
 TEST(ErrorBound, HoldsWhatNearValuesAreOffBy) {
   const std::vector<Node> expressions{waves(),
-                                      plus(distance(), times(number(0.1), waves())),
+                                      plus(distance_from_axis(), times(number(0.1), waves())),
                                       plus(times(y(), y()), of(Builtin::cos_, {times(number(8), angle())})),
                                       chain(waves(), Op::divide, plus(number(3), waves())),
                                       of(Builtin::sqrt_, {plus(number(2), waves())}),
                                       of(Builtin::abs_, {chain(waves(), Op::subtract, x())}),
-                                      of(Builtin::min_, {distance(), of(Builtin::max_, {waves(), angle()})}),
+                                      of(Builtin::min_, {distance_from_axis(), of(Builtin::max_, {waves(), angle()})}),
                                       of(Builtin::select_, {x(), waves(), y(), angle()}),
                                       times(times(number(1000), waves()), waves()),
-                                      of(Builtin::pow_, {distance(), x()})};
+                                      of(Builtin::pow_, {distance_from_axis(), x()})};
   std::mt19937 random(21);
   std::uniform_real_distribution<double> unit(0, 1);
   double closest = 0;

@@ -6,7 +6,7 @@
 #include <random>
 
 namespace verisim::textures {
-namespace {
+namespace evaluation_test {
 
 using enum scene::PatternKind;
 
@@ -167,5 +167,5 @@ TEST(Evaluation, GivesRowsTheBitsOfPoints) {
   }
 }
 
-}  // namespace
+}  // namespace evaluation_test
 }  // namespace verisim::textures

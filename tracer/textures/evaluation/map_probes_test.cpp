@@ -33,7 +33,7 @@ PigmentPtr colored(const Color& c) {
   return p;
 }
 
-std::shared_ptr<Pigment> gradient(const Vec3& direction) {
+std::shared_ptr<Pigment> gradient_along(const Vec3& direction) {
   auto p = std::make_shared<Pigment>();
   p->pattern.kind = PatternKind::gradient;
   p->pattern.params = GradientParams{direction};
@@ -56,7 +56,7 @@ void expect_color(const Color& c, const Color& expected, const char* what) {
 }
 
 TEST(ColorMap, InterpolatesInSinglePrecisionAsPovRay) {  // P9
-  auto p = gradient({1, 0, 0});
+  auto p = gradient_along({1, 0, 0});
   p->color_map = std::make_shared<ColorMap>(ColorMap{
       {0.2f, {1, 0, 0, 0.1f, 0.2f}}, {0.5f, {0, 1, 0, 0.3f, 0.4f}}, {0.5f, {0, 0, 1}}, {0.9f, {1, 1, 0, 0.5f, 0}}});
   expect_color(color_at(p, {0.1, 0, 0}), {1, 0, 0, 0.1f, 0.2f}, "0.1");
@@ -98,8 +98,8 @@ TEST(ColorMap, LongMapsAreSearchedLikeShortOnes) {
 TEST(PigmentMap, Average) {  // P10
   auto p = std::make_shared<Pigment>();
   p->pattern.kind = PatternKind::average;
-  p->pigment_map =
-      std::make_shared<BlendMap<PigmentPtr>>(BlendMap<PigmentPtr>{{3, colored({0, 1, 0})}, {1, gradient({1, 0, 0})}});
+  p->pigment_map = std::make_shared<BlendMap<PigmentPtr>>(
+      BlendMap<PigmentPtr>{{3, colored({0, 1, 0})}, {1, gradient_along({1, 0, 0})}});
   const Color c = color_at(p, {0.3, 0, 0});
   EXPECT_NEAR(c.r, 0.075, 1e-7);
   EXPECT_NEAR(c.g, 0.825, 1e-7);
@@ -113,7 +113,7 @@ TEST(PigmentMap, ChildrenSeeTheWarpOfTheirParent) {  // P11
   auto child = std::make_shared<Pigment>();
   child->pattern.kind = PatternKind::function;
   child->pattern.params = FunctionParams{std::make_shared<Linear>(1.0 / 64, 0.5)};
-  auto p = gradient({0, 1, 0});
+  auto p = gradient_along({0, 1, 0});
   p->pattern.turbulence = Turbulence{{0.5, 0.5, 0.5}};
   p->pigment_map = std::make_shared<BlendMap<PigmentPtr>>(BlendMap<PigmentPtr>{{0, child}, {1, child}});
   EXPECT_NEAR((color_at(p, {1.25, -2.75, 3.6}).r - 0.5) * 64, 1.170715, 2e-5);
@@ -123,7 +123,7 @@ TEST(PigmentMap, ChildrenSeeTheWarpOfTheirParent) {  // P11
 
 TEST(Pattern, PigmentsAndFunctionsAsPatterns) {  // P13
   Compiler compiler{Settings{}};
-  auto source = gradient({1, 0, 0});
+  auto source = gradient_along({1, 0, 0});
   source->color_map = std::make_shared<ColorMap>(ColorMap{{0, {1, 0, 0.5f}}, {1, {0, 1, 0.25f}}});
   Pattern grey;
   grey.kind = PatternKind::pigment_pattern;
@@ -203,15 +203,15 @@ TEST(WaterPatterns, SourcesAndFrequencies) {  // section 8
 
 TEST(Compiler, EqualDescriptionsAreCompiledOnce) {
   Compiler compiler{Settings{}};
-  const PigmentPtr p = gradient({1, 0, 0});
+  const PigmentPtr p = gradient_along({1, 0, 0});
   EXPECT_EQ(compiler.pigment(p), compiler.pigment(p));
-  EXPECT_NE(compiler.pigment(p), compiler.pigment(gradient({1, 0, 0})));
+  EXPECT_NE(compiler.pigment(p), compiler.pigment(gradient_along({1, 0, 0})));
 }
 
 TEST(Compiler, RefusesBottomlessNesting) {
-  PigmentPtr p = gradient({1, 0, 0});
+  PigmentPtr p = gradient_along({1, 0, 0});
   for (int i = 0; i < 5000; ++i) {
-    auto parent = gradient({1, 0, 0});
+    auto parent = gradient_along({1, 0, 0});
     parent->pigment_map = std::make_shared<BlendMap<PigmentPtr>>(BlendMap<PigmentPtr>{{0, p}});
     p = parent;
   }

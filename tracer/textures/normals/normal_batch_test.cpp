@@ -7,7 +7,7 @@
 #include "tracer/textures/normals/normal_kernels.h"
 
 namespace verisim::textures {
-namespace {
+namespace normal_batch_test {
 
 using enum scene::PatternKind;
 
@@ -100,5 +100,5 @@ TEST(NormalKernels, GiveTheBitsOfTheScalarFormOnEveryInstructionSet) {
   }
 }
 
-}  // namespace
+}  // namespace normal_batch_test
 }  // namespace verisim::textures

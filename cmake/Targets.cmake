@@ -89,6 +89,8 @@ endfunction()
 function(verisim_units target)
   if(VERISIM_UNITS)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    # A source that is included looks like a header to GCC, where a type of no linkage as a member would be a mistake.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()
 

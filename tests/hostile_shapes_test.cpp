@@ -10,7 +10,7 @@
 namespace verisim::test {
 namespace {
 
-const char* const kHead =
+const char* const kHostileHead =
     "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0, 1, -6> look_at 0 } light_source { <3, 6, "
     "-8> rgb 1 } #default { pigment { rgb 1 } }\n";
 
@@ -20,7 +20,7 @@ bool expect_answer(const std::string& objects, double seconds = 10) {
   const std::clock_t begin = std::clock();  // the processor's time: a busy machine is no failure
   bool rendered = false;
   try {
-    render_text(kHead + objects, 16, 12);
+    render_text(kHostileHead + objects, 16, 12);
     rendered = true;
   } catch (const std::exception& error) {
     EXPECT_STRNE(error.what(), "");

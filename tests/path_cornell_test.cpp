@@ -23,7 +23,7 @@ struct Quad {
 };
 
 const Rgb kWhite(0.738f, 0.736f, 0.738f), kGreen(0.069f, 0.398f, 0.087f), kRed(0.494f, 0.049f, 0.051f),
-    kLight(50.4f, 26.3f, 6.71f);
+    kCornellLight(50.4f, 26.3f, 6.71f);
 
 const std::vector<Quad>& box() {
   static const std::vector<Quad> quads = {
@@ -124,7 +124,7 @@ class Radiosity {
         sum += cosine * lamp_cosine / (distance * distance);
       }
     }
-    return kLight * static_cast<float>(sum * area / (kSide * kSide) / kPi);
+    return kCornellLight * static_cast<float>(sum * area / (kSide * kSide) / kPi);
   }
 
   static Vec3 cosine_direction(const Vec3& n, double u, double v) {
@@ -225,7 +225,8 @@ std::string scene() {
   std::string text = "#version 3.7; global_settings { assumed_gamma 1 }\n";
   for (const Quad& q : box()) {
     const std::string look = " pigment { " + (q.light ? "rgb 1" : rgb(q.reflectance)) + " } finish { ambient 0 " +
-                             (q.light ? "diffuse 0 emission " + rgb(kLight) : std::string("diffuse 1")) + " } }\n";
+                             (q.light ? "diffuse 0 emission " + rgb(kCornellLight) : std::string("diffuse 1")) +
+                             " } }\n";
     text += "triangle { " + vec(q.p[0]) + "," + vec(q.p[1]) + "," + vec(q.p[2]) + look;
     text += "triangle { " + vec(q.p[0]) + "," + vec(q.p[2]) + "," + vec(q.p[3]) + look;
   }

@@ -45,7 +45,7 @@ double cpu_time() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-void say(const std::string& text) {
+void say_error(const std::string& text) {
   const std::string line = "verisim: error: " + text + "\n";
   if (::write(STDERR_FILENO, line.data(), line.size()) < 0) return;  // there is nobody left to be told
 }
@@ -65,7 +65,7 @@ struct Interrupt::Impl {
       if (!reached) {
         const std::string limit = exceeded(Seconds(now - start).count(), memory);
         if (!limit.empty()) {
-          say(limit);
+          say_error(limit);
           reached = stop = true;
         }
       }
@@ -88,7 +88,7 @@ struct Interrupt::Impl {
   }
 
   [[noreturn]] void force(const char* why) const {
-    say(fmt::format("ended by force: {}", why));
+    say_error(fmt::format("ended by force: {}", why));
     ::_exit(watch.status);
   }
 

@@ -7,30 +7,30 @@
 
 namespace verisim::cli {
 
-using Json = SceneDump::Json;
+using DumpJson = SceneDump::Json;
 
-Json dump(const Vec2& v) { return {v.x, v.y}; }
-Json dump(const Vec3& v) { return {v.x, v.y, v.z}; }
-Json dump(const Rgb& c) { return {c.r, c.g, c.b}; }
-Json dump(const Color& c) { return {c.r, c.g, c.b, c.f, c.t}; }
+DumpJson dump(const Vec2& v) { return {v.x, v.y}; }
+DumpJson dump(const Vec3& v) { return {v.x, v.y, v.z}; }
+DumpJson dump(const Rgb& c) { return {c.r, c.g, c.b}; }
+DumpJson dump(const Color& c) { return {c.r, c.g, c.b, c.f, c.t}; }
 
-Json dump(const Transform& t) {
-  Json result = Json::array();
+DumpJson dump(const Transform& t) {
+  DumpJson result = DumpJson::array();
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 3; ++column) result.push_back(t.m[row][column]);
   return result;
 }
 
-Json dump(const scene::SourceLocation& place) {
+DumpJson dump(const scene::SourceLocation& place) {
   if (!place.file) return nullptr;
   return {{"file", *place.file}, {"line", place.line}, {"column", place.column}};
 }
 
-Json dump(const scene::Turbulence& t) {
+DumpJson dump(const scene::Turbulence& t) {
   return {{"turbulence", dump(t.amount)}, {"octaves", t.octaves}, {"lambda", t.lambda}, {"omega", t.omega}};
 }
 
-Json dump(const FunctionPtr& function) {
+DumpJson dump(const FunctionPtr& function) {
   if (!function) return nullptr;
   return {{"parameters", function->parameters()}, {"components", function->components()}};
 }
@@ -41,28 +41,28 @@ const char* dump_flag(scene::Flag flag) {
 
 namespace {
 
-Json camera(SceneDump& dumper, const scene::Camera& c) {
+DumpJson camera(SceneDump& dumper, const scene::Camera& c) {
   static constexpr const char* kKinds[] = {"perspective", "orthographic", "fisheye",    "ultra_wide_angle",
                                            "omnimax",     "panoramic",    "cylinder 1", "cylinder 2",
                                            "cylinder 3",  "cylinder 4",   "spherical",  "mesh_camera"};
-  Json out{{"type", kKinds[static_cast<std::size_t>(c.kind)]},
-           {"location", dump(c.location)},
-           {"direction", dump(c.direction)},
-           {"up", dump(c.up)},
-           {"right", dump(c.right)},
-           {"sky", dump(c.sky)},
-           {"look_at", dump(c.look_at)},
-           {"angle", c.angle},
-           {"horizontal_angle", c.horizontal_angle},
-           {"vertical_angle", c.vertical_angle},
-           {"aperture", c.aperture},
-           {"focal_distance", c.focal_distance},
-           {"blur_samples", c.blur_samples},
-           {"blur_samples_min", c.blur_samples_min},
-           {"confidence", c.confidence},
-           {"variance", c.variance}};
-  out["bokeh"] = c.bokeh ? dumper.pigment(*c.bokeh) : Json(nullptr);
-  out["normal"] = c.normal ? dumper.normal(*c.normal) : Json(nullptr);
+  DumpJson out{{"type", kKinds[static_cast<std::size_t>(c.kind)]},
+               {"location", dump(c.location)},
+               {"direction", dump(c.direction)},
+               {"up", dump(c.up)},
+               {"right", dump(c.right)},
+               {"sky", dump(c.sky)},
+               {"look_at", dump(c.look_at)},
+               {"angle", c.angle},
+               {"horizontal_angle", c.horizontal_angle},
+               {"vertical_angle", c.vertical_angle},
+               {"aperture", c.aperture},
+               {"focal_distance", c.focal_distance},
+               {"blur_samples", c.blur_samples},
+               {"blur_samples_min", c.blur_samples_min},
+               {"confidence", c.confidence},
+               {"variance", c.variance}};
+  out["bokeh"] = c.bokeh ? dumper.pigment(*c.bokeh) : DumpJson(nullptr);
+  out["normal"] = c.normal ? dumper.normal(*c.normal) : DumpJson(nullptr);
   if (c.kind == scene::CameraKind::mesh_camera)
     out["mesh_camera"] = {{"rays_per_pixel", c.rays_per_pixel},
                           {"distribution", c.distribution},
@@ -72,7 +72,7 @@ Json camera(SceneDump& dumper, const scene::Camera& c) {
   return out;
 }
 
-Json radiosity(const scene::Radiosity& r) {
+DumpJson radiosity(const scene::Radiosity& r) {
   return {{"enabled", r.enabled},
           {"pretrace_start", r.pretrace_start},
           {"pretrace_end", r.pretrace_end},
@@ -96,7 +96,7 @@ Json radiosity(const scene::Radiosity& r) {
           {"save_file", r.save_file}};
 }
 
-Json photons(const scene::Photons& p) {
+DumpJson photons(const scene::Photons& p) {
   return {{"enabled", p.enabled},
           {"spacing", p.spacing},
           {"count", p.count},
@@ -112,29 +112,29 @@ Json photons(const scene::Photons& p) {
           {"save_file", p.save_file}};
 }
 
-Json settings(const scene::Settings& s) {
-  Json gamma = s.gamma == scene::Gamma::none   ? Json(nullptr)
-               : s.gamma == scene::Gamma::srgb ? Json("srgb")
-                                               : Json(s.assumed_gamma);
-  Json out{{"adc_bailout", s.adc_bailout},
-           {"ambient_light", dump(s.ambient_light)},
-           {"assumed_gamma", gamma},
-           {"irid_wavelength", dump(s.irid_wavelength)},
-           {"max_trace_level", s.max_trace_level},
-           {"mm_per_unit", s.mm_per_unit},
-           {"noise_generator", s.noise_generator},
-           {"number_of_waves", s.number_of_waves}};
-  out["subsurface"] = s.subsurface ? Json{{"samples", {s.subsurface_samples_diffuse, s.subsurface_samples_single}},
-                                          {"radiosity", s.subsurface_radiosity}}
-                                   : Json(nullptr);
+DumpJson settings(const scene::Settings& s) {
+  DumpJson gamma = s.gamma == scene::Gamma::none   ? DumpJson(nullptr)
+                   : s.gamma == scene::Gamma::srgb ? DumpJson("srgb")
+                                                   : DumpJson(s.assumed_gamma);
+  DumpJson out{{"adc_bailout", s.adc_bailout},
+               {"ambient_light", dump(s.ambient_light)},
+               {"assumed_gamma", gamma},
+               {"irid_wavelength", dump(s.irid_wavelength)},
+               {"max_trace_level", s.max_trace_level},
+               {"mm_per_unit", s.mm_per_unit},
+               {"noise_generator", s.noise_generator},
+               {"number_of_waves", s.number_of_waves}};
+  out["subsurface"] = s.subsurface ? DumpJson{{"samples", {s.subsurface_samples_diffuse, s.subsurface_samples_single}},
+                                              {"radiosity", s.subsurface_radiosity}}
+                                   : DumpJson(nullptr);
   out["radiosity"] = radiosity(s.radiosity);
   out["photons"] = photons(s.photons);
   return out;
 }
 
-Json fog(const scene::Fog& f) {
-  Json out{{"fog_type", f.type},    {"color", dump(f.color)}, {"distance", f.distance},
-           {"fog_alt", f.altitude}, {"fog_offset", f.offset}, {"up", dump(f.up)}};
+DumpJson fog(const scene::Fog& f) {
+  DumpJson out{{"fog_type", f.type},    {"color", dump(f.color)}, {"distance", f.distance},
+               {"fog_alt", f.altitude}, {"fog_offset", f.offset}, {"up", dump(f.up)}};
   if (f.turbulence) {
     out["turbulence"] = dump(*f.turbulence);
     out["turb_depth"] = f.turbulence_depth;
@@ -142,30 +142,30 @@ Json fog(const scene::Fog& f) {
   return out;
 }
 
-Json rainbow(SceneDump& dumper, const scene::Rainbow& r) {
-  Json out{{"direction", dump(r.direction)}, {"up", dump(r.up)},  {"angle", r.angle}, {"width", r.width},
-           {"distance", r.distance},         {"jitter", r.jitter}};
-  out["arc_angle"] = r.arc_angle ? Json(*r.arc_angle) : Json(nullptr);
-  out["falloff_angle"] = r.falloff_angle ? Json(*r.falloff_angle) : Json(nullptr);
-  out["colors"] = r.colors ? dumper.pigment(*r.colors) : Json(nullptr);
+DumpJson rainbow(SceneDump& dumper, const scene::Rainbow& r) {
+  DumpJson out{{"direction", dump(r.direction)}, {"up", dump(r.up)},  {"angle", r.angle}, {"width", r.width},
+               {"distance", r.distance},         {"jitter", r.jitter}};
+  out["arc_angle"] = r.arc_angle ? DumpJson(*r.arc_angle) : DumpJson(nullptr);
+  out["falloff_angle"] = r.falloff_angle ? DumpJson(*r.falloff_angle) : DumpJson(nullptr);
+  out["colors"] = r.colors ? dumper.pigment(*r.colors) : DumpJson(nullptr);
   return out;
 }
 
 template <class T, class F>
-Json list(const std::vector<T>& items, const F& convert) {
-  Json out = Json::array();
+DumpJson list(const std::vector<T>& items, const F& convert) {
+  DumpJson out = DumpJson::array();
   for (const T& item : items) out.push_back(convert(item));
   return out;
 }
 
 }  // namespace
 
-Json SceneDump::scene(const scene::Scene& s) {
+DumpJson SceneDump::scene(const scene::Scene& s) {
   scene::complete(s);
-  Json out{{"format", "verisim scene"},
-           {"format_version", kFormatVersion},
-           {"source", s.source_name},
-           {"version", s.version / 100.0}};
+  DumpJson out{{"format", "verisim scene"},
+               {"format_version", kFormatVersion},
+               {"source", s.source_name},
+               {"version", s.version / 100.0}};
   out["global_settings"] = settings(s.settings);
   out["camera"] = camera(*this, s.camera);
   out["background"] = dump(s.background);

@@ -13,16 +13,16 @@ namespace verisim::cli {
 
 // The JSON of one member.
 struct MemberDump {
-  using Json = SceneDump::Json;
+  using DumpJson = SceneDump::Json;
   SceneDump& dumper;
   template <class T>
-  requires std::is_arithmetic_v<T> Json operator()(T v) const { return v; }
-  Json operator()(const Vec2& v) const { return dump(v); }
-  Json operator()(const Vec3& v) const { return dump(v); }
-  Json operator()(const FunctionPtr& f) const { return dump(f); }
-  Json operator()(const scene::ObjectPtr& o) const { return o ? dumper.object(*o) : Json(nullptr); }
-  Json operator()(const scene::PigmentPtr& p) const { return p ? dumper.pigment(*p) : Json(nullptr); }
-  Json operator()(const ImagePtr& i) const { return i ? Json{i->width, i->height} : Json(nullptr); }
+  requires std::is_arithmetic_v<T> DumpJson operator()(T v) const { return v; }
+  DumpJson operator()(const Vec2& v) const { return dump(v); }
+  DumpJson operator()(const Vec3& v) const { return dump(v); }
+  DumpJson operator()(const FunctionPtr& f) const { return dump(f); }
+  DumpJson operator()(const scene::ObjectPtr& o) const { return o ? dumper.object(*o) : DumpJson(nullptr); }
+  DumpJson operator()(const scene::PigmentPtr& p) const { return p ? dumper.pigment(*p) : DumpJson(nullptr); }
+  DumpJson operator()(const ImagePtr& i) const { return i ? DumpJson{i->width, i->height} : DumpJson(nullptr); }
 };
 
 // Several members that SDL writes as one item become an array.

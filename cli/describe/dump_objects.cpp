@@ -4,7 +4,7 @@
 
 namespace verisim::cli {
 
-using Json = SceneDump::Json;
+using DumpJson = SceneDump::Json;
 
 namespace {
 
@@ -15,13 +15,13 @@ const char* spline(scene::SplineKind kind) {
 }
 
 template <class Points>
-Json points(const Points& items) {
-  Json out = Json::array();
+DumpJson points(const Points& items) {
+  DumpJson out = DumpJson::array();
   for (const auto& p : items) out.push_back(dump(p));
   return out;
 }
 
-Json container(const scene::Contained& c) {
+DumpJson container(const scene::Contained& c) {
   if (c.sphere) return {{"sphere", {dump(c.center), c.radius}}};
   return {{"box", {dump(c.low), dump(c.high)}}};
 }
@@ -45,10 +45,10 @@ std::string to_utf8(const std::u16string& text) {
 struct ShapeDump {
   SceneDump& dumper;
   const scene::Object& object;
-  Json& out;
+  DumpJson& out;
 
   void children() const {
-    out["children"] = Json::array();
+    out["children"] = DumpJson::array();
     for (const scene::ObjectPtr& child : scene::children_of(object)) out["children"].push_back(dumper.object(*child));
   }
 
@@ -65,9 +65,9 @@ struct ShapeDump {
   void operator()(const scene::Poly& p) const { out["order"] = p.order, out["coefficients"] = p.coefficients; }
   void operator()(const std::shared_ptr<const scene::Blob>& b) const {
     out["threshold"] = b->threshold;
-    out["components"] = Json::array();
+    out["components"] = DumpJson::array();
     for (const scene::BlobComponent& c : b->components) {
-      Json part{{"type", c.cylinder ? "cylinder" : "sphere"}, {"a", dump(c.a)}};
+      DumpJson part{{"type", c.cylinder ? "cylinder" : "sphere"}, {"a", dump(c.a)}};
       if (c.cylinder) part["b"] = dump(c.b);
       part["radius"] = c.radius, part["strength"] = c.strength;
       if (c.transform) part["matrix"] = dump(*c.transform);
@@ -100,7 +100,7 @@ struct ShapeDump {
   void operator()(const std::shared_ptr<const scene::Isosurface>& i) const {
     out["function"] = dump(i->function), out["contained_by"] = container(i->container), out["threshold"] = i->threshold,
     out["accuracy"] = i->accuracy;
-    out["max_gradient"] = i->max_gradient, out["evaluate"] = i->evaluate ? dump(*i->evaluate) : Json(nullptr),
+    out["max_gradient"] = i->max_gradient, out["evaluate"] = i->evaluate ? dump(*i->evaluate) : DumpJson(nullptr),
     out["max_trace"] = i->max_trace, out["open"] = i->open;
   }
   void operator()(const std::shared_ptr<const scene::Parametric>& p) const {
@@ -121,13 +121,13 @@ struct ShapeDump {
   void operator()(const scene::Mesh& m) const {
     const scene::MeshData& d = *m.data;
     out["vertices"] = points(d.vertices), out["normals"] = points(d.normals), out["uv_vectors"] = points(d.uvs);
-    out["inside_vector"] = d.inside_vector ? dump(*d.inside_vector) : Json(nullptr);
-    out["textures"] = Json::array();
+    out["inside_vector"] = d.inside_vector ? dump(*d.inside_vector) : DumpJson(nullptr);
+    out["textures"] = DumpJson::array();
     for (const scene::TexturePtr& t : m.textures.empty() ? d.textures : m.textures)
       out["textures"].push_back(dumper.texture(t));
-    out["faces"] = Json::array();
+    out["faces"] = DumpJson::array();
     for (const scene::MeshTriangle& t : d.triangles) {
-      Json face{{"vertices", t.vertex}};
+      DumpJson face{{"vertices", t.vertex}};
       if (t.smooth) face["normals"] = t.normal;
       if (t.has_uv) face["uv"] = t.uv;
       for (const std::int32_t texture : t.texture)
@@ -145,27 +145,27 @@ struct ShapeDump {
 
 }  // namespace
 
-Json SceneDump::light(const scene::LightSource& l) {
-  Json out{{"kind", info(l.kind).name},
-           {"location", dump(l.position)},
-           {"color", dump(l.color)},
-           {"parallel", l.parallel},
-           {"point_at", dump(l.point_at)},
-           {"direction", dump(l.direction)},
-           {"radius", l.radius},
-           {"falloff", l.falloff},
-           {"tightness", l.tightness},
-           {"fade_distance", l.fade_distance},
-           {"fade_power", l.fade_power},
-           {"media_interaction", l.media_interaction},
-           {"media_attenuation", l.media_attenuation}};
-  out["area_light"] = l.area ? Json{{"axis1", dump(l.axis1)},     {"axis2", dump(l.axis2)},
-                                    {"size", {l.size1, l.size2}}, {"adaptive", l.adaptive},
-                                    {"jitter", l.jitter},         {"circular", l.circular},
-                                    {"orient", l.orient},         {"area_illumination", l.area_illumination}}
-                             : Json(nullptr);
-  out["looks_like"] = l.looks_like ? object(*l.looks_like) : Json(nullptr);
-  out["projected_through"] = l.projected_through ? object(*l.projected_through) : Json(nullptr);
+DumpJson SceneDump::light(const scene::LightSource& l) {
+  DumpJson out{{"kind", info(l.kind).name},
+               {"location", dump(l.position)},
+               {"color", dump(l.color)},
+               {"parallel", l.parallel},
+               {"point_at", dump(l.point_at)},
+               {"direction", dump(l.direction)},
+               {"radius", l.radius},
+               {"falloff", l.falloff},
+               {"tightness", l.tightness},
+               {"fade_distance", l.fade_distance},
+               {"fade_power", l.fade_power},
+               {"media_interaction", l.media_interaction},
+               {"media_attenuation", l.media_attenuation}};
+  out["area_light"] = l.area ? DumpJson{{"axis1", dump(l.axis1)},     {"axis2", dump(l.axis2)},
+                                        {"size", {l.size1, l.size2}}, {"adaptive", l.adaptive},
+                                        {"jitter", l.jitter},         {"circular", l.circular},
+                                        {"orient", l.orient},         {"area_illumination", l.area_illumination}}
+                             : DumpJson(nullptr);
+  out["looks_like"] = l.looks_like ? object(*l.looks_like) : DumpJson(nullptr);
+  out["projected_through"] = l.projected_through ? object(*l.projected_through) : DumpJson(nullptr);
   if (l.photons_given)
     out["photons"] = {{"reflection", dump_flag(l.photon_reflection)},
                       {"refraction", dump_flag(l.photon_refraction)},
@@ -173,20 +173,20 @@ Json SceneDump::light(const scene::LightSource& l) {
   return out;
 }
 
-Json SceneDump::object(const scene::Object& o) {
-  Json out{{"type", object_keyword(o)}, {"place", dump(o.place)}};
+DumpJson SceneDump::object(const scene::Object& o) {
+  DumpJson out{{"type", object_keyword(o)}, {"place", dump(o.place)}};
   std::visit(ShapeDump{*this, o, out}, o.shape);
-  out["matrix"] = o.transform ? dump(*o.transform) : Json(nullptr);
+  out["matrix"] = o.transform ? dump(*o.transform) : DumpJson(nullptr);
   out["bounds"] = {{"corner", o.bounds.low}, {"size", o.bounds.size}};
   for (const auto& [name, limits] : {std::pair{"bounded_by", &o.bounded_by}, std::pair{"clipped_by", &o.clipped_by}}) {
     if (limits->empty()) continue;
-    out[name] = Json::array();
+    out[name] = DumpJson::array();
     for (const scene::ObjectPtr& limit : *limits) out[name].push_back(object(*limit));
   }
   out["texture"] = texture(o.texture);
   out["interior_texture"] = texture(o.interior_texture);
   out["interior"] = interior(o.interior);
-  Json flags = Json::array();
+  DumpJson flags = DumpJson::array();
   const auto flag = [&flags](bool on, const char* name) {
     if (on) flags.push_back(name);
   };
@@ -206,7 +206,7 @@ Json SceneDump::object(const scene::Object& o) {
   if (o.radiosity_importance >= 0) out["radiosity_importance"] = o.radiosity_importance;
   if (o.photons) {
     const scene::PhotonFlags& p = *o.photons;
-    out["photons"] = {{"target", p.target ? Json(p.target_spacing) : Json(nullptr)},
+    out["photons"] = {{"target", p.target ? DumpJson(p.target_spacing) : DumpJson(nullptr)},
                       {"reflection", dump_flag(p.reflection)},
                       {"refraction", dump_flag(p.refraction)},
                       {"pass_through", p.pass_through},

@@ -3,21 +3,21 @@
 
 namespace verisim::cli {
 
-using Json = SceneDump::Json;
+using DumpJson = SceneDump::Json;
 
 namespace {
 
 constexpr const char* kWaves[] = {"ramp_wave", "sine_wave", "triangle_wave", "scallop_wave", "cubic_wave", "poly_wave"};
 
 struct WarpDump {
-  Json operator()(const Transform& t) const { return {{"matrix", dump(t)}}; }
-  Json operator()(const scene::TurbulenceWarp& w) const {
+  DumpJson operator()(const Transform& t) const { return {{"matrix", dump(t)}}; }
+  DumpJson operator()(const scene::TurbulenceWarp& w) const {
     return {{"turbulence", dump(static_cast<const scene::Turbulence&>(w))}};
   }
-  Json operator()(const scene::RepeatWarp& w) const {
+  DumpJson operator()(const scene::RepeatWarp& w) const {
     return {{"repeat", {{"axis", w.axis}, {"width", w.width}, {"flip", dump(w.flip)}, {"offset", dump(w.offset)}}}};
   }
-  Json operator()(const scene::BlackHoleWarp& w) const {
+  DumpJson operator()(const scene::BlackHoleWarp& w) const {
     return {{"black_hole",
              {{"center", dump(w.center)},
               {"radius", w.radius},
@@ -25,10 +25,10 @@ struct WarpDump {
               {"falloff", w.falloff},
               {"type", w.type},
               {"inverse", w.inverse},
-              {"repeat", w.repeats ? dump(w.repeat) : Json(nullptr)},
-              {"turbulence", w.turbulent ? dump(w.turbulence) : Json(nullptr)}}}};
+              {"repeat", w.repeats ? dump(w.repeat) : DumpJson(nullptr)},
+              {"turbulence", w.turbulent ? dump(w.turbulence) : DumpJson(nullptr)}}}};
   }
-  Json operator()(const scene::ProjectionWarp& w) const {
+  DumpJson operator()(const scene::ProjectionWarp& w) const {
     static constexpr const char* kKinds[] = {"cylindrical", "spherical", "toroidal", "planar"};
     return {{kKinds[static_cast<std::size_t>(w.kind)],
              {{"orientation", dump(w.orientation)},
@@ -36,11 +36,11 @@ struct WarpDump {
               {"major_radius", w.major_radius},
               {"offset", w.offset}}}};
   }
-  Json operator()(const scene::CubicWarp&) const { return {{"cubic", true}}; }
+  DumpJson operator()(const scene::CubicWarp&) const { return {{"cubic", true}}; }
 };
 
-Json parameters(SceneDump& dumper, const scene::PatternParams& params) {
-  Json out = nullptr;
+DumpJson parameters(SceneDump& dumper, const scene::PatternParams& params) {
+  DumpJson out = nullptr;
   const auto add = [&](const auto& p) {
     if constexpr (HasFields<std::remove_cvref_t<decltype(p)>>) add_fields(out, p, dumper);
   };
@@ -49,36 +49,37 @@ Json parameters(SceneDump& dumper, const scene::PatternParams& params) {
 }
 
 template <class T, class F>
-Json map(const scene::BlendMap<T>& entries, const F& convert) {
-  Json out = Json::array();
+DumpJson map(const scene::BlendMap<T>& entries, const F& convert) {
+  DumpJson out = DumpJson::array();
   for (const scene::MapEntry<T>& entry : entries) out.push_back({entry.position, convert(entry.value)});
   return out;
 }
 
-Json finish(const scene::Finish& f) {
-  Json out{{"ambient", dump(f.ambient)},
-           {"emission", dump(f.emission)},
-           {"diffuse", {f.diffuse, f.diffuse_back}},
-           {"brilliance", f.brilliance},
-           {"crand", f.crand},
-           {"phong", f.phong},
-           {"phong_size", f.phong_size},
-           {"specular", f.specular},
-           {"roughness", f.roughness},
-           {"metallic", f.metallic}};
+DumpJson finish(const scene::Finish& f) {
+  DumpJson out{{"ambient", dump(f.ambient)},
+               {"emission", dump(f.emission)},
+               {"diffuse", {f.diffuse, f.diffuse_back}},
+               {"brilliance", f.brilliance},
+               {"crand", f.crand},
+               {"phong", f.phong},
+               {"phong_size", f.phong_size},
+               {"specular", f.specular},
+               {"roughness", f.roughness},
+               {"metallic", f.metallic}};
   const scene::Reflection& r = f.reflection;
   out["reflection"] = {{"minimum", dump(r.minimum)}, {"maximum", dump(r.maximum)}, {"falloff", r.falloff},
                        {"exponent", r.exponent},     {"metallic", r.metallic},     {"fresnel", r.fresnel}};
   out["irid"] = {{"amount", f.irid}, {"thickness", f.irid_thickness}, {"turbulence", f.irid_turbulence}};
   out["conserve_energy"] = f.conserve_energy;
-  out["subsurface"] =
-      f.subsurface ? Json{{"translucency", dump(f.translucency)}, {"anisotropy", dump(f.anisotropy)}} : Json(nullptr);
+  out["subsurface"] = f.subsurface
+                          ? DumpJson{{"translucency", dump(f.translucency)}, {"anisotropy", dump(f.anisotropy)}}
+                          : DumpJson(nullptr);
   return out;
 }
 
 }  // namespace
 
-void SceneDump::pattern(Json& out, const scene::Pattern& p) {
+void SceneDump::pattern(DumpJson& out, const scene::Pattern& p) {
   out["type"] = pattern_name(p.kind);
   if (p.kind == scene::PatternKind::plain || p.kind == scene::PatternKind::none) return;
   if (p.params) out["parameters"] = parameters(*this, *p.params);
@@ -88,14 +89,14 @@ void SceneDump::pattern(Json& out, const scene::Pattern& p) {
   if (p.wave == scene::Wave::poly) out["exponent"] = p.exponent;
   if (p.noise_generator) out["noise_generator"] = p.noise_generator;
   if (!p.warps.empty()) {
-    out["warps"] = Json::array();
+    out["warps"] = DumpJson::array();
     for (const scene::Warp& warp : p.warps) out["warps"].push_back(std::visit(WarpDump{}, warp));
   }
   if (p.turbulence) out["turbulence"] = dump(*p.turbulence);
 }
 
-Json SceneDump::pigment(const scene::Pigment& p) {
-  Json out = Json::object();
+DumpJson SceneDump::pigment(const scene::Pigment& p) {
+  DumpJson out = DumpJson::object();
   pattern(out, p.pattern);
   if (p.pattern.kind == scene::PatternKind::plain) out["color"] = dump(p.color);
   if (p.color_map) out["color_map"] = map(*p.color_map, [](const Color& c) { return dump(c); });
@@ -105,34 +106,34 @@ Json SceneDump::pigment(const scene::Pigment& p) {
   return out;
 }
 
-Json SceneDump::normal(const scene::Normal& n) {
-  Json out = Json::object();
+DumpJson SceneDump::normal(const scene::Normal& n) {
+  DumpJson out = DumpJson::object();
   pattern(out, n.pattern);
   out["bump_size"] = n.amount;
   out["accuracy"] = n.accuracy;
   out["no_bump_scale"] = n.no_bump_scale;
   if (n.slope_map)
-    out["slope_map"] = map(*n.slope_map, [](const scene::SlopeEntry& e) { return Json{e.height, e.slope}; });
+    out["slope_map"] = map(*n.slope_map, [](const scene::SlopeEntry& e) { return DumpJson{e.height, e.slope}; });
   if (n.normal_map)
     out["normal_map"] =
-        map(*n.normal_map, [this](const scene::NormalPtr& q) { return q ? normal(*q) : Json(nullptr); });
+        map(*n.normal_map, [this](const scene::NormalPtr& q) { return q ? normal(*q) : DumpJson(nullptr); });
   return out;
 }
 
-Json SceneDump::texture(const scene::TexturePtr& t) {
+DumpJson SceneDump::texture(const scene::TexturePtr& t) {
   if (!t) return nullptr;
   const auto known = texture_index_.find(t.get());
   if (known != texture_index_.end()) return known->second;
-  Json out = Json::object();
+  DumpJson out = DumpJson::object();
   if (t->patterned()) {
     pattern(out, t->pattern);
     if (t->texture_map)
       out["texture_map"] = map(*t->texture_map, [this](const scene::TexturePtr& q) { return texture(q); });
   } else {
-    out["layers"] = Json::array();
+    out["layers"] = DumpJson::array();
     for (const scene::TextureLayer& layer : t->layers) {
-      Json entry{{"pigment", pigment(*layer.pigment)}};
-      entry["normal"] = layer.normal ? normal(*layer.normal) : Json(nullptr);
+      DumpJson entry{{"pigment", pigment(*layer.pigment)}};
+      entry["normal"] = layer.normal ? normal(*layer.normal) : DumpJson(nullptr);
       entry["finish"] = finish(*layer.finish);
       out["layers"].push_back(std::move(entry));
     }
@@ -144,8 +145,8 @@ Json SceneDump::texture(const scene::TexturePtr& t) {
   return index;
 }
 
-Json SceneDump::density(const scene::Density& d) {
-  Json out = Json::object();
+DumpJson SceneDump::density(const scene::Density& d) {
+  DumpJson out = DumpJson::object();
   pattern(out, d.pattern);
   if (d.pattern.kind == scene::PatternKind::plain) out["color"] = dump(d.color);
   if (d.color_map) out["color_map"] = map(*d.color_map, [](const Color& c) { return dump(c); });
@@ -154,42 +155,42 @@ Json SceneDump::density(const scene::Density& d) {
   return out;
 }
 
-Json SceneDump::media(const scene::Media& m) {
-  Json out{{"method", m.method},
-           {"intervals", m.intervals},
-           {"samples", {m.samples_min, m.samples_max}},
-           {"aa_level", m.aa_level},
-           {"aa_threshold", m.aa_threshold},
-           {"ratio", m.ratio},
-           {"confidence", m.confidence},
-           {"variance", m.variance},
-           {"jitter", m.jitter},
-           {"absorption", dump(m.absorption)},
-           {"emission", dump(m.emission)}};
-  out["scattering"] = m.has_scattering ? Json{{"type", m.scattering_type},
-                                              {"color", dump(m.scattering)},
-                                              {"eccentricity", m.eccentricity},
-                                              {"extinction", m.extinction}}
-                                       : Json(nullptr);
+DumpJson SceneDump::media(const scene::Media& m) {
+  DumpJson out{{"method", m.method},
+               {"intervals", m.intervals},
+               {"samples", {m.samples_min, m.samples_max}},
+               {"aa_level", m.aa_level},
+               {"aa_threshold", m.aa_threshold},
+               {"ratio", m.ratio},
+               {"confidence", m.confidence},
+               {"variance", m.variance},
+               {"jitter", m.jitter},
+               {"absorption", dump(m.absorption)},
+               {"emission", dump(m.emission)}};
+  out["scattering"] = m.has_scattering ? DumpJson{{"type", m.scattering_type},
+                                                  {"color", dump(m.scattering)},
+                                                  {"eccentricity", m.eccentricity},
+                                                  {"extinction", m.extinction}}
+                                       : DumpJson(nullptr);
   out["collect"] = m.collect;
-  out["density"] = Json::array();
+  out["density"] = DumpJson::array();
   for (const scene::DensityPtr& d : m.densities) out["density"].push_back(density(*d));
   return out;
 }
 
-Json SceneDump::interior(const scene::InteriorPtr& i) {
+DumpJson SceneDump::interior(const scene::InteriorPtr& i) {
   if (!i) return nullptr;
   const auto known = interior_index_.find(i.get());
   if (known != interior_index_.end()) return known->second;
-  Json out{{"ior", i->ior},
-           {"dispersion", i->dispersion},
-           {"dispersion_samples", i->dispersion_samples},
-           {"caustics", i->caustics},
-           {"fade_distance", i->fade_distance},
-           {"fade_power", i->fade_power},
-           {"fade_color", dump(i->fade_color)},
-           {"hollow", i->hollow}};
-  out["media"] = Json::array();
+  DumpJson out{{"ior", i->ior},
+               {"dispersion", i->dispersion},
+               {"dispersion_samples", i->dispersion_samples},
+               {"caustics", i->caustics},
+               {"fade_distance", i->fade_distance},
+               {"fade_power", i->fade_power},
+               {"fade_color", dump(i->fade_color)},
+               {"hollow", i->hollow}};
+  out["media"] = DumpJson::array();
   for (const scene::Media& m : i->media) out["media"].push_back(media(m));
   const std::size_t index = interiors_.size();
   interiors_.push_back(std::move(out));

@@ -11,7 +11,7 @@ namespace verisim::cli {
 namespace {
 
 using scene::PatternKind;
-using Words = std::vector<std::pair<std::string, std::string>>;
+using WordPairs = std::vector<std::pair<std::string, std::string>>;
 
 bool of_noise(const scene::Pattern& pattern) {
   if (scene::info(pattern.kind).is(scene::PatternInfo::kNoise)) return true;
@@ -24,7 +24,7 @@ bool of_noise(const scene::Pattern& pattern) {
 // The patterns of a texture, however deep in maps.
 class Patterns {
  public:
-  explicit Patterns(Words& words) : words_(words) {}
+  explicit Patterns(WordPairs& words) : words_(words) {}
 
   void texture(const scene::TexturePtr& pointer) {
     if (!fresh(pointer.get())) return;
@@ -62,7 +62,7 @@ class Patterns {
     if (of_noise(pattern)) words_.emplace_back("feature", "noise (turbulence and patterns made of it)");
   }
 
-  Words& words_;
+  WordPairs& words_;
   std::unordered_set<const void*> seen_;
 };
 
@@ -121,7 +121,7 @@ void TagWitness::describe(const scene::Object& object, bool seen_directly, const
   }
   auto [found, added] = words_.try_emplace(&object);
   if (added) {
-    Words& words = found->second;
+    WordPairs& words = found->second;
     words.emplace_back("object", name);
     words.emplace_back("copy", with_place(object));
     for (auto it = parent_.find(&object); it != parent_.end(); it = parent_.find(it->second))

@@ -13,28 +13,28 @@ namespace fs = std::filesystem;
 namespace verisim::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 // What begins like a line of JSON and is none was broken off, or is a scene's.
-json parsed(const std::string& line) {
+Json parsed(const std::string& line) {
   if (!line.starts_with("{\"event\":")) return {};
-  json value = compare::bounded_json(line);
-  return value.is_object() ? value : json();
+  Json value = compare::bounded_json(line);
+  return value.is_object() ? value : Json();
 }
 
 template <class T>
-std::optional<T> value_of(const json& line, const char* key) {
+std::optional<T> value_of(const Json& line, const char* key) {
   const auto found = line.find(key);
   if (found == line.end() || found->is_null()) return std::nullopt;
   try {
     return found->get<T>();
-  } catch (const json::exception&) {
+  } catch (const Json::exception&) {
     return std::nullopt;
   }
 }
 
 void take(StepLog& log, const std::string& line) {
-  const json said = parsed(line);
+  const Json said = parsed(line);
   const std::string event = value_of<std::string>(said, "event").value_or("");
   if (event.empty()) {
     if (line.find("error:") != std::string::npos || line.starts_with("verisim merge: ")) log.message = line;

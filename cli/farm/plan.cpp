@@ -18,7 +18,7 @@ namespace {
 constexpr double kShortestTask = 60;       // seconds
 constexpr double kTimesRepeated = 10;      // of what a task repeats
 constexpr double kLeastTimesRepeated = 2;  // where there are nodes for it
-constexpr int kTasksPerNode = 4, kMaxTasks = 1000;
+constexpr int kTasksPerNode = 4, kMaxTasksOfAPart = 1000;
 constexpr std::chrono::seconds kSampling(10);
 
 // Sets a flag after some time, unless it ends before.
@@ -80,7 +80,7 @@ Costs measure_costs(const Job& job, const scene::Scene& scene, double seconds_pa
 
 int parts_for(const Costs& costs, int blocks, int nodes) {
   constexpr int kUnknown = 64;
-  const int most = std::max(1, std::min(blocks, std::max(kMaxTasks, kTasksPerNode * nodes)));
+  const int most = std::max(1, std::min(blocks, std::max(kMaxTasksOfAPart, kTasksPerNode * nodes)));
   if (costs.picture <= 0) return std::min(most, std::max(kUnknown, kTasksPerNode * nodes));
   const double wanted = costs.picture / seconds_of_task(costs);
   const double allowed = costs.picture / (kLeastTimesRepeated * (costs.start + costs.parse));

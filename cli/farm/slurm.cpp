@@ -20,7 +20,7 @@
 namespace verisim::cli {
 namespace {
 
-using Words = std::vector<std::string>;
+using ProgramWords = std::vector<std::string>;
 
 constexpr int kArray = 1000;  // tasks of one array
 constexpr int kUsualGrace = 90, kShortestGrace = 5;
@@ -53,7 +53,7 @@ EngineStep::State state_of(std::string_view word) {
   return State::ended;
 }
 
-compare::ProcessResult call(const Words& words) {
+compare::ProcessResult call(const ProgramWords& words) {
   constexpr double kPatience = 60;  // seconds
   compare::ProcessRequest request;
   request.arguments = words;
@@ -82,37 +82,37 @@ std::string said(const compare::ProcessResult& result, double patience = 60) {
 struct Batch {
   Step::Kind kind = Step::Kind::task;
   std::string name;
-  Words options, script;
+  ProgramWords options, script;
   // What it waits for: batches before it by number, and jobs that are there already; that they end, or end well.
   std::vector<std::size_t> after_any, after_ok;
-  Words any_jobs, ok_jobs;
+  ProgramWords any_jobs, ok_jobs;
 };
 
 // The call; `ids`: those of the batches before it.
-Words words_of(const Batch& batch, const Words& ids) {
+ProgramWords words_of(const Batch& batch, const ProgramWords& ids) {
   std::string dependency;
-  const auto add = [&](const char* how, Words jobs, const std::vector<std::size_t>& batches) {
+  const auto add = [&](const char* how, ProgramWords jobs, const std::vector<std::size_t>& batches) {
     for (const std::size_t i : batches) jobs.push_back(ids[i]);
     if (!jobs.empty()) dependency += fmt::format("{}{}:{}", dependency.empty() ? "" : ",", how, fmt::join(jobs, ":"));
   };
   add("afterok", batch.ok_jobs, batch.after_ok);
   add("afterany", batch.any_jobs, batch.after_any);
-  Words words{"sbatch"};
+  ProgramWords words{"sbatch"};
   words.insert(words.end(), batch.options.begin(), batch.options.end());
   if (!dependency.empty()) words.push_back("--dependency=" + dependency);
   words.insert(words.end(), batch.script.begin(), batch.script.end());
   return words;
 }
 
-std::string line_of(const Words& words) {
+std::string command_line_of(const ProgramWords& words) {
   std::string line;
   for (const std::string& word : words) line += (line.empty() ? "" : " ") + shell_word(word);
   return line;
 }
 
 // Names of Slurm's jobs, as few calls of squeue as its answers allow (we keep 256 KiB of each).
-Words names_for_squeue(const FarmJob& job) {
-  Words lists{fmt::format("{0}-prepass,{0}-merge,{0}-0", job.key)};
+ProgramWords names_for_squeue(const FarmJob& job) {
+  ProgramWords lists{fmt::format("{0}-prepass,{0}-merge,{0}-0", job.key)};
   for (int offset = kArray; offset < job.tasks; offset += kArray)
     lists.push_back(fmt::format("{}-{}", job.key, offset));
   return lists;
@@ -177,9 +177,9 @@ class Slurm final : public Engine {
 
   std::string submit(const FarmJob& job, const std::vector<Step>& steps, const EngineSteps& alive) override {
     std::vector<Batch> batches = batches_of(job, steps, alive);
-    Words ids;
+    ProgramWords ids;
     for (const Batch& batch : batches) {
-      const Words words = words_of(batch, ids);
+      const ProgramWords words = words_of(batch, ids);
       const compare::ProcessResult result = call(words);
       std::string id(trim(result.out));
       id.resize(std::min(id.find(';'), id.size()));  // ;cluster
@@ -188,7 +188,7 @@ class Slurm final : public Engine {
       if (!result.succeeded() || !number) {
         for (const std::string& submitted : ids) call({"scancel", submitted});
         throw std::runtime_error(fmt::format("sbatch refused {}: {}\nnothing is submitted; this was the call:\n{}",
-                                             batch.name, said(result), line_of(words)));
+                                             batch.name, said(result), command_line_of(words)));
       }
       ids.push_back(id);
     }
@@ -196,10 +196,10 @@ class Slurm final : public Engine {
   }
 
   std::string rehearse(const FarmJob& job, const std::vector<Step>& steps, const EngineSteps& alive) const override {
-    Words ids;
+    ProgramWords ids;
     std::string text;
     for (const Batch& batch : batches_of(job, steps, alive)) {
-      text += line_of(words_of(batch, ids)) + "\n";
+      text += command_line_of(words_of(batch, ids)) + "\n";
       ids.push_back(fmt::format("<{}>", batch.name));
     }
     return text;
@@ -249,9 +249,9 @@ class Slurm final : public Engine {
         if (batch.kind == Step::Kind::task && previous && job.engine_options.nodes > 0) batch.after_any.push_back(k);
       }
       for (const auto& [step, state] : alive) {
-        Words* const jobs = step.kind == Step::Kind::prepass && batch.kind == Step::Kind::task ? &batch.ok_jobs
-                            : step.kind == Step::Kind::task && batch.kind == Step::Kind::merge ? &batch.any_jobs
-                                                                                               : nullptr;
+        ProgramWords* const jobs = step.kind == Step::Kind::prepass && batch.kind == Step::Kind::task ? &batch.ok_jobs
+                                   : step.kind == Step::Kind::task && batch.kind == Step::Kind::merge ? &batch.any_jobs
+                                                                                                      : nullptr;
         if (jobs && std::find(jobs->begin(), jobs->end(), state.id) == jobs->end()) jobs->push_back(state.id);
       }
       batches.push_back(std::move(batch));

@@ -19,11 +19,12 @@
 namespace verisim::cli {
 namespace {
 
-constexpr std::array<char, 16> kMagic{'v', 'e', 'r', 'i', 's', 'i', 'm', '-', 's', 't', 'a', 't', 'e', '-', '1', '\n'};
-constexpr std::size_t kHeaderBytes = kMagic.size() + 16;  // key, checksum
+constexpr std::array<char, 16> kStateMagic{'v', 'e', 'r', 'i', 's', 'i', 'm', '-',
+                                           's', 't', 'a', 't', 'e', '-', '1', '\n'};
+constexpr std::size_t kHeaderBytes = kStateMagic.size() + 16;  // key, checksum
 
 std::string header(std::uint64_t key) {
-  std::string bytes(kMagic.data(), kMagic.size());
+  std::string bytes(kStateMagic.data(), kStateMagic.size());
   put_bytes(bytes, key);
   put_bytes(bytes, checksum(bytes, 1));
   return bytes;
@@ -149,8 +150,8 @@ std::string StateFile::failure() const {
 bool is_state_file(const std::filesystem::path& path) {
   if (!regular_or_absent(path)) return false;
   std::ifstream stream(path, std::ios::binary);
-  std::array<char, kMagic.size()> head{};
-  return stream.read(head.data(), head.size()) && head == kMagic;
+  std::array<char, kStateMagic.size()> head{};
+  return stream.read(head.data(), head.size()) && head == kStateMagic;
 }
 
 }  // namespace verisim::cli

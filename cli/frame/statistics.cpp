@@ -180,8 +180,8 @@ std::string render_statistics(const Options& options, const scene::Scene&, const
 }
 
 std::string statistics_json(const Job& job, const std::vector<FrameReport>& frames) {
-  using nlohmann::json;
-  json all;
+  using Json = nlohmann::json;
+  Json all;
   all["scene"] = job.scene.path.string();
   all["width"] = job.options.width;
   all["height"] = job.options.height;
@@ -191,7 +191,7 @@ std::string statistics_json(const Job& job, const std::vector<FrameReport>& fram
   double seconds = 0;
   std::map<std::string, std::uint64_t> rays;
   std::set<std::string> features, files;
-  json list = json::array();
+  Json list = Json::array();
   for (const FrameReport& f : frames) {
     seconds += f.seconds_parse + f.seconds_render + f.seconds_write;
     const render::Statistics& s = f.statistics;
@@ -222,7 +222,7 @@ std::string statistics_json(const Job& job, const std::vector<FrameReport>& fram
   all["files_read"] = files;
   all["frames"] = list;
   // Scene texts may hold any bytes.
-  return all.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace verisim::cli

@@ -7,7 +7,7 @@ namespace verisim::cli {
 namespace {
 
 // What Markdown would take for markup in running text.
-std::string escaped(const std::string& text) {
+std::string escaped_markdown(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '|' || c == '<' || c == '*' || c == '_') result += '\\';
@@ -28,14 +28,14 @@ std::string section_markdown(const HelpSection& section) {
   for (const HelpEntry& entry : section.entries) {
     std::string left;
     for (const std::string& spelling : entry.spellings) left += (left.empty() ? "" : ", ") + code(spelling);
-    text += fmt::format("| {} | {} |\n", left, escaped(entry.meaning));
+    text += fmt::format("| {} | {} |\n", left, escaped_markdown(entry.meaning));
   }
   return text;
 }
 
 std::string body(const CommandHelp& command) {
   std::string text = fmt::format("```sh\nverisim{}{} {}\n```\n\n{}\n", command.name.empty() ? "" : " ", command.name,
-                                 command.synopsis, escaped(command.description));
+                                 command.synopsis, escaped_markdown(command.description));
   if (!command.examples.empty()) {
     text += "\n```sh\n";
     for (const HelpExample& example : command.examples)

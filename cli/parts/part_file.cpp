@@ -22,13 +22,13 @@
 namespace verisim::cli {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
 constexpr std::string_view kMagic("verisim-part-1\n");
 constexpr std::size_t kMaxHeader = std::size_t{1} << 24;
 constexpr std::uint64_t kHeaderSeed = 2;
 
-json as_json(const image::OutputOptions& o) {
+Json as_json(const image::OutputOptions& o) {
   return {{"format", static_cast<int>(o.format)},
           {"bits", o.bits},
           {"alpha", o.alpha},
@@ -42,7 +42,7 @@ json as_json(const image::OutputOptions& o) {
           {"metadata", o.metadata}};
 }
 
-image::OutputOptions output_of(const json& j) {
+image::OutputOptions output_of(const Json& j) {
   image::OutputOptions o;
   const auto in_range = [&](const char* name, int last) {
     const int value = j.at(name).get<int>();
@@ -63,9 +63,9 @@ image::OutputOptions output_of(const json& j) {
   return o;
 }
 
-json as_json(const PartHeader& header) {
+Json as_json(const PartHeader& header) {
   const PartPicture& p = header.picture;
-  return {{"part", header.part.prepasses ? json("prepass") : json(header.part.number)},
+  return {{"part", header.part.prepasses ? Json("prepass") : Json(header.part.number)},
           {"parts", header.part.of},
           {"version", p.version},
           {"scene", p.scene},
@@ -80,7 +80,7 @@ json as_json(const PartHeader& header) {
           {"output", as_json(p.output)}};
 }
 
-PartHeader header_of(const json& j) {
+PartHeader header_of(const Json& j) {
   PartHeader header;
   PartPicture& p = header.picture;
   header.part.any = true;
@@ -92,7 +92,7 @@ PartHeader header_of(const json& j) {
   j.at("files").get_to(p.files);
   p.key = std::stoull(j.at("key").get<std::string>(), nullptr, 16);
   p.width = j.at("size").at(0).get<int>(), p.height = j.at("size").at(1).get<int>();
-  const json& r = j.at("region");
+  const Json& r = j.at("region");
   p.region = {r.at(0).get<int>(), r.at(2).get<int>(), r.at(1).get<int>(), r.at(3).get<int>()};
   j.at("block_size").get_to(p.block_size);
   j.at("layers").get_to(p.layers);
@@ -111,7 +111,7 @@ PartHeader header_of(const json& j) {
 }
 
 std::string head_bytes(const PartHeader& header) {
-  const std::string text = as_json(header).dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string text = as_json(header).dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string bytes(kMagic);
   put_bytes(bytes, std::uint64_t{text.size()});
   bytes += text;
@@ -158,9 +158,9 @@ std::string difference(const PartPicture& a, const PartPicture& b) {
     if (found->second != content) return fmt::format("what is in the file {}", name);
   }
   if (a.files.size() != b.files.size()) return "the files the scene reads";
-  const json settings_a = as_json(a.output), settings_b = as_json(b.output);
+  const Json settings_a = as_json(a.output), settings_b = as_json(b.output);
   if (settings_a != settings_b) {
-    const auto switches = [](const json& j) { return j["metadata"].value("Switches", std::string()); };
+    const auto switches = [](const Json& j) { return j["metadata"].value("Switches", std::string()); };
     return differ("the settings", switches(settings_a), switches(settings_b));
   }
   if (a.layers != b.layers) return differ("the layers", a.layers, b.layers);
@@ -228,7 +228,7 @@ PartFile::PartFile(std::filesystem::path path) : path_(std::move(path)) {
     fail("its header is damaged: render the part again");
   std::string version, damage;
   try {
-    const json described = compare::bounded_json(head.substr(before));
+    const Json described = compare::bounded_json(head.substr(before));
     described.at("version").get_to(version);
     if (version == VERISIM_VERSION) {
       header_ = header_of(described);

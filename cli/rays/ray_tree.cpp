@@ -9,14 +9,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-double rounded(double value) { return std::fabs(value) < 1e-12 ? 0 : value; }
-Json numbers(const Vec3& v) { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
+double without_noise(double value) { return std::fabs(value) < 1e-12 ? 0 : value; }
+Json numbers(const Vec3& v) { return {without_noise(v.x), without_noise(v.y), without_noise(v.z)}; }
 Json numbers(const Rgb& c) { return {c.r, c.g, c.b}; }
 
 }  // namespace
 
 std::string text(const Vec3& v) {
-  return fmt::format("<{:.6g}, {:.6g}, {:.6g}>", rounded(v.x), rounded(v.y), rounded(v.z));
+  return fmt::format("<{:.6g}, {:.6g}, {:.6g}>", without_noise(v.x), without_noise(v.y), without_noise(v.z));
 }
 std::string text(const Rgb& c) { return fmt::format("<{:.5g}, {:.5g}, {:.5g}>", c.r, c.g, c.b); }
 

@@ -3,7 +3,7 @@
 namespace verisim::compare {
 namespace {
 
-constexpr double kMaxPixels = 1e6;
+constexpr double kMaxCasePixels = 1e6;
 constexpr double kFineLimit = 0.1, kCoarseLimit = 0.75;  // code values: with more than 8 bits, and with 8
 
 // The mean of a square of pixels.
@@ -27,7 +27,8 @@ Case::Case(const Picture& a, const Picture& b, const Tags& known)
   for (const PixelTags* side : {known.reference, known.test})
     if (side) require_fitting(*side, a.width, a.height);
   const Values p(a), q(b);
-  reduced = std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(a.width) * a.height / kMaxPixels))));
+  reduced =
+      std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(a.width) * a.height / kMaxCasePixels))));
   width = (a.width + reduced - 1) / reduced, height = (a.height + reduced - 1) / reduced;
   limit = p.bits() > 8 && q.bits() > 8 ? kFineLimit : kCoarseLimit;
   const std::size_t n = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);

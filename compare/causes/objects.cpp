@@ -12,7 +12,7 @@
 namespace verisim::compare {
 namespace {
 
-struct Seen {
+struct SeenObject {
   std::string name, copy;  // "sphere (s.pov:3)"; the same with its place
   bool parent = false;     // a CSG object
   bool secondary = false;  // seen in a mirror or through something
@@ -22,15 +22,15 @@ struct Seen {
   std::size_t pixels = 0;
 };
 
-std::vector<Seen> seen_in(const Case& c, const PixelTags& tags) {
-  std::vector<Seen> out;
+std::vector<SeenObject> seen_in(const Case& c, const PixelTags& tags) {
+  std::vector<SeenObject> out;
   std::vector<int> index(tags.tags.size(), -1);
   for (std::size_t i = 0; i < tags.tags.size(); ++i) {
     const PixelTags::Tag& tag = tags.tags[i];
     const bool secondary = tag.kind == "secondary object";
     if (tag.kind != "copy" && tag.kind != "parent" && !secondary) continue;
     index[i] = static_cast<int>(out.size());
-    Seen& s = out.emplace_back();
+    SeenObject& s = out.emplace_back();
     const std::size_t at = tag.name.rfind(" at <");
     s.name = tag.name.substr(0, at), s.copy = tag.name, s.parent = tag.kind == "parent", s.secondary = secondary;
     if (secondary && at != std::string::npos)
@@ -44,7 +44,7 @@ std::vector<Seen> seen_in(const Case& c, const PixelTags& tags) {
     if (const int set = c.set_of(tags, i); set >= 0 && static_cast<std::size_t>(set) < tags.sets.size())
       for (int tag : tags.sets[static_cast<std::size_t>(set)])
         if (tag >= 0 && static_cast<std::size_t>(tag) < index.size() && index[static_cast<std::size_t>(tag)] >= 0) {
-          Seen& s = out[static_cast<std::size_t>(index[static_cast<std::size_t>(tag)])];
+          SeenObject& s = out[static_cast<std::size_t>(index[static_cast<std::size_t>(tag)])];
           s.mask[i] = 1, ++s.pixels;
         }
   return out;
@@ -55,28 +55,28 @@ double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) 
 }
 
 struct Match {
-  const Seen *was = nullptr, *is = nullptr;
+  const SeenObject *was = nullptr, *is = nullptr;
 };
 
 // By place; what is left by name, the nearest first.
-std::vector<Match> matches(const std::vector<Seen>& was, const std::vector<Seen>& is) {
+std::vector<Match> matches(const std::vector<SeenObject>& was, const std::vector<SeenObject>& is) {
   std::vector<Match> out;
-  std::set<const Seen*> taken;
-  for (const Seen& a : was) out.push_back({&a, nullptr});
-  const auto pair_up = [&](const std::function<bool(const Seen&, const Seen&)>& fit) {
+  std::set<const SeenObject*> taken;
+  for (const SeenObject& a : was) out.push_back({&a, nullptr});
+  const auto pair_up = [&](const std::function<bool(const SeenObject&, const SeenObject&)>& fit) {
     for (Match& m : out) {
       if (m.is) continue;
-      const Seen* best = nullptr;
-      for (const Seen& b : is)
+      const SeenObject* best = nullptr;
+      for (const SeenObject& b : is)
         if (!taken.contains(&b) && b.parent == m.was->parent && b.secondary == m.was->secondary && fit(*m.was, b) &&
             (!best || distance(b.middle, m.was->middle) < distance(best->middle, m.was->middle)))
           best = &b;
       if (best) m.is = best, taken.insert(best);
     }
   };
-  pair_up([](const Seen& a, const Seen& b) { return a.copy == b.copy; });
-  pair_up([](const Seen& a, const Seen& b) { return a.name == b.name; });
-  for (const Seen& b : is)
+  pair_up([](const SeenObject& a, const SeenObject& b) { return a.copy == b.copy; });
+  pair_up([](const SeenObject& a, const SeenObject& b) { return a.name == b.name; });
+  for (const SeenObject& b : is)
     if (!taken.contains(&b)) out.push_back({nullptr, &b});
   return out;
 }
@@ -118,7 +118,7 @@ struct Change {
 };
 
 // How the box of an object has changed, if it has.
-std::optional<Change> change_of(const Seen& was, const Seen& is) {
+std::optional<Change> change_of(const SeenObject& was, const SeenObject& is) {
   constexpr double kSame = 2e-3;
   if (!was.placed || !is.placed || was.copy == is.copy) return std::nullopt;
   Change out;
@@ -167,10 +167,10 @@ void changed_objects(const Case& c, const std::vector<Match>& all, Suspicions& o
       changes.push_back({m, *change});
   }
   for (const Found& f : changes) {
-    const Seen& any = f.match.was ? *f.match.was : *f.match.is;
+    const SeenObject& any = f.match.was ? *f.match.was : *f.match.is;
     // A CSG object is named if what is known of its parts is known of it, and then in their place.
     const auto same_as = [&](const Found& other) {
-      const Seen& theirs = other.match.was ? *other.match.was : *other.match.is;
+      const SeenObject& theirs = other.match.was ? *other.match.was : *other.match.is;
       return &other != &f && (other.match.was == nullptr) == (f.match.was == nullptr) &&
              same_move(f.change, other.change) && theirs.parent != any.parent &&
              share_of(c, common(theirs.mask, any.mask)) > 0;
@@ -207,7 +207,7 @@ void changed_outlines(const Case& c, const std::vector<Match>& all, Suspicions& 
 }
 
 // Where an object is what it was and looks otherwise.
-void surfaces(const Case& c, const Seen& object, const Mask& mask, Suspicions& out) {
+void surfaces(const Case& c, const SeenObject& object, const Mask& mask, Suspicions& out) {
   constexpr double kLeastShare = 0.5;
   const double share = share_of(c, mask);
   if (share < kLeastShare) return;
@@ -230,7 +230,7 @@ double border(const Case& c, const Mask& mask, const Pixels& picture) {
 // With one side's word only.
 void outlines_of_one_side(const Case& c, Suspicions& out) {
   constexpr double kGone = 0.3, kLeastShare = 0.5, kMaxOfPicture = 0.6;
-  for (const Seen& object : seen_in(c, *c.tags.any())) {
+  for (const SeenObject& object : seen_in(c, *c.tags.any())) {
     if (object.secondary) continue;
     surfaces(c, object, object.mask, out);
     const int reach = std::max(3, c.width / 20);
@@ -273,7 +273,7 @@ void outlines_of_one_side(const Case& c, Suspicions& out) {
 void suspect_objects(const Case& c, Suspicions& out) {
   if (!c.tags.any()) return;
   if (!c.tags.both()) return outlines_of_one_side(c, out);
-  const std::vector<Seen> was = seen_in(c, *c.tags.reference), is = seen_in(c, *c.tags.test);
+  const std::vector<SeenObject> was = seen_in(c, *c.tags.reference), is = seen_in(c, *c.tags.test);
   const std::vector<Match> all = matches(was, is);
   changed_objects(c, all, out);
   changed_outlines(c, all, out);

@@ -11,7 +11,7 @@ namespace verisim::compare {
 namespace {
 
 constexpr double kSeveralNumbers = 0.97;  // weight of hypotheses with more than one
-constexpr float kWhite = 254.5f;          // what is clipped in the test says nothing
+constexpr float kClipped = 254.5f;        // what is clipped in the test says nothing
 
 float linear(float v) { return static_cast<float>(srgb_to_linear(std::clamp(v, 0.0f, 255.0f) / 255)); }
 float coded(double v) { return static_cast<float>(255 * linear_to_srgb(std::clamp(v, 0.0, 1.0))); }
@@ -21,7 +21,7 @@ double luma(const Pixel& p) { return 0.299 * p[0] + 0.587 * p[1] + 0.114 * p[2];
 std::vector<std::size_t> judged(const Case& c, const Mask* part) {
   std::vector<std::size_t> out;
   for (std::size_t i = 0; i < c.size(); ++i)
-    if ((!part || (*part)[i]) && std::all_of(c.test[i].begin(), c.test[i].end(), [](float v) { return v < kWhite; }))
+    if ((!part || (*part)[i]) && std::all_of(c.test[i].begin(), c.test[i].end(), [](float v) { return v < kClipped; }))
       out.push_back(i);
   return out;
 }

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using image::StoredLayer;
 using Planes = std::vector<std::vector<double>>;
 
-std::string lower(std::string text) {
+std::string lower_case(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
@@ -26,7 +26,7 @@ std::string lower(std::string text) {
 std::string bare(const std::string& name) { return name.substr(name.rfind('/') + 1); }
 
 const char* kind_of(const StoredLayer& layer) {
-  const std::string name = lower(bare(layer.name));
+  const std::string name = lower_case(bare(layer.name));
   if (layer.integer || name == "id" || name.ends_with("ids") || name.find("index") != std::string::npos) return "id";
   if (layer.colored() && name.find("crypto") == std::string::npos) return "color";
   if (layer.channels.size() == 1 &&

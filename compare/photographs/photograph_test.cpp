@@ -42,10 +42,17 @@ class Photographs : public testing::Test {
  protected:
   void SetUp() override {
     program_ = find_program("convert");
-    if (program_.empty()) GTEST_SKIP() << "ImageMagick is not installed";
+    if (!is_image_magick()) GTEST_SKIP() << "ImageMagick is not installed";
     image::write_picture(render(), path("render.png"));
   }
   fs::path path(const char* name) const { return folder_.path() / name; }
+  // Other programs have that name, too.
+  bool is_image_magick() const {
+    if (program_.empty()) return false;
+    const ProcessResult run =
+        run_process({{program_.string(), "-version"}, folder_.path(), {{"PATH", "/usr/bin:/bin"}}, 60, nullptr});
+    return run.succeeded() && run.out.find("Version: ImageMagick") != std::string::npos;
+  }
 
   // The render, drawn with its corners at kCorners on grey, and what else is asked for.
   Picture photograph(const std::vector<std::string>& rest, const char* name = "photo.png") {

@@ -26,7 +26,7 @@ BenchSample median(const std::vector<BenchSample>& samples) {
   return {median(wall), median(cpu), static_cast<std::uint64_t>(median(memory))};
 }
 
-double ratio(double oracle, double native) { return native > 0 ? oracle / native : 0; }
+double time_ratio(double oracle, double native) { return native > 0 ? oracle / native : 0; }
 
 BenchSample run_native(const NativeRenderer& native, const SceneRequest& scene, const BenchOptions& options,
                        const std::vector<std::filesystem::path>& library_paths, std::string& error) {
@@ -58,10 +58,10 @@ BenchScene bench_scene(const SceneRequest& scene, const BenchOptions& options, c
   }
   if (!out.error.empty()) return out;
   out.oracle_median = median(out.oracle), out.native_median = median(out.native);
-  out.wall_ratio = ratio(out.oracle_median.wall, out.native_median.wall);
-  out.cpu_ratio = ratio(out.oracle_median.cpu, out.native_median.cpu);
+  out.wall_ratio = time_ratio(out.oracle_median.wall, out.native_median.wall);
+  out.cpu_ratio = time_ratio(out.oracle_median.cpu, out.native_median.cpu);
   out.memory_ratio =
-      ratio(static_cast<double>(out.oracle_median.peak_bytes), static_cast<double>(out.native_median.peak_bytes));
+      time_ratio(static_cast<double>(out.oracle_median.peak_bytes), static_cast<double>(out.native_median.peak_bytes));
   return out;
 }
 

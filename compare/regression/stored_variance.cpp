@@ -16,8 +16,8 @@ namespace verisim::compare {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kLevel = 0.01, kMaxPixels = 0.0025, kMaxBlocks = 0.02;
-constexpr int kBlock = 16;
+constexpr double kLevel = 0.01, kMaxNoisyPixels = 0.0025, kMaxBlocks = 0.02;
+constexpr int kNoiseBlock = 16;
 constexpr const char* kMark = ".deviation-of-";
 
 // The level of one of many tests which together err as often as kLevel says.
@@ -78,13 +78,13 @@ ZTest z_test(const StoredVariance& stored, const Picture& render) {
     }
   out.pixels_refused /= static_cast<double>(out.p.size());
   double blocks = 0, refused = 0;
-  const double block_level =
-      each_of(std::ceil(width / static_cast<double>(kBlock)) * std::ceil(height / static_cast<double>(kBlock)));
-  for (int top = 0; top < height; top += kBlock)
-    for (int left = 0; left < width; left += kBlock) {
+  const double block_level = each_of(std::ceil(width / static_cast<double>(kNoiseBlock)) *
+                                     std::ceil(height / static_cast<double>(kNoiseBlock)));
+  for (int top = 0; top < height; top += kNoiseBlock)
+    for (int left = 0; left < width; left += kNoiseBlock) {
       double difference = 0, variance = 0, count = 0;
-      for (int y = top; y < std::min(height, top + kBlock); ++y)
-        for (int x = left; x < std::min(width, left + kBlock); ++x) {
+      for (int y = top; y < std::min(height, top + kNoiseBlock); ++y)
+        for (int x = left; x < std::min(width, left + kNoiseBlock); ++x) {
           difference += test.luma(x, y) - mean.luma(x, y);
           variance += std::max(kRoundingVariance, std::pow(deviation.luma(x, y), 2)), ++count;
         }
@@ -92,7 +92,7 @@ ZTest z_test(const StoredVariance& stored, const Picture& render) {
       ++blocks, refused += predicted(difference / count, 4 * variance / (count * count), stored.runs) < block_level;
     }
   out.blocks_refused = refused / blocks;
-  out.rejected = out.pixels_refused > kMaxPixels || out.blocks_refused > kMaxBlocks;
+  out.rejected = out.pixels_refused > kMaxNoisyPixels || out.blocks_refused > kMaxBlocks;
   return out;
 }
 

@@ -7,7 +7,7 @@
 
 namespace verisim::parser {
 
-using Kind = Condition::Kind;
+using ConditionKind = Condition::Kind;
 
 void Parser::Impl::directive() {
   if (!depth) mark_statement();
@@ -15,7 +15,7 @@ void Parser::Impl::directive() {
   skip_token();
   // Nearly all of what loops and macros execute.
   if ((token.word == Word::declare || token.word == Word::local) && declare_fast(token.word == Word::local)) return;
-  if (token.word == Word::end && !conditions.empty() && conditions.back().kind == Kind::macro &&
+  if (token.word == Word::end && !conditions.empty() && conditions.back().kind == ConditionKind::macro &&
       conditions.back().frames == frames.size())
     return end_macro();
   const Nesting nesting(*this);
@@ -52,13 +52,13 @@ void Parser::Impl::execute(const Token& token) {
   const std::uint32_t link = token.link();
   switch (token.word) {
     case Word::if_: {
-      open_condition(Kind::if_, index(position) - 1);
+      open_condition(ConditionKind::if_, index(position) - 1);
       if_chain(condition_value(), in, link);
       break;
     }
     case Word::ifdef:
     case Word::ifndef: {
-      open_condition(Kind::if_, index(position) - 1);
+      open_condition(ConditionKind::if_, index(position) - 1);
       const std::size_t open = conditions.size();
       const bool defined = defined_argument();
       refuse_ended(open);
@@ -78,7 +78,7 @@ void Parser::Impl::execute(const Token& token) {
     case Word::case_:
     case Word::range:
       if (conditions.empty() ||
-          (conditions.back().kind != Kind::switch_ && conditions.back().kind != Kind::switch_else))
+          (conditions.back().kind != ConditionKind::switch_ && conditions.back().kind != ConditionKind::switch_else))
         stray_branch(token.word);
       case_matches(token.word, 0);  // evaluated, but a case that ran goes on (spec 01 section 16)
       break;
@@ -124,7 +124,7 @@ void Parser::Impl::execute(const Token& token) {
   }
 }
 
-void Parser::Impl::open_condition(Kind kind, std::uint32_t opener) {
+void Parser::Impl::open_condition(ConditionKind kind, std::uint32_t opener) {
   if (conditions.size() >= static_cast<std::size_t>(options.limits.max_depth))
     fatal(Code::nesting_limit, "Conditionals, loops and macro calls are nested too deeply.",
           "--max-depth raises this limit.");
@@ -208,7 +208,7 @@ void Parser::Impl::if_chain(bool taken, const TokenFile* in, std::uint32_t link)
       return;
     }
     if (token.word == Word::else_) {
-      conditions.back().kind = Kind::else_;
+      conditions.back().kind = ConditionKind::else_;
       return;
     }
     if (token.word != Word::elseif) stray_branch(token.word);
@@ -219,15 +219,15 @@ void Parser::Impl::if_chain(bool taken, const TokenFile* in, std::uint32_t link)
 void Parser::Impl::else_branch(const Token& token) {
   if (conditions.empty()) stray_branch(token.word);
   switch (conditions.back().kind) {
-    case Kind::if_:
+    case ConditionKind::if_:
       skip_to_end(file, token.link());
       conditions.pop_back();
       break;
-    case Kind::switch_:
+    case ConditionKind::switch_:
       if (token.word == Word::elseif) stray_branch(token.word);
-      conditions.back().kind = Kind::switch_else;  // falls through into it
+      conditions.back().kind = ConditionKind::switch_else;  // falls through into it
       break;
-    case Kind::switch_else:
+    case ConditionKind::switch_else:
       if (token.word == Word::elseif) stray_branch(token.word);  // a further #else changes nothing (measured)
       break;
     default:
@@ -254,17 +254,17 @@ void Parser::Impl::end_directive(const Token&) {
   if (conditions.empty()) error(Code::stray_branch, "#end without #if, #while, #for, #switch or #macro.");
   Condition& condition = conditions.back();
   switch (condition.kind) {
-    case Kind::while_:
-    case Kind::for_:
+    case ConditionKind::while_:
+    case ConditionKind::for_:
       if (condition.file != file || condition.frames != frames.size())
         error(Code::stray_branch, "#end of a loop is not in the file of its beginning.");
       count_steps(index(position) - condition.test);
-      if (condition.kind == Kind::while_)
+      if (condition.kind == ConditionKind::while_)
         test_while();
       else
         end_for();
       break;
-    case Kind::macro:
+    case ConditionKind::macro:
       if (frames.size() != condition.frames)
         error(Code::stray_branch, "#end of a macro is not in the file of its beginning.");
       end_macro();
@@ -281,7 +281,7 @@ void Parser::Impl::end_macro() {
 }
 
 void Parser::Impl::switch_directive(const Token&) {
-  open_condition(Kind::switch_, index(position) - 1);
+  open_condition(ConditionKind::switch_, index(position) - 1);
   const std::size_t open = conditions.size();
   double value;
   {
@@ -302,7 +302,7 @@ void Parser::Impl::switch_directive(const Token&) {
       return;
     }
     if (branch.word == Word::else_) {
-      conditions.back().kind = Kind::switch_else;
+      conditions.back().kind = ConditionKind::switch_else;
       return;
     }
     if (branch.word == Word::elseif) stray_branch(branch.word);

@@ -5,10 +5,10 @@
 
 namespace verisim::parser {
 
-using Kind = Condition::Kind;
+using ConditionKind = Condition::Kind;
 
 void Parser::Impl::while_directive(const Token&) {
-  open_condition(Kind::while_, index(position) - 1);
+  open_condition(ConditionKind::while_, index(position) - 1);
   conditions.back().test = index(position);
   const std::uint32_t link = (position - 1)->link();
   const TokenFile* in = file;
@@ -28,7 +28,7 @@ void Parser::Impl::test_while() {
 }
 
 void Parser::Impl::for_directive(const Token& token) {
-  open_condition(Kind::for_, index(position) - 1);
+  open_condition(ConditionKind::for_, index(position) - 1);
   const std::size_t open = conditions.size();
   const TokenFile* in = file;
   if (peek().punctuation != '(') expected("(");
@@ -86,10 +86,10 @@ void Parser::Impl::end_for() {
 void Parser::Impl::break_directive() {
   for (; !conditions.empty(); conditions.pop_back()) {
     const Condition condition = conditions.back();
-    if (condition.kind == Kind::if_ || condition.kind == Kind::else_) continue;
+    if (condition.kind == ConditionKind::if_ || condition.kind == ConditionKind::else_) continue;
     // Include files between the construct and here end with it.
     while (frames.size() > condition.frames) leave_frame();
-    if (condition.kind == Kind::macro) return end_macro();
+    if (condition.kind == ConditionKind::macro) return end_macro();
     const TokenFile* in = condition.file;
     if (file != in) error(Code::stray_branch, "#break is not in the file of its loop.");
     const std::uint32_t link = in->tokens[condition.opener].link();

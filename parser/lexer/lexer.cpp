@@ -83,11 +83,11 @@ struct Sink {
 
 // Base of our own parsers: no attribute, the Sink is the result.
 template <class Derived>
-struct Scanner : x3::parser<Derived> {
+struct TokenScanner : x3::parser<Derived> {
   using attribute_type = x3::unused_type;
   static constexpr bool has_attribute = false;
   Sink* sink;
-  explicit Scanner(Sink& s) : sink(&s) {}
+  explicit TokenScanner(Sink& s) : sink(&s) {}
 
   template <class Iterator, class Context, class RContext, class Attribute>
   bool parse(Iterator& first, const Iterator& last, const Context&, RContext&, Attribute&) const {
@@ -95,8 +95,8 @@ struct Scanner : x3::parser<Derived> {
   }
 };
 
-struct Blanks : Scanner<Blanks> {
-  using Scanner::Scanner;
+struct Blanks : TokenScanner<Blanks> {
+  using TokenScanner::TokenScanner;
   bool scan(const char*& first, const char* last) const {
     const char* p = first;
     while (p != last && class_of(*p) == blank_class) ++p;
@@ -106,8 +106,8 @@ struct Blanks : Scanner<Blanks> {
   }
 };
 
-struct LineComment : Scanner<LineComment> {
-  using Scanner::Scanner;
+struct LineComment : TokenScanner<LineComment> {
+  using TokenScanner::TokenScanner;
   bool scan(const char*& first, const char* last) const {
     if (*first != '/' || last - first < 2 || first[1] != '/') return false;
     while (first != last && *first != '\n' && *first != '\r') ++first;
@@ -117,8 +117,8 @@ struct LineComment : Scanner<LineComment> {
 };
 
 // Nests; strings and line comments inside mean nothing; the '*' of an opener cannot also start a closer.
-struct BlockComment : Scanner<BlockComment> {
-  using Scanner::Scanner;
+struct BlockComment : TokenScanner<BlockComment> {
+  using TokenScanner::TokenScanner;
   bool scan(const char*& first, const char* last) const {
     if (*first != '/' || last - first < 2 || first[1] != '*') return false;
     const char* p = first + 2;
@@ -137,8 +137,8 @@ struct BlockComment : Scanner<BlockComment> {
   }
 };
 
-struct WordOrIdentifier : Scanner<WordOrIdentifier> {
-  using Scanner::Scanner;
+struct WordOrIdentifier : TokenScanner<WordOrIdentifier> {
+  using TokenScanner::TokenScanner;
   bool scan(const char*& first, const char*) const {
     if (class_of(*first) != letter_class) return false;
     const char* p = first + 1;
@@ -163,8 +163,8 @@ struct WordOrIdentifier : Scanner<WordOrIdentifier> {
 };
 
 // A literal number (number.h).
-struct Number : Scanner<Number> {
-  using Scanner::Scanner;
+struct Number : TokenScanner<Number> {
+  using TokenScanner::TokenScanner;
   bool scan(const char*& first, const char*) const {
     const char* p = first;
     if (!starts_number(p)) return false;
@@ -180,8 +180,8 @@ struct Number : Scanner<Number> {
 };
 
 // < > around 2 to 5 literal numbers with commas.
-struct Vector : Scanner<Vector> {
-  using Scanner::Scanner;
+struct Vector : TokenScanner<Vector> {
+  using TokenScanner::TokenScanner;
   bool scan(const char*& first, const char* last) const {
     if (*first != '<' || sink->tokens.empty() || !Sink::may_precede_vector(sink->tokens.back()) ||
         sink->numbers.size() + 5 > 0xffffffffu)
@@ -220,8 +220,8 @@ struct Vector : Scanner<Vector> {
 };
 
 // "..." over any number of lines; \" does not end it, a backslash before a line end is an error.
-struct String : Scanner<String> {
-  using Scanner::Scanner;
+struct String : TokenScanner<String> {
+  using TokenScanner::TokenScanner;
   bool scan(const char*& first, const char* last) const {
     if (*first != '"') return false;
     const char* p = first + 1;
@@ -241,8 +241,8 @@ struct String : Scanner<String> {
   }
 };
 
-struct Punctuation : Scanner<Punctuation> {
-  using Scanner::Scanner;
+struct Punctuation : TokenScanner<Punctuation> {
+  using TokenScanner::TokenScanner;
   bool scan(const char*& first, const char*) const {
     if (class_of(*first) != punctuation_class) return false;
     const char c = *first;

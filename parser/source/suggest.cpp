@@ -45,10 +45,10 @@ constexpr Foreign kForeign[] = {
     {"warn", "warning", true},    {"fail", "error", true},     {"foreach", "for", false},  {"function", "macro", false},
     {"def", "macro", false},      {"undefine", "undef", true}, {"global", "declare", true}};
 
-constexpr std::string_view kDirectives[] = {"break",      "case",    "debug",  "declare", "default", "else",  "elseif",
-                                            "end",        "error",   "fclose", "fopen",   "for",     "if",    "ifdef",
-                                            "ifndef",     "include", "local",  "macro",   "range",   "read",  "render",
-                                            "statistics", "switch",  "undef",  "version", "warning", "while", "write"};
+constexpr std::string_view kDirectiveNames[] = {
+    "break",  "case",       "debug",  "declare", "default", "else",    "elseif", "end",   "error", "fclose",
+    "fopen",  "for",        "if",     "ifdef",   "ifndef",  "include", "local",  "macro", "range", "read",
+    "render", "statistics", "switch", "undef",   "version", "warning", "while",  "write"};
 
 }  // namespace
 
@@ -98,11 +98,11 @@ std::string_view nearest(std::string_view name, std::span<const std::string_view
 MeantDirective meant_directive(std::string_view word) {
   const std::string lower = lowered(word);
   MeantDirective meant;
-  for (const std::string_view directive : kDirectives)
+  for (const std::string_view directive : kDirectiveNames)
     if (lower == directive) meant = {directive, MeantDirective::Why::case_, true};
   for (const Foreign& foreign : kForeign)
     if (lower == foreign.word) meant = {foreign.directive, MeantDirective::Why::foreign, foreign.same};
-  if (meant.directive.empty()) meant.directive = nearest(lower, kDirectives);
+  if (meant.directive.empty()) meant.directive = nearest(lower, kDirectiveNames);
   constexpr std::string_view kOpeners[] = {"for", "if", "ifdef", "ifndef", "macro", "switch", "while"};
   meant.opens = std::find(std::begin(kOpeners), std::end(kOpeners), meant.directive) != std::end(kOpeners);
   return meant;

@@ -22,10 +22,10 @@ constexpr int kMaxSahDepth = 36;
 Float4 low_of(const BuildItem& item) { return Float4::load(item.low); }
 Float4 high_of(const BuildItem& item) { return Float4::load(item.high); }
 
-struct Bounds {
+struct BuildBounds {
   Float4 low = Float4(3e37f), high = Float4(-3e37f);
   void add(Float4 l, Float4 h) { low = min(low, l), high = max(high, h); }
-  void add(const Bounds& b) { add(b.low, b.high); }
+  void add(const BuildBounds& b) { add(b.low, b.high); }
   void add(const BuildItem& item) { add(low_of(item), high_of(item)); }
   // Half of the surface.
   float area() const {
@@ -38,7 +38,7 @@ struct Bounds {
 struct Range {
   std::size_t begin = 0, end = 0;
   std::uint32_t boxes = 0;
-  Bounds bounds, centres;  // of twice the centres: low + high
+  BuildBounds bounds, centres;  // of twice the centres: low + high
   bool leaf = false;
   std::size_t size() const { return end - begin; }
   void add(const BuildItem& item) {
@@ -201,7 +201,7 @@ class Builder {
     }
   }
 
-  static void set_box(BoxNode& node, int k, const Bounds& b) {
+  static void set_box(BoxNode& node, int k, const BuildBounds& b) {
     alignas(16) float low[4], high[4];
     b.low.store(low), b.high.store(high);
     for (int i = 0; i < 3; ++i) node.planes[i][k] = low[i], node.planes[3 + i][k] = high[i];
@@ -261,7 +261,7 @@ class Builder {
       first[place] = item;
     }
     float right_cost[kSwept];
-    Bounds bounds;
+    BuildBounds bounds;
     std::uint32_t boxes = 0;
     for (std::size_t i = n; --i > 0;) {
       bounds.add(first[i]);
@@ -280,7 +280,7 @@ class Builder {
 
   Split bin(const Range& range, const float* extent) const {
     struct Bin {
-      Bounds bounds;
+      BuildBounds bounds;
       std::uint32_t boxes = 0;
     };
     Bin bins[3][kBins];
@@ -303,7 +303,7 @@ class Builder {
     for (int a = 0; a < 3; ++a) {
       if (!(extent[a] > 0) || !std::isfinite(scale[a])) continue;
       float right_cost[kBins];
-      Bounds bounds;
+      BuildBounds bounds;
       std::uint32_t boxes = 0;
       for (int i = kBins; --i > 0;) {
         bounds.add(bins[a][i].bounds);

@@ -6,7 +6,9 @@
 namespace verisim::accel {
 namespace {
 
-scene::Bounds box(float x, float y, float z, float size) { return {{x, y, z}, {size, size, size}}; }
+scene::Bounds box(float low_x, float low_y, float low_z, float size) {
+  return {{low_x, low_y, low_z}, {size, size, size}};
+}
 
 // Entries in the order in which a ray along +z asks them; `depth` of each is what it finds.
 std::vector<std::uint32_t> active(const std::vector<Hierarchy::Item>& items, const std::vector<double>& depth) {

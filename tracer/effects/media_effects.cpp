@@ -9,9 +9,9 @@ namespace verisim::global {
 
 namespace {
 
-class TracerEnvironment : public MediaEnvironment {
+class MediaSurroundings : public MediaEnvironment {
  public:
-  TracerEnvironment(const SceneEffects& effects, const PhotonMap* photons, shading::Tracer& tracer,
+  MediaSurroundings(const SceneEffects& effects, const PhotonMap* photons, shading::Tracer& tracer,
                     const shading::RayState& ray, const shapes::Surface* end)
       : effects_(effects), photons_(photons), tracer_(tracer), ray_(ray), end_(end) {}
 
@@ -72,7 +72,7 @@ const PhotonMap* SceneEffects::photons_in_media(const shading::RayState& ray) co
 
 void SceneEffects::apply(shading::Tracer& tracer, const shading::RayState& ray, double length,
                          const shapes::Surface* end, std::span<const CompiledMedia* const> media, Color& color) const {
-  TracerEnvironment environment(*this, photons_in_media(ray), tracer, ray, end);
+  MediaSurroundings environment(*this, photons_in_media(ray), tracer, ray, end);
   see_through(integrate(media, ray.ray, length, false, environment), color);
 }
 
@@ -89,7 +89,7 @@ void SceneEffects::container_media(shading::Tracer& tracer, const shading::RaySt
   collect(tracer.interiors(common.interiors), list);
   if (list.empty()) return;
   const std::span<const CompiledMedia* const> media{list.data(), list.size()};
-  TracerEnvironment environment(*this, photons_in_media(common), tracer, common, nullptr);
+  MediaSurroundings environment(*this, photons_in_media(common), tracer, common, nullptr);
   MediaBatch batch(tracer, common, media, environment);
   shading::RayState ray = common;
   MediaResult results[MediaBatch::kMaxRays];
@@ -116,7 +116,7 @@ void SceneEffects::atmosphere_media(shading::Tracer& tracer, const shading::RayS
 
 void SceneEffects::shadow_media(shading::Tracer& tracer, const shading::RayState& ray, double length, bool container,
                                 bool air, Rgb& color) const {
-  TracerEnvironment environment(*this, nullptr, tracer, ray, nullptr);
+  MediaSurroundings environment(*this, nullptr, tracer, ray, nullptr);
   if (container) {
     MediaList media;
     collect(tracer.interiors(ray.interiors), media);

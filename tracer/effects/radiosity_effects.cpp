@@ -43,23 +43,23 @@ class TracerFinalGatherer : public FinalGatherer {
     else
       std::iota(order.begin(), order.end(), std::uint16_t{0});
 
-    constexpr std::size_t kMax = RayBatch::kMax;
+    constexpr std::size_t kMaxRays = RayBatch::kMax;
     const auto default_importance = static_cast<float>(effects_.scene().settings.radiosity.default_importance);
-    FinalGatherResult* waiting[kMax];
+    FinalGatherResult* waiting[kMaxRays];
     int n = 0;
     const auto shade_waiting = [&] {
-      Color colors[kMax];
+      Color colors[kMaxRays];
       wavefront->shade_gathering(state, colors);
       for (int k = 0; k < n; ++k) waiting[k]->color = colors[k].rgb();
       n = 0;
     };
-    for (std::size_t done = 0; done < rays.size(); done += kMax) {
-      const auto count = static_cast<int>(std::min(kMax, rays.size() - done));
+    for (std::size_t done = 0; done < rays.size(); done += kMaxRays) {
+      const auto count = static_cast<int>(std::min(kMaxRays, rays.size() - done));
       RayBatch batch;
       for (int k = 0; k < count; ++k)
         batch.origin.set(k, from), batch.direction.set(k, rays[order[done + k]].direction);
-      shapes::Hit hits[kMax];
-      bool found[kMax];
+      shapes::Hit hits[kMaxRays];
+      bool found[kMaxRays];
       tracer_.scene().world.intersect_batch(batch, 0, count, state.kind(), kNearestHit, nullptr, hits, found);
       for (int k = 0; k < count; ++k) {
         const std::size_t i = order[done + k];

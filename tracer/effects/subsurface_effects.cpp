@@ -29,10 +29,10 @@ const std::vector<Vec3>& sphere_directions() {
   return table;
 }
 
-class TracerEnvironment : public SubsurfaceEnvironment {
+class SubsurfaceSurroundings : public SubsurfaceEnvironment {
  public:
-  TracerEnvironment(const SceneEffects& effects, shading::Tracer& tracer, const shading::RayState& ray,
-                    const shading::SurfaceHit& at, EffectsStateOfScene& state)
+  SubsurfaceSurroundings(const SceneEffects& effects, shading::Tracer& tracer, const shading::RayState& ray,
+                         const shading::SurfaceHit& at, EffectsStateOfScene& state)
       : effects_(effects),
         tracer_(tracer),
         ray_(ray),
@@ -156,7 +156,7 @@ Rgb SceneEffects::subsurface_light(shading::Tracer& tracer, const shading::RaySt
   point.relative_ior = at.surface.interior->ior / (surrounding.empty() ? 1.0 : surrounding.back()->ior);
   point.reflectance = layer.pigment.rgb() * finish.raw_diffuse;
   point.translucency = finish.translucency;
-  TracerEnvironment environment(*this, tracer, ray, at, state);
+  SubsurfaceSurroundings environment(*this, tracer, ray, at, state);
   ++state.subsurface_level;
   const Rgb light = global::subsurface(point, settings, environment);
   --state.subsurface_level;

@@ -14,7 +14,7 @@ namespace verisim::functions {
 
 namespace {
 
-constexpr std::size_t kMaxInstructions = 20000;
+constexpr std::size_t kMaxNativeInstructions = 20000;
 constexpr int kCached = 14;
 constexpr std::uint32_t kNothing = 0xffffffffu;
 
@@ -310,7 +310,7 @@ MachineCode::~MachineCode() = default;
 std::shared_ptr<const MachineCode> MachineCode::translate(const std::vector<Instruction>& code,
                                                           const std::vector<Call>& calls, std::uint32_t first_constant,
                                                           std::span<const double> constants, std::uint32_t result) {
-  if (code.size() > kMaxInstructions) return nullptr;
+  if (code.size() > kMaxNativeInstructions) return nullptr;
   try {
     auto translator = std::make_unique<Translator>(first_constant, constants);
     translator->translate(code, calls, result);

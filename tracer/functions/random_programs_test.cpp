@@ -14,7 +14,7 @@ namespace verisim::functions {
 namespace {
 
 constexpr int kParameters = 3;
-constexpr std::size_t kWidth = ProgramKernels::kNarrow;
+constexpr std::size_t kProgramWidth = ProgramKernels::kNarrow;
 
 // Draws expressions of a few dozen nodes from everything that functions are made of, but loops.
 class Inventor {
@@ -108,19 +108,19 @@ std::shared_ptr<const Program> compiled(const Node& node) {
   }
 }
 
-// The values of `points` (three columns of kWidth) by one instruction set's kernels.
+// The values of `points` (three columns of kProgramWidth) by one instruction set's kernels.
 std::vector<double> in_packet(const Program& program, const ProgramKernels& kernels,
                               const std::vector<double>& points) {
   struct alignas(64) Row {
-    double values[kWidth];
+    double values[kProgramWidth];
   };
   std::vector<Row> rows(program.registers());
   double* const registers = rows[0].values;
-  program.set_constants(registers, kWidth);
+  program.set_constants(registers, kProgramWidth);
   std::copy(points.begin(), points.end(), registers);
   kernels.narrow(program.code(), program.calls(), registers, 255);
   const Row& result = rows[program.result_register()];
-  return {result.values, result.values + kWidth};
+  return {result.values, result.values + kProgramWidth};
 }
 
 TEST(RandomPrograms, GiveTheSameBitsInterpretedNativeAndInPackets) {
@@ -133,10 +133,10 @@ TEST(RandomPrograms, GiveTheSameBitsInterpretedNativeAndInPackets) {
 #if defined(__x86_64__) && defined(__linux__)
     ASSERT_TRUE(program->is_native());
 #endif
-    std::vector<double> points(kParameters * kWidth), expected;
+    std::vector<double> points(kParameters * kProgramWidth), expected;
     for (double& v : points) v = inventor.value();
-    for (std::size_t k = 0; k < kWidth; ++k) {
-      const double point[] = {points[k], points[kWidth + k], points[2 * kWidth + k]};
+    for (std::size_t k = 0; k < kProgramWidth; ++k) {
+      const double point[] = {points[k], points[kProgramWidth + k], points[2 * kProgramWidth + k]};
       expected.push_back(program->interpret(point));
       double native;
       program->evaluate(point, &native);
@@ -147,7 +147,7 @@ TEST(RandomPrograms, GiveTheSameBitsInterpretedNativeAndInPackets) {
       const ProgramKernels* const kernels = packet_kernels(set);
       if (!kernels) continue;
       const std::vector<double> found = in_packet(*program, *kernels, points);
-      for (std::size_t k = 0; k < kWidth; ++k)
+      for (std::size_t k = 0; k < kProgramWidth; ++k)
         ASSERT_TRUE(same(found[k], expected[k]))
             << "seed " << seed << ", instruction set " << set << ": " << found[k] << " != " << expected[k];
     }

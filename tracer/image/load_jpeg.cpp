@@ -65,8 +65,8 @@ void skip(j_decompress_ptr jpeg, long count) {
   }
 }
 
-struct Reader {
-  explicit Reader(ByteReader& in) {
+struct JpegReader {
+  explicit JpegReader(ByteReader& in) {
     jpeg.err = jpeg_std_error(&errors.base);
     errors.base.error_exit = on_error;
     errors.base.output_message = on_message;
@@ -74,7 +74,7 @@ struct Reader {
     source.base = {nullptr, 0, start, fill, skip, jpeg_resync_to_restart, start};
     source.in = &in;
   }
-  ~Reader() { jpeg_destroy_decompress(&jpeg); }
+  ~JpegReader() { jpeg_destroy_decompress(&jpeg); }
   Errors errors;
   JpegSource source{};
   jpeg_decompress_struct jpeg{};
@@ -87,7 +87,7 @@ void rgb_from_cmyk(const std::uint8_t* cmyk, std::size_t pixels, std::uint8_t* r
 }
 
 // In these two control may leave by longjmp: no objects with destructors.
-bool read_header(Reader& r) {
+bool read_header(JpegReader& r) {
   if (setjmp(r.errors.jump)) return false;
   jpeg_create_decompress(&r.jpeg);
   r.jpeg.src = &r.source.base;
@@ -96,7 +96,7 @@ bool read_header(Reader& r) {
 }
 
 // `inks`: a row of CMYK, or null.
-bool read_rows(Reader& r, std::uint8_t* to, std::size_t row_samples, std::uint8_t* inks) {
+bool read_rows(JpegReader& r, std::uint8_t* to, std::size_t row_samples, std::uint8_t* inks) {
   if (setjmp(r.errors.jump)) return false;
   jpeg_start_decompress(&r.jpeg);
   while (r.jpeg.output_scanline < r.jpeg.output_height) {
@@ -112,7 +112,7 @@ bool read_rows(Reader& r, std::uint8_t* to, std::size_t row_samples, std::uint8_
 }  // namespace
 
 RawImage decode_jpeg(ByteReader& in) {
-  Reader reader(in);
+  JpegReader reader(in);
   if (!read_header(reader)) throw std::runtime_error(reader.errors.message);
   RawImage raw;
   raw.set_size(reader.jpeg.image_width, reader.jpeg.image_height);

@@ -18,12 +18,12 @@ struct PngSource {
   char message[160] = "";
 };
 
-void on_error(png_structp png, png_const_charp message) {
+void on_read_error(png_structp png, png_const_charp message) {
   auto* source = static_cast<PngSource*>(png_get_error_ptr(png));
   std::strncpy(source->message, message, sizeof source->message - 1);
   png_longjmp(png, 1);
 }
-void on_warning(png_structp, png_const_charp) {}
+void on_read_warning(png_structp, png_const_charp) {}
 void on_read(png_structp png, png_bytep to, png_size_t count) {
   auto* source = static_cast<PngSource*>(png_get_io_ptr(png));
   if (count > source->file.left()) png_error(png, "unexpected end of file");
@@ -38,7 +38,7 @@ void on_read(png_structp png, png_bytep to, png_size_t count) {
 
 struct PngReader {
   explicit PngReader(PngSource& source) {
-    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_error, on_warning);
+    png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source, on_read_error, on_read_warning);
     if (png) info = png_create_info_struct(png);
     if (!info) throw std::bad_alloc();
     png_set_read_fn(png, &source, on_read);

@@ -3,11 +3,10 @@
 #include <cctype>
 #include <stdexcept>
 
+#include "tracer/image/raw_image.h"
+
 namespace verisim::image {
 namespace {
-
-constexpr long kMaxSide = 1 << 20;
-constexpr std::size_t kMaxSamples = std::size_t{1} << 31;
 
 // The next number of a header or of a plain picture; comments run from # to the end of the line.
 long read_number(std::FILE* file, long limit) {

@@ -9,11 +9,10 @@
 #include <new>
 #include <stdexcept>
 
+#include "tracer/image/raw_image.h"
+
 namespace verisim::image {
 namespace {
-
-constexpr std::uint32_t kMaxSide = 1u << 20;
-constexpr std::size_t kMaxSamples = std::size_t{1} << 31;
 
 // libpng reports through a C callback; the message waits here until control is back in C++.
 struct Failure {

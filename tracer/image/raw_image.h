@@ -16,6 +16,10 @@ inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 27;
 // The same of pictures that are compared or looked at.
 inline constexpr std::uint64_t kMaxStoredPixels = std::uint64_t{1} << 29;
 
+// The same of PNG and Netpbm files that are compared.
+inline constexpr std::uint32_t kMaxSide = 1u << 20;
+inline constexpr std::size_t kMaxSamples = std::size_t{1} << 31;
+
 struct RawImage {
   enum class Curve : std::uint8_t { unspecified, srgb, power };  // what the file itself says of its values
   int width = 0, height = 0;

@@ -32,13 +32,13 @@ Rgb media_density(const CompiledMedia& m, const Vec3& p) {
 
 namespace {
 
-constexpr int kMax = textures::PointBatch::kMax, kEight = 8;
+constexpr int kMaxPoints = textures::PointBatch::kMax, kEight = 8;
 
 // Room of a thread: what is asked for are often few points, and clearing a batch would cost more than they do.
 struct DensityWorkspace {
   textures::PointBatch left;
-  int place[kMax];
-  std::int32_t alive[kMax];                // 1 where no density so far is zero, otherwise 0
+  int place[kMaxPoints];
+  std::int32_t alive[kMaxPoints];          // 1 where no density so far is zero, otherwise 0
   std::vector<textures::RgbBatch> values;  // of each density at the points that are left
 };
 
@@ -81,7 +81,7 @@ void media_densities(const CompiledMedia& m, int count, const textures::PointBat
     if (known + 1 == m.by_cost.size() || in_eights(still) == in_eights(n)) continue;  // eights are asked together
     if (all) std::iota(workspace.place, workspace.place + n, 0);
     all = false;
-    int kept[kMax], k = 0;
+    int kept[kMaxPoints], k = 0;
     for (int i = 0; i < n; ++i)
       if (workspace.alive[i] != 0) kept[k++] = i;
     for (std::size_t i = 0; i <= known; ++i) {

@@ -40,23 +40,23 @@ void MediaMixture::scatter(int count, MediaPacket& packet) const {
 
 namespace {
 
-using Channels = float __attribute__((vector_size(16)));
+using FourFloats = float __attribute__((vector_size(16)));
 
 // In three channels; in the fourth is the exponent.
-Channels mantissas(const Photon& photon) {
+FourFloats mantissas(const Photon& photon) {
 #if defined(__SSE2__)
   const __m128i bytes = _mm_cvtsi32_si128(std::bit_cast<std::int32_t>(photon.energy)), zero = _mm_setzero_si128();
-  return (Channels)_mm_cvtepi32_ps(_mm_unpacklo_epi16(_mm_unpacklo_epi8(bytes, zero), zero));
+  return (FourFloats)_mm_cvtepi32_ps(_mm_unpacklo_epi16(_mm_unpacklo_epi8(bytes, zero), zero));
 #else
-  return {static_cast<float>(photon.energy[0]), static_cast<float>(photon.energy[1]),
-          static_cast<float>(photon.energy[2])};
+  return FourFloats{static_cast<float>(photon.energy[0]), static_cast<float>(photon.energy[1]),
+                    static_cast<float>(photon.energy[2])};
 #endif
 }
 
 // Adds scattering * (colour * share) of each, three channels at a time; the fourth is of no use.
 void add_colors(const SomePhotons& photons, float share, const Rgb& scattering, Rgb& sum) {
-  const Channels factor{scattering.r, scattering.g, scattering.b};
-  Channels total{sum.r, sum.g, sum.b};
+  const FourFloats factor{scattering.r, scattering.g, scattering.b};
+  FourFloats total{sum.r, sum.g, sum.b};
   for (std::size_t i = 0; i < photons.size(); ++i) {
     const Photon& photon = photons[i];
     total += factor * (mantissas(photon) * photon.scale() * share);

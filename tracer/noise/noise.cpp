@@ -1,4 +1,4 @@
-// Noise as the rest of the program sees it: calls into the kernels that fit this machine.
+// Noise as the rest of the program sees it: calls into the best_noise that fit this machine.
 #include "tracer/noise/noise.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace verisim::textures {
 namespace {
 
-const NoiseKernels& kernels = noise_kernels(simd::best_instruction_set());
+const NoiseKernels& best_noise = noise_kernels(simd::best_instruction_set());
 
 int valid(int generator) { return generator == 1 || generator == 3 ? generator : 2; }
 
@@ -25,17 +25,17 @@ Octaves::Octaves(int octaves, double lambda, double omega)
   farthest = 1e9 / largest;  // 0 or NaN for a lambda without sense: then every point counts as far
 }
 
-double noise(const Vec3& p, int generator) { return kernels.noise[valid(generator)](p); }
+double noise(const Vec3& p, int generator) { return best_noise.noise[valid(generator)](p); }
 void noises(int generator, const EightPoints& points, unsigned wanted, double* noises) {
-  kernels.noises[valid(generator)](points, wanted, noises);
+  best_noise.noises[valid(generator)](points, wanted, noises);
 }
-Vec3 vector_noise(const Vec3& p) { return kernels.vector_noise(p); }
+Vec3 vector_noise(const Vec3& p) { return best_noise.vector_noise(p); }
 double turbulence(const Vec3& p, const Octaves& octaves, int generator) {
-  return kernels.turbulence[valid(generator)](p, octaves);
+  return best_noise.turbulence[valid(generator)](p, octaves);
 }
-Vec3 vector_turbulence(const Vec3& p, const Octaves& octaves) { return kernels.vector_turbulence(p, octaves); }
-double granite_sum(const Vec3& p, int generator) { return kernels.granite[valid(generator)](p); }
-double wrinkles_sum(const Vec3& p, int generator) { return kernels.wrinkles[valid(generator)](p); }
-Vec3 wrinkles_vector_sum(const Vec3& p) { return kernels.wrinkles_vector(p); }
+Vec3 vector_turbulence(const Vec3& p, const Octaves& octaves) { return best_noise.vector_turbulence(p, octaves); }
+double granite_sum(const Vec3& p, int generator) { return best_noise.granite[valid(generator)](p); }
+double wrinkles_sum(const Vec3& p, int generator) { return best_noise.wrinkles[valid(generator)](p); }
+Vec3 wrinkles_vector_sum(const Vec3& p) { return best_noise.wrinkles_vector(p); }
 
 }  // namespace verisim::textures

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "tracer/scene/copy_on_write.h"
 #include "tracer/scene/parts.h"
 
 namespace verisim::scene {
@@ -17,11 +18,6 @@ bool has_children(const Object& object) { return object.as<Csg>() || object.as<L
 
 // Children are built by the parser as ordinary objects; one that is shared with a declared identifier is copied before
 // it is changed.
-Object& writable(ObjectPtr& child) {
-  if (child.use_count() > 1) child = copy(*child);
-  return const_cast<Object&>(*child);
-}
-
 bool has_texture_anywhere(const Object& object, SharedLists& seen) {
   if (object.texture) return true;
   if (!seen.first(object)) return false;

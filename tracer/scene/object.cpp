@@ -6,6 +6,7 @@
 
 #include "tracer/scene/bounds.h"
 #include "tracer/scene/complement.h"
+#include "tracer/scene/copy_on_write.h"
 #include "tracer/scene/transform_steps.h"
 #include "tracer/scene/extents.h"
 
@@ -26,11 +27,6 @@ static_assert(names_fields<Quadric>());
 
 // Children, clips and bounds belong to one tree only (see copy), so they may be changed in place; a node that is shared
 // after all is copied first.
-Object& writable(ObjectPtr& node) {
-  if (node.use_count() > 1) node = copy(*node);
-  return const_cast<Object&>(*node);
-}
-
 using Step = TransformStep::Step;
 
 // a, then a translation: the digits of the product of the matrices, without its many terms that are zero.

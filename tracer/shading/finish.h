@@ -32,6 +32,9 @@ double fresnel_reflectance(double eta, double cosine);
 // Mirror reflectivity; cosine = -D.N, may be negative; eta is only used by `fresnel`.
 Rgb reflectivity(const scene::Reflection& reflection, const Rgb& pigment, double cosine, double eta);
 
+// Light that is darker in all channels is none.
+inline constexpr float kDark = static_cast<float>(kEpsilon);
+
 // Whether lights are asked about at all.
 inline bool reflects_light(const scene::Finish& f) {
   return f.diffuse != 0 || f.diffuse_back != 0 || f.specular != 0 || f.phong != 0;

@@ -6,7 +6,7 @@
 namespace verisim::shading {
 namespace {
 
-constexpr int kMaxNesting = 300;
+constexpr int kMaxPhotonNesting = 300;
 
 // On in one of object and light, off in neither (spec 07 3.6).
 bool allowed(scene::Flag object, scene::Flag light) {
@@ -39,7 +39,8 @@ bool PhotonWalk::run(const Ray& start, std::span<const scene::Interior* const> a
 }
 
 void PhotonWalk::follow(Packet packet) {
-  if (packet.ray.level >= shot_.max_trace_level || packet.ray.weight < shot_.adc_bailout || nesting_ >= kMaxNesting)
+  if (packet.ray.level >= shot_.max_trace_level || packet.ray.weight < shot_.adc_bailout ||
+      nesting_ >= kMaxPhotonNesting)
     return;
   if (tracer_.cancel_ && tracer_.cancel_->load(std::memory_order_relaxed)) throw Cancelled();
   ++(packet.ray.reflected ? tracer_.statistics_.reflected_rays : tracer_.statistics_.refracted_rays);

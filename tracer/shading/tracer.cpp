@@ -5,7 +5,6 @@
 namespace verisim::shading {
 namespace {
 
-constexpr double kNearestHit = 1e-4;  // of camera, reflected and transmitted rays
 // Straight continuations do not count as levels, so their number is only limited here, by the stack; POV-Ray itself
 // fails at about 300.
 constexpr int kMaxNesting = 1000;

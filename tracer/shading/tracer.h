@@ -21,6 +21,8 @@ class PathTracer;
 
 namespace verisim::shading {
 
+inline constexpr double kNearestHit = 1e-4;  // of camera, reflected and transmitted rays
+
 // The render was cancelled while a ray was being traced.
 struct Cancelled {};
 

@@ -7,6 +7,7 @@
 #endif
 
 #include "tracer/math/packet_vector-inl.h"
+#include "tracer/math/ray_batch.h"
 #include "tracer/math/transform.h"
 #include "tracer/simd/packet-inl.h"
 
@@ -32,6 +33,13 @@ HWY_INLINE LocalRays<Number> local_rays(const Transform* matrix, const PacketVec
   const PacketVector<Number> d = transform_direction(matrix->inv, direction);
   const Number scale = sqrt(dot(d, d)), inverse = Number(1.0) / scale;
   return {transform_point(matrix->inv, origin), {d.x * inverse, d.y * inverse, d.z * inverse}, scale};
+}
+
+HWY_INLINE PacketVector<Packet> load_rays(const RayBatch::Vectors& v, int first) {
+  return {Packet::load(v.x + first), Packet::load(v.y + first), Packet::load(v.z + first)};
+}
+HWY_INLINE LocalRays<Packet> local(const Transform* matrix, const RayPacket& rays) {
+  return local_rays(matrix, load_rays(rays.rays.origin, rays.first), load_rays(rays.rays.direction, rays.first));
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,5 +1,4 @@
-// Eight rays against one simple shape. Compiled for several instruction sets, by the formulas of the shape's own
-// `intersections`; every lane finds what NearestHit would keep.
+// Eight rays against one shape: what shapes with kernels share.
 #pragma once
 
 #include <cstdint>
@@ -23,25 +22,9 @@ struct alignas(64) LocalPacket {
   double scale[RayPacket::kCount];
 };
 
-// Quartics along rays in a torus's own space, and where they count from.
-struct alignas(64) TorusPacket {
-  unsigned met;                    // lanes that come near; of others the rest means nothing
-  double c[4][RayPacket::kCount];  // after the leading 1
-  double advance[RayPacket::kCount], scale[RayPacket::kCount];
-};
-
-// `matrix`: from the shape's own space, null: none. Eight limits stand at t_max.
+// `matrix`: from the shape's own space, null: none.
 struct PacketKernels {
   void (*local)(const Transform* matrix, const RayPacket& rays, LocalPacket& lanes);
-  void (*sphere)(const Vec3& center, double radius2, const Transform* matrix, const RayPacket& rays, double t_min,
-                 const double* t_max, PacketHits& met);
-  void (*box)(const Vec3& low, const Vec3& high, const Transform* matrix, const RayPacket& rays, double t_min,
-              const double* t_max, PacketHits& met);
-  void (*cone)(bool cylinder, bool open, double narrow, const Transform* matrix, const RayPacket& rays, double t_min,
-               const double* t_max, PacketHits& met);
-  void (*torus)(double major, double minor, const Transform* matrix, const RayPacket& rays, TorusPacket& lanes);
-  void (*quadric)(const scene::Quadric& quadric, const RayPacket& rays, double t_min, const double* t_max,
-                  PacketHits& met);
 };
 
 // Those of the best instruction set of this machine.

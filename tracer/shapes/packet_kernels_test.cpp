@@ -2,6 +2,9 @@
 // instruction set.
 #include "tracer/shapes/packet_kernels.h"
 
+#include "tracer/shapes/algebraic/torus_packet.h"
+#include "tracer/shapes/quadrics/quadric_kernels.h"
+
 #include "tracer/shapes/packet_test_support.h"
 
 namespace verisim::shapes::testing {
@@ -161,7 +164,8 @@ TEST(PacketKernels, ShapesAnswerForEightRaysAsForEach) {
 class PacketKernel : public EachInstructionSet {};
 
 TEST_P(PacketKernel, GivesTheSameBitsAsEveryOther) {
-  const PacketKernels *kernels = packet_kernels(GetParam()), &plain = *packet_kernels(simd::kBaseline);
+  const QuadricKernels *kernels = quadric_kernels(GetParam()), &plain = *quadric_kernels(simd::kBaseline);
+  const TorusQuartic* torus = torus_quartic_kernel(GetParam());
   if (!kernels) GTEST_SKIP() << "this machine cannot run it";
   const Transform moved = Transform::scaling({0.7, -1.2, 0.9}).then(Transform::rotation({20, 70, -40}));
   Rays rays;
@@ -182,25 +186,25 @@ TEST_P(PacketKernel, GivesTheSameBitsAsEveryOther) {
         met += a.part[k] >= 0;
       }
     };
-    compare([&](const PacketKernels& set, PacketHits& hits) {
+    compare([&](const QuadricKernels& set, PacketHits& hits) {
       set.sphere({0.1, -0.2, 0.3}, 0.8, matrix, packet, 1e-4, rays.limit, hits);
     });
-    compare([&](const PacketKernels& set, PacketHits& hits) {
+    compare([&](const QuadricKernels& set, PacketHits& hits) {
       set.box(Vec3(-0.9), Vec3(0.8), matrix, packet, 1e-4, rays.limit, hits);
     });
     for (const bool open : {false, true}) {
-      compare([&](const PacketKernels& set, PacketHits& hits) {
+      compare([&](const QuadricKernels& set, PacketHits& hits) {
         set.cone(true, open, 0, matrix, packet, 1e-4, rays.limit, hits);
       });
-      compare([&](const PacketKernels& set, PacketHits& hits) {
+      compare([&](const QuadricKernels& set, PacketHits& hits) {
         set.cone(false, open, -0.4, matrix, packet, 1e-4, rays.limit, hits);
       });
     }
     const scene::Quadric saddle{{1, -0.5, 0}, {0.2, 0, 0.3}, {0, 0.1, 1}, round % 3 - 1.0};
-    compare([&](const PacketKernels& set, PacketHits& hits) { set.quadric(saddle, packet, 1e-4, rays.limit, hits); });
+    compare([&](const QuadricKernels& set, PacketHits& hits) { set.quadric(saddle, packet, 1e-4, rays.limit, hits); });
     TorusPacket a, b;
-    kernels->torus(0.8, 0.3, matrix, packet, a);
-    plain.torus(0.8, 0.3, matrix, packet, b);
+    (*torus)(0.8, 0.3, matrix, packet, a);
+    (*torus_quartic_kernel(simd::kBaseline))(0.8, 0.3, matrix, packet, b);
     ASSERT_EQ(a.met, b.met);
     each_lane(a.met, [&](int k) {
       ++met;

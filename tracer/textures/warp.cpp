@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <numbers>
 
+#include "tracer/math/constants.h"
 #include "tracer/noise/noise_tables.h"
 
 namespace verisim::textures {
 namespace {
-
-constexpr double kTwoPi = 2 * std::numbers::pi;
 
 Vec3 repeat(const RepeatStep& w, Vec3 p) {
   const double width = w.width;

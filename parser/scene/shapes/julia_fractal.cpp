@@ -15,7 +15,7 @@ struct FunctionWord {
   JuliaFunction function;
 };
 
-constexpr FunctionWord kFunctions[] = {
+constexpr FunctionWord kFunctionNames[] = {
     {Word::sqr, JuliaFunction::sqr},   {Word::cube, JuliaFunction::cube},
     {Word::exp, JuliaFunction::exp},   {Word::reciprocal, JuliaFunction::reciprocal},
     {Word::sin, JuliaFunction::sin},   {Word::asin, JuliaFunction::asin},
@@ -34,7 +34,7 @@ std::array<double, 4> parse_vec4(Parser& parser) {
 
 bool parse_function(Parser& parser, scene::JuliaFractal& fractal) {
   const Word word = word_at(parser);
-  for (const FunctionWord& entry : kFunctions) {
+  for (const FunctionWord& entry : kFunctionNames) {
     if (entry.word != word) continue;
     parser.next();
     fractal.function = entry.function;

@@ -221,12 +221,12 @@ std::optional<accel::Shaft> FocalBlur::shaft(const CameraRays& camera, const Box
                          Vec2(left - kJitter, bottom + kJitter), Vec2(right + kJitter, bottom + kJitter)}) {
     const Vec3 d = camera.at(at.x, at.y)->ray.direction * focal_scale_;
     focused.extendBy(d);
-    depth = std::fmin(depth, dot(d, ahead));
+    depth = std::min(depth, dot(d, ahead));
   }
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 p(corner & 1 ? world.max.x : world.min.x, corner & 2 ? world.max.y : world.min.y,
                  corner & 4 ? world.max.z : world.min.z);
-    furthest = std::fmax(furthest, dot(p - location_, ahead));
+    furthest = std::max(furthest, dot(p - location_, ahead));
   }
   if (!(depth > 0)) return std::nullopt;
   const double s = furthest / depth * (1 + kRounding);

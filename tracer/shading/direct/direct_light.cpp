@@ -7,11 +7,7 @@
 #include "tracer/noise/noise.h"
 
 namespace verisim::shading {
-namespace {
-
-constexpr float kDark = static_cast<float>(kEpsilon);
-
-}  // namespace
+namespace {}  // namespace
 
 Rgb Tracer::direct_light(const RayState& ray, SurfaceHit& at, const LayerContext& layer) {
   const scene::Finish& finish = layer.layer.finish;

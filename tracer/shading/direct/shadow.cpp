@@ -9,8 +9,6 @@
 namespace verisim::shading {
 namespace {
 
-constexpr float kDark = static_cast<float>(kEpsilon);
-
 // Surfaces of CSG may reach beyond its box, as those of a disc do that cuts.
 bool box_passes(const shapes::Shape& shape, const Ray& ray) {
   return !shape.object->as<scene::Csg>() || accel::slab_test(shape.object->bounds).passes(ray);

@@ -9,10 +9,6 @@
 namespace verisim::shading {
 namespace {
 
-constexpr double kNearestHit = 1e-4;  // of camera rays
-
-bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
-
 // Lights that light a surface by several directions at once are for the common way.
 bool is_simple(const Light& light) { return !light.area_illumination() && is_finite(light.color()); }
 

@@ -14,6 +14,8 @@
 
 namespace verisim::shading {
 
+inline bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
+
 class Wavefront {
  public:
   static constexpr int kMax = WavefrontPacket::kMax;

@@ -19,8 +19,6 @@ namespace HWY_NAMESPACE {
 // Plain loops, which the compiler turns into wide instructions. Conditions are written with & and |, so that nothing
 // branches.
 
-constexpr float kDark = static_cast<float>(kEpsilon);
-
 constexpr int rounded(int count) {
   return (count + WavefrontPacket::kStep - 1) / WavefrontPacket::kStep * WavefrontPacket::kStep;
 }

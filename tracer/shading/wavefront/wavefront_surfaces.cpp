@@ -9,7 +9,6 @@ namespace {
 
 constexpr std::size_t kMaxTextures = 8, kMaxLayers = 8;  // of a hit; what has more goes the common way
 
-bool is_finite(const Rgb& c) { return std::fabs(c.r) + std::fabs(c.g) + std::fabs(c.b) < 1e30f; }
 bool is_mirror(const scene::Finish& f) { return f.reflection.maximum != Rgb() || f.reflection.minimum != Rgb(); }
 
 }  // namespace

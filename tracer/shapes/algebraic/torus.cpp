@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "tracer/math/polynomial.h"
+#include "tracer/shapes/algebraic/torus_packet.h"
 #include "tracer/shapes/crossings.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
@@ -36,7 +37,7 @@ class Torus final : public SearchPrimitive<Torus> {
   template <class HitOf>
   unsigned nearest_of_packet(const RayPacket& rays, double t_min, const double* t_max, HitOf&& hit_of, bool any) const {
     TorusPacket packet;
-    packet_kernels().torus(radii_.major, radii_.minor, &matrix(), rays, packet);
+    torus_quartic_kernel()(radii_.major, radii_.minor, &matrix(), rays, packet);
     unsigned found = 0;
     each_lane(rays.active & packet.met, [&](int k) {
       const double c[5] = {1, packet.c[0][k], packet.c[1][k], packet.c[2][k], packet.c[3][k]};

@@ -4,6 +4,7 @@
 #include "tracer/shapes/crossings.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
+#include "tracer/shapes/quadrics/quadric_kernels.h"
 
 namespace verisim::shapes {
 namespace {
@@ -29,7 +30,7 @@ class Box final : public KernelPrimitive<Box> {
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
-    packet_kernels().box(low_, high_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
+    quadric_kernels().box(low_, high_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
   }
 
   SimpleSolid simple() const override {

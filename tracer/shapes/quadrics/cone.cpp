@@ -9,6 +9,7 @@
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/frame.h"
 #include "tracer/shapes/packet_primitive.h"
+#include "tracer/shapes/quadrics/quadric_kernels.h"
 
 namespace verisim::shapes {
 namespace {
@@ -41,7 +42,7 @@ class Cone final : public KernelPrimitive<Cone> {
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
-    packet_kernels().cone(cylinder_, open_, narrow_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
+    quadric_kernels().cone(cylinder_, open_, narrow_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
   }
 
   SimpleSolid simple() const override {

@@ -2,6 +2,7 @@
 #include "tracer/shapes/crossings.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
+#include "tracer/shapes/quadrics/quadric_kernels.h"
 #include "tracer/shapes/quadrics/quadric_box.h"
 
 namespace verisim::shapes {
@@ -39,7 +40,7 @@ class Quadric final : public KernelPrimitive<Quadric> {
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
-    packet_kernels().quadric(q_, rays, t_min, t_max, met);
+    quadric_kernels().quadric(q_, rays, t_min, t_max, met);
   }
 
   SimpleSolid simple() const override {

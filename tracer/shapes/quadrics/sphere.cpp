@@ -2,6 +2,7 @@
 #include "tracer/shapes/crossings.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/packet_primitive.h"
+#include "tracer/shapes/quadrics/quadric_kernels.h"
 #include "tracer/shapes/spherical_uv.h"
 
 namespace verisim::shapes {
@@ -40,7 +41,7 @@ class Sphere final : public KernelPrimitive<Sphere> {
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
-    packet_kernels().sphere(center_, radius2_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
+    quadric_kernels().sphere(center_, radius2_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
   }
   Vec3 point_of(const PacketHits& met, int k, const Ray& ray) const {
     if (!has_matrix()) return ray.origin + met.t[k] * ray.direction;

@@ -13,7 +13,7 @@ namespace {
 
 const EvaluationKernels& kernels = evaluation_kernels(simd::best_instruction_set());
 
-constexpr std::size_t kFewPoints = 3;  // not worth a batch
+constexpr std::size_t kFewTogether = 3;  // not worth a batch
 
 // std::copy_n for a number of which the compiler knows nothing is a call, or an instruction that takes long to start.
 inline __attribute__((always_inline)) void copy_few(const double* from, std::size_t count, double* to) {
@@ -27,7 +27,7 @@ template <class Values, class Single>
 void in_batches(const double* points, std::size_t stride, std::size_t count, double* result, Values&& values,
                 Single&& single) {
   const double *x = points, *y = x + stride, *z = y + stride;
-  if (count < kFewPoints) {
+  if (count < kFewTogether) {
     for (std::size_t k = 0; k < count; ++k) result[k] = single(Vec3(x[k], y[k], z[k]));
     return;
   }

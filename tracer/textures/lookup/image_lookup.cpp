@@ -5,10 +5,10 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "tracer/math/constants.h"
+
 namespace verisim::textures {
 namespace {
-
-constexpr double kTwoPi = 2 * std::numbers::pi;
 
 double wrap(double v, double size) {
   v = std::fmod(v, size);

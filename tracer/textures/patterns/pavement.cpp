@@ -66,8 +66,6 @@ int remainder(double v, int n) {
   return std::clamp(static_cast<int>(r), 0, n - 1);
 }
 
-double clamp01(double v) { return std::clamp(v, 0.0, 1.0); }
-
 // Bits of a square cell: borders left, right, lower, upper; marks in the corners lower left, lower right, upper left,
 // upper right.
 double square_pavement(const Pavement& pv, double x, double z) {

@@ -12,8 +12,8 @@
 namespace verisim::textures {
 namespace {
 
-const double phi = (1 + std::sqrt(5.0)) / 2;
-const double g = 1 / phi;
+const double kGolden = (1 + std::sqrt(5.0)) / 2;
+const double kInverseGolden = 1 / kGolden;
 constexpr double eta = 1e-6;
 constexpr int kMaxSteps = 400;  // |p| <= 1e17 needs less than 200
 
@@ -60,10 +60,10 @@ double rising(double a, double b) { return std::max({1 - a / 2, 1 - b / 2, 0.5 +
 double kite_and_dart(bool rhombs, P p) {
   static const double c36 = cosine(36), s36 = sine(36), c18 = cosine(18);
   p = fold(p);
-  if (rhombs) p = g * p;
+  if (rhombs) p = kInverseGolden * p;
   const double delta = line_distance(p, 0, 108) / c18;
-  const int n = delta > 0 ? std::max(0, static_cast<int>(std::ceil(std::log(delta) / std::log(phi * phi)))) : 0;
-  p = std::pow(phi, -2 * n) * p;
+  const int n = delta > 0 ? std::max(0, static_cast<int>(std::ceil(std::log(delta) / std::log(kGolden * kGolden)))) : 0;
+  p = std::pow(kGolden, -2 * n) * p;
   if (n % 2 == 1) {
     p = rotate(-36, p);
     p.z = std::fabs(p.z);
@@ -72,17 +72,17 @@ double kite_and_dart(bool rhombs, P p) {
   for (int m = std::min(2 * n, kMaxSteps); m > 0; --m) {
     p.z = std::fabs(p.z);
     if (kite) {
-      if (below(p, g, 144))
+      if (below(p, kInverseGolden, 144))
         kite = false;
       else
         p = rotate(108, p - P{c36, s36});
-    } else if (below(p, g, 108)) {
+    } else if (below(p, kInverseGolden, 108)) {
       kite = true;
       p = rotate(-36, p);
     } else {
       p = rotate(-144, p - P{1, 0});
     }
-    p = phi * p;
+    p = kGolden * p;
   }
   p.z = std::fabs(p.z);
   if (!rhombs) {
@@ -90,8 +90,9 @@ double kite_and_dart(bool rhombs, P p) {
     return rising(4.46 * p.z, 4.46 * line_distance(p, 1, 144));
   }
   if (!kite) return falling(5.55 * line_distance(p, 0, 36), 5.55 * line_distance(p, 1, 144));
-  if (below(p, g, 72)) return rising(5.55 * line_distance(p, g, 72), 5.55 * line_distance(p, 1, 108));
-  return falling(5.55 * p.z, 5.55 * line_distance(p, g, 72));
+  if (below(p, kInverseGolden, 72))
+    return rising(5.55 * line_distance(p, kInverseGolden, 72), 5.55 * line_distance(p, 1, 108));
+  return falling(5.55 * p.z, 5.55 * line_distance(p, kInverseGolden, 72));
 }
 
 enum class Piece {
@@ -107,7 +108,7 @@ enum class Piece {
   diamond_b
 };  // a: "+", b: "-" in the specification
 
-const double kA = 0.5 / sine(36), kI = 0.5 / std::tan(radians(36)), kF = 5.55 * g;
+const double kA = 0.5 / sine(36), kI = 0.5 / std::tan(radians(36)), kF = 5.55 * kInverseGolden;
 const double kC72 = cosine(72), kS72 = sine(72);
 
 // One subdivision step, without the enlargement.
@@ -117,33 +118,33 @@ Piece subdivide(Piece piece, P& p) {
     case pentagon1:
       p = fold(p);
       if (p.z < (p.x - kI) * std::tan(radians(54)) + 0.5) {
-        p = {p.x - kI - g * kA * kC72, p.z};
+        p = {p.x - kI - kInverseGolden * kA * kC72, p.z};
         return pentagon2b;
       }
       p = rotate(-36, p);
       return star;
     case pentagon2a:
-      if (below(p, g * g * kA, 54)) {
+      if (below(p, kInverseGolden * kInverseGolden * kA, 54)) {
         p = {p.x - kA, p.z};
         return pentagon1;
       }
-      if (below(p, g * g * kA, 162)) {
+      if (below(p, kInverseGolden * kInverseGolden * kA, 162)) {
         p.x = -p.x;
         return diamond_a;
       }
-      p = rotate(108, p) + P{g * kA, 0};
+      p = rotate(108, p) + P{kInverseGolden * kA, 0};
       return pentagon2a;
     case pentagon2b:
       if (below(p, -kA, 18)) {
-        p = {p.x + kA - g * g * kA, p.z};
+        p = {p.x + kA - kInverseGolden * kInverseGolden * kA, p.z};
         return diamond_b;
       }
       p = rotate(-36, p);
       p = {-p.x - kA * kC72, p.z - kA * kS72};
       return pentagon3b;
     case pentagon3a:
-      if (p.x > g * g * kA * kC72) {
-        p = {-p.x + g * g * kA * kC72 + g * kI, p.z};
+      if (p.x > kInverseGolden * kInverseGolden * kA * kC72) {
+        p = {-p.x + kInverseGolden * kInverseGolden * kA * kC72 + kInverseGolden * kI, p.z};
         return pentagon2a;
       }
       return boat_a;
@@ -152,18 +153,18 @@ Piece subdivide(Piece piece, P& p) {
         p = rotate(-144, p) - P{kA, 0};
         return pentagon2b;
       }
-      if (p.z > (p.x - g * g * kA) * std::tan(radians(126))) {
+      if (p.z > (p.x - kInverseGolden * kInverseGolden * kA) * std::tan(radians(126))) {
         p = rotate(36, p);
         p = {-p.x - kA * kC72, p.z - kA * kS72};
         return pentagon3b;
       }
       return boat_b;
     case star:
-      if (p.x < g * kI) return pentagon1;
-      p = {2 * g * kI - p.x, p.z};
+      if (p.x < kInverseGolden * kI) return pentagon1;
+      p = {2 * kInverseGolden * kI - p.x, p.z};
       return pentagon3a;
     case boat_a:
-      if (p.x > phi * kA * cosine(108)) {
+      if (p.x > kGolden * kA * cosine(108)) {
         p.x = -p.x;
         return pentagon1;
       }
@@ -195,29 +196,29 @@ double leaf(Piece piece, P p) {
       p = fold(p);
       return std::clamp((3 - kF * std::fabs(p.x - kI)) / 6, 2.0 / 6 + eta, 3.0 / 6 - eta);
     case star:
-      return std::clamp((4 - kF * line_distance(p, phi * kA, 162)) / 6, 3.0 / 6 + eta, 4.0 / 6 - eta);
+      return std::clamp((4 - kF * line_distance(p, kGolden * kA, 162)) / 6, 3.0 / 6 + eta, 4.0 / 6 - eta);
     case boat_a:
     case boat_b: {
-      const double a = kF * std::fabs(p.x - g * kA * kC72);
+      const double a = kF * std::fabs(p.x - kInverseGolden * kA * kC72);
       p = fold({-p.x, p.z});
-      const double b = kF * line_distance(p, phi * kA, 162);
+      const double b = kF * line_distance(p, kGolden * kA, 162);
       return std::min(std::max({(5 - a) / 6, (5 - b) / 6, 4.0 / 6 + eta}), 5.0 / 6 - eta);
     }
     default:
-      return std::clamp(1 - kF * line_distance(p, -g * kA, 18) / 6, 5.0 / 6 + eta, 1 - eta);
+      return std::clamp(1 - kF * line_distance(p, -kInverseGolden * kA, 18) / 6, 5.0 / 6 + eta, 1 - eta);
   }
 }
 
 double pentagons(P p) {
   p = fold(p);
   const double ratio = p.x / kI;
-  const int n = ratio > 0 ? std::max(0, static_cast<int>(std::ceil(std::log(ratio) / (4 * std::log(phi))))) : 0;
-  p = std::pow(phi, -4 * n) * p;
+  const int n = ratio > 0 ? std::max(0, static_cast<int>(std::ceil(std::log(ratio) / (4 * std::log(kGolden))))) : 0;
+  p = std::pow(kGolden, -4 * n) * p;
   Piece piece = Piece::pentagon1;
   for (int m = std::min(4 * n, kMaxSteps); m > 0; --m) {
     p.z = std::fabs(p.z);
     piece = subdivide(piece, p);
-    p = phi * p;
+    p = kGolden * p;
   }
   p.z = std::fabs(p.z);
   return leaf(piece, p);

@@ -1,0 +1,68 @@
+#include "tracer/shapes/quadrics/quadric_kernels.h"
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tracer/shapes/quadrics/quadric_kernels.cpp"
+#include "tracer/simd/each_target.h"
+
+#include "tracer/shapes/crossings.h"
+#include "tracer/shapes/local_rays-inl.h"
+#include "tracer/shapes/nearest_of_eight-inl.h"
+#include "tracer/simd/kernel_table.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace verisim::shapes {
+namespace {
+namespace HWY_NAMESPACE {
+
+using namespace simd::HWY_NAMESPACE;
+
+#include "tracer/shapes/quadrics/box_crossings.inc"
+#include "tracer/shapes/quadrics/cone_crossings.inc"
+#include "tracer/shapes/quadrics/quadric_crossings.inc"
+#include "tracer/shapes/quadrics/sphere_crossings.inc"
+
+void sphere(const Vec3& center, double radius2, const Transform* matrix, const RayPacket& rays, double t_min,
+            const double* t_max, PacketHits& met) {
+  const LocalRays<Packet> l = local(matrix, rays);
+  NearestOfEight<true> nearest(matrix ? &l.scale : nullptr, t_min, t_max);
+  sphere_crossings(l.o, l.d, center, radius2, nearest);
+  nearest.store_to(met);
+}
+
+// The direction keeps its length.
+void box(const Vec3& low, const Vec3& high, const Transform* matrix, const RayPacket& rays, double t_min,
+         const double* t_max, PacketHits& met) {
+  PacketVector<Packet> o = load_rays(rays.rays.origin, rays.first), d = load_rays(rays.rays.direction, rays.first);
+  if (matrix) o = transform_point(matrix->inv, o), d = transform_direction(matrix->inv, d);
+  NearestOfEight<true> nearest(nullptr, t_min, t_max);
+  box_crossings(o, d, low, high, nearest);
+  nearest.store_to(met);
+}
+
+void cone(bool cylinder, bool open, double narrow, const Transform* matrix, const RayPacket& rays, double t_min,
+          const double* t_max, PacketHits& met) {
+  const LocalRays<Packet> l = local(matrix, rays);
+  NearestOfEight<false> nearest(matrix ? &l.scale : nullptr, t_min, t_max);
+  cone_crossings(l.o, l.d, cylinder, open, narrow, nearest);
+  nearest.store_to(met);
+}
+
+void quadric(const scene::Quadric& q, const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) {
+  NearestOfEight<false> nearest(nullptr, t_min, t_max);
+  quadric_crossings(load_rays(rays.rays.origin, rays.first), load_rays(rays.rays.direction, rays.first), q, nearest);
+  nearest.store_to(met);
+}
+
+const QuadricKernels kKernels = {sphere, box, cone, quadric};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace
+}  // namespace verisim::shapes
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace verisim::shapes {
+VERISIM_EXPORT_KERNELS(QuadricKernels, quadric_kernels)
+}  // namespace verisim::shapes
+#endif

@@ -65,8 +65,8 @@ bool inverse(const std::array<double, 9>& m, std::array<double, 9>& out) {
 }
 
 bool fit_matrix(std::span<const Patch> patches, std::array<double, 9>& matrix) {
-  constexpr std::size_t kFewest = 4;
-  if (patches.size() < kFewest) return false;
+  constexpr std::size_t kMinPatches = 4;
+  if (patches.size() < kMinPatches) return false;
   std::array<double, 9> square{}, product{}, inverted;  // of seen and seen, of known and seen
   for (const auto& [seen, known] : patches)
     for (std::size_t i = 0; i < 3; ++i)

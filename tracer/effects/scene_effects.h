@@ -14,7 +14,7 @@
 
 namespace verisim::global {
 
-// Media active on one stretch; rarely more than a few.
+// Media active on one interval; rarely more than a few.
 using MediaList = boost::container::small_vector<const CompiledMedia*, 16>;
 
 class SceneEffects : public shading::Effects {
@@ -60,7 +60,7 @@ class SceneEffects : public shading::Effects {
 
   // Media of an interior; empty if it has none.
   std::span<const CompiledMedia> media_of(const scene::Interior* interior) const;
-  // All media active on a stretch inside these interiors.
+  // All media active on an interval inside these interiors.
   void collect(std::span<const scene::Interior* const> interiors, MediaList& out) const;
 
  private:

@@ -150,8 +150,8 @@ class Integrator {
     if (foreseeable()) {
       thread_local MediaRefinement batch;
       return mean_of_interval(q, [&](int k) {
-        const int place = k % kMaxStretches;
-        if (place == 0) refine_together(span, k, std::min(q - k, kMaxStretches), step, level, batch);
+        const int place = k % kMaxIntervals;
+        if (place == 0) refine_together(span, k, std::min(q - k, kMaxIntervals), step, level, batch);
         return batch.mean(static_cast<std::size_t>(place), level, mixture_.aa_threshold,
                           [&](const auto&, const MediaSample& s1, double d1, const MediaSample& s3, double d3,
                               int left) { return refine(span, s1, d1, s3, d3, left); });
@@ -170,9 +170,9 @@ class Integrator {
   // from being asked for together.
   bool foreseeable() const { return mixture_.varies && control_->jitter == 0.0 && (shadow_ || !mixture_.scatters); }
 
-  static constexpr int kMaxStretches = (textures::PointBatch::kMax - 1) / 2;
+  static constexpr int kMaxIntervals = (textures::PointBatch::kMax - 1) / 2;
 
-  // Stretches first + 1 .. first + count of the grid.
+  // Intervals first + 1 .. first + count of the grid.
   void refine_together(const MediaInterval& span, int first, int count, double step, int level,
                        MediaRefinement& batch) const {
     std::array<double, textures::PointBatch::kMax> at;

@@ -76,7 +76,7 @@ struct MediaResult {
 MediaResult integrate(std::span<const CompiledMedia* const> media, const Ray& ray, double length, bool shadow,
                       MediaEnvironment& environment);
 
-// The stretch of the segment [0, length] inside the light's cone or cylinder (spec 07 4.5); false: none.
+// The interval of the segment [0, length] inside the light's cone or cylinder (spec 07 4.5); false: none.
 bool lit_range(const scene::LightSource& light, const Ray& ray, double length, double& first, double& last);
 
 // Phase function value for the cosine between the direction to the light and the view ray's direction (spec 07 4.4; no

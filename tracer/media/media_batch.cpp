@@ -17,7 +17,7 @@ using shading::LightWay;
 
 constexpr std::size_t kMax = MediaPacket::kMax;
 static_assert(kMax <= textures::PointBatch::kMax && kMax <= shading::ShadowBatch::kMax);
-constexpr std::size_t kMaxPlaces = 128;  // of a ray, before its stretches are halved
+constexpr std::size_t kMaxPlaces = 128;  // of a ray, before its intervals are halved
 constexpr float kDark = static_cast<float>(kEpsilon);
 
 void clear(std::size_t count, textures::RgbBatch& batch) {
@@ -52,7 +52,7 @@ struct MediaBatch::Workspace {
   std::vector<Interval> intervals;
   std::vector<const shading::Light*> lights;
   std::vector<LitRange> lit;       // of each light, of each ray
-  std::vector<MediaSample> first;  // of the grid and the middles of its stretches
+  std::vector<MediaSample> first;  // of the grid and the middles of its intervals
   MediaRefinement tree;            // first those of the grids
   std::vector<Question> questions;
   MediaIntervals dividing;

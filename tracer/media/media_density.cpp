@@ -34,7 +34,7 @@ namespace {
 
 constexpr int kMaxPoints = textures::PointBatch::kMax, kEight = 8;
 
-// Room of a thread: what is asked for are often few points, and clearing a batch would cost more than they do.
+// Workspace of a thread: what is asked for are often few points, and clearing a batch would cost more than they do.
 struct DensityWorkspace {
   textures::PointBatch left;
   int place[kMaxPoints];

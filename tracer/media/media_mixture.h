@@ -1,4 +1,4 @@
-// What media of one stretch of a ray are together, and the intervals that they are sampled in (spec 07 sections 4.4
+// What media of one interval of a ray are together, and the intervals that they are sampled in (spec 07 sections 4.4
 // and 4.5).
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace verisim::global {
 
-// All media of a stretch. At least one.
+// All media of an interval. At least one.
 struct MediaMixture {
   explicit MediaMixture(std::span<const CompiledMedia* const> media);
   // Mean phase for the cosine between the directions to the light and of the view ray, over all media, also those

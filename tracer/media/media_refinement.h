@@ -1,5 +1,5 @@
-// Method 3 of media, level by level (spec 07 4.6): where POV-Ray halves one stretch of a ray after the other, all
-// stretches that are halved as often are halved together, so that what is asked of densities and lights may be asked in
+// Method 3 of media, level by level (spec 07 4.6): where POV-Ray halves one interval of a ray after the other, all
+// intervals that are halved as often are halved together, so that what is asked of densities and lights may be asked in
 // rows.
 #pragma once
 
@@ -33,7 +33,7 @@ inline bool needs_refinement(const MediaSample& a, const MediaSample& b, double 
 
 inline double middle_of(double d1, double d3) { return 0.5 * (d1 + d3); }
 
-// The mean over a stretch with a sample at either end and in the middle; left() and right(): those over its halves,
+// The mean over an interval with a sample at either end and in the middle; left() and right(): those over its halves,
 // where the brightness changes.
 template <class Left, class Right>
 MediaSample mean_of_stretch(const MediaSample& s1, const MediaSample& s2, const MediaSample& s3, int level,
@@ -46,7 +46,7 @@ MediaSample mean_of_stretch(const MediaSample& s1, const MediaSample& s2, const 
   return before + behind;
 }
 
-// The mean over an interval: stretch(k) is that over stretch k of its grid. A left Riemann rule for attenuation.
+// The mean over an interval: interval(k) is that over interval k of its grid. A left Riemann rule for attenuation.
 template <class Subinterval>
 MediaSample mean_of_interval(int subintervals, Subinterval&& subinterval) {
   const float share = 1.0f / static_cast<float>(subintervals);
@@ -71,7 +71,7 @@ class MediaRefinement {
     int left = -1, right = -1;   // its halves that are refined
     double middle() const { return middle_of(d1, d3); }
   };
-  static constexpr int kMaxLevels = 5;  // a caller goes on alone: there might be any number of stretches behind
+  static constexpr int kMaxLevels = 5;  // a caller goes on alone: there might be any number of intervals behind
 
   std::vector<Subinterval> subintervals;
 
@@ -93,8 +93,8 @@ class MediaRefinement {
     return end;
   }
 
-  // The mean over a stretch that may be halved `level` times; alone(stretch, s1, d1, s3, d3, level): over one that was
-  // not halved here.
+  // The mean over an interval that may be halved `level` times; alone(interval, s1, d1, s3, d3, level): over one that
+  // was not halved here.
   template <class Alone>
   MediaSample mean(std::size_t number, int level, double threshold, Alone&& alone) const {
     const Subinterval& s = subintervals[number];

@@ -65,7 +65,7 @@ class Blob final : public SearchPrimitive<Blob> {
       Scratch<Piece> pieces;
       for (std::size_t i = 0; i < count; ++i) {
         const PiecePacket& p = met[i];
-        if (p.met >> k & 1) pieces.add({p.t0[k], p.t1[k], p.part, p.stretch[k], p.peak[k]});
+        if (p.met >> k & 1) pieces.add({p.t0[k], p.t1[k], p.part, p.scale2[k], p.peak[k]});
       }
       NearestHit sink(*this, guards(), t_min, t_max[k], hit_of(k), any);
       const LocalRay ray{{l.ox[k], l.oy[k], l.oz[k]}, {l.dx[k], l.dy[k], l.dz[k]}, l.scale[k]};
@@ -166,7 +166,7 @@ class Blob final : public SearchPrimitive<Blob> {
 
   static void add_piece(const Part& part, const LocalRay& l, Scratch<Piece>& pieces) {
     RayPiece p;
-    if (blob_kernels().piece(part, l.origin, l.direction, p)) pieces.add({p.t0, p.t1, &part, p.stretch, p.peak});
+    if (blob_kernels().piece(part, l.origin, l.direction, p)) pieces.add({p.t0, p.t1, &part, p.scale2, p.peak});
   }
 
   // The field of a part along origin + u direction, 0 <= u <= 1, in powers of u; `span` is the length of the direction.
@@ -193,7 +193,7 @@ class Blob final : public SearchPrimitive<Blob> {
   static double rounding_of(const Scratch<Piece>& pieces, double span) {
     double sum = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const double size = 1 + pieces[i].stretch * span * span;
+      const double size = 1 + pieces[i].scale2 * span * span;
       sum += std::fabs(pieces[i].part->k2) * size * size;
     }
     return 1e-12 * sum;

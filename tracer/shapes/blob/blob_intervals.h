@@ -14,7 +14,7 @@ inline constexpr double kShortest = 1e-10;  // of a interval, beside all of them
 struct Piece {
   double t0, t1;
   const BlobPart* part;
-  double stretch;        // the square of its parameter's scale, beside the part's squared radius
+  double scale2;         // the square of its parameter's scale, beside the part's squared radius
   double peak = 0;       // no more than this does it add to the field, but for rounding
   double power[5] = {};  // what it adds to the field, in powers of the parameter that all pieces of a ray share
 };

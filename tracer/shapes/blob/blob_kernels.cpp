@@ -19,7 +19,7 @@ using namespace simd::HWY_NAMESPACE;
 // Where rays are within reach of a part; `nearest2`: their squared distance from the centre or axis there.
 template <class Number>
 struct Course {
-  Number t0, t1, stretch, nearest2;
+  Number t0, t1, scale2, nearest2;
 };
 
 // One ray need not go on once it is out of reach.
@@ -76,7 +76,7 @@ HWY_INLINE typename Number::Mask meet(const BlobPart& part, PacketVector<Number>
   }
   if (part.moved) course.t0 = course.t0 / scale, course.t1 = course.t1 / scale;
   course.t0 = max(Number(0.0), course.t0);
-  course.stretch = scale * scale / part.radius2;
+  course.scale2 = scale * scale / part.radius2;
   return met & (course.t1 > course.t0) & (course.t1 < HUGE_VAL);
 }
 
@@ -127,7 +127,7 @@ std::size_t find_pieces(const BlobPart* parts, std::uint64_t near, const LocalPa
     const unsigned met = bits(meet(part, o, d, course)) & active;
     if (met == 0) continue;
     PiecePacket& piece = pieces[found++];
-    store(piece.t0, course.t0), store(piece.t1, course.t1), store(piece.stretch, course.stretch);
+    store(piece.t0, course.t0), store(piece.t1, course.t1), store(piece.scale2, course.scale2);
     store(piece.peak, peak_of(part, course));
     piece.part = &part, piece.met = met;
   }
@@ -139,7 +139,7 @@ bool find_piece(const BlobPart& part, const Vec3& origin, const Vec3& direction,
   Course<One> course;
   const PacketVector<One> o = {origin.x, origin.y, origin.z}, d = {direction.x, direction.y, direction.z};
   if (bits(meet(part, o, d, course)) == 0) return false;
-  store(&piece.t0, course.t0), store(&piece.t1, course.t1), store(&piece.stretch, course.stretch);
+  store(&piece.t0, course.t0), store(&piece.t1, course.t1), store(&piece.scale2, course.scale2);
   store(&piece.peak, peak_of(part, course));
   return true;
 }

@@ -19,17 +19,17 @@ struct BlobPart {
 };
 
 // A part is within reach for t0 < t < t1 along rays; no more than `peak` does it add to the field, but for rounding.
-// `stretch` is the squared length of the direction beside the squared radius.
+// `scale2` is the squared length of the direction beside the squared radius.
 struct alignas(64) PiecePacket {
   using Lane = double[RayPacket::kCount];
-  Lane t0, t1, stretch, peak;
+  Lane t0, t1, scale2, peak;
   const BlobPart* part;
   unsigned met;  // by these lanes
 };
 
 // The same of one ray.
 struct RayPiece {
-  double t0, t1, stretch, peak;
+  double t0, t1, scale2, peak;
 };
 
 // Spheres around eight parts; behind the last part stand spheres that nothing meets.

@@ -49,7 +49,7 @@ TEST_P(BlobKernel, MeetsThePartsOfABlobAlike) {
       }
       each_lane(a[i].met, [&](int k) {
         ASSERT_TRUE(same(a[i].t0[k], b[i].t0[k]) && same(a[i].t1[k], b[i].t1[k]) && same(a[i].peak[k], b[i].peak[k]) &&
-                    same(a[i].stretch[k], b[i].stretch[k]));
+                    same(a[i].scale2[k], b[i].scale2[k]));
         ++met;
       });
     }

@@ -14,13 +14,15 @@ namespace HWY_NAMESPACE {
 
 using namespace simd::HWY_NAMESPACE;
 
-struct Place {
+struct Complex {
   Packet r, i;
 };
-HWY_INLINE Place multiply(const Place& a, const Place& b) { return {a.r * b.r - a.i * b.i, a.r * b.i + a.i * b.r}; }
-HWY_INLINE Place power(const Place& z, int exponent) {
+HWY_INLINE Complex multiply(const Complex& a, const Complex& b) {
+  return {a.r * b.r - a.i * b.i, a.r * b.i + a.i * b.r};
+}
+HWY_INLINE Complex power(const Complex& z, int exponent) {
   if (exponent == 2) return {z.r * z.r - z.i * z.i, 2.0 * z.r * z.i};
-  Place result = z, square = z;
+  Complex result = z, square = z;
   for (int n = exponent - 1; n > 0; n >>= 1) {
     if (n & 1) result = multiply(result, square);
     square = multiply(square, square);
@@ -29,8 +31,8 @@ HWY_INLINE Place power(const Place& z, int exponent) {
 }
 
 unsigned follow(int exponent, int iterations, unsigned active, Orbits& o) {
-  Place z{load(o.zr), load(o.zi)}, known{HUGE_VAL, 0.0};
-  const Place c{load(o.cr), load(o.ci)};
+  Complex z{load(o.zr), load(o.zi)}, known{HUGE_VAL, 0.0};
+  const Complex c{load(o.cr), load(o.ci)};
   Packet smallest = z.r * z.r + z.i * z.i;
   const auto keep = [&](unsigned lanes, Orbits& to) VERISIM_INLINE_LAMBDA {
     const Mask here = Mask::of_bits(lanes);
@@ -40,7 +42,7 @@ unsigned follow(int exponent, int iterations, unsigned active, Orbits& o) {
   unsigned escaped = 0;
   int known_at = 0, next = 1;
   for (int k = 0; k < iterations && active != 0; ++k) {
-    const Place p = power(z, exponent);
+    const Complex p = power(z, exponent);
     z = {p.r + c.r, p.i + c.i};
     const Packet size = z.r * z.r + z.i * z.i;
     const Mask out = size > 4.0, round = (z.r == known.r) & (z.i == known.i);

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "tracer/math/matrix_inverse.h"
+
 namespace verisim {
 namespace {
 
@@ -76,8 +78,9 @@ Transform Transform::axis_rotation(const Vec3& axis, double radians) {
 }
 
 Transform Transform::from_matrix(const Mat4& matrix) {
-  if (matrix.determinant() == 0.0) throw std::domain_error("Singular matrix");
-  return {matrix, matrix.inverse()};
+  const MatrixInverse inverse = cofactor_inverse(matrix);
+  if (inverse.determinant == 0) throw std::domain_error("Singular matrix");
+  return {matrix, inverse.matrix};
 }
 
 bool Transform::is_identity() const { return m == Mat4(); }

@@ -108,11 +108,12 @@ void slab(const double* o, const double* d, double low, double high, std::int64_
     s.alive[i] &= (along & within) | (across & open) ? 1 : 0;
   }
 }
-void box(const Vec3& low, const Vec3& high, const Transform* matrix, const RayPacket& rays, double t_min,
-         const double* t_max, PacketHits& met) {
+void box(const SimpleSolid& solid, const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) {
   constexpr double kNearest = 1e-6, kFarthest = 2e10;
+  const Vec3 low = solid.a, high = solid.b;
+  const bool near_wins = solid.turned;
   LocalPacket l;
-  enter_space(matrix, rays, l);
+  enter_space(solid.matrix, rays, l);
   Slabs s;
   for (int i = 0; i < kLanes; ++i)
     s.near[i] = 0, s.far[i] = kFarthest, s.near_size[i] = s.far_size[i] = 0, s.near_face[i] = s.far_face[i] = -1,
@@ -123,7 +124,8 @@ void box(const Vec3& low, const Vec3& high, const Transform* matrix, const RayPa
   for (int i = 0; i < kLanes; ++i) {
     const double near = s.near[i], far = s.far[i];
     const bool alive = (s.alive[i] != 0) & !(far < kNearest);
-    const bool first = alive & (s.near_face[i] >= 0) & (near > kNearest) & (near >= t_min) & (near < t_max[i]);
+    const bool first = alive & (s.near_face[i] >= 0) & (near > kNearest) & (near >= t_min) & (near < t_max[i]) &
+                       ((near < far) | near_wins);
     const bool second = alive & (far >= t_min) & (far < t_max[i]);  // where there is no face, it is -1
     met.t[i] = first ? near : far;
     met.part[i] = first ? s.near_face[i] : second ? s.far_face[i] : -1;

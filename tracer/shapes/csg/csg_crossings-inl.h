@@ -303,7 +303,9 @@ void cross_box(Search<Number>& s, const CsgNode& n) {
   const typename Number::Mask met = slabs.alive & ~(slabs.far < kNearest);
   if ((bits(met) & s.open) == 0) return;
   consider(s, n, slabs.near, met & slabs.has_near & (slabs.near > kNearest), slabs.near_face);
-  consider(s, n, slabs.far, met & slabs.has_far, slabs.far_face);
+  // Of an edge the nearer face stays where the order is turned, else the farther one takes its place.
+  const typename Number::Mask other = b.turned ? slabs.far > slabs.near : all;
+  consider(s, n, slabs.far, met & slabs.has_far & other, slabs.far_face);
 }
 
 }  // namespace HWY_NAMESPACE

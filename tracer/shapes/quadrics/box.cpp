@@ -26,28 +26,27 @@ class Box final : public KernelPrimitive<Box> {
         !slab<2>(o, d, near, far, near_face, far_face))
       return;
     if (far < kNearest) return;
-    if (near_face >= 0 && near > kNearest) {
-      const bool accepted = sink.add(
-          near, [&] { return ray.origin + near * ray.direction; }, near_face);
-      if (Sink::kNearest && accepted) return;
-    }
-    if (far_face >= 0)
-      sink.add(
-          far, [&] { return ray.origin + far * ray.direction; }, far_face);
+    const auto report = [&](double t, std::int32_t face) {
+      return face >= 0 && sink.add(
+                              t, [&] { return ray.origin + t * ray.direction; }, face);
+    };
+    // Of the two faces at an edge the one that is reported last is seen (spec 03 2.1).
+    const bool edge = near == far;
+    if (edge && turned_) report(far, far_face);
+    if (near > kNearest && report(near, near_face) && Sink::kNearest && !edge) return;
+    if (!(edge && turned_)) report(far, far_face);
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
-    packet_kernels().box(low_, high_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
+    packet_kernels().box(numbers(), rays, t_min, t_max, met);
   }
 
   SimpleSolid simple() const override {
     if (guarded()) return {};
-    return {.form = SimpleSolid::Form::box,
-            .inverted = inverted(),
-            .matrix = has_matrix() ? &matrix() : nullptr,
-            .a = low_,
-            .b = high_};
+    return numbers();
   }
+
+  void turn_hits() { turned_ = true; }
 
   bool contains(const Vec3& point) const {
     const Vec3 p = local(point);
@@ -81,6 +80,15 @@ class Box final : public KernelPrimitive<Box> {
   }
 
  private:
+  SimpleSolid numbers() const {
+    return {.form = SimpleSolid::Form::box,
+            .inverted = inverted(),
+            .turned = turned_,
+            .matrix = has_matrix() ? &matrix() : nullptr,
+            .a = low_,
+            .b = high_};
+  }
+
   // Narrows near .. far by one axis. A later axis takes a face over when it wins clearly, or nearly ties and faces the
   // ray more.
   template <int kAxis>
@@ -104,9 +112,14 @@ class Box final : public KernelPrimitive<Box> {
   }
 
   Vec3 low_, high_;
+  bool turned_ = false;
 };
 
 }  // namespace
+
+void turn_hits(Shape& shape) {
+  if (auto* box = dynamic_cast<Box*>(&shape)) box->turn_hits();
+}
 
 std::unique_ptr<Shape> compile_box(const scene::Object& object) {
   const auto& box = *object.as<scene::Box>();

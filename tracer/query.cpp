@@ -3,7 +3,7 @@
 #include <memory>
 #include <mutex>
 
-#include "tracer/scene/bounds.h"
+#include "tracer/bvh/slab_test.h"
 #include "tracer/scene/solid_parts.h"
 #include "tracer/shapes/shape.h"
 
@@ -16,21 +16,6 @@ constexpr double kSmallestDistance = 1e-4, kLargestDistance = 2e10;
 bool has_no_box_test(const scene::Object& o) {
   return o.as<scene::Sphere>() || o.as<scene::Box>() || o.as<scene::Plane>() || o.as<scene::Triangle>() ||
          o.as<scene::SmoothTriangle>() || o.as<scene::Poly>();
-}
-
-// POV-Ray's slab test, in binary32.
-bool meets_box(const Ray& ray, const scene::Bounds& b) {
-  float near = 0, far = static_cast<float>(kLargestDistance);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const float o = static_cast<float>(ray.origin[static_cast<int>(i)]),
-                inverse = static_cast<float>(1.0 / ray.direction[static_cast<int>(i)]);
-    float enter = (b.low[i] - o) * inverse, leave = (b.low[i] + b.size[i] - o) * inverse;
-    if (inverse < 0) std::swap(enter, leave);
-    if (enter > near) near = enter;
-    if (leave < far) far = leave;
-  }
-  // A breadth of one rounding: grazing rays are decided by the shape.
-  return near <= far * 1.000001f + 1e-6f && far > static_cast<float>(kSmallestDistance);
 }
 
 }  // namespace
@@ -56,7 +41,7 @@ std::optional<TraceHit> Target::trace(const Vec3& origin, const Vec3& direction)
   if (!(len > 0) || !std::isfinite(len)) return std::nullopt;
   const Ray ray{origin, direction * (1.0 / len)};
   const scene::Object& object = *impl_->object;
-  if (!has_no_box_test(object) && !meets_box(ray, object.bounds)) return std::nullopt;
+  if (!has_no_box_test(object) && !accel::slab_test(object.bounds).passes(ray)) return std::nullopt;
   shapes::Hit hit;
   if (!impl_->ready().intersect(ray, shapes::RayKind::query, kSmallestDistance, kLargestDistance, hit))
     return std::nullopt;

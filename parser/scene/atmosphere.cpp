@@ -80,7 +80,8 @@ scene::Fog parse_fog(Parser& parser) {
     }
     if (parser.at_number_start()) {
       fog.distance = parser.parse_float();
-      parser.warning(Code::discontinued, "Should use keyword 'distance' in a fog statement.");
+      if (parser.version() > 150)
+        parser.warning(Code::discontinued, "Should use keyword 'distance' in a fog statement.");
       continue;
     }
     break;

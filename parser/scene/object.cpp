@@ -11,6 +11,13 @@ ObjectRef accept_object_copy(Parser& parser) {
   return object;
 }
 
+ObjectRef accept_object_instead(Parser& parser) {
+  ObjectRef object = accept_object_copy(parser);
+  if (object && parser.version() < 150)
+    parser.warning(Code::misplaced_keyword, "Found 'object identifier' that should be in an object statement.");
+  return object;
+}
+
 // object { IDENTIFIER modifiers } or object { STATEMENT modifiers }
 ObjectRef parse_object_statement(Parser& parser) {
   Block block(parser);

@@ -215,7 +215,7 @@ bool parse_modifier(Parser& parser, Object& object) {
   }
   if (at_color(parser)) {
     parser.parse_color();
-    parser.warning(Code::no_effect, "Quick color belongs in texture. Color ignored.");
+    if (parser.version() >= 150) parser.warning(Code::no_effect, "Quick color belongs in texture. Color ignored.");
     return true;
   }
   return false;

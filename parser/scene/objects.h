@@ -10,6 +10,8 @@ using ObjectRef = std::shared_ptr<scene::Object>;
 
 // If an identifier of an object is at the cursor: a copy of it.
 ObjectRef accept_object_copy(Parser& parser);
+// The same in the place of a shape's parameters, of which scenes before 1.5 are warned.
+ObjectRef accept_object_instead(Parser& parser);
 
 // Items after the shape's own parameters, up to and including the closing brace (spec 03 section 6).
 void parse_object_modifiers(Parser& parser, scene::Object& object);
@@ -21,7 +23,7 @@ template <class ReadShape, class ReadModifiers>
 ObjectRef object_block(Parser& parser, std::string_view name, const ReadShape& read_shape,
                        const ReadModifiers& read_modifiers) {
   Block block(parser);
-  if (ObjectRef copied = accept_object_copy(parser)) {
+  if (ObjectRef copied = accept_object_instead(parser)) {
     if (name == "light_group" && std::holds_alternative<scene::LightGroup>(copied->shape)) {
       read_modifiers(*copied);
       block.close();
@@ -44,7 +46,7 @@ ObjectRef object_block(Parser& parser, std::string_view name, const ReadShape& r
 template <class ReadShape>
 ObjectRef shape_block(Parser& parser, const ReadShape& read_shape) {
   Block block(parser);
-  ObjectRef object = accept_object_copy(parser);
+  ObjectRef object = accept_object_instead(parser);
   if (!object) {
     object = std::make_shared<scene::Object>();
     read_shape(*object);

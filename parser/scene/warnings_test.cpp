@@ -92,6 +92,27 @@ TEST(Warnings, StrayItemsOfOldTextures) {
   EXPECT_EQ(of_old_texture("pigment { marble } normal { bumps } finish { phong 1 }"), Texts{});
 }
 
+// What was the way of writing it up to 1.5.
+TEST(Warnings, OldFormsInOldScenes) {
+  const auto of_version = [](const std::string& version, const std::string& scene) {
+    Texts found = warnings("#version " + version + ";\n" + scene);
+    std::erase_if(found, [](const std::string& text) {
+      return text.find("assumed_gamma") != std::string::npos || text.find("language version") != std::string::npos;
+    });
+    return found;
+  };
+  const std::string quick = "sphere { 0, 1 color rgb 1 }", fog = "fog { color rgb 1 40 } sphere { 0, 1 }",
+                    crand = "sphere { 0, 1 texture { .05 pigment { color red 1 } } }",
+                    copy = "#declare S = sphere { 0, 1 } union { S }";
+  const Texts warned_of_copy = {"Found 'object identifier' that should be in an object statement."};
+  for (const std::string& scene : {quick, fog, crand}) EXPECT_EQ(of_version("1.0", scene), Texts{}) << scene;
+  EXPECT_EQ(of_version("1.0", copy), warned_of_copy);
+  EXPECT_EQ(of_version("1.5", quick), Texts{"Quick color belongs in texture. Color ignored."});
+  for (const std::string& scene : {fog, crand, copy}) EXPECT_EQ(of_version("1.5", scene), Texts{}) << scene;
+  EXPECT_EQ(of_version("2.0", fog), Texts{"Should use keyword 'distance' in a fog statement."});
+  EXPECT_EQ(of_version("2.0", crand), Texts{"Should use crand keyword in finish statement."});
+}
+
 TEST(Warnings, OpenPrisms) {
   EXPECT_EQ(of_statement("prism { 0, 1, 3, <0, 0>, <1, 0>, <0, 1> }"), Texts{"Linear prism not closed. Closing it."});
   EXPECT_EQ(of_statement("prism { 0, 1, 8, <0,0>, <1,0>, <0,1>, <0,0>, <.1,.1>, <.2,.1>, <.1,.2>, <.1,.1> }"), Texts{});

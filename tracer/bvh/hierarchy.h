@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -49,6 +50,17 @@ class Hierarchy {
         if (nodes_[child].infinite || slabs.enters(nodes_[child].bounds, key)) queue.push({key, child});
       }
     }
+  }
+
+  // Whether a search that finds nothing else comes to `entry`: rounding refuses rays that graze an edge of its box.
+  bool reaches(const Ray& ray, std::uint32_t entry) const {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    bool reached = false;
+    search(ray, kFar, [&](std::uint32_t asked) {
+      reached = reached || asked == entry;
+      return reached ? -kFar : kFar;
+    });
+    return reached;
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "tracer/math/constants.h"
+#include "tracer/math/matrix_inverse.h"
 
 namespace verisim {
 namespace {
@@ -76,8 +77,9 @@ Transform Transform::axis_rotation(const Vec3& axis, double radians) {
 }
 
 Transform Transform::from_matrix(const Mat4& matrix) {
-  if (matrix.determinant() == 0.0) throw std::domain_error("Singular matrix");
-  return {matrix, matrix.inverse()};
+  const MatrixInverse inverse = cofactor_inverse(matrix);
+  if (inverse.determinant == 0) throw std::domain_error("Singular matrix");
+  return {matrix, inverse.matrix};
 }
 
 bool Transform::is_identity() const { return m == Mat4(); }

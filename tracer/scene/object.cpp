@@ -72,7 +72,7 @@ bool absorb(Plane& p, const TransformStep& move) {
   } else if (move.step == Step::scale) {
     p.normal = p.normal / move.v;
     const double len = length(p.normal);
-    p.normal = p.normal / len;
+    p.normal = p.normal * (1.0 / len);
     p.distance /= len;
   } else {
     return false;
@@ -115,13 +115,14 @@ bool absorb(Boxed<SmoothTriangle>& smooth, const TransformStep& move) {
   return true;
 }
 
-// p Q p' = 0 with p = p' M^-1 becomes M^-1 Q M^-T.
+// p Q p' = 0 with p = p' M^-1 becomes M^-1 Q M^-T. Q has the mixed and linear terms above the diagonal, as POV-Ray's
+// has: halves on both sides give other last bits.
 bool absorb(Boxed<Quadric>& quadric, const TransformStep& move) {
   Quadric& q = *quadric;
   Mat4 a;
   a[0][0] = q.square.x, a[1][1] = q.square.y, a[2][2] = q.square.z, a[3][3] = q.constant;
-  a[0][1] = a[1][0] = q.mixed.x / 2, a[0][2] = a[2][0] = q.mixed.y / 2, a[1][2] = a[2][1] = q.mixed.z / 2;
-  for (int i = 0; i < 3; ++i) a[i][3] = a[3][i] = q.linear[i] / 2;
+  a[0][1] = q.mixed.x, a[0][2] = q.mixed.y, a[1][2] = q.mixed.z;
+  for (int i = 0; i < 3; ++i) a[i][3] = q.linear[i];
   const Mat4 b = move.t.inv * a * move.t.inv.transposed();
   q.square = {b[0][0], b[1][1], b[2][2]};
   q.mixed = {b[0][1] + b[1][0], b[0][2] + b[2][0], b[1][2] + b[2][1]};
@@ -194,11 +195,20 @@ Bounds polygon_padded(const Bounds& b) {
   return make_bounds(low, high);
 }
 
+// Of the moved points, not of a moved box.
+Bounds polygon_bounds(const Polygon& polygon, const Object& object) {
+  Box3 box;
+  const Transform frame = shapes::polygon_frame(polygon);
+  for (const Vec3& p : polygon.points)
+    box.extendBy(object.transform ? object.transform->point(frame.inverse_point(p)) : p);
+  return polygon_padded(make_bounds(box.min, box.max));
+}
+
 Bounds bounds_from_numbers(const Object& object) {
+  if (const Polygon* polygon = object.as<Polygon>()) return polygon_bounds(*polygon, object);
   const Bounds local = local_bounds(object);
   const bool infinite = object.as<Plane>() || object.as<Poly>();
-  const Bounds moved = object.transform && !infinite ? transformed(local, *object.transform) : local;
-  return object.as<Polygon>() ? polygon_padded(moved) : moved;
+  return object.transform && !infinite ? transformed(local, *object.transform) : local;
 }
 
 // Clips that were added since the box of a quadric was last computed count before the next transformation.

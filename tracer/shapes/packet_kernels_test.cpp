@@ -190,7 +190,7 @@ TEST_P(PacketKernel, GivesTheSameBitsAsEveryOther) {
       set.sphere({0.1, -0.2, 0.3}, 0.8, matrix, packet, 1e-4, rays.limit, hits);
     });
     compare([&](const QuadricKernels& set, PacketHits& hits) {
-      set.box(Vec3(-0.9), Vec3(0.8), matrix, packet, 1e-4, rays.limit, hits);
+      set.box({.matrix = matrix, .a = Vec3(-0.9), .b = Vec3(0.8)}, packet, 1e-4, rays.limit, hits);
     });
     for (const bool open : {false, true}) {
       compare([&](const QuadricKernels& set, PacketHits& hits) {

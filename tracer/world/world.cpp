@@ -207,6 +207,7 @@ World::World(const scene::Scene& scene, textures::Compiler& compiler, const Arra
     e.test_box = !is_empty(e.box) && (boxless || w.in_order) && !cheaper_than_box_test(o) &&
                  !(w.in_order && exempt_from_box_test(o)) && volume(o.bounds) < 7e30f;
     if (!is_empty(e.box) && !exempt_from_box_test(o)) e.slab = slab_test(o.bounds);
+    e.edged = !e.infinite && !w.in_order && (o.as<scene::Box>() || o.as<scene::Csg>());
     // Some of those have a surface of finite size all the same, as solids cut out by planes do.
     e.test_surface = !never && boxless && !cheaper_than_box_test(o) && within_finite_box(*shape);
     const bool waits = e.test_surface && !w.in_order;
@@ -309,6 +310,20 @@ std::vector<Coincidences::Met>& Coincidences::scratch() {
   return list;
 }
 
+const Hierarchy& World::Impl::hierarchy() const {
+  std::call_once(hierarchy_made, [this] {
+    std::vector<Hierarchy::Item> items;
+    for (std::uint32_t i = 0; i < entries.size(); ++i) {
+      // A light has the box of what it looks like.
+      const auto* light = entries[i].object->as<scene::LightSource>();
+      const scene::Object& shown = light ? *light->looks_like : *entries[i].object;
+      items.push_back({i, shown.bounds, scene::is_infinite(shown)});
+    }
+    made_hierarchy = Hierarchy(items);
+  });
+  return made_hierarchy;
+}
+
 void World::Impl::settle(const Ray& ray, int lane, double t_max, const Coincidences& coincidences, Hit& hit) const {
   thread_local std::vector<const Coincidences::Met*> there;
   there.clear();
@@ -326,19 +341,9 @@ void World::Impl::settle(const Ray& ray, int lane, double t_max, const Coinciden
     for (const Coincidences::Met* met : there) ask(*met);
     return;
   }
-  std::call_once(hierarchy_made, [this] {
-    std::vector<Hierarchy::Item> items;
-    for (std::uint32_t i = 0; i < entries.size(); ++i) {
-      // A light has the box of what it looks like.
-      const auto* light = entries[i].object->as<scene::LightSource>();
-      const scene::Object& shown = light ? *light->looks_like : *entries[i].object;
-      items.push_back({i, shown.bounds, scene::is_infinite(shown)});
-    }
-    hierarchy = Hierarchy(items);
-  });
   // What else the search asks lies further away and changes nothing.
   std::size_t asked = 0;
-  hierarchy.search(ray, best, [&](std::uint32_t entry) {
+  hierarchy().search(ray, best, [&](std::uint32_t entry) {
     const auto place = std::ranges::lower_bound(there, entry, {}, entry_of);
     if (place != there.end() && (*place)->entry == entry) ask(**place), ++asked;
     return asked == there.size() ? -std::numeric_limits<double>::infinity() : best;

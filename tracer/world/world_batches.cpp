@@ -203,7 +203,7 @@ class World::BatchSearch {
   void test(const Shape& shape, std::uint32_t index, const EntryPoints* inner, unsigned lanes) {
     each_lane(shape.intersect_packet({rays_.rays, rays_.first, lanes}, inner, kind_, t_min_, limit_, others_),
               [&](int k) {
-                if (w_.entries[index].slab.passes(rays_.at(k))) take(k, others_[k], index);
+                if (w_.admits(index, rays_.at(k), others_[k])) take(k, others_[k], index);
               });
   }
 

@@ -10,7 +10,7 @@
 
 #include "tracer/bvh/bvh.h"
 #include "tracer/bvh/hierarchy.h"
-#include "tracer/world/slab_test.h"
+#include "tracer/bvh/slab_test.h"
 #include "tracer/world/world.h"
 #include "tracer/shapes/quadrics/box_set.h"
 #include "tracer/shapes/csg/interior_proxy.h"
@@ -36,11 +36,23 @@ struct Entry {
   bool test_surface = false;  // no box of POV-Ray's decides, but the surface has one of finite size
   Box3 box;                   // POV-Ray's, right or wrong, widened by rounding
   SlabTest slab;              // for hits
-
+  bool edged = false;         // is in POV-Ray's hierarchy, and its surface may run along edges of its box
   bool may_meet(const Ray& ray, double t_min, double t_max) const {
     double near = t_min, far = t_max;
     return (!test_box || clip_to_box(ray, box, near, far)) &&
            (!test_surface || clip_to_box(ray, shape->bounds(), near, far));
+  }
+  // A hit near an edge of the box.
+  bool at_edge(const Hit& hit) const {
+    const scene::Bounds& b = object->bounds;
+    const double slack = kCoincident * hit.t;
+    int faces = 0;
+    for (int i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const double above = hit.point[i] - b.low[k];
+      faces += std::fabs(above) < slack || std::fabs(above - b.size[k]) < slack;
+    }
+    return faces > 1;
   }
 };
 
@@ -123,9 +135,9 @@ struct World::Impl {
   std::deque<std::vector<const scene::LightSource*>> group_lights;
   std::vector<const scene::LightSource*> lights;
   Box3 bounds;
-  bool in_order = false;                  // too few entries for a hierarchy
-  mutable std::once_flag hierarchy_made;  // at the first ray that needs it: most scenes do not
-  mutable Hierarchy hierarchy;
+  bool in_order = false;  // too few entries for a hierarchy
+  mutable std::once_flag hierarchy_made;
+  mutable Hierarchy made_hierarchy;
   bool transparent_shadows = false;  // something that shadow rays see is not opaque
   bool filters_twice = false;        // some surface does
 
@@ -147,6 +159,12 @@ struct World::Impl {
   void find_enclosures();
   // No shadow ray of the shaft meets what is not opaque of this entry: it is, or the whole shaft lies in its room.
   bool seems_opaque(std::uint32_t entry, const Shaft& shaft) const;
+  const Hierarchy& hierarchy() const;  // made at the first ray that needs it: most scenes do not
+  // POV-Ray finds this hit of an entry, too.
+  bool admits(std::uint32_t index, const Ray& ray, const Hit& hit) const {
+    const Entry& e = entries[index];
+    return e.slab.passes(ray) && (!e.edged || !e.at_edge(hit) || hierarchy().reaches(ray, index));
+  }
   // Of the entries that a ray meets in one place, the one that POV-Ray shows: its search, repeated (spec 08 A).
   void settle(const Ray& ray, int lane, double t_max, const Coincidences& coincidences, Hit& hit) const;
   void mix_cutaway(const Shape& shape, const Vec3& p, float weight, std::vector<textures::WeightedTexture>& out) const;

@@ -59,7 +59,7 @@ class World::Search {
     Hit other;
     const bool met = inner ? shape.intersect_from(*inner, ray_, kind_, t_min_, limit_, other)
                            : shape.intersect(ray_, kind_, t_min_, limit_, other);
-    if (met && w_.entries[index].slab.passes(ray_)) take(other, index);
+    if (met && w_.admits(index, ray_, other)) take(other, index);
   }
 
   const Impl& w_;

@@ -94,10 +94,8 @@ Transform parse_transform(Parser& parser) {
   }
   close_block(parser);
   if (!inverted) return result;
-  // POV-Ray inverts numerically here: the last digits differ from the product of the elementary inverses.
   try {
-    const Transform numeric = Transform::from_matrix(result.m);
-    return {numeric.inv, result.m};
+    return {Transform::from_matrix(result.m).inv, Transform::from_matrix(result.inv).inv};
   } catch (const std::domain_error&) {
     parser.error(Code::domain_error, "Singular matrix: it cannot be inverted.");
   }

@@ -32,11 +32,10 @@ ObjectRef parse_smooth_triangle(Parser& parser) {
       parser.optional_comma();
       triangle.n[i] = parser.parse_vec3();
       parser.optional_comma();
-      const double size = length(triangle.n[i]);
-      if (size == 0)
+      if (length(triangle.n[i]) == 0)
         zero_normal = true;
       else
-        triangle.n[i] = triangle.n[i] / size;
+        triangle.n[i] = normalize(triangle.n[i]);
     }
     const Vec3 plane = cross(triangle.p[0] - triangle.p[1], triangle.p[2] - triangle.p[1]);
     int sides = 0;

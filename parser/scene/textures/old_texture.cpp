@@ -29,7 +29,7 @@ bool at_single_number(Parser& parser) {
 bool parse_crand(Parser& parser, scene::TextureLayer& layer) {
   if (!at_single_number(parser)) return false;
   layer.finish.edit().crand = to_float(parser.parse_float());
-  parser.warning(Code::discontinued, "Should use crand keyword in finish statement.");
+  if (parser.version() > 150) parser.warning(Code::discontinued, "Should use crand keyword in finish statement.");
   return true;
 }
 

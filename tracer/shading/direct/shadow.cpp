@@ -4,7 +4,7 @@
 #include "tracer/shading/atmosphere/fog.h"
 #include "tracer/shading/tracer.h"
 #include "tracer/shapes/implicit/last_miss.h"
-#include "tracer/world/slab_test.h"
+#include "tracer/bvh/slab_test.h"
 
 namespace verisim::shading {
 namespace {

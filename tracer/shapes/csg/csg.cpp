@@ -185,7 +185,8 @@ class Merge final : public Sum {
 };
 
 // What tests hits turns those of each child around, so that of equally near ones within a child that is CSG itself the
-// first wins, a level deeper the last again (spec 03 5.2): there the children are `turned`.
+// first wins, a level deeper the last again (spec 03 5.2): there the children are `turned`. The same holds of the hits
+// of one primitive.
 std::unique_ptr<Shape> compile_part(const scene::Object& object, bool turned) {
   const scene::CsgKind kind = object.as<scene::Csg>()->kind;
   const bool tests_hits = kind != scene::CsgKind::union_ || !object.clipped_by.empty();
@@ -193,8 +194,10 @@ std::unique_ptr<Shape> compile_part(const scene::Object& object, bool turned) {
   for (const scene::ObjectPtr& child : scene::children_of(object)) {
     const auto* light = child->as<scene::LightSource>();
     if (light && !light->looks_like) continue;  // not part of any solid (spec 03 5.1)
-    children.push_back(child->as<scene::Csg>() ? compile_part(*child, turned != tests_hits) : compile(*child));
+    const bool turns = turned != tests_hits;
+    children.push_back(child->as<scene::Csg>() ? compile_part(*child, turns) : compile(*child));
     join_csg(*children.back());
+    if (turns) turn_hits(*children.back());
   }
   if (turned) std::reverse(children.begin(), children.end());
   switch (kind) {

@@ -173,7 +173,7 @@ template <class Number>
 void cross_box(Search<Number>& s, const CsgNode& n) {
   const SimpleSolid& b = n.simple;
   const PacketVector<Number> d = b.matrix ? transform_direction(b.matrix->inv, s.d) : s.d;
-  box_crossings(local_point(n, s.o), d, b.a, b.b, OnRay<Number>{s, n, nullptr});
+  box_crossings(local_point(n, s.o), d, b.a, b.b, b.turned, OnRay<Number>{s, n, nullptr});
 }
 
 template <class Number>

@@ -3,6 +3,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <numeric>
 #include <unordered_map>
@@ -37,6 +38,19 @@ bool is_smooth(const scene::MeshData& data, const scene::MeshTriangle& t) {
              n3 = normalize(data.normals[t.normal[2]]);
   const Vec3 d2 = n1 - n2, d3 = n1 - n3;
   return dot(d2, d2) > 1e-10 || dot(d3, d3) > 1e-10;
+}
+
+// The vector in the plane of a triangle whose product with a point is 0 at P1 and 1 on the edge P2 P3. POV-Ray keeps it
+// in binary32, and normalises it so (spec 04 1.4).
+Vec3 rise_of(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
+  const Vec3 edge = normalize(p2 - p3), to_first = p1 - p3, across = dot(to_first, edge) * edge - to_first;
+  float rise[3];
+  for (int k = 0; k < 3; ++k) rise[k] = static_cast<float>(across[k]);
+  const float inverse = 1 / std::sqrt(rise[0] * rise[0] + rise[1] * rise[1] + rise[2] * rise[2]);
+  for (float& r : rise) r *= inverse;
+  const double height = to_first.x * rise[0] + to_first.y * rise[1] + to_first.z * rise[2];
+  const auto scale = static_cast<float>(-1 / f32(height));
+  return {rise[0] * scale, rise[1] * scale, rise[2] * scale};
 }
 
 Vec3 plane_normal(const Vec3& p1, const Vec3& p2, const Vec3& p3) { return normalize(cross(p3 - p1, p2 - p1)); }
@@ -148,9 +162,7 @@ Vec3 MeshGeometry::smooth_normal(std::uint32_t i, const Vec3& p) const {
     return data_->vertices[t.vertex[static_cast<std::size_t>(c[static_cast<std::size_t>(k)])]];
   };
   const Vec3 w1 = as_written(0), w2 = as_written(1), w3 = as_written(2);
-  // In the plane, 0 at P1 and 1 on the edge P2 P3; every step rounded, as probe 2 shows.
-  Vec3 rise = f32(normalize(cross(plane_normal(w1, w2, w3), w3 - w2)));
-  rise = f32(rise * f32(1 / f32(dot(rise, w2 - w1))));
+  const Vec3 rise = rise_of(w1, w2, w3);
   const Vec3 n1 = vertex_normal(0), n2 = vertex_normal(1), n3 = vertex_normal(2);
   const Vec3 p1 = f32(w1), p2 = f32(w2), p3 = f32(w3);
   const Vec3 from = p - p1;

@@ -21,7 +21,7 @@ std::optional<Transform> frame_of(const scene::Polygon& polygon) {
   for (++i; i < p.size(); ++i) {
     const Vec3 v = p[i] - p[0], w = cross(u, v);
     if (!(squared(v) > kEpsilon && squared(w) > kEpsilon)) continue;
-    const Vec3 a = normalize(u), c = normalize(w), b = cross(c, a);
+    const Vec3 across = cross(v, w), a = normalize(across), b = normalize(cross(w, across)), c = normalize(w);
     const Mat4 m(a.x, a.y, a.z, 0, b.x, b.y, b.z, 0, c.x, c.y, c.z, 0, 0, 0, 0, 1);
     return Transform{m, m.transposed()}.then(Transform::translation(p[0]));
   }
@@ -86,13 +86,14 @@ class Polygon final : public Primitive<Polygon> {
     box.min.z -= 1e-9, box.max.z += 1e-9;
     return box;
   }
-  // Even-odd rule along +x, edges closed at their lower end.
+  // Even-odd rule along +x: a point level with an edge's upper end crosses it, and so does one on it (the crossings
+  // test of Haines, "Point in polygon strategies", Graphics Gems IV, 1994, whose order of operations POV-Ray's is).
   bool covers(const Vec2& p) const {
     bool odd = false;
     for (const Edge& e : edges_) {
-      if ((e.from.y > p.y) == (e.to.y > p.y)) continue;
-      const double x = e.from.x + (p.y - e.from.y) * (e.to.x - e.from.x) / (e.to.y - e.from.y);
-      if (p.x < x) odd = !odd;
+      if ((e.from.y >= p.y) == (e.to.y >= p.y)) continue;
+      const double x = e.to.x - (e.to.y - p.y) * (e.from.x - e.to.x) / (e.from.y - e.to.y);
+      if (x >= p.x) odd = !odd;
     }
     return odd;
   }

@@ -75,11 +75,10 @@ class Triangle final : public KernelPrimitive<Triangle> {
 
  private:
   void prepare_interpolation() {
-    const Vec3 edge = p_[2] - p_[1];
-    perpendicular_ = normalize(cross(edge, normal_));
-    const double height = dot(perpendicular_, p_[1] - p_[0]);
-    perpendicular_ = perpendicular_ / height;
-    edge_axis_ = dominant_axis(edge);
+    const Vec3 edge = normalize(p_[1] - p_[2]), to_first = p_[0] - p_[2];
+    perpendicular_ = normalize(dot(to_first, edge) * edge - to_first);
+    perpendicular_ *= -1 / dot(to_first, perpendicular_);
+    edge_axis_ = dominant_axis(p_[2] - p_[1]);
   }
 
   std::array<Vec3, 3> p_, n_{Vec3(0), Vec3(0), Vec3(0)};

@@ -23,24 +23,22 @@ class Box final : public KernelPrimitive<Box> {
   void intersections(const Ray& ray, Sink& sink) const {
     // The direction keeps its length, so distances are those of the world.
     const Vec3 o = local(ray.origin), d = has_matrix() ? matrix().inverse_direction(ray.direction) : ray.direction;
-    box_crossings(o, d, low_, high_, one_ray::Report{[&](double t, std::int32_t face) {
+    box_crossings(o, d, low_, high_, turned_, one_ray::Report{[&](double t, std::int32_t face) {
                     const auto point = [&] { return ray.origin + t * ray.direction; };
                     return sink.add(t, point, face) && Sink::kNearest;
                   }});
   }
 
   void meet(const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) const {
-    quadric_kernels().box(low_, high_, has_matrix() ? &matrix() : nullptr, rays, t_min, t_max, met);
+    quadric_kernels().box(numbers(), rays, t_min, t_max, met);
   }
 
   SimpleSolid simple() const override {
     if (guarded()) return {};
-    return {.form = SimpleSolid::Form::box,
-            .inverted = inverted(),
-            .matrix = has_matrix() ? &matrix() : nullptr,
-            .a = low_,
-            .b = high_};
+    return numbers();
   }
+
+  void turn_hits() { turned_ = true; }
 
   bool contains(const Vec3& p) const { return within_box(local(p), low_, high_); }
 
@@ -71,10 +69,24 @@ class Box final : public KernelPrimitive<Box> {
   }
 
  private:
+  SimpleSolid numbers() const {
+    return {.form = SimpleSolid::Form::box,
+            .inverted = inverted(),
+            .turned = turned_,
+            .matrix = has_matrix() ? &matrix() : nullptr,
+            .a = low_,
+            .b = high_};
+  }
+
   Vec3 low_, high_;
+  bool turned_ = false;
 };
 
 }  // namespace
+
+void turn_hits(Shape& shape) {
+  if (auto* box = dynamic_cast<Box*>(&shape)) box->turn_hits();
+}
 
 std::unique_ptr<Shape> compile_box(const scene::Object& object) {
   const auto& box = *object.as<scene::Box>();

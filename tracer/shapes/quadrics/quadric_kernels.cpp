@@ -31,12 +31,11 @@ void sphere(const Vec3& center, double radius2, const Transform* matrix, const R
 }
 
 // The direction keeps its length.
-void box(const Vec3& low, const Vec3& high, const Transform* matrix, const RayPacket& rays, double t_min,
-         const double* t_max, PacketHits& met) {
+void box(const SimpleSolid& solid, const RayPacket& rays, double t_min, const double* t_max, PacketHits& met) {
   PacketVector<Packet> o = load_rays(rays.rays.origin, rays.first), d = load_rays(rays.rays.direction, rays.first);
-  if (matrix) o = transform_point(matrix->inv, o), d = transform_direction(matrix->inv, d);
-  NearestOfEight<true> nearest(nullptr, t_min, t_max);
-  box_crossings(o, d, low, high, nearest);
+  if (solid.matrix) o = transform_point(solid.matrix->inv, o), d = transform_direction(solid.matrix->inv, d);
+  NearestOfEight<false> nearest(nullptr, t_min, t_max);
+  box_crossings(o, d, solid.a, solid.b, solid.turned, nearest);
   nearest.store_to(met);
 }
 

@@ -10,8 +10,7 @@ namespace verisim::shapes {
 struct QuadricKernels {
   void (*sphere)(const Vec3& center, double radius2, const Transform* matrix, const RayPacket& rays, double t_min,
                  const double* t_max, PacketHits& met);
-  void (*box)(const Vec3& low, const Vec3& high, const Transform* matrix, const RayPacket& rays, double t_min,
-              const double* t_max, PacketHits& met);
+  void (*box)(const SimpleSolid& solid, const RayPacket& rays, double t_min, const double* t_max, PacketHits& met);
   void (*cone)(bool cylinder, bool open, double narrow, const Transform* matrix, const RayPacket& rays, double t_min,
                const double* t_max, PacketHits& met);
   void (*quadric)(const scene::Quadric& quadric, const RayPacket& rays, double t_min, const double* t_max,

@@ -4,9 +4,9 @@
 // digits, for thin segments and for nearly level rays, and what they show then is part of the shape (spec 08 F): every
 // operation here is done in POV-Ray's order.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "tracer/math/matrix_inverse.h"
 #include "tracer/math/polynomial.h"
 #include "tracer/shapes/factories.h"
 #include "tracer/shapes/primitive.h"
@@ -26,34 +26,15 @@ struct Segment {
   double slope(double y) const { return (3 * a * y + 2 * b) * y + c; }
 };
 
-using Matrix = std::array<std::array<double, 4>, 4>;
-
-// By cofactors of six products each; the determinant is that of the first row.
-Matrix inverse(const Matrix& m) {
-  const auto cofactor = [&m](std::size_t row, std::size_t column) {
-    const auto at = [&](std::size_t i, std::size_t k) { return m[i + (i >= row)][k + (k >= column)]; };
-    const double minor = at(0, 0) * at(1, 1) * at(2, 2) + at(0, 1) * at(1, 2) * at(2, 0) +
-                         at(0, 2) * at(1, 0) * at(2, 1) - at(2, 0) * at(1, 1) * at(0, 2) -
-                         at(2, 1) * at(1, 2) * at(0, 0) - at(2, 2) * at(1, 0) * at(0, 1);
-    return (row + column) % 2 != 0 ? -minor : minor;
-  };
-  double determinant = m[0][0] * cofactor(0, 0);
-  for (std::size_t k = 1; k < 4; ++k) determinant += m[0][k] * cofactor(0, k);
-  Matrix result;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t k = 0; k < 4; ++k) result[i][k] = cofactor(k, i) / determinant;
-  return result;
-}
-
 // The cubic through (y0, f0) and (y1, f1) with slopes s0, s1.
 Segment segment(double y0, double y1, double f0, double f1, double s0, double s1) {
-  const Matrix powers = {{{y0 * y0 * y0, y0 * y0, y0, 1},
-                          {y1 * y1 * y1, y1 * y1, y1, 1},
-                          {3 * y0 * y0, 2 * y0, 1, 0},
-                          {3 * y1 * y1, 2 * y1, 1, 0}}};
-  const Matrix solved = inverse(powers);
-  const auto coefficient = [&](std::size_t i) {
-    const std::array<double, 4>& row = solved[i];
+  const Mat4 powers(y0 * y0 * y0, y0 * y0, y0, 1,  //
+                    y1 * y1 * y1, y1 * y1, y1, 1,  //
+                    3 * y0 * y0, 2 * y0, 1, 0,     //
+                    3 * y1 * y1, 2 * y1, 1, 0);
+  const Mat4 solved = cofactor_inverse(powers).matrix;
+  const auto coefficient = [&](int i) {
+    const double* const row = solved[i];
     const double value = f0 * row[0] + f1 * row[1] + s0 * row[2] + s1 * row[3];
     return std::fabs(value) < kEpsilon ? 0 : value;
   };

@@ -1,5 +1,7 @@
 #include "cli/parts/block_record.h"
 
+#include <array>
+
 #include "cli/parts/fingerprint.h"
 #include "tracer/base/bytes.h"
 
@@ -42,7 +44,7 @@ std::string color_record(const Block& block, const Block& place, const render::F
   std::string record = head_of(block, kColorBytes);
   each_pixel(place, framebuffer.width, [&](std::size_t i) {
     const Color& c = framebuffer.pixels[i];
-    for (const float value : {c.r, c.g, c.b, c.t}) put_bytes(record, value);
+    put_bytes(record, std::array{c.r, c.g, c.b, c.t});
   });
   put_bytes(record, checksum(record, key));
   return record;

@@ -1,6 +1,7 @@
 // Plain values as bytes in a string, and back: what files of ours hold. Little-endian, on every machine.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstring>
 #include <stdexcept>
@@ -16,6 +17,12 @@ template <class T>
 void put_bytes(std::string& out, const T& value) {
   static_assert(std::is_arithmetic_v<T>);
   out.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+// One after the other.
+template <class T, std::size_t N>
+void put_bytes(std::string& out, const std::array<T, N>& values) {
+  static_assert(std::is_arithmetic_v<T>);
+  out.append(reinterpret_cast<const char*>(values.data()), sizeof values);
 }
 
 // Takes values from the front of bytes that somebody else keeps. Throws std::runtime_error at their end.

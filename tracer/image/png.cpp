@@ -103,8 +103,8 @@ class RowPacker {
 class Deflater {
  public:
   Deflater() {
-    // Half as fast as the fastest level, files a tenth smaller: 15 ms for 1280x720.
-    constexpr int kLevel = 3;
+    // Of 250 scenes' pictures: 0.73 of the time of level 3, files 3 % larger; level 1: 0.68 and 5.5 %.
+    constexpr int kLevel = 2;
     if (deflateInit(&stream_, kLevel) != Z_OK) throw std::bad_alloc();
     stream_.next_out = out_.data();
     stream_.avail_out = kChunk;

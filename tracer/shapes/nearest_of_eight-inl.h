@@ -25,7 +25,7 @@ class NearestOfEight {
   using Part = IntPacket;
   // `scale`: distances in the world are smaller by it; null: they are the same.
   HWY_INLINE NearestOfEight(const Packet* scale, double t_min, const double* t_max)
-      : scale_(scale), t_min_(t_min), t_(Packet::load(t_max)), local_(0.0), part_(-1), found_{} {}
+      : scale_(scale), t_min_(t_min), t_(Packet::load(t_max)), local_(0.0), part_(-1), found_(~Mask::all()) {}
 
   HWY_INLINE bool any(const Mask& where) const { return bits(where) != 0; }
   HWY_INLINE bool operator()(const Packet& t, const Mask& where, const Part& part) {

@@ -118,7 +118,8 @@ void apply(const CompiledNormal& c, const Vec3& p, SurfacePoint& surface) {
         const Vec3 upper = surface.normal;
         surface.normal = n;
         apply(*c.children[place.lower], q, surface);
-        surface.normal += fraction(c.positions, place, value) * (upper - surface.normal);
+        const double t = fraction(c.positions, place, value);
+        surface.normal = (1 - t) * surface.normal + t * upper;
       }
       break;
     }
